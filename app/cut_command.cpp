@@ -1,0 +1,189 @@
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+
+#include "app/commands.h"
+#include "app/cut_options.h"
+#include "app/cut_report.h"
+#include "app/exit_status.h"
+#include "app/interrupt.h"
+#include "app/load_mesh.h"
+#include "core/base/atomic_file.h"
+#include "core/cut/stopwatch.h"
+#include "core/document/document.h"
+
+namespace kerf {
+
+namespace {
+
+// One run of `kerf cut`, from its files to its folder.
+class CutRun {
+ public:
+  explicit CutRun(CutOptions options) : options_(std::move(options)) {}
+
+  Status run() {
+    if (const auto s = merge_settings_file(options_); !s) return s;
+    if (const auto s = check_cut_options(options_); !s) return s;
+    if (const auto s = read_strokes(); !s) return s;
+    if (const auto s = load(); !s) return s;
+    if (const auto s = make_folder(); !s) return s;
+    {
+      const Stopwatch watch(job_.cut_s);
+      for (const StrokePath& stroke : strokes_) {
+        if (const auto s = cut(stroke); !s) return s;
+      }
+    }
+    return save();
+  }
+
+ private:
+  Status read_strokes() {
+    if (options_.path.empty()) return Done{};
+    auto strokes = read_path_file(options_.path);
+    if (!strokes) return strokes.error();
+    strokes_ = std::move(*strokes);
+    return Done{};
+  }
+
+  Status load() {
+    World world;
+    for (const std::string& file : options_.meshes) {
+      if (interrupted()) return failed("stopped");
+      Result<BuiltMesh> built = [&] {
+        const Stopwatch watch(job_.load_s);
+        return load_mesh(file);
+      }();
+      if (!built) return built.error();
+      for (const std::string& warning : built->report.warnings)
+        std::cerr << "kerf: warning: " << warning << '\n';
+      job_.input_faces += built->report.faces;
+      job_.input_vertices += built->report.vertices;
+      job_.input_area += built->report.area;
+      job_.input_components += built->report.components;
+      const Stopwatch watch(job_.build_tree_s);
+      world.add(make_body(std::filesystem::path(file).stem().string(), std::move(*built)));
+    }
+    job_.input_min_angle = smallest_angle(world);
+    diagonal_ = world.bounds().diagonal();
+    document_ = Document(std::move(world));
+    return Done{};
+  }
+
+  Status make_folder() const {
+    std::error_code error;
+    std::filesystem::create_directories(options_.out, error);
+    if (error) return failed(options_.out + ": the folder cannot be made: " + error.message());
+    return Done{};
+  }
+
+  Status cut(const StrokePath& stroke) {
+    const CutSettings settings = stroke_settings(options_, stroke, diagonal_);
+    document_.apply(BeginStroke{settings, stroke.keys.front()});
+    for (size_t k = 1; k < stroke.keys.size(); ++k) document_.apply(MoveStroke{stroke.keys[k]});
+    document_.apply(EndStroke{});
+    const size_t moves = document_.waiting();
+    const size_t steps = options_.steps ? static_cast<size_t>(*options_.steps) : moves;
+    for (size_t i = 0; i < steps; ++i) {
+      if (interrupted()) return failed("stopped: nothing was written");
+      if (const auto s = step(moves * (i + 1) / steps - moves * i / steps); !s) return s;
+    }
+    return Done{};
+  }
+
+  Status step(size_t moves) {
+    double seconds = 0;
+    Result<StepResult> result = [&] {
+      const Stopwatch watch(seconds);
+      return document_.step(moves);
+    }();
+    if (!result) return result.error();
+    ++job_.steps;
+    job_.figures.add(result->figures);
+    job_.removed_faces += result->delta.removed_faces;
+    job_.removed_area += result->delta.removed_area;
+    if (result->delta.removed_faces > 0) job_.step_s.push_back(seconds);
+    return Done{};
+  }
+
+  struct Part {
+    Extract extract;
+    const Body* body;
+  };
+
+  std::vector<Part> parts() const {
+    std::vector<Part> parts;
+    for (const BodyId id : document_.world().ids()) {
+      const Body& body = document_.world().body(id);
+      for (const auto& faces : faces_by_piece(body, options_.split_all)) {
+        parts.push_back({extract_faces(body, faces), &body});
+      }
+    }
+    std::stable_sort(parts.begin(), parts.end(),
+                     [](const Part& a, const Part& b) { return a.extract.area > b.extract.area; });
+    return parts;
+  }
+
+  Status save() {
+    std::vector<WrittenPiece> written;
+    {
+      const Stopwatch watch(job_.save_s);
+      const std::string ending = options_.format.value_or("obj");
+      for (const Part& part : parts()) {
+        if (interrupted()) return failed("stopped while the pieces were written");
+        char name[40];
+        std::snprintf(name, sizeof name, "piece-%04zu.%s", written.size(), ending.c_str());
+        const Extract& e = part.extract;
+        const MeshView view{e.positions, e.triangles, e.materials, part.body->material_names};
+        if (const auto s = write_mesh(view, std::filesystem::path(options_.out) / name, *mesh_format(ending));
+            !s) {
+          return s;
+        }
+        written.push_back(
+            {name, e.triangles.size(), e.positions.size(), e.boundary_edges, e.area, e.centroid});
+      }
+    }
+    const auto report = cut_report(job_, document_.world(), settings_json(), written);
+    return write_file_atomically(std::filesystem::path(options_.out) / "report.json", report.dump(2) + "\n");
+  }
+
+  nlohmann::ordered_json settings_json() const {
+    const CutSettings s =
+        stroke_settings(options_, strokes_.empty() ? StrokePath{} : strokes_.front(), diagonal_);
+    nlohmann::ordered_json json = {{"radius", s.laser.radius},
+                                   {"range", {s.laser.range.low, s.laser.range.high}},
+                                   {"pattern", s.laser.pattern == Pattern::kRays4 ? "rays4" : "volume"},
+                                   {"scheme", "one-to-four"},
+                                   {"rim", "faces"}};
+    if (s.resolution.rule == Resolution::Rule::kDepth)
+      json["depth"] = s.resolution.depth;
+    else
+      json["target-edge"] = s.resolution.target_edge;
+    json["model"] = "geometric";
+    json["format"] = options_.format.value_or("obj");
+    json["split-all"] = options_.split_all;
+    return json;
+  }
+
+  CutOptions options_;
+  std::vector<StrokePath> strokes_;
+  Document document_;
+  double diagonal_ = 0;
+  CutJob job_;
+};
+
+}  // namespace
+
+void add_cut_command(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("cut", "Cut meshes along a path and write the pieces and a report");
+  auto options = std::make_shared<CutOptions>();
+  add_cut_options(*command, *options);
+  command->callback([options, &action] {
+    action = [options] {
+      catch_interrupts();
+      const Status status = CutRun(*options).run();
+      return status ? 0 : report_error(status.error());
+    };
+  });
+}
+
+}  // namespace kerf

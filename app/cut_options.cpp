@@ -1,0 +1,161 @@
+#include "app/cut_options.h"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+
+#include "app/parse_values.h"
+#include "core/document/json_value.h"
+
+namespace kerf {
+
+namespace {
+
+Status only(const std::optional<std::string>& value, const char* option,
+            const std::vector<std::string>& offered) {
+  if (!value || std::find(offered.begin(), offered.end(), *value) != offered.end()) return Done{};
+  std::string list;
+  for (const std::string& name : offered) list += (list.empty() ? "" : ", ") + name;
+  return bad_input(std::string(option) + ": \"" + *value +
+                   "\" is not offered by this version; there is: " + list);
+}
+
+Status positive(const std::optional<double>& value, const char* option) {
+  if (!value || (*value > 0 && std::isfinite(*value))) return Done{};
+  return bad_input(std::string(option) + ": must be a length in metres greater than zero");
+}
+
+Status within(const std::optional<int>& value, int least, int most, const char* option) {
+  if (!value || (*value >= least && *value <= most)) return Done{};
+  return bad_input(std::string(option) + ": must be a whole number from " + std::to_string(least) + " to " +
+                   std::to_string(most));
+}
+
+template <typename T>
+Status take(const JsonValue& value, std::optional<T>& option) {
+  if constexpr (std::is_same_v<T, double>) {
+    const auto number = value.number();
+    if (!number) return number.error();
+    if (!option) option = *number;
+  } else if constexpr (std::is_same_v<T, int>) {
+    if (!value.json().is_number_integer()) return value.wrong("must be a whole number");
+    const auto number = value.json().get<int64_t>();
+    if (number < -1'000'000'000 || number > 1'000'000'000) return value.wrong("is out of range");
+    if (!option) option = static_cast<int>(number);
+  } else {
+    const auto text = value.text();
+    if (!text) return text.error();
+    if (!option) option = *text;
+  }
+  return Done{};
+}
+
+Status take_range(const JsonValue& value, std::optional<std::string>& option) {
+  const auto range = value.interval();
+  if (!range) return range.error();
+  if (!option) option = value.json()[0].dump() + "," + value.json()[1].dump();
+  return Done{};
+}
+
+Status take_key(const std::string& key, const JsonValue& value, CutOptions& o) {
+  if (key == "radius") return take(value, o.radius);
+  if (key == "range") return take_range(value, o.range);
+  if (key == "pattern") return take(value, o.pattern);
+  if (key == "scheme") return take(value, o.scheme);
+  if (key == "rim") return take(value, o.rim);
+  if (key == "target-edge") return take(value, o.target_edge);
+  if (key == "depth") return take(value, o.depth);
+  if (key == "steps") return take(value, o.steps);
+  if (key == "model") return take(value, o.model);
+  if (key == "format") return take(value, o.format);
+  if (key == "split-all") {
+    if (!value.json().is_boolean()) return value.wrong("must be true or false");
+    o.split_all = o.split_all || value.json().get<bool>();
+    return Done{};
+  }
+  return value.wrong("is not a setting that this version has");
+}
+
+}  // namespace
+
+void add_cut_options(CLI::App& command, CutOptions& o) {
+  command.add_option("MESH", o.meshes, "Mesh files (OBJ, STL, PLY, OFF), cut together")->required();
+  command.add_option("--path", o.path, "The strokes of the laser (JSON); without it nothing is cut");
+  command.add_option("--out", o.out, "The folder for the pieces and report.json")->required();
+  command.add_option("--radius", o.radius,
+                     "Radius of the beam in metres (diagonal/400, or what the path file says)");
+  command.add_option("--range", o.range,
+                     "MIN,MAX: where along the beam it cuts, in metres (0 to 10 diagonals)");
+  command.add_option("--pattern", o.pattern, "volume or rays4 (volume)");
+  command.add_option("--scheme", o.scheme, "How faces are split: one-to-four");
+  command.add_option("--rim", o.rim, "How the rim is left: faces");
+  command.add_option("--target-edge", o.target_edge, "Longest edge under the beam in metres (radius/4)");
+  command.add_option("--depth", o.depth, "Instead: levels under the base face");
+  command.add_option("--steps", o.steps,
+                     "How many steps each stroke is walked in (as many as the sweep needs)");
+  command.add_option("--model", o.model, "What the beam does to a face: geometric");
+  command.add_option("--format", o.format, "Of the pieces: obj, ply, stl or off (obj)");
+  command.add_flag("--split-all", o.split_all, "Every connected component is a piece");
+  command.add_option("--settings", o.settings, "A JSON file with the same keys; the command line wins");
+}
+
+Status merge_settings_file(CutOptions& o) {
+  if (o.settings.empty()) return Done{};
+  const auto text = read_text_file(o.settings);
+  if (!text) return text.error();
+  const auto json = parse_json(*text, o.settings);
+  if (!json) return json.error();
+  const JsonValue root(*json, o.settings);
+  if (const auto object = root.object(); !object) return object;
+  // A resolution on the command line replaces the file's, of whichever kind.
+  const bool has_resolution = o.target_edge || o.depth;
+  for (const auto& item : json->items()) {
+    if (has_resolution && (item.key() == "target-edge" || item.key() == "depth")) continue;
+    if (const auto taken = take_key(item.key(), root[item.key().c_str()], o); !taken) return taken;
+  }
+  return Done{};
+}
+
+Result<Interval> parse_range(const std::string& text) {
+  const auto wrong = bad_input("--range: must be MIN,MAX in metres, 0 <= MIN <= MAX");
+  const size_t comma = text.find(',');
+  if (comma == std::string::npos) return wrong;
+  Interval range;
+  const std::string_view view = text;
+  if (!parse_number(view.substr(0, comma), range.low) || !parse_number(view.substr(comma + 1), range.high))
+    return wrong;
+  if (range.low < 0 || range.low > range.high) return wrong;
+  return range;
+}
+
+Status check_cut_options(const CutOptions& o) {
+  if (const auto s = positive(o.radius, "--radius"); !s) return s;
+  if (o.range) {
+    if (const auto range = parse_range(*o.range); !range) return range.error();
+  }
+  if (const auto s = only(o.pattern, "--pattern", {"volume", "rays4"}); !s) return s;
+  if (const auto s = only(o.scheme, "--scheme", {"one-to-four"}); !s) return s;
+  if (const auto s = only(o.rim, "--rim", {"faces"}); !s) return s;
+  if (const auto s = positive(o.target_edge, "--target-edge"); !s) return s;
+  if (const auto s = within(o.depth, 0, Resolution::kLargestDepth, "--depth"); !s) return s;
+  if (o.depth && o.target_edge) return bad_input("--depth and --target-edge: choose one of them");
+  if (const auto s = within(o.steps, 1, 1'000'000, "--steps"); !s) return s;
+  if (const auto s = only(o.model, "--model", {"geometric"}); !s) return s;
+  return only(o.format, "--format", {"obj", "ply", "stl", "off"});
+}
+
+CutSettings stroke_settings(const CutOptions& o, const StrokePath& stroke, double diagonal) {
+  CutSettings settings;
+  settings.laser.radius = o.radius ? *o.radius : stroke.radius.value_or(diagonal / 400);
+  settings.laser.range = o.range ? *parse_range(*o.range) : stroke.range.value_or(Interval{0, 10 * diagonal});
+  settings.laser.power = stroke.power.value_or(settings.laser.power);
+  settings.laser.pattern = o.pattern == "rays4" ? Pattern::kRays4 : Pattern::kVolume;
+  if (o.depth) {
+    settings.resolution.rule = Resolution::Rule::kDepth;
+    settings.resolution.depth = *o.depth;
+  } else {
+    settings.resolution.target_edge = o.target_edge.value_or(settings.laser.radius / 4);
+  }
+  return settings;
+}
+
+}  // namespace kerf

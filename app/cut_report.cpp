@@ -1,0 +1,107 @@
+#include "app/cut_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/world/state_hash.h"
+
+namespace kerf {
+
+namespace {
+
+template <typename Visit>
+void for_each_live_face(const World& world, Visit visit) {
+  for (const BodyId id : world.ids()) {
+    const Mesh& mesh = world.body(id).mesh;
+    for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
+      if (mesh.is_live(FaceId(f))) visit(mesh, FaceId(f));
+    }
+  }
+}
+
+int deepest_level(const World& world) {
+  int level = 0;
+  for_each_live_face(world, [&](const Mesh& m, FaceId f) { level = std::max<int>(level, m.data(f).level); });
+  return level;
+}
+
+// Of sorted values; the value that this share of them does not exceed.
+double percentile(const std::vector<double>& sorted, double share) {
+  if (sorted.empty()) return 0;
+  const auto rank = static_cast<size_t>(std::ceil(share * static_cast<double>(sorted.size())));
+  return sorted[std::min(sorted.size(), std::max<size_t>(rank, 1)) - 1];
+}
+
+nlohmann::ordered_json timing(const CutJob& job) {
+  std::vector<double> sorted = job.step_s;
+  std::sort(sorted.begin(), sorted.end());
+  const auto ms = [](double seconds) { return 1000 * seconds; };
+  return {{"load", ms(job.load_s)},
+          {"build_tree", ms(job.build_tree_s)},
+          {"cut", ms(job.cut_s)},
+          {"query", ms(job.figures.query_s)},
+          {"refine", ms(job.figures.refine_s)},
+          {"remove", ms(job.figures.remove_s)},
+          {"update_tree", ms(job.figures.update_tree_s)},
+          {"separate", ms(job.figures.separate_s)},
+          {"step_p50", ms(percentile(sorted, 0.50))},
+          {"step_p99", ms(percentile(sorted, 0.99))},
+          {"step_max", sorted.empty() ? 0.0 : ms(sorted.back())},
+          {"save", ms(job.save_s)}};
+}
+
+nlohmann::ordered_json to_json(const WrittenPiece& p) {
+  return {{"file", p.file},
+          {"faces", p.faces},
+          {"vertices", p.vertices},
+          {"area", p.area},
+          {"centroid", {p.centroid.x, p.centroid.y, p.centroid.z}},
+          {"boundary_edges", p.boundary_edges}};
+}
+
+std::string hash_text(const World& world) {
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(state_hash(world)));
+  return text;
+}
+
+}  // namespace
+
+double smallest_angle(const World& world) {
+  double cosine = -1;
+  for_each_live_face(
+      world, [&](const Mesh& m, FaceId f) { cosine = std::max(cosine, largest_cosine(m.triangle(f))); });
+  return std::acos(cosine) * 180 / 3.14159265358979323846;
+}
+
+nlohmann::ordered_json cut_report(const CutJob& job, const World& world,
+                                  const nlohmann::ordered_json& settings,
+                                  const std::vector<WrittenPiece>& pieces) {
+  size_t faces = 0, vertices = 0;
+  double area = 0;
+  auto list = nlohmann::ordered_json::array();
+  for (const WrittenPiece& p : pieces) {
+    faces += p.faces;
+    vertices += p.vertices;
+    area += p.area;
+    list.push_back(to_json(p));
+  }
+  return {{"input",
+           {{"faces", job.input_faces},
+            {"vertices", job.input_vertices},
+            {"area", job.input_area},
+            {"components", job.input_components}}},
+          {"settings", settings},
+          {"removed", {{"faces", job.removed_faces}, {"area", job.removed_area}}},
+          {"output", {{"faces", faces}, {"vertices", vertices}, {"area", area}}},
+          {"pieces", list},
+          {"min_angle_deg",
+           {{"input", job.input_min_angle}, {"output", faces > 0 ? smallest_angle(world) : 0.0}}},
+          {"max_level", deepest_level(world)},
+          {"steps", job.steps},
+          {"timing_ms", timing(job)},
+          {"state_hash", hash_text(world)}};
+}
+
+}  // namespace kerf

@@ -1,0 +1,50 @@
+#include <CLI/CLI.hpp>
+
+#include "app/commands.h"
+#include "app/exit_status.h"
+#include "app/parse_values.h"
+#include "ui/editor/editor.h"
+
+namespace kerf {
+
+namespace {
+
+struct EditorArguments {
+  std::vector<std::string> files;
+  std::string report, size;
+};
+
+Status edit(const EditorArguments& a) {
+  EditorOptions options;
+  options.default_scene = KERF_ASSETS "/scenes/car.json";
+  if (a.files.size() > 1) return bad_input("this version opens one FILE at a time");
+  if (!a.files.empty()) {
+    if (!std::filesystem::exists(a.files.front())) {
+      return bad_input(a.files.front() + ": there is no such file, and this version has no such command");
+    }
+    options.file = a.files.front();
+  }
+  if (!a.report.empty()) options.report = a.report;
+  if (!a.size.empty()) {
+    const auto size = parse_size(a.size);
+    if (!size) return size.error();
+    options.width = size->width;
+    options.height = size->height;
+  }
+  return run_editor(options);
+}
+
+}  // namespace
+
+void add_editor(CLI::App& app, Action& action) {
+  auto a = std::make_shared<EditorArguments>();
+  app.add_option("FILE", a->files, "A scene (.json) or a mesh to open in the editor");
+  app.add_option("--report", a->report, "Where the editor writes what happened, as JSON, when it ends");
+  app.add_option("--size", a->size, "Size of the editor's window, WxH");
+  action = [a] {
+    const Status status = edit(*a);
+    return status ? 0 : report_error(status.error());
+  };
+}
+
+}  // namespace kerf

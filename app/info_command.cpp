@@ -1,0 +1,57 @@
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "app/exit_status.h"
+#include "app/load_mesh.h"
+
+namespace kerf {
+
+namespace {
+
+nlohmann::ordered_json to_json(const Repairs& r) {
+  return {{"welded_vertices", r.welded_vertices},
+          {"duplicated_vertices", r.duplicated_vertices},
+          {"reoriented_faces", r.reoriented_faces},
+          {"degenerate_faces_dropped", r.degenerate_faces_dropped},
+          {"non_finite_faces_dropped", r.non_finite_faces_dropped},
+          {"invalid_faces_dropped", r.invalid_faces_dropped},
+          {"zero_area_faces", r.zero_area_faces},
+          {"isolated_vertices_dropped", r.isolated_vertices_dropped}};
+}
+
+nlohmann::ordered_json to_json(const std::string& file, const MeshReport& m) {
+  return {{"file", file},
+          {"format", m.format},
+          {"faces_in_file", m.faces_in_file},
+          {"triangles_in_file", m.triangles_in_file},
+          {"faces", m.faces},
+          {"vertices", m.vertices},
+          {"boundary_edges", m.boundary_edges},
+          {"non_manifold_edges", m.non_manifold_edges},
+          {"components", m.components},
+          {"area", m.area},
+          {"bounds", {{"min", {m.min.x, m.min.y, m.min.z}}, {"max", {m.max.x, m.max.y, m.max.z}}}},
+          {"repairs", to_json(m.repairs)}};
+}
+
+int run_info(const std::string& file) {
+  const auto built = load_mesh(file);
+  if (!built) return report_error(built.error());
+  for (const std::string& warning : built->report.warnings) std::cerr << "kerf: warning: " << warning << '\n';
+  std::cout << to_json(file, built->report).dump(2, ' ', false, nlohmann::json::error_handler_t::replace)
+            << '\n';
+  return std::cout.flush() ? 0 : report_error(failed("standard output cannot be written"));
+}
+
+}  // namespace
+
+void add_info_command(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("info", "What is in a mesh file, as JSON on standard output");
+  auto file = std::make_shared<std::string>();
+  command->add_option("MESH", *file, "An OBJ, STL, PLY or OFF file")->required();
+  command->callback([file, &action] { action = [file] { return run_info(*file); }; });
+}
+
+}  // namespace kerf

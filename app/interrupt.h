@@ -1,0 +1,9 @@
+#pragma once
+
+namespace kerf {
+
+// From now on Ctrl-C and SIGTERM do not end the program but are remembered; long work asks and stops.
+void catch_interrupts();
+bool interrupted();
+
+}  // namespace kerf

@@ -1,0 +1,41 @@
+#include <CLI/CLI.hpp>
+#include <csignal>
+
+#include "app/commands.h"
+#include "app/exit_status.h"
+
+namespace {
+
+int parse_and_run(int argc, char** argv) {
+  CLI::App app("Kerf: a laser drills through any triangle mesh, live.", "kerf");
+  app.set_version_flag("--version", "kerf " KERF_VERSION);
+  app.set_help_flag("--help", "Show this help");
+  kerf::Action action;
+  kerf::add_editor(app, action);
+  kerf::add_info_command(app, action);
+  kerf::add_cut_command(app, action);
+  kerf::add_render_command(app, action);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& asked) {  // --help, --version
+    return app.exit(asked);
+  } catch (const CLI::ParseError& wrong) {
+    return kerf::report_error(kerf::bad_input(std::string(wrong.what()) + " (see kerf --help)"));
+  }
+  return action();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // A full quota and a reader that went away are failed writes, to be reported, not the end by a signal.
+  std::signal(SIGXFSZ, SIG_IGN);
+  std::signal(SIGPIPE, SIG_IGN);
+  try {
+    return parse_and_run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    return kerf::report_error(kerf::failed("there is not enough memory for this"));
+  } catch (const std::exception& fault) {
+    return kerf::report_error(kerf::failed(std::string("stopped by an unexpected fault: ") + fault.what()));
+  }
+}

@@ -1,0 +1,15 @@
+// What all programs know of a frame. Frame coordinates: the axes of the world, the eye at the origin, lengths in
+// units of about the size of the world, so that floats do for worlds of any size and place.
+layout(std140) uniform Frame {
+  mat4 clip_from_frame;
+  vec4 camera_right;    // xyz unit; w: tangent of half the field of view, sideways
+  vec4 camera_up;       // xyz unit; w: the same, upwards
+  vec4 camera_forward;  // xyz unit
+  vec4 viewport;        // width and height in pixels, their inverses
+  vec4 key_light;       // xyz unit, towards the light
+  vec4 ground;          // height, x and z of the middle, radius of the disc
+  vec4 grid;            // phase x and z and spacing of the fine lines, height of the world over the ground
+  vec4 spot;            // xyz where the beam strikes; w: how far its light reaches
+  vec4 spot_colour;     // rgb, 0 when the beam is off
+  vec4 heat;            // x: halvings at which a face is white-hot, y: level colouring on, z: strong piece colours
+};

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cassert>
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace kerf {
+
+// What kind of thing went wrong; decides the exit status of the command line.
+enum class ErrorCode {
+  kBadInput,  // the file, the setting or the command line is wrong (exit 2)
+  kFailed,    // it could not be done: disk full, no OpenGL, cancelled (exit 1)
+};
+
+// A failure that can be expected, with one sentence for people: what, where and what to do.
+struct Error {
+  ErrorCode code = ErrorCode::kFailed;
+  std::string message;
+};
+
+inline Error bad_input(std::string message) { return {ErrorCode::kBadInput, std::move(message)}; }
+inline Error failed(std::string message) { return {ErrorCode::kFailed, std::move(message)}; }
+
+// A value, or the reason why there is none. Ask ok() (or the bool) before taking either.
+template <typename T>
+class [[nodiscard]] Result {
+ public:
+  Result(T value) : state_(std::move(value)) {}      // NOLINT: a value converts into its success
+  Result(Error error) : state_(std::move(error)) {}  // NOLINT: an error converts into its failure
+
+  bool ok() const { return state_.index() == 0; }
+  explicit operator bool() const { return ok(); }
+  T& value() { return *std::get_if<0>(&state_); }
+  const T& value() const { return *std::get_if<0>(&state_); }
+  T& operator*() { return value(); }
+  const T& operator*() const { return value(); }
+  T* operator->() { return &value(); }
+  const T* operator->() const { return &value(); }
+  const Error& error() const { return *std::get_if<1>(&state_); }
+
+ private:
+  std::variant<T, Error> state_;
+};
+
+// Success without a value.
+struct Done {};
+using Status = Result<Done>;
+
+}  // namespace kerf

@@ -1,0 +1,59 @@
+#include "core/document/document.h"
+
+#include <algorithm>
+
+namespace kerf {
+
+namespace {
+
+template <typename... Handlers>
+struct Overloaded : Handlers... {
+  using Handlers::operator()...;
+};
+template <typename... Handlers>
+Overloaded(Handlers...) -> Overloaded<Handlers...>;
+
+}  // namespace
+
+void Document::apply(const Command& command) {
+  journal_.push_back(command);
+  std::visit(Overloaded{
+                 [&](const BeginStroke& begin) {
+                   settings_ = begin.settings;
+                   last_ = begin.pose;
+                   in_stroke_ = true;
+                   ++strokes_;
+                   moves_.push_back({last_, last_});
+                 },
+                 [&](const MoveStroke& move) {
+                   if (!in_stroke_) return;
+                   for (const BeamMove& m : walk(last_, move.pose, settings_.laser.radius, reach(last_))) {
+                     moves_.push_back(m);
+                   }
+                   last_ = move.pose;
+                 },
+                 [&](const EndStroke&) { in_stroke_ = false; },
+             },
+             command);
+}
+
+// How far along the beam there is anything to cut: to the farthest corner of the world's bounds.
+double Document::reach(const Pose& pose) const {
+  const World::Bounds bounds = world_.bounds();
+  const Vec3 far = glm::max(glm::abs(bounds.min - pose.origin), glm::abs(bounds.max - pose.origin));
+  return std::min(settings_.laser.range.high, glm::length(far));
+}
+
+Result<StepResult> Document::step(size_t moves) {
+  const size_t count = std::min(moves, moves_.size());
+  const std::vector<BeamMove> now(moves_.begin(), moves_.begin() + static_cast<std::ptrdiff_t>(count));
+  moves_.erase(moves_.begin(), moves_.begin() + static_cast<std::ptrdiff_t>(count));
+  Result<StepResult> result = cut_step(world_, settings_, now);
+  if (!result) {
+    moves_.clear();
+    in_stroke_ = false;
+  }
+  return result;
+}
+
+}  // namespace kerf

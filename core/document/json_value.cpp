@@ -1,0 +1,81 @@
+#include "core/document/json_value.h"
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+
+namespace kerf {
+
+Result<double> JsonValue::number() const {
+  if (!value_->is_number() || !std::isfinite(value_->get<double>())) return wrong("must be a finite number");
+  return value_->get<double>();
+}
+
+Result<double> JsonValue::positive_number() const {
+  const auto n = number();
+  if (n && !(*n > 0)) return wrong("must be greater than zero");
+  return n;
+}
+
+Result<Vec3> JsonValue::vector() const {
+  if (!value_->is_array() || value_->size() != 3) return wrong("must be three numbers");
+  Vec3 v{0};
+  for (int i = 0; i < 3; ++i) {
+    const auto n = (*this)[static_cast<size_t>(i)].number();
+    if (!n) return n.error();
+    v[i] = *n;
+  }
+  return v;
+}
+
+Result<Interval> JsonValue::interval() const {
+  if (!value_->is_array() || value_->size() != 2) return wrong("must be two numbers");
+  const auto low = (*this)[size_t{0}].number(), high = (*this)[size_t{1}].number();
+  if (!low) return low.error();
+  if (!high) return high.error();
+  if (*low > *high || *low < 0) return wrong("must be a range from small to large that starts at 0 or above");
+  return Interval{*low, *high};
+}
+
+Result<std::string> JsonValue::text() const {
+  if (!value_->is_string()) return wrong("must be a text");
+  return value_->get<std::string>();
+}
+
+Status JsonValue::array(const char* of_what) const {
+  if (!value_->is_array()) return wrong(std::string("must be a list of ") + of_what);
+  return Done{};
+}
+
+Status JsonValue::object() const {
+  if (!value_->is_object()) return wrong("must be an object");
+  return Done{};
+}
+
+Result<nlohmann::json> parse_json(std::string_view text, const std::string& file) {
+  try {
+    return nlohmann::json::parse(text);
+  } catch (const nlohmann::json::parse_error& fault) {
+    const size_t at = std::min(text.size(), fault.byte > 0 ? fault.byte - 1 : 0);
+    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+    return bad_input(file + ": line " + std::to_string(line) + ": this is not JSON");
+  } catch (const std::exception&) {
+    return bad_input(file + ": this is not JSON that can be read");
+  }
+}
+
+Result<std::string> read_text_file(const std::filesystem::path& file) {
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status)) return bad_input(file.string() + ": there is no such file");
+  if (!std::filesystem::is_regular_file(status)) return bad_input(file.string() + ": this is not a file");
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) return bad_input(file.string() + ": cannot be opened for reading");
+  std::ostringstream text;
+  text << stream.rdbuf();
+  if (stream.bad()) return failed(file.string() + ": reading broke off");
+  return std::move(text).str();
+}
+
+}  // namespace kerf

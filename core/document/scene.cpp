@@ -1,0 +1,125 @@
+#include "core/document/scene.h"
+
+#include <cmath>
+
+#include "core/document/json_value.h"
+#include "core/document/parse_strokes.h"
+#include "core/mesh/read_mesh.h"
+
+namespace kerf {
+
+namespace {
+
+// Linear light from one of the 256 steps of sRGB (IEC 61966-2-1). Colours are for eyes, so pow() may differ
+// between machines.
+double linear(int step) {
+  const double s = step / 255.0;
+  return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
+}
+
+Result<Vec3> colour(const JsonValue& value) {
+  const auto text = value.text();
+  if (!text) return text.error();
+  if (text->size() != 7 || (*text)[0] != '#' ||
+      text->find_first_not_of("0123456789abcdefABCDEF", 1) != std::string::npos) {
+    return value.wrong("must be a colour like \"#3a6f8f\"");
+  }
+  const auto channel = [&](size_t at) { return linear(std::stoi(text->substr(at, 2), nullptr, 16)); };
+  return Vec3(channel(1), channel(3), channel(5));
+}
+
+Status add_mesh(World& world, const std::filesystem::path& file, const std::string& name) {
+  const auto soup = read_mesh(file);
+  if (!soup) return soup.error();
+  auto built = build_mesh(*soup);
+  if (!built) return Error{built.error().code, file.string() + ": " + built.error().message};
+  world.add(make_body(name, std::move(*built)));
+  return Done{};
+}
+
+Status parse_body(const JsonValue& value, const std::filesystem::path& folder, Scene& scene) {
+  if (const auto object = value.object(); !object) return object;
+  if (!value.has("mesh")) return value.wrong("needs \"mesh\"");
+  const auto mesh = value["mesh"].text();
+  if (!mesh) return mesh.error();
+  std::string name = std::filesystem::path(*mesh).stem().string();
+  if (value.has("name")) {
+    const auto given = value["name"].text();
+    if (!given) return given.error();
+    name = *given;
+  }
+  return add_mesh(scene.world, folder / *mesh, name);
+}
+
+Status parse_paints(const JsonValue& value, Scene& scene) {
+  if (const auto object = value.object(); !object) return object;
+  for (const auto& [name, json] : value.json().items()) {
+    const JsonValue entry = value[name.c_str()];
+    if (const auto object = entry.object(); !object) return object;
+    Paint& paint = scene.paints[name];
+    if (entry.has("colour")) {
+      const auto c = colour(entry["colour"]);
+      if (!c) return c.error();
+      paint.colour = *c;
+    }
+    if (entry.has("gloss")) {
+      const auto gloss = entry["gloss"].number();
+      if (!gloss) return gloss.error();
+      if (*gloss < 0 || *gloss > 1) return entry["gloss"].wrong("must be between 0 and 1");
+      paint.gloss = *gloss;
+    }
+  }
+  return Done{};
+}
+
+Status parse_view(const JsonValue& value, Scene& scene) {
+  if (const auto object = value.object(); !object) return object;
+  if (!value.has("eye") || !value.has("target")) return value.wrong("needs \"eye\" and \"target\"");
+  const auto eye = value["eye"].vector(), target = value["target"].vector();
+  if (!eye) return eye.error();
+  if (!target) return target.error();
+  if (*eye == *target) return value.wrong("eye and target must differ");
+  scene.view = View{*eye, *target};
+  return Done{};
+}
+
+Result<Scene> parse_scene(const JsonValue& root, const std::filesystem::path& folder) {
+  if (const auto object = root.object(); !object) return object.error();
+  if (!root.has("bodies")) return root.wrong("needs \"bodies\"");
+  const JsonValue bodies = root["bodies"];
+  if (const auto array = bodies.array("bodies"); !array) return array.error();
+  if (bodies.json().empty()) return bodies.wrong("must hold one body or more");
+  Scene scene;
+  for (size_t i = 0; i < bodies.json().size(); ++i) {
+    if (const auto body = parse_body(bodies[i], folder, scene); !body) return body.error();
+  }
+  if (root.has("paints")) {
+    if (const auto paints = parse_paints(root["paints"], scene); !paints) return paints.error();
+  }
+  if (root.has("view")) {
+    if (const auto view = parse_view(root["view"], scene); !view) return view.error();
+  }
+  if (root.has("strokes")) {
+    auto strokes = parse_strokes(root["strokes"]);
+    if (!strokes) return strokes.error();
+    scene.strokes = std::move(*strokes);
+  }
+  return scene;
+}
+
+}  // namespace
+
+Result<Scene> read_scene(const std::filesystem::path& file) {
+  if (file.extension() != ".json") {
+    Scene scene;
+    if (const auto added = add_mesh(scene.world, file, file.stem().string()); !added) return added.error();
+    return scene;
+  }
+  const auto text = read_text_file(file);
+  if (!text) return text.error();
+  const auto json = parse_json(*text, file.string());
+  if (!json) return json.error();
+  return parse_scene(JsonValue(*json, file.string()), file.parent_path());
+}
+
+}  // namespace kerf

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/base/vec3.h"
+#include "core/document/path_file.h"
+#include "core/world/world.h"
+
+namespace kerf {
+
+// How a material looks: linear RGB from the file's "#rrggbb" (sRGB), and how polished it is.
+struct Paint {
+  Vec3 colour{0.20, 0.27, 0.33};
+  double gloss = 0.5;  // 0 matt .. 1 polished
+};
+
+struct View {
+  Vec3 eye{0}, target{0};  // m
+};
+
+// What a scene file holds, read and loaded: {"bodies": [{"mesh": "../meshes/car.obj", "name": "car"}],
+// "paints": {"tyre": {"colour": "#202224", "gloss": 0.1}}, "view": {"eye": [..], "target": [..]},
+// "strokes": [...]}. Mesh paths are relative to the scene file.
+struct Scene {
+  World world;
+  std::map<std::string, Paint> paints;  // by material name
+  std::optional<View> view;
+  std::vector<StrokePath> strokes;  // cut before the scene is shown
+};
+
+// Reads a scene (.json) or any mesh file, which makes a scene of that one body.
+Result<Scene> read_scene(const std::filesystem::path& file);
+
+}  // namespace kerf

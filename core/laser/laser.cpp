@@ -1,0 +1,66 @@
+#include "core/laser/laser.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kerf {
+
+namespace {
+
+// A unit vector across d, the same for equal d: from the axis of the world that d leans on least.
+Vec3 across(const Vec3& d) {
+  const Vec3 size = glm::abs(d);
+  const Vec3 e = size.x <= size.y && size.x <= size.z ? Vec3(1, 0, 0)
+                 : size.y <= size.z                   ? Vec3(0, 1, 0)
+                                                      : Vec3(0, 0, 1);
+  return glm::normalize(glm::cross(d, e));
+}
+
+Pose halfway(const Pose& a, const Pose& b) {
+  const Vec3 direction = a.direction == b.direction ? a.direction : glm::normalize(a.direction + b.direction);
+  return {0.5 * a.origin + 0.5 * b.origin, direction};
+}
+
+void bisect(const Pose& from, const Pose& to, int times, std::vector<BeamMove>& out) {
+  if (times == 0) {
+    out.push_back({from, to});
+    return;
+  }
+  const Pose middle = halfway(from, to);
+  bisect(from, middle, times - 1, out);
+  bisect(middle, to, times - 1, out);
+}
+
+}  // namespace
+
+std::vector<SweptCylinder> sweep_beam(const Laser& laser, const BeamMove& move) {
+  if (laser.pattern == Pattern::kVolume)
+    return {SweptCylinder(move.from, move.to, laser.radius, laser.range)};
+  std::vector<SweptCylinder> rays;
+  const auto shifted = [&](const Pose& pose, int ray) {
+    const Vec3 u = across(pose.direction), w = glm::cross(pose.direction, u);
+    const Vec3 offset = (ray % 2 == 0 ? u : w) * (ray < 2 ? laser.radius : -laser.radius);
+    return Pose{pose.origin + offset, pose.direction};
+  };
+  for (int ray = 0; ray < 4; ++ray) {
+    rays.emplace_back(shifted(move.from, ray), shifted(move.to, ray), 0.0, laser.range);
+  }
+  return rays;
+}
+
+std::vector<BeamMove> walk(const Pose& from, const Pose& to, double radius, double reach) {
+  constexpr double kArcOverChord = 1.5707963267948966;  // at most, for arcs up to half a turn
+  constexpr double kLargestTurn = 0.05;                 // rad in one move
+  constexpr int kMostHalvings = 17;
+  const double arc = kArcOverChord * glm::length(to.direction - from.direction);
+  const double way = glm::length(to.origin - from.origin) + arc * reach;
+  const double moves = std::max(way / radius, arc / kLargestTurn);
+  int halvings = 0;
+  for (double m = moves; m > 1 && halvings < kMostHalvings; m *= 0.5) ++halvings;
+  std::vector<BeamMove> out;
+  out.reserve(size_t{1} << halvings);
+  bisect(from, to, halvings, out);
+  return out;
+}
+
+}  // namespace kerf

@@ -1,0 +1,247 @@
+#include "core/mesh/build_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/union_find.h"
+#include "core/mesh/kernel.h"
+#include "core/mesh/orient.h"
+#include "core/mesh/rings.h"
+#include "core/mesh/soup_edges.h"
+#include "core/mesh/weld.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr uint32_t kNone = 0xffffffffu;
+
+bool is_finite(const Vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+
+class Builder {
+ public:
+  explicit Builder(const Soup& soup) : soup_(soup) {}
+
+  Result<BuiltMesh> build() {
+    report_.format = soup_.format;
+    report_.faces_in_file = soup_.faces_in_file;
+    report_.triangles_in_file = soup_.triangles_in_file;
+    report_.warnings = soup_.warnings;
+    report_.repairs.invalid_faces_dropped = soup_.invalid_faces_dropped;
+    keep_usable_triangles();
+    if (triangles_.empty())
+      return bad_input("no face is left: every face is degenerate, not finite or invalid");
+    edges_ = group_sides(triangles_, soup_.positions.size());
+    orient();
+    find_partners();
+    name_vertices();
+    measure();
+    fill_half_edges();
+    return BuiltMesh{std::move(mesh_), std::move(report_), soup_.material_names};
+  }
+
+ private:
+  void keep_usable_triangles() {
+    welded_ = weld_positions(soup_.positions);
+    for (size_t t = 0; t < soup_.triangles.size(); ++t) {
+      const auto& [a, b, c] = soup_.triangles[t];
+      const Soup::Triangle w = {welded_[a], welded_[b], welded_[c]};
+      if (!is_finite(soup_.positions[a]) || !is_finite(soup_.positions[b]) ||
+          !is_finite(soup_.positions[c])) {
+        ++report_.repairs.non_finite_faces_dropped;
+      } else if (w[0] == w[1] || w[1] == w[2] || w[2] == w[0]) {
+        ++report_.repairs.degenerate_faces_dropped;
+      } else {
+        triangles_.push_back(w);
+        materials_.push_back(soup_.materials.empty() ? uint16_t{0} : soup_.materials[t]);
+      }
+    }
+  }
+
+  void orient() {
+    const std::vector<bool> turn = triangles_to_turn(triangles_, edges_);
+    for (size_t t = 0; t < triangles_.size(); ++t) {
+      if (!turn[t]) continue;
+      ++report_.repairs.reoriented_faces;
+      // Swapping the ends of side 0 turns the triangle and exchanges sides 1 and 2.
+      std::swap(triangles_[t][0], triangles_[t][1]);
+      const uint32_t s1 = static_cast<uint32_t>(3 * t + 1), s2 = s1 + 1;
+      const uint32_t e1 = edges_.edge_of[s1], e2 = edges_.edge_of[s2];
+      replace_side(e1, s1, s2);
+      replace_side(e2, s2, s1);
+      std::swap(edges_.edge_of[s1], edges_.edge_of[s2]);
+    }
+  }
+
+  void replace_side(uint32_t edge, uint32_t old_side, uint32_t new_side) {
+    const auto begin = edges_.sides.begin() + edges_.first[edge],
+               end = edges_.sides.begin() + edges_.first[edge + 1];
+    *std::lower_bound(begin, end, old_side, [](uint32_t s, uint32_t key) { return s / 3 < key / 3; }) =
+        new_side;
+  }
+
+  uint32_t tail(uint32_t side) const { return triangles_[side / 3][side % 3]; }
+  uint32_t head(uint32_t side) const { return triangles_[side / 3][(side % 3 + 1) % 3]; }
+  static uint32_t next_side(uint32_t side) { return side % 3 == 2 ? side - 2 : side + 1; }
+  static uint32_t previous_side(uint32_t side) { return side % 3 == 0 ? side + 2 : side - 1; }
+
+  // Whether two triangles on one edge have the third corner in common too. They are linked as rings, so that
+  // the edges that splitting makes inside them are linked as well.
+  bool are_copies(uint32_t side, uint32_t other) const {
+    return tail(previous_side(side)) == tail(previous_side(other));
+  }
+
+  // partner_[side] = the one other side of its edge, walked the other way; kNone at boundaries and in rings.
+  void find_partners() {
+    partner_.assign(3 * triangles_.size(), kNone);
+    for (uint32_t e = 0; e < edges_.count(); ++e) {
+      const auto sides = edges_.sides_of(e);
+      report_.boundary_edges += sides.size() == 1;
+      report_.non_manifold_edges += sides.size() > 2;
+      if (sides.size() != 2 || tail(sides[0]) == tail(sides[1]) || are_copies(sides[0], sides[1])) continue;
+      partner_[sides[0]] = sides[1];
+      partner_[sides[1]] = sides[0];
+    }
+    report_.components = count_components(edges_);
+  }
+
+  // One vertex a fan of triangles around a position, in the order of the positions in the file. The fan of
+  // side s is the one around its tail.
+  void name_vertices() {
+    UnionFind fans(partner_.size());
+    for (uint32_t s = 0; s < partner_.size(); ++s) {
+      if (partner_[s] != kNone) fans.unite(s, next_side(partner_[s]));
+    }
+    std::vector<uint32_t> fan_of_first(partner_.size(), kNone);
+    std::vector<std::pair<uint32_t, uint32_t>> named;  // position, representative of the fan
+    for (uint32_t s = 0; s < partner_.size(); ++s) {
+      if (fans.find(s) == s) named.emplace_back(tail(s), s);
+    }
+    std::sort(named.begin(), named.end());
+    for (uint32_t v = 0; v < named.size(); ++v) {
+      fan_of_first[named[v].second] = v;
+      vertex_position_.push_back(named[v].first);
+    }
+    vertex_.resize(partner_.size());
+    for (uint32_t s = 0; s < partner_.size(); ++s) vertex_[s] = fan_of_first[fans.find(s)];
+  }
+
+  void measure() {
+    std::vector<bool> used(soup_.positions.size());
+    for (const auto& t : triangles_) {
+      for (const uint32_t v : t) used[v] = true;
+    }
+    size_t welded_in_use = 0, isolated = 0;
+    for (size_t p = 0; p < soup_.positions.size(); ++p) {
+      if (!used[welded_[p]])
+        ++isolated;
+      else if (welded_[p] != p)
+        ++welded_in_use;
+      else
+        ++report_.vertices;
+    }
+    report_.faces = triangles_.size();
+    report_.repairs.welded_vertices = welded_in_use;
+    report_.repairs.isolated_vertices_dropped = isolated;
+    report_.repairs.duplicated_vertices = vertex_position_.size() - report_.vertices;
+    report_.min = report_.max = soup_.positions[triangles_[0][0]];
+    for (const auto& [a, b, c] : triangles_) {
+      const Triangle t = {soup_.positions[a], soup_.positions[b], soup_.positions[c]};
+      const double area = triangle_area(t);
+      report_.area += area;
+      report_.repairs.zero_area_faces += area == 0;
+      for (const Vec3& p : t) {
+        report_.min = glm::min(report_.min, p);
+        report_.max = glm::max(report_.max, p);
+      }
+    }
+  }
+
+  // Straight into the arrays: add_face would refuse or tear faces depending on their order.
+  void fill_half_edges() {
+    HalfEdges& m = mesh_.kernel().half_edges;
+    const size_t faces = triangles_.size();
+    m.reserve(vertex_position_.size() + faces / 8, edges_.count() + faces / 4, faces + faces / 4);
+    for (const uint32_t p : vertex_position_) m.new_vertex(to_point(soup_.positions[p]));
+    make_edges(m);
+    make_faces(m);
+    close_boundaries(m);
+    link_rings();
+  }
+
+  void make_edges(HalfEdges& m) {
+    half_edge_.resize(partner_.size());
+    for (uint32_t s = 0; s < partner_.size(); ++s) {
+      if (partner_[s] != kNone && partner_[s] < s) continue;
+      half_edge_[s] = m.new_edge(vertex(s), vertex(next_side(s)));
+      if (partner_[s] != kNone) half_edge_[partner_[s]] = m.opposite_halfedge_handle(half_edge_[s]);
+    }
+  }
+
+  void make_faces(HalfEdges& m) {
+    mesh_.kernel().faces.resize(triangles_.size());
+    for (uint32_t t = 0; t < triangles_.size(); ++t) {
+      const auto face = m.new_face();
+      m.set_halfedge_handle(face, half_edge_[3 * t]);
+      for (uint32_t s = 3 * t; s < 3 * t + 3; ++s) {
+        m.set_face_handle(half_edge_[s], face);
+        m.set_next_halfedge_handle(half_edge_[s], half_edge_[next_side(s)]);
+        m.set_halfedge_handle(vertex(s), half_edge_[s]);
+      }
+      FaceData& data = mesh_.kernel().faces[t];
+      data.base = FaceId(t);
+      data.material = materials_[t];
+    }
+    mesh_.kernel().live_faces = static_cast<uint32_t>(triangles_.size());
+  }
+
+  // A vertex has one fan, so at most one boundary half-edge starts there: the boundary goes on with it.
+  void close_boundaries(HalfEdges& m) {
+    std::vector<HalfedgeHandle> starts(vertex_position_.size());
+    for (uint32_t s = 0; s < partner_.size(); ++s) {
+      if (partner_[s] != kNone) continue;
+      const HalfedgeHandle outer = m.opposite_halfedge_handle(half_edge_[s]);
+      starts[static_cast<size_t>(m.from_vertex_handle(outer).idx())] = outer;
+      m.set_halfedge_handle(m.from_vertex_handle(outer), outer);  // OpenMesh starts a boundary vertex there
+    }
+    for (uint32_t s = 0; s < partner_.size(); ++s) {
+      if (partner_[s] != kNone) continue;
+      const HalfedgeHandle outer = m.opposite_halfedge_handle(half_edge_[s]);
+      m.set_next_halfedge_handle(outer, starts[static_cast<size_t>(m.to_vertex_handle(outer).idx())]);
+    }
+  }
+
+  void link_rings() {
+    for (uint32_t e = 0; e < edges_.count(); ++e) {
+      const auto sides = edges_.sides_of(e);
+      if (sides.size() < 2 || partner_[sides[0]] != kNone) continue;
+      std::vector<HalfedgeHandle> members;
+      for (const uint32_t s : sides) {
+        const bool same_way = tail(s) == tail(sides[0]);
+        members.push_back(same_way ? half_edge_[s]
+                                   : mesh_.kernel().half_edges.opposite_halfedge_handle(half_edge_[s]));
+      }
+      link_ring(mesh_.kernel(), members);
+    }
+  }
+
+  OpenMesh::VertexHandle vertex(uint32_t side) const { return handle(VertexId(vertex_[side])); }
+
+  const Soup& soup_;
+  std::vector<uint32_t> welded_;
+  std::vector<Soup::Triangle> triangles_;  // corners are welded positions
+  std::vector<uint16_t> materials_;
+  SoupEdges edges_;
+  std::vector<uint32_t> partner_;          // one a side
+  std::vector<uint32_t> vertex_;           // one a side: the mesh vertex at its tail
+  std::vector<uint32_t> vertex_position_;  // one a mesh vertex
+  std::vector<HalfedgeHandle> half_edge_;  // one a side
+  Mesh mesh_;
+  MeshReport report_;
+};
+
+}  // namespace
+
+Result<BuiltMesh> build_mesh(const Soup& soup) { return Builder(soup).build(); }
+
+}  // namespace kerf

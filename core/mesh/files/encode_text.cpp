@@ -1,0 +1,75 @@
+#include <array>
+#include <charconv>
+#include <optional>
+
+#include "core/mesh/files/encode.h"
+
+namespace kerf {
+namespace {
+
+template <typename Number>
+void append_number(Number number, std::string& text) {
+  std::array<char, 32> digits;  // the shortest form of any double takes 24
+  const auto written = std::to_chars(digits.data(), digits.data() + digits.size(), number);
+  text.append(digits.data(), written.ptr);
+}
+
+// Three numbers, a blank before each but the first.
+template <typename Three>
+void append_three(const Three& numbers, std::string& text) {
+  append_number(numbers[0], text);
+  text += ' ';
+  append_number(numbers[1], text);
+  text += ' ';
+  append_number(numbers[2], text);
+  text += '\n';
+}
+
+// About what a vertex and a face take, to allocate once.
+size_t likely_size(const MeshView& mesh) {
+  return 64 * mesh.positions.size() + 28 * mesh.triangles.size() + 128;
+}
+
+// OBJ has no way to end a material, so the one without a name gets one.
+void append_usemtl(const std::string& name, std::string& text) {
+  text += "usemtl ";
+  text += name.empty() ? "default" : name;
+  text += '\n';
+}
+
+}  // namespace
+
+std::string encode_obj(const MeshView& mesh) {
+  std::string text;
+  text.reserve(likely_size(mesh));
+  for (const Vec3& p : mesh.positions) {
+    text += "v ";
+    append_three(p, text);
+  }
+  std::optional<uint16_t> material;
+  for (size_t i = 0; i < mesh.triangles.size(); ++i) {
+    if (!mesh.materials.empty() && material != mesh.materials[i]) {
+      material = mesh.materials[i];
+      append_usemtl(mesh.material_names[*material], text);
+    }
+    const auto& [a, b, c] = mesh.triangles[i];
+    text += "f ";
+    append_three(std::array<uint64_t, 3>{uint64_t{a} + 1, uint64_t{b} + 1, uint64_t{c} + 1}, text);
+  }
+  return text;
+}
+
+std::string encode_off(const MeshView& mesh) {
+  std::string text;
+  text.reserve(likely_size(mesh));
+  text += "OFF\n";
+  append_three(std::array<size_t, 3>{mesh.positions.size(), mesh.triangles.size(), 0}, text);
+  for (const Vec3& p : mesh.positions) append_three(p, text);
+  for (const auto& triangle : mesh.triangles) {
+    text += "3 ";
+    append_three(triangle, text);
+  }
+  return text;
+}
+
+}  // namespace kerf

@@ -1,0 +1,58 @@
+#include "core/mesh/files/mesh_format.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "core/mesh/files/off_reader.h"
+#include "core/mesh/files/scanner.h"
+#include "core/mesh/files/stl_reader.h"
+
+namespace kerf {
+namespace {
+
+constexpr std::array<std::string_view, 4> kNames{"obj", "ply", "stl", "off"};  // in the order of MeshFormat
+
+constexpr std::array<std::string_view, 13> kObjKeywords{"v", "vt",     "vn",     "vp", "f", "g", "o",
+                                                        "s", "usemtl", "mtllib", "l",  "p", "mg"};
+
+// What may stand before the first word of text is looked at up to here.
+constexpr size_t kLongestPreface = 1 << 20;
+
+std::string lower(std::string_view text) {
+  std::string result(text);
+  std::transform(result.begin(), result.end(), result.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; });
+  return result;
+}
+
+std::optional<MeshFormat> format_of_first_word(std::string_view bytes) {
+  Scanner scanner(bytes.substr(0, kLongestPreface), {}, {.comments = true, .continuations = false}, nullptr);
+  scanner.at_end();
+  const std::string_view word = scanner.word();
+  if (word == "ply") return MeshFormat::kPly;
+  if (is_off_keyword(word)) return MeshFormat::kOff;
+  if (lower(word) == "solid") return MeshFormat::kStl;
+  if (std::find(kObjKeywords.begin(), kObjKeywords.end(), word) != kObjKeywords.end())
+    return MeshFormat::kObj;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<MeshFormat> mesh_format(std::string_view name) {
+  if (name.starts_with('.')) name.remove_prefix(1);
+  const auto found = std::find(kNames.begin(), kNames.end(), lower(name));
+  if (found == kNames.end()) return std::nullopt;
+  return static_cast<MeshFormat>(found - kNames.begin());
+}
+
+std::string_view format_name(MeshFormat format) { return kNames[static_cast<size_t>(format)]; }
+
+std::optional<MeshFormat> recognise_format(std::string_view bytes, std::string_view ending) {
+  if (is_exact_binary_stl(bytes)) return MeshFormat::kStl;
+  const std::optional<MeshFormat> by_content = format_of_first_word(bytes);
+  return by_content ? by_content : mesh_format(ending);
+}
+
+}  // namespace kerf

@@ -1,0 +1,183 @@
+#include "core/mesh/files/ply_header.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+namespace kerf {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, PlyType>, 18> kTypeNames{{
+    {"char", PlyType::kInt8},
+    {"int8", PlyType::kInt8},
+    {"uchar", PlyType::kUint8},
+    {"uint8", PlyType::kUint8},
+    {"short", PlyType::kInt16},
+    {"int16", PlyType::kInt16},
+    {"ushort", PlyType::kUint16},
+    {"uint16", PlyType::kUint16},
+    {"int", PlyType::kInt32},
+    {"int32", PlyType::kInt32},
+    {"uint", PlyType::kUint32},
+    {"uint32", PlyType::kUint32},
+    {"int64", PlyType::kInt64},
+    {"uint64", PlyType::kUint64},
+    {"float", PlyType::kFloat32},
+    {"float32", PlyType::kFloat32},
+    {"double", PlyType::kFloat64},
+    {"float64", PlyType::kFloat64},
+}};
+
+std::optional<PlyType> type_named(std::string_view name) {
+  const auto found = std::find_if(kTypeNames.begin(), kTypeNames.end(),
+                                  [&](const auto& entry) { return entry.first == name; });
+  if (found == kTypeNames.end()) return std::nullopt;
+  return found->second;
+}
+
+class HeaderReader {
+ public:
+  explicit HeaderReader(Scanner& scanner) : scanner_(scanner) {}
+
+  Result<PlyHeader> read();
+
+ private:
+  using Problem = std::optional<Error>;
+
+  Problem read_line(std::string_view keyword);
+  Problem read_format();
+  Problem read_element();
+  Problem read_property();
+  Problem read_type(PlyType& type);
+  Problem check_counts() const;
+
+  Scanner& scanner_;
+  PlyHeader header_;
+  bool has_format_ = false;
+};
+
+HeaderReader::Problem HeaderReader::read_format() {
+  const std::string_view name = scanner_.word();
+  if (name == "ascii") {
+    header_.encoding = PlyEncoding::kText;
+  } else if (name == "binary_little_endian") {
+    header_.encoding = PlyEncoding::kLittleEndian;
+  } else if (name == "binary_big_endian") {
+    header_.encoding = PlyEncoding::kBigEndian;
+  } else {
+    return scanner_.expected("'ascii', 'binary_little_endian' or 'binary_big_endian'");
+  }
+  if (scanner_.word() != "1.0") return scanner_.expected("version 1.0");
+  has_format_ = true;
+  return std::nullopt;
+}
+
+HeaderReader::Problem HeaderReader::read_element() {
+  const std::string_view name = scanner_.word();
+  if (name.empty()) return scanner_.expected("the name of an element");
+  const bool twice = std::any_of(header_.elements.begin(), header_.elements.end(),
+                                 [&](const PlyElement& element) { return element.name == name; });
+  if (twice) return scanner_.line_error("announces the element " + quoted(name) + " a second time");
+  const std::optional<int64_t> count = scanner_.integer();
+  if (!count) return scanner_.expected("the number of elements");
+  if (*count < 0) return scanner_.line_error("announces " + std::to_string(*count) + " elements");
+  header_.elements.push_back({std::string(name), static_cast<uint64_t>(*count), {}});
+  return std::nullopt;
+}
+
+HeaderReader::Problem HeaderReader::read_type(PlyType& type) {
+  const std::optional<PlyType> named = type_named(scanner_.word());
+  if (!named) return scanner_.expected("a type");
+  type = *named;
+  return std::nullopt;
+}
+
+HeaderReader::Problem HeaderReader::read_property() {
+  if (header_.elements.empty()) return scanner_.line_error("a property comes before the first element");
+  PlyProperty property;
+  const size_t before = scanner_.position();
+  if (scanner_.word() == "list") {
+    PlyType count_type{};
+    if (auto problem = read_type(count_type)) return problem;
+    if (!is_integer(count_type)) return scanner_.expected("an integer type");
+    property.count_type = count_type;
+  } else {
+    scanner_.seek(before);
+  }
+  if (auto problem = read_type(property.type)) return problem;
+  property.name = scanner_.word();
+  if (property.name.empty()) return scanner_.expected("the name of a property");
+  header_.elements.back().properties.push_back(std::move(property));
+  return std::nullopt;
+}
+
+HeaderReader::Problem HeaderReader::read_line(std::string_view keyword) {
+  if (keyword == "format") return read_format();
+  if (keyword == "element") return read_element();
+  if (keyword == "property") return read_property();
+  if (keyword == "comment" || keyword == "obj_info") return std::nullopt;
+  return scanner_.expected("'element', 'property' or 'end_header'");
+}
+
+// Every element takes some bytes, so that no more than the rest of the file can hold are announced.
+HeaderReader::Problem HeaderReader::check_counts() const {
+  for (const PlyElement& element : header_.elements) {
+    uint64_t least = 0;  // bytes of one element
+    for (const PlyProperty& property : element.properties) {
+      constexpr size_t kTextBytes = 2;  // a digit and a blank
+      const PlyType first = property.count_type.value_or(property.type);
+      least += header_.encoding == PlyEncoding::kText ? kTextBytes : byte_size(first);
+    }
+    const size_t left = scanner_.left() + (header_.encoding == PlyEncoding::kText);
+    if (least == 0 || element.count <= left / least) continue;
+    return scanner_.file_error("announces " + std::to_string(element.count) + " times " +
+                               quoted(element.name) + ", but the " + std::to_string(scanner_.left()) +
+                               " bytes after the header cannot hold them");
+  }
+  return std::nullopt;
+}
+
+Result<PlyHeader> HeaderReader::read() {
+  if (scanner_.word() != "ply") return scanner_.expected("'ply'");
+  scanner_.at_line_end();
+  scanner_.skip_line();
+  for (;;) {
+    if (scanner_.at_end())
+      return scanner_.file_error("the header has no 'end_header'; the file is cut short");
+    const std::string_view keyword = scanner_.word();
+    if (keyword == "end_header") break;
+    if (auto problem = read_line(keyword)) return *problem;
+    scanner_.skip_line();
+  }
+  if (!has_format_) return scanner_.line_error("the header has no 'format'");
+  scanner_.at_line_end();
+  scanner_.skip_line();
+  if (auto problem = check_counts()) return *problem;
+  return std::move(header_);
+}
+
+}  // namespace
+
+size_t byte_size(PlyType type) {
+  switch (type) {
+    case PlyType::kInt8:
+    case PlyType::kUint8:
+      return 1;
+    case PlyType::kInt16:
+    case PlyType::kUint16:
+      return 2;
+    case PlyType::kInt32:
+    case PlyType::kUint32:
+    case PlyType::kFloat32:
+      return 4;
+    default:
+      return 8;
+  }
+}
+
+bool is_integer(PlyType type) { return type != PlyType::kFloat32 && type != PlyType::kFloat64; }
+
+Result<PlyHeader> read_ply_header(Scanner& scanner) { return HeaderReader(scanner).read(); }
+
+}  // namespace kerf

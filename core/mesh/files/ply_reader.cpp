@@ -1,0 +1,209 @@
+#include "core/mesh/files/ply_reader.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/mesh/files/ply_header.h"
+#include "core/mesh/files/ply_values.h"
+#include "core/mesh/files/polygon_list.h"
+#include "core/mesh/files/scanner.h"
+
+namespace kerf {
+namespace {
+
+using Problem = std::optional<Error>;
+
+// What a property is read as.
+enum class Role { kX, kY, kZ, kCorners, kNone };
+
+struct ElementPlan {
+  std::vector<Role> roles;  // one a property
+  bool positions = false;   // an element gives a position
+  bool faces = false;       // an element gives a polygon
+  bool strips = false;      // an element gives triangle strips
+};
+
+bool is_corner_list(const PlyProperty& property) {
+  const bool named = property.name == "vertex_indices" || property.name == "vertex_index";
+  return named && property.count_type && is_integer(property.type);
+}
+
+Role role_of(const PlyElement& element, const PlyProperty& property) {
+  if (element.name != "vertex") return is_corner_list(property) ? Role::kCorners : Role::kNone;
+  if (property.count_type) return Role::kNone;
+  if (property.name == "x") return Role::kX;
+  if (property.name == "y") return Role::kY;
+  return property.name == "z" ? Role::kZ : Role::kNone;
+}
+
+ElementPlan plan_for(const PlyElement& element) {
+  ElementPlan plan{{}, element.name == "vertex", element.name == "face", element.name == "tristrips"};
+  for (const PlyProperty& property : element.properties) plan.roles.push_back(role_of(element, property));
+  return plan;
+}
+
+// Why the properties of an element are not enough to read it, or twice what is needed.
+Problem check_plan(const Scanner& scanner, const PlyElement& element, const ElementPlan& plan) {
+  const auto need_one = [&](Role role, const std::string& what) -> Problem {
+    if (std::count(plan.roles.begin(), plan.roles.end(), role) == 1) return std::nullopt;
+    return scanner.file_error("the element " + quoted(element.name) + " must have one property " + what);
+  };
+  if (plan.faces || plan.strips) return need_one(Role::kCorners, "'vertex_indices', a list of integers");
+  if (!plan.positions) return std::nullopt;
+  for (const auto& [role, name] : {std::pair(Role::kX, "'x'"), {Role::kY, "'y'"}, {Role::kZ, "'z'"}}) {
+    if (auto problem = need_one(role, name)) return problem;
+  }
+  return std::nullopt;
+}
+
+// Reads the data after the header from either kind of values.
+template <typename Values>
+class BodyReader {
+ public:
+  BodyReader(Scanner& scanner, Values values) : scanner_(scanner), values_(values) {}
+
+  Problem read(const PlyHeader& header);
+
+  std::vector<Vec3> positions;
+  PolygonList polygons;
+
+ private:
+  Problem read_elements(const PlyElement& element, const ElementPlan& plan);
+  Problem read_properties(const PlyElement& element, const ElementPlan& plan);
+  Problem read_list(const PlyProperty& property, Role role);
+  Error missing(const PlyProperty& property) const;
+  void add_face();
+  void add_strips();
+
+  Scanner& scanner_;
+  Values values_;
+  const PlyElement* element_ = nullptr;  // that is being read
+  uint64_t number_ = 0;                  // of them read before
+  Vec3 position_{0, 0, 0};
+  std::vector<int64_t> corners_;
+};
+
+template <typename Values>
+Error BodyReader<Values>::missing(const PlyProperty& property) const {
+  return values_.missing(quoted(property.name) + " of " + quoted(element_->name) + " " +
+                         std::to_string(number_) + " of " + std::to_string(element_->count));
+}
+
+template <typename Values>
+void BodyReader<Values>::add_face() {
+  for (const int64_t corner : corners_) polygons.add_corner(corner);
+  polygons.close();
+}
+
+// Every second triangle of a strip is turned, so that all face the same way.
+template <typename Values>
+void BodyReader<Values>::add_strips() {
+  size_t begin = 0;
+  for (size_t i = 0; i < corners_.size(); ++i) {
+    if (corners_[i] == -1) begin = i + 1;
+    if (i < begin + 2) continue;
+    const bool turned = (i - begin) % 2 == 1;
+    polygons.add_corner(corners_[turned ? i - 1 : i - 2]);
+    polygons.add_corner(corners_[turned ? i - 2 : i - 1]);
+    polygons.add_corner(corners_[i]);
+    polygons.close();
+  }
+}
+
+template <typename Values>
+Problem BodyReader<Values>::read_list(const PlyProperty& property, Role role) {
+  int64_t count = 0;
+  if (!values_.integer(*property.count_type, count)) return missing(property);
+  if (count < 0 || !values_.can_hold(property.type, static_cast<uint64_t>(count))) {
+    return values_.error("the list " + quoted(property.name) + " announces " + std::to_string(count) +
+                         " values, but only " + std::to_string(scanner_.left()) + " bytes follow");
+  }
+  if (role != Role::kCorners) {
+    if (!values_.skip(property.type, static_cast<uint64_t>(count))) return missing(property);
+    return std::nullopt;
+  }
+  corners_.resize(static_cast<size_t>(count));
+  for (int64_t& corner : corners_) {
+    if (!values_.integer(property.type, corner)) return missing(property);
+  }
+  return std::nullopt;
+}
+
+template <typename Values>
+Problem BodyReader<Values>::read_properties(const PlyElement& element, const ElementPlan& plan) {
+  for (size_t i = 0; i < element.properties.size(); ++i) {
+    const PlyProperty& property = element.properties[i];
+    if (property.count_type) {
+      if (auto problem = read_list(property, plan.roles[i])) return problem;
+    } else if (plan.roles[i] == Role::kNone) {
+      if (!values_.skip(property.type, 1)) return missing(property);
+    } else if (!values_.number(property.type, position_[static_cast<int>(plan.roles[i])])) {
+      return missing(property);
+    }
+  }
+  if (!values_.end_element()) {
+    return values_.error("the line goes on after the properties of " + quoted(element.name) + " " +
+                         std::to_string(number_) + "; one before it may be missing");
+  }
+  return std::nullopt;
+}
+
+template <typename Values>
+Problem BodyReader<Values>::read_elements(const PlyElement& element, const ElementPlan& plan) {
+  element_ = &element;
+  if (plan.positions) positions.reserve(element.count);
+  if (plan.faces) polygons.reserve(element.count);
+  for (number_ = 0; number_ < element.count; ++number_) {
+    if (scanner_.cancelled()) return cancelled();
+    if (auto problem = read_properties(element, plan)) return problem;
+    if (plan.positions) positions.push_back(position_);
+    if (plan.faces) add_face();
+    if (plan.strips) add_strips();
+  }
+  return std::nullopt;
+}
+
+template <typename Values>
+Problem BodyReader<Values>::read(const PlyHeader& header) {
+  for (const PlyElement& element : header.elements) {
+    const ElementPlan plan = plan_for(element);
+    if (auto problem = check_plan(scanner_, element, plan)) return problem;
+    // Elements without properties leave no trace in the data, however many are announced.
+    if (element.properties.empty()) continue;
+    if (auto problem = read_elements(element, plan)) return problem;
+  }
+  return std::nullopt;
+}
+
+template <typename Values>
+Result<Soup> read_body(Scanner& scanner, Values values, const PlyHeader& header,
+                       const std::string& file_name) {
+  BodyReader<Values> body(scanner, values);
+  if (auto problem = body.read(header)) return *problem;
+  Result<Soup> soup = body.polygons.to_soup(std::move(body.positions), file_name);
+  if (!soup) return soup;
+  soup->format = "ply";
+  const bool rest = header.encoding == PlyEncoding::kText ? !scanner.at_end() : scanner.left() > 0;
+  if (rest)
+    soup->warnings.push_back("What follows the last element that the file announces was passed over.");
+  if (scanner.garbled_numbers() > 0) soup->warnings.push_back(scanner.garbled_numbers_warning());
+  return soup;
+}
+
+}  // namespace
+
+Result<Soup> read_ply(std::string_view bytes, const std::string& file_name, const Progress* progress) {
+  Scanner scanner(bytes, file_name, {}, progress);
+  const Result<PlyHeader> header = read_ply_header(scanner);
+  if (!header) return header.error();
+  if (header->encoding == PlyEncoding::kText) {
+    if (auto binary = scanner.refuse_binary("PLY")) return *binary;
+    return read_body(scanner, PlyTextValues(scanner), *header, file_name);
+  }
+  const auto order = header->encoding == PlyEncoding::kLittleEndian ? std::endian::little : std::endian::big;
+  return read_body(scanner, PlyBinaryValues(scanner, order), *header, file_name);
+}
+
+}  // namespace kerf

@@ -1,0 +1,63 @@
+#include "core/mesh/files/polygon_list.h"
+
+#include <algorithm>
+#include <span>
+
+#include "core/mesh/files/scanner.h"
+#include "core/mesh/files/triangulate.h"
+
+namespace kerf {
+
+void PolygonList::reserve(size_t polygons) {
+  ends_.reserve(ends_.size() + polygons);
+  corners_.reserve(corners_.size() + 3 * polygons);
+}
+
+void PolygonList::add_corner(int64_t vertex) {
+  corners_.push_back(vertex >= 0 && vertex < kNoVertex ? static_cast<uint32_t>(vertex) : kNoVertex);
+}
+
+void PolygonList::close(uint16_t material) {
+  if (material != 0 && materials_.empty()) materials_.resize(ends_.size());
+  ends_.push_back(static_cast<uint32_t>(corners_.size()));
+  if (material != 0 || !materials_.empty()) materials_.push_back(material);
+}
+
+Result<Soup> PolygonList::to_soup(std::vector<Vec3> positions, const std::string& file_name) const {
+  Soup soup;
+  soup.faces_in_file = size();
+  soup.triangles.reserve(size());
+  Triangulator triangulator;
+  uint32_t begin = 0;
+  for (size_t i = 0; i < size(); ++i) {
+    const std::span<const uint32_t> polygon(corners_.data() + begin, corners_.data() + ends_[i]);
+    begin = ends_[i];
+    if (polygon.size() < 3) continue;
+    const bool valid =
+        std::all_of(polygon.begin(), polygon.end(), [&](uint32_t v) { return v < positions.size(); });
+    soup.triangles_in_file += polygon.size() - 2;
+    if (valid) {
+      triangulator.append(positions, polygon, soup.triangles);
+    } else {
+      soup.invalid_faces_dropped += polygon.size() - 2;
+    }
+    if (!materials_.empty()) soup.materials.resize(soup.triangles.size(), materials_[i]);
+  }
+  soup.positions = std::move(positions);
+  if (soup.triangles.empty()) return no_face_left(soup, file_name);
+  return soup;
+}
+
+Error no_face_left(const Soup& soup, const std::string& file_name) {
+  const std::string name = one_line(file_name);
+  if (soup.faces_in_file == 0)
+    return bad_input(name + ": there is no face in it, so there is nothing to cut.");
+  if (soup.triangles_in_file == 0) {
+    return bad_input(name + ": no face is left, all " + std::to_string(soup.faces_in_file) +
+                     " have fewer than three corners.");
+  }
+  return bad_input(name + ": no face is left, all " + std::to_string(soup.faces_in_file) +
+                   " name vertices that are not there.");
+}
+
+}  // namespace kerf

@@ -1,0 +1,113 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/base/ids.h"
+#include "core/base/vec3.h"
+
+namespace kerf {
+
+using Triangle = std::array<Vec3, 3>;
+
+double triangle_area(const Triangle& t);
+// Square of the longest edge.
+double longest_edge2(const Triangle& t);
+// Smallest of the three angles in radians' cosine form: the largest cosine of the three corners, 1 for a
+// triangle without area.
+double largest_cosine(const Triangle& t);
+
+// What Kerf remembers of a face; a face that is split hands a copy to each part.
+struct FaceData {
+  static constexpr uint32_t kNoElement = 0xffffffffu;
+
+  FaceId base;                    // the face as loaded that this one lies in
+  uint32_t element = kNoElement;  // the green element that it is a half of (see OneToFour)
+  uint32_t piece = 0;             // label of the piece that it hangs together with
+  uint16_t material = 0;
+  uint8_t level = 0;  // red splits between the base face and this one (or its green parent)
+};
+
+// A conforming triangle mesh over OpenMesh's half-edges.
+//
+// Conforming: two faces meet in a common edge, a common corner or not at all; a split closes itself on all
+// faces of the edge. Half-edges hold two faces an edge, so where three or more meet (or two that no turning
+// makes consistent) each face has an edge of its own and these coincident edges are linked in a *ring*. Faces
+// that lie on one another, corner for corner, are linked along all their edges and are split alike.
+// Neighbourhood is asked for over rings: a face is a neighbour when it shares an edge by position.
+//
+// Vertices are per sheet: where sheets touch in a vertex or a ring, each sheet has a vertex of its own at
+// bit-equal position. Slots of faces and vertices only grow; a removed face keeps its slot, marked dead.
+class Mesh {
+ public:
+  Mesh();
+  ~Mesh();
+  Mesh(Mesh&&) noexcept;
+  Mesh& operator=(Mesh&&) noexcept;
+  Mesh(const Mesh&);
+  Mesh& operator=(const Mesh&);
+
+  uint32_t face_slots() const;
+  uint32_t vertex_slots() const;
+  uint32_t live_faces() const;
+  bool is_live(FaceId f) const;
+
+  Vec3 position(VertexId v) const;
+  // Counter-clockwise; where the turn starts may change with edits nearby.
+  std::array<VertexId, 3> corners(FaceId f) const;
+  Triangle triangle(FaceId f) const;
+
+  const FaceData& data(FaceId f) const;
+  FaceData& data(FaceId f);
+
+  // Appends every live face that shares an edge with f, over rings, f itself excepted. A face that shares two
+  // edges with f comes twice. Linear in the rings' degrees.
+  void append_neighbours(FaceId f, std::vector<FaceId>& out) const;
+
+  // A face and one of its edges as it walks it, counter-clockwise, in the vertices of its own sheet.
+  struct Side {
+    FaceId face;
+    VertexId from;
+    VertexId to;
+  };
+  // Appends the sides of every other live face on the edge of f from one of its corners to the next.
+  void append_edge_sides(FaceId f, VertexId from, VertexId to, std::vector<Side>& out) const;
+
+  // One face of a ring that was split: `kept` is the old slot, now the half at `kept_end` of the edge;
+  // `added` is the new slot, the half at the other end.
+  struct FaceSplit {
+    FaceId kept;
+    FaceId added;
+    VertexId midpoint;  // of this face's sheet; bit-equal positions in all sheets of the ring
+    VertexId from;      // the edge as this face walked it, counter-clockwise
+    VertexId to;
+    VertexId kept_end;  // from or to
+  };
+
+  // Bisects the edge of f from corner `from` to its next corner `to`, and every face on its ring, at the
+  // midpoint (from + to) / 2. Appends one entry a face; each new face copies the data of the old one. Linear
+  // in the ring's degree.
+  void split_edge(FaceId f, VertexId from, VertexId to, std::vector<FaceSplit>& out);
+
+  // Turns the edge between the two faces f and its neighbour over (from, to) in the quadrilateral that they
+  // make. The edge must have both faces. Face data stay with their slots. Constant time, but for copies of
+  // the faces: linear in the ring of a side.
+  void flip_edge(FaceId f, VertexId from, VertexId to);
+
+  // Marks f dead and frees its edges; its slot stays. f must be live.
+  void remove_face(FaceId f);
+
+  // Makes room, so that edits that add this many faces do not move the arrays.
+  void reserve_more(uint32_t faces);
+
+  struct Kernel;
+  Kernel& kernel() { return *kernel_; }
+  const Kernel& kernel() const { return *kernel_; }
+
+ private:
+  std::unique_ptr<Kernel> kernel_;
+};
+
+}  // namespace kerf

@@ -1,0 +1,60 @@
+#include "core/mesh/orient.h"
+
+namespace kerf {
+
+namespace {
+
+class Orienter {
+ public:
+  Orienter(const std::vector<std::array<uint32_t, 3>>& triangles, const SoupEdges& edges)
+      : triangles_(triangles), edges_(edges), turned_(triangles.size()), seen_(triangles.size()) {}
+
+  std::vector<bool> run() {
+    for (uint32_t t = 0; t < triangles_.size(); ++t) {
+      if (!seen_[t]) orient_from(t);
+    }
+    return std::move(turned_);
+  }
+
+ private:
+  void orient_from(uint32_t seed) {
+    front_.assign(1, seed);
+    seen_[seed] = true;
+    size_t turned = 0;
+    for (size_t i = 0; i < front_.size(); ++i) {
+      const uint32_t t = front_[i];
+      turned += turned_[t];
+      for (uint32_t side = 3 * t; side < 3 * t + 3; ++side) visit_across(side);
+    }
+    if (2 * turned > front_.size()) {
+      for (const uint32_t t : front_) turned_[t] = !turned_[t];
+    }
+  }
+
+  void visit_across(uint32_t side) {
+    const auto sides = edges_.sides_of(edges_.edge_of[side]);
+    if (sides.size() != 2) return;
+    const uint32_t other = sides[0] == side ? sides[1] : sides[0];
+    const uint32_t t = side / 3, n = other / 3;
+    if (seen_[n]) return;
+    seen_[n] = true;
+    const bool same_way = triangles_[t][side % 3] == triangles_[n][other % 3];
+    turned_[n] = turned_[t] != same_way;
+    front_.push_back(n);
+  }
+
+  const std::vector<std::array<uint32_t, 3>>& triangles_;
+  const SoupEdges& edges_;
+  std::vector<bool> turned_;
+  std::vector<bool> seen_;
+  std::vector<uint32_t> front_;
+};
+
+}  // namespace
+
+std::vector<bool> triangles_to_turn(const std::vector<std::array<uint32_t, 3>>& triangles,
+                                    const SoupEdges& edges) {
+  return Orienter(triangles, edges).run();
+}
+
+}  // namespace kerf

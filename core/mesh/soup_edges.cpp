@@ -1,0 +1,65 @@
+#include "core/mesh/soup_edges.h"
+
+#include <algorithm>
+
+#include "core/base/union_find.h"
+
+namespace kerf {
+
+namespace {
+
+struct Side {
+  uint32_t high;  // the greater of its two vertices
+  uint32_t side;
+  friend bool operator<(const Side& a, const Side& b) {
+    return a.high != b.high ? a.high < b.high : a.side < b.side;
+  }
+};
+
+}  // namespace
+
+SoupEdges group_sides(std::span<const std::array<uint32_t, 3>> triangles, size_t vertices) {
+  // Counting sort by the lesser vertex, then each bucket by the greater one.
+  std::vector<uint32_t> bucket(vertices + 1, 0);
+  const auto ends = [&](uint32_t side) {
+    const uint32_t a = triangles[side / 3][side % 3], b = triangles[side / 3][(side % 3 + 1) % 3];
+    return std::pair(std::min(a, b), std::max(a, b));
+  };
+  const uint32_t side_count = static_cast<uint32_t>(3 * triangles.size());
+  for (uint32_t s = 0; s < side_count; ++s) ++bucket[ends(s).first + 1];
+  for (size_t v = 0; v < vertices; ++v) bucket[v + 1] += bucket[v];
+  std::vector<Side> sorted(side_count);
+  std::vector<uint32_t> next(bucket.begin(), bucket.end() - 1);
+  for (uint32_t s = 0; s < side_count; ++s) {
+    const auto [low, high] = ends(s);
+    sorted[next[low]++] = {high, s};
+  }
+
+  SoupEdges edges;
+  edges.sides.reserve(side_count);
+  edges.edge_of.resize(side_count);
+  edges.first.reserve(side_count / 2 + 1);
+  for (size_t v = 0; v < vertices; ++v) {
+    std::sort(sorted.begin() + bucket[v], sorted.begin() + bucket[v + 1]);
+    for (uint32_t i = bucket[v]; i < bucket[v + 1]; ++i) {
+      if (i == bucket[v] || sorted[i].high != sorted[i - 1].high) edges.first.push_back(i);
+      edges.sides.push_back(sorted[i].side);
+      edges.edge_of[sorted[i].side] = static_cast<uint32_t>(edges.first.size() - 1);
+    }
+  }
+  edges.first.push_back(side_count);
+  return edges;
+}
+
+size_t count_components(const SoupEdges& edges) {
+  const size_t triangles = edges.edge_of.size() / 3;
+  UnionFind sets(triangles);
+  size_t components = triangles;
+  for (uint32_t e = 0; e < edges.count(); ++e) {
+    const auto sides = edges.sides_of(e);
+    for (size_t i = 1; i < sides.size(); ++i) components -= sets.unite(sides[0] / 3, sides[i] / 3);
+  }
+  return components;
+}
+
+}  // namespace kerf

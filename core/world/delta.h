@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/base/ids.h"
+
+namespace kerf {
+
+// What a step changed in one body. Slots that only existed within the step are among `gone`.
+struct BodyDelta {
+  BodyId body;
+  std::vector<FaceId> born;          // live slots whose corners are new, ascending
+  std::vector<FaceId> gone;          // slots that are dead now, ascending
+  std::vector<FaceId> relabelled;    // live slots whose piece changed, ascending
+  std::vector<uint32_t> new_pieces;  // labels that this step made
+};
+
+// What a step changed. Renderer, statistics and everything else that follows the world live on this.
+struct Delta {
+  std::vector<BodyDelta> bodies;  // those that changed
+  size_t removed_faces = 0;
+  double removed_area = 0;  // m^2
+  bool empty() const { return bodies.empty(); }
+};
+
+}  // namespace kerf

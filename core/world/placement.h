@@ -1,0 +1,23 @@
+#pragma once
+
+#include <glm/gtc/quaternion.hpp>
+
+#include "core/base/vec3.h"
+#include "core/tree/swept_cylinder.h"
+
+namespace kerf {
+
+// Where a body stands in the world: x_world = orientation * x_body + position.
+struct Placement {
+  Vec3 position{0};                    // m
+  glm::dquat orientation{1, 0, 0, 0};  // unit
+
+  Vec3 to_world(const Vec3& p) const { return orientation * p + position; }
+  Vec3 to_body(const Vec3& p) const { return glm::conjugate(orientation) * (p - position); }
+  // A pose of the world in the body's frame. An identity placement changes no bit.
+  Pose to_body(const Pose& pose) const {
+    return {to_body(pose.origin), glm::conjugate(orientation) * pose.direction};
+  }
+};
+
+}  // namespace kerf

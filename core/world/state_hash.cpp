@@ -1,0 +1,48 @@
+#include "core/world/state_hash.h"
+
+#include "core/base/hash.h"
+
+namespace kerf {
+
+namespace {
+
+bool less(const Vec3& a, const Vec3& b) {
+  if (a.x != b.x) return a.x < b.x;
+  return a.y != b.y ? a.y < b.y : a.z < b.z;
+}
+
+uint64_t hash_of(uint64_t seed, const Vec3& p) {
+  for (int k = 0; k < 3; ++k) seed = hash_combine(seed, number_bits(p[k]));
+  return seed;
+}
+
+uint64_t face_hash(const Body& body, uint64_t seed, FaceId f) {
+  const Triangle t = body.mesh.triangle(f);
+  int least = 0;
+  for (int i = 1; i < 3; ++i) {
+    if (less(t[i], t[least])) least = i;
+  }
+  uint64_t h = hash_combine(seed, body.mesh.data(f).level);
+  for (int i = 0; i < 3; ++i) h = hash_of(h, t[(least + i) % 3]);
+  return h;
+}
+
+}  // namespace
+
+uint64_t state_hash(const World& world) {
+  uint64_t sum = 0, number = 0;
+  for (const BodyId id : world.ids()) {
+    const Body& body = world.body(id);
+    const uint64_t seed = mix64(++number);
+    for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+      if (body.mesh.is_live(FaceId(f))) sum += face_hash(body, seed, FaceId(f));
+    }
+    const auto& q = body.placement.orientation;
+    uint64_t place = hash_of(seed, body.placement.position);
+    for (const double x : {q.w, q.x, q.y, q.z}) place = hash_combine(place, number_bits(x));
+    sum += place;
+  }
+  return sum;
+}
+
+}  // namespace kerf

@@ -1,0 +1,77 @@
+#include "core/world/world.h"
+
+#include <algorithm>
+
+namespace kerf {
+
+Body make_body(std::string name, BuiltMesh built) {
+  Body body;
+  body.name = std::move(name);
+  body.mesh = std::move(built.mesh);
+  body.tree = AabbTree(body.mesh);
+  body.pieces = {{built.report.faces, built.report.area}};
+  body.material_names = std::move(built.material_names);
+  body.loaded = std::move(built.report);
+  return body;
+}
+
+BodyId World::add(Body body) {
+  slots_.push_back({std::move(body), 0, true});
+  return {static_cast<uint32_t>(slots_.size() - 1), 0};
+}
+
+void World::remove(BodyId id) {
+  if (!contains(id)) return;
+  Slot& slot = slots_[id.slot];
+  slot.alive = false;
+  ++slot.generation;
+  slot.body = Body{};
+}
+
+bool World::contains(BodyId id) const {
+  return id.slot < slots_.size() && slots_[id.slot].alive && slots_[id.slot].generation == id.generation;
+}
+
+std::vector<BodyId> World::ids() const {
+  std::vector<BodyId> ids;
+  for (uint32_t s = 0; s < slots_.size(); ++s) {
+    if (slots_[s].alive) ids.push_back({s, slots_[s].generation});
+  }
+  return ids;
+}
+
+World::Bounds World::bounds() const {
+  Bounds all;
+  bool first = true;
+  for (const Slot& slot : slots_) {
+    if (!slot.alive || slot.body.tree.leaf_count() == 0) continue;
+    const AabbTree::Box box = slot.body.tree.bounds();
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vec3 p = slot.body.placement.to_world({corner & 1 ? box.max.x : box.min.x,
+                                                   corner & 2 ? box.max.y : box.min.y,
+                                                   corner & 4 ? box.max.z : box.min.z});
+      all.min = first ? p : glm::min(all.min, p);
+      all.max = first ? p : glm::max(all.max, p);
+      first = false;
+    }
+  }
+  return all;
+}
+
+size_t World::live_faces() const {
+  size_t faces = 0;
+  for (const Slot& slot : slots_) faces += slot.alive ? slot.body.mesh.live_faces() : 0;
+  return faces;
+}
+
+size_t World::live_pieces() const {
+  size_t pieces = 0;
+  for (const Slot& slot : slots_) {
+    if (!slot.alive) continue;
+    pieces += static_cast<size_t>(std::count_if(slot.body.pieces.begin(), slot.body.pieces.end(),
+                                                [](const Piece& p) { return p.faces > 0; }));
+  }
+  return pieces;
+}
+
+}  // namespace kerf

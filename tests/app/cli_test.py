@@ -1,0 +1,144 @@
+"""The command line as INTERFACE promises it: run as `cli_test.py KERF`, with KERF the executable to test."""
+import json
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+KERF = os.path.abspath(sys.argv.pop(1))
+PLATE = "v -0.5 0 -0.5\nv 0.5 0 -0.5\nv 0.5 0 0.5\nv -0.5 0 0.5\nf 1 4 3\nf 1 3 2\n"
+ACROSS = {"strokes": [{"laser": {"radius": 0.02, "range": [0, 5]},
+                       "keys": [{"t": 0, "origin": [-0.7, 1, 0.1], "direction": [0, -1, 0]},
+                                {"t": 1, "origin": [0.7, 1, 0.12], "direction": [0, -1, 0]}]}]}
+
+def kerf(*args, cwd=None):
+    environment = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
+    return subprocess.run([KERF, *map(str, args)], capture_output=True, text=True, cwd=cwd, env=environment, timeout=120)
+
+class CommandLine(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.write("plate.obj", PLATE)
+        self.write("across.json", json.dumps(ACROSS))
+
+    def write(self, name, text):
+        with open(os.path.join(self.folder.name, name), "w") as file:
+            file.write(text)
+
+    def run_here(self, *args):
+        return kerf(*args, cwd=self.folder.name)
+
+    def cut(self, *options, path="across.json"):
+        done = self.run_here("cut", "plate.obj", "--path", path, "--out", "out", *options)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(os.path.join(self.folder.name, "out", "report.json")) as file:
+            return json.load(file)
+
+    def assert_refused(self, done, status, *words):
+        self.assertEqual(done.returncode, status, done.stderr)
+        self.assertEqual(done.stdout, "")
+        self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
+        for word in words:
+            self.assertIn(word, done.stderr)
+
+    def test_help_and_version_go_to_standard_output(self):
+        for args in (["--help"], ["--version"], ["cut", "--help"], ["info", "--help"], ["render", "--help"]):
+            done = kerf(*args)
+            self.assertEqual((done.returncode, done.stderr), (0, ""), args)
+            self.assertTrue(done.stdout.strip())
+
+    def test_info_accounts_for_every_face(self):
+        report = json.loads(self.run_here("info", "plate.obj").stdout)
+        self.assertEqual(report["faces"], 2)
+        self.assertEqual(report["vertices"], 4)
+        self.assertEqual(report["boundary_edges"], 4)
+        self.assertAlmostEqual(report["area"], 1)
+
+    def test_bad_command_lines_end_with_2_and_one_sentence(self):
+        for args, word in ((["info"], "MESH"), (["info", "nowhere.obj"], "nowhere.obj"), (["cut"], "MESH"),
+                           (["info", "plate.obj", "--nonsense"], "nonsense"), (["play"], "play"),
+                           (["cut", "plate.obj", "--out", "o", "--depth", "x"], "depth"),
+                           (["cut", "plate.obj", "--out", "o", "--depth", "-1"], "--depth"),
+                           (["cut", "plate.obj", "--out", "o", "--radius", "0"], "--radius"),
+                           (["cut", "plate.obj", "--out", "o", "--range", "3,1"], "--range"),
+                           (["cut", "plate.obj", "--out", "o", "--scheme", "longest-edge"], "one-to-four"),
+                           (["cut", "plate.obj", "--out", "o", "--model", "thermal"], "geometric"),
+                           (["cut", "plate.obj", "--out", "o", "--target-edge", "nan"], "--target-edge"),
+                           (["cut", "plate.obj", "--out", "o", "--format", "fbx"], "--format"),
+                           (["cut", "plate.obj", "--out", "o", "--path", "missing.json"], "missing.json"),
+                           (["render", "plate.obj", "--out", "p.png", "--size", "0x5"], "--size"),
+                           (["render", "plate.obj", "--out", "p.png", "--eye", "1,2"], "--eye"),
+                           (["render", "plate.obj", "--out", "p.png", "--show", "heat"], "heat"),
+                           (["--report"], "report")):
+            self.assert_refused(self.run_here(*args), 2, word)
+
+    def test_what_cannot_be_written_ends_with_1(self):
+        self.assert_refused(self.run_here("cut", "plate.obj", "--out", "/proc/nowhere"), 1, "/proc/nowhere")
+        self.write("file", "")
+        self.assert_refused(self.run_here("cut", "plate.obj", "--out", "file"), 1, "file")
+
+    def test_cut_reports_what_it_wrote(self):
+        report = self.cut()
+        self.assertEqual(len(report["pieces"]), 2)
+        self.assertGreaterEqual(report["pieces"][0]["area"], report["pieces"][1]["area"])
+        whole = report["input"]["area"]
+        self.assertAlmostEqual(whole, report["removed"]["area"] + report["output"]["area"], delta=1e-6 * whole)
+        for piece in report["pieces"]:
+            with open(os.path.join(self.folder.name, "out", piece["file"])) as file:
+                lines = file.read().splitlines()
+            self.assertEqual(sum(line.startswith("f ") for line in lines), piece["faces"])
+            self.assertEqual(sum(line.startswith("v ") for line in lines), piece["vertices"])
+        self.assertRegex(report["state_hash"], r"^[0-9a-f]{16}$")
+
+    def test_the_same_input_gives_the_same_hash_and_another_does_not(self):
+        first, second = self.cut(), self.cut("--steps", "7")
+        self.assertEqual(first["state_hash"], second["state_hash"])
+        self.assertEqual(second["steps"], 7)
+        self.assertNotEqual(first["state_hash"], self.cut("--radius", "0.021")["state_hash"])
+
+    def test_without_a_path_nothing_is_cut(self):
+        done = self.run_here("cut", "plate.obj", "--out", "out")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(os.path.join(self.folder.name, "out", "piece-0000.obj")) as file:
+            self.assertEqual([l for l in file.read().splitlines() if l[:2] == "v "], PLATE.splitlines()[:4])
+
+    def test_settings_come_from_a_file_and_the_command_line_wins(self):
+        self.write("settings.json", json.dumps({"depth": 2, "radius": 0.05, "pattern": "rays4"}))
+        report = self.cut("--settings", "settings.json", "--radius", "0.03", "--pattern", "volume")
+        self.assertEqual(report["settings"]["depth"], 2)
+        self.assertEqual(report["settings"]["radius"], 0.03)
+        self.assertEqual(report["settings"]["pattern"], "volume")
+        self.write("settings.json", json.dumps({"deepness": 2}))
+        done = self.run_here("cut", "plate.obj", "--out", "out", "--settings", "settings.json")
+        self.assert_refused(done, 2, "/deepness")
+
+    def test_depth_0_takes_whole_base_faces(self):
+        self.assertEqual(self.cut("--depth", "0")["removed"]["faces"], 2)
+
+    def test_ctrl_c_stops_a_long_cut_and_leaves_no_pieces(self):
+        process = subprocess.Popen([KERF, "cut", "plate.obj", "--path", "across.json", "--out", "out", "--target-edge",
+                                    "0.0002"], cwd=self.folder.name, stderr=subprocess.PIPE, text=True)
+        time.sleep(0.4)
+        process.send_signal(signal.SIGINT)
+        message = process.communicate(timeout=60)[1]
+        self.assertEqual(process.returncode, 1, message)
+        self.assertIn("stopped", message)
+        self.assertEqual(os.listdir(os.path.join(self.folder.name, "out")), [])
+
+    def test_render_makes_a_picture_without_a_display(self):
+        done = self.run_here("render", "plate.obj", "--out", "plate.png", "--size", "320x200", "--show", "aabb,wire")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(os.path.join(self.folder.name, "plate.png"), "rb") as file:
+            head = file.read(24)
+        self.assertEqual(head[:8], b"\x89PNG\r\n\x1a\n")
+        self.assertEqual((int.from_bytes(head[16:20], "big"), int.from_bytes(head[20:24], "big")), (320, 200))
+
+    def test_the_editor_without_a_display_says_so(self):
+        self.assert_refused(self.run_here("plate.obj"), 1, "display")
+
+if __name__ == "__main__":
+    unittest.main()

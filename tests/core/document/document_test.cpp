@@ -1,0 +1,105 @@
+#include "core/document/document.h"
+
+#include <gtest/gtest.h>
+
+#include "core/document/extract.h"
+#include "core/document/scene.h"
+#include "core/world/state_hash.h"
+#include "tests/support/made_meshes.h"
+#include "tests/support/strokes.h"
+
+namespace kerf::test {
+namespace {
+
+CutSettings settings_of(double radius) {
+  CutSettings s;
+  s.laser.radius = radius;
+  s.resolution.target_edge = radius / 2;
+  return s;
+}
+
+TEST(Document, replays_its_journal_to_the_same_world) {
+  Document first(world_of(torus(16, 10, 0.5, 0.2)));
+  first.apply(BeginStroke{settings_of(0.02), {{-0.8, 1, 0.1}, {0, -1, 0}}});
+  while (first.waiting() > 0) ASSERT_TRUE(first.step(1).ok());
+  for (int i = 1; i <= 10; ++i) {
+    first.apply(MoveStroke{{{-0.8 + 0.16 * i, 1, 0.1}, glm::normalize(Vec3(0.02 * i, -1, 0.01 * i))}});
+    while (first.waiting() > 0) ASSERT_TRUE(first.step(3).ok());
+  }
+  first.apply(EndStroke{});
+
+  Document second(world_of(torus(16, 10, 0.5, 0.2)));
+  for (const Command& command : first.journal()) second.apply(command);
+  ASSERT_TRUE(second.step(second.waiting()).ok());
+  EXPECT_EQ(state_hash(first.world()), state_hash(second.world()));
+  EXPECT_LT(first.world().live_faces(), 1u << 20);
+  EXPECT_GT(first.world().live_pieces(), 0u);
+}
+
+TEST(Document, does_nothing_for_moves_outside_a_stroke) {
+  Document document(world_of(plate(1)));
+  document.apply(MoveStroke{{{0, 1, 0}, {0, -1, 0}}});
+  EXPECT_EQ(document.waiting(), 0u);
+  document.apply(BeginStroke{settings_of(0.02), {{0, 1, 0}, {0, -1, 0}}});
+  document.apply(EndStroke{});
+  document.apply(MoveStroke{{{0.3, 1, 0}, {0, -1, 0}}});
+  EXPECT_EQ(document.waiting(), 1u);
+}
+
+TEST(Document, cuts_through_all_bodies) {
+  World world;
+  world.add(make_body("upper", build(plate(1))));
+  world.add(make_body("lower", build(moved(plate(1), {0, -0.3, 0}, 1))));
+  Document document(std::move(world));
+  document.apply(BeginStroke{settings_of(0.02), {{-0.7, 1, 0.1}, {0, -1, 0}}});
+  document.apply(MoveStroke{{{0.7, 1, 0.12}, {0, -1, 0}}});
+  ASSERT_TRUE(document.step(document.waiting()).ok());
+  EXPECT_EQ(document.world().live_pieces(), 4u);
+}
+
+TEST(Extract, gives_each_piece_its_faces_area_and_rim) {
+  Document document(world_of(plate(1)));
+  document.apply(BeginStroke{settings_of(0.02), {{-0.7, 1, 0.1}, {0, -1, 0}}});
+  document.apply(MoveStroke{{{0.7, 1, 0.1}, {0, -1, 0}}});
+  ASSERT_TRUE(document.step(document.waiting()).ok());
+  const Body& body = document.world().body(document.world().ids()[0]);
+  const auto groups = faces_by_piece(body, false);
+  ASSERT_EQ(groups.size(), 2u);
+  double area = 0;
+  for (const auto& faces : groups) {
+    const Extract e = extract_faces(body, faces);
+    EXPECT_EQ(e.triangles.size(), faces.size());
+    EXPECT_GT(e.boundary_edges, 4u);
+    EXPECT_NEAR(e.centroid.y, 0, 1e-15);
+    area += e.area;
+  }
+  EXPECT_NEAR(area, 1 - 0.04, 0.005);
+  EXPECT_EQ(faces_by_piece(body, true).size(), 2u);
+}
+
+TEST(Scene, reads_the_default_scene) {
+  const auto scene = read_scene(KERF_ASSETS "/scenes/car.json");
+  ASSERT_TRUE(scene.ok()) << scene.error().message;
+  EXPECT_GE(scene->world.live_faces(), 3000u);
+  EXPECT_LE(scene->world.live_faces(), 6000u);
+  const Body& car = scene->world.body(scene->world.ids()[0]);
+  for (const std::string& material : car.material_names)
+    EXPECT_TRUE(scene->paints.count(material)) << material;
+  EXPECT_EQ(car.loaded.non_manifold_edges, 0u);
+  EXPECT_EQ(car.loaded.repairs.degenerate_faces_dropped, 0u);
+}
+
+TEST(StateHash, does_not_depend_on_the_order_of_faces_or_corners) {
+  const Soup soup = torus(9, 7, 1, 0.3);
+  Soup other = soup;
+  Random random(2);
+  for (size_t i = other.triangles.size(); i > 1; --i)
+    std::swap(other.triangles[i - 1], other.triangles[random.below(i)]);
+  for (auto& t : other.triangles) t = {t[1], t[2], t[0]};
+  EXPECT_EQ(state_hash(world_of(soup)), state_hash(world_of(other)));
+  other.positions[3].x += 1e-15;
+  EXPECT_NE(state_hash(world_of(soup)), state_hash(world_of(other)));
+}
+
+}  // namespace
+}  // namespace kerf::test

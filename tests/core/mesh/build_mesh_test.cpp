@@ -1,0 +1,119 @@
+#include "core/mesh/build_mesh.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/made_meshes.h"
+#include "tests/support/mesh_numbers.h"
+
+namespace kerf::test {
+namespace {
+
+TEST(BuildMesh, keeps_every_made_mesh_conforming_and_accounts_for_its_faces) {
+  for (const auto& [name, soup] : mesh_classes()) {
+    const BuiltMesh built = build(soup);
+    const MeshReport& r = built.report;
+    const MeshNumbers n = count_numbers(built.mesh);
+    EXPECT_EQ(find_fault(built.mesh), "") << name;
+    EXPECT_EQ(r.triangles_in_file, r.faces + r.repairs.degenerate_faces_dropped +
+                                       r.repairs.non_finite_faces_dropped + r.repairs.invalid_faces_dropped)
+        << name;
+    EXPECT_EQ(r.faces, built.mesh.live_faces()) << name;
+    EXPECT_EQ(r.components, n.components) << name;
+    EXPECT_NEAR(r.area, n.area, 1e-12 * n.area) << name;
+  }
+}
+
+TEST(BuildMesh, knows_the_topology_of_the_classics) {
+  struct Expected {
+    Soup soup;
+    long euler;
+    size_t components, loops;
+  };
+  const std::vector<Expected> classics = {{sphere(8, 12, 1), 2, 1, 0},
+                                          {torus(12, 8, 1, 0.3), 0, 1, 0},
+                                          {tube(3, 8, 1, 1), 0, 1, 2},
+                                          {moebius(12), 0, 1, 1},
+                                          {grid(5, 1), 1, 1, 1}};
+  for (const Expected& e : classics) {
+    const MeshNumbers n = count_numbers(build(e.soup).mesh);
+    EXPECT_EQ(n.euler, e.euler);
+    EXPECT_EQ(n.components, e.components);
+    EXPECT_EQ(n.boundary_loops, e.loops);
+  }
+}
+
+TEST(BuildMesh, turns_reversed_faces_round_and_counts_them) {
+  Soup soup = sphere(10, 14, 1);
+  Random random(3);
+  size_t reversed = 0;
+  for (auto& t : soup.triangles) {
+    if (random.below(3) != 0) continue;
+    std::swap(t[0], t[1]);
+    ++reversed;
+  }
+  const BuiltMesh built = build(soup);
+  EXPECT_EQ(built.report.repairs.reoriented_faces, reversed);
+  EXPECT_EQ(built.report.components, 1u);
+  EXPECT_EQ(built.report.repairs.duplicated_vertices, 0u);
+  EXPECT_EQ(find_fault(built.mesh), "");
+}
+
+TEST(BuildMesh, joins_all_sheets_of_a_book_at_its_back) {
+  const BuiltMesh built = build(book(7));
+  EXPECT_EQ(built.report.non_manifold_edges, 1u);
+  EXPECT_EQ(built.report.components, 1u);
+  std::vector<FaceId> across;
+  size_t on_back = 0;
+  for (uint32_t f = 0; f < built.mesh.face_slots(); ++f) {
+    across.clear();
+    built.mesh.append_neighbours(FaceId(f), across);
+    on_back += across.size() >= 6;
+  }
+  EXPECT_EQ(on_back, 7u);
+}
+
+TEST(BuildMesh, drops_and_counts_what_cannot_be_used) {
+  Soup soup = plate(1);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  soup.positions.push_back({nan, 0, 0});
+  soup.positions.push_back(soup.positions[0]);
+  soup.positions.push_back({9, 9, 9});
+  soup.triangles.push_back({0, 1, 4});  // not finite
+  soup.triangles.push_back({0, 1, 5});  // two corners at one position
+  soup.triangles_in_file = soup.faces_in_file = soup.triangles.size();
+  const MeshReport r = build(soup).report;
+  EXPECT_EQ(r.faces, 2u);
+  EXPECT_EQ(r.repairs.non_finite_faces_dropped, 1u);
+  EXPECT_EQ(r.repairs.degenerate_faces_dropped, 1u);
+  EXPECT_EQ(r.repairs.isolated_vertices_dropped, 2u);
+}
+
+TEST(BuildMesh, keeps_faces_without_area_as_connectors) {
+  Soup soup;
+  soup.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {2, -1, 0}};
+  soup.triangles = {{0, 1, 2}, {0, 1, 3}, {0, 2, 4}};
+  soup.triangles_in_file = soup.faces_in_file = 3;
+  const MeshReport r = build(soup).report;
+  EXPECT_EQ(r.repairs.zero_area_faces, 1u);
+  EXPECT_EQ(r.components, 1u);
+}
+
+TEST(BuildMesh, says_so_when_no_face_is_left) {
+  Soup soup;
+  soup.positions = {{0, 0, 0}, {1, 0, 0}};
+  soup.triangles = {{0, 1, 1}};
+  const auto built = build_mesh(soup);
+  ASSERT_FALSE(built.ok());
+  EXPECT_EQ(built.error().code, ErrorCode::kBadInput);
+  EXPECT_NE(built.error().message.find("no face"), std::string::npos);
+}
+
+TEST(BuildMesh, gives_one_result_whatever_the_sign_of_zero) {
+  Soup soup = grid(2, 1);
+  for (Vec3& p : soup.positions) p.y = -0.0;
+  Soup twin = both(soup, grid(2, 1));
+  EXPECT_EQ(build(twin).report.vertices, build(soup).report.vertices);
+}
+
+}  // namespace
+}  // namespace kerf::test

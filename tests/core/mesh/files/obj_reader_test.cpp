@@ -1,0 +1,128 @@
+#include "core/mesh/files/obj_reader.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/core/mesh/files/sample_files.h"
+
+namespace kerf {
+namespace {
+
+const std::string kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+
+Soup read(const std::string& text) {
+  Result<Soup> soup = read_obj(text, "t.obj");
+  EXPECT_TRUE(soup) << (soup ? "" : soup.error().message);
+  return soup ? *soup : Soup{};
+}
+
+std::string refusal(const std::string& text) {
+  const Result<Soup> soup = read_obj(text, "t.obj");
+  return soup ? "" : soup.error().message;
+}
+
+TEST(ObjReader, counts_a_face_with_an_index_out_of_range_and_reads_on) {
+  for (const char* corners :
+       {"1 2 4", "0 1 2", "-4 1 2", "1 2 99999999999999999999", "/ / /", "/1/1 /1/1 /1/1"}) {
+    const Soup soup = read(kTriangle + "f " + corners + "\nf 1 2 3\n");
+    EXPECT_EQ(soup.triangles_in_file, 2u) << corners;
+    EXPECT_EQ(soup.invalid_faces_dropped, 1u) << corners;
+    EXPECT_EQ(soup.triangles.size(), 1u) << corners;
+  }
+}
+
+TEST(ObjReader, counts_an_invalid_polygon_as_all_its_triangles) {
+  const Soup soup = read(kTriangle + "f 1 2 3 9 9\nf 1 2 3\n");
+  EXPECT_EQ(soup.faces_in_file, 2u);
+  EXPECT_EQ(soup.triangles_in_file, 4u);
+  EXPECT_EQ(soup.invalid_faces_dropped, 3u);
+}
+
+TEST(ObjReader, takes_any_line_end_a_byte_order_mark_and_comments_behind_data) {
+  for (const char* end : {"\n", "\r\n", "\r"}) {
+    std::string text = "\xef\xbb\xbfv 0 0 0#a|v 1 0 0 # b||v 0 1 0|# c \\|f 1 2 3 # d|f 3 \\|2 1";
+    for (size_t at; (at = text.find('|')) != std::string::npos;) text.replace(at, 1, end);
+    const Soup soup = read(text);
+    EXPECT_EQ(soup.triangles, (std::vector<Soup::Triangle>{{0, 1, 2}, {2, 1, 0}}));
+  }
+}
+
+TEST(ObjReader, counts_negative_indices_from_the_last_vertex_so_far) {
+  const Soup soup = read(kTriangle + "f -3 -2 -1\nv 5 5 5\nf -1 -2 -3\n");
+  EXPECT_EQ(soup.triangles, (std::vector<Soup::Triangle>{{0, 1, 2}, {3, 2, 1}}));
+}
+
+TEST(ObjReader, lets_faces_come_before_their_vertices) {
+  EXPECT_EQ(read("f 1 2 3\n" + kTriangle).triangles.size(), 1u);
+}
+
+TEST(ObjReader, keeps_positions_that_are_not_finite) {
+  const Soup soup = read("v nan inf 1.#IND\nv 1e400 0 0\nv 0 1 3.1+e2\nf 1 2 3\n");
+  EXPECT_TRUE(std::isnan(soup.positions[0].x));
+  EXPECT_TRUE(std::isinf(soup.positions[0].y));
+  EXPECT_TRUE(std::isnan(soup.positions[0].z));
+  EXPECT_TRUE(std::isinf(soup.positions[1].x));
+  EXPECT_TRUE(std::isnan(soup.positions[2].z));
+  ASSERT_EQ(soup.warnings.size(), 1u);
+  EXPECT_EQ(soup.warnings[0], "1 garbled numbers, the first in line 3, count as not finite.");
+}
+
+TEST(ObjReader, numbers_materials_by_first_use) {
+  const Soup soup =
+      read(kTriangle + "f 1 2 3\nusemtl b\nusemtl a c \nf 1 2 3\nusemtl b\nf 1 2 3\nusemtl a c\nf 1 2 3");
+  EXPECT_EQ(soup.material_names, (std::vector<std::string>{"", "a c", "b"}));
+  EXPECT_EQ(soup.materials, (std::vector<uint16_t>{0, 1, 2, 1}));
+}
+
+TEST(ObjReader, has_no_material_list_for_one_material) {
+  EXPECT_TRUE(read(kTriangle + "f 1 2 3\n").material_names.empty());
+  const Soup soup = read(kTriangle + "usemtl a\nf 1 2 3\n");
+  EXPECT_TRUE(soup.materials.empty());
+  EXPECT_EQ(soup.material_names, (std::vector<std::string>{"a"}));
+}
+
+TEST(ObjReader, keeps_materials_beside_the_triangles_when_polygons_are_dropped) {
+  const Soup soup = read(kTriangle + "v 1 1 0\nf 1 2 4 3\nusemtl b\nf 1 2 9\nf 1 2\nf 1 2 3\n");
+  EXPECT_EQ(soup.triangles.size(), 3u);
+  EXPECT_EQ(soup.materials, (std::vector<uint16_t>{0, 0, 1}));
+}
+
+TEST(ObjReader, names_the_line_and_the_word_of_what_is_wrong) {
+  EXPECT_EQ(refusal("v 0 0 0\nv 1 zero 0\n"), "t.obj, line 2: expected the y coordinate, found 'zero'.");
+  EXPECT_EQ(refusal("v 0 0 0\r\nv 1 0\r\n"), "t.obj, line 2: the line ends where the z coordinate must be.");
+  EXPECT_EQ(refusal("v 0,5 0 0\n"),
+            "t.obj, line 1: expected the x coordinate, found '0,5'; write decimal points, not commas.");
+  EXPECT_EQ(refusal(kTriangle + "f 1 2 3f 1 2 3\n"),
+            "t.obj, line 4: expected a corner of a face, like 7 or 7/7/7, found '3f'.");
+  EXPECT_EQ(refusal("v 0 0"),
+            "t.obj, line 1: the file ends where the z coordinate must be; it is cut short.");
+}
+
+TEST(ObjReader, refuses_a_file_of_which_no_face_is_left) {
+  EXPECT_EQ(refusal(kTriangle), "t.obj: there is no face in it, so there is nothing to cut.");
+  EXPECT_EQ(refusal(kTriangle + "f 7 8 9\n"),
+            "t.obj: no face is left, all 1 name vertices that are not there.");
+}
+
+TEST(ObjReader, refuses_binary_bytes_and_other_encodings) {
+  EXPECT_EQ(refusal(std::string("v 0 0 0\0", 8)), "t.obj, byte 7: a zero byte, so this is not OBJ text.");
+  EXPECT_EQ(refusal(std::string("\xff\xfev\0 \0", 6)), "t.obj: this is UTF-16 text; save it as UTF-8.");
+}
+
+TEST(ObjReader, says_what_it_passed_over) {
+  const Soup soup = read(kTriangle + "l 1 2\nblah\nf 1 2 3\n");
+  ASSERT_EQ(soup.warnings.size(), 1u);
+  EXPECT_EQ(soup.warnings[0], "2 statements that make no face were passed over, the first 'l'.");
+}
+
+TEST(ObjReader, stops_when_it_is_asked_to) {
+  const Progress stop{[](double) { return false; }};
+  const Result<Soup> soup = read_obj(kTriangle + "f 1 2 3\n", "t.obj", &stop);
+  ASSERT_FALSE(soup);
+  EXPECT_EQ(soup.error().code, ErrorCode::kFailed);
+  EXPECT_EQ(soup.error().message, "cancelled");
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,64 @@
+#include "core/mesh/files/off_reader.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/mesh/files/sample_files.h"
+
+namespace kerf {
+namespace {
+
+std::string refusal(const std::string& text) {
+  const Result<Soup> soup = read_off(text, "t.off");
+  return soup ? "" : soup.error().message;
+}
+
+TEST(OffReader, takes_headers_of_every_kind) {
+  const std::string data = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  for (const char* header :
+       {"OFF\n3 1 0\n", "OFF 3 1 0\n", "OFF\n# by hand\n\n3 1 3\n", "# first\nOFF\n3 1\n", "OFF3 1 0\n",
+        "OFF\r\n3\n1\n0\n", "CNOFF\n3 1 0\n", "STOFF\n3 1 0\n"}) {
+    const Result<Soup> soup = read_off(header + data, "t.off");
+    ASSERT_TRUE(soup) << header << soup.error().message;
+    EXPECT_EQ(soup->triangles, (std::vector<Soup::Triangle>{{0, 1, 2}})) << header;
+    EXPECT_TRUE(soup->warnings.empty());
+  }
+}
+
+TEST(OffReader, passes_over_what_follows_position_and_corners) {
+  const Result<Soup> soup =
+      read_off("COFF\n4 1 0\n0 0 0 9 9 9\n1 0 0#red\n1 1 0 1 # c\n0 1 0\n4 0 1 2 3 .5 .5 .5\n", "");
+  ASSERT_TRUE(soup);
+  EXPECT_EQ(soup->positions[2], Vec3(1, 1, 0));
+  EXPECT_EQ(test::area(*soup), 1.0);
+}
+
+TEST(OffReader, counts_faces_with_indices_that_are_not_there) {
+  const Result<Soup> soup =
+      read_off("OFF\n3 3 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n4 0 1 2 -1\n3 0 1 2\n", "t.off");
+  ASSERT_TRUE(soup);
+  EXPECT_EQ(soup->triangles_in_file, 4u);
+  EXPECT_EQ(soup->invalid_faces_dropped, 3u);
+}
+
+TEST(OffReader, refuses_counts_that_the_file_cannot_hold) {
+  EXPECT_EQ(refusal("OFF\n3 2000000000 0\n0 0 0\n"),
+            "t.off, line 2: announces 2000000000 faces, but the 9 bytes that follow cannot hold them.");
+  EXPECT_EQ(refusal("OFF\n-1 1 0\n0 0 0\n"),
+            "t.off, line 2: announces -1 vertices, but the 11 bytes that follow cannot hold them.");
+  EXPECT_NE(refusal("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4000000000 0 1 2\n"), "");
+}
+
+TEST(OffReader, refuses_data_that_end_early) {
+  EXPECT_EQ(
+      refusal("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"),
+      "t.off, line 7: the file ends where the number of corners of face 1 of 2 must be; it is cut short.");
+}
+
+TEST(OffReader, refuses_binary_and_other_dimensions) {
+  EXPECT_EQ(refusal("OFF BINARY\n"), "t.off, line 1: binary OFF is not read; save it as text, or as PLY.");
+  EXPECT_EQ(refusal("4OFF\n"), "t.off, line 1: OFF with other than three coordinates is not read.");
+  EXPECT_EQ(refusal("OFFICE\n"), "t.off, line 1: expected the keyword OFF, found 'OFFICE'.");
+}
+
+}  // namespace
+}  // namespace kerf

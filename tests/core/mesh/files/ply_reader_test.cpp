@@ -1,0 +1,109 @@
+#include "core/mesh/files/ply_reader.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/mesh/files/sample_files.h"
+
+namespace kerf {
+namespace {
+
+const std::string kVertices = "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
+const std::string kFaces = "element face 1\nproperty list uchar int vertex_indices\n";
+const std::string kData = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+
+std::string file(const std::string& elements, const std::string& data, const std::string& format = "ascii") {
+  return "ply\nformat " + format + " 1.0\n" + elements + "end_header\n" + data;
+}
+
+std::string refusal(const std::string& bytes) {
+  const Result<Soup> soup = read_ply(bytes, "t.ply");
+  return soup ? "" : soup.error().message;
+}
+
+TEST(PlyReader, takes_every_integer_type_of_list_counts) {
+  for (const char* type : {"char", "uchar", "short", "ushort", "int", "uint", "int8", "uint8", "int16",
+                           "uint16", "int32", "uint32", "int64", "uint64"}) {
+    const std::string faces =
+        std::string("element face 1\nproperty list ") + type + " " + type + " vertex_index\n";
+    EXPECT_EQ(refusal(file(kVertices + faces, kData)), "") << type;
+  }
+}
+
+TEST(PlyReader, reads_strips_with_restarts_and_turns_every_second_triangle) {
+  const std::string strips = "element tristrips 1\nproperty list int int vertex_indices\n";
+  const Result<Soup> soup =
+      read_ply(file("element vertex 4\nproperty float x\nproperty float y\nproperty float z\n" + strips,
+                    "0 0 0\n1 0 0\n0 1 0\n1 1 0\n9 0 1 2 3 -1 3 1 0 -1\n"),
+               "t.ply");
+  ASSERT_TRUE(soup);
+  EXPECT_EQ(soup->triangles, (std::vector<Soup::Triangle>{{0, 1, 2}, {2, 1, 3}, {3, 1, 0}}));
+  EXPECT_EQ(soup->faces_in_file, 3u);
+}
+
+TEST(PlyReader, counts_faces_with_indices_that_are_not_there) {
+  const std::string faces = "element face 3\nproperty list uchar int vertex_indices\n";
+  const Result<Soup> soup =
+      read_ply(file(kVertices + faces, "0 0 0\n1 0 0\n0 1 0\n3 0 1 70000\n4 0 1 2 -5\n3 0 1 2\n"), "t.ply");
+  ASSERT_TRUE(soup);
+  EXPECT_EQ(soup->triangles_in_file, 4u);
+  EXPECT_EQ(soup->invalid_faces_dropped, 3u);
+}
+
+TEST(PlyReader, does_not_take_a_line_feed_of_the_data_for_the_end_of_the_header) {
+  std::string elements = "element vertex 3\nproperty char x\nproperty char y\nproperty char z\n" + kFaces;
+  std::string data("\n\0\0\0\n\0\0\0\n\3\0\0\0\0\1\0\0\0\2\0\0\0", 22);
+  const Result<Soup> soup = read_ply(file(elements, data, "binary_little_endian"), "t.ply");
+  ASSERT_TRUE(soup) << soup.error().message;
+  EXPECT_EQ(soup->positions[0], Vec3(10, 0, 0));
+}
+
+TEST(PlyReader, finds_a_line_of_text_that_lacks_a_value_or_has_one_too_many) {
+  EXPECT_EQ(
+      refusal(file(kVertices + kFaces, "0 0 0\n1 0\n0 1 0\n3 0 1 2\n")),
+      "t.ply, line 12: the line goes on after the properties of 'vertex' 1; one before it may be missing.");
+  EXPECT_NE(refusal(file(kVertices + kFaces, "0 0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")), "");
+}
+
+TEST(PlyReader, refuses_counts_that_the_file_cannot_hold) {
+  for (const char* format : {"ascii", "binary_little_endian", "binary_big_endian"}) {
+    const std::string huge =
+        "element vertex 4294967295\nproperty float x\nproperty float y\nproperty float z\n";
+    EXPECT_NE(refusal(file(huge + kFaces, kData, format)).find("announces 4294967295 times 'vertex'"),
+              std::string::npos);
+  }
+  EXPECT_NE(refusal(file(kVertices + kFaces, "0 0 0\n1 0 0\n0 1 0\n4000000000 0 1 2\n")), "");
+  EXPECT_NE(refusal(file(kVertices + kFaces, "0 0 0\n1 0 0\n0 1 0\n-3 0 1 2\n")), "");
+  EXPECT_EQ(refusal(file("element vertex -3\n", "")), "t.ply, line 3: announces -3 elements.");
+}
+
+TEST(PlyReader, is_not_held_up_by_countless_elements_without_properties) {
+  EXPECT_EQ(refusal(file("element nothing 9000000000000000000\n" + kVertices + kFaces, kData)), "");
+}
+
+TEST(PlyReader, refuses_a_header_that_is_none) {
+  EXPECT_EQ(refusal("ply\nformat ascii 1.0\n"),
+            "t.ply: the header has no 'end_header'; the file is cut short.");
+  EXPECT_EQ(refusal(file("property float x\n", "")),
+            "t.ply, line 3: a property comes before the first element.");
+  EXPECT_EQ(refusal(file("element vertex 1\nproperty list float int x\n", "")),
+            "t.ply, line 4: expected an integer type, found 'float'.");
+  EXPECT_EQ(refusal(file("element vertex 1\nproperty quad x\n", "")),
+            "t.ply, line 4: expected a type, found 'quad'.");
+  EXPECT_EQ(refusal(file(kVertices + kVertices, "")),
+            "t.ply, line 7: announces the element 'vertex' a second time.");
+  EXPECT_EQ(
+      refusal(file("element vertex 1\nproperty float x\nproperty float y\n" + kFaces, "0 0\n3 0 1 2\n")),
+      "t.ply: the element 'vertex' must have one property 'z'.");
+  EXPECT_EQ(refusal("ply\nend_header\n"), "t.ply, line 2: the header has no 'format'.");
+}
+
+TEST(PlyReader, keeps_double_precision) {
+  const std::string vertices = "element vertex 3\nproperty double x\nproperty double y\nproperty double z\n";
+  const Result<Soup> soup =
+      read_ply(file(vertices + kFaces, "1000000.123456 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), "");
+  ASSERT_TRUE(soup);
+  EXPECT_EQ(soup->positions[0].x, 1000000.123456);
+}
+
+}  // namespace
+}  // namespace kerf

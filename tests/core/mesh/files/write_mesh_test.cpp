@@ -1,0 +1,169 @@
+#include "core/mesh/write_mesh.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <bit>
+#include <cmath>
+#include <csignal>
+
+#include "core/base/atomic_file.h"
+#include "core/base/random.h"
+#include "core/mesh/read_mesh.h"
+#include "tests/core/mesh/files/sample_files.h"
+
+namespace kerf {
+namespace {
+
+struct RandomMesh {
+  std::vector<Vec3> positions;
+  std::vector<std::array<uint32_t, 3>> triangles;
+  std::vector<uint16_t> materials;
+  std::vector<std::string> names{"steel", "blue paint", "glass"};
+
+  MeshView view() const { return {positions, triangles, materials, names}; }
+};
+
+// Any finite double there is: bits at random.
+double any_double(Random& random) {
+  for (;;) {
+    const double x = std::bit_cast<double>(random.bits());
+    if (std::isfinite(x)) return x;
+  }
+}
+
+RandomMesh random_mesh(Random& random) {
+  RandomMesh mesh;
+  const uint64_t vertices = 3 + random.below(40), triangles = 3 + random.below(60);
+  for (uint64_t i = 0; i < vertices; ++i) {
+    mesh.positions.push_back({any_double(random), random.uniform(-1, 1), i % 2 ? -0.0 : 1e6 + random.unit()});
+  }
+  const auto corner = [&] { return static_cast<uint32_t>(random.below(vertices)); };
+  for (uint64_t i = 0; i < triangles; ++i) {
+    mesh.triangles.push_back({corner(), corner(), corner()});
+    mesh.materials.push_back(static_cast<uint16_t>(i < 3 ? i : random.below(3)));
+  }
+  return mesh;
+}
+
+bool same_bits(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Vec3& p, const Vec3& q) {
+    return std::bit_cast<std::array<uint64_t, 3>>(p) == std::bit_cast<std::array<uint64_t, 3>>(q);
+  });
+}
+
+TEST(WriteMesh, reads_back_bit_equal) {
+  const test::TemporaryFolder folder;
+  for (uint64_t seed = 1; seed <= 60; ++seed) {
+    Random random(seed);
+    const RandomMesh mesh = random_mesh(random);
+    for (const MeshFormat format : {MeshFormat::kObj, MeshFormat::kOff, MeshFormat::kPly}) {
+      const auto path = folder / ("mesh." + std::string(format_name(format)));
+      ASSERT_TRUE(write_mesh(mesh.view(), path, format));
+      const Result<Soup> soup = read_mesh(path);
+      ASSERT_TRUE(soup) << soup.error().message;
+      EXPECT_TRUE(same_bits(soup->positions, mesh.positions)) << format_name(format) << ", seed " << seed;
+      EXPECT_EQ(soup->triangles, mesh.triangles) << format_name(format) << ", seed " << seed;
+      EXPECT_TRUE(soup->warnings.empty());
+      if (format != MeshFormat::kObj) continue;
+      EXPECT_EQ(soup->materials, mesh.materials) << "seed " << seed;
+      EXPECT_EQ(soup->material_names, mesh.names) << "seed " << seed;
+    }
+  }
+}
+
+TEST(WriteMesh, writes_stl_to_the_precision_of_float) {
+  const test::TemporaryFolder folder;
+  const std::vector<Vec3> positions{{0.1, 0, 0}, {1e10, 0, 0}, {0, 1e-30, 0.3}};
+  const std::vector<std::array<uint32_t, 3>> triangles{{0, 1, 2}, {2, 1, 0}};
+  ASSERT_TRUE(write_mesh({positions, triangles, {}, {}}, folder / "t.stl", MeshFormat::kStl));
+  const Result<Soup> soup = read_mesh(folder / "t.stl");
+  ASSERT_TRUE(soup);
+  for (uint32_t i = 0; i < 6; ++i) {
+    const Vec3& expected = positions[triangles[i / 3][i % 3]];
+    for (int k = 0; k < 3; ++k) EXPECT_EQ(soup->positions[i][k], double{static_cast<float>(expected[k])});
+  }
+}
+
+TEST(WriteMesh, refuses_stl_beyond_float) {
+  const test::TemporaryFolder folder;
+  const std::vector<Vec3> positions{{1e39, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  const std::vector<std::array<uint32_t, 3>> triangles{{0, 1, 2}};
+  const Status status = write_mesh({positions, triangles, {}, {}}, folder / "t.stl", MeshFormat::kStl);
+  ASSERT_FALSE(status);
+  EXPECT_EQ(status.error().code, ErrorCode::kFailed);
+  EXPECT_FALSE(std::filesystem::exists(folder / "t.stl"));
+}
+
+TEST(WriteMesh, knows_formats_by_name) {
+  EXPECT_EQ(mesh_format("obj"), MeshFormat::kObj);
+  EXPECT_EQ(mesh_format(".STL"), MeshFormat::kStl);
+  EXPECT_EQ(mesh_format("om"), std::nullopt);
+  EXPECT_EQ(mesh_format(""), std::nullopt);
+}
+
+size_t files_in(const std::filesystem::path& folder) {
+  return static_cast<size_t>(std::distance(std::filesystem::directory_iterator(folder), {}));
+}
+
+TEST(WriteFileAtomically, replaces_a_file_and_keeps_its_permissions) {
+  const test::TemporaryFolder folder;
+  test::write_bytes(folder / "a", "old");
+  std::filesystem::permissions(folder / "a", std::filesystem::perms(0640));
+  ASSERT_TRUE(write_file_atomically(folder / "a", "new"));
+  EXPECT_EQ(test::read_bytes(folder / "a"), "new");
+  EXPECT_EQ(std::filesystem::status(folder / "a").permissions(), std::filesystem::perms(0640));
+  EXPECT_EQ(files_in(folder.path()), 1u);
+}
+
+TEST(WriteFileAtomically, follows_a_link) {
+  const test::TemporaryFolder folder;
+  test::write_bytes(folder / "a", "old");
+  std::filesystem::create_symlink("a", folder / "link");
+  ASSERT_TRUE(write_file_atomically(folder / "link", "new"));
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "link"));
+  EXPECT_EQ(test::read_bytes(folder / "a"), "new");
+}
+
+TEST(WriteFileAtomically, says_in_one_sentence_that_a_device_is_full) {
+  const Status status = write_file_atomically("/dev/full", "bytes");
+  ASSERT_FALSE(status);
+  EXPECT_EQ(status.error().code, ErrorCode::kFailed);
+  EXPECT_EQ(status.error().message, "cannot write /dev/full: No space left on device.");
+}
+
+// A limit on the size of files stands for a full disk: the write fails half-way.
+TEST(WriteFileAtomically, leaves_what_was_there_when_the_disk_is_full) {
+  const test::TemporaryFolder folder;
+  test::write_bytes(folder / "a", "old");
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit tiny{4096, before.rlim_max};
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &tiny), 0);
+  const Status status = write_file_atomically(folder / "a", std::string(100'000, 'x'));
+  ::setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  ASSERT_FALSE(status);
+  EXPECT_EQ(test::read_bytes(folder / "a"), "old");
+  EXPECT_EQ(files_in(folder.path()), 1u);
+}
+
+TEST(WriteFileAtomically, fails_where_nothing_can_be_written) {
+  const test::TemporaryFolder folder;
+  for (const auto& path :
+       {folder / "missing/a", folder.path(), folder.path() / "", std::filesystem::path()}) {
+    const Status status = write_file_atomically(path, "bytes");
+    ASSERT_FALSE(status) << path;
+    EXPECT_EQ(status.error().message.find('\n'), std::string::npos);
+  }
+  if (::geteuid() == 0) GTEST_SKIP() << "root may write into read-only folders";
+  std::filesystem::permissions(folder.path(), std::filesystem::perms(0500));
+  EXPECT_FALSE(write_file_atomically(folder / "a", "bytes"));
+  std::filesystem::permissions(folder.path(), std::filesystem::perms(0700));
+}
+
+}  // namespace
+}  // namespace kerf

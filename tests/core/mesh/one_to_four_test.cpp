@@ -1,0 +1,127 @@
+#include "core/mesh/one_to_four.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/made_meshes.h"
+#include "tests/support/mesh_numbers.h"
+
+namespace kerf::test {
+namespace {
+
+FaceId random_live_face(const Mesh& mesh, Random& random) {
+  for (;;) {
+    const FaceId f(static_cast<uint32_t>(random.below(mesh.face_slots())));
+    if (mesh.is_live(f)) return f;
+  }
+}
+
+void expect_same(const MeshNumbers& before, const MeshNumbers& after, const std::string& where) {
+  EXPECT_NEAR(after.area, before.area, 1e-9 * before.area) << where;
+  EXPECT_NEAR(after.boundary_length, before.boundary_length, 1e-9 * before.boundary_length) << where;
+  EXPECT_EQ(after.boundary_loops, before.boundary_loops) << where;
+  EXPECT_EQ(after.euler, before.euler) << where;
+  EXPECT_EQ(after.components, before.components) << where;
+}
+
+TEST(OneToFour, splitting_leaves_area_boundary_and_topology_as_they_were) {
+  for (const auto& [name, soup] : mesh_classes()) {
+    for (uint64_t seed = 1; seed <= 3; ++seed) {
+      SCOPED_TRACE(name + ", seed " + std::to_string(seed));
+      Mesh mesh = build(soup).mesh;
+      OneToFour refinement;
+      Random random(seed);
+      const MeshNumbers before = count_numbers(mesh);
+      std::vector<OneToFour::Replacement> replaced;
+      for (int i = 0; i < 40; ++i) {
+        const FaceId f = random_live_face(mesh, random);
+        if (mesh.data(f).level < 8) refinement.split(mesh, f, replaced);
+        if (i % 8 == 0) ASSERT_EQ(find_fault(mesh), "");
+      }
+      ASSERT_EQ(find_fault(mesh), "");
+      expect_same(before, count_numbers(mesh), name);
+    }
+  }
+}
+
+// Four red children of equal area a level and nothing below a green face: so the area of a face follows from
+// its level, and a green half has half of its element's.
+TEST(OneToFour, restores_the_parent_of_a_green_pair_before_it_is_split_again) {
+  for (uint64_t seed = 1; seed <= 5; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Mesh mesh = build(grid(3, 1)).mesh;
+    std::vector<double> base_area;
+    for (uint32_t f = 0; f < mesh.face_slots(); ++f)
+      base_area.push_back(triangle_area(mesh.triangle(FaceId(f))));
+    OneToFour refinement;
+    Random random(seed);
+    std::vector<OneToFour::Replacement> replaced;
+    for (int i = 0; i < 200; ++i) {
+      const FaceId f = random_live_face(mesh, random);
+      if (mesh.data(f).level < 10) refinement.split(mesh, f, replaced);
+    }
+    size_t halves = 0;
+    for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
+      const FaceData& data = mesh.data(FaceId(f));
+      const double element = std::ldexp(base_area[data.base.index], -2 * data.level);
+      EXPECT_NEAR(triangle_area(refinement.triangle(mesh, FaceId(f))), element, 1e-12 * element);
+      if (data.element == FaceData::kNoElement) continue;
+      ++halves;
+      EXPECT_NEAR(triangle_area(mesh.triangle(FaceId(f))), element / 2, 1e-12 * element);
+    }
+    EXPECT_GT(halves, 0u);
+  }
+}
+
+TEST(OneToFour, keeps_neighbouring_elements_within_one_level) {
+  Mesh mesh = build(sphere(6, 8, 1)).mesh;
+  OneToFour refinement;
+  std::vector<OneToFour::Replacement> replaced;
+  for (int i = 0; i < 9; ++i) refinement.split(mesh, FaceId(0), replaced);
+  std::vector<FaceId> neighbours;
+  for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
+    neighbours.clear();
+    mesh.append_neighbours(FaceId(f), neighbours);
+    for (const FaceId n : neighbours) {
+      EXPECT_LE(std::abs(int{mesh.data(FaceId(f)).level} - int{mesh.data(n).level}), 1);
+    }
+  }
+  EXPECT_EQ(find_fault(mesh), "");
+}
+
+TEST(OneToFour, tells_of_every_slot_that_it_changed) {
+  for (uint64_t seed = 1; seed <= 5; ++seed) {
+    Mesh mesh = build(torus(10, 6, 1, 0.4)).mesh;
+    OneToFour refinement;
+    Random random(seed);
+    for (int i = 0; i < 60; ++i) {
+      std::vector<Triangle> before;
+      for (uint32_t f = 0; f < mesh.face_slots(); ++f) before.push_back(mesh.triangle(FaceId(f)));
+      std::vector<OneToFour::Replacement> replaced;
+      refinement.split(mesh, random_live_face(mesh, random), replaced);
+      std::vector<bool> told(mesh.face_slots());
+      for (const auto& r : replaced) {
+        for (int k = 0; k < r.born_count; ++k) told[r.born[k].index] = true;
+      }
+      for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
+        const bool changed =
+            f >= before.size() || longest_edge2(before[f]) != longest_edge2(mesh.triangle(FaceId(f)));
+        if (changed) EXPECT_TRUE(told[f]) << "slot " << f << ", seed " << seed;
+      }
+    }
+  }
+}
+
+TEST(OneToFour, refuses_a_face_whose_edges_have_no_midpoint_of_their_own) {
+  Soup soup;
+  const double next = std::nextafter(1.0, 2.0);
+  soup.positions = {{1, 0, 0}, {next, 0, 0}, {1, 1, 0}};
+  soup.triangles = {{0, 1, 2}};
+  const Mesh mesh = build(soup).mesh;
+  EXPECT_FALSE(OneToFour().can_split(mesh, FaceId(0)));
+  EXPECT_TRUE(OneToFour().can_split(build(plate(1)).mesh, FaceId(0)));
+}
+
+}  // namespace
+}  // namespace kerf::test

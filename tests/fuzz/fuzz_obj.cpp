@@ -1,0 +1,7 @@
+#include "core/mesh/files/obj_reader.h"
+#include "tests/fuzz/reader_check.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {  // NOLINT: libFuzzer's name
+  kerf::fuzz::check_reader(kerf::read_obj, kerf::MeshFormat::kObj, data, size);
+  return 0;
+}

@@ -1,0 +1,194 @@
+#include "tests/fuzz/reader_check.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <vector>
+
+#include "core/mesh/build_mesh.h"
+#include "core/mesh/files/encode.h"
+
+namespace kerf::fuzz {
+namespace {
+
+constexpr size_t kSmall = 2000;  // triangles of a soup that is built and written too
+const std::string kName = "input";
+
+void require(bool holds, const std::string& what) {
+  if (holds) return;
+  std::fprintf(stderr, "kerf: broken: %s\n", what.c_str());
+  std::abort();
+}
+
+void check_error(const Error& error) {
+  require(error.code == ErrorCode::kBadInput, "an error that is not of the input: " + error.message);
+  require(error.message.starts_with(kName) && error.message.ends_with('.'),
+          "an error that is no sentence about the file: " + error.message);
+  require(error.message.find_first_of("\r\n") == std::string::npos, "an error of several lines");
+}
+
+void check_soup(const Soup& soup) {
+  require(!soup.triangles.empty(), "a soup without a face");
+  require(soup.triangles_in_file == soup.triangles.size() + soup.invalid_faces_dropped,
+          "faces unaccounted for");
+  for (const auto& triangle : soup.triangles) {
+    for (const uint32_t v : triangle) require(v < soup.positions.size(), "an index that is not there");
+  }
+  require(soup.materials.empty() || soup.materials.size() == soup.triangles.size(),
+          "materials that are not one a face");
+  for (const uint16_t m : soup.materials)
+    require(m < soup.material_names.size(), "a material that is not there");
+}
+
+void check_report(const MeshReport& report, const Soup& soup) {
+  const Repairs& r = report.repairs;
+  require(report.triangles_in_file == soup.triangles_in_file, "another number of triangles in the file");
+  require(report.triangles_in_file == report.faces + r.degenerate_faces_dropped + r.non_finite_faces_dropped +
+                                          r.invalid_faces_dropped,
+          "faces unaccounted for after building");
+  require(r.reoriented_faces <= report.faces && r.zero_area_faces <= report.faces, "more repairs than faces");
+  require(report.components >= 1 && report.components <= report.faces, "an impossible number of components");
+}
+
+using Corners = std::array<Vec3, 3>;
+
+// Corner by corner in the order of the turn, which may start at any of them.
+bool same_turn(const Corners& a, const Corners& b) {
+  for (size_t i = 0; i < 3; ++i) {
+    if (a[0] == b[i] && a[1] == b[(i + 1) % 3] && a[2] == b[(i + 2) % 3]) return true;
+  }
+  return false;
+}
+
+bool is_finite(const Vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+
+Corners corners_of(const Soup& soup, size_t t) {
+  const auto& [a, b, c] = soup.triangles[t];
+  return {soup.positions[a], soup.positions[b], soup.positions[c]};
+}
+
+bool is_kept(const Corners& c) {
+  return std::all_of(c.begin(), c.end(), is_finite) && c[0] != c[1] && c[1] != c[2] && c[2] != c[0];
+}
+
+// The faces are the usable triangles of the soup in their order, turned where the report says so.
+void check_faces(const BuiltMesh& built, const Soup& soup) {
+  require(built.mesh.face_slots() == built.report.faces && built.mesh.live_faces() == built.report.faces,
+          "another number of faces in the mesh");
+  uint32_t f = 0;
+  size_t turned = 0;
+  for (size_t t = 0; t < soup.triangles.size(); ++t) {
+    const Corners wanted = corners_of(soup, t);
+    if (!is_kept(wanted)) continue;
+    const Triangle face = built.mesh.triangle(FaceId(f));
+    if (!same_turn(face, wanted)) {
+      require(same_turn(face, {wanted[0], wanted[2], wanted[1]}), "a face with other corners");
+      ++turned;
+    }
+    ++f;
+  }
+  require(f == built.report.faces, "a usable face that is not in the mesh");
+  require(turned == built.report.repairs.reoriented_faces, "faces turned and not counted");
+}
+
+struct Written {
+  std::vector<Vec3> positions;
+  std::vector<std::array<uint32_t, 3>> triangles;
+  std::vector<uint16_t> materials;
+};
+
+Written written_form(const BuiltMesh& built) {
+  Written w;
+  for (uint32_t v = 0; v < built.mesh.vertex_slots(); ++v)
+    w.positions.push_back(built.mesh.position(VertexId(v)));
+  for (uint32_t f = 0; f < built.mesh.face_slots(); ++f) {
+    const auto corners = built.mesh.corners(FaceId(f));
+    w.triangles.push_back({corners[0].index, corners[1].index, corners[2].index});
+    if (!built.material_names.empty()) w.materials.push_back(built.mesh.data(FaceId(f)).material);
+  }
+  return w;
+}
+
+std::string encode(const MeshView& view, MeshFormat format) {
+  switch (format) {
+    case MeshFormat::kObj:
+      return encode_obj(view);
+    case MeshFormat::kPly:
+      return encode_ply(view);
+    case MeshFormat::kStl:
+      return encode_stl(view);
+    case MeshFormat::kOff:
+      break;
+  }
+  return encode_off(view);
+}
+
+bool fits_float(const Vec3& p) {
+  constexpr double kLargest = std::numeric_limits<float>::max();
+  return std::abs(p.x) <= kLargest && std::abs(p.y) <= kLargest && std::abs(p.z) <= kLargest;
+}
+
+bool same_bits(const Vec3& a, const Vec3& b) {
+  for (int i = 0; i < 3; ++i) {
+    if (std::bit_cast<uint64_t>(a[i]) != std::bit_cast<uint64_t>(b[i])) return false;
+  }
+  return true;
+}
+
+void check_read_back(const Soup& back, const Written& w, const BuiltMesh& built) {
+  require(back.triangles == w.triangles, "other faces when read back");
+  require(back.positions.size() == w.positions.size(), "other vertices when read back");
+  for (size_t i = 0; i < w.positions.size(); ++i) {
+    require(same_bits(back.positions[i], w.positions[i]), "a position that does not read back as it was");
+  }
+  for (size_t t = 0; t < back.materials.size() && !w.materials.empty(); ++t) {
+    std::string name = built.material_names[w.materials[t]];
+    if (name.empty()) name = "default";
+    require(back.material_names[back.materials[t]] == name, "another material when read back");
+  }
+}
+
+void check_stl_read_back(const Soup& back, const Written& w) {
+  require(back.triangles.size() == w.triangles.size(), "other faces when read back");
+  for (size_t t = 0; t < w.triangles.size(); ++t) {
+    for (size_t i = 0; i < 3; ++i) {
+      const Vec3 rounded(glm::vec3(w.positions[w.triangles[t][i]]));
+      require(same_bits(back.positions[3 * t + i], rounded),
+              "a position that does not read back to float precision");
+    }
+  }
+}
+
+void check_round_trip(Reader read, MeshFormat format, const BuiltMesh& built) {
+  const Written w = written_form(built);
+  const bool stl = format == MeshFormat::kStl;
+  if (stl && !std::all_of(w.positions.begin(), w.positions.end(), fits_float)) return;
+  const std::string bytes = encode({w.positions, w.triangles, w.materials, built.material_names}, format);
+  const Result<Soup> back = read(bytes, kName, nullptr);
+  require(back.ok(), "what was written is refused: " + (back ? "" : back.error().message));
+  check_soup(*back);
+  if (stl)
+    check_stl_read_back(*back, w);
+  else
+    check_read_back(*back, w, built);
+}
+
+}  // namespace
+
+void check_reader(Reader read, MeshFormat format, const uint8_t* data, size_t size) {
+  const Result<Soup> soup = read({reinterpret_cast<const char*>(data), size}, kName, nullptr);
+  if (!soup) return check_error(soup.error());
+  check_soup(*soup);
+  if (soup->triangles.size() > kSmall) return;
+  const Result<BuiltMesh> built = build_mesh(*soup);
+  if (!built) return;
+  check_report(built->report, *soup);
+  check_faces(*built, *soup);
+  check_round_trip(read, format, *built);
+}
+
+}  // namespace kerf::fuzz

@@ -1,0 +1,101 @@
+#!/usr/bin/env python3
+"""Fails on an include that runs against the arrows of the project.
+
+layering.py ROOT prints `file:line: why` for each breach below ROOT and exits with 1 if there is one.
+"""
+import os
+import re
+import sys
+
+# Each may include itself and what comes after it, never what comes before.
+LAYERS = ['app', 'ui', 'core']
+CORE = ['game', 'document', 'physics', 'cut', 'graph', 'heat', 'shadow', 'world', 'laser', 'tree', 'mesh', 'debug',
+        'base']
+
+SOURCE_FOLDERS = LAYERS + ['tests']
+TOP_LEVEL = {'CMakeLists.txt', 'README.md', 'assets', *SOURCE_FOLDERS}
+BUILD_FOLDER = re.compile(r'build(-.*)?$')
+
+SOURCE = re.compile(r'\.(h|hh|hpp|hxx|inl|ipp|c|cc|cpp|cxx)$')
+INCLUDE = re.compile(r'\s*#\s*include(?:_next)?\b\s*(.*)')
+TARGET = re.compile(r'"([^"]+)"|<([^>]+)>')
+OPENMESH = re.compile(r'OpenMesh/')
+GRAPHICS = re.compile(r'imgui|imconfig|imstb_|backends/imgui_|GLFW/|epoxy/|GL/|GLES\d*/|EGL/|KHR/|X11/|vulkan/')
+
+
+def breaches(root):
+    """Every breach below root, as (file, line, why); file is relative to root, line 0 means the entry itself."""
+    found = [(name, 0, 'is not one of the entries that the top level holds') for name in stray_entries(root)]
+    for path in sources(root):
+        with open(os.path.join(root, path), encoding='utf-8', errors='replace') as lines:
+            for number, line in enumerate(lines, 1):
+                include = INCLUDE.match(line)
+                why = include and objection(path, include[1])
+                if why:
+                    found.append((path, number, why))
+    return found
+
+
+def stray_entries(root):
+    return sorted(name for name in os.listdir(root)
+                  if name not in TOP_LEVEL and not name.startswith('.') and not BUILD_FOLDER.match(name))
+
+
+def sources(root):
+    for top in SOURCE_FOLDERS:
+        for folder, folders, files in os.walk(os.path.join(root, top)):
+            folders.sort()
+            for name in sorted(files):
+                if SOURCE.search(name):
+                    yield os.path.relpath(os.path.join(folder, name), root)
+
+
+def objection(path, operand):
+    """Why the file at path may not hold `#include operand`, or None where it may."""
+    target = TARGET.match(operand)
+    if not target:
+        return 'an include through a macro hides its arrow'
+    quoted, name = target[1], target[1] or target[2]
+    if name.split('/')[0] in SOURCE_FOLDERS:
+        if not quoted or os.path.normpath(name) != name:
+            return f'{name} is a file of the project: write its plain path from the root, in quotes'
+        return against_the_arrows(path, name)
+    if quoted:
+        return f'"{name}" is not written from the root (or is not of the project and belongs in angle brackets)'
+    if OPENMESH.match(name) and not path.startswith('core/mesh/'):
+        return f'<{name}> outside core/mesh'
+    if GRAPHICS.match(name) and path.startswith('core/'):
+        return f'<{name}>: core draws nothing and has no window'
+    return None
+
+
+def against_the_arrows(path, name):
+    here, there = path.split('/')[0], name.split('/')[0]
+    if here == 'tests':
+        return None
+    if there == 'tests':
+        return f'{name}: only tests include tests'
+    if LAYERS.index(there) < LAYERS.index(here):
+        return f'{name}: the arrows go {" -> ".join(LAYERS)}, and {here} does not know {there}'
+    return inside_core(path, name) if here == there == 'core' else None
+
+
+def inside_core(path, name):
+    here, there = path.split('/')[1], name.split('/')[1]
+    for folder in (here, there):
+        if folder not in CORE:
+            return f'core/{folder} has no place in the order of core: give it one in tests/layering/layering.py'
+    if CORE.index(there) < CORE.index(here):
+        return f'{name}: core/{here} comes after core/{there} in the order and does not know it'
+    return None
+
+
+def main(root):
+    found = breaches(root)
+    for path, line, why in found:
+        print(f'{path}:{line}: {why}' if line else f'{path}: {why}')
+    return 1 if found else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main(sys.argv[1]))

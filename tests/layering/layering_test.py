@@ -1,0 +1,80 @@
+#!/usr/bin/env python3
+"""The layering test can fail: each small bad tree yields its one breach, and a good tree yields none."""
+import os
+import tempfile
+import unittest
+
+import layering
+
+GOOD = {
+    'CMakeLists.txt': '', 'README.md': '', '.gitignore': '', 'assets/scene.json': '', 'build/x.cpp': '#include "x"',
+    'build-sanitize/x': '',
+    'app/main.cpp': '#include <imgui.h>\n#include "app/command.h"\n#include "ui/window.h"\n#include "core/cut/step.h"\n',
+    'ui/window.cpp': '#include <GLFW/glfw3.h>\n#include "ui/window.h"\n#include "core/base/result.h"\n',
+    'core/cut/step.cpp': '#include <glm/vec3.hpp>\n#include "core/cut/step.h"\n#include "core/graph/pieces.h"\n',
+    'core/mesh/kernel.h': '#include <OpenMesh/Core/Mesh/Handles.hh>\n#include "core/base/result.h"\n',
+    'tests/core/cut/step_test.cpp': '#include "tests/support/plate.h"\n#include "core/cut/step.h"\n',
+}
+
+
+def breaches_of(files):
+    with tempfile.TemporaryDirectory() as root:
+        for path, text in files.items():
+            full = os.path.join(root, path)
+            os.makedirs(os.path.dirname(full), exist_ok=True)
+            with open(full, 'w', encoding='utf-8') as out:
+                out.write(text)
+        return layering.breaches(root)
+
+
+class Layering(unittest.TestCase):
+    def refuses(self, path, text, line, why, reported=None):
+        found = breaches_of({**GOOD, path: text})
+        self.assertEqual([(reported or path, line)], [breach[:2] for breach in found], found)
+        self.assertIn(why, found[0][2])
+
+    def test_accepts_what_follows_the_arrows(self):
+        self.assertEqual([], breaches_of(GOOD))
+
+    def test_refuses_core_that_knows_ui(self):
+        self.refuses('core/cut/bad.cpp', '\n#include "ui/window.h"\n', 2, 'core does not know ui')
+
+    def test_refuses_ui_that_knows_app(self):
+        self.refuses('ui/bad.h', '#include "app/command.h"\n', 1, 'ui does not know app')
+
+    def test_refuses_the_program_that_knows_its_tests(self):
+        self.refuses('app/bad.cpp', '#include "tests/support/plate.h"\n', 1, 'only tests include tests')
+
+    def test_refuses_every_step_back_inside_core(self):
+        for earlier, later in zip(layering.CORE, layering.CORE[1:]):
+            with self.subTest(earlier=earlier, later=later):
+                self.refuses(f'core/{later}/bad.h', f'  #  include  "core/{earlier}/x.h"  // why\n', 1,
+                             f'core/{later} comes after core/{earlier}')
+
+    def test_refuses_a_folder_of_core_without_a_place(self):
+        self.refuses('core/misc/bad.h', '#include "core/base/result.h"\n', 1, 'core/misc has no place')
+        self.refuses('core/bad.h', '#include "core/base/result.h"\n', 1, 'has no place')
+
+    def test_refuses_openmesh_outside_core_mesh(self):
+        for path in ('core/cut/bad.cpp', 'ui/bad.cpp', 'tests/core/mesh/bad.cpp'):
+            self.refuses(path, '#include <OpenMesh/Core/Mesh/Handles.hh>\n', 1, 'outside core/mesh')
+
+    def test_refuses_graphics_in_core(self):
+        for header in ('imgui.h', 'imgui_internal.h', 'backends/imgui_impl_glfw.h', 'GLFW/glfw3.h', 'epoxy/gl.h',
+                       'GL/gl.h', 'EGL/egl.h'):
+            self.refuses('core/debug/bad.h', f'#include <{header}>\n', 1, 'core draws nothing')
+
+    def test_refuses_paths_that_do_not_start_at_the_root(self):
+        for text in ('"step.h"', '"../mesh/mesh.h"', '"imgui.h"'):
+            self.refuses('core/cut/bad.cpp', f'#include {text}\n', 1, 'not written from the root')
+        for text in ('<core/mesh/mesh.h>', '"core/cut/../mesh/mesh.h"'):
+            self.refuses('core/cut/bad.cpp', f'#include {text}\n', 1, 'plain path from the root')
+        self.refuses('core/cut/bad.cpp', '#include HEADER\n', 1, 'through a macro')
+
+    def test_refuses_a_stray_entry_at_the_top(self):
+        self.refuses('notes.txt', '', 0, 'top level')
+        self.refuses('lib/x.txt', '', 0, 'top level', reported='lib')
+
+
+if __name__ == '__main__':
+    unittest.main()

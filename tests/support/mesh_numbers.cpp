@@ -1,0 +1,118 @@
+#include "tests/support/mesh_numbers.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "core/base/union_find.h"
+
+namespace kerf::test {
+
+namespace {
+
+struct Less {
+  bool operator()(const Vec3& a, const Vec3& b) const {
+    if (a.x != b.x) return a.x < b.x;
+    return a.y != b.y ? a.y < b.y : a.z < b.z;
+  }
+};
+
+// The live faces by position.
+struct Picture {
+  std::map<Vec3, uint32_t, Less> vertices;
+  std::map<std::pair<uint32_t, uint32_t>, std::vector<FaceId>> edges;
+  std::vector<FaceId> faces;
+  std::set<std::array<uint32_t, 3>> different;  // faces by their corners, so that copies count once
+
+  uint32_t number(const Vec3& p) {
+    return vertices.try_emplace(p, static_cast<uint32_t>(vertices.size())).first->second;
+  }
+};
+
+Picture look_at(const Mesh& mesh) {
+  Picture p;
+  for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
+    if (!mesh.is_live(FaceId(f))) continue;
+    p.faces.emplace_back(f);
+    const Triangle t = mesh.triangle(FaceId(f));
+    std::array<uint32_t, 3> corners = {p.number(t[0]), p.number(t[1]), p.number(t[2])};
+    for (int i = 0; i < 3; ++i) p.edges[std::minmax(corners[i], corners[(i + 1) % 3])].emplace_back(f);
+    std::sort(corners.begin(), corners.end());
+    p.different.insert(corners);
+  }
+  return p;
+}
+
+std::string wrong_neighbours(const Mesh& mesh, Picture& p, FaceId f, bool chance_allowed) {
+  const Triangle t = mesh.triangle(f);
+  const auto corners = mesh.corners(f);
+  for (int i = 0; i < 3; ++i) {
+    std::vector<Mesh::Side> sides;
+    std::vector<FaceId> said{f}, true_ones = p.edges[std::minmax(p.number(t[i]), p.number(t[(i + 1) % 3]))];
+    mesh.append_edge_sides(f, corners[i], corners[(i + 1) % 3], sides);
+    for (const Mesh::Side& side : sides) said.push_back(side.face);
+    std::sort(said.begin(), said.end());
+    std::sort(true_ones.begin(), true_ones.end());
+    const bool right = chance_allowed
+                           ? std::includes(true_ones.begin(), true_ones.end(), said.begin(), said.end())
+                           : said == true_ones;
+    if (!right) return "face " + std::to_string(f.index) + " has other neighbours than its edge has faces";
+  }
+  return {};
+}
+
+std::string hanging_node(Picture& p) {
+  std::vector<Vec3> position(p.vertices.size());
+  for (const auto& [at, number] : p.vertices) position[number] = at;
+  for (const auto& [ends, faces] : p.edges) {
+    if (faces.size() != 1) continue;
+    const Vec3 middle = 0.5 * position[ends.first] + 0.5 * position[ends.second];
+    const auto found = p.vertices.find(middle);
+    if (found == p.vertices.end()) continue;
+    const uint32_t m = found->second;
+    if (m == ends.first || m == ends.second) continue;
+    if (p.edges.count(std::minmax(ends.first, m)) && p.edges.count(std::minmax(ends.second, m))) {
+      return "a node hangs on an edge of face " + std::to_string(faces[0].index);
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+MeshNumbers count_numbers(const Mesh& mesh) {
+  const Picture p = look_at(mesh);
+  MeshNumbers n;
+  std::map<uint32_t, uint32_t> place;
+  for (uint32_t i = 0; i < p.faces.size(); ++i) place[p.faces[i].index] = i;
+  std::vector<Vec3> position(p.vertices.size());
+  for (const auto& [at, number] : p.vertices) position[number] = at;
+
+  UnionFind together(p.faces.size()), loops(p.vertices.size());
+  n.components = p.faces.size();
+  std::set<uint32_t> on_boundary;
+  size_t joined = 0;
+  for (const auto& [ends, faces] : p.edges) {
+    for (const FaceId f : faces) n.components -= together.unite(place[faces[0].index], place[f.index]);
+    if (faces.size() != 1) continue;
+    n.boundary_length += glm::length(position[ends.first] - position[ends.second]);
+    on_boundary.insert({ends.first, ends.second});
+    joined += loops.unite(ends.first, ends.second);
+  }
+  n.boundary_loops = on_boundary.size() - joined;
+  n.euler = static_cast<long>(p.vertices.size()) - static_cast<long>(p.edges.size()) +
+            static_cast<long>(p.different.size());
+  for (const FaceId f : p.faces) n.area += triangle_area(mesh.triangle(f));
+  return n;
+}
+
+std::string find_fault(const Mesh& mesh, bool chance_allowed) {
+  Picture p = look_at(mesh);
+  if (p.faces.size() != mesh.live_faces()) return "the count of live faces is wrong";
+  for (const FaceId f : p.faces) {
+    if (const std::string fault = wrong_neighbours(mesh, p, f, chance_allowed); !fault.empty()) return fault;
+  }
+  return chance_allowed ? std::string() : hanging_node(p);
+}
+
+}  // namespace kerf::test

@@ -1,0 +1,32 @@
+#include "tests/support/real_meshes.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "core/mesh/read_mesh.h"
+
+namespace kerf::test {
+
+std::vector<std::filesystem::path> real_meshes(size_t most_faces) {
+  std::vector<std::filesystem::path> files;
+  const char* folder = std::getenv("KERF_TEST_MESHES");
+  if (!folder || !std::filesystem::is_directory(std::filesystem::path(folder) / "real")) return files;
+  for (const auto& entry :
+       std::filesystem::recursive_directory_iterator(std::filesystem::path(folder) / "real")) {
+    if (!entry.is_regular_file()) continue;
+    const std::string ending = entry.path().extension().string();
+    if (ending == ".json" || ending == ".md") continue;
+    const auto soup = read_mesh(entry.path());
+    if (soup && soup->triangles.size() <= most_faces && build_mesh(*soup).ok()) files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+World world_of_file(const std::filesystem::path& file) {
+  World world;
+  world.add(make_body(file.stem().string(), std::move(*build_mesh(*read_mesh(file)))));
+  return world;
+}
+
+}  // namespace kerf::test

@@ -1,0 +1,41 @@
+#include "tests/support/strokes.h"
+
+#include "tests/support/made_meshes.h"
+
+namespace kerf::test {
+
+Vec3 random_direction(Random& random) {
+  for (;;) {
+    const Vec3 v(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    const double length2 = glm::dot(v, v);
+    if (length2 > 0.01 && length2 < 1) return glm::normalize(v);
+  }
+}
+
+RandomStroke random_stroke(const World& world, Random& random, double radius_share, bool tilt) {
+  const World::Bounds bounds = world.bounds();
+  const double size = bounds.diagonal();
+  const Vec3 axis = random_direction(random);
+  const Vec3 along = glm::normalize(glm::cross(axis, random_direction(random)));
+  const Vec3 middle = 0.5 * (bounds.min + bounds.max) + 0.1 * size * random_direction(random);
+  const double half = random.uniform(0.2, 0.7) * size;
+  const Vec3 end_axis = tilt ? glm::normalize(axis + 0.3 * random_direction(random)) : axis;
+  RandomStroke stroke;
+  stroke.settings.laser.radius = radius_share * size;
+  stroke.settings.laser.range = {0, 3 * size};
+  stroke.settings.resolution.target_edge = radius_share * size * random.uniform(0.6, 1.5);
+  stroke.moves =
+      walk({middle - size * axis - half * along, axis}, {middle - size * end_axis + half * along, end_axis},
+           stroke.settings.laser.radius, 2 * size);
+  return stroke;
+}
+
+World world_of(const Soup& soup) {
+  World world;
+  world.add(make_body("body", build(soup)));
+  return world;
+}
+
+Body& only_body(World& world) { return world.body(world.ids()[0]); }
+
+}  // namespace kerf::test

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "core/base/random.h"
+#include "core/cut/cut_step.h"
+#include "core/world/world.h"
+
+namespace kerf::test {
+
+// A stroke of two poses across the world: through a random point near its middle, along a random direction.
+// With `tilt` the beam turns on the way.
+struct RandomStroke {
+  CutSettings settings;
+  std::vector<BeamMove> moves;
+};
+RandomStroke random_stroke(const World& world, Random& random, double radius_share, bool tilt);
+
+Vec3 random_direction(Random& random);
+
+// A world of one body.
+World world_of(const Soup& soup);
+Body& only_body(World& world);
+
+}  // namespace kerf::test

@@ -1,0 +1,15 @@
+#include "ui/editor/editor_state.h"
+
+namespace kerf {
+
+Vec2 EditorState::in_picture(Vec2 at) const {
+  const Vec2 p = (at - layout.viewport.at) / layout.viewport.size;
+  return {2 * p.x - 1, 1 - 2 * p.y};
+}
+
+void EditorState::say(std::string text, bool error) {
+  message = std::move(text);
+  message_is_error = error;
+}
+
+}  // namespace kerf

@@ -1,0 +1,24 @@
+#include "ui/editor/layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kerf {
+
+namespace {
+constexpr double kSideEms = 19;
+constexpr double kLeastViewport = 320;
+}  // namespace
+
+Layout lay_out(Vec2 window, double em, double menu, double status) {
+  double side = std::round(kSideEms * em);
+  if (window.x - side < kLeastViewport) side = 0;
+  const double height = std::max(1.0, window.y - menu - status);
+  Layout layout;
+  layout.viewport = {{0, menu}, {std::max(1.0, window.x - side), height}};
+  layout.side = {{window.x - side, menu}, {side, height}};
+  layout.status = {{0, menu + height}, {window.x, status}};
+  return layout;
+}
+
+}  // namespace kerf

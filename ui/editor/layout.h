@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/base/vec3.h"
+
+namespace kerf {
+
+// A rectangle of the window in screen coordinates, from its upper left corner.
+struct Area {
+  Vec2 at{0}, size{0};
+  bool contains(Vec2 p) const {
+    return p.x >= at.x && p.y >= at.y && p.x < at.x + size.x && p.y < at.y + size.y;
+  }
+};
+
+// The fixed frame of the window: menu above, status below, panels at the right, the picture in what is left.
+// The panels go where they would leave the picture less than a usable width.
+struct Layout {
+  Area viewport, side, status;
+};
+
+// `em` is the size of the text, `menu` and `status` the heights of those bars.
+Layout lay_out(Vec2 window, double em, double menu, double status);
+
+}  // namespace kerf

@@ -1,0 +1,25 @@
+#include "ui/editor/length_text.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace kerf {
+
+LengthUnit unit_for(double metres) {
+  constexpr std::array<LengthUnit, 5> kUnits{
+      {{"nm", 1e-9}, {"\xc2\xb5m", 1e-6}, {"mm", 1e-3}, {"m", 1}, {"km", 1000}}};
+  LengthUnit best = kUnits.front();
+  for (const LengthUnit& unit : kUnits) {
+    if (std::abs(metres) >= unit.metres) best = unit;
+  }
+  return best;
+}
+
+std::string length_text(double metres) {
+  const LengthUnit unit = unit_for(metres);
+  std::array<char, 48> text{};
+  std::snprintf(text.data(), text.size(), "%.3g %s", metres / unit.metres, unit.name);
+  return text.data();
+}
+
+}  // namespace kerf

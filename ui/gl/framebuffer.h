@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+
+#include "ui/gl/objects.h"
+
+namespace kerf::gl {
+
+// A picture in memory of the GPU: colour, and with depth also depth and stencil. With one sample the colour
+// is a texture that is read with linear filtering and clamped at its borders.
+class Framebuffer {
+ public:
+  struct Shape {
+    int width = 1, height = 1;
+    int samples = 1;    // more than the context offers is taken as what it offers
+    bool depth = true;  // 24 bits of depth and 8 of stencil
+    GLenum colour = GL_RGBA8;
+    friend bool operator==(const Shape&, const Shape&) = default;
+  };
+
+  explicit Framebuffer(const Shape& shape);
+
+  const Shape& shape() const { return shape_; }
+  bool complete() const { return complete_; }
+  GLuint name() const { return framebuffer_.name(); }
+  GLuint colour_texture() const { return texture_ ? texture_->name() : 0; }
+  // Makes it what is drawn into, whole.
+  void bind() const;
+
+ private:
+  Shape shape_;
+  bool complete_ = false;
+  FramebufferName framebuffer_;
+  std::optional<Texture> texture_;
+  std::optional<Renderbuffer> colour_, depth_;
+};
+
+// Copies the colour of all of `from` to `to` (0: the window) with its lower left corner at x, y; resolves
+// samples.
+void blit(const Framebuffer& from, GLuint to, int x, int y);
+
+}  // namespace kerf::gl

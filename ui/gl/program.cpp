@@ -1,0 +1,113 @@
+#include "ui/gl/program.h"
+
+#include <fstream>
+#include <glm/gtc/type_ptr.hpp>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+namespace kerf::gl {
+
+namespace {
+
+std::optional<std::string> read_text(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return std::nullopt;
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string all;
+  for (size_t i = 0; i < names.size(); ++i) {
+    all += (i ? ", " : "") + std::to_string(i) + " = " + names[i];
+  }
+  return all;
+}
+
+// One stage of a program; the object lives until it is attached and linked.
+class Shader {
+ public:
+  explicit Shader(GLenum stage) : name_(glCreateShader(stage)) {}
+  ~Shader() { glDeleteShader(name_); }
+  Shader(const Shader&) = delete;
+  Shader& operator=(const Shader&) = delete;
+  GLuint name() const { return name_; }
+
+  Status compile(const std::filesystem::path& folder, const std::vector<std::string>& files,
+                 const std::vector<std::string>& defines) {
+    std::string source = "#version 330 core\n";
+    for (const std::string& d : defines) source += "#define " + d + "\n";
+    for (size_t i = 0; i < files.size(); ++i) {
+      const std::optional<std::string> text = read_text(folder / files[i]);
+      if (!text) return failed("the shader " + (folder / files[i]).string() + " cannot be read");
+      source += "#line 1 " + std::to_string(i) + "\n" + *text + "\n";
+    }
+    const GLchar* chars = source.c_str();
+    glShaderSource(name_, 1, &chars, nullptr);
+    glCompileShader(name_);
+    GLint ok = 0;
+    glGetShaderiv(name_, GL_COMPILE_STATUS, &ok);
+    if (ok) return Done{};
+    std::array<GLchar, 2048> log{};
+    glGetShaderInfoLog(name_, static_cast<GLsizei>(log.size()), nullptr, log.data());
+    return failed("a shader does not compile (" + joined(files) + "): " + log.data());
+  }
+
+ private:
+  GLuint name_;
+};
+
+}  // namespace
+
+Program::~Program() {
+  if (name_ != 0) glDeleteProgram(name_);
+}
+
+Program::Program(Program&& other) noexcept : name_(std::exchange(other.name_, 0)) {}
+
+Program& Program::operator=(Program&& other) noexcept {
+  std::swap(name_, other.name_);
+  return *this;
+}
+
+Result<Program> Program::load(const std::filesystem::path& folder, const ProgramFiles& files) {
+  Shader vertex(GL_VERTEX_SHADER), fragment(GL_FRAGMENT_SHADER);
+  if (Status s = vertex.compile(folder, files.vertex, files.defines); !s) return s.error();
+  if (Status s = fragment.compile(folder, files.fragment, files.defines); !s) return s.error();
+  Program program(glCreateProgram());
+  glAttachShader(program.name_, vertex.name());
+  glAttachShader(program.name_, fragment.name());
+  glLinkProgram(program.name_);
+  glDetachShader(program.name_, vertex.name());
+  glDetachShader(program.name_, fragment.name());
+  GLint ok = 0;
+  glGetProgramiv(program.name_, GL_LINK_STATUS, &ok);
+  if (ok) return program;
+  std::array<GLchar, 2048> log{};
+  glGetProgramInfoLog(program.name_, static_cast<GLsizei>(log.size()), nullptr, log.data());
+  return failed("the shaders " + joined(files.vertex) + " and " + joined(files.fragment) +
+                " do not link: " + log.data());
+}
+
+void Program::set(const char* uniform, const glm::mat4& m) const {
+  glUniformMatrix4fv(glGetUniformLocation(name_, uniform), 1, GL_FALSE, glm::value_ptr(m));
+}
+void Program::set(const char* uniform, const glm::mat3& m) const {
+  glUniformMatrix3fv(glGetUniformLocation(name_, uniform), 1, GL_FALSE, glm::value_ptr(m));
+}
+void Program::set(const char* uniform, const glm::vec4& v) const {
+  glUniform4fv(glGetUniformLocation(name_, uniform), 1, glm::value_ptr(v));
+}
+void Program::set(const char* uniform, float x) const {
+  glUniform1f(glGetUniformLocation(name_, uniform), x);
+}
+void Program::set(const char* uniform, int x) const { glUniform1i(glGetUniformLocation(name_, uniform), x); }
+
+void Program::bind_block(const char* block, GLuint binding) const {
+  const GLuint index = glGetUniformBlockIndex(name_, block);
+  if (index != GL_INVALID_INDEX) glUniformBlockBinding(name_, index, binding);
+}
+
+}  // namespace kerf::gl

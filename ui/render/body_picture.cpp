@@ -1,0 +1,35 @@
+#include "ui/render/body_picture.h"
+
+namespace kerf {
+
+namespace {
+constexpr size_t kPaints = 256;
+}
+
+std::vector<glm::vec4> paint_table(const std::vector<std::string>& materials,
+                                   const std::map<std::string, Paint>& paints) {
+  const Paint plain;
+  std::vector<glm::vec4> table(kPaints, glm::vec4(glm::vec3(plain.colour), plain.gloss));
+  for (size_t m = 0; m < std::min(kPaints, materials.size()); ++m) {
+    const auto found = paints.find(materials[m]);
+    if (found != paints.end()) table[m] = glm::vec4(glm::vec3(found->second.colour), found->second.gloss);
+  }
+  return table;
+}
+
+BodyPicture::BodyPicture(const Body& body, const std::map<std::string, Paint>& paints) : faces_(body) {
+  const std::vector<glm::vec4> table = paint_table(body.material_names, paints);
+  glBindBuffer(GL_UNIFORM_BUFFER, paints_.name());
+  glBufferData(GL_UNIFORM_BUFFER, static_cast<GLsizeiptr>(table.size() * sizeof(glm::vec4)), table.data(),
+               GL_STATIC_DRAW);
+}
+
+void BodyPicture::draw(const gl::Program& program, const FrameSpace& space,
+                       const Placement& placement) const {
+  program.set("frame_from_body", space.from_body(placement, faces_.frame()));
+  program.set("turn", glm::mat3(glm::mat3_cast(placement.orientation)));
+  glBindBufferBase(GL_UNIFORM_BUFFER, kPaintBlock, paints_.name());
+  faces_.draw();
+}
+
+}  // namespace kerf

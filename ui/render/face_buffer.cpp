@@ -1,0 +1,100 @@
+#include "ui/render/face_buffer.h"
+
+#include <algorithm>
+
+namespace kerf {
+
+namespace {
+
+using Indices = std::array<uint32_t, 3>;
+
+template <typename T>
+void put(GLenum target, GLuint buffer, size_t first, const std::vector<T>& items) {
+  glBindBuffer(target, buffer);
+  glBufferSubData(target, static_cast<GLintptr>(first * sizeof(T)),
+                  static_cast<GLsizeiptr>(items.size() * sizeof(T)), items.data());
+}
+
+}  // namespace
+
+FaceBuffer::Chunk::Chunk() {
+  glBindVertexArray(layout.name());
+  glBindBuffer(GL_ARRAY_BUFFER, vertices.name());
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(kChunkFaces * sizeof(FaceVertices)), nullptr,
+               GL_DYNAMIC_DRAW);
+  const auto at = [](size_t offset) {
+    return reinterpret_cast<const void*>(offset);
+  };  // GL's way of an offset
+  glEnableVertexAttribArray(0);
+  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(FaceVertex), at(offsetof(FaceVertex, position)));
+  glEnableVertexAttribArray(1);
+  glVertexAttribPointer(1, 4, GL_INT_2_10_10_10_REV, GL_TRUE, sizeof(FaceVertex),
+                        at(offsetof(FaceVertex, normal)));
+  glEnableVertexAttribArray(2);
+  glVertexAttribIPointer(2, 1, GL_UNSIGNED_INT, sizeof(FaceVertex), at(offsetof(FaceVertex, attributes)));
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.name());
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(kChunkFaces * sizeof(Indices)), nullptr,
+               GL_DYNAMIC_DRAW);
+  glBindVertexArray(0);
+}
+
+FaceBuffer::FaceBuffer(const Body& body)
+    : frame_(FloatFrame::around(body.tree.bounds().min, body.tree.bounds().max)), bases_(body.mesh, frame_) {
+  dirty_.mark_all(body.mesh.face_slots());
+}
+
+size_t FaceBuffer::update(const Mesh& mesh) {
+  if (dirty_.empty()) return 0;
+  while (chunks_.size() * kChunkFaces < mesh.face_slots()) chunks_.emplace_back();
+  // Slots that died are only struck off the list; their corners are not sent.
+  DirtySlots born;
+  for (const SlotRange range : dirty_.take(0, kChunkFaces)) {
+    LiveList& live = chunks_[range.begin / kChunkFaces].live;
+    for (uint32_t f = range.begin; f < range.end; ++f) {
+      const bool lives = mesh.is_live(FaceId(f));
+      live.set(f % kChunkFaces, lives);
+      if (lives) born.mark(f);
+    }
+  }
+  size_t bytes = 0;
+  for (const SlotRange range : born.take(kGap, kChunkFaces)) bytes += update_slots(mesh, range);
+  for (Chunk& chunk : chunks_) bytes += update_list(chunk);
+  return bytes;
+}
+
+size_t FaceBuffer::update_slots(const Mesh& mesh, const SlotRange& range) {
+  staging_.clear();
+  for (uint32_t f = range.begin; f < range.end; ++f) {
+    staging_.push_back(face_vertices(mesh, bases_, frame_, FaceId(f)));
+    if (mesh.is_live(FaceId(f))) finest_ = std::max(finest_, halvings(mesh.data(FaceId(f))));
+  }
+  put(GL_ARRAY_BUFFER, chunks_[range.begin / kChunkFaces].vertices.name(), range.begin % kChunkFaces,
+      staging_);
+  return staging_.size() * sizeof(FaceVertices);
+}
+
+size_t FaceBuffer::update_list(Chunk& chunk) {
+  size_t bytes = 0;
+  std::vector<Indices> indices;
+  glBindVertexArray(chunk.layout.name());
+  for (const SlotRange range : chunk.live.take_changes(kGap)) {
+    indices.clear();
+    for (const uint32_t slot : chunk.live.slots().subspan(range.begin, range.end - range.begin)) {
+      indices.push_back({3 * slot, 3 * slot + 1, 3 * slot + 2});
+    }
+    put(GL_ELEMENT_ARRAY_BUFFER, chunk.indices.name(), range.begin, indices);
+    bytes += indices.size() * sizeof(Indices);
+  }
+  glBindVertexArray(0);
+  return bytes;
+}
+
+void FaceBuffer::draw() const {
+  for (const Chunk& chunk : chunks_) {
+    glBindVertexArray(chunk.layout.name());
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * chunk.live.slots().size()), GL_UNSIGNED_INT,
+                   nullptr);
+  }
+}
+
+}  // namespace kerf

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/world/world.h"
+#include "ui/gl/objects.h"
+#include "ui/render/face_slots.h"
+#include "ui/render/live_list.h"
+
+namespace kerf {
+
+// The faces of one body on the GPU. Every face slot of the mesh has a fixed slot of three corners, in chunks
+// of a fixed size, so that growing never copies what is there; beside it each chunk has the list of the slots
+// that live, and only those are drawn. It follows Deltas; an update costs what changed.
+class FaceBuffer {
+ public:
+  // Remembers the body as loaded; nothing is uploaded yet.
+  explicit FaceBuffer(const Body& body);
+
+  void follow(const BodyDelta& delta) { dirty_.mark(delta); }
+  // Takes every slot as changed: for when Deltas were lost.
+  void forget_all(const Mesh& mesh) { dirty_.mark_all(mesh.face_slots()); }
+
+  // Uploads what changed, from the mesh as it is now. Returns the number of bytes.
+  size_t update(const Mesh& mesh);
+
+  // Three vertices a live face; gl_VertexID % 3 is the corner.
+  void draw() const;
+
+  const FloatFrame& frame() const { return frame_; }
+  // The most halvings of any face that was uploaded.
+  uint32_t finest() const { return finest_; }
+
+ private:
+  static constexpr uint32_t kChunkFaces = 1u << 16;
+  static constexpr uint32_t kGap = 4;  // clean slots worth sending to save a call
+
+  struct Chunk {
+    gl::Buffer vertices, indices;
+    gl::VertexArray layout;
+    LiveList live{kChunkFaces};
+    Chunk();
+  };
+  size_t update_slots(const Mesh& mesh, const SlotRange& range);
+  size_t update_list(Chunk& chunk);
+
+  FloatFrame frame_;
+  BaseFaces bases_;
+  DirtySlots dirty_;
+  std::vector<Chunk> chunks_;
+  std::vector<FaceVertices> staging_;
+  uint32_t finest_ = 0;
+};
+
+}  // namespace kerf

@@ -1,0 +1,65 @@
+#include "ui/render/face_slots.h"
+
+#include <algorithm>
+
+namespace kerf {
+
+uint32_t halvings(const FaceData& data) {
+  return 2u * data.level + (data.element != FaceData::kNoElement ? 1u : 0u);
+}
+
+uint32_t pack_attributes(const FaceData& data) {
+  const uint32_t heat = std::min(halvings(data), 255u);
+  const uint32_t material = std::min<uint32_t>(data.material, 255u);
+  const uint32_t piece = data.piece < 65536u ? data.piece : 1u + data.piece % 65535u;
+  return heat | material << 8 | piece << 16;
+}
+
+FaceVertices face_vertices(const Mesh& mesh, const BaseFaces& bases, const FloatFrame& frame, FaceId f) {
+  FaceVertices out{};
+  if (!mesh.is_live(f)) return out;
+  const Triangle t = mesh.triangle(f);
+  const std::array<glm::vec3, 3> at{frame.to_float(t[0]), frame.to_float(t[1]), frame.to_float(t[2])};
+  const FaceData& data = mesh.data(f);
+  const std::array<glm::vec3, 3> normals = bases.normals_at(data.base, at);
+  const uint32_t attributes = pack_attributes(data);
+  for (size_t i = 0; i < 3; ++i) {
+    out[i] = {{at[i].x, at[i].y, at[i].z}, pack_normal(normals[i]), attributes};
+  }
+  return out;
+}
+
+void DirtySlots::mark(const BodyDelta& delta) {
+  for (const auto* faces : {&delta.born, &delta.gone, &delta.relabelled}) {
+    for (const FaceId f : *faces) slots_.push_back(f.index);
+  }
+}
+
+void DirtySlots::mark_all(uint32_t slots) { all_ = std::max(all_, slots); }
+
+std::vector<SlotRange> DirtySlots::take(uint32_t gap, uint32_t chunk) {
+  std::sort(slots_.begin(), slots_.end());
+  std::vector<SlotRange> ranges;
+  const auto add = [&](uint32_t begin, uint32_t end) {
+    while (begin < end) {
+      const uint32_t stop = std::min(end, (begin / chunk + 1) * chunk);
+      const bool joins =
+          !ranges.empty() && begin <= ranges.back().end + gap && ranges.back().begin / chunk == begin / chunk;
+      if (joins) {
+        ranges.back().end = std::max(ranges.back().end, stop);
+      } else {
+        ranges.push_back({begin, stop});
+      }
+      begin = stop;
+    }
+  };
+  add(0, all_);
+  for (const uint32_t slot : slots_) {
+    if (slot >= all_) add(slot, slot + 1);
+  }
+  slots_.clear();
+  all_ = 0;
+  return ranges;
+}
+
+}  // namespace kerf

@@ -1,0 +1,133 @@
+#include "ui/render/ground_pass.h"
+
+#include <cmath>
+
+#include "ui/render/body_picture.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr int kContactPixels = 256;
+constexpr int kContactBlurs = 3;
+constexpr double kContactMargin = 1.5;  // of the larger side of the world seen from above
+constexpr double kRadius = 14;          // of the disc, in diagonals of the world
+const Vec3 kKeyLight = glm::normalize(Vec3(-0.42, 1.0, 0.62));
+
+}  // namespace
+
+Result<GroundPass> GroundPass::create(const std::filesystem::path& shaders) {
+  gl::ProgramFiles files{{"frame.glsl", "ground.vert"}, {"frame.glsl", "light.glsl", "ground.frag"}};
+  auto disc = gl::Program::load(shaders, files);
+  if (!disc) return disc.error();
+  files.defines = {"SPOT"};
+  auto lit_disc = gl::Program::load(shaders, files);
+  if (!lit_disc) return lit_disc.error();
+  auto shadow = gl::Program::load(shaders, {{"frame.glsl", "shadow.vert"}, {"empty.frag"}});
+  if (!shadow) return shadow.error();
+  auto contact = gl::Program::load(shaders, {{"frame.glsl", "contact.vert"}, {"contact.frag"}});
+  if (!contact) return contact.error();
+  auto blur = gl::Program::load(shaders, {{"screen.vert"}, {"blur.frag"}});
+  if (!blur) return blur.error();
+  return GroundPass(std::move(*disc), std::move(*lit_disc), std::move(*shadow), std::move(*contact),
+                    std::move(*blur));
+}
+
+GroundPass::GroundPass(gl::Program disc, gl::Program lit_disc, gl::Program shadow, gl::Program contact,
+                       gl::Program blur)
+    : disc_(std::move(disc)),
+      lit_disc_(std::move(lit_disc)),
+      shadow_(std::move(shadow)),
+      contact_(std::move(contact)),
+      blur_(std::move(blur)),
+      picture_({kContactPixels, kContactPixels, 1, true}),
+      half_way_({kContactPixels, kContactPixels, 1, false}) {
+  for (const gl::Program* p : {&disc_, &lit_disc_, &shadow_, &contact_}) p->bind_block("Frame", kFrameBlock);
+}
+
+void GroundPass::place_under(const World::Bounds& bounds) {
+  const double diagonal = bounds.diagonal() > 0 ? bounds.diagonal() : 1;
+  const Vec3 size = bounds.max - bounds.min;
+  height_ = bounds.min.y;
+  tall_ = std::max(size.y, 0.05 * diagonal);
+  middle_ = bounds.min + size * 0.5;
+  radius_ = kRadius * diagonal;
+  spacing_ = std::pow(10.0, std::floor(std::log10(diagonal))) / 5;
+  contact_size_ = std::max({size.x, size.z, 0.05 * diagonal}) * kContactMargin;
+}
+
+void GroundPass::fill_in(FrameUniforms& frame, const FrameSpace& space) const {
+  const glm::vec3 middle = space.from_world({middle_.x, height_, middle_.z});
+  frame.key_light = glm::vec4(glm::vec3(kKeyLight), 0);
+  frame.ground = {middle.y, middle.x, middle.z, space.length(radius_)};
+  const double five = 5 * spacing_;
+  frame.grid = {space.length(std::fmod(space.eye.x, five)), space.length(std::fmod(space.eye.z, five)),
+                space.length(spacing_), space.length(tall_)};
+}
+
+glm::vec4 GroundPass::contact_place(const FrameSpace& space) const {
+  const glm::vec3 corner =
+      space.from_world({middle_.x - 0.5 * contact_size_, height_, middle_.z - 0.5 * contact_size_});
+  return {corner.x, corner.z, 1 / space.length(contact_size_), 0};
+}
+
+void GroundPass::update_contact(const FrameSpace& space, const DrawBodies& bodies) {
+  picture_.bind();
+  glClearColor(0, 0, 0, 0);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  contact_.use();
+  contact_.set("contact_place", contact_place(space));
+  bodies(contact_);
+  glDisable(GL_DEPTH_TEST);
+  blur_contact();
+}
+
+void GroundPass::blur_contact() {
+  blur_.use();
+  blur_.set("picture", 0);
+  glActiveTexture(GL_TEXTURE0);
+  glBindVertexArray(no_vertices_.name());
+  for (int i = 0; i < kContactBlurs; ++i) {
+    const float step = static_cast<float>(i + 1) / kContactPixels;
+    half_way_.bind();
+    glBindTexture(GL_TEXTURE_2D, picture_.colour_texture());
+    blur_.set("stride", glm::vec4(step, 0, 0, 0));
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    picture_.bind();
+    glBindTexture(GL_TEXTURE_2D, half_way_.colour_texture());
+    blur_.set("stride", glm::vec4(0, step, 0, 0));
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+  }
+}
+
+void GroundPass::draw(const FrameSpace& space, bool spot, const DrawBodies& bodies) const {
+  if (space.eye.y <= height_) return;
+  glEnable(GL_STENCIL_TEST);
+  glStencilFunc(GL_ALWAYS, 1, 0xff);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  glDepthMask(GL_FALSE);
+  shadow_.use();
+  bodies(shadow_);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glDepthMask(GL_TRUE);
+
+  glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+  const gl::Program& disc = spot ? lit_disc_ : disc_;
+  disc.use();
+  disc.set("contact", 0);
+  disc.set("contact_place", contact_place(space));
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, picture_.colour_texture());
+  glBindVertexArray(no_vertices_.name());
+  for (const int shaded : {0, 1}) {
+    glStencilFunc(GL_EQUAL, shaded, 0xff);
+    disc.set("shaded", static_cast<float>(shaded));
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  }
+  glDisable(GL_STENCIL_TEST);
+}
+
+}  // namespace kerf

@@ -1,0 +1,136 @@
+#include "ui/render/line_overlay.h"
+
+#include <cmath>
+
+#include "ui/render/body_picture.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr float kBoxFade = 0.80f;         // of the opacity, from one depth of the tree to the next
+constexpr float kFaintest = 0.10f;        // what would be fainter is not drawn
+constexpr float kDarkHalfWidth = 1.5f;    // pixels
+constexpr float kColourHalfWidth = 0.6f;  // pixels
+constexpr int kVerticesOfBox = 12 * 6;
+constexpr int kVerticesOfLine = 6;
+
+glm::vec4 srgb(int hex, float opacity) {
+  const auto part = [&](int shift) { return static_cast<float>(hex >> shift & 0xff) / 255.0f; };
+  return {part(16), part(8), part(0), opacity};
+}
+
+struct BoxLine {
+  glm::vec3 low, high;
+  glm::vec2 style;
+};
+struct Stick {
+  glm::vec3 from, to;
+};
+
+void upload(GLuint layout, GLuint buffer, const void* data, size_t bytes) {
+  glBindVertexArray(layout);
+  glBindBuffer(GL_ARRAY_BUFFER, buffer);
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), data, GL_DYNAMIC_DRAW);
+}
+
+void instance_attribute(GLuint index, GLint numbers, size_t stride, size_t offset) {
+  glEnableVertexAttribArray(index);
+  glVertexAttribPointer(index, numbers, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
+                        reinterpret_cast<const void*>(offset));
+  glVertexAttribDivisor(index, 1);
+}
+
+// The same lines twice: wide and dark, then thin in their colours.
+void draw_twice(const gl::Program& program, const glm::mat4& from_body, int vertices, GLsizei instances,
+                const glm::vec4& first, const glm::vec4& second) {
+  if (instances == 0) return;
+  program.use();
+  program.set("frame_from_body", from_body);
+  for (const bool dark : {true, false}) {
+    program.set("half_width", dark ? kDarkHalfWidth : kColourHalfWidth);
+    program.set("hit_colour", dark ? glm::vec4(0.02f, 0.025f, 0.03f, 0.55f) : first);
+    program.set("other_colour", dark ? glm::vec4(0.02f, 0.025f, 0.03f, 0.30f) : second);
+    glDrawArraysInstanced(GL_TRIANGLES, 0, vertices, instances);
+  }
+}
+
+}  // namespace
+
+Result<LineOverlay> LineOverlay::create(const std::filesystem::path& shaders) {
+  auto box = gl::Program::load(shaders, {{"frame.glsl", "line.glsl", "box.vert"}, {"box.frag"}});
+  if (!box) return box.error();
+  auto stick = gl::Program::load(shaders, {{"frame.glsl", "line.glsl", "stick.vert"}, {"box.frag"}});
+  if (!stick) return stick.error();
+  return LineOverlay(std::move(*box), std::move(*stick));
+}
+
+LineOverlay::LineOverlay(gl::Program box, gl::Program stick)
+    : box_(std::move(box)), stick_(std::move(stick)) {
+  box_.bind_block("Frame", kFrameBlock);
+  stick_.bind_block("Frame", kFrameBlock);
+}
+
+void LineOverlay::gather_boxes(Lines& lines, const Body& body, const FloatFrame& frame, bool all) const {
+  std::vector<BoxLine> boxes;
+  body.tree.for_each_box([&](const AabbTree::Box& box) {
+    if (!all && !box.hit) return;
+    const float opacity = box.hit ? std::max(0.28f, std::pow(0.93f, static_cast<float>(box.depth)))
+                                  : 0.9f * std::pow(kBoxFade, static_cast<float>(box.depth));
+    if (opacity < kFaintest) return;
+    boxes.push_back({frame.to_float(box.min), frame.to_float(box.max), {box.hit ? 1.0f : 0.0f, opacity}});
+  });
+  upload(lines.layout.name(), lines.buffer.name(), boxes.data(), boxes.size() * sizeof(BoxLine));
+  instance_attribute(0, 3, sizeof(BoxLine), offsetof(BoxLine, low));
+  instance_attribute(1, 3, sizeof(BoxLine), offsetof(BoxLine, high));
+  instance_attribute(2, 2, sizeof(BoxLine), offsetof(BoxLine, style));
+  lines.count = static_cast<GLsizei>(boxes.size());
+}
+
+void LineOverlay::gather_normals(Lines& lines, const Body& body, const FloatFrame& frame) const {
+  std::vector<Stick> sticks;
+  for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+    if (!body.mesh.is_live(FaceId(f))) continue;
+    const Triangle t = body.mesh.triangle(FaceId(f));
+    const glm::dvec3 a = frame.scaled(t[0]), b = frame.scaled(t[1]), c = frame.scaled(t[2]);
+    const glm::dvec3 normal = glm::cross(b - a, c - a);
+    const double twice_area = glm::length(normal);
+    if (!(twice_area > 0)) continue;
+    const glm::dvec3 middle = (a + b + c) / 3.0;
+    const double length = std::min(0.6 * std::sqrt(twice_area), 0.03);
+    sticks.push_back({glm::vec3(middle), glm::vec3(middle + normal * (length / twice_area))});
+  }
+  upload(lines.layout.name(), lines.buffer.name(), sticks.data(), sticks.size() * sizeof(Stick));
+  instance_attribute(0, 3, sizeof(Stick), offsetof(Stick, from));
+  instance_attribute(1, 3, sizeof(Stick), offsetof(Stick, to));
+  lines.count = static_cast<GLsizei>(sticks.size());
+}
+
+void LineOverlay::draw(BodyId id, const Body& body, const FloatFrame& frame, const FrameSpace& space,
+                       const ShowOptions& show) {
+  const bool boxes = show.aabb || show.aabb_hit;
+  if (!boxes && !show.normals) return;
+  const bool fresh = !gathered_.contains(id);
+  Gathered& lines = gathered_[id];
+  if (fresh || !(lines.shown == show)) {
+    if (boxes) gather_boxes(lines.boxes, body, frame, show.aabb);
+    if (show.normals) gather_normals(lines.sticks, body, frame);
+    lines.shown = show;
+  }
+  const glm::mat4 from_body = space.from_body(body.placement, frame);
+  glEnable(GL_BLEND);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
+  glDepthMask(GL_FALSE);
+  if (boxes) {
+    glBindVertexArray(lines.boxes.layout.name());
+    draw_twice(box_, from_body, kVerticesOfBox, lines.boxes.count, srgb(0xff6a4d, 1), srgb(0x3fbf7f, 1));
+  }
+  if (show.normals) {
+    glBindVertexArray(lines.sticks.layout.name());
+    draw_twice(stick_, from_body, kVerticesOfLine, lines.sticks.count, srgb(0x4aa3ff, 0.9f), glm::vec4(0));
+  }
+  glDepthMask(GL_TRUE);
+  glDisable(GL_BLEND);
+}
+
+}  // namespace kerf

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <map>
+
+#include "core/world/world.h"
+#include "ui/gl/objects.h"
+#include "ui/gl/program.h"
+#include "ui/render/frame_space.h"
+#include "ui/render/show_options.h"
+
+namespace kerf {
+
+// Boxes of the tree and normals of the faces: thin lines over the picture, a coloured one over a dark one.
+// What a body shows is gathered anew when it changed and is shown, in time linear in its size.
+class LineOverlay {
+ public:
+  static Result<LineOverlay> create(const std::filesystem::path& shaders);
+
+  // Everything that was gathered is out of date.
+  void forget() { gathered_.clear(); }
+  void draw(BodyId id, const Body& body, const FloatFrame& frame, const FrameSpace& space,
+            const ShowOptions& show);
+
+ private:
+  LineOverlay(gl::Program box, gl::Program stick);
+
+  // Lines of one body, one instance each.
+  struct Lines {
+    gl::Buffer buffer;
+    gl::VertexArray layout;
+    GLsizei count = 0;
+  };
+  struct Gathered {
+    Lines boxes, sticks;
+    ShowOptions shown;
+  };
+  void gather_boxes(Lines& lines, const Body& body, const FloatFrame& frame, bool all) const;
+  void gather_normals(Lines& lines, const Body& body, const FloatFrame& frame) const;
+
+  gl::Program box_, stick_;
+  std::map<BodyId, Gathered> gathered_;
+};
+
+}  // namespace kerf

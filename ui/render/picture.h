@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "core/base/result.h"
+#include "core/base/vec3.h"
+#include "core/document/document.h"
+#include "core/document/scene.h"
+#include "ui/render/show_options.h"
+
+namespace kerf {
+
+struct PictureOptions {
+  int width = 1280, height = 720;   // pixels, 1 .. 16384
+  std::optional<Vec3> eye, target;  // m; the scene's view or one from the front where both are empty
+  ShowOptions show;
+  bool antialias = true;
+};
+
+// Draws a scene without a screen and writes it as a PNG, whole or not at all. The strokes of the scene are
+// cut first. Fails without OpenGL, where the file cannot be written, and where a stroke cannot be cut.
+Status render_picture(Scene scene, const PictureOptions& options, const std::filesystem::path& png);
+
+}  // namespace kerf

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "core/base/result.h"
+
+namespace kerf {
+
+// Rows of RGB from the top, 8 bits each.
+struct Pixels {
+  int width = 0, height = 0;
+  std::vector<uint8_t> rgb;
+};
+
+// What is in a framebuffer (0: the window), from its lower left corner.
+Pixels read_pixels(unsigned framebuffer, int width, int height);
+
+Status write_png(const Pixels& pixels, const std::filesystem::path& file);
+
+}  // namespace kerf

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "core/base/result.h"
+#include "core/document/scene.h"
+#include "core/world/delta.h"
+#include "core/world/world.h"
+#include "ui/render/beam_pass.h"
+#include "ui/render/bloom_pass.h"
+#include "ui/render/body_picture.h"
+#include "ui/render/camera.h"
+#include "ui/render/ground_pass.h"
+#include "ui/render/line_overlay.h"
+#include "ui/render/show_options.h"
+
+namespace kerf {
+
+// How the world is looked at.
+struct ViewOptions {
+  ShowOptions show;
+  bool level_colours = true;  // small faces glow
+  bool antialias = true;      // four samples a pixel
+};
+
+// Where a picture goes: a rectangle of a framebuffer (0: the window), pixels from its lower left corner.
+struct Target {
+  GLuint framebuffer = 0;
+  int x = 0, y = 0;
+  int width = 1, height = 1;
+};
+
+// Draws a world as it stands. Needs a current OpenGL 3.3 context that outlives it, and nothing else of a
+// window.
+class Renderer {
+ public:
+  // Compiles the shaders of assets/shaders.
+  static Result<Renderer> create();
+
+  // Looks at a world anew, as loaded: smooth normals are taken from its faces, which should not be cut yet.
+  void show(const World& world, const std::map<std::string, Paint>& paints);
+  // What a step changed in the world that is shown; sent to the GPU with the next picture.
+  void follow(const Delta& delta);
+  // For when a Delta was lost: every face of the world is sent again.
+  void resend(const World& world);
+
+  // The world must be the one that was shown, changed by what was followed.
+  void draw(const World& world, const CameraView& view, const ViewOptions& options,
+            const std::optional<BeamPicture>& beam, const Target& target);
+
+  // Hands over the last picture once more; false where there is none of this size.
+  bool draw_again(const Target& target);
+
+  // Bytes of faces sent to the GPU since the renderer was made.
+  size_t uploaded_bytes() const { return uploaded_; }
+
+ private:
+  // With or without wire and the light of the spot: what is not needed is not computed.
+  using BodyPrograms = std::array<gl::Program, 4>;
+  static Result<BodyPrograms> load_bodies(const std::filesystem::path& shaders);
+  Renderer(BodyPrograms bodies, gl::Program sky, GroundPass ground, BloomPass bloom, BeamPass beam,
+           LineOverlay lines);
+
+  void upload(const World& world);
+  void set_up(const CameraView& view, const ViewOptions& options, const std::optional<BeamPicture>& beam,
+              const Target& target);
+  void draw_bodies(const World& world, const gl::Program& program) const;
+  void draw_scene(const World& world, const ViewOptions& options, bool spot);
+  void choose_canvas(const Target& target, bool antialias);
+  void draw_overlays(const World& world, const CameraView& view, const ViewOptions& options,
+                     const std::optional<BeamPicture>& beam);
+  void hand_over(const Target& target);
+  float white_hot() const;
+
+  BodyPrograms body_;
+  gl::Program sky_;
+  GroundPass ground_;
+  BloomPass bloom_;
+  BeamPass beam_;
+  LineOverlay lines_;
+  gl::VertexArray no_vertices_;
+  gl::Buffer uniforms_;
+  // Pictures are drawn on one of these and then handed over; both are kept, so that changing between them is
+  // free.
+  struct Canvas {
+    std::optional<gl::Framebuffer> drawn, resolved;  // resolved: only with several samples
+  };
+  std::array<Canvas, 2> canvases_;  // without and with anti-aliasing
+  size_t canvas_ = 0;               // that of the last picture
+
+  std::map<BodyId, BodyPicture> bodies_;
+  FrameSpace space_;
+  bool contact_old_ = true;
+  bool shining_ = false;  // the last picture has something that glows
+  size_t uploaded_ = 0;
+};
+
+}  // namespace kerf

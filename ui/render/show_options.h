@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/base/result.h"
+
+namespace kerf {
+
+// What is drawn over the picture: one flag for each name that `--show` takes.
+struct ShowOptions {
+  bool aabb = false;      // all boxes of the tree
+  bool aabb_hit = false;  // only those that the beam was in
+  bool wire = false;      // edges of the faces
+  bool pieces = false;    // each piece in a strong colour of its own
+  bool normals = false;   // a short line from the middle of every face
+  friend bool operator==(const ShowOptions&, const ShowOptions&) = default;
+};
+
+// Names separated by commas; blanks around them and an empty list are fine. A name that is unknown or not
+// offered yet is bad input, and the message lists what there is.
+Result<ShowOptions> parse_show_list(std::string_view list);
+
+// The names that parse_show_list takes, for --help: "aabb, aabb-hit, ...".
+std::string offered_show_names();
+
+}  // namespace kerf

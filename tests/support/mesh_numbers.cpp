@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/base/union_find.h"
+#include "core/graph/separation.h"
 
 namespace kerf::test {
 
@@ -103,6 +104,55 @@ MeshNumbers count_numbers(const Mesh& mesh) {
   n.euler = static_cast<long>(p.vertices.size()) - static_cast<long>(p.edges.size()) +
             static_cast<long>(p.different.size());
   for (const FaceId f : p.faces) n.area += triangle_area(mesh.triangle(f));
+  return n;
+}
+
+MeshNumbers count_connected_numbers(const Mesh& mesh) {
+  MeshNumbers n;
+  UnionFind corner(mesh.vertex_slots()), loops(mesh.vertex_slots());
+  double edges = 0;  // each side counts for its share of its edge
+  std::vector<std::pair<VertexId, VertexId>> rim;
+  std::vector<Mesh::Side> sides;
+  const auto visit = [&](auto each) {
+    for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
+      if (mesh.is_live(FaceId(f))) each(FaceId(f), mesh.corners(FaceId(f)));
+    }
+  };
+  visit([&](FaceId f, const std::array<VertexId, 3>& c) {
+    n.area += triangle_area(mesh.triangle(f));
+    for (int i = 0; i < 3; ++i) {
+      const VertexId from = c[i], to = c[(i + 1) % 3];
+      sides.clear();
+      mesh.append_edge_sides(f, from, to, sides);
+      edges += 1.0 / static_cast<double>(1 + sides.size());
+      if (sides.empty()) rim.emplace_back(from, to);
+      for (const Mesh::Side& s : sides) {
+        if (s.from == to && s.to == from) continue;  // one sheet; also where the edge has no length
+        const bool same_way = mesh.position(s.from) == mesh.position(from);
+        corner.unite(from.index, same_way ? s.from.index : s.to.index);
+        corner.unite(to.index, same_way ? s.to.index : s.from.index);
+      }
+    }
+  });
+  std::set<uint32_t> vertices, on_rim;
+  std::set<std::array<uint32_t, 3>> faces;
+  visit([&](FaceId, const std::array<VertexId, 3>& c) {
+    std::array<uint32_t, 3> face{};
+    for (int i = 0; i < 3; ++i) vertices.insert(face[i] = corner.find(c[i].index));
+    std::sort(face.begin(), face.end());
+    faces.insert(face);
+  });
+  size_t joined = 0;
+  for (const auto& [from, to] : rim) {
+    n.boundary_length += glm::length(mesh.position(from) - mesh.position(to));
+    on_rim.insert({corner.find(from.index), corner.find(to.index)});
+    joined += loops.unite(corner.find(from.index), corner.find(to.index));
+  }
+  n.boundary_loops = on_rim.size() - joined;
+  n.euler =
+      static_cast<long>(vertices.size()) - static_cast<long>(edges + 0.5) + static_cast<long>(faces.size());
+  std::vector<uint32_t> label;
+  n.components = label_components(mesh, label);
   return n;
 }
 

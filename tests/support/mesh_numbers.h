@@ -18,6 +18,10 @@ struct MeshNumbers {
 };
 MeshNumbers count_numbers(const Mesh& mesh);
 
+// The same counted from the half-edges and rings: edges and vertices are one where the mesh says that they
+// hang together. For real meshes, in which a midpoint may fall on a vertex that it has nothing to do with.
+MeshNumbers count_connected_numbers(const Mesh& mesh);
+
 // The first thing that is wrong with the half-edges, or nothing: neighbours that are not the faces on the
 // same edge by position, dead neighbours, a hanging node (an edge of one face whose midpoint is a vertex with
 // the two halves as edges). Real meshes may have vertices where midpoints fall (T-junctions), so that edges

@@ -6,6 +6,7 @@
 
 #include "tests/support/made_meshes.h"
 #include "tests/support/mesh_numbers.h"
+#include "tests/support/real_meshes.h"
 
 namespace kerf::test {
 namespace {
@@ -42,6 +43,25 @@ TEST(OneToFour, splitting_leaves_area_boundary_and_topology_as_they_were) {
       ASSERT_EQ(find_fault(mesh), "");
       expect_same(before, count_numbers(mesh), name);
     }
+  }
+}
+
+TEST(OneToFour, splitting_leaves_real_meshes_as_they_were) {
+  const auto files = real_meshes(6000);
+  if (files.empty()) GTEST_SKIP() << kNoRealMeshes;
+  Random random(77);
+  for (const auto& file : files) {
+    SCOPED_TRACE(file.string());
+    World world = world_of_file(file);
+    Body& body = world.body(world.ids()[0]);
+    const MeshNumbers before = count_connected_numbers(body.mesh);
+    std::vector<OneToFour::Replacement> replaced;
+    for (int i = 0; i < 200; ++i) {
+      const FaceId f = random_live_face(body.mesh, random);
+      if (body.mesh.data(f).level < 6) body.refinement.split(body.mesh, f, replaced);
+    }
+    ASSERT_EQ(find_fault(body.mesh, true), "");
+    expect_same(before, count_connected_numbers(body.mesh), "after 200 splits");
   }
 }
 

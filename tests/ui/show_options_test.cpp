@@ -1,0 +1,32 @@
+#include "ui/render/show_options.h"
+
+#include <gtest/gtest.h>
+
+namespace kerf {
+namespace {
+
+TEST(ShowList, takes_names_in_any_order_with_blanks) {
+  const auto show = parse_show_list("wire, aabb-hit,,pieces");
+  ASSERT_TRUE(show.ok());
+  EXPECT_TRUE(show->wire && show->aabb_hit && show->pieces);
+  EXPECT_FALSE(show->aabb || show->normals);
+}
+
+TEST(ShowList, may_be_empty) { EXPECT_EQ(*parse_show_list(""), ShowOptions{}); }
+
+TEST(ShowList, an_unknown_name_is_named_and_what_there_is_is_listed) {
+  const auto show = parse_show_list("wire,wires");
+  ASSERT_FALSE(show.ok());
+  EXPECT_EQ(show.error().code, ErrorCode::kBadInput);
+  EXPECT_NE(show.error().message.find("'wires'"), std::string::npos);
+  EXPECT_NE(show.error().message.find(offered_show_names()), std::string::npos);
+}
+
+TEST(ShowList, a_name_of_the_interface_that_is_not_there_yet_says_so) {
+  const auto show = parse_show_list("heat");
+  ASSERT_FALSE(show.ok());
+  EXPECT_NE(show.error().message.find("not offered yet"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace kerf

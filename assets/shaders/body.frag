@@ -11,7 +11,7 @@ out vec4 pixel;  // alpha: how much of it may bloom
 vec3 outside(vec3 n, vec3 v) {
   vec3 l = key_light.xyz;
   float height = clamp((at.y - ground.x) / max(grid.w, 1e-6), 0.0, 1.0);
-  float open = 0.30 + 0.70 * smoothstep(0.0, 0.55, height + 0.5 * max(n.y, 0.0));
+  float open = 0.42 + 0.58 * smoothstep(0.0, 0.55, height + 0.5 * max(n.y, 0.0));
   vec3 sky = mix(kGroundLight * open, kSkyLight, 0.5 + 0.5 * n.y) * mix(open, 1.0, 0.5);
   float facing = max(dot(n, l), 0.0);
   vec3 diffuse = paint.rgb * (sky + facing * kKeyColour * 0.62);
@@ -28,8 +28,8 @@ vec3 outside(vec3 n, vec3 v) {
 
 // The bare inside of a sheet.
 vec3 inside(vec3 n) {
-  vec3 sky = mix(kGroundLight, kSkyLight * 0.62, 0.5 + 0.5 * n.y);
-  return vec3(0.060, 0.060, 0.062) * (sky + max(dot(n, key_light.xyz), 0.0) * kKeyColour * 0.28);
+  vec3 sky = mix(kGroundLight, kSkyLight * 0.75, 0.5 + 0.5 * n.y);
+  return vec3(0.088, 0.087, 0.088) * (sky + max(dot(n, key_light.xyz), 0.0) * kKeyColour * 0.25);
 }
 
 void main() {

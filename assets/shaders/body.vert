@@ -53,8 +53,8 @@ void main() {
   } else if (piece != 0u) {
     paint.rgb = mix(paint.rgb, piece_colour(piece, false), 0.85);
   }
-  float t = float(attributes & 255u) / max(heat.x, 1.0);
-  float hot = heat.y * smoothstep(0.34, 1.0, t);
+  float t = min(float(attributes & 255u) / max(heat.x, 1.0), 1.0);
+  float hot = heat.y * smoothstep(0.64, 1.04, t);
   glow = hot > 0.0 ? ember(hot) * smoothstep(0.0, 0.25, hot) : vec3(0.0);
   paint.rgb *= 1.0 - 0.75 * smoothstep(0.0, 0.5, hot);
   paint.a *= 1.0 - 0.8 * smoothstep(0.0, 0.5, hot);

@@ -26,6 +26,8 @@ class Document {
 
   // Moves that wait.
   size_t waiting() const { return moves_.size(); }
+  // The first of them; null when none waits.
+  const BeamMove* next_move() const { return moves_.empty() ? nullptr : &moves_.front(); }
 
   // Walks up to so many of them as one step; an empty delta when none waits. On failure the moves that wait
   // are dropped and the stroke ends; see cut_step for the state of the world.

@@ -141,7 +141,7 @@ void Editor::move_camera() {
 void Editor::cut() {
   cut_seconds_ = 0;
   if (state_.document.waiting() == 0) return;
-  state_.tool.find_strike(state_.document.world());
+  state_.tool.find_strike(state_.document);
   const double budget = std::max(kStepSeconds, picture_seconds_);
   const Clock::time_point began = Clock::now();
   while (state_.document.waiting() > 0 && seconds_since(began) < budget) {
@@ -176,10 +176,12 @@ bool Editor::draw() {
     ViewOptions look = state_.look;
     rough_ = look.antialias && !still && smooth_seconds_ > kSlowFrame;
     if (rough_) look.antialias = false;
-    renderer_.draw(state_.document.world(), state_.view(), look, state_.tool.picture(), target);
+    const std::optional<BeamPicture> beam = state_.tool.picture(state_.document);
+    renderer_.draw(state_.document.world(), state_.view(), look, beam, target);
+    beam_shown_ = beam.has_value();
   }
-  state_.picture_old = beam_shown_ && !state_.tool.cutting();  // to draw it once more without the beam
-  beam_shown_ = state_.tool.cutting();
+  // Once more without the beam when it is off.
+  state_.picture_old = beam_shown_ && !state_.tool.picture(state_.document);
   gui_.end_frame();
   return anew;
 }

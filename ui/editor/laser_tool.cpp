@@ -48,6 +48,8 @@ void LaserTool::press(Document& document, const CameraView& view, Vec2 pointer,
   reach_ = settings.laser.range.high;
   pointer_ = pointer;
   pose_ = aim(view, pointer);
+  beam_ = pose_;
+  strike_.reset();
   cutting_ = true;
   document.apply(BeginStroke{settings, pose_});
 }
@@ -67,24 +69,24 @@ void LaserTool::release(Document& document) {
   document.apply(EndStroke{});
 }
 
-void LaserTool::find_strike(const World& world) {
+void LaserTool::find_strike(const Document& document) {
   strike_.reset();
-  if (!cutting_) return;
-  const Vec3 u = any_perpendicular(pose_.direction), w = glm::cross(pose_.direction, u);
+  if (const BeamMove* move = document.next_move()) beam_ = move->to;
+  const Vec3 u = any_perpendicular(beam_.direction), w = glm::cross(beam_.direction, u);
   for (int i = 0; i <= kProbes; ++i) {
     const double angle = 6.283185307179586 * i / kProbes;
     const double aside = i == kProbes ? 0 : kProbeRadius * radius_;
-    const Vec3 from = pose_.origin + (u * std::cos(angle) + w * std::sin(angle)) * aside;
-    const std::optional<double> hit = first_hit(world, {from, pose_.direction});
+    const Vec3 from = beam_.origin + (u * std::cos(angle) + w * std::sin(angle)) * aside;
+    const std::optional<double> hit = first_hit(document.world(), {from, beam_.direction});
     if (hit && *hit <= reach_ && (!strike_ || *hit < *strike_)) strike_ = hit;
   }
 }
 
-std::optional<BeamPicture> LaserTool::picture() const {
-  if (!cutting_) return std::nullopt;
-  BeamPicture beam{pose_.origin, pose_.origin + pose_.direction * std::min(reach_, 20 * focus_), std::nullopt,
+std::optional<BeamPicture> LaserTool::picture(const Document& document) const {
+  if (!cutting_ && document.waiting() == 0) return std::nullopt;
+  BeamPicture beam{beam_.origin, beam_.origin + beam_.direction * std::min(reach_, 20 * focus_), std::nullopt,
                    radius_};
-  if (strike_) beam.strike = pose_.origin + pose_.direction * *strike_;
+  if (strike_) beam.strike = beam_.origin + beam_.direction * *strike_;
   return beam;
 }
 

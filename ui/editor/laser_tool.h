@@ -25,20 +25,22 @@ class LaserTool {
 
   bool cutting() const { return cutting_; }
 
-  // Looks where the beam strikes now, before it burns away what it strikes.
-  void find_strike(const World& world);
-  // The beam, while it is on.
-  std::optional<BeamPicture> picture() const;
+  // Looks where the beam strikes, before it burns away what it strikes. The beam stands where the document
+  // has got to with the stroke, which may be behind the pointer.
+  void find_strike(const Document& document);
+  // The beam, while it is on: until the stroke has ended and all of it is cut.
+  std::optional<BeamPicture> picture(const Document& document) const;
 
  private:
   Pose aim(const CameraView& view, Vec2 pointer) const;
 
   bool cutting_ = false;
-  double focus_ = 1;      // m along the pointer's ray
-  double reach_ = 1;      // m along the beam
-  double radius_ = 0.01;  // m
-  Vec2 pointer_{0};       // of the last pose
-  Pose pose_;
+  double focus_ = 1;              // m along the pointer's ray
+  double reach_ = 1;              // m along the beam
+  double radius_ = 0.01;          // m
+  Vec2 pointer_{0};               // of the last pose
+  Pose pose_;                     // that the pointer asks for
+  Pose beam_;                     // where the beam is
   std::optional<double> strike_;  // m along the beam
 };
 

@@ -9,7 +9,7 @@ namespace kerf {
 namespace {
 
 constexpr std::array kHints{
-    "Hold the left button and drag across the car to cut it",
+    "Hold the left button and drag to cut",
     "Middle drag to look round, wheel to come closer",
     "F1 shows all shortcuts",
 };

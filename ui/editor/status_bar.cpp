@@ -35,7 +35,7 @@ std::string grouped(size_t number) {
 }
 
 // Text whose right end stands at `right`, which moves to where the next one may end.
-void from_right(float& right, const std::string& text, float least_width, ImU32 colour) {
+void put_from_right(float& right, const std::string& text, float least_width, ImU32 colour) {
   const float em = ImGui::GetFontSize();
   right -= std::max(ImGui::CalcTextSize(text.c_str()).x, least_width * em);
   ImGui::SameLine(right);
@@ -48,15 +48,22 @@ void from_right(float& right, const std::string& text, float least_width, ImU32 
 void draw_contents(const EditorState& state) {
   std::array<char, 32> frame{};
   std::snprintf(frame.data(), frame.size(), "%.1f ms", state.shown.frame_ms);
-  ImGui::TextUnformatted(left_button(state));
-  const float message_at = ImGui::GetItemRectMax().x + 1.6f * ImGui::GetFontSize();
-
   float right = ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x;
-  from_right(right, frame.data(), 3.6f, colours::kSecondary);
-  from_right(right, grouped(state.shown.pieces) + (state.shown.pieces == 1 ? " piece" : " pieces"), 4.4f,
-             colours::kText);
-  from_right(right, grouped(state.shown.faces) + " faces", 6.0f, colours::kText);
+  put_from_right(right, frame.data(), 3.6f, colours::kSecondary);
+  put_from_right(right, grouped(state.shown.pieces) + (state.shown.pieces == 1 ? " piece" : " pieces"), 4.4f,
+                 colours::kText);
+  put_from_right(right, grouped(state.shown.faces) + " faces", 6.0f, colours::kText);
 
+  // What went wrong comes before what the button does, where there is no room for both.
+  const float em = ImGui::GetFontSize(), left = ImGui::GetStyle().WindowPadding.x;
+  const float hint = ImGui::CalcTextSize(left_button(state)).x + 1.6f * em;
+  const float wanted = ImGui::CalcTextSize(state.message.c_str()).x + em;
+  const bool crowded = state.message_is_error && left + hint + wanted > right;
+  if (!crowded) {
+    ImGui::SameLine(left);
+    ImGui::TextUnformatted(left_button(state));
+  }
+  const float message_at = crowded ? left : left + hint;
   if (state.message.empty() || right <= message_at) return;
   ImGui::SameLine(message_at);
   ImGui::PushClipRect({message_at, 0}, {right, ImGui::GetIO().DisplaySize.y}, false);

@@ -46,6 +46,7 @@ FaceBuffer::FaceBuffer(const Body& body)
 size_t FaceBuffer::update(const Mesh& mesh) {
   if (dirty_.empty()) return 0;
   while (chunks_.size() * kChunkFaces < mesh.face_slots()) chunks_.emplace_back();
+  halvings_.resize(mesh.face_slots(), kDead);
   // Slots that died are only struck off the list; their corners are not sent.
   DirtySlots born;
   for (const SlotRange range : dirty_.take(0, kChunkFaces)) {
@@ -53,6 +54,7 @@ size_t FaceBuffer::update(const Mesh& mesh) {
     for (uint32_t f = range.begin; f < range.end; ++f) {
       const bool lives = mesh.is_live(FaceId(f));
       live.set(f % kChunkFaces, lives);
+      count(mesh, f);
       if (lives) born.mark(f);
     }
   }
@@ -62,11 +64,19 @@ size_t FaceBuffer::update(const Mesh& mesh) {
   return bytes;
 }
 
+void FaceBuffer::count(const Mesh& mesh, uint32_t slot) {
+  uint8_t& known = halvings_[slot];
+  if (known != kDead) --faces_of_[known];
+  known = kDead;
+  if (!mesh.is_live(FaceId(slot))) return;
+  known = static_cast<uint8_t>(std::min<size_t>(halvings(mesh.data(FaceId(slot))), faces_of_.size() - 1));
+  ++faces_of_[known];
+}
+
 size_t FaceBuffer::update_slots(const Mesh& mesh, const SlotRange& range) {
   staging_.clear();
   for (uint32_t f = range.begin; f < range.end; ++f) {
     staging_.push_back(face_vertices(mesh, bases_, frame_, FaceId(f)));
-    if (mesh.is_live(FaceId(f))) finest_ = std::max(finest_, halvings(mesh.data(FaceId(f))));
   }
   put(GL_ARRAY_BUFFER, chunks_[range.begin / kChunkFaces].vertices.name(), range.begin % kChunkFaces,
       staging_);

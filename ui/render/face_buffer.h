@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -29,12 +30,15 @@ class FaceBuffer {
   void draw() const;
 
   const FloatFrame& frame() const { return frame_; }
-  // The most halvings of any face that was uploaded.
-  uint32_t finest() const { return finest_; }
+  // How many live faces there are of each number of halvings; the last counts all above.
+  using Halvings = std::array<uint32_t, 64>;
+  const Halvings& halvings_of_faces() const { return faces_of_; }
 
  private:
   static constexpr uint32_t kChunkFaces = 1u << 16;
   static constexpr uint32_t kGap = 4;  // clean slots worth sending to save a call
+
+  static constexpr uint8_t kDead = 0xff;
 
   struct Chunk {
     gl::Buffer vertices, indices;
@@ -42,6 +46,7 @@ class FaceBuffer {
     LiveList live{kChunkFaces};
     Chunk();
   };
+  void count(const Mesh& mesh, uint32_t slot);
   size_t update_slots(const Mesh& mesh, const SlotRange& range);
   size_t update_list(Chunk& chunk);
 
@@ -50,7 +55,8 @@ class FaceBuffer {
   DirtySlots dirty_;
   std::vector<Chunk> chunks_;
   std::vector<FaceVertices> staging_;
-  uint32_t finest_ = 0;
+  std::vector<uint8_t> halvings_;  // by slot; kDead where nothing lives
+  Halvings faces_of_{};
 };
 
 }  // namespace kerf

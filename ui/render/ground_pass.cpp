@@ -11,7 +11,8 @@ namespace {
 constexpr int kContactPixels = 256;
 constexpr int kContactBlurs = 3;
 constexpr double kContactMargin = 1.5;  // of the larger side of the world seen from above
-constexpr double kRadius = 14;          // of the disc, in diagonals of the world
+constexpr double kGap = 5e-4;   // between the world and the ground, in diagonals: what lies flat shows
+constexpr double kRadius = 14;  // of the disc, in diagonals of the world
 const Vec3 kKeyLight = glm::normalize(Vec3(-0.42, 1.0, 0.62));
 
 }  // namespace
@@ -48,7 +49,7 @@ GroundPass::GroundPass(gl::Program disc, gl::Program lit_disc, gl::Program shado
 void GroundPass::place_under(const World::Bounds& bounds) {
   const double diagonal = bounds.diagonal() > 0 ? bounds.diagonal() : 1;
   const Vec3 size = bounds.max - bounds.min;
-  height_ = bounds.min.y;
+  height_ = bounds.min.y - kGap * diagonal;
   tall_ = std::max(size.y, 0.05 * diagonal);
   middle_ = bounds.min + size * 0.5;
   radius_ = kRadius * diagonal;

@@ -1,5 +1,6 @@
 #include "ui/render/line_overlay.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "ui/render/body_picture.h"
@@ -9,9 +10,13 @@ namespace kerf {
 namespace {
 
 constexpr float kBoxFade = 0.80f;         // of the opacity, from one depth of the tree to the next
+constexpr float kHitFade = 0.87f;         // the same for boxes that the beam was in
 constexpr float kFaintest = 0.10f;        // what would be fainter is not drawn
-constexpr float kDarkHalfWidth = 1.5f;    // pixels
+constexpr float kFaintestHit = 0.13f;     // but boxes that the beam was in are drawn at least so
+constexpr float kDarkHalfWidth = 1.3f;    // pixels
 constexpr float kColourHalfWidth = 0.6f;  // pixels
+constexpr size_t kMostBoxes = 6000;       // the largest are drawn
+constexpr GLsizei kMostDark = 600;        // lines beyond these are too many for a dark one under each
 constexpr int kVerticesOfBox = 12 * 6;
 constexpr int kVerticesOfLine = 6;
 
@@ -43,7 +48,7 @@ void instance_attribute(GLuint index, GLint numbers, size_t stride, size_t offse
 
 // The same lines twice: wide and dark, then thin in their colours.
 void draw_twice(const gl::Program& program, const glm::mat4& from_body, int vertices, GLsizei instances,
-                const glm::vec4& first, const glm::vec4& second) {
+                GLsizei most_dark, const glm::vec4& first, const glm::vec4& second) {
   if (instances == 0) return;
   program.use();
   program.set("frame_from_body", from_body);
@@ -51,7 +56,7 @@ void draw_twice(const gl::Program& program, const glm::mat4& from_body, int vert
     program.set("half_width", dark ? kDarkHalfWidth : kColourHalfWidth);
     program.set("hit_colour", dark ? glm::vec4(0.02f, 0.025f, 0.03f, 0.55f) : first);
     program.set("other_colour", dark ? glm::vec4(0.02f, 0.025f, 0.03f, 0.30f) : second);
-    glDrawArraysInstanced(GL_TRIANGLES, 0, vertices, instances);
+    glDrawArraysInstanced(GL_TRIANGLES, 0, vertices, dark ? std::min(instances, most_dark) : instances);
   }
 }
 
@@ -75,11 +80,17 @@ void LineOverlay::gather_boxes(Lines& lines, const Body& body, const FloatFrame&
   std::vector<BoxLine> boxes;
   body.tree.for_each_box([&](const AabbTree::Box& box) {
     if (!all && !box.hit) return;
-    const float opacity = box.hit ? std::max(0.28f, std::pow(0.93f, static_cast<float>(box.depth)))
-                                  : 0.9f * std::pow(kBoxFade, static_cast<float>(box.depth));
+    const float opacity = box.hit ? std::max(kFaintestHit, std::pow(kHitFade, static_cast<float>(box.depth)))
+                                  : std::pow(kBoxFade, static_cast<float>(box.depth));
     if (opacity < kFaintest) return;
     boxes.push_back({frame.to_float(box.min), frame.to_float(box.max), {box.hit ? 1.0f : 0.0f, opacity}});
   });
+  const auto larger = [](const BoxLine& a, const BoxLine& b) {
+    const glm::vec3 u = a.high - a.low, v = b.high - b.low;
+    return glm::dot(u, u) > glm::dot(v, v);
+  };
+  std::stable_sort(boxes.begin(), boxes.end(), larger);
+  if (boxes.size() > kMostBoxes) boxes.resize(kMostBoxes);
   upload(lines.layout.name(), lines.buffer.name(), boxes.data(), boxes.size() * sizeof(BoxLine));
   instance_attribute(0, 3, sizeof(BoxLine), offsetof(BoxLine, low));
   instance_attribute(1, 3, sizeof(BoxLine), offsetof(BoxLine, high));
@@ -123,11 +134,13 @@ void LineOverlay::draw(BodyId id, const Body& body, const FloatFrame& frame, con
   glDepthMask(GL_FALSE);
   if (boxes) {
     glBindVertexArray(lines.boxes.layout.name());
-    draw_twice(box_, from_body, kVerticesOfBox, lines.boxes.count, srgb(0xff6a4d, 1), srgb(0x3fbf7f, 1));
+    draw_twice(box_, from_body, kVerticesOfBox, lines.boxes.count, kMostDark, srgb(0xff6a4d, 1),
+               srgb(0x3fbf7f, 1));
   }
   if (show.normals) {
     glBindVertexArray(lines.sticks.layout.name());
-    draw_twice(stick_, from_body, kVerticesOfLine, lines.sticks.count, srgb(0x4aa3ff, 0.9f), glm::vec4(0));
+    draw_twice(stick_, from_body, kVerticesOfLine, lines.sticks.count, lines.sticks.count,
+               srgb(0x4aa3ff, 0.9f), glm::vec4(0));
   }
   glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);

@@ -10,6 +10,7 @@ constexpr int kSamples = 4;
 // A face that was halved less often than this since its base face is never white-hot, however fine it is
 // among others.
 constexpr uint32_t kLeastWhiteHot = 6;
+constexpr uint32_t kLeastSmall = 4;
 
 // Which of the four programs of bodies.
 constexpr size_t kWire = 1, kSpot = 2;
@@ -93,12 +94,23 @@ void Renderer::upload(const World& world) {
   for (auto& [id, picture] : bodies_) {
     if (world.contains(id)) uploaded_ += picture.faces().update(world.body(id).mesh);
   }
+  find_white_hot();
 }
 
-float Renderer::white_hot() const {
-  uint32_t finest = kLeastWhiteHot;
-  for (const auto& [id, picture] : bodies_) finest = std::max(finest, picture.faces().finest());
-  return static_cast<float>(finest);
+// The median of the faces that are small at all: base faces differ in size, so the finest of some are halved
+// far more often than the finest of others, and both should glow.
+void Renderer::find_white_hot() {
+  FaceBuffer::Halvings sum{};
+  for (const auto& [id, picture] : bodies_) {
+    for (size_t h = 0; h < sum.size(); ++h) sum[h] += picture.faces().halvings_of_faces()[h];
+  }
+  size_t small = 0;
+  for (size_t h = kLeastSmall; h < sum.size(); ++h) small += sum[h];
+  white_hot_ = small > 0 ? kLeastWhiteHot : 0;
+  size_t below = 0;
+  for (uint32_t h = kLeastSmall; h < sum.size() && 2 * (below += sum[h]) < small; ++h) {
+    white_hot_ = std::max(kLeastWhiteHot, h + 1);
+  }
 }
 
 void Renderer::set_up(const CameraView& view, const ViewOptions& options,
@@ -107,7 +119,7 @@ void Renderer::set_up(const CameraView& view, const ViewOptions& options,
   FrameUniforms frame = uniforms_of(view, space_, target.width, target.height);
   ground_.fill_in(frame, space_);
   if (beam) BeamPass::fill_in(frame, space_, *beam);
-  frame.heat = {white_hot(), options.level_colours ? 1 : 0, options.show.pieces ? 1 : 0,
+  frame.heat = {white_hot_, options.level_colours && white_hot_ > 0 ? 1 : 0, options.show.pieces ? 1 : 0,
                 options.show.wire ? 1 : 0};
   glBindBuffer(GL_UNIFORM_BUFFER, uniforms_.name());
   glBufferData(GL_UNIFORM_BUFFER, sizeof(frame), &frame, GL_STREAM_DRAW);
@@ -184,7 +196,7 @@ void Renderer::draw(const World& world, const CameraView& view, const ViewOption
   }
   draw_scene(world, options, beam && beam->strike);
   draw_overlays(world, view, options, beam);
-  shining_ = beam || (options.level_colours && white_hot() > kLeastWhiteHot);
+  shining_ = beam || (options.level_colours && white_hot_ > 0);
   hand_over(target);
 }
 

@@ -74,7 +74,7 @@ class Renderer {
   void draw_overlays(const World& world, const CameraView& view, const ViewOptions& options,
                      const std::optional<BeamPicture>& beam);
   void hand_over(const Target& target);
-  float white_hot() const;
+  void find_white_hot();
 
   BodyPrograms body_;
   gl::Program sky_;
@@ -94,6 +94,7 @@ class Renderer {
 
   std::map<BodyId, BodyPicture> bodies_;
   FrameSpace space_;
+  uint32_t white_hot_ = 0;  // halvings since the base face; 0 where nothing is small
   bool contact_old_ = true;
   bool shining_ = false;  // the last picture has something that glows
   size_t uploaded_ = 0;

@@ -16,13 +16,30 @@ Overloaded(Handlers...) -> Overloaded<Handlers...>;
 }  // namespace
 
 void Document::apply(const Command& command) {
+  if (std::holds_alternative<BeginStroke>(command)) {
+    stroke_at_ = journal_.size();
+    before_stroke_.reset();
+    if (world_.live_faces() <= kMostFacesToRecut) before_stroke_ = world_;
+    ++strokes_;
+  }
   journal_.push_back(command);
+  run(command);
+}
+
+void Document::recut(const CutSettings& settings) {
+  if (!can_recut()) return;
+  world_ = *before_stroke_;
+  moves_.clear();
+  std::get<BeginStroke>(journal_[stroke_at_]).settings = settings;
+  for (size_t i = stroke_at_; i < journal_.size(); ++i) run(journal_[i]);
+}
+
+void Document::run(const Command& command) {
   std::visit(Overloaded{
                  [&](const BeginStroke& begin) {
                    settings_ = begin.settings;
                    last_ = begin.pose;
                    in_stroke_ = true;
-                   ++strokes_;
                    moves_.push_back({last_, last_});
                  },
                  [&](const MoveStroke& move) {

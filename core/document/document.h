@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <optional>
 #include <vector>
 
 #include "core/base/result.h"
@@ -33,16 +34,30 @@ class Document {
   // are dropped and the stroke ends; see cut_step for the state of the world.
   Result<StepResult> step(size_t moves);
 
+  // Takes the last stroke back and queues its moves again with other settings, as if it had been drawn so;
+  // the journal says so too. Nothing else must have changed the world since. The world is a new one for
+  // everything that follows it. Bodies of more than kMostFacesToRecut faces are not remembered, for a copy of
+  // them would hold up the stroke.
+  static constexpr size_t kMostFacesToRecut = 400'000;
+  bool can_recut() const { return before_stroke_.has_value() && !in_stroke_; }
+  void recut(const CutSettings& settings);
+
+  // Of the last stroke.
+  const CutSettings& stroke_settings() const { return settings_; }
+
   const std::vector<Command>& journal() const { return journal_; }
   size_t strokes() const { return strokes_; }
   bool in_stroke() const { return in_stroke_; }
 
  private:
+  void run(const Command& command);
   double reach(const Pose& pose) const;
 
   World world_;
   std::vector<Command> journal_;
-  CutSettings settings_;  // of the stroke that runs
+  CutSettings settings_;  // of the last stroke
+  std::optional<World> before_stroke_;
+  size_t stroke_at_ = 0;  // where the last stroke begins in the journal
   Pose last_;
   bool in_stroke_ = false;
   size_t strokes_ = 0;

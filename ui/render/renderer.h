@@ -16,16 +16,9 @@
 #include "ui/render/camera.h"
 #include "ui/render/ground_pass.h"
 #include "ui/render/line_overlay.h"
-#include "ui/render/show_options.h"
+#include "ui/render/view_options.h"
 
 namespace kerf {
-
-// How the world is looked at.
-struct ViewOptions {
-  ShowOptions show;
-  bool level_colours = true;  // small faces glow
-  bool antialias = true;      // four samples a pixel
-};
 
 // Where a picture goes: a rectangle of a framebuffer (0: the window), pixels from its lower left corner.
 struct Target {

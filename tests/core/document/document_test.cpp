@@ -36,6 +36,28 @@ TEST(Document, replays_its_journal_to_the_same_world) {
   EXPECT_GT(first.world().live_pieces(), 0u);
 }
 
+TEST(Document, recuts_the_last_stroke_as_if_it_had_been_drawn_so) {
+  const auto draw = [](Document& document, double radius, double z) {
+    document.apply(BeginStroke{settings_of(radius), {{-0.8, 1, z}, {0, -1, 0}}});
+    document.apply(MoveStroke{{{0.8, 1, z + 0.03}, {0, -1, 0}}});
+    document.apply(EndStroke{});
+    ASSERT_TRUE(document.step(document.waiting()).ok());
+  };
+  Document recut(world_of(sphere(12, 16, 0.5))), drawn(world_of(sphere(12, 16, 0.5)));
+  EXPECT_FALSE(recut.can_recut());
+  draw(recut, 0.02, 0.1);
+  draw(recut, 0.01, -0.1);
+  for (const double radius : {0.03, 0.015}) {
+    ASSERT_TRUE(recut.can_recut());
+    recut.recut(settings_of(radius));
+    ASSERT_TRUE(recut.step(recut.waiting()).ok());
+  }
+  draw(drawn, 0.02, 0.1);
+  draw(drawn, 0.015, -0.1);
+  EXPECT_EQ(state_hash(recut.world()), state_hash(drawn.world()));
+  EXPECT_EQ(recut.strokes(), 2u);
+}
+
 TEST(Document, does_nothing_for_moves_outside_a_stroke) {
   Document document(world_of(plate(1)));
   document.apply(MoveStroke{{{0, 1, 0}, {0, -1, 0}}});

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "core/base/ids.h"
+#include "core/base/vec3.h"
+#include "ui/render/show_options.h"
+
+namespace kerf {
+
+// The two colours of the tree's boxes: where the beam is or was, and untouched.
+enum class BoxPalette {
+  kRedAndGreen,    // the paper's: #ff6a4d solid, #3fbf7f dotted
+  kOrangeAndBlue,  // for the colour-blind: #e69f00 solid, #56b4e9 dotted
+};
+
+// Which boxes of the tree are drawn when ShowOptions asks for them.
+struct TreeOverlay {
+  int deepest = 64;  // levels under the root
+  bool leaves_only = false;
+  bool hit_only = false;
+  std::optional<BodyId> body;  // that one only
+  BoxPalette palette = BoxPalette::kRedAndGreen;
+};
+
+// A piece by its body and its label.
+using PieceKey = std::pair<BodyId, uint32_t>;
+
+// How one piece is looked at; it stands still all the same.
+struct PieceLook {
+  bool hidden = false;
+  bool selected = false;  // outlined
+  Vec3 offset{0};         // m, added to where it stands
+};
+
+// How the world is looked at.
+struct ViewOptions {
+  ShowOptions show;
+  bool level_colours = true;  // small faces glow
+  bool antialias = true;      // four samples a pixel
+  bool two_sided = true;      // faces are lit on both sides; otherwise the back is black
+  bool cull_backs = false;    // backs are not drawn, as the paper first had it
+  bool ghost = false;         // removed faces stay as a faint veil
+  TreeOverlay tree;
+  std::map<PieceKey, PieceLook> pieces;  // those that are not looked at plainly
+};
+
+}  // namespace kerf

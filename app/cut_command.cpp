@@ -8,9 +8,11 @@
 #include "app/exit_status.h"
 #include "app/interrupt.h"
 #include "app/load_mesh.h"
+#include "app/progress_line.h"
 #include "core/base/atomic_file.h"
 #include "core/cut/stopwatch.h"
 #include "core/document/document.h"
+#include "core/mesh/load_notes.h"
 
 namespace kerf {
 
@@ -29,8 +31,13 @@ class CutRun {
     if (const auto s = make_folder(); !s) return s;
     {
       const Stopwatch watch(job_.cut_s);
-      for (const StrokePath& stroke : strokes_) {
-        if (const auto s = cut(stroke); !s) return s;
+      ProgressLine line("cutting");
+      const Progress cutting = line.progress();
+      const double share = 1 / std::max(1.0, static_cast<double>(strokes_.size()));
+      for (size_t i = 0; i < strokes_.size(); ++i) {
+        const double before = share * static_cast<double>(i);
+        const auto s = cut(strokes_[i], share_of(&cutting, before, before + share));
+        if (!s) return error_or_stopped(s.error());
       }
     }
     return save();
@@ -48,14 +55,13 @@ class CutRun {
   Status load() {
     World world;
     for (const std::string& file : options_.meshes) {
-      if (interrupted()) return failed("stopped");
+      if (interrupted()) return stopped();
       Result<BuiltMesh> built = [&] {
         const Stopwatch watch(job_.load_s);
         return load_mesh(file);
       }();
       if (!built) return built.error();
-      for (const std::string& warning : built->report.warnings)
-        std::cerr << "kerf: warning: " << warning << '\n';
+      tell(built->report);
       job_.input_faces += built->report.faces;
       job_.input_vertices += built->report.vertices;
       job_.input_area += built->report.area;
@@ -69,6 +75,11 @@ class CutRun {
     return Done{};
   }
 
+  static void tell(const MeshReport& report) {
+    for (const std::string& warning : report.warnings) std::cerr << "kerf: warning: " << warning << '\n';
+    for (const std::string& note : dropped_notes(report.repairs)) std::cerr << "kerf: note: " << note << '\n';
+  }
+
   Status make_folder() const {
     std::error_code error;
     std::filesystem::create_directories(options_.out, error);
@@ -76,7 +87,7 @@ class CutRun {
     return Done{};
   }
 
-  Status cut(const StrokePath& stroke) {
+  Status cut(const StrokePath& stroke, const Progress& progress) {
     const CutSettings settings = stroke_settings(options_, stroke, diagonal_);
     document_.apply(BeginStroke{settings, stroke.keys.front()});
     for (size_t k = 1; k < stroke.keys.size(); ++k) document_.apply(MoveStroke{stroke.keys[k]});
@@ -84,17 +95,19 @@ class CutRun {
     const size_t moves = document_.waiting();
     const size_t steps = options_.steps ? static_cast<size_t>(*options_.steps) : moves;
     for (size_t i = 0; i < steps; ++i) {
-      if (interrupted()) return failed("stopped: nothing was written");
-      if (const auto s = step(moves * (i + 1) / steps - moves * i / steps); !s) return s;
+      const auto done = [&](size_t n) { return static_cast<double>(n) / static_cast<double>(steps); };
+      const Progress stepping = share_of(&progress, done(i), done(i + 1));
+      if (!stepping.report(0)) return cancelled();
+      if (const auto s = step(moves * (i + 1) / steps - moves * i / steps, stepping); !s) return s;
     }
     return Done{};
   }
 
-  Status step(size_t moves) {
+  Status step(size_t moves, const Progress& progress) {
     double seconds = 0;
     Result<StepResult> result = [&] {
       const Stopwatch watch(seconds);
-      return document_.step(moves);
+      return document_.step(moves, &progress);
     }();
     if (!result) return result.error();
     ++job_.steps;
@@ -128,8 +141,13 @@ class CutRun {
     {
       const Stopwatch watch(job_.save_s);
       const std::string ending = options_.format.value_or("obj");
-      for (const Part& part : parts()) {
-        if (interrupted()) return failed("stopped while the pieces were written");
+      const std::vector<Part> pieces = parts();
+      ProgressLine line("writing");
+      for (const Part& part : pieces) {
+        if (!line.update(static_cast<double>(written.size()) / static_cast<double>(pieces.size()))) {
+          return failed("stopped; of " + std::to_string(pieces.size()) + " pieces " +
+                        std::to_string(written.size()) + " are written, and no report");
+        }
         char name[40];
         std::snprintf(name, sizeof name, "piece-%04zu.%s", written.size(), ending.c_str());
         const Extract& e = part.extract;

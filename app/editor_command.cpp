@@ -17,12 +17,11 @@ struct EditorArguments {
 Status edit(const EditorArguments& a) {
   EditorOptions options;
   options.default_scene = KERF_ASSETS "/scenes/car.json";
-  if (a.files.size() > 1) return bad_input("this version opens one FILE at a time");
-  if (!a.files.empty()) {
-    if (!std::filesystem::exists(a.files.front())) {
-      return bad_input(a.files.front() + ": there is no such file, and this version has no such command");
+  for (const std::string& file : a.files) {
+    if (!std::filesystem::exists(file)) {
+      return bad_input(file + ": there is no such file, and this version has no such command");
     }
-    options.file = a.files.front();
+    options.files.emplace_back(file);
   }
   if (!a.report.empty()) options.report = a.report;
   if (!a.size.empty()) {
@@ -38,7 +37,7 @@ Status edit(const EditorArguments& a) {
 
 void add_editor(CLI::App& app, Action& action) {
   auto a = std::make_shared<EditorArguments>();
-  app.add_option("FILE", a->files, "A scene (.json) or a mesh to open in the editor");
+  app.add_option("FILE", a->files, "Scenes (.json) and meshes to open together in the editor");
   app.add_option("--report", a->report, "Where the editor writes what happened, as JSON, when it ends");
   app.add_option("--size", a->size, "Size of the editor's window, WxH");
   action = [a] {

@@ -4,7 +4,9 @@
 
 #include "app/commands.h"
 #include "app/exit_status.h"
+#include "app/interrupt.h"
 #include "app/load_mesh.h"
+#include "core/mesh/load_notes.h"
 
 namespace kerf {
 
@@ -33,10 +35,12 @@ nlohmann::ordered_json to_json(const std::string& file, const MeshReport& m) {
           {"components", m.components},
           {"area", m.area},
           {"bounds", {{"min", {m.min.x, m.min.y, m.min.z}}, {"max", {m.max.x, m.max.y, m.max.z}}}},
-          {"repairs", to_json(m.repairs)}};
+          {"repairs", to_json(m.repairs)},
+          {"notes", load_notes(m)}};
 }
 
 int run_info(const std::string& file) {
+  catch_interrupts();
   const auto built = load_mesh(file);
   if (!built) return report_error(built.error());
   for (const std::string& warning : built->report.warnings) std::cerr << "kerf: warning: " << warning << '\n';

@@ -16,6 +16,11 @@ void catch_interrupts() {
   std::signal(SIGTERM, remember);
 }
 
+void let_interrupts_end() {
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
+}
+
 bool interrupted() { return interrupt_seen != 0; }
 
 }  // namespace kerf

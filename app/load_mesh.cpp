@@ -1,14 +1,15 @@
 #include "app/load_mesh.h"
 
-#include "core/mesh/read_mesh.h"
+#include "app/progress_line.h"
+#include "core/mesh/load_mesh.h"
 
 namespace kerf {
 
 Result<BuiltMesh> load_mesh(const std::filesystem::path& file) {
-  const auto soup = read_mesh(file);
-  if (!soup) return soup.error();
-  auto built = build_mesh(*soup);
-  if (!built) return Error{built.error().code, file.string() + ": " + built.error().message};
+  ProgressLine line("loading " + file.filename().string());
+  const Progress progress = line.progress();
+  auto built = load_mesh(file, &progress);
+  if (!built) return error_or_stopped(built.error());
   return built;
 }
 

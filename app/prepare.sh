@@ -77,9 +77,11 @@ apt_get() {
     -o DPkg::Lock::Timeout=300 -o Dpkg::Use-Pty=0 "$@" 9>&-
 }
 
-# Anew where the folder was configured for another path (a moved checkout), otherwise, by hand, or not to the end.
+# Anew where the folder was configured for another path (a moved checkout), otherwise, by hand, or not to the end, and
+# when clang++, which builds the fuzzers, has come or gone since.
 configure() {
-  local stamp=$folder/.configured wanted="$root ${options[*]}"
+  local stamp=$folder/.configured wanted
+  wanted="$root ${options[*]} $(command -v clang++ || true)"
   [[ -f $folder/build.ninja && -f $stamp && $(<"$stamp") == "$wanted" ]] && return
   say "configuring $folder"
   rm -f "$stamp"

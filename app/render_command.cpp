@@ -2,7 +2,9 @@
 
 #include "app/commands.h"
 #include "app/exit_status.h"
+#include "app/interrupt.h"
 #include "app/parse_values.h"
+#include "app/progress_line.h"
 #include "ui/render/picture.h"
 
 namespace kerf {
@@ -12,6 +14,12 @@ namespace {
 struct RenderArguments {
   std::string file, out, size = "1280x720", eye, target, show;
 };
+
+Result<Scene> load_scene(const std::filesystem::path& file) {
+  ProgressLine line("loading " + file.filename().string());
+  const Progress progress = line.progress();
+  return read_scene(file, &progress);
+}
 
 Status render(const RenderArguments& a) {
   PictureOptions options;
@@ -32,8 +40,10 @@ Status render(const RenderArguments& a) {
   const auto show = parse_show_list(a.show);
   if (!show) return show.error();
   options.show = *show;
-  auto scene = read_scene(a.file);
-  if (!scene) return scene.error();
+  catch_interrupts();
+  Result<Scene> scene = load_scene(a.file);
+  if (!scene) return error_or_stopped(scene.error());
+  let_interrupts_end();
   return render_picture(std::move(*scene), options, a.out);
 }
 

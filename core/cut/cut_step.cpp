@@ -1,5 +1,7 @@
 #include "core/cut/cut_step.h"
 
+#include <algorithm>
+
 #include "core/cut/step_state.h"
 
 namespace kerf {
@@ -15,17 +17,22 @@ void StepFigures::add(const StepFigures& other) {
   separate_s += other.separate_s;
 }
 
-Result<StepResult> cut_step(World& world, const CutSettings& settings, std::span<const BeamMove> moves) {
+Result<StepResult> cut_step(World& world, const CutSettings& settings, std::span<const BeamMove> moves,
+                            const Progress* progress) {
   StepResult result;
-  for (const BodyId id : world.ids()) {
+  const auto ids = world.ids();
+  const double share = 1 / static_cast<double>(std::max<size_t>(1, ids.size() * moves.size()));
+  double done = 0;
+  for (const BodyId id : ids) {
     BodyStep step(id, world.body(id));
     for (const BeamMove& move : moves) {
       sweep(step, settings.laser, move);
       hit(step);
-      const Result<bool> refined = refine(step, settings);
+      const Result<bool> refined = refine(step, settings, share_of(progress, done, done + share));
       if (!refined) return refined.error();
       if (*refined) hit(step);
       remove(step);
+      done += share;
     }
     result.figures.add(step.figures);
     if (step.edited.empty()) continue;

@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/laser/laser.h"
 #include "core/world/delta.h"
@@ -46,8 +47,9 @@ struct StepResult {
 // (hit), split until they are fine enough or wholly within the beam (refine), and removed; then what came
 // apart gets labels of its own (separate). Topology changes nowhere else. Moves are in world coordinates.
 //
-// Fails when settings.most_faces is reached; what was cut until then stays cut, and the delta is lost, so
-// that everything that follows the world must look at it anew.
-Result<StepResult> cut_step(World& world, const CutSettings& settings, std::span<const BeamMove> moves);
+// Fails when settings.most_faces is reached and when `progress` stops it; what was cut until then stays cut,
+// and the delta is lost, so that everything that follows the world must look at it anew.
+Result<StepResult> cut_step(World& world, const CutSettings& settings, std::span<const BeamMove> moves,
+                            const Progress* progress = nullptr);
 
 }  // namespace kerf

@@ -7,10 +7,13 @@ namespace kerf {
 
 namespace {
 
+constexpr size_t kSplitsToAsk = 1000;  // a few milliseconds
+
 // Splits what the beam touches until it is fine enough, and follows with the tree.
 class Refinement {
  public:
-  Refinement(BodyStep& step, const CutSettings& settings) : step_(step), settings_(settings) {}
+  Refinement(BodyStep& step, const CutSettings& settings, const Progress& progress)
+      : step_(step), settings_(settings), progress_(progress) {}
 
   Result<bool> run() {
     std::vector<FaceId> waiting(step_.hit.rbegin(), step_.hit.rend());
@@ -18,6 +21,7 @@ class Refinement {
       const FaceId f = waiting.back();
       waiting.pop_back();
       if (!must_split(f)) continue;
+      if (splits_++ % kSplitsToAsk == 0 && !progress_.report(0)) return cancelled();
       const size_t first = replaced_.size();
       step_.body.refinement.split(step_.body.mesh, f, replaced_);
       for (size_t i = replaced_.size(); i > first; --i) {
@@ -66,13 +70,15 @@ class Refinement {
 
   BodyStep& step_;
   const CutSettings& settings_;
+  const Progress& progress_;
+  size_t splits_ = 0;
   std::vector<OneToFour::Replacement> replaced_;
 };
 
 }  // namespace
 
-Result<bool> refine(BodyStep& step, const CutSettings& settings) {
-  Refinement refinement(step, settings);
+Result<bool> refine(BodyStep& step, const CutSettings& settings, const Progress& progress) {
+  Refinement refinement(step, settings, progress);
   Result<bool> done = [&] {
     const Stopwatch watch(step.figures.refine_s);
     return refinement.run();

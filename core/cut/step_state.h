@@ -25,8 +25,8 @@ struct BodyStep {
 // The stages. Each does one thing to the state; cut_step puts them in order.
 void sweep(BodyStep& step, const Laser& laser, const BeamMove& move);
 void hit(BodyStep& step);
-// Whether anything was split; fails at settings.most_faces.
-Result<bool> refine(BodyStep& step, const CutSettings& settings);
+// Whether anything was split; fails at settings.most_faces and when `progress` stops it.
+Result<bool> refine(BodyStep& step, const CutSettings& settings, const Progress& progress);
 void remove(BodyStep& step);
 BodyDelta separate(BodyStep& step);
 

@@ -61,11 +61,11 @@ double Document::reach(const Pose& pose) const {
   return std::min(settings_.laser.range.high, glm::length(far));
 }
 
-Result<StepResult> Document::step(size_t moves) {
+Result<StepResult> Document::step(size_t moves, const Progress* progress) {
   const size_t count = std::min(moves, moves_.size());
   const std::vector<BeamMove> now(moves_.begin(), moves_.begin() + static_cast<std::ptrdiff_t>(count));
   moves_.erase(moves_.begin(), moves_.begin() + static_cast<std::ptrdiff_t>(count));
-  Result<StepResult> result = cut_step(world_, settings_, now);
+  Result<StepResult> result = cut_step(world_, settings_, now, progress);
   if (!result) {
     moves_.clear();
     in_stroke_ = false;

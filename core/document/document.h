@@ -32,7 +32,7 @@ class Document {
 
   // Walks up to so many of them as one step; an empty delta when none waits. On failure the moves that wait
   // are dropped and the stroke ends; see cut_step for the state of the world.
-  Result<StepResult> step(size_t moves);
+  Result<StepResult> step(size_t moves, const Progress* progress = nullptr);
 
   // Takes the last stroke back and queues its moves again with other settings, as if it had been drawn so;
   // the journal says so too. Nothing else must have changed the world since. The world is a new one for

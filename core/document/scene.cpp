@@ -4,7 +4,7 @@
 
 #include "core/document/json_value.h"
 #include "core/document/parse_strokes.h"
-#include "core/mesh/read_mesh.h"
+#include "core/mesh/load_mesh.h"
 
 namespace kerf {
 
@@ -28,16 +28,16 @@ Result<Vec3> colour(const JsonValue& value) {
   return Vec3(channel(1), channel(3), channel(5));
 }
 
-Status add_mesh(World& world, const std::filesystem::path& file, const std::string& name) {
-  const auto soup = read_mesh(file);
-  if (!soup) return soup.error();
-  auto built = build_mesh(*soup);
-  if (!built) return Error{built.error().code, file.string() + ": " + built.error().message};
+Status add_mesh(World& world, const std::filesystem::path& file, const std::string& name,
+                const Progress* progress) {
+  auto built = load_mesh(file, progress);
+  if (!built) return built.error();
   world.add(make_body(name, std::move(*built)));
   return Done{};
 }
 
-Status parse_body(const JsonValue& value, const std::filesystem::path& folder, Scene& scene) {
+Status parse_body(const JsonValue& value, const std::filesystem::path& folder, const Progress& progress,
+                  Scene& scene) {
   if (const auto object = value.object(); !object) return object;
   if (!value.has("mesh")) return value.wrong("needs \"mesh\"");
   const auto mesh = value["mesh"].text();
@@ -48,7 +48,7 @@ Status parse_body(const JsonValue& value, const std::filesystem::path& folder, S
     if (!given) return given.error();
     name = *given;
   }
-  return add_mesh(scene.world, folder / *mesh, name);
+  return add_mesh(scene.world, folder / *mesh, name, &progress);
 }
 
 Status parse_paints(const JsonValue& value, Scene& scene) {
@@ -83,15 +83,19 @@ Status parse_view(const JsonValue& value, Scene& scene) {
   return Done{};
 }
 
-Result<Scene> parse_scene(const JsonValue& root, const std::filesystem::path& folder) {
+Result<Scene> parse_scene(const JsonValue& root, const std::filesystem::path& folder,
+                          const Progress* progress) {
   if (const auto object = root.object(); !object) return object.error();
   if (!root.has("bodies")) return root.wrong("needs \"bodies\"");
   const JsonValue bodies = root["bodies"];
   if (const auto array = bodies.array("bodies"); !array) return array.error();
   if (bodies.json().empty()) return bodies.wrong("must hold one body or more");
   Scene scene;
+  const double share = 1 / static_cast<double>(bodies.json().size());
   for (size_t i = 0; i < bodies.json().size(); ++i) {
-    if (const auto body = parse_body(bodies[i], folder, scene); !body) return body.error();
+    const double before = share * static_cast<double>(i);
+    const Progress loading = share_of(progress, before, before + share);
+    if (const auto body = parse_body(bodies[i], folder, loading, scene); !body) return body.error();
   }
   if (root.has("paints")) {
     if (const auto paints = parse_paints(root["paints"], scene); !paints) return paints.error();
@@ -109,17 +113,18 @@ Result<Scene> parse_scene(const JsonValue& root, const std::filesystem::path& fo
 
 }  // namespace
 
-Result<Scene> read_scene(const std::filesystem::path& file) {
+Result<Scene> read_scene(const std::filesystem::path& file, const Progress* progress) {
   if (file.extension() != ".json") {
     Scene scene;
-    if (const auto added = add_mesh(scene.world, file, file.stem().string()); !added) return added.error();
+    if (const auto added = add_mesh(scene.world, file, file.stem().string(), progress); !added)
+      return added.error();
     return scene;
   }
   const auto text = read_text_file(file);
   if (!text) return text.error();
   const auto json = parse_json(*text, file.string());
   if (!json) return json.error();
-  return parse_scene(JsonValue(*json, file.string()), file.parent_path());
+  return parse_scene(JsonValue(*json, file.string()), file.parent_path(), progress);
 }
 
 }  // namespace kerf

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/base/vec3.h"
 #include "core/document/path_file.h"
@@ -34,6 +35,6 @@ struct Scene {
 };
 
 // Reads a scene (.json) or any mesh file, which makes a scene of that one body.
-Result<Scene> read_scene(const std::filesystem::path& file);
+Result<Scene> read_scene(const std::filesystem::path& file, const Progress* progress = nullptr);
 
 }  // namespace kerf

@@ -22,23 +22,19 @@ struct Front {
 // All fronts of one body, and the groups of fronts whose seeds hung together before.
 class Fronts {
  public:
-  Fronts(const Mesh& mesh, std::span<const FaceId> seeds, std::span<const uint32_t> groups)
-      : mesh_(mesh), fronts_(seeds.size()), same_front_(seeds.size()), group_(groups.begin(), groups.end()) {
+  // One group a seed: what seeds that hung together have in common, a number below the number of groups.
+  Fronts(const Mesh& mesh, std::span<const FaceId> seeds, std::span<const uint32_t> group, size_t groups)
+      : mesh_(mesh), fronts_(seeds.size()), same_front_(seeds.size()), group_(group), same_group_(groups) {
     for (uint32_t i = 0; i < seeds.size(); ++i) reach(i, seeds[i]);
   }
 
   // Grows the fronts in turn until in every group at most one can still grow, and that one is known to be the
   // largest part or not.
   void run() {
-    constexpr int kFacesATurn = 16;
-    for (bool active = true; active;) {
-      active = false;
-      const auto open = open_fronts();
-      for (uint32_t i = 0; i < fronts_.size(); ++i) {
-        if (same_front_.find(i) != i || fronts_[i].exhausted() || !must_grow(i, open)) continue;
-        for (int k = 0; k < kFacesATurn && same_front_.find(i) == i && !fronts_[i].exhausted(); ++k) grow(i);
-        active = true;
-      }
+    constexpr size_t kFirstTurn = 16;
+    // Each turn is twice as long as the one before, so that there are few, and a small part costs no more
+    // than a few times its size.
+    for (size_t faces = kFirstTurn; grow_all(faces); faces *= 2) {
     }
   }
 
@@ -60,7 +56,19 @@ class Fronts {
     bool any_closed = false;
   };
 
-  uint32_t group_of(uint32_t front) { return group_[same_front_.find(front)]; }
+  uint32_t group_of(uint32_t front) { return same_group_.find(group_[front]); }
+
+  // Whether any front had to grow.
+  bool grow_all(size_t faces) {
+    bool grown = false;
+    const auto open = open_fronts();
+    for (uint32_t i = 0; i < fronts_.size(); ++i) {
+      if (same_front_.find(i) != i || fronts_[i].exhausted() || !must_grow(i, open)) continue;
+      for (size_t k = 0; k < faces && same_front_.find(i) == i && !fronts_[i].exhausted(); ++k) grow(i);
+      grown = true;
+    }
+    return grown;
+  }
 
   std::map<uint32_t, Open> open_fronts() {
     std::map<uint32_t, Open> open;
@@ -101,7 +109,7 @@ class Fronts {
   void grow(uint32_t i) {
     const FaceId f = fronts_[i].frontier[fronts_[i].next++];
     neighbours_.clear();
-    mesh_.append_neighbours(f, neighbours_);
+    mesh_.append_nearest_neighbours(f, neighbours_);
     for (const FaceId n : neighbours_) reach(i, n);
   }
 
@@ -110,7 +118,7 @@ class Fronts {
     a = same_front_.find(a);
     b = same_front_.find(b);
     if (a == b) return;
-    join_groups(group_[a], group_[b]);
+    same_group_.unite(group_[a], group_[b]);
     same_front_.unite(a, b);
     const uint32_t into = same_front_.find(a);
     Front &to = fronts_[into], &other = fronts_[into == a ? b : a];
@@ -123,17 +131,11 @@ class Fronts {
     other = Front{};
   }
 
-  void join_groups(uint32_t a, uint32_t b) {
-    if (a == b) return;
-    for (uint32_t& g : group_) {
-      if (g == b) g = a;
-    }
-  }
-
   const Mesh& mesh_;
   std::vector<Front> fronts_;
   UnionFind same_front_;
-  std::vector<uint32_t> group_;
+  std::span<const uint32_t> group_;  // one a front, as given
+  UnionFind same_group_;
   std::unordered_map<uint32_t, uint32_t> front_of_;  // looked up, never walked
   std::vector<FaceId> neighbours_;
 };
@@ -148,7 +150,7 @@ uint32_t Separation::place(FaceId f) {
 
 void Separation::note_removal(const Mesh& mesh, FaceId f) {
   neighbours_.clear();
-  mesh.append_neighbours(f, neighbours_);
+  mesh.append_nearest_neighbours(f, neighbours_);
   const uint32_t here = place(f);
   for (const FaceId n : neighbours_) ties_.emplace_back(here, place(n));
 }
@@ -163,7 +165,7 @@ Separation::Result Separation::settle(Body& body) {
     seeds.push_back(faces_[i]);
     groups.push_back(together.find(i));
   }
-  Fronts fronts(body.mesh, seeds, groups);
+  Fronts fronts(body.mesh, seeds, groups, faces_.size());
   fronts.run();
 
   std::vector<uint32_t> came_off;
@@ -205,7 +207,7 @@ uint32_t label_components(const Mesh& mesh, std::vector<uint32_t>& label) {
     queue.assign(1, FaceId(seed));
     for (size_t i = 0; i < queue.size(); ++i) {
       neighbours.clear();
-      mesh.append_neighbours(queue[i], neighbours);
+      mesh.append_nearest_neighbours(queue[i], neighbours);
       for (const FaceId n : neighbours) {
         if (label[n.index] != kNone) continue;
         label[n.index] = components;

@@ -1,6 +1,7 @@
 #include "core/mesh/build_mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/base/union_find.h"
@@ -20,7 +21,7 @@ bool is_finite(const Vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) 
 
 class Builder {
  public:
-  explicit Builder(const Soup& soup) : soup_(soup) {}
+  Builder(const Soup& soup, const Progress* progress) : soup_(soup), progress_(progress) {}
 
   Result<BuiltMesh> build() {
     report_.format = soup_.format;
@@ -29,14 +30,16 @@ class Builder {
     report_.warnings = soup_.warnings;
     report_.repairs.invalid_faces_dropped = soup_.invalid_faces_dropped;
     keep_usable_triangles();
-    if (triangles_.empty())
+    if (triangles_.empty()) {
       return bad_input("no face is left: every face is degenerate, not finite or invalid");
-    edges_ = group_sides(triangles_, soup_.positions.size());
-    orient();
-    find_partners();
-    name_vertices();
-    measure();
-    fill_half_edges();
+    }
+    constexpr std::array kStages = {&Builder::group,         &Builder::orient,  &Builder::find_partners,
+                                    &Builder::name_vertices, &Builder::measure, &Builder::fill_half_edges};
+    for (size_t i = 0; i < kStages.size(); ++i) {
+      const double done = static_cast<double>(i + 1) / static_cast<double>(kStages.size() + 1);
+      if (progress_ && !progress_->report(done)) return cancelled();
+      (this->*kStages[i])();
+    }
     return BuiltMesh{std::move(mesh_), std::move(report_), soup_.material_names};
   }
 
@@ -57,6 +60,8 @@ class Builder {
       }
     }
   }
+
+  void group() { edges_ = group_sides(triangles_, soup_.positions.size()); }
 
   void orient() {
     const std::vector<bool> turn = triangles_to_turn(triangles_, edges_);
@@ -228,6 +233,7 @@ class Builder {
   OpenMesh::VertexHandle vertex(uint32_t side) const { return handle(VertexId(vertex_[side])); }
 
   const Soup& soup_;
+  const Progress* progress_;
   std::vector<uint32_t> welded_;
   std::vector<Soup::Triangle> triangles_;  // corners are welded positions
   std::vector<uint16_t> materials_;
@@ -242,6 +248,8 @@ class Builder {
 
 }  // namespace
 
-Result<BuiltMesh> build_mesh(const Soup& soup) { return Builder(soup).build(); }
+Result<BuiltMesh> build_mesh(const Soup& soup, const Progress* progress) {
+  return Builder(soup, progress).build();
+}
 
 }  // namespace kerf

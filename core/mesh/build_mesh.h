@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/mesh/mesh.h"
 #include "core/mesh/soup.h"
@@ -48,6 +49,6 @@ struct BuiltMesh {
 // and counted, components oriented, edges of three or more faces split into rings and vertices where several
 // fans meet given one vertex a fan. Face slots follow the order of the soup's triangles. Fails when no face
 // is left. O(n log d), d the largest number of edges at a vertex.
-Result<BuiltMesh> build_mesh(const Soup& soup);
+Result<BuiltMesh> build_mesh(const Soup& soup, const Progress* progress = nullptr);
 
 }  // namespace kerf

@@ -76,21 +76,39 @@ HalfedgeHandle side_between(const HalfEdges& m, OpenMesh::FaceHandle face, const
   return HalfedgeHandle();
 }
 
+// The half-edge from one position to another in a face on the edge of `member`, of another edge than h.
+HalfedgeHandle copy_beside(const HalfEdges& m, HalfedgeHandle member, HalfedgeHandle h) {
+  const auto &from = m.point(m.from_vertex_handle(h)), &to = m.point(m.to_vertex_handle(h));
+  for (const HalfedgeHandle side : {member, m.opposite_halfedge_handle(member)}) {
+    const HalfedgeHandle copy = side_between(m, m.face_handle(side), from, to);
+    if (copy.is_valid() && m.edge_handle(copy) != m.edge_handle(h)) return copy;
+  }
+  return HalfedgeHandle();
+}
+
 // Faces that lie on one another share all their edges, those that splitting makes inside them too. h is an
-// edge that was just turned over: if a face on the ring of its neighbour edge has the same edge already, they
-// are linked. The ring is searched both ways at once, for copies of a face are split one after the other.
+// edge that was just turned over: if a face on the rings of both its neighbour edges has the same edge
+// already, they are linked. Both rings are searched at once, each both ways, until one ends: one may be long
+// where the other is short, and copies of a face are split one after the other.
 void link_to_copy(Mesh::Kernel& k, HalfedgeHandle h) {
   if (k.rings.empty()) return;
   const HalfEdges& m = k.half_edges;
-  const auto &from = m.point(m.from_vertex_handle(h)), &to = m.point(m.to_vertex_handle(h));
-  const HalfedgeHandle beside = m.next_halfedge_handle(h);
-  HalfedgeHandle forward = next_in_ring(k, beside), backward = previous_in_ring(k, beside);
-  for (; forward != beside; forward = next_in_ring(k, forward), backward = previous_in_ring(k, backward)) {
-    for (const HalfedgeHandle member : {forward, backward}) {
-      for (const HalfedgeHandle side : {member, m.opposite_halfedge_handle(member)}) {
-        const HalfedgeHandle copy = side_between(m, m.face_handle(side), from, to);
-        if (copy.is_valid() && m.edge_handle(copy) != m.edge_handle(h)) return join_ring(k, h, copy);
+  struct Search {
+    HalfedgeHandle start, forward, backward;
+  };
+  std::array<Search, 2> searches;
+  const std::array<HalfedgeHandle, 2> beside{m.next_halfedge_handle(h), m.prev_halfedge_handle(h)};
+  for (size_t i = 0; i < 2; ++i)
+    searches[i] = {beside[i], next_in_ring(k, beside[i]), previous_in_ring(k, beside[i])};
+  for (;;) {
+    for (Search& s : searches) {
+      if (s.forward == s.start) return;
+      for (const HalfedgeHandle member : {s.forward, s.backward}) {
+        const HalfedgeHandle copy = copy_beside(m, member, h);
+        if (copy.is_valid()) return join_ring(k, h, copy);
       }
+      s.forward = next_in_ring(k, s.forward);
+      s.backward = previous_in_ring(k, s.backward);
     }
   }
 }
@@ -165,6 +183,23 @@ void Mesh::append_neighbours(FaceId f, std::vector<FaceId>& out) const {
     for_each_side(*kernel_, h, [&](HalfedgeHandle side) {
       if (m.face_handle(side) != handle(f)) out.push_back(face_id(m.face_handle(side)));
     });
+  }
+}
+
+void Mesh::append_nearest_neighbours(FaceId f, std::vector<FaceId>& out) const {
+  const HalfEdges& m = kernel_->half_edges;
+  // A member of a ring has one face or two, which are beside each other.
+  const auto append_one = [&](HalfedgeHandle member) {
+    const auto face = m.face_handle(member);
+    out.push_back(face_id(face.is_valid() ? face : m.face_handle(m.opposite_halfedge_handle(member))));
+  };
+  HalfedgeHandle h = m.halfedge_handle(handle(f));
+  for (int i = 0; i < 3; ++i, h = m.next_halfedge_handle(h)) {
+    const auto across = m.face_handle(m.opposite_halfedge_handle(h));
+    if (across.is_valid()) out.push_back(face_id(across));
+    const HalfedgeHandle next = next_in_ring(*kernel_, h), previous = previous_in_ring(*kernel_, h);
+    if (next != h) append_one(next);
+    if (previous != next) append_one(previous);
   }
 }
 

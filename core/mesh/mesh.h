@@ -66,6 +66,11 @@ class Mesh {
   // edges with f comes twice. Linear in the rings' degrees.
   void append_neighbours(FaceId f, std::vector<FaceId>& out) const;
 
+  // The same, but over a ring only the faces beside f in it. Every other face of the ring is reached from one
+  // of those, so that whoever walks to all that hangs together, or asks what f held together, needs no more.
+  // Constant time.
+  void append_nearest_neighbours(FaceId f, std::vector<FaceId>& out) const;
+
   // A face and one of its edges as it walks it, counter-clockwise, in the vertices of its own sheet.
   struct Side {
     FaceId face;

@@ -18,6 +18,14 @@ bool has_corner(const Mesh& mesh, FaceId f, VertexId v) {
   return c[0] == v || c[1] == v || c[2] == v;
 }
 
+bool has_side(const Mesh& mesh, FaceId f, VertexId from, VertexId to) {
+  const auto c = mesh.corners(f);
+  for (int i = 0; i < 3; ++i) {
+    if (c[i] == from && c[next(i)] == to) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 OneToFour::Element OneToFour::element(const Mesh& mesh, FaceId f) const {
@@ -92,23 +100,28 @@ void OneToFour::make_red(Mesh& mesh, FaceId f, std::vector<Replacement>& out) {
 // Where a whole edge of the element is half of a neighbour's edge, that neighbour is green or on the way to
 // red. It is coarser by a level, so this recursion ends.
 void OneToFour::refine_coarser_neighbours(Mesh& mesh, uint32_t index, std::vector<Replacement>& out) {
-  std::vector<Mesh::Side> across;
-  const auto coarser = [&](int edge) {
-    const Split& e = elements_[index];
-    const VertexId from = e.corners[edge], to = e.corners[next(edge)];
-    across.clear();
-    mesh.append_edge_sides(face_at(mesh, e, from, to), from, to, across);
-    for (const Mesh::Side& side : across) {
-      const uint32_t other = mesh.data(side.face).element;
-      if (other != FaceData::kNoElement && edge_of(elements_[other], side.from, side.to) == 3)
-        return side.face;
-    }
-    return FaceId();
-  };
   for (int edge = 0; edge < 3; ++edge) {
-    if (elements_[index].midpoints[edge].valid()) continue;
-    for (FaceId n = coarser(edge); n.valid(); n = coarser(edge)) make_red(mesh, n, out);
+    while (!elements_[index].midpoints[edge].valid() && refine_coarser_across(mesh, index, edge, out)) {
+    }
   }
+}
+
+// One pass over the faces on an edge of the element; whether any was coarser. Splitting one may change others
+// of them, so that those are looked at again.
+bool OneToFour::refine_coarser_across(Mesh& mesh, uint32_t index, int edge, std::vector<Replacement>& out) {
+  const VertexId from = elements_[index].corners[edge], to = elements_[index].corners[next(edge)];
+  std::vector<Mesh::Side> across;
+  mesh.append_edge_sides(face_at(mesh, elements_[index], from, to), from, to, across);
+  bool found = false;
+  for (const Mesh::Side& side : across) {
+    const uint32_t other = mesh.data(side.face).element;
+    const bool coarser = other != FaceData::kNoElement && has_side(mesh, side.face, side.from, side.to) &&
+                         edge_of(elements_[other], side.from, side.to) == 3;
+    if (!coarser) continue;
+    make_red(mesh, side.face, out);
+    found = true;
+  }
+  return found;
 }
 
 void OneToFour::bisect(Mesh& mesh, uint32_t index, int edge) {

@@ -63,6 +63,7 @@ class OneToFour {
   void close_element(uint32_t index);
   void make_red(Mesh& mesh, FaceId f, std::vector<Replacement>& out);
   void refine_coarser_neighbours(Mesh& mesh, uint32_t element, std::vector<Replacement>& out);
+  bool refine_coarser_across(Mesh& mesh, uint32_t element, int edge, std::vector<Replacement>& out);
   void bisect(Mesh& mesh, uint32_t element, int edge);
   void note_split(Mesh& mesh, const Mesh::FaceSplit& s);
   void finish_red(Mesh& mesh, uint32_t element, std::vector<Replacement>& out);

@@ -108,9 +108,8 @@ Result<Soup> load_and_parse(const std::filesystem::path& path, const std::string
                             const Progress* progress) {
   const Result<FileBytes> bytes = read_bytes(path, name, progress);
   if (!bytes) return bytes.error();
-  const Progress rest{
-      [&](double fraction) { return progress->report(kLoadingShare + (1 - kLoadingShare) * fraction); }};
-  return parse(bytes->view(), name, path.extension().string(), progress ? &rest : nullptr);
+  const Progress parsing = share_of(progress, kLoadingShare, 1);
+  return parse(bytes->view(), name, path.extension().string(), &parsing);
 }
 
 }  // namespace

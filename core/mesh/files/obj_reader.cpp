@@ -121,9 +121,11 @@ ObjReader::Problem ObjReader::read_statement(std::string_view keyword) {
 
 void ObjReader::add_warnings(Soup& soup) const {
   if (skipped_ > 0) {
-    soup.warnings.push_back(std::to_string(skipped_) +
-                            " statements that make no face were passed over, the first " + first_skipped_ +
-                            ".");
+    soup.warnings.push_back(skipped_ == 1
+                                ? "1 statement that makes no face was passed over, " + first_skipped_ + "."
+                                : std::to_string(skipped_) +
+                                      " statements that make no face were passed over, the first " +
+                                      first_skipped_ + ".");
   }
   if (too_many_materials_) {
     soup.warnings.push_back("There are more than 65536 materials; faces of those beyond have the last one.");

@@ -33,8 +33,6 @@ std::string quoted(std::string_view word) {
   return line.insert(0, 1, '\'') += '\'';
 }
 
-Error cancelled() { return failed("cancelled"); }
-
 Scanner::Scanner(std::string_view bytes, std::string_view file_name, Syntax syntax, const Progress* progress)
     : bytes_(bytes), file_name_(one_line(file_name)), syntax_(syntax), progress_(progress) {
   if (bytes_.starts_with(kByteOrderMark)) position_ = last_ = kByteOrderMark.size();
@@ -142,8 +140,10 @@ bool Scanner::cancelled() {
 }
 
 std::string Scanner::garbled_numbers_warning() const {
-  return std::to_string(garbled_numbers_) + " garbled numbers, the first in line " +
-         std::to_string(line_of(first_garbled_)) + ", count as not finite.";
+  const std::string line = std::to_string(line_of(first_garbled_));
+  if (garbled_numbers_ == 1) return "1 garbled number, in line " + line + ", counts as not finite.";
+  return std::to_string(garbled_numbers_) + " garbled numbers, the first in line " + line +
+         ", count as not finite.";
 }
 
 size_t Scanner::line_of(size_t position) const {

@@ -83,9 +83,6 @@ class Scanner {
   size_t first_garbled_ = 0;
 };
 
-// The error of a reading that the user stopped.
-Error cancelled();
-
 // A word of a file as an error message shows it: in quotes, short, in one line.
 std::string quoted(std::string_view word);
 

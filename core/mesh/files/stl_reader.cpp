@@ -74,7 +74,8 @@ Result<Soup> read_binary(std::string_view bytes, const std::string& file_name, c
   }
   if (scanner.left() > 0) {
     soup.warnings.push_back(std::to_string(scanner.left()) +
-                            " bytes after the last triangle were passed over.");
+                            (scanner.left() == 1 ? " byte after the last triangle was passed over."
+                                                 : " bytes after the last triangle were passed over."));
   }
   return finished(std::move(soup), file_name);
 }

@@ -1,0 +1,50 @@
+#include "app/progress_line.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
+#include "app/interrupt.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr std::chrono::milliseconds kBetweenUpdates{100};
+// Work that is done before this shows nothing.
+constexpr std::chrono::milliseconds kBeforeFirst{200};
+constexpr const char* kClearLine = "\r\x1b[K";
+constexpr size_t kLongestWork = 60;  // so that the line does not wrap: a wrapped one cannot be overwritten
+
+}  // namespace
+
+ProgressLine::ProgressLine(std::string work)
+    : work_(std::move(work)),
+      terminal_(::isatty(STDERR_FILENO) == 1),
+      next_(std::chrono::steady_clock::now() + kBeforeFirst) {
+  if (work_.size() > kLongestWork) work_ = work_.substr(0, kLongestWork - 3) + "...";
+}
+
+ProgressLine::~ProgressLine() {
+  if (shown_) std::cerr << kClearLine << std::flush;
+}
+
+bool ProgressLine::update(double fraction) {
+  if (interrupted()) return false;
+  if (!terminal_) return true;
+  const auto now = std::chrono::steady_clock::now();
+  if (now < next_) return true;
+  next_ = now + kBetweenUpdates;
+  shown_ = true;
+  const int percent = static_cast<int>(std::floor(100 * std::clamp(fraction, 0.0, 1.0)));
+  std::cerr << kClearLine << "kerf: " << work_ << ' ' << percent << " %" << std::flush;
+  return true;
+}
+
+Error stopped() { return failed("stopped before it was done"); }
+
+Error error_or_stopped(const Error& error) { return interrupted() ? stopped() : error; }
+
+}  // namespace kerf

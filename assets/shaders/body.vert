@@ -1,10 +1,9 @@
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 corner_normal;
-layout(location = 2) in uint attributes;  // halvings 8, material 8, piece 16
+layout(location = 2) in uint attributes;  // heat 8, material 8, piece 16
 
 layout(std140) uniform Paints { vec4 paints[256]; };  // linear rgb, gloss
 
-uniform mat4 frame_from_body;
 uniform mat3 turn;
 
 out vec3 at;
@@ -13,7 +12,7 @@ out vec3 normal;
 out vec3 corner;  // 1 at the first, second, third corner
 #endif
 flat out vec4 paint;
-flat out vec3 glow;
+out vec4 glow;  // rgb; how much of the paint is burnt away
 
 vec3 hue_colour(float hue, float saturation, float value) {
   vec3 wheel = clamp(abs(fract(hue + vec3(0.0, 2.0 / 3.0, 1.0 / 3.0)) * 6.0 - 3.0) - 1.0, 0.0, 1.0);
@@ -37,9 +36,9 @@ vec3 ember(float t) {
 }
 
 void main() {
-  vec4 frame = frame_from_body * vec4(position, 1.0);
-  gl_Position = clip_from_frame * frame;
-  at = frame.xyz;
+  vec4 look = look_of(attributes);
+  at = placed(position, look);
+  gl_Position = look.w < 0.0 ? kNowhere : clip_from_frame * vec4(at, 1.0);
   normal = turn * corner_normal.xyz;
 #ifdef WIRE
   int which = gl_VertexID % 3;
@@ -53,9 +52,7 @@ void main() {
   } else if (piece != 0u) {
     paint.rgb = mix(paint.rgb, piece_colour(piece, false), 0.85);
   }
-  float t = min(float(attributes & 255u) / max(heat.x, 1.0), 1.0);
-  float hot = heat.y * smoothstep(0.64, 1.04, t);
-  glow = hot > 0.0 ? ember(hot) * smoothstep(0.0, 0.25, hot) : vec3(0.0);
-  paint.rgb *= 1.0 - 0.75 * smoothstep(0.0, 0.5, hot);
-  paint.a *= 1.0 - 0.8 * smoothstep(0.0, 0.5, hot);
+  float t = min(float(attributes & 255u) / (8.0 * max(heat.x, 1.0)), 1.0);
+  float hot = heat.y * smoothstep(0.70, 1.0, t);
+  glow = vec4(ember(hot) * smoothstep(0.0, 0.3, hot), smoothstep(0.0, 0.5, hot));
 }

@@ -1,11 +1,11 @@
 layout(location = 0) in vec3 position;
-
-uniform mat4 frame_from_body;
+layout(location = 2) in uint attributes;
 
 // Along the key light onto the ground.
 void main() {
-  vec3 p = (frame_from_body * vec4(position, 1.0)).xyz;
+  vec4 look = look_of(attributes);
+  vec3 p = placed(position, look);
   float height = max(p.y - ground.x, 0.0);
   p -= key_light.xyz * (height / key_light.y);
-  gl_Position = clip_from_frame * vec4(p.x, ground.x, p.z, 1.0);
+  gl_Position = look.w < 0.0 ? kNowhere : clip_from_frame * vec4(p.x, ground.x, p.z, 1.0);
 }

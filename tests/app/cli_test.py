@@ -1,6 +1,7 @@
 """The command line as INTERFACE promises it: run as `cli_test.py KERF`, with KERF the executable to test."""
 import json
 import os
+import pty
 import signal
 import subprocess
 import sys
@@ -17,6 +18,33 @@ ACROSS = {"strokes": [{"laser": {"radius": 0.02, "range": [0, 5]},
 def kerf(*args, cwd=None):
     environment = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
     return subprocess.run([KERF, *map(str, args)], capture_output=True, text=True, cwd=cwd, env=environment, timeout=120)
+
+class Terminal:
+    """kerf with standard error on a pseudo-terminal."""
+    def __init__(self, *args, cwd):
+        self.master, slave = pty.openpty()
+        self.process = subprocess.Popen([KERF, *map(str, args)], cwd=cwd, stdout=subprocess.DEVNULL, stderr=slave)
+        os.close(slave)
+        self.shown = b""
+
+    def read(self):
+        try:
+            part = os.read(self.master, 4096)
+        except OSError:  # EIO: the other end is closed
+            part = b""
+        self.shown += part
+        return bool(part)
+
+    def read_until(self, text):
+        while text not in self.shown and self.read():
+            pass
+        return text in self.shown
+
+    def finish(self):
+        while self.read():
+            pass
+        os.close(self.master)
+        return self.process.wait(timeout=60)
 
 class CommandLine(unittest.TestCase):
     def setUp(self):
@@ -128,6 +156,52 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(process.returncode, 1, message)
         self.assertIn("stopped", message)
         self.assertEqual(os.listdir(os.path.join(self.folder.name, "out")), [])
+
+    def test_progress_is_one_line_that_a_terminal_shows_and_that_goes_away(self):
+        run = Terminal("cut", "plate.obj", "--path", "across.json", "--out", "out", "--target-edge", "0.0002",
+                       cwd=self.folder.name)
+        self.assertEqual(run.finish(), 0, run.shown)
+        self.assertRegex(run.shown, rb"kerf: (cutting|writing) \d+ %")
+        self.assertNotIn(b"\n", run.shown)
+        self.assertTrue(run.shown.endswith(b"\r\x1b[K"), run.shown[-40:])
+
+    def test_nothing_is_shown_where_standard_error_is_no_terminal(self):
+        done = self.run_here("cut", "plate.obj", "--path", "across.json", "--out", "out", "--target-edge", "0.001")
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
+
+    def test_ctrl_c_stops_the_loading_of_a_long_file(self):
+        self.write("long.obj", PLATE + "vt 0 0\n" * 20_000_000)
+        for command in (["info", "long.obj"], ["cut", "long.obj", "--out", "out"], ["render", "long.obj", "--out", "l.png"]):
+            run = Terminal(*command, cwd=self.folder.name)
+            self.assertTrue(run.read_until(b"kerf: loading long.obj"), run.shown)
+            run.process.send_signal(signal.SIGINT)
+            self.assertEqual(run.finish(), 1, run.shown)
+            self.assertTrue(run.shown.endswith(b"\r\x1b[Kkerf: stopped before it was done\r\n"), run.shown[-60:])
+        self.assertEqual(sorted(os.listdir(self.folder.name)), ["across.json", "long.obj", "plate.obj"])
+
+    def test_what_was_dropped_is_said(self):
+        self.write("odd.obj", PLATE + "f 1 2 9\nf 1 1 2\nf 4 1 2 2 3\n")
+        notes = json.loads(self.run_here("info", "odd.obj").stdout)["notes"]
+        self.assertEqual(notes[0], "1 triangle names a vertex that is not there and was dropped.")
+        done = self.run_here("cut", "odd.obj", "--out", "out")
+        said = done.stderr.splitlines()
+        self.assertEqual(said[0], "kerf: note: " + notes[0])
+        self.assertTrue(all("dropped" in line for line in said), said)
+        self.assertEqual(json.loads(self.run_here("info", "plate.obj").stdout)["notes"], [])
+
+    def test_a_full_disk_or_a_folder_without_permission_leaves_what_was_there(self):
+        os.mkdir(os.path.join(self.folder.name, "out"))
+        self.write("out/piece-0000.obj", "old\n")
+        limit = "ulimit -f 0; exec \"$@\""  # no file may grow: as on a full disk
+        done = subprocess.run(["bash", "-c", limit, "kerf", KERF, "cut", "plate.obj", "--out", "out"],
+                              cwd=self.folder.name, capture_output=True, text=True)
+        self.assert_refused(done, 1, "piece-0000.obj", "cannot write")
+        with open(os.path.join(self.folder.name, "out", "piece-0000.obj")) as file:
+            self.assertEqual(file.read(), "old\n")
+        self.assertEqual(os.listdir(os.path.join(self.folder.name, "out")), ["piece-0000.obj"])
+        if os.geteuid() != 0:
+            os.chmod(os.path.join(self.folder.name, "out"), 0o555)
+            self.assert_refused(self.run_here("cut", "plate.obj", "--out", "out"), 1, "cannot write")
 
     def test_render_makes_a_picture_without_a_display(self):
         done = self.run_here("render", "plate.obj", "--out", "plate.png", "--size", "320x200", "--show", "aabb,wire")

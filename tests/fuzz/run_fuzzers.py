@@ -52,7 +52,7 @@ def main():
     with concurrent.futures.ThreadPoolExecutor(AT_A_TIME) as pool:
         results = pool.map(lambda reader: fuzz(arguments.folder, reader, arguments.seconds), arguments.readers)
         for reader, (runs, status, said) in zip(arguments.readers, results):
-            print(f'{reader:4} {runs:12,} runs, {1 if status else 0} findings', flush=True)
+            print(f'{reader:4} {runs:12,} runs, {"1 finding" if status else "no finding"}', flush=True)
             if status:
                 broken += 1
                 print('\n'.join(said.strip().splitlines()[-60:]))

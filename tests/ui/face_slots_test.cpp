@@ -69,16 +69,16 @@ TEST(FaceVertices, of_a_dead_face_are_one_point) {
   EXPECT_NE(face_vertices(mesh, bases, frame, FaceId(1)), FaceVertices{});
 }
 
-TEST(FaceVertices, attributes_tell_size_material_and_piece) {
+TEST(FaceVertices, attributes_tell_heat_material_and_piece) {
   FaceData data;
   data.level = 3;
   data.material = 7;
   data.piece = 2;
-  EXPECT_EQ(pack_attributes(data), 6u | 7u << 8 | 2u << 16);
+  EXPECT_EQ(pack_attributes(data, 6.25f), 50u | 7u << 8 | 2u << 16);
   data.element = 1;  // half of a green pair
   EXPECT_EQ(halvings(data), 7u);
   data.piece = 65536;
-  EXPECT_NE(pack_attributes(data) >> 16, 0u);
+  EXPECT_NE(pack_attributes(data, 0) >> 16, 0u);
 }
 
 // The shading of a split face is that of its base: its corners get what the base's corners say there.

@@ -127,7 +127,7 @@ TEST(Picture, every_overlay_changes_it) {
       scene_of(test::both(test::sphere(24, 32, 1), test::moved(test::sphere(8, 12, 0.3), {0, 1.6, 0}, 1)));
   scene.strokes = {stroke_at_the_middle(0.1)};
   const Image plain = render(scene, from_the_front());
-  for (const char* name : {"aabb", "aabb-hit", "wire", "pieces", "normals"}) {
+  for (const char* name : {"aabb", "aabb-hit", "wire", "face-numbers", "pieces", "normals"}) {
     PictureOptions options = from_the_front();
     options.show = *parse_show_list(name);
     EXPECT_GT(changed_pixels(plain, render(scene, options)), 300u) << name;

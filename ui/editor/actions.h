@@ -11,15 +11,19 @@ namespace kerf {
 struct Action {
   const char* menu;
   const char* name;
-  const char* shortcut;  // as it is written; empty: none
-  int key;               // GLFW_KEY_*; 0: none
-  int mods;              // GLFW_MOD_CONTROL or 0
-  void (*run)(EditorState&);
-  bool (*checked)(const EditorState&);  // null: not a switch
+  const char* shortcut = "";  // as it is written; empty: none
+  int key = 0;                // GLFW_KEY_*; 0: none
+  int mods = 0;               // GLFW_MOD_*
+  const char* tip = "";
+  void (*run)(EditorState&) = nullptr;
+  bool (*checked)(const EditorState&) = nullptr;         // null: not a switch
+  const char* (*why_not)(const EditorState&) = nullptr;  // a sentence where it cannot be done now, or null
+  void (*submenu)(EditorState&) = nullptr;               // draws a menu of its own in place of all that
+  bool ends_group = false;                               // a line under it in the menu
 };
 std::span<const Action> actions();
 
-// Runs the action of a key; whether there is one.
+// Runs the action of a key; whether there is one. One that cannot be done now says why in the status bar.
 bool run_shortcut(EditorState& state, int key, int mods);
 
 // What the mouse does in the picture, for the F1 sheet.

@@ -11,6 +11,10 @@
 #include "ui/editor/gui.h"
 #include "ui/editor/open_file.h"
 #include "ui/editor/panels.h"
+#include "ui/editor/piece_set.h"
+#include "ui/editor/recut.h"
+#include "ui/editor/screenshot.h"
+#include "ui/editor/settings.h"
 #include "ui/editor/stop_signals.h"
 #include "ui/editor/viewport_input.h"
 #include "ui/editor/window.h"
@@ -38,22 +42,31 @@ double seconds_since(Clock::time_point t) { return std::chrono::duration<double>
 // The running editor. One frame is: hear, move, cut, draw, show.
 class Editor {
  public:
-  Editor(Window window, Renderer renderer)
-      : window_(std::move(window)), gui_(window_), renderer_(std::move(renderer)) {}
+  Editor(Window window, Renderer renderer, LoadedSettings loaded);
 
   Status open(const EditorOptions& options);
   void run();
+  // A fault that is shown when nothing worse happened.
+  void tell(const std::string& fault) {
+    if (!fault.empty() && !state_.message_is_error) state_.say(fault, true);
+  }
   const EditorState& state() const { return state_; }
 
  private:
   void wait();
   void hear();
+  void fulfil();  // what panels, menus and keys asked for
   void move_camera();
   void cut();
   bool draw();  // whether the picture is a new one
   void note_time(double seconds, bool new_picture);
   void update_figures();
+  void look_at_tree();
   void lay_out_window();
+  void dress();
+  void save_settings();
+  Area picture_pixels() const;
+  void take_picture(Requests::Screenshot what);
   // Whether something moves that has to be drawn at once.
   bool moving() const { return easing_ || state_.document.waiting() > 0 || state_.picture_old; }
 
@@ -61,6 +74,7 @@ class Editor {
   Gui gui_;
   Renderer renderer_;
   EditorState state_;
+  Settings saved_;  // as they are in the file
   StopSignals stop_;
   Clock::time_point frame_began_ = Clock::now(), last_event_ = Clock::now(), figures_at_{};
   bool easing_ = false;         // the camera
@@ -72,26 +86,36 @@ class Editor {
   Clock::time_point moved_at_{};
 };
 
+Editor::Editor(Window window, Renderer renderer, LoadedSettings loaded)
+    : window_(std::move(window)), gui_(window_), renderer_(std::move(renderer)), saved_(loaded.settings) {
+  state_.settings = std::move(loaded.settings);
+  state_.look.antialias = state_.settings.antialias;
+  dress();
+}
+
 Status Editor::open(const EditorOptions& options) {
   lay_out_window();
-  if (options.file) {
-    const Status opened = open_file(state_, renderer_, *options.file);
-    if (opened) return opened;
-    if (const Status fallback = open_file(state_, renderer_, options.default_scene); !fallback)
-      return fallback;
-    state_.say(opened.error().message, true);
-    return Done{};
+  const std::array standard{options.default_scene};
+  if (options.files.empty()) return open_files(state_, renderer_, standard);
+  const Status opened = open_files(state_, renderer_, options.files);
+  if (opened) {
+    for (const std::filesystem::path& file : options.files) remember_recent(state_.settings, file);
+    return opened;
   }
-  return open_file(state_, renderer_, options.default_scene);
+  if (const Status fallback = open_files(state_, renderer_, standard); !fallback) return fallback;
+  state_.say(opened.error().message, true);
+  return Done{};
 }
 
 void Editor::run() {
   while (!window_.wants_to_close() && !state_.quit && !stop_.came()) {
     wait();
     const Clock::time_point began = Clock::now();
+    dress();
     gui_.begin_frame();
     lay_out_window();
     hear();
+    fulfil();
     move_camera();
     cut();
     const bool new_picture = draw();
@@ -99,6 +123,7 @@ void Editor::run() {
     note_time(seconds_since(began), new_picture);
   }
   state_.tool.release(state_.document);
+  save_settings();
 }
 
 // Until there is something to draw: at once while something moves, at an event otherwise.
@@ -125,11 +150,28 @@ void Editor::hear() {
   for (const InputEvent& event : window_.take_events()) {
     if (event.kind != InputEvent::Kind::kKey) {
       handle_mouse(state_, event, mouse_free);
-    } else if (!io.WantTextInput) {
+    } else if (state_.browser.open) {
+      browser_key(state_.browser, event.button);
+    } else if (!io.WantTextInput && !event.again) {
       run_shortcut(state_, event.button, event.mods);
     }
   }
+  if (auto dropped = window_.take_drops(); !dropped.empty()) state_.requests.open = std::move(dropped);
   if (state_.tool.cutting()) state_.picture_old = true;
+}
+
+void Editor::fulfil() {
+  const Requests wanted = std::exchange(state_.requests, {});
+  state_.requests.screenshot = wanted.screenshot;  // waits for the picture
+  if (!wanted.open.empty()) {
+    cancel_stroke(state_);
+    if (const Status opened = open_files(state_, renderer_, wanted.open); !opened) {
+      state_.say(opened.error().message, true);
+    } else {
+      for (const std::filesystem::path& file : wanted.open) remember_recent(state_.settings, file);
+    }
+  }
+  if (wanted.recut) recut_last_stroke(state_, renderer_);
 }
 
 void Editor::move_camera() {
@@ -145,6 +187,7 @@ void Editor::cut() {
   const double budget = std::max(kStepSeconds, picture_seconds_);
   const Clock::time_point began = Clock::now();
   while (state_.document.waiting() > 0 && seconds_since(began) < budget) {
+    const size_t faces = state_.document.world().live_faces();
     const Result<StepResult> step = state_.document.step(kMovesOfStep);
     if (!step) {
       cancel_stroke(state_);
@@ -153,27 +196,29 @@ void Editor::cut() {
       break;
     }
     renderer_.follow(step->delta);
+    if (state_.look.ghost || state_.look.show.face_numbers) renderer_.catch_up(state_.document.world());
     state_.removed_faces += step->delta.removed_faces;
+    state_.last_step = step->figures;
+    state_.faces_before_step = faces;
   }
+  if (state_.spread > 0) spread_pieces(state_.document.world(), state_.spread, state_.look.pieces);
   cut_seconds_ = seconds_since(began);
-  state_.picture_old = true;
+  state_.picture_old = state_.world_changed = true;
 }
 
 bool Editor::draw() {
   update_figures();
   draw_panels(state_);
-  const Vec2 pixels = window_.pixel_size(), size = window_.size();
-  const Area& area = state_.layout.viewport;
-  const Vec2 scale = pixels / size;
-  const Target target{0, static_cast<int>(area.at.x * scale.x),
-                      static_cast<int>(pixels.y - (area.at.y + area.size.y) * scale.y),
-                      std::max(1, static_cast<int>(area.size.x * scale.x)),
-                      std::max(1, static_cast<int>(area.size.y * scale.y))};
+  const Area area = picture_pixels();
+  const Target target{0, static_cast<int>(area.at.x),
+                      static_cast<int>(window_.pixel_size().y - area.at.y - area.size.y),
+                      static_cast<int>(area.size.x), static_cast<int>(area.size.y)};
   if (state_.picture_old) moved_at_ = Clock::now();
   const bool still = seconds_since(moved_at_) > kStillSeconds;
   const bool anew = state_.picture_old || (rough_ && still) || !renderer_.draw_again(target);
   if (anew) {
     ViewOptions look = state_.look;
+    look.tree.palette = state_.settings.palette;
     rough_ = look.antialias && !still && smooth_seconds_ > kSlowFrame;
     if (rough_) look.antialias = false;
     const std::optional<BeamPicture> beam = state_.tool.picture(state_.document);
@@ -182,7 +227,10 @@ bool Editor::draw() {
   }
   // Once more without the beam when it is off.
   state_.picture_old = beam_shown_ && !state_.tool.picture(state_.document);
+  const auto screenshot = std::exchange(state_.requests.screenshot, Requests::Screenshot::kNone);
+  if (screenshot == Requests::Screenshot::kPicture) take_picture(screenshot);
   gui_.end_frame();
+  if (screenshot == Requests::Screenshot::kWindow) take_picture(screenshot);
   return anew;
 }
 
@@ -196,27 +244,84 @@ void Editor::note_time(double seconds, bool new_picture) {
 void Editor::update_figures() {
   if (seconds_since(figures_at_) < kFigureSeconds) return;
   figures_at_ = Clock::now();
+  save_settings();
+  state_.shown.frame_ms = 1000 * picture_seconds_;
+  if (!state_.world_changed) return;
+  state_.world_changed = false;
   const World& world = state_.document.world();
-  state_.shown = {world.live_faces(), world.live_pieces(), 1000 * picture_seconds_};
+  state_.shown.faces = world.live_faces();
+  state_.shown.pieces = world.live_pieces();
+  state_.shown.faces_tested = state_.last_step.tested.faces;
+  state_.shown.faces_of_step = state_.faces_before_step;
+  look_at_tree();
+}
+
+void Editor::look_at_tree() {
+  const World& world = state_.document.world();
+  ShownFigures& shown = state_.shown;
+  shown.tree_nodes = 0;
+  shown.tree_depth = 0;
+  for (const BodyId id : world.ids()) {
+    const AabbTree& tree = world.body(id).tree;
+    shown.tree_nodes += tree.box_count();
+    tree.for_each_box(
+        [&](const AabbTree::Box& box) { shown.tree_depth = std::max(shown.tree_depth, box.depth); });
+  }
 }
 
 void Editor::lay_out_window() {
   const double em = ImGui::GetFontSize(), bar = ImGui::GetFrameHeight();
-  const Layout layout = lay_out(window_.size(), em, bar, bar);
+  const double side = state_.settings.side_shown ? state_.settings.side_ems : 0;
+  const Layout layout = lay_out(window_.size(), em, bar, bar, side);
   if (layout.viewport.size != state_.layout.viewport.size) state_.picture_old = true;
   state_.layout = layout;
+}
+
+void Editor::dress() {
+  const Settings& s = state_.settings;
+  gui_.dress({s.theme, s.palette, window_.scale() * static_cast<float>(s.ui_scale)});
+}
+
+void Editor::save_settings() {
+  Settings& now = state_.settings;
+  now.antialias = state_.look.antialias;
+  now.width = static_cast<int>(window_.size().x);
+  now.height = static_cast<int>(window_.size().y);
+  if (now == saved_) return;
+  saved_ = now;
+  if (const Status written = write_settings(now, settings_file()); !written)
+    state_.say(written.error().message, true);
+}
+
+// Where the picture lies in the framebuffer, from its upper left corner.
+Area Editor::picture_pixels() const {
+  const Vec2 scale = window_.pixel_size() / window_.size();
+  const Area& area = state_.layout.viewport;
+  return {glm::floor(area.at * scale), glm::max(Vec2(1), glm::floor(area.size * scale))};
+}
+
+void Editor::take_picture(Requests::Screenshot what) {
+  const bool window = what == Requests::Screenshot::kWindow;
+  const Vec2 pixels = window_.pixel_size();
+  const auto file = take_screenshot(pixels, window ? Area{Vec2(0), pixels} : picture_pixels());
+  state_.say(file ? "Saved: " + file->string() : file.error().message, !file.ok());
 }
 
 }  // namespace
 
 Status run_editor(const EditorOptions& options) {
-  auto window = Window::open(options.width, options.height, "Kerf");
+  LoadedSettings loaded = read_settings(settings_file());
+  const std::string fault = loaded.fault;
+  const int width = options.width > 0 ? options.width : loaded.settings.width;
+  const int height = options.height > 0 ? options.height : loaded.settings.height;
+  auto window = Window::open(width, height, "Kerf");
   if (!window) return window.error();
   gl::report_gl_errors();
   auto renderer = Renderer::create();
   if (!renderer) return renderer.error();
-  Editor editor(std::move(*window), std::move(*renderer));
+  Editor editor(std::move(*window), std::move(*renderer), std::move(loaded));
   if (const Status opened = editor.open(options); !opened) return opened;
+  editor.tell(fault);
   editor.run();
   if (!options.report) return Done{};
   return write_editor_report(editor.state(), *options.report);

@@ -2,16 +2,17 @@
 
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 #include "core/base/result.h"
 
 namespace kerf {
 
 struct EditorOptions {
-  std::optional<std::filesystem::path>
-      file;  // a scene or a mesh; a bad one shows the default scene and says why
+  // Scenes and meshes, opened together; where one is bad, the default scene is shown and the reason said.
+  std::vector<std::filesystem::path> files;
   std::optional<std::filesystem::path> report;  // JSON written at exit, also on SIGINT and SIGTERM
-  int width = 1280, height = 800;               // of the window, in screen coordinates
+  int width = 0, height = 0;  // of the window, in screen coordinates; 0: as it was the last time
   std::filesystem::path default_scene;
 };
 

@@ -1,55 +1,88 @@
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/document/document.h"
 #include "core/document/scene.h"
+#include "ui/editor/file_browser.h"
 #include "ui/editor/frame_statistics.h"
 #include "ui/editor/laser_controls.h"
 #include "ui/editor/laser_tool.h"
 #include "ui/editor/layout.h"
+#include "ui/editor/settings.h"
 #include "ui/render/camera.h"
 #include "ui/render/renderer.h"
 
 namespace kerf {
 
-// Numbers of the status bar; they follow the world four times a second, so that they can be read.
+// Numbers of the panels and the status bar; they follow the world four times a second, so that they can be
+// read.
 struct ShownFigures {
   size_t faces = 0, pieces = 0;
   double frame_ms = 0;
+  size_t tree_nodes = 0;
+  int tree_depth = 0;
+  size_t faces_tested = 0, faces_of_step = 0;  // in the last step, and how many there were before it
 };
 
-// What the left button does, and what a drag that has begun goes on doing.
-enum class Drag { kNone, kCut, kOrbit, kPan };
+// What the left button does.
+enum class Tool { kLaser, kPick };
+
+// What a drag that has begun goes on doing. One that picks has not moved yet.
+enum class Drag { kNone, kCut, kPick, kOrbit, kPan };
+
+// What only the frame loop can do, asked for by menus, keys and panels; it is done once before the next
+// picture.
+struct Requests {
+  std::vector<std::filesystem::path> open;  // in place of what is open, as bodies of one scene
+  bool recut = false;
+  enum class Screenshot { kNone, kPicture, kWindow };
+  Screenshot screenshot = Screenshot::kNone;
+};
 
 // Everything that the editor's parts share: what is open, how it is looked at, what the user is doing.
 struct EditorState {
   Document document;
+  std::vector<std::filesystem::path> files;  // that the document came from
+  std::optional<World> as_loaded;            // where a recut may need it, see recut.h
   std::map<std::string, Paint> paints;
   std::optional<View> home;  // the view that the scene asks for
 
   Camera camera;
   ViewOptions look;
+  double spread = 0;  // how far pieces are drawn apart, in distances from the middle of the world
   Layout layout;
 
   LaserControls laser;
   LaserTool tool;
+  Tool left_button = Tool::kLaser;
   Drag drag = Drag::kNone;
-  Vec2 pointer{0};  // screen coordinates
+  Vec2 pointer{0}, pressed_at{0};  // screen coordinates
   bool pointer_over_picture = false;
 
   std::string message;  // of the last thing that happened, until the next action
   bool message_is_error = false;
   ShownFigures shown;
   FrameStatistics frames;
-  size_t removed_faces = 0;
+  size_t removed_faces = 0, removed_before_stroke = 0;
+  StepFigures last_step;
+  size_t faces_before_step = 0;
+  size_t recuts = 0;
 
-  bool cut_once = false;  // hints are no longer needed
+  Settings settings;
+  FileBrowser browser;
+  Requests requests;
+
+  double wanted_scale = 0;  // of the text, while its slider moves
+  bool cut_once = false;    // hints are no longer needed
   bool show_shortcuts = false;
   bool quit = false;
-  bool picture_old = true;  // the picture of the world has to be drawn anew
+  bool picture_old = true;    // the picture of the world has to be drawn anew
+  bool world_changed = true;  // since the figures of the panels were taken
 
   double aspect() const { return layout.viewport.size.x / layout.viewport.size.y; }
   CameraView view() const { return camera.view(aspect()); }

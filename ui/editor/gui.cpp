@@ -5,15 +5,12 @@
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 
-#include "ui/editor/theme.h"
-
 namespace kerf {
 
 Gui::Gui(const Window& window) {
   IMGUI_CHECKVERSION();
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;
-  apply_theme(window.scale());
   ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
   ImGui_ImplOpenGL3_Init("#version 330 core");
 }
@@ -22,6 +19,17 @@ Gui::~Gui() {
   ImGui_ImplOpenGL3_Shutdown();
   ImGui_ImplGlfw_Shutdown();
   ImGui::DestroyContext();
+}
+
+void Gui::dress(const GuiLook& look) {
+  if (look_ == look) return;
+  apply_theme(look);
+  // Before the first frame the backend has no texture yet, and makes it by itself.
+  if (look_) {
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
+  }
+  look_ = look;
 }
 
 void Gui::begin_frame() {

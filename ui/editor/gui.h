@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+
+#include "ui/editor/theme.h"
 #include "ui/editor/window.h"
 
 namespace kerf {
@@ -12,9 +15,15 @@ class Gui {
   Gui(const Gui&) = delete;
   Gui& operator=(const Gui&) = delete;
 
+  // Takes on another look; only between frames. Costs nothing where it is the one it has.
+  void dress(const GuiLook& look);
+
   void begin_frame();
   // Draws over what is in the window.
   void end_frame();
+
+ private:
+  std::optional<GuiLook> look_;
 };
 
 }  // namespace kerf

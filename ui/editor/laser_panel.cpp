@@ -2,7 +2,6 @@
 
 #include <imgui.h>
 
-#include <cmath>
 #include <string>
 
 #include "ui/editor/length_text.h"
@@ -36,42 +35,6 @@ void radius_row(LaserControls& laser) {
   tooltip("Half the width of the cut. Ctrl+click to type a number, right click for the default.");
 }
 
-void rule_row(LaserControls& laser) {
-  property("Resolution");
-  int rule = laser.rule == Resolution::Rule::kDepth ? 1 : 0;
-  if (ImGui::Combo("##rule", &rule, "Target edge\0Depth\0")) {
-    laser.rule = rule == 1 ? Resolution::Rule::kDepth : Resolution::Rule::kTargetEdge;
-  }
-  tooltip(
-      "What says when faces under the beam are small enough: the length of their edges, or how often they "
-      "were split.");
-}
-
-void edge_row(LaserControls& laser) {
-  property("Edge");
-  // Finer to the right, as with depth.
-  double halvings = -std::log2(laser.edge_fraction);
-  const double low = -std::log2(LaserControls::kMostFraction),
-               high = -std::log2(LaserControls::kLeastFraction);
-  const std::string text = length_text(laser.radius * laser.edge_fraction);
-  if (ImGui::SliderScalar("##edge", ImGuiDataType_Double, &halvings, &low, &high, text.c_str(),
-                          ImGuiSliderFlags_NoInput)) {
-    laser.edge_fraction = std::exp2(-std::round(4 * halvings) / 4);
-  }
-  reset_on_right_click(laser.edge_fraction, LaserControls().edge_fraction);
-  tooltip(
-      "Longest edge under the beam, from twice the radius to a 32nd of it. Finer to the right: a smoother "
-      "rim "
-      "from more faces.");
-}
-
-void depth_row(LaserControls& laser) {
-  property("Depth");
-  ImGui::SliderInt("##depth", &laser.depth, 0, LaserControls::kLargestDepth,
-                   laser.depth == 1 ? "%d split" : "%d splits", ImGuiSliderFlags_AlwaysClamp);
-  tooltip("How often a face under the beam is split in four. 0 removes faces whole.");
-}
-
 void pattern_row(LaserControls& laser) {
   property("Pattern");
   int pattern = laser.pattern == Pattern::kRays4 ? 1 : 0;
@@ -87,12 +50,6 @@ void pattern_row(LaserControls& laser) {
 void draw_laser_panel(EditorState& state) {
   if (!begin_properties("laser")) return;
   radius_row(state.laser);
-  rule_row(state.laser);
-  if (state.laser.rule == Resolution::Rule::kDepth) {
-    depth_row(state.laser);
-  } else {
-    edge_row(state.laser);
-  }
   pattern_row(state.laser);
   end_properties();
 }

@@ -4,7 +4,7 @@
 
 namespace kerf {
 
-// Radius, resolution and pattern of the beam.
+// Radius and pattern of the beam.
 void draw_laser_panel(EditorState& state);
 
 }  // namespace kerf

@@ -13,12 +13,13 @@ struct Area {
 };
 
 // The fixed frame of the window: menu above, status below, panels at the right, the picture in what is left.
-// The panels go where they would leave the picture less than a usable width.
+// The panels make way for the picture in a narrow window, and go where they would have no usable width.
 struct Layout {
   Area viewport, side, status;
 };
 
-// `em` is the size of the text, `menu` and `status` the heights of those bars.
-Layout lay_out(Vec2 window, double em, double menu, double status);
+// `em` is the size of the text, `menu` and `status` the heights of those bars, `side_ems` the width that the
+// panels are wanted at (0: not at all).
+Layout lay_out(Vec2 window, double em, double menu, double status, double side_ems = 21);
 
 }  // namespace kerf

@@ -5,8 +5,26 @@
 #include <string_view>
 
 #include "ui/editor/actions.h"
+#include "ui/editor/property.h"
 
 namespace kerf {
+
+namespace {
+
+void draw_action(EditorState& state, const Action& action) {
+  if (action.submenu != nullptr) {
+    if (!ImGui::BeginMenu(action.name)) return;
+    action.submenu(state);
+    ImGui::EndMenu();
+    return;
+  }
+  const bool checked = action.checked != nullptr && action.checked(state);
+  const char* why_not = action.why_not != nullptr ? action.why_not(state) : nullptr;
+  if (ImGui::MenuItem(action.name, action.shortcut, checked, why_not == nullptr)) action.run(state);
+  if (why_not != nullptr || action.tip[0] != '\0') tooltip(why_not != nullptr ? why_not : action.tip);
+}
+
+}  // namespace
 
 void draw_menu_bar(EditorState& state) {
   if (!ImGui::BeginMainMenuBar()) return;
@@ -16,8 +34,8 @@ void draw_menu_bar(EditorState& state) {
     while (end < all.size() && std::string_view(all[end].menu) == all[first].menu) ++end;
     if (ImGui::BeginMenu(all[first].menu)) {
       for (const Action& action : all.subspan(first, end - first)) {
-        const bool checked = action.checked != nullptr && action.checked(state);
-        if (ImGui::MenuItem(action.name, action.shortcut, checked)) action.run(state);
+        draw_action(state, action);
+        if (action.ends_group) ImGui::Separator();
       }
       ImGui::EndMenu();
     }

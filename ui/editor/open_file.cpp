@@ -1,38 +1,89 @@
 #include "ui/editor/open_file.h"
 
+#include "core/mesh/load_notes.h"
 #include "ui/render/scene_strokes.h"
 
 namespace kerf {
 
-Status open_file(EditorState& state, Renderer& renderer, const std::filesystem::path& file) {
-  Result<Scene> scene = read_scene(file);
+namespace {
+
+// Bodies, paints and strokes of several files as one scene; a view only where there is one file.
+Result<Scene> read_all(std::span<const std::filesystem::path> files) {
+  Scene all;
+  for (const std::filesystem::path& file : files) {
+    Result<Scene> scene = read_scene(file);
+    if (!scene) return scene.error();
+    if (files.size() == 1) return scene;
+    for (const BodyId id : scene->world.ids()) all.world.add(std::move(scene->world.body(id)));
+    all.paints.merge(scene->paints);
+    all.strokes.insert(all.strokes.end(), scene->strokes.begin(), scene->strokes.end());
+  }
+  return all;
+}
+
+std::string names_of(std::span<const std::filesystem::path> files) {
+  std::string names = files.front().filename().string();
+  if (files.size() > 1) names += " and " + std::to_string(files.size() - 1) + " more";
+  return names;
+}
+
+// What was put right in the first file that needed it, or nothing.
+std::string note_of(const World& world) {
+  for (const BodyId id : world.ids()) {
+    const std::vector<std::string> notes = load_notes(world.body(id).loaded);
+    if (!notes.empty()) return ": " + notes.front();
+  }
+  return "";
+}
+
+void cut_strokes_of(EditorState& state, Renderer& renderer, const std::vector<StrokePath>& strokes) {
+  size_t stroke = 0;
+  const Status cut = cut_strokes(state.document, strokes, [&](const StepResult& step) {
+    if (state.document.strokes() != stroke) state.removed_before_stroke = state.removed_faces;
+    stroke = state.document.strokes();
+    renderer.follow(step.delta);
+    state.removed_faces += step.delta.removed_faces;
+    state.last_step = step.figures;
+    state.faces_before_step = state.document.world().live_faces();
+  });
+  if (cut) return;
+  renderer.resend(state.document.world());
+  state.say(cut.error().message, true);
+}
+
+}  // namespace
+
+Status open_files(EditorState& state, Renderer& renderer, std::span<const std::filesystem::path> files) {
+  if (files.empty()) return Done{};
+  Result<Scene> scene = read_all(files);
   if (!scene) return scene.error();
   const World::Bounds bounds = scene->world.bounds();
   renderer.show(scene->world, scene->paints);
+  state.as_loaded.reset();
+  if (scene->world.live_faces() <= Document::kMostFacesToRecut) state.as_loaded = scene->world;
   state.document = Document(std::move(scene->world));
+  state.files.assign(files.begin(), files.end());
   state.paints = std::move(scene->paints);
   state.home = scene->view;
   state.tool = LaserTool();
   state.drag = Drag::kNone;
+  state.look.pieces.clear();
+  state.look.tree.body.reset();
+  state.spread = 0;
   state.laser.fit(bounds.diagonal());
-  state.removed_faces = 0;
+  state.removed_faces = state.removed_before_stroke = 0;
+  state.last_step = {};
+  state.faces_before_step = 0;
   state.cut_once = false;
-  state.picture_old = true;
+  state.picture_old = state.world_changed = true;
   if (state.home) {
     state.camera.look(state.home->eye, state.home->target);
   } else {
     state.camera.frame_default(bounds, state.aspect());
   }
   state.camera.finish();
-  state.say(file.filename().string());
-  const Status cut = cut_strokes(state.document, scene->strokes, [&](const StepResult& step) {
-    renderer.follow(step.delta);
-    state.removed_faces += step.delta.removed_faces;
-  });
-  if (!cut) {
-    renderer.resend(state.document.world());
-    state.say(cut.error().message, true);
-  }
+  state.say(names_of(files) + note_of(state.document.world()));
+  cut_strokes_of(state, renderer, scene->strokes);
   return Done{};
 }
 

@@ -1,13 +1,15 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 
 #include "ui/editor/editor_state.h"
 
 namespace kerf {
 
-// Opens a scene or a mesh in place of what is open: reads it, shows it, cuts the strokes that it brings,
-// stands the camera before it. On failure everything stays as it was.
-Status open_file(EditorState& state, Renderer& renderer, const std::filesystem::path& file);
+// Opens scenes and meshes in place of what is open, all of them as bodies of one scene: reads them, shows
+// them, cuts the strokes that they bring, stands the camera before them. On failure everything stays as it
+// was.
+Status open_files(EditorState& state, Renderer& renderer, std::span<const std::filesystem::path> files);
 
 }  // namespace kerf

@@ -14,6 +14,9 @@ struct Panel {
 };
 std::span<const Panel> panels();
 
+// A menu that unfolds and folds them.
+void draw_panels_menu(EditorState& state);
+
 // Everything of ImGui's that is drawn around and over the picture, from the state's layout.
 void draw_panels(EditorState& state);
 

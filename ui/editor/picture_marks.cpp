@@ -20,7 +20,8 @@ ImVec2 to_im(Vec2 p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}
 // As large as the cut would be where the pointer is.
 void draw_ring(const EditorState& state, ImDrawList& list) {
   if (!state.pointer_over_picture && state.drag != Drag::kCut) return;
-  if (state.drag == Drag::kOrbit || state.drag == Drag::kPan) return;
+  if (state.left_button != Tool::kLaser && state.drag != Drag::kCut) return;
+  if (state.drag != Drag::kNone && state.drag != Drag::kCut) return;
   const CameraView view = state.view();
   const Vec2 p = state.in_picture(state.pointer);
   const double distance = first_hit(state.document.world(), view.ray(p.x, p.y)).value_or(view.focus);
@@ -29,7 +30,8 @@ void draw_ring(const EditorState& state, ImDrawList& list) {
   const auto ring = static_cast<float>(std::clamp(pixels, kLeastRing, kMostRing));
   const ImVec2 at = to_im(state.pointer);
   list.AddCircle(at, ring + 1.5f, IM_COL32(10, 12, 16, 150), 0, 3.0f);
-  list.AddCircle(at, ring + 1.5f, state.drag == Drag::kCut ? colours::kAccent : colours::kText, 0, 1.3f);
+  list.AddCircle(at, ring + 1.5f, state.drag == Drag::kCut ? colours::accent() : colours::kPictureText, 0,
+                 1.3f);
 }
 
 void draw_hints(const EditorState& state, ImDrawList& list) {
@@ -42,11 +44,11 @@ void draw_hints(const EditorState& state, ImDrawList& list) {
   const float bottom = static_cast<float>(area.at.y + area.size.y) - 1.6f * em;
   const float top = bottom - line * kHints.size();
   list.AddRectFilled({middle - 0.5f * widest - em, top - 0.6f * em},
-                     {middle + 0.5f * widest + em, bottom + 0.4f * em}, IM_COL32(0x1b, 0x1f, 0x26, 165), 3);
+                     {middle + 0.5f * widest + em, bottom + 0.4f * em}, colours::kPictureShade, 3);
   for (size_t i = 0; i < kHints.size(); ++i) {
     const float width = ImGui::CalcTextSize(kHints[i]).x;
     list.AddText({middle - 0.5f * width, top + static_cast<float>(i) * line},
-                 i == 0 ? colours::kText : colours::kSecondary, kHints[i]);
+                 i == 0 ? colours::kPictureText : colours::kPictureSecondary, kHints[i]);
   }
 }
 

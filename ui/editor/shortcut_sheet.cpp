@@ -12,7 +12,7 @@ namespace {
 void row(const char* keys, const char* meaning) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  ImGui::PushStyleColor(ImGuiCol_Text, colours::kSecondary);
+  ImGui::PushStyleColor(ImGuiCol_Text, colours::secondary());
   ImGui::TextUnformatted(keys);
   ImGui::PopStyleColor();
   ImGui::TableNextColumn();

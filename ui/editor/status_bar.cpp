@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <string>
 
+#include "ui/editor/number_text.h"
 #include "ui/editor/theme.h"
 
 namespace kerf {
@@ -19,19 +20,13 @@ const char* left_button(const EditorState& state) {
       return "Orbiting";
     case Drag::kPan:
       return "Panning";
+    case Drag::kPick:
     case Drag::kNone:
       break;
   }
+  if (state.left_button == Tool::kPick) return "Pick: click chooses a piece, Shift adds, drag looks round";
+  if (state.cut_once) return "Laser: left drag cuts, Ctrl+click picks";
   return "Laser: left drag cuts";
-}
-
-// 12345678 as "12 345 678".
-std::string grouped(size_t number) {
-  std::string digits = std::to_string(number);
-  for (auto at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > 0; at -= 3) {
-    digits.insert(static_cast<size_t>(at), " ");
-  }
-  return digits;
 }
 
 // Text whose right end stands at `right`, which moves to where the next one may end.
@@ -49,10 +44,10 @@ void draw_contents(const EditorState& state) {
   std::array<char, 32> frame{};
   std::snprintf(frame.data(), frame.size(), "%.1f ms", state.shown.frame_ms);
   float right = ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x;
-  put_from_right(right, frame.data(), 3.6f, colours::kSecondary);
+  put_from_right(right, frame.data(), 3.6f, colours::secondary());
   put_from_right(right, grouped(state.shown.pieces) + (state.shown.pieces == 1 ? " piece" : " pieces"), 4.4f,
-                 colours::kText);
-  put_from_right(right, grouped(state.shown.faces) + " faces", 6.0f, colours::kText);
+                 colours::text());
+  put_from_right(right, grouped(state.shown.faces) + " faces", 6.0f, colours::text());
 
   // What went wrong comes before what the button does, where there is no room for both.
   const float em = ImGui::GetFontSize(), left = ImGui::GetStyle().WindowPadding.x;
@@ -67,7 +62,7 @@ void draw_contents(const EditorState& state) {
   if (state.message.empty() || right <= message_at) return;
   ImGui::SameLine(message_at);
   ImGui::PushClipRect({message_at, 0}, {right, ImGui::GetIO().DisplaySize.y}, false);
-  ImGui::PushStyleColor(ImGuiCol_Text, state.message_is_error ? colours::kText : colours::kSecondary);
+  ImGui::PushStyleColor(ImGuiCol_Text, state.message_is_error ? colours::text() : colours::secondary());
   ImGui::TextUnformatted(((state.message_is_error ? "! " : "") + state.message).c_str());
   ImGui::PopStyleColor();
   ImGui::PopClipRect();

@@ -7,7 +7,7 @@
 namespace kerf {
 
 void draw_view_panel(EditorState& state) {
-  ShowOptions& show = state.look.show;
+  ViewOptions& look = state.look;
   struct Switch {
     const char* label;
     const char* meaning;
@@ -16,13 +16,24 @@ void draw_view_panel(EditorState& state) {
   const std::array switches{
       Switch{"Level colouring",
              "Small faces glow: the smaller a face against the one it was split from, the hotter.",
-             state.look.level_colours},
-      Switch{"Wire (W)", "Edges of the faces.", show.wire},
-      Switch{"Boxes of the tree (B)", "The bounding boxes that find the faces under the beam.", show.aabb},
-      Switch{"Boxes that the beam met", "Only the boxes in which the beam is or was.", show.aabb_hit},
-      Switch{"Pieces (P)", "Every piece that came off in a strong colour of its own.", show.pieces},
-      Switch{"Normals (N)", "A short line out of the front of every face.", show.normals},
-      Switch{"Anti-aliasing", "Smooth edges; off is faster without a graphics card.", state.look.antialias},
+             look.level_colours},
+      Switch{"Wire (W)", "Edges of the faces.", look.show.wire},
+      Switch{"Face numbers (I)",
+             "The number of each face, and in red of those that are gone (figure 8 of the paper).",
+             look.show.face_numbers},
+      Switch{"Piece colours (P)", "Every piece that came off in a strong colour of its own.",
+             look.show.pieces},
+      Switch{"Normals (N)", "A short line out of the front of every face.", look.show.normals},
+      Switch{"Ghost of what is gone (G)", "Removed faces stay as a faint veil.", look.ghost},
+      Switch{"Two-sided lighting", "Faces are lit from both sides; off, their backs are black.",
+             look.two_sided},
+      Switch{
+          "Cull backs",
+          "Leaves out the faces that are seen from behind, as is usual for closed models and faster. The "
+          "paper had to turn it off: once a hole is cut, one looks through it at the backs of the far side, "
+          "and with culling there is nothing there.",
+          look.cull_backs},
+      Switch{"Anti-aliasing", "Smooth edges; off is faster without a graphics card.", look.antialias},
   };
   for (const Switch& s : switches) {
     if (ImGui::Checkbox(s.label, &s.on)) state.picture_old = true;

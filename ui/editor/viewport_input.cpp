@@ -5,6 +5,9 @@
 
 #include <cmath>
 
+#include "ui/editor/piece_set.h"
+#include "ui/render/pick.h"
+
 namespace kerf {
 
 namespace {
@@ -12,11 +15,14 @@ namespace {
 constexpr double kOrbitPerHeight = 3.6;  // radians for a drag over the height of the picture
 constexpr double kZoomPerNotch = 0.88;
 
-Drag drag_of(int button, int mods) {
+constexpr double kClick = 4;  // screen coordinates that the pointer may move and it is a click still
+
+Drag drag_of(Tool tool, int button, int mods) {
   const bool shift = (mods & GLFW_MOD_SHIFT) != 0, alt = (mods & GLFW_MOD_ALT) != 0;
   switch (button) {
     case GLFW_MOUSE_BUTTON_LEFT:
-      return alt ? Drag::kOrbit : Drag::kCut;
+      if (alt) return Drag::kOrbit;
+      return tool == Tool::kPick || (mods & GLFW_MOD_CONTROL) != 0 ? Drag::kPick : Drag::kCut;
     case GLFW_MOUSE_BUTTON_MIDDLE:
       return shift ? Drag::kPan : Drag::kOrbit;
     case GLFW_MOUSE_BUTTON_RIGHT:
@@ -26,10 +32,33 @@ Drag drag_of(int button, int mods) {
   }
 }
 
+// The beam cuts pieces where they stand, so they are drawn there.
+void stand_together(EditorState& state) {
+  if (state.spread == 0) return;
+  state.spread = 0;
+  spread_pieces(state.document.world(), 0, state.look.pieces);
+}
+
+void pick_piece(EditorState& state, int mods) {
+  const Vec2 p = state.in_picture(state.pointer);
+  const World& world = state.document.world();
+  const std::optional<Pick> seen = pick(world, state.look, state.view().ray(p.x, p.y));
+  const bool add = (mods & GLFW_MOD_SHIFT) != 0;
+  if (seen) {
+    choose_piece(state.look.pieces, {seen->body, world.body(seen->body).mesh.data(seen->face).piece}, add);
+  } else if (!add) {
+    choose_none(state.look.pieces);
+  }
+  state.picture_old = true;
+}
+
 void begin(EditorState& state, Drag drag) {
   state.drag = drag;
+  state.pressed_at = state.pointer;
   if (drag != Drag::kCut) return;
+  stand_together(state);
   state.camera.finish();
+  state.removed_before_stroke = state.removed_faces;
   state.tool.press(state.document, state.view(), state.in_picture(state.pointer), state.laser);
   state.cut_once = true;
   state.say("");
@@ -41,6 +70,9 @@ void go_on(EditorState& state, Vec2 from) {
     case Drag::kCut:
       state.tool.move(state.document, state.view(), state.in_picture(state.pointer),
                       2 / state.layout.viewport.size.y);
+      break;
+    case Drag::kPick:
+      if (glm::length(state.pointer - state.pressed_at) > kClick) state.drag = Drag::kOrbit;
       break;
     case Drag::kOrbit:
       state.camera.orbit(-moved.x * kOrbitPerHeight, moved.y * kOrbitPerHeight);
@@ -69,13 +101,17 @@ void handle_mouse(EditorState& state, const InputEvent& event, bool free) {
   switch (event.kind) {
     case InputEvent::Kind::kPress:
       if (state.drag == Drag::kNone && state.pointer_over_picture)
-        begin(state, drag_of(event.button, event.mods));
+        begin(state, drag_of(state.left_button, event.button, event.mods));
       break;
     case InputEvent::Kind::kMove:
       go_on(state, from);
       break;
     case InputEvent::Kind::kRelease:
       if (state.drag == Drag::kCut && event.button == GLFW_MOUSE_BUTTON_LEFT) cancel_stroke(state);
+      if (state.drag == Drag::kPick) {
+        pick_piece(state, event.mods);
+        state.drag = Drag::kNone;
+      }
       if (state.drag == Drag::kOrbit || state.drag == Drag::kPan) state.drag = Drag::kNone;
       break;
     case InputEvent::Kind::kWheel:

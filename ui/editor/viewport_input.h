@@ -7,9 +7,10 @@
 
 namespace kerf {
 
-// What the mouse does in the picture: left drag cuts, middle or Alt+left drag orbits, Shift+middle or right
-// drag pans, the wheel zooms to the pointer. A drag belongs to where it began and goes on across panels.
-// `free` says that no panel or menu wants the mouse.
+// What the mouse does in the picture: left drag cuts or, with the tool that picks or Ctrl held, a click
+// chooses the piece there; middle or Alt+left drag orbits, Shift+middle or right drag pans, the wheel zooms
+// to the pointer. A drag belongs to where it began and goes on across panels. `free` says that no panel or
+// menu wants the mouse.
 void handle_mouse(EditorState& state, const InputEvent& event, bool free);
 
 // Ends the stroke that runs, if one does; what was cut stays cut.

@@ -35,7 +35,12 @@ struct Window::Callbacks {
     put(w, {InputEvent::Kind::kWheel, pointer(w), 0, 0, y});
   }
   static void key(GLFWwindow* w, int key, int, int action, int mods) {
-    if (action == GLFW_PRESS) put(w, {InputEvent::Kind::kKey, pointer(w), key, mods});
+    if (action != GLFW_RELEASE)
+      put(w, {InputEvent::Kind::kKey, pointer(w), key, mods, 0, action == GLFW_REPEAT});
+    inner(w).activity = true;
+  }
+  static void drop(GLFWwindow* w, int count, const char** files) {
+    inner(w).drops.assign(files, files + count);
     inner(w).activity = true;
   }
   static void refresh(GLFWwindow* w) { inner(w).activity = true; }
@@ -62,6 +67,7 @@ Result<Window> Window::open(int width, int height, const std::string& title) {
   glfwSetMouseButtonCallback(inner->window, Callbacks::button);
   glfwSetScrollCallback(inner->window, Callbacks::scroll);
   glfwSetKeyCallback(inner->window, Callbacks::key);
+  glfwSetDropCallback(inner->window, Callbacks::drop);
   glfwSetWindowRefreshCallback(inner->window, Callbacks::refresh);
   glfwSetFramebufferSizeCallback(inner->window, Callbacks::resize);
   glfwSetWindowFocusCallback(inner->window, Callbacks::focus);
@@ -101,6 +107,8 @@ void Window::wait(double seconds) {
 }
 
 std::vector<InputEvent> Window::take_events() { return std::exchange(inner_->events, {}); }
+
+std::vector<std::filesystem::path> Window::take_drops() { return std::exchange(inner_->drops, {}); }
 
 bool Window::take_activity() { return std::exchange(inner_->activity, false); }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,10 +17,11 @@ namespace kerf {
 struct InputEvent {
   enum class Kind { kMove, kPress, kRelease, kWheel, kKey };
   Kind kind = Kind::kMove;
-  Vec2 at{0};        // of the pointer
-  int button = 0;    // GLFW_MOUSE_BUTTON_*, or the key (GLFW_KEY_*)
-  int mods = 0;      // GLFW_MOD_*
-  double wheel = 0;  // notches away from the user
+  Vec2 at{0};          // of the pointer
+  int button = 0;      // GLFW_MOUSE_BUTTON_*, or the key (GLFW_KEY_*)
+  int mods = 0;        // GLFW_MOD_*
+  double wheel = 0;    // notches away from the user
+  bool again = false;  // a key that is held down
 };
 
 // The window with its OpenGL 3.3 context, current while it lives, and the queue of what happened in it.
@@ -39,6 +41,8 @@ class Window {
   void wait(double seconds);
   // What happened since the last call.
   std::vector<InputEvent> take_events();
+  // Files that were dropped on it since the last call.
+  std::vector<std::filesystem::path> take_drops();
   // Whether anything at all happened since the last call: events, resizing, uncovering.
   bool take_activity();
 
@@ -46,6 +50,7 @@ class Window {
   struct Inner {
     GLFWwindow* window = nullptr;
     std::vector<InputEvent> events;
+    std::vector<std::filesystem::path> drops;
     bool activity = true;
     ~Inner();
   };

@@ -25,6 +25,12 @@ class BaseFaces {
   // a base that is not remembered.
   std::array<glm::vec3, 3> normals_at(FaceId base, const std::array<glm::vec3, 3>& points) const;
 
+  // Slots of faces as loaded; the corners of one in the float frame, null where it was no face.
+  uint32_t count() const { return static_cast<uint32_t>(bases_.size()); }
+  const std::array<glm::vec3, 3>* corners(FaceId base) const {
+    return bases_[base.index].known ? &bases_[base.index].corners : nullptr;
+  }
+
  private:
   struct Base {
     std::array<glm::vec3, 3> corners{};

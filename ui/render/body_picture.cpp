@@ -24,11 +24,17 @@ BodyPicture::BodyPicture(const Body& body, const std::map<std::string, Paint>& p
                GL_STATIC_DRAW);
 }
 
-void BodyPicture::draw(const gl::Program& program, const FrameSpace& space,
+void BodyPicture::bind(const gl::Program& program, const FrameSpace& space,
                        const Placement& placement) const {
   program.set("frame_from_body", space.from_body(placement, faces_.frame()));
   program.set("turn", glm::mat3(glm::mat3_cast(placement.orientation)));
   glBindBufferBase(GL_UNIFORM_BUFFER, kPaintBlock, paints_.name());
+  looks_.bind(program);
+}
+
+void BodyPicture::draw(const gl::Program& program, const FrameSpace& space,
+                       const Placement& placement) const {
+  bind(program, space, placement);
   faces_.draw();
 }
 

@@ -9,6 +9,7 @@
 #include "ui/gl/program.h"
 #include "ui/render/face_buffer.h"
 #include "ui/render/frame_space.h"
+#include "ui/render/piece_looks.h"
 
 namespace kerf {
 
@@ -24,10 +25,16 @@ class BodyPicture {
   FaceBuffer& faces() { return faces_; }
   const FaceBuffer& faces() const { return faces_; }
 
-  // With a program in use whose vertices are faces': where the body stands, its paints, its faces.
+  PieceLooks& looks() { return looks_; }
+  const PieceLooks& looks() const { return looks_; }
+
+  // With a program in use whose vertices are faces': where the body and its pieces stand, its paints.
+  void bind(const gl::Program& program, const FrameSpace& space, const Placement& placement) const;
+  // That and its faces.
   void draw(const gl::Program& program, const FrameSpace& space, const Placement& placement) const;
 
  private:
+  PieceLooks looks_;
   FaceBuffer faces_;
   gl::Buffer paints_;
 };

@@ -15,6 +15,13 @@ void put(GLenum target, GLuint buffer, size_t first, const std::vector<T>& items
                   static_cast<GLsizeiptr>(items.size() * sizeof(T)), items.data());
 }
 
+FaceCorners corners_of(const FaceVertices& face) {
+  const auto at = [&](size_t i) {
+    return glm::vec3(face[i].position[0], face[i].position[1], face[i].position[2]);
+  };
+  return {at(0), at(1), at(2)};
+}
+
 }  // namespace
 
 FaceBuffer::Chunk::Chunk() {
@@ -53,9 +60,11 @@ size_t FaceBuffer::update(const Mesh& mesh) {
     LiveList& live = chunks_[range.begin / kChunkFaces].live;
     for (uint32_t f = range.begin; f < range.end; ++f) {
       const bool lives = mesh.is_live(FaceId(f));
-      live.set(f % kChunkFaces, lives);
+      if (live.set(f % kChunkFaces, lives) && !lives) removed_.died(FaceId(f), mesh.data(FaceId(f)).base);
       count(mesh, f);
-      if (lives) born.mark(f);
+      if (!lives) continue;
+      born.mark(f);
+      for (const FaceId g : heat_.faces_around(mesh, FaceId(f))) born.mark(g.index);
     }
   }
   size_t bytes = 0;
@@ -76,7 +85,8 @@ void FaceBuffer::count(const Mesh& mesh, uint32_t slot) {
 size_t FaceBuffer::update_slots(const Mesh& mesh, const SlotRange& range) {
   staging_.clear();
   for (uint32_t f = range.begin; f < range.end; ++f) {
-    staging_.push_back(face_vertices(mesh, bases_, frame_, FaceId(f)));
+    staging_.push_back(face_vertices(mesh, bases_, frame_, FaceId(f), heat_.of(mesh, FaceId(f))));
+    if (halvings_[f] != kDead && halvings_[f] > 0) removed_.saw(FaceId(f), corners_of(staging_.back()));
   }
   put(GL_ARRAY_BUFFER, chunks_[range.begin / kChunkFaces].vertices.name(), range.begin % kChunkFaces,
       staging_);
@@ -100,11 +110,24 @@ size_t FaceBuffer::update_list(Chunk& chunk) {
 }
 
 void FaceBuffer::draw() const {
-  for (const Chunk& chunk : chunks_) {
-    glBindVertexArray(chunk.layout.name());
-    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * chunk.live.slots().size()), GL_UNSIGNED_INT,
-                   nullptr);
+  for (const Chunk& chunk : chunks_) chunk.draw();
+}
+
+void FaceBuffer::draw_numbered(const gl::Program& program) const {
+  for (size_t i = 0; i < chunks_.size(); ++i) {
+    program.set("first_slot", static_cast<int>(i * kChunkFaces));
+    chunks_[i].draw();
   }
+}
+
+void FaceBuffer::draw_removed(const Mesh& mesh) {
+  removed_.update(mesh, bases_);
+  removed_.draw();
+}
+
+void FaceBuffer::Chunk::draw() const {
+  glBindVertexArray(layout.name());
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * live.slots().size()), GL_UNSIGNED_INT, nullptr);
 }
 
 }  // namespace kerf

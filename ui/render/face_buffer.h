@@ -6,8 +6,11 @@
 
 #include "core/world/world.h"
 #include "ui/gl/objects.h"
+#include "ui/gl/program.h"
+#include "ui/render/corner_heat.h"
 #include "ui/render/face_slots.h"
 #include "ui/render/live_list.h"
+#include "ui/render/removed_faces.h"
 
 namespace kerf {
 
@@ -19,15 +22,27 @@ class FaceBuffer {
   // Remembers the body as loaded; nothing is uploaded yet.
   explicit FaceBuffer(const Body& body);
 
-  void follow(const BodyDelta& delta) { dirty_.mark(delta); }
+  void follow(const BodyDelta& delta) {
+    dirty_.mark(delta);
+    removed_.forget();
+  }
   // Takes every slot as changed: for when Deltas were lost.
-  void forget_all(const Mesh& mesh) { dirty_.mark_all(mesh.face_slots()); }
+  void forget_all(const Mesh& mesh) {
+    dirty_.mark_all(mesh.face_slots());
+    removed_.forget();
+  }
 
   // Uploads what changed, from the mesh as it is now. Returns the number of bytes.
   size_t update(const Mesh& mesh);
 
   // Three vertices a live face; gl_VertexID % 3 is the corner.
   void draw() const;
+  // The same for a program that wants to know the slots: its uniform first_slot is that of vertex 0.
+  void draw_numbered(const gl::Program& program) const;
+
+  // Draws the surface as loaded where it was cut; see RemovedFaces.
+  void draw_removed(const Mesh& mesh);
+  std::vector<RemovedFace> removed(const Mesh& mesh) const { return removed_.list(mesh, bases_); }
 
   const FloatFrame& frame() const { return frame_; }
   // How many live faces there are of each number of halvings; the last counts all above.
@@ -45,6 +60,7 @@ class FaceBuffer {
     gl::VertexArray layout;
     LiveList live{kChunkFaces};
     Chunk();
+    void draw() const;
   };
   void count(const Mesh& mesh, uint32_t slot);
   size_t update_slots(const Mesh& mesh, const SlotRange& range);
@@ -52,6 +68,8 @@ class FaceBuffer {
 
   FloatFrame frame_;
   BaseFaces bases_;
+  RemovedFaces removed_;
+  CornerHeat heat_;
   DirtySlots dirty_;
   std::vector<Chunk> chunks_;
   std::vector<FaceVertices> staging_;

@@ -8,23 +8,24 @@ uint32_t halvings(const FaceData& data) {
   return 2u * data.level + (data.element != FaceData::kNoElement ? 1u : 0u);
 }
 
-uint32_t pack_attributes(const FaceData& data) {
-  const uint32_t heat = std::min(halvings(data), 255u);
+uint32_t packed_piece(uint32_t label) { return label < 65536u ? label : 1u + label % 65535u; }
+
+uint32_t pack_attributes(const FaceData& data, float heat) {
+  const auto eighths = static_cast<uint32_t>(std::clamp(heat * 8 + 0.5f, 0.0f, 255.0f));
   const uint32_t material = std::min<uint32_t>(data.material, 255u);
-  const uint32_t piece = data.piece < 65536u ? data.piece : 1u + data.piece % 65535u;
-  return heat | material << 8 | piece << 16;
+  return eighths | material << 8 | packed_piece(data.piece) << 16;
 }
 
-FaceVertices face_vertices(const Mesh& mesh, const BaseFaces& bases, const FloatFrame& frame, FaceId f) {
+FaceVertices face_vertices(const Mesh& mesh, const BaseFaces& bases, const FloatFrame& frame, FaceId f,
+                           const std::array<float, 3>& heat) {
   FaceVertices out{};
   if (!mesh.is_live(f)) return out;
   const Triangle t = mesh.triangle(f);
   const std::array<glm::vec3, 3> at{frame.to_float(t[0]), frame.to_float(t[1]), frame.to_float(t[2])};
   const FaceData& data = mesh.data(f);
   const std::array<glm::vec3, 3> normals = bases.normals_at(data.base, at);
-  const uint32_t attributes = pack_attributes(data);
   for (size_t i = 0; i < 3; ++i) {
-    out[i] = {{at[i].x, at[i].y, at[i].z}, pack_normal(normals[i]), attributes};
+    out[i] = {{at[i].x, at[i].y, at[i].z}, pack_normal(normals[i]), pack_attributes(data, heat[i])};
   }
   return out;
 }

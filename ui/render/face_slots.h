@@ -25,12 +25,17 @@ using FaceVertices = std::array<FaceVertex, 3>;
 // How often the area of a face was halved since its base face: two for a red split, one for a green half.
 uint32_t halvings(const FaceData& data);
 
-// Halvings in 8 bits, material in 8, piece in 16. What does not fit is folded; the body's own label 0 stays
-// alone.
-uint32_t pack_attributes(const FaceData& data);
+// A piece's label in 16 bits; the body's own, 0, stays alone.
+uint32_t packed_piece(uint32_t label);
 
-// The three corners of the slot of f: those of the face where it lives, three equal points where it does not.
-FaceVertices face_vertices(const Mesh& mesh, const BaseFaces& bases, const FloatFrame& frame, FaceId f);
+// Heat (halvings, as CornerHeat tells them) times 8 in 8 bits, material in 8, piece in 16. What does not fit
+// is folded or cut off.
+uint32_t pack_attributes(const FaceData& data, float heat);
+
+// The three corners of the slot of f, each with the heat given: those of the face where it lives, three equal
+// points where it does not.
+FaceVertices face_vertices(const Mesh& mesh, const BaseFaces& bases, const FloatFrame& frame, FaceId f,
+                           const std::array<float, 3>& heat = {});
 
 // Slots [begin, end).
 struct SlotRange {

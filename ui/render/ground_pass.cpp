@@ -24,9 +24,10 @@ Result<GroundPass> GroundPass::create(const std::filesystem::path& shaders) {
   files.defines = {"SPOT"};
   auto lit_disc = gl::Program::load(shaders, files);
   if (!lit_disc) return lit_disc.error();
-  auto shadow = gl::Program::load(shaders, {{"frame.glsl", "shadow.vert"}, {"empty.frag"}});
+  auto shadow = gl::Program::load(shaders, {{"frame.glsl", "placed.glsl", "shadow.vert"}, {"empty.frag"}});
   if (!shadow) return shadow.error();
-  auto contact = gl::Program::load(shaders, {{"frame.glsl", "contact.vert"}, {"contact.frag"}});
+  auto contact =
+      gl::Program::load(shaders, {{"frame.glsl", "placed.glsl", "contact.vert"}, {"contact.frag"}});
   if (!contact) return contact.error();
   auto blur = gl::Program::load(shaders, {{"screen.vert"}, {"blur.frag"}});
   if (!blur) return blur.error();

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ui/render/body_picture.h"
+#include "ui/render/box_palette.h"
 
 namespace kerf {
 
@@ -13,6 +14,7 @@ constexpr float kBoxFade = 0.80f;         // of the opacity, from one depth of t
 constexpr float kHitFade = 0.87f;         // the same for boxes that the beam was in
 constexpr float kFaintest = 0.10f;        // what would be fainter is not drawn
 constexpr float kFaintestHit = 0.13f;     // but boxes that the beam was in are drawn at least so
+constexpr float kLeafFade = 0.97f;        // from one depth to the next where only leaves are drawn
 constexpr float kDarkHalfWidth = 1.3f;    // pixels
 constexpr float kColourHalfWidth = 0.6f;  // pixels
 constexpr size_t kMostBoxes = 6000;       // the largest are drawn
@@ -20,8 +22,8 @@ constexpr GLsizei kMostDark = 600;        // lines beyond these are too many for
 constexpr int kVerticesOfBox = 12 * 6;
 constexpr int kVerticesOfLine = 6;
 
-glm::vec4 srgb(int hex, float opacity) {
-  const auto part = [&](int shift) { return static_cast<float>(hex >> shift & 0xff) / 255.0f; };
+glm::vec4 srgb(uint32_t hex, float opacity) {
+  const auto part = [&](int shift) { return static_cast<float>(hex >> shift & 0xffu) / 255.0f; };
   return {part(16), part(8), part(0), opacity};
 }
 
@@ -32,6 +34,16 @@ struct BoxLine {
 struct Stick {
   glm::vec3 from, to;
 };
+
+// Deep boxes fade, so that the tree is a structure and not a fog; what was asked for by its depth is drawn
+// faintly all the same.
+float opacity_of(const AabbTree::Box& box, const TreeOverlay& tree) {
+  const auto depth = static_cast<float>(box.depth);
+  if (tree.leaves_only) return (box.hit ? 0.9f : 0.5f) * std::max(0.4f, std::pow(kLeafFade, depth));
+  if (box.hit) return std::max(kFaintestHit, std::pow(kHitFade, depth));
+  const float opacity = std::pow(kBoxFade, depth);
+  return tree.deepest < TreeOverlay().deepest ? std::max(kFaintest, opacity) : opacity;
+}
 
 void upload(GLuint layout, GLuint buffer, const void* data, size_t bytes) {
   glBindVertexArray(layout);
@@ -76,12 +88,22 @@ LineOverlay::LineOverlay(gl::Program box, gl::Program stick)
   stick_.bind_block("Frame", kFrameBlock);
 }
 
-void LineOverlay::gather_boxes(Lines& lines, const Body& body, const FloatFrame& frame, bool all) const {
+void LineOverlay::gather(Gathered& lines, const Body& body, const FloatFrame& frame,
+                         const ViewOptions& options) const {
+  TreeOverlay tree = options.tree;
+  tree.hit_only = tree.hit_only || !options.show.aabb;
+  if (options.show.aabb || options.show.aabb_hit) gather_boxes(lines.boxes, body, frame, tree);
+  if (options.show.normals) gather_normals(lines.sticks, body, frame);
+  lines.shown = options.show;
+  lines.tree = options.tree;
+}
+
+void LineOverlay::gather_boxes(Lines& lines, const Body& body, const FloatFrame& frame,
+                               const TreeOverlay& tree) const {
   std::vector<BoxLine> boxes;
   body.tree.for_each_box([&](const AabbTree::Box& box) {
-    if (!all && !box.hit) return;
-    const float opacity = box.hit ? std::max(kFaintestHit, std::pow(kHitFade, static_cast<float>(box.depth)))
-                                  : std::pow(kBoxFade, static_cast<float>(box.depth));
+    if ((tree.hit_only && !box.hit) || box.depth > tree.deepest || (tree.leaves_only && !box.leaf)) return;
+    const float opacity = opacity_of(box, tree);
     if (opacity < kFaintest) return;
     boxes.push_back({frame.to_float(box.min), frame.to_float(box.max), {box.hit ? 1.0f : 0.0f, opacity}});
   });
@@ -118,24 +140,22 @@ void LineOverlay::gather_normals(Lines& lines, const Body& body, const FloatFram
 }
 
 void LineOverlay::draw(BodyId id, const Body& body, const FloatFrame& frame, const FrameSpace& space,
-                       const ShowOptions& show) {
-  const bool boxes = show.aabb || show.aabb_hit;
+                       const ViewOptions& options) {
+  const ShowOptions& show = options.show;
+  const bool boxes = (show.aabb || show.aabb_hit) && options.tree.body.value_or(id) == id;
   if (!boxes && !show.normals) return;
-  const bool fresh = !gathered_.contains(id);
-  Gathered& lines = gathered_[id];
-  if (fresh || !(lines.shown == show)) {
-    if (boxes) gather_boxes(lines.boxes, body, frame, show.aabb);
-    if (show.normals) gather_normals(lines.sticks, body, frame);
-    lines.shown = show;
-  }
+  const auto [found, fresh] = gathered_.try_emplace(id);
+  Gathered& lines = found->second;
+  if (fresh || !(lines.shown == show && lines.tree == options.tree)) gather(lines, body, frame, options);
   const glm::mat4 from_body = space.from_body(body.placement, frame);
   glEnable(GL_BLEND);
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
   glDepthMask(GL_FALSE);
   if (boxes) {
     glBindVertexArray(lines.boxes.layout.name());
-    draw_twice(box_, from_body, kVerticesOfBox, lines.boxes.count, kMostDark, srgb(0xff6a4d, 1),
-               srgb(0x3fbf7f, 1));
+    const BoxColours colours = colours_of(options.tree.palette);
+    draw_twice(box_, from_body, kVerticesOfBox, lines.boxes.count, kMostDark, srgb(colours.hit, 1),
+               srgb(colours.untouched, 1));
   }
   if (show.normals) {
     glBindVertexArray(lines.sticks.layout.name());

@@ -6,7 +6,7 @@
 #include "ui/gl/objects.h"
 #include "ui/gl/program.h"
 #include "ui/render/frame_space.h"
-#include "ui/render/show_options.h"
+#include "ui/render/view_options.h"
 
 namespace kerf {
 
@@ -19,7 +19,7 @@ class LineOverlay {
   // Everything that was gathered is out of date.
   void forget() { gathered_.clear(); }
   void draw(BodyId id, const Body& body, const FloatFrame& frame, const FrameSpace& space,
-            const ShowOptions& show);
+            const ViewOptions& options);
 
  private:
   LineOverlay(gl::Program box, gl::Program stick);
@@ -33,8 +33,10 @@ class LineOverlay {
   struct Gathered {
     Lines boxes, sticks;
     ShowOptions shown;
+    TreeOverlay tree;
   };
-  void gather_boxes(Lines& lines, const Body& body, const FloatFrame& frame, bool all) const;
+  void gather(Gathered& lines, const Body& body, const FloatFrame& frame, const ViewOptions& options) const;
+  void gather_boxes(Lines& lines, const Body& body, const FloatFrame& frame, const TreeOverlay& tree) const;
   void gather_normals(Lines& lines, const Body& body, const FloatFrame& frame) const;
 
   gl::Program box_, stick_;

@@ -45,8 +45,10 @@ Status render_picture(Scene scene, const PictureOptions& options, const std::fil
   renderer->show(scene.world, scene.paints);
   const CameraView view = chosen_view(options, scene.view, scene.world.bounds());
   Document document(std::move(scene.world));
-  const Status cut =
-      cut_strokes(document, scene.strokes, [&](const StepResult& step) { renderer->follow(step.delta); });
+  const Status cut = cut_strokes(document, scene.strokes, [&](const StepResult& step) {
+    renderer->follow(step.delta);
+    if (options.show.face_numbers) renderer->catch_up(document.world());
+  });
   if (!cut) return cut.error();
 
   ViewOptions look;

@@ -10,7 +10,6 @@ constexpr int kSamples = 4;
 // A face that was halved less often than this since its base face is never white-hot, however fine it is
 // among others.
 constexpr uint32_t kLeastWhiteHot = 6;
-constexpr uint32_t kLeastSmall = 4;
 
 // Which of the four programs of bodies.
 constexpr size_t kWire = 1, kSpot = 2;
@@ -20,7 +19,8 @@ constexpr size_t kWire = 1, kSpot = 2;
 Result<Renderer::BodyPrograms> Renderer::load_bodies(const std::filesystem::path& shaders) {
   BodyPrograms programs;
   for (size_t i = 0; i < programs.size(); ++i) {
-    gl::ProgramFiles files{{"frame.glsl", "body.vert"}, {"frame.glsl", "light.glsl", "body.frag"}};
+    gl::ProgramFiles files{{"frame.glsl", "placed.glsl", "body.vert"},
+                           {"frame.glsl", "light.glsl", "body.frag"}};
     if (i & kWire) files.defines.emplace_back("WIRE");
     if (i & kSpot) files.defines.emplace_back("SPOT");
     auto program = gl::Program::load(shaders, files);
@@ -32,12 +32,7 @@ Result<Renderer::BodyPrograms> Renderer::load_bodies(const std::filesystem::path
   return programs;
 }
 
-Result<Renderer> Renderer::create() {
-  const std::filesystem::path shaders = std::filesystem::path(KERF_ASSETS) / "shaders";
-  auto body = load_bodies(shaders);
-  if (!body) return body.error();
-  auto sky = gl::Program::load(shaders, {{"screen.vert"}, {"frame.glsl", "light.glsl", "sky.frag"}});
-  if (!sky) return sky.error();
+Result<Renderer::Passes> Renderer::load_passes(const std::filesystem::path& shaders) {
   auto ground = GroundPass::create(shaders);
   if (!ground) return ground.error();
   auto bloom = BloomPass::create(shaders);
@@ -46,30 +41,41 @@ Result<Renderer> Renderer::create() {
   if (!beam) return beam.error();
   auto lines = LineOverlay::create(shaders);
   if (!lines) return lines.error();
-  return Renderer(std::move(*body), std::move(*sky), std::move(*ground), std::move(*bloom), std::move(*beam),
-                  std::move(*lines));
+  auto veil = VeilPass::create(shaders);
+  if (!veil) return veil.error();
+  auto outline = OutlinePass::create(shaders);
+  if (!outline) return outline.error();
+  auto numbers = FaceNumbers::create(shaders);
+  if (!numbers) return numbers.error();
+  return Passes{std::move(*ground), std::move(*bloom),   std::move(*beam),   std::move(*lines),
+                std::move(*veil),   std::move(*outline), std::move(*numbers)};
 }
 
-Renderer::Renderer(BodyPrograms bodies, gl::Program sky, GroundPass ground, BloomPass bloom, BeamPass beam,
-                   LineOverlay lines)
-    : body_(std::move(bodies)),
-      sky_(std::move(sky)),
-      ground_(std::move(ground)),
-      bloom_(std::move(bloom)),
-      beam_(std::move(beam)),
-      lines_(std::move(lines)) {
+Result<Renderer> Renderer::create() {
+  const std::filesystem::path shaders = std::filesystem::path(KERF_ASSETS) / "shaders";
+  auto body = load_bodies(shaders);
+  if (!body) return body.error();
+  auto sky = gl::Program::load(shaders, {{"screen.vert"}, {"frame.glsl", "light.glsl", "sky.frag"}});
+  if (!sky) return sky.error();
+  auto passes = load_passes(shaders);
+  if (!passes) return passes.error();
+  return Renderer(std::move(*body), std::move(*sky), std::move(*passes));
+}
+
+Renderer::Renderer(BodyPrograms bodies, gl::Program sky, Passes passes)
+    : body_(std::move(bodies)), sky_(std::move(sky)), passes_(std::move(passes)) {
   sky_.bind_block("Frame", kFrameBlock);
 }
 
 void Renderer::show(const World& world, const std::map<std::string, Paint>& paints) {
   bodies_.clear();
-  lines_.forget();
+  passes_.lines.forget();
   contact_old_ = true;
   for (const BodyId id : world.ids()) bodies_.emplace(id, BodyPicture(world.body(id), paints));
   const World::Bounds bounds = world.bounds();
   const double diagonal = bounds.diagonal();
   space_.unit = diagonal > 0 && std::isfinite(diagonal) ? std::ldexp(1.0, std::ilogb(diagonal)) : 1;
-  ground_.place_under(bounds);
+  passes_.ground.place_under(bounds);
 }
 
 void Renderer::follow(const Delta& delta) {
@@ -79,7 +85,7 @@ void Renderer::follow(const Delta& delta) {
   }
   if (delta.empty()) return;
   contact_old_ = true;
-  lines_.forget();
+  passes_.lines.forget();
 }
 
 void Renderer::resend(const World& world) {
@@ -87,10 +93,10 @@ void Renderer::resend(const World& world) {
     if (world.contains(id)) picture.faces().forget_all(world.body(id).mesh);
   }
   contact_old_ = true;
-  lines_.forget();
+  passes_.lines.forget();
 }
 
-void Renderer::upload(const World& world) {
+void Renderer::catch_up(const World& world) {
   for (auto& [id, picture] : bodies_) {
     if (world.contains(id)) uploaded_ += picture.faces().update(world.body(id).mesh);
   }
@@ -105,22 +111,28 @@ void Renderer::find_white_hot() {
     for (size_t h = 0; h < sum.size(); ++h) sum[h] += picture.faces().halvings_of_faces()[h];
   }
   size_t small = 0;
-  for (size_t h = kLeastSmall; h < sum.size(); ++h) small += sum[h];
+  for (size_t h = CornerHeat::kLeastSmall; h < sum.size(); ++h) small += sum[h];
   white_hot_ = small > 0 ? kLeastWhiteHot : 0;
   size_t below = 0;
-  for (uint32_t h = kLeastSmall; h < sum.size() && 2 * (below += sum[h]) < small; ++h) {
+  for (uint32_t h = CornerHeat::kLeastSmall; h < sum.size() && 2 * (below += sum[h]) < small; ++h) {
     white_hot_ = std::max(kLeastWhiteHot, h + 1);
+  }
+}
+
+void Renderer::update_looks(const ViewOptions& options) {
+  for (auto& [id, picture] : bodies_) {
+    if (picture.looks().update(id, options.pieces, space_.unit)) contact_old_ = true;
   }
 }
 
 void Renderer::set_up(const CameraView& view, const ViewOptions& options,
                       const std::optional<BeamPicture>& beam, const Target& target) {
   space_.eye = view.eye;
-  FrameUniforms frame = uniforms_of(view, space_, target.width, target.height);
-  ground_.fill_in(frame, space_);
+  FrameUniforms& frame = frame_ = uniforms_of(view, space_, target.width, target.height);
+  passes_.ground.fill_in(frame, space_);
   if (beam) BeamPass::fill_in(frame, space_, *beam);
   frame.heat = {white_hot_, options.level_colours && white_hot_ > 0 ? 1 : 0, options.show.pieces ? 1 : 0,
-                options.show.wire ? 1 : 0};
+                options.two_sided ? 1 : 0};
   glBindBuffer(GL_UNIFORM_BUFFER, uniforms_.name());
   glBufferData(GL_UNIFORM_BUFFER, sizeof(frame), &frame, GL_STREAM_DRAW);
   glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBlock, uniforms_.name());
@@ -147,22 +159,31 @@ void Renderer::draw_scene(const World& world, const ViewOptions& options, bool s
   glClear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
-  const gl::Program& body = body_[(options.show.wire ? kWire : 0) + (spot ? kSpot : 0)];
+  const bool edges = options.show.wire || options.show.face_numbers;
+  const gl::Program& body = body_[(edges ? kWire : 0) + (spot ? kSpot : 0)];
+  if (options.cull_backs) glEnable(GL_CULL_FACE);
   body.use();
   draw_bodies(world, body);
-  ground_.draw(space_, spot, [&](const gl::Program& program) { draw_bodies(world, program); });
+  glDisable(GL_CULL_FACE);
+  passes_.ground.draw(space_, spot, [&](const gl::Program& program) { draw_bodies(world, program); });
   glDepthFunc(GL_LEQUAL);
   sky_.use();
   glBindVertexArray(no_vertices_.name());
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void Renderer::draw_overlays(const World& world, const CameraView& view, const ViewOptions& options,
+void Renderer::draw_overlays(const Subject& subject, const CameraView& view,
                              const std::optional<BeamPicture>& beam) {
-  for (const auto& [id, picture] : bodies_) {
-    if (world.contains(id)) lines_.draw(id, world.body(id), picture.faces().frame(), space_, options.show);
-  }
-  if (beam) beam_.draw(view, space_, *beam, canvases_[canvas_].drawn->shape().height);
+  const ViewOptions& options = subject.options;
+  const gl::Framebuffer& picture = *canvases_[canvas_].drawn;
+  if (options.show.face_numbers) passes_.veil.draw(subject, VeilPass::Style::kRed);
+  for_each_body(subject, [&](BodyId id, const Body& body, const BodyPicture& p) {
+    passes_.lines.draw(id, body, p.faces().frame(), space_, options);
+  });
+  if (beam) passes_.beam.draw(view, space_, *beam, picture.shape().height);
+  if (options.ghost && !options.show.face_numbers) passes_.veil.draw(subject, VeilPass::Style::kVeil);
+  passes_.outline.draw(subject, picture);
+  if (options.show.face_numbers) passes_.numbers.draw(subject, frame_, picture);
 }
 
 void Renderer::hand_over(const Target& target) {
@@ -174,7 +195,8 @@ void Renderer::hand_over(const Target& target) {
     gl::blit(*canvas.drawn, target.framebuffer, target.x, target.y);
   } else {
     if (canvas.resolved) gl::blit(*canvas.drawn, canvas.resolved->name(), 0, 0);
-    bloom_.draw(canvas.resolved ? *canvas.resolved : *canvas.drawn, target.framebuffer, target.x, target.y);
+    passes_.bloom.draw(canvas.resolved ? *canvas.resolved : *canvas.drawn, target.framebuffer, target.x,
+                       target.y);
   }
   glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
 }
@@ -187,15 +209,16 @@ void Renderer::draw(const World& world, const CameraView& view, const ViewOption
   glDisable(GL_STENCIL_TEST);
   glDepthMask(GL_TRUE);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  upload(world);
+  catch_up(world);
+  update_looks(options);
   choose_canvas(target, options.antialias);
   set_up(view, options, beam, target);
   if (contact_old_) {
-    ground_.update_contact(space_, [&](const gl::Program& program) { draw_bodies(world, program); });
+    passes_.ground.update_contact(space_, [&](const gl::Program& program) { draw_bodies(world, program); });
     contact_old_ = false;
   }
   draw_scene(world, options, beam && beam->strike);
-  draw_overlays(world, view, options, beam);
+  draw_overlays({world, bodies_, space_, options}, view, beam);
   shining_ = beam || (options.level_colours && white_hot_ > 0);
   hand_over(target);
 }

@@ -14,8 +14,11 @@
 #include "ui/render/bloom_pass.h"
 #include "ui/render/body_picture.h"
 #include "ui/render/camera.h"
+#include "ui/render/face_numbers.h"
 #include "ui/render/ground_pass.h"
 #include "ui/render/line_overlay.h"
+#include "ui/render/outline_pass.h"
+#include "ui/render/veil_pass.h"
 #include "ui/render/view_options.h"
 
 namespace kerf {
@@ -41,6 +44,10 @@ class Renderer {
   // For when a Delta was lost: every face of the world is sent again.
   void resend(const World& world);
 
+  // Sends what was followed now and not with the next picture: faces that are gone before they are drawn are
+  // remembered for it as they are now.
+  void catch_up(const World& world);
+
   // The world must be the one that was shown, changed by what was followed.
   void draw(const World& world, const CameraView& view, const ViewOptions& options,
             const std::optional<BeamPicture>& beam, const Target& target);
@@ -55,26 +62,32 @@ class Renderer {
   // With or without wire and the light of the spot: what is not needed is not computed.
   using BodyPrograms = std::array<gl::Program, 4>;
   static Result<BodyPrograms> load_bodies(const std::filesystem::path& shaders);
-  Renderer(BodyPrograms bodies, gl::Program sky, GroundPass ground, BloomPass bloom, BeamPass beam,
-           LineOverlay lines);
+  // What is drawn one after the other.
+  struct Passes {
+    GroundPass ground;
+    BloomPass bloom;
+    BeamPass beam;
+    LineOverlay lines;
+    VeilPass veil;
+    OutlinePass outline;
+    FaceNumbers numbers;
+  };
+  static Result<Passes> load_passes(const std::filesystem::path& shaders);
+  Renderer(BodyPrograms bodies, gl::Program sky, Passes passes);
 
-  void upload(const World& world);
+  void update_looks(const ViewOptions& options);
   void set_up(const CameraView& view, const ViewOptions& options, const std::optional<BeamPicture>& beam,
               const Target& target);
   void draw_bodies(const World& world, const gl::Program& program) const;
   void draw_scene(const World& world, const ViewOptions& options, bool spot);
   void choose_canvas(const Target& target, bool antialias);
-  void draw_overlays(const World& world, const CameraView& view, const ViewOptions& options,
-                     const std::optional<BeamPicture>& beam);
+  void draw_overlays(const Subject& subject, const CameraView& view, const std::optional<BeamPicture>& beam);
   void hand_over(const Target& target);
   void find_white_hot();
 
   BodyPrograms body_;
   gl::Program sky_;
-  GroundPass ground_;
-  BloomPass bloom_;
-  BeamPass beam_;
-  LineOverlay lines_;
+  Passes passes_;
   gl::VertexArray no_vertices_;
   gl::Buffer uniforms_;
   // Pictures are drawn on one of these and then handed over; both are kept, so that changing between them is
@@ -87,6 +100,7 @@ class Renderer {
 
   std::map<BodyId, BodyPicture> bodies_;
   FrameSpace space_;
+  FrameUniforms frame_;
   uint32_t white_hot_ = 0;  // halvings since the base face; 0 where nothing is small
   bool contact_old_ = true;
   bool shining_ = false;  // the last picture has something that glows

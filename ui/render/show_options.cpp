@@ -12,13 +12,13 @@ struct Name {
 };
 
 constexpr std::array kOffered{
-    Name{"aabb", &ShowOptions::aabb},       Name{"aabb-hit", &ShowOptions::aabb_hit},
-    Name{"wire", &ShowOptions::wire},       Name{"pieces", &ShowOptions::pieces},
-    Name{"normals", &ShowOptions::normals},
+    Name{"aabb", &ShowOptions::aabb},     Name{"aabb-hit", &ShowOptions::aabb_hit},
+    Name{"wire", &ShowOptions::wire},     Name{"face-numbers", &ShowOptions::face_numbers},
+    Name{"pieces", &ShowOptions::pieces}, Name{"normals", &ShowOptions::normals},
 };
 
 // Names of the interface that this version cannot draw.
-constexpr std::array<std::string_view, 7> kLater{"face-numbers",   "graph",          "heat",   "silhouette",
+constexpr std::array<std::string_view, 6> kLater{"graph",          "heat",           "silhouette",
                                                  "shadow-volumes", "shadow-stencil", "shadows"};
 
 std::string_view trimmed(std::string_view word) {

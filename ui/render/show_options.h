@@ -9,11 +9,12 @@ namespace kerf {
 
 // What is drawn over the picture: one flag for each name that `--show` takes.
 struct ShowOptions {
-  bool aabb = false;      // all boxes of the tree
-  bool aabb_hit = false;  // only those that the beam was in
-  bool wire = false;      // edges of the faces
-  bool pieces = false;    // each piece in a strong colour of its own
-  bool normals = false;   // a short line from the middle of every face
+  bool aabb = false;          // all boxes of the tree
+  bool aabb_hit = false;      // only those that the beam was in
+  bool wire = false;          // edges of the faces
+  bool face_numbers = false;  // of faces that live, and in red of those that are gone
+  bool pieces = false;        // each piece in a strong colour of its own
+  bool normals = false;       // a short line from the middle of every face
   friend bool operator==(const ShowOptions&, const ShowOptions&) = default;
 };
 

@@ -24,6 +24,7 @@ struct TreeOverlay {
   bool hit_only = false;
   std::optional<BodyId> body;  // that one only
   BoxPalette palette = BoxPalette::kRedAndGreen;
+  friend bool operator==(const TreeOverlay&, const TreeOverlay&) = default;
 };
 
 // A piece by its body and its label.
@@ -33,7 +34,8 @@ using PieceKey = std::pair<BodyId, uint32_t>;
 struct PieceLook {
   bool hidden = false;
   bool selected = false;  // outlined
-  Vec3 offset{0};         // m, added to where it stands
+  Vec3 offset{0};         // m along the axes of the world, added to where it stands
+  friend bool operator==(const PieceLook&, const PieceLook&) = default;
 };
 
 // How the world is looked at.

@@ -65,7 +65,7 @@ TEST(ObjReader, keeps_positions_that_are_not_finite) {
   EXPECT_TRUE(std::isinf(soup.positions[1].x));
   EXPECT_TRUE(std::isnan(soup.positions[2].z));
   ASSERT_EQ(soup.warnings.size(), 1u);
-  EXPECT_EQ(soup.warnings[0], "1 garbled numbers, the first in line 3, count as not finite.");
+  EXPECT_EQ(soup.warnings[0], "1 garbled number, in line 3, counts as not finite.");
 }
 
 TEST(ObjReader, numbers_materials_by_first_use) {

@@ -18,7 +18,7 @@ TEST(StlReader, warns_of_bytes_after_the_last_triangle) {
   const Result<Soup> soup = read_stl(binary_sample() + "\n", "t.stl");
   ASSERT_TRUE(soup);
   EXPECT_EQ(soup->triangles.size(), 2u);
-  EXPECT_EQ(soup->warnings, (std::vector<std::string>{"1 bytes after the last triangle were passed over."}));
+  EXPECT_EQ(soup->warnings, (std::vector<std::string>{"1 byte after the last triangle was passed over."}));
 }
 
 TEST(StlReader, refuses_a_binary_file_that_is_cut_short) {

@@ -1,0 +1,18 @@
+layout(location = 0) in vec3 position;
+layout(location = 2) in uint attributes;
+
+uniform int first_slot;  // of vertex 0
+uniform int body;        // 1 .. 127
+uniform int only;        // 0: all, 1: pieces that are selected, 2: those that are not drawn where they are
+
+flat out vec4 mark;  // which face this is, in the bytes of a pixel
+
+void main() {
+  vec4 look = look_of(attributes);
+  bool away = look.w < 0.0 || look.xyz != vec3(0.0);
+  bool drawn = only == 0 ? look.w >= 0.0 : only == 1 ? look.w > 0.5 : away;
+  vec3 at = placed(position, only == 2 ? vec4(0.0) : look);
+  gl_Position = drawn ? clip_from_frame * vec4(at, 1.0) : kNowhere;
+  int slot = first_slot + gl_VertexID / 3;
+  mark = vec4(slot & 255, slot >> 8 & 255, slot >> 16 & 255, body) / 255.0;
+}

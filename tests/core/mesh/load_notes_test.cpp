@@ -1,0 +1,52 @@
+#include "core/mesh/load_notes.h"
+
+#include <gtest/gtest.h>
+
+namespace kerf {
+namespace {
+
+using Notes = std::vector<std::string>;
+
+TEST(LoadNotes, says_nothing_of_a_file_without_fault) {
+  MeshReport report;
+  report.faces = report.faces_in_file = report.triangles_in_file = 12;
+  report.boundary_edges = 4;
+  report.repairs.welded_vertices = 28;
+  report.repairs.duplicated_vertices = 3;
+  EXPECT_TRUE(load_notes(report).empty());
+}
+
+TEST(LoadNotes, counts_in_the_singular_and_the_plural) {
+  MeshReport report;
+  report.repairs.zero_area_faces = 1;
+  EXPECT_EQ(load_notes(report), Notes{"1 face had no area and holds others together."});
+  report.repairs.zero_area_faces = 3;
+  EXPECT_EQ(load_notes(report), Notes{"3 faces had no area and hold the others together."});
+}
+
+TEST(LoadNotes, begins_with_what_was_dropped_and_ends_with_what_the_reader_warned_of) {
+  MeshReport report;
+  report.repairs.reoriented_faces = 12;
+  report.repairs.invalid_faces_dropped = 2;
+  report.non_manifold_edges = 1;
+  report.warnings = {"7 bytes after the last triangle were passed over."};
+  const Notes notes = load_notes(report);
+  ASSERT_EQ(notes.size(), 4u);
+  EXPECT_EQ(notes[0], "2 triangles name vertices that are not there and were dropped.");
+  EXPECT_EQ(notes[1], "12 faces were turned round to agree with their neighbours.");
+  EXPECT_EQ(notes[3], report.warnings[0]);
+}
+
+TEST(LoadNotes, mentions_everything_that_was_dropped_and_nothing_else_as_dropped) {
+  Repairs repairs;
+  repairs.zero_area_faces = repairs.reoriented_faces = repairs.isolated_vertices_dropped = 5;
+  EXPECT_TRUE(dropped_notes(repairs).empty());
+  repairs.degenerate_faces_dropped = repairs.non_finite_faces_dropped = repairs.invalid_faces_dropped = 1;
+  const Notes notes = dropped_notes(repairs);
+  ASSERT_EQ(notes.size(), 3u);
+  for (const std::string& note : notes)
+    EXPECT_TRUE(note.starts_with("1 triangle ") && note.ends_with("dropped.")) << note;
+}
+
+}  // namespace
+}  // namespace kerf

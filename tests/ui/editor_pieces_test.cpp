@@ -1,0 +1,86 @@
+#include <gtest/gtest.h>
+
+#include "tests/support/made_meshes.h"
+#include "ui/editor/actions.h"
+#include "ui/editor/piece_set.h"
+#include "ui/editor/recut.h"
+
+namespace kerf {
+namespace {
+
+PieceKey key(uint32_t label) { return {BodyId{0, 0}, label}; }
+
+TEST(PieceSet, a_click_chooses_one_and_shift_adds) {
+  PieceMap looks;
+  choose_piece(looks, key(1), false);
+  choose_piece(looks, key(2), false);
+  EXPECT_EQ(chosen_pieces(looks), 1u);
+  choose_piece(looks, key(3), true);
+  EXPECT_EQ(chosen_pieces(looks), 2u);
+  choose_piece(looks, key(3), true);
+  EXPECT_EQ(chosen_pieces(looks), 1u);
+  choose_piece(looks, key(2), false);
+  EXPECT_TRUE(looks.empty());
+}
+
+TEST(PieceSet, hidden_pieces_are_no_longer_chosen_and_come_back) {
+  PieceMap looks;
+  choose_piece(looks, key(1), false);
+  hide_chosen(looks);
+  EXPECT_EQ(chosen_pieces(looks), 0u);
+  EXPECT_EQ(hidden_pieces(looks), 1u);
+  show_all(looks);
+  EXPECT_TRUE(looks.empty());
+}
+
+// A sphere whose last stroke went through its middle.
+class CutSphere : public testing::Test {
+ protected:
+  CutSphere() {
+    World world;
+    world.add(make_body("sphere", test::build(test::sphere(24, 32, 1))));
+    state.document = Document(std::move(world));
+    CutSettings settings;
+    settings.laser.radius = 0.1;
+    settings.laser.range = {0, 10};
+    settings.resolution = {Resolution::Rule::kDepth, 0.05, 1};
+    state.document.apply(BeginStroke{settings, {{-1.5, 0, 5}, {0, 0, -1}}});
+    state.document.apply(MoveStroke{{{1.5, 0, 5}, {0, 0, -1}}});
+    state.document.apply(EndStroke{});
+    while (state.document.waiting() > 0) EXPECT_TRUE(state.document.step(64).ok());
+  }
+  EditorState state;
+};
+
+TEST_F(CutSphere, spreads_its_halves_apart) {
+  const World& world = state.document.world();
+  const std::vector<PieceRow> rows = list_pieces(world);
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0].name, "sphere");
+  spread_pieces(world, 0.5, state.look.pieces);
+  const Vec3 a = state.look.pieces[rows[0].key].offset, b = state.look.pieces[rows[1].key].offset;
+  EXPECT_GT(std::abs(a.y - b.y), 0.3);
+  EXPECT_LT(a.y * b.y, 0);
+  EXPECT_NEAR(a.x, 0, 0.05);
+  spread_pieces(world, 0, state.look.pieces);
+  EXPECT_TRUE(state.look.pieces.empty());
+}
+
+TEST_F(CutSphere, can_be_cut_again_and_an_untouched_one_says_why_not) {
+  EXPECT_EQ(why_no_recut(state), nullptr);
+  EXPECT_NE(why_no_recut(EditorState()), nullptr);
+}
+
+TEST(Actions, keys_are_given_once) {
+  for (const Action& a : actions()) {
+    EXPECT_TRUE((a.run != nullptr) != (a.submenu != nullptr)) << a.name;
+    EXPECT_EQ(a.key != 0, a.shortcut[0] != '\0') << a.name;
+    for (const Action& b : actions()) {
+      if (&a == &b || a.key == 0) continue;
+      EXPECT_FALSE(a.key == b.key && a.mods == b.mods) << a.name << " and " << b.name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace kerf

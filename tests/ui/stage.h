@@ -1,0 +1,39 @@
+#pragma once
+
+#include "core/document/document.h"
+#include "ui/gl/offscreen_context.h"
+#include "ui/render/png.h"
+#include "ui/render/renderer.h"
+
+namespace kerf::test {
+
+// A document and a renderer that follows it, without a screen.
+class Stage {
+ public:
+  explicit Stage(World world);
+
+  // Cuts with a beam that moves from one pose to another, into faces of about its radius.
+  void cut(const Pose& from, const Pose& to, double radius);
+
+  Pixels draw(const CameraView& view, const ViewOptions& options, int width, int height);
+
+  const World& world() const { return document_.world(); }
+  Renderer& renderer() { return *renderer_; }
+
+ private:
+  gl::OffscreenContext context_;
+  std::optional<Renderer> renderer_;
+  Document document_;
+};
+
+// A ball beside a ring, each a body, and a beam that cut the top off the ball: four pieces to look at.
+Stage ball_and_ring();
+CameraView view_of_ball_and_ring(double aspect);
+
+struct PictureDifference {
+  double mean = 0;     // of the channels, of 255
+  double changed = 0;  // part of the pixels with a channel off by more than 24
+};
+PictureDifference difference(const Pixels& a, const Pixels& b);
+
+}  // namespace kerf::test

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace kerf {
+
+// 12345678 as "12 345 678".
+std::string grouped(size_t number);
+
+// Square metres in the unit in which they read best: "2.75 cm²".
+std::string area_text(double square_metres);
+
+}  // namespace kerf

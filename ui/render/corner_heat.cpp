@@ -1,0 +1,57 @@
+#include "ui/render/corner_heat.h"
+
+#include <algorithm>
+
+#include "ui/render/face_slots.h"
+
+namespace kerf {
+
+namespace {
+constexpr size_t kLargestFan = 24;  // no more faces are looked at around a corner
+}
+
+void CornerHeat::find_fan(const Mesh& mesh, FaceId f, const Vec3& corner) {
+  fan_.assign(1, f);
+  for (size_t i = 0; i < fan_.size() && fan_.size() < kLargestFan; ++i) {
+    neighbours_.clear();
+    mesh.append_nearest_neighbours(fan_[i], neighbours_);
+    for (const FaceId n : neighbours_) {
+      const Triangle t = mesh.triangle(n);
+      const bool shares = t[0] == corner || t[1] == corner || t[2] == corner;
+      if (shares && std::find(fan_.begin(), fan_.end(), n) == fan_.end()) fan_.push_back(n);
+    }
+  }
+}
+
+std::array<float, 3> CornerHeat::of(const Mesh& mesh, FaceId f) {
+  if (!mesh.is_live(f)) return {};
+  const uint32_t own = halvings(mesh.data(f));
+  std::array<float, 3> heat;
+  heat.fill(static_cast<float>(own));
+  if (own < kLeastSmall) return heat;
+  const Triangle t = mesh.triangle(f);
+  for (size_t i = 0; i < 3; ++i) {
+    find_fan(mesh, f, t[i]);
+    uint32_t least = own;
+    float sum = 0;
+    for (const FaceId g : fan_) {
+      const uint32_t h = halvings(mesh.data(g));
+      least = std::min(least, h);
+      sum += static_cast<float>(h);
+    }
+    heat[i] = 0.5f * (static_cast<float>(least) + sum / static_cast<float>(fan_.size()));
+  }
+  return heat;
+}
+
+const std::vector<FaceId>& CornerHeat::faces_around(const Mesh& mesh, FaceId f) {
+  around_.clear();
+  if (halvings(mesh.data(f)) < kLeastSmall) return around_;
+  for (const Vec3& corner : mesh.triangle(f)) {
+    find_fan(mesh, f, corner);
+    around_.insert(around_.end(), fan_.begin(), fan_.end());
+  }
+  return around_;
+}
+
+}  // namespace kerf

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <map>
+
+#include "ui/gl/objects.h"
+#include "ui/gl/program.h"
+#include "ui/render/frame_space.h"
+#include "ui/render/view_options.h"
+
+namespace kerf {
+
+// The looks of one body's pieces on the GPU, for programs that include placed.glsl.
+class PieceLooks {
+ public:
+  // Takes the looks of this body over from those of the view. Whether that changed anything.
+  bool update(BodyId body, const std::map<PieceKey, PieceLook>& looks, double unit);
+
+  // For the program in use.
+  void bind(const gl::Program& program) const;
+
+  // Whether any piece is hidden or moved, or selected.
+  bool any_away() const { return any_away_; }
+  bool any_selected() const { return any_selected_; }
+
+ private:
+  std::map<uint32_t, PieceLook> looks_;
+  gl::Buffer buffer_;
+  gl::Texture table_;
+  int count_ = 0;
+  bool any_away_ = false, any_selected_ = false;
+};
+
+}  // namespace kerf

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/world/world.h"
+#include "ui/render/body_picture.h"
+#include "ui/render/frame_space.h"
+#include "ui/render/view_options.h"
+
+namespace kerf {
+
+// What a pass draws and how it is looked at.
+struct Subject {
+  const World& world;
+  std::map<BodyId, BodyPicture>& bodies;
+  const FrameSpace& space;
+  const ViewOptions& options;
+};
+
+// Calls visit(id, body, picture) for every body that is there, in the order of their ids.
+template <typename Visit>
+void for_each_body(const Subject& subject, const Visit& visit) {
+  for (auto& [id, picture] : subject.bodies) {
+    if (subject.world.contains(id)) visit(id, subject.world.body(id), picture);
+  }
+}
+
+}  // namespace kerf

@@ -31,11 +31,14 @@ std::vector<Golden> goldens(const World& world) {
   for (const char* name : {"aabb", "aabb-hit", "wire", "face-numbers", "pieces", "normals"}) {
     all.push_back({name, showing(name)});
   }
-  Golden leaves{"aabb-leaves-blue", showing("aabb")};
+  Golden leaves{"aabb-leaves", showing("aabb")};
   leaves.options.tree.leaves_only = true;
   leaves.options.tree.body = ball;
-  leaves.options.tree.palette = BoxPalette::kOrangeAndBlue;
   all.push_back(leaves);
+  Golden blue{"aabb-orange-and-blue", showing("aabb")};
+  blue.options.tree.deepest = 6;
+  blue.options.tree.palette = BoxPalette::kOrangeAndBlue;
+  all.push_back(blue);
   Golden shallow{"aabb-depth-3", showing("aabb")};
   shallow.options.tree.deepest = 3;
   all.push_back(shallow);

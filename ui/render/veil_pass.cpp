@@ -10,7 +10,7 @@ struct Look {
   glm::vec4 fill, edge;
 };
 Look look_of(VeilPass::Style style) {
-  if (style == VeilPass::Style::kVeil) return {{0.34f, 0.44f, 0.56f, 0.09f}, {0.42f, 0.53f, 0.66f, 0.20f}};
+  if (style == VeilPass::Style::kVeil) return {{0.34f, 0.44f, 0.56f, 0.15f}, {0.42f, 0.53f, 0.66f, 0.26f}};
   return {{0.30f, 0.016f, 0.012f, 1}, {0.62f, 0.10f, 0.07f, 1}};
 }
 

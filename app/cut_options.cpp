@@ -5,6 +5,7 @@
 
 #include "app/parse_values.h"
 #include "core/document/json_value.h"
+#include "core/document/stroke_settings.h"
 
 namespace kerf {
 
@@ -144,11 +145,10 @@ Status check_cut_options(const CutOptions& o) {
 }
 
 CutSettings stroke_settings(const CutOptions& o, const StrokePath& stroke, double diagonal) {
-  CutSettings settings;
-  settings.laser.radius = o.radius ? *o.radius : stroke.radius.value_or(diagonal / 400);
-  settings.laser.range = o.range ? *parse_range(*o.range) : stroke.range.value_or(Interval{0, 10 * diagonal});
-  settings.laser.power = stroke.power.value_or(settings.laser.power);
-  settings.laser.pattern = o.pattern == "rays4" ? Pattern::kRays4 : Pattern::kVolume;
+  CutSettings settings = default_settings(stroke, diagonal);
+  if (o.radius) settings.laser.radius = *o.radius;
+  if (o.range) settings.laser.range = *parse_range(*o.range);
+  if (o.pattern == "rays4") settings.laser.pattern = Pattern::kRays4;
   if (o.depth) {
     settings.resolution.rule = Resolution::Rule::kDepth;
     settings.resolution.depth = *o.depth;

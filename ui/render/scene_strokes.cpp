@@ -1,19 +1,12 @@
 #include "ui/render/scene_strokes.h"
 
+#include "core/document/stroke_settings.h"
+
 namespace kerf {
 
 namespace {
 
 constexpr size_t kMovesOfStep = 64;
-
-CutSettings settings_of(const StrokePath& stroke, double diagonal) {
-  CutSettings settings;
-  settings.laser.radius = stroke.radius.value_or(diagonal / 400);
-  settings.laser.range = stroke.range.value_or(Interval{0, 10 * diagonal});
-  settings.laser.power = stroke.power.value_or(settings.laser.power);
-  settings.resolution.target_edge = settings.laser.radius / 4;
-  return settings;
-}
 
 }  // namespace
 
@@ -22,7 +15,7 @@ Status cut_strokes(Document& document, const std::vector<StrokePath>& strokes,
   const double diagonal = document.world().bounds().diagonal();
   for (const StrokePath& stroke : strokes) {
     if (stroke.keys.empty()) continue;
-    document.apply(BeginStroke{settings_of(stroke, diagonal), stroke.keys.front()});
+    document.apply(BeginStroke{default_settings(stroke, diagonal), stroke.keys.front()});
     for (size_t k = 1; k < stroke.keys.size(); ++k) document.apply(MoveStroke{stroke.keys[k]});
     document.apply(EndStroke{});
     while (document.waiting() > 0) {

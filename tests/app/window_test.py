@@ -10,6 +10,8 @@ import unittest
 
 KERF = os.path.abspath(sys.argv.pop(1))
 WIDTH, HEIGHT = 1280, 800
+ASSETS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "assets")
+SPHERE = os.path.join(ASSETS, "scenes", "sphere.json")
 
 
 class Editor:
@@ -127,6 +129,87 @@ class Window(unittest.TestCase):
             file.flush()
             report = self.open(file.name).quit()
         self.assertGreater(report["faces"], 3000)
+
+    def settings(self):
+        with open(os.path.join(self.folder, "kerf", "settings.json")) as file:
+            return json.load(file)
+
+    def open_by_browser(self, editor, file):
+        """Types the whole path into File > Open."""
+        editor.press("ctrl", "o")
+        time.sleep(1.5)
+        editor.xdotool("type", "--delay", "40", file)
+        time.sleep(1)
+        editor.press("Return")
+        time.sleep(1.5)
+
+    def test_overlays_and_the_theme_are_switched_by_keys_and_the_theme_is_remembered(self):
+        editor = self.open()
+        for key in ("b", "w", "g"):
+            editor.press(key)
+        editor.press("F9")
+        time.sleep(1)
+        view = editor.quit()["view"]
+        self.assertEqual([view[name] for name in ("boxes", "wire", "ghost", "normals")], [True, True, True, False])
+        self.assertEqual(self.settings()["theme"], "light")
+
+    def test_the_last_stroke_is_cut_again(self):
+        editor = self.open(SPHERE)
+        editor.drag([(300, 400), (640, 400)])
+        time.sleep(2)
+        editor.press("r")
+        time.sleep(3)
+        report = editor.quit()
+        self.assertEqual((report["recuts"], report["strokes"]), (1, 1))
+        self.assertGreater(report["faces_removed"], 100)
+
+    def test_a_piece_is_picked_and_hidden(self):
+        editor = self.open(SPHERE)
+        editor.press("k")
+        editor.xdotool("mousemove", 470, 420)
+        time.sleep(0.5)
+        editor.xdotool("mousedown", 1)
+        time.sleep(0.4)
+        editor.xdotool("mouseup", 1)
+        time.sleep(0.8)
+        editor.press("h")
+        report = editor.quit()
+        self.assertEqual((report["pieces_hidden"], report["pieces_chosen"], report["strokes"]), (1, 0, 0))
+
+    def test_a_good_file_opens_and_a_broken_one_changes_nothing(self):
+        editor = self.open()
+        self.open_by_browser(editor, SPHERE)
+        broken = os.path.join(self.folder, "broken.obj")
+        with open(broken, "w") as file:
+            file.write("f one two three\n")
+        self.open_by_browser(editor, broken)
+        report = editor.quit()
+        self.assertEqual(report["files"], [os.path.basename(SPHERE)])
+        self.assertIn("broken.obj", report["message"])
+        self.assertEqual(self.settings()["recent"], [os.path.realpath(SPHERE)])
+
+    def test_a_smaller_window_keeps_panels_and_picture_apart(self):
+        editor = self.open()
+        editor.xdotool("search", "--name", "Kerf", "windowsize", 800, 600)
+        time.sleep(1.5)
+        layout = editor.quit()["layout"]
+        self.assertEqual(layout["viewport"][2] + layout["side"][2], 800)
+        self.assertGreaterEqual(layout["viewport"][2], 320)
+        self.assertEqual(layout["status"][1] + layout["status"][3], 600)
+
+    def test_files_open_together_and_broken_settings_are_set_aside(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        os.mkdir(os.path.join(folder.name, "kerf"))
+        with open(os.path.join(folder.name, "kerf", "settings.json"), "w") as file:
+            file.write("{broken")
+        meshes = os.path.join(ASSETS, "meshes")
+        editor = Editor(folder.name, os.path.join(meshes, "knot.obj"), os.path.join(meshes, "bracket.obj"))
+        self.addCleanup(editor.close)
+        report = editor.quit()
+        self.assertEqual(report["bodies"], 2)
+        self.assertTrue(os.path.exists(os.path.join(folder.name, "kerf", "settings.json.bad")))
+        self.assertIn("set aside", report["message"])
 
     def test_sigterm_ends_it_with_its_report(self):
         editor = self.open()

@@ -197,7 +197,7 @@ void draw_list(EditorState& state) {
 void draw_name(EditorState& state) {
   FileBrowser& b = state.browser;
   const bool was_empty = b.name.front() == '\0';
-  if (b.take_focus) ImGui::SetKeyboardFocusHere();
+  if (b.take_focus || !ImGui::IsAnyItemActive()) ImGui::SetKeyboardFocusHere();
   b.take_focus = false;
   ImGui::SetNextItemWidth(-1);
   const char* hint = b.purpose == Purpose::kOpen ? "Type a part of a name, or a whole path"
@@ -207,7 +207,9 @@ void draw_name(EditorState& state) {
     b.replace.clear();
     b.fault.clear();
   }
-  const FileBrowser::Keys keys = std::exchange(b.keys, {});
+  FileBrowser::Keys keys = std::exchange(b.keys, {});
+  // Before the field listens, what was typed is lost: Enter would choose something else than was meant.
+  keys.enter = keys.enter && (ImGui::IsItemActive() || ImGui::IsItemDeactivated());
   if (keys.escape) b.open = false;
   if (keys.backspace && was_empty) enter_folder(b, b.folder.parent_path());
   const auto count = static_cast<std::ptrdiff_t>(left_by_filter(b).size());

@@ -170,12 +170,19 @@ class CutRun {
     nlohmann::ordered_json json = {{"radius", s.laser.radius},
                                    {"range", {s.laser.range.low, s.laser.range.high}},
                                    {"pattern", s.laser.pattern == Pattern::kRays4 ? "rays4" : "volume"},
-                                   {"scheme", "one-to-four"},
-                                   {"rim", "faces"}};
-    if (s.resolution.rule == Resolution::Rule::kDepth)
-      json["depth"] = s.resolution.depth;
-    else
-      json["target-edge"] = s.resolution.target_edge;
+                                   {"scheme", options_.scheme.value_or("longest-edge")},
+                                   {"rim", options_.rim.value_or("faces")}};
+    switch (s.resolution.rule) {
+      case Resolution::Rule::kTargetEdge:
+        json["target-edge"] = s.resolution.target_edge;
+        break;
+      case Resolution::Rule::kTolerance:
+        json["tolerance"] = s.resolution.tolerance;
+        break;
+      case Resolution::Rule::kDepth:
+        json["depth"] = s.resolution.depth;
+        break;
+    }
     json["model"] = "geometric";
     json["format"] = options_.format.value_or("obj");
     json["split-all"] = options_.split_all;

@@ -64,6 +64,7 @@ Status take_key(const std::string& key, const JsonValue& value, CutOptions& o) {
   if (key == "scheme") return take(value, o.scheme);
   if (key == "rim") return take(value, o.rim);
   if (key == "target-edge") return take(value, o.target_edge);
+  if (key == "tolerance") return take(value, o.tolerance);
   if (key == "depth") return take(value, o.depth);
   if (key == "steps") return take(value, o.steps);
   if (key == "model") return take(value, o.model);
@@ -74,6 +75,10 @@ Status take_key(const std::string& key, const JsonValue& value, CutOptions& o) {
     return Done{};
   }
   return value.wrong("is not a setting that this version has");
+}
+
+bool is_resolution(const std::string& key) {
+  return key == "target-edge" || key == "tolerance" || key == "depth";
 }
 
 }  // namespace
@@ -87,9 +92,11 @@ void add_cut_options(CLI::App& command, CutOptions& o) {
   command.add_option("--range", o.range,
                      "MIN,MAX: where along the beam it cuts, in metres (0 to 10 diagonals)");
   command.add_option("--pattern", o.pattern, "volume or rays4 (volume)");
-  command.add_option("--scheme", o.scheme, "How faces are split: one-to-four");
+  command.add_option("--scheme", o.scheme, "How faces are split: one-to-four or longest-edge (longest-edge)");
   command.add_option("--rim", o.rim, "How the rim is left: faces");
   command.add_option("--target-edge", o.target_edge, "Longest edge under the beam in metres (radius/4)");
+  command.add_option("--tolerance", o.tolerance,
+                     "Instead: how far what is removed may overshoot the beam, in metres");
   command.add_option("--depth", o.depth, "Instead: levels under the base face");
   command.add_option("--steps", o.steps,
                      "How many steps each stroke is walked in (as many as the sweep needs)");
@@ -108,9 +115,9 @@ Status merge_settings_file(CutOptions& o) {
   const JsonValue root(*json, o.settings);
   if (const auto object = root.object(); !object) return object;
   // A resolution on the command line replaces the file's, of whichever kind.
-  const bool has_resolution = o.target_edge || o.depth;
+  const bool has_resolution = o.target_edge || o.tolerance || o.depth;
   for (const auto& item : json->items()) {
-    if (has_resolution && (item.key() == "target-edge" || item.key() == "depth")) continue;
+    if (has_resolution && is_resolution(item.key())) continue;
     if (const auto taken = take_key(item.key(), root[item.key().c_str()], o); !taken) return taken;
   }
   return Done{};
@@ -134,11 +141,14 @@ Status check_cut_options(const CutOptions& o) {
     if (const auto range = parse_range(*o.range); !range) return range.error();
   }
   if (const auto s = only(o.pattern, "--pattern", {"volume", "rays4"}); !s) return s;
-  if (const auto s = only(o.scheme, "--scheme", {"one-to-four"}); !s) return s;
+  if (const auto s = only(o.scheme, "--scheme", {"one-to-four", "longest-edge"}); !s) return s;
   if (const auto s = only(o.rim, "--rim", {"faces"}); !s) return s;
   if (const auto s = positive(o.target_edge, "--target-edge"); !s) return s;
+  if (const auto s = positive(o.tolerance, "--tolerance"); !s) return s;
   if (const auto s = within(o.depth, 0, Resolution::kLargestDepth, "--depth"); !s) return s;
-  if (o.depth && o.target_edge) return bad_input("--depth and --target-edge: choose one of them");
+  if (o.target_edge.has_value() + o.tolerance.has_value() + o.depth.has_value() > 1) {
+    return bad_input("--target-edge, --tolerance and --depth: choose one of them");
+  }
   if (const auto s = within(o.steps, 1, 1'000'000, "--steps"); !s) return s;
   if (const auto s = only(o.model, "--model", {"geometric"}); !s) return s;
   return only(o.format, "--format", {"obj", "ply", "stl", "off"});
@@ -149,12 +159,13 @@ CutSettings stroke_settings(const CutOptions& o, const StrokePath& stroke, doubl
   if (o.radius) settings.laser.radius = *o.radius;
   if (o.range) settings.laser.range = *parse_range(*o.range);
   if (o.pattern == "rays4") settings.laser.pattern = Pattern::kRays4;
-  if (o.depth) {
-    settings.resolution.rule = Resolution::Rule::kDepth;
-    settings.resolution.depth = *o.depth;
-  } else {
-    settings.resolution.target_edge = o.target_edge.value_or(settings.laser.radius / 4);
-  }
+  Resolution& resolution = settings.resolution;
+  if (o.scheme) resolution.scheme = o.scheme == "one-to-four" ? Scheme::kOneToFour : Scheme::kLongestEdge;
+  resolution.target_edge = o.target_edge.value_or(settings.laser.radius / 4);
+  resolution.tolerance = o.tolerance.value_or(settings.laser.radius / 8);
+  resolution.depth = o.depth.value_or(resolution.depth);
+  if (o.tolerance) resolution.rule = Resolution::Rule::kTolerance;
+  if (o.depth) resolution.rule = Resolution::Rule::kDepth;
   return settings;
 }
 

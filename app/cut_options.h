@@ -19,7 +19,7 @@ namespace kerf {
 struct CutOptions {
   std::vector<std::string> meshes;
   std::string path, out, settings;
-  std::optional<double> radius, target_edge;
+  std::optional<double> radius, target_edge, tolerance;
   std::optional<std::string> range, pattern, scheme, rim, model, format;
   std::optional<int> depth;
   std::optional<int> steps;

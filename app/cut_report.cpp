@@ -22,7 +22,8 @@ void for_each_live_face(const World& world, Visit visit) {
 
 int deepest_level(const World& world) {
   int level = 0;
-  for_each_live_face(world, [&](const Mesh& m, FaceId f) { level = std::max<int>(level, m.data(f).level); });
+  for_each_live_face(world,
+                     [&](const Mesh& m, FaceId f) { level = std::max(level, (m.data(f).halvings + 1) / 2); });
   return level;
 }
 

@@ -10,15 +10,24 @@
 
 namespace kerf {
 
+// How a face is split.
+enum class Scheme {
+  kOneToFour,    // in four, closed with green pairs (see OneToFour)
+  kLongestEdge,  // in two at its longest edge (see longest_edge.h)
+};
+
 // How finely faces are split where the beam touches them before they are removed.
 struct Resolution {
   enum class Rule {
     kTargetEdge,  // until the longest edge is at most target_edge
+    kTolerance,   // until taking the face away overshoots the beam by at most `tolerance`
     kDepth,       // until the face lies `depth` levels under its base face; 0 removes base faces whole
   };
+  Scheme scheme = Scheme::kLongestEdge;
   Rule rule = Rule::kTargetEdge;
   double target_edge = 0.0025;  // m, > 0
-  int depth = 4;                // levels, 0 .. kLargestDepth
+  double tolerance = 0.00125;   // m, > 0
+  int depth = 4;                // levels, 0 .. kLargestDepth: a split in four, or two in two
 
   static constexpr int kLargestDepth = 24;
 };

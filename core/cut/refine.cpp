@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <limits>
 
 #include "core/cut/step_state.h"
 #include "core/cut/stopwatch.h"
+#include "core/mesh/longest_edge.h"
 
 namespace kerf {
 
@@ -23,7 +25,7 @@ class Refinement {
       if (!must_split(f)) continue;
       if (splits_++ % kSplitsToAsk == 0 && !progress_.report(0)) return cancelled();
       const size_t first = replaced_.size();
-      step_.body.refinement.split(step_.body.mesh, f, replaced_);
+      split(f);
       for (size_t i = replaced_.size(); i > first; --i) {
         const auto& r = replaced_[i - 1];
         waiting.insert(waiting.end(), r.born.begin(), r.born.begin() + r.born_count);
@@ -48,31 +50,54 @@ class Refinement {
   }
 
  private:
+  void split(FaceId f) {
+    Body& body = step_.body;
+    if (settings_.resolution.scheme == Scheme::kOneToFour) {
+      body.refinement.split(body.mesh, f, replaced_);
+    } else {
+      bisect_longest_edge(body.mesh, body.refinement, f, replaced_);
+    }
+  }
+
   bool must_split(FaceId f) const {
     const Mesh& mesh = step_.body.mesh;
     const OneToFour& refinement = step_.body.refinement;
-    if (fine_enough(f)) return false;
     const Triangle face = mesh.triangle(f), element = refinement.triangle(mesh, f);
+    if (fine_enough(f, element)) return false;
     const auto touched = [&](const SweptCylinder& part) { return part.touches(face); };
     const auto within = [&](const SweptCylinder& part) { return part.contains(element); };
     return std::any_of(step_.beam.begin(), step_.beam.end(), touched) &&
-           std::none_of(step_.beam.begin(), step_.beam.end(), within) && refinement.can_split(mesh, f);
+           std::none_of(step_.beam.begin(), step_.beam.end(), within) &&
+           (settings_.resolution.scheme == Scheme::kLongestEdge || refinement.can_split(mesh, f));
   }
 
-  bool fine_enough(FaceId f) const {
-    const Mesh& mesh = step_.body.mesh;
+  bool fine_enough(FaceId f, const Triangle& element) const {
     const Resolution& r = settings_.resolution;
-    const int level = mesh.data(f).level;
+    const int level = step_.body.mesh.data(f).halvings / 2;
     if (level >= Resolution::kLargestDepth) return true;
-    if (r.rule == Resolution::Rule::kDepth) return level >= r.depth;
-    return longest_edge2(step_.body.refinement.triangle(mesh, f)) <= r.target_edge * r.target_edge;
+    switch (r.rule) {
+      case Resolution::Rule::kDepth:
+        return level >= r.depth;
+      case Resolution::Rule::kTargetEdge:
+        return longest_edge2(element) <= r.target_edge * r.target_edge;
+      case Resolution::Rule::kTolerance:
+        return overshoot(element) <= r.tolerance;
+    }
+    return true;
+  }
+
+  // How far the face reaches out of the volume of this move, whichever ray of the beam is nearest.
+  double overshoot(const Triangle& t) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const SweptCylinder& part : step_.beam) least = std::min(least, part.overshoot(t));
+    return least;
   }
 
   BodyStep& step_;
   const CutSettings& settings_;
   const Progress& progress_;
   size_t splits_ = 0;
-  std::vector<OneToFour::Replacement> replaced_;
+  std::vector<Replacement> replaced_;
 };
 
 }  // namespace

@@ -8,6 +8,7 @@ CutSettings default_settings(const StrokePath& stroke, double diagonal) {
   settings.laser.range = stroke.range.value_or(Interval{0, 10 * diagonal});
   settings.laser.power = stroke.power.value_or(settings.laser.power);
   settings.resolution.target_edge = settings.laser.radius / 4;
+  settings.resolution.tolerance = settings.laser.radius / 8;
   return settings;
 }
 

@@ -216,18 +216,21 @@ void Mesh::append_edge_sides(FaceId f, VertexId from, VertexId to, std::vector<S
 }
 
 void Mesh::split_edge(FaceId f, VertexId from, VertexId to, std::vector<FaceSplit>& out) {
+  split_edge_at(f, from, to, 0.5 * position(from) + 0.5 * position(to), out);
+}
+
+void Mesh::split_edge_at(FaceId f, VertexId from, VertexId to, const Vec3& at, std::vector<FaceSplit>& out) {
   Kernel& k = *kernel_;
   HalfEdges& m = k.half_edges;
   const HalfedgeHandle start = half_edge_from(m, f, from);
   assert(m.to_vertex_handle(start) == handle(to));
-  const Vec3 middle = 0.5 * position(from) + 0.5 * position(to);
 
   const size_t first = out.size();
   std::vector<HalfedgeHandle> members{start};
   for (HalfedgeHandle h = next_in_ring(k, start); h != start; h = next_in_ring(k, h)) members.push_back(h);
   std::vector<HalfedgeHandle> near_from, near_to;
   for (const HalfedgeHandle h : members) {
-    const Halves halves = bisect(k, h, to_point(middle), out);
+    const Halves halves = bisect(k, h, to_point(at), out);
     near_from.push_back(halves.near_from);
     near_to.push_back(halves.near_to);
   }

@@ -27,7 +27,7 @@ struct FaceData {
   uint32_t element = kNoElement;  // the green element that it is a half of (see OneToFour)
   uint32_t piece = 0;             // label of the piece that it hangs together with
   uint16_t material = 0;
-  uint8_t level = 0;  // red splits between the base face and this one (or its green parent)
+  uint8_t halvings = 0;  // how often its area was halved since it was the base face; a split in four is two
 };
 
 // A conforming triangle mesh over OpenMesh's half-edges.
@@ -95,6 +95,9 @@ class Mesh {
   // midpoint (from + to) / 2. Appends one entry a face; each new face copies the data of the old one. Linear
   // in the ring's degree.
   void split_edge(FaceId f, VertexId from, VertexId to, std::vector<FaceSplit>& out);
+
+  // The same at any point of the edge that is neither of its ends.
+  void split_edge_at(FaceId f, VertexId from, VertexId to, const Vec3& at, std::vector<FaceSplit>& out);
 
   // Turns the edge between the two faces f and its neighbour over (from, to) in the quadrilateral that they
   // make. The edge must have both faces. Face data stay with their slots. Constant time, but for copies of

@@ -71,6 +71,7 @@ uint32_t OneToFour::open_element(const Mesh& mesh, FaceId f) {
   Split e;
   e.corners = mesh.corners(f);
   e.faces[0] = f;
+  e.halvings = mesh.data(f).halvings;
   if (free_.empty()) {
     elements_.push_back(e);
     return static_cast<uint32_t>(elements_.size() - 1);
@@ -150,6 +151,7 @@ void OneToFour::note_split(Mesh& mesh, const Mesh::FaceSplit& s) {
   const int bisected = bisected_edges(e.midpoints);
   if (bisected == 1) {
     e.first_edge = static_cast<uint8_t>(edge);
+    for (const FaceId f : {s.kept, s.added}) mesh.data(f).halvings = static_cast<uint8_t>(e.halvings + 1);
     changed_.push_back(index);
   } else if (!e.wanted_red) {
     e.wanted_red = true;
@@ -172,7 +174,7 @@ void OneToFour::finish_red(Mesh& mesh, uint32_t index, std::vector<Replacement>&
     r.born[corner] = f;  // the face at each corner, then the one in the middle
     FaceData& data = mesh.data(f);
     data.element = FaceData::kNoElement;
-    ++data.level;
+    data.halvings = static_cast<uint8_t>(e.halvings + 2);
   }
   r.born_count = 4;
   out.push_back(r);

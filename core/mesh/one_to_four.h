@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/mesh/mesh.h"
+#include "core/mesh/replacement.h"
 
 namespace kerf {
 
@@ -18,15 +19,6 @@ namespace kerf {
 // face or of one green bisection of it.
 class OneToFour {
  public:
-  // One element in the terms of the tree: these faces made way for those. `gone` is one face or a green pair;
-  // `born` is a green pair or four red faces. Slots are reused: a face may stand on both sides.
-  struct Replacement {
-    std::array<FaceId, 2> gone;
-    std::array<FaceId, 4> born;
-    uint8_t gone_count = 0;
-    uint8_t born_count = 0;
-  };
-
   // The element that f is, or is a half of.
   struct Element {
     std::array<VertexId, 3> corners;
@@ -40,11 +32,12 @@ class OneToFour {
   bool can_split(const Mesh& mesh, FaceId f) const;
 
   // Splits the element of f into four and closes the split on the neighbours, so that the mesh is conforming
-  // again. Appends what became of every element that changed, in an order in which a tree can follow. The
-  // cost is that of the elements that change.
+  // again. Appends what became of every element that changed: one face or a green pair made way for a green
+  // pair or four red faces. The cost is that of the elements that change.
   void split(Mesh& mesh, FaceId f, std::vector<Replacement>& out);
 
-  // Forgets the green pair of a face that is about to be removed with its other half.
+  // Forgets the green pair of a face that is about to be removed with its other half, or to be split by
+  // another rule: the halves are faces like others from then on.
   void forget(Mesh& mesh, FaceId f);
 
  private:
@@ -56,6 +49,7 @@ class OneToFour {
     uint8_t face_count = 1;
     uint8_t faces_in_tree = 1;  // 1: the others were made in this call; 2: a green pair from before it
     uint8_t first_edge = 0;     // the edge that was bisected first: its bisector is turned over in the end
+    uint8_t halvings = 0;       // of the element
     bool wanted_red = false;
   };
 

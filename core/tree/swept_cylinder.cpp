@@ -146,6 +146,46 @@ bool SweptCylinder::contains(const Triangle& t) const {
   });
 }
 
+// The least of measure(distance from the axis less the radius, depth beyond the range's ends) over the
+// motion. Both are convex along it, so a search that closes in finds it, where the ends of the range move at
+// all.
+template <typename Measure>
+double SweptCylinder::least_over_motion(const Seen& seen, Measure measure) const {
+  const Interval depth = depth_contained();
+  if (shift_ == 0 || (seen.depth >= depth.low && seen.depth <= depth.high)) {
+    const double beyond = std::max(seen.depth - depth.high, depth.low - seen.depth);
+    return measure(std::sqrt(distance2_to_segment(seen.start, seen.end)) - radius_, beyond);
+  }
+  const auto at = [&](double s) {
+    const Vec2 offset = seen.start + s * (seen.end - seen.start);
+    const double d = seen.depth - s * shift_;
+    return measure(glm::length(offset) - radius_, std::max(d - range_.high, range_.low - d));
+  };
+  constexpr int kThirds = 80;  // (2/3)^80 is below the precision of s
+  double low = 0, high = 1;
+  for (int i = 0; i < kThirds; ++i) {
+    const double third = (high - low) / 3;
+    (at(low + third) <= at(high - third) ? high : low) =
+        at(low + third) <= at(high - third) ? high - third : low + third;
+  }
+  return std::min({at(0), at(1), at(0.5 * (low + high))});
+}
+
+double SweptCylinder::overshoot(const Triangle& t) const {
+  double most = 0;
+  for (const Vec3& p : t) {
+    const auto distance = [](double beside, double beyond) {
+      return glm::length(Vec2(std::max(0.0, beside), std::max(0.0, beyond)));
+    };
+    most = std::max(most, least_over_motion(see(p), distance));
+  }
+  return most;
+}
+
+double SweptCylinder::signed_distance(const Vec3& p) const {
+  return least_over_motion(see(p), [](double beside, double beyond) { return std::max(beside, beyond); });
+}
+
 SweptCylinder::Slab SweptCylinder::slab(Interval depths) const {
   const Interval own = depth_touched();
   const double low = std::max(own.low, depths.low), high = std::min(own.high, depths.high);

@@ -35,6 +35,14 @@ class SweptCylinder {
   // Whether the triangle lies wholly within the volume; never for a radius of zero.
   bool contains(const Triangle& t) const;
 
+  // How far the triangle reaches out of the volume: the largest distance of one of its points from it, zero
+  // where contained. Of a volume that tilts, to the order in which it is exact.
+  double overshoot(const Triangle& t) const;
+
+  // Negative inside, positive outside, zero on the boundary of the volume; for points near it, and inside
+  // everywhere, the distance from it in metres.
+  double signed_distance(const Vec3& p) const;
+
   double radius() const { return radius_; }
 
   // A box in the coordinates that the volume has of itself: along `axis`, `along` (the motion) and `across`,
@@ -54,6 +62,8 @@ class SweptCylinder {
     double depth;
   };
   Seen see(const Vec3& p) const;
+  template <typename Measure>
+  double least_over_motion(const Seen& seen, Measure measure) const;
   Interval depth_touched() const;
   Interval depth_contained() const;
 

@@ -22,7 +22,7 @@ uint64_t face_hash(const Body& body, uint64_t seed, FaceId f) {
   for (int i = 1; i < 3; ++i) {
     if (less(t[i], t[least])) least = i;
   }
-  uint64_t h = hash_combine(seed, body.mesh.data(f).level);
+  uint64_t h = hash_combine(seed, body.mesh.data(f).halvings);
   for (int i = 0; i < 3; ++i) h = hash_of(h, t[(least + i) % 3]);
   return h;
 }

@@ -43,7 +43,7 @@ class CutSphere : public testing::Test {
     CutSettings settings;
     settings.laser.radius = 0.1;
     settings.laser.range = {0, 10};
-    settings.resolution = {Resolution::Rule::kDepth, 0.05, 1};
+    settings.resolution = {.rule = Resolution::Rule::kDepth, .depth = 1};
     state.document.apply(BeginStroke{settings, {{-1.5, 0, 5}, {0, 0, -1}}});
     state.document.apply(MoveStroke{{{1.5, 0, 5}, {0, 0, -1}}});
     state.document.apply(EndStroke{});

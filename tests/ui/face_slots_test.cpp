@@ -71,12 +71,9 @@ TEST(FaceVertices, of_a_dead_face_are_one_point) {
 
 TEST(FaceVertices, attributes_tell_heat_material_and_piece) {
   FaceData data;
-  data.level = 3;
   data.material = 7;
   data.piece = 2;
   EXPECT_EQ(pack_attributes(data, 6.25f), 50u | 7u << 8 | 2u << 16);
-  data.element = 1;  // half of a green pair
-  EXPECT_EQ(halvings(data), 7u);
   data.piece = 65536;
   EXPECT_NE(pack_attributes(data, 0) >> 16, 0u);
 }

@@ -18,6 +18,8 @@ struct LaserControls {
 
   // For a world of this diagonal (m): the beam reaches ten of them.
   CutSettings settings(double diagonal) const;
+  // For a beam of this radius (m).
+  Resolution resolution(double beam_radius) const;
   void fit(double diagonal) { radius = default_radius = diagonal > 0 ? diagonal / 400 : 0.01; }
 };
 

@@ -13,8 +13,7 @@ const char* why_no_recut(const EditorState& state) {
 void recut_last_stroke(EditorState& state, Renderer& renderer) {
   if (why_no_recut(state) != nullptr) return;
   CutSettings settings = state.document.stroke_settings();
-  settings.resolution = {state.laser.rule, settings.laser.radius * state.laser.edge_fraction,
-                         state.laser.depth};
+  settings.resolution = state.laser.resolution(settings.laser.radius);
   state.document.recut(settings);
   // Smooth normals come from the faces as they were loaded, whatever earlier strokes have done to them.
   if (state.as_loaded) {

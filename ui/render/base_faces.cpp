@@ -92,7 +92,7 @@ BaseFaces::BaseFaces(const Mesh& mesh, const FloatFrame& frame) : bases_(mesh.fa
     const FaceId face(f);
     if (!mesh.is_live(face)) continue;
     const FaceData& data = mesh.data(face);
-    bases_[f].known = data.level == 0 && data.element == FaceData::kNoElement && data.base == face;
+    bases_[f].known = data.halvings == 0 && data.base == face;
     const Triangle t = mesh.triangle(face);
     const std::array<glm::dvec3, 3> s{frame.scaled(t[0]), frame.scaled(t[1]), frame.scaled(t[2])};
     planes[f] = unit_or_zero(glm::cross(s[1] - s[0], s[2] - s[0]));

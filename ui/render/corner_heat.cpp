@@ -25,7 +25,7 @@ void CornerHeat::find_fan(const Mesh& mesh, FaceId f, const Vec3& corner) {
 
 std::array<float, 3> CornerHeat::of(const Mesh& mesh, FaceId f) {
   if (!mesh.is_live(f)) return {};
-  const uint32_t own = halvings(mesh.data(f));
+  const uint32_t own = mesh.data(f).halvings;
   std::array<float, 3> heat;
   heat.fill(static_cast<float>(own));
   if (own < kLeastSmall) return heat;
@@ -35,7 +35,7 @@ std::array<float, 3> CornerHeat::of(const Mesh& mesh, FaceId f) {
     uint32_t least = own;
     float sum = 0;
     for (const FaceId g : fan_) {
-      const uint32_t h = halvings(mesh.data(g));
+      const uint32_t h = mesh.data(g).halvings;
       least = std::min(least, h);
       sum += static_cast<float>(h);
     }
@@ -46,7 +46,7 @@ std::array<float, 3> CornerHeat::of(const Mesh& mesh, FaceId f) {
 
 const std::vector<FaceId>& CornerHeat::faces_around(const Mesh& mesh, FaceId f) {
   around_.clear();
-  if (halvings(mesh.data(f)) < kLeastSmall) return around_;
+  if (mesh.data(f).halvings < kLeastSmall) return around_;
   for (const Vec3& corner : mesh.triangle(f)) {
     find_fan(mesh, f, corner);
     around_.insert(around_.end(), fan_.begin(), fan_.end());

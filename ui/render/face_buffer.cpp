@@ -78,7 +78,7 @@ void FaceBuffer::count(const Mesh& mesh, uint32_t slot) {
   if (known != kDead) --faces_of_[known];
   known = kDead;
   if (!mesh.is_live(FaceId(slot))) return;
-  known = static_cast<uint8_t>(std::min<size_t>(halvings(mesh.data(FaceId(slot))), faces_of_.size() - 1));
+  known = static_cast<uint8_t>(std::min<size_t>(mesh.data(FaceId(slot)).halvings, faces_of_.size() - 1));
   ++faces_of_[known];
 }
 

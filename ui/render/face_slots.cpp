@@ -4,10 +4,6 @@
 
 namespace kerf {
 
-uint32_t halvings(const FaceData& data) {
-  return 2u * data.level + (data.element != FaceData::kNoElement ? 1u : 0u);
-}
-
 uint32_t packed_piece(uint32_t label) { return label < 65536u ? label : 1u + label % 65535u; }
 
 uint32_t pack_attributes(const FaceData& data, float heat) {

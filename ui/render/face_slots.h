@@ -22,9 +22,6 @@ static_assert(sizeof(FaceVertex) == 20);
 
 using FaceVertices = std::array<FaceVertex, 3>;
 
-// How often the area of a face was halved since its base face: two for a red split, one for a green half.
-uint32_t halvings(const FaceData& data);
-
 // A piece's label in 16 bits; the body's own, 0, stays alone.
 uint32_t packed_piece(uint32_t label);
 

@@ -49,7 +49,7 @@ void RemovedFaces::update(const Mesh& mesh, const BaseFaces& bases) {
   std::vector<Corner> corners;
   for (uint32_t f = 0; f < bases.count(); ++f) {
     const FaceCorners* base = bases.corners(FaceId(f));
-    if (!base || (mesh.is_live(FaceId(f)) && halvings(mesh.data(FaceId(f))) == 0)) continue;
+    if (!base || (mesh.is_live(FaceId(f)) && mesh.data(FaceId(f)).halvings == 0)) continue;
     for (const glm::vec3& p : *base) corners.push_back({p, f});
   }
   count_ = static_cast<GLsizei>(corners.size());

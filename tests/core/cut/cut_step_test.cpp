@@ -121,7 +121,7 @@ TEST(CutStep, holds_every_invariant_after_every_step_on_every_class_of_mesh) {
   }
 }
 
-// A half that was left alone would be a face of half the area that its level says.
+// A half that was left alone would be halved once too often for a split in four.
 TEST(CutStep, takes_green_pairs_away_whole) {
   for (uint64_t seed = 1; seed <= 5; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -132,14 +132,15 @@ TEST(CutStep, takes_green_pairs_away_whole) {
     for (uint32_t f = 0; f < body.mesh.face_slots(); ++f)
       base_area.push_back(triangle_area(body.mesh.triangle(FaceId(f))));
     Random random(seed);
-    const RandomStroke stroke = random_stroke(world, random, 0.03, false);
+    RandomStroke stroke = random_stroke(world, random, 0.03, false);
+    stroke.settings.resolution.scheme = Scheme::kOneToFour;
     for (const BeamMove& move : stroke.moves) ASSERT_TRUE(cut_step(world, stroke.settings, {&move, 1}).ok());
     for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
       if (!body.mesh.is_live(FaceId(f))) continue;
       const FaceData& data = body.mesh.data(FaceId(f));
-      const double element = std::ldexp(base_area[data.base.index], -2 * data.level);
-      const bool half = data.element != FaceData::kNoElement;
-      ASSERT_NEAR(triangle_area(body.mesh.triangle(FaceId(f))), half ? element / 2 : element, 1e-9 * element);
+      const double area = std::ldexp(base_area[data.base.index], -data.halvings);
+      ASSERT_EQ(data.halvings % 2 == 1, data.element != FaceData::kNoElement);
+      ASSERT_NEAR(triangle_area(body.mesh.triangle(FaceId(f))), area, 1e-9 * area);
     }
   }
 }
@@ -237,7 +238,7 @@ TEST(CutStep, removes_the_same_in_1_10_and_1000_steps) {
 TEST(CutStep, at_depth_0_takes_whole_base_faces) {
   CutSettings settings;
   settings.laser.radius = 0.01;
-  settings.resolution = {Resolution::Rule::kDepth, 0, 0};
+  settings.resolution = {.rule = Resolution::Rule::kDepth, .depth = 0};
   World world = world_of(grid(4, 1));
   const BeamMove still{{{0.1, 1, 0.05}, {0, -1, 0}}, {{0.1, 1, 0.05}, {0, -1, 0}}};
   const auto result = cut_step(world, settings, {&still, 1});

@@ -18,7 +18,7 @@ constexpr int kMany = 100'000;
 StepResult cut_across(World& world, int depth) {
   CutSettings settings;
   settings.laser.radius = 0.05;
-  settings.resolution = {Resolution::Rule::kDepth, 0, depth};
+  settings.resolution = {.rule = Resolution::Rule::kDepth, .depth = depth};
   const Pose pose{{-2, 0.5, 0}, {1, 0, 0}};
   const BeamMove still{pose, pose};
   const auto result = cut_step(world, settings, {&still, 1});

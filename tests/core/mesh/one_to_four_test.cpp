@@ -34,10 +34,10 @@ TEST(OneToFour, splitting_leaves_area_boundary_and_topology_as_they_were) {
       OneToFour refinement;
       Random random(seed);
       const MeshNumbers before = count_numbers(mesh);
-      std::vector<OneToFour::Replacement> replaced;
+      std::vector<Replacement> replaced;
       for (int i = 0; i < 40; ++i) {
         const FaceId f = random_live_face(mesh, random);
-        if (mesh.data(f).level < 8) refinement.split(mesh, f, replaced);
+        if (mesh.data(f).halvings < 16) refinement.split(mesh, f, replaced);
         if (i % 8 == 0) ASSERT_EQ(find_fault(mesh), "");
       }
       ASSERT_EQ(find_fault(mesh), "");
@@ -55,10 +55,10 @@ TEST(OneToFour, splitting_leaves_real_meshes_as_they_were) {
     World world = world_of_file(file);
     Body& body = world.body(world.ids()[0]);
     const MeshNumbers before = count_connected_numbers(body.mesh);
-    std::vector<OneToFour::Replacement> replaced;
+    std::vector<Replacement> replaced;
     for (int i = 0; i < 200; ++i) {
       const FaceId f = random_live_face(body.mesh, random);
-      if (body.mesh.data(f).level < 6) body.refinement.split(body.mesh, f, replaced);
+      if (body.mesh.data(f).halvings < 12) body.refinement.split(body.mesh, f, replaced);
     }
     ASSERT_EQ(find_fault(body.mesh, true), "");
     expect_same(before, count_connected_numbers(body.mesh), "after 200 splits");
@@ -66,7 +66,7 @@ TEST(OneToFour, splitting_leaves_real_meshes_as_they_were) {
 }
 
 // Four red children of equal area a level and nothing below a green face: so the area of a face follows from
-// its level, and a green half has half of its element's.
+// its halvings, and a green half has half of its element's.
 TEST(OneToFour, restores_the_parent_of_a_green_pair_before_it_is_split_again) {
   for (uint64_t seed = 1; seed <= 5; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -76,15 +76,15 @@ TEST(OneToFour, restores_the_parent_of_a_green_pair_before_it_is_split_again) {
       base_area.push_back(triangle_area(mesh.triangle(FaceId(f))));
     OneToFour refinement;
     Random random(seed);
-    std::vector<OneToFour::Replacement> replaced;
+    std::vector<Replacement> replaced;
     for (int i = 0; i < 200; ++i) {
       const FaceId f = random_live_face(mesh, random);
-      if (mesh.data(f).level < 10) refinement.split(mesh, f, replaced);
+      if (mesh.data(f).halvings < 20) refinement.split(mesh, f, replaced);
     }
     size_t halves = 0;
     for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
       const FaceData& data = mesh.data(FaceId(f));
-      const double element = std::ldexp(base_area[data.base.index], -2 * data.level);
+      const double element = std::ldexp(base_area[data.base.index], -(data.halvings & ~1));
       EXPECT_NEAR(triangle_area(refinement.triangle(mesh, FaceId(f))), element, 1e-12 * element);
       if (data.element == FaceData::kNoElement) continue;
       ++halves;
@@ -97,14 +97,14 @@ TEST(OneToFour, restores_the_parent_of_a_green_pair_before_it_is_split_again) {
 TEST(OneToFour, keeps_neighbouring_elements_within_one_level) {
   Mesh mesh = build(sphere(6, 8, 1)).mesh;
   OneToFour refinement;
-  std::vector<OneToFour::Replacement> replaced;
+  std::vector<Replacement> replaced;
   for (int i = 0; i < 9; ++i) refinement.split(mesh, FaceId(0), replaced);
   std::vector<FaceId> neighbours;
   for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
     neighbours.clear();
     mesh.append_neighbours(FaceId(f), neighbours);
     for (const FaceId n : neighbours) {
-      EXPECT_LE(std::abs(int{mesh.data(FaceId(f)).level} - int{mesh.data(n).level}), 1);
+      EXPECT_LE(std::abs(mesh.data(FaceId(f)).halvings / 2 - mesh.data(n).halvings / 2), 1);
     }
   }
   EXPECT_EQ(find_fault(mesh), "");
@@ -118,7 +118,7 @@ TEST(OneToFour, tells_of_every_slot_that_it_changed) {
     for (int i = 0; i < 60; ++i) {
       std::vector<Triangle> before;
       for (uint32_t f = 0; f < mesh.face_slots(); ++f) before.push_back(mesh.triangle(FaceId(f)));
-      std::vector<OneToFour::Replacement> replaced;
+      std::vector<Replacement> replaced;
       refinement.split(mesh, random_live_face(mesh, random), replaced);
       std::vector<bool> told(mesh.face_slots());
       for (const auto& r : replaced) {

@@ -60,8 +60,8 @@ TEST(AabbTree, touched_equals_brute_force_through_random_edits) {
       for (int i = 0; i < 10; ++i) {
         const FaceId f(static_cast<uint32_t>(random.below(mesh.face_slots())));
         if (!mesh.is_live(f)) continue;
-        if (random.below(4) > 0 && mesh.data(f).level < 8) {
-          std::vector<OneToFour::Replacement> replaced;
+        if (random.below(4) > 0 && mesh.data(f).halvings < 16) {
+          std::vector<Replacement> replaced;
           refinement.split(mesh, f, replaced);
           for (const auto& r : replaced)
             tree.replace(mesh, {r.gone.data(), r.gone_count}, {r.born.data(), r.born_count});

@@ -93,7 +93,7 @@ void add_cut_options(CLI::App& command, CutOptions& o) {
                      "MIN,MAX: where along the beam it cuts, in metres (0 to 10 diagonals)");
   command.add_option("--pattern", o.pattern, "volume or rays4 (volume)");
   command.add_option("--scheme", o.scheme, "How faces are split: one-to-four or longest-edge (longest-edge)");
-  command.add_option("--rim", o.rim, "How the rim is left: faces");
+  command.add_option("--rim", o.rim, "How the rim is left: faces or smooth (faces)");
   command.add_option("--target-edge", o.target_edge, "Longest edge under the beam in metres (radius/4)");
   command.add_option("--tolerance", o.tolerance,
                      "Instead: how far what is removed may overshoot the beam, in metres");
@@ -142,7 +142,7 @@ Status check_cut_options(const CutOptions& o) {
   }
   if (const auto s = only(o.pattern, "--pattern", {"volume", "rays4"}); !s) return s;
   if (const auto s = only(o.scheme, "--scheme", {"one-to-four", "longest-edge"}); !s) return s;
-  if (const auto s = only(o.rim, "--rim", {"faces"}); !s) return s;
+  if (const auto s = only(o.rim, "--rim", {"faces", "smooth"}); !s) return s;
   if (const auto s = positive(o.target_edge, "--target-edge"); !s) return s;
   if (const auto s = positive(o.tolerance, "--tolerance"); !s) return s;
   if (const auto s = within(o.depth, 0, Resolution::kLargestDepth, "--depth"); !s) return s;
@@ -159,6 +159,7 @@ CutSettings stroke_settings(const CutOptions& o, const StrokePath& stroke, doubl
   if (o.radius) settings.laser.radius = *o.radius;
   if (o.range) settings.laser.range = *parse_range(*o.range);
   if (o.pattern == "rays4") settings.laser.pattern = Pattern::kRays4;
+  if (o.rim == "smooth") settings.rim = Rim::kSmooth;
   Resolution& resolution = settings.resolution;
   if (o.scheme) resolution.scheme = o.scheme == "one-to-four" ? Scheme::kOneToFour : Scheme::kLongestEdge;
   resolution.target_edge = o.target_edge.value_or(settings.laser.radius / 4);

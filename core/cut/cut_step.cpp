@@ -31,17 +31,21 @@ Result<StepResult> cut_step(World& world, const CutSettings& settings, std::span
       const Result<bool> refined = refine(step, settings, share_of(progress, done, done + share));
       if (!refined) return refined.error();
       if (*refined) hit(step);
-      remove(step);
+      remove(step, settings.smooth());
       done += share;
     }
-    result.figures.add(step.figures);
-    if (step.edited.empty()) continue;
+    settle(step, result);
+  }
+  return result;
+}
+
+void settle(BodyStep& step, StepResult& result) {
+  if (!step.edited.empty()) {
     result.delta.removed_faces += step.removed_faces;
     result.delta.removed_area += step.removed_area;
     result.delta.bodies.push_back(separate(step));
-    result.figures.separate_s += step.figures.separate_s;
   }
-  return result;
+  result.figures.add(step.figures);
 }
 
 }  // namespace kerf

@@ -32,9 +32,19 @@ struct Resolution {
   static constexpr int kLargestDepth = 24;
 };
 
+// What is left along a stroke.
+enum class Rim {
+  kFaces,   // every face that the beam touches goes
+  kSmooth,  // faces across the boundary of the beam are cut along it when the stroke ends (see close_rim)
+};
+
 struct CutSettings {
   Laser laser;
   Resolution resolution;
+  Rim rim = Rim::kFaces;  // a pattern of rays has no volume: it leaves faces
+
+  bool smooth() const { return rim == Rim::kSmooth && laser.pattern == Pattern::kVolume; }
+
   size_t most_faces = 20'000'000;  // a cut that would make more live faces than this stops
 };
 
@@ -60,5 +70,16 @@ struct StepResult {
 // and the delta is lost, so that everything that follows the world must look at it anew.
 Result<StepResult> cut_step(World& world, const CutSettings& settings, std::span<const BeamMove> moves,
                             const Progress* progress = nullptr);
+
+// Ends a stroke with a smooth rim. While it runs, steps take only what lies wholly within the beam; here the
+// faces that lie across the boundary of all that `path` has swept are cut along it, and what is inside goes.
+// `path` holds the moves of the whole stroke, world coordinates.
+//
+// Where a chord would leave the boundary by more than kRimChord, faces are split by the scheme first. A
+// vertex near the boundary moves onto it along an edge where that leaves the surface as it was; every other
+// edge across the boundary is split there, so the rim lies on the original surface. Then edges in the plane
+// of one base face are turned where that makes the smallest angle larger. Fails as cut_step does.
+Result<StepResult> close_rim(World& world, const CutSettings& settings, std::span<const BeamMove> path,
+                             const Progress* progress = nullptr);
 
 }  // namespace kerf

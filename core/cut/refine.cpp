@@ -25,40 +25,21 @@ class Refinement {
       if (!must_split(f)) continue;
       if (splits_++ % kSplitsToAsk == 0 && !progress_.report(0)) return cancelled();
       const size_t first = replaced_.size();
-      split(f);
+      split_by_scheme(step_, settings_.resolution.scheme, f, replaced_);
       for (size_t i = replaced_.size(); i > first; --i) {
         const auto& r = replaced_[i - 1];
         waiting.insert(waiting.end(), r.born.begin(), r.born.begin() + r.born_count);
       }
       if (step_.body.mesh.live_faces() > settings_.most_faces) {
-        return failed("the cut would make more than " + std::to_string(settings_.most_faces) +
-                      " faces: choose a coarser resolution or a shorter stroke");
+        return too_many_faces(settings_);
       }
     }
     return !replaced_.empty();
   }
 
-  void follow() {
-    const Stopwatch watch(step_.figures.update_tree_s);
-    for (const auto& r : replaced_) {
-      step_.body.tree.replace(step_.body.mesh, {r.gone.data(), r.gone_count}, {r.born.data(), r.born_count});
-      step_.edited.insert(step_.edited.end(), r.born.begin(), r.born.begin() + r.born_count);
-      const size_t made = size_t{r.born_count} - r.gone_count;
-      step_.figures.faces_made += made;
-      step_.body.pieces[step_.body.mesh.data(r.born[0]).piece].faces += made;
-    }
-  }
+  const std::vector<Replacement>& replaced() const { return replaced_; }
 
  private:
-  void split(FaceId f) {
-    Body& body = step_.body;
-    if (settings_.resolution.scheme == Scheme::kOneToFour) {
-      body.refinement.split(body.mesh, f, replaced_);
-    } else {
-      bisect_longest_edge(body.mesh, body.refinement, f, replaced_);
-    }
-  }
-
   bool must_split(FaceId f) const {
     const Mesh& mesh = step_.body.mesh;
     const OneToFour& refinement = step_.body.refinement;
@@ -67,8 +48,7 @@ class Refinement {
     const auto touched = [&](const SweptCylinder& part) { return part.touches(face); };
     const auto within = [&](const SweptCylinder& part) { return part.contains(element); };
     return std::any_of(step_.beam.begin(), step_.beam.end(), touched) &&
-           std::none_of(step_.beam.begin(), step_.beam.end(), within) &&
-           (settings_.resolution.scheme == Scheme::kLongestEdge || refinement.can_split(mesh, f));
+           std::none_of(step_.beam.begin(), step_.beam.end(), within);
   }
 
   bool fine_enough(FaceId f, const Triangle& element) const {
@@ -108,8 +88,33 @@ Result<bool> refine(BodyStep& step, const CutSettings& settings, const Progress&
     const Stopwatch watch(step.figures.refine_s);
     return refinement.run();
   }();
-  refinement.follow();
+  follow_splits(step, refinement.replaced());
   return done;
+}
+
+Error too_many_faces(const CutSettings& settings) {
+  return failed("the cut would make more than " + std::to_string(settings.most_faces) +
+                " faces: choose a coarser resolution or a shorter stroke");
+}
+
+void follow_splits(BodyStep& step, std::span<const Replacement> replaced) {
+  const Stopwatch watch(step.figures.update_tree_s);
+  for (const Replacement& r : replaced) {
+    step.body.tree.replace(step.body.mesh, {r.gone.data(), r.gone_count}, {r.born.data(), r.born_count});
+    step.edited.insert(step.edited.end(), r.born.begin(), r.born.begin() + r.born_count);
+    const size_t made = size_t{r.born_count} - r.gone_count;
+    step.figures.faces_made += made;
+    step.body.pieces[step.body.mesh.data(r.born[0]).piece].faces += made;
+  }
+}
+
+void split_by_scheme(BodyStep& step, Scheme scheme, FaceId f, std::vector<Replacement>& out) {
+  Body& body = step.body;
+  if (scheme == Scheme::kOneToFour) {
+    if (body.refinement.can_split(body.mesh, f)) body.refinement.split(body.mesh, f, out);
+  } else {
+    bisect_longest_edge(body.mesh, body.refinement, f, out);
+  }
 }
 
 }  // namespace kerf

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "core/cut/step_state.h"
 #include "core/cut/stopwatch.h"
 
@@ -18,18 +20,34 @@ void remove_face(BodyStep& step, FaceId f) {
   step.edited.push_back(f);
 }
 
+bool within_beam(const BodyStep& step, FaceId f) {
+  const Triangle element = step.body.refinement.triangle(step.body.mesh, f);
+  return std::any_of(step.beam.begin(), step.beam.end(),
+                     [&](const SweptCylinder& part) { return part.contains(element); });
+}
+
 }  // namespace
 
-// A green pair goes as a whole when the beam touches either half.
-void remove(BodyStep& step) {
+// A green pair goes as a whole: when the beam touches either half, or holds both where the rim is to be
+// smooth.
+void remove(BodyStep& step, bool only_within) {
+  std::vector<FaceId> going;
+  for (const FaceId f : step.hit) {
+    if (only_within && !within_beam(step, f)) continue;
+    const OneToFour::Element element = step.body.refinement.element(step.body.mesh, f);
+    going.insert(going.end(), element.faces.begin(), element.faces.begin() + element.face_count);
+  }
+  remove_faces(step, going);
+}
+
+void remove_faces(BodyStep& step, std::span<const FaceId> faces) {
   const size_t first = step.edited.size();
   {
     const Stopwatch watch(step.figures.remove_s);
-    for (const FaceId f : step.hit) {
-      if (!step.body.mesh.is_live(f)) continue;  // its other half took it along
-      const OneToFour::Element element = step.body.refinement.element(step.body.mesh, f);
+    for (const FaceId f : faces) {
+      if (!step.body.mesh.is_live(f)) continue;  // named twice: both halves of a pair were hit
       step.body.refinement.forget(step.body.mesh, f);
-      for (int i = 0; i < element.face_count; ++i) remove_face(step, element.faces[i]);
+      remove_face(step, f);
     }
   }
   const Stopwatch watch(step.figures.update_tree_s);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/cut/cut_step.h"
@@ -27,7 +28,18 @@ void sweep(BodyStep& step, const Laser& laser, const BeamMove& move);
 void hit(BodyStep& step);
 // Whether anything was split; fails at settings.most_faces and when `progress` stops it.
 Result<bool> refine(BodyStep& step, const CutSettings& settings, const Progress& progress);
-void remove(BodyStep& step);
+// What was hit, or only what lies wholly within the beam of the move.
+void remove(BodyStep& step, bool only_within);
+// These; both halves of a green pair or a half that is alone from now on.
+void remove_faces(BodyStep& step, std::span<const FaceId> faces);
+// Splits a face and what must follow it; nothing where coordinates end.
+void split_by_scheme(BodyStep& step, Scheme scheme, FaceId f, std::vector<Replacement>& out);
+// Tells the tree, the counts and the delta what became of faces that were split.
+void follow_splits(BodyStep& step, std::span<const Replacement> replaced);
 BodyDelta separate(BodyStep& step);
+// Ends the step of a body: separates, and adds what it did to the result.
+void settle(BodyStep& step, StepResult& result);
+// The error of a cut that goes beyond settings.most_faces.
+Error too_many_faces(const CutSettings& settings);
 
 }  // namespace kerf

@@ -29,48 +29,84 @@ void Document::apply(const Command& command) {
 void Document::recut(const CutSettings& settings) {
   if (!can_recut()) return;
   world_ = *before_stroke_;
-  moves_.clear();
+  work_.clear();
+  in_stroke_ = false;
   std::get<BeginStroke>(journal_[stroke_at_]).settings = settings;
   for (size_t i = stroke_at_; i < journal_.size(); ++i) run(journal_[i]);
 }
 
 void Document::run(const Command& command) {
   std::visit(Overloaded{
-                 [&](const BeginStroke& begin) {
-                   settings_ = begin.settings;
-                   last_ = begin.pose;
-                   in_stroke_ = true;
-                   moves_.push_back({last_, last_});
-                 },
-                 [&](const MoveStroke& move) {
-                   if (!in_stroke_) return;
-                   for (const BeamMove& m : walk(last_, move.pose, settings_.laser.radius, reach(last_))) {
-                     moves_.push_back(m);
-                   }
-                   last_ = move.pose;
-                 },
-                 [&](const EndStroke&) { in_stroke_ = false; },
+                 [&](const BeginStroke& c) { begin(c); },
+                 [&](const MoveStroke& c) { move_to(c.pose); },
+                 [&](const EndStroke&) { end(); },
              },
              command);
+}
+
+void Document::begin(const BeginStroke& begin) {
+  end();
+  stroke_ = std::make_shared<Stroke>();
+  stroke_->settings = begin.settings;
+  last_ = begin.pose;
+  in_stroke_ = true;
+  stroke_->path.push_back({last_, last_});
+  work_.push_back({{last_, last_}, false, stroke_});
+}
+
+void Document::move_to(const Pose& pose) {
+  if (!in_stroke_) return;
+  const auto moves = walk(last_, pose, stroke_->settings.laser.radius, reach(last_));
+  for (const BeamMove& m : moves) work_.push_back({m, false, stroke_});
+  if (pose.direction == last_.direction) {
+    stroke_->path.push_back({last_, pose});
+  } else {
+    stroke_->path.insert(stroke_->path.end(), moves.begin(), moves.end());
+  }
+  last_ = pose;
+}
+
+void Document::end() {
+  if (in_stroke_ && stroke_->settings.smooth()) work_.push_back({{last_, last_}, true, stroke_});
+  in_stroke_ = false;
 }
 
 // How far along the beam there is anything to cut: to the farthest corner of the world's bounds.
 double Document::reach(const Pose& pose) const {
   const World::Bounds bounds = world_.bounds();
   const Vec3 far = glm::max(glm::abs(bounds.min - pose.origin), glm::abs(bounds.max - pose.origin));
-  return std::min(settings_.laser.range.high, glm::length(far));
+  return std::min(stroke_->settings.laser.range.high, glm::length(far));
 }
 
 Result<StepResult> Document::step(size_t moves, const Progress* progress) {
-  const size_t count = std::min(moves, moves_.size());
-  const std::vector<BeamMove> now(moves_.begin(), moves_.begin() + static_cast<std::ptrdiff_t>(count));
-  moves_.erase(moves_.begin(), moves_.begin() + static_cast<std::ptrdiff_t>(count));
-  Result<StepResult> result = cut_step(world_, settings_, now, progress);
-  if (!result) {
-    moves_.clear();
-    in_stroke_ = false;
+  StepResult all;
+  const size_t stop = work_.size() - std::min(moves, work_.size());
+  while (work_.size() > stop) {
+    Result<StepResult> some = walk_some(work_.size() - stop, progress);
+    if (!some) {
+      work_.clear();
+      in_stroke_ = false;
+      return some.error();
+    }
+    all.delta.append(std::move(some->delta));
+    all.figures.add(some->figures);
   }
-  return result;
+  return all;
+}
+
+// The moves of one stroke that come next, or its end.
+Result<StepResult> Document::walk_some(size_t most, const Progress* progress) {
+  const std::shared_ptr<Stroke> stroke = work_.front().stroke;
+  if (work_.front().closes) {
+    work_.pop_front();
+    return close_rim(world_, stroke->settings, stroke->path, progress);
+  }
+  std::vector<BeamMove> now;
+  while (now.size() < most && !work_.empty() && !work_.front().closes && work_.front().stroke == stroke) {
+    now.push_back(work_.front().move);
+    work_.pop_front();
+  }
+  return cut_step(world_, stroke->settings, now, progress);
 }
 
 }  // namespace kerf

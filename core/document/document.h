@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -25,10 +26,10 @@ class Document {
   // BeginStroke; moves without a stroke do nothing.
   void apply(const Command& command);
 
-  // Moves that wait.
-  size_t waiting() const { return moves_.size(); }
+  // Moves that wait; the end of a stroke with a smooth rim counts as one.
+  size_t waiting() const { return work_.size(); }
   // The first of them; null when none waits.
-  const BeamMove* next_move() const { return moves_.empty() ? nullptr : &moves_.front(); }
+  const BeamMove* next_move() const { return work_.empty() ? nullptr : &work_.front().move; }
 
   // Walks up to so many of them as one step; an empty delta when none waits. On failure the moves that wait
   // are dropped and the stroke ends; see cut_step for the state of the world.
@@ -43,25 +44,40 @@ class Document {
   void recut(const CutSettings& settings);
 
   // Of the last stroke.
-  const CutSettings& stroke_settings() const { return settings_; }
+  const CutSettings& stroke_settings() const { return stroke_->settings; }
 
   const std::vector<Command>& journal() const { return journal_; }
   size_t strokes() const { return strokes_; }
   bool in_stroke() const { return in_stroke_; }
 
  private:
+  struct Stroke {
+    CutSettings settings;
+    std::vector<BeamMove> path;  // all of it, straight ways as one move
+  };
+  // A move of the beam, or the end of a stroke with a smooth rim.
+  struct Work {
+    BeamMove move;
+    bool closes = false;
+    std::shared_ptr<Stroke> stroke;
+  };
   void run(const Command& command);
+  void begin(const BeginStroke& begin);
+  void move_to(const Pose& pose);
+  void end();
   double reach(const Pose& pose) const;
 
   World world_;
   std::vector<Command> journal_;
-  CutSettings settings_;  // of the last stroke
+  std::shared_ptr<Stroke> stroke_ = std::make_shared<Stroke>();  // the last
   std::optional<World> before_stroke_;
   size_t stroke_at_ = 0;  // where the last stroke begins in the journal
   Pose last_;
   bool in_stroke_ = false;
   size_t strokes_ = 0;
-  std::deque<BeamMove> moves_;
+  Result<StepResult> walk_some(size_t most, const Progress* progress);
+
+  std::deque<Work> work_;
 };
 
 }  // namespace kerf

@@ -215,6 +215,21 @@ void Mesh::append_edge_sides(FaceId f, VertexId from, VertexId to, std::vector<S
   });
 }
 
+void Mesh::star(VertexId v, Star& out) const {
+  const HalfEdges& m = kernel_->half_edges;
+  out.faces.clear();
+  out.rim.clear();
+  out.alone = true;
+  for (auto h = m.cvoh_iter(handle(v)); h.is_valid(); ++h) {
+    const auto left = m.face_handle(*h), right = m.face_handle(m.opposite_halfedge_handle(*h));
+    if (left.is_valid()) out.faces.push_back(face_id(left));
+    if (left.is_valid() != right.is_valid()) out.rim.push_back(vertex_id(m.to_vertex_handle(*h)));
+    if (next_in_ring(*kernel_, *h) != *h) out.alone = false;
+  }
+}
+
+void Mesh::move_vertex(VertexId v, const Vec3& to) { kernel_->half_edges.set_point(handle(v), to_point(to)); }
+
 void Mesh::split_edge(FaceId f, VertexId from, VertexId to, std::vector<FaceSplit>& out) {
   split_edge_at(f, from, to, 0.5 * position(from) + 0.5 * position(to), out);
 }
@@ -264,6 +279,17 @@ void Mesh::flip_edge(FaceId f, VertexId from, VertexId to) {
   close(a0, a2, b1, fa);
   close(b0, b2, a1, fb);
   link_to_copy(*kernel_, a0);
+}
+
+bool Mesh::can_flip_edge(FaceId f, VertexId from, VertexId to) const {
+  const HalfEdges& m = kernel_->half_edges;
+  const HalfedgeHandle h = half_edge_from(m, f, from), o = m.opposite_halfedge_handle(h);
+  assert(m.to_vertex_handle(h) == handle(to));
+  (void)to;
+  if (!m.face_handle(o).is_valid() || next_in_ring(*kernel_, h) != h) return false;
+  const auto left = m.to_vertex_handle(m.next_halfedge_handle(h));
+  const auto right = m.to_vertex_handle(m.next_halfedge_handle(o));
+  return left != right && !m.find_halfedge(left, right).is_valid();
 }
 
 void Mesh::remove_face(FaceId f) {

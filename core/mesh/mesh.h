@@ -80,6 +80,19 @@ class Mesh {
   // Appends the sides of every other live face on the edge of f from one of its corners to the next.
   void append_edge_sides(FaceId f, VertexId from, VertexId to, std::vector<Side>& out) const;
 
+  // The faces around a vertex on its sheet, and the other ends of its edges that have one face. `alone` is
+  // false where an edge at the vertex is linked in a ring: there other sheets hold the same position.
+  struct Star {
+    std::vector<FaceId> faces;
+    std::vector<VertexId> rim;
+    bool alone = true;
+  };
+  // Linear in the degree of the vertex.
+  void star(VertexId v, Star& out) const;
+
+  // Moves one vertex of one sheet. What follows positions (a tree) must be told of its faces.
+  void move_vertex(VertexId v, const Vec3& to);
+
   // One face of a ring that was split: `kept` is the old slot, now the half at `kept_end` of the edge;
   // `added` is the new slot, the half at the other end.
   struct FaceSplit {
@@ -103,6 +116,9 @@ class Mesh {
   // make. The edge must have both faces. Face data stay with their slots. Constant time, but for copies of
   // the faces: linear in the ring of a side.
   void flip_edge(FaceId f, VertexId from, VertexId to);
+
+  // Whether that edge has two faces, is in no ring, and its opposite corners have no edge yet.
+  bool can_flip_edge(FaceId f, VertexId from, VertexId to) const;
 
   // Marks f dead and frees its edges; its slot stays. f must be live.
   void remove_face(FaceId f);

@@ -177,6 +177,14 @@ void AabbTree::replace(const Mesh& mesh, std::span<const FaceId> gone, std::span
 
 // Refits the boxes from n upward for as long as they do not hold their children: a split face may have been
 // split again by the time the tree hears of it.
+void AabbTree::refit(const Mesh& mesh, std::span<const FaceId> faces) {
+  for (const FaceId f : faces) {
+    Node& leaf = nodes_[leaf_of_[f.index]];
+    fit_leaf(mesh, leaf);
+    grow_from(leaf.parent);
+  }
+}
+
 void AabbTree::grow_from(uint32_t n) {
   for (; n != kNone; n = nodes_[n].parent) {
     Node fitted = nodes_[n];

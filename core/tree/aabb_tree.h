@@ -50,6 +50,9 @@ class AabbTree {
   // node remembers the beam; the new leaves have not met it yet.
   void replace(const Mesh& mesh, std::span<const FaceId> gone, std::span<const FaceId> born);
 
+  // Corners of these faces have moved: their leaves are fitted anew and the boxes above grow with them.
+  void refit(const Mesh& mesh, std::span<const FaceId> faces);
+
   // Takes the leaf of a face away.
   void remove(FaceId f);
 

@@ -45,6 +45,13 @@ class SweptCylinder {
 
   double radius() const { return radius_; }
 
+  // The same volume with another radius.
+  SweptCylinder with_radius(double radius) const {
+    SweptCylinder other = *this;
+    other.radius_ = radius;
+    return other;
+  }
+
   // A box in the coordinates that the volume has of itself: along `axis`, `along` (the motion) and `across`,
   // measured from from.origin. It holds the part of the volume whose depth lies in `depths`; a box for
   // culling.

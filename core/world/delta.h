@@ -22,6 +22,9 @@ struct Delta {
   size_t removed_faces = 0;
   double removed_area = 0;  // m^2
   bool empty() const { return bodies.empty(); }
+
+  // Makes this the delta of this step and the next one together.
+  void append(Delta later);
 };
 
 }  // namespace kerf

@@ -1,0 +1,79 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/cut/rim_state.h"
+
+namespace kerf {
+
+namespace {
+
+struct Crossing {
+  VertexId from, to;  // as the face walks the edge
+  bool from_inside = false;
+  double length2 = -1;
+  bool found() const { return length2 >= 0; }
+};
+
+// The longest of the face's edges across the boundary.
+Crossing longest_crossing(RimState& rim, FaceId f) {
+  const auto c = rim.mesh().corners(f);
+  const auto d = rim.distances_of(f);
+  const Triangle t = rim.mesh().triangle(f);
+  Crossing longest;
+  for (int i = 0; i < 3; ++i) {
+    const int k = (i + 1) % 3;
+    if (!((d[i] < 0 && d[k] > 0) || (d[i] > 0 && d[k] < 0))) continue;
+    const double length2 = glm::dot(t[k] - t[i], t[k] - t[i]);
+    if (length2 > longest.length2) longest = {c[i], c[k], d[i] < 0, length2};
+  }
+  return longest;
+}
+
+// Splits the face's edge, and all faces on it, where it crosses the boundary.
+void split_at(RimState& rim, FaceId f, const Crossing& edge) {
+  Body& body = rim.step.body;
+  const VertexId in = edge.from_inside ? edge.from : edge.to, out = edge.from_inside ? edge.to : edge.from;
+  const Vec3 a = body.mesh.position(in), b = body.mesh.position(out), at = rim.region.crossing(f, a, b);
+  if (at == a || at == b) {
+    rim.note_on_boundary(at == a ? in : out);
+    return;
+  }
+  std::vector<Mesh::Side> sides;
+  body.mesh.append_edge_sides(f, edge.from, edge.to, sides);
+  body.refinement.forget(body.mesh, f);
+  for (const Mesh::Side& side : sides) body.refinement.forget(body.mesh, side.face);
+
+  std::vector<Mesh::FaceSplit> splits;
+  body.mesh.split_edge_at(f, edge.from, edge.to, at, splits);
+  for (const Mesh::FaceSplit& s : splits) {
+    rim.note_on_boundary(s.midpoint);
+    const double kept = triangle_area(body.mesh.triangle(s.kept)),
+                 added = triangle_area(body.mesh.triangle(s.added));
+    follow_area(body.mesh.data(s.kept), kept + added, kept);
+    follow_area(body.mesh.data(s.added), kept + added, added);
+    rim.replaced.push_back({{s.kept, FaceId()}, {s.kept, s.added, FaceId(), FaceId()}, 1, 2});
+    if (!rim.region.is_near(s.kept)) continue;
+    rim.region.inherit(s.added, s.kept);
+    rim.faces.push_back(s.added);
+  }
+}
+
+}  // namespace
+
+void clip_at_rim(RimState& rim) {
+  for (size_t i = 0; i < rim.faces.size(); ++i) {
+    const FaceId f = rim.faces[i];
+    for (Crossing edge = longest_crossing(rim, f); edge.found(); edge = longest_crossing(rim, f))
+      split_at(rim, f, edge);
+  }
+}
+
+void remove_within_rim(RimState& rim) {
+  std::vector<FaceId> going;
+  for (const FaceId f : rim.faces) {
+    if (rim.inside(f)) going.push_back(f);
+  }
+  remove_faces(rim.step, going);
+}
+
+}  // namespace kerf

@@ -1,0 +1,116 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/tolerances.h"
+#include "core/cut/rim_state.h"
+#include "core/cut/stopwatch.h"
+
+namespace kerf {
+
+double RimState::distance(VertexId v, FaceId face) {
+  const auto known = distances.find(v.index);
+  if (known != distances.end()) return known->second;
+  double d = region.signed_distance(face, mesh().position(v));
+  if (std::abs(d) <= kRimOn * radius()) d = 0;
+  distances.emplace(v.index, d);
+  return d;
+}
+
+std::array<double, 3> RimState::distances_of(FaceId face) {
+  const auto c = mesh().corners(face);
+  return {distance(c[0], face), distance(c[1], face), distance(c[2], face)};
+}
+
+bool RimState::inside(FaceId face) {
+  const auto d = distances_of(face);
+  if (d[0] > 0 || d[1] > 0 || d[2] > 0) return false;
+  if (d[0] < 0 || d[1] < 0 || d[2] < 0) return true;
+  const Triangle t = mesh().triangle(face);
+  return region.signed_distance(face, (t[0] + t[1] + t[2]) / 3.0) < 0;
+}
+
+void follow_area(FaceData& data, double area_before, double area_now) {
+  if (!(area_before > 0 && area_now > 0)) return;
+  int halvings = 0;
+  const double share =
+      std::frexp(area_before / area_now, &halvings);  // in [1/2, 1): their ratio is share * 2^halvings
+  if (share < 0.7071067811865476) --halvings;
+  data.halvings = static_cast<uint8_t>(std::clamp(data.halvings + halvings, 0, 255));
+}
+
+namespace {
+
+// The faces that meet the boundary, or lie so near that a vertex could be on it.
+void find_near(RimState& rim) {
+  const Stopwatch watch(rim.step.figures.query_s);
+  std::vector<FaceId> found;
+  for (uint32_t i = 0; i < rim.region.parts(); ++i) {
+    const SweptCylinder& part = rim.region.part(i);
+    found.clear();
+    const QueryCounts counts =
+        rim.step.body.tree.touched(rim.mesh(), part.with_radius(part.radius() * (1 + 2 * kRimOn)), found);
+    rim.step.figures.tested.boxes += counts.boxes;
+    rim.step.figures.tested.faces += counts.faces;
+    for (const FaceId f : found) {
+      if (!rim.region.is_near(f)) rim.faces.push_back(f);
+      rim.region.note_near(f, i);
+    }
+  }
+  std::sort(rim.faces.begin(), rim.faces.end());
+}
+
+// Refines and moves vertices, in turn, for the one may ask for the other.
+Status fit_to_boundary(RimState& rim, const Progress& progress) {
+  const Stopwatch watch(rim.step.figures.refine_s);
+  constexpr int kMostRounds = 4;
+  std::vector<FaceId> waiting = rim.faces;
+  for (int round = 0; round < kMostRounds && !waiting.empty(); ++round) {
+    if (const Status refined = refine_rim(rim, std::move(waiting), progress); !refined) return refined;
+    waiting.clear();
+    for (const FaceId f : snap_to_rim(rim)) split_near_rim(rim, f, waiting);
+  }
+  return Done{};
+}
+
+Status close(RimState& rim, const Progress& progress) {
+  find_near(rim);
+  if (rim.faces.empty()) return Done{};
+  const Status refined = fit_to_boundary(rim, progress);
+  if (refined) clip_at_rim(rim);
+  follow_splits(rim.step, rim.replaced);
+  if (!refined) return refined;
+  remove_within_rim(rim);
+  flip_near_rim(rim);
+  const Stopwatch watch(rim.step.figures.update_tree_s);
+  std::vector<FaceId> live;
+  for (const FaceId f : rim.step.edited) {
+    if (rim.mesh().is_live(f)) live.push_back(f);
+  }
+  rim.step.body.tree.refit(rim.mesh(), live);
+  return Done{};
+}
+
+}  // namespace
+
+Result<StepResult> close_rim(World& world, const CutSettings& settings, std::span<const BeamMove> path,
+                             const Progress* progress) {
+  StepResult result;
+  const auto ids = world.ids();
+  double done = 0;
+  for (const BodyId id : ids) {
+    BodyStep step(id, world.body(id));
+    RimState rim(step, settings);
+    for (const BeamMove& move : path) {
+      sweep(step, settings.laser, move);
+      for (const SweptCylinder& part : step.beam) rim.region.add(part);
+    }
+    const double share = 1 / static_cast<double>(ids.size());
+    if (const Status closed = close(rim, share_of(progress, done, done + share)); !closed)
+      return closed.error();
+    done += share;
+    settle(step, result);
+  }
+  return result;
+}
+
+}  // namespace kerf

@@ -1,0 +1,107 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/cut/rim_state.h"
+#include "core/cut/stopwatch.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr double kLeastGain = 1e-3;  // in the cosine of the smallest angle: flips end
+constexpr int kMostPasses = 4;
+
+Vec3 area_vector(const Triangle& t) { return glm::cross(t[1] - t[0], t[2] - t[0]); }
+
+// Whether two faces of one base lie in one plane, as far as doubles can tell.
+bool in_one_plane(const Triangle& s, const Triangle& t) {
+  const Vec3 n = area_vector(s), m = area_vector(t);
+  constexpr double kCosine = 1 - 1e-12;
+  return glm::dot(n, m) >= kCosine * std::sqrt(glm::dot(n, n)) * std::sqrt(glm::dot(m, m));
+}
+
+// The edge of a face that turning it would gain most on, in its plane.
+class Flip {
+ public:
+  Flip(Mesh& mesh, FaceId f, int edge) : mesh_(mesh), face_(f) {
+    const auto c = mesh.corners(f);
+    from_ = c[edge];
+    to_ = c[(edge + 1) % 3];
+    const Vec3 apex = mesh.position(c[(edge + 2) % 3]);
+    std::vector<Mesh::Side> sides;
+    mesh.append_edge_sides(f, from_, to_, sides);
+    if (sides.size() != 1 || !mesh.can_flip_edge(f, from_, to_)) return;
+    other_ = sides[0].face;
+    if (mesh.data(other_).base != mesh.data(f).base || mesh.data(other_).piece != mesh.data(f).piece) return;
+    Vec3 below{0};
+    for (const VertexId v : mesh.corners(other_)) {
+      if (v != from_ && v != to_) below = mesh.position(v);
+    }
+    const Vec3 a = mesh.position(from_), b = mesh.position(to_);
+    before_ = {mesh.triangle(f), mesh.triangle(other_)};
+    after_ = {Triangle{apex, a, below}, Triangle{below, b, apex}};
+    const Vec3 n = area_vector(before_[0]);
+    if (!in_one_plane(before_[0], before_[1])) return;
+    for (const Triangle& t : after_) {
+      if (!(glm::dot(area_vector(t), n) > 0)) return;
+    }
+    gain_ = worst(before_) - worst(after_);
+  }
+
+  bool pays() const { return gain_ > kLeastGain; }
+
+  void make(BodyStep& step) const {
+    for (const FaceId f : {face_, other_}) step.body.refinement.forget(mesh_, f);
+    mesh_.flip_edge(face_, from_, to_);
+    const std::array<FaceId, 2> faces{face_, other_};
+    for (int i = 0; i < 2; ++i) {
+      follow_area(mesh_.data(faces[i]), triangle_area(before_[i]), triangle_area(mesh_.triangle(faces[i])));
+      step.edited.push_back(faces[i]);
+    }
+  }
+
+  FaceId other() const { return other_; }
+
+ private:
+  static double worst(const std::array<Triangle, 2>& t) {
+    return std::max(largest_cosine(t[0]), largest_cosine(t[1]));
+  }
+
+  Mesh& mesh_;
+  FaceId face_, other_;
+  VertexId from_, to_;
+  std::array<Triangle, 2> before_, after_;
+  double gain_ = 0;
+};
+
+bool flip_around(RimState& rim, FaceId f) {
+  for (int edge = 0; edge < 3; ++edge) {
+    const Flip flip(rim.mesh(), f, edge);
+    if (!flip.pays()) continue;
+    flip.make(rim.step);
+    return true;
+  }
+  return false;
+}
+
+bool on_rim(RimState& rim, FaceId f) {
+  const auto d = rim.distances_of(f);
+  return d[0] == 0 || d[1] == 0 || d[2] == 0;
+}
+
+}  // namespace
+
+void flip_near_rim(RimState& rim) {
+  const Stopwatch watch(rim.step.figures.refine_s);
+  std::vector<FaceId> beside;
+  for (const FaceId f : rim.faces) {
+    if (rim.mesh().is_live(f) && on_rim(rim, f)) beside.push_back(f);
+  }
+  bool flipped = true;
+  for (int pass = 0; flipped && pass < kMostPasses; ++pass) {
+    flipped = false;
+    for (const FaceId f : beside) flipped = flip_around(rim, f) || flipped;
+  }
+}
+
+}  // namespace kerf

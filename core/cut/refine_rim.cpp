@@ -1,0 +1,51 @@
+#include "core/base/tolerances.h"
+#include "core/cut/chord_test.h"
+#include "core/cut/rim_state.h"
+
+namespace kerf {
+
+namespace {
+
+bool may_split(RimState& rim, FaceId f) {
+  const double least = kRimLeastEdge * rim.radius();
+  return rim.mesh().data(f).halvings < 2 * Resolution::kLargestDepth &&
+         longest_edge2(rim.mesh().triangle(f)) > least * least;
+}
+
+bool fails(RimState& rim, FaceId f) {
+  return chord_fails(rim.region, f, rim.mesh().triangle(f), rim.distances_of(f), kRimChord * rim.radius(),
+                     kRimGraze * rim.radius());
+}
+
+}  // namespace
+
+void split_near_rim(RimState& rim, FaceId f, std::vector<FaceId>& parts) {
+  const size_t first = rim.replaced.size();
+  split_by_scheme(rim.step, rim.settings.resolution.scheme, f, rim.replaced);
+  for (size_t i = first; i < rim.replaced.size(); ++i) {
+    const Replacement& r = rim.replaced[i];
+    if (!rim.region.is_near(r.gone[0])) continue;
+    for (int k = 0; k < r.born_count; ++k) {
+      if (!rim.region.is_near(r.born[k])) {
+        rim.region.inherit(r.born[k], r.gone[0]);
+        rim.faces.push_back(r.born[k]);
+      }
+      parts.push_back(r.born[k]);
+    }
+  }
+}
+
+Status refine_rim(RimState& rim, std::vector<FaceId> waiting, const Progress& progress) {
+  constexpr size_t kTestsToAsk = 1000;
+  for (size_t tests = 0; !waiting.empty(); ++tests) {
+    if (tests % kTestsToAsk == 0 && !progress.report(0)) return cancelled();
+    if (rim.mesh().live_faces() > rim.settings.most_faces) return too_many_faces(rim.settings);
+    const FaceId f = waiting.back();
+    waiting.pop_back();
+    if (!may_split(rim, f) || !fails(rim, f)) continue;
+    split_near_rim(rim, f, waiting);
+  }
+  return Done{};
+}
+
+}  // namespace kerf

@@ -1,0 +1,186 @@
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "core/base/tolerances.h"
+#include "core/cut/chord_test.h"
+#include "core/cut/rim_state.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr double kCosineOfLargestTurn = 0.99984769515639127;  // of one degree
+constexpr double kCosineOfGoodAngle = 0.98480775301220806;    // of 10 degrees
+
+// A vertex near the boundary and a point of the boundary for it. `other` is the end of the edge along which
+// it would move, invalid where it would move within the plane of its faces.
+struct Snap {
+  VertexId vertex, other;
+  FaceId face;
+  Vec3 to;
+  double share = 0;  // of the edges at hand that lies between
+};
+
+void sort(std::vector<Snap>& snaps) {
+  const auto key = [](const Snap& s) { return std::tie(s.share, s.vertex, s.other, s.face); };
+  std::sort(snaps.begin(), snaps.end(), [&](const Snap& a, const Snap& b) { return key(a) < key(b); });
+}
+
+// The direction in the plane of the face in which the distance grows fastest; zero where there is none.
+Vec3 in_plane_gradient(const RimState& rim, FaceId f, const Triangle& t, const Vec3& at) {
+  const double step = kRimOn * rim.radius();
+  const Vec3 u = glm::normalize(t[1] - t[0]), normal = glm::cross(u, t[2] - t[0]);
+  if (!(glm::dot(normal, normal) > 0)) return Vec3(0);
+  const Vec3 w = glm::cross(glm::normalize(normal), u);
+  const auto slope = [&](const Vec3& d) {
+    return rim.region.signed_distance(f, at + step * d) - rim.region.signed_distance(f, at - step * d);
+  };
+  const Vec3 gradient = slope(u) * u + slope(w) * w;
+  const double length = glm::length(gradient);
+  return length > 0 ? gradient / length : Vec3(0);
+}
+
+// Vertices that lie nearer to the boundary than their edges are long may move straight to it.
+void add_moves_in_plane(RimState& rim, FaceId f, std::vector<Snap>& snaps) {
+  const auto c = rim.mesh().corners(f);
+  const auto d = rim.distances_of(f);
+  const Triangle t = rim.mesh().triangle(f);
+  for (int i = 0; i < 3; ++i) {
+    const double edge = std::min(glm::length(t[(i + 1) % 3] - t[i]), glm::length(t[(i + 2) % 3] - t[i]));
+    if (d[i] == 0 || !(std::abs(d[i]) < kRimSnap * edge)) continue;
+    const Vec3 way = in_plane_gradient(rim, f, t, t[i]), beyond = t[i] - 2 * d[i] * way;
+    if (!((rim.region.signed_distance(f, beyond) > 0) == (d[i] < 0))) continue;
+    const Vec3 to = d[i] < 0 ? rim.region.crossing(f, t[i], beyond) : rim.region.crossing(f, beyond, t[i]);
+    snaps.push_back({c[i], VertexId(), f, to, std::abs(d[i]) / edge});
+  }
+}
+
+void add_moves_along_edges(RimState& rim, FaceId f, std::vector<Snap>& snaps) {
+  const auto c = rim.mesh().corners(f);
+  const auto d = rim.distances_of(f);
+  for (int i = 0; i < 3; ++i) {
+    const int k = (i + 1) % 3;
+    const bool crosses = (d[i] < 0 && d[k] > 0) || (d[i] > 0 && d[k] < 0);
+    if (!crosses) continue;
+    const int in = d[i] < 0 ? i : k, out = d[i] < 0 ? k : i;
+    const Vec3 a = rim.mesh().position(c[in]), b = rim.mesh().position(c[out]);
+    const Vec3 at = rim.region.crossing(f, a, b);
+    const double share = glm::length(at - a) / glm::length(b - a);
+    if (share < kRimSnap) snaps.push_back({c[in], c[out], f, at, share});
+    if (1 - share < kRimSnap) snaps.push_back({c[out], c[in], f, at, 1 - share});
+  }
+}
+
+double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const Vec3 ab = b - a;
+  const double length2 = glm::dot(ab, ab);
+  const double s = length2 > 0 ? std::clamp(glm::dot(p - a, ab) / length2, 0.0, 1.0) : 0.0;
+  return glm::length(p - (a + s * ab));
+}
+
+// A vertex of an edge of one face may only slide along that edge, and hardly change its line; but where the
+// stroke itself has taken what was on the other side, there is no line to keep.
+bool keeps_old_rim(RimState& rim, const Mesh& mesh, const Mesh::Star& star, const Snap& s) {
+  if (rim.distance(s.vertex, s.face) < 0 && std::none_of(star.rim.begin(), star.rim.end(), [&](VertexId v) {
+        return rim.distance(v, s.face) > 0;
+      })) {
+    return true;
+  }
+  if (star.rim.empty()) return true;
+  if (!s.other.valid()) return false;
+  if (star.rim.size() != 2) return false;
+  const VertexId back = star.rim[0] == s.other ? star.rim[1] : star.rim[0];
+  if (star.rim[0] != s.other && star.rim[1] != s.other) return false;
+  return distance_to_segment(mesh.position(s.vertex), mesh.position(back), s.to) <= kRimOn * rim.radius();
+}
+
+Triangle with_corner_moved(const Mesh& mesh, FaceId f, VertexId v, const Vec3& to) {
+  Triangle t = mesh.triangle(f);
+  const auto c = mesh.corners(f);
+  for (int i = 0; i < 3; ++i) {
+    if (c[i] == v) t[i] = to;
+  }
+  return t;
+}
+
+bool turns_too_far(const Triangle& before, const Triangle& after) {
+  const Vec3 n = glm::cross(before[1] - before[0], before[2] - before[0]);
+  const Vec3 m = glm::cross(after[1] - after[0], after[2] - after[0]);
+  return !(glm::dot(n, m) >= kCosineOfLargestTurn * std::sqrt(glm::dot(n, n)) * std::sqrt(glm::dot(m, m))) ||
+         !(glm::dot(m, m) > 0);
+}
+
+// Without the snap the smallest angle beside the vertex would be about the share of the edge that is cut off.
+bool keeps_faces_well(const Mesh& mesh, const Mesh::Star& star, const Snap& s) {
+  double worst = -1;
+  for (const FaceId f : star.faces) {
+    const Triangle after = with_corner_moved(mesh, f, s.vertex, s.to);
+    if (turns_too_far(mesh.triangle(f), after)) return false;
+    worst = std::max(worst, largest_cosine(after));
+  }
+  return worst <= kCosineOfGoodAngle || 1 - worst * worst >= 0.25 * s.share * s.share;
+}
+
+// A face around the vertex that could not be cut along one chord any more; none where all could.
+FaceId without_chord(RimState& rim, const Mesh::Star& star, const Snap& s) {
+  const double chord = kRimMovedChord * rim.radius(), graze = 2 * kRimGraze * rim.radius();
+  for (const FaceId f : star.faces) {
+    if (!rim.region.is_near(f)) continue;
+    auto d = rim.distances_of(f);
+    const auto c = rim.mesh().corners(f);
+    for (int i = 0; i < 3; ++i) {
+      if (c[i] == s.vertex) d[i] = 0;
+    }
+    if (chord_fails(rim.region, f, with_corner_moved(rim.mesh(), f, s.vertex, s.to), d, chord, graze))
+      return f;
+  }
+  return FaceId();
+}
+
+void move(RimState& rim, const Mesh::Star& star, const Snap& s) {
+  Body& body = rim.step.body;
+  for (const FaceId f : star.faces) {
+    body.refinement.forget(body.mesh, f);
+    const double before = triangle_area(body.mesh.triangle(f));
+    const double now = triangle_area(with_corner_moved(body.mesh, f, s.vertex, s.to));
+    follow_area(body.mesh.data(f), before, now);
+    body.pieces[body.mesh.data(f).piece].area += now - before;
+    rim.step.edited.push_back(f);
+  }
+  body.mesh.move_vertex(s.vertex, s.to);
+  rim.note_on_boundary(s.vertex);
+}
+
+template <typename Add>
+void snap(RimState& rim, Add add, std::vector<FaceId>& in_the_way) {
+  std::vector<Snap> snaps;
+  for (const FaceId f : rim.faces) add(rim, f, snaps);
+  sort(snaps);
+  Mesh::Star star;
+  for (const Snap& s : snaps) {
+    if (rim.distance(s.vertex, s.face) == 0) continue;
+    if (s.other.valid() && rim.distance(s.other, s.face) == 0) continue;
+    rim.mesh().star(s.vertex, star);
+    if (!star.alone || !keeps_old_rim(rim, rim.mesh(), star, s)) continue;
+    if (!keeps_faces_well(rim.mesh(), star, s)) continue;
+    if (const FaceId f = without_chord(rim, star, s); f.valid()) {
+      if (s.share < kRimSliver) in_the_way.push_back(f);
+    } else {
+      move(rim, star, s);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<FaceId> snap_to_rim(RimState& rim) {
+  std::vector<FaceId> in_the_way;
+  snap(rim, add_moves_in_plane, in_the_way);
+  snap(rim, add_moves_along_edges, in_the_way);
+  std::sort(in_the_way.begin(), in_the_way.end());
+  in_the_way.erase(std::unique(in_the_way.begin(), in_the_way.end()), in_the_way.end());
+  return in_the_way;
+}
+
+}  // namespace kerf

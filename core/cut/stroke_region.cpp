@@ -1,0 +1,48 @@
+#include "core/cut/stroke_region.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace kerf {
+
+void StrokeRegion::note_near(FaceId f, uint32_t part) {
+  const auto [at, fresh] = list_of_.try_emplace(f.index, static_cast<uint32_t>(lists_.size()));
+  if (fresh) lists_.emplace_back();
+  lists_[at->second].push_back(part);
+}
+
+void StrokeRegion::inherit(FaceId child, FaceId parent) {
+  const auto at = list_of_.find(parent.index);
+  if (at != list_of_.end()) list_of_[child.index] = at->second;
+}
+
+std::span<const uint32_t> StrokeRegion::parts_near(FaceId f) const {
+  const auto at = list_of_.find(f.index);
+  if (at == list_of_.end()) return {};
+  return lists_[at->second];
+}
+
+double StrokeRegion::signed_distance(FaceId near, const Vec3& p) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const uint32_t i : parts_near(near)) least = std::min(least, parts_[i].signed_distance(p));
+  return least;
+}
+
+bool StrokeRegion::reaches_into(FaceId near, const Triangle& t, double graze) const {
+  const auto parts = parts_near(near);
+  return std::any_of(parts.begin(), parts.end(), [&](uint32_t i) {
+    return parts_[i].with_radius(parts_[i].radius() - graze).touches(t);
+  });
+}
+
+Vec3 StrokeRegion::crossing(FaceId near, const Vec3& inside, const Vec3& outside) const {
+  constexpr int kHalvings = 52;  // the precision of the share of the segment
+  double low = 0, high = 1;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    (signed_distance(near, inside + middle * (outside - inside)) <= 0 ? low : high) = middle;
+  }
+  return inside + high * (outside - inside);
+}
+
+}  // namespace kerf

@@ -3,6 +3,7 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/base/result.h"
@@ -43,8 +44,11 @@ class Document {
   bool can_recut() const { return before_stroke_.has_value() && !in_stroke_; }
   void recut(const CutSettings& settings);
 
-  // Of the last stroke.
+  // Of the last stroke: its settings, its commands as far as they came, and the world before it; null where
+  // there is no stroke and where it was too large to be remembered.
   const CutSettings& stroke_settings() const { return stroke_->settings; }
+  std::span<const Command> last_stroke() const { return std::span(journal_).subspan(stroke_at_); }
+  const World* before_last_stroke() const { return before_stroke_ ? &*before_stroke_ : nullptr; }
 
   const std::vector<Command>& journal() const { return journal_; }
   size_t strokes() const { return strokes_; }

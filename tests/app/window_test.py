@@ -65,6 +65,13 @@ class Editor:
             self.xdotool("keyup", key)
             time.sleep(0.15)
 
+    def drop(self, *files):
+        """Drags files from another program onto the middle of the picture and lets them go."""
+        window = self.xdotool("search", "--onlyvisible", "--name", "Kerf").stdout.split()[0]
+        source = os.path.join(os.path.dirname(os.path.abspath(__file__)), "drag_source.py")
+        subprocess.run([sys.executable, source, window, "500", "400", *files], env=self.environment, check=True)
+        time.sleep(2)
+
     def quit(self):
         """Ends the editor by its own shortcut and returns its report."""
         self.press("ctrl", "q")
@@ -187,6 +194,35 @@ class Window(unittest.TestCase):
         self.assertEqual(report["files"], [os.path.basename(SPHERE)])
         self.assertIn("broken.obj", report["message"])
         self.assertEqual(self.settings()["recent"], [os.path.realpath(SPHERE)])
+
+    def test_dropped_files_open_together_and_a_broken_one_changes_nothing(self):
+        editor = self.open()
+        meshes = [os.path.join(ASSETS, "meshes", name) for name in ("bracket.obj", "plate.obj")]
+        editor.drop(*meshes)
+        broken = os.path.join(self.folder, "not a mesh.stl")
+        with open(broken, "w") as file:
+            file.write("solid nothing\nfacet normal none\n")
+        editor.drop(broken)
+        report = editor.quit()
+        self.assertEqual(report["files"], ["bracket.obj", "plate.obj"])
+        self.assertEqual(report["bodies"], 2)
+        self.assertIn("not a mesh.stl", report["message"])
+
+    def test_a_split_view_cuts_the_stroke_at_two_resolutions(self):
+        editor = self.open(SPHERE)
+        editor.press("s")
+        time.sleep(2)
+        editor.drag([(150, 400), (330, 400)])
+        time.sleep(3)
+        editor.drag([(472, 600), (300, 600)])
+        report = editor.quit()
+        self.assertEqual(report["strokes"], 1)
+        self.assertTrue(report["split"]["shown"])
+        self.assertGreater(report["split"]["faces"], 5000)
+        self.assertLess(report["split"]["faces"], report["faces"])
+        first, second = report["layout"]["first"], report["layout"]["second"]
+        self.assertAlmostEqual(first[2], 300, delta=8)
+        self.assertEqual(first[2] + second[2], report["layout"]["viewport"][2])
 
     def test_a_smaller_window_keeps_panels_and_picture_apart(self):
         editor = self.open()

@@ -99,5 +99,15 @@ TEST(Camera, look_at_a_target_straight_below_is_still_a_view) {
   EXPECT_NEAR(glm::dot(view.right, view.up), 0, 1e-12);
 }
 
+TEST(Camera, a_narrow_picture_shows_as_much_sideways_as_a_wider_one) {
+  const Camera camera = framed();
+  const auto sideways = [&](double aspect) {
+    const CameraView view = camera.view(aspect);
+    return view.tan_half_fov * view.aspect;
+  };
+  EXPECT_NEAR(sideways(0.6), sideways(1.0), 1e-12);
+  EXPECT_LT(sideways(1.0), sideways(kWide));
+}
+
 }  // namespace
 }  // namespace kerf

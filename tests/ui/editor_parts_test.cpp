@@ -23,6 +23,19 @@ TEST(Layout, a_narrow_window_gives_up_its_panels) {
   EXPECT_EQ(lay_out({500, 400}, 16, 26, 26).side.size.x, 0);
 }
 
+TEST(Layout, halves_tile_the_picture_and_stay_wide_enough_to_be_looked_at) {
+  const Layout whole = lay_out({1280, 800}, 16, 26, 26);
+  EXPECT_FALSE(whole.split());
+  EXPECT_EQ(whole.first.size, whole.viewport.size);
+  for (const double share : {0.0, 0.3, 0.5, 1.0}) {
+    const Layout l = split_in_two(whole, share);
+    EXPECT_TRUE(l.split());
+    EXPECT_EQ(l.first.size.x + l.second.size.x, whole.viewport.size.x);
+    EXPECT_EQ(l.second.at.x, l.first.at.x + l.first.size.x);
+    EXPECT_GE(std::min(l.first.size.x, l.second.size.x), 120) << share;
+  }
+}
+
 TEST(FrameStatistics, tells_nearest_ranks) {
   FrameStatistics frames;
   EXPECT_EQ(frames.percentile(0.5), 0);

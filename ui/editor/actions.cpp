@@ -141,6 +141,7 @@ constexpr std::array kActions{
            .shortcut = "Ctrl+Q",
            .key = GLFW_KEY_Q,
            .mods = kCtrl,
+           .tip = "Ends the editor. The settings are kept.",
            .run = [](EditorState& s) { s.quit = true; }},
 
     Action{.menu = "Edit",
@@ -163,11 +164,13 @@ constexpr std::array kActions{
            .shortcut = "Ctrl+A",
            .key = GLFW_KEY_A,
            .mods = kCtrl,
+           .tip = "All that are not hidden.",
            .run = choose_all},
     Action{.menu = "Edit",
            .name = "Hide the chosen",
            .shortcut = "H",
            .key = GLFW_KEY_H,
+           .tip = "Leaves the chosen pieces out of the picture.",
            .run = change_pieces<hide_chosen>,
            .why_not = why_none_chosen},
     Action{.menu = "Edit",
@@ -175,6 +178,7 @@ constexpr std::array kActions{
            .shortcut = "Shift+H",
            .key = GLFW_KEY_H,
            .mods = kShift,
+           .tip = "Draws the hidden pieces again.",
            .run = change_pieces<show_all>,
            .why_not = why_none_hidden},
 
@@ -204,11 +208,17 @@ constexpr std::array kActions{
            .run = [](EditorState& s) { s.requests.recut = true; },
            .why_not = why_no_recut},
 
-    Action{.menu = "View", .name = "Frame all", .shortcut = "F", .key = GLFW_KEY_F, .run = frame_all},
+    Action{.menu = "View",
+           .name = "Frame all",
+           .shortcut = "F",
+           .key = GLFW_KEY_F,
+           .tip = "Everything in the picture, seen from the side where the eye is.",
+           .run = frame_all},
     Action{.menu = "View",
            .name = "First view",
            .shortcut = "Home",
            .key = GLFW_KEY_HOME,
+           .tip = "As it was when the file was opened.",
            .run = go_home,
            .ends_group = true},
     Action{.menu = "View",
@@ -264,6 +274,13 @@ constexpr std::array kActions{
            .run = flip<&ViewOptions::antialias>,
            .checked = shown<&ViewOptions::antialias>,
            .ends_group = true},
+    Action{.menu = "View",
+           .name = "Split view",
+           .shortcut = "S",
+           .key = GLFW_KEY_S,
+           .tip = "The last stroke at a second resolution, in a right half of the picture.",
+           .run = [](EditorState& s) { show_split(s, !s.split.shown); },
+           .checked = [](const EditorState& s) { return s.split.shown; }},
     Action{.menu = "View", .name = "Panels", .submenu = draw_panels_menu},
     Action{.menu = "View",
            .name = "Column of panels",
@@ -276,6 +293,7 @@ constexpr std::array kActions{
            .name = "Light theme",
            .shortcut = "F9",
            .key = GLFW_KEY_F9,
+           .tip = "Bright panels and menus; the picture stays as it is.",
            .run =
                [](EditorState& s) {
                  s.settings.theme = s.settings.theme == Theme::kLight ? Theme::kDark : Theme::kLight;
@@ -286,6 +304,7 @@ constexpr std::array kActions{
            .shortcut = "Ctrl+=",
            .key = GLFW_KEY_EQUAL,
            .mods = kCtrl,
+           .tip = "Of panels and menus.",
            .run = [](EditorState& s) { change_scale(s, kScaleStep); },
            .why_not =
                [](const EditorState& s) {
@@ -297,6 +316,7 @@ constexpr std::array kActions{
            .shortcut = "Ctrl+-",
            .key = GLFW_KEY_MINUS,
            .mods = kCtrl,
+           .tip = "Of panels and menus.",
            .run = [](EditorState& s) { change_scale(s, -kScaleStep); },
            .why_not =
                [](const EditorState& s) {
@@ -308,6 +328,7 @@ constexpr std::array kActions{
            .name = "Shortcuts",
            .shortcut = "F1",
            .key = GLFW_KEY_F1,
+           .tip = "All keys, and what the mouse does.",
            .run = [](EditorState& s) { s.show_shortcuts = !s.show_shortcuts; },
            .checked = [](const EditorState& s) { return s.show_shortcuts; }},
 };

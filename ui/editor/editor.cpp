@@ -9,6 +9,7 @@
 #include "ui/editor/editor_report.h"
 #include "ui/editor/editor_state.h"
 #include "ui/editor/gui.h"
+#include "ui/editor/live_picture.h"
 #include "ui/editor/open_file.h"
 #include "ui/editor/panels.h"
 #include "ui/editor/piece_set.h"
@@ -28,9 +29,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kFrameSeconds = 1.0 / 60;  // no frame begins sooner after the last one
 constexpr double kStepSeconds =
-    0.020;                            // of cutting in one frame, or as long as drawing takes if that is more
-constexpr double kSlowFrame = 0.030;  // smooth pictures that take longer are left for when nothing moves
-constexpr double kStillSeconds = 0.15;
+    0.020;  // of cutting in one frame, or as long as drawing takes if that is more
 constexpr size_t kMovesOfStep = 16;
 constexpr double kFigureSeconds = 0.25;
 constexpr double kLongestEaseStep = 0.05;
@@ -58,6 +57,8 @@ class Editor {
   void fulfil();  // what panels, menus and keys asked for
   void move_camera();
   void cut();
+  bool cut_first(Clock::time_point began, double budget);  // whether anything was cut
+  bool cut_twin(Clock::time_point began, double budget);
   bool draw();  // whether the picture is a new one
   void note_time(double seconds, bool new_picture);
   void update_figures();
@@ -65,29 +66,25 @@ class Editor {
   void lay_out_window();
   void dress();
   void save_settings();
-  Area picture_pixels() const;
   void take_picture(Requests::Screenshot what);
   // Whether something moves that has to be drawn at once.
-  bool moving() const { return easing_ || state_.document.waiting() > 0 || state_.picture_old; }
+  bool moving() const {
+    return easing_ || state_.document.waiting() > 0 || state_.split.twin.waiting() > 0 || state_.picture_old;
+  }
 
   Window window_;
   Gui gui_;
-  Renderer renderer_;
+  LivePicture picture_;
   EditorState state_;
   Settings saved_;  // as they are in the file
   StopSignals stop_;
   Clock::time_point frame_began_ = Clock::now(), last_event_ = Clock::now(), figures_at_{};
-  bool easing_ = false;         // the camera
-  bool beam_shown_ = false;     // in the last picture
-  bool rough_ = false;          // the last picture was drawn without smooth edges to be in time
-  double smooth_seconds_ = 0;   // what the last smooth frame with a new picture took
-  double cut_seconds_ = 0;      // of the last frame
-  double picture_seconds_ = 0;  // what the last frame with a new picture took
-  Clock::time_point moved_at_{};
+  bool easing_ = false;     // the camera
+  double cut_seconds_ = 0;  // of the last frame
 };
 
 Editor::Editor(Window window, Renderer renderer, LoadedSettings loaded)
-    : window_(std::move(window)), gui_(window_), renderer_(std::move(renderer)), saved_(loaded.settings) {
+    : window_(std::move(window)), gui_(window_), picture_(std::move(renderer)), saved_(loaded.settings) {
   state_.settings = std::move(loaded.settings);
   state_.look.antialias = state_.settings.antialias;
   dress();
@@ -96,13 +93,13 @@ Editor::Editor(Window window, Renderer renderer, LoadedSettings loaded)
 Status Editor::open(const EditorOptions& options) {
   lay_out_window();
   const std::array standard{options.default_scene};
-  if (options.files.empty()) return open_files(state_, renderer_, standard);
-  const Status opened = open_files(state_, renderer_, options.files);
+  if (options.files.empty()) return open_files(state_, picture_.first(), standard);
+  const Status opened = open_files(state_, picture_.first(), options.files);
   if (opened) {
     for (const std::filesystem::path& file : options.files) remember_recent(state_.settings, file);
     return opened;
   }
-  if (const Status fallback = open_files(state_, renderer_, standard); !fallback) return fallback;
+  if (const Status fallback = open_files(state_, picture_.first(), standard); !fallback) return fallback;
   state_.say(opened.error().message, true);
   return Done{};
 }
@@ -165,13 +162,13 @@ void Editor::fulfil() {
   state_.requests.screenshot = wanted.screenshot;  // waits for the picture
   if (!wanted.open.empty()) {
     cancel_stroke(state_);
-    if (const Status opened = open_files(state_, renderer_, wanted.open); !opened) {
+    if (const Status opened = open_files(state_, picture_.first(), wanted.open); !opened) {
       state_.say(opened.error().message, true);
     } else {
       for (const std::filesystem::path& file : wanted.open) remember_recent(state_.settings, file);
     }
   }
-  if (wanted.recut) recut_last_stroke(state_, renderer_);
+  if (wanted.recut) recut_last_stroke(state_, picture_.first());
 }
 
 void Editor::move_camera() {
@@ -182,51 +179,66 @@ void Editor::move_camera() {
 
 void Editor::cut() {
   cut_seconds_ = 0;
-  if (state_.document.waiting() == 0) return;
-  state_.tool.find_strike(state_.document);
-  const double budget = std::max(kStepSeconds, picture_seconds_);
   const Clock::time_point began = Clock::now();
+  const double budget = std::max(kStepSeconds, picture_.seconds());
+  const bool first = cut_first(began, budget), twin = cut_twin(began, budget);
+  if (!first && !twin) return;
+  if (first && state_.spread > 0) spread_pieces(state_.document.world(), state_.spread, state_.look.pieces);
+  cut_seconds_ = seconds_since(began);
+  state_.picture_old = state_.world_changed = true;
+}
+
+bool Editor::cut_first(Clock::time_point began, double budget) {
+  if (state_.document.waiting() == 0) return false;
+  Renderer& renderer = picture_.first();
+  state_.tool.find_strike(state_.document);
   while (state_.document.waiting() > 0 && seconds_since(began) < budget) {
     const size_t faces = state_.document.world().live_faces();
     const Result<StepResult> step = state_.document.step(kMovesOfStep);
     if (!step) {
       cancel_stroke(state_);
-      renderer_.resend(state_.document.world());
+      renderer.resend(state_.document.world());
       state_.say(step.error().message, true);
       break;
     }
-    renderer_.follow(step->delta);
-    if (state_.look.ghost || state_.look.show.face_numbers) renderer_.catch_up(state_.document.world());
+    renderer.follow(step->delta);
+    if (state_.look.ghost || state_.look.show.face_numbers) renderer.catch_up(state_.document.world());
     state_.removed_faces += step->delta.removed_faces;
     state_.last_step = step->figures;
     state_.faces_before_step = faces;
   }
-  if (state_.spread > 0) spread_pieces(state_.document.world(), state_.spread, state_.look.pieces);
-  cut_seconds_ = seconds_since(began);
-  state_.picture_old = state_.world_changed = true;
+  return true;
+}
+
+bool Editor::cut_twin(Clock::time_point began, double budget) {
+  SplitView& split = state_.split;
+  if (!split.shown) return false;
+  const Result<Renderer*> half = picture_.second();
+  if (!half) {
+    split.shown = false;
+    state_.say(half.error().message, true);
+    return false;
+  }
+  const bool anew = split.twin.follow(state_.document, split.resolution);
+  if (anew) show_world(state_, split.twin.world(), **half);
+  const bool waited = split.twin.waiting() > 0;
+  while (split.twin.waiting() > 0 && seconds_since(began) < budget) {
+    const Result<StepResult> step = split.twin.step(kMovesOfStep);
+    if (!step) {
+      (*half)->resend(split.twin.world());
+      state_.say("In the right half: " + step.error().message, true);
+      break;
+    }
+    (*half)->follow(step->delta);
+    if (state_.look.ghost || state_.look.show.face_numbers) (*half)->catch_up(split.twin.world());
+  }
+  return anew || waited;
 }
 
 bool Editor::draw() {
   update_figures();
   draw_panels(state_);
-  const Area area = picture_pixels();
-  const Target target{0, static_cast<int>(area.at.x),
-                      static_cast<int>(window_.pixel_size().y - area.at.y - area.size.y),
-                      static_cast<int>(area.size.x), static_cast<int>(area.size.y)};
-  if (state_.picture_old) moved_at_ = Clock::now();
-  const bool still = seconds_since(moved_at_) > kStillSeconds;
-  const bool anew = state_.picture_old || (rough_ && still) || !renderer_.draw_again(target);
-  if (anew) {
-    ViewOptions look = state_.look;
-    look.tree.palette = state_.settings.palette;
-    rough_ = look.antialias && !still && smooth_seconds_ > kSlowFrame;
-    if (rough_) look.antialias = false;
-    const std::optional<BeamPicture> beam = state_.tool.picture(state_.document);
-    renderer_.draw(state_.document.world(), state_.view(), look, beam, target);
-    beam_shown_ = beam.has_value();
-  }
-  // Once more without the beam when it is off.
-  state_.picture_old = beam_shown_ && !state_.tool.picture(state_.document);
+  const bool anew = picture_.draw(state_, window_);
   const auto screenshot = std::exchange(state_.requests.screenshot, Requests::Screenshot::kNone);
   if (screenshot == Requests::Screenshot::kPicture) take_picture(screenshot);
   gui_.end_frame();
@@ -236,21 +248,20 @@ bool Editor::draw() {
 
 void Editor::note_time(double seconds, bool new_picture) {
   state_.frames.add(1000 * seconds);
-  if (!new_picture) return;
-  picture_seconds_ = seconds - cut_seconds_;
-  if (!rough_ && state_.look.antialias) smooth_seconds_ = picture_seconds_;
+  if (new_picture) picture_.took(seconds - cut_seconds_);
 }
 
 void Editor::update_figures() {
   if (seconds_since(figures_at_) < kFigureSeconds) return;
   figures_at_ = Clock::now();
   save_settings();
-  state_.shown.frame_ms = 1000 * picture_seconds_;
+  state_.shown.frame_ms = 1000 * picture_.seconds();
   if (!state_.world_changed) return;
   state_.world_changed = false;
   const World& world = state_.document.world();
   state_.shown.faces = world.live_faces();
   state_.shown.pieces = world.live_pieces();
+  state_.shown.twin_faces = state_.split.twin.world().live_faces();
   state_.shown.faces_tested = state_.last_step.tested.faces;
   state_.shown.faces_of_step = state_.faces_before_step;
   look_at_tree();
@@ -272,8 +283,11 @@ void Editor::look_at_tree() {
 void Editor::lay_out_window() {
   const double em = ImGui::GetFontSize(), bar = ImGui::GetFrameHeight();
   const double side = state_.settings.side_shown ? state_.settings.side_ems : 0;
-  const Layout layout = lay_out(window_.size(), em, bar, bar, side);
-  if (layout.viewport.size != state_.layout.viewport.size) state_.picture_old = true;
+  Layout layout = lay_out(window_.size(), em, bar, bar, side);
+  if (state_.split.shown) layout = split_in_two(layout, state_.settings.split_share);
+  const Layout& before = state_.layout;
+  if (layout.first.size != before.first.size || layout.second.size != before.second.size)
+    state_.picture_old = true;
   state_.layout = layout;
 }
 
@@ -293,17 +307,11 @@ void Editor::save_settings() {
     state_.say(written.error().message, true);
 }
 
-// Where the picture lies in the framebuffer, from its upper left corner.
-Area Editor::picture_pixels() const {
-  const Vec2 scale = window_.pixel_size() / window_.size();
-  const Area& area = state_.layout.viewport;
-  return {glm::floor(area.at * scale), glm::max(Vec2(1), glm::floor(area.size * scale))};
-}
-
 void Editor::take_picture(Requests::Screenshot what) {
   const bool window = what == Requests::Screenshot::kWindow;
   const Vec2 pixels = window_.pixel_size();
-  const auto file = take_screenshot(pixels, window ? Area{Vec2(0), pixels} : picture_pixels());
+  const auto file =
+      take_screenshot(pixels, window ? Area{Vec2(0), pixels} : pixels_of(state_.layout.viewport, window_));
   state_.say(file ? "Saved: " + file->string() : file.error().message, !file.ok());
 }
 

@@ -28,7 +28,11 @@ nlohmann::ordered_json view_of(const EditorState& state) {
 nlohmann::ordered_json layout_of(const EditorState& state) {
   const Layout& l = state.layout;
   const auto area = [](const Area& a) { return nlohmann::ordered_json{a.at.x, a.at.y, a.size.x, a.size.y}; };
-  return {{"viewport", area(l.viewport)}, {"side", area(l.side)}, {"status", area(l.status)}};
+  return {{"viewport", area(l.viewport)},
+          {"first", area(l.first)},
+          {"second", area(l.second)},
+          {"side", area(l.side)},
+          {"status", area(l.status)}};
 }
 
 }  // namespace
@@ -54,6 +58,7 @@ Status write_editor_report(const EditorState& state, const std::filesystem::path
       {"files", names},
       {"message", state.message},
       {"view", view_of(state)},
+      {"split", {{"shown", state.split.shown}, {"faces", state.split.twin.world().live_faces()}}},
       {"layout", layout_of(state)},
   };
   return write_file_atomically(

@@ -3,7 +3,7 @@
 namespace kerf {
 
 Vec2 EditorState::in_picture(Vec2 at) const {
-  const Vec2 p = (at - layout.viewport.at) / layout.viewport.size;
+  const Vec2 p = (at - pane().at) / pane().size;
   return {2 * p.x - 1, 1 - 2 * p.y};
 }
 

@@ -14,6 +14,7 @@
 #include "ui/editor/laser_tool.h"
 #include "ui/editor/layout.h"
 #include "ui/editor/settings.h"
+#include "ui/editor/twin_cut.h"
 #include "ui/render/camera.h"
 #include "ui/render/renderer.h"
 
@@ -23,6 +24,7 @@ namespace kerf {
 // read.
 struct ShownFigures {
   size_t faces = 0, pieces = 0;
+  size_t twin_faces = 0;  // of the right half
   double frame_ms = 0;
   size_t tree_nodes = 0;
   int tree_depth = 0;
@@ -44,6 +46,13 @@ struct Requests {
   Screenshot screenshot = Screenshot::kNone;
 };
 
+// The right half of the picture: the last stroke at another resolution.
+struct SplitView {
+  bool shown = false;
+  ResolutionControls resolution{.edge_fraction = 1};
+  TwinCut twin;
+};
+
 // Everything that the editor's parts share: what is open, how it is looked at, what the user is doing.
 struct EditorState {
   Document document;
@@ -56,6 +65,7 @@ struct EditorState {
   ViewOptions look;
   double spread = 0;  // how far pieces are drawn apart, in distances from the middle of the world
   Layout layout;
+  SplitView split;
 
   LaserControls laser;
   LaserTool tool;
@@ -63,6 +73,7 @@ struct EditorState {
   Drag drag = Drag::kNone;
   Vec2 pointer{0}, pressed_at{0};  // screen coordinates
   bool pointer_over_picture = false;
+  bool in_second = false;  // the pointer is in the right half, or the drag began there
 
   std::string message;  // of the last thing that happened, until the next action
   bool message_is_error = false;
@@ -84,9 +95,11 @@ struct EditorState {
   bool picture_old = true;    // the picture of the world has to be drawn anew
   bool world_changed = true;  // since the figures of the panels were taken
 
-  double aspect() const { return layout.viewport.size.x / layout.viewport.size.y; }
+  // The half of the picture that the pointer is in; all of it where it is not split.
+  const Area& pane() const { return in_second ? layout.second : layout.first; }
+  double aspect() const { return pane().size.x / pane().size.y; }
   CameraView view() const { return camera.view(aspect()); }
-  // A place of the window as CameraView::ray takes it.
+  // A place of the window as CameraView::ray takes it, in this half.
   Vec2 in_picture(Vec2 at) const;
   void say(std::string text, bool error = false);
 };

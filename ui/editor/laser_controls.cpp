@@ -2,21 +2,21 @@
 
 namespace kerf {
 
+Resolution ResolutionControls::of(double radius) const {
+  Resolution resolution;
+  resolution.rule = rule;
+  resolution.target_edge = radius * edge_fraction;
+  resolution.depth = depth;
+  return resolution;
+}
+
 CutSettings LaserControls::settings(double diagonal) const {
   CutSettings settings;
   settings.laser.radius = radius;
   settings.laser.range = {0, 10 * diagonal};
   settings.laser.pattern = pattern;
-  settings.resolution = resolution(radius);
+  settings.resolution = resolution.of(radius);
   return settings;
-}
-
-Resolution LaserControls::resolution(double beam_radius) const {
-  Resolution resolution;
-  resolution.rule = rule;
-  resolution.target_edge = beam_radius * edge_fraction;
-  resolution.depth = depth;
-  return resolution;
 }
 
 }  // namespace kerf

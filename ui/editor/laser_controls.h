@@ -4,22 +4,28 @@
 
 namespace kerf {
 
-// How the laser is set: what its panel shows and a stroke starts with.
-struct LaserControls {
-  double radius = 0.01;          // m
-  double default_radius = 0.01;  // m, D/400 of what was opened
+// How finely a cut is made: what the sliders of the resolution say.
+struct ResolutionControls {
   Resolution::Rule rule = Resolution::Rule::kTargetEdge;
   double edge_fraction = 0.25;  // target edge over radius, 1/32 .. 2
   int depth = 4;                // levels, 0 .. kLargestDepth
-  Pattern pattern = Pattern::kVolume;
 
   static constexpr double kLeastFraction = 1.0 / 32, kMostFraction = 2;
   static constexpr int kLargestDepth = 10;
 
+  // For a beam of this radius (m).
+  Resolution of(double radius) const;
+};
+
+// How the laser is set: what its panel shows and a stroke starts with.
+struct LaserControls {
+  double radius = 0.01;          // m
+  double default_radius = 0.01;  // m, D/400 of what was opened
+  ResolutionControls resolution;
+  Pattern pattern = Pattern::kVolume;
+
   // For a world of this diagonal (m): the beam reaches ten of them.
   CutSettings settings(double diagonal) const;
-  // For a beam of this radius (m).
-  Resolution resolution(double beam_radius) const;
   void fit(double diagonal) { radius = default_radius = diagonal > 0 ? diagonal / 400 : 0.01; }
 };
 

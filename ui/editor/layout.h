@@ -16,10 +16,18 @@ struct Area {
 // The panels make way for the picture in a narrow window, and go where they would have no usable width.
 struct Layout {
   Area viewport, side, status;
+  // The halves of the viewport where it is split; otherwise the first is all of it and the second has no
+  // width.
+  Area first, second;
+  bool split() const { return second.size.x > 0; }
 };
 
 // `em` is the size of the text, `menu` and `status` the heights of those bars, `side_ems` the width that the
 // panels are wanted at (0: not at all).
 Layout lay_out(Vec2 window, double em, double menu, double status, double side_ems = 21);
+
+// The same with the viewport split in two, the left half taking this share of its width as far as both halves
+// stay wide enough to be looked at.
+Layout split_in_two(Layout whole, double share);
 
 }  // namespace kerf

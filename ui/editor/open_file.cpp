@@ -67,6 +67,7 @@ Status open_files(EditorState& state, Renderer& renderer, std::span<const std::f
   state.home = scene->view;
   state.tool = LaserTool();
   state.drag = Drag::kNone;
+  state.split.twin.forget();
   state.look.pieces.clear();
   state.look.tree.body.reset();
   state.spread = 0;

@@ -11,6 +11,7 @@
 #include "ui/editor/property.h"
 #include "ui/editor/resolution_panel.h"
 #include "ui/editor/shortcut_sheet.h"
+#include "ui/editor/splitter.h"
 #include "ui/editor/status_bar.h"
 #include "ui/editor/theme.h"
 #include "ui/editor/tree_panel.h"
@@ -59,35 +60,25 @@ void draw_side(EditorState& state) {
   ImGui::End();
 }
 
-// The strip between the picture and the panels, which can be dragged.
-void draw_splitter(EditorState& state) {
-  const Area& area = state.layout.side;
-  if (area.size.x <= 0) return;
-  const float em = ImGui::GetFontSize(), half = 0.25f * em;
-  const auto x = static_cast<float>(area.at.x), y = static_cast<float>(area.at.y);
-  const auto height = static_cast<float>(area.size.y);
-  ImGui::SetNextWindowPos({x - half, y});
-  ImGui::SetNextWindowSize({2 * half, height});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
-  if (ImGui::Begin("##splitter", nullptr,
-                   kFixed | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar)) {
-    ImGui::InvisibleButton("splitter", {2 * half, height});
-    const bool held = ImGui::IsItemActive(), over = ImGui::IsItemHovered();
-    if (held || over) {
-      ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-      ImGui::GetForegroundDrawList()->AddLine(
-          {x, y}, {x, y + height},
-          ImGui::GetColorU32(held ? ImGuiCol_SeparatorActive : ImGuiCol_SeparatorHovered), 2);
-    }
-    if (!held) tooltip("Drag to make the panels wider or narrower; F4 hides them.");
-    if (held) {
-      const double wanted = (state.layout.status.size.x - ImGui::GetIO().MousePos.x) / em;
-      state.settings.side_ems = std::clamp(wanted, Settings::kLeastSide, Settings::kMostSide);
+void draw_splitters(EditorState& state) {
+  const Layout& l = state.layout;
+  Settings& settings = state.settings;
+  if (l.side.size.x > 0) {
+    const auto to = splitter("##sides", l.side.at, l.side.size.y,
+                             "Drag to make the panels wider or narrower, double click for their first width; "
+                             "F4 hides them.");
+    if (to.reset) settings.side_ems = Settings().side_ems;
+    if (to.dragged) {
+      const double wanted = (l.status.size.x - *to.dragged) / ImGui::GetFontSize();
+      settings.side_ems = std::clamp(wanted, Settings::kLeastSide, Settings::kMostSide);
     }
   }
-  ImGui::End();
-  ImGui::PopStyleVar(2);
+  if (!l.split()) return;
+  const auto to = splitter("##halves", l.second.at, l.second.size.y,
+                           "Drag to make a half wider or narrower, double click for equal halves.");
+  if (to.reset) settings.split_share = Settings().split_share;
+  if (to.dragged)
+    settings.split_share = std::clamp((*to.dragged - l.viewport.at.x) / l.viewport.size.x, 0.0, 1.0);
 }
 
 }  // namespace
@@ -102,7 +93,7 @@ void draw_panels(EditorState& state) {
   draw_menu_bar(state);
   draw_picture_marks(state);
   draw_side(state);
-  draw_splitter(state);
+  draw_splitters(state);
   draw_status_bar(state);
   draw_shortcut_sheet(state);
   draw_file_browser(state);

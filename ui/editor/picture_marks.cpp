@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include "ui/editor/length_text.h"
+#include "ui/editor/number_text.h"
 #include "ui/editor/theme.h"
 
 namespace kerf {
@@ -25,8 +27,7 @@ void draw_ring(const EditorState& state, ImDrawList& list) {
   const CameraView view = state.view();
   const Vec2 p = state.in_picture(state.pointer);
   const double distance = first_hit(state.document.world(), view.ray(p.x, p.y)).value_or(view.focus);
-  const double pixels =
-      state.laser.radius / (distance * view.tan_half_fov) * 0.5 * state.layout.viewport.size.y;
+  const double pixels = state.laser.radius / (distance * view.tan_half_fov) * 0.5 * state.pane().size.y;
   const auto ring = static_cast<float>(std::clamp(pixels, kLeastRing, kMostRing));
   const ImVec2 at = to_im(state.pointer);
   list.AddCircle(at, ring + 1.5f, IM_COL32(10, 12, 16, 150), 0, 3.0f);
@@ -52,6 +53,44 @@ void draw_hints(const EditorState& state, ImDrawList& list) {
   }
 }
 
+std::string resolution_text(const Resolution& r) {
+  if (r.rule == Resolution::Rule::kTargetEdge) return "Edges of " + length_text(r.target_edge);
+  return r.depth == 0 ? "Whole faces" : "Depth " + std::to_string(r.depth);
+}
+
+// What a half shows, in its upper left corner.
+void draw_half_label(const Area& half, const std::string& what, const std::string& faces, ImDrawList& list) {
+  const float em = ImGui::GetFontSize(), line = ImGui::GetTextLineHeight();
+  const float x = static_cast<float>(half.at.x) + em, y = static_cast<float>(half.at.y) + em;
+  const float width = std::max(ImGui::CalcTextSize(what.c_str()).x, ImGui::CalcTextSize(faces.c_str()).x);
+  list.PushClipRect(to_im(half.at), to_im(half.at + half.size), true);
+  list.AddRectFilled({x - 0.6f * em, y - 0.4f * em}, {x + width + 0.6f * em, y + 2.2f * line + 0.4f * em},
+                     colours::kPictureShade, 3);
+  list.AddText({x, y}, colours::kPictureText, what.c_str());
+  list.AddText({x, y + 1.2f * line}, colours::kPictureSecondary, faces.c_str());
+  list.PopClipRect();
+}
+
+void draw_half_labels(const EditorState& state, ImDrawList& list) {
+  const Layout& l = state.layout;
+  if (!l.split()) return;
+  const bool cut = state.document.strokes() > 0;
+  const double radius = state.laser.radius;
+  const SplitView& split = state.split;
+  draw_half_label(
+      l.first,
+      resolution_text(cut ? state.document.stroke_settings().resolution : state.laser.resolution.of(radius)),
+      grouped(state.shown.faces) + " faces", list);
+  const bool there = split.twin.there();
+  draw_half_label(l.second, resolution_text(cut ? split.twin.resolution() : split.resolution.of(radius)),
+                  there ? grouped(state.shown.twin_faces) + " faces"
+                        : "Too large to be cut twice (more than 400 000 faces)",
+                  list);
+  const auto x = static_cast<float>(l.second.at.x), y = static_cast<float>(l.second.at.y);
+  list.AddLine({x, y}, {x, y + static_cast<float>(l.second.size.y)}, colours::kPictureShade, 3);
+  list.AddLine({x, y}, {x, y + static_cast<float>(l.second.size.y)}, colours::kPictureSecondary, 1);
+}
+
 }  // namespace
 
 void draw_picture_marks(const EditorState& state) {
@@ -59,6 +98,7 @@ void draw_picture_marks(const EditorState& state) {
   const Area& area = state.layout.viewport;
   list.PushClipRect(to_im(area.at), to_im(area.at + area.size));
   draw_ring(state, list);
+  draw_half_labels(state, list);
   draw_hints(state, list);
   list.PopClipRect();
 }

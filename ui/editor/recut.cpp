@@ -10,18 +10,21 @@ const char* why_no_recut(const EditorState& state) {
   return nullptr;
 }
 
+void show_world(const EditorState& state, const World& world, Renderer& renderer) {
+  if (state.as_loaded) {
+    renderer.show(*state.as_loaded, state.paints);
+    renderer.resend(world);
+  } else {
+    renderer.show(world, state.paints);
+  }
+}
+
 void recut_last_stroke(EditorState& state, Renderer& renderer) {
   if (why_no_recut(state) != nullptr) return;
   CutSettings settings = state.document.stroke_settings();
-  settings.resolution = state.laser.resolution(settings.laser.radius);
+  settings.resolution = state.laser.resolution.of(settings.laser.radius);
   state.document.recut(settings);
-  // Smooth normals come from the faces as they were loaded, whatever earlier strokes have done to them.
-  if (state.as_loaded) {
-    renderer.show(*state.as_loaded, state.paints);
-    renderer.resend(state.document.world());
-  } else {
-    renderer.show(state.document.world(), state.paints);
-  }
+  show_world(state, state.document.world(), renderer);
   state.look.pieces.clear();
   state.removed_faces = state.removed_before_stroke;
   ++state.recuts;

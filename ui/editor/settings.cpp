@@ -44,6 +44,7 @@ Settings from_json(Json json) {
   take_number(json, "side_width", s.side_ems, Settings::kLeastSide, Settings::kMostSide);
   take_number(json, "width", s.width, kLeastWindow, kMostWindow);
   take_number(json, "height", s.height, kLeastWindow, kMostWindow);
+  take_number(json, "split_share", s.split_share, 0.0, 1.0);
   take_flag(json, "side_shown", s.side_shown);
   take_flag(json, "antialias", s.antialias);
   take_flag(json, "live_recut", s.live_recut);
@@ -85,6 +86,7 @@ Json to_json(const Settings& s) {
   json["side_width"] = s.side_ems;
   json["width"] = s.width;
   json["height"] = s.height;
+  json["split_share"] = s.split_share;
   json["side_shown"] = s.side_shown;
   json["antialias"] = s.antialias;
   json["live_recut"] = s.live_recut;

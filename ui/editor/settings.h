@@ -21,8 +21,9 @@ struct Settings {
   int width = 1280, height = 800;  // of the window, screen coordinates
   BoxPalette palette = BoxPalette::kRedAndGreen;
   bool antialias = true;
-  bool live_recut = true;                     // the resolution's sliders cut the last stroke again
-  std::map<std::string, bool> panels;         // by title: unfolded
+  double split_share = 0.5;            // of the picture's width that the left half of a split one takes
+  bool live_recut = true;              // the resolution's sliders cut the last stroke again
+  std::map<std::string, bool> panels;  // by title: unfolded
   std::vector<std::filesystem::path> recent;  // latest first, absolute
   std::filesystem::path folder;               // where the file browser was last
   std::string others = "{}";                  // JSON: keys of the file that this version does not know

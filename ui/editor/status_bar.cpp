@@ -42,7 +42,7 @@ void put_from_right(float& right, const std::string& text, float least_width, Im
 
 void draw_contents(const EditorState& state) {
   std::array<char, 32> frame{};
-  std::snprintf(frame.data(), frame.size(), "%.1f ms", state.shown.frame_ms);
+  if (state.shown.frame_ms > 0) std::snprintf(frame.data(), frame.size(), "%.1f ms", state.shown.frame_ms);
   float right = ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x;
   put_from_right(right, frame.data(), 3.6f, colours::secondary());
   put_from_right(right, grouped(state.shown.pieces) + (state.shown.pieces == 1 ? " piece" : " pieces"), 4.4f,

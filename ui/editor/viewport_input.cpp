@@ -40,6 +40,7 @@ void stand_together(EditorState& state) {
 }
 
 void pick_piece(EditorState& state, int mods) {
+  if (state.in_second) return state.say("Pieces are chosen in the left half.", true);
   const Vec2 p = state.in_picture(state.pointer);
   const World& world = state.document.world();
   const std::optional<Pick> seen = pick(world, state.look, state.view().ray(p.x, p.y));
@@ -65,11 +66,10 @@ void begin(EditorState& state, Drag drag) {
 }
 
 void go_on(EditorState& state, Vec2 from) {
-  const Vec2 moved = (state.pointer - from) / state.layout.viewport.size.y;
+  const Vec2 moved = (state.pointer - from) / state.pane().size.y;
   switch (state.drag) {
     case Drag::kCut:
-      state.tool.move(state.document, state.view(), state.in_picture(state.pointer),
-                      2 / state.layout.viewport.size.y);
+      state.tool.move(state.document, state.view(), state.in_picture(state.pointer), 2 / state.pane().size.y);
       break;
     case Drag::kPick:
       if (glm::length(state.pointer - state.pressed_at) > kClick) state.drag = Drag::kOrbit;
@@ -94,10 +94,19 @@ bool cancel_stroke(EditorState& state) {
   return true;
 }
 
+void show_split(EditorState& state, bool shown) {
+  cancel_stroke(state);
+  state.split.shown = shown;
+  state.split.twin.forget();
+  state.in_second = false;
+  state.picture_old = true;
+}
+
 void handle_mouse(EditorState& state, const InputEvent& event, bool free) {
   const Vec2 from = state.pointer;
   state.pointer = event.at;
   state.pointer_over_picture = free && state.layout.viewport.contains(event.at);
+  if (state.drag == Drag::kNone) state.in_second = state.layout.second.contains(event.at);
   switch (event.kind) {
     case InputEvent::Kind::kPress:
       if (state.drag == Drag::kNone && state.pointer_over_picture)

@@ -16,4 +16,7 @@ void handle_mouse(EditorState& state, const InputEvent& event, bool free);
 // Ends the stroke that runs, if one does; what was cut stays cut.
 bool cancel_stroke(EditorState& state);
 
+// Splits the picture in two or makes it one again; a stroke that is being drawn ends.
+void show_split(EditorState& state, bool shown);
+
 }  // namespace kerf

@@ -11,6 +11,7 @@ constexpr double kPole = 1.5533;        // 89 degrees
 constexpr double kDefaultYaw = 0.66;    // 38 degrees to the right of the front
 constexpr double kDefaultPitch = 0.30;  // 17 degrees
 constexpr double kEaseSeconds = 0.043;  // to 1/e; nine tenths in 100 ms, 97 % in 150 ms
+constexpr double kNarrow = 1.25;        // a narrower picture shows as much sideways, and more above and below
 constexpr double kMostWidth = 0.82;     // of the picture that a framed box may take
 
 // x and y span of the box in the picture, and whether all of it lies before the eye.
@@ -72,7 +73,7 @@ CameraView Camera::view_of(const State& s, double aspect) {
   view.right = Vec3(std::cos(s.yaw), 0, -std::sin(s.yaw));
   view.up = glm::cross(view.right, view.forward);
   view.focus = s.distance;
-  view.tan_half_fov = kTanHalfFov;
+  view.tan_half_fov = kTanHalfFov * std::max(1.0, kNarrow / aspect);
   view.aspect = aspect;
   return view;
 }
@@ -97,7 +98,7 @@ void Camera::fit(State& state, const World::Bounds& bounds, double aspect, doubl
   const CameraView view = view_of(state, aspect);
   const Extent e = extent_of(view, bounds);
   const Vec2 off = (e.low + e.high) * 0.5;
-  state.pivot += (view.right * (off.x * aspect) + view.up * off.y) * (state.distance * kTanHalfFov);
+  state.pivot += (view.right * (off.x * aspect) + view.up * off.y) * (state.distance * view.tan_half_fov);
 }
 
 void Camera::frame_default(const World::Bounds& bounds, double aspect, double fill) {
@@ -127,12 +128,12 @@ void Camera::orbit(double right, double up) {
 
 void Camera::pan(double dx, double dy, double aspect) {
   const CameraView view = view_of(goal_, aspect);
-  goal_.pivot -= (view.right * (dx * aspect) + view.up * dy) * (goal_.distance * kTanHalfFov);
+  goal_.pivot -= (view.right * (dx * aspect) + view.up * dy) * (goal_.distance * view.tan_half_fov);
 }
 
 void Camera::zoom(double factor, double x, double y, double aspect) {
   const CameraView view = view_of(goal_, aspect);
-  const Vec3 side = (view.right * (x * aspect) + view.up * y) * (goal_.distance * kTanHalfFov);
+  const Vec3 side = (view.right * (x * aspect) + view.up * y) * (goal_.distance * view.tan_half_fov);
   goal_.pivot += side * (1 - factor);
   goal_.distance *= factor;
 }

@@ -50,7 +50,7 @@ class Camera {
   CameraView view(double aspect) const { return view_of(now_, aspect); }
   Vec3 pivot() const { return now_.pivot; }
 
-  static constexpr double kTanHalfFov = 0.3057;  // 34 degrees from top to bottom
+  static constexpr double kTanHalfFov = 0.3057;  // 34 degrees from top to bottom, more in a narrow picture
 
  private:
   struct State {

@@ -11,6 +11,13 @@ flat out vec4 colour;
 flat out float dotted;
 noperspective out float along;
 
+// Whether it is seen so small that one of its edges shows where it is.
+bool is_speck() {
+  float depth = (clip_from_frame * frame_from_body * vec4(mix(low, high, 0.5), 1.0)).w;
+  float size = length(mat3(frame_from_body) * (high - low));
+  return size * viewport.y < 3.0 * 2.0 * camera_up.w * depth;
+}
+
 vec3 box_corner(int i) { return mix(low, high, vec3(i & 1, (i >> 1) & 1, (i >> 2) & 1)); }
 
 void main() {
@@ -19,6 +26,10 @@ void main() {
   int from = axis == 0 ? other << 1 : axis == 1 ? (other & 1) | (other & 2) << 1 : other;
   vec3 a = (frame_from_body * vec4(box_corner(from), 1.0)).xyz;
   vec3 b = (frame_from_body * vec4(box_corner(from | 1 << axis), 1.0)).xyz;
+  if (edge > 0 && is_speck()) {
+    gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
+    return;
+  }
   gl_Position = line_vertex(a, b, gl_VertexID % 6, half_width, along);
   colour = style.x > 0.5 ? hit_colour : other_colour;
   colour.a *= style.y;

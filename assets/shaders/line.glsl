@@ -1,5 +1,8 @@
+// Lines are wider in proportion in pictures that are higher than this.
+float line_scale() { return max(1.0, viewport.y / 900.0); }
+
 // A line of some pixels' width from a to b in frame coordinates as two triangles: which of six vertices this is.
-// Pulled towards the eye a little, so that lines on a surface show. Returns pixels along the line in `along`.
+// Pulled towards the eye a little, so that lines on a surface show. Returns pixels along the line in `along`, in a picture of usual height.
 vec4 line_vertex(vec3 a, vec3 b, int vertex, float half_width, out float along) {
   vec4 ca = clip_from_frame * vec4(a * 0.9985, 1.0), cb = clip_from_frame * vec4(b * 0.9985, 1.0);
   const float near = 1e-5;
@@ -12,7 +15,7 @@ vec4 line_vertex(vec3 a, vec3 b, int vertex, float half_width, out float along) 
   bool end = vertex == 1 || vertex == 2 || vertex == 4;
   bool left = vertex == 2 || vertex == 4 || vertex == 5;
   vec4 p = end ? cb : ca;
-  p.xy += side * (left ? half_width : -half_width) * 2.0 * viewport.zw * p.w;
-  along = end ? far : 0.0;
+  p.xy += side * (left ? half_width : -half_width) * line_scale() * 2.0 * viewport.zw * p.w;
+  along = end ? far / line_scale() : 0.0;
   return p;
 }

@@ -9,8 +9,8 @@ namespace {
 
 constexpr double kEmitterAside = 0.06;  // of the focus, to the right and up
 constexpr double kLeastMove = 0.5;      // pixels
-constexpr int kProbes = 8;              // rays around the beam that look for the rim of what it burns
-constexpr double kProbeRadius = 1.05;   // radii
+constexpr int kProbes = 8;  // rays on each circle around the beam that look for the rim of what it burns
+constexpr double kProbeRadius = 1.05;  // radii
 
 Vec3 any_perpendicular(const Vec3& d) {
   const Vec3 other = std::abs(d.y) < 0.9 ? Vec3(0, 1, 0) : Vec3(1, 0, 0);
@@ -45,6 +45,8 @@ void LaserTool::press(Document& document, const CameraView& view, Vec2 pointer,
   focus_ = first_hit(document.world(), ray).value_or(view.focus);
   const CutSettings settings = controls.settings(document.world().bounds().diagonal());
   radius_ = settings.laser.radius;
+  const bool by_edge = settings.resolution.rule == Resolution::Rule::kTargetEdge;
+  overshoot_ = by_edge ? settings.resolution.target_edge : 0.5 * radius_;
   reach_ = settings.laser.range.high;
   pointer_ = pointer;
   pose_ = aim(view, pointer);
@@ -73,12 +75,13 @@ void LaserTool::find_strike(const Document& document) {
   strike_.reset();
   if (const BeamMove* move = document.next_move()) beam_ = move->to;
   const Vec3 u = any_perpendicular(beam_.direction), w = glm::cross(beam_.direction, u);
-  for (int i = 0; i <= kProbes; ++i) {
-    const double angle = 6.283185307179586 * i / kProbes;
-    const double aside = i == kProbes ? 0 : kProbeRadius * radius_;
-    const Vec3 from = beam_.origin + (u * std::cos(angle) + w * std::sin(angle)) * aside;
-    const std::optional<double> hit = first_hit(document.world(), {from, beam_.direction});
-    if (hit && *hit <= reach_ && (!strike_ || *hit < *strike_)) strike_ = hit;
+  for (const double aside : {0.0, kProbeRadius * radius_, kProbeRadius * (radius_ + overshoot_)}) {
+    for (int i = 0; i < (aside > 0 ? kProbes : 1); ++i) {
+      const double angle = 6.283185307179586 * i / kProbes;
+      const Vec3 from = beam_.origin + (u * std::cos(angle) + w * std::sin(angle)) * aside;
+      const std::optional<double> hit = first_hit(document.world(), {from, beam_.direction});
+      if (hit && *hit <= reach_ && (!strike_ || *hit < *strike_)) strike_ = hit;
+    }
   }
 }
 

@@ -38,6 +38,7 @@ class LaserTool {
   double focus_ = 1;              // m along the pointer's ray
   double reach_ = 1;              // m along the beam
   double radius_ = 0.01;          // m
+  double overshoot_ = 0.01;       // m, how far beside the beam the rim of what it burns may be
   Vec2 pointer_{0};               // of the last pose
   Pose pose_;                     // that the pointer asks for
   Pose beam_;                     // where the beam is

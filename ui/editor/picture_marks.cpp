@@ -37,19 +37,27 @@ void draw_ring(const EditorState& state, ImDrawList& list) {
 
 void draw_hints(const EditorState& state, ImDrawList& list) {
   if (state.cut_once) return;
-  const float line = ImGui::GetTextLineHeightWithSpacing(), em = ImGui::GetFontSize();
-  float widest = 0;
-  for (const char* hint : kHints) widest = std::max(widest, ImGui::CalcTextSize(hint).x);
   const Area& area = state.layout.viewport;
+  const float line = ImGui::GetTextLineHeightWithSpacing(), em = ImGui::GetFontSize();
+  const float room = std::max(em, static_cast<float>(area.size.x) - 4 * em);
+  std::array<ImVec2, kHints.size()> sizes;
+  // In a picture that they would hide there is only the first.
+  const size_t count = area.size.x > 20 * em && area.size.y > 20 * em ? kHints.size() : 1;
+  float widest = 0, height = 0;
+  for (size_t i = 0; i < count; ++i) {
+    sizes[i] = ImGui::CalcTextSize(kHints[i], nullptr, false, room);
+    widest = std::max(widest, sizes[i].x);
+    height += sizes[i].y + line - em;
+  }
   const float middle = static_cast<float>(area.at.x + 0.5 * area.size.x);
   const float bottom = static_cast<float>(area.at.y + area.size.y) - 1.6f * em;
-  const float top = bottom - line * kHints.size();
-  list.AddRectFilled({middle - 0.5f * widest - em, top - 0.6f * em},
+  float y = bottom - height;
+  list.AddRectFilled({middle - 0.5f * widest - em, y - 0.6f * em},
                      {middle + 0.5f * widest + em, bottom + 0.4f * em}, colours::kPictureShade, 3);
-  for (size_t i = 0; i < kHints.size(); ++i) {
-    const float width = ImGui::CalcTextSize(kHints[i]).x;
-    list.AddText({middle - 0.5f * width, top + static_cast<float>(i) * line},
-                 i == 0 ? colours::kPictureText : colours::kPictureSecondary, kHints[i]);
+  for (size_t i = 0; i < count; ++i) {
+    list.AddText(nullptr, 0, {middle - 0.5f * sizes[i].x, y},
+                 i == 0 ? colours::kPictureText : colours::kPictureSecondary, kHints[i], nullptr, room);
+    y += sizes[i].y + line - em;
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <string>
+#include <vector>
 
 #include "ui/editor/number_text.h"
 #include "ui/editor/theme.h"
@@ -29,29 +30,64 @@ const char* left_button(const EditorState& state) {
   return "Laser: left drag cuts";
 }
 
-// Text whose right end stands at `right`, which moves to where the next one may end.
-void put_from_right(float& right, const std::string& text, float least_width, ImU32 colour) {
-  const float em = ImGui::GetFontSize();
-  right -= std::max(ImGui::CalcTextSize(text.c_str()).x, least_width * em);
-  ImGui::SameLine(right);
-  ImGui::PushStyleColor(ImGuiCol_Text, colour);
-  ImGui::TextUnformatted(text.c_str());
+struct Figure {
+  std::string text;
+  float least_width;  // in sizes of the text, so that what is beside it stays where it is
+  ImU32 colour;
+  float width() const {
+    return std::max(ImGui::CalcTextSize(text.c_str()).x, least_width * ImGui::GetFontSize()) +
+           1.2f * ImGui::GetFontSize();
+  }
+};
+
+// From the right; what comes first stays longest where there is no room for all.
+std::vector<Figure> figures_of(const EditorState& state) {
+  std::array<char, 32> frame{};
+  if (state.shown.frame_ms > 0) std::snprintf(frame.data(), frame.size(), "%.1f ms", state.shown.frame_ms);
+  return {
+      {grouped(state.shown.faces) + " faces", 6.0f, colours::text()},
+      {grouped(state.shown.pieces) + (state.shown.pieces == 1 ? " piece" : " pieces"), 4.4f, colours::text()},
+      {frame.data(), 3.6f, colours::secondary()}};
+}
+
+// Where the figures begin.
+float draw_figures(const EditorState& state, float from, float to) {
+  std::vector<Figure> figures = figures_of(state);
+  float width = 0;
+  for (size_t i = 0; i < figures.size(); ++i) {
+    width += figures[i].width();
+    if (from + width <= to) continue;
+    width -= figures[i].width();
+    figures.resize(i);
+  }
+  const float begin = to - width;
+  float x = begin;
+  for (const Figure& figure : figures) {
+    ImGui::SameLine(x + 1.2f * ImGui::GetFontSize());
+    ImGui::PushStyleColor(ImGuiCol_Text, figure.colour);
+    ImGui::TextUnformatted(figure.text.c_str());
+    ImGui::PopStyleColor();
+    x += figure.width();
+  }
+  return begin;
+}
+
+void draw_message(const EditorState& state, float from, float to) {
+  ImGui::SameLine(from);
+  ImGui::PushClipRect({from, 0}, {to, ImGui::GetIO().DisplaySize.y}, false);
+  ImGui::PushStyleColor(ImGuiCol_Text, state.message_is_error ? colours::text() : colours::secondary());
+  ImGui::TextUnformatted(((state.message_is_error ? "! " : "") + state.message).c_str());
   ImGui::PopStyleColor();
-  right -= 1.2f * em;
+  ImGui::PopClipRect();
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", state.message.c_str());
 }
 
 void draw_contents(const EditorState& state) {
-  std::array<char, 32> frame{};
-  if (state.shown.frame_ms > 0) std::snprintf(frame.data(), frame.size(), "%.1f ms", state.shown.frame_ms);
-  float right = ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x;
-  put_from_right(right, frame.data(), 3.6f, colours::secondary());
-  put_from_right(right, grouped(state.shown.pieces) + (state.shown.pieces == 1 ? " piece" : " pieces"), 4.4f,
-                 colours::text());
-  put_from_right(right, grouped(state.shown.faces) + " faces", 6.0f, colours::text());
-
   // What went wrong comes before what the button does, where there is no room for both.
   const float em = ImGui::GetFontSize(), left = ImGui::GetStyle().WindowPadding.x;
+  const float end = ImGui::GetWindowWidth() - left;
   const float hint = ImGui::CalcTextSize(left_button(state)).x + 1.6f * em;
+  const float right = draw_figures(state, left + hint, end);
   const float wanted = ImGui::CalcTextSize(state.message.c_str()).x + em;
   const bool crowded = state.message_is_error && left + hint + wanted > right;
   if (!crowded) {
@@ -59,14 +95,7 @@ void draw_contents(const EditorState& state) {
     ImGui::TextUnformatted(left_button(state));
   }
   const float message_at = crowded ? left : left + hint;
-  if (state.message.empty() || right <= message_at) return;
-  ImGui::SameLine(message_at);
-  ImGui::PushClipRect({message_at, 0}, {right, ImGui::GetIO().DisplaySize.y}, false);
-  ImGui::PushStyleColor(ImGuiCol_Text, state.message_is_error ? colours::text() : colours::secondary());
-  ImGui::TextUnformatted(((state.message_is_error ? "! " : "") + state.message).c_str());
-  ImGui::PopStyleColor();
-  ImGui::PopClipRect();
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", state.message.c_str());
+  if (!state.message.empty() && right > message_at) draw_message(state, message_at, right);
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ constexpr std::array kFonts{
     "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
 };
 constexpr float kTextPixels = 15.5f;
+constexpr float kOwnTextPixels = 13;  // of ImGui's own font, which is made for this size
 
 void load_font(float scale) {
   ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
@@ -27,7 +28,9 @@ void load_font(float scale) {
     if (!std::filesystem::exists(file, ignored)) continue;
     if (fonts.AddFontFromFileTTF(file, std::round(kTextPixels * scale)) != nullptr) return;
   }
-  fonts.AddFontDefault();
+  ImFontConfig own;
+  own.SizePixels = std::round(kOwnTextPixels * scale);
+  fonts.AddFontDefault(&own);
 }
 
 struct Colours {

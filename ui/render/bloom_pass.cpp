@@ -25,7 +25,7 @@ Result<BloomPass> BloomPass::create(const std::filesystem::path& shaders) {
   if (!bright) return bright.error();
   auto blur = gl::Program::load(shaders, {{"screen.vert"}, {"blur.frag"}});
   if (!blur) return blur.error();
-  auto lay_over = gl::Program::load(shaders, {{"screen.vert"}, {"bloom.frag"}});
+  auto lay_over = gl::Program::load(shaders, {{"glow.vert"}, {"bloom.frag"}});
   if (!lay_over) return lay_over.error();
   return BloomPass(std::move(*bright), std::move(*blur), std::move(*lay_over));
 }
@@ -77,6 +77,8 @@ void BloomPass::draw(const gl::Framebuffer& picture, GLuint target, int x, int y
   fill(*near_, picture.colour_texture(), w, h);
   fill(*far_, near_->glow.colour_texture(), 0, 0);
 
+  // Most of a picture does not shine and is handed over as it is.
+  gl::blit(picture, target, x, y);
   glBindFramebuffer(GL_FRAMEBUFFER, target);
   glViewport(x, y, w, h);
   lay_over_.use();
@@ -86,7 +88,8 @@ void BloomPass::draw(const gl::Framebuffer& picture, GLuint target, int x, int y
   lay_over_.set("picture", 0);
   lay_over_.set("near_glow", 1);
   lay_over_.set("far_glow", 2);
-  draw_screen();
+  const gl::Framebuffer::Shape& tiles = far_->glow.shape();
+  glDrawArrays(GL_TRIANGLES, 0, 6 * tiles.width * tiles.height);
   glActiveTexture(GL_TEXTURE0);
 }
 

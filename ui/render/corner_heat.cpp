@@ -7,8 +7,9 @@
 namespace kerf {
 
 namespace {
-constexpr size_t kLargestFan = 24;  // no more faces are looked at around a corner
-}
+constexpr size_t kLargestFan = 24;                   // no more faces are looked at around a corner
+constexpr float kOnRim = 1.04f, kBesideRim = 0.80f;  // times the halvings of small faces
+}  // namespace
 
 void CornerHeat::find_fan(const Mesh& mesh, FaceId f, const Vec3& corner) {
   fan_.assign(1, f);
@@ -23,6 +24,20 @@ void CornerHeat::find_fan(const Mesh& mesh, FaceId f, const Vec3& corner) {
   }
 }
 
+// Whether the surface ends at the corner: one of the edges that run to it from the faces of the fan has a
+// face on one side only.
+bool CornerHeat::fan_ends(const Mesh& mesh, const Vec3& corner) {
+  if (fan_.size() >= kLargestFan) return false;
+  spokes_.clear();
+  for (const FaceId f : fan_) {
+    for (const Vec3& p : mesh.triangle(f)) {
+      if (p != corner) spokes_.push_back(p);
+    }
+  }
+  return std::any_of(spokes_.begin(), spokes_.end(),
+                     [&](const Vec3& p) { return std::count(spokes_.begin(), spokes_.end(), p) == 1; });
+}
+
 std::array<float, 3> CornerHeat::of(const Mesh& mesh, FaceId f) {
   if (!mesh.is_live(f)) return {};
   const uint32_t own = mesh.data(f).halvings;
@@ -32,14 +47,17 @@ std::array<float, 3> CornerHeat::of(const Mesh& mesh, FaceId f) {
   const Triangle t = mesh.triangle(f);
   for (size_t i = 0; i < 3; ++i) {
     find_fan(mesh, f, t[i]);
-    uint32_t least = own;
+    uint32_t least = own, most = own;
     float sum = 0;
     for (const FaceId g : fan_) {
       const uint32_t h = mesh.data(g).halvings;
       least = std::min(least, h);
+      most = std::max(most, h);
       sum += static_cast<float>(h);
     }
-    heat[i] = 0.5f * (static_cast<float>(least) + sum / static_cast<float>(fan_.size()));
+    const float mean = sum / static_cast<float>(fan_.size());
+    heat[i] = fan_ends(mesh, t[i]) ? kOnRim * static_cast<float>(most)
+                                   : kBesideRim * 0.5f * (static_cast<float>(least) + mean);
   }
   return heat;
 }

@@ -12,13 +12,14 @@ namespace {
 
 constexpr float kBoxFade = 0.80f;         // of the opacity, from one depth of the tree to the next
 constexpr float kHitFade = 0.87f;         // the same for boxes that the beam was in
-constexpr float kFaintest = 0.10f;        // what would be fainter is not drawn
+constexpr float kFaintest = 0.15f;        // what would be fainter is not drawn
+constexpr float kFaintestAsked = 0.10f;   // but boxes of a depth that was asked for are drawn at least so
 constexpr float kFaintestHit = 0.13f;     // but boxes that the beam was in are drawn at least so
 constexpr float kLeafFade = 0.97f;        // from one depth to the next where only leaves are drawn
 constexpr float kDarkHalfWidth = 1.3f;    // pixels
 constexpr float kColourHalfWidth = 0.6f;  // pixels
-constexpr size_t kMostBoxes = 6000;       // the largest are drawn
-constexpr GLsizei kMostDark = 600;        // lines beyond these are too many for a dark one under each
+constexpr size_t kMostBoxes = 3500;       // those that are seen largest are drawn
+constexpr GLsizei kMostDark = 200;        // lines beyond these are too many for a dark one under each
 constexpr int kVerticesOfBox = 12 * 6;
 constexpr int kVerticesOfLine = 6;
 
@@ -27,10 +28,6 @@ glm::vec4 srgb(uint32_t hex, float opacity) {
   return {part(16), part(8), part(0), opacity};
 }
 
-struct BoxLine {
-  glm::vec3 low, high;
-  glm::vec2 style;
-};
 struct Stick {
   glm::vec3 from, to;
 };
@@ -41,8 +38,9 @@ float opacity_of(const AabbTree::Box& box, const TreeOverlay& tree) {
   const auto depth = static_cast<float>(box.depth);
   if (tree.leaves_only) return (box.hit ? 0.9f : 0.5f) * std::max(0.4f, std::pow(kLeafFade, depth));
   if (box.hit) return std::max(kFaintestHit, std::pow(kHitFade, depth));
-  const float opacity = std::pow(kBoxFade, depth);
-  return tree.deepest < TreeOverlay().deepest ? std::max(kFaintest, opacity) : opacity;
+  float opacity = std::pow(kBoxFade, depth);
+  if (opacity < kFaintest) opacity = 0;
+  return tree.deepest < TreeOverlay().deepest ? std::max(kFaintestAsked, opacity) : opacity;
 }
 
 void upload(GLuint layout, GLuint buffer, const void* data, size_t bytes) {
@@ -92,27 +90,25 @@ void LineOverlay::gather(Gathered& lines, const Body& body, const FloatFrame& fr
                          const ViewOptions& options) const {
   TreeOverlay tree = options.tree;
   tree.hit_only = tree.hit_only || !options.show.aabb;
-  if (options.show.aabb || options.show.aabb_hit) gather_boxes(lines.boxes, body, frame, tree);
+  if (options.show.aabb || options.show.aabb_hit) lines.all_boxes = gather_boxes(body, frame, tree);
   if (options.show.normals) gather_normals(lines.sticks, body, frame);
   lines.shown = options.show;
   lines.tree = options.tree;
 }
 
-void LineOverlay::gather_boxes(Lines& lines, const Body& body, const FloatFrame& frame,
-                               const TreeOverlay& tree) const {
+std::vector<BoxLine> LineOverlay::gather_boxes(const Body& body, const FloatFrame& frame,
+                                               const TreeOverlay& tree) const {
   std::vector<BoxLine> boxes;
   body.tree.for_each_box([&](const AabbTree::Box& box) {
     if ((tree.hit_only && !box.hit) || box.depth > tree.deepest || (tree.leaves_only && !box.leaf)) return;
     const float opacity = opacity_of(box, tree);
-    if (opacity < kFaintest) return;
+    if (opacity <= 0) return;
     boxes.push_back({frame.to_float(box.min), frame.to_float(box.max), {box.hit ? 1.0f : 0.0f, opacity}});
   });
-  const auto larger = [](const BoxLine& a, const BoxLine& b) {
-    const glm::vec3 u = a.high - a.low, v = b.high - b.low;
-    return glm::dot(u, u) > glm::dot(v, v);
-  };
-  std::stable_sort(boxes.begin(), boxes.end(), larger);
-  if (boxes.size() > kMostBoxes) boxes.resize(kMostBoxes);
+  return boxes;
+}
+
+void LineOverlay::send_boxes(Lines& lines, const std::vector<BoxLine>& boxes) const {
   upload(lines.layout.name(), lines.buffer.name(), boxes.data(), boxes.size() * sizeof(BoxLine));
   instance_attribute(0, 3, sizeof(BoxLine), offsetof(BoxLine, low));
   instance_attribute(1, 3, sizeof(BoxLine), offsetof(BoxLine, high));
@@ -140,7 +136,7 @@ void LineOverlay::gather_normals(Lines& lines, const Body& body, const FloatFram
 }
 
 void LineOverlay::draw(BodyId id, const Body& body, const FloatFrame& frame, const FrameSpace& space,
-                       const ViewOptions& options) {
+                       const glm::mat4& clip_from_frame, const ViewOptions& options) {
   const ShowOptions& show = options.show;
   const bool boxes = (show.aabb || show.aabb_hit) && options.tree.body.value_or(id) == id;
   if (!boxes && !show.normals) return;
@@ -152,6 +148,7 @@ void LineOverlay::draw(BodyId id, const Body& body, const FloatFrame& frame, con
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
   glDepthMask(GL_FALSE);
   if (boxes) {
+    send_boxes(lines.boxes, choose_boxes(lines.all_boxes, clip_from_frame * from_body, kMostBoxes));
     glBindVertexArray(lines.boxes.layout.name());
     const BoxColours colours = colours_of(options.tree.palette);
     draw_twice(box_, from_body, kVerticesOfBox, lines.boxes.count, kMostDark, srgb(colours.hit, 1),

@@ -5,6 +5,7 @@
 #include "core/world/world.h"
 #include "ui/gl/objects.h"
 #include "ui/gl/program.h"
+#include "ui/render/box_choice.h"
 #include "ui/render/frame_space.h"
 #include "ui/render/view_options.h"
 
@@ -19,7 +20,7 @@ class LineOverlay {
   // Everything that was gathered is out of date.
   void forget() { gathered_.clear(); }
   void draw(BodyId id, const Body& body, const FloatFrame& frame, const FrameSpace& space,
-            const ViewOptions& options);
+            const glm::mat4& clip_from_frame, const ViewOptions& options);
 
  private:
   LineOverlay(gl::Program box, gl::Program stick);
@@ -31,12 +32,14 @@ class LineOverlay {
     GLsizei count = 0;
   };
   struct Gathered {
+    std::vector<BoxLine> all_boxes;
     Lines boxes, sticks;
     ShowOptions shown;
     TreeOverlay tree;
   };
   void gather(Gathered& lines, const Body& body, const FloatFrame& frame, const ViewOptions& options) const;
-  void gather_boxes(Lines& lines, const Body& body, const FloatFrame& frame, const TreeOverlay& tree) const;
+  std::vector<BoxLine> gather_boxes(const Body& body, const FloatFrame& frame, const TreeOverlay& tree) const;
+  void send_boxes(Lines& lines, const std::vector<BoxLine>& boxes) const;
   void gather_normals(Lines& lines, const Body& body, const FloatFrame& frame) const;
 
   gl::Program box_, stick_;

@@ -178,7 +178,7 @@ void Renderer::draw_overlays(const Subject& subject, const CameraView& view,
   const gl::Framebuffer& picture = *canvases_[canvas_].drawn;
   if (options.show.face_numbers) passes_.veil.draw(subject, VeilPass::Style::kRed);
   for_each_body(subject, [&](BodyId id, const Body& body, const BodyPicture& p) {
-    passes_.lines.draw(id, body, p.faces().frame(), space_, options);
+    passes_.lines.draw(id, body, p.faces().frame(), space_, frame_.clip_from_frame, options);
   });
   if (beam) passes_.beam.draw(view, space_, *beam, picture.shape().height);
   if (options.ghost && !options.show.face_numbers) passes_.veil.draw(subject, VeilPass::Style::kVeil);

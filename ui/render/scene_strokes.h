@@ -10,7 +10,8 @@
 namespace kerf {
 
 // Cuts the strokes that a scene brings with it: what a stroke does not say follows from the size of the
-// world before the first of them (see default_settings). Every step is told. Stops at the first step that fails.
+// world before the first of them (see default_settings). Every step is told. Stops at the first step that
+// fails.
 Status cut_strokes(Document& document, const std::vector<StrokePath>& strokes,
                    const std::function<void(const StepResult&)>& told);
 

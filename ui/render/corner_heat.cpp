@@ -8,7 +8,7 @@ namespace kerf {
 
 namespace {
 constexpr size_t kLargestFan = 24;                   // no more faces are looked at around a corner
-constexpr float kOnRim = 1.04f, kBesideRim = 0.80f;  // times the halvings of small faces
+constexpr float kOnRim = 1.10f, kBesideRim = 0.89f;  // times the halvings of small faces
 }  // namespace
 
 void CornerHeat::find_fan(const Mesh& mesh, FaceId f, const Vec3& corner) {

@@ -69,6 +69,7 @@ Status fit_to_boundary(RimState& rim, const Progress& progress) {
     waiting.clear();
     for (const FaceId f : snap_to_rim(rim)) split_near_rim(rim, f, waiting);
   }
+  settle_on_rim(rim);
   return Done{};
 }
 

@@ -41,6 +41,8 @@ struct RimState {
 Status refine_rim(RimState& rim, std::vector<FaceId> faces, const Progress& progress);
 // Moves vertices onto the boundary. Faces that should be finer first, for a vertex very near it cannot move.
 std::vector<FaceId> snap_to_rim(RimState& rim);
+// Counts vertices that may not move but lie very near as on the boundary, where the chords allow it.
+void settle_on_rim(RimState& rim);
 // Splits a face by the scheme; appends its parts and those of near faces that had to follow.
 void split_near_rim(RimState& rim, FaceId f, std::vector<FaceId>& parts);
 void clip_at_rim(RimState& rim);

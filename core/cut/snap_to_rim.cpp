@@ -174,6 +174,26 @@ void snap(RimState& rim, Add add, std::vector<FaceId>& in_the_way) {
 
 }  // namespace
 
+void settle_on_rim(RimState& rim) {
+  std::vector<Snap> near;
+  for (const FaceId f : rim.faces) {
+    const auto c = rim.mesh().corners(f);
+    const auto d = rim.distances_of(f);
+    const Triangle t = rim.mesh().triangle(f);
+    for (int i = 0; i < 3; ++i) {
+      const double off = std::abs(d[i]) / rim.radius();
+      if (d[i] != 0 && off < kRimNear) near.push_back({c[i], VertexId(), f, t[i], off});
+    }
+  }
+  sort(near);
+  Mesh::Star star;
+  for (const Snap& s : near) {
+    if (rim.distance(s.vertex, s.face) == 0) continue;
+    rim.mesh().star(s.vertex, star);
+    if (star.alone && !without_chord(rim, star, s).valid()) rim.note_on_boundary(s.vertex);
+  }
+}
+
 std::vector<FaceId> snap_to_rim(RimState& rim) {
   std::vector<FaceId> in_the_way;
   snap(rim, add_moves_in_plane, in_the_way);

@@ -1,0 +1,137 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/document/document.h"
+#include "tests/support/made_meshes.h"
+#include "tests/support/mesh_numbers.h"
+#include "tests/support/strokes.h"
+
+namespace kerf::test {
+namespace {
+
+constexpr double kRadius = 0.02;
+
+struct Cut {
+  World world;
+  size_t faces_made = 0;
+  std::vector<SweptCylinder> swept;
+
+  const Mesh& mesh() { return only_body(world).mesh; }
+  double distance(const Vec3& p) const {
+    double least = 1e300;
+    for (const SweptCylinder& part : swept) least = std::min(least, part.signed_distance(p));
+    return least;
+  }
+};
+
+// A stroke between two random poses above the plate or what else lies in y = 0.
+Cut cut(const Soup& soup, const Resolution& resolution, uint64_t seed, bool tilt) {
+  Random random(seed);
+  const auto pose = [&] {
+    const Vec3 direction =
+        tilt ? glm::normalize(Vec3(random.uniform(-0.3, 0.3), -1, random.uniform(-0.3, 0.3)))
+             : Vec3(0, -1, 0);
+    return Pose{Vec3(random.uniform(-0.3, 0.3), 0, random.uniform(-0.3, 0.3)) - direction, direction};
+  };
+  CutSettings settings;
+  settings.laser.radius = kRadius;
+  settings.laser.range = {0, 5};
+  settings.resolution = resolution;
+  const Pose from = pose(), to = pose();
+  Document document(world_of(soup));
+  document.apply(BeginStroke{settings, from});
+  document.apply(MoveStroke{to});
+  document.apply(EndStroke{});
+  Cut result;
+  const auto stepped = document.step(document.waiting());
+  EXPECT_TRUE(stepped.ok());
+  result.faces_made = stepped->figures.faces_made;
+  result.world = document.world();
+  for (const BeamMove& m : walk(from, to, kRadius / 8, 2))
+    result.swept.emplace_back(m.from, m.to, kRadius, settings.laser.range);
+  return result;
+}
+
+Resolution tolerance_of(Scheme scheme, double tolerance) {
+  return {.scheme = scheme, .rule = Resolution::Rule::kTolerance, .tolerance = tolerance};
+}
+
+TEST(Tolerance, bounds_how_far_what_is_removed_overshoots_the_beam) {
+  for (const Scheme scheme : {Scheme::kOneToFour, Scheme::kLongestEdge}) {
+    for (uint64_t seed = 1; seed <= 10; ++seed) {
+      SCOPED_TRACE("seed " + std::to_string(seed));
+      const double tolerance = kRadius / (seed % 2 == 0 ? 8 : 3);
+      Cut c = cut(plate(1), tolerance_of(scheme, tolerance), seed, seed > 5);
+      double farthest = 0;
+      for (uint32_t f = 0; f < c.mesh().face_slots(); ++f) {
+        if (c.mesh().is_live(FaceId(f))) continue;
+        for (const Vec3& p : c.mesh().triangle(FaceId(f))) farthest = std::max(farthest, c.distance(p));
+      }
+      EXPECT_LE(farthest, tolerance * (seed > 5 ? 1.01 : 1.0 + 1e-9));
+      EXPECT_GT(farthest, 0.3 * tolerance);  // and is made use of
+      EXPECT_EQ(find_fault(c.mesh()), "");
+    }
+  }
+}
+
+TEST(Tolerance, makes_at_most_half_of_the_faces_that_the_length_rule_makes_at_the_same_number) {
+  for (const Scheme scheme : {Scheme::kOneToFour, Scheme::kLongestEdge}) {
+    for (uint64_t seed = 1; seed <= 6; ++seed) {
+      for (const double length : {kRadius / 4, kRadius / 8}) {
+        SCOPED_TRACE("seed " + std::to_string(seed) + ", length " + std::to_string(length));
+        const Resolution edges{
+            .scheme = scheme, .rule = Resolution::Rule::kTargetEdge, .target_edge = length};
+        const size_t by_length = cut(plate(1), edges, seed, false).faces_made;
+        EXPECT_LE(2 * cut(plate(1), tolerance_of(scheme, length), seed, false).faces_made, by_length);
+      }
+    }
+  }
+}
+
+TEST(Tolerance, leaves_what_the_beam_does_not_touch_as_it_is) {
+  for (const Scheme scheme : {Scheme::kOneToFour, Scheme::kLongestEdge}) {
+    Cut c = cut(grid(40, 1), tolerance_of(scheme, kRadius / 8), 3, false);
+    const double reach = 2 * std::sqrt(2.0) / 40;  // two faces
+    size_t split = 0;
+    for (uint32_t f = 0; f < c.mesh().face_slots(); ++f) {
+      if (!c.mesh().is_live(FaceId(f)) || c.mesh().data(FaceId(f)).halvings == 0) continue;
+      ++split;
+      const Triangle t = c.mesh().triangle(FaceId(f));
+      EXPECT_LE(std::min({c.distance(t[0]), c.distance(t[1]), c.distance(t[2])}), reach);
+    }
+    EXPECT_GT(split, 50u);
+  }
+}
+
+// Against the farthest of many points of the triangle from the nearest of many places of the beam.
+TEST(Overshoot, is_the_distance_of_the_farthest_point) {
+  Random random(8);
+  for (int i = 0; i < 300; ++i) {
+    const Vec3 axis = random_direction(random);
+    const bool oblique = i % 3 == 0;
+    const Vec3 sideways = glm::normalize(glm::cross(axis, random_direction(random)));
+    const Pose from{{0, 0, 0}, axis},
+        to{(oblique ? 0.3 : 0.0) * axis + random.uniform(0, 1) * sideways, axis};
+    const SweptCylinder beam(from, to, 0.2, {0.5, 1.5});
+    Triangle t;
+    for (Vec3& p : t) p = axis + 0.8 * random_direction(random);
+    double most = 0;
+    for (const Vec3& p : t) {
+      double least = 1e300;
+      for (int s = 0; s <= 2000; ++s) {
+        const Vec3 offset = p - (from.origin + s / 2000.0 * (to.origin - from.origin));
+        const double depth = glm::dot(offset, axis), across = glm::length(offset - depth * axis);
+        least = std::min(
+            least, glm::length(Vec2(std::max(0.0, across - 0.2), std::max({0.0, 0.5 - depth, depth - 1.5}))));
+      }
+      most = std::max(most, least);
+    }
+    EXPECT_NEAR(beam.overshoot(t), most, 1e-3);
+    if (beam.contains(t)) EXPECT_EQ(beam.overshoot(t), 0);
+  }
+}
+
+}  // namespace
+}  // namespace kerf::test

@@ -38,6 +38,8 @@ Triangle Mesh::triangle(FaceId f) const {
   return {position(c[0]), position(c[1]), position(c[2])};
 }
 
+const double* Mesh::coordinates() const { return kernel_->half_edges.points()->data(); }
+
 const FaceData& Mesh::data(FaceId f) const { return kernel_->faces[f.index]; }
 FaceData& Mesh::data(FaceId f) { return kernel_->faces[f.index]; }
 

@@ -31,7 +31,7 @@ AabbTree::Box AabbTree::box_of(const FloatBox& box, int depth, bool leaf, bool h
 }
 
 AabbTree::Box AabbTree::bounds() const {
-  return store_.root == kNoIndex ? Box{} : box_of(store_.root_box, 0, false, store_.root_hit);
+  return store_.root == kNoIndex ? Box{} : box_of(store_.root_box(), 0, false, store_.root_hit);
 }
 
 size_t AabbTree::box_count() const {
@@ -46,7 +46,7 @@ void AabbTree::for_each_box(const std::function<void(const Box&)>& visit) const 
     int depth;
     bool hit;
   };
-  std::vector<Visit> stack{{Child::node(store_.root), store_.root_box, 0, store_.root_hit}};
+  std::vector<Visit> stack{{Child::node(store_.root), store_.root_box(), 0, store_.root_hit}};
   while (!stack.empty()) {
     const Visit v = stack.back();
     stack.pop_back();

@@ -33,7 +33,7 @@ class TreeBuilder {
     all.items = primitives_;
     for (const Primitive& p : primitives_) all.add(p);
     store_.root = build_node(all);
-    store_.root_box = store_.node_box(store_.nodes[store_.root]);
+    store_.set_root_box(store_.node_box(store_.nodes[store_.root]));
   }
 
  private:
@@ -123,7 +123,7 @@ class TreeBuilder {
 
 void build_tree(TreeStore& store, const Mesh& mesh) {
   store.frame = TreeFrame::around(mesh);
-  store.reserve_faces(mesh.face_slots());
+  store.reserve(mesh.live_faces(), mesh.face_slots());
   TreeBuilder(store, mesh).run();
 }
 

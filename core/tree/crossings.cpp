@@ -13,18 +13,22 @@ bool nearer(const RayHit& a, const RayHit& b) {
   return a.length != b.length ? a.length < b.length : a.face < b.face;
 }
 
-Triangle triangle_of(const Mesh& mesh, const FaceBlock& block, unsigned lane) {
-  return {mesh.position(VertexId(block.vertex[0][lane])), mesh.position(VertexId(block.vertex[1][lane])),
-          mesh.position(VertexId(block.vertex[2][lane]))};
+Triangle triangle_of(const double* coordinates, const FaceBlock& block, unsigned lane) {
+  const auto corner = [&](int i) {
+    const double* p = coordinates + 3 * size_t{block.vertex[i][lane]};
+    return Vec3(p[0], p[1], p[2]);
+  };
+  return {corner(0), corner(1), corner(2)};
 }
 
-// Appends the crossing of the face, where there is one.
-void test_face(const Mesh& mesh, const ShearedRay& ray, Interval range, uintptr_t word,
-               std::vector<RayHit>& out) {
+// The crossing of a face that a walk listed, where there is one.
+std::optional<RayHit> test_face(const double* coordinates, const ShearedRay& ray, Interval range,
+                                uintptr_t word) {
   const FaceBlock& block = *block_of(word);
-  const auto length = ray.cross(triangle_of(mesh, block, lane_of(word)));
-  if (length && *length >= range.low && *length <= range.high)
-    out.push_back({FaceId(block.face[lane_of(word)]), *length});
+  const unsigned lane = lane_of(word);
+  const auto length = ray.cross(triangle_of(coordinates, block, lane));
+  if (!length || !(*length >= range.low && *length <= range.high)) return std::nullopt;
+  return RayHit{FaceId(block.face[lane]), *length};
 }
 
 void sort_from(std::vector<RayHit>& hits, size_t first) {
@@ -36,13 +40,16 @@ void sort_from(std::vector<RayHit>& hits, size_t first) {
 
 void AabbTree::crossings(const Mesh& mesh, const Pose& ray, Interval range, std::vector<RayHit>& out) const {
   if (store_.root == kNoIndex) return;
-  const auto rays = prepare_rays(store_, {&ray, 1}, range);
-  if (!rays) return;
-  WalkScratch scratch;
-  walks_for(simd_).ray(store_.view(), rays->query, scratch.lists());
-  const size_t first = out.size();
   const ShearedRay sheared(ray);
-  for (const uintptr_t word : scratch.faces()) test_face(mesh, sheared, range, word, out);
+  RayQuery query;
+  query.coordinates = mesh.coordinates();
+  if (!prepare_rays(store_, {&ray, 1}, sheared, range, query)) return;
+  WalkScratch scratch;
+  walks_for(simd_).ray(store_.view(), query, scratch.lists());
+  const size_t first = out.size();
+  for (const uintptr_t word : scratch.faces()) {
+    if (const auto hit = test_face(query.coordinates, sheared, range, word)) out.push_back(*hit);
+  }
   sort_from(out, first);
 }
 
@@ -54,58 +61,37 @@ void AabbTree::crossings(const Mesh& mesh, std::span<const Pose> rays, Interval 
     for (size_t i = 0; i < rays.size(); ++i) crossings(mesh, rays[i], range, out[i]);
     return;
   }
-  const auto bundle = prepare_rays(store_, rays, range);
-  if (!bundle) return;
+  ShearedRay sheared[kBlockWidth];
+  for (size_t i = 0; i < rays.size(); ++i)
+    sheared[i] = i == 0 ? ShearedRay(rays[0]) : sheared[0].beside(rays[i]);
+  RayQuery query;
+  query.coordinates = mesh.coordinates();
+  if (!prepare_rays(store_, rays, sheared[0], range, query)) return;
   WalkScratch scratch;
-  walks_for(simd_).rays(store_.view(), bundle->query, scratch.lists());
+  walks_for(simd_).rays(store_.view(), query, scratch.lists());
   size_t first[kBlockWidth];
   for (size_t i = 0; i < rays.size(); ++i) first[i] = out[i].size();
   for (const uintptr_t word : scratch.faces()) {
     const unsigned r = ray_of(word);
-    test_face(mesh, ShearedRay(rays[r]), range, word, out[r]);
+    if (const auto hit = test_face(query.coordinates, sheared[r], range, word)) out[r].push_back(*hit);
   }
   for (size_t i = 0; i < rays.size(); ++i) sort_from(out[i], first[i]);
 }
 
-// Nearest ---------------------------------------------------------------------------------------------------
-
-namespace {
-
-struct NearestSearch {
-  const Mesh& mesh;
-  const ShearedRay ray;
-  const Interval range;
-  const TreeRays& rays;
-  float t_beyond;
-  std::optional<RayHit> best;
-
-  static float test(void* context, const FaceBlock* block, unsigned lanes) {
-    return static_cast<NearestSearch*>(context)->test(*block, lanes);
-  }
-  float test(const FaceBlock& block, unsigned lanes) {
-    for (unsigned lane = 0; lane < kBlockWidth; ++lane) {
-      if ((lanes >> lane & 1) == 0) continue;
-      const auto length = ray.cross(triangle_of(mesh, block, lane));
-      if (!length || !(*length >= range.low && *length <= range.high)) continue;
-      const RayHit hit{FaceId(block.face[lane]), *length};
-      if (best && !nearer(hit, *best)) continue;
-      best = hit;
-      t_beyond = rays.t_beyond(hit.length);
-    }
-    return t_beyond;
-  }
-};
-
-}  // namespace
-
 std::optional<RayHit> AabbTree::nearest(const Mesh& mesh, const Pose& ray, Interval range) const {
   if (store_.root == kNoIndex) return std::nullopt;
-  const auto rays = prepare_rays(store_, {&ray, 1}, range);
-  if (!rays) return std::nullopt;
+  const ShearedRay sheared(ray);
+  RayQuery query;
+  query.coordinates = mesh.coordinates();
+  if (!prepare_rays(store_, {&ray, 1}, sheared, range, query)) return std::nullopt;
   WalkScratch scratch;
-  NearestSearch search{mesh, ShearedRay(ray), range, *rays, rays->query.t_high, std::nullopt};
-  walks_for(simd_).nearest(store_.view(), rays->query, scratch.lists(), {&search, NearestSearch::test});
-  return search.best;
+  walks_for(simd_).nearest(store_.view(), query, scratch.lists());
+  std::optional<RayHit> best;
+  for (const uintptr_t word : scratch.faces()) {
+    const auto hit = test_face(query.coordinates, sheared, range, word);
+    if (hit && (!best || nearer(*hit, *best))) best = hit;
+  }
+  return best;
 }
 
 }  // namespace kerf

@@ -22,7 +22,10 @@ void grow_above(TreeStore& tree, uint32_t n, const FloatBox& box) {
     own.add(box);
     tree.set_slot_box(node.parent, node.slot, own);
   }
-  tree.root_box.add(box);
+  if (tree.root_box().holds(box)) return;
+  FloatBox all = tree.root_box();
+  all.add(box);
+  tree.set_root_box(all);
 }
 
 void grow_block(TreeStore& tree, uint32_t b, const FloatBox& box) {
@@ -42,7 +45,7 @@ void shrink_above(TreeStore& tree, uint32_t n) {
     if (fitted == tree.slot_box(node.parent, node.slot)) return;
     tree.set_slot_box(node.parent, node.slot, fitted);
   }
-  tree.root_box = tree.node_box(tree.nodes[n]);
+  tree.set_root_box(tree.node_box(tree.nodes[n]));
 }
 
 // Lanes of blocks -------------------------------------------------------------------------------------------
@@ -197,7 +200,7 @@ void insert_face(TreeStore& tree, const Mesh& mesh, FaceId f, uint32_t b) {
 void remove_root(TreeStore& tree) {
   tree.free_node(tree.root);
   tree.root = kNoIndex;
-  tree.root_box = FloatBox{};
+  tree.set_root_box(FloatBox{});
   tree.root_hit = false;
 }
 

@@ -49,13 +49,19 @@ class Pool {
 
   // Items that were never there before are zero.
   void grow_to(uint32_t size) {
+    if (size <= size_) return;
+    reserve(size);
+    size_ = size;
+  }
+
+  // Takes the chunks for so many items.
+  void reserve(uint32_t size) {
     // Huge pages pay once a fair part of one is filled.
     constexpr uint32_t kHugeFrom = static_cast<uint32_t>(kHugePage / sizeof(T) / 2);
     while (chunks_.size() * size_t{kChunk} < size) {
       chunks_.push_back(static_cast<T*>(take_chunk(kChunkBytes)));
       if (size >= kHugeFrom) advise_huge_pages(chunks_.back(), kChunkBytes);
     }
-    if (size > size_) size_ = size;
   }
 
   size_t bytes() const { return size_ * sizeof(T) + chunks_.capacity() * sizeof(T*); }

@@ -1,5 +1,6 @@
 #include "core/tree/sheared_ray.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -55,32 +56,38 @@ int compare(const Product& a, const Product& b) {
   return 0;
 }
 
-// Whether the ray passes left of a -> b. A tie is settled as if the ray stood a hair towards +x, and less
-// towards +y.
-bool is_left(Vec2 a, Vec2 b) {
-  const int side = side_of(a, b);
-  if (side != 0) return side > 0;
-  return a.y != b.y ? a.y > b.y : a.x < b.x;
-}
-
-bool before(const Vec3& a, const Vec3& b) {
-  return a.x != b.x ? a.x < b.x : (a.y != b.y ? a.y < b.y : a.z < b.z);
-}
-
-}  // namespace
-
 // Rounding keeps order, so that products which differ after rounding differ the same way before it.
-int side_of(Vec2 a, Vec2 b) {
+inline int sign_of_cross(Vec2 a, Vec2 b) {
   const double left = a.x * b.y, right = a.y * b.x;
   if (left != right) return left > right ? 1 : -1;
   return compare(Product(a.x, b.y), Product(a.y, b.x));
 }
 
+// Whether the ray passes left of a -> b. A tie is settled as if the ray stood a hair towards +x, and less
+// towards +y.
+inline bool is_left(Vec2 a, Vec2 b) {
+  const int side = sign_of_cross(a, b);
+  if (side != 0) return side > 0;
+  return a.y != b.y ? a.y > b.y : a.x < b.x;
+}
+
+// The same for the numbers in any order.
+double sum_in_order(double a, double b, double c) {
+  const double low = std::min(a, b), high = std::max(a, b);
+  return (std::min(low, c) + std::max(high, c)) + std::max(low, std::min(high, c));
+}
+
+}  // namespace
+
+int side_of(Vec2 a, Vec2 b) { return sign_of_cross(a, b); }
+
 ShearedRay::ShearedRay(const Pose& ray) : origin_(ray.origin) {
+  constexpr int kNext[] = {1, 2, 0};
   const Vec3 d = ray.direction, size = glm::abs(d);
-  z_ = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
-  x_ = (z_ + 1) % 3;
-  y_ = (z_ + 2) % 3;
+  const int of_yz = size.y >= size.z ? 1 : 2;
+  z_ = size.x >= std::max(size.y, size.z) ? 0 : of_yz;
+  x_ = kNext[z_];
+  y_ = kNext[x_];
   shear_ = {d[x_] / d[z_], d[y_] / d[z_]};
   per_z_ = 1.0 / d[z_];
 }
@@ -88,19 +95,17 @@ ShearedRay::ShearedRay(const Pose& ray) : origin_(ray.origin) {
 std::optional<double> ShearedRay::cross(const Triangle& t) const {
   Vec2 p[3];
   double z[3];
-  // From the least corner on, so that the length does not depend on where the turn starts.
-  int corner = before(t[0], t[1]) ? (before(t[0], t[2]) ? 0 : 2) : (before(t[1], t[2]) ? 1 : 2);
-  for (int i = 0; i < 3; ++i, corner = corner == 2 ? 0 : corner + 1) {
-    const Vec3 v = t[corner] - origin_;
-    p[i] = {v[x_] - shear_.x * v[z_], v[y_] - shear_.y * v[z_]};
-    z[i] = v[z_];
+  for (int i = 0; i < 3; ++i) {
+    z[i] = t[i][z_] - origin_[z_];
+    p[i] = {(t[i][x_] - origin_[x_]) - shear_.x * z[i], (t[i][y_] - origin_[y_]) - shear_.y * z[i]};
   }
   const bool left = is_left(p[0], p[1]);
   if (is_left(p[1], p[2]) != left || is_left(p[2], p[0]) != left) return std::nullopt;
-  const double a = cross2(p[1], p[2]), b = cross2(p[2], p[0]), c = cross2(p[0], p[1]), sum = a + b + c;
+  const double a = cross2(p[1], p[2]), b = cross2(p[2], p[0]), c = cross2(p[0], p[1]);
+  const double sum = sum_in_order(a, b, c);
   // A triangle so thin that its area is rounded away is crossed all the same.
-  if (sum == 0) return (z[0] + z[1] + z[2]) / 3 * per_z_;
-  return (a * z[0] + b * z[1] + c * z[2]) / sum * per_z_;
+  if (sum == 0) return sum_in_order(z[0], z[1], z[2]) / 3 * per_z_;
+  return sum_in_order(a * z[0], b * z[1], c * z[2]) / sum * per_z_;
 }
 
 }  // namespace kerf

@@ -13,8 +13,15 @@ namespace kerf {
 // of times wherever the ray goes through it.
 class ShearedRay {
  public:
+  ShearedRay() = default;
   // The direction is not zero.
   explicit ShearedRay(const Pose& ray);
+  // The same for a ray of equal direction.
+  ShearedRay beside(const Pose& ray) const {
+    ShearedRay other = *this;
+    other.origin_ = ray.origin;
+    return other;
+  }
 
   // Length along the unit direction at which the ray crosses the triangle, however its corners are turned;
   // nothing where it passes beside it or along it.
@@ -26,8 +33,8 @@ class ShearedRay {
   Vec2 shear() const { return shear_; }
 
  private:
-  Vec3 origin_;
-  Vec2 shear_;
+  Vec3 origin_{0};
+  Vec2 shear_{0};
   double per_z_ = 1;
   int x_ = 0, y_ = 1, z_ = 2;
 };

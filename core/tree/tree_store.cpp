@@ -62,6 +62,13 @@ void TreeStore::set_place(FaceId f, uint32_t place) {
   places_[f.index] = place + 1;
 }
 
+// Blocks are filled by nine tenths, nodes by half, in a tree as built.
+void TreeStore::reserve(uint32_t faces, uint32_t slots) {
+  blocks.reserve(faces / 4 + faces / 32 + 1);
+  nodes.reserve(faces / 16 + 1);
+  places_.grow_to(slots);
+}
+
 void TreeStore::write_face(const Mesh& mesh, FaceId f, uint32_t block, uint32_t lane) {
   FaceBlock& b = blocks[block];
   const auto corners = mesh.corners(f);
@@ -124,15 +131,16 @@ void TreeStore::hang(uint32_t node, uint32_t slot, Child child, const FloatBox& 
   at = static_cast<uint8_t>(slot);
 }
 
-double TreeStore::reach() const {
+void TreeStore::set_root_box(const FloatBox& box) {
+  root_box_ = box;
   Vec3 far;
-  for (int k = 0; k < 3; ++k)
-    far[k] = std::max(std::abs(double{root_box.low[k]}), std::abs(double{root_box.high[k]}));
-  return glm::length(far);
+  for (int k = 0; k < 3; ++k) far[k] = std::max(std::abs(double{box.low[k]}), std::abs(double{box.high[k]}));
+  reach_ = glm::length(far);
 }
 
 TreeView TreeStore::view() const {
-  return {nodes.chunks(), blocks.chunks(), nodes.kShift, blocks.kShift, root};
+  static_assert(nodes.kShift == TreeView::kShift && blocks.kShift == TreeView::kShift);
+  return {nodes.chunks(), blocks.chunks(), root};
 }
 
 void TreeStore::empty_slot(uint32_t node, uint32_t slot) {

@@ -16,7 +16,6 @@ class TreeStore {
   Pool<WideNode> nodes;
   Pool<FaceBlock> blocks;
   uint32_t root = kNoIndex;
-  FloatBox root_box;
   bool root_hit = false;
 
   uint32_t add_node();
@@ -31,7 +30,8 @@ class TreeStore {
   // Where a face is, as block * kBlockWidth + lane; kNoIndex for a face that is not in the tree.
   uint32_t place(FaceId f) const { return f.index < places_.size() ? places_[f.index] - 1 : kNoIndex; }
   void set_place(FaceId f, uint32_t place);
-  void reserve_faces(uint32_t slots) { places_.grow_to(slots); }
+  // Makes ready for a tree over so many faces, in slots below `slots`.
+  void reserve(uint32_t faces, uint32_t slots);
 
   // Writes the face into a lane of a block, as the mesh has it now. Its hit bit stays.
   void write_face(const Mesh& mesh, FaceId f, uint32_t block, uint32_t lane);
@@ -45,8 +45,10 @@ class TreeStore {
   void hang(uint32_t node, uint32_t slot, Child child, const FloatBox& box);
   void empty_slot(uint32_t node, uint32_t slot);
 
-  // The largest distance of a point of the tree from the origin of its frame, in the frame.
-  double reach() const;
+  const FloatBox& root_box() const { return root_box_; }
+  void set_root_box(const FloatBox& box);
+  // A distance from the origin of the frame, in the frame, within which all points of the tree lie.
+  double reach() const { return reach_; }
   TreeView view() const;
 
   size_t bytes() const { return nodes.bytes() + blocks.bytes() + places_.bytes(); }
@@ -56,6 +58,8 @@ class TreeStore {
   uint32_t free_node_ = kNoIndex, free_block_ = kNoIndex;
   uint32_t free_node_count_ = 0, free_block_count_ = 0;
   uint32_t single_count_ = 0;
+  FloatBox root_box_;
+  double reach_ = 0;
 };
 
 }  // namespace kerf

@@ -20,10 +20,10 @@ class WalkCode {
   }
 
   static WideNode* node_at(const TreeView& tree, uint32_t index) {
-    return tree.nodes[index >> tree.node_shift] + (index & ((1u << tree.node_shift) - 1));
+    return tree.nodes[index >> TreeView::kShift] + (index & ((1u << TreeView::kShift) - 1));
   }
   static FaceBlock* block_at(const TreeView& tree, uint32_t index) {
-    return tree.blocks[index >> tree.block_shift] + (index & ((1u << tree.block_shift) - 1));
+    return tree.blocks[index >> TreeView::kShift] + (index & ((1u << TreeView::kShift) - 1));
   }
 
   template <int kLines>
@@ -39,7 +39,7 @@ class WalkCode {
   }
   static FaceBlock* take_block(const TreeView& tree, uint32_t bits) {
     FaceBlock* block = block_at(tree, bits & ~Child::kBlockBit);
-    prefetch<3>(block);
+    prefetch<4>(block);
     return block;
   }
 
@@ -54,6 +54,12 @@ class WalkCode {
         push(lists.nodes, reinterpret_cast<uintptr_t>(take_node(tree, bits)));
       }
     }
+  }
+
+  static void list_face(const RayQuery& q, const FaceBlock& block, unsigned lane, unsigned ray,
+                        WordList& faces) {
+    for (int i = 0; i < 3; ++i) __builtin_prefetch(q.coordinates + 3 * size_t{block.vertex[i][lane]});
+    push(faces, face_word(&block, lane, ray));
   }
 
   static unsigned filled(const FaceBlock& block) { return (1u << block.count) - 1; }
@@ -106,14 +112,17 @@ class WalkCode {
       error = extent * (extent * Float4::all(0x1p-21f) + Float4::all(8 * q.error));
     }
 
-    // The faces through which the ray at this place may go.
-    unsigned may_hold(const float (&pass)[2]) const {
+    // The faces through which the ray at this place may go, and those through which it goes for sure.
+    struct Lanes {
+      unsigned may, sure;
+    };
+    Lanes hold(const float (&pass)[2]) const {
       const Float4 px = Float4::all(pass[0]), py = Float4::all(pass[1]);
       const Float4 ax = x[0] - px, ay = y[0] - py, bx = x[1] - px, by = y[1] - py, cx = x[2] - px,
                    cy = y[2] - py;
       const Float4 u = ax * by - ay * bx, v = bx * cy - by * cx, w = cx * ay - cy * ax;
-      const Float4 least = min(min(u, v), w), most = max(max(u, v), w);
-      return le(Float4::all(0) - error, least) | le(most, error);
+      const Float4 least = min(min(u, v), w), most = max(max(u, v), w), under = Float4::all(0) - error;
+      return {le(under, least) | le(most, error), le(error, least) | le(most, under)};
     }
 
     Float4 x[3], y[3], error;
@@ -135,9 +144,9 @@ class WalkCode {
     list_blocks_on_rays(tree, q, lists);
     for (uint32_t i = 0; i < lists.blocks.count; ++i) {
       const auto* block = reinterpret_cast<const FaceBlock*>(lists.blocks.items[i]);
-      unsigned lanes = ShearedBlock(*block, q).may_hold(q.pass[0]) & filled(*block);
+      unsigned lanes = ShearedBlock(*block, q).hold(q.pass[0]).may & filled(*block);
       for (; lanes != 0; lanes &= lanes - 1) {
-        push(lists.faces, face_word(block, static_cast<unsigned>(__builtin_ctz(lanes))));
+        list_face(q, *block, static_cast<unsigned>(__builtin_ctz(lanes)), 0, lists.faces);
       }
     }
   }
@@ -148,63 +157,114 @@ class WalkCode {
       const auto* block = reinterpret_cast<const FaceBlock*>(lists.blocks.items[i]);
       const ShearedBlock sheared(*block, q);
       for (uint32_t r = 0; r < q.rays; ++r) {
-        unsigned lanes = sheared.may_hold(q.pass[r]) & filled(*block);
+        unsigned lanes = sheared.hold(q.pass[r]).may & filled(*block);
         for (; lanes != 0; lanes &= lanes - 1) {
-          push(lists.faces, face_word(block, static_cast<unsigned>(__builtin_ctz(lanes)), r));
+          list_face(q, *block, static_cast<unsigned>(__builtin_ctz(lanes)), r, lists.faces);
         }
       }
     }
   }
 
-  // Entries are pairs of words: where the ray enters the box, as bits of a float, which for positive floats
-  // are in their order; and the record, plus one for a block.
-  static void nearest(const TreeView& tree, const RayQuery& q, const WalkLists& lists,
-                      const NearestTest& test) {
+  // The nearest child of a node is looked at next; the others wait on the stack, as pairs of words: where the
+  // ray enters the box, as bits of a float, which for positive floats are in their order; and the record,
+  // plus one for a block.
+  static void nearest(const TreeView& tree, const RayQuery& q, const WalkLists& lists) {
     RaySlabs slabs(q);
     float t_high = q.t_high;
     WordList& stack = lists.nodes;
-    push(stack, 0);
-    push(stack, reinterpret_cast<uintptr_t>(node_at(tree, tree.root)));
-    while (stack.count > 0) {
-      stack.count -= 2;
-      const uintptr_t word = stack.items[stack.count + 1];
-      if (__builtin_bit_cast(float, static_cast<uint32_t>(stack.items[stack.count])) > t_high) continue;
-      if ((word & 1) == 0) {
-        open_near_first(tree, *reinterpret_cast<const WideNode*>(word), slabs, stack);
-        continue;
+    uintptr_t next = reinterpret_cast<uintptr_t>(node_at(tree, tree.root));
+    while (next != 0) {
+      if ((next & 1) == 0) {
+        next = open_near_first(tree, *reinterpret_cast<const WideNode*>(next), slabs, stack);
+      } else {
+        const auto& block = *reinterpret_cast<const FaceBlock*>(next - 1);
+        const float nearer = list_near_faces(block, q, t_high, lists.faces);
+        if (nearer < t_high) {
+          t_high = nearer;
+          slabs.high = Float8::all(t_high);
+        }
+        next = 0;
       }
-      const auto& block = *reinterpret_cast<const FaceBlock*>(word - 1);
-      const unsigned lanes = ShearedBlock(block, q).may_hold(q.pass[0]) & filled(block);
-      if (lanes == 0) continue;
-      t_high = test.test(test.context, &block, lanes);
-      slabs.high = Float8::all(t_high);
+      while (next == 0 && stack.count > 0) {
+        stack.count -= 2;
+        const float entry = __builtin_bit_cast(float, static_cast<uint32_t>(stack.items[stack.count]));
+        if (entry <= t_high) next = stack.items[stack.count + 1];
+      }
     }
   }
 
-  static void open_near_first(const TreeView& tree, const WideNode& node, const RaySlabs& slabs,
-                              WordList& stack) {
+  // Lists the faces of a block that the ray may cross up to t_high. Returns up to where a face is that it
+  // crosses for sure, or t_high.
+  static float list_near_faces(const FaceBlock& b, const RayQuery& q, float t_high, WordList& faces) {
+    const auto lanes = ShearedBlock(b, q).hold(q.pass[0]);
+    unsigned may = lanes.may & filled(b);
+    if (may == 0) return t_high;
+    const uint32_t k = q.along;
+    const Float4 z0 = Float4::load(b.corner[0][k]), z1 = Float4::load(b.corner[1][k]),
+                 z2 = Float4::load(b.corner[2][k]);
+    const bool up = q.near_plane[k] == k;
+    const Float4 low = min(min(z0, z1), z2), high = max(max(z0, z1), z2);
+    const Float4 from = ((up ? low : high) - Float4::all(q.near_origin[k])) * Float4::all(q.near_slope[k]);
+    const Float4 to = ((up ? high : low) - Float4::all(q.far_origin[k])) * Float4::all(q.far_slope[k]);
+    may &= le(from, Float4::all(t_high));
+    const unsigned sure = lanes.sure & may & le(Float4::all(q.t_sure), from);
+    alignas(16) float ends[kBlockWidth];
+    to.store(ends);
+    for (unsigned rest = sure; rest != 0; rest &= rest - 1) {
+      const float end = ends[__builtin_ctz(rest)];
+      t_high = end < t_high ? end : t_high;
+    }
+    for (; may != 0; may &= may - 1) list_face(q, b, static_cast<unsigned>(__builtin_ctz(may)), 0, faces);
+    return t_high;
+  }
+
+  static uintptr_t take_child(const TreeView& tree, const WideNode& node, int slot) {
+    const uint32_t bits = node.child[slot].bits;
+    return (bits & Child::kBlockBit) != 0 ? reinterpret_cast<uintptr_t>(take_block(tree, bits)) + 1
+                                          : reinterpret_cast<uintptr_t>(take_node(tree, bits));
+  }
+
+  // Pushes the children that the ray meets, the nearest last, but for that one, which is returned; 0 for
+  // none.
+  static uintptr_t open_near_first(const TreeView& tree, const WideNode& node, const RaySlabs& slabs,
+                                   WordList& stack) {
     const Float8 entry = slabs.entry(node);
     unsigned mask = le(entry, slabs.exit(node));
+    if (mask == 0) return 0;
     alignas(32) float entries[kNodeWidth];
     entry.store(entries);
+    int s = __builtin_ctz(mask);
+    uintptr_t nearest = take_child(tree, node, s);
+    uint32_t nearest_key = __builtin_bit_cast(uint32_t, entries[s]);
     const uint32_t first = stack.count;
-    for (; mask != 0; mask &= mask - 1) {
-      const int s = __builtin_ctz(mask);
-      const uint32_t bits = node.child[s].bits;
-      const uintptr_t word = (bits & Child::kBlockBit) != 0
-                                 ? reinterpret_cast<uintptr_t>(take_block(tree, bits)) + 1
-                                 : reinterpret_cast<uintptr_t>(take_node(tree, bits));
-      const uintptr_t key = __builtin_bit_cast(uint32_t, entries[s]);
+    for (mask &= mask - 1; mask != 0; mask &= mask - 1) {
+      s = __builtin_ctz(mask);
+      uintptr_t word = take_child(tree, node, s);
+      uint32_t key = __builtin_bit_cast(uint32_t, entries[s]);
+      const bool swap = key < nearest_key;
+      const uintptr_t near_word = swap ? word : nearest;
+      const uint32_t near_key = swap ? key : nearest_key;
+      word = swap ? nearest : word;
+      key = swap ? nearest_key : key;
+      nearest = near_word;
+      nearest_key = near_key;
       push(stack, key);
       push(stack, word);
-      uint32_t at = stack.count - 2;
-      for (; at > first && stack.items[at - 2] < key; at -= 2) {
-        stack.items[at] = stack.items[at - 2];
-        stack.items[at + 1] = stack.items[at - 1];
-      }
-      stack.items[at] = key;
-      stack.items[at + 1] = word;
+      sink(stack, first);
     }
+    return nearest;
+  }
+
+  // Moves the last pair of the stack down to its place, the farthest first.
+  static void sink(WordList& stack, uint32_t first) {
+    uint32_t at = stack.count - 2;
+    const uintptr_t key = stack.items[at], word = stack.items[at + 1];
+    for (; at > first && stack.items[at - 2] < key; at -= 2) {
+      stack.items[at] = stack.items[at - 2];
+      stack.items[at + 1] = stack.items[at - 1];
+    }
+    stack.items[at] = key;
+    stack.items[at + 1] = word;
   }
 
   // Slabs of any orientation -------------------------------------------------------------------------------

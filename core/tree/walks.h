@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "core/tree/simd.h"
@@ -14,9 +15,9 @@ namespace kerf {
 
 // The pools of a tree.
 struct TreeView {
+  static constexpr uint32_t kShift = 16;  // of Pool
   WideNode* const* nodes;
   FaceBlock* const* blocks;
-  uint32_t node_shift, block_shift;
   uint32_t root;
 };
 
@@ -49,9 +50,12 @@ struct RayQuery {
   // Slabs: by axis the planes that the ray meets first and last, what is taken off them and what the rest is
   // multiplied with, all rounded so that no box is missed.
   uint32_t near_plane[3], far_plane[3];
-  float near_origin[3], far_origin[3];
-  float near_slope[3], far_slope[3];
+  alignas(16) float near_origin[4];  // of the fourth only the place counts
+  alignas(16) float far_origin[4];
+  alignas(16) float near_slope[4];
+  alignas(16) float far_slope[4];
   float t_low, t_high;
+  float t_sure;  // from which t on a hit is within the range for sure, at its near end
   // Triangles: the axis along which the ray runs most, the two others, and the shear that makes them stand
   // across the ray; then where the rays pass, sheared.
   uint32_t along, across[2];
@@ -59,6 +63,7 @@ struct RayQuery {
   float pass[kBlockWidth][2];
   float error;  // of a sheared coordinate
   uint32_t rays;
+  const double* coordinates;  // of the mesh's vertices: what a face listed will be decided with
 };
 
 // A box of any orientation: by its axes, the interval that a projection must meet.
@@ -71,20 +76,13 @@ struct SlabQuery {
   Axis axis[3];
 };
 
-// What a walk for the nearest hit asks about faces of a block, one bit a lane: the t from which on nothing
-// matters any more. Called in code for all processors.
-struct NearestTest {
-  void* context;
-  float (*test)(void* context, const FaceBlock* block, unsigned lanes);
-};
-
 struct Walks {
   // Lists the faces that a ray may cross.
   void (*ray)(const TreeView&, const RayQuery&, const WalkLists&);
   // The same for up to four parallel rays.
   void (*rays)(const TreeView&, const RayQuery&, const WalkLists&);
-  // Tests the faces that the ray may cross, near boxes first.
-  void (*nearest)(const TreeView&, const RayQuery&, const WalkLists&, const NearestTest&);
+  // Lists faces of which one is the first that the ray crosses, near boxes first.
+  void (*nearest)(const TreeView&, const RayQuery&, const WalkLists&);
   // Lists the faces that may meet the box, and marks all slots and lanes whose boxes may. Returns how many
   // boxes it looked at.
   uint64_t (*slab)(const TreeView&, const SlabQuery&, const WalkLists&);

@@ -38,6 +38,8 @@ Triangle Mesh::triangle(FaceId f) const {
   return {position(c[0]), position(c[1]), position(c[2])};
 }
 
+const double* Mesh::coordinates() const { return kernel_->half_edges.points()->data(); }
+
 const FaceData& Mesh::data(FaceId f) const { return kernel_->faces[f.index]; }
 FaceData& Mesh::data(FaceId f) { return kernel_->faces[f.index]; }
 
@@ -239,6 +241,7 @@ void Mesh::split_edge_at(FaceId f, VertexId from, VertexId to, const Vec3& at, s
   HalfEdges& m = k.half_edges;
   const HalfedgeHandle start = half_edge_from(m, f, from);
   assert(m.to_vertex_handle(start) == handle(to));
+  (void)to;
 
   const size_t first = out.size();
   std::vector<HalfedgeHandle> members{start};

@@ -58,6 +58,8 @@ class Mesh {
   // Counter-clockwise; where the turn starts may change with edits nearby.
   std::array<VertexId, 3> corners(FaceId f) const;
   Triangle triangle(FaceId f) const;
+  // x y z of every vertex slot, until the mesh is edited.
+  const double* coordinates() const;
 
   const FaceData& data(FaceId f) const;
   FaceData& data(FaceId f);

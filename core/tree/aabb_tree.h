@@ -1,12 +1,15 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "core/base/ids.h"
 #include "core/mesh/mesh.h"
+#include "core/tree/simd.h"
 #include "core/tree/swept_cylinder.h"
+#include "core/tree/tree_store.h"
 
 namespace kerf {
 
@@ -17,90 +20,83 @@ struct RayHit {
   friend bool operator==(const RayHit&, const RayHit&) = default;
 };
 
-// What a query looked at.
+// What a query looked at: boxes, and faces one by one.
 struct QueryCounts {
   size_t boxes = 0;
   size_t faces = 0;
 };
 
-// A tree of axis-aligned bounding boxes over the live faces of a mesh, one face a leaf slot. It is built once
-// and never rebuilt: a face that is split becomes a node over its parts, whose boxes lie within its own; a
-// removed face goes and the boxes above it shrink. An edit costs what the bite costs.
+// A tree of axis-aligned bounding boxes over the live faces of a mesh: nodes of up to eight children (I.
+// Wald, C. Benthin, S. Boulos: Getting rid of packets, 2008) over blocks of up to four faces. It is built
+// once and never rebuilt: the parts of a split face take its place in its block, which parts when it is full;
+// a removed face goes and the boxes above it shrink. An edit costs what the bite costs.
 //
-// Boxes are floats of (x - origin) times a power of two, rounded outward, so they only cull; the doubles of
-// the mesh decide. Positions of the mesh must not change behind the tree's back.
+// Boxes and corners are floats of (x - origin) times a power of two, boxes rounded outward, so they only
+// cull; the doubles of the mesh decide. What the mesh has at a face may change only with replace, remove and
+// refit.
+//
+// All answers are the same to the bit and in the same order for every Simd.
 class AabbTree {
  public:
   AabbTree() = default;
 
-  // Top-down, halving along the longest side of the centroids' box. O(n log n).
-  explicit AabbTree(const Mesh& mesh);
+  // The surface area heuristic, top-down. O(n log n).
+  explicit AabbTree(const Mesh& mesh, Simd simd = best_simd());
 
   // Appends every face that meets the closed volume, none missed, each once, in an order that depends on the
   // tree alone. Remembers in every box that the volume meets that the beam was there.
   QueryCounts touched(const Mesh& mesh, const SweptCylinder& beam, std::vector<FaceId>& out);
 
-  // All faces that the ray crosses at lengths within the range, nearest first, each surface once: where the
-  // ray goes through an edge or a corner, one of the faces there is chosen by rule. Faces edge-on are not
-  // crossed.
+  // Appends all faces that the ray crosses at lengths within the range, nearest first, each surface once:
+  // where the ray goes through an edge or a corner, one of the faces there is chosen by rule. Faces edge-on
+  // are not crossed. The direction is a unit vector.
   void crossings(const Mesh& mesh, const Pose& ray, Interval range, std::vector<RayHit>& out) const;
 
-  // The leaves of `gone` (one face, or all faces below one node) make way for leaves of `born`, which lie
-  // within theirs. A face may stand on both sides. Several replacements may be told late, in their order. The
-  // node remembers the beam; the new leaves have not met it yet.
-  void replace(const Mesh& mesh, std::span<const FaceId> gone, std::span<const FaceId> born);
+  // The same for several rays, each with a list of its own in `out`. Rays that run side by side, of equal
+  // direction, cost about as much as one where they are nearer to one another than a face is wide.
+  void crossings(const Mesh& mesh, std::span<const Pose> rays, Interval range,
+                 std::span<std::vector<RayHit>> out) const;
 
-  // Corners of these faces have moved: their leaves are fitted anew and the boxes above grow with them.
-  void refit(const Mesh& mesh, std::span<const FaceId> faces);
+  // The first of the crossings of the ray.
+  std::optional<RayHit> nearest(const Mesh& mesh, const Pose& ray, Interval range) const;
+
+  // The leaves of `gone` make way for leaves of `born`, which lie within the box around them. A face may
+  // stand on both sides. Several replacements may be told late, in their order. The boxes above remember the
+  // beam; the new leaves have not met it yet. Neither list is empty.
+  void replace(const Mesh& mesh, std::span<const FaceId> gone, std::span<const FaceId> born);
 
   // Takes the leaf of a face away.
   void remove(FaceId f);
 
+  // The corners of these faces have moved: their leaves are fitted anew, and boxes above grow where they
+  // must. They stay marked where the beam was.
+  void refit(const Mesh& mesh, std::span<const FaceId> faces);
+
   // A box of the tree for those who look at it, metres, in the frame of the mesh.
   struct Box {
     Vec3 min, max;
-    int depth = 0;  // 0 at the root
-    bool leaf = false;
-    bool hit = false;  // the beam is or was in it
+    int depth = 0;      // 0 at the root
+    bool leaf = false;  // the box of one face
+    bool hit = false;   // the beam is or was in it
   };
-  // Visits all boxes, parents before children.
+  // Visits all boxes, parents before children. A block of one face is that face's box.
   void for_each_box(const std::function<void(const Box&)>& visit) const;
 
   size_t leaf_count() const { return leaf_count_; }
-  size_t box_count() const { return leaf_count_ == 0 ? 0 : 2 * leaf_count_ - 1; }
+  // How many boxes for_each_box visits. O(1).
+  size_t box_count() const;
   // The bounds of all leaves, a little outward; zero for an empty tree.
   Box bounds() const;
 
+  // Memory that the tree holds.
+  size_t bytes() const { return store_.bytes(); }
+
  private:
-  static constexpr uint32_t kNone = 0xffffffffu;
-  struct Node {
-    std::array<float, 3> low, high;  // scaled; see scaled_box
-    uint32_t parent = kNone;
-    std::array<uint32_t, 2> child{kNone, kNone};  // a leaf: {face, kNone}
-    bool hit = false;
-    bool leaf() const { return child[1] == kNone; }
-  };
-  struct Span;
+  Box box_of(const FloatBox& box, int depth, bool leaf, bool hit) const;
 
-  void set_frame(const Mesh& mesh);
-  void fit_leaf(const Mesh& mesh, Node& node) const;
-  void fit_parent(Node& node) const;
-  uint32_t new_node();
-  void free_node(uint32_t n);
-  uint32_t build(const Mesh& mesh, std::vector<Span>& spans, size_t begin, size_t end, uint32_t parent);
-  uint32_t graft(const Mesh& mesh, std::span<const FaceId> faces, uint32_t parent, uint32_t at);
-  void shrink_from(uint32_t n);
-  void grow_from(uint32_t n);
-  Box box_of(const Node& node, int depth) const;
-  void set_leaf(FaceId f, uint32_t node);
-
-  Vec3 origin_{0};
-  double scale_ = 1;  // a power of two; boxes are (x - origin) * scale, about within [-1, 1]
-  uint32_t root_ = kNone;
-  std::vector<Node> nodes_;
-  std::vector<uint32_t> free_;
-  std::vector<uint32_t> leaf_of_;  // one a face slot
+  TreeStore store_;
   size_t leaf_count_ = 0;
+  Simd simd_ = best_simd();
 };
 
 }  // namespace kerf

@@ -1,100 +1,97 @@
 #include <algorithm>
-#include <cmath>
-#include <optional>
 
-#include "core/base/tolerances.h"
 #include "core/tree/aabb_tree.h"
+#include "core/tree/sheared_ray.h"
+#include "core/tree/tree_rays.h"
+#include "core/tree/walk_scratch.h"
 
 namespace kerf {
 
 namespace {
 
-// A ray in coordinates in which it runs along +z: an axis is exchanged and the others sheared (S. Woop,
-// C. Benthin, I. Wald: Watertight ray/triangle intersection, 2013). A corner has the same image in every
-// face, and signs of edges are antisymmetric to the bit, so neighbours agree on which side of their edge the
-// ray is.
-class ShearedRay {
- public:
-  explicit ShearedRay(const Pose& ray) : origin_(ray.origin) {
-    const Vec3 d = ray.direction, size = glm::abs(d);
-    z_ = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
-    x_ = (z_ + 1) % 3;
-    y_ = (z_ + 2) % 3;
-    shear_ = {d[x_] / d[z_], d[y_] / d[z_]};
-    per_z_ = 1.0 / d[z_];
-  }
+bool nearer(const RayHit& a, const RayHit& b) {
+  return a.length != b.length ? a.length < b.length : a.face < b.face;
+}
 
-  // Length along the unit direction at which the ray crosses the triangle.
-  std::optional<double> cross(const Triangle& t) const {
-    Vec2 p[3];
-    double z[3];
-    for (int i = 0; i < 3; ++i) {
-      const Vec3 v = t[i] - origin_;
-      p[i] = {v[x_] - shear_.x * v[z_], v[y_] - shear_.y * v[z_]};
-      z[i] = v[z_];
-    }
-    const bool left = is_left(p[0], p[1]);
-    if (is_left(p[1], p[2]) != left || is_left(p[2], p[0]) != left) return std::nullopt;
-    const double a = cross2(p[1], p[2]), b = cross2(p[2], p[0]), c = cross2(p[0], p[1]), sum = a + b + c;
-    if (sum == 0) return std::nullopt;
-    return (a * z[0] + b * z[1] + c * z[2]) / sum * per_z_;
-  }
+Triangle triangle_of(const double* coordinates, const FaceBlock& block, unsigned lane) {
+  const auto corner = [&](int i) {
+    const double* p = coordinates + 3 * size_t{block.vertex[i][lane]};
+    return Vec3(p[0], p[1], p[2]);
+  };
+  return {corner(0), corner(1), corner(2)};
+}
 
- private:
-  // Whether the ray passes left of a -> b. A tie is settled as if the ray stood a hair towards +x, and less
-  // towards +y (simulation of simplicity), so that each surface is crossed exactly once.
-  static bool is_left(Vec2 a, Vec2 b) {
-    const double side = cross2(a, b);
-    if (side != 0) return side > 0;
-    return a.y != b.y ? a.y > b.y : a.x < b.x;
-  }
+// The crossing of a face that a walk listed, where there is one.
+std::optional<RayHit> test_face(const double* coordinates, const ShearedRay& ray, Interval range,
+                                uintptr_t word) {
+  const FaceBlock& block = *block_of(word);
+  const unsigned lane = lane_of(word);
+  const auto length = ray.cross(triangle_of(coordinates, block, lane));
+  if (!length || !(*length >= range.low && *length <= range.high)) return std::nullopt;
+  return RayHit{FaceId(block.face[lane]), *length};
+}
 
-  Vec3 origin_;
-  Vec2 shear_;
-  double per_z_ = 1;
-  int x_ = 0, y_ = 1, z_ = 2;
-};
+void sort_from(std::vector<RayHit>& hits, size_t first) {
+  if (hits.size() - first > 1)
+    std::sort(hits.begin() + static_cast<std::ptrdiff_t>(first), hits.end(), nearer);
+}
 
 }  // namespace
 
 void AabbTree::crossings(const Mesh& mesh, const Pose& ray, Interval range, std::vector<RayHit>& out) const {
-  if (root_ == kNone) return;
+  if (store_.root == kNoIndex) return;
   const ShearedRay sheared(ray);
-  const Vec3 start = (ray.origin - origin_) * scale_, d = ray.direction;
-  const double slack = kBoxSlack * (8 + std::abs(start.x) + std::abs(start.y) + std::abs(start.z));
+  RayQuery query;
+  query.coordinates = mesh.coordinates();
+  if (!prepare_rays(store_, {&ray, 1}, sheared, range, query)) return;
+  WalkScratch scratch;
+  walks_for(simd_).ray(store_.view(), query, scratch.lists());
   const size_t first = out.size();
-  // A line meets a box unless an axis of the box or a product of such an axis with the line keeps them apart.
-  const auto meets = [&](const Node& n) {
-    Vec3 c, h;
-    for (int k = 0; k < 3; ++k) {
-      c[k] = 0.5 * (double{n.low[k]} + n.high[k]) - start[k];
-      h[k] = 0.5 * (double{n.high[k]} - n.low[k]) + slack;
-    }
-    const double depth = glm::dot(c, d), reach = glm::dot(glm::abs(d), h) + slack;
-    if (depth + reach < range.low * scale_ - slack || depth - reach > range.high * scale_ + slack)
-      return false;
-    const Vec3 apart = glm::abs(glm::cross(d, c)), size = glm::abs(d);
-    return apart.x <= size.y * h.z + size.z * h.y + slack && apart.y <= size.z * h.x + size.x * h.z + slack &&
-           apart.z <= size.x * h.y + size.y * h.x + slack;
-  };
-  std::vector<uint32_t> stack{root_};
-  while (!stack.empty()) {
-    const Node& node = nodes_[stack.back()];
-    stack.pop_back();
-    if (!meets(node)) continue;
-    if (!node.leaf()) {
-      stack.push_back(node.child[1]);
-      stack.push_back(node.child[0]);
-      continue;
-    }
-    const FaceId face(node.child[0]);
-    const auto length = sheared.cross(mesh.triangle(face));
-    if (length && *length >= range.low && *length <= range.high) out.push_back({face, *length});
+  for (const uintptr_t word : scratch.faces()) {
+    if (const auto hit = test_face(query.coordinates, sheared, range, word)) out.push_back(*hit);
   }
-  std::sort(out.begin() + static_cast<std::ptrdiff_t>(first), out.end(),
-            [](const RayHit& a, const RayHit& b) {
-              return a.length != b.length ? a.length < b.length : a.face < b.face;
-            });
+  sort_from(out, first);
+}
+
+void AabbTree::crossings(const Mesh& mesh, std::span<const Pose> rays, Interval range,
+                         std::span<std::vector<RayHit>> out) const {
+  const auto parallel = [&](const Pose& ray) { return ray.direction == rays[0].direction; };
+  if (store_.root == kNoIndex || rays.empty()) return;
+  if (rays.size() > kBlockWidth || !std::all_of(rays.begin(), rays.end(), parallel)) {
+    for (size_t i = 0; i < rays.size(); ++i) crossings(mesh, rays[i], range, out[i]);
+    return;
+  }
+  ShearedRay sheared[kBlockWidth];
+  for (size_t i = 0; i < rays.size(); ++i)
+    sheared[i] = i == 0 ? ShearedRay(rays[0]) : sheared[0].beside(rays[i]);
+  RayQuery query;
+  query.coordinates = mesh.coordinates();
+  if (!prepare_rays(store_, rays, sheared[0], range, query)) return;
+  WalkScratch scratch;
+  walks_for(simd_).rays(store_.view(), query, scratch.lists());
+  size_t first[kBlockWidth];
+  for (size_t i = 0; i < rays.size(); ++i) first[i] = out[i].size();
+  for (const uintptr_t word : scratch.faces()) {
+    const unsigned r = ray_of(word);
+    if (const auto hit = test_face(query.coordinates, sheared[r], range, word)) out[r].push_back(*hit);
+  }
+  for (size_t i = 0; i < rays.size(); ++i) sort_from(out[i], first[i]);
+}
+
+std::optional<RayHit> AabbTree::nearest(const Mesh& mesh, const Pose& ray, Interval range) const {
+  if (store_.root == kNoIndex) return std::nullopt;
+  const ShearedRay sheared(ray);
+  RayQuery query;
+  query.coordinates = mesh.coordinates();
+  if (!prepare_rays(store_, {&ray, 1}, sheared, range, query)) return std::nullopt;
+  WalkScratch scratch;
+  walks_for(simd_).nearest(store_.view(), query, scratch.lists());
+  std::optional<RayHit> best;
+  for (const uintptr_t word : scratch.faces()) {
+    const auto hit = test_face(query.coordinates, sheared, range, word);
+    if (hit && (!best || nearer(*hit, *best))) best = hit;
+  }
+  return best;
 }
 
 }  // namespace kerf

@@ -106,18 +106,36 @@ TEST(AabbTree, boxes_hold_their_children_and_shrink_after_a_removal) {
 TEST(AabbTree, remembers_where_the_beam_was) {
   Mesh mesh = build(grid(8, 1)).mesh;
   AabbTree tree(mesh);
-  const auto hit_boxes = [&] {
+  const auto hit_boxes = [&](bool leaves) {
     size_t hit = 0;
-    tree.for_each_box([&](const AabbTree::Box& box) { hit += box.hit; });
+    tree.for_each_box([&](const AabbTree::Box& box) { hit += box.hit && box.leaf == leaves; });
     return hit;
   };
-  EXPECT_EQ(hit_boxes(), 0u);
+  EXPECT_EQ(hit_boxes(true) + hit_boxes(false), 0u);
   std::vector<FaceId> found;
   const Pose pose{{0.3, 1, 0.3}, {0, -1, 0}};
   const QueryCounts counts = tree.touched(mesh, SweptCylinder(pose, pose, 0.01, {0, 9}), found);
-  EXPECT_GT(hit_boxes(), 5u);
-  EXPECT_LT(hit_boxes(), tree.box_count() / 4);
+  EXPECT_GE(hit_boxes(true), found.size());
+  EXPECT_GE(hit_boxes(false), 2u);  // the root and one below it
+  EXPECT_LT(hit_boxes(true) + hit_boxes(false), tree.box_count() / 4);
   EXPECT_LT(counts.faces, 20u);
+}
+
+TEST(AabbTree, counts_the_boxes_that_it_shows) {
+  Random random(51);
+  Mesh mesh = build(grid(6, 1)).mesh;
+  AabbTree tree(mesh);
+  for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
+    size_t boxes = 0, leaves = 0;
+    tree.for_each_box([&](const AabbTree::Box& box) {
+      ++boxes;
+      leaves += box.leaf;
+    });
+    ASSERT_EQ(boxes, tree.box_count());
+    ASSERT_EQ(leaves, tree.leaf_count());
+    tree.remove(FaceId(f));
+  }
+  EXPECT_EQ(tree.box_count(), 0u);
 }
 
 TEST(AabbTree, crossings_equal_brute_force) {

@@ -1,0 +1,143 @@
+#include "core/tree/binned_split.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace kerf {
+
+namespace {
+
+constexpr int kMostBins = 16;
+
+// Which bin of each axis a centre falls into.
+class Binning {
+ public:
+  Binning(const PrimitiveRange& range)
+      : count(static_cast<int>(std::min<size_t>(kMostBins, 4 + range.items.size() / 8))),
+        low_(range.centres.low) {
+    const __m128 size = _mm_sub_ps(range.centres.high, low_);
+    // A hair less than the bins, so that the highest centre falls into the last one.
+    const __m128 scale = _mm_div_ps(_mm_set1_ps(0.9999f * static_cast<float>(count)), size);
+    spread_ = _mm_cmpgt_ps(size, _mm_set1_ps(1e-34f));
+    scale_ = _mm_and_ps(scale, spread_);
+  }
+
+  __m128i bins_of(const Primitive& p) const {
+    return _mm_cvttps_epi32(_mm_mul_ps(_mm_sub_ps(p.centre2(), low_), scale_));
+  }
+  bool spreads(int axis) const { return (_mm_movemask_ps(spread_) >> axis & 1) != 0; }
+
+  const int count;
+
+ private:
+  __m128 low_, scale_, spread_;
+};
+
+struct Bin {
+  Box4 box;
+  uint32_t count = 0;
+};
+
+struct Plane {
+  int axis = -1;
+  int bin = 0;  // the first bin of the right part
+  float cost = std::numeric_limits<float>::infinity();
+};
+
+class BinSweep {
+ public:
+  BinSweep(const PrimitiveRange& range, const Binning& binning, uint32_t block)
+      : binning_(binning), block_(block) {
+    for (auto& axis : bins_) std::fill_n(axis, binning.count, Bin{});
+    for (const Primitive& p : range.items) {
+      const __m128i bin = binning.bins_of(p);
+      put(bins_[0][_mm_extract_epi32(bin, 0)], p);
+      put(bins_[1][_mm_extract_epi32(bin, 1)], p);
+      put(bins_[2][_mm_extract_epi32(bin, 2)], p);
+    }
+  }
+
+  Plane best() const {
+    Plane best;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (binning_.spreads(axis)) sweep(axis, best);
+    }
+    return best;
+  }
+
+ private:
+  static void put(Bin& bin, const Primitive& p) {
+    bin.box.add(p.low, p.high);
+    ++bin.count;
+  }
+  float cost(const Box4& box, uint32_t count) const {
+    return count == 0 ? 0 : box.area() * static_cast<float>((count + block_ - 1) / block_);
+  }
+
+  void sweep(int axis, Plane& best) const {
+    const Bin* bins = bins_[axis];
+    float right_cost[kMostBins];
+    Bin right, left;
+    for (int i = binning_.count - 1; i > 0; --i) {
+      right.box.add(bins[i].box);
+      right.count += bins[i].count;
+      right_cost[i] =
+          right.count == 0 ? std::numeric_limits<float>::infinity() : cost(right.box, right.count);
+    }
+    for (int i = 1; i < binning_.count; ++i) {
+      left.box.add(bins[i - 1].box);
+      left.count += bins[i - 1].count;
+      if (left.count == 0) continue;
+      const float total = cost(left.box, left.count) + right_cost[i];
+      if (total < best.cost) best = {axis, i, total};
+    }
+  }
+
+  const Binning& binning_;
+  uint32_t block_;
+  Bin bins_[3][kMostBins];
+};
+
+// The items for which `is_left` is true come first.
+template <typename IsLeft>
+RangePair partition(const PrimitiveRange& range, IsLeft is_left) {
+  RangePair parts;
+  Primitive *first = range.items.data(), *left = first, *right = first + range.items.size();
+  while (left < right) {
+    if (is_left(*left)) {
+      parts.left.add(*left++);
+    } else {
+      --right;
+      parts.right.add(*left);
+      std::swap(*left, *right);
+    }
+  }
+  const auto at = static_cast<size_t>(left - first);
+  parts.left.items = range.items.first(at);
+  parts.right.items = range.items.subspan(at);
+  return parts;
+}
+
+RangePair halve(const PrimitiveRange& range) {
+  const Primitive* middle = range.items.data() + range.items.size() / 2;
+  RangePair parts;
+  for (const Primitive& p : range.items) (&p < middle ? parts.left : parts.right).add(p);
+  parts.left.items = range.items.first(range.items.size() / 2);
+  parts.right.items = range.items.subspan(range.items.size() / 2);
+  return parts;
+}
+
+}  // namespace
+
+RangePair split_binned(const PrimitiveRange& range, uint32_t block) {
+  const Binning binning(range);
+  const Plane plane = BinSweep(range, binning, block).best();
+  if (plane.axis < 0) return halve(range);
+  const __m128i bin = _mm_set1_epi32(plane.bin);
+  return partition(range, [&](const Primitive& p) {
+    const __m128i below = _mm_cmplt_epi32(binning.bins_of(p), bin);
+    return (_mm_movemask_ps(_mm_castsi128_ps(below)) >> plane.axis & 1) != 0;
+  });
+}
+
+}  // namespace kerf

@@ -1,0 +1,111 @@
+#include "core/tree/sheared_ray.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+namespace kerf {
+
+namespace {
+
+__extension__ using Wide = unsigned __int128;
+
+// A finite double apart: sign * mantissa * 2^exponent, the mantissa of 53 bits, or zero.
+struct Parts {
+  int sign;
+  int exponent;
+  uint64_t mantissa;
+
+  explicit Parts(double x) {
+    const auto bits = std::bit_cast<uint64_t>(x);
+    const int field = static_cast<int>(bits >> 52 & 0x7ff);
+    mantissa = (bits & 0xfffffffffffffu) | (field != 0 ? uint64_t{1} << 52 : 0);
+    exponent = field != 0 ? field : 1;
+    sign = mantissa == 0 ? 0 : (x < 0 ? -1 : 1);
+    if (mantissa == 0) return;
+    const int shift = std::countl_zero(mantissa) - 11;
+    mantissa <<= shift;
+    exponent -= shift;
+  }
+};
+
+// A product of two doubles, exactly: its mantissa has 106 bits or 105.
+struct Product {
+  int sign;
+  int exponent;
+  Wide mantissa;
+
+  Product(double a, double b) {
+    const Parts p(a), q(b);
+    sign = p.sign * q.sign;
+    exponent = p.exponent + q.exponent;
+    mantissa = Wide{p.mantissa} * q.mantissa;
+    if (sign != 0 && (mantissa >> 105) == 0) {
+      mantissa <<= 1;
+      --exponent;
+    }
+  }
+};
+
+int compare(const Product& a, const Product& b) {
+  if (a.sign != b.sign) return a.sign > b.sign ? 1 : -1;
+  if (a.sign == 0) return 0;
+  if (a.exponent != b.exponent) return (a.exponent > b.exponent) == (a.sign > 0) ? 1 : -1;
+  if (a.mantissa != b.mantissa) return (a.mantissa > b.mantissa) == (a.sign > 0) ? 1 : -1;
+  return 0;
+}
+
+// Rounding keeps order, so that products which differ after rounding differ the same way before it.
+inline int sign_of_cross(Vec2 a, Vec2 b) {
+  const double left = a.x * b.y, right = a.y * b.x;
+  if (left != right) return left > right ? 1 : -1;
+  return compare(Product(a.x, b.y), Product(a.y, b.x));
+}
+
+// Whether the ray passes left of a -> b. A tie is settled as if the ray stood a hair towards +x, and less
+// towards +y.
+inline bool is_left(Vec2 a, Vec2 b) {
+  const int side = sign_of_cross(a, b);
+  if (side != 0) return side > 0;
+  return a.y != b.y ? a.y > b.y : a.x < b.x;
+}
+
+// The same for the numbers in any order.
+double sum_in_order(double a, double b, double c) {
+  const double low = std::min(a, b), high = std::max(a, b);
+  return (std::min(low, c) + std::max(high, c)) + std::max(low, std::min(high, c));
+}
+
+}  // namespace
+
+int side_of(Vec2 a, Vec2 b) { return sign_of_cross(a, b); }
+
+ShearedRay::ShearedRay(const Pose& ray) : origin_(ray.origin) {
+  constexpr int kNext[] = {1, 2, 0};
+  const Vec3 d = ray.direction, size = glm::abs(d);
+  const int of_yz = size.y >= size.z ? 1 : 2;
+  z_ = size.x >= std::max(size.y, size.z) ? 0 : of_yz;
+  x_ = kNext[z_];
+  y_ = kNext[x_];
+  shear_ = {d[x_] / d[z_], d[y_] / d[z_]};
+  per_z_ = 1.0 / d[z_];
+}
+
+std::optional<double> ShearedRay::cross(const Triangle& t) const {
+  Vec2 p[3];
+  double z[3];
+  for (int i = 0; i < 3; ++i) {
+    z[i] = t[i][z_] - origin_[z_];
+    p[i] = {(t[i][x_] - origin_[x_]) - shear_.x * z[i], (t[i][y_] - origin_[y_]) - shear_.y * z[i]};
+  }
+  const bool left = is_left(p[0], p[1]);
+  if (is_left(p[1], p[2]) != left || is_left(p[2], p[0]) != left) return std::nullopt;
+  const double a = cross2(p[1], p[2]), b = cross2(p[2], p[0]), c = cross2(p[0], p[1]);
+  const double sum = sum_in_order(a, b, c);
+  // A triangle so thin that its area is rounded away is crossed all the same.
+  if (sum == 0) return sum_in_order(z[0], z[1], z[2]) / 3 * per_z_;
+  return sum_in_order(a * z[0], b * z[1], c * z[2]) / sum * per_z_;
+}
+
+}  // namespace kerf

@@ -1,0 +1,38 @@
+#include "core/tree/tree_frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace kerf {
+
+namespace {
+
+// One over the largest power of two that is at most x, as far as that is a normal number; x > 0 and finite.
+double power_of_two_over(double x) {
+  int exponent = 0;
+  std::frexp(x, &exponent);
+  return std::ldexp(1.0, std::min(1 - exponent, 1000));
+}
+
+}  // namespace
+
+TreeFrame TreeFrame::around(const Mesh& mesh) {
+  Vec3 low{std::numeric_limits<double>::max()}, high{std::numeric_limits<double>::lowest()};
+  for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
+    if (!mesh.is_live(FaceId(f))) continue;
+    for (const Vec3& p : mesh.triangle(FaceId(f))) {
+      low = glm::min(low, p);
+      high = glm::max(high, p);
+    }
+  }
+  TreeFrame frame;
+  if (low.x > high.x) return frame;
+  frame.origin = 0.5 * low + 0.5 * high;
+  const Vec3 half = high - frame.origin;
+  const double extent = std::max({half.x, half.y, half.z});
+  if (extent > 0) frame.scale = power_of_two_over(extent);
+  return frame;
+}
+
+}  // namespace kerf

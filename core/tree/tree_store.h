@@ -1,0 +1,65 @@
+#pragma once
+
+#include "core/base/ids.h"
+#include "core/tree/pool.h"
+#include "core/tree/tree_frame.h"
+#include "core/tree/tree_nodes.h"
+#include "core/tree/walks.h"
+
+namespace kerf {
+
+// The records of a tree and the links between them. Every node but the root has a slot in a parent, every
+// block too; the root is a node, or there is none. Records that were freed are used again, last freed first.
+class TreeStore {
+ public:
+  TreeFrame frame;
+  Pool<WideNode> nodes;
+  Pool<FaceBlock> blocks;
+  uint32_t root = kNoIndex;
+  bool root_hit = false;
+
+  uint32_t add_node();
+  uint32_t add_block();
+  void free_node(uint32_t n);
+  void free_block(uint32_t b);
+  uint32_t node_count() const { return nodes.size() - free_node_count_; }
+  uint32_t block_count() const { return blocks.size() - free_block_count_; }
+  uint32_t single_count() const { return single_count_; }  // blocks of one face
+  void set_count(uint32_t block, uint32_t count);
+
+  // Where a face is, as block * kBlockWidth + lane; kNoIndex for a face that is not in the tree.
+  uint32_t place(FaceId f) const { return f.index < places_.size() ? places_[f.index] - 1 : kNoIndex; }
+  void set_place(FaceId f, uint32_t place);
+  // Makes ready for a tree over so many faces, in slots below `slots`.
+  void reserve(uint32_t faces, uint32_t slots);
+
+  // Writes the face into a lane of a block, as the mesh has it now. Its hit bit stays.
+  void write_face(const Mesh& mesh, FaceId f, uint32_t block, uint32_t lane);
+  FloatBox face_box(const FaceBlock& block, uint32_t lane) const;
+  FloatBox block_box(const FaceBlock& block) const;
+  FloatBox node_box(const WideNode& node) const;
+
+  FloatBox slot_box(uint32_t node, uint32_t slot) const;
+  void set_slot_box(uint32_t node, uint32_t slot, const FloatBox& box);
+  // Hangs the child into the slot and links it back.
+  void hang(uint32_t node, uint32_t slot, Child child, const FloatBox& box);
+  void empty_slot(uint32_t node, uint32_t slot);
+
+  const FloatBox& root_box() const { return root_box_; }
+  void set_root_box(const FloatBox& box);
+  // A distance from the origin of the frame, in the frame, within which all points of the tree lie.
+  double reach() const { return reach_; }
+  TreeView view() const;
+
+  size_t bytes() const { return nodes.bytes() + blocks.bytes() + places_.bytes(); }
+
+ private:
+  Pool<uint32_t> places_;  // one more than the place, so that fresh memory says that a face is not there
+  uint32_t free_node_ = kNoIndex, free_block_ = kNoIndex;
+  uint32_t free_node_count_ = 0, free_block_count_ = 0;
+  uint32_t single_count_ = 0;
+  FloatBox root_box_;
+  double reach_ = 0;
+};
+
+}  // namespace kerf

@@ -1,0 +1,337 @@
+#pragma once
+
+#include "core/tree/walks.h"
+
+namespace kerf {
+
+// The walks over lanes of eight and of four floats. All functions are members of this template, so that each
+// kind of lanes has its own.
+template <typename Float8, typename Float4>
+class WalkCode {
+ public:
+  static constexpr Walks walks() { return {ray, rays, nearest, slab}; }
+
+ private:
+  // Lists --------------------------------------------------------------------------------------------------
+
+  static void push(WordList& list, uintptr_t word) {
+    if (list.count == list.capacity) list.grow(list);
+    list.items[list.count++] = word;
+  }
+
+  static WideNode* node_at(const TreeView& tree, uint32_t index) {
+    return tree.nodes[index >> TreeView::kShift] + (index & ((1u << TreeView::kShift) - 1));
+  }
+  static FaceBlock* block_at(const TreeView& tree, uint32_t index) {
+    return tree.blocks[index >> TreeView::kShift] + (index & ((1u << TreeView::kShift) - 1));
+  }
+
+  template <int kLines>
+  static void prefetch(const void* record) {
+    for (int line = 0; line < kLines; ++line)
+      __builtin_prefetch(static_cast<const char*>(record) + 64 * line);
+  }
+
+  static WideNode* take_node(const TreeView& tree, uint32_t bits) {
+    WideNode* node = node_at(tree, bits);
+    prefetch<4>(node);
+    return node;
+  }
+  static FaceBlock* take_block(const TreeView& tree, uint32_t bits) {
+    FaceBlock* block = block_at(tree, bits & ~Child::kBlockBit);
+    prefetch<4>(block);
+    return block;
+  }
+
+  // Lists the children of a node that the mask names.
+  static void list_children(const TreeView& tree, const WideNode& node, unsigned mask,
+                            const WalkLists& lists) {
+    for (; mask != 0; mask &= mask - 1) {
+      const uint32_t bits = node.child[__builtin_ctz(mask)].bits;
+      if ((bits & Child::kBlockBit) != 0) {
+        push(lists.blocks, reinterpret_cast<uintptr_t>(take_block(tree, bits)));
+      } else {
+        push(lists.nodes, reinterpret_cast<uintptr_t>(take_node(tree, bits)));
+      }
+    }
+  }
+
+  static void list_face(const RayQuery& q, const FaceBlock& block, unsigned lane, unsigned ray,
+                        WordList& faces) {
+    for (int i = 0; i < 3; ++i) __builtin_prefetch(q.coordinates + 3 * size_t{block.vertex[i][lane]});
+    push(faces, face_word(&block, lane, ray));
+  }
+
+  static unsigned filled(const FaceBlock& block) { return (1u << block.count) - 1; }
+
+  // Rays against boxes -------------------------------------------------------------------------------------
+
+  struct RaySlabs {
+    explicit RaySlabs(const RayQuery& q) : low(Float8::all(q.t_low)), high(Float8::all(q.t_high)) {
+      for (int k = 0; k < 3; ++k) {
+        near_plane[k] = q.near_plane[k];
+        far_plane[k] = q.far_plane[k];
+        near_origin[k] = Float8::all(q.near_origin[k]);
+        far_origin[k] = Float8::all(q.far_origin[k]);
+        near_slope[k] = Float8::all(q.near_slope[k]);
+        far_slope[k] = Float8::all(q.far_slope[k]);
+      }
+    }
+    Float8 entry(const WideNode& n, int k) const {
+      return (Float8::load(n.plane[near_plane[k]]) - near_origin[k]) * near_slope[k];
+    }
+    Float8 exit(const WideNode& n, int k) const {
+      return (Float8::load(n.plane[far_plane[k]]) - far_origin[k]) * far_slope[k];
+    }
+    Float8 entry(const WideNode& n) const {
+      return max(max(entry(n, 0), entry(n, 1)), max(entry(n, 2), low));
+    }
+    Float8 exit(const WideNode& n) const { return min(min(exit(n, 0), exit(n, 1)), min(exit(n, 2), high)); }
+
+    uint32_t near_plane[3], far_plane[3];
+    Float8 near_origin[3], far_origin[3], near_slope[3], far_slope[3];
+    Float8 low, high;
+  };
+
+  // Rays against triangles ---------------------------------------------------------------------------------
+
+  // The corners of a block's faces in the plane across the ray.
+  struct ShearedBlock {
+    ShearedBlock(const FaceBlock& b, const RayQuery& q) {
+      const Float4 shear_x = Float4::all(q.shear[0]), shear_y = Float4::all(q.shear[1]);
+      for (int i = 0; i < 3; ++i) {
+        const Float4 z = Float4::load(b.corner[i][q.along]);
+        x[i] = Float4::load(b.corner[i][q.across[0]]) - shear_x * z;
+        y[i] = Float4::load(b.corner[i][q.across[1]]) - shear_y * z;
+      }
+      // The bound only has to hold where the ray goes through the triangle, whose extent then bounds all
+      // coordinates.
+      const Float4 wide = max(max(x[0], x[1]), x[2]) - min(min(x[0], x[1]), x[2]);
+      const Float4 tall = max(max(y[0], y[1]), y[2]) - min(min(y[0], y[1]), y[2]);
+      const Float4 extent = max(wide, tall) + Float4::all(2 * q.error);
+      error = extent * (extent * Float4::all(0x1p-21f) + Float4::all(8 * q.error));
+    }
+
+    // The faces through which the ray at this place may go, and those through which it goes for sure.
+    struct Lanes {
+      unsigned may, sure;
+    };
+    Lanes hold(const float (&pass)[2]) const {
+      const Float4 px = Float4::all(pass[0]), py = Float4::all(pass[1]);
+      const Float4 ax = x[0] - px, ay = y[0] - py, bx = x[1] - px, by = y[1] - py, cx = x[2] - px,
+                   cy = y[2] - py;
+      const Float4 u = ax * by - ay * bx, v = bx * cy - by * cx, w = cx * ay - cy * ax;
+      const Float4 least = min(min(u, v), w), most = max(max(u, v), w), under = Float4::all(0) - error;
+      return {le(under, least) | le(most, error), le(error, least) | le(most, under)};
+    }
+
+    Float4 x[3], y[3], error;
+  };
+
+  // The walks ----------------------------------------------------------------------------------------------
+
+  // In the order in which nodes are found, so that what a prefetch asked for has time to come.
+  static void list_blocks_on_rays(const TreeView& tree, const RayQuery& q, const WalkLists& lists) {
+    const RaySlabs slabs(q);
+    push(lists.nodes, reinterpret_cast<uintptr_t>(node_at(tree, tree.root)));
+    for (uint32_t next = 0; next < lists.nodes.count; ++next) {
+      const auto& node = *reinterpret_cast<const WideNode*>(lists.nodes.items[next]);
+      list_children(tree, node, le(slabs.entry(node), slabs.exit(node)), lists);
+    }
+  }
+
+  static void ray(const TreeView& tree, const RayQuery& q, const WalkLists& lists) {
+    list_blocks_on_rays(tree, q, lists);
+    for (uint32_t i = 0; i < lists.blocks.count; ++i) {
+      const auto* block = reinterpret_cast<const FaceBlock*>(lists.blocks.items[i]);
+      unsigned lanes = ShearedBlock(*block, q).hold(q.pass[0]).may & filled(*block);
+      for (; lanes != 0; lanes &= lanes - 1) {
+        list_face(q, *block, static_cast<unsigned>(__builtin_ctz(lanes)), 0, lists.faces);
+      }
+    }
+  }
+
+  static void rays(const TreeView& tree, const RayQuery& q, const WalkLists& lists) {
+    list_blocks_on_rays(tree, q, lists);
+    for (uint32_t i = 0; i < lists.blocks.count; ++i) {
+      const auto* block = reinterpret_cast<const FaceBlock*>(lists.blocks.items[i]);
+      const ShearedBlock sheared(*block, q);
+      for (uint32_t r = 0; r < q.rays; ++r) {
+        unsigned lanes = sheared.hold(q.pass[r]).may & filled(*block);
+        for (; lanes != 0; lanes &= lanes - 1) {
+          list_face(q, *block, static_cast<unsigned>(__builtin_ctz(lanes)), r, lists.faces);
+        }
+      }
+    }
+  }
+
+  // The nearest child of a node is looked at next; the others wait on the stack, as pairs of words: where the
+  // ray enters the box, as bits of a float, which for positive floats are in their order; and the record,
+  // plus one for a block.
+  static void nearest(const TreeView& tree, const RayQuery& q, const WalkLists& lists) {
+    RaySlabs slabs(q);
+    float t_high = q.t_high;
+    WordList& stack = lists.nodes;
+    uintptr_t next = reinterpret_cast<uintptr_t>(node_at(tree, tree.root));
+    while (next != 0) {
+      if ((next & 1) == 0) {
+        next = open_near_first(tree, *reinterpret_cast<const WideNode*>(next), slabs, stack);
+      } else {
+        const auto& block = *reinterpret_cast<const FaceBlock*>(next - 1);
+        const float nearer = list_near_faces(block, q, t_high, lists.faces);
+        if (nearer < t_high) {
+          t_high = nearer;
+          slabs.high = Float8::all(t_high);
+        }
+        next = 0;
+      }
+      while (next == 0 && stack.count > 0) {
+        stack.count -= 2;
+        const float entry = __builtin_bit_cast(float, static_cast<uint32_t>(stack.items[stack.count]));
+        if (entry <= t_high) next = stack.items[stack.count + 1];
+      }
+    }
+  }
+
+  // Lists the faces of a block that the ray may cross up to t_high. Returns up to where a face is that it
+  // crosses for sure, or t_high.
+  static float list_near_faces(const FaceBlock& b, const RayQuery& q, float t_high, WordList& faces) {
+    const auto lanes = ShearedBlock(b, q).hold(q.pass[0]);
+    unsigned may = lanes.may & filled(b);
+    if (may == 0) return t_high;
+    const uint32_t k = q.along;
+    const Float4 z0 = Float4::load(b.corner[0][k]), z1 = Float4::load(b.corner[1][k]),
+                 z2 = Float4::load(b.corner[2][k]);
+    const bool up = q.near_plane[k] == k;
+    const Float4 low = min(min(z0, z1), z2), high = max(max(z0, z1), z2);
+    const Float4 from = ((up ? low : high) - Float4::all(q.near_origin[k])) * Float4::all(q.near_slope[k]);
+    const Float4 to = ((up ? high : low) - Float4::all(q.far_origin[k])) * Float4::all(q.far_slope[k]);
+    may &= le(from, Float4::all(t_high));
+    const unsigned sure = lanes.sure & may & le(Float4::all(q.t_sure), from);
+    alignas(16) float ends[kBlockWidth];
+    to.store(ends);
+    for (unsigned rest = sure; rest != 0; rest &= rest - 1) {
+      const float end = ends[__builtin_ctz(rest)];
+      t_high = end < t_high ? end : t_high;
+    }
+    for (; may != 0; may &= may - 1) list_face(q, b, static_cast<unsigned>(__builtin_ctz(may)), 0, faces);
+    return t_high;
+  }
+
+  static uintptr_t take_child(const TreeView& tree, const WideNode& node, int slot) {
+    const uint32_t bits = node.child[slot].bits;
+    return (bits & Child::kBlockBit) != 0 ? reinterpret_cast<uintptr_t>(take_block(tree, bits)) + 1
+                                          : reinterpret_cast<uintptr_t>(take_node(tree, bits));
+  }
+
+  // Pushes the children that the ray meets, the nearest last, but for that one, which is returned; 0 for
+  // none.
+  static uintptr_t open_near_first(const TreeView& tree, const WideNode& node, const RaySlabs& slabs,
+                                   WordList& stack) {
+    const Float8 entry = slabs.entry(node);
+    unsigned mask = le(entry, slabs.exit(node));
+    if (mask == 0) return 0;
+    alignas(32) float entries[kNodeWidth];
+    entry.store(entries);
+    int s = __builtin_ctz(mask);
+    uintptr_t nearest = take_child(tree, node, s);
+    uint32_t nearest_key = __builtin_bit_cast(uint32_t, entries[s]);
+    const uint32_t first = stack.count;
+    for (mask &= mask - 1; mask != 0; mask &= mask - 1) {
+      s = __builtin_ctz(mask);
+      uintptr_t word = take_child(tree, node, s);
+      uint32_t key = __builtin_bit_cast(uint32_t, entries[s]);
+      const bool swap = key < nearest_key;
+      const uintptr_t near_word = swap ? word : nearest;
+      const uint32_t near_key = swap ? key : nearest_key;
+      word = swap ? nearest : word;
+      key = swap ? nearest_key : key;
+      nearest = near_word;
+      nearest_key = near_key;
+      push(stack, key);
+      push(stack, word);
+      sink(stack, first);
+    }
+    return nearest;
+  }
+
+  // Moves the last pair of the stack down to its place, the farthest first.
+  static void sink(WordList& stack, uint32_t first) {
+    uint32_t at = stack.count - 2;
+    const uintptr_t key = stack.items[at], word = stack.items[at + 1];
+    for (; at > first && stack.items[at - 2] < key; at -= 2) {
+      stack.items[at] = stack.items[at - 2];
+      stack.items[at + 1] = stack.items[at - 1];
+    }
+    stack.items[at] = key;
+    stack.items[at + 1] = word;
+  }
+
+  // Slabs of any orientation -------------------------------------------------------------------------------
+
+  // Which boxes meet the interval of an axis.
+  template <typename Float>
+  static unsigned meets_axis(const SlabQuery::Axis& a, const float* planes, uint32_t stride) {
+    const auto sum = [&](const uint32_t(&plane)[3]) {
+      return Float::all(a.direction[0]) * Float::load(planes + plane[0] * stride) +
+             Float::all(a.direction[1]) * Float::load(planes + plane[1] * stride) +
+             Float::all(a.direction[2]) * Float::load(planes + plane[2] * stride);
+    };
+    return le(sum(a.low_plane), Float::all(a.high)) & le(Float::all(a.low), sum(a.high_plane));
+  }
+  template <typename Float>
+  static unsigned meets(const SlabQuery& q, const float* planes, uint32_t stride) {
+    return meets_axis<Float>(q.axis[1], planes, stride) & meets_axis<Float>(q.axis[2], planes, stride) &
+           meets_axis<Float>(q.axis[0], planes, stride);
+  }
+
+  static unsigned boxes_that_meet(const SlabQuery& q, const FaceBlock& b) {
+    alignas(16) float planes[6][kBlockWidth];
+    for (int k = 0; k < 3; ++k) {
+      const Float4 x = Float4::load(b.corner[0][k]), y = Float4::load(b.corner[1][k]),
+                   z = Float4::load(b.corner[2][k]);
+      min(min(x, y), z).store(planes[k]);
+      max(max(x, y), z).store(planes[k + 3]);
+    }
+    return meets<Float4>(q, planes[0], kBlockWidth);
+  }
+
+  static unsigned triangles_that_meet(const SlabQuery& q, const FaceBlock& b) {
+    unsigned lanes = filled(b);
+    for (const SlabQuery::Axis& a : q.axis) {
+      Float4 p[3];
+      for (int i = 0; i < 3; ++i) {
+        p[i] = Float4::all(a.direction[0]) * Float4::load(b.corner[i][0]) +
+               Float4::all(a.direction[1]) * Float4::load(b.corner[i][1]) +
+               Float4::all(a.direction[2]) * Float4::load(b.corner[i][2]);
+      }
+      lanes &= le(min(min(p[0], p[1]), p[2]), Float4::all(a.high)) &
+               le(Float4::all(a.low), max(max(p[0], p[1]), p[2]));
+    }
+    return lanes;
+  }
+
+  static uint64_t slab(const TreeView& tree, const SlabQuery& q, const WalkLists& lists) {
+    push(lists.nodes, reinterpret_cast<uintptr_t>(node_at(tree, tree.root)));
+    uint64_t boxes = 0;
+    for (uint32_t next = 0; next < lists.nodes.count; ++next) {
+      auto& node = *reinterpret_cast<WideNode*>(lists.nodes.items[next]);
+      const unsigned mask = meets<Float8>(q, node.plane[0], kNodeWidth);
+      boxes += kNodeWidth;
+      node.hit = static_cast<uint8_t>(node.hit | mask);
+      list_children(tree, node, mask, lists);
+    }
+    for (uint32_t i = 0; i < lists.blocks.count; ++i) {
+      auto& block = *reinterpret_cast<FaceBlock*>(lists.blocks.items[i]);
+      unsigned lanes = boxes_that_meet(q, block) & filled(block);
+      boxes += block.count;
+      block.hit = static_cast<uint8_t>(block.hit | lanes);
+      for (lanes &= triangles_that_meet(q, block); lanes != 0; lanes &= lanes - 1) {
+        push(lists.faces, face_word(&block, static_cast<unsigned>(__builtin_ctz(lanes))));
+      }
+    }
+    return boxes;
+  }
+};
+
+}  // namespace kerf

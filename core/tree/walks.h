@@ -1,0 +1,95 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "core/tree/simd.h"
+#include "core/tree/tree_nodes.h"
+
+namespace kerf {
+
+// The walks through a tree: they cull in floats and hand over the faces that may be what is asked for. Each
+// is written once, over lanes of floats, and compiled for each kind of processor. All that these sources
+// share with others is in this header: plain data, and functions that are always inlined. So no function that
+// was compiled for a newer processor is linked into code for all.
+
+// The pools of a tree.
+struct TreeView {
+  static constexpr uint32_t kShift = 16;  // of Pool
+  WideNode* const* nodes;
+  FaceBlock* const* blocks;
+  uint32_t root;
+};
+
+// A list of words in storage of its owner, who makes it larger.
+struct WordList {
+  uintptr_t* items;
+  uint32_t count;
+  uint32_t capacity;
+  void (*grow)(WordList&);
+};
+
+// A face as the walks name it: its block's address, which is a multiple of 32, plus its lane; in a walk of
+// several rays plus four times the ray.
+[[gnu::always_inline]] inline uintptr_t face_word(const FaceBlock* block, unsigned lane, unsigned ray = 0) {
+  return reinterpret_cast<uintptr_t>(block) + lane + 4 * ray;
+}
+[[gnu::always_inline]] inline FaceBlock* block_of(uintptr_t word) {
+  return reinterpret_cast<FaceBlock*>(word & ~uintptr_t{31});
+}
+[[gnu::always_inline]] inline unsigned lane_of(uintptr_t word) { return word & 3; }
+[[gnu::always_inline]] inline unsigned ray_of(uintptr_t word) { return word >> 2 & 7; }
+
+struct WalkLists {
+  WordList &nodes, &blocks, &faces;
+};
+
+// Parallel rays against boxes and triangles. `t` is measured along the direction from a point before all
+// boxes, so that it is positive where it matters.
+struct RayQuery {
+  // Slabs: by axis the planes that the ray meets first and last, what is taken off them and what the rest is
+  // multiplied with, all rounded so that no box is missed.
+  uint32_t near_plane[3], far_plane[3];
+  alignas(16) float near_origin[4];  // of the fourth only the place counts
+  alignas(16) float far_origin[4];
+  alignas(16) float near_slope[4];
+  alignas(16) float far_slope[4];
+  float t_low, t_high;
+  float t_sure;  // from which t on a hit is within the range for sure, at its near end
+  // Triangles: the axis along which the ray runs most, the two others, and the shear that makes them stand
+  // across the ray; then where the rays pass, sheared.
+  uint32_t along, across[2];
+  float shear[2];
+  float pass[kBlockWidth][2];
+  float error;  // of a sheared coordinate
+  uint32_t rays;
+  const double* coordinates;  // of the mesh's vertices: what a face listed will be decided with
+};
+
+// A box of any orientation: by its axes, the interval that a projection must meet.
+struct SlabQuery {
+  struct Axis {
+    uint32_t low_plane[3], high_plane[3];  // of a box, whose sum of products is least, and largest
+    float direction[3];
+    float low, high;
+  };
+  Axis axis[3];
+};
+
+struct Walks {
+  // Lists the faces that a ray may cross.
+  void (*ray)(const TreeView&, const RayQuery&, const WalkLists&);
+  // The same for up to four parallel rays.
+  void (*rays)(const TreeView&, const RayQuery&, const WalkLists&);
+  // Lists faces of which one is the first that the ray crosses, near boxes first.
+  void (*nearest)(const TreeView&, const RayQuery&, const WalkLists&);
+  // Lists the faces that may meet the box, and marks all slots and lanes whose boxes may. Returns how many
+  // boxes it looked at.
+  uint64_t (*slab)(const TreeView&, const SlabQuery&, const WalkLists&);
+};
+
+const Walks& walks_sse4();
+const Walks& walks_avx2();
+inline const Walks& walks_for(Simd simd) { return simd == Simd::kAvx2 ? walks_avx2() : walks_sse4(); }
+
+}  // namespace kerf

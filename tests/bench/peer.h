@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/mesh/mesh.h"
+#include "core/tree/swept_cylinder.h"
+
+namespace kerf::bench {
+
+// The faces of a mesh as other libraries take them.
+struct TriangleArrays {
+  std::vector<float> positions;   // x y z a vertex
+  std::vector<uint32_t> corners;  // three a triangle
+};
+TriangleArrays arrays_of(const Mesh& mesh);
+
+// Another library's tree over the same triangles. Hits are counted, not sorted.
+class Peer {
+ public:
+  virtual ~Peer() = default;
+  virtual size_t all_hits(std::span<const Pose> rays, double reach) = 0;
+  virtual size_t nearest_hits(std::span<const Pose> rays, double reach) = 0;
+  virtual double build_seconds() const = 0;  // of processor time, without the copies of the arrays
+  virtual double bytes() const { return 0; }
+};
+
+enum class EmbreeQuality { kLow, kMedium, kMediumRobust };
+
+// Nothing where this program was built without the library.
+std::unique_ptr<Peer> make_embree(const TriangleArrays& arrays, EmbreeQuality quality);
+std::unique_ptr<Peer> make_cgal(const TriangleArrays& arrays);
+bool has_embree();
+bool has_cgal();
+
+}  // namespace kerf::bench

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <functional>
+
+#include "tests/bench/subject.h"
+#include "tests/bench/table.h"
+
+namespace kerf::bench {
+
+// How much work a run does.
+struct Effort {
+  int steps = 10000;      // of four rays, a pass
+  int times = 9;          // passes, of which the median counts
+  int build_times = 5;    // builds
+  int edit_steps = 5000;  // of a cut
+};
+
+// Each section measures one thing on one mesh and hands over its rows. Rows that want a peer which this
+// program was built without are left out.
+using Report = std::function<void(const Row&)>;
+void bench_build(const Subject& subject, const Effort& effort, const Report& report);
+void bench_queries(const Subject& subject, const Effort& effort, const Report& report);
+void bench_edits(const Subject& subject, const Effort& effort, const Report& report);
+
+}  // namespace kerf::bench

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace kerf::bench {
+
+// One comparison: a figure of ours and the peer's, less is better, and what their ratio may be at most.
+struct Row {
+  std::string row;
+  std::string mesh;
+  std::string unit;
+  double ours = 0;
+  double peer = 0;
+  std::optional<double> bar;  // none: reported only
+
+  double ratio() const { return ours / peer; }
+  bool holds() const { return !bar || ratio() <= *bar; }
+};
+
+void print_header();
+void print(const Row& row);
+// A JSON list of objects. Whether it could be written.
+bool write_json(const std::vector<Row>& rows, const std::filesystem::path& file);
+
+}  // namespace kerf::bench

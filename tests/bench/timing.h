@@ -1,0 +1,42 @@
+#pragma once
+
+#include <algorithm>
+#include <ctime>
+#include <vector>
+
+namespace kerf::bench {
+
+// Seconds of processor time that this process has used.
+inline double cpu_seconds() {
+  timespec t{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+template <typename Work>
+double seconds_of(Work&& work) {
+  const double start = cpu_seconds();
+  work();
+  return cpu_seconds() - start;
+}
+
+inline double median(std::vector<double> values) {
+  std::nth_element(values.begin(), values.begin() + static_cast<long>(values.size() / 2), values.end());
+  return values[values.size() / 2];
+}
+
+// Medians of two kinds of work that are done in turn, so that what else the machine does falls on both.
+struct Pair {
+  double ours = 0, peer = 0;
+};
+template <typename Ours, typename Peer>
+Pair in_turn(int times, Ours&& ours, Peer&& peer) {
+  std::vector<double> a, b;
+  for (int i = 0; i < times; ++i) {
+    a.push_back(seconds_of(ours));
+    b.push_back(seconds_of(peer));
+  }
+  return {median(a), median(b)};
+}
+
+}  // namespace kerf::bench

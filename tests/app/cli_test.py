@@ -93,7 +93,7 @@ class CommandLine(unittest.TestCase):
                            (["cut", "plate.obj", "--out", "o", "--depth", "-1"], "--depth"),
                            (["cut", "plate.obj", "--out", "o", "--radius", "0"], "--radius"),
                            (["cut", "plate.obj", "--out", "o", "--range", "3,1"], "--range"),
-                           (["cut", "plate.obj", "--out", "o", "--scheme", "longest-edge"], "one-to-four"),
+                           (["cut", "plate.obj", "--out", "o", "--scheme", "red"], "one-to-four"),
                            (["cut", "plate.obj", "--out", "o", "--model", "thermal"], "geometric"),
                            (["cut", "plate.obj", "--out", "o", "--target-edge", "nan"], "--target-edge"),
                            (["cut", "plate.obj", "--out", "o", "--format", "fbx"], "--format"),

@@ -26,12 +26,27 @@ class Editor:
         with os.fdopen(read) as pipe:
             self.environment = dict(os.environ, DISPLAY=":" + pipe.readline().strip(), XDG_CONFIG_HOME=folder,
                                     XDG_STATE_HOME=folder)
+        self.wait_for_screen()
         self.kerf = subprocess.Popen([KERF, *arguments, "--report", self.report_file, "--size", f"{WIDTH}x{HEIGHT}"],
                                      env=self.environment, stderr=subprocess.PIPE, text=True)
-        self.wait_for_window()
+        try:
+            self.wait_for_window()
+        except AssertionError:
+            self.close()
+            raise
 
     def xdotool(self, *arguments):
         return subprocess.run(["xdotool", *map(str, arguments)], env=self.environment, capture_output=True, text=True)
+
+    def wait_for_screen(self):
+        """A server that has told its number may not answer yet."""
+        for _ in range(100):
+            if self.xdotool("getdisplaygeometry").returncode == 0:
+                return
+            time.sleep(0.1)
+        self.screen.kill()
+        self.screen.wait()
+        raise AssertionError("the screen never answered")
 
     def wait_for_window(self):
         for _ in range(300):

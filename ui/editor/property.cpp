@@ -29,12 +29,17 @@ void end_properties() { ImGui::EndTable(); }
 
 void tooltip(const char* text) {
   if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
-  if (ImGui::GetCurrentContext()->HoveredIdTimer < kTooltipSeconds) return;
+  const ImGuiContext& context = *ImGui::GetCurrentContext();
+  // Mere text has no id, by which the time over it could be counted.
+  if (context.LastItemData.ID == 0) ImGui::ItemHoverable(context.LastItemData.Rect, ImGui::GetID(text));
+  if (context.HoveredIdTimer < kTooltipSeconds) return;
+  ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1);  // also over what is disabled
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(22 * ImGui::GetFontSize());
   ImGui::TextUnformatted(text);
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
+  ImGui::PopStyleVar();
 }
 
 }  // namespace kerf

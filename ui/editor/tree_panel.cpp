@@ -11,6 +11,11 @@ namespace {
 
 constexpr int kAllLevels = 64;
 
+// What a row says: what it means, or why it can do nothing.
+void explain(const EditorState& state, const char* meaning) {
+  tooltip(state.look.show.aabb ? meaning : "The boxes are not shown: switch them on above (B).");
+}
+
 void switch_row(EditorState& state) {
   property("Boxes");
   if (ImGui::Checkbox("shown (B)", &state.look.show.aabb)) state.picture_old = true;
@@ -29,13 +34,13 @@ void depth_row(EditorState& state) {
     tree.deepest = depth == deepest ? kAllLevels : depth;
     state.picture_old = true;
   }
-  tooltip("Levels of the tree under its root that are drawn.");
+  explain(state, "Levels of the tree under its root that are drawn.");
 }
 
 void flag_row(EditorState& state, const char* name, const char* label, bool& flag, const char* meaning) {
   property(name);
   if (ImGui::Checkbox(label, &flag)) state.picture_old = true;
-  tooltip(meaning);
+  explain(state, meaning);
 }
 
 void body_row(EditorState& state) {
@@ -56,7 +61,7 @@ void body_row(EditorState& state) {
     ImGui::EndCombo();
   }
   ImGui::EndDisabled();
-  tooltip(one ? "There is only one body." : "The body whose tree is drawn.");
+  explain(state, one ? "There is only one body." : "The body whose tree is drawn.");
 }
 
 void palette_row(EditorState& state) {

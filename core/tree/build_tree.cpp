@@ -10,6 +10,9 @@ namespace kerf {
 
 namespace {
 
+// About how many faces a block gets.
+constexpr size_t kFacesABlock = 3;
+
 class TreeBuilder {
  public:
   TreeBuilder(TreeStore& store, const Mesh& mesh) : store_(store) {
@@ -36,26 +39,40 @@ class TreeBuilder {
     faces_.push_back(face);
   }
 
-  // Splits the child of the largest area until the node is full or its children are blocks.
   struct Children {
     std::array<PrimitiveRange, kNodeWidth> range;
     uint32_t count = 1;
+
+    // The child of the largest area among those of so many faces, or null.
+    PrimitiveRange* largest(size_t more_than, size_t at_most) {
+      PrimitiveRange* best = nullptr;
+      for (uint32_t i = 0; i < count; ++i) {
+        const size_t faces = range[i].items.size();
+        if (faces <= more_than || faces > at_most) continue;
+        if (!best || range[i].bounds.area() > best->bounds.area()) best = &range[i];
+      }
+      return best;
+    }
+    void split(PrimitiveRange* child) {
+      const RangePair parts = split_binned(*child, kBlockWidth);
+      *child = parts.left;
+      range[count++] = parts.right;
+    }
   };
+
+  // Splits the child of the largest area until the node is full or its children are small enough to be nodes
+  // of blocks only. What room is left takes the blocks of such children, as far as all of one fit in: a node
+  // of few blocks costs as much as a full one.
   static Children open(const PrimitiveRange& range) {
     Children c;
     c.range[0] = range;
+    const size_t faces = range.items.size();
+    const bool of_blocks = faces <= kNodeWidth * kBlockWidth;
     while (c.count < kNodeWidth) {
-      PrimitiveRange* largest = nullptr;
-      float area = -1;
-      for (uint32_t i = 0; i < c.count; ++i) {
-        if (c.range[i].items.size() <= kBlockWidth || c.range[i].bounds.area() <= area) continue;
-        largest = &c.range[i];
-        area = largest->bounds.area();
-      }
-      if (!largest) break;
-      const RangePair parts = split_binned(*largest, kBlockWidth);
-      *largest = parts.left;
-      c.range[c.count++] = parts.right;
+      PrimitiveRange* child = c.largest(of_blocks ? kBlockWidth : kNodeWidth * kBlockWidth, faces);
+      if (!child) child = c.largest(kBlockWidth, (kNodeWidth - c.count + 1) * kFacesABlock);
+      if (!child) break;
+      c.split(child);
     }
     return c;
   }

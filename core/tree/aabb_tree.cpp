@@ -26,8 +26,12 @@ void AabbTree::refit(const Mesh& mesh, std::span<const FaceId> faces) {
 // Boxes -----------------------------------------------------------------------------------------------------
 
 AabbTree::Box AabbTree::box_of(const FloatBox& box, int depth, bool leaf, bool hit) const {
-  const Vec3 low(box.low[0], box.low[1], box.low[2]), high(box.high[0], box.high[1], box.high[2]);
-  return {store_.frame.to_mesh(low), store_.frame.to_mesh(high), depth, leaf, hit};
+  const auto point = [&](__m128 p) {
+    alignas(16) float xyz[4];
+    _mm_store_ps(xyz, p);
+    return store_.frame.to_mesh(Vec3(xyz[0], xyz[1], xyz[2]));
+  };
+  return {point(box.low), point(box.high), depth, leaf, hit};
 }
 
 AabbTree::Box AabbTree::bounds() const {

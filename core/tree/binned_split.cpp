@@ -34,7 +34,7 @@ class Binning {
 };
 
 struct Bin {
-  Box4 box;
+  FloatBox box;
   uint32_t count = 0;
 };
 
@@ -70,7 +70,7 @@ class BinSweep {
     bin.box.add(p.low, p.high);
     ++bin.count;
   }
-  float cost(const Box4& box, uint32_t count) const {
+  float cost(const FloatBox& box, uint32_t count) const {
     return count == 0 ? 0 : box.area() * static_cast<float>((count + block_ - 1) / block_);
   }
 

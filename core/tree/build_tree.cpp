@@ -10,12 +10,8 @@ namespace kerf {
 
 namespace {
 
-// A face as the tree will hold it.
-struct GatheredFace {
-  float corner[3][3];
-  uint32_t vertex[3];
-  uint32_t face;
-};
+// About how many faces a block gets.
+constexpr size_t kFacesABlock = 3;
 
 class TreeBuilder {
  public:
@@ -38,43 +34,45 @@ class TreeBuilder {
 
  private:
   void gather(const Mesh& mesh, FaceId f) {
-    GatheredFace g;
-    float low[3], high[3];
-    const auto corners = mesh.corners(f);
-    for (int i = 0; i < 3; ++i) {
-      const Vec3 p = store_.frame.to_tree(mesh.position(corners[i]));
-      for (int k = 0; k < 3; ++k) g.corner[i][k] = static_cast<float>(p[k]);
-      g.vertex[i] = corners[i].index;
-    }
-    g.face = f.index;
-    for (int k = 0; k < 3; ++k) {
-      low[k] = round_down(std::min({g.corner[0][k], g.corner[1][k], g.corner[2][k]}));
-      high[k] = round_up(std::max({g.corner[0][k], g.corner[1][k], g.corner[2][k]}));
-    }
-    primitives_.push_back(Primitive::make(low, high, static_cast<uint32_t>(faces_.size())));
-    faces_.push_back(g);
+    const TreeFace face(store_.frame, mesh, f);
+    primitives_.push_back(Primitive::make(face.box(), static_cast<uint32_t>(faces_.size())));
+    faces_.push_back(face);
   }
 
-  // Splits the child of the largest area until the node is full or its children are blocks.
   struct Children {
     std::array<PrimitiveRange, kNodeWidth> range;
     uint32_t count = 1;
+
+    // The child of the largest area among those of so many faces, or null.
+    PrimitiveRange* largest(size_t more_than, size_t at_most) {
+      PrimitiveRange* best = nullptr;
+      for (uint32_t i = 0; i < count; ++i) {
+        const size_t faces = range[i].items.size();
+        if (faces <= more_than || faces > at_most) continue;
+        if (!best || range[i].bounds.area() > best->bounds.area()) best = &range[i];
+      }
+      return best;
+    }
+    void split(PrimitiveRange* child) {
+      const RangePair parts = split_binned(*child, kBlockWidth);
+      *child = parts.left;
+      range[count++] = parts.right;
+    }
   };
+
+  // Splits the child of the largest area until the node is full or its children are small enough to be nodes
+  // of blocks only. What room is left takes the blocks of such children, as far as all of one fit in: a node
+  // of few blocks costs as much as a full one.
   static Children open(const PrimitiveRange& range) {
     Children c;
     c.range[0] = range;
+    const size_t faces = range.items.size();
+    const bool of_blocks = faces <= kNodeWidth * kBlockWidth;
     while (c.count < kNodeWidth) {
-      PrimitiveRange* largest = nullptr;
-      float area = -1;
-      for (uint32_t i = 0; i < c.count; ++i) {
-        if (c.range[i].items.size() <= kBlockWidth || c.range[i].bounds.area() <= area) continue;
-        largest = &c.range[i];
-        area = largest->bounds.area();
-      }
-      if (!largest) break;
-      const RangePair parts = split_binned(*largest, kBlockWidth);
-      *largest = parts.left;
-      c.range[c.count++] = parts.right;
+      PrimitiveRange* child = c.largest(of_blocks ? kBlockWidth : kNodeWidth * kBlockWidth, faces);
+      if (!child) child = c.largest(kBlockWidth, (kNodeWidth - c.count + 1) * kFacesABlock);
+      if (!child) break;
+      c.split(child);
     }
     return c;
   }
@@ -85,37 +83,21 @@ class TreeBuilder {
     for (uint32_t i = 0; i < c.count; ++i) {
       const bool fits = c.range[i].items.size() <= kBlockWidth;
       const Child child = fits ? Child::block(build_block(c.range[i])) : Child::node(build_node(c.range[i]));
-      store_.hang(n, i, child, box_of(c.range[i].bounds));
+      store_.hang(n, i, child, c.range[i].bounds);
     }
     return n;
   }
 
   uint32_t build_block(const PrimitiveRange& range) {
     const uint32_t b = store_.add_block();
-    FaceBlock& block = store_.blocks[b];
     uint32_t lane = 0;
-    for (const Primitive& p : range.items) {
-      const GatheredFace& g = faces_[p.number()];
-      for (int i = 0; i < 3; ++i) {
-        for (int k = 0; k < 3; ++k) block.corner[i][k][lane] = g.corner[i][k];
-        block.vertex[i][lane] = g.vertex[i];
-      }
-      block.face[lane] = g.face;
-      store_.set_place(FaceId(g.face), b * kBlockWidth + lane++);
-    }
+    for (const Primitive& p : range.items) store_.put(faces_[p.number()], b, lane++);
     store_.set_count(b, lane);
     return b;
   }
 
-  static FloatBox box_of(const Box4& box) {
-    alignas(16) float low[4], high[4];
-    _mm_store_ps(low, box.low);
-    _mm_store_ps(high, box.high);
-    return {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}};
-  }
-
   TreeStore& store_;
-  std::vector<GatheredFace> faces_;
+  std::vector<TreeFace> faces_;
   std::vector<Primitive> primitives_;
 };
 

@@ -1,7 +1,7 @@
 #include "core/tree/edit_tree.h"
 
 #include <algorithm>
-#include <array>
+#include <bit>
 #include <cassert>
 
 namespace kerf {
@@ -10,6 +10,12 @@ namespace {
 
 uint32_t block_at(uint32_t place) { return place / kBlockWidth; }
 uint32_t lane_at(uint32_t place) { return place % kBlockWidth; }
+
+template <typename Record>
+void prefetch(const Record& record) {
+  for (size_t at = 0; at < sizeof record; at += 64)
+    __builtin_prefetch(reinterpret_cast<const char*>(&record) + at);
+}
 
 // Boxes upward ----------------------------------------------------------------------------------------------
 
@@ -73,66 +79,48 @@ void drop_lane(TreeStore& tree, uint32_t block, uint32_t lane) {
 }
 
 uint32_t free_slot(const WideNode& node) {
-  uint32_t s = 0;
-  while (s < kNodeWidth && !node.child[s].none()) ++s;
-  return s;
+  const __m128i none = _mm_set1_epi32(-1);
+  const auto* child = reinterpret_cast<const __m128i*>(node.child);
+  const __m128i a = _mm_cmpeq_epi32(_mm_load_si128(child), none),
+                b = _mm_cmpeq_epi32(_mm_load_si128(child + 1), none);
+  const int empty = _mm_movemask_ps(_mm_castsi128_ps(a)) | _mm_movemask_ps(_mm_castsi128_ps(b)) << 4;
+  return static_cast<uint32_t>(std::countr_zero(static_cast<unsigned>(empty | 1 << kNodeWidth)));
 }
 
 // Parting a block -------------------------------------------------------------------------------------------
 
-// How the faces of a full block and one more part in two, along the axis on which their centres spread most.
-class Parting {
- public:
-  static constexpr uint32_t kCount = kBlockWidth + 1;
-
-  Parting(const TreeStore& tree, const FaceBlock& full, const FloatBox& added) {
-    for (uint32_t i = 0; i < kBlockWidth; ++i) box_[i] = tree.face_box(full, i);
-    box_[kBlockWidth] = added;
-    const int axis = longest_axis();
-    for (uint32_t i = 0; i < kCount; ++i) order_[i] = i;
-    std::sort(order_.begin(), order_.end(), [&](uint32_t a, uint32_t b) {
-      const float x = centre(a, axis), y = centre(b, axis);
-      return x != y ? x < y : a < b;
-    });
+// How the faces of a full block and one more part in two: along the axis on which their centres spread most,
+// at the wider of the two gaps about the middle. The lanes of the part without the added face, as a mask.
+unsigned staying_lanes(const FaceBlock& full, const FloatBox& added) {
+  __m128 row[3];  // twice the centres
+  for (int k = 0; k < 3; ++k) {
+    const __m128 p = _mm_load_ps(full.corner[0][k]), q = _mm_load_ps(full.corner[1][k]),
+                 r = _mm_load_ps(full.corner[2][k]);
+    row[k] = _mm_add_ps(_mm_min_ps(_mm_min_ps(p, q), r), _mm_max_ps(_mm_max_ps(p, q), r));
   }
+  const __m128 own = _mm_add_ps(added.low, added.high);
+  alignas(16) float spread[4], own_centre[4], centre[kBlockWidth + 1], sorted[kBlockWidth + 1];
+  _mm_store_ps(spread, _mm_sub_ps(_mm_max_ps(most_of_rows(row[0], row[1], row[2]), own),
+                                  _mm_min_ps(least_of_rows(row[0], row[1], row[2]), own)));
+  _mm_store_ps(own_centre, own);
+  const int of_yz = spread[1] >= spread[2] ? 1 : 2;
+  const int axis = spread[0] >= std::max(spread[1], spread[2]) ? 0 : of_yz;
+  _mm_store_ps(centre, row[axis]);
+  centre[kBlockWidth] = own_centre[axis];
 
-  // The lanes of the part without the added face, as a mask: those stay.
-  unsigned staying() const {
-    const bool two_first = cost(2) <= cost(3);
-    const uint32_t cut = two_first ? 2 : 3;
-    unsigned first = 0;
-    for (uint32_t i = 0; i < cut; ++i) first |= 1u << order_[i];
-    const unsigned all = (1u << kCount) - 1, added = 1u << kBlockWidth;
-    return (first & added) != 0 ? all & ~first : first;
+  unsigned rank[kBlockWidth + 1];
+  for (unsigned i = 0; i <= kBlockWidth; ++i) {
+    rank[i] = 0;
+    for (unsigned j = 0; j < i; ++j) rank[i] += centre[j] <= centre[i];
+    for (unsigned j = i + 1; j <= kBlockWidth; ++j) rank[i] += centre[j] < centre[i];
+    sorted[rank[i]] = centre[i];
   }
-
- private:
-  float centre(uint32_t i, int axis) const { return box_[i].low[axis] + box_[i].high[axis]; }
-  int longest_axis() const {
-    int longest = 0;
-    float most = -1;
-    for (int axis = 0; axis < 3; ++axis) {
-      float low = centre(0, axis), high = low;
-      for (uint32_t i = 1; i < kCount; ++i) {
-        low = std::min(low, centre(i, axis));
-        high = std::max(high, centre(i, axis));
-      }
-      if (high - low > most) {
-        most = high - low;
-        longest = axis;
-      }
-    }
-    return longest;
-  }
-  float cost(uint32_t cut) const {
-    FloatBox first, second;
-    for (uint32_t i = 0; i < kCount; ++i) (i < cut ? first : second).add(box_[order_[i]]);
-    return first.area() + second.area();
-  }
-
-  std::array<FloatBox, kCount> box_;
-  std::array<uint32_t, kCount> order_;
-};
+  const unsigned cut = sorted[2] - sorted[1] >= sorted[3] - sorted[2] ? 2 : 3;
+  const bool added_first = rank[kBlockWidth] < cut;
+  unsigned staying = 0;
+  for (unsigned i = 0; i < kBlockWidth; ++i) staying |= unsigned{(rank[i] < cut) != added_first} << i;
+  return staying;
+}
 
 // Hangs a fresh block beside b: into b's node, or with b into a new node in b's slot.
 void hang_beside(TreeStore& tree, uint32_t b, uint32_t fresh) {
@@ -162,9 +150,9 @@ void hang_beside(TreeStore& tree, uint32_t b, uint32_t fresh) {
 }
 
 // Writes the face into a lane that is in use.
-void rewrite_lane(TreeStore& tree, const Mesh& mesh, FaceId f, uint32_t b, uint32_t lane) {
-  tree.write_face(mesh, f, b, lane);
-  grow_block(tree, b, tree.face_box(tree.blocks[b], lane));
+void rewrite_lane(TreeStore& tree, const TreeFace& face, uint32_t b, uint32_t lane) {
+  tree.put(face, b, lane);
+  grow_block(tree, b, face.box());
 }
 
 void forget_hit(TreeStore& tree, uint32_t place) {
@@ -173,24 +161,22 @@ void forget_hit(TreeStore& tree, uint32_t place) {
 }
 
 // Adds the face to the block or beside it.
-void insert_face(TreeStore& tree, const Mesh& mesh, FaceId f, uint32_t b) {
-  if (tree.blocks[b].count < kBlockWidth) {
-    const uint32_t lane = tree.blocks[b].count;
+void insert_face(TreeStore& tree, const TreeFace& face, uint32_t b) {
+  const uint32_t lane = tree.blocks[b].count;
+  if (lane < kBlockWidth) {
     tree.set_count(b, lane + 1);
-    tree.write_face(mesh, f, b, lane);
-    grow_block(tree, b, tree.face_box(tree.blocks[b], lane));
-    return;
+    return rewrite_lane(tree, face, b, lane);
   }
   const uint32_t fresh = tree.add_block();
   tree.set_count(fresh, 1);
-  tree.write_face(mesh, f, fresh, 0);
-  const unsigned staying = Parting(tree, tree.blocks[b], tree.face_box(tree.blocks[fresh], 0)).staying();
-  for (uint32_t lane = kBlockWidth; lane-- > 0;) {
-    if ((staying >> lane & 1) != 0) continue;
+  tree.put(face, fresh, 0);
+  const unsigned staying = staying_lanes(tree.blocks[b], face.box());
+  for (uint32_t from = kBlockWidth; from-- > 0;) {
+    if ((staying >> from & 1) != 0) continue;
     const uint32_t to = tree.blocks[fresh].count;
     tree.set_count(fresh, to + 1);
-    copy_lane(tree, b, lane, fresh, to);
-    drop_lane(tree, b, lane);
+    copy_lane(tree, b, from, fresh, to);
+    drop_lane(tree, b, from);
   }
   hang_beside(tree, b, fresh);
 }
@@ -236,33 +222,47 @@ void settle(TreeStore& tree, uint32_t n) {
 
 }  // namespace
 
+// The records of home are asked for while the new faces are made ready; its box grows once for all of them.
 void replace_faces(TreeStore& tree, const Mesh& mesh, std::span<const FaceId> gone,
                    std::span<const FaceId> born) {
   assert(!gone.empty() && !born.empty());
   const auto stays = [&](FaceId f) { return std::find(born.begin(), born.end(), f) != born.end(); };
   const auto was_there = [&](FaceId f) { return std::find(gone.begin(), gone.end(), f) != gone.end(); };
   const uint32_t home = block_at(tree.place(gone[0]));
-  for (const FaceId f : gone) {
-    forget_hit(tree, tree.place(f));
-    if (stays(f)) refit_face(tree, mesh, f);
-  }
-  uint32_t next = 0;
-  // Lanes that are free now take the first of the others.
+  prefetch(tree.blocks[home]);
+  size_t next = 0;
   const auto next_born = [&] {
     while (next < born.size() && was_there(born[next])) ++next;
     return next < born.size();
   };
+  FloatBox written;
+  const auto write = [&](FaceId f, uint32_t lane) {
+    const TreeFace face(tree.frame, mesh, f);
+    tree.put(face, home, lane);
+    written.add(face.box());
+  };
   for (const FaceId f : gone) {
-    if (stays(f)) continue;
     const uint32_t place = tree.place(f);
-    if (block_at(place) != home || !next_born()) {
+    forget_hit(tree, place);
+    if (block_at(place) == home) prefetch(tree.nodes[tree.blocks[home].parent]);
+    if (stays(f) && block_at(place) == home) {
+      write(f, lane_at(place));
+    } else if (stays(f)) {
+      refit_face(tree, mesh, f);
+    } else if (block_at(place) == home && next_born()) {
+      tree.set_place(f, kNoIndex);
+      write(born[next++], lane_at(place));
+    } else {
       remove_face(tree, f);
-      continue;
     }
-    tree.set_place(f, kNoIndex);
-    rewrite_lane(tree, mesh, born[next++], home, lane_at(place));
   }
-  while (next_born()) insert_face(tree, mesh, born[next++], home);
+  for (uint32_t lane = tree.blocks[home].count; lane < kBlockWidth && next_born(); ++lane) {
+    tree.set_count(home, lane + 1);
+    write(born[next++], lane);
+  }
+  if (tree.blocks[home].count == 0) return;  // all were removed
+  grow_block(tree, home, written);
+  while (next_born()) insert_face(tree, TreeFace(tree.frame, mesh, born[next++]), home);
 }
 
 void remove_face(TreeStore& tree, FaceId f) {
@@ -284,7 +284,7 @@ void remove_face(TreeStore& tree, FaceId f) {
 void refit_face(TreeStore& tree, const Mesh& mesh, FaceId f) {
   const uint32_t place = tree.place(f);
   assert(place != kNoIndex);
-  rewrite_lane(tree, mesh, f, block_at(place), lane_at(place));
+  rewrite_lane(tree, TreeFace(tree.frame, mesh, f), block_at(place), lane_at(place));
 }
 
 }  // namespace kerf

@@ -28,6 +28,11 @@ struct Float8 {
   __m256 v;
   [[gnu::always_inline]] inline static Float8 load(const float* p) { return {_mm256_load_ps(p)}; }
   [[gnu::always_inline]] inline static Float8 all(float x) { return {_mm256_set1_ps(x)}; }
+  [[gnu::always_inline]] inline static Float8 twice(Float4 x) { return {_mm256_set_m128(x.v, x.v)}; }
+  // Four of x, then four of y.
+  [[gnu::always_inline]] inline static Float8 pair(float x, float y) {
+    return {_mm256_set_m128(_mm_set1_ps(y), _mm_set1_ps(x))};
+  }
   [[gnu::always_inline]] inline void store(float* p) const { _mm256_store_ps(p, v); }
 };
 [[gnu::always_inline]] inline Float8 operator+(Float8 x, Float8 y) { return {_mm256_add_ps(x.v, y.v)}; }

@@ -29,6 +29,11 @@ struct Float8 {
     return {_mm_load_ps(p), _mm_load_ps(p + 4)};
   }
   [[gnu::always_inline]] inline static Float8 all(float x) { return {_mm_set1_ps(x), _mm_set1_ps(x)}; }
+  [[gnu::always_inline]] inline static Float8 twice(Float4 x) { return {x.v, x.v}; }
+  // Four of x, then four of y.
+  [[gnu::always_inline]] inline static Float8 pair(float x, float y) {
+    return {_mm_set1_ps(x), _mm_set1_ps(y)};
+  }
   [[gnu::always_inline]] inline void store(float* p) const {
     _mm_store_ps(p, a);
     _mm_store_ps(p + 4, b);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <array>
+#include <smmintrin.h>
 
 #include "core/base/vec3.h"
 #include "core/mesh/mesh.h"
@@ -17,16 +17,14 @@ struct TreeFrame {
   static TreeFrame around(const Mesh& mesh);
 
   Vec3 to_tree(const Vec3& p) const { return (p - origin) * scale; }
+  // The point in floats, rounded to the nearest; the fourth lane is zero.
+  __m128 to_floats(const double* p) const {
+    const __m128d factor = _mm_set1_pd(scale);
+    const __m128d xy = _mm_mul_pd(_mm_sub_pd(_mm_loadu_pd(p), _mm_loadu_pd(&origin.x)), factor);
+    const __m128d z = _mm_mul_sd(_mm_sub_sd(_mm_load_sd(p + 2), _mm_load_sd(&origin.z)), factor);
+    return _mm_movelh_ps(_mm_cvtpd_ps(xy), _mm_cvtpd_ps(_mm_move_sd(_mm_setzero_pd(), z)));
+  }
   Vec3 to_mesh(const Vec3& p) const { return origin + p / scale; }
 };
-
-// How far a float of a tree may lie from the double that it was rounded from, relative to itself and, near
-// zero, absolutely. Both are several times the rounding, so that sums of a few such errors fit as well.
-inline constexpr float kFloatSlack = 0x1p-22f;
-inline constexpr float kFloatLeast = 0x1p-126f;
-
-// The float moved outward past the double that it was rounded from.
-inline float round_down(float x) { return x - ((x < 0 ? -x : x) * kFloatSlack + kFloatLeast); }
-inline float round_up(float x) { return x + ((x < 0 ? -x : x) * kFloatSlack + kFloatLeast); }
 
 }  // namespace kerf

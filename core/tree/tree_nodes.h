@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 
 namespace kerf {
 
@@ -21,32 +20,6 @@ struct Child {
   bool none() const { return bits == kNoIndex; }
   bool is_block() const { return (bits & kBlockBit) != 0; }  // of a child that is there
   uint32_t index() const { return bits & ~kBlockBit; }
-};
-
-// A box in a tree's frame.
-struct FloatBox {
-  float low[3] = {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity(),
-                  std::numeric_limits<float>::infinity()};
-  float high[3] = {-std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(),
-                   -std::numeric_limits<float>::infinity()};
-
-  void add(const FloatBox& other) {
-    for (int k = 0; k < 3; ++k) {
-      if (other.low[k] < low[k]) low[k] = other.low[k];
-      if (other.high[k] > high[k]) high[k] = other.high[k];
-    }
-  }
-  bool holds(const FloatBox& other) const {
-    bool holds = true;
-    for (int k = 0; k < 3; ++k) holds &= low[k] <= other.low[k] && high[k] >= other.high[k];
-    return holds;
-  }
-  // Half of the surface.
-  float area() const {
-    const float x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
-    return x * y + y * z + z * x;
-  }
-  friend bool operator==(const FloatBox&, const FloatBox&) = default;
 };
 
 // Up to eight boxes side by side, by plane: low x y z, high x y z. An empty slot has a box that nothing

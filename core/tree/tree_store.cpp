@@ -27,14 +27,21 @@ uint32_t TreeStore::add_node() {
   nodes[n].parent = kNoIndex;
   nodes[n].slot = 0;
   nodes[n].hit = 0;
-  for (uint32_t s = 0; s < kNodeWidth; ++s) empty_slot(n, s);
+  const FloatBox none;
+  for (int k = 0; k < 6; ++k) {
+    const __m128 plane = k < 3 ? none.low : none.high;
+    _mm_store_ps(nodes[n].plane[k], plane);
+    _mm_store_ps(nodes[n].plane[k] + 4, plane);
+  }
+  for (Child& child : nodes[n].child) child = Child{};
   return n;
 }
 
 uint32_t TreeStore::add_block() {
   const uint32_t b = take(blocks, free_block_, free_block_count_);
-  blocks[b] = FaceBlock{};
   blocks[b].parent = kNoIndex;
+  blocks[b].slot = 0;
+  blocks[b].hit = 0;
   return b;
 }
 
@@ -69,56 +76,64 @@ void TreeStore::reserve(uint32_t faces, uint32_t slots) {
   places_.grow_to(slots);
 }
 
-void TreeStore::write_face(const Mesh& mesh, FaceId f, uint32_t block, uint32_t lane) {
+void TreeStore::put(const TreeFace& face, uint32_t block, uint32_t lane) {
   FaceBlock& b = blocks[block];
-  const auto corners = mesh.corners(f);
   for (int i = 0; i < 3; ++i) {
-    const Vec3 p = frame.to_tree(mesh.position(corners[i]));
-    for (int k = 0; k < 3; ++k) b.corner[i][k][lane] = static_cast<float>(p[k]);
-    b.vertex[i][lane] = corners[i].index;
+    alignas(16) float xyz[4];
+    _mm_store_ps(xyz, face.corner[i]);
+    for (int k = 0; k < 3; ++k) b.corner[i][k][lane] = xyz[k];
+    b.vertex[i][lane] = face.vertex[i].index;
   }
-  b.face[lane] = f.index;
-  set_place(f, block * kBlockWidth + lane);
+  b.face[lane] = face.face.index;
+  set_place(face.face, block * kBlockWidth + lane);
 }
 
 FloatBox TreeStore::face_box(const FaceBlock& b, uint32_t lane) const {
-  FloatBox box;
-  for (int k = 0; k < 3; ++k) {
-    const float x = b.corner[0][k][lane], y = b.corner[1][k][lane], z = b.corner[2][k][lane];
-    box.low[k] = round_down(std::min({x, y, z}));
-    box.high[k] = round_up(std::max({x, y, z}));
-  }
-  return box;
+  const auto corner = [&](int i) {
+    return _mm_setr_ps(b.corner[i][0][lane], b.corner[i][1][lane], b.corner[i][2][lane], 0);
+  };
+  const __m128 p = corner(0), q = corner(1), r = corner(2);
+  return {round_down(_mm_min_ps(_mm_min_ps(p, q), r)), round_up(_mm_max_ps(_mm_max_ps(p, q), r))};
 }
 
 FloatBox TreeStore::block_box(const FaceBlock& b) const {
-  FloatBox box;
-  for (uint32_t lane = 0; lane < b.count; ++lane) box.add(face_box(b, lane));
-  return box;
+  const FloatBox none;
+  const __m128 empty = _mm_castsi128_ps(
+      _mm_cmpgt_epi32(_mm_setr_epi32(1, 2, 3, 4), _mm_set1_epi32(static_cast<int>(b.count))));
+  __m128 low[3], high[3];
+  for (int k = 0; k < 3; ++k) {
+    const __m128 p = _mm_load_ps(b.corner[0][k]), q = _mm_load_ps(b.corner[1][k]),
+                 r = _mm_load_ps(b.corner[2][k]);
+    low[k] = _mm_blendv_ps(_mm_min_ps(_mm_min_ps(p, q), r), none.low, empty);
+    high[k] = _mm_blendv_ps(_mm_max_ps(_mm_max_ps(p, q), r), none.high, empty);
+  }
+  return {round_down(least_of_rows(low[0], low[1], low[2])),
+          round_up(most_of_rows(high[0], high[1], high[2]))};
 }
 
 FloatBox TreeStore::node_box(const WideNode& node) const {
-  FloatBox box;
-  for (int k = 0; k < 3; ++k) {
-    box.low[k] = *std::min_element(node.plane[k], node.plane[k] + kNodeWidth);
-    box.high[k] = *std::max_element(node.plane[k + 3], node.plane[k + 3] + kNodeWidth);
+  __m128 p[6];
+  for (int k = 0; k < 6; ++k) {
+    const __m128 a = _mm_load_ps(node.plane[k]), b = _mm_load_ps(node.plane[k] + 4);
+    p[k] = k < 3 ? _mm_min_ps(a, b) : _mm_max_ps(a, b);
   }
-  return box;
+  return {least_of_rows(p[0], p[1], p[2]), most_of_rows(p[3], p[4], p[5])};
 }
 
 FloatBox TreeStore::slot_box(uint32_t node, uint32_t slot) const {
-  FloatBox box;
-  for (int k = 0; k < 3; ++k) {
-    box.low[k] = nodes[node].plane[k][slot];
-    box.high[k] = nodes[node].plane[k + 3][slot];
-  }
-  return box;
+  const auto& plane = nodes[node].plane;
+  return {_mm_setr_ps(plane[0][slot], plane[1][slot], plane[2][slot], 0),
+          _mm_setr_ps(plane[3][slot], plane[4][slot], plane[5][slot], 0)};
 }
 
 void TreeStore::set_slot_box(uint32_t node, uint32_t slot, const FloatBox& box) {
+  alignas(16) float low[4], high[4];
+  _mm_store_ps(low, box.low);
+  _mm_store_ps(high, box.high);
+  auto& plane = nodes[node].plane;
   for (int k = 0; k < 3; ++k) {
-    nodes[node].plane[k][slot] = box.low[k];
-    nodes[node].plane[k + 3][slot] = box.high[k];
+    plane[k][slot] = low[k];
+    plane[k + 3][slot] = high[k];
   }
 }
 
@@ -133,9 +148,10 @@ void TreeStore::hang(uint32_t node, uint32_t slot, Child child, const FloatBox& 
 
 void TreeStore::set_root_box(const FloatBox& box) {
   root_box_ = box;
-  Vec3 far;
-  for (int k = 0; k < 3; ++k) far[k] = std::max(std::abs(double{box.low[k]}), std::abs(double{box.high[k]}));
-  reach_ = glm::length(far);
+  alignas(16) float far[4];
+  const __m128 sign = _mm_set1_ps(-0.0f);
+  _mm_store_ps(far, _mm_max_ps(_mm_andnot_ps(sign, box.low), _mm_andnot_ps(sign, box.high)));
+  reach_ = glm::length(Vec3(far[0], far[1], far[2]));
 }
 
 TreeView TreeStore::view() const {

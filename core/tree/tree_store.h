@@ -1,12 +1,30 @@
 #pragma once
 
 #include "core/base/ids.h"
+#include "core/tree/float_box.h"
 #include "core/tree/pool.h"
 #include "core/tree/tree_frame.h"
 #include "core/tree/tree_nodes.h"
 #include "core/tree/walks.h"
 
 namespace kerf {
+
+// A face as a tree holds it: corners in floats of the frame, and which vertices they are.
+struct TreeFace {
+  TreeFace(const TreeFrame& frame, const Mesh& mesh, FaceId f) : vertex(mesh.corners(f)), face(f) {
+    const double* coordinates = mesh.coordinates();
+    for (int i = 0; i < 3; ++i) corner[i] = frame.to_floats(coordinates + 3 * size_t{vertex[i].index});
+  }
+  // A little outward.
+  FloatBox box() const {
+    return {round_down(_mm_min_ps(_mm_min_ps(corner[0], corner[1]), corner[2])),
+            round_up(_mm_max_ps(_mm_max_ps(corner[0], corner[1]), corner[2]))};
+  }
+
+  __m128 corner[3];
+  std::array<VertexId, 3> vertex;
+  FaceId face;
+};
 
 // The records of a tree and the links between them. Every node but the root has a slot in a parent, every
 // block too; the root is a node, or there is none. Records that were freed are used again, last freed first.
@@ -33,8 +51,8 @@ class TreeStore {
   // Makes ready for a tree over so many faces, in slots below `slots`.
   void reserve(uint32_t faces, uint32_t slots);
 
-  // Writes the face into a lane of a block, as the mesh has it now. Its hit bit stays.
-  void write_face(const Mesh& mesh, FaceId f, uint32_t block, uint32_t lane);
+  // Puts the face into a lane of a block. The lane's hit bit stays.
+  void put(const TreeFace& face, uint32_t block, uint32_t lane);
   FloatBox face_box(const FaceBlock& block, uint32_t lane) const;
   FloatBox block_box(const FaceBlock& block) const;
   FloatBox node_box(const WideNode& node) const;

@@ -151,16 +151,43 @@ class WalkCode {
     }
   }
 
+  // The corners of a block twice, for two rays at a time.
+  struct ShearedTwice {
+    explicit ShearedTwice(const ShearedBlock& b) : error(Float8::twice(b.error)) {
+      for (int i = 0; i < 3; ++i) {
+        x[i] = Float8::twice(b.x[i]);
+        y[i] = Float8::twice(b.y[i]);
+      }
+    }
+    // The faces through which the first ray may go, and from the fifth bit on the second.
+    unsigned may_hold(Float8 px, Float8 py) const {
+      const Float8 ax = x[0] - px, ay = y[0] - py, bx = x[1] - px, by = y[1] - py, cx = x[2] - px,
+                   cy = y[2] - py;
+      const Float8 u = ax * by - ay * bx, v = bx * cy - by * cx, w = cx * ay - cy * ax;
+      const Float8 least = min(min(u, v), w), most = max(max(u, v), w), under = Float8::all(0) - error;
+      return le(under, least) | le(most, error);
+    }
+
+    Float8 x[3], y[3], error;
+  };
+
+  // Rays that are not there pass where the first one does, and are masked.
   static void rays(const TreeView& tree, const RayQuery& q, const WalkLists& lists) {
     list_blocks_on_rays(tree, q, lists);
+    Float8 px[2], py[2];
+    for (uint32_t pair = 0; pair < 2; ++pair) {
+      const uint32_t a = 2 * pair < q.rays ? 2 * pair : 0, b = 2 * pair + 1 < q.rays ? 2 * pair + 1 : 0;
+      px[pair] = Float8::pair(q.pass[a][0], q.pass[b][0]);
+      py[pair] = Float8::pair(q.pass[a][1], q.pass[b][1]);
+    }
+    const unsigned wanted = (1u << 4 * q.rays) - 1;
     for (uint32_t i = 0; i < lists.blocks.count; ++i) {
       const auto* block = reinterpret_cast<const FaceBlock*>(lists.blocks.items[i]);
-      const ShearedBlock sheared(*block, q);
-      for (uint32_t r = 0; r < q.rays; ++r) {
-        unsigned lanes = sheared.hold(q.pass[r]).may & filled(*block);
-        for (; lanes != 0; lanes &= lanes - 1) {
-          list_face(q, *block, static_cast<unsigned>(__builtin_ctz(lanes)), r, lists.faces);
-        }
+      const ShearedTwice twice(ShearedBlock(*block, q));
+      unsigned found = twice.may_hold(px[0], py[0]) | twice.may_hold(px[1], py[1]) << 8;
+      for (found &= wanted & filled(*block) * 0x1111u; found != 0; found &= found - 1) {
+        const auto bit = static_cast<unsigned>(__builtin_ctz(found));
+        list_face(q, *block, bit & 3, bit >> 2, lists.faces);
       }
     }
   }

@@ -18,7 +18,7 @@ class WalkScratch {
   std::span<const uintptr_t> faces() const { return {faces_.items, faces_.count}; }
 
  private:
-  static constexpr uint32_t kShort = 512;
+  static constexpr uint32_t kShort = 96;
   struct List : WordList {
     List() : WordList{nullptr, 0, kShort, lengthen} { items = few; }
     static void lengthen(WordList& list);

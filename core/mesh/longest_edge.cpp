@@ -1,6 +1,7 @@
 #include "core/mesh/longest_edge.h"
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 #include <tuple>
 
@@ -47,6 +48,14 @@ LongestEdge longest_edge(const Mesh& mesh, FaceId f) {
   return longest;
 }
 
+bool has_side(const Mesh& mesh, FaceId f, VertexId from, VertexId to) {
+  const auto c = mesh.corners(f);
+  for (int i = 0; i < 3; ++i) {
+    if (c[i] == from && c[(i + 1) % 3] == to) return true;
+  }
+  return false;
+}
+
 // One walk along a propagation path, from its first face to the end and back.
 class Propagation {
  public:
@@ -54,37 +63,58 @@ class Propagation {
       : mesh_(mesh), greens_(greens), out_(out) {}
 
   bool bisect(FaceId f) {
-    path_.assign(1, f);
+    path_.clear();
+    step_onto(f);
     while (!path_.empty()) {
-      const LongestEdge edge = longest_edge(mesh_, path_.back());
-      if (const FaceId further = with_longer_edge(edge); further.valid()) {
-        path_.push_back(further);
+      Step& step = path_.back();
+      while (step.looked_at < step.sides.size() && !(step.edge.rank < rank_at(step))) ++step.looked_at;
+      if (step.looked_at < step.sides.size()) {
+        step_onto(step.sides[step.looked_at].face);
         continue;
       }
-      const Vec3 &a = edge.rank.low, &b = edge.rank.high, middle = 0.5 * a + 0.5 * b;
+      const Vec3 &a = step.edge.rank.low, &b = step.edge.rank.high, middle = 0.5 * a + 0.5 * b;
       if (middle == a || middle == b) return false;
-      split(edge);
+      split(step);
       path_.pop_back();
     }
     return true;
   }
 
  private:
-  // A face on the edge that has a longer one; none at the end of the path. Remembers the others.
-  FaceId with_longer_edge(const LongestEdge& edge) {
-    sides_.clear();
-    mesh_.append_edge_sides(path_.back(), edge.from, edge.to, sides_);
-    for (const Mesh::Side& side : sides_) {
-      if (edge.rank < longest_edge(mesh_, side.face).rank) return side.face;
-    }
-    return FaceId();
+  // A face of the path, its longest edge, and the other faces there; those before `looked_at` have no longer
+  // edge. A ring of many faces is looked at once.
+  struct Step {
+    FaceId face;
+    LongestEdge edge;
+    std::vector<Mesh::Side> sides;
+    size_t looked_at = 0;
+  };
+
+  void step_onto(FaceId f) {
+    Step step{f, longest_edge(mesh_, f), {}, 0};
+    mesh_.append_edge_sides(f, step.edge.from, step.edge.to, step.sides);
+    path_.push_back(std::move(step));
   }
 
-  void split(const LongestEdge& edge) {
-    greens_.forget(mesh_, path_.back());
-    for (const Mesh::Side& side : sides_) greens_.forget(mesh_, side.face);
+  // Of the longest edge of the face that is looked at. It may have been bisected further down the path since:
+  // then the part that has the edge was told of, lately.
+  EdgeRank rank_at(Step& step) {
+    Mesh::Side& side = step.sides[step.looked_at];
+    const auto has_edge = [&](FaceId f) { return f.valid() && has_side(mesh_, f, side.from, side.to); };
+    for (size_t i = out_.size(); !has_edge(side.face); --i) {
+      assert(i > 0);
+      const auto& born = out_[i - 1].born;
+      const auto part = std::find_if(born.begin(), born.begin() + 2, has_edge);
+      if (part != born.begin() + 2) side.face = *part;
+    }
+    return longest_edge(mesh_, side.face).rank;
+  }
+
+  void split(const Step& step) {
+    greens_.forget(mesh_, step.face);
+    for (const Mesh::Side& side : step.sides) greens_.forget(mesh_, side.face);
     splits_.clear();
-    mesh_.split_edge(path_.back(), edge.from, edge.to, splits_);
+    mesh_.split_edge(step.face, step.edge.from, step.edge.to, splits_);
     for (const Mesh::FaceSplit& s : splits_) {
       FaceData& kept = mesh_.data(s.kept);
       if (kept.halvings < std::numeric_limits<uint8_t>::max()) ++kept.halvings;
@@ -96,8 +126,7 @@ class Propagation {
   Mesh& mesh_;
   OneToFour& greens_;
   std::vector<Replacement>& out_;
-  std::vector<FaceId> path_;
-  std::vector<Mesh::Side> sides_;
+  std::vector<Step> path_;
   std::vector<Mesh::FaceSplit> splits_;
 };
 

@@ -159,8 +159,8 @@ CutSettings stroke_settings(const CutOptions& o, const StrokePath& stroke, doubl
   if (o.radius) settings.laser.radius = *o.radius;
   if (o.range) settings.laser.range = *parse_range(*o.range);
   if (o.pattern == "rays4") settings.laser.pattern = Pattern::kRays4;
-  if (o.rim == "smooth") settings.rim = Rim::kSmooth;
   Resolution& resolution = settings.resolution;
+  if (o.rim == "smooth") resolution.rim = Rim::kSmooth;
   if (o.scheme) resolution.scheme = o.scheme == "one-to-four" ? Scheme::kOneToFour : Scheme::kLongestEdge;
   resolution.target_edge = o.target_edge.value_or(settings.laser.radius / 4);
   resolution.tolerance = o.tolerance.value_or(settings.laser.radius / 8);

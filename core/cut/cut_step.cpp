@@ -10,6 +10,7 @@ void StepFigures::add(const StepFigures& other) {
   tested.boxes += other.tested.boxes;
   tested.faces += other.tested.faces;
   faces_made += other.faces_made;
+  largest_cosine = std::max(largest_cosine, other.largest_cosine);
   query_s += other.query_s;
   refine_s += other.refine_s;
   remove_s += other.remove_s;
@@ -44,6 +45,10 @@ void settle(BodyStep& step, StepResult& result) {
     result.delta.removed_faces += step.removed_faces;
     result.delta.removed_area += step.removed_area;
     result.delta.bodies.push_back(separate(step));
+    for (const FaceId f : result.delta.bodies.back().born) {
+      step.figures.largest_cosine =
+          std::max(step.figures.largest_cosine, largest_cosine(step.body.mesh.triangle(f)));
+    }
   }
   result.figures.add(step.figures);
 }

@@ -16,7 +16,13 @@ enum class Scheme {
   kLongestEdge,  // in two at its longest edge (see longest_edge.h)
 };
 
-// How finely faces are split where the beam touches them before they are removed.
+// What is left along a stroke.
+enum class Rim {
+  kFaces,   // every face that the beam touches goes
+  kSmooth,  // faces across the boundary of the beam are cut along it when the stroke ends (see close_rim)
+};
+
+// How finely faces are split where the beam touches them before they are removed, and what rim is left.
 struct Resolution {
   enum class Rule {
     kTargetEdge,  // until the longest edge is at most target_edge
@@ -28,23 +34,16 @@ struct Resolution {
   double target_edge = 0.0025;  // m, > 0
   double tolerance = 0.00125;   // m, > 0
   int depth = 4;                // levels, 0 .. kLargestDepth: a split in four, or two in two
+  Rim rim = Rim::kFaces;        // a pattern of rays has no volume: it leaves faces
 
   static constexpr int kLargestDepth = 24;
-};
-
-// What is left along a stroke.
-enum class Rim {
-  kFaces,   // every face that the beam touches goes
-  kSmooth,  // faces across the boundary of the beam are cut along it when the stroke ends (see close_rim)
+  friend bool operator==(const Resolution&, const Resolution&) = default;
 };
 
 struct CutSettings {
   Laser laser;
   Resolution resolution;
-  Rim rim = Rim::kFaces;  // a pattern of rays has no volume: it leaves faces
-
-  bool smooth() const { return rim == Rim::kSmooth && laser.pattern == Pattern::kVolume; }
-
+  bool smooth() const { return resolution.rim == Rim::kSmooth && laser.pattern == Pattern::kVolume; }
   size_t most_faces = 20'000'000;  // a cut that would make more live faces than this stops
 };
 
@@ -52,6 +51,7 @@ struct CutSettings {
 struct StepFigures {
   QueryCounts tested;
   size_t faces_made = 0;
+  double largest_cosine = -1;  // of the corners of faces that were made and are left: their smallest angle
   double query_s = 0, refine_s = 0, remove_s = 0, update_tree_s = 0, separate_s = 0;
 
   void add(const StepFigures& other);

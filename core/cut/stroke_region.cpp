@@ -28,10 +28,30 @@ double StrokeRegion::signed_distance(FaceId near, const Vec3& p) const {
   return least;
 }
 
+namespace {
+
+// Whether a point of a triangle that is no larger than the beam lies so deep in the volume, by a grid of
+// them.
+bool has_point_within(const SweptCylinder& part, const Triangle& t, double depth) {
+  constexpr int kParts = 8;
+  for (int i = 0; i <= kParts; ++i) {
+    for (int k = 0; i + k <= kParts; ++k) {
+      const Vec3 p = t[0] + (double(i) * (t[1] - t[0]) + double(k) * (t[2] - t[0])) / double{kParts};
+      if (part.signed_distance(p) < -depth) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
 bool StrokeRegion::reaches_into(FaceId near, const Triangle& t, double graze) const {
   const auto parts = parts_near(near);
   return std::any_of(parts.begin(), parts.end(), [&](uint32_t i) {
-    return parts_[i].with_radius(parts_[i].radius() - graze).touches(t);
+    const SweptCylinder& part = parts_[i];
+    if (!part.with_radius(part.radius() - graze).touches(t)) return false;
+    return !part.tilts() || longest_edge2(t) > part.radius() * part.radius() ||
+           has_point_within(part, t, graze);
   });
 }
 

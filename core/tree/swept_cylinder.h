@@ -44,6 +44,8 @@ class SweptCylinder {
   double signed_distance(const Vec3& p) const;
 
   double radius() const { return radius_; }
+  // Whether the beam tilts: then touches() may see a little more than the volume whose distances are told.
+  bool tilts() const { return tilts_; }
 
   // The same volume with another radius.
   SweptCylinder with_radius(double radius) const {

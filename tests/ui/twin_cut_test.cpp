@@ -32,7 +32,8 @@ class TwinCutTest : public testing::Test {
   }
   Document first;
   TwinCut twin;
-  ResolutionControls coarse{.edge_fraction = 1}, fine{.edge_fraction = 0.25};
+  ResolutionControls coarse{.edge_fraction = 1, .rim = Rim::kFaces},
+      fine{.edge_fraction = 0.25, .rim = Rim::kFaces};
 };
 
 TEST_F(TwinCutTest, the_same_resolution_gives_the_same_world_and_a_coarser_one_fewer_faces) {

@@ -205,6 +205,7 @@ bool Editor::cut_first(Clock::time_point began, double budget) {
     if (state_.look.ghost || state_.look.show.face_numbers) renderer.catch_up(state_.document.world());
     state_.removed_faces += step->delta.removed_faces;
     state_.last_step = step->figures;
+    state_.note_figures(step->figures);
     state_.faces_before_step = faces;
   }
   return true;

@@ -12,4 +12,11 @@ void EditorState::say(std::string text, bool error) {
   message_is_error = error;
 }
 
+void EditorState::note_figures(const StepFigures& step) {
+  const size_t current = document.strokes() + recuts;
+  if (figures_of != current) stroke_figures = {};
+  figures_of = current;
+  stroke_figures.add(step);
+}
+
 }  // namespace kerf

@@ -80,7 +80,8 @@ struct EditorState {
   ShownFigures shown;
   FrameStatistics frames;
   size_t removed_faces = 0, removed_before_stroke = 0;
-  StepFigures last_step;
+  StepFigures last_step, stroke_figures;
+  size_t figures_of = 0;  // which stroke or recut of one stroke_figures are of
   size_t faces_before_step = 0;
   size_t recuts = 0;
 
@@ -102,6 +103,8 @@ struct EditorState {
   // A place of the window as CameraView::ray takes it, in this half.
   Vec2 in_picture(Vec2 at) const;
   void say(std::string text, bool error = false);
+  // Takes a step into the figures of its stroke.
+  void note_figures(const StepFigures& step);
 };
 
 }  // namespace kerf

@@ -5,7 +5,10 @@ namespace kerf {
 Resolution ResolutionControls::of(double radius) const {
   Resolution resolution;
   resolution.rule = rule;
+  resolution.scheme = scheme;
+  resolution.rim = rim;
   resolution.target_edge = radius * edge_fraction;
+  resolution.tolerance = radius * tolerance_fraction;
   resolution.depth = depth;
   return resolution;
 }

@@ -6,9 +6,12 @@ namespace kerf {
 
 // How finely a cut is made: what the sliders of the resolution say.
 struct ResolutionControls {
+  Scheme scheme = Scheme::kLongestEdge;
   Resolution::Rule rule = Resolution::Rule::kTargetEdge;
-  double edge_fraction = 0.25;  // target edge over radius, 1/32 .. 2
-  int depth = 4;                // levels, 0 .. kLargestDepth
+  double edge_fraction = 0.25;        // target edge over radius, 1/32 .. 2
+  double tolerance_fraction = 0.125;  // tolerance over radius, 1/32 .. 2
+  int depth = 4;                      // levels, 0 .. kLargestDepth
+  Rim rim = Rim::kSmooth;
 
   static constexpr double kLeastFraction = 1.0 / 32, kMostFraction = 2;
   static constexpr int kLargestDepth = 10;

@@ -44,6 +44,7 @@ void cut_strokes_of(EditorState& state, Renderer& renderer, const std::vector<St
     renderer.follow(step.delta);
     state.removed_faces += step.delta.removed_faces;
     state.last_step = step.figures;
+    state.note_figures(step.figures);
     state.faces_before_step = state.document.world().live_faces();
   });
   if (cut) return;
@@ -73,7 +74,7 @@ Status open_files(EditorState& state, Renderer& renderer, std::span<const std::f
   state.spread = 0;
   state.laser.fit(bounds.diagonal());
   state.removed_faces = state.removed_before_stroke = 0;
-  state.last_step = {};
+  state.last_step = state.stroke_figures = {};
   state.faces_before_step = 0;
   state.cut_once = false;
   state.picture_old = state.world_changed = true;

@@ -63,6 +63,7 @@ void draw_hints(const EditorState& state, ImDrawList& list) {
 
 std::string resolution_text(const Resolution& r) {
   if (r.rule == Resolution::Rule::kTargetEdge) return "Edges of " + length_text(r.target_edge);
+  if (r.rule == Resolution::Rule::kTolerance) return "Within " + length_text(r.tolerance);
   return r.depth == 0 ? "Whole faces" : "Depth " + std::to_string(r.depth);
 }
 

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <cmath>
+#include <cstdio>
 
 #include "ui/editor/length_text.h"
 #include "ui/editor/number_text.h"
@@ -16,40 +17,75 @@ namespace {
 
 bool rule_row(ResolutionControls& to) {
   property("Split to");
-  int rule = to.rule == Resolution::Rule::kDepth ? 1 : 0;
-  const bool changed = ImGui::Combo("##rule", &rule, "Edge length\0Depth\0");
-  if (changed) to.rule = rule == 1 ? Resolution::Rule::kDepth : Resolution::Rule::kTargetEdge;
+  int rule = static_cast<int>(to.rule);
+  const bool changed = ImGui::Combo("##rule", &rule, "Edge length\0Tolerance\0Depth\0");
+  if (changed) to.rule = static_cast<Resolution::Rule>(rule);
   tooltip(
-      "What says when faces under the beam are small enough: the length of their edges, or how often they "
-      "were split.");
+      "What says when faces under the beam are small enough: the length of their edges, how far what is "
+      "removed may overshoot the beam, or how often they were split.");
   return changed;
 }
 
-bool reset_edge(ResolutionControls& to) {
+bool scheme_row(ResolutionControls& to) {
+  property("Scheme");
+  int scheme = static_cast<int>(to.scheme);
+  const bool changed = ImGui::Combo("##scheme", &scheme, "One to four\0Longest edge\0");
+  if (changed) to.scheme = static_cast<Scheme>(scheme);
+  tooltip(
+      "How a face is split: in four, as in the paper, or in two at its longest edge, which makes far fewer "
+      "faces of thin ones.");
+  return changed;
+}
+
+bool rim_row(ResolutionControls& to) {
+  property("Rim");
+  int rim = static_cast<int>(to.rim);
+  const bool changed = ImGui::Combo("##rim", &rim, "Faces\0Smooth\0");
+  if (changed) to.rim = static_cast<Rim>(rim);
+  tooltip(
+      "Faces: all that the beam touches goes, so the rim is a saw. Smooth: when the stroke ends, faces "
+      "across "
+      "the boundary of the beam are cut along it.");
+  return changed;
+}
+
+bool reset_item(double& value, double standard) {
   if (!ImGui::BeginPopupContextItem()) return false;
   const bool reset = ImGui::MenuItem("Reset to default");
-  if (reset) to.edge_fraction = ResolutionControls().edge_fraction;
+  if (reset) value = standard;
   ImGui::EndPopup();
   return reset;
 }
 
-bool edge_row(ResolutionControls& to, double radius) {
-  property("Edge");
-  // Finer to the right, as with depth.
-  double halvings = -std::log2(to.edge_fraction);
+// A share of the radius, from twice the radius to a 32nd of it; finer to the right, as with depth.
+bool fraction_row(const char* name, double& fraction, double standard, double radius, const char* meaning) {
+  property(name);
+  double halvings = -std::log2(fraction);
   const double low = -std::log2(ResolutionControls::kMostFraction),
                high = -std::log2(ResolutionControls::kLeastFraction);
-  const std::string text = length_text(radius * to.edge_fraction);
-  const double before = to.edge_fraction;
-  if (ImGui::SliderScalar("##edge", ImGuiDataType_Double, &halvings, &low, &high, text.c_str(),
+  const std::string text = length_text(radius * fraction);
+  const double before = fraction;
+  if (ImGui::SliderScalar("##fraction", ImGuiDataType_Double, &halvings, &low, &high, text.c_str(),
                           ImGuiSliderFlags_NoInput)) {
-    to.edge_fraction = std::exp2(-std::round(4 * halvings) / 4);
+    fraction = std::exp2(-std::round(4 * halvings) / 4);
   }
-  tooltip(
-      "Longest edge under the beam, from twice the radius to a 32nd of it. Finer to the right: a smoother "
-      "rim from more faces. Right click for the default.");
-  const bool reset = reset_edge(to);
-  return reset || to.edge_fraction != before;
+  tooltip(meaning);
+  const bool reset = reset_item(fraction, standard);
+  return reset || fraction != before;
+}
+
+bool edge_row(ResolutionControls& to, double radius) {
+  return fraction_row(
+      "Edge", to.edge_fraction, ResolutionControls().edge_fraction, radius,
+      "Longest edge under the beam, from twice the radius to a 32nd of it. Finer to the right. "
+      "Right click for the default.");
+}
+
+bool tolerance_row(ResolutionControls& to, double radius) {
+  return fraction_row(
+      "Tolerance", to.tolerance_fraction, ResolutionControls().tolerance_fraction, radius,
+      "How far what is removed may overshoot the beam, from twice the radius to a 32nd of it. "
+      "Finer to the right. Right click for the default.");
 }
 
 bool depth_row(ResolutionControls& to) {
@@ -79,16 +115,42 @@ void recut_row(EditorState& state, bool changed) {
 
 // Whether anything changed.
 bool resolution_rows(ResolutionControls& to, double radius) {
-  const bool changed = rule_row(to);
-  const bool depth = to.rule == Resolution::Rule::kDepth;
-  return (depth ? depth_row(to) : edge_row(to, radius)) || changed;
+  bool changed = rule_row(to);
+  switch (to.rule) {
+    case Resolution::Rule::kTargetEdge:
+      changed = edge_row(to, radius) || changed;
+      break;
+    case Resolution::Rule::kTolerance:
+      changed = tolerance_row(to, radius) || changed;
+      break;
+    case Resolution::Rule::kDepth:
+      changed = depth_row(to) || changed;
+      break;
+  }
+  changed = scheme_row(to) || changed;
+  return rim_row(to) || changed;
 }
 
-void faces_row(size_t faces, const char* meaning) {
-  property("Faces");
+void figure_row(const char* name, const std::string& value, const char* meaning) {
+  property(name);
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(grouped(faces).c_str());
+  ImGui::TextUnformatted(value.c_str());
   tooltip(meaning);
+}
+
+void faces_row(size_t faces, const char* meaning) { figure_row("Faces", grouped(faces), meaning); }
+
+std::string smallest_angle_text(double largest_cosine) {
+  if (largest_cosine < 0) return "nothing cut yet";
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f degrees", std::acos(largest_cosine) * 180 / 3.14159265358979);
+  return text;
+}
+
+void stroke_rows(const StepFigures& stroke) {
+  figure_row("Made", grouped(stroke.faces_made), "Faces that splitting made in the last stroke.");
+  figure_row("Least angle", smallest_angle_text(stroke.largest_cosine),
+             "Smallest angle of all faces that the last stroke made and left.");
 }
 
 void split_rows(EditorState& state) {
@@ -111,6 +173,7 @@ void draw_resolution_panel(EditorState& state) {
   const bool changed = resolution_rows(state.laser.resolution, state.laser.radius);
   recut_row(state, changed);
   faces_row(state.shown.faces, "Faces of all bodies as they stand.");
+  stroke_rows(state.stroke_figures);
   split_rows(state);
   end_properties();
 }

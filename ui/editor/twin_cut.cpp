@@ -10,10 +10,6 @@ const World* world_to_cut(const Document& first) {
   return first.world().live_faces() <= Document::kMostFacesToRecut ? &first.world() : nullptr;
 }
 
-bool same(const Resolution& a, const Resolution& b) {
-  return a.scheme == b.scheme && a.rule == b.rule && a.target_edge == b.target_edge && a.depth == b.depth;
-}
-
 }  // namespace
 
 void TwinCut::begin(const Document& first, const Resolution& resolution) {
@@ -30,7 +26,7 @@ bool TwinCut::follow(const Document& first, const ResolutionControls& controls) 
   const double radius = first.stroke_settings().laser.radius;
   const Resolution resolution = controls.of(radius);
   const bool anew =
-      !begun_ || first.strokes() != stroke_ || (!same(resolution, resolution_) && first.strokes() > 0);
+      !begun_ || first.strokes() != stroke_ || (resolution != resolution_ && first.strokes() > 0);
   if (anew) begin(first, resolution);
   if (!there_ || first.strokes() == 0) return anew;
   const std::span<const Command> stroke = first.last_stroke();

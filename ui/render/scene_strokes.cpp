@@ -15,7 +15,9 @@ Status cut_strokes(Document& document, const std::vector<StrokePath>& strokes,
   const double diagonal = document.world().bounds().diagonal();
   for (const StrokePath& stroke : strokes) {
     if (stroke.keys.empty()) continue;
-    document.apply(BeginStroke{default_settings(stroke, diagonal), stroke.keys.front()});
+    CutSettings settings = default_settings(stroke, diagonal);
+    settings.resolution.rim = Rim::kSmooth;  // as in the editor
+    document.apply(BeginStroke{settings, stroke.keys.front()});
     for (size_t k = 1; k < stroke.keys.size(); ++k) document.apply(MoveStroke{stroke.keys[k]});
     document.apply(EndStroke{});
     while (document.waiting() > 0) {

@@ -21,7 +21,7 @@ CutSettings smooth_settings(double radius, double target_edge) {
   settings.laser.radius = radius;
   settings.laser.range = {0, 100};
   settings.resolution.target_edge = target_edge;
-  settings.rim = Rim::kSmooth;
+  settings.resolution.rim = Rim::kSmooth;
   return settings;
 }
 
@@ -234,7 +234,7 @@ TEST(SmoothRim, lies_along_edges_of_the_mesh_where_they_are_its_boundary) {
 TEST(SmoothRim, is_smooth_however_coarse_the_faces_under_the_beam_may_stay) {
   for (const Scheme scheme : {Scheme::kOneToFour, Scheme::kLongestEdge}) {
     CutSettings settings = smooth_settings(0.02, 0);
-    settings.resolution = {.scheme = scheme, .rule = Resolution::Rule::kDepth, .depth = 0};
+    settings.resolution = {.scheme = scheme, .rule = Resolution::Rule::kDepth, .depth = 0, .rim = Rim::kSmooth};
     expect_smooth(
         cut_smoothly(plate(1), settings, {{{{-0.3, 1, 0.1}, {0, -1, 0}}, {{0.3, 1, 0.13}, {0, -1, 0}}}}), 2);
   }
@@ -331,7 +331,7 @@ TEST(Strokes, leave_the_same_however_fast_they_are_drawn) {
   for (const Rim rim : {Rim::kFaces, Rim::kSmooth}) {
     for (const Scheme scheme : {Scheme::kOneToFour, Scheme::kLongestEdge}) {
       CutSettings settings = smooth_settings(0.02, 0.005);
-      settings.rim = rim;
+      settings.resolution.rim = rim;
       settings.resolution.scheme = scheme;
       const Pose a{{-0.3, 1, 0.013}, {0, -1, 0}}, b{{0.31, 1, 0.057}, {0, -1, 0}};
       const Pose tilted{{0.31, 1, 0.057}, glm::normalize(Vec3(0.2, -1, 0.1))};
@@ -360,7 +360,7 @@ TEST(SmoothRim, of_real_meshes_is_conforming_and_true) {
     const Mesh base = only_body(world).mesh;
     Random random(seed);
     RandomStroke stroke = random_stroke(world, random, 0.012, false);
-    stroke.settings.rim = Rim::kSmooth;
+    stroke.settings.resolution.rim = Rim::kSmooth;
     stroke.settings.resolution.target_edge = stroke.settings.laser.radius;
     stroke.settings.most_faces = 200'000;
     Document document(std::move(world));

@@ -14,7 +14,7 @@ constexpr double kFaceBar = 60;             // ns a new face
 constexpr double kRebuildBar = 1.0 / 5000;  // of Embree's low quality
 constexpr uint32_t kManyFaces = 1000000;    // from which that is asked
 constexpr double kSlitBar = 1.15, kElsewhereBar = 1.05;
-constexpr int kDeepest = 4;
+constexpr int kDeepest = 4;  // splits in four
 constexpr double kNano = 1e9;
 
 // A cut by four rays a step: the faces that they cross are split until they are fine, and the finest go. The
@@ -58,7 +58,7 @@ class Cut {
       const FaceId f = waiting_.back();
       waiting_.pop_back();
       if (!crossed(rays, f)) continue;
-      if (mesh.data(f).level >= kDeepest) {
+      if (mesh.data(f).halvings >= 2 * kDeepest) {
         fine_.push_back(f);
         continue;
       }
@@ -99,7 +99,7 @@ class Cut {
   double reach_;
   std::vector<FaceId> waiting_, fine_, removed_;
   std::vector<RayHit> hits_;
-  std::vector<OneToFour::Replacement> replaced_;
+  std::vector<Replacement> replaced_;
 };
 
 Pair query_both(const AabbTree& grown, const AabbTree& fresh, const Mesh& mesh, std::span<const Pose> rays,
@@ -127,8 +127,8 @@ void bench_edits(const Subject& s, const Effort& effort, const Report& report) {
                             return empty;
                           }());
   const double seconds = cut.tree_seconds - overhead;
-  report({"edits, a face born / the limit", s.name, "ns", seconds * kNano / static_cast<double>(cut.new_faces),
-          kFaceBar, 1.0});
+  report({"edits, a face born / the limit", s.name, "ns",
+          seconds * kNano / static_cast<double>(cut.new_faces), kFaceBar, 1.0});
   if (has_embree()) {
     const double rebuild = make_embree(arrays_of(cut.mesh), EmbreeQuality::kLow)->build_seconds();
     report({"edit step / rebuild, Embree low", s.name, "us", 1e6 * seconds / effort.edit_steps, 1e6 * rebuild,

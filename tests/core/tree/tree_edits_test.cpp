@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/mesh/longest_edge.h"
 #include "core/mesh/one_to_four.h"
 #include "core/tree/aabb_tree.h"
 #include "core/tree/sheared_ray.h"
@@ -50,6 +51,7 @@ struct Edited {
   }
 
   void split(FaceId f) { refinement.split(mesh, f, late); }
+  void bisect(FaceId f) { bisect_longest_edge(mesh, refinement, f, late); }
   void tell() {
     for (const auto& r : late) {
       for (AabbTree* tree : {&sse4, &best})
@@ -69,7 +71,7 @@ struct Edited {
   Mesh mesh;
   OneToFour refinement;
   AabbTree sse4, best;
-  std::vector<OneToFour::Replacement> late;
+  std::vector<Replacement> late;
   Vec3 centre;
   double size;
 };
@@ -120,8 +122,8 @@ TEST(TreeEdits, all_queries_equal_brute_force_and_each_other_after_random_edits)
         for (int i = 0; i < 12; ++i) {
           const FaceId f(static_cast<uint32_t>(random.below(e.mesh.face_slots())));
           if (!e.mesh.is_live(f)) continue;
-          if (random.below(4) > 0 && e.mesh.data(f).level < 9 && e.refinement.can_split(e.mesh, f)) {
-            e.split(f);
+          if (random.below(4) > 0 && e.mesh.data(f).halvings < 18 && e.refinement.can_split(e.mesh, f)) {
+            random.below(2) > 0 ? e.split(f) : e.bisect(f);
           } else {
             e.tell();
             e.remove(f);

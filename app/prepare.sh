@@ -78,10 +78,10 @@ apt_get() {
 }
 
 # Anew where the folder was configured for another path (a moved checkout), otherwise, by hand, or not to the end, and
-# when clang++, which builds the fuzzers, has come or gone since.
+# when clang++, which builds the fuzzers, or the libraries that only benchmarks use have come or gone since.
 configure() {
   local stamp=$folder/.configured wanted
-  wanted="$root ${options[*]} $(command -v clang++ || true)"
+  wanted="$root ${options[*]} $(command -v clang++ || true) $(ls -d /usr/include/embree3 /usr/include/CGAL 2>/dev/null || true)"
   [[ -f $folder/build.ninja && -f $stamp && $(<"$stamp") == "$wanted" ]] && return
   say "configuring $folder"
   rm -f "$stamp"

@@ -235,9 +235,10 @@ void replace_faces(TreeStore& tree, const Mesh& mesh, std::span<const FaceId> go
     while (next < born.size() && was_there(born[next])) ++next;
     return next < born.size();
   };
+  const double* coordinates = mesh.coordinates();
   FloatBox written;
   const auto write = [&](FaceId f, uint32_t lane) {
-    const TreeFace face(tree.frame, mesh, f);
+    const TreeFace face(tree.frame, mesh, coordinates, f);
     tree.put(face, home, lane);
     written.add(face.box());
   };
@@ -262,7 +263,7 @@ void replace_faces(TreeStore& tree, const Mesh& mesh, std::span<const FaceId> go
   }
   if (tree.blocks[home].count == 0) return;  // all were removed
   grow_block(tree, home, written);
-  while (next_born()) insert_face(tree, TreeFace(tree.frame, mesh, born[next++]), home);
+  while (next_born()) insert_face(tree, TreeFace(tree.frame, mesh, coordinates, born[next++]), home);
 }
 
 void remove_face(TreeStore& tree, FaceId f) {

@@ -103,7 +103,9 @@ std::optional<double> ShearedRay::cross(const Triangle& t) const {
   if (is_left(p[1], p[2]) != left || is_left(p[2], p[0]) != left) return std::nullopt;
   const double a = cross2(p[1], p[2]), b = cross2(p[2], p[0]), c = cross2(p[0], p[1]);
   const double sum = sum_in_order(a, b, c);
-  // A triangle so thin that its area is rounded away is crossed all the same.
+  // Seen along an edge as a point, it lies on no side of it. A triangle so thin that its area is rounded away
+  // is crossed all the same.
+  if (p[0] == p[1] && p[1] == p[2]) return std::nullopt;
   if (sum == 0) return sum_in_order(z[0], z[1], z[2]) / 3 * per_z_;
   return sum_in_order(a * z[0], b * z[1], c * z[2]) / sum * per_z_;
 }

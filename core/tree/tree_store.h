@@ -11,8 +11,11 @@ namespace kerf {
 
 // A face as a tree holds it: corners in floats of the frame, and which vertices they are.
 struct TreeFace {
-  TreeFace(const TreeFrame& frame, const Mesh& mesh, FaceId f) : vertex(mesh.corners(f)), face(f) {
-    const double* coordinates = mesh.coordinates();
+  TreeFace(const TreeFrame& frame, const Mesh& mesh, FaceId f)
+      : TreeFace(frame, mesh, mesh.coordinates(), f) {}
+  // With the mesh's coordinates, for whoever makes many.
+  TreeFace(const TreeFrame& frame, const Mesh& mesh, const double* coordinates, FaceId f)
+      : vertex(mesh.corners(f)), face(f) {
     for (int i = 0; i < 3; ++i) corner[i] = frame.to_floats(coordinates + 3 * size_t{vertex[i].index});
   }
   // A little outward.

@@ -1,0 +1,82 @@
+#include "core/tree/sheared_ray.h"
+
+#include <gtest/gtest.h>
+
+#include "core/tree/aabb_tree.h"
+#include "tests/support/real_meshes.h"
+#include "tests/support/strokes.h"
+
+namespace kerf::test {
+namespace {
+
+TEST(SideOf, is_exact_where_products_round_alike) {
+  const double e = 0x1p-52;
+  // (1 + e)^2 and 1 + 2e round to the same double.
+  EXPECT_EQ(side_of({1 + e, 1 + 2 * e}, {1, 1 + e}), 1);
+  EXPECT_EQ(side_of({1 + 2 * e, 1 + e}, {1 + e, 1}), -1);
+  EXPECT_EQ(side_of({-1 - e, 1 + 2 * e}, {-1, 1 + e}), -1);
+  EXPECT_EQ(side_of({3, 5}, {6, 10}), 0);
+  EXPECT_EQ(side_of({0, 5}, {7, 0}), -1);
+  EXPECT_EQ(side_of({0, 0}, {7, 1}), 0);
+}
+
+TEST(SideOf, is_exact_where_products_underflow_or_overflow) {
+  EXPECT_EQ(side_of({1e-200, 1e-200}, {1e-200, 2e-200}), 1);
+  EXPECT_EQ(side_of({1e-200, 1e-200}, {2e-200, 1e-200}), -1);
+  EXPECT_EQ(side_of({1e200, 1e200}, {2e200, 1e200}), -1);
+  EXPECT_EQ(side_of({5e-324, 1}, {5e-324, 1}), 0);
+  EXPECT_EQ(side_of({5e-324, 0.5}, {5e-324, 0.75}), 1);
+}
+
+TEST(ShearedRay, crosses_a_triangle_at_one_length_however_it_is_turned) {
+  Random random(11);
+  for (int i = 0; i < 1000; ++i) {
+    const Triangle t{random_direction(random), random_direction(random), random_direction(random)};
+    const Vec3 axis = random_direction(random);
+    const ShearedRay ray({(t[0] + t[1] + t[2]) / 3.0 - 2.0 * axis, axis});
+    const auto length = ray.cross(t);
+    EXPECT_EQ(length, ray.cross({t[1], t[2], t[0]}));
+    EXPECT_EQ(length, ray.cross({t[2], t[0], t[1]}));
+  }
+}
+
+TEST(ShearedRay, passes_by_a_triangle_that_it_sees_as_a_point) {
+  const Triangle t{Vec3(1, 0, 1), Vec3(1, 3, 1), Vec3(1, 5, 1)};
+  EXPECT_FALSE(ShearedRay({{0, -9, 0}, {0, 1, 0}}).cross(t));
+  EXPECT_FALSE(ShearedRay({{1, -9, 1}, {0, 1, 0}}).cross(t));
+}
+
+// A ray through a vertex or the middle of an edge goes in as often as out.
+TEST(Crossings, of_real_closed_meshes_are_even_through_every_vertex_and_edge) {
+  const auto files = real_meshes(120000);
+  if (files.empty()) GTEST_SKIP() << kNoRealMeshes;
+  constexpr uint32_t kMostFaces = 12000;  // a mesh, spread over it
+  Random random(12);
+  size_t closed = 0;
+  for (const auto& file : files) {
+    World world = world_of_file(file);
+    const Body& body = only_body(world);
+    if (body.loaded.boundary_edges > 0 || body.loaded.non_manifold_edges > 0) continue;
+    ++closed;
+    const double size = glm::length(body.loaded.max - body.loaded.min);
+    size_t odd = 0;
+    for (uint32_t f = 0; f < body.mesh.face_slots(); f += 1 + body.mesh.face_slots() / kMostFaces) {
+      const Triangle t = body.mesh.triangle(FaceId(f));
+      // Along an axis as well: there the images of many edges lie on the ray.
+      Vec3 along(0);
+      along[static_cast<int>(f % 3)] = 1;
+      for (const Vec3& axis : {random_direction(random), along}) {
+        for (const Vec3& through : {t[0], 0.5 * t[0] + 0.5 * t[1]}) {
+          std::vector<RayHit> hits;
+          body.tree.crossings(body.mesh, {through - 2 * size * axis, axis}, {0, 9 * size}, hits);
+          odd += hits.size() % 2;
+        }
+      }
+    }
+    EXPECT_EQ(odd, 0u) << file;
+  }
+  EXPECT_GT(closed, 3u);
+}
+
+}  // namespace
+}  // namespace kerf::test

@@ -1,0 +1,245 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/mesh/longest_edge.h"
+#include "core/mesh/one_to_four.h"
+#include "core/tree/aabb_tree.h"
+#include "core/tree/sheared_ray.h"
+#include "tests/support/made_meshes.h"
+#include "tests/support/strokes.h"
+
+namespace kerf::test {
+namespace {
+
+// Every box with the boxes below it, from for_each_box's order.
+void expect_boxes_nest(const AabbTree& tree) {
+  std::vector<AabbTree::Box> above;
+  tree.for_each_box([&](const AabbTree::Box& box) {
+    above.resize(static_cast<size_t>(box.depth));
+    if (!above.empty()) {
+      for (int k = 0; k < 3; ++k) {
+        EXPECT_LE(above.back().min[k], box.min[k]);
+        EXPECT_GE(above.back().max[k], box.max[k]);
+      }
+    }
+    above.push_back(box);
+  });
+}
+
+std::vector<RayHit> brute_crossings(const Mesh& mesh, const Pose& ray, Interval range) {
+  const ShearedRay sheared(ray);
+  std::vector<RayHit> hits;
+  for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
+    if (!mesh.is_live(FaceId(f))) continue;
+    const auto length = sheared.cross(mesh.triangle(FaceId(f)));
+    if (length && *length >= range.low && *length <= range.high) hits.push_back({FaceId(f), *length});
+  }
+  std::sort(hits.begin(), hits.end(), [](const RayHit& a, const RayHit& b) {
+    return a.length != b.length ? a.length < b.length : a.face < b.face;
+  });
+  return hits;
+}
+
+// A mesh with a tree for each kind of instructions, edited alike.
+struct Edited {
+  explicit Edited(const Soup& soup)
+      : mesh(build(soup).mesh), sse4(mesh, Simd::kSse4), best(mesh, best_simd()) {
+    const AabbTree::Box all = best.bounds();
+    centre = 0.5 * all.min + 0.5 * all.max;
+    size = glm::length(all.max - all.min);
+  }
+
+  void split(FaceId f) { refinement.split(mesh, f, late); }
+  void bisect(FaceId f) { bisect_longest_edge(mesh, refinement, f, late); }
+  void tell() {
+    for (const auto& r : late) {
+      for (AabbTree* tree : {&sse4, &best})
+        tree->replace(mesh, {r.gone.data(), r.gone_count}, {r.born.data(), r.born_count});
+    }
+    late.clear();
+  }
+  void remove(FaceId f) {
+    const auto element = refinement.element(mesh, f);
+    refinement.forget(mesh, f);
+    for (int k = 0; k < element.face_count; ++k) {
+      for (AabbTree* tree : {&sse4, &best}) tree->remove(element.faces[k]);
+      mesh.remove_face(element.faces[k]);
+    }
+  }
+
+  Mesh mesh;
+  OneToFour refinement;
+  AabbTree sse4, best;
+  std::vector<Replacement> late;
+  Vec3 centre;
+  double size;
+};
+
+void expect_answers_as_brute_force(Edited& e, Random& random) {
+  const Interval range{0.1 * e.size, 1.8 * e.size};
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 axis = random_direction(random), sideways = random_direction(random);
+    std::vector<Pose> rays;
+    for (int r = 0; r < 1 + i % 4; ++r) {
+      const Vec3 at = e.centre + 0.2 * e.size * random_direction(random) + 0.01 * r * e.size * sideways;
+      rays.push_back({at - e.size * axis, axis});
+    }
+    std::vector<std::vector<RayHit>> one(rays.size()), many(rays.size()), other(rays.size());
+    e.best.crossings(e.mesh, rays, range, many);
+    e.sse4.crossings(e.mesh, rays, range, other);
+    for (size_t r = 0; r < rays.size(); ++r) {
+      e.best.crossings(e.mesh, rays[r], range, one[r]);
+      const std::vector<RayHit> brute = brute_crossings(e.mesh, rays[r], range);
+      ASSERT_EQ(one[r], brute);
+      ASSERT_EQ(many[r], brute);
+      ASSERT_EQ(other[r], brute);
+      const auto nearest = e.best.nearest(e.mesh, rays[r], range);
+      ASSERT_EQ(nearest, e.sse4.nearest(e.mesh, rays[r], range));
+      ASSERT_EQ(nearest, brute.empty() ? std::nullopt : std::optional(brute.front()));
+    }
+    const SweptCylinder beam(rays[0], {rays[0].origin + 0.2 * e.size * sideways, axis}, 0.03 * e.size, range);
+    std::vector<FaceId> found, found_sse4, brute;
+    e.best.touched(e.mesh, beam, found);
+    e.sse4.touched(e.mesh, beam, found_sse4);
+    ASSERT_EQ(found, found_sse4) << "in another order";
+    for (uint32_t f = 0; f < e.mesh.face_slots(); ++f) {
+      if (e.mesh.is_live(FaceId(f)) && beam.touches(e.mesh.triangle(FaceId(f)))) brute.emplace_back(f);
+    }
+    std::sort(found.begin(), found.end());
+    ASSERT_EQ(found, brute);
+  }
+}
+
+// Splits are told late, several at a time and one within another, among removals.
+TEST(TreeEdits, all_queries_equal_brute_force_and_each_other_after_random_edits) {
+  for (const uint64_t seed : {61u, 62u, 63u}) {
+    for (const auto& [name, soup] : mesh_classes()) {
+      SCOPED_TRACE(name + ", seed " + std::to_string(seed));
+      Edited e(soup);
+      Random random(seed);
+      for (int round = 0; round < 8 && e.mesh.live_faces() > 0; ++round) {
+        for (int i = 0; i < 12; ++i) {
+          const FaceId f(static_cast<uint32_t>(random.below(e.mesh.face_slots())));
+          if (!e.mesh.is_live(f)) continue;
+          if (random.below(4) > 0 && e.mesh.data(f).halvings < 18 && e.refinement.can_split(e.mesh, f)) {
+            random.below(2) > 0 ? e.split(f) : e.bisect(f);
+          } else {
+            e.tell();
+            e.remove(f);
+          }
+        }
+        e.tell();
+        ASSERT_EQ(e.best.leaf_count(), e.mesh.live_faces());
+        expect_boxes_nest(e.best);
+        ASSERT_NO_FATAL_FAILURE(expect_answers_as_brute_force(e, random));
+      }
+    }
+  }
+}
+
+// Down to a ten-millionth of the mesh, around one point.
+TEST(TreeEdits, finds_faces_of_a_ten_millionth_of_the_mesh) {
+  Edited e(sphere(9, 14, 0.5));
+  Random random(71);
+  const Pose ray{{0.11, 2, 0.07}, {0, -1, 0}};
+  const Interval range{0, 2};  // the upper side
+  for (int level = 0; level < 22; ++level) {
+    std::vector<RayHit> hits;
+    e.best.crossings(e.mesh, ray, range, hits);
+    ASSERT_EQ(hits.size(), 1u) << "level " << level;
+    ASSERT_EQ(hits, brute_crossings(e.mesh, ray, range));
+    std::vector<FaceId> found;
+    const SweptCylinder line(ray, ray, 0, range);
+    e.best.touched(e.mesh, line, found);
+    ASSERT_TRUE(std::find(found.begin(), found.end(), hits[0].face) != found.end()) << "level " << level;
+    if (!e.refinement.can_split(e.mesh, hits[0].face)) break;
+    e.split(hits[0].face);
+    e.tell();
+  }
+  std::vector<RayHit> hits;
+  e.best.crossings(e.mesh, ray, range, hits);
+  ASSERT_EQ(hits.size(), 1u);
+  EXPECT_LT(longest_edge2(e.mesh.triangle(hits[0].face)), 1e-14);
+}
+
+// The first replacement is told when its faces have been split again, so its boxes are too small for the
+// last.
+TEST(TreeEdits, boxes_grow_when_a_replacement_is_told_late) {
+  Edited e(plate(1));
+  const double width = e.best.bounds().max.x - e.best.bounds().min.x;
+  for (int i = 0; i < 40; ++i) e.split(FaceId(0));  // the slot of a part that gets smaller and smaller
+  e.tell();
+  EXPECT_EQ(e.best.bounds().max.x - e.best.bounds().min.x, width);
+  expect_boxes_nest(e.best);
+  size_t faces = 0;
+  std::vector<FaceId> found;
+  const Pose above{{0, 1, 0}, {0, -1, 0}};
+  e.best.touched(e.mesh, SweptCylinder(above, above, 3, {0, 9}), found);
+  faces = found.size();
+  EXPECT_EQ(faces, e.mesh.live_faces());
+}
+
+TEST(TreeEdits, every_box_shrinks_to_its_leaves_after_removals) {
+  Edited e(grid(12, 1));
+  Random random(81);
+  while (e.mesh.live_faces() > 30) {
+    const FaceId f(static_cast<uint32_t>(random.below(e.mesh.face_slots())));
+    if (e.mesh.is_live(f)) e.remove(f);
+  }
+  // What is left of a box is not wider than the leaves in it.
+  std::vector<AabbTree::Box> boxes;
+  e.best.for_each_box([&](const AabbTree::Box& box) { boxes.push_back(box); });
+  for (size_t i = 0; i < boxes.size(); ++i) {
+    if (boxes[i].leaf) continue;
+    Vec3 low(1e9), high(-1e9);
+    for (size_t j = i + 1; j < boxes.size() && boxes[j].depth > boxes[i].depth; ++j) {
+      low = glm::min(low, boxes[j].min);
+      high = glm::max(high, boxes[j].max);
+    }
+    EXPECT_EQ(boxes[i].min, low);
+    EXPECT_EQ(boxes[i].max, high);
+  }
+}
+
+// The same mesh with other positions stands for one whose vertices have moved.
+TEST(TreeEdits, finds_faces_where_they_moved_to_after_a_refit) {
+  Soup soup = grid(10, 1);
+  const Mesh before = build(soup).mesh;
+  AabbTree tree(before);
+  Random random(91);
+  for (Vec3& p : soup.positions) p += 0.3 * random_direction(random);
+  const Mesh after = build(soup).mesh;
+  ASSERT_EQ(after.face_slots(), before.face_slots());
+  std::vector<FaceId> faces;
+  for (uint32_t f = 0; f < after.face_slots(); ++f) faces.emplace_back(f);
+  tree.refit(after, faces);
+  expect_boxes_nest(tree);
+  for (int i = 0; i < 200; ++i) {
+    const Pose ray{Vec3(random.uniform(-1, 1), 2, random.uniform(-1, 1)), {0, -1, 0}};
+    std::vector<RayHit> hits;
+    tree.crossings(after, ray, {0, 9}, hits);
+    ASSERT_EQ(hits, brute_crossings(after, ray, {0, 9}));
+  }
+}
+
+TEST(TreeEdits, bytes_grow_with_the_tree) {
+  const Edited small(grid(4, 1)), large(grid(40, 1));
+  EXPECT_GT(small.best.bytes(), 32 * small.best.leaf_count());
+  EXPECT_GT(large.best.bytes(), 50 * large.best.leaf_count());
+  EXPECT_LT(large.best.bytes(), 120 * large.best.leaf_count());
+}
+
+TEST(TreeEdits, a_copy_is_a_tree_of_its_own) {
+  Edited e(grid(6, 1));
+  const AabbTree copy = e.best;
+  const size_t leaves = copy.leaf_count();
+  for (uint32_t f = 0; f < 20; f += 2) e.best.remove(FaceId(f));
+  EXPECT_EQ(copy.leaf_count(), leaves);
+  size_t shown = 0;
+  copy.for_each_box([&](const AabbTree::Box& box) { shown += box.leaf; });
+  EXPECT_EQ(shown, leaves);
+}
+
+}  // namespace
+}  // namespace kerf::test

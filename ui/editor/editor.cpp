@@ -87,6 +87,7 @@ Editor::Editor(Window window, Renderer renderer, LoadedSettings loaded)
     : window_(std::move(window)), gui_(window_), picture_(std::move(renderer)), saved_(loaded.settings) {
   state_.settings = std::move(loaded.settings);
   state_.look.antialias = state_.settings.antialias;
+  state_.look.show.shadows = true;
   dress();
 }
 

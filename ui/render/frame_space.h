@@ -4,9 +4,9 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "core/base/float_frame.h"
 #include "core/world/placement.h"
 #include "ui/render/camera.h"
-#include "ui/render/float_frame.h"
 
 namespace kerf {
 

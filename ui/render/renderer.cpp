@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "ui/render/seen_light.h"
+
 namespace kerf {
 
 namespace {
@@ -11,30 +13,11 @@ constexpr int kSamples = 4;
 // among others.
 constexpr uint32_t kLeastWhiteHot = 6;
 
-// Which of the four programs of bodies.
-constexpr size_t kWire = 1, kSpot = 2;
-
 }  // namespace
 
-Result<Renderer::BodyPrograms> Renderer::load_bodies(const std::filesystem::path& shaders) {
-  BodyPrograms programs;
-  for (size_t i = 0; i < programs.size(); ++i) {
-    gl::ProgramFiles files{{"frame.glsl", "placed.glsl", "body.vert"},
-                           {"frame.glsl", "light.glsl", "body.frag"}};
-    if (i & kWire) files.defines.emplace_back("WIRE");
-    if (i & kSpot) files.defines.emplace_back("SPOT");
-    auto program = gl::Program::load(shaders, files);
-    if (!program) return program.error();
-    program->bind_block("Frame", kFrameBlock);
-    program->bind_block("Paints", kPaintBlock);
-    programs[i] = std::move(*program);
-  }
-  return programs;
-}
-
 Result<Renderer::Passes> Renderer::load_passes(const std::filesystem::path& shaders) {
-  auto ground = GroundPass::create(shaders);
-  if (!ground) return ground.error();
+  auto scene = LitScene::create(shaders);
+  if (!scene) return scene.error();
   auto bloom = BloomPass::create(shaders);
   if (!bloom) return bloom.error();
   auto beam = BeamPass::create(shaders);
@@ -47,35 +30,27 @@ Result<Renderer::Passes> Renderer::load_passes(const std::filesystem::path& shad
   if (!outline) return outline.error();
   auto numbers = FaceNumbers::create(shaders);
   if (!numbers) return numbers.error();
-  return Passes{std::move(*ground), std::move(*bloom),   std::move(*beam),   std::move(*lines),
-                std::move(*veil),   std::move(*outline), std::move(*numbers)};
+  return Passes{std::move(*scene), std::move(*bloom),   std::move(*beam),   std::move(*lines),
+                std::move(*veil),  std::move(*outline), std::move(*numbers)};
 }
 
 Result<Renderer> Renderer::create() {
-  const std::filesystem::path shaders = std::filesystem::path(KERF_ASSETS) / "shaders";
-  auto body = load_bodies(shaders);
-  if (!body) return body.error();
-  auto sky = gl::Program::load(shaders, {{"screen.vert"}, {"frame.glsl", "light.glsl", "sky.frag"}});
-  if (!sky) return sky.error();
-  auto passes = load_passes(shaders);
+  auto passes = load_passes(std::filesystem::path(KERF_ASSETS) / "shaders");
   if (!passes) return passes.error();
-  return Renderer(std::move(*body), std::move(*sky), std::move(*passes));
-}
-
-Renderer::Renderer(BodyPrograms bodies, gl::Program sky, Passes passes)
-    : body_(std::move(bodies)), sky_(std::move(sky)), passes_(std::move(passes)) {
-  sky_.bind_block("Frame", kFrameBlock);
+  return Renderer(std::move(*passes));
 }
 
 void Renderer::show(const World& world, const std::map<std::string, Paint>& paints) {
   bodies_.clear();
   passes_.lines.forget();
+  passes_.scene.shadows().forget();
   contact_old_ = true;
   for (const BodyId id : world.ids()) bodies_.emplace(id, BodyPicture(world.body(id), paints));
   const World::Bounds bounds = world.bounds();
   const double diagonal = bounds.diagonal();
+  middle_ = bounds.min + (bounds.max - bounds.min) * 0.5;
   space_.unit = diagonal > 0 && std::isfinite(diagonal) ? std::ldexp(1.0, std::ilogb(diagonal)) : 1;
-  passes_.ground.place_under(bounds);
+  passes_.scene.ground().place_under(bounds);
 }
 
 void Renderer::follow(const Delta& delta) {
@@ -83,6 +58,7 @@ void Renderer::follow(const Delta& delta) {
     const auto found = bodies_.find(d.body);
     if (found != bodies_.end()) found->second.faces().follow(d);
   }
+  passes_.scene.shadows().follow(delta);
   if (delta.empty()) return;
   contact_old_ = true;
   passes_.lines.forget();
@@ -92,6 +68,7 @@ void Renderer::resend(const World& world) {
   for (auto& [id, picture] : bodies_) {
     if (world.contains(id)) picture.faces().forget_all(world.body(id).mesh);
   }
+  passes_.scene.shadows().resend(world);
   contact_old_ = true;
   passes_.lines.forget();
 }
@@ -129,7 +106,9 @@ void Renderer::set_up(const CameraView& view, const ViewOptions& options,
                       const std::optional<BeamPicture>& beam, const Target& target) {
   space_.eye = view.eye;
   FrameUniforms& frame = frame_ = uniforms_of(view, space_, target.width, target.height);
-  passes_.ground.fill_in(frame, space_);
+  passes_.scene.ground().fill_in(frame, space_);
+  const Light key = options.lights.empty() ? Light{} : options.lights.front();
+  frame.key_light = glm::vec4(glm::vec3(direction_to(key, middle_)), 0);
   if (beam) BeamPass::fill_in(frame, space_, *beam);
   frame.heat = {white_hot_, options.level_colours && white_hot_ > 0 ? 1 : 0, options.show.pieces ? 1 : 0,
                 options.two_sided ? 1 : 0};
@@ -152,24 +131,6 @@ void Renderer::draw_bodies(const World& world, const gl::Program& program) const
   for (const auto& [id, picture] : bodies_) {
     if (world.contains(id)) picture.draw(program, space_, world.body(id).placement);
   }
-}
-
-void Renderer::draw_scene(const World& world, const ViewOptions& options, bool spot) {
-  canvases_[canvas_].drawn->bind();
-  glClear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LESS);
-  const bool edges = options.show.wire || options.show.face_numbers;
-  const gl::Program& body = body_[(edges ? kWire : 0) + (spot ? kSpot : 0)];
-  if (options.cull_backs) glEnable(GL_CULL_FACE);
-  body.use();
-  draw_bodies(world, body);
-  glDisable(GL_CULL_FACE);
-  passes_.ground.draw(space_, spot, [&](const gl::Program& program) { draw_bodies(world, program); });
-  glDepthFunc(GL_LEQUAL);
-  sky_.use();
-  glBindVertexArray(no_vertices_.name());
-  glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 void Renderer::draw_overlays(const Subject& subject, const CameraView& view,
@@ -214,11 +175,13 @@ void Renderer::draw(const World& world, const CameraView& view, const ViewOption
   choose_canvas(target, options.antialias);
   set_up(view, options, beam, target);
   if (contact_old_) {
-    passes_.ground.update_contact(space_, [&](const gl::Program& program) { draw_bodies(world, program); });
+    passes_.scene.ground().update_contact(space_,
+                                          [&](const gl::Program& program) { draw_bodies(world, program); });
     contact_old_ = false;
   }
-  draw_scene(world, options, beam && beam->strike);
-  draw_overlays({world, bodies_, space_, options}, view, beam);
+  const Subject subject{world, bodies_, space_, options};
+  passes_.scene.draw(subject, beam && beam->strike, *canvases_[canvas_].drawn);
+  draw_overlays(subject, view, beam);
   shining_ = beam || (options.level_colours && white_hot_ > 0);
   hand_over(target);
 }

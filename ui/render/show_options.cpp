@@ -12,14 +12,15 @@ struct Name {
 };
 
 constexpr std::array kOffered{
-    Name{"aabb", &ShowOptions::aabb},     Name{"aabb-hit", &ShowOptions::aabb_hit},
-    Name{"wire", &ShowOptions::wire},     Name{"face-numbers", &ShowOptions::face_numbers},
-    Name{"pieces", &ShowOptions::pieces}, Name{"normals", &ShowOptions::normals},
+    Name{"aabb", &ShowOptions::aabb},       Name{"aabb-hit", &ShowOptions::aabb_hit},
+    Name{"wire", &ShowOptions::wire},       Name{"face-numbers", &ShowOptions::face_numbers},
+    Name{"pieces", &ShowOptions::pieces},   Name{"normals", &ShowOptions::normals},
+    Name{"shadows", &ShowOptions::shadows},
 };
 
 // Names of the interface that this version cannot draw.
-constexpr std::array<std::string_view, 6> kLater{"graph",          "heat",           "silhouette",
-                                                 "shadow-volumes", "shadow-stencil", "shadows"};
+constexpr std::array<std::string_view, 5> kLater{"graph", "heat", "silhouette", "shadow-volumes",
+                                                 "shadow-stencil"};
 
 std::string_view trimmed(std::string_view word) {
   const size_t first = word.find_first_not_of(" \t");

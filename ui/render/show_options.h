@@ -15,6 +15,7 @@ struct ShowOptions {
   bool face_numbers = false;  // of faces that live, and in red of those that are gone
   bool pieces = false;        // each piece in a strong colour of its own
   bool normals = false;       // a short line from the middle of every face
+  bool shadows = false;       // of everything on everything; otherwise only on the ground
   friend bool operator==(const ShowOptions&, const ShowOptions&) = default;
 };
 

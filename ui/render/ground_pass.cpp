@@ -110,13 +110,17 @@ void GroundPass::blur_contact() {
 }
 
 void GroundPass::draw(const FrameSpace& space, bool spot) const {
-  if (space.eye.y <= height_) return;
   const gl::Program& disc = spot ? spot_disc_ : disc_;
   disc.use();
   disc.set("contact", 0);
   disc.set("contact_place", contact_place(space));
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, picture_.colour_texture());
+  draw_disc(space);
+}
+
+void GroundPass::draw_disc(const FrameSpace& space) const {
+  if (space.eye.y <= height_) return;
   glBindVertexArray(no_vertices_.name());
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
@@ -141,12 +145,10 @@ bool GroundPass::project_shadow(const FrameSpace& space, const glm::vec4& light,
 }
 
 void GroundPass::add_light(const FrameSpace& space, const glm::vec4& light, const glm::vec4& colour) const {
-  if (space.eye.y <= height_) return;
   direct_.use();
   direct_.set("light", light);
   direct_.set("light_colour", colour);
-  glBindVertexArray(no_vertices_.name());
-  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  draw_disc(space);
 }
 
 }  // namespace kerf

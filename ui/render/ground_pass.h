@@ -26,6 +26,8 @@ class GroundPass {
   // After the bodies and before the sky: the ground without lights. `spot`: whether the beam lights it up.
   // Nothing is drawn for an eye under the ground.
   void draw(const FrameSpace& space, bool spot) const;
+  // Its shape alone, for a program of ground.vert in use.
+  void draw_disc(const FrameSpace& space) const;
   // What a light adds to it, in the uniforms of direct.glsl; where it was drawn it is drawn to the bit.
   void add_light(const FrameSpace& space, const glm::vec4& light, const glm::vec4& colour) const;
 

@@ -68,7 +68,7 @@ Result<LitScene> LitScene::create(const std::filesystem::path& shaders) {
   if (!bodies) return bodies.error();
   auto sky = gl::Program::load(shaders, {{"screen.vert"}, {"frame.glsl", "light.glsl", "sky.frag"}});
   if (!sky) return sky.error();
-  auto darken = gl::Program::load(shaders, {{"screen.vert"}, {"darken.frag"}});
+  auto darken = gl::Program::load(shaders, {{"screen.vert"}, {"solid.frag"}});
   if (!darken) return darken.error();
   auto ground = GroundPass::create(shaders);
   if (!ground) return ground.error();
@@ -138,7 +138,7 @@ void LitScene::darken_shadows(const Subject& subject, size_t wire) {
   glEnable(GL_BLEND);
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
   darken_.use();
-  darken_.set("opacity", kPaperDark);
+  darken_.set("colour", glm::vec4(0, 0, 0, kPaperDark));
   glBindVertexArray(no_vertices_.name());
   glDrawArrays(GL_TRIANGLES, 0, 3);
   begin_adding();

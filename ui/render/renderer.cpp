@@ -13,6 +13,15 @@ constexpr int kSamples = 4;
 // among others.
 constexpr uint32_t kLeastWhiteHot = 6;
 
+void set_plain_state() {
+  glDisable(GL_BLEND);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_SCISSOR_TEST);
+  glDisable(GL_STENCIL_TEST);
+  glDepthMask(GL_TRUE);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
 }  // namespace
 
 Result<Renderer::Passes> Renderer::load_passes(const std::filesystem::path& shaders) {
@@ -30,8 +39,10 @@ Result<Renderer::Passes> Renderer::load_passes(const std::filesystem::path& shad
   if (!outline) return outline.error();
   auto numbers = FaceNumbers::create(shaders);
   if (!numbers) return numbers.error();
-  return Passes{std::move(*scene), std::move(*bloom),   std::move(*beam),   std::move(*lines),
-                std::move(*veil),  std::move(*outline), std::move(*numbers)};
+  auto probe = ShadowProbe::create(shaders);
+  if (!probe) return probe.error();
+  return Passes{std::move(*scene), std::move(*bloom),   std::move(*beam),    std::move(*lines),
+                std::move(*veil),  std::move(*outline), std::move(*numbers), std::move(*probe)};
 }
 
 Result<Renderer> Renderer::create() {
@@ -102,10 +113,20 @@ void Renderer::update_looks(const ViewOptions& options) {
   }
 }
 
-void Renderer::set_up(const CameraView& view, const ViewOptions& options,
+double Renderer::near_of(const World& world, const CameraView& view, const ViewOptions& options) {
+  World::Bounds drawn = world.bounds();
+  double moved = 0;
+  for (const auto& [key, look] : options.pieces) moved = std::max(moved, glm::length(look.offset));
+  drawn.min -= moved;
+  drawn.max += moved;
+  return near_plane(view, drawn, passes_.scene.ground().height());
+}
+
+void Renderer::set_up(const World& world, const CameraView& view, const ViewOptions& options,
                       const std::optional<BeamPicture>& beam, const Target& target) {
   space_.eye = view.eye;
-  FrameUniforms& frame = frame_ = uniforms_of(view, space_, target.width, target.height);
+  FrameUniforms& frame = frame_ =
+      uniforms_of(view, near_of(world, view, options), space_, target.width, target.height);
   passes_.scene.ground().fill_in(frame, space_);
   const Light key = options.lights.empty() ? Light{} : options.lights.front();
   frame.key_light = glm::vec4(glm::vec3(direction_to(key, middle_)), 0);
@@ -141,7 +162,10 @@ void Renderer::draw_overlays(const Subject& subject, const CameraView& view,
   for_each_body(subject, [&](BodyId id, const Body& body, const BodyPicture& p) {
     passes_.lines.draw(id, body, p.faces().frame(), space_, frame_.clip_from_frame, options);
   });
+  // The beam may begin before the near plane.
+  glEnable(GL_DEPTH_CLAMP);
   if (beam) passes_.beam.draw(view, space_, *beam, picture.shape().height);
+  glDisable(GL_DEPTH_CLAMP);
   if (options.ghost && !options.show.face_numbers) passes_.veil.draw(subject, VeilPass::Style::kVeil);
   passes_.outline.draw(subject, picture);
   if (options.show.face_numbers) passes_.numbers.draw(subject, frame_, picture);
@@ -162,18 +186,37 @@ void Renderer::hand_over(const Target& target) {
   glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
 }
 
+ShadowCounts Renderer::shadow_counts(const World& world, const CameraView& view, const ViewOptions& options,
+                                     size_t light, ShadowMethod method, bool ground, int width, int height) {
+  set_plain_state();
+  catch_up(world);
+  update_looks(options);
+  set_up(world, view, options, std::nullopt, {0, 0, 0, width, height});
+  LitScene& scene = passes_.scene;
+  return passes_.probe.look({world, bodies_, space_, options}, scene.shadows(), light, method,
+                            ground ? &scene.ground() : nullptr, width, height);
+}
+
+ShadowReference Renderer::shadow_reference(const World& world, const CameraView& view,
+                                           const ViewOptions& options, size_t light, bool ground, int width,
+                                           int height) {
+  const std::optional<double> floor = ground ? std::optional(passes_.scene.ground().height()) : std::nullopt;
+  return {rays_through({world, bodies_, space_, options}),
+          view,
+          near_of(world, view, options),
+          options.lights[light],
+          floor,
+          width,
+          height};
+}
+
 void Renderer::draw(const World& world, const CameraView& view, const ViewOptions& options,
                     const std::optional<BeamPicture>& beam, const Target& target) {
-  glDisable(GL_BLEND);
-  glDisable(GL_CULL_FACE);
-  glDisable(GL_SCISSOR_TEST);
-  glDisable(GL_STENCIL_TEST);
-  glDepthMask(GL_TRUE);
-  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  set_plain_state();
   catch_up(world);
   update_looks(options);
   choose_canvas(target, options.antialias);
-  set_up(view, options, beam, target);
+  set_up(world, view, options, beam, target);
   if (contact_old_) {
     passes_.scene.ground().update_contact(space_,
                                           [&](const gl::Program& program) { draw_bodies(world, program); });

@@ -18,6 +18,8 @@
 #include "ui/render/line_overlay.h"
 #include "ui/render/lit_scene.h"
 #include "ui/render/outline_pass.h"
+#include "ui/render/shadow_probe.h"
+#include "ui/render/shadow_reference.h"
 #include "ui/render/veil_pass.h"
 #include "ui/render/view_options.h"
 
@@ -55,6 +57,15 @@ class Renderer {
   // Hands over the last picture once more; false where there is none of this size.
   bool draw_again(const Target& target);
 
+  // How the shadow of a light of the options falls on the pixels of a view, seen with one sample and, where
+  // asked for, with the ground.
+  ShadowCounts shadow_counts(const World& world, const CameraView& view, const ViewOptions& options,
+                             size_t light, ShadowMethod method, bool ground, int width, int height);
+
+  // The same by rays, none of which is traced yet.
+  ShadowReference shadow_reference(const World& world, const CameraView& view, const ViewOptions& options,
+                                   size_t light, bool ground, int width, int height);
+
   // What shadows cost since the renderer was made.
   ShadowWork shadow_work() const { return passes_.scene.shadows().work(); }
 
@@ -71,13 +82,15 @@ class Renderer {
     VeilPass veil;
     OutlinePass outline;
     FaceNumbers numbers;
+    ShadowProbe probe;
   };
   static Result<Passes> load_passes(const std::filesystem::path& shaders);
   explicit Renderer(Passes passes) : passes_(std::move(passes)) {}
 
   void update_looks(const ViewOptions& options);
-  void set_up(const CameraView& view, const ViewOptions& options, const std::optional<BeamPicture>& beam,
-              const Target& target);
+  double near_of(const World& world, const CameraView& view, const ViewOptions& options);
+  void set_up(const World& world, const CameraView& view, const ViewOptions& options,
+              const std::optional<BeamPicture>& beam, const Target& target);
   void draw_bodies(const World& world, const gl::Program& program) const;
   void choose_canvas(const Target& target, bool antialias);
   void draw_overlays(const Subject& subject, const CameraView& view, const std::optional<BeamPicture>& beam);

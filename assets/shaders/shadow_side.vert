@@ -7,6 +7,9 @@ uniform int vertices_of_side;  // 6, or 3 where all points at infinity are one
 uniform float reach;           // how far it is extruded, frame units; 0: without end
 
 invariant gl_Position;
+#ifdef SHEET
+out float far;
+#endif
 
 vec4 pushed(vec3 at) {
   vec3 away = away_from_light(at);
@@ -22,6 +25,9 @@ void main() {
     gl_Position = kNowhere;
     return;
   }
+#ifdef SHEET
+  far = which == 2 || which > 3 ? 1.0 : 0.0;
+#endif
   vec3 u = placed(multiplicity > 0 ? low : high, look), v = placed(multiplicity > 0 ? high : low, look);
   if (which == 0 || which == 3) {
     gl_Position = clip_from_frame * vec4(v, 1.0);

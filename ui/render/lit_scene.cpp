@@ -12,6 +12,8 @@ constexpr float kPaperDark = 0.5f;  // how black the paper's quad is
 
 bool shows_edges(const ViewOptions& options) { return options.show.wire || options.show.face_numbers; }
 
+bool casts_shadows(const ViewOptions& options) { return options.show.shadows || options.show.shadow_compare; }
+
 void draw_bodies(const Subject& subject, const gl::Program& program) {
   for_each_body(subject, [&](BodyId, const Body& body, const BodyPicture& picture) {
     picture.draw(program, subject.space, body.placement);
@@ -120,7 +122,7 @@ void LitScene::add_direct(const Subject& subject, size_t light) const {
   body.set("light_colour", colour);
   draw_bodies(subject, body);
   glDisable(GL_CULL_FACE);
-  const bool projected = !subject.options.show.shadows &&
+  const bool projected = !casts_shadows(subject.options) &&
                          ground_.project_shadow(subject.space, place, [&](const gl::Program& program) {
                            draw_bodies(subject, program);
                          });
@@ -165,14 +167,14 @@ void LitScene::add_shadowed(const Subject& subject, size_t light, ShadowMethod m
 
 void LitScene::add_light(const Subject& subject, size_t light) {
   const ShadowOptions& shadow = subject.options.shadow;
-  if (!shadow.beside) return add_shadowed(subject, light, shadow.method);
+  if (!subject.options.show.shadow_compare) return add_shadowed(subject, light, shadow.method);
   const int w = linear_->shape().width, h = linear_->shape().height;
   const int split = static_cast<int>(std::clamp(shadow.split, 0.0, 1.0) * w);
   glEnable(GL_SCISSOR_TEST);
   glScissor(0, 0, split, h);
   add_shadowed(subject, light, shadow.method);
   glScissor(split, 0, w - split, h);
-  add_shadowed(subject, light, *shadow.beside);
+  add_shadowed(subject, light, shadow.beside);
   glDisable(GL_SCISSOR_TEST);
 }
 
@@ -186,7 +188,7 @@ void LitScene::draw(const Subject& subject, bool spot, const gl::Framebuffer& ca
   linear_->bind();
   draw_without_lights(subject, spot);
   const size_t lights = std::min(subject.options.lights.size(), kMostLights);
-  const bool shadowed = subject.options.show.shadows;
+  const bool shadowed = casts_shadows(subject.options);
   for (size_t i = 0; i < lights; ++i) {
     if (!shadowed || subject.options.shadow.paper_look) add_direct(subject, i);
   }

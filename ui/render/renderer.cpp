@@ -41,8 +41,13 @@ Result<Renderer::Passes> Renderer::load_passes(const std::filesystem::path& shad
   if (!numbers) return numbers.error();
   auto probe = ShadowProbe::create(shaders);
   if (!probe) return probe.error();
-  return Passes{std::move(*scene), std::move(*bloom),   std::move(*beam),    std::move(*lines),
-                std::move(*veil),  std::move(*outline), std::move(*numbers), std::move(*probe)};
+  auto shadow_overlay = ShadowOverlay::create(shaders);
+  if (!shadow_overlay) return shadow_overlay.error();
+  auto reference = ReferencePass::create(shaders);
+  if (!reference) return reference.error();
+  return Passes{std::move(*scene),          std::move(*bloom),    std::move(*beam),    std::move(*lines),
+                std::move(*veil),           std::move(*outline),  std::move(*numbers), std::move(*probe),
+                std::move(*shadow_overlay), std::move(*reference)};
 }
 
 Result<Renderer> Renderer::create() {
@@ -158,6 +163,7 @@ void Renderer::draw_overlays(const Subject& subject, const CameraView& view,
                              const std::optional<BeamPicture>& beam) {
   const ViewOptions& options = subject.options;
   const gl::Framebuffer& picture = *canvases_[canvas_].drawn;
+  passes_.shadow_overlay.draw(subject, passes_.scene.shadows(), passes_.numbers, picture);
   if (options.show.face_numbers) passes_.veil.draw(subject, VeilPass::Style::kRed);
   for_each_body(subject, [&](BodyId id, const Body& body, const BodyPicture& p) {
     passes_.lines.draw(id, body, p.faces().frame(), space_, frame_.clip_from_frame, options);
@@ -169,6 +175,34 @@ void Renderer::draw_overlays(const Subject& subject, const CameraView& view,
   if (options.ghost && !options.show.face_numbers) passes_.veil.draw(subject, VeilPass::Style::kVeil);
   passes_.outline.draw(subject, picture);
   if (options.show.face_numbers) passes_.numbers.draw(subject, frame_, picture);
+  if (options.show.shadow_compare) draw_comparison(subject, picture);
+}
+
+// A line where the two methods meet, and beside it the number of pixels on which they differ.
+void Renderer::draw_comparison(const Subject& subject, const gl::Framebuffer& picture) {
+  const ShadowOptions& shadow = subject.options.shadow;
+  const size_t lights = std::min(subject.options.lights.size(), kMostLights);
+  if (lights == 0) return;
+  const int w = picture.shape().width, h = picture.shape().height;
+  const auto counted = [&](ShadowMethod method) {
+    return passes_.probe.look(subject, passes_.scene.shadows(), std::min(shadow.inspected, lights - 1),
+                              method, &passes_.scene.ground(), w, h);
+  };
+  const ShadowCounts one = counted(shadow.method);
+  differing_ = kerf::differing_pixels(one, counted(shadow.beside));
+  picture.bind();
+  const int zoom = 1 + h / 700, split = static_cast<int>(std::clamp(shadow.split, 0.0, 1.0) * w);
+  glEnable(GL_SCISSOR_TEST);
+  for (const bool dark : {true, false}) {
+    const int wide = (dark ? 4 : 2) * zoom;
+    glScissor(split - wide / 2, 0, wide, h);
+    if (dark) glClearColor(0.03f, 0.035f, 0.04f, 0);
+    if (!dark) glClearColor(0.90f, 0.92f, 0.94f, 0);
+    glClear(GL_COLOR_BUFFER_BIT);
+  }
+  glDisable(GL_SCISSOR_TEST);
+  passes_.numbers.draw_labels(
+      {{static_cast<uint32_t>(differing_), false, glm::vec2(split + 8 * zoom, h - 20 * zoom), {}}}, 2 * zoom);
 }
 
 void Renderer::hand_over(const Target& target) {
@@ -208,6 +242,13 @@ ShadowReference Renderer::shadow_reference(const World& world, const CameraView&
           floor,
           width,
           height};
+}
+
+void Renderer::draw_reference(const ShadowReference& traced, const ShadowCounts& drawn,
+                              const Target& target) const {
+  glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
+  glViewport(target.x, target.y, target.width, target.height);
+  passes_.reference.draw(traced, drawn);
 }
 
 void Renderer::draw(const World& world, const CameraView& view, const ViewOptions& options,

@@ -18,6 +18,8 @@
 #include "ui/render/line_overlay.h"
 #include "ui/render/lit_scene.h"
 #include "ui/render/outline_pass.h"
+#include "ui/render/reference_pass.h"
+#include "ui/render/shadow_overlay.h"
 #include "ui/render/shadow_probe.h"
 #include "ui/render/shadow_reference.h"
 #include "ui/render/veil_pass.h"
@@ -66,6 +68,12 @@ class Renderer {
   ShadowReference shadow_reference(const World& world, const CameraView& view, const ViewOptions& options,
                                    size_t light, bool ground, int width, int height);
 
+  // Lays what rays found over a picture of the same size that was just drawn to `target`.
+  void draw_reference(const ShadowReference& traced, const ShadowCounts& drawn, const Target& target) const;
+
+  // Of the last picture that compared two methods: pixels that are lit with one of them alone.
+  size_t differing_pixels() const { return differing_; }
+
   // What shadows cost since the renderer was made.
   ShadowWork shadow_work() const { return passes_.scene.shadows().work(); }
 
@@ -83,6 +91,8 @@ class Renderer {
     OutlinePass outline;
     FaceNumbers numbers;
     ShadowProbe probe;
+    ShadowOverlay shadow_overlay;
+    ReferencePass reference;
   };
   static Result<Passes> load_passes(const std::filesystem::path& shaders);
   explicit Renderer(Passes passes) : passes_(std::move(passes)) {}
@@ -94,6 +104,7 @@ class Renderer {
   void draw_bodies(const World& world, const gl::Program& program) const;
   void choose_canvas(const Target& target, bool antialias);
   void draw_overlays(const Subject& subject, const CameraView& view, const std::optional<BeamPicture>& beam);
+  void draw_comparison(const Subject& subject, const gl::Framebuffer& picture);
   void hand_over(const Target& target);
   void find_white_hot();
 
@@ -115,6 +126,7 @@ class Renderer {
   bool contact_old_ = true;
   bool shining_ = false;  // the last picture has something that glows
   size_t uploaded_ = 0;
+  size_t differing_ = 0;
 };
 
 }  // namespace kerf

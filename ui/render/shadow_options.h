@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "core/shadow/shadow_volume.h"
 
 namespace kerf {
@@ -13,9 +11,11 @@ struct ShadowOptions {
   double extrusion = 4;
   // Black at half strength over what is in shadow, as in the paper, in place of leaving the light out.
   bool paper_look = false;
-  // The method that is drawn right of the split, to compare; `split` is a share of the picture's width.
-  std::optional<ShadowMethod> beside;
+  // The method that is drawn right of the split where ShowOptions asks to compare; `split` is a share of the
+  // picture's width.
+  ShadowMethod beside = ShadowMethod::kPaperOneVolume;
   double split = 0.5;
+  size_t inspected = 0;  // the light whose silhouette, volumes and counts are shown
   friend bool operator==(const ShadowOptions&, const ShadowOptions&) = default;
 };
 

@@ -8,7 +8,7 @@
 
 #include "core/base/ids.h"
 #include "core/base/vec3.h"
-#include "core/shadow/light.h"
+#include "core/document/scene.h"
 #include "ui/render/shadow_options.h"
 #include "ui/render/show_options.h"
 
@@ -40,8 +40,6 @@ struct PieceLook {
   Vec3 offset{0};         // m along the axes of the world, added to where it stands
   friend bool operator==(const PieceLook&, const PieceLook&) = default;
 };
-
-inline constexpr size_t kMostLights = 4;
 
 // How the world is looked at.
 struct ViewOptions {

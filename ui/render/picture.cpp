@@ -26,19 +26,6 @@ CameraView chosen_view(const PictureOptions& options, const std::optional<View>&
   return options.target ? look_at(view.eye, *options.target, aspect) : view;
 }
 
-// Shadows by rays over the picture, all of them at once.
-void draw_traced(Renderer& renderer, const World& world, const CameraView& view, const ViewOptions& look,
-                 const Target& target) {
-  constexpr size_t kLight = 0;
-  if (look.lights.empty()) return;
-  ShadowReference traced =
-      renderer.shadow_reference(world, view, look, kLight, true, target.width, target.height);
-  traced.trace(static_cast<size_t>(target.width) * static_cast<size_t>(target.height));
-  const ShadowCounts drawn = renderer.shadow_counts(world, view, look, kLight, look.shadow.method, true,
-                                                    target.width, target.height);
-  renderer.draw_reference(traced, drawn, target);
-}
-
 }  // namespace
 
 Status render_picture(Scene scene, const PictureOptions& options, const std::filesystem::path& png) {
@@ -70,7 +57,7 @@ Status render_picture(Scene scene, const PictureOptions& options, const std::fil
   if (!scene.lights.empty()) look.lights = scene.lights;
   const Target target{picture.name(), 0, 0, options.width, options.height};
   renderer->draw(document.world(), view, look, std::nullopt, target);
-  if (options.show.shadow_reference) draw_traced(*renderer, document.world(), view, look, target);
+  if (options.show.shadow_reference) renderer->draw_traced(document.world(), view, look, target);
   return write_png(read_pixels(picture.name(), options.width, options.height), png);
 }
 

@@ -251,6 +251,17 @@ void Renderer::draw_reference(const ShadowReference& traced, const ShadowCounts&
   passes_.reference.draw(traced, drawn);
 }
 
+void Renderer::draw_traced(const World& world, const CameraView& view, const ViewOptions& options,
+                           const Target& target) {
+  const size_t light = options.shadow.inspected;
+  if (light >= options.lights.size()) return;
+  ShadowReference traced = shadow_reference(world, view, options, light, true, target.width, target.height);
+  traced.trace(static_cast<size_t>(target.width) * static_cast<size_t>(target.height));
+  const ShadowCounts drawn =
+      shadow_counts(world, view, options, light, options.shadow.method, true, target.width, target.height);
+  draw_reference(traced, drawn, target);
+}
+
 void Renderer::draw(const World& world, const CameraView& view, const ViewOptions& options,
                     const std::optional<BeamPicture>& beam, const Target& target) {
   set_plain_state();

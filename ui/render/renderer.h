@@ -71,6 +71,11 @@ class Renderer {
   // Lays what rays found over a picture of the same size that was just drawn to `target`.
   void draw_reference(const ShadowReference& traced, const ShadowCounts& drawn, const Target& target) const;
 
+  // Traces all of a picture that was just drawn to `target`, under the light that is inspected, and lays it
+  // over.
+  void draw_traced(const World& world, const CameraView& view, const ViewOptions& options,
+                   const Target& target);
+
   // Of the last picture that compared two methods: pixels that are lit with one of them alone.
   size_t differing_pixels() const { return differing_; }
 

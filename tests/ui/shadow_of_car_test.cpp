@@ -58,7 +58,7 @@ struct Eye {
 };
 std::vector<Eye> eyes() {
   return {{"outside", eye_at({4.1, 2.0, 5.2}, {0, 0.55, 0.05}, 0.5)},
-          {"inside the car", eye_at({0.05, 1.0, -0.35}, {0.5, 0.6, 0.9}, 0.05)},
+          {"inside the car", eye_at({0.05, 1.0, -0.35}, {0.5, 0.6, 0.9}, 0.15)},
           {"in its shadow", eye_at({0.45, 0.12, 0.2}, {2.6, 0.15, 2.2}, 0.03)},
           {"with its near plane through a door", eye_at({1.35, 0.9, 0.5}, {0, 0.55, 0.1}, 0.6)}};
 }

@@ -66,7 +66,7 @@ bool shadow_rows(EditorState& state) {
   ShadowOptions& shadow = look.shadow;
   bool changed = false;
   property("Shadows");
-  changed |= ImGui::Checkbox("cast (S)", &look.show.shadows);
+  changed |= ImGui::Checkbox("cast (D)", &look.show.shadows);
   tooltip("Of everything on everything; off, only a plain one on the ground.");
   changed |= method_row("Method", "##method", shadow.method);
   if (shadow.method != ShadowMethod::kRobust) {

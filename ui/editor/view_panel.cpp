@@ -24,7 +24,7 @@ void draw_view_panel(EditorState& state) {
       Switch{"Piece colours (P)", "Every piece that came off in a strong colour of its own.",
              look.show.pieces},
       Switch{"Normals (N)", "A short line out of the front of every face.", look.show.normals},
-      Switch{"Shadows (S)", "Of everything on everything; how is said in the Light panel.",
+      Switch{"Shadows (D)", "Of everything on everything; how is said in the Light panel.",
              look.show.shadows},
       Switch{
           "Silhouette (E)",

@@ -84,7 +84,7 @@ void Renderer::resend(const World& world) {
   for (auto& [id, picture] : bodies_) {
     if (world.contains(id)) picture.faces().forget_all(world.body(id).mesh);
   }
-  passes_.scene.shadows().resend(world);
+  passes_.scene.shadows().forget();
   contact_old_ = true;
   passes_.lines.forget();
 }

@@ -179,8 +179,8 @@ void ShadowOverlay::draw_volumes(const Inspected& seen) const {
   sheet_.use();
   sheet_.set("light", seen.in_frame);
   sheet_.set("reach", reach);
-  sheet_.set("front", srgb(0x4aa3ff, 0.06f));
-  sheet_.set("back", srgb(0xff8a3d, 0.10f));
+  sheet_.set("front", srgb(0x4aa3ff, 0.15f));
+  sheet_.set("back", srgb(0xff8a3d, 0.12f));
   seen.for_each_volume([&](const VolumeBuffer& volume, const Body& body, const BodyPicture& picture) {
     picture.bind(sheet_, seen.subject.space, body.placement);
     volume.draw_sides(sheet_, 6);

@@ -46,12 +46,6 @@ void ShadowPass::follow(const Delta& delta) {
   }
 }
 
-void ShadowPass::resend(const World& world) {
-  for (auto& [id, shadows] : bodies_) {
-    if (world.contains(id)) shadows.dirty.mark_all(world.body(id).mesh.face_slots());
-  }
-}
-
 void ShadowPass::note_work(const ShadowVolume::Work& before, const ShadowVolume::Work& after) {
   work_.faces += after.faces - before.faces;
   work_.edges += after.edges - before.edges;

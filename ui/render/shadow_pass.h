@@ -29,11 +29,9 @@ class ShadowPass {
  public:
   static Result<ShadowPass> create(const std::filesystem::path& shaders);
 
-  // Everything that is kept is of another world.
+  // Everything that is kept is of another world, or a Delta was lost.
   void forget() { bodies_.clear(); }
   void follow(const Delta& delta);
-  // A Delta was lost.
-  void resend(const World& world);
 
   // Counts into the stencil of what is bound, where the scissor lets it, the shadow of a light of
   // subject.options. What casts must be in the depth, drawn with `clip_from_frame * vec4(placed(...), 1.0)`

@@ -10,21 +10,21 @@ namespace kerf {
 
 namespace {
 
-constexpr double kReach = 12;    // screen coordinates around a handle that belong to it
-constexpr double kSphere = 0.7;  // its radius in diagonals of the world
+constexpr double kReach = 12;     // screen coordinates around a handle that belong to it
+constexpr double kSphere = 0.72;  // its radius, of half the height of the picture
 
+// Around what is looked at, as large as always fits the picture.
 struct Sphere {
   Vec3 middle;
   double radius;
 };
-Sphere sphere_around(const World& world) {
-  const World::Bounds bounds = world.bounds();
-  return {(bounds.min + bounds.max) * 0.5, std::max(kSphere * bounds.diagonal(), 1e-9)};
+Sphere sphere_of(const CameraView& view) {
+  return {view.eye + view.forward * view.focus, kSphere * view.focus * view.tan_half_fov};
 }
 
-Vec3 place_of(const Light& light, const World& world) {
+Vec3 place_of(const Light& light, const CameraView& view) {
   if (light.kind == Light::Kind::kPoint) return light.at;
-  const Sphere sphere = sphere_around(world);
+  const Sphere sphere = sphere_of(view);
   return sphere.middle + glm::normalize(light.at) * sphere.radius;
 }
 
@@ -56,7 +56,8 @@ ImVec2 to_im(Vec2 p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}
 
 std::optional<Vec2> light_handle(const EditorState& state, size_t light) {
   if (!handles_shown(state) || light >= state.look.lights.size()) return std::nullopt;
-  const Vec3 seen = view_of(state).project(place_of(state.look.lights[light], state.document.world()));
+  const CameraView view = view_of(state);
+  const Vec3 seen = view.project(place_of(state.look.lights[light], view));
   if (seen.z <= 0) return std::nullopt;
   const Area& area = state.layout.first;
   const Vec2 at = area.at + Vec2(0.5 + 0.5 * seen.x, 0.5 - 0.5 * seen.y) * area.size;
@@ -81,8 +82,7 @@ void drag_light(EditorState& state, size_t light, Vec2 to) {
     const double depth = glm::dot(dragged.at - view.eye, view.forward);
     dragged.at = view.eye + ray.direction * (depth / glm::dot(ray.direction, view.forward));
   } else {
-    dragged.at =
-        on_sphere(sphere_around(state.document.world()), ray, glm::dot(dragged.at, view.forward) > 0);
+    dragged.at = on_sphere(sphere_of(view), ray, glm::dot(dragged.at, view.forward) > 0);
   }
   state.look.shadow.inspected = light;
   state.picture_old = true;

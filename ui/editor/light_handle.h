@@ -9,7 +9,7 @@ struct ImDrawList;
 namespace kerf {
 
 // A handle for every light in the picture, while the Light panel is unfolded: a lamp where it stands, a
-// directional light on a sphere around the world. Places are of the window, screen coordinates.
+// directional light on a sphere around what is looked at. Places are of the window, screen coordinates.
 
 // Nothing for a light behind the eye, or while handles are not shown.
 std::optional<Vec2> light_handle(const EditorState& state, size_t light);

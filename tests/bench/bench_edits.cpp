@@ -58,7 +58,7 @@ class Cut {
       const FaceId f = waiting_.back();
       waiting_.pop_back();
       if (!crossed(rays, f)) continue;
-      if (mesh.data(f).level >= kDeepest) {
+      if (mesh.data(f).halvings >= 2 * kDeepest) {
         fine_.push_back(f);
         continue;
       }
@@ -99,7 +99,7 @@ class Cut {
   double reach_;
   std::vector<FaceId> waiting_, fine_, removed_;
   std::vector<RayHit> hits_;
-  std::vector<OneToFour::Replacement> replaced_;
+  std::vector<Replacement> replaced_;
 };
 
 Pair query_both(const AabbTree& grown, const AabbTree& fresh, const Mesh& mesh, std::span<const Pose> rays,

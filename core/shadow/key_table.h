@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -25,11 +27,8 @@ class KeyTable {
     return next;
   }
 
-  // Makes room for so many items, so that adding them never moves the table.
-  template <typename HashOf>
-  void reserve(size_t items, const HashOf& hash_of) {
-    while (2 * items > slots_.size()) grow(hash_of);
-  }
+  // Makes room for so many items in an empty table, so that adding them does not move it.
+  void reserve(size_t items) { slots_.assign(std::bit_ceil(std::max<size_t>(16, 2 * (items + 1))), kNone); }
 
  private:
   size_t mask() const { return slots_.size() - 1; }

@@ -32,6 +32,8 @@ ShadowCaster::ShadowCaster(const Mesh& mesh, const FloatFrame& frame) : frame_(f
   const uint32_t faces = mesh.face_slots();
   vertices_.reserve(mesh.vertex_slots());
   edges_.reserve(faces + faces / 2);
+  vertex_table_.reserve(mesh.vertex_slots());
+  edge_table_.reserve(faces + faces / 2);
   grow(faces);
   for (uint32_t f = 0; f < faces; ++f) add(mesh, f);
 }

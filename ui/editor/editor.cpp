@@ -69,8 +69,8 @@ class Editor {
   void take_picture(Requests::Screenshot what);
   // Whether something moves that has to be drawn at once.
   bool moving() const {
-    return easing_ || state_.document.waiting() > 0 || state_.split.twin.waiting() > 0 || state_.picture_old ||
-           picture_.busy();
+    return easing_ || state_.document.waiting() > 0 || state_.split.twin.waiting() > 0 ||
+           state_.picture_old || picture_.busy();
   }
 
   Window window_;

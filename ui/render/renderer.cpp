@@ -191,7 +191,7 @@ void Renderer::draw_comparison(const Subject& subject, const gl::Framebuffer& pi
   const ShadowCounts one = counted(shadow.method);
   differing_ = kerf::differing_pixels(one, counted(shadow.beside));
   picture.bind();
-  const int zoom = 1 + h / 700, split = static_cast<int>(std::clamp(shadow.split, 0.0, 1.0) * w);
+  const int zoom = 1 + h / 1000, split = static_cast<int>(std::clamp(shadow.split, 0.0, 1.0) * w);
   glEnable(GL_SCISSOR_TEST);
   for (const bool dark : {true, false}) {
     const int wide = (dark ? 4 : 2) * zoom;

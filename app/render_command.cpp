@@ -44,6 +44,11 @@ Status render(const RenderArguments& a) {
   Result<Scene> scene = load_scene(a.file);
   if (!scene) return error_or_stopped(scene.error());
   let_interrupts_end();
+  if (a.show.empty()) {
+    const auto wanted = parse_show_list(scene->show);
+    if (!wanted) return bad_input(a.file + ": /show: " + wanted.error().message);
+    options.show = *wanted;
+  }
   return render_picture(std::move(*scene), options, a.out);
 }
 

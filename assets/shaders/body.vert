@@ -11,6 +11,8 @@ out vec3 normal;
 #ifdef WIRE
 out vec3 corner;  // 1 at the first, second, third corner
 #endif
+invariant gl_Position;
+
 flat out vec4 paint;
 out vec4 glow;  // rgb; how much of the paint is burnt away
 

@@ -5,6 +5,8 @@ uniform int first_slot;  // of vertex 0
 uniform int body;        // 1 .. 127
 uniform int only;        // 0: all, 1: pieces that are selected, 2: those that are not drawn where they are
 
+invariant gl_Position;
+
 flat out vec4 mark;  // which face this is, in the bytes of a pixel
 
 void main() {

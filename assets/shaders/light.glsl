@@ -4,7 +4,6 @@ const vec3 kZenith = vec3(0.0075, 0.0095, 0.0135);
 const vec3 kHorizon = vec3(0.034, 0.039, 0.046);
 const vec3 kSkyLight = vec3(0.30, 0.37, 0.47);
 const vec3 kGroundLight = vec3(0.115, 0.105, 0.095);
-const vec3 kKeyColour = vec3(2.10, 1.97, 1.78);
 const vec3 kRimDirection = vec3(0.62, 0.35, -0.70);
 const vec3 kRimColour = vec3(0.34, 0.42, 0.55);
 
@@ -46,7 +45,8 @@ vec3 finish(vec3 linear) {
   return screen + (noise - 0.5) / 255.0;
 }
 
+// How much of what is seen at a place the haze lets through, and what it adds.
+float clear_air(vec3 at) { return exp(-0.028 * length(at)); }
 vec3 haze(vec3 colour, vec3 at) {
-  float far = length(at);
-  return mix(background(at / max(far, 1e-6)), colour, exp(-0.028 * far));
+  return mix(background(at / max(length(at), 1e-6)), colour, clear_air(at));
 }

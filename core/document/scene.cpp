@@ -83,6 +83,50 @@ Status parse_view(const JsonValue& value, Scene& scene) {
   return Done{};
 }
 
+Status parse_light(const JsonValue& value, Light& light) {
+  if (const auto object = value.object(); !object) return object;
+  const bool point = value.has("position");
+  if (point == value.has("direction"))
+    return value.wrong("needs \"direction\" or \"position\", and not both");
+  const JsonValue place = value[point ? "position" : "direction"];
+  const auto at = place.vector();
+  if (!at) return at.error();
+  if (!point && *at == Vec3(0)) return place.wrong("must not be zero: it points towards the light");
+  light.kind = point ? Light::Kind::kPoint : Light::Kind::kDirectional;
+  light.at = *at;
+  if (value.has("colour")) {
+    const auto c = colour(value["colour"]);
+    if (!c) return c.error();
+    light.colour = *c;
+  }
+  if (value.has("intensity")) {
+    const auto intensity = value["intensity"].positive_number();
+    if (!intensity) return intensity.error();
+    light.intensity = *intensity;
+  }
+  return Done{};
+}
+
+Status parse_lights(const JsonValue& value, Scene& scene) {
+  if (const auto array = value.array("lights"); !array) return array;
+  if (value.json().size() > kMostLights)
+    return value.wrong("must hold no more than " + std::to_string(kMostLights) + " lights");
+  for (size_t i = 0; i < value.json().size(); ++i) {
+    if (const auto light = parse_light(value[i], scene.lights.emplace_back()); !light) return light;
+  }
+  return Done{};
+}
+
+Status parse_show(const JsonValue& value, Scene& scene) {
+  if (const auto array = value.array("names"); !array) return array;
+  for (size_t i = 0; i < value.json().size(); ++i) {
+    const auto name = value[i].text();
+    if (!name) return name.error();
+    scene.show += (i > 0 ? "," : "") + *name;
+  }
+  return Done{};
+}
+
 Result<Scene> parse_scene(const JsonValue& root, const std::filesystem::path& folder,
                           const Progress* progress) {
   if (const auto object = root.object(); !object) return object.error();
@@ -102,6 +146,12 @@ Result<Scene> parse_scene(const JsonValue& root, const std::filesystem::path& fo
   }
   if (root.has("view")) {
     if (const auto view = parse_view(root["view"], scene); !view) return view.error();
+  }
+  if (root.has("lights")) {
+    if (const auto lights = parse_lights(root["lights"], scene); !lights) return lights.error();
+  }
+  if (root.has("show")) {
+    if (const auto show = parse_show(root["show"], scene); !show) return show.error();
   }
   if (root.has("strokes")) {
     auto strokes = parse_strokes(root["strokes"]);

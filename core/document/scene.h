@@ -10,6 +10,7 @@
 #include "core/base/result.h"
 #include "core/base/vec3.h"
 #include "core/document/path_file.h"
+#include "core/shadow/light.h"
 #include "core/world/world.h"
 
 namespace kerf {
@@ -20,17 +21,23 @@ struct Paint {
   double gloss = 0.5;  // 0 matt .. 1 polished
 };
 
+// As many lights as are drawn.
+inline constexpr size_t kMostLights = 4;
+
 struct View {
   Vec3 eye{0}, target{0};  // m
 };
 
 // What a scene file holds, read and loaded: {"bodies": [{"mesh": "../meshes/car.obj", "name": "car"}],
 // "paints": {"tyre": {"colour": "#202224", "gloss": 0.1}}, "view": {"eye": [..], "target": [..]},
-// "strokes": [...]}. Mesh paths are relative to the scene file.
+// "lights": [{"direction": [..] or "position": [..], "colour": "#fff2d8", "intensity": 2}], "show":
+// ["silhouette"], "strokes": [...]}. Mesh paths are relative to the scene file.
 struct Scene {
   World world;
   std::map<std::string, Paint> paints;  // by material name
   std::optional<View> view;
+  std::vector<Light> lights;  // up to kMostLights; none: the key light of the workshop
+  std::string show;           // names as `render --show` takes them, with commas, for when none are asked for
   std::vector<StrokePath> strokes;  // cut before the scene is shown
 };
 

@@ -152,8 +152,17 @@ class Window(unittest.TestCase):
             report = self.open(file.name).quit()
         self.assertGreater(report["faces"], 3000)
 
+    def open_again(self, *arguments):
+        """With the settings that the last editor left."""
+        editor = Editor(self.folder, *arguments)
+        self.addCleanup(editor.close)
+        return editor
+
+    def settings_file(self):
+        return os.path.join(self.folder, "kerf", "settings.json")
+
     def settings(self):
-        with open(os.path.join(self.folder, "kerf", "settings.json")) as file:
+        with open(self.settings_file()) as file:
             return json.load(file)
 
     def open_by_browser(self, editor, file):
@@ -174,6 +183,31 @@ class Window(unittest.TestCase):
         view = editor.quit()["view"]
         self.assertEqual([view[name] for name in ("boxes", "wire", "ghost", "normals")], [True, True, True, False])
         self.assertEqual(self.settings()["theme"], "light")
+
+    def test_shadow_views_are_switched_by_keys_and_a_light_is_dragged(self):
+        editor = self.open(SPHERE)
+        for key in ("d", "e", "v", "c", "t", "x"):
+            editor.press(key)
+        time.sleep(1)
+        view = editor.quit()["view"]
+        names = ("silhouette", "shadow_volumes", "shadow_counts", "shadow_facing", "shadow_compare")
+        self.assertFalse(view["shadows"])
+        self.assertTrue(all(view[name] for name in names))
+
+        settings = self.settings()
+        settings["panels"]["Light"] = True
+        with open(self.settings_file(), "w") as file:
+            json.dump(settings, file)
+        editor = self.open_again(SPHERE)
+        light = editor.quit()["lights"][0]
+        editor = self.open_again(SPHERE)
+        x, y = map(round, light["handle"])
+        editor.drag([(x, y), (x + 50, y + 30)])
+        report = editor.quit()
+        moved = report["lights"][0]
+        self.assertEqual(report["strokes"], 0)
+        self.assertNotEqual(moved["at"], light["at"])
+        self.assertLess(abs(moved["handle"][0] - x - 50) + abs(moved["handle"][1] - y - 30), 6)
 
     def test_the_last_stroke_is_cut_again(self):
         editor = self.open(SPHERE)

@@ -20,6 +20,7 @@ void run(const std::string& name, const Effort& effort, const Report& report) {
   bench_build(subject, effort, report);
   bench_queries(subject, effort, report);
   bench_edits(subject, effort, report);
+  bench_shadows(subject, effort, report);
 }
 
 }  // namespace

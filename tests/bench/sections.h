@@ -21,5 +21,6 @@ using Report = std::function<void(const Row&)>;
 void bench_build(const Subject& subject, const Effort& effort, const Report& report);
 void bench_queries(const Subject& subject, const Effort& effort, const Report& report);
 void bench_edits(const Subject& subject, const Effort& effort, const Report& report);
+void bench_shadows(const Subject& subject, const Effort& effort, const Report& report);
 
 }  // namespace kerf::bench

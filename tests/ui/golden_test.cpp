@@ -31,6 +31,18 @@ std::vector<Golden> goldens(const World& world) {
   for (const char* name : {"aabb", "aabb-hit", "wire", "face-numbers", "pieces", "normals"}) {
     all.push_back({name, showing(name)});
   }
+  for (const char* name : {"shadows", "silhouette", "shadow-volumes", "shadow-stencil", "shadow-facing",
+                           "shadow-compare", "shadow-reference"}) {
+    all.push_back({name, showing((std::string("shadows,") + name).c_str())});
+    all.back().options.lights.front().at = {-0.9, 0.9, 0.5};
+  }
+  Golden paper{"shadows-paper-look", showing("shadows")};
+  paper.options.shadow = {.method = ShadowMethod::kPaperTwoVolumes, .extrusion = 4, .paper_look = true};
+  all.push_back(paper);
+  Golden lamps{"shadows-of-two-lamps", showing("shadows")};
+  lamps.options.lights = {Light{Light::Kind::kPoint, {-1.5, 2.5, 2}, {1, 0.7, 0.4}, 0.9},
+                          Light{Light::Kind::kPoint, {3.2, 2, 1}, {0.5, 0.7, 1}, 0.7}};
+  all.push_back(lamps);
   Golden leaves{"aabb-leaves", showing("aabb")};
   leaves.options.tree.leaves_only = true;
   leaves.options.tree.body = ball;

@@ -41,7 +41,9 @@ void Stage::cut(const Pose& from, const Pose& to, double radius) {
 
 Pixels Stage::draw(const CameraView& view, const ViewOptions& options, int width, int height) {
   const gl::Framebuffer picture({width, height, 1, false});
-  renderer_->draw(world(), view, options, std::nullopt, {picture.name(), 0, 0, width, height});
+  const Target target{picture.name(), 0, 0, width, height};
+  renderer_->draw(world(), view, options, std::nullopt, target);
+  if (options.show.shadow_reference) renderer_->draw_traced(world(), view, options, target);
   return read_pixels(picture.name(), width, height);
 }
 

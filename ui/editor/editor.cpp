@@ -69,7 +69,8 @@ class Editor {
   void take_picture(Requests::Screenshot what);
   // Whether something moves that has to be drawn at once.
   bool moving() const {
-    return easing_ || state_.document.waiting() > 0 || state_.split.twin.waiting() > 0 || state_.picture_old;
+    return easing_ || state_.document.waiting() > 0 || state_.split.twin.waiting() > 0 ||
+           state_.picture_old || picture_.busy();
   }
 
   Window window_;
@@ -87,6 +88,7 @@ Editor::Editor(Window window, Renderer renderer, LoadedSettings loaded)
     : window_(std::move(window)), gui_(window_), picture_(std::move(renderer)), saved_(loaded.settings) {
   state_.settings = std::move(loaded.settings);
   state_.look.antialias = state_.settings.antialias;
+  state_.look.show.shadows = true;
   dress();
 }
 

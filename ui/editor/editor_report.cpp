@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/atomic_file.h"
+#include "ui/editor/light_handle.h"
 #include "ui/editor/piece_set.h"
 
 namespace kerf {
@@ -22,7 +23,26 @@ nlohmann::ordered_json view_of(const EditorState& state) {
           {"two_sided", look.two_sided},
           {"cull_backs", look.cull_backs},
           {"ghost", look.ghost},
+          {"shadows", look.show.shadows},
+          {"silhouette", look.show.silhouette},
+          {"shadow_volumes", look.show.shadow_volumes},
+          {"shadow_counts", look.show.shadow_stencil},
+          {"shadow_facing", look.show.shadow_facing},
+          {"shadow_compare", look.show.shadow_compare},
+          {"shadow_rays", look.show.shadow_reference},
           {"eye", {state.view().eye.x, state.view().eye.y, state.view().eye.z}}};
+}
+
+// Where each light is, and its handle in the window where that is shown.
+nlohmann::ordered_json lights_of(const EditorState& state) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (size_t i = 0; i < state.look.lights.size(); ++i) {
+    const Vec3& at = state.look.lights[i].at;
+    nlohmann::ordered_json light{{"at", {at.x, at.y, at.z}}};
+    if (const auto handle = light_handle(state, i)) light["handle"] = {handle->x, handle->y};
+    all.push_back(light);
+  }
+  return all;
 }
 
 nlohmann::ordered_json layout_of(const EditorState& state) {
@@ -58,6 +78,8 @@ Status write_editor_report(const EditorState& state, const std::filesystem::path
       {"files", names},
       {"message", state.message},
       {"view", view_of(state)},
+      {"lights", lights_of(state)},
+      {"pixels_that_rays_have_otherwise", state.shadow_figures.wrong},
       {"split", {{"shown", state.split.shown}, {"faces", state.split.twin.world().live_faces()}}},
       {"layout", layout_of(state)},
   };

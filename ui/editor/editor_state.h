@@ -31,11 +31,18 @@ struct ShownFigures {
   size_t faces_tested = 0, faces_of_step = 0;  // in the last step, and how many there were before it
 };
 
+// What the views of shadows found.
+struct ShadowFigures {
+  size_t differing = 0;  // pixels between two methods
+  double traced = 0;     // share of the picture
+  size_t wrong = 0;      // pixels that rays have otherwise
+};
+
 // What the left button does.
 enum class Tool { kLaser, kPick };
 
 // What a drag that has begun goes on doing. One that picks has not moved yet.
-enum class Drag { kNone, kCut, kPick, kOrbit, kPan };
+enum class Drag { kNone, kCut, kPick, kOrbit, kPan, kLight };
 
 // What only the frame loop can do, asked for by menus, keys and panels; it is done once before the next
 // picture.
@@ -71,6 +78,7 @@ struct EditorState {
   LaserTool tool;
   Tool left_button = Tool::kLaser;
   Drag drag = Drag::kNone;
+  size_t dragged_light = 0;
   Vec2 pointer{0}, pressed_at{0};  // screen coordinates
   bool pointer_over_picture = false;
   bool in_second = false;  // the pointer is in the right half, or the drag began there
@@ -78,6 +86,7 @@ struct EditorState {
   std::string message;  // of the last thing that happened, until the next action
   bool message_is_error = false;
   ShownFigures shown;
+  ShadowFigures shadow_figures;
   FrameStatistics frames;
   size_t removed_faces = 0, removed_before_stroke = 0;
   StepFigures last_step, stroke_figures;

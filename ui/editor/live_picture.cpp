@@ -50,6 +50,8 @@ bool LivePicture::draw(EditorState& state, const Window& window) {
                     !first_.draw_again(target_of(layout.first, window)) ||
                     (split && !second_->draw_again(target_of(layout.second, window)));
   if (anew) draw_anew(state, window, still);
+  traced_.work(state, first_, view_in(layout.first, state.camera), target_of(layout.first, window), anew,
+               still);
   // Once more without the beam when it is off.
   state.picture_old = beam_shown_ && !state.tool.picture(state.document);
   return anew;
@@ -66,6 +68,7 @@ void LivePicture::draw_anew(EditorState& state, const Window& window, bool still
   first_.draw(state.document.world(), view_in(layout.first, state.camera), look, beam,
               target_of(layout.first, window));
   beam_shown_ = beam.has_value();
+  if (look.show.shadow_compare) state.shadow_figures.differing = first_.differing_pixels();
   if (!layout.split() || !second_) return;
   look_at_twin(state, look);
   second_->draw(state.split.twin.world(), view_in(layout.second, state.camera), look, beam,

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "ui/editor/editor_state.h"
+#include "ui/editor/traced_shadows.h"
 #include "ui/editor/window.h"
 #include "ui/render/renderer.h"
 
@@ -24,6 +25,8 @@ class LivePicture {
   // Whether anything was drawn anew; then took() wants to know how long the frame took (s).
   bool draw(EditorState& state, const Window& window);
   void took(double seconds);
+  // Whether there is more to draw although nothing moves.
+  bool busy() const { return traced_.busy(); }
   // What the last frame with a new picture took; 0 before the second one, for the first also warms up.
   double seconds() const { return seconds_; }
 
@@ -33,6 +36,7 @@ class LivePicture {
 
   Renderer first_;
   std::optional<Renderer> second_;
+  TracedShadows traced_;
   bool beam_shown_ = false;  // in the last picture
   bool rough_ = false;       // the last picture was drawn without smooth edges to be in time
   bool antialiased_ = false;

@@ -71,6 +71,9 @@ Status open_files(EditorState& state, Renderer& renderer, std::span<const std::f
   state.split.twin.forget();
   state.look.pieces.clear();
   state.look.tree.body.reset();
+  state.look.lights = scene->lights.empty() ? std::vector{Light{}} : scene->lights;
+  state.look.shadow.inspected = 0;
+  if (const auto show = parse_show_list(scene->show); show && !scene->show.empty()) state.look.show = *show;
   state.spread = 0;
   state.laser.fit(bounds.diagonal());
   state.removed_faces = state.removed_before_stroke = 0;

@@ -5,6 +5,7 @@
 #include "ui/editor/display_panel.h"
 #include "ui/editor/file_panel.h"
 #include "ui/editor/laser_panel.h"
+#include "ui/editor/light_panel.h"
 #include "ui/editor/menu_bar.h"
 #include "ui/editor/picture_marks.h"
 #include "ui/editor/pieces_panel.h"
@@ -22,10 +23,10 @@ namespace kerf {
 namespace {
 
 constexpr std::array kPanels{
-    Panel{"Laser", true, draw_laser_panel},      Panel{"Resolution", true, draw_resolution_panel},
-    Panel{"Pieces", true, draw_pieces_panel},    Panel{"Tree", false, draw_tree_panel},
-    Panel{"View", false, draw_view_panel},       Panel{"File", false, draw_file_panel},
-    Panel{"Display", false, draw_display_panel},
+    Panel{"Laser", true, draw_laser_panel},   Panel{"Resolution", true, draw_resolution_panel},
+    Panel{"Pieces", true, draw_pieces_panel}, Panel{"Light", false, draw_light_panel},
+    Panel{"Tree", false, draw_tree_panel},    Panel{"View", false, draw_view_panel},
+    Panel{"File", false, draw_file_panel},    Panel{"Display", false, draw_display_panel},
 };
 
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include "ui/editor/length_text.h"
+#include "ui/editor/light_handle.h"
 #include "ui/editor/number_text.h"
 #include "ui/editor/theme.h"
 
@@ -108,6 +109,7 @@ void draw_picture_marks(const EditorState& state) {
   list.PushClipRect(to_im(area.at), to_im(area.at + area.size));
   draw_ring(state, list);
   draw_half_labels(state, list);
+  draw_light_handles(state, list);
   draw_hints(state, list);
   list.PopClipRect();
 }

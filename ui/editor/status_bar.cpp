@@ -21,6 +21,8 @@ const char* left_button(const EditorState& state) {
       return "Orbiting";
     case Drag::kPan:
       return "Panning";
+    case Drag::kLight:
+      return "Moving a light";
     case Drag::kPick:
     case Drag::kNone:
       break;

@@ -24,6 +24,23 @@ void draw_view_panel(EditorState& state) {
       Switch{"Piece colours (P)", "Every piece that came off in a strong colour of its own.",
              look.show.pieces},
       Switch{"Normals (N)", "A short line out of the front of every face.", look.show.normals},
+      Switch{"Shadows (D)", "Of everything on everything; how is said in the Light panel.",
+             look.show.shadows},
+      Switch{
+          "Silhouette (E)",
+          "The edges that bound the shadow of a light (figure 11 of the paper): pale where one side lies on "
+          "them, blue where two do, violet where more.",
+          look.show.silhouette},
+      Switch{
+          "Shadow volumes (V)",
+          "What the silhouette is extruded to (figure 12): blue where it is seen from outside, orange from "
+          "within.",
+          look.show.shadow_volumes},
+      Switch{"Shadow counts (C)",
+             "How many surfaces keep the light away, by the strip at the lower left; 9: or more.",
+             look.show.shadow_stencil},
+      Switch{"Facing the light (T)", "Polygons that face the light are pale, averted ones blue.",
+             look.show.shadow_facing},
       Switch{"Ghost of what is gone (G)", "Removed faces stay as a faint veil.", look.ghost},
       Switch{"Two-sided lighting", "Faces are lit from both sides; off, their backs are black.",
              look.two_sided},

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "ui/editor/light_handle.h"
 #include "ui/editor/piece_set.h"
 #include "ui/render/pick.h"
 
@@ -56,6 +57,13 @@ void pick_piece(EditorState& state, int mods) {
 void begin(EditorState& state, Drag drag) {
   state.drag = drag;
   state.pressed_at = state.pointer;
+  if (drag == Drag::kCut || drag == Drag::kPick) {
+    if (const auto light = light_under(state, state.pointer)) {
+      state.drag = Drag::kLight;
+      state.dragged_light = *light;
+      return;
+    }
+  }
   if (drag != Drag::kCut) return;
   stand_together(state);
   state.camera.finish();
@@ -79,6 +87,9 @@ void go_on(EditorState& state, Vec2 from) {
       break;
     case Drag::kPan:
       state.camera.pan(2 * moved.x / state.aspect(), -2 * moved.y, state.aspect());
+      break;
+    case Drag::kLight:
+      drag_light(state, state.dragged_light, state.pointer);
       break;
     case Drag::kNone:
       break;
@@ -121,7 +132,8 @@ void handle_mouse(EditorState& state, const InputEvent& event, bool free) {
         pick_piece(state, event.mods);
         state.drag = Drag::kNone;
       }
-      if (state.drag == Drag::kOrbit || state.drag == Drag::kPan) state.drag = Drag::kNone;
+      if (state.drag == Drag::kOrbit || state.drag == Drag::kPan || state.drag == Drag::kLight)
+        state.drag = Drag::kNone;
       break;
     case InputEvent::Kind::kWheel:
       if (state.pointer_over_picture && state.drag != Drag::kCut) {

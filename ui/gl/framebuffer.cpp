@@ -12,40 +12,48 @@ int offered_samples(int wanted) {
   return std::clamp(wanted, 1, std::max(1, static_cast<int>(most)));
 }
 
-void allocate(const Renderbuffer& buffer, GLenum format, const Framebuffer::Shape& shape) {
-  glBindRenderbuffer(GL_RENDERBUFFER, buffer.name());
-  glRenderbufferStorageMultisample(GL_RENDERBUFFER, shape.samples > 1 ? shape.samples : 0, format,
-                                   shape.width, shape.height);
-}
-
-void allocate(const Texture& texture, const Framebuffer::Shape& shape) {
-  glBindTexture(GL_TEXTURE_2D, texture.name());
-  const GLenum type = shape.colour == GL_RGBA8 ? GL_UNSIGNED_BYTE : GL_FLOAT;
-  glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(shape.colour), shape.width, shape.height, 0, GL_RGBA,
-               type, nullptr);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-}
-
 }  // namespace
 
 Framebuffer::Framebuffer(const Shape& shape) : shape_(shape) {
   shape_.samples = offered_samples(shape.samples);
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
-  if (shape_.samples > 1) {
-    allocate(colour_.emplace(), shape_.colour, shape_);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour_->name());
-  } else {
-    allocate(texture_.emplace(), shape_);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_->name(), 0);
-  }
+  add_colour();
   if (shape_.depth) {
-    allocate(depth_.emplace(), GL_DEPTH24_STENCIL8, shape_);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, depth_->name());
+    glBindRenderbuffer(GL_RENDERBUFFER, depth_.emplace().name());
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, shape_.samples > 1 ? shape_.samples : 0,
+                                     GL_DEPTH24_STENCIL8, shape_.width, shape_.height);
+    add_depth(depth_->name());
   }
   complete_ = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+}
+
+Framebuffer::Framebuffer(const Shape& shape, const Framebuffer& depth_of) : shape_(shape) {
+  shape_.samples = depth_of.shape().samples;
+  add_colour();
+  add_depth(depth_of.depth_->name());
+  complete_ = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+}
+
+void Framebuffer::add_colour() {
+  const bool several = shape_.samples > 1;
+  const GLenum kind = several ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+  glBindTexture(kind, colour_.name());
+  if (several) {
+    glTexImage2DMultisample(kind, shape_.samples, shape_.colour, shape_.width, shape_.height, GL_TRUE);
+  } else {
+    const GLenum type = shape_.colour == GL_RGBA8 ? GL_UNSIGNED_BYTE : GL_FLOAT;
+    glTexImage2D(kind, 0, static_cast<GLint>(shape_.colour), shape_.width, shape_.height, 0, GL_RGBA, type,
+                 nullptr);
+    glTexParameteri(kind, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(kind, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(kind, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(kind, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  }
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, kind, colour_.name(), 0);
+}
+
+void Framebuffer::add_depth(GLuint renderbuffer) {
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, renderbuffer);
 }
 
 void Framebuffer::bind() const {

@@ -6,8 +6,8 @@
 
 namespace kerf::gl {
 
-// A picture in memory of the GPU: colour, and with depth also depth and stencil. With one sample the colour
-// is a texture that is read with linear filtering and clamped at its borders.
+// A picture in memory of the GPU: colour, and with depth also depth and stencil. The colour is a texture;
+// with one sample it is read with linear filtering and clamped at its borders.
 class Framebuffer {
  public:
   struct Shape {
@@ -19,20 +19,26 @@ class Framebuffer {
   };
 
   explicit Framebuffer(const Shape& shape);
+  // One that has the depth and stencil of another, which is of the same size and samples and outlives it.
+  Framebuffer(const Shape& shape, const Framebuffer& depth_of);
 
   const Shape& shape() const { return shape_; }
   bool complete() const { return complete_; }
   GLuint name() const { return framebuffer_.name(); }
-  GLuint colour_texture() const { return texture_ ? texture_->name() : 0; }
+  // A GL_TEXTURE_2D, or GL_TEXTURE_2D_MULTISAMPLE of several samples.
+  GLuint colour_texture() const { return colour_.name(); }
   // Makes it what is drawn into, whole.
   void bind() const;
 
  private:
+  void add_colour();
+  void add_depth(GLuint renderbuffer);
+
   Shape shape_;
   bool complete_ = false;
   FramebufferName framebuffer_;
-  std::optional<Texture> texture_;
-  std::optional<Renderbuffer> colour_, depth_;
+  Texture colour_;
+  std::optional<Renderbuffer> depth_;
 };
 
 // Copies the colour of all of `from` to `to` (0: the window) with its lower left corner at x, y; resolves

@@ -4,8 +4,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "core/base/float_frame.h"
 #include "core/mesh/mesh.h"
-#include "ui/render/float_frame.h"
 
 namespace kerf {
 

@@ -114,10 +114,7 @@ void FaceBuffer::draw() const {
 }
 
 void FaceBuffer::draw_numbered(const gl::Program& program) const {
-  for (size_t i = 0; i < chunks_.size(); ++i) {
-    program.set("first_slot", static_cast<int>(i * kChunkFaces));
-    chunks_[i].draw();
-  }
+  draw_chunks([&](size_t i) { program.set("first_slot", static_cast<int>(i * kChunkFaces)); });
 }
 
 void FaceBuffer::draw_removed(const Mesh& mesh) {

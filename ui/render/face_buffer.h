@@ -35,8 +35,20 @@ class FaceBuffer {
   // Uploads what changed, from the mesh as it is now. Returns the number of bytes.
   size_t update(const Mesh& mesh);
 
+  // How many slots a chunk has.
+  static constexpr uint32_t kChunkFaces = 1u << 16;
+
   // Three vertices a live face; gl_VertexID % 3 is the corner.
   void draw() const;
+  // The same, calling before_chunk(i) ahead of the faces of each chunk, whose slots begin at i * kChunkFaces;
+  // gl_VertexID / 3 is the slot within the chunk.
+  template <typename Before>
+  void draw_chunks(const Before& before_chunk) const {
+    for (size_t i = 0; i < chunks_.size(); ++i) {
+      before_chunk(i);
+      chunks_[i].draw();
+    }
+  }
   // The same for a program that wants to know the slots: its uniform first_slot is that of vertex 0.
   void draw_numbered(const gl::Program& program) const;
 
@@ -50,7 +62,6 @@ class FaceBuffer {
   const Halvings& halvings_of_faces() const { return faces_of_; }
 
  private:
-  static constexpr uint32_t kChunkFaces = 1u << 16;
   static constexpr uint32_t kGap = 4;  // clean slots worth sending to save a call
 
   static constexpr uint8_t kDead = 0xff;

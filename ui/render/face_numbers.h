@@ -18,12 +18,14 @@ class FaceNumbers {
   // Over the picture, which is bound again after. O(faces).
   void draw(const Subject& subject, const FrameUniforms& frame, const gl::Framebuffer& picture);
 
+  // Any numbers over what is bound, each with its lower left corner at a pixel of it.
+  void draw_labels(const std::vector<FaceLabel>& labels, int zoom) const;
+
  private:
   FaceNumbers(gl::Program faces, gl::Program removed, gl::Program numbers);
   void make_bitmaps();
   // Four bytes a pixel, as faces.vert marks them.
   std::vector<uint8_t> look_which(const Subject& subject, int width, int height);
-  void draw_labels(const std::vector<FaceLabel>& labels, int zoom) const;
 
   gl::Program faces_, removed_, numbers_;
   std::optional<gl::Framebuffer> which_;

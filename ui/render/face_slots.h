@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/float_frame.h"
 #include "core/mesh/mesh.h"
 #include "core/world/delta.h"
 #include "ui/render/base_faces.h"
-#include "ui/render/float_frame.h"
 
 namespace kerf {
 

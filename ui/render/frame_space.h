@@ -4,9 +4,10 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "core/base/float_frame.h"
 #include "core/world/placement.h"
+#include "core/world/world.h"
 #include "ui/render/camera.h"
-#include "ui/render/float_frame.h"
 
 namespace kerf {
 
@@ -41,8 +42,13 @@ struct FrameUniforms {
   glm::vec4 heat{0};
 };
 
-// What the view decides of it: the matrix (no far plane, near at a fraction of the focus), the axes, the
-// viewport.
-FrameUniforms uniforms_of(const CameraView& view, const FrameSpace& space, int width, int height);
+// Where the near plane goes, along the forward axis of a view; m. As far as the box and the ground (a height)
+// allow that are seen, since the depth buffer tells surfaces apart in proportion to it; at least a fraction
+// of the focus.
+double near_plane(const CameraView& view, const World::Bounds& drawn, double ground);
+
+// What the view decides of it: the matrix (no far plane, the near plane at `near` m), the axes, the viewport.
+FrameUniforms uniforms_of(const CameraView& view, double near, const FrameSpace& space, int width,
+                          int height);
 
 }  // namespace kerf

@@ -13,7 +13,6 @@ constexpr int kContactBlurs = 3;
 constexpr double kContactMargin = 1.5;  // of the larger side of the world seen from above
 constexpr double kGap = 5e-4;   // between the world and the ground, in diagonals: what lies flat shows
 constexpr double kRadius = 14;  // of the disc, in diagonals of the world
-const Vec3 kKeyLight = glm::normalize(Vec3(-0.42, 1.0, 0.62));
 
 }  // namespace
 
@@ -22,29 +21,36 @@ Result<GroundPass> GroundPass::create(const std::filesystem::path& shaders) {
   auto disc = gl::Program::load(shaders, files);
   if (!disc) return disc.error();
   files.defines = {"SPOT"};
-  auto lit_disc = gl::Program::load(shaders, files);
-  if (!lit_disc) return lit_disc.error();
-  auto shadow = gl::Program::load(shaders, {{"frame.glsl", "placed.glsl", "shadow.vert"}, {"empty.frag"}});
+  auto spot_disc = gl::Program::load(shaders, files);
+  if (!spot_disc) return spot_disc.error();
+  auto direct = gl::Program::load(shaders, {{"frame.glsl", "ground.vert"},
+                                            {"frame.glsl", "light.glsl", "direct.glsl", "ground.frag"},
+                                            {"DIRECT"}});
+  if (!direct) return direct.error();
+  auto shadow =
+      gl::Program::load(shaders, {{"frame.glsl", "placed.glsl", "ground_shadow.vert"}, {"empty.frag"}});
   if (!shadow) return shadow.error();
   auto contact =
       gl::Program::load(shaders, {{"frame.glsl", "placed.glsl", "contact.vert"}, {"contact.frag"}});
   if (!contact) return contact.error();
   auto blur = gl::Program::load(shaders, {{"screen.vert"}, {"blur.frag"}});
   if (!blur) return blur.error();
-  return GroundPass(std::move(*disc), std::move(*lit_disc), std::move(*shadow), std::move(*contact),
-                    std::move(*blur));
+  return GroundPass(std::move(*disc), std::move(*spot_disc), std::move(*direct), std::move(*shadow),
+                    std::move(*contact), std::move(*blur));
 }
 
-GroundPass::GroundPass(gl::Program disc, gl::Program lit_disc, gl::Program shadow, gl::Program contact,
-                       gl::Program blur)
+GroundPass::GroundPass(gl::Program disc, gl::Program spot_disc, gl::Program direct, gl::Program shadow,
+                       gl::Program contact, gl::Program blur)
     : disc_(std::move(disc)),
-      lit_disc_(std::move(lit_disc)),
+      spot_disc_(std::move(spot_disc)),
+      direct_(std::move(direct)),
       shadow_(std::move(shadow)),
       contact_(std::move(contact)),
       blur_(std::move(blur)),
       picture_({kContactPixels, kContactPixels, 1, true}),
       half_way_({kContactPixels, kContactPixels, 1, false}) {
-  for (const gl::Program* p : {&disc_, &lit_disc_, &shadow_, &contact_}) p->bind_block("Frame", kFrameBlock);
+  for (const gl::Program* p : {&disc_, &spot_disc_, &direct_, &shadow_, &contact_})
+    p->bind_block("Frame", kFrameBlock);
 }
 
 void GroundPass::place_under(const World::Bounds& bounds) {
@@ -60,7 +66,6 @@ void GroundPass::place_under(const World::Bounds& bounds) {
 
 void GroundPass::fill_in(FrameUniforms& frame, const FrameSpace& space) const {
   const glm::vec3 middle = space.from_world({middle_.x, height_, middle_.z});
-  frame.key_light = glm::vec4(glm::vec3(kKeyLight), 0);
   frame.ground = {middle.y, middle.x, middle.z, space.length(radius_)};
   const double five = 5 * spacing_;
   frame.grid = {space.length(std::fmod(space.eye.x, five)), space.length(std::fmod(space.eye.z, five)),
@@ -104,32 +109,46 @@ void GroundPass::blur_contact() {
   }
 }
 
-void GroundPass::draw(const FrameSpace& space, bool spot, const DrawBodies& bodies) const {
-  if (space.eye.y <= height_) return;
-  glEnable(GL_STENCIL_TEST);
-  glStencilFunc(GL_ALWAYS, 1, 0xff);
-  glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
-  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  glDepthMask(GL_FALSE);
-  shadow_.use();
-  bodies(shadow_);
-  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  glDepthMask(GL_TRUE);
-
-  glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
-  const gl::Program& disc = spot ? lit_disc_ : disc_;
+void GroundPass::draw(const FrameSpace& space, bool spot) const {
+  const gl::Program& disc = spot ? spot_disc_ : disc_;
   disc.use();
   disc.set("contact", 0);
   disc.set("contact_place", contact_place(space));
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, picture_.colour_texture());
+  draw_disc(space);
+}
+
+void GroundPass::draw_disc(const FrameSpace& space) const {
+  if (space.eye.y <= height_) return;
   glBindVertexArray(no_vertices_.name());
-  for (const int shaded : {0, 1}) {
-    glStencilFunc(GL_EQUAL, shaded, 0xff);
-    disc.set("shaded", static_cast<float>(shaded));
-    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-  }
-  glDisable(GL_STENCIL_TEST);
+  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
+bool GroundPass::project_shadow(const FrameSpace& space, const glm::vec4& light,
+                                const DrawBodies& bodies) const {
+  if (space.eye.y <= height_ || light.w > 0 || light.y <= 0) return false;
+  glClear(GL_STENCIL_BUFFER_BIT);
+  glEnable(GL_STENCIL_TEST);
+  glStencilFunc(GL_ALWAYS, 1, 0xff);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+  glDisable(GL_DEPTH_TEST);
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  shadow_.use();
+  shadow_.set("light", light);
+  bodies(shadow_);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glEnable(GL_DEPTH_TEST);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+  glStencilFunc(GL_EQUAL, 0, 0xff);
+  return true;
+}
+
+void GroundPass::add_light(const FrameSpace& space, const glm::vec4& light, const glm::vec4& colour) const {
+  direct_.use();
+  direct_.set("light", light);
+  direct_.set("light_colour", colour);
+  draw_disc(space);
 }
 
 }  // namespace kerf

@@ -54,8 +54,10 @@ Status render_picture(Scene scene, const PictureOptions& options, const std::fil
   ViewOptions look;
   look.show = options.show;
   look.antialias = options.antialias;
-  renderer->draw(document.world(), view, look, std::nullopt,
-                 {picture.name(), 0, 0, options.width, options.height});
+  if (!scene.lights.empty()) look.lights = scene.lights;
+  const Target target{picture.name(), 0, 0, options.width, options.height};
+  renderer->draw(document.world(), view, look, std::nullopt, target);
+  if (options.show.shadow_reference) renderer->draw_traced(document.world(), view, look, target);
   return write_png(read_pixels(picture.name(), options.width, options.height), png);
 }
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "ui/render/seen_light.h"
+
 namespace kerf {
 
 namespace {
@@ -11,30 +13,20 @@ constexpr int kSamples = 4;
 // among others.
 constexpr uint32_t kLeastWhiteHot = 6;
 
-// Which of the four programs of bodies.
-constexpr size_t kWire = 1, kSpot = 2;
+void set_plain_state() {
+  glDisable(GL_BLEND);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_SCISSOR_TEST);
+  glDisable(GL_STENCIL_TEST);
+  glDepthMask(GL_TRUE);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
 
 }  // namespace
 
-Result<Renderer::BodyPrograms> Renderer::load_bodies(const std::filesystem::path& shaders) {
-  BodyPrograms programs;
-  for (size_t i = 0; i < programs.size(); ++i) {
-    gl::ProgramFiles files{{"frame.glsl", "placed.glsl", "body.vert"},
-                           {"frame.glsl", "light.glsl", "body.frag"}};
-    if (i & kWire) files.defines.emplace_back("WIRE");
-    if (i & kSpot) files.defines.emplace_back("SPOT");
-    auto program = gl::Program::load(shaders, files);
-    if (!program) return program.error();
-    program->bind_block("Frame", kFrameBlock);
-    program->bind_block("Paints", kPaintBlock);
-    programs[i] = std::move(*program);
-  }
-  return programs;
-}
-
 Result<Renderer::Passes> Renderer::load_passes(const std::filesystem::path& shaders) {
-  auto ground = GroundPass::create(shaders);
-  if (!ground) return ground.error();
+  auto scene = LitScene::create(shaders);
+  if (!scene) return scene.error();
   auto bloom = BloomPass::create(shaders);
   if (!bloom) return bloom.error();
   auto beam = BeamPass::create(shaders);
@@ -47,35 +39,34 @@ Result<Renderer::Passes> Renderer::load_passes(const std::filesystem::path& shad
   if (!outline) return outline.error();
   auto numbers = FaceNumbers::create(shaders);
   if (!numbers) return numbers.error();
-  return Passes{std::move(*ground), std::move(*bloom),   std::move(*beam),   std::move(*lines),
-                std::move(*veil),   std::move(*outline), std::move(*numbers)};
+  auto probe = ShadowProbe::create(shaders);
+  if (!probe) return probe.error();
+  auto shadow_overlay = ShadowOverlay::create(shaders);
+  if (!shadow_overlay) return shadow_overlay.error();
+  auto reference = ReferencePass::create(shaders);
+  if (!reference) return reference.error();
+  return Passes{std::move(*scene),          std::move(*bloom),    std::move(*beam),    std::move(*lines),
+                std::move(*veil),           std::move(*outline),  std::move(*numbers), std::move(*probe),
+                std::move(*shadow_overlay), std::move(*reference)};
 }
 
 Result<Renderer> Renderer::create() {
-  const std::filesystem::path shaders = std::filesystem::path(KERF_ASSETS) / "shaders";
-  auto body = load_bodies(shaders);
-  if (!body) return body.error();
-  auto sky = gl::Program::load(shaders, {{"screen.vert"}, {"frame.glsl", "light.glsl", "sky.frag"}});
-  if (!sky) return sky.error();
-  auto passes = load_passes(shaders);
+  auto passes = load_passes(std::filesystem::path(KERF_ASSETS) / "shaders");
   if (!passes) return passes.error();
-  return Renderer(std::move(*body), std::move(*sky), std::move(*passes));
-}
-
-Renderer::Renderer(BodyPrograms bodies, gl::Program sky, Passes passes)
-    : body_(std::move(bodies)), sky_(std::move(sky)), passes_(std::move(passes)) {
-  sky_.bind_block("Frame", kFrameBlock);
+  return Renderer(std::move(*passes));
 }
 
 void Renderer::show(const World& world, const std::map<std::string, Paint>& paints) {
   bodies_.clear();
   passes_.lines.forget();
+  passes_.scene.shadows().forget();
   contact_old_ = true;
   for (const BodyId id : world.ids()) bodies_.emplace(id, BodyPicture(world.body(id), paints));
   const World::Bounds bounds = world.bounds();
   const double diagonal = bounds.diagonal();
+  middle_ = bounds.min + (bounds.max - bounds.min) * 0.5;
   space_.unit = diagonal > 0 && std::isfinite(diagonal) ? std::ldexp(1.0, std::ilogb(diagonal)) : 1;
-  passes_.ground.place_under(bounds);
+  passes_.scene.ground().place_under(bounds);
 }
 
 void Renderer::follow(const Delta& delta) {
@@ -83,6 +74,7 @@ void Renderer::follow(const Delta& delta) {
     const auto found = bodies_.find(d.body);
     if (found != bodies_.end()) found->second.faces().follow(d);
   }
+  passes_.scene.shadows().follow(delta);
   if (delta.empty()) return;
   contact_old_ = true;
   passes_.lines.forget();
@@ -92,6 +84,7 @@ void Renderer::resend(const World& world) {
   for (auto& [id, picture] : bodies_) {
     if (world.contains(id)) picture.faces().forget_all(world.body(id).mesh);
   }
+  passes_.scene.shadows().forget();
   contact_old_ = true;
   passes_.lines.forget();
 }
@@ -125,11 +118,23 @@ void Renderer::update_looks(const ViewOptions& options) {
   }
 }
 
-void Renderer::set_up(const CameraView& view, const ViewOptions& options,
+double Renderer::near_of(const World& world, const CameraView& view, const ViewOptions& options) {
+  World::Bounds drawn = world.bounds();
+  double moved = 0;
+  for (const auto& [key, look] : options.pieces) moved = std::max(moved, glm::length(look.offset));
+  drawn.min -= moved;
+  drawn.max += moved;
+  return near_plane(view, drawn, passes_.scene.ground().height());
+}
+
+void Renderer::set_up(const World& world, const CameraView& view, const ViewOptions& options,
                       const std::optional<BeamPicture>& beam, const Target& target) {
   space_.eye = view.eye;
-  FrameUniforms& frame = frame_ = uniforms_of(view, space_, target.width, target.height);
-  passes_.ground.fill_in(frame, space_);
+  FrameUniforms& frame = frame_ =
+      uniforms_of(view, near_of(world, view, options), space_, target.width, target.height);
+  passes_.scene.ground().fill_in(frame, space_);
+  const Light key = options.lights.empty() ? Light{} : options.lights.front();
+  frame.key_light = glm::vec4(glm::vec3(direction_to(key, middle_)), 0);
   if (beam) BeamPass::fill_in(frame, space_, *beam);
   frame.heat = {white_hot_, options.level_colours && white_hot_ > 0 ? 1 : 0, options.show.pieces ? 1 : 0,
                 options.two_sided ? 1 : 0};
@@ -154,36 +159,50 @@ void Renderer::draw_bodies(const World& world, const gl::Program& program) const
   }
 }
 
-void Renderer::draw_scene(const World& world, const ViewOptions& options, bool spot) {
-  canvases_[canvas_].drawn->bind();
-  glClear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LESS);
-  const bool edges = options.show.wire || options.show.face_numbers;
-  const gl::Program& body = body_[(edges ? kWire : 0) + (spot ? kSpot : 0)];
-  if (options.cull_backs) glEnable(GL_CULL_FACE);
-  body.use();
-  draw_bodies(world, body);
-  glDisable(GL_CULL_FACE);
-  passes_.ground.draw(space_, spot, [&](const gl::Program& program) { draw_bodies(world, program); });
-  glDepthFunc(GL_LEQUAL);
-  sky_.use();
-  glBindVertexArray(no_vertices_.name());
-  glDrawArrays(GL_TRIANGLES, 0, 3);
-}
-
 void Renderer::draw_overlays(const Subject& subject, const CameraView& view,
                              const std::optional<BeamPicture>& beam) {
   const ViewOptions& options = subject.options;
   const gl::Framebuffer& picture = *canvases_[canvas_].drawn;
+  passes_.shadow_overlay.draw(subject, passes_.scene.shadows(), passes_.numbers, picture);
   if (options.show.face_numbers) passes_.veil.draw(subject, VeilPass::Style::kRed);
   for_each_body(subject, [&](BodyId id, const Body& body, const BodyPicture& p) {
     passes_.lines.draw(id, body, p.faces().frame(), space_, frame_.clip_from_frame, options);
   });
+  // The beam may begin before the near plane.
+  glEnable(GL_DEPTH_CLAMP);
   if (beam) passes_.beam.draw(view, space_, *beam, picture.shape().height);
+  glDisable(GL_DEPTH_CLAMP);
   if (options.ghost && !options.show.face_numbers) passes_.veil.draw(subject, VeilPass::Style::kVeil);
   passes_.outline.draw(subject, picture);
   if (options.show.face_numbers) passes_.numbers.draw(subject, frame_, picture);
+  if (options.show.shadow_compare) draw_comparison(subject, picture);
+}
+
+// A line where the two methods meet, and beside it the number of pixels on which they differ.
+void Renderer::draw_comparison(const Subject& subject, const gl::Framebuffer& picture) {
+  const ShadowOptions& shadow = subject.options.shadow;
+  const size_t lights = std::min(subject.options.lights.size(), kMostLights);
+  if (lights == 0) return;
+  const int w = picture.shape().width, h = picture.shape().height;
+  const auto counted = [&](ShadowMethod method) {
+    return passes_.probe.look(subject, passes_.scene.shadows(), std::min(shadow.inspected, lights - 1),
+                              method, &passes_.scene.ground(), w, h);
+  };
+  const ShadowCounts one = counted(shadow.method);
+  differing_ = kerf::differing_pixels(one, counted(shadow.beside));
+  picture.bind();
+  const int zoom = 1 + h / 1000, split = static_cast<int>(std::clamp(shadow.split, 0.0, 1.0) * w);
+  glEnable(GL_SCISSOR_TEST);
+  for (const bool dark : {true, false}) {
+    const int wide = (dark ? 4 : 2) * zoom;
+    glScissor(split - wide / 2, 0, wide, h);
+    if (dark) glClearColor(0.03f, 0.035f, 0.04f, 0);
+    if (!dark) glClearColor(0.90f, 0.92f, 0.94f, 0);
+    glClear(GL_COLOR_BUFFER_BIT);
+  }
+  glDisable(GL_SCISSOR_TEST);
+  passes_.numbers.draw_labels(
+      {{static_cast<uint32_t>(differing_), false, glm::vec2(split + 8 * zoom, h - 20 * zoom), {}}}, 2 * zoom);
 }
 
 void Renderer::hand_over(const Target& target) {
@@ -201,24 +220,63 @@ void Renderer::hand_over(const Target& target) {
   glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
 }
 
+ShadowCounts Renderer::shadow_counts(const World& world, const CameraView& view, const ViewOptions& options,
+                                     size_t light, ShadowMethod method, bool ground, int width, int height) {
+  set_plain_state();
+  catch_up(world);
+  update_looks(options);
+  set_up(world, view, options, std::nullopt, {0, 0, 0, width, height});
+  LitScene& scene = passes_.scene;
+  return passes_.probe.look({world, bodies_, space_, options}, scene.shadows(), light, method,
+                            ground ? &scene.ground() : nullptr, width, height);
+}
+
+ShadowReference Renderer::shadow_reference(const World& world, const CameraView& view,
+                                           const ViewOptions& options, size_t light, bool ground, int width,
+                                           int height) {
+  const std::optional<double> floor = ground ? std::optional(passes_.scene.ground().height()) : std::nullopt;
+  return {rays_through({world, bodies_, space_, options}),
+          view,
+          near_of(world, view, options),
+          options.lights[light],
+          floor,
+          width,
+          height};
+}
+
+void Renderer::draw_reference(const ShadowReference& traced, const ShadowCounts& drawn,
+                              const Target& target) const {
+  glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
+  glViewport(target.x, target.y, target.width, target.height);
+  passes_.reference.draw(traced, drawn);
+}
+
+void Renderer::draw_traced(const World& world, const CameraView& view, const ViewOptions& options,
+                           const Target& target) {
+  const size_t light = options.shadow.inspected;
+  if (light >= options.lights.size()) return;
+  ShadowReference traced = shadow_reference(world, view, options, light, true, target.width, target.height);
+  traced.trace(static_cast<size_t>(target.width) * static_cast<size_t>(target.height));
+  const ShadowCounts drawn =
+      shadow_counts(world, view, options, light, options.shadow.method, true, target.width, target.height);
+  draw_reference(traced, drawn, target);
+}
+
 void Renderer::draw(const World& world, const CameraView& view, const ViewOptions& options,
                     const std::optional<BeamPicture>& beam, const Target& target) {
-  glDisable(GL_BLEND);
-  glDisable(GL_CULL_FACE);
-  glDisable(GL_SCISSOR_TEST);
-  glDisable(GL_STENCIL_TEST);
-  glDepthMask(GL_TRUE);
-  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  set_plain_state();
   catch_up(world);
   update_looks(options);
   choose_canvas(target, options.antialias);
-  set_up(view, options, beam, target);
+  set_up(world, view, options, beam, target);
   if (contact_old_) {
-    passes_.ground.update_contact(space_, [&](const gl::Program& program) { draw_bodies(world, program); });
+    passes_.scene.ground().update_contact(space_,
+                                          [&](const gl::Program& program) { draw_bodies(world, program); });
     contact_old_ = false;
   }
-  draw_scene(world, options, beam && beam->strike);
-  draw_overlays({world, bodies_, space_, options}, view, beam);
+  const Subject subject{world, bodies_, space_, options};
+  passes_.scene.draw(subject, beam && beam->strike, *canvases_[canvas_].drawn);
+  draw_overlays(subject, view, beam);
   shining_ = beam || (options.level_colours && white_hot_ > 0);
   hand_over(target);
 }

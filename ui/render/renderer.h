@@ -15,9 +15,13 @@
 #include "ui/render/body_picture.h"
 #include "ui/render/camera.h"
 #include "ui/render/face_numbers.h"
-#include "ui/render/ground_pass.h"
 #include "ui/render/line_overlay.h"
+#include "ui/render/lit_scene.h"
 #include "ui/render/outline_pass.h"
+#include "ui/render/reference_pass.h"
+#include "ui/render/shadow_overlay.h"
+#include "ui/render/shadow_probe.h"
+#include "ui/render/shadow_reference.h"
 #include "ui/render/veil_pass.h"
 #include "ui/render/view_options.h"
 
@@ -55,40 +59,61 @@ class Renderer {
   // Hands over the last picture once more; false where there is none of this size.
   bool draw_again(const Target& target);
 
+  // How the shadow of a light of the options falls on the pixels of a view, seen with one sample and, where
+  // asked for, with the ground.
+  ShadowCounts shadow_counts(const World& world, const CameraView& view, const ViewOptions& options,
+                             size_t light, ShadowMethod method, bool ground, int width, int height);
+
+  // The same by rays, none of which is traced yet.
+  ShadowReference shadow_reference(const World& world, const CameraView& view, const ViewOptions& options,
+                                   size_t light, bool ground, int width, int height);
+
+  // Lays what rays found over a picture of the same size that was just drawn to `target`.
+  void draw_reference(const ShadowReference& traced, const ShadowCounts& drawn, const Target& target) const;
+
+  // Traces all of a picture that was just drawn to `target`, under the light that is inspected, and lays it
+  // over.
+  void draw_traced(const World& world, const CameraView& view, const ViewOptions& options,
+                   const Target& target);
+
+  // Of the last picture that compared two methods: pixels that are lit with one of them alone.
+  size_t differing_pixels() const { return differing_; }
+
+  // What shadows cost since the renderer was made.
+  ShadowWork shadow_work() const { return passes_.scene.shadows().work(); }
+
   // Bytes of faces sent to the GPU since the renderer was made.
   size_t uploaded_bytes() const { return uploaded_; }
 
  private:
-  // With or without wire and the light of the spot: what is not needed is not computed.
-  using BodyPrograms = std::array<gl::Program, 4>;
-  static Result<BodyPrograms> load_bodies(const std::filesystem::path& shaders);
   // What is drawn one after the other.
   struct Passes {
-    GroundPass ground;
+    LitScene scene;
     BloomPass bloom;
     BeamPass beam;
     LineOverlay lines;
     VeilPass veil;
     OutlinePass outline;
     FaceNumbers numbers;
+    ShadowProbe probe;
+    ShadowOverlay shadow_overlay;
+    ReferencePass reference;
   };
   static Result<Passes> load_passes(const std::filesystem::path& shaders);
-  Renderer(BodyPrograms bodies, gl::Program sky, Passes passes);
+  explicit Renderer(Passes passes) : passes_(std::move(passes)) {}
 
   void update_looks(const ViewOptions& options);
-  void set_up(const CameraView& view, const ViewOptions& options, const std::optional<BeamPicture>& beam,
-              const Target& target);
+  double near_of(const World& world, const CameraView& view, const ViewOptions& options);
+  void set_up(const World& world, const CameraView& view, const ViewOptions& options,
+              const std::optional<BeamPicture>& beam, const Target& target);
   void draw_bodies(const World& world, const gl::Program& program) const;
-  void draw_scene(const World& world, const ViewOptions& options, bool spot);
   void choose_canvas(const Target& target, bool antialias);
   void draw_overlays(const Subject& subject, const CameraView& view, const std::optional<BeamPicture>& beam);
+  void draw_comparison(const Subject& subject, const gl::Framebuffer& picture);
   void hand_over(const Target& target);
   void find_white_hot();
 
-  BodyPrograms body_;
-  gl::Program sky_;
   Passes passes_;
-  gl::VertexArray no_vertices_;
   gl::Buffer uniforms_;
   // Pictures are drawn on one of these and then handed over; both are kept, so that changing between them is
   // free.
@@ -99,12 +124,14 @@ class Renderer {
   size_t canvas_ = 0;               // that of the last picture
 
   std::map<BodyId, BodyPicture> bodies_;
+  Vec3 middle_{0};  // of the world as it was shown
   FrameSpace space_;
   FrameUniforms frame_;
   uint32_t white_hot_ = 0;  // halvings since the base face; 0 where nothing is small
   bool contact_old_ = true;
   bool shining_ = false;  // the last picture has something that glows
   size_t uploaded_ = 0;
+  size_t differing_ = 0;
 };
 
 }  // namespace kerf

@@ -12,14 +12,23 @@ struct Name {
 };
 
 constexpr std::array kOffered{
-    Name{"aabb", &ShowOptions::aabb},     Name{"aabb-hit", &ShowOptions::aabb_hit},
-    Name{"wire", &ShowOptions::wire},     Name{"face-numbers", &ShowOptions::face_numbers},
-    Name{"pieces", &ShowOptions::pieces}, Name{"normals", &ShowOptions::normals},
+    Name{"aabb", &ShowOptions::aabb},
+    Name{"aabb-hit", &ShowOptions::aabb_hit},
+    Name{"wire", &ShowOptions::wire},
+    Name{"face-numbers", &ShowOptions::face_numbers},
+    Name{"pieces", &ShowOptions::pieces},
+    Name{"normals", &ShowOptions::normals},
+    Name{"shadows", &ShowOptions::shadows},
+    Name{"silhouette", &ShowOptions::silhouette},
+    Name{"shadow-volumes", &ShowOptions::shadow_volumes},
+    Name{"shadow-stencil", &ShowOptions::shadow_stencil},
+    Name{"shadow-facing", &ShowOptions::shadow_facing},
+    Name{"shadow-compare", &ShowOptions::shadow_compare},
+    Name{"shadow-reference", &ShowOptions::shadow_reference},
 };
 
 // Names of the interface that this version cannot draw.
-constexpr std::array<std::string_view, 6> kLater{"graph",          "heat",           "silhouette",
-                                                 "shadow-volumes", "shadow-stencil", "shadows"};
+constexpr std::array<std::string_view, 2> kLater{"graph", "heat"};
 
 std::string_view trimmed(std::string_view word) {
   const size_t first = word.find_first_not_of(" \t");

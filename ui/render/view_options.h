@@ -4,9 +4,12 @@
 #include <map>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "core/base/ids.h"
 #include "core/base/vec3.h"
+#include "core/document/scene.h"
+#include "ui/render/shadow_options.h"
 #include "ui/render/show_options.h"
 
 namespace kerf {
@@ -47,6 +50,8 @@ struct ViewOptions {
   bool cull_backs = false;    // backs are not drawn, as the paper first had it
   bool ghost = false;         // removed faces stay as a faint veil
   TreeOverlay tree;
+  std::vector<Light> lights{Light{}};  // at most kMostLights are drawn
+  ShadowOptions shadow;
   std::map<PieceKey, PieceLook> pieces;  // those that are not looked at plainly
 };
 

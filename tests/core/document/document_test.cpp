@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "core/document/extract.h"
 #include "core/document/scene.h"
 #include "core/world/state_hash.h"
@@ -121,6 +123,50 @@ TEST(StateHash, does_not_depend_on_the_order_of_faces_or_corners) {
   EXPECT_EQ(state_hash(world_of(soup)), state_hash(world_of(other)));
   other.positions[3].x += 1e-15;
   EXPECT_NE(state_hash(world_of(soup)), state_hash(world_of(other)));
+}
+
+// A scene of the sphere and this member beside it.
+Result<Scene> scene_with(const std::string& name, const std::string& member) {
+  const auto file = std::filesystem::temp_directory_path() / ("kerf-scene-" + name + ".json");
+  std::ofstream(file) << R"({"bodies": [{"mesh": ")" << KERF_ASSETS << R"(/meshes/sphere.obj"}], )" << member
+                      << "}";
+  Result<Scene> scene = read_scene(file);
+  std::filesystem::remove(file);
+  return scene;
+}
+
+TEST(Scene, reads_lights_and_what_to_show) {
+  const auto scene = scene_with("lights", R"("lights": [{"direction": [0, 2, 0]},
+    {"position": [1, 2, 3], "colour": "#ff0000", "intensity": 0.5}], "show": ["shadows", "wire"])");
+  ASSERT_TRUE(scene.ok()) << scene.error().message;
+  ASSERT_EQ(scene->lights.size(), 2u);
+  EXPECT_EQ(scene->lights[0].point(), (LightPoint{{0, 2, 0}, 0}));
+  EXPECT_EQ(scene->lights[1].point(), (LightPoint{{1, 2, 3}, 1}));
+  EXPECT_EQ(scene->lights[1].colour, Vec3(1, 0, 0));
+  EXPECT_EQ(scene->lights[1].intensity, 0.5);
+  EXPECT_EQ(scene->show, "shadows,wire");
+}
+
+TEST(Scene, says_what_is_wrong_with_a_light) {
+  const std::pair<const char*, const char*> bad[]{
+      {R"("lights": 1)", "/lights"},
+      {R"("lights": [{}])", "/lights/0"},
+      {R"("lights": [{"direction": [0,1,0], "position": [0,1,0]}])", "/lights/0"},
+      {R"("lights": [{"direction": [0,0,0]}])", "/lights/0/direction"},
+      {R"("lights": [{"direction": [0,1,0], "intensity": -1}])", "/lights/0/intensity"},
+      {R"("lights": [{"direction": [0,1,0], "colour": "red"}])", "/lights/0/colour"},
+      {R"("lights": [{"direction": [0,1,0]},{"direction": [0,1,0]},{"direction": [0,1,0]},{"direction": [0,1,0]},
+        {"direction": [0,1,0]}])",
+       "/lights"},
+      {R"("show": "wire")", "/show"},
+  };
+  for (const auto& [member, where] : bad) {
+    const auto scene = scene_with("bad", member);
+    ASSERT_FALSE(scene.ok()) << member;
+    EXPECT_EQ(scene.error().code, ErrorCode::kBadInput);
+    EXPECT_NE(scene.error().message.find(std::string(where) + ": "), std::string::npos)
+        << scene.error().message;
+  }
 }
 
 }  // namespace

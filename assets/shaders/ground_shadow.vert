@@ -1,11 +1,13 @@
 layout(location = 0) in vec3 position;
 layout(location = 2) in uint attributes;
 
-// Along the key light onto the ground.
+uniform vec4 light;  // the direction towards it, in frame coordinates; upwards
+
+// Along the light onto the ground.
 void main() {
   vec4 look = look_of(attributes);
   vec3 p = placed(position, look);
   float height = max(p.y - ground.x, 0.0);
-  p -= key_light.xyz * (height / key_light.y);
+  p -= light.xyz * (height / light.y);
   gl_Position = look.w < 0.0 ? kNowhere : clip_from_frame * vec4(p.x, ground.x, p.z, 1.0);
 }

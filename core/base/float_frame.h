@@ -8,8 +8,8 @@
 
 namespace kerf {
 
-// How a body's doubles become the GPU's floats: (x - origin) times a power of two, about within [-1, 1], so
-// that a mesh a millionth of a metre or 1e39 m wide, wherever it lies, is drawn alike.
+// How a body's doubles become floats, for the GPU and for shadows: (x - origin) times a power of two, about
+// within [-1, 1], so that a mesh a millionth of a metre or 1e39 m wide, wherever it lies, is drawn alike.
 struct FloatFrame {
   Vec3 origin{0};
   double scale = 1;

@@ -1,0 +1,22 @@
+layout(location = 0) in vec3 position;
+layout(location = 2) in uint attributes;
+
+uniform isamplerBuffer signs;  // of the faces of this chunk: 1 faces the light, -1 averted, 0 casts nothing
+uniform int wanted;            // faces of this sign are drawn
+uniform int at_infinity;       // 0: where they are, 1: pushed away from the light without end
+
+invariant gl_Position;
+
+// Where they are these have to be the very pixels and depths of the picture: the same expression, the same corners
+// in the same order.
+void main() {
+  vec4 look = look_of(attributes);
+  vec3 at = placed(position, look);
+  if (look.w < 0.0 || texelFetch(signs, gl_VertexID / 3).r != wanted) {
+    gl_Position = kNowhere;
+  } else if (at_infinity == 0) {
+    gl_Position = clip_from_frame * vec4(at, 1.0);
+  } else {
+    gl_Position = clip_from_frame * vec4(away_from_light(at), 0.0);
+  }
+}

@@ -1,0 +1,39 @@
+layout(location = 0) in vec3 low;  // one edge of the silhouette an instance
+layout(location = 1) in vec3 high;
+layout(location = 2) in uint attributes;  // piece 16 << 16
+layout(location = 3) in int multiplicity;
+
+uniform int vertices_of_side;  // 6, or 3 where all points at infinity are one
+uniform float reach;           // how far it is extruded, frame units; 0: without end
+
+invariant gl_Position;
+#ifdef SHEET
+out float far;
+#endif
+
+vec4 pushed(vec3 at) {
+  vec3 away = away_from_light(at);
+  return reach > 0.0 ? clip_from_frame * vec4(at + reach * normalize(away), 1.0) : clip_from_frame * vec4(away, 0.0);
+}
+
+// From the edge u -> v, which has the volume on its left seen from the light, the outward triangles (v, u, u')
+// and (v, u', v'), as often as its multiplicity says.
+void main() {
+  vec4 look = look_of(attributes);
+  int copy = gl_VertexID / vertices_of_side, which = gl_VertexID % vertices_of_side;
+  if (look.w < 0.0 || copy >= abs(multiplicity)) {
+    gl_Position = kNowhere;
+    return;
+  }
+#ifdef SHEET
+  far = which == 2 || which > 3 ? 1.0 : 0.0;
+#endif
+  vec3 u = placed(multiplicity > 0 ? low : high, look), v = placed(multiplicity > 0 ? high : low, look);
+  if (which == 0 || which == 3) {
+    gl_Position = clip_from_frame * vec4(v, 1.0);
+  } else if (which == 1) {
+    gl_Position = clip_from_frame * vec4(u, 1.0);
+  } else {
+    gl_Position = pushed(which == 5 ? v : u);
+  }
+}

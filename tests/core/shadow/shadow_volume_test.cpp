@@ -1,0 +1,209 @@
+#include "core/shadow/shadow_volume.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "tests/support/made_meshes.h"
+#include "tests/support/strokes.h"
+
+namespace kerf {
+namespace {
+
+using Point = std::array<float, 3>;
+Point point(const glm::vec3& p) { return {p.x, p.y, p.z}; }
+
+FloatFrame frame_of(const Mesh& mesh) {
+  const AabbTree tree(mesh);
+  return FloatFrame::around(tree.bounds().min, tree.bounds().max);
+}
+
+// A volume as a set that does not depend on slots: the ends of its edges with their multiplicities.
+std::map<std::pair<Point, Point>, int> silhouette_of(const ShadowCaster& caster, const ShadowVolume& volume) {
+  std::map<std::pair<Point, Point>, int> all;
+  for (const SilhouetteEdge& e : volume.silhouette()) {
+    const ShadowCaster::Ends ends = caster.ends(e.edge);
+    all[{point(ends.low), point(ends.high)}] += e.multiplicity;
+  }
+  return all;
+}
+
+ShadowVolume volume_of(const ShadowCaster& caster, const LightPoint& light,
+                       ShadowMethod method = ShadowMethod::kRobust) {
+  ShadowVolume volume(method);
+  volume.rebuild(caster, {light, {}});
+  return volume;
+}
+
+// How often each multiplicity stands in a silhouette.
+std::map<int, size_t> multiplicities(const ShadowVolume& volume) {
+  std::map<int, size_t> counts;
+  for (const SilhouetteEdge& e : volume.silhouette()) ++counts[std::abs(e.multiplicity)];
+  return counts;
+}
+
+const LightPoint kSun{{0.3, 1, 0.2}, 0};
+const LightPoint kLamp{{0.4, 2.5, -0.7}, 1};
+
+// By hand, in whole numbers: the plane 2x + 3y + 6z = 12 through (6,0,0), (0,4,0), (0,0,2).
+TEST(ShadowVolume, the_sign_is_the_side_of_the_plane_that_the_light_is_on) {
+  const std::array<glm::vec3, 3> t{glm::vec3(6, 0, 0), glm::vec3(0, 4, 0), glm::vec3(0, 0, 2)};
+  EXPECT_EQ(light_side(t, {{3, 3, 3}, 1}), 1);
+  EXPECT_EQ(light_side(t, {{1, 1, 1}, 1}), -1);
+  EXPECT_EQ(light_side(t, {{3, 2, 0}, 1}), 0);
+  EXPECT_EQ(light_side(t, {{2, 2, 1}, 0}), 1);
+  EXPECT_EQ(light_side(t, {{-3, 0, 0}, 0}), -1);
+  EXPECT_EQ(light_side(t, {{3, -2, 0}, 0}), 0);
+  EXPECT_EQ(light_side({t[0], t[2], t[1]}, {{3, 3, 3}, 1}), -1);
+}
+
+TEST(ShadowVolume, is_closed_at_every_vertex_of_every_class_of_mesh) {
+  for (const test::NamedSoup& named : test::mesh_classes()) {
+    const BuiltMesh built = test::build(named.soup);
+    const ShadowCaster caster(built.mesh, frame_of(built.mesh));
+    for (const LightPoint& light : {kSun, kLamp}) {
+      std::map<Point, int> leaving;
+      const ShadowVolume volume = volume_of(caster, light);
+      for (const SilhouetteEdge& e : volume.silhouette()) {
+        const ShadowCaster::Ends ends = caster.ends(e.edge);
+        leaving[point(ends.low)] += e.multiplicity;
+        leaving[point(ends.high)] -= e.multiplicity;
+      }
+      for (const auto& [at, sum] : leaving) EXPECT_EQ(sum, 0) << named.name;
+    }
+  }
+}
+
+TEST(ShadowVolume, a_closed_surface_has_double_edges_and_a_sheet_single_ones) {
+  const BuiltMesh ball = test::build(test::sphere(12, 16, 1));
+  const auto of_ball = multiplicities(volume_of(ShadowCaster(ball.mesh, frame_of(ball.mesh)), kSun));
+  EXPECT_EQ(of_ball.size(), 1u);
+  EXPECT_GT(of_ball.at(2), 10u);
+  const BuiltMesh sheet = test::build(test::grid(5, 1));
+  const auto of_sheet = multiplicities(volume_of(ShadowCaster(sheet.mesh, frame_of(sheet.mesh)), kSun));
+  EXPECT_EQ(of_sheet, (std::map<int, size_t>{{1, 20}}));
+}
+
+// Five sheets on one edge, the light straight over it: whatever their winding, each spans its volume on one
+// side.
+TEST(ShadowVolume, counts_every_sheet_on_an_edge) {
+  const BuiltMesh book = test::build(test::book(5));
+  const ShadowCaster caster(book.mesh, frame_of(book.mesh));
+  for (const Vec3& from : {Vec3(1, 0.2, 0.1), Vec3(0.1, 1, 0.3), Vec3(-0.4, 0.1, 1)}) {
+    const ShadowVolume volume = volume_of(caster, {from, 0});
+    for (const SilhouetteEdge& e : volume.silhouette()) {
+      int faces = 0;
+      caster.for_each_face_on(e.edge, [&](uint32_t, int) { ++faces; });
+      const int sum = std::abs(e.multiplicity);
+      EXPECT_GE(sum, 1);
+      EXPECT_LE(sum, faces);
+      EXPECT_EQ(sum % 2, faces % 2);
+    }
+  }
+}
+
+TEST(ShadowVolume, the_papers_volume_drops_what_two_polygons_share) {
+  const BuiltMesh ball = test::build(test::sphere(12, 16, 1));
+  const ShadowCaster caster(ball.mesh, frame_of(ball.mesh));
+  const ShadowVolume one = volume_of(caster, kSun, ShadowMethod::kPaperOneVolume);
+  const ShadowVolume two = volume_of(caster, kSun, ShadowMethod::kPaperTwoVolumes);
+  const ShadowVolume robust = volume_of(caster, kSun);
+  EXPECT_EQ(multiplicities(one), (std::map<int, size_t>{{1, robust.silhouette().size()}}));
+  EXPECT_EQ(silhouette_of(caster, two), silhouette_of(caster, robust));
+}
+
+TEST(ShadowVolume, a_light_in_the_plane_of_a_sheet_casts_nothing) {
+  const BuiltMesh sheet = test::build(test::grid(3, 1));
+  const ShadowCaster caster(sheet.mesh, frame_of(sheet.mesh));
+  const ShadowVolume volume = volume_of(caster, {{5, 0, 1}, 0});
+  EXPECT_TRUE(volume.silhouette().empty());
+  EXPECT_EQ(std::count(volume.signs().begin(), volume.signs().end(), 0),
+            static_cast<long>(caster.face_slots()));
+}
+
+TEST(ShadowCaster, of_triangles_that_lie_on_one_another_the_lowest_casts) {
+  Soup twice = test::both(test::plate(1), test::plate(1));
+  BuiltMesh built = test::build(twice);
+  const FloatFrame frame = frame_of(built.mesh);
+  ShadowCaster caster(built.mesh, frame);
+  EXPECT_TRUE(caster.casts(0) && caster.casts(1));
+  EXPECT_FALSE(caster.casts(2) || caster.casts(3));
+  const auto both = silhouette_of(caster, volume_of(caster, kSun));
+  const BuiltMesh one = test::build(test::plate(1));
+  const ShadowCaster alone(one.mesh, frame);
+  EXPECT_EQ(both, silhouette_of(alone, volume_of(alone, kSun)));
+  // Its copy takes over when it goes.
+  built.mesh.remove_face(FaceId(0));
+  const std::array<uint32_t, 1> gone{0};
+  const ShadowCaster::Change change = caster.update(built.mesh, gone);
+  EXPECT_FALSE(caster.casts(0));
+  EXPECT_TRUE(caster.casts(2));
+  EXPECT_EQ(change.faces, (std::vector<uint32_t>{0, 2}));
+}
+
+TEST(ShadowVolume, a_piece_that_is_not_drawn_casts_nothing) {
+  const BuiltMesh ball = test::build(test::sphere(6, 8, 1));
+  const ShadowCaster caster(ball.mesh, frame_of(ball.mesh));
+  ShadowVolume volume;
+  volume.rebuild(caster, {kLamp, {std::nullopt}});
+  EXPECT_TRUE(volume.silhouette().empty());
+}
+
+// Counted, not timed: what a bite of fifty faces of a hundred thousand looks at.
+TEST(ShadowVolume, a_bite_looks_at_its_own_faces_and_edges_alone) {
+  BuiltMesh built = test::build(test::torus(250, 200, 1, 0.4));
+  ShadowCaster caster(built.mesh, frame_of(built.mesh));
+  ShadowVolume volume = volume_of(caster, kLamp);
+  const ShadowVolume::Work whole = volume.work();
+  EXPECT_EQ(whole.faces, built.mesh.face_slots());
+  EXPECT_EQ(whole.edges, caster.edge_slots());
+  std::vector<uint32_t> bite;
+  for (uint32_t f = 700; f < 750; ++f) bite.push_back(f);
+  for (const uint32_t f : bite) built.mesh.remove_face(FaceId(f));
+  volume.follow(caster, caster.update(built.mesh, bite));
+  EXPECT_LE(volume.work().faces - whole.faces, 50u);
+  EXPECT_LE(volume.work().edges - whole.edges, 150u);
+}
+
+// After every step of many strokes the volumes that were followed are those that are built from nothing.
+TEST(ShadowVolume, following_deltas_ends_where_building_anew_ends) {
+  Random random(11);
+  const Soup plates = test::both(test::grid(8, 2), test::moved(test::sphere(8, 12, 1), {0.3, 0.2, 0}, 0.7));
+  for (const Soup& soup :
+       {test::torus(10, 16, 1, 0.4), plates, test::book(5), test::random_soup(60, random)}) {
+    World world = test::world_of(soup);
+    Body& body = test::only_body(world);
+    const FloatFrame frame = FloatFrame::around(body.tree.bounds().min, body.tree.bounds().max);
+    ShadowCaster caster(body.mesh, frame);
+    std::vector<ShadowVolume> followed;
+    for (const ShadowMethod m :
+         {ShadowMethod::kRobust, ShadowMethod::kPaperOneVolume, ShadowMethod::kPaperTwoVolumes}) {
+      followed.push_back(volume_of(caster, kLamp, m));
+    }
+    for (int stroke = 0; stroke < 4; ++stroke) {
+      const test::RandomStroke cut = test::random_stroke(world, random, 0.04, stroke % 2 == 1);
+      for (const BeamMove& move : cut.moves) {
+        const auto step = cut_step(world, cut.settings, {&move, 1});
+        ASSERT_TRUE(step.ok());
+        std::vector<uint32_t> slots;
+        for (const BodyDelta& d : step->delta.bodies) {
+          for (const auto* faces : {&d.born, &d.gone, &d.relabelled}) {
+            for (const FaceId f : *faces) slots.push_back(f.index);
+          }
+        }
+        const ShadowCaster::Change change = caster.update(body.mesh, slots);
+        for (ShadowVolume& volume : followed) volume.follow(caster, change);
+      }
+      const ShadowCaster fresh(body.mesh, frame);
+      for (const ShadowVolume& volume : followed) {
+        const ShadowVolume anew = volume_of(fresh, kLamp, volume.method());
+        EXPECT_EQ(silhouette_of(caster, volume), silhouette_of(fresh, anew));
+        EXPECT_TRUE(std::equal(anew.signs().begin(), anew.signs().end(), volume.signs().begin()));
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace kerf

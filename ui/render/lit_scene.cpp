@@ -1,0 +1,200 @@
+#include "ui/render/lit_scene.h"
+
+#include <algorithm>
+
+#include "ui/render/seen_light.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr float kPaperDark = 0.5f;  // how black the paper's quad is
+
+bool shows_edges(const ViewOptions& options) { return options.show.wire || options.show.face_numbers; }
+
+bool casts_shadows(const ViewOptions& options) { return options.show.shadows || options.show.shadow_compare; }
+
+void draw_bodies(const Subject& subject, const gl::Program& program) {
+  for_each_body(subject, [&](BodyId, const Body& body, const BodyPicture& picture) {
+    picture.draw(program, subject.space, body.placement);
+  });
+}
+
+// Adds to what is there, on the surfaces that are seen.
+void begin_adding() {
+  glDepthFunc(GL_EQUAL);
+  glDepthMask(GL_FALSE);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE);
+}
+void end_adding() {
+  glDisable(GL_BLEND);
+  glDepthMask(GL_TRUE);
+  glDepthFunc(GL_LESS);
+}
+
+}  // namespace
+
+Result<LitScene::BodyPrograms> LitScene::load_bodies(const std::filesystem::path& shaders) {
+  BodyPrograms programs;
+  const auto load = [&](gl::Program& program, std::vector<std::string> defines) -> Status {
+    auto loaded = gl::Program::load(shaders, {{"frame.glsl", "placed.glsl", "body.vert"},
+                                              {"frame.glsl", "light.glsl", "direct.glsl", "body.frag"},
+                                              std::move(defines)});
+    if (!loaded) return loaded.error();
+    loaded->bind_block("Frame", kFrameBlock);
+    loaded->bind_block("Paints", kPaintBlock);
+    program = std::move(*loaded);
+    return Done{};
+  };
+  for (size_t i = 0; i < programs.ambient.size(); ++i) {
+    std::vector<std::string> defines;
+    if (i & kWire) defines.emplace_back("WIRE");
+    const bool spot = (i & kSpot) != 0;
+    if (!spot) {
+      for (auto [kind, name] : {std::pair{&programs.direct, "DIRECT"}, std::pair{&programs.glow, "GLOW"}}) {
+        std::vector<std::string> all = defines;
+        all.emplace_back(name);
+        if (Status s = load((*kind)[i], std::move(all)); !s) return s.error();
+      }
+    } else {
+      defines.emplace_back("SPOT");
+    }
+    if (Status s = load(programs.ambient[i], std::move(defines)); !s) return s.error();
+  }
+  return programs;
+}
+
+Result<LitScene> LitScene::create(const std::filesystem::path& shaders) {
+  auto bodies = load_bodies(shaders);
+  if (!bodies) return bodies.error();
+  auto sky = gl::Program::load(shaders, {{"screen.vert"}, {"frame.glsl", "light.glsl", "sky.frag"}});
+  if (!sky) return sky.error();
+  auto darken = gl::Program::load(shaders, {{"screen.vert"}, {"solid.frag"}});
+  if (!darken) return darken.error();
+  auto ground = GroundPass::create(shaders);
+  if (!ground) return ground.error();
+  auto shadows = ShadowPass::create(shaders);
+  if (!shadows) return shadows.error();
+  auto tone = TonePass::create(shaders);
+  if (!tone) return tone.error();
+  return LitScene(std::move(*bodies), std::move(*sky), std::move(*darken), std::move(*ground),
+                  std::move(*shadows), std::move(*tone));
+}
+
+LitScene::LitScene(BodyPrograms bodies, gl::Program sky, gl::Program darken, GroundPass ground,
+                   ShadowPass shadows, TonePass tone)
+    : body_(std::move(bodies)),
+      sky_(std::move(sky)),
+      darken_(std::move(darken)),
+      ground_(std::move(ground)),
+      shadows_(std::move(shadows)),
+      tone_(std::move(tone)) {
+  sky_.bind_block("Frame", kFrameBlock);
+}
+
+void LitScene::draw_without_lights(const Subject& subject, bool spot) const {
+  glClear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  if (subject.options.cull_backs) glEnable(GL_CULL_FACE);
+  const gl::Program& body = body_.ambient[(shows_edges(subject.options) ? kWire : 0) + (spot ? kSpot : 0)];
+  body.use();
+  draw_bodies(subject, body);
+  glDisable(GL_CULL_FACE);
+  ground_.draw(subject.space, spot);
+  glDepthFunc(GL_LEQUAL);
+  sky_.use();
+  glBindVertexArray(no_vertices_.name());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glDepthFunc(GL_LESS);
+}
+
+void LitScene::add_direct(const Subject& subject, size_t light) const {
+  const Light& l = subject.options.lights[light];
+  const glm::vec4 place = light_in_frame(l, subject.space);
+  const glm::vec4 colour = light_colour(l, subject.space, subject.world.bounds().diagonal());
+  begin_adding();
+  if (subject.options.cull_backs) glEnable(GL_CULL_FACE);
+  const gl::Program& body = body_.direct[shows_edges(subject.options) ? kWire : 0];
+  body.use();
+  body.set("light", place);
+  body.set("light_colour", colour);
+  draw_bodies(subject, body);
+  glDisable(GL_CULL_FACE);
+  const bool projected = !casts_shadows(subject.options) &&
+                         ground_.project_shadow(subject.space, place, [&](const gl::Program& program) {
+                           draw_bodies(subject, program);
+                         });
+  ground_.add_light(subject.space, place, colour);
+  if (projected) glDisable(GL_STENCIL_TEST);
+  end_adding();
+}
+
+// Black over what is in shadow, and what glows anew over that.
+void LitScene::darken_shadows(const Subject& subject, size_t wire) {
+  glStencilFunc(GL_NOTEQUAL, 0, 0xff);
+  // The quad lies as far as the sky, which stays as it is.
+  glDepthFunc(GL_GREATER);
+  glDepthMask(GL_FALSE);
+  glEnable(GL_BLEND);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+  darken_.use();
+  darken_.set("colour", glm::vec4(0, 0, 0, kPaperDark));
+  glBindVertexArray(no_vertices_.name());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  begin_adding();
+  glBlendColor(kPaperDark, kPaperDark, kPaperDark, 0);
+  glBlendFunc(GL_CONSTANT_COLOR, GL_ONE);
+  const gl::Program& glow = body_.glow[wire];
+  glow.use();
+  if (subject.options.cull_backs) glEnable(GL_CULL_FACE);
+  draw_bodies(subject, glow);
+  glDisable(GL_CULL_FACE);
+  end_adding();
+}
+
+void LitScene::add_shadowed(const Subject& subject, size_t light, ShadowMethod method) {
+  shadows_.count(subject, light, method);
+  if (subject.options.shadow.paper_look) {
+    darken_shadows(subject, shows_edges(subject.options) ? kWire : 0);
+  } else {
+    glStencilFunc(GL_EQUAL, 0, 0xff);
+    add_direct(subject, light);
+  }
+  glDisable(GL_STENCIL_TEST);
+}
+
+void LitScene::add_light(const Subject& subject, size_t light) {
+  const ShadowOptions& shadow = subject.options.shadow;
+  if (!subject.options.show.shadow_compare) return add_shadowed(subject, light, shadow.method);
+  const int w = linear_->shape().width, h = linear_->shape().height;
+  const int split = static_cast<int>(std::clamp(shadow.split, 0.0, 1.0) * w);
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(0, 0, split, h);
+  add_shadowed(subject, light, shadow.method);
+  glScissor(split, 0, w - split, h);
+  add_shadowed(subject, light, shadow.beside);
+  glDisable(GL_SCISSOR_TEST);
+}
+
+void LitScene::draw(const Subject& subject, bool spot, const gl::Framebuffer& canvas) {
+  gl::Framebuffer::Shape shape = canvas.shape();
+  shape.colour = GL_RGBA16F;
+  if (!linear_ || !(linear_->shape() == shape) || linear_beside_ != canvas.name()) {
+    linear_.emplace(shape, canvas);
+    linear_beside_ = canvas.name();
+  }
+  linear_->bind();
+  draw_without_lights(subject, spot);
+  const size_t lights = std::min(subject.options.lights.size(), kMostLights);
+  const bool shadowed = casts_shadows(subject.options);
+  for (size_t i = 0; i < lights; ++i) {
+    if (!shadowed || subject.options.shadow.paper_look) add_direct(subject, i);
+  }
+  for (size_t i = 0; shadowed && i < lights; ++i) add_light(subject, i);
+  shadows_.drop_unused();
+  tone_.draw(*linear_, canvas);
+}
+
+}  // namespace kerf

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "ui/gl/framebuffer.h"
+#include "ui/render/ground_pass.h"
+#include "ui/render/shadow_pass.h"
+#include "ui/render/tone_pass.h"
+
+namespace kerf {
+
+// Bodies, ground and sky under their lights: first everything as it is without them, then for each light what
+// it adds where its shadow is not, all in linear light.
+class LitScene {
+ public:
+  static Result<LitScene> create(const std::filesystem::path& shaders);
+
+  GroundPass& ground() { return ground_; }
+  ShadowPass& shadows() { return shadows_; }
+  const ShadowPass& shadows() const { return shadows_; }
+
+  // Into the colour and depth of `canvas`. `spot`: whether the beam lights its surroundings up. The uniform
+  // block of the frame must be bound.
+  void draw(const Subject& subject, bool spot, const gl::Framebuffer& canvas);
+
+ private:
+  // With or without wire and the light of the spot: what is not needed is not computed.
+  static constexpr size_t kWire = 1, kSpot = 2;
+  struct BodyPrograms {
+    std::array<gl::Program, 4> ambient;
+    std::array<gl::Program, 2> direct, glow;
+  };
+  static Result<BodyPrograms> load_bodies(const std::filesystem::path& shaders);
+  LitScene(BodyPrograms bodies, gl::Program sky, gl::Program darken, GroundPass ground, ShadowPass shadows,
+           TonePass tone);
+
+  void draw_without_lights(const Subject& subject, bool spot) const;
+  void add_light(const Subject& subject, size_t light);
+  void add_shadowed(const Subject& subject, size_t light, ShadowMethod method);
+  void add_direct(const Subject& subject, size_t light) const;
+  void darken_shadows(const Subject& subject, size_t wire);
+
+  BodyPrograms body_;
+  gl::Program sky_, darken_;
+  GroundPass ground_;
+  ShadowPass shadows_;
+  TonePass tone_;
+  gl::VertexArray no_vertices_;
+  std::optional<gl::Framebuffer> linear_;
+  GLuint linear_beside_ = 0;  // the canvas whose depth it shares
+};
+
+}  // namespace kerf

@@ -1,0 +1,39 @@
+#include "ui/render/seen_light.h"
+
+namespace kerf {
+
+LightOnBody light_on_body(const Light& light, BodyId id, const Placement& placement, const FloatFrame& frame,
+                          const std::map<PieceKey, PieceLook>& pieces) {
+  const auto seen_from = [&](const Vec3& offset) -> LightPoint {
+    if (light.kind == Light::Kind::kDirectional) return {glm::conjugate(placement.orientation) * light.at, 0};
+    return {frame.scaled(placement.to_body(light.at - offset)), 1};
+  };
+  LightOnBody on{seen_from(Vec3(0)), {}};
+  for (auto i = pieces.lower_bound({id, 0}); i != pieces.end() && i->first.first == id; ++i) {
+    const PieceLook& look = i->second;
+    const bool sees_otherwise = light.kind == Light::Kind::kPoint && look.offset != Vec3(0);
+    if (!look.hidden && !sees_otherwise) continue;
+    const uint32_t piece = i->first.second;
+    if (on.pieces.size() <= piece) on.pieces.resize(piece + 1, on.light);
+    on.pieces[piece] = look.hidden ? std::nullopt : std::optional(seen_from(look.offset));
+  }
+  return on;
+}
+
+glm::vec4 light_in_frame(const Light& light, const FrameSpace& space) {
+  if (light.kind == Light::Kind::kDirectional) return {glm::vec3(glm::normalize(light.at)), 0};
+  return {space.from_world(light.at), 1};
+}
+
+glm::vec4 light_colour(const Light& light, const FrameSpace& space, double diagonal) {
+  const float reference = space.length(diagonal);
+  return {glm::vec3(light.colour * light.intensity), reference * reference};
+}
+
+Vec3 direction_to(const Light& light, const Vec3& from) {
+  const Vec3 way = light.kind == Light::Kind::kDirectional ? light.at : light.at - from;
+  const double length = glm::length(way);
+  return length > 0 ? way / length : Vec3(0, 1, 0);
+}
+
+}  // namespace kerf

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <map>
+
+#include "core/shadow/light.h"
+#include "core/shadow/shadow_volume.h"
+#include "core/world/placement.h"
+#include "ui/render/frame_space.h"
+#include "ui/render/view_options.h"
+
+namespace kerf {
+
+// A light as a body sees it that stands at `placement` and whose pieces have these looks.
+LightOnBody light_on_body(const Light& light, BodyId id, const Placement& placement, const FloatFrame& frame,
+                          const std::map<PieceKey, PieceLook>& pieces);
+
+// The uniform "light" of the shaders: the light in frame coordinates.
+glm::vec4 light_in_frame(const Light& light, const FrameSpace& space);
+
+// The uniform "light_colour". `diagonal` of the world, m.
+glm::vec4 light_colour(const Light& light, const FrameSpace& space, double diagonal);
+
+// The unit direction from a point of the world towards a light.
+Vec3 direction_to(const Light& light, const Vec3& from);
+
+}  // namespace kerf

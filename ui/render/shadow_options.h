@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/shadow/shadow_volume.h"
+
+namespace kerf {
+
+// How shadows are cast where ShowOptions asks for them.
+struct ShadowOptions {
+  ShadowMethod method = ShadowMethod::kRobust;
+  // How far the paper's volumes reach, in diagonals of the world; kRobust reaches without end.
+  double extrusion = 4;
+  // Black at half strength over what is in shadow, as in the paper, in place of leaving the light out.
+  bool paper_look = false;
+  // The method that is drawn right of the split where ShowOptions asks to compare; `split` is a share of the
+  // picture's width.
+  ShadowMethod beside = ShadowMethod::kPaperOneVolume;
+  double split = 0.5;
+  size_t inspected = 0;  // the light whose silhouette, volumes and counts are shown
+  friend bool operator==(const ShadowOptions&, const ShadowOptions&) = default;
+};
+
+}  // namespace kerf

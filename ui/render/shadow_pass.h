@@ -1,0 +1,82 @@
+#pragma once
+
+#include <map>
+#include <memory>
+
+#include "core/world/delta.h"
+#include "ui/gl/program.h"
+#include "ui/render/subject.h"
+#include "ui/render/volume_buffer.h"
+
+namespace kerf {
+
+// What shadows cost since the pass was made.
+struct ShadowWork {
+  uint64_t casters = 0;  // whole bodies whose edges were found
+  uint64_t faces = 0;    // whose sign was computed, over all lights
+  uint64_t edges = 0;    // whose multiplicity was computed, over all lights
+  uint64_t rebuilt = 0;  // volumes computed from nothing
+};
+
+// Counts for every pixel by how many surfaces the light is kept from it: shadow volumes in the stencil buffer
+// (F. Crow: Shadow algorithms for computer graphics, 1977; T. Heidmann: Real shadows, real time, 1991),
+// counted where the depth test fails (W. Bilodeau, M. Songy and, independently, J. Carmack) with volumes that
+// reach to infinity under a projection without a far plane (C. Everitt, M. Kilgard: Practical and robust
+// stenciled shadow volumes, 2002).
+//
+// Volumes are kept for each body, light and method, follow Deltas, and do not depend on the eye.
+class ShadowPass {
+ public:
+  static Result<ShadowPass> create(const std::filesystem::path& shaders);
+
+  // Everything that is kept is of another world, or a Delta was lost.
+  void forget() { bodies_.clear(); }
+  void follow(const Delta& delta);
+
+  // Counts into the stencil of what is bound, where the scissor lets it, the shadow of a light of
+  // subject.options. What casts must be in the depth, drawn with `clip_from_frame * vec4(placed(...), 1.0)`
+  // and an invariant position, with depth func GL_LESS. Afterwards a pixel is lit where the stencil is 0, and
+  // with kRobust it holds the number of occluders modulo 256, so 256 surfaces over one another cast no
+  // shadow. Leaves the stencil test on, with GL_KEEP, the depth test at GL_LESS, and depth and colour
+  // writable.
+  void count(const Subject& subject, size_t light, ShadowMethod method);
+
+  // The volume of a body, brought up to date; null where the body is not drawn.
+  const VolumeBuffer* volume(const Subject& subject, BodyId id, size_t light, ShadowMethod method);
+  const ShadowCaster* caster(BodyId id) const;
+
+  // Keeps of all that was made for lights and methods only what was used since the last call.
+  void drop_unused();
+
+  ShadowWork work() const { return work_; }
+
+ private:
+  ShadowPass(gl::Program cap, gl::Program side);
+
+  using VolumeKey = std::pair<size_t, ShadowMethod>;
+  struct Kept {
+    VolumeBuffer buffer;
+    bool used = true;
+    explicit Kept(ShadowMethod method) : buffer(method) {}
+  };
+  struct BodyShadows {
+    std::unique_ptr<ShadowCaster> caster;
+    std::map<VolumeKey, Kept> volumes;
+    DirtySlots dirty;
+  };
+
+  void catch_up(BodyShadows& shadows, const Body& body, const FloatFrame& frame);
+  Kept& bring_up_to_date(const Subject& subject, BodyId id, const Body& body, const BodyPicture& picture,
+                         VolumeKey key);
+  void note_work(const ShadowVolume::Work& before, const ShadowVolume::Work& after);
+  void count_robustly(const Subject& subject, VolumeKey key, const glm::vec4& light);
+  void count_as_the_paper(const Subject& subject, VolumeKey key, const glm::vec4& light);
+  void draw_caps(const Subject& subject, VolumeKey key, int sign, bool at_infinity);
+  void draw_sides(const Subject& subject, VolumeKey key, int vertices_of_side);
+
+  gl::Program cap_, side_;
+  std::map<BodyId, BodyShadows> bodies_;
+  ShadowWork work_;
+};
+
+}  // namespace kerf

@@ -1,0 +1,70 @@
+#include "ui/render/shadow_probe.h"
+
+namespace kerf {
+
+Result<ShadowProbe> ShadowProbe::create(const std::filesystem::path& shaders) {
+  auto faces = gl::Program::load(shaders, {{"frame.glsl", "placed.glsl", "faces.vert"}, {"mark.frag"}});
+  if (!faces) return faces.error();
+  auto ground = gl::Program::load(shaders, {{"frame.glsl", "ground.vert"}, {"solid.frag"}});
+  if (!ground) return ground.error();
+  return ShadowProbe(std::move(*faces), std::move(*ground));
+}
+
+ShadowProbe::ShadowProbe(gl::Program faces, gl::Program ground)
+    : faces_(std::move(faces)), ground_(std::move(ground)) {
+  for (const gl::Program* p : {&faces_, &ground_}) p->bind_block("Frame", kFrameBlock);
+}
+
+void ShadowProbe::draw_marks(const Subject& subject, const GroundPass* ground) const {
+  glClearColor(0, 0, 0, 0);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  glDisable(GL_BLEND);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  if (subject.options.cull_backs) glEnable(GL_CULL_FACE);
+  faces_.use();
+  faces_.set("only", 0);
+  int number = 0;
+  for_each_body(subject, [&](BodyId, const Body& body, const BodyPicture& picture) {
+    faces_.set("body", (number++ % 127) + 1);
+    picture.bind(faces_, subject.space, body.placement);
+    picture.faces().draw_numbered(faces_);
+  });
+  glDisable(GL_CULL_FACE);
+  if (ground == nullptr) return;
+  ground_.use();
+  ground_.set("colour", glm::vec4(0, 0, 0, 1));
+  ground->draw_disc(subject.space);
+}
+
+ShadowCounts ShadowProbe::look(const Subject& subject, ShadowPass& shadows, size_t light, ShadowMethod method,
+                               const GroundPass* ground, int width, int height) {
+  const gl::Framebuffer::Shape shape{width, height, 1, true};
+  if (!picture_ || !(picture_->shape() == shape)) picture_.emplace(shape);
+  picture_->bind();
+  draw_marks(subject, ground);
+  shadows.count(subject, light, method);
+  glDisable(GL_STENCIL_TEST);
+  const size_t pixels = static_cast<size_t>(width) * static_cast<size_t>(height);
+  ShadowCounts counts{width, height, std::vector<uint32_t>(pixels), std::vector<uint8_t>(pixels)};
+  std::vector<uint8_t> marks(4 * pixels);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, marks.data());
+  glReadPixels(0, 0, width, height, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, counts.stencil.data());
+  glPixelStorei(GL_PACK_ALIGNMENT, 4);
+  for (size_t i = 0; i < pixels; ++i) {
+    counts.faces[i] = marks[4 * i] | uint32_t{marks[4 * i + 1]} << 8 | uint32_t{marks[4 * i + 2]} << 16 |
+                      uint32_t{marks[4 * i + 3]} << 24;
+  }
+  return counts;
+}
+
+size_t differing_pixels(const ShadowCounts& a, const ShadowCounts& b) {
+  size_t off = 0;
+  for (size_t i = 0; i < a.stencil.size(); ++i) {
+    off += a.faces[i] != 0 && (a.stencil[i] == 0) != (b.stencil[i] == 0);
+  }
+  return off;
+}
+
+}  // namespace kerf

@@ -1,0 +1,63 @@
+#include "ui/render/shadow_reference.h"
+
+namespace kerf {
+
+ShadowRays rays_through(const Subject& subject) {
+  ShadowRays rays;
+  for_each_body(subject, [&](BodyId id, const Body& body, const BodyPicture& picture) {
+    rays.add(body, picture.faces().frame(), [&](uint32_t piece) -> std::optional<Vec3> {
+      const auto look = subject.options.pieces.find({id, piece});
+      if (look == subject.options.pieces.end()) return Vec3(0);
+      return look->second.hidden ? std::nullopt : std::optional(look->second.offset);
+    });
+  });
+  return rays;
+}
+
+ShadowReference::ShadowReference(ShadowRays rays, const CameraView& view, double near, const Light& light,
+                                 std::optional<double> ground, int width, int height)
+    : rays_(std::move(rays)),
+      view_(view),
+      near_(near),
+      light_(light),
+      ground_(ground),
+      width_(width),
+      height_(height) {
+  const size_t pixels = static_cast<size_t>(width) * static_cast<size_t>(height);
+  faces_.resize(pixels, 0);
+  occluders_.resize(pixels, 0);
+}
+
+void ShadowReference::trace(size_t pixels) {
+  for (size_t traced = 0; row_ < height_ && traced < pixels; ++row_, traced += static_cast<size_t>(width_)) {
+    for (int x = 0; x < width_; ++x) trace_pixel(x, row_);
+  }
+}
+
+void ShadowReference::trace_pixel(int x, int y) {
+  const size_t at = static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x);
+  const Pose ray = view_.ray((x + 0.5) / width_ * 2 - 1, (y + 0.5) / height_ * 2 - 1);
+  const auto seen = rays_.look(ray, near_ / glm::dot(ray.direction, view_.forward));
+  if (ground_ && view_.eye.y > *ground_ && ray.direction.y < 0) {
+    const double length = (*ground_ - ray.origin.y) / ray.direction.y;
+    if (!seen || length < seen->length) {
+      faces_[at] = ShadowCounts::kGround;
+      occluders_[at] = rays_.occluders(ray.origin + ray.direction * length, light_);
+      return;
+    }
+  }
+  if (!seen) return;
+  faces_[at] = ShadowCounts::mark(seen->body, seen->face);
+  occluders_[at] = rays_.occluders(ray, *seen, light_);
+}
+
+size_t differing_pixels(const ShadowCounts& drawn, const ShadowReference& traced) {
+  size_t off = 0;
+  for (size_t i = 0; i < drawn.faces.size(); ++i) {
+    off += drawn.faces[i] != 0 && drawn.faces[i] == traced.faces()[i] &&
+           (drawn.stencil[i] != 0) != (traced.occluders()[i] > 0);
+  }
+  return off;
+}
+
+}  // namespace kerf

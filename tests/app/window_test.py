@@ -20,7 +20,9 @@ class Editor:
     def __init__(self, folder, *arguments):
         self.report_file = os.path.join(folder, "report.json")
         read, write = os.pipe()
-        self.screen = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", f"{WIDTH}x{HEIGHT}x24"],
+        # A server without -noreset starts anew when its last client goes, and refuses who comes meanwhile.
+        self.screen = subprocess.Popen(["Xvfb", "-noreset", "-displayfd", str(write),
+                                        "-screen", "0", f"{WIDTH}x{HEIGHT}x24"],
                                        pass_fds=[write], stderr=subprocess.DEVNULL)
         os.close(write)
         with os.fdopen(read) as pipe:

@@ -40,6 +40,12 @@ World five_sheets() {
   return world_of({test::moved(test::book(5), {0, 0.3, 0}, 1.5), test::floor_at(-1.5, 8)});
 }
 World loose_triangles() { return world_of({test::triangles(150, 5), test::floor_at(-1.6, 8)}); }
+// A box `size` times as large as that of box_over_floor, the floor too.
+World scaled_box_over_floor(double size) {
+  return world_of({test::moved(test::box({0, 1, 0}, {1, 1, 1}), {}, size), test::floor_at(0, 8 * size)});
+}
+World tiny_box() { return scaled_box_over_floor(1e-3); }
+World huge_box() { return scaled_box_over_floor(1e4); }
 World one_sided_strip() { return world_of({test::moebius(40), test::floor_at(-1.5, 8)}); }
 World mirrored_ball() {
   return world_of({test::mirrored(test::opened_ball({0.3, 0.4, 1}, 0.6)), test::floor_at(-1.2, 8)});
@@ -47,6 +53,16 @@ World mirrored_ball() {
 World touching_boxes() {
   return world_of({test::box({-0.5, 0.5, 0}, {1, 1, 1}), test::box({0.5, 0.5, 0}, {1, 1, 1}),
                    test::box({0.5, 1.5, 0}, {1, 1, 1}), test::floor_at(-0.5, 8)});
+}
+// Two pieces of one body that share a wall, as a beam without width would leave them.
+World touching_pieces() {
+  const Soup left = test::box({-0.5, 0.5, 0}, {1, 1, 1}), right = test::box({0.5, 0.5, 0}, {1, 1, 1});
+  World world = world_of({test::both(left, right), test::floor_at(-0.5, 8)});
+  Mesh& mesh = world.body(world.ids().front()).mesh;
+  for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
+    mesh.data(FaceId(f)).piece = f < left.triangles.size() ? 0 : 1;
+  }
+  return world;
 }
 World sheet_twice() {
   const Soup sheet = test::moved(test::grid(3, 1.4), {0, 1, 0}, 1);
@@ -91,12 +107,17 @@ const std::vector<Case>& right_cases() {
       // Every point of a side whose plane the lamp is in lies at the boundary of a shadow: this one is not
       // seen.
       {"a lamp in the plane of a side", box_over_floor, lamp_at({-0.5, 3, 1.9}), shadow_view(kEye, kMiddle)},
+      {"a box of a millimetre", tiny_box, lamp_at(Vec3(1.2, 4, 1.5) * 1e-3),
+       shadow_view(kEye * 1e-3, kMiddle * 1e-3, 0.2e-3)},
+      {"a box of ten kilometres", huge_box, lamp_at(Vec3(1.2, 4, 1.5) * 1e4),
+       shadow_view(kEye * 1e4, kMiddle * 1e4, 0.2e4)},
       {"one hanging vertex", wall, lamp_at({1.9, 3, 1.2}), shadow_view(kEye, kMiddle)},
       {"sixty vertices that do not hang", split_wall, lamp_at({1.9, 3, 1.2}), shadow_view(kEye, kMiddle)},
       {"255 sheets", stack_255, lamp_at({0.3, 4, 0.2}), shadow_view(kEye, kMiddle)},
       {"a mirrored ball", mirrored_ball, lamp_at({0.1, 0.1, 0.1}),
        shadow_view({1.2, 1.6, 4.4}, {0, -0.4, 0.6})},
       {"boxes that touch", touching_boxes, lamp_at({1.9, 4, 1.2}), shadow_view(kEye, kMiddle)},
+      {"pieces that touch", touching_pieces, lamp_at({1.9, 4, 1.2}), shadow_view(kEye, kMiddle)},
       {"triangles that lie on one another", sheet_twice, lamp_at({0.5, 4, 0.2}), shadow_view(kEye, kMiddle)},
       {"faces without area and edge-on", needles, lamp_at({0, 4, 0}), shadow_view(kEye, kMiddle)},
       {"a ball whose faces were turned at random", turned_ball, lamp_at({0.1, 0.1, 0.1}),

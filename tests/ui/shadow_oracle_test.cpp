@@ -208,26 +208,46 @@ TEST(ShadowOracle, the_papers_methods_fail_where_they_must_and_the_robust_one_do
   }
 }
 
-// The stencil has eight bits: 256 surfaces over one another count as none, and nothing else goes wrong.
+// The stencil has eight bits: 256 surfaces over one another count as none, and nothing else goes wrong. Under
+// 256 sheets that is the middle of the shadow, and under 257 the seam where the shadow of one of them ends
+// before that of the others.
+struct StackCase {
+  int sheets;
+  size_t lost, spread;  // pixels, and by how many that may differ with another rasteriser
+};
+
 TEST(ShadowOracle, only_multiples_of_256_occluders_are_lost) {
-  for (const int sheets : {256, 257}) {
-    test::Stage stage(world_of({test::stack(sheets), test::floor_at(0, 8)}));
+  for (const StackCase& c : {StackCase{255, 0, 0}, StackCase{256, 3876, 40}, StackCase{257, 6, 4}}) {
+    test::Stage stage(world_of({test::stack(c.sheets), test::floor_at(0, 8)}));
     const ShadowVerdict v = trial_of(stage, lamp_at({0.3, 4, 0.2}), shadow_view(kEye, kMiddle)).robust();
-    SCOPED_TRACE(v.summary());
-    EXPECT_GE(v.multiples_of_256, sheets == 256 ? 500u : 5u);
+    SCOPED_TRACE(std::to_string(c.sheets) + " sheets: " + v.summary());
+    EXPECT_GE(v.multiples_of_256 + c.spread, c.lost);
+    EXPECT_LE(v.multiples_of_256, c.lost + c.spread);
     EXPECT_EQ(v.wrong, v.multiples_of_256);
     EXPECT_EQ(v.miscounted, 0u);
   }
 }
 
-// Vertices that hang on an edge leave slivers where three sides meet that do not cancel to the pixel.
-TEST(ShadowOracle, sixty_hanging_vertices_cost_a_few_sparkles_at_most) {
-  test::Stage stage(world_of({test::wall_with_tees(60, false), test::floor_at(0, 8)}));
-  const ShadowVerdict v = trial_of(stage, lamp_at({1.9, 3, 1.2}), shadow_view(kEye, kMiddle)).robust();
-  SCOPED_TRACE(v.summary());
-  expect_seen(v, kSolid);
-  EXPECT_LE(v.wrong, 10u);
-  EXPECT_LE(v.miscounted, 10u);
+// Under a sun that grazes it, seen at 480 x 360.
+ShadowVerdict grazed_wall(bool split) {
+  test::Stage stage(world_of({test::wall_with_tees(60, split), test::floor_at(0, 8)}));
+  const CameraView view = shadow_view({-1.4, 1.4, 3.7}, kMiddle);
+  return test::ShadowTrial(stage, sun_from({2.55, 1, -0.3}), view, 480, 360).robust();
+}
+
+// The sides on a long edge and those on the short ones that lie on it cancel in number, and are rasterised
+// apart: now and then a pixel falls between them, the more the flatter the light. Four do here; none does
+// where the long edge is split.
+TEST(ShadowOracle, sixty_hanging_vertices_cost_four_sparkles) {
+  const ShadowVerdict hanging = grazed_wall(false);
+  SCOPED_TRACE(hanging.summary());
+  expect_seen(hanging, kSolid);
+  EXPECT_GE(hanging.wrong, 1u);
+  EXPECT_LE(hanging.wrong, 8u);
+  EXPECT_EQ(hanging.miscounted, hanging.wrong);
+  const ShadowVerdict split = grazed_wall(true);
+  SCOPED_TRACE(split.summary());
+  expect_right(split, kSolid);
 }
 
 }  // namespace

@@ -208,6 +208,22 @@ TEST(ShadowOracle, the_papers_methods_fail_where_they_must_and_the_robust_one_do
   }
 }
 
+// What a slip in the depths of the near caps would cost: nearly everything that is lit.
+TEST(ShadowOracle, near_caps_that_are_off_by_a_hair_are_noticed) {
+  test::Stage stage(box_over_floor());
+  for (const Light& light : {lamp_at({1.2, 4, 1.5}), sun_from({0.4, 1, 0.5})}) {
+    test::ShadowTrial trial = trial_of(stage, light, shadow_view(kEye, kMiddle));
+    for (const NearCaps how : {NearCaps::kLessOrEqual, NearCaps::kDisplaced}) {
+      trial.draw_near_caps(how);
+      const ShadowVerdict v = trial.robust();
+      SCOPED_TRACE(v.summary());
+      EXPECT_GE(v.wrong, (v.hit - v.in_shadow) * 8 / 10);
+    }
+    trial.draw_near_caps(NearCaps::kExact);
+    expect_right(trial.robust(), kSolid);
+  }
+}
+
 // The stencil has eight bits: 256 surfaces over one another count as none, and nothing else goes wrong. Under
 // 256 sheets that is the middle of the shadow, and under 257 the seam where the shadow of one of them ends
 // before that of the others.

@@ -34,6 +34,21 @@ class Lit {
     }
   }
 
+  // Calls visit(byte of the first channel, shadow) for every pixel whose 3x3 neighbours show a face, all of
+  // them lit or all in shadow.
+  template <typename Visit>
+  void for_each_inner_pixel(const Visit& visit) const {
+    for_each_pixel([&](size_t at, uint32_t face, bool shadow) {
+      const int i = static_cast<int>(at / 3), x = i % kWidth, y = kHeight - 1 - i / kWidth;
+      if (face == 0 || x == 0 || y == 0 || x == kWidth - 1 || y == kHeight - 1) return;
+      for (int n = 0; n < 9; ++n) {
+        const auto beside = static_cast<size_t>((y + n / 3 - 1) * kWidth + x + n % 3 - 1);
+        if (counts_.faces[beside] == 0 || (counts_.stencil[beside] != 0) != shadow) return;
+      }
+      visit(at, shadow);
+    });
+  }
+
  private:
   test::Stage stage_;
   CameraView view_;
@@ -83,6 +98,37 @@ TEST(ShadowLighting, the_light_is_added_where_the_stencil_is_zero_and_nowhere_el
   });
   EXPECT_GT(shadow, 1000u);
   EXPECT_GT(brighter, 5000u);
+}
+
+// The first channel of a pixel or of one of its eight neighbours.
+int darkest_around(const Pixels& picture, size_t at) {
+  int darkest = 255;
+  for (int n = 0; n < 9; ++n) {
+    const int beside = static_cast<int>(at) + 3 * ((n / 3 - 1) * kWidth + n % 3 - 1);
+    darkest = std::min<int>(darkest, picture.rgb[static_cast<size_t>(beside)]);
+  }
+  return darkest;
+}
+
+// Each sample of a pixel has a stencil of its own: away from the boundaries of the shadow that one sample
+// sees, no light leaks into it and no dark out of it.
+TEST(ShadowLighting, with_several_samples_no_light_leaks_at_edges) {
+  Lit lit;
+  const Pixels one_sample = lit.draw();
+  lit.options().antialias = true;
+  const Pixels with = lit.draw();
+  lit.options().lights.clear();
+  const Pixels without = lit.draw();
+  size_t shadow = 0, lit_up = 0, leaks = 0, dark = 0;
+  lit.for_each_inner_pixel([&](size_t at, bool in_shadow) {
+    (in_shadow ? shadow : lit_up)++;
+    leaks += in_shadow && with.rgb[at] - without.rgb[at] > 6;
+    dark += !in_shadow && with.rgb[at] < darkest_around(one_sample, at) - 12;
+  });
+  EXPECT_GT(shadow, 1000u);
+  EXPECT_GT(lit_up, 5000u);
+  EXPECT_EQ(leaks, 0u);
+  EXPECT_EQ(dark, 0u);
 }
 
 TEST(ShadowLighting, four_lights_add_up_and_each_casts_its_shadow) {

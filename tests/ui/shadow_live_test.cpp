@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/support/made_meshes.h"
 #include "tests/ui/shadow_oracle.h"
 #include "tests/ui/shadow_scenes.h"
@@ -70,6 +72,70 @@ TEST(ShadowsLive, a_bite_costs_what_it_touches_and_the_shadow_stays_right) {
   EXPECT_EQ(v.wrong, 0u);
   EXPECT_EQ(v.miscounted, 0u);
   EXPECT_GT(v.in_shadow, 2000u);
+}
+
+constexpr ShadowMethod kMethods[] = {ShadowMethod::kPaperOneVolume, ShadowMethod::kPaperTwoVolumes,
+                                     ShadowMethod::kRobust};
+
+// Pixels that are in shadow with a method.
+size_t shadowed_pixels(test::Stage& stage, const CameraView& view, ShadowMethod method) {
+  const ShadowCounts counts =
+      stage.renderer().shadow_counts(stage.world(), view, under(kLamp), 0, method, true, kWidth, kHeight);
+  return counts.stencil.size() -
+         static_cast<size_t>(std::count(counts.stencil.begin(), counts.stencil.end(), uint8_t{0}));
+}
+
+TEST(ShadowsLive, a_world_without_bodies_has_no_shadow) {
+  test::Stage stage{World()};
+  const CameraView view = view_from({2.4, 2.6, 3.6});
+  stage.draw(view, under(kLamp), kWidth, kHeight);
+  for (const ShadowMethod method : kMethods) EXPECT_EQ(shadowed_pixels(stage, view, method), 0u);
+}
+
+// All that casts is burned away under a light that stays.
+TEST(ShadowsLive, what_is_burned_away_takes_its_shadow_with_it) {
+  test::Stage stage(test::world_of_all(
+      {test::floor_at(0, 9), test::box({0, 1, 0}, {0.3, 0.3, 0.3}), test::box({1, 1, 0}, {0.3, 0.3, 0.3})}));
+  const CameraView view = view_from({2.4, 2.6, 3.6});
+  for (const ShadowMethod method : kMethods) EXPECT_GT(shadowed_pixels(stage, view, method), 200u);
+  const ShadowWork before = stage.renderer().shadow_work();
+  stage.cut({{-3, 1, 0}, {1, 0, 0}}, {{-3, 1, 0.001}, {1, 0, 0}}, 0.5);
+  ASSERT_EQ(stage.world().live_faces(), 2u);
+  for (const ShadowMethod method : kMethods) EXPECT_EQ(shadowed_pixels(stage, view, method), 0u);
+  EXPECT_EQ(stage.renderer().shadow_work().rebuilt, before.rebuilt);
+}
+
+struct SeenShadow {
+  Pixels picture;
+  ShadowCounts counts;
+};
+SeenShadow see(Renderer& renderer, const World& world, bool antialias, int width, int height) {
+  const CameraView view = look_at({2.4, 2.6, 3.6}, {0, 0, 0}, static_cast<double>(width) / height);
+  ViewOptions options = under(kLamp);
+  options.antialias = antialias;
+  const gl::Framebuffer canvas({width, height, 1, false});
+  renderer.draw(world, view, options, std::nullopt, {canvas.name(), 0, 0, width, height});
+  return {read_pixels(canvas.name(), width, height),
+          renderer.shadow_counts(world, view, options, 0, ShadowMethod::kRobust, true, width, height)};
+}
+
+// Depth, stencil and the light that is added up are of the size of the picture, whatever came before it.
+TEST(ShadowsLive, follow_the_size_of_the_window) {
+  test::Stage stage = torus_over_floor();
+  using Size = std::pair<int, int>;
+  for (const bool antialias : {false, true}) {
+    for (const auto& [width, height] : {Size{200, 150}, Size{320, 150}, Size{320, 240}, Size{90, 260}}) {
+      SCOPED_TRACE(std::to_string(width) + " x " + std::to_string(height));
+      auto fresh = Renderer::create();
+      ASSERT_TRUE(fresh.ok());
+      fresh->show(stage.world(), {});
+      const SeenShadow resized = see(stage.renderer(), stage.world(), antialias, width, height),
+                       anew = see(*fresh, stage.world(), antialias, width, height);
+      EXPECT_EQ(resized.picture.rgb, anew.picture.rgb);
+      EXPECT_EQ(resized.counts.stencil, anew.counts.stencil);
+      EXPECT_GT(std::count(anew.counts.stencil.begin(), anew.counts.stencil.end(), uint8_t{2}), 500);
+    }
+  }
 }
 
 // Two hundred pieces drawn apart, some hidden, under a lamp: each shades where it is drawn.

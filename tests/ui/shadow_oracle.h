@@ -30,6 +30,8 @@ class ShadowTrial {
   ShadowTrial(Stage& stage, const Light& light, const CameraView& view, int width, int height);
 
   ShadowVerdict verdict(ShadowMethod method);
+  // Draws the near caps of the robust method so from now on.
+  void draw_near_caps(NearCaps how) { options_.shadow.near_caps = how; }
   ShadowVerdict robust() { return verdict(ShadowMethod::kRobust); }
 
  private:

@@ -40,6 +40,12 @@ World five_sheets() {
   return world_of({test::moved(test::book(5), {0, 0.3, 0}, 1.5), test::floor_at(-1.5, 8)});
 }
 World loose_triangles() { return world_of({test::triangles(150, 5), test::floor_at(-1.6, 8)}); }
+// A box `size` times as large as that of box_over_floor, the floor too.
+World scaled_box_over_floor(double size) {
+  return world_of({test::moved(test::box({0, 1, 0}, {1, 1, 1}), {}, size), test::floor_at(0, 8 * size)});
+}
+World tiny_box() { return scaled_box_over_floor(1e-3); }
+World huge_box() { return scaled_box_over_floor(1e4); }
 World one_sided_strip() { return world_of({test::moebius(40), test::floor_at(-1.5, 8)}); }
 World mirrored_ball() {
   return world_of({test::mirrored(test::opened_ball({0.3, 0.4, 1}, 0.6)), test::floor_at(-1.2, 8)});
@@ -47,6 +53,16 @@ World mirrored_ball() {
 World touching_boxes() {
   return world_of({test::box({-0.5, 0.5, 0}, {1, 1, 1}), test::box({0.5, 0.5, 0}, {1, 1, 1}),
                    test::box({0.5, 1.5, 0}, {1, 1, 1}), test::floor_at(-0.5, 8)});
+}
+// Two pieces of one body that share a wall, as a beam without width would leave them.
+World touching_pieces() {
+  const Soup left = test::box({-0.5, 0.5, 0}, {1, 1, 1}), right = test::box({0.5, 0.5, 0}, {1, 1, 1});
+  World world = world_of({test::both(left, right), test::floor_at(-0.5, 8)});
+  Mesh& mesh = world.body(world.ids().front()).mesh;
+  for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
+    mesh.data(FaceId(f)).piece = f < left.triangles.size() ? 0 : 1;
+  }
+  return world;
 }
 World sheet_twice() {
   const Soup sheet = test::moved(test::grid(3, 1.4), {0, 1, 0}, 1);
@@ -91,12 +107,17 @@ const std::vector<Case>& right_cases() {
       // Every point of a side whose plane the lamp is in lies at the boundary of a shadow: this one is not
       // seen.
       {"a lamp in the plane of a side", box_over_floor, lamp_at({-0.5, 3, 1.9}), shadow_view(kEye, kMiddle)},
+      {"a box of a millimetre", tiny_box, lamp_at(Vec3(1.2, 4, 1.5) * 1e-3),
+       shadow_view(kEye * 1e-3, kMiddle * 1e-3, 0.2e-3)},
+      {"a box of ten kilometres", huge_box, lamp_at(Vec3(1.2, 4, 1.5) * 1e4),
+       shadow_view(kEye * 1e4, kMiddle * 1e4, 0.2e4)},
       {"one hanging vertex", wall, lamp_at({1.9, 3, 1.2}), shadow_view(kEye, kMiddle)},
       {"sixty vertices that do not hang", split_wall, lamp_at({1.9, 3, 1.2}), shadow_view(kEye, kMiddle)},
       {"255 sheets", stack_255, lamp_at({0.3, 4, 0.2}), shadow_view(kEye, kMiddle)},
       {"a mirrored ball", mirrored_ball, lamp_at({0.1, 0.1, 0.1}),
        shadow_view({1.2, 1.6, 4.4}, {0, -0.4, 0.6})},
       {"boxes that touch", touching_boxes, lamp_at({1.9, 4, 1.2}), shadow_view(kEye, kMiddle)},
+      {"pieces that touch", touching_pieces, lamp_at({1.9, 4, 1.2}), shadow_view(kEye, kMiddle)},
       {"triangles that lie on one another", sheet_twice, lamp_at({0.5, 4, 0.2}), shadow_view(kEye, kMiddle)},
       {"faces without area and edge-on", needles, lamp_at({0, 4, 0}), shadow_view(kEye, kMiddle)},
       {"a ball whose faces were turned at random", turned_ball, lamp_at({0.1, 0.1, 0.1}),
@@ -187,26 +208,62 @@ TEST(ShadowOracle, the_papers_methods_fail_where_they_must_and_the_robust_one_do
   }
 }
 
-// The stencil has eight bits: 256 surfaces over one another count as none, and nothing else goes wrong.
+// What a slip in the depths of the near caps would cost: nearly everything that is lit.
+TEST(ShadowOracle, near_caps_that_are_off_by_a_hair_are_noticed) {
+  test::Stage stage(box_over_floor());
+  for (const Light& light : {lamp_at({1.2, 4, 1.5}), sun_from({0.4, 1, 0.5})}) {
+    test::ShadowTrial trial = trial_of(stage, light, shadow_view(kEye, kMiddle));
+    for (const NearCaps how : {NearCaps::kLessOrEqual, NearCaps::kDisplaced}) {
+      trial.draw_near_caps(how);
+      const ShadowVerdict v = trial.robust();
+      SCOPED_TRACE(v.summary());
+      EXPECT_GE(v.wrong, (v.hit - v.in_shadow) * 8 / 10);
+    }
+    trial.draw_near_caps(NearCaps::kExact);
+    expect_right(trial.robust(), kSolid);
+  }
+}
+
+// The stencil has eight bits: 256 surfaces over one another count as none, and nothing else goes wrong. Under
+// 256 sheets that is the middle of the shadow, and under 257 the seam where the shadow of one of them ends
+// before that of the others.
+struct StackCase {
+  int sheets;
+  size_t lost, spread;  // pixels, and by how many that may differ with another rasteriser
+};
+
 TEST(ShadowOracle, only_multiples_of_256_occluders_are_lost) {
-  for (const int sheets : {256, 257}) {
-    test::Stage stage(world_of({test::stack(sheets), test::floor_at(0, 8)}));
+  for (const StackCase& c : {StackCase{255, 0, 0}, StackCase{256, 3876, 40}, StackCase{257, 6, 4}}) {
+    test::Stage stage(world_of({test::stack(c.sheets), test::floor_at(0, 8)}));
     const ShadowVerdict v = trial_of(stage, lamp_at({0.3, 4, 0.2}), shadow_view(kEye, kMiddle)).robust();
-    SCOPED_TRACE(v.summary());
-    EXPECT_GE(v.multiples_of_256, sheets == 256 ? 500u : 5u);
+    SCOPED_TRACE(std::to_string(c.sheets) + " sheets: " + v.summary());
+    EXPECT_GE(v.multiples_of_256 + c.spread, c.lost);
+    EXPECT_LE(v.multiples_of_256, c.lost + c.spread);
     EXPECT_EQ(v.wrong, v.multiples_of_256);
     EXPECT_EQ(v.miscounted, 0u);
   }
 }
 
-// Vertices that hang on an edge leave slivers where three sides meet that do not cancel to the pixel.
-TEST(ShadowOracle, sixty_hanging_vertices_cost_a_few_sparkles_at_most) {
-  test::Stage stage(world_of({test::wall_with_tees(60, false), test::floor_at(0, 8)}));
-  const ShadowVerdict v = trial_of(stage, lamp_at({1.9, 3, 1.2}), shadow_view(kEye, kMiddle)).robust();
-  SCOPED_TRACE(v.summary());
-  expect_seen(v, kSolid);
-  EXPECT_LE(v.wrong, 10u);
-  EXPECT_LE(v.miscounted, 10u);
+// Under a sun that grazes it, seen at 480 x 360.
+ShadowVerdict grazed_wall(bool split) {
+  test::Stage stage(world_of({test::wall_with_tees(60, split), test::floor_at(0, 8)}));
+  const CameraView view = shadow_view({-1.4, 1.4, 3.7}, kMiddle);
+  return test::ShadowTrial(stage, sun_from({2.55, 1, -0.3}), view, 480, 360).robust();
+}
+
+// The sides on a long edge and those on the short ones that lie on it cancel in number, and are rasterised
+// apart: now and then a pixel falls between them, the more the flatter the light. Four do here; none does
+// where the long edge is split.
+TEST(ShadowOracle, sixty_hanging_vertices_cost_four_sparkles) {
+  const ShadowVerdict hanging = grazed_wall(false);
+  SCOPED_TRACE(hanging.summary());
+  expect_seen(hanging, kSolid);
+  EXPECT_GE(hanging.wrong, 1u);
+  EXPECT_LE(hanging.wrong, 8u);
+  EXPECT_EQ(hanging.miscounted, hanging.wrong);
+  const ShadowVerdict split = grazed_wall(true);
+  SCOPED_TRACE(split.summary());
+  expect_right(split, kSolid);
 }
 
 }  // namespace

@@ -126,6 +126,19 @@ void ShadowPass::draw_sides(const Subject& subject, VolumeKey key, int vertices)
   });
 }
 
+void ShadowPass::count_near_caps(const Subject& subject, VolumeKey key) {
+  const NearCaps how = subject.options.shadow.near_caps;
+  if (how == NearCaps::kLessOrEqual) glDepthFunc(GL_LEQUAL);
+  if (how == NearCaps::kDisplaced) glEnable(GL_POLYGON_OFFSET_FILL);
+  glPolygonOffset(0, -1);
+  for (const int sign : {1, -1}) {
+    count_behind(sign > 0);
+    draw_caps(subject, key, sign, false);
+  }
+  glDisable(GL_POLYGON_OFFSET_FILL);
+  glDepthFunc(GL_LESS);
+}
+
 // A triangle is drawn with its corners in the order that the picture has, so that its depths are the same to
 // the bit; whether its front looks out of the volume at its near cap depends on whether it faces the light,
 // and at its far cap it is the other way round. Near caps are clipped as the picture is; what lies at
@@ -133,10 +146,7 @@ void ShadowPass::draw_sides(const Subject& subject, VolumeKey key, int vertices)
 void ShadowPass::count_robustly(const Subject& subject, VolumeKey key, const glm::vec4& light) {
   cap_.use();
   cap_.set("light", light);
-  for (const int sign : {1, -1}) {
-    count_behind(sign > 0);
-    draw_caps(subject, key, sign, false);
-  }
+  count_near_caps(subject, key);
   glEnable(GL_DEPTH_CLAMP);
   if (light.w > 0) {
     for (const int sign : {1, -1}) {

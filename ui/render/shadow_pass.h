@@ -69,6 +69,7 @@ class ShadowPass {
   Kept& bring_up_to_date(const Subject& subject, BodyId id, const Body& body, const BodyPicture& picture,
                          VolumeKey key);
   void note_work(const ShadowVolume::Work& before, const ShadowVolume::Work& after);
+  void count_near_caps(const Subject& subject, VolumeKey key);
   void count_robustly(const Subject& subject, VolumeKey key, const glm::vec4& light);
   void count_as_the_paper(const Subject& subject, VolumeKey key, const glm::vec4& light);
   void draw_caps(const Subject& subject, VolumeKey key, int sign, bool at_infinity);

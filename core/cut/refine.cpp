@@ -99,8 +99,8 @@ Error too_many_faces(const CutSettings& settings) {
 
 void follow_splits(BodyStep& step, std::span<const Replacement> replaced) {
   const Stopwatch watch(step.figures.update_tree_s);
+  step.body.tree.replace(step.body.mesh, replaced);
   for (const Replacement& r : replaced) {
-    step.body.tree.replace(step.body.mesh, {r.gone.data(), r.gone_count}, {r.born.data(), r.born_count});
     step.edited.insert(step.edited.end(), r.born.begin(), r.born.begin() + r.born_count);
     const size_t made = size_t{r.born_count} - r.gone_count;
     step.figures.faces_made += made;

@@ -14,6 +14,11 @@ void AabbTree::replace(const Mesh& mesh, std::span<const FaceId> gone, std::span
   leaf_count_ += born.size() - gone.size();
 }
 
+void AabbTree::replace(const Mesh& mesh, std::span<const Replacement> all) {
+  replace_faces(store_, mesh, all);
+  for (const Replacement& r : all) leaf_count_ += size_t{r.born_count} - r.gone_count;
+}
+
 void AabbTree::remove(FaceId f) {
   remove_face(store_, f);
   --leaf_count_;

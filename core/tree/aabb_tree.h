@@ -7,6 +7,7 @@
 
 #include "core/base/ids.h"
 #include "core/mesh/mesh.h"
+#include "core/mesh/replacement.h"
 #include "core/tree/simd.h"
 #include "core/tree/swept_cylinder.h"
 #include "core/tree/tree_store.h"
@@ -64,6 +65,8 @@ class AabbTree {
   // stand on both sides. Several replacements may be told late, in their order. The boxes above remember the
   // beam; the new leaves have not met it yet. Neither list is empty.
   void replace(const Mesh& mesh, std::span<const FaceId> gone, std::span<const FaceId> born);
+  // The same as all of them in their order, sooner done.
+  void replace(const Mesh& mesh, std::span<const Replacement> all);
 
   // Takes the leaf of a face away.
   void remove(FaceId f);

@@ -17,6 +17,17 @@ void prefetch(const Record& record) {
     __builtin_prefetch(reinterpret_cast<const char*>(&record) + at);
 }
 
+// Records that an edit will want. A face that an edit still to come brings is nowhere yet, and then at hand.
+constexpr size_t kPlaceAhead = 6, kBlockAhead = 4, kNodeAhead = 2;
+void prefetch_block(const TreeStore& tree, FaceId f) {
+  const uint32_t place = tree.place(f);
+  if (place != kNoIndex) prefetch(tree.blocks[block_at(place)]);
+}
+void prefetch_node(const TreeStore& tree, FaceId f) {
+  const uint32_t place = tree.place(f);
+  if (place != kNoIndex) prefetch(tree.nodes[tree.blocks[block_at(place)].parent]);
+}
+
 // Boxes upward ----------------------------------------------------------------------------------------------
 
 // Makes the box of the node, and those above it, hold this one.
@@ -264,6 +275,16 @@ void replace_faces(TreeStore& tree, const Mesh& mesh, std::span<const FaceId> go
   if (tree.blocks[home].count == 0) return;  // all were removed
   grow_block(tree, home, written);
   while (next_born()) insert_face(tree, TreeFace(tree.frame, mesh, coordinates, born[next++]), home);
+}
+
+void replace_faces(TreeStore& tree, const Mesh& mesh, std::span<const Replacement> all) {
+  for (size_t i = 0; i < all.size(); ++i) {
+    if (i + kPlaceAhead < all.size()) tree.prefetch_place(all[i + kPlaceAhead].gone[0]);
+    if (i + kBlockAhead < all.size()) prefetch_block(tree, all[i + kBlockAhead].gone[0]);
+    if (i + kNodeAhead < all.size()) prefetch_node(tree, all[i + kNodeAhead].gone[0]);
+    const Replacement& r = all[i];
+    replace_faces(tree, mesh, {r.gone.data(), r.gone_count}, {r.born.data(), r.born_count});
+  }
 }
 
 void remove_face(TreeStore& tree, FaceId f) {

@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "core/mesh/replacement.h"
 #include "core/tree/tree_store.h"
 
 namespace kerf {
@@ -13,6 +14,8 @@ namespace kerf {
 // grow where they must.
 void replace_faces(TreeStore& tree, const Mesh& mesh, std::span<const FaceId> gone,
                    std::span<const FaceId> born);
+// The same for many in their order, asking for the memory of those that come next.
+void replace_faces(TreeStore& tree, const Mesh& mesh, std::span<const Replacement> all);
 
 // Takes a leaf away; a block or node without children goes with it, a node with one child makes way for it,
 // and boxes above shrink up to the first that stays as it is.

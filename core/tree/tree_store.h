@@ -51,6 +51,9 @@ class TreeStore {
   // Where a face is, as block * kBlockWidth + lane; kNoIndex for a face that is not in the tree.
   uint32_t place(FaceId f) const { return f.index < places_.size() ? places_[f.index] - 1 : kNoIndex; }
   void set_place(FaceId f, uint32_t place);
+  void prefetch_place(FaceId f) const {
+    if (f.index < places_.size()) __builtin_prefetch(&places_[f.index]);
+  }
   // Makes ready for a tree over so many faces, in slots below `slots`.
   void reserve(uint32_t faces, uint32_t slots);
 

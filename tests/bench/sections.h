@@ -11,7 +11,7 @@ namespace kerf::bench {
 struct Effort {
   int steps = 10000;      // of four rays, a pass
   int times = 9;          // passes, of which the median counts
-  int build_times = 5;    // builds
+  int build_times = 5;    // builds and cuts
   int edit_steps = 5000;  // of a cut
 };
 

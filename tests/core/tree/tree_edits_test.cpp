@@ -53,10 +53,10 @@ struct Edited {
   void split(FaceId f) { refinement.split(mesh, f, late); }
   void bisect(FaceId f) { bisect_longest_edge(mesh, refinement, f, late); }
   void tell() {
-    for (const auto& r : late) {
-      for (AabbTree* tree : {&sse4, &best})
-        tree->replace(mesh, {r.gone.data(), r.gone_count}, {r.born.data(), r.born_count});
-    }
+    // One tree hears of each by itself, the other of all at once.
+    for (const auto& r : late)
+      sse4.replace(mesh, {r.gone.data(), r.gone_count}, {r.born.data(), r.born_count});
+    best.replace(mesh, late);
     late.clear();
   }
   void remove(FaceId f) {

@@ -73,22 +73,29 @@ Status fit_to_boundary(RimState& rim, const Progress& progress) {
   return Done{};
 }
 
-Status close(RimState& rim, const Progress& progress) {
-  find_near(rim);
-  if (rim.faces.empty()) return Done{};
-  const Status refined = fit_to_boundary(rim, progress);
-  if (refined) clip_at_rim(rim);
-  follow_splits(rim.step, rim.replaced);
-  if (!refined) return refined;
-  remove_within_rim(rim);
-  flip_near_rim(rim);
+// Vertices have moved and edges were turned.
+void refit_tree(RimState& rim) {
   const Stopwatch watch(rim.step.figures.update_tree_s);
   std::vector<FaceId> live;
   for (const FaceId f : rim.step.edited) {
     if (rim.mesh().is_live(f)) live.push_back(f);
   }
   rim.step.body.tree.refit(rim.mesh(), live);
-  return Done{};
+}
+
+// The tree follows also where the work is stopped half-way.
+Status close(RimState& rim, const Progress& progress) {
+  find_near(rim);
+  if (rim.faces.empty()) return Done{};
+  const Status fitted = fit_to_boundary(rim, progress);
+  if (fitted) clip_at_rim(rim);
+  follow_splits(rim.step, rim.replaced);
+  if (fitted) {
+    remove_within_rim(rim);
+    flip_near_rim(rim);
+  }
+  refit_tree(rim);
+  return fitted;
 }
 
 }  // namespace

@@ -295,6 +295,44 @@ TEST(SmoothRim, lies_on_the_original_surface_of_curved_meshes) {
   }
 }
 
+// Asks the tree for every corner of every face.
+void expect_tree_finds_every_face(const Body& cut) {
+  AabbTree tree = cut.tree;
+  std::vector<FaceId> found;
+  for (uint32_t f = 0; f < cut.mesh.face_slots(); ++f) {
+    if (!cut.mesh.is_live(FaceId(f))) continue;
+    for (const Vec3& p : cut.mesh.triangle(FaceId(f))) {
+      const Pose down{p + Vec3(0, 1, 0), {0, -1, 0}};
+      found.clear();
+      tree.touched(cut.mesh, SweptCylinder(down, down, 1e-6, {0, 2}), found);
+      ASSERT_NE(std::find(found.begin(), found.end(), FaceId(f)), found.end()) << "face " << f;
+    }
+  }
+}
+
+// The work asks whether to go on, and is stopped once at each of those places.
+TEST(SmoothRim, stopped_half_way_leaves_a_sound_mesh_in_a_tree_that_finds_every_face) {
+  for (uint64_t seed = 1; seed <= 24; ++seed) {
+    for (int answers = 1;; ++answers) {
+      SCOPED_TRACE("seed " + std::to_string(seed) + ", answers " + std::to_string(answers));
+      Random random(seed);
+      const CutSettings settings = settings_for(seed, random);
+      const auto poses = random_poses(random, 1, false, 2);
+      Document document(world_of(plate(1)));
+      document.apply(BeginStroke{settings, poses[0]});
+      document.apply(MoveStroke{poses[1]});
+      document.apply(EndStroke{});
+      ASSERT_TRUE(document.step(document.waiting() - 1).ok());
+      int left = answers;
+      const Progress stop{[&](double) { return left-- > 0; }};
+      if (document.step(1, &stop).ok()) break;
+      const Body& body = document.world().body(document.world().ids()[0]);
+      EXPECT_EQ(find_fault(body.mesh), "");
+      expect_tree_finds_every_face(body);
+    }
+  }
+}
+
 TEST(SmoothRim, is_the_same_in_1_10_and_1000_steps) {
   for (uint64_t seed = 1; seed <= 4; ++seed) {
     uint64_t hash = 0;

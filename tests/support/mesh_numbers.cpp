@@ -1,5 +1,7 @@
 #include "tests/support/mesh_numbers.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <map>
 #include <set>
@@ -154,6 +156,21 @@ MeshNumbers count_connected_numbers(const Mesh& mesh) {
   std::vector<uint32_t> label;
   n.components = label_components(mesh, label);
   return n;
+}
+
+void expect_same(const MeshNumbers& before, const MeshNumbers& after) {
+  EXPECT_NEAR(after.area, before.area, 1e-9 * before.area);
+  EXPECT_NEAR(after.boundary_length, before.boundary_length, 1e-9 * before.boundary_length);
+  EXPECT_EQ(after.boundary_loops, before.boundary_loops);
+  EXPECT_EQ(after.euler, before.euler);
+  EXPECT_EQ(after.components, before.components);
+}
+
+FaceId random_live_face(const Mesh& mesh, Random& random) {
+  for (;;) {
+    const FaceId f(static_cast<uint32_t>(random.below(mesh.face_slots())));
+    if (mesh.is_live(f)) return f;
+  }
 }
 
 std::string find_fault(const Mesh& mesh, bool chance_allowed) {

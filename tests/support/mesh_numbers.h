@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <string>
 
+#include "core/base/random.h"
 #include "core/mesh/mesh.h"
 
 namespace kerf::test {
@@ -21,6 +22,11 @@ MeshNumbers count_numbers(const Mesh& mesh);
 // The same counted from the half-edges and rings: edges and vertices are one where the mesh says that they
 // hang together. For real meshes, in which a midpoint may fall on a vertex that it has nothing to do with.
 MeshNumbers count_connected_numbers(const Mesh& mesh);
+
+// Expects what splitting must leave to be as it was, to the rounding of sums.
+void expect_same(const MeshNumbers& before, const MeshNumbers& after);
+
+FaceId random_live_face(const Mesh& mesh, Random& random);
 
 // The first thing that is wrong with the half-edges, or nothing: neighbours that are not the faces on the
 // same edge by position, dead neighbours, a hanging node (an edge of one face whose midpoint is a vertex with

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "ui/render/digits.h"
+#include "ui/render/marked_faces.h"
 #include "ui/render/veil_pass.h"
 
 namespace kerf {
@@ -125,20 +126,7 @@ std::vector<uint8_t> FaceNumbers::look_which(const Subject& subject, int width, 
   const gl::Framebuffer::Shape shape{width, height, 1, true};
   if (!which_ || !(which_->shape() == shape)) which_.emplace(shape);
   which_->bind();
-  glClearColor(0, 0, 0, 0);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LESS);
-  if (subject.options.cull_backs) glEnable(GL_CULL_FACE);
-  faces_.use();
-  faces_.set("only", 0);
-  int number = 0;
-  for_each_body(subject, [&](BodyId, const Body& body, const BodyPicture& picture) {
-    faces_.set("body", (number++ % 127) + 1);
-    picture.bind(faces_, subject.space, body.placement);
-    picture.faces().draw_numbered(faces_);
-  });
-  glDisable(GL_CULL_FACE);
+  draw_marked_faces(subject, faces_);
   removed_.use();
   draw_removed(subject, removed_);
   std::vector<uint8_t> marks(4 * static_cast<size_t>(width) * static_cast<size_t>(height));

@@ -1,5 +1,7 @@
 #include "ui/render/shadow_probe.h"
 
+#include "ui/render/marked_faces.h"
+
 namespace kerf {
 
 Result<ShadowProbe> ShadowProbe::create(const std::filesystem::path& shaders) {
@@ -16,21 +18,8 @@ ShadowProbe::ShadowProbe(gl::Program faces, gl::Program ground)
 }
 
 void ShadowProbe::draw_marks(const Subject& subject, const GroundPass* ground) const {
-  glClearColor(0, 0, 0, 0);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   glDisable(GL_BLEND);
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LESS);
-  if (subject.options.cull_backs) glEnable(GL_CULL_FACE);
-  faces_.use();
-  faces_.set("only", 0);
-  int number = 0;
-  for_each_body(subject, [&](BodyId, const Body& body, const BodyPicture& picture) {
-    faces_.set("body", (number++ % 127) + 1);
-    picture.bind(faces_, subject.space, body.placement);
-    picture.faces().draw_numbered(faces_);
-  });
-  glDisable(GL_CULL_FACE);
+  draw_marked_faces(subject, faces_);
   if (ground == nullptr) return;
   ground_.use();
   ground_.set("colour", glm::vec4(0, 0, 0, 1));

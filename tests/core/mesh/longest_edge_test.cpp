@@ -13,21 +13,6 @@
 namespace kerf::test {
 namespace {
 
-FaceId random_live_face(const Mesh& mesh, Random& random) {
-  for (;;) {
-    const FaceId f(static_cast<uint32_t>(random.below(mesh.face_slots())));
-    if (mesh.is_live(f)) return f;
-  }
-}
-
-void expect_same(const MeshNumbers& before, const MeshNumbers& after) {
-  EXPECT_NEAR(after.area, before.area, 1e-9 * before.area);
-  EXPECT_NEAR(after.boundary_length, before.boundary_length, 1e-9 * before.boundary_length);
-  EXPECT_EQ(after.boundary_loops, before.boundary_loops);
-  EXPECT_EQ(after.euler, before.euler);
-  EXPECT_EQ(after.components, before.components);
-}
-
 double smallest_angle(const Triangle& t) { return std::acos(largest_cosine(t)); }
 
 std::vector<double> base_angles(const Mesh& mesh) {

@@ -40,6 +40,7 @@ void Document::run(const Command& command) {
                  [&](const BeginStroke& c) { begin(c); },
                  [&](const MoveStroke& c) { move_to(c.pose); },
                  [&](const EndStroke&) { end(); },
+                 [&](const auto&) {},
              },
              command);
 }

@@ -49,8 +49,8 @@ void split_at(RimState& rim, FaceId f, const Crossing& edge) {
     rim.note_on_boundary(s.midpoint);
     const double kept = triangle_area(body.mesh.triangle(s.kept)),
                  added = triangle_area(body.mesh.triangle(s.added));
-    follow_area(body.mesh.data(s.kept), kept + added, kept);
-    follow_area(body.mesh.data(s.added), kept + added, added);
+    follow_area(body.mesh.edit_data(s.kept), kept + added, kept);
+    follow_area(body.mesh.edit_data(s.added), kept + added, added);
     rim.replaced.push_back({{s.kept, FaceId()}, {s.kept, s.added, FaceId(), FaceId()}, 1, 2});
     if (!rim.region.is_near(s.kept)) continue;
     rim.region.inherit(s.added, s.kept);

@@ -55,7 +55,7 @@ class Flip {
     mesh_.flip_edge(face_, from_, to_);
     const std::array<FaceId, 2> faces{face_, other_};
     for (int i = 0; i < 2; ++i) {
-      follow_area(mesh_.data(faces[i]), triangle_area(before_[i]), triangle_area(mesh_.triangle(faces[i])));
+      follow_area(mesh_.edit_data(faces[i]), triangle_area(before_[i]), triangle_area(mesh_.triangle(faces[i])));
       step.edited.push_back(faces[i]);
     }
   }

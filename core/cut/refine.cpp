@@ -104,7 +104,7 @@ void follow_splits(BodyStep& step, std::span<const Replacement> replaced) {
     step.edited.insert(step.edited.end(), r.born.begin(), r.born.begin() + r.born_count);
     const size_t made = size_t{r.born_count} - r.gone_count;
     step.figures.faces_made += made;
-    step.body.pieces[step.body.mesh.data(r.born[0]).piece].faces += made;
+    step.body.pieces.edit(step.body.mesh.data(r.born[0]).piece).faces += made;
   }
 }
 

@@ -10,7 +10,7 @@ namespace {
 void remove_face(BodyStep& step, FaceId f) {
   Body& body = step.body;
   const double area = triangle_area(body.mesh.triangle(f));
-  Piece& piece = body.pieces[body.mesh.data(f).piece];
+  Piece& piece = body.pieces.edit(body.mesh.data(f).piece);
   --piece.faces;
   piece.area -= area;
   step.removed_area += area;

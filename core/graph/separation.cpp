@@ -184,12 +184,12 @@ Separation::Result Separation::settle(Body& body) {
   Result result;
   for (const uint32_t part : came_off) {
     const Front& front = fronts.front(part);
-    const uint32_t label = static_cast<uint32_t>(body.pieces.size());
-    Piece& old = body.pieces[body.mesh.data(front.reached[0]).piece];
+    const uint32_t label = body.pieces.size();
+    Piece& old = body.pieces.edit(body.mesh.data(front.reached[0]).piece);
     old.faces -= front.reached.size();
     old.area -= front.area;
     body.pieces.push_back({front.reached.size(), front.area});
-    for (const FaceId f : front.reached) body.mesh.data(f).piece = label;
+    for (const FaceId f : front.reached) body.mesh.edit_data(f).piece = label;
     result.relabelled.insert(result.relabelled.end(), front.reached.begin(), front.reached.end());
     result.new_pieces.push_back(label);
   }

@@ -162,12 +162,11 @@ class Builder {
     }
   }
 
-  // Straight into the arrays: add_face would refuse or tear faces depending on their order.
   void fill_half_edges() {
     HalfEdges& m = mesh_.kernel().half_edges;
-    const size_t faces = triangles_.size();
-    m.reserve(vertex_position_.size() + faces / 8, edges_.count() + faces / 4, faces + faces / 4);
-    for (const uint32_t p : vertex_position_) m.new_vertex(to_point(soup_.positions[p]));
+    const auto faces = static_cast<uint32_t>(triangles_.size());
+    m.reserve(static_cast<uint32_t>(vertex_position_.size()), static_cast<uint32_t>(edges_.count()), faces);
+    for (const uint32_t p : vertex_position_) m.add_vertex(soup_.positions[p]);
     make_edges(m);
     make_faces(m);
     close_boundaries(m);
@@ -178,41 +177,35 @@ class Builder {
     half_edge_.resize(partner_.size());
     for (uint32_t s = 0; s < partner_.size(); ++s) {
       if (partner_[s] != kNone && partner_[s] < s) continue;
-      half_edge_[s] = m.new_edge(vertex(s), vertex(next_side(s)));
-      if (partner_[s] != kNone) half_edge_[partner_[s]] = m.opposite_halfedge_handle(half_edge_[s]);
+      half_edge_[s] = m.add_edge(vertex(s), vertex(next_side(s)));
+      if (partner_[s] != kNone) half_edge_[partner_[s]] = opposite(half_edge_[s]);
     }
   }
 
   void make_faces(HalfEdges& m) {
-    mesh_.kernel().faces.resize(triangles_.size());
+    auto& data = mesh_.kernel().faces;
+    data.reserve(static_cast<uint32_t>(triangles_.size()));
     for (uint32_t t = 0; t < triangles_.size(); ++t) {
-      const auto face = m.new_face();
-      m.set_halfedge_handle(face, half_edge_[3 * t]);
-      for (uint32_t s = 3 * t; s < 3 * t + 3; ++s) {
-        m.set_face_handle(half_edge_[s], face);
-        m.set_next_halfedge_handle(half_edge_[s], half_edge_[next_side(s)]);
-        m.set_halfedge_handle(vertex(s), half_edge_[s]);
-      }
-      FaceData& data = mesh_.kernel().faces[t];
-      data.base = FaceId(t);
-      data.material = materials_[t];
+      const std::span sides(&half_edge_[3 * size_t{t}], 3);
+      m.close(m.add_face(sides[0]), sides[0], sides[1], sides[2]);
+      for (uint32_t i = 0; i < 3; ++i) m.set_outgoing(vertex(3 * t + i), sides[i]);
+      data.push_back({.base = FaceId(t), .material = materials_[t]});
     }
     mesh_.kernel().live_faces = static_cast<uint32_t>(triangles_.size());
   }
 
   // A vertex has one fan, so at most one boundary half-edge starts there: the boundary goes on with it.
   void close_boundaries(HalfEdges& m) {
-    std::vector<HalfedgeHandle> starts(vertex_position_.size());
+    std::vector<HalfEdgeId> starts(vertex_position_.size());
     for (uint32_t s = 0; s < partner_.size(); ++s) {
       if (partner_[s] != kNone) continue;
-      const HalfedgeHandle outer = m.opposite_halfedge_handle(half_edge_[s]);
-      starts[static_cast<size_t>(m.from_vertex_handle(outer).idx())] = outer;
-      m.set_halfedge_handle(m.from_vertex_handle(outer), outer);  // OpenMesh starts a boundary vertex there
+      const HalfEdgeId outer = opposite(half_edge_[s]);
+      starts[m.from(outer).index] = outer;
     }
     for (uint32_t s = 0; s < partner_.size(); ++s) {
       if (partner_[s] != kNone) continue;
-      const HalfedgeHandle outer = m.opposite_halfedge_handle(half_edge_[s]);
-      m.set_next_halfedge_handle(outer, starts[static_cast<size_t>(m.to_vertex_handle(outer).idx())]);
+      const HalfEdgeId outer = opposite(half_edge_[s]);
+      m.link(outer, starts[m.to(outer).index]);
     }
   }
 
@@ -220,17 +213,16 @@ class Builder {
     for (uint32_t e = 0; e < edges_.count(); ++e) {
       const auto sides = edges_.sides_of(e);
       if (sides.size() < 2 || partner_[sides[0]] != kNone) continue;
-      std::vector<HalfedgeHandle> members;
+      std::vector<HalfEdgeId> members;
       for (const uint32_t s : sides) {
         const bool same_way = tail(s) == tail(sides[0]);
-        members.push_back(same_way ? half_edge_[s]
-                                   : mesh_.kernel().half_edges.opposite_halfedge_handle(half_edge_[s]));
+        members.push_back(same_way ? half_edge_[s] : opposite(half_edge_[s]));
       }
       link_ring(mesh_.kernel(), members);
     }
   }
 
-  OpenMesh::VertexHandle vertex(uint32_t side) const { return handle(VertexId(vertex_[side])); }
+  VertexId vertex(uint32_t side) const { return VertexId(vertex_[side]); }
 
   const Soup& soup_;
   const Progress* progress_;
@@ -241,7 +233,7 @@ class Builder {
   std::vector<uint32_t> partner_;          // one a side
   std::vector<uint32_t> vertex_;           // one a side: the mesh vertex at its tail
   std::vector<uint32_t> vertex_position_;  // one a mesh vertex
-  std::vector<HalfedgeHandle> half_edge_;  // one a side
+  std::vector<HalfEdgeId> half_edge_;      // one a side
   Mesh mesh_;
   MeshReport report_;
 };

@@ -116,9 +116,9 @@ class Propagation {
     splits_.clear();
     mesh_.split_edge(step.face, step.edge.from, step.edge.to, splits_);
     for (const Mesh::FaceSplit& s : splits_) {
-      FaceData& kept = mesh_.data(s.kept);
+      FaceData& kept = mesh_.edit_data(s.kept);
       if (kept.halvings < std::numeric_limits<uint8_t>::max()) ++kept.halvings;
-      mesh_.data(s.added).halvings = kept.halvings;
+      mesh_.edit_data(s.added).halvings = kept.halvings;
       out_.push_back({{s.kept, FaceId()}, {s.kept, s.added, FaceId(), FaceId()}, 1, 2});
     }
   }

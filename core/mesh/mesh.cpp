@@ -18,19 +18,19 @@ Mesh& Mesh::operator=(const Mesh& other) {
   return *this;
 }
 
-uint32_t Mesh::face_slots() const { return static_cast<uint32_t>(kernel_->half_edges.n_faces()); }
-uint32_t Mesh::vertex_slots() const { return static_cast<uint32_t>(kernel_->half_edges.n_vertices()); }
+uint32_t Mesh::face_slots() const { return kernel_->half_edges.faces(); }
+uint32_t Mesh::vertex_slots() const { return kernel_->half_edges.vertices(); }
 uint32_t Mesh::live_faces() const { return kernel_->live_faces; }
 
-bool Mesh::is_live(FaceId f) const { return !kernel_->half_edges.status(handle(f)).deleted(); }
+bool Mesh::is_live(FaceId f) const { return kernel_->half_edges.first(f).valid(); }
 
-Vec3 Mesh::position(VertexId v) const { return to_vec3(kernel_->half_edges.point(handle(v))); }
+Vec3 Mesh::position(VertexId v) const { return kernel_->half_edges.position(v); }
 
 std::array<VertexId, 3> Mesh::corners(FaceId f) const {
+  assert(is_live(f));
   const HalfEdges& m = kernel_->half_edges;
-  const HalfedgeHandle h = m.halfedge_handle(handle(f)), n = m.next_halfedge_handle(h);
-  return {vertex_id(m.from_vertex_handle(h)), vertex_id(m.to_vertex_handle(h)),
-          vertex_id(m.to_vertex_handle(n))};
+  const HalfEdgeId h = m.first(f), n = m.next(h);
+  return {m.from(h), m.to(h), m.to(n)};
 }
 
 Triangle Mesh::triangle(FaceId f) const {
@@ -38,76 +38,75 @@ Triangle Mesh::triangle(FaceId f) const {
   return {position(c[0]), position(c[1]), position(c[2])};
 }
 
-const double* Mesh::coordinates() const { return kernel_->half_edges.points()->data(); }
+Positions Mesh::positions() const { return Positions(kernel_->half_edges.position_chunks()); }
 
 const FaceData& Mesh::data(FaceId f) const { return kernel_->faces[f.index]; }
-FaceData& Mesh::data(FaceId f) { return kernel_->faces[f.index]; }
+FaceData& Mesh::edit_data(FaceId f) { return kernel_->faces.edit(f.index); }
 
 namespace {
 
 // The half-edge of face f that starts at vertex `from`.
-HalfedgeHandle half_edge_from(const HalfEdges& m, FaceId f, VertexId from) {
-  HalfedgeHandle h = m.halfedge_handle(handle(f));
-  for (int i = 0; i < 2 && m.from_vertex_handle(h) != handle(from); ++i) h = m.next_halfedge_handle(h);
-  assert(m.from_vertex_handle(h) == handle(from));
+HalfEdgeId half_edge_from(const HalfEdges& m, FaceId f, VertexId from) {
+  HalfEdgeId h = m.first(f);
+  for (int i = 0; i < 2 && m.from(h) != from; ++i) h = m.next(h);
+  assert(m.from(h) == from);
   return h;
 }
 
 // Visits every half-edge that bounds a face on the edge of h, over its ring.
 template <typename Visit>
-void for_each_side(const Mesh::Kernel& k, HalfedgeHandle h, Visit visit) {
-  HalfedgeHandle member = h;
+void for_each_side(const Mesh::Kernel& k, HalfEdgeId h, Visit visit) {
+  HalfEdgeId member = h;
   do {
-    for (const HalfedgeHandle side : {member, k.half_edges.opposite_halfedge_handle(member)}) {
-      if (k.half_edges.face_handle(side).is_valid()) visit(side);
+    for (const HalfEdgeId side : {member, opposite(member)}) {
+      if (k.half_edges.face(side).valid()) visit(side);
     }
     member = next_in_ring(k, member);
   } while (member != h);
 }
 
 // The half-edge of a face from one position to another; invalid where the face has none.
-HalfedgeHandle side_between(const HalfEdges& m, OpenMesh::FaceHandle face, const OpenMesh::Vec3d& from,
-                            const OpenMesh::Vec3d& to) {
-  if (!face.is_valid()) return HalfedgeHandle();
-  HalfedgeHandle h = m.halfedge_handle(face);
-  for (int i = 0; i < 3; ++i, h = m.next_halfedge_handle(h)) {
-    const auto &a = m.point(m.from_vertex_handle(h)), &b = m.point(m.to_vertex_handle(h));
+HalfEdgeId side_between(const HalfEdges& m, FaceId face, const Vec3& from, const Vec3& to) {
+  if (!face.valid()) return HalfEdgeId();
+  HalfEdgeId h = m.first(face);
+  for (int i = 0; i < 3; ++i, h = m.next(h)) {
+    const auto &a = m.position(m.from(h)), &b = m.position(m.to(h));
     if (a == from && b == to) return h;
-    if (a == to && b == from) return m.opposite_halfedge_handle(h);
+    if (a == to && b == from) return opposite(h);
   }
-  return HalfedgeHandle();
+  return HalfEdgeId();
 }
 
 // The half-edge from one position to another in a face on the edge of `member`, of another edge than h.
-HalfedgeHandle copy_beside(const HalfEdges& m, HalfedgeHandle member, HalfedgeHandle h) {
-  const auto &from = m.point(m.from_vertex_handle(h)), &to = m.point(m.to_vertex_handle(h));
-  for (const HalfedgeHandle side : {member, m.opposite_halfedge_handle(member)}) {
-    const HalfedgeHandle copy = side_between(m, m.face_handle(side), from, to);
-    if (copy.is_valid() && m.edge_handle(copy) != m.edge_handle(h)) return copy;
+HalfEdgeId copy_beside(const HalfEdges& m, HalfEdgeId member, HalfEdgeId h) {
+  const auto &from = m.position(m.from(h)), &to = m.position(m.to(h));
+  for (const HalfEdgeId side : {member, opposite(member)}) {
+    const HalfEdgeId copy = side_between(m, m.face(side), from, to);
+    if (copy.valid() && edge_of(copy) != edge_of(h)) return copy;
   }
-  return HalfedgeHandle();
+  return HalfEdgeId();
 }
 
 // Faces that lie on one another share all their edges, those that splitting makes inside them too. h is an
 // edge that was just turned over: if a face on the rings of both its neighbour edges has the same edge
 // already, they are linked. Both rings are searched at once, each both ways, until one ends: one may be long
 // where the other is short, and copies of a face are split one after the other.
-void link_to_copy(Mesh::Kernel& k, HalfedgeHandle h) {
+void link_to_copy(Mesh::Kernel& k, HalfEdgeId h) {
   if (k.rings.empty()) return;
   const HalfEdges& m = k.half_edges;
   struct Search {
-    HalfedgeHandle start, forward, backward;
+    HalfEdgeId start, forward, backward;
   };
   std::array<Search, 2> searches;
-  const std::array<HalfedgeHandle, 2> beside{m.next_halfedge_handle(h), m.prev_halfedge_handle(h)};
+  const std::array<HalfEdgeId, 2> beside{m.next(h), m.previous(h)};
   for (size_t i = 0; i < 2; ++i)
     searches[i] = {beside[i], next_in_ring(k, beside[i]), previous_in_ring(k, beside[i])};
   for (;;) {
     for (Search& s : searches) {
       if (s.forward == s.start) return;
-      for (const HalfedgeHandle member : {s.forward, s.backward}) {
-        const HalfedgeHandle copy = copy_beside(m, member, h);
-        if (copy.is_valid()) return join_ring(k, h, copy);
+      for (const HalfEdgeId member : {s.forward, s.backward}) {
+        const HalfEdgeId copy = copy_beside(m, member, h);
+        if (copy.valid()) return join_ring(k, h, copy);
       }
       s.forward = next_in_ring(k, s.forward);
       s.backward = previous_in_ring(k, s.backward);
@@ -117,60 +116,49 @@ void link_to_copy(Mesh::Kernel& k, HalfedgeHandle h) {
 
 // One edge, bisected: where its two halves are, both in the direction of the half-edge that was split.
 struct Halves {
-  HalfedgeHandle near_from;
-  HalfedgeHandle near_to;
+  HalfEdgeId near_from;
+  HalfEdgeId near_to;
 };
 
-FaceId new_face_data(Mesh::Kernel& k, FaceId parent, FaceId& next_new) {
-  const FaceId added = next_new;
-  next_new = FaceId(next_new.index + 1);
-  k.faces.push_back(k.faces[parent.index]);
+// The next new face remembers what its parent does.
+FaceId hand_down(Mesh::Kernel& k, FaceId parent) {
+  k.faces.push_back(FaceData(k.faces[parent.index]));
   ++k.live_faces;
-  return added;
+  return FaceId(k.faces.size() - 1);
 }
 
 // Bisects the edge of h and its one or two faces, and appends what became of them: first the face of h.
-Halves bisect(Mesh::Kernel& k, HalfedgeHandle h, const OpenMesh::Vec3d& at,
-              std::vector<Mesh::FaceSplit>& out) {
+Halves bisect(Mesh::Kernel& k, HalfEdgeId h, const Vec3& at, std::vector<Mesh::FaceSplit>& out) {
   HalfEdges& m = k.half_edges;
-  const EdgeHandle edge = m.edge_handle(h);
-  const EdgeHandle new_edge(static_cast<int>(m.n_edges()));
-  const HalfedgeHandle h0 = m.halfedge_handle(edge, 0), o0 = m.halfedge_handle(edge, 1);
-  const VertexId tail = vertex_id(m.from_vertex_handle(h0)), head = vertex_id(m.to_vertex_handle(h0));
-  const auto left = m.face_handle(h0), right = m.face_handle(o0);
-  FaceId next_new(static_cast<uint32_t>(m.n_faces()));
-
-  const auto middle = m.new_vertex(at);
-  m.split(edge, middle);  // h0 now runs middle -> head, o0 head -> middle; the faces of both keep their slots
+  const EdgeId edge = edge_of(h), new_edge(m.edges());
+  const HalfEdgeId h0 = half_edge(edge, 0), o0 = half_edge(edge, 1);
+  const VertexId tail = m.from(h0), head = m.to(h0);
+  const FaceId left = m.face(h0), right = m.face(o0);
+  const VertexId middle = m.split(edge, at);  // h0 now runs middle -> head, o0 head -> middle
 
   const size_t first = out.size();
-  const VertexId mid = vertex_id(middle);
-  if (left.is_valid()) {
-    out.push_back({face_id(left), new_face_data(k, face_id(left), next_new), mid, tail, head, head});
-  }
-  if (right.is_valid()) {
-    out.push_back({face_id(right), new_face_data(k, face_id(right), next_new), mid, head, tail, head});
-  }
+  if (left.valid()) out.push_back({left, hand_down(k, left), middle, tail, head, head});
+  if (right.valid()) out.push_back({right, hand_down(k, right), middle, head, tail, head});
   if (h != h0 && out.size() - first == 2) std::swap(out[first], out[first + 1]);
   if (!k.rings.empty()) add_lone_rings(k);  // the edges that were just made
 
-  const HalfedgeHandle outward = m.halfedge_handle(new_edge, 0);  // middle -> tail
-  if (h == h0) return {m.opposite_halfedge_handle(outward), h0};
+  const HalfEdgeId outward = half_edge(new_edge, 0);  // middle -> tail
+  if (h == h0) return {opposite(outward), h0};
   return {o0, outward};
 }
 
 // Where faces that lie on one another were bisected, their bisectors lie on one another.
 void link_bisectors(Mesh::Kernel& k, std::span<const Mesh::FaceSplit> splits) {
   const HalfEdges& m = k.half_edges;
-  std::vector<HalfedgeHandle> bisectors;  // from the midpoint to the corner opposite
-  std::vector<Vec3> opposite;
+  std::vector<HalfEdgeId> bisectors;  // from the midpoint to the corner opposite
+  std::vector<Vec3> ends;
   for (const Mesh::FaceSplit& s : splits) {
     const FaceId before_midpoint =
         s.kept_end == s.from ? s.kept : s.added;  // its sides: from, midpoint, opposite
     bisectors.push_back(half_edge_from(m, before_midpoint, s.midpoint));
-    opposite.push_back(to_vec3(m.point(m.to_vertex_handle(bisectors.back()))));
+    ends.push_back(m.position(m.to(bisectors.back())));
   }
-  const std::vector<uint32_t> first = weld_positions(opposite);
+  const std::vector<uint32_t> first = weld_positions(ends);
   for (uint32_t i = 0; i < first.size(); ++i) {
     if (first[i] != i) join_ring(k, bisectors[i], bisectors[first[i]]);
   }
@@ -180,10 +168,10 @@ void link_bisectors(Mesh::Kernel& k, std::span<const Mesh::FaceSplit> splits) {
 
 void Mesh::append_neighbours(FaceId f, std::vector<FaceId>& out) const {
   const HalfEdges& m = kernel_->half_edges;
-  HalfedgeHandle h = m.halfedge_handle(handle(f));
-  for (int i = 0; i < 3; ++i, h = m.next_halfedge_handle(h)) {
-    for_each_side(*kernel_, h, [&](HalfedgeHandle side) {
-      if (m.face_handle(side) != handle(f)) out.push_back(face_id(m.face_handle(side)));
+  HalfEdgeId h = m.first(f);
+  for (int i = 0; i < 3; ++i, h = m.next(h)) {
+    for_each_side(*kernel_, h, [&](HalfEdgeId side) {
+      if (m.face(side) != f) out.push_back(m.face(side));
     });
   }
 }
@@ -191,15 +179,15 @@ void Mesh::append_neighbours(FaceId f, std::vector<FaceId>& out) const {
 void Mesh::append_nearest_neighbours(FaceId f, std::vector<FaceId>& out) const {
   const HalfEdges& m = kernel_->half_edges;
   // A member of a ring has one face or two, which are beside each other.
-  const auto append_one = [&](HalfedgeHandle member) {
-    const auto face = m.face_handle(member);
-    out.push_back(face_id(face.is_valid() ? face : m.face_handle(m.opposite_halfedge_handle(member))));
+  const auto append_one = [&](HalfEdgeId member) {
+    const auto face = m.face(member);
+    out.push_back(face.valid() ? face : m.face(opposite(member)));
   };
-  HalfedgeHandle h = m.halfedge_handle(handle(f));
-  for (int i = 0; i < 3; ++i, h = m.next_halfedge_handle(h)) {
-    const auto across = m.face_handle(m.opposite_halfedge_handle(h));
-    if (across.is_valid()) out.push_back(face_id(across));
-    const HalfedgeHandle next = next_in_ring(*kernel_, h), previous = previous_in_ring(*kernel_, h);
+  HalfEdgeId h = m.first(f);
+  for (int i = 0; i < 3; ++i, h = m.next(h)) {
+    const auto across = m.face(opposite(h));
+    if (across.valid()) out.push_back(across);
+    const HalfEdgeId next = next_in_ring(*kernel_, h), previous = previous_in_ring(*kernel_, h);
     if (next != h) append_one(next);
     if (previous != next) append_one(previous);
   }
@@ -207,13 +195,12 @@ void Mesh::append_nearest_neighbours(FaceId f, std::vector<FaceId>& out) const {
 
 void Mesh::append_edge_sides(FaceId f, VertexId from, VertexId to, std::vector<Side>& out) const {
   const HalfEdges& m = kernel_->half_edges;
-  const HalfedgeHandle h = half_edge_from(m, f, from);
-  assert(m.to_vertex_handle(h) == handle(to));
+  const HalfEdgeId h = half_edge_from(m, f, from);
+  assert(m.to(h) == to);
   (void)to;
-  for_each_side(*kernel_, h, [&](HalfedgeHandle side) {
+  for_each_side(*kernel_, h, [&](HalfEdgeId side) {
     if (side == h) return;
-    out.push_back({face_id(m.face_handle(side)), vertex_id(m.from_vertex_handle(side)),
-                   vertex_id(m.to_vertex_handle(side))});
+    out.push_back({m.face(side), m.from(side), m.to(side)});
   });
 }
 
@@ -222,15 +209,15 @@ void Mesh::star(VertexId v, Star& out) const {
   out.faces.clear();
   out.rim.clear();
   out.alone = true;
-  for (auto h = m.cvoh_iter(handle(v)); h.is_valid(); ++h) {
-    const auto left = m.face_handle(*h), right = m.face_handle(m.opposite_halfedge_handle(*h));
-    if (left.is_valid()) out.faces.push_back(face_id(left));
-    if (left.is_valid() != right.is_valid()) out.rim.push_back(vertex_id(m.to_vertex_handle(*h)));
-    if (next_in_ring(*kernel_, *h) != *h) out.alone = false;
-  }
+  m.for_each_outgoing(v, [&](HalfEdgeId h) {
+    const FaceId left = m.face(h), right = m.face(opposite(h));
+    if (left.valid()) out.faces.push_back(left);
+    if (left.valid() != right.valid()) out.rim.push_back(m.to(h));
+    if (next_in_ring(*kernel_, h) != h) out.alone = false;
+  });
 }
 
-void Mesh::move_vertex(VertexId v, const Vec3& to) { kernel_->half_edges.set_point(handle(v), to_point(to)); }
+void Mesh::move_vertex(VertexId v, const Vec3& to) { kernel_->half_edges.set_position(v, to); }
 
 void Mesh::split_edge(FaceId f, VertexId from, VertexId to, std::vector<FaceSplit>& out) {
   split_edge_at(f, from, to, 0.5 * position(from) + 0.5 * position(to), out);
@@ -239,16 +226,16 @@ void Mesh::split_edge(FaceId f, VertexId from, VertexId to, std::vector<FaceSpli
 void Mesh::split_edge_at(FaceId f, VertexId from, VertexId to, const Vec3& at, std::vector<FaceSplit>& out) {
   Kernel& k = *kernel_;
   HalfEdges& m = k.half_edges;
-  const HalfedgeHandle start = half_edge_from(m, f, from);
-  assert(m.to_vertex_handle(start) == handle(to));
+  const HalfEdgeId start = half_edge_from(m, f, from);
+  assert(m.to(start) == to);
   (void)to;
 
   const size_t first = out.size();
-  std::vector<HalfedgeHandle> members{start};
-  for (HalfedgeHandle h = next_in_ring(k, start); h != start; h = next_in_ring(k, h)) members.push_back(h);
-  std::vector<HalfedgeHandle> near_from, near_to;
-  for (const HalfedgeHandle h : members) {
-    const Halves halves = bisect(k, h, to_point(at), out);
+  std::vector<HalfEdgeId> members{start};
+  for (HalfEdgeId h = next_in_ring(k, start); h != start; h = next_in_ring(k, h)) members.push_back(h);
+  std::vector<HalfEdgeId> near_from, near_to;
+  for (const HalfEdgeId h : members) {
+    const Halves halves = bisect(k, h, at, out);
     near_from.push_back(halves.near_from);
     near_to.push_back(halves.near_to);
   }
@@ -260,57 +247,83 @@ void Mesh::split_edge_at(FaceId f, VertexId from, VertexId to, const Vec3& at, s
 
 void Mesh::flip_edge(FaceId f, VertexId from, VertexId to) {
   HalfEdges& m = kernel_->half_edges;
-  const HalfedgeHandle a0 = half_edge_from(m, f, from), b0 = m.opposite_halfedge_handle(a0);
-  assert(m.to_vertex_handle(a0) == handle(to));
-  const HalfedgeHandle a1 = m.next_halfedge_handle(a0), a2 = m.next_halfedge_handle(a1);
-  const HalfedgeHandle b1 = m.next_halfedge_handle(b0), b2 = m.next_halfedge_handle(b1);
-  const auto fa = m.face_handle(a0), fb = m.face_handle(b0);
-  assert(fa.is_valid() && fb.is_valid());
-  leave_ring(*kernel_, m.edge_handle(a0));
+  const HalfEdgeId a0 = half_edge_from(m, f, from), b0 = opposite(a0);
+  assert(m.to(a0) == to);
+  const HalfEdgeId a1 = m.next(a0), a2 = m.next(a1);
+  const HalfEdgeId b1 = m.next(b0), b2 = m.next(b1);
+  const auto fa = m.face(a0), fb = m.face(b0);
+  assert(fa.valid() && fb.valid());
+  leave_ring(*kernel_, edge_of(a0));
 
-  if (m.halfedge_handle(handle(from)) == a0) m.set_halfedge_handle(handle(from), b1);
-  if (m.halfedge_handle(handle(to)) == b0) m.set_halfedge_handle(handle(to), a1);
-  m.set_vertex_handle(a0, m.to_vertex_handle(a1));
-  m.set_vertex_handle(b0, m.to_vertex_handle(b1));
-  const auto close = [&](HalfedgeHandle x, HalfedgeHandle y, HalfedgeHandle z, OpenMesh::FaceHandle face) {
-    m.set_next_halfedge_handle(x, y);
-    m.set_next_halfedge_handle(y, z);
-    m.set_next_halfedge_handle(z, x);
-    for (const HalfedgeHandle h : {x, y, z}) m.set_face_handle(h, face);
-    m.set_halfedge_handle(face, x);
-  };
-  close(a0, a2, b1, fa);
-  close(b0, b2, a1, fb);
+  if (m.outgoing(from) == a0) m.set_outgoing(from, b1);
+  if (m.outgoing(to) == b0) m.set_outgoing(to, a1);
+  m.set_to(a0, m.to(a1));
+  m.set_to(b0, m.to(b1));
+  m.close(fa, a0, a2, b1);
+  m.close(fb, b0, b2, a1);
   link_to_copy(*kernel_, a0);
 }
 
 bool Mesh::can_flip_edge(FaceId f, VertexId from, VertexId to) const {
   const HalfEdges& m = kernel_->half_edges;
-  const HalfedgeHandle h = half_edge_from(m, f, from), o = m.opposite_halfedge_handle(h);
-  assert(m.to_vertex_handle(h) == handle(to));
+  const HalfEdgeId h = half_edge_from(m, f, from), o = opposite(h);
+  assert(m.to(h) == to);
   (void)to;
-  if (!m.face_handle(o).is_valid() || next_in_ring(*kernel_, h) != h) return false;
-  const auto left = m.to_vertex_handle(m.next_halfedge_handle(h));
-  const auto right = m.to_vertex_handle(m.next_halfedge_handle(o));
-  return left != right && !m.find_halfedge(left, right).is_valid();
+  if (!m.face(o).valid() || next_in_ring(*kernel_, h) != h) return false;
+  const auto left = m.to(m.next(h));
+  const auto right = m.to(m.next(o));
+  bool joined = left == right;
+  m.for_each_outgoing(left, [&](HalfEdgeId out) { joined |= m.to(out) == right; });
+  return !joined;
 }
 
 void Mesh::remove_face(FaceId f) {
   HalfEdges& m = kernel_->half_edges;
   assert(is_live(f));
-  HalfedgeHandle h = m.halfedge_handle(handle(f));
-  for (int i = 0; i < 3; ++i, h = m.next_halfedge_handle(h)) {
-    if (!m.face_handle(m.opposite_halfedge_handle(h)).is_valid()) leave_ring(*kernel_, m.edge_handle(h));
+  HalfEdgeId h = m.first(f);
+  for (int i = 0; i < 3; ++i, h = m.next(h)) {
+    if (!m.face(opposite(h)).valid()) leave_ring(*kernel_, edge_of(h));
   }
-  m.delete_face(handle(f), true);
+  m.remove(f);
   --kernel_->live_faces;
 }
 
-void Mesh::reserve_more(uint32_t faces) {
-  HalfEdges& m = kernel_->half_edges;
-  m.reserve(m.n_vertices() + faces, m.n_edges() + 2 * size_t{faces}, m.n_faces() + faces);
-  kernel_->faces.reserve(m.n_faces() + faces);
-  if (!kernel_->rings.empty()) kernel_->rings.reserve(m.n_edges() + 2 * size_t{faces});
+size_t Mesh::bytes() const {
+  return kernel_->half_edges.bytes() + kernel_->rings.bytes() + kernel_->faces.bytes();
+}
+
+void Mesh::begin_change() {
+  kernel_->half_edges.begin_change();
+  kernel_->rings.begin_change();
+  kernel_->faces.begin_change();
+  kernel_->live_before = kernel_->live_faces;
+}
+
+Mesh::Change Mesh::end_change() {
+  Change change;
+  change.parts_ = std::make_unique<Change::Parts>(
+      Change::Parts{kernel_->half_edges.end_change(), kernel_->rings.end_change(),
+                    kernel_->faces.end_change(), kernel_->live_before});
+  return change;
+}
+
+void Mesh::exchange(Change& change) {
+  Change::Parts& parts = *change.parts_;
+  kernel_->half_edges.exchange(parts.half_edges);
+  kernel_->rings.exchange(parts.rings);
+  kernel_->faces.exchange(parts.faces);
+  std::swap(kernel_->live_faces, parts.live_faces);
+}
+
+Mesh::Change::Change() = default;
+Mesh::Change::~Change() = default;
+Mesh::Change::Change(Change&&) noexcept = default;
+Mesh::Change& Mesh::Change::operator=(Change&&) noexcept = default;
+size_t Mesh::Change::bytes() const {
+  return parts_ ? parts_->half_edges.bytes() + parts_->rings.bytes() + parts_->faces.bytes() : 0;
+}
+bool Mesh::Change::any() const {
+  return parts_ && (parts_->half_edges.any() || parts_->rings.any() || parts_->faces.any());
 }
 
 }  // namespace kerf

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/ids.h"
+#include "core/base/records.h"
 #include "core/base/vec3.h"
 
 namespace kerf {
@@ -30,7 +31,23 @@ struct FaceData {
   uint8_t halvings = 0;  // how often its area was halved since it was the base face; a split in four is two
 };
 
-// A conforming triangle mesh over OpenMesh's half-edges.
+// The positions of vertices as they lie in memory.
+class Positions {
+ public:
+  static constexpr uint32_t kShift = Records<Vec3>::kShift;
+
+  explicit Positions(const Vec3* const* chunks) : chunks_(chunks) {}
+  const Vec3& operator[](VertexId v) const { return (*this)[v.index]; }
+  const Vec3& operator[](uint32_t v) const {
+    return chunks_[v >> kShift][v & ((uint32_t{1} << kShift) - 1)];
+  }
+  const Vec3* const* chunks() const { return chunks_; }
+
+ private:
+  const Vec3* const* chunks_;
+};
+
+// A conforming triangle mesh of half-edges.
 //
 // Conforming: two faces meet in a common edge, a common corner or not at all; a split closes itself on all
 // faces of the edge. Half-edges hold two faces an edge, so where three or more meet (or two that no turning
@@ -40,6 +57,8 @@ struct FaceData {
 //
 // Vertices are per sheet: where sheets touch in a vertex or a ring, each sheet has a vertex of its own at
 // bit-equal position. Slots of faces and vertices only grow; a removed face keeps its slot, marked dead.
+//
+// Growing never moves what is there, and what a command changes can be taken back (see Records).
 class Mesh {
  public:
   Mesh();
@@ -55,14 +74,14 @@ class Mesh {
   bool is_live(FaceId f) const;
 
   Vec3 position(VertexId v) const;
-  // Counter-clockwise; where the turn starts may change with edits nearby.
+  // Of a live face, counter-clockwise; where the turn starts may change with edits nearby.
   std::array<VertexId, 3> corners(FaceId f) const;
   Triangle triangle(FaceId f) const;
-  // x y z of every vertex slot, until the mesh is edited.
-  const double* coordinates() const;
+  // All of them, for whoever asks for many, until the mesh is edited.
+  Positions positions() const;
 
   const FaceData& data(FaceId f) const;
-  FaceData& data(FaceId f);
+  FaceData& edit_data(FaceId f);
 
   // Appends every live face that shares an edge with f, over rings, f itself excepted. A face that shares two
   // edges with f comes twice. Linear in the rings' degrees.
@@ -125,8 +144,29 @@ class Mesh {
   // Marks f dead and frees its edges; its slot stays. f must be live.
   void remove_face(FaceId f);
 
-  // Makes room, so that edits that add this many faces do not move the arrays.
-  void reserve_more(uint32_t faces);
+  // Memory that the mesh holds.
+  size_t bytes() const;
+
+  // What the mesh was before a command, or, once exchanged, after it.
+  class Change {
+   public:
+    Change();
+    ~Change();
+    Change(Change&&) noexcept;
+    Change& operator=(Change&&) noexcept;
+    size_t bytes() const;
+    bool any() const;
+
+   private:
+    friend class Mesh;
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+  };
+  // From begin_change on what is edited is saved first; end_change gives what the mesh was. exchange makes it
+  // that again, to the bit, and the change what it was till then. O(what was changed).
+  void begin_change();
+  Change end_change();
+  void exchange(Change& change);
 
   struct Kernel;
   Kernel& kernel() { return *kernel_; }

@@ -63,7 +63,7 @@ void OneToFour::split(Mesh& mesh, FaceId f, std::vector<Replacement>& out) {
 void OneToFour::forget(Mesh& mesh, FaceId f) {
   const uint32_t index = mesh.data(f).element;
   if (index == FaceData::kNoElement) return;
-  for (int i = 0; i < 2; ++i) mesh.data(elements_[index].faces[i]).element = FaceData::kNoElement;
+  for (int i = 0; i < 2; ++i) mesh.edit_data(elements_[index].faces[i]).element = FaceData::kNoElement;
   close_element(index);
 }
 
@@ -72,25 +72,27 @@ uint32_t OneToFour::open_element(const Mesh& mesh, FaceId f) {
   e.corners = mesh.corners(f);
   e.faces[0] = f;
   e.halvings = mesh.data(f).halvings;
-  if (free_.empty()) {
+  if (free_ == FaceData::kNoElement) {
     elements_.push_back(e);
-    return static_cast<uint32_t>(elements_.size() - 1);
+    return elements_.size() - 1;
   }
-  const uint32_t index = free_.back();
-  free_.pop_back();
-  elements_[index] = e;
+  const uint32_t index = free_;
+  free_ = elements_[index].faces[0].index;
+  elements_.edit(index) = e;
   return index;
 }
 
 void OneToFour::close_element(uint32_t index) {
-  elements_[index].face_count = 0;
-  free_.push_back(index);
+  Split& e = elements_.edit(index);
+  e.face_count = 0;
+  e.faces[0] = FaceId(free_);
+  free_ = index;
 }
 
 void OneToFour::make_red(Mesh& mesh, FaceId f, std::vector<Replacement>& out) {
-  if (mesh.data(f).element == FaceData::kNoElement) mesh.data(f).element = open_element(mesh, f);
+  if (mesh.data(f).element == FaceData::kNoElement) mesh.edit_data(f).element = open_element(mesh, f);
   const uint32_t index = mesh.data(f).element;
-  elements_[index].wanted_red = true;
+  elements_.edit(index).wanted_red = true;
   refine_coarser_neighbours(mesh, index, out);
   for (int edge = 0; edge < 3; ++edge) {
     if (!elements_[index].midpoints[edge].valid()) bisect(mesh, index, edge);
@@ -139,11 +141,11 @@ void OneToFour::note_split(Mesh& mesh, const Mesh::FaceSplit& s) {
     index = open_element(mesh, s.kept);
     const auto now = mesh.corners(s.kept);
     for (const VertexId v : now) {
-      if (v != s.midpoint && v != s.kept_end) elements_[index].corners = {s.from, s.to, v};
+      if (v != s.midpoint && v != s.kept_end) elements_.edit(index).corners = {s.from, s.to, v};
     }
-    mesh.data(s.kept).element = mesh.data(s.added).element = index;
+    mesh.edit_data(s.kept).element = mesh.edit_data(s.added).element = index;
   }
-  Split& e = elements_[index];
+  Split& e = elements_.edit(index);
   const int edge = edge_of(e, s.from, s.to);
   assert(edge < 3 && !e.midpoints[edge].valid());
   e.midpoints[edge] = s.midpoint;
@@ -151,7 +153,8 @@ void OneToFour::note_split(Mesh& mesh, const Mesh::FaceSplit& s) {
   const int bisected = bisected_edges(e.midpoints);
   if (bisected == 1) {
     e.first_edge = static_cast<uint8_t>(edge);
-    for (const FaceId f : {s.kept, s.added}) mesh.data(f).halvings = static_cast<uint8_t>(e.halvings + 1);
+    for (const FaceId f : {s.kept, s.added})
+      mesh.edit_data(f).halvings = static_cast<uint8_t>(e.halvings + 1);
     changed_.push_back(index);
   } else if (!e.wanted_red) {
     e.wanted_red = true;
@@ -172,7 +175,7 @@ void OneToFour::finish_red(Mesh& mesh, uint32_t index, std::vector<Replacement>&
     int corner = 0;
     while (corner < 3 && !has_corner(mesh, f, e.corners[corner])) ++corner;
     r.born[corner] = f;  // the face at each corner, then the one in the middle
-    FaceData& data = mesh.data(f);
+    FaceData& data = mesh.edit_data(f);
     data.element = FaceData::kNoElement;
     data.halvings = static_cast<uint8_t>(e.halvings + 2);
   }
@@ -183,12 +186,24 @@ void OneToFour::finish_red(Mesh& mesh, uint32_t index, std::vector<Replacement>&
 
 void OneToFour::report_green(std::vector<Replacement>& out) {
   for (const uint32_t index : changed_) {
-    Split& e = elements_[index];
+    const Split& e = elements_[index];
     if (e.face_count != 2 || e.faces_in_tree != 1) continue;  // red by now, or closed
-    e.faces_in_tree = 2;
+    elements_.edit(index).faces_in_tree = 2;
     out.push_back({{e.faces[0], FaceId()}, {e.faces[0], e.faces[1], FaceId(), FaceId()}, 1, 2});
   }
   changed_.clear();
+}
+
+void OneToFour::begin_change() {
+  elements_.begin_change();
+  free_before_ = free_;
+}
+
+OneToFour::Change OneToFour::end_change() { return {elements_.end_change(), free_before_}; }
+
+void OneToFour::exchange(Change& change) {
+  elements_.exchange(change.elements);
+  std::swap(free_, change.free);
 }
 
 int OneToFour::edge_of(const Split& e, VertexId from, VertexId to) {

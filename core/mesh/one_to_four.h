@@ -40,6 +40,13 @@ class OneToFour {
   // another rule: the halves are faces like others from then on.
   void forget(Mesh& mesh, FaceId f);
 
+  // What it was before a command; see Records.
+  struct Change;
+  void begin_change();
+  Change end_change();
+  void exchange(Change& change);
+  size_t bytes() const { return elements_.bytes(); }
+
  private:
   // An element with one or more bisected edges. Edge i runs from corner i to the next corner.
   struct Split {
@@ -66,10 +73,18 @@ class OneToFour {
                      VertexId to);  // 3 where it is no whole edge of the element
   FaceId face_at(const Mesh& mesh, const Split& e, VertexId from, VertexId to) const;
 
-  std::vector<Split> elements_;
-  std::vector<uint32_t> free_;
-  std::vector<uint32_t> changed_;  // elements that became green in this call
-  std::vector<FaceId> pending_;    // faces of elements with two split edges
+  Records<Split> elements_;
+  uint32_t free_ = FaceData::kNoElement;  // the first of those that are closed; faces[0] is the next
+  std::vector<uint32_t> changed_;         // elements that became green in this call
+  std::vector<FaceId> pending_;           // faces of elements with two split edges
+  uint32_t free_before_ = FaceData::kNoElement;
+};
+
+struct OneToFour::Change {
+  Records<Split>::Change elements;
+  uint32_t free;
+  size_t bytes() const { return elements.bytes(); }
+  bool any() const { return elements.any(); }
 };
 
 }  // namespace kerf

@@ -94,11 +94,28 @@ class AabbTree {
   // Memory that the tree holds.
   size_t bytes() const { return store_.bytes(); }
 
+  // What the tree was before a command, or, once exchanged, after it: boxes, and where the beam was.
+  class Change {
+   public:
+    size_t bytes() const { return store_.bytes(); }
+    bool any() const { return store_.any(); }
+
+   private:
+    friend class AabbTree;
+    TreeStore::Change store_;
+    size_t leaf_count_ = 0;
+  };
+  // As those of Mesh, which must change along.
+  void begin_change();
+  Change end_change();
+  void exchange(Change& change);
+
  private:
   Box box_of(const FloatBox& box, int depth, bool leaf, bool hit) const;
 
   TreeStore store_;
   size_t leaf_count_ = 0;
+  size_t leaves_before_ = 0;
   Simd simd_ = best_simd();
 };
 

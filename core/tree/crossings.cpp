@@ -9,24 +9,22 @@ namespace kerf {
 
 namespace {
 
+static_assert(RayQuery::kPositionShift == Positions::kShift && sizeof(Vec3) == 24);
+
 bool nearer(const RayHit& a, const RayHit& b) {
   return a.length != b.length ? a.length < b.length : a.face < b.face;
 }
 
-Triangle triangle_of(const double* coordinates, const FaceBlock& block, unsigned lane) {
-  const auto corner = [&](int i) {
-    const double* p = coordinates + 3 * size_t{block.vertex[i][lane]};
-    return Vec3(p[0], p[1], p[2]);
-  };
-  return {corner(0), corner(1), corner(2)};
+Triangle triangle_of(Positions positions, const FaceBlock& block, unsigned lane) {
+  return {positions[block.vertex[0][lane]], positions[block.vertex[1][lane]],
+          positions[block.vertex[2][lane]]};
 }
 
 // The crossing of a face that a walk listed, where there is one.
-std::optional<RayHit> test_face(const double* coordinates, const ShearedRay& ray, Interval range,
-                                uintptr_t word) {
+std::optional<RayHit> test_face(Positions positions, const ShearedRay& ray, Interval range, uintptr_t word) {
   const FaceBlock& block = *block_of(word);
   const unsigned lane = lane_of(word);
-  const auto length = ray.cross(triangle_of(coordinates, block, lane));
+  const auto length = ray.cross(triangle_of(positions, block, lane));
   if (!length || !(*length >= range.low && *length <= range.high)) return std::nullopt;
   return RayHit{FaceId(block.face[lane]), *length};
 }
@@ -42,13 +40,13 @@ void AabbTree::crossings(const Mesh& mesh, const Pose& ray, Interval range, std:
   if (store_.root == kNoIndex) return;
   const ShearedRay sheared(ray);
   RayQuery query;
-  query.coordinates = mesh.coordinates();
+  query.positions = reinterpret_cast<const char* const*>(mesh.positions().chunks());
   if (!prepare_rays(store_, {&ray, 1}, sheared, range, query)) return;
   WalkScratch scratch;
   walks_for(simd_).ray(store_.view(), query, scratch.lists());
   const size_t first = out.size();
   for (const uintptr_t word : scratch.faces()) {
-    if (const auto hit = test_face(query.coordinates, sheared, range, word)) out.push_back(*hit);
+    if (const auto hit = test_face(mesh.positions(), sheared, range, word)) out.push_back(*hit);
   }
   sort_from(out, first);
 }
@@ -65,7 +63,7 @@ void AabbTree::crossings(const Mesh& mesh, std::span<const Pose> rays, Interval 
   for (size_t i = 0; i < rays.size(); ++i)
     sheared[i] = i == 0 ? ShearedRay(rays[0]) : sheared[0].beside(rays[i]);
   RayQuery query;
-  query.coordinates = mesh.coordinates();
+  query.positions = reinterpret_cast<const char* const*>(mesh.positions().chunks());
   if (!prepare_rays(store_, rays, sheared[0], range, query)) return;
   WalkScratch scratch;
   walks_for(simd_).rays(store_.view(), query, scratch.lists());
@@ -73,7 +71,7 @@ void AabbTree::crossings(const Mesh& mesh, std::span<const Pose> rays, Interval 
   for (size_t i = 0; i < rays.size(); ++i) first[i] = out[i].size();
   for (const uintptr_t word : scratch.faces()) {
     const unsigned r = ray_of(word);
-    if (const auto hit = test_face(query.coordinates, sheared[r], range, word)) out[r].push_back(*hit);
+    if (const auto hit = test_face(mesh.positions(), sheared[r], range, word)) out[r].push_back(*hit);
   }
   for (size_t i = 0; i < rays.size(); ++i) sort_from(out[i], first[i]);
 }
@@ -82,13 +80,13 @@ std::optional<RayHit> AabbTree::nearest(const Mesh& mesh, const Pose& ray, Inter
   if (store_.root == kNoIndex) return std::nullopt;
   const ShearedRay sheared(ray);
   RayQuery query;
-  query.coordinates = mesh.coordinates();
+  query.positions = reinterpret_cast<const char* const*>(mesh.positions().chunks());
   if (!prepare_rays(store_, {&ray, 1}, sheared, range, query)) return std::nullopt;
   WalkScratch scratch;
   walks_for(simd_).nearest(store_.view(), query, scratch.lists());
   std::optional<RayHit> best;
   for (const uintptr_t word : scratch.faces()) {
-    const auto hit = test_face(query.coordinates, sheared, range, word);
+    const auto hit = test_face(mesh.positions(), sheared, range, word);
     if (hit && (!best || nearer(*hit, *best))) best = hit;
   }
   return best;

@@ -69,7 +69,7 @@ void shrink_above(TreeStore& tree, uint32_t n) {
 
 void copy_lane(TreeStore& tree, uint32_t from, uint32_t from_lane, uint32_t to, uint32_t to_lane) {
   const FaceBlock& a = tree.blocks[from];
-  FaceBlock& b = tree.blocks[to];
+  FaceBlock& b = tree.blocks.edit(to);
   for (int i = 0; i < 3; ++i) {
     for (int k = 0; k < 3; ++k) b.corner[i][k][to_lane] = a.corner[i][k][from_lane];
     b.vertex[i][to_lane] = a.vertex[i][from_lane];
@@ -82,7 +82,7 @@ void copy_lane(TreeStore& tree, uint32_t from, uint32_t from_lane, uint32_t to, 
 
 // The last lane takes the place of the one that goes.
 void drop_lane(TreeStore& tree, uint32_t block, uint32_t lane) {
-  FaceBlock& b = tree.blocks[block];
+  FaceBlock& b = tree.blocks.edit(block);
   const uint32_t last = b.count - 1u;
   tree.set_count(block, last);
   if (lane != last) copy_lane(tree, block, last, block, lane);
@@ -139,7 +139,8 @@ void hang_beside(TreeStore& tree, uint32_t b, uint32_t fresh) {
   const FloatBox stays = tree.block_box(tree.blocks[b]), goes = tree.block_box(tree.blocks[fresh]);
   const bool stays_hit = tree.blocks[b].hit != 0, goes_hit = tree.blocks[fresh].hit != 0;
   const auto mark = [&](uint32_t n, uint32_t s, bool hit) {
-    tree.nodes[n].hit = static_cast<uint8_t>(tree.nodes[n].hit | unsigned{hit} << s);
+    uint8_t& bits = tree.nodes.edit(n).hit;
+    bits = static_cast<uint8_t>(bits | unsigned{hit} << s);
   };
   const uint32_t beside = free_slot(tree.nodes[parent]);
   if (beside < kNodeWidth) {
@@ -167,7 +168,7 @@ void rewrite_lane(TreeStore& tree, const TreeFace& face, uint32_t b, uint32_t la
 }
 
 void forget_hit(TreeStore& tree, uint32_t place) {
-  FaceBlock& b = tree.blocks[block_at(place)];
+  FaceBlock& b = tree.blocks.edit(block_at(place));
   b.hit = static_cast<uint8_t>(b.hit & ~(1u << lane_at(place)));
 }
 
@@ -246,10 +247,10 @@ void replace_faces(TreeStore& tree, const Mesh& mesh, std::span<const FaceId> go
     while (next < born.size() && was_there(born[next])) ++next;
     return next < born.size();
   };
-  const double* coordinates = mesh.coordinates();
+  Positions positions = mesh.positions();
   FloatBox written;
   const auto write = [&](FaceId f, uint32_t lane) {
-    const TreeFace face(tree.frame, mesh, coordinates, f);
+    const TreeFace face(tree.frame, mesh, positions, f);
     tree.put(face, home, lane);
     written.add(face.box());
   };
@@ -274,7 +275,7 @@ void replace_faces(TreeStore& tree, const Mesh& mesh, std::span<const FaceId> go
   }
   if (tree.blocks[home].count == 0) return;  // all were removed
   grow_block(tree, home, written);
-  while (next_born()) insert_face(tree, TreeFace(tree.frame, mesh, coordinates, born[next++]), home);
+  while (next_born()) insert_face(tree, TreeFace(tree.frame, mesh, positions, born[next++]), home);
 }
 
 void replace_faces(TreeStore& tree, const Mesh& mesh, std::span<const Replacement> all) {

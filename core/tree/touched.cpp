@@ -35,6 +35,16 @@ SlabQuery::Axis tree_axis(const TreeStore& tree, double reach, const Vec3& axis,
   return a;
 }
 
+void mark(TreeStore& tree, std::span<const uintptr_t> marks) {
+  for (size_t i = 0; i < marks.size(); i += 2) {
+    const auto bits = static_cast<unsigned>(marks[i + 1]);
+    if (marks_block(marks[i]))
+      tree.mark(*reinterpret_cast<const FaceBlock*>(marks[i] - 1), bits);
+    else
+      tree.mark(*reinterpret_cast<const WideNode*>(marks[i]), bits);
+  }
+}
+
 }  // namespace
 
 QueryCounts AabbTree::touched(const Mesh& mesh, const SweptCylinder& beam, std::vector<FaceId>& out) {
@@ -56,6 +66,7 @@ QueryCounts AabbTree::touched(const Mesh& mesh, const SweptCylinder& beam, std::
   WalkScratch scratch;
   counts.boxes = walks_for(simd_).slab(store_.view(), query, scratch.lists());
   counts.faces = scratch.faces().size();
+  mark(store_, scratch.marks());
   store_.root_hit = store_.root_hit || store_.nodes[store_.root].hit != 0;
   for (const uintptr_t word : scratch.faces()) {
     const FaceId f(block_of(word)->face[lane_of(word)]);

@@ -18,7 +18,8 @@ struct TreeFrame {
 
   Vec3 to_tree(const Vec3& p) const { return (p - origin) * scale; }
   // The point in floats, rounded to the nearest; the fourth lane is zero.
-  __m128 to_floats(const double* p) const {
+  __m128 to_floats(const Vec3& point) const {
+    const double* p = &point.x;
     const __m128d factor = _mm_set1_pd(scale);
     const __m128d xy = _mm_mul_pd(_mm_sub_pd(_mm_loadu_pd(p), _mm_loadu_pd(&origin.x)), factor);
     const __m128d z = _mm_mul_sd(_mm_sub_sd(_mm_load_sd(p + 2), _mm_load_sd(&origin.z)), factor);

@@ -9,7 +9,7 @@ namespace {
 
 // A record off the list of free ones, or a new one.
 template <typename T>
-uint32_t take(Pool<T>& pool, uint32_t& free, uint32_t& free_count) {
+uint32_t take(Records<T>& pool, uint32_t& free, uint32_t& free_count) {
   if (free == kNoIndex) {
     pool.grow_to(pool.size() + 1);
     return pool.size() - 1;
@@ -23,50 +23,52 @@ uint32_t take(Pool<T>& pool, uint32_t& free, uint32_t& free_count) {
 }  // namespace
 
 uint32_t TreeStore::add_node() {
-  const uint32_t n = take(nodes, free_node_, free_node_count_);
-  nodes[n].parent = kNoIndex;
-  nodes[n].slot = 0;
-  nodes[n].hit = 0;
+  const uint32_t n = take(nodes, TreeCounts::free_node, TreeCounts::free_node_count);
+  WideNode& node = nodes.edit(n);
+  node.parent = kNoIndex;
+  node.slot = 0;
+  node.hit = 0;
   const FloatBox none;
   for (int k = 0; k < 6; ++k) {
     const __m128 plane = k < 3 ? none.low : none.high;
-    _mm_store_ps(nodes[n].plane[k], plane);
-    _mm_store_ps(nodes[n].plane[k] + 4, plane);
+    _mm_store_ps(node.plane[k], plane);
+    _mm_store_ps(node.plane[k] + 4, plane);
   }
-  for (Child& child : nodes[n].child) child = Child{};
+  for (Child& child : node.child) child = Child{};
   return n;
 }
 
 uint32_t TreeStore::add_block() {
-  const uint32_t b = take(blocks, free_block_, free_block_count_);
-  blocks[b].parent = kNoIndex;
-  blocks[b].slot = 0;
-  blocks[b].hit = 0;
+  const uint32_t b = take(blocks, TreeCounts::free_block, TreeCounts::free_block_count);
+  FaceBlock& block = blocks.edit(b);
+  block.parent = kNoIndex;
+  block.slot = 0;
+  block.hit = 0;
   return b;
 }
 
 void TreeStore::free_node(uint32_t n) {
-  nodes[n].parent = free_node_;
-  free_node_ = n;
-  ++free_node_count_;
+  nodes.edit(n).parent = TreeCounts::free_node;
+  TreeCounts::free_node = n;
+  ++TreeCounts::free_node_count;
 }
 
 void TreeStore::free_block(uint32_t b) {
   set_count(b, 0);
-  blocks[b].parent = free_block_;
-  free_block_ = b;
-  ++free_block_count_;
+  blocks.edit(b).parent = TreeCounts::free_block;
+  TreeCounts::free_block = b;
+  ++TreeCounts::free_block_count;
 }
 
 void TreeStore::set_count(uint32_t block, uint32_t count) {
-  FaceBlock& b = blocks[block];
-  single_count_ += uint32_t{count == 1} - uint32_t{b.count == 1};
+  FaceBlock& b = blocks.edit(block);
+  TreeCounts::single_count += uint32_t{count == 1} - uint32_t{b.count == 1};
   b.count = static_cast<uint8_t>(count);
 }
 
 void TreeStore::set_place(FaceId f, uint32_t place) {
   places_.grow_to(f.index + 1);
-  places_[f.index] = place + 1;
+  places_.edit(f.index) = place + 1;
 }
 
 // Blocks are filled by nine tenths, nodes by half, in a tree as built.
@@ -77,7 +79,7 @@ void TreeStore::reserve(uint32_t faces, uint32_t slots) {
 }
 
 void TreeStore::put(const TreeFace& face, uint32_t block, uint32_t lane) {
-  FaceBlock& b = blocks[block];
+  FaceBlock& b = blocks.edit(block);
   for (int i = 0; i < 3; ++i) {
     alignas(16) float xyz[4];
     _mm_store_ps(xyz, face.corner[i]);
@@ -130,7 +132,7 @@ void TreeStore::set_slot_box(uint32_t node, uint32_t slot, const FloatBox& box) 
   alignas(16) float low[4], high[4];
   _mm_store_ps(low, box.low);
   _mm_store_ps(high, box.high);
-  auto& plane = nodes[node].plane;
+  auto& plane = nodes.edit(node).plane;
   for (int k = 0; k < 3; ++k) {
     plane[k][slot] = low[k];
     plane[k + 3][slot] = high[k];
@@ -138,20 +140,52 @@ void TreeStore::set_slot_box(uint32_t node, uint32_t slot, const FloatBox& box) 
 }
 
 void TreeStore::hang(uint32_t node, uint32_t slot, Child child, const FloatBox& box) {
-  nodes[node].child[slot] = child;
+  nodes.edit(node).child[slot] = child;
   set_slot_box(node, slot, box);
-  uint32_t& parent = child.is_block() ? blocks[child.index()].parent : nodes[child.index()].parent;
-  uint8_t& at = child.is_block() ? blocks[child.index()].slot : nodes[child.index()].slot;
-  parent = node;
-  at = static_cast<uint8_t>(slot);
+  const auto link_back = [&](auto& record) {
+    record.parent = node;
+    record.slot = static_cast<uint8_t>(slot);
+  };
+  if (child.is_block())
+    link_back(blocks.edit(child.index()));
+  else
+    link_back(nodes.edit(child.index()));
 }
 
 void TreeStore::set_root_box(const FloatBox& box) {
-  root_box_ = box;
+  TreeCounts::root_box = box;
   alignas(16) float far[4];
   const __m128 sign = _mm_set1_ps(-0.0f);
   _mm_store_ps(far, _mm_max_ps(_mm_andnot_ps(sign, box.low), _mm_andnot_ps(sign, box.high)));
-  reach_ = glm::length(Vec3(far[0], far[1], far[2]));
+  TreeCounts::reach = glm::length(Vec3(far[0], far[1], far[2]));
+}
+
+void TreeStore::mark(const WideNode& node, unsigned slots) {
+  const uint32_t n = &node == &nodes[root] ? root : nodes[node.parent].child[node.slot].index();
+  nodes.edit(n).hit |= static_cast<uint8_t>(slots);
+}
+
+void TreeStore::mark(const FaceBlock& block, unsigned lanes) {
+  blocks.edit(nodes[block.parent].child[block.slot].index()).hit |= static_cast<uint8_t>(lanes);
+}
+
+void TreeStore::begin_change() {
+  nodes.begin_change();
+  blocks.begin_change();
+  places_.begin_change();
+  before_ = *this;
+}
+
+TreeStore::Change TreeStore::end_change() {
+  return {nodes.end_change(), blocks.end_change(), places_.end_change(), before_};
+}
+
+void TreeStore::exchange(Change& change) {
+  nodes.exchange(change.nodes);
+  blocks.exchange(change.blocks);
+  places_.exchange(change.places);
+  TreeCounts& now = *this;
+  std::swap(now, change.counts);
 }
 
 TreeView TreeStore::view() const {
@@ -160,9 +194,10 @@ TreeView TreeStore::view() const {
 }
 
 void TreeStore::empty_slot(uint32_t node, uint32_t slot) {
-  nodes[node].child[slot] = Child{};
+  WideNode& n = nodes.edit(node);
+  n.child[slot] = Child{};
+  n.hit = static_cast<uint8_t>(n.hit & ~(1u << slot));
   set_slot_box(node, slot, FloatBox{});
-  nodes[node].hit = static_cast<uint8_t>(nodes[node].hit & ~(1u << slot));
 }
 
 }  // namespace kerf

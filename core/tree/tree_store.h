@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/base/ids.h"
+#include "core/base/records.h"
 #include "core/tree/float_box.h"
-#include "core/tree/pool.h"
 #include "core/tree/tree_frame.h"
 #include "core/tree/tree_nodes.h"
 #include "core/tree/walks.h"
@@ -11,12 +11,11 @@ namespace kerf {
 
 // A face as a tree holds it: corners in floats of the frame, and which vertices they are.
 struct TreeFace {
-  TreeFace(const TreeFrame& frame, const Mesh& mesh, FaceId f)
-      : TreeFace(frame, mesh, mesh.coordinates(), f) {}
-  // With the mesh's coordinates, for whoever makes many.
-  TreeFace(const TreeFrame& frame, const Mesh& mesh, const double* coordinates, FaceId f)
+  TreeFace(const TreeFrame& frame, const Mesh& mesh, FaceId f) : TreeFace(frame, mesh, mesh.positions(), f) {}
+  // With the mesh's positions, for whoever makes many.
+  TreeFace(const TreeFrame& frame, const Mesh& mesh, Positions positions, FaceId f)
       : vertex(mesh.corners(f)), face(f) {
-    for (int i = 0; i < 3; ++i) corner[i] = frame.to_floats(coordinates + 3 * size_t{vertex[i].index});
+    for (int i = 0; i < 3; ++i) corner[i] = frame.to_floats(positions[vertex[i]]);
   }
   // A little outward.
   FloatBox box() const {
@@ -29,23 +28,33 @@ struct TreeFace {
   FaceId face;
 };
 
-// The records of a tree and the links between them. Every node but the root has a slot in a parent, every
-// block too; the root is a node, or there is none. Records that were freed are used again, last freed first.
-class TreeStore {
- public:
-  TreeFrame frame;
-  Pool<WideNode> nodes;
-  Pool<FaceBlock> blocks;
+// What a tree keeps beside its records.
+struct TreeCounts {
   uint32_t root = kNoIndex;
   bool root_hit = false;
+  uint32_t free_node = kNoIndex, free_block = kNoIndex;  // the first of those that are free
+  uint32_t free_node_count = 0, free_block_count = 0;
+  uint32_t single_count = 0;
+  FloatBox root_box;
+  double reach = 0;
+};
+
+// The records of a tree and the links between them. Every node but the root has a slot in a parent, every
+// block too; the root is a node, or there is none. Records that were freed are used again, last freed first.
+class TreeStore : private TreeCounts {
+ public:
+  TreeFrame frame;
+  Records<WideNode> nodes;
+  Records<FaceBlock> blocks;
+  using TreeCounts::root, TreeCounts::root_hit;
 
   uint32_t add_node();
   uint32_t add_block();
   void free_node(uint32_t n);
   void free_block(uint32_t b);
-  uint32_t node_count() const { return nodes.size() - free_node_count_; }
-  uint32_t block_count() const { return blocks.size() - free_block_count_; }
-  uint32_t single_count() const { return single_count_; }  // blocks of one face
+  uint32_t node_count() const { return nodes.size() - TreeCounts::free_node_count; }
+  uint32_t block_count() const { return blocks.size() - TreeCounts::free_block_count; }
+  uint32_t single_count() const { return TreeCounts::single_count; }  // blocks of one face
   void set_count(uint32_t block, uint32_t count);
 
   // Where a face is, as block * kBlockWidth + lane; kNoIndex for a face that is not in the tree.
@@ -69,21 +78,36 @@ class TreeStore {
   void hang(uint32_t node, uint32_t slot, Child child, const FloatBox& box);
   void empty_slot(uint32_t node, uint32_t slot);
 
-  const FloatBox& root_box() const { return root_box_; }
+  const FloatBox& root_box() const { return TreeCounts::root_box; }
   void set_root_box(const FloatBox& box);
   // A distance from the origin of the frame, in the frame, within which all points of the tree lie.
-  double reach() const { return reach_; }
+  double reach() const { return TreeCounts::reach; }
   TreeView view() const;
+
+  // The beam is in the boxes of these slots, or lanes.
+  void mark(const WideNode& node, unsigned slots);
+  void mark(const FaceBlock& block, unsigned lanes);
+
+  // What the tree was before a command; see Records. The frame stays.
+  struct Change;
+  void begin_change();
+  Change end_change();
+  void exchange(Change& change);
 
   size_t bytes() const { return nodes.bytes() + blocks.bytes() + places_.bytes(); }
 
  private:
-  Pool<uint32_t> places_;  // one more than the place, so that fresh memory says that a face is not there
-  uint32_t free_node_ = kNoIndex, free_block_ = kNoIndex;
-  uint32_t free_node_count_ = 0, free_block_count_ = 0;
-  uint32_t single_count_ = 0;
-  FloatBox root_box_;
-  double reach_ = 0;
+  Records<uint32_t> places_;  // one more than the place, so that fresh memory says that a face is not there
+  TreeCounts before_;         // the command that is remembered
+};
+
+struct TreeStore::Change {
+  Records<WideNode>::Change nodes;
+  Records<FaceBlock>::Change blocks;
+  Records<uint32_t>::Change places;
+  TreeCounts counts;
+  size_t bytes() const { return nodes.bytes() + blocks.bytes() + places.bytes(); }
+  bool any() const { return nodes.any() || blocks.any() || places.any(); }
 };
 
 }  // namespace kerf

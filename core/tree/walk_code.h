@@ -19,10 +19,10 @@ class WalkCode {
     list.items[list.count++] = word;
   }
 
-  static WideNode* node_at(const TreeView& tree, uint32_t index) {
+  static const WideNode* node_at(const TreeView& tree, uint32_t index) {
     return tree.nodes[index >> TreeView::kShift] + (index & ((1u << TreeView::kShift) - 1));
   }
-  static FaceBlock* block_at(const TreeView& tree, uint32_t index) {
+  static const FaceBlock* block_at(const TreeView& tree, uint32_t index) {
     return tree.blocks[index >> TreeView::kShift] + (index & ((1u << TreeView::kShift) - 1));
   }
 
@@ -32,13 +32,13 @@ class WalkCode {
       __builtin_prefetch(static_cast<const char*>(record) + 64 * line);
   }
 
-  static WideNode* take_node(const TreeView& tree, uint32_t bits) {
-    WideNode* node = node_at(tree, bits);
+  static const WideNode* take_node(const TreeView& tree, uint32_t bits) {
+    const WideNode* node = node_at(tree, bits);
     prefetch<4>(node);
     return node;
   }
-  static FaceBlock* take_block(const TreeView& tree, uint32_t bits) {
-    FaceBlock* block = block_at(tree, bits & ~Child::kBlockBit);
+  static const FaceBlock* take_block(const TreeView& tree, uint32_t bits) {
+    const FaceBlock* block = block_at(tree, bits & ~Child::kBlockBit);
     prefetch<4>(block);
     return block;
   }
@@ -56,9 +56,14 @@ class WalkCode {
     }
   }
 
+  static void prefetch_position(const RayQuery& q, uint32_t vertex) {
+    constexpr uint32_t kMask = (uint32_t{1} << RayQuery::kPositionShift) - 1;
+    __builtin_prefetch(q.positions[vertex >> RayQuery::kPositionShift] + 24 * size_t{vertex & kMask});
+  }
+
   static void list_face(const RayQuery& q, const FaceBlock& block, unsigned lane, unsigned ray,
                         WordList& faces) {
-    for (int i = 0; i < 3; ++i) __builtin_prefetch(q.coordinates + 3 * size_t{block.vertex[i][lane]});
+    for (int i = 0; i < 3; ++i) prefetch_position(q, block.vertex[i][lane]);
     push(faces, face_word(&block, lane, ray));
   }
 
@@ -338,21 +343,26 @@ class WalkCode {
     return lanes;
   }
 
+  static void push_mark(WordList& marks, const void* record, unsigned kind, unsigned bits) {
+    push(marks, reinterpret_cast<uintptr_t>(record) + kind);
+    push(marks, bits);
+  }
+
   static uint64_t slab(const TreeView& tree, const SlabQuery& q, const WalkLists& lists) {
     push(lists.nodes, reinterpret_cast<uintptr_t>(node_at(tree, tree.root)));
     uint64_t boxes = 0;
     for (uint32_t next = 0; next < lists.nodes.count; ++next) {
-      auto& node = *reinterpret_cast<WideNode*>(lists.nodes.items[next]);
+      const auto& node = *reinterpret_cast<const WideNode*>(lists.nodes.items[next]);
       const unsigned mask = meets<Float8>(q, node.plane[0], kNodeWidth);
       boxes += kNodeWidth;
-      node.hit = static_cast<uint8_t>(node.hit | mask);
+      if ((mask & ~node.hit) != 0) push_mark(lists.marks, &node, 0, mask);
       list_children(tree, node, mask, lists);
     }
     for (uint32_t i = 0; i < lists.blocks.count; ++i) {
-      auto& block = *reinterpret_cast<FaceBlock*>(lists.blocks.items[i]);
+      const auto& block = *reinterpret_cast<const FaceBlock*>(lists.blocks.items[i]);
       unsigned lanes = boxes_that_meet(q, block) & filled(block);
       boxes += block.count;
-      block.hit = static_cast<uint8_t>(block.hit | lanes);
+      if ((lanes & ~block.hit) != 0) push_mark(lists.marks, &block, 1, lanes);
       for (lanes &= triangles_that_meet(q, block); lanes != 0; lanes &= lanes - 1) {
         push(lists.faces, face_word(&block, static_cast<unsigned>(__builtin_ctz(lanes))));
       }

@@ -16,6 +16,7 @@ class WalkScratch {
 
   const WalkLists& lists() const { return lists_; }
   std::span<const uintptr_t> faces() const { return {faces_.items, faces_.count}; }
+  std::span<const uintptr_t> marks() const { return {marks_.items, marks_.count}; }
 
  private:
   static constexpr uint32_t kShort = 96;
@@ -25,8 +26,8 @@ class WalkScratch {
     uintptr_t few[kShort];
     std::vector<uintptr_t> many;
   };
-  List nodes_, blocks_, faces_;
-  WalkLists lists_{nodes_, blocks_, faces_};
+  List nodes_, blocks_, faces_, marks_;
+  WalkLists lists_{nodes_, blocks_, faces_, marks_};
 };
 
 }  // namespace kerf

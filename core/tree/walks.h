@@ -13,11 +13,11 @@ namespace kerf {
 // share with others is in this header: plain data, and functions that are always inlined. So no function that
 // was compiled for a newer processor is linked into code for all.
 
-// The pools of a tree.
+// The records of a tree.
 struct TreeView {
-  static constexpr uint32_t kShift = 16;  // of Pool
-  WideNode* const* nodes;
-  FaceBlock* const* blocks;
+  static constexpr uint32_t kShift = 16;  // of Records
+  const WideNode* const* nodes;
+  const FaceBlock* const* blocks;
   uint32_t root;
 };
 
@@ -34,14 +34,18 @@ struct WordList {
 [[gnu::always_inline]] inline uintptr_t face_word(const FaceBlock* block, unsigned lane, unsigned ray = 0) {
   return reinterpret_cast<uintptr_t>(block) + lane + 4 * ray;
 }
-[[gnu::always_inline]] inline FaceBlock* block_of(uintptr_t word) {
-  return reinterpret_cast<FaceBlock*>(word & ~uintptr_t{31});
+[[gnu::always_inline]] inline const FaceBlock* block_of(uintptr_t word) {
+  return reinterpret_cast<const FaceBlock*>(word & ~uintptr_t{31});
 }
 [[gnu::always_inline]] inline unsigned lane_of(uintptr_t word) { return word & 3; }
 [[gnu::always_inline]] inline unsigned ray_of(uintptr_t word) { return word >> 2 & 7; }
 
+// A record that the beam meets in slots or lanes where it never was: two words, the first the record's
+// address, plus one for a block.
+[[gnu::always_inline]] inline bool marks_block(uintptr_t word) { return (word & 1) != 0; }
+
 struct WalkLists {
-  WordList &nodes, &blocks, &faces;
+  WordList &nodes, &blocks, &faces, &marks;
 };
 
 // Parallel rays against boxes and triangles. `t` is measured along the direction from a point before all
@@ -63,7 +67,10 @@ struct RayQuery {
   float pass[kBlockWidth][2];
   float error;  // of a sheared coordinate
   uint32_t rays;
-  const double* coordinates;  // of the mesh's vertices: what a face listed will be decided with
+  // The positions of the mesh's vertices, three doubles each, by chunk: what a face that is listed will be
+  // decided with.
+  static constexpr uint32_t kPositionShift = 19;
+  const char* const* positions;
 };
 
 // A box of any orientation: by its axes, the interval that a projection must meet.
@@ -83,8 +90,8 @@ struct Walks {
   void (*rays)(const TreeView&, const RayQuery&, const WalkLists&);
   // Lists faces of which one is the first that the ray crosses, near boxes first.
   void (*nearest)(const TreeView&, const RayQuery&, const WalkLists&);
-  // Lists the faces that may meet the box, and marks all slots and lanes whose boxes may. Returns how many
-  // boxes it looked at.
+  // Lists the faces that may meet the box, and what to mark: slots and lanes whose boxes may. Returns how
+  // many boxes it looked at.
   uint64_t (*slab)(const TreeView&, const SlabQuery&, const WalkLists&);
 };
 

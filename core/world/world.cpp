@@ -1,7 +1,5 @@
 #include "core/world/world.h"
 
-#include <algorithm>
-
 namespace kerf {
 
 Body make_body(std::string name, BuiltMesh built) {
@@ -9,7 +7,7 @@ Body make_body(std::string name, BuiltMesh built) {
   body.name = std::move(name);
   body.mesh = std::move(built.mesh);
   body.tree = AabbTree(body.mesh);
-  body.pieces = {{built.report.faces, built.report.area}};
+  body.pieces.push_back({built.report.faces, built.report.area});
   body.material_names = std::move(built.material_names);
   body.loaded = std::move(built.report);
   return body;
@@ -18,14 +16,6 @@ Body make_body(std::string name, BuiltMesh built) {
 BodyId World::add(Body body) {
   slots_.push_back({std::move(body), 0, true});
   return {static_cast<uint32_t>(slots_.size() - 1), 0};
-}
-
-void World::remove(BodyId id) {
-  if (!contains(id)) return;
-  Slot& slot = slots_[id.slot];
-  slot.alive = false;
-  ++slot.generation;
-  slot.body = Body{};
 }
 
 bool World::contains(BodyId id) const {
@@ -67,9 +57,8 @@ size_t World::live_faces() const {
 size_t World::live_pieces() const {
   size_t pieces = 0;
   for (const Slot& slot : slots_) {
-    if (!slot.alive) continue;
-    pieces += static_cast<size_t>(std::count_if(slot.body.pieces.begin(), slot.body.pieces.end(),
-                                                [](const Piece& p) { return p.faces > 0; }));
+    const Records<Piece>& own = slot.body.pieces;
+    for (uint32_t p = 0; slot.alive && p < own.size(); ++p) pieces += own[p].faces > 0;
   }
   return pieces;
 }

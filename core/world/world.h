@@ -1,9 +1,12 @@
 #pragma once
 
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/ids.h"
+#include "core/base/records.h"
 #include "core/mesh/build_mesh.h"
 #include "core/mesh/mesh.h"
 #include "core/mesh/one_to_four.h"
@@ -23,12 +26,16 @@ struct Piece {
 struct Body {
   std::string name;
   Placement placement;
+  bool hidden = false;  // not seen, and not met by the beam
   Mesh mesh;
   AabbTree tree;
   OneToFour refinement;
-  std::vector<Piece> pieces;  // by label; 0 is the body itself, the others came off it
+  Records<Piece> pieces;  // by label; 0 is the body itself, the others came off it
   std::vector<std::string> material_names;
   MeshReport loaded;  // what the file held
+
+  // Memory that its arrays hold.
+  size_t bytes() const { return mesh.bytes() + tree.bytes() + refinement.bytes() + pieces.bytes(); }
 };
 
 // A body around a mesh as loaded: builds its tree and counts its one piece.
@@ -37,6 +44,14 @@ Body make_body(std::string name, BuiltMesh built);
 // All bodies. Ids stay valid for as long as their body lives and never name another one.
 class World {
  public:
+  World();
+  ~World();
+  World(World&&) noexcept;
+  World& operator=(World&&) noexcept;
+  // A copy remembers nothing.
+  World(const World& other);
+  World& operator=(const World& other);
+
   BodyId add(Body body);
   void remove(BodyId id);
   bool contains(BodyId id) const;
@@ -56,13 +71,58 @@ class World {
   // Pieces that have faces, the bodies themselves included.
   size_t live_pieces() const;
 
+  // What the world was before a command, or, once exchanged, after it.
+  class Change;
+  // From begin_change on, what is edited is saved before; end_change gives what the world was; exchange makes
+  // it that again, to the bit, and the change what it was till then. Changes are exchanged in the order of a
+  // history: what came later is taken back first. O(bodies + what was changed).
+  void begin_change();
+  Change end_change();
+  void exchange(Change& change);
+
  private:
   struct Slot {
     Body body;
     uint32_t generation = 0;
     bool alive = false;
   };
+  // A body that is there on both sides of a change.
+  struct BodyChange {
+    uint32_t slot = 0;
+    std::string name;
+    Placement placement;
+    bool hidden = false;
+    Mesh::Change mesh;
+    AabbTree::Change tree;
+    OneToFour::Change refinement;
+    Records<Piece>::Change pieces;
+
+    BodyChange(uint32_t at, const Body& body)
+        : slot(at), name(body.name), placement(body.placement), hidden(body.hidden) {}
+    void end(Body& body);
+    bool any(const Body& body) const;
+    void exchange(Body& body);
+    size_t bytes() const;
+  };
+
   std::vector<Slot> slots_;
+  std::unique_ptr<Change> remembered_;  // while a command is remembered
+};
+
+class World::Change {
+ public:
+  // Memory that it holds.
+  size_t bytes() const;
+  // Slots of bodies that came or went: whoever follows the world must look at it anew.
+  bool bodies_differ() const { return !removed_.empty() || slots_differ_; }
+
+ private:
+  friend class World;
+  size_t slots_ = 0;  // on the other side
+  bool slots_differ_ = false;
+  std::vector<BodyChange> edited_;
+  std::vector<std::pair<uint32_t, Slot>> removed_;  // other states of slots that are there on both sides
+  std::vector<Slot> added_;                         // slots that are there on the other side alone
 };
 
 }  // namespace kerf

@@ -19,7 +19,7 @@ BUILD_FOLDER = re.compile(r'build(-.*)?$')
 SOURCE = re.compile(r'\.(h|hh|hpp|hxx|inl|ipp|c|cc|cpp|cxx)$')
 INCLUDE = re.compile(r'\s*#\s*include(?:_next)?\b\s*(.*)')
 TARGET = re.compile(r'"([^"]+)"|<([^>]+)>')
-OPENMESH = re.compile(r'OpenMesh/')
+PRIVATE_TO_MESH = {'core/mesh/half_edges.h', 'core/mesh/kernel.h', 'core/mesh/rings.h'}
 GRAPHICS = re.compile(r'imgui|imconfig|imstb_|backends/imgui_|GLFW/|epoxy/|GL/|GLES\d*/|EGL/|KHR/|X11/|vulkan/')
 
 
@@ -59,11 +59,11 @@ def objection(path, operand):
     if name.split('/')[0] in SOURCE_FOLDERS:
         if not quoted or os.path.normpath(name) != name:
             return f'{name} is a file of the project: write its plain path from the root, in quotes'
+        if name in PRIVATE_TO_MESH and not path.startswith('core/mesh/'):
+            return f'{name} outside core/mesh'
         return against_the_arrows(path, name)
     if quoted:
         return f'"{name}" is not written from the root (or is not of the project and belongs in angle brackets)'
-    if OPENMESH.match(name) and not path.startswith('core/mesh/'):
-        return f'<{name}> outside core/mesh'
     if GRAPHICS.match(name) and path.startswith('core/'):
         return f'<{name}>: core draws nothing and has no window'
     return None

@@ -12,7 +12,7 @@ GOOD = {
     'app/main.cpp': '#include <imgui.h>\n#include "app/command.h"\n#include "ui/window.h"\n#include "core/cut/step.h"\n',
     'ui/window.cpp': '#include <GLFW/glfw3.h>\n#include "ui/window.h"\n#include "core/base/result.h"\n',
     'core/cut/step.cpp': '#include <glm/vec3.hpp>\n#include "core/cut/step.h"\n#include "core/graph/pieces.h"\n',
-    'core/mesh/kernel.h': '#include <OpenMesh/Core/Mesh/Handles.hh>\n#include "core/base/result.h"\n',
+    'core/mesh/kernel.h': '#include "core/mesh/half_edges.h"\n#include "core/base/result.h"\n',
     'tests/core/cut/step_test.cpp': '#include "tests/support/plate.h"\n#include "core/cut/step.h"\n',
 }
 
@@ -55,9 +55,9 @@ class Layering(unittest.TestCase):
         self.refuses('core/misc/bad.h', '#include "core/base/result.h"\n', 1, 'core/misc has no place')
         self.refuses('core/bad.h', '#include "core/base/result.h"\n', 1, 'has no place')
 
-    def test_refuses_openmesh_outside_core_mesh(self):
+    def test_refuses_half_edges_outside_core_mesh(self):
         for path in ('core/cut/bad.cpp', 'ui/bad.cpp', 'tests/core/mesh/bad.cpp'):
-            self.refuses(path, '#include <OpenMesh/Core/Mesh/Handles.hh>\n', 1, 'outside core/mesh')
+            self.refuses(path, '#include "core/mesh/half_edges.h"\n', 1, 'outside core/mesh')
 
     def test_refuses_graphics_in_core(self):
         for header in ('imgui.h', 'imgui_internal.h', 'backends/imgui_impl_glfw.h', 'GLFW/glfw3.h', 'epoxy/gl.h',

@@ -12,7 +12,7 @@ World two_plates() {
   Body body =
       make_body("plates", test::build(test::both(test::plate(1), test::moved(test::plate(1), {0, 1, 0}, 1))));
   for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
-    body.mesh.data(FaceId(f)).piece = body.mesh.triangle(FaceId(f))[0].y > 0.5 ? 1 : 0;
+    body.mesh.edit_data(FaceId(f)).piece = body.mesh.triangle(FaceId(f))[0].y > 0.5 ? 1 : 0;
   }
   World world;
   world.add(std::move(body));

@@ -150,7 +150,7 @@ TEST(ShadowsLive, two_hundred_pieces_cast_shadows_where_they_are_drawn) {
   world.add(make_body("plates", test::build(plates)));
   world.add(make_body("floor", test::build(test::floor_at(0, 9))));
   Body& body = world.body(world.ids().front());
-  for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) body.mesh.data(FaceId(f)).piece = f / 2;
+  for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) body.mesh.edit_data(FaceId(f)).piece = f / 2;
   const BodyId id = world.ids().front();
   test::Stage stage(std::move(world));
   ViewOptions options = under(kLamp);

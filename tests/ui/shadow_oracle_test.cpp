@@ -60,7 +60,7 @@ World touching_pieces() {
   World world = world_of({test::both(left, right), test::floor_at(-0.5, 8)});
   Mesh& mesh = world.body(world.ids().front()).mesh;
   for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
-    mesh.data(FaceId(f)).piece = f < left.triangles.size() ? 0 : 1;
+    mesh.edit_data(FaceId(f)).piece = f < left.triangles.size() ? 0 : 1;
   }
   return world;
 }

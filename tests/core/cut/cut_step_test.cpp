@@ -43,7 +43,7 @@ void expect_pieces_equal_full_search(const Body& body, const std::vector<uint32_
   EXPECT_EQ(std::adjacent_find(off.begin(), off.end()), off.end())
       << "two components in one piece that came off";
   for (const uint32_t parts : parts_in_label_0) EXPECT_LE(parts, 1u) << "a part that came off kept its label";
-  for (size_t p = 0; p < faces.size(); ++p)
+  for (uint32_t p = 0; p < faces.size(); ++p)
     EXPECT_EQ(faces[p], body.pieces[p].faces) << "faces of piece " << p;
 }
 

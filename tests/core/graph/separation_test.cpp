@@ -26,7 +26,7 @@ TEST(Separation, equals_the_full_search_on_random_removals) {
         for (uint64_t i = 0, n = 1 + random.below(6); i < n; ++i) {
           const FaceId f(static_cast<uint32_t>(random.below(body.mesh.face_slots())));
           if (!body.mesh.is_live(f)) continue;
-          Piece& piece = body.pieces[body.mesh.data(f).piece];
+          Piece& piece = body.pieces.edit(body.mesh.data(f).piece);
           --piece.faces;
           piece.area -= triangle_area(body.mesh.triangle(f));
           separation.note_removal(body.mesh, f);

@@ -1,4 +1,4 @@
-#include "core/tree/chunk_memory.h"
+#include "core/base/chunk_memory.h"
 
 #include <sys/mman.h>
 

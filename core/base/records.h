@@ -1,0 +1,225 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <new>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "core/base/chunk_memory.h"
+
+namespace kerf {
+
+// An array of plain records that grows by chunks, so that growing never moves a record once there are more
+// than a few, and that can remember what it was: what a command changes is saved page by page, each page
+// before it is first written, and can be exchanged with what the command made of it. Going back and forth
+// costs what was changed, never what is there, and gives the same bits.
+template <typename T>
+class Records {
+  static_assert(std::is_trivially_copyable_v<T>);
+
+  static constexpr uint32_t records_in(size_t bytes) {
+    uint32_t count = 1;
+    while (2 * count * sizeof(T) <= bytes) count *= 2;
+    return count;
+  }
+
+ public:
+  static constexpr uint32_t kShift = sizeof(T) >= 32 ? 16 : 19;
+  static constexpr uint32_t kChunk = uint32_t{1} << kShift;
+  static constexpr size_t kChunkBytes = (kChunk * sizeof(T) + kHugePage - 1) / kHugePage * kHugePage;
+  // An array that is no larger lies in one small piece of memory, which moves when it doubles.
+  static constexpr uint32_t kSmall = records_in(size_t{64} << 10);
+  static constexpr uint32_t kPage = records_in(512);  // records that are saved together
+
+  // What the array was before a command, or, once exchanged, after it.
+  class Change {
+   public:
+    size_t bytes() const { return pages_.size() * (sizeof(Page) + sizeof(Page*)); }
+    // Whether the command changed anything.
+    bool any() const { return resized_ || !pages_.empty(); }
+
+   private:
+    friend class Records;
+    struct Page {
+      uint32_t index;
+      T records[kPage];
+    };
+    uint32_t size_ = 0;
+    bool resized_ = false;
+    std::vector<std::unique_ptr<Page>> pages_;
+  };
+
+  Records() = default;
+  ~Records() { free_memory(); }
+  Records(Records&& other) noexcept { swap(other); }
+  Records& operator=(Records&& other) noexcept {
+    swap(other);
+    return *this;
+  }
+  // A copy remembers nothing.
+  Records(const Records& other) {
+    grow_to(other.size_);
+    for (uint32_t i = 0; i < other.size_; i += kChunk) {
+      const size_t count = std::min(other.size_ - i, kChunk);
+      std::memcpy(static_cast<void*>(chunks_[i >> kShift]), other.chunks_[i >> kShift], count * sizeof(T));
+    }
+  }
+  Records& operator=(const Records& other) {
+    Records copy(other);
+    swap(copy);
+    return *this;
+  }
+
+  const T& operator[](uint32_t i) const { return at(i); }
+  T& edit(uint32_t i) {
+    if (i < remembered_) save_page(i / kPage);
+    return at(i);
+  }
+  uint32_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+
+  // Where the chunks start: record i is chunks()[i >> kShift][i & (kChunk - 1)]. Until the array grows.
+  const T* const* chunks() const { return chunks_.data(); }
+
+  // Records that were not there before are zero.
+  void grow_to(uint32_t size) {
+    if (size <= size_) return;
+    reserve(size);
+    clear_used(size);
+    size_ = size;
+    used_ = std::max(used_, size);
+  }
+
+  void push_back(const T& record) {
+    if (size_ == capacity()) reserve(size_ + 1);
+    at(size_++) = record;
+    used_ = std::max(used_, size_);
+  }
+
+  // Takes the memory for so many records.
+  void reserve(uint32_t size) {
+    if (size <= capacity()) return;
+    if (size <= kSmall) return make_small(std::min(kSmall, std::max(size, 2 * small_)));
+    // Huge pages pay once a fair part of one is filled.
+    constexpr uint32_t kHugeFrom = static_cast<uint32_t>(kHugePage / sizeof(T) / 2);
+    leave_small();
+    while (capacity() < size) {
+      chunks_.push_back(static_cast<T*>(take_chunk(kChunkBytes)));
+      if (size >= kHugeFrom) advise_huge_pages(chunks_.back(), kChunkBytes);
+    }
+  }
+
+  // From here on what is edited is saved first.
+  void begin_change() {
+    remembered_ = size_;
+    change_.size_ = size_;
+    saved_.resize((size_ / kPage + 64) / 64);
+  }
+
+  // Ends what begin_change began, and gives what the array was.
+  Change end_change() {
+    remembered_ = 0;
+    for (const auto& page : change_.pages_) saved_[page->index / 64] = 0;
+    change_.resized_ = size_ != change_.size_;
+    return std::exchange(change_, Change());
+  }
+
+  // Makes the array what it was before the change, and the change what the array was; again undoes that.
+  // Nothing else may have changed the array in between but changes that were exchanged back.
+  void exchange(Change& change) {
+    for (const auto& page : change.pages_) {
+      const uint32_t first = page->index * kPage;
+      std::swap_ranges(page->records, page->records + std::min(kPage, used_ - first), &at(first));
+    }
+    std::swap(size_, change.size_);
+  }
+
+  size_t bytes() const {
+    return size_ * sizeof(T) + chunks_.capacity() * sizeof(T*) + saved_.capacity() * sizeof(uint64_t);
+  }
+
+ private:
+  // A page never lies across two chunks.
+  T& at(uint32_t i) { return chunks_[i >> kShift][i & (kChunk - 1)]; }
+  const T& at(uint32_t i) const { return chunks_[i >> kShift][i & (kChunk - 1)]; }
+
+  uint32_t capacity() const {
+    return small_ > 0 ? small_
+                      : static_cast<uint32_t>(std::min<size_t>(chunks_.size() * size_t{kChunk}, ~0u));
+  }
+
+  void make_small(uint32_t capacity) {
+    constexpr size_t kLine = 64;
+    const size_t bytes = (capacity * sizeof(T) + kLine - 1) / kLine * kLine;
+    void* memory = std::aligned_alloc(kLine, bytes);
+    if (!memory) throw std::bad_alloc();
+    std::memset(memory, 0, bytes);
+    if (small_ > 0) {
+      std::memcpy(memory, static_cast<const void*>(chunks_[0]), used_ * sizeof(T));
+      std::free(chunks_[0]);
+      chunks_.clear();
+    }
+    chunks_.push_back(static_cast<T*>(memory));
+    small_ = capacity;
+  }
+
+  void leave_small() {
+    if (small_ == 0) return;
+    T* chunk = static_cast<T*>(take_chunk(kChunkBytes));
+    std::memcpy(static_cast<void*>(chunk), static_cast<const void*>(chunks_[0]), used_ * sizeof(T));
+    std::free(chunks_[0]);
+    chunks_[0] = chunk;
+    small_ = 0;
+  }
+
+  // Of the records that an exchange took away and that come anew.
+  void clear_used(uint32_t size) {
+    for (uint32_t i = size_; i < std::min(size, used_); ++i)
+      std::memset(static_cast<void*>(&at(i)), 0, sizeof(T));
+  }
+
+  void save_page(uint32_t index) {
+    uint64_t& word = saved_[index / 64];
+    const uint64_t bit = uint64_t{1} << index % 64;
+    if ((word & bit) != 0) return;
+    word |= bit;
+    auto& page = *change_.pages_.emplace_back(std::make_unique<typename Change::Page>());
+    page.index = index;
+    const uint32_t first = index * kPage;
+    std::memcpy(static_cast<void*>(page.records), &at(first), std::min(kPage, used_ - first) * sizeof(T));
+  }
+
+  void free_memory() {
+    for (T* chunk : chunks_) {
+      if (small_ > 0)
+        std::free(chunk);
+      else
+        give_chunk(chunk, kChunkBytes);
+    }
+    chunks_.clear();
+  }
+  void swap(Records& other) noexcept {
+    std::swap(chunks_, other.chunks_);
+    std::swap(size_, other.size_);
+    std::swap(used_, other.used_);
+    std::swap(small_, other.small_);
+    std::swap(remembered_, other.remembered_);
+    std::swap(saved_, other.saved_);
+    std::swap(change_, other.change_);
+  }
+
+  std::vector<T*> chunks_;
+  uint32_t size_ = 0;
+  uint32_t used_ = 0;   // records that were ever there: an exchange may take some away and give them back
+  uint32_t small_ = 0;  // capacity of the small memory, where that is used
+  uint32_t remembered_ = 0;      // records below this are saved before they are edited
+  std::vector<uint64_t> saved_;  // one bit a page: saved since begin_change
+  Change change_;
+};
+
+}  // namespace kerf

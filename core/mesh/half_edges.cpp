@@ -1,0 +1,113 @@
+#include "core/mesh/half_edges.h"
+
+#include <array>
+
+namespace kerf {
+
+VertexId HalfEdges::add_vertex(const Vec3& position) {
+  positions_.push_back(position);
+  outgoing_.push_back(HalfEdgeId());
+  return VertexId(vertices() - 1);
+}
+
+HalfEdgeId HalfEdges::add_edge(VertexId from, VertexId to) {
+  const HalfEdgeId h(links_.size());
+  links_.push_back({to, {}, {}, {}});
+  links_.push_back({from, {}, {}, {}});
+  return h;
+}
+
+FaceId HalfEdges::add_face(HalfEdgeId first) {
+  first_.push_back(first);
+  return FaceId(faces() - 1);
+}
+
+void HalfEdges::close(FaceId f, HalfEdgeId a, HalfEdgeId b, HalfEdgeId c) {
+  Links &first = links_.edit(a.index), &second = links_.edit(b.index), &third = links_.edit(c.index);
+  first = {first.to, b, c, f};
+  second = {second.to, c, a, f};
+  third = {third.to, a, b, f};
+  first_.edit(f.index) = a;
+}
+
+VertexId HalfEdges::split(EdgeId e, const Vec3& at) {
+  const HalfEdgeId h = half_edge(e, 0), o = half_edge(e, 1);
+  const VertexId tail = to(o), middle = add_vertex(at);
+  const HalfEdgeId outward = add_edge(middle, tail), inward = opposite(outward);
+  set_to(o, middle);
+  set_outgoing(middle, h);
+
+  if (const FaceId left = face(h); left.valid()) {
+    const HalfEdgeId h1 = next(h), h2 = next(h1);
+    const HalfEdgeId bisector = add_edge(middle, to(h1));
+    const FaceId added = add_face(h2);
+    close(left, h, h1, opposite(bisector));
+    close(added, h2, inward, bisector);
+  } else {
+    link(previous(h), inward);
+    link(inward, h);
+  }
+  if (const FaceId right = face(o); right.valid()) {
+    const HalfEdgeId o1 = next(o), o2 = next(o1);
+    const HalfEdgeId bisector = add_edge(middle, to(o1));
+    const FaceId added = add_face(o1);
+    close(right, o, bisector, o2);
+    close(added, o1, opposite(bisector), outward);
+  } else {
+    link(outward, next(o));
+    link(o, outward);
+  }
+  if (outgoing(tail) == h) set_outgoing(tail, inward);
+  return middle;
+}
+
+void HalfEdges::remove(FaceId f) {
+  const HalfEdgeId a = first(f), b = next(a), c = next(b);
+  first_.edit(f.index) = HalfEdgeId();
+  for (const HalfEdgeId h : {a, b, c}) open(h);
+  for (const HalfEdgeId h : {a, b, c}) {
+    if (!face(opposite(h)).valid()) remove_edge(edge_of(h));
+  }
+}
+
+// Of an edge without faces: the boundaries on both of its sides close up behind it.
+void HalfEdges::remove_edge(EdgeId e) {
+  const HalfEdgeId h = half_edge(e, 0), o = half_edge(e, 1);
+  const HalfEdgeId after_h = next(h), after_o = next(o), before_h = previous(h), before_o = previous(o);
+  link(before_h, after_o);
+  link(before_o, after_h);
+  leave(to(h), o, after_h);
+  leave(to(o), h, after_o);
+}
+
+// The vertex loses a half-edge; another one that starts there, or the same where there is none.
+void HalfEdges::leave(VertexId v, HalfEdgeId gone, HalfEdgeId other) {
+  if (outgoing(v) == gone) set_outgoing(v, other == gone ? HalfEdgeId() : other);
+}
+
+void HalfEdges::reserve(uint32_t vertices, uint32_t edges, uint32_t faces) {
+  links_.reserve(2 * edges);
+  positions_.reserve(vertices);
+  outgoing_.reserve(vertices);
+  first_.reserve(faces);
+}
+
+void HalfEdges::begin_change() {
+  links_.begin_change();
+  positions_.begin_change();
+  outgoing_.begin_change();
+  first_.begin_change();
+}
+
+HalfEdges::Change HalfEdges::end_change() {
+  return {links_.end_change(), positions_.end_change(), outgoing_.end_change(), first_.end_change()};
+}
+
+void HalfEdges::exchange(Change& change) {
+  links_.exchange(change.links);
+  positions_.exchange(change.positions);
+  outgoing_.exchange(change.outgoing);
+  first_.exchange(change.first);
+}
+
+}  // namespace kerf

@@ -1,0 +1,113 @@
+#pragma once
+
+// Private to core/mesh.
+#include <cstdint>
+
+#include "core/base/ids.h"
+#include "core/base/records.h"
+#include "core/base/vec3.h"
+
+namespace kerf {
+
+// One of the two directions of an edge. The two of edge e are 2e and 2e + 1.
+using HalfEdgeId = Id<struct HalfEdgeTag>;
+
+inline HalfEdgeId opposite(HalfEdgeId h) { return HalfEdgeId(h.index ^ 1); }
+inline EdgeId edge_of(HalfEdgeId h) { return EdgeId(h.index >> 1); }
+inline HalfEdgeId half_edge(EdgeId e, uint32_t side) { return HalfEdgeId(2 * e.index + side); }
+
+// The half-edges of a triangle mesh (K. Weiler: Edge-based data structures for solid modeling in
+// curved-surface environments, 1985), in arrays that grow by chunks and remember what a command changed. A
+// half-edge without a face is a boundary; those of one hole follow on one another. Slots only grow.
+//
+// An edge has two faces at most and a vertex one cycle of half-edges; what else a mesh may be is said by
+// rings (see rings.h).
+class HalfEdges {
+ public:
+  uint32_t vertices() const { return positions_.size(); }
+  uint32_t edges() const { return links_.size() / 2; }
+  uint32_t faces() const { return first_.size(); }
+
+  const Vec3& position(VertexId v) const { return positions_[v.index]; }
+  const Vec3* const* position_chunks() const { return positions_.chunks(); }
+  VertexId to(HalfEdgeId h) const { return links_[h.index].to; }
+  VertexId from(HalfEdgeId h) const { return to(opposite(h)); }
+  HalfEdgeId next(HalfEdgeId h) const { return links_[h.index].next; }
+  HalfEdgeId previous(HalfEdgeId h) const { return links_[h.index].previous; }
+  FaceId face(HalfEdgeId h) const { return links_[h.index].face; }
+  // One that starts at the vertex; none where nothing hangs there any more.
+  HalfEdgeId outgoing(VertexId v) const { return outgoing_[v.index]; }
+  // One of the face; none where the face is dead.
+  HalfEdgeId first(FaceId f) const { return first_[f.index]; }
+
+  VertexId add_vertex(const Vec3& position);
+  // The edge's half-edge from `from` to `to`.
+  HalfEdgeId add_edge(VertexId from, VertexId to);
+  FaceId add_face(HalfEdgeId first);
+
+  void set_position(VertexId v, const Vec3& p) { positions_.edit(v.index) = p; }
+  void set_to(HalfEdgeId h, VertexId v) { links_.edit(h.index).to = v; }
+  void set_outgoing(VertexId v, HalfEdgeId h) { outgoing_.edit(v.index) = h; }
+  // `after` follows on h.
+  void link(HalfEdgeId h, HalfEdgeId after) {
+    links_.edit(h.index).next = after;
+    links_.edit(after.index).previous = h;
+  }
+  // Makes three half-edges the sides of a face, which starts at the first.
+  void close(FaceId f, HalfEdgeId a, HalfEdgeId b, HalfEdgeId c);
+  void set_face(HalfEdgeId h, FaceId f) { links_.edit(h.index).face = f; }
+
+  // Bisects an edge at a new vertex. Half-edge 0 of the edge then runs from the vertex to its old end, and a
+  // new edge, the first that is added, runs from the vertex to where it began. The faces of the edge, left
+  // and then right, keep the part at the old end; the other part is a new face.
+  VertexId split(EdgeId e, const Vec3& at);
+
+  // Takes a face away, and the edges and vertices that nothing else needs.
+  void remove(FaceId f);
+
+  // Calls visit(h) for every half-edge that starts at v.
+  template <typename Visit>
+  void for_each_outgoing(VertexId v, Visit visit) const {
+    const HalfEdgeId first = outgoing(v);
+    if (!first.valid()) return;
+    HalfEdgeId h = first;
+    do {
+      visit(h);
+      h = next(opposite(h));
+    } while (h != first);
+  }
+
+  void reserve(uint32_t vertices, uint32_t edges, uint32_t faces);
+  size_t bytes() const { return links_.bytes() + positions_.bytes() + outgoing_.bytes() + first_.bytes(); }
+
+  struct Change;
+  void begin_change();
+  Change end_change();
+  void exchange(Change& change);
+
+ private:
+  struct Links {
+    VertexId to;
+    HalfEdgeId next, previous;
+    FaceId face;
+  };
+  void open(HalfEdgeId h) { set_face(h, FaceId()); }
+  void remove_edge(EdgeId e);
+  void leave(VertexId v, HalfEdgeId gone, HalfEdgeId other);
+
+  Records<Links> links_;
+  Records<Vec3> positions_;
+  Records<HalfEdgeId> outgoing_;  // one a vertex
+  Records<HalfEdgeId> first_;     // one a face
+};
+
+// What the arrays were (see Records).
+struct HalfEdges::Change {
+  Records<Links>::Change links;
+  Records<Vec3>::Change positions;
+  Records<HalfEdgeId>::Change outgoing, first;
+  size_t bytes() const { return links.bytes() + positions.bytes() + outgoing.bytes() + first.bytes(); }
+  bool any() const { return links.any() || positions.any() || outgoing.any() || first.any(); }
+};
+
+}  // namespace kerf

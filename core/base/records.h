@@ -97,6 +97,7 @@ class Records {
 
   void push_back(const T& record) {
     if (size_ == capacity()) reserve(size_ + 1);
+    if (size_ < remembered_) save_page(size_ / kPage);
     at(size_++) = record;
     used_ = std::max(used_, size_);
   }
@@ -139,6 +140,16 @@ class Records {
     std::swap(size_, change.size_);
   }
 
+  // Makes the array what it was before the change, as an edit: a command that is remembered remembers it.
+  void restore(const Change& change) {
+    for (const auto& page : change.pages_) {
+      const uint32_t first = page->index * kPage, count = std::min(kPage, used_ - first);
+      if (first < remembered_) save_page(page->index);
+      std::copy(page->records, page->records + count, &at(first));
+    }
+    size_ = change.size_;
+  }
+
   size_t bytes() const {
     return size_ * sizeof(T) + chunks_.capacity() * sizeof(T*) + saved_.capacity() * sizeof(uint64_t);
   }
@@ -179,6 +190,7 @@ class Records {
 
   // Of the records that an exchange took away and that come anew.
   void clear_used(uint32_t size) {
+    for (uint32_t i = size_; i < std::min(size, remembered_); i += kPage - i % kPage) save_page(i / kPage);
     for (uint32_t i = size_; i < std::min(size, used_); ++i)
       std::memset(static_cast<void*>(&at(i)), 0, sizeof(T));
   }

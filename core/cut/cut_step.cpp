@@ -25,6 +25,7 @@ Result<StepResult> cut_step(World& world, const CutSettings& settings, std::span
   const double share = 1 / static_cast<double>(std::max<size_t>(1, ids.size() * moves.size()));
   double done = 0;
   for (const BodyId id : ids) {
+    if (world.body(id).hidden) continue;
     BodyStep step(id, world.body(id));
     for (const BeamMove& move : moves) {
       sweep(step, settings.laser, move);

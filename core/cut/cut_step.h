@@ -62,7 +62,7 @@ struct StepResult {
   StepFigures figures;
 };
 
-// One step of a cut through all bodies: for each move of the beam in turn the faces that it touches are found
+// One step of a cut through all bodies that are not hidden: for each move of the beam in turn the faces that it touches are found
 // (hit), split until they are fine enough or wholly within the beam (refine), and removed; then what came
 // apart gets labels of its own (separate). Topology changes nowhere else. Moves are in world coordinates.
 //

@@ -103,6 +103,13 @@ HalfEdges::Change HalfEdges::end_change() {
   return {links_.end_change(), positions_.end_change(), outgoing_.end_change(), first_.end_change()};
 }
 
+void HalfEdges::restore(const Change& change) {
+  links_.restore(change.links);
+  positions_.restore(change.positions);
+  outgoing_.restore(change.outgoing);
+  first_.restore(change.first);
+}
+
 void HalfEdges::exchange(Change& change) {
   links_.exchange(change.links);
   positions_.exchange(change.positions);

@@ -84,6 +84,7 @@ class HalfEdges {
   void begin_change();
   Change end_change();
   void exchange(Change& change);
+  void restore(const Change& change);
 
  private:
   struct Links {

@@ -22,7 +22,7 @@ uint32_t Mesh::face_slots() const { return kernel_->half_edges.faces(); }
 uint32_t Mesh::vertex_slots() const { return kernel_->half_edges.vertices(); }
 uint32_t Mesh::live_faces() const { return kernel_->live_faces; }
 
-bool Mesh::is_live(FaceId f) const { return kernel_->half_edges.first(f).valid(); }
+bool Mesh::is_live(FaceId f) const { return f.index < face_slots() && kernel_->half_edges.first(f).valid(); }
 
 Vec3 Mesh::position(VertexId v) const { return kernel_->half_edges.position(v); }
 
@@ -313,6 +313,14 @@ void Mesh::exchange(Change& change) {
   kernel_->rings.exchange(parts.rings);
   kernel_->faces.exchange(parts.faces);
   std::swap(kernel_->live_faces, parts.live_faces);
+}
+
+void Mesh::restore(const Change& change) {
+  const Change::Parts& parts = *change.parts_;
+  kernel_->half_edges.restore(parts.half_edges);
+  kernel_->rings.restore(parts.rings);
+  kernel_->faces.restore(parts.faces);
+  kernel_->live_faces = parts.live_faces;
 }
 
 Mesh::Change::Change() = default;

@@ -71,7 +71,7 @@ class Mesh {
   uint32_t face_slots() const;
   uint32_t vertex_slots() const;
   uint32_t live_faces() const;
-  bool is_live(FaceId f) const;
+  bool is_live(FaceId f) const;  // false for a slot that is not there
 
   Vec3 position(VertexId v) const;
   // Of a live face, counter-clockwise; where the turn starts may change with edits nearby.
@@ -167,6 +167,8 @@ class Mesh {
   void begin_change();
   Change end_change();
   void exchange(Change& change);
+  // Makes the mesh what it was before the change, as an edit.
+  void restore(const Change& change);
 
   struct Kernel;
   Kernel& kernel() { return *kernel_; }

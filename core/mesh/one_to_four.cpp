@@ -206,6 +206,11 @@ void OneToFour::exchange(Change& change) {
   std::swap(free_, change.free);
 }
 
+void OneToFour::restore(const Change& change) {
+  elements_.restore(change.elements);
+  free_ = change.free;
+}
+
 int OneToFour::edge_of(const Split& e, VertexId from, VertexId to) {
   int edge = 0;
   while (edge < 3 && !(e.corners[edge] == from && e.corners[next(edge)] == to)) ++edge;

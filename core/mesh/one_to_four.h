@@ -45,6 +45,7 @@ class OneToFour {
   void begin_change();
   Change end_change();
   void exchange(Change& change);
+  void restore(const Change& change);
   size_t bytes() const { return elements_.bytes(); }
 
  private:

@@ -45,6 +45,11 @@ void AabbTree::exchange(Change& change) {
   std::swap(leaf_count_, change.leaf_count_);
 }
 
+void AabbTree::restore(const Change& change) {
+  store_.restore(change.store_);
+  leaf_count_ = change.leaf_count_;
+}
+
 // Boxes -----------------------------------------------------------------------------------------------------
 
 AabbTree::Box AabbTree::box_of(const FloatBox& box, int depth, bool leaf, bool hit) const {

@@ -109,6 +109,7 @@ class AabbTree {
   void begin_change();
   Change end_change();
   void exchange(Change& change);
+  void restore(const Change& change);
 
  private:
   Box box_of(const FloatBox& box, int depth, bool leaf, bool hit) const;

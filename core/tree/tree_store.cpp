@@ -188,6 +188,14 @@ void TreeStore::exchange(Change& change) {
   std::swap(now, change.counts);
 }
 
+void TreeStore::restore(const Change& change) {
+  nodes.restore(change.nodes);
+  blocks.restore(change.blocks);
+  places_.restore(change.places);
+  TreeCounts& now = *this;
+  now = change.counts;
+}
+
 TreeView TreeStore::view() const {
   static_assert(nodes.kShift == TreeView::kShift && blocks.kShift == TreeView::kShift);
   return {nodes.chunks(), blocks.chunks(), root};

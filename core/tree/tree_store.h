@@ -93,6 +93,7 @@ class TreeStore : private TreeCounts {
   void begin_change();
   Change end_change();
   void exchange(Change& change);
+  void restore(const Change& change);
 
   size_t bytes() const { return nodes.bytes() + blocks.bytes() + places_.bytes(); }
 

@@ -22,9 +22,10 @@ void take_away(std::vector<FaceId>& faces, const std::vector<FaceId>& these) {
 
 void append_body(BodyDelta& body, const BodyDelta& later) {
   unite(body.born, later.born);
+  take_away(body.born, later.gone);
   unite(body.gone, later.gone);
+  take_away(body.gone, later.born);
   unite(body.relabelled, later.relabelled);
-  take_away(body.born, body.gone);
   take_away(body.relabelled, body.gone);
   body.new_pieces.insert(body.new_pieces.end(), later.new_pieces.begin(), later.new_pieces.end());
 }
@@ -34,6 +35,7 @@ void append_body(BodyDelta& body, const BodyDelta& later) {
 void Delta::append(Delta later) {
   removed_faces += later.removed_faces;
   removed_area += later.removed_area;
+  anew = anew || later.anew;
   for (BodyDelta& b : later.bodies) {
     const auto same =
         std::find_if(bodies.begin(), bodies.end(), [&](const BodyDelta& a) { return a.body == b.body; });

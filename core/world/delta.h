@@ -21,7 +21,8 @@ struct Delta {
   std::vector<BodyDelta> bodies;  // those that changed
   size_t removed_faces = 0;
   double removed_area = 0;  // m^2
-  bool empty() const { return bodies.empty(); }
+  bool anew = false;        // bodies came, went, moved or hid: whoever follows must look at all of the world
+  bool empty() const { return bodies.empty() && !anew; }
 
   // Makes this the delta of this step and the next one together.
   void append(Delta later);

@@ -30,22 +30,42 @@ std::vector<BodyId> World::ids() const {
   return ids;
 }
 
+namespace {
+
+// Bounds that grow by boxes of bodies.
+struct GrowingBounds {
+  World::Bounds all;
+  bool any = false;
+
+  void add(const Placement& placement, const Vec3& min, const Vec3& max) {
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vec3 p = placement.to_world(
+          {corner & 1 ? max.x : min.x, corner & 2 ? max.y : min.y, corner & 4 ? max.z : min.z});
+      all.min = any ? glm::min(all.min, p) : p;
+      all.max = any ? glm::max(all.max, p) : p;
+      any = true;
+    }
+  }
+};
+
+}  // namespace
+
 World::Bounds World::bounds() const {
-  Bounds all;
-  bool first = true;
+  GrowingBounds bounds;
   for (const Slot& slot : slots_) {
     if (!slot.alive || slot.body.tree.leaf_count() == 0) continue;
     const AabbTree::Box box = slot.body.tree.bounds();
-    for (int corner = 0; corner < 8; ++corner) {
-      const Vec3 p = slot.body.placement.to_world({corner & 1 ? box.max.x : box.min.x,
-                                                   corner & 2 ? box.max.y : box.min.y,
-                                                   corner & 4 ? box.max.z : box.min.z});
-      all.min = first ? p : glm::min(all.min, p);
-      all.max = first ? p : glm::max(all.max, p);
-      first = false;
-    }
+    bounds.add(slot.body.placement, box.min, box.max);
   }
-  return all;
+  return bounds.all;
+}
+
+World::Bounds World::loaded_bounds() const {
+  GrowingBounds bounds;
+  for (const Slot& slot : slots_) {
+    if (slot.alive) bounds.add(slot.body.placement, slot.body.loaded.min, slot.body.loaded.max);
+  }
+  return bounds.all;
 }
 
 size_t World::live_faces() const {

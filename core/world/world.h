@@ -66,6 +66,8 @@ class World {
   };
   // Of all bodies where they stand, a little outward; zero for an empty world. O(bodies).
   Bounds bounds() const;
+  // The same of what was loaded: however much was cut away since.
+  Bounds loaded_bounds() const;
 
   size_t live_faces() const;
   // Pieces that have faces, the bodies themselves included.
@@ -79,6 +81,9 @@ class World {
   void begin_change();
   Change end_change();
   void exchange(Change& change);
+  // Makes the world what it was before the change, as an edit that is remembered as others are. The change
+  // touched no body but by editing it. Also good for a copy of the world.
+  void restore(const Change& change);
 
  private:
   struct Slot {
@@ -102,6 +107,7 @@ class World {
     void end(Body& body);
     bool any(const Body& body) const;
     void exchange(Body& body);
+    void restore(Body& body) const;
     size_t bytes() const;
   };
 

@@ -43,6 +43,16 @@ void World::BodyChange::exchange(Body& body) {
   body.pieces.exchange(pieces);
 }
 
+void World::BodyChange::restore(Body& body) const {
+  body.name = name;
+  body.placement = placement;
+  body.hidden = hidden;
+  body.mesh.restore(mesh);
+  body.tree.restore(tree);
+  body.refinement.restore(refinement);
+  body.pieces.restore(pieces);
+}
+
 size_t World::BodyChange::bytes() const {
   return mesh.bytes() + tree.bytes() + refinement.bytes() + pieces.bytes();
 }
@@ -116,6 +126,10 @@ void World::exchange(Change& change) {
     change.added_.clear();
   }
   change.slots_ = slots;
+}
+
+void World::restore(const Change& change) {
+  for (const BodyChange& c : change.edited_) c.restore(slots_[c.slot].body);
 }
 
 }  // namespace kerf

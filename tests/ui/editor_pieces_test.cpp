@@ -23,16 +23,6 @@ TEST(PieceSet, a_click_chooses_one_and_shift_adds) {
   EXPECT_TRUE(looks.empty());
 }
 
-TEST(PieceSet, hidden_pieces_are_no_longer_chosen_and_come_back) {
-  PieceMap looks;
-  choose_piece(looks, key(1), false);
-  hide_chosen(looks);
-  EXPECT_EQ(chosen_pieces(looks), 0u);
-  EXPECT_EQ(hidden_pieces(looks), 1u);
-  show_all(looks);
-  EXPECT_TRUE(looks.empty());
-}
-
 // A sphere whose last stroke went through its middle.
 class CutSphere : public testing::Test {
  protected:
@@ -51,6 +41,22 @@ class CutSphere : public testing::Test {
   }
   EditorState state;
 };
+
+TEST_F(CutSphere, looks_follow_a_piece_that_is_hidden_and_shown_again) {
+  PieceMap& looks = state.look.pieces;
+  const PieceKey half = list_pieces(state.document.world())[1].key;
+  choose_piece(looks, half, false);
+  ASSERT_TRUE(state.document.apply(HidePiece{{half.first.slot, half.second}, true}).ok());
+  follow_world(state.document.world(), looks);
+  EXPECT_EQ(chosen_pieces(looks), 0u);
+  EXPECT_EQ(hidden_pieces(looks), 1u);
+  ASSERT_TRUE(first_hidden(looks));
+  EXPECT_EQ(state.document.world().body(first_hidden(looks)->first).name, "sphere piece 1");
+  EXPECT_EQ(list_pieces(state.document.world()).size(), 2u);
+  ASSERT_TRUE(state.document.apply(Undo{}).ok());
+  follow_world(state.document.world(), looks);
+  EXPECT_TRUE(looks.empty());
+}
 
 TEST_F(CutSphere, spreads_its_halves_apart) {
   const World& world = state.document.world();

@@ -77,6 +77,14 @@ void choose_all(EditorState& state) {
   state.picture_old = true;
 }
 
+const char* why_no_undo(const EditorState& state) {
+  return state.document.history().position() > 0 ? nullptr : "Nothing was done yet.";
+}
+const char* why_no_redo(const EditorState& state) {
+  const History& history = state.document.history();
+  return history.position() < history.size() ? nullptr : "Nothing was taken back.";
+}
+
 const char* why_none_chosen(const EditorState& state) {
   return chosen_pieces(state.look.pieces) > 0
              ? nullptr
@@ -145,6 +153,23 @@ constexpr std::array kActions{
            .run = [](EditorState& s) { s.quit = true; }},
 
     Action{.menu = "Edit",
+           .name = "Undo",
+           .shortcut = "Ctrl+Z",
+           .key = GLFW_KEY_Z,
+           .mods = kCtrl,
+           .tip = "Takes the last stroke or command back.",
+           .run = [](EditorState& s) { s.requests.undo = true; },
+           .why_not = why_no_undo},
+    Action{.menu = "Edit",
+           .name = "Redo",
+           .shortcut = "Ctrl+Shift+Z",
+           .key = GLFW_KEY_Z,
+           .mods = kCtrl | kShift,
+           .tip = "Does again what was taken back.",
+           .run = [](EditorState& s) { s.requests.redo = true; },
+           .why_not = why_no_redo,
+           .ends_group = true},
+    Action{.menu = "Edit",
            .name = "Copy the view",
            .shortcut = "Ctrl+C",
            .key = GLFW_KEY_C,
@@ -170,8 +195,8 @@ constexpr std::array kActions{
            .name = "Hide the chosen",
            .shortcut = "H",
            .key = GLFW_KEY_H,
-           .tip = "Leaves the chosen pieces out of the picture.",
-           .run = change_pieces<hide_chosen>,
+           .tip = "Leaves the chosen pieces out of the picture; the beam passes them by.",
+           .run = [](EditorState& s) { s.requests.hide_chosen = true; },
            .why_not = why_none_chosen},
     Action{.menu = "Edit",
            .name = "Show all pieces",
@@ -179,7 +204,7 @@ constexpr std::array kActions{
            .key = GLFW_KEY_H,
            .mods = kShift,
            .tip = "Draws the hidden pieces again.",
-           .run = change_pieces<show_all>,
+           .run = [](EditorState& s) { s.requests.show_hidden = true; },
            .why_not = why_none_hidden},
 
     Action{.menu = "Tool",

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "ui/editor/actions.h"
+#include "ui/editor/change_world.h"
 #include "ui/editor/editor_report.h"
 #include "ui/editor/editor_state.h"
 #include "ui/editor/gui.h"
@@ -170,7 +171,13 @@ void Editor::fulfil() {
       for (const std::filesystem::path& file : wanted.open) remember_recent(state_.settings, file);
     }
   }
-  if (wanted.recut) recut_last_stroke(state_, picture_.first());
+  Renderer& renderer = picture_.first();
+  if (wanted.undo || wanted.redo) step_through_history(state_, renderer, wanted.undo);
+  if (wanted.travel) travel_to(state_, renderer, *wanted.travel);
+  for (const Command& command : wanted.commands) change_world(state_, renderer, command);
+  if (wanted.hide_chosen) hide_chosen(state_, renderer);
+  if (wanted.show_hidden) show_hidden(state_, renderer);
+  if (wanted.recut) recut_last_stroke(state_, renderer);
 }
 
 void Editor::move_camera() {
@@ -205,7 +212,6 @@ bool Editor::cut_first(Clock::time_point began, double budget) {
     }
     renderer.follow(step->delta);
     if (state_.look.ghost || state_.look.show.face_numbers) renderer.catch_up(state_.document.world());
-    state_.removed_faces += step->delta.removed_faces;
     state_.last_step = step->figures;
     state_.note_figures(step->figures);
     state_.faces_before_step = faces;

@@ -13,7 +13,7 @@ void EditorState::say(std::string text, bool error) {
 }
 
 void EditorState::note_figures(const StepFigures& step) {
-  const size_t current = document.strokes() + recuts;
+  const size_t current = document.revision();
   if (figures_of != current) stroke_figures = {};
   figures_of = current;
   stroke_figures.add(step);

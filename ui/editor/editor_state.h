@@ -49,6 +49,10 @@ enum class Drag { kNone, kCut, kPick, kOrbit, kPan, kLight };
 struct Requests {
   std::vector<std::filesystem::path> open;  // in place of what is open, as bodies of one scene
   bool recut = false;
+  bool undo = false, redo = false;
+  bool hide_chosen = false, show_hidden = false;
+  std::vector<Command> commands;
+  std::optional<size_t> travel;  // to a position of the history
   enum class Screenshot { kNone, kPicture, kWindow };
   Screenshot screenshot = Screenshot::kNone;
 };
@@ -88,11 +92,10 @@ struct EditorState {
   ShownFigures shown;
   ShadowFigures shadow_figures;
   FrameStatistics frames;
-  size_t removed_faces = 0, removed_before_stroke = 0;
   StepFigures last_step, stroke_figures;
   size_t figures_of = 0;  // which stroke or recut of one stroke_figures are of
   size_t faces_before_step = 0;
-  size_t recuts = 0;
+  size_t recuts = 0, undos = 0;
 
   Settings settings;
   FileBrowser browser;

@@ -37,12 +37,8 @@ std::string note_of(const World& world) {
 }
 
 void cut_strokes_of(EditorState& state, Renderer& renderer, const std::vector<StrokePath>& strokes) {
-  size_t stroke = 0;
   const Status cut = cut_strokes(state.document, strokes, [&](const StepResult& step) {
-    if (state.document.strokes() != stroke) state.removed_before_stroke = state.removed_faces;
-    stroke = state.document.strokes();
     renderer.follow(step.delta);
-    state.removed_faces += step.delta.removed_faces;
     state.last_step = step.figures;
     state.note_figures(step.figures);
     state.faces_before_step = state.document.world().live_faces();
@@ -61,8 +57,13 @@ Status open_files(EditorState& state, Renderer& renderer, std::span<const std::f
   const World::Bounds bounds = scene->world.bounds();
   renderer.show(scene->world, scene->paints);
   state.as_loaded.reset();
-  if (scene->world.live_faces() <= Document::kMostFacesToRecut) state.as_loaded = scene->world;
-  state.document = Document(std::move(scene->world));
+  if (scene->world.live_faces() <= Document::kMostFacesToCopy) state.as_loaded = scene->world;
+  const std::vector<std::filesystem::path> origin(files.begin(), files.end());
+  state.document = Document(std::move(scene->world), [origin](const Progress*) -> Result<World> {
+    Result<Scene> again = read_all(origin);
+    if (!again) return again.error();
+    return std::move(again->world);
+  });
   state.files.assign(files.begin(), files.end());
   state.paints = std::move(scene->paints);
   state.home = scene->view;
@@ -76,7 +77,6 @@ Status open_files(EditorState& state, Renderer& renderer, std::span<const std::f
   if (const auto show = parse_show_list(scene->show); show && !scene->show.empty()) state.look.show = *show;
   state.spread = 0;
   state.laser.fit(bounds.diagonal());
-  state.removed_faces = state.removed_before_stroke = 0;
   state.last_step = state.stroke_figures = {};
   state.faces_before_step = 0;
   state.cut_once = false;

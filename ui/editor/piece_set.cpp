@@ -94,16 +94,43 @@ size_t hidden_pieces(const PieceMap& looks) {
       std::count_if(looks.begin(), looks.end(), [](const auto& entry) { return entry.second.hidden; }));
 }
 
-void hide_chosen(PieceMap& looks) {
-  for (auto& [key, look] : looks) {
-    look.hidden = look.hidden || look.selected;
-    look.selected = false;
+std::optional<PieceKey> first_chosen(const PieceMap& looks) {
+  for (const auto& [key, look] : looks) {
+    if (look.selected) return key;
   }
+  return std::nullopt;
 }
 
-void show_all(PieceMap& looks) {
-  for (auto& [key, look] : looks) look.hidden = false;
-  drop_plain(looks);
+std::optional<PieceKey> first_hidden(const PieceMap& looks) {
+  for (const auto& [key, look] : looks) {
+    if (look.hidden) return key;
+  }
+  return std::nullopt;
+}
+
+void follow_world(const World& world, PieceMap& looks) {
+  const std::vector<BodyId> ids = world.ids();
+  const auto has_faces = [&](const PieceKey& key) {
+    return world.contains(key.first) && key.second < world.body(key.first).pieces.size() &&
+           world.body(key.first).pieces[key.second].faces > 0;
+  };
+  PieceMap now;
+  for (const auto& [key, look] : looks) {
+    PieceKey own = key;
+    if (!has_faces(own) && !ids.empty()) own.first = ids.back();
+    if (has_faces(own)) now[own] = look;
+  }
+  for (auto& [key, look] : now) look.hidden = false;
+  for (const BodyId id : ids) {
+    const Body& body = world.body(id);
+    for (uint32_t label = 0; body.hidden && label < body.pieces.size(); ++label) {
+      if (body.pieces[label].faces == 0) continue;
+      now[{id, label}].hidden = true;
+      now[{id, label}].selected = false;
+    }
+  }
+  drop_plain(now);
+  looks = std::move(now);
 }
 
 void spread_pieces(const World& world, double spread, PieceMap& looks) {

@@ -31,8 +31,13 @@ void choose_piece(PieceMap& looks, const PieceKey& key, bool add);
 void choose_none(PieceMap& looks);
 size_t chosen_pieces(const PieceMap& looks);
 size_t hidden_pieces(const PieceMap& looks);
-void hide_chosen(PieceMap& looks);
-void show_all(PieceMap& looks);
+// The first of those that are chosen, or hidden; none where there is none.
+std::optional<PieceKey> first_chosen(const PieceMap& looks);
+std::optional<PieceKey> first_hidden(const PieceMap& looks);
+
+// Hides what the world hides, forgets what has no faces any more, and finds again what went by a new body
+// when a piece was detached.
+void follow_world(const World& world, PieceMap& looks);
 
 // Sets every piece's offset to `spread` times the way from the middle of the world to its own middle (the
 // mean of its faces' by area). O(faces) where the spread is not 0.

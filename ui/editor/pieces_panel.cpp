@@ -32,12 +32,10 @@ void eye_button(EditorState& state, const PieceRow& row, bool hidden) {
   const bool pressed = ImGui::SmallButton(hidden ? "show" : "hide");
   ImGui::PopStyleVar();
   ImGui::PopStyleColor(2);
-  tooltip(hidden ? "Draws this piece again." : "Leaves this piece out of the picture; it can still be cut.");
+  tooltip(hidden ? "Draws this piece again."
+                 : "Leaves this piece out of the picture; the beam passes it by.");
   if (!pressed) return;
-  PieceLook& look = state.look.pieces[row.key];
-  look.hidden = !hidden;
-  look.selected = look.selected && !look.hidden;
-  state.picture_old = true;
+  state.requests.commands.push_back(HidePiece{{row.key.first.slot, row.key.second}, !hidden});
 }
 
 void draw_row(EditorState& state, const PieceRow& row) {
@@ -112,14 +110,12 @@ void draw_buttons(EditorState& state) {
   constexpr const char* kNoneChosen =
       "No piece is chosen: Ctrl+click one in the picture, or click it in the list.";
   if (row_button("Hide", 3, chosen > 0, "Leaves the chosen pieces out of the picture (H).", kNoneChosen)) {
-    hide_chosen(looks);
-    state.picture_old = true;
+    state.requests.hide_chosen = true;
   }
   ImGui::SameLine();
   if (row_button("Show all", 3, hidden > 0, "Draws the hidden pieces again (Shift+H).",
                  "No piece is hidden.")) {
-    show_all(looks);
-    state.picture_old = true;
+    state.requests.show_hidden = true;
   }
   ImGui::SameLine();
   if (row_button("Export", 3, chosen > 0, "Writes the chosen pieces to mesh files (Ctrl+E).", kNoneChosen)) {

@@ -1,39 +1,51 @@
 #include "ui/editor/twin_cut.h"
 
+#include <cassert>
+
 namespace kerf {
 
 namespace {
 
-// The world that the first's last stroke began with, or as it is where nothing was cut; null: too large.
-const World* world_to_cut(const Document& first) {
-  if (first.strokes() > 0) return first.before_last_stroke();
-  return first.world().live_faces() <= Document::kMostFacesToRecut ? &first.world() : nullptr;
+// The world that the first's last stroke began with, or as it is where nothing was cut; none: too large.
+std::optional<World> world_to_cut(Document& first) {
+  if (first.has_stroke()) return first.before_last_stroke();
+  if (first.world().live_faces() > Document::kMostFacesToCopy) return std::nullopt;
+  return first.world();
 }
 
 }  // namespace
 
-void TwinCut::begin(const Document& first, const Resolution& resolution) {
-  const World* world = world_to_cut(first);
-  there_ = world != nullptr;
-  document_ = there_ ? Document(*world) : Document();
+void TwinCut::begin(Document& first, const Resolution& resolution) {
+  std::optional<World> world = world_to_cut(first);
+  there_ = world.has_value();
+  document_ = there_ ? Document(std::move(*world)) : Document();
+  document_.set_window(0);
   resolution_ = resolution;
-  stroke_ = first.strokes();
+  revision_ = first.revision();
   commands_ = 0;
   begun_ = true;
 }
 
-bool TwinCut::follow(const Document& first, const ResolutionControls& controls) {
-  const double radius = first.stroke_settings().laser.radius;
-  const Resolution resolution = controls.of(radius);
-  const bool anew =
-      !begun_ || first.strokes() != stroke_ || (resolution != resolution_ && first.strokes() > 0);
+bool TwinCut::follow(Document& first, const ResolutionControls& controls) {
+  if (!first.has_stroke()) {
+    const bool anew = !begun_ || first.revision() != revision_;
+    if (anew) begin(first, controls.of(1));
+    return anew;
+  }
+  const Resolution resolution = controls.of(first.stroke_settings().laser.radius);
+  const bool anew = !begun_ || first.revision() != revision_ || resolution != resolution_;
   if (anew) begin(first, resolution);
-  if (!there_ || first.strokes() == 0) return anew;
-  const std::span<const Command> stroke = first.last_stroke();
+  if (!there_) return anew;
+  const std::vector<Command>& stroke = first.last_stroke();
   for (; commands_ < stroke.size(); ++commands_) {
     Command command = stroke[commands_];
-    if (auto* start = std::get_if<BeginStroke>(&command)) start->settings.resolution = resolution_;
-    document_.apply(command);
+    if (auto* start = std::get_if<BeginStroke>(&command)) {
+      start->settings = first.stroke_settings();
+      start->settings.resolution = resolution_;
+    }
+    const Result<Delta> applied = document_.apply(command);
+    assert(applied.ok());
+    (void)applied;
   }
   return anew;
 }

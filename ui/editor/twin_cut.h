@@ -14,7 +14,7 @@ class TwinCut {
   // Takes on what the first has come to: its stroke is begun anew where it is another one or the resolution
   // has changed, and goes on where it has gone on. Whether the world is a new one for everything that follows
   // it. The commands wait to be stepped.
-  bool follow(const Document& first, const ResolutionControls& resolution);
+  bool follow(Document& first, const ResolutionControls& resolution);
 
   // Up to so many moves of the beam as one step, as Document::step.
   Result<StepResult> step(size_t moves) { return document_.step(moves); }
@@ -29,12 +29,12 @@ class TwinCut {
   void forget() { *this = TwinCut(); }
 
  private:
-  void begin(const Document& first, const Resolution& resolution);
+  void begin(Document& first, const Resolution& resolution);
 
   Document document_;
   Resolution resolution_;
   bool there_ = false, begun_ = false;
-  size_t stroke_ = 0;    // of the first: how many it had
+  size_t revision_ = 0;  // of the first
   size_t commands_ = 0;  // of its last stroke that are followed
 };
 

@@ -67,7 +67,6 @@ void begin(EditorState& state, Drag drag) {
   if (drag != Drag::kCut) return;
   stand_together(state);
   state.camera.finish();
-  state.removed_before_stroke = state.removed_faces;
   state.tool.press(state.document, state.view(), state.in_picture(state.pointer), state.laser);
   state.cut_once = true;
   state.say("");

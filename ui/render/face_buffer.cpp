@@ -53,14 +53,14 @@ FaceBuffer::FaceBuffer(const Body& body)
 size_t FaceBuffer::update(const Mesh& mesh) {
   if (dirty_.empty()) return 0;
   while (chunks_.size() * kChunkFaces < mesh.face_slots()) chunks_.emplace_back();
-  halvings_.resize(mesh.face_slots(), kDead);
+  if (halvings_.size() < mesh.face_slots()) halvings_.resize(mesh.face_slots(), kDead);
   // Slots that died are only struck off the list; their corners are not sent.
   DirtySlots born;
   for (const SlotRange range : dirty_.take(0, kChunkFaces)) {
     LiveList& live = chunks_[range.begin / kChunkFaces].live;
     for (uint32_t f = range.begin; f < range.end; ++f) {
       const bool lives = mesh.is_live(FaceId(f));
-      if (live.set(f % kChunkFaces, lives) && !lives) removed_.died(FaceId(f), mesh.data(FaceId(f)).base);
+      if (live.set(f % kChunkFaces, lives)) note_change(mesh, FaceId(f), lives);
       count(mesh, f);
       if (!lives) continue;
       born.mark(f);
@@ -71,6 +71,15 @@ size_t FaceBuffer::update(const Mesh& mesh) {
   for (const SlotRange range : born.take(kGap, kChunkFaces)) bytes += update_slots(mesh, range);
   for (Chunk& chunk : chunks_) bytes += update_list(chunk);
   return bytes;
+}
+
+// A slot behind the last one was taken back with the command that made it: its face was never removed.
+void FaceBuffer::note_change(const Mesh& mesh, FaceId f, bool lives) {
+  if (lives) {
+    removed_.came_back(f);
+  } else if (f.index < mesh.face_slots()) {
+    removed_.died(f, mesh.data(f).base);
+  }
 }
 
 void FaceBuffer::count(const Mesh& mesh, uint32_t slot) {

@@ -28,7 +28,7 @@ class FaceBuffer {
   }
   // Takes every slot as changed: for when Deltas were lost.
   void forget_all(const Mesh& mesh) {
-    dirty_.mark_all(mesh.face_slots());
+    dirty_.mark_all(std::max(mesh.face_slots(), static_cast<uint32_t>(halvings_.size())));
     removed_.forget();
   }
 
@@ -74,6 +74,7 @@ class FaceBuffer {
     void draw() const;
   };
   void count(const Mesh& mesh, uint32_t slot);
+  void note_change(const Mesh& mesh, FaceId f, bool lives);
   size_t update_slots(const Mesh& mesh, const SlotRange& range);
   size_t update_list(Chunk& chunk);
 

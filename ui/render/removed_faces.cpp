@@ -30,12 +30,13 @@ void RemovedFaces::saw(FaceId f, const FaceCorners& corners) {
 void RemovedFaces::died(FaceId f, FaceId base) {
   const auto found = seen_.find(f.index);
   if (found == seen_.end()) return;
-  if (parts_.size() < kMost) parts_.push_back({f, base, found->second});
+  if (parts_.size() < kMost) parts_.emplace(f.index, RemovedFace{f, base, found->second});
   seen_.erase(found);
 }
 
 std::vector<RemovedFace> RemovedFaces::list(const Mesh& mesh, const BaseFaces& bases) const {
-  std::vector<RemovedFace> all = parts_;
+  std::vector<RemovedFace> all;
+  for (const auto& [slot, part] : parts_) all.push_back(part);
   for (uint32_t f = 0; f < bases.count(); ++f) {
     const FaceCorners* corners = bases.corners(FaceId(f));
     if (corners && !mesh.is_live(FaceId(f))) all.push_back({FaceId(f), FaceId(f), *corners});

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <glm/glm.hpp>
+#include <map>
 #include <unordered_map>
 #include <vector>
 
@@ -34,6 +35,8 @@ class RemovedFaces {
   void saw(FaceId f, const FaceCorners& corners);
   // The face of this slot is gone.
   void died(FaceId f, FaceId base);
+  // The slot has a face, again perhaps.
+  void came_back(FaceId f) { parts_.erase(f.index); }
 
   // The base faces and parts that are gone.
   std::vector<RemovedFace> list(const Mesh& mesh, const BaseFaces& bases) const;
@@ -46,7 +49,7 @@ class RemovedFaces {
 
  private:
   std::unordered_map<uint32_t, FaceCorners> seen_;  // by slot; looked up, never walked
-  std::vector<RemovedFace> parts_;
+  std::map<uint32_t, RemovedFace> parts_;           // by slot
   gl::Buffer buffer_;
   gl::VertexArray layout_;
   GLsizei count_ = 0;

@@ -58,6 +58,7 @@ Result<Renderer> Renderer::create() {
 
 void Renderer::show(const World& world, const std::map<std::string, Paint>& paints) {
   bodies_.clear();
+  paints_ = paints;
   passes_.lines.forget();
   passes_.scene.shadows().forget();
   contact_old_ = true;
@@ -81,8 +82,13 @@ void Renderer::follow(const Delta& delta) {
 }
 
 void Renderer::resend(const World& world) {
-  for (auto& [id, picture] : bodies_) {
-    if (world.contains(id)) picture.faces().forget_all(world.body(id).mesh);
+  std::erase_if(bodies_, [&](const auto& body) { return !world.contains(body.first); });
+  for (const BodyId id : world.ids()) {
+    const auto found = bodies_.find(id);
+    if (found == bodies_.end())
+      bodies_.emplace(id, BodyPicture(world.body(id), paints_));
+    else
+      found->second.faces().forget_all(world.body(id).mesh);
   }
   passes_.scene.shadows().forget();
   contact_old_ = true;

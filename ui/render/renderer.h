@@ -124,6 +124,7 @@ class Renderer {
   size_t canvas_ = 0;               // that of the last picture
 
   std::map<BodyId, BodyPicture> bodies_;
+  std::map<std::string, Paint> paints_;
   Vec3 middle_{0};  // of the world as it was shown
   FrameSpace space_;
   FrameUniforms frame_;

@@ -31,7 +31,7 @@ TEST(Document, replays_its_journal_to_the_same_world) {
   first.apply(EndStroke{});
 
   Document second(world_of(torus(16, 10, 0.5, 0.2)));
-  for (const Command& command : first.journal()) second.apply(command);
+  for (const Command& command : first.journal()) ASSERT_TRUE(second.apply(command).ok());
   ASSERT_TRUE(second.step(second.waiting()).ok());
   EXPECT_EQ(state_hash(first.world()), state_hash(second.world()));
   EXPECT_LT(first.world().live_faces(), 1u << 20);
@@ -51,7 +51,7 @@ TEST(Document, recuts_the_last_stroke_as_if_it_had_been_drawn_so) {
   draw(recut, 0.01, -0.1);
   for (const double radius : {0.03, 0.015}) {
     ASSERT_TRUE(recut.can_recut());
-    recut.recut(settings_of(radius));
+    ASSERT_TRUE(recut.apply(Recut{settings_of(radius)}).ok());
     ASSERT_TRUE(recut.step(recut.waiting()).ok());
   }
   draw(drawn, 0.02, 0.1);

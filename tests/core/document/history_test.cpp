@@ -1,0 +1,275 @@
+#include <gtest/gtest.h>
+
+#include "core/document/document.h"
+#include "core/graph/separation.h"
+#include "core/world/state_hash.h"
+#include "tests/support/made_meshes.h"
+#include "tests/support/mesh_numbers.h"
+#include "tests/support/strokes.h"
+
+namespace kerf::test {
+namespace {
+
+World made_world() {
+  World world;
+  world.add(make_body("torus", build(torus(16, 10, 0.5, 0.2))));
+  world.add(make_body("book", build(moved(book(5), {0.3, 0.1, 0}, 0.6))));
+  return world;
+}
+
+// A stroke across the middle with settings of its own.
+std::vector<Command> random_stroke_commands(Random& random) {
+  CutSettings s;
+  s.laser.radius = random.uniform(0.01, 0.05);
+  s.laser.range = {0, 5};
+  s.resolution.scheme = random.below(2) == 0 ? Scheme::kOneToFour : Scheme::kLongestEdge;
+  s.resolution.rim = random.below(3) == 0 ? Rim::kSmooth : Rim::kFaces;
+  s.resolution.target_edge = s.laser.radius * random.uniform(0.5, 2);
+  const auto pose = [&] {
+    const Vec3 d = glm::normalize(Vec3(random.uniform(-0.2, 0.2), -1, random.uniform(-0.2, 0.2)));
+    return Pose{Vec3(random.uniform(-0.9, 0.9), 0, random.uniform(-0.9, 0.9)) - 2.0 * d, d};
+  };
+  std::vector<Command> commands{BeginStroke{s, pose()}};
+  for (size_t n = random.below(3) + 1; n > 0; --n) commands.emplace_back(MoveStroke{pose()});
+  commands.emplace_back(EndStroke{});
+  return commands;
+}
+
+CutSettings random_settings(Random& random) {
+  return std::get<BeginStroke>(random_stroke_commands(random).front()).settings;
+}
+
+void expect_same_body(const Body& a, const Body& b) {
+  EXPECT_EQ(a.name, b.name);
+  EXPECT_EQ(a.hidden, b.hidden);
+  EXPECT_EQ(a.placement.position, b.placement.position);
+  ASSERT_EQ(a.mesh.face_slots(), b.mesh.face_slots());
+  ASSERT_EQ(a.mesh.vertex_slots(), b.mesh.vertex_slots());
+  EXPECT_EQ(a.mesh.live_faces(), b.mesh.live_faces());
+  for (uint32_t v = 0; v < a.mesh.vertex_slots(); ++v)
+    ASSERT_EQ(a.mesh.position(VertexId(v)), b.mesh.position(VertexId(v)));
+  for (uint32_t f = 0; f < a.mesh.face_slots(); ++f) {
+    const FaceId face(f);
+    ASSERT_EQ(a.mesh.is_live(face), b.mesh.is_live(face));
+    if (!a.mesh.is_live(face)) continue;
+    ASSERT_EQ(a.mesh.corners(face), b.mesh.corners(face));
+    const FaceData &x = a.mesh.data(face), &y = b.mesh.data(face);
+    ASSERT_TRUE(x.base == y.base && x.element == y.element && x.piece == y.piece && x.halvings == y.halvings);
+  }
+  ASSERT_EQ(a.pieces.size(), b.pieces.size());
+  for (uint32_t p = 0; p < a.pieces.size(); ++p) {
+    EXPECT_EQ(a.pieces[p].faces, b.pieces[p].faces);
+    EXPECT_EQ(a.pieces[p].area, b.pieces[p].area);
+  }
+}
+
+// The boxes of a tree with where the beam was.
+std::vector<std::tuple<double, double, int, bool, bool>> boxes(const AabbTree& tree) {
+  std::vector<std::tuple<double, double, int, bool, bool>> all;
+  tree.for_each_box([&](const AabbTree::Box& b) {
+    all.emplace_back(b.min.x + b.min.y + b.min.z, b.max.x + b.max.y + b.max.z, b.depth, b.leaf, b.hit);
+  });
+  return all;
+}
+
+void expect_same_world(const World& a, const World& b) {
+  ASSERT_EQ(a.ids(), b.ids());
+  EXPECT_EQ(state_hash(a), state_hash(b));
+  for (const BodyId id : a.ids()) {
+    SCOPED_TRACE("body " + std::to_string(id.slot));
+    expect_same_body(a.body(id), b.body(id));
+    EXPECT_EQ(boxes(a.body(id).tree), boxes(b.body(id).tree));
+  }
+}
+
+// What the tests of mesh and graph ask of a world, after whatever way it came to.
+void expect_whole(const World& world) {
+  for (const BodyId id : world.ids()) {
+    const Body& body = world.body(id);
+    EXPECT_EQ(find_fault(body.mesh, true), "");
+    std::vector<uint32_t> component;
+    label_components(body.mesh, component);
+    EXPECT_EQ(body.tree.leaf_count(), body.mesh.live_faces());
+    std::map<uint32_t, size_t> faces;
+    for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+      if (body.mesh.is_live(FaceId(f))) ++faces[body.mesh.data(FaceId(f)).piece];
+    }
+    for (const auto& [piece, count] : faces) EXPECT_EQ(body.pieces[piece].faces, count);
+  }
+}
+
+void finish(Document& document) { ASSERT_TRUE(document.step(document.waiting()).ok()); }
+
+// A history as it should be: what was done, each with the commands that do it from scratch.
+struct Model {
+  struct Step {
+    std::vector<Command> commands;
+    bool again = false;  // cuts the step before it again
+  };
+  std::vector<Step> steps;
+  size_t at = 0;
+
+  void add(std::vector<Command> commands, bool again = false) {
+    steps.resize(at);
+    steps.push_back({std::move(commands), again});
+    ++at;
+  }
+  World world() const {
+    Document fresh(made_world());
+    for (size_t i = 0; i < at; ++i) {
+      if (i + 1 < at && steps[i + 1].again) continue;
+      for (const Command& c : steps[i].commands) EXPECT_TRUE(fresh.apply(c).ok());
+      finish(fresh);
+    }
+    return fresh.world();
+  }
+};
+
+std::optional<PieceRef> random_piece(const World& world, Random& random) {
+  std::vector<PieceRef> all;
+  for (const BodyId id : world.ids()) {
+    for (uint32_t p = 0; p < world.body(id).pieces.size(); ++p) {
+      if (world.body(id).pieces[p].faces > 0) all.push_back({id.slot, p});
+    }
+  }
+  if (all.empty()) return std::nullopt;
+  return all[random.below(all.size())];
+}
+
+Command random_piece_command(const PieceRef& piece, Random& random) {
+  switch (random.below(4)) {
+    case 0:
+      return MovePiece{piece, {{random.uniform(-0.2, 0.2), 0.1, 0}, {1, 0, 0, 0}}};
+    case 1:
+      return HidePiece{piece, random.below(2) == 0};
+    case 2:
+      return DeletePiece{piece};
+    default:
+      return RenamePiece{piece, "part " + std::to_string(random.below(100))};
+  }
+}
+
+// A random command, undo or redo on both; strokes may still wait afterwards.
+void act(Document& document, Model& model, Random& random) {
+  const size_t what = random.below(12);
+  if (what < 4) {
+    const auto stroke = random_stroke_commands(random);
+    for (const Command& c : stroke) {
+      ASSERT_TRUE(document.apply(c).ok());
+      if (random.below(2) == 0) {
+        ASSERT_TRUE(document.step(random.below(8)).ok());
+      }
+    }
+    model.add(stroke);
+  } else if (what < 7) {
+    ASSERT_TRUE(document.apply(Undo{}).ok());
+    if (model.at > 0) --model.at;
+  } else if (what < 9) {
+    ASSERT_TRUE(document.apply(Redo{}).ok());
+    if (model.at < model.steps.size()) ++model.at;
+  } else if (what == 9 && document.can_recut()) {
+    const CutSettings settings = random_settings(random);
+    ASSERT_TRUE(document.apply(Recut{settings}).ok());
+    std::vector<Command> stroke = document.last_stroke();
+    std::get<BeginStroke>(stroke.front()).settings = settings;
+    model.add(stroke, true);
+  } else if (what == 10) {
+    finish(document);
+    if (const auto piece = random_piece(document.world(), random)) {
+      const Command command = random_piece_command(*piece, random);
+      const auto delta = document.apply(command);
+      ASSERT_TRUE(delta.ok());
+      if (!delta->empty()) model.add({command});
+    }
+  } else if (what == 11) {
+    model.at = random.below(model.steps.size() + 1);
+    ASSERT_TRUE(document.travel(model.at).ok());
+  }
+}
+
+void run_at_random(uint64_t seed, size_t window) {
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  Document document(made_world(), [](const Progress*) { return Result<World>(made_world()); });
+  document.set_window(window);
+  Model model;
+  for (int i = 0; i < 25; ++i) {
+    SCOPED_TRACE("command " + std::to_string(i));
+    act(document, model, random);
+    if (testing::Test::HasFatalFailure()) return;
+    if (random.below(3) != 0) continue;
+    finish(document);
+    ASSERT_EQ(document.history().position(), model.at);
+    expect_same_world(document.world(), model.world());
+    expect_whole(document.world());
+    if (testing::Test::HasFailure()) return;
+  }
+}
+
+TEST(History, random_commands_undos_and_redos_end_where_a_fresh_replay_ends) {
+  for (uint64_t seed = 1; seed <= 12; ++seed) {
+    run_at_random(seed, size_t{1} << 30);
+    if (HasFailure()) return;
+  }
+}
+
+TEST(History, states_beyond_the_window_come_back_by_replay) {
+  for (uint64_t seed = 101; seed <= 106; ++seed) {
+    run_at_random(seed, 200'000);
+    if (HasFailure()) return;
+  }
+}
+
+TEST(History, a_journal_with_undos_and_recuts_replays_to_the_same_world) {
+  for (uint64_t seed = 201; seed <= 204; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    Document document(made_world());
+    Model model;
+    for (int i = 0; i < 20; ++i) act(document, model, random);
+    finish(document);
+    Document again(made_world());
+    for (const Command& c : document.journal()) ASSERT_TRUE(again.apply(c).ok());
+    finish(again);
+    expect_same_world(document.world(), again.world());
+  }
+}
+
+TEST(History, a_stroke_that_is_stopped_is_taken_back) {
+  Random random(3);
+  Document document(made_world());
+  const auto first = random_stroke_commands(random), second = random_stroke_commands(random);
+  for (const Command& c : first) ASSERT_TRUE(document.apply(c).ok());
+  finish(document);
+  const uint64_t before = state_hash(document.world());
+  for (const Command& c : second) ASSERT_TRUE(document.apply(c).ok());
+  ASSERT_TRUE(document.step(1).ok());
+  int asked = 0;
+  const Progress stop{[&](double) { return ++asked < 2; }};
+  while (document.waiting() > 0) {
+    if (!document.step(1, &stop)) break;
+  }
+  EXPECT_EQ(state_hash(document.world()), before);
+  EXPECT_EQ(document.history().position(), 1u);
+  EXPECT_EQ(document.strokes(), 1u);
+}
+
+TEST(History, nothing_to_undo_or_redo_is_no_error_and_is_not_written) {
+  Document document(made_world());
+  EXPECT_TRUE(document.apply(Undo{}).ok());
+  EXPECT_TRUE(document.apply(Redo{}).ok());
+  EXPECT_TRUE(document.apply(Recut{}).ok());
+  EXPECT_TRUE(document.journal().empty());
+}
+
+TEST(History, a_piece_that_is_not_there_is_named_and_changes_nothing) {
+  Document document(made_world());
+  const auto moved = document.apply(MovePiece{{7, 1}, {}});
+  ASSERT_FALSE(moved.ok());
+  EXPECT_EQ(moved.error().message, "there is no piece 1 of body 7");
+  EXPECT_EQ(document.history().size(), 0u);
+  EXPECT_TRUE(document.journal().empty());
+}
+
+}  // namespace
+}  // namespace kerf::test

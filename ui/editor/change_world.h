@@ -1,0 +1,27 @@
+#pragma once
+
+#include "ui/editor/editor_state.h"
+
+namespace kerf {
+
+// Does a command at once, lets the picture follow, and says what went wrong where it failed.
+void change_world(EditorState& state, Renderer& renderer, const Command& command);
+
+// Goes to a position of the history; what waits to be cut again is cut over the next frames.
+void travel_to(EditorState& state, Renderer& renderer, size_t position);
+
+// One step of the history back, or forth.
+void step_through_history(EditorState& state, Renderer& renderer, bool back);
+
+// Hides the pieces that are chosen, each a command; shows all again.
+void hide_chosen(EditorState& state, Renderer& renderer);
+void show_hidden(EditorState& state, Renderer& renderer);
+
+// Lets a renderer look anew at a world that cuts have come to. Smooth normals come from the faces as they
+// were loaded, whatever strokes have done to them.
+void show_world(const EditorState& state, const World& world, Renderer& renderer);
+
+// Lets the picture, and all that the editor knows of the world, follow a change of it.
+void show_change(EditorState& state, Renderer& renderer, const Delta& delta);
+
+}  // namespace kerf

@@ -82,12 +82,10 @@ double sum_in_order(double a, double b, double c) {
 int side_of(Vec2 a, Vec2 b) { return sign_of_cross(a, b); }
 
 ShearedRay::ShearedRay(const Pose& ray) : origin_(ray.origin) {
-  constexpr int kNext[] = {1, 2, 0};
   const Vec3 d = ray.direction, size = glm::abs(d);
-  const int of_yz = size.y >= size.z ? 1 : 2;
-  z_ = size.x >= std::max(size.y, size.z) ? 0 : of_yz;
-  x_ = kNext[z_];
-  y_ = kNext[x_];
+  z_ = longest_axis(size.x, size.y, size.z);
+  x_ = kNextAxis[z_];
+  y_ = kNextAxis[x_];
   shear_ = {d[x_] / d[z_], d[y_] / d[z_]};
   per_z_ = 1.0 / d[z_];
 }

@@ -1,10 +1,19 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "core/tree/swept_cylinder.h"
 
 namespace kerf {
+
+inline constexpr int kNextAxis[] = {1, 2, 0};
+inline constexpr int kLongestAxis[] = {0, 0, 1, 0, 2, 2, 1, 0};
+// Along which axis a vector is longest, the first of them, from the sizes of its components. Without branches.
+template <typename T>
+int longest_axis(T x, T y, T z) {
+  return kLongestAxis[unsigned{x >= y} | unsigned{y >= z} << 1 | unsigned{z > x} << 2];
+}
 
 // A ray in coordinates in which it runs along +z: an axis is exchanged and the others sheared (S. Woop,
 // C. Benthin, I. Wald: Watertight ray/triangle intersection, 2013). A corner has the same image in every
@@ -26,11 +35,6 @@ class ShearedRay {
   // Length along the unit direction at which the ray crosses the triangle, however its corners are turned;
   // nothing where it passes beside it or along it.
   std::optional<double> cross(const Triangle& t) const;
-
-  // The axis along which the ray runs most and the two after it, in turn.
-  int along() const { return z_; }
-  int across(int i) const { return i == 0 ? x_ : y_; }
-  Vec2 shear() const { return shear_; }
 
  private:
   Vec3 origin_{0};

@@ -49,8 +49,9 @@ struct WalkLists {
 struct RayQuery {
   // Slabs: by axis the planes that the ray meets first and last, what is taken off them and what the rest is
   // multiplied with, all rounded so that no box is missed.
-  uint32_t near_plane[3], far_plane[3];
-  alignas(16) float near_origin[4];  // of the fourth only the place counts
+  alignas(16) uint32_t near_plane[4];  // of the fourth only the place counts, here and below
+  alignas(16) uint32_t far_plane[4];
+  alignas(16) float near_origin[4];
   alignas(16) float far_origin[4];
   alignas(16) float near_slope[4];
   alignas(16) float far_slope[4];

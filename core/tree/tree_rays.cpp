@@ -12,9 +12,10 @@ namespace kerf {
 
 namespace {
 
-// Roundings of a float, of which a walk and what makes a ray ready for it add up two dozen: thirty-two halves
-// of its last place.
-constexpr double kManyRoundings = 0x1p-19;
+// Roundings of a float, relative to the numbers that it comes from, each up to 2^-24: of where a ray meets a
+// plane they add up to less than two dozen, and of a sheared coordinate, of a corner or of a ray, to eight.
+constexpr double kPlaneRoundings = 0x1p-19;
+constexpr double kShearedRoundings = 0x1p-21;
 // What a few roundings may take off a number or add to it.
 constexpr float kFewRoundings = 0x1p-20f;
 constexpr float kLeastComponent = 1e-20f;
@@ -102,7 +103,7 @@ bool prepare_rays(const TreeStore& tree, std::span<const Pose> rays, Interval ra
     nearest = std::min(nearest, other.distance2());
   }
   const double reach = tree.reach(), scale = tree.frame.scale;
-  const double error = reach * kManyRoundings + kBoxSlack * (8 * reach + far);
+  const double lost = kBoxSlack * (8 * reach + far), error = reach * kPlaneRoundings + lost;
   if (nearest > (reach + error) * (reach + error)) return false;
   // t = 0 lies across the rays, before all boxes.
   const auto back = static_cast<float>(2 * reach);
@@ -113,7 +114,7 @@ bool prepare_rays(const TreeStore& tree, std::span<const Pose> rays, Interval ra
   q.t_low = static_cast<float>(std::max(back - latest + range.low * scale - 2 * error, 1e-30 * reach));
   q.t_high = static_cast<float>(std::min(back - earliest + range.high * scale + 2 * error, 4 * reach));
   q.t_sure = static_cast<float>(back - own.at + range.low * scale + 4 * error);
-  q.error = static_cast<float>(2 * error);
+  q.error = static_cast<float>(reach * kShearedRoundings + 2 * lost);
   q.rays = static_cast<uint32_t>(rays.size());
   return q.t_low <= q.t_high;
 }

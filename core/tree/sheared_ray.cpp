@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/tree/ray_axes.h"
+
 namespace kerf {
 
 namespace {

@@ -1,19 +1,10 @@
 #pragma once
 
-#include <cstdint>
 #include <optional>
 
 #include "core/tree/swept_cylinder.h"
 
 namespace kerf {
-
-inline constexpr int kNextAxis[] = {1, 2, 0};
-inline constexpr int kLongestAxis[] = {0, 0, 1, 0, 2, 2, 1, 0};
-// Along which axis a vector is longest, the first of them, from the sizes of its components. Without branches.
-template <typename T>
-int longest_axis(T x, T y, T z) {
-  return kLongestAxis[unsigned{x >= y} | unsigned{y >= z} << 1 | unsigned{z > x} << 2];
-}
 
 // A ray in coordinates in which it runs along +z: an axis is exchanged and the others sheared (S. Woop,
 // C. Benthin, I. Wald: Watertight ray/triangle intersection, 2013). A corner has the same image in every

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "core/base/tolerances.h"
-#include "core/tree/sheared_ray.h"
 
 namespace kerf {
 
@@ -19,12 +18,6 @@ constexpr double kShearedRoundings = 0x1p-21;
 // What a few roundings may take off a number or add to it.
 constexpr float kFewRoundings = 0x1p-20f;
 constexpr float kLeastComponent = 1e-20f;
-
-struct alignas(16) Floats {
-  explicit Floats(__m128 v) { _mm_store_ps(lane, v); }
-  float operator[](uint32_t i) const { return lane[i]; }
-  float lane[4];
-};
 
 void store(uint32_t (&out)[4], __m128 bits) {
   _mm_store_si128(reinterpret_cast<__m128i*>(out), _mm_castps_si128(bits));
@@ -49,14 +42,6 @@ void set_slabs(RayQuery& q, __m128 d, __m128 low, __m128 high) {
   store(q.far_plane, _mm_blendv_ps(highs, lows, down));
 }
 
-// The axis on which the direction is longest becomes the one along it.
-void set_axes(RayQuery& q, const Floats& d) {
-  const int along = longest_axis(std::abs(d[0]), std::abs(d[1]), std::abs(d[2]));
-  q.along = static_cast<uint32_t>(along);
-  q.across[0] = static_cast<uint32_t>(kNextAxis[along]);
-  q.across[1] = static_cast<uint32_t>(kNextAxis[q.across[0]]);
-}
-
 // Where a ray passes the origin of the tree's frame.
 struct Passing {
   Passing(const TreeFrame& frame, const Pose& ray) {
@@ -76,25 +61,14 @@ struct Passing {
 
 bool prepare_rays(const TreeStore& tree, std::span<const Pose> rays, Interval range, RayQuery& q) {
   const __m128 direction = to_floats(rays[0].direction);
-  const Floats d(direction);
-  set_axes(q, d);
-  const __m128 shear = _mm_div_ps(direction, _mm_set1_ps(d[q.along]));
-  const auto set_across = [&q](float (&out)[2], const Floats& of) {
-    for (int k = 0; k < 2; ++k) out[k] = of[q.across[k]];
-  };
-  const auto set_pass = [&](size_t i, __m128 p) {
-    const __m128 height = _mm_set1_ps(Floats(p)[q.along]);
-    set_across(q.pass[i], Floats(_mm_sub_ps(p, _mm_mul_ps(shear, height))));
-  };
-  set_across(q.shear, Floats(shear));
-
+  _mm_store_ps(q.direction, direction);
   const Passing own(tree.frame, rays[0]);
-  set_pass(0, own.point);
+  _mm_store_ps(q.passing[0], own.point);
   __m128 low = own.point, high = own.point;
   double far = own.far, earliest = own.at, latest = own.at, nearest = own.distance2();
   for (size_t i = 1; i < rays.size(); ++i) {
     const Passing other(tree.frame, rays[i]);
-    set_pass(i, other.point);
+    _mm_store_ps(q.passing[i], other.point);
     low = _mm_min_ps(low, other.point);
     high = _mm_max_ps(high, other.point);
     far = std::max(far, other.far);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/tree/ray_axes.h"
 #include "core/tree/walks.h"
 
 namespace kerf {
@@ -95,14 +96,34 @@ class WalkCode {
 
   // Rays against triangles ---------------------------------------------------------------------------------
 
+  // The plane across rays: the axis along which they run most, the two others, and the shear that makes the
+  // rays stand across it; then where they pass, sheared.
+  struct Shear {
+    Shear() = default;
+    explicit Shear(const RayQuery& q) {
+      const float* d = q.direction;
+      along = longest_axis(__builtin_fabsf(d[0]), __builtin_fabsf(d[1]), __builtin_fabsf(d[2]));
+      across[0] = kNextAxis[along];
+      across[1] = kNextAxis[across[0]];
+      for (int k = 0; k < 2; ++k) {
+        slope[k] = d[across[k]] / d[along];
+        for (uint32_t i = 0; i < q.rays; ++i)
+          pass[i][k] = q.passing[i][across[k]] - slope[k] * q.passing[i][along];
+      }
+    }
+    int along, across[2];
+    float slope[2];
+    float pass[kBlockWidth][2];
+  };
+
   // The corners of a block's faces in the plane across the ray.
   struct ShearedBlock {
-    ShearedBlock(const FaceBlock& b, const RayQuery& q) {
-      const Float4 shear_x = Float4::all(q.shear[0]), shear_y = Float4::all(q.shear[1]);
+    ShearedBlock(const FaceBlock& b, const Shear& shear, const RayQuery& q) {
+      const Float4 shear_x = Float4::all(shear.slope[0]), shear_y = Float4::all(shear.slope[1]);
       for (int i = 0; i < 3; ++i) {
-        const Float4 z = Float4::load(b.corner[i][q.along]);
-        x[i] = Float4::load(b.corner[i][q.across[0]]) - shear_x * z;
-        y[i] = Float4::load(b.corner[i][q.across[1]]) - shear_y * z;
+        const Float4 z = Float4::load(b.corner[i][shear.along]);
+        x[i] = Float4::load(b.corner[i][shear.across[0]]) - shear_x * z;
+        y[i] = Float4::load(b.corner[i][shear.across[1]]) - shear_y * z;
       }
       // The bound only has to hold where the ray goes through the triangle, whose extent then bounds all
       // coordinates.
@@ -142,9 +163,11 @@ class WalkCode {
 
   static void ray(const TreeView& tree, const RayQuery& q, const WalkLists& lists) {
     list_blocks_on_rays(tree, q, lists);
+    if (lists.blocks.count == 0) return;
+    const Shear shear(q);
     for (uint32_t i = 0; i < lists.blocks.count; ++i) {
       const auto* block = reinterpret_cast<const FaceBlock*>(lists.blocks.items[i]);
-      unsigned lanes = ShearedBlock(*block, q).hold(q.pass[0]).may & filled(*block);
+      unsigned lanes = ShearedBlock(*block, shear, q).hold(shear.pass[0]).may & filled(*block);
       for (; lanes != 0; lanes &= lanes - 1) {
         list_face(q, *block, static_cast<unsigned>(__builtin_ctz(lanes)), 0, lists.faces);
       }
@@ -174,16 +197,18 @@ class WalkCode {
   // Rays that are not there pass where the first one does, and are masked.
   static void rays(const TreeView& tree, const RayQuery& q, const WalkLists& lists) {
     list_blocks_on_rays(tree, q, lists);
+    if (lists.blocks.count == 0) return;
+    const Shear shear(q);
     Float8 px[2], py[2];
     for (uint32_t pair = 0; pair < 2; ++pair) {
       const uint32_t a = 2 * pair < q.rays ? 2 * pair : 0, b = 2 * pair + 1 < q.rays ? 2 * pair + 1 : 0;
-      px[pair] = Float8::pair(q.pass[a][0], q.pass[b][0]);
-      py[pair] = Float8::pair(q.pass[a][1], q.pass[b][1]);
+      px[pair] = Float8::pair(shear.pass[a][0], shear.pass[b][0]);
+      py[pair] = Float8::pair(shear.pass[a][1], shear.pass[b][1]);
     }
     const unsigned wanted = (1u << 4 * q.rays) - 1;
     for (uint32_t i = 0; i < lists.blocks.count; ++i) {
       const auto* block = reinterpret_cast<const FaceBlock*>(lists.blocks.items[i]);
-      const ShearedTwice twice(ShearedBlock(*block, q));
+      const ShearedTwice twice(ShearedBlock(*block, shear, q));
       unsigned found = twice.may_hold(px[0], py[0]) | twice.may_hold(px[1], py[1]) << 8;
       for (found &= wanted & filled(*block) * 0x1111u; found != 0; found &= found - 1) {
         const auto bit = static_cast<unsigned>(__builtin_ctz(found));
@@ -197,6 +222,8 @@ class WalkCode {
   // plus one for a block.
   static void nearest(const TreeView& tree, const RayQuery& q, const WalkLists& lists) {
     RaySlabs slabs(q);
+    Shear shear;
+    bool sheared = false;
     float t_high = q.t_high;
     WordList& stack = lists.nodes;
     uintptr_t next = reinterpret_cast<uintptr_t>(node_at(tree, tree.root));
@@ -205,7 +232,11 @@ class WalkCode {
         next = open_near_first(tree, *reinterpret_cast<const WideNode*>(next), slabs, stack);
       } else {
         const auto& block = *reinterpret_cast<const FaceBlock*>(next - 1);
-        const float nearer = list_near_faces(block, q, t_high, lists.faces);
+        if (!sheared) {
+          shear = Shear(q);
+          sheared = true;
+        }
+        const float nearer = list_near_faces(block, shear, q, t_high, lists.faces);
         if (nearer < t_high) {
           t_high = nearer;
           slabs.high = Float8::all(t_high);
@@ -222,11 +253,12 @@ class WalkCode {
 
   // Lists the faces of a block that the ray may cross up to t_high. Returns up to where a face is that it
   // crosses for sure, or t_high.
-  static float list_near_faces(const FaceBlock& b, const RayQuery& q, float t_high, WordList& faces) {
-    const auto lanes = ShearedBlock(b, q).hold(q.pass[0]);
+  static float list_near_faces(const FaceBlock& b, const Shear& shear, const RayQuery& q, float t_high,
+                               WordList& faces) {
+    const auto lanes = ShearedBlock(b, shear, q).hold(shear.pass[0]);
     unsigned may = lanes.may & filled(b);
     if (may == 0) return t_high;
-    const uint32_t k = q.along;
+    const auto k = static_cast<uint32_t>(shear.along);
     const Float4 z0 = Float4::load(b.corner[0][k]), z1 = Float4::load(b.corner[1][k]),
                  z2 = Float4::load(b.corner[2][k]);
     const bool up = q.near_plane[k] == k;

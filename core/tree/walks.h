@@ -57,11 +57,9 @@ struct RayQuery {
   alignas(16) float far_slope[4];
   float t_low, t_high;
   float t_sure;  // from which t on a hit is within the range for sure, at its near end
-  // Triangles: the axis along which the ray runs most, the two others, and the shear that makes them stand
-  // across the ray; then where the rays pass, sheared.
-  uint32_t along, across[2];
-  float shear[2];
-  float pass[kBlockWidth][2];
+  // Triangles: where the rays go, and where each passes the origin.
+  alignas(16) float direction[4];
+  alignas(16) float passing[kBlockWidth][4];
   float error;  // of a sheared coordinate
   uint32_t rays;
   const double* coordinates;  // of the mesh's vertices: what a face listed will be decided with

@@ -151,14 +151,43 @@ class WalkCode {
 
   // The walks ----------------------------------------------------------------------------------------------
 
+  // What a node can add to a list must fit in before it is opened, so that the loop which opens nodes calls
+  // nothing and keeps its numbers in registers.
+  static void make_room(WordList& list) {
+    while (list.count + kNodeWidth > list.capacity) list.grow(list);
+  }
+  static bool has_room(uint32_t count, const WordList& list) { return count + kNodeWidth <= list.capacity; }
+
   // In the order in which nodes are found, so that what a prefetch asked for has time to come.
   static void list_blocks_on_rays(const TreeView& tree, const RayQuery& q, const WalkLists& lists) {
-    const RaySlabs slabs(q);
     push(lists.nodes, reinterpret_cast<uintptr_t>(node_at(tree, tree.root)));
-    for (uint32_t next = 0; next < lists.nodes.count; ++next) {
-      const auto& node = *reinterpret_cast<const WideNode*>(lists.nodes.items[next]);
-      list_children(tree, node, le(slabs.entry(node), slabs.exit(node)), lists);
+    for (uint32_t next = 0; next < lists.nodes.count;) {
+      make_room(lists.nodes);
+      make_room(lists.blocks);
+      next = open_listed(tree, q, lists, next);
     }
+  }
+
+  // Opens the nodes of the list from this one on while there is room. Returns which one is next.
+  static uint32_t open_listed(const TreeView& tree, const RayQuery& q, const WalkLists& lists, uint32_t next) {
+    const RaySlabs slabs(q);
+    uintptr_t *const nodes = lists.nodes.items, *const blocks = lists.blocks.items;
+    uint32_t node_count = lists.nodes.count, block_count = lists.blocks.count;
+    for (; next < node_count && has_room(node_count, lists.nodes) && has_room(block_count, lists.blocks);
+         ++next) {
+      const auto& node = *reinterpret_cast<const WideNode*>(nodes[next]);
+      for (unsigned mask = le(slabs.entry(node), slabs.exit(node)); mask != 0; mask &= mask - 1) {
+        const uint32_t bits = node.child[__builtin_ctz(mask)].bits;
+        if ((bits & Child::kBlockBit) != 0) {
+          blocks[block_count++] = reinterpret_cast<uintptr_t>(take_block(tree, bits));
+        } else {
+          nodes[node_count++] = reinterpret_cast<uintptr_t>(take_node(tree, bits));
+        }
+      }
+    }
+    lists.nodes.count = node_count;
+    lists.blocks.count = block_count;
+    return next;
   }
 
   static void ray(const TreeView& tree, const RayQuery& q, const WalkLists& lists) {

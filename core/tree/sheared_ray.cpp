@@ -68,6 +68,8 @@ inline int sign_of_cross(Vec2 a, Vec2 b) {
 // Whether the ray passes left of a -> b. A tie is settled as if the ray stood a hair towards +x, and less
 // towards +y.
 inline bool is_left(Vec2 a, Vec2 b) {
+  const double left = a.x * b.y, right = a.y * b.x;
+  if (left != right) return left > right;
   const int side = sign_of_cross(a, b);
   if (side != 0) return side > 0;
   return a.y != b.y ? a.y > b.y : a.x < b.x;
@@ -99,8 +101,8 @@ std::optional<double> ShearedRay::cross(const Triangle& t) const {
     z[i] = t[i][z_] - origin_[z_];
     p[i] = {(t[i][x_] - origin_[x_]) - shear_.x * z[i], (t[i][y_] - origin_[y_]) - shear_.y * z[i]};
   }
-  const bool left = is_left(p[0], p[1]);
-  if (is_left(p[1], p[2]) != left || is_left(p[2], p[0]) != left) return std::nullopt;
+  const int left = is_left(p[0], p[1]) + is_left(p[1], p[2]) + is_left(p[2], p[0]);
+  if (left % 3 != 0) return std::nullopt;
   const double a = cross2(p[1], p[2]), b = cross2(p[2], p[0]), c = cross2(p[0], p[1]);
   const double sum = sum_in_order(a, b, c);
   // Seen along an edge as a point, it lies on no side of it. A triangle so thin that its area is rounded away

@@ -20,6 +20,15 @@ class WalkCode {
     list.items[list.count++] = word;
   }
 
+  // What a loop can add to its lists it makes room for before, so that it calls nothing and keeps its numbers
+  // in registers.
+  static void make_room(WordList& list, uint32_t more) {
+    while (list.count + more > list.capacity) list.grow(list);
+  }
+  static bool has_room(const WordList& list, uint32_t count, uint32_t more) {
+    return count + more <= list.capacity;
+  }
+
   static WideNode* node_at(const TreeView& tree, uint32_t index) {
     return tree.nodes[index >> TreeView::kShift] + (index & ((1u << TreeView::kShift) - 1));
   }
@@ -57,10 +66,11 @@ class WalkCode {
     }
   }
 
+  // There is room for it.
   static void list_face(const RayQuery& q, const FaceBlock& block, unsigned lane, unsigned ray,
                         WordList& faces) {
     for (int i = 0; i < 3; ++i) __builtin_prefetch(q.coordinates + 3 * size_t{block.vertex[i][lane]});
-    push(faces, face_word(&block, lane, ray));
+    faces.items[faces.count++] = face_word(&block, lane, ray);
   }
 
   static unsigned filled(const FaceBlock& block) { return (1u << block.count) - 1; }
@@ -151,29 +161,24 @@ class WalkCode {
 
   // The walks ----------------------------------------------------------------------------------------------
 
-  // What a node can add to a list must fit in before it is opened, so that the loop which opens nodes calls
-  // nothing and keeps its numbers in registers.
-  static void make_room(WordList& list) {
-    while (list.count + kNodeWidth > list.capacity) list.grow(list);
-  }
-  static bool has_room(uint32_t count, const WordList& list) { return count + kNodeWidth <= list.capacity; }
-
   // In the order in which nodes are found, so that what a prefetch asked for has time to come.
   static void list_blocks_on_rays(const TreeView& tree, const RayQuery& q, const WalkLists& lists) {
     push(lists.nodes, reinterpret_cast<uintptr_t>(node_at(tree, tree.root)));
     for (uint32_t next = 0; next < lists.nodes.count;) {
-      make_room(lists.nodes);
-      make_room(lists.blocks);
+      make_room(lists.nodes, kNodeWidth);
+      make_room(lists.blocks, kNodeWidth);
       next = open_listed(tree, q, lists, next);
     }
   }
 
   // Opens the nodes of the list from this one on while there is room. Returns which one is next.
-  static uint32_t open_listed(const TreeView& tree, const RayQuery& q, const WalkLists& lists, uint32_t next) {
+  static uint32_t open_listed(const TreeView& tree, const RayQuery& q, const WalkLists& lists,
+                              uint32_t next) {
     const RaySlabs slabs(q);
     uintptr_t *const nodes = lists.nodes.items, *const blocks = lists.blocks.items;
     uint32_t node_count = lists.nodes.count, block_count = lists.blocks.count;
-    for (; next < node_count && has_room(node_count, lists.nodes) && has_room(block_count, lists.blocks);
+    for (; next < node_count && has_room(lists.nodes, node_count, kNodeWidth) &&
+           has_room(lists.blocks, block_count, kNodeWidth);
          ++next) {
       const auto& node = *reinterpret_cast<const WideNode*>(nodes[next]);
       for (unsigned mask = le(slabs.entry(node), slabs.exit(node)); mask != 0; mask &= mask - 1) {
@@ -194,6 +199,7 @@ class WalkCode {
     list_blocks_on_rays(tree, q, lists);
     if (lists.blocks.count == 0) return;
     const Shear shear(q);
+    make_room(lists.faces, kBlockWidth * lists.blocks.count);
     for (uint32_t i = 0; i < lists.blocks.count; ++i) {
       const auto* block = reinterpret_cast<const FaceBlock*>(lists.blocks.items[i]);
       unsigned lanes = ShearedBlock(*block, shear, q).hold(shear.pass[0]).may & filled(*block);
@@ -236,6 +242,7 @@ class WalkCode {
     }
     const unsigned wanted = (1u << 4 * q.rays) - 1;
     for (uint32_t i = 0; i < lists.blocks.count; ++i) {
+      make_room(lists.faces, kBlockWidth * q.rays);
       const auto* block = reinterpret_cast<const FaceBlock*>(lists.blocks.items[i]);
       const ShearedTwice twice(ShearedBlock(*block, shear, q));
       unsigned found = twice.may_hold(px[0], py[0]) | twice.may_hold(px[1], py[1]) << 8;
@@ -250,34 +257,50 @@ class WalkCode {
   // ray enters the box, as bits of a float, which for positive floats are in their order; and the record,
   // plus one for a block.
   static void nearest(const TreeView& tree, const RayQuery& q, const WalkLists& lists) {
-    RaySlabs slabs(q);
+    float t_high = q.t_high;
     Shear shear;
     bool sheared = false;
-    float t_high = q.t_high;
-    WordList& stack = lists.nodes;
     uintptr_t next = reinterpret_cast<uintptr_t>(node_at(tree, tree.root));
-    while (next != 0) {
-      if ((next & 1) == 0) {
-        next = open_near_first(tree, *reinterpret_cast<const WideNode*>(next), slabs, stack);
-      } else {
-        const auto& block = *reinterpret_cast<const FaceBlock*>(next - 1);
-        if (!sheared) {
-          shear = Shear(q);
-          sheared = true;
-        }
-        const float nearer = list_near_faces(block, shear, q, t_high, lists.faces);
-        if (nearer < t_high) {
-          t_high = nearer;
-          slabs.high = Float8::all(t_high);
-        }
-        next = 0;
+    while ((next = nearest_block(tree, q, t_high, lists.nodes, next)) != 0) {
+      if (!is_block(next)) {
+        make_room(lists.nodes, kStackedANode);
+        continue;
       }
+      if (!sheared) {
+        shear = Shear(q);
+        sheared = true;
+      }
+      make_room(lists.faces, kBlockWidth);
+      t_high = list_near_faces(*reinterpret_cast<const FaceBlock*>(next - 1), shear, q, t_high, lists.faces);
+      next = 0;
+    }
+  }
+
+  struct NearStack {
+    uintptr_t* items;
+    uint32_t count;
+  };
+  static constexpr uint32_t kStackedANode = 2 * kNodeWidth;
+  static bool is_block(uintptr_t word) { return (word & 1) != 0; }
+
+  // Goes on from a record, or the top of the stack for 0, to the block that comes next. Returns that; a node
+  // where the stack must be longer for it; 0 if there is none up to t_high.
+  static uintptr_t nearest_block(const TreeView& tree, const RayQuery& q, float t_high, WordList& list,
+                                 uintptr_t next) {
+    RaySlabs slabs(q);
+    slabs.high = Float8::all(t_high);
+    NearStack stack{list.items, list.count};
+    for (;;) {
       while (next == 0 && stack.count > 0) {
         stack.count -= 2;
         const float entry = __builtin_bit_cast(float, static_cast<uint32_t>(stack.items[stack.count]));
         if (entry <= t_high) next = stack.items[stack.count + 1];
       }
+      if (next == 0 || is_block(next) || !has_room(list, stack.count, kStackedANode)) break;
+      next = open_near_first(tree, *reinterpret_cast<const WideNode*>(next), slabs, stack);
     }
+    list.count = stack.count;
+    return next;
   }
 
   // Lists the faces of a block that the ray may cross up to t_high. Returns up to where a face is that it
@@ -315,17 +338,19 @@ class WalkCode {
   // Pushes the children that the ray meets, the nearest last, but for that one, which is returned; 0 for
   // none.
   static uintptr_t open_near_first(const TreeView& tree, const WideNode& node, const RaySlabs& slabs,
-                                   WordList& stack) {
+                                   NearStack& stack) {
     const Float8 entry = slabs.entry(node);
     unsigned mask = le(entry, slabs.exit(node));
     if (mask == 0) return 0;
-    alignas(32) float entries[kNodeWidth];
-    entry.store(entries);
     int s = __builtin_ctz(mask);
     uintptr_t nearest = take_child(tree, node, s);
+    mask &= mask - 1;
+    if (mask == 0) return nearest;
+    alignas(32) float entries[kNodeWidth];
+    entry.store(entries);
     uint32_t nearest_key = __builtin_bit_cast(uint32_t, entries[s]);
     const uint32_t first = stack.count;
-    for (mask &= mask - 1; mask != 0; mask &= mask - 1) {
+    for (; mask != 0; mask &= mask - 1) {
       s = __builtin_ctz(mask);
       uintptr_t word = take_child(tree, node, s);
       uint32_t key = __builtin_bit_cast(uint32_t, entries[s]);
@@ -336,23 +361,21 @@ class WalkCode {
       key = swap ? nearest_key : key;
       nearest = near_word;
       nearest_key = near_key;
-      push(stack, key);
-      push(stack, word);
-      sink(stack, first);
+      sink(stack, first, key, word);
     }
     return nearest;
   }
 
-  // Moves the last pair of the stack down to its place, the farthest first.
-  static void sink(WordList& stack, uint32_t first) {
-    uint32_t at = stack.count - 2;
-    const uintptr_t key = stack.items[at], word = stack.items[at + 1];
+  // Puts a pair into its place on the stack above the first, the farthest first.
+  static void sink(NearStack& stack, uint32_t first, uintptr_t key, uintptr_t word) {
+    uint32_t at = stack.count;
     for (; at > first && stack.items[at - 2] < key; at -= 2) {
       stack.items[at] = stack.items[at - 2];
       stack.items[at + 1] = stack.items[at - 1];
     }
     stack.items[at] = key;
     stack.items[at + 1] = word;
+    stack.count += 2;
   }
 
   // Slabs of any orientation -------------------------------------------------------------------------------

@@ -38,12 +38,13 @@ void sort_from(std::vector<RayHit>& hits, size_t first) {
 
 void AabbTree::crossings(const Mesh& mesh, const Pose& ray, Interval range, std::vector<RayHit>& out) const {
   if (store_.root == kNoIndex) return;
-  const ShearedRay sheared(ray);
   RayQuery query;
   query.positions = reinterpret_cast<const char* const*>(mesh.positions().chunks());
-  if (!prepare_rays(store_, {&ray, 1}, sheared, range, query)) return;
+  if (!prepare_rays(store_, {&ray, 1}, range, query)) return;
   WalkScratch scratch;
   walks_for(simd_).ray(store_.view(), query, scratch.lists());
+  if (scratch.faces().empty()) return;
+  const ShearedRay sheared(ray);
   const size_t first = out.size();
   for (const uintptr_t word : scratch.faces()) {
     if (const auto hit = test_face(mesh.positions(), sheared, range, word)) out.push_back(*hit);
@@ -59,14 +60,15 @@ void AabbTree::crossings(const Mesh& mesh, std::span<const Pose> rays, Interval 
     for (size_t i = 0; i < rays.size(); ++i) crossings(mesh, rays[i], range, out[i]);
     return;
   }
+  RayQuery query;
+  query.positions = reinterpret_cast<const char* const*>(mesh.positions().chunks());
+  if (!prepare_rays(store_, rays, range, query)) return;
+  WalkScratch scratch;
+  walks_for(simd_).rays(store_.view(), query, scratch.lists());
+  if (scratch.faces().empty()) return;
   ShearedRay sheared[kBlockWidth];
   for (size_t i = 0; i < rays.size(); ++i)
     sheared[i] = i == 0 ? ShearedRay(rays[0]) : sheared[0].beside(rays[i]);
-  RayQuery query;
-  query.positions = reinterpret_cast<const char* const*>(mesh.positions().chunks());
-  if (!prepare_rays(store_, rays, sheared[0], range, query)) return;
-  WalkScratch scratch;
-  walks_for(simd_).rays(store_.view(), query, scratch.lists());
   size_t first[kBlockWidth];
   for (size_t i = 0; i < rays.size(); ++i) first[i] = out[i].size();
   for (const uintptr_t word : scratch.faces()) {
@@ -78,12 +80,13 @@ void AabbTree::crossings(const Mesh& mesh, std::span<const Pose> rays, Interval 
 
 std::optional<RayHit> AabbTree::nearest(const Mesh& mesh, const Pose& ray, Interval range) const {
   if (store_.root == kNoIndex) return std::nullopt;
-  const ShearedRay sheared(ray);
   RayQuery query;
   query.positions = reinterpret_cast<const char* const*>(mesh.positions().chunks());
-  if (!prepare_rays(store_, {&ray, 1}, sheared, range, query)) return std::nullopt;
+  if (!prepare_rays(store_, {&ray, 1}, range, query)) return std::nullopt;
   WalkScratch scratch;
   walks_for(simd_).nearest(store_.view(), query, scratch.lists());
+  if (scratch.faces().empty()) return std::nullopt;
+  const ShearedRay sheared(ray);
   std::optional<RayHit> best;
   for (const uintptr_t word : scratch.faces()) {
     const auto hit = test_face(mesh.positions(), sheared, range, word);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/tree/ray_axes.h"
+
 namespace kerf {
 
 namespace {
@@ -66,6 +68,8 @@ inline int sign_of_cross(Vec2 a, Vec2 b) {
 // Whether the ray passes left of a -> b. A tie is settled as if the ray stood a hair towards +x, and less
 // towards +y.
 inline bool is_left(Vec2 a, Vec2 b) {
+  const double left = a.x * b.y, right = a.y * b.x;
+  if (left != right) return left > right;
   const int side = sign_of_cross(a, b);
   if (side != 0) return side > 0;
   return a.y != b.y ? a.y > b.y : a.x < b.x;
@@ -82,12 +86,10 @@ double sum_in_order(double a, double b, double c) {
 int side_of(Vec2 a, Vec2 b) { return sign_of_cross(a, b); }
 
 ShearedRay::ShearedRay(const Pose& ray) : origin_(ray.origin) {
-  constexpr int kNext[] = {1, 2, 0};
   const Vec3 d = ray.direction, size = glm::abs(d);
-  const int of_yz = size.y >= size.z ? 1 : 2;
-  z_ = size.x >= std::max(size.y, size.z) ? 0 : of_yz;
-  x_ = kNext[z_];
-  y_ = kNext[x_];
+  z_ = longest_axis(size.x, size.y, size.z);
+  x_ = kNextAxis[z_];
+  y_ = kNextAxis[x_];
   shear_ = {d[x_] / d[z_], d[y_] / d[z_]};
   per_z_ = 1.0 / d[z_];
 }
@@ -99,8 +101,8 @@ std::optional<double> ShearedRay::cross(const Triangle& t) const {
     z[i] = t[i][z_] - origin_[z_];
     p[i] = {(t[i][x_] - origin_[x_]) - shear_.x * z[i], (t[i][y_] - origin_[y_]) - shear_.y * z[i]};
   }
-  const bool left = is_left(p[0], p[1]);
-  if (is_left(p[1], p[2]) != left || is_left(p[2], p[0]) != left) return std::nullopt;
+  const int left = is_left(p[0], p[1]) + is_left(p[1], p[2]) + is_left(p[2], p[0]);
+  if (left % 3 != 0) return std::nullopt;
   const double a = cross2(p[1], p[2]), b = cross2(p[2], p[0]), c = cross2(p[0], p[1]);
   const double sum = sum_in_order(a, b, c);
   // Seen along an edge as a point, it lies on no side of it. A triangle so thin that its area is rounded away

@@ -27,11 +27,6 @@ class ShearedRay {
   // nothing where it passes beside it or along it.
   std::optional<double> cross(const Triangle& t) const;
 
-  // The axis along which the ray runs most and the two after it, in turn.
-  int along() const { return z_; }
-  int across(int i) const { return i == 0 ? x_ : y_; }
-  Vec2 shear() const { return shear_; }
-
  private:
   Vec3 origin_{0};
   Vec2 shear_{0};

@@ -34,15 +34,15 @@ struct alignas(64) WideNode {
 static_assert(sizeof(WideNode) == 256);
 
 // Up to four faces, the first `count` lanes: corners rounded to the nearest float of the tree's frame, and
-// which vertices of the mesh they are.
+// which vertices of the mesh they are. What culling reads stands in the first three cache lines.
 struct alignas(32) FaceBlock {
   float corner[3][3][kBlockWidth];  // by corner, axis, lane
-  uint32_t face[kBlockWidth];
-  uint32_t vertex[3][kBlockWidth];
-  uint32_t parent;  // of a free record the next free one
-  uint8_t slot;     // in the parent
+  uint32_t parent;                  // of a free record the next free one
+  uint8_t slot;                     // in the parent
   uint8_t count;
   uint8_t hit;  // one bit a lane
+  uint32_t face[kBlockWidth];
+  uint32_t vertex[3][kBlockWidth];
 };
 static_assert(sizeof(FaceBlock) == 224);
 

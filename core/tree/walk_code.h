@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/tree/ray_axes.h"
 #include "core/tree/walks.h"
 
 namespace kerf {
@@ -17,6 +18,15 @@ class WalkCode {
   static void push(WordList& list, uintptr_t word) {
     if (list.count == list.capacity) list.grow(list);
     list.items[list.count++] = word;
+  }
+
+  // What a loop can add to its lists it makes room for before, so that it calls nothing and keeps its numbers
+  // in registers.
+  static void make_room(WordList& list, uint32_t more) {
+    while (list.count + more > list.capacity) list.grow(list);
+  }
+  static bool has_room(const WordList& list, uint32_t count, uint32_t more) {
+    return count + more <= list.capacity;
   }
 
   static const WideNode* node_at(const TreeView& tree, uint32_t index) {
@@ -61,10 +71,11 @@ class WalkCode {
     __builtin_prefetch(q.positions[vertex >> RayQuery::kPositionShift] + 24 * size_t{vertex & kMask});
   }
 
+  // There is room for it.
   static void list_face(const RayQuery& q, const FaceBlock& block, unsigned lane, unsigned ray,
                         WordList& faces) {
     for (int i = 0; i < 3; ++i) prefetch_position(q, block.vertex[i][lane]);
-    push(faces, face_word(&block, lane, ray));
+    faces.items[faces.count++] = face_word(&block, lane, ray);
   }
 
   static unsigned filled(const FaceBlock& block) { return (1u << block.count) - 1; }
@@ -100,14 +111,34 @@ class WalkCode {
 
   // Rays against triangles ---------------------------------------------------------------------------------
 
+  // The plane across rays: the axis along which they run most, the two others, and the shear that makes the
+  // rays stand across it; then where they pass, sheared.
+  struct Shear {
+    Shear() = default;
+    explicit Shear(const RayQuery& q) {
+      const float* d = q.direction;
+      along = longest_axis(__builtin_fabsf(d[0]), __builtin_fabsf(d[1]), __builtin_fabsf(d[2]));
+      across[0] = kNextAxis[along];
+      across[1] = kNextAxis[across[0]];
+      for (int k = 0; k < 2; ++k) {
+        slope[k] = d[across[k]] / d[along];
+        for (uint32_t i = 0; i < q.rays; ++i)
+          pass[i][k] = q.passing[i][across[k]] - slope[k] * q.passing[i][along];
+      }
+    }
+    int along, across[2];
+    float slope[2];
+    float pass[kBlockWidth][2];
+  };
+
   // The corners of a block's faces in the plane across the ray.
   struct ShearedBlock {
-    ShearedBlock(const FaceBlock& b, const RayQuery& q) {
-      const Float4 shear_x = Float4::all(q.shear[0]), shear_y = Float4::all(q.shear[1]);
+    ShearedBlock(const FaceBlock& b, const Shear& shear, const RayQuery& q) {
+      const Float4 shear_x = Float4::all(shear.slope[0]), shear_y = Float4::all(shear.slope[1]);
       for (int i = 0; i < 3; ++i) {
-        const Float4 z = Float4::load(b.corner[i][q.along]);
-        x[i] = Float4::load(b.corner[i][q.across[0]]) - shear_x * z;
-        y[i] = Float4::load(b.corner[i][q.across[1]]) - shear_y * z;
+        const Float4 z = Float4::load(b.corner[i][shear.along]);
+        x[i] = Float4::load(b.corner[i][shear.across[0]]) - shear_x * z;
+        y[i] = Float4::load(b.corner[i][shear.across[1]]) - shear_y * z;
       }
       // The bound only has to hold where the ray goes through the triangle, whose extent then bounds all
       // coordinates.
@@ -137,19 +168,46 @@ class WalkCode {
 
   // In the order in which nodes are found, so that what a prefetch asked for has time to come.
   static void list_blocks_on_rays(const TreeView& tree, const RayQuery& q, const WalkLists& lists) {
-    const RaySlabs slabs(q);
     push(lists.nodes, reinterpret_cast<uintptr_t>(node_at(tree, tree.root)));
-    for (uint32_t next = 0; next < lists.nodes.count; ++next) {
-      const auto& node = *reinterpret_cast<const WideNode*>(lists.nodes.items[next]);
-      list_children(tree, node, le(slabs.entry(node), slabs.exit(node)), lists);
+    for (uint32_t next = 0; next < lists.nodes.count;) {
+      make_room(lists.nodes, kNodeWidth);
+      make_room(lists.blocks, kNodeWidth);
+      next = open_listed(tree, q, lists, next);
     }
+  }
+
+  // Opens the nodes of the list from this one on while there is room. Returns which one is next.
+  static uint32_t open_listed(const TreeView& tree, const RayQuery& q, const WalkLists& lists,
+                              uint32_t next) {
+    const RaySlabs slabs(q);
+    uintptr_t *const nodes = lists.nodes.items, *const blocks = lists.blocks.items;
+    uint32_t node_count = lists.nodes.count, block_count = lists.blocks.count;
+    for (; next < node_count && has_room(lists.nodes, node_count, kNodeWidth) &&
+           has_room(lists.blocks, block_count, kNodeWidth);
+         ++next) {
+      const auto& node = *reinterpret_cast<const WideNode*>(nodes[next]);
+      for (unsigned mask = le(slabs.entry(node), slabs.exit(node)); mask != 0; mask &= mask - 1) {
+        const uint32_t bits = node.child[__builtin_ctz(mask)].bits;
+        if ((bits & Child::kBlockBit) != 0) {
+          blocks[block_count++] = reinterpret_cast<uintptr_t>(take_block(tree, bits));
+        } else {
+          nodes[node_count++] = reinterpret_cast<uintptr_t>(take_node(tree, bits));
+        }
+      }
+    }
+    lists.nodes.count = node_count;
+    lists.blocks.count = block_count;
+    return next;
   }
 
   static void ray(const TreeView& tree, const RayQuery& q, const WalkLists& lists) {
     list_blocks_on_rays(tree, q, lists);
+    if (lists.blocks.count == 0) return;
+    const Shear shear(q);
+    make_room(lists.faces, kBlockWidth * lists.blocks.count);
     for (uint32_t i = 0; i < lists.blocks.count; ++i) {
       const auto* block = reinterpret_cast<const FaceBlock*>(lists.blocks.items[i]);
-      unsigned lanes = ShearedBlock(*block, q).hold(q.pass[0]).may & filled(*block);
+      unsigned lanes = ShearedBlock(*block, shear, q).hold(shear.pass[0]).may & filled(*block);
       for (; lanes != 0; lanes &= lanes - 1) {
         list_face(q, *block, static_cast<unsigned>(__builtin_ctz(lanes)), 0, lists.faces);
       }
@@ -179,16 +237,19 @@ class WalkCode {
   // Rays that are not there pass where the first one does, and are masked.
   static void rays(const TreeView& tree, const RayQuery& q, const WalkLists& lists) {
     list_blocks_on_rays(tree, q, lists);
+    if (lists.blocks.count == 0) return;
+    const Shear shear(q);
     Float8 px[2], py[2];
     for (uint32_t pair = 0; pair < 2; ++pair) {
       const uint32_t a = 2 * pair < q.rays ? 2 * pair : 0, b = 2 * pair + 1 < q.rays ? 2 * pair + 1 : 0;
-      px[pair] = Float8::pair(q.pass[a][0], q.pass[b][0]);
-      py[pair] = Float8::pair(q.pass[a][1], q.pass[b][1]);
+      px[pair] = Float8::pair(shear.pass[a][0], shear.pass[b][0]);
+      py[pair] = Float8::pair(shear.pass[a][1], shear.pass[b][1]);
     }
     const unsigned wanted = (1u << 4 * q.rays) - 1;
     for (uint32_t i = 0; i < lists.blocks.count; ++i) {
+      make_room(lists.faces, kBlockWidth * q.rays);
       const auto* block = reinterpret_cast<const FaceBlock*>(lists.blocks.items[i]);
-      const ShearedTwice twice(ShearedBlock(*block, q));
+      const ShearedTwice twice(ShearedBlock(*block, shear, q));
       unsigned found = twice.may_hold(px[0], py[0]) | twice.may_hold(px[1], py[1]) << 8;
       for (found &= wanted & filled(*block) * 0x1111u; found != 0; found &= found - 1) {
         const auto bit = static_cast<unsigned>(__builtin_ctz(found));
@@ -201,37 +262,60 @@ class WalkCode {
   // ray enters the box, as bits of a float, which for positive floats are in their order; and the record,
   // plus one for a block.
   static void nearest(const TreeView& tree, const RayQuery& q, const WalkLists& lists) {
-    RaySlabs slabs(q);
     float t_high = q.t_high;
-    WordList& stack = lists.nodes;
+    Shear shear;
+    bool sheared = false;
     uintptr_t next = reinterpret_cast<uintptr_t>(node_at(tree, tree.root));
-    while (next != 0) {
-      if ((next & 1) == 0) {
-        next = open_near_first(tree, *reinterpret_cast<const WideNode*>(next), slabs, stack);
-      } else {
-        const auto& block = *reinterpret_cast<const FaceBlock*>(next - 1);
-        const float nearer = list_near_faces(block, q, t_high, lists.faces);
-        if (nearer < t_high) {
-          t_high = nearer;
-          slabs.high = Float8::all(t_high);
-        }
-        next = 0;
+    while ((next = nearest_block(tree, q, t_high, lists.nodes, next)) != 0) {
+      if (!is_block(next)) {
+        make_room(lists.nodes, kStackedANode);
+        continue;
       }
+      if (!sheared) {
+        shear = Shear(q);
+        sheared = true;
+      }
+      make_room(lists.faces, kBlockWidth);
+      t_high = list_near_faces(*reinterpret_cast<const FaceBlock*>(next - 1), shear, q, t_high, lists.faces);
+      next = 0;
+    }
+  }
+
+  struct NearStack {
+    uintptr_t* items;
+    uint32_t count;
+  };
+  static constexpr uint32_t kStackedANode = 2 * kNodeWidth;
+  static bool is_block(uintptr_t word) { return (word & 1) != 0; }
+
+  // Goes on from a record, or the top of the stack for 0, to the block that comes next. Returns that; a node
+  // where the stack must be longer for it; 0 if there is none up to t_high.
+  static uintptr_t nearest_block(const TreeView& tree, const RayQuery& q, float t_high, WordList& list,
+                                 uintptr_t next) {
+    RaySlabs slabs(q);
+    slabs.high = Float8::all(t_high);
+    NearStack stack{list.items, list.count};
+    for (;;) {
       while (next == 0 && stack.count > 0) {
         stack.count -= 2;
         const float entry = __builtin_bit_cast(float, static_cast<uint32_t>(stack.items[stack.count]));
         if (entry <= t_high) next = stack.items[stack.count + 1];
       }
+      if (next == 0 || is_block(next) || !has_room(list, stack.count, kStackedANode)) break;
+      next = open_near_first(tree, *reinterpret_cast<const WideNode*>(next), slabs, stack);
     }
+    list.count = stack.count;
+    return next;
   }
 
   // Lists the faces of a block that the ray may cross up to t_high. Returns up to where a face is that it
   // crosses for sure, or t_high.
-  static float list_near_faces(const FaceBlock& b, const RayQuery& q, float t_high, WordList& faces) {
-    const auto lanes = ShearedBlock(b, q).hold(q.pass[0]);
+  static float list_near_faces(const FaceBlock& b, const Shear& shear, const RayQuery& q, float t_high,
+                               WordList& faces) {
+    const auto lanes = ShearedBlock(b, shear, q).hold(shear.pass[0]);
     unsigned may = lanes.may & filled(b);
     if (may == 0) return t_high;
-    const uint32_t k = q.along;
+    const auto k = static_cast<uint32_t>(shear.along);
     const Float4 z0 = Float4::load(b.corner[0][k]), z1 = Float4::load(b.corner[1][k]),
                  z2 = Float4::load(b.corner[2][k]);
     const bool up = q.near_plane[k] == k;
@@ -259,17 +343,19 @@ class WalkCode {
   // Pushes the children that the ray meets, the nearest last, but for that one, which is returned; 0 for
   // none.
   static uintptr_t open_near_first(const TreeView& tree, const WideNode& node, const RaySlabs& slabs,
-                                   WordList& stack) {
+                                   NearStack& stack) {
     const Float8 entry = slabs.entry(node);
     unsigned mask = le(entry, slabs.exit(node));
     if (mask == 0) return 0;
-    alignas(32) float entries[kNodeWidth];
-    entry.store(entries);
     int s = __builtin_ctz(mask);
     uintptr_t nearest = take_child(tree, node, s);
+    mask &= mask - 1;
+    if (mask == 0) return nearest;
+    alignas(32) float entries[kNodeWidth];
+    entry.store(entries);
     uint32_t nearest_key = __builtin_bit_cast(uint32_t, entries[s]);
     const uint32_t first = stack.count;
-    for (mask &= mask - 1; mask != 0; mask &= mask - 1) {
+    for (; mask != 0; mask &= mask - 1) {
       s = __builtin_ctz(mask);
       uintptr_t word = take_child(tree, node, s);
       uint32_t key = __builtin_bit_cast(uint32_t, entries[s]);
@@ -280,23 +366,21 @@ class WalkCode {
       key = swap ? nearest_key : key;
       nearest = near_word;
       nearest_key = near_key;
-      push(stack, key);
-      push(stack, word);
-      sink(stack, first);
+      sink(stack, first, key, word);
     }
     return nearest;
   }
 
-  // Moves the last pair of the stack down to its place, the farthest first.
-  static void sink(WordList& stack, uint32_t first) {
-    uint32_t at = stack.count - 2;
-    const uintptr_t key = stack.items[at], word = stack.items[at + 1];
+  // Puts a pair into its place on the stack above the first, the farthest first.
+  static void sink(NearStack& stack, uint32_t first, uintptr_t key, uintptr_t word) {
+    uint32_t at = stack.count;
     for (; at > first && stack.items[at - 2] < key; at -= 2) {
       stack.items[at] = stack.items[at - 2];
       stack.items[at + 1] = stack.items[at - 1];
     }
     stack.items[at] = key;
     stack.items[at + 1] = word;
+    stack.count += 2;
   }
 
   // Slabs of any orientation -------------------------------------------------------------------------------

@@ -53,18 +53,17 @@ struct WalkLists {
 struct RayQuery {
   // Slabs: by axis the planes that the ray meets first and last, what is taken off them and what the rest is
   // multiplied with, all rounded so that no box is missed.
-  uint32_t near_plane[3], far_plane[3];
-  alignas(16) float near_origin[4];  // of the fourth only the place counts
+  alignas(16) uint32_t near_plane[4];  // of the fourth only the place counts, here and below
+  alignas(16) uint32_t far_plane[4];
+  alignas(16) float near_origin[4];
   alignas(16) float far_origin[4];
   alignas(16) float near_slope[4];
   alignas(16) float far_slope[4];
   float t_low, t_high;
   float t_sure;  // from which t on a hit is within the range for sure, at its near end
-  // Triangles: the axis along which the ray runs most, the two others, and the shear that makes them stand
-  // across the ray; then where the rays pass, sheared.
-  uint32_t along, across[2];
-  float shear[2];
-  float pass[kBlockWidth][2];
+  // Triangles: where the rays go, and where each passes the origin.
+  alignas(16) float direction[4];
+  alignas(16) float passing[kBlockWidth][4];
   float error;  // of a sheared coordinate
   uint32_t rays;
   // The positions of the mesh's vertices, three doubles each, by chunk: what a face that is listed will be

@@ -16,13 +16,16 @@ Overloaded(Handlers...) -> Overloaded<Handlers...>;
 }  // namespace
 
 void Document::apply(const Command& command) {
+  if (const auto* again = std::get_if<Recut>(&command)) return recut(again->settings);
   if (std::holds_alternative<BeginStroke>(command)) {
     stroke_at_ = journal_.size();
+    stroke_commands_ = 0;
     before_stroke_.reset();
     if (world_.live_faces() <= kMostFacesToRecut) before_stroke_ = world_;
     ++strokes_;
   }
   journal_.push_back(command);
+  ++stroke_commands_;
   run(command);
 }
 
@@ -31,8 +34,11 @@ void Document::recut(const CutSettings& settings) {
   world_ = *before_stroke_;
   work_.clear();
   in_stroke_ = false;
-  std::get<BeginStroke>(journal_[stroke_at_]).settings = settings;
-  for (size_t i = stroke_at_; i < journal_.size(); ++i) run(journal_[i]);
+  for (const Command& command : last_stroke()) {
+    const auto* start = std::get_if<BeginStroke>(&command);
+    run(start != nullptr ? Command(BeginStroke{settings, start->pose}) : command);
+  }
+  journal_.push_back(Recut{settings});
 }
 
 void Document::run(const Command& command) {

@@ -47,7 +47,9 @@ class Document {
   // Of the last stroke: its settings, its commands as far as they came, and the world before it; null where
   // there is no stroke and where it was too large to be remembered.
   const CutSettings& stroke_settings() const { return stroke_->settings; }
-  std::span<const Command> last_stroke() const { return std::span(journal_).subspan(stroke_at_); }
+  std::span<const Command> last_stroke() const {
+    return std::span(journal_).subspan(stroke_at_, stroke_commands_);
+  }
   const World* before_last_stroke() const { return before_stroke_ ? &*before_stroke_ : nullptr; }
 
   const std::vector<Command>& journal() const { return journal_; }
@@ -76,6 +78,7 @@ class Document {
   std::shared_ptr<Stroke> stroke_ = std::make_shared<Stroke>();  // the last
   std::optional<World> before_stroke_;
   size_t stroke_at_ = 0;  // where the last stroke begins in the journal
+  size_t stroke_commands_ = 0;
   Pose last_;
   bool in_stroke_ = false;
   size_t strokes_ = 0;

@@ -5,7 +5,7 @@
 #include "ui/editor/frame_statistics.h"
 #include "ui/editor/laser_tool.h"
 #include "ui/editor/layout.h"
-#include "ui/editor/length_text.h"
+#include "core/base/length_text.h"
 
 namespace kerf {
 namespace {

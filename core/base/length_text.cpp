@@ -1,4 +1,4 @@
-#include "ui/editor/length_text.h"
+#include "core/base/length_text.h"
 
 #include <cmath>
 #include <cstdio>

@@ -1,5 +1,6 @@
 #include "core/base/length_text.h"
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 

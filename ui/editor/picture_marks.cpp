@@ -6,6 +6,7 @@
 #include "ui/editor/light_handle.h"
 #include "ui/editor/number_text.h"
 #include "ui/editor/theme.h"
+#include "ui/render/beam_strike.h"
 
 namespace kerf {
 

@@ -89,31 +89,30 @@ Result<StepResult> Document::step(size_t moves, const Progress* progress) {
   StepResult all;
   const size_t stop = work_.size() - std::min(moves, work_.size());
   while (work_.size() > stop) {
-    Result<StepResult> some = walk_some(work_.size() - stop, progress);
-    if (!some) {
-      work_.clear();
-      in_stroke_ = false;
-      return some.error();
+    const std::shared_ptr<Stroke> stroke = work_.front().stroke;
+    Result<StepResult> one = walk_one(progress);
+    if (!one) {
+      drop(stroke);
+      return one.error();
     }
-    all.delta.append(std::move(some->delta));
-    all.figures.add(some->figures);
+    all.delta.append(std::move(one->delta));
+    all.figures.add(one->figures);
   }
   return all;
 }
 
-// The moves of one stroke that come next, or its end.
-Result<StepResult> Document::walk_some(size_t most, const Progress* progress) {
-  const std::shared_ptr<Stroke> stroke = work_.front().stroke;
-  if (work_.front().closes) {
-    work_.pop_front();
-    return close_rim(world_, stroke->settings, stroke->path, progress);
-  }
-  std::vector<BeamMove> now;
-  while (now.size() < most && !work_.empty() && !work_.front().closes && work_.front().stroke == stroke) {
-    now.push_back(work_.front().move);
-    work_.pop_front();
-  }
-  return cut_step(world_, stroke->settings, now, progress);
+void Document::drop(const std::shared_ptr<Stroke>& stroke) {
+  std::erase_if(work_, [&](const Work& work) { return work.stroke == stroke; });
+  if (stroke_ == stroke) in_stroke_ = false;
+}
+
+// The move that comes next, or the end of a stroke. One at a time, so that pieces come apart, and get their
+// labels, in the same order however the moves are dealt out to steps.
+Result<StepResult> Document::walk_one(const Progress* progress) {
+  const Work work = std::move(work_.front());
+  work_.pop_front();
+  if (work.closes) return close_rim(world_, work.stroke->settings, work.stroke->path, progress);
+  return cut_step(world_, work.stroke->settings, std::span(&work.move, 1), progress);
 }
 
 }  // namespace kerf

@@ -15,7 +15,8 @@ namespace kerf {
 // A world and the commands that led to it.
 //
 // Commands say what happens; steps let it happen: a command of a stroke queues moves of the beam, and step()
-// walks as many of them as it is asked to. However the moves are dealt out to steps, the same faces go.
+// walks as many of them as it is asked to. However the moves are dealt out to steps, the same faces go and the
+// same pieces come off.
 class Document {
  public:
   Document() = default;
@@ -32,8 +33,8 @@ class Document {
   // The first of them; null when none waits.
   const BeamMove* next_move() const { return work_.empty() ? nullptr : &work_.front().move; }
 
-  // Walks up to so many of them as one step; an empty delta when none waits. On failure the moves that wait
-  // are dropped and the stroke ends; see cut_step for the state of the world.
+  // Walks up to so many of them as one step; an empty delta when none waits. On failure the stroke
+  // ends there and its moves that wait are dropped; see cut_step for the state of the world.
   Result<StepResult> step(size_t moves, const Progress* progress = nullptr);
 
   // Takes the last stroke back and queues its moves again with other settings, as if it had been drawn so;
@@ -82,7 +83,8 @@ class Document {
   Pose last_;
   bool in_stroke_ = false;
   size_t strokes_ = 0;
-  Result<StepResult> walk_some(size_t most, const Progress* progress);
+  Result<StepResult> walk_one(const Progress* progress);
+  void drop(const std::shared_ptr<Stroke>& stroke);
 
   std::deque<Work> work_;
 };

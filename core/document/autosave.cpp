@@ -29,14 +29,18 @@ fs::path state_folder() {
 }
 
 void Autosave::begin(SceneDescription scene, fs::path work_of) {
-  drop();
+  if (file_) replaced_ = std::move(*file_);
+  file_.reset();
+  commands_ = marks_ = 0;
   scene_ = std::move(scene);
   work_of_ = std::move(work_of);
 }
 
 void Autosave::drop() {
-  if (file_) file_->remove();
-  file_.reset();
+  for (std::optional<LockedFile>* file : {&file_, &replaced_}) {
+    if (*file) (*file)->remove();
+    file->reset();
+  }
   commands_ = marks_ = 0;
 }
 
@@ -59,6 +63,8 @@ Status Autosave::follow(const Document& document, std::span<const StateMark> mar
     auto file = create(*head + *lines);
     if (!file) return file.error();
     file_ = std::move(*file);
+    if (replaced_) replaced_->remove();
+    replaced_.reset();
   }
   commands_ = commands.size();
   marks_ = marks.size();

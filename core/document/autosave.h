@@ -34,7 +34,7 @@ class Autosave {
   // The work is saved or not wanted: its file goes. The next follow makes a new one.
   void drop();
 
-  bool keeps() const { return file_.has_value(); }
+  bool keeps() const { return file_.has_value() || replaced_.has_value(); }
 
  private:
   Result<LockedFile> create(std::string_view text) const;
@@ -42,7 +42,7 @@ class Autosave {
   std::filesystem::path folder_;
   SceneDescription scene_;
   std::filesystem::path work_of_;
-  std::optional<LockedFile> file_;
+  std::optional<LockedFile> file_, replaced_;
   size_t commands_ = 0, marks_ = 0;  // that are in it
 };
 

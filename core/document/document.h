@@ -15,8 +15,8 @@ namespace kerf {
 // A world and the commands that led to it.
 //
 // Commands say what happens; steps let it happen: a command of a stroke queues moves of the beam, and step()
-// walks as many of them as it is asked to. However the moves are dealt out to steps, the same faces go and the
-// same pieces come off.
+// walks as many of them as it is asked to. However the moves are dealt out to steps, the same faces go and
+// the same pieces come off.
 class Document {
  public:
   Document() = default;

@@ -32,8 +32,10 @@ class Replay {
     uint64_t hash = 0;
   };
   const std::optional<Difference>& difference() const { return difference_; }
-  // The last command that was given; null before the first.
-  const Command* last_command() const { return next_ > 0 ? &journal_.commands[next_ - 1] : nullptr; }
+  // Whether the command that was given last begins a stroke.
+  bool begins_stroke() const {
+    return next_ > 0 && std::holds_alternative<BeginStroke>(journal_.commands[next_ - 1]);
+  }
 
  private:
   void compare();

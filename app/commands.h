@@ -16,6 +16,7 @@ using Action = std::function<int()>;
 void add_info_command(CLI::App& app, Action& action);
 void add_cut_command(CLI::App& app, Action& action);
 void add_render_command(CLI::App& app, Action& action);
+void add_replay_command(CLI::App& app, Action& action);
 
 // The editor is what runs without a subcommand.
 void add_editor(CLI::App& app, Action& action);

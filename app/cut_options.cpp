@@ -103,6 +103,8 @@ void add_cut_options(CLI::App& command, CutOptions& o) {
   command.add_option("--model", o.model, "What the beam does to a face: geometric");
   command.add_option("--format", o.format, "Of the pieces: obj, ply, stl or off (obj)");
   command.add_flag("--split-all", o.split_all, "Every connected component is a piece");
+  command.add_option("--journal", o.journal,
+                     "Where to write the journal (.kerf) of the cut, for kerf replay");
   command.add_option("--settings", o.settings, "A JSON file with the same keys; the command line wins");
 }
 

@@ -18,7 +18,7 @@ namespace kerf {
 // What `kerf cut` was asked for; what is empty has a default that depends on the meshes and the path.
 struct CutOptions {
   std::vector<std::string> meshes;
-  std::string path, out, settings;
+  std::string path, out, settings, journal;
   std::optional<double> radius, target_edge, tolerance;
   std::optional<std::string> range, pattern, scheme, rim, model, format;
   std::optional<int> depth;

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "core/document/hash_text.h"
 #include "core/world/state_hash.h"
 
 namespace kerf {
@@ -61,13 +61,47 @@ nlohmann::ordered_json to_json(const WrittenPiece& p) {
           {"boundary_edges", p.boundary_edges}};
 }
 
-std::string hash_text(const World& world) {
-  char text[17];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(state_hash(world)));
-  return text;
+}  // namespace
+
+void CutJob::note_loaded(const MeshReport& mesh) {
+  input_faces += mesh.faces;
+  input_vertices += mesh.vertices;
+  input_area += mesh.area;
+  input_components += mesh.components;
 }
 
-}  // namespace
+void CutJob::note_step(const StepResult& step, double seconds) {
+  ++steps;
+  figures.add(step.figures);
+  removed_faces += step.delta.removed_faces;
+  removed_area += step.delta.removed_area;
+  if (step.delta.removed_faces > 0) step_s.push_back(seconds);
+}
+
+nlohmann::ordered_json settings_json(const CutSettings& s, const std::string& format, bool split_all) {
+  const Resolution& resolution = s.resolution;
+  nlohmann::ordered_json json = {
+      {"radius", s.laser.radius},
+      {"range", {s.laser.range.low, s.laser.range.high}},
+      {"pattern", s.laser.pattern == Pattern::kRays4 ? "rays4" : "volume"},
+      {"scheme", resolution.scheme == Scheme::kOneToFour ? "one-to-four" : "longest-edge"},
+      {"rim", resolution.rim == Rim::kSmooth ? "smooth" : "faces"}};
+  switch (resolution.rule) {
+    case Resolution::Rule::kTargetEdge:
+      json["target-edge"] = resolution.target_edge;
+      break;
+    case Resolution::Rule::kTolerance:
+      json["tolerance"] = resolution.tolerance;
+      break;
+    case Resolution::Rule::kDepth:
+      json["depth"] = resolution.depth;
+      break;
+  }
+  json["model"] = "geometric";
+  json["format"] = format;
+  json["split-all"] = split_all;
+  return json;
+}
 
 double smallest_angle(const World& world) {
   double cosine = -1;
@@ -102,7 +136,7 @@ nlohmann::ordered_json cut_report(const CutJob& job, const World& world,
           {"max_level", deepest_level(world)},
           {"steps", job.steps},
           {"timing_ms", timing(job)},
-          {"state_hash", hash_text(world)}};
+          {"state_hash", hash_text(state_hash(world))}};
 }
 
 }  // namespace kerf

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "app/cut_options.h"
 #include "core/cut/cut_step.h"
 #include "core/document/extract.h"
 #include "core/world/world.h"
@@ -13,6 +12,9 @@ namespace kerf {
 
 // Sums and times of a job, for report.json.
 struct CutJob {
+  void note_loaded(const MeshReport& mesh);
+  void note_step(const StepResult& step, double seconds);
+
   size_t input_faces = 0, input_vertices = 0, input_components = 0;
   double input_area = 0, input_min_angle = 0;  // m^2, degrees
   size_t removed_faces = 0;
@@ -30,6 +32,9 @@ struct WrittenPiece {
   double area = 0;
   Vec3 centroid{0};
 };
+
+// The settings of a job as the report holds them: those of its first stroke.
+nlohmann::ordered_json settings_json(const CutSettings& settings, const std::string& format, bool split_all);
 
 // The smallest angle of the live faces, degrees; 0 where a face has no area.
 double smallest_angle(const World& world);

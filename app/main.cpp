@@ -15,6 +15,7 @@ int parse_and_run(int argc, char** argv) {
   kerf::add_info_command(app, action);
   kerf::add_cut_command(app, action);
   kerf::add_render_command(app, action);
+  kerf::add_replay_command(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {  // --help, --version

@@ -3,66 +3,46 @@
 #include "app/commands.h"
 #include "app/exit_status.h"
 #include "app/interrupt.h"
-#include "app/parse_values.h"
+#include "app/picture_arguments.h"
 #include "app/progress_line.h"
-#include "ui/render/picture.h"
+#include "app/tell.h"
 
 namespace kerf {
 
 namespace {
 
 struct RenderArguments {
-  std::string file, out, size = "1280x720", eye, target, show;
+  std::string file, out;
+  PictureArguments picture;
 };
 
-Result<Scene> load_scene(const std::filesystem::path& file) {
+Result<Work> load_work(const std::filesystem::path& file) {
   ProgressLine line("loading " + file.filename().string());
   const Progress progress = line.progress();
-  return read_scene(file, &progress);
+  return read_work(file, &progress);
 }
 
 Status render(const RenderArguments& a) {
-  PictureOptions options;
-  const auto size = parse_size(a.size);
-  if (!size) return size.error();
-  options.width = size->width;
-  options.height = size->height;
-  if (!a.eye.empty()) {
-    const auto eye = parse_point("--eye", a.eye);
-    if (!eye) return eye.error();
-    options.eye = *eye;
-  }
-  if (!a.target.empty()) {
-    const auto target = parse_point("--target", a.target);
-    if (!target) return target.error();
-    options.target = *target;
-  }
-  const auto show = parse_show_list(a.show);
-  if (!show) return show.error();
-  options.show = *show;
+  auto options = a.picture.parse();
+  if (!options) return options.error();
   catch_interrupts();
-  Result<Scene> scene = load_scene(a.file);
-  if (!scene) return error_or_stopped(scene.error());
+  Result<Work> work = load_work(a.file);
+  if (!work) return error_or_stopped(work.error());
   let_interrupts_end();
-  if (a.show.empty()) {
-    const auto wanted = parse_show_list(scene->show);
-    if (!wanted) return bad_input(a.file + ": /show: " + wanted.error().message);
-    options.show = *wanted;
-  }
-  return render_picture(std::move(*scene), options, a.out);
+  if (!work->journal.damage.empty()) warn(work->journal.damage);
+  if (const auto s = show_as_asked(a.picture, work->scene, a.file, *options); !s) return s;
+  return render_picture(std::move(*work), *options, a.out);
 }
 
 }  // namespace
 
 void add_render_command(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("render", "Draw a scene or a mesh to a PNG, without a display");
+  CLI::App* command =
+      app.add_subcommand("render", "Draw a scene, a journal or a mesh to a PNG, without a display");
   auto a = std::make_shared<RenderArguments>();
-  command->add_option("FILE", a->file, "A scene (.json) or a mesh")->required();
+  command->add_option("FILE", a->file, "A scene (.json), a journal (.kerf) or a mesh")->required();
   command->add_option("--out", a->out, "The PNG to write")->required();
-  command->add_option("--size", a->size, "Width and height in pixels, WxH (1280x720)");
-  command->add_option("--eye", a->eye, "Where the camera stands, x,y,z in metres");
-  command->add_option("--target", a->target, "What it looks at, x,y,z in metres");
-  command->add_option("--show", a->show, "Overlays, separated by commas: " + offered_show_names());
+  a->picture.add_to(*command);
   command->callback([a, &action] {
     action = [a] {
       const Status status = render(*a);

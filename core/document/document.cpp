@@ -145,9 +145,14 @@ Result<StepResult> Document::step(size_t moves, const Progress* progress) {
   const size_t stop = work_.size() - std::min(moves, work_.size());
   while (work_.size() > stop) {
     const size_t step = work_.front().step;
-    Result<StepResult> some = walk_one(progress);
+    bool stopped = false;
+    const Progress watched{[&](double fraction) {
+      stopped = progress && !progress->report(fraction);
+      return !stopped;
+    }};
+    Result<StepResult> some = walk_one(&watched);
     if (!some) {
-      give_up(step);
+      give_up(step, stopped);
       return some.error();
     }
     history_.step(step).touch(some->delta);
@@ -168,19 +173,23 @@ Result<StepResult> Document::walk_one(const Progress* progress) {
   return cut_step(world_, work.stroke->settings, std::span(&work.move, 1), progress);
 }
 
-// A stroke that cannot be cut to its end is taken back with all that waits behind it.
-void Document::give_up(size_t step) {
-  end();
-  work_.clear();
-  close();
+// A stroke that cannot be cut to its end has cut nothing: it stays in the history, for whoever replays it
+// comes to the same. One that was stopped is taken back, with all that waits behind it.
+void Document::give_up(size_t step, bool stopped) {
+  if (in_stroke_ && (stopped || step + 1 == history_.position())) end();
+  drop_work(step);
+  if (stopped) work_.clear();
+  if (open_ == step) close();
   ++revision_;
   HistoryStep& failed = history_.step(step);
-  if (!failed.remembered()) {
-    failed.done = true;
-    return;
-  }
+  failed.done = true;
+  if (!failed.remembered()) return;
   failed.take_back(world_);
   failed.forget();
+  if (!stopped) {
+    remember(step);
+    return settle(step);
+  }
   for (; history_.position() > step; history_.back()) journal_.emplace_back(Undo{});
 }
 

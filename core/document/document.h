@@ -46,8 +46,9 @@ class Document {
   // The first of them; null when none waits.
   const BeamMove* next_move() const { return work_.empty() ? nullptr : &work_.front().move; }
 
-  // Walks up to so many of them as one step; an empty delta when none waits. On failure the stroke is taken
-  // back, in the journal too, and what waits behind it as well; without before-images it ends where it is.
+  // Walks up to so many of them as one step; an empty delta when none waits. On failure the stroke has cut
+  // nothing; where `progress` stopped it, it is taken back in the journal too, with what waits behind it.
+  // Without before-images it ends where it is.
   Result<StepResult> step(size_t moves, const Progress* progress = nullptr);
 
   // What a Recut may take back.
@@ -106,7 +107,7 @@ class Document {
   Status finish(const Progress* progress);
 
   Result<StepResult> walk_one(const Progress* progress);
-  void give_up(size_t step);
+  void give_up(size_t step, bool stopped);
   void remember(size_t step);
   void close();
   void settle(size_t step);

@@ -25,7 +25,7 @@ class JsonValue {
   JsonValue operator[](size_t i) const { return {(*value_)[i], file_, pointer_ + "/" + std::to_string(i)}; }
 
   Error wrong(const std::string& what) const {
-    return bad_input(file_ + ": " + (pointer_.empty() ? "the file" : pointer_) + ": " + what);
+    return bad_input(file_ + ": " + (pointer_.empty() ? "" : pointer_ + ": ") + what);
   }
 
   Result<double> number() const;  // finite

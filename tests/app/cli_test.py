@@ -211,6 +211,78 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(head[:8], b"\x89PNG\r\n\x1a\n")
         self.assertEqual((int.from_bytes(head[16:20], "big"), int.from_bytes(head[20:24], "big")), (320, 200))
 
+    def journal(self, *args):
+        """The report of a cut that wrote a journal beside its mesh."""
+        return self.cut("--journal", "plate.kerf", *args)
+
+    def test_a_journal_replays_to_the_same_hash(self):
+        for args in ([], ["--scheme", "one-to-four"], ["--pattern", "rays4"], ["--rim", "smooth"], ["--depth", "3"],
+                     ["--tolerance", "0.004"], ["--steps", "3"]):
+            report = self.journal(*args)
+            done = self.run_here("replay", "plate.kerf", "--expect", report["state_hash"], "--out", "again")
+            self.assertEqual((done.returncode, done.stdout, done.stderr), (0, report["state_hash"] + "\n", ""), args)
+            with open(os.path.join(self.folder.name, "again", "report.json")) as file:
+                again = json.load(file)
+            for key in ("input", "settings", "output", "pieces", "max_level", "state_hash"):
+                self.assertEqual(again[key], report[key], (key, args))
+
+    def test_a_replay_that_comes_to_another_state_says_where_and_ends_with_1(self):
+        hash_of_cut = self.journal()["state_hash"]
+        with open(os.path.join(self.folder.name, "plate.kerf")) as file:
+            journal = file.read()
+        self.write("other.kerf", journal.replace(hash_of_cut, "0123456789abcdef"))
+        done = self.run_here("replay", "other.kerf")
+        self.assertEqual((done.returncode, done.stdout), (1, hash_of_cut + "\n"))
+        self.assertRegex(done.stderr, r"^kerf: other.kerf: line 5: after command 3 \(End the stroke\) .*\n$")
+        done = self.run_here("replay", "plate.kerf", "--expect", "0123456789abcdef")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("--expect", done.stderr)
+
+    def test_a_torn_journal_is_read_as_far_as_it_goes(self):
+        self.journal()
+        with open(os.path.join(self.folder.name, "plate.kerf")) as file:
+            journal = file.read()
+        self.write("torn.kerf", journal[:-9])
+        done = self.run_here("replay", "torn.kerf")
+        self.assertEqual(done.returncode, 0)
+        self.assertEqual(done.stderr, "kerf: warning: torn.kerf: line 5: the last line is torn and was left out\n")
+        self.write("head.kerf", journal[:40])
+        self.assert_refused(self.run_here("replay", "head.kerf"), 2, "head.kerf: line 1")
+
+    def test_replay_refuses_what_makes_no_sense(self):
+        self.journal()
+        for args, word in ((["missing.kerf"], "missing.kerf"), (["plate.obj"], "plate.obj: line 1"),
+                           (["plate.kerf", "--expect", "12"], "--expect"), (["plate.kerf", "--fps", "10"], "--frames"),
+                           (["plate.kerf", "--frames", "f", "--fps", "0"], "--fps")):
+            self.assert_refused(self.run_here("replay", *args), 2, word)
+        self.write("plate.obj", PLATE + "v 1 2 3\n")
+        self.assert_refused(self.run_here("replay", "plate.kerf"), 2, "plate.obj: this mesh is another one")
+        os.remove(os.path.join(self.folder.name, "plate.obj"))
+        self.assert_refused(self.run_here("replay", "plate.kerf"), 2, "plate.obj: there is no such file")
+
+    def test_a_film_is_numbered_pictures_at_the_pace_that_was_asked_for(self):
+        self.journal()
+        def frames(folder, fps):
+            done = self.run_here("replay", "plate.kerf", "--frames", folder, "--fps", fps, "--size", "64x48")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            names = sorted(os.listdir(os.path.join(self.folder.name, folder)))
+            self.assertEqual(names, [f"frame-{i:05}.png" for i in range(len(names))])
+            return len(names)
+        # Across 1.4 m at the diagonal, 1.41 m, in four seconds, with half a second at either end and one more.
+        self.assertAlmostEqual(frames("slow", 2), 2 * 6, delta=1)
+        self.assertAlmostEqual(frames("fast", 5), 5 * 6, delta=1)
+
+    def test_render_draws_a_journal_as_cut(self):
+        self.journal("--radius", "0.2")
+        for name in ("plate.kerf", "plate.obj"):
+            done = self.run_here("render", name, "--out", name + ".png", "--size", "160x100", "--eye", "0,2,0.1")
+            self.assertEqual(done.returncode, 0, done.stderr)
+        pictures = []
+        for name in ("plate.kerf.png", "plate.obj.png"):
+            with open(os.path.join(self.folder.name, name), "rb") as file:
+                pictures.append(file.read())
+        self.assertNotEqual(*pictures)
+
     def test_the_editor_without_a_display_says_so(self):
         self.assert_refused(self.run_here("plate.obj"), 1, "display")
 

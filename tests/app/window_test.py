@@ -90,9 +90,29 @@ class Editor:
         time.sleep(2)
 
     def quit(self):
-        """Ends the editor by its own shortcut and returns its report."""
+        """Ends the editor by its own shortcut, gives up what is not saved, and returns its report."""
         self.press("ctrl", "q")
+        try:
+            self.kerf.wait(timeout=1.5)
+        except subprocess.TimeoutExpired:
+            self.press("d")
         return self.report()
+
+    def title(self):
+        return self.xdotool("search", "--onlyvisible", "--name", "Kerf", "getwindowname").stdout.strip()
+
+    def draw_without_end(self):
+        """A stroke that is running still."""
+        self.xdotool("mousemove", 300, 500)
+        time.sleep(0.3)
+        self.xdotool("mousedown", 1)
+        for i in range(10):
+            self.xdotool("mousemove", 300 + 20 * i, 500)
+            time.sleep(0.1)
+
+    def die(self):
+        self.kerf.kill()
+        self.close()
 
     def report(self):
         status = self.kerf.wait(timeout=30)
@@ -297,6 +317,116 @@ class Window(unittest.TestCase):
         self.assertEqual(report["bodies"], 2)
         self.assertTrue(os.path.exists(os.path.join(folder.name, "kerf", "settings.json.bad")))
         self.assertIn("set aside", report["message"])
+
+    def unsaved(self):
+        folder = os.path.join(self.folder, "kerf")
+        return [os.path.join(folder, name) for name in os.listdir(folder) if name.endswith(".kerf")]
+
+    def save_as(self, editor, name):
+        editor.press("ctrl", "shift", "s")
+        self.type_name(editor, name)
+
+    def type_name(self, editor, name):
+        time.sleep(1.5)
+        editor.press("ctrl", "a")
+        editor.xdotool("type", "--delay", "40", os.path.join(self.folder, name))
+        time.sleep(1)
+        editor.press("Return")
+        time.sleep(2)
+
+    def test_what_was_cut_is_saved_and_opens_again_as_it_was(self):
+        editor = self.open(SPHERE)
+        self.assertEqual(editor.title(), "sphere.json - Kerf")
+        editor.drag([(300, 400), (640, 400)])
+        self.assertEqual(editor.title(), "sphere.json* - Kerf")
+        self.save_as(editor, "ball")
+        self.assertEqual(editor.title(), "ball.kerf - Kerf")
+        editor.drag([(300, 300), (640, 300)])
+        editor.press("ctrl", "s")
+        time.sleep(2)
+        self.assertEqual(editor.title(), "ball.kerf - Kerf")
+        saved = editor.quit()
+        self.assertEqual(self.unsaved(), [])
+        journal = os.path.join(self.folder, "ball.kerf")
+        self.assertTrue(os.path.exists(journal + "~"))
+        replayed = subprocess.run([KERF, "replay", journal], capture_output=True, text=True)
+        self.assertEqual((replayed.returncode, replayed.stderr), (0, ""))
+        report = self.open_again(journal).quit()
+        for key in ("strokes", "faces", "pieces", "faces_removed"):
+            self.assertEqual(report[key], saved[key], key)
+        self.assertEqual(self.settings()["recent"][0], os.path.realpath(journal))
+
+    def test_unsaved_work_does_not_go_without_a_question(self):
+        editor = self.open(SPHERE)
+        editor.drag([(300, 400), (640, 400)])
+        for leave in (("ctrl", "q"), ("ctrl", "n")):
+            editor.press(*leave)
+            time.sleep(1)
+            editor.press("Escape")
+            time.sleep(0.5)
+            self.assertEqual(editor.title(), "sphere.json* - Kerf")
+        editor.press("ctrl", "n")
+        time.sleep(1)
+        editor.press("d")
+        time.sleep(3)
+        self.assertEqual(editor.title(), "car.json - Kerf")
+        editor.drag([(500, 130), (500, 400)])
+        editor.press("ctrl", "q")
+        time.sleep(1)
+        editor.press("s")
+        self.type_name(editor, "car")
+        self.assertEqual(editor.report()["strokes"], 1)
+        self.assertTrue(os.path.exists(os.path.join(self.folder, "car.kerf")))
+        self.assertEqual(self.unsaved(), [])
+
+    def test_a_killed_editor_loses_nothing_and_the_next_one_goes_on(self):
+        editor = self.open(SPHERE)
+        editor.drag([(300, 400), (640, 400)])
+        editor.draw_without_end()
+        editor.die()
+        left, = self.unsaved()
+        with open(left) as file:
+            lines = file.read().splitlines()
+        self.assertEqual(sum('"do":"begin"' in line for line in lines), 2)
+        self.assertIn('"do":"move"', lines[-1])
+
+        later = self.open_again(SPHERE)
+        later.press("Escape")
+        self.assertEqual(later.quit()["strokes"], 0)
+        self.assertEqual(self.unsaved(), [left])
+
+        editor = self.open_again(SPHERE)
+        other = self.open_again(SPHERE)  # is not offered what another looks at
+        self.assertEqual(other.quit()["strokes"], 0)
+        editor.press("Return")
+        time.sleep(4)
+        self.assertEqual(editor.title(), "sphere.obj* - Kerf")
+        self.assertNotIn(left, self.unsaved())
+        self.assertEqual(len(self.unsaved()), 1)
+        self.save_as(editor, "saved")
+        report = editor.quit()
+        self.assertEqual(report["strokes"], 2)
+        self.assertGreater(report["faces_removed"], 500)
+        self.assertEqual(self.unsaved(), [])
+        replayed = subprocess.run([KERF, "replay", os.path.join(self.folder, "saved.kerf")], stdout=subprocess.DEVNULL)
+        self.assertEqual(replayed.returncode, 0)
+
+    def test_two_editors_at_once_keep_their_work_apart(self):
+        one = self.open(SPHERE)
+        one.drag([(300, 400), (640, 400)])
+        two = self.open_again(SPHERE)
+        two.drag([(300, 300), (640, 300)])
+        self.assertEqual(len(self.unsaved()), 2)
+        two.die()
+        self.assertEqual(one.quit()["strokes"], 1)
+        self.assertEqual(len(self.unsaved()), 1)
+
+    def test_sigterm_leaves_unsaved_work_for_the_next_start(self):
+        editor = self.open(SPHERE)
+        editor.drag([(300, 400), (640, 400)])
+        editor.kerf.send_signal(signal.SIGTERM)
+        self.assertEqual(editor.report()["strokes"], 1)
+        self.assertEqual(len(self.unsaved()), 1)
 
     def test_sigterm_ends_it_with_its_report(self):
         editor = self.open()

@@ -1,11 +1,12 @@
 #include <gtest/gtest.h>
 
+#include "core/base/length_text.h"
 #include "core/document/document.h"
 #include "tests/support/made_meshes.h"
 #include "ui/editor/frame_statistics.h"
 #include "ui/editor/laser_tool.h"
 #include "ui/editor/layout.h"
-#include "ui/editor/length_text.h"
+#include "ui/render/beam_strike.h"
 
 namespace kerf {
 namespace {

@@ -48,7 +48,7 @@ Image render(Scene scene, PictureOptions options = {}) {
   options.height = kHeight;
   const auto file =
       std::filesystem::temp_directory_path() / ("kerf_picture_" + std::to_string(getpid()) + ".png");
-  const Status drawn = render_picture(std::move(scene), options, file);
+  const Status drawn = render_picture({std::move(scene), {}}, options, file);
   EXPECT_TRUE(drawn.ok()) << (drawn.ok() ? "" : drawn.error().message);
   Image image;
   int channels = 0;
@@ -170,7 +170,7 @@ TEST(Picture, a_flat_plate_lies_clearly_on_the_ground) {
 TEST(Picture, a_size_out_of_range_is_bad_input) {
   PictureOptions options;
   options.width = 0;
-  const Status drawn = render_picture(scene_of(test::plate(1)), options, "/dev/null");
+  const Status drawn = render_picture({scene_of(test::plate(1)), {}}, options, "/dev/null");
   ASSERT_FALSE(drawn.ok());
   EXPECT_EQ(drawn.error().code, ErrorCode::kBadInput);
 }

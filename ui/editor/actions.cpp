@@ -50,6 +50,11 @@ void go_home(EditorState& state) {
   }
 }
 
+void save(EditorState& state) {
+  if (state.work.file.empty()) return browse(state, FileBrowser::Purpose::kSave);
+  state.requests.save_to = state.work.file;
+}
+
 void copy_view(EditorState& state) {
   ImGui::SetClipboardText(view_text({state.view().eye, state.camera.pivot()}).c_str());
   state.say("The view is in the clipboard as text");
@@ -114,14 +119,38 @@ constexpr int kCtrl = GLFW_MOD_CONTROL, kShift = GLFW_MOD_SHIFT;
 
 constexpr std::array kActions{
     Action{.menu = "File",
+           .name = "New",
+           .shortcut = "Ctrl+N",
+           .key = GLFW_KEY_N,
+           .mods = kCtrl,
+           .tip = "The first scene again, uncut.",
+           .run = [](EditorState& s) { s.requests.fresh = true; }},
+    Action{.menu = "File",
            .name = "Open...",
            .shortcut = "Ctrl+O",
            .key = GLFW_KEY_O,
            .mods = kCtrl,
-           .tip = "A scene (.json) or a mesh (.obj .stl .ply .off). Files can also be dropped on the window.",
+           .tip = "A scene (.json), a journal (.kerf) or a mesh (.obj .stl .ply .off). Files can also be "
+                  "dropped on "
+                  "the window.",
            .run = [](EditorState& s) { browse(s, FileBrowser::Purpose::kOpen); }},
     Action{.menu = "File", .name = "Open recent", .submenu = draw_recent_menu},
     Action{.menu = "File", .name = "Examples", .submenu = draw_examples_menu, .ends_group = true},
+    Action{.menu = "File",
+           .name = "Save",
+           .shortcut = "Ctrl+S",
+           .key = GLFW_KEY_S,
+           .mods = kCtrl,
+           .tip = "Everything that was done, as a journal (.kerf). The version before is kept as .kerf~.",
+           .run = save},
+    Action{.menu = "File",
+           .name = "Save as...",
+           .shortcut = "Ctrl+Shift+S",
+           .key = GLFW_KEY_S,
+           .mods = kCtrl | kShift,
+           .tip = "To another journal (.kerf), or as a scene (.json) without what was cut.",
+           .run = [](EditorState& s) { browse(s, FileBrowser::Purpose::kSave); },
+           .ends_group = true},
     Action{.menu = "File",
            .name = "Export chosen pieces...",
            .shortcut = "Ctrl+E",
@@ -150,7 +179,7 @@ constexpr std::array kActions{
            .key = GLFW_KEY_Q,
            .mods = kCtrl,
            .tip = "Ends the editor. The settings are kept.",
-           .run = [](EditorState& s) { s.quit = true; }},
+           .run = [](EditorState& s) { s.requests.quit = true; }},
 
     Action{.menu = "Edit",
            .name = "Undo",

@@ -15,9 +15,11 @@
 #include "ui/editor/panels.h"
 #include "ui/editor/piece_set.h"
 #include "ui/editor/recut.h"
+#include "ui/editor/save_work.h"
 #include "ui/editor/screenshot.h"
 #include "ui/editor/settings.h"
 #include "ui/editor/stop_signals.h"
+#include "ui/editor/unsaved_work.h"
 #include "ui/editor/viewport_input.h"
 #include "ui/editor/window.h"
 #include "ui/gl/debug_output.h"
@@ -53,9 +55,18 @@ class Editor {
   const EditorState& state() const { return state_; }
 
  private:
+  Status open_first(const std::vector<std::filesystem::path>& files);
   void wait();
   void hear();
+  void hear_key(const InputEvent& event);
   void fulfil();  // what panels, menus and keys asked for
+  void decide();
+  void leave(const Requests& wanted);
+  void open_in_place(std::span<const std::filesystem::path> files);
+  void go_on_with_left_work();
+  void keep_from_now();
+  void keep_work();
+  void show_title();
   void move_camera();
   void cut();
   bool cut_first(Clock::time_point began, double budget);  // whether anything was cut
@@ -79,6 +90,11 @@ class Editor {
   LivePicture picture_;
   EditorState state_;
   Settings saved_;  // as they are in the file
+  std::filesystem::path default_scene_;
+  Autosave autosave_{state_folder()};
+  std::vector<Light> kept_lights_;
+  bool kept_ = true;   // the last try to keep the work went well
+  std::string title_;  // of the window
   StopSignals stop_;
   Clock::time_point frame_began_ = Clock::now(), last_event_ = Clock::now(), figures_at_{};
   bool easing_ = false;     // the camera
@@ -95,11 +111,22 @@ Editor::Editor(Window window, Renderer renderer, LoadedSettings loaded)
 
 Status Editor::open(const EditorOptions& options) {
   lay_out_window();
-  const std::array standard{options.default_scene};
-  if (options.files.empty()) return open_files(state_, picture_.first(), standard);
-  const Status opened = open_files(state_, picture_.first(), options.files);
+  default_scene_ = options.default_scene;
+  std::vector<std::string> faults;
+  state_.left_work = find_left_work(state_folder(), faults);
+  ask_about_left_work(state_);
+  const Status opened = open_first(options.files);
+  keep_from_now();
+  if (opened && !faults.empty()) tell("Work was left that cannot be read: " + faults.front());
+  return opened;
+}
+
+Status Editor::open_first(const std::vector<std::filesystem::path>& files) {
+  const std::array standard{default_scene_};
+  if (files.empty()) return open_files(state_, picture_.first(), standard);
+  const Status opened = open_files(state_, picture_.first(), files);
   if (opened) {
-    for (const std::filesystem::path& file : options.files) remember_recent(state_.settings, file);
+    for (const std::filesystem::path& file : files) remember_recent(state_.settings, file);
     return opened;
   }
   if (const Status fallback = open_files(state_, picture_.first(), standard); !fallback) return fallback;
@@ -108,7 +135,7 @@ Status Editor::open(const EditorOptions& options) {
 }
 
 void Editor::run() {
-  while (!window_.wants_to_close() && !state_.quit && !stop_.came()) {
+  while (!state_.quit && !stop_.came()) {
     wait();
     const Clock::time_point began = Clock::now();
     dress();
@@ -116,13 +143,17 @@ void Editor::run() {
     lay_out_window();
     hear();
     fulfil();
+    keep_work();
     move_camera();
     cut();
     const bool new_picture = draw();
+    show_title();
     window_.swap();
     note_time(seconds_since(began), new_picture);
   }
   state_.tool.release(state_.document);
+  keep_work();
+  if (!stop_.came()) autosave_.drop();
   save_settings();
 }
 
@@ -131,7 +162,8 @@ void Editor::wait() {
   const double left = kFrameSeconds - seconds_since(frame_began_);
   if (left > 0) std::this_thread::sleep_for(std::chrono::duration<double>(left));
   window_.wait(0);
-  while (!moving() && !window_.take_activity() && !window_.wants_to_close() && !stop_.came()) {
+  while (!moving() && !window_.take_activity() && !stop_.came()) {
+    autosave_.flush();
     const bool settling = seconds_since(last_event_) < kSettleSeconds;
     window_.wait(settling ? kSettleWait : kIdleWait);
     if (settling) {
@@ -150,26 +182,40 @@ void Editor::hear() {
   for (const InputEvent& event : window_.take_events()) {
     if (event.kind != InputEvent::Kind::kKey) {
       handle_mouse(state_, event, mouse_free);
-    } else if (state_.browser.open) {
-      browser_key(state_.browser, event.button);
-    } else if (!io.WantTextInput && !event.again) {
-      run_shortcut(state_, event.button, event.mods);
+    } else {
+      hear_key(event);
     }
   }
   if (auto dropped = window_.take_drops(); !dropped.empty()) state_.requests.open = std::move(dropped);
+  if (window_.take_close()) state_.requests.quit = true;
   if (state_.tool.cutting()) state_.picture_old = true;
 }
 
+void Editor::hear_key(const InputEvent& event) {
+  if (state_.question.open()) {
+    if (!event.again) question_key(state_.question, event.button);
+  } else if (state_.browser.open) {
+    browser_key(state_.browser, event.button);
+  } else if (!ImGui::GetIO().WantTextInput && !event.again) {
+    run_shortcut(state_, event.button, event.mods);
+  }
+}
+
 void Editor::fulfil() {
+  decide();
   const Requests wanted = std::exchange(state_.requests, {});
   state_.requests.screenshot = wanted.screenshot;  // waits for the picture
-  if (!wanted.open.empty()) {
+  if (!wanted.save_to.empty()) {
     cancel_stroke(state_);
-    if (const Status opened = open_files(state_, picture_.first(), wanted.open); !opened) {
-      state_.say(opened.error().message, true);
-    } else {
-      for (const std::filesystem::path& file : wanted.open) remember_recent(state_.settings, file);
-    }
+    const bool saved = save_work(state_, wanted.save_to);
+    keep_from_now();
+    if (saved && state_.leaving) leave(*std::exchange(state_.leaving, {}));
+  } else if (state_.leaving && !state_.question.open() && !state_.browser.open) {
+    state_.leaving.reset();  // the user did not choose where to save
+  }
+  if (wanted.leaves_work() && !state_.question.open()) {
+    cancel_stroke(state_);
+    if (may_leave(state_, wanted)) leave(wanted);
   }
   Renderer& renderer = picture_.first();
   if (wanted.undo || wanted.redo) step_through_history(state_, renderer, wanted.undo);
@@ -178,6 +224,88 @@ void Editor::fulfil() {
   if (wanted.hide_chosen) hide_chosen(state_, renderer);
   if (wanted.show_hidden) show_hidden(state_, renderer);
   if (wanted.recut) recut_last_stroke(state_, renderer);
+}
+
+void Editor::decide() {
+  switch (take_decision(state_)) {
+    case Decision::kNone:
+      break;
+    case Decision::kLeave:
+      leave(*std::exchange(state_.leaving, {}));
+      break;
+    case Decision::kSaveFirst:
+      if (state_.work.file.empty()) {
+        browse(state_, FileBrowser::Purpose::kSave);
+      } else {
+        state_.requests.save_to = state_.work.file;
+      }
+      break;
+    case Decision::kGoOn:
+      go_on_with_left_work();
+      break;
+  }
+}
+
+// The open work is saved, or not wanted any more.
+void Editor::leave(const Requests& wanted) {
+  if (wanted.quit) {
+    state_.quit = true;
+    state_.work.saved_commands = state_.document.journal().size();
+    state_.work.saved_lights = state_.look.lights;
+  } else if (wanted.fresh) {
+    open_in_place(std::array{default_scene_});
+  } else {
+    open_in_place(wanted.open);
+    if (!state_.message_is_error)
+      for (const std::filesystem::path& file : wanted.open) remember_recent(state_.settings, file);
+  }
+}
+
+void Editor::open_in_place(std::span<const std::filesystem::path> files) {
+  if (const Status opened = open_files(state_, picture_.first(), files); !opened)
+    return state_.say(opened.error().message, true);
+  autosave_.drop();
+  keep_from_now();
+}
+
+void Editor::go_on_with_left_work() {
+  if (const Status opened = open_left_work(state_, picture_.first(), state_.left_work.front()); !opened) {
+    state_.left_work.clear();
+    return state_.say("It stays where it is: " + opened.error().message, true);
+  }
+  keep_from_now();
+  keep_work();
+  if (kept_) state_.left_work.front().file.remove();
+  state_.left_work.clear();  // what else was left is offered the next time
+}
+
+// The work as it is now in a new file, once there is something to keep.
+void Editor::keep_from_now() {
+  kept_lights_ = state_.look.lights;
+  autosave_.begin(scene_now(state_), state_.work.file);
+}
+
+// What is not saved is on its way to the disk before anything takes long.
+void Editor::keep_work() {
+  if (!is_unsaved(state_)) {
+    if (autosave_.keeps()) autosave_.drop();
+    return;
+  }
+  mark_state(state_.document, state_.work.marks);
+  const bool dragging = state_.drag == Drag::kLight;
+  if (!dragging && state_.look.lights != kept_lights_) {
+    keep_from_now();
+  }
+  const Status kept = autosave_.follow(state_.document, state_.work.marks);
+  if (!kept && kept_) state_.say("What is not saved cannot be kept: " + kept.error().message, true);
+  kept_ = kept.ok();
+}
+
+void Editor::show_title() {
+  const std::string title = window_title(state_);
+  if (title == title_) return;
+  title_ = title;
+  window_.set_title(title);
 }
 
 void Editor::move_camera() {

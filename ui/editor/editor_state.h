@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/document/autosave.h"
 #include "core/document/document.h"
 #include "core/document/scene.h"
 #include "ui/editor/file_browser.h"
@@ -13,8 +14,10 @@
 #include "ui/editor/laser_controls.h"
 #include "ui/editor/laser_tool.h"
 #include "ui/editor/layout.h"
+#include "ui/editor/question.h"
 #include "ui/editor/settings.h"
 #include "ui/editor/twin_cut.h"
+#include "ui/editor/work_in_hand.h"
 #include "ui/render/camera.h"
 #include "ui/render/renderer.h"
 
@@ -48,11 +51,17 @@ enum class Drag { kNone, kCut, kPick, kOrbit, kPan, kLight };
 // picture.
 struct Requests {
   std::vector<std::filesystem::path> open;  // in place of what is open, as bodies of one scene
+  bool fresh = false;                       // the default scene in place of what is open
+  bool quit = false;
+  std::filesystem::path save_to;  // empty: nowhere
   bool recut = false;
   bool undo = false, redo = false;
   bool hide_chosen = false, show_hidden = false;
   std::vector<Command> commands;
   std::optional<size_t> travel;  // to a position of the history
+
+  // Whether the open work goes with it.
+  bool leaves_work() const { return !open.empty() || fresh || quit; }
   enum class Screenshot { kNone, kPicture, kWindow };
   Screenshot screenshot = Screenshot::kNone;
 };
@@ -68,7 +77,9 @@ struct SplitView {
 struct EditorState {
   Document document;
   std::vector<std::filesystem::path> files;  // that the document came from
-  std::optional<World> as_loaded;            // where a recut may need it, see recut.h
+  WorkInHand work;
+  std::vector<LeftWork> left_work;  // of editors that died, and about which the user was not asked yet
+  std::optional<World> as_loaded;   // where a recut may need it, see recut.h
   std::map<std::string, Paint> paints;
   std::optional<View> home;  // the view that the scene asks for
 
@@ -99,7 +110,9 @@ struct EditorState {
 
   Settings settings;
   FileBrowser browser;
+  Question question;
   Requests requests;
+  std::optional<Requests> leaving;  // waits until it is known what becomes of the unsaved work
 
   double wanted_scale = 0;  // of the text, while its slider moves
   bool cut_once = false;    // hints are no longer needed

@@ -10,10 +10,12 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "core/document/work.h"
 #include "core/mesh/files/mesh_format.h"
 #include "ui/editor/editor_state.h"
 #include "ui/editor/export_pieces.h"
 #include "ui/editor/property.h"
+#include "ui/editor/save_work.h"
 
 namespace kerf {
 
@@ -24,6 +26,19 @@ using Purpose = FileBrowser::Purpose;
 
 constexpr int kPage = 10;
 
+// What is different between opening, saving and exporting.
+struct Wording {
+  const char *title, *verb, *hint;
+};
+const Wording& wording(Purpose purpose) {
+  static constexpr std::array kWordings{
+      Wording{"Open a scene, a journal or a mesh", "Open", "Type a part of a name, or a whole path"},
+      Wording{"Save the work", "Save", "Name; .kerf keeps everything, .json the scene without what was cut"},
+      Wording{"Export the chosen pieces", "Export",
+              "Name; its ending (.obj .ply .stl .off) says the format"}};
+  return kWordings[static_cast<size_t>(purpose)];
+}
+
 std::string lower(std::string text) {
   for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return text;
@@ -31,7 +46,7 @@ std::string lower(std::string text) {
 
 bool can_be_opened(const fs::path& file) {
   const std::string ending = lower(file.extension().string());
-  return ending == ".json" || mesh_format(ending).has_value();
+  return ending == ".json" || is_journal(ending) || mesh_format(ending).has_value();
 }
 
 void set_name(FileBrowser& b, const std::string& text) {
@@ -70,6 +85,19 @@ std::optional<fs::path> typed_path(const FileBrowser& b) {
   return std::nullopt;
 }
 
+void export_to(EditorState& state, const fs::path& file) {
+  FileBrowser& b = state.browser;
+  const auto written = export_chosen(state, file);
+  if (!written) {
+    b.fault = written.error().message;
+    return;
+  }
+  state.say(*written == 1
+                ? "Written: " + file.string()
+                : std::to_string(*written) + " files written, the first: " + numbered(file, 1).string());
+  b.open = false;
+}
+
 void choose_file(EditorState& state, const fs::path& file) {
   FileBrowser& b = state.browser;
   if (b.purpose == Purpose::kOpen) {
@@ -83,14 +111,8 @@ void choose_file(EditorState& state, const fs::path& file) {
     b.fault = file.filename().string() + " is there already: choose Replace, or press Enter again";
     return;
   }
-  const auto written = export_chosen(state, file);
-  if (!written) {
-    b.fault = written.error().message;
-    return;
-  }
-  state.say(*written == 1
-                ? "Written: " + file.string()
-                : std::to_string(*written) + " files written, the first: " + numbered(file, 1).string());
+  if (b.purpose == Purpose::kExport) return export_to(state, file);
+  state.requests.save_to = file;
   b.open = false;
 }
 
@@ -99,11 +121,18 @@ void choose_entry(EditorState& state, const FileBrowser::Entry& entry) {
   const fs::path path = b.folder / entry.name;
   if (entry.folder) {
     enter_folder(b, path);
-  } else if (b.purpose == Purpose::kExport) {
-    set_name(b, entry.name);
-  } else {
+  } else if (b.purpose == Purpose::kOpen) {
     choose_file(state, path);
+  } else {
+    set_name(b, entry.name);
   }
+}
+
+// A name to save to gets the ending of a journal where it has none that says what to save.
+fs::path with_ending(fs::path file, Purpose purpose) {
+  const std::string ending = file.extension().string();
+  if (purpose == Purpose::kSave && ending != ".kerf" && ending != ".json") file += ".kerf";
+  return file;
 }
 
 void accept(EditorState& state) {
@@ -111,10 +140,10 @@ void accept(EditorState& state) {
   std::error_code error;
   if (const auto typed = typed_path(b)) {
     if (fs::is_directory(*typed, error)) return enter_folder(b, *typed);
-    return choose_file(state, *typed);
+    return choose_file(state, with_ending(*typed, b.purpose));
   }
-  if (b.purpose == Purpose::kExport) {
-    if (b.name.front() != '\0') choose_file(state, b.folder / b.name.data());
+  if (b.purpose != Purpose::kOpen) {
+    if (b.name.front() != '\0') choose_file(state, with_ending(b.folder / b.name.data(), b.purpose));
     return;
   }
   const std::vector<size_t> left = left_by_filter(b);
@@ -162,7 +191,7 @@ void draw_entry(EditorState& state, size_t place, const FileBrowser::Entry& entr
   if (!entry.folder) ImGui::TextDisabled("%s", size_text(entry.bytes).c_str());
   if (!clicked) return;
   b.cursor = place;
-  if (b.purpose == Purpose::kExport && !entry.folder) set_name(b, entry.name);
+  if (b.purpose != Purpose::kOpen && !entry.folder) set_name(b, entry.name);
   if (!twice) return;
   const FileBrowser::Entry chosen = entry;
   gone = true;
@@ -200,9 +229,7 @@ void draw_name(EditorState& state) {
   if (b.take_focus || !ImGui::IsAnyItemActive()) ImGui::SetKeyboardFocusHere();
   b.take_focus = false;
   ImGui::SetNextItemWidth(-1);
-  const char* hint = b.purpose == Purpose::kOpen ? "Type a part of a name, or a whole path"
-                                                 : "Name; its ending (.obj .ply .stl .off) says the format";
-  if (ImGui::InputTextWithHint("##name", hint, b.name.data(), b.name.size())) {
+  if (ImGui::InputTextWithHint("##name", wording(b.purpose).hint, b.name.data(), b.name.size())) {
     b.cursor = 0;
     b.replace.clear();
     b.fault.clear();
@@ -234,7 +261,7 @@ void draw_buttons(EditorState& state) {
     ImGui::TextUnformatted(b.fault.c_str());
   }
   ImGui::PopTextWrapPos();
-  const char* verb = b.purpose == Purpose::kOpen ? "Open" : b.replace.empty() ? "Export" : "Replace";
+  const char* verb = b.replace.empty() ? wording(b.purpose).verb : "Replace";
   if (ImGui::Button(verb, {7 * ImGui::GetFontSize(), 0})) accept(state);
   ImGui::SameLine();
   if (ImGui::Button("Cancel", {7 * ImGui::GetFontSize(), 0})) b.open = false;
@@ -281,6 +308,7 @@ void browse(EditorState& state, Purpose purpose) {
   if (folder.empty() || !fs::is_directory(folder, error)) folder = fs::current_path(error);
   enter_folder(b, folder);
   if (purpose == Purpose::kExport) set_name(b, "piece.obj");
+  if (purpose == Purpose::kSave) set_name(b, suggested_name(state));
 }
 
 void browser_key(FileBrowser& browser, int key) {
@@ -321,8 +349,8 @@ void browser_key(FileBrowser& browser, int key) {
 
 void draw_file_browser(EditorState& state) {
   FileBrowser& b = state.browser;
-  const char* title = b.purpose == Purpose::kOpen ? "Open a scene or a mesh" : "Export the chosen pieces";
   if (!b.open) return;
+  const char* title = wording(b.purpose).title;
   if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
   const float em = ImGui::GetFontSize();
   const ImVec2 window = ImGui::GetIO().DisplaySize;

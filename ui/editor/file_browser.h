@@ -12,7 +12,7 @@ struct EditorState;
 
 // The window in which a file is chosen: folders, a filter by name, all of it by keyboard too.
 struct FileBrowser {
-  enum class Purpose { kOpen, kExport };
+  enum class Purpose { kOpen, kSave, kExport };
   struct Entry {
     std::string name;
     bool folder = false;

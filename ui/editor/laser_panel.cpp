@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "ui/editor/length_text.h"
+#include "core/base/length_text.h"
 #include "ui/editor/property.h"
 
 namespace kerf {

@@ -1,7 +1,6 @@
 #include "ui/editor/laser_tool.h"
 
-#include <cmath>
-#include <vector>
+#include "ui/render/beam_strike.h"
 
 namespace kerf {
 
@@ -9,29 +8,8 @@ namespace {
 
 constexpr double kEmitterAside = 0.06;  // of the focus, to the right and up
 constexpr double kLeastMove = 0.5;      // pixels
-constexpr int kProbes = 8;  // rays on each circle around the beam that look for the rim of what it burns
-constexpr double kProbeRadius = 1.05;  // radii
-
-Vec3 any_perpendicular(const Vec3& d) {
-  const Vec3 other = std::abs(d.y) < 0.9 ? Vec3(0, 1, 0) : Vec3(1, 0, 0);
-  return glm::normalize(glm::cross(d, other));
-}
 
 }  // namespace
-
-std::optional<double> first_hit(const World& world, const Pose& ray) {
-  std::optional<double> nearest;
-  std::vector<RayHit> hits;
-  const World::Bounds bounds = world.bounds();
-  const Vec3 far = glm::max(glm::abs(bounds.min - ray.origin), glm::abs(bounds.max - ray.origin));
-  for (const BodyId id : world.ids()) {
-    const Body& body = world.body(id);
-    hits.clear();
-    body.tree.crossings(body.mesh, body.placement.to_body(ray), {0, glm::length(far)}, hits);
-    if (!hits.empty() && (!nearest || hits.front().length < *nearest)) nearest = hits.front().length;
-  }
-  return nearest;
-}
 
 Pose LaserTool::aim(const CameraView& view, Vec2 pointer) const {
   const Pose ray = view.ray(pointer.x, pointer.y);
@@ -72,17 +50,8 @@ void LaserTool::release(Document& document) {
 }
 
 void LaserTool::find_strike(const Document& document) {
-  strike_.reset();
   if (const BeamMove* move = document.next_move()) beam_ = move->to;
-  const Vec3 u = any_perpendicular(beam_.direction), w = glm::cross(beam_.direction, u);
-  for (const double aside : {0.0, kProbeRadius * radius_, kProbeRadius * (radius_ + overshoot_)}) {
-    for (int i = 0; i < (aside > 0 ? kProbes : 1); ++i) {
-      const double angle = 6.283185307179586 * i / kProbes;
-      const Vec3 from = beam_.origin + (u * std::cos(angle) + w * std::sin(angle)) * aside;
-      const std::optional<double> hit = first_hit(document.world(), {from, beam_.direction});
-      if (hit && *hit <= reach_ && (!strike_ || *hit < *strike_)) strike_ = hit;
-    }
-  }
+  strike_ = kerf::find_strike(document.world(), beam_, radius_, overshoot_, reach_);
 }
 
 std::optional<BeamPicture> LaserTool::picture(const Document& document) const {

@@ -9,9 +9,6 @@
 
 namespace kerf {
 
-// Where a ray first meets the world: metres along it.
-std::optional<double> first_hit(const World& world, const Pose& ray);
-
 // The laser in the user's hand: turns where the pointer goes into a stroke. The emitter stands beside the
 // eye, up and to the right of it; the beam aims at the point of the pointer's ray at a distance that is
 // chosen where the stroke begins (what the pointer is on, or the camera's pivot) and kept, so the beam moves

@@ -1,5 +1,7 @@
 #include "ui/editor/open_file.h"
 
+#include "core/document/replay.h"
+#include "core/document/work.h"
 #include "core/mesh/load_notes.h"
 #include "ui/render/scene_strokes.h"
 
@@ -7,16 +9,21 @@ namespace kerf {
 
 namespace {
 
+constexpr size_t kMovesOfStep = 64;
+
 // Bodies, paints and strokes of several files as one scene; a view only where there is one file.
-Result<Scene> read_all(std::span<const std::filesystem::path> files) {
-  Scene all;
+Result<Work> read_all(std::span<const std::filesystem::path> files) {
+  if (files.size() == 1) return read_work(files.front());
+  Work all;
+  Scene& scene = all.scene;
   for (const std::filesystem::path& file : files) {
-    Result<Scene> scene = read_scene(file);
-    if (!scene) return scene.error();
-    if (files.size() == 1) return scene;
-    for (const BodyId id : scene->world.ids()) all.world.add(std::move(scene->world.body(id)));
-    all.paints.merge(scene->paints);
-    all.strokes.insert(all.strokes.end(), scene->strokes.begin(), scene->strokes.end());
+    if (is_journal(file)) return bad_input(file.string() + ": a journal is opened alone");
+    Result<Scene> more = read_scene(file);
+    if (!more) return more.error();
+    for (const BodyId id : more->world.ids()) scene.world.add(std::move(more->world.body(id)));
+    scene.bodies.insert(scene.bodies.end(), more->bodies.begin(), more->bodies.end());
+    scene.paints.merge(more->paints);
+    scene.strokes.insert(scene.strokes.end(), more->strokes.begin(), more->strokes.end());
   }
   return all;
 }
@@ -36,45 +43,64 @@ std::string note_of(const World& world) {
   return "";
 }
 
+void note_step(EditorState& state, Renderer& renderer, const StepResult& step) {
+  renderer.follow(step.delta);
+  state.last_step = step.figures;
+  state.note_figures(step.figures);
+  state.faces_before_step = state.document.world().live_faces();
+}
+
 void cut_strokes_of(EditorState& state, Renderer& renderer, const std::vector<StrokePath>& strokes) {
-  const Status cut = cut_strokes(state.document, strokes, [&](const StepResult& step) {
-    renderer.follow(step.delta);
-    state.last_step = step.figures;
-    state.note_figures(step.figures);
-    state.faces_before_step = state.document.world().live_faces();
-  });
+  const Status cut =
+      cut_strokes(state.document, strokes, [&](const StepResult& step) { note_step(state, renderer, step); });
   if (cut) return;
   renderer.resend(state.document.world());
   state.say(cut.error().message, true);
 }
 
-}  // namespace
+// A step that fails here failed when the journal was made too.
+void replay_all(EditorState& state, Renderer& renderer, const Journal& journal) {
+  Replay replay(journal, state.document);
+  while (!replay.done()) {
+    const Result<StepResult> step = replay.advance(kMovesOfStep);
+    if (step && !step->delta.anew) {
+      note_step(state, renderer, *step);
+    } else {
+      renderer.resend(state.document.world());
+    }
+  }
+  if (!journal.damage.empty()) {
+    state.say(journal.damage, true);
+  } else if (replay.difference()) {
+    state.say(
+        "Cut another way than when it was saved: another version of Kerf made this journal, or it was "
+        "changed",
+        true);
+  }
+}
 
-Status open_files(EditorState& state, Renderer& renderer, std::span<const std::filesystem::path> files) {
-  if (files.empty()) return Done{};
-  Result<Scene> scene = read_all(files);
-  if (!scene) return scene.error();
-  const World::Bounds bounds = scene->world.bounds();
-  renderer.show(scene->world, scene->paints);
+// Puts a scene in place of what is open, as it was loaded.
+void show_scene(EditorState& state, Renderer& renderer, Scene scene) {
+  const World::Bounds bounds = scene.world.bounds();
+  renderer.show(scene.world, scene.paints);
   state.as_loaded.reset();
-  if (scene->world.live_faces() <= Document::kMostFacesToCopy) state.as_loaded = scene->world;
-  const std::vector<std::filesystem::path> origin(files.begin(), files.end());
-  state.document = Document(std::move(scene->world), [origin](const Progress*) -> Result<World> {
-    Result<Scene> again = read_all(origin);
+  if (scene.world.live_faces() <= Document::kMostFacesToCopy) state.as_loaded = scene.world;
+  const SceneDescription origin = scene;
+  state.document = Document(std::move(scene.world), [origin](const Progress* progress) -> Result<World> {
+    Result<Scene> again = load_scene(origin, progress);
     if (!again) return again.error();
     return std::move(again->world);
   });
-  state.files.assign(files.begin(), files.end());
-  state.paints = std::move(scene->paints);
-  state.home = scene->view;
+  state.paints = scene.paints;
+  state.home = scene.view;
   state.tool = LaserTool();
   state.drag = Drag::kNone;
   state.split.twin.forget();
   state.look.pieces.clear();
   state.look.tree.body.reset();
-  state.look.lights = scene->lights.empty() ? std::vector{Light{}} : scene->lights;
+  state.look.lights = scene.lights.empty() ? std::vector{Light{}} : scene.lights;
   state.look.shadow.inspected = 0;
-  if (const auto show = parse_show_list(scene->show); show && !scene->show.empty()) state.look.show = *show;
+  if (const auto show = parse_show_list(scene.show); show && !scene.show.empty()) state.look.show = *show;
   state.spread = 0;
   state.laser.fit(bounds.diagonal());
   state.last_step = state.stroke_figures = {};
@@ -87,8 +113,48 @@ Status open_files(EditorState& state, Renderer& renderer, std::span<const std::f
     state.camera.frame_default(bounds, state.aspect());
   }
   state.camera.finish();
-  state.say(names_of(files) + note_of(state.document.world()));
-  cut_strokes_of(state, renderer, scene->strokes);
+  state.work = WorkInHand();
+  state.work.scene = std::move(scene);
+}
+
+void show_work(EditorState& state, Renderer& renderer, Work work) {
+  const std::vector<StrokePath> strokes = work.scene.strokes;
+  show_scene(state, renderer, std::move(work.scene));
+  // Without hashes the work can be cut but not kept, which is said when it comes to that.
+  if (const Status noted = note_hashes(state.work.scene); !noted) state.say(noted.error().message, true);
+  cut_strokes_of(state, renderer, strokes);
+  replay_all(state, renderer, work.journal);
+  state.work.marks = std::move(work.journal.marks);
+  state.work.saved_lights = state.look.lights;
+  const bool whole = work.journal.damage.empty();
+  state.work.saved_commands = whole ? state.document.journal().size() : WorkInHand::kNothing;
+}
+
+}  // namespace
+
+Status open_files(EditorState& state, Renderer& renderer, std::span<const std::filesystem::path> files) {
+  if (files.empty()) return Done{};
+  Result<Work> work = read_all(files);
+  if (!work) return work.error();
+  state.files.assign(files.begin(), files.end());
+  std::string note = names_of(files) + note_of(work->scene.world);
+  state.say(std::move(note));
+  show_work(state, renderer, std::move(*work));
+  if (files.front().extension() == ".kerf") state.work.file = files.front();
+  return Done{};
+}
+
+Status open_left_work(EditorState& state, Renderer& renderer, const LeftWork& left) {
+  Result<Scene> scene = load_scene(left.journal.scene);
+  if (!scene) return scene.error();
+  state.files.clear();
+  for (const SceneBody& body : left.journal.scene.bodies) state.files.push_back(body.mesh);
+  state.say("Here is the work that was left");
+  Journal journal = left.journal;
+  journal.damage.clear();  // the line that was being written when the editor died
+  show_work(state, renderer, {std::move(*scene), std::move(journal)});
+  state.work.file = left.journal.work_of;
+  state.work.saved_commands = WorkInHand::kNothing;
   return Done{};
 }
 

@@ -98,6 +98,7 @@ void draw_panels(EditorState& state) {
   draw_status_bar(state);
   draw_shortcut_sheet(state);
   draw_file_browser(state);
+  draw_question(state);
 }
 
 }  // namespace kerf

@@ -2,10 +2,11 @@
 
 #include <imgui.h>
 
-#include "ui/editor/length_text.h"
+#include "core/base/length_text.h"
 #include "ui/editor/light_handle.h"
 #include "ui/editor/number_text.h"
 #include "ui/editor/theme.h"
+#include "ui/render/beam_strike.h"
 
 namespace kerf {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "ui/editor/length_text.h"
+#include "core/base/length_text.h"
 #include "ui/editor/number_text.h"
 #include "ui/editor/property.h"
 #include "ui/editor/recut.h"

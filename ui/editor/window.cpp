@@ -44,6 +44,7 @@ struct Window::Callbacks {
     inner(w).activity = true;
   }
   static void refresh(GLFWwindow* w) { inner(w).activity = true; }
+  static void close(GLFWwindow* w) { inner(w).activity = true; }
   static void resize(GLFWwindow* w, int, int) { inner(w).activity = true; }
   static void focus(GLFWwindow* w, int) { inner(w).activity = true; }
 };
@@ -70,11 +71,16 @@ Result<Window> Window::open(int width, int height, const std::string& title) {
   glfwSetDropCallback(inner->window, Callbacks::drop);
   glfwSetWindowRefreshCallback(inner->window, Callbacks::refresh);
   glfwSetFramebufferSizeCallback(inner->window, Callbacks::resize);
+  glfwSetWindowCloseCallback(inner->window, Callbacks::close);
   glfwSetWindowFocusCallback(inner->window, Callbacks::focus);
   return Window(std::move(inner));
 }
 
-bool Window::wants_to_close() const { return glfwWindowShouldClose(handle()) != 0; }
+bool Window::take_close() {
+  const bool wanted = glfwWindowShouldClose(handle()) != 0;
+  glfwSetWindowShouldClose(handle(), 0);
+  return wanted;
+}
 
 Vec2 Window::size() const {
   int w = 0, h = 0;

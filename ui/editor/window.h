@@ -30,7 +30,8 @@ class Window {
   static Result<Window> open(int width, int height, const std::string& title);
 
   GLFWwindow* handle() const { return inner_->window; }
-  bool wants_to_close() const;
+  // Whether the user asked for it to close since the last call; it stays open.
+  bool take_close();
   Vec2 size() const;        // screen coordinates
   Vec2 pixel_size() const;  // of the framebuffer
   float scale() const;      // of text, as the display asks for it

@@ -1,14 +1,11 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <optional>
-#include <string>
 
 #include "core/base/result.h"
 #include "core/base/vec3.h"
-#include "core/document/document.h"
-#include "core/document/scene.h"
+#include "core/document/work.h"
 #include "ui/render/show_options.h"
 
 namespace kerf {
@@ -20,8 +17,9 @@ struct PictureOptions {
   bool antialias = true;
 };
 
-// Draws a scene without a screen and writes it as a PNG, whole or not at all. The strokes of the scene are
-// cut first. Fails without OpenGL, where the file cannot be written, and where a stroke cannot be cut.
-Status render_picture(Scene scene, const PictureOptions& options, const std::filesystem::path& png);
+// Draws what a file holds without a screen and writes it as a PNG, whole or not at all. The strokes of a
+// scene are cut and the commands of a journal replayed first. Fails without OpenGL, where the file cannot be
+// written, and where a stroke of a scene cannot be cut.
+Status render_picture(Work work, const PictureOptions& options, const std::filesystem::path& png);
 
 }  // namespace kerf

@@ -60,6 +60,50 @@ TEST(Document, recuts_the_last_stroke_as_if_it_had_been_drawn_so) {
   EXPECT_EQ(recut.strokes(), 2u);
 }
 
+TEST(Document, the_same_pieces_come_off_however_moves_are_dealt_out_to_steps) {
+  for (uint64_t seed = 1; seed <= 5; ++seed) {
+    std::vector<std::vector<size_t>> faces_of_pieces;
+    for (const size_t moves : {1u, 3u, 16u, 100'000u}) {
+      Random random(seed);
+      Document document(world_of(torus(24, 16, 0.5, 0.2)));
+      for (int stroke = 0; stroke < 3; ++stroke) {
+        const auto pose = [&] {
+          return Pose{{random.uniform(-0.6, 0.6), 1, random.uniform(-0.6, 0.6)}, {0, -1, 0}};
+        };
+        document.apply(BeginStroke{settings_of(0.02), pose()});
+        for (int i = 0; i < 5; ++i) document.apply(MoveStroke{pose()});
+        document.apply(EndStroke{});
+        while (document.waiting() > 0) ASSERT_TRUE(document.step(moves).ok());
+      }
+      std::vector<size_t>& faces = faces_of_pieces.emplace_back();
+      for (const BodyId id : document.world().ids()) {
+        for (const Piece& piece : document.world().body(id).pieces) faces.push_back(piece.faces);
+      }
+    }
+    EXPECT_GT(faces_of_pieces.front().size(), 3u) << "seed " << seed;
+    for (const auto& faces : faces_of_pieces) EXPECT_EQ(faces, faces_of_pieces.front()) << "seed " << seed;
+  }
+}
+
+TEST(Document, a_stroke_that_fails_leaves_the_next_one_alone) {
+  CutSettings too_fine = settings_of(0.02);
+  too_fine.most_faces = 40;
+  const auto strokes = [&](Document& document, bool step_between) {
+    for (const double z : {0.2, -0.2}) {
+      document.apply(BeginStroke{z > 0 ? too_fine : settings_of(0.02), {{-0.7, 1, z}, {0, -1, 0}}});
+      document.apply(MoveStroke{{{0.7, 1, z}, {0, -1, 0}}});
+      document.apply(EndStroke{});
+      while (step_between && document.waiting() > 0) (void)document.step(4).ok();
+    }
+    while (document.waiting() > 0) (void)document.step(4).ok();
+  };
+  Document one(world_of(plate(1))), other(world_of(plate(1)));
+  strokes(one, true);
+  strokes(other, false);
+  EXPECT_EQ(state_hash(one.world()), state_hash(other.world()));
+  EXPECT_GT(one.world().live_faces(), 200u);
+}
+
 TEST(Document, does_nothing_for_moves_outside_a_stroke) {
   Document document(world_of(plate(1)));
   document.apply(MoveStroke{{{0, 1, 0}, {0, -1, 0}}});

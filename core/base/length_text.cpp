@@ -1,5 +1,6 @@
-#include "ui/editor/length_text.h"
+#include "core/base/length_text.h"
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 

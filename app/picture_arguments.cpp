@@ -1,0 +1,47 @@
+#include "app/picture_arguments.h"
+
+#include <CLI/CLI.hpp>
+
+#include "app/parse_values.h"
+
+namespace kerf {
+
+void PictureArguments::add_to(CLI::App& command) {
+  command.add_option("--size", size, "Width and height in pixels, WxH (1280x720)");
+  command.add_option("--eye", eye, "Where the camera stands, x,y,z in metres");
+  command.add_option("--target", target, "What it looks at, x,y,z in metres");
+  command.add_option("--show", show, "Overlays, separated by commas: " + offered_show_names());
+}
+
+Result<PictureOptions> PictureArguments::parse() const {
+  PictureOptions options;
+  const auto pixels = parse_size(size);
+  if (!pixels) return pixels.error();
+  options.width = pixels->width;
+  options.height = pixels->height;
+  if (!eye.empty()) {
+    const auto point = parse_point("--eye", eye);
+    if (!point) return point.error();
+    options.eye = *point;
+  }
+  if (!target.empty()) {
+    const auto point = parse_point("--target", target);
+    if (!point) return point.error();
+    options.target = *point;
+  }
+  const auto shown = parse_show_list(show);
+  if (!shown) return shown.error();
+  options.show = *shown;
+  return options;
+}
+
+Status show_as_asked(const PictureArguments& arguments, const Scene& scene, const std::string& file,
+                     PictureOptions& options) {
+  if (!arguments.show.empty()) return Done{};
+  const auto wanted = parse_show_list(scene.show);
+  if (!wanted) return bad_input(file + ": /show: " + wanted.error().message);
+  options.show = *wanted;
+  return Done{};
+}
+
+}  // namespace kerf

@@ -1,0 +1,77 @@
+#include "app/pieces_folder.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "app/progress_line.h"
+#include "core/base/atomic_file.h"
+#include "core/cut/stopwatch.h"
+#include "core/mesh/write_mesh.h"
+
+namespace kerf {
+
+namespace {
+
+struct Part {
+  Extract extract;
+  const Body* body;
+};
+
+std::vector<Part> parts_of(const World& world, bool split_all) {
+  std::vector<Part> parts;
+  for (const BodyId id : world.ids()) {
+    const Body& body = world.body(id);
+    for (const auto& faces : faces_by_piece(body, split_all))
+      parts.push_back({extract_faces(body, faces), &body});
+  }
+  std::stable_sort(parts.begin(), parts.end(),
+                   [](const Part& a, const Part& b) { return a.extract.area > b.extract.area; });
+  return parts;
+}
+
+Result<WrittenPiece> write_piece(const Part& part, size_t number, const PiecesFolder& folder) {
+  char name[40];
+  std::snprintf(name, sizeof name, "piece-%04zu.%s", number, folder.format.c_str());
+  const Extract& e = part.extract;
+  const MeshView view{e.positions, e.triangles, e.materials, part.body->material_names};
+  const auto file = std::filesystem::path(folder.path) / name;
+  if (const auto s = write_mesh(view, file, *mesh_format(folder.format)); !s) return s.error();
+  return WrittenPiece{name, e.triangles.size(), e.positions.size(), e.boundary_edges, e.area, e.centroid};
+}
+
+Result<std::vector<WrittenPiece>> write_pieces(const World& world, const PiecesFolder& folder) {
+  const std::vector<Part> parts = parts_of(world, folder.split_all);
+  std::vector<WrittenPiece> written;
+  ProgressLine line("writing");
+  for (const Part& part : parts) {
+    if (!line.update(static_cast<double>(written.size()) / static_cast<double>(parts.size()))) {
+      return failed("stopped; of " + std::to_string(parts.size()) + " pieces " +
+                    std::to_string(written.size()) + " are written, and no report");
+    }
+    auto piece = write_piece(part, written.size(), folder);
+    if (!piece) return piece.error();
+    written.push_back(std::move(*piece));
+  }
+  return written;
+}
+
+}  // namespace
+
+Status PiecesFolder::make() const {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error) return failed(path + ": the folder cannot be made: " + error.message());
+  return Done{};
+}
+
+Status PiecesFolder::write(CutJob& job, const World& world, const CutSettings& settings) const {
+  const auto written = [&] {
+    const Stopwatch watch(job.save_s);
+    return write_pieces(world, *this);
+  }();
+  if (!written) return written.error();
+  const auto report = cut_report(job, world, settings_json(settings, format, split_all), *written);
+  return write_file_atomically(std::filesystem::path(path) / "report.json", report.dump(2) + "\n");
+}
+
+}  // namespace kerf

@@ -1,0 +1,187 @@
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <iostream>
+
+#include "app/commands.h"
+#include "app/exit_status.h"
+#include "app/interrupt.h"
+#include "app/picture_arguments.h"
+#include "app/pieces_folder.h"
+#include "app/progress_line.h"
+#include "app/tell.h"
+#include "core/cut/stopwatch.h"
+#include "core/document/command_words.h"
+#include "core/document/hash_text.h"
+#include "core/document/replay.h"
+#include "core/world/state_hash.h"
+#include "ui/render/film.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr size_t kMovesOfStep = 64;
+
+struct ReplayArguments {
+  std::string journal, out, expect, frames;
+  double frames_per_second = 30;
+  PictureArguments picture;
+};
+
+// One run of `kerf replay`.
+class ReplayRun {
+ public:
+  explicit ReplayRun(ReplayArguments arguments) : arguments_(std::move(arguments)) {}
+
+  Status run() {
+    if (const auto s = check_arguments(); !s) return s;
+    if (const auto s = load(); !s) return s;
+    const PiecesFolder folder{arguments_.out};
+    if (!folder.path.empty()) {
+      if (const auto s = folder.make(); !s) return s;
+    }
+    if (const auto s = begin_film(); !s) return s;
+    Document document(std::move(work_.scene.world));
+    Replay replay(work_.journal, document);
+    if (const auto s = walk(replay, document); !s) return s;
+    const uint64_t hash = state_hash(document.world());
+    std::cout << hash_text(hash) << '\n';
+    if (!folder.path.empty()) {
+      if (const auto s = folder.write(job_, document.world(), first_settings()); !s) return s;
+    }
+    return judge(replay, hash);
+  }
+
+ private:
+  Status check_arguments() {
+    if (!arguments_.expect.empty()) {
+      expected_ = parse_hash(arguments_.expect);
+      if (!expected_) return bad_input("--expect: must be sixteen hexadecimal digits, like 0123456789abcdef");
+    }
+    const double fps = arguments_.frames_per_second;
+    if (!(fps >= 1 && fps <= 1000))
+      return bad_input("--fps: must be a number of frames a second from 1 to 1000");
+    return Done{};
+  }
+
+  Status load() {
+    ProgressLine line("loading " + std::filesystem::path(arguments_.journal).filename().string());
+    const Progress progress = line.progress();
+    const Stopwatch watch(job_.load_s);
+    auto work = read_journal_work(arguments_.journal, &progress);
+    if (!work) return error_or_stopped(work.error());
+    work_ = std::move(*work);
+    if (!work_.journal.damage.empty()) warn(work_.journal.damage);
+    const World& world = work_.scene.world;
+    for (const BodyId id : world.ids()) job_.note_loaded(world.body(id).loaded);
+    job_.input_min_angle = smallest_angle(world);
+    return Done{};
+  }
+
+  Status begin_film() {
+    if (arguments_.frames.empty()) return Done{};
+    auto picture = arguments_.picture.parse();
+    if (!picture) return picture.error();
+    if (const auto s = show_as_asked(arguments_.picture, work_.scene, arguments_.journal, *picture); !s)
+      return s;
+    if (const auto s = PiecesFolder{arguments_.frames}.make(); !s) return s;
+    auto film = Film::begin(work_.scene, {*picture, arguments_.frames_per_second, arguments_.frames});
+    if (!film) return film.error();
+    film_.emplace(std::move(*film));
+    return Done{};
+  }
+
+  Status walk(Replay& replay, Document& document) {
+    const Stopwatch watch(job_.cut_s);
+    ProgressLine line(film_ ? "filming" : "replaying");
+    const Progress progress{[&](double) { return line.update(replay.fraction()); }};
+    while (!replay.done()) {
+      if (!progress.report(0)) return stopped();
+      if (const auto s = step(replay, document, progress); !s) return s;
+    }
+    return film_ ? film_->end(document) : Done{};
+  }
+
+  Status step(Replay& replay, Document& document, const Progress& progress) {
+    Delta at_once;
+    if (document.waiting() == 0) {
+      Result<Delta> delta = replay.next_command(&progress);
+      if (interrupted()) return stopped();
+      if (!delta) warn(delta.error().message);
+      if (delta) at_once = std::move(*delta);
+    }
+    std::optional<BeamMove> move;
+    if (document.next_move() != nullptr) move = *document.next_move();
+    double seconds = 0;
+    Result<StepResult> step = [&] {
+      const Stopwatch watch(seconds);
+      return replay.step(film_ ? 1 : kMovesOfStep, &progress);
+    }();
+    if (interrupted()) return stopped();
+    if (step) {
+      job_.note_step(*step, seconds);
+      at_once.append(std::move(step->delta));
+      step->delta = std::move(at_once);
+    } else {
+      warn(step.error().message);  // as it was when the journal was made, or the hash will tell
+    }
+    return film_ ? film_->follow(document, move, step ? &*step : nullptr) : Done{};
+  }
+
+  CutSettings first_settings() const {
+    for (const Command& command : work_.journal.commands) {
+      if (const auto* begin = std::get_if<BeginStroke>(&command)) return begin->settings;
+    }
+    return {};
+  }
+
+  Status judge(const Replay& replay, uint64_t hash) const {
+    if (const auto& d = replay.difference()) {
+      return failed(arguments_.journal + ": line " + std::to_string(d->mark.line) + ": " + place_of(d->mark) +
+                    " the state is " + hash_text(d->hash) + " and not " + hash_text(d->mark.hash) +
+                    ": another version of Kerf made this journal, or it was changed");
+    }
+    if (expected_ && *expected_ != hash) {
+      return failed(arguments_.journal + ": the state at the end is " + hash_text(hash) + " and not " +
+                    hash_text(*expected_) + ", as --expect says");
+    }
+    return Done{};
+  }
+
+  std::string place_of(const StateMark& mark) const {
+    if (mark.commands == 0) return "before the first command";
+    return "after command " + std::to_string(mark.commands) + " (" +
+           words(work_.journal.commands[mark.commands - 1]) + ")";
+  }
+
+  ReplayArguments arguments_;
+  std::optional<uint64_t> expected_;
+  Work work_;
+  CutJob job_;
+  std::optional<Film> film_;
+};
+
+}  // namespace
+
+void add_replay_command(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand(
+      "replay", "Replay a journal, print the hash of its end and hold it against those recorded");
+  auto a = std::make_shared<ReplayArguments>();
+  command->add_option("JOURNAL", a->journal, "A journal (.kerf)")->required();
+  command->add_option("--out", a->out, "A folder for the pieces and report.json, as kerf cut writes them");
+  command->add_option("--expect", a->expect, "The hash that the end must have");
+  auto* frames = command->add_option("--frames", a->frames,
+                                     "A folder for a film in numbered PNGs: the beam goes at a steady speed, "
+                                     "across the diagonal of all meshes in four seconds");
+  command->add_option("--fps", a->frames_per_second, "Frames a second of the film (30)")->needs(frames);
+  a->picture.add_to(*command);
+  command->callback([a, &action] {
+    action = [a] {
+      catch_interrupts();
+      const Status status = ReplayRun(*a).run();
+      return status ? 0 : report_error(status.error());
+    };
+  });
+}
+
+}  // namespace kerf

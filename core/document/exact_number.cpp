@@ -1,0 +1,19 @@
+#include "core/document/exact_number.h"
+
+#include <array>
+#include <cassert>
+#include <charconv>
+#include <cmath>
+
+namespace kerf {
+
+void append_number(std::string& text, double x) {
+  assert(std::isfinite(x));
+  std::array<char, 32> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), x).ptr;
+  const std::string_view number(digits.data(), static_cast<size_t>(end - digits.data()));
+  text += number;
+  if (number.find_first_of(".e") == std::string_view::npos) text += ".0";
+}
+
+}  // namespace kerf

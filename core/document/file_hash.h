@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include "core/base/result.h"
+
+namespace kerf {
+
+// A number for the bytes of a regular file, by which a journal knows the mesh that it was made with. Not for
+// keeping secrets. Reads the file once, a megabyte at a time.
+Result<uint64_t> file_hash(const std::filesystem::path& file);
+
+}  // namespace kerf

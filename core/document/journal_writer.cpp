@@ -1,0 +1,49 @@
+#include "core/document/command_text.h"
+#include "core/document/document.h"
+#include "core/document/hash_text.h"
+#include "core/document/journal.h"
+#include "core/document/scene_text.h"
+#include "core/world/state_hash.h"
+
+namespace kerf {
+
+Result<std::string> journal_head(const SceneDescription& scene, const std::filesystem::path& work_of,
+                                 const std::filesystem::path& folder) {
+  nlohmann::ordered_json json{{"kerf", "journal"}};
+  SceneDescription without_strokes = scene;
+  without_strokes.strokes.clear();
+  json.update(scene_json(without_strokes, folder));
+  if (!work_of.empty()) json["work_of"] = path_text(work_of, {});
+  for (const SceneBody& body : scene.bodies) {
+    if (!body.hash)
+      return bad_input(body.mesh.string() + ": a journal needs a mesh file that can be read again");
+  }
+  const auto text = dump_json(json);
+  if (!text) return text.error();
+  return *text + "\n";
+}
+
+Result<std::string> journal_lines(std::span<const Command> commands, std::span<const StateMark> marks,
+                                  const std::filesystem::path& folder) {
+  std::string lines;
+  for (size_t i = 0;; ++i) {
+    for (; !marks.empty() && marks.front().commands == i; marks = marks.subspan(1))
+      lines += "{\"hash\":\"" + hash_text(marks.front().hash) + "\"}\n";
+    if (i == commands.size()) return lines;
+    const auto line = command_text(commands[i], folder);
+    if (!line) return line.error();
+    lines += *line + '\n';
+  }
+}
+
+bool mark_state(const Document& document, std::vector<StateMark>& marks, bool always) {
+  const size_t commands = document.journal().size();
+  const size_t last = marks.empty() ? 0 : marks.back().commands;
+  const bool marked = !marks.empty() && last == commands;
+  if (document.in_stroke() || document.waiting() > 0 || marked) return false;
+  if (!always && commands < last + kCommandsBetweenMarks) return false;
+  marks.push_back({commands, state_hash(document.world()), 0});
+  return true;
+}
+
+}  // namespace kerf

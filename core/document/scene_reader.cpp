@@ -1,0 +1,203 @@
+#include <cmath>
+
+#include "core/document/colour_text.h"
+#include "core/document/hash_text.h"
+#include "core/document/parse_strokes.h"
+#include "core/document/scene_text.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr double kUnitSlack = 1e-9;  // of the squared length of an orientation
+
+Result<Vec3> colour(const JsonValue& value) {
+  const auto text = value.text();
+  if (!text) return text.error();
+  const auto colour = parse_colour(*text);
+  if (!colour) return value.wrong("must be a colour like \"#3a6f8f\"");
+  return *colour;
+}
+
+Result<glm::dquat> orientation(const JsonValue& value) {
+  if (!value.json().is_array() || value.json().size() != 4) return value.wrong("must be four numbers");
+  std::array<double, 4> q{};
+  for (size_t i = 0; i < q.size(); ++i) {
+    const auto n = value[i].number();
+    if (!n) return n.error();
+    q[i] = *n;
+  }
+  const glm::dquat turn(q[0], q[1], q[2], q[3]);
+  if (!(std::abs(glm::dot(turn, turn) - 1) < kUnitSlack)) return value.wrong("must have length 1");
+  return turn;
+}
+
+// What is left of an object once these keys are out of it.
+template <typename... Keys>
+std::string without(nlohmann::json json, Keys... keys) {
+  (json.erase(keys), ...);
+  return json.dump();
+}
+
+Status parse_placement(const JsonValue& value, Placement& placement) {
+  if (value.has("position")) {
+    const auto position = value["position"].vector();
+    if (!position) return position.error();
+    placement.position = *position;
+  }
+  if (value.has("orientation")) {
+    const auto turn = orientation(value["orientation"]);
+    if (!turn) return turn.error();
+    placement.orientation = *turn;
+  }
+  return Done{};
+}
+
+Result<SceneBody> parse_body(const JsonValue& value, const std::filesystem::path& folder) {
+  if (const auto object = value.object(); !object) return object.error();
+  if (!value.has("mesh")) return value.wrong("needs \"mesh\"");
+  const auto mesh = value["mesh"].text();
+  if (!mesh) return mesh.error();
+  SceneBody body;
+  body.mesh = folder / *mesh;
+  body.name = body.mesh.stem().string();
+  if (value.has("name")) {
+    const auto given = value["name"].text();
+    if (!given) return given.error();
+    body.name = *given;
+  }
+  if (value.has("hash")) {
+    const auto text = value["hash"].text();
+    if (!text) return text.error();
+    body.hash = parse_hash(*text);
+    if (!body.hash) return value["hash"].wrong("must be sixteen hexadecimal digits");
+  }
+  if (const auto placed = parse_placement(value, body.placement); !placed) return placed.error();
+  body.others = without(value.json(), "mesh", "name", "hash", "position", "orientation");
+  return body;
+}
+
+Status parse_bodies(const JsonValue& value, const std::filesystem::path& folder, SceneDescription& scene) {
+  if (const auto array = value.array("bodies"); !array) return array;
+  if (value.json().empty()) return value.wrong("must hold one body or more");
+  for (size_t i = 0; i < value.json().size(); ++i) {
+    auto body = parse_body(value[i], folder);
+    if (!body) return body.error();
+    scene.bodies.push_back(std::move(*body));
+  }
+  return Done{};
+}
+
+Status parse_paints(const JsonValue& value, SceneDescription& scene) {
+  if (const auto object = value.object(); !object) return object;
+  for (const auto& [name, json] : value.json().items()) {
+    const JsonValue entry = value[name.c_str()];
+    if (const auto object = entry.object(); !object) return object;
+    Paint& paint = scene.paints[name];
+    if (entry.has("colour")) {
+      const auto c = colour(entry["colour"]);
+      if (!c) return c.error();
+      paint.colour = *c;
+    }
+    if (entry.has("gloss")) {
+      const auto gloss = entry["gloss"].number();
+      if (!gloss) return gloss.error();
+      if (*gloss < 0 || *gloss > 1) return entry["gloss"].wrong("must be between 0 and 1");
+      paint.gloss = *gloss;
+    }
+  }
+  return Done{};
+}
+
+Status parse_view(const JsonValue& value, SceneDescription& scene) {
+  if (const auto object = value.object(); !object) return object;
+  if (!value.has("eye") || !value.has("target")) return value.wrong("needs \"eye\" and \"target\"");
+  const auto eye = value["eye"].vector(), target = value["target"].vector();
+  if (!eye) return eye.error();
+  if (!target) return target.error();
+  if (*eye == *target) return value.wrong("eye and target must differ");
+  scene.view = View{*eye, *target};
+  return Done{};
+}
+
+Status parse_light(const JsonValue& value, Light& light) {
+  if (const auto object = value.object(); !object) return object;
+  const bool point = value.has("position");
+  if (point == value.has("direction"))
+    return value.wrong("needs \"direction\" or \"position\", and not both");
+  const JsonValue place = value[point ? "position" : "direction"];
+  const auto at = place.vector();
+  if (!at) return at.error();
+  if (!point && *at == Vec3(0)) return place.wrong("must not be zero: it points towards the light");
+  light.kind = point ? Light::Kind::kPoint : Light::Kind::kDirectional;
+  light.at = *at;
+  if (value.has("colour")) {
+    const auto c = colour(value["colour"]);
+    if (!c) return c.error();
+    light.colour = *c;
+  }
+  if (value.has("intensity")) {
+    const auto intensity = value["intensity"].positive_number();
+    if (!intensity) return intensity.error();
+    light.intensity = *intensity;
+  }
+  return Done{};
+}
+
+Status parse_lights(const JsonValue& value, SceneDescription& scene) {
+  if (const auto array = value.array("lights"); !array) return array;
+  if (value.json().size() > kMostLights)
+    return value.wrong("must hold no more than " + std::to_string(kMostLights) + " lights");
+  for (size_t i = 0; i < value.json().size(); ++i) {
+    if (const auto light = parse_light(value[i], scene.lights.emplace_back()); !light) return light;
+  }
+  return Done{};
+}
+
+Status parse_show(const JsonValue& value, SceneDescription& scene) {
+  if (const auto array = value.array("names"); !array) return array;
+  for (size_t i = 0; i < value.json().size(); ++i) {
+    const auto name = value[i].text();
+    if (!name) return name.error();
+    scene.show += (i > 0 ? "," : "") + *name;
+  }
+  return Done{};
+}
+
+Status parse_scene_strokes(const JsonValue& value, SceneDescription& scene) {
+  auto strokes = parse_strokes(value);
+  if (!strokes) return strokes.error();
+  scene.strokes = std::move(*strokes);
+  return Done{};
+}
+
+Status check_version(const JsonValue& value) {
+  if (value.json() == nlohmann::json(kSceneVersion)) return Done{};
+  return value.wrong("this Kerf reads version " + std::to_string(kSceneVersion) + " and no other");
+}
+
+}  // namespace
+
+Result<SceneDescription> parse_scene(const JsonValue& root, const std::filesystem::path& folder) {
+  if (const auto object = root.object(); !object) return object.error();
+  if (root.has("version")) {
+    if (const auto version = check_version(root["version"]); !version) return version.error();
+  }
+  if (!root.has("bodies")) return root.wrong("needs \"bodies\"");
+  SceneDescription scene;
+  if (const auto bodies = parse_bodies(root["bodies"], folder, scene); !bodies) return bodies.error();
+  struct Part {
+    const char* key;
+    Status (*parse)(const JsonValue&, SceneDescription&);
+  };
+  for (const Part& part :
+       {Part{"paints", parse_paints}, Part{"view", parse_view}, Part{"lights", parse_lights},
+        Part{"show", parse_show}, Part{"strokes", parse_scene_strokes}}) {
+    if (!root.has(part.key)) continue;
+    if (const auto parsed = part.parse(root[part.key], scene); !parsed) return parsed.error();
+  }
+  scene.others = without(root.json(), "version", "bodies", "paints", "view", "lights", "show", "strokes");
+  return scene;
+}
+
+}  // namespace kerf

@@ -1,0 +1,101 @@
+#include "core/document/colour_text.h"
+#include "core/document/hash_text.h"
+#include "core/document/scene_text.h"
+
+namespace kerf {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+Json list(const Vec3& v) { return {v.x, v.y, v.z}; }
+
+// `json` and behind it what was kept of the keys that this version does not know.
+Json with_others(Json json, const std::string& others) {
+  const Json kept = Json::parse(others, nullptr, false);
+  if (kept.is_object()) json.update(kept);
+  return json;
+}
+
+Json body_json(const SceneBody& body, const fs::path& folder) {
+  Json json{{"mesh", path_text(body.mesh, folder)}, {"name", body.name}};
+  const Placement none;
+  const glm::dquat& q = body.placement.orientation;
+  if (body.placement.position != none.position) json["position"] = list(body.placement.position);
+  if (q != none.orientation) json["orientation"] = {q.w, q.x, q.y, q.z};
+  if (body.hash) json["hash"] = hash_text(*body.hash);
+  return with_others(json, body.others);
+}
+
+Json light_json(const Light& light) {
+  return {{light.kind == Light::Kind::kPoint ? "position" : "direction", list(light.at)},
+          {"colour", colour_text(light.colour)},
+          {"intensity", light.intensity}};
+}
+
+Json show_json(const std::string& show) {
+  Json names = Json::array();
+  for (size_t at = 0; at < show.size();) {
+    const size_t comma = std::min(show.find(',', at), show.size());
+    names.push_back(show.substr(at, comma - at));
+    at = comma + 1;
+  }
+  return names;
+}
+
+Json stroke_json(const StrokePath& stroke) {
+  Json laser = Json::object(), keys = Json::array();
+  if (stroke.radius) laser["radius"] = *stroke.radius;
+  if (stroke.range) laser["range"] = {stroke.range->low, stroke.range->high};
+  if (stroke.power) laser["power"] = *stroke.power;
+  for (size_t k = 0; k < stroke.keys.size(); ++k) {
+    keys.push_back({{"t", stroke.times[k]},
+                    {"origin", list(stroke.keys[k].origin)},
+                    {"direction", list(stroke.keys[k].direction)}});
+  }
+  return {{"laser", laser}, {"keys", keys}};
+}
+
+template <typename Items, typename ToJson>
+Json list_of(const Items& items, ToJson to_json) {
+  Json all = Json::array();
+  for (const auto& item : items) all.push_back(to_json(item));
+  return all;
+}
+
+}  // namespace
+
+std::string path_text(const fs::path& file, const fs::path& folder) {
+  std::error_code error;
+  fs::path whole = fs::weakly_canonical(fs::absolute(file, error), error);
+  if (error) whole = file;
+  if (folder.empty()) return whole.string();
+  const fs::path from = fs::weakly_canonical(fs::absolute(folder, error), error);
+  const fs::path relative = error ? fs::path() : whole.lexically_relative(from);
+  const auto ups = std::count(relative.begin(), relative.end(), "..");
+  const bool beside = ups == 0 || (ups == 1 && from.parent_path() != from.root_path());
+  return relative.empty() || !beside ? whole.string() : relative.string();
+}
+
+Json scene_json(const SceneDescription& scene, const fs::path& folder) {
+  Json json{{"version", kSceneVersion}};
+  json["bodies"] = list_of(scene.bodies, [&](const SceneBody& body) { return body_json(body, folder); });
+  for (const auto& [name, paint] : scene.paints)
+    json["paints"][name] = {{"colour", colour_text(paint.colour)}, {"gloss", paint.gloss}};
+  if (scene.view) json["view"] = {{"eye", list(scene.view->eye)}, {"target", list(scene.view->target)}};
+  if (!scene.lights.empty()) json["lights"] = list_of(scene.lights, light_json);
+  if (!scene.show.empty()) json["show"] = show_json(scene.show);
+  if (!scene.strokes.empty()) json["strokes"] = list_of(scene.strokes, stroke_json);
+  return with_others(json, scene.others);
+}
+
+Result<std::string> dump_json(const Json& json, int indent) {
+  try {
+    return json.dump(indent);
+  } catch (const Json::exception&) {
+    return bad_input("a name in it is not UTF-8, which JSON cannot hold: rename that file or piece");
+  }
+}
+
+}  // namespace kerf

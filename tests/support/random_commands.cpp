@@ -1,0 +1,171 @@
+#include "tests/support/random_commands.h"
+
+#include <bit>
+#include <cmath>
+
+#include "tests/support/strokes.h"
+
+namespace kerf::test {
+
+namespace {
+
+// Of any size and sign, now and then a number that is hard to write.
+double random_number(Random& random) {
+  switch (random.below(8)) {
+    case 0:
+      return -0.0;
+    case 1:
+      return static_cast<double>(random.below(1u << 20));
+    case 2:
+      return 5e-324;
+    case 3:
+      return 1.7976931348623157e308;
+    default:
+      return std::ldexp(random.uniform(-1, 1), static_cast<int>(random.below(200)) - 100);
+  }
+}
+double random_positive(Random& random) { return std::abs(random_number(random)) + 1e-300; }
+Vec3 random_point(Random& random) {
+  return {random_number(random), random_number(random), random_number(random)};
+}
+PieceRef random_piece(Random& random) {
+  return {static_cast<uint32_t>(random.bits()), static_cast<uint32_t>(random.below(9))};
+}
+std::string random_name(Random& random) {
+  constexpr std::array kNames{"plain", "", "with \"quotes\" and \\", "\xc3\xa4\xe2\x82\xac",
+                              "line\nend\ttab"};
+  return kNames[random.below(kNames.size())];
+}
+Placement random_placement(Random& random) {
+  const Vec3 axis = random_direction(random);
+  const double c = random.uniform(-1, 1), s = std::sqrt(1 - c * c);
+  return {random_point(random), glm::dquat(c, axis.x * s, axis.y * s, axis.z * s)};
+}
+
+void put(std::vector<uint64_t>& bits, double x) { bits.push_back(std::bit_cast<uint64_t>(x)); }
+void put(std::vector<uint64_t>& bits, const Vec3& v) {
+  for (int k = 0; k < 3; ++k) put(bits, v[k]);
+}
+void put(std::vector<uint64_t>& bits, const Pose& pose) {
+  put(bits, pose.origin);
+  put(bits, pose.direction);
+}
+void put(std::vector<uint64_t>& bits, const PieceRef& piece) {
+  bits.push_back(piece.body);
+  bits.push_back(piece.label);
+}
+void put(std::vector<uint64_t>& bits, const std::string& text) {
+  bits.push_back(text.size());
+  for (const char c : text) bits.push_back(static_cast<unsigned char>(c));
+}
+void put(std::vector<uint64_t>& bits, const CutSettings& s) {
+  const Resolution& r = s.resolution;
+  for (const double x :
+       {s.laser.radius, s.laser.range.low, s.laser.range.high, s.laser.power, r.target_edge, r.tolerance}) {
+    put(bits, x);
+  }
+  for (const auto n : {static_cast<int>(s.laser.pattern), static_cast<int>(r.scheme),
+                       static_cast<int>(r.rule), static_cast<int>(r.rim), r.depth}) {
+    bits.push_back(static_cast<uint64_t>(n));
+  }
+  bits.push_back(s.most_faces);
+}
+
+struct Bits {
+  std::vector<uint64_t> bits;
+  void operator()(const BeginStroke& c) {
+    put(bits, c.settings);
+    put(bits, c.pose);
+  }
+  void operator()(const MoveStroke& c) { put(bits, c.pose); }
+  void operator()(const Recut& c) { put(bits, c.settings); }
+  void operator()(const AddMesh& c) {
+    put(bits, c.file.string());
+    put(bits, c.name);
+  }
+  void operator()(const MovePiece& c) {
+    put(bits, c.piece);
+    put(bits, c.to.position);
+    for (int k = 0; k < 4; ++k) put(bits, c.to.orientation[k]);
+  }
+  void operator()(const HidePiece& c) {
+    put(bits, c.piece);
+    bits.push_back(c.hidden);
+  }
+  void operator()(const DeletePiece& c) { put(bits, c.piece); }
+  void operator()(const RenamePiece& c) {
+    put(bits, c.piece);
+    put(bits, c.name);
+  }
+  void operator()(const auto&) {}
+};
+
+}  // namespace
+
+CutSettings random_settings(Random& random) {
+  CutSettings s;
+  s.laser.radius = random_positive(random);
+  const double low = random_positive(random), high = random_positive(random);
+  s.laser.range = {std::min(low, high), std::max(low, high)};
+  s.laser.pattern = random.below(2) > 0 ? Pattern::kRays4 : Pattern::kVolume;
+  s.laser.power = random_positive(random);
+  s.resolution.scheme = random.below(2) > 0 ? Scheme::kOneToFour : Scheme::kLongestEdge;
+  s.resolution.rule = static_cast<Resolution::Rule>(random.below(3));
+  s.resolution.target_edge = random_positive(random);
+  s.resolution.tolerance = random_positive(random);
+  s.resolution.depth = static_cast<int>(random.below(Resolution::kLargestDepth + 1));
+  s.resolution.rim = random.below(2) > 0 ? Rim::kSmooth : Rim::kFaces;
+  if (random.below(3) == 0) s.most_faces = 1 + random.below(1u << 30);
+  return s;
+}
+
+Command random_command(Random& random, const Vec3& last) {
+  Vec3 direction = random_direction(random);
+  if (glm::length(direction + last) < 1e-3) direction = last;
+  const Pose pose{random_point(random), direction};
+  switch (random.below(11)) {
+    case 0:
+      return BeginStroke{random_settings(random), pose};
+    case 1:
+      return EndStroke{};
+    case 2:
+      return Recut{random_settings(random)};
+    case 3:
+      return AddMesh{"/some/folder/" + std::to_string(random.below(9)) + ".obj", random_name(random)};
+    case 4:
+      return MovePiece{random_piece(random), random_placement(random)};
+    case 5:
+      return HidePiece{random_piece(random), random.below(2) > 0};
+    case 6:
+      return DeletePiece{random_piece(random)};
+    case 7:
+      return RenamePiece{random_piece(random), random_name(random)};
+    case 8:
+      return Undo{};
+    case 9:
+      return Redo{};
+    default:
+      return MoveStroke{pose};
+  }
+}
+
+std::vector<Command> random_commands(Random& random, size_t count) {
+  std::vector<Command> commands;
+  Vec3 last{0, 1, 0};
+  while (commands.size() < count) {
+    commands.push_back(random_command(random, last));
+    if (const auto* begin = std::get_if<BeginStroke>(&commands.back())) last = begin->pose.direction;
+    if (const auto* move = std::get_if<MoveStroke>(&commands.back())) last = move->pose.direction;
+  }
+  return commands;
+}
+
+bool same_bits(const Command& a, const Command& b) {
+  if (a.index() != b.index()) return false;
+  Bits of_a, of_b;
+  std::visit(of_a, a);
+  std::visit(of_b, b);
+  return of_a.bits == of_b.bits;
+}
+
+}  // namespace kerf::test

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "core/base/random.h"
+#include "core/document/command.h"
+
+namespace kerf::test {
+
+// Settings of a stroke, any that a journal may hold.
+CutSettings random_settings(Random& random);
+
+// A command of any kind with any numbers that a journal may hold; its direction is not opposite to `last`.
+Command random_command(Random& random, const Vec3& last);
+
+// So many of them, as a journal may hold them one after the other.
+std::vector<Command> random_commands(Random& random, size_t count);
+
+// Whether two commands are equal to the bit.
+bool same_bits(const Command& a, const Command& b);
+
+}  // namespace kerf::test

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <optional>
+
+#include "core/world/world.h"
+
+namespace kerf {
+
+// Where a ray first meets the world: metres along it.
+std::optional<double> first_hit(const World& world, const Pose& ray);
+
+// Where a beam first meets the world, metres along it: by rays on its axis, around its radius and around that
+// of the rim of what it burns, which lies so much farther out (m). Empty beyond `reach`.
+std::optional<double> find_strike(const World& world, const Pose& beam, double radius, double overshoot,
+                                  double reach);
+
+}  // namespace kerf

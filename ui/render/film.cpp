@@ -1,0 +1,78 @@
+#include "ui/render/film.h"
+
+#include <cstdio>
+
+#include "ui/render/beam_strike.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr double kSecondsAcross = 4;
+constexpr double kRest = 0.5, kRestAtEnd = 1;  // s
+
+Vec3 at_distance(const Pose& pose, double distance) { return pose.origin + pose.direction * distance; }
+
+}  // namespace
+
+Film::Film(Studio studio, FilmOptions options, const World::Bounds& bounds)
+    : studio_(std::move(studio)),
+      options_(std::move(options)),
+      middle_(bounds.min + (bounds.max - bounds.min) * 0.5),
+      speed_(bounds.diagonal() / kSecondsAcross) {}
+
+Result<Film> Film::begin(const Scene& scene, FilmOptions options) {
+  auto studio = Studio::open(scene, options.picture);
+  if (!studio) return studio.error();
+  Film film(std::move(*studio), std::move(options), scene.world.bounds());
+  if (const Status rested = film.pass(kRest, scene.world, std::nullopt); !rested) return rested.error();
+  return film;
+}
+
+Status Film::follow(const Document& document, const std::optional<BeamMove>& move, const StepResult* step) {
+  const World& world = document.world();
+  studio_.follow(world, step);
+  if (move) {
+    if (const Status moved = pass(seconds_of(*move), world, beam_picture(document, move->to)); !moved)
+      return moved;
+  }
+  const bool rests = document.waiting() == 0 && !document.in_stroke();
+  return rests ? pass(kRest, world, std::nullopt) : Done{};
+}
+
+Status Film::end(const Document& document) { return pass(kRestAtEnd, document.world(), std::nullopt); }
+
+double Film::seconds_of(const BeamMove& move) const {
+  const double distance = glm::length(middle_ - move.from.origin);
+  const double way = std::max(glm::length(move.to.origin - move.from.origin),
+                              glm::length(at_distance(move.to, distance) - at_distance(move.from, distance)));
+  return speed_ > 0 ? way / speed_ : 0;
+}
+
+std::optional<BeamPicture> Film::beam_picture(const Document& document, const Pose& beam) const {
+  const CutSettings& settings = document.stroke_settings();
+  const double radius = settings.laser.radius, reach = settings.laser.range.high;
+  const double far = glm::length(middle_ - beam.origin) + kSecondsAcross * speed_;
+  BeamPicture picture{beam.origin, at_distance(beam, std::min(reach, far)), std::nullopt, radius};
+  const bool by_edge = settings.resolution.rule == Resolution::Rule::kTargetEdge;
+  const double overshoot = by_edge ? settings.resolution.target_edge : 0.5 * radius;
+  if (const auto strike = find_strike(document.world(), beam, radius, overshoot, reach))
+    picture.strike = at_distance(beam, *strike);
+  return picture;
+}
+
+// Lets time go by and takes the frames that are due in it.
+Status Film::pass(double seconds, const World& world, const std::optional<BeamPicture>& beam) {
+  clock_ += seconds;
+  bool drawn = false;
+  for (; static_cast<double>(frames_) < clock_ * options_.frames_per_second; ++frames_) {
+    if (!drawn) studio_.draw(world, beam);
+    drawn = true;
+    char name[40];
+    std::snprintf(name, sizeof name, "frame-%05zu.png", frames_);
+    if (const Status written = studio_.write(options_.folder / name); !written) return written;
+  }
+  return Done{};
+}
+
+}  // namespace kerf

@@ -116,7 +116,7 @@ Result<StepResult> close_rim(World& world, const CutSettings& settings, std::spa
     if (const Status closed = close(rim, share_of(progress, done, done + share)); !closed)
       return closed.error();
     done += share;
-    settle(step, result);
+    end_step(step, settings.search_a_step, result);
   }
   return result;
 }

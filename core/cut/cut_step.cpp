@@ -35,16 +35,30 @@ Result<StepResult> cut_step(World& world, const CutSettings& settings, std::span
       remove(step, settings.smooth());
       done += share;
     }
-    settle(step, result);
+    end_step(step, settings.search_a_step, result);
   }
   return result;
 }
 
-void settle(BodyStep& step, StepResult& result) {
-  if (!step.edited.empty()) {
+StepResult go_on_separating(World& world, size_t most) {
+  StepResult result;
+  for (const BodyId id : world.ids()) {
+    BodyStep step(id, world.body(id));
+    end_step(step, most, result);
+  }
+  return result;
+}
+
+bool is_settled(const World& world) {
+  const auto ids = world.ids();
+  return std::all_of(ids.begin(), ids.end(), [&](BodyId id) { return is_settled(world.body(id)); });
+}
+
+void end_step(BodyStep& step, size_t most, StepResult& result) {
+  if (!step.edited.empty() || !is_settled(step.body)) {
     result.delta.removed_faces += step.removed_faces;
     result.delta.removed_area += step.removed_area;
-    result.delta.bodies.push_back(separate(step));
+    result.delta.bodies.push_back(separate(step, most));
     for (const FaceId f : result.delta.bodies.back().born) {
       step.figures.largest_cosine =
           std::max(step.figures.largest_cosine, largest_cosine(step.body.mesh.triangle(f)));

@@ -45,6 +45,8 @@ struct CutSettings {
   Resolution resolution;
   bool smooth() const { return resolution.rim == Rim::kSmooth && laser.pattern == Pattern::kVolume; }
   size_t most_faces = 20'000'000;  // a cut that would make more live faces than this stops
+  // How many faces a step looks at when it must search for what came apart; the next steps go on with it.
+  size_t search_a_step = 6'000;
 };
 
 // What a step looked at, made and took, and how long its stages took (seconds).
@@ -81,5 +83,11 @@ Result<StepResult> cut_step(World& world, const CutSettings& settings, std::span
 // of one base face are turned where that makes the smallest angle larger. Fails as cut_step does.
 Result<StepResult> close_rim(World& world, const CutSettings& settings, std::span<const BeamMove> path,
                              const Progress* progress = nullptr);
+
+// Whether no search for what came apart is open in any body.
+bool is_settled(const World& world);
+
+// Goes on with those searches as a step that cuts nothing, looking at so many faces in each body.
+StepResult go_on_separating(World& world, size_t most);
 
 }  // namespace kerf

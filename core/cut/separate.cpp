@@ -5,14 +5,13 @@
 
 namespace kerf {
 
-BodyDelta separate(BodyStep& step) {
+BodyDelta separate(BodyStep& step, size_t most) {
   const Stopwatch watch(step.figures.separate_s);
   BodyDelta delta;
   delta.body = step.id;
-  Separation::Result result = step.separation.settle(step.body);
+  SettleResult result = settle(step.body, most);
   delta.new_pieces = std::move(result.new_pieces);
   delta.relabelled = std::move(result.relabelled);
-  std::sort(delta.relabelled.begin(), delta.relabelled.end());
 
   std::sort(step.edited.begin(), step.edited.end());
   step.edited.erase(std::unique(step.edited.begin(), step.edited.end()), step.edited.end());

@@ -1,6 +1,9 @@
 #include "core/document/document.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "core/graph/separation.h"
 
 namespace kerf {
 
@@ -80,6 +83,7 @@ double Document::reach(const Pose& pose) const {
 }
 
 Result<StepResult> Document::step(size_t moves, const Progress* progress) {
+  if (work_.empty()) return go_on_separating(world_, stroke_->settings.search_a_step);
   StepResult all;
   const size_t stop = work_.size() - std::min(moves, work_.size());
   while (work_.size() > stop) {
@@ -95,9 +99,11 @@ Result<StepResult> Document::step(size_t moves, const Progress* progress) {
   return all;
 }
 
-// The moves of one stroke that come next, or its end.
+// The moves of one stroke that come next, or its end. What came apart in the stroke before is settled first,
+// so that nothing of it is left to be found when a stroke begins.
 Result<StepResult> Document::walk_some(size_t most, const Progress* progress) {
   const std::shared_ptr<Stroke> stroke = work_.front().stroke;
+  if (!std::exchange(stroke->walked, true) && !is_settled(world_)) return go_on_separating(world_, kNoLimit);
   if (work_.front().closes) {
     work_.pop_front();
     return close_rim(world_, stroke->settings, stroke->path, progress);

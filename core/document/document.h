@@ -27,8 +27,9 @@ class Document {
   // BeginStroke; moves without a stroke do nothing.
   void apply(const Command& command);
 
-  // Moves that wait; the end of a stroke with a smooth rim counts as one.
-  size_t waiting() const { return work_.size(); }
+  // Moves that wait; the end of a stroke with a smooth rim counts as one, and so does a search for what came
+  // apart that is left when no move waits.
+  size_t waiting() const { return work_.empty() && !is_settled(world_) ? 1 : work_.size(); }
   // The first of them; null when none waits.
   const BeamMove* next_move() const { return work_.empty() ? nullptr : &work_.front().move; }
 
@@ -58,6 +59,7 @@ class Document {
   struct Stroke {
     CutSettings settings;
     std::vector<BeamMove> path;  // all of it, straight ways as one move
+    bool walked = false;         // at least a part of it
   };
   // A move of the beam, or the end of a stroke with a smooth rim.
   struct Work {

@@ -46,7 +46,7 @@ struct CutSettings {
   bool smooth() const { return resolution.rim == Rim::kSmooth && laser.pattern == Pattern::kVolume; }
   size_t most_faces = 20'000'000;  // a cut that would make more live faces than this stops
   // How many faces a step looks at when it must search for what came apart; the next steps go on with it.
-  size_t search_a_step = 6'000;
+  size_t search_a_step = 3'000;
 };
 
 // What a step looked at, made and took, and how long its stages took (seconds).

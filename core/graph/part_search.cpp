@@ -12,7 +12,7 @@ namespace {
 
 constexpr uint32_t kNone = 0xffffffffu;
 constexpr size_t kLongestTurn = 64;  // faces
-constexpr size_t kForgetFrom = 4096;
+constexpr size_t kLarge = 4096;      // a front that has looked at so many faces
 
 uint32_t root(std::vector<uint32_t>& parent, uint32_t x) {
   while (parent[x] != x) x = parent[x] = parent[parent[x]];
@@ -26,22 +26,17 @@ void reset(OpenSearch& search) {
   search.next_slot = 0;
 }
 
-// So that a front remembers little more than its rim.
-void forget_looked_at(SearchFront& front) {
-  if (front.next < kForgetFrom || 2 * front.next < front.frontier.size()) return;
-  front.frontier.erase(front.frontier.begin(),
-                       front.frontier.begin() + static_cast<std::ptrdiff_t>(front.next));
-  front.next = 0;
-}
-
 }  // namespace
 
 // Beginning -------------------------------------------------------------------------------------------------
 
 void PartSearch::start(Scope scope) {
   search_.stage = OpenSearch::Stage::kGrow;
-  seed_clusters();
-  if (scope == Scope::kComponents) group_by_component();
+  if (scope == Scope::kClusters) {
+    seed_clusters();
+  } else {
+    seed_components();
+  }
   const size_t seeds = search_.seed.size();
   search_.group_parent.resize(seeds);
   std::iota(search_.group_parent.begin(), search_.group_parent.end(), 0u);
@@ -66,7 +61,14 @@ void PartSearch::seed_clusters() {
   }
 }
 
-void PartSearch::group_by_component() {
+void PartSearch::seed_components() {
+  search_.seed.clear();
+  for (const auto& tie : state_.ties) {
+    if (body_.mesh.is_live(tie.second)) search_.seed.push_back(tie.second);
+  }
+  std::sort(search_.seed.begin(), search_.seed.end());
+  search_.seed.erase(std::unique(search_.seed.begin(), search_.seed.end()), search_.seed.end());
+  search_.group.resize(search_.seed.size());
   std::vector<std::pair<const Piece*, uint32_t>> known;
   for (uint32_t i = 0; i < search_.seed.size(); ++i) {
     const Piece* whole = &body_.whole_of(search_.seed[i]);
@@ -222,10 +224,9 @@ bool PartSearch::grow(size_t most, SettleResult& result) {
 // fetched side by side.
 size_t PartSearch::take_turn(uint32_t front, size_t faces) {
   SearchFront& own = search_.fronts[front];
-  const size_t begin = own.next, end = std::min(begin + faces, own.frontier.size());
+  take_from(own, faces);
   neighbours_.clear();
-  for (own.next = begin; own.next < end; ++own.next) {
-    const FaceId f = own.frontier[own.next];
+  for (const FaceId f : turn_) {
     if (!body_.mesh.is_live(f)) continue;
     const size_t first = neighbours_.size();
     body_.mesh.append_nearest_neighbours(f, neighbours_);
@@ -233,8 +234,7 @@ size_t PartSearch::take_turn(uint32_t front, size_t faces) {
     const uint32_t mark = search_.mark.get(f.index);
     if (!(mark & OpenSearch::kLookedAt)) note_looked_at(f, mark);
   }
-  own.looked_at += end - begin;
-  forget_looked_at(own);
+  own.looked_at += turn_.size();
   for (const FaceId n : neighbours_) reach(front, n);
   front = root(search_.front_parent, front);
   if (!search_.fronts[front].exhausted()) {
@@ -243,7 +243,22 @@ size_t PartSearch::take_turn(uint32_t front, size_t faces) {
     --open_[root(search_.group_parent, search_.group[front])];
     note_exhausted(front);
   }
-  return end - begin;
+  return turn_.size();
+}
+
+// The oldest of the rim first, so that fronts near one another meet soon; a front that has become large goes
+// on from the newest, which lie beside each other in memory too.
+void PartSearch::take_from(SearchFront& front, size_t faces) {
+  faces = std::min(faces, front.frontier.size() - front.next);
+  const auto taken = static_cast<std::ptrdiff_t>(faces);
+  if (front.looked_at >= kLarge) {
+    turn_.assign(front.frontier.end() - taken, front.frontier.end());
+    front.frontier.resize(front.frontier.size() - faces);
+  } else {
+    const auto begin = front.frontier.begin() + static_cast<std::ptrdiff_t>(front.next);
+    turn_.assign(begin, begin + taken);
+    front.next += faces;
+  }
 }
 
 // Labels ----------------------------------------------------------------------------------------------------

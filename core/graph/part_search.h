@@ -55,7 +55,7 @@ class PartSearch {
   };
 
   void seed_clusters();
-  void group_by_component();
+  void seed_components();
   void note_looked_at(FaceId f, uint32_t mark);
   void reach(uint32_t front, FaceId f);
   void merge(uint32_t a, uint32_t b);
@@ -63,6 +63,7 @@ class PartSearch {
 
   bool grow(size_t most, SettleResult& result);
   size_t take_turn(uint32_t front, size_t faces);
+  void take_from(SearchFront& front, size_t faces);
   bool must_grow(uint32_t front);
   void sum_up();
   void note_exhausted(uint32_t front);
@@ -79,7 +80,7 @@ class PartSearch {
   std::vector<uint32_t> open_;  // by group: how many of its fronts are not exhausted
   std::vector<Found> found_;
   std::priority_queue<Turn> turns_;
-  std::vector<FaceId> neighbours_;
+  std::vector<FaceId> turn_, neighbours_;  // scratch
 };
 
 }  // namespace kerf

@@ -97,6 +97,16 @@ class CutRun {
       if (!stepping.report(0)) return cancelled();
       if (const auto s = step(moves * (i + 1) / steps - moves * i / steps, stepping); !s) return s;
     }
+    return settle();
+  }
+
+  // A search for what came apart may be left when all moves are walked.
+  Status settle() {
+    while (document_.waiting() > 0) {
+      const Result<StepResult> result = document_.step(1);
+      if (!result) return result.error();
+      job_.figures.add(result->figures);
+    }
     return Done{};
   }
 

@@ -8,6 +8,10 @@ namespace kerf {
 // less than 4e-16 of them; boxes only cull, so a little more costs a few needless triangle tests and no more.
 inline constexpr double kBoxSlack = 1e-14;
 
+// Parts whose areas differ by less than this share of the component that they came from count as equal: the
+// area of a component is kept as a sum, from which each face takes its own when it goes.
+inline constexpr double kEqualArea = 1e-9;
+
 // A smooth rim, relative to the radius of the beam. A chord of the rim lies this near the boundary; what
 // reaches this far across it is not cut; a vertex this near it is on it; the radius that looks for neighbours
 // is this much larger.

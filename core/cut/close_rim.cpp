@@ -116,7 +116,8 @@ Result<StepResult> close_rim(World& world, const CutSettings& settings, std::spa
     if (const Status closed = close(rim, share_of(progress, done, done + share)); !closed)
       return closed.error();
     done += share;
-    settle(step, result);
+    separate(step, settings.search_a_move);
+    end_step(step, result);
   }
   return result;
 }

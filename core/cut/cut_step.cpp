@@ -34,18 +34,55 @@ Result<StepResult> cut_step(World& world, const CutSettings& settings, std::span
       if (!refined) return refined.error();
       if (*refined) hit(step);
       remove(step, settings.smooth());
+      separate(step, settings.search_a_move);
       done += share;
     }
-    settle(step, result);
+    end_step(step, result);
   }
   return result;
 }
 
-void settle(BodyStep& step, StepResult& result) {
-  if (!step.edited.empty()) {
+StepResult go_on_separating(World& world, size_t most) {
+  StepResult result;
+  for (const BodyId id : world.ids()) {
+    BodyStep step(id, world.body(id));
+    separate(step, most);
+    end_step(step, result);
+  }
+  return result;
+}
+
+bool is_settled(const World& world) {
+  const auto ids = world.ids();
+  return std::all_of(ids.begin(), ids.end(), [&](BodyId id) { return is_settled(world.body(id)); });
+}
+
+namespace {
+
+void sort_each_once(std::vector<FaceId>& faces) {
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+}
+
+BodyDelta delta_of(BodyStep& step) {
+  BodyDelta delta;
+  delta.body = step.id;
+  delta.new_pieces = std::move(step.new_pieces);
+  sort_each_once(step.edited);
+  for (const FaceId f : step.edited) (step.body.mesh.is_live(f) ? delta.born : delta.gone).push_back(f);
+  sort_each_once(step.relabelled);
+  std::erase_if(step.relabelled, [&](FaceId f) { return !step.body.mesh.is_live(f); });
+  delta.relabelled = std::move(step.relabelled);
+  return delta;
+}
+
+}  // namespace
+
+void end_step(BodyStep& step, StepResult& result) {
+  if (!step.edited.empty() || !step.relabelled.empty() || !step.new_pieces.empty()) {
     result.delta.removed_faces += step.removed_faces;
     result.delta.removed_area += step.removed_area;
-    result.delta.bodies.push_back(separate(step));
+    result.delta.bodies.push_back(delta_of(step));
     for (const FaceId f : result.delta.bodies.back().born) {
       step.figures.largest_cosine =
           std::max(step.figures.largest_cosine, largest_cosine(step.body.mesh.triangle(f)));

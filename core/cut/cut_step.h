@@ -45,6 +45,9 @@ struct CutSettings {
   Resolution resolution;
   bool smooth() const { return resolution.rim == Rim::kSmooth && laser.pattern == Pattern::kVolume; }
   size_t most_faces = 20'000'000;  // a cut that would make more live faces than this stops
+  // How many faces a move looks at when what came apart must be searched for; the next moves go on with it,
+  // so that pieces get the same labels however moves are dealt out to steps.
+  size_t search_a_move = 3'000;
 };
 
 // What a step looked at, made and took, and how long its stages took (seconds).
@@ -62,9 +65,10 @@ struct StepResult {
   StepFigures figures;
 };
 
-// One step of a cut through all bodies that are not hidden: for each move of the beam in turn the faces that it touches are found
-// (hit), split until they are fine enough or wholly within the beam (refine), and removed; then what came
-// apart gets labels of its own (separate). Topology changes nowhere else. Moves are in world coordinates.
+// One step of a cut through all bodies that are not hidden: for each move of the beam in turn the faces that
+// it touches are found (hit), split until they are fine enough or wholly within the beam (refine), and
+// removed; then what came apart gets labels of its own (separate). Topology changes nowhere else. Moves are
+// in world coordinates.
 //
 // Fails when settings.most_faces is reached and when `progress` stops it; what was cut until then stays cut,
 // and the delta is lost, so that everything that follows the world must look at it anew.
@@ -81,5 +85,11 @@ Result<StepResult> cut_step(World& world, const CutSettings& settings, std::span
 // of one base face are turned where that makes the smallest angle larger. Fails as cut_step does.
 Result<StepResult> close_rim(World& world, const CutSettings& settings, std::span<const BeamMove> path,
                              const Progress* progress = nullptr);
+
+// Whether no search for what came apart is open in any body.
+bool is_settled(const World& world);
+
+// Goes on with those searches as a step that cuts nothing, looking at so many faces in each body.
+StepResult go_on_separating(World& world, size_t most);
 
 }  // namespace kerf

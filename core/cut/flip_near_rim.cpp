@@ -32,7 +32,7 @@ class Flip {
     mesh.append_edge_sides(f, from_, to_, sides);
     if (sides.size() != 1 || !mesh.can_flip_edge(f, from_, to_)) return;
     other_ = sides[0].face;
-    if (mesh.data(other_).base != mesh.data(f).base || mesh.data(other_).piece != mesh.data(f).piece) return;
+    if (mesh.data(other_).base != mesh.data(f).base) return;
     Vec3 below{0};
     for (const VertexId v : mesh.corners(other_)) {
       if (v != from_ && v != to_) below = mesh.position(v);
@@ -55,8 +55,10 @@ class Flip {
     mesh_.flip_edge(face_, from_, to_);
     const std::array<FaceId, 2> faces{face_, other_};
     for (int i = 0; i < 2; ++i) {
-      follow_area(mesh_.edit_data(faces[i]), triangle_area(before_[i]), triangle_area(mesh_.triangle(faces[i])));
+      follow_area(mesh_.edit_data(faces[i]), triangle_area(before_[i]),
+                  triangle_area(mesh_.triangle(faces[i])));
       step.edited.push_back(faces[i]);
+      note_turned(step.body, faces[i]);
     }
   }
 

@@ -102,9 +102,10 @@ void follow_splits(BodyStep& step, std::span<const Replacement> replaced) {
   step.body.tree.replace(step.body.mesh, replaced);
   for (const Replacement& r : replaced) {
     step.edited.insert(step.edited.end(), r.born.begin(), r.born.begin() + r.born_count);
-    const size_t made = size_t{r.born_count} - r.gone_count;
-    step.figures.faces_made += made;
-    step.body.pieces.edit(step.body.mesh.data(r.born[0]).piece).faces += made;
+    const int made = r.born_count - r.gone_count;
+    step.figures.faces_made += static_cast<size_t>(made);
+    note_replaced(step.body, r);
+    step.body.count(r.born[0], made, 0);
   }
 }
 

@@ -10,12 +10,10 @@ namespace {
 void remove_face(BodyStep& step, FaceId f) {
   Body& body = step.body;
   const double area = triangle_area(body.mesh.triangle(f));
-  Piece& piece = body.pieces.edit(body.mesh.data(f).piece);
-  --piece.faces;
-  piece.area -= area;
+  note_removal(body, f);
+  body.count(f, -1, -area);
   step.removed_area += area;
   ++step.removed_faces;
-  step.separation.note_removal(body.mesh, f);
   body.mesh.remove_face(f);
   step.edited.push_back(f);
 }

@@ -1,23 +1,13 @@
-#include <algorithm>
-
 #include "core/cut/step_state.h"
 #include "core/cut/stopwatch.h"
 
 namespace kerf {
 
-BodyDelta separate(BodyStep& step) {
+void separate(BodyStep& step, size_t most) {
   const Stopwatch watch(step.figures.separate_s);
-  BodyDelta delta;
-  delta.body = step.id;
-  Separation::Result result = step.separation.settle(step.body);
-  delta.new_pieces = std::move(result.new_pieces);
-  delta.relabelled = std::move(result.relabelled);
-  std::sort(delta.relabelled.begin(), delta.relabelled.end());
-
-  std::sort(step.edited.begin(), step.edited.end());
-  step.edited.erase(std::unique(step.edited.begin(), step.edited.end()), step.edited.end());
-  for (const FaceId f : step.edited) (step.body.mesh.is_live(f) ? delta.born : delta.gone).push_back(f);
-  return delta;
+  const SettleResult result = settle(step.body, most);
+  step.new_pieces.insert(step.new_pieces.end(), result.new_pieces.begin(), result.new_pieces.end());
+  step.relabelled.insert(step.relabelled.end(), result.relabelled.begin(), result.relabelled.end());
 }
 
 }  // namespace kerf

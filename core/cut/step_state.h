@@ -16,8 +16,9 @@ struct BodyStep {
   Body& body;
   std::vector<SweptCylinder> beam;  // of the current move, in the body's frame
   std::vector<FaceId> hit;          // faces that the beam touches, each once
-  Separation separation;
-  std::vector<FaceId> edited;  // slots that were born, reused or removed in this step, with repeats
+  std::vector<FaceId> edited;       // slots that were born, reused or removed in this step, with repeats
+  std::vector<FaceId> relabelled;
+  std::vector<uint32_t> new_pieces;
   size_t removed_faces = 0;
   double removed_area = 0;
   StepFigures figures;
@@ -36,9 +37,10 @@ void remove_faces(BodyStep& step, std::span<const FaceId> faces);
 void split_by_scheme(BodyStep& step, Scheme scheme, FaceId f, std::vector<Replacement>& out);
 // Tells the tree, the counts and the delta what became of faces that were split.
 void follow_splits(BodyStep& step, std::span<const Replacement> replaced);
-BodyDelta separate(BodyStep& step);
-// Ends the step of a body: separates, and adds what it did to the result.
-void settle(BodyStep& step, StepResult& result);
+// Looks at so many faces or few more for what came apart; see kerf::settle.
+void separate(BodyStep& step, size_t most);
+// Ends the step of a body: adds what it did to the result.
+void end_step(BodyStep& step, StepResult& result);
 // The error of a cut that goes beyond settings.most_faces.
 Error too_many_faces(const CutSettings& settings);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/document/piece_commands.h"
+#include "core/graph/separation.h"
 
 namespace kerf {
 
@@ -140,37 +141,54 @@ std::optional<World> Document::before_last_stroke() {
 
 // Walking ---------------------------------------------------------------------------------------------------
 
+size_t Document::waiting() const { return work_.empty() && !is_settled(world_) ? 1 : work_.size(); }
+
 Result<StepResult> Document::step(size_t moves, const Progress* progress) {
   StepResult all;
+  const auto take = [&](size_t step, StepResult some) {
+    history_.step(step).touch(some.delta);
+    settle(step);
+    all.delta.append(std::move(some.delta));
+    all.figures.add(some.figures);
+  };
+  if (work_.empty() && open_ && !is_settled(world_)) {
+    take(*open_, go_on_separating(world_, stroke_->settings.search_a_move));
+    return all;
+  }
   const size_t stop = work_.size() - std::min(moves, work_.size());
   while (work_.size() > stop) {
     const size_t step = work_.front().step;
+    // What came apart in one stroke is known before the next one begins.
+    if (open_ && open_ != step && !is_settled(world_)) take(*open_, go_on_separating(world_, kNoLimit));
     bool stopped = false;
     const Progress watched{[&](double fraction) {
       stopped = progress && !progress->report(fraction);
       return !stopped;
     }};
-    Result<StepResult> some = walk_one(&watched);
+    Result<StepResult> some = walk_some(work_.size() - stop, watched);
     if (!some) {
       give_up(step, stopped);
       return some.error();
     }
-    history_.step(step).touch(some->delta);
-    settle(step);
-    all.delta.append(std::move(some->delta));
-    all.figures.add(some->figures);
+    take(step, std::move(*some));
   }
   return all;
 }
 
-// The move that comes next, or the end of a stroke. One at a time, so that pieces come apart, and get their
-// labels, in the same order however the moves are dealt out to steps.
-Result<StepResult> Document::walk_one(const Progress* progress) {
-  const Work work = std::move(work_.front());
-  work_.pop_front();
-  remember(work.step);
-  if (work.closes) return close_rim(world_, work.stroke->settings, work.stroke->path, progress);
-  return cut_step(world_, work.stroke->settings, std::span(&work.move, 1), progress);
+// The moves of one stroke that come next, or its end.
+Result<StepResult> Document::walk_some(size_t most, const Progress& progress) {
+  const Work first = work_.front();
+  remember(first.step);
+  if (first.closes) {
+    work_.pop_front();
+    return close_rim(world_, first.stroke->settings, first.stroke->path, &progress);
+  }
+  std::vector<BeamMove> now;
+  while (now.size() < most && !work_.empty() && !work_.front().closes && work_.front().step == first.step) {
+    now.push_back(work_.front().move);
+    work_.pop_front();
+  }
+  return cut_step(world_, first.stroke->settings, now, &progress);
 }
 
 // A stroke that cannot be cut to its end has cut nothing: it stays in the history, for whoever replays it
@@ -208,6 +226,8 @@ void Document::remember(size_t step) {
   history_.forget_behind(step);
   history_.step(step).begun = true;
   open_ = step;
+  // A step begins alike whatever way the world has come to where it begins.
+  for (const BodyId id : world_.ids()) forget_removals(world_.body(id));
   remembering_ = history_.window() > 0;
   if (remembering_) world_.begin_change();
 }
@@ -222,14 +242,16 @@ void Document::close() {
 // Ends a step of the history of which nothing waits any more.
 void Document::settle(size_t step) {
   const bool running = in_stroke_ && step + 1 == history_.position();
-  if (running || (!work_.empty() && work_.front().step == step)) return;
+  if (running || !is_settled(world_) || (!work_.empty() && work_.front().step == step)) return;
   history_.step(step).done = true;
   if (open_ == step) close();
 }
 
 Status Document::finish(const Progress* progress) {
-  const Result<StepResult> done = step(work_.size(), progress);
-  if (!done) return done.error();
+  while (waiting() > 0) {
+    const Result<StepResult> done = step(waiting(), progress);
+    if (!done) return done.error();
+  }
   return Done{};
 }
 

@@ -41,8 +41,9 @@ class Document {
   void apply(const MoveStroke& command);
   void apply(const EndStroke& command);
 
-  // Moves that wait; the end of a stroke with a smooth rim counts as one.
-  size_t waiting() const { return work_.size(); }
+  // Moves that wait; the end of a stroke with a smooth rim counts as one, and so does a search for what came
+  // apart that is left when no move waits.
+  size_t waiting() const;
   // The first of them; null when none waits.
   const BeamMove* next_move() const { return work_.empty() ? nullptr : &work_.front().move; }
 
@@ -106,7 +107,7 @@ class Document {
   Result<Delta> replay(size_t position, const Progress* progress);
   Status finish(const Progress* progress);
 
-  Result<StepResult> walk_one(const Progress* progress);
+  Result<StepResult> walk_some(size_t most, const Progress& progress);
   void give_up(size_t step, bool stopped);
   void remember(size_t step);
   void close();

@@ -1,42 +1,55 @@
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
-#include "core/base/union_find.h"
+#include "core/mesh/replacement.h"
 #include "core/world/world.h"
 
 namespace kerf {
 
-// Finds what newly came apart in one body after faces were removed.
+// What newly came apart in one body after faces were removed.
 //
-// Faces hang together over shared edges. Tell it of every face before it is removed; then settle() searches
-// from the rim of what was removed, one face at a time from each place in turn. Fronts that meet are one; a
-// front that runs out of faces before it meets the others has come off. Faces that never hung together are
-// told apart by the removed faces: only what a connected removal touched can have been separated by it.
-class Separation {
- public:
-  // f is live and about to be removed. Split faces may follow; slots carry the memory to their parts.
-  void note_removal(const Mesh& mesh, FaceId f);
+// Faces hang together over shared edges. Whoever edits the mesh tells of it; settling then knows from the
+// loops that the cut closed whether anything can have come apart (see CutLoops), and only if so searches for
+// it, from what hung on the faces that were removed (see PartSearch). A search may go on over several
+// settlings: what is edited in between is told like everything else, and a loop that closes meanwhile starts
+// it anew, with twice as long turns. Faces that never hung together are told apart by the removed faces: only
+// what a connected removal touched can have been separated by it.
 
-  struct Result {
-    std::vector<uint32_t> new_pieces;  // labels, by the lowest face that they hold
-    std::vector<FaceId> relabelled;    // the faces of those
-  };
-  // Of a component that fell apart the part of the largest area keeps its label (of equal parts the one with
-  // the lowest face); each other part gets a new label and an entry in body.pieces. Forgets the removals.
-  Result settle(Body& body);
+// f is live and about to be removed. To be told before the counts of its piece change.
+void note_removal(Body& body, FaceId f);
 
- private:
-  uint32_t place(FaceId f);
+// Faces were split. Their counts may be told before or after.
+void note_replaced(Body& body, const Replacement& replaced);
 
-  std::unordered_map<uint32_t, uint32_t>
-      place_of_;               // face slot -> index into faces_; looked up, never walked
-  std::vector<FaceId> faces_;  // removed faces and their neighbours
-  std::vector<std::pair<uint32_t, uint32_t>> ties_;  // places that hung together
-  std::vector<FaceId> neighbours_;
+// The face has other neighbours than before: one of its edges was turned.
+void note_turned(Body& body, FaceId f);
+
+struct SettleResult {
+  std::vector<uint32_t> new_pieces;  // labels, by the lowest face that they hold
+  std::vector<FaceId> relabelled;    // faces of those that have their label from now on, ascending
+  size_t looked_at = 0;              // faces whose neighbours a search asked for
 };
+
+inline constexpr size_t kNoLimit = std::numeric_limits<size_t>::max();
+
+// Of a component that fell apart the part of the largest area keeps its label (of equal parts, within
+// kEqualArea of the whole, the one with the lowest face); each other part gets a new label and an entry in
+// body.pieces. Looks at `most` faces or few more; what a search left to do is done by the next settlings.
+//
+// Constant time where no loop was closed. A search looks at most at twice the faces of what came off, when
+// that is also the part with fewer faces; where it has more, at all of both, for each face must get its
+// label.
+SettleResult settle(Body& body, size_t most = kNoLimit);
+
+// Whether no search is open.
+bool is_settled(const Body& body);
+
+// Forgets all that was told, for a mesh that was changed without telling; an open search is lost.
+void forget_removals(Body& body);
 
 // Labels every live face with the number of its component, by a full breadth-first search over shared edges
 // (the paper's). Dead slots get 0xffffffff. Returns the number of components. O(faces).

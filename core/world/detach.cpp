@@ -18,6 +18,19 @@ std::vector<FaceId> faces_of(const Body& body, uint32_t label, bool of_piece) {
   return faces;
 }
 
+// What is left of the parts as loaded, for faces that were copied out.
+LoadedComponents components_of(const Mesh& copy, const Body& body, std::span<const FaceId> faces) {
+  LoadedComponents own;
+  if (body.components.left.empty()) return own;
+  own.left = body.components.left;
+  own.of_base.resize(faces.size());
+  for (uint32_t f = 0; f < faces.size(); ++f) {
+    const FaceId base = body.mesh.data(faces[f]).base;
+    own.of_base[copy.data(FaceId(f)).base.index] = body.components.of_base[base.index];
+  }
+  return own;
+}
+
 Body copy_out(const Body& body, std::span<const FaceId> faces, uint32_t label, bool of_piece) {
   Body copy;
   copy.name = body.name;
@@ -27,6 +40,7 @@ Body copy_out(const Body& body, std::span<const FaceId> faces, uint32_t label, b
   copy.tree = AabbTree(copy.mesh);
   for (uint32_t p = 0; p < body.pieces.size(); ++p)
     copy.pieces.push_back((p == label) == of_piece ? body.pieces[p] : Piece{});
+  copy.components = components_of(copy.mesh, body, faces);
   copy.material_names = body.material_names;
   copy.loaded = body.loaded;
   return copy;

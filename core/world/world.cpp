@@ -8,9 +8,41 @@ Body make_body(std::string name, BuiltMesh built) {
   body.mesh = std::move(built.mesh);
   body.tree = AabbTree(body.mesh);
   body.pieces.push_back({built.report.faces, built.report.area});
+  body.components = count_components(body.mesh, built.report.components);
   body.material_names = std::move(built.material_names);
   body.loaded = std::move(built.report);
   return body;
+}
+
+uint32_t Body::label(FaceId f) const {
+  const uint32_t to_be = separation.search.label_to_be(f);
+  return to_be != 0 ? to_be : mesh.data(f).piece;
+}
+
+const Piece& Body::whole_of(FaceId f) const {
+  const uint32_t own = label(f);
+  return own != 0 || components.left.empty() ? pieces[own]
+                                             : components.left[components.of_base[mesh.data(f).base.index]];
+}
+
+Piece& Body::edit_whole_of(FaceId f) {
+  const uint32_t own = label(f);
+  return own != 0 || components.left.empty()
+             ? pieces.edit(own)
+             : components.left.edit(components.of_base[mesh.data(f).base.index]);
+}
+
+void Body::count(FaceId f, int faces, double area) {
+  const auto add = [&](auto& counts) {
+    counts.faces += static_cast<size_t>(faces);
+    counts.area += area;
+  };
+  Piece &piece = pieces.edit(label(f)), &whole = edit_whole_of(f);
+  add(piece);
+  if (&whole != &piece) add(whole);
+  OpenSearch& search = separation.search;
+  if (search.stage == OpenSearch::Stage::kGrow && (search.mark.get(f.index) & OpenSearch::kLookedAt) != 0)
+    add(*search.front_of(f));
 }
 
 BodyId World::add(Body body) {

@@ -11,16 +11,11 @@
 #include "core/mesh/mesh.h"
 #include "core/mesh/one_to_four.h"
 #include "core/tree/aabb_tree.h"
+#include "core/world/loaded_components.h"
 #include "core/world/placement.h"
+#include "core/world/separation_state.h"
 
 namespace kerf {
-
-// Faces of one body that hang together, or that belong together because they were loaded together. A piece is
-// a label on its faces (FaceData::piece) while it stands still.
-struct Piece {
-  size_t faces = 0;
-  double area = 0;  // m^2
-};
 
 // One mesh in the world with what is kept up beside it.
 struct Body {
@@ -30,12 +25,26 @@ struct Body {
   Mesh mesh;
   AabbTree tree;
   OneToFour refinement;
-  Records<Piece> pieces;  // by label; 0 is the body itself, the others came off it
+  Records<Piece> pieces;        // by label; 0 is the body itself, the others came off it
+  LoadedComponents components;  // of piece 0
+  SeparationState separation;
   std::vector<std::string> material_names;
   MeshReport loaded;  // what the file held
 
+  // The label of f, or the one that it is about to be given.
+  uint32_t label(FaceId f) const;
+
+  // The counts of all that f hangs together with, as far as the last settling knew.
+  const Piece& whole_of(FaceId f) const;
+  Piece& edit_whole_of(FaceId f);
+
+  // Adds to the counts of what f belongs to.
+  void count(FaceId f, int faces, double area);
+
   // Memory that its arrays hold.
-  size_t bytes() const { return mesh.bytes() + tree.bytes() + refinement.bytes() + pieces.bytes(); }
+  size_t bytes() const {
+    return mesh.bytes() + tree.bytes() + refinement.bytes() + pieces.bytes() + components.left.bytes();
+  }
 };
 
 // A body around a mesh as loaded: builds its tree and counts its one piece.
@@ -100,7 +109,7 @@ class World {
     Mesh::Change mesh;
     AabbTree::Change tree;
     OneToFour::Change refinement;
-    Records<Piece>::Change pieces;
+    Records<Piece>::Change pieces, components;
 
     BodyChange(uint32_t at, const Body& body)
         : slot(at), name(body.name), placement(body.placement), hidden(body.hidden) {}

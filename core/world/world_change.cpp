@@ -13,6 +13,7 @@ void begin(Body& body) {
   body.tree.begin_change();
   body.refinement.begin_change();
   body.pieces.begin_change();
+  body.components.left.begin_change();
 }
 
 bool same_place(const Placement& a, const Placement& b) {
@@ -26,11 +27,12 @@ void World::BodyChange::end(Body& body) {
   tree = body.tree.end_change();
   refinement = body.refinement.end_change();
   pieces = body.pieces.end_change();
+  components = body.components.left.end_change();
 }
 
 bool World::BodyChange::any(const Body& body) const {
   return name != body.name || hidden != body.hidden || !same_place(placement, body.placement) || mesh.any() ||
-         tree.any() || refinement.any() || pieces.any();
+         tree.any() || refinement.any() || pieces.any() || components.any();
 }
 
 void World::BodyChange::exchange(Body& body) {
@@ -41,6 +43,8 @@ void World::BodyChange::exchange(Body& body) {
   body.tree.exchange(tree);
   body.refinement.exchange(refinement);
   body.pieces.exchange(pieces);
+  body.components.left.exchange(components);
+  body.separation = SeparationState();
 }
 
 void World::BodyChange::restore(Body& body) const {
@@ -51,10 +55,12 @@ void World::BodyChange::restore(Body& body) const {
   body.tree.restore(tree);
   body.refinement.restore(refinement);
   body.pieces.restore(pieces);
+  body.components.left.restore(components);
+  body.separation = SeparationState();
 }
 
 size_t World::BodyChange::bytes() const {
-  return mesh.bytes() + tree.bytes() + refinement.bytes() + pieces.bytes();
+  return mesh.bytes() + tree.bytes() + refinement.bytes() + pieces.bytes() + components.bytes();
 }
 
 size_t World::Change::bytes() const {

@@ -33,7 +33,8 @@ void draw(Document& document, const CutSettings& settings, const std::vector<Pos
   for (size_t i = 0; i < steps; ++i) {
     ASSERT_TRUE(document.step(moves * (i + 1) / steps - moves * i / steps).ok());
   }
-  ASSERT_EQ(document.waiting(), 0u);
+  ASSERT_EQ(document.next_move(), nullptr);
+  while (document.waiting() > 0) ASSERT_TRUE(document.step(1).ok());
 }
 
 double live_area(const Mesh& mesh) {

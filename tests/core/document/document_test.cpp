@@ -77,7 +77,8 @@ TEST(Document, the_same_pieces_come_off_however_moves_are_dealt_out_to_steps) {
       }
       std::vector<size_t>& faces = faces_of_pieces.emplace_back();
       for (const BodyId id : document.world().ids()) {
-        for (const Piece& piece : document.world().body(id).pieces) faces.push_back(piece.faces);
+        const auto& pieces = document.world().body(id).pieces;
+        for (uint32_t p = 0; p < pieces.size(); ++p) faces.push_back(pieces[p].faces);
       }
     }
     EXPECT_GT(faces_of_pieces.front().size(), 3u) << "seed " << seed;

@@ -98,7 +98,9 @@ void expect_whole(const World& world) {
   }
 }
 
-void finish(Document& document) { ASSERT_TRUE(document.step(document.waiting()).ok()); }
+void finish(Document& document) {
+  while (document.waiting() > 0) ASSERT_TRUE(document.step(document.waiting()).ok());
+}
 
 // A history as it should be: what was done, each with the commands that do it from scratch.
 struct Model {

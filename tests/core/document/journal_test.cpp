@@ -218,7 +218,7 @@ Outcome run(std::span<const Command> commands, size_t moves_a_step) {
   Outcome outcome;
   Document document(world_of(plate(1)));
   for (const Command& command : commands) {
-    document.apply(command);
+    EXPECT_TRUE(document.apply(command).ok());
     while (document.waiting() > 0) EXPECT_TRUE(document.step(moves_a_step).ok());
     mark_state(document, outcome.marks);
   }
@@ -252,11 +252,11 @@ TEST_F(JournalFile, replays_to_the_hashes_that_were_recorded_and_finds_the_first
 
 TEST_F(JournalFile, holds_a_stroke_that_was_cut_again) {
   Document document(world_of(plate(1)));
-  for (const Command& command : stroke(0.1)) document.apply(command);
+  for (const Command& command : stroke(0.1)) EXPECT_TRUE(document.apply(command).ok());
   ASSERT_TRUE(document.step(document.waiting()).ok());
   CutSettings finer = document.stroke_settings();
   finer.resolution.target_edge /= 3;
-  document.recut(finer);
+  ASSERT_TRUE(document.apply(Recut{finer}).ok());
   ASSERT_TRUE(document.step(document.waiting()).ok());
   save(document.journal());
   const Journal journal = read();

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace kerf {
+
+// An array over slots of which few are in use: items that were never written are T(), and only pages that
+// were written to take memory. Growing moves no item.
+template <typename T>
+class PagedArray {
+ public:
+  static constexpr uint32_t kPage = 1024;
+
+  PagedArray() = default;
+  PagedArray(PagedArray&&) noexcept = default;
+  PagedArray& operator=(PagedArray&&) noexcept = default;
+  PagedArray(const PagedArray& other) : pages_(other.pages_.size()) {
+    for (size_t i = 0; i < pages_.size(); ++i) {
+      if (other.pages_[i]) pages_[i] = std::make_unique<Page>(*other.pages_[i]);
+    }
+  }
+  PagedArray& operator=(const PagedArray& other) { return *this = PagedArray(other); }
+
+  T get(uint32_t i) const {
+    const Page* page = page_of(i);
+    return page ? (*page)[i % kPage] : T();
+  }
+  // The item, to be written.
+  T& at(uint32_t i) {
+    const size_t page = i / kPage;
+    if (page >= pages_.size()) pages_.resize(page + 1);
+    if (!pages_[page]) pages_[page] = std::make_unique<Page>();
+    return (*pages_[page])[i % kPage];
+  }
+
+  void prefetch(uint32_t i) const {
+    if (const Page* page = page_of(i)) __builtin_prefetch(&(*page)[i % kPage]);
+  }
+
+  // One behind the last item that may have been written.
+  uint32_t end() const { return static_cast<uint32_t>(pages_.size()) * kPage; }
+  // Whether the page of the item was written to.
+  bool has_page(uint32_t i) const { return page_of(i) != nullptr; }
+
+  void clear() { pages_.clear(); }
+  size_t bytes() const {
+    size_t bytes = pages_.capacity() * sizeof(pages_[0]);
+    for (const auto& page : pages_) bytes += page ? sizeof(Page) : 0;
+    return bytes;
+  }
+
+ private:
+  using Page = std::array<T, kPage>;
+  const Page* page_of(uint32_t i) const {
+    return i / kPage < pages_.size() ? pages_[i / kPage].get() : nullptr;
+  }
+
+  std::vector<std::unique_ptr<Page>> pages_;
+};
+
+}  // namespace kerf

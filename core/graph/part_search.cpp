@@ -1,0 +1,335 @@
+#include "core/graph/part_search.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/base/tolerances.h"
+#include "core/graph/tie_clusters.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr uint32_t kNone = 0xffffffffu;
+constexpr size_t kLongestTurn = 64;  // faces
+constexpr size_t kLarge = 4096;      // a front that has looked at so many faces
+
+uint32_t root(std::vector<uint32_t>& parent, uint32_t x) {
+  while (parent[x] != x) x = parent[x] = parent[parent[x]];
+  return x;
+}
+
+void reset(OpenSearch& search) {
+  search.mark.clear();
+  search.fronts.clear();
+  search.new_label.clear();
+  search.next_slot = 0;
+}
+
+}  // namespace
+
+// Beginning -------------------------------------------------------------------------------------------------
+
+void PartSearch::start(Scope scope) {
+  search_.stage = OpenSearch::Stage::kGrow;
+  if (scope == Scope::kClusters) {
+    seed_clusters();
+  } else {
+    seed_components();
+  }
+  const size_t seeds = search_.seed.size();
+  search_.group_parent.resize(seeds);
+  std::iota(search_.group_parent.begin(), search_.group_parent.end(), 0u);
+  search_.front_parent = search_.group_parent;
+  search_.fronts.resize(seeds);
+  for (uint32_t i = 0; i < seeds; ++i) reach(i, search_.seed[i]);  // no two meet: seeds differ
+}
+
+// A front at each live face that was told; the group of a cluster has the number of its first front.
+void PartSearch::seed_clusters() {
+  TieClusters clusters(state_.ties);
+  const auto faces = clusters.faces();
+  std::vector<uint32_t> group_of(faces.size(), kNone);
+  search_.seed.clear();
+  search_.group.clear();
+  for (uint32_t i = 0; i < faces.size(); ++i) {
+    if (!body_.mesh.is_live(faces[i])) continue;
+    uint32_t& group = group_of[clusters.cluster(i)];
+    if (group == kNone) group = static_cast<uint32_t>(search_.seed.size());
+    search_.seed.push_back(faces[i]);
+    search_.group.push_back(group);
+  }
+}
+
+void PartSearch::seed_components() {
+  search_.seed.clear();
+  for (const auto& tie : state_.ties) {
+    if (body_.mesh.is_live(tie.second)) search_.seed.push_back(tie.second);
+  }
+  std::sort(search_.seed.begin(), search_.seed.end());
+  search_.seed.erase(std::unique(search_.seed.begin(), search_.seed.end()), search_.seed.end());
+  search_.group.resize(search_.seed.size());
+  std::vector<std::pair<const Piece*, uint32_t>> known;
+  for (uint32_t i = 0; i < search_.seed.size(); ++i) {
+    const Piece* whole = &body_.whole_of(search_.seed[i]);
+    const auto at = std::find_if(known.begin(), known.end(), [&](const auto& k) { return k.first == whole; });
+    search_.group[i] = at != known.end() ? at->second : known.emplace_back(whole, i).second;
+  }
+}
+
+bool PartSearch::go_on(size_t most, SettleResult& result) {
+  if (search_.stage == OpenSearch::Stage::kGrow && grow(most, result)) hand_out_labels(result);
+  if (search_.stage == OpenSearch::Stage::kRelabel) relabel(most, result);
+  return search_.stage == OpenSearch::Stage::kNone;
+}
+
+// Edits in between ------------------------------------------------------------------------------------------
+
+void PartSearch::note_replaced(const Replacement& replaced) {
+  uint32_t mark = 0;  // the greatest: one of a face that was looked at, where there is one
+  for (int i = 0; i < replaced.gone_count; ++i)
+    mark = std::max(mark, search_.mark.get(replaced.gone[i].index));
+  if (mark == 0) return;
+  for (int i = 0; i < replaced.gone_count; ++i) {
+    const FaceId f = replaced.gone[i];
+    const uint32_t own = search_.mark.get(f.index);
+    if (mark & ~own & OpenSearch::kLookedAt) note_looked_at(f, own != 0 ? own : mark);
+  }
+  for (int i = 0; i < replaced.born_count; ++i) {
+    uint32_t& own = search_.mark.at(replaced.born[i].index);
+    if (own == 0) own = mark;
+    look_again(replaced.born[i]);
+  }
+}
+
+// Half of a green pair may not have been reached when the other half was split.
+void PartSearch::note_looked_at(FaceId f, uint32_t mark) {
+  search_.mark.at(f.index) = mark | OpenSearch::kLookedAt;
+  SearchFront& front = *search_.front_of(f);
+  ++front.faces;
+  front.area += triangle_area(body_.mesh.triangle(f));
+}
+
+// What hung on a face that no front can look at any more hung on its front.
+void PartSearch::note_removal(FaceId f) {
+  const uint32_t mark = search_.mark.get(f.index);
+  if (search_.stage != OpenSearch::Stage::kGrow || mark == 0 || mark & OpenSearch::kLookedAt) return;
+  for (const FaceId n : state_.neighbours) reach(mark - 1, n);
+}
+
+void PartSearch::look_again(FaceId f) {
+  if (search_.stage != OpenSearch::Stage::kGrow) return;
+  if (SearchFront* front = search_.front_of(f)) front->frontier.push_back(f);
+}
+
+// Growing ---------------------------------------------------------------------------------------------------
+
+void PartSearch::reach(uint32_t front, FaceId f) {
+  uint32_t& mark = search_.mark.at(f.index);
+  if (mark != 0) return merge((mark & ~OpenSearch::kLookedAt) - 1, front);
+  front = root(search_.front_parent, front);
+  mark = front + 1;
+  SearchFront& own = search_.fronts[front];
+  own.frontier.push_back(f);
+  own.lowest = std::min(own.lowest, f.index);
+}
+
+// Two fronts met: one of them takes over the other's faces and group. O(the smaller rim).
+void PartSearch::merge(uint32_t a, uint32_t b) {
+  a = root(search_.front_parent, a);
+  b = root(search_.front_parent, b);
+  if (a == b) return;
+  const uint32_t into = std::min(a, b), from = std::max(a, b);
+  search_.front_parent[from] = into;
+  unite_groups(search_.group[into], search_.group[from]);
+  SearchFront &to = search_.fronts[into], &other = search_.fronts[from];
+  if (to.frontier.size() - to.next < other.frontier.size() - other.next) {
+    std::swap(to.frontier, other.frontier);
+    std::swap(to.next, other.next);
+  }
+  to.frontier.insert(to.frontier.end(), other.frontier.begin() + static_cast<std::ptrdiff_t>(other.next),
+                     other.frontier.end());
+  to.looked_at += other.looked_at;
+  to.faces += other.faces;
+  to.area += other.area;
+  to.lowest = std::min(to.lowest, other.lowest);
+  other = SearchFront{};
+  turns_.push({to.looked_at, into});
+}
+
+// Of two fronts that met. Neither was exhausted: it would have reached the other.
+void PartSearch::unite_groups(uint32_t a, uint32_t b) {
+  a = root(search_.group_parent, a);
+  b = root(search_.group_parent, b);
+  if (a != b) search_.group_parent[b] = a;
+  if (open_.empty()) return;  // between two settlings: they are counted at the next
+  if (a != b) open_[a] += open_[b];
+  --open_[a];
+}
+
+// What is known of the fronts at the beginning of some turns: edits in between may have changed it.
+void PartSearch::sum_up() {
+  found_.clear();
+  open_.assign(search_.group_parent.size(), 0);
+  for (uint32_t i = 0; i < search_.fronts.size(); ++i) {
+    if (search_.front_parent[i] != i) continue;
+    if (search_.fronts[i].exhausted()) {
+      note_exhausted(i);
+    } else {
+      ++open_[root(search_.group_parent, search_.group[i])];
+      turns_.push({search_.fronts[i].looked_at, i});
+    }
+  }
+}
+
+void PartSearch::note_exhausted(uint32_t front) {
+  const SearchFront& own = search_.fronts[front];
+  Found& found = found_of(front);
+  found.faces += own.faces;
+  found.area += own.area;
+  found.largest = std::max(found.largest, own.area);
+}
+
+PartSearch::Found& PartSearch::found_of(uint32_t front) {
+  const Piece* whole = &body_.whole_of(search_.seed[front]);
+  const auto known =
+      std::find_if(found_.begin(), found_.end(), [&](const Found& f) { return f.whole == whole; });
+  if (known != found_.end()) return *known;
+  return found_.emplace_back(Found{whole});
+}
+
+// The last front of a component goes on only where it may not be the largest part.
+bool PartSearch::must_grow(uint32_t front) {
+  if (open_[root(search_.group_parent, search_.group[front])] > 1) return true;
+  const Found& found = found_of(front);
+  return found.faces > 0 && !found.rest_is_largest();
+}
+
+// Whether it came to its end.
+bool PartSearch::grow(size_t most, SettleResult& result) {
+  sum_up();
+  while (!turns_.empty()) {
+    if (result.looked_at >= most) return false;
+    const Turn turn = turns_.top();
+    turns_.pop();
+    const uint32_t i = turn.front;
+    if (search_.front_parent[i] != i || search_.fronts[i].looked_at != turn.looked_at) continue;  // of before
+    if (search_.fronts[i].exhausted() || !must_grow(i)) continue;
+    result.looked_at += take_turn(i, std::clamp<size_t>(turn.looked_at / 8, 1, kLongestTurn));
+  }
+  return true;
+}
+
+// All faces are asked for their neighbours before any of these is reached: memory that no answer waits for is
+// fetched side by side.
+size_t PartSearch::take_turn(uint32_t front, size_t faces) {
+  SearchFront& own = search_.fronts[front];
+  take_from(own, faces);
+  neighbours_.clear();
+  for (const FaceId f : turn_) {
+    if (!body_.mesh.is_live(f)) continue;
+    const size_t first = neighbours_.size();
+    body_.mesh.append_nearest_neighbours(f, neighbours_);
+    for (size_t i = first; i < neighbours_.size(); ++i) search_.mark.prefetch(neighbours_[i].index);
+    const uint32_t mark = search_.mark.get(f.index);
+    if (!(mark & OpenSearch::kLookedAt)) note_looked_at(f, mark);
+  }
+  own.looked_at += turn_.size();
+  for (const FaceId n : neighbours_) reach(front, n);
+  front = root(search_.front_parent, front);
+  if (!search_.fronts[front].exhausted()) {
+    turns_.push({search_.fronts[front].looked_at, front});
+  } else {
+    --open_[root(search_.group_parent, search_.group[front])];
+    note_exhausted(front);
+  }
+  return turn_.size();
+}
+
+// The oldest of the rim first, so that fronts near one another meet soon; a front that has become large goes
+// on from the newest, which lie beside each other in memory too.
+void PartSearch::take_from(SearchFront& front, size_t faces) {
+  faces = std::min(faces, front.frontier.size() - front.next);
+  const auto taken = static_cast<std::ptrdiff_t>(faces);
+  if (front.looked_at >= kLarge) {
+    turn_.assign(front.frontier.end() - taken, front.frontier.end());
+    front.frontier.resize(front.frontier.size() - faces);
+  } else {
+    const auto begin = front.frontier.begin() + static_cast<std::ptrdiff_t>(front.next);
+    turn_.assign(begin, begin + taken);
+    front.next += faces;
+  }
+}
+
+// Labels ----------------------------------------------------------------------------------------------------
+
+void PartSearch::hand_out_labels(SettleResult& result) {
+  std::vector<uint32_t> came_off;
+  for (const Found& found : found_) {
+    std::vector<uint32_t> parts;
+    for (uint32_t i = 0; i < search_.fronts.size(); ++i) {
+      const SearchFront& front = search_.fronts[i];
+      if (search_.front_parent[i] != i || !front.exhausted() || front.faces == 0) continue;
+      if (&body_.whole_of(search_.seed[i]) == found.whole) parts.push_back(i);
+    }
+    if (found.rest_faces() == 0) leave_out_largest(parts);
+    came_off.insert(came_off.end(), parts.begin(), parts.end());
+  }
+  std::sort(came_off.begin(), came_off.end(),
+            [&](uint32_t a, uint32_t b) { return search_.fronts[a].lowest < search_.fronts[b].lowest; });
+  search_.new_label.assign(search_.fronts.size(), 0);
+  for (const uint32_t part : came_off) give_label(part, result);
+  search_.stage = came_off.empty() ? OpenSearch::Stage::kNone : OpenSearch::Stage::kRelabel;
+  if (came_off.empty()) reset(search_);
+}
+
+void PartSearch::leave_out_largest(std::vector<uint32_t>& parts) const {
+  double largest = 0, whole = 0;
+  for (const uint32_t part : parts) {
+    largest = std::max(largest, search_.fronts[part].area);
+    whole += search_.fronts[part].area;
+  }
+  const auto rank = [&](uint32_t part) {
+    const SearchFront& front = search_.fronts[part];
+    return std::pair(largest - front.area > kEqualArea * whole, front.lowest);
+  };
+  const auto stays =
+      std::min_element(parts.begin(), parts.end(), [&](uint32_t a, uint32_t b) { return rank(a) < rank(b); });
+  if (stays != parts.end()) parts.erase(stays);
+}
+
+// The counts change hands at once, the faces one after the other.
+void PartSearch::give_label(uint32_t part, SettleResult& result) {
+  const SearchFront& front = search_.fronts[part];
+  const FaceId seed = search_.seed[part];
+  Piece &old = body_.pieces.edit(body_.mesh.data(seed).piece), &whole = body_.edit_whole_of(seed);
+  for (Piece* counts : {&old, &whole}) {
+    counts->faces -= front.faces;
+    counts->area -= front.area;
+    if (&old == &whole) break;
+  }
+  search_.new_label[part] = body_.pieces.size();
+  result.new_pieces.push_back(search_.new_label[part]);
+  body_.pieces.push_back({front.faces, front.area});
+}
+
+// By slot, so that the faces come in their order. Whether it came to its end.
+bool PartSearch::relabel(size_t most, SettleResult& result) {
+  for (; search_.next_slot < search_.mark.end(); ++search_.next_slot) {
+    if (!search_.mark.has_page(search_.next_slot)) {
+      search_.next_slot |= PagedArray<uint32_t>::kPage - 1;
+      continue;
+    }
+    const FaceId f(search_.next_slot);
+    const uint32_t label = search_.label_to_be(f);
+    if (label == 0 || !body_.mesh.is_live(f)) continue;
+    if (result.relabelled.size() >= most) return false;
+    body_.mesh.edit_data(f).piece = label;
+    result.relabelled.push_back(f);
+  }
+  search_.stage = OpenSearch::Stage::kNone;
+  reset(search_);
+  return true;
+}
+
+}  // namespace kerf

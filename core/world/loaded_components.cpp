@@ -1,0 +1,33 @@
+#include "core/world/loaded_components.h"
+
+#include "core/base/union_find.h"
+
+namespace kerf {
+
+LoadedComponents count_components(const Mesh& mesh, size_t components) {
+  LoadedComponents table;
+  if (components <= 1) return table;
+  UnionFind together(mesh.face_slots());
+  std::vector<FaceId> neighbours;
+  for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
+    if (!mesh.is_live(FaceId(f))) continue;
+    neighbours.clear();
+    mesh.append_nearest_neighbours(FaceId(f), neighbours);
+    for (const FaceId n : neighbours) together.unite(f, n.index);
+  }
+  table.of_base.resize(mesh.face_slots());
+  for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
+    if (!mesh.is_live(FaceId(f))) continue;
+    const uint32_t first = together.find(f);  // the least: its number is known by now
+    if (first == f) {
+      table.of_base[f] = table.left.size();
+      table.left.push_back({});
+    }
+    Piece& part = table.left.edit(table.of_base[f] = table.of_base[first]);
+    ++part.faces;
+    part.area += triangle_area(mesh.triangle(FaceId(f)));
+  }
+  return table;
+}
+
+}  // namespace kerf

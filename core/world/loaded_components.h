@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/base/records.h"
+#include "core/mesh/mesh.h"
+
+namespace kerf {
+
+// Faces that hang together, or that belong together because they were loaded together. A piece is a label on
+// its faces (FaceData::piece) while it stands still.
+struct Piece {
+  size_t faces = 0;
+  double area = 0;  // m^2
+};
+
+// The parts of a mesh that never hung together, and what each of them still has among the faces of piece 0.
+// Every other piece came off one of them and is one component; so what a face hangs together with is counted
+// here or by its piece, and never has to be searched for.
+struct LoadedComponents {
+  std::vector<uint32_t> of_base;  // by base face; both are empty where the mesh is one component
+  Records<Piece> left;
+};
+
+// For a mesh as loaded, which has so many components. O(faces), and constant time where it is one.
+LoadedComponents count_components(const Mesh& mesh, size_t components);
+
+}  // namespace kerf

@@ -1,6 +1,7 @@
 #include "core/tree/edit_tree.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cassert>
 
@@ -100,37 +101,66 @@ uint32_t free_slot(const WideNode& node) {
 
 // Parting a block -------------------------------------------------------------------------------------------
 
-// How the faces of a full block and one more part in two: along the axis on which their centres spread most,
-// at the wider of the two gaps about the middle. The lanes of the part without the added face, as a mask.
-unsigned staying_lanes(const FaceBlock& full, const FloatBox& added) {
-  __m128 row[3];  // twice the centres
+std::array<FloatBox, kBlockWidth> lane_boxes(const FaceBlock& full) {
+  __m128 low[4] = {}, high[4] = {};  // by axis
   for (int k = 0; k < 3; ++k) {
     const __m128 p = _mm_load_ps(full.corner[0][k]), q = _mm_load_ps(full.corner[1][k]),
                  r = _mm_load_ps(full.corner[2][k]);
-    row[k] = _mm_add_ps(_mm_min_ps(_mm_min_ps(p, q), r), _mm_max_ps(_mm_max_ps(p, q), r));
+    low[k] = _mm_min_ps(_mm_min_ps(p, q), r);
+    high[k] = _mm_max_ps(_mm_max_ps(p, q), r);
   }
-  const __m128 own = _mm_add_ps(added.low, added.high);
-  alignas(16) float spread[4], own_centre[4], centre[kBlockWidth + 1], sorted[kBlockWidth + 1];
-  _mm_store_ps(spread, _mm_sub_ps(_mm_max_ps(most_of_rows(row[0], row[1], row[2]), own),
-                                  _mm_min_ps(least_of_rows(row[0], row[1], row[2]), own)));
-  _mm_store_ps(own_centre, own);
-  const int of_yz = spread[1] >= spread[2] ? 1 : 2;
-  const int axis = spread[0] >= std::max(spread[1], spread[2]) ? 0 : of_yz;
-  _mm_store_ps(centre, row[axis]);
-  centre[kBlockWidth] = own_centre[axis];
+  _MM_TRANSPOSE4_PS(low[0], low[1], low[2], low[3]);
+  _MM_TRANSPOSE4_PS(high[0], high[1], high[2], high[3]);
+  return {{{low[0], high[0]}, {low[1], high[1]}, {low[2], high[2]}, {low[3], high[3]}}};
+}
 
-  unsigned rank[kBlockWidth + 1];
-  for (unsigned i = 0; i <= kBlockWidth; ++i) {
-    rank[i] = 0;
-    for (unsigned j = 0; j < i; ++j) rank[i] += centre[j] <= centre[i];
-    for (unsigned j = i + 1; j <= kBlockWidth; ++j) rank[i] += centre[j] < centre[i];
-    sorted[rank[i]] = centre[i];
+FloatBox around(FloatBox a, const FloatBox& b) {
+  a.add(b);
+  return a;
+}
+
+float area_of_both(const FloatBox& a, const FloatBox& b) {
+  const auto sides = [](const FloatBox& box) {
+    const __m128 open = _mm_sub_ps(box.high, box.low);
+    const __m128 size = _mm_insert_ps(open, open, 8);  // no product of fourth lanes, which would underflow
+    return _mm_mul_ps(size, _mm_shuffle_ps(size, size, _MM_SHUFFLE(3, 0, 2, 1)));
+  };
+  const __m128 sum = _mm_add_ps(sides(a), sides(b));
+  const __m128 y = _mm_shuffle_ps(sum, sum, _MM_SHUFFLE(1, 1, 1, 1)), z = _mm_movehl_ps(sum, sum);
+  return _mm_cvtss_f32(_mm_add_ss(_mm_add_ss(sum, y), z));
+}
+
+// The cheapest way yet to part the faces of a full block and one more in two.
+struct Parting {
+  FloatBox added;
+  // The areas of both boxes as bits of a float, the last four replaced by the lanes without the added face,
+  // as a mask: the least of such words is found without branches.
+  uint32_t best = 0xffffffffu;
+
+  void consider(uint32_t lanes, const FloatBox& stays, const FloatBox& goes) {
+    const auto cost = std::bit_cast<uint32_t>(area_of_both(stays, around(goes, added)));
+    best = std::min(best, (cost & ~15u) | lanes);
   }
-  const unsigned cut = sorted[2] - sorted[1] >= sorted[3] - sorted[2] ? 2 : 3;
-  const bool added_first = rank[kBlockWidth] < cut;
-  unsigned staying = 0;
-  for (unsigned i = 0; i < kBlockWidth; ++i) staying |= unsigned{(rank[i] < cut) != added_first} << i;
-  return staying;
+  uint32_t staying() const { return best & 15; }
+};
+
+// How the faces of a full block and one more part in two and three: the way of the ten that has the smallest
+// boxes. The lanes of the part without the added face, as a mask.
+unsigned staying_lanes(const FaceBlock& full, const FloatBox& added) {
+  const auto lane = lane_boxes(full);
+  Parting parting{added};
+  constexpr unsigned kPairs[3][4] = {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}};
+  for (const auto& [i, j, k, l] : kPairs) {
+    const FloatBox a = around(lane[i], lane[j]), b = around(lane[k], lane[l]);
+    parting.consider(1u << i | 1u << j, a, b);
+    parting.consider(1u << k | 1u << l, b, a);
+  }
+  const FloatBox first = around(lane[0], lane[1]), last = around(lane[2], lane[3]);
+  parting.consider(0b1110, around(last, lane[1]), lane[0]);
+  parting.consider(0b1101, around(last, lane[0]), lane[1]);
+  parting.consider(0b1011, around(first, lane[3]), lane[2]);
+  parting.consider(0b0111, around(first, lane[2]), lane[3]);
+  return parting.staying();
 }
 
 // Hangs a fresh block beside b: into b's node, or with b into a new node in b's slot.

@@ -1,5 +1,6 @@
 #include "ui/editor/change_world.h"
 
+#include "ui/editor/piece_set.h"
 #include "ui/editor/viewport_input.h"
 
 namespace kerf {

@@ -31,6 +31,7 @@ constexpr double kFrameSeconds = 1.0 / 60;  // no frame begins sooner after the 
 constexpr double kStepSeconds =
     0.020;  // of cutting in one frame, or as long as drawing takes if that is more
 constexpr size_t kMovesOfStep = 16;
+constexpr uint32_t kFacesSent = 100'000;  // of a scene that is shown anew, in one frame
 constexpr double kFigureSeconds = 0.25;
 constexpr double kLongestEaseStep = 0.05;
 constexpr double kSettleSeconds = 1.0;  // after the last event the panels are still drawn (tooltips appear)
@@ -55,10 +56,13 @@ class Editor {
   void wait();
   void hear();
   void fulfil();  // what panels, menus and keys asked for
+  void open_wanted(std::vector<std::filesystem::path> files);
+  void take_loaded();
   void move_camera();
   void cut();
   bool cut_first(Clock::time_point began, double budget);  // whether anything was cut
   bool cut_twin(Clock::time_point began, double budget);
+  void send();  // to the graphics card
   bool draw();  // whether the picture is a new one
   void note_time(double seconds, bool new_picture);
   void update_figures();
@@ -70,7 +74,7 @@ class Editor {
   // Whether something moves that has to be drawn at once.
   bool moving() const {
     return easing_ || state_.document.waiting() > 0 || state_.split.twin.waiting() > 0 ||
-           state_.picture_old || picture_.busy();
+           state_.picture_old || picture_.busy() || state_.loader.busy();
   }
 
   Window window_;
@@ -80,8 +84,8 @@ class Editor {
   Settings saved_;  // as they are in the file
   StopSignals stop_;
   Clock::time_point frame_began_ = Clock::now(), last_event_ = Clock::now(), figures_at_{};
-  bool easing_ = false;     // the camera
-  double cut_seconds_ = 0;  // of the last frame
+  bool easing_ = false;                           // the camera
+  double cut_seconds_ = 0, picture_seconds_ = 0;  // of the last frame
 };
 
 Editor::Editor(Window window, Renderer renderer, LoadedSettings loaded)
@@ -95,7 +99,12 @@ Editor::Editor(Window window, Renderer renderer, LoadedSettings loaded)
 Status Editor::open(const EditorOptions& options) {
   lay_out_window();
   const std::array standard{options.default_scene};
+  picture_.first().limit_sending(kFacesSent);
   if (options.files.empty()) return open_files(state_, picture_.first(), standard);
+  if (!opens_at_once(options.files)) {
+    state_.loader.start(options.files);
+    return open_files(state_, picture_.first(), standard);
+  }
   const Status opened = open_files(state_, picture_.first(), options.files);
   if (opened) {
     for (const std::filesystem::path& file : options.files) remember_recent(state_.settings, file);
@@ -117,8 +126,11 @@ void Editor::run() {
     fulfil();
     move_camera();
     cut();
+    send();
     const bool new_picture = draw();
+    const double without_picture = seconds_since(began) - picture_seconds_;
     window_.swap();
+    state_.between_pictures.add(1000 * without_picture);
     note_time(seconds_since(began), new_picture);
   }
   state_.tool.release(state_.document);
@@ -162,15 +174,27 @@ void Editor::hear() {
 void Editor::fulfil() {
   const Requests wanted = std::exchange(state_.requests, {});
   state_.requests.screenshot = wanted.screenshot;  // waits for the picture
-  if (!wanted.open.empty()) {
-    cancel_stroke(state_);
-    if (const Status opened = open_files(state_, picture_.first(), wanted.open); !opened) {
-      state_.say(opened.error().message, true);
-    } else {
-      for (const std::filesystem::path& file : wanted.open) remember_recent(state_.settings, file);
-    }
-  }
+  if (!wanted.open.empty()) open_wanted(wanted.open);
+  take_loaded();
   if (wanted.recut) recut_last_stroke(state_, picture_.first());
+}
+
+void Editor::open_wanted(std::vector<std::filesystem::path> files) {
+  if (!opens_at_once(files)) return state_.loader.start(std::move(files));
+  state_.loader.cancel();
+  cancel_stroke(state_);
+  if (const Status opened = open_files(state_, picture_.first(), files); !opened)
+    return state_.say(opened.error().message, true);
+  for (const std::filesystem::path& file : files) remember_recent(state_.settings, file);
+}
+
+void Editor::take_loaded() {
+  std::optional<Result<LoadedFiles>> loaded = state_.loader.take();
+  if (!loaded) return;
+  if (!*loaded) return state_.say(loaded->error().message, true);
+  cancel_stroke(state_);
+  show_loaded(state_, picture_.first(), std::move(**loaded));
+  for (const std::filesystem::path& file : state_.files) remember_recent(state_.settings, file);
 }
 
 void Editor::move_camera() {
@@ -208,6 +232,7 @@ bool Editor::cut_first(Clock::time_point began, double budget) {
     state_.removed_faces += step->delta.removed_faces;
     state_.last_step = step->figures;
     state_.note_figures(step->figures);
+    state_.history.note_step(*step);
     state_.faces_before_step = faces;
   }
   return true;
@@ -238,10 +263,20 @@ bool Editor::cut_twin(Clock::time_point began, double budget) {
   return anew || waited;
 }
 
+void Editor::send() {
+  if (!state_.picture_old) return;
+  Renderer& renderer = picture_.first();
+  const size_t before = renderer.uploaded_bytes();
+  renderer.catch_up(state_.document.world());
+  if (renderer.uploaded_bytes() > before) state_.history.note_sent(renderer.uploaded_bytes() - before);
+}
+
 bool Editor::draw() {
   update_figures();
   draw_panels(state_);
+  const Clock::time_point began = Clock::now();
   const bool anew = picture_.draw(state_, window_);
+  picture_seconds_ = seconds_since(began);
   const auto screenshot = std::exchange(state_.requests.screenshot, Requests::Screenshot::kNone);
   if (screenshot == Requests::Screenshot::kPicture) take_picture(screenshot);
   gui_.end_frame();
@@ -250,6 +285,7 @@ bool Editor::draw() {
 }
 
 void Editor::note_time(double seconds, bool new_picture) {
+  if (picture_.first().is_sending()) state_.picture_old = true;
   state_.frames.add(1000 * seconds);
   if (new_picture) picture_.took(seconds - cut_seconds_);
 }
@@ -259,6 +295,7 @@ void Editor::update_figures() {
   figures_at_ = Clock::now();
   save_settings();
   state_.shown.frame_ms = 1000 * picture_.seconds();
+  state_.shown.process_bytes = process_bytes();
   if (!state_.world_changed) return;
   state_.world_changed = false;
   const World& world = state_.document.world();
@@ -267,17 +304,22 @@ void Editor::update_figures() {
   state_.shown.twin_faces = state_.split.twin.world().live_faces();
   state_.shown.faces_tested = state_.last_step.tested.faces;
   state_.shown.faces_of_step = state_.faces_before_step;
+  state_.shown.picture_bytes = picture_.first().face_bytes();
   look_at_tree();
 }
 
 void Editor::look_at_tree() {
   const World& world = state_.document.world();
   ShownFigures& shown = state_.shown;
-  shown.tree_nodes = 0;
+  shown.tree_nodes = shown.tree_bytes = 0;
   shown.tree_depth = 0;
+  const auto panel = state_.settings.panels.find("Tree");
+  const bool depth_shown = panel != state_.settings.panels.end() && panel->second;
   for (const BodyId id : world.ids()) {
     const AabbTree& tree = world.body(id).tree;
     shown.tree_nodes += tree.box_count();
+    shown.tree_bytes += tree.bytes();
+    if (!depth_shown) continue;  // it takes a walk over the whole tree
     tree.for_each_box(
         [&](const AabbTree::Box& box) { shown.tree_depth = std::max(shown.tree_depth, box.depth); });
   }

@@ -7,20 +7,6 @@ namespace kerf {
 
 namespace {
 
-// Bodies, paints and strokes of several files as one scene; a view only where there is one file.
-Result<Scene> read_all(std::span<const std::filesystem::path> files) {
-  Scene all;
-  for (const std::filesystem::path& file : files) {
-    Result<Scene> scene = read_scene(file);
-    if (!scene) return scene.error();
-    if (files.size() == 1) return scene;
-    for (const BodyId id : scene->world.ids()) all.world.add(std::move(scene->world.body(id)));
-    all.paints.merge(scene->paints);
-    all.strokes.insert(all.strokes.end(), scene->strokes.begin(), scene->strokes.end());
-  }
-  return all;
-}
-
 std::string names_of(std::span<const std::filesystem::path> files) {
   std::string names = files.front().filename().string();
   if (files.size() > 1) names += " and " + std::to_string(files.size() - 1) + " more";
@@ -56,14 +42,20 @@ void cut_strokes_of(EditorState& state, Renderer& renderer, const std::vector<St
 
 Status open_files(EditorState& state, Renderer& renderer, std::span<const std::filesystem::path> files) {
   if (files.empty()) return Done{};
-  Result<Scene> scene = read_all(files);
-  if (!scene) return scene.error();
+  Result<LoadedFiles> loaded = load_files({files.begin(), files.end()}, nullptr);
+  if (!loaded) return loaded.error();
+  show_loaded(state, renderer, std::move(*loaded));
+  return Done{};
+}
+
+void show_loaded(EditorState& state, Renderer& renderer, LoadedFiles loaded) {
+  Scene* scene = &loaded.scene;
   const World::Bounds bounds = scene->world.bounds();
-  renderer.show(scene->world, scene->paints);
+  renderer.show(scene->world, scene->paints, std::move(loaded.prepared));
   state.as_loaded.reset();
   if (scene->world.live_faces() <= Document::kMostFacesToRecut) state.as_loaded = scene->world;
   state.document = Document(std::move(scene->world));
-  state.files.assign(files.begin(), files.end());
+  state.files = std::move(loaded.files);
   state.paints = std::move(scene->paints);
   state.home = scene->view;
   state.tool = LaserTool();
@@ -87,9 +79,8 @@ Status open_files(EditorState& state, Renderer& renderer, std::span<const std::f
     state.camera.frame_default(bounds, state.aspect());
   }
   state.camera.finish();
-  state.say(names_of(files) + note_of(state.document.world()));
+  state.say(names_of(state.files) + note_of(state.document.world()));
   cut_strokes_of(state, renderer, scene->strokes);
-  return Done{};
 }
 
 }  // namespace kerf

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "ui/editor/editor_state.h"
+#include "ui/editor/file_loader.h"
 
 namespace kerf {
 
@@ -11,5 +12,8 @@ namespace kerf {
 // them, cuts the strokes that they bring, stands the camera before them. On failure everything stays as it
 // was.
 Status open_files(EditorState& state, Renderer& renderer, std::span<const std::filesystem::path> files);
+
+// The same with files that were read already.
+void show_loaded(EditorState& state, Renderer& renderer, LoadedFiles loaded);
 
 }  // namespace kerf

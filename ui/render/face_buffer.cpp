@@ -1,6 +1,9 @@
 #include "ui/render/face_buffer.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "ui/render/prepared_body.h"
 
 namespace kerf {
 
@@ -45,18 +48,23 @@ FaceBuffer::Chunk::Chunk() {
   glBindVertexArray(0);
 }
 
-FaceBuffer::FaceBuffer(const Body& body)
-    : frame_(FloatFrame::around(body.tree.bounds().min, body.tree.bounds().max)), bases_(body.mesh, frame_) {
+FaceBuffer::FaceBuffer(const Body& body, BaseFaces bases)
+    : frame_(picture_frame(body)),
+      bases_(bases.count() > 0 ? std::move(bases) : BaseFaces(body.mesh, frame_)) {
   dirty_.mark_all(body.mesh.face_slots());
 }
 
-size_t FaceBuffer::update(const Mesh& mesh) {
+size_t FaceBuffer::bytes() const {
+  return chunks_.size() * kChunkFaces * (sizeof(FaceVertices) + sizeof(Indices));
+}
+
+size_t FaceBuffer::update(const Mesh& mesh, uint32_t most) {
   if (dirty_.empty()) return 0;
   while (chunks_.size() * kChunkFaces < mesh.face_slots()) chunks_.emplace_back();
   halvings_.resize(mesh.face_slots(), kDead);
   // Slots that died are only struck off the list; their corners are not sent.
   DirtySlots born;
-  for (const SlotRange range : dirty_.take(0, kChunkFaces)) {
+  for (const SlotRange range : dirty_.take(0, kChunkFaces, most)) {
     LiveList& live = chunks_[range.begin / kChunkFaces].live;
     for (uint32_t f = range.begin; f < range.end; ++f) {
       const bool lives = mesh.is_live(FaceId(f));

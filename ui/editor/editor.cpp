@@ -31,7 +31,7 @@ constexpr double kFrameSeconds = 1.0 / 60;  // no frame begins sooner after the 
 constexpr double kStepSeconds =
     0.020;  // of cutting in one frame, or as long as drawing takes if that is more
 constexpr size_t kMovesOfStep = 16;
-constexpr uint32_t kFacesSent = 100'000;  // of a scene that is shown anew, in one frame
+constexpr uint32_t kFacesSent = 50'000;  // of a scene that is shown anew, in one frame
 constexpr double kFigureSeconds = 0.25;
 constexpr double kLongestEaseStep = 0.05;
 constexpr double kSettleSeconds = 1.0;  // after the last event the panels are still drawn (tooltips appear)

@@ -60,12 +60,11 @@ size_t FaceBuffer::bytes() const {
 
 size_t FaceBuffer::update(const Mesh& mesh, uint32_t most) {
   if (dirty_.empty()) return 0;
-  while (chunks_.size() * kChunkFaces < mesh.face_slots()) chunks_.emplace_back();
   halvings_.resize(mesh.face_slots(), kDead);
   // Slots that died are only struck off the list; their corners are not sent.
   DirtySlots born;
   for (const SlotRange range : dirty_.take(0, kChunkFaces, most)) {
-    LiveList& live = chunks_[range.begin / kChunkFaces].live;
+    LiveList& live = chunk_of(range).live;
     for (uint32_t f = range.begin; f < range.end; ++f) {
       const bool lives = mesh.is_live(FaceId(f));
       if (live.set(f % kChunkFaces, lives) && !lives) removed_.died(FaceId(f), mesh.data(FaceId(f)).base);
@@ -79,6 +78,12 @@ size_t FaceBuffer::update(const Mesh& mesh, uint32_t most) {
   for (const SlotRange range : born.take(kGap, kChunkFaces)) bytes += update_slots(mesh, range);
   for (Chunk& chunk : chunks_) bytes += update_list(chunk);
   return bytes;
+}
+
+FaceBuffer::Chunk& FaceBuffer::chunk_of(const SlotRange& range) {
+  const size_t chunk = range.begin / kChunkFaces;
+  while (chunks_.size() <= chunk) chunks_.emplace_back();
+  return chunks_[chunk];
 }
 
 void FaceBuffer::count(const Mesh& mesh, uint32_t slot) {
@@ -96,8 +101,7 @@ size_t FaceBuffer::update_slots(const Mesh& mesh, const SlotRange& range) {
     staging_.push_back(face_vertices(mesh, bases_, frame_, FaceId(f), heat_.of(mesh, FaceId(f))));
     if (halvings_[f] != kDead && halvings_[f] > 0) removed_.saw(FaceId(f), corners_of(staging_.back()));
   }
-  put(GL_ARRAY_BUFFER, chunks_[range.begin / kChunkFaces].vertices.name(), range.begin % kChunkFaces,
-      staging_);
+  put(GL_ARRAY_BUFFER, chunk_of(range).vertices.name(), range.begin % kChunkFaces, staging_);
   return staging_.size() * sizeof(FaceVertices);
 }
 

@@ -79,6 +79,7 @@ class FaceBuffer {
     Chunk();
     void draw() const;
   };
+  Chunk& chunk_of(const SlotRange& range);  // made where it is not there yet
   void count(const Mesh& mesh, uint32_t slot);
   size_t update_slots(const Mesh& mesh, const SlotRange& range);
   size_t update_list(Chunk& chunk);

@@ -13,6 +13,7 @@ namespace kerf {
 
 namespace {
 
+constexpr size_t kManyFaces = 100'000;  // among which what the program itself takes is no matter
 constexpr float kPlotHeight = 1.7f, kNumberWidth = 5.2f;  // sizes of the text
 
 struct Row {
@@ -40,9 +41,11 @@ void plot_row(const StepHistory& history, const Row& row, float top, const std::
   const float em = ImGui::GetFontSize();
   const std::span<const float> values = history.line(row.line);
   ImGui::PushID(row.name);
+  ImGui::PushStyleColor(ImGuiCol_PlotLines, colours::accent());
   ImGui::PlotLines("##line", values.data(), static_cast<int>(values.size()), 0, nullptr, 0,
                    std::max(top, 1e-6f),
                    {std::max(em, ImGui::GetContentRegionAvail().x - kNumberWidth * em), kPlotHeight * em});
+  ImGui::PopStyleColor();
   tooltip(row.meaning);
   ImGui::PopID();
   ImGui::SameLine();
@@ -71,7 +74,7 @@ void change_rows(const StepHistory& history) {
 void memory_row(const char* name, size_t bytes, size_t faces, const char* meaning) {
   property(name);
   std::string text = text_of("%.0f MB", static_cast<double>(bytes) / (1 << 20));
-  if (faces > 0)
+  if (faces >= kManyFaces)
     text += text_of(", %.0f bytes a face", static_cast<double>(bytes) / static_cast<double>(faces));
   ImGui::TextUnformatted(text.c_str());
   tooltip(meaning);

@@ -428,6 +428,33 @@ class Window(unittest.TestCase):
         self.assertEqual(editor.report()["strokes"], 1)
         self.assertEqual(len(self.unsaved()), 1)
 
+    def large_mesh(self):
+        mesh = os.path.join(os.environ.get("KERF_TEST_MESHES", ""), "real", "derived", "big_bunny_x16.ply")
+        if not os.path.exists(mesh):
+            self.skipTest("KERF_TEST_MESHES names no folder with the large mesh")
+        return mesh
+
+    def test_a_million_faces_open_beside_the_frames(self):
+        editor = self.open(self.large_mesh())
+        time.sleep(25)
+        report = editor.quit()
+        self.assertEqual(report["faces"], 1114656)
+        self.assertEqual(report["files"], ["big_bunny_x16.ply"])
+        longest = report["between_pictures_ms"]["max"]
+        print(f"1.1 M faces: the longest frame took {longest:.0f} ms beside drawing, "
+              f"{report['process_bytes'] / report['faces']:.0f} bytes a face in the process")
+
+    def test_opening_is_cancelled_and_changes_nothing(self):
+        editor = self.open()
+        before = editor.quit()["faces"]
+        editor = self.open()
+        editor.drop(self.large_mesh())
+        editor.press("Escape")
+        time.sleep(6)
+        report = editor.quit()
+        self.assertEqual(report["faces"], before)
+        self.assertIn("cancelled", report["message"])
+
     def test_sigterm_ends_it_with_its_report(self):
         editor = self.open()
         editor.kerf.send_signal(signal.SIGTERM)

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -32,6 +33,16 @@ enum class EmbreeQuality { kLow, kMedium, kMediumRobust };
 // Nothing where this program was built without the library.
 std::unique_ptr<Peer> make_embree(const TriangleArrays& arrays, EmbreeQuality quality);
 std::unique_ptr<Peer> make_cgal(const TriangleArrays& arrays);
+// The plane slot that a beam of this radius cuts through the middle of a box, across one of its sides.
+struct SlotBox {
+  Vec3 low, high, middle;
+  int across;
+  double radius;
+};
+// How long a thin box takes to be taken from the mesh, and what is left to be split into its components.
+// Nothing without the library, and where the mesh bounds no volume.
+std::optional<double> cgal_slot_seconds(const TriangleArrays& arrays, const SlotBox& slot);
+
 bool has_embree();
 bool has_cgal();
 

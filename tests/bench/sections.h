@@ -13,6 +13,7 @@ struct Effort {
   int times = 9;          // passes, of which the median counts
   int build_times = 5;    // builds and cuts
   int edit_steps = 5000;  // of a cut
+  int slot_steps = 400;   // of a slot through the whole mesh
 };
 
 // Each section measures one thing on one mesh and hands over its rows. Rows that want a peer which this
@@ -21,6 +22,7 @@ using Report = std::function<void(const Row&)>;
 void bench_build(const Subject& subject, const Effort& effort, const Report& report);
 void bench_queries(const Subject& subject, const Effort& effort, const Report& report);
 void bench_edits(const Subject& subject, const Effort& effort, const Report& report);
+void bench_cut(const Subject& subject, const Effort& effort, const Report& report);
 void bench_shadows(const Subject& subject, const Effort& effort, const Report& report);
 
 }  // namespace kerf::bench

@@ -7,6 +7,7 @@
 
 #include "ui/editor/camera_text.h"
 #include "ui/editor/file_menus.h"
+#include "ui/editor/load_bar.h"
 #include "ui/editor/panels.h"
 #include "ui/editor/piece_set.h"
 #include "ui/editor/recut.h"
@@ -444,11 +445,12 @@ constexpr std::array kGestures{
     Gesture{"Shift+middle drag, right drag", "Pan"},
     Gesture{"Left drag on a light", "Move it, while the Light panel is open"},
     Gesture{"Wheel", "Zoom to the pointer"},
-    Gesture{"Esc", "End the cut; let go of the chosen pieces"},
+    Gesture{"Esc", "End the cut; stop opening a file; let go of the chosen pieces"},
 };
 
 void escape(EditorState& state) {
   if (cancel_stroke(state)) return;
+  if (state.loader.busy()) return cancel_opening(state);
   if (state.show_shortcuts) {
     state.show_shortcuts = false;
   } else {

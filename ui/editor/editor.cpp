@@ -34,6 +34,7 @@ constexpr double kFrameSeconds = 1.0 / 60;  // no frame begins sooner after the 
 constexpr double kStepSeconds =
     0.020;  // of cutting in one frame, or as long as drawing takes if that is more
 constexpr size_t kMovesOfStep = 16;
+constexpr uint32_t kFacesSent = 50'000;  // of a scene that is shown anew, in one frame
 constexpr double kFigureSeconds = 0.25;
 constexpr double kLongestEaseStep = 0.05;
 constexpr double kSettleSeconds = 1.0;  // after the last event the panels are still drawn (tooltips appear)
@@ -67,10 +68,12 @@ class Editor {
   void keep_from_now();
   void keep_work();
   void show_title();
+  void take_loaded();
   void move_camera();
   void cut();
   bool cut_first(Clock::time_point began, double budget);  // whether anything was cut
   bool cut_twin(Clock::time_point began, double budget);
+  void send();  // to the graphics card
   bool draw();  // whether the picture is a new one
   void note_time(double seconds, bool new_picture);
   void update_figures();
@@ -82,7 +85,7 @@ class Editor {
   // Whether something moves that has to be drawn at once.
   bool moving() const {
     return easing_ || state_.document.waiting() > 0 || state_.split.twin.waiting() > 0 ||
-           state_.picture_old || picture_.busy();
+           state_.picture_old || picture_.busy() || state_.loader.busy();
   }
 
   Window window_;
@@ -97,8 +100,8 @@ class Editor {
   std::string title_;  // of the window
   StopSignals stop_;
   Clock::time_point frame_began_ = Clock::now(), last_event_ = Clock::now(), figures_at_{};
-  bool easing_ = false;     // the camera
-  double cut_seconds_ = 0;  // of the last frame
+  bool easing_ = false;                           // the camera
+  double cut_seconds_ = 0, picture_seconds_ = 0;  // of the last frame
 };
 
 Editor::Editor(Window window, Renderer renderer, LoadedSettings loaded)
@@ -112,6 +115,7 @@ Editor::Editor(Window window, Renderer renderer, LoadedSettings loaded)
 Status Editor::open(const EditorOptions& options) {
   lay_out_window();
   default_scene_ = options.default_scene;
+  picture_.first().limit_sending(kFacesSent);
   std::vector<std::string> faults;
   state_.left_work = find_left_work(state_folder(), faults);
   ask_about_left_work(state_);
@@ -124,6 +128,10 @@ Status Editor::open(const EditorOptions& options) {
 Status Editor::open_first(const std::vector<std::filesystem::path>& files) {
   const std::array standard{default_scene_};
   if (files.empty()) return open_files(state_, picture_.first(), standard);
+  if (!opens_at_once(files)) {
+    state_.loader.start(files);
+    return open_files(state_, picture_.first(), standard);
+  }
   const Status opened = open_files(state_, picture_.first(), files);
   if (opened) {
     for (const std::filesystem::path& file : files) remember_recent(state_.settings, file);
@@ -146,9 +154,12 @@ void Editor::run() {
     keep_work();
     move_camera();
     cut();
+    send();
     const bool new_picture = draw();
     show_title();
+    const double without_picture = seconds_since(began) - picture_seconds_;
     window_.swap();
+    state_.between_pictures.add(1000 * without_picture);
     note_time(seconds_since(began), new_picture);
   }
   state_.tool.release(state_.document);
@@ -217,6 +228,8 @@ void Editor::fulfil() {
     cancel_stroke(state_);
     if (may_leave(state_, wanted)) leave(wanted);
   }
+  take_loaded();
+  if (state_.loader.busy()) return;  // what is open is about to go
   Renderer& renderer = picture_.first();
   if (wanted.undo || wanted.redo) step_through_history(state_, renderer, wanted.undo);
   if (wanted.travel) travel_to(state_, renderer, *wanted.travel);
@@ -254,6 +267,8 @@ void Editor::leave(const Requests& wanted) {
     state_.work.saved_lights = state_.look.lights;
   } else if (wanted.fresh) {
     open_in_place(std::array{default_scene_});
+  } else if (!opens_at_once(wanted.open)) {
+    state_.loader.start(wanted.open);
   } else {
     open_in_place(wanted.open);
     if (!state_.message_is_error)
@@ -262,6 +277,7 @@ void Editor::leave(const Requests& wanted) {
 }
 
 void Editor::open_in_place(std::span<const std::filesystem::path> files) {
+  state_.loader.cancel();
   if (const Status opened = open_files(state_, picture_.first(), files); !opened)
     return state_.say(opened.error().message, true);
   autosave_.drop();
@@ -308,6 +324,17 @@ void Editor::show_title() {
   window_.set_title(title);
 }
 
+void Editor::take_loaded() {
+  std::optional<Result<LoadedFiles>> loaded = state_.loader.take();
+  if (!loaded) return;
+  if (!*loaded) return state_.say(loaded->error().message, true);
+  cancel_stroke(state_);
+  show_loaded(state_, picture_.first(), std::move(**loaded));
+  autosave_.drop();
+  keep_from_now();
+  for (const std::filesystem::path& file : state_.files) remember_recent(state_.settings, file);
+}
+
 void Editor::move_camera() {
   const double step = std::min<double>(ImGui::GetIO().DeltaTime, kLongestEaseStep);
   easing_ = state_.camera.advance(step);
@@ -342,6 +369,7 @@ bool Editor::cut_first(Clock::time_point began, double budget) {
     if (state_.look.ghost || state_.look.show.face_numbers) renderer.catch_up(state_.document.world());
     state_.last_step = step->figures;
     state_.note_figures(step->figures);
+    state_.history.note_step(*step);
     state_.faces_before_step = faces;
   }
   return true;
@@ -372,10 +400,20 @@ bool Editor::cut_twin(Clock::time_point began, double budget) {
   return anew || waited;
 }
 
+void Editor::send() {
+  if (!state_.picture_old) return;
+  Renderer& renderer = picture_.first();
+  const size_t before = renderer.uploaded_bytes();
+  renderer.catch_up(state_.document.world());
+  if (renderer.uploaded_bytes() > before) state_.history.note_sent(renderer.uploaded_bytes() - before);
+}
+
 bool Editor::draw() {
   update_figures();
   draw_panels(state_);
+  const Clock::time_point began = Clock::now();
   const bool anew = picture_.draw(state_, window_);
+  picture_seconds_ = seconds_since(began);
   const auto screenshot = std::exchange(state_.requests.screenshot, Requests::Screenshot::kNone);
   if (screenshot == Requests::Screenshot::kPicture) take_picture(screenshot);
   gui_.end_frame();
@@ -384,6 +422,7 @@ bool Editor::draw() {
 }
 
 void Editor::note_time(double seconds, bool new_picture) {
+  if (picture_.first().is_sending()) state_.picture_old = true;
   state_.frames.add(1000 * seconds);
   if (new_picture) picture_.took(seconds - cut_seconds_);
 }
@@ -393,6 +432,7 @@ void Editor::update_figures() {
   figures_at_ = Clock::now();
   save_settings();
   state_.shown.frame_ms = 1000 * picture_.seconds();
+  state_.shown.process_bytes = process_bytes();
   if (!state_.world_changed) return;
   state_.world_changed = false;
   const World& world = state_.document.world();
@@ -401,17 +441,22 @@ void Editor::update_figures() {
   state_.shown.twin_faces = state_.split.twin.world().live_faces();
   state_.shown.faces_tested = state_.last_step.tested.faces;
   state_.shown.faces_of_step = state_.faces_before_step;
+  state_.shown.picture_bytes = picture_.first().face_bytes();
   look_at_tree();
 }
 
 void Editor::look_at_tree() {
   const World& world = state_.document.world();
   ShownFigures& shown = state_.shown;
-  shown.tree_nodes = 0;
+  shown.tree_nodes = shown.tree_bytes = 0;
   shown.tree_depth = 0;
+  const auto panel = state_.settings.panels.find("Tree");
+  const bool depth_shown = panel != state_.settings.panels.end() && panel->second;
   for (const BodyId id : world.ids()) {
     const AabbTree& tree = world.body(id).tree;
     shown.tree_nodes += tree.box_count();
+    shown.tree_bytes += tree.bytes();
+    if (!depth_shown) continue;  // it takes a walk over the whole tree
     tree.for_each_box(
         [&](const AabbTree::Box& box) { shown.tree_depth = std::max(shown.tree_depth, box.depth); });
   }

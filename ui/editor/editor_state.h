@@ -10,12 +10,14 @@
 #include "core/document/document.h"
 #include "core/document/scene.h"
 #include "ui/editor/file_browser.h"
+#include "ui/editor/file_loader.h"
 #include "ui/editor/frame_statistics.h"
 #include "ui/editor/laser_controls.h"
 #include "ui/editor/laser_tool.h"
 #include "ui/editor/layout.h"
 #include "ui/editor/question.h"
 #include "ui/editor/settings.h"
+#include "ui/editor/step_history.h"
 #include "ui/editor/twin_cut.h"
 #include "ui/editor/work_in_hand.h"
 #include "ui/render/camera.h"
@@ -31,6 +33,7 @@ struct ShownFigures {
   double frame_ms = 0;
   size_t tree_nodes = 0;
   int tree_depth = 0;
+  size_t process_bytes = 0, tree_bytes = 0, picture_bytes = 0;
   size_t faces_tested = 0, faces_of_step = 0;  // in the last step, and how many there were before it
 };
 
@@ -103,6 +106,8 @@ struct EditorState {
   ShownFigures shown;
   ShadowFigures shadow_figures;
   FrameStatistics frames;
+  FrameStatistics between_pictures;  // what frames took beside drawing
+  StepHistory history;
   StepFigures last_step, stroke_figures;
   size_t figures_of = 0;  // which stroke or recut of one stroke_figures are of
   size_t faces_before_step = 0;
@@ -111,6 +116,7 @@ struct EditorState {
   Settings settings;
   FileBrowser browser;
   Question question;
+  FileLoader loader;
   Requests requests;
   std::optional<Requests> leaving;  // waits until it is known what becomes of the unsaved work
 

@@ -1,7 +1,6 @@
 #include "ui/editor/open_file.h"
 
 #include "core/document/replay.h"
-#include "core/document/work.h"
 #include "core/mesh/load_notes.h"
 #include "ui/render/scene_strokes.h"
 
@@ -10,23 +9,6 @@ namespace kerf {
 namespace {
 
 constexpr size_t kMovesOfStep = 64;
-
-// Bodies, paints and strokes of several files as one scene; a view only where there is one file.
-Result<Work> read_all(std::span<const std::filesystem::path> files) {
-  if (files.size() == 1) return read_work(files.front());
-  Work all;
-  Scene& scene = all.scene;
-  for (const std::filesystem::path& file : files) {
-    if (is_journal(file)) return bad_input(file.string() + ": a journal is opened alone");
-    Result<Scene> more = read_scene(file);
-    if (!more) return more.error();
-    for (const BodyId id : more->world.ids()) scene.world.add(std::move(more->world.body(id)));
-    scene.bodies.insert(scene.bodies.end(), more->bodies.begin(), more->bodies.end());
-    scene.paints.merge(more->paints);
-    scene.strokes.insert(scene.strokes.end(), more->strokes.begin(), more->strokes.end());
-  }
-  return all;
-}
 
 std::string names_of(std::span<const std::filesystem::path> files) {
   std::string names = files.front().filename().string();
@@ -80,9 +62,9 @@ void replay_all(EditorState& state, Renderer& renderer, const Journal& journal) 
 }
 
 // Puts a scene in place of what is open, as it was loaded.
-void show_scene(EditorState& state, Renderer& renderer, Scene scene) {
+void show_scene(EditorState& state, Renderer& renderer, Scene scene, PreparedBodies prepared) {
   const World::Bounds bounds = scene.world.bounds();
-  renderer.show(scene.world, scene.paints);
+  renderer.show(scene.world, scene.paints, std::move(prepared));
   state.as_loaded.reset();
   if (scene.world.live_faces() <= Document::kMostFacesToCopy) state.as_loaded = scene.world;
   const SceneDescription origin = scene;
@@ -117,42 +99,43 @@ void show_scene(EditorState& state, Renderer& renderer, Scene scene) {
   state.work.scene = std::move(scene);
 }
 
-void show_work(EditorState& state, Renderer& renderer, Work work) {
+}  // namespace
+
+Status open_files(EditorState& state, Renderer& renderer, std::span<const std::filesystem::path> files) {
+  if (files.empty()) return Done{};
+  Result<LoadedFiles> loaded = load_files({files.begin(), files.end()}, nullptr);
+  if (!loaded) return loaded.error();
+  show_loaded(state, renderer, std::move(*loaded));
+  return Done{};
+}
+
+void show_loaded(EditorState& state, Renderer& renderer, LoadedFiles loaded) {
+  Work& work = loaded.work;
+  state.say(names_of(loaded.files) + note_of(work.scene.world));
   const std::vector<StrokePath> strokes = work.scene.strokes;
-  show_scene(state, renderer, std::move(work.scene));
+  show_scene(state, renderer, std::move(work.scene), std::move(loaded.prepared));
   // Without hashes the work can be cut but not kept, which is said when it comes to that.
-  if (const Status noted = note_hashes(state.work.scene); !noted) state.say(noted.error().message, true);
+  if (loaded.cannot_be_kept) state.say(loaded.cannot_be_kept->message, true);
   cut_strokes_of(state, renderer, strokes);
   replay_all(state, renderer, work.journal);
   state.work.marks = std::move(work.journal.marks);
   state.work.saved_lights = state.look.lights;
   const bool whole = work.journal.damage.empty();
   state.work.saved_commands = whole ? state.document.journal().size() : WorkInHand::kNothing;
-}
-
-}  // namespace
-
-Status open_files(EditorState& state, Renderer& renderer, std::span<const std::filesystem::path> files) {
-  if (files.empty()) return Done{};
-  Result<Work> work = read_all(files);
-  if (!work) return work.error();
-  state.files.assign(files.begin(), files.end());
-  std::string note = names_of(files) + note_of(work->scene.world);
-  state.say(std::move(note));
-  show_work(state, renderer, std::move(*work));
-  if (files.front().extension() == ".kerf") state.work.file = files.front();
-  return Done{};
+  if (is_journal(loaded.files.front())) state.work.file = loaded.files.front();
+  state.files = std::move(loaded.files);
 }
 
 Status open_left_work(EditorState& state, Renderer& renderer, const LeftWork& left) {
   Result<Scene> scene = load_scene(left.journal.scene);
   if (!scene) return scene.error();
-  state.files.clear();
-  for (const SceneBody& body : left.journal.scene.bodies) state.files.push_back(body.mesh);
+  LoadedFiles loaded;
+  for (const SceneBody& body : left.journal.scene.bodies) loaded.files.push_back(body.mesh);
+  loaded.work = {std::move(*scene), left.journal};
+  loaded.work.journal.damage.clear();  // the line that was being written when the editor died
+  prepare(loaded);
+  show_loaded(state, renderer, std::move(loaded));
   state.say("Here is the work that was left");
-  Journal journal = left.journal;
-  journal.damage.clear();  // the line that was being written when the editor died
-  show_work(state, renderer, {std::move(*scene), std::move(journal)});
   state.work.file = left.journal.work_of;
   state.work.saved_commands = WorkInHand::kNothing;
   return Done{};

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "ui/editor/editor_state.h"
+#include "ui/editor/file_loader.h"
 
 namespace kerf {
 
@@ -15,5 +16,8 @@ Status open_files(EditorState& state, Renderer& renderer, std::span<const std::f
 // Opens what an editor that died has left, as unsaved work, in place of what is open. On failure everything
 // stays as it was.
 Status open_left_work(EditorState& state, Renderer& renderer, const LeftWork& left);
+
+// The same with files that were read already.
+void show_loaded(EditorState& state, Renderer& renderer, LoadedFiles loaded);
 
 }  // namespace kerf

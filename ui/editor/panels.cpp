@@ -6,6 +6,7 @@
 #include "ui/editor/file_panel.h"
 #include "ui/editor/laser_panel.h"
 #include "ui/editor/light_panel.h"
+#include "ui/editor/load_bar.h"
 #include "ui/editor/menu_bar.h"
 #include "ui/editor/picture_marks.h"
 #include "ui/editor/pieces_panel.h"
@@ -13,6 +14,7 @@
 #include "ui/editor/resolution_panel.h"
 #include "ui/editor/shortcut_sheet.h"
 #include "ui/editor/splitter.h"
+#include "ui/editor/statistics_panel.h"
 #include "ui/editor/status_bar.h"
 #include "ui/editor/theme.h"
 #include "ui/editor/tree_panel.h"
@@ -23,10 +25,15 @@ namespace kerf {
 namespace {
 
 constexpr std::array kPanels{
-    Panel{"Laser", true, draw_laser_panel},   Panel{"Resolution", true, draw_resolution_panel},
-    Panel{"Pieces", true, draw_pieces_panel}, Panel{"Light", false, draw_light_panel},
-    Panel{"Tree", false, draw_tree_panel},    Panel{"View", false, draw_view_panel},
-    Panel{"File", false, draw_file_panel},    Panel{"Display", false, draw_display_panel},
+    Panel{"Laser", true, draw_laser_panel},
+    Panel{"Resolution", true, draw_resolution_panel},
+    Panel{"Pieces", true, draw_pieces_panel},
+    Panel{"Light", false, draw_light_panel},
+    Panel{"Tree", false, draw_tree_panel},
+    Panel{"View", false, draw_view_panel},
+    Panel{"Statistics", false, draw_statistics_panel},
+    Panel{"File", false, draw_file_panel},
+    Panel{"Display", false, draw_display_panel},
 };
 
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
@@ -96,6 +103,7 @@ void draw_panels(EditorState& state) {
   draw_side(state);
   draw_splitters(state);
   draw_status_bar(state);
+  draw_load_bar(state);
   draw_shortcut_sheet(state);
   draw_file_browser(state);
   draw_question(state);

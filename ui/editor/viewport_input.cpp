@@ -65,6 +65,10 @@ void begin(EditorState& state, Drag drag) {
     }
   }
   if (drag != Drag::kCut) return;
+  if (state.loader.busy()) {
+    state.drag = Drag::kNone;
+    return state.say("The laser waits until " + state.loader.name() + " is open.");
+  }
   stand_together(state);
   state.camera.finish();
   state.tool.press(state.document, state.view(), state.in_picture(state.pointer), state.laser);

@@ -20,7 +20,8 @@ inline constexpr GLuint kPaintBlock = 1;
 // One body as it is drawn: its faces and its paints.
 class BodyPicture {
  public:
-  BodyPicture(const Body& body, const std::map<std::string, Paint>& paints);
+  // `bases` are those of the body in its picture frame, or empty.
+  BodyPicture(const Body& body, const std::map<std::string, Paint>& paints, BaseFaces bases = {});
 
   FaceBuffer& faces() { return faces_; }
   const FaceBuffer& faces() const { return faces_; }

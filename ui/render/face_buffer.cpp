@@ -1,6 +1,9 @@
 #include "ui/render/face_buffer.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "ui/render/prepared_body.h"
 
 namespace kerf {
 
@@ -45,19 +48,23 @@ FaceBuffer::Chunk::Chunk() {
   glBindVertexArray(0);
 }
 
-FaceBuffer::FaceBuffer(const Body& body)
-    : frame_(FloatFrame::around(body.tree.bounds().min, body.tree.bounds().max)), bases_(body.mesh, frame_) {
+FaceBuffer::FaceBuffer(const Body& body, BaseFaces bases)
+    : frame_(picture_frame(body)),
+      bases_(bases.count() > 0 ? std::move(bases) : BaseFaces(body.mesh, frame_)) {
   dirty_.mark_all(body.mesh.face_slots());
 }
 
-size_t FaceBuffer::update(const Mesh& mesh) {
+size_t FaceBuffer::bytes() const {
+  return chunks_.size() * kChunkFaces * (sizeof(FaceVertices) + sizeof(Indices));
+}
+
+size_t FaceBuffer::update(const Mesh& mesh, uint32_t most) {
   if (dirty_.empty()) return 0;
-  while (chunks_.size() * kChunkFaces < mesh.face_slots()) chunks_.emplace_back();
   if (halvings_.size() < mesh.face_slots()) halvings_.resize(mesh.face_slots(), kDead);
   // Slots that died are only struck off the list; their corners are not sent.
   DirtySlots born;
-  for (const SlotRange range : dirty_.take(0, kChunkFaces)) {
-    LiveList& live = chunks_[range.begin / kChunkFaces].live;
+  for (const SlotRange range : dirty_.take(0, kChunkFaces, most)) {
+    LiveList& live = chunk_of(range).live;
     for (uint32_t f = range.begin; f < range.end; ++f) {
       const bool lives = mesh.is_live(FaceId(f));
       if (live.set(f % kChunkFaces, lives)) note_change(mesh, FaceId(f), lives);
@@ -82,6 +89,12 @@ void FaceBuffer::note_change(const Mesh& mesh, FaceId f, bool lives) {
   }
 }
 
+FaceBuffer::Chunk& FaceBuffer::chunk_of(const SlotRange& range) {
+  const size_t chunk = range.begin / kChunkFaces;
+  while (chunks_.size() <= chunk) chunks_.emplace_back();
+  return chunks_[chunk];
+}
+
 void FaceBuffer::count(const Mesh& mesh, uint32_t slot) {
   uint8_t& known = halvings_[slot];
   if (known != kDead) --faces_of_[known];
@@ -97,8 +110,7 @@ size_t FaceBuffer::update_slots(const Mesh& mesh, const SlotRange& range) {
     staging_.push_back(face_vertices(mesh, bases_, frame_, FaceId(f), heat_.of(mesh, FaceId(f))));
     if (halvings_[f] != kDead && halvings_[f] > 0) removed_.saw(FaceId(f), corners_of(staging_.back()));
   }
-  put(GL_ARRAY_BUFFER, chunks_[range.begin / kChunkFaces].vertices.name(), range.begin % kChunkFaces,
-      staging_);
+  put(GL_ARRAY_BUFFER, chunk_of(range).vertices.name(), range.begin % kChunkFaces, staging_);
   return staging_.size() * sizeof(FaceVertices);
 }
 

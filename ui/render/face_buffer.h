@@ -19,8 +19,9 @@ namespace kerf {
 // that live, and only those are drawn. It follows Deltas; an update costs what changed.
 class FaceBuffer {
  public:
-  // Remembers the body as loaded; nothing is uploaded yet.
-  explicit FaceBuffer(const Body& body);
+  // Remembers the body as loaded; nothing is uploaded yet. `bases` are its own in its picture frame; where
+  // they are empty they are made here, which takes long.
+  explicit FaceBuffer(const Body& body, BaseFaces bases = {});
 
   void follow(const BodyDelta& delta) {
     dirty_.mark(delta);
@@ -32,8 +33,13 @@ class FaceBuffer {
     removed_.forget();
   }
 
-  // Uploads what changed, from the mesh as it is now. Returns the number of bytes.
-  size_t update(const Mesh& mesh);
+  // Uploads what changed, from the mesh as it is now; where every slot did, `most` of them and the others in
+  // later updates. Returns the number of bytes.
+  size_t update(const Mesh& mesh, uint32_t most = DirtySlots::kAll);
+  // Whether others are left.
+  bool is_sending() const { return dirty_.has_all(); }
+  // Of the buffers on the GPU.
+  size_t bytes() const;
 
   // How many slots a chunk has.
   static constexpr uint32_t kChunkFaces = 1u << 16;
@@ -73,6 +79,7 @@ class FaceBuffer {
     Chunk();
     void draw() const;
   };
+  Chunk& chunk_of(const SlotRange& range);  // made where it is not there yet
   void count(const Mesh& mesh, uint32_t slot);
   void note_change(const Mesh& mesh, FaceId f, bool lives);
   size_t update_slots(const Mesh& mesh, const SlotRange& range);

@@ -32,9 +32,12 @@ void DirtySlots::mark(const BodyDelta& delta) {
   }
 }
 
-void DirtySlots::mark_all(uint32_t slots) { all_ = std::max(all_, slots); }
+void DirtySlots::mark_all(uint32_t slots) {
+  all_ = std::max(all_, slots);
+  from_ = 0;
+}
 
-std::vector<SlotRange> DirtySlots::take(uint32_t gap, uint32_t chunk) {
+std::vector<SlotRange> DirtySlots::take(uint32_t gap, uint32_t chunk, uint32_t most) {
   std::sort(slots_.begin(), slots_.end());
   std::vector<SlotRange> ranges;
   const auto add = [&](uint32_t begin, uint32_t end) {
@@ -50,12 +53,15 @@ std::vector<SlotRange> DirtySlots::take(uint32_t gap, uint32_t chunk) {
       begin = stop;
     }
   };
-  add(0, all_);
-  for (const uint32_t slot : slots_) {
-    if (slot >= all_) add(slot, slot + 1);
-  }
+  const auto below = std::lower_bound(slots_.begin(), slots_.end(), from_);
+  const auto above = std::lower_bound(below, slots_.end(), all_);
+  const uint32_t to = all_ - from_ > most ? from_ + most : all_;
+  for (auto slot = slots_.begin(); slot != below; ++slot) add(*slot, *slot + 1);
+  add(from_, to);
+  for (auto slot = above; slot != slots_.end(); ++slot) add(*slot, *slot + 1);
   slots_.clear();
-  all_ = 0;
+  from_ = to;
+  if (from_ == all_) from_ = all_ = 0;
   return ranges;
 }
 

@@ -46,15 +46,18 @@ class DirtySlots {
   void mark(uint32_t slot) { slots_.push_back(slot); }
   void mark(const BodyDelta& delta);
   void mark_all(uint32_t slots);
-  bool empty() const { return slots_.empty() && all_ == 0; }
+  bool empty() const { return slots_.empty() && !has_all(); }
+  // Whether slots are left that mark_all marked.
+  bool has_all() const { return all_ > 0; }
 
   // All of them, ascending, as ranges in which no more than `gap` clean slots in a row are taken along; none
-  // crosses a multiple of `chunk`. Nothing is dirty after.
-  std::vector<SlotRange> take(uint32_t gap, uint32_t chunk);
+  // crosses a multiple of `chunk`. Nothing is dirty after, but for slots of mark_all beyond the first `most`.
+  static constexpr uint32_t kAll = 0xffffffffu;
+  std::vector<SlotRange> take(uint32_t gap, uint32_t chunk, uint32_t most = kAll);
 
  private:
   std::vector<uint32_t> slots_;
-  uint32_t all_ = 0;  // everything below is dirty
+  uint32_t from_ = 0, all_ = 0;  // everything between is dirty
 };
 
 }  // namespace kerf

@@ -1,5 +1,6 @@
 #include "ui/render/renderer.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "ui/render/seen_light.h"
@@ -56,13 +57,17 @@ Result<Renderer> Renderer::create() {
   return Renderer(std::move(*passes));
 }
 
-void Renderer::show(const World& world, const std::map<std::string, Paint>& paints) {
+void Renderer::show(const World& world, const std::map<std::string, Paint>& paints, PreparedBodies prepared) {
   bodies_.clear();
   paints_ = paints;
   passes_.lines.forget();
   passes_.scene.shadows().forget();
   contact_old_ = true;
-  for (const BodyId id : world.ids()) bodies_.emplace(id, BodyPicture(world.body(id), paints));
+  for (const BodyId id : world.ids()) {
+    PreparedBody& ahead = prepared[id];
+    bodies_.emplace(id, BodyPicture(world.body(id), paints, std::move(ahead.bases)));
+    if (ahead.caster) passes_.scene.shadows().adopt(id, std::move(ahead.caster));
+  }
   const World::Bounds bounds = world.bounds();
   const double diagonal = bounds.diagonal();
   middle_ = bounds.min + (bounds.max - bounds.min) * 0.5;
@@ -97,9 +102,22 @@ void Renderer::resend(const World& world) {
 
 void Renderer::catch_up(const World& world) {
   for (auto& [id, picture] : bodies_) {
-    if (world.contains(id)) uploaded_ += picture.faces().update(world.body(id).mesh);
+    if (!world.contains(id)) continue;
+    if (picture.faces().is_sending()) contact_old_ = true;
+    uploaded_ += picture.faces().update(world.body(id).mesh, most_faces_sent_);
   }
   find_white_hot();
+}
+
+bool Renderer::is_sending() const {
+  return std::any_of(bodies_.begin(), bodies_.end(),
+                     [](const auto& entry) { return entry.second.faces().is_sending(); });
+}
+
+size_t Renderer::face_bytes() const {
+  size_t bytes = 0;
+  for (const auto& [id, picture] : bodies_) bytes += picture.faces().bytes();
+  return bytes;
 }
 
 // The median of the faces that are small at all: base faces differ in size, so the finest of some are halved

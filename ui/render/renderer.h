@@ -18,6 +18,7 @@
 #include "ui/render/line_overlay.h"
 #include "ui/render/lit_scene.h"
 #include "ui/render/outline_pass.h"
+#include "ui/render/prepared_body.h"
 #include "ui/render/reference_pass.h"
 #include "ui/render/shadow_overlay.h"
 #include "ui/render/shadow_probe.h"
@@ -42,7 +43,8 @@ class Renderer {
   static Result<Renderer> create();
 
   // Looks at a world anew, as loaded: smooth normals are taken from its faces, which should not be cut yet.
-  void show(const World& world, const std::map<std::string, Paint>& paints);
+  // `prepared` may lack bodies.
+  void show(const World& world, const std::map<std::string, Paint>& paints, PreparedBodies prepared = {});
   // What a step changed in the world that is shown; sent to the GPU with the next picture.
   void follow(const Delta& delta);
   // For when a Delta was lost: every face of the world is sent again.
@@ -81,6 +83,15 @@ class Renderer {
 
   // What shadows cost since the renderer was made.
   ShadowWork shadow_work() const { return passes_.scene.shadows().work(); }
+
+  // Lets no picture send more than so many faces of a body that is shown or sent anew; the pictures after it
+  // go on. Without a limit every picture is whole.
+  void limit_sending(uint32_t faces) { most_faces_sent_ = faces; }
+  // Whether such faces are left to be sent.
+  bool is_sending() const;
+
+  // Bytes of memory on the GPU that hold faces.
+  size_t face_bytes() const;
 
   // Bytes of faces sent to the GPU since the renderer was made.
   size_t uploaded_bytes() const { return uploaded_; }
@@ -132,6 +143,7 @@ class Renderer {
   bool contact_old_ = true;
   bool shining_ = false;  // the last picture has something that glows
   size_t uploaded_ = 0;
+  uint32_t most_faces_sent_ = DirtySlots::kAll;
   size_t differing_ = 0;
 };
 

@@ -32,6 +32,8 @@ class ShadowPass {
   // Everything that is kept is of another world, or a Delta was lost.
   void forget() { bodies_.clear(); }
   void follow(const Delta& delta);
+  // What casts the shadow of a body in its picture frame, made ahead.
+  void adopt(BodyId id, std::unique_ptr<ShadowCaster> caster) { bodies_[id].caster = std::move(caster); }
 
   // Counts into the stencil of what is bound, where the scissor lets it, the shadow of a light of
   // subject.options. What casts must be in the depth, drawn with `clip_from_frame * vec4(placed(...), 1.0)`

@@ -1,0 +1,180 @@
+#include <algorithm>
+
+#include "core/cut/cut_step.h"
+#include "core/document/extract.h"
+#include "core/graph/separation.h"
+#include "tests/bench/sections.h"
+#include "tests/bench/timing.h"
+
+namespace kerf::bench {
+
+namespace {
+
+constexpr double kFaceBar = 2;                    // us a face born or gone
+constexpr double kLongestBar = 8;                 // of the median
+constexpr double kJobBar = 1.0 / 20;              // of CGAL
+constexpr double kSeparationBar = 500;            // ns a removed face
+constexpr double kRadii = 500, kEdges = 1000;     // of these the longest side of the mesh has so many
+constexpr uint32_t kHole = 20000, kOneStep = 50;  // faces
+
+Body body_of(const Subject& s) {
+  Body body;
+  body.name = s.name;
+  body.mesh = s.mesh;
+  body.tree = AabbTree(body.mesh);
+  double area = 0;
+  for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) area += triangle_area(body.mesh.triangle(FaceId(f)));
+  body.pieces.push_back({body.mesh.live_faces(), area});
+  std::vector<uint32_t> component;
+  body.components = count_components(body.mesh, label_components(body.mesh, component));
+  return body;
+}
+
+// A straight slot through the middle, across the longest side, the beam along the shortest.
+struct Slot {
+  Vec3 low, high, middle;
+  int along = 0, across = 0, beam = 0;
+
+  explicit Slot(const AabbTree::Box& box) : low(box.min), high(box.max), middle(0.5 * (box.min + box.max)) {
+    const Vec3 size = high - low;
+    for (int k = 1; k < 3; ++k) {
+      if (size[k] > size[across]) across = k;
+    }
+    beam = across == 0 ? 1 : 0;
+    along = 3 - across - beam;
+    if (size[along] < size[beam]) std::swap(along, beam);
+  }
+  double length() const { return high[across] - low[across]; }
+  double radius() const { return length() / kRadii; }
+
+  Pose pose(double share) const {
+    Pose p{middle, Vec3(0)};
+    const double reach = 0.6 * (high[along] - low[along]);
+    p.origin[along] += (2 * share - 1) * reach;
+    p.origin[beam] -= length();
+    p.direction[beam] = 1;
+    return p;
+  }
+  CutSettings settings() const {
+    CutSettings settings;
+    settings.laser.radius = radius();
+    settings.laser.range = {0, 4 * length()};
+    settings.resolution.target_edge = length() / kEdges;
+    return settings;
+  }
+  // As a user would who wants the piece: what goes may overshoot the beam by half of its width.
+  CutSettings quick_settings() const {
+    CutSettings quick = settings();
+    quick.resolution.rule = Resolution::Rule::kTolerance;
+    quick.resolution.tolerance = radius();
+    return quick;
+  }
+};
+
+struct Walked {
+  std::vector<double> steps;  // s, of those that removed something
+  double seconds = 0;         // of all
+  size_t turned = 0;          // faces born or gone
+};
+
+Walked walk_slot(World& world, const Slot& slot, const CutSettings& settings, int steps) {
+  Walked walked;
+  const auto note = [&](const StepResult& result, double seconds) {
+    walked.seconds += seconds;
+    walked.turned += 2 * result.delta.removed_faces + result.figures.faces_made;
+    if (result.delta.removed_faces > 0) walked.steps.push_back(seconds);
+  };
+  for (int i = 0; i < steps; ++i) {
+    const BeamMove move{slot.pose(double(i) / steps), slot.pose(double(i + 1) / steps)};
+    Result<StepResult> result = failed("");
+    const double seconds = seconds_of([&] { result = cut_step(world, settings, {&move, 1}); });
+    note(*result, seconds);
+  }
+  while (!is_settled(world)) {
+    StepResult result;
+    const double seconds = seconds_of([&] { result = go_on_separating(world, settings.search_a_move); });
+    note(result, seconds);
+  }
+  return walked;
+}
+
+// Faces around the first, nearest first.
+std::vector<FaceId> hole(const Mesh& mesh) {
+  std::vector<FaceId> faces{FaceId(0)}, neighbours;
+  std::vector<bool> seen(mesh.face_slots());
+  seen[0] = true;
+  const size_t most = std::min(kHole, mesh.live_faces() / 2);
+  for (size_t i = 0; i < faces.size() && faces.size() < most; ++i) {
+    neighbours.clear();
+    mesh.append_nearest_neighbours(faces[i], neighbours);
+    for (const FaceId n : neighbours) {
+      if (!seen[n.index]) faces.push_back(n);
+      seen[n.index] = true;
+    }
+  }
+  return faces;
+}
+
+double seconds_of_hole(Body body, std::span<const FaceId> faces, bool told) {
+  return seconds_of([&] {
+    for (size_t i = 0; i < faces.size(); ++i) {
+      if (told) note_removal(body, faces[i]);
+      body.mesh.remove_face(faces[i]);
+      if (told && i % kOneStep == 0) settle(body);
+    }
+  });
+}
+
+void bench_separation(const Subject& s, const Effort& effort, const Report& report) {
+  const Body body = body_of(s);
+  const std::vector<FaceId> faces = hole(body.mesh);
+  std::vector<double> told, untold;
+  for (int i = 0; i < effort.build_times; ++i) {
+    told.push_back(seconds_of_hole(body, faces, true));
+    untold.push_back(seconds_of_hole(body, faces, false));
+  }
+  report({"separation, a removed face / the limit", s.name, "ns",
+          1e9 * (median(told) - median(untold)) / static_cast<double>(faces.size()), kSeparationBar, 1.0});
+}
+
+// The whole job at a tolerance, and the copy of what came off.
+void bench_job(const Subject& s, const Effort& effort, const Report& report) {
+  World world;
+  const BodyId id = world.add(body_of(s));
+  const Slot slot(world.body(id).tree.bounds());
+  const Walked walked = walk_slot(world, slot, slot.quick_settings(), effort.slot_steps);
+  const SlotBox box{slot.low, slot.high, slot.middle, slot.across, slot.radius()};
+  if (const auto peer = cgal_slot_seconds(s.arrays, box))
+    report({"slot into pieces / CGAL difference + split", s.name, "ms", 1e3 * walked.seconds, 1e3 * *peer,
+            kJobBar});
+  const auto pieces = faces_by_piece(world.body(id), false);
+  if (pieces.size() < 2) return;
+  const auto& copied = *std::max_element(pieces.begin() + 1, pieces.end(),
+                                         [](const auto& a, const auto& b) { return a.size() < b.size(); });
+  const double seconds = seconds_of([&] { extract_faces(world.body(id), copied); });
+  report({"copying the largest piece out / the slot", s.name, "ms", 1e3 * seconds, 1e3 * walked.seconds,
+          std::nullopt});
+}
+
+void bench_steps(const Subject& s, const Effort& effort, const Report& report) {
+  World world;
+  const BodyId id = world.add(body_of(s));
+  const Slot slot(world.body(id).tree.bounds());
+  const Walked walked = walk_slot(world, slot, slot.settings(), effort.slot_steps);
+  if (walked.steps.empty()) return;
+  const double longest = *std::max_element(walked.steps.begin(), walked.steps.end());
+  report({"slot, a face born or gone / the limit", s.name, "us",
+          1e6 * walked.seconds / static_cast<double>(walked.turned), kFaceBar, 1.0});
+  report(
+      {"slot, longest step / median", s.name, "us", 1e6 * longest, 1e6 * median(walked.steps), kLongestBar});
+}
+
+}  // namespace
+
+void bench_cut(const Subject& s, const Effort& effort, const Report& report) {
+  bench_steps(s, effort, report);
+  bench_job(s, effort, report);
+  bench_separation(s, effort, report);
+}
+
+}  // namespace kerf::bench

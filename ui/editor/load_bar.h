@@ -1,0 +1,14 @@
+#pragma once
+
+#include "ui/editor/editor_state.h"
+
+namespace kerf {
+
+// Over the lower edge of the picture: what is being read, how far it is, and a button that stops it. Nothing
+// where nothing is read.
+void draw_load_bar(EditorState& state);
+
+// Gives up what is being read; what is open stays as it is.
+void cancel_opening(EditorState& state);
+
+}  // namespace kerf

@@ -1,0 +1,96 @@
+#include "ui/editor/statistics_panel.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "ui/editor/number_text.h"
+#include "ui/editor/property.h"
+#include "ui/editor/theme.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr size_t kManyFaces = 100'000;  // among which what the program itself takes is no matter
+constexpr float kPlotHeight = 1.7f, kNumberWidth = 5.2f;  // sizes of the text
+
+struct Row {
+  StepHistory::Line line;
+  const char* name;
+  const char* meaning;
+};
+
+constexpr std::array kStages{
+    Row{StepHistory::kFind, "Find", "Asking the tree for the faces under the beam."},
+    Row{StepHistory::kRefine, "Refine", "Splitting them until they are fine enough."},
+    Row{StepHistory::kRemove, "Remove", "Taking them out of the mesh."},
+    Row{StepHistory::kTree, "Tree", "Following with the tree."},
+    Row{StepHistory::kSeparate, "Separate", "Finding what came apart, and telling what changed."}};
+
+std::string text_of(const char* format, double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), format, value);
+  return text.data();
+}
+
+// The line of a row up to `top`, and its last number beside it.
+void plot_row(const StepHistory& history, const Row& row, float top, const std::string& last) {
+  property(row.name);
+  const float em = ImGui::GetFontSize();
+  const std::span<const float> values = history.line(row.line);
+  ImGui::PushID(row.name);
+  ImGui::PushStyleColor(ImGuiCol_PlotLines, colours::accent());
+  ImGui::PlotLines("##line", values.data(), static_cast<int>(values.size()), 0, nullptr, 0,
+                   std::max(top, 1e-6f),
+                   {std::max(em, ImGui::GetContentRegionAvail().x - kNumberWidth * em), kPlotHeight * em});
+  ImGui::PopStyleColor();
+  tooltip(row.meaning);
+  ImGui::PopID();
+  ImGui::SameLine();
+  const float free = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(last.c_str()).x;
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, free));
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(last.c_str());
+}
+
+void stage_rows(const StepHistory& history) {
+  float top = 0;  // one scale, so that the stages can be compared
+  for (const Row& row : kStages) top = std::max(top, history.largest(row.line));
+  for (const Row& row : kStages) plot_row(history, row, top, text_of("%.2f ms", history.last(row.line)));
+}
+
+void change_rows(const StepHistory& history) {
+  const float top = std::max(history.largest(StepHistory::kBorn), history.largest(StepHistory::kGone));
+  const auto faces = [&](StepHistory::Line line) { return grouped(static_cast<size_t>(history.last(line))); };
+  plot_row(history, {StepHistory::kBorn, "Born", "Faces that are new or have new corners."}, top,
+           faces(StepHistory::kBorn));
+  plot_row(history, {StepHistory::kGone, "Gone", "Faces that are no more."}, top, faces(StepHistory::kGone));
+  plot_row(history, {StepHistory::kSent, "Sent", "Faces and lists sent to the graphics card for a picture."},
+           history.largest(StepHistory::kSent), text_of("%.0f kB", history.last(StepHistory::kSent)));
+}
+
+void memory_row(const char* name, size_t bytes, size_t faces, const char* meaning) {
+  property(name);
+  std::string text = text_of("%.0f MB", static_cast<double>(bytes) / (1 << 20));
+  if (faces >= kManyFaces)
+    text += text_of(", %.0f bytes a face", static_cast<double>(bytes) / static_cast<double>(faces));
+  ImGui::TextUnformatted(text.c_str());
+  tooltip(meaning);
+}
+
+}  // namespace
+
+void draw_statistics_panel(EditorState& state) {
+  if (!begin_properties("##statistics")) return;
+  stage_rows(state.history);
+  change_rows(state.history);
+  const ShownFigures& shown = state.shown;
+  memory_row("Process", shown.process_bytes, shown.faces, "All that the program holds, drivers included.");
+  memory_row("Trees", shown.tree_bytes, shown.faces, "The trees of all bodies.");
+  memory_row("Graphics", shown.picture_bytes, shown.faces, "Buffers of faces for the graphics card.");
+  end_properties();
+}
+
+}  // namespace kerf

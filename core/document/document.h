@@ -33,7 +33,8 @@ class Document {
   // The first of them; null when none waits.
   const BeamMove* next_move() const { return work_.empty() ? nullptr : &work_.front().move; }
 
-  // Walks up to so many of them as one step; an empty delta when none waits. On failure the moves that wait
+  // Walks up to so many of them as one step; when none waits, goes on with a search for what came apart, or
+  // does nothing. On failure the moves that wait
   // are dropped and the stroke ends; see cut_step for the state of the world.
   Result<StepResult> step(size_t moves, const Progress* progress = nullptr);
 

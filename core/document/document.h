@@ -47,8 +47,8 @@ class Document {
   // The first of them; null when none waits.
   const BeamMove* next_move() const { return work_.empty() ? nullptr : &work_.front().move; }
 
-  // Walks up to so many of them as one step; an empty delta when none waits. On failure the stroke has cut
-  // nothing; where `progress` stopped it, it is taken back in the journal too, with what waits behind it.
+  // Walks up to so many of them as one step; when none waits, goes on with a search for what came apart, or
+  // does nothing. On failure the stroke has cut nothing; where `progress` stopped it, it is taken back in the journal too, with what waits behind it.
   // Without before-images it ends where it is.
   Result<StepResult> step(size_t moves, const Progress* progress = nullptr);
 

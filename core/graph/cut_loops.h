@@ -19,8 +19,8 @@ class CutLoops {
  public:
   CutLoops(const Mesh& mesh, SeparationState& state) : mesh_(mesh), state_(state) {}
 
-  // Takes f away, which is live and still in the mesh; `neighbours` are its nearest ones. Constant time near
-  // enough, but that a boundary loop is walked once.
+  // Takes f away, which is live and still in the mesh; the state has its nearest neighbours. Constant time
+  // near enough, but that a boundary loop is walked once.
   void remove(FaceId f);
 
  private:

@@ -41,6 +41,17 @@ TEST(DirtySlots, a_delta_marks_born_gone_and_relabelled) {
   EXPECT_EQ(dirty.take(0, 100), (Ranges{{1, 3}, {5, 6}}));
 }
 
+TEST(DirtySlots, all_are_handed_out_a_part_at_a_time_and_each_once) {
+  DirtySlots dirty;
+  dirty.mark_all(10);
+  EXPECT_EQ(dirty.take(0, 100, 4), (Ranges{{0, 4}}));
+  EXPECT_TRUE(dirty.has_all());
+  for (const uint32_t slot : {1u, 6u, 12u}) dirty.mark(slot);
+  EXPECT_EQ(dirty.take(0, 100, 4), (Ranges{{1, 2}, {4, 8}, {12, 13}}));
+  EXPECT_EQ(dirty.take(0, 100, 4), (Ranges{{8, 10}}));
+  EXPECT_TRUE(dirty.empty());
+}
+
 TEST(LiveList, the_last_takes_the_place_of_what_goes) {
   LiveList live(10);
   for (const uint32_t slot : {2u, 5u, 7u}) EXPECT_TRUE(live.set(slot, true));

@@ -26,8 +26,8 @@ struct LoadedFiles {
 // Makes ready what follows from the work.
 void prepare(LoadedFiles& loaded);
 
-// Bodies, paints and strokes of several files as one scene, or a journal alone; a view only where there is one
-// file. `progress` may be null.
+// Bodies, paints and strokes of several files as one scene, or a journal alone; a view only where there is
+// one file. `progress` may be null.
 Result<LoadedFiles> load_files(std::vector<std::filesystem::path> files, const Progress* progress);
 
 // Reads files on a thread of its own, into a world of its own, while the editor goes on.

@@ -155,7 +155,7 @@ void TreeStore::set_root_box(const FloatBox& box) {
 }
 
 TreeView TreeStore::view() const {
-  static_assert(nodes.kShift == TreeView::kShift && blocks.kShift == TreeView::kShift);
+  static_assert(decltype(nodes)::kShift == TreeView::kShift && decltype(blocks)::kShift == TreeView::kShift);
   return {nodes.chunks(), blocks.chunks(), root};
 }
 

@@ -154,9 +154,7 @@ Status open_left_work(EditorState& state, Renderer& renderer, const LeftWork& le
   state.files.clear();
   for (const SceneBody& body : left.journal.scene.bodies) state.files.push_back(body.mesh);
   state.say("Here is the work that was left");
-  Journal journal = left.journal;
-  journal.damage.clear();  // the line that was being written when the editor died
-  show_work(state, renderer, {std::move(*scene), std::move(journal)});
+  show_work(state, renderer, {std::move(*scene), left.journal});
   state.work.file = left.journal.work_of;
   state.work.saved_commands = WorkInHand::kNothing;
   return Done{};

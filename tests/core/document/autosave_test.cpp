@@ -74,6 +74,21 @@ TEST_F(AutosaveFolder, leaves_nothing_when_the_work_is_saved) {
   }
 }
 
+TEST_F(AutosaveFolder, keeps_the_old_file_until_a_new_one_is_written) {
+  Document document;
+  document.apply(EndStroke{});
+  Autosave autosave(state());
+  autosave.begin(scene_, {});
+  ASSERT_TRUE(autosave.follow(document, {}).ok());
+  const auto files = [&] { return std::distance(std::filesystem::directory_iterator(state()), {}); };
+  autosave.begin(scene_, folder_ / "mine.kerf");
+  EXPECT_EQ(files(), 1);
+  ASSERT_TRUE(autosave.follow(document, {}).ok());
+  EXPECT_EQ(files(), 1);
+  autosave.drop();
+  EXPECT_EQ(files(), 0);
+}
+
 TEST_F(AutosaveFolder, two_editors_of_one_program_do_not_write_to_the_same_file) {
   Document one, two;
   one.apply(Undo{});

@@ -78,10 +78,11 @@ void Document::end() {
   in_stroke_ = false;
 }
 
-// How far along the beam there is anything to cut: to the farthest corner of the world's bounds.
+// How far along the beam there is anything to cut: to the farthest corner of the bounds of the world as it
+// was before anything was cut. How small it is by now depends on how far the cut has come, and the moves must
+// not.
 double Document::reach(const Pose& pose) const {
-  const World::Bounds bounds = world_.bounds();
-  const Vec3 far = glm::max(glm::abs(bounds.min - pose.origin), glm::abs(bounds.max - pose.origin));
+  const Vec3 far = glm::max(glm::abs(bounds_.min - pose.origin), glm::abs(bounds_.max - pose.origin));
   return std::min(stroke_->settings.laser.range.high, glm::length(far));
 }
 

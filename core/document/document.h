@@ -20,7 +20,7 @@ namespace kerf {
 class Document {
  public:
   Document() = default;
-  explicit Document(World world) : world_(std::move(world)) {}
+  explicit Document(World world) : world_(std::move(world)), bounds_(world_.bounds()) {}
 
   const World& world() const { return world_; }
 
@@ -75,6 +75,7 @@ class Document {
   double reach(const Pose& pose) const;
 
   World world_;
+  World::Bounds bounds_;  // before anything was cut
   std::vector<Command> journal_;
   std::shared_ptr<Stroke> stroke_ = std::make_shared<Stroke>();  // the last
   std::optional<World> before_stroke_;

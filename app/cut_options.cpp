@@ -120,7 +120,7 @@ Status merge_settings_file(CutOptions& o) {
   const bool has_resolution = o.target_edge || o.tolerance || o.depth;
   for (const auto& item : json->items()) {
     if (has_resolution && is_resolution(item.key())) continue;
-    if (const auto taken = take_key(item.key(), root[item.key().c_str()], o); !taken) return taken;
+    if (const auto taken = take_key(item.key(), root[item.key()], o); !taken) return taken;
   }
   return Done{};
 }

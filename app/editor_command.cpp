@@ -37,7 +37,8 @@ Status edit(const EditorArguments& a) {
 
 void add_editor(CLI::App& app, Action& action) {
   auto a = std::make_shared<EditorArguments>();
-  app.add_option("FILE", a->files, "Scenes (.json) and meshes to open together in the editor");
+  app.add_option("FILE", a->files,
+                 "Scenes (.json) and meshes to open together in the editor, or a journal (.kerf)");
   app.add_option("--report", a->report, "Where the editor writes what happened, as JSON, when it ends");
   app.add_option("--size", a->size, "Size of the editor's window, WxH");
   action = [a] {

@@ -230,7 +230,7 @@ Status check_keys(const JsonValue& line, const Kind& kind) {
   }
   for (const auto& item : line.json().items()) {
     if (item.key() != "do" && !has(item.key()))
-      return line[item.key().c_str()].wrong(std::string("\"") + kind.name + "\" has no such key");
+      return line[item.key()].wrong(std::string("\"") + kind.name + "\" has no such key");
   }
   return Done{};
 }

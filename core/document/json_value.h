@@ -19,9 +19,9 @@ class JsonValue {
 
   const nlohmann::json& json() const { return *value_; }
   const std::string& file() const { return file_; }
-  bool has(const char* key) const { return value_->is_object() && value_->contains(key); }
+  bool has(const std::string& key) const { return value_->is_object() && value_->contains(key); }
   // The member or element; it must be there.
-  JsonValue operator[](const char* key) const { return {(*value_)[key], file_, pointer_ + "/" + key}; }
+  JsonValue operator[](const std::string& key) const { return {(*value_)[key], file_, pointer_ + "/" + key}; }
   JsonValue operator[](size_t i) const { return {(*value_)[i], file_, pointer_ + "/" + std::to_string(i)}; }
 
   Error wrong(const std::string& what) const {

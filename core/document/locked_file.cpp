@@ -48,6 +48,24 @@ int write_all(int file, std::string_view bytes) {
   return 0;
 }
 
+// A new file, locked; the error number where there is none. One that is left of a program that died while it
+// made it is not touched.
+int open_new(const std::filesystem::path& path, std::filesystem::path& nameless, int& descriptor) {
+  for (int attempt = 0;; ++attempt) {
+    nameless = path.parent_path() / ("." + path.filename().string() + "." + std::to_string(attempt) + ".new");
+    descriptor = ::open(nameless.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0600);
+    if (descriptor >= 0) return ::flock(descriptor, LOCK_EX | LOCK_NB) == 0 ? 0 : errno;
+    if (errno != EEXIST || attempt == 1000) return errno;
+  }
+}
+
+// Gives a file its name, where there is none of that name; where the file system has no links, in any case.
+int give_name(const std::filesystem::path& nameless, const std::filesystem::path& path) {
+  if (::link(nameless.c_str(), path.c_str()) == 0) return 0;
+  if (errno != EPERM && errno != ENOTSUP && errno != ENOSYS) return errno;
+  return ::rename(nameless.c_str(), path.c_str()) == 0 ? 0 : errno;
+}
+
 }  // namespace
 
 LockedFile::LockedFile(std::filesystem::path path, Handle* handle)
@@ -66,13 +84,13 @@ LockedFile::~LockedFile() { delete handle_; }
 
 Result<LockedFile> LockedFile::create(const std::filesystem::path& path, std::string_view bytes) {
   // It gets its name when it is locked and whole, so that nobody takes it for one that was left behind.
-  const std::filesystem::path nameless = path.parent_path() / ("." + path.filename().string() + ".new");
-  const int descriptor = ::open(nameless.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0600);
-  if (descriptor < 0) return file_error(path, "cannot be made", errno);
+  std::filesystem::path nameless;
+  int descriptor = -1;
+  int code = open_new(path, nameless, descriptor);
+  if (descriptor < 0) return file_error(path, "cannot be made", code);
   LockedFile file(path, new Handle{descriptor});
-  int code = ::flock(descriptor, LOCK_EX | LOCK_NB) == 0 ? 0 : errno;
   if (code == 0) code = write_all(descriptor, bytes);
-  if (code == 0 && ::link(nameless.c_str(), path.c_str()) != 0) code = errno;
+  if (code == 0) code = give_name(nameless, path);
   ::unlink(nameless.c_str());
   if (code != 0) return file_error(path, "cannot be written", code);
   file.handle_->size = static_cast<off_t>(bytes.size());

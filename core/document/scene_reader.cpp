@@ -91,7 +91,7 @@ Status parse_bodies(const JsonValue& value, const std::filesystem::path& folder,
 Status parse_paints(const JsonValue& value, SceneDescription& scene) {
   if (const auto object = value.object(); !object) return object;
   for (const auto& [name, json] : value.json().items()) {
-    const JsonValue entry = value[name.c_str()];
+    const JsonValue entry = value[name];
     if (const auto object = entry.object(); !object) return object;
     Paint& paint = scene.paints[name];
     if (entry.has("colour")) {

@@ -99,7 +99,7 @@ Result<CutSettings> parse_settings(const JsonValue& value) {
   if (const auto object = value.object(); !object) return object.error();
   CutSettings settings;
   for (const auto& item : value.json().items()) {
-    if (const auto s = take_key(item.key(), value[item.key().c_str()], settings); !s) return s.error();
+    if (const auto s = take_key(item.key(), value[item.key()], settings); !s) return s.error();
   }
   for (const char* key : {"radius", "range", "pattern", "power", "scheme", "rule", "target-edge", "tolerance",
                           "depth", "rim"}) {

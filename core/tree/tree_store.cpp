@@ -197,7 +197,7 @@ void TreeStore::restore(const Change& change) {
 }
 
 TreeView TreeStore::view() const {
-  static_assert(nodes.kShift == TreeView::kShift && blocks.kShift == TreeView::kShift);
+  static_assert(decltype(nodes)::kShift == TreeView::kShift && decltype(blocks)::kShift == TreeView::kShift);
   return {nodes.chunks(), blocks.chunks(), root};
 }
 

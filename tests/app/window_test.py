@@ -101,6 +101,13 @@ class Editor:
     def title(self):
         return self.xdotool("search", "--onlyvisible", "--name", "Kerf", "getwindowname").stdout.strip()
 
+    def wait_for_title(self, title):
+        for _ in range(150):
+            if self.title() == title:
+                return
+            time.sleep(0.1)
+        raise AssertionError(f"the title is {self.title()!r} and not {title!r}")
+
     def draw_without_end(self):
         """A stroke that is running still."""
         self.xdotool("mousemove", 300, 500)
@@ -327,24 +334,23 @@ class Window(unittest.TestCase):
         self.type_name(editor, name)
 
     def type_name(self, editor, name):
-        time.sleep(1.5)
-        editor.press("ctrl", "a")
-        editor.xdotool("type", "--delay", "40", os.path.join(self.folder, name))
-        time.sleep(1)
-        editor.press("Return")
+        """The name that the browser offers is chosen, so that typing replaces it."""
         time.sleep(2)
+        editor.xdotool("type", "--delay", "40", os.path.join(self.folder, name))
+        time.sleep(1.5)
+        editor.press("Return")
 
     def test_what_was_cut_is_saved_and_opens_again_as_it_was(self):
         editor = self.open(SPHERE)
-        self.assertEqual(editor.title(), "sphere.json - Kerf")
+        editor.wait_for_title("sphere.json - Kerf")
         editor.drag([(300, 400), (640, 400)])
-        self.assertEqual(editor.title(), "sphere.json* - Kerf")
+        editor.wait_for_title("sphere.json* - Kerf")
         self.save_as(editor, "ball")
-        self.assertEqual(editor.title(), "ball.kerf - Kerf")
+        editor.wait_for_title("ball.kerf - Kerf")
         editor.drag([(300, 300), (640, 300)])
+        editor.wait_for_title("ball.kerf* - Kerf")
         editor.press("ctrl", "s")
-        time.sleep(2)
-        self.assertEqual(editor.title(), "ball.kerf - Kerf")
+        editor.wait_for_title("ball.kerf - Kerf")
         saved = editor.quit()
         self.assertEqual(self.unsaved(), [])
         journal = os.path.join(self.folder, "ball.kerf")
@@ -364,13 +370,14 @@ class Window(unittest.TestCase):
             time.sleep(1)
             editor.press("Escape")
             time.sleep(0.5)
-            self.assertEqual(editor.title(), "sphere.json* - Kerf")
+            editor.wait_for_title("sphere.json* - Kerf")
         editor.press("ctrl", "n")
         time.sleep(1)
         editor.press("d")
-        time.sleep(3)
-        self.assertEqual(editor.title(), "car.json - Kerf")
+        editor.wait_for_title("car.json - Kerf")
+        time.sleep(1)
         editor.drag([(500, 130), (500, 400)])
+        editor.wait_for_title("car.json* - Kerf")
         editor.press("ctrl", "q")
         time.sleep(1)
         editor.press("s")
@@ -399,11 +406,11 @@ class Window(unittest.TestCase):
         other = self.open_again(SPHERE)  # is not offered what another looks at
         self.assertEqual(other.quit()["strokes"], 0)
         editor.press("Return")
-        time.sleep(4)
-        self.assertEqual(editor.title(), "sphere.obj* - Kerf")
+        editor.wait_for_title("sphere.obj* - Kerf")
         self.assertNotIn(left, self.unsaved())
         self.assertEqual(len(self.unsaved()), 1)
         self.save_as(editor, "saved")
+        editor.wait_for_title("saved.kerf - Kerf")
         report = editor.quit()
         self.assertEqual(report["strokes"], 2)
         self.assertGreater(report["faces_removed"], 500)

@@ -22,6 +22,7 @@
 #include "ui/editor/unsaved_work.h"
 #include "ui/editor/viewport_input.h"
 #include "ui/editor/window.h"
+#include "ui/editor/work_keeper.h"
 #include "ui/gl/debug_output.h"
 
 namespace kerf {
@@ -63,10 +64,8 @@ class Editor {
   void fulfil();  // what panels, menus and keys asked for
   void decide();
   void leave(const Requests& wanted);
-  void open_in_place(std::span<const std::filesystem::path> files);
+  bool open_in_place(std::span<const std::filesystem::path> files);
   void go_on_with_left_work();
-  void keep_from_now();
-  void keep_work();
   void show_title();
   void take_loaded();
   void move_camera();
@@ -94,9 +93,7 @@ class Editor {
   EditorState state_;
   Settings saved_;  // as they are in the file
   std::filesystem::path default_scene_;
-  Autosave autosave_{state_folder()};
-  std::vector<Light> kept_lights_;
-  bool kept_ = true;   // the last try to keep the work went well
+  WorkKeeper keeper_;
   std::string title_;  // of the window
   StopSignals stop_;
   Clock::time_point frame_began_ = Clock::now(), last_event_ = Clock::now(), figures_at_{};
@@ -120,7 +117,7 @@ Status Editor::open(const EditorOptions& options) {
   state_.left_work = find_left_work(state_folder(), faults);
   ask_about_left_work(state_);
   const Status opened = open_first(options.files);
-  keep_from_now();
+  keeper_.begin(state_);
   if (opened && !faults.empty()) tell("Work was left that cannot be read: " + faults.front());
   return opened;
 }
@@ -151,7 +148,7 @@ void Editor::run() {
     lay_out_window();
     hear();
     fulfil();
-    keep_work();
+    keeper_.follow(state_);
     move_camera();
     cut();
     send();
@@ -163,8 +160,8 @@ void Editor::run() {
     note_time(seconds_since(began), new_picture);
   }
   state_.tool.release(state_.document);
-  keep_work();
-  if (!stop_.came()) autosave_.drop();
+  keeper_.follow(state_);
+  if (!stop_.came()) keeper_.drop();
   save_settings();
 }
 
@@ -174,7 +171,7 @@ void Editor::wait() {
   if (left > 0) std::this_thread::sleep_for(std::chrono::duration<double>(left));
   window_.wait(0);
   while (!moving() && !window_.take_activity() && !stop_.came()) {
-    autosave_.flush();
+    keeper_.flush();
     const bool settling = seconds_since(last_event_) < kSettleSeconds;
     window_.wait(settling ? kSettleWait : kIdleWait);
     if (settling) {
@@ -219,7 +216,7 @@ void Editor::fulfil() {
   if (!wanted.save_to.empty()) {
     cancel_stroke(state_);
     const bool saved = save_work(state_, wanted.save_to);
-    keep_from_now();
+    keeper_.begin(state_);
     if (saved && state_.leaving) leave(*std::exchange(state_.leaving, {}));
   } else if (state_.leaving && !state_.question.open() && !state_.browser.open) {
     state_.leaving.reset();  // the user did not choose where to save
@@ -269,19 +266,21 @@ void Editor::leave(const Requests& wanted) {
     open_in_place(std::array{default_scene_});
   } else if (!opens_at_once(wanted.open)) {
     state_.loader.start(wanted.open);
-  } else {
-    open_in_place(wanted.open);
-    if (!state_.message_is_error)
-      for (const std::filesystem::path& file : wanted.open) remember_recent(state_.settings, file);
+  } else if (open_in_place(wanted.open)) {
+    for (const std::filesystem::path& file : wanted.open) remember_recent(state_.settings, file);
   }
 }
 
-void Editor::open_in_place(std::span<const std::filesystem::path> files) {
+// Whether they could be opened; what was open until then is kept no longer.
+bool Editor::open_in_place(std::span<const std::filesystem::path> files) {
   state_.loader.cancel();
-  if (const Status opened = open_files(state_, picture_.first(), files); !opened)
-    return state_.say(opened.error().message, true);
-  autosave_.drop();
-  keep_from_now();
+  if (const Status opened = open_files(state_, picture_.first(), files); !opened) {
+    state_.say(opened.error().message, true);
+    return false;
+  }
+  keeper_.drop();
+  keeper_.begin(state_);
+  return true;
 }
 
 void Editor::go_on_with_left_work() {
@@ -289,32 +288,9 @@ void Editor::go_on_with_left_work() {
     state_.left_work.clear();
     return state_.say("It stays where it is: " + opened.error().message, true);
   }
-  keep_from_now();
-  keep_work();
-  if (kept_) state_.left_work.front().file.remove();
+  keeper_.begin(state_);
+  if (keeper_.follow(state_)) state_.left_work.front().file.remove();
   state_.left_work.clear();  // what else was left is offered the next time
-}
-
-// The work as it is now in a new file, once there is something to keep.
-void Editor::keep_from_now() {
-  kept_lights_ = state_.look.lights;
-  autosave_.begin(scene_now(state_), state_.work.file);
-}
-
-// What is not saved is on its way to the disk before anything takes long.
-void Editor::keep_work() {
-  if (!is_unsaved(state_)) {
-    if (autosave_.keeps()) autosave_.drop();
-    return;
-  }
-  mark_state(state_.document, state_.work.marks);
-  const bool dragging = state_.drag == Drag::kLight;
-  if (!dragging && state_.look.lights != kept_lights_) {
-    keep_from_now();
-  }
-  const Status kept = autosave_.follow(state_.document, state_.work.marks);
-  if (!kept && kept_) state_.say("What is not saved cannot be kept: " + kept.error().message, true);
-  kept_ = kept.ok();
 }
 
 void Editor::show_title() {
@@ -330,8 +306,8 @@ void Editor::take_loaded() {
   if (!*loaded) return state_.say(loaded->error().message, true);
   cancel_stroke(state_);
   show_loaded(state_, picture_.first(), std::move(**loaded));
-  autosave_.drop();
-  keep_from_now();
+  keeper_.drop();
+  keeper_.begin(state_);
   for (const std::filesystem::path& file : state_.files) remember_recent(state_.settings, file);
 }
 

@@ -132,10 +132,9 @@ Status open_left_work(EditorState& state, Renderer& renderer, const LeftWork& le
   LoadedFiles loaded;
   for (const SceneBody& body : left.journal.scene.bodies) loaded.files.push_back(body.mesh);
   loaded.work = {std::move(*scene), left.journal};
-  loaded.work.journal.damage.clear();  // the line that was being written when the editor died
   prepare(loaded);
   show_loaded(state, renderer, std::move(loaded));
-  state.say("Here is the work that was left");
+  if (!state.message_is_error) state.say("Here is the work that was left");
   state.work.file = left.journal.work_of;
   state.work.saved_commands = WorkInHand::kNothing;
   return Done{};

@@ -35,7 +35,7 @@ void eye_button(EditorState& state, const PieceRow& row, bool hidden) {
   tooltip(hidden ? "Draws this piece again."
                  : "Leaves this piece out of the picture; the beam passes it by.");
   if (!pressed) return;
-  state.requests.commands.push_back(HidePiece{{row.key.first.slot, row.key.second}, !hidden});
+  state.requests.commands.emplace_back(HidePiece{{row.key.first.slot, row.key.second}, !hidden});
 }
 
 void draw_row(EditorState& state, const PieceRow& row) {

@@ -45,7 +45,7 @@ TEST_F(AutosaveFolder, follows_a_document_and_is_offered_only_when_its_editor_is
     Autosave autosave(state());
     autosave.begin(scene_, folder_ / "mine.kerf");
     for (const Command& command : commands) {
-      document.apply(command);
+      EXPECT_TRUE(document.apply(command).ok());
       if (document.journal().size() == 20) marks.push_back({20, 5, 0});
       ASSERT_TRUE(autosave.follow(document, marks).ok());
       EXPECT_TRUE(left().empty());
@@ -72,6 +72,21 @@ TEST_F(AutosaveFolder, leaves_nothing_when_the_work_is_saved) {
     autosave.drop();
     EXPECT_TRUE(std::filesystem::is_empty(state()));
   }
+}
+
+TEST_F(AutosaveFolder, keeps_the_old_file_until_a_new_one_is_written) {
+  Document document;
+  document.apply(EndStroke{});
+  Autosave autosave(state());
+  autosave.begin(scene_, {});
+  ASSERT_TRUE(autosave.follow(document, {}).ok());
+  const auto files = [&] { return std::distance(std::filesystem::directory_iterator(state()), {}); };
+  autosave.begin(scene_, folder_ / "mine.kerf");
+  EXPECT_EQ(files(), 1);
+  ASSERT_TRUE(autosave.follow(document, {}).ok());
+  EXPECT_EQ(files(), 1);
+  autosave.drop();
+  EXPECT_EQ(files(), 0);
 }
 
 TEST_F(AutosaveFolder, two_editors_of_one_program_do_not_write_to_the_same_file) {

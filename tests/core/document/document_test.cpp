@@ -86,6 +86,40 @@ TEST(Document, the_same_pieces_come_off_however_moves_are_dealt_out_to_steps) {
   }
 }
 
+// Two strokes, the first of which takes so much away that the world gets smaller.
+uint64_t hash_of_wide_strokes(uint64_t seed, bool walk_between) {
+  Random random(seed);
+  Document document(world_of(sphere(36, 70, 0.25)));
+  const auto pose = [&] {
+    const double x = random.uniform(-0.45, 0.45), z = random.uniform(-0.45, 0.45);
+    const double u = random.uniform(-0.6, 0.6), v = random.uniform(-0.6, 0.6);
+    return Pose{{x, 0.26, z}, glm::normalize(Vec3(u, -1, v))};
+  };
+  const auto walk_all = [&] {
+    while (document.waiting() > 0) EXPECT_TRUE(document.step(64).ok());
+  };
+  for (const double radius : {0.17, 0.015}) {
+    CutSettings settings = settings_of(radius);
+    settings.resolution.rule = Resolution::Rule::kDepth;
+    settings.resolution.depth = radius < 0.1 ? 2 : 0;
+    document.apply(BeginStroke{settings, pose()});
+    for (int i = 0; i < (radius < 0.1 ? 6 : 3); ++i) {
+      if (walk_between) walk_all();
+      document.apply(MoveStroke{pose()});
+    }
+    if (walk_between) walk_all();
+  }
+  document.apply(EndStroke{});
+  walk_all();
+  return state_hash(document.world());
+}
+
+TEST(Document, a_move_is_walked_alike_however_far_the_cut_had_come_when_it_was_asked_for) {
+  // At 75 the world gets so much smaller that moves cut up by its size would be others.
+  for (uint64_t seed = 73; seed <= 78; ++seed)
+    EXPECT_EQ(hash_of_wide_strokes(seed, true), hash_of_wide_strokes(seed, false)) << "seed " << seed;
+}
+
 TEST(Document, a_stroke_that_fails_leaves_the_next_one_alone) {
   CutSettings too_fine = settings_of(0.02);
   too_fine.most_faces = 40;

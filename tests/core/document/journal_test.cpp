@@ -147,6 +147,8 @@ TEST_F(JournalFile, with_garbage_in_it_is_read_up_to_the_damage_and_names_its_li
       R"({"do":"move","origin":[0,1e999,0],"direction":[0,-1,0]})",
       R"({"do":"move","origin":[0,1,0],"direction":[0,-2,0]})",
       R"({"do":"move","origin":[0,1,0],"direction":[0,1,0]})",
+      R"({"do":"end","\u0000":1})",
+      R"({"do":"recut","settings":{"radius\u0000":1}})",
       R"({"do":"hide-piece","piece":[-1,0],"hidden":true})",
       R"({"do":"hide-piece","piece":[0,0],"hidden":1})",
       R"({"do":"delete-piece","piece":[0,4294967296]})",

@@ -97,6 +97,7 @@ TEST_F(SceneFile, refuses_values_that_make_no_sense_with_a_pointer) {
   refused("/bodies/1/hash", "\"xyz\"", "/bodies/1/hash");
   refused("/paints/tyre/colour", "\"red\"", "/paints/tyre/colour");
   refused("/lights/0/intensity", "-1", "/lights/0/intensity");
+  refused("/paints", R"({"a\u0000b": 7})", "/paints/a");
 }
 
 }  // namespace

@@ -1,0 +1,84 @@
+// Cuts each mesh in several ways and prints a line with the state hash for each: `made_cuts MESH...`.
+#include <cstdio>
+
+#include "core/document/document.h"
+#include "core/document/hash_text.h"
+#include "core/document/scene.h"
+#include "core/world/state_hash.h"
+
+namespace kerf {
+namespace {
+
+// Settings that the kinds of cut differ in.
+struct Kind {
+  const char* name;
+  Scheme scheme;
+  Pattern pattern;
+  Rim rim;
+  Resolution::Rule rule;
+};
+constexpr Kind kKinds[] = {
+    {"longest-edge", Scheme::kLongestEdge, Pattern::kVolume, Rim::kFaces, Resolution::Rule::kTargetEdge},
+    {"one-to-four", Scheme::kOneToFour, Pattern::kVolume, Rim::kFaces, Resolution::Rule::kTolerance},
+    {"smooth", Scheme::kLongestEdge, Pattern::kVolume, Rim::kSmooth, Resolution::Rule::kTargetEdge},
+    {"smooth one-to-four", Scheme::kOneToFour, Pattern::kVolume, Rim::kSmooth, Resolution::Rule::kTargetEdge},
+    {"rays4", Scheme::kLongestEdge, Pattern::kRays4, Rim::kFaces, Resolution::Rule::kDepth},
+};
+
+CutSettings settings_of(const Kind& kind, double diagonal) {
+  CutSettings settings;
+  settings.laser.radius = diagonal / 40;
+  settings.laser.range = {0, 10 * diagonal};
+  settings.laser.pattern = kind.pattern;
+  settings.resolution.scheme = kind.scheme;
+  settings.resolution.rule = kind.rule;
+  settings.resolution.rim = kind.rim;
+  settings.resolution.target_edge = settings.laser.radius / 2;
+  settings.resolution.tolerance = settings.laser.radius / 4;
+  settings.resolution.depth = 3;
+  return settings;
+}
+
+// A stroke that tilts on its way, and one back across it.
+void draw(Document& document, const Kind& kind) {
+  const World::Bounds bounds = document.world().bounds();
+  const double d = bounds.diagonal();
+  const Vec3 above = 0.5 * (bounds.min + bounds.max) + Vec3(0, d, 0);
+  const CutSettings settings = settings_of(kind, d);
+  document.apply(BeginStroke{settings, {above + Vec3(-0.6, 0, 0.05) * d, {0, -1, 0}}});
+  document.apply(MoveStroke{{above + Vec3(0.6, 0, -0.04) * d, glm::normalize(Vec3(0.1, -1, 0.2))}});
+  document.apply(EndStroke{});
+  document.apply(BeginStroke{settings, {above + Vec3(0.07, 0, -0.6) * d, glm::normalize(Vec3(0, -1, 0.3))}});
+  document.apply(MoveStroke{{above + Vec3(-0.02, 0, 0.3) * d, {0, -1, 0}}});
+  document.apply(MoveStroke{{above + Vec3(0.3, 0, 0.3) * d, glm::normalize(Vec3(0.3, -1, 0))}});
+  document.apply(EndStroke{});
+}
+
+Status print_cuts(const char* mesh) {
+  for (const Kind& kind : kKinds) {
+    auto scene = read_scene(mesh);
+    if (!scene) return scene.error();
+    Document document(std::move(scene->world));
+    draw(document, kind);
+    while (document.waiting() > 0) {
+      if (const auto step = document.step(16); !step) return step.error();
+    }
+    const World& world = document.world();
+    std::printf("%s, %s: %zu faces, %zu pieces, %s\n", mesh, kind.name, world.live_faces(),
+                world.live_pieces(), hash_text(state_hash(world)).c_str());
+  }
+  return Done{};
+}
+
+}  // namespace
+}  // namespace kerf
+
+int main(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    if (const kerf::Status printed = kerf::print_cuts(argv[i]); !printed) {
+      std::fprintf(stderr, "%s\n", printed.error().message.c_str());
+      return 1;
+    }
+  }
+  return 0;
+}

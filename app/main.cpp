@@ -1,4 +1,6 @@
+#include <malloc.h>
 #include <CLI/CLI.hpp>
+
 #include <csignal>
 
 #include "app/commands.h"
@@ -32,6 +34,8 @@ int main(int argc, char** argv) {
   // A full quota and a reader that went away are failed writes, to be reported, not the end by a signal.
   std::signal(SIGXFSZ, SIG_IGN);
   std::signal(SIGPIPE, SIG_IGN);
+  // Large arrays go back to the system when they are freed, however large the ones before them were.
+  mallopt(M_MMAP_THRESHOLD, 1 << 20);
   try {
     return parse_and_run(argc, argv);
   } catch (const std::bad_alloc&) {

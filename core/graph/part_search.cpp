@@ -110,10 +110,17 @@ void PartSearch::note_looked_at(FaceId f, uint32_t mark) {
   front.area += triangle_area(body_.mesh.triangle(f));
 }
 
-// What hung on a face that no front can look at any more hung on its front.
+// What hung on a face that no front can look at any more hung on the front that had reached it, or would have
+// from a neighbour that it had reached.
 void PartSearch::note_removal(FaceId f) {
-  const uint32_t mark = search_.mark.get(f.index);
-  if (search_.stage != OpenSearch::Stage::kGrow || mark == 0 || mark & OpenSearch::kLookedAt) return;
+  if (search_.stage != OpenSearch::Stage::kGrow) return;
+  uint32_t mark = search_.mark.get(f.index);
+  if (mark & OpenSearch::kLookedAt) return;
+  for (size_t i = 0; i < state_.neighbours.size() && mark == 0; ++i) {
+    const uint32_t beside = search_.mark.get(state_.neighbours[i].index);
+    if (!(beside & OpenSearch::kLookedAt)) mark = beside;
+  }
+  if (mark == 0) return;
   for (const FaceId n : state_.neighbours) reach(mark - 1, n);
 }
 

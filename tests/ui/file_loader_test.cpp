@@ -24,7 +24,7 @@ TEST(FileLoader, hands_over_what_it_read_once) {
   EXPECT_EQ(loader.name(), "knot.obj and 1 more");
   const Result<LoadedFiles> loaded = wait_for(loader);
   ASSERT_TRUE(loaded.ok());
-  EXPECT_EQ(loaded->scene.world.ids().size(), 2u);
+  EXPECT_EQ(loaded->work.scene.world.ids().size(), 2u);
   EXPECT_EQ(loaded->prepared.size(), 2u);
   EXPECT_FALSE(loader.busy());
   EXPECT_FALSE(loader.take());

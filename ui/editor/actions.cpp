@@ -236,6 +236,13 @@ constexpr std::array kActions{
            .tip = "Draws the hidden pieces again.",
            .run = [](EditorState& s) { s.requests.show_hidden = true; },
            .why_not = why_none_hidden},
+    Action{.menu = "Edit",
+           .name = "Delete the chosen",
+           .shortcut = "Del",
+           .key = GLFW_KEY_DELETE,
+           .tip = "Takes the chosen pieces out of the world.",
+           .run = [](EditorState& s) { s.requests.delete_chosen = true; },
+           .why_not = why_none_chosen},
 
     Action{.menu = "Tool",
            .name = "Laser",

@@ -37,11 +37,25 @@ void step_through_history(EditorState& state, Renderer& renderer, bool back) {
   ++state.undos;
 }
 
-void hide_chosen(EditorState& state, Renderer& renderer) {
+namespace {
+
+// A command for each piece that is chosen, one after the other: a piece may go by another body then.
+template <typename Make>
+void change_chosen(EditorState& state, Renderer& renderer, Make command_for) {
   while (const auto key = first_chosen(state.look.pieces)) {
     state.look.pieces[*key].selected = false;
-    change_world(state, renderer, HidePiece{{key->first.slot, key->second}, true});
+    change_world(state, renderer, command_for(PieceRef{key->first.slot, key->second}));
   }
+}
+
+}  // namespace
+
+void hide_chosen(EditorState& state, Renderer& renderer) {
+  change_chosen(state, renderer, [](const PieceRef& piece) { return Command(HidePiece{piece, true}); });
+}
+
+void delete_chosen(EditorState& state, Renderer& renderer) {
+  change_chosen(state, renderer, [](const PieceRef& piece) { return Command(DeletePiece{piece}); });
 }
 
 void show_hidden(EditorState& state, Renderer& renderer) {

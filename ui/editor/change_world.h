@@ -13,8 +13,9 @@ void travel_to(EditorState& state, Renderer& renderer, size_t position);
 // One step of the history back, or forth.
 void step_through_history(EditorState& state, Renderer& renderer, bool back);
 
-// Hides the pieces that are chosen, each a command; shows all again.
+// Hides the pieces that are chosen, or takes them out of the world, each by a command; shows all again.
 void hide_chosen(EditorState& state, Renderer& renderer);
+void delete_chosen(EditorState& state, Renderer& renderer);
 void show_hidden(EditorState& state, Renderer& renderer);
 
 // Lets a renderer look anew at a world that cuts have come to. Smooth normals come from the faces as they

@@ -232,6 +232,7 @@ void Editor::fulfil() {
   if (wanted.travel) travel_to(state_, renderer, *wanted.travel);
   for (const Command& command : wanted.commands) change_world(state_, renderer, command);
   if (wanted.hide_chosen) hide_chosen(state_, renderer);
+  if (wanted.delete_chosen) delete_chosen(state_, renderer);
   if (wanted.show_hidden) show_hidden(state_, renderer);
   if (wanted.recut) recut_last_stroke(state_, renderer);
 }

@@ -59,7 +59,7 @@ struct Requests {
   std::filesystem::path save_to;  // empty: nowhere
   bool recut = false;
   bool undo = false, redo = false;
-  bool hide_chosen = false, show_hidden = false;
+  bool hide_chosen = false, show_hidden = false, delete_chosen = false;
   std::vector<Command> commands;
   std::optional<size_t> travel;  // to a position of the history
 
@@ -112,6 +112,7 @@ struct EditorState {
   size_t figures_of = 0;  // which stroke or recut of one stroke_figures are of
   size_t faces_before_step = 0;
   size_t recuts = 0, undos = 0;
+  size_t history_shown = 0;  // the position that the list of the history was scrolled to
 
   Settings settings;
   FileBrowser browser;

@@ -30,4 +30,10 @@ std::string area_text(double square_metres) {
   return text.data();
 }
 
+std::string text_of(const char* format, double value) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), format, value);
+  return text.data();
+}
+
 }  // namespace kerf

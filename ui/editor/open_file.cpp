@@ -73,6 +73,7 @@ void show_scene(EditorState& state, Renderer& renderer, Scene scene, PreparedBod
     if (!again) return again.error();
     return std::move(again->world);
   });
+  state.document.set_window(state.settings.history_bytes());
   state.paints = scene.paints;
   state.home = scene.view;
   state.tool = LaserTool();

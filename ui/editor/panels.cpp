@@ -4,6 +4,7 @@
 
 #include "ui/editor/display_panel.h"
 #include "ui/editor/file_panel.h"
+#include "ui/editor/history_panel.h"
 #include "ui/editor/laser_panel.h"
 #include "ui/editor/light_panel.h"
 #include "ui/editor/load_bar.h"
@@ -25,15 +26,11 @@ namespace kerf {
 namespace {
 
 constexpr std::array kPanels{
-    Panel{"Laser", true, draw_laser_panel},
-    Panel{"Resolution", true, draw_resolution_panel},
-    Panel{"Pieces", true, draw_pieces_panel},
-    Panel{"Light", false, draw_light_panel},
-    Panel{"Tree", false, draw_tree_panel},
-    Panel{"View", false, draw_view_panel},
-    Panel{"Statistics", false, draw_statistics_panel},
-    Panel{"File", false, draw_file_panel},
-    Panel{"Display", false, draw_display_panel},
+    Panel{"Laser", true, draw_laser_panel},   Panel{"Resolution", true, draw_resolution_panel},
+    Panel{"Pieces", true, draw_pieces_panel}, Panel{"History", true, draw_history_panel},
+    Panel{"Light", false, draw_light_panel},  Panel{"Tree", false, draw_tree_panel},
+    Panel{"View", false, draw_view_panel},    Panel{"Statistics", false, draw_statistics_panel},
+    Panel{"File", false, draw_file_panel},    Panel{"Display", false, draw_display_panel},
 };
 
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |

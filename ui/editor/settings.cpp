@@ -48,6 +48,7 @@ Settings from_json(Json json) {
   take_flag(json, "side_shown", s.side_shown);
   take_flag(json, "antialias", s.antialias);
   take_flag(json, "live_recut", s.live_recut);
+  take_number(json, "history_mb", s.history_megabytes, Settings::kLeastHistory, Settings::kMostHistory);
   const Json panels = take(json, "panels");
   if (panels.is_object()) {
     for (const auto& [title, open] : panels.items()) {
@@ -90,6 +91,7 @@ Json to_json(const Settings& s) {
   json["side_shown"] = s.side_shown;
   json["antialias"] = s.antialias;
   json["live_recut"] = s.live_recut;
+  json["history_mb"] = s.history_megabytes;
   json["panels"] = s.panels;
   json["recent"] = Json::array();
   for (const fs::path& file : s.recent) {

@@ -22,6 +22,7 @@ struct Settings {
   BoxPalette palette = BoxPalette::kRedAndGreen;
   bool antialias = true;
   double split_share = 0.5;            // of the picture's width that the left half of a split one takes
+  int history_megabytes = 1024;        // of before-images
   bool live_recut = true;              // the resolution's sliders cut the last stroke again
   std::map<std::string, bool> panels;  // by title: unfolded
   std::vector<std::filesystem::path> recent;  // latest first, absolute
@@ -31,6 +32,8 @@ struct Settings {
   static constexpr double kLeastScale = 0.75, kMostScale = 2;
   static constexpr double kLeastSide = 13, kMostSide = 42;
   static constexpr size_t kMostRecent = 10;
+  static constexpr int kLeastHistory = 16, kMostHistory = 16384;
+  size_t history_bytes() const { return static_cast<size_t>(history_megabytes) << 20; }
 
   friend bool operator==(const Settings&, const Settings&) = default;
 };

@@ -29,12 +29,6 @@ constexpr std::array kStages{
     Row{StepHistory::kTree, "Tree", "Following with the tree."},
     Row{StepHistory::kSeparate, "Separate", "Finding what came apart, and telling what changed."}};
 
-std::string text_of(const char* format, double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), format, value);
-  return text.data();
-}
-
 // The line of a row up to `top`, and its last number beside it.
 void plot_row(const StepHistory& history, const Row& row, float top, const std::string& last) {
   property(row.name);

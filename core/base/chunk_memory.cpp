@@ -25,7 +25,7 @@ void give_chunk(void* chunk, size_t bytes) { munmap(chunk, bytes); }
 
 void advise_huge_pages([[maybe_unused]] void* chunk, [[maybe_unused]] size_t bytes) {
 #ifdef MADV_HUGEPAGE
-  madvise(chunk, bytes, MADV_HUGEPAGE);
+  if (bytes > 0) madvise(chunk, bytes, MADV_HUGEPAGE);
 #endif
 }
 

@@ -106,14 +106,24 @@ class Records {
   void reserve(uint32_t size) {
     if (size <= capacity()) return;
     if (size <= kSmall) return make_small(std::min(kSmall, std::max(size, 2 * small_)));
-    // Huge pages pay once a fair part of one is filled.
-    constexpr uint32_t kHugeFrom = static_cast<uint32_t>(kHugePage / sizeof(T) / 2);
     leave_small();
+    reserved_ = size;
     while (capacity() < size) {
+      const size_t wanted = std::min(size - capacity(), kChunk) * sizeof(T);
       chunks_.push_back(static_cast<T*>(take_chunk(kChunkBytes)));
-      if (size >= kHugeFrom) advise_huge_pages(chunks_.back(), kChunkBytes);
+      // For what comes at once. What comes one by one would wait for a whole huge page to be cleared.
+      advise_huge_pages(chunks_.back(), wanted / kHugePage * kHugePage);
     }
   }
+
+  // Has the system hand over what was reserved and is not filled yet, so that whoever fills it does not wait.
+  void touch_reserved() {
+    constexpr uint32_t kStride = std::max<uint32_t>(1, 4096 / sizeof(T));
+    for (uint32_t i = size_; i < reserved_ && small_ == 0; i += kStride)
+      std::memset(static_cast<void*>(&at(i)), 0, 1);
+  }
+
+  void prefetch(uint32_t i) const { __builtin_prefetch(&at(i)); }
 
   // From here on what is edited is saved first.
   void begin_change() {
@@ -220,6 +230,7 @@ class Records {
     std::swap(size_, other.size_);
     std::swap(used_, other.used_);
     std::swap(small_, other.small_);
+    std::swap(reserved_, other.reserved_);
     std::swap(remembered_, other.remembered_);
     std::swap(saved_, other.saved_);
     std::swap(change_, other.change_);
@@ -227,8 +238,9 @@ class Records {
 
   std::vector<T*> chunks_;
   uint32_t size_ = 0;
-  uint32_t used_ = 0;   // records that were ever there: an exchange may take some away and give them back
-  uint32_t small_ = 0;  // capacity of the small memory, where that is used
+  uint32_t used_ = 0;      // records that were ever there: an exchange may take some away and give them back
+  uint32_t reserved_ = 0;  // the most that was asked for at once
+  uint32_t small_ = 0;     // capacity of the small memory, where that is used
   uint32_t remembered_ = 0;      // records below this are saved before they are edited
   std::vector<uint64_t> saved_;  // one bit a page: saved since begin_change
   Change change_;

@@ -47,7 +47,7 @@ struct CutSettings {
   size_t most_faces = 20'000'000;  // a cut that would make more live faces than this stops
   // How many faces a move looks at when what came apart must be searched for; the next moves go on with it,
   // so that pieces get the same labels however moves are dealt out to steps.
-  size_t search_a_move = 3'000;
+  size_t search_a_move = 1'000;
 };
 
 // What a step looked at, made and took, and how long its stages took (seconds).

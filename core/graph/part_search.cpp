@@ -233,7 +233,9 @@ size_t PartSearch::take_turn(uint32_t front, size_t faces) {
   SearchFront& own = search_.fronts[front];
   take_from(own, faces);
   neighbours_.clear();
-  for (const FaceId f : turn_) {
+  for (size_t at = 0; at < turn_.size(); ++at) {
+    body_.mesh.prefetch_neighbours(turn_, at);
+    const FaceId f = turn_[at];
     if (!body_.mesh.is_live(f)) continue;
     const size_t first = neighbours_.size();
     body_.mesh.append_nearest_neighbours(f, neighbours_);

@@ -193,6 +193,12 @@ void Mesh::append_nearest_neighbours(FaceId f, std::vector<FaceId>& out) const {
   }
 }
 
+void Mesh::prefetch_neighbours(std::span<const FaceId> faces, size_t at) const {
+  constexpr size_t kFirstAhead = 16, kSidesAhead = 8;
+  if (at + kFirstAhead < faces.size()) kernel_->half_edges.prefetch_first(faces[at + kFirstAhead]);
+  if (at + kSidesAhead < faces.size()) kernel_->half_edges.prefetch_sides(faces[at + kSidesAhead]);
+}
+
 void Mesh::append_edge_sides(FaceId f, VertexId from, VertexId to, std::vector<Side>& out) const {
   const HalfEdges& m = kernel_->half_edges;
   const HalfEdgeId h = half_edge_from(m, f, from);

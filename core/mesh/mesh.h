@@ -98,6 +98,10 @@ class Mesh {
     VertexId from;
     VertexId to;
   };
+  // Asks for the memory that neighbours of some faces lie in: for whoever asks for those of many, one after
+  // the other. `at` is the face that is asked next.
+  void prefetch_neighbours(std::span<const FaceId> faces, size_t at) const;
+
   // Appends the sides of every other live face on the edge of f from one of its corners to the next.
   void append_edge_sides(FaceId f, VertexId from, VertexId to, std::vector<Side>& out) const;
 

@@ -107,6 +107,8 @@ void build_tree(TreeStore& store, const Mesh& mesh) {
   store.frame = TreeFrame::around(mesh);
   store.reserve(mesh.live_faces(), mesh.face_slots());
   TreeBuilder(store, mesh).run();
+  store.nodes.touch_reserved();
+  store.blocks.touch_reserved();
 }
 
 }  // namespace kerf

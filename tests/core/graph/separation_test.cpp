@@ -56,7 +56,7 @@ void expect_labels_of_the_full_search(const Body& body, const std::vector<uint32
     ++counted[data.piece].faces;
     counted[data.piece].area += triangle_area(body.mesh.triangle(FaceId(f)));
   }
-  for (size_t p = 0; p < counted.size(); ++p) {
+  for (uint32_t p = 0; p < counted.size(); ++p) {
     ASSERT_EQ(counted[p].faces, body.pieces[p].faces) << "piece " << p;
     ASSERT_NEAR(counted[p].area, body.pieces[p].area, 1e-9 * body.loaded.area) << "piece " << p;
   }

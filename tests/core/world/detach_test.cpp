@@ -1,0 +1,117 @@
+#include "core/world/detach.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <tuple>
+
+#include "core/document/document.h"
+#include "core/graph/separation.h"
+#include "tests/support/made_meshes.h"
+#include "tests/support/mesh_numbers.h"
+#include "tests/support/strokes.h"
+
+namespace kerf::test {
+namespace {
+
+// The corners of all faces of a world, each turned to begin at its least corner, and how often each is there.
+std::map<std::array<double, 9>, int> triangles_of(const World& world) {
+  const auto less = [](const Vec3& a, const Vec3& b) {
+    return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+  };
+  std::map<std::array<double, 9>, int> all;
+  for (const BodyId id : world.ids()) {
+    const Mesh& mesh = world.body(id).mesh;
+    for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
+      if (!mesh.is_live(FaceId(f))) continue;
+      Triangle t = mesh.triangle(FaceId(f));
+      std::rotate(t.begin(), std::min_element(t.begin(), t.end(), less), t.end());
+      ++all[{t[0].x, t[0].y, t[0].z, t[1].x, t[1].y, t[1].z, t[2].x, t[2].y, t[2].z}];
+    }
+  }
+  return all;
+}
+
+double area_of(const World& world) {
+  double area = 0;
+  for (const BodyId id : world.ids()) {
+    for (uint32_t p = 0; p < world.body(id).pieces.size(); ++p) area += world.body(id).pieces[p].area;
+  }
+  return area;
+}
+
+World cut_world(const Soup& soup, uint64_t seed) {
+  World world = world_of(soup);
+  Random random(seed);
+  for (int i = 0; i < 3; ++i) {
+    const RandomStroke stroke = random_stroke(world, random, 0.02, i == 1);
+    EXPECT_TRUE(cut_step(world, stroke.settings, stroke.moves).ok());
+    go_on_separating(world, kNoLimit);
+  }
+  return world;
+}
+
+void expect_whole(const Body& body) {
+  EXPECT_EQ(find_fault(body.mesh, true), "");
+  EXPECT_EQ(body.tree.leaf_count(), body.mesh.live_faces());
+  size_t faces = 0;
+  for (uint32_t p = 0; p < body.pieces.size(); ++p) faces += body.pieces[p].faces;
+  EXPECT_EQ(faces, body.mesh.live_faces());
+}
+
+TEST(Detach, leaves_every_face_where_it_was_and_every_piece_by_its_own) {
+  for (const auto& [name, soup] : mesh_classes()) {
+    SCOPED_TRACE(name);
+    World world = cut_world(soup, 7);
+    const auto before = triangles_of(world);
+    const BodyId first = world.ids().front();
+    std::vector<uint32_t> labels;
+    for (uint32_t p = 0; p < world.body(first).pieces.size(); ++p) {
+      if (world.body(first).pieces[p].faces > 0) labels.push_back(p);
+    }
+    for (const uint32_t label : labels) {
+      const std::vector<BodyId> ids = world.ids();
+      const auto holder = std::find_if(ids.begin(), ids.end(), [&](BodyId id) {
+        const auto& pieces = world.body(id).pieces;
+        return label < pieces.size() && pieces[label].faces > 0;
+      });
+      ASSERT_NE(holder, ids.end());
+      const Piece piece = world.body(*holder).pieces[label];
+      Delta delta;
+      const BodyId own = detach(world, *holder, label, delta);
+      EXPECT_TRUE(stands_alone(world.body(own), label));
+      EXPECT_EQ(world.body(own).mesh.live_faces(), piece.faces);
+      EXPECT_EQ(world.body(own).pieces[label].area, piece.area);
+    }
+    EXPECT_EQ(world.ids().size(), std::max<size_t>(labels.size(), 1));
+    EXPECT_EQ(triangles_of(world), before);
+    for (const BodyId id : world.ids()) expect_whole(world.body(id));
+  }
+}
+
+TEST(Detach, a_piece_is_cut_on_as_it_was_in_the_body_that_it_came_from) {
+  for (uint64_t seed = 1; seed <= 4; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    World together = cut_world(torus(14, 10, 0.5, 0.2), seed), apart = together;
+    Delta delta;
+    const BodyId first = apart.ids().front();
+    for (uint32_t p = 1; p < together.body(first).pieces.size(); ++p) {
+      if (together.body(first).pieces[p].faces > 0) detach(apart, first, p, delta);
+    }
+    Random random(seed + 50);
+    RandomStroke stroke = random_stroke(together, random, 0.02, false);
+    stroke.settings.resolution.scheme = Scheme::kLongestEdge;  // green pairs were forgotten
+    for (World* world : {&together, &apart}) {
+      ASSERT_TRUE(cut_step(*world, stroke.settings, stroke.moves).ok());
+      go_on_separating(*world, kNoLimit);
+    }
+    EXPECT_NEAR(area_of(together), area_of(apart), 1e-3 * area_of(together));
+    EXPECT_EQ(together.live_pieces(), apart.live_pieces());
+    for (const BodyId id : apart.ids()) expect_whole(apart.body(id));
+  }
+}
+
+}  // namespace
+}  // namespace kerf::test

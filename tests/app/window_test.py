@@ -362,6 +362,41 @@ class Window(unittest.TestCase):
             self.assertEqual(report[key], saved[key], key)
         self.assertEqual(self.settings()["recent"][0], os.path.realpath(journal))
 
+    def only_panel(self, title):
+        """Folds all panels but one, so that it is known where it is."""
+        os.makedirs(os.path.join(self.folder, "kerf"), exist_ok=True)
+        titles = ("Laser", "Resolution", "Pieces", "History", "Light", "Tree", "View", "Statistics", "File", "Display")
+        with open(os.path.join(self.folder, "kerf", "settings.json"), "w") as file:
+            json.dump({"panels": {t: t == title for t in titles}}, file)
+
+    def test_strokes_are_taken_back_and_brought_again_and_history_is_travelled(self):
+        self.open(SPHERE).quit()
+        self.only_panel("History")
+        editor = self.open_again(SPHERE)
+        editor.drag([(300, 400), (640, 400)])
+        editor.drag([(300, 300), (640, 300)])
+        editor.press("ctrl", "z")
+        time.sleep(1)
+        editor.press("ctrl", "z")
+        time.sleep(1)
+        editor.press("ctrl", "shift", "z")
+        time.sleep(1)
+        back = editor.quit()
+        self.assertEqual((back["undo_depth"], back["strokes"]), (1, 1))
+        self.assertGreater(back["faces_removed"], 0)
+
+        editor = self.open_again(SPHERE)
+        editor.drag([(300, 400), (640, 400)])
+        editor.drag([(300, 300), (640, 300)])
+        first_row = (1000, 190)
+        editor.xdotool("mousemove", *first_row)
+        time.sleep(0.3)
+        editor.xdotool("click", 1)
+        time.sleep(2)
+        there = editor.quit()
+        self.assertEqual((there["undo_depth"], there["strokes"], there["faces_removed"]), (0, 0, 0))
+        self.assertEqual(there["pieces"], 1)
+
     def test_unsaved_work_does_not_go_without_a_question(self):
         editor = self.open(SPHERE)
         editor.drag([(300, 400), (640, 400)])

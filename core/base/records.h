@@ -62,7 +62,7 @@ class Records {
     return *this;
   }
   // A copy remembers nothing.
-  Records(const Records& other) {
+  Records(const Records& other) : huge_growth_(other.huge_growth_) {
     grow_to(other.size_);
     for (uint32_t i = 0; i < other.size_; i += kChunk) {
       const size_t count = std::min(other.size_ - i, kChunk);
@@ -111,10 +111,15 @@ class Records {
     while (capacity() < size) {
       const size_t wanted = std::min(size - capacity(), kChunk) * sizeof(T);
       chunks_.push_back(static_cast<T*>(take_chunk(kChunkBytes)));
-      // For what comes at once. What comes one by one would wait for a whole huge page to be cleared.
-      advise_huge_pages(chunks_.back(), wanted / kHugePage * kHugePage);
+      // For what comes at once. What comes one by one would wait for a whole huge page to be cleared, which
+      // pays only where it is asked for at random ever after.
+      const bool whole = huge_growth_ && size * sizeof(T) >= kHugePage / 2;
+      advise_huge_pages(chunks_.back(), whole ? kChunkBytes : wanted / kHugePage * kHugePage);
     }
   }
+
+  // What comes one by one lies on huge pages too.
+  void grow_on_huge_pages() { huge_growth_ = true; }
 
   // Has the system hand over what was reserved and is not filled yet, so that whoever fills it does not wait.
   void touch_reserved() {
@@ -231,6 +236,7 @@ class Records {
     std::swap(used_, other.used_);
     std::swap(small_, other.small_);
     std::swap(reserved_, other.reserved_);
+    std::swap(huge_growth_, other.huge_growth_);
     std::swap(remembered_, other.remembered_);
     std::swap(saved_, other.saved_);
     std::swap(change_, other.change_);
@@ -238,9 +244,10 @@ class Records {
 
   std::vector<T*> chunks_;
   uint32_t size_ = 0;
-  uint32_t used_ = 0;      // records that were ever there: an exchange may take some away and give them back
-  uint32_t reserved_ = 0;  // the most that was asked for at once
-  uint32_t small_ = 0;     // capacity of the small memory, where that is used
+  uint32_t used_ = 0;  // records that were ever there: an exchange may take some away and give them back
+  bool huge_growth_ = false;
+  uint32_t reserved_ = 0;        // the most that was asked for at once
+  uint32_t small_ = 0;           // capacity of the small memory, where that is used
   uint32_t remembered_ = 0;      // records below this are saved before they are edited
   std::vector<uint64_t> saved_;  // one bit a page: saved since begin_change
   Change change_;

@@ -73,6 +73,8 @@ void TreeStore::set_place(FaceId f, uint32_t place) {
 
 // Blocks are filled by nine tenths, nodes by half, in a tree as built.
 void TreeStore::reserve(uint32_t faces, uint32_t slots) {
+  nodes.grow_on_huge_pages();
+  blocks.grow_on_huge_pages();
   blocks.reserve(faces / 4 + faces / 32 + 1);
   nodes.reserve(faces / 16 + 1);
   places_.grow_to(slots);

@@ -24,7 +24,7 @@ TEST(ReadMesh, goes_by_content_whatever_the_ending) {
   for (const test::Sample& sample : test::sample_files()) {
     for (const char* ending : {".obj", ".ply", ".stl", ".off", ".txt", ""}) {
       const auto path = folder / (std::string("mesh") + ending);
-      test::write_bytes(path, sample.bytes);
+      test::write_text(path, sample.bytes);
       const Result<Soup> soup = read_mesh(path);
       ASSERT_TRUE(soup) << sample.name << " as " << ending << ": " << soup.error().message;
       EXPECT_EQ(soup->format, format_name(sample.format)) << sample.name << " as " << ending;
@@ -36,8 +36,8 @@ TEST(ReadMesh, refuses_what_is_no_regular_file) {
   const test::TemporaryFolder folder;
   std::filesystem::create_directory(folder / "d.obj");
   ASSERT_EQ(::mkfifo((folder / "f.stl").c_str(), 0600), 0);
-  test::write_bytes(folder / "e.ply", "");
-  test::write_bytes(folder / "g.txt", "hello");
+  test::write_text(folder / "e.ply", "");
+  test::write_text(folder / "g.txt", "hello");
   EXPECT_EQ(refusal(folder / "d.obj"), ": this is a folder, not a mesh file.");
   EXPECT_EQ(refusal(folder / "f.stl"), ": this is a device or a pipe, not a mesh file.");
   EXPECT_EQ(refusal("/dev/zero"), ": this is a device or a pipe, not a mesh file.");
@@ -48,7 +48,7 @@ TEST(ReadMesh, refuses_what_is_no_regular_file) {
 
 TEST(ReadMesh, refuses_more_than_four_gibibytes) {
   const test::TemporaryFolder folder;
-  test::write_bytes(folder / "big.stl", "x");
+  test::write_text(folder / "big.stl", "x");
   std::error_code unsupported;
   std::filesystem::resize_file(folder / "big.stl", (uintmax_t{1} << 32) + 1, unsupported);
   if (unsupported) GTEST_SKIP() << "no sparse files here";
@@ -59,7 +59,7 @@ TEST(ReadMesh, reports_progress_that_never_goes_back_and_stops_when_asked) {
   const test::TemporaryFolder folder;
   std::string text;
   for (int i = 0; i < 2000; ++i) text += "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -1 -2 -3\n";
-  test::write_bytes(folder / "t.obj", text);
+  test::write_text(folder / "t.obj", text);
   std::vector<double> seen;
   const Progress progress{[&](double fraction) { return seen.push_back(fraction), true; }};
   ASSERT_TRUE(read_mesh(folder / "t.obj", &progress));
@@ -75,7 +75,7 @@ TEST(ReadMesh, reports_progress_that_never_goes_back_and_stops_when_asked) {
 TEST(ReadMesh, reads_on_many_threads_at_once) {
   const test::TemporaryFolder folder;
   const auto samples = test::sample_files();
-  for (const auto& sample : samples) test::write_bytes(folder / sample.name, sample.bytes);
+  for (const auto& sample : samples) test::write_text(folder / sample.name, sample.bytes);
   std::vector<int> wrong(4, 0);
   std::vector<std::thread> threads;
   for (size_t t = 0; t < wrong.size(); ++t) {

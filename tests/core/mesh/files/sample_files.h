@@ -10,6 +10,7 @@
 #include "core/base/result.h"
 #include "core/mesh/files/mesh_format.h"
 #include "core/mesh/soup.h"
+#include "tests/support/temporary_folder.h"
 
 namespace kerf::test {
 
@@ -24,24 +25,6 @@ struct Sample {
   std::string bytes;
 };
 std::vector<Sample> sample_files();
-
-// A folder of its own for a test, removed with all that is in it.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
-void write_bytes(const std::filesystem::path& path, const std::string& bytes);
-std::string read_bytes(const std::filesystem::path& path);
 
 // Sum of the areas of the triangles whose corners are finite.
 double area(const Soup& soup);

@@ -110,21 +110,21 @@ size_t files_in(const std::filesystem::path& folder) {
 
 TEST(WriteFileAtomically, replaces_a_file_and_keeps_its_permissions) {
   const test::TemporaryFolder folder;
-  test::write_bytes(folder / "a", "old");
+  test::write_text(folder / "a", "old");
   std::filesystem::permissions(folder / "a", std::filesystem::perms(0640));
   ASSERT_TRUE(write_file_atomically(folder / "a", "new"));
-  EXPECT_EQ(test::read_bytes(folder / "a"), "new");
+  EXPECT_EQ(test::read_text(folder / "a"), "new");
   EXPECT_EQ(std::filesystem::status(folder / "a").permissions(), std::filesystem::perms(0640));
   EXPECT_EQ(files_in(folder.path()), 1u);
 }
 
 TEST(WriteFileAtomically, follows_a_link) {
   const test::TemporaryFolder folder;
-  test::write_bytes(folder / "a", "old");
+  test::write_text(folder / "a", "old");
   std::filesystem::create_symlink("a", folder / "link");
   ASSERT_TRUE(write_file_atomically(folder / "link", "new"));
   EXPECT_TRUE(std::filesystem::is_symlink(folder / "link"));
-  EXPECT_EQ(test::read_bytes(folder / "a"), "new");
+  EXPECT_EQ(test::read_text(folder / "a"), "new");
 }
 
 TEST(WriteFileAtomically, says_in_one_sentence_that_a_device_is_full) {
@@ -137,7 +137,7 @@ TEST(WriteFileAtomically, says_in_one_sentence_that_a_device_is_full) {
 // A limit on the size of files stands for a full disk: the write fails half-way.
 TEST(WriteFileAtomically, leaves_what_was_there_when_the_disk_is_full) {
   const test::TemporaryFolder folder;
-  test::write_bytes(folder / "a", "old");
+  test::write_text(folder / "a", "old");
   rlimit before{};
   ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
   const auto handler = std::signal(SIGXFSZ, SIG_IGN);
@@ -147,7 +147,7 @@ TEST(WriteFileAtomically, leaves_what_was_there_when_the_disk_is_full) {
   ::setrlimit(RLIMIT_FSIZE, &before);
   std::signal(SIGXFSZ, handler);
   ASSERT_FALSE(status);
-  EXPECT_EQ(test::read_bytes(folder / "a"), "old");
+  EXPECT_EQ(test::read_text(folder / "a"), "old");
   EXPECT_EQ(files_in(folder.path()), 1u);
 }
 

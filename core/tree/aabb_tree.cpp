@@ -5,7 +5,7 @@
 
 namespace kerf {
 
-AabbTree::AabbTree(const Mesh& mesh, Simd simd) : leaf_count_(mesh.live_faces()), simd_(simd) {
+AabbTree::AabbTree(const Mesh& mesh, Simd simd) : leaf_count_(mesh.live_faces()), walks_(&walks_for(simd)) {
   build_tree(store_, mesh);
 }
 

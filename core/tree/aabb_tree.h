@@ -117,7 +117,7 @@ class AabbTree {
   TreeStore store_;
   size_t leaf_count_ = 0;
   size_t leaves_before_ = 0;
-  Simd simd_ = best_simd();
+  const Walks* walks_ = &walks_for(best_simd());
 };
 
 }  // namespace kerf

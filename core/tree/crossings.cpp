@@ -42,11 +42,11 @@ void AabbTree::crossings(const Mesh& mesh, const Pose& ray, Interval range, std:
   query.positions = reinterpret_cast<const char* const*>(mesh.positions().chunks());
   if (!prepare_rays(store_, {&ray, 1}, range, query)) return;
   WalkScratch scratch;
-  walks_for(simd_).ray(store_.view(), query, scratch.lists());
-  if (scratch.faces().empty()) return;
+  walks_->ray(store_.view(), query, scratch);
+  if (scratch.found().empty()) return;
   const ShearedRay sheared(ray);
   const size_t first = out.size();
-  for (const uintptr_t word : scratch.faces()) {
+  for (const uintptr_t word : scratch.found()) {
     if (const auto hit = test_face(mesh.positions(), sheared, range, word)) out.push_back(*hit);
   }
   sort_from(out, first);
@@ -64,14 +64,14 @@ void AabbTree::crossings(const Mesh& mesh, std::span<const Pose> rays, Interval 
   query.positions = reinterpret_cast<const char* const*>(mesh.positions().chunks());
   if (!prepare_rays(store_, rays, range, query)) return;
   WalkScratch scratch;
-  walks_for(simd_).rays(store_.view(), query, scratch.lists());
-  if (scratch.faces().empty()) return;
+  walks_->rays(store_.view(), query, scratch);
+  if (scratch.found().empty()) return;
   ShearedRay sheared[kBlockWidth];
   for (size_t i = 0; i < rays.size(); ++i)
     sheared[i] = i == 0 ? ShearedRay(rays[0]) : sheared[0].beside(rays[i]);
   size_t first[kBlockWidth];
   for (size_t i = 0; i < rays.size(); ++i) first[i] = out[i].size();
-  for (const uintptr_t word : scratch.faces()) {
+  for (const uintptr_t word : scratch.found()) {
     const unsigned r = ray_of(word);
     if (const auto hit = test_face(mesh.positions(), sheared[r], range, word)) out[r].push_back(*hit);
   }
@@ -84,11 +84,11 @@ std::optional<RayHit> AabbTree::nearest(const Mesh& mesh, const Pose& ray, Inter
   query.positions = reinterpret_cast<const char* const*>(mesh.positions().chunks());
   if (!prepare_rays(store_, {&ray, 1}, range, query)) return std::nullopt;
   WalkScratch scratch;
-  walks_for(simd_).nearest(store_.view(), query, scratch.lists());
-  if (scratch.faces().empty()) return std::nullopt;
+  walks_->nearest(store_.view(), query, scratch);
+  if (scratch.found().empty()) return std::nullopt;
   const ShearedRay sheared(ray);
   std::optional<RayHit> best;
-  for (const uintptr_t word : scratch.faces()) {
+  for (const uintptr_t word : scratch.found()) {
     const auto hit = test_face(mesh.positions(), sheared, range, word);
     if (hit && (!best || nearer(*hit, *best))) best = hit;
   }

@@ -64,11 +64,11 @@ QueryCounts AabbTree::touched(const Mesh& mesh, const SweptCylinder& beam, std::
                          tree_axis(store_, reach, slab.along, slab.origin, slab.motion),
                          tree_axis(store_, reach, slab.across, slab.origin, slab.lateral)}};
   WalkScratch scratch;
-  counts.boxes = walks_for(simd_).slab(store_.view(), query, scratch.lists());
-  counts.faces = scratch.faces().size();
-  mark(store_, scratch.marks());
+  counts.boxes = walks_->slab(store_.view(), query, scratch);
+  counts.faces = scratch.found().size();
+  mark(store_, scratch.met());
   store_.root_hit = store_.root_hit || store_.nodes[store_.root].hit != 0;
-  for (const uintptr_t word : scratch.faces()) {
+  for (const uintptr_t word : scratch.found()) {
     const FaceId f(block_of(word)->face[lane_of(word)]);
     if (beam.touches(mesh.triangle(f))) out.push_back(f);
   }

@@ -42,6 +42,21 @@ void set_slabs(RayQuery& q, __m128 d, __m128 low, __m128 high) {
   store(q.far_plane, _mm_blendv_ps(highs, lows, down));
 }
 
+// Whether the rays may meet the box.
+bool may_meet(const RayQuery& q, const FloatBox& box) {
+  const __m128 down = _mm_load_ps(q.direction);  // blends by sign
+  const __m128 near = _mm_blendv_ps(box.low, box.high, down), far = _mm_blendv_ps(box.high, box.low, down);
+  const __m128 entry =
+      _mm_mul_ps(_mm_sub_ps(near, _mm_load_ps(q.near_origin)), _mm_load_ps(q.near_slope));
+  const __m128 exit = _mm_mul_ps(_mm_sub_ps(far, _mm_load_ps(q.far_origin)), _mm_load_ps(q.far_slope));
+  // Every entry against every exit, of the axes and of the range.
+  const __m128 from = _mm_insert_ps(entry, _mm_set_ss(q.t_low), 3 << 4),
+               to = _mm_insert_ps(exit, _mm_set_ss(q.t_high), 3 << 4);
+  const __m128 to2 = _mm_min_ps(to, _mm_shuffle_ps(to, to, _MM_SHUFFLE(2, 3, 0, 1)));
+  const __m128 to4 = _mm_min_ps(to2, _mm_shuffle_ps(to2, to2, _MM_SHUFFLE(1, 0, 3, 2)));
+  return _mm_movemask_ps(_mm_cmple_ps(from, to4)) == 15;
+}
+
 // Where a ray passes the origin of the tree's frame.
 struct Passing {
   Passing(const TreeFrame& frame, const Pose& ray) {
@@ -90,7 +105,7 @@ bool prepare_rays(const TreeStore& tree, std::span<const Pose> rays, Interval ra
   q.t_sure = static_cast<float>(back - own.at + range.low * scale + 4 * error);
   q.error = static_cast<float>(reach * kShearedRoundings + 2 * lost);
   q.rays = static_cast<uint32_t>(rays.size());
-  return q.t_low <= q.t_high;
+  return may_meet(q, tree.root_box());
 }
 
 }  // namespace kerf

@@ -198,11 +198,6 @@ void TreeStore::restore(const Change& change) {
   now = change.counts;
 }
 
-TreeView TreeStore::view() const {
-  static_assert(decltype(nodes)::kShift == TreeView::kShift && decltype(blocks)::kShift == TreeView::kShift);
-  return {nodes.chunks(), blocks.chunks(), root};
-}
-
 void TreeStore::empty_slot(uint32_t node, uint32_t slot) {
   WideNode& n = nodes.edit(node);
   n.child[slot] = Child{};

@@ -82,7 +82,11 @@ class TreeStore : private TreeCounts {
   void set_root_box(const FloatBox& box);
   // A distance from the origin of the frame, in the frame, within which all points of the tree lie.
   double reach() const { return TreeCounts::reach; }
-  TreeView view() const;
+  TreeView view() const {
+    static_assert(decltype(nodes)::kShift == TreeView::kShift &&
+                  decltype(blocks)::kShift == TreeView::kShift);
+    return {nodes.chunks(), blocks.chunks(), root};
+  }
 
   // The beam is in the boxes of these slots, or lanes.
   void mark(const WideNode& node, unsigned slots);

@@ -15,15 +15,15 @@ class WalkCode {
  private:
   // Lists --------------------------------------------------------------------------------------------------
 
-  static void push(WordList& list, uintptr_t word) {
-    if (list.count == list.capacity) list.grow(list);
+  static void push(WalkLists& lists, WordList& list, uintptr_t word) {
+    if (list.count == list.capacity) lists.grow(lists, list);
     list.items[list.count++] = word;
   }
 
   // What a loop can add to its lists it makes room for before, so that it calls nothing and keeps its numbers
   // in registers.
-  static void make_room(WordList& list, uint32_t more) {
-    while (list.count + more > list.capacity) list.grow(list);
+  static void make_room(WalkLists& lists, WordList& list, uint32_t more) {
+    while (list.count + more > list.capacity) lists.grow(lists, list);
   }
   static bool has_room(const WordList& list, uint32_t count, uint32_t more) {
     return count + more <= list.capacity;
@@ -55,13 +55,13 @@ class WalkCode {
 
   // Lists the children of a node that the mask names.
   static void list_children(const TreeView& tree, const WideNode& node, unsigned mask,
-                            const WalkLists& lists) {
+                            WalkLists& lists) {
     for (; mask != 0; mask &= mask - 1) {
       const uint32_t bits = node.child[__builtin_ctz(mask)].bits;
       if ((bits & Child::kBlockBit) != 0) {
-        push(lists.blocks, reinterpret_cast<uintptr_t>(take_block(tree, bits)));
+        push(lists, lists.blocks, reinterpret_cast<uintptr_t>(take_block(tree, bits)));
       } else {
-        push(lists.nodes, reinterpret_cast<uintptr_t>(take_node(tree, bits)));
+        push(lists, lists.nodes, reinterpret_cast<uintptr_t>(take_node(tree, bits)));
       }
     }
   }
@@ -167,17 +167,17 @@ class WalkCode {
   // The walks ----------------------------------------------------------------------------------------------
 
   // In the order in which nodes are found, so that what a prefetch asked for has time to come.
-  static void list_blocks_on_rays(const TreeView& tree, const RayQuery& q, const WalkLists& lists) {
-    push(lists.nodes, reinterpret_cast<uintptr_t>(node_at(tree, tree.root)));
+  static void list_blocks_on_rays(const TreeView& tree, const RayQuery& q, WalkLists& lists) {
+    push(lists, lists.nodes, reinterpret_cast<uintptr_t>(node_at(tree, tree.root)));
     for (uint32_t next = 0; next < lists.nodes.count;) {
-      make_room(lists.nodes, kNodeWidth);
-      make_room(lists.blocks, kNodeWidth);
+      make_room(lists, lists.nodes, kNodeWidth);
+      make_room(lists, lists.blocks, kNodeWidth);
       next = open_listed(tree, q, lists, next);
     }
   }
 
   // Opens the nodes of the list from this one on while there is room. Returns which one is next.
-  static uint32_t open_listed(const TreeView& tree, const RayQuery& q, const WalkLists& lists,
+  static uint32_t open_listed(const TreeView& tree, const RayQuery& q, WalkLists& lists,
                               uint32_t next) {
     const RaySlabs slabs(q);
     uintptr_t *const nodes = lists.nodes.items, *const blocks = lists.blocks.items;
@@ -200,11 +200,11 @@ class WalkCode {
     return next;
   }
 
-  static void ray(const TreeView& tree, const RayQuery& q, const WalkLists& lists) {
+  static void ray(const TreeView& tree, const RayQuery& q, WalkLists& lists) {
     list_blocks_on_rays(tree, q, lists);
     if (lists.blocks.count == 0) return;
     const Shear shear(q);
-    make_room(lists.faces, kBlockWidth * lists.blocks.count);
+    make_room(lists, lists.faces, kBlockWidth * lists.blocks.count);
     for (uint32_t i = 0; i < lists.blocks.count; ++i) {
       const auto* block = reinterpret_cast<const FaceBlock*>(lists.blocks.items[i]);
       unsigned lanes = ShearedBlock(*block, shear, q).hold(shear.pass[0]).may & filled(*block);
@@ -235,7 +235,7 @@ class WalkCode {
   };
 
   // Rays that are not there pass where the first one does, and are masked.
-  static void rays(const TreeView& tree, const RayQuery& q, const WalkLists& lists) {
+  static void rays(const TreeView& tree, const RayQuery& q, WalkLists& lists) {
     list_blocks_on_rays(tree, q, lists);
     if (lists.blocks.count == 0) return;
     const Shear shear(q);
@@ -247,7 +247,7 @@ class WalkCode {
     }
     const unsigned wanted = (1u << 4 * q.rays) - 1;
     for (uint32_t i = 0; i < lists.blocks.count; ++i) {
-      make_room(lists.faces, kBlockWidth * q.rays);
+      make_room(lists, lists.faces, kBlockWidth * q.rays);
       const auto* block = reinterpret_cast<const FaceBlock*>(lists.blocks.items[i]);
       const ShearedTwice twice(ShearedBlock(*block, shear, q));
       unsigned found = twice.may_hold(px[0], py[0]) | twice.may_hold(px[1], py[1]) << 8;
@@ -261,21 +261,21 @@ class WalkCode {
   // The nearest child of a node is looked at next; the others wait on the stack, as pairs of words: where the
   // ray enters the box, as bits of a float, which for positive floats are in their order; and the record,
   // plus one for a block.
-  static void nearest(const TreeView& tree, const RayQuery& q, const WalkLists& lists) {
+  static void nearest(const TreeView& tree, const RayQuery& q, WalkLists& lists) {
     float t_high = q.t_high;
     Shear shear;
     bool sheared = false;
     uintptr_t next = reinterpret_cast<uintptr_t>(node_at(tree, tree.root));
     while ((next = nearest_block(tree, q, t_high, lists.nodes, next)) != 0) {
       if (!is_block(next)) {
-        make_room(lists.nodes, kStackedANode);
+        make_room(lists, lists.nodes, kStackedANode);
         continue;
       }
       if (!sheared) {
         shear = Shear(q);
         sheared = true;
       }
-      make_room(lists.faces, kBlockWidth);
+      make_room(lists, lists.faces, kBlockWidth);
       t_high = list_near_faces(*reinterpret_cast<const FaceBlock*>(next - 1), shear, q, t_high, lists.faces);
       next = 0;
     }
@@ -427,28 +427,28 @@ class WalkCode {
     return lanes;
   }
 
-  static void push_mark(WordList& marks, const void* record, unsigned kind, unsigned bits) {
-    push(marks, reinterpret_cast<uintptr_t>(record) + kind);
-    push(marks, bits);
+  static void push_mark(WalkLists& lists, const void* record, unsigned kind, unsigned bits) {
+    push(lists, lists.marks, reinterpret_cast<uintptr_t>(record) + kind);
+    push(lists, lists.marks, bits);
   }
 
-  static uint64_t slab(const TreeView& tree, const SlabQuery& q, const WalkLists& lists) {
-    push(lists.nodes, reinterpret_cast<uintptr_t>(node_at(tree, tree.root)));
+  static uint64_t slab(const TreeView& tree, const SlabQuery& q, WalkLists& lists) {
+    push(lists, lists.nodes, reinterpret_cast<uintptr_t>(node_at(tree, tree.root)));
     uint64_t boxes = 0;
     for (uint32_t next = 0; next < lists.nodes.count; ++next) {
       const auto& node = *reinterpret_cast<const WideNode*>(lists.nodes.items[next]);
       const unsigned mask = meets<Float8>(q, node.plane[0], kNodeWidth);
       boxes += kNodeWidth;
-      if ((mask & ~node.hit) != 0) push_mark(lists.marks, &node, 0, mask);
+      if ((mask & ~node.hit) != 0) push_mark(lists, &node, 0, mask);
       list_children(tree, node, mask, lists);
     }
     for (uint32_t i = 0; i < lists.blocks.count; ++i) {
       const auto& block = *reinterpret_cast<const FaceBlock*>(lists.blocks.items[i]);
       unsigned lanes = boxes_that_meet(q, block) & filled(block);
       boxes += block.count;
-      if ((lanes & ~block.hit) != 0) push_mark(lists.marks, &block, 1, lanes);
+      if ((lanes & ~block.hit) != 0) push_mark(lists, &block, 1, lanes);
       for (lanes &= triangles_that_meet(q, block); lanes != 0; lanes &= lanes - 1) {
-        push(lists.faces, face_word(&block, static_cast<unsigned>(__builtin_ctz(lanes))));
+        push(lists, lists.faces, face_word(&block, static_cast<unsigned>(__builtin_ctz(lanes))));
       }
     }
     return boxes;

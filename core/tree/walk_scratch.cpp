@@ -2,12 +2,13 @@
 
 namespace kerf {
 
-void WalkScratch::List::lengthen(WordList& list) {
-  auto& self = static_cast<List&>(list);
-  if (self.many.empty()) self.many.assign(self.items, self.items + self.count);
-  self.many.resize(2 * size_t{self.capacity});
-  self.items = self.many.data();
-  self.capacity *= 2;
+void WalkScratch::lengthen(WalkLists& lists, WordList& list) {
+  auto& self = static_cast<WalkScratch&>(lists);
+  if (!self.long_lists_) self.long_lists_ = std::make_unique<std::vector<Words>>();
+  Words& words = self.long_lists_->emplace_back(list.items, list.items + list.count);
+  list.capacity *= 2;
+  words.resize(list.capacity);
+  list.items = words.data();
 }
 
 }  // namespace kerf

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -7,27 +8,26 @@
 
 namespace kerf {
 
-// The lists of one walk, on the stack of its caller for as long as they are short.
-class WalkScratch {
+// The lists of one walk, on the stack of its caller for as long as they are short. Little is done to make it
+// and to end it: a ray that passes everything by takes a hundred instructions or two.
+class WalkScratch : public WalkLists {
  public:
-  WalkScratch() = default;
+  WalkScratch()
+      : WalkLists{
+            {nodes_, 0, kShort}, {blocks_, 0, kShort}, {faces_, 0, kShort}, {marks_, 0, kShort}, lengthen} {}
   WalkScratch(const WalkScratch&) = delete;
   WalkScratch& operator=(const WalkScratch&) = delete;
 
-  const WalkLists& lists() const { return lists_; }
-  std::span<const uintptr_t> faces() const { return {faces_.items, faces_.count}; }
-  std::span<const uintptr_t> marks() const { return {marks_.items, marks_.count}; }
+  std::span<const uintptr_t> found() const { return {faces.items, faces.count}; }
+  std::span<const uintptr_t> met() const { return {marks.items, marks.count}; }
 
  private:
+  using Words = std::vector<uintptr_t>;
+  static void lengthen(WalkLists& lists, WordList& list);
+
   static constexpr uint32_t kShort = 96;
-  struct List : WordList {
-    List() : WordList{nullptr, 0, kShort, lengthen} { items = few; }
-    static void lengthen(WordList& list);
-    uintptr_t few[kShort];
-    std::vector<uintptr_t> many;
-  };
-  List nodes_, blocks_, faces_, marks_;
-  WalkLists lists_{nodes_, blocks_, faces_, marks_};
+  std::unique_ptr<std::vector<Words>> long_lists_;
+  uintptr_t nodes_[kShort], blocks_[kShort], faces_[kShort], marks_[kShort];
 };
 
 }  // namespace kerf

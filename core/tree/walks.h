@@ -21,12 +21,11 @@ struct TreeView {
   uint32_t root;
 };
 
-// A list of words in storage of its owner, who makes it larger.
+// A list of words in storage of its owner.
 struct WordList {
   uintptr_t* items;
   uint32_t count;
   uint32_t capacity;
-  void (*grow)(WordList&);
 };
 
 // A face as the walks name it: its block's address, which is a multiple of 32, plus its lane; in a walk of
@@ -44,8 +43,10 @@ struct WordList {
 // address, plus one for a block.
 [[gnu::always_inline]] inline bool marks_block(uintptr_t word) { return (word & 1) != 0; }
 
+// What a walk lists. The owner doubles the capacity of a list.
 struct WalkLists {
-  WordList &nodes, &blocks, &faces, &marks;
+  WordList nodes, blocks, faces, marks;
+  void (*grow)(WalkLists&, WordList&);
 };
 
 // Parallel rays against boxes and triangles. `t` is measured along the direction from a point before all
@@ -84,14 +85,14 @@ struct SlabQuery {
 
 struct Walks {
   // Lists the faces that a ray may cross.
-  void (*ray)(const TreeView&, const RayQuery&, const WalkLists&);
+  void (*ray)(const TreeView&, const RayQuery&, WalkLists&);
   // The same for up to four parallel rays.
-  void (*rays)(const TreeView&, const RayQuery&, const WalkLists&);
+  void (*rays)(const TreeView&, const RayQuery&, WalkLists&);
   // Lists faces of which one is the first that the ray crosses, near boxes first.
-  void (*nearest)(const TreeView&, const RayQuery&, const WalkLists&);
+  void (*nearest)(const TreeView&, const RayQuery&, WalkLists&);
   // Lists the faces that may meet the box, and what to mark: slots and lanes whose boxes may. Returns how
   // many boxes it looked at.
-  uint64_t (*slab)(const TreeView&, const SlabQuery&, const WalkLists&);
+  uint64_t (*slab)(const TreeView&, const SlabQuery&, WalkLists&);
 };
 
 const Walks& walks_sse4();

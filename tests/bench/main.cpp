@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <map>
 
 #include "tests/bench/sections.h"
 
@@ -11,18 +12,21 @@ void say_what_is_skipped() {
   if (!has_cgal()) std::printf("built without CGAL (libcgal-dev): the rows beside it are skipped\n");
 }
 
-void run(const std::string& name, const Effort& effort, bool cuts_only, const Report& report) {
+using Section = void (*)(const Subject&, const Effort&, const Report&);
+const std::map<std::string, Section> kSections = {{"cut", bench_cut},
+                                                  {"build", bench_build},
+                                                  {"queries", bench_queries},
+                                                  {"edits", bench_edits},
+                                                  {"shadows", bench_shadows}};
+
+void run(const std::string& name, const Effort& effort, const std::vector<std::string>& sections,
+         const Report& report) {
   const Subject subject = make_subject(name);
   if (subject.mesh.live_faces() == 0) {
     std::printf("%s could not be read: its rows are skipped\n", name.c_str());
     return;
   }
-  bench_cut(subject, effort, report);
-  if (cuts_only) return;
-  bench_build(subject, effort, report);
-  bench_queries(subject, effort, report);
-  bench_edits(subject, effort, report);
-  bench_shadows(subject, effort, report);
+  for (const std::string& section : sections) kSections.at(section)(subject, effort, report);
 }
 
 }  // namespace
@@ -33,11 +37,12 @@ int main(int argc, char** argv) {
   CLI::App app{"The tree beside its peers: processor time of one thread, medians"};
   std::string json;
   std::vector<std::string> only;
-  bool tiny = false, cuts_only = false;
+  std::vector<std::string> sections = {"cut", "build", "queries", "edits", "shadows"};
+  bool tiny = false;
   app.add_option("--json", json, "Write the table to this file as well");
   app.add_option("--mesh", only, "Only these meshes");
   app.add_flag("--tiny", tiny, "Small inputs, to see that it runs");
-  app.add_flag("--cuts", cuts_only, "Only whole cuts");
+  app.add_option("--section", sections, "Only these sections")->check(CLI::IsMember(kSections));
   CLI11_PARSE(app, argc, argv);
 
   say_what_is_skipped();
@@ -46,7 +51,7 @@ int main(int argc, char** argv) {
   std::vector<Row> rows;
   print_header();
   for (const std::string& name : only.empty() ? subject_names(tiny) : only) {
-    run(name, tiny ? Effort{50, 3, 1, 20, 20} : Effort{}, cuts_only, [&](const Row& row) {
+    run(name, tiny ? Effort{50, 3, 1, 20, 20} : Effort{}, sections, [&](const Row& row) {
       rows.push_back(row);
       print(row);
     });

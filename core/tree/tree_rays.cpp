@@ -46,8 +46,7 @@ void set_slabs(RayQuery& q, __m128 d, __m128 low, __m128 high) {
 bool may_meet(const RayQuery& q, const FloatBox& box) {
   const __m128 down = _mm_load_ps(q.direction);  // blends by sign
   const __m128 near = _mm_blendv_ps(box.low, box.high, down), far = _mm_blendv_ps(box.high, box.low, down);
-  const __m128 entry =
-      _mm_mul_ps(_mm_sub_ps(near, _mm_load_ps(q.near_origin)), _mm_load_ps(q.near_slope));
+  const __m128 entry = _mm_mul_ps(_mm_sub_ps(near, _mm_load_ps(q.near_origin)), _mm_load_ps(q.near_slope));
   const __m128 exit = _mm_mul_ps(_mm_sub_ps(far, _mm_load_ps(q.far_origin)), _mm_load_ps(q.far_slope));
   // Every entry against every exit, of the axes and of the range.
   const __m128 from = _mm_insert_ps(entry, _mm_set_ss(q.t_low), 3 << 4),

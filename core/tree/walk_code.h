@@ -54,8 +54,7 @@ class WalkCode {
   }
 
   // Lists the children of a node that the mask names.
-  static void list_children(const TreeView& tree, const WideNode& node, unsigned mask,
-                            WalkLists& lists) {
+  static void list_children(const TreeView& tree, const WideNode& node, unsigned mask, WalkLists& lists) {
     for (; mask != 0; mask &= mask - 1) {
       const uint32_t bits = node.child[__builtin_ctz(mask)].bits;
       if ((bits & Child::kBlockBit) != 0) {
@@ -177,8 +176,7 @@ class WalkCode {
   }
 
   // Opens the nodes of the list from this one on while there is room. Returns which one is next.
-  static uint32_t open_listed(const TreeView& tree, const RayQuery& q, WalkLists& lists,
-                              uint32_t next) {
+  static uint32_t open_listed(const TreeView& tree, const RayQuery& q, WalkLists& lists, uint32_t next) {
     const RaySlabs slabs(q);
     uintptr_t *const nodes = lists.nodes.items, *const blocks = lists.blocks.items;
     uint32_t node_count = lists.nodes.count, block_count = lists.blocks.count;

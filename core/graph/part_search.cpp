@@ -11,7 +11,7 @@ namespace kerf {
 namespace {
 
 constexpr uint32_t kNone = 0xffffffffu;
-constexpr size_t kLongestTurn = 64;  // faces
+constexpr size_t kLongestTurn = 128;  // faces
 constexpr size_t kLarge = 4096;      // a front that has looked at so many faces
 
 uint32_t root(std::vector<uint32_t>& parent, uint32_t x) {
@@ -222,7 +222,7 @@ bool PartSearch::grow(size_t most, SettleResult& result) {
     const uint32_t i = turn.front;
     if (search_.front_parent[i] != i || search_.fronts[i].looked_at != turn.looked_at) continue;  // of before
     if (search_.fronts[i].exhausted() || !must_grow(i)) continue;
-    result.looked_at += take_turn(i, std::clamp<size_t>(turn.looked_at / 8, 1, kLongestTurn));
+    result.looked_at += take_turn(i, std::clamp<size_t>(turn.looked_at / 32, 1, kLongestTurn));
   }
   return true;
 }

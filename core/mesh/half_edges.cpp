@@ -85,6 +85,22 @@ void HalfEdges::leave(VertexId v, HalfEdgeId gone, HalfEdgeId other) {
   if (outgoing(v) == gone) set_outgoing(v, other == gone ? HalfEdgeId() : other);
 }
 
+void HalfEdges::prefetch(FaceId f, int turn) const {
+  if (turn == 0) return first_.prefetch(f.index);
+  const HalfEdgeId a = first(f);
+  if (!a.valid()) return;
+  if (turn == 1) return links_.prefetch(a.index);
+  const HalfEdgeId b = next(a);
+  if (turn == 2) {
+    links_.prefetch(b.index);
+    links_.prefetch(previous(a).index);
+    positions_.prefetch(from(a).index);
+    positions_.prefetch(to(a).index);
+  } else {
+    positions_.prefetch(to(b).index);
+  }
+}
+
 void HalfEdges::reserve(uint32_t vertices, uint32_t edges, uint32_t faces) {
   links_.reserve(2 * edges);
   positions_.reserve(vertices);

@@ -65,11 +65,10 @@ class HalfEdges {
   // Takes a face away, and the edges and vertices that nothing else needs.
   void remove(FaceId f);
 
-  // Asks for the memory that a walk over the face begins with; the second needs what the first asked for.
-  void prefetch_first(FaceId f) const { first_.prefetch(f.index); }
-  void prefetch_sides(FaceId f) const {
-    if (first(f).valid()) links_.prefetch(first(f).index);
-  }
+  // Asks for the memory of a face, its sides and its corners, in turns: each needs what the one before it
+  // asked for.
+  static constexpr int kTurns = 4;
+  void prefetch(FaceId f, int turn) const;
 
   // Calls visit(h) for every half-edge that starts at v.
   template <typename Visit>

@@ -194,9 +194,11 @@ void Mesh::append_nearest_neighbours(FaceId f, std::vector<FaceId>& out) const {
 }
 
 void Mesh::prefetch_neighbours(std::span<const FaceId> faces, size_t at) const {
-  constexpr size_t kFirstAhead = 16, kSidesAhead = 8;
-  if (at + kFirstAhead < faces.size()) kernel_->half_edges.prefetch_first(faces[at + kFirstAhead]);
-  if (at + kSidesAhead < faces.size()) kernel_->half_edges.prefetch_sides(faces[at + kSidesAhead]);
+  constexpr size_t kTurnsApart = 4;
+  size_t ahead = at + HalfEdges::kTurns * kTurnsApart;
+  for (int turn = 0; turn < HalfEdges::kTurns; ++turn, ahead -= kTurnsApart) {
+    if (ahead < faces.size()) kernel_->half_edges.prefetch(faces[ahead], turn);
+  }
 }
 
 void Mesh::append_edge_sides(FaceId f, VertexId from, VertexId to, std::vector<Side>& out) const {

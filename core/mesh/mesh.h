@@ -98,7 +98,7 @@ class Mesh {
     VertexId from;
     VertexId to;
   };
-  // Asks for the memory that neighbours of some faces lie in: for whoever asks for those of many, one after
+  // Asks for the memory that neighbours and corners of some faces lie in: for whoever asks for many, one after
   // the other. `at` is the face that is asked next.
   void prefetch_neighbours(std::span<const FaceId> faces, size_t at) const;
 

@@ -169,7 +169,7 @@ TEST(Separation, looks_at_no_more_than_twice_the_smaller_side) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const BandCut cut = cut_band(sphere(80, 120, 1), 0.5, 0.6, seed);
     EXPECT_GT(cut.smaller, 1000u);
-    constexpr size_t kOneTurn = 64;
+    constexpr size_t kOneTurn = 128;
     EXPECT_LE(cut.looked_at, 2 * cut.smaller + kOneTurn);
   }
 }

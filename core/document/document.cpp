@@ -394,15 +394,18 @@ Result<Delta> Document::redo_at_once(size_t at, const Progress* progress) {
   return delta;
 }
 
+bool Document::remembers_way_to(size_t position) const {
+  for (size_t i = position; i < history_.position(); ++i) {
+    const HistoryStep& step = history_.step(i);
+    if (step.begun && !step.remembered() && !(open_ == i && remembering_)) return false;
+  }
+  return true;
+}
+
 Result<Delta> Document::travel(size_t position, const Progress* progress) {
   end();
   position = std::min(position, history_.size());
-  bool remembered = true;
-  for (size_t i = position; i < history_.position(); ++i) {
-    const HistoryStep& step = history_.step(i);
-    remembered = remembered && (!step.begun || step.remembered() || open_ == i);
-  }
-  if (!remembered) return replay(position, progress);
+  if (!remembers_way_to(position)) return replay(position, progress);
   Delta all;
   while (history_.position() != position) {
     Result<Delta> one = history_.position() > position ? undo(progress) : redo(progress);

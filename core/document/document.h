@@ -77,6 +77,8 @@ class Document {
   // The steps that can be taken back and forth.
   const History& history() const { return history_; }
   void set_window(size_t bytes) { history_.set_window(bytes); }
+  // Whether the way back to a position is remembered; otherwise going there takes a replay.
+  bool remembers_way_to(size_t position) const;
   // Goes to a position of the history by Undo and Redo.
   Result<Delta> travel(size_t position, const Progress* progress = nullptr);
 

@@ -4,7 +4,9 @@
 
 namespace kerf {
 
-// Does a command at once, lets the picture follow, and says what went wrong where it failed.
+// Does a command, lets the picture follow, and says what went wrong where it failed; one that takes longer
+// than a frame may wait becomes the state's long_change. So do the functions below, which none may call while
+// one is there.
 void change_world(EditorState& state, Renderer& renderer, const Command& command);
 
 // Goes to a position of the history; what waits to be cut again is cut over the next frames.

@@ -2,6 +2,9 @@
 
 #include <imgui.h>
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
 #include <chrono>
 #include <thread>
 
@@ -9,8 +12,10 @@
 #include "ui/editor/change_world.h"
 #include "ui/editor/editor_report.h"
 #include "ui/editor/editor_state.h"
+#include "ui/editor/frozen_window.h"
 #include "ui/editor/gui.h"
 #include "ui/editor/live_picture.h"
+#include "ui/editor/load_bar.h"
 #include "ui/editor/open_file.h"
 #include "ui/editor/panels.h"
 #include "ui/editor/piece_set.h"
@@ -40,6 +45,7 @@ constexpr double kFigureSeconds = 0.25;
 constexpr double kLongestEaseStep = 0.05;
 constexpr double kSettleSeconds = 1.0;  // after the last event the panels are still drawn (tooltips appear)
 constexpr double kSettleWait = 0.12, kIdleWait = 0.5;
+constexpr double kMissable = 0.05;  // for so long nobody misses a frame
 
 double seconds_since(Clock::time_point t) { return std::chrono::duration<double>(Clock::now() - t).count(); }
 
@@ -58,7 +64,13 @@ class Editor {
 
  private:
   Status open_first(const std::vector<std::filesystem::path>& files);
+  Opened opened();
+  void frame();
   void wait();
+  void begin_long_change();
+  void show_long_work();
+  void hear_while_working();
+  void finish_long_work();
   void hear();
   void hear_key(const InputEvent& event);
   void fulfil();  // what panels, menus and keys asked for
@@ -96,6 +108,8 @@ class Editor {
   WorkKeeper keeper_;
   std::string title_;  // of the window
   StopSignals stop_;
+  FrozenWindow frozen_;            // while long work is done
+  std::vector<InputEvent> typed_;  // meanwhile
   Clock::time_point frame_began_ = Clock::now(), last_event_ = Clock::now(), figures_at_{};
   bool easing_ = false;                           // the camera
   double cut_seconds_ = 0, picture_seconds_ = 0;  // of the last frame
@@ -124,46 +138,122 @@ Status Editor::open(const EditorOptions& options) {
 
 Status Editor::open_first(const std::vector<std::filesystem::path>& files) {
   const std::array standard{default_scene_};
-  if (files.empty()) return open_files(state_, picture_.first(), standard);
+  if (files.empty()) return open_files(state_, picture_.first(), standard, opened());
   if (!opens_at_once(files)) {
     state_.loader.start(files);
-    return open_files(state_, picture_.first(), standard);
+    return open_files(state_, picture_.first(), standard, opened());
   }
-  const Status opened = open_files(state_, picture_.first(), files);
-  if (opened) {
+  const Status done = open_files(state_, picture_.first(), files, opened());
+  if (done) {
     for (const std::filesystem::path& file : files) remember_recent(state_.settings, file);
-    return opened;
+    return done;
   }
-  if (const Status fallback = open_files(state_, picture_.first(), standard); !fallback) return fallback;
-  state_.say(opened.error().message, true);
+  if (const Status fallback = open_files(state_, picture_.first(), standard, opened()); !fallback)
+    return fallback;
+  state_.say(done.error().message, true);
   return Done{};
+}
+
+// What was open until then is kept no longer.
+Opened Editor::opened() {
+  return [this](bool) {
+    keeper_.drop();
+    keeper_.begin(state_);
+  };
 }
 
 void Editor::run() {
   while (!state_.quit && !stop_.came()) {
-    wait();
-    const Clock::time_point began = Clock::now();
-    dress();
-    gui_.begin_frame();
-    lay_out_window();
-    hear();
-    fulfil();
-    keeper_.follow(state_);
-    move_camera();
-    cut();
-    send();
-    const bool new_picture = draw();
-    show_title();
-    const double without_picture = seconds_since(began) - picture_seconds_;
-    window_.swap();
-    state_.between_pictures.add(1000 * without_picture);
-    note_time(seconds_since(began), new_picture);
+    if (state_.long_work.busy()) {
+      show_long_work();
+    } else {
+      frame();
+    }
+  }
+  if (state_.long_work.busy()) {
+    state_.long_work.stop();
+    finish_long_work();
   }
   state_.tool.release(state_.document);
   keeper_.follow(state_);
   if (!stop_.came()) keeper_.drop();
   save_settings();
 }
+
+void Editor::frame() {
+  wait();
+  const Clock::time_point began = Clock::now();
+  dress();
+  gui_.begin_frame();
+  lay_out_window();
+  hear();
+  fulfil();
+  keeper_.follow(state_);
+  move_camera();
+  cut();
+  send();
+  const bool new_picture = draw();
+  show_title();
+  const double without_picture = seconds_since(began) - picture_seconds_;
+  begin_long_change();
+  window_.swap();
+  state_.between_pictures.add(1000 * without_picture);
+  note_time(seconds_since(began), new_picture);
+}
+
+// Long work
+// ---------------------------------------------------------------------------------------------------
+
+// At the end of a frame: it is what is seen until the work is done.
+void Editor::begin_long_change() {
+  if (!state_.long_change) return;
+  cancel_stroke(state_);
+  state_.drag = Drag::kNone;
+  frozen_.take(window_.pixel_size());
+  state_.long_work.start(state_.document, *std::exchange(state_.long_change, {}));
+  if (state_.long_work.is_over(kMissable)) finish_long_work();
+}
+
+// In place of a frame.
+void Editor::show_long_work() {
+  window_.wait(kFrameSeconds);
+  hear_while_working();
+  if (state_.long_work.is_over(0)) return finish_long_work();
+  const Clock::time_point began = Clock::now();
+  dress();
+  gui_.begin_frame();
+  frozen_.draw(window_.size());
+  LongWork& work = state_.long_work;
+  if (draw_progress(state_.layout.viewport, work.title(), work.fraction(), work.can_stop())) work.stop();
+  gui_.end_frame();
+  window_.swap();
+  state_.frames.add(1000 * seconds_since(began));
+}
+
+// That it may be stopped; other keys wait until it is done.
+void Editor::hear_while_working() {
+  for (const InputEvent& event : window_.take_events()) {
+    if (event.kind != InputEvent::Kind::kKey) continue;
+    if (event.button == GLFW_KEY_ESCAPE) {
+      state_.long_work.stop();
+    } else {
+      typed_.push_back(event);
+    }
+  }
+  window_.take_drops();
+  if (!window_.take_close()) return;
+  state_.requests.quit = true;
+  state_.long_work.stop();
+}
+
+void Editor::finish_long_work() {
+  state_.long_work.finish();
+  frame_began_ = last_event_ = Clock::now();
+  state_.picture_old = true;
+}
+
+// Frames
+// ------------------------------------------------------------------------------------------------------
 
 // Until there is something to draw: at once while something moves, at an event otherwise.
 void Editor::wait() {
@@ -187,6 +277,7 @@ void Editor::hear() {
   const ImGuiIO& io = ImGui::GetIO();
   const bool popup = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
   const bool mouse_free = !io.WantCaptureMouse && !popup;
+  for (const InputEvent& event : std::exchange(typed_, {})) hear_key(event);
   for (const InputEvent& event : window_.take_events()) {
     if (event.kind != InputEvent::Kind::kKey) {
       handle_mouse(state_, event, mouse_free);
@@ -229,12 +320,15 @@ void Editor::fulfil() {
   if (state_.loader.busy()) return;  // what is open is about to go
   Renderer& renderer = picture_.first();
   if (wanted.undo || wanted.redo) step_through_history(state_, renderer, wanted.undo);
-  if (wanted.travel) travel_to(state_, renderer, *wanted.travel);
-  for (const Command& command : wanted.commands) change_world(state_, renderer, command);
+  if (wanted.travel && !state_.long_change) travel_to(state_, renderer, *wanted.travel);
+  for (const Command& command : wanted.commands) {
+    if (state_.long_change) break;
+    change_world(state_, renderer, command);
+  }
   if (wanted.hide_chosen) hide_chosen(state_, renderer);
   if (wanted.delete_chosen) delete_chosen(state_, renderer);
-  if (wanted.show_hidden) show_hidden(state_, renderer);
-  if (wanted.recut) recut_last_stroke(state_, renderer);
+  if (wanted.show_hidden && !state_.long_change) show_hidden(state_, renderer);
+  if (wanted.recut && !state_.long_change) recut_last_stroke(state_, renderer);
 }
 
 void Editor::decide() {
@@ -272,26 +366,24 @@ void Editor::leave(const Requests& wanted) {
   }
 }
 
-// Whether they could be opened; what was open until then is kept no longer.
+// Whether they could be opened.
 bool Editor::open_in_place(std::span<const std::filesystem::path> files) {
   state_.loader.cancel();
-  if (const Status opened = open_files(state_, picture_.first(), files); !opened) {
-    state_.say(opened.error().message, true);
-    return false;
-  }
-  keeper_.drop();
-  keeper_.begin(state_);
-  return true;
+  const Status done = open_files(state_, picture_.first(), files, opened());
+  if (!done) state_.say(done.error().message, true);
+  return done.ok();
 }
 
 void Editor::go_on_with_left_work() {
-  if (const Status opened = open_left_work(state_, picture_.first(), state_.left_work.front()); !opened) {
-    state_.left_work.clear();
-    return state_.say("It stays where it is: " + opened.error().message, true);
-  }
-  keeper_.begin(state_);
-  if (keeper_.follow(state_)) state_.left_work.front().file.remove();
-  state_.left_work.clear();  // what else was left is offered the next time
+  const auto then = [this](bool whole) {
+    keeper_.begin(state_);
+    if (whole && keeper_.follow(state_)) state_.left_work.front().file.remove();
+    state_.left_work.clear();  // what else was left is offered the next time
+  };
+  const Status done = open_left_work(state_, picture_.first(), state_.left_work.front(), then);
+  if (done) return;
+  state_.left_work.clear();
+  state_.say("It stays where it is: " + done.error().message, true);
 }
 
 void Editor::show_title() {
@@ -306,9 +398,7 @@ void Editor::take_loaded() {
   if (!loaded) return;
   if (!*loaded) return state_.say(loaded->error().message, true);
   cancel_stroke(state_);
-  show_loaded(state_, picture_.first(), std::move(**loaded));
-  keeper_.drop();
-  keeper_.begin(state_);
+  show_loaded(state_, picture_.first(), std::move(**loaded), opened());
   for (const std::filesystem::path& file : state_.files) remember_recent(state_.settings, file);
 }
 

@@ -15,6 +15,7 @@
 #include "ui/editor/laser_controls.h"
 #include "ui/editor/laser_tool.h"
 #include "ui/editor/layout.h"
+#include "ui/editor/long_work.h"
 #include "ui/editor/question.h"
 #include "ui/editor/settings.h"
 #include "ui/editor/step_history.h"
@@ -118,6 +119,8 @@ struct EditorState {
   FileBrowser browser;
   Question question;
   FileLoader loader;
+  std::optional<LongChange> long_change;  // begins when this frame is shown
+  LongWork long_work;                     // while it is busy the document is not touched
   Requests requests;
   std::optional<Requests> leaving;  // waits until it is known what becomes of the unsaved work
 

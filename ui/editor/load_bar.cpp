@@ -2,6 +2,9 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+#include <cfloat>
+
 namespace kerf {
 
 namespace {
@@ -14,23 +17,31 @@ constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowF
 
 }  // namespace
 
-void draw_load_bar(EditorState& state) {
-  if (!state.loader.busy()) return;
+bool draw_progress(const Area& picture, const std::string& title, double fraction, bool can_stop) {
   const float em = ImGui::GetFontSize();
-  const Area& over = state.layout.viewport;
-  ImGui::SetNextWindowPos({static_cast<float>(over.at.x + over.size.x / 2),
-                           static_cast<float>(over.at.y + over.size.y) - kUp * em},
+  bool stopped = false;
+  ImGui::SetNextWindowPos({static_cast<float>(picture.at.x + picture.size.x / 2),
+                           static_cast<float>(picture.at.y + picture.size.y) - kUp * em},
                           ImGuiCond_Always, {0.5f, 1});
   ImGui::SetNextWindowSize({kWidth * em, 0});
-  if (ImGui::Begin("##loading", nullptr, kFixed)) {
-    ImGui::TextUnformatted(("Opening " + state.loader.name()).c_str());
+  if (ImGui::Begin("##progress", nullptr, kFixed)) {
+    ImGui::TextUnformatted(title.c_str());
     const float button = ImGui::CalcTextSize("Cancel").x + 2 * ImGui::GetStyle().FramePadding.x;
-    ImGui::ProgressBar(static_cast<float>(state.loader.fraction()),
-                       {-button - ImGui::GetStyle().ItemSpacing.x, 0});
-    ImGui::SameLine();
-    if (ImGui::Button("Cancel")) cancel_opening(state);
+    const float beside = can_stop ? button + ImGui::GetStyle().ItemSpacing.x : 0;
+    ImGui::ProgressBar(static_cast<float>(fraction), {-std::max(beside, FLT_MIN), 0});
+    if (can_stop) {
+      ImGui::SameLine();
+      stopped = ImGui::Button("Cancel");
+    }
   }
   ImGui::End();
+  return stopped;
+}
+
+void draw_load_bar(EditorState& state) {
+  if (!state.loader.busy()) return;
+  const std::string title = "Opening " + state.loader.name();
+  if (draw_progress(state.layout.viewport, title, state.loader.fraction(), true)) cancel_opening(state);
 }
 
 void cancel_opening(EditorState& state) {

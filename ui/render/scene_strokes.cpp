@@ -11,9 +11,10 @@ constexpr size_t kMovesOfStep = 64;
 }  // namespace
 
 Status cut_strokes(Document& document, const std::vector<StrokePath>& strokes,
-                   const std::function<void(const StepResult&)>& told) {
+                   const std::function<void(const StepResult&)>& told, const Progress* progress) {
   const double diagonal = document.world().bounds().diagonal();
-  for (const StrokePath& stroke : strokes) {
+  for (size_t i = 0; i < strokes.size(); ++i) {
+    const StrokePath& stroke = strokes[i];
     if (stroke.keys.empty()) continue;
     CutSettings settings = default_settings(stroke, diagonal);
     settings.resolution.rim = Rim::kSmooth;  // as in the editor
@@ -21,6 +22,8 @@ Status cut_strokes(Document& document, const std::vector<StrokePath>& strokes,
     for (size_t k = 1; k < stroke.keys.size(); ++k) document.apply(MoveStroke{stroke.keys[k]});
     document.apply(EndStroke{});
     while (document.waiting() > 0) {
+      if (progress && !progress->report(static_cast<double>(i) / static_cast<double>(strokes.size())))
+        return cancelled();
       const Result<StepResult> step = document.step(kMovesOfStep);
       if (!step) return step.error();
       told(*step);

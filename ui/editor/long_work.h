@@ -1,0 +1,57 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <future>
+#include <memory>
+#include <string>
+
+#include "core/base/progress.h"
+#include "core/document/document.h"
+
+namespace kerf {
+
+// A change of the document that takes longer than a frame may wait.
+struct LongChange {
+  std::string title;      // what happens, for people
+  bool can_stop = false;  // whether `run` asks its progress whether to go on
+  std::function<Result<Delta>(Document&, const Progress&)> run;
+  std::function<void(const Result<Delta>&)> then;  // on the thread that finishes it
+};
+
+// Lets a long change happen on a thread of its own. Until it is finished the document belongs to that thread
+// alone.
+class LongWork {
+ public:
+  LongWork() = default;
+  LongWork(LongWork&&) = default;
+  LongWork& operator=(LongWork&&) = default;
+  ~LongWork();
+
+  // Nothing may be under way. The document must outlive the work.
+  void start(Document& document, LongChange change);
+  bool busy() const { return job_ != nullptr; }
+
+  // Of what is under way.
+  const std::string& title() const { return job_->change.title; }
+  bool can_stop() const { return job_->change.can_stop && !job_->stopped; }
+  double fraction() const { return job_->fraction; }  // 0 to 1
+
+  // Asks it to stop. Its thread ends when it next tells how far it is.
+  void stop() { job_->stopped = true; }
+  // Waits so long for its end (s); whether that came.
+  bool is_over(double seconds) const;
+  // Waits for its end and has what follows it done.
+  void finish();
+
+ private:
+  struct Job {
+    LongChange change;
+    std::atomic<double> fraction = 0;
+    std::atomic<bool> stopped = false;
+    std::future<Result<Delta>> result;
+  };
+  std::unique_ptr<Job> job_;
+};
+
+}  // namespace kerf

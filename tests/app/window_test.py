@@ -357,7 +357,9 @@ class Window(unittest.TestCase):
         self.assertTrue(os.path.exists(journal + "~"))
         replayed = subprocess.run([KERF, "replay", journal], capture_output=True, text=True)
         self.assertEqual((replayed.returncode, replayed.stderr), (0, ""))
-        report = self.open_again(journal).quit()
+        again = self.open_again(journal)
+        again.wait_for_title("ball.kerf - Kerf")
+        report = again.quit()
         for key in ("strokes", "faces", "pieces", "faces_removed"):
             self.assertEqual(report[key], saved[key], key)
         self.assertEqual(self.settings()["recent"][0], os.path.realpath(journal))

@@ -9,6 +9,12 @@ namespace {
 
 const std::filesystem::path kMeshes = std::filesystem::path(KERF_ASSETS) / "meshes";
 
+LoadOrder files(const std::vector<std::string>& names) {
+  LoadOrder order;
+  for (const std::string& name : names) order.files.push_back(kMeshes / name);
+  return order;
+}
+
 Result<LoadedFiles> wait_for(FileLoader& loader) {
   for (;;) {
     if (auto loaded = loader.take()) return std::move(*loaded);
@@ -19,12 +25,12 @@ Result<LoadedFiles> wait_for(FileLoader& loader) {
 TEST(FileLoader, hands_over_what_it_read_once) {
   FileLoader loader;
   EXPECT_FALSE(loader.take());
-  loader.start({kMeshes / "knot.obj", kMeshes / "bracket.obj"});
+  loader.start(files({"knot.obj", "bracket.obj"}));
   EXPECT_TRUE(loader.busy());
-  EXPECT_EQ(loader.name(), "knot.obj and 1 more");
+  EXPECT_EQ(loader.order().name(), "knot.obj and 1 more");
   const Result<LoadedFiles> loaded = wait_for(loader);
   ASSERT_TRUE(loaded.ok());
-  EXPECT_EQ(loaded->work.scene.world.ids().size(), 2u);
+  EXPECT_EQ(loaded->document.world().ids().size(), 2u);
   EXPECT_EQ(loaded->prepared.size(), 2u);
   EXPECT_FALSE(loader.busy());
   EXPECT_FALSE(loader.take());
@@ -32,7 +38,7 @@ TEST(FileLoader, hands_over_what_it_read_once) {
 
 TEST(FileLoader, says_why_a_file_cannot_be_read) {
   FileLoader loader;
-  loader.start({kMeshes / "no_such_file.obj"});
+  loader.start(files({"no_such_file.obj"}));
   const Result<LoadedFiles> loaded = wait_for(loader);
   ASSERT_FALSE(loaded.ok());
   EXPECT_NE(loaded.error().message.find("no_such_file.obj"), std::string::npos);
@@ -40,12 +46,12 @@ TEST(FileLoader, says_why_a_file_cannot_be_read) {
 
 TEST(FileLoader, what_was_given_up_never_comes) {
   FileLoader loader;
-  loader.start({kMeshes / "knot.obj"});
-  loader.start({kMeshes / "bracket.obj"});
+  loader.start(files({"knot.obj"}));
+  loader.start(files({"bracket.obj"}));
   const Result<LoadedFiles> loaded = wait_for(loader);
   ASSERT_TRUE(loaded.ok());
-  EXPECT_EQ(loaded->files.front().filename(), "bracket.obj");
-  loader.start({kMeshes / "knot.obj"});
+  EXPECT_EQ(loaded->order.files.front().filename(), "bracket.obj");
+  loader.start(files({"knot.obj"}));
   loader.cancel();
   EXPECT_FALSE(loader.busy());
   for (int i = 0; i < 100; ++i) {

@@ -46,6 +46,7 @@ constexpr double kLongestEaseStep = 0.05;
 constexpr double kSettleSeconds = 1.0;  // after the last event the panels are still drawn (tooltips appear)
 constexpr double kSettleWait = 0.12, kIdleWait = 0.5;
 constexpr double kMissable = 0.05;  // for so long nobody misses a frame
+constexpr double kPatience = 0.4;   // at the start, until the window shows something
 
 double seconds_since(Clock::time_point t) { return std::chrono::duration<double>(Clock::now() - t).count(); }
 
@@ -64,7 +65,6 @@ class Editor {
 
  private:
   Status open_first(const std::vector<std::filesystem::path>& files);
-  Opened opened();
   void frame();
   void wait();
   void begin_long_change();
@@ -76,7 +76,9 @@ class Editor {
   void fulfil();  // what panels, menus and keys asked for
   void decide();
   void leave(const Requests& wanted);
-  bool open_in_place(std::span<const std::filesystem::path> files);
+  LoadOrder order_of(std::vector<std::filesystem::path> files) const;
+  Status open_default_scene();
+  void show(LoadedFiles loaded);
   void go_on_with_left_work();
   void show_title();
   void take_loaded();
@@ -131,35 +133,39 @@ Status Editor::open(const EditorOptions& options) {
   state_.left_work = find_left_work(state_folder(), faults);
   ask_about_left_work(state_);
   const Status opened = open_first(options.files);
-  keeper_.begin(state_);
   if (opened && !faults.empty()) tell("Work was left that cannot be read: " + faults.front());
   return opened;
 }
 
+// What is read in a moment is there at once; what takes longer finds the default scene in its place.
 Status Editor::open_first(const std::vector<std::filesystem::path>& files) {
-  const std::array standard{default_scene_};
-  if (files.empty()) return open_files(state_, picture_.first(), standard, opened());
-  if (!opens_at_once(files)) {
-    state_.loader.start(files);
-    return open_files(state_, picture_.first(), standard, opened());
-  }
-  const Status done = open_files(state_, picture_.first(), files, opened());
-  if (done) {
-    for (const std::filesystem::path& file : files) remember_recent(state_.settings, file);
-    return done;
-  }
-  if (const Status fallback = open_files(state_, picture_.first(), standard, opened()); !fallback)
-    return fallback;
-  state_.say(done.error().message, true);
+  if (files.empty()) return open_default_scene();
+  state_.loader.start(order_of(files));
+  const bool soon = state_.loader.is_over(kPatience);
+  if (soon) take_loaded();
+  if (soon && !state_.files.empty()) return Done{};
+  const std::string fault = std::exchange(state_.message, {});
+  const Status opened = open_default_scene();
+  if (opened && !fault.empty()) state_.say(fault, true);
+  return opened;
+}
+
+LoadOrder Editor::order_of(std::vector<std::filesystem::path> files) const {
+  return {std::move(files), {}, state_.settings.history_bytes()};
+}
+
+Status Editor::open_default_scene() {
+  Result<LoadedFiles> loaded = load_files(order_of({default_scene_}), nullptr);
+  if (!loaded) return loaded.error();
+  show(std::move(*loaded));
   return Done{};
 }
 
 // What was open until then is kept no longer.
-Opened Editor::opened() {
-  return [this](bool) {
-    keeper_.drop();
-    keeper_.begin(state_);
-  };
+void Editor::show(LoadedFiles loaded) {
+  show_loaded(state_, picture_.first(), std::move(loaded));
+  keeper_.drop();
+  keeper_.begin(state_);
 }
 
 void Editor::run() {
@@ -353,37 +359,22 @@ void Editor::decide() {
 
 // The open work is saved, or not wanted any more.
 void Editor::leave(const Requests& wanted) {
+  state_.loader.cancel();
   if (wanted.quit) {
     state_.quit = true;
     state_.work.saved_commands = state_.document.journal().size();
     state_.work.saved_lights = state_.look.lights;
-  } else if (wanted.fresh) {
-    open_in_place(std::array{default_scene_});
-  } else if (!opens_at_once(wanted.open)) {
-    state_.loader.start(wanted.open);
-  } else if (open_in_place(wanted.open)) {
-    for (const std::filesystem::path& file : wanted.open) remember_recent(state_.settings, file);
+  } else if (!wanted.fresh) {
+    state_.loader.start(order_of(wanted.open));
+  } else if (const Status opened = open_default_scene(); !opened) {
+    state_.say(opened.error().message, true);
   }
 }
 
-// Whether they could be opened.
-bool Editor::open_in_place(std::span<const std::filesystem::path> files) {
-  state_.loader.cancel();
-  const Status done = open_files(state_, picture_.first(), files, opened());
-  if (!done) state_.say(done.error().message, true);
-  return done.ok();
-}
-
 void Editor::go_on_with_left_work() {
-  const auto then = [this](bool whole) {
-    keeper_.begin(state_);
-    if (whole && keeper_.follow(state_)) state_.left_work.front().file.remove();
-    state_.left_work.clear();  // what else was left is offered the next time
-  };
-  const Status done = open_left_work(state_, picture_.first(), state_.left_work.front(), then);
-  if (done) return;
-  state_.left_work.clear();
-  state_.say("It stays where it is: " + done.error().message, true);
+  LoadOrder order = order_of({});
+  order.left = state_.left_work.front().journal;
+  state_.loader.start(std::move(order));
 }
 
 void Editor::show_title() {
@@ -394,12 +385,23 @@ void Editor::show_title() {
 }
 
 void Editor::take_loaded() {
+  if (!state_.loader.busy()) return;
+  const bool left = state_.loader.order().left.has_value();
   std::optional<Result<LoadedFiles>> loaded = state_.loader.take();
   if (!loaded) return;
-  if (!*loaded) return state_.say(loaded->error().message, true);
-  cancel_stroke(state_);
-  show_loaded(state_, picture_.first(), std::move(**loaded), opened());
-  for (const std::filesystem::path& file : state_.files) remember_recent(state_.settings, file);
+  const bool opened = loaded->ok();
+  if (opened) {
+    cancel_stroke(state_);
+    show(std::move(**loaded));
+  } else {
+    state_.say((left ? "It stays where it is: " : "") + loaded->error().message, true);
+  }
+  if (left) {
+    if (opened && keeper_.follow(state_)) state_.left_work.front().file.remove();
+    state_.left_work.clear();  // what else was left is offered the next time
+  } else if (opened) {
+    for (const std::filesystem::path& file : state_.files) remember_recent(state_.settings, file);
+  }
 }
 
 void Editor::move_camera() {

@@ -2,15 +2,19 @@
 
 #include <chrono>
 
+#include "core/document/replay.h"
+#include "core/mesh/load_notes.h"
+#include "ui/render/scene_strokes.h"
+
 namespace kerf {
 
 namespace {
 
-constexpr uintmax_t kBytesAtOnce = 4 << 20;
-constexpr double kReading = 0.7;  // of the time; the rest is the trees and what pictures need
+constexpr double kReading = 0.7, kCutting = 0.9;  // of the time
+constexpr size_t kMovesOfStep = 64;
 
-bool is_over(const std::future<Result<LoadedFiles>>& result) {
-  return result.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+bool is_over(const std::future<Result<LoadedFiles>>& result, double seconds) {
+  return result.wait_for(std::chrono::duration<double>(seconds)) == std::future_status::ready;
 }
 
 Result<Work> read_all(std::span<const std::filesystem::path> files, const Progress* progress) {
@@ -32,33 +36,98 @@ Result<Work> read_all(std::span<const std::filesystem::path> files, const Progre
   return all;
 }
 
-}  // namespace
-
-void prepare(LoadedFiles& loaded) {
-  if (const Status noted = note_hashes(loaded.work.scene); !noted) loaded.cannot_be_kept = noted.error();
-  loaded.prepared = prepare_bodies(loaded.work.scene.world);
+Result<Work> read_order(const LoadOrder& order, const Progress* progress) {
+  if (!order.left) return read_all(order.files, progress);
+  Result<Scene> scene = load_scene(order.left->scene, progress);
+  if (!scene) return scene.error();
+  return Work{std::move(*scene), *order.left};
 }
 
-Result<LoadedFiles> load_files(std::vector<std::filesystem::path> files, const Progress* progress) {
+std::string notes_of(const World& world) {
+  for (const BodyId id : world.ids()) {
+    const std::vector<std::string> notes = load_notes(world.body(id).loaded);
+    if (!notes.empty()) return notes.front();
+  }
+  return "";
+}
+
+Document document_of(World world, const SceneDescription& scene, size_t history_bytes) {
+  Document document(std::move(world), [scene](const Progress* progress) -> Result<World> {
+    Result<Scene> again = load_scene(scene, progress);
+    if (!again) return again.error();
+    return std::move(again->world);
+  });
+  document.set_window(history_bytes);
+  return document;
+}
+
+// Whether `progress` let it come to its end. A step that fails here failed when the journal was made too.
+bool replay_all(const Journal& journal, LoadedFiles& loaded, const Progress& progress) {
+  Replay replay(journal, loaded.document);
+  while (!replay.done()) {
+    if (!progress.report(replay.fraction())) return false;
+    (void)replay.advance(kMovesOfStep);
+  }
+  loaded.marks = journal.marks;
+  loaded.damaged = !journal.damage.empty();
+  if (loaded.damaged) {
+    loaded.fault = journal.damage;
+  } else if (replay.difference()) {
+    loaded.fault =
+        "Cut another way than when it was saved: another version of Kerf made this journal, or it was "
+        "changed";
+  }
+  return true;
+}
+
+// The same of the strokes that the scene brings.
+bool cut_all(LoadedFiles& loaded, const Progress& progress) {
+  const auto ignore = [](const StepResult&) {};
+  const Status cut = cut_strokes(loaded.document, loaded.scene.strokes, ignore, &progress);
+  if (!cut) loaded.fault = cut.error().message;
+  return progress.report(1);
+}
+
+}  // namespace
+
+std::string LoadOrder::name() const {
+  if (left) return "the work that was left";
+  std::string name = files.front().filename().string();
+  if (files.size() > 1) name += " and " + std::to_string(files.size() - 1) + " more";
+  return name;
+}
+
+Result<LoadedFiles> load_files(LoadOrder order, const Progress* progress) {
   const Progress reading = share_of(progress, 0, kReading);
-  Result<Work> work = read_all(files, &reading);
+  Result<Work> work = read_order(order, &reading);
   if (!work) return work.error();
-  if (progress && !progress->report(kReading)) return cancelled();
-  LoadedFiles loaded{std::move(files), std::move(*work), {}, {}};
-  prepare(loaded);
+  Scene& scene = work->scene;
+  LoadedFiles loaded;
+  loaded.order = std::move(order);
+  loaded.notes = notes_of(scene.world);
+  loaded.prepared = prepare_shading(scene.world);
+  if (scene.world.live_faces() <= Document::kMostFacesToCopy) loaded.as_loaded = scene.world;
+  loaded.document = document_of(std::move(scene.world), scene, loaded.order.history_bytes);
+  loaded.scene = std::move(scene);
+  if (const Status noted = note_hashes(loaded.scene); !noted) loaded.cannot_be_kept = noted.error();
+  const double middle = loaded.scene.strokes.empty() ? kReading : (kReading + kCutting) / 2;
+  if (!cut_all(loaded, share_of(progress, kReading, middle)) ||
+      !replay_all(work->journal, loaded, share_of(progress, middle, kCutting)))
+    return cancelled();
+  prepare_shadows(loaded.document.world(), loaded.prepared);
   return loaded;
 }
 
-void FileLoader::start(std::vector<std::filesystem::path> files) {
+void FileLoader::start(LoadOrder order) {
   cancel();
   job_ = std::make_unique<Job>();
-  job_->files = std::move(files);
+  job_->order = std::move(order);
   job_->result = std::async(std::launch::async, [job = job_.get()] {
     const Progress progress{[job](double fraction) {
       job->fraction = fraction;
       return !job->given_up;
     }};
-    return load_files(job->files, &progress);
+    return load_files(job->order, &progress);
   });
 }
 
@@ -68,29 +137,13 @@ void FileLoader::cancel() {
   given_up_.push_back(std::move(job_));
 }
 
-std::string FileLoader::name() const {
-  std::string name = job_->files.front().filename().string();
-  if (job_->files.size() > 1) name += " and " + std::to_string(job_->files.size() - 1) + " more";
-  return name;
-}
-
-double FileLoader::fraction() const { return job_->fraction; }
+bool FileLoader::is_over(double seconds) const { return kerf::is_over(job_->result, seconds); }
 
 std::optional<Result<LoadedFiles>> FileLoader::take() {
-  std::erase_if(given_up_, [](const auto& job) { return is_over(job->result); });
-  if (!job_ || !is_over(job_->result)) return std::nullopt;
+  std::erase_if(given_up_, [](const auto& job) { return kerf::is_over(job->result, 0); });
+  if (!job_ || !is_over(0)) return std::nullopt;
   const std::unique_ptr<Job> job = std::move(job_);
   return job->result.get();
-}
-
-bool opens_at_once(std::span<const std::filesystem::path> files) {
-  uintmax_t bytes = 0;
-  for (const std::filesystem::path& file : files) {
-    std::error_code error;
-    const uintmax_t size = std::filesystem::file_size(file, error);
-    if (!error) bytes += size;
-  }
-  return bytes <= kBytesAtOnce;
 }
 
 }  // namespace kerf

@@ -40,13 +40,14 @@ bool draw_progress(const Area& picture, const std::string& title, double fractio
 
 void draw_load_bar(EditorState& state) {
   if (!state.loader.busy()) return;
-  const std::string title = "Opening " + state.loader.name();
+  const std::string title = "Opening " + state.loader.order().name();
   if (draw_progress(state.layout.viewport, title, state.loader.fraction(), true)) cancel_opening(state);
 }
 
 void cancel_opening(EditorState& state) {
-  state.say("Opening " + state.loader.name() + " was cancelled: everything is as it was.");
+  state.say("Opening " + state.loader.order().name() + " was cancelled: everything is as it was.");
   state.loader.cancel();
+  state.left_work.clear();  // is offered the next time
 }
 
 }  // namespace kerf

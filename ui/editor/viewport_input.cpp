@@ -67,7 +67,7 @@ void begin(EditorState& state, Drag drag) {
   if (drag != Drag::kCut) return;
   if (state.loader.busy()) {
     state.drag = Drag::kNone;
-    return state.say("The laser waits until " + state.loader.name() + " is open.");
+    return state.say("The laser waits until " + state.loader.order().name() + " is open.");
   }
   stand_together(state);
   state.camera.finish();

@@ -17,8 +17,8 @@ std::vector<glm::vec4> paint_table(const std::vector<std::string>& materials,
   return table;
 }
 
-BodyPicture::BodyPicture(const Body& body, const std::map<std::string, Paint>& paints, BaseFaces bases)
-    : faces_(body, std::move(bases)) {
+BodyPicture::BodyPicture(const Body& body, const std::map<std::string, Paint>& paints, PreparedBody prepared)
+    : faces_(body.mesh, prepared.frame, std::move(prepared.bases)) {
   const std::vector<glm::vec4> table = paint_table(body.material_names, paints);
   glBindBuffer(GL_UNIFORM_BUFFER, paints_.name());
   glBufferData(GL_UNIFORM_BUFFER, static_cast<GLsizeiptr>(table.size() * sizeof(glm::vec4)), table.data(),

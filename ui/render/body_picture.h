@@ -10,6 +10,7 @@
 #include "ui/render/face_buffer.h"
 #include "ui/render/frame_space.h"
 #include "ui/render/piece_looks.h"
+#include "ui/render/prepared_body.h"
 
 namespace kerf {
 
@@ -20,8 +21,8 @@ inline constexpr GLuint kPaintBlock = 1;
 // One body as it is drawn: its faces and its paints.
 class BodyPicture {
  public:
-  // `bases` are those of the body in its picture frame, or empty.
-  BodyPicture(const Body& body, const std::map<std::string, Paint>& paints, BaseFaces bases = {});
+  // `prepared` is of the body as it was loaded.
+  BodyPicture(const Body& body, const std::map<std::string, Paint>& paints, PreparedBody prepared);
 
   FaceBuffer& faces() { return faces_; }
   const FaceBuffer& faces() const { return faces_; }

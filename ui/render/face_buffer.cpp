@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "ui/render/prepared_body.h"
-
 namespace kerf {
 
 namespace {
@@ -48,10 +46,9 @@ FaceBuffer::Chunk::Chunk() {
   glBindVertexArray(0);
 }
 
-FaceBuffer::FaceBuffer(const Body& body, BaseFaces bases)
-    : frame_(picture_frame(body)),
-      bases_(bases.count() > 0 ? std::move(bases) : BaseFaces(body.mesh, frame_)) {
-  dirty_.mark_all(body.mesh.face_slots());
+FaceBuffer::FaceBuffer(const Mesh& mesh, const FloatFrame& frame, BaseFaces bases)
+    : frame_(frame), bases_(std::move(bases)) {
+  dirty_.mark_all(mesh.face_slots());
 }
 
 size_t FaceBuffer::bytes() const {

@@ -19,9 +19,8 @@ namespace kerf {
 // that live, and only those are drawn. It follows Deltas; an update costs what changed.
 class FaceBuffer {
  public:
-  // Remembers the body as loaded; nothing is uploaded yet. `bases` are its own in its picture frame; where
-  // they are empty they are made here, which takes long.
-  explicit FaceBuffer(const Body& body, BaseFaces bases = {});
+  // Nothing is uploaded yet. `bases` are of the mesh as it was loaded, in the frame in which it is drawn.
+  FaceBuffer(const Mesh& mesh, const FloatFrame& frame, BaseFaces bases);
 
   void follow(const BodyDelta& delta) {
     dirty_.mark(delta);

@@ -2,15 +2,21 @@
 
 namespace kerf {
 
-PreparedBodies prepare_bodies(const World& world) {
+PreparedBody prepare_shading(const Body& body) {
+  const FloatFrame frame = FloatFrame::around(body.tree.bounds().min, body.tree.bounds().max);
+  return {frame, BaseFaces(body.mesh, frame), nullptr};
+}
+
+PreparedBodies prepare_shading(const World& world) {
   PreparedBodies prepared;
-  for (const BodyId id : world.ids()) {
-    const Body& body = world.body(id);
-    const FloatFrame frame = picture_frame(body);
-    prepared.emplace(id, PreparedBody{frame, BaseFaces(body.mesh, frame),
-                                      std::make_unique<ShadowCaster>(body.mesh, frame)});
-  }
+  for (const BodyId id : world.ids()) prepared.emplace(id, prepare_shading(world.body(id)));
   return prepared;
+}
+
+void prepare_shadows(const World& world, PreparedBodies& prepared) {
+  for (auto& [id, body] : prepared) {
+    if (world.contains(id)) body.caster = std::make_unique<ShadowCaster>(world.body(id).mesh, body.frame);
+  }
 }
 
 }  // namespace kerf

@@ -64,11 +64,12 @@ void Renderer::show(const World& world, const std::map<std::string, Paint>& pain
   passes_.scene.shadows().forget();
   contact_old_ = true;
   for (const BodyId id : world.ids()) {
-    PreparedBody& ahead = prepared[id];
-    bodies_.emplace(id, BodyPicture(world.body(id), paints, std::move(ahead.bases)));
+    const auto found = prepared.find(id);
+    PreparedBody ahead = found != prepared.end() ? std::move(found->second) : prepare_shading(world.body(id));
     if (ahead.caster) passes_.scene.shadows().adopt(id, std::move(ahead.caster));
+    bodies_.emplace(id, BodyPicture(world.body(id), paints, std::move(ahead)));
   }
-  const World::Bounds bounds = world.bounds();
+  const World::Bounds bounds = world.loaded_bounds();
   const double diagonal = bounds.diagonal();
   middle_ = bounds.min + (bounds.max - bounds.min) * 0.5;
   space_.unit = diagonal > 0 && std::isfinite(diagonal) ? std::ldexp(1.0, std::ilogb(diagonal)) : 1;
@@ -91,7 +92,7 @@ void Renderer::resend(const World& world) {
   for (const BodyId id : world.ids()) {
     const auto found = bodies_.find(id);
     if (found == bodies_.end())
-      bodies_.emplace(id, BodyPicture(world.body(id), paints_));
+      bodies_.emplace(id, BodyPicture(world.body(id), paints_, prepare_shading(world.body(id))));
     else
       found->second.faces().forget_all(world.body(id).mesh);
   }

@@ -42,8 +42,8 @@ class Renderer {
   // Compiles the shaders of assets/shaders.
   static Result<Renderer> create();
 
-  // Looks at a world anew, as loaded: smooth normals are taken from its faces, which should not be cut yet.
-  // `prepared` may lack bodies.
+  // Looks at a world anew. Smooth normals are taken from the faces of bodies that are not prepared, which
+  // should be as they were loaded.
   void show(const World& world, const std::map<std::string, Paint>& paints, PreparedBodies prepared = {});
   // What a step changed in the world that is shown; sent to the GPU with the next picture.
   void follow(const Delta& delta);

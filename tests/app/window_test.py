@@ -488,6 +488,38 @@ class Window(unittest.TestCase):
         print(f"1.1 M faces: the longest frame took {longest:.0f} ms beside drawing, "
               f"{report['process_bytes'] / report['faces']:.0f} bytes a face in the process")
 
+    def slot_journal(self, mesh):
+        """The mesh cut in two large pieces, and a small one, by a stroke of more than 16 MB of before-images."""
+        journal = os.path.join(self.folder, "slot.kerf")
+        path = os.path.join(self.folder, "path.json")
+        keys = [{"t": t, "origin": [-0.0168, y, -0.157], "direction": [0, 0, 1]} for t, y in ((0, 0.001), (1, 0.22))]
+        with open(path, "w") as file:
+            json.dump({"strokes": [{"laser": {"radius": 0.0003}, "keys": keys}]}, file)
+        subprocess.run([KERF, "cut", mesh, "--path", path, "--out", os.path.join(self.folder, "pieces"),
+                        "--target-edge", "0.00015", "--steps", "400", "--journal", journal], check=True)
+        return journal
+
+    def test_a_large_piece_is_copied_out_and_a_stroke_taken_back_by_replay_beside_the_frames(self):
+        mesh = self.large_mesh()
+        self.open(SPHERE).quit()
+        with open(self.settings_file(), "w") as file:
+            json.dump({"history_mb": 16}, file)
+        editor = self.open_again(self.slot_journal(mesh))
+        editor.wait_for_title("slot.kerf - Kerf")
+        editor.xdotool("mousemove", 600, 500)
+        editor.xdotool("keydown", "ctrl", "click", 1, "keyup", "ctrl")
+        editor.press("h")
+        editor.wait_for_title("slot.kerf* - Kerf")
+        time.sleep(10)
+        editor.press("ctrl", "z")
+        time.sleep(5)
+        editor.press("ctrl", "z")
+        time.sleep(25)
+        report = editor.quit()
+        self.assertEqual((report["undo_depth"], report["strokes"], report["bodies"], report["pieces"]), (0, 0, 1, 1))
+        self.assertEqual(report["faces"], 1114656)
+        print(f"1.1 M faces: the longest frame took {report['between_pictures_ms']['max']:.0f} ms beside drawing")
+
     def test_opening_is_cancelled_and_changes_nothing(self):
         editor = self.open()
         before = editor.quit()["faces"]

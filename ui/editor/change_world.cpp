@@ -10,11 +10,13 @@ namespace kerf {
 
 namespace {
 
-constexpr size_t kManyFaces = 40'000;  // that are copied in a part of a frame
+constexpr size_t kManyFaces =
+    40'000;  // of which most changes of bodies are no longer done in a part of a frame
 
-void show_result(EditorState& state, Renderer& renderer, const Result<Delta>& delta) {
+void show_result(EditorState& state, Renderer& renderer, const Result<Delta>& delta,
+                 PreparedBodies prepared = {}) {
   if (delta) {
-    show_change(state, renderer, *delta);
+    show_change(state, renderer, *delta, std::move(prepared));
     return;
   }
   // What waited may have been cut, or taken back, before the command failed.
@@ -24,67 +26,64 @@ void show_result(EditorState& state, Renderer& renderer, const Result<Delta>& de
   state.say(delta.error().message, true);
 }
 
-// The piece that a command takes out of its body, where it is one that does.
-const PieceRef* piece_of(const Command& command) {
-  if (const auto* c = std::get_if<MovePiece>(&command)) return &c->piece;
-  if (const auto* c = std::get_if<HidePiece>(&command)) return &c->piece;
-  if (const auto* c = std::get_if<DeletePiece>(&command)) return &c->piece;
-  if (const auto* c = std::get_if<RenamePiece>(&command)) return &c->piece;
-  return nullptr;
-}
-
-// Of a piece or of what stands beside it, the faces of the smaller side are copied.
-bool copies_many_faces(const World& world, const PieceRef& ref) {
+// What pictures need of bodies that are new, and of those that were there what casts their shadows now.
+PreparedBodies prepare_anew(const World& world, const std::map<BodyId, FloatFrame>& frames) {
+  PreparedBodies prepared;
   for (const BodyId id : world.ids()) {
-    const Body& body = world.body(id);
-    if (id.slot != ref.body || ref.label >= body.pieces.size()) continue;
-    const size_t own = body.pieces[ref.label].faces, all = body.mesh.live_faces();
-    return std::min(own, all - own) > kManyFaces;
+    const auto known = frames.find(id);
+    prepared.emplace(id, known == frames.end() ? prepare_shading(world.body(id))
+                                               : PreparedBody{known->second, {}, nullptr});
   }
-  return false;
+  prepare_shadows(world, prepared);
+  return prepared;
 }
 
-bool takes_long(const World& world, const Command& command) {
-  if (std::holds_alternative<AddMesh>(command)) return true;
-  const PieceRef* piece = piece_of(command);
-  return piece && copies_many_faces(world, *piece);
-}
+using Change = std::function<Result<Delta>(Document&, const Progress*)>;
 
-void go_back_by_replay(EditorState& state, Renderer& renderer, size_t position) {
-  const size_t steps = state.document.history().position() - position;
-  LongChange change;
-  change.title = "Going back by replay, " + std::to_string(steps) + (steps == 1 ? " step" : " steps");
-  change.can_stop = true;
-  change.run = [position](Document& document, const Progress& progress) {
-    return document.travel(position, &progress);
+// Does it now where it is quick, and beside the frames where it may take long.
+void change(EditorState& state, Renderer& renderer, const std::string& title, bool quick,
+            const Change& what) {
+  state.say("");
+  if (quick) return show_result(state, renderer, what(state.document, nullptr));
+  const auto prepared = std::make_shared<PreparedBodies>();
+  LongChange long_change;
+  long_change.title = title;
+  long_change.run = [what, prepared, frames = renderer.frames()](Document& document,
+                                                                 const Progress& progress) {
+    Result<Delta> delta = what(document, &progress);
+    if (delta && delta->anew) *prepared = prepare_anew(document.world(), frames);
+    return delta;
   };
-  change.then = [&](const Result<Delta>& delta) { show_result(state, renderer, delta); };
-  state.long_change = std::move(change);
+  long_change.then = [&, prepared](const Result<Delta>& delta) {
+    show_result(state, renderer, delta, std::move(*prepared));
+  };
+  state.long_change = std::move(long_change);
+}
+
+bool is_of_stroke(const Command& command) {
+  return std::holds_alternative<BeginStroke>(command) || std::holds_alternative<MoveStroke>(command) ||
+         std::holds_alternative<EndStroke>(command) || std::holds_alternative<Recut>(command);
+}
+
+bool is_quick(const Document& document, const Command& command) {
+  if (is_of_stroke(command)) return true;
+  if (std::holds_alternative<AddMesh>(command) || document.world().live_faces() > kManyFaces) return false;
+  const size_t now = document.history().position();
+  return now == 0 || !std::holds_alternative<Undo>(command) || document.remembers_way_to(now - 1);
 }
 
 }  // namespace
 
 void change_world(EditorState& state, Renderer& renderer, const Command& command) {
-  state.say("");
-  const size_t now = state.document.history().position();
-  if (std::holds_alternative<Undo>(command) && now > 0 && !state.document.remembers_way_to(now - 1))
-    return go_back_by_replay(state, renderer, now - 1);
-  if (!takes_long(state.document.world(), command))
-    return show_result(state, renderer, state.document.apply(command));
-  LongChange change;
-  change.title = words(command);
-  change.can_stop = piece_of(command) == nullptr;
-  change.run = [command](Document& document, const Progress& progress) {
-    return document.apply(command, &progress);
-  };
-  change.then = [&](const Result<Delta>& delta) { show_result(state, renderer, delta); };
-  state.long_change = std::move(change);
+  change(state, renderer, words(command), is_quick(state.document, command),
+         [command](Document& d, const Progress* progress) { return d.apply(command, progress); });
 }
 
 void travel_to(EditorState& state, Renderer& renderer, size_t position) {
-  state.say("");
-  if (!state.document.remembers_way_to(position)) return go_back_by_replay(state, renderer, position);
-  show_result(state, renderer, state.document.travel(position));
+  const Document& document = state.document;
+  const bool quick = document.remembers_way_to(position) && document.world().live_faces() <= kManyFaces;
+  change(state, renderer, "Through the history", quick,
+         [position](Document& d, const Progress* progress) { return d.travel(position, progress); });
 }
 
 void step_through_history(EditorState& state, Renderer& renderer, bool back) {
@@ -137,10 +136,10 @@ void show_world(const EditorState& state, const World& world, Renderer& renderer
   }
 }
 
-void show_change(EditorState& state, Renderer& renderer, const Delta& delta) {
+void show_change(EditorState& state, Renderer& renderer, const Delta& delta, PreparedBodies prepared) {
   const World& world = state.document.world();
   if (delta.anew) {
-    renderer.resend(world);
+    renderer.resend(world, std::move(prepared));
   } else {
     renderer.follow(delta);
   }

@@ -25,6 +25,6 @@ void show_hidden(EditorState& state, Renderer& renderer);
 void show_world(const EditorState& state, const World& world, Renderer& renderer);
 
 // Lets the picture, and all that the editor knows of the world, follow a change of it.
-void show_change(EditorState& state, Renderer& renderer, const Delta& delta);
+void show_change(EditorState& state, Renderer& renderer, const Delta& delta, PreparedBodies prepared = {});
 
 }  // namespace kerf

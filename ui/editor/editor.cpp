@@ -88,7 +88,7 @@ class Editor {
   bool cut_twin(Clock::time_point began, double budget);
   void send();  // to the graphics card
   bool draw();  // whether the picture is a new one
-  void note_time(double seconds, bool new_picture);
+  void note_time(double seconds, double without_picture, bool new_picture);
   void update_figures();
   void look_at_tree();
   void lay_out_window();
@@ -203,8 +203,7 @@ void Editor::frame() {
   const double without_picture = seconds_since(began) - picture_seconds_;
   begin_long_change();
   window_.swap();
-  state_.between_pictures.add(1000 * without_picture);
-  note_time(seconds_since(began), new_picture);
+  note_time(seconds_since(began), without_picture, new_picture);
 }
 
 // Long work
@@ -223,17 +222,21 @@ void Editor::begin_long_change() {
 // In place of a frame.
 void Editor::show_long_work() {
   window_.wait(kFrameSeconds);
-  hear_while_working();
-  if (state_.long_work.is_over(0)) return finish_long_work();
   const Clock::time_point began = Clock::now();
-  dress();
-  gui_.begin_frame();
-  frozen_.draw(window_.size());
+  hear_while_working();
   LongWork& work = state_.long_work;
-  if (draw_progress(state_.layout.viewport, work.title(), work.fraction(), work.can_stop())) work.stop();
-  gui_.end_frame();
-  window_.swap();
+  if (work.is_over(0)) {
+    finish_long_work();
+  } else {
+    dress();
+    gui_.begin_frame();
+    frozen_.draw(window_.size());
+    if (draw_progress(state_.layout.viewport, work.title(), work.fraction(), work.can_stop())) work.stop();
+    gui_.end_frame();
+    window_.swap();
+  }
   state_.frames.add(1000 * seconds_since(began));
+  state_.between_pictures.add(1000 * seconds_since(began));
 }
 
 // That it may be stopped; other keys wait until it is done.
@@ -490,9 +493,14 @@ bool Editor::draw() {
   return anew;
 }
 
-void Editor::note_time(double seconds, bool new_picture) {
+void Editor::note_time(double seconds, double without_picture, bool new_picture) {
   if (picture_.first().is_sending()) state_.picture_old = true;
   state_.frames.add(1000 * seconds);
+  state_.between_pictures.add(1000 * without_picture);
+  if (cut_seconds_ > 0) {
+    state_.cutting_frames.add(1000 * seconds);
+    state_.between_cutting_pictures.add(1000 * without_picture);
+  }
   if (new_picture) picture_.took(seconds - cut_seconds_);
 }
 

@@ -55,6 +55,10 @@ nlohmann::ordered_json layout_of(const EditorState& state) {
           {"status", area(l.status)}};
 }
 
+nlohmann::ordered_json times_of(const FrameStatistics& frames) {
+  return {{"p50", frames.percentile(0.5)}, {"p99", frames.percentile(0.99)}, {"max", frames.longest()}};
+}
+
 }  // namespace
 
 Status write_editor_report(const EditorState& state, const std::filesystem::path& file) {
@@ -63,10 +67,14 @@ Status write_editor_report(const EditorState& state, const std::filesystem::path
   for (const std::filesystem::path& name : state.files) names.push_back(name.filename().string());
   const nlohmann::ordered_json report{
       {"frames", frames.frames()},
-      {"frame_ms",
-       {{"p50", frames.percentile(0.5)}, {"p99", frames.percentile(0.99)}, {"max", frames.longest()}}},
-      {"between_pictures_ms",
-       {{"p99", state.between_pictures.percentile(0.99)}, {"max", state.between_pictures.longest()}}},
+      {"frame_ms", times_of(frames)},
+      {"between_pictures_ms", times_of(state.between_pictures)},
+      {"while_cutting",
+       {{"frames", state.cutting_frames.frames()},
+        {"frame_ms", times_of(state.cutting_frames)},
+        {"between_pictures_ms", times_of(state.between_cutting_pictures)},
+        {"each_frame_ms", state.cutting_frames.each()},
+        {"each_between_pictures_ms", state.between_cutting_pictures.each()}}},
       {"process_bytes", process_bytes()},
       {"strokes", state.document.strokes()},
       {"faces", state.document.world().live_faces()},

@@ -108,6 +108,8 @@ struct EditorState {
   ShadowFigures shadow_figures;
   FrameStatistics frames;
   FrameStatistics between_pictures;  // what frames took beside drawing
+  // The same of frames in which something was cut.
+  FrameStatistics cutting_frames, between_cutting_pictures;
   StepHistory history;
   StepFigures last_step, stroke_figures;
   size_t figures_of = 0;  // which stroke or recut of one stroke_figures are of

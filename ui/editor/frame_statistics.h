@@ -12,6 +12,8 @@ class FrameStatistics {
   // The value below which this share of the frames lies, nearest rank; 0 when there was none.
   double percentile(double share) const;
   double longest() const { return longest_; }
+  // Those that are kept, while they are fewer than a million in the order in which they were.
+  const std::vector<float>& each() const { return kept_; }
   double last() const { return last_; }
 
  private:

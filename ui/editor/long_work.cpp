@@ -14,6 +14,7 @@ void LongWork::start(Document& document, LongChange change) {
   job_->result = std::async(std::launch::async, [job = job_.get(), &document] {
     const Progress progress{[job](double fraction) {
       job->fraction = fraction;
+      job->told = true;
       return !job->stopped;
     }};
     return job->change.run(document, progress);

@@ -13,8 +13,7 @@ namespace kerf {
 
 // A change of the document that takes longer than a frame may wait.
 struct LongChange {
-  std::string title;      // what happens, for people
-  bool can_stop = false;  // whether `run` asks its progress whether to go on
+  std::string title;  // what happens, for people
   std::function<Result<Delta>(Document&, const Progress&)> run;
   std::function<void(const Result<Delta>&)> then;  // on the thread that finishes it
 };
@@ -34,7 +33,8 @@ class LongWork {
 
   // Of what is under way.
   const std::string& title() const { return job_->change.title; }
-  bool can_stop() const { return job_->change.can_stop && !job_->stopped; }
+  // Whether it has told how far it is, and so can be stopped.
+  bool can_stop() const { return job_->told && !job_->stopped; }
   double fraction() const { return job_->fraction; }  // 0 to 1
 
   // Asks it to stop. Its thread ends when it next tells how far it is.
@@ -48,7 +48,7 @@ class LongWork {
   struct Job {
     LongChange change;
     std::atomic<double> fraction = 0;
-    std::atomic<bool> stopped = false;
+    std::atomic<bool> told = false, stopped = false;
     std::future<Result<Delta>> result;
   };
   std::unique_ptr<Job> job_;

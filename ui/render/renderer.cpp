@@ -76,6 +76,13 @@ void Renderer::show(const World& world, const std::map<std::string, Paint>& pain
   passes_.scene.ground().place_under(bounds);
 }
 
+void Renderer::add(BodyId id, const Body& body, PreparedBodies& prepared) {
+  const auto found = prepared.find(id);
+  PreparedBody ahead = found != prepared.end() ? std::move(found->second) : prepare_shading(body);
+  if (ahead.caster) passes_.scene.shadows().adopt(id, std::move(ahead.caster));
+  bodies_.emplace(id, BodyPicture(body, paints_, std::move(ahead)));
+}
+
 void Renderer::follow(const Delta& delta) {
   for (const BodyDelta& d : delta.bodies) {
     const auto found = bodies_.find(d.body);
@@ -87,18 +94,28 @@ void Renderer::follow(const Delta& delta) {
   passes_.lines.forget();
 }
 
-void Renderer::resend(const World& world) {
+void Renderer::resend(const World& world, PreparedBodies prepared) {
   std::erase_if(bodies_, [&](const auto& body) { return !world.contains(body.first); });
+  passes_.scene.shadows().forget();
   for (const BodyId id : world.ids()) {
     const auto found = bodies_.find(id);
-    if (found == bodies_.end())
-      bodies_.emplace(id, BodyPicture(world.body(id), paints_, prepare_shading(world.body(id))));
-    else
-      found->second.faces().forget_all(world.body(id).mesh);
+    if (found == bodies_.end()) {
+      add(id, world.body(id), prepared);
+      continue;
+    }
+    found->second.faces().forget_all(world.body(id).mesh);
+    const auto ahead = prepared.find(id);
+    if (ahead != prepared.end() && ahead->second.caster)
+      passes_.scene.shadows().adopt(id, std::move(ahead->second.caster));
   }
-  passes_.scene.shadows().forget();
   contact_old_ = true;
   passes_.lines.forget();
+}
+
+std::map<BodyId, FloatFrame> Renderer::frames() const {
+  std::map<BodyId, FloatFrame> frames;
+  for (const auto& [id, picture] : bodies_) frames.emplace(id, picture.faces().frame());
+  return frames;
 }
 
 void Renderer::catch_up(const World& world) {

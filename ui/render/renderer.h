@@ -47,8 +47,12 @@ class Renderer {
   void show(const World& world, const std::map<std::string, Paint>& paints, PreparedBodies prepared = {});
   // What a step changed in the world that is shown; sent to the GPU with the next picture.
   void follow(const Delta& delta);
-  // For when a Delta was lost: every face of the world is sent again.
-  void resend(const World& world);
+  // For when a Delta was lost: every face of the world is sent again. `prepared` may lack bodies, and the
+  // bases of those that are shown already.
+  void resend(const World& world, PreparedBodies prepared = {});
+
+  // Of the bodies that are shown: in which their faces are drawn.
+  std::map<BodyId, FloatFrame> frames() const;
 
   // Sends what was followed now and not with the next picture: faces that are gone before they are drawn are
   // remembered for it as they are now.
@@ -113,6 +117,7 @@ class Renderer {
   static Result<Passes> load_passes(const std::filesystem::path& shaders);
   explicit Renderer(Passes passes) : passes_(std::move(passes)) {}
 
+  void add(BodyId id, const Body& body, PreparedBodies& prepared);
   void update_looks(const ViewOptions& options);
   double near_of(const World& world, const CameraView& view, const ViewOptions& options);
   void set_up(const World& world, const CameraView& view, const ViewOptions& options,

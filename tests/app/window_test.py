@@ -488,6 +488,22 @@ class Window(unittest.TestCase):
         print(f"1.1 M faces: the longest frame took {longest:.0f} ms beside drawing, "
               f"{report['process_bytes'] / report['faces']:.0f} bytes a face in the process")
 
+    def test_a_million_faces_are_cut_live(self):
+        editor = self.open(self.large_mesh())
+        editor.wait_for_title("big_bunny_x16.ply - Kerf")
+        time.sleep(8)
+        editor.drag([(450, 150), (480, 700)])
+        time.sleep(10)
+        report = editor.quit()
+        self.assertEqual(report["strokes"], 1)
+        self.assertGreater(report["faces_removed"], 1000)
+        cutting = report["while_cutting"]
+        self.assertGreater(cutting["frames"], 1)
+        self.assertEqual(len(cutting["each_frame_ms"]), cutting["frames"])
+        for name in "frame_ms", "between_pictures_ms":
+            times = ", ".join(f"{key} {value:.0f}" for key, value in cutting[name].items())
+            print(f"1.1 M faces, {cutting['frames']} frames that cut: {name} {times}")
+
     def slot_journal(self, mesh):
         """The mesh cut in two large pieces, and a small one, by a stroke of more than 16 MB of before-images."""
         journal = os.path.join(self.folder, "slot.kerf")

@@ -12,11 +12,11 @@
 #include "ui/editor/change_world.h"
 #include "ui/editor/editor_report.h"
 #include "ui/editor/editor_state.h"
+#include "ui/editor/file_opener.h"
 #include "ui/editor/frozen_window.h"
 #include "ui/editor/gui.h"
 #include "ui/editor/live_picture.h"
 #include "ui/editor/load_bar.h"
-#include "ui/editor/open_file.h"
 #include "ui/editor/panels.h"
 #include "ui/editor/piece_set.h"
 #include "ui/editor/recut.h"
@@ -46,7 +46,6 @@ constexpr double kLongestEaseStep = 0.05;
 constexpr double kSettleSeconds = 1.0;  // after the last event the panels are still drawn (tooltips appear)
 constexpr double kSettleWait = 0.12, kIdleWait = 0.5;
 constexpr double kMissable = 0.05;  // for so long nobody misses a frame
-constexpr double kPatience = 0.4;   // at the start, until the window shows something
 
 double seconds_since(Clock::time_point t) { return std::chrono::duration<double>(Clock::now() - t).count(); }
 
@@ -64,7 +63,6 @@ class Editor {
   const EditorState& state() const { return state_; }
 
  private:
-  Status open_first(const std::vector<std::filesystem::path>& files);
   void frame();
   void wait();
   void begin_long_change();
@@ -76,12 +74,7 @@ class Editor {
   void fulfil();  // what panels, menus and keys asked for
   void decide();
   void leave(const Requests& wanted);
-  LoadOrder order_of(std::vector<std::filesystem::path> files) const;
-  Status open_default_scene();
-  void show(LoadedFiles loaded);
-  void go_on_with_left_work();
   void show_title();
-  void take_loaded();
   void move_camera();
   void cut();
   bool cut_first(Clock::time_point began, double budget);  // whether anything was cut
@@ -106,8 +99,8 @@ class Editor {
   LivePicture picture_;
   EditorState state_;
   Settings saved_;  // as they are in the file
-  std::filesystem::path default_scene_;
   WorkKeeper keeper_;
+  FileOpener opener_{state_, picture_.first(), keeper_};
   std::string title_;  // of the window
   StopSignals stop_;
   FrozenWindow frozen_;            // while long work is done
@@ -127,45 +120,13 @@ Editor::Editor(Window window, Renderer renderer, LoadedSettings loaded)
 
 Status Editor::open(const EditorOptions& options) {
   lay_out_window();
-  default_scene_ = options.default_scene;
   picture_.first().limit_sending(kFacesSent);
   std::vector<std::string> faults;
   state_.left_work = find_left_work(state_folder(), faults);
   ask_about_left_work(state_);
-  const Status opened = open_first(options.files);
+  const Status opened = opener_.open_first(options.default_scene, options.files);
   if (opened && !faults.empty()) tell("Work was left that cannot be read: " + faults.front());
   return opened;
-}
-
-// What is read in a moment is there at once; what takes longer finds the default scene in its place.
-Status Editor::open_first(const std::vector<std::filesystem::path>& files) {
-  if (files.empty()) return open_default_scene();
-  state_.loader.start(order_of(files));
-  const bool soon = state_.loader.is_over(kPatience);
-  if (soon) take_loaded();
-  if (soon && !state_.files.empty()) return Done{};
-  const std::string fault = std::exchange(state_.message, {});
-  const Status opened = open_default_scene();
-  if (opened && !fault.empty()) state_.say(fault, true);
-  return opened;
-}
-
-LoadOrder Editor::order_of(std::vector<std::filesystem::path> files) const {
-  return {std::move(files), {}, state_.settings.history_bytes()};
-}
-
-Status Editor::open_default_scene() {
-  Result<LoadedFiles> loaded = load_files(order_of({default_scene_}), nullptr);
-  if (!loaded) return loaded.error();
-  show(std::move(*loaded));
-  return Done{};
-}
-
-// What was open until then is kept no longer.
-void Editor::show(LoadedFiles loaded) {
-  show_loaded(state_, picture_.first(), std::move(loaded));
-  keeper_.drop();
-  keeper_.begin(state_);
 }
 
 void Editor::run() {
@@ -325,7 +286,7 @@ void Editor::fulfil() {
     cancel_stroke(state_);
     if (may_leave(state_, wanted)) leave(wanted);
   }
-  take_loaded();
+  opener_.take_loaded();
   if (state_.loader.busy()) return;  // what is open is about to go
   Renderer& renderer = picture_.first();
   if (wanted.undo || wanted.redo) step_through_history(state_, renderer, wanted.undo);
@@ -355,7 +316,7 @@ void Editor::decide() {
       }
       break;
     case Decision::kGoOn:
-      go_on_with_left_work();
+      opener_.open_left_work();
       break;
   }
 }
@@ -363,21 +324,10 @@ void Editor::decide() {
 // The open work is saved, or not wanted any more.
 void Editor::leave(const Requests& wanted) {
   state_.loader.cancel();
-  if (wanted.quit) {
-    state_.quit = true;
-    state_.work.saved_commands = state_.document.journal().size();
-    state_.work.saved_lights = state_.look.lights;
-  } else if (!wanted.fresh) {
-    state_.loader.start(order_of(wanted.open));
-  } else if (const Status opened = open_default_scene(); !opened) {
-    state_.say(opened.error().message, true);
-  }
-}
-
-void Editor::go_on_with_left_work() {
-  LoadOrder order = order_of({});
-  order.left = state_.left_work.front().journal;
-  state_.loader.start(std::move(order));
+  if (!wanted.quit) return opener_.open(wanted);
+  state_.quit = true;
+  state_.work.saved_commands = state_.document.journal().size();
+  state_.work.saved_lights = state_.look.lights;
 }
 
 void Editor::show_title() {
@@ -385,26 +335,6 @@ void Editor::show_title() {
   if (title == title_) return;
   title_ = title;
   window_.set_title(title);
-}
-
-void Editor::take_loaded() {
-  if (!state_.loader.busy()) return;
-  const bool left = state_.loader.order().left.has_value();
-  std::optional<Result<LoadedFiles>> loaded = state_.loader.take();
-  if (!loaded) return;
-  const bool opened = loaded->ok();
-  if (opened) {
-    cancel_stroke(state_);
-    show(std::move(**loaded));
-  } else {
-    state_.say((left ? "It stays where it is: " : "") + loaded->error().message, true);
-  }
-  if (left) {
-    if (opened && keeper_.follow(state_)) state_.left_work.front().file.remove();
-    state_.left_work.clear();  // what else was left is offered the next time
-  } else if (opened) {
-    for (const std::filesystem::path& file : state_.files) remember_recent(state_.settings, file);
-  }
 }
 
 void Editor::move_camera() {

@@ -2,21 +2,17 @@
 
 #include <imgui.h>
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
-
 #include <chrono>
 #include <thread>
 
 #include "ui/editor/actions.h"
+#include "ui/editor/busy_window.h"
 #include "ui/editor/change_world.h"
 #include "ui/editor/editor_report.h"
 #include "ui/editor/editor_state.h"
 #include "ui/editor/file_opener.h"
-#include "ui/editor/frozen_window.h"
 #include "ui/editor/gui.h"
 #include "ui/editor/live_picture.h"
-#include "ui/editor/load_bar.h"
 #include "ui/editor/panels.h"
 #include "ui/editor/piece_set.h"
 #include "ui/editor/recut.h"
@@ -67,7 +63,6 @@ class Editor {
   void wait();
   void begin_long_change();
   void show_long_work();
-  void hear_while_working();
   void finish_long_work();
   void hear();
   void hear_key(const InputEvent& event);
@@ -103,8 +98,7 @@ class Editor {
   FileOpener opener_{state_, picture_.first(), keeper_};
   std::string title_;  // of the window
   StopSignals stop_;
-  FrozenWindow frozen_;            // while long work is done
-  std::vector<InputEvent> typed_;  // meanwhile
+  BusyWindow busy_;  // while long work is done
   Clock::time_point frame_began_ = Clock::now(), last_event_ = Clock::now(), figures_at_{};
   bool easing_ = false;                           // the camera
   double cut_seconds_ = 0, picture_seconds_ = 0;  // of the last frame
@@ -175,7 +169,7 @@ void Editor::begin_long_change() {
   if (!state_.long_change) return;
   cancel_stroke(state_);
   state_.drag = Drag::kNone;
-  frozen_.take(window_.pixel_size());
+  busy_.keep(window_.pixel_size());
   state_.long_work.start(state_.document, *std::exchange(state_.long_change, {}));
   if (state_.long_work.is_over(kMissable)) finish_long_work();
 }
@@ -184,36 +178,14 @@ void Editor::begin_long_change() {
 void Editor::show_long_work() {
   window_.wait(kFrameSeconds);
   const Clock::time_point began = Clock::now();
-  hear_while_working();
-  LongWork& work = state_.long_work;
-  if (work.is_over(0)) {
+  if (state_.long_work.is_over(0)) {
     finish_long_work();
   } else {
     dress();
-    gui_.begin_frame();
-    frozen_.draw(window_.size());
-    if (draw_progress(state_.layout.viewport, work.title(), work.fraction(), work.can_stop())) work.stop();
-    gui_.end_frame();
-    window_.swap();
+    busy_.show(state_, window_, gui_);
   }
   state_.frames.add(1000 * seconds_since(began));
   state_.between_pictures.add(1000 * seconds_since(began));
-}
-
-// That it may be stopped; other keys wait until it is done.
-void Editor::hear_while_working() {
-  for (const InputEvent& event : window_.take_events()) {
-    if (event.kind != InputEvent::Kind::kKey) continue;
-    if (event.button == GLFW_KEY_ESCAPE) {
-      state_.long_work.stop();
-    } else {
-      typed_.push_back(event);
-    }
-  }
-  window_.take_drops();
-  if (!window_.take_close()) return;
-  state_.requests.quit = true;
-  state_.long_work.stop();
 }
 
 void Editor::finish_long_work() {
@@ -247,7 +219,7 @@ void Editor::hear() {
   const ImGuiIO& io = ImGui::GetIO();
   const bool popup = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
   const bool mouse_free = !io.WantCaptureMouse && !popup;
-  for (const InputEvent& event : std::exchange(typed_, {})) hear_key(event);
+  for (const InputEvent& event : busy_.take_typed()) hear_key(event);
   for (const InputEvent& event : window_.take_events()) {
     if (event.kind != InputEvent::Kind::kKey) {
       handle_mouse(state_, event, mouse_free);

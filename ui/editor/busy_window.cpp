@@ -1,0 +1,53 @@
+#include "ui/editor/busy_window.h"
+
+#include <imgui.h>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include "ui/editor/load_bar.h"
+
+namespace kerf {
+
+void BusyWindow::keep(const Vec2& pixels) {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+  glBindTexture(GL_TEXTURE_2D, kept_.name());
+  glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, 0, 0, static_cast<GLsizei>(pixels.x),
+                   static_cast<GLsizei>(pixels.y), 0);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glBindTexture(GL_TEXTURE_2D, 0);
+}
+
+void BusyWindow::show(EditorState& state, Window& window, Gui& gui) {
+  hear(state, window);
+  gui.begin_frame();
+  draw_kept(window.size());
+  LongWork& work = state.long_work;
+  if (draw_progress(state.layout.viewport, work.title(), work.fraction(), work.can_stop())) work.stop();
+  gui.end_frame();
+  window.swap();
+}
+
+void BusyWindow::hear(EditorState& state, Window& window) {
+  for (const InputEvent& event : window.take_events()) {
+    if (event.kind != InputEvent::Kind::kKey) continue;
+    if (event.button == GLFW_KEY_ESCAPE) {
+      state.long_work.stop();
+    } else {
+      typed_.push_back(event);
+    }
+  }
+  window.take_drops();
+  if (!window.take_close()) return;
+  state.requests.quit = true;
+  state.long_work.stop();
+}
+
+void BusyWindow::draw_kept(const Vec2& size) const {
+  const auto texture = reinterpret_cast<ImTextureID>(static_cast<uintptr_t>(kept_.name()));
+  ImGui::GetBackgroundDrawList()->AddImage(
+      texture, {0, 0}, {static_cast<float>(size.x), static_cast<float>(size.y)}, {0, 1}, {1, 0});
+}
+
+}  // namespace kerf

@@ -1,5 +1,6 @@
 #include "ui/editor/file_loader.h"
 
+#include <cassert>
 #include <chrono>
 
 namespace kerf {
@@ -7,7 +8,8 @@ namespace kerf {
 namespace {
 
 constexpr uintmax_t kBytesAtOnce = 4 << 20;
-constexpr double kReading = 0.7;  // of the time; the rest is the trees and what pictures need
+constexpr double kReading = 0.48;  // of the time; the rest is what pictures need
+constexpr double kHashing = 0.01;  // of that rest
 
 bool is_over(const std::future<Result<LoadedFiles>>& result) {
   return result.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
@@ -34,18 +36,30 @@ Result<Work> read_all(std::span<const std::filesystem::path> files, const Progre
 
 }  // namespace
 
+Status prepare(LoadedFiles& loaded, const Progress* progress) {
+  bool stopped = false;
+  const Progress whole{[&](double fraction) { return !(stopped = progress && !progress->report(fraction)); }};
+  const Progress hashing = share_of(&whole, 0, kHashing), preparing = share_of(&whole, kHashing, 1);
+  const Status noted = note_hashes(loaded.work.scene, &hashing);
+  if (stopped) return cancelled();
+  if (!noted) loaded.cannot_be_kept = noted.error();
+  Result<PreparedBodies> prepared = prepare_bodies(loaded.work.scene.world, &preparing);
+  if (!prepared) return prepared.error();
+  loaded.prepared = std::move(*prepared);
+  return Done{};
+}
+
 void prepare(LoadedFiles& loaded) {
-  if (const Status noted = note_hashes(loaded.work.scene); !noted) loaded.cannot_be_kept = noted.error();
-  loaded.prepared = prepare_bodies(loaded.work.scene.world);
+  const Status done = prepare(loaded, nullptr);
+  assert(done.ok());
 }
 
 Result<LoadedFiles> load_files(std::vector<std::filesystem::path> files, const Progress* progress) {
-  const Progress reading = share_of(progress, 0, kReading);
+  const Progress reading = share_of(progress, 0, kReading), preparing = share_of(progress, kReading, 1);
   Result<Work> work = read_all(files, &reading);
   if (!work) return work.error();
-  if (progress && !progress->report(kReading)) return cancelled();
   LoadedFiles loaded{std::move(files), std::move(*work), {}, {}};
-  prepare(loaded);
+  if (const Status done = prepare(loaded, &preparing); !done) return done.error();
   return loaded;
 }
 

@@ -23,7 +23,9 @@ struct LoadedFiles {
   std::optional<Error> cannot_be_kept;  // why the work cannot be saved
 };
 
-// Makes ready what follows from the work.
+// Makes ready what follows from the work, or says that it was stopped; `progress` may be null.
+Status prepare(LoadedFiles& loaded, const Progress* progress);
+// The same, which nobody stops.
 void prepare(LoadedFiles& loaded);
 
 // Bodies, paints and strokes of several files as one scene, or a journal alone; a view only where there is

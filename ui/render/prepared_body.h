@@ -23,7 +23,8 @@ inline FloatFrame picture_frame(const Body& body) {
   return FloatFrame::around(body.tree.bounds().min, body.tree.bounds().max);
 }
 
-// Of every body of a world as loaded, none of it cut. O(n log n).
-PreparedBodies prepare_bodies(const World& world);
+// Of every body of a world as loaded, none of it cut, or that it was stopped. `progress` may be null.
+// Expected linear time.
+Result<PreparedBodies> prepare_bodies(const World& world, const Progress* progress);
 
 }  // namespace kerf

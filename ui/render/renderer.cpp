@@ -114,10 +114,10 @@ bool Renderer::is_sending() const {
                      [](const auto& entry) { return entry.second.faces().is_sending(); });
 }
 
-size_t Renderer::face_bytes() const {
-  size_t bytes = 0;
-  for (const auto& [id, picture] : bodies_) bytes += picture.faces().bytes();
-  return bytes;
+PictureMemory Renderer::memory() const {
+  PictureMemory memory = passes_.scene.shadows().memory();
+  for (const auto& [id, picture] : bodies_) memory += picture.faces().memory();
+  return memory;
 }
 
 // The median of the faces that are small at all: base faces differ in size, so the finest of some are halved

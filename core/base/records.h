@@ -165,8 +165,10 @@ class Records {
     size_ = change.size_;
   }
 
+  // Memory that it holds, or has asked for: what is reserved beyond that costs nothing until it is written.
   size_t bytes() const {
-    return size_ * sizeof(T) + chunks_.capacity() * sizeof(T*) + saved_.capacity() * sizeof(uint64_t);
+    return std::max({used_, reserved_, small_}) * sizeof(T) + chunks_.capacity() * sizeof(T*) +
+           saved_.capacity() * sizeof(uint64_t);
   }
 
  private:

@@ -26,7 +26,7 @@ uint64_t add_bytes(uint64_t hash, const char* bytes, size_t count) {
 
 }  // namespace
 
-Result<uint64_t> file_hash(const std::filesystem::path& file) {
+Result<uint64_t> file_hash(const std::filesystem::path& file, const Progress* progress) {
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
   if (!std::filesystem::exists(status)) return bad_input(file.string() + ": there is no such file");
@@ -37,7 +37,9 @@ Result<uint64_t> file_hash(const std::filesystem::path& file) {
   if (!stream) return bad_input(file.string() + ": cannot be opened for reading");
   std::vector<char> block(kBlock);
   uint64_t hash = 0, size = 0;
+  Pace pace(progress, std::filesystem::file_size(file, error) / kBlock + 1);
   while (stream) {
+    if (!pace.step()) return cancelled();
     stream.read(block.data(), static_cast<std::streamsize>(kBlock));
     const auto count = static_cast<size_t>(stream.gcount());
     hash = add_bytes(hash, block.data(), count);

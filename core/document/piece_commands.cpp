@@ -1,7 +1,7 @@
 #include "core/document/piece_commands.h"
 
-#include "core/mesh/load_mesh.h"
 #include "core/world/detach.h"
+#include "core/world/load_body.h"
 
 namespace kerf {
 
@@ -39,9 +39,9 @@ Result<Delta> edit_piece(World& world, const PieceRef& ref, Differs differs, Edi
 }
 
 Result<Delta> run(World& world, const AddMesh& c, const Progress* progress) {
-  Result<BuiltMesh> built = load_mesh(c.file, progress);
-  if (!built) return built.error();
-  world.add(make_body(c.name, std::move(*built)));
+  Result<Body> body = load_body(c.name, c.file, progress);
+  if (!body) return body.error();
+  world.add(std::move(*body));
   Delta delta;
   delta.anew = true;
   return delta;

@@ -3,15 +3,16 @@
 #include "core/document/file_hash.h"
 #include "core/document/json_value.h"
 #include "core/document/scene_text.h"
-#include "core/mesh/load_mesh.h"
+#include "core/world/load_body.h"
 
 namespace kerf {
 
 namespace {
 
-Status check_hash(const SceneBody& body) {
-  if (!body.hash) return Done{};
-  const auto hash = file_hash(body.mesh);
+constexpr double kHashing = 0.02;  // of the time that loading a body takes whose hash is known
+
+Status check_hash(const SceneBody& body, const Progress& progress) {
+  const auto hash = file_hash(body.mesh, &progress);
   if (!hash) return hash.error();
   if (*hash == *body.hash) return Done{};
   return bad_input(body.mesh.string() +
@@ -43,14 +44,17 @@ SceneBody body_of_file(const std::filesystem::path& mesh) {
 Result<Scene> load_scene(SceneDescription description, const Progress* progress) {
   Scene scene{std::move(description), {}};
   const double share = 1 / static_cast<double>(scene.bodies.size());
+  Stages stages(progress);
   for (const SceneBody& body : scene.bodies) {
-    if (const auto same = check_hash(body); !same) return same.error();
-    const double before = share * static_cast<double>(&body - scene.bodies.data());
-    const Progress loading = share_of(progress, before, before + share);
-    auto built = load_mesh(body.mesh, &loading);
-    if (!built) return built.error();
-    const BodyId id = scene.world.add(make_body(body.name, std::move(*built)));
-    scene.world.body(id).placement = body.placement;
+    const double hashed = body.hash ? kHashing : 0;
+    const Progress hashing = stages.next(hashed * share), loading = stages.next((1 - hashed) * share);
+    if (body.hash) {
+      if (const auto same = check_hash(body, hashing); !same) return same.error();
+    }
+    auto loaded = load_body(body.name, body.mesh, &loading);
+    if (!loaded) return loaded.error();
+    loaded->placement = body.placement;
+    scene.world.add(std::move(*loaded));
   }
   return scene;
 }
@@ -61,10 +65,12 @@ Result<Scene> read_scene(const std::filesystem::path& file, const Progress* prog
   return load_scene(std::move(*description), progress);
 }
 
-Status note_hashes(SceneDescription& description) {
+Status note_hashes(SceneDescription& description, const Progress* progress) {
+  Stages stages(progress);
   for (SceneBody& body : description.bodies) {
+    const Progress hashing = stages.next(1 / static_cast<double>(description.bodies.size()));
     if (body.hash) continue;
-    const auto hash = file_hash(body.mesh);
+    const auto hash = file_hash(body.mesh, &hashing);
     if (!hash) return hash.error();
     body.hash = *hash;
   }

@@ -62,7 +62,7 @@ struct Scene : SceneDescription {
 };
 
 // Loads the meshes. A mesh that is missing or broken, and one whose bytes are not those that the description
-// knows by their hash, is bad input.
+// knows by their hash, is bad input. O(n log n) in their faces.
 Result<Scene> load_scene(SceneDescription description, const Progress* progress = nullptr);
 
 // Reads a scene (.json) or any mesh file, which makes a scene of that one body. Mesh paths in a scene file
@@ -70,6 +70,6 @@ Result<Scene> load_scene(SceneDescription description, const Progress* progress 
 Result<Scene> read_scene(const std::filesystem::path& file, const Progress* progress = nullptr);
 
 // Notes the hash of every mesh file that has none yet, so that a journal can hold the scene.
-Status note_hashes(SceneDescription& description);
+Status note_hashes(SceneDescription& description, const Progress* progress = nullptr);
 
 }  // namespace kerf

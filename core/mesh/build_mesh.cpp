@@ -29,24 +29,37 @@ class Builder {
     report_.triangles_in_file = soup_.triangles_in_file;
     report_.warnings = soup_.warnings;
     report_.repairs.invalid_faces_dropped = soup_.invalid_faces_dropped;
-    keep_usable_triangles();
-    if (triangles_.empty()) {
-      return bad_input("no face is left: every face is degenerate, not finite or invalid");
-    }
-    constexpr std::array kStages = {&Builder::group,         &Builder::orient,  &Builder::find_partners,
-                                    &Builder::name_vertices, &Builder::measure, &Builder::fill_half_edges};
-    for (size_t i = 0; i < kStages.size(); ++i) {
-      const double done = static_cast<double>(i + 1) / static_cast<double>(kStages.size() + 1);
-      if (progress_ && !progress_->report(done)) return cancelled();
-      (this->*kStages[i])();
+    constexpr std::array kStages = {
+        Stage{&Builder::weld, 0.07},          Stage{&Builder::keep_usable_triangles, 0.04},
+        Stage{&Builder::group, 0.11},         Stage{&Builder::orient, 0.18},
+        Stage{&Builder::find_partners, 0.09}, Stage{&Builder::name_vertices, 0.13},
+        Stage{&Builder::measure, 0.06},       Stage{&Builder::fill_half_edges, 0.32}};
+    Stages stages(progress_);
+    for (const Stage& stage : kStages) {
+      const Progress part = stages.next(stage.share);
+      if (!part.report(0)) return cancelled();
+      if (const Status done = (this->*stage.run)(part); !done) return done.error();
     }
     return BuiltMesh{std::move(mesh_), std::move(report_), soup_.material_names};
   }
 
  private:
-  void keep_usable_triangles() {
-    welded_ = weld_positions(soup_.positions);
+  struct Stage {
+    Status (Builder::*run)(const Progress&);
+    double share;  // of the time
+  };
+
+  Status weld(const Progress& progress) {
+    auto welded = weld_positions(soup_.positions, &progress);
+    if (!welded) return welded.error();
+    welded_ = std::move(*welded);
+    return Done{};
+  }
+
+  Status keep_usable_triangles(const Progress& progress) {
+    Pace pace(&progress, soup_.triangles.size());
     for (size_t t = 0; t < soup_.triangles.size(); ++t) {
+      if (!pace.step()) return cancelled();
       const auto& [a, b, c] = soup_.triangles[t];
       const Soup::Triangle w = {welded_[a], welded_[b], welded_[c]};
       if (!is_finite(soup_.positions[a]) || !is_finite(soup_.positions[b]) ||
@@ -59,14 +72,22 @@ class Builder {
         materials_.push_back(soup_.materials.empty() ? uint16_t{0} : soup_.materials[t]);
       }
     }
+    if (!triangles_.empty()) return Done{};
+    return bad_input("no face is left: every face is degenerate, not finite or invalid");
   }
 
-  void group() { edges_ = group_sides(triangles_, soup_.positions.size()); }
+  Status group(const Progress& progress) {
+    auto edges = group_sides(triangles_, soup_.positions.size(), &progress);
+    if (!edges) return edges.error();
+    edges_ = std::move(*edges);
+    return Done{};
+  }
 
-  void orient() {
-    const std::vector<bool> turn = triangles_to_turn(triangles_, edges_);
+  Status orient(const Progress& progress) {
+    const auto turn = triangles_to_turn(triangles_, edges_, &progress);
+    if (!turn) return turn.error();
     for (size_t t = 0; t < triangles_.size(); ++t) {
-      if (!turn[t]) continue;
+      if (!(*turn)[t]) continue;
       ++report_.repairs.reoriented_faces;
       // Swapping the ends of side 0 turns the triangle and exchanges sides 1 and 2.
       std::swap(triangles_[t][0], triangles_[t][1]);
@@ -76,6 +97,7 @@ class Builder {
       replace_side(e2, s2, s1);
       std::swap(edges_.edge_of[s1], edges_.edge_of[s2]);
     }
+    return Done{};
   }
 
   void replace_side(uint32_t edge, uint32_t old_side, uint32_t new_side) {
@@ -97,9 +119,11 @@ class Builder {
   }
 
   // partner_[side] = the one other side of its edge, walked the other way; kNone at boundaries and in rings.
-  void find_partners() {
+  Status find_partners(const Progress& progress) {
     partner_.assign(3 * triangles_.size(), kNone);
+    Pace pace(&progress, edges_.count());
     for (uint32_t e = 0; e < edges_.count(); ++e) {
+      if (!pace.step()) return cancelled();
       const auto sides = edges_.sides_of(e);
       report_.boundary_edges += sides.size() == 1;
       report_.non_manifold_edges += sides.size() > 2;
@@ -108,18 +132,22 @@ class Builder {
       partner_[sides[1]] = sides[0];
     }
     report_.components = count_components(edges_);
+    return Done{};
   }
 
   // One vertex a fan of triangles around a position, in the order of the positions in the file. The fan of
   // side s is the one around its tail.
-  void name_vertices() {
+  Status name_vertices(const Progress& progress) {
     UnionFind fans(partner_.size());
+    Pace pace(&progress, 3 * partner_.size());
     for (uint32_t s = 0; s < partner_.size(); ++s) {
+      if (!pace.step()) return cancelled();
       if (partner_[s] != kNone) fans.unite(s, next_side(partner_[s]));
     }
     std::vector<uint32_t> fan_of_first(partner_.size(), kNone);
     std::vector<std::pair<uint32_t, uint32_t>> named;  // position, representative of the fan
     for (uint32_t s = 0; s < partner_.size(); ++s) {
+      if (!pace.step()) return cancelled();
       if (fans.find(s) == s) named.emplace_back(tail(s), s);
     }
     std::sort(named.begin(), named.end());
@@ -128,10 +156,14 @@ class Builder {
       vertex_position_.push_back(named[v].first);
     }
     vertex_.resize(partner_.size());
-    for (uint32_t s = 0; s < partner_.size(); ++s) vertex_[s] = fan_of_first[fans.find(s)];
+    for (uint32_t s = 0; s < partner_.size(); ++s) {
+      if (!pace.step()) return cancelled();
+      vertex_[s] = fan_of_first[fans.find(s)];
+    }
+    return Done{};
   }
 
-  void measure() {
+  Status measure(const Progress& progress) {
     std::vector<bool> used(soup_.positions.size());
     for (const auto& t : triangles_) {
       for (const uint32_t v : t) used[v] = true;
@@ -150,7 +182,9 @@ class Builder {
     report_.repairs.isolated_vertices_dropped = isolated;
     report_.repairs.duplicated_vertices = vertex_position_.size() - report_.vertices;
     report_.min = report_.max = soup_.positions[triangles_[0][0]];
+    Pace pace(&progress, triangles_.size());
     for (const auto& [a, b, c] : triangles_) {
+      if (!pace.step()) return cancelled();
       const Triangle t = {soup_.positions[a], soup_.positions[b], soup_.positions[c]};
       const double area = triangle_area(t);
       report_.area += area;
@@ -160,57 +194,68 @@ class Builder {
         report_.max = glm::max(report_.max, p);
       }
     }
+    return Done{};
   }
 
-  void fill_half_edges() {
+  Status fill_half_edges(const Progress& progress) {
     HalfEdges& m = mesh_.kernel().half_edges;
     const auto faces = static_cast<uint32_t>(triangles_.size());
     m.reserve(static_cast<uint32_t>(vertex_position_.size()), static_cast<uint32_t>(edges_.count()), faces);
     for (const uint32_t p : vertex_position_) m.add_vertex(soup_.positions[p]);
-    make_edges(m);
-    make_faces(m);
-    close_boundaries(m);
-    link_rings();
+    Pace pace(&progress, 3 * partner_.size() + triangles_.size() + edges_.count());
+    const bool filled =
+        make_edges(m, pace) && make_faces(m, pace) && close_boundaries(m, pace) && link_rings(pace);
+    if (!filled) return cancelled();
+    return Done{};
   }
 
-  void make_edges(HalfEdges& m) {
+  // Whether to go on; as the next.
+  bool make_edges(HalfEdges& m, Pace& pace) {
     half_edge_.resize(partner_.size());
     for (uint32_t s = 0; s < partner_.size(); ++s) {
+      if (!pace.step()) return false;
       if (partner_[s] != kNone && partner_[s] < s) continue;
       half_edge_[s] = m.add_edge(vertex(s), vertex(next_side(s)));
       if (partner_[s] != kNone) half_edge_[partner_[s]] = opposite(half_edge_[s]);
     }
+    return true;
   }
 
-  void make_faces(HalfEdges& m) {
+  bool make_faces(HalfEdges& m, Pace& pace) {
     auto& data = mesh_.kernel().faces;
     data.reserve(static_cast<uint32_t>(triangles_.size()));
     for (uint32_t t = 0; t < triangles_.size(); ++t) {
+      if (!pace.step()) return false;
       const std::span sides(&half_edge_[3 * size_t{t}], 3);
       m.close(m.add_face(sides[0]), sides[0], sides[1], sides[2]);
       for (uint32_t i = 0; i < 3; ++i) m.set_outgoing(vertex(3 * t + i), sides[i]);
       data.push_back({.base = FaceId(t), .material = materials_[t]});
     }
     mesh_.kernel().live_faces = static_cast<uint32_t>(triangles_.size());
+    return true;
   }
 
   // A vertex has one fan, so at most one boundary half-edge starts there: the boundary goes on with it.
-  void close_boundaries(HalfEdges& m) {
+  bool close_boundaries(HalfEdges& m, Pace& pace) {
     std::vector<HalfEdgeId> starts(vertex_position_.size());
     for (uint32_t s = 0; s < partner_.size(); ++s) {
+      if (!pace.step()) return false;
       if (partner_[s] != kNone) continue;
       const HalfEdgeId outer = opposite(half_edge_[s]);
       starts[m.from(outer).index] = outer;
     }
     for (uint32_t s = 0; s < partner_.size(); ++s) {
+      if (!pace.step()) return false;
       if (partner_[s] != kNone) continue;
       const HalfEdgeId outer = opposite(half_edge_[s]);
       m.link(outer, starts[m.to(outer).index]);
     }
+    return true;
   }
 
-  void link_rings() {
+  bool link_rings(Pace& pace) {
     for (uint32_t e = 0; e < edges_.count(); ++e) {
+      if (!pace.step()) return false;
       const auto sides = edges_.sides_of(e);
       if (sides.size() < 2 || partner_[sides[0]] != kNone) continue;
       std::vector<HalfEdgeId> members;
@@ -220,6 +265,7 @@ class Builder {
       }
       link_ring(mesh_.kernel(), members);
     }
+    return true;
   }
 
   VertexId vertex(uint32_t side) const { return VertexId(vertex_[side]); }

@@ -8,7 +8,7 @@
 namespace kerf {
 
 Result<BuiltMesh> load_mesh(const std::filesystem::path& file, const Progress* progress) {
-  constexpr double kReading = 0.6;  // of the time; the rest is building
+  constexpr double kReading = 0.2;  // of the time; the rest is building
   const Progress reading = share_of(progress, 0, kReading), building = share_of(progress, kReading, 1);
   const auto soup = read_mesh(file, &reading);
   if (!soup) return soup.error();

@@ -6,22 +6,29 @@ namespace {
 
 class Orienter {
  public:
-  Orienter(const std::vector<std::array<uint32_t, 3>>& triangles, const SoupEdges& edges)
-      : triangles_(triangles), edges_(edges), turned_(triangles.size()), seen_(triangles.size()) {}
+  Orienter(const std::vector<std::array<uint32_t, 3>>& triangles, const SoupEdges& edges,
+           const Progress* progress)
+      : triangles_(triangles),
+        edges_(edges),
+        pace_(progress, triangles.size()),
+        turned_(triangles.size()),
+        seen_(triangles.size()) {}
 
-  std::vector<bool> run() {
+  Result<std::vector<bool>> run() {
     for (uint32_t t = 0; t < triangles_.size(); ++t) {
-      if (!seen_[t]) orient_from(t);
+      if (!seen_[t] && !orient_from(t)) return cancelled();
     }
     return std::move(turned_);
   }
 
  private:
-  void orient_from(uint32_t seed) {
+  // Whether to go on.
+  bool orient_from(uint32_t seed) {
     front_.assign(1, seed);
     seen_[seed] = true;
     size_t turned = 0;
     for (size_t i = 0; i < front_.size(); ++i) {
+      if (!pace_.step()) return false;
       const uint32_t t = front_[i];
       turned += turned_[t];
       for (uint32_t side = 3 * t; side < 3 * t + 3; ++side) visit_across(side);
@@ -29,6 +36,7 @@ class Orienter {
     if (2 * turned > front_.size()) {
       for (const uint32_t t : front_) turned_[t] = !turned_[t];
     }
+    return true;
   }
 
   void visit_across(uint32_t side) {
@@ -45,6 +53,7 @@ class Orienter {
 
   const std::vector<std::array<uint32_t, 3>>& triangles_;
   const SoupEdges& edges_;
+  Pace pace_;
   std::vector<bool> turned_;
   std::vector<bool> seen_;
   std::vector<uint32_t> front_;
@@ -52,9 +61,9 @@ class Orienter {
 
 }  // namespace
 
-std::vector<bool> triangles_to_turn(const std::vector<std::array<uint32_t, 3>>& triangles,
-                                    const SoupEdges& edges) {
-  return Orienter(triangles, edges).run();
+Result<std::vector<bool>> triangles_to_turn(const std::vector<std::array<uint32_t, 3>>& triangles,
+                                            const SoupEdges& edges, const Progress* progress) {
+  return Orienter(triangles, edges, progress).run();
 }
 
 }  // namespace kerf

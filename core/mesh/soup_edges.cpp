@@ -18,7 +18,8 @@ struct Side {
 
 }  // namespace
 
-SoupEdges group_sides(std::span<const std::array<uint32_t, 3>> triangles, size_t vertices) {
+Result<SoupEdges> group_sides(std::span<const std::array<uint32_t, 3>> triangles, size_t vertices,
+                              const Progress* progress) {
   // Counting sort by the lesser vertex, then each bucket by the greater one.
   std::vector<uint32_t> bucket(vertices + 1, 0);
   const auto ends = [&](uint32_t side) {
@@ -26,11 +27,19 @@ SoupEdges group_sides(std::span<const std::array<uint32_t, 3>> triangles, size_t
     return std::pair(std::min(a, b), std::max(a, b));
   };
   const uint32_t side_count = static_cast<uint32_t>(3 * triangles.size());
-  for (uint32_t s = 0; s < side_count; ++s) ++bucket[ends(s).first + 1];
+  Stages stages(progress);
+  const Progress counting = stages.next(0.15), placing = stages.next(0.25), sorting = stages.next(0.6);
+  Pace count_pace(&counting, side_count);
+  for (uint32_t s = 0; s < side_count; ++s) {
+    if (!count_pace.step()) return cancelled();
+    ++bucket[ends(s).first + 1];
+  }
   for (size_t v = 0; v < vertices; ++v) bucket[v + 1] += bucket[v];
   std::vector<Side> sorted(side_count);
   std::vector<uint32_t> next(bucket.begin(), bucket.end() - 1);
+  Pace place_pace(&placing, side_count);
   for (uint32_t s = 0; s < side_count; ++s) {
+    if (!place_pace.step()) return cancelled();
     const auto [low, high] = ends(s);
     sorted[next[low]++] = {high, s};
   }
@@ -39,7 +48,9 @@ SoupEdges group_sides(std::span<const std::array<uint32_t, 3>> triangles, size_t
   edges.sides.reserve(side_count);
   edges.edge_of.resize(side_count);
   edges.first.reserve(side_count / 2 + 1);
+  Pace sort_pace(&sorting, vertices);
   for (size_t v = 0; v < vertices; ++v) {
+    if (!sort_pace.step()) return cancelled();
     std::sort(sorted.begin() + bucket[v], sorted.begin() + bucket[v + 1]);
     for (uint32_t i = bucket[v]; i < bucket[v + 1]; ++i) {
       if (i == bucket[v] || sorted[i].high != sorted[i - 1].high) edges.first.push_back(i);
@@ -49,6 +60,10 @@ SoupEdges group_sides(std::span<const std::array<uint32_t, 3>> triangles, size_t
   }
   edges.first.push_back(side_count);
   return edges;
+}
+
+SoupEdges group_sides(std::span<const std::array<uint32_t, 3>> triangles, size_t vertices) {
+  return std::move(*group_sides(triangles, vertices, nullptr));
 }
 
 size_t count_components(const SoupEdges& edges) {

@@ -29,13 +29,39 @@ void sort_unique(std::vector<uint32_t>& all) {
 }  // namespace
 
 ShadowCaster::ShadowCaster(const Mesh& mesh, const FloatFrame& frame) : frame_(frame) {
+  add_all(mesh, nullptr);
+}
+
+Result<ShadowCaster> ShadowCaster::build(const Mesh& mesh, const FloatFrame& frame,
+                                         const Progress* progress) {
+  ShadowCaster caster(frame);
+  if (!caster.add_all(mesh, progress)) return cancelled();
+  return caster;
+}
+
+bool ShadowCaster::add_all(const Mesh& mesh, const Progress* progress) {
   const uint32_t faces = mesh.face_slots();
   vertices_.reserve(mesh.vertex_slots());
   edges_.reserve(faces + faces / 2);
   vertex_table_.reserve(mesh.vertex_slots());
   edge_table_.reserve(faces + faces / 2);
   grow(faces);
-  for (uint32_t f = 0; f < faces; ++f) add(mesh, f);
+  std::vector<uint32_t> known(mesh.vertex_slots(), kNone);  // the last one found for a vertex of the mesh
+  const auto find = [&](VertexId v, uint32_t piece) {
+    uint32_t& last = known[v.index];
+    if (last == kNone || vertices_[last].piece != piece) last = find_vertex(mesh.position(v), piece);
+    return last;
+  };
+  Pace pace(progress, faces);
+  for (uint32_t f = 0; f < faces; ++f) {
+    if (!pace.step()) return false;
+    if (!mesh.is_live(FaceId(f))) continue;
+    const auto [a, b, c] = mesh.corners(FaceId(f));
+    const uint32_t piece = mesh.data(FaceId(f)).piece;
+    const uint32_t first = find(a, piece), second = find(b, piece);
+    put(f, {first, second, find(c, piece)});
+  }
+  return true;
 }
 
 ShadowCaster::Change ShadowCaster::update(const Mesh& mesh, std::span<const uint32_t> slots) {
@@ -68,7 +94,7 @@ ShadowCaster::Ends ShadowCaster::ends(uint32_t edge) const {
 void ShadowCaster::grow(uint32_t faces) {
   if (faces <= face_slots()) return;
   corner_.resize(3 * size_t{faces}, kNone);
-  sides_.resize(3 * size_t{faces}, {kNone, kNone, kNone});
+  sides_.resize(3 * size_t{faces}, {kNone, kNone});
   casts_.resize(faces, 0);
 }
 
@@ -107,6 +133,11 @@ void ShadowCaster::add(const Mesh& mesh, uint32_t face) {
   const uint32_t piece = mesh.data(FaceId(face)).piece;
   std::array<uint32_t, 3> c{};
   for (size_t i = 0; i < 3; ++i) c[i] = find_vertex(t[i], piece);
+  put(face, c);
+}
+
+void ShadowCaster::put(uint32_t face, const std::array<uint32_t, 3>& c) {
+  copies_.clear();
   if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0]) return;
   for (uint32_t i = 0; i < 3; ++i) {
     corner_[3 * face + i] = c[i];
@@ -155,18 +186,23 @@ void ShadowCaster::append_edges(uint32_t face, std::vector<uint32_t>& out) const
 
 void ShadowCaster::link(uint32_t side, uint32_t edge_and_way) {
   Edge& edge = edges_[edge_and_way >> 1];
-  sides_[side] = {edge_and_way, edge.first, kNone};
-  if (edge.first != kNone) sides_[edge.first].previous = side;
+  sides_[side] = {edge_and_way, edge.first};
   edge.first = side;
   ++edge.faces;
 }
 
 void ShadowCaster::unlink(uint32_t side) {
-  const Side s = sides_[side];
-  Edge& edge = edges_[s.edge >> 1];
-  (s.previous == kNone ? edge.first : sides_[s.previous].next) = s.next;
-  if (s.next != kNone) sides_[s.next].previous = s.previous;
+  Edge& edge = edges_[sides_[side].edge >> 1];
+  uint32_t* link = &edge.first;
+  while (*link != side) link = &sides_[*link].next;
+  *link = sides_[side].next;
   --edge.faces;
+}
+
+size_t ShadowCaster::bytes() const {
+  return vertices_.capacity() * sizeof(Vertex) + edges_.capacity() * sizeof(Edge) +
+         corner_.capacity() * sizeof(uint32_t) + sides_.capacity() * sizeof(Side) + casts_.capacity() +
+         vertex_table_.bytes() + edge_table_.bytes();
 }
 
 }  // namespace kerf

@@ -7,8 +7,10 @@
 #include <vector>
 
 #include "core/base/float_frame.h"
+#include "core/base/key_table.h"
+#include "core/base/progress.h"
+#include "core/base/result.h"
 #include "core/mesh/mesh.h"
-#include "core/shadow/key_table.h"
 
 namespace kerf {
 
@@ -20,19 +22,20 @@ namespace kerf {
 // elsewhere or not at all. A triangle with two equal corners casts nothing; of triangles with the same three
 // corners only the one in the lowest slot casts.
 //
-// Slots of vertices and edges only grow. About 130 bytes a face.
+// Slots of vertices and edges only grow. About 80 bytes a face.
 class ShadowCaster {
  public:
   // Expected linear time.
   ShadowCaster(const Mesh& mesh, const FloatFrame& frame);
+  // The same, or that it was stopped. `progress` may be null.
+  static Result<ShadowCaster> build(const Mesh& mesh, const FloatFrame& frame, const Progress* progress);
 
   // What update() changed, for those who keep something by face or edge: slots, each once, in no order.
   struct Change {
     std::vector<uint32_t> faces, edges;
   };
   // Takes these face slots as they are in the mesh now. Slots may be new, dead or unchanged. Expected time
-  // linear in the number of slots, times the number of faces on their edges where triangles lie on one
-  // another.
+  // linear in the number of slots, times the number of faces on their edges.
   Change update(const Mesh& mesh, std::span<const uint32_t> slots);
 
   uint32_t face_slots() const { return static_cast<uint32_t>(casts_.size()); }
@@ -63,6 +66,9 @@ class ShadowCaster {
 
   const FloatFrame& frame() const { return frame_; }
 
+  // Memory that it holds.
+  size_t bytes() const;
+
  private:
   static constexpr uint32_t kNone = 0xffffffffu;
 
@@ -78,16 +84,21 @@ class ShadowCaster {
   // Side 3 f + i of face f runs from its corner i to the next.
   struct Side {
     uint32_t edge;  // twice its edge, and one more where it runs from high to low
-    uint32_t next, previous;
+    uint32_t next;  // on the edge
   };
 
+  explicit ShadowCaster(const FloatFrame& frame) : frame_(frame) {}
+
+  // Adds the faces of a mesh to none; whether it was not stopped.
+  bool add_all(const Mesh& mesh, const Progress* progress);
   void grow(uint32_t faces);
   uint32_t find_vertex(const Vec3& p, uint32_t piece);
   uint32_t find_side_edge(uint32_t from, uint32_t to);
   bool there(uint32_t face) const { return corner_[3 * face] != kNone; }
   std::array<uint32_t, 3> sorted_corners(uint32_t face) const;
-  // The first two leave in `copies_` the faces that have the corners of `face`, itself included.
+  // The first three leave in `copies_` the faces that have the corners of `face`, itself included.
   void add(const Mesh& mesh, uint32_t face);
+  void put(uint32_t face, const std::array<uint32_t, 3>& corners);
   void take_away(uint32_t face);
   void find_copies(uint32_t face);
   void let_lowest_cast();

@@ -95,4 +95,9 @@ ShadowVolume::Touched ShadowVolume::take_touched() {
   return touched;
 }
 
+size_t ShadowVolume::bytes() const {
+  return signs_.capacity() + silhouette_.capacity() * sizeof(SilhouetteEdge) +
+         place_.capacity() * sizeof(uint32_t);
+}
+
 }  // namespace kerf

@@ -80,6 +80,9 @@ class ShadowVolume {
   };
   const Work& work() const { return work_; }
 
+  // Memory that it holds.
+  size_t bytes() const;
+
  private:
   static constexpr uint32_t kNone = 0xffffffffu;
 

@@ -6,7 +6,14 @@
 namespace kerf {
 
 AabbTree::AabbTree(const Mesh& mesh, Simd simd) : leaf_count_(mesh.live_faces()), walks_(&walks_for(simd)) {
-  build_tree(store_, mesh);
+  build_tree(store_, mesh, nullptr);
+}
+
+Result<AabbTree> AabbTree::build(const Mesh& mesh, const Progress* progress) {
+  AabbTree tree;
+  tree.leaf_count_ = mesh.live_faces();
+  if (!build_tree(tree.store_, mesh, progress)) return cancelled();
+  return tree;
 }
 
 void AabbTree::replace(const Mesh& mesh, std::span<const FaceId> gone, std::span<const FaceId> born) {

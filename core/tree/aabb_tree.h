@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "core/base/ids.h"
+#include "core/base/progress.h"
+#include "core/base/result.h"
 #include "core/mesh/mesh.h"
 #include "core/mesh/replacement.h"
 #include "core/tree/simd.h"
@@ -43,6 +45,9 @@ class AabbTree {
 
   // The surface area heuristic, top-down. O(n log n).
   explicit AabbTree(const Mesh& mesh, Simd simd = best_simd());
+
+  // The same tree, or that it was stopped. `progress` may be null.
+  static Result<AabbTree> build(const Mesh& mesh, const Progress* progress);
 
   // Appends every face that meets the closed volume, none missed, each once, in an order that depends on the
   // tree alone. Remembers in every box that the volume meets that the beam was there.

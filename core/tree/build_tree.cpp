@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "core/tree/binned_split.h"
@@ -13,26 +14,68 @@ namespace {
 // About how many faces a block gets.
 constexpr size_t kFacesABlock = 3;
 
-class TreeBuilder {
+// Nodes of so many faces tell of each split, what hangs in them and is smaller when it is done.
+constexpr size_t kSmallRange = 4096;
+constexpr double kFraming = 0.12, kGathering = 0.12;  // of the time; the rest is sorting
+
+// How far the sorting of a tree is: a range of n faces needs about log2 n splits of each, so a split is worth
+// what its parts need less than the whole.
+class SortProgress {
  public:
-  TreeBuilder(TreeStore& store, const Mesh& mesh) : store_(store) {
-    faces_.reserve(mesh.live_faces());
-    primitives_.reserve(mesh.live_faces());
-    for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
-      if (mesh.is_live(FaceId(f))) gather(mesh, FaceId(f));
-    }
+  SortProgress(const Progress* progress, size_t faces) : progress_(progress), all_(need(faces)) {}
+
+  void note_split(size_t whole, size_t left, size_t right) { note(need(whole) - need(left) - need(right)); }
+  void note_done(size_t faces) { note(need(faces)); }
+  bool stopped() const { return stopped_; }
+
+ private:
+  static double need(size_t faces) {
+    return faces < 2 ? 0 : static_cast<double>(faces) * std::log2(static_cast<double>(faces));
+  }
+  void note(double done) {
+    done_ += done;
+    if (!progress_ || stopped_ || done_ < next_) return;
+    stopped_ = !progress_->report(std::min(1.0, done_ / all_));
+    next_ = done_ + all_ / kReports;
   }
 
-  void run() {
-    if (faces_.empty()) return;
+  static constexpr double kReports = 100;  // at most
+  const Progress* progress_;
+  double all_, done_ = 0, next_ = 0;
+  bool stopped_ = false;
+};
+
+class TreeBuilder {
+ public:
+  TreeBuilder(TreeStore& store, const Mesh& mesh, const Progress* progress)
+      : store_(store),
+        gathering_(share_of(progress, kFraming, kFraming + kGathering)),
+        sorting_(share_of(progress, kFraming + kGathering, 1)),
+        sorted_(&sorting_, mesh.live_faces()) {}
+
+  // Whether it was not stopped.
+  bool run(const Mesh& mesh) {
+    if (!gather(mesh)) return false;
+    if (faces_.empty()) return true;
     PrimitiveRange all;
     all.items = primitives_;
     for (const Primitive& p : primitives_) all.add(p);
     store_.root = build_node(all);
     store_.set_root_box(store_.node_box(store_.nodes[store_.root]));
+    return !sorted_.stopped();
   }
 
  private:
+  bool gather(const Mesh& mesh) {
+    faces_.reserve(mesh.live_faces());
+    primitives_.reserve(mesh.live_faces());
+    Pace pace(&gathering_, mesh.face_slots());
+    for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
+      if (mesh.is_live(FaceId(f))) gather(mesh, FaceId(f));
+      if (!pace.step()) return false;
+    }
+    return true;
+  }
   void gather(const Mesh& mesh, FaceId f) {
     const TreeFace face(store_.frame, mesh, f);
     primitives_.push_back(Primitive::make(face.box(), static_cast<uint32_t>(faces_.size())));
@@ -63,7 +106,7 @@ class TreeBuilder {
   // Splits the child of the largest area until the node is full or its children are small enough to be nodes
   // of blocks only. What room is left takes the blocks of such children, as far as all of one fit in: a node
   // of few blocks costs as much as a full one.
-  static Children open(const PrimitiveRange& range) {
+  Children open(const PrimitiveRange& range) {
     Children c;
     c.range[0] = range;
     const size_t faces = range.items.size();
@@ -71,19 +114,33 @@ class TreeBuilder {
     while (c.count < kNodeWidth) {
       PrimitiveRange* child = c.largest(of_blocks ? kBlockWidth : kNodeWidth * kBlockWidth, faces);
       if (!child) child = c.largest(kBlockWidth, (kNodeWidth - c.count + 1) * kFacesABlock);
-      if (!child) break;
-      c.split(child);
+      if (!child || sorted_.stopped()) break;
+      if (faces < kSmallRange)
+        c.split(child);
+      else
+        split(c, child);
     }
     return c;
+  }
+
+  void split(Children& c, PrimitiveRange* child) {
+    const size_t whole = child->items.size();
+    c.split(child);
+    const size_t left = child->items.size();
+    sorted_.note_split(whole, left, whole - left);
   }
 
   uint32_t build_node(const PrimitiveRange& range) {
     const uint32_t n = store_.add_node();
     const Children c = open(range);
+    const bool large = range.items.size() >= kSmallRange;
     for (uint32_t i = 0; i < c.count; ++i) {
-      const bool fits = c.range[i].items.size() <= kBlockWidth;
+      if (sorted_.stopped()) break;
+      const size_t faces = c.range[i].items.size();
+      const bool fits = faces <= kBlockWidth;
       const Child child = fits ? Child::block(build_block(c.range[i])) : Child::node(build_node(c.range[i]));
       store_.hang(n, i, child, c.range[i].bounds);
+      if (large && faces < kSmallRange) sorted_.note_done(faces);
     }
     return n;
   }
@@ -97,18 +154,24 @@ class TreeBuilder {
   }
 
   TreeStore& store_;
+  Progress gathering_, sorting_;
+  SortProgress sorted_;
   std::vector<TreeFace> faces_;
   std::vector<Primitive> primitives_;
 };
 
 }  // namespace
 
-void build_tree(TreeStore& store, const Mesh& mesh) {
-  store.frame = TreeFrame::around(mesh);
+bool build_tree(TreeStore& store, const Mesh& mesh, const Progress* progress) {
+  const Progress framing = share_of(progress, 0, kFraming);
+  const Result<TreeFrame> frame = TreeFrame::around(mesh, &framing);
+  if (!frame) return false;
+  store.frame = *frame;
   store.reserve(mesh.live_faces(), mesh.face_slots());
-  TreeBuilder(store, mesh).run();
+  if (!TreeBuilder(store, mesh, progress).run(mesh)) return false;
   store.nodes.touch_reserved();
   store.blocks.touch_reserved();
+  return true;
 }
 
 }  // namespace kerf

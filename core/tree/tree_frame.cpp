@@ -17,9 +17,11 @@ double power_of_two_over(double x) {
 
 }  // namespace
 
-TreeFrame TreeFrame::around(const Mesh& mesh) {
+Result<TreeFrame> TreeFrame::around(const Mesh& mesh, const Progress* progress) {
   Vec3 low{std::numeric_limits<double>::max()}, high{std::numeric_limits<double>::lowest()};
+  Pace pace(progress, mesh.face_slots());
   for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
+    if (!pace.step()) return cancelled();
     if (!mesh.is_live(FaceId(f))) continue;
     for (const Vec3& p : mesh.triangle(FaceId(f))) {
       low = glm::min(low, p);

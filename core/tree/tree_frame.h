@@ -2,6 +2,8 @@
 
 #include <smmintrin.h>
 
+#include "core/base/progress.h"
+#include "core/base/result.h"
 #include "core/base/vec3.h"
 #include "core/mesh/mesh.h"
 
@@ -13,8 +15,9 @@ struct TreeFrame {
   Vec3 origin{0};
   double scale = 1;  // a power of two
 
-  // Around the live faces of a mesh; the identity for a mesh without any.
-  static TreeFrame around(const Mesh& mesh);
+  // Around the live faces of a mesh, or that it was stopped; the identity for a mesh without any. `progress`
+  // may be null.
+  static Result<TreeFrame> around(const Mesh& mesh, const Progress* progress);
 
   Vec3 to_tree(const Vec3& p) const { return (p - origin) * scale; }
   // The point in floats, rounded to the nearest; the fourth lane is zero.

@@ -4,12 +4,14 @@
 
 namespace kerf {
 
-LoadedComponents count_components(const Mesh& mesh, size_t components) {
+Result<LoadedComponents> count_components(const Mesh& mesh, size_t components, const Progress* progress) {
   LoadedComponents table;
   if (components <= 1) return table;
   UnionFind together(mesh.face_slots());
   std::vector<FaceId> neighbours;
+  Pace pace(progress, 2 * size_t{mesh.face_slots()});
   for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
+    if (!pace.step()) return cancelled();
     if (!mesh.is_live(FaceId(f))) continue;
     neighbours.clear();
     mesh.append_nearest_neighbours(FaceId(f), neighbours);
@@ -17,6 +19,7 @@ LoadedComponents count_components(const Mesh& mesh, size_t components) {
   }
   table.of_base.resize(mesh.face_slots());
   for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
+    if (!pace.step()) return cancelled();
     if (!mesh.is_live(FaceId(f))) continue;
     const uint32_t first = together.find(f);  // the least: its number is known by now
     if (first == f) {

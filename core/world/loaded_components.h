@@ -3,7 +3,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/base/records.h"
+#include "core/base/result.h"
 #include "core/mesh/mesh.h"
 
 namespace kerf {
@@ -21,9 +23,12 @@ struct Piece {
 struct LoadedComponents {
   std::vector<uint32_t> of_base;  // by base face; both are empty where the mesh is one component
   Records<Piece> left;
+
+  size_t bytes() const { return of_base.capacity() * sizeof(uint32_t) + left.bytes(); }
 };
 
-// For a mesh as loaded, which has so many components. O(faces), and constant time where it is one.
-LoadedComponents count_components(const Mesh& mesh, size_t components);
+// For a mesh as loaded, which has so many components, or that it was stopped. `progress` may be null.
+// O(faces), and constant time where it is one.
+Result<LoadedComponents> count_components(const Mesh& mesh, size_t components, const Progress* progress);
 
 }  // namespace kerf

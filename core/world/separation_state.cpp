@@ -26,4 +26,10 @@ uint32_t OpenSearch::label_to_be(FaceId f) const {
   return front == kNone ? 0 : new_label[front];
 }
 
+size_t OpenSearch::bytes() const {
+  size_t bytes = mark.bytes();
+  for (const SearchFront& front : fronts) bytes += front.frontier.capacity() * sizeof(FaceId);
+  return bytes;
+}
+
 }  // namespace kerf

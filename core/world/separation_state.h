@@ -41,6 +41,9 @@ struct OpenSearch {
   // The label that the face is about to be given; 0 where it keeps its own.
   uint32_t label_to_be(FaceId f) const;
 
+  // Memory of what grows with the mesh.
+  size_t bytes() const;
+
  private:
   uint32_t root_of(FaceId f) const;
 };
@@ -68,6 +71,9 @@ struct SeparationState {
   std::vector<FaceId> neighbours;
   std::vector<VertexId> rim;
   Mesh::Star star;
+
+  // Memory of what grows with the mesh.
+  size_t bytes() const { return joined.bytes() + ties.capacity() * sizeof(ties[0]) + search.bytes(); }
 };
 
 }  // namespace kerf

@@ -2,16 +2,27 @@
 
 namespace kerf {
 
-Body make_body(std::string name, BuiltMesh built) {
+Result<Body> make_body(std::string name, BuiltMesh built, const Progress* progress) {
+  const bool one = built.report.components <= 1;
+  Stages stages(progress);
+  const Progress building = stages.next(one ? 1 : 0.83), counting = stages.next(one ? 0 : 0.17);
   Body body;
   body.name = std::move(name);
   body.mesh = std::move(built.mesh);
-  body.tree = AabbTree(body.mesh);
+  Result<AabbTree> tree = AabbTree::build(body.mesh, &building);
+  if (!tree) return tree.error();
+  body.tree = std::move(*tree);
   body.pieces.push_back({built.report.faces, built.report.area});
-  body.components = count_components(body.mesh, built.report.components);
+  Result<LoadedComponents> components = count_components(body.mesh, built.report.components, &counting);
+  if (!components) return components.error();
+  body.components = std::move(*components);
   body.material_names = std::move(built.material_names);
   body.loaded = std::move(built.report);
   return body;
+}
+
+Body make_body(std::string name, BuiltMesh built) {
+  return std::move(*make_body(std::move(name), std::move(built), nullptr));
 }
 
 uint32_t Body::label(FaceId f) const {

@@ -43,12 +43,15 @@ struct Body {
 
   // Memory that its arrays hold.
   size_t bytes() const {
-    return mesh.bytes() + tree.bytes() + refinement.bytes() + pieces.bytes() + components.left.bytes();
+    return mesh.bytes() + tree.bytes() + refinement.bytes() + pieces.bytes() + components.bytes() +
+           separation.bytes();
   }
 };
 
-// A body around a mesh as loaded: builds its tree and counts its one piece.
+// A body around a mesh as loaded: builds its tree and counts its one piece and its components. O(n log n).
 Body make_body(std::string name, BuiltMesh built);
+// The same, or that it was stopped. `progress` may be null.
+Result<Body> make_body(std::string name, BuiltMesh built, const Progress* progress);
 
 // All bodies. Ids stay valid for as long as their body lives and never name another one.
 class World {

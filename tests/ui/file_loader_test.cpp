@@ -2,7 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <thread>
+
+#include "core/mesh/write_mesh.h"
+#include "tests/support/made_meshes.h"
+#include "tests/support/temporary_folder.h"
 
 namespace kerf::test {
 namespace {
@@ -57,6 +62,52 @@ TEST(FileLoader, what_was_given_up_never_comes) {
   for (int i = 0; i < 100; ++i) {
     EXPECT_FALSE(loader.take());
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
+// A ragged mesh of several components.
+class LoadingARaggedMesh : public testing::Test {
+ protected:
+  void SetUp() override {
+    Random random(1);
+    Soup soup = both(both(sphere(48, 50, 1), moved(random_soup(300, random), {3, 0, 0}, 1)), book(5));
+    for (Vec3& p : soup.positions) p.y += random.uniform(-1e-3, 1e-3);
+    ASSERT_TRUE(write_mesh({soup.positions, soup.triangles, {}, {}}, file_, MeshFormat::kPly).ok());
+  }
+  // Until it was told so many times how far it is.
+  Result<LoadedFiles> load_until(size_t stop) {
+    told_.clear();
+    const Progress progress{[&](double fraction) {
+      told_.push_back(fraction);
+      return told_.size() != stop;
+    }};
+    return load_files({{file_}, {}, 0}, &progress);
+  }
+
+  TemporaryFolder folder_;
+  const std::filesystem::path file_ = folder_ / "ragged.ply";
+  std::vector<double> told_;
+};
+
+TEST_F(LoadingARaggedMesh, tells_how_far_it_is_in_small_steps) {
+  ASSERT_TRUE(load_until(0).ok());
+  EXPECT_LT(told_.size(), 1000u);
+  EXPECT_GE(told_.front(), 0);
+  EXPECT_TRUE(std::is_sorted(told_.begin(), told_.end()));
+  EXPECT_LE(told_.back(), 1);
+  told_.insert(told_.begin(), 0);
+  told_.push_back(1);
+  for (size_t i = 1; i < told_.size(); ++i) EXPECT_LT(told_[i] - told_[i - 1], 0.15) << told_[i];
+}
+
+TEST_F(LoadingARaggedMesh, stops_wherever_it_is_told_to) {
+  ASSERT_TRUE(load_until(0).ok());
+  const size_t reports = told_.size();
+  for (size_t stop = 1; stop <= reports; ++stop) {
+    const Result<LoadedFiles> loaded = load_until(stop);
+    ASSERT_FALSE(loaded.ok()) << stop;
+    EXPECT_EQ(loaded.error().message, "cancelled");
+    EXPECT_EQ(told_.size(), stop);
   }
 }
 

@@ -34,7 +34,7 @@ PreparedBodies prepare_anew(const World& world, const std::map<BodyId, FloatFram
     prepared.emplace(id, known == frames.end() ? prepare_shading(world.body(id))
                                                : PreparedBody{known->second, {}, nullptr});
   }
-  prepare_shadows(world, prepared);
+  (void)prepare_shadows(world, prepared, nullptr);  // nobody stops it
   return prepared;
 }
 

@@ -411,7 +411,7 @@ void Editor::update_figures() {
   figures_at_ = Clock::now();
   save_settings();
   state_.shown.frame_ms = 1000 * picture_.seconds();
-  state_.shown.process_bytes = process_bytes();
+  state_.shown.memory = memory_figures(state_, picture_.memory());
   if (!state_.world_changed) return;
   state_.world_changed = false;
   const World& world = state_.document.world();
@@ -420,21 +420,19 @@ void Editor::update_figures() {
   state_.shown.twin_faces = state_.split.twin.world().live_faces();
   state_.shown.faces_tested = state_.last_step.tested.faces;
   state_.shown.faces_of_step = state_.faces_before_step;
-  state_.shown.picture_bytes = picture_.first().face_bytes();
   look_at_tree();
 }
 
 void Editor::look_at_tree() {
   const World& world = state_.document.world();
   ShownFigures& shown = state_.shown;
-  shown.tree_nodes = shown.tree_bytes = 0;
+  shown.tree_nodes = 0;
   shown.tree_depth = 0;
   const auto panel = state_.settings.panels.find("Tree");
   const bool depth_shown = panel != state_.settings.panels.end() && panel->second;
   for (const BodyId id : world.ids()) {
     const AabbTree& tree = world.body(id).tree;
     shown.tree_nodes += tree.box_count();
-    shown.tree_bytes += tree.bytes();
     if (!depth_shown) continue;  // it takes a walk over the whole tree
     tree.for_each_box(
         [&](const AabbTree::Box& box) { shown.tree_depth = std::max(shown.tree_depth, box.depth); });

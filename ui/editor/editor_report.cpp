@@ -45,6 +45,16 @@ nlohmann::ordered_json lights_of(const EditorState& state) {
   return all;
 }
 
+nlohmann::ordered_json memory_of(const MemoryFigures& memory) {
+  return {{"meshes", memory.meshes},
+          {"trees", memory.trees},
+          {"shading", memory.pictures.shading},
+          {"shadows", memory.pictures.shadows},
+          {"graphics", memory.pictures.graphics},
+          {"history", memory.history},
+          {"process", process_bytes()}};
+}
+
 nlohmann::ordered_json layout_of(const EditorState& state) {
   const Layout& l = state.layout;
   const auto area = [](const Area& a) { return nlohmann::ordered_json{a.at.x, a.at.y, a.size.x, a.size.y}; };
@@ -76,6 +86,7 @@ Status write_editor_report(const EditorState& state, const std::filesystem::path
         {"each_frame_ms", state.cutting_frames.each()},
         {"each_between_pictures_ms", state.between_cutting_pictures.each()}}},
       {"process_bytes", process_bytes()},
+      {"memory_bytes", memory_of(state.shown.memory)},
       {"strokes", state.document.strokes()},
       {"faces", state.document.world().live_faces()},
       {"faces_removed", state.document.removed_faces()},

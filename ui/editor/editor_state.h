@@ -16,6 +16,7 @@
 #include "ui/editor/laser_tool.h"
 #include "ui/editor/layout.h"
 #include "ui/editor/long_work.h"
+#include "ui/editor/memory_figures.h"
 #include "ui/editor/question.h"
 #include "ui/editor/settings.h"
 #include "ui/editor/step_history.h"
@@ -34,7 +35,7 @@ struct ShownFigures {
   double frame_ms = 0;
   size_t tree_nodes = 0;
   int tree_depth = 0;
-  size_t process_bytes = 0, tree_bytes = 0, picture_bytes = 0;
+  MemoryFigures memory;
   size_t faces_tested = 0, faces_of_step = 0;  // in the last step, and how many there were before it
 };
 

@@ -41,6 +41,12 @@ Result<Renderer*> LivePicture::second() {
   return &*second_;
 }
 
+PictureMemory LivePicture::memory() const {
+  PictureMemory memory = first_.memory();
+  if (second_) memory += second_->memory();
+  return memory;
+}
+
 bool LivePicture::draw(EditorState& state, const Window& window) {
   if (state.picture_old) moved_at_ = Clock::now();
   const bool still = std::chrono::duration<double>(Clock::now() - moved_at_).count() > kStillSeconds;

@@ -22,6 +22,9 @@ class LivePicture {
   // Of its twin's; made when it is first asked for.
   Result<Renderer*> second();
 
+  // Of both.
+  PictureMemory memory() const;
+
   // Whether anything was drawn anew; then took() wants to know how long the frame took (s).
   bool draw(EditorState& state, const Window& window);
   void took(double seconds);

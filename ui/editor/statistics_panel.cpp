@@ -74,16 +74,35 @@ void memory_row(const char* name, size_t bytes, size_t faces, const char* meanin
   tooltip(meaning);
 }
 
+void memory_rows(const MemoryFigures& memory, size_t faces) {
+  memory_row("Process", memory.process, faces, "All that the program holds, drivers included.");
+  memory_row(
+      "Meshes", memory.meshes, faces,
+      "Faces, edges and corners of all bodies, of the right half, and of the scene as it was loaded where "
+      "that is kept for a recut.");
+  memory_row("Trees", memory.trees, faces, "The trees of these.");
+  memory_row("Shading", memory.pictures.shading, faces,
+             "Smooth normals of the faces as they were loaded, from which parts of them are shaded.");
+  memory_row("Shadows", memory.pictures.shadows, faces,
+             "What casts shadows, and the volumes that it keeps from each light.");
+  memory_row(
+      "Graphics", memory.pictures.graphics, faces,
+      "Buffers of faces and volumes for the graphics card, and the lists of what is in them. A card with "
+      "memory of its own holds the buffers there, beside the process.");
+  memory_row("History", memory.history, faces, "What steps changed, so that they can be taken back.");
+  memory_row(
+      "Other", memory.other(), faces,
+      "What is left of the process: the program itself, drivers and pictures. A software renderer keeps a "
+      "copy of all that it draws here.");
+}
+
 }  // namespace
 
 void draw_statistics_panel(EditorState& state) {
   if (!begin_properties("##statistics")) return;
   stage_rows(state.history);
   change_rows(state.history);
-  const ShownFigures& shown = state.shown;
-  memory_row("Process", shown.process_bytes, shown.faces, "All that the program holds, drivers included.");
-  memory_row("Trees", shown.tree_bytes, shown.faces, "The trees of all bodies.");
-  memory_row("Graphics", shown.picture_bytes, shown.faces, "Buffers of faces for the graphics card.");
+  memory_rows(state.shown.memory, state.shown.faces);
   end_properties();
 }
 

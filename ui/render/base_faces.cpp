@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <tuple>
+#include <memory>
+#include <span>
 
 #include "core/base/hash.h"
+#include "core/base/key_table.h"
 
 namespace kerf {
 
@@ -13,13 +14,7 @@ namespace {
 
 constexpr double kCreaseCosine = 0.8191520442889918;  // 35 degrees
 constexpr size_t kLargestFan = 512;  // corners around a position; above it faces are shaded flat
-
-struct Corner {
-  uint64_t position = 0;  // hash of its bits
-  uint32_t face = 0;
-  uint8_t corner = 0;
-  double angle = 0;
-};
+constexpr size_t kAlike = 8;         // so many normals at a position are looked through for one again
 
 uint64_t position_hash(const Vec3& p) {
   return hash_combine(hash_combine(mix64(number_bits(p.x)), number_bits(p.y)), number_bits(p.z));
@@ -50,23 +45,6 @@ glm::dvec3 barycentric(const std::array<glm::vec3, 3>& t, const glm::vec3& p) {
   return {1 - second - third, second, third};
 }
 
-// Sums around one position: each corner gathers the normals of those that are smooth to it.
-void smooth_fan(std::span<const Corner> fan, const std::vector<glm::dvec3>& planes,
-                const std::function<void(const Corner&, const glm::dvec3&)>& put) {
-  for (const Corner& c : fan) {
-    const glm::dvec3 own = planes[c.face];
-    glm::dvec3 sum(0);
-    if (fan.size() <= kLargestFan) {
-      for (const Corner& other : fan) {
-        if (own == glm::dvec3(0) || glm::dot(own, planes[other.face]) >= kCreaseCosine) {
-          sum += other.angle * planes[other.face];
-        }
-      }
-    }
-    put(c, sum == glm::dvec3(0) ? own : unit_or_zero(sum));
-  }
-}
-
 }  // namespace
 
 uint32_t pack_normal(const glm::vec3& n) {
@@ -84,47 +62,158 @@ glm::vec3 unpack_normal(uint32_t packed) {
   return {number(0), number(10), number(20)};
 }
 
-BaseFaces::BaseFaces(const Mesh& mesh, const FloatFrame& frame) : bases_(mesh.face_slots()) {
-  std::vector<glm::dvec3> planes(bases_.size(), glm::dvec3(0));
-  std::vector<Corner> corners;
-  corners.reserve(3 * mesh.live_faces());
-  for (uint32_t f = 0; f < bases_.size(); ++f) {
-    const FaceId face(f);
-    if (!mesh.is_live(face)) continue;
-    const FaceData& data = mesh.data(face);
-    bases_[f].known = data.halvings == 0 && data.base == face;
-    const Triangle t = mesh.triangle(face);
-    const std::array<glm::dvec3, 3> s{frame.scaled(t[0]), frame.scaled(t[1]), frame.scaled(t[2])};
-    planes[f] = unit_or_zero(glm::cross(s[1] - s[0], s[2] - s[0]));
-    for (uint8_t c = 0; c < 3; ++c) {
-      bases_[f].corners[c] = glm::vec3(s[c]);
-      corners.push_back(
-          {position_hash(t[c]), f, c, angle_between(s[(c + 1) % 3] - s[c], s[(c + 2) % 3] - s[c])});
+// Gathers the corners of faces around each position, in the order of their slots, and sums over each of these
+// fans.
+class BaseFaces::Builder {
+ public:
+  Builder(const Mesh& mesh, const FloatFrame& frame, BaseFaces& out)
+      : mesh_(mesh), frame_(frame), out_(out), planes_(mesh.face_slots(), glm::dvec3(0)) {}
+
+  // Whether it was not stopped.
+  bool run(const Progress* progress) {
+    Stages stages(progress);
+    const Progress grouping = stages.next(0.2), gathering = stages.next(0.4), smoothing = stages.next(0.4);
+    return group_vertices(&grouping) && gather(&gathering) && smooth(&smoothing);
+  }
+
+ private:
+  struct FanCorner {
+    uint32_t side;  // three times the face, and which of its corners
+    double angle;
+  };
+
+  bool group_vertices(const Progress* progress) {
+    const Positions at = mesh_.positions();
+    const uint32_t vertices = mesh_.vertex_slots();
+    KeyTable table;
+    table.reserve(vertices);
+    first_.resize(vertices);
+    Pace pace(progress, vertices);
+    for (uint32_t v = 0; v < vertices; ++v) {
+      first_[v] = table.find_or_add(
+          position_hash(at[v]), v, [&](uint32_t other) { return at[other] == at[v]; },
+          [&](uint32_t other) { return position_hash(at[other]); });
+      if (!pace.step()) return false;
+    }
+    return true;
+  }
+
+  // A counting sort of all corners by their position.
+  bool gather(const Progress* progress) {
+    Pace pace(progress, 2 * planes_.size());
+    fan_end_.assign(first_.size() + 1, 0);
+    for (uint32_t f = 0; f < planes_.size(); ++f) {
+      if (!pace.step()) return false;
+      if (!mesh_.is_live(FaceId(f))) continue;
+      for (const VertexId v : mesh_.corners(FaceId(f))) ++fan_end_[first_[v.index] + 1];
+    }
+    for (size_t v = 1; v < fan_end_.size(); ++v) fan_end_[v] += fan_end_[v - 1];
+    fans_ = std::make_unique_for_overwrite<FanCorner[]>(fan_end_.back());
+    out_.faces_.assign(planes_.size(), {kNone, kNone, kNone});
+    for (uint32_t f = 0; f < planes_.size(); ++f) {
+      if (!pace.step()) return false;
+      if (mesh_.is_live(FaceId(f))) gather_face(f);
+    }
+    return true;
+  }
+
+  // Afterwards the fan of v ends at fan_end_[v], and begins where the one before it ends.
+  void gather_face(uint32_t f) {
+    const auto corners = mesh_.corners(FaceId(f));
+    const Triangle t = mesh_.triangle(FaceId(f));
+    const std::array<glm::dvec3, 3> s{frame_.scaled(t[0]), frame_.scaled(t[1]), frame_.scaled(t[2])};
+    planes_[f] = unit_or_zero(glm::cross(s[1] - s[0], s[2] - s[0]));
+    for (uint32_t c = 0; c < 3; ++c) {
+      fans_[fan_end_[first_[corners[c].index]]++] = {
+          3 * f + c, angle_between(s[(c + 1) % 3] - s[c], s[(c + 2) % 3] - s[c])};
     }
   }
-  std::sort(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) {
-    return std::tie(a.position, a.face, a.corner) < std::tie(b.position, b.face, b.corner);
-  });
-  for (size_t begin = 0; begin < corners.size();) {
-    size_t end = begin;
-    while (end < corners.size() && corners[end].position == corners[begin].position) ++end;
-    smooth_fan(std::span(corners).subspan(begin, end - begin), planes,
-               [&](const Corner& c, const glm::dvec3& n) {
-                 bases_[c.face].normals[c.corner] = pack_normal(glm::vec3(n));
-               });
-    begin = end;
+
+  bool smooth(const Progress* progress) {
+    out_.corners_.reserve(first_.size());
+    Pace pace(progress, first_.size());
+    uint32_t begin = 0;
+    for (uint32_t v = 0; v < first_.size(); ++v) {
+      smooth_fan(frame_.to_float(mesh_.position(VertexId(v))), {fans_.get() + begin, fan_end_[v] - begin});
+      begin = fan_end_[v];
+      if (!pace.step()) return false;
+    }
+    out_.corners_.shrink_to_fit();
+    return true;
   }
+
+  void smooth_fan(const glm::vec3& at, std::span<const FanCorner> fan) {
+    const size_t first = out_.corners_.size();
+    for (const FanCorner& c : fan) {
+      const FaceId face(c.side / 3);
+      const FaceData& data = mesh_.data(face);
+      if (data.halvings != 0 || data.base != face) continue;
+      out_.faces_[face.index][c.side % 3] = corner(first, {at, pack_normal(glm::vec3(normal(c, fan)))});
+    }
+  }
+
+  // The corner gathers the normals of those that are smooth to it.
+  glm::dvec3 normal(const FanCorner& c, std::span<const FanCorner> fan) const {
+    const glm::dvec3 own = planes_[c.side / 3];
+    glm::dvec3 sum(0);
+    if (fan.size() <= kLargestFan) {
+      for (const FanCorner& other : fan) {
+        const glm::dvec3& plane = planes_[other.side / 3];
+        if (own == glm::dvec3(0) || glm::dot(own, plane) >= kCreaseCosine) sum += other.angle * plane;
+      }
+    }
+    return sum == glm::dvec3(0) ? own : unit_or_zero(sum);
+  }
+
+  // Its index; one of the last few from `first` on, where that is the same.
+  uint32_t corner(size_t first, const Corner& wanted) {
+    std::vector<Corner>& all = out_.corners_;
+    const size_t from = std::max(first, all.size() - std::min(all.size(), kAlike));
+    for (size_t i = from; i < all.size(); ++i) {
+      if (all[i].normal == wanted.normal) return static_cast<uint32_t>(i);
+    }
+    all.push_back(wanted);
+    return static_cast<uint32_t>(all.size() - 1);
+  }
+
+  const Mesh& mesh_;
+  const FloatFrame& frame_;
+  BaseFaces& out_;
+  std::vector<glm::dvec3> planes_;  // by face: its unit normal
+  std::vector<uint32_t> first_;     // by vertex: the lowest at the same position
+  std::vector<uint32_t> fan_end_;   // by vertex, in fans_; empty fans where another is the first
+  std::unique_ptr<FanCorner[]> fans_;
+};
+
+BaseFaces::BaseFaces(const Mesh& mesh, const FloatFrame& frame) { Builder(mesh, frame, *this).run(nullptr); }
+
+Result<BaseFaces> BaseFaces::build(const Mesh& mesh, const FloatFrame& frame, const Progress* progress) {
+  BaseFaces bases;
+  if (!Builder(mesh, frame, bases).run(progress)) return cancelled();
+  return bases;
+}
+
+std::optional<std::array<glm::vec3, 3>> BaseFaces::corners(FaceId base) const {
+  if (!knows(base)) return std::nullopt;
+  const auto& [a, b, c] = faces_[base.index];
+  return std::array{corners_[a].at, corners_[b].at, corners_[c].at};
+}
+
+size_t BaseFaces::bytes() const {
+  return corners_.capacity() * sizeof(Corner) + faces_.capacity() * sizeof(faces_[0]);
 }
 
 std::array<glm::vec3, 3> BaseFaces::normals_at(FaceId base, const std::array<glm::vec3, 3>& points) const {
   const glm::vec3 flat = flat_normal(points);
-  if (base.index >= bases_.size() || !bases_[base.index].known) return {flat, flat, flat};
-  const Base& b = bases_[base.index];
+  if (!knows(base)) return {flat, flat, flat};
+  const auto& [a, b, c] = faces_[base.index];
+  const std::array<glm::vec3, 3> at{corners_[a].at, corners_[b].at, corners_[c].at};
   std::array<glm::vec3, 3> normals;
   for (size_t i = 0; i < 3; ++i) {
-    const glm::vec3 weight(barycentric(b.corners, points[i]));
-    const glm::vec3 n = weight.x * unpack_normal(b.normals[0]) + weight.y * unpack_normal(b.normals[1]) +
-                        weight.z * unpack_normal(b.normals[2]);
+    const glm::vec3 weight(barycentric(at, points[i]));
+    const glm::vec3 n = weight.x * unpack_normal(corners_[a].normal) +
+                        weight.y * unpack_normal(corners_[b].normal) +
+                        weight.z * unpack_normal(corners_[c].normal);
     const float length = glm::length(n);
     normals[i] = length > 1e-6f ? n / length : flat;
   }

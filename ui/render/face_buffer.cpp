@@ -51,8 +51,13 @@ FaceBuffer::FaceBuffer(const Mesh& mesh, const FloatFrame& frame, BaseFaces base
   dirty_.mark_all(mesh.face_slots());
 }
 
-size_t FaceBuffer::bytes() const {
-  return chunks_.size() * kChunkFaces * (sizeof(FaceVertices) + sizeof(Indices));
+PictureMemory FaceBuffer::memory() const {
+  PictureMemory memory;
+  memory.shading = bases_.bytes();
+  memory.graphics = chunks_.size() * kChunkFaces * (sizeof(FaceVertices) + sizeof(Indices)) +
+                    halvings_.capacity() + staging_.capacity() * sizeof(FaceVertices);
+  for (const Chunk& chunk : chunks_) memory.graphics += chunk.live.bytes();
+  return memory;
 }
 
 size_t FaceBuffer::update(const Mesh& mesh, uint32_t most) {

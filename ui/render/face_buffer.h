@@ -10,6 +10,7 @@
 #include "ui/render/corner_heat.h"
 #include "ui/render/face_slots.h"
 #include "ui/render/live_list.h"
+#include "ui/render/picture_memory.h"
 #include "ui/render/removed_faces.h"
 
 namespace kerf {
@@ -37,8 +38,7 @@ class FaceBuffer {
   size_t update(const Mesh& mesh, uint32_t most = DirtySlots::kAll);
   // Whether others are left.
   bool is_sending() const { return dirty_.has_all(); }
-  // Of the buffers on the GPU.
-  size_t bytes() const;
+  PictureMemory memory() const;
 
   // How many slots a chunk has.
   static constexpr uint32_t kChunkFaces = 1u << 16;

@@ -23,6 +23,9 @@ class LiveList {
   // The places in slots() that changed since the last call, within what there is of them.
   std::vector<SlotRange> take_changes(uint32_t gap);
 
+  // Memory that it holds.
+  size_t bytes() const { return (slots_.capacity() + place_.capacity()) * sizeof(uint32_t); }
+
  private:
   static constexpr uint32_t kNone = 0xffffffffu;
   std::vector<uint32_t> slots_;

@@ -2,21 +2,54 @@
 
 namespace kerf {
 
+namespace {
+
+FloatFrame picture_frame(const Body& body) {
+  return FloatFrame::around(body.tree.bounds().min, body.tree.bounds().max);
+}
+
+// Calls what(id, body, progress) for each body, in shares by their faces, until one fails.
+template <typename What>
+Status for_each_body(const World& world, const Progress* progress, What what) {
+  Stages stages(progress);
+  const auto all = static_cast<double>(world.live_faces());
+  for (const BodyId id : world.ids()) {
+    const Body& body = world.body(id);
+    const Progress own = stages.next(static_cast<double>(body.mesh.live_faces()) / all);
+    if (const Status done = what(id, body, &own); !done) return done;
+  }
+  return Done{};
+}
+
+}  // namespace
+
 PreparedBody prepare_shading(const Body& body) {
-  const FloatFrame frame = FloatFrame::around(body.tree.bounds().min, body.tree.bounds().max);
+  const FloatFrame frame = picture_frame(body);
   return {frame, BaseFaces(body.mesh, frame), nullptr};
 }
 
-PreparedBodies prepare_shading(const World& world) {
+Result<PreparedBodies> prepare_shading(const World& world, const Progress* progress) {
   PreparedBodies prepared;
-  for (const BodyId id : world.ids()) prepared.emplace(id, prepare_shading(world.body(id)));
+  const Status done = for_each_body(world, progress, [&](BodyId id, const Body& body, const Progress* own) {
+    const FloatFrame frame = picture_frame(body);
+    Result<BaseFaces> bases = BaseFaces::build(body.mesh, frame, own);
+    if (!bases) return Status(bases.error());
+    prepared.emplace(id, PreparedBody{frame, std::move(*bases), nullptr});
+    return Status(Done{});
+  });
+  if (!done) return done.error();
   return prepared;
 }
 
-void prepare_shadows(const World& world, PreparedBodies& prepared) {
-  for (auto& [id, body] : prepared) {
-    if (world.contains(id)) body.caster = std::make_unique<ShadowCaster>(world.body(id).mesh, body.frame);
-  }
+Status prepare_shadows(const World& world, PreparedBodies& prepared, const Progress* progress) {
+  return for_each_body(world, progress, [&](BodyId id, const Body& body, const Progress* own) {
+    const auto found = prepared.find(id);
+    if (found == prepared.end()) return Status(Done{});
+    Result<ShadowCaster> caster = ShadowCaster::build(body.mesh, found->second.frame, own);
+    if (!caster) return Status(caster.error());
+    found->second.caster = std::make_unique<ShadowCaster>(std::move(*caster));
+    return Status(Done{});
+  });
 }
 
 }  // namespace kerf

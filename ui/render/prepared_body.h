@@ -18,10 +18,12 @@ struct PreparedBody {
 };
 using PreparedBodies = std::map<BodyId, PreparedBody>;
 
-// The frame and the bases of a body as loaded, none of it cut; of all bodies of a world. O(n log n).
+// The frame and the bases of a body as loaded, none of it cut. Expected linear time.
 PreparedBody prepare_shading(const Body& body);
-PreparedBodies prepare_shading(const World& world);
-// Adds what casts the shadows of bodies that are prepared, as they are by now. Expected linear time.
-void prepare_shadows(const World& world, PreparedBodies& prepared);
+// The same of every body of a world, or that it was stopped. `progress` may be null, here and below.
+Result<PreparedBodies> prepare_shading(const World& world, const Progress* progress);
+// Adds what casts the shadows of bodies that are prepared, as they are by now, or says that it was stopped.
+// Expected linear time.
+Status prepare_shadows(const World& world, PreparedBodies& prepared, const Progress* progress);
 
 }  // namespace kerf

@@ -38,7 +38,7 @@ std::vector<RemovedFace> RemovedFaces::list(const Mesh& mesh, const BaseFaces& b
   std::vector<RemovedFace> all;
   for (const auto& [slot, part] : parts_) all.push_back(part);
   for (uint32_t f = 0; f < bases.count(); ++f) {
-    const FaceCorners* corners = bases.corners(FaceId(f));
+    const std::optional<FaceCorners> corners = bases.corners(FaceId(f));
     if (corners && !mesh.is_live(FaceId(f))) all.push_back({FaceId(f), FaceId(f), *corners});
   }
   return all;
@@ -49,7 +49,7 @@ void RemovedFaces::update(const Mesh& mesh, const BaseFaces& bases) {
   old_ = false;
   std::vector<Corner> corners;
   for (uint32_t f = 0; f < bases.count(); ++f) {
-    const FaceCorners* base = bases.corners(FaceId(f));
+    const std::optional<FaceCorners> base = bases.corners(FaceId(f));
     if (!base || (mesh.is_live(FaceId(f)) && mesh.data(FaceId(f)).halvings == 0)) continue;
     for (const glm::vec3& p : *base) corners.push_back({p, f});
   }

@@ -63,12 +63,7 @@ void Renderer::show(const World& world, const std::map<std::string, Paint>& pain
   passes_.lines.forget();
   passes_.scene.shadows().forget();
   contact_old_ = true;
-  for (const BodyId id : world.ids()) {
-    const auto found = prepared.find(id);
-    PreparedBody ahead = found != prepared.end() ? std::move(found->second) : prepare_shading(world.body(id));
-    if (ahead.caster) passes_.scene.shadows().adopt(id, std::move(ahead.caster));
-    bodies_.emplace(id, BodyPicture(world.body(id), paints, std::move(ahead)));
-  }
+  for (const BodyId id : world.ids()) add(id, world.body(id), prepared);
   const World::Bounds bounds = world.loaded_bounds();
   const double diagonal = bounds.diagonal();
   middle_ = bounds.min + (bounds.max - bounds.min) * 0.5;
@@ -132,10 +127,10 @@ bool Renderer::is_sending() const {
                      [](const auto& entry) { return entry.second.faces().is_sending(); });
 }
 
-size_t Renderer::face_bytes() const {
-  size_t bytes = 0;
-  for (const auto& [id, picture] : bodies_) bytes += picture.faces().bytes();
-  return bytes;
+PictureMemory Renderer::memory() const {
+  PictureMemory memory = passes_.scene.shadows().memory();
+  for (const auto& [id, picture] : bodies_) memory += picture.faces().memory();
+  return memory;
 }
 
 // The median of the faces that are small at all: base faces differ in size, so the finest of some are halved

@@ -18,6 +18,7 @@
 #include "ui/render/line_overlay.h"
 #include "ui/render/lit_scene.h"
 #include "ui/render/outline_pass.h"
+#include "ui/render/picture_memory.h"
 #include "ui/render/prepared_body.h"
 #include "ui/render/reference_pass.h"
 #include "ui/render/shadow_overlay.h"
@@ -94,8 +95,8 @@ class Renderer {
   // Whether such faces are left to be sent.
   bool is_sending() const;
 
-  // Bytes of memory on the GPU that hold faces.
-  size_t face_bytes() const;
+  // Of what grows with the faces of the world.
+  PictureMemory memory() const;
 
   // Bytes of faces sent to the GPU since the renderer was made.
   size_t uploaded_bytes() const { return uploaded_; }

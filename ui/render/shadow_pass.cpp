@@ -202,4 +202,16 @@ void ShadowPass::count(const Subject& subject, size_t light, ShadowMethod method
   glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
 }
 
+PictureMemory ShadowPass::memory() const {
+  PictureMemory memory;
+  for (const auto& [id, shadows] : bodies_) {
+    if (shadows.caster) memory.shadows += shadows.caster->bytes();
+    for (const auto& [key, kept] : shadows.volumes) {
+      memory.shadows += kept.buffer.volume().bytes();
+      memory.graphics += kept.buffer.bytes();
+    }
+  }
+  return memory;
+}
+
 }  // namespace kerf

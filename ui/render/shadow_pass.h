@@ -5,6 +5,7 @@
 
 #include "core/world/delta.h"
 #include "ui/gl/program.h"
+#include "ui/render/picture_memory.h"
 #include "ui/render/subject.h"
 #include "ui/render/volume_buffer.h"
 
@@ -51,6 +52,9 @@ class ShadowPass {
   void drop_unused();
 
   ShadowWork work() const { return work_; }
+
+  // Casters, volumes and their buffers.
+  PictureMemory memory() const;
 
  private:
   ShadowPass(gl::Program cap, gl::Program side);

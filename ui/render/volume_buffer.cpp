@@ -44,6 +44,10 @@ VolumeBuffer::Side VolumeBuffer::side(const ShadowCaster& caster, const Silhouet
   return {ends.low, ends.high, packed_piece(ends.piece) << 16, edge.multiplicity};
 }
 
+size_t VolumeBuffer::bytes() const {
+  return signs_.size() * FaceBuffer::kChunkFaces + (sides_.room + many_.room) * sizeof(Side);
+}
+
 void VolumeBuffer::update(const ShadowCaster& caster) {
   const ShadowVolume::Touched touched = volume_.take_touched();
   if (!touched.all && touched.faces.empty() && touched.places.empty()) return;

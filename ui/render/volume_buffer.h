@@ -18,6 +18,9 @@ class VolumeBuffer {
   ShadowVolume& volume() { return volume_; }
   const ShadowVolume& volume() const { return volume_; }
 
+  // Of the buffers on the GPU.
+  size_t bytes() const;
+
   // Sends what the volume changed since the last time.
   void update(const ShadowCaster& caster);
 

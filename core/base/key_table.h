@@ -1,7 +1,6 @@
 #pragma once
 
-#include <algorithm>
-#include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -17,9 +16,9 @@ class KeyTable {
   // hash_of(index) must give the hash of any item that was added. Expected constant time.
   template <typename Same, typename HashOf>
   uint32_t find_or_add(uint64_t hash, uint32_t next, const Same& same, const HashOf& hash_of) {
-    if (2 * (count_ + 1) > slots_.size()) grow(hash_of);
-    size_t at = hash & mask();
-    for (; slots_[at] != kNone; at = (at + 1) & mask()) {
+    if (10 * (count_ + 1) > 7 * slots_.size()) grow(hash_of);
+    size_t at = home(hash);
+    for (; slots_[at] != kNone; at = after(at)) {
       if (same(slots_[at])) return slots_[at];
     }
     slots_[at] = next;
@@ -27,25 +26,32 @@ class KeyTable {
     return next;
   }
 
-  // Makes room for so many items in an empty table, so that adding them does not move it.
-  void reserve(size_t items) { slots_.assign(std::bit_ceil(std::max<size_t>(16, 2 * (items + 1))), kNone); }
+  // Makes room for so many items in an empty table, and a sixth more, so that adding them does not move it.
+  void reserve(size_t items) { slots_.assign(kLeast + items / 3 * 5, kNone); }
+
+  // Memory that it holds.
+  size_t bytes() const { return slots_.capacity() * sizeof(uint32_t); }
 
  private:
-  size_t mask() const { return slots_.size() - 1; }
+  static constexpr size_t kLeast = 16;
+
+  // Where the search begins: the hash, which is even in all its bits, as a fraction of the table.
+  size_t home(uint64_t hash) const { return (hash >> 32) * slots_.size() >> 32; }
+  size_t after(size_t at) const { return at + 1 == slots_.size() ? 0 : at + 1; }
 
   template <typename HashOf>
   void grow(const HashOf& hash_of) {
-    std::vector<uint32_t> old(slots_.empty() ? 16 : 2 * slots_.size(), kNone);
+    std::vector<uint32_t> old(slots_.empty() ? kLeast : slots_.size() + slots_.size() / 2, kNone);
     old.swap(slots_);
     for (const uint32_t item : old) {
       if (item == kNone) continue;
-      size_t at = hash_of(item) & mask();
-      while (slots_[at] != kNone) at = (at + 1) & mask();
+      size_t at = home(hash_of(item));
+      while (slots_[at] != kNone) at = after(at);
       slots_[at] = item;
     }
   }
 
-  std::vector<uint32_t> slots_;  // a power of two of them, at most half of them taken
+  std::vector<uint32_t> slots_;  // fewer than 2^32, at most 7 of 10 taken
   size_t count_ = 0;
 };
 

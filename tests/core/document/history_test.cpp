@@ -268,6 +268,38 @@ TEST(History, asking_what_was_before_a_stroke_leaves_the_stroke_alone) {
   }
 }
 
+// At every step of the first, in the middle of its moves too; it cuts the plate in two.
+TEST(History, a_stroke_cut_again_before_it_is_walked_leaves_the_one_before_it_alone) {
+  CutSettings settings;
+  settings.laser.radius = 0.1;
+  settings.resolution.target_edge = 0.1;
+  settings.bite = 1;
+  CutSettings finer = settings;
+  finer.resolution.target_edge = 0.05;
+  const auto draw = [](Document& document, const CutSettings& s, double x) {
+    document.apply(BeginStroke{s, {{x, 1, -0.7}, {0, -1, 0}}});
+    document.apply(MoveStroke{{{x, 1, 0.7}, {0, -1, 0}}});
+    document.apply(EndStroke{});
+  };
+  Document fresh(world_of(plate(1)));
+  draw(fresh, settings, -0.2);
+  draw(fresh, finer, 0.2);
+  finish(fresh);
+  ASSERT_EQ(fresh.world().live_pieces(), 3u);
+  for (size_t steps = 0;; ++steps) {
+    SCOPED_TRACE("after " + std::to_string(steps) + " steps");
+    Document document(world_of(plate(1)));
+    draw(document, settings, -0.2);
+    draw(document, settings, 0.2);
+    for (size_t i = 0; i < steps; ++i) ASSERT_TRUE(document.step(1).ok());
+    if (document.history().step(1).begun) break;
+    ASSERT_TRUE(document.apply(Recut{finer}).ok());
+    finish(document);
+    expect_same_world(document.world(), fresh.world());
+    if (HasFailure()) return;
+  }
+}
+
 TEST(History, nothing_to_undo_or_redo_is_no_error_and_is_not_written) {
   Document document(made_world());
   EXPECT_TRUE(document.apply(Undo{}).ok());

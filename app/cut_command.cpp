@@ -97,27 +97,30 @@ class CutRun {
       if (!stepping.report(0)) return cancelled();
       if (const auto s = step(moves * (i + 1) / steps - moves * i / steps, stepping); !s) return s;
     }
-    return settle();
-  }
-
-  // A search for what came apart may be left when all moves are walked.
-  Status settle() {
-    while (document_.waiting() > 0) {
-      const Result<StepResult> result = document_.step(1);
-      if (!result) return result.error();
-      job_.figures.add(result->figures);
-    }
     return Done{};
   }
 
+  // Walks so many moves, and behind the last also goes on with a search for what came apart: as many bites as
+  // it takes.
   Status step(size_t moves, const Progress& progress) {
+    const size_t after = document_.waiting() - moves;
+    while (document_.waiting() > after) {
+      const size_t left = document_.waiting() - after;
+      const double done = 1 - static_cast<double>(left) / static_cast<double>(moves);
+      if (const auto s = bite(left, share_of(&progress, done, 1)); !s) return s;
+    }
+    ++job_.steps;
+    return Done{};
+  }
+
+  Status bite(size_t moves, const Progress& progress) {
     double seconds = 0;
     const Result<StepResult> result = [&] {
       const Stopwatch watch(seconds);
       return document_.step(moves, &progress);
     }();
     if (!result) return result.error();
-    job_.note_step(*result, seconds);
+    job_.note_bite(*result, seconds);
     return Done{};
   }
 

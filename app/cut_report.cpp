@@ -70,12 +70,11 @@ void CutJob::note_loaded(const MeshReport& mesh) {
   input_components += mesh.components;
 }
 
-void CutJob::note_step(const StepResult& step, double seconds) {
-  ++steps;
-  figures.add(step.figures);
-  removed_faces += step.delta.removed_faces;
-  removed_area += step.delta.removed_area;
-  if (step.delta.removed_faces > 0) step_s.push_back(seconds);
+void CutJob::note_bite(const StepResult& bite, double seconds) {
+  figures.add(bite.figures);
+  removed_faces += bite.delta.removed_faces;
+  removed_area += bite.delta.removed_area;
+  if (bite.delta.removed_faces > 0) step_s.push_back(seconds);
 }
 
 nlohmann::ordered_json settings_json(const CutSettings& s, const std::string& format, bool split_all) {

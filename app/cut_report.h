@@ -13,15 +13,16 @@ namespace kerf {
 // Sums and times of a job, for report.json.
 struct CutJob {
   void note_loaded(const MeshReport& mesh);
-  void note_step(const StepResult& step, double seconds);
+  // A call of Document::step.
+  void note_bite(const StepResult& bite, double seconds);
 
   size_t input_faces = 0, input_vertices = 0, input_components = 0;
   double input_area = 0, input_min_angle = 0;  // m^2, degrees
   size_t removed_faces = 0;
   double removed_area = 0;  // m^2
-  size_t steps = 0;
+  size_t steps = 0;         // in which the strokes were walked, as asked for
   StepFigures figures;
-  std::vector<double> step_s;  // of the steps that removed something
+  std::vector<double> step_s;  // of the bites that removed something
   double load_s = 0, build_tree_s = 0, cut_s = 0, save_s = 0;
 };
 

@@ -119,7 +119,9 @@ class ReplayRun {
     }();
     if (interrupted()) return stopped();
     if (step) {
-      job_.note_step(*step, seconds);
+      ++job_.steps;
+      job_.note_bite(*step, seconds);
+      if (step->moves == 0) move.reset();  // it goes on
       at_once.append(std::move(step->delta));
       step->delta = std::move(at_once);
     } else {

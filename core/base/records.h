@@ -157,6 +157,9 @@ class Records {
 
   // Makes the array what it was before the change, as an edit: a command that is remembered remembers it.
   void restore(const Change& change) {
+    // Whoever comes later writes over what goes here, and remembers nothing of what lies behind the end.
+    const uint32_t end = std::min(size_, remembered_);
+    for (uint32_t i = change.size_; i < end; i += kPage - i % kPage) save_page(i / kPage);
     for (const auto& page : change.pages_) {
       const uint32_t first = page->index * kPage, count = std::min(kPage, used_ - first);
       if (first < remembered_) save_page(page->index);

@@ -18,27 +18,117 @@ void StepFigures::add(const StepFigures& other) {
   separate_s += other.separate_s;
 }
 
-Result<StepResult> cut_step(World& world, const CutSettings& settings, std::span<const BeamMove> moves,
-                            const Progress* progress) {
-  StepResult result;
-  const auto ids = world.ids();
-  const double share = 1 / static_cast<double>(std::max<size_t>(1, ids.size() * moves.size()));
-  double done = 0;
-  for (const BodyId id : ids) {
-    if (world.body(id).hidden) continue;
-    BodyStep step(id, world.body(id));
-    for (const BeamMove& move : moves) {
-      sweep(step, settings.laser, move);
-      hit(step);
-      const Result<bool> refined = refine(step, settings, share_of(progress, done, done + share));
-      if (!refined) return refined.error();
-      if (*refined) hit(step);
-      remove(step, settings.smooth());
-      separate(step, settings.search_a_move);
-      done += share;
+namespace {
+
+// One step, as long as its bite lasts.
+class Bite {
+ public:
+  Bite(World& world, const CutSettings& settings, UnfinishedMove& unfinished, const Progress& progress)
+      : settings_(settings), move_(unfinished), progress_(progress) {
+    for (const BodyId id : world.ids()) {
+      if (!world.body(id).hidden) bodies_.emplace_back(id, world.body(id));
     }
-    end_step(step, result);
   }
+
+  // Whether the move is through all bodies.
+  Result<bool> take(const BeamMove& move) {
+    for (; move_.bodies < bodies_.size(); ++move_.bodies) {
+      BodyStep& step = bodies_[move_.bodies];
+      sweep(step, settings_.laser, move);
+      do {
+        const size_t faces = faces_ahead();
+        if (taken_ > 0 && taken_ + faces > settings_.bite) return false;
+        taken_ += faces;
+        if (const Status done = go_on(step); !done) return done.error();
+      } while (move_.stage != Stage::kFind);
+    }
+    move_.bodies = 0;
+    return true;
+  }
+
+  void end(StepResult& result) {
+    for (BodyStep& step : bodies_) end_step(step, result);
+  }
+
+ private:
+  using Stage = UnfinishedMove::Stage;
+
+  // What the next part is about; what it finds or searches besides is known and counted when it is done.
+  size_t faces_ahead() const {
+    const auto together = [](size_t faces) { return std::clamp<size_t>(faces, 1, kFacesTogether); };
+    switch (move_.stage) {
+      case Stage::kFind:
+        return 1;
+      case Stage::kRefine:
+        return together(move_.to_split.size());
+      case Stage::kRemove:
+        return together(move_.hit.size() - move_.removed);
+      case Stage::kFindAgain:
+      case Stage::kSeparate:
+        return move_.hit.size();
+    }
+    return 1;
+  }
+
+  // Does the next part of a move through a body.
+  Status go_on(BodyStep& step) {
+    switch (move_.stage) {
+      case Stage::kFind:
+        find(step);
+        break;
+      case Stage::kRefine:
+        if (const Status refined = refine(step, move_, settings_, progress_); !refined) return refined;
+        if (move_.to_split.empty()) move_.stage = move_.has_split ? Stage::kFindAgain : Stage::kRemove;
+        break;
+      case Stage::kFindAgain:
+        hit(step, move_.hit);
+        move_.stage = Stage::kRemove;
+        break;
+      case Stage::kRemove:
+        remove(step, move_, settings_.smooth());
+        if (move_.removed == move_.hit.size()) move_.stage = Stage::kSeparate;
+        break;
+      case Stage::kSeparate:
+        taken_ += separate(step, settings_.search_a_move);
+        move_.stage = Stage::kFind;
+        break;
+    }
+    return Done{};
+  }
+
+  void find(BodyStep& step) {
+    hit(step, move_.hit);
+    taken_ += move_.hit.size();
+    move_.to_split.assign(move_.hit.rbegin(), move_.hit.rend());
+    move_.has_split = false;
+    move_.removed = 0;
+    move_.stage = Stage::kRefine;
+  }
+
+  const CutSettings& settings_;
+  UnfinishedMove& move_;
+  const Progress& progress_;
+  std::vector<BodyStep> bodies_;
+  size_t taken_ = 0;  // faces
+};
+
+}  // namespace
+
+Result<StepResult> cut_step(World& world, const CutSettings& settings, std::span<const BeamMove> moves,
+                            UnfinishedMove& unfinished, const Progress* progress) {
+  StepResult result;
+  const Progress asked = share_of(progress, 0, 1);
+  Bite bite(world, settings, unfinished, asked);
+  for (const BeamMove& move : moves) {
+    const Result<bool> through = bite.take(move);
+    if (!through) {
+      unfinished = UnfinishedMove{};
+      return through.error();
+    }
+    if (!*through) break;
+    ++result.moves;
+  }
+  bite.end(result);
   return result;
 }
 

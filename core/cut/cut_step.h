@@ -4,6 +4,7 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/cut/unfinished_move.h"
 #include "core/laser/laser.h"
 #include "core/world/delta.h"
 #include "core/world/world.h"
@@ -48,6 +49,9 @@ struct CutSettings {
   // How many faces a move looks at when what came apart must be searched for; the next moves go on with it,
   // so that pieces get the same labels however moves are dealt out to steps.
   size_t search_a_move = 1'000;
+  // How many faces a step finds, looks at and removes before it ends, or few more; about a millisecond. What
+  // is cut does not depend on it.
+  size_t bite = 4'000;
 };
 
 // What a step looked at, made and took, and how long its stages took (seconds).
@@ -61,6 +65,7 @@ struct StepFigures {
 };
 
 struct StepResult {
+  size_t moves = 0;  // of the beam that came to their end
   Delta delta;
   StepFigures figures;
 };
@@ -70,10 +75,18 @@ struct StepResult {
 // removed; then what came apart gets labels of its own (separate). Topology changes nowhere else. Moves are
 // in world coordinates.
 //
+// The first move is begun where it was left, and the step ends with the last move or after settings.bite
+// faces, perhaps within a move: then `unfinished` says where, and the next step is given the moves from that
+// one on. However moves are dealt out to steps and whatever the bite, the same faces come to the same slots
+// with the same labels, and the tree to the same boxes. Between two steps the world is whole; what the move
+// cut off has its label when the move is through. One search of the tree and the separation of one move are
+// not parted.
+//
 // Fails when settings.most_faces is reached and when `progress` stops it; what was cut until then stays cut,
-// and the delta is lost, so that everything that follows the world must look at it anew.
+// the delta is lost, so that everything that follows the world must look at it anew, and nothing is
+// unfinished: the move is begun anew by whoever goes on.
 Result<StepResult> cut_step(World& world, const CutSettings& settings, std::span<const BeamMove> moves,
-                            const Progress* progress = nullptr);
+                            UnfinishedMove& unfinished, const Progress* progress = nullptr);
 
 // Ends a stroke with a smooth rim. While it runs, steps take only what lies wholly within the beam; here the
 // faces that lie across the boundary of all that `path` has swept are cut along it, and what is inside goes.

@@ -10,17 +10,17 @@ void sweep(BodyStep& step, const Laser& laser, const BeamMove& move) {
   step.beam = sweep_beam(laser, {placement.to_body(move.from), placement.to_body(move.to)});
 }
 
-void hit(BodyStep& step) {
+void hit(BodyStep& step, std::vector<FaceId>& faces) {
   const Stopwatch watch(step.figures.query_s);
-  step.hit.clear();
+  faces.clear();
   for (const SweptCylinder& part : step.beam) {
-    const QueryCounts counts = step.body.tree.touched(step.body.mesh, part, step.hit);
+    const QueryCounts counts = step.body.tree.touched(step.body.mesh, part, faces);
     step.figures.tested.boxes += counts.boxes;
     step.figures.tested.faces += counts.faces;
   }
   if (step.beam.size() == 1) return;
-  std::sort(step.hit.begin(), step.hit.end());
-  step.hit.erase(std::unique(step.hit.begin(), step.hit.end()), step.hit.end());
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
 }
 
 }  // namespace kerf

@@ -9,32 +9,26 @@ namespace kerf {
 
 namespace {
 
-constexpr size_t kSplitsToAsk = 1000;  // a few milliseconds
-
-// Splits what the beam touches until it is fine enough, and follows with the tree.
+// Looks at faces that the beam may touch, and splits those that are too coarse.
 class Refinement {
  public:
-  Refinement(BodyStep& step, const CutSettings& settings, const Progress& progress)
-      : step_(step), settings_(settings), progress_(progress) {}
+  Refinement(BodyStep& step, const CutSettings& settings, std::vector<FaceId>& to_split)
+      : step_(step), settings_(settings), to_split_(to_split) {}
 
-  Result<bool> run() {
-    std::vector<FaceId> waiting(step_.hit.rbegin(), step_.hit.rend());
-    while (!waiting.empty()) {
-      const FaceId f = waiting.back();
-      waiting.pop_back();
+  Status run() {
+    for (size_t looked_at = 0; looked_at < kFacesTogether && !to_split_.empty(); ++looked_at) {
+      const FaceId f = to_split_.back();
+      to_split_.pop_back();
       if (!must_split(f)) continue;
-      if (splits_++ % kSplitsToAsk == 0 && !progress_.report(0)) return cancelled();
       const size_t first = replaced_.size();
       split_by_scheme(step_, settings_.resolution.scheme, f, replaced_);
       for (size_t i = replaced_.size(); i > first; --i) {
         const auto& r = replaced_[i - 1];
-        waiting.insert(waiting.end(), r.born.begin(), r.born.begin() + r.born_count);
+        to_split_.insert(to_split_.end(), r.born.begin(), r.born.begin() + r.born_count);
       }
-      if (step_.body.mesh.live_faces() > settings_.most_faces) {
-        return too_many_faces(settings_);
-      }
+      if (step_.body.mesh.live_faces() > settings_.most_faces) return too_many_faces(settings_);
     }
-    return !replaced_.empty();
+    return Done{};
   }
 
   const std::vector<Replacement>& replaced() const { return replaced_; }
@@ -75,19 +69,22 @@ class Refinement {
 
   BodyStep& step_;
   const CutSettings& settings_;
-  const Progress& progress_;
-  size_t splits_ = 0;
+  std::vector<FaceId>& to_split_;
   std::vector<Replacement> replaced_;
 };
 
 }  // namespace
 
-Result<bool> refine(BodyStep& step, const CutSettings& settings, const Progress& progress) {
-  Refinement refinement(step, settings, progress);
-  Result<bool> done = [&] {
+// The tree follows also where the work fails half-way.
+Status refine(BodyStep& step, UnfinishedMove& move, const CutSettings& settings, const Progress& progress) {
+  if (!progress.report(0)) return cancelled();
+  Refinement refinement(step, settings, move.to_split);
+  const Status done = [&] {
     const Stopwatch watch(step.figures.refine_s);
     return refinement.run();
   }();
+  if (refinement.replaced().empty()) return done;
+  move.has_split = true;
   follow_splits(step, refinement.replaced());
   return done;
 }

@@ -28,9 +28,12 @@ bool within_beam(const BodyStep& step, FaceId f) {
 
 // A green pair goes as a whole: when the beam touches either half, or holds both where the rim is to be
 // smooth.
-void remove(BodyStep& step, bool only_within) {
+void remove(BodyStep& step, UnfinishedMove& move, bool only_within) {
   std::vector<FaceId> going;
-  for (const FaceId f : step.hit) {
+  const size_t end = std::min(move.hit.size(), move.removed + kFacesTogether);
+  for (; move.removed < end; ++move.removed) {
+    const FaceId f = move.hit[move.removed];
+    if (!step.body.mesh.is_live(f)) continue;  // went with the other half of its pair
     if (only_within && !within_beam(step, f)) continue;
     const OneToFour::Element element = step.body.refinement.element(step.body.mesh, f);
     going.insert(going.end(), element.faces.begin(), element.faces.begin() + element.face_count);

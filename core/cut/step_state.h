@@ -15,7 +15,6 @@ struct BodyStep {
   BodyId id;
   Body& body;
   std::vector<SweptCylinder> beam;  // of the current move, in the body's frame
-  std::vector<FaceId> hit;          // faces that the beam touches, each once
   std::vector<FaceId> edited;       // slots that were born, reused or removed in this step, with repeats
   std::vector<FaceId> relabelled;
   std::vector<uint32_t> new_pieces;
@@ -24,21 +23,29 @@ struct BodyStep {
   StepFigures figures;
 };
 
+// So many faces are looked at before the tree follows what was split or removed: the least that a step does.
+// The boxes of the tree depend on it, and by the order of what it finds all that is cut.
+inline constexpr size_t kFacesTogether = 64;
+
 // The stages. Each does one thing to the state; cut_step puts them in order.
 void sweep(BodyStep& step, const Laser& laser, const BeamMove& move);
-void hit(BodyStep& step);
-// Whether anything was split; fails at settings.most_faces and when `progress` stops it.
-Result<bool> refine(BodyStep& step, const CutSettings& settings, const Progress& progress);
-// What was hit, or only what lies wholly within the beam of the move.
-void remove(BodyStep& step, bool only_within);
+// Finds the faces that the beam touches, each once.
+void hit(BodyStep& step, std::vector<FaceId>& faces);
+// Looks at the next kFacesTogether of move.to_split; fails at settings.most_faces and when `progress` stops
+// it.
+Status refine(BodyStep& step, UnfinishedMove& move, const CutSettings& settings, const Progress& progress);
+// Removes the next kFacesTogether that were hit, or of them only what lies wholly within the beam of the
+// move.
+void remove(BodyStep& step, UnfinishedMove& move, bool only_within);
 // These; both halves of a green pair or a half that is alone from now on.
 void remove_faces(BodyStep& step, std::span<const FaceId> faces);
 // Splits a face and what must follow it; nothing where coordinates end.
 void split_by_scheme(BodyStep& step, Scheme scheme, FaceId f, std::vector<Replacement>& out);
 // Tells the tree, the counts and the delta what became of faces that were split.
 void follow_splits(BodyStep& step, std::span<const Replacement> replaced);
-// Looks at so many faces or few more for what came apart; see kerf::settle.
-void separate(BodyStep& step, size_t most);
+// Looks at so many faces or few more for what came apart; see kerf::settle. How many they were, those with a
+// new label among them.
+size_t separate(BodyStep& step, size_t most);
 // Ends the step of a body: adds what it did to the result.
 void end_step(BodyStep& step, StepResult& result);
 // The error of a cut that goes beyond settings.most_faces.

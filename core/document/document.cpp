@@ -129,8 +129,10 @@ std::optional<World> Document::before_last_stroke() {
   const auto last = last_cut();
   if (!last || *last + 1 != history_.position() || world_.live_faces() > kMostFacesToCopy)
     return std::nullopt;
+  const std::optional<size_t> open = open_;
   close();
   World before = world_;
+  if (open) remember(*open);
   for (size_t i = *last + 1; i-- > base_of(*last);) {
     const HistoryStep& step = history_.step(i);
     if (step.begun && !step.remembered()) return std::nullopt;
@@ -144,39 +146,26 @@ std::optional<World> Document::before_last_stroke() {
 size_t Document::waiting() const { return work_.empty() && !is_settled(world_) ? 1 : work_.size(); }
 
 Result<StepResult> Document::step(size_t moves, const Progress* progress) {
-  StepResult all;
-  const auto take = [&](size_t step, StepResult some) {
-    history_.step(step).touch(some.delta);
-    settle(step);
-    all.delta.append(std::move(some.delta));
-    all.figures.add(some.figures);
-  };
-  if (work_.empty() && open_ && !is_settled(world_)) {
-    take(*open_, go_on_separating(world_, stroke_->settings.search_a_move));
-    return all;
-  }
-  const size_t stop = work_.size() - std::min(moves, work_.size());
-  while (work_.size() > stop) {
-    const size_t step = work_.front().step;
-    // What came apart in one stroke is known before the next one begins.
-    if (open_ && open_ != step && !is_settled(world_)) take(*open_, go_on_separating(world_, kNoLimit));
-    bool stopped = false;
-    const Progress watched{[&](double fraction) {
-      stopped = progress && !progress->report(fraction);
-      return !stopped;
-    }};
-    Result<StepResult> some = walk_some(work_.size() - stop, watched);
-    if (!some) {
-      give_up(step, stopped);
-      return some.error();
-    }
-    take(step, std::move(*some));
-  }
-  return all;
+  // What came apart in one stroke is known before the next one begins.
+  const bool walked = open_ && (work_.empty() || work_.front().step != *open_);
+  if (walked && !is_settled(world_))
+    return noted(*open_, go_on_separating(world_, stroke_->settings.search_a_move));
+  if (work_.empty() || moves == 0) return StepResult{};
+  const size_t step = work_.front().step;
+  bool stopped = false;
+  const Progress watched{[&](double fraction) {
+    stopped = progress && !progress->report(fraction);
+    return !stopped;
+  }};
+  Result<StepResult> some = walk_some(moves, watched);
+  if (some) return noted(step, std::move(*some));
+  give_up(step, stopped);
+  return some.error();
 }
 
 // The moves of one stroke that come next, or its end.
 Result<StepResult> Document::walk_some(size_t most, const Progress& progress) {
+  constexpr size_t kMostAtOnce = 64;  // of a queue that may be long: a bite holds a few of them
   const Work first = work_.front();
   remember(first.step);
   if (first.closes) {
@@ -184,11 +173,20 @@ Result<StepResult> Document::walk_some(size_t most, const Progress& progress) {
     return close_rim(world_, first.stroke->settings, first.stroke->path, &progress);
   }
   std::vector<BeamMove> now;
-  while (now.size() < most && !work_.empty() && !work_.front().closes && work_.front().step == first.step) {
-    now.push_back(work_.front().move);
-    work_.pop_front();
+  for (const Work& w : work_) {
+    if (now.size() == std::min(most, kMostAtOnce) || w.closes || w.step != first.step) break;
+    now.push_back(w.move);
   }
-  return cut_step(world_, first.stroke->settings, now, &progress);
+  Result<StepResult> some = cut_step(world_, first.stroke->settings, now, unfinished_, &progress);
+  if (some) work_.erase(work_.begin(), work_.begin() + static_cast<std::ptrdiff_t>(some->moves));
+  return some;
+}
+
+// What was done of a step of the history.
+StepResult Document::noted(size_t step, StepResult some) {
+  history_.step(step).touch(some.delta);
+  settle(step);
+  return some;
 }
 
 // A stroke that cannot be cut to its end has cut nothing: it stays in the history, for whoever replays it
@@ -216,6 +214,7 @@ bool Document::waits(size_t step) const {
 }
 
 void Document::drop_work(size_t step) {
+  if (!work_.empty() && work_.front().step == step) unfinished_ = UnfinishedMove{};
   std::erase_if(work_, [&](const Work& w) { return w.step == step; });
 }
 
@@ -224,10 +223,12 @@ void Document::remember(size_t step) {
   if (open_ == step) return;
   close();
   history_.forget_behind(step);
+  // A step begins alike whatever way the world has come to where it begins.
+  if (!history_.step(step).begun) {
+    for (const BodyId id : world_.ids()) forget_removals(world_.body(id));
+  }
   history_.step(step).begun = true;
   open_ = step;
-  // A step begins alike whatever way the world has come to where it begins.
-  for (const BodyId id : world_.ids()) forget_removals(world_.body(id));
   remembering_ = history_.window() > 0;
   if (remembering_) world_.begin_change();
 }
@@ -248,8 +249,10 @@ void Document::settle(size_t step) {
 }
 
 Status Document::finish(const Progress* progress) {
+  const auto all = static_cast<double>(waiting());
   while (waiting() > 0) {
-    const Result<StepResult> done = step(waiting(), progress);
+    const Progress going = share_of(progress, 1 - static_cast<double>(waiting()) / all, 1);
+    const Result<StepResult> done = step(waiting(), &going);
     if (!done) return done.error();
   }
   return Done{};
@@ -297,7 +300,8 @@ Delta Document::cut_again() {
     delta = history_.step(before).take_back(world_);
     history_.step(before).forget();
   }
-  remember(step);
+  // Where nothing of the stroke was walked yet, an earlier one may wait, half-way through a move.
+  if (history_.step(base_of(step)).begun) remember(step);
   for (size_t i = step; i-- > base_of(step);) {
     const Delta back = history_.step(i).restore(world_);
     history_.last().touch(back);
@@ -423,6 +427,7 @@ Result<Delta> Document::replay(size_t position, const Progress* progress) {
   if (!origin) return origin.error();
   world_ = std::move(*origin);
   work_.clear();
+  unfinished_ = UnfinishedMove{};
   open_.reset();
   ++revision_;
   const size_t before = history_.position(), written = journal_.size();

@@ -17,8 +17,8 @@ namespace kerf {
 // A world and the commands that led to it.
 //
 // Commands say what happens; steps let it happen: a command of a stroke queues moves of the beam, and step()
-// walks as many of them as it is asked to. However the moves are dealt out to steps, the same faces go and
-// the same pieces come off. All other commands happen at once, after what waits.
+// walks as many of them as it is asked to, or as a bite holds. However the moves are dealt out to steps, the
+// same faces go and the same pieces come off. All other commands happen at once, after what waits.
 //
 // A history goes back and forth by before-images of what each stroke or other command changed, exact to the
 // bit, at the cost of what was changed. Where those were let go it starts again from the origin.
@@ -41,15 +41,18 @@ class Document {
   void apply(const MoveStroke& command);
   void apply(const EndStroke& command);
 
-  // Moves that wait; the end of a stroke with a smooth rim counts as one, and so does a search for what came
-  // apart that is left when no move waits.
+  // Moves that wait, one that was left half-way among them; the end of a stroke with a smooth rim counts as
+  // one, and so does a search for what came apart that is left when no move waits.
   size_t waiting() const;
   // The first of them; null when none waits.
   const BeamMove* next_move() const { return work_.empty() ? nullptr : &work_.front().move; }
 
-  // Walks up to so many of them as one step; when none waits, goes on with a search for what came apart, or
-  // does nothing. On failure the stroke has cut nothing; where `progress` stopped it, it is taken back in the journal too, with what waits behind it.
-  // Without before-images it ends where it is.
+  // One step of bounded work: walks up to so many of them, of one stroke, and no more than a bite
+  // (CutSettings::bite), so that the last may be left half-way for the next step; ends a stroke with a smooth
+  // rim, whatever it costs; or, when a stroke is walked, goes on with a search for what came apart in it.
+  // Called while anything waits, it does all. On failure the stroke has cut nothing; where `progress` stopped
+  // it, it is taken back in the journal too, with what waits behind it. Without before-images it ends where
+  // it is.
   Result<StepResult> step(size_t moves, const Progress* progress = nullptr);
 
   // What a Recut may take back.
@@ -110,6 +113,7 @@ class Document {
   Status finish(const Progress* progress);
 
   Result<StepResult> walk_some(size_t most, const Progress& progress);
+  StepResult noted(size_t step, StepResult some);
   void give_up(size_t step, bool stopped);
   void remember(size_t step);
   void close();
@@ -128,6 +132,7 @@ class Document {
   std::vector<Command> journal_;
   History history_;
   std::deque<Work> work_;
+  UnfinishedMove unfinished_;       // the first of work_, where it was left
   std::shared_ptr<Stroke> stroke_;  // the one that is drawn, or queued again
   std::optional<size_t> open_;      // the step that is walked
   bool remembering_ = false;        // and whether what it changes is saved

@@ -31,6 +31,40 @@ RandomStroke random_stroke(const World& world, Random& random, double radius_sha
   return stroke;
 }
 
+namespace {
+
+void add(StepResult& all, StepResult some) {
+  all.moves += some.moves;
+  all.delta.append(std::move(some.delta));
+  all.figures.add(some.figures);
+}
+
+}  // namespace
+
+Result<StepResult> cut_whole(World& world, const CutSettings& settings, std::span<const BeamMove> moves) {
+  StepResult all;
+  UnfinishedMove unfinished;
+  while (all.moves < moves.size()) {
+    Result<StepResult> some = cut_step(world, settings, moves.subspan(all.moves), unfinished);
+    if (!some) return some;
+    add(all, std::move(*some));
+  }
+  return all;
+}
+
+Result<StepResult> walk_moves(Document& document, size_t moves) {
+  StepResult all;
+  const size_t after = document.waiting() - moves;
+  while (document.waiting() > after) {
+    Result<StepResult> some = document.step(document.waiting() - after);
+    if (!some) return some;
+    add(all, std::move(*some));
+  }
+  return all;
+}
+
+Result<StepResult> walk_all(Document& document) { return walk_moves(document, document.waiting()); }
+
 World world_of(const Soup& soup) {
   World world;
   world.add(make_body("body", build(soup)));

@@ -4,6 +4,7 @@
 
 #include "core/base/random.h"
 #include "core/cut/cut_step.h"
+#include "core/document/document.h"
 #include "core/world/world.h"
 
 namespace kerf::test {
@@ -17,6 +18,12 @@ struct RandomStroke {
 RandomStroke random_stroke(const World& world, Random& random, double radius_share, bool tilt);
 
 Vec3 random_direction(Random& random);
+
+// Whole moves, in as many steps as they take: what those did together, or the first error.
+Result<StepResult> cut_whole(World& world, const CutSettings& settings, std::span<const BeamMove> moves);
+// The same of so many moves that wait in a document, and of all.
+Result<StepResult> walk_moves(Document& document, size_t moves);
+Result<StepResult> walk_all(Document& document);
 
 // A world of one body.
 World world_of(const Soup& soup);

@@ -89,6 +89,12 @@ TEST(Records, restore_an_older_state_as_an_edit_that_can_be_taken_back) {
     auto second = records.end_change();
     const auto after = content(records);
 
+    records.begin_change();
+    change_at_random(records, random);
+    auto third = records.end_change();
+    records.exchange(third);
+    ASSERT_EQ(content(records), after);
+
     Records<Record> copy = records;
     records.exchange(second);
     ASSERT_EQ(content(records), between);

@@ -92,7 +92,7 @@ void cut_and_check(World& world, const RandomStroke& stroke, bool made) {
   Random beams(1);
   double removed = 0;
   for (size_t i = 0; i < stroke.moves.size(); ++i) {
-    const auto result = cut_step(world, stroke.settings, {&stroke.moves[i], 1});
+    const auto result = cut_whole(world, stroke.settings, {&stroke.moves[i], 1});
     ASSERT_TRUE(result.ok());
     removed += result->delta.removed_area;
     const bool small = body.mesh.live_faces() < 2500;
@@ -135,7 +135,7 @@ TEST(CutStep, takes_green_pairs_away_whole) {
     Random random(seed);
     RandomStroke stroke = random_stroke(world, random, 0.03, false);
     stroke.settings.resolution.scheme = Scheme::kOneToFour;
-    for (const BeamMove& move : stroke.moves) ASSERT_TRUE(cut_step(world, stroke.settings, {&move, 1}).ok());
+    for (const BeamMove& move : stroke.moves) ASSERT_TRUE(cut_whole(world, stroke.settings, {&move, 1}).ok());
     for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
       if (!body.mesh.is_live(FaceId(f))) continue;
       const FaceData& data = body.mesh.data(FaceId(f));
@@ -155,7 +155,7 @@ TEST(CutStep, cuts_on_where_older_cuts_left_their_rims) {
     for (int stroke = 0; stroke < 3; ++stroke) {
       const RandomStroke s = random_stroke(world, random, 0.015, stroke == 1);
       for (const BeamMove& move : s.moves) {
-        ASSERT_TRUE(cut_step(world, s.settings, {&move, 1}).ok());
+        ASSERT_TRUE(cut_whole(world, s.settings, {&move, 1}).ok());
         ASSERT_EQ(find_fault(only_body(world).mesh), "");
       }
     }
@@ -205,7 +205,7 @@ StraightCut cut_straight(const Soup& soup, const Vec3& a, const Vec3& b, const C
   StraightCut cut;
   const size_t moves = document.waiting();
   for (size_t i = 0; i < steps; ++i) {
-    const auto result = document.step(moves * (i + 1) / steps - moves * i / steps);
+    const auto result = walk_moves(document, moves * (i + 1) / steps - moves * i / steps);
     EXPECT_TRUE(result.ok());
     cut.removed_area += result->delta.removed_area;
     cut.removed_faces += result->delta.removed_faces;
@@ -257,7 +257,7 @@ TEST(CutStep, at_depth_0_takes_whole_base_faces) {
   settings.resolution = {.rule = Resolution::Rule::kDepth, .depth = 0};
   World world = world_of(grid(4, 1));
   const BeamMove still{{{0.1, 1, 0.05}, {0, -1, 0}}, {{0.1, 1, 0.05}, {0, -1, 0}}};
-  const auto result = cut_step(world, settings, {&still, 1});
+  const auto result = cut_whole(world, settings, {&still, 1});
   ASSERT_TRUE(result.ok());
   EXPECT_EQ(result->figures.faces_made, 0u);
   EXPECT_EQ(result->delta.removed_faces, 1u);
@@ -269,7 +269,7 @@ TEST(CutStep, leaves_faces_wholly_inside_the_beam_whole) {
   settings.resolution.target_edge = 0.001;
   World world = world_of(sphere(10, 12, 0.2));
   const BeamMove still{{{0, 1, 0}, {0, -1, 0}}, {{0, 1, 0}, {0, -1, 0}}};
-  const auto result = cut_step(world, settings, {&still, 1});
+  const auto result = cut_whole(world, settings, {&still, 1});
   ASSERT_TRUE(result.ok());
   EXPECT_EQ(result->figures.faces_made, 0u);
   EXPECT_EQ(world.live_faces(), 0u);
@@ -281,7 +281,7 @@ TEST(CutStep, four_rays_cut_four_strips_and_no_more) {
   settings.resolution.target_edge = 0.005;
   World world = world_of(plate(1));
   const BeamMove still{{{0.02, 1, 0.01}, {0, -1, 0}}, {{0.02, 1, 0.01}, {0, -1, 0}}};
-  ASSERT_TRUE(cut_step(world, settings, {&still, 1}).ok());
+  ASSERT_TRUE(cut_whole(world, settings, {&still, 1}).ok());
   const Body& body = only_body(world);
   EXPECT_EQ(count_numbers(body.mesh).boundary_loops, 5u);  // the plate's own and four small holes
   EXPECT_GT(live_area(body.mesh), 1 - 4 * 0.01 * 0.01);
@@ -296,7 +296,7 @@ TEST(CutStep, cuts_all_layers_within_its_range_and_none_beyond) {
   settings.resolution.target_edge = 0.02;
   World world = world_of(stack);
   const BeamMove still{{{0.1, 1, 0}, {0, -1, 0}}, {{0.1, 1, 0}, {0, -1, 0}}};
-  ASSERT_TRUE(cut_step(world, settings, {&still, 1}).ok());
+  ASSERT_TRUE(cut_whole(world, settings, {&still, 1}).ok());
   EXPECT_EQ(count_numbers(only_body(world).mesh).boundary_loops, 4u + 3u);
 }
 
@@ -307,7 +307,7 @@ TEST(CutStep, stops_with_a_sentence_when_too_many_faces_would_be_made) {
   settings.most_faces = 20000;
   World world = world_of(plate(1));
   const BeamMove still{{{0, 1, 0}, {0, -1, 0}}, {{0, 1, 0}, {0, -1, 0}}};
-  const auto result = cut_step(world, settings, {&still, 1});
+  const auto result = cut_whole(world, settings, {&still, 1});
   ASSERT_FALSE(result.ok());
   EXPECT_NE(result.error().message.find("20000 faces"), std::string::npos);
   EXPECT_EQ(find_fault(only_body(world).mesh), "");
@@ -330,7 +330,7 @@ TEST(CutStep, tells_in_its_delta_of_every_face_that_changed) {
   };
   for (const BeamMove& move : stroke.moves) {
     remember();
-    const auto result = cut_step(world, stroke.settings, {&move, 1});
+    const auto result = cut_whole(world, stroke.settings, {&move, 1});
     ASSERT_TRUE(result.ok());
     std::vector<int> told(body.mesh.face_slots(), 0);
     for (const BodyDelta& d : result->delta.bodies) {

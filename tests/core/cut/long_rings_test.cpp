@@ -7,6 +7,7 @@
 #include "core/graph/separation.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/mesh_numbers.h"
+#include "tests/support/strokes.h"
 
 namespace kerf::test {
 namespace {
@@ -21,15 +22,9 @@ StepResult cut_across(World& world, int depth) {
   settings.resolution = {.rule = Resolution::Rule::kDepth, .depth = depth};
   const Pose pose{{-2, 0.5, 0}, {1, 0, 0}};
   const BeamMove still{pose, pose};
-  const auto result = cut_step(world, settings, {&still, 1});
+  const auto result = cut_whole(world, settings, {&still, 1});
   EXPECT_TRUE(result.ok());
   return *result;
-}
-
-World world_of(const Soup& soup) {
-  World world;
-  world.add(make_body("body", build(soup)));
-  return world;
 }
 
 TEST(LongRings, a_book_of_many_sheets_is_cut_whole_in_linear_time) {

@@ -32,7 +32,7 @@ TEST(Document, replays_its_journal_to_the_same_world) {
 
   Document second(world_of(torus(16, 10, 0.5, 0.2)));
   for (const Command& command : first.journal()) ASSERT_TRUE(second.apply(command).ok());
-  ASSERT_TRUE(second.step(second.waiting()).ok());
+  ASSERT_TRUE(walk_all(second).ok());
   EXPECT_EQ(state_hash(first.world()), state_hash(second.world()));
   EXPECT_LT(first.world().live_faces(), 1u << 20);
   EXPECT_GT(first.world().live_pieces(), 0u);
@@ -43,7 +43,7 @@ TEST(Document, recuts_the_last_stroke_as_if_it_had_been_drawn_so) {
     document.apply(BeginStroke{settings_of(radius), {{-0.8, 1, z}, {0, -1, 0}}});
     document.apply(MoveStroke{{{0.8, 1, z + 0.03}, {0, -1, 0}}});
     document.apply(EndStroke{});
-    ASSERT_TRUE(document.step(document.waiting()).ok());
+    ASSERT_TRUE(walk_all(document).ok());
   };
   Document recut(world_of(sphere(12, 16, 0.5))), drawn(world_of(sphere(12, 16, 0.5)));
   EXPECT_FALSE(recut.can_recut());
@@ -52,7 +52,7 @@ TEST(Document, recuts_the_last_stroke_as_if_it_had_been_drawn_so) {
   for (const double radius : {0.03, 0.015}) {
     ASSERT_TRUE(recut.can_recut());
     ASSERT_TRUE(recut.apply(Recut{settings_of(radius)}).ok());
-    ASSERT_TRUE(recut.step(recut.waiting()).ok());
+    ASSERT_TRUE(walk_all(recut).ok());
   }
   draw(drawn, 0.02, 0.1);
   draw(drawn, 0.015, -0.1);
@@ -123,6 +123,7 @@ TEST(Document, a_move_is_walked_alike_however_far_the_cut_had_come_when_it_was_a
 TEST(Document, a_stroke_that_fails_leaves_the_next_one_alone) {
   CutSettings too_fine = settings_of(0.02);
   too_fine.most_faces = 40;
+  too_fine.bite = 1;
   const auto strokes = [&](Document& document, bool step_between) {
     for (const double z : {0.2, -0.2}) {
       document.apply(BeginStroke{z > 0 ? too_fine : settings_of(0.02), {{-0.7, 1, z}, {0, -1, 0}}});
@@ -156,7 +157,7 @@ TEST(Document, cuts_through_all_bodies) {
   Document document(std::move(world));
   document.apply(BeginStroke{settings_of(0.02), {{-0.7, 1, 0.1}, {0, -1, 0}}});
   document.apply(MoveStroke{{{0.7, 1, 0.12}, {0, -1, 0}}});
-  ASSERT_TRUE(document.step(document.waiting()).ok());
+  ASSERT_TRUE(walk_all(document).ok());
   EXPECT_EQ(document.world().live_pieces(), 4u);
 }
 
@@ -164,7 +165,7 @@ TEST(Extract, gives_each_piece_its_faces_area_and_rim) {
   Document document(world_of(plate(1)));
   document.apply(BeginStroke{settings_of(0.02), {{-0.7, 1, 0.1}, {0, -1, 0}}});
   document.apply(MoveStroke{{{0.7, 1, 0.1}, {0, -1, 0}}});
-  ASSERT_TRUE(document.step(document.waiting()).ok());
+  ASSERT_TRUE(walk_all(document).ok());
   const Body& body = document.world().body(document.world().ids()[0]);
   const auto groups = faces_by_piece(body, false);
   ASSERT_EQ(groups.size(), 2u);

@@ -5,6 +5,7 @@
 #include "core/world/state_hash.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/mesh_numbers.h"
+#include "tests/support/same_world.h"
 #include "tests/support/strokes.h"
 
 namespace kerf::test {
@@ -25,6 +26,7 @@ std::vector<Command> random_stroke_commands(Random& random) {
   s.resolution.scheme = random.below(2) == 0 ? Scheme::kOneToFour : Scheme::kLongestEdge;
   s.resolution.rim = random.below(3) == 0 ? Rim::kSmooth : Rim::kFaces;
   s.resolution.target_edge = s.laser.radius * random.uniform(0.5, 2);
+  if (random.below(2) == 0) s.bite = 1 + random.below(200);
   const auto pose = [&] {
     const Vec3 d = glm::normalize(Vec3(random.uniform(-0.2, 0.2), -1, random.uniform(-0.2, 0.2)));
     return Pose{Vec3(random.uniform(-0.9, 0.9), 0, random.uniform(-0.9, 0.9)) - 2.0 * d, d};
@@ -37,49 +39,6 @@ std::vector<Command> random_stroke_commands(Random& random) {
 
 CutSettings random_settings(Random& random) {
   return std::get<BeginStroke>(random_stroke_commands(random).front()).settings;
-}
-
-void expect_same_body(const Body& a, const Body& b) {
-  EXPECT_EQ(a.name, b.name);
-  EXPECT_EQ(a.hidden, b.hidden);
-  EXPECT_EQ(a.placement.position, b.placement.position);
-  ASSERT_EQ(a.mesh.face_slots(), b.mesh.face_slots());
-  ASSERT_EQ(a.mesh.vertex_slots(), b.mesh.vertex_slots());
-  EXPECT_EQ(a.mesh.live_faces(), b.mesh.live_faces());
-  for (uint32_t v = 0; v < a.mesh.vertex_slots(); ++v)
-    ASSERT_EQ(a.mesh.position(VertexId(v)), b.mesh.position(VertexId(v)));
-  for (uint32_t f = 0; f < a.mesh.face_slots(); ++f) {
-    const FaceId face(f);
-    ASSERT_EQ(a.mesh.is_live(face), b.mesh.is_live(face));
-    if (!a.mesh.is_live(face)) continue;
-    ASSERT_EQ(a.mesh.corners(face), b.mesh.corners(face));
-    const FaceData &x = a.mesh.data(face), &y = b.mesh.data(face);
-    ASSERT_TRUE(x.base == y.base && x.element == y.element && x.piece == y.piece && x.halvings == y.halvings);
-  }
-  ASSERT_EQ(a.pieces.size(), b.pieces.size());
-  for (uint32_t p = 0; p < a.pieces.size(); ++p) {
-    EXPECT_EQ(a.pieces[p].faces, b.pieces[p].faces);
-    EXPECT_EQ(a.pieces[p].area, b.pieces[p].area);
-  }
-}
-
-// The boxes of a tree with where the beam was.
-std::vector<std::tuple<double, double, int, bool, bool>> boxes(const AabbTree& tree) {
-  std::vector<std::tuple<double, double, int, bool, bool>> all;
-  tree.for_each_box([&](const AabbTree::Box& b) {
-    all.emplace_back(b.min.x + b.min.y + b.min.z, b.max.x + b.max.y + b.max.z, b.depth, b.leaf, b.hit);
-  });
-  return all;
-}
-
-void expect_same_world(const World& a, const World& b) {
-  ASSERT_EQ(a.ids(), b.ids());
-  EXPECT_EQ(state_hash(a), state_hash(b));
-  for (const BodyId id : a.ids()) {
-    SCOPED_TRACE("body " + std::to_string(id.slot));
-    expect_same_body(a.body(id), b.body(id));
-    EXPECT_EQ(boxes(a.body(id).tree), boxes(b.body(id).tree));
-  }
 }
 
 // What the tests of mesh and graph ask of a world, after whatever way it came to.
@@ -98,8 +57,13 @@ void expect_whole(const World& world) {
   }
 }
 
-void finish(Document& document) {
-  while (document.waiting() > 0) ASSERT_TRUE(document.step(document.waiting()).ok());
+void finish(Document& document) { ASSERT_TRUE(walk_all(document).ok()); }
+
+// The command with steps of whole moves.
+Command with_one_bite(Command command) {
+  if (auto* begin = std::get_if<BeginStroke>(&command))
+    begin->settings.bite = std::numeric_limits<size_t>::max();
+  return command;
 }
 
 // A history as it should be: what was done, each with the commands that do it from scratch.
@@ -120,7 +84,7 @@ struct Model {
     Document fresh(made_world());
     for (size_t i = 0; i < at; ++i) {
       if (i + 1 < at && steps[i + 1].again) continue;
-      for (const Command& c : steps[i].commands) EXPECT_TRUE(fresh.apply(c).ok());
+      for (const Command& c : steps[i].commands) EXPECT_TRUE(fresh.apply(with_one_bite(c)).ok());
       finish(fresh);
     }
     return fresh.world();
@@ -238,22 +202,102 @@ TEST(History, a_journal_with_undos_and_recuts_replays_to_the_same_world) {
 }
 
 TEST(History, a_stroke_that_is_stopped_is_taken_back) {
-  Random random(3);
-  Document document(made_world());
-  const auto first = random_stroke_commands(random), second = random_stroke_commands(random);
-  for (const Command& c : first) ASSERT_TRUE(document.apply(c).ok());
-  finish(document);
-  const uint64_t before = state_hash(document.world());
-  for (const Command& c : second) ASSERT_TRUE(document.apply(c).ok());
-  ASSERT_TRUE(document.step(1).ok());
-  int asked = 0;
-  const Progress stop{[&](double) { return ++asked < 2; }};
-  while (document.waiting() > 0) {
-    if (!document.step(1, &stop)) break;
+  for (const size_t bite : {size_t{1}, size_t{30}, CutSettings{}.bite}) {
+    SCOPED_TRACE("bite " + std::to_string(bite));
+    Random random(3);
+    Document document(made_world());
+    auto first = random_stroke_commands(random);
+    auto second = random_stroke_commands(random);
+    std::get<BeginStroke>(second.front()).settings.bite = bite;
+    for (const Command& c : first) ASSERT_TRUE(document.apply(c).ok());
+    finish(document);
+    const World before = document.world();
+    for (const Command& c : second) ASSERT_TRUE(document.apply(c).ok());
+    ASSERT_TRUE(document.step(1).ok());
+    int asked = 0;
+    const Progress stop{[&](double) { return ++asked < 20; }};
+    while (document.waiting() > 0) {
+      if (!document.step(1, &stop)) break;
+    }
+    EXPECT_GE(asked, 20);
+    expect_same_world(document.world(), before);
+    EXPECT_EQ(document.history().position(), 1u);
+    EXPECT_EQ(document.strokes(), 1u);
+    // Nothing of it is left half-way for the next one.
+    Document fresh(made_world());
+    for (const auto* stroke : {&first, &second}) {
+      for (const Command& c : *stroke) ASSERT_TRUE(fresh.apply(c).ok());
+      finish(fresh);
+    }
+    for (const Command& c : second) ASSERT_TRUE(document.apply(c).ok());
+    finish(document);
+    expect_same_world(document.world(), fresh.world());
   }
-  EXPECT_EQ(state_hash(document.world()), before);
-  EXPECT_EQ(document.history().position(), 1u);
-  EXPECT_EQ(document.strokes(), 1u);
+}
+
+// A twin is begun from there at any time.
+TEST(History, asking_what_was_before_a_stroke_leaves_the_stroke_alone) {
+  for (uint64_t seed = 301; seed <= 303; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    Document asked(made_world()), left_alone(made_world());
+    for (int stroke = 0; stroke < 2; ++stroke) {
+      const World before = asked.world();
+      auto commands = random_stroke_commands(random);
+      CutSettings& settings = std::get<BeginStroke>(commands.front()).settings;
+      settings.bite = 1 + random.below(100);
+      settings.search_a_move = 1 + random.below(100);
+      for (const Command& c : commands) {
+        ASSERT_TRUE(asked.apply(c).ok());
+        ASSERT_TRUE(left_alone.apply(c).ok());
+      }
+      while (asked.waiting() > 0) {
+        ASSERT_TRUE(asked.step(1).ok());
+        if (random.below(4) != 0) continue;
+        const auto then = asked.before_last_stroke();
+        ASSERT_TRUE(then.has_value());
+        EXPECT_EQ(state_hash(*then), state_hash(before));
+      }
+      finish(left_alone);
+      expect_same_world(asked.world(), left_alone.world());
+    }
+    ASSERT_TRUE(asked.apply(Undo{}).ok());
+    ASSERT_TRUE(left_alone.apply(Undo{}).ok());
+    expect_same_world(asked.world(), left_alone.world());
+    if (HasFailure()) return;
+  }
+}
+
+// At every step of the first, in the middle of its moves too; it cuts the plate in two.
+TEST(History, a_stroke_cut_again_before_it_is_walked_leaves_the_one_before_it_alone) {
+  CutSettings settings;
+  settings.laser.radius = 0.1;
+  settings.resolution.target_edge = 0.1;
+  settings.bite = 1;
+  CutSettings finer = settings;
+  finer.resolution.target_edge = 0.05;
+  const auto draw = [](Document& document, const CutSettings& s, double x) {
+    document.apply(BeginStroke{s, {{x, 1, -0.7}, {0, -1, 0}}});
+    document.apply(MoveStroke{{{x, 1, 0.7}, {0, -1, 0}}});
+    document.apply(EndStroke{});
+  };
+  Document fresh(world_of(plate(1)));
+  draw(fresh, settings, -0.2);
+  draw(fresh, finer, 0.2);
+  finish(fresh);
+  ASSERT_EQ(fresh.world().live_pieces(), 3u);
+  for (size_t steps = 0;; ++steps) {
+    SCOPED_TRACE("after " + std::to_string(steps) + " steps");
+    Document document(world_of(plate(1)));
+    draw(document, settings, -0.2);
+    draw(document, settings, 0.2);
+    for (size_t i = 0; i < steps; ++i) ASSERT_TRUE(document.step(1).ok());
+    if (document.history().step(1).begun) break;
+    ASSERT_TRUE(document.apply(Recut{finer}).ok());
+    finish(document);
+    expect_same_world(document.world(), fresh.world());
+    if (HasFailure()) return;
+  }
 }
 
 TEST(History, nothing_to_undo_or_redo_is_no_error_and_is_not_written) {

@@ -255,11 +255,11 @@ TEST_F(JournalFile, replays_to_the_hashes_that_were_recorded_and_finds_the_first
 TEST_F(JournalFile, holds_a_stroke_that_was_cut_again) {
   Document document(world_of(plate(1)));
   for (const Command& command : stroke(0.1)) EXPECT_TRUE(document.apply(command).ok());
-  ASSERT_TRUE(document.step(document.waiting()).ok());
+  ASSERT_TRUE(walk_all(document).ok());
   CutSettings finer = document.stroke_settings();
   finer.resolution.target_edge /= 3;
   ASSERT_TRUE(document.apply(Recut{finer}).ok());
-  ASSERT_TRUE(document.step(document.waiting()).ok());
+  ASSERT_TRUE(walk_all(document).ok());
   save(document.journal());
   const Journal journal = read();
   Document again(world_of(plate(1)));

@@ -184,7 +184,7 @@ TEST(ShadowVolume, following_deltas_ends_where_building_anew_ends) {
     for (int stroke = 0; stroke < 4; ++stroke) {
       const test::RandomStroke cut = test::random_stroke(world, random, 0.04, stroke % 2 == 1);
       for (const BeamMove& move : cut.moves) {
-        const auto step = cut_step(world, cut.settings, {&move, 1});
+        const auto step = test::cut_whole(world, cut.settings, {&move, 1});
         ASSERT_TRUE(step.ok());
         std::vector<uint32_t> slots;
         for (const BodyDelta& d : step->delta.bodies) {

@@ -47,7 +47,7 @@ World cut_world(const Soup& soup, uint64_t seed) {
   Random random(seed);
   for (int i = 0; i < 3; ++i) {
     const RandomStroke stroke = random_stroke(world, random, 0.02, i == 1);
-    EXPECT_TRUE(cut_step(world, stroke.settings, stroke.moves).ok());
+    EXPECT_TRUE(cut_whole(world, stroke.settings, stroke.moves).ok());
     go_on_separating(world, kNoLimit);
   }
   return world;
@@ -104,7 +104,7 @@ TEST(Detach, a_piece_is_cut_on_as_it_was_in_the_body_that_it_came_from) {
     RandomStroke stroke = random_stroke(together, random, 0.02, false);
     stroke.settings.resolution.scheme = Scheme::kLongestEdge;  // green pairs were forgotten
     for (World* world : {&together, &apart}) {
-      ASSERT_TRUE(cut_step(*world, stroke.settings, stroke.moves).ok());
+      ASSERT_TRUE(cut_whole(*world, stroke.settings, stroke.moves).ok());
       go_on_separating(*world, kNoLimit);
     }
     EXPECT_NEAR(area_of(together), area_of(apart), 1e-3 * area_of(together));

@@ -1,0 +1,58 @@
+#include "tests/support/same_world.h"
+
+#include <gtest/gtest.h>
+
+#include <tuple>
+
+#include "core/world/state_hash.h"
+
+namespace kerf::test {
+
+namespace {
+
+void expect_same_body(const Body& a, const Body& b) {
+  EXPECT_EQ(a.name, b.name);
+  EXPECT_EQ(a.hidden, b.hidden);
+  EXPECT_EQ(a.placement.position, b.placement.position);
+  ASSERT_EQ(a.mesh.face_slots(), b.mesh.face_slots());
+  ASSERT_EQ(a.mesh.vertex_slots(), b.mesh.vertex_slots());
+  EXPECT_EQ(a.mesh.live_faces(), b.mesh.live_faces());
+  for (uint32_t v = 0; v < a.mesh.vertex_slots(); ++v)
+    ASSERT_EQ(a.mesh.position(VertexId(v)), b.mesh.position(VertexId(v)));
+  for (uint32_t f = 0; f < a.mesh.face_slots(); ++f) {
+    const FaceId face(f);
+    ASSERT_EQ(a.mesh.is_live(face), b.mesh.is_live(face));
+    if (!a.mesh.is_live(face)) continue;
+    ASSERT_EQ(a.mesh.corners(face), b.mesh.corners(face));
+    const FaceData &x = a.mesh.data(face), &y = b.mesh.data(face);
+    ASSERT_TRUE(x.base == y.base && x.element == y.element && x.piece == y.piece && x.halvings == y.halvings);
+  }
+  ASSERT_EQ(a.pieces.size(), b.pieces.size());
+  for (uint32_t p = 0; p < a.pieces.size(); ++p) {
+    EXPECT_EQ(a.pieces[p].faces, b.pieces[p].faces);
+    EXPECT_EQ(a.pieces[p].area, b.pieces[p].area);
+  }
+}
+
+// The boxes of a tree with where the beam was.
+std::vector<std::tuple<double, double, int, bool, bool>> boxes(const AabbTree& tree) {
+  std::vector<std::tuple<double, double, int, bool, bool>> all;
+  tree.for_each_box([&](const AabbTree::Box& b) {
+    all.emplace_back(b.min.x + b.min.y + b.min.z, b.max.x + b.max.y + b.max.z, b.depth, b.leaf, b.hit);
+  });
+  return all;
+}
+
+}  // namespace
+
+void expect_same_world(const World& a, const World& b) {
+  ASSERT_EQ(a.ids(), b.ids());
+  EXPECT_EQ(state_hash(a), state_hash(b));
+  for (const BodyId id : a.ids()) {
+    SCOPED_TRACE("body " + std::to_string(id.slot));
+    expect_same_body(a.body(id), b.body(id));
+    EXPECT_EQ(boxes(a.body(id).tree), boxes(b.body(id).tree));
+  }
+}
+
+}  // namespace kerf::test

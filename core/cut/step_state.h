@@ -25,7 +25,7 @@ struct BodyStep {
 
 // So many faces are looked at before the tree follows what was split or removed: the least that a step does.
 // The boxes of the tree depend on it, and by the order of what it finds all that is cut.
-inline constexpr size_t kFacesTogether = 64;
+inline constexpr size_t kFacesTogether = 128;
 
 // The stages. Each does one thing to the state; cut_step puts them in order.
 void sweep(BodyStep& step, const Laser& laser, const BeamMove& move);

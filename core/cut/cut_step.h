@@ -51,7 +51,7 @@ struct CutSettings {
   size_t search_a_move = 1'000;
   // How many faces a step finds, looks at and removes before it ends, or few more; about a millisecond. What
   // is cut does not depend on it.
-  size_t bite = 4'000;
+  size_t bite = 3'000;
 };
 
 // What a step looked at, made and took, and how long its stages took (seconds).

@@ -1,3 +1,5 @@
+#include <malloc.h>
+
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <map>
@@ -34,6 +36,7 @@ void run(const std::string& name, const Effort& effort, const std::vector<std::s
 
 int main(int argc, char** argv) {
   using namespace kerf::bench;
+  mallopt(M_MMAP_THRESHOLD, 1 << 20);  // as app/main.cpp
   CLI::App app{"The tree beside its peers: processor time of one thread, medians"};
   std::string json;
   std::vector<std::string> only;

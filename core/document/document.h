@@ -46,6 +46,8 @@ class Document {
   size_t waiting() const;
   // The first of them; null when none waits.
   const BeamMove* next_move() const { return work_.empty() ? nullptr : &work_.front().move; }
+  // Whether the next step ends a stroke with a smooth rim, which takes long after a long stroke.
+  bool next_closes_rim() const { return !work_.empty() && work_.front().closes; }
 
   // One step of bounded work: walks up to so many of them, of one stroke, and no more than a bite
   // (CutSettings::bite), so that the last may be left half-way for the next step; ends a stroke with a smooth

@@ -92,10 +92,12 @@ class Editor:
     def quit(self):
         """Ends the editor by its own shortcut, gives up what is not saved, and returns its report."""
         self.press("ctrl", "q")
-        try:
-            self.kerf.wait(timeout=1.5)
-        except subprocess.TimeoutExpired:
-            self.press("d")
+        for _ in range(10):
+            try:
+                self.kerf.wait(timeout=1.5)
+                break
+            except subprocess.TimeoutExpired:
+                self.press("d")  # again where a slow picture kept the question from being there
         return self.report()
 
     def title(self):

@@ -5,11 +5,18 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include <utility>
+
 #include "ui/editor/load_bar.h"
 
 namespace kerf {
 
+namespace {
+constexpr std::chrono::seconds kSoon{1};
+}  // namespace
+
 void BusyWindow::keep(const Vec2& pixels) {
+  began_ = std::chrono::steady_clock::now();
   glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
   glBindTexture(GL_TEXTURE_2D, kept_.name());
   glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, 0, 0, static_cast<GLsizei>(pixels.x),
@@ -31,17 +38,25 @@ void BusyWindow::show(EditorState& state, Window& window, Gui& gui) {
 
 void BusyWindow::hear(EditorState& state, Window& window) {
   for (const InputEvent& event : window.take_events()) {
-    if (event.kind != InputEvent::Kind::kKey) continue;
-    if (event.button == GLFW_KEY_ESCAPE) {
+    if (event.kind == InputEvent::Kind::kKey && event.button == GLFW_KEY_ESCAPE) {
       state.long_work.stop();
     } else {
-      typed_.push_back(event);
+      heard_.push_back(event);
     }
   }
   window.take_drops();
   if (!window.take_close()) return;
   state.requests.quit = true;
   state.long_work.stop();
+}
+
+std::vector<InputEvent> BusyWindow::take_heard() {
+  std::vector<InputEvent> heard = std::exchange(heard_, {});
+  if (heard.empty() || std::chrono::steady_clock::now() - began_ < kSoon) return heard;
+  std::erase_if(heard, [](const InputEvent& event) {
+    return event.kind == InputEvent::Kind::kPress || event.kind == InputEvent::Kind::kWheel;
+  });
+  return heard;
 }
 
 void BusyWindow::draw_kept(const Vec2& size) const {

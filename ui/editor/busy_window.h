@@ -1,6 +1,6 @@
 #pragma once
 
-#include <utility>
+#include <chrono>
 #include <vector>
 
 #include "ui/editor/editor_state.h"
@@ -16,17 +16,20 @@ class BusyWindow {
  public:
   // What was drawn to the window and is not swapped yet is shown from now on; its size in pixels.
   void keep(const Vec2& pixels);
-  // A frame. Escape, the button beside the bar and closing the window stop the work; other keys wait.
+  // A frame. Escape, the button beside the bar and closing the window stop the work; what else the user does
+  // waits.
   void show(EditorState& state, Window& window, Gui& gui);
-  // Keys that were pressed meanwhile, once.
-  std::vector<InputEvent> take_typed() { return std::exchange(typed_, {}); }
+  // What the user did meanwhile, once. After more than a second without what was pressed in the picture: it
+  // is another picture by now.
+  std::vector<InputEvent> take_heard();
 
  private:
   void hear(EditorState& state, Window& window);
   void draw_kept(const Vec2& size) const;
 
   gl::Texture kept_;
-  std::vector<InputEvent> typed_;
+  std::vector<InputEvent> heard_;
+  std::chrono::steady_clock::time_point began_;
 };
 
 }  // namespace kerf

@@ -127,6 +127,42 @@ void show_hidden(EditorState& state, Renderer& renderer) {
   }
 }
 
+void follow_step(EditorState& state, Renderer& renderer, const StepResult& step) {
+  renderer.follow(step.delta);
+  if (state.look.ghost || state.look.show.face_numbers) renderer.catch_up(state.document.world());
+  state.last_step = step.figures;
+  state.note_figures(step.figures);
+  state.history.note_step(step);
+}
+
+void show_failed_step(EditorState& state, Renderer& renderer, const Error& error) {
+  cancel_stroke(state);
+  renderer.resend(state.document.world());
+  state.say(error.message, true);
+}
+
+bool close_rim_beside(EditorState& state, Renderer& renderer) {
+  const size_t faces = state.document.world().live_faces();
+  if (!state.document.next_closes_rim() || faces <= kManyFaces) return false;
+  const auto step = std::make_shared<StepResult>();
+  LongChange change;
+  change.title = "Smoothing the rim";
+  change.run = [step](Document& document, const Progress&) -> Result<Delta> {
+    Result<StepResult> done = document.step(1);
+    if (!done) return done.error();
+    *step = std::move(*done);
+    return Delta{};
+  };
+  change.then = [&state, &renderer, step, faces](const Result<Delta>& done) {
+    if (!done) return show_failed_step(state, renderer, done.error());
+    follow_step(state, renderer, *step);
+    state.faces_before_step = faces;
+    state.world_changed = true;
+  };
+  state.long_change = std::move(change);
+  return true;
+}
+
 void show_world(const EditorState& state, const World& world, Renderer& renderer) {
   if (state.as_loaded) {
     renderer.show(*state.as_loaded, state.paints);

@@ -20,6 +20,13 @@ void hide_chosen(EditorState& state, Renderer& renderer);
 void delete_chosen(EditorState& state, Renderer& renderer);
 void show_hidden(EditorState& state, Renderer& renderer);
 
+// Lets the picture and the figures follow a step of a cut.
+void follow_step(EditorState& state, Renderer& renderer, const StepResult& step);
+// The same where a step failed.
+void show_failed_step(EditorState& state, Renderer& renderer, const Error& error);
+// Whether the next step ends a stroke among so many faces that it becomes the state's long_change.
+bool close_rim_beside(EditorState& state, Renderer& renderer);
+
 // Lets a renderer look anew at a world that cuts have come to. Smooth normals come from the faces as they
 // were loaded, whatever strokes have done to them.
 void show_world(const EditorState& state, const World& world, Renderer& renderer);

@@ -167,8 +167,6 @@ void Editor::frame() {
 // At the end of a frame: it is what is seen until the work is done.
 void Editor::begin_long_change() {
   if (!state_.long_change) return;
-  cancel_stroke(state_);
-  state_.drag = Drag::kNone;
   busy_.keep(window_.pixel_size());
   state_.long_work.start(state_.document, *std::exchange(state_.long_change, {}));
   if (state_.long_work.is_over(kMissable)) finish_long_work();
@@ -219,8 +217,9 @@ void Editor::hear() {
   const ImGuiIO& io = ImGui::GetIO();
   const bool popup = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
   const bool mouse_free = !io.WantCaptureMouse && !popup;
-  for (const InputEvent& event : busy_.take_typed()) hear_key(event);
-  for (const InputEvent& event : window_.take_events()) {
+  std::vector<InputEvent> events = busy_.take_heard();
+  for (const InputEvent& event : window_.take_events()) events.push_back(event);
+  for (const InputEvent& event : events) {
     if (event.kind != InputEvent::Kind::kKey) {
       handle_mouse(state_, event, mouse_free);
     } else {
@@ -331,19 +330,14 @@ bool Editor::cut_first(Clock::time_point began, double budget) {
   Renderer& renderer = picture_.first();
   state_.tool.find_strike(state_.document);
   while (state_.document.waiting() > 0 && seconds_since(began) < budget) {
+    if (close_rim_beside(state_, renderer)) break;
     const size_t faces = state_.document.world().live_faces();
     const Result<StepResult> step = state_.document.step(kMovesOfStep);
     if (!step) {
-      cancel_stroke(state_);
-      renderer.resend(state_.document.world());
-      state_.say(step.error().message, true);
+      show_failed_step(state_, renderer, step.error());
       break;
     }
-    renderer.follow(step->delta);
-    if (state_.look.ghost || state_.look.show.face_numbers) renderer.catch_up(state_.document.world());
-    state_.last_step = step->figures;
-    state_.note_figures(step->figures);
-    state_.history.note_step(*step);
+    follow_step(state_, renderer, *step);
     state_.faces_before_step = faces;
   }
   return true;

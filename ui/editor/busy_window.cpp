@@ -13,10 +13,11 @@ namespace kerf {
 
 namespace {
 constexpr std::chrono::seconds kSoon{1};
+constexpr std::chrono::milliseconds kUnseen{300};  // a bar that comes and goes only disturbs
 }  // namespace
 
 void BusyWindow::keep(const Vec2& pixels) {
-  began_ = std::chrono::steady_clock::now();
+  began_ = Clock::now();
   glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
   glBindTexture(GL_TEXTURE_2D, kept_.name());
   glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, 0, 0, static_cast<GLsizei>(pixels.x),
@@ -31,7 +32,9 @@ void BusyWindow::show(EditorState& state, Window& window, Gui& gui) {
   gui.begin_frame();
   draw_kept(window.size());
   LongWork& work = state.long_work;
-  if (draw_progress(state.layout.viewport, work.title(), work.fraction(), work.can_stop())) work.stop();
+  const bool lasts = Clock::now() - began_ > kUnseen;
+  if (lasts && draw_progress(state.layout.viewport, work.title(), work.fraction(), work.can_stop()))
+    work.stop();
   gui.end_frame();
   window.swap();
 }
@@ -52,7 +55,7 @@ void BusyWindow::hear(EditorState& state, Window& window) {
 
 std::vector<InputEvent> BusyWindow::take_heard() {
   std::vector<InputEvent> heard = std::exchange(heard_, {});
-  if (heard.empty() || std::chrono::steady_clock::now() - began_ < kSoon) return heard;
+  if (heard.empty() || Clock::now() - began_ < kSoon) return heard;
   std::erase_if(heard, [](const InputEvent& event) {
     return event.kind == InputEvent::Kind::kPress || event.kind == InputEvent::Kind::kWheel;
   });

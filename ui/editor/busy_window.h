@@ -16,20 +16,22 @@ class BusyWindow {
  public:
   // What was drawn to the window and is not swapped yet is shown from now on; its size in pixels.
   void keep(const Vec2& pixels);
-  // A frame. Escape, the button beside the bar and closing the window stop the work; what else the user does
-  // waits.
+  // A frame; the bar is there when the work lasts. Escape, the button beside the bar and closing the window
+  // stop the work; what else the user does waits.
   void show(EditorState& state, Window& window, Gui& gui);
   // What the user did meanwhile, once. After more than a second without what was pressed in the picture: it
   // is another picture by now.
   std::vector<InputEvent> take_heard();
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   void hear(EditorState& state, Window& window);
   void draw_kept(const Vec2& size) const;
 
   gl::Texture kept_;
   std::vector<InputEvent> heard_;
-  std::chrono::steady_clock::time_point began_;
+  Clock::time_point began_;
 };
 
 }  // namespace kerf

@@ -28,7 +28,8 @@ bool draw_progress(const Area& picture, const std::string& title, double fractio
     ImGui::TextUnformatted(title.c_str());
     const float button = ImGui::CalcTextSize("Cancel").x + 2 * ImGui::GetStyle().FramePadding.x;
     const float beside = can_stop ? button + ImGui::GetStyle().ItemSpacing.x : 0;
-    ImGui::ProgressBar(static_cast<float>(fraction), {-std::max(beside, FLT_MIN), 0});
+    const char* text = fraction > 0 ? nullptr : "";  // null: the percentage
+    ImGui::ProgressBar(static_cast<float>(fraction), {-std::max(beside, FLT_MIN), 0}, text);
     if (can_stop) {
       ImGui::SameLine();
       stopped = ImGui::Button("Cancel");

@@ -250,6 +250,23 @@ class Window(unittest.TestCase):
         self.assertEqual((report["recuts"], report["strokes"]), (1, 1))
         self.assertGreater(report["faces_removed"], 100)
 
+    def test_a_stroke_among_many_faces_is_cut_again_and_again_and_all_pieces_are_shown(self):
+        editor = self.open()
+        editor.drag([(500, 130), (500, 720)])
+        time.sleep(3)
+        for _ in range(2):
+            editor.press("r")
+            time.sleep(4)
+        editor.press("ctrl", "a")
+        editor.press("h")
+        time.sleep(4)
+        editor.press("shift", "h")
+        time.sleep(4)
+        report = editor.quit()
+        self.assertGreater(report["faces"], 40000)
+        self.assertEqual((report["recuts"], report["strokes"], report["pieces_hidden"]), (2, 1, 0))
+        self.assertEqual(report["undo_depth"], 2 + 2 * report["pieces"])
+
     def test_a_piece_is_picked_and_hidden(self):
         editor = self.open(SPHERE)
         editor.press("k")

@@ -97,7 +97,7 @@ const char* why_none_chosen(const EditorState& state) {
              : "No piece is chosen: Ctrl+click one, or choose it in the list.";
 }
 const char* why_none_hidden(const EditorState& state) {
-  return hidden_pieces(state.look.pieces) > 0 ? nullptr : "No piece is hidden.";
+  return hidden_pieces(state.look.pieces).empty() ? "No piece is hidden." : nullptr;
 }
 
 template <Tool tool>

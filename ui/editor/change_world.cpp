@@ -65,11 +65,25 @@ bool is_of_stroke(const Command& command) {
          std::holds_alternative<EndStroke>(command) || std::holds_alternative<Recut>(command);
 }
 
+bool is_small(const Document& document) { return document.world().live_faces() <= kManyFaces; }
+
 bool is_quick(const Document& document, const Command& command) {
   if (is_of_stroke(command)) return true;
-  if (std::holds_alternative<AddMesh>(command) || document.world().live_faces() > kManyFaces) return false;
+  if (std::holds_alternative<AddMesh>(command) || !is_small(document)) return false;
   const size_t now = document.history().position();
   return now == 0 || !std::holds_alternative<Undo>(command) || document.remembers_way_to(now - 1);
+}
+
+Change apply_all(std::vector<Command> commands) {
+  return [commands = std::move(commands)](Document& document, const Progress* progress) -> Result<Delta> {
+    Delta all;
+    for (const Command& command : commands) {
+      Result<Delta> one = document.apply(command, progress);
+      if (!one) return one;
+      all.append(std::move(*one));
+    }
+    return all;
+  };
 }
 
 }  // namespace
@@ -80,8 +94,7 @@ void change_world(EditorState& state, Renderer& renderer, const Command& command
 }
 
 void travel_to(EditorState& state, Renderer& renderer, size_t position) {
-  const Document& document = state.document;
-  const bool quick = document.remembers_way_to(position) && document.world().live_faces() <= kManyFaces;
+  const bool quick = is_small(state.document) && state.document.remembers_way_to(position);
   change(state, renderer, "Through the history", quick,
          [position](Document& d, const Progress* progress) { return d.travel(position, progress); });
 }
@@ -119,12 +132,20 @@ void delete_chosen(EditorState& state, Renderer& renderer) {
       change_chosen(state, renderer, [](const PieceRef& piece) { return Command(DeletePiece{piece}); });
 }
 
+// Hidden pieces are bodies of their own, so that none goes by another name when one is shown.
 void show_hidden(EditorState& state, Renderer& renderer) {
-  for (size_t left = hidden_pieces(state.look.pieces); left > 0; --left) {
-    const auto key = first_hidden(state.look.pieces);
-    if (!key) return;
-    change_world(state, renderer, HidePiece{{key->first.slot, key->second}, false});
-  }
+  std::vector<Command> commands;
+  for (const PieceKey& key : hidden_pieces(state.look.pieces))
+    commands.emplace_back(HidePiece{{key.first.slot, key.second}, false});
+  change(state, renderer, "Show all pieces", is_small(state.document), apply_all(std::move(commands)));
+}
+
+void cut_again(EditorState& state, Renderer& renderer, const CutSettings& settings) {
+  std::vector<Command> commands;
+  const Command& last = state.document.history().last().commands.front();
+  if (std::holds_alternative<Recut>(last)) commands.emplace_back(Undo{});
+  commands.emplace_back(Recut{settings});
+  change(state, renderer, "Cut again", true, apply_all(std::move(commands)));
 }
 
 void follow_step(EditorState& state, Renderer& renderer, const StepResult& step) {

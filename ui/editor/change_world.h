@@ -20,6 +20,9 @@ void hide_chosen(EditorState& state, Renderer& renderer);
 void delete_chosen(EditorState& state, Renderer& renderer);
 void show_hidden(EditorState& state, Renderer& renderer);
 
+// Cuts the last stroke again, in place of an earlier recut of it. It can be cut again.
+void cut_again(EditorState& state, Renderer& renderer, const CutSettings& settings);
+
 // Lets the picture and the figures follow a step of a cut.
 void follow_step(EditorState& state, Renderer& renderer, const StepResult& step);
 // The same where a step failed.

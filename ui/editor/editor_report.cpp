@@ -94,7 +94,7 @@ Status write_editor_report(const EditorState& state, const std::filesystem::path
       {"undo_depth", state.document.history().position()},
       {"recuts", state.recuts},
       {"pieces_chosen", chosen_pieces(state.look.pieces)},
-      {"pieces_hidden", hidden_pieces(state.look.pieces)},
+      {"pieces_hidden", hidden_pieces(state.look.pieces).size()},
       {"spread", state.spread},
       {"bodies", state.document.world().ids().size()},
       {"files", names},

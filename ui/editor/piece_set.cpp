@@ -89,11 +89,6 @@ size_t chosen_pieces(const PieceMap& looks) {
       std::count_if(looks.begin(), looks.end(), [](const auto& entry) { return entry.second.selected; }));
 }
 
-size_t hidden_pieces(const PieceMap& looks) {
-  return static_cast<size_t>(
-      std::count_if(looks.begin(), looks.end(), [](const auto& entry) { return entry.second.hidden; }));
-}
-
 std::optional<PieceKey> first_chosen(const PieceMap& looks) {
   for (const auto& [key, look] : looks) {
     if (look.selected) return key;
@@ -101,11 +96,12 @@ std::optional<PieceKey> first_chosen(const PieceMap& looks) {
   return std::nullopt;
 }
 
-std::optional<PieceKey> first_hidden(const PieceMap& looks) {
+std::vector<PieceKey> hidden_pieces(const PieceMap& looks) {
+  std::vector<PieceKey> hidden;
   for (const auto& [key, look] : looks) {
-    if (look.hidden) return key;
+    if (look.hidden) hidden.push_back(key);
   }
-  return std::nullopt;
+  return hidden;
 }
 
 void follow_world(const World& world, PieceMap& looks) {

@@ -30,10 +30,9 @@ Vec3 piece_colour(uint32_t label, bool strong);
 void choose_piece(PieceMap& looks, const PieceKey& key, bool add);
 void choose_none(PieceMap& looks);
 size_t chosen_pieces(const PieceMap& looks);
-size_t hidden_pieces(const PieceMap& looks);
-// The first of those that are chosen, or hidden; none where there is none.
+// The first of those; none where there is none.
 std::optional<PieceKey> first_chosen(const PieceMap& looks);
-std::optional<PieceKey> first_hidden(const PieceMap& looks);
+std::vector<PieceKey> hidden_pieces(const PieceMap& looks);
 
 // Hides what the world hides, forgets what has no faces any more, and finds again what went by a new body
 // when a piece was detached.

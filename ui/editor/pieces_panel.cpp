@@ -106,7 +106,7 @@ bool row_button(const char* label, int shares, bool can, const char* meaning, co
 
 void draw_buttons(EditorState& state) {
   PieceMap& looks = state.look.pieces;
-  const size_t chosen = chosen_pieces(looks), hidden = hidden_pieces(looks);
+  const size_t chosen = chosen_pieces(looks), hidden = hidden_pieces(looks).size();
   constexpr const char* kNoneChosen =
       "No piece is chosen: Ctrl+click one in the picture, or click it in the list.";
   if (row_button("Hide", 3, chosen > 0, "Leaves the chosen pieces out of the picture (H).", kNoneChosen)) {

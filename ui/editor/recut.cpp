@@ -15,10 +15,7 @@ void recut_last_stroke(EditorState& state, Renderer& renderer) {
   if (why_no_recut(state) != nullptr) return;
   CutSettings settings = state.document.stroke_settings();
   settings.resolution = state.laser.resolution.of(settings.laser.radius);
-  const History& history = state.document.history();
-  const Command& last = history.last().commands.front();
-  if (std::holds_alternative<Recut>(last)) change_world(state, renderer, Undo{});
-  change_world(state, renderer, Recut{settings});
+  cut_again(state, renderer, settings);
   ++state.recuts;
 }
 

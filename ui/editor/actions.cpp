@@ -5,13 +5,13 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include "ui/editor/camera_text.h"
-#include "ui/editor/file_menus.h"
-#include "ui/editor/load_bar.h"
-#include "ui/editor/panels.h"
-#include "ui/editor/piece_set.h"
-#include "ui/editor/recut.h"
-#include "ui/editor/viewport_input.h"
+#include "ui/editor/changes/recut.h"
+#include "ui/editor/frame/file_menus.h"
+#include "ui/editor/frame/load_bar.h"
+#include "ui/editor/panels/panels.h"
+#include "ui/editor/tools/piece_set.h"
+#include "ui/editor/tools/viewport_input.h"
+#include "ui/editor/work/camera_text.h"
 
 namespace kerf {
 

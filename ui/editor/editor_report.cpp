@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/atomic_file.h"
-#include "ui/editor/light_handle.h"
-#include "ui/editor/piece_set.h"
+#include "ui/editor/tools/light_handle.h"
+#include "ui/editor/tools/piece_set.h"
 
 namespace kerf {
 

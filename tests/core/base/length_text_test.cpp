@@ -1,0 +1,14 @@
+#include <gtest/gtest.h>
+
+#include "core/base/length_text.h"
+
+namespace kerf {
+namespace {
+
+TEST(LengthText, chooses_the_unit) {
+  EXPECT_EQ(length_text(0.01225), "12.2 mm");
+  EXPECT_EQ(length_text(3), "3 m");
+}
+
+}  // namespace
+}  // namespace kerf

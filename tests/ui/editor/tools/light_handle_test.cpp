@@ -1,0 +1,65 @@
+#include "ui/editor/tools/light_handle.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/made_meshes.h"
+#include "ui/editor/panels/light_presets.h"
+
+namespace kerf {
+namespace {
+
+class LightHandleTest : public testing::Test {
+ protected:
+  LightHandleTest() {
+    World world;
+    world.add(make_body("sphere", test::build(test::sphere(8, 12, 1))));
+    state.document = Document(std::move(world));
+    state.layout = lay_out({1000, 700}, 16, 26, 26);
+    state.settings.panels["Light"] = true;
+    state.camera.look({0, 1, 8}, {0, 0, 0});
+    state.camera.finish();
+  }
+  EditorState state;
+};
+
+TEST_F(LightHandleTest, is_shown_while_the_panel_is_unfolded) {
+  EXPECT_TRUE(light_handle(state, 0));
+  state.settings.panels["Light"] = false;
+  EXPECT_FALSE(light_handle(state, 0));
+}
+
+TEST_F(LightHandleTest, a_drag_takes_either_kind_of_light_to_the_pointer) {
+  state.look.lights = {Light{}, Light{Light::Kind::kPoint, {1, 2, 0.5}, {1, 1, 1}, 1}};
+  for (const size_t light : {size_t{0}, size_t{1}}) {
+    const std::optional<Vec2> before = light_handle(state, light);
+    ASSERT_TRUE(before);
+    EXPECT_EQ(light_under(state, *before), light);
+    const Vec2 to = *before + Vec2(24, 17);
+    drag_light(state, light, to);
+    const std::optional<Vec2> after = light_handle(state, light);
+    ASSERT_TRUE(after);
+    EXPECT_LT(glm::length(*after - to), 0.5) << light;
+  }
+}
+
+TEST_F(LightHandleTest, a_light_behind_the_eye_has_none) {
+  state.look.lights = {Light{Light::Kind::kPoint, {0, 1, 20}, {1, 1, 1}, 1}};
+  EXPECT_FALSE(light_handle(state, 0));
+}
+
+TEST(LightPresets, each_has_one_to_four_lights_that_shine_on_the_world) {
+  const World::Bounds bounds{{-2, 0, -1}, {3, 2, 1}};
+  EXPECT_GE(light_presets().size(), 5u);
+  for (const LightPreset& preset : light_presets()) {
+    const std::vector<Light> lights = preset.lights(bounds);
+    EXPECT_GE(lights.size(), 1u) << preset.name;
+    EXPECT_LE(lights.size(), kMostLights) << preset.name;
+    for (const Light& light : lights) {
+      EXPECT_GT(light.intensity, 0) << preset.name;
+      EXPECT_GT(glm::length(light.at), 0) << preset.name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,80 @@
+#include <gtest/gtest.h>
+
+#include "tests/support/made_meshes.h"
+#include "ui/editor/changes/recut.h"
+#include "ui/editor/editor_state.h"
+#include "ui/editor/tools/piece_set.h"
+
+namespace kerf {
+namespace {
+
+PieceKey key(uint32_t label) { return {BodyId{0, 0}, label}; }
+
+TEST(PieceSet, a_click_chooses_one_and_shift_adds) {
+  PieceMap looks;
+  choose_piece(looks, key(1), false);
+  choose_piece(looks, key(2), false);
+  EXPECT_EQ(chosen_pieces(looks), 1u);
+  choose_piece(looks, key(3), true);
+  EXPECT_EQ(chosen_pieces(looks), 2u);
+  choose_piece(looks, key(3), true);
+  EXPECT_EQ(chosen_pieces(looks), 1u);
+  choose_piece(looks, key(2), false);
+  EXPECT_TRUE(looks.empty());
+}
+
+// A sphere whose last stroke went through its middle.
+class CutSphere : public testing::Test {
+ protected:
+  CutSphere() {
+    World world;
+    world.add(make_body("sphere", test::build(test::sphere(24, 32, 1))));
+    state.document = Document(std::move(world));
+    CutSettings settings;
+    settings.laser.radius = 0.1;
+    settings.laser.range = {0, 10};
+    settings.resolution = {.rule = Resolution::Rule::kDepth, .depth = 1};
+    state.document.apply(BeginStroke{settings, {{-1.5, 0, 5}, {0, 0, -1}}});
+    state.document.apply(MoveStroke{{{1.5, 0, 5}, {0, 0, -1}}});
+    state.document.apply(EndStroke{});
+    while (state.document.waiting() > 0) EXPECT_TRUE(state.document.step(64).ok());
+  }
+  EditorState state;
+};
+
+TEST_F(CutSphere, looks_follow_a_piece_that_is_hidden_and_shown_again) {
+  PieceMap& looks = state.look.pieces;
+  const PieceKey half = list_pieces(state.document.world())[1].key;
+  choose_piece(looks, half, false);
+  ASSERT_TRUE(state.document.apply(HidePiece{{half.first.slot, half.second}, true}).ok());
+  follow_world(state.document.world(), looks);
+  EXPECT_EQ(chosen_pieces(looks), 0u);
+  ASSERT_EQ(hidden_pieces(looks).size(), 1u);
+  EXPECT_EQ(state.document.world().body(hidden_pieces(looks).front().first).name, "sphere piece 1");
+  EXPECT_EQ(list_pieces(state.document.world()).size(), 2u);
+  ASSERT_TRUE(state.document.apply(Undo{}).ok());
+  follow_world(state.document.world(), looks);
+  EXPECT_TRUE(looks.empty());
+}
+
+TEST_F(CutSphere, spreads_its_halves_apart) {
+  const World& world = state.document.world();
+  const std::vector<PieceRow> rows = list_pieces(world);
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0].name, "sphere");
+  spread_pieces(world, 0.5, state.look.pieces);
+  const Vec3 a = state.look.pieces[rows[0].key].offset, b = state.look.pieces[rows[1].key].offset;
+  EXPECT_GT(std::abs(a.y - b.y), 0.3);
+  EXPECT_LT(a.y * b.y, 0);
+  EXPECT_NEAR(a.x, 0, 0.05);
+  spread_pieces(world, 0, state.look.pieces);
+  EXPECT_TRUE(state.look.pieces.empty());
+}
+
+TEST_F(CutSphere, can_be_cut_again_and_an_untouched_one_says_why_not) {
+  EXPECT_EQ(why_no_recut(state), nullptr);
+  EXPECT_NE(why_no_recut(EditorState()), nullptr);
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,109 @@
+#include <gtest/gtest.h>
+#include <stb_image.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "tests/ui/render/stage.h"
+
+namespace kerf {
+namespace {
+
+constexpr int kWidth = 320, kHeight = 200;
+// Versions of the software renderer round differently, so pictures only have to be alike.
+constexpr double kMeanTolerance = 2;      // of 255
+constexpr double kPixelTolerance = 0.01;  // of the pixels may be off by more than 24 of 255
+
+struct Golden {
+  const char* name;
+  ViewOptions options;
+};
+
+ViewOptions showing(const char* list) {
+  ViewOptions options;
+  options.show = *parse_show_list(list);
+  return options;
+}
+
+std::vector<Golden> goldens(const World& world) {
+  const BodyId ball = world.ids().front();
+  std::vector<Golden> all;
+  for (const char* name : {"aabb", "aabb-hit", "wire", "face-numbers", "pieces", "normals"}) {
+    all.push_back({name, showing(name)});
+  }
+  for (const char* name : {"shadows", "silhouette", "shadow-volumes", "shadow-stencil", "shadow-facing",
+                           "shadow-compare", "shadow-reference"}) {
+    all.push_back({name, showing((std::string("shadows,") + name).c_str())});
+    all.back().options.lights.front().at = {-0.9, 0.9, 0.5};
+  }
+  Golden paper{"shadows-paper-look", showing("shadows")};
+  paper.options.shadow = {.method = ShadowMethod::kPaperTwoVolumes, .extrusion = 4, .paper_look = true};
+  all.push_back(paper);
+  Golden lamps{"shadows-of-two-lamps", showing("shadows")};
+  lamps.options.lights = {Light{Light::Kind::kPoint, {-1.5, 2.5, 2}, {1, 0.7, 0.4}, 0.9},
+                          Light{Light::Kind::kPoint, {3.2, 2, 1}, {0.5, 0.7, 1}, 0.7}};
+  all.push_back(lamps);
+  Golden leaves{"aabb-leaves", showing("aabb")};
+  leaves.options.tree.leaves_only = true;
+  leaves.options.tree.body = ball;
+  all.push_back(leaves);
+  Golden blue{"aabb-orange-and-blue", showing("aabb")};
+  blue.options.tree.deepest = 6;
+  blue.options.tree.palette = BoxPalette::kOrangeAndBlue;
+  all.push_back(blue);
+  Golden shallow{"aabb-depth-3", showing("aabb")};
+  shallow.options.tree.deepest = 3;
+  all.push_back(shallow);
+  Golden ghost{"ghost", {}};
+  ghost.options.ghost = true;
+  all.push_back(ghost);
+  Golden black{"one-sided", {}};
+  black.options.two_sided = false;
+  all.push_back(black);
+  Golden culled{"backs-culled", {}};
+  culled.options.cull_backs = true;
+  all.push_back(culled);
+  Golden spread{"pieces-spread", showing("pieces")};
+  spread.options.pieces[{ball, 1}] = {false, true, {0, 0.35, 0}};
+  all.push_back(spread);
+  Golden hidden{"pieces-hidden", {}};
+  hidden.options.pieces[{ball, 1}].hidden = true;
+  hidden.options.ghost = true;
+  all.push_back(hidden);
+  return all;
+}
+
+Pixels read(const std::filesystem::path& png) {
+  Pixels pixels;
+  int channels = 0;
+  if (uint8_t* data = stbi_load(png.c_str(), &pixels.width, &pixels.height, &channels, 3)) {
+    pixels.rgb.assign(data,
+                      data + 3 * static_cast<size_t>(pixels.width) * static_cast<size_t>(pixels.height));
+    stbi_image_free(data);
+  }
+  return pixels;
+}
+
+// KERF_MAKE_GOLDEN=1 makes the pictures anew; look at each of them then.
+TEST(Golden, every_overlay_looks_as_it_did) {
+  test::Stage stage = test::ball_and_ring();
+  const CameraView view = test::view_of_ball_and_ring(static_cast<double>(kWidth) / kHeight);
+  for (const Golden& golden : goldens(stage.world())) {
+    const Pixels drawn = stage.draw(view, golden.options, kWidth, kHeight);
+    const auto file = std::filesystem::path(KERF_GOLDEN) / (std::string(golden.name) + ".png");
+    if (std::getenv("KERF_MAKE_GOLDEN") != nullptr) {
+      ASSERT_TRUE(write_png(drawn, file).ok());
+      continue;
+    }
+    const test::PictureDifference off = test::difference(read(file), drawn);
+    EXPECT_LE(off.mean, kMeanTolerance) << golden.name;
+    EXPECT_LE(off.changed, kPixelTolerance) << golden.name;
+    if (off.mean > kMeanTolerance || off.changed > kPixelTolerance) {
+      const auto here = std::filesystem::temp_directory_path() / (std::string(golden.name) + ".png");
+      if (write_png(drawn, here).ok()) std::printf("as drawn now: %s\n", here.c_str());
+    }
+  }
+}
+
+}  // namespace
+}  // namespace kerf

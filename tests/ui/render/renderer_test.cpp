@@ -1,0 +1,90 @@
+#include "ui/render/renderer.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/made_meshes.h"
+#include "tests/ui/render/stage.h"
+
+namespace kerf {
+namespace {
+
+constexpr int kWidth = 240, kHeight = 200;
+
+Pixels part_of(const Pixels& whole, int left, int width) {
+  Pixels part{width, whole.height, {}};
+  for (int y = 0; y < whole.height; ++y) {
+    const auto from = whole.rgb.begin() + 3 * (static_cast<std::ptrdiff_t>(y) * whole.width + left);
+    part.rgb.insert(part.rgb.end(), from, from + 3 * width);
+  }
+  return part;
+}
+
+World torus_world() {
+  World world;
+  world.add(make_body("ring", test::build(test::torus(16, 24, 1, 0.3))));
+  return world;
+}
+
+// Two renderers that share a window: each in its rectangle what it draws alone, and between them nothing.
+TEST(Renderer, two_draw_side_by_side_without_touching_each_other) {
+  test::Stage stage = test::ball_and_ring();
+  const World other = torus_world();
+  auto second = Renderer::create();
+  ASSERT_TRUE(second.ok());
+  second->show(other, {});
+  const CameraView view = test::view_of_ball_and_ring(static_cast<double>(kWidth) / kHeight);
+  ViewOptions options;
+  options.show = *parse_show_list("aabb-hit,face-numbers");
+  options.ghost = true;
+  constexpr int kGap = 10, kWhole = 2 * kWidth + kGap;
+  for (const bool antialias : {false, true}) {
+    options.antialias = antialias;
+    const Pixels left = stage.draw(view, options, kWidth, kHeight);
+    const gl::Framebuffer picture({kWhole, kHeight, 1, false});
+    picture.bind();
+    glClearColor(1, 0, 1, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    for (int frame = 0; frame < 2; ++frame) {
+      stage.renderer().draw(stage.world(), view, options, std::nullopt,
+                            {picture.name(), 0, 0, kWidth, kHeight});
+      second->draw(other, view, options, std::nullopt, {picture.name(), kWidth + kGap, 0, kWidth, kHeight});
+    }
+    const Pixels both = read_pixels(picture.name(), kWhole, kHeight);
+    EXPECT_EQ(part_of(both, 0, kWidth).rgb, left.rgb);
+    const Pixels gap = part_of(both, kWidth, kGap);
+    for (size_t i = 0; i < gap.rgb.size(); i += 3) {
+      ASSERT_TRUE(gap.rgb[i] == 255 && gap.rgb[i + 1] == 0 && gap.rgb[i + 2] == 255);
+    }
+    const gl::Framebuffer alone({kWidth, kHeight, 1, false});
+    second->draw(other, view, options, std::nullopt, {alone.name(), 0, 0, kWidth, kHeight});
+    EXPECT_EQ(part_of(both, kWidth + kGap, kWidth).rgb, read_pixels(alone.name(), kWidth, kHeight).rgb);
+  }
+}
+
+TEST(Renderer, a_hidden_piece_and_its_shadow_are_gone_and_come_back) {
+  test::Stage stage = test::ball_and_ring();
+  const CameraView view = test::view_of_ball_and_ring(static_cast<double>(kWidth) / kHeight);
+  const Pixels plain = stage.draw(view, {}, kWidth, kHeight);
+  ViewOptions options;
+  const BodyId ring = stage.world().ids().back();
+  options.pieces[{ring, 0}].hidden = true;
+  const Pixels hidden = stage.draw(view, options, kWidth, kHeight);
+  EXPECT_GT(test::difference(plain, hidden).changed, 0.05);
+  EXPECT_EQ(stage.draw(view, {}, kWidth, kHeight).rgb, plain.rgb);
+}
+
+TEST(Renderer, the_ghost_shows_only_where_something_is_gone) {
+  test::Stage stage = test::ball_and_ring();
+  const CameraView view = test::view_of_ball_and_ring(static_cast<double>(kWidth) / kHeight);
+  ViewOptions options;
+  const Pixels plain = stage.draw(view, options, kWidth, kHeight);
+  options.ghost = true;
+  const Pixels ghost = stage.draw(view, options, kWidth, kHeight);
+  size_t off = 0;
+  for (size_t i = 0; i < ghost.rgb.size(); i += 3) off += std::abs(ghost.rgb[i] - plain.rgb[i]) > 4;
+  EXPECT_GT(off, 100u);
+  EXPECT_LT(off, static_cast<size_t>(kWidth * kHeight) / 20);
+}
+
+}  // namespace
+}  // namespace kerf

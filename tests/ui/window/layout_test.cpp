@@ -1,0 +1,35 @@
+#include <gtest/gtest.h>
+
+#include "ui/window/layout.h"
+
+namespace kerf {
+namespace {
+
+TEST(Layout, areas_tile_the_window) {
+  for (const Vec2 window : {Vec2(800, 600), Vec2(1280, 800), Vec2(2560, 1440)}) {
+    const Layout l = lay_out(window, 16, 26, 26);
+    EXPECT_EQ(l.viewport.size.x + l.side.size.x, window.x);
+    EXPECT_EQ(26 + l.viewport.size.y + l.status.size.y, window.y);
+    EXPECT_GE(l.viewport.size.x, 320);
+  }
+}
+
+TEST(Layout, a_narrow_window_gives_up_its_panels) {
+  EXPECT_EQ(lay_out({500, 400}, 16, 26, 26).side.size.x, 0);
+}
+
+TEST(Layout, halves_tile_the_picture_and_stay_wide_enough_to_be_looked_at) {
+  const Layout whole = lay_out({1280, 800}, 16, 26, 26);
+  EXPECT_FALSE(whole.split());
+  EXPECT_EQ(whole.first.size, whole.viewport.size);
+  for (const double share : {0.0, 0.3, 0.5, 1.0}) {
+    const Layout l = split_in_two(whole, share);
+    EXPECT_TRUE(l.split());
+    EXPECT_EQ(l.first.size.x + l.second.size.x, whole.viewport.size.x);
+    EXPECT_EQ(l.second.at.x, l.first.at.x + l.first.size.x);
+    EXPECT_GE(std::min(l.first.size.x, l.second.size.x), 120) << share;
+  }
+}
+
+}  // namespace
+}  // namespace kerf

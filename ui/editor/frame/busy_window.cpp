@@ -1,0 +1,71 @@
+#include "ui/editor/frame/busy_window.h"
+
+#include <imgui.h>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <utility>
+
+#include "ui/editor/frame/load_bar.h"
+
+namespace kerf {
+
+namespace {
+constexpr std::chrono::seconds kSoon{1};
+constexpr std::chrono::milliseconds kUnseen{300};  // a bar that comes and goes only disturbs
+}  // namespace
+
+void BusyWindow::keep(const Vec2& pixels) {
+  began_ = Clock::now();
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+  glBindTexture(GL_TEXTURE_2D, kept_.name());
+  glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, 0, 0, static_cast<GLsizei>(pixels.x),
+                   static_cast<GLsizei>(pixels.y), 0);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glBindTexture(GL_TEXTURE_2D, 0);
+}
+
+void BusyWindow::show(EditorState& state, Window& window, Gui& gui) {
+  hear(state, window);
+  gui.begin_frame();
+  draw_kept(window.size());
+  LongWork& work = state.long_work;
+  const bool lasts = Clock::now() - began_ > kUnseen;
+  if (lasts && draw_progress(state.layout.viewport, work.title(), work.fraction(), work.can_stop()))
+    work.stop();
+  gui.end_frame();
+  window.swap();
+}
+
+void BusyWindow::hear(EditorState& state, Window& window) {
+  for (const InputEvent& event : window.take_events()) {
+    if (event.kind == InputEvent::Kind::kKey && event.button == GLFW_KEY_ESCAPE) {
+      state.long_work.stop();
+    } else {
+      heard_.push_back(event);
+    }
+  }
+  window.take_drops();
+  if (!window.take_close()) return;
+  state.requests.quit = true;
+  state.long_work.stop();
+}
+
+std::vector<InputEvent> BusyWindow::take_heard() {
+  std::vector<InputEvent> heard = std::exchange(heard_, {});
+  if (heard.empty() || Clock::now() - began_ < kSoon) return heard;
+  std::erase_if(heard, [](const InputEvent& event) {
+    return event.kind == InputEvent::Kind::kPress || event.kind == InputEvent::Kind::kWheel;
+  });
+  return heard;
+}
+
+void BusyWindow::draw_kept(const Vec2& size) const {
+  const auto texture = reinterpret_cast<ImTextureID>(static_cast<uintptr_t>(kept_.name()));
+  ImGui::GetBackgroundDrawList()->AddImage(
+      texture, {0, 0}, {static_cast<float>(size.x), static_cast<float>(size.y)}, {0, 1}, {1, 0});
+}
+
+}  // namespace kerf

@@ -1,0 +1,378 @@
+#include "ui/editor/frame/file_browser.h"
+
+#include <imgui.h>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <cctype>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+#include "core/document/work.h"
+#include "core/mesh/files/mesh_format.h"
+#include "ui/editor/editor_state.h"
+#include "ui/editor/work/export_pieces.h"
+#include "ui/editor/work/save_work.h"
+#include "ui/window/property.h"
+
+namespace kerf {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Purpose = FileBrowser::Purpose;
+
+constexpr int kPage = 10;
+
+// What is different between opening, saving and exporting.
+struct Wording {
+  const char *title, *verb, *hint;
+};
+const Wording& wording(Purpose purpose) {
+  static constexpr std::array kWordings{
+      Wording{"Open a scene, a journal or a mesh", "Open", "Type a part of a name, or a whole path"},
+      Wording{"Save the work", "Save", "Name; .kerf keeps everything, .json the scene without what was cut"},
+      Wording{"Export the chosen pieces", "Export",
+              "Name; its ending (.obj .ply .stl .off) says the format"}};
+  return kWordings[static_cast<size_t>(purpose)];
+}
+
+std::string lower(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+bool can_be_opened(const fs::path& file) {
+  const std::string ending = lower(file.extension().string());
+  return ending == ".json" || is_journal(ending) || mesh_format(ending).has_value();
+}
+
+void set_name(FileBrowser& b, const std::string& text) {
+  b.name.fill('\0');
+  std::memcpy(b.name.data(), text.data(), std::min(text.size(), b.name.size() - 1));
+}
+
+void enter_folder(FileBrowser& b, const fs::path& folder) {
+  std::error_code error;
+  const fs::path whole = fs::weakly_canonical(folder, error);
+  b.folder = error ? folder : whole;
+  b.entries = list_folder(b.folder, b.fault);
+  b.cursor = 0;
+  b.replace.clear();
+  b.show_cursor = true;
+  b.take_focus = true;
+  if (b.purpose == Purpose::kOpen) set_name(b, "");
+}
+
+std::vector<size_t> left_by_filter(const FileBrowser& b) {
+  const std::string filter = b.purpose == Purpose::kOpen ? b.name.data() : "";
+  std::vector<size_t> left;
+  for (size_t i = 0; i < b.entries.size(); ++i) {
+    if (passes_filter(b.entries[i].name, filter)) left.push_back(i);
+  }
+  return left;
+}
+
+// A path that was typed: absolute, or from the home folder.
+std::optional<fs::path> typed_path(const FileBrowser& b) {
+  const std::string text = b.name.data();
+  if (text.empty()) return std::nullopt;
+  if (text.front() == '/') return text;
+  const char* home = std::getenv("HOME");
+  if (text.front() == '~' && home != nullptr) return home + text.substr(1);
+  return std::nullopt;
+}
+
+void export_to(EditorState& state, const fs::path& file) {
+  FileBrowser& b = state.browser;
+  const auto written = export_chosen(state, file);
+  if (!written) {
+    b.fault = written.error().message;
+    return;
+  }
+  state.say(*written == 1
+                ? "Written: " + file.string()
+                : std::to_string(*written) + " files written, the first: " + numbered(file, 1).string());
+  b.open = false;
+}
+
+void choose_file(EditorState& state, const fs::path& file) {
+  FileBrowser& b = state.browser;
+  if (b.purpose == Purpose::kOpen) {
+    state.requests.open = {file};
+    b.open = false;
+    return;
+  }
+  std::error_code error;
+  if (fs::exists(file, error) && b.replace != file) {
+    b.replace = file;
+    b.fault = file.filename().string() + " is there already: choose Replace, or press Enter again";
+    return;
+  }
+  if (b.purpose == Purpose::kExport) return export_to(state, file);
+  state.requests.save_to = file;
+  b.open = false;
+}
+
+void choose_entry(EditorState& state, const FileBrowser::Entry& entry) {
+  FileBrowser& b = state.browser;
+  const fs::path path = b.folder / entry.name;
+  if (entry.folder) {
+    enter_folder(b, path);
+  } else if (b.purpose == Purpose::kOpen) {
+    choose_file(state, path);
+  } else {
+    set_name(b, entry.name);
+  }
+}
+
+// A name to save to gets the ending of a journal where it has none that says what to save.
+fs::path with_ending(fs::path file, Purpose purpose) {
+  const std::string ending = file.extension().string();
+  if (purpose == Purpose::kSave && ending != ".kerf" && ending != ".json") file += ".kerf";
+  return file;
+}
+
+void accept(EditorState& state) {
+  FileBrowser& b = state.browser;
+  std::error_code error;
+  if (const auto typed = typed_path(b)) {
+    if (fs::is_directory(*typed, error)) return enter_folder(b, *typed);
+    return choose_file(state, with_ending(*typed, b.purpose));
+  }
+  if (b.purpose != Purpose::kOpen) {
+    if (b.name.front() != '\0') choose_file(state, with_ending(b.folder / b.name.data(), b.purpose));
+    return;
+  }
+  const std::vector<size_t> left = left_by_filter(b);
+  if (b.cursor >= left.size()) return;
+  const FileBrowser::Entry entry = b.entries[left[b.cursor]];
+  choose_entry(state, entry);
+}
+
+void draw_where(FileBrowser& b) {
+  if (ImGui::Button("Up")) enter_folder(b, b.folder.parent_path());
+  tooltip("The folder around this one (Backspace)");
+  ImGui::SameLine();
+  ImGui::AlignTextToFramePadding();
+  const float room = ImGui::GetContentRegionAvail().x;
+  std::string shown = b.folder.string();
+  while (shown.size() > 8 && ImGui::CalcTextSize(shown.c_str()).x > room) shown = "..." + shown.substr(6);
+  ImGui::TextUnformatted(shown.c_str());
+  tooltip(b.folder.c_str());
+}
+
+std::string size_text(uintmax_t bytes) {
+  constexpr std::array kUnits{"B", "kB", "MB", "GB"};
+  auto size = static_cast<double>(bytes);
+  size_t unit = 0;
+  for (; size >= 1000 && unit + 1 < kUnits.size(); ++unit) size /= 1000;
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), size < 10 && unit > 0 ? "%.1f %s" : "%.0f %s", size, kUnits[unit]);
+  return text.data();
+}
+
+void draw_entry(EditorState& state, size_t place, const FileBrowser::Entry& entry, bool& gone) {
+  FileBrowser& b = state.browser;
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::PushID(static_cast<int>(place));
+  const std::string label = entry.folder ? entry.name + "/" : entry.name;
+  constexpr ImGuiSelectableFlags kRow = ImGuiSelectableFlags_SpanAllColumns |
+                                        ImGuiSelectableFlags_AllowDoubleClick |
+                                        ImGuiSelectableFlags_DontClosePopups;
+  const bool clicked = ImGui::Selectable(label.c_str(), b.cursor == place, kRow);
+  const bool twice = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+  if (b.cursor == place && b.show_cursor) ImGui::SetScrollHereY();
+  ImGui::PopID();
+  ImGui::TableNextColumn();
+  if (!entry.folder) ImGui::TextDisabled("%s", size_text(entry.bytes).c_str());
+  if (!clicked) return;
+  b.cursor = place;
+  if (b.purpose != Purpose::kOpen && !entry.folder) set_name(b, entry.name);
+  if (!twice) return;
+  const FileBrowser::Entry chosen = entry;
+  gone = true;
+  choose_entry(state, chosen);
+}
+
+void draw_list(EditorState& state) {
+  FileBrowser& b = state.browser;
+  const std::vector<size_t> left = left_by_filter(b);
+  if (!left.empty()) b.cursor = std::min(b.cursor, left.size() - 1);
+  constexpr ImGuiTableFlags kList =
+      ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersOuter;
+  const float below = ImGui::GetTextLineHeightWithSpacing() + ImGui::GetFrameHeightWithSpacing();
+  const ImVec2 size(0, std::max(3 * ImGui::GetFontSize(), ImGui::GetContentRegionAvail().y - below));
+  if (!ImGui::BeginTable("entries", 2, kList, size)) return;
+  ImGui::TableSetupColumn("Name", ImGuiTableColumnFlags_WidthStretch);
+  ImGui::TableSetupColumn("Size", ImGuiTableColumnFlags_WidthFixed, 5 * ImGui::GetFontSize());
+  bool gone = false;  // the entries are those of another folder now
+  for (size_t place = 0; place < left.size() && !gone; ++place) {
+    draw_entry(state, place, b.entries[left[place]], gone);
+  }
+  b.show_cursor = false;
+  if (left.empty()) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextDisabled("%s", b.entries.empty() ? "Nothing here that can be opened" : "No name matches");
+  }
+  ImGui::EndTable();
+}
+
+// The field for the name, and what the keyboard asks for.
+void draw_name(EditorState& state) {
+  FileBrowser& b = state.browser;
+  const bool was_empty = b.name.front() == '\0';
+  if (b.take_focus || !ImGui::IsAnyItemActive()) ImGui::SetKeyboardFocusHere();
+  b.take_focus = false;
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::InputTextWithHint("##name", wording(b.purpose).hint, b.name.data(), b.name.size())) {
+    b.cursor = 0;
+    b.replace.clear();
+    b.fault.clear();
+  }
+  FileBrowser::Keys keys = std::exchange(b.keys, {});
+  // Before the field listens, what was typed is lost: Enter would choose something else than was meant.
+  keys.enter = keys.enter && (ImGui::IsItemActive() || ImGui::IsItemDeactivated());
+  if (keys.escape) b.open = false;
+  if (keys.backspace && was_empty) enter_folder(b, b.folder.parent_path());
+  const auto count = static_cast<std::ptrdiff_t>(left_by_filter(b).size());
+  std::ptrdiff_t at = static_cast<std::ptrdiff_t>(b.cursor) + keys.steps;
+  if (keys.first) at = 0;
+  if (keys.last) at = count;
+  b.cursor = static_cast<size_t>(std::clamp<std::ptrdiff_t>(at, 0, std::max<std::ptrdiff_t>(count - 1, 0)));
+  if (keys.steps != 0 || keys.first || keys.last) b.show_cursor = true;
+  if (keys.enter) {
+    b.take_focus = true;
+    accept(state);
+  }
+}
+
+void draw_buttons(EditorState& state) {
+  FileBrowser& b = state.browser;
+  ImGui::PushTextWrapPos(0);
+  if (b.fault.empty()) {
+    ImGui::TextDisabled("%s",
+                        "Up and Down choose, Enter takes, Backspace goes to the folder around, Esc closes");
+  } else {
+    ImGui::TextUnformatted(b.fault.c_str());
+  }
+  ImGui::PopTextWrapPos();
+  const char* verb = b.replace.empty() ? wording(b.purpose).verb : "Replace";
+  if (ImGui::Button(verb, {7 * ImGui::GetFontSize(), 0})) accept(state);
+  ImGui::SameLine();
+  if (ImGui::Button("Cancel", {7 * ImGui::GetFontSize(), 0})) b.open = false;
+}
+
+}  // namespace
+
+std::vector<FileBrowser::Entry> list_folder(const fs::path& folder, std::string& fault) {
+  fault.clear();
+  std::vector<FileBrowser::Entry> entries;
+  std::error_code error;
+  fs::directory_iterator at(folder, fs::directory_options::skip_permission_denied, error);
+  for (; !error && at != fs::directory_iterator(); at.increment(error)) {
+    const std::string name = at->path().filename().string();
+    if (name.starts_with('.')) continue;
+    std::error_code unknown;
+    if (at->is_directory(unknown)) {
+      entries.push_back({name, true, 0});
+    } else if (at->is_regular_file(unknown) && can_be_opened(at->path())) {
+      const uintmax_t bytes = at->file_size(unknown);
+      entries.push_back({name, false, unknown ? 0 : bytes});
+    }
+  }
+  if (error) fault = folder.string() + ": this folder cannot be read";
+  std::sort(entries.begin(), entries.end(), [](const FileBrowser::Entry& a, const FileBrowser::Entry& b) {
+    if (a.folder != b.folder) return a.folder;
+    const std::string low_a = lower(a.name), low_b = lower(b.name);
+    return low_a != low_b ? low_a < low_b : a.name < b.name;
+  });
+  return entries;
+}
+
+bool passes_filter(const std::string& name, const std::string& filter) {
+  return lower(name).find(lower(filter)) != std::string::npos;
+}
+
+void browse(EditorState& state, Purpose purpose) {
+  FileBrowser& b = state.browser;
+  b = FileBrowser();
+  b.open = true;
+  b.purpose = purpose;
+  std::error_code error;
+  fs::path folder = state.settings.folder;
+  if (folder.empty() || !fs::is_directory(folder, error)) folder = fs::current_path(error);
+  enter_folder(b, folder);
+  if (purpose == Purpose::kExport) set_name(b, "piece.obj");
+  if (purpose == Purpose::kSave) set_name(b, suggested_name(state));
+}
+
+void browser_key(FileBrowser& browser, int key) {
+  FileBrowser::Keys& keys = browser.keys;
+  switch (key) {
+    case GLFW_KEY_UP:
+      --keys.steps;
+      break;
+    case GLFW_KEY_DOWN:
+      ++keys.steps;
+      break;
+    case GLFW_KEY_PAGE_UP:
+      keys.steps -= kPage;
+      break;
+    case GLFW_KEY_PAGE_DOWN:
+      keys.steps += kPage;
+      break;
+    case GLFW_KEY_HOME:
+      keys.first = true;
+      break;
+    case GLFW_KEY_END:
+      keys.last = true;
+      break;
+    case GLFW_KEY_ENTER:
+    case GLFW_KEY_KP_ENTER:
+      keys.enter = true;
+      break;
+    case GLFW_KEY_BACKSPACE:
+      keys.backspace = true;
+      break;
+    case GLFW_KEY_ESCAPE:
+      keys.escape = true;
+      break;
+    default:
+      break;
+  }
+}
+
+void draw_file_browser(EditorState& state) {
+  FileBrowser& b = state.browser;
+  if (!b.open) return;
+  const char* title = wording(b.purpose).title;
+  if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
+  const float em = ImGui::GetFontSize();
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowSize({std::min(44 * em, 0.92f * window.x), std::min(34 * em, 0.88f * window.y)});
+  ImGui::SetNextWindowPos({0.5f * window.x, 0.5f * window.y}, ImGuiCond_Always, {0.5f, 0.5f});
+  constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings;
+  bool wanted = true;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+  const bool drawn = ImGui::BeginPopupModal(title, &wanted, kFixed);
+  ImGui::PopStyleVar();
+  if (!drawn) return;
+  draw_where(b);
+  draw_name(state);
+  draw_list(state);
+  draw_buttons(state);
+  if (!wanted) b.open = false;
+  if (!b.open) {
+    state.settings.folder = b.folder;
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::EndPopup();
+}
+
+}  // namespace kerf

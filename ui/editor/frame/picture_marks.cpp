@@ -1,0 +1,118 @@
+#include "ui/editor/frame/picture_marks.h"
+
+#include <imgui.h>
+
+#include "core/base/length_text.h"
+#include "ui/editor/tools/light_handle.h"
+#include "ui/render/beam_strike.h"
+#include "ui/window/number_text.h"
+#include "ui/window/theme.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr std::array kHints{
+    "Hold the left button and drag to cut",
+    "Middle drag to look round, wheel to come closer",
+    "F1 shows all shortcuts",
+};
+constexpr double kLeastRing = 3, kMostRing = 400;  // pixels
+
+ImVec2 to_im(Vec2 p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
+
+// As large as the cut would be where the pointer is.
+void draw_ring(const EditorState& state, ImDrawList& list) {
+  if (!state.pointer_over_picture && state.drag != Drag::kCut) return;
+  if (state.left_button != Tool::kLaser && state.drag != Drag::kCut) return;
+  if (state.drag != Drag::kNone && state.drag != Drag::kCut) return;
+  const CameraView view = state.view();
+  const Vec2 p = state.in_picture(state.pointer);
+  const double distance = first_hit(state.document.world(), view.ray(p.x, p.y)).value_or(view.focus);
+  const double pixels = state.laser.radius / (distance * view.tan_half_fov) * 0.5 * state.pane().size.y;
+  const auto ring = static_cast<float>(std::clamp(pixels, kLeastRing, kMostRing));
+  const ImVec2 at = to_im(state.pointer);
+  list.AddCircle(at, ring + 1.5f, IM_COL32(10, 12, 16, 150), 0, 3.0f);
+  list.AddCircle(at, ring + 1.5f, state.drag == Drag::kCut ? colours::accent() : colours::kPictureText, 0,
+                 1.3f);
+}
+
+void draw_hints(const EditorState& state, ImDrawList& list) {
+  if (state.cut_once) return;
+  const Area& area = state.layout.viewport;
+  const float line = ImGui::GetTextLineHeightWithSpacing(), em = ImGui::GetFontSize();
+  const float room = std::max(em, static_cast<float>(area.size.x) - 4 * em);
+  std::array<ImVec2, kHints.size()> sizes;
+  // In a picture that they would hide there is only the first.
+  const size_t count = area.size.x > 20 * em && area.size.y > 20 * em ? kHints.size() : 1;
+  float widest = 0, height = 0;
+  for (size_t i = 0; i < count; ++i) {
+    sizes[i] = ImGui::CalcTextSize(kHints[i], nullptr, false, room);
+    widest = std::max(widest, sizes[i].x);
+    height += sizes[i].y + line - em;
+  }
+  const float middle = static_cast<float>(area.at.x + 0.5 * area.size.x);
+  const float bottom = static_cast<float>(area.at.y + area.size.y) - 1.6f * em;
+  float y = bottom - height;
+  list.AddRectFilled({middle - 0.5f * widest - em, y - 0.6f * em},
+                     {middle + 0.5f * widest + em, bottom + 0.4f * em}, colours::kPictureShade, 3);
+  for (size_t i = 0; i < count; ++i) {
+    list.AddText(nullptr, 0, {middle - 0.5f * sizes[i].x, y},
+                 i == 0 ? colours::kPictureText : colours::kPictureSecondary, kHints[i], nullptr, room);
+    y += sizes[i].y + line - em;
+  }
+}
+
+std::string resolution_text(const Resolution& r) {
+  if (r.rule == Resolution::Rule::kTargetEdge) return "Edges of " + length_text(r.target_edge);
+  if (r.rule == Resolution::Rule::kTolerance) return "Within " + length_text(r.tolerance);
+  return r.depth == 0 ? "Whole faces" : "Depth " + std::to_string(r.depth);
+}
+
+// What a half shows, in its upper left corner.
+void draw_half_label(const Area& half, const std::string& what, const std::string& faces, ImDrawList& list) {
+  const float em = ImGui::GetFontSize(), line = ImGui::GetTextLineHeight();
+  const float x = static_cast<float>(half.at.x) + em, y = static_cast<float>(half.at.y) + em;
+  const float width = std::max(ImGui::CalcTextSize(what.c_str()).x, ImGui::CalcTextSize(faces.c_str()).x);
+  list.PushClipRect(to_im(half.at), to_im(half.at + half.size), true);
+  list.AddRectFilled({x - 0.6f * em, y - 0.4f * em}, {x + width + 0.6f * em, y + 2.2f * line + 0.4f * em},
+                     colours::kPictureShade, 3);
+  list.AddText({x, y}, colours::kPictureText, what.c_str());
+  list.AddText({x, y + 1.2f * line}, colours::kPictureSecondary, faces.c_str());
+  list.PopClipRect();
+}
+
+void draw_half_labels(const EditorState& state, ImDrawList& list) {
+  const Layout& l = state.layout;
+  if (!l.split()) return;
+  const bool cut = state.document.strokes() > 0;
+  const double radius = state.laser.radius;
+  const SplitView& split = state.split;
+  draw_half_label(
+      l.first,
+      resolution_text(cut ? state.document.stroke_settings().resolution : state.laser.resolution.of(radius)),
+      grouped(state.shown.faces) + " faces", list);
+  const bool there = split.twin.there();
+  draw_half_label(l.second, resolution_text(cut ? split.twin.resolution() : split.resolution.of(radius)),
+                  there ? grouped(state.shown.twin_faces) + " faces"
+                        : "Too large to be cut twice (more than 400 000 faces)",
+                  list);
+  const auto x = static_cast<float>(l.second.at.x), y = static_cast<float>(l.second.at.y);
+  list.AddLine({x, y}, {x, y + static_cast<float>(l.second.size.y)}, colours::kPictureShade, 3);
+  list.AddLine({x, y}, {x, y + static_cast<float>(l.second.size.y)}, colours::kPictureSecondary, 1);
+}
+
+}  // namespace
+
+void draw_picture_marks(const EditorState& state) {
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const Area& area = state.layout.viewport;
+  list.PushClipRect(to_im(area.at), to_im(area.at + area.size));
+  draw_ring(state, list);
+  draw_half_labels(state, list);
+  draw_light_handles(state, list);
+  draw_hints(state, list);
+  list.PopClipRect();
+}
+
+}  // namespace kerf

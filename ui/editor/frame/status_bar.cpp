@@ -1,0 +1,120 @@
+#include "ui/editor/frame/status_bar.h"
+
+#include <imgui.h>
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "ui/window/number_text.h"
+#include "ui/window/theme.h"
+
+namespace kerf {
+
+namespace {
+
+const char* left_button(const EditorState& state) {
+  switch (state.drag) {
+    case Drag::kCut:
+      return "Cutting: release to end, Esc ends";
+    case Drag::kOrbit:
+      return "Orbiting";
+    case Drag::kPan:
+      return "Panning";
+    case Drag::kLight:
+      return "Moving a light";
+    case Drag::kPick:
+    case Drag::kNone:
+      break;
+  }
+  if (state.left_button == Tool::kPick) return "Pick: click chooses a piece, Shift adds, drag looks round";
+  if (state.cut_once) return "Laser: left drag cuts, Ctrl+click picks";
+  return "Laser: left drag cuts";
+}
+
+struct Figure {
+  std::string text;
+  float least_width;  // in sizes of the text, so that what is beside it stays where it is
+  ImU32 colour;
+  float width() const {
+    return std::max(ImGui::CalcTextSize(text.c_str()).x, least_width * ImGui::GetFontSize()) +
+           1.2f * ImGui::GetFontSize();
+  }
+};
+
+// From the right; what comes first stays longest where there is no room for all.
+std::vector<Figure> figures_of(const EditorState& state) {
+  std::array<char, 32> frame{};
+  if (state.shown.frame_ms > 0) std::snprintf(frame.data(), frame.size(), "%.1f ms", state.shown.frame_ms);
+  return {
+      {grouped(state.shown.faces) + " faces", 6.0f, colours::text()},
+      {grouped(state.shown.pieces) + (state.shown.pieces == 1 ? " piece" : " pieces"), 4.4f, colours::text()},
+      {frame.data(), 3.6f, colours::secondary()}};
+}
+
+// Where the figures begin.
+float draw_figures(const EditorState& state, float from, float to) {
+  std::vector<Figure> figures = figures_of(state);
+  float width = 0;
+  for (size_t i = 0; i < figures.size(); ++i) {
+    width += figures[i].width();
+    if (from + width <= to) continue;
+    width -= figures[i].width();
+    figures.resize(i);
+  }
+  const float begin = to - width;
+  float x = begin;
+  for (const Figure& figure : figures) {
+    ImGui::SameLine(x + 1.2f * ImGui::GetFontSize());
+    ImGui::PushStyleColor(ImGuiCol_Text, figure.colour);
+    ImGui::TextUnformatted(figure.text.c_str());
+    ImGui::PopStyleColor();
+    x += figure.width();
+  }
+  return begin;
+}
+
+void draw_message(const EditorState& state, float from, float to) {
+  ImGui::SameLine(from);
+  ImGui::PushClipRect({from, 0}, {to, ImGui::GetIO().DisplaySize.y}, false);
+  ImGui::PushStyleColor(ImGuiCol_Text, state.message_is_error ? colours::text() : colours::secondary());
+  ImGui::TextUnformatted(((state.message_is_error ? "! " : "") + state.message).c_str());
+  ImGui::PopStyleColor();
+  ImGui::PopClipRect();
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", state.message.c_str());
+}
+
+void draw_contents(const EditorState& state) {
+  // What went wrong comes before what the button does, where there is no room for both.
+  const float em = ImGui::GetFontSize(), left = ImGui::GetStyle().WindowPadding.x;
+  const float end = ImGui::GetWindowWidth() - left;
+  const float hint = ImGui::CalcTextSize(left_button(state)).x + 1.6f * em;
+  const float right = draw_figures(state, left + hint, end);
+  const float wanted = ImGui::CalcTextSize(state.message.c_str()).x + em;
+  const bool crowded = state.message_is_error && left + hint + wanted > right;
+  if (!crowded) {
+    ImGui::SameLine(left);
+    ImGui::TextUnformatted(left_button(state));
+  }
+  const float message_at = crowded ? left : left + hint;
+  if (!state.message.empty() && right > message_at) draw_message(state, message_at, right);
+}
+
+}  // namespace
+
+void draw_status_bar(EditorState& state) {
+  const Area& area = state.layout.status;
+  ImGui::SetNextWindowPos({static_cast<float>(area.at.x), static_cast<float>(area.at.y)});
+  ImGui::SetNextWindowSize({static_cast<float>(area.size.x), static_cast<float>(area.size.y)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImGui::GetStyle().FramePadding);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
+  constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                      ImGuiWindowFlags_NoSavedSettings |
+                                      ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNavFocus |
+                                      ImGuiWindowFlags_NoFocusOnAppearing;
+  if (ImGui::Begin("##status", nullptr, kFixed)) draw_contents(state);
+  ImGui::End();
+  ImGui::PopStyleVar(2);
+}
+
+}  // namespace kerf

@@ -1,0 +1,104 @@
+#include "ui/editor/panels/history_panel.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "core/document/command_words.h"
+#include "ui/window/number_text.h"
+#include "ui/window/property.h"
+#include "ui/window/theme.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr size_t kMostRows = 10;
+
+// Of before-images: what a step takes to be undone at once.
+std::string weight_text(const HistoryStep& step) {
+  if (!step.begun) return "waits";
+  if (!step.remembered()) return "by replay";
+  const double kilobytes = static_cast<double>(step.bytes()) / 1024;
+  return kilobytes < 1000 ? text_of("%.0f kB", kilobytes) : text_of("%.1f MB", kilobytes / 1024);
+}
+
+void draw_row(EditorState& state, size_t position, const std::string& name, const std::string& weight) {
+  const size_t now = state.document.history().position();
+  ImGui::PushID(static_cast<int>(position));
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  const bool undone = position > now;
+  if (position == now) ImGui::PushStyleColor(ImGuiCol_Text, colours::accent());
+  if (undone) ImGui::PushStyleColor(ImGuiCol_Text, colours::secondary());
+  const bool clicked = ImGui::Selectable(name.c_str(), position == now, ImGuiSelectableFlags_SpanAllColumns);
+  tooltip(position == now ? "This is where the work is now."
+                          : (undone ? "Was taken back. A click does it again, with all before it."
+                                    : "A click goes back to here; what came after can be done again."));
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(weight.c_str());
+  if (undone) ImGui::PopStyleColor();
+  if (position == now) {
+    ImGui::PopStyleColor();
+    ImGui::SetItemDefaultFocus();
+  }
+  ImGui::PopID();
+  if (clicked && position != now) state.requests.travel = position;
+}
+
+void draw_list(EditorState& state) {
+  constexpr ImGuiTableFlags kList =
+      ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersOuter;
+  const History& history = state.document.history();
+  const float em = ImGui::GetFontSize();
+  const auto lines = static_cast<float>(std::min(history.size() + 1, kMostRows));
+  const float height = lines * (ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y) + 0.2f * em;
+  if (!ImGui::BeginTable("steps", 2, kList, {0, height})) return;
+  ImGui::TableSetupColumn("Step", ImGuiTableColumnFlags_WidthStretch);
+  ImGui::TableSetupColumn("Weight", ImGuiTableColumnFlags_WidthFixed, 4.8f * em);
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(history.size() + 1));
+  while (clipper.Step()) {
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+      if (i == 0) {
+        draw_row(state, 0, "As it was opened", "");
+        continue;
+      }
+      const HistoryStep& step = history.step(static_cast<size_t>(i) - 1);
+      draw_row(state, static_cast<size_t>(i), words(step.commands.front()), weight_text(step));
+    }
+  }
+  if (state.history_shown != history.position()) {
+    state.history_shown = history.position();
+    const float line = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
+    ImGui::SetScrollY(line * static_cast<float>(history.position()) - 0.5f * height);
+  }
+  ImGui::EndTable();
+}
+
+void draw_window(EditorState& state) {
+  if (!begin_properties("window")) return;
+  property("Memory");
+  int megabytes = state.settings.history_megabytes;
+  if (ImGui::SliderInt("##window", &megabytes, Settings::kLeastHistory, Settings::kMostHistory, "%d MB",
+                       ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic)) {
+    state.settings.history_megabytes = megabytes;
+    state.document.set_window(state.settings.history_bytes());
+  }
+  tooltip(
+      "How much memory going back at once may take. Older steps come back by replay, which takes longer.");
+  property("Held");
+  ImGui::TextUnformatted(
+      text_of("%.1f MB", static_cast<double>(state.document.history().bytes()) / (1 << 20)).c_str());
+  tooltip("What the steps above hold now.");
+  end_properties();
+}
+
+}  // namespace
+
+void draw_history_panel(EditorState& state) {
+  draw_list(state);
+  draw_window(state);
+}
+
+}  // namespace kerf

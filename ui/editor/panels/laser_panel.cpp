@@ -1,0 +1,57 @@
+#include "ui/editor/panels/laser_panel.h"
+
+#include <imgui.h>
+
+#include <string>
+
+#include "core/base/length_text.h"
+#include "ui/window/property.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr double kRadiusSpan = 20;  // the slider goes from the default over this to the default times this
+constexpr ImGuiSliderFlags kLogarithmic = ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp;
+
+void reset_on_right_click(double& value, double reset) {
+  if (!ImGui::BeginPopupContextItem()) return;
+  if (ImGui::MenuItem("Reset to default")) value = reset;
+  ImGui::EndPopup();
+}
+
+void radius_row(LaserControls& laser) {
+  property("Radius");
+  const LengthUnit unit = unit_for(laser.default_radius);
+  double shown = laser.radius / unit.metres;
+  const double low = laser.default_radius / kRadiusSpan / unit.metres;
+  const double high = laser.default_radius * kRadiusSpan / unit.metres;
+  const std::string format = std::string("%.3g ") + unit.name;
+  if (ImGui::SliderScalar("##radius", ImGuiDataType_Double, &shown, &low, &high, format.c_str(),
+                          kLogarithmic)) {
+    laser.radius = shown * unit.metres;
+  }
+  reset_on_right_click(laser.radius, laser.default_radius);
+  tooltip("Half the width of the cut. Ctrl+click to type a number, right click for the default.");
+}
+
+void pattern_row(LaserControls& laser) {
+  property("Pattern");
+  int pattern = laser.pattern == Pattern::kRays4 ? 1 : 0;
+  if (ImGui::Combo("##pattern", &pattern, "Volume\0Four rays\0")) {
+    laser.pattern = pattern == 1 ? Pattern::kRays4 : Pattern::kVolume;
+  }
+  tooltip(
+      "Volume burns everything in the beam. Four rays burns only what four parallel rays on its rim meet.");
+}
+
+}  // namespace
+
+void draw_laser_panel(EditorState& state) {
+  if (!begin_properties("laser")) return;
+  radius_row(state.laser);
+  pattern_row(state.laser);
+  end_properties();
+}
+
+}  // namespace kerf

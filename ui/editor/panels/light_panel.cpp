@@ -1,0 +1,223 @@
+#include "ui/editor/panels/light_panel.h"
+
+#include <imgui.h>
+
+#include <cmath>
+#include <string>
+
+#include "ui/editor/panels/light_presets.h"
+#include "ui/window/property.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr double kLeastIntensity = 0.02, kMostIntensity = 50;
+constexpr double kLeastReach = 0.25, kMostReach = 50;  // diagonals
+
+struct Method {
+  ShadowMethod method;
+  const char* name;
+  const char* meaning;
+};
+constexpr std::array kMethods{
+    Method{ShadowMethod::kRobust, "Robust",
+           "Every polygon spans a closed volume without end; counted from behind. Right for any mesh and any "
+           "eye."},
+    Method{
+        ShadowMethod::kPaperOneVolume, "Paper, one volume",
+        "The silhouette of the polygons that face the light, extruded so far and left open. Right for closed "
+        "meshes while the eye is in the light."},
+    Method{ShadowMethod::kPaperTwoVolumes, "Paper, two volumes",
+           "Another volume for the averted polygons: the paper's answer for hollow meshes."},
+};
+
+bool method_row(const char* label, const char* id, ShadowMethod& method) {
+  property(label);
+  bool changed = false;
+  const auto is = [&](const Method& m) { return m.method == method; };
+  const Method& now = *std::find_if(kMethods.begin(), kMethods.end(), is);
+  if (ImGui::BeginCombo(id, now.name)) {
+    for (const Method& m : kMethods) {
+      if (ImGui::Selectable(m.name, m.method == method)) {
+        changed = m.method != method;
+        method = m.method;
+      }
+      tooltip(m.meaning);
+    }
+    ImGui::EndCombo();
+  } else {
+    tooltip(now.meaning);
+  }
+  return changed;
+}
+
+bool slider(const char* label, const char* id, double& value, double low, double high, const char* format,
+            const char* meaning, ImGuiSliderFlags flags) {
+  property(label);
+  const bool changed = ImGui::SliderScalar(id, ImGuiDataType_Double, &value, &low, &high, format,
+                                           flags | ImGuiSliderFlags_AlwaysClamp);
+  tooltip(meaning);
+  return changed;
+}
+
+bool shadow_rows(EditorState& state) {
+  ViewOptions& look = state.look;
+  ShadowOptions& shadow = look.shadow;
+  bool changed = false;
+  property("Shadows");
+  changed |= ImGui::Checkbox("cast (D)", &look.show.shadows);
+  tooltip("Of everything on everything; off, only a plain one on the ground.");
+  changed |= method_row("Method", "##method", shadow.method);
+  if (shadow.method != ShadowMethod::kRobust) {
+    changed |=
+        slider("Reach", "##reach", shadow.extrusion, kLeastReach, kMostReach, "%.2g sizes of the world",
+               "How far the paper's volumes are extruded; what lies beyond gets no shadow.",
+               ImGuiSliderFlags_Logarithmic);
+  }
+  property("");
+  changed |= ImGui::Checkbox("Paper look", &shadow.paper_look);
+  tooltip("Transparent black over what is in shadow, as in the paper, in place of leaving the light out.");
+  property("");
+  changed |= ImGui::Checkbox("Cull backs", &look.cull_backs);
+  tooltip(
+      "Leaves polygons out that are seen from behind. The paper turns it off: through a hole one sees backs, "
+      "and "
+      "shadows fall on them.");
+  return changed;
+}
+
+bool compare_rows(EditorState& state) {
+  ShadowOptions& shadow = state.look.shadow;
+  bool changed = false;
+  property("Compare");
+  changed |= ImGui::Checkbox("two methods (X)", &state.look.show.shadow_compare);
+  tooltip("The method above left of a line, another right of it, and the pixels that differ.");
+  if (!state.look.show.shadow_compare) return changed;
+  changed |= method_row("with", "##beside", shadow.beside);
+  changed |= slider("Split", "##split", shadow.split, 0, 1, "%.2f", "Where the two meet.", 0);
+  property("");
+  ImGui::Text("%zu pixels differ", state.shadow_figures.differing);
+  return changed;
+}
+
+bool trace_rows(EditorState& state) {
+  property("Rays");
+  const bool changed = ImGui::Checkbox("trace (Y)", &state.look.show.shadow_reference);
+  tooltip(
+      "Traces the shadow of the chosen light pixel by pixel once the picture stands still, and marks in "
+      "magenta "
+      "where the picture has it otherwise.");
+  if (!state.look.show.shadow_reference) return changed;
+  property("");
+  const ShadowFigures& figures = state.shadow_figures;
+  ImGui::Text("%.0f %%, %zu wrong", 100 * figures.traced, figures.wrong);
+  return changed;
+}
+
+void choose_kind(Light& light, Light::Kind kind, const World::Bounds& bounds) {
+  if (light.kind == kind) return;
+  const Vec3 middle = (bounds.min + bounds.max) * 0.5;
+  const Vec3 way = light.kind == Light::Kind::kPoint ? light.at - middle : light.at;
+  const double length = glm::length(way);
+  const Vec3 direction = length > 0 ? way / length : Vec3(0, 1, 0);
+  light.at = kind == Light::Kind::kPoint ? middle + direction * bounds.diagonal() : direction;
+  light.kind = kind;
+}
+
+bool light_rows(Light& light, const World::Bounds& bounds) {
+  bool changed = false;
+  property("Kind");
+  int kind = light.kind == Light::Kind::kPoint ? 1 : 0;
+  if (ImGui::Combo("##kind", &kind, "Directional\0Point\0")) {
+    choose_kind(light, kind == 1 ? Light::Kind::kPoint : Light::Kind::kDirectional, bounds);
+    changed = true;
+  }
+  tooltip("Drag its handle in the picture to move it.");
+  property("Colour");
+  glm::vec3 shown = glm::sqrt(glm::clamp(glm::vec3(light.colour), 0.0f, 1.0f));
+  if (ImGui::ColorEdit3("##colour", &shown.x, ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoInputs)) {
+    light.colour = Vec3(shown * shown);
+    changed = true;
+  }
+  changed |=
+      slider("Intensity", "##intensity", light.intensity, kLeastIntensity, kMostIntensity, "%.3g",
+             "What arrives on a surface that faces it; of a lamp at a distance of one size of the world.",
+             ImGuiSliderFlags_Logarithmic);
+  return changed;
+}
+
+bool preset_row(EditorState& state) {
+  property("Preset");
+  bool changed = false;
+  if (ImGui::BeginCombo("##preset", "Choose")) {
+    for (const LightPreset& preset : light_presets()) {
+      if (ImGui::Selectable(preset.name)) {
+        state.look.lights = preset.lights(state.document.world().bounds());
+        state.look.shadow.inspected = 0;
+        changed = true;
+      }
+      tooltip(preset.meaning);
+    }
+    ImGui::EndCombo();
+  }
+  return changed;
+}
+
+// Buttons to choose a light, to add one and to take the chosen one away.
+bool choose_light(EditorState& state) {
+  std::vector<Light>& lights = state.look.lights;
+  size_t& chosen = state.look.shadow.inspected;
+  bool changed = false;
+  for (size_t i = 0; i < lights.size(); ++i) {
+    const std::string label = " " + std::to_string(i + 1) + " ";
+    if (i > 0) ImGui::SameLine();
+    ImGui::PushStyleColor(ImGuiCol_Button,
+                          ImGui::GetStyleColorVec4(i == chosen ? ImGuiCol_ButtonActive : ImGuiCol_Button));
+    if (ImGui::Button(label.c_str())) {
+      changed = chosen != i;
+      chosen = i;
+    }
+    ImGui::PopStyleColor();
+  }
+  if (!lights.empty()) ImGui::SameLine();
+  ImGui::BeginDisabled(lights.size() >= kMostLights);
+  if (ImGui::Button("Add")) {
+    Light another;
+    another.at = {0.7, 0.8, -0.4};
+    another.intensity = 1;
+    chosen = lights.size();
+    lights.push_back(another);
+    changed = true;
+  }
+  tooltip("Up to four.");
+  ImGui::EndDisabled();
+  ImGui::SameLine();
+  ImGui::BeginDisabled(lights.empty());
+  if (ImGui::Button("Remove")) {
+    lights.erase(lights.begin() + static_cast<std::ptrdiff_t>(std::min(chosen, lights.size() - 1)));
+    chosen = 0;
+    changed = true;
+  }
+  ImGui::EndDisabled();
+  return changed;
+}
+
+}  // namespace
+
+void draw_light_panel(EditorState& state) {
+  bool changed = choose_light(state);
+  if (begin_properties("light")) {
+    changed |= preset_row(state);
+    if (state.look.shadow.inspected < state.look.lights.size()) {
+      changed |= light_rows(state.look.lights[state.look.shadow.inspected], state.document.world().bounds());
+    }
+    changed |= shadow_rows(state);
+    changed |= compare_rows(state);
+    changed |= trace_rows(state);
+    end_properties();
+  }
+  if (changed) state.picture_old = true;
+}
+
+}  // namespace kerf

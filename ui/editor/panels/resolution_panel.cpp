@@ -1,0 +1,181 @@
+#include "ui/editor/panels/resolution_panel.h"
+
+#include <imgui.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "core/base/length_text.h"
+#include "ui/editor/changes/recut.h"
+#include "ui/editor/tools/viewport_input.h"
+#include "ui/window/number_text.h"
+#include "ui/window/property.h"
+
+namespace kerf {
+
+namespace {
+
+bool rule_row(ResolutionControls& to) {
+  property("Split to");
+  int rule = static_cast<int>(to.rule);
+  const bool changed = ImGui::Combo("##rule", &rule, "Edge length\0Tolerance\0Depth\0");
+  if (changed) to.rule = static_cast<Resolution::Rule>(rule);
+  tooltip(
+      "What says when faces under the beam are small enough: the length of their edges, how far what is "
+      "removed may overshoot the beam, or how often they were split.");
+  return changed;
+}
+
+bool scheme_row(ResolutionControls& to) {
+  property("Scheme");
+  int scheme = static_cast<int>(to.scheme);
+  const bool changed = ImGui::Combo("##scheme", &scheme, "One to four\0Longest edge\0");
+  if (changed) to.scheme = static_cast<Scheme>(scheme);
+  tooltip(
+      "How a face is split: in four, as in the paper, or in two at its longest edge, which makes far fewer "
+      "faces of thin ones.");
+  return changed;
+}
+
+bool rim_row(ResolutionControls& to) {
+  property("Rim");
+  int rim = static_cast<int>(to.rim);
+  const bool changed = ImGui::Combo("##rim", &rim, "Faces\0Smooth\0");
+  if (changed) to.rim = static_cast<Rim>(rim);
+  tooltip(
+      "Faces: all that the beam touches goes, so the rim is a saw. Smooth: when the stroke ends, faces "
+      "across "
+      "the boundary of the beam are cut along it.");
+  return changed;
+}
+
+bool reset_item(double& value, double standard) {
+  if (!ImGui::BeginPopupContextItem()) return false;
+  const bool reset = ImGui::MenuItem("Reset to default");
+  if (reset) value = standard;
+  ImGui::EndPopup();
+  return reset;
+}
+
+// A share of the radius, from twice the radius to a 32nd of it; finer to the right, as with depth.
+bool fraction_row(const char* name, double& fraction, double standard, double radius, const char* meaning) {
+  property(name);
+  double halvings = -std::log2(fraction);
+  const double low = -std::log2(ResolutionControls::kMostFraction),
+               high = -std::log2(ResolutionControls::kLeastFraction);
+  const std::string text = length_text(radius * fraction);
+  const double before = fraction;
+  if (ImGui::SliderScalar("##fraction", ImGuiDataType_Double, &halvings, &low, &high, text.c_str(),
+                          ImGuiSliderFlags_NoInput)) {
+    fraction = std::exp2(-std::round(4 * halvings) / 4);
+  }
+  tooltip(meaning);
+  const bool reset = reset_item(fraction, standard);
+  return reset || fraction != before;
+}
+
+bool edge_row(ResolutionControls& to, double radius) {
+  return fraction_row(
+      "Edge", to.edge_fraction, ResolutionControls().edge_fraction, radius,
+      "Longest edge under the beam, from twice the radius to a 32nd of it. Finer to the right. "
+      "Right click for the default.");
+}
+
+bool tolerance_row(ResolutionControls& to, double radius) {
+  return fraction_row(
+      "Tolerance", to.tolerance_fraction, ResolutionControls().tolerance_fraction, radius,
+      "How far what is removed may overshoot the beam, from twice the radius to a 32nd of it. "
+      "Finer to the right. Right click for the default.");
+}
+
+bool depth_row(ResolutionControls& to) {
+  property("Depth");
+  const int before = to.depth;
+  const char* format = to.depth == 0 ? "0: faces go whole" : to.depth == 1 ? "%d split" : "%d splits";
+  ImGui::SliderInt("##depth", &to.depth, 0, ResolutionControls::kLargestDepth, format,
+                   ImGuiSliderFlags_AlwaysClamp);
+  tooltip(
+      "How often a face under the beam is split in four. 0 turns refinement off: faces are removed whole, "
+      "as in the paper's figure 3.");
+  return to.depth != before;
+}
+
+void recut_row(EditorState& state, bool changed) {
+  property("Last stroke");
+  const char* why_not = why_no_recut(state);
+  ImGui::BeginDisabled(why_not != nullptr);
+  if (ImGui::Button("Cut again", {-1, 0})) state.requests.recut = true;
+  ImGui::EndDisabled();
+  tooltip(why_not != nullptr ? why_not : "Takes the last stroke back and cuts it at this resolution (R).");
+  property("");
+  ImGui::Checkbox("as the slider moves", &state.settings.live_recut);
+  tooltip("Moving a slider above cuts the last stroke again: the same cut, just with different parameters.");
+  if (changed && state.settings.live_recut && why_not == nullptr) state.requests.recut = true;
+}
+
+// Whether anything changed.
+bool resolution_rows(ResolutionControls& to, double radius) {
+  bool changed = rule_row(to);
+  switch (to.rule) {
+    case Resolution::Rule::kTargetEdge:
+      changed = edge_row(to, radius) || changed;
+      break;
+    case Resolution::Rule::kTolerance:
+      changed = tolerance_row(to, radius) || changed;
+      break;
+    case Resolution::Rule::kDepth:
+      changed = depth_row(to) || changed;
+      break;
+  }
+  changed = scheme_row(to) || changed;
+  return rim_row(to) || changed;
+}
+
+void figure_row(const char* name, const std::string& value, const char* meaning) {
+  property(name);
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(value.c_str());
+  tooltip(meaning);
+}
+
+void faces_row(size_t faces, const char* meaning) { figure_row("Faces", grouped(faces), meaning); }
+
+std::string smallest_angle_text(double largest_cosine) {
+  if (largest_cosine < 0) return "nothing cut yet";
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f degrees", std::acos(largest_cosine) * 180 / 3.14159265358979);
+  return text;
+}
+
+void stroke_rows(const StepFigures& stroke) {
+  figure_row("Made", grouped(stroke.faces_made), "Faces that splitting made in the last stroke.");
+  figure_row("Least angle", smallest_angle_text(stroke.largest_cosine),
+             "Smallest angle of all faces that the last stroke made and left.");
+}
+
+void split_rows(EditorState& state) {
+  property("Split view");
+  if (ImGui::Checkbox("two resolutions (S)", &state.split.shown)) show_split(state, state.split.shown);
+  tooltip("The last stroke once more beside the picture, at a resolution of its own.");
+  if (!state.split.shown) return;
+  ImGui::PushID("right half");
+  property("Right half");
+  ImGui::Dummy({1, ImGui::GetFrameHeight()});
+  if (resolution_rows(state.split.resolution, state.laser.radius)) state.picture_old = true;
+  faces_row(state.shown.twin_faces, "Faces of all bodies in the right half.");
+  ImGui::PopID();
+}
+
+}  // namespace
+
+void draw_resolution_panel(EditorState& state) {
+  if (!begin_properties("resolution")) return;
+  const bool changed = resolution_rows(state.laser.resolution, state.laser.radius);
+  recut_row(state, changed);
+  faces_row(state.shown.faces, "Faces of all bodies as they stand.");
+  stroke_rows(state.stroke_figures);
+  split_rows(state);
+  end_properties();
+}
+
+}  // namespace kerf

@@ -1,0 +1,65 @@
+#include "ui/editor/tools/laser_tool.h"
+
+#include "ui/render/beam_strike.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr double kEmitterAside = 0.06;  // of the focus, to the right and up
+constexpr double kLeastMove = 0.5;      // pixels
+
+}  // namespace
+
+Pose LaserTool::aim(const CameraView& view, Vec2 pointer) const {
+  const Pose ray = view.ray(pointer.x, pointer.y);
+  const Vec3 emitter = view.eye + (view.right + view.up) * (kEmitterAside * focus_);
+  return {emitter, glm::normalize(ray.origin + ray.direction * focus_ - emitter)};
+}
+
+void LaserTool::press(Document& document, const CameraView& view, Vec2 pointer,
+                      const LaserControls& controls) {
+  const Pose ray = view.ray(pointer.x, pointer.y);
+  focus_ = first_hit(document.world(), ray).value_or(view.focus);
+  const CutSettings settings = controls.settings(document.world().bounds().diagonal());
+  radius_ = settings.laser.radius;
+  const bool by_edge = settings.resolution.rule == Resolution::Rule::kTargetEdge;
+  overshoot_ = by_edge ? settings.resolution.target_edge : 0.5 * radius_;
+  reach_ = settings.laser.range.high;
+  pointer_ = pointer;
+  pose_ = aim(view, pointer);
+  beam_ = pose_;
+  strike_.reset();
+  cutting_ = true;
+  document.apply(BeginStroke{settings, pose_});
+}
+
+void LaserTool::move(Document& document, const CameraView& view, Vec2 pointer, double pixel) {
+  if (!cutting_) return;
+  const Vec2 moved = (pointer - pointer_) * Vec2(view.aspect, 1) / pixel;
+  if (glm::length(moved) < kLeastMove) return;
+  pointer_ = pointer;
+  pose_ = aim(view, pointer);
+  document.apply(MoveStroke{pose_});
+}
+
+void LaserTool::release(Document& document) {
+  if (!cutting_) return;
+  cutting_ = false;
+  document.apply(EndStroke{});
+}
+
+void LaserTool::find_strike(const Document& document) {
+  if (const BeamMove* move = document.next_move()) beam_ = move->to;
+  strike_ = kerf::find_strike(document.world(), beam_, radius_, overshoot_, reach_);
+}
+
+std::optional<BeamPicture> LaserTool::picture(const Document& document) const {
+  if (!cutting_ && document.waiting() == 0) return std::nullopt;
+  BeamPicture beam{beam_.origin, beam_.origin + beam_.direction * std::min(reach_, 20 * focus_), std::nullopt,
+                   radius_};
+  if (strike_) beam.strike = beam_.origin + beam_.direction * *strike_;
+  return beam;
+}
+
+}  // namespace kerf

@@ -1,0 +1,149 @@
+#include "ui/editor/tools/piece_set.h"
+
+#include <cmath>
+
+namespace kerf {
+
+namespace {
+
+void drop_plain(PieceMap& looks) {
+  std::erase_if(looks, [](const auto& entry) {
+    const PieceLook& look = entry.second;
+    return !look.hidden && !look.selected && look.offset == Vec3(0);
+  });
+}
+
+double fraction(double x) { return x - std::floor(x); }
+
+// As hue_colour of body.vert: linear light of a hue (0 .. 1), a saturation and a lightness.
+Vec3 hue_colour(double hue, double saturation, double value) {
+  const Vec3 turned = glm::abs(glm::fract(Vec3(hue, hue + 2.0 / 3, hue + 1.0 / 3)) * 6.0 - 3.0) - 1.0;
+  return value * glm::mix(Vec3(1), glm::clamp(turned, 0.0, 1.0), saturation);
+}
+
+struct Middle {
+  Vec3 moment{0};  // m^3
+  double area = 0;
+  Vec3 mean() const { return area > 0 ? moment / area : Vec3(0); }
+};
+
+std::vector<Middle> middles_of(const Body& body) {
+  std::vector<Middle> middles(body.pieces.size());
+  for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+    if (!body.mesh.is_live(FaceId(f))) continue;
+    const Triangle t = body.mesh.triangle(FaceId(f));
+    const double area = triangle_area(t);
+    Middle& middle = middles[body.mesh.data(FaceId(f)).piece];
+    middle.moment += (t[0] + t[1] + t[2]) * (area / 3);
+    middle.area += area;
+  }
+  return middles;
+}
+
+}  // namespace
+
+std::vector<PieceRow> list_pieces(const World& world) {
+  std::vector<PieceRow> rows;
+  for (const BodyId id : world.ids()) {
+    const Body& body = world.body(id);
+    for (uint32_t label = 0; label < body.pieces.size(); ++label) {
+      const Piece& piece = body.pieces[label];
+      if (piece.faces == 0) continue;
+      rows.push_back({{id, label},
+                      label == 0 ? body.name : body.name + " " + std::to_string(label),
+                      piece.faces,
+                      piece.area});
+    }
+  }
+  std::stable_sort(rows.begin(), rows.end(), [](const PieceRow& a, const PieceRow& b) {
+    const bool body_a = a.key.second == 0, body_b = b.key.second == 0;
+    return body_a != body_b ? body_a : a.area > b.area;
+  });
+  return rows;
+}
+
+Vec3 piece_colour(uint32_t label, bool strong) {
+  if (label == 0) return Vec3(0.45);
+  const double turn = fraction(label * 0.61803399), shade = fraction(label * 0.7548777);
+  const Vec3 linear = strong ? hue_colour(turn, 0.80, 0.40 + 0.25 * shade)
+                             : hue_colour(0.40 + 0.40 * turn, 0.72, 2 * (0.10 + 0.14 * shade));
+  return glm::pow(linear, Vec3(1 / 2.2));
+}
+
+void choose_piece(PieceMap& looks, const PieceKey& key, bool add) {
+  const auto found = looks.find(key);
+  const bool was = found != looks.end() && found->second.selected;
+  const bool alone = was && chosen_pieces(looks) == 1;
+  if (!add) choose_none(looks);
+  looks[key].selected = add ? !was : !alone;
+  drop_plain(looks);
+}
+
+void choose_none(PieceMap& looks) {
+  for (auto& [key, look] : looks) look.selected = false;
+  drop_plain(looks);
+}
+
+size_t chosen_pieces(const PieceMap& looks) {
+  return static_cast<size_t>(
+      std::count_if(looks.begin(), looks.end(), [](const auto& entry) { return entry.second.selected; }));
+}
+
+std::optional<PieceKey> first_chosen(const PieceMap& looks) {
+  for (const auto& [key, look] : looks) {
+    if (look.selected) return key;
+  }
+  return std::nullopt;
+}
+
+std::vector<PieceKey> hidden_pieces(const PieceMap& looks) {
+  std::vector<PieceKey> hidden;
+  for (const auto& [key, look] : looks) {
+    if (look.hidden) hidden.push_back(key);
+  }
+  return hidden;
+}
+
+void follow_world(const World& world, PieceMap& looks) {
+  const std::vector<BodyId> ids = world.ids();
+  const auto has_faces = [&](const PieceKey& key) {
+    return world.contains(key.first) && key.second < world.body(key.first).pieces.size() &&
+           world.body(key.first).pieces[key.second].faces > 0;
+  };
+  PieceMap now;
+  for (const auto& [key, look] : looks) {
+    PieceKey own = key;
+    if (!has_faces(own) && !ids.empty()) own.first = ids.back();
+    if (has_faces(own)) now[own] = look;
+  }
+  for (auto& [key, look] : now) look.hidden = false;
+  for (const BodyId id : ids) {
+    const Body& body = world.body(id);
+    for (uint32_t label = 0; body.hidden && label < body.pieces.size(); ++label) {
+      if (body.pieces[label].faces == 0) continue;
+      now[{id, label}].hidden = true;
+      now[{id, label}].selected = false;
+    }
+  }
+  drop_plain(now);
+  looks = std::move(now);
+}
+
+void spread_pieces(const World& world, double spread, PieceMap& looks) {
+  for (auto& [key, look] : looks) look.offset = Vec3(0);
+  if (spread > 0) {
+    const World::Bounds bounds = world.bounds();
+    const Vec3 middle = 0.5 * (bounds.min + bounds.max);
+    for (const BodyId id : world.ids()) {
+      const Body& body = world.body(id);
+      const std::vector<Middle> middles = middles_of(body);
+      for (uint32_t label = 0; label < middles.size(); ++label) {
+        if (body.pieces[label].faces == 0) continue;
+        looks[{id, label}].offset = spread * (body.placement.to_world(middles[label].mean()) - middle);
+      }
+    }
+  }
+  drop_plain(looks);
+}
+
+}  // namespace kerf

@@ -1,0 +1,39 @@
+#include "ui/window/number_text.h"
+
+#include <array>
+#include <cstdio>
+
+namespace kerf {
+
+std::string grouped(size_t number) {
+  std::string digits = std::to_string(number);
+  for (auto at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > 0; at -= 3) {
+    digits.insert(static_cast<size_t>(at), " ");
+  }
+  return digits;
+}
+
+std::string area_text(double square_metres) {
+  struct Unit {
+    const char* name;
+    double size;
+  };
+  constexpr std::array kUnits{Unit{"\xc2\xb5m\xc2\xb2", 1e-12}, Unit{"mm\xc2\xb2", 1e-6},
+                              Unit{"cm\xc2\xb2", 1e-4}, Unit{"m\xc2\xb2", 1}};
+  Unit best = kUnits.front();
+  for (const Unit& unit : kUnits) {
+    if (square_metres >= 0.1 * unit.size) best = unit;
+  }
+  std::array<char, 48> text{};
+  const double value = square_metres / best.size;
+  std::snprintf(text.data(), text.size(), value >= 100 ? "%.0f %s" : "%.3g %s", value, best.name);
+  return text.data();
+}
+
+std::string text_of(const char* format, double value) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), format, value);
+  return text.data();
+}
+
+}  // namespace kerf

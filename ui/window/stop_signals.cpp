@@ -1,0 +1,24 @@
+#include "ui/window/stop_signals.h"
+
+#include <csignal>
+
+namespace kerf {
+
+namespace {
+volatile std::sig_atomic_t stop_came = 0;  // a handler can reach nothing else
+void remember(int) { stop_came = 1; }
+}  // namespace
+
+StopSignals::StopSignals()
+    : old_interrupt_(std::signal(SIGINT, remember)), old_terminate_(std::signal(SIGTERM, remember)) {
+  stop_came = 0;
+}
+
+StopSignals::~StopSignals() {
+  std::signal(SIGINT, old_interrupt_);
+  std::signal(SIGTERM, old_terminate_);
+}
+
+bool StopSignals::came() const { return stop_came != 0; }
+
+}  // namespace kerf

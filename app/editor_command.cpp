@@ -4,6 +4,7 @@
 #include "app/exit_status.h"
 #include "app/parse_values.h"
 #include "ui/editor/editor.h"
+#include "ui/render/assets.h"
 
 namespace kerf {
 
@@ -16,7 +17,7 @@ struct EditorArguments {
 
 Status edit(const EditorArguments& a) {
   EditorOptions options;
-  options.default_scene = KERF_ASSETS "/scenes/car.json";
+  options.default_scene = assets_folder() / "scenes" / "car.json";
   for (const std::string& file : a.files) {
     if (!std::filesystem::exists(file)) {
       return bad_input(file + ": there is no such file, and this version has no such command");

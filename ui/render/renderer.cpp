@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/render/assets.h"
 #include "ui/render/seen_light.h"
 
 namespace kerf {
@@ -52,7 +53,7 @@ Result<Renderer::Passes> Renderer::load_passes(const std::filesystem::path& shad
 }
 
 Result<Renderer> Renderer::create() {
-  auto passes = load_passes(std::filesystem::path(KERF_ASSETS) / "shaders");
+  auto passes = load_passes(assets_folder() / "shaders");
   if (!passes) return passes.error();
   return Renderer(std::move(*passes));
 }

@@ -7,6 +7,7 @@
 #include "core/document/extract.h"
 #include "core/document/scene.h"
 #include "core/world/state_hash.h"
+#include "tests/support/checkout.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/strokes.h"
 
@@ -182,7 +183,7 @@ TEST(Extract, gives_each_piece_its_faces_area_and_rim) {
 }
 
 TEST(Scene, reads_the_default_scene) {
-  const auto scene = read_scene(KERF_ASSETS "/scenes/car.json");
+  const auto scene = read_scene(checkout() / "assets/scenes/car.json");
   ASSERT_TRUE(scene.ok()) << scene.error().message;
   EXPECT_GE(scene->world.live_faces(), 3000u);
   EXPECT_LE(scene->world.live_faces(), 6000u);
@@ -208,8 +209,8 @@ TEST(StateHash, does_not_depend_on_the_order_of_faces_or_corners) {
 // A scene of the sphere and this member beside it.
 Result<Scene> scene_with(const std::string& name, const std::string& member) {
   const auto file = std::filesystem::temp_directory_path() / ("kerf-scene-" + name + ".json");
-  std::ofstream(file) << R"({"bodies": [{"mesh": ")" << KERF_ASSETS << R"(/meshes/sphere.obj"}], )" << member
-                      << "}";
+  std::ofstream(file) << R"({"bodies": [{"mesh": ")" << checkout().string()
+                      << R"(/assets/meshes/sphere.obj"}], )" << member << "}";
   Result<Scene> scene = read_scene(file);
   std::filesystem::remove(file);
   return scene;

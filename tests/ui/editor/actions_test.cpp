@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/checkout.h"
 #include "ui/editor/actions.h"
 
 namespace kerf {
@@ -22,7 +23,7 @@ std::vector<std::string> rows_of_sheet() {
 }
 
 std::vector<std::string> rows_of_readme() {
-  std::ifstream readme(KERF_README);
+  std::ifstream readme(test::checkout() / "README.md");
   std::vector<std::string> rows;
   std::string line;
   while (std::getline(readme, line) && line != "| key or gesture | what it does |") {

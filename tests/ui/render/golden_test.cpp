@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "tests/support/checkout.h"
 #include "tests/ui/render/stage.h"
 
 namespace kerf {
@@ -90,7 +91,7 @@ TEST(Golden, every_overlay_looks_as_it_did) {
   const CameraView view = test::view_of_ball_and_ring(static_cast<double>(kWidth) / kHeight);
   for (const Golden& golden : goldens(stage.world())) {
     const Pixels drawn = stage.draw(view, golden.options, kWidth, kHeight);
-    const auto file = std::filesystem::path(KERF_GOLDEN) / (std::string(golden.name) + ".png");
+    const auto file = test::checkout() / "tests/golden" / (std::string(golden.name) + ".png");
     if (std::getenv("KERF_MAKE_GOLDEN") != nullptr) {
       ASSERT_TRUE(write_png(drawn, file).ok());
       continue;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "core/document/scene.h"
+#include "tests/support/checkout.h"
 #include "tests/ui/render/shadow_oracle.h"
 #include "tests/ui/render/shadow_scenes.h"
 
@@ -38,7 +39,7 @@ const std::vector<CarCut>& car_cuts() {
 }
 
 test::Stage cut_car(const CarCut& cut) {
-  auto scene = read_scene(std::string(KERF_ASSETS) + "/meshes/car.obj");
+  auto scene = read_scene(test::checkout() / "assets/meshes/car.obj");
   if (!scene) throw std::runtime_error(scene.error().message);
   scene->world.add(make_body("floor", test::build(test::floor_at(-0.01, 9))));
   test::Stage stage(std::move(scene->world));

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include "ui/render/assets.h"
 #include "ui/window/property.h"
 
 namespace kerf {
@@ -13,7 +14,7 @@ namespace fs = std::filesystem;
 std::vector<fs::path> example_scenes() {
   std::vector<fs::path> scenes;
   std::error_code error;
-  fs::directory_iterator at(fs::path(KERF_ASSETS) / "scenes", error);
+  fs::directory_iterator at(assets_folder() / "scenes", error);
   for (; !error && at != fs::directory_iterator(); at.increment(error)) {
     if (at->path().extension() == ".json") scenes.push_back(at->path());
   }

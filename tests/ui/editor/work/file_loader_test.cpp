@@ -6,13 +6,14 @@
 #include <thread>
 
 #include "core/mesh/write_mesh.h"
+#include "tests/support/checkout.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/temporary_folder.h"
 
 namespace kerf::test {
 namespace {
 
-const std::filesystem::path kMeshes = std::filesystem::path(KERF_ASSETS) / "meshes";
+const std::filesystem::path kMeshes = checkout() / "assets/meshes";
 
 LoadOrder files(const std::vector<std::string>& names) {
   LoadOrder order;

@@ -1,0 +1,7 @@
+#include "tests/support/checkout.h"
+
+namespace kerf::test {
+
+std::filesystem::path checkout() { return KERF_CHECKOUT; }
+
+}  // namespace kerf::test

@@ -2,11 +2,9 @@
 
 #include <imgui.h>
 
-#include "ui/render/view_options.h"
+#include "ui/window/gui_look.h"
 
 namespace kerf {
-
-enum class Theme { kDark, kLight };
 
 // The colours of the panels as they are at the moment.
 namespace colours {
@@ -19,14 +17,6 @@ inline constexpr ImU32 kPictureText = IM_COL32(0xe6, 0xe9, 0xee, 255);
 inline constexpr ImU32 kPictureSecondary = IM_COL32(0x9a, 0xa6, 0xb6, 255);
 inline constexpr ImU32 kPictureShade = IM_COL32(0x1b, 0x1f, 0x26, 165);
 }  // namespace colours
-
-// What decides how the panels look.
-struct GuiLook {
-  Theme theme = Theme::kDark;
-  BoxPalette palette = BoxPalette::kRedAndGreen;  // the accent goes with it
-  float scale = 1;                                // of text and sizes, 1: text of 15.5 pixels
-  friend bool operator==(const GuiLook&, const GuiLook&) = default;
-};
 
 // Sizes, colours and the font of the current ImGui context. Not within a frame; the texture of the fonts has
 // to be made anew.

@@ -7,7 +7,7 @@
 
 #include "core/base/result.h"
 #include "ui/render/view_options.h"
-#include "ui/window/theme.h"
+#include "ui/window/gui_look.h"
 
 namespace kerf {
 

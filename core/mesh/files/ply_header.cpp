@@ -36,6 +36,11 @@ std::optional<PlyType> type_named(std::string_view name) {
   return found->second;
 }
 
+bool is_binary(char c) {
+  const bool control = static_cast<unsigned char>(c) < ' ' || c == 0x7f;
+  return control && c != '\t' && c != '\r' && c != '\n';
+}
+
 class HeaderReader {
  public:
   explicit HeaderReader(Scanner& scanner) : scanner_(scanner) {}
@@ -50,11 +55,18 @@ class HeaderReader {
   Problem read_element();
   Problem read_property();
   Problem read_type(PlyType& type);
+  bool line_has_binary();
+  Problem pass_over_stray_line();
   Problem check_counts() const;
+  void note_stray_lines();
 
   Scanner& scanner_;
   PlyHeader header_;
   bool has_format_ = false;
+  size_t line_begin_ = 0;  // of the line that is being read
+  size_t stray_lines_ = 0;
+  size_t first_stray_line_ = 0;       // its number, from 1
+  std::optional<Error> stray_error_;  // about the first one, where no element follows
 };
 
 HeaderReader::Problem HeaderReader::read_format() {
@@ -94,7 +106,10 @@ HeaderReader::Problem HeaderReader::read_type(PlyType& type) {
 }
 
 HeaderReader::Problem HeaderReader::read_property() {
-  if (header_.elements.empty()) return scanner_.line_error("a property comes before the first element");
+  if (header_.elements.empty()) {
+    if (stray_error_) return stray_error_;
+    return scanner_.line_error("a property comes before the first element");
+  }
   PlyProperty property;
   const size_t before = scanner_.position();
   if (scanner_.word() == "list") {
@@ -112,12 +127,34 @@ HeaderReader::Problem HeaderReader::read_property() {
   return std::nullopt;
 }
 
+// Whether a byte of the line in which the scanner is cannot be text. The scanner stays where it is.
+bool HeaderReader::line_has_binary() {
+  const size_t here = scanner_.position();
+  scanner_.skip_line();
+  const size_t end = scanner_.position();
+  const std::string_view line = scanner_.between(line_begin_, end);
+  scanner_.seek(here);
+  return std::any_of(line.begin(), line.end(), is_binary);
+}
+
+// Blender 2.4x wrote "Created by ..." without the keyword "comment". Such lines cannot be mistaken for data
+// only before the first element, and bytes that are not text come from no writer of headers.
+HeaderReader::Problem HeaderReader::pass_over_stray_line() {
+  const bool refused = !header_.elements.empty() || line_has_binary();
+  if (!refused && stray_lines_++ > 0) return std::nullopt;
+  Error error = scanner_.expected("'element', 'property' or 'end_header'");
+  if (refused) return error;
+  first_stray_line_ = scanner_.line();
+  stray_error_ = std::move(error);
+  return std::nullopt;
+}
+
 HeaderReader::Problem HeaderReader::read_line(std::string_view keyword) {
   if (keyword == "format") return read_format();
   if (keyword == "element") return read_element();
   if (keyword == "property") return read_property();
   if (keyword == "comment" || keyword == "obj_info") return std::nullopt;
-  return scanner_.expected("'element', 'property' or 'end_header'");
+  return pass_over_stray_line();
 }
 
 // Every element takes some bytes, so that no more than the rest of the file can hold are announced.
@@ -138,22 +175,37 @@ HeaderReader::Problem HeaderReader::check_counts() const {
   return std::nullopt;
 }
 
+void HeaderReader::note_stray_lines() {
+  if (stray_lines_ == 0) return;
+  const std::string line = std::to_string(first_stray_line_);
+  header_.warnings.push_back(
+      stray_lines_ == 1
+          ? "1 stray line before the first element, line " + line + ", was passed over."
+          : std::to_string(stray_lines_) + " stray lines before the first element, the first in line " +
+                line + ", were passed over.");
+}
+
 Result<PlyHeader> HeaderReader::read() {
   if (scanner_.word() != "ply") return scanner_.expected("'ply'");
   scanner_.at_line_end();
   scanner_.skip_line();
   for (;;) {
-    if (scanner_.at_end())
+    if (scanner_.at_end()) {
+      if (header_.elements.empty() && stray_error_) return *stray_error_;
       return scanner_.file_error("the header has no 'end_header'; the file is cut short");
+    }
+    line_begin_ = scanner_.position();
     const std::string_view keyword = scanner_.word();
     if (keyword == "end_header") break;
     if (auto problem = read_line(keyword)) return *problem;
     scanner_.skip_line();
   }
+  if (header_.elements.empty() && stray_error_) return *stray_error_;
   if (!has_format_) return scanner_.line_error("the header has no 'format'");
   scanner_.at_line_end();
   scanner_.skip_line();
   if (auto problem = check_counts()) return *problem;
+  note_stray_lines();
   return std::move(header_);
 }
 

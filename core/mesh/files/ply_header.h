@@ -31,12 +31,14 @@ enum class PlyEncoding { kText, kLittleEndian, kBigEndian };
 
 struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::kText;
-  std::vector<PlyElement> elements;  // in the order of the data, each name once
+  std::vector<PlyElement> elements;   // in the order of the data, each name once
+  std::vector<std::string> warnings;  // a sentence each, for the load report
 };
 
 // Reads the header of a PLY file (G. Turk, The PLY polygon file format, 1994) and leaves the scanner at the
-// first byte of the data. Comments and obj_info are passed over; anything else that the format does not know
-// is an error.
+// first byte of the data. Comments and obj_info are passed over, and so are lines of text before the first
+// element that the format does not know, with a warning. Any other line that the format does not know is an
+// error, and the scanner is then left within the header.
 Result<PlyHeader> read_ply_header(Scanner& scanner);
 
 }  // namespace kerf

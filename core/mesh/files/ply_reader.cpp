@@ -185,6 +185,7 @@ Result<Soup> read_body(Scanner& scanner, Values values, const PlyHeader& header,
   Result<Soup> soup = body.polygons.to_soup(std::move(body.positions), file_name);
   if (!soup) return soup;
   soup->format = "ply";
+  soup->warnings.insert(soup->warnings.end(), header.warnings.begin(), header.warnings.end());
   const bool rest = header.encoding == PlyEncoding::kText ? !scanner.at_end() : scanner.left() > 0;
   if (rest)
     soup->warnings.push_back("What follows the last element that the file announces was passed over.");

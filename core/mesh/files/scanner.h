@@ -25,6 +25,10 @@ class Scanner {
 
   size_t position() const { return position_; }
   size_t left() const { return bytes_.size() - position_; }
+  // The bytes from one position to another; begin <= end <= the length of the file.
+  std::string_view between(size_t begin, size_t end) const { return bytes_.substr(begin, end - begin); }
+  // The number, from 1, of the line in which the last word or bytes begin. Linear in the bytes before it.
+  size_t line() const { return line_of(last_); }
   void seek(size_t position) { position_ = position; }
 
   // Text. The words end at blanks, line ends and comments; at the end of the file they are empty.

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
+
 #include "tests/core/mesh/files/sample_files.h"
 
 namespace kerf {
@@ -95,6 +97,39 @@ TEST(PlyReader, refuses_a_header_that_is_none) {
       refusal(file("element vertex 1\nproperty float x\nproperty float y\n" + kFaces, "0 0\n3 0 1 2\n")),
       "t.ply: the element 'vertex' must have one property 'z'.");
   EXPECT_EQ(refusal("ply\nend_header\n"), "t.ply, line 2: the header has no 'format'.");
+}
+
+TEST(PlyReader, passes_over_stray_lines_before_the_first_element_and_notes_them) {
+  const std::string blender = "Created by Blender3D 2.46 - www.blender.org, source file: cube.blend\n";
+  for (const char* line_end : {"\n", "\r\n"}) {
+    std::string bytes = file(blender + kVertices + kFaces, kData);
+    for (size_t at = 0; (at = bytes.find('\n', at)) != std::string::npos; at += strlen(line_end))
+      bytes.replace(at, 1, line_end);
+    const Result<Soup> soup = read_ply(bytes, "t.ply");
+    ASSERT_TRUE(soup) << soup.error().message;
+    EXPECT_EQ(soup->triangles, (std::vector<Soup::Triangle>{{0, 1, 2}}));
+    EXPECT_EQ(soup->warnings,
+              std::vector<std::string>{"1 stray line before the first element, line 3, was passed over."});
+  }
+  const Result<Soup> soup = read_ply("ply\n" + blender + "\nformat ascii 1.0\ncomment c\n" + blender +
+                                         kVertices + kFaces + "end_header\n" + kData,
+                                     "t.ply");
+  ASSERT_TRUE(soup) << soup.error().message;
+  EXPECT_EQ(soup->warnings,
+            std::vector<std::string>{
+                "2 stray lines before the first element, the first in line 2, were passed over."});
+}
+
+TEST(PlyReader, refuses_stray_lines_where_no_element_follows_or_one_came_before) {
+  const std::string stray = "Created by hand\n";
+  const std::string why = "expected 'element', 'property' or 'end_header', found 'Created'.";
+  EXPECT_EQ(refusal(file(stray, "")), "t.ply, line 3: " + why);
+  EXPECT_EQ(refusal("ply\n" + stray), "t.ply, line 2: " + why);
+  EXPECT_EQ(refusal(file(stray + "property float x\n" + kVertices + kFaces, kData)), "t.ply, line 3: " + why);
+  EXPECT_EQ(refusal(file(kVertices + stray + kFaces, kData)), "t.ply, line 7: " + why);
+  EXPECT_EQ(refusal(file(kVertices + kFaces + stray, kData)), "t.ply, line 9: " + why);
+  const std::string bytes = "Created\x01\n";
+  EXPECT_EQ(refusal(file(bytes + kVertices + kFaces, kData)), "t.ply, line 3: " + why);
 }
 
 TEST(PlyReader, keeps_double_precision) {

@@ -101,36 +101,13 @@ void HalfEdges::prefetch(FaceId f, int turn) const {
   }
 }
 
+size_t HalfEdges::bytes() const { return ChangeOfParts<HalfEdges>::bytes_of(*this); }
+
 void HalfEdges::reserve(uint32_t vertices, uint32_t edges, uint32_t faces) {
   links_.reserve(2 * edges);
   positions_.reserve(vertices);
   outgoing_.reserve(vertices);
   first_.reserve(faces);
-}
-
-void HalfEdges::begin_change() {
-  links_.begin_change();
-  positions_.begin_change();
-  outgoing_.begin_change();
-  first_.begin_change();
-}
-
-HalfEdges::Change HalfEdges::end_change() {
-  return {links_.end_change(), positions_.end_change(), outgoing_.end_change(), first_.end_change()};
-}
-
-void HalfEdges::restore(const Change& change) {
-  links_.restore(change.links);
-  positions_.restore(change.positions);
-  outgoing_.restore(change.outgoing);
-  first_.restore(change.first);
-}
-
-void HalfEdges::exchange(Change& change) {
-  links_.exchange(change.links);
-  positions_.exchange(change.positions);
-  outgoing_.exchange(change.outgoing);
-  first_.exchange(change.first);
 }
 
 }  // namespace kerf

@@ -3,6 +3,7 @@
 // Private to core/mesh.
 #include <cstdint>
 
+#include "core/base/change_of_parts.h"
 #include "core/base/ids.h"
 #include "core/base/records.h"
 #include "core/base/vec3.h"
@@ -83,15 +84,18 @@ class HalfEdges {
   }
 
   void reserve(uint32_t vertices, uint32_t edges, uint32_t faces);
-  size_t bytes() const { return links_.bytes() + positions_.bytes() + outgoing_.bytes() + first_.bytes(); }
+  size_t bytes() const;
 
-  struct Change;
-  void begin_change();
-  Change end_change();
-  void exchange(Change& change);
-  void restore(const Change& change);
+  // What the arrays were before a command (see ChangeOf).
+  class Change;
 
  private:
+  friend class ChangeOfParts<HalfEdges>;
+  template <typename Self>
+  static auto parts(Self& self) {
+    return std::tie(self.links_, self.positions_, self.outgoing_, self.first_);
+  }
+
   struct Links {
     VertexId to;
     HalfEdgeId next, previous;
@@ -107,13 +111,6 @@ class HalfEdges {
   Records<HalfEdgeId> first_;     // one a face
 };
 
-// What the arrays were (see Records).
-struct HalfEdges::Change {
-  Records<Links>::Change links;
-  Records<Vec3>::Change positions;
-  Records<HalfEdgeId>::Change outgoing, first;
-  size_t bytes() const { return links.bytes() + positions.bytes() + outgoing.bytes() + first.bytes(); }
-  bool any() const { return links.any() || positions.any() || outgoing.any() || first.any(); }
-};
+class HalfEdges::Change : public ChangeOfParts<HalfEdges> {};
 
 }  // namespace kerf

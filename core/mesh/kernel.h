@@ -18,14 +18,13 @@ struct Mesh::Kernel {
   Records<RingLink> rings;  // one an edge, or empty when no edge of the mesh has three faces
   Records<FaceData> faces;  // one a face slot
   uint32_t live_faces = 0;
-  uint32_t live_before = 0;  // the command that is remembered
+
+  template <typename Self>
+  static auto parts(Self& self) {
+    return std::tie(self.half_edges, self.rings, self.faces, self.live_faces);
+  }
 };
 
-struct Mesh::Change::Parts {
-  HalfEdges::Change half_edges;
-  Records<RingLink>::Change rings;
-  Records<FaceData>::Change faces;
-  uint32_t live_faces;
-};
+struct Mesh::Change::Parts : ChangeOfParts<Mesh::Kernel> {};
 
 }  // namespace kerf

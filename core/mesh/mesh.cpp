@@ -296,50 +296,17 @@ void Mesh::remove_face(FaceId f) {
   --kernel_->live_faces;
 }
 
-size_t Mesh::bytes() const {
-  return kernel_->half_edges.bytes() + kernel_->rings.bytes() + kernel_->faces.bytes();
-}
+size_t Mesh::bytes() const { return ChangeOfParts<Kernel>::bytes_of(*kernel_); }
 
-void Mesh::begin_change() {
-  kernel_->half_edges.begin_change();
-  kernel_->rings.begin_change();
-  kernel_->faces.begin_change();
-  kernel_->live_before = kernel_->live_faces;
-}
-
-Mesh::Change Mesh::end_change() {
-  Change change;
-  change.parts_ = std::make_unique<Change::Parts>(
-      Change::Parts{kernel_->half_edges.end_change(), kernel_->rings.end_change(),
-                    kernel_->faces.end_change(), kernel_->live_before});
-  return change;
-}
-
-void Mesh::exchange(Change& change) {
-  Change::Parts& parts = *change.parts_;
-  kernel_->half_edges.exchange(parts.half_edges);
-  kernel_->rings.exchange(parts.rings);
-  kernel_->faces.exchange(parts.faces);
-  std::swap(kernel_->live_faces, parts.live_faces);
-}
-
-void Mesh::restore(const Change& change) {
-  const Change::Parts& parts = *change.parts_;
-  kernel_->half_edges.restore(parts.half_edges);
-  kernel_->rings.restore(parts.rings);
-  kernel_->faces.restore(parts.faces);
-  kernel_->live_faces = parts.live_faces;
-}
-
-Mesh::Change::Change() = default;
+Mesh::Change::Change() : parts_(std::make_unique<Parts>()) {}
 Mesh::Change::~Change() = default;
 Mesh::Change::Change(Change&&) noexcept = default;
 Mesh::Change& Mesh::Change::operator=(Change&&) noexcept = default;
-size_t Mesh::Change::bytes() const {
-  return parts_ ? parts_->half_edges.bytes() + parts_->rings.bytes() + parts_->faces.bytes() : 0;
-}
-bool Mesh::Change::any() const {
-  return parts_ && (parts_->half_edges.any() || parts_->rings.any() || parts_->faces.any());
-}
+void Mesh::Change::begin(Mesh& mesh) { parts_->begin(*mesh.kernel_); }
+void Mesh::Change::end(Mesh& mesh) { parts_->end(*mesh.kernel_); }
+bool Mesh::Change::any() const { return parts_->any(); }
+void Mesh::Change::exchange(Mesh& mesh) { parts_->exchange(*mesh.kernel_); }
+void Mesh::Change::restore(Mesh& mesh) const { parts_->restore(*mesh.kernel_); }
+size_t Mesh::Change::bytes() const { return parts_->bytes(); }
 
 }  // namespace kerf

@@ -38,9 +38,7 @@ class Positions {
 
   explicit Positions(const Vec3* const* chunks) : chunks_(chunks) {}
   const Vec3& operator[](VertexId v) const { return (*this)[v.index]; }
-  const Vec3& operator[](uint32_t v) const {
-    return chunks_[v >> kShift][v & ((uint32_t{1} << kShift) - 1)];
-  }
+  const Vec3& operator[](uint32_t v) const { return chunks_[v >> kShift][v & ((uint32_t{1} << kShift) - 1)]; }
   const Vec3* const* chunks() const { return chunks_; }
 
  private:
@@ -98,8 +96,8 @@ class Mesh {
     VertexId from;
     VertexId to;
   };
-  // Asks for the memory that neighbours and corners of some faces lie in: for whoever asks for many, one after
-  // the other. `at` is the face that is asked next.
+  // Asks for the memory that neighbours and corners of some faces lie in: for whoever asks for many, one
+  // after the other. `at` is the face that is asked next.
   void prefetch_neighbours(std::span<const FaceId> faces, size_t at) const;
 
   // Appends the sides of every other live face on the edge of f from one of its corners to the next.
@@ -151,28 +149,25 @@ class Mesh {
   // Memory that the mesh holds.
   size_t bytes() const;
 
-  // What the mesh was before a command, or, once exchanged, after it.
+  // What the mesh was before a command or, once exchanged, after it (see ChangeOf). Every function costs what
+  // was changed, not what is there.
   class Change {
    public:
     Change();
     ~Change();
     Change(Change&&) noexcept;
     Change& operator=(Change&&) noexcept;
-    size_t bytes() const;
+    void begin(Mesh& mesh);
+    void end(Mesh& mesh);
     bool any() const;
+    void exchange(Mesh& mesh);
+    void restore(Mesh& mesh) const;
+    size_t bytes() const;
 
    private:
-    friend class Mesh;
     struct Parts;
     std::unique_ptr<Parts> parts_;
   };
-  // From begin_change on what is edited is saved first; end_change gives what the mesh was. exchange makes it
-  // that again, to the bit, and the change what it was till then. O(what was changed).
-  void begin_change();
-  Change end_change();
-  void exchange(Change& change);
-  // Makes the mesh what it was before the change, as an edit.
-  void restore(const Change& change);
 
   struct Kernel;
   Kernel& kernel() { return *kernel_; }

@@ -67,6 +67,8 @@ void OneToFour::forget(Mesh& mesh, FaceId f) {
   close_element(index);
 }
 
+size_t OneToFour::bytes() const { return ChangeOfParts<OneToFour>::bytes_of(*this); }
+
 uint32_t OneToFour::open_element(const Mesh& mesh, FaceId f) {
   Split e;
   e.corners = mesh.corners(f);
@@ -192,23 +194,6 @@ void OneToFour::report_green(std::vector<Replacement>& out) {
     out.push_back({{e.faces[0], FaceId()}, {e.faces[0], e.faces[1], FaceId(), FaceId()}, 1, 2});
   }
   changed_.clear();
-}
-
-void OneToFour::begin_change() {
-  elements_.begin_change();
-  free_before_ = free_;
-}
-
-OneToFour::Change OneToFour::end_change() { return {elements_.end_change(), free_before_}; }
-
-void OneToFour::exchange(Change& change) {
-  elements_.exchange(change.elements);
-  std::swap(free_, change.free);
-}
-
-void OneToFour::restore(const Change& change) {
-  elements_.restore(change.elements);
-  free_ = change.free;
 }
 
 int OneToFour::edge_of(const Split& e, VertexId from, VertexId to) {

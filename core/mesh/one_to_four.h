@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "core/base/change_of_parts.h"
 #include "core/mesh/mesh.h"
 #include "core/mesh/replacement.h"
 
@@ -40,15 +41,17 @@ class OneToFour {
   // another rule: the halves are faces like others from then on.
   void forget(Mesh& mesh, FaceId f);
 
-  // What it was before a command; see Records.
-  struct Change;
-  void begin_change();
-  Change end_change();
-  void exchange(Change& change);
-  void restore(const Change& change);
-  size_t bytes() const { return elements_.bytes(); }
+  // What it was before a command (see ChangeOf).
+  class Change;
+  size_t bytes() const;
 
  private:
+  friend class ChangeOfParts<OneToFour>;
+  template <typename Self>
+  static auto parts(Self& self) {
+    return std::tie(self.elements_, self.free_);
+  }
+
   // An element with one or more bisected edges. Edge i runs from corner i to the next corner.
   struct Split {
     std::array<VertexId, 3> corners;
@@ -78,14 +81,8 @@ class OneToFour {
   uint32_t free_ = FaceData::kNoElement;  // the first of those that are closed; faces[0] is the next
   std::vector<uint32_t> changed_;         // elements that became green in this call
   std::vector<FaceId> pending_;           // faces of elements with two split edges
-  uint32_t free_before_ = FaceData::kNoElement;
 };
 
-struct OneToFour::Change {
-  Records<Split>::Change elements;
-  uint32_t free;
-  size_t bytes() const { return elements.bytes(); }
-  bool any() const { return elements.any(); }
-};
+class OneToFour::Change : public ChangeOfParts<OneToFour> {};
 
 }  // namespace kerf

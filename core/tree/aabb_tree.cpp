@@ -35,28 +35,6 @@ void AabbTree::refit(const Mesh& mesh, std::span<const FaceId> faces) {
   for (const FaceId f : faces) refit_face(store_, mesh, f);
 }
 
-void AabbTree::begin_change() {
-  store_.begin_change();
-  leaves_before_ = leaf_count_;
-}
-
-AabbTree::Change AabbTree::end_change() {
-  Change change;
-  change.store_ = store_.end_change();
-  change.leaf_count_ = leaves_before_;
-  return change;
-}
-
-void AabbTree::exchange(Change& change) {
-  store_.exchange(change.store_);
-  std::swap(leaf_count_, change.leaf_count_);
-}
-
-void AabbTree::restore(const Change& change) {
-  store_.restore(change.store_);
-  leaf_count_ = change.leaf_count_;
-}
-
 // Boxes -----------------------------------------------------------------------------------------------------
 
 AabbTree::Box AabbTree::box_of(const FloatBox& box, int depth, bool leaf, bool hit) const {

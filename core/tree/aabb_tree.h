@@ -99,30 +99,24 @@ class AabbTree {
   // Memory that the tree holds.
   size_t bytes() const { return store_.bytes(); }
 
-  // What the tree was before a command, or, once exchanged, after it: boxes, and where the beam was.
-  class Change {
-   public:
-    size_t bytes() const { return store_.bytes(); }
-    bool any() const { return store_.any(); }
-
-   private:
-    friend class AabbTree;
-    TreeStore::Change store_;
-    size_t leaf_count_ = 0;
-  };
-  // As those of Mesh, which must change along.
-  void begin_change();
-  Change end_change();
-  void exchange(Change& change);
-  void restore(const Change& change);
+  // What the tree was before a command (see ChangeOf): boxes, and where the beam was. To be used together
+  // with the change of the mesh.
+  class Change;
 
  private:
+  friend class ChangeOfParts<AabbTree>;
+  template <typename Self>
+  static auto parts(Self& self) {
+    return std::tie(self.store_, self.leaf_count_);
+  }
+
   Box box_of(const FloatBox& box, int depth, bool leaf, bool hit) const;
 
   TreeStore store_;
   size_t leaf_count_ = 0;
-  size_t leaves_before_ = 0;
   const Walks* walks_ = &walks_for(best_simd());
 };
+
+class AabbTree::Change : public ChangeOfParts<AabbTree> {};
 
 }  // namespace kerf

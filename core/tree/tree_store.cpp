@@ -171,32 +171,7 @@ void TreeStore::mark(const FaceBlock& block, unsigned lanes) {
   blocks.edit(nodes[block.parent].child[block.slot].index()).hit |= static_cast<uint8_t>(lanes);
 }
 
-void TreeStore::begin_change() {
-  nodes.begin_change();
-  blocks.begin_change();
-  places_.begin_change();
-  before_ = *this;
-}
-
-TreeStore::Change TreeStore::end_change() {
-  return {nodes.end_change(), blocks.end_change(), places_.end_change(), before_};
-}
-
-void TreeStore::exchange(Change& change) {
-  nodes.exchange(change.nodes);
-  blocks.exchange(change.blocks);
-  places_.exchange(change.places);
-  TreeCounts& now = *this;
-  std::swap(now, change.counts);
-}
-
-void TreeStore::restore(const Change& change) {
-  nodes.restore(change.nodes);
-  blocks.restore(change.blocks);
-  places_.restore(change.places);
-  TreeCounts& now = *this;
-  now = change.counts;
-}
+size_t TreeStore::bytes() const { return ChangeOfParts<TreeStore>::bytes_of(*this); }
 
 void TreeStore::empty_slot(uint32_t node, uint32_t slot) {
   WideNode& n = nodes.edit(node);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/change_of_parts.h"
 #include "core/base/ids.h"
 #include "core/base/records.h"
 #include "core/tree/float_box.h"
@@ -37,6 +38,7 @@ struct TreeCounts {
   uint32_t single_count = 0;
   FloatBox root_box;
   double reach = 0;
+  friend bool operator==(const TreeCounts&, const TreeCounts&) = default;
 };
 
 // The records of a tree and the links between them. Every node but the root has a slot in a parent, every
@@ -92,27 +94,22 @@ class TreeStore : private TreeCounts {
   void mark(const WideNode& node, unsigned slots);
   void mark(const FaceBlock& block, unsigned lanes);
 
-  // What the tree was before a command; see Records. The frame stays.
-  struct Change;
-  void begin_change();
-  Change end_change();
-  void exchange(Change& change);
-  void restore(const Change& change);
+  // What the tree was before a command (see ChangeOf). The frame stays.
+  class Change;
 
-  size_t bytes() const { return nodes.bytes() + blocks.bytes() + places_.bytes(); }
+  size_t bytes() const;
 
  private:
+  friend class ChangeOfParts<TreeStore>;
+  template <typename Self>
+  static auto parts(Self& self) {
+    using Counts = std::conditional_t<std::is_const_v<Self>, const TreeCounts, TreeCounts>;
+    return std::tie(self.nodes, self.blocks, self.places_, static_cast<Counts&>(self));
+  }
+
   Records<uint32_t> places_;  // one more than the place, so that fresh memory says that a face is not there
-  TreeCounts before_;         // the command that is remembered
 };
 
-struct TreeStore::Change {
-  Records<WideNode>::Change nodes;
-  Records<FaceBlock>::Change blocks;
-  Records<uint32_t>::Change places;
-  TreeCounts counts;
-  size_t bytes() const { return nodes.bytes() + blocks.bytes() + places.bytes(); }
-  bool any() const { return nodes.any() || blocks.any() || places.any(); }
-};
+class TreeStore::Change : public ChangeOfParts<TreeStore> {};
 
 }  // namespace kerf

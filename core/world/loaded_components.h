@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/change_of_parts.h"
 #include "core/base/progress.h"
-#include "core/base/records.h"
 #include "core/base/result.h"
 #include "core/mesh/mesh.h"
 
@@ -25,7 +25,16 @@ struct LoadedComponents {
   Records<Piece> left;
 
   size_t bytes() const { return of_base.capacity() * sizeof(uint32_t) + left.bytes(); }
+
+  // What a command changes (see ChangeOf).
+  class Change;
+  template <typename Self>
+  static auto parts(Self& self) {
+    return std::tie(self.left);
+  }
 };
+
+class LoadedComponents::Change : public ChangeOfParts<LoadedComponents> {};
 
 // For a mesh as loaded, which has so many components, or that it was stopped. `progress` may be null.
 // O(faces), and constant time where it is one.

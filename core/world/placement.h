@@ -12,6 +12,8 @@ struct Placement {
   Vec3 position{0};                    // m
   glm::dquat orientation{1, 0, 0, 0};  // unit
 
+  friend bool operator==(const Placement&, const Placement&) = default;
+
   Vec3 to_world(const Vec3& p) const { return orientation * p + position; }
   Vec3 to_body(const Vec3& p) const { return glm::conjugate(orientation) * (p - position); }
   // A pose of the world in the body's frame. An identity placement changes no bit.

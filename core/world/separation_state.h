@@ -74,6 +74,16 @@ struct SeparationState {
 
   // Memory of what grows with the mesh.
   size_t bytes() const { return joined.bytes() + ties.capacity() * sizeof(ties[0]) + search.bytes(); }
+
+  // Undo remembers nothing of it: an exchange of the faces makes it forget (see ChangeOf).
+  struct Change {
+    void begin(SeparationState&) {}
+    void end(SeparationState&) {}
+    bool any() const { return false; }
+    void exchange(SeparationState& state) { state = SeparationState(); }
+    void restore(SeparationState& state) const { state = SeparationState(); }
+    size_t bytes() const { return 0; }
+  };
 };
 
 }  // namespace kerf

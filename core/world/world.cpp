@@ -56,6 +56,8 @@ void Body::count(FaceId f, int faces, double area) {
     add(*search.front_of(f));
 }
 
+size_t Body::bytes() const { return ChangeOfParts<Body>::bytes_of(*this); }
+
 BodyId World::add(Body body) {
   slots_.push_back({std::move(body), 0, true});
   return {static_cast<uint32_t>(slots_.size() - 1), 0};

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/change_of_parts.h"
 #include "core/base/ids.h"
-#include "core/base/records.h"
 #include "core/mesh/build_mesh.h"
 #include "core/mesh/mesh.h"
 #include "core/mesh/one_to_four.h"
@@ -41,11 +41,15 @@ struct Body {
   // Adds to the counts of what f belongs to.
   void count(FaceId f, int faces, double area);
 
-  // Memory that its arrays hold.
-  size_t bytes() const {
-    return mesh.bytes() + tree.bytes() + refinement.bytes() + pieces.bytes() + components.bytes() +
-           separation.bytes();
+  // All that a command may change in a body that it neither adds nor removes.
+  template <typename Self>
+  static auto parts(Self& self) {
+    return std::tie(self.name, self.placement, self.hidden, self.mesh, self.tree, self.refinement,
+                    self.pieces, self.components, self.separation);
   }
+
+  // Memory that its arrays hold.
+  size_t bytes() const;
 };
 
 // A body around a mesh as loaded: builds its tree and counts its one piece and its components. O(n log n).
@@ -106,21 +110,7 @@ class World {
   // A body that is there on both sides of a change.
   struct BodyChange {
     uint32_t slot = 0;
-    std::string name;
-    Placement placement;
-    bool hidden = false;
-    Mesh::Change mesh;
-    AabbTree::Change tree;
-    OneToFour::Change refinement;
-    Records<Piece>::Change pieces, components;
-
-    BodyChange(uint32_t at, const Body& body)
-        : slot(at), name(body.name), placement(body.placement), hidden(body.hidden) {}
-    void end(Body& body);
-    bool any(const Body& body) const;
-    void exchange(Body& body);
-    void restore(Body& body) const;
-    size_t bytes() const;
+    ChangeOfParts<Body> parts;
   };
 
   std::vector<Slot> slots_;

@@ -1,0 +1,112 @@
+#pragma once
+
+#include <cstddef>
+#include <tuple>
+#include <utility>
+
+#include "core/base/records.h"
+
+namespace kerf {
+
+// What a value was before a command or, once exchanged, after it. This one keeps a copy, for values that are
+// cheap to copy and to compare. A class with a nested type `Change` is remembered by that instead; it offers
+// the same functions.
+//
+// A change is used in this order: begin, the edits of the command, end; then exchange as often as wanted,
+// always in the order of a history, or restore.
+template <typename T>
+class ChangeOf {
+ public:
+  // From here on the edits of `value` are remembered.
+  void begin(T& value) { other_ = value; }
+  void end(T& value) { differs_ = !(other_ == value); }
+  // Whether the command changed anything.
+  bool any() const { return differs_; }
+  // Swaps the state of `value` with the one that is kept here, to the bit.
+  void exchange(T& value) { std::swap(value, other_); }
+  // Gives `value` the state that is kept here, as an edit that another change may remember.
+  void restore(T& value) const { value = other_; }
+  // Memory that the change holds beside itself.
+  size_t bytes() const { return 0; }
+
+ private:
+  T other_{};
+  bool differs_ = false;
+};
+
+template <typename T>
+class ChangeOf<Records<T>> {
+ public:
+  void begin(Records<T>& records) { records.begin_change(); }
+  void end(Records<T>& records) { change_ = records.end_change(); }
+  bool any() const { return change_.any(); }
+  void exchange(Records<T>& records) { records.exchange(change_); }
+  void restore(Records<T>& records) const { records.restore(change_); }
+  size_t bytes() const { return change_.bytes(); }
+
+ private:
+  typename Records<T>::Change change_;
+};
+
+template <typename T>
+requires requires { typename T::Change; }
+class ChangeOf<T> : public T::Change {};
+
+// The change of an owner that lists the members that a command may change once, as
+//
+//   template <typename Self>
+//   static auto parts(Self& self) { return std::tie(self.links_, self.positions_); }
+//
+// where Self is the owner or the owner as const. Every function goes through the members in that order.
+template <typename Owner>
+class ChangeOfParts {
+ public:
+  void begin(Owner& owner) {
+    for_each_part(owner, changes_, [](auto& part, auto& change) { change.begin(part); });
+  }
+  void end(Owner& owner) {
+    for_each_part(owner, changes_, [](auto& part, auto& change) { change.end(part); });
+  }
+  bool any() const {
+    return std::apply([](const auto&... change) { return (change.any() || ...); }, changes_);
+  }
+  void exchange(Owner& owner) {
+    for_each_part(owner, changes_, [](auto& part, auto& change) { change.exchange(part); });
+  }
+  void restore(Owner& owner) const {
+    for_each_part(owner, changes_, [](auto& part, const auto& change) { change.restore(part); });
+  }
+  size_t bytes() const {
+    return std::apply([](const auto&... change) { return (change.bytes() + ...); }, changes_);
+  }
+
+  // Memory that the members of the owner hold.
+  static size_t bytes_of(const Owner& owner) {
+    return std::apply([](const auto&... part) { return (bytes_of_part(part) + ...); }, Owner::parts(owner));
+  }
+
+ private:
+  template <typename... Part>
+  static std::tuple<ChangeOf<Part>...> changes_of(std::tuple<Part&...>);
+  using Changes = decltype(changes_of(Owner::parts(std::declval<Owner&>())));
+
+  template <typename SomeChanges, typename Visit>
+  static void for_each_part(Owner& owner, SomeChanges& changes, Visit visit) {
+    const auto parts = Owner::parts(owner);
+    [&]<size_t... i>(std::index_sequence<i...>) { (visit(std::get<i>(parts), std::get<i>(changes)), ...); }
+    (std::make_index_sequence<std::tuple_size_v<Changes>>());
+  }
+
+  template <typename Part>
+  static size_t bytes_of_part(const Part& part) {
+    if constexpr (requires { part.bytes(); }) {
+      return part.bytes();
+    } else {
+      return 0;
+    }
+  }
+
+  Changes changes_;
+};
+
+}  // namespace kerf

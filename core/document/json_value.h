@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "core/base/interval.h"
 #include "core/base/result.h"
 #include "core/base/vec3.h"
-#include "core/tree/swept_cylinder.h"
 
 namespace kerf {
 

@@ -18,7 +18,7 @@ struct Stroke {
 
   // Moves the beam on, and gives the moves that it makes.
   std::vector<BeamMove> move_to(const Pose& to) {
-    std::vector<BeamMove> moves = walk(pose, to, settings.laser.radius, reach);
+    std::vector<BeamMove> moves = subdivide({pose, to}, settings.laser.radius, reach);
     if (to.direction == pose.direction) {
       path.push_back({pose, to});
     } else {

@@ -1,6 +1,7 @@
 #include "core/laser/laser.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace kerf {
@@ -21,14 +22,14 @@ Pose halfway(const Pose& a, const Pose& b) {
   return {0.5 * a.origin + 0.5 * b.origin, direction};
 }
 
-void bisect(const Pose& from, const Pose& to, int times, std::vector<BeamMove>& out) {
+void bisect(const BeamMove& move, int times, std::vector<BeamMove>& out) {
   if (times == 0) {
-    out.push_back({from, to});
+    out.push_back(move);
     return;
   }
-  const Pose middle = halfway(from, to);
-  bisect(from, middle, times - 1, out);
-  bisect(middle, to, times - 1, out);
+  const Pose middle = halfway(move.from, move.to);
+  bisect({move.from, middle, 0.5 * move.seconds}, times - 1, out);
+  bisect({middle, move.to, 0.5 * move.seconds}, times - 1, out);
 }
 
 }  // namespace
@@ -48,18 +49,20 @@ std::vector<SweptCylinder> sweep_beam(const Laser& laser, const BeamMove& move) 
   return rays;
 }
 
-std::vector<BeamMove> walk(const Pose& from, const Pose& to, double radius, double reach) {
+std::vector<BeamMove> subdivide(const BeamMove& move, double radius, double reach) {
   constexpr double kArcOverChord = 1.5707963267948966;  // at most, for arcs up to half a turn
   constexpr double kLargestTurn = 0.05;                 // rad in one move
   constexpr int kMostHalvings = 17;
-  const double arc = kArcOverChord * glm::length(to.direction - from.direction);
-  const double way = glm::length(to.origin - from.origin) + arc * reach;
+  assert(radius > 0 && reach >= 0 && move.seconds >= 0);
+  const Vec3 turn = move.to.direction - move.from.direction;
+  const double arc = kArcOverChord * glm::length(turn);
+  const double way = glm::length(move.to.origin - move.from.origin) + arc * reach;
   const double moves = std::max(way / radius, arc / kLargestTurn);
   int halvings = 0;
   for (double m = moves; m > 1 && halvings < kMostHalvings; m *= 0.5) ++halvings;
   std::vector<BeamMove> out;
   out.reserve(size_t{1} << halvings);
-  bisect(from, to, halvings, out);
+  bisect(move, halvings, out);
   return out;
 }
 

@@ -1,21 +1,11 @@
 #pragma once
 
+#include "core/base/interval.h"
+#include "core/base/pose.h"
 #include "core/base/vec3.h"
 #include "core/mesh/mesh.h"
 
 namespace kerf {
-
-// Where a beam stands: the ray from `origin` along the unit vector `direction`.
-struct Pose {
-  Vec3 origin{0};
-  Vec3 direction{0, 0, -1};
-};
-
-// An interval of the real line; empty where low > high.
-struct Interval {
-  double low = 0;
-  double high = 0;
-};
 
 // The volume that a cylinder passes through between two poses: all points nearer to its axis than the radius,
 // at distances along the axis within the range. It moves on the straight line; between different directions

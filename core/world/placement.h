@@ -2,8 +2,8 @@
 
 #include <glm/gtc/quaternion.hpp>
 
+#include "core/base/pose.h"
 #include "core/base/vec3.h"
-#include "core/tree/swept_cylinder.h"
 
 namespace kerf {
 

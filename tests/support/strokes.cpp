@@ -25,9 +25,9 @@ RandomStroke random_stroke(const World& world, Random& random, double radius_sha
   stroke.settings.laser.range = {0, 3 * size};
   stroke.settings.resolution.target_edge = radius_share * size * random.uniform(0.6, 1.5);
   if (random.below(2) == 0) stroke.settings.resolution.scheme = Scheme::kOneToFour;
-  stroke.moves =
-      walk({middle - size * axis - half * along, axis}, {middle - size * end_axis + half * along, end_axis},
-           stroke.settings.laser.radius, 2 * size);
+  stroke.moves = subdivide(
+      {{middle - size * axis - half * along, axis}, {middle - size * end_axis + half * along, end_axis}},
+      stroke.settings.laser.radius, 2 * size);
   return stroke;
 }
 

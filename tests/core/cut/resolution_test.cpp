@@ -50,7 +50,7 @@ Cut cut(const Soup& soup, const Resolution& resolution, uint64_t seed, bool tilt
   EXPECT_TRUE(stepped.ok());
   result.faces_made = stepped->figures.faces_made;
   result.world = document.world();
-  for (const BeamMove& m : walk(from, to, kRadius / 8, 2))
+  for (const BeamMove& m : subdivide({from, to}, kRadius / 8, 2))
     result.swept.emplace_back(m.from, m.to, kRadius, settings.laser.range);
   return result;
 }

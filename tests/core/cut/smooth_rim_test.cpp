@@ -52,7 +52,8 @@ class Swept {
  public:
   void add(const CutSettings& settings, const std::vector<Pose>& poses, double reach) {
     for (size_t i = 0; i < poses.size(); ++i) {
-      for (const BeamMove& m : walk(poses[i > 0 ? i - 1 : 0], poses[i], settings.laser.radius / 4, reach)) {
+      for (const BeamMove& m :
+           subdivide({poses[i > 0 ? i - 1 : 0], poses[i]}, settings.laser.radius / 4, reach)) {
         parts_.emplace_back(m.from, m.to, settings.laser.radius, settings.laser.range);
       }
     }

@@ -9,19 +9,21 @@
 namespace kerf::test {
 namespace {
 
-TEST(Walk, goes_from_pose_to_pose_without_gaps_in_moves_no_longer_than_the_radius) {
+TEST(Subdivide, goes_from_pose_to_pose_without_gaps_in_moves_no_longer_than_the_radius) {
   Random random(17);
   for (int i = 0; i < 200; ++i) {
     const Pose from{random_direction(random), random_direction(random)};
     const Pose to{random_direction(random),
                   glm::normalize(from.direction + 1.5 * random.unit() * random_direction(random))};
     const double radius = random.uniform(0.01, 0.3), reach = random.uniform(0.5, 4);
-    const auto moves = walk(from, to, radius, reach);
+    const double seconds = random.uniform(0, 3);
+    const auto moves = subdivide({from, to, seconds}, radius, reach);
     EXPECT_EQ(moves.front().from.origin, from.origin);
     EXPECT_EQ(moves.back().to.origin, to.origin);
     EXPECT_EQ(moves.back().to.direction, to.direction);
     for (size_t k = 0; k < moves.size(); ++k) {
       const BeamMove& m = moves[k];
+      EXPECT_EQ(m.seconds * static_cast<double>(moves.size()), seconds);  // 2^k equal shares are exact
       if (k > 0) EXPECT_EQ(m.from.origin, moves[k - 1].to.origin);
       if (k > 0) EXPECT_EQ(m.from.direction, moves[k - 1].to.direction);
       for (const double depth : {0.0, reach}) {
@@ -32,9 +34,9 @@ TEST(Walk, goes_from_pose_to_pose_without_gaps_in_moves_no_longer_than_the_radiu
   }
 }
 
-TEST(Walk, turns_evenly_along_the_shorter_arc) {
+TEST(Subdivide, turns_evenly_along_the_shorter_arc) {
   const Pose from{{0, 0, 0}, {1, 0, 0}}, to{{0, 0, 0}, glm::normalize(Vec3(-0.5, 1, 0))};
-  const auto moves = walk(from, to, 0.1, 1);
+  const auto moves = subdivide({from, to}, 0.1, 1);
   const double step = std::acos(glm::dot(from.direction, to.direction)) / static_cast<double>(moves.size());
   for (const BeamMove& m : moves) {
     EXPECT_NEAR(std::acos(std::min(1.0, glm::dot(m.from.direction, m.to.direction))), step, 1e-7);
@@ -43,9 +45,9 @@ TEST(Walk, turns_evenly_along_the_shorter_arc) {
   }
 }
 
-TEST(Walk, keeps_the_bits_of_a_direction_that_does_not_change) {
+TEST(Subdivide, keeps_the_bits_of_a_direction_that_does_not_change) {
   const Vec3 d = glm::normalize(Vec3(0.05, -1, 0.02));
-  for (const BeamMove& m : walk({{0, 0, 0}, d}, {{1, 0, 0.3}, d}, 0.01, 5)) {
+  for (const BeamMove& m : subdivide({{{0, 0, 0}, d}, {{1, 0, 0.3}, d}}, 0.01, 5)) {
     EXPECT_EQ(m.from.direction, d);
     EXPECT_EQ(m.to.direction, d);
   }

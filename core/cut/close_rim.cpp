@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/base/tolerances.h"
+#include "core/cut/cuttable.h"
 #include "core/cut/rim_state.h"
 #include "core/cut/stopwatch.h"
 
@@ -103,7 +104,7 @@ Status close(RimState& rim, const Progress& progress) {
 Result<StepResult> close_rim(World& world, const CutSettings& settings, std::span<const BeamMove> path,
                              const Progress* progress) {
   StepResult result;
-  const auto ids = world.ids();
+  const std::vector<BodyId> ids = cuttable(world);
   double done = 0;
   for (const BodyId id : ids) {
     BodyStep step(id, world.body(id));

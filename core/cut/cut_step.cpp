@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/cut/cuttable.h"
 #include "core/cut/step_state.h"
 
 namespace kerf {
@@ -25,9 +26,7 @@ class Bite {
  public:
   Bite(World& world, const CutSettings& settings, UnfinishedMove& unfinished, const Progress& progress)
       : settings_(settings), move_(unfinished), progress_(progress) {
-    for (const BodyId id : world.ids()) {
-      if (!world.body(id).hidden) bodies_.emplace_back(id, world.body(id));
-    }
+    for (const BodyId id : cuttable(world)) bodies_.emplace_back(id, world.body(id));
   }
 
   // Whether the move is through all bodies.
@@ -132,6 +131,8 @@ Result<StepResult> cut_step(World& world, const CutSettings& settings, std::span
   return result;
 }
 
+// A hidden body is asked too: it may have been hidden while a search was open in it, and is_settled waits for
+// the end of that search.
 StepResult go_on_separating(World& world, size_t most) {
   StepResult result;
   for (const BodyId id : world.ids()) {

@@ -70,10 +70,10 @@ struct StepResult {
   StepFigures figures;
 };
 
-// One step of a cut through all bodies that are not hidden: for each move of the beam in turn the faces that
-// it touches are found (hit), split until they are fine enough or wholly within the beam (refine), and
-// removed; then what came apart gets labels of its own (separate). Topology changes nowhere else. Moves are
-// in world coordinates.
+// One step of a cut through all bodies that the beam meets (see cuttable): for each move of the beam in turn
+// the faces that it touches are found (hit), split until they are fine enough or wholly within the beam
+// (refine), and removed; then what came apart gets labels of its own (separate). Topology changes nowhere
+// else. Moves are in world coordinates.
 //
 // The first move is begun where it was left, and the step ends with the last move or after settings.bite
 // faces, perhaps within a move: then `unfinished` says where, and the next step is given the moves from that
@@ -88,9 +88,10 @@ struct StepResult {
 Result<StepResult> cut_step(World& world, const CutSettings& settings, std::span<const BeamMove> moves,
                             UnfinishedMove& unfinished, const Progress* progress = nullptr);
 
-// Ends a stroke with a smooth rim. While it runs, steps take only what lies wholly within the beam; here the
-// faces that lie across the boundary of all that `path` has swept are cut along it, and what is inside goes.
-// `path` holds the moves of the whole stroke, world coordinates.
+// Ends a stroke with a smooth rim in all bodies that the beam meets (see cuttable). While the stroke runs,
+// steps take only what lies wholly within the beam; here the faces that lie across the boundary of all that
+// `path` has swept are cut along it, and what is inside goes. `path` holds the moves of the whole stroke,
+// world coordinates.
 //
 // Where a chord would leave the boundary by more than kRimChord, faces are split by the scheme first. A
 // vertex near the boundary moves onto it along an edge where that leaves the surface as it was; every other
@@ -102,7 +103,8 @@ Result<StepResult> close_rim(World& world, const CutSettings& settings, std::spa
 // Whether no search for what came apart is open in any body.
 bool is_settled(const World& world);
 
-// Goes on with those searches as a step that cuts nothing, looking at so many faces in each body.
+// Goes on with those searches as a step that cuts nothing, looking at so many faces in each body, also in
+// those that are hidden.
 StepResult go_on_separating(World& world, size_t most);
 
 }  // namespace kerf

@@ -102,7 +102,7 @@ void follow_splits(BodyStep& step, std::span<const Replacement> replaced) {
     const int made = r.born_count - r.gone_count;
     step.figures.faces_made += static_cast<size_t>(made);
     note_replaced(step.body, r);
-    step.body.count(r.born[0], made, 0);
+    step.count(r.born[0], made, 0);
   }
 }
 

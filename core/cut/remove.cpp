@@ -11,8 +11,7 @@ void remove_face(BodyStep& step, FaceId f) {
   Body& body = step.body;
   const double area = triangle_area(body.mesh.triangle(f));
   note_removal(body, f);
-  body.count(f, -1, -area);
-  step.removed_area += area;
+  step.count(f, -1, -area);
   ++step.removed_faces;
   body.mesh.remove_face(f);
   step.edited.push_back(f);

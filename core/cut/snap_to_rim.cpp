@@ -145,7 +145,7 @@ void move(RimState& rim, const Mesh::Star& star, const Snap& s) {
     const double before = triangle_area(body.mesh.triangle(f));
     const double now = triangle_area(with_corner_moved(body.mesh, f, s.vertex, s.to));
     follow_area(body.mesh.edit_data(f), before, now);
-    body.count(f, 0, now - before);
+    rim.step.count(f, 0, now - before);
     rim.step.edited.push_back(f);
   }
   body.mesh.move_vertex(s.vertex, s.to);

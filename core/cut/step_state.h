@@ -19,8 +19,16 @@ struct BodyStep {
   std::vector<FaceId> relabelled;
   std::vector<uint32_t> new_pieces;
   size_t removed_faces = 0;
-  double removed_area = 0;
+  double removed_area = 0;  // m^2 that the body has lost in this step (see count)
   StepFigures figures;
+
+  // Every edit of the mesh tells here by how much it changes the number of faces and the area (m^2) of what
+  // the face f belongs to. Area that an edit takes away counts as removed, area that it adds as negative, so
+  // that the removed area and the area that is left always sum up to the same.
+  void count(FaceId f, int faces, double area) {
+    body.count(f, faces, area);
+    removed_area -= area;
+  }
 };
 
 // So many faces are looked at before the tree follows what was split or removed: the least that a step does.

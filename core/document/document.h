@@ -73,7 +73,7 @@ class Document {
   // Strokes that are in the world or wait, the last of them perhaps running.
   size_t strokes() const;
   bool in_stroke() const { return in_stroke_; }
-  // Faces that all of them removed, and their area (m^2).
+  // How many faces all of them removed, and how much area (m^2, see Delta::removed_area).
   size_t removed_faces() const;
   double removed_area() const;
   // A number that grows whenever a stroke is begun, cut again, taken back or brought again.

@@ -18,7 +18,7 @@ class HistoryStep {
 
   std::vector<Command> commands;
   size_t removed_faces = 0;
-  double removed_area = 0;  // m^2
+  double removed_area = 0;  // m^2, see Delta
 
   // Work was begun and all of it is done; what it changed is remembered, and can be exchanged.
   bool begun = false, done = false;

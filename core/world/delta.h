@@ -20,7 +20,10 @@ struct BodyDelta {
 struct Delta {
   std::vector<BodyDelta> bodies;  // those that changed
   size_t removed_faces = 0;
-  double removed_area = 0;  // m^2
+  // Area that the bodies have lost (m^2): that of the removed faces, and what the faces around moved vertices
+  // lost (or, negative, gained) by the moves. The removed area and the area that is left sum up to the area
+  // before the step.
+  double removed_area = 0;
   bool anew = false;        // bodies came, went, moved or hid: whoever follows must look at all of the world
   bool empty() const { return bodies.empty() && !anew; }
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/cut/cuttable.h"
+
 namespace kerf {
 
 namespace {
@@ -21,7 +23,7 @@ std::optional<double> first_hit(const World& world, const Pose& ray) {
   std::vector<RayHit> hits;
   const World::Bounds bounds = world.bounds();
   const Vec3 far = glm::max(glm::abs(bounds.min - ray.origin), glm::abs(bounds.max - ray.origin));
-  for (const BodyId id : world.ids()) {
+  for (const BodyId id : cuttable(world)) {
     const Body& body = world.body(id);
     hits.clear();
     body.tree.crossings(body.mesh, body.placement.to_body(ray), {0, glm::length(far)}, hits);

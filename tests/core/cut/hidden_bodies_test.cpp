@@ -85,7 +85,7 @@ TEST(CutStep, ends_a_search_for_what_came_apart_in_a_body_that_was_hidden_meanwh
   settings.resolution.target_edge = 0.05;
   settings.search_a_move = 1;
   const std::vector<BeamMove> moves =
-      walk({{0.1, 1, -0.7}, {0, -1, 0}}, {{0.1, 1, 0.7}, {0, -1, 0}}, 0.05, 2);
+      subdivide({{{0.1, 1, -0.7}, {0, -1, 0}}, {{0.1, 1, 0.7}, {0, -1, 0}}}, 0.05, 2);
   ASSERT_TRUE(cut_whole(world, settings, moves).ok());
   ASSERT_FALSE(is_settled(world));
   only_body(world).hidden = true;

@@ -7,10 +7,10 @@
 
 namespace kerf {
 
-// Writes a whole file or leaves what was there: the bytes go to a temporary file beside the target, are
-// flushed to the disk and renamed over it. A link is followed, and the permissions of a file that is replaced
-// are kept. A device or a pipe (/dev/stdout) is written to as it is. On failure the temporary file is gone
-// and the error is one sentence that names the target.
+// Writes a whole file or leaves the previous contents untouched: the bytes go to a temporary file in the
+// target's directory, which is flushed to the disk and renamed over the target. A symbolic link is followed,
+// and a replaced file keeps its permissions. A device or a pipe (/dev/stdout) is written to directly. On
+// failure the temporary file is removed, and the error is one sentence that names the target.
 Status write_file_atomically(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace kerf

@@ -2,13 +2,15 @@
 
 #include <sys/mman.h>
 
+#include <cassert>
 #include <cstdint>
 #include <new>
 
 namespace kerf {
 
 void* take_chunk(size_t bytes) {
-  // More than is wanted, of which the ends go back, so that the rest is aligned.
+  assert(bytes > 0 && bytes % kHugePage == 0);
+  // One huge page more than requested is mapped; both ends are unmapped again, so that the rest is aligned.
   const size_t taken = bytes + kHugePage;
   void* start =
       mmap(nullptr, taken, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
@@ -21,7 +23,10 @@ void* take_chunk(size_t bytes) {
   return reinterpret_cast<void*>(aligned);
 }
 
-void give_chunk(void* chunk, size_t bytes) { munmap(chunk, bytes); }
+void give_chunk(void* chunk, size_t bytes) {
+  assert(reinterpret_cast<uintptr_t>(chunk) % kHugePage == 0 && bytes % kHugePage == 0);
+  munmap(chunk, bytes);
+}
 
 void advise_huge_pages([[maybe_unused]] void* chunk, [[maybe_unused]] size_t bytes) {
 #ifdef MADV_HUGEPAGE

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <glm/glm.hpp>
 
@@ -8,19 +9,24 @@
 
 namespace kerf {
 
-// How a body's doubles become floats, for the GPU and for shadows: (x - origin) times a power of two, about
-// within [-1, 1], so that a mesh a millionth of a metre or 1e39 m wide, wherever it lies, is drawn alike.
+// Maps a body's coordinates from doubles to floats, for the GPU and for shadows: (x - origin) * scale, which
+// lies within about [-1, 1]. A mesh is therefore drawn equally well whether it is 1e-6 m or 1e39 m wide, and
+// wherever it lies.
 struct FloatFrame {
-  Vec3 origin{0};
-  double scale = 1;
+  Vec3 origin{0};    // metres, in the frame of the body
+  double scale = 1;  // a power of two
 
+  // The frame for points between the corners of a box; a box without extent keeps scale 1. Precondition: min
+  // <= max by component.
   static FloatFrame around(const Vec3& min, const Vec3& max) {
+    assert(min.x <= max.x && min.y <= max.y && min.z <= max.z);
     const Vec3 half = (max - min) * 0.5;
     const double largest = std::max({half.x, half.y, half.z});
     FloatFrame frame{min + half, 1};
     if (largest > 0 && std::isfinite(largest)) frame.scale = std::ldexp(1.0, -std::ilogb(largest) - 1);
     return frame;
   }
+  // Maps a point of the body; to_float also rounds it to single precision.
   glm::dvec3 scaled(const Vec3& p) const { return (p - origin) * scale; }
   glm::vec3 to_float(const Vec3& p) const { return glm::vec3(scaled(p)); }
 };

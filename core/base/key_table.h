@@ -1,21 +1,25 @@
 #pragma once
 
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace kerf {
 
-// Finds the index of an item by the hash of its key: open addressing with linear probing. Items and their
-// keys lie with the caller, who only adds; the answer never depends on the order within the table.
+// A hash table that maps keys to item indices by open addressing with linear probing. The caller stores the
+// items and their keys; the table stores indices only. Items can be added but not removed. Results never
+// depend on the order of the entries within the table.
 class KeyTable {
  public:
   static constexpr uint32_t kNone = 0xffffffffu;
 
-  // The index of the item whose hash is `hash` and for which same(index) holds, or `next` after adding that.
-  // hash_of(index) must give the hash of any item that was added. Expected constant time.
+  // Returns the index of the item with this hash for which same(index) holds; if there is none, adds `next`
+  // and returns it. Precondition: hash_of(index) returns the hash of every item added before, and `next` is
+  // not kNone. Expected constant time.
   template <typename Same, typename HashOf>
   uint32_t find_or_add(uint64_t hash, uint32_t next, const Same& same, const HashOf& hash_of) {
+    assert(next != kNone);
     if (10 * (count_ + 1) > 7 * slots_.size()) grow(hash_of);
     size_t at = home(hash);
     for (; slots_[at] != kNone; at = after(at)) {
@@ -26,16 +30,20 @@ class KeyTable {
     return next;
   }
 
-  // Makes room for so many items in an empty table, and a sixth more, so that adding them does not move it.
-  void reserve(size_t items) { slots_.assign(kLeast + items / 3 * 5, kNone); }
+  // Allocates space for `items` items and a sixth more, so that adding them does not reallocate.
+  // Precondition: the table is empty.
+  void reserve(size_t items) {
+    assert(count_ == 0);
+    slots_.assign(kLeast + items / 3 * 5, kNone);
+  }
 
-  // Memory that it holds.
+  // Memory allocated, in bytes.
   size_t bytes() const { return slots_.capacity() * sizeof(uint32_t); }
 
  private:
   static constexpr size_t kLeast = 16;
 
-  // Where the search begins: the hash, which is even in all its bits, as a fraction of the table.
+  // The slot at which probing starts: the upper half of the hash, read as a fraction of the table's size.
   size_t home(uint64_t hash) const { return (hash >> 32) * slots_.size() >> 32; }
   size_t after(size_t at) const { return at + 1 == slots_.size() ? 0 : at + 1; }
 
@@ -51,7 +59,7 @@ class KeyTable {
     }
   }
 
-  std::vector<uint32_t> slots_;  // fewer than 2^32, at most 7 of 10 taken
+  std::vector<uint32_t> slots_;  // fewer than 2^32 of them, at most 7 of 10 in use
   size_t count_ = 0;
 };
 

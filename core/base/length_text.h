@@ -4,14 +4,15 @@
 
 namespace kerf {
 
-// The unit in which a length reads best: its name and its size in metres.
+// A unit of length: its symbol and its size in metres.
 struct LengthUnit {
   const char* name;
   double metres;
 };
+// The largest unit from nm to km that does not exceed the length; nm for shorter lengths.
 LengthUnit unit_for(double metres);
 
-// "2.75 mm"
+// The length in that unit, with three significant digits: "2.75 mm".
 std::string length_text(double metres);
 
 }  // namespace kerf

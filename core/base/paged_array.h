@@ -7,12 +7,12 @@
 
 namespace kerf {
 
-// An array over slots of which few are in use: items that were never written are T(), and only pages that
-// were written to take memory. Growing moves no item.
+// A sparse array: an item that was never written reads as T(), and only pages that were written take memory.
+// Growing moves no item.
 template <typename T>
 class PagedArray {
  public:
-  static constexpr uint32_t kPage = 1024;
+  static constexpr uint32_t kPage = 1024;  // items a page
 
   PagedArray() = default;
   PagedArray(PagedArray&&) noexcept = default;
@@ -28,7 +28,7 @@ class PagedArray {
     const Page* page = page_of(i);
     return page ? (*page)[i % kPage] : T();
   }
-  // The item, to be written.
+  // The item, for writing; allocates its page.
   T& at(uint32_t i) {
     const size_t page = i / kPage;
     if (page >= pages_.size()) pages_.resize(page + 1);
@@ -40,12 +40,13 @@ class PagedArray {
     if (const Page* page = page_of(i)) __builtin_prefetch(&(*page)[i % kPage]);
   }
 
-  // One behind the last item that may have been written.
+  // An upper bound of the indices written so far, exclusive.
   uint32_t end() const { return static_cast<uint32_t>(pages_.size()) * kPage; }
-  // Whether the page of the item was written to.
+  // Whether any item on the page of item i was written.
   bool has_page(uint32_t i) const { return page_of(i) != nullptr; }
 
   void clear() { pages_.clear(); }
+  // Memory allocated, in bytes.
   size_t bytes() const {
     size_t bytes = pages_.capacity() * sizeof(pages_[0]);
     for (const auto& page : pages_) bytes += page ? sizeof(Page) : 0;

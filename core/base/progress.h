@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <functional>
 #include <utility>
@@ -9,25 +10,27 @@
 
 namespace kerf {
 
-// How long work tells how far it is (0 to 1, never less than before) and asks whether to go on. `report` is
-// called a thousand times a mesh at most, on the thread that works; when it returns false it is not called
-// again, and the work stops as soon as it can and ends with ErrorCode::kFailed, "cancelled".
+// How a long computation reports its progress and learns whether to go on. `report` is called on the thread
+// of the computation, at most a thousand times per mesh, with a fraction of the work from 0 to 1 that never
+// decreases. Once it returns false it is not called again, and the computation stops as soon as it can with
+// the error cancelled().
 struct Progress {
   std::function<bool(double fraction)> report;
 };
 
-// The progress of a part of the work, from `low` to `high` of the whole, which must outlive it; one that
-// nobody listens to where there is no whole.
+// The progress of a part of the work, mapped to the fractions `low` to `high` of the whole. `whole` must
+// outlive the result; it may be null, in which case nothing is reported. Precondition: 0 <= low <= high.
 inline Progress share_of(const Progress* whole, double low, double high) {
+  assert(0 <= low && low <= high);
   return {
       [whole, low, high](double fraction) { return !whole || whole->report(low + (high - low) * fraction); }};
 }
 
-// The error of work that the user stopped.
+// The error of a computation that the user stopped: ErrorCode::kFailed, "cancelled".
 inline Error cancelled() { return failed("cancelled"); }
 
-// Tells how far a loop over so many items is, up to kReports times, and costs a decrement an item. `progress`
-// may be null.
+// Reports the progress of a loop over `items` items, at most kReports times; costs one decrement per item.
+// `progress` may be null.
 class Pace {
  public:
   static constexpr size_t kReports = 32;
@@ -35,7 +38,7 @@ class Pace {
   Pace(const Progress* progress, size_t items)
       : progress_(progress), items_(items), every_(items / kReports + 1), left_(every_) {}
 
-  // After each item: whether to go on.
+  // To be called after each item. Returns whether the loop should go on.
   bool step() { return --left_ > 0 || tell(); }
 
  private:
@@ -48,17 +51,18 @@ class Pace {
 
   const Progress* progress_;
   size_t items_, every_, left_;
-  size_t told_ = 0;  // items
+  size_t told_ = 0;  // items at the last report
 };
 
-// The parts of a piece of work, one after the other, in shares of the time that they take.
+// Divides a progress among consecutive stages of a computation in proportion to the time that they take.
 class Stages {
  public:
-  // `progress`, which may be null, must outlive what next() gives.
+  // `progress` may be null. It must outlive what next() returns.
   explicit Stages(const Progress* progress) : progress_(progress) {}
 
-  // The progress of the next part, which takes so much of the whole.
+  // The progress of the next stage. `share` is its fraction of the whole; all shares add up to 1.
   Progress next(double share) {
+    assert(share >= 0);
     const double low = std::exchange(done_, std::min(1.0, done_ + share));
     return share_of(progress_, low, done_);
   }

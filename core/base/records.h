@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
@@ -14,10 +15,12 @@
 
 namespace kerf {
 
-// An array of plain records that grows by chunks, so that growing never moves a record once there are more
-// than a few, and that can remember what it was: what a command changes is saved page by page, each page
-// before it is first written, and can be exchanged with what the command made of it. Going back and forth
-// costs what was changed, never what is there, and gives the same bits.
+// An array of trivially copyable records with undo.
+//
+// It grows chunk by chunk, so that growing never moves a record once the array is larger than kSmall. Between
+// begin_change() and end_change() it saves the before-image of each page that is about to be written; the
+// resulting Change exchanges those pages with the present ones. Undo and redo therefore cost time and memory
+// in proportion to the pages written, not to the array, and restore it to the bit.
 template <typename T>
 class Records {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -32,13 +35,14 @@ class Records {
   static constexpr uint32_t kShift = sizeof(T) >= 32 ? 16 : 19;
   static constexpr uint32_t kChunk = uint32_t{1} << kShift;
   static constexpr size_t kChunkBytes = (kChunk * sizeof(T) + kHugePage - 1) / kHugePage * kHugePage;
-  // An array that is no larger lies in one small piece of memory, which moves when it doubles.
+  // Up to this many records lie in one small allocation, which moves when it grows.
   static constexpr uint32_t kSmall = records_in(size_t{64} << 10);
-  static constexpr uint32_t kPage = records_in(512);  // records that are saved together
+  static constexpr uint32_t kPage = records_in(512);  // records saved together
 
-  // What the array was before a command, or, once exchanged, after it.
+  // The pages and the size of the array before a command; after exchange(), those after it.
   class Change {
    public:
+    // Memory allocated, in bytes.
     size_t bytes() const { return pages_.size() * (sizeof(Page) + sizeof(Page*)); }
     // Whether the command changed anything.
     bool any() const { return resized_ || !pages_.empty(); }
@@ -61,7 +65,7 @@ class Records {
     swap(other);
     return *this;
   }
-  // A copy remembers nothing.
+  // Copies the records; the copy has no open change.
   Records(const Records& other) : huge_growth_(other.huge_growth_) {
     grow_to(other.size_);
     for (uint32_t i = 0; i < other.size_; i += kChunk) {
@@ -75,18 +79,25 @@ class Records {
     return *this;
   }
 
-  const T& operator[](uint32_t i) const { return at(i); }
+  // Precondition of both: i < size().
+  const T& operator[](uint32_t i) const {
+    assert(i < size_);
+    return at(i);
+  }
+  // The record, for writing; saves its page first where a change is open.
   T& edit(uint32_t i) {
+    assert(i < size_);
     if (i < remembered_) save_page(i / kPage);
     return at(i);
   }
   uint32_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
 
-  // Where the chunks start: record i is chunks()[i >> kShift][i & (kChunk - 1)]. Until the array grows.
+  // The start of each chunk: record i is chunks()[i >> kShift][i & (kChunk - 1)]. Valid until the array
+  // grows.
   const T* const* chunks() const { return chunks_.data(); }
 
-  // Records that were not there before are zero.
+  // Grows the array to `size` records; the new ones are zero. A smaller size changes nothing.
   void grow_to(uint32_t size) {
     if (size <= size_) return;
     reserve(size);
@@ -102,7 +113,7 @@ class Records {
     used_ = std::max(used_, size_);
   }
 
-  // Takes the memory for so many records.
+  // Allocates memory for `size` records.
   void reserve(uint32_t size) {
     if (size <= capacity()) return;
     if (size <= kSmall) return make_small(std::min(kSmall, std::max(size, 2 * small_)));
@@ -118,26 +129,31 @@ class Records {
     }
   }
 
-  // What comes one by one lies on huge pages too.
+  // Backs chunks that are added later by huge pages as well.
   void grow_on_huge_pages() { huge_growth_ = true; }
 
-  // Has the system hand over what was reserved and is not filled yet, so that whoever fills it does not wait.
+  // Touches every reserved page that is not in use yet, so that filling it later causes no page faults.
   void touch_reserved() {
     constexpr uint32_t kStride = std::max<uint32_t>(1, 4096 / sizeof(T));
     for (uint32_t i = size_; i < reserved_ && small_ == 0; i += kStride)
       std::memset(static_cast<void*>(&at(i)), 0, 1);
   }
 
-  void prefetch(uint32_t i) const { __builtin_prefetch(&at(i)); }
+  // Precondition: i is below the reserved capacity.
+  void prefetch(uint32_t i) const {
+    assert(i < capacity());
+    __builtin_prefetch(&at(i));
+  }
 
-  // From here on what is edited is saved first.
+  // Opens a change: from here on a page is saved before it is first edited. Precondition: none is open.
   void begin_change() {
+    assert(remembered_ == 0 && change_.pages_.empty());
     remembered_ = size_;
     change_.size_ = size_;
     saved_.resize((size_ / kPage + 64) / 64);
   }
 
-  // Ends what begin_change began, and gives what the array was.
+  // Closes the change that begin_change() opened and returns it.
   Change end_change() {
     remembered_ = 0;
     for (const auto& page : change_.pages_) saved_[page->index / 64] = 0;
@@ -145,9 +161,10 @@ class Records {
     return std::exchange(change_, Change());
   }
 
-  // Makes the array what it was before the change, and the change what the array was; again undoes that.
-  // Nothing else may have changed the array in between but changes that were exchanged back.
+  // Undoes the change and turns it into its own redo; a second call redoes it. Preconditions: no change is
+  // open, and the array is as the change left it, i.e. later changes were undone before.
   void exchange(Change& change) {
+    assert(remembered_ == 0 && std::max(size_, change.size_) <= used_);
     for (const auto& page : change.pages_) {
       const uint32_t first = page->index * kPage;
       std::swap_ranges(page->records, page->records + std::min(kPage, used_ - first), &at(first));
@@ -155,9 +172,11 @@ class Records {
     std::swap(size_, change.size_);
   }
 
-  // Makes the array what it was before the change, as an edit: a command that is remembered remembers it.
+  // Undoes the change as an edit, which an open change records. Precondition: the array is as the change left
+  // it or grew since.
   void restore(const Change& change) {
-    // Whoever comes later writes over what goes here, and remembers nothing of what lies behind the end.
+    assert(change.size_ <= used_);
+    // Records beyond the new end are saved here, because growing again overwrites them without saving.
     const uint32_t end = std::min(size_, remembered_);
     for (uint32_t i = change.size_; i < end; i += kPage - i % kPage) save_page(i / kPage);
     for (const auto& page : change.pages_) {
@@ -168,14 +187,14 @@ class Records {
     size_ = change.size_;
   }
 
-  // Memory that it holds, or has asked for: what is reserved beyond that costs nothing until it is written.
+  // Memory used or reserved, in bytes. The unused rest of the last chunk takes no memory and does not count.
   size_t bytes() const {
     return std::max({used_, reserved_, small_}) * sizeof(T) + chunks_.capacity() * sizeof(T*) +
            saved_.capacity() * sizeof(uint64_t);
   }
 
  private:
-  // A page never lies across two chunks.
+  // Pages divide chunks evenly, so that no page crosses a chunk boundary.
   T& at(uint32_t i) { return chunks_[i >> kShift][i & (kChunk - 1)]; }
   const T& at(uint32_t i) const { return chunks_[i >> kShift][i & (kChunk - 1)]; }
 
@@ -208,7 +227,7 @@ class Records {
     small_ = 0;
   }
 
-  // Of the records that an exchange took away and that come anew.
+  // Zeroes records that an undo took away and that growing to `size` brings back.
   void clear_used(uint32_t size) {
     for (uint32_t i = size_; i < std::min(size, remembered_); i += kPage - i % kPage) save_page(i / kPage);
     for (uint32_t i = size_; i < std::min(size, used_); ++i)
@@ -249,12 +268,12 @@ class Records {
 
   std::vector<T*> chunks_;
   uint32_t size_ = 0;
-  uint32_t used_ = 0;  // records that were ever there: an exchange may take some away and give them back
+  uint32_t used_ = 0;  // the largest size ever: records beyond size_ come back by redo
   bool huge_growth_ = false;
-  uint32_t reserved_ = 0;        // the most that was asked for at once
-  uint32_t small_ = 0;           // capacity of the small memory, where that is used
-  uint32_t remembered_ = 0;      // records below this are saved before they are edited
-  std::vector<uint64_t> saved_;  // one bit a page: saved since begin_change
+  uint32_t reserved_ = 0;    // the largest capacity that was reserved
+  uint32_t small_ = 0;       // capacity of the small allocation; 0 where chunks are used
+  uint32_t remembered_ = 0;  // records below this are saved before they are edited; 0 while no change is open
+  std::vector<uint64_t> saved_;  // one bit per page: saved since begin_change()
   Change change_;
 };
 

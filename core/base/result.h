@@ -7,13 +7,13 @@
 
 namespace kerf {
 
-// What kind of thing went wrong; decides the exit status of the command line.
+// The kind of a failure; it decides the exit status of the command line.
 enum class ErrorCode {
   kBadInput,  // the file, the setting or the command line is wrong (exit 2)
   kFailed,    // it could not be done: disk full, no OpenGL, cancelled (exit 1)
 };
 
-// A failure that can be expected, with one sentence for people: what, where and what to do.
+// An expected failure. The message is one sentence for the user: what failed, where, and what to do.
 struct Error {
   ErrorCode code = ErrorCode::kFailed;
   std::string message;
@@ -22,7 +22,7 @@ struct Error {
 inline Error bad_input(std::string message) { return {ErrorCode::kBadInput, std::move(message)}; }
 inline Error failed(std::string message) { return {ErrorCode::kFailed, std::move(message)}; }
 
-// A value, or the reason why there is none. Ask ok() (or the bool) before taking either.
+// A value or an error. Precondition of value(), * and ->: ok(); of error(): !ok().
 template <typename T>
 class [[nodiscard]] Result {
  public:
@@ -31,19 +31,28 @@ class [[nodiscard]] Result {
 
   bool ok() const { return state_.index() == 0; }
   explicit operator bool() const { return ok(); }
-  T& value() { return *std::get_if<0>(&state_); }
-  const T& value() const { return *std::get_if<0>(&state_); }
+  T& value() {
+    assert(ok());
+    return *std::get_if<0>(&state_);
+  }
+  const T& value() const {
+    assert(ok());
+    return *std::get_if<0>(&state_);
+  }
   T& operator*() { return value(); }
   const T& operator*() const { return value(); }
   T* operator->() { return &value(); }
   const T* operator->() const { return &value(); }
-  const Error& error() const { return *std::get_if<1>(&state_); }
+  const Error& error() const {
+    assert(!ok());
+    return *std::get_if<1>(&state_);
+  }
 
  private:
   std::variant<T, Error> state_;
 };
 
-// Success without a value.
+// The value of an operation that has none to return.
 struct Done {};
 using Status = Result<Done>;
 

@@ -2,28 +2,90 @@
 
 namespace kerf {
 
-// All tolerances of Kerf. None is a length: each is relative to the numbers that it guards.
+// All tolerances of core, each with its reason. None is a length in metres: each is relative to a quantity
+// that its comment names, so that the size and the place of a mesh do not matter.
 
-// Slack of a box test, relative to the largest number in it. A dot product of three terms in double errs by
-// less than 4e-16 of them; boxes only cull, so a little more costs a few needless triangle tests and no more.
+// Directions ------------------------------------------------------------------------------------------------
+
+// A vector or quaternion whose squared length differs from 1 by less than this counts as of unit length.
+// Files print numbers so that they are read back exactly; ten digits written by hand err by less than 2e-10.
+inline constexpr double kUnitSlack = 1e-9;
+
+// Two unit directions whose sum is shorter than this count as opposite. The direction between them is their
+// normalised sum, whose error is that of rounding, 1e-16, divided by its length: it stays below 1e-7.
+inline constexpr double kOpposite = 1e-9;
+
+// Culling by boxes ------------------------------------------------------------------------------------------
+//
+// Floats and boxes only cull; exact or double tests decide. These bounds must therefore never be too small,
+// and a bound that is several times too large costs a few needless triangle tests and nothing else.
+
+// Slack of a box test in double, relative to the largest number in it. A dot product of three terms in double
+// errs by less than 4e-16 of that; this is 25 times as much.
 inline constexpr double kBoxSlack = 1e-14;
 
-// Parts whose areas differ by less than this share of the component that they came from count as equal: the
-// area of a component is kept as a sum, from which each face takes its own when it goes.
+// How far a float in a tree may lie from the double that it was rounded from: kFloatSlack relative to itself
+// plus kFloatLeast near zero. Rounding errs by 2^-24 of the number, or by less than the smallest normal
+// float; four times that leaves room for sums of a few such errors.
+inline constexpr float kFloatSlack = 0x1p-22f;
+inline constexpr float kFloatLeast = 0x1p-126f;
+
+// Rounding errors of single precision, relative to the extent of the numbers that enter, as multiples of the
+// error 2^-24 of one operation.
+inline constexpr double kProjectionRoundings = 0x1p-19;  // projection of a box: fewer than 32 operations
+inline constexpr double kPlaneRoundings = 0x1p-19;    // where a ray meets a plane: fewer than 24 operations
+inline constexpr double kShearedRoundings = 0x1p-21;  // sheared coordinate of a corner or a ray: up to 8
+inline constexpr float kEdgeRoundings = 0x1p-21f;   // edge function, relative to the extent squared: up to 8
+inline constexpr float kSlopeRoundings = 0x1p-20f;  // reciprocal of a direction's component: up to 16
+
+// Smallest component of a ray's unit direction. Smaller ones are replaced by it, because the reciprocal must
+// be finite and stay so when it is multiplied by coordinates of the tree, which are below 2^7.
+inline constexpr float kLeastComponent = 1e-20f;
+
+// Smallest parameter of a ray at which boxes count, relative to the extent of the tree. It is positive
+// because the bit patterns of positive floats compare like the floats themselves.
+inline constexpr double kLeastRayParameter = 1e-30;
+
+// Centroids of a range whose extent along an axis is smaller than this, in the frame of the tree, count as
+// one point: dividing by it would overflow. Bins are scaled by kBinScale, slightly less than 1, so that the
+// largest centroid falls into the last bin despite rounding.
+inline constexpr float kLeastSpread = 1e-34f;
+inline constexpr float kBinScale = 0.9999f;
+
+// Separation ------------------------------------------------------------------------------------------------
+
+// Parts whose areas differ by less than this fraction of the area of their component count as equally large.
+// The area of a component is kept as a running sum from which each removed face is subtracted; after a
+// million edits its error is about 1e-10 of the initial sum.
 inline constexpr double kEqualArea = 1e-9;
 
-// A smooth rim, relative to the radius of the beam. A chord of the rim lies this near the boundary; what
-// reaches this far across it is not cut; a vertex this near it is on it; the radius that looks for neighbours
-// is this much larger.
-inline constexpr double kRimChord = 0.0012;
-inline constexpr double kRimMovedChord = 0.0045;  // where a vertex moves onto the boundary
-inline constexpr double kRimGraze = 0.0015;
-inline constexpr double kRimOn = 0.001;
-inline constexpr double kRimNear = 0.005;          // so near a vertex that may not move counts as on it
-inline constexpr double kRimLeastEdge = 1.0 / 64;  // faces smaller than this are not split for the rim's sake
+// The smooth rim --------------------------------------------------------------------------------------------
+//
+// Lengths are relative to the radius of the beam. Together they keep the rim within 0.005 radii of the exact
+// boundary of the swept volume, which is what the tests demand.
 
-// Share of its edges that lies between a vertex and the boundary: below the first the vertex moves where it
-// may, below the second faces are split so that it may.
+// Largest distance of a chord of the rim from the boundary: that of a regular polygon with 64 sides.
+inline constexpr double kRimChord = 0.0012;
+// The same after a vertex was moved onto the boundary. Moving is worth a longer chord, because a face that is
+// cut off close to a vertex would be a sliver; the value stays below the bound of 0.005.
+inline constexpr double kRimMovedChord = 0.0045;
+// A face that reaches across the boundary by less than this between its corners is not split for it. It is
+// slightly larger than kRimChord, so that the faces on the other side of a chord that was accepted are not
+// split for it. After a vertex was moved twice this is allowed.
+inline constexpr double kRimGraze = 0.0015;
+// A vertex this near the boundary lies on it. It is smaller than kRimChord, so that both errors together stay
+// below the bound.
+inline constexpr double kRimOn = 0.001;
+// A vertex this near the boundary that must not move counts as lying on it: the bound itself.
+inline constexpr double kRimNear = 0.005;
+// Faces whose longest edge is shorter than this are not split for the sake of the rim: the sagitta of such a
+// chord is 3e-5, far below kRimChord, so a failure is not one of resolution and splitting could not end.
+inline constexpr double kRimLeastEdge = 1.0 / 64;
+
+// The rest is relative to the length of the edge that the boundary crosses, or of the shorter edge at the
+// vertex. A vertex nearer to the boundary than kRimSnap may move onto it: cutting the edge instead would
+// leave an angle of about atan(1/4), 14 degrees. Where it may not move and is nearer than kRimSliver, which
+// would leave less than 7 degrees, the faces around it are split so that it may.
 inline constexpr double kRimSnap = 0.25;
 inline constexpr double kRimSliver = 0.12;
 

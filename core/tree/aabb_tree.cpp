@@ -1,5 +1,7 @@
 #include "core/tree/aabb_tree.h"
 
+#include <cassert>
+
 #include "core/tree/build_tree.h"
 #include "core/tree/edit_tree.h"
 
@@ -17,6 +19,7 @@ Result<AabbTree> AabbTree::build(const Mesh& mesh, const Progress* progress) {
 }
 
 void AabbTree::replace(const Mesh& mesh, std::span<const FaceId> gone, std::span<const FaceId> born) {
+  assert(!gone.empty() && !born.empty());
   replace_faces(store_, mesh, gone, born);
   leaf_count_ += born.size() - gone.size();
 }
@@ -27,6 +30,7 @@ void AabbTree::replace(const Mesh& mesh, std::span<const Replacement> all) {
 }
 
 void AabbTree::remove(FaceId f) {
+  assert(leaf_count_ > 0);
   remove_face(store_, f);
   --leaf_count_;
 }

@@ -23,84 +23,89 @@ struct RayHit {
   friend bool operator==(const RayHit&, const RayHit&) = default;
 };
 
-// What a query looked at: boxes, and faces one by one.
+// The numbers of boxes and of faces that a query tested.
 struct QueryCounts {
   size_t boxes = 0;
   size_t faces = 0;
 };
 
-// A tree of axis-aligned bounding boxes over the live faces of a mesh: nodes of up to eight children (I.
-// Wald, C. Benthin, S. Boulos: Getting rid of packets, 2008) over blocks of up to four faces. It is built
-// once and never rebuilt: the parts of a split face take its place in its block, which parts when it is full;
-// a removed face goes and the boxes above it shrink. An edit costs what the bite costs.
+// A bounding volume hierarchy of axis-aligned boxes over the live faces of a mesh: nodes of up to eight
+// children (I. Wald, C. Benthin, S. Boulos: Getting rid of packets, 2008) over blocks of up to four faces. It
+// is built once and never rebuilt. The parts of a split face take its place in its block, and a full block is
+// split in two; a removed face leaves its block, and the boxes above shrink. The cost of an edit depends on
+// the number of faces edited and on the depth of the tree, not on the size of the mesh.
 //
-// Boxes and corners are floats of (x - origin) times a power of two, boxes rounded outward, so they only
-// cull; the doubles of the mesh decide. What the mesh has at a face may change only with replace, remove and
-// refit.
+// Boxes and corners are stored as floats of (x - origin) times a power of two, and boxes are rounded outward.
+// They only cull; the decision is made with the mesh's doubles. Every query and edit takes the mesh that the
+// tree was built over, and every edit of that mesh must be followed by replace, remove or refit.
 //
-// All answers are the same to the bit and in the same order for every Simd.
+// All results are the same to the bit and in the same order for every Simd.
 class AabbTree {
  public:
   AabbTree() = default;
 
-  // The surface area heuristic, top-down. O(n log n).
+  // Builds the tree top-down with the surface area heuristic; see build_tree. O(n log n).
   explicit AabbTree(const Mesh& mesh, Simd simd = best_simd());
 
-  // The same tree, or that it was stopped. `progress` may be null.
+  // Builds the same tree, or fails with cancelled() when stopped. `progress` may be null.
   static Result<AabbTree> build(const Mesh& mesh, const Progress* progress);
 
-  // Appends every face that meets the closed volume, none missed, each once, in an order that depends on the
-  // tree alone. Remembers in every box that the volume meets that the beam was there.
+  // Appends every face that meets the closed volume exactly once, in an order that depends on the tree alone,
+  // and marks every box that the volume meets as hit. The volume is in the frame of the mesh.
   QueryCounts touched(const Mesh& mesh, const SweptCylinder& beam, std::vector<FaceId>& out);
 
-  // Appends all faces that the ray crosses at lengths within the range, nearest first, each surface once:
-  // where the ray goes through an edge or a corner, one of the faces there is chosen by rule. Faces edge-on
-  // are not crossed. The direction is a unit vector.
+  // Appends all faces that the ray crosses at lengths within the closed range, nearest first. Each surface is
+  // crossed once: where the ray goes through an edge or a corner, a fixed rule chooses one of the faces there
+  // (see ShearedRay). Faces parallel to the ray are not crossed. Precondition: the direction is a unit
+  // vector.
   void crossings(const Mesh& mesh, const Pose& ray, Interval range, std::vector<RayHit>& out) const;
 
-  // The same for several rays, each with a list of its own in `out`. Rays that run side by side, of equal
-  // direction, cost about as much as one where they are nearer to one another than a face is wide.
+  // The same for several rays; out[i] receives the crossings of rays[i]. Up to four rays of equal direction
+  // cost about as much as one if the distance between them is smaller than a face. Precondition: `out` has as
+  // many elements as `rays`.
   void crossings(const Mesh& mesh, std::span<const Pose> rays, Interval range,
                  std::span<std::vector<RayHit>> out) const;
 
-  // The first of the crossings of the ray.
+  // The first of the crossings, or nothing if there is none. Same precondition.
   std::optional<RayHit> nearest(const Mesh& mesh, const Pose& ray, Interval range) const;
 
-  // The leaves of `gone` make way for leaves of `born`, which lie within the box around them. A face may
-  // stand on both sides. Several replacements may be told late, in their order. The boxes above remember the
-  // beam; the new leaves have not met it yet. Neither list is empty.
+  // Replaces the leaves of the faces `gone` by leaves of the faces `born`; a face may be in both lists. Boxes
+  // above keep their hit marks, new leaves have none. Replacements may be reported late, after the mesh was
+  // edited further, as long as their order is kept. Preconditions: neither list is empty, all faces of `gone`
+  // are in the tree, and `born` lies within the bounding box of `gone`.
   void replace(const Mesh& mesh, std::span<const FaceId> gone, std::span<const FaceId> born);
-  // The same as all of them in their order, sooner done.
+  // Makes all replacements in their order; faster than one call for each.
   void replace(const Mesh& mesh, std::span<const Replacement> all);
 
-  // Takes the leaf of a face away.
+  // Removes the leaf of a face. Precondition: the face is in the tree.
   void remove(FaceId f);
 
-  // The corners of these faces have moved: their leaves are fitted anew, and boxes above grow where they
-  // must. They stay marked where the beam was.
+  // Fits the leaves of faces whose corners have moved and enlarges the boxes above where necessary. Hit marks
+  // stay. Precondition: the faces are in the tree.
   void refit(const Mesh& mesh, std::span<const FaceId> faces);
 
-  // A box of the tree for those who look at it, metres, in the frame of the mesh.
+  // A box of the tree, for display, in metres in the frame of the mesh.
   struct Box {
     Vec3 min, max;
     int depth = 0;      // 0 at the root
     bool leaf = false;  // the box of one face
-    bool hit = false;   // the beam is or was in it
+    bool hit = false;   // the beam is or was inside it
   };
-  // Visits all boxes, parents before children. A block of one face is that face's box.
+  // Visits all boxes, parents before children. A block of one face is visited once, as the box of that face.
+  // O(n).
   void for_each_box(const std::function<void(const Box&)>& visit) const;
 
   size_t leaf_count() const { return leaf_count_; }
-  // How many boxes for_each_box visits. O(1).
+  // The number of boxes that for_each_box visits. O(1).
   size_t box_count() const;
-  // The bounds of all leaves, a little outward; zero for an empty tree.
+  // A box that holds all leaves, slightly enlarged by rounding; zero for an empty tree.
   Box bounds() const;
 
-  // Memory that the tree holds.
+  // Memory allocated, in bytes.
   size_t bytes() const { return store_.bytes(); }
 
-  // What the tree was before a command (see ChangeOf): boxes, and where the beam was. To be used together
-  // with the change of the mesh.
+  // The boxes and hit marks before a command; see ChangeOf. Precondition: it is exchanged and restored
+  // together with the change of the mesh.
   class Change;
 
  private:

@@ -1,7 +1,10 @@
 #include "core/tree/binned_split.h"
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
+
+#include "core/base/tolerances.h"
 
 namespace kerf {
 
@@ -9,16 +12,15 @@ namespace {
 
 constexpr int kMostBins = 16;
 
-// Which bin of each axis a centre falls into.
+// Maps a centroid to its bin along each axis.
 class Binning {
  public:
   Binning(const PrimitiveRange& range)
       : count(static_cast<int>(std::min<size_t>(kMostBins, 4 + range.items.size() / 8))),
         low_(range.centres.low) {
     const __m128 size = _mm_sub_ps(range.centres.high, low_);
-    // A hair less than the bins, so that the highest centre falls into the last one.
-    const __m128 scale = _mm_div_ps(_mm_set1_ps(0.9999f * static_cast<float>(count)), size);
-    spread_ = _mm_cmpgt_ps(size, _mm_set1_ps(1e-34f));
+    const __m128 scale = _mm_div_ps(_mm_set1_ps(kBinScale * static_cast<float>(count)), size);
+    spread_ = _mm_cmpgt_ps(size, _mm_set1_ps(kLeastSpread));
     scale_ = _mm_and_ps(scale, spread_);
   }
 
@@ -98,7 +100,7 @@ class BinSweep {
   Bin bins_[3][kMostBins];
 };
 
-// The items for which `is_left` is true come first.
+// Reorders the items so that those for which `is_left` holds come first.
 template <typename IsLeft>
 RangePair partition(const PrimitiveRange& range, IsLeft is_left) {
   RangePair parts;
@@ -130,6 +132,7 @@ RangePair halve(const PrimitiveRange& range) {
 }  // namespace
 
 RangePair split_binned(const PrimitiveRange& range, uint32_t block) {
+  assert(range.items.size() >= 2 && block > 0);
   const Binning binning(range);
   const Plane plane = BinSweep(range, binning, block).best();
   if (plane.axis < 0) return halve(range);

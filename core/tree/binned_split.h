@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <cstdint>
 #include <span>
 
@@ -7,28 +8,30 @@
 
 namespace kerf {
 
-// The box of a face that is to be sorted into a tree; in the fourth lane of `low` its number.
+// The bounding box of a face during construction. The fourth lane of `low` holds the face's number.
 struct Primitive {
   static constexpr uint32_t kNumberTag = 0x40000000u;
   __m128 low, high;
 
-  // The number stands in the mantissa and exponent of a float that is neither subnormal nor infinite, so that
-  // sums with it cost no more than others; below 2^29.
+  // The number is encoded as a float that is neither subnormal nor infinite, so that arithmetic on the lane
+  // is not slowed down. Precondition: number < 2^29.
   static Primitive make(const FloatBox& box, uint32_t number) {
+    assert(number < 1u << 29);
     const __m128 tagged = _mm_castsi128_ps(_mm_set1_epi32(static_cast<int>(number | kNumberTag)));
     return {_mm_blend_ps(box.low, tagged, 8), box.high};
   }
   uint32_t number() const {
     return static_cast<uint32_t>(_mm_extract_epi32(_mm_castps_si128(low), 3)) & ~kNumberTag;
   }
-  __m128 centre2() const { return _mm_add_ps(low, high); }  // twice the centre
+  // Twice the centre of the box.
+  __m128 centre2() const { return _mm_add_ps(low, high); }
 };
 
-// Primitives that lie side by side, and what they span.
+// Consecutive primitives, their bounding box and that of their centres.
 struct PrimitiveRange {
   std::span<Primitive> items;
   FloatBox bounds;
-  FloatBox centres;  // of centre2
+  FloatBox centres;  // bounds of centre2()
 
   void add(const Primitive& p) {
     bounds.add(p.low, p.high);
@@ -39,9 +42,10 @@ struct PrimitiveRange {
 struct RangePair {
   PrimitiveRange left, right;
 };
-// Parts the range, which holds two primitives or more, where the surface area heuristic over bins of
-// centroids costs least, `block` primitives costing as one; reorders its items. Halves it where all centroids
-// are one.
+// Splits a range at the plane for which the surface area heuristic over binned centroids is cheapest; the
+// cost of a part is its area times the number of blocks of `block` primitives that it fills. Reorders the
+// items. If all centroids coincide, it splits the range at its middle. Preconditions: the range holds at
+// least two primitives, block > 0. O(n).
 RangePair split_binned(const PrimitiveRange& range, uint32_t block);
 
 }  // namespace kerf

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <vector>
 
@@ -11,15 +12,15 @@ namespace kerf {
 
 namespace {
 
-// About how many faces a block gets.
+// Average number of faces in a block.
 constexpr size_t kFacesABlock = 3;
 
-// Nodes of so many faces tell of each split, what hangs in them and is smaller when it is done.
+// Ranges of at least this many faces report progress at each split, smaller ones when they are finished.
 constexpr size_t kSmallRange = 4096;
-constexpr double kFraming = 0.12, kGathering = 0.12;  // of the time; the rest is sorting
+constexpr double kFraming = 0.12, kGathering = 0.12;  // fractions of the time; the rest is sorting
 
-// How far the sorting of a tree is: a range of n faces needs about log2 n splits of each, so a split is worth
-// what its parts need less than the whole.
+// Progress of sorting. Sorting a range of n faces takes time in proportion to n log2 n, so a split accounts
+// for the difference between the range and its two parts.
 class SortProgress {
  public:
   SortProgress(const Progress* progress, size_t faces) : progress_(progress), all_(need(faces)) {}
@@ -53,7 +54,7 @@ class TreeBuilder {
         sorting_(share_of(progress, kFraming + kGathering, 1)),
         sorted_(&sorting_, mesh.live_faces()) {}
 
-  // Whether it was not stopped.
+  // Returns false if it was stopped.
   bool run(const Mesh& mesh) {
     if (!gather(mesh)) return false;
     if (faces_.empty()) return true;
@@ -86,7 +87,8 @@ class TreeBuilder {
     std::array<PrimitiveRange, kNodeWidth> range;
     uint32_t count = 1;
 
-    // The child of the largest area among those of so many faces, or null.
+    // The child of the largest area among those with more than `more_than` and at most `at_most` faces, or
+    // null.
     PrimitiveRange* largest(size_t more_than, size_t at_most) {
       PrimitiveRange* best = nullptr;
       for (uint32_t i = 0; i < count; ++i) {
@@ -103,9 +105,9 @@ class TreeBuilder {
     }
   };
 
-  // Splits the child of the largest area until the node is full or its children are small enough to be nodes
-  // of blocks only. What room is left takes the blocks of such children, as far as all of one fit in: a node
-  // of few blocks costs as much as a full one.
+  // Splits the child of the largest area until the node is full or each child is small enough to be a node of
+  // blocks only. The remaining slots take the blocks of such children directly where all blocks of a child
+  // fit, because visiting a node with few blocks costs as much as visiting a full one.
   Children open(const PrimitiveRange& range) {
     Children c;
     c.range[0] = range;
@@ -146,6 +148,7 @@ class TreeBuilder {
   }
 
   uint32_t build_block(const PrimitiveRange& range) {
+    assert(!range.items.empty() && range.items.size() <= kBlockWidth);
     const uint32_t b = store_.add_block();
     uint32_t lane = 0;
     for (const Primitive& p : range.items) store_.put(faces_[p.number()], b, lane++);
@@ -163,6 +166,7 @@ class TreeBuilder {
 }  // namespace
 
 bool build_tree(TreeStore& store, const Mesh& mesh, const Progress* progress) {
+  assert(store.root == kNoIndex && store.nodes.empty());
   const Progress framing = share_of(progress, 0, kFraming);
   const Result<TreeFrame> frame = TreeFrame::around(mesh, &framing);
   if (!frame) return false;

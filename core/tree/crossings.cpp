@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <cassert>
 
+#include "core/base/unit_vector.h"
 #include "core/tree/aabb_tree.h"
 #include "core/tree/sheared_ray.h"
 #include "core/tree/tree_rays.h"
@@ -20,7 +22,7 @@ Triangle triangle_of(Positions positions, const FaceBlock& block, unsigned lane)
           positions[block.vertex[2][lane]]};
 }
 
-// The crossing of a face that a walk listed, where there is one.
+// The crossing of a listed face, if there is one within the range.
 std::optional<RayHit> test_face(Positions positions, const ShearedRay& ray, Interval range, uintptr_t word) {
   const FaceBlock& block = *block_of(word);
   const unsigned lane = lane_of(word);
@@ -37,6 +39,7 @@ void sort_from(std::vector<RayHit>& hits, size_t first) {
 }  // namespace
 
 void AabbTree::crossings(const Mesh& mesh, const Pose& ray, Interval range, std::vector<RayHit>& out) const {
+  assert(is_unit(ray.direction));
   if (store_.root == kNoIndex) return;
   RayQuery query;
   query.positions = reinterpret_cast<const char* const*>(mesh.positions().chunks());
@@ -54,6 +57,7 @@ void AabbTree::crossings(const Mesh& mesh, const Pose& ray, Interval range, std:
 
 void AabbTree::crossings(const Mesh& mesh, std::span<const Pose> rays, Interval range,
                          std::span<std::vector<RayHit>> out) const {
+  assert(out.size() == rays.size());
   const auto parallel = [&](const Pose& ray) { return ray.direction == rays[0].direction; };
   if (store_.root == kNoIndex || rays.empty()) return;
   if (rays.size() > kBlockWidth || !std::all_of(rays.begin(), rays.end(), parallel)) {
@@ -79,6 +83,7 @@ void AabbTree::crossings(const Mesh& mesh, std::span<const Pose> rays, Interval 
 }
 
 std::optional<RayHit> AabbTree::nearest(const Mesh& mesh, const Pose& ray, Interval range) const {
+  assert(is_unit(ray.direction));
   if (store_.root == kNoIndex) return std::nullopt;
   RayQuery query;
   query.positions = reinterpret_cast<const char* const*>(mesh.positions().chunks());

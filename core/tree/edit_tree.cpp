@@ -18,7 +18,8 @@ void prefetch(const Record& record) {
     __builtin_prefetch(reinterpret_cast<const char*>(&record) + at);
 }
 
-// Records that an edit will want. A face that an edit still to come brings is nowhere yet, and then at hand.
+// How many replacements ahead each kind of record is prefetched. A face that an earlier replacement has yet
+// to create has no place and is not prefetched.
 constexpr size_t kPlaceAhead = 6, kBlockAhead = 4, kNodeAhead = 2;
 void prefetch_block(const TreeStore& tree, FaceId f) {
   const uint32_t place = tree.place(f);
@@ -31,7 +32,7 @@ void prefetch_node(const TreeStore& tree, FaceId f) {
 
 // Boxes upward ----------------------------------------------------------------------------------------------
 
-// Makes the box of the node, and those above it, hold this one.
+// Enlarges the box of the node and those above it to hold `box`.
 void grow_above(TreeStore& tree, uint32_t n, const FloatBox& box) {
   for (; n != tree.root; n = tree.nodes[n].parent) {
     const WideNode& node = tree.nodes[n];
@@ -55,7 +56,7 @@ void grow_block(TreeStore& tree, uint32_t b, const FloatBox& box) {
   grow_above(tree, parent, box);
 }
 
-// Fits the boxes of the node and of those above it for as long as they change.
+// Recomputes the boxes of the node and of its ancestors up to the first that does not change.
 void shrink_above(TreeStore& tree, uint32_t n) {
   for (; n != tree.root; n = tree.nodes[n].parent) {
     const WideNode& node = tree.nodes[n];
@@ -81,9 +82,10 @@ void copy_lane(TreeStore& tree, uint32_t from, uint32_t from_lane, uint32_t to, 
   tree.set_place(FaceId(b.face[to_lane]), to * kBlockWidth + to_lane);
 }
 
-// The last lane takes the place of the one that goes.
+// Removes a lane by moving the last one into its place.
 void drop_lane(TreeStore& tree, uint32_t block, uint32_t lane) {
   FaceBlock& b = tree.blocks.edit(block);
+  assert(lane < b.count);
   const uint32_t last = b.count - 1u;
   tree.set_count(block, last);
   if (lane != last) copy_lane(tree, block, last, block, lane);
@@ -99,7 +101,8 @@ uint32_t free_slot(const WideNode& node) {
   return static_cast<uint32_t>(std::countr_zero(static_cast<unsigned>(empty | 1 << kNodeWidth)));
 }
 
-// Parting a block -------------------------------------------------------------------------------------------
+// Splitting a block
+// -------------------------------------------------------------------------------------------
 
 std::array<FloatBox, kBlockWidth> lane_boxes(const FaceBlock& full) {
   __m128 low[4] = {}, high[4] = {};  // by axis
@@ -130,11 +133,11 @@ float area_of_both(const FloatBox& a, const FloatBox& b) {
   return _mm_cvtss_f32(_mm_add_ss(_mm_add_ss(sum, y), z));
 }
 
-// The cheapest way yet to part the faces of a full block and one more in two.
+// The cheapest of the partitions considered of a full block's faces and one more into two blocks.
 struct Parting {
   FloatBox added;
-  // The areas of both boxes as bits of a float, the last four replaced by the lanes without the added face,
-  // as a mask: the least of such words is found without branches.
+  // The area of both boxes as the bits of a float, whose last four are replaced by the mask of the lanes that
+  // stay apart from the added face: the minimum of such words is found without branches.
   uint32_t best = 0xffffffffu;
 
   void consider(uint32_t lanes, const FloatBox& stays, const FloatBox& goes) {
@@ -144,8 +147,8 @@ struct Parting {
   uint32_t staying() const { return best & 15; }
 };
 
-// How the faces of a full block and one more part in two and three: the way of the ten that has the smallest
-// boxes. The lanes of the part without the added face, as a mask.
+// Chooses among the ten partitions of a full block's four faces and a fifth into two and three faces the one
+// with the smallest total area. Returns the mask of the lanes of the part without the added face.
 unsigned staying_lanes(const FaceBlock& full, const FloatBox& added) {
   const auto lane = lane_boxes(full);
   Parting parting{added};
@@ -163,7 +166,8 @@ unsigned staying_lanes(const FaceBlock& full, const FloatBox& added) {
   return parting.staying();
 }
 
-// Hangs a fresh block beside b: into b's node, or with b into a new node in b's slot.
+// Inserts a new block beside b: into a free slot of b's node or, if there is none, with b into a new node
+// that takes b's slot.
 void hang_beside(TreeStore& tree, uint32_t b, uint32_t fresh) {
   const uint32_t parent = tree.blocks[b].parent, slot = tree.blocks[b].slot;
   const FloatBox stays = tree.block_box(tree.blocks[b]), goes = tree.block_box(tree.blocks[fresh]);
@@ -202,7 +206,7 @@ void forget_hit(TreeStore& tree, uint32_t place) {
   b.hit = static_cast<uint8_t>(b.hit & ~(1u << lane_at(place)));
 }
 
-// Adds the face to the block or beside it.
+// Adds a face to the block; a full block is split in two.
 void insert_face(TreeStore& tree, const TreeFace& face, uint32_t b) {
   const uint32_t lane = tree.blocks[b].count;
   if (lane < kBlockWidth) {
@@ -223,7 +227,7 @@ void insert_face(TreeStore& tree, const TreeFace& face, uint32_t b) {
   hang_beside(tree, b, fresh);
 }
 
-// Records that empty ----------------------------------------------------------------------------------------
+// Removing records ----------------------------------------------------------------------------------------
 
 void remove_root(TreeStore& tree) {
   tree.free_node(tree.root);
@@ -232,9 +236,10 @@ void remove_root(TreeStore& tree) {
   tree.root_hit = false;
 }
 
-// The only child of a node takes its place. The root stays where the child is a block.
+// Replaces a node by its only child. The root stays if the child is a block.
 void hoist(TreeStore& tree, uint32_t n, uint32_t slot) {
   const Child child = tree.nodes[n].child[slot];
+  assert(!child.none());
   const uint32_t parent = tree.nodes[n].parent;
   if (n != tree.root) {
     tree.hang(parent, tree.nodes[n].slot, child, tree.slot_box(n, slot));
@@ -247,7 +252,7 @@ void hoist(TreeStore& tree, uint32_t n, uint32_t slot) {
   shrink_above(tree, tree.root);
 }
 
-// The node lost a child: it goes or shrinks.
+// Removes or shrinks a node that has lost a child.
 void settle(TreeStore& tree, uint32_t n) {
   const WideNode& node = tree.nodes[n];
   uint32_t children = 0, last = 0;
@@ -264,12 +269,14 @@ void settle(TreeStore& tree, uint32_t n) {
 
 }  // namespace
 
-// The records of home are asked for while the new faces are made ready; its box grows once for all of them.
+// The parent of the block `home` is prefetched while the new faces are computed; the box of `home` grows once
+// for all of them.
 void replace_faces(TreeStore& tree, const Mesh& mesh, std::span<const FaceId> gone,
                    std::span<const FaceId> born) {
   assert(!gone.empty() && !born.empty());
   const auto stays = [&](FaceId f) { return std::find(born.begin(), born.end(), f) != born.end(); };
   const auto was_there = [&](FaceId f) { return std::find(gone.begin(), gone.end(), f) != gone.end(); };
+  assert(tree.place(gone[0]) != kNoIndex);
   const uint32_t home = block_at(tree.place(gone[0]));
   prefetch(tree.blocks[home]);
   size_t next = 0;
@@ -286,6 +293,7 @@ void replace_faces(TreeStore& tree, const Mesh& mesh, std::span<const FaceId> go
   };
   for (const FaceId f : gone) {
     const uint32_t place = tree.place(f);
+    assert(place != kNoIndex);
     forget_hit(tree, place);
     if (block_at(place) == home) prefetch(tree.nodes[tree.blocks[home].parent]);
     if (stays(f) && block_at(place) == home) {

@@ -7,21 +7,22 @@
 
 namespace kerf {
 
-// Edits of a tree in place. None looks further than the records that it changes and those above them.
+// Edits of a tree in place. Each accesses only the records that it changes and their ancestors. See AabbTree
+// for the preconditions.
 
-// The leaves of `gone` make way for leaves of `born` in the block of the first of them. A block that
-// overflows parts in two; where its node is full, the two get a node of their own in its slot. Boxes above
-// grow where they must.
+// Replaces the leaves of `gone` by leaves of `born`, which go into the block of the first face of `gone`. A
+// block that overflows is split in two; if its node is full, the two halves get a new node in its slot. Boxes
+// above are enlarged where necessary.
 void replace_faces(TreeStore& tree, const Mesh& mesh, std::span<const FaceId> gone,
                    std::span<const FaceId> born);
-// The same for many in their order, asking for the memory of those that come next.
+// Makes all replacements in their order and prefetches the records of the following ones.
 void replace_faces(TreeStore& tree, const Mesh& mesh, std::span<const Replacement> all);
 
-// Takes a leaf away; a block or node without children goes with it, a node with one child makes way for it,
-// and boxes above shrink up to the first that stays as it is.
+// Removes a leaf. A block or a node that becomes empty is removed as well, a node with a single child is
+// replaced by that child, and the boxes above shrink up to the first that does not change.
 void remove_face(TreeStore& tree, FaceId f);
 
-// Fits the leaf anew and grows the boxes above it.
+// Updates the leaf of a face whose corners have moved and enlarges the boxes above it.
 void refit_face(TreeStore& tree, const Mesh& mesh, FaceId f);
 
 }  // namespace kerf

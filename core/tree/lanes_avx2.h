@@ -1,6 +1,6 @@
 #pragma once
 
-// Only for sources that are compiled for AVX2.
+// Vectors of floats for sources that are compiled for AVX2; the same interface as lanes_sse4.h.
 #include <immintrin.h>
 
 namespace kerf::avx2 {
@@ -18,7 +18,7 @@ struct Float4 {
 [[gnu::always_inline]] inline Float4 min(Float4 a, Float4 b) { return {_mm_min_ps(a.v, b.v)}; }
 [[gnu::always_inline]] inline Float4 max(Float4 a, Float4 b) { return {_mm_max_ps(a.v, b.v)}; }
 [[gnu::always_inline]] inline Float4 abs(Float4 a) { return {_mm_andnot_ps(_mm_set1_ps(-0.0f), a.v)}; }
-// One bit a lane.
+// A mask with one bit per lane.
 [[gnu::always_inline]] inline unsigned le(Float4 a, Float4 b) {
   return static_cast<unsigned>(_mm_movemask_ps(_mm_cmple_ps(a.v, b.v)));
 }
@@ -29,7 +29,7 @@ struct Float8 {
   [[gnu::always_inline]] inline static Float8 load(const float* p) { return {_mm256_load_ps(p)}; }
   [[gnu::always_inline]] inline static Float8 all(float x) { return {_mm256_set1_ps(x)}; }
   [[gnu::always_inline]] inline static Float8 twice(Float4 x) { return {_mm256_set_m128(x.v, x.v)}; }
-  // Four of x, then four of y.
+  // Four times x in the lower lanes, four times y in the upper ones.
   [[gnu::always_inline]] inline static Float8 pair(float x, float y) {
     return {_mm256_set_m128(_mm_set1_ps(y), _mm_set1_ps(x))};
   }

@@ -4,6 +4,8 @@
 
 namespace kerf::sse4 {
 
+// Vectors of floats for sources that are compiled for SSE4; the same interface as lanes_avx2.h.
+
 // Four floats.
 struct Float4 {
   __m128 v;
@@ -17,7 +19,7 @@ struct Float4 {
 [[gnu::always_inline]] inline Float4 min(Float4 a, Float4 b) { return {_mm_min_ps(a.v, b.v)}; }
 [[gnu::always_inline]] inline Float4 max(Float4 a, Float4 b) { return {_mm_max_ps(a.v, b.v)}; }
 [[gnu::always_inline]] inline Float4 abs(Float4 a) { return {_mm_andnot_ps(_mm_set1_ps(-0.0f), a.v)}; }
-// One bit a lane.
+// A mask with one bit per lane.
 [[gnu::always_inline]] inline unsigned le(Float4 a, Float4 b) {
   return static_cast<unsigned>(_mm_movemask_ps(_mm_cmple_ps(a.v, b.v)));
 }
@@ -30,7 +32,7 @@ struct Float8 {
   }
   [[gnu::always_inline]] inline static Float8 all(float x) { return {_mm_set1_ps(x), _mm_set1_ps(x)}; }
   [[gnu::always_inline]] inline static Float8 twice(Float4 x) { return {x.v, x.v}; }
-  // Four of x, then four of y.
+  // Four times x in the lower lanes, four times y in the upper ones.
   [[gnu::always_inline]] inline static Float8 pair(float x, float y) {
     return {_mm_set1_ps(x), _mm_set1_ps(y)};
   }

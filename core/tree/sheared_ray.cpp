@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 
+#include "core/base/unit_vector.h"
 #include "core/tree/ray_axes.h"
 
 namespace kerf {
@@ -13,13 +15,14 @@ namespace {
 
 __extension__ using Wide = unsigned __int128;
 
-// A finite double apart: sign * mantissa * 2^exponent, the mantissa of 53 bits, or zero.
+// A finite double, decomposed: sign * mantissa * 2^exponent with a mantissa of 53 bits, or zero.
 struct Parts {
   int sign;
   int exponent;
   uint64_t mantissa;
 
   explicit Parts(double x) {
+    assert(std::isfinite(x));
     const auto bits = std::bit_cast<uint64_t>(x);
     const int field = static_cast<int>(bits >> 52 & 0x7ff);
     mantissa = (bits & 0xfffffffffffffu) | (field != 0 ? uint64_t{1} << 52 : 0);
@@ -32,7 +35,7 @@ struct Parts {
   }
 };
 
-// A product of two doubles, exactly: its mantissa has 106 bits or 105.
+// The exact product of two doubles, with a mantissa of 106 bits.
 struct Product {
   int sign;
   int exponent;
@@ -58,15 +61,15 @@ int compare(const Product& a, const Product& b) {
   return 0;
 }
 
-// Rounding keeps order, so that products which differ after rounding differ the same way before it.
+// Rounding is monotonic: products that differ after rounding have the same order before it.
 inline int sign_of_cross(Vec2 a, Vec2 b) {
   const double left = a.x * b.y, right = a.y * b.x;
   if (left != right) return left > right ? 1 : -1;
   return compare(Product(a.x, b.y), Product(a.y, b.x));
 }
 
-// Whether the ray passes left of a -> b. A tie is settled as if the ray stood a hair towards +x, and less
-// towards +y.
+// Whether the ray passes to the left of a -> b. Ties are broken as if the ray were displaced by an
+// infinitesimal amount towards +x and a smaller one towards +y.
 inline bool is_left(Vec2 a, Vec2 b) {
   const double left = a.x * b.y, right = a.y * b.x;
   if (left != right) return left > right;
@@ -75,7 +78,7 @@ inline bool is_left(Vec2 a, Vec2 b) {
   return a.y != b.y ? a.y > b.y : a.x < b.x;
 }
 
-// The same for the numbers in any order.
+// A sum that does not depend on the order of its arguments.
 double sum_in_order(double a, double b, double c) {
   const double low = std::min(a, b), high = std::max(a, b);
   return (std::min(low, c) + std::max(high, c)) + std::max(low, std::min(high, c));
@@ -86,6 +89,7 @@ double sum_in_order(double a, double b, double c) {
 int side_of(Vec2 a, Vec2 b) { return sign_of_cross(a, b); }
 
 ShearedRay::ShearedRay(const Pose& ray) : origin_(ray.origin) {
+  assert(is_unit(ray.direction));
   const Vec3 d = ray.direction, size = glm::abs(d);
   z_ = longest_axis(size.x, size.y, size.z);
   x_ = kNextAxis[z_];
@@ -105,8 +109,8 @@ std::optional<double> ShearedRay::cross(const Triangle& t) const {
   if (left % 3 != 0) return std::nullopt;
   const double a = cross2(p[1], p[2]), b = cross2(p[2], p[0]), c = cross2(p[0], p[1]);
   const double sum = sum_in_order(a, b, c);
-  // Seen along an edge as a point, it lies on no side of it. A triangle so thin that its area is rounded away
-  // is crossed all the same.
+  // A triangle whose image is a single point is parallel to the ray. One whose image has an area that rounds
+  // to zero is still crossed.
   if (p[0] == p[1] && p[1] == p[2]) return std::nullopt;
   if (sum == 0) return sum_in_order(z[0], z[1], z[2]) / 3 * per_z_;
   return sum_in_order(a * z[0], b * z[1], c * z[2]) / sum * per_z_;

@@ -6,25 +6,25 @@
 
 namespace kerf {
 
-// A ray in coordinates in which it runs along +z: an axis is exchanged and the others sheared (S. Woop,
-// C. Benthin, I. Wald: Watertight ray/triangle intersection, 2013). A corner has the same image in every
-// face, and on which side of an edge of images the ray passes is decided exactly, ties by rule
-// (H. Edelsbrunner, E. Mücke: Simulation of simplicity, 1990), so a closed surface is crossed an even number
-// of times wherever the ray goes through it.
+// A watertight ray-triangle test. Axes are permuted and sheared so that the ray becomes the z axis (S. Woop,
+// C. Benthin, I. Wald: Watertight ray/triangle intersection, 2013). A corner has the same image in every face
+// that it belongs to, the side of an edge on which the ray passes is decided exactly, and ties are broken by
+// symbolic perturbation (H. Edelsbrunner, E. Mücke: Simulation of simplicity, 1990). A ray from outside
+// therefore crosses a closed surface an even number of times, also through edges and corners.
 class ShearedRay {
  public:
   ShearedRay() = default;
-  // The direction is not zero.
+  // Precondition: the direction is a unit vector.
   explicit ShearedRay(const Pose& ray);
-  // The same for a ray of equal direction.
+  // The same for a parallel ray. Precondition: its direction equals that of this ray.
   ShearedRay beside(const Pose& ray) const {
     ShearedRay other = *this;
     other.origin_ = ray.origin;
     return other;
   }
 
-  // Length along the unit direction at which the ray crosses the triangle, however its corners are turned;
-  // nothing where it passes beside it or along it.
+  // The length along the ray, in metres, at which its line crosses the triangle, whatever the orientation of
+  // the triangle; nothing if it misses the triangle or is parallel to it. The length may be negative.
   std::optional<double> cross(const Triangle& t) const;
 
  private:
@@ -34,7 +34,7 @@ class ShearedRay {
   int x_ = 0, y_ = 1, z_ = 2;
 };
 
-// Whether a.x * b.y > a.y * b.x (1), less (-1) or equal (0), exactly, for finite numbers.
+// The exact sign (1, 0 or -1) of a.x * b.y - a.y * b.x. Precondition: all coordinates are finite.
 int side_of(Vec2 a, Vec2 b);
 
 }  // namespace kerf

@@ -4,10 +4,10 @@
 
 namespace kerf {
 
-// Which instructions the walks through a tree use. The answers are the same to the bit and in the same order.
+// The instruction set that traversals of a tree use. Results do not depend on it.
 enum class Simd : uint8_t { kSse4, kAvx2 };
 
-// The best that the processor offers, and that the C library was not told to leave alone (GLIBC_TUNABLES).
+// The best one that the processor supports and that GLIBC_TUNABLES does not disable.
 Simd best_simd();
 
 }  // namespace kerf

@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
+
+#include "core/base/unit_vector.h"
 
 namespace kerf {
 
 namespace {
 
-// The unit vector across d that a least coordinate of d gives.
+// A unit vector perpendicular to d, built from the coordinate axis to which d is least parallel.
 Vec3 any_across(const Vec3& d) {
   int least = 0;
   for (int i = 1; i < 3; ++i) {
@@ -19,7 +22,7 @@ Vec3 any_across(const Vec3& d) {
   return glm::normalize(glm::cross(d, e));
 }
 
-// Square of the distance from the origin of the plane to the segment a b.
+// Squared distance of the origin from the segment a b, in the plane.
 double distance2_to_segment(Vec2 a, Vec2 b) {
   const Vec2 ab = b - a;
   const double length2 = glm::dot(ab, ab), along = -glm::dot(a, ab);
@@ -29,19 +32,22 @@ double distance2_to_segment(Vec2 a, Vec2 b) {
   return area * area / length2;
 }
 
-// Whether the closed triangle holds the origin; a triangle without area holds nothing here.
+// Whether the closed triangle contains the origin; false for a degenerate triangle.
 bool holds_origin(Vec2 a, Vec2 b, Vec2 c) {
   const double ab = cross2(a, b), bc = cross2(b, c), ca = cross2(c, a);
   const bool left = ab >= 0 && bc >= 0 && ca >= 0, right = ab <= 0 && bc <= 0 && ca <= 0;
   return left != right;
 }
 
-// A triangle clipped by two parallel planes has five corners at most.
+// A triangle clipped by two parallel planes; it has at most five corners.
 template <typename Point>
 struct Polygon {
   std::array<Point, 5> points;
   int count = 0;
-  void add(const Point& p) { points[count++] = p; }
+  void add(const Point& p) {
+    assert(count < static_cast<int>(points.size()));
+    points[count++] = p;
+  }
 };
 
 // The part of the polygon where sign * (depth - limit) >= 0.
@@ -60,7 +66,7 @@ Polygon<Point> clip(const Polygon<Point>& in, double limit, double sign) {
   return out;
 }
 
-// Whether the disc of this squared radius around the origin meets the region that the moving polygon passes.
+// Whether the disc of this squared radius around the origin meets the region that the moving polygon sweeps.
 template <typename Point>
 bool disc_meets_sweep(const Polygon<Point>& p, double radius2, bool tilts) {
   for (int i = 0; i < p.count; ++i) {
@@ -88,7 +94,10 @@ Interval around(std::initializer_list<double> values, double margin) {
 
 SweptCylinder::SweptCylinder(const Pose& from, const Pose& to, double radius, Interval range)
     : from_origin_(from.origin), to_origin_(to.origin), radius_(radius), range_(range) {
+  assert(is_unit(from.direction) && is_unit(to.direction));
+  assert(radius >= 0);
   tilts_ = from.direction != to.direction;
+  assert(!are_opposite(from.direction, to.direction));
   axis_ = tilts_ ? glm::normalize(from.direction + to.direction) : from.direction;
   const Vec3 motion = to.origin - from.origin;
   shift_ = glm::dot(motion, axis_);
@@ -146,9 +155,9 @@ bool SweptCylinder::contains(const Triangle& t) const {
   });
 }
 
-// The least of measure(distance from the axis less the radius, depth beyond the range's ends) over the
-// motion. Both are convex along it, so a search that closes in finds it, where the ends of the range move at
-// all.
+// The minimum over the motion of measure(distance from the axis minus the radius, depth beyond the ends of
+// the range). Both arguments are convex functions of time, so that ternary search finds the minimum. No
+// search is needed where the ends of the range do not move.
 template <typename Measure>
 double SweptCylinder::least_over_motion(const Seen& seen, Measure measure) const {
   const Interval depth = depth_contained();

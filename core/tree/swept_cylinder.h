@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cassert>
+
 #include "core/base/interval.h"
 #include "core/base/pose.h"
 #include "core/base/vec3.h"
@@ -7,46 +9,49 @@
 
 namespace kerf {
 
-// The volume that a cylinder passes through between two poses: all points nearer to its axis than the radius,
-// at distances along the axis within the range. It moves on the straight line; between different directions
-// it tilts evenly. Exact where it only translates. Where it tilts, a triangle's corners are taken to move
-// straight in the plane across the beam, which errs in proportion to the square of the angle: keep steps
-// small.
+// The volume that a cylinder with flat ends sweeps between two poses: all points within the radius of its
+// axis whose depth along the axis lies in the range. The origin moves on a straight line, and the direction
+// turns evenly. The volume is exact for a translation. If the cylinder tilts, the corners of a triangle are
+// assumed to move on straight lines in the plane across the beam; the error is proportional to the square of
+// the angle, so that large turns must be subdivided.
 //
-// All in one frame, metres. Ends are flat. The radius may be zero: a ray, or the strip that a moving ray
-// passes.
+// All arguments are in one frame, in metres. The radius may be zero: a ray, or the strip that a moving ray
+// sweeps.
 class SweptCylinder {
  public:
+  // Preconditions: both directions are unit vectors and not opposite to each other, radius >= 0.
   SweptCylinder(const Pose& from, const Pose& to, double radius, Interval range);
 
   // Whether the closed triangle meets the closed volume.
   bool touches(const Triangle& t) const;
 
-  // Whether the triangle lies wholly within the volume; never for a radius of zero.
+  // Whether the triangle lies entirely within the volume; always false for a radius of zero.
   bool contains(const Triangle& t) const;
 
-  // How far the triangle reaches out of the volume: the largest distance of one of its points from it, zero
-  // where contained. Of a volume that tilts, to the order in which it is exact.
+  // How far the triangle reaches out of the volume: the largest distance of its corners from it, in metres;
+  // zero if it is contained. As exact as the volume is.
   double overshoot(const Triangle& t) const;
 
-  // Negative inside, positive outside, zero on the boundary of the volume; for points near it, and inside
-  // everywhere, the distance from it in metres.
+  // Signed distance from the boundary in metres: negative inside, positive outside. Outside it is exact
+  // beside the volume and beyond its ends, and a lower bound near the edges of the ends.
   double signed_distance(const Vec3& p) const;
 
   double radius() const { return radius_; }
-  // Whether the beam tilts: then touches() may see a little more than the volume whose distances are told.
+  // Whether the beam tilts. touches() may then hold for a triangle slightly outside the volume that the
+  // distances refer to.
   bool tilts() const { return tilts_; }
 
-  // The same volume with another radius.
+  // The same sweep with another radius. Precondition: radius >= 0.
   SweptCylinder with_radius(double radius) const {
+    assert(radius >= 0);
     SweptCylinder other = *this;
     other.radius_ = radius;
     return other;
   }
 
-  // A box in the coordinates that the volume has of itself: along `axis`, `along` (the motion) and `across`,
-  // measured from from.origin. It holds the part of the volume whose depth lies in `depths`; a box for
-  // culling.
+  // An oriented box that contains the part of the volume whose depth lies in `depths`, for culling. Its axes
+  // are `axis` (the beam), `along` (the motion) and `across`; intervals are measured from `origin`, that of
+  // the first pose.
   struct Slab {
     Vec3 axis, along, across, origin;
     Interval depth, motion, lateral;
@@ -54,8 +59,8 @@ class SweptCylinder {
   Slab slab(Interval depths) const;
 
  private:
-  // A point as the two ends of the motion see it: its offset from the axis at the start and at the end, and
-  // its depth along the axis at the start.
+  // A point relative to the beam: its offset from the axis at the start and at the end of the motion, and its
+  // depth along the axis at the start.
   struct Seen {
     Vec2 start, end;
     double depth;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -10,11 +11,7 @@ namespace kerf {
 
 namespace {
 
-// What a walk's roundings in float add up to at most, relative to the tree's reach: a projection is a sum of
-// three products of rounded numbers.
-constexpr double kProjectionRoundings = 0x1p-19;
-
-// The interval of one axis of the beam's slab in the frame of the tree.
+// The interval of one axis of the beam's slab in the frame of the tree, widened by all rounding errors.
 SlabQuery::Axis tree_axis(const TreeStore& tree, double reach, const Vec3& axis, const Vec3& slab_origin,
                           Interval interval) {
   SlabQuery::Axis a;
@@ -36,6 +33,7 @@ SlabQuery::Axis tree_axis(const TreeStore& tree, double reach, const Vec3& axis,
 }
 
 void mark(TreeStore& tree, std::span<const uintptr_t> marks) {
+  assert(marks.size() % 2 == 0);
   for (size_t i = 0; i < marks.size(); i += 2) {
     const auto bits = static_cast<unsigned>(marks[i + 1]);
     if (marks_block(marks[i]))
@@ -50,7 +48,7 @@ void mark(TreeStore& tree, std::span<const uintptr_t> marks) {
 QueryCounts AabbTree::touched(const Mesh& mesh, const SweptCylinder& beam, std::vector<FaceId>& out) {
   QueryCounts counts;
   if (store_.root == kNoIndex) return counts;
-  // The depths at which the tree has anything, so that the far end of a tilting beam does not widen the slab.
+  // Depths beyond the tree are cut off, so that the far end of a tilting beam does not widen the slab.
   const Box all = bounds();
   const SweptCylinder::Slab open =
       beam.slab({std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max()});

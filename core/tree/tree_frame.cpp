@@ -1,6 +1,7 @@
 #include "core/tree/tree_frame.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -8,8 +9,10 @@ namespace kerf {
 
 namespace {
 
-// One over the largest power of two that is at most x, as far as that is a normal number; x > 0 and finite.
+// The reciprocal of the largest power of two not above x, limited so that it stays finite. Precondition: x is
+// positive and finite.
 double power_of_two_over(double x) {
+  assert(x > 0 && std::isfinite(x));
   int exponent = 0;
   std::frexp(x, &exponent);
   return std::ldexp(1.0, std::min(1 - exponent, 1000));

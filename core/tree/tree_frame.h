@@ -9,18 +9,18 @@
 
 namespace kerf {
 
-// The coordinates of a tree's boxes: (x - origin) times a power of two, so that a mesh of any size anywhere
-// lies about within [-1, 1] and floats suffice to cull.
+// The coordinates of a tree's boxes: (x - origin) * scale, so that a mesh of any size at any place lies
+// within about [-1, 1] and the precision of floats suffices for culling.
 struct TreeFrame {
   Vec3 origin{0};
   double scale = 1;  // a power of two
 
-  // Around the live faces of a mesh, or that it was stopped; the identity for a mesh without any. `progress`
-  // may be null.
+  // The frame for the live faces of a mesh, the identity if there are none. Fails with cancelled() when
+  // stopped; `progress` may be null. O(n).
   static Result<TreeFrame> around(const Mesh& mesh, const Progress* progress);
 
   Vec3 to_tree(const Vec3& p) const { return (p - origin) * scale; }
-  // The point in floats, rounded to the nearest; the fourth lane is zero.
+  // The point in the frame of the tree, rounded to the nearest floats; the fourth lane is zero.
   __m128 to_floats(const Vec3& point) const {
     const double* p = &point.x;
     const __m128d factor = _mm_set1_pd(scale);

@@ -3,6 +3,7 @@
 #include <smmintrin.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "core/base/tolerances.h"
@@ -10,14 +11,6 @@
 namespace kerf {
 
 namespace {
-
-// Roundings of a float, relative to the numbers that it comes from, each up to 2^-24: of where a ray meets a
-// plane they add up to less than two dozen, and of a sheared coordinate, of a corner or of a ray, to eight.
-constexpr double kPlaneRoundings = 0x1p-19;
-constexpr double kShearedRoundings = 0x1p-21;
-// What a few roundings may take off a number or add to it.
-constexpr float kFewRoundings = 0x1p-20f;
-constexpr float kLeastComponent = 1e-20f;
 
 void store(uint32_t (&out)[4], __m128 bits) {
   _mm_store_si128(reinterpret_cast<__m128i*>(out), _mm_castps_si128(bits));
@@ -27,15 +20,16 @@ __m128 to_floats(const Vec3& v) {
 }
 __m128 size_of(__m128 v) { return _mm_andnot_ps(_mm_set1_ps(-0.0f), v); }
 
-// The slabs, for rays of direction d that stand between `low` and `high` at t = 0. All axes at a time.
+// Prepares the slab test for rays of direction d that start between `low` and `high` at t = 0, for all axes
+// at once.
 void set_slabs(RayQuery& q, __m128 d, __m128 low, __m128 high) {
   const __m128 sign = _mm_set1_ps(-0.0f), down = _mm_and_ps(d, sign);
   const __m128 size = _mm_max_ps(size_of(d), _mm_set1_ps(kLeastComponent));
   const __m128 slope = _mm_or_ps(_mm_div_ps(_mm_set1_ps(1), size), down);
   _mm_store_ps(q.near_origin, _mm_blendv_ps(high, low, down));
   _mm_store_ps(q.far_origin, _mm_blendv_ps(low, high, down));
-  _mm_store_ps(q.near_slope, _mm_mul_ps(slope, _mm_set1_ps(1 - kFewRoundings)));
-  _mm_store_ps(q.far_slope, _mm_mul_ps(slope, _mm_set1_ps(1 + kFewRoundings)));
+  _mm_store_ps(q.near_slope, _mm_mul_ps(slope, _mm_set1_ps(1 - kSlopeRoundings)));
+  _mm_store_ps(q.far_slope, _mm_mul_ps(slope, _mm_set1_ps(1 + kSlopeRoundings)));
   const __m128 lows = _mm_castsi128_ps(_mm_setr_epi32(0, 1, 2, 3)),
                highs = _mm_castsi128_ps(_mm_setr_epi32(3, 4, 5, 6));
   store(q.near_plane, _mm_blendv_ps(lows, highs, down));
@@ -48,7 +42,7 @@ bool may_meet(const RayQuery& q, const FloatBox& box) {
   const __m128 near = _mm_blendv_ps(box.low, box.high, down), far = _mm_blendv_ps(box.high, box.low, down);
   const __m128 entry = _mm_mul_ps(_mm_sub_ps(near, _mm_load_ps(q.near_origin)), _mm_load_ps(q.near_slope));
   const __m128 exit = _mm_mul_ps(_mm_sub_ps(far, _mm_load_ps(q.far_origin)), _mm_load_ps(q.far_slope));
-  // Every entry against every exit, of the axes and of the range.
+  // Compares every entry with every exit, those of the axes and those of the range.
   const __m128 from = _mm_insert_ps(entry, _mm_set_ss(q.t_low), 3 << 4),
                to = _mm_insert_ps(exit, _mm_set_ss(q.t_high), 3 << 4);
   const __m128 to2 = _mm_min_ps(to, _mm_shuffle_ps(to, to, _MM_SHUFFLE(2, 3, 0, 1)));
@@ -56,7 +50,7 @@ bool may_meet(const RayQuery& q, const FloatBox& box) {
   return _mm_movemask_ps(_mm_cmple_ps(from, to4)) == 15;
 }
 
-// Where a ray passes the origin of the tree's frame.
+// The point of a ray nearest to the origin of the tree's frame.
 struct Passing {
   Passing(const TreeFrame& frame, const Pose& ray) {
     const Vec3 start = frame.to_tree(ray.origin);
@@ -67,13 +61,14 @@ struct Passing {
   double distance2() const { return _mm_cvtss_f32(_mm_dp_ps(point, point, 0x71)); }
 
   __m128 point;
-  double at;   // along the ray
-  double far;  // how large the numbers are that this comes from
+  double at;   // parameter along the ray
+  double far;  // magnitude of the coordinates that it was computed from
 };
 
 }  // namespace
 
 bool prepare_rays(const TreeStore& tree, std::span<const Pose> rays, Interval range, RayQuery& q) {
+  assert(!rays.empty() && rays.size() <= kBlockWidth);
   const __m128 direction = to_floats(rays[0].direction);
   _mm_store_ps(q.direction, direction);
   const Passing own(tree.frame, rays[0]);
@@ -81,6 +76,7 @@ bool prepare_rays(const TreeStore& tree, std::span<const Pose> rays, Interval ra
   __m128 low = own.point, high = own.point;
   double far = own.far, earliest = own.at, latest = own.at, nearest = own.distance2();
   for (size_t i = 1; i < rays.size(); ++i) {
+    assert(rays[i].direction == rays[0].direction);
     const Passing other(tree.frame, rays[i]);
     _mm_store_ps(q.passing[i], other.point);
     low = _mm_min_ps(low, other.point);
@@ -93,13 +89,14 @@ bool prepare_rays(const TreeStore& tree, std::span<const Pose> rays, Interval ra
   const double reach = tree.reach(), scale = tree.frame.scale;
   const double lost = kBoxSlack * (8 * reach + far), error = reach * kPlaneRoundings + lost;
   if (nearest > (reach + error) * (reach + error)) return false;
-  // t = 0 lies across the rays, before all boxes.
+  // t = 0 is a plane across the rays in front of all boxes.
   const auto back = static_cast<float>(2 * reach);
   const __m128 ahead = _mm_mul_ps(_mm_set1_ps(back), direction);
   const __m128 slack = _mm_set1_ps(static_cast<float>(error));
   set_slabs(q, direction, _mm_sub_ps(_mm_sub_ps(low, ahead), slack),
             _mm_add_ps(_mm_sub_ps(high, ahead), slack));
-  q.t_low = static_cast<float>(std::max(back - latest + range.low * scale - 2 * error, 1e-30 * reach));
+  q.t_low =
+      static_cast<float>(std::max(back - latest + range.low * scale - 2 * error, kLeastRayParameter * reach));
   q.t_high = static_cast<float>(std::min(back - earliest + range.high * scale + 2 * error, 4 * reach));
   q.t_sure = static_cast<float>(back - own.at + range.low * scale + 4 * error);
   q.error = static_cast<float>(reach * kShearedRoundings + 2 * lost);

@@ -8,8 +8,8 @@
 
 namespace kerf {
 
-// Makes parallel rays ready for a walk: one to four rays of equal direction, within the range. False if they
-// pass the tree by.
+// Prepares a traversal by one to four rays of equal direction; `range` is in metres along them. Returns false
+// if they miss the tree's bounds. Sets all of `out` but its positions.
 bool prepare_rays(const TreeStore& tree, std::span<const Pose> rays, Interval range, RayQuery& out);
 
 }  // namespace kerf

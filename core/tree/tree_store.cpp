@@ -1,13 +1,14 @@
 #include "core/tree/tree_store.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace kerf {
 
 namespace {
 
-// A record off the list of free ones, or a new one.
+// Takes a record from the free list, or a new one.
 template <typename T>
 uint32_t take(Records<T>& pool, uint32_t& free, uint32_t& free_count) {
   if (free == kNoIndex) {
@@ -61,6 +62,7 @@ void TreeStore::free_block(uint32_t b) {
 }
 
 void TreeStore::set_count(uint32_t block, uint32_t count) {
+  assert(count <= kBlockWidth);
   FaceBlock& b = blocks.edit(block);
   TreeCounts::single_count += uint32_t{count == 1} - uint32_t{b.count == 1};
   b.count = static_cast<uint8_t>(count);
@@ -71,7 +73,7 @@ void TreeStore::set_place(FaceId f, uint32_t place) {
   places_.edit(f.index) = place + 1;
 }
 
-// Blocks are filled by nine tenths, nodes by half, in a tree as built.
+// A tree as built fills its blocks to about nine tenths and its nodes to about one half.
 void TreeStore::reserve(uint32_t faces, uint32_t slots) {
   nodes.grow_on_huge_pages();
   blocks.grow_on_huge_pages();
@@ -81,6 +83,7 @@ void TreeStore::reserve(uint32_t faces, uint32_t slots) {
 }
 
 void TreeStore::put(const TreeFace& face, uint32_t block, uint32_t lane) {
+  assert(lane < kBlockWidth);
   FaceBlock& b = blocks.edit(block);
   for (int i = 0; i < 3; ++i) {
     alignas(16) float xyz[4];
@@ -125,12 +128,14 @@ FloatBox TreeStore::node_box(const WideNode& node) const {
 }
 
 FloatBox TreeStore::slot_box(uint32_t node, uint32_t slot) const {
+  assert(slot < kNodeWidth);
   const auto& plane = nodes[node].plane;
   return {_mm_setr_ps(plane[0][slot], plane[1][slot], plane[2][slot], 0),
           _mm_setr_ps(plane[3][slot], plane[4][slot], plane[5][slot], 0)};
 }
 
 void TreeStore::set_slot_box(uint32_t node, uint32_t slot, const FloatBox& box) {
+  assert(slot < kNodeWidth);
   alignas(16) float low[4], high[4];
   _mm_store_ps(low, box.low);
   _mm_store_ps(high, box.high);
@@ -142,6 +147,7 @@ void TreeStore::set_slot_box(uint32_t node, uint32_t slot, const FloatBox& box) 
 }
 
 void TreeStore::hang(uint32_t node, uint32_t slot, Child child, const FloatBox& box) {
+  assert(slot < kNodeWidth && !child.none());
   nodes.edit(node).child[slot] = child;
   set_slot_box(node, slot, box);
   const auto link_back = [&](auto& record) {
@@ -164,6 +170,7 @@ void TreeStore::set_root_box(const FloatBox& box) {
 
 void TreeStore::mark(const WideNode& node, unsigned slots) {
   const uint32_t n = &node == &nodes[root] ? root : nodes[node.parent].child[node.slot].index();
+  assert(&node == &nodes[n]);
   nodes.edit(n).hit |= static_cast<uint8_t>(slots);
 }
 

@@ -10,15 +10,15 @@
 
 namespace kerf {
 
-// A face as a tree holds it: corners in floats of the frame, and which vertices they are.
+// A face as the tree stores it: its vertices and their positions as floats in the frame of the tree.
 struct TreeFace {
   TreeFace(const TreeFrame& frame, const Mesh& mesh, FaceId f) : TreeFace(frame, mesh, mesh.positions(), f) {}
-  // With the mesh's positions, for whoever makes many.
+  // The same with mesh.positions(), for callers that convert many faces.
   TreeFace(const TreeFrame& frame, const Mesh& mesh, Positions positions, FaceId f)
       : vertex(mesh.corners(f)), face(f) {
     for (int i = 0; i < 3; ++i) corner[i] = frame.to_floats(positions[vertex[i]]);
   }
-  // A little outward.
+  // The bounding box, rounded outward.
   FloatBox box() const {
     return {round_down(_mm_min_ps(_mm_min_ps(corner[0], corner[1]), corner[2])),
             round_up(_mm_max_ps(_mm_max_ps(corner[0], corner[1]), corner[2]))};
@@ -29,11 +29,11 @@ struct TreeFace {
   FaceId face;
 };
 
-// What a tree keeps beside its records.
+// The state of a tree beside its records.
 struct TreeCounts {
   uint32_t root = kNoIndex;
   bool root_hit = false;
-  uint32_t free_node = kNoIndex, free_block = kNoIndex;  // the first of those that are free
+  uint32_t free_node = kNoIndex, free_block = kNoIndex;  // heads of the free lists
   uint32_t free_node_count = 0, free_block_count = 0;
   uint32_t single_count = 0;
   FloatBox root_box;
@@ -41,8 +41,8 @@ struct TreeCounts {
   friend bool operator==(const TreeCounts&, const TreeCounts&) = default;
 };
 
-// The records of a tree and the links between them. Every node but the root has a slot in a parent, every
-// block too; the root is a node, or there is none. Records that were freed are used again, last freed first.
+// The records of a tree and the links between them. Every block and every node but the root occupies a slot
+// of its parent; the root, if there is one, is a node. Freed records are reused, the last freed first.
 class TreeStore : private TreeCounts {
  public:
   TreeFrame frame;
@@ -59,16 +59,16 @@ class TreeStore : private TreeCounts {
   uint32_t single_count() const { return TreeCounts::single_count; }  // blocks of one face
   void set_count(uint32_t block, uint32_t count);
 
-  // Where a face is, as block * kBlockWidth + lane; kNoIndex for a face that is not in the tree.
+  // The place of a face as block * kBlockWidth + lane; kNoIndex if the face is not in the tree.
   uint32_t place(FaceId f) const { return f.index < places_.size() ? places_[f.index] - 1 : kNoIndex; }
   void set_place(FaceId f, uint32_t place);
   void prefetch_place(FaceId f) const {
     if (f.index < places_.size()) __builtin_prefetch(&places_[f.index]);
   }
-  // Makes ready for a tree over so many faces, in slots below `slots`.
+  // Allocates memory for a tree over `faces` faces whose slots are below `slots`.
   void reserve(uint32_t faces, uint32_t slots);
 
-  // Puts the face into a lane of a block. The lane's hit bit stays.
+  // Writes the face into a lane of a block; the lane's hit bit stays. Precondition: lane < kBlockWidth.
   void put(const TreeFace& face, uint32_t block, uint32_t lane);
   FloatBox face_box(const FaceBlock& block, uint32_t lane) const;
   FloatBox block_box(const FaceBlock& block) const;
@@ -76,13 +76,13 @@ class TreeStore : private TreeCounts {
 
   FloatBox slot_box(uint32_t node, uint32_t slot) const;
   void set_slot_box(uint32_t node, uint32_t slot, const FloatBox& box);
-  // Hangs the child into the slot and links it back.
+  // Links a child and a slot with each other; `box` is the child's box.
   void hang(uint32_t node, uint32_t slot, Child child, const FloatBox& box);
   void empty_slot(uint32_t node, uint32_t slot);
 
   const FloatBox& root_box() const { return TreeCounts::root_box; }
   void set_root_box(const FloatBox& box);
-  // A distance from the origin of the frame, in the frame, within which all points of the tree lie.
+  // The radius of a sphere around the origin of the frame that contains the tree, in the frame.
   double reach() const { return TreeCounts::reach; }
   TreeView view() const {
     static_assert(decltype(nodes)::kShift == TreeView::kShift &&
@@ -90,11 +90,11 @@ class TreeStore : private TreeCounts {
     return {nodes.chunks(), blocks.chunks(), root};
   }
 
-  // The beam is in the boxes of these slots, or lanes.
+  // Marks the boxes of these slots or lanes, a mask, as hit by the beam.
   void mark(const WideNode& node, unsigned slots);
   void mark(const FaceBlock& block, unsigned lanes);
 
-  // What the tree was before a command (see ChangeOf). The frame stays.
+  // The records before a command; see ChangeOf. The frame does not change.
   class Change;
 
   size_t bytes() const;
@@ -107,7 +107,7 @@ class TreeStore : private TreeCounts {
     return std::tie(self.nodes, self.blocks, self.places_, static_cast<Counts&>(self));
   }
 
-  Records<uint32_t> places_;  // one more than the place, so that fresh memory says that a face is not there
+  Records<uint32_t> places_;  // the place plus one, so that zeroed memory means that the face is absent
 };
 
 class TreeStore::Change : public ChangeOfParts<TreeStore> {};

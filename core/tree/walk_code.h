@@ -1,12 +1,13 @@
 #pragma once
 
+#include "core/base/tolerances.h"
 #include "core/tree/ray_axes.h"
 #include "core/tree/walks.h"
 
 namespace kerf {
 
-// The walks over lanes of eight and of four floats. All functions are members of this template, so that each
-// kind of lanes has its own.
+// The tree traversals over vectors of eight and of four floats. All functions are members of this template,
+// so that each instruction set gets its own instantiation.
 template <typename Float8, typename Float4>
 class WalkCode {
  public:
@@ -20,8 +21,8 @@ class WalkCode {
     list.items[list.count++] = word;
   }
 
-  // What a loop can add to its lists it makes room for before, so that it calls nothing and keeps its numbers
-  // in registers.
+  // Ensures room for `more` words. A loop reserves what it may add beforehand, so that it calls no function
+  // and keeps its variables in registers.
   static void make_room(WalkLists& lists, WordList& list, uint32_t more) {
     while (list.count + more > list.capacity) lists.grow(lists, list);
   }
@@ -53,7 +54,7 @@ class WalkCode {
     return block;
   }
 
-  // Lists the children of a node that the mask names.
+  // Lists the children of a node whose bits are set in the mask.
   static void list_children(const TreeView& tree, const WideNode& node, unsigned mask, WalkLists& lists) {
     for (; mask != 0; mask &= mask - 1) {
       const uint32_t bits = node.child[__builtin_ctz(mask)].bits;
@@ -70,7 +71,7 @@ class WalkCode {
     __builtin_prefetch(q.positions[vertex >> RayQuery::kPositionShift] + 24 * size_t{vertex & kMask});
   }
 
-  // There is room for it.
+  // Precondition: the list has room for one more word.
   static void list_face(const RayQuery& q, const FaceBlock& block, unsigned lane, unsigned ray,
                         WordList& faces) {
     for (int i = 0; i < 3; ++i) prefetch_position(q, block.vertex[i][lane]);
@@ -110,8 +111,8 @@ class WalkCode {
 
   // Rays against triangles ---------------------------------------------------------------------------------
 
-  // The plane across rays: the axis along which they run most, the two others, and the shear that makes the
-  // rays stand across it; then where they pass, sheared.
+  // The shear that makes the rays parallel to the axis of their largest component: that axis, the two others,
+  // the shear's factors, and the sheared position of each ray.
   struct Shear {
     Shear() = default;
     explicit Shear(const RayQuery& q) {
@@ -130,7 +131,7 @@ class WalkCode {
     float pass[kBlockWidth][2];
   };
 
-  // The corners of a block's faces in the plane across the ray.
+  // The sheared corners of a block's faces and the error bound of their edge functions.
   struct ShearedBlock {
     ShearedBlock(const FaceBlock& b, const Shear& shear, const RayQuery& q) {
       const Float4 shear_x = Float4::all(shear.slope[0]), shear_y = Float4::all(shear.slope[1]);
@@ -139,15 +140,15 @@ class WalkCode {
         x[i] = Float4::load(b.corner[i][shear.across[0]]) - shear_x * z;
         y[i] = Float4::load(b.corner[i][shear.across[1]]) - shear_y * z;
       }
-      // The bound only has to hold where the ray goes through the triangle, whose extent then bounds all
-      // coordinates.
+      // The bound has to hold only where the ray meets the triangle; the triangle's extent then bounds all
+      // coordinates relative to the ray.
       const Float4 wide = max(max(x[0], x[1]), x[2]) - min(min(x[0], x[1]), x[2]);
       const Float4 tall = max(max(y[0], y[1]), y[2]) - min(min(y[0], y[1]), y[2]);
       const Float4 extent = max(wide, tall) + Float4::all(2 * q.error);
-      error = extent * (extent * Float4::all(0x1p-21f) + Float4::all(8 * q.error));
+      error = extent * (extent * Float4::all(kEdgeRoundings) + Float4::all(8 * q.error));
     }
 
-    // The faces through which the ray at this place may go, and those through which it goes for sure.
+    // Masks of the faces that the ray may cross and of those that it certainly crosses.
     struct Lanes {
       unsigned may, sure;
     };
@@ -165,7 +166,7 @@ class WalkCode {
 
   // The walks ----------------------------------------------------------------------------------------------
 
-  // In the order in which nodes are found, so that what a prefetch asked for has time to come.
+  // Visits nodes breadth-first, which gives prefetches time to complete.
   static void list_blocks_on_rays(const TreeView& tree, const RayQuery& q, WalkLists& lists) {
     push(lists, lists.nodes, reinterpret_cast<uintptr_t>(node_at(tree, tree.root)));
     for (uint32_t next = 0; next < lists.nodes.count;) {
@@ -175,7 +176,8 @@ class WalkCode {
     }
   }
 
-  // Opens the nodes of the list from this one on while there is room. Returns which one is next.
+  // Opens the listed nodes from index `next` on for as long as the lists have room. Returns the index of the
+  // first node left.
   static uint32_t open_listed(const TreeView& tree, const RayQuery& q, WalkLists& lists, uint32_t next) {
     const RaySlabs slabs(q);
     uintptr_t *const nodes = lists.nodes.items, *const blocks = lists.blocks.items;
@@ -212,7 +214,7 @@ class WalkCode {
     }
   }
 
-  // The corners of a block twice, for two rays at a time.
+  // The same corners twice, to test two rays at a time.
   struct ShearedTwice {
     explicit ShearedTwice(const ShearedBlock& b) : error(Float8::twice(b.error)) {
       for (int i = 0; i < 3; ++i) {
@@ -220,7 +222,7 @@ class WalkCode {
         y[i] = Float8::twice(b.y[i]);
       }
     }
-    // The faces through which the first ray may go, and from the fifth bit on the second.
+    // Bits 0 to 3: the faces that the first ray may cross; bits 4 to 7: those of the second.
     unsigned may_hold(Float8 px, Float8 py) const {
       const Float8 ax = x[0] - px, ay = y[0] - py, bx = x[1] - px, by = y[1] - py, cx = x[2] - px,
                    cy = y[2] - py;
@@ -232,7 +234,7 @@ class WalkCode {
     Float8 x[3], y[3], error;
   };
 
-  // Rays that are not there pass where the first one does, and are masked.
+  // Missing rays are replaced by copies of the first one, whose results are masked out.
   static void rays(const TreeView& tree, const RayQuery& q, WalkLists& lists) {
     list_blocks_on_rays(tree, q, lists);
     if (lists.blocks.count == 0) return;
@@ -256,9 +258,9 @@ class WalkCode {
     }
   }
 
-  // The nearest child of a node is looked at next; the others wait on the stack, as pairs of words: where the
-  // ray enters the box, as bits of a float, which for positive floats are in their order; and the record,
-  // plus one for a block.
+  // Visits the nearest child of a node next and pushes the others on a stack as pairs of words: the bits of
+  // the float t at which the ray enters the box, which for positive floats compare like the floats, and the
+  // address of the record, plus one for a block.
   static void nearest(const TreeView& tree, const RayQuery& q, WalkLists& lists) {
     float t_high = q.t_high;
     Shear shear;
@@ -286,8 +288,8 @@ class WalkCode {
   static constexpr uint32_t kStackedANode = 2 * kNodeWidth;
   static bool is_block(uintptr_t word) { return (word & 1) != 0; }
 
-  // Goes on from a record, or the top of the stack for 0, to the block that comes next. Returns that; a node
-  // where the stack must be longer for it; 0 if there is none up to t_high.
+  // Advances from the record `next`, or from the top of the stack if it is 0, to the next block and returns
+  // it. Returns a node if the stack is too short to open it, and 0 if nothing is left up to t_high.
   static uintptr_t nearest_block(const TreeView& tree, const RayQuery& q, float t_high, WordList& list,
                                  uintptr_t next) {
     RaySlabs slabs(q);
@@ -306,8 +308,8 @@ class WalkCode {
     return next;
   }
 
-  // Lists the faces of a block that the ray may cross up to t_high. Returns up to where a face is that it
-  // crosses for sure, or t_high.
+  // Lists the faces of a block that the ray may cross up to t_high. Returns the smallest t by which the ray
+  // has certainly crossed one of them, or t_high.
   static float list_near_faces(const FaceBlock& b, const Shear& shear, const RayQuery& q, float t_high,
                                WordList& faces) {
     const auto lanes = ShearedBlock(b, shear, q).hold(shear.pass[0]);
@@ -338,8 +340,7 @@ class WalkCode {
                                           : reinterpret_cast<uintptr_t>(take_node(tree, bits));
   }
 
-  // Pushes the children that the ray meets, the nearest last, but for that one, which is returned; 0 for
-  // none.
+  // Returns the nearest child that the ray meets, or 0 if there is none, and pushes the others, nearest last.
   static uintptr_t open_near_first(const TreeView& tree, const WideNode& node, const RaySlabs& slabs,
                                    NearStack& stack) {
     const Float8 entry = slabs.entry(node);
@@ -369,7 +370,7 @@ class WalkCode {
     return nearest;
   }
 
-  // Puts a pair into its place on the stack above the first, the farthest first.
+  // Inserts a pair into the part of the stack from `first` on, which is sorted with the farthest entry first.
   static void sink(NearStack& stack, uint32_t first, uintptr_t key, uintptr_t word) {
     uint32_t at = stack.count;
     for (; at > first && stack.items[at - 2] < key; at -= 2) {
@@ -383,7 +384,7 @@ class WalkCode {
 
   // Slabs of any orientation -------------------------------------------------------------------------------
 
-  // Which boxes meet the interval of an axis.
+  // A mask of the boxes that meet the interval of an axis.
   template <typename Float>
   static unsigned meets_axis(const SlabQuery::Axis& a, const float* planes, uint32_t stride) {
     const auto sum = [&](const uint32_t(&plane)[3]) {

@@ -8,8 +8,9 @@
 
 namespace kerf {
 
-// The lists of one walk, on the stack of its caller for as long as they are short. Little is done to make it
-// and to end it: a ray that passes everything by takes a hundred instructions or two.
+// The lists of one traversal. They lie in this object, i.e. on the caller's stack, as long as they are short.
+// Construction and destruction are cheap, because a ray that misses everything takes only one or two hundred
+// instructions.
 class WalkScratch : public WalkLists {
  public:
   WalkScratch()
@@ -18,7 +19,9 @@ class WalkScratch : public WalkLists {
   WalkScratch(const WalkScratch&) = delete;
   WalkScratch& operator=(const WalkScratch&) = delete;
 
+  // The faces that the traversal listed, as face_word().
   std::span<const uintptr_t> found() const { return {faces.items, faces.count}; }
+  // The slots and lanes to be marked as hit, two words each; see marks_block().
   std::span<const uintptr_t> met() const { return {marks.items, marks.count}; }
 
  private:

@@ -8,28 +8,28 @@
 
 namespace kerf {
 
-// The walks through a tree: they cull in floats and hand over the faces that may be what is asked for. Each
-// is written once, over lanes of floats, and compiled for each kind of processor. All that these sources
-// share with others is in this header: plain data, and functions that are always inlined. So no function that
-// was compiled for a newer processor is linked into code for all.
+// Tree traversals: they cull in single precision and list the faces that may be results. Each is written once
+// over vectors of floats and compiled for each instruction set. Sources compiled for a newer instruction set
+// share only plain data and functions that are always inlined with the rest of the program, so that the
+// linker never picks a copy of a shared function that older processors cannot execute.
 
 // The records of a tree.
 struct TreeView {
-  static constexpr uint32_t kShift = 16;  // of Records
+  static constexpr uint32_t kShift = 16;  // log2 of the records in a chunk; see Records
   const WideNode* const* nodes;
   const FaceBlock* const* blocks;
   uint32_t root;
 };
 
-// A list of words in storage of its owner.
+// A list of words; its owner provides the storage.
 struct WordList {
   uintptr_t* items;
   uint32_t count;
   uint32_t capacity;
 };
 
-// A face as the walks name it: its block's address, which is a multiple of 32, plus its lane; in a walk of
-// several rays plus four times the ray.
+// A face in the lists of a traversal: the address of its block, which is a multiple of 32, plus its lane,
+// plus four times the index of the ray.
 [[gnu::always_inline]] inline uintptr_t face_word(const FaceBlock* block, unsigned lane, unsigned ray = 0) {
   return reinterpret_cast<uintptr_t>(block) + lane + 4 * ray;
 }
@@ -39,59 +39,61 @@ struct WordList {
 [[gnu::always_inline]] inline unsigned lane_of(uintptr_t word) { return word & 3; }
 [[gnu::always_inline]] inline unsigned ray_of(uintptr_t word) { return word >> 2 & 7; }
 
-// A record that the beam meets in slots or lanes where it never was: two words, the first the record's
-// address, plus one for a block.
+// An entry of the list of marks: a record with slots or lanes to be marked as hit. It takes two words, the
+// record's address (plus one for a block) and the mask.
 [[gnu::always_inline]] inline bool marks_block(uintptr_t word) { return (word & 1) != 0; }
 
-// What a walk lists. The owner doubles the capacity of a list.
+// The lists of a traversal. `grow` doubles the capacity of one of them.
 struct WalkLists {
   WordList nodes, blocks, faces, marks;
   void (*grow)(WalkLists&, WordList&);
 };
 
-// Parallel rays against boxes and triangles. `t` is measured along the direction from a point before all
-// boxes, so that it is positive where it matters.
+// Parallel rays, prepared for tests against boxes and triangles, in the frame of the tree. The parameter t is
+// measured along the direction from a point in front of all boxes, so that it is positive within the tree.
 struct RayQuery {
-  // Slabs: by axis the planes that the ray meets first and last, what is taken off them and what the rest is
-  // multiplied with, all rounded so that no box is missed.
-  alignas(16) uint32_t near_plane[4];  // of the fourth only the place counts, here and below
+  // Slab test, by axis: the planes of a box that the ray enters and leaves by, and the factors in t = (plane
+  // - origin) * slope, all rounded so that no box is missed. Fourth elements are padding.
+  alignas(16) uint32_t near_plane[4];
   alignas(16) uint32_t far_plane[4];
   alignas(16) float near_origin[4];
   alignas(16) float far_origin[4];
   alignas(16) float near_slope[4];
   alignas(16) float far_slope[4];
   float t_low, t_high;
-  float t_sure;  // from which t on a hit is within the range for sure, at its near end
-  // Triangles: where the rays go, and where each passes the origin.
+  float t_sure;  // hits at this t or beyond certainly satisfy the lower end of the range
+  // Triangle test: the common direction, and for each ray its point nearest to the origin of the frame.
   alignas(16) float direction[4];
   alignas(16) float passing[kBlockWidth][4];
-  float error;  // of a sheared coordinate
+  float error;  // bound of the error of a sheared coordinate
   uint32_t rays;
-  // The positions of the mesh's vertices, three doubles each, by chunk: what a face that is listed will be
-  // decided with.
+  // The positions of the mesh's vertices by chunk, three doubles each, which the caller's exact test of a
+  // listed face will read; they are prefetched.
   static constexpr uint32_t kPositionShift = 19;
   const char* const* positions;
 };
 
-// A box of any orientation: by its axes, the interval that a projection must meet.
+// An oriented box in the frame of the tree: for each axis the interval that a projection must meet.
 struct SlabQuery {
   struct Axis {
-    uint32_t low_plane[3], high_plane[3];  // of a box, whose sum of products is least, and largest
+    // The planes of an axis-aligned box that give the least and the largest projection onto this axis.
+    uint32_t low_plane[3], high_plane[3];
     float direction[3];
     float low, high;
   };
   Axis axis[3];
 };
 
+// The traversals for one instruction set. Precondition of each: the tree has a root.
 struct Walks {
-  // Lists the faces that a ray may cross.
+  // Lists the faces that a ray may cross, in an order that depends on the tree alone.
   void (*ray)(const TreeView&, const RayQuery&, WalkLists&);
   // The same for up to four parallel rays.
   void (*rays)(const TreeView&, const RayQuery&, WalkLists&);
-  // Lists faces of which one is the first that the ray crosses, near boxes first.
+  // Lists candidates that include the first face that the ray crosses; visits near boxes first.
   void (*nearest)(const TreeView&, const RayQuery&, WalkLists&);
-  // Lists the faces that may meet the box, and what to mark: slots and lanes whose boxes may. Returns how
-  // many boxes it looked at.
+  // Lists the faces that may meet the oriented box, and the slots and lanes whose boxes may meet it and are
+  // not marked as hit yet. Returns the number of boxes tested.
   uint64_t (*slab)(const TreeView&, const SlabQuery&, WalkLists&);
 };
 

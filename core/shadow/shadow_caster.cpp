@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 
 #include "core/base/hash.h"
 
@@ -46,7 +47,7 @@ bool ShadowCaster::add_all(const Mesh& mesh, const Progress* progress) {
   vertex_table_.reserve(mesh.vertex_slots());
   edge_table_.reserve(faces + faces / 2);
   grow(faces);
-  std::vector<uint32_t> known(mesh.vertex_slots(), kNone);  // the last one found for a vertex of the mesh
+  std::vector<uint32_t> known(mesh.vertex_slots(), kNone);  // by vertex of the mesh: the vertex found last
   const auto find = [&](VertexId v, uint32_t piece) {
     uint32_t& last = known[v.index];
     if (last == kNone || vertices_[last].piece != piece) last = find_vertex(mesh.position(v), piece);
@@ -68,6 +69,7 @@ ShadowCaster::Change ShadowCaster::update(const Mesh& mesh, std::span<const uint
   Change change;
   grow(mesh.face_slots());
   for (const uint32_t f : slots) {
+    assert(f < face_slots());
     change.faces.push_back(f);
     append_edges(f, change.edges);
     take_away(f);
@@ -82,11 +84,13 @@ ShadowCaster::Change ShadowCaster::update(const Mesh& mesh, std::span<const uint
 }
 
 std::array<glm::vec3, 3> ShadowCaster::corners(uint32_t face) const {
+  assert(casts(face));
   const uint32_t* c = &corner_[3 * face];
   return {vertices_[c[0]].at, vertices_[c[1]].at, vertices_[c[2]].at};
 }
 
 ShadowCaster::Ends ShadowCaster::ends(uint32_t edge) const {
+  assert(edge < edge_slots());
   const Vertex &low = vertices_[edges_[edge].low], &high = vertices_[edges_[edge].high];
   return {low.at, high.at, low.piece};
 }
@@ -194,7 +198,10 @@ void ShadowCaster::link(uint32_t side, uint32_t edge_and_way) {
 void ShadowCaster::unlink(uint32_t side) {
   Edge& edge = edges_[sides_[side].edge >> 1];
   uint32_t* link = &edge.first;
-  while (*link != side) link = &sides_[*link].next;
+  while (*link != side) {
+    assert(*link != kNone);
+    link = &sides_[*link].next;
+  }
   *link = sides_[side].next;
   --edge.faces;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
@@ -14,51 +15,60 @@
 
 namespace kerf {
 
-// The triangles of a body as they cast shadows, whatever the light: which edge each side of a triangle lies
-// on, found by position alone. Half-edges are not asked, since they have no edge of three faces.
+// The triangles of a body as shadow casters, independent of any light: the edge that each side of a triangle
+// lies on, identified by position alone. Half-edges cannot serve, because they have no edge of three faces.
 //
-// Positions are those that the GPU draws: floats of a FloatFrame. Two corners are one vertex when these
-// floats are equal to the bit (-0.0 is +0.0) and the faces belong to one piece, so that a piece can be drawn
-// elsewhere or not at all. A triangle with two equal corners casts nothing; of triangles with the same three
-// corners only the one in the lowest slot casts.
+// Positions are those that the GPU draws: floats of a FloatFrame. Two corners are the same vertex if these
+// floats are equal to the bit (-0.0 counts as +0.0) and their faces belong to the same piece, so that a piece
+// can be drawn displaced or hidden. A triangle with two equal corners casts no shadow; of several triangles
+// with the same three corners only the one in the lowest slot casts.
 //
-// Slots of vertices and edges only grow. About 80 bytes a face.
+// The numbers of vertex and edge slots never decrease. Takes about 80 bytes per face.
 class ShadowCaster {
  public:
-  // Expected linear time.
+  // Adds all live faces of the mesh. Expected linear time.
   ShadowCaster(const Mesh& mesh, const FloatFrame& frame);
-  // The same, or that it was stopped. `progress` may be null.
+  // The same, or fails with cancelled() when stopped. `progress` may be null.
   static Result<ShadowCaster> build(const Mesh& mesh, const FloatFrame& frame, const Progress* progress);
 
-  // What update() changed, for those who keep something by face or edge: slots, each once, in no order.
+  // The slots of faces and edges that update() changed, ascending, each once.
   struct Change {
     std::vector<uint32_t> faces, edges;
   };
-  // Takes these face slots as they are in the mesh now. Slots may be new, dead or unchanged. Expected time
-  // linear in the number of slots, times the number of faces on their edges.
+  // Brings these face slots up to date with the mesh; they may be new, dead or unchanged. Precondition: every
+  // slot is below mesh.face_slots(). Expected time linear in the number of slots times the number of faces on
+  // their edges.
   Change update(const Mesh& mesh, std::span<const uint32_t> slots);
 
   uint32_t face_slots() const { return static_cast<uint32_t>(casts_.size()); }
   uint32_t edge_slots() const { return static_cast<uint32_t>(edges_.size()); }
 
-  // Whether the face is there and casts.
-  bool casts(uint32_t face) const { return casts_[face] != 0; }
-  // Of a face that casts: its corners in the float frame and its piece.
+  // Whether the face exists and casts a shadow. Precondition: face < face_slots().
+  bool casts(uint32_t face) const {
+    assert(face < face_slots());
+    return casts_[face] != 0;
+  }
+  // The corners of a face in the float frame, and its piece. Precondition: the face casts a shadow.
   std::array<glm::vec3, 3> corners(uint32_t face) const;
-  uint32_t piece(uint32_t face) const { return vertices_[corner_[3 * face]].piece; }
+  uint32_t piece(uint32_t face) const {
+    assert(casts(face));
+    return vertices_[corner_[3 * face]].piece;
+  }
 
-  // The ends of an edge in the float frame: `low` comes first in the order of x, then y, then z, so that
-  // equal edges of different bodies and pieces are drawn alike to the bit.
+  // The ends of an edge in the float frame. `low` precedes `high` in the lexicographic order of x, y and z,
+  // so that equal edges of different bodies and pieces are drawn identically to the bit.
   struct Ends {
     glm::vec3 low, high;
     uint32_t piece;
   };
+  // Precondition: edge < edge_slots().
   Ends ends(uint32_t edge) const;
 
-  // Calls visit(face, along) for every triangle on the edge that is there, whether it casts or not; `along`
-  // is 1 where it walks the edge from low to high, -1 where from high to low.
+  // Calls visit(face, along) for every triangle on the edge, whether it casts a shadow or not; `along` is 1
+  // if the triangle's boundary runs from low to high there, else -1. Precondition: edge < edge_slots().
   template <typename Visit>
   void for_each_face_on(uint32_t edge, const Visit& visit) const {
+    assert(edge < edge_slots());
     for (uint32_t side = edges_[edge].first; side != kNone; side = sides_[side].next) {
       visit(side / 3, sides_[side].edge & 1u ? -1 : 1);
     }
@@ -66,7 +76,7 @@ class ShadowCaster {
 
   const FloatFrame& frame() const { return frame_; }
 
-  // Memory that it holds.
+  // Memory allocated, in bytes.
   size_t bytes() const;
 
  private:
@@ -81,22 +91,23 @@ class ShadowCaster {
     uint32_t first;      // side
     uint32_t faces;
   };
-  // Side 3 f + i of face f runs from its corner i to the next.
+  // Side 3 f + i of face f runs from its corner i to its next corner.
   struct Side {
-    uint32_t edge;  // twice its edge, and one more where it runs from high to low
-    uint32_t next;  // on the edge
+    uint32_t edge;  // twice its edge, plus one if it runs from high to low
+    uint32_t next;  // the next side on the same edge
   };
 
   explicit ShadowCaster(const FloatFrame& frame) : frame_(frame) {}
 
-  // Adds the faces of a mesh to none; whether it was not stopped.
+  // Adds all faces of a mesh to an empty caster. Returns false if it was stopped.
   bool add_all(const Mesh& mesh, const Progress* progress);
   void grow(uint32_t faces);
   uint32_t find_vertex(const Vec3& p, uint32_t piece);
   uint32_t find_side_edge(uint32_t from, uint32_t to);
   bool there(uint32_t face) const { return corner_[3 * face] != kNone; }
   std::array<uint32_t, 3> sorted_corners(uint32_t face) const;
-  // The first three leave in `copies_` the faces that have the corners of `face`, itself included.
+  // add, put and find_copies leave in `copies_` the faces with the same corners as `face`, itself included;
+  // take_away leaves the others.
   void add(const Mesh& mesh, uint32_t face);
   void put(uint32_t face, const std::array<uint32_t, 3>& corners);
   void take_away(uint32_t face);
@@ -109,11 +120,11 @@ class ShadowCaster {
   FloatFrame frame_;
   std::vector<Vertex> vertices_;
   std::vector<Edge> edges_;
-  std::vector<uint32_t> corner_;  // three a face slot; kNone where no face casts or could cast
-  std::vector<Side> sides_;       // three a face slot
+  std::vector<uint32_t> corner_;  // three per face slot; kNone where there is no face that could cast
+  std::vector<Side> sides_;       // three per face slot
   std::vector<uint8_t> casts_;    // by face slot
   KeyTable vertex_table_, edge_table_;
-  std::vector<uint32_t> copies_;  // between calls: nothing of meaning
+  std::vector<uint32_t> copies_;  // scratch memory
 };
 
 }  // namespace kerf

@@ -1,8 +1,10 @@
 #include "core/shadow/shadow_rays.h"
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 
+#include "core/base/unit_vector.h"
 #include "core/mesh/build_mesh.h"
 #include "core/shadow/shadow_caster.h"
 
@@ -40,6 +42,7 @@ Pose ShadowRays::to_copy(const Copy& copy, const Pose& ray) const {
 }
 
 std::optional<ShadowRays::Seen> ShadowRays::look(const Pose& ray, double nearest) const {
+  assert(is_unit(ray.direction));
   std::optional<Seen> first;
   for (uint32_t i = 0; i < copies_.size(); ++i) {
     const Copy& copy = copies_[i];
@@ -58,7 +61,8 @@ LightPoint ShadowRays::on_copy(const Copy& copy, const Light& light) const {
   return {copy.frame.scaled(copy.placement.to_body(light.at)), 1};
 }
 
-// Which side of the face's plane a light is on, by the corners alone.
+// The side of the face's plane on which the light lies, as a sign; the face's orientation gives the positive
+// one.
 int ShadowRays::side_of(const Copy& copy, FaceId face, const LightPoint& light) {
   const Triangle t = copy.mesh.triangle(face);
   const double side = glm::dot(glm::cross(t[1] - t[0], t[2] - t[0]), light.xyz - t[0] * light.w);
@@ -86,8 +90,10 @@ int ShadowRays::count_between(const Vec3& point, const Light& light, const Seen*
 
 int ShadowRays::occluders(const Pose& ray, const Seen& seen, const Light& light) const {
   const Vec3 point = ray.origin + ray.direction * seen.length;
+  assert(seen.body < copies_.size());
   const Copy& copy = copies_[seen.body];
   const auto found = std::lower_bound(copy.slots.begin(), copy.slots.end(), seen.face);
+  assert(found != copy.slots.end() && *found == seen.face);
   const FaceId face(static_cast<uint32_t>(found - copy.slots.begin()));
   const int light_side = side_of(copy, face, on_copy(copy, light));
   const int eye_side = -side_of(copy, face, {to_copy(copy, ray).direction, 0});

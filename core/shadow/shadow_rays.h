@@ -10,37 +10,41 @@
 
 namespace kerf {
 
-// Shadows by tracing rays: the reference that shadow volumes are measured by. It sees what the GPU draws,
-// bodies with their corners rounded to the floats of their frame, exact duplicates of a triangle left out,
-// and decides everything else in double.
+// Shadows by ray tracing: the reference against which shadow volumes are tested. It uses the geometry that
+// the GPU draws, i.e. corners rounded to the floats of a FloatFrame and no duplicates of a triangle, and
+// computes everything else in double.
 class ShadowRays {
  public:
-  // Where the faces of a piece are drawn: moved by so much in the axes of the world (m), or not at all.
+  // The displacement at which a piece is drawn, in metres along the axes of the world; nothing if it is
+  // hidden.
   using PieceOffset = std::function<std::optional<Vec3>(uint32_t piece)>;
 
-  // Adds the faces of a body as they are now, which are copied. O(n log n).
+  // Adds a copy of the body's current faces. O(n log n).
   void add(const Body& body, const FloatFrame& frame, const PieceOffset& offset_of);
 
-  // What a ray of unit direction meets first, farther along it than `nearest` (m).
+  // A point of a face that a ray meets.
   struct Seen {
     uint32_t body = 0;  // in the order of add()
     uint32_t face = 0;  // slot
     double length = 0;  // m, from the ray's origin
     friend bool operator==(const Seen&, const Seen&) = default;
   };
+  // The first point that the ray meets at a length of at least `nearest` metres, if any. Precondition: the
+  // direction is a unit vector.
   std::optional<Seen> look(const Pose& ray, double nearest) const;
 
-  // How many surfaces keep the light from a point of the face that a ray sees: those between, and the face
-  // itself where the side that is seen is averted. The face is left out by its slot, not by a distance.
+  // The number of surfaces that occlude the light at the point `seen` that `ray` meets: those between the
+  // point and the light, and the face itself if the ray meets its unlit side. The face is excluded from the
+  // former by its slot rather than by a distance. Precondition: look(ray, ...) returned `seen`.
   int occluders(const Pose& ray, const Seen& seen, const Light& light) const;
-  // The same for a point of the world that lies on no face.
+  // The same for a point of the world (m) that lies on no face.
   int occluders(const Vec3& point, const Light& light) const;
 
  private:
   struct Copy {
     Mesh mesh;
     AabbTree tree;
-    std::vector<uint32_t> slots;  // of the body, by face of the copy
+    std::vector<uint32_t> slots;  // by face of the copy: its slot in the body, ascending
     FloatFrame frame;
     Placement placement;
   };

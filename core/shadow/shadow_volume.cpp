@@ -1,5 +1,6 @@
 #include "core/shadow/shadow_volume.h"
 
+#include <cassert>
 #include <cstdlib>
 #include <utility>
 
@@ -30,7 +31,8 @@ int ShadowVolume::multiplicity(const ShadowCaster& caster, uint32_t edge) const 
     caster.for_each_face_on(edge, [&](uint32_t face, int along) { sum += signs_[face] * along; });
     return sum;
   }
-  // An edge that two polygons of a volume have is not of its silhouette, whichever way they walk it.
+  // An edge that two polygons of a volume share does not belong to its silhouette, whatever their
+  // orientation.
   int facing_sides = 0, facing_faces = 0, averted_sides = 0, averted_faces = 0;
   caster.for_each_face_on(edge, [&](uint32_t face, int along) {
     const int sign = signs_[face];
@@ -42,9 +44,11 @@ int ShadowVolume::multiplicity(const ShadowCaster& caster, uint32_t edge) const 
 }
 
 void ShadowVolume::put(uint32_t edge, int multiplicity) {
+  assert(edge < place_.size());
   uint32_t& place = place_[edge];
   if (multiplicity == 0) {
     if (place == kNone) return;
+    assert(place < silhouette_.size() && silhouette_[place].edge == edge);
     touched_.places.push_back(place);
     silhouette_[place] = silhouette_.back();
     place_[silhouette_[place].edge] = place;
@@ -62,6 +66,7 @@ void ShadowVolume::put(uint32_t edge, int multiplicity) {
 
 void ShadowVolume::rebuild(const ShadowCaster& caster, LightOnBody light) {
   light_ = std::move(light);
+  assert(light_.light.w == 1 || (light_.light.w == 0 && light_.light.xyz != Vec3(0)));
   const uint32_t faces = caster.face_slots(), edges = caster.edge_slots();
   signs_.resize(faces);
   for (uint32_t f = 0; f < faces; ++f) signs_[f] = facing(caster, f);
@@ -79,6 +84,7 @@ void ShadowVolume::rebuild(const ShadowCaster& caster, LightOnBody light) {
 }
 
 void ShadowVolume::follow(const ShadowCaster& caster, const ShadowCaster::Change& change) {
+  assert(signs_.size() <= caster.face_slots() && place_.size() <= caster.edge_slots());
   signs_.resize(caster.face_slots(), 0);
   place_.resize(caster.edge_slots(), kNone);
   for (const uint32_t f : change.faces) signs_[f] = facing(caster, f);

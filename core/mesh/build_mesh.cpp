@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 #include "core/base/union_find.h"
@@ -24,6 +25,7 @@ class Builder {
   Builder(const Soup& soup, const Progress* progress) : soup_(soup), progress_(progress) {}
 
   Result<BuiltMesh> build() {
+    assert(soup_.materials.empty() || soup_.materials.size() == soup_.triangles.size());
     report_.format = soup_.format;
     report_.faces_in_file = soup_.faces_in_file;
     report_.triangles_in_file = soup_.triangles_in_file;
@@ -61,6 +63,7 @@ class Builder {
     for (size_t t = 0; t < soup_.triangles.size(); ++t) {
       if (!pace.step()) return cancelled();
       const auto& [a, b, c] = soup_.triangles[t];
+      assert(std::max({a, b, c}) < welded_.size());
       const Soup::Triangle w = {welded_[a], welded_[b], welded_[c]};
       if (!is_finite(soup_.positions[a]) || !is_finite(soup_.positions[b]) ||
           !is_finite(soup_.positions[c])) {
@@ -135,8 +138,8 @@ class Builder {
     return Done{};
   }
 
-  // One vertex a fan of triangles around a position, in the order of the positions in the file. The fan of
-  // side s is the one around its tail.
+  // Makes one vertex per fan of triangles around a position, in the order of the positions in the file. The
+  // fan of side s is the one around its tail.
   Status name_vertices(const Progress& progress) {
     UnionFind fans(partner_.size());
     Pace pace(&progress, 3 * partner_.size());
@@ -159,6 +162,7 @@ class Builder {
     for (uint32_t s = 0; s < partner_.size(); ++s) {
       if (!pace.step()) return cancelled();
       vertex_[s] = fan_of_first[fans.find(s)];
+      assert(vertex_[s] != kNone);
     }
     return Done{};
   }
@@ -209,7 +213,7 @@ class Builder {
     return Done{};
   }
 
-  // Whether to go on; as the next.
+  // This and the following functions return false if building was stopped.
   bool make_edges(HalfEdges& m, Pace& pace) {
     half_edge_.resize(partner_.size());
     for (uint32_t s = 0; s < partner_.size(); ++s) {
@@ -235,7 +239,7 @@ class Builder {
     return true;
   }
 
-  // A vertex has one fan, so at most one boundary half-edge starts there: the boundary goes on with it.
+  // A vertex has one fan, so that at most one boundary half-edge starts there; it continues the boundary.
   bool close_boundaries(HalfEdges& m, Pace& pace) {
     std::vector<HalfEdgeId> starts(vertex_position_.size());
     for (uint32_t s = 0; s < partner_.size(); ++s) {
@@ -248,6 +252,7 @@ class Builder {
       if (!pace.step()) return false;
       if (partner_[s] != kNone) continue;
       const HalfEdgeId outer = opposite(half_edge_[s]);
+      assert(starts[m.to(outer).index].valid());
       m.link(outer, starts[m.to(outer).index]);
     }
     return true;
@@ -276,10 +281,10 @@ class Builder {
   std::vector<Soup::Triangle> triangles_;  // corners are welded positions
   std::vector<uint16_t> materials_;
   SoupEdges edges_;
-  std::vector<uint32_t> partner_;          // one a side
-  std::vector<uint32_t> vertex_;           // one a side: the mesh vertex at its tail
-  std::vector<uint32_t> vertex_position_;  // one a mesh vertex
-  std::vector<HalfEdgeId> half_edge_;      // one a side
+  std::vector<uint32_t> partner_;          // one per side: the opposite side, or kNone
+  std::vector<uint32_t> vertex_;           // one per side: the mesh vertex at its tail
+  std::vector<uint32_t> vertex_position_;  // one per mesh vertex
+  std::vector<HalfEdgeId> half_edge_;      // one per side
   Mesh mesh_;
   MeshReport report_;
 };

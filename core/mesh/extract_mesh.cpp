@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <unordered_map>
 #include <vector>
 
@@ -34,9 +35,10 @@ class Extraction {
     return {h, m.next(h), m.previous(h)};
   }
 
-  // The half-edge that an old one becomes.
+  // The copy of a half-edge.
   HalfEdgeId named(HalfEdgeId h) const {
     const auto at = std::lower_bound(edges_.begin(), edges_.end(), edge_of(h));
+    assert(at != edges_.end() && *at == edge_of(h));
     return half_edge(EdgeId(static_cast<uint32_t>(at - edges_.begin())), h.index & 1);
   }
 
@@ -49,7 +51,7 @@ class Extraction {
     edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
   }
 
-  // Each fan of faces around a vertex is a vertex of its own.
+  // Each fan of faces around a vertex gets a vertex of its own.
   void name_vertices() {
     starts_.resize(2 * edges_.size());
     for (const FaceId f : faces_) {
@@ -67,7 +69,7 @@ class Extraction {
       if (!from_.face(h).valid()) break;
       h = opposite(from_.previous(h));
     } while (h != start);
-    if (from_.face(h).valid()) return;  // all round
+    if (from_.face(h).valid()) return;  // the fan is closed
     for (h = opposite(start); from_.face(h).valid(); h = opposite(from_.next(h))) name(from_.next(h));
   }
 
@@ -87,7 +89,7 @@ class Extraction {
     to_.live_faces = static_cast<uint32_t>(faces_.size());
   }
 
-  // Behind a boundary comes the one at which the fan at its end begins.
+  // A boundary half-edge is followed by the one that bounds the same fan on its other side.
   void close_boundaries() {
     HalfEdges& m = to_.half_edges;
     for (uint32_t i = 0; i < 2 * m.edges(); ++i) {
@@ -124,12 +126,16 @@ class Extraction {
   Mesh mesh_;
   Mesh::Kernel& to_;
   std::span<const FaceId> faces_;
-  std::vector<EdgeId> edges_;     // old, ascending; where one stands is its new number
-  std::vector<VertexId> starts_;  // of each new half-edge
+  std::vector<EdgeId> edges_;     // the old edges, ascending; the index is the new edge
+  std::vector<VertexId> starts_;  // by new half-edge: the vertex at which it starts
 };
 
 }  // namespace
 
-Mesh extract_mesh(const Mesh& mesh, std::span<const FaceId> faces) { return Extraction(mesh, faces).run(); }
+Mesh extract_mesh(const Mesh& mesh, std::span<const FaceId> faces) {
+  assert(std::is_sorted(faces.begin(), faces.end()));
+  assert(std::all_of(faces.begin(), faces.end(), [&](FaceId f) { return mesh.is_live(f); }));
+  return Extraction(mesh, faces).run();
+}
 
 }  // namespace kerf

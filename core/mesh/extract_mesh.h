@@ -6,12 +6,14 @@
 
 namespace kerf {
 
-// A mesh of some faces of another, to the bit as they were there: corners, orders of turns, rings and data, but
-// for what refers to other faces: green pairs are forgotten, and the base of a face is itself where it was
-// never split, else the first of those here that have it in common. Slots follow the order of the faces. Where
-// parts touch in a vertex each has one of its own.
+// Copies some faces of a mesh into a mesh of their own. Positions, orientation, the order of faces around
+// vertices, rings and face data are preserved to the bit, except for references to other faces: green pairs
+// are dropped, and the base of a face becomes the face itself if it was never split, else the first of the
+// extracted faces that share the base. Slots have the order of `faces`. Parts that touch in a vertex get a
+// vertex each.
 //
-// faces: live, ascending, and with each all that hang together with it over edges. O(n log n).
+// Preconditions: `faces` are live, ascending and not empty, and contain with each face all faces connected to
+// it over edges. O(n log n).
 Mesh extract_mesh(const Mesh& mesh, std::span<const FaceId> faces);
 
 }  // namespace kerf

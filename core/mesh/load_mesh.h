@@ -8,8 +8,8 @@
 
 namespace kerf {
 
-// Reads a mesh file and builds its mesh (read_mesh, then build_mesh); every failure names the file, but for
-// cancelled(). `progress` may be null.
+// Reads a mesh file with read_mesh and builds its mesh with build_mesh. The message of every failure but
+// cancelled() names the file. `progress` may be null.
 Result<BuiltMesh> load_mesh(const std::filesystem::path& file, const Progress* progress);
 
 }  // namespace kerf

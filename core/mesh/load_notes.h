@@ -7,12 +7,12 @@
 
 namespace kerf {
 
-// What happened to the faces of a file, in sentences for people, the most important first: what was dropped,
-// what was changed, what to expect of a cut; then what the reader warned of. Nothing for what did not happen;
-// empty for a file without fault. Welding and vertices are not mentioned: they change no face.
+// Sentences for the user about the faces of a file, the most important first: what was dropped, what was
+// changed, what it means for cuts, and then the reader's warnings. Empty for a file without faults. Welding
+// and dropped vertices are not mentioned, because they change no face.
 std::vector<std::string> load_notes(const MeshReport& report);
 
-// Of these the ones about faces of the file that are not in the mesh.
+// Only the sentences about dropped faces.
 std::vector<std::string> dropped_notes(const Repairs& repairs);
 
 }  // namespace kerf

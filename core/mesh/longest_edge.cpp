@@ -14,8 +14,7 @@ bool less(const Vec3& a, const Vec3& b) {
   return a.y != b.y ? a.y < b.y : a.z < b.z;
 }
 
-// An edge in the order that decides which is the longest; equal for the same edge in whichever face and
-// sheet.
+// The rank of an edge in the order by length; the same for an edge in all faces and sheets.
 struct EdgeRank {
   double length2 = -1;
   Vec3 low{0}, high{0};
@@ -56,13 +55,14 @@ bool has_side(const Mesh& mesh, FaceId f, VertexId from, VertexId to) {
   return false;
 }
 
-// One walk along a propagation path, from its first face to the end and back.
+// Follows a propagation path from its first face to its end, and bisects on the way back.
 class Propagation {
  public:
   Propagation(Mesh& mesh, OneToFour& greens, std::vector<Replacement>& out)
       : mesh_(mesh), greens_(greens), out_(out) {}
 
   bool bisect(FaceId f) {
+    assert(mesh_.is_live(f));
     path_.clear();
     step_onto(f);
     while (!path_.empty()) {
@@ -81,8 +81,8 @@ class Propagation {
   }
 
  private:
-  // A face of the path, its longest edge, and the other faces there; those before `looked_at` have no longer
-  // edge. A ring of many faces is looked at once.
+  // A face of the path, its longest edge, and the other faces on that edge. Those before index `looked_at`
+  // have no longer edge, so that each face of a ring is examined once.
   struct Step {
     FaceId face;
     LongestEdge edge;
@@ -96,8 +96,8 @@ class Propagation {
     path_.push_back(std::move(step));
   }
 
-  // Of the longest edge of the face that is looked at. It may have been bisected further down the path since:
-  // then the part that has the edge was told of, lately.
+  // The rank of the longest edge of the face examined next. If that face was bisected further along the path
+  // in the meantime, one of the latest replacements contains the part that has the edge.
   EdgeRank rank_at(Step& step) {
     Mesh::Side& side = step.sides[step.looked_at];
     const auto has_edge = [&](FaceId f) { return f.valid() && has_side(mesh_, f, side.from, side.to); };

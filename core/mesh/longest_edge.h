@@ -11,15 +11,16 @@ namespace kerf {
 // Refinement by bisecting longest edges along their propagation path (M. C. Rivara: New longest-edge
 // algorithms for the refinement and/or improvement of unstructured triangulations, 1997).
 //
-// Bisects f at the midpoint of its longest edge. Where a face on that edge has a longer one, that face is
+// Bisects f at the midpoint of its longest edge. If a face on that edge has a longer edge, that face is
 // bisected first, and so on, so that every bisection splits a whole ring at the longest edge of all its
-// faces: the mesh is conforming after each, and no descendant has an angle under half of the smallest of its
-// base face. Edges are ordered by length and then by the positions of their ends, so equal lengths cannot go
-// round in a circle and all sheets of a ring see the same order.
+// faces. The mesh is conforming after each bisection, and no descendant has an angle smaller than half the
+// smallest angle of its base face. Edges are ordered by length and then by the positions of their ends, so
+// that equal lengths cause no cycle and all sheets of a ring see the same order.
 //
-// Green pairs in the way become faces like others. Appends what became of every face that was split. False
-// where an edge on the path has no midpoint of its own, because coordinates have an end: f is then as it was.
-// The cost is that of the path, which ends soon in practice.
+// Green pairs on the path become ordinary faces. Appends a replacement for every face that was split. Returns
+// false if an edge on the path is so short that its midpoint rounds to one of its ends; f itself is then
+// unchanged. Precondition: f is live. The cost is proportional to the length of the path, which is short in
+// practice.
 bool bisect_longest_edge(Mesh& mesh, OneToFour& greens, FaceId f, std::vector<Replacement>& out);
 
 }  // namespace kerf

@@ -1,5 +1,7 @@
 #include "core/mesh/orient.h"
 
+#include <cassert>
+
 namespace kerf {
 
 namespace {
@@ -22,7 +24,7 @@ class Orienter {
   }
 
  private:
-  // Whether to go on.
+  // Returns false if it was stopped.
   bool orient_from(uint32_t seed) {
     front_.assign(1, seed);
     seen_[seed] = true;
@@ -63,6 +65,7 @@ class Orienter {
 
 Result<std::vector<bool>> triangles_to_turn(const std::vector<std::array<uint32_t, 3>>& triangles,
                                             const SoupEdges& edges, const Progress* progress) {
+  assert(edges.edge_of.size() == 3 * triangles.size());
   return Orienter(triangles, edges, progress).run();
 }
 

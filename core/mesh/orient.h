@@ -10,10 +10,12 @@
 
 namespace kerf {
 
-// Which triangles to turn round so that neighbours over edges of exactly two triangles walk that edge in
-// opposite directions. In each set of triangles that hang together over such edges the smaller part is turned
-// (of equal parts the one without the lowest triangle). Where no turning is consistent (a Moebius strip) some
-// edges stay walked twice the same way. Linear. Or that it was stopped; `progress` may be null.
+// Finds the triangles to be reversed so that the orientation is consistent, i.e. two triangles on an edge of
+// exactly two triangles traverse it in opposite directions. In each set of triangles connected over such
+// edges the smaller part is reversed; of two equal parts the one without the lowest triangle. On a surface
+// that cannot be oriented (a Moebius strip) some edges stay inconsistent. Returns one flag per triangle, or
+// fails with cancelled() when stopped. `progress` may be null. Precondition: `edges` are those of
+// `triangles`. Linear time.
 Result<std::vector<bool>> triangles_to_turn(const std::vector<std::array<uint32_t, 3>>& triangles,
                                             const SoupEdges& edges, const Progress* progress);
 

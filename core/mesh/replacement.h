@@ -7,9 +7,10 @@
 
 namespace kerf {
 
-// What became of faces that were split, in the terms of the tree: these made way for those, which lie within
-// them. Slots are reused: a face may stand on both sides. Where several follow on one another, they stand in
-// an order in which a tree can follow.
+// The replacement of split faces by their parts: the first `gone_count` faces of `gone` are replaced by the
+// first `born_count` faces of `born`, which cover the same area. Slots are reused, so that a face may be in
+// both lists. A sequence of replacements has the order in which they happened; a tree can follow them in this
+// order.
 struct Replacement {
   std::array<FaceId, 2> gone;
   std::array<FaceId, 4> born;

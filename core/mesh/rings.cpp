@@ -1,12 +1,15 @@
 #include "core/mesh/rings.h"
 
+#include <cassert>
+
 namespace kerf {
 
 namespace {
 
-// Sets one side of the link of the edge of `at`, where `at` and `target` run in one direction.
+// Sets one side of the link of the edge of `at`. Precondition: `at` and `target` have the same direction.
 void set_link(Mesh::Kernel& k, HalfEdgeId at, HalfEdgeId RingLink::*side, HalfEdgeId target) {
   const EdgeId edge = edge_of(at);
+  assert(edge.index < k.rings.size());
   const bool aligned = at == half_edge(edge, 0);
   k.rings.edit(edge.index).*side = aligned ? target : opposite(target);
 }
@@ -38,6 +41,9 @@ void leave_ring(Mesh::Kernel& k, EdgeId e) {
 }
 
 void join_ring(Mesh::Kernel& k, HalfEdgeId h, HalfEdgeId member) {
+  assert(next_in_ring(k, h) == h);
+  assert(k.half_edges.position(k.half_edges.from(h)) == k.half_edges.position(k.half_edges.from(member)));
+  assert(k.half_edges.position(k.half_edges.to(h)) == k.half_edges.position(k.half_edges.to(member)));
   const HalfEdgeId after = next_in_ring(k, member);
   set_link(k, h, &RingLink::previous, member);
   set_link(k, h, &RingLink::next, after);
@@ -56,6 +62,7 @@ void link_ring(Mesh::Kernel& k, const std::vector<HalfEdgeId>& members) {
   add_lone_rings(k);
   for (size_t i = 0; i < members.size(); ++i) {
     const HalfEdgeId h = members[i];
+    assert(k.half_edges.position(k.half_edges.to(h)) == k.half_edges.position(k.half_edges.to(members[0])));
     HalfEdgeId next = members[(i + 1) % members.size()];
     HalfEdgeId previous = members[(i + members.size() - 1) % members.size()];
     const EdgeId e = edge_of(h);

@@ -5,21 +5,24 @@
 
 namespace kerf {
 
-// The next and the previous half-edge of h's ring, in h's direction; h itself where its edge is alone. A mesh
-// without any ring keeps no links.
+// A ring links the coincident edges of a mesh (see Mesh); a mesh without rings stores no links.
+
+// The next and the previous half-edge in the ring of h, in the direction of h; h itself if its edge is in no
+// ring.
 HalfEdgeId next_in_ring(const Mesh::Kernel& k, HalfEdgeId h);
 HalfEdgeId previous_in_ring(const Mesh::Kernel& k, HalfEdgeId h);
 
-// Gives every edge that has no link yet a ring of its own.
+// Gives every edge without a link a ring of its own.
 void add_lone_rings(Mesh::Kernel& k);
 
-// Links half-edges of one direction, of bit-equal ends, into one ring.
+// Links half-edges into one ring. Precondition: they have the same direction and bit-equal ends.
 void link_ring(Mesh::Kernel& k, const std::vector<HalfEdgeId>& members);
 
-// Puts h, whose edge is alone, behind `member` of a ring of the same direction and ends.
+// Inserts h after `member` into its ring. Preconditions: the edge of h is in no ring, and both half-edges
+// have the same direction and bit-equal ends.
 void join_ring(Mesh::Kernel& k, HalfEdgeId h, HalfEdgeId member);
 
-// Takes an edge out of its ring.
+// Removes an edge from its ring. An edge in no ring is left unchanged.
 void leave_ring(Mesh::Kernel& k, EdgeId e);
 
 }  // namespace kerf

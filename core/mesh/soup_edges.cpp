@@ -1,6 +1,7 @@
 #include "core/mesh/soup_edges.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "core/base/union_find.h"
 
@@ -24,6 +25,7 @@ Result<SoupEdges> group_sides(std::span<const std::array<uint32_t, 3>> triangles
   std::vector<uint32_t> bucket(vertices + 1, 0);
   const auto ends = [&](uint32_t side) {
     const uint32_t a = triangles[side / 3][side % 3], b = triangles[side / 3][(side % 3 + 1) % 3];
+    assert(a != b && std::max(a, b) < vertices);
     return std::pair(std::min(a, b), std::max(a, b));
   };
   const uint32_t side_count = static_cast<uint32_t>(3 * triangles.size());

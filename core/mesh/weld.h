@@ -10,10 +10,10 @@
 
 namespace kerf {
 
-// For each position the lowest index at which an equal position stands (-0.0 equals +0.0; a position that is
-// not finite equals nothing but itself). Expected linear time, by hashing.
+// For each position, the lowest index of an equal position. -0.0 equals +0.0, and a position with a NaN
+// equals only itself. Expected linear time, by hashing.
 std::vector<uint32_t> weld_positions(std::span<const Vec3> positions);
-// The same, or that it was stopped. `progress` may be null.
+// The same, or fails with cancelled() when stopped. `progress` may be null.
 Result<std::vector<uint32_t>> weld_positions(std::span<const Vec3> positions, const Progress* progress);
 
 }  // namespace kerf

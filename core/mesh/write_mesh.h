@@ -8,11 +8,11 @@
 
 namespace kerf {
 
-// Writes a mesh: OBJ and OFF as text, PLY and STL in binary. Positions read back bit-equal and triangles in
-// the same order, but STL holds positions as floats and no vertices to share; only OBJ holds materials. The
-// file is written whole or not at all (see write_file_atomically). Fails in one sentence when it cannot be
-// written, or when the format cannot hold the mesh: for STL, coordinates beyond the range of float. The bytes
-// are held in memory before they are written.
+// Writes a mesh: OBJ and OFF as text, PLY and STL in binary. Positions are read back to the bit and triangles
+// in the same order, except that STL stores positions in single precision and no shared vertices; only OBJ
+// stores materials. The file is written whole or not at all (see write_file_atomically). Fails with one
+// sentence if it cannot be written or if the format cannot represent the mesh, e.g. coordinates beyond the
+// range of float in STL. All bytes are held in memory before they are written. Linear time.
 Status write_mesh(const MeshView& mesh, const std::filesystem::path& path, MeshFormat format);
 
 }  // namespace kerf

@@ -9,8 +9,10 @@
 
 namespace kerf {
 
-// Numbers as bytes of a file, in either order of bytes, at any address.
+// Numbers as bytes of a file.
 
+// Reads a number stored in the given byte order at any address, aligned or not. Precondition: sizeof(T) bytes
+// can be read there.
 template <typename T>
 T load(const char* bytes, std::endian order) {
   std::array<char, sizeof(T)> raw;
@@ -19,6 +21,7 @@ T load(const char* bytes, std::endian order) {
   return std::bit_cast<T>(raw);
 }
 
+// Appends the bytes of a number in little-endian order.
 template <typename T>
 void append_little(T value, std::string& bytes) {
   auto raw = std::bit_cast<std::array<char, sizeof(T)>>(value);

@@ -1,12 +1,13 @@
 #include "core/mesh/files/ear_clipping.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace kerf {
 namespace {
 
-// Boxes and points that may be looked at for a polygon before it is cut anyhow. Simple polygons of a hundred
-// thousand corners, the worst that were tried, take 500 a corner.
+// Limits of the number of boxes and points tested for a polygon, beyond which any corner counts as an ear.
+// The worst simple polygons tried, of a hundred thousand corners, need 500 tests per corner.
 constexpr uint64_t kWorkPerCorner = 2000;
 constexpr uint64_t kMostWork = 400'000'000;
 
@@ -59,8 +60,8 @@ void EarClipper::enqueue_all() {
   }
 }
 
-// Whether the edges at q, which lies on the tip of the ear, lead into the ear: one of them inside it, or both
-// along its sides.
+// Whether the edges at q, which coincides with the tip of the ear, lead into the ear: one of them into its
+// interior, or both along its sides.
 bool EarClipper::enters_wedge(uint32_t q, uint32_t ear) const {
   const Vec2 tip = points_[ear], out = points_[next_[ear]] - tip, back = points_[previous_[ear]] - tip;
   bool along = true;
@@ -78,7 +79,7 @@ bool EarClipper::blocks(uint32_t q, uint32_t ear) const {
   const double ab = turn2(a, b, p), bc = turn2(b, c, p), ca = turn2(c, a, p);
   if (rule_ == Rule::kTouching) return ab > 0 && bc > 0 && ca > 0;
   if (!(ab >= 0 && bc >= 0 && ca >= 0)) return false;
-  // What hangs on the ends of the cut and goes into the ear has a corner in it that blocks by itself.
+  // A chain that starts at an end of the cut and enters the ear has a corner inside that blocks by itself.
   if (p == a || p == c) return false;
   return p != b || enters_wedge(q, ear);
 }
@@ -100,13 +101,14 @@ bool EarClipper::is_ear(uint32_t i) {
 }
 
 void EarClipper::remove(uint32_t i) {
+  assert(alive_[i] && left_ > 3);
   const uint32_t before = previous_[i], after = next_[i];
   next_[before] = after;
   previous_[after] = before;
   alive_[i] = 0;
   blocker_[i] = 0;
   --left_;
-  // A corner that turned convex stays out of the tree even if rounding makes it straight again.
+  // A corner that became convex stays removed from the tree even if rounding makes it straight again.
   blocker_[before] = blocker_[before] && !(turn(before) > 0);
   blocker_[after] = blocker_[after] && !(turn(after) > 0);
   touched_[before] = touched_[after] = round_;
@@ -114,16 +116,16 @@ void EarClipper::remove(uint32_t i) {
   enqueue(after);
 }
 
-// No candidate is left: back to the strict rule if a looser one found something, else on to the next looser
-// one.
+// No candidate is left: returns to the strict rule if a looser one found an ear, else loosens the rule.
 void EarClipper::change_rule() {
   if (rule_ != Rule::kAny) rule_ = loosened_ ? Rule::kStrict : static_cast<Rule>(static_cast<int>(rule_) + 1);
   loosened_ = false;
   enqueue_all();
 }
 
-// Ears are clipped in rounds, of two neighbours never both in one: clipping one after the other would make
-// fans of long triangles, which look at many boxes. Who had to wait comes first in the next round.
+// Ears are clipped in rounds, and no two neighbours in the same round: clipping neighbours one after the
+// other would make fans of long triangles, whose tests visit many boxes. Postponed candidates come first in
+// the next round.
 bool EarClipper::start_round() {
   queue_.assign(waiting_.begin(), waiting_.end());
   queue_.insert(queue_.end(), fresh_.begin(), fresh_.end());
@@ -143,6 +145,7 @@ void EarClipper::consider(uint32_t i, std::vector<std::array<uint32_t, 3>>& ears
 }
 
 void EarClipper::clip(std::span<const Vec2> points, std::vector<std::array<uint32_t, 3>>& ears) {
+  assert(points.size() >= 3);
   start(points);
   enqueue_all();
   while (left_ > 3) {

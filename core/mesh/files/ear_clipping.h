@@ -10,25 +10,26 @@
 
 namespace kerf {
 
-// Ear clipping after G. H. Meisters, Polygons have ears (1975). An ear stays one until it or a neighbour is
-// clipped, so that each clip needs two new tests; a test asks a tree for the corners that are not convex
-// (D. Eberly, Triangulation by ear clipping, 2002) and looks only at the boxes that the ear touches.
+// Triangulation of a polygon by ear clipping (G. H. Meisters: Polygons have ears, 1975). Clipping an ear can
+// change only whether its two neighbours are ears, so that each clip needs two new tests. Only corners that
+// are not convex can block an ear (D. Eberly: Triangulation by ear clipping, 2002); a tree finds those near
+// it.
 //
-// Polygons of files are not always simple. Straight corners, corners that repeat, seams that join a hole to
-// the outside are cut rightly; for a line that crosses itself any cut into n - 2 triangles will do, and the
-// work on it is bounded.
+// Polygons of mesh files are not always simple. Straight corners, repeated corners and seams that join a hole
+// to the outer boundary are triangulated correctly. For a boundary that intersects itself any n - 2 triangles
+// are accepted, and the work is bounded.
 class EarClipper {
  public:
-  // Appends n - 2 triangles of indices into `points`, n >= 3, a closed line counter-clockwise around its
-  // area.
+  // Appends n - 2 triangles, as indices into the n points of a closed counter-clockwise polygon.
+  // Preconditions: n >= 3, all coordinates are finite. O(n log n) for typical polygons.
   void clip(std::span<const Vec2> points, std::vector<std::array<uint32_t, 3>>& ears);
 
  private:
-  // What passes as an ear, from what is right to what ends the work.
+  // What is accepted as an ear, from strict to anything.
   enum class Rule {
-    kStrict,    // has area, and no other corner in it or on its border
-    kFlat,      // has no area: a straight or repeated corner, or a spike
-    kTouching,  // has area, and no other corner inside it
+    kStrict,    // positive area, no other corner inside it or on its boundary
+    kFlat,      // zero area: a straight or repeated corner, or a spike
+    kTouching,  // positive area, no other corner inside it
     kAny,
   };
 
@@ -47,17 +48,17 @@ class EarClipper {
 
   std::span<const Vec2> points_;
   std::vector<uint32_t> previous_, next_;
-  std::vector<uint8_t> blocker_;  // alive and not convex
+  std::vector<uint8_t> blocker_;  // by corner: not clipped yet and not convex
   std::vector<uint8_t> queued_;
   std::vector<uint8_t> alive_;
-  std::vector<uint32_t> touched_;  // the round in which a neighbour was clipped last
-  std::vector<uint32_t> queue_;    // the candidates of this round
-  std::vector<uint32_t> waiting_;  // of them, those that a neighbour went before
+  std::vector<uint32_t> touched_;  // by corner: the last round in which a neighbour was clipped
+  std::vector<uint32_t> queue_;    // candidates of this round
+  std::vector<uint32_t> waiting_;  // candidates postponed because a neighbour was clipped in this round
   std::vector<uint32_t> fresh_;    // new candidates for the next round
   uint32_t round_ = 0;
   PointTree tree_;
   Rule rule_ = Rule::kStrict;
-  bool loosened_ = false;  // a looser rule than the strict one has found an ear since the last change
+  bool loosened_ = false;  // whether a rule other than kStrict found an ear since the last change of rule
   uint32_t left_ = 0;
   uint64_t work_ = 0;
   uint64_t most_work_ = 0;

@@ -1,3 +1,4 @@
+#include <cassert>
 #include <cmath>
 
 #include "core/mesh/files/bytes.h"
@@ -10,8 +11,8 @@ void append_floats(const Vec3& v, std::string& bytes) {
   for (int i = 0; i < 3; ++i) append_little(static_cast<float>(v[i]), bytes);
 }
 
-// The unit normal, zero for a triangle without area. The sides are scaled so that their product neither over-
-// nor underflows.
+// The unit normal, zero for a degenerate triangle. The edges are scaled so that their product neither
+// overflows nor underflows.
 Vec3 unit_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 u = b - a, v = c - a;
   const double size =
@@ -25,6 +26,7 @@ Vec3 unit_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
 }  // namespace
 
 std::string encode_ply(const MeshView& mesh) {
+  assert(mesh.positions.size() <= size_t{1} << 31);
   constexpr size_t kVertexBytes = 3 * sizeof(double), kFaceBytes = 1 + 3 * sizeof(int32_t);
   std::string bytes =
       "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(mesh.positions.size()) +
@@ -36,18 +38,23 @@ std::string encode_ply(const MeshView& mesh) {
   }
   for (const auto& triangle : mesh.triangles) {
     append_little(uint8_t{3}, bytes);
-    for (const uint32_t v : triangle) append_little(v, bytes);
+    for (const uint32_t v : triangle) {
+      assert(v < mesh.positions.size());
+      append_little(v, bytes);
+    }
   }
   return bytes;
 }
 
 std::string encode_stl(const MeshView& mesh) {
   constexpr size_t kHeaderBytes = 80, kTriangleBytes = 50;
+  assert(mesh.triangles.size() < size_t{1} << 32);
   std::string bytes = "binary STL written by Kerf";
   bytes.reserve(kHeaderBytes + sizeof(uint32_t) + kTriangleBytes * mesh.triangles.size());
   bytes.resize(kHeaderBytes, ' ');
   append_little(static_cast<uint32_t>(mesh.triangles.size()), bytes);
   for (const auto& [a, b, c] : mesh.triangles) {
+    assert(std::max({a, b, c}) < mesh.positions.size());
     const Vec3 &pa = mesh.positions[a], &pb = mesh.positions[b], &pc = mesh.positions[c];
     append_floats(unit_normal(pa, pb, pc), bytes);
     for (const Vec3* corner : {&pa, &pb, &pc}) append_floats(*corner, bytes);

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <array>
+#include <cassert>
 #include <charconv>
 #include <optional>
 
@@ -14,7 +16,7 @@ void append_number(Number number, std::string& text) {
   text.append(digits.data(), written.ptr);
 }
 
-// Three numbers, a blank before each but the first.
+// Appends three numbers separated by blanks, and a line feed.
 template <typename Three>
 void append_three(const Three& numbers, std::string& text) {
   append_number(numbers[0], text);
@@ -25,12 +27,12 @@ void append_three(const Three& numbers, std::string& text) {
   text += '\n';
 }
 
-// About what a vertex and a face take, to allocate once.
+// An estimate of the size of the text, so that memory is allocated once.
 size_t likely_size(const MeshView& mesh) {
   return 64 * mesh.positions.size() + 28 * mesh.triangles.size() + 128;
 }
 
-// OBJ has no way to end a material, so the one without a name gets one.
+// OBJ cannot return to the unnamed material, so that it is given a name.
 void append_usemtl(const std::string& name, std::string& text) {
   text += "usemtl ";
   text += name.empty() ? "default" : name;
@@ -40,6 +42,7 @@ void append_usemtl(const std::string& name, std::string& text) {
 }  // namespace
 
 std::string encode_obj(const MeshView& mesh) {
+  assert(mesh.materials.empty() || mesh.materials.size() == mesh.triangles.size());
   std::string text;
   text.reserve(likely_size(mesh));
   for (const Vec3& p : mesh.positions) {
@@ -50,9 +53,11 @@ std::string encode_obj(const MeshView& mesh) {
   for (size_t i = 0; i < mesh.triangles.size(); ++i) {
     if (!mesh.materials.empty() && material != mesh.materials[i]) {
       material = mesh.materials[i];
+      assert(*material < mesh.material_names.size());
       append_usemtl(mesh.material_names[*material], text);
     }
     const auto& [a, b, c] = mesh.triangles[i];
+    assert(std::max({a, b, c}) < mesh.positions.size());
     text += "f ";
     append_three(std::array<uint64_t, 3>{uint64_t{a} + 1, uint64_t{b} + 1, uint64_t{c} + 1}, text);
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <string>
 
 #include "core/mesh/files/off_reader.h"
@@ -16,7 +17,7 @@ constexpr std::array<std::string_view, 4> kNames{"obj", "ply", "stl", "off"};  /
 constexpr std::array<std::string_view, 13> kObjKeywords{"v", "vt",     "vn",     "vp", "f", "g", "o",
                                                         "s", "usemtl", "mtllib", "l",  "p", "mg"};
 
-// What may stand before the first word of text is looked at up to here.
+// Comments and blanks before the first word of a text file are searched up to this many bytes.
 constexpr size_t kLongestPreface = 1 << 20;
 
 std::string lower(std::string_view text) {
@@ -47,7 +48,10 @@ std::optional<MeshFormat> mesh_format(std::string_view name) {
   return static_cast<MeshFormat>(found - kNames.begin());
 }
 
-std::string_view format_name(MeshFormat format) { return kNames[static_cast<size_t>(format)]; }
+std::string_view format_name(MeshFormat format) {
+  assert(static_cast<size_t>(format) < kNames.size());
+  return kNames[static_cast<size_t>(format)];
+}
 
 std::optional<MeshFormat> recognise_format(std::string_view bytes, std::string_view ending) {
   if (is_exact_binary_stl(bytes)) return MeshFormat::kStl;

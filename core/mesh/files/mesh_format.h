@@ -7,14 +7,15 @@ namespace kerf {
 
 enum class MeshFormat { kObj, kPly, kStl, kOff };
 
-// "obj", "ply", "stl" or "off", in any case and with or without a leading dot; nothing for any other name.
+// The format of a file name's extension: "obj", "ply", "stl" or "off" in upper or lower case, with or without
+// a leading dot; nothing for any other name.
 std::optional<MeshFormat> mesh_format(std::string_view name);
 
-// The name as mesh_format() takes it.
+// The lower-case name of a format, without a dot.
 std::string_view format_name(MeshFormat format);
 
-// The format that the bytes of a file are in. Content decides; the ending of the file's name is asked only
-// where the content could be anything (a damaged file, so that the reader can say what is wrong with it).
+// The format of a file, recognised by its bytes. Only if they fit no format (a damaged file) does `ending`,
+// the extension of its name, decide, so that a reader can report what is wrong with it.
 std::optional<MeshFormat> recognise_format(std::string_view bytes, std::string_view ending);
 
 }  // namespace kerf

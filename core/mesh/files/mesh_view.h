@@ -9,12 +9,12 @@
 
 namespace kerf {
 
-// A triangle mesh to be written: looked at, not owned.
+// A view of a triangle mesh that is to be written. The viewed arrays must outlive it.
 struct MeshView {
-  std::span<const Vec3> positions;                     // finite
+  std::span<const Vec3> positions;                     // finite, metres
   std::span<const std::array<uint32_t, 3>> triangles;  // indices of positions, counter-clockwise
-  std::span<const uint16_t> materials;                 // one a triangle, or empty
-  std::span<const std::string> material_names;         // of every material that a triangle has
+  std::span<const uint16_t> materials;                 // one per triangle, or empty
+  std::span<const std::string> material_names;  // by material; covers every material that a triangle has
 };
 
 }  // namespace kerf

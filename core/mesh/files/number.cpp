@@ -18,8 +18,8 @@ std::string_view without_plus(std::string_view word) {
   return word;
 }
 
-// What a number beyond the range of double stands for: infinity or zero, by the power of ten of its first
-// digit.
+// The value of a number outside the range of double: infinity or zero, decided by the decimal exponent of its
+// first significant digit.
 double out_of_range_value(std::string_view word) {
   const bool negative = word.starts_with('-');
   if (negative) word.remove_prefix(1);

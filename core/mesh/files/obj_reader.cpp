@@ -16,8 +16,8 @@ namespace {
 constexpr std::array<std::string_view, 10> kPassedOver{"vt", "vn", "vp",     "g",   "o",
                                                        "s",  "mg", "mtllib", "lod", "maplib"};
 
-// An index as the file writes it, 1 for the first vertex and -1 for the last so far; 0 where none is written.
-// Nothing for a word that is no corner.
+// The vertex index of a corner as written in the file: 1 is the first vertex, -1 the last one so far, and 0
+// means that it is missing. Nothing if the word is no corner.
 std::optional<int64_t> parse_corner(std::string_view word) {
   const size_t slash = std::min(word.find('/'), word.size());
   if (word.find_first_not_of("/0123456789+-", slash) != std::string_view::npos) return std::nullopt;
@@ -48,9 +48,9 @@ class ObjReader {
   std::vector<Vec3> positions_;
   PolygonList polygons_;
 
-  std::string_view material_name_;           // as the last usemtl names it
-  std::optional<uint16_t> material_;         // its number, once a face has it
-  std::vector<std::string> material_names_;  // of materials that faces have
+  std::string_view material_name_;           // the argument of the last usemtl
+  std::optional<uint16_t> material_;         // its index, once a face uses it
+  std::vector<std::string> material_names_;  // of the materials that faces use
   std::unordered_map<std::string_view, uint16_t> material_numbers_;
   bool too_many_materials_ = false;
 
@@ -58,7 +58,7 @@ class ObjReader {
   std::string first_skipped_;
 };
 
-// Faces before the first usemtl have a material without a name.
+// The index of the current material. Faces before the first usemtl have an unnamed material.
 uint16_t ObjReader::material() {
   if (material_) return *material_;
   constexpr size_t kMost = std::numeric_limits<uint16_t>::max();
@@ -82,7 +82,7 @@ ObjReader::Problem ObjReader::read_vertex() {
     position[i] = *number;
   }
   positions_.push_back(position);
-  // A weight or a colour may follow. What is no number there is a sign of a lost line break.
+  // A weight or a colour may follow. Anything that is not a number indicates a lost line break.
   while (!scanner_.at_line_end()) {
     if (!parse_number(scanner_.word())) return scanner_.expected("a number");
   }
@@ -94,7 +94,7 @@ ObjReader::Problem ObjReader::read_face() {
   while (!scanner_.at_line_end()) {
     const std::optional<int64_t> index = parse_corner(scanner_.word());
     if (!index) return scanner_.expected("a corner of a face, like 7 or 7/7/7");
-    // Zero and what counts back beyond the first vertex become -1: a vertex that is not there.
+    // Zero and indices that count back beyond the first vertex become -1, which marks a missing vertex.
     polygons_.add_corner(*index < 0 && *index >= -vertices ? vertices + *index
                                                            : std::max(*index, int64_t{0}) - 1);
   }

@@ -9,10 +9,11 @@
 
 namespace kerf {
 
-// Reads Wavefront OBJ: v, f and usemtl; indices from the start or, negative, from the end. Groups, normals,
-// texture coordinates, vertex colours and material libraries are passed over, points, lines and free-form
-// geometry with a warning. A face that names a vertex that is not there is dropped and counted; a word where
-// a number must be is an error. Linear in the bytes, but for polygons (see Triangulator).
+// Reads a Wavefront OBJ file: the statements v, f and usemtl, with indices that count from the first vertex
+// or, if negative, back from the last one. Groups, normals, texture coordinates, vertex colours and material
+// libraries are ignored; points, lines and free-form geometry are ignored with a warning. A face that refers
+// to a missing vertex is dropped and counted. Anything but a number where one is required is an error. Linear
+// in the number of bytes, except for large polygons (see Triangulator). `progress` may be null.
 Result<Soup> read_obj(std::string_view bytes, const std::string& file_name,
                       const Progress* progress = nullptr);
 

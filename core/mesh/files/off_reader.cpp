@@ -9,7 +9,7 @@ namespace kerf {
 namespace {
 
 struct Keyword {
-  size_t length = 0;       // of the word up to and with "OFF"; 0 where it is no OFF
+  size_t length = 0;       // of the keyword, including "OFF"; 0 if the word is none
   bool flat_space = true;  // three coordinates
 };
 
@@ -69,7 +69,7 @@ OffReader::Problem OffReader::read_keyword() {
   return scanner_.refuse_binary("OFF");
 }
 
-// A count of things that take at least so many bytes each.
+// Reads the number of items, each of which takes at least `bytes_each` bytes.
 OffReader::Problem OffReader::read_count(const char* of_what, size_t bytes_each, size_t& count) {
   scanner_.at_end();
   const std::optional<int64_t> number = scanner_.integer();
@@ -82,7 +82,7 @@ OffReader::Problem OffReader::read_count(const char* of_what, size_t bytes_each,
   return std::nullopt;
 }
 
-// The number of edges says nothing that is needed, and some writers leave it out.
+// Reads the counts. The number of edges is not needed, and some programs do not write it.
 OffReader::Problem OffReader::read_counts() {
   constexpr size_t kVertexBytes = 6, kFaceBytes = 2;  // "0 0 0\n" and "0\n"
   if (auto problem = read_count("vertices", kVertexBytes, vertices_)) return problem;

@@ -9,15 +9,15 @@
 
 namespace kerf {
 
-// Whether the word that a file begins with is a keyword of Geomview's OFF family: OFF, COFF, STCN4nOFF and
-// all in between, followed by nothing or by a digit (a lost line break that is common).
+// Whether the first word of a file is a keyword of Geomview's OFF family, from OFF and COFF to STCN4nOFF. A
+// digit may follow it directly, because files that lack the line break there are common.
 bool is_off_keyword(std::string_view word);
 
-// Reads OFF, COFF, NOFF, STOFF and their mixtures as text, with comments and with the counts on the first
-// line or on one of their own. Of a vertex the position is read, of a face its corners; colours, normals and
-// texture coordinates are passed over. Binary OFF and OFF in four or n dimensions are refused. A face that
-// names a vertex that is not there is dropped and counted. Linear in the bytes, but for polygons (see
-// Triangulator).
+// Reads OFF, COFF, NOFF, STOFF and their combinations in text form, with comments, and with the counts on the
+// line of the keyword or on the next one. Positions and faces are read; colours, normals and texture
+// coordinates are ignored. Binary OFF and OFF in four or n dimensions are refused. A face that refers to a
+// missing vertex is dropped and counted. Linear in the number of bytes, except for large polygons (see
+// Triangulator). `progress` may be null.
 Result<Soup> read_off(std::string_view bytes, const std::string& file_name,
                       const Progress* progress = nullptr);
 

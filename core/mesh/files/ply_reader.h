@@ -9,11 +9,12 @@
 
 namespace kerf {
 
-// Reads PLY as text and in both binary orders: elements and properties in any order, any type of numbers,
-// lists beside the indices. x, y and z of "vertex" are the positions; the list vertex_indices (or
-// vertex_index) of "face" are polygons, that of "tristrips" triangle strips, ended by an index of -1, each
-// triangle of which counts as a face. All else is passed over. A face that names a vertex that is not there
-// is dropped and counted. Linear in the bytes, but for polygons (see Triangulator).
+// Reads a PLY file, as text or binary in either byte order, with elements and properties in any order and of
+// any type. The properties x, y and z of "vertex" give positions. The list vertex_indices (or vertex_index)
+// of "face" gives a polygon; that of "tristrips" gives triangle strips, each ended by an index of -1, whose
+// triangles count as faces. Everything else is ignored. A face that refers to a missing vertex is dropped and
+// counted. Linear in the number of bytes, except for large polygons (see Triangulator). `progress` may be
+// null.
 Result<Soup> read_ply(std::string_view bytes, const std::string& file_name,
                       const Progress* progress = nullptr);
 

@@ -5,7 +5,7 @@
 namespace kerf {
 namespace {
 
-// Calls `use` with the value of the given type at the given address.
+// Calls `use` with the value of the given type at the given address and returns its result.
 template <typename Use>
 auto with_value(PlyType type, const char* bytes, std::endian order, Use&& use) {
   switch (type) {

@@ -10,10 +10,11 @@
 
 namespace kerf {
 
-// The values of a PLY file in the order of the data, as text or as bytes. Both classes have the same
-// functions; those that return a bool return false when the value is not there or is no number, and error()
-// says why.
+// Readers for the values of a PLY file, one for text and one for binary data, with the same interface.
+// number, integer and skip return false if a value is missing or is not a number; missing() then makes the
+// error.
 
+// Values as text.
 class PlyTextValues {
  public:
   explicit PlyTextValues(Scanner& scanner) : scanner_(scanner) {}
@@ -21,9 +22,9 @@ class PlyTextValues {
   bool number(PlyType type, double& value);
   bool integer(PlyType type, int64_t& value);
   bool skip(PlyType type, uint64_t count);
-  // Whether so many values can be there at all.
+  // Whether the rest of the file is long enough for `count` values.
   bool can_hold(PlyType, uint64_t count) const { return count <= scanner_.left(); }
-  // An element of text ends with its line.
+  // Ends an element. Returns false if its line holds further values.
   bool end_element();
   Error error(const std::string& what) const { return scanner_.line_error(what); }
   Error missing(const std::string& what) const { return scanner_.expected(what); }
@@ -32,6 +33,7 @@ class PlyTextValues {
   Scanner& scanner_;
 };
 
+// Values as bytes in the given order.
 class PlyBinaryValues {
  public:
   PlyBinaryValues(Scanner& scanner, std::endian order) : scanner_(scanner), order_(order) {}

@@ -1,16 +1,19 @@
 #include "core/mesh/files/point_tree.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace kerf {
 
 void PointTree::build(std::span<const Vec2> points, std::span<const uint32_t> chosen) {
+  assert(std::all_of(chosen.begin(), chosen.end(), [&](uint32_t i) { return i < points.size(); }));
   items_.assign(chosen.begin(), chosen.end());
   nodes_.clear();
   if (!items_.empty()) build_node(0, {0, static_cast<uint32_t>(items_.size())}, points);
 }
 
 void PointTree::build_node(size_t node, Range range, std::span<const Vec2> points) {
+  assert(range.begin < range.end);
   if (node >= nodes_.size()) nodes_.resize(node + 1);
   Vec2 low = points[items_[range.begin]], high = low;
   for (uint32_t i = range.begin; i < range.end; ++i) {
@@ -28,8 +31,8 @@ void PointTree::build_node(size_t node, Range range, std::span<const Vec2> point
   build_node(2 * node + 2, {range.middle(), range.end}, points);
 }
 
-// The corner of the box that is farthest on the inner side of an edge is found with the very operations that
-// judge a point; as rounding is monotone, no point of the box can come out farther.
+// For each edge the corner of the box that is farthest on its inner side is tested with the same operations
+// as a point; since rounding is monotonic, no point of the box can yield a larger value.
 bool PointTree::touches(const Node& node, const std::array<Vec2, 3>& triangle) {
   const auto [low_x, high_x] = std::minmax({triangle[0].x, triangle[1].x, triangle[2].x});
   const auto [low_y, high_y] = std::minmax({triangle[0].y, triangle[1].y, triangle[2].y});

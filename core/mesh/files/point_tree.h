@@ -9,19 +9,21 @@
 
 namespace kerf {
 
-// Points of the plane in a balanced tree of boxes, to be asked for by triangle. Points that are found to be
-// of no use are taken out on the way.
+// A balanced tree of bounding boxes over points of the plane, for queries by triangle. A query can remove
+// points.
 class PointTree {
  public:
+  // What the visitor of a query decides about a point: go on, end the query, or remove the point and go on.
   enum class Verdict { kPass, kStop, kForget };
 
-  // The points with the given indices. Neither span is kept. O(n log n).
+  // Builds the tree over points[i] for each index i in `chosen`; the spans are not kept. Precondition: all
+  // indices are in range. O(n log n).
   void build(std::span<const Vec2> points, std::span<const uint32_t> chosen);
 
-  // Calls judge(index) for the points of every leaf that the triangle, counter-clockwise, touches, until it
-  // says kStop; kForget takes the point out. Returns whether it was stopped. Adds the boxes and points looked
-  // at to `work`. A point is never missed that kerf::cross2 puts on the inner side or on the line of each
-  // edge.
+  // Calls judge(index) for the points of every leaf whose box meets the triangle, until it returns kStop;
+  // kForget removes the point. Returns whether it was stopped. Adds the number of boxes and points tested to
+  // `work`. No point is missed for which kerf::cross2 is not negative at any edge. Precondition: the triangle
+  // is counter-clockwise.
   template <typename Judge>
   bool visit(const std::array<Vec2, 3>& triangle, uint64_t& work, Judge&& judge) {
     return !nodes_.empty() && visit_node(0, {0, static_cast<uint32_t>(items_.size())}, triangle, work, judge);
@@ -31,10 +33,10 @@ class PointTree {
   static constexpr uint32_t kLeafPoints = 6;
 
   struct Node {
-    Vec2 low, high;     // the box of its points as built
-    uint32_t left = 0;  // points not taken out yet
+    Vec2 low, high;     // the bounding box of its points at construction
+    uint32_t left = 0;  // points not removed yet
   };
-  // The items of a node. Node i has the children 2 i + 1 and 2 i + 2, with half of its items each.
+  // The items of a node. The children of node i are 2 i + 1 and 2 i + 2; each has half of its items.
   struct Range {
     uint32_t begin, end;
     bool is_leaf() const { return end - begin <= kLeafPoints; }
@@ -51,7 +53,7 @@ class PointTree {
   bool visit_leaf(Node& node, uint32_t begin, uint64_t& work, Judge& judge);
 
   std::vector<Node> nodes_;
-  std::vector<uint32_t> items_;  // of a leaf, those that are left come first
+  std::vector<uint32_t> items_;  // within a leaf, those not removed come first
 };
 
 template <typename Judge>

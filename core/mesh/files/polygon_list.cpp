@@ -1,6 +1,7 @@
 #include "core/mesh/files/polygon_list.h"
 
 #include <algorithm>
+#include <cassert>
 #include <span>
 
 #include "core/mesh/files/scanner.h"
@@ -31,6 +32,7 @@ Result<Soup> PolygonList::to_soup(std::vector<Vec3> positions, const std::string
   uint32_t begin = 0;
   for (size_t i = 0; i < size(); ++i) {
     const std::span<const uint32_t> polygon(corners_.data() + begin, corners_.data() + ends_[i]);
+    assert(begin <= ends_[i]);
     begin = ends_[i];
     if (polygon.size() < 3) continue;
     const bool valid =
@@ -49,6 +51,7 @@ Result<Soup> PolygonList::to_soup(std::vector<Vec3> positions, const std::string
 }
 
 Error no_face_left(const Soup& soup, const std::string& file_name) {
+  assert(soup.triangles.empty());
   const std::string name = one_line(file_name);
   if (soup.faces_in_file == 0)
     return bad_input(name + ": there is no face in it, so there is nothing to cut.");

@@ -9,32 +9,33 @@
 
 namespace kerf {
 
-// The polygons of a file in its order, collected until all positions are known: faces may come before their
+// Collects the polygons of a file in its order until all positions are known, because faces may precede their
 // vertices.
 class PolygonList {
  public:
   void reserve(size_t polygons);
 
-  // The next corner of the polygon that is being read. Any number that is no index of a position makes the
+  // Adds a corner to the current polygon. A number that turns out to be no index of a position makes the
   // polygon invalid.
   void add_corner(int64_t vertex);
-  // Ends the polygon.
+  // Ends the current polygon and starts the next one.
   void close(uint16_t material = 0);
 
   size_t size() const { return ends_.size(); }
 
-  // Cuts every polygon into triangles, counts and drops the invalid ones. Fails when no face is left.
+  // Triangulates all valid polygons; drops and counts the invalid ones. Fails if no triangle remains.
   Result<Soup> to_soup(std::vector<Vec3> positions, const std::string& file_name) const;
 
  private:
   static constexpr uint32_t kNoVertex = 0xffffffffu;
 
   std::vector<uint32_t> corners_;
-  std::vector<uint32_t> ends_;       // where the corners of each polygon end
-  std::vector<uint16_t> materials_;  // one a polygon, or empty while all are 0
+  std::vector<uint32_t> ends_;       // the end of each polygon in corners_
+  std::vector<uint16_t> materials_;  // one per polygon, or empty while all are 0
 };
 
-// The error of a file of which no triangle can be used; says what became of those that it lists.
+// The error for a file without a usable triangle; says why its faces were dropped. Precondition: soup has no
+// triangle.
 Error no_face_left(const Soup& soup, const std::string& file_name);
 
 }  // namespace kerf

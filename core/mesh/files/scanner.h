@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -10,53 +11,62 @@
 
 namespace kerf {
 
-// Walks over the bytes of one mesh file and never past them. Knows no locale and holds all its state, so that
-// files can be read at the same time. A line ends with LF, CRLF or a lone CR; every other control character
-// is a blank. An error names the file and the line or the byte of what was read last.
+// Reads the bytes of one mesh file and never reads past their end. It is independent of the locale and of
+// other scanners, so that files can be read concurrently. A line ends with LF, CRLF or a lone CR; every other
+// control character counts as a blank. Errors name the file and the line or the byte offset of what was read
+// last.
 class Scanner {
  public:
   struct Syntax {
     bool comments = false;       // '#' to the end of the line is a comment
-    bool continuations = false;  // '\' before the end of a line joins the next one
+    bool continuations = false;  // '\' at the end of a line joins it with the next one
   };
 
-  // The bytes must outlive the scanner. A byte order mark of UTF-8 is skipped.
+  // The bytes must outlive the scanner. A UTF-8 byte order mark is skipped. `progress` may be null.
   Scanner(std::string_view bytes, std::string_view file_name, Syntax syntax, const Progress* progress);
 
+  // The offset of the next byte to be read, and the number of bytes left. Precondition of seek: position is
+  // at most the number of bytes.
   size_t position() const { return position_; }
   size_t left() const { return bytes_.size() - position_; }
-  // The bytes from one position to another; begin <= end <= the length of the file.
-  std::string_view between(size_t begin, size_t end) const { return bytes_.substr(begin, end - begin); }
-  // The number, from 1, of the line in which the last word or bytes begin. Linear in the bytes before it.
+  void seek(size_t position) {
+    assert(position <= bytes_.size());
+    position_ = position;
+  }
+  // The bytes from one position to another. Precondition: begin <= end <= the number of bytes.
+  std::string_view between(size_t begin, size_t end) const {
+    assert(begin <= end && end <= bytes_.size());
+    return bytes_.substr(begin, end - begin);
+  }
+  // The line, counted from 1, in which the word or the bytes read last start. Linear in the position.
   size_t line() const { return line_of(last_); }
-  void seek(size_t position) { position_ = position; }
 
-  // Text. The words end at blanks, line ends and comments; at the end of the file they are empty.
+  // Text. A word ends at a blank, at the end of the line or at a comment; at the end of the file it is empty.
 
-  // Skips blanks; whether the line (or the file) ends there.
+  // Skips blanks. Returns whether the line or the file ends there.
   bool at_line_end();
-  // Skips blanks, line ends and comments; whether the file ends there.
+  // Skips blanks, line ends and comments. Returns whether the file ends there.
   bool at_end();
-  // The next word in this line, empty when there is none.
+  // The next word in this line, empty if there is none.
   std::string_view word();
-  // The rest of the line without blanks around it, comments included.
+  // The rest of the line, including comments, without surrounding blanks.
   std::string_view rest_of_line();
-  // To the start of the next line.
+  // Advances to the start of the next line.
   void skip_line();
-  // The next word in this line as a number (see number.h); a garbled one is counted.
+  // The next word in this line as a number; see number.h. Garbled numbers are counted.
   std::optional<double> number();
   std::optional<int64_t> integer();
 
   // Bytes.
 
-  // The next n bytes, which must be there.
+  // Consumes the next n bytes. Precondition: n <= left().
   const char* take(size_t n);
 
-  // Whether the user wants the reading to stop; to be asked every few values, and cheap.
+  // Reports progress. Returns whether the user wants reading to stop. Cheap; to be called every few values.
   bool cancelled();
 
   size_t garbled_numbers() const { return garbled_numbers_; }
-  // "3 garbled numbers, the first in line 12, count as not finite."
+  // Precondition: garbled_numbers() > 0. "3 garbled numbers, the first in line 12, count as not finite."
   std::string garbled_numbers_warning() const;
 
   // "FILE, line 3: WHAT."
@@ -65,10 +75,11 @@ class Scanner {
   Error byte_error(const std::string& what) const;
   // "FILE: WHAT."
   Error file_error(const std::string& what) const;
-  // "FILE, line 3: expected WHAT, found 'WORD'", or that the line or the file ends there.
+  // "FILE, line 3: expected WHAT, found 'WORD'", or that the line or the file ends there. It refers to the
+  // word read last.
   Error expected(const std::string& what) const;
 
-  // Text is free of zero bytes; where there is one, why this file is no text in such a format.
+  // An error if the file contains a zero byte and therefore is not text in the given format.
   std::optional<Error> refuse_binary(std::string_view format) const;
 
  private:
@@ -81,16 +92,16 @@ class Scanner {
   Syntax syntax_;
   const Progress* progress_;
   size_t position_ = 0;
-  size_t last_ = 0;         // where the word or the bytes read last begin
-  size_t next_report_ = 0;  // the position at which progress is due
+  size_t last_ = 0;         // the start of the word or the bytes read last
+  size_t next_report_ = 0;  // the position at which progress is reported next
   size_t garbled_numbers_ = 0;
   size_t first_garbled_ = 0;
 };
 
-// A word of a file as an error message shows it: in quotes, short, in one line.
+// A word of a file for an error message: quoted, shortened, on one line.
 std::string quoted(std::string_view word);
 
-// The same for a name, without quotes and at full length.
+// The same for a name, at full length and without quotes.
 std::string one_line(std::string_view name);
 
 }  // namespace kerf

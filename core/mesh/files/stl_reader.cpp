@@ -1,6 +1,7 @@
 #include "core/mesh/files/stl_reader.h"
 
 #include <algorithm>
+#include <cassert>
 #include <optional>
 
 #include "core/mesh/files/bytes.h"
@@ -16,6 +17,7 @@ constexpr size_t kNormalBytes = 12;
 constexpr size_t kTriangleBytes = 50;
 
 uint32_t binary_count(std::string_view bytes) {
+  assert(bytes.size() >= kHeaderBytes);
   return load<uint32_t>(bytes.data() + kCountAt, std::endian::little);
 }
 
@@ -101,7 +103,7 @@ class TextReader {
   Soup soup_;
 };
 
-// Goes past the keyword if it is the next word.
+// Consumes the next word if it is the keyword.
 bool TextReader::next_is(std::string_view keyword) {
   scanner_.at_end();
   const size_t before = scanner_.position();
@@ -126,7 +128,7 @@ TextReader::Problem TextReader::read_vector(Vec3& vector) {
   return std::nullopt;
 }
 
-// After the word "facet".
+// Reads a facet after the word "facet".
 TextReader::Problem TextReader::read_facet() {
   Vec3 normal;
   std::array<Vec3, 3> corners;
@@ -146,7 +148,7 @@ TextReader::Problem TextReader::read_facet() {
   return std::nullopt;
 }
 
-// After the word "solid", to the end of the line of "endsolid".
+// Reads a solid after the word "solid" up to the end of the line of "endsolid".
 TextReader::Problem TextReader::read_solid() {
   scanner_.skip_line();
   while (next_is("facet")) {

@@ -1,12 +1,13 @@
 #include "core/mesh/files/triangulate.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace kerf {
 namespace {
 
-// Twice the signed area of the corner at i of a closed line.
+// Twice the signed area of the triangle that a polygon's corner i makes with its two neighbours.
 double turn_at(std::span<const Vec2> points, size_t i) {
   const size_t n = points.size();
   const Vec2 before = points[(i + n - 1) % n], after = points[(i + 1) % n];
@@ -25,8 +26,8 @@ bool all_finite(std::span<const Vec3> points) {
   });
 }
 
-// Brings the coordinates near 1 by a power of two, which is exact, so that no product of them over- or
-// underflows.
+// Scales the coordinates by a power of two, which is exact, to a magnitude near 1, so that no product of them
+// overflows or underflows.
 void scale_to_one(std::span<Vec3> points) {
   const double largest = largest_coordinate(points);
   if (largest == 0) return;
@@ -34,7 +35,8 @@ void scale_to_one(std::span<Vec3> points) {
   for (Vec3& p : points) p *= factor;
 }
 
-// Newell's normal: its components are twice the areas of the polygon's shadows on the coordinate planes.
+// Newell's normal: its components are twice the areas of the polygon's projections onto the coordinate
+// planes.
 Vec3 newell_normal(std::span<const Vec3> points) {
   Vec3 normal(0);
   for (size_t i = 1; i + 1 < points.size(); ++i) {
@@ -43,8 +45,8 @@ Vec3 newell_normal(std::span<const Vec3> points) {
   return normal;
 }
 
-// Leaves the coordinate out that the normal points along most; counter-clockwise stays counter-clockwise. The
-// other two coordinates stay as they are, so that what lies on a line still does.
+// Projects along the axis of the normal's largest component and keeps the orientation counter-clockwise. The
+// other two coordinates are unchanged, so that collinear points stay collinear.
 void flatten(std::span<const Vec3> points, const Vec3& normal, std::vector<Vec2>& flat) {
   const Vec3 size(std::abs(normal.x), std::abs(normal.y), std::abs(normal.z));
   const int drop = size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
@@ -54,7 +56,7 @@ void flatten(std::span<const Vec3> points, const Vec3& normal, std::vector<Vec2>
   for (const Vec3& p : points) flat.emplace_back(p[u], p[v]);
 }
 
-// Whether every corner turns left, none is straight, and the line goes round once.
+// Whether every corner is strictly convex and the boundary winds around once.
 bool is_strictly_convex(std::span<const Vec2> points) {
   int changes = 0;  // of the direction along x, a vertical edge counting as rightwards
   for (size_t i = 0; i < points.size(); ++i) {
@@ -74,6 +76,7 @@ void append_fan(std::span<const uint32_t> polygon, std::vector<Soup::Triangle>& 
 
 void Triangulator::append_quadrangle(std::span<const uint32_t> q,
                                      std::vector<Soup::Triangle>& triangles) const {
+  assert(q.size() == 4 && flat_.size() == 4);
   const double from_first = std::min(turn_at(flat_, 1), turn_at(flat_, 3));
   const double from_second = std::min(turn_at(flat_, 0), turn_at(flat_, 2));
   if (from_first > 0 || from_first >= from_second) return append_fan(q, triangles);
@@ -85,7 +88,10 @@ void Triangulator::append(std::span<const Vec3> positions, std::span<const uint3
                           std::vector<Soup::Triangle>& triangles) {
   if (polygon.size() <= 3) return append_fan(polygon, triangles);
   corners_.clear();
-  for (const uint32_t v : polygon) corners_.push_back(positions[v]);
+  for (const uint32_t v : polygon) {
+    assert(v < positions.size());
+    corners_.push_back(positions[v]);
+  }
   if (!all_finite(corners_)) return append_fan(polygon, triangles);
   scale_to_one(corners_);
   flatten(corners_, newell_normal(corners_), flat_);

@@ -10,16 +10,16 @@
 
 namespace kerf {
 
-// Cuts polygons of a mesh into triangles, each seen from its own side: the triangles turn the way of the
-// polygon. Method: the polygon is laid into the plane of its Newell normal; there a quadrangle is cut along a
-// diagonal inside it, a convex polygon into a fan, any other by ear clipping. Keeps scratch memory between
-// polygons; one object a thread.
+// Triangulates polygons of a mesh; the triangles have the orientation of their polygon. The polygon is
+// projected along the coordinate axis nearest to its Newell normal. A quadrangle is cut along a diagonal that
+// lies inside it, a convex polygon becomes a fan, and any other polygon is triangulated by ear clipping. The
+// object keeps scratch memory between polygons and must not be shared between threads.
 class Triangulator {
  public:
-  // Appends exactly n - 2 triangles for a polygon of n corners; none for n < 3. Every corner must be an index
-  // of a position; corners may repeat and positions need not be finite. The triangles cover a flat simple
-  // polygon without overlap, and none of them is flat where that can be had. O(n) for convex polygons, near
-  // O(n log n) for what occurs in files.
+  // Appends exactly n - 2 triangles for a polygon of n corners, none for n < 3. A planar simple polygon is
+  // covered without overlap, and without degenerate triangles where possible. Corners may repeat, and
+  // positions need not be finite. Precondition: all corners are indices of positions. O(n) for convex
+  // polygons, about O(n log n) for those that occur in files.
   void append(std::span<const Vec3> positions, std::span<const uint32_t> polygon,
               std::vector<Soup::Triangle>& triangles);
 

@@ -1,10 +1,12 @@
 #include "core/graph/cut_loops.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace kerf {
 
 void CutLoops::remove(FaceId f) {
+  assert(mesh_.is_live(f));
   const Edges edges = edges_of(f);
   state_.over_rings |= edges.others;
   state_.cannot_know |= edges.others && state_.neighbours.size() > 1;
@@ -37,7 +39,7 @@ void CutLoops::meet(VertexId v) {
   if (state_.joined.get(v.index) == 0) meet_along_rim(v);
 }
 
-// From one end of an edge of the rim to the other, until all that is new is met.
+// Traverses the boundary edges connected with v and unites their vertices.
 void CutLoops::meet_along_rim(VertexId v) {
   state_.joined.at(v.index) = v.index + 1;
   state_.rim.assign(1, v);
@@ -58,6 +60,7 @@ void CutLoops::meet_along_rim(VertexId v) {
 uint32_t CutLoops::find(VertexId v) {
   uint32_t x = v.index;
   for (;;) {
+    assert(state_.joined.get(x) != 0);
     const uint32_t parent = state_.joined.get(x) - 1;
     if (parent == x) return x;
     const uint32_t above = state_.joined.get(parent);

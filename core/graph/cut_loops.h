@@ -4,29 +4,32 @@
 
 namespace kerf {
 
-// Counts the loops that a cut closes, face by face, without searching.
+// Counts the loops that a cut closes, one removed face at a time and without a search.
 //
-// By the duality of J. W. Alexander (1922; A. Hatcher: Algebraic Topology, 2002, theorem 3.44) a closed
-// surface from which the complex K of the removed faces, with their edges and vertices, is taken has as many
-// parts more as K has independent loops more, less those that are loops of the surface itself. So taking a
-// face away can separate something only when it adds a loop to K, and that shows in how its three edges and
-// corners hang together with the rest of K: a union-find over vertices is all the memory that it takes.
+// Let K be the complex of the removed faces with their edges and vertices. By Alexander duality (J. W.
+// Alexander, 1922; A. Hatcher: Algebraic Topology, 2002, theorem 3.44), removing K from a closed surface
+// increases its number of components by the number of independent loops of K, minus those that are loops of
+// the surface itself. Removing a face can therefore separate something only if it adds a loop to K. Whether
+// it does follows from how its three edges and corners are connected with the rest of K, for which a
+// union-find over vertices suffices.
 //
-// A boundary counts as filled with a disc that was removed: the vertices of a boundary loop are one, joined
-// when one of them is met first. So are the vertices by which an edge of the rim was split since. Where an
-// edge holds three faces or more, surfaces hang together in a way that no disc describes: cannot_know.
+// A boundary is treated as filled by a disc that was removed before: the vertices of a boundary loop are
+// united when one of them is met first, and so are the vertices at which a boundary edge was split later.
+// Surfaces that meet at an edge of three or more faces are connected in a way that no disc describes; the
+// state is set to cannot_know there.
 class CutLoops {
  public:
   CutLoops(const Mesh& mesh, SeparationState& state) : mesh_(mesh), state_(state) {}
 
-  // Takes f away, which is live and still in the mesh; the state has its nearest neighbours. Constant time
-  // near enough, but that a boundary loop is walked once.
+  // Adds f to K. Preconditions: f is live, still in the mesh and about to be removed, and state.neighbours
+  // holds its nearest neighbours. Amortised nearly constant time, plus one traversal of each boundary loop
+  // that is met.
   void remove(FaceId f);
 
  private:
   struct Edges {
-    int shared = 0;  // with a live face beside f, which the same two vertices bound
-    bool others = false;
+    int shared = 0;       // edges of f that a live face of the same sheet shares
+    bool others = false;  // whether a neighbour is connected over a ring only
   };
   Edges edges_of(FaceId f) const;
   void meet(VertexId v);

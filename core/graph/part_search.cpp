@@ -1,6 +1,7 @@
 #include "core/graph/part_search.h"
 
 #include <algorithm>
+#include <cassert>
 #include <numeric>
 
 #include "core/base/tolerances.h"
@@ -11,8 +12,8 @@ namespace kerf {
 namespace {
 
 constexpr uint32_t kNone = 0xffffffffu;
-constexpr size_t kLongestTurn = 128;  // faces
-constexpr size_t kLarge = 4096;      // a front that has looked at so many faces
+constexpr size_t kLongestTurn = 128;  // faces visited in one turn at most
+constexpr size_t kLarge = 4096;       // number of faces visited from which on a front is large
 
 uint32_t root(std::vector<uint32_t>& parent, uint32_t x) {
   while (parent[x] != x) x = parent[x] = parent[parent[x]];
@@ -31,6 +32,7 @@ void reset(OpenSearch& search) {
 // Beginning -------------------------------------------------------------------------------------------------
 
 void PartSearch::start(Scope scope) {
+  assert(search_.stage == OpenSearch::Stage::kNone && search_.fronts.empty());
   search_.stage = OpenSearch::Stage::kGrow;
   if (scope == Scope::kClusters) {
     seed_clusters();
@@ -42,10 +44,10 @@ void PartSearch::start(Scope scope) {
   std::iota(search_.group_parent.begin(), search_.group_parent.end(), 0u);
   search_.front_parent = search_.group_parent;
   search_.fronts.resize(seeds);
-  for (uint32_t i = 0; i < seeds; ++i) reach(i, search_.seed[i]);  // no two meet: seeds differ
+  for (uint32_t i = 0; i < seeds; ++i) reach(i, search_.seed[i]);  // no two fronts meet: the seeds differ
 }
 
-// A front at each live face that was told; the group of a cluster has the number of its first front.
+// Starts a front at each live face of a tie; the group of a cluster has the number of its first front.
 void PartSearch::seed_clusters() {
   TieClusters clusters(state_.ties);
   const auto faces = clusters.faces();
@@ -83,10 +85,11 @@ bool PartSearch::go_on(size_t most, SettleResult& result) {
   return search_.stage == OpenSearch::Stage::kNone;
 }
 
-// Edits in between ------------------------------------------------------------------------------------------
+// Edits between steps
+// ------------------------------------------------------------------------------------------
 
 void PartSearch::note_replaced(const Replacement& replaced) {
-  uint32_t mark = 0;  // the greatest: one of a face that was looked at, where there is one
+  uint32_t mark = 0;  // the largest mark, i.e. that of a visited face if there is one
   for (int i = 0; i < replaced.gone_count; ++i)
     mark = std::max(mark, search_.mark.get(replaced.gone[i].index));
   if (mark == 0) return;
@@ -102,7 +105,7 @@ void PartSearch::note_replaced(const Replacement& replaced) {
   }
 }
 
-// Half of a green pair may not have been reached when the other half was split.
+// Marks a face as visited. One half of a green pair may not have been visited when the pair was split.
 void PartSearch::note_looked_at(FaceId f, uint32_t mark) {
   search_.mark.at(f.index) = mark | OpenSearch::kLookedAt;
   SearchFront& front = *search_.front_of(f);
@@ -110,8 +113,8 @@ void PartSearch::note_looked_at(FaceId f, uint32_t mark) {
   front.area += triangle_area(body_.mesh.triangle(f));
 }
 
-// What hung on a face that no front can look at any more hung on the front that had reached it, or would have
-// from a neighbour that it had reached.
+// The neighbours of a removed face that no front has visited belong to the front that has reached the face,
+// or that has reached one of its neighbours without visiting it.
 void PartSearch::note_removal(FaceId f) {
   if (search_.stage != OpenSearch::Stage::kGrow) return;
   uint32_t mark = search_.mark.get(f.index);
@@ -135,13 +138,14 @@ void PartSearch::reach(uint32_t front, FaceId f) {
   uint32_t& mark = search_.mark.at(f.index);
   if (mark != 0) return merge((mark & ~OpenSearch::kLookedAt) - 1, front);
   front = root(search_.front_parent, front);
+  assert(body_.mesh.is_live(f));
   mark = front + 1;
   SearchFront& own = search_.fronts[front];
   own.frontier.push_back(f);
   own.lowest = std::min(own.lowest, f.index);
 }
 
-// Two fronts met: one of them takes over the other's faces and group. O(the smaller rim).
+// Merges two fronts that met, with their faces and groups. Linear in the smaller frontier.
 void PartSearch::merge(uint32_t a, uint32_t b) {
   a = root(search_.front_parent, a);
   b = root(search_.front_parent, b);
@@ -164,17 +168,19 @@ void PartSearch::merge(uint32_t a, uint32_t b) {
   turns_.push({to.looked_at, into});
 }
 
-// Of two fronts that met. Neither was exhausted: it would have reached the other.
+// Unites the groups of two fronts that met. Neither front was exhausted, else it would have reached the
+// other.
 void PartSearch::unite_groups(uint32_t a, uint32_t b) {
   a = root(search_.group_parent, a);
   b = root(search_.group_parent, b);
   if (a != b) search_.group_parent[b] = a;
-  if (open_.empty()) return;  // between two settlings: they are counted at the next
+  if (open_.empty()) return;  // between two calls of settle(); the next one counts open fronts anew
   if (a != b) open_[a] += open_[b];
+  assert(open_[a] > 0);
   --open_[a];
 }
 
-// What is known of the fronts at the beginning of some turns: edits in between may have changed it.
+// Recomputes the totals of the fronts, which edits since the last call may have changed.
 void PartSearch::sum_up() {
   found_.clear();
   open_.assign(search_.group_parent.size(), 0);
@@ -191,6 +197,7 @@ void PartSearch::sum_up() {
 
 void PartSearch::note_exhausted(uint32_t front) {
   const SearchFront& own = search_.fronts[front];
+  assert(own.exhausted());
   Found& found = found_of(front);
   found.faces += own.faces;
   found.area += own.area;
@@ -205,14 +212,14 @@ PartSearch::Found& PartSearch::found_of(uint32_t front) {
   return found_.emplace_back(Found{whole});
 }
 
-// The last front of a component goes on only where it may not be the largest part.
+// The last front of a component advances only if it may not be the largest part.
 bool PartSearch::must_grow(uint32_t front) {
   if (open_[root(search_.group_parent, search_.group[front])] > 1) return true;
   const Found& found = found_of(front);
   return found.faces > 0 && !found.rest_is_largest();
 }
 
-// Whether it came to its end.
+// Returns whether no front has to advance any more.
 bool PartSearch::grow(size_t most, SettleResult& result) {
   sum_up();
   while (!turns_.empty()) {
@@ -220,15 +227,15 @@ bool PartSearch::grow(size_t most, SettleResult& result) {
     const Turn turn = turns_.top();
     turns_.pop();
     const uint32_t i = turn.front;
-    if (search_.front_parent[i] != i || search_.fronts[i].looked_at != turn.looked_at) continue;  // of before
+    if (search_.front_parent[i] != i || search_.fronts[i].looked_at != turn.looked_at) continue;  // outdated
     if (search_.fronts[i].exhausted() || !must_grow(i)) continue;
     result.looked_at += take_turn(i, std::clamp<size_t>(turn.looked_at / 32, 1, kLongestTurn));
   }
   return true;
 }
 
-// All faces are asked for their neighbours before any of these is reached: memory that no answer waits for is
-// fetched side by side.
+// Collects the neighbours of all faces of the turn before reaching any of them, so that memory accesses
+// overlap.
 size_t PartSearch::take_turn(uint32_t front, size_t faces) {
   SearchFront& own = search_.fronts[front];
   take_from(own, faces);
@@ -255,8 +262,8 @@ size_t PartSearch::take_turn(uint32_t front, size_t faces) {
   return turn_.size();
 }
 
-// The oldest of the rim first, so that fronts near one another meet soon; a front that has become large goes
-// on from the newest, which lie beside each other in memory too.
+// Takes the oldest faces of the frontier, so that fronts near one another meet soon. A large front takes the
+// newest ones, which lie close together in memory.
 void PartSearch::take_from(SearchFront& front, size_t faces) {
   faces = std::min(faces, front.frontier.size() - front.next);
   const auto taken = static_cast<std::ptrdiff_t>(faces);
@@ -307,12 +314,13 @@ void PartSearch::leave_out_largest(std::vector<uint32_t>& parts) const {
   if (stays != parts.end()) parts.erase(stays);
 }
 
-// The counts change hands at once, the faces one after the other.
+// The counts are transferred at once; relabel() transfers the faces one by one.
 void PartSearch::give_label(uint32_t part, SettleResult& result) {
   const SearchFront& front = search_.fronts[part];
   const FaceId seed = search_.seed[part];
   Piece &old = body_.pieces.edit(body_.mesh.data(seed).piece), &whole = body_.edit_whole_of(seed);
   for (Piece* counts : {&old, &whole}) {
+    assert(counts->faces >= front.faces);
     counts->faces -= front.faces;
     counts->area -= front.area;
     if (&old == &whole) break;
@@ -322,7 +330,7 @@ void PartSearch::give_label(uint32_t part, SettleResult& result) {
   body_.pieces.push_back({front.faces, front.area});
 }
 
-// By slot, so that the faces come in their order. Whether it came to its end.
+// Relabels faces in the order of their slots. Returns whether all have their labels.
 bool PartSearch::relabel(size_t most, SettleResult& result) {
   for (; search_.next_slot < search_.mark.end(); ++search_.next_slot) {
     if (!search_.mark.has_page(search_.next_slot)) {

@@ -8,37 +8,40 @@
 
 namespace kerf {
 
-// The search for the parts into which components fell: a front of faces spreads from each place where
-// something hung on a removed face; fronts that meet are one. The front that looked at the fewest faces goes
-// on, so that the smaller of two parts is known when as much of the larger was looked at. A front that is
-// exhausted is a part; the last one of a component needs not be, for the area that it must have is known:
-// what the component has, less the other parts.
+// Searches for the parts into which components were separated. A front of faces spreads breadth-first from
+// every former neighbour of a removed face, and fronts that meet are merged. The front that has visited the
+// fewest faces advances, so that the smaller of two parts is complete once as many faces of the larger one
+// were visited. An exhausted front is a part. The last front of a component need not be exhausted, because
+// its area is known: the area of the component minus that of the other parts.
 //
-// Its state is the body's, so that it can stop at any face and go on in another step. Private to core/graph.
+// The state of the search is stored in the body, so that the search can stop at any face and continue in a
+// later step. Private to core/graph.
 class PartSearch {
  public:
   explicit PartSearch(Body& body) : body_(body), state_(body.separation), search_(body.separation.search) {}
 
-  // Which fronts are compared: those whose seeds hung together over removed faces alone, for what one step
-  // took away; or all of a component as far as labels tell, where one cut came while another was searched
-  // for.
+  // Which fronts may belong to the same component. kClusters: those whose seeds were connected over removed
+  // faces, which suffices for the removals of one step. kComponents: all fronts whose faces have the same
+  // label and component, for removals that were made while a search was open.
   enum class Scope { kClusters, kComponents };
 
-  // Seeds fronts at all ties that were told. No search may be open.
+  // Starts a front at every live face of the recorded ties. Precondition: no search is open.
   void start(Scope scope);
-  // Looks at so many faces or few more, and labels as many, those of the result counted. Whether it is over.
+  // Continues until `result` counts about `most` visited and as many relabelled faces. Returns whether the
+  // search is complete.
   bool go_on(size_t most, SettleResult& result);
 
-  // f is about to be removed; the state has its neighbours.
+  // Follows the removal of f. Preconditions: f is live and about to be removed, state.neighbours holds its
+  // neighbours.
   void note_removal(FaceId f);
 
-  // The parts belong to what was reached with the face that they are parts of. They are looked at again, for
-  // their neighbours are others.
+  // Follows a split: the parts of a face that a front has reached belong to that front. They are visited
+  // again, because their neighbours differ. look_again does the same for one face.
   void note_replaced(const Replacement& replaced);
   void look_again(FaceId f);
 
  private:
-  // The parts that were found of what one label and component counts, and the rest of that.
+  // The parts found of one component, and its remainder.
   struct Found {
     const Piece* whole;
     size_t faces = 0;
@@ -77,7 +80,7 @@ class PartSearch {
   Body& body_;
   SeparationState& state_;
   OpenSearch& search_;
-  std::vector<uint32_t> open_;  // by group: how many of its fronts are not exhausted
+  std::vector<uint32_t> open_;  // by group: the number of its fronts that are not exhausted
   std::vector<Found> found_;
   std::priority_queue<Turn> turns_;
   std::vector<FaceId> turn_, neighbours_;  // scratch

@@ -1,5 +1,6 @@
 #include "core/graph/separation.h"
 
+#include <cassert>
 #include <utility>
 #include <vector>
 
@@ -11,7 +12,7 @@ namespace kerf {
 
 namespace {
 
-// How many components went as a whole: sets of removed faces that hung together, and on nothing that is left.
+// The number of components that were removed entirely: clusters of removed faces without a live face.
 int64_t vanished_components(const Mesh& mesh, const SeparationState& state) {
   TieClusters clusters(std::span(state.ties).subspan(state.first_tie));
   const auto faces = clusters.faces();
@@ -26,8 +27,8 @@ int64_t vanished_components(const Mesh& mesh, const SeparationState& state) {
 
 bool may_have_come_apart(const Mesh& mesh, const SeparationState& state) {
   if (state.cannot_know || (state.over_rings && state.any_closed)) return true;
-  // Each face that was alone was the last of a component, or of a few faces that the removals themselves had
-  // fenced in: that loop is in the sum.
+  // A face without neighbours was the last one of a component, or of a few faces that the removals had
+  // enclosed before; that loop is included in the sum.
   if (state.loops + state.alone <= 0) return false;
   return state.loops + vanished_components(mesh, state) > 0;
 }
@@ -41,6 +42,7 @@ void start_step(SeparationState& state) {
 }  // namespace
 
 void note_removal(Body& body, FaceId f) {
+  assert(body.mesh.is_live(f));
   SeparationState& state = body.separation;
   state.neighbours.clear();
   body.mesh.append_nearest_neighbours(f, state.neighbours);
@@ -58,6 +60,7 @@ void note_replaced(Body& body, const Replacement& replaced) {
 }
 
 void note_turned(Body& body, FaceId f) {
+  assert(body.mesh.is_live(f));
   if (!is_settled(body)) PartSearch(body).look_again(f);
 }
 

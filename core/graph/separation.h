@@ -10,49 +10,54 @@
 
 namespace kerf {
 
-// What newly came apart in one body after faces were removed.
+// Separation: which parts of one body were disconnected by the removal of faces.
 //
-// Faces hang together over shared edges. Whoever edits the mesh tells of it; settling then knows from the
-// loops that the cut closed whether anything can have come apart (see CutLoops), and only if so searches for
-// it, from what hung on the faces that were removed (see PartSearch). A search may go on over several
-// settlings: what is edited in between is told like everything else, and a loop that closes meanwhile starts
-// it anew, with twice as long turns. Faces that never hung together are told apart by the removed faces: only
-// what a connected removal touched can have been separated by it.
+// Faces are connected over shared edges. Every edit of the mesh is reported by the functions below. settle()
+// then decides from the loops that the cut has closed whether anything can have been separated (see
+// CutLoops), and only then searches for it, starting from the former neighbours of removed faces (see
+// PartSearch). A search may extend over several calls of settle(); edits in between are reported as usual,
+// and if they close further loops, another search follows it. Only faces that a connected set of removed
+// faces touched can have been separated by it, so that faces that were never connected are not confused with
+// separated ones.
 
-// f is live and about to be removed. To be told before the counts of its piece change.
+// Reports that f is about to be removed. Preconditions: f is live, and the counts of its piece still include
+// it.
 void note_removal(Body& body, FaceId f);
 
-// Faces were split. Their counts may be told before or after.
+// Reports that faces were split, before or after their counts were updated.
 void note_replaced(Body& body, const Replacement& replaced);
 
-// The face has other neighbours than before: one of its edges was turned.
+// Reports that the neighbours of a face have changed because one of its edges was flipped. Precondition: f is
+// live.
 void note_turned(Body& body, FaceId f);
 
+// What one call of settle() did.
 struct SettleResult {
-  std::vector<uint32_t> new_pieces;  // labels, by the lowest face that they hold
-  std::vector<FaceId> relabelled;    // faces of those that have their label from now on, ascending
-  size_t looked_at = 0;              // faces whose neighbours a search asked for
+  std::vector<uint32_t> new_pieces;  // their labels, in the order of their lowest faces
+  std::vector<FaceId> relabelled;    // faces that received the label of a new piece in this call, ascending
+  size_t looked_at = 0;              // faces that the search visited
 };
 
 inline constexpr size_t kNoLimit = std::numeric_limits<size_t>::max();
 
-// Of a component that fell apart the part of the largest area keeps its label (of equal parts, within
-// kEqualArea of the whole, the one with the lowest face); each other part gets a new label and an entry in
-// body.pieces. Looks at `most` faces or few more; what a search left to do is done by the next settlings.
+// Finds the parts into which components were separated. The part with the largest area keeps the label of its
+// component (of equally large parts, see kEqualArea, the one with the lowest face); each other part gets a
+// new label and an entry in body.pieces. Visits about `most` faces at most; the next calls continue an
+// unfinished search.
 //
-// Constant time where no loop was closed. A search looks at most at twice the faces of what came off, when
-// that is also the part with fewer faces; where it has more, at all of both, for each face must get its
+// Takes constant time if no loop was closed. Otherwise it visits at most twice as many faces as were
+// separated if these are the smaller number, and all faces of both parts if not, because every face needs its
 // label.
 SettleResult settle(Body& body, size_t most = kNoLimit);
 
 // Whether no search is open.
 bool is_settled(const Body& body);
 
-// Forgets all that was told, for a mesh that was changed without telling; an open search is lost.
+// Discards everything reported so far, including an open search, for a mesh that was changed without reports.
 void forget_removals(Body& body);
 
-// Labels every live face with the number of its component, by a full breadth-first search over shared edges
-// (the paper's). Dead slots get 0xffffffff. Returns the number of components. O(faces).
+// Labels every live face with the number of its component by a complete breadth-first search over shared
+// edges, which is the method of the paper. Dead slots get 0xffffffff. Returns the number of components. O(n).
 uint32_t label_components(const Mesh& mesh, std::vector<uint32_t>& label);
 
 }  // namespace kerf

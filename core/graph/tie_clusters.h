@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <span>
 #include <utility>
 #include <vector>
@@ -9,16 +10,21 @@
 
 namespace kerf {
 
-// Faces that hung together: the sets that ties, a removed face and what hung on it, make of them.
+// The connected components of a graph of faces whose edges are ties. A tie is a pair of a removed face and
+// one of its former neighbours.
 class TieClusters {
  public:
   // O(n log n).
   explicit TieClusters(std::span<const std::pair<FaceId, FaceId>> ties);
 
-  // Every face of a tie once, ascending.
+  // The faces of all ties, ascending, each once.
   std::span<const FaceId> faces() const { return faces_; }
-  // A number of the cluster of the face at that place, below the number of faces.
-  uint32_t cluster(uint32_t place) { return together_.find(place); }
+  // The cluster of faces()[place], named by the place of its first face. Precondition: place <
+  // faces().size().
+  uint32_t cluster(uint32_t place) {
+    assert(place < faces_.size());
+    return together_.find(place);
+  }
 
  private:
   uint32_t place(FaceId f) const;

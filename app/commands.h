@@ -8,17 +8,18 @@ class App;
 
 namespace kerf {
 
-// What a command line asks for; set by the subcommand that was given, run after parsing. Returns the exit
-// status.
-using Action = std::function<int()>;
+// What the command line asks for: set by the subcommand that was given and called after parsing. Returns the
+// exit status.
+using Invocation = std::function<int()>;
 
-// Each adds its subcommand to the command line. One pair of files a command, one line in commands.cpp.
-void add_info_command(CLI::App& app, Action& action);
-void add_cut_command(CLI::App& app, Action& action);
-void add_render_command(CLI::App& app, Action& action);
-void add_replay_command(CLI::App& app, Action& action);
+// Each function adds its subcommand to the command line. A subcommand consists of one source file, one line
+// here and one line in main.cpp. `app` and `invocation` must outlive parsing.
+void add_info_command(CLI::App& app, Invocation& invocation);
+void add_cut_command(CLI::App& app, Invocation& invocation);
+void add_render_command(CLI::App& app, Invocation& invocation);
+void add_replay_command(CLI::App& app, Invocation& invocation);
 
-// The editor is what runs without a subcommand.
-void add_editor(CLI::App& app, Action& action);
+// Adds the editor, which runs when no subcommand is given.
+void add_editor(CLI::App& app, Invocation& invocation);
 
 }  // namespace kerf

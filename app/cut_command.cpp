@@ -100,8 +100,8 @@ class CutRun {
     return Done{};
   }
 
-  // Walks so many moves, and behind the last also goes on with a search for what came apart: as many bites as
-  // it takes.
+  // Makes the given number of moves, in as many steps as they take, and after the last one completes the
+  // search for parts that came apart.
   Status step(size_t moves, const Progress& progress) {
     const size_t after = document_.waiting() - moves;
     while (document_.waiting() > after) {
@@ -147,12 +147,12 @@ class CutRun {
 
 }  // namespace
 
-void add_cut_command(CLI::App& app, Action& action) {
+void add_cut_command(CLI::App& app, Invocation& invocation) {
   CLI::App* command = app.add_subcommand("cut", "Cut meshes along a path and write the pieces and a report");
   auto options = std::make_shared<CutOptions>();
   add_cut_options(*command, *options);
-  command->callback([options, &action] {
-    action = [options] {
+  command->callback([options, &invocation] {
+    invocation = [options] {
       catch_interrupts();
       const Status status = CutRun(*options).run();
       return status ? 0 : report_error(status.error());

@@ -116,7 +116,7 @@ Status merge_settings_file(CutOptions& o) {
   if (!json) return json.error();
   const JsonValue root(*json, o.settings);
   if (const auto object = root.object(); !object) return object;
-  // A resolution on the command line replaces the file's, of whichever kind.
+  // A resolution on the command line replaces that of the file, even if they are of different kinds.
   const bool has_resolution = o.target_edge || o.tolerance || o.depth;
   for (const auto& item : json->items()) {
     if (has_resolution && is_resolution(item.key())) continue;

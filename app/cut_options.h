@@ -15,7 +15,7 @@ class App;
 
 namespace kerf {
 
-// What `kerf cut` was asked for; what is empty has a default that depends on the meshes and the path.
+// The options of `kerf cut`. An empty option has a default that depends on the meshes and the path file.
 struct CutOptions {
   std::vector<std::string> meshes;
   std::string path, out, settings, journal;
@@ -26,19 +26,21 @@ struct CutOptions {
   bool split_all = false;
 };
 
+// Adds the options to the subcommand; parsing fills `options`, which must outlive it.
 void add_cut_options(CLI::App& command, CutOptions& options);
 
-// Fills what the command line left empty from the file of --settings (a JSON object with the same keys).
+// Fills the options that the command line left empty from the file of --settings, a JSON object with the same
+// keys. Fails with one sentence that names the file and the key; some options may be filled then.
 Status merge_settings_file(CutOptions& options);
 
-// Checks the values, in the order of the options; the sentence names the option.
+// Checks the values in the order of the options. The error names the first wrong option.
 Status check_cut_options(const CutOptions& options);
 
-// The settings of one stroke: options, then the path file's laser, then the defaults for meshes whose
-// bounding box has this diagonal. The options have been checked.
+// The settings of one stroke. Options take precedence over the laser of the path file, and that over the
+// defaults for a bounding box with this diagonal (m). Precondition: check_cut_options() succeeded.
 CutSettings stroke_settings(const CutOptions& options, const StrokePath& stroke, double diagonal);
 
-// "MIN,MAX" in metres.
+// Parses "MIN,MAX", an interval in metres.
 Result<Interval> parse_range(const std::string& text);
 
 }  // namespace kerf

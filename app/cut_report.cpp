@@ -27,7 +27,7 @@ int deepest_level(const World& world) {
   return level;
 }
 
-// Of sorted values; the value that this share of them does not exceed.
+// The quantile of sorted values: the value that this fraction of them does not exceed.
 double percentile(const std::vector<double>& sorted, double share) {
   if (sorted.empty()) return 0;
   const auto rank = static_cast<size_t>(std::ceil(share * static_cast<double>(sorted.size())));

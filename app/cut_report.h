@@ -10,36 +10,38 @@
 
 namespace kerf {
 
-// Sums and times of a job, for report.json.
+// The totals and times of a job, for report.json.
 struct CutJob {
+  // Adds a loaded mesh to the totals of the input.
   void note_loaded(const MeshReport& mesh);
-  // A call of Document::step.
+  // Adds the result of one call of Document::step, which took `seconds`.
   void note_bite(const StepResult& bite, double seconds);
 
   size_t input_faces = 0, input_vertices = 0, input_components = 0;
   double input_area = 0, input_min_angle = 0;  // m^2, degrees
   size_t removed_faces = 0;
   double removed_area = 0;  // m^2
-  size_t steps = 0;         // in which the strokes were walked, as asked for
+  size_t steps = 0;         // number of moves of the beam, as requested
   StepFigures figures;
-  std::vector<double> step_s;  // of the bites that removed something
+  std::vector<double> step_s;  // durations of the calls that removed something
   double load_s = 0, build_tree_s = 0, cut_s = 0, save_s = 0;
 };
 
-// A piece that was written.
+// A piece that was written to a file.
 struct WrittenPiece {
   std::string file;
   size_t faces = 0, vertices = 0, boundary_edges = 0;
-  double area = 0;
-  Vec3 centroid{0};
+  double area = 0;   // m^2
+  Vec3 centroid{0};  // m
 };
 
-// The settings of a job as the report holds them: those of its first stroke.
+// The settings of a job, i.e. of its first stroke, for the report.
 nlohmann::ordered_json settings_json(const CutSettings& settings, const std::string& format, bool split_all);
 
-// The smallest angle of the live faces, degrees; 0 where a face has no area.
+// The smallest interior angle of all live faces in degrees; 0 if a face is degenerate. O(n).
 double smallest_angle(const World& world);
 
+// The contents of report.json.
 nlohmann::ordered_json cut_report(const CutJob& job, const World& world,
                                   const nlohmann::ordered_json& settings,
                                   const std::vector<WrittenPiece>& pieces);

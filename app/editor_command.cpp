@@ -36,13 +36,13 @@ Status edit(const EditorArguments& a) {
 
 }  // namespace
 
-void add_editor(CLI::App& app, Action& action) {
+void add_editor(CLI::App& app, Invocation& invocation) {
   auto a = std::make_shared<EditorArguments>();
   app.add_option("FILE", a->files,
                  "Scenes (.json) and meshes to open together in the editor, or a journal (.kerf)");
   app.add_option("--report", a->report, "Where the editor writes what happened, as JSON, when it ends");
   app.add_option("--size", a->size, "Size of the editor's window, WxH");
-  action = [a] {
+  invocation = [a] {
     const Status status = edit(*a);
     return status ? 0 : report_error(status.error());
   };

@@ -4,8 +4,7 @@
 
 namespace kerf {
 
-// Says the one sentence on standard error and gives the exit status: 2 for bad input, 1 for what could not be
-// done.
+// Prints the error on standard error and returns the exit status: 2 for bad input, 1 for any other failure.
 int report_error(const Error& error);
 
 }  // namespace kerf

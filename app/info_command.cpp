@@ -51,11 +51,11 @@ int run_info(const std::string& file) {
 
 }  // namespace
 
-void add_info_command(CLI::App& app, Action& action) {
+void add_info_command(CLI::App& app, Invocation& invocation) {
   CLI::App* command = app.add_subcommand("info", "What is in a mesh file, as JSON on standard output");
   auto file = std::make_shared<std::string>();
   command->add_option("MESH", *file, "An OBJ, STL, PLY or OFF file")->required();
-  command->callback([file, &action] { action = [file] { return run_info(*file); }; });
+  command->callback([file, &invocation] { invocation = [file] { return run_info(*file); }; });
 }
 
 }  // namespace kerf

@@ -2,10 +2,12 @@
 
 namespace kerf {
 
-// From now on Ctrl-C and SIGTERM do not end the program but are remembered; long work asks and stops.
+// From this call on Ctrl-C and SIGTERM set a flag instead of ending the program. Long computations check the
+// flag and stop.
 void catch_interrupts();
+// Whether the flag is set.
 bool interrupted();
-// Work that does not ask is to be ended by them again.
+// Lets both signals end the program again, for work that does not check the flag.
 void let_interrupts_end();
 
 }  // namespace kerf

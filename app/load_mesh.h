@@ -7,7 +7,8 @@
 
 namespace kerf {
 
-// Reads a mesh file and builds its mesh; a failure names the file. Shows a ProgressLine and stops at Ctrl-C.
+// Reads a mesh file and builds its mesh, showing a ProgressLine. Fails with an error that names the file, or
+// with stopped() after Ctrl-C.
 Result<BuiltMesh> load_mesh(const std::filesystem::path& file);
 
 }  // namespace kerf

@@ -12,12 +12,12 @@ int parse_and_run(int argc, char** argv) {
   CLI::App app("Kerf: a laser drills through any triangle mesh, live.", "kerf");
   app.set_version_flag("--version", "kerf " KERF_VERSION);
   app.set_help_flag("--help", "Show this help");
-  kerf::Action action;
-  kerf::add_editor(app, action);
-  kerf::add_info_command(app, action);
-  kerf::add_cut_command(app, action);
-  kerf::add_render_command(app, action);
-  kerf::add_replay_command(app, action);
+  kerf::Invocation invocation;
+  kerf::add_editor(app, invocation);
+  kerf::add_info_command(app, invocation);
+  kerf::add_cut_command(app, invocation);
+  kerf::add_render_command(app, invocation);
+  kerf::add_replay_command(app, invocation);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {  // --help, --version
@@ -25,16 +25,17 @@ int parse_and_run(int argc, char** argv) {
   } catch (const CLI::ParseError& wrong) {
     return kerf::report_error(kerf::bad_input(std::string(wrong.what()) + " (see kerf --help)"));
   }
-  return action();
+  return invocation();
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  // A full quota and a reader that went away are failed writes, to be reported, not the end by a signal.
+  // An exceeded quota and a closed pipe are reported as failed writes instead of ending the program by a
+  // signal.
   std::signal(SIGXFSZ, SIG_IGN);
   std::signal(SIGPIPE, SIG_IGN);
-  // Large arrays go back to the system when they are freed, however large the ones before them were.
+  // A fixed threshold returns large arrays to the system when they are freed; glibc would raise it otherwise.
   mallopt(M_MMAP_THRESHOLD, 1 << 20);
   try {
     return parse_and_run(argc, argv);

@@ -7,17 +7,18 @@
 
 namespace kerf {
 
+// The size of a picture in pixels.
 struct PixelSize {
   int width = 0, height = 0;
 };
 
-// "WxH", each from 1 to 16384.
+// Parses "WxH", each number from 1 to 16384.
 Result<PixelSize> parse_size(const std::string& text);
 
-// "x,y,z", three finite numbers; `option` is what the sentence names.
+// Parses "x,y,z", three finite numbers. The error names `option`.
 Result<Vec3> parse_point(const std::string& option, const std::string& text);
 
-// A finite number that is the whole of the text.
+// Parses a text that consists of one finite number. Returns false for any other text. other text.
 bool parse_number(std::string_view text, double& value);
 
 }  // namespace kerf

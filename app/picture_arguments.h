@@ -10,15 +10,18 @@ class App;
 
 namespace kerf {
 
-// What a command line says of how pictures are taken.
+// The options of the command line for rendering a picture.
 struct PictureArguments {
   std::string size = "1280x720", eye, target, show;
 
+  // Adds the options to a subcommand; parsing fills this object.
   void add_to(CLI::App& command);
+  // Checks the options. The error names the first wrong one.
   Result<PictureOptions> parse() const;
 };
 
-// Sets what is shown where the command line names nothing: what the scene in `file` asks for.
+// If the command line does not say what to show, sets what the scene asks for. The error names `file`, the
+// scene's file.
 Status show_as_asked(const PictureArguments& arguments, const Scene& scene, const std::string& file,
                      PictureOptions& options);
 

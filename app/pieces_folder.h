@@ -6,15 +6,17 @@
 
 namespace kerf {
 
-// Where the pieces of a job go, and how.
+// The folder that receives the pieces of a job, and the format of their files.
 struct PiecesFolder {
   std::string path;
   std::string format = "obj";
   bool split_all = false;  // every connected component is a piece
 
+  // Creates the folder. Fails if it cannot be created or used.
   Status make() const;
-  // Writes piece-0000 and so on, largest area first, then report.json with what the job noted. Shows a
-  // ProgressLine; a failure or Ctrl-C leaves whole pieces and no report. Each file is whole or not there.
+  // Writes the pieces as piece-0000 and so on, largest area first, then report.json with the figures of the
+  // job. Shows a ProgressLine. Every file is written whole or not at all; after a failure or Ctrl-C there is
+  // no report.
   Status write(CutJob& job, const World& world, const CutSettings& settings) const;
 };
 

@@ -13,7 +13,7 @@ namespace kerf {
 namespace {
 
 constexpr std::chrono::milliseconds kBetweenUpdates{100};
-// Work that is done before this shows nothing.
+// Nothing is shown for work that takes less time than this.
 constexpr std::chrono::milliseconds kBeforeFirst{200};
 constexpr const char* kClearLine = "\r\x1b[K";
 constexpr size_t kLongestWork = 60;  // so that the line does not wrap: a wrapped one cannot be overwritten

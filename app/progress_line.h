@@ -8,19 +8,20 @@
 
 namespace kerf {
 
-// Shows how far long work is and lets Ctrl-C stop it (see catch_interrupts): one line on standard error that
-// overwrites itself, "kerf: cutting 42 %", at most ten times a second, and gone when this object is. Where
-// standard error is no terminal nothing is shown.
+// Shows the progress of a long computation and lets Ctrl-C stop it (see catch_interrupts). It is one line on
+// standard error, "kerf: cutting 42 %", that is overwritten at most ten times a second and erased by the
+// destructor. Nothing is shown if standard error is not a terminal.
 class ProgressLine {
  public:
+  // `work` is what the line says: "cutting".
   explicit ProgressLine(std::string work);
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  // fraction: 0 to 1. Whether to go on; false once the user has asked to stop.
+  // Shows a fraction from 0 to 1. Returns whether to go on, i.e. false after Ctrl-C.
   bool update(double fraction);
-  // The same for work that reports by itself; must not outlive this object.
+  // The same as a Progress, which must not outlive this object.
   Progress progress() {
     return {[this](double fraction) { return update(fraction); }};
   }
@@ -32,9 +33,9 @@ class ProgressLine {
   std::chrono::steady_clock::time_point next_;
 };
 
-// What is said of work that Ctrl-C has stopped, in place of whatever error that made.
+// The error that is reported after Ctrl-C, in place of the one that stopping caused.
 Error stopped();
-// `error`, or stopped() where that is why there is one.
+// stopped() after Ctrl-C, else `error`.
 Error error_or_stopped(const Error& error);
 
 }  // namespace kerf

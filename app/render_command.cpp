@@ -36,15 +36,15 @@ Status render(const RenderArguments& a) {
 
 }  // namespace
 
-void add_render_command(CLI::App& app, Action& action) {
+void add_render_command(CLI::App& app, Invocation& invocation) {
   CLI::App* command =
       app.add_subcommand("render", "Draw a scene, a journal or a mesh to a PNG, without a display");
   auto a = std::make_shared<RenderArguments>();
   command->add_option("FILE", a->file, "A scene (.json), a journal (.kerf) or a mesh")->required();
   command->add_option("--out", a->out, "The PNG to write")->required();
   a->picture.add_to(*command);
-  command->callback([a, &action] {
-    action = [a] {
+  command->callback([a, &invocation] {
+    invocation = [a] {
       const Status status = render(*a);
       return status ? 0 : report_error(status.error());
     };

@@ -165,7 +165,7 @@ class ReplayRun {
 
 }  // namespace
 
-void add_replay_command(CLI::App& app, Action& action) {
+void add_replay_command(CLI::App& app, Invocation& invocation) {
   CLI::App* command = app.add_subcommand(
       "replay", "Replay a journal, print the hash of its end and hold it against those recorded");
   auto a = std::make_shared<ReplayArguments>();
@@ -177,8 +177,8 @@ void add_replay_command(CLI::App& app, Action& action) {
                                      "across the diagonal of all meshes in four seconds");
   command->add_option("--fps", a->frames_per_second, "Frames a second of the film (30)")->needs(frames);
   a->picture.add_to(*command);
-  command->callback([a, &action] {
-    action = [a] {
+  command->callback([a, &invocation] {
+    invocation = [a] {
       catch_interrupts();
       const Status status = ReplayRun(*a).run();
       return status ? 0 : report_error(status.error());

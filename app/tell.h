@@ -6,10 +6,11 @@
 
 namespace kerf {
 
-// One line on standard error.
+// Prints a warning as one line on standard error.
 void warn(const std::string& warning);
 
-// What was odd in a mesh file and what was dropped from it, a line each on standard error.
+// Prints the notes about a mesh file, i.e. what was dropped and what is unusual, one line each on standard
+// error.
 void tell(const MeshReport& report);
 
 }  // namespace kerf

@@ -42,7 +42,7 @@ void bench_build(const Subject& s, const Effort& effort, const Report& report) {
   row("build / Embree medium", b.medium, kBuildBar);
   row("build / Embree medium, robust", b.robust, std::nullopt);
   row("build / CGAL", b.cgal, std::nullopt);
-  report({"memory / the limit", s.name, "B/face", bytes, kBytesBar, 1.0});
+  report({"memory / limit", s.name, "B/face", bytes, kBytesBar, 1.0});
   if (has_embree()) {
     report({"memory / Embree medium", s.name, "B/face", bytes, b.embree_bytes / faces, std::nullopt});
   }

@@ -13,8 +13,8 @@ namespace {
 constexpr double kFaceBar = 2;                    // us a face born or gone
 constexpr double kLongestBar = 8;                 // of the median
 constexpr double kJobBar = 1.0 / 20;              // of CGAL
-constexpr double kSeparationBar = 500;            // ns a removed face
-constexpr double kRadii = 500, kEdges = 1000;     // of these the longest side of the mesh has so many
+constexpr double kSeparationBar = 500;            // ns per removed face
+constexpr double kRadii = 500, kEdges = 1000;     // the longest side of the mesh in these units
 constexpr uint32_t kHole = 20000, kOneStep = 50;  // faces
 
 Body body_of(const Subject& s) {
@@ -137,7 +137,7 @@ void bench_separation(const Subject& s, const Effort& effort, const Report& repo
     told.push_back(seconds_of_hole(body, faces, true));
     untold.push_back(seconds_of_hole(body, faces, false));
   }
-  report({"separation, a removed face / the limit", s.name, "ns",
+  report({"separation, per removed face / limit", s.name, "ns",
           1e9 * (median(told) - median(untold)) / static_cast<double>(faces.size()), kSeparationBar, 1.0});
 }
 
@@ -156,7 +156,7 @@ void bench_job(const Subject& s, const Effort& effort, const Report& report) {
   const auto& copied = *std::max_element(pieces.begin() + 1, pieces.end(),
                                          [](const auto& a, const auto& b) { return a.size() < b.size(); });
   const double seconds = seconds_of([&] { extract_faces(world.body(id), copied); });
-  report({"copying the largest piece out / the slot", s.name, "ms", 1e3 * seconds, 1e3 * walked.seconds,
+  report({"copying the largest separated piece / slot", s.name, "ms", 1e3 * seconds, 1e3 * walked.seconds,
           std::nullopt});
 }
 
@@ -166,9 +166,9 @@ void bench_steps(const Subject& s, const Effort& effort, const Report& report) {
   const Slot slot(world.body(id).tree.bounds());
   const Walked walked = walk_slot(world, slot, slot.settings(), effort.slot_steps);
   if (walked.steps.empty()) return;
-  report({"slot, a face born or gone / the limit", s.name, "us",
+  report({"slot, per new or removed face / limit", s.name, "us",
           1e6 * walked.seconds / static_cast<double>(walked.turned), kFaceBar, 1.0});
-  report({"slot, longest step / median", s.name, "us", 1e6 * walked.longest, 1e6 * median(walked.steps),
+  report({"slot, longest / median step", s.name, "us", 1e6 * walked.longest, 1e6 * median(walked.steps),
           kLongestBar});
 }
 

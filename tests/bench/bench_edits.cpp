@@ -131,12 +131,12 @@ void bench_edits(const Subject& s, const Effort& effort, const Report& report) {
                             return empty;
                           }());
   const double seconds = median(tree_seconds) - overhead;
-  report({"edits, a face born / the limit", s.name, "ns",
-          seconds * kNano / static_cast<double>(cut.new_faces), kFaceBar, 1.0});
+  report({"edits, per new face / limit", s.name, "ns", seconds * kNano / static_cast<double>(cut.new_faces),
+          kFaceBar, 1.0});
   if (has_embree()) {
     const double rebuild = make_embree(arrays_of(cut.mesh), EmbreeQuality::kLow)->build_seconds();
-    report({"edit step / rebuild, Embree low", s.name, "us", 1e6 * seconds / effort.edit_steps, 1e6 * rebuild,
-            s.mesh.live_faces() > kManyFaces ? std::optional(kRebuildBar) : std::nullopt});
+    report({"edit of one step / rebuild, Embree low", s.name, "us", 1e6 * seconds / effort.edit_steps,
+            1e6 * rebuild, s.mesh.live_faces() > kManyFaces ? std::optional(kRebuildBar) : std::nullopt});
   }
   const AabbTree fresh(cut.mesh);
   const auto row = [&](const char* name, std::span<const Pose> asked, double bar) {
@@ -144,8 +144,8 @@ void bench_edits(const Subject& s, const Effort& effort, const Report& report) {
     const double count = static_cast<double>(asked.size());
     report({name, s.name, "ns/ray", t.ours * kNano / count, t.peer * kNano / count, bar});
   };
-  row("all hits in the slit after the cut / fresh tree", rays, kSlitBar);
-  row("all hits elsewhere after the cut / fresh tree", random_chords(s, effort.steps), kElsewhereBar);
+  row("all hits in the slit after a cut / rebuilt tree", rays, kSlitBar);
+  row("all hits elsewhere after a cut / rebuilt tree", random_chords(s, effort.steps), kElsewhereBar);
 }
 
 }  // namespace kerf::bench

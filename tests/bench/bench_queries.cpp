@@ -90,17 +90,17 @@ class QueryBench {
         "all hits, sweep", name, sweep_, bar(kSweepBar), [&] { return queries_.all_hits(sweep_); },
         [&] { return peer.all_hits(sweep_, reach); });
     compare(
-        "all hits, random chords", name, chords_, bar(kChordBar), [&] { return queries_.all_hits(chords_); },
+        "all hits, random rays", name, chords_, bar(kChordBar), [&] { return queries_.all_hits(chords_); },
         [&] { return peer.all_hits(chords_, reach); });
     compare(
         "nearest hit, sweep", name, sweep_, bar(kNearestBar), [&] { return queries_.nearest_hits(sweep_); },
         [&] { return peer.nearest_hits(sweep_, reach); });
     compare(
-        "nearest hit, random chords", name, chords_, bar(kNearestBar),
+        "nearest hit, random rays", name, chords_, bar(kNearestBar),
         [&] { return queries_.nearest_hits(chords_); }, [&] { return peer.nearest_hits(chords_, reach); });
     const bool many = subject_.mesh.live_faces() > kManyFaces;
     compare(
-        "four rays a step in one walk", name, sweep_, bar(many ? kStepBarManyFaces : kStepBar),
+        "four parallel rays in one traversal", name, sweep_, bar(many ? kStepBarManyFaces : kStepBar),
         [&] { return queries_.all_hits_of_steps(sweep_); }, [&] { return peer.all_hits(sweep_, reach); });
   }
 
@@ -110,7 +110,7 @@ class QueryBench {
     const Pair t = in_turn(
         effort_.times, [&] { faces = queries_.touched(beams_); },
         [&] { peer.all_hits(sweep_, subject_.reach()); });
-    report_({"touched, a face found / four rays, " + name, subject_.name, "ns",
+    report_({"faces touched by the beam, per face found / four rays, " + name, subject_.name, "ns",
              t.ours * kNano / static_cast<double>(std::max<size_t>(1, faces)), t.peer * kNano / effort_.steps,
              std::nullopt});
   }

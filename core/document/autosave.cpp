@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cstdlib>
 
 namespace kerf {
@@ -50,7 +51,8 @@ Status Autosave::follow(const Document& document, std::span<const StateMark> mar
     flush();
     return Done{};
   }
-  // Marks count commands from the beginning.
+  assert(commands.size() >= commands_ && marks.size() >= marks_);
+  // Marks count commands from the start of the document.
   std::vector<StateMark> fresh(marks.begin() + static_cast<std::ptrdiff_t>(marks_), marks.end());
   for (StateMark& mark : fresh) mark.commands -= commands_;
   const auto lines = journal_lines(commands.subspan(commands_), fresh, {});
@@ -91,7 +93,7 @@ std::vector<LeftWork> find_left_work(const fs::path& folder, std::vector<std::st
     const fs::path path = at->path();
     if (path.extension() != kEnding || path.filename().string().starts_with('.')) continue;
     auto file = LockedFile::open(path);
-    if (!file) continue;  // its editor lives
+    if (!file) continue;  // the editor that wrote it is running
     auto journal = read_journal(path);
     if (!journal) {
       faults.push_back(journal.error().message);

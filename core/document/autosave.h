@@ -9,31 +9,33 @@
 
 namespace kerf {
 
-// Where editors keep journals of what is not saved: kerf under $XDG_STATE_HOME, or under ~/.local/state where
-// that is not set.
+// The folder in which editors keep journals of unsaved work: kerf under $XDG_STATE_HOME or, if that is not
+// set, under ~/.local/state.
 std::filesystem::path state_folder();
 
-// Keeps the unsaved work of one editor in a journal of its own, which outlives the editor if that dies.
-// Editors do not touch each other's: each has its own locked.
+// Keeps the unsaved work of one editor in a journal file that survives if the editor crashes. Each editor
+// holds a lock on its own file and does not touch those of others.
 class Autosave {
  public:
   explicit Autosave(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  // From now on it keeps a document with this scene, whose meshes must have hashes. What it kept of another
-  // is removed.
+  // Starts to keep a document with this scene, which was last saved to `work_of` (may be empty). The file of
+  // the previous document is removed once the new one is written. Precondition: the meshes have hashes (see
+  // note_hashes).
   void begin(SceneDescription scene, std::filesystem::path work_of);
 
-  // Appends what the document did since the last call; the first call writes all of it to a new file. On
-  // failure nothing is lost that was kept before, and the next call tries again. Costs what is new; what was
-  // written reaches the disk by itself soon after, provided that this, or flush, is called again within the
-  // second that it may take.
+  // Appends the commands and marks since the last call; the first call writes all of them to a new file. On
+  // failure everything written before is kept, and the next call tries again. The cost is proportional to
+  // what is new. The data reach the disk asynchronously, for which follow or flush has to be called again
+  // within about a second. Precondition: `document` and `marks` continue those of the last call.
   Status follow(const Document& document, std::span<const StateMark> marks);
-  // Whether there is something left to flush.
+  // Continues flushing to the disk. Returns whether anything is left to flush.
   bool flush() { return file_ && file_->flush(); }
 
-  // The work is saved or not wanted: its file goes. The next follow makes a new one.
+  // Removes the file, because the work was saved or discarded. The next call of follow creates a new one.
   void drop();
 
+  // Whether a file with unsaved work exists.
   bool keeps() const { return file_.has_value() || replaced_.has_value(); }
 
  private:
@@ -43,10 +45,10 @@ class Autosave {
   SceneDescription scene_;
   std::filesystem::path work_of_;
   std::optional<LockedFile> file_, replaced_;
-  size_t commands_ = 0, marks_ = 0;  // that are in it
+  size_t commands_ = 0, marks_ = 0;  // numbers written to the file
 };
 
-// Unsaved work that an editor left when it died. Nobody else is offered it while this lives.
+// Unsaved work that a crashed editor left behind. No other editor finds it while this object holds the lock.
 struct LeftWork {
   LockedFile file;
   Journal journal;
@@ -54,8 +56,8 @@ struct LeftWork {
   std::filesystem::file_time_type last_change;
 };
 
-// What dead editors left in the folder, the latest first. Files of living editors are not looked at. Files
-// that cannot be read are left as they are, each with a sentence in `faults`.
+// Finds the work that crashed editors left in the folder, the latest first. Files of running editors are
+// locked and are skipped. A file that cannot be read is left unchanged and adds a sentence to `faults`.
 std::vector<LeftWork> find_left_work(const std::filesystem::path& folder, std::vector<std::string>& faults);
 
 }  // namespace kerf

@@ -1,6 +1,7 @@
 #include "core/document/colour_text.h"
 
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstdio>
 
@@ -8,9 +9,10 @@ namespace kerf {
 
 namespace {
 
-// Linear light of one of the 256 steps of sRGB (IEC 61966-2-1). Colours are for eyes, so pow() may differ
-// between machines.
+// The linear value of one of the 256 steps of sRGB (IEC 61966-2-1). Colours do not enter any hash, so that
+// pow(), whose results differ between machines, is acceptable.
 double linear_of(int step) {
+  assert(step >= 0 && step <= 255);
   const double s = step / 255.0;
   return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
 }

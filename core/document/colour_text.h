@@ -8,10 +8,11 @@
 
 namespace kerf {
 
-// Linear RGB (0 .. 1) from "#rrggbb" (sRGB); empty for anything else.
+// Converts "#rrggbb" (sRGB) to linear RGB in 0 .. 1. Returns nothing for any other text.
 std::optional<Vec3> parse_colour(std::string_view text);
 
-// The nearest such text; what parse_colour gave comes back as it was, in lower case.
+// Converts linear RGB to the nearest "#rrggbb". A colour that parse_colour returned is converted back to its
+// text in lower case.
 std::string colour_text(const Vec3& linear);
 
 }  // namespace kerf

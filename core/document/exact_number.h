@@ -4,8 +4,8 @@
 
 namespace kerf {
 
-// Appends the shortest decimal number that reads back as the same double, the sign of zero included; always
-// with a point or an exponent, so that JSON takes it for no integer. x is finite.
+// Appends the shortest decimal number that is read back as the same double, including the sign of zero. It
+// always has a point or an exponent, so that JSON does not treat it as an integer. Precondition: x is finite.
 void append_number(std::string& text, double x);
 
 }  // namespace kerf

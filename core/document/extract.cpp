@@ -1,6 +1,7 @@
 #include "core/document/extract.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "core/graph/separation.h"
 #include "core/mesh/soup_edges.h"
@@ -10,7 +11,7 @@ namespace kerf {
 
 namespace {
 
-// The vertices of the faces, ascending, each once.
+// The vertices of the faces, ascending and without repeats.
 std::vector<VertexId> vertices_of(const Mesh& mesh, std::span<const FaceId> faces) {
   std::vector<VertexId> vertices;
   vertices.reserve(3 * faces.size());
@@ -30,7 +31,7 @@ void measure(Extract& out) {
     const Triangle corners = {out.positions[t[0]], out.positions[t[1]], out.positions[t[2]]};
     const double area = triangle_area(corners);
     out.area += area;
-    // Relative to the first vertex, so that a mesh far from the origin keeps its digits.
+    // Relative to the first vertex, so that a mesh far from the origin loses no precision.
     sum +=
         area / 3 *
         ((corners[0] - out.positions[0]) + (corners[1] - out.positions[0]) + (corners[2] - out.positions[0]));
@@ -46,6 +47,7 @@ void measure(Extract& out) {
 Extract extract_faces(const Body& body, std::span<const FaceId> faces) {
   Extract out;
   if (faces.empty()) return out;
+  assert(std::is_sorted(faces.begin(), faces.end()));
   const std::vector<VertexId> vertices = vertices_of(body.mesh, faces);
   std::vector<Vec3> positions;
   positions.reserve(vertices.size());
@@ -59,6 +61,7 @@ Extract extract_faces(const Body& body, std::span<const FaceId> faces) {
   }
   const auto number_of = [&](VertexId v) {
     const auto at = std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin();
+    assert(vertices[static_cast<size_t>(at)] == v);
     return number[first[static_cast<size_t>(at)]];
   };
   for (const FaceId f : faces) {

@@ -8,8 +8,9 @@
 
 namespace kerf {
 
-// A number for the bytes of a regular file, by which a journal knows the mesh that it was made with. Not for
-// keeping secrets. Reads the file once, a megabyte at a time. `progress` may be null.
+// A hash of the bytes of a regular file, by which a journal identifies its meshes. It is not cryptographic.
+// Fails if the file cannot be read, or with cancelled() when stopped; `progress` may be null. Reads the file
+// once, in blocks of a megabyte. Linear time.
 Result<uint64_t> file_hash(const std::filesystem::path& file, const Progress* progress = nullptr);
 
 }  // namespace kerf

@@ -7,10 +7,10 @@
 
 namespace kerf {
 
-// A hash as files and reports show it: sixteen lower-case hexadecimal digits.
+// The text of a hash in files and reports: sixteen lower-case hexadecimal digits.
 std::string hash_text(uint64_t hash);
 
-// Takes exactly that; empty for anything else.
+// Parses that text. Returns nothing for any other text.
 std::optional<uint64_t> parse_hash(std::string_view text);
 
 }  // namespace kerf

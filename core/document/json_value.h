@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -10,8 +11,8 @@
 
 namespace kerf {
 
-// A value inside a JSON file together with where it stands, so that what is wrong with it can be said in one
-// sentence: "scene.json: /strokes/0/keys/2/direction: must be three numbers".
+// A value in a JSON file together with its position, so that an error can name it in one sentence:
+// "scene.json: /strokes/0/keys/2/direction: must be three numbers". The root value must outlive it.
 class JsonValue {
  public:
   JsonValue(const nlohmann::json& value, std::string file, std::string pointer = "")
@@ -20,19 +21,28 @@ class JsonValue {
   const nlohmann::json& json() const { return *value_; }
   const std::string& file() const { return file_; }
   bool has(const std::string& key) const { return value_->is_object() && value_->contains(key); }
-  // The member or element; it must be there.
-  JsonValue operator[](const std::string& key) const { return {(*value_)[key], file_, pointer_ + "/" + key}; }
-  JsonValue operator[](size_t i) const { return {(*value_)[i], file_, pointer_ + "/" + std::to_string(i)}; }
+  // The member or element. Precondition: it exists.
+  JsonValue operator[](const std::string& key) const {
+    assert(has(key));
+    return {(*value_)[key], file_, pointer_ + "/" + key};
+  }
+  JsonValue operator[](size_t i) const {
+    assert(i < value_->size());
+    return {(*value_)[i], file_, pointer_ + "/" + std::to_string(i)};
+  }
 
+  // The error that this value is wrong: "FILE: POINTER: WHAT".
   Error wrong(const std::string& what) const {
     return bad_input(file_ + ": " + (pointer_.empty() ? "" : pointer_ + ": ") + what);
   }
 
+  // The value as the given type. Each fails with wrong() if it is anything else.
   Result<double> number() const;  // finite
   Result<double> positive_number() const;
   Result<Vec3> vector() const;        // three finite numbers
-  Result<Interval> interval() const;  // two finite numbers, the first not above the second
+  Result<Interval> interval() const;  // two finite numbers, 0 <= first <= second
   Result<std::string> text() const;
+  // Checks that the value is a list, or an object. `of_what` names the elements in the error.
   Status array(const char* of_what) const;
   Status object() const;
 
@@ -41,10 +51,10 @@ class JsonValue {
   std::string file_, pointer_;
 };
 
-// Parses a whole text; a fault is one sentence with line and column.
+// Parses a text. The error names `file` and the line.
 Result<nlohmann::json> parse_json(std::string_view text, const std::string& file);
 
-// The bytes of a regular file.
+// The bytes of a regular file. The error names the file.
 Result<std::string> read_text_file(const std::filesystem::path& file);
 
 }  // namespace kerf

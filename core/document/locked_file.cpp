@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cassert>
 #include <cerrno>
 #include <memory>
 #include <system_error>
@@ -14,7 +15,7 @@
 
 namespace kerf {
 
-// The C library flushes on a thread of its own and needs the request to stay where it is.
+// The C library flushes on a thread of its own, so that the request must not move.
 struct LockedFile::Handle {
   int descriptor = -1;
   off_t size = 0;
@@ -27,7 +28,7 @@ struct LockedFile::Handle {
       ::aio_suspend(&wait_for, 1, nullptr);
       ::aio_return(request.get());
     }
-    ::close(descriptor);  // and with it goes the lock
+    ::close(descriptor);  // this releases the lock
   }
 };
 
@@ -37,7 +38,7 @@ Error file_error(const std::filesystem::path& path, const char* what, int code) 
   return failed(path.string() + ": " + what + ": " + std::generic_category().message(code));
 }
 
-// The error number, or 0.
+// Returns the error number, or 0.
 int write_all(int file, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(file, bytes.data(), bytes.size());
@@ -48,8 +49,8 @@ int write_all(int file, std::string_view bytes) {
   return 0;
 }
 
-// A new file, locked; the error number where there is none. One that is left of a program that died while it
-// made it is not touched.
+// Creates a file under a temporary name and locks it. Returns the error number, or 0. A temporary file that a
+// crashed program left behind is not touched.
 int open_new(const std::filesystem::path& path, std::filesystem::path& nameless, int& descriptor) {
   for (int attempt = 0;; ++attempt) {
     nameless = path.parent_path() / ("." + path.filename().string() + "." + std::to_string(attempt) + ".new");
@@ -59,7 +60,8 @@ int open_new(const std::filesystem::path& path, std::filesystem::path& nameless,
   }
 }
 
-// Gives a file its name, where there is none of that name; where the file system has no links, in any case.
+// Moves a file to its name if no such file exists; if the file system does not support links, in any case.
+// Returns the error number, or 0.
 int give_name(const std::filesystem::path& nameless, const std::filesystem::path& path) {
   if (::link(nameless.c_str(), path.c_str()) == 0) return 0;
   if (errno != EPERM && errno != ENOTSUP && errno != ENOSYS) return errno;
@@ -83,7 +85,8 @@ LockedFile& LockedFile::operator=(LockedFile&& other) noexcept {
 LockedFile::~LockedFile() { delete handle_; }
 
 Result<LockedFile> LockedFile::create(const std::filesystem::path& path, std::string_view bytes) {
-  // It gets its name when it is locked and whole, so that nobody takes it for one that was left behind.
+  // The file gets its name when it is locked and complete, so that no other program takes it for an abandoned
+  // one.
   std::filesystem::path nameless;
   int descriptor = -1;
   int code = open_new(path, nameless, descriptor);
@@ -106,12 +109,13 @@ Result<LockedFile> LockedFile::open(const std::filesystem::path& path) {
   struct stat there {};
   if (::fstat(descriptor, &there) != 0) return file_error(path, "cannot be looked at", errno);
   if (there.st_nlink == 0)
-    return file_error(path, "cannot be opened", ENOENT);  // removed by who had the lock
+    return file_error(path, "cannot be opened", ENOENT);  // removed by the program that had locked it
   file.handle_->size = there.st_size;
   return file;
 }
 
 Status LockedFile::append(std::string_view bytes) {
+  assert(handle_);
   const int code = write_all(handle_->descriptor, bytes);
   if (code != 0) {
     std::ignore = ::ftruncate(handle_->descriptor, handle_->size);
@@ -123,6 +127,7 @@ Status LockedFile::append(std::string_view bytes) {
 }
 
 bool LockedFile::flush() {
+  assert(handle_);
   Handle& h = *handle_;
   if (h.flushing && ::aio_error(h.request.get()) == EINPROGRESS) return true;
   if (h.flushing) ::aio_return(h.request.get());

@@ -7,13 +7,14 @@
 
 namespace kerf {
 
-// A file that one program works on: while this lives, no other can lock it, and when the program ends,
-// however it ends, the lock is gone. Other programs can still read, rename and remove it.
+// A file that is locked by one program. No other program can lock it while this object exists; the system
+// releases the lock when the program ends in any way. Other programs can still read, rename and remove the
+// file.
 class LockedFile {
  public:
-  // A new file that appears under its name, locked and with these bytes in it, in one go.
+  // Creates a file, which appears under its name atomically, locked and with these bytes. Fails if it exists.
   static Result<LockedFile> create(const std::filesystem::path& path, std::string_view bytes);
-  // One that is there; fails where another program has it locked.
+  // Opens and locks an existing file. Fails if another program has locked it.
   static Result<LockedFile> open(const std::filesystem::path& path);
 
   LockedFile(LockedFile&& other) noexcept;
@@ -22,12 +23,14 @@ class LockedFile {
 
   const std::filesystem::path& path() const { return path_; }
 
-  // All of the bytes at the end of the file, or none. They outlive the program from here on.
+  // Appends all of the bytes to the file, or none of them on failure. They survive the end of the program,
+  // but a loss of power only after flush().
   Status append(std::string_view bytes);
-  // Sends what was appended on its way to the disk and does not wait for it; called again while that goes on,
-  // it does nothing and says true: it must be called once more.
+  // Starts to write what was appended to the disk without waiting. Returns true while that is in progress or
+  // was just started, and has to be called again then.
   bool flush();
 
+  // Removes the file from its folder.
   void remove();
 
  private:

@@ -7,7 +7,8 @@
 
 namespace kerf {
 
-// The strokes of a list in a JSON file: a path file's, or a scene's.
+// Parses the list of strokes of a path file or a scene. The error names the first wrong value by its JSON
+// pointer.
 Result<std::vector<StrokePath>> parse_strokes(const JsonValue& strokes);
 
 }  // namespace kerf

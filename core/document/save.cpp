@@ -9,14 +9,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The folder that a file's own paths are relative to.
+// The folder to which paths in a file are relative.
 fs::path folder_of(const fs::path& file) {
   std::error_code error;
   const fs::path whole = fs::absolute(file, error);
   return (error ? file : whole).parent_path();
 }
 
-// A second name for the bytes of the file, put in place at once; a copy where the file system has no links.
+// Atomically makes `previous` a hard link to the file, or a copy if the file system does not support links.
 Status keep(const fs::path& file, const fs::path& previous) {
   fs::path fresh = previous;
   fresh += ".new";

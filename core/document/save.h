@@ -4,19 +4,18 @@
 
 namespace kerf {
 
-// Where save_file keeps the version before the last: "car.kerf~" for "car.kerf".
+// The file in which save_file keeps the previous version: "car.kerf~" for "car.kerf".
 std::filesystem::path previous_version(const std::filesystem::path& file);
 
-// Writes a file that people made, whole or not at all (see write_file_atomically); what was there before is
-// kept as its previous version, and the version before that is gone. A link is followed.
+// Writes a file, whole or not at all (see write_file_atomically). An existing file becomes its previous
+// version and replaces an earlier one. A symbolic link is followed. On failure the file is unchanged.
 Status save_file(const std::filesystem::path& file, std::string_view bytes);
 
-// Writes a journal with save_file. The scene's meshes must have hashes, see note_hashes; `damage` is left
-// out.
+// Writes a journal with save_file. Precondition: the meshes of the scene have hashes (see note_hashes).
 Status save_journal(const std::filesystem::path& file, const SceneDescription& scene,
                     std::span<const Command> commands, std::span<const StateMark> marks);
 
-// Writes a scene (.json) with save_file. What was done to it since is not in it.
+// Writes a scene (.json) with save_file, without commands and hashes.
 Status save_scene(const std::filesystem::path& file, const SceneDescription& scene);
 
 }  // namespace kerf

@@ -16,60 +16,62 @@
 
 namespace kerf {
 
-// How a material looks: linear RGB from the file's "#rrggbb" (sRGB), and how polished it is.
+// The appearance of a material.
 struct Paint {
-  Vec3 colour{0.20, 0.27, 0.33};
-  double gloss = 0.5;  // 0 matt .. 1 polished
+  Vec3 colour{0.20, 0.27, 0.33};  // linear RGB; "#rrggbb" (sRGB) in the file
+  double gloss = 0.5;             // 0 matt .. 1 polished
 };
 
-// As many lights as are drawn.
+// The largest number of lights of a scene.
 inline constexpr size_t kMostLights = 4;
 
+// A view of a scene.
 struct View {
   Vec3 eye{0}, target{0};  // m
 };
 
-// A body as a file names it.
+// A body in a scene file.
 struct SceneBody {
-  std::filesystem::path mesh;  // as it can be opened from here
+  std::filesystem::path mesh;  // as it can be opened from the current folder
   std::string name;
   Placement placement;
   std::optional<uint64_t> hash;  // of the mesh file's bytes, see file_hash
   std::string others = "{}";     // JSON: keys that this version does not know
 };
 
-// The body that a mesh file makes by itself: named after the file, as it stands there.
+// The body for a single mesh file, with the name of the file and an identity placement.
 SceneBody body_of_file(const std::filesystem::path& mesh);
 
-// What a scene file or the head of a journal says, before any mesh is loaded: {"version": 1,
-// "bodies": [{"mesh": "../meshes/car.obj", "name": "car", "position": [..], "orientation": [w,x,y,z]}],
-// "paints": {"tyre": {"colour": "#202224", "gloss": 0.1}}, "view": {"eye": [..], "target": [..]},
-// "lights": [{"direction": [..] or "position": [..], "colour": "#fff2d8", "intensity": 2}], "show":
-// ["silhouette"], "strokes": [...]}. Only "bodies" and "mesh" must be there.
+// The content of a scene file or of the head of a journal, without the meshes: {"version": 1, "bodies":
+// [{"mesh": "../meshes/car.obj", "name": "car", "position": [..], "orientation": [w,x,y,z]}], "paints":
+// {"tyre": {"colour": "#202224", "gloss": 0.1}}, "view": {"eye": [..], "target": [..]}, "lights":
+// [{"direction": [..] or "position": [..], "colour": "#fff2d8", "intensity": 2}], "show": ["silhouette"],
+// "strokes": [...]}. Only "bodies" and "mesh" are required.
 struct SceneDescription {
   std::vector<SceneBody> bodies;
   std::map<std::string, Paint> paints;  // by material name
   std::optional<View> view;
-  std::vector<Light> lights;  // up to kMostLights; none: the key light of the workshop
-  std::string show;           // names as `render --show` takes them, with commas, for when none are asked for
-  std::vector<StrokePath> strokes;  // cut before the scene is shown
+  std::vector<Light> lights;        // up to kMostLights; if empty, the default key light
+  std::string show;                 // default of `render --show`, in its syntax
+  std::vector<StrokePath> strokes;  // cut when the scene is opened
   std::string others = "{}";        // JSON: keys that this version does not know
 };
 
-// With its meshes loaded, a body of the world for each of its bodies, in their order.
+// A scene with its meshes loaded: the world has one body for each body of the description, in the same order.
 struct Scene : SceneDescription {
   World world;
 };
 
-// Loads the meshes. A mesh that is missing or broken, and one whose bytes are not those that the description
-// knows by their hash, is bad input. O(n log n) in their faces.
+// Loads the meshes of a description. Fails if a mesh is missing, cannot be read, or does not match its hash;
+// fails with cancelled() when stopped. `progress` may be null. O(n log n) in the number of faces.
 Result<Scene> load_scene(SceneDescription description, const Progress* progress = nullptr);
 
-// Reads a scene (.json) or any mesh file, which makes a scene of that one body. Mesh paths in a scene file
-// are relative to it.
+// Reads a scene (.json), or a mesh file as a scene of one body. Mesh paths in a scene file are relative to
+// the file. Fails like load_scene, or if the file is not a valid scene.
 Result<Scene> read_scene(const std::filesystem::path& file, const Progress* progress = nullptr);
 
-// Notes the hash of every mesh file that has none yet, so that a journal can hold the scene.
+// Computes the hash of every mesh file that has none yet, as journals require. Fails if a file cannot be
+// read.
 Status note_hashes(SceneDescription& description, const Progress* progress = nullptr);
 
 }  // namespace kerf

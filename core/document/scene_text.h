@@ -7,21 +7,22 @@
 
 namespace kerf {
 
+// The version of the scene format.
 inline constexpr int kSceneVersion = 1;
 
-// A scene from the JSON of its file. Relative mesh paths are taken from `folder`. Keys that this version does
-// not know are kept; a value that makes no sense is one sentence with a JSON pointer.
+// Parses the JSON of a scene file. Relative mesh paths refer to `folder`. Unknown keys are kept. The error
+// names the first wrong value by its JSON pointer.
 Result<SceneDescription> parse_scene(const JsonValue& root, const std::filesystem::path& folder);
 
-// The same scene as JSON for a file in `folder`: meshes in or below it, or beside it (one ".." and no more),
-// are named relative to it, others by their whole path. An empty folder makes all paths whole ones. Throws
-// nothing; but texts that are not UTF-8 make nlohmann's dump() fail, see dump_json.
+// The JSON of a scene for a file in `folder`. Meshes in or below the folder or its parent are named relative
+// to it, others by their absolute path; if `folder` is empty, all paths are absolute. Texts that are not
+// UTF-8 are accepted here and make dump_json fail.
 nlohmann::ordered_json scene_json(const SceneDescription& scene, const std::filesystem::path& folder);
 
-// A mesh file as it is named in a file in `folder`, as above.
+// The name of a mesh file in a file in `folder`, by the same rule.
 std::string path_text(const std::filesystem::path& file, const std::filesystem::path& folder);
 
-// The text of JSON; bad input where a text in it is not UTF-8, which JSON cannot hold.
+// Converts JSON to text. Fails if a string in it is not UTF-8.
 Result<std::string> dump_json(const nlohmann::ordered_json& json, int indent = -1);
 
 }  // namespace kerf

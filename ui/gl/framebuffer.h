@@ -6,28 +6,29 @@
 
 namespace kerf::gl {
 
-// A picture in memory of the GPU: colour, and with depth also depth and stencil. The colour is a texture;
-// with one sample it is read with linear filtering and clamped at its borders.
+// An off-screen framebuffer with a colour texture and optionally depth and stencil. A texture with one sample
+// per pixel has linear filtering and is clamped at its borders.
 class Framebuffer {
  public:
   struct Shape {
     int width = 1, height = 1;
-    int samples = 1;    // more than the context offers is taken as what it offers
+    int samples = 1;    // limited to what the context supports
     bool depth = true;  // 24 bits of depth and 8 of stencil
     GLenum colour = GL_RGBA8;
     friend bool operator==(const Shape&, const Shape&) = default;
   };
 
   explicit Framebuffer(const Shape& shape);
-  // One that has the depth and stencil of another, which is of the same size and samples and outlives it.
+  // Shares the depth and stencil of another framebuffer, which must have the same size and number of samples
+  // and outlive this one.
   Framebuffer(const Shape& shape, const Framebuffer& depth_of);
 
   const Shape& shape() const { return shape_; }
   bool complete() const { return complete_; }
   GLuint name() const { return framebuffer_.name(); }
-  // A GL_TEXTURE_2D, or GL_TEXTURE_2D_MULTISAMPLE of several samples.
+  // A GL_TEXTURE_2D, or with several samples a GL_TEXTURE_2D_MULTISAMPLE.
   GLuint colour_texture() const { return colour_.name(); }
-  // Makes it what is drawn into, whole.
+  // Binds it for drawing, with a viewport of its whole size.
   void bind() const;
 
  private:
@@ -41,8 +42,7 @@ class Framebuffer {
   std::optional<Renderbuffer> depth_;
 };
 
-// Copies the colour of all of `from` to `to` (0: the window) with its lower left corner at x, y; resolves
-// samples.
+// Copies the colour of `from` into `to` (0: the window) at the lower left corner x, y, and resolves samples.
 void blit(const Framebuffer& from, GLuint to, int x, int y);
 
 }  // namespace kerf::gl

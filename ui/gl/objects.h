@@ -6,7 +6,7 @@
 
 namespace kerf::gl {
 
-// A name of the current context that is deleted with its owner. Move-only; must die before the context.
+// Owns the name of an OpenGL object of the current context. Move-only; must be destroyed before the context.
 template <typename Kind>
 class Object {
  public:

@@ -7,11 +7,11 @@
 
 namespace kerf::gl {
 
-// An OpenGL 3.3 core context without window, screen or X server, current on this thread while it lives. There
-// is no default framebuffer: draw into one of your own.
+// An OpenGL 3.3 core context without a window, a screen or an X server. It is current on this thread while
+// the object exists. It has no default framebuffer.
 class OffscreenContext {
  public:
-  // Tries EGL's surfaceless platform, then its first device; the error names both and why they failed.
+  // Tries EGL's surfaceless platform and then its first device. The error says why each of them failed.
   static Result<OffscreenContext> create();
 
   ~OffscreenContext();

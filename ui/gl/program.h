@@ -12,8 +12,8 @@
 
 namespace kerf::gl {
 
-// Where a program's source lies: the files of one stage are compiled as one text in the order given, behind
-// the line "#version 330 core".
+// The source files of a program. The files of each stage are concatenated in the given order after the line
+// "#version 330 core".
 struct ProgramFiles {
   std::vector<std::string> vertex;
   std::vector<std::string> fragment;
@@ -30,13 +30,13 @@ class Program {
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
-  // Reads and links. On failure one error that names the file and the line as the driver tells them.
+  // Reads, compiles and links the files. The error names the file and the line as reported by the driver.
   static Result<Program> load(const std::filesystem::path& folder, const ProgramFiles& files);
 
   void use() const { glUseProgram(name_); }
   GLuint name() const { return name_; }
 
-  // Of the program in use. A name that the compiler dropped is ignored.
+  // Set a uniform. A name that the compiler has removed is ignored. Precondition: the program is in use.
   void set(const char* uniform, const glm::mat4& m) const;
   void set(const char* uniform, const glm::mat3& m) const;
   void set(const char* uniform, const glm::vec4& v) const;

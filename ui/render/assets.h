@@ -4,7 +4,7 @@
 
 namespace kerf {
 
-// The project's folder of shaders, scenes and meshes, `assets/` of the checkout that was compiled.
+// The folder of shaders, scenes and meshes: `assets/` of the checkout from which the program was built.
 std::filesystem::path assets_folder();
 
 }  // namespace kerf

@@ -12,36 +12,37 @@
 
 namespace kerf {
 
-// The faces of a body as it was loaded, remembered for their smooth normals: a face that was split off one
-// takes its corner normals from where its corners lie in it, so that cutting never changes how a surface
-// shades.
+// The faces of a body as loaded, with smooth normals. The part of a split face interpolates the corner
+// normals of its base face, so that cutting never changes how a surface is shaded.
 //
-// The normal at a corner is the mean, weighted by angle, of the faces around that position whose planes turn
-// less than 35 degrees from its own. Expected linear time once; positions are compared to the bit. About 20
-// bytes a face where the surface is smooth, 60 where every edge is sharp.
+// The normal at a corner is the angle-weighted mean of the normals of those faces around its position whose
+// planes differ by less than 35 degrees from that of the corner's face. Positions are compared to the bit.
+// Construction takes expected linear time; memory is about 20 bytes per face if the surface is smooth and 60
+// if all edges are sharp.
 class BaseFaces {
  public:
   BaseFaces() = default;
-  // The mesh as loaded: no face split or removed yet. Faces that are not are shaded flat.
+  // Precondition: the mesh is as loaded. Faces that were split or removed before are shaded flat.
   BaseFaces(const Mesh& mesh, const FloatFrame& frame);
-  // The same, or that it was stopped. `progress` may be null.
+  // The same, or fails with cancelled() when stopped. `progress` may be null.
   static Result<BaseFaces> build(const Mesh& mesh, const FloatFrame& frame, const Progress* progress);
 
-  // Unit normals at three points of the plane of `base`, which are given in the body's float frame; also for
-  // a base that is not remembered.
+  // The unit normals at three points in the plane of `base`, which are given in the body's float frame. A
+  // face that is unknown gives the flat normal of the points.
   std::array<glm::vec3, 3> normals_at(FaceId base, const std::array<glm::vec3, 3>& points) const;
 
-  // Slots of faces as loaded; the corners of one in the float frame, nothing where it was no face.
+  // The number of face slots as loaded, and the corners of a face in the float frame, nothing if the slot had
+  // no face.
   uint32_t count() const { return static_cast<uint32_t>(faces_.size()); }
   std::optional<std::array<glm::vec3, 3>> corners(FaceId base) const;
 
-  // Memory that it holds.
+  // Memory allocated, in bytes.
   size_t bytes() const;
 
  private:
   static constexpr uint32_t kNone = 0xffffffffu;
 
-  // What corners of faces around one position have in common that are smooth to one another.
+  // The normal shared by the corners around one position whose faces join smoothly.
   struct Corner {
     glm::vec3 at;
     uint32_t normal;  // packed
@@ -51,10 +52,11 @@ class BaseFaces {
   bool knows(FaceId base) const { return base.index < faces_.size() && faces_[base.index][0] != kNone; }
 
   std::vector<Corner> corners_;
-  std::vector<std::array<uint32_t, 3>> faces_;  // by face slot as loaded; kNone where it was no face
+  std::vector<std::array<uint32_t, 3>>
+      faces_;  // by face slot as loaded: indices into corners_; kNone where there was no face
 };
 
-// A unit vector as the GPU's INT_2_10_10_10_REV and back.
+// Converts a unit vector to OpenGL's INT_2_10_10_10_REV and back.
 uint32_t pack_normal(const glm::vec3& n);
 glm::vec3 unpack_normal(uint32_t packed);
 

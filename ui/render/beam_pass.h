@@ -8,21 +8,22 @@
 
 namespace kerf {
 
-// A beam as it is drawn, in world coordinates.
+// A beam to be drawn, in world coordinates (m).
 struct BeamPicture {
   Vec3 from, to;
-  std::optional<Vec3> strike;  // where it meets the first surface
+  std::optional<Vec3> strike;  // where it first meets a surface
   double radius = 0.01;        // m
 };
 
-// The beam: a thin core in a soft halo that always faces the eye, and a white-hot spot where it strikes.
+// Draws the beam as a bright core with a soft halo that always faces the eye, and a white-hot spot where it
+// strikes.
 class BeamPass {
  public:
   static Result<BeamPass> create(const std::filesystem::path& shaders);
 
-  // The light of the spot on its surroundings.
+  // Sets the uniforms for the light that the spot casts on its surroundings.
   static void fill_in(FrameUniforms& frame, const FrameSpace& space, const BeamPicture& beam);
-  // After everything opaque, with the depth of it; adds light.
+  // Adds the beam to a picture of `height` pixels whose opaque surfaces and depth are drawn already.
   void draw(const CameraView& view, const FrameSpace& space, const BeamPicture& beam, int height) const;
 
  private:

@@ -6,11 +6,13 @@
 
 namespace kerf {
 
-// Where a ray first meets one of the bodies that a beam meets (see cuttable): metres along it.
+// The length in metres at which a ray first meets a body that a beam can cut (see cuttable); nothing if it
+// misses all.
 std::optional<double> first_hit(const World& world, const Pose& ray);
 
-// Where a beam first meets one of those bodies, metres along it: by rays on its axis, around its radius and
-// around that of the rim of what it burns, which lies so much farther out (m). Empty beyond `reach`.
+// The length in metres at which a beam first meets such a body. Rays are cast along its axis, around its
+// radius and around the rim of what it burns, which lies `overshoot` metres farther out. Nothing if no ray
+// hits within `reach` metres.
 std::optional<double> find_strike(const World& world, const Pose& beam, double radius, double overshoot,
                                   double reach);
 

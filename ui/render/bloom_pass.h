@@ -7,13 +7,13 @@
 
 namespace kerf {
 
-// The glow around what is bright: what the alpha of a picture marks as shining is blurred in a quarter and in
-// a sixteenth of its size and laid over it.
+// Draws the glow around bright pixels: those that the alpha channel of a picture marks are blurred at a
+// quarter and at a sixteenth of its resolution and added to it.
 class BloomPass {
  public:
   static Result<BloomPass> create(const std::filesystem::path& shaders);
 
-  // Draws `picture` (one sample) with its glow into a framebuffer, its lower left corner at x, y.
+  // Draws `picture`, which has one sample per pixel, with its glow into the framebuffer `target` at x, y.
   void draw(const gl::Framebuffer& picture, GLuint target, int x, int y);
 
  private:

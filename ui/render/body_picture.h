@@ -14,14 +14,14 @@
 
 namespace kerf {
 
-// The uniform blocks of the shaders.
+// Binding points of the shaders' uniform blocks.
 inline constexpr GLuint kFrameBlock = 0;
 inline constexpr GLuint kPaintBlock = 1;
 
-// One body as it is drawn: its faces and its paints.
+// One body on the GPU: its faces, its paints and the looks of its pieces.
 class BodyPicture {
  public:
-  // `prepared` is of the body as it was loaded.
+  // Precondition: `prepared` was made from the body as it was loaded.
   BodyPicture(const Body& body, const std::map<std::string, Paint>& paints, PreparedBody prepared);
 
   FaceBuffer& faces() { return faces_; }
@@ -30,9 +30,9 @@ class BodyPicture {
   PieceLooks& looks() { return looks_; }
   const PieceLooks& looks() const { return looks_; }
 
-  // With a program in use whose vertices are faces': where the body and its pieces stand, its paints.
+  // Sets placements and paints in `program`, which is in use and draws faces.
   void bind(const gl::Program& program, const FrameSpace& space, const Placement& placement) const;
-  // That and its faces.
+  // Binds and draws the faces.
   void draw(const gl::Program& program, const FrameSpace& space, const Placement& placement) const;
 
  private:
@@ -41,7 +41,8 @@ class BodyPicture {
   gl::Buffer paints_;
 };
 
-// The colour and gloss of up to 256 materials by index; what has no paint looks like blue-grey painted metal.
+// Colour and gloss of up to 256 materials by index. A material without a paint looks like blue-grey painted
+// metal.
 std::vector<glm::vec4> paint_table(const std::vector<std::string>& materials,
                                    const std::map<std::string, Paint>& paints);
 

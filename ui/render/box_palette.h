@@ -6,7 +6,7 @@
 
 namespace kerf {
 
-// The two colours of a palette as 0xrrggbb of the screen.
+// The two colours of a palette as 0xrrggbb (sRGB).
 struct BoxColours {
   uint32_t hit = 0;        // drawn solid
   uint32_t untouched = 0;  // drawn dotted
@@ -17,7 +17,8 @@ constexpr BoxColours colours_of(BoxPalette palette) {
                                              : BoxColours{0xe69f00, 0x56b4e9};
 }
 
-// The colour of what is selected: amber, and blue where orange means that the beam was there.
+// The colour of the selection: amber, or blue in the palette in which orange marks boxes that the beam has
+// hit.
 constexpr uint32_t selection_colour(BoxPalette palette) {
   return palette == BoxPalette::kRedAndGreen ? 0xff9d2e : 0x4aa3ff;
 }

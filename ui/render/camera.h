@@ -9,48 +9,53 @@
 
 namespace kerf {
 
-// Where the eye stands and how it looks; everything in world coordinates and double. +Y is up in the picture.
+// A perspective view in world coordinates and double precision. +Y points up in the picture.
 struct CameraView {
   Vec3 eye{0, 0, 1};
   Vec3 right{1, 0, 0}, up{0, 1, 0}, forward{0, 0, -1};  // orthonormal
-  double focus = 1;                                     // m, distance of what is looked at
-  double tan_half_fov = 0.3;                            // of the vertical field of view
+  double focus = 1;                                     // m, distance of the point looked at
+  double tan_half_fov = 0.3;                            // of half the vertical field of view
   double aspect = 16.0 / 9;                             // width over height
 
-  // The ray through a point of the picture: x from -1 left to 1 right, y from -1 below to 1 above. Unit
-  // direction.
+  // The ray from the eye through a point of the picture: x from -1 (left) to 1 (right), y from -1 (bottom) to
+  // 1 (top).
   Pose ray(double x, double y) const;
-  // Where a point is seen, and its depth along `forward` (m) as z; x and y mean nothing where z <= 0.
+  // The point of the picture at which p is seen, with its depth along `forward` (m) as z; x and y are
+  // undefined if z <= 0.
   Vec3 project(const Vec3& p) const;
 };
 
-// A view as an eye and a target tell it; a target at the eye or straight above it is taken as near as can be.
+// The view from an eye to a target. If the target coincides with the eye or lies vertically above or below
+// it, the nearest possible view is taken.
 CameraView look_at(const Vec3& eye, const Vec3& target, double aspect);
 
-// A turntable: the eye on a sphere around a pivot, never over the poles. Movements set a goal; advance()
-// eases the view towards it, nine tenths of the way in 100 ms.
+// A turntable camera: the eye moves on a sphere around a pivot and stops before the poles. Movements set a
+// goal, and advance() eases the view towards it by nine tenths of the distance in 100 ms.
 class Camera {
  public:
-  // Three-quarter from the front (+Z) and above, the box filling `fill` of the picture's height.
+  // Looks from the front (+Z), from one side and from above, so that the box fills the fraction `fill` of the
+  // picture's height.
   void frame_default(const World::Bounds& bounds, double aspect, double fill = 0.64);
-  // From where it looks now.
+  // The same without a change of direction.
   void frame(const World::Bounds& bounds, double aspect, double fill = 0.72);
   void look(const Vec3& eye, const Vec3& target);
 
-  void orbit(double right, double up);  // radians that the eye goes round the pivot
-  // Moves what lies at the pivot's depth with a point of the picture; x and y as in CameraView::ray.
+  void orbit(double right, double up);  // angles in radians around the pivot
+  // Shifts the view so that points at the pivot's depth follow a motion in the picture, in the units of
+  // CameraView::ray.
   void pan(double dx, double dy, double aspect);
-  // The distance times `factor`, with what lies at the pivot's depth under x, y staying there.
+  // Multiplies the distance by `factor` and keeps the point at the pivot's depth under x, y in place.
   void zoom(double factor, double x, double y, double aspect);
 
-  // Moves on by so many seconds; whether it has still to move.
+  // Advances the motion by a time. Returns whether it is still in motion.
   bool advance(double seconds);
+  // Jumps to the goal.
   void finish() { now_ = goal_; }
 
   CameraView view(double aspect) const { return view_of(now_, aspect); }
   Vec3 pivot() const { return now_.pivot; }
 
-  static constexpr double kTanHalfFov = 0.3057;  // 34 degrees from top to bottom, more in a narrow picture
+  static constexpr double kTanHalfFov = 0.3057;  // 34 degrees vertically; more in a narrow picture
 
  private:
   struct State {

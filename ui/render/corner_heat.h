@@ -7,21 +7,21 @@
 
 namespace kerf {
 
-// How hot the corners of a face look, in halvings since the base faces: small faces are warm, and hottest is
-// a rim that was cut through them. What glows falls off evenly over the faces instead of from one to the
-// next.
+// How hot the corners of faces appear when they are coloured by refinement level. The unit is the number of
+// halvings since the base face: small faces are warm, and a rim that was cut through them is hottest. Values
+// at corners make the glow vary smoothly across faces.
 class CornerHeat {
  public:
-  // Faces that were halved less often never glow, and nothing is looked up for them.
+  // Faces that were halved less often do not glow and cost nothing.
   static constexpr uint32_t kLeastSmall = 4;
 
-  // At the corners of a face, in the order of Mesh::triangle; zero for a dead one. At a corner on a rim a
-  // little more than the finest face there has; at others half-way between the least and the mean of the
-  // faces that share the corner by position and hang together there, and less, so that the glow is a thin
+  // The heat at the corners of a face, in the order of Mesh::triangle; zero for a dead face. A corner on a
+  // rim is slightly hotter than the finest face there. Any other corner gets a value below the midpoint
+  // between the minimum and the mean of the faces that are connected around it, so that the glow is a thin
   // line along the rim. Constant time.
   std::array<float, 3> of(const Mesh& mesh, FaceId f);
 
-  // The live faces that share a corner with f, itself included; none for one that never glows.
+  // The live faces that share a corner with f, including f; none for a face that does not glow.
   const std::vector<FaceId>& faces_around(const Mesh& mesh, FaceId f);
 
  private:

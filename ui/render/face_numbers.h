@@ -9,22 +9,22 @@
 
 namespace kerf {
 
-// The numbers of faces over the picture, those of faces that are gone included. Which face shows where is
-// drawn into a picture of its own and read back, so a number stands only on its face.
+// Draws the numbers of faces, including removed ones, over the picture. The faces are drawn into an
+// off-screen picture of face numbers that is read back, so that each number lies on its face.
 class FaceNumbers {
  public:
   static Result<FaceNumbers> create(const std::filesystem::path& shaders);
 
-  // Over the picture, which is bound again after. O(faces).
+  // Draws over `picture` and leaves it bound. O(faces).
   void draw(const Subject& subject, const FrameUniforms& frame, const gl::Framebuffer& picture);
 
-  // Any numbers over what is bound, each with its lower left corner at a pixel of it.
+  // Draws any numbers over the bound framebuffer, each with its lower left corner at a given pixel.
   void draw_labels(const std::vector<FaceLabel>& labels, int zoom) const;
 
  private:
   FaceNumbers(gl::Program faces, gl::Program removed, gl::Program numbers);
   void make_bitmaps();
-  // Four bytes a pixel, as faces.vert marks them.
+  // The visible faces, four bytes per pixel as written by faces.vert.
   std::vector<uint8_t> look_which(const Subject& subject, int width, int height);
 
   gl::Program faces_, removed_, numbers_;

@@ -7,22 +7,24 @@ namespace kerf {
 struct FilmOptions {
   PictureOptions picture;
   double frames_per_second = 30;  // > 0
-  std::filesystem::path folder;   // is there; frame-00000.png and so on are written to it
+  std::filesystem::path folder;   // an existing folder, which receives frame-00000.png and so on
 };
 
-// Films what happens to a document, in numbered PNGs. A journal holds no times, so the film has a pace of its
-// own: the beam goes at a steady speed that takes it across the diagonal of the world in four seconds,
-// measured at its emitter or in the middle of the world, whichever goes faster; the film rests for half a
-// second before the first stroke and after each stroke and other command, and for a second at the end.
+// Films the replay of a document as numbered PNGs at a pace of its own: the beam moves at a constant speed of
+// one diagonal of the world in four seconds, measured at its emitter or in the middle of the world, whichever
+// is faster. The film rests for half a second before the first stroke and after each stroke or other command,
+// and for a second at the end.
 class Film {
  public:
-  // Takes the first frames of a scene that is not cut yet. Fails as Studio::open does, and where a frame
-  // cannot be written.
+  // Writes the first frames, of a scene that is not cut yet. Fails like Studio::open, or if a frame cannot be
+  // written.
   static Result<Film> begin(const Scene& scene, FilmOptions options);
 
-  // After each step of the document: the one move that it walked, none where the command moves no beam, and
-  // what it changed, null where that is not known.
+  // To be called after each step of the document. `move` is the move of the beam, or nothing if the command
+  // moves no beam; `step` is what the step changed, or null if that is unknown. Fails if a frame cannot be
+  // written.
   Status follow(const Document& document, const std::optional<BeamMove>& move, const StepResult* step);
+  // Writes the last frames.
   Status end(const Document& document);
 
  private:

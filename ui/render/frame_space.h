@@ -11,8 +11,9 @@
 
 namespace kerf {
 
-// The coordinates that shaders work in: the axes of the world, the eye at the origin, lengths over a power of
-// two near the size of the world. Differences are taken in double, so floats do anywhere and at any size.
+// The coordinates of the shaders: the axes of the world, with the eye at the origin and lengths divided by
+// `unit`, a power of two near the size of the world. Differences are computed in double, so that floats
+// suffice at any place and size.
 struct FrameSpace {
   Vec3 eye{0};
   double unit = 1;  // m
@@ -20,7 +21,7 @@ struct FrameSpace {
   glm::vec3 from_world(const Vec3& p) const { return glm::vec3((p - eye) / unit); }
   float length(double metres) const { return static_cast<float>(metres / unit); }
 
-  // The float frame of a body that stands at `placement`, as a matrix.
+  // The transformation from the float frame of a body with this placement.
   glm::mat4 from_body(const Placement& placement, const FloatFrame& frame) const {
     const glm::dmat3 turn = glm::mat3_cast(placement.orientation) * (1 / (frame.scale * unit));
     const Vec3 origin = (placement.to_world(frame.origin) - eye) / unit;
@@ -29,7 +30,7 @@ struct FrameSpace {
   }
 };
 
-// The block "Frame" of the shaders (frame.glsl), which says what each member means.
+// The uniform block "Frame" of the shaders; frame.glsl documents its members.
 struct FrameUniforms {
   glm::mat4 clip_from_frame{1};
   glm::vec4 camera_right{0}, camera_up{0}, camera_forward{0};
@@ -42,12 +43,13 @@ struct FrameUniforms {
   glm::vec4 heat{0};
 };
 
-// Where the near plane goes, along the forward axis of a view; m. As far as the box and the ground (a height)
-// allow that are seen, since the depth buffer tells surfaces apart in proportion to it; at least a fraction
-// of the focus.
+// The distance of the near plane along the forward axis of a view, in metres: as large as the visible box and
+// the ground (its height, m) allow, because the resolution of the depth buffer is proportional to it, and at
+// least a fraction of the focus.
 double near_plane(const CameraView& view, const World::Bounds& drawn, double ground);
 
-// What the view decides of it: the matrix (no far plane, the near plane at `near` m), the axes, the viewport.
+// The members that depend on the view: the matrix (near plane at `near` metres, no far plane), the axes and
+// the viewport.
 FrameUniforms uniforms_of(const CameraView& view, double near, const FrameSpace& space, int width,
                           int height);
 

@@ -8,32 +8,32 @@
 
 namespace kerf {
 
-// The floor that the world stands on: a matt disc with a grid, at the height of the world's lowest point. It
-// darkens softly where something stands close above it.
+// The floor: a matt disc with a grid at the height of the world's lowest point. Contact shading darkens it
+// softly under nearby surfaces.
 class GroundPass {
  public:
   static Result<GroundPass> create(const std::filesystem::path& shaders);
 
-  // The ground under these bounds.
+  // Places the ground under these bounds.
   void place_under(const World::Bounds& bounds);
   void fill_in(FrameUniforms& frame, const FrameSpace& space) const;
 
-  // Draws all bodies with the program given; what is drawn is seen by the ground alone.
+  // Draws all bodies with the given program, for the shading of the ground only.
   using DrawBodies = std::function<void(const gl::Program&)>;
 
-  // Looks anew at how close what stands on it is. Changes the framebuffer that is bound.
+  // Recomputes the contact shading. Changes the bound framebuffer.
   void update_contact(const FrameSpace& space, const DrawBodies& bodies);
-  // After the bodies and before the sky: the ground without lights. `spot`: whether the beam lights it up.
-  // Nothing is drawn for an eye under the ground.
+  // Draws the ground without lights, after the bodies and before the sky. `spot`: whether the spot of the
+  // beam lights it. Nothing is drawn if the eye is below the ground.
   void draw(const FrameSpace& space, bool spot) const;
-  // Its shape alone, for a program of ground.vert in use.
+  // Draws its shape with the program in use, which contains ground.vert.
   void draw_disc(const FrameSpace& space) const;
-  // What a light adds to it, in the uniforms of direct.glsl; where it was drawn it is drawn to the bit.
+  // Adds a light, given as the uniforms of direct.glsl, with exactly the same depths as draw().
   void add_light(const FrameSpace& space, const glm::vec4& light, const glm::vec4& colour) const;
 
-  // For pictures without shadow volumes: projects the bodies onto the ground, away from a directional light
-  // above it, and turns the stencil test on so that only what lies outside this shadow passes. False for
-  // another light; nothing is done then.
+  // For pictures without shadow volumes: projects the bodies onto the ground along a directional light from
+  // above and enables the stencil test so that only pixels outside this shadow pass. Returns false, and does
+  // nothing, for any other light.
   bool project_shadow(const FrameSpace& space, const glm::vec4& light, const DrawBodies& bodies) const;
 
   double height() const { return height_; }

@@ -11,13 +11,13 @@
 
 namespace kerf {
 
-// Boxes of the tree and normals of the faces: thin lines over the picture, a coloured one over a dark one.
-// What a body shows is gathered anew when it changed and is shown, in time linear in its size.
+// Draws boxes of the tree and normals of faces as thin coloured lines with a dark outline. The lines of a
+// body are collected again when it has changed and is shown, in time linear in its size.
 class LineOverlay {
  public:
   static Result<LineOverlay> create(const std::filesystem::path& shaders);
 
-  // Everything that was gathered is out of date.
+  // Discards all collected lines.
   void forget() { gathered_.clear(); }
   void draw(BodyId id, const Body& body, const FloatFrame& frame, const FrameSpace& space,
             const glm::mat4& clip_from_frame, const ViewOptions& options);
@@ -25,7 +25,7 @@ class LineOverlay {
  private:
   LineOverlay(gl::Program box, gl::Program stick);
 
-  // Lines of one body, one instance each.
+  // The lines of one body on the GPU, one instance per line.
   struct Lines {
     gl::Buffer buffer;
     gl::VertexArray layout;

@@ -10,8 +10,8 @@
 
 namespace kerf {
 
-// Bodies, ground and sky under their lights: first everything as it is without them, then for each light what
-// it adds where its shadow is not, all in linear light.
+// Draws bodies, ground and sky with their lights: first everything in ambient light, then for each light its
+// contribution outside its shadow, all in linear light.
 class LitScene {
  public:
   static Result<LitScene> create(const std::filesystem::path& shaders);
@@ -20,12 +20,12 @@ class LitScene {
   ShadowPass& shadows() { return shadows_; }
   const ShadowPass& shadows() const { return shadows_; }
 
-  // Into the colour and depth of `canvas`. `spot`: whether the beam lights its surroundings up. The uniform
-  // block of the frame must be bound.
+  // Draws into the colour and depth of `canvas`. `spot`: whether the spot of the beam lights its
+  // surroundings. Precondition: the uniform block of the frame is bound.
   void draw(const Subject& subject, bool spot, const gl::Framebuffer& canvas);
 
  private:
-  // With or without wire and the light of the spot: what is not needed is not computed.
+  // Variants of the programs with and without wire and spot, so that what is not needed is not computed.
   static constexpr size_t kWire = 1, kSpot = 2;
   struct BodyPrograms {
     std::array<gl::Program, 4> ambient;
@@ -48,7 +48,7 @@ class LitScene {
   TonePass tone_;
   gl::VertexArray no_vertices_;
   std::optional<gl::Framebuffer> linear_;
-  GLuint linear_beside_ = 0;  // the canvas whose depth it shares
+  GLuint linear_beside_ = 0;  // the canvas whose depth buffer it shares
 };
 
 }  // namespace kerf

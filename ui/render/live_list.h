@@ -8,22 +8,22 @@
 
 namespace kerf {
 
-// Which of a chunk's slots have something to draw, without gaps and in no order: removing one puts the last
-// in its place. What was removed costs nothing to draw, however much was cut, and a slot that came and went
-// between two pictures leaves no trace.
+// The slots of a chunk that are to be drawn, without gaps and in unspecified order: the last one takes the
+// place of a removed one. Removed faces therefore cost nothing to draw.
 class LiveList {
  public:
   explicit LiveList(uint32_t slots) : place_(slots, kNone) {}
 
   bool contains(uint32_t slot) const { return place_[slot] != kNone; }
-  // Adds or takes away a slot; whether that changed anything.
+  // Adds or removes a slot. Returns whether that changed anything. Constant time.
   bool set(uint32_t slot, bool live);
 
   std::span<const uint32_t> slots() const { return slots_; }
-  // The places in slots() that changed since the last call, within what there is of them.
+  // The ranges of slots() that changed since the last call; ranges separated by at most `gap` unchanged
+  // places are joined.
   std::vector<SlotRange> take_changes(uint32_t gap);
 
-  // Memory that it holds.
+  // Memory allocated, in bytes.
   size_t bytes() const { return (slots_.capacity() + place_.capacity()) * sizeof(uint32_t); }
 
  private:

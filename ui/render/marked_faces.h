@@ -5,9 +5,9 @@
 
 namespace kerf {
 
-// Draws every face of every body with depth as a mark of its own into the bound framebuffer, which is
-// cleared; nothing is drawn where no face is. Backs are left out where the options cull them. `faces` is the
-// program of faces.vert and mark.frag; it is in use afterwards.
+// Clears the bound framebuffer and draws every face of every body, with depth, as a value that identifies it.
+// Back faces are omitted if the options cull them. `faces` is the program of faces.vert and mark.frag; it is
+// in use afterwards.
 void draw_marked_faces(const Subject& subject, const gl::Program& faces);
 
 }  // namespace kerf

@@ -8,12 +8,12 @@
 
 namespace kerf {
 
-// A thin line around the pieces that are selected, also where something stands before them.
+// Draws a thin outline around selected pieces, also where other surfaces hide them.
 class OutlinePass {
  public:
   static Result<OutlinePass> create(const std::filesystem::path& shaders);
 
-  // Over the picture, which is bound again after. Costs nothing where nothing is selected.
+  // Draws over `picture` and leaves it bound. Costs nothing if no piece is selected.
   void draw(const Subject& subject, const gl::Framebuffer& picture);
 
  private:

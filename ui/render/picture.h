@@ -10,16 +10,17 @@
 
 namespace kerf {
 
+// How a picture is rendered.
 struct PictureOptions {
   int width = 1280, height = 720;   // pixels, 1 .. 16384
-  std::optional<Vec3> eye, target;  // m; the scene's view or one from the front where both are empty
+  std::optional<Vec3> eye, target;  // m; if both are empty, the scene's view or one from the front
   ShowOptions show;
   bool antialias = true;
 };
 
-// Draws what a file holds without a screen and writes it as a PNG, whole or not at all. The strokes of a
-// scene are cut and the commands of a journal replayed first. Fails without OpenGL, where the file cannot be
-// written, and where a stroke of a scene cannot be cut.
+// Renders the content of a file without a screen and writes it as a PNG, whole or not at all. The strokes of
+// a scene are cut, or the commands of a journal replayed, beforehand. Fails if OpenGL is not available, the
+// file cannot be written or a stroke cannot be cut.
 Status render_picture(Work work, const PictureOptions& options, const std::filesystem::path& png);
 
 }  // namespace kerf

@@ -4,11 +4,11 @@
 
 namespace kerf {
 
-// Memory that pictures of a world need, bytes.
+// Memory used for drawing a world, in bytes.
 struct PictureMemory {
   size_t shading = 0;   // smooth normals of the faces as loaded
-  size_t shadows = 0;   // what casts, and what lies in shadow of what
-  size_t graphics = 0;  // buffers for the graphics card, and the lists of what is in them
+  size_t shadows = 0;   // casters and shadow volumes
+  size_t graphics = 0;  // graphics buffers and the lists of their contents
 
   PictureMemory& operator+=(const PictureMemory& more) {
     shading += more.shading;

@@ -14,9 +14,10 @@ struct Pixels {
   std::vector<uint8_t> rgb;
 };
 
-// What is in a framebuffer (0: the window), from its lower left corner.
+// Reads a framebuffer (0: the window) from its lower left corner.
 Pixels read_pixels(unsigned framebuffer, int width, int height);
 
+// Writes a PNG, whole or not at all.
 Status write_png(const Pixels& pixels, const std::filesystem::path& file);
 
 }  // namespace kerf

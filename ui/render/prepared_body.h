@@ -9,20 +9,21 @@
 
 namespace kerf {
 
-// What pictures of a body need besides the body and takes long to find out: no OpenGL, so that it can be made
-// ahead on another thread.
+// Data for drawing a body that take long to compute. They involve no OpenGL, so that they can be prepared on
+// another thread.
 struct PreparedBody {
-  FloatFrame frame;  // in which its faces are drawn
+  FloatFrame frame;  // the frame in which its faces are drawn
   BaseFaces bases;
-  std::unique_ptr<ShadowCaster> caster;  // null: not made yet
+  std::unique_ptr<ShadowCaster> caster;  // null if not prepared yet
 };
 using PreparedBodies = std::map<BodyId, PreparedBody>;
 
-// The frame and the bases of a body as loaded, none of it cut. Expected linear time.
+// Prepares the frame and the bases of a body. Precondition: the body is as loaded. Expected linear time.
 PreparedBody prepare_shading(const Body& body);
-// The same of every body of a world, or that it was stopped. `progress` may be null, here and below.
+// The same for every body of a world, or fails with cancelled() when stopped. `progress` may be null, here
+// and below.
 Result<PreparedBodies> prepare_shading(const World& world, const Progress* progress);
-// Adds what casts the shadows of bodies that are prepared, as they are by now, or says that it was stopped.
+// Adds the shadow casters of prepared bodies, in their current state, or fails with cancelled() when stopped.
 // Expected linear time.
 Status prepare_shadows(const World& world, PreparedBodies& prepared, const Progress* progress);
 

@@ -6,14 +6,14 @@
 
 namespace kerf {
 
-// Shadows by rays over a picture: dark where the light is kept away, pale where it arrives, magenta where the
-// picture, counted with one sample, has it the other way round. Rows that are not traced yet stay as they
-// are.
+// Draws ray-traced shadows over a picture: dark where the light is occluded, pale where it is not, and
+// magenta where the shadow volumes, counted with one sample per pixel, disagree. Rows that are not traced yet
+// stay unchanged.
 class ReferencePass {
  public:
   static Result<ReferencePass> create(const std::filesystem::path& shaders);
 
-  // Over what is bound, whole.
+  // Draws over the whole bound framebuffer.
   void draw(const ShadowReference& traced, const ShadowCounts& drawn) const;
 
  private:

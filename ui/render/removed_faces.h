@@ -14,35 +14,37 @@ namespace kerf {
 
 using FaceCorners = std::array<glm::vec3, 3>;  // in the body's float frame
 
-// A face that is no more, with the corners that it had when it was last seen.
+// A removed face with its last known corners.
 struct RemovedFace {
   FaceId face, base;
   FaceCorners corners{};
 };
 
-// What a body has lost.
+// The faces that were removed from a body.
 //
-// Its surface as loaded is drawn a little behind what is left of it, and so shows exactly where faces are
-// gone, however they were split before. Of the faces themselves those are known that were loaded, and of the
-// parts that those were split into those that were seen and are not tiny; at most kMost of these, so that
-// memory stays bounded.
+// The surface as loaded is drawn slightly behind the remaining surface, so that it is visible exactly where
+// faces were removed, however they were split before. As individual faces, the base faces are known, and
+// those parts of base faces that were seen and are not tiny; at most kMost of them, so that memory is
+// bounded.
 class RemovedFaces {
  public:
   static constexpr size_t kMost = 20'000;
-  static constexpr float kSmallest = 0.006f;  // of a remembered part's longest edge, in the float frame
+  static constexpr float kSmallest =
+      0.006f;  // longest edge below which parts are not recorded, in the float frame
 
-  // A part of a base face as it is now; it may be asked for again and again.
+  // Records the current corners of a part of a base face; may be called repeatedly.
   void saw(FaceId f, const FaceCorners& corners);
-  // The face of this slot is gone.
+  // Reports that the face of a slot was removed.
   void died(FaceId f, FaceId base);
-  // The slot has a face, again perhaps.
+  // Reports that the slot has a face, perhaps again.
   void came_back(FaceId f) { parts_.erase(f.index); }
 
-  // The base faces and parts that are gone.
+  // All removed base faces and recorded parts.
   std::vector<RemovedFace> list(const Mesh& mesh, const BaseFaces& bases) const;
 
-  // Uploads the base faces that are no longer whole where the mesh changed since; O(base faces) then.
+  // Uploads the base faces that are incomplete, if forget() was called since. O(base faces) then.
   void update(const Mesh& mesh, const BaseFaces& bases);
+  // Reports that the mesh has changed.
   void forget() { old_ = true; }
   // Draws them; attribute 0 is the position, 1 the index of the base face.
   void draw() const;

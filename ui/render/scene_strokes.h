@@ -9,9 +9,9 @@
 
 namespace kerf {
 
-// Cuts the strokes that a scene brings with it: what a stroke does not say follows from the size of the
-// world before the first of them (see default_settings). Every step is told. Ends at the first step that
-// fails, and where `progress` stops it, which keeps what was cut until then.
+// Cuts the strokes of a scene. Settings that a stroke does not specify follow from the size of the world
+// before the first stroke (see default_settings). Calls `told` after every step. Stops at the first step that
+// fails, and when `progress` stops it; what was cut until then stays cut.
 Status cut_strokes(Document& document, const std::vector<StrokePath>& strokes,
                    const std::function<void(const StepResult&)>& told, const Progress* progress = nullptr);
 

@@ -4,24 +4,25 @@
 
 namespace kerf {
 
-// How kRobust draws the near caps of its volumes. A surface that is lit has to fail against its own cap,
-// which lies where it does: all but kExact are wrong, and are there for tests to show that they would notice.
+// How kRobust draws the near caps of its volumes. A lit surface has to fail the depth test against its own
+// cap, which has the same depth. All values but kExact give wrong shadows; tests use them to show that they
+// detect such errors.
 enum class NearCaps {
   kExact,
   kLessOrEqual,  // equal depths pass
-  kDisplaced,    // by one step of the depth towards the eye
+  kDisplaced,    // by one unit of depth towards the eye
 };
 
-// How shadows are cast where ShowOptions asks for them.
+// How shadows are drawn if ShowOptions enables them.
 struct ShadowOptions {
   ShadowMethod method = ShadowMethod::kRobust;
   NearCaps near_caps = NearCaps::kExact;
-  // How far the paper's volumes reach, in diagonals of the world; kRobust reaches without end.
+  // Length of the paper's volumes in diagonals of the world; those of kRobust extend to infinity.
   double extrusion = 4;
-  // Black at half strength over what is in shadow, as in the paper, in place of leaving the light out.
+  // Whether shadows are drawn as half-transparent black, as in the paper, instead of omitting the light.
   bool paper_look = false;
-  // The method that is drawn right of the split where ShowOptions asks to compare; `split` is a share of the
-  // picture's width.
+  // The method to the right of the split if ShowOptions compares two; `split` is a fraction of the picture's
+  // width.
   ShadowMethod beside = ShadowMethod::kPaperOneVolume;
   double split = 0.5;
   size_t inspected = 0;  // the light whose silhouette, volumes and counts are shown

@@ -8,16 +8,16 @@
 
 namespace kerf {
 
-// What shadow volumes are made of, over a picture: the silhouette of a light in blue, lighter and thinner
-// where one side lies on an edge, stronger where two do, violet where more; the volumes as sheets and wire,
-// blue where they are seen from outside and orange where from within; the counts of the stencil as a heat
-// map; polygons that face the light in a pale yellow and averted ones in dark blue. Strips at the lower left
-// say which colour means which number.
+// Draws the construction of shadow volumes over a picture: the silhouette in blue, thin and light for
+// multiplicity 1, stronger for 2 and violet above; the volumes as sheets and wire, blue from outside and
+// orange from inside; the stencil counts as a heat map; polygons that face the light in pale yellow and those
+// that face away in dark blue. A legend at the lower left explains the colours.
 class ShadowOverlay {
  public:
   static Result<ShadowOverlay> create(const std::filesystem::path& shaders);
 
-  // Over a picture with its depth, which stays; its stencil does not. For the light that the options inspect.
+  // Draws for the light that the options inspect, over a picture whose depth is kept; its stencil is
+  // overwritten.
   void draw(const Subject& subject, ShadowPass& shadows, const FaceNumbers& numbers,
             const gl::Framebuffer& picture) const;
 

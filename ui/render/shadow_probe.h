@@ -9,23 +9,23 @@
 
 namespace kerf {
 
-// What the pixels of a picture show and how the GPU counted the shadow on them. Rows from below.
+// For each pixel of a picture the visible face and the stencil count of a shadow. Rows start at the bottom.
 struct ShadowCounts {
   int width = 0, height = 0;
-  std::vector<uint32_t> faces;  // slot, 24 bits, and the number of the body from 1 in the upper 8; 0: the sky
+  std::vector<uint32_t> faces;   // lower 24 bits: slot; upper 8: number of the body from 1; 0: sky
   std::vector<uint8_t> stencil;  // lit where 0
 
   static constexpr uint32_t kGround = 0xff000000u;
   static uint32_t mark(uint32_t body, uint32_t slot) { return (body % 127 + 1) << 24 | (slot & 0xffffffu); }
 };
 
-// Draws which face every pixel shows, counts its shadow as the picture does, and reads both back. One sample.
+// Renders the visible faces and the stencil counts with one sample per pixel and reads both back.
 class ShadowProbe {
  public:
   static Result<ShadowProbe> create(const std::filesystem::path& shaders);
 
-  // The uniform block of the frame must be bound and fit the size. Without `ground` only bodies are seen.
-  // Changes what is bound.
+  // If `ground` is null, only bodies are visible. Changes the bound framebuffer. Precondition: the uniform
+  // block of the frame is bound and matches the size.
   ShadowCounts look(const Subject& subject, ShadowPass& shadows, size_t light, ShadowMethod method,
                     const GroundPass* ground, int width, int height);
 
@@ -37,7 +37,7 @@ class ShadowProbe {
   std::optional<gl::Framebuffer> picture_;
 };
 
-// Pixels of one size that are lit in one and not in the other.
+// The number of pixels that are lit in only one of two pictures. Precondition: they have the same size.
 size_t differing_pixels(const ShadowCounts& a, const ShadowCounts& b);
 
 }  // namespace kerf

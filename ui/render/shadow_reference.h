@@ -6,27 +6,27 @@
 
 namespace kerf {
 
-// Rays through what a picture draws: all bodies in the order of their ids, pieces where their looks have
-// them.
+// A ray tracer for what a picture shows: all bodies in the order of their ids, pieces at their drawn
+// positions.
 ShadowRays rays_through(const Subject& subject);
 
-// Shadows by rays, pixel by pixel in rows from below, a part of the picture at a time.
+// Traces the shadows of a picture pixel by pixel, in rows from the bottom, in several calls.
 class ShadowReference {
  public:
-  // `near`: where the near plane lies along the view's forward axis, m; `ground`: its height (m), where it is
-  // seen and receives shadows.
+  // `near`: distance of the near plane along the view's forward axis, m; `ground`: its height (m) if it is
+  // visible and receives shadows.
   ShadowReference(ShadowRays rays, const CameraView& view, double near, const Light& light,
                   std::optional<double> ground, int width, int height);
 
-  // Traces whole rows until that many pixels or all are done.
+  // Traces whole rows, at least `pixels` pixels or all that are left.
   void trace(size_t pixels);
   bool done() const { return row_ == height_; }
   double share_done() const { return static_cast<double>(row_) / height_; }
 
   int width() const { return width_; }
   int height() const { return height_; }
-  // What each pixel shows, as ShadowCounts::faces, and by how many surfaces the light is kept from it; 0 in
-  // rows that are not traced yet.
+  // For each pixel the visible face as in ShadowCounts::faces and the number of surfaces that occlude the
+  // light; 0 in rows that are not traced yet.
   const std::vector<uint32_t>& faces() const { return faces_; }
   const std::vector<int>& occluders() const { return occluders_; }
 
@@ -43,7 +43,8 @@ class ShadowReference {
   std::vector<int> occluders_;
 };
 
-// Pixels that show the same in both and are lit in one alone. Rows that are not traced yet do not count.
+// The number of pixels that show the same face in both and are lit in only one. Rows that are not traced yet
+// do not count.
 size_t differing_pixels(const ShadowCounts& drawn, const ShadowReference& traced);
 
 }  // namespace kerf

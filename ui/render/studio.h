@@ -8,17 +8,18 @@
 
 namespace kerf {
 
-// Makes pictures of a world without a screen, one after the other while it changes. The OpenGL context is
-// current while it lives.
+// Renders a sequence of pictures of a changing world without a screen. Its OpenGL context is current while it
+// exists.
 class Studio {
  public:
-  // Looks at a scene that is not cut yet. Fails without OpenGL and for a size that it has no room for.
+  // Precondition: the scene is not cut yet. Fails if OpenGL is not available or does not support the size.
   static Result<Studio> open(const Scene& scene, const PictureOptions& options);
 
-  // What a step changed; null where that is not known.
+  // Follows a change of the world; `step` is null if what changed is unknown.
   void follow(const World& world, const StepResult* step);
+  // Draws a picture.
   void draw(const World& world, const std::optional<BeamPicture>& beam);
-  // The last picture, whole or not at all.
+  // Writes the last picture as a PNG, whole or not at all.
   Status write(const std::filesystem::path& png) const;
 
  private:

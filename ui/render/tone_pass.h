@@ -5,13 +5,14 @@
 
 namespace kerf {
 
-// From the linear light of a scene to the eight bits of the screen, for every sample by itself, so that edges
-// against what is bright stay smooth.
+// Maps the linear light of a scene to the eight bits of the screen, separately for every sample, so that
+// edges against bright surfaces stay smooth.
 class TonePass {
  public:
   static Result<TonePass> create(const std::filesystem::path& shaders);
 
-  // Fills the colour of `to`, of the same size and samples, and leaves its depth.
+  // Fills the colour of `to` and keeps its depth. Precondition: both have the same size and number of
+  // samples.
   void draw(const gl::Framebuffer& scene, const gl::Framebuffer& to) const;
 
  private:

@@ -5,12 +5,12 @@
 
 namespace kerf {
 
-// The surface that is gone, over the picture: a faint veil, or filled red.
+// Draws the removed surface over the picture, as a faint veil or filled red.
 class VeilPass {
  public:
   static Result<VeilPass> create(const std::filesystem::path& shaders);
 
-  // After everything opaque, into what is bound, with its depth.
+  // Draws into the bound framebuffer, with depth test, after all opaque surfaces.
   enum class Style { kVeil, kRed };
   void draw(const Subject& subject, Style style) const;
 
@@ -21,8 +21,9 @@ class VeilPass {
   gl::Program veil_, faces_;
 };
 
-// With a program of veil.vert in use: draws the surface that is gone a little behind what is left, so that it
-// shows only where nothing is left. Bodies are numbered from 1 to 127, over and over.
+// Draws the removed surface slightly behind the remaining one, so that it is visible only where faces are
+// missing. Bodies are numbered from 1 to 127 cyclically. Precondition: `program`, which contains veil.vert,
+// is in use.
 void draw_removed(const Subject& subject, const gl::Program& program);
 
 }  // namespace kerf

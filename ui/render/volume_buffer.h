@@ -9,8 +9,8 @@
 
 namespace kerf {
 
-// The shadow volume of one body under one light on the GPU: the sign of every face in chunks as those of its
-// FaceBuffer, and the silhouette, one instance an edge. An update sends what changed.
+// The shadow volume of one body for one light on the GPU: the sign of every face, in the same chunks as in
+// FaceBuffer, and the silhouette with one instance per edge. Updates send only changes.
 class VolumeBuffer {
  public:
   explicit VolumeBuffer(ShadowMethod method) : volume_(method) {}
@@ -18,25 +18,25 @@ class VolumeBuffer {
   ShadowVolume& volume() { return volume_; }
   const ShadowVolume& volume() const { return volume_; }
 
-  // Of the buffers on the GPU.
+  // Memory of the buffers on the GPU, in bytes.
   size_t bytes() const;
 
-  // Sends what the volume changed since the last time.
+  // Sends the changes of the volume since the last call.
   void update(const ShadowCaster& caster);
 
-  // For a program of shadow_cap.vert in use: the signs of a chunk.
+  // Binds the signs of a chunk for `program`, which contains shadow_cap.vert and is in use.
   void bind_signs(const gl::Program& program, size_t chunk) const;
-  // For a program of shadow_side.vert in use: every side as often as its multiplicity says, each with so many
-  // vertices.
+  // Draws every side as often as its multiplicity demands, each with so many vertices. Precondition:
+  // `program`, which contains shadow_side.vert, is in use.
   void draw_sides(const gl::Program& program, int vertices_of_side) const;
-  // One instance of so many vertices an edge, whatever its multiplicity.
+  // Draws one instance with so many vertices per edge, whatever its multiplicity.
   void draw_edges(int vertices) const;
 
  private:
   // An edge as the GPU reads it.
   struct Side {
     glm::vec3 low, high;  // in the body's float frame
-    uint32_t attributes;  // its piece, as pack_attributes places it
+    uint32_t attributes;  // its piece, encoded as by pack_attributes
     int32_t multiplicity;
   };
   struct Signs {
@@ -59,8 +59,8 @@ class VolumeBuffer {
 
   ShadowVolume volume_;
   std::vector<Signs> signs_;  // by chunk
-  Sides sides_;               // as the silhouette; the shader draws two copies at most
-  Sides many_;                // what is left of edges with more copies than that
+  Sides sides_;               // the silhouette; the shader draws at most two copies
+  Sides many_;                // the remaining copies of edges with higher multiplicity
 };
 
 }  // namespace kerf

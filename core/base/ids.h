@@ -5,8 +5,9 @@
 
 namespace kerf {
 
-// A slot in an array of one kind of thing. Slots only grow while a document is open; a slot that died is not
-// handed out again. Tag keeps the kinds apart.
+// The index of a slot in an array that holds things of one kind. Such an array only grows while a document is
+// open: the slot of a thing that died is not used again, unless undo takes the slot itself back. Tag keeps
+// ids of different kinds apart.
 template <typename Tag>
 struct Id {
   static constexpr uint32_t kNone = 0xffffffffu;
@@ -22,12 +23,26 @@ using VertexId = Id<struct VertexTag>;
 using EdgeId = Id<struct EdgeTag>;
 using FaceId = Id<struct FaceTag>;
 
-// A body of a world: its slot and how often that slot was reused, so that an old id never names a new body.
+// Names a body of a world. Undo of the command that made a body gives its slot free, and the next body that
+// is made gets the same slot; the generation tells the two apart, so that an id never names a second body. It
+// is 0 for the bodies that a document begins with, and 1 + n for a body that the n-th command (from 0) of the
+// journal made; redo and replay of that command give the body the same id again.
 struct BodyId {
-  uint32_t slot = 0xffffffffu;
+  static constexpr uint32_t kNone = 0xffffffffu;
+  // In commands of journals that name a body by its number alone (Body::number), until they are applied.
+  static constexpr uint32_t kUnknownGeneration = 0xffffffffu;
+  uint32_t slot = kNone;
   uint32_t generation = 0;
-  constexpr bool valid() const { return slot != 0xffffffffu; }
+  constexpr bool valid() const { return slot != kNone; }
   friend constexpr auto operator<=>(BodyId, BodyId) = default;
+};
+
+// Names a piece: the body that its faces belong to, and their label there (FaceData::piece). Label 0 is what
+// is left of the body itself.
+struct PieceId {
+  BodyId body;
+  uint32_t label = 0;
+  friend constexpr auto operator<=>(PieceId, PieceId) = default;
 };
 
 }  // namespace kerf

@@ -5,6 +5,7 @@
 #include <string>
 #include <variant>
 
+#include "core/base/ids.h"
 #include "core/cut/cut_step.h"
 #include "core/world/placement.h"
 
@@ -26,32 +27,26 @@ struct Recut {
   CutSettings settings;
 };
 
-// A piece of the world: the slot of its body and its label there.
-struct PieceRef {
-  uint32_t body = 0;
-  uint32_t label = 0;
-  friend bool operator==(const PieceRef&, const PieceRef&) = default;
-};
-
 // Adds a body to the world from a mesh file.
 struct AddMesh {
   std::filesystem::path file;
   std::string name;
 };
-// A piece that moves, or hides, for the first time becomes a body of its own (see detach).
+// A piece that is named by one of these becomes a body of its own first, where it is not one already (see
+// detach); the command of the journal still names it by the body that it was part of.
 struct MovePiece {
-  PieceRef piece;
+  PieceId piece;
   Placement to;
 };
 struct HidePiece {
-  PieceRef piece;
+  PieceId piece;
   bool hidden = true;
 };
 struct DeletePiece {
-  PieceRef piece;
+  PieceId piece;
 };
 struct RenamePiece {
-  PieceRef piece;
+  PieceId piece;
   std::string name;
 };
 

@@ -35,8 +35,11 @@ void add_pose(std::string& text, const Pose& pose) {
   add_vector(text, "direction", pose.direction);
 }
 
-void add_piece(std::string& text, const PieceRef& piece) {
-  text += ",\"piece\":[" + std::to_string(piece.body) + ',' + std::to_string(piece.label) + ']';
+void add_piece(std::string& text, const PieceId& piece) {
+  text += ",\"piece\":[" + std::to_string(piece.body.slot) + ',';
+  if (piece.body.generation != BodyId::kUnknownGeneration)
+    text += std::to_string(piece.body.generation) + ',';
+  text += std::to_string(piece.label) + ']';
 }
 
 Status add_text(std::string& text, const char* key, const std::string& value) {
@@ -114,15 +117,18 @@ Result<Pose> parse_pose(const Context& c) {
   return Pose{*origin, *direction};
 }
 
-Result<PieceRef> parse_piece(const Context& c) {
+// [slot, generation, label]; or [number, label], as journals had it before bodies had generations.
+Result<PieceId> parse_piece(const Context& c) {
   const JsonValue piece = c.line["piece"];
   const nlohmann::json& json = piece.json();
-  const auto wrong = piece.wrong("must be two whole numbers, a body and a label");
-  if (!json.is_array() || json.size() != 2) return wrong;
+  const auto wrong = piece.wrong("must be three whole numbers: a body's slot, its generation and a label");
+  if (!json.is_array() || (json.size() != 2 && json.size() != 3)) return wrong;
   for (const nlohmann::json& n : json) {
-    if (!n.is_number_unsigned() || n.get<uint64_t>() > 0xffffffffu) return wrong;
+    if (!n.is_number_unsigned() || n.get<uint64_t>() >= BodyId::kNone) return wrong;
   }
-  return PieceRef{json[0].get<uint32_t>(), json[1].get<uint32_t>()};
+  const uint32_t slot = json.front().get<uint32_t>(), label = json.back().get<uint32_t>();
+  const uint32_t generation = json.size() == 3 ? json[1].get<uint32_t>() : BodyId::kUnknownGeneration;
+  return PieceId{{slot, generation}, label};
 }
 
 Result<Placement> parse_placement(const Context& c) {

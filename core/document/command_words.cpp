@@ -35,9 +35,9 @@ struct Words {
     }
     return "";
   }
-  static std::string of(const PieceRef& piece) {
-    if (piece.label == 0) return "body " + std::to_string(piece.body + 1);
-    return "piece " + std::to_string(piece.label) + " of body " + std::to_string(piece.body + 1);
+  static std::string of(const PieceId& piece) {
+    if (piece.label == 0) return "body " + std::to_string(piece.body.slot + 1);
+    return "piece " + std::to_string(piece.label) + " of body " + std::to_string(piece.body.slot + 1);
   }
 };
 

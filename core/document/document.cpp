@@ -1,6 +1,7 @@
 #include "core/document/document.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "core/document/piece_commands.h"
 #include "core/graph/separation.h"
@@ -365,9 +366,10 @@ Result<Delta> Document::do_at_once(HistoryStep& step, const Progress* progress) 
   const Status finished = finish(progress);
   if (!finished) return finished.error();
   close();
+  step.commands.front() = with_whole_id(world_, step.commands.front());
   const bool remembering = history_.window() > 0;
   if (remembering) world_.begin_change();
-  Result<Delta> delta = run_at_once(world_, step.commands.front(), progress);
+  Result<Delta> delta = run_at_once(world_, step.commands.front(), step.generation, progress);
   if (remembering) {
     World::Change change = world_.end_change();
     if (delta) step.add(std::move(change));
@@ -380,11 +382,13 @@ Result<Delta> Document::do_at_once(HistoryStep& step, const Progress* progress) 
 
 Result<Delta> Document::at_once(const Command& command, const Progress* progress) {
   HistoryStep step(command);
+  step.generation = static_cast<uint32_t>(journal_.size() + 1);
   Result<Delta> delta = do_at_once(step, progress);
   if (!delta || delta->empty()) return delta;
+  assert(step.generation == journal_.size() + 1);
+  journal_.push_back(step.commands.front());
   history_.append(std::move(step));
   history_.trim();
-  journal_.push_back(command);
   return delta;
 }
 

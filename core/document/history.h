@@ -17,6 +17,7 @@ class HistoryStep {
   explicit HistoryStep(const Command& first) : commands(1, first) {}
 
   std::vector<Command> commands;
+  uint32_t generation = 0;  // of the bodies that they make: 1 + the place of the command in the journal
   size_t removed_faces = 0;
   double removed_area = 0;  // m^2, see Delta
 

@@ -7,18 +7,10 @@ namespace kerf {
 
 namespace {
 
-struct Found {
-  BodyId body;
-  uint32_t label;
-};
-
-Result<Found> find(const World& world, const PieceRef& ref) {
-  for (const BodyId id : world.ids()) {
-    const auto& pieces = world.body(id).pieces;
-    if (id.slot == ref.body && ref.label < pieces.size() && pieces[ref.label].faces > 0)
-      return Found{id, ref.label};
-  }
-  return bad_input("there is no piece " + std::to_string(ref.label) + " of body " + std::to_string(ref.body));
+bool has_faces(const World& world, const PieceId& piece) {
+  if (!world.contains(piece.body)) return false;
+  const auto& pieces = world.body(piece.body).pieces;
+  return piece.label < pieces.size() && pieces[piece.label].faces > 0;
 }
 
 bool same(const Placement& a, const Placement& b) {
@@ -27,57 +19,74 @@ bool same(const Placement& a, const Placement& b) {
 
 // Lets the command edit the body that the piece is, where `differs` says that there is something to do.
 template <typename Differs, typename Edit>
-Result<Delta> edit_piece(World& world, const PieceRef& ref, Differs differs, Edit edit) {
-  const Result<Found> found = find(world, ref);
-  if (!found) return found.error();
+Result<Delta> edit_piece(World& world, const PieceId& piece, uint32_t generation, Differs differs,
+                         Edit edit) {
+  if (!has_faces(world, piece))
+    return bad_input("there is no piece " + std::to_string(piece.label) + " of body " +
+                     std::to_string(piece.body.slot));
   Delta delta;
-  if (!differs(world.body(found->body))) return delta;
-  const BodyId own = detach(world, found->body, found->label, delta);
+  if (!differs(world.body(piece.body))) return delta;
+  const BodyId own = detach(world, piece, generation, delta);
   edit(own);
   delta.anew = true;
   return delta;
 }
 
-Result<Delta> run(World& world, const AddMesh& c, const Progress* progress) {
+Result<Delta> run(World& world, const AddMesh& c, uint32_t generation, const Progress* progress) {
   Result<Body> body = load_body(c.name, c.file, progress);
   if (!body) return body.error();
-  world.add(std::move(*body));
+  world.add(std::move(*body), generation);
   Delta delta;
   delta.anew = true;
   return delta;
 }
 
-Result<Delta> run(World& world, const MovePiece& c) {
+Result<Delta> run(World& world, const MovePiece& c, uint32_t generation) {
   return edit_piece(
-      world, c.piece, [&](const Body& b) { return !same(b.placement, c.to); },
+      world, c.piece, generation, [&](const Body& b) { return !same(b.placement, c.to); },
       [&](BodyId own) { world.body(own).placement = c.to; });
 }
 
-Result<Delta> run(World& world, const HidePiece& c) {
+Result<Delta> run(World& world, const HidePiece& c, uint32_t generation) {
   return edit_piece(
-      world, c.piece, [&](const Body& b) { return b.hidden != c.hidden; },
+      world, c.piece, generation, [&](const Body& b) { return b.hidden != c.hidden; },
       [&](BodyId own) { world.body(own).hidden = c.hidden; });
 }
 
-Result<Delta> run(World& world, const DeletePiece& c) {
+Result<Delta> run(World& world, const DeletePiece& c, uint32_t generation) {
   return edit_piece(
-      world, c.piece, [](const Body&) { return true; }, [&](BodyId own) { world.remove(own); });
+      world, c.piece, generation, [](const Body&) { return true; }, [&](BodyId own) { world.remove(own); });
 }
 
-Result<Delta> run(World& world, const RenamePiece& c) {
+Result<Delta> run(World& world, const RenamePiece& c, uint32_t generation) {
   return edit_piece(
-      world, c.piece, [&](const Body& b) { return b.name != c.name; },
+      world, c.piece, generation, [&](const Body& b) { return b.name != c.name; },
       [&](BodyId own) { world.body(own).name = c.name; });
 }
 
 }  // namespace
 
-Result<Delta> run_at_once(World& world, const Command& command, const Progress* progress) {
-  if (const auto* c = std::get_if<AddMesh>(&command)) return run(world, *c, progress);
-  if (const auto* c = std::get_if<MovePiece>(&command)) return run(world, *c);
-  if (const auto* c = std::get_if<HidePiece>(&command)) return run(world, *c);
-  if (const auto* c = std::get_if<DeletePiece>(&command)) return run(world, *c);
-  if (const auto* c = std::get_if<RenamePiece>(&command)) return run(world, *c);
+Command with_whole_id(const World& world, Command command) {
+  std::visit(
+      [&](auto& c) {
+        if constexpr (requires { c.piece; }) {
+          if (c.piece.body.generation != BodyId::kUnknownGeneration) return;
+          for (const BodyId id : world.ids()) {
+            if (world.body(id).number == c.piece.body.slot) return void(c.piece.body = id);
+          }
+        }
+      },
+      command);
+  return command;
+}
+
+Result<Delta> run_at_once(World& world, const Command& command, uint32_t generation,
+                          const Progress* progress) {
+  if (const auto* c = std::get_if<AddMesh>(&command)) return run(world, *c, generation, progress);
+  if (const auto* c = std::get_if<MovePiece>(&command)) return run(world, *c, generation);
+  if (const auto* c = std::get_if<HidePiece>(&command)) return run(world, *c, generation);
+  if (const auto* c = std::get_if<DeletePiece>(&command)) return run(world, *c, generation);
+  if (const auto* c = std::get_if<RenamePiece>(&command)) return run(world, *c, generation);
   return Delta{};
 }
 

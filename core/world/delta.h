@@ -24,7 +24,7 @@ struct Delta {
   // lost (or, negative, gained) by the moves. The removed area and the area that is left sum up to the area
   // before the step.
   double removed_area = 0;
-  bool anew = false;        // bodies came, went, moved or hid: whoever follows must look at all of the world
+  bool anew = false;  // bodies came, went, moved or hid: whoever follows must look at all of the world
   bool empty() const { return bodies.empty() && !anew; }
 
   // Makes this the delta of this step and the next one together.

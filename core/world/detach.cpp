@@ -1,5 +1,6 @@
 #include "core/world/detach.h"
 
+#include <cassert>
 #include <vector>
 
 #include "core/mesh/extract_mesh.h"
@@ -57,22 +58,24 @@ void take_out(Body& body, std::span<const FaceId> faces) {
 
 }  // namespace
 
-bool stands_alone(const Body& body, uint32_t label) {
-  for (uint32_t p = 0; p < body.pieces.size(); ++p) {
-    if (p != label && body.pieces[p].faces > 0) return false;
+bool stands_alone(const World& world, const PieceId& piece) {
+  const Records<Piece>& pieces = world.body(piece.body).pieces;
+  for (uint32_t p = 0; p < pieces.size(); ++p) {
+    if (p != piece.label && pieces[p].faces > 0) return false;
   }
   return true;
 }
 
-BodyId detach(World& world, BodyId id, uint32_t label, Delta& delta) {
-  if (stands_alone(world.body(id), label)) return id;
-  const size_t faces = world.body(id).pieces[label].faces;
-  const bool piece_goes = 2 * faces <= world.body(id).mesh.live_faces();
-  std::vector<FaceId> going = faces_of(world.body(id), label, piece_goes);
-  const BodyId fresh = world.add(copy_out(world.body(id), going, label, piece_goes));
-  take_out(world.body(id), going);
-  const BodyId own = piece_goes ? fresh : id;
-  world.body(own).name += " piece " + std::to_string(label);
+BodyId detach(World& world, const PieceId& piece, uint32_t generation, Delta& delta) {
+  const Body& body = world.body(piece.body);
+  assert(piece.label < body.pieces.size() && body.pieces[piece.label].faces > 0);
+  if (stands_alone(world, piece)) return piece.body;
+  const bool piece_goes = 2 * body.pieces[piece.label].faces <= body.mesh.live_faces();
+  const std::vector<FaceId> going = faces_of(body, piece.label, piece_goes);
+  const BodyId own = world.add(copy_out(body, going, piece.label, piece_goes), generation);
+  take_out(world.body(piece.body), going);
+  if (!piece_goes) world.exchange_bodies(piece.body, own);
+  world.body(own).name += " piece " + std::to_string(piece.label);
   delta.anew = true;
   return own;
 }

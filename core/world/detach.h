@@ -5,15 +5,18 @@
 
 namespace kerf {
 
-// Whether a piece is all that its body has.
-bool stands_alone(const Body& body, uint32_t label);
+// Whether no other piece of the same body has faces.
+bool stands_alone(const World& world, const PieceId& piece);
 
-// Makes a piece a body of its own, where it is not one already, and returns that body. The piece keeps its
-// label, its name is the body's and the label, and it stands where it stood. The smaller side, by faces, is
-// copied out by arrays into the new body: the piece, or else all the rest, which then goes by the new id
-// while the piece stays with the old one. Tells the delta.
+// Makes a piece a body of its own and returns the id of that body: a new one of this generation, or the old
+// one where the piece stands alone. The piece keeps its label and its placement and is named after the body
+// and the label; the rest of the body keeps the old id. Appends the change to `delta`.
 //
-// The piece has faces. O(n log n) of the smaller side, beside one look at every face of the body.
-BodyId detach(World& world, BodyId id, uint32_t label, Delta& delta);
+// The smaller of the two sides, by faces, is copied to new arrays; where that is the rest, the bodies of the
+// two ids are then exchanged. So ids of faces and vertices hold on for the larger side alone.
+//
+// Precondition: the piece has faces. O(n log n) in the faces of the smaller side, and O(n) in those of the
+// body.
+BodyId detach(World& world, const PieceId& piece, uint32_t generation, Delta& delta);
 
 }  // namespace kerf

@@ -1,5 +1,8 @@
 #include "core/world/state_hash.h"
 
+#include <algorithm>
+#include <vector>
+
 #include "core/base/hash.h"
 
 namespace kerf {
@@ -30,10 +33,13 @@ uint64_t face_hash(const Body& body, uint64_t seed, FaceId f) {
 }  // namespace
 
 uint64_t state_hash(const World& world) {
-  uint64_t sum = 0, number = 0;
-  for (const BodyId id : world.ids()) {
+  std::vector<BodyId> ids = world.ids();
+  std::sort(ids.begin(), ids.end(),
+            [&](BodyId a, BodyId b) { return world.body(a).number < world.body(b).number; });
+  uint64_t sum = 0, place_of_body = 0;
+  for (const BodyId id : ids) {
     const Body& body = world.body(id);
-    const uint64_t seed = mix64(++number);
+    const uint64_t seed = mix64(++place_of_body);
     for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
       if (body.mesh.is_live(FaceId(f))) sum += face_hash(body, seed, FaceId(f));
     }

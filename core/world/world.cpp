@@ -58,13 +58,12 @@ void Body::count(FaceId f, int faces, double area) {
 
 size_t Body::bytes() const { return ChangeOfParts<Body>::bytes_of(*this); }
 
-BodyId World::add(Body body) {
-  slots_.push_back({std::move(body), 0, true});
-  return {static_cast<uint32_t>(slots_.size() - 1), 0};
-}
-
-bool World::contains(BodyId id) const {
-  return id.slot < slots_.size() && slots_[id.slot].alive && slots_[id.slot].generation == id.generation;
+BodyId World::add(Body body, uint32_t generation) {
+  assert(generation != BodyId::kUnknownGeneration);
+  const auto slot = static_cast<uint32_t>(slots_.size());
+  body.number = slot;
+  slots_.push_back({std::move(body), generation, true});
+  return {slot, generation};
 }
 
 std::vector<BodyId> World::ids() const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <memory>
 #include <string>
 #include <utility>
@@ -22,6 +23,10 @@ struct Body {
   std::string name;
   Placement placement;
   bool hidden = false;  // not seen, and not met by the beam
+  // Where state_hash counts the body among the others, and how journals named it before there were
+  // generations: the slot that it was added to. A body that a piece is detached from keeps its number for the
+  // larger of the two sides.
+  uint32_t number = 0;
   Mesh mesh;
   AabbTree tree;
   OneToFour refinement;
@@ -57,7 +62,8 @@ Body make_body(std::string name, BuiltMesh built);
 // The same, or that it was stopped. `progress` may be null.
 Result<Body> make_body(std::string name, BuiltMesh built, const Progress* progress);
 
-// All bodies. Ids stay valid for as long as their body lives and never name another one.
+// All bodies. An id stays valid for as long as its body lives and never names another one, provided that the
+// generations that add is given differ for any two bodies of one slot.
 class World {
  public:
   World();
@@ -68,12 +74,19 @@ class World {
   World(const World& other);
   World& operator=(const World& other);
 
-  BodyId add(Body body);
+  // Gives the body a new slot. Generation 0: the world begins with it (see BodyId).
+  BodyId add(Body body, uint32_t generation = 0);
+  // Precondition: contains(id). The slot stays empty.
   void remove(BodyId id);
-  bool contains(BodyId id) const;
-  Body& body(BodyId id) { return slots_[id.slot].body; }
-  const Body& body(BodyId id) const { return slots_[id.slot].body; }
-  // In the order in which they were added.
+  // Each of the two ids gets the body of the other. Precondition: both are contained, and differ. O(1).
+  void exchange_bodies(BodyId a, BodyId b);
+  bool contains(BodyId id) const {
+    return id.slot < slots_.size() && slots_[id.slot].alive && slots_[id.slot].generation == id.generation;
+  }
+  // Precondition: contains(id).
+  Body& body(BodyId id) { return slots_[checked(id)].body; }
+  const Body& body(BodyId id) const { return slots_[checked(id)].body; }
+  // In the order of their slots.
   std::vector<BodyId> ids() const;
 
   struct Bounds {
@@ -107,11 +120,19 @@ class World {
     uint32_t generation = 0;
     bool alive = false;
   };
-  // A body that is there on both sides of a change.
+  // A body that is there before and after a change.
   struct BodyChange {
-    uint32_t slot = 0;
+    uint32_t slot = 0;  // after the change
+    uint32_t home = 0;  // the slot before it
     ChangeOfParts<Body> parts;
   };
+
+  uint32_t checked(BodyId id) const {
+    assert(contains(id));
+    return id.slot;
+  }
+  void take_back(Change& change);
+  void bring_again(Change& change);
 
   std::vector<Slot> slots_;
   std::unique_ptr<Change> remembered_;  // while a command is remembered
@@ -121,16 +142,21 @@ class World::Change {
  public:
   // Memory that it holds.
   size_t bytes() const;
-  // Slots of bodies that came or went: whoever follows the world must look at it anew.
-  bool bodies_differ() const { return !removed_.empty() || slots_differ_; }
+  // Whether bodies came or went: whoever follows the world must look at all of it again.
+  bool bodies_differ() const { return !died_.empty() || slots_differ_; }
 
  private:
   friend class World;
-  size_t slots_ = 0;  // on the other side
+  void keep(uint32_t slot, Body& body);
+
+  size_t slots_ = 0;  // before the change
   bool slots_differ_ = false;
+  bool taken_back_ = false;  // the world is as it was before the change
   std::vector<BodyChange> edited_;
-  std::vector<std::pair<uint32_t, Slot>> removed_;  // other states of slots that are there on both sides
-  std::vector<Slot> added_;                         // slots that are there on the other side alone
+  std::vector<std::pair<uint32_t, uint32_t>> exchanged_;  // slots whose bodies were exchanged, in order
+  std::vector<std::pair<uint32_t, Body>> removed_;        // by slot before the change: bodies that it removed
+  std::vector<uint32_t> died_;                            // slots that it emptied
+  std::vector<Slot> added_;                               // slots that it added, while it is taken back
 };
 
 }  // namespace kerf

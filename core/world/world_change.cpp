@@ -9,7 +9,7 @@ namespace kerf {
 size_t World::Change::bytes() const {
   size_t bytes = 0;
   for (const BodyChange& c : edited_) bytes += c.parts.bytes();
-  for (const auto& [slot, other] : removed_) bytes += other.body.bytes();
+  for (const auto& [home, body] : removed_) bytes += body.bytes();
   for (const Slot& slot : added_) bytes += slot.body.bytes();
   return bytes;
 }
@@ -30,25 +30,38 @@ void World::begin_change() {
   remembered_->slots_ = slots_.size();
   for (uint32_t s = 0; s < slots_.size(); ++s) {
     if (!slots_[s].alive) continue;
-    remembered_->edited_.emplace_back(BodyChange{s, {}}).parts.begin(slots_[s].body);
+    remembered_->edited_.emplace_back(BodyChange{s, s, {}}).parts.begin(slots_[s].body);
   }
 }
 
-// A body that goes is kept as it was before the command.
-void World::remove(BodyId id) {
-  if (!contains(id)) return;
-  Slot& slot = slots_[id.slot];
-  if (remembered_ && id.slot < remembered_->slots_) {
-    const auto edited = std::find_if(remembered_->edited_.begin(), remembered_->edited_.end(),
-                                     [&](const BodyChange& c) { return c.slot == id.slot; });
-    edited->parts.end(slot.body);
-    edited->parts.exchange(slot.body);
-    remembered_->edited_.erase(edited);
-    remembered_->removed_.emplace_back(id.slot, std::move(slot));
+// Keeps the body of a slot as it was before the command; one that the command itself made is let go.
+void World::Change::keep(uint32_t slot, Body& body) {
+  const auto edited =
+      std::find_if(edited_.begin(), edited_.end(), [&](const BodyChange& c) { return c.slot == slot; });
+  if (edited != edited_.end()) {
+    edited->parts.end(body);
+    edited->parts.exchange(body);
+    removed_.emplace_back(edited->home, std::move(body));
+    edited_.erase(edited);
   }
+  if (slot < slots_) died_.push_back(slot);
+}
+
+void World::remove(BodyId id) {
+  Slot& slot = slots_[checked(id)];
+  if (remembered_) remembered_->keep(id.slot, slot.body);
   slot.body = Body{};
   slot.alive = false;
-  slot.generation = id.generation + 1;
+}
+
+void World::exchange_bodies(BodyId a, BodyId b) {
+  assert(contains(a) && contains(b) && a != b);
+  std::swap(slots_[a.slot].body, slots_[b.slot].body);
+  if (!remembered_) return;
+  remembered_->exchanged_.emplace_back(a.slot, b.slot);
+  for (BodyChange& c : remembered_->edited_) {
+    if (c.slot == a.slot || c.slot == b.slot) c.slot = a.slot + b.slot - c.slot;
+  }
 }
 
 World::Change World::end_change() {
@@ -61,22 +74,35 @@ World::Change World::end_change() {
 }
 
 void World::exchange(Change& change) {
+  change.taken_back_ ? bring_again(change) : take_back(change);
+  change.taken_back_ = !change.taken_back_;
+}
+
+void World::take_back(Change& change) {
   for (BodyChange& c : change.edited_) c.parts.exchange(slots_[c.slot].body);
-  for (auto& [slot, other] : change.removed_) std::swap(slots_[slot], other);
-  const size_t slots = slots_.size();
-  if (change.slots_ < slots) {
-    const auto first = slots_.begin() + static_cast<std::ptrdiff_t>(change.slots_);
-    change.added_.assign(std::make_move_iterator(first), std::make_move_iterator(slots_.end()));
-    slots_.erase(first, slots_.end());
-  } else {
-    slots_.insert(slots_.end(), std::make_move_iterator(change.added_.begin()),
-                  std::make_move_iterator(change.added_.end()));
-    change.added_.clear();
-  }
-  change.slots_ = slots;
+  for (size_t i = change.exchanged_.size(); i-- > 0;)
+    std::swap(slots_[change.exchanged_[i].first].body, slots_[change.exchanged_[i].second].body);
+  for (auto& [home, body] : change.removed_) std::swap(slots_[home].body, body);
+  for (const uint32_t slot : change.died_) slots_[slot].alive = true;
+  const auto first = slots_.begin() + static_cast<std::ptrdiff_t>(change.slots_);
+  change.added_.assign(std::make_move_iterator(first), std::make_move_iterator(slots_.end()));
+  slots_.erase(first, slots_.end());
+}
+
+// The same steps in the opposite order.
+void World::bring_again(Change& change) {
+  assert(slots_.size() == change.slots_);
+  slots_.insert(slots_.end(), std::make_move_iterator(change.added_.begin()),
+                std::make_move_iterator(change.added_.end()));
+  change.added_.clear();
+  for (const uint32_t slot : change.died_) slots_[slot].alive = false;
+  for (auto& [home, body] : change.removed_) std::swap(slots_[home].body, body);
+  for (const auto& [a, b] : change.exchanged_) std::swap(slots_[a].body, slots_[b].body);
+  for (BodyChange& c : change.edited_) c.parts.exchange(slots_[c.slot].body);
 }
 
 void World::restore(const Change& change) {
+  assert(!change.bodies_differ() && !change.taken_back_);
   for (const BodyChange& c : change.edited_) c.parts.restore(slots_[c.slot].body);
 }
 

@@ -28,8 +28,12 @@ double random_positive(Random& random) { return std::abs(random_number(random)) 
 Vec3 random_point(Random& random) {
   return {random_number(random), random_number(random), random_number(random)};
 }
-PieceRef random_piece(Random& random) {
-  return {static_cast<uint32_t>(random.bits()), static_cast<uint32_t>(random.below(9))};
+// Some as journals named them before bodies had generations.
+PieceId random_piece(Random& random) {
+  const auto slot = static_cast<uint32_t>(random.below(BodyId::kNone));
+  const auto generation =
+      random.below(4) == 0 ? BodyId::kUnknownGeneration : static_cast<uint32_t>(random.below(BodyId::kNone));
+  return {{slot, generation}, static_cast<uint32_t>(random.below(9))};
 }
 std::string random_name(Random& random) {
   constexpr std::array kNames{"plain", "", "with \"quotes\" and \\", "\xc3\xa4\xe2\x82\xac",
@@ -50,8 +54,9 @@ void put(std::vector<uint64_t>& bits, const Pose& pose) {
   put(bits, pose.origin);
   put(bits, pose.direction);
 }
-void put(std::vector<uint64_t>& bits, const PieceRef& piece) {
-  bits.push_back(piece.body);
+void put(std::vector<uint64_t>& bits, const PieceId& piece) {
+  bits.push_back(piece.body.slot);
+  bits.push_back(piece.body.generation);
   bits.push_back(piece.label);
 }
 void put(std::vector<uint64_t>& bits, const std::string& text) {

@@ -48,10 +48,19 @@ void expect_same_body(const Body& a, const Body& b) {
 
 void expect_same_world(const World& a, const World& b) {
   ASSERT_EQ(a.ids(), b.ids());
+  expect_same_bodies(a, b);
+}
+
+void expect_same_bodies(const World& a, const World& b) {
   EXPECT_EQ(state_hash(a), state_hash(b));
-  for (const BodyId id : a.ids()) {
-    SCOPED_TRACE("body " + std::to_string(id.slot));
-    expect_same_body(a.body(id), b.body(id));
+  const std::vector<BodyId> ids_a = a.ids(), ids_b = b.ids();
+  ASSERT_EQ(ids_a.size(), ids_b.size());
+  for (size_t i = 0; i < ids_a.size(); ++i) {
+    SCOPED_TRACE("body " + std::to_string(ids_a[i].slot));
+    ASSERT_EQ(ids_a[i].slot, ids_b[i].slot);
+    const Body &body_a = a.body(ids_a[i]), &body_b = b.body(ids_b[i]);
+    EXPECT_EQ(body_a.number, body_b.number);
+    expect_same_body(body_a, body_b);
   }
 }
 

@@ -8,7 +8,10 @@ namespace kerf::test {
 // boxes of the trees and where the beam was.
 void expect_same_body(const Body& a, const Body& b);
 
-// The same for all bodies of two worlds.
+// The same for all bodies of two worlds, and their ids.
 void expect_same_world(const World& a, const World& b);
+
+// The same but for the generations of the bodies: for worlds that different journals led to.
+void expect_same_bodies(const World& a, const World& b);
 
 }  // namespace kerf::test

@@ -77,7 +77,7 @@ void change_pieces(EditorState& state) {
 
 void choose_all(EditorState& state) {
   for (const PieceRow& row : list_pieces(state.document.world())) {
-    PieceLook& look = state.look.pieces[row.key];
+    PieceLook& look = state.look.pieces[row.id];
     look.selected = !look.hidden;
   }
   state.picture_old = true;

@@ -13,7 +13,7 @@ class BodyLooks {
   BodyLooks(BodyId id, const ViewOptions& options)
       : id_(id), pieces_(options.pieces), cull_backs_(options.cull_backs) {
     offsets_.emplace_back(0);
-    for (auto i = pieces_.lower_bound({id, 0}); i != pieces_.end() && i->first.first == id; ++i) {
+    for (auto i = pieces_.lower_bound({id, 0}); i != pieces_.end() && i->first.body == id; ++i) {
       const Vec3 offset = i->second.offset;
       if (std::find(offsets_.begin(), offsets_.end(), offset) == offsets_.end()) offsets_.push_back(offset);
     }
@@ -32,7 +32,7 @@ class BodyLooks {
 
  private:
   BodyId id_;
-  const std::map<PieceKey, PieceLook>& pieces_;
+  const std::map<PieceId, PieceLook>& pieces_;
   bool cull_backs_;
   std::vector<Vec3> offsets_;
 };

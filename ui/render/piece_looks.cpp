@@ -14,10 +14,10 @@ glm::vec4 packed(const PieceLook& look, double unit) {
 
 }  // namespace
 
-bool PieceLooks::update(BodyId body, const std::map<PieceKey, PieceLook>& looks, double unit) {
+bool PieceLooks::update(BodyId body, const std::map<PieceId, PieceLook>& looks, double unit) {
   std::map<uint32_t, PieceLook> mine;
-  for (auto i = looks.lower_bound({body, 0}); i != looks.end() && i->first.first == body; ++i) {
-    if (!(i->second == PieceLook{})) mine.emplace(i->first.second, i->second);
+  for (auto i = looks.lower_bound({body, 0}); i != looks.end() && i->first.body == body; ++i) {
+    if (!(i->second == PieceLook{})) mine.emplace(i->first.label, i->second);
   }
   if (mine == looks_) return false;
   looks_ = std::move(mine);

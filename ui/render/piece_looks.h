@@ -13,7 +13,7 @@ namespace kerf {
 class PieceLooks {
  public:
   // Takes the looks of this body over from those of the view. Whether that changed anything.
-  bool update(BodyId body, const std::map<PieceKey, PieceLook>& looks, double unit);
+  bool update(BodyId body, const std::map<PieceId, PieceLook>& looks, double unit);
 
   // For the program in use.
   void bind(const gl::Program& program) const;

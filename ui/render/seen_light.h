@@ -12,7 +12,7 @@ namespace kerf {
 
 // A light as a body sees it that stands at `placement` and whose pieces have these looks.
 LightOnBody light_on_body(const Light& light, BodyId id, const Placement& placement, const FloatFrame& frame,
-                          const std::map<PieceKey, PieceLook>& pieces);
+                          const std::map<PieceId, PieceLook>& pieces);
 
 // The uniform "light" of the shaders: the light in frame coordinates.
 glm::vec4 light_in_frame(const Light& light, const FrameSpace& space);

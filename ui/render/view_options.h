@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "core/base/ids.h"
@@ -30,9 +29,6 @@ struct TreeOverlay {
   friend bool operator==(const TreeOverlay&, const TreeOverlay&) = default;
 };
 
-// A piece by its body and its label.
-using PieceKey = std::pair<BodyId, uint32_t>;
-
 // How one piece is looked at; it stands still all the same.
 struct PieceLook {
   bool hidden = false;
@@ -52,7 +48,7 @@ struct ViewOptions {
   TreeOverlay tree;
   std::vector<Light> lights{Light{}};  // at most kMostLights are drawn
   ShadowOptions shadow;
-  std::map<PieceKey, PieceLook> pieces;  // those that are not looked at plainly
+  std::map<PieceId, PieceLook> pieces;  // those that are not looked at plainly
 };
 
 }  // namespace kerf

@@ -91,18 +91,18 @@ struct Model {
   }
 };
 
-std::optional<PieceRef> random_piece(const World& world, Random& random) {
-  std::vector<PieceRef> all;
+std::optional<PieceId> random_piece(const World& world, Random& random) {
+  std::vector<PieceId> all;
   for (const BodyId id : world.ids()) {
     for (uint32_t p = 0; p < world.body(id).pieces.size(); ++p) {
-      if (world.body(id).pieces[p].faces > 0) all.push_back({id.slot, p});
+      if (world.body(id).pieces[p].faces > 0) all.push_back({id, p});
     }
   }
   if (all.empty()) return std::nullopt;
   return all[random.below(all.size())];
 }
 
-Command random_piece_command(const PieceRef& piece, Random& random) {
+Command random_piece_command(const PieceId& piece, Random& random) {
   switch (random.below(4)) {
     case 0:
       return MovePiece{piece, {{random.uniform(-0.2, 0.2), 0.1, 0}, {1, 0, 0, 0}}};
@@ -142,10 +142,14 @@ void act(Document& document, Model& model, Random& random) {
   } else if (what == 10) {
     finish(document);
     if (const auto piece = random_piece(document.world(), random)) {
+      // Generations depend on the journal, and the model's is another: it names bodies by their numbers.
+      const PieceId by_number{{document.world().body(piece->body).number, BodyId::kUnknownGeneration},
+                              piece->label};
+      Random same = random;
       const Command command = random_piece_command(*piece, random);
       const auto delta = document.apply(command);
       ASSERT_TRUE(delta.ok());
-      if (!delta->empty()) model.add({command});
+      if (!delta->empty()) model.add({random_piece_command(by_number, same)});
     }
   } else if (what == 11) {
     model.at = random.below(model.steps.size() + 1);
@@ -166,7 +170,7 @@ void run_at_random(uint64_t seed, size_t window) {
     if (random.below(3) != 0) continue;
     finish(document);
     ASSERT_EQ(document.history().position(), model.at);
-    expect_same_world(document.world(), model.world());
+    expect_same_bodies(document.world(), model.world());
     expect_whole(document.world());
     if (testing::Test::HasFailure()) return;
   }
@@ -310,7 +314,7 @@ TEST(History, nothing_to_undo_or_redo_is_no_error_and_is_not_written) {
 
 TEST(History, a_piece_that_is_not_there_is_named_and_changes_nothing) {
   Document document(made_world());
-  const auto moved = document.apply(MovePiece{{7, 1}, {}});
+  const auto moved = document.apply(MovePiece{{{7, 0}, 1}, {}});
   ASSERT_FALSE(moved.ok());
   EXPECT_EQ(moved.error().message, "there is no piece 1 of body 7");
   EXPECT_EQ(document.history().size(), 0u);

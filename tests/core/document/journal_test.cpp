@@ -151,6 +151,9 @@ TEST_F(JournalFile, with_garbage_in_it_is_read_up_to_the_damage_and_names_its_li
       R"({"do":"recut","settings":{"radius\u0000":1}})",
       R"({"do":"hide-piece","piece":[-1,0],"hidden":true})",
       R"({"do":"hide-piece","piece":[0,0],"hidden":1})",
+      R"({"do":"hide-piece","piece":[0],"hidden":true})",
+      R"({"do":"hide-piece","piece":[0,0,0,0],"hidden":true})",
+      R"({"do":"hide-piece","piece":[0,4294967295,0],"hidden":true})",
       R"({"do":"delete-piece","piece":[0,4294967296]})",
       R"({"do":"begin","settings":{},"origin":[0,1,0],"direction":[0,-1,0]})",
       R"({"do":"move-piece","piece":[0,0],"position":[0,0,0],"orientation":[1,1,0,0]})"};
@@ -204,7 +207,7 @@ TEST_F(JournalFile, refuses_a_head_that_is_none) {
 }
 
 TEST_F(JournalFile, is_not_written_with_a_name_that_json_cannot_hold) {
-  const std::vector<Command> commands{RenamePiece{{0, 1}, "\xff"}};
+  const std::vector<Command> commands{RenamePiece{{{0, 0}, 1}, "\xff"}};
   const Status saved = save_journal(file(), scene_, commands, {});
   ASSERT_FALSE(saved.ok());
   EXPECT_NE(saved.error().message.find("UTF-8"), std::string::npos);
@@ -273,8 +276,8 @@ TEST(CommandWords, are_for_people) {
   CutSettings settings;
   settings.laser.radius = 0.004;
   EXPECT_EQ(words(BeginStroke{settings, {}}), "Stroke, radius 4 mm");
-  EXPECT_EQ(words(HidePiece{{0, 2}, true}), "Hide piece 2 of body 1");
-  EXPECT_GT(weight(RenamePiece{{0, 1}, std::string(100, 'x')}), 100u);
+  EXPECT_EQ(words(HidePiece{{{0, 0}, 2}, true}), "Hide piece 2 of body 1");
+  EXPECT_GT(weight(RenamePiece{{{0, 0}, 1}, std::string(100, 'x')}), 100u);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "core/graph/separation.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/mesh_numbers.h"
+#include "tests/support/same_world.h"
 #include "tests/support/strokes.h"
 
 namespace kerf::test {
@@ -71,7 +72,9 @@ TEST(Detach, leaves_every_face_where_it_was_and_every_piece_by_its_own) {
     for (uint32_t p = 0; p < world.body(first).pieces.size(); ++p) {
       if (world.body(first).pieces[p].faces > 0) labels.push_back(p);
     }
+    uint32_t generation = 0;
     for (const uint32_t label : labels) {
+      ++generation;
       const std::vector<BodyId> ids = world.ids();
       const auto holder = std::find_if(ids.begin(), ids.end(), [&](BodyId id) {
         const auto& pieces = world.body(id).pieces;
@@ -80,8 +83,10 @@ TEST(Detach, leaves_every_face_where_it_was_and_every_piece_by_its_own) {
       ASSERT_NE(holder, ids.end());
       const Piece piece = world.body(*holder).pieces[label];
       Delta delta;
-      const BodyId own = detach(world, *holder, label, delta);
-      EXPECT_TRUE(stands_alone(world.body(own), label));
+      const bool alone = stands_alone(world, {*holder, label});
+      const BodyId own = detach(world, {*holder, label}, generation, delta);
+      EXPECT_EQ(own, alone ? *holder : BodyId(static_cast<uint32_t>(ids.size()), generation));
+      EXPECT_TRUE(stands_alone(world, {own, label}));
       EXPECT_EQ(world.body(own).mesh.live_faces(), piece.faces);
       EXPECT_EQ(world.body(own).pieces[label].area, piece.area);
     }
@@ -98,7 +103,7 @@ TEST(Detach, a_piece_is_cut_on_as_it_was_in_the_body_that_it_came_from) {
     Delta delta;
     const BodyId first = apart.ids().front();
     for (uint32_t p = 1; p < together.body(first).pieces.size(); ++p) {
-      if (together.body(first).pieces[p].faces > 0) detach(apart, first, p, delta);
+      if (together.body(first).pieces[p].faces > 0) detach(apart, {first, p}, p, delta);
     }
     Random random(seed + 50);
     RandomStroke stroke = random_stroke(together, random, 0.02, false);
@@ -110,6 +115,48 @@ TEST(Detach, a_piece_is_cut_on_as_it_was_in_the_body_that_it_came_from) {
     EXPECT_NEAR(area_of(together), area_of(apart), 1e-3 * area_of(together));
     EXPECT_EQ(together.live_pieces(), apart.live_pieces());
     for (const BodyId id : apart.ids()) expect_whole(apart.body(id));
+  }
+}
+
+// A plate of which a strip came off, either side of which is the larger one.
+World plate_in_two(double x) {
+  World world = world_of(plate(1));
+  CutSettings settings;
+  settings.laser.radius = 0.02;
+  settings.resolution.target_edge = 0.05;
+  const BeamMove across{{{x, 1, -0.7}, {0, -1, 0}}, {{x, 1, 0.7}, {0, -1, 0}}};
+  EXPECT_TRUE(cut_whole(world, settings, {&across, 1}).ok());
+  go_on_separating(world, kNoLimit);
+  EXPECT_EQ(world.live_pieces(), 2u);
+  return world;
+}
+
+TEST(Detach, gives_the_piece_the_new_id_whichever_side_is_copied_and_is_taken_back_to_the_bit) {
+  for (const double x : {-0.3, 0.3}) {
+    for (const uint32_t label : {0u, 1u}) {
+      for (const bool removed : {false, true}) {
+        SCOPED_TRACE(std::to_string(x) + " label " + std::to_string(label) + (removed ? " removed" : ""));
+        World world = plate_in_two(x);
+        const World before = world;
+        const BodyId first = world.ids().front();
+        world.begin_change();
+        Delta delta;
+        const BodyId own = detach(world, {first, label}, 5, delta);
+        EXPECT_EQ(own, BodyId(1, 5));
+        EXPECT_TRUE(stands_alone(world, {own, label}));
+        EXPECT_TRUE(stands_alone(world, {first, 1 - label}));
+        world.body(own).placement.position = {1, 2, 3};
+        if (removed) world.remove(own);
+        World::Change change = world.end_change();
+        const World after = world;
+        for (int i = 0; i < 2; ++i) {
+          world.exchange(change);
+          expect_same_world(world, before);
+          world.exchange(change);
+          expect_same_world(world, after);
+        }
+      }
+    }
   }
 }
 

@@ -111,10 +111,10 @@ namespace {
 // some are left because one takes long.
 template <typename Make>
 bool change_chosen(EditorState& state, Renderer& renderer, Make command_for) {
-  while (const auto key = first_chosen(state.look.pieces)) {
+  while (const auto piece = first_chosen(state.look.pieces)) {
     if (state.long_change) return true;
-    state.look.pieces[*key].selected = false;
-    change_world(state, renderer, command_for(PieceRef{key->first.slot, key->second}));
+    state.look.pieces[*piece].selected = false;
+    change_world(state, renderer, command_for(*piece));
   }
   return false;
 }
@@ -122,21 +122,21 @@ bool change_chosen(EditorState& state, Renderer& renderer, Make command_for) {
 }  // namespace
 
 void hide_chosen(EditorState& state, Renderer& renderer) {
-  state.requests.hide_chosen = change_chosen(state, renderer, [](const PieceRef& piece) {
+  state.requests.hide_chosen = change_chosen(state, renderer, [](const PieceId& piece) {
     return Command(HidePiece{piece, true});
   });
 }
 
 void delete_chosen(EditorState& state, Renderer& renderer) {
   state.requests.delete_chosen =
-      change_chosen(state, renderer, [](const PieceRef& piece) { return Command(DeletePiece{piece}); });
+      change_chosen(state, renderer, [](const PieceId& piece) { return Command(DeletePiece{piece}); });
 }
 
 // Hidden pieces are bodies of their own, so that none goes by another name when one is shown.
 void show_hidden(EditorState& state, Renderer& renderer) {
   std::vector<Command> commands;
-  for (const PieceKey& key : hidden_pieces(state.look.pieces))
-    commands.emplace_back(HidePiece{{key.first.slot, key.second}, false});
+  for (const PieceId& piece : hidden_pieces(state.look.pieces))
+    commands.emplace_back(HidePiece{piece, false});
   change(state, renderer, "Show all pieces", is_small(state.document), apply_all(std::move(commands)));
 }
 

@@ -35,17 +35,17 @@ void eye_button(EditorState& state, const PieceRow& row, bool hidden) {
   tooltip(hidden ? "Draws this piece again."
                  : "Leaves this piece out of the picture; the beam passes it by.");
   if (!pressed) return;
-  state.requests.commands.emplace_back(HidePiece{{row.key.first.slot, row.key.second}, !hidden});
+  state.requests.commands.emplace_back(HidePiece{row.id, !hidden});
 }
 
 void draw_row(EditorState& state, const PieceRow& row) {
-  const auto found = state.look.pieces.find(row.key);
+  const auto found = state.look.pieces.find(row.id);
   const PieceLook look = found != state.look.pieces.end() ? found->second : PieceLook();
-  ImGui::PushID(static_cast<int>(row.key.first.slot));
-  ImGui::PushID(static_cast<int>(row.key.second));
+  ImGui::PushID(static_cast<int>(row.id.body.slot));
+  ImGui::PushID(static_cast<int>(row.id.label));
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  draw_swatch(row.key.second, state.look.show.pieces);
+  draw_swatch(row.id.label, state.look.show.pieces);
   ImGui::SameLine();
   if (look.selected) ImGui::PushStyleColor(ImGuiCol_Text, colours::accent());
   if (look.hidden) ImGui::PushStyleColor(ImGuiCol_Text, colours::secondary());
@@ -57,7 +57,7 @@ void draw_row(EditorState& state, const PieceRow& row) {
   tooltip((row.name + ". Click chooses it, Ctrl+click or Shift+click adds it.").c_str());
   if (clicked && !look.hidden) {
     const ImGuiIO& io = ImGui::GetIO();
-    choose_piece(state.look.pieces, row.key, io.KeyCtrl || io.KeyShift);
+    choose_piece(state.look.pieces, row.id, io.KeyCtrl || io.KeyShift);
     state.picture_old = true;
   }
   ImGui::TableNextColumn();

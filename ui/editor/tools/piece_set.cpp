@@ -56,7 +56,7 @@ std::vector<PieceRow> list_pieces(const World& world) {
     }
   }
   std::stable_sort(rows.begin(), rows.end(), [](const PieceRow& a, const PieceRow& b) {
-    const bool body_a = a.key.second == 0, body_b = b.key.second == 0;
+    const bool body_a = a.id.label == 0, body_b = b.id.label == 0;
     return body_a != body_b ? body_a : a.area > b.area;
   });
   return rows;
@@ -70,17 +70,17 @@ Vec3 piece_colour(uint32_t label, bool strong) {
   return glm::pow(linear, Vec3(1 / 2.2));
 }
 
-void choose_piece(PieceMap& looks, const PieceKey& key, bool add) {
-  const auto found = looks.find(key);
+void choose_piece(PieceMap& looks, const PieceId& id, bool add) {
+  const auto found = looks.find(id);
   const bool was = found != looks.end() && found->second.selected;
   const bool alone = was && chosen_pieces(looks) == 1;
   if (!add) choose_none(looks);
-  looks[key].selected = add ? !was : !alone;
+  looks[id].selected = add ? !was : !alone;
   drop_plain(looks);
 }
 
 void choose_none(PieceMap& looks) {
-  for (auto& [key, look] : looks) look.selected = false;
+  for (auto& [id, look] : looks) look.selected = false;
   drop_plain(looks);
 }
 
@@ -89,34 +89,34 @@ size_t chosen_pieces(const PieceMap& looks) {
       std::count_if(looks.begin(), looks.end(), [](const auto& entry) { return entry.second.selected; }));
 }
 
-std::optional<PieceKey> first_chosen(const PieceMap& looks) {
-  for (const auto& [key, look] : looks) {
-    if (look.selected) return key;
+std::optional<PieceId> first_chosen(const PieceMap& looks) {
+  for (const auto& [id, look] : looks) {
+    if (look.selected) return id;
   }
   return std::nullopt;
 }
 
-std::vector<PieceKey> hidden_pieces(const PieceMap& looks) {
-  std::vector<PieceKey> hidden;
-  for (const auto& [key, look] : looks) {
-    if (look.hidden) hidden.push_back(key);
+std::vector<PieceId> hidden_pieces(const PieceMap& looks) {
+  std::vector<PieceId> hidden;
+  for (const auto& [id, look] : looks) {
+    if (look.hidden) hidden.push_back(id);
   }
   return hidden;
 }
 
 void follow_world(const World& world, PieceMap& looks) {
   const std::vector<BodyId> ids = world.ids();
-  const auto has_faces = [&](const PieceKey& key) {
-    return world.contains(key.first) && key.second < world.body(key.first).pieces.size() &&
-           world.body(key.first).pieces[key.second].faces > 0;
+  const auto has_faces = [&](const PieceId& id) {
+    return world.contains(id.body) && id.label < world.body(id.body).pieces.size() &&
+           world.body(id.body).pieces[id.label].faces > 0;
   };
   PieceMap now;
-  for (const auto& [key, look] : looks) {
-    PieceKey own = key;
-    if (!has_faces(own) && !ids.empty()) own.first = ids.back();
+  for (const auto& [id, look] : looks) {
+    PieceId own = id;
+    if (!has_faces(own) && !ids.empty()) own.body = ids.back();
     if (has_faces(own)) now[own] = look;
   }
-  for (auto& [key, look] : now) look.hidden = false;
+  for (auto& [id, look] : now) look.hidden = false;
   for (const BodyId id : ids) {
     const Body& body = world.body(id);
     for (uint32_t label = 0; body.hidden && label < body.pieces.size(); ++label) {
@@ -130,7 +130,7 @@ void follow_world(const World& world, PieceMap& looks) {
 }
 
 void spread_pieces(const World& world, double spread, PieceMap& looks) {
-  for (auto& [key, look] : looks) look.offset = Vec3(0);
+  for (auto& [id, look] : looks) look.offset = Vec3(0);
   if (spread > 0) {
     const World::Bounds bounds = world.bounds();
     const Vec3 middle = 0.5 * (bounds.min + bounds.max);

@@ -10,10 +10,10 @@
 
 namespace kerf {
 
-using PieceMap = std::map<PieceKey, PieceLook>;
+using PieceMap = std::map<PieceId, PieceLook>;
 
 struct PieceRow {
-  PieceKey key;
+  PieceId id;
   std::string name;
   size_t faces = 0;
   double area = 0;  // m^2
@@ -27,12 +27,12 @@ std::vector<PieceRow> list_pieces(const World& world);
 Vec3 piece_colour(uint32_t label, bool strong);
 
 // Makes a piece the chosen one, or with `add` one more of them; one that is chosen already is let go.
-void choose_piece(PieceMap& looks, const PieceKey& key, bool add);
+void choose_piece(PieceMap& looks, const PieceId& id, bool add);
 void choose_none(PieceMap& looks);
 size_t chosen_pieces(const PieceMap& looks);
 // The first of those; none where there is none.
-std::optional<PieceKey> first_chosen(const PieceMap& looks);
-std::vector<PieceKey> hidden_pieces(const PieceMap& looks);
+std::optional<PieceId> first_chosen(const PieceMap& looks);
+std::vector<PieceId> hidden_pieces(const PieceMap& looks);
 
 // Hides what the world hides, forgets what has no faces any more, and finds again what went by a new body
 // when a piece was detached.

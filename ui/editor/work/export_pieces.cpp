@@ -14,8 +14,8 @@ Status export_piece(const Body& body, std::span<const FaceId> faces, const std::
                     format);
 }
 
-bool is_chosen(const EditorState& state, const PieceKey& key) {
-  const auto found = state.look.pieces.find(key);
+bool is_chosen(const EditorState& state, const PieceId& id) {
+  const auto found = state.look.pieces.find(id);
   return found != state.look.pieces.end() && found->second.selected;
 }
 
@@ -32,7 +32,7 @@ Result<size_t> export_chosen(const EditorState& state, const std::filesystem::pa
   const auto format = mesh_format(file.extension().string());
   if (!format) return bad_input("The name must end in .obj, .ply, .stl or .off");
   size_t count = 0;
-  for (const auto& [key, look] : state.look.pieces) count += look.selected ? 1 : 0;
+  for (const auto& [id, look] : state.look.pieces) count += look.selected ? 1 : 0;
   if (count == 0) return bad_input("No piece is chosen");
   size_t written = 0;
   const World& world = state.document.world();

@@ -8,7 +8,7 @@
 namespace kerf {
 namespace {
 
-PieceKey key(uint32_t label) { return {BodyId{0, 0}, label}; }
+PieceId key(uint32_t label) { return {BodyId{0, 0}, label}; }
 
 TEST(PieceSet, a_click_chooses_one_and_shift_adds) {
   PieceMap looks;
@@ -44,13 +44,13 @@ class CutSphere : public testing::Test {
 
 TEST_F(CutSphere, looks_follow_a_piece_that_is_hidden_and_shown_again) {
   PieceMap& looks = state.look.pieces;
-  const PieceKey half = list_pieces(state.document.world())[1].key;
+  const PieceId half = list_pieces(state.document.world())[1].id;
   choose_piece(looks, half, false);
-  ASSERT_TRUE(state.document.apply(HidePiece{{half.first.slot, half.second}, true}).ok());
+  ASSERT_TRUE(state.document.apply(HidePiece{half, true}).ok());
   follow_world(state.document.world(), looks);
   EXPECT_EQ(chosen_pieces(looks), 0u);
   ASSERT_EQ(hidden_pieces(looks).size(), 1u);
-  EXPECT_EQ(state.document.world().body(hidden_pieces(looks).front().first).name, "sphere piece 1");
+  EXPECT_EQ(state.document.world().body(hidden_pieces(looks).front().body).name, "sphere piece 1");
   EXPECT_EQ(list_pieces(state.document.world()).size(), 2u);
   ASSERT_TRUE(state.document.apply(Undo{}).ok());
   follow_world(state.document.world(), looks);
@@ -63,7 +63,7 @@ TEST_F(CutSphere, spreads_its_halves_apart) {
   ASSERT_EQ(rows.size(), 2u);
   EXPECT_EQ(rows[0].name, "sphere");
   spread_pieces(world, 0.5, state.look.pieces);
-  const Vec3 a = state.look.pieces[rows[0].key].offset, b = state.look.pieces[rows[1].key].offset;
+  const Vec3 a = state.look.pieces[rows[0].id].offset, b = state.look.pieces[rows[1].id].offset;
   EXPECT_GT(std::abs(a.y - b.y), 0.3);
   EXPECT_LT(a.y * b.y, 0);
   EXPECT_NEAR(a.x, 0, 0.05);

@@ -1,0 +1,178 @@
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "core/document/document.h"
+#include "core/document/journal.h"
+#include "core/document/save.h"
+#include "tests/support/made_meshes.h"
+#include "tests/support/random_commands.h"
+#include "tests/support/same_world.h"
+#include "tests/support/strokes.h"
+#include "tests/support/temporary_folder.h"
+
+namespace kerf::test {
+namespace {
+
+constexpr const char* kPlate = "v -0.5 0 -0.5\nv 0.5 0 -0.5\nv 0.5 0 0.5\nv -0.5 0 0.5\nf 1 4 3\nf 1 3 2\n";
+
+// A document whose ids are followed: those at every position of its history, and all that there ever were.
+class BodyIds : public testing::Test {
+ protected:
+  void SetUp() override {
+    write_text(mesh(), kPlate);
+    scene_.bodies.push_back(body_of_file(mesh()));
+    ASSERT_TRUE(note_hashes(scene_).ok());
+    begin();
+  }
+  std::filesystem::path mesh() const { return folder_ / "plate.obj"; }
+
+  World scene_world() const { return std::move(load_scene(scene_)->world); }
+  void begin() {
+    document_ = Document(scene_world(), [this](const Progress*) { return Result<World>(scene_world()); });
+    at_position_ = {document_.world().ids()};
+    ever_ = {at_position_[0].begin(), at_position_[0].end()};
+  }
+
+  // Applies a command of any kind; ids that the history knows must come again, all others must be new.
+  void apply(const Command& command) {
+    const size_t position = document_.history().position();
+    const size_t written = document_.journal().size();
+    ASSERT_TRUE(document_.apply(command).ok());
+    ASSERT_TRUE(walk_all(document_).ok());
+    const bool travelled = std::holds_alternative<Undo>(command) || std::holds_alternative<Redo>(command);
+    if (!travelled && document_.journal().size() > written) at_position_.resize(position + 1);
+    expect_known_or_new();
+  }
+  void expect_known_or_new() {
+    const std::vector<BodyId> ids = document_.world().ids();
+    const size_t position = document_.history().position();
+    if (position < at_position_.size()) {
+      EXPECT_EQ(ids, at_position_[position]);
+      return;
+    }
+    const std::vector<BodyId> before = at_position_.back();
+    for (const BodyId id : ids) {
+      if (std::find(before.begin(), before.end(), id) == before.end())
+        EXPECT_TRUE(ever_.insert(id).second) << "slot " << id.slot << ", generation " << id.generation;
+    }
+    at_position_.resize(position + 1, before);
+    at_position_[position] = ids;
+  }
+
+  PieceId random_piece(Random& random) const {
+    const World& world = document_.world();
+    std::vector<PieceId> all;
+    for (const BodyId id : world.ids()) {
+      for (uint32_t p = 0; p < world.body(id).pieces.size(); ++p) {
+        if (world.body(id).pieces[p].faces > 0) all.push_back({id, p});
+      }
+    }
+    return all[random.below(all.size())];
+  }
+
+  std::vector<Command> random_act(Random& random) const {
+    const double x = random.uniform(-0.45, 0.45);
+    CutSettings settings;
+    settings.laser.radius = 0.03;
+    settings.resolution.target_edge = 0.1;
+    if (document_.world().ids().empty()) return {Undo{}};
+    const PieceId piece = random_piece(random);
+    switch (random.below(9)) {
+      case 0:
+      case 1:
+        return {BeginStroke{settings, {{x, 3, -0.7}, {0, -1, 0}}}, MoveStroke{{{x, 3, 0.7}, {0, -1, 0}}},
+                EndStroke{}};
+      case 2:
+        return {AddMesh{mesh(), "more"}};
+      case 3:
+        return {MovePiece{piece, {{0, random.uniform(-1, 1), 0}, {1, 0, 0, 0}}}};
+      case 4:
+        return {HidePiece{piece, random.below(2) > 0}};
+      case 5:
+        return {DeletePiece{piece}};
+      case 6:
+        return {Redo{}};
+      default:
+        return {Undo{}};
+    }
+  }
+
+  // What a journal that is written and read again leads to.
+  World recovered() const {
+    const auto file = folder_ / "work.kerf";
+    EXPECT_TRUE(save_journal(file, scene_, document_.journal(), {}).ok());
+    const auto journal = read_journal(file);
+    EXPECT_TRUE(journal.ok());
+    Document again(scene_world());
+    for (const Command& c : journal->commands) EXPECT_TRUE(again.apply(c).ok());
+    EXPECT_TRUE(walk_all(again).ok());
+    return again.world();
+  }
+
+  TemporaryFolder folder_;
+  SceneDescription scene_;
+  Document document_;
+  std::vector<std::vector<BodyId>> at_position_;
+  std::set<BodyId> ever_;
+};
+
+TEST_F(BodyIds, a_mesh_that_was_undone_does_not_give_its_id_to_the_next) {
+  apply(AddMesh{mesh(), "first"});
+  const BodyId first = document_.world().ids().back();
+  EXPECT_EQ(first, BodyId(1, 1));
+  apply(Undo{});
+  apply(AddMesh{mesh(), "second"});
+  EXPECT_EQ(document_.world().ids().back(), BodyId(1, 3));
+  EXPECT_FALSE(document_.world().contains(first));
+}
+
+TEST_F(BodyIds, are_equal_after_undo_redo_replay_and_recovery_and_are_never_given_twice) {
+  for (uint64_t seed = 1; seed <= 30; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    begin();
+    if (seed % 3 == 0) document_.set_window(0);  // every undo starts again from the scene
+    for (int i = 0; i < 25; ++i) {
+      SCOPED_TRACE("act " + std::to_string(i));
+      for (const Command& command : random_act(random)) {
+        apply(command);
+        if (HasFatalFailure()) return;
+      }
+      if (random.below(8) == 0) {
+        ASSERT_TRUE(document_.travel(random.below(document_.history().size() + 1)).ok());
+        ASSERT_TRUE(walk_all(document_).ok());
+        expect_known_or_new();
+      }
+      if (HasFailure()) return;
+    }
+    expect_same_world(recovered(), document_.world());
+    if (HasFailure()) return;
+  }
+}
+
+// Piece 1 of the plate in two is the larger side, which kept the slot then.
+TEST_F(BodyIds, journals_without_generations_mean_the_bodies_that_they_meant) {
+  CutSettings settings;
+  settings.laser.radius = 0.02;
+  settings.resolution.target_edge = 0.05;
+  apply(BeginStroke{settings, {{0.3, 1, -0.7}, {0, -1, 0}}});
+  apply(MoveStroke{{{0.3, 1, 0.7}, {0, -1, 0}}});
+  apply(EndStroke{});
+  const auto& pieces = document_.world().body({0, 0}).pieces;
+  ASSERT_EQ(document_.world().live_pieces(), 2u);
+  const uint32_t larger = pieces[0].faces > pieces[1].faces ? 0 : 1;
+  const auto old = [](uint32_t slot, uint32_t label) {
+    return PieceId{{slot, BodyId::kUnknownGeneration}, label};
+  };
+  apply(MovePiece{old(0, larger), {{0, 1, 0}, {1, 0, 0, 0}}});
+  apply(MovePiece{old(1, 1 - larger), {{0, 2, 0}, {1, 0, 0, 0}}});
+  apply(MovePiece{old(0, larger), {{0, 3, 0}, {1, 0, 0, 0}}});
+  EXPECT_EQ(document_.world().body({1, 4}).placement.position.y, 3);
+  EXPECT_EQ(document_.world().body({0, 0}).placement.position.y, 2);
+  EXPECT_EQ(std::get<MovePiece>(document_.journal().back()).piece, (PieceId{{1, 4}, larger}));
+}
+
+}  // namespace
+}  // namespace kerf::test

@@ -7,7 +7,7 @@
 
 namespace kerf {
 
-// ImGui on a window: its context, its fonts and colours, one frame after the other.
+// Runs ImGui in a window: its context, its fonts and colours, and its frames.
 class Gui {
  public:
   explicit Gui(const Window& window);
@@ -15,11 +15,11 @@ class Gui {
   Gui(const Gui&) = delete;
   Gui& operator=(const Gui&) = delete;
 
-  // Takes on another look; only between frames. Costs nothing where it is the one it has.
+  // Changes the look; costs nothing if it is the current one. Precondition: called between frames.
   void dress(const GuiLook& look);
 
   void begin_frame();
-  // Draws over what is in the window.
+  // Draws the panels over the content of the window.
   void end_frame();
 
  private:

@@ -6,11 +6,11 @@ namespace kerf {
 
 enum class Theme { kDark, kLight };
 
-// What decides how the panels look.
+// The settings that determine the look of the panels.
 struct GuiLook {
   Theme theme = Theme::kDark;
-  BoxPalette palette = BoxPalette::kRedAndGreen;  // the accent goes with it
-  float scale = 1;                                // of text and sizes, 1: text of 15.5 pixels
+  BoxPalette palette = BoxPalette::kRedAndGreen;  // determines the accent colour
+  float scale = 1;                                // of text and sizes; 1 gives text of 15.5 pixels
   friend bool operator==(const GuiLook&, const GuiLook&) = default;
 };
 

@@ -12,22 +12,22 @@ struct Area {
   }
 };
 
-// The fixed frame of the window: menu above, status below, panels at the right, the picture in what is left.
-// The panels make way for the picture in a narrow window, and go where they would have no usable width.
+// The layout of the window: menu at the top, status bar at the bottom, panels at the right, and the picture
+// in the remaining area. In a narrow window the panels shrink, and disappear if they would have no usable
+// width.
 struct Layout {
   Area viewport, side, status;
-  // The halves of the viewport where it is split; otherwise the first is all of it and the second has no
-  // width.
+  // The halves of the viewport if it is split; otherwise `first` is all of it, and `second` has no width.
   Area first, second;
   bool split() const { return second.size.x > 0; }
 };
 
-// `em` is the size of the text, `menu` and `status` the heights of those bars, `side_ems` the width that the
-// panels are wanted at (0: not at all).
+// Computes the layout. `em` is the size of the text, `menu` and `status` are the heights of these bars, and
+// `side_ems` is the desired width of the panels in sizes of the text (0: none).
 Layout lay_out(Vec2 window, double em, double menu, double status, double side_ems = 21);
 
-// The same with the viewport split in two, the left half taking this share of its width as far as both halves
-// stay wide enough to be looked at.
+// Splits the viewport in two. The left half takes this fraction of its width, limited so that both halves
+// stay usable.
 Layout split_in_two(Layout whole, double share);
 
 }  // namespace kerf

@@ -2,13 +2,14 @@
 
 namespace kerf {
 
-// Rows of a panel: the label left, the value right in a column of one width. Between begin and end, call
-// property() and then the one widget of the row, which gets its tooltip from property_tooltip().
+// Rows of a panel with labels at the left and widgets in a column at the right. Between begin_properties(),
+// if it returns true, and end_properties(), each row calls property() and then draws its one widget, which
+// tooltip() can explain.
 bool begin_properties(const char* id);
 void property(const char* label);
 void end_properties();
 
-// Shown when the pointer rests on the last item for half a second, disabled items included.
+// Shows a text when the pointer rests on the last item, even a disabled one, for half a second.
 void tooltip(const char* text);
 
 }  // namespace kerf

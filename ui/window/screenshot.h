@@ -7,9 +7,9 @@
 
 namespace kerf {
 
-// Writes what stands in a part of the window (pixels of the framebuffer, from its upper left corner) to a PNG
-// file that is named by date and time, in the current folder or, where that cannot be written, in ~/Pictures.
-// Returns where it went.
+// Writes a part of the window (in pixels of the framebuffer, from its upper left corner) to a PNG file that
+// is named by date and time, in the current folder or, if that is not writable, in ~/Pictures. Returns the
+// path of the file.
 Result<std::filesystem::path> take_screenshot(Vec2 window, const Area& part);
 
 }  // namespace kerf

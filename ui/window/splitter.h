@@ -6,13 +6,13 @@
 
 namespace kerf {
 
-// What a frame did to a splitter.
+// What the user did to a splitter in a frame.
 struct SplitterMove {
-  std::optional<double> dragged;  // to this x, screen coordinates
-  bool reset = false;             // it was double clicked
+  std::optional<double> dragged;  // the x coordinate that it was dragged to, screen coordinates
+  bool reset = false;             // it was double-clicked
 };
 
-// A strip upright at `top`, `height` high, that can be dragged sideways. `tip` says what that does.
+// Draws a vertical strip of the given height at `top` that can be dragged sideways. `tip` is its tooltip.
 SplitterMove splitter(const char* id, Vec2 top, double height, const char* tip);
 
 }  // namespace kerf

@@ -2,13 +2,15 @@
 
 namespace kerf {
 
-// While it lives, SIGINT and SIGTERM do not end the program but are remembered. One at a time.
+// While this object exists, SIGINT and SIGTERM set a flag instead of ending the program. Precondition: there
+// is only one such object at a time.
 class StopSignals {
  public:
   StopSignals();
   ~StopSignals();
   StopSignals(const StopSignals&) = delete;
   StopSignals& operator=(const StopSignals&) = delete;
+  // Whether one of the signals came.
   bool came() const;
 
  private:

@@ -6,20 +6,20 @@
 
 namespace kerf {
 
-// The colours of the panels as they are at the moment.
+// Current colours of the panels.
 namespace colours {
 inline ImU32 text() { return ImGui::GetColorU32(ImGuiCol_Text); }
 inline ImU32 secondary() { return ImGui::GetColorU32(ImGuiCol_TextDisabled); }
 inline ImU32 accent() { return ImGui::GetColorU32(ImGuiCol_NavHighlight); }
 
-// Over the picture, which is dark in every theme.
+// Colours on the picture, which is dark in every theme.
 inline constexpr ImU32 kPictureText = IM_COL32(0xe6, 0xe9, 0xee, 255);
 inline constexpr ImU32 kPictureSecondary = IM_COL32(0x9a, 0xa6, 0xb6, 255);
 inline constexpr ImU32 kPictureShade = IM_COL32(0x1b, 0x1f, 0x26, 165);
 }  // namespace colours
 
-// Sizes, colours and the font of the current ImGui context. Not within a frame; the texture of the fonts has
-// to be made anew.
+// Sets sizes, colours and the font of the current ImGui context. The font texture has to be recreated
+// afterwards. Precondition: called between frames.
 void apply_theme(const GuiLook& look);
 
 }  // namespace kerf

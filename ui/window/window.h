@@ -12,39 +12,39 @@ struct GLFWwindow;
 
 namespace kerf {
 
-// What the user did, in the order in which it happened. Positions are in screen coordinates of the window,
-// from its upper left corner.
+// An input event. Positions are in screen coordinates of the window, from its upper left corner.
 struct InputEvent {
   enum class Kind { kMove, kPress, kRelease, kWheel, kKey };
   Kind kind = Kind::kMove;
   Vec2 at{0};          // of the pointer
   int button = 0;      // GLFW_MOUSE_BUTTON_*, or the key (GLFW_KEY_*)
   int mods = 0;        // GLFW_MOD_*
-  double wheel = 0;    // notches away from the user
-  bool again = false;  // a key that is held down
+  double wheel = 0;    // notches, positive away from the user
+  bool again = false;  // a repetition while the key is held
 };
 
-// The window with its OpenGL 3.3 context, current while it lives, and the queue of what happened in it.
+// The window with an OpenGL 3.3 context, which is current while the object exists, and its queue of events.
 class Window {
  public:
+  // Opens a window of a size in screen coordinates. Fails if there is no display or no OpenGL 3.3.
   static Result<Window> open(int width, int height, const std::string& title);
 
   GLFWwindow* handle() const { return inner_->window; }
-  // Whether the user asked for it to close since the last call; it stays open.
+  // Whether the user has asked to close the window since the last call. It stays open.
   bool take_close();
   Vec2 size() const;        // screen coordinates
   Vec2 pixel_size() const;  // of the framebuffer
-  float scale() const;      // of text, as the display asks for it
+  float scale() const;      // of text, as the display suggests
   void set_title(const std::string& title);
   void swap();
 
-  // Waits up to so many seconds for something to happen; 0 only looks.
+  // Waits for events up to a time in seconds; 0 only polls.
   void wait(double seconds);
-  // What happened since the last call.
+  // The events since the last call, in the order in which they happened.
   std::vector<InputEvent> take_events();
-  // Files that were dropped on it since the last call.
+  // The files that were dropped on the window since the last call.
   std::vector<std::filesystem::path> take_drops();
-  // Whether anything at all happened since the last call: events, resizing, uncovering.
+  // Whether the window received anything since the last call: events, resizing or exposure.
   bool take_activity();
 
  private:

@@ -6,9 +6,11 @@
 
 namespace kerf {
 
-// What the editor did, as JSON: frames, frame_ms {p50, p99, max}, strokes, faces, faces_removed, pieces,
-// undo_depth, memory_bytes {meshes, trees, shading, shadows, graphics, history, process} as the statistics
-// show them.
+// Writes a report of the session as JSON, whole or not at all: frame times (frames, frame_ms,
+// between_pictures_ms, while_cutting), memory (process_bytes, memory_bytes as the Statistics panel shows it),
+// the work (strokes, faces, faces_removed, pieces, undo_depth, recuts, bodies, files), and what the window
+// shows (pieces_chosen, pieces_hidden, spread, message, view, lights, pixels_that_rays_have_otherwise, split,
+// layout). Tests of the window read it.
 Status write_editor_report(const EditorState& state, const std::filesystem::path& file);
 
 }  // namespace kerf

@@ -12,6 +12,7 @@ namespace kerf {
 
 using PieceMap = std::map<PieceId, PieceLook>;
 
+// A piece in the list of pieces.
 struct PieceRow {
   PieceId id;
   std::string name;
@@ -19,27 +20,30 @@ struct PieceRow {
   double area = 0;  // m^2
 };
 
-// The pieces that have faces: the bodies themselves first, then what came off, the largest area first.
+// The pieces that have faces: first the bodies themselves (label 0), then separated pieces, both in
+// descending order of area.
 std::vector<PieceRow> list_pieces(const World& world);
 
-// The colour that the renderer gives to what came off (sRGB, 0 .. 1); grey for a body itself. `strong` as
-// with ShowOptions::pieces.
+// The colour in which the renderer draws a separated piece (sRGB, 0 .. 1); grey for a body itself (label 0).
+// `strong`: with ShowOptions::pieces.
 Vec3 piece_colour(uint32_t label, bool strong);
 
-// Makes a piece the chosen one, or with `add` one more of them; one that is chosen already is let go.
+// Selects a piece instead of all others; if it was the only selected piece, deselects it. With `add` it
+// toggles the selection of this piece and keeps that of the others.
 void choose_piece(PieceMap& looks, const PieceId& id, bool add);
 void choose_none(PieceMap& looks);
 size_t chosen_pieces(const PieceMap& looks);
-// The first of those; none where there is none.
+// The first selected piece, or nothing.
 std::optional<PieceId> first_chosen(const PieceMap& looks);
 std::vector<PieceId> hidden_pieces(const PieceMap& looks);
 
-// Hides what the world hides, forgets what has no faces any more, and finds again what went by a new body
-// when a piece was detached.
+// Updates the looks after a change of the world: pieces of hidden bodies are hidden and deselected, all
+// others shown, and pieces without faces are dropped. The look of a piece that was detached moves to its new
+// body, the last one added.
 void follow_world(const World& world, PieceMap& looks);
 
-// Sets every piece's offset to `spread` times the way from the middle of the world to its own middle (the
-// mean of its faces' by area). O(faces) where the spread is not 0.
+// Sets the offset of every piece to `spread` times the vector from the centre of the world's bounds to the
+// piece's centre of area. O(n) if the spread is not 0.
 void spread_pieces(const World& world, double spread, PieceMap& looks);
 
 }  // namespace kerf

@@ -53,7 +53,7 @@ void split_at(RimState& rim, FaceId f, const Crossing& edge) {
     follow_area(body.mesh.edit_data(s.added), kept + added, added);
     rim.replaced.push_back({{s.kept, FaceId()}, {s.kept, s.added, FaceId(), FaceId()}, 1, 2});
     if (!rim.region.is_near(s.kept)) continue;
-    rim.region.inherit(s.added, s.kept);
+    rim.region.inherit({&s.added, 1}, {&s.kept, 1});
     rim.faces.push_back(s.added);
   }
 }

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <iterator>
+
 #include "core/base/tolerances.h"
 #include "core/cut/chord_test.h"
 #include "core/cut/rim_state.h"
@@ -19,19 +22,19 @@ bool fails(RimState& rim, FaceId f) {
 
 }  // namespace
 
+// Of a green pair the beam may be near either half alone, and no face that takes the place of the pair need
+// lie within one half.
 void split_near_rim(RimState& rim, FaceId f, std::vector<FaceId>& parts) {
   const size_t first = rim.replaced.size();
   split_by_scheme(rim.step, rim.settings.resolution.scheme, f, rim.replaced);
   for (size_t i = first; i < rim.replaced.size(); ++i) {
     const Replacement& r = rim.replaced[i];
-    if (!rim.region.is_near(r.gone[0])) continue;
-    for (int k = 0; k < r.born_count; ++k) {
-      if (!rim.region.is_near(r.born[k])) {
-        rim.region.inherit(r.born[k], r.gone[0]);
-        rim.faces.push_back(r.born[k]);
-      }
-      parts.push_back(r.born[k]);
-    }
+    const std::span<const FaceId> gone(r.gone.data(), r.gone_count), born(r.born.data(), r.born_count);
+    const auto is_near = [&](FaceId g) { return rim.region.is_near(g); };
+    if (std::none_of(gone.begin(), gone.end(), is_near)) continue;
+    std::remove_copy_if(born.begin(), born.end(), std::back_inserter(rim.faces), is_near);
+    parts.insert(parts.end(), born.begin(), born.end());
+    rim.region.inherit(born, gone);
   }
 }
 

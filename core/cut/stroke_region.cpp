@@ -1,19 +1,42 @@
 #include "core/cut/stroke_region.h"
 
 #include <algorithm>
+#include <cassert>
+#include <iterator>
 #include <limits>
+#include <optional>
 
 namespace kerf {
 
 void StrokeRegion::note_near(FaceId f, uint32_t part) {
   const auto [at, fresh] = list_of_.try_emplace(f.index, static_cast<uint32_t>(lists_.size()));
   if (fresh) lists_.emplace_back();
-  lists_[at->second].push_back(part);
+  std::vector<uint32_t>& list = lists_[at->second];
+  assert(list.empty() || list.back() < part);
+  list.push_back(part);
 }
 
-void StrokeRegion::inherit(FaceId child, FaceId parent) {
-  const auto at = list_of_.find(parent.index);
-  if (at != list_of_.end()) list_of_[child.index] = at->second;
+// The number of a list with the parts of two. Children share the lists of their parents, so that a list is
+// never changed once it was inherited.
+uint32_t StrokeRegion::list_of_both(uint32_t a, uint32_t b) {
+  if (a == b) return a;
+  std::vector<uint32_t> both;
+  std::set_union(lists_[a].begin(), lists_[a].end(), lists_[b].begin(), lists_[b].end(),
+                 std::back_inserter(both));
+  if (both.size() == lists_[a].size()) return a;
+  if (both.size() == lists_[b].size()) return b;
+  lists_.push_back(std::move(both));
+  return static_cast<uint32_t>(lists_.size() - 1);
+}
+
+void StrokeRegion::inherit(std::span<const FaceId> children, std::span<const FaceId> parents) {
+  std::optional<uint32_t> list;
+  for (const FaceId parent : parents) {
+    const auto at = list_of_.find(parent.index);
+    if (at != list_of_.end()) list = list ? list_of_both(*list, at->second) : at->second;
+  }
+  assert(list && "no parent is near");
+  for (const FaceId child : children) list_of_[child.index] = *list;
 }
 
 std::span<const uint32_t> StrokeRegion::parts_near(FaceId f) const {

@@ -10,19 +10,22 @@
 
 namespace kerf {
 
-// All that a beam has swept in a stroke, in the frame of one body: the union of its moves. Faces remember the
-// moves near them, so that asking for a distance near a face costs what lies there, however long the stroke
-// is.
+// All that a beam has swept in a stroke, in the frame of one body: the union of the volumes of its moves, its
+// parts. For each face near the region the parts that meet the face are listed, so that asking for a distance
+// in a face costs what lies there, however long the stroke is. Answers are right for as long as the list of a
+// face holds every part that meets it: whoever replaces faces has the new ones inherit.
 class StrokeRegion {
  public:
   void add(const SweptCylinder& part) { parts_.push_back(part); }
   size_t parts() const { return parts_.size(); }
   const SweptCylinder& part(size_t i) const { return parts_[i]; }
 
-  // Tells of a part near a face, once each and in the order of parts; the parts of a face that was split are
-  // those of its parent.
+  // Appends a part to the list of a face. Precondition: the parts of a face are told in ascending order.
   void note_near(FaceId f, uint32_t part);
-  void inherit(FaceId child, FaceId parent);
+  // Faces of the parents' area replaced them: each child is near every part that any parent is near, for it
+  // may lie where only that parent lay. Slots are reused, so parents may be among the children. Precondition:
+  // a parent is near the region. Constant time where the parents have one list, else linear in their lists.
+  void inherit(std::span<const FaceId> children, std::span<const FaceId> parents);
   bool is_near(FaceId f) const { return list_of_.count(f.index) != 0; }
 
   // Negative inside the union, positive outside; for a point in or next to the face.
@@ -36,6 +39,7 @@ class StrokeRegion {
 
  private:
   std::span<const uint32_t> parts_near(FaceId f) const;
+  uint32_t list_of_both(uint32_t a, uint32_t b);
 
   std::vector<SweptCylinder> parts_;
   std::vector<std::vector<uint32_t>> lists_;

@@ -6,10 +6,11 @@
 
 namespace kerf {
 
-// Whether cutting a triangle of `face` along one chord would not be true to the boundary of the region: the
-// chord would leave it, an edge crosses it more than once, or the beam passes where no corner is inside.
-// `distances` are those of the corners, negative inside, zero on the boundary; `chord` is how
-// far the chord may be off, `graze` how far across the boundary the face may reach unseen (m).
+// Whether a single chord across a triangle fails to approximate the boundary of the region: the chord would
+// deviate from it by more than `chord`, an edge crosses it more than once, or the region reaches into the
+// triangle although no corner is inside. Parts that reach across the boundary by less than `graze` are
+// ignored. `at` is the triangle of `face`, and `distances` are the signed distances of its corners, negative
+// inside and zero on the boundary; all in metres.
 bool chord_fails(const StrokeRegion& region, FaceId face, const Triangle& at,
                  const std::array<double, 3>& distances, double chord, double graze);
 

@@ -4,7 +4,7 @@
 
 namespace kerf {
 
-// Adds the time between its making and its end to a sum of seconds. Never decides anything.
+// Adds its lifetime in seconds to a sum. Times never influence a result.
 class Stopwatch {
  public:
   explicit Stopwatch(double& sum) : sum_(sum), start_(std::chrono::steady_clock::now()) {}

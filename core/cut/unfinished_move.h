@@ -7,20 +7,19 @@
 
 namespace kerf {
 
-// Where a move of the beam was left, so that a later step goes on with it: in which body, with what of it,
-// and the faces that are still to be looked at there. Made anew it stands at the beginning of a move. Between
-// two steps it holds for the world as the first of them left it and for nothing else; whoever changes the
-// world drops it, and what the move has cut until then stays cut.
+// The state of a move of the beam that a step left unfinished, so that a later step can continue it: the
+// body, the stage, and the faces to be processed there. A default-constructed one is at the start of a move.
+// It is valid only for the world as the step left it; any other change of the world invalidates it, and what
+// the move has cut stays cut.
 struct UnfinishedMove {
   enum class Stage { kFind, kRefine, kFindAgain, kRemove, kSeparate };
 
-  size_t bodies = 0;           // that the move is through
-  Stage stage = Stage::kFind;  // of the next one
-  std::vector<FaceId> hit;     // faces there that the beam touches, each once
-  std::vector<FaceId>
-      to_split;            // those and their parts, as far as they were not looked at; the next one last
-  size_t removed = 0;      // of those that were hit, from the first
-  bool has_split = false;  // so the faces that were hit are to be found again
+  size_t bodies = 0;             // bodies that the move has completed
+  Stage stage = Stage::kFind;    // of the next body
+  std::vector<FaceId> hit;       // faces that the beam touches, each once
+  std::vector<FaceId> to_split;  // faces and parts of faces still to be refined; the next one is last
+  size_t removed = 0;            // number of faces of `hit` that are processed
+  bool has_split = false;        // a face was split, so that `hit` has to be found again
 };
 
 }  // namespace kerf

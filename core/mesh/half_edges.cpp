@@ -1,6 +1,7 @@
 #include "core/mesh/half_edges.h"
 
 #include <array>
+#include <cassert>
 
 namespace kerf {
 
@@ -11,6 +12,7 @@ VertexId HalfEdges::add_vertex(const Vec3& position) {
 }
 
 HalfEdgeId HalfEdges::add_edge(VertexId from, VertexId to) {
+  assert(from != to && from.index < vertices() && to.index < vertices());
   const HalfEdgeId h(links_.size());
   links_.push_back({to, {}, {}, {}});
   links_.push_back({from, {}, {}, {}});
@@ -23,6 +25,7 @@ FaceId HalfEdges::add_face(HalfEdgeId first) {
 }
 
 void HalfEdges::close(FaceId f, HalfEdgeId a, HalfEdgeId b, HalfEdgeId c) {
+  assert(to(a) == from(b) && to(b) == from(c) && to(c) == from(a));
   Links &first = links_.edit(a.index), &second = links_.edit(b.index), &third = links_.edit(c.index);
   first = {first.to, b, c, f};
   second = {second.to, c, a, f};
@@ -32,6 +35,7 @@ void HalfEdges::close(FaceId f, HalfEdgeId a, HalfEdgeId b, HalfEdgeId c) {
 
 VertexId HalfEdges::split(EdgeId e, const Vec3& at) {
   const HalfEdgeId h = half_edge(e, 0), o = half_edge(e, 1);
+  assert(face(h).valid() || face(o).valid());
   const VertexId tail = to(o), middle = add_vertex(at);
   const HalfEdgeId outward = add_edge(middle, tail), inward = opposite(outward);
   set_to(o, middle);
@@ -62,7 +66,9 @@ VertexId HalfEdges::split(EdgeId e, const Vec3& at) {
 }
 
 void HalfEdges::remove(FaceId f) {
+  assert(first(f).valid());
   const HalfEdgeId a = first(f), b = next(a), c = next(b);
+  assert(next(c) == a);
   first_.edit(f.index) = HalfEdgeId();
   for (const HalfEdgeId h : {a, b, c}) open(h);
   for (const HalfEdgeId h : {a, b, c}) {
@@ -70,9 +76,10 @@ void HalfEdges::remove(FaceId f) {
   }
 }
 
-// Of an edge without faces: the boundaries on both of its sides close up behind it.
+// Removes an edge without faces; the boundaries on both of its sides are joined.
 void HalfEdges::remove_edge(EdgeId e) {
   const HalfEdgeId h = half_edge(e, 0), o = half_edge(e, 1);
+  assert(!face(h).valid() && !face(o).valid());
   const HalfEdgeId after_h = next(h), after_o = next(o), before_h = previous(h), before_o = previous(o);
   link(before_h, after_o);
   link(before_o, after_h);
@@ -80,12 +87,14 @@ void HalfEdges::remove_edge(EdgeId e) {
   leave(to(o), h, after_o);
 }
 
-// The vertex loses a half-edge; another one that starts there, or the same where there is none.
+// Removes the half-edge `gone` from a vertex. `other` also starts there, or equals `gone` if it was the last
+// one.
 void HalfEdges::leave(VertexId v, HalfEdgeId gone, HalfEdgeId other) {
   if (outgoing(v) == gone) set_outgoing(v, other == gone ? HalfEdgeId() : other);
 }
 
 void HalfEdges::prefetch(FaceId f, int turn) const {
+  assert(turn >= 0 && turn < kTurns);
   if (turn == 0) return first_.prefetch(f.index);
   const HalfEdgeId a = first(f);
   if (!a.valid()) return;

@@ -10,7 +10,7 @@
 
 namespace kerf {
 
-// One of the two directions of an edge. The two of edge e are 2e and 2e + 1.
+// A directed edge. The half-edges of edge e are 2e and 2e + 1.
 using HalfEdgeId = Id<struct HalfEdgeTag>;
 
 inline HalfEdgeId opposite(HalfEdgeId h) { return HalfEdgeId(h.index ^ 1); }
@@ -29,6 +29,8 @@ class HalfEdges {
   uint32_t edges() const { return links_.size() / 2; }
   uint32_t faces() const { return first_.size(); }
 
+  // Accessors. Precondition: the id is in range; `to`, `next`, `previous` and `face` are defined for edges in
+  // use.
   const Vec3& position(VertexId v) const { return positions_[v.index]; }
   const Vec3* const* position_chunks() const { return positions_.chunks(); }
   VertexId to(HalfEdgeId h) const { return links_[h.index].to; }
@@ -36,38 +38,39 @@ class HalfEdges {
   HalfEdgeId next(HalfEdgeId h) const { return links_[h.index].next; }
   HalfEdgeId previous(HalfEdgeId h) const { return links_[h.index].previous; }
   FaceId face(HalfEdgeId h) const { return links_[h.index].face; }
-  // One that starts at the vertex; none where nothing hangs there any more.
+  // A half-edge that starts at the vertex; invalid if the vertex has no edge any more.
   HalfEdgeId outgoing(VertexId v) const { return outgoing_[v.index]; }
-  // One of the face; none where the face is dead.
+  // A half-edge of the face; invalid if the face is dead.
   HalfEdgeId first(FaceId f) const { return first_[f.index]; }
 
   VertexId add_vertex(const Vec3& position);
-  // The edge's half-edge from `from` to `to`.
+  // Adds an edge and returns its half-edge from `from` to `to`.
   HalfEdgeId add_edge(VertexId from, VertexId to);
   FaceId add_face(HalfEdgeId first);
 
   void set_position(VertexId v, const Vec3& p) { positions_.edit(v.index) = p; }
   void set_to(HalfEdgeId h, VertexId v) { links_.edit(h.index).to = v; }
   void set_outgoing(VertexId v, HalfEdgeId h) { outgoing_.edit(v.index) = h; }
-  // `after` follows on h.
+  // Makes `after` the successor of h.
   void link(HalfEdgeId h, HalfEdgeId after) {
     links_.edit(h.index).next = after;
     links_.edit(after.index).previous = h;
   }
-  // Makes three half-edges the sides of a face, which starts at the first.
+  // Makes three half-edges the sides of a face and links them in a cycle. Precondition: each ends where the
+  // next starts.
   void close(FaceId f, HalfEdgeId a, HalfEdgeId b, HalfEdgeId c);
   void set_face(HalfEdgeId h, FaceId f) { links_.edit(h.index).face = f; }
 
-  // Bisects an edge at a new vertex. Half-edge 0 of the edge then runs from the vertex to its old end, and a
-  // new edge, the first that is added, runs from the vertex to where it began. The faces of the edge, left
-  // and then right, keep the part at the old end; the other part is a new face.
+  // Splits an edge at a new vertex, and its faces. Half-edge 0 of the edge then runs from the vertex to its
+  // former end, and the first new edge runs from the vertex to its former start. The left face and then the
+  // right one keep the part at the former end; the other part becomes a new face.
   VertexId split(EdgeId e, const Vec3& at);
 
-  // Takes a face away, and the edges and vertices that nothing else needs.
+  // Removes a face and the edges that no other face uses. Precondition: the face is live.
   void remove(FaceId f);
 
-  // Asks for the memory of a face, its sides and its corners, in turns: each needs what the one before it
-  // asked for.
+  // Prefetches a face, its sides and its corners in kTurns turns, each of which reads what the previous one
+  // prefetched.
   static constexpr int kTurns = 4;
   void prefetch(FaceId f, int turn) const;
 
@@ -107,8 +110,8 @@ class HalfEdges {
 
   Records<Links> links_;
   Records<Vec3> positions_;
-  Records<HalfEdgeId> outgoing_;  // one a vertex
-  Records<HalfEdgeId> first_;     // one a face
+  Records<HalfEdgeId> outgoing_;  // one per vertex
+  Records<HalfEdgeId> first_;     // one per face
 };
 
 class HalfEdges::Change : public ChangeOfParts<HalfEdges> {};

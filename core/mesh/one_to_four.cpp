@@ -29,9 +29,11 @@ bool has_side(const Mesh& mesh, FaceId f, VertexId from, VertexId to) {
 }  // namespace
 
 OneToFour::Element OneToFour::element(const Mesh& mesh, FaceId f) const {
+  assert(mesh.is_live(f));
   const uint32_t index = mesh.data(f).element;
   if (index == FaceData::kNoElement) return {mesh.corners(f), {f, FaceId()}, 1};
   const Split& e = elements_[index];
+  assert(e.face_count == 2 && (e.faces[0] == f || e.faces[1] == f));
   return {e.corners, {e.faces[0], e.faces[1]}, 2};
 }
 
@@ -50,11 +52,12 @@ bool OneToFour::can_split(const Mesh& mesh, FaceId f) const {
 }
 
 void OneToFour::split(Mesh& mesh, FaceId f, std::vector<Replacement>& out) {
+  assert(can_split(mesh, f) && pending_.empty() && changed_.empty());
   make_red(mesh, f, out);
   while (!pending_.empty()) {
     const FaceId next_face = pending_.back();
     pending_.pop_back();
-    // Red already when a finer neighbour asked for it first.
+    // The element may be red already because a finer neighbour demanded it.
     if (mesh.data(next_face).element != FaceData::kNoElement) make_red(mesh, next_face, out);
   }
   report_green(out);
@@ -63,6 +66,7 @@ void OneToFour::split(Mesh& mesh, FaceId f, std::vector<Replacement>& out) {
 void OneToFour::forget(Mesh& mesh, FaceId f) {
   const uint32_t index = mesh.data(f).element;
   if (index == FaceData::kNoElement) return;
+  assert(elements_[index].face_count == 2);
   for (int i = 0; i < 2; ++i) mesh.edit_data(elements_[index].faces[i]).element = FaceData::kNoElement;
   close_element(index);
 }
@@ -86,6 +90,7 @@ uint32_t OneToFour::open_element(const Mesh& mesh, FaceId f) {
 
 void OneToFour::close_element(uint32_t index) {
   Split& e = elements_.edit(index);
+  assert(e.face_count > 0);
   e.face_count = 0;
   e.faces[0] = FaceId(free_);
   free_ = index;
@@ -102,8 +107,8 @@ void OneToFour::make_red(Mesh& mesh, FaceId f, std::vector<Replacement>& out) {
   finish_red(mesh, index, out);
 }
 
-// Where a whole edge of the element is half of a neighbour's edge, that neighbour is green or on the way to
-// red. It is coarser by a level, so this recursion ends.
+// A neighbour of which the element's whole edge is only one half of an edge is coarser by one level, so that
+// this recursion ends.
 void OneToFour::refine_coarser_neighbours(Mesh& mesh, uint32_t index, std::vector<Replacement>& out) {
   for (int edge = 0; edge < 3; ++edge) {
     while (!elements_[index].midpoints[edge].valid() && refine_coarser_across(mesh, index, edge, out)) {
@@ -111,8 +116,8 @@ void OneToFour::refine_coarser_neighbours(Mesh& mesh, uint32_t index, std::vecto
   }
 }
 
-// One pass over the faces on an edge of the element; whether any was coarser. Splitting one may change others
-// of them, so that those are looked at again.
+// Splits the coarser neighbours on an edge of the element. Returns whether there were any; as splitting one
+// may change the others, the caller repeats the call until there are none.
 bool OneToFour::refine_coarser_across(Mesh& mesh, uint32_t index, int edge, std::vector<Replacement>& out) {
   const VertexId from = elements_[index].corners[edge], to = elements_[index].corners[next(edge)];
   std::vector<Mesh::Side> across;
@@ -151,6 +156,7 @@ void OneToFour::note_split(Mesh& mesh, const Mesh::FaceSplit& s) {
   const int edge = edge_of(e, s.from, s.to);
   assert(edge < 3 && !e.midpoints[edge].valid());
   e.midpoints[edge] = s.midpoint;
+  assert(e.face_count < e.faces.size());
   e.faces[e.face_count++] = s.added;
   const int bisected = bisected_edges(e.midpoints);
   if (bisected == 1) {
@@ -176,6 +182,7 @@ void OneToFour::finish_red(Mesh& mesh, uint32_t index, std::vector<Replacement>&
   for (const FaceId f : e.faces) {
     int corner = 0;
     while (corner < 3 && !has_corner(mesh, f, e.corners[corner])) ++corner;
+    assert(!r.born[corner].valid());
     r.born[corner] = f;  // the face at each corner, then the one in the middle
     FaceData& data = mesh.edit_data(f);
     data.element = FaceData::kNoElement;
@@ -189,7 +196,7 @@ void OneToFour::finish_red(Mesh& mesh, uint32_t index, std::vector<Replacement>&
 void OneToFour::report_green(std::vector<Replacement>& out) {
   for (const uint32_t index : changed_) {
     const Split& e = elements_[index];
-    if (e.face_count != 2 || e.faces_in_tree != 1) continue;  // red by now, or closed
+    if (e.face_count != 2 || e.faces_in_tree != 1) continue;  // red in the meantime, or closed
     elements_.edit(index).faces_in_tree = 2;
     out.push_back({{e.faces[0], FaceId()}, {e.faces[0], e.faces[1], FaceId(), FaceId()}, 1, 2});
   }

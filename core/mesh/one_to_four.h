@@ -9,18 +9,18 @@
 
 namespace kerf {
 
-// Red-green refinement: the paper's 1-to-4 split, closed on the neighbours (R. E. Bank, A. H. Sherman,
-// A. Weiser: Refinement algorithms and data structures for regular local mesh refinement, 1983).
+// Red-green refinement: the 1-to-4 split of the paper, with closure of the neighbours (R. E. Bank, A. H.
+// Sherman, A. Weiser: Refinement algorithms and data structures for regular local mesh refinement, 1983).
 //
-// The mesh is seen as *elements*: red triangles. An element whose edges are all whole is one face. An element
-// with one bisected edge is a green pair of faces: it lives and dies together, and it is turned back into its
-// element before that is split (its one split edge is a part of the red split, so the pair is never cut up).
-// Two split edges, or a neighbour that wants to split half of a green edge, make the element red: four faces
-// of the next level. So no face descends from a green one, and every descendant has the angles of its base
-// face or of one green bisection of it.
+// The mesh is regarded as a set of *elements*, i.e. red triangles. An element without a bisected edge is one
+// face. An element with one bisected edge is a green pair of faces; the two halves are removed together, and
+// they are joined to the element again before it is split. An element with two bisected edges, or with a
+// neighbour that has to bisect one half of its bisected edge, is split red into four elements of the next
+// level. Therefore no face descends from a green one, and every face has the angles of its base face or of
+// one green bisection of it.
 class OneToFour {
  public:
-  // The element that f is, or is a half of.
+  // The element that consists of f or of a green pair that contains f.
   struct Element {
     std::array<VertexId, 3> corners;
     std::array<FaceId, 2> faces;
@@ -29,16 +29,18 @@ class OneToFour {
   Element element(const Mesh& mesh, FaceId f) const;
   Triangle triangle(const Mesh& mesh, FaceId f) const;
 
-  // Whether all edges of f's element have a midpoint that is neither of their ends. Coordinates have an end.
+  // Whether the midpoints of all edges of f's element differ from their ends, i.e. the element is not too
+  // small to split.
   bool can_split(const Mesh& mesh, FaceId f) const;
 
-  // Splits the element of f into four and closes the split on the neighbours, so that the mesh is conforming
-  // again. Appends what became of every element that changed: one face or a green pair made way for a green
-  // pair or four red faces. The cost is that of the elements that change.
+  // Splits the element of f into four and closes the mesh on its neighbours, so that it is conforming.
+  // Appends the replacement of every element that changed: one face or a green pair by a green pair or four
+  // red faces. Precondition: f is live and can_split(). The cost is proportional to the number of elements
+  // that change.
   void split(Mesh& mesh, FaceId f, std::vector<Replacement>& out);
 
-  // Forgets the green pair of a face that is about to be removed with its other half, or to be split by
-  // another rule: the halves are faces like others from then on.
+  // Dissolves the green pair of a face, so that its halves become ordinary faces, before the face is removed
+  // or split by another scheme. Does nothing for a face in no pair.
   void forget(Mesh& mesh, FaceId f);
 
   // What it was before a command (see ChangeOf).
@@ -58,8 +60,8 @@ class OneToFour {
     std::array<VertexId, 3> midpoints;
     std::array<FaceId, 4> faces;
     uint8_t face_count = 1;
-    uint8_t faces_in_tree = 1;  // 1: the others were made in this call; 2: a green pair from before it
-    uint8_t first_edge = 0;     // the edge that was bisected first: its bisector is turned over in the end
+    uint8_t faces_in_tree = 1;  // 1: the other faces are new in this call; 2: a green pair from before it
+    uint8_t first_edge = 0;     // the edge that was bisected first; its bisector is flipped at the end
     uint8_t halvings = 0;       // of the element
     bool wanted_red = false;
   };
@@ -74,13 +76,13 @@ class OneToFour {
   void finish_red(Mesh& mesh, uint32_t element, std::vector<Replacement>& out);
   void report_green(std::vector<Replacement>& out);
   static int edge_of(const Split& e, VertexId from,
-                     VertexId to);  // 3 where it is no whole edge of the element
+                     VertexId to);  // 3 if it is no edge of the element
   FaceId face_at(const Mesh& mesh, const Split& e, VertexId from, VertexId to) const;
 
   Records<Split> elements_;
-  uint32_t free_ = FaceData::kNoElement;  // the first of those that are closed; faces[0] is the next
-  std::vector<uint32_t> changed_;         // elements that became green in this call
-  std::vector<FaceId> pending_;           // faces of elements with two split edges
+  uint32_t free_ = FaceData::kNoElement;  // head of the free list; faces[0] links to the next
+  std::vector<uint32_t> changed_;         // elements that this call made green
+  std::vector<FaceId> pending_;           // faces of elements with two bisected edges
 };
 
 class OneToFour::Change : public ChangeOfParts<OneToFour> {};

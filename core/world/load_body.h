@@ -9,7 +9,8 @@
 
 namespace kerf {
 
-// A body of the mesh in a file (load_mesh, then make_body), or why there is none. `progress` may be null.
+// Loads a mesh file with load_mesh and makes a body of it with make_body. Fails like these; `progress` may be
+// null.
 Result<Body> load_body(std::string name, const std::filesystem::path& file, const Progress* progress);
 
 }  // namespace kerf

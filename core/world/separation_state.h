@@ -9,36 +9,37 @@
 
 namespace kerf {
 
-// A search that spreads over faces from one or more seeds.
+// A breadth-first search over faces that started from one or more seeds.
 struct SearchFront {
-  std::vector<FaceId> frontier;  // those from `next` on are to be looked at
+  std::vector<FaceId> frontier;  // faces from index `next` on are still to be visited
   size_t next = 0;
-  size_t looked_at = 0;
-  size_t faces = 0;  // live ones among those
-  double area = 0;   // of them
-  uint32_t lowest = 0xffffffffu;
+  size_t looked_at = 0;           // faces visited
+  size_t faces = 0;               // live faces among them
+  double area = 0;                // of these, m^2
+  uint32_t lowest = 0xffffffffu;  // the lowest slot reached
   bool exhausted() const { return next == frontier.size(); }
 };
 
-// A search for what came apart that goes on over several steps.
+// A search for separated parts that extends over several steps; see PartSearch.
 struct OpenSearch {
   enum class Stage { kNone, kGrow, kRelabel };
   static constexpr uint32_t kLookedAt = 0x80000000u;
 
   Stage stage = Stage::kNone;
-  bool asked_again = false;   // for what came apart since it began
-  PagedArray<uint32_t> mark;  // by face slot: the front that reached it and one, 0: none; kLookedAt
+  bool asked_again = false;  // another search has to follow for removals since this one started
+  PagedArray<uint32_t>
+      mark;  // by face slot: the front that reached it plus one, or 0; plus kLookedAt once visited
   std::vector<SearchFront> fronts;
-  std::vector<uint32_t> front_parent;  // by front: fronts that met are one, as in a union-find
+  std::vector<uint32_t> front_parent;  // by front: union-find of fronts that met
   std::vector<FaceId> seed;            // by front
-  std::vector<uint32_t> group;         // by front: what its seed hung together with before
-  std::vector<uint32_t> group_parent;  // by group: groups that turned out to be one
-  std::vector<uint32_t> new_label;     // by front, while faces get their labels; 0 where they keep it
-  uint32_t next_slot = 0;              // the first face that was not asked for its label yet
+  std::vector<uint32_t> group;         // by front: the component of its seed before the removals
+  std::vector<uint32_t> group_parent;  // by group: union-find of groups that were connected
+  std::vector<uint32_t> new_label;     // by front, while faces are relabelled; 0 if they keep their label
+  uint32_t next_slot = 0;              // the first face slot that is not relabelled yet
 
-  // The front that has reached the face; null where none has.
+  // The front that has reached the face, or null.
   SearchFront* front_of(FaceId f);
-  // The label that the face is about to be given; 0 where it keeps its own.
+  // The label that relabelling will give to the face; 0 if it keeps its own.
   uint32_t label_to_be(FaceId f) const;
 
   // Memory of what grows with the mesh.
@@ -48,22 +49,23 @@ struct OpenSearch {
   uint32_t root_of(FaceId f) const;
 };
 
-// What core/graph remembers of the faces that were removed from a body. None of it is more than a memory of
-// what the mesh shows: it may be forgotten at any moment between two strokes.
+// What core/graph records about the faces that were removed from a body. It may be discarded at any time
+// between two strokes, because the mesh contains the same information.
 struct SeparationState {
-  PagedArray<uint32_t> joined;  // by vertex slot: a parent and one in the sets of CutLoops, 0: never met
+  PagedArray<uint32_t>
+      joined;  // by vertex slot: its parent in the union-find of CutLoops plus one, or 0 if unknown
 
-  // Of the removals since the last settling, or since an open search began: a removed face and what hung on
-  // it.
+  // Pairs of a removed face and a former neighbour, since the last call of settle() or since an open search
+  // began.
   std::vector<std::pair<FaceId, FaceId>> ties;
 
-  // Of the removals since the last settling.
+  // About the removals since the last call of settle().
   size_t first_tie = 0;
-  int64_t loops = 0;         // that the cut closed, less the faces on which nothing hung
-  int64_t alone = 0;         // those
-  bool any_closed = false;   // whether any loop was closed, however many faces were alone
-  bool over_rings = false;   // a face went that hung on another over a ring: then the sum says nothing
-  bool cannot_know = false;  // such a face went and more than one hung on it
+  int64_t loops = 0;         // loops that the cut has closed, minus `alone`
+  int64_t alone = 0;         // removed faces that had no neighbour
+  bool any_closed = false;   // whether any loop was closed, regardless of `alone`
+  bool over_rings = false;   // a removed face was connected over a ring, so that `loops` is inconclusive
+  bool cannot_know = false;  // such a face had more than one neighbour
 
   OpenSearch search;
 
@@ -75,7 +77,7 @@ struct SeparationState {
   // Memory of what grows with the mesh.
   size_t bytes() const { return joined.bytes() + ties.capacity() * sizeof(ties[0]) + search.bytes(); }
 
-  // Undo remembers nothing of it: an exchange of the faces makes it forget (see ChangeOf).
+  // Undo records none of it: it is discarded when the faces are exchanged (see ChangeOf).
   struct Change {
     void begin(SeparationState&) {}
     void end(SeparationState&) {}

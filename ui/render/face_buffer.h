@@ -16,37 +16,37 @@
 namespace kerf {
 
 // The faces of one body on the GPU. Every face slot of the mesh has a fixed slot of three corners, in chunks
-// of a fixed size, so that growing never copies what is there; beside it each chunk has the list of the slots
-// that live, and only those are drawn. It follows Deltas; an update costs what changed.
+// of a fixed size, so that growing copies nothing. Each chunk has a list of its live slots, and only these
+// are drawn. The buffer follows Deltas, and the cost of an update is proportional to what changed.
 class FaceBuffer {
  public:
-  // Nothing is uploaded yet. `bases` are of the mesh as it was loaded, in the frame in which it is drawn.
+  // Uploads nothing yet. Precondition: `bases` was made from the mesh as it was loaded, with the same frame.
   FaceBuffer(const Mesh& mesh, const FloatFrame& frame, BaseFaces bases);
 
   void follow(const BodyDelta& delta) {
     dirty_.mark(delta);
     removed_.forget();
   }
-  // Takes every slot as changed: for when Deltas were lost.
+  // Marks every slot as changed, for the case that Deltas were lost.
   void forget_all(const Mesh& mesh) {
     dirty_.mark_all(std::max(mesh.face_slots(), static_cast<uint32_t>(halvings_.size())));
     removed_.forget();
   }
 
-  // Uploads what changed, from the mesh as it is now; where every slot did, `most` of them and the others in
-  // later updates. Returns the number of bytes.
+  // Uploads what changed from the current mesh. If every slot changed, uploads at most `most` of them; later
+  // calls upload the others. Returns the number of bytes sent.
   size_t update(const Mesh& mesh, uint32_t most = DirtySlots::kAll);
-  // Whether others are left.
+  // Whether slots are left for later calls.
   bool is_sending() const { return dirty_.has_all(); }
   PictureMemory memory() const;
 
-  // How many slots a chunk has.
+  // The number of slots in a chunk.
   static constexpr uint32_t kChunkFaces = 1u << 16;
 
-  // Three vertices a live face; gl_VertexID % 3 is the corner.
+  // Draws three vertices per live face; gl_VertexID % 3 is the corner.
   void draw() const;
-  // The same, calling before_chunk(i) ahead of the faces of each chunk, whose slots begin at i * kChunkFaces;
-  // gl_VertexID / 3 is the slot within the chunk.
+  // The same, with a call of before_chunk(i) before the faces of each chunk, whose slots start at i *
+  // kChunkFaces; gl_VertexID / 3 is the slot within the chunk.
   template <typename Before>
   void draw_chunks(const Before& before_chunk) const {
     for (size_t i = 0; i < chunks_.size(); ++i) {
@@ -54,20 +54,20 @@ class FaceBuffer {
       chunks_[i].draw();
     }
   }
-  // The same for a program that wants to know the slots: its uniform first_slot is that of vertex 0.
+  // The same for a program that needs face slots: its uniform first_slot is set to the slot of vertex 0.
   void draw_numbered(const gl::Program& program) const;
 
-  // Draws the surface as loaded where it was cut; see RemovedFaces.
+  // Draws the loaded surface where faces were removed; see RemovedFaces.
   void draw_removed(const Mesh& mesh);
   std::vector<RemovedFace> removed(const Mesh& mesh) const { return removed_.list(mesh, bases_); }
 
   const FloatFrame& frame() const { return frame_; }
-  // How many live faces there are of each number of halvings; the last counts all above.
+  // The number of live faces by their number of halvings; the last element includes all larger numbers.
   using Halvings = std::array<uint32_t, 64>;
   const Halvings& halvings_of_faces() const { return faces_of_; }
 
  private:
-  static constexpr uint32_t kGap = 4;  // clean slots worth sending to save a call
+  static constexpr uint32_t kGap = 4;  // largest gap of unchanged slots between ranges that are sent together
 
   static constexpr uint8_t kDead = 0xff;
 
@@ -78,7 +78,7 @@ class FaceBuffer {
     Chunk();
     void draw() const;
   };
-  Chunk& chunk_of(const SlotRange& range);  // made where it is not there yet
+  Chunk& chunk_of(const SlotRange& range);  // creates it if necessary
   void count(const Mesh& mesh, uint32_t slot);
   void note_change(const Mesh& mesh, FaceId f, bool lives);
   size_t update_slots(const Mesh& mesh, const SlotRange& range);
@@ -91,7 +91,7 @@ class FaceBuffer {
   DirtySlots dirty_;
   std::vector<Chunk> chunks_;
   std::vector<FaceVertices> staging_;
-  std::vector<uint8_t> halvings_;  // by slot; kDead where nothing lives
+  std::vector<uint8_t> halvings_;  // by slot; kDead without a live face
   Halvings faces_of_{};
 };
 

@@ -9,19 +9,19 @@
 
 namespace kerf {
 
-// A face that could be numbered, as it is seen.
+// A visible face that could be labelled with its number.
 struct LabelCandidate {
   FaceId face;
-  FaceId base;                         // the face as loaded that it lies in
-  int body = 0;                        // a number of it, as the caller counts
-  bool removed = false;                // it is no more
+  FaceId base;                         // the loaded face that contains it
+  int body = 0;                        // an index chosen by the caller
+  bool removed = false;                // whether it was removed
   std::array<glm::vec2, 3> corners{};  // pixels from the lower left of the picture
   float depth = 0;                     // any measure that grows away from the eye
 
   glm::vec2 middle() const { return (corners[0] + corners[1] + corners[2]) / 3.0f; }
 };
 
-// A number in the picture.
+// A number to be drawn in the picture.
 struct FaceLabel {
   uint32_t number = 0;
   bool removed = false;
@@ -29,13 +29,13 @@ struct FaceLabel {
   glm::vec2 size{0};  // pixels
 };
 
-// The size of a number of so many digits: one digit's, pixels.
+// The size of a digit in pixels.
 struct DigitShape {
   float width = 6, height = 10;
 };
 
-// Chooses the numbers that can be read: nearest first, each within the picture, on a face that holds it and
-// of which `seen` says that it is what shows at its middle, none on another. O(n log n).
+// Chooses the numbers that are legible, nearest first: each lies within the picture and within its face, for
+// which `seen` returns whether it is visible at its middle, and overlaps no other number. O(n log n).
 std::vector<FaceLabel> place_labels(std::vector<LabelCandidate> candidates, glm::ivec2 picture,
                                     const DigitShape& digit,
                                     const std::function<bool(const LabelCandidate&)>& seen);

@@ -8,16 +8,16 @@
 
 namespace kerf {
 
-// The face that a ray of the world meets first.
+// The face that a ray first meets.
 struct Pick {
   BodyId body;
   FaceId face;
   double length = 0;  // m, from the ray's origin
 };
 
-// What is seen along a ray, as the options show it: pieces that are hidden are looked through, those that are
-// moved are met where they are drawn, and backs only where they are drawn. The ray's direction has unit
-// length. Costs one walk through each body's tree for every different offset among its pieces.
+// Finds what is visible along a ray of the world with the given options: hidden pieces are ignored, displaced
+// pieces are hit where they are drawn, and back faces only if they are drawn. Precondition: the ray's
+// direction is a unit vector. Costs one traversal of each body's tree per distinct offset of its pieces.
 std::optional<Pick> pick(const World& world, const ViewOptions& options, const Pose& ray);
 
 }  // namespace kerf

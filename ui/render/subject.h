@@ -7,7 +7,7 @@
 
 namespace kerf {
 
-// What a pass draws and how it is looked at.
+// What a pass draws, and with which options.
 struct Subject {
   const World& world;
   std::map<BodyId, BodyPicture>& bodies;
@@ -15,7 +15,7 @@ struct Subject {
   const ViewOptions& options;
 };
 
-// Calls visit(id, body, picture) for every body that is there, in the order of their ids.
+// Calls visit(id, body, picture) for every body of the world that has a picture, in the order of ids.
 template <typename Visit>
 void for_each_body(const Subject& subject, const Visit& visit) {
   for (auto& [id, picture] : subject.bodies) {

@@ -14,7 +14,7 @@ namespace {
 constexpr size_t kBlock = 1 << 20;
 static_assert(std::endian::native == std::endian::little, "words are taken as they lie in the file");
 
-// The bytes as words, the last one filled up with zeros.
+// Hashes bytes as words; the last one is padded with zeros.
 uint64_t add_bytes(uint64_t hash, const char* bytes, size_t count) {
   for (size_t at = 0; at < count; at += sizeof(uint64_t)) {
     uint64_t word = 0;

@@ -1,5 +1,4 @@
-#include <cmath>
-
+#include "core/base/unit_vector.h"
 #include "core/document/colour_text.h"
 #include "core/document/hash_text.h"
 #include "core/document/parse_strokes.h"
@@ -8,8 +7,6 @@
 namespace kerf {
 
 namespace {
-
-constexpr double kUnitSlack = 1e-9;  // of the squared length of an orientation
 
 Result<Vec3> colour(const JsonValue& value) {
   const auto text = value.text();
@@ -28,11 +25,11 @@ Result<glm::dquat> orientation(const JsonValue& value) {
     q[i] = *n;
   }
   const glm::dquat turn(q[0], q[1], q[2], q[3]);
-  if (!(std::abs(glm::dot(turn, turn) - 1) < kUnitSlack)) return value.wrong("must have length 1");
+  if (!is_unit_length2(glm::dot(turn, turn))) return value.wrong("must have length 1");
   return turn;
 }
 
-// What is left of an object once these keys are out of it.
+// The text of a JSON object without some of its keys.
 template <typename... Keys>
 std::string without(nlohmann::json json, Keys... keys) {
   (json.erase(keys), ...);

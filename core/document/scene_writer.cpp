@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 Json list(const Vec3& v) { return {v.x, v.y, v.z}; }
 
-// `json` and behind it what was kept of the keys that this version does not know.
+// Appends the unknown keys that were kept to `json`.
 Json with_others(Json json, const std::string& others) {
   const Json kept = Json::parse(others, nullptr, false);
   if (kept.is_object()) json.update(kept);

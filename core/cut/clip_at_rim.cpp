@@ -31,27 +31,16 @@ Crossing longest_crossing(RimState& rim, FaceId f) {
 
 // Splits the face's edge, and all faces on it, where it crosses the boundary.
 void split_at(RimState& rim, FaceId f, const Crossing& edge) {
-  Body& body = rim.step.body;
   const VertexId in = edge.from_inside ? edge.from : edge.to, out = edge.from_inside ? edge.to : edge.from;
-  const Vec3 a = body.mesh.position(in), b = body.mesh.position(out), at = rim.region.crossing(f, a, b);
+  const Vec3 a = rim.mesh().position(in), b = rim.mesh().position(out), at = rim.region.crossing(f, a, b);
   if (at == a || at == b) {
     rim.note_on_boundary(at == a ? in : out);
     return;
   }
-  std::vector<Mesh::Side> sides;
-  body.mesh.append_edge_sides(f, edge.from, edge.to, sides);
-  body.refinement.forget(body.mesh, f);
-  for (const Mesh::Side& side : sides) body.refinement.forget(body.mesh, side.face);
-
   std::vector<Mesh::FaceSplit> splits;
-  body.mesh.split_edge_at(f, edge.from, edge.to, at, splits);
+  rim.step.edit.split_edge_at(f, edge.from, edge.to, at, splits);
   for (const Mesh::FaceSplit& s : splits) {
     rim.note_on_boundary(s.midpoint);
-    const double kept = triangle_area(body.mesh.triangle(s.kept)),
-                 added = triangle_area(body.mesh.triangle(s.added));
-    follow_area(body.mesh.edit_data(s.kept), kept + added, kept);
-    follow_area(body.mesh.edit_data(s.added), kept + added, added);
-    rim.replaced.push_back({{s.kept, FaceId()}, {s.kept, s.added, FaceId(), FaceId()}, 1, 2});
     if (!rim.region.is_near(s.kept)) continue;
     rim.region.inherit({&s.added, 1}, {&s.kept, 1});
     rim.faces.push_back(s.added);

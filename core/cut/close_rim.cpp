@@ -30,15 +30,6 @@ bool RimState::inside(FaceId face) {
   return region.signed_distance(face, (t[0] + t[1] + t[2]) / 3.0) < 0;
 }
 
-void follow_area(FaceData& data, double area_before, double area_now) {
-  if (!(area_before > 0 && area_now > 0)) return;
-  int halvings = 0;
-  const double share =
-      std::frexp(area_before / area_now, &halvings);  // in [1/2, 1): their ratio is share * 2^halvings
-  if (share < 0.7071067811865476) --halvings;
-  data.halvings = static_cast<uint8_t>(std::clamp(data.halvings + halvings, 0, 255));
-}
-
 namespace {
 
 // The faces that meet the boundary, or lie so near that a vertex could be on it.
@@ -49,7 +40,7 @@ void find_near(RimState& rim) {
     const SweptCylinder& part = rim.region.part(i);
     found.clear();
     const QueryCounts counts =
-        rim.step.body.tree.touched(rim.mesh(), part.with_radius(part.radius() * (1 + 2 * kRimOn)), found);
+        rim.step.edit.touched(part.with_radius(part.radius() * (1 + 2 * kRimOn)), found);
     rim.step.figures.tested.boxes += counts.boxes;
     rim.step.figures.tested.faces += counts.faces;
     for (const FaceId f : found) {
@@ -74,14 +65,9 @@ Status fit_to_boundary(RimState& rim, const Progress& progress) {
   return Done{};
 }
 
-// Vertices have moved and edges were turned.
 void refit_tree(RimState& rim) {
   const Stopwatch watch(rim.step.figures.update_tree_s);
-  std::vector<FaceId> live;
-  for (const FaceId f : rim.step.edited) {
-    if (rim.mesh().is_live(f)) live.push_back(f);
-  }
-  rim.step.body.tree.refit(rim.mesh(), live);
+  rim.step.edit.refit_tree();
 }
 
 // The tree follows also where the work is stopped half-way.
@@ -90,7 +76,7 @@ Status close(RimState& rim, const Progress& progress) {
   if (rim.faces.empty()) return Done{};
   const Status fitted = fit_to_boundary(rim, progress);
   if (fitted) clip_at_rim(rim);
-  follow_splits(rim.step, rim.replaced);
+  update_tree(rim.step);
   if (fitted) {
     remove_within_rim(rim);
     flip_near_rim(rim);

@@ -4,6 +4,7 @@
 
 #include "core/cut/cuttable.h"
 #include "core/cut/step_state.h"
+#include "core/cut/stopwatch.h"
 
 namespace kerf {
 
@@ -148,35 +149,20 @@ bool is_settled(const World& world) {
   return std::all_of(ids.begin(), ids.end(), [&](BodyId id) { return is_settled(world.body(id)); });
 }
 
-namespace {
-
-void sort_each_once(std::vector<FaceId>& faces) {
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+size_t separate(BodyStep& step, size_t most) {
+  const Stopwatch watch(step.figures.separate_s);
+  return step.edit.separate(most);
 }
-
-BodyDelta delta_of(BodyStep& step) {
-  BodyDelta delta;
-  delta.body = step.id;
-  delta.new_pieces = std::move(step.new_pieces);
-  sort_each_once(step.edited);
-  for (const FaceId f : step.edited) (step.body.mesh.is_live(f) ? delta.born : delta.gone).push_back(f);
-  sort_each_once(step.relabelled);
-  std::erase_if(step.relabelled, [&](FaceId f) { return !step.body.mesh.is_live(f); });
-  delta.relabelled = std::move(step.relabelled);
-  return delta;
-}
-
-}  // namespace
 
 void end_step(BodyStep& step, StepResult& result) {
-  if (!step.edited.empty() || !step.relabelled.empty() || !step.new_pieces.empty()) {
-    result.delta.removed_faces += step.removed_faces;
-    result.delta.removed_area += step.removed_area;
-    result.delta.bodies.push_back(delta_of(step));
+  step.figures.faces_made = step.edit.faces_made();
+  if (step.edit.any()) {
+    result.delta.removed_faces += step.edit.removed_faces();
+    result.delta.removed_area += step.edit.removed_area();
+    result.delta.bodies.push_back(step.edit.take_delta(step.id));
     for (const FaceId f : result.delta.bodies.back().born) {
       step.figures.largest_cosine =
-          std::max(step.figures.largest_cosine, largest_cosine(step.body.mesh.triangle(f)));
+          std::max(step.figures.largest_cosine, largest_cosine(step.mesh().triangle(f)));
     }
   }
   result.figures.add(step.figures);

@@ -23,7 +23,7 @@ bool in_one_plane(const Triangle& s, const Triangle& t) {
 // The edge of a face that turning it would gain most on, in its plane.
 class Flip {
  public:
-  Flip(Mesh& mesh, FaceId f, int edge) : mesh_(mesh), face_(f) {
+  Flip(const Mesh& mesh, FaceId f, int edge) : face_(f) {
     const auto c = mesh.corners(f);
     from_ = c[edge];
     to_ = c[(edge + 1) % 3];
@@ -31,48 +31,34 @@ class Flip {
     std::vector<Mesh::Side> sides;
     mesh.append_edge_sides(f, from_, to_, sides);
     if (sides.size() != 1 || !mesh.can_flip_edge(f, from_, to_)) return;
-    other_ = sides[0].face;
-    if (mesh.data(other_).base != mesh.data(f).base) return;
+    const FaceId other = sides[0].face;
+    if (mesh.data(other).base != mesh.data(f).base) return;
     Vec3 below{0};
-    for (const VertexId v : mesh.corners(other_)) {
+    for (const VertexId v : mesh.corners(other)) {
       if (v != from_ && v != to_) below = mesh.position(v);
     }
     const Vec3 a = mesh.position(from_), b = mesh.position(to_);
-    before_ = {mesh.triangle(f), mesh.triangle(other_)};
-    after_ = {Triangle{apex, a, below}, Triangle{below, b, apex}};
-    const Vec3 n = area_vector(before_[0]);
-    if (!in_one_plane(before_[0], before_[1])) return;
-    for (const Triangle& t : after_) {
+    const std::array<Triangle, 2> before{mesh.triangle(f), mesh.triangle(other)},
+        after{Triangle{apex, a, below}, Triangle{below, b, apex}};
+    const Vec3 n = area_vector(before[0]);
+    if (!in_one_plane(before[0], before[1])) return;
+    for (const Triangle& t : after) {
       if (!(glm::dot(area_vector(t), n) > 0)) return;
     }
-    gain_ = worst(before_) - worst(after_);
+    gain_ = worst(before) - worst(after);
   }
 
   bool pays() const { return gain_ > kLeastGain; }
 
-  void make(BodyStep& step) const {
-    for (const FaceId f : {face_, other_}) step.body.refinement.forget(mesh_, f);
-    mesh_.flip_edge(face_, from_, to_);
-    const std::array<FaceId, 2> faces{face_, other_};
-    for (int i = 0; i < 2; ++i) {
-      follow_area(mesh_.edit_data(faces[i]), triangle_area(before_[i]),
-                  triangle_area(mesh_.triangle(faces[i])));
-      step.edited.push_back(faces[i]);
-      note_turned(step.body, faces[i]);
-    }
-  }
-
-  FaceId other() const { return other_; }
+  void make(BodyEdit& edit) const { edit.flip_edge(face_, from_, to_); }
 
  private:
   static double worst(const std::array<Triangle, 2>& t) {
     return std::max(largest_cosine(t[0]), largest_cosine(t[1]));
   }
 
-  Mesh& mesh_;
-  FaceId face_, other_;
+  FaceId face_;
   VertexId from_, to_;
-  std::array<Triangle, 2> before_, after_;
   double gain_ = 0;
 };
 
@@ -80,7 +66,7 @@ bool flip_around(RimState& rim, FaceId f) {
   for (int edge = 0; edge < 3; ++edge) {
     const Flip flip(rim.mesh(), f, edge);
     if (!flip.pays()) continue;
-    flip.make(rim.step);
+    flip.make(rim.step.edit);
     return true;
   }
   return false;

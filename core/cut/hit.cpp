@@ -6,7 +6,7 @@
 namespace kerf {
 
 void sweep(BodyStep& step, const Laser& laser, const BeamMove& move) {
-  const Placement& placement = step.body.placement;
+  const Placement& placement = step.body().placement;
   step.beam = sweep_beam(laser, {placement.to_body(move.from), placement.to_body(move.to)});
 }
 
@@ -14,7 +14,7 @@ void hit(BodyStep& step, std::vector<FaceId>& faces) {
   const Stopwatch watch(step.figures.query_s);
   faces.clear();
   for (const SweptCylinder& part : step.beam) {
-    const QueryCounts counts = step.body.tree.touched(step.body.mesh, part, faces);
+    const QueryCounts counts = step.edit.touched(part, faces);
     step.figures.tested.boxes += counts.boxes;
     step.figures.tested.faces += counts.faces;
   }

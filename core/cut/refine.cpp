@@ -3,7 +3,6 @@
 
 #include "core/cut/step_state.h"
 #include "core/cut/stopwatch.h"
-#include "core/mesh/longest_edge.h"
 
 namespace kerf {
 
@@ -20,23 +19,20 @@ class Refinement {
       const FaceId f = to_split_.back();
       to_split_.pop_back();
       if (!must_split(f)) continue;
-      const size_t first = replaced_.size();
-      split_by_scheme(step_, settings_.resolution.scheme, f, replaced_);
-      for (size_t i = replaced_.size(); i > first; --i) {
-        const auto& r = replaced_[i - 1];
+      const std::span<const Replacement> splits = split_by_scheme(step_, settings_.resolution.scheme, f);
+      for (size_t i = splits.size(); i-- > 0;) {
+        const Replacement& r = splits[i];
         to_split_.insert(to_split_.end(), r.born.begin(), r.born.begin() + r.born_count);
       }
-      if (step_.body.mesh.live_faces() > settings_.most_faces) return too_many_faces(settings_);
+      if (step_.mesh().live_faces() > settings_.most_faces) return too_many_faces(settings_);
     }
     return Done{};
   }
 
-  const std::vector<Replacement>& replaced() const { return replaced_; }
-
  private:
   bool must_split(FaceId f) const {
-    const Mesh& mesh = step_.body.mesh;
-    const OneToFour& refinement = step_.body.refinement;
+    const Mesh& mesh = step_.mesh();
+    const OneToFour& refinement = step_.body().refinement;
     const Triangle face = mesh.triangle(f), element = refinement.triangle(mesh, f);
     if (fine_enough(f, element)) return false;
     const auto touched = [&](const SweptCylinder& part) { return part.touches(face); };
@@ -47,7 +43,7 @@ class Refinement {
 
   bool fine_enough(FaceId f, const Triangle& element) const {
     const Resolution& r = settings_.resolution;
-    const int level = step_.body.mesh.data(f).halvings / 2;
+    const int level = step_.mesh().data(f).halvings / 2;
     if (level >= Resolution::kLargestDepth) return true;
     switch (r.rule) {
       case Resolution::Rule::kDepth:
@@ -70,7 +66,6 @@ class Refinement {
   BodyStep& step_;
   const CutSettings& settings_;
   std::vector<FaceId>& to_split_;
-  std::vector<Replacement> replaced_;
 };
 
 }  // namespace
@@ -83,9 +78,9 @@ Status refine(BodyStep& step, UnfinishedMove& move, const CutSettings& settings,
     const Stopwatch watch(step.figures.refine_s);
     return refinement.run();
   }();
-  if (refinement.replaced().empty()) return done;
+  if (step.edit.splits().empty()) return done;
   move.has_split = true;
-  follow_splits(step, refinement.replaced());
+  update_tree(step);
   return done;
 }
 
@@ -94,25 +89,19 @@ Error too_many_faces(const CutSettings& settings) {
                 " faces: choose a coarser resolution or a shorter stroke");
 }
 
-void follow_splits(BodyStep& step, std::span<const Replacement> replaced) {
+void update_tree(BodyStep& step) {
   const Stopwatch watch(step.figures.update_tree_s);
-  step.body.tree.replace(step.body.mesh, replaced);
-  for (const Replacement& r : replaced) {
-    step.edited.insert(step.edited.end(), r.born.begin(), r.born.begin() + r.born_count);
-    const int made = r.born_count - r.gone_count;
-    step.figures.faces_made += static_cast<size_t>(made);
-    note_replaced(step.body, r);
-    step.count(r.born[0], made, 0);
-  }
+  step.edit.update_tree();
 }
 
-void split_by_scheme(BodyStep& step, Scheme scheme, FaceId f, std::vector<Replacement>& out) {
-  Body& body = step.body;
+std::span<const Replacement> split_by_scheme(BodyStep& step, Scheme scheme, FaceId f) {
+  const size_t first = step.edit.splits().size();
   if (scheme == Scheme::kOneToFour) {
-    if (body.refinement.can_split(body.mesh, f)) body.refinement.split(body.mesh, f, out);
+    step.edit.split_in_four(f);
   } else {
-    bisect_longest_edge(body.mesh, body.refinement, f, out);
+    step.edit.bisect_at_longest_edge(f);
   }
+  return step.edit.splits().subspan(first);
 }
 
 }  // namespace kerf

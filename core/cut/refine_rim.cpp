@@ -25,10 +25,7 @@ bool fails(RimState& rim, FaceId f) {
 // Of a green pair the beam may be near either half alone, and no face that takes the place of the pair need
 // lie within one half.
 void split_near_rim(RimState& rim, FaceId f, std::vector<FaceId>& parts) {
-  const size_t first = rim.replaced.size();
-  split_by_scheme(rim.step, rim.settings.resolution.scheme, f, rim.replaced);
-  for (size_t i = first; i < rim.replaced.size(); ++i) {
-    const Replacement& r = rim.replaced[i];
+  for (const Replacement& r : split_by_scheme(rim.step, rim.settings.resolution.scheme, f)) {
     const std::span<const FaceId> gone(r.gone.data(), r.gone_count), born(r.born.data(), r.born_count);
     const auto is_near = [&](FaceId g) { return rim.region.is_near(g); };
     if (std::none_of(gone.begin(), gone.end(), is_near)) continue;

@@ -7,18 +7,8 @@ namespace kerf {
 
 namespace {
 
-void remove_face(BodyStep& step, FaceId f) {
-  Body& body = step.body;
-  const double area = triangle_area(body.mesh.triangle(f));
-  note_removal(body, f);
-  step.count(f, -1, -area);
-  ++step.removed_faces;
-  body.mesh.remove_face(f);
-  step.edited.push_back(f);
-}
-
 bool within_beam(const BodyStep& step, FaceId f) {
-  const Triangle element = step.body.refinement.triangle(step.body.mesh, f);
+  const Triangle element = step.body().refinement.triangle(step.mesh(), f);
   return std::any_of(step.beam.begin(), step.beam.end(),
                      [&](const SweptCylinder& part) { return part.contains(element); });
 }
@@ -32,26 +22,20 @@ void remove(BodyStep& step, UnfinishedMove& move, bool only_within) {
   const size_t end = std::min(move.hit.size(), move.removed + kFacesTogether);
   for (; move.removed < end; ++move.removed) {
     const FaceId f = move.hit[move.removed];
-    if (!step.body.mesh.is_live(f)) continue;  // went with the other half of its pair
+    if (!step.mesh().is_live(f)) continue;  // went with the other half of its pair
     if (only_within && !within_beam(step, f)) continue;
-    const OneToFour::Element element = step.body.refinement.element(step.body.mesh, f);
+    const OneToFour::Element element = step.body().refinement.element(step.mesh(), f);
     going.insert(going.end(), element.faces.begin(), element.faces.begin() + element.face_count);
   }
   remove_faces(step, going);
 }
 
 void remove_faces(BodyStep& step, std::span<const FaceId> faces) {
-  const size_t first = step.edited.size();
   {
     const Stopwatch watch(step.figures.remove_s);
-    for (const FaceId f : faces) {
-      if (!step.body.mesh.is_live(f)) continue;  // named twice: both halves of a pair were hit
-      step.body.refinement.forget(step.body.mesh, f);
-      remove_face(step, f);
-    }
+    step.edit.remove(faces);
   }
-  const Stopwatch watch(step.figures.update_tree_s);
-  for (size_t i = first; i < step.edited.size(); ++i) step.body.tree.remove(step.edited[i]);
+  update_tree(step);
 }
 
 }  // namespace kerf

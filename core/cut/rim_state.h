@@ -15,12 +15,11 @@ struct RimState {
   const CutSettings& settings;
   StrokeRegion region;
   std::vector<FaceId> faces;  // on or near the boundary of the region; parts of split ones behind the others
-  std::vector<Replacement> replaced;
   std::unordered_map<uint32_t, double> distances;  // by vertex, once asked for; looked up, never walked
 
   RimState(BodyStep& body_step, const CutSettings& cut_settings) : step(body_step), settings(cut_settings) {}
 
-  Mesh& mesh() { return step.body.mesh; }
+  const Mesh& mesh() const { return step.mesh(); }
   double radius() const { return settings.laser.radius; }
 
   // Signed distance of a corner of the face from the boundary, zero where it is as good as on it.
@@ -48,8 +47,5 @@ void split_near_rim(RimState& rim, FaceId f, std::vector<FaceId>& parts);
 void clip_at_rim(RimState& rim);
 void remove_within_rim(RimState& rim);
 void flip_near_rim(RimState& rim);
-
-// Sets how often a face's area was halved after its area became another share of what it was.
-void follow_area(FaceData& data, double area_before, double area_now);
 
 }  // namespace kerf

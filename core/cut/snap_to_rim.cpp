@@ -138,20 +138,6 @@ FaceId without_chord(RimState& rim, const Mesh::Star& star, const Snap& s) {
   return FaceId();
 }
 
-void move(RimState& rim, const Mesh::Star& star, const Snap& s) {
-  Body& body = rim.step.body;
-  for (const FaceId f : star.faces) {
-    body.refinement.forget(body.mesh, f);
-    const double before = triangle_area(body.mesh.triangle(f));
-    const double now = triangle_area(with_corner_moved(body.mesh, f, s.vertex, s.to));
-    follow_area(body.mesh.edit_data(f), before, now);
-    rim.step.count(f, 0, now - before);
-    rim.step.edited.push_back(f);
-  }
-  body.mesh.move_vertex(s.vertex, s.to);
-  rim.note_on_boundary(s.vertex);
-}
-
 template <typename Add>
 void snap(RimState& rim, Add add, std::vector<FaceId>& in_the_way) {
   std::vector<Snap> snaps;
@@ -167,7 +153,8 @@ void snap(RimState& rim, Add add, std::vector<FaceId>& in_the_way) {
     if (const FaceId f = without_chord(rim, star, s); f.valid()) {
       if (s.share < kRimSliver) in_the_way.push_back(f);
     } else {
-      move(rim, star, s);
+      rim.step.edit.move_vertex(s.vertex, s.to, star);
+      rim.note_on_boundary(s.vertex);
     }
   }
 }

@@ -4,31 +4,21 @@
 #include <vector>
 
 #include "core/cut/cut_step.h"
-#include "core/graph/separation.h"
+#include "core/graph/body_edit.h"
 
 namespace kerf {
 
 // What the stages of a step hand to one another, for one body.
 struct BodyStep {
-  BodyStep(BodyId body_id, Body& cut_body) : id(body_id), body(cut_body) {}
+  BodyStep(BodyId body_id, Body& cut_body) : id(body_id), edit(cut_body) {}
+
+  const Body& body() const { return edit.body(); }
+  const Mesh& mesh() const { return edit.mesh(); }
 
   BodyId id;
-  Body& body;
+  BodyEdit edit;
   std::vector<SweptCylinder> beam;  // of the current move, in the body's frame
-  std::vector<FaceId> edited;       // slots that were born, reused or removed in this step, with repeats
-  std::vector<FaceId> relabelled;
-  std::vector<uint32_t> new_pieces;
-  size_t removed_faces = 0;
-  double removed_area = 0;  // m^2 that the body has lost in this step (see count)
   StepFigures figures;
-
-  // Every edit of the mesh tells here by how much it changes the number of faces and the area (m^2) of what
-  // the face f belongs to. Area that an edit takes away counts as removed, area that it adds as negative, so
-  // that the removed area and the area that is left always sum up to the same.
-  void count(FaceId f, int faces, double area) {
-    body.count(f, faces, area);
-    removed_area -= area;
-  }
 };
 
 // So many faces are looked at before the tree follows what was split or removed: the least that a step does.
@@ -47,10 +37,11 @@ Status refine(BodyStep& step, UnfinishedMove& move, const CutSettings& settings,
 void remove(BodyStep& step, UnfinishedMove& move, bool only_within);
 // These; both halves of a green pair or a half that is alone from now on.
 void remove_faces(BodyStep& step, std::span<const FaceId> faces);
-// Splits a face and what must follow it; nothing where coordinates end.
-void split_by_scheme(BodyStep& step, Scheme scheme, FaceId f, std::vector<Replacement>& out);
-// Tells the tree, the counts and the delta what became of faces that were split.
-void follow_splits(BodyStep& step, std::span<const Replacement> replaced);
+// Splits a face and what must follow it; nothing where coordinates have no midpoints. The new entries of
+// step.edit.splits().
+std::span<const Replacement> split_by_scheme(BodyStep& step, Scheme scheme, FaceId f);
+// BodyEdit::update_tree, with its time taken.
+void update_tree(BodyStep& step);
 // Looks at so many faces or few more for what came apart; see kerf::settle. How many they were, those with a
 // new label among them.
 size_t separate(BodyStep& step, size_t most);

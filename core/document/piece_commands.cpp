@@ -1,6 +1,6 @@
 #include "core/document/piece_commands.h"
 
-#include "core/world/detach.h"
+#include "core/graph/detach.h"
 #include "core/world/load_body.h"
 
 namespace kerf {

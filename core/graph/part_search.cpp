@@ -71,9 +71,9 @@ void PartSearch::seed_components() {
   std::sort(search_.seed.begin(), search_.seed.end());
   search_.seed.erase(std::unique(search_.seed.begin(), search_.seed.end()), search_.seed.end());
   search_.group.resize(search_.seed.size());
-  std::vector<std::pair<const Piece*, uint32_t>> known;
+  std::vector<std::pair<const FaceCounts*, uint32_t>> known;
   for (uint32_t i = 0; i < search_.seed.size(); ++i) {
-    const Piece* whole = &body_.whole_of(search_.seed[i]);
+    const FaceCounts* whole = &body_.whole_of(search_.seed[i]);
     const auto at = std::find_if(known.begin(), known.end(), [&](const auto& k) { return k.first == whole; });
     search_.group[i] = at != known.end() ? at->second : known.emplace_back(whole, i).second;
   }
@@ -85,8 +85,7 @@ bool PartSearch::go_on(size_t most, SettleResult& result) {
   return search_.stage == OpenSearch::Stage::kNone;
 }
 
-// Edits between steps
-// ------------------------------------------------------------------------------------------
+// Edits between steps ---------------------------------------------------------------------------------------
 
 void PartSearch::note_replaced(const Replacement& replaced) {
   uint32_t mark = 0;  // the largest mark, i.e. that of a visited face if there is one
@@ -96,7 +95,7 @@ void PartSearch::note_replaced(const Replacement& replaced) {
   for (int i = 0; i < replaced.gone_count; ++i) {
     const FaceId f = replaced.gone[i];
     const uint32_t own = search_.mark.get(f.index);
-    if (mark & ~own & OpenSearch::kLookedAt) note_looked_at(f, own != 0 ? own : mark);
+    if (mark & ~own & OpenSearch::kLookedAt) note_looked_at(f, own != 0 ? own : mark, half_of(replaced));
   }
   for (int i = 0; i < replaced.born_count; ++i) {
     uint32_t& own = search_.mark.at(replaced.born[i].index);
@@ -105,12 +104,20 @@ void PartSearch::note_replaced(const Replacement& replaced) {
   }
 }
 
+// The area that each half of a green pair had before the pair was split.
+double PartSearch::half_of(const Replacement& replaced) const {
+  double area = 0;
+  for (int i = 0; i < replaced.born_count; ++i)
+    area += triangle_area(body_.mesh.triangle(replaced.born[i]));
+  return area / 2;
+}
+
 // Marks a face as visited. One half of a green pair may not have been visited when the pair was split.
-void PartSearch::note_looked_at(FaceId f, uint32_t mark) {
+void PartSearch::note_looked_at(FaceId f, uint32_t mark, double area) {
   search_.mark.at(f.index) = mark | OpenSearch::kLookedAt;
   SearchFront& front = *search_.front_of(f);
   ++front.faces;
-  front.area += triangle_area(body_.mesh.triangle(f));
+  front.area += area;
 }
 
 // The neighbours of a removed face that no front has visited belong to the front that has reached the face,
@@ -125,6 +132,12 @@ void PartSearch::note_removal(FaceId f) {
   }
   if (mark == 0) return;
   for (const FaceId n : state_.neighbours) reach(mark - 1, n);
+}
+
+void PartSearch::note_turned(FaceId f, double area_gained) {
+  if (search_.stage == OpenSearch::Stage::kGrow && (search_.mark.get(f.index) & OpenSearch::kLookedAt) != 0)
+    search_.front_of(f)->area += area_gained;
+  look_again(f);
 }
 
 void PartSearch::look_again(FaceId f) {
@@ -205,7 +218,7 @@ void PartSearch::note_exhausted(uint32_t front) {
 }
 
 PartSearch::Found& PartSearch::found_of(uint32_t front) {
-  const Piece* whole = &body_.whole_of(search_.seed[front]);
+  const FaceCounts* whole = &body_.whole_of(search_.seed[front]);
   const auto known =
       std::find_if(found_.begin(), found_.end(), [&](const Found& f) { return f.whole == whole; });
   if (known != found_.end()) return *known;
@@ -248,7 +261,7 @@ size_t PartSearch::take_turn(uint32_t front, size_t faces) {
     body_.mesh.append_nearest_neighbours(f, neighbours_);
     for (size_t i = first; i < neighbours_.size(); ++i) search_.mark.prefetch(neighbours_[i].index);
     const uint32_t mark = search_.mark.get(f.index);
-    if (!(mark & OpenSearch::kLookedAt)) note_looked_at(f, mark);
+    if (!(mark & OpenSearch::kLookedAt)) note_looked_at(f, mark, triangle_area(body_.mesh.triangle(f)));
   }
   own.looked_at += turn_.size();
   for (const FaceId n : neighbours_) reach(front, n);
@@ -314,12 +327,12 @@ void PartSearch::leave_out_largest(std::vector<uint32_t>& parts) const {
   if (stays != parts.end()) parts.erase(stays);
 }
 
-// The counts are transferred at once; relabel() transfers the faces one by one.
+// The counts are transferred at once; relabel() transfers the faces and their moments one by one.
 void PartSearch::give_label(uint32_t part, SettleResult& result) {
   const SearchFront& front = search_.fronts[part];
   const FaceId seed = search_.seed[part];
-  Piece &old = body_.pieces.edit(body_.mesh.data(seed).piece), &whole = body_.edit_whole_of(seed);
-  for (Piece* counts : {&old, &whole}) {
+  FaceCounts &old = body_.edit_piece_of(seed), &whole = body_.edit_whole_of(seed);
+  for (FaceCounts* counts : {&old, &whole}) {
     assert(counts->faces >= front.faces);
     counts->faces -= front.faces;
     counts->area -= front.area;
@@ -327,7 +340,15 @@ void PartSearch::give_label(uint32_t part, SettleResult& result) {
   }
   search_.new_label[part] = body_.pieces.size();
   result.new_pieces.push_back(search_.new_label[part]);
-  body_.pieces.push_back({front.faces, front.area});
+  body_.pieces.push_back({{front.faces, front.area}, {}});
+}
+
+void PartSearch::set_label(FaceId f, uint32_t label) {
+  const Triangle t = body_.mesh.triangle(f);
+  const AreaMoments moments = area_moments(t, triangle_area(t), body_.middle());
+  body_.edit_piece_of(f).moments -= moments;
+  body_.mesh.edit_data(f).piece = label;
+  body_.edit_piece_of(f).moments += moments;
 }
 
 // Relabels faces in the order of their slots. Returns whether all have their labels.
@@ -341,7 +362,7 @@ bool PartSearch::relabel(size_t most, SettleResult& result) {
     const uint32_t label = search_.label_to_be(f);
     if (label == 0 || !body_.mesh.is_live(f)) continue;
     if (result.relabelled.size() >= most) return false;
-    body_.mesh.edit_data(f).piece = label;
+    set_label(f, label);
     result.relabelled.push_back(f);
   }
   search_.stage = OpenSearch::Stage::kNone;

@@ -36,14 +36,16 @@ class PartSearch {
   void note_removal(FaceId f);
 
   // Follows a split: the parts of a face that a front has reached belong to that front. They are visited
-  // again, because their neighbours differ. look_again does the same for one face.
+  // again, because their neighbours differ.
   void note_replaced(const Replacement& replaced);
-  void look_again(FaceId f);
+
+  // Follows a flip of an edge of f: f is visited again.
+  void note_turned(FaceId f, double area_gained);
 
  private:
   // The parts found of one component, and its remainder.
   struct Found {
-    const Piece* whole;
+    const FaceCounts* whole;
     size_t faces = 0;
     double area = 0, largest = 0;
     size_t rest_faces() const { return whole->faces - faces; }
@@ -59,7 +61,9 @@ class PartSearch {
 
   void seed_clusters();
   void seed_components();
-  void note_looked_at(FaceId f, uint32_t mark);
+  void note_looked_at(FaceId f, uint32_t mark, double area);
+  void look_again(FaceId f);
+  double half_of(const Replacement& replaced) const;
   void reach(uint32_t front, FaceId f);
   void merge(uint32_t a, uint32_t b);
   void unite_groups(uint32_t a, uint32_t b);
@@ -75,6 +79,7 @@ class PartSearch {
   void hand_out_labels(SettleResult& result);
   void leave_out_largest(std::vector<uint32_t>& parts) const;
   void give_label(uint32_t part, SettleResult& result);
+  void set_label(FaceId f, uint32_t label);
   bool relabel(size_t most, SettleResult& result);
 
   Body& body_;

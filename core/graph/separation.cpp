@@ -59,9 +59,9 @@ void note_replaced(Body& body, const Replacement& replaced) {
   if (!is_settled(body)) PartSearch(body).note_replaced(replaced);
 }
 
-void note_turned(Body& body, FaceId f) {
+void note_turned(Body& body, FaceId f, double area_gained) {
   assert(body.mesh.is_live(f));
-  if (!is_settled(body)) PartSearch(body).look_again(f);
+  if (!is_settled(body)) PartSearch(body).note_turned(f, area_gained);
 }
 
 SettleResult settle(Body& body, size_t most) {

@@ -119,6 +119,7 @@ class Extraction {
       data.element = FaceData::kNoElement;
       to_.faces.push_back(data);
     }
+    to_.columns = old_.columns.extract(faces_);
   }
 
   const Mesh::Kernel& old_;

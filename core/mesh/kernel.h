@@ -17,11 +17,12 @@ struct Mesh::Kernel {
   HalfEdges half_edges;
   Records<RingLink> rings;  // one an edge, or empty when no edge of the mesh has three faces
   Records<FaceData> faces;  // one a face slot
+  FaceColumns columns;
   uint32_t live_faces = 0;
 
   template <typename Self>
   static auto parts(Self& self) {
-    return std::tie(self.half_edges, self.rings, self.faces, self.live_faces);
+    return std::tie(self.half_edges, self.rings, self.faces, self.columns, self.live_faces);
   }
 };
 

@@ -43,6 +43,9 @@ Positions Mesh::positions() const { return Positions(kernel_->half_edges.positio
 const FaceData& Mesh::data(FaceId f) const { return kernel_->faces[f.index]; }
 FaceData& Mesh::edit_data(FaceId f) { return kernel_->faces.edit(f.index); }
 
+const FaceColumns& Mesh::columns() const { return kernel_->columns; }
+FaceColumns& Mesh::columns() { return kernel_->columns; }
+
 namespace {
 
 // The half-edge of face f that starts at vertex `from`.
@@ -147,6 +150,13 @@ Halves bisect(Mesh::Kernel& k, HalfEdgeId h, const Vec3& at, std::vector<Mesh::F
   return {o0, outward};
 }
 
+// The area of the first face relative to that of both; a half where neither has any.
+double area_share(const Mesh& mesh, FaceId a, FaceId b) {
+  const double first = triangle_area(mesh.triangle(a)), second = triangle_area(mesh.triangle(b));
+  const double share = first / (first + second);
+  return share >= 0 ? share : 0.5;
+}
+
 // Where faces that lie on one another were bisected, their bisectors lie on one another.
 void link_bisectors(Mesh::Kernel& k, std::span<const Mesh::FaceSplit> splits) {
   const HalfEdges& m = k.half_edges;
@@ -247,10 +257,14 @@ void Mesh::split_edge_at(FaceId f, VertexId from, VertexId to, const Vec3& at, s
     near_from.push_back(halves.near_from);
     near_to.push_back(halves.near_to);
   }
-  if (members.size() == 1) return;
-  link_ring(k, near_from);
-  link_ring(k, near_to);
-  link_bisectors(k, {out.data() + first, out.size() - first});
+  if (members.size() > 1) {
+    link_ring(k, near_from);
+    link_ring(k, near_to);
+    link_bisectors(k, {out.data() + first, out.size() - first});
+  }
+  if (k.columns.empty()) return;
+  for (size_t i = first; i < out.size(); ++i)
+    k.columns.note_split(out[i].kept, out[i].added, area_share(*this, out[i].kept, out[i].added));
 }
 
 void Mesh::flip_edge(FaceId f, VertexId from, VertexId to) {
@@ -270,6 +284,7 @@ void Mesh::flip_edge(FaceId f, VertexId from, VertexId to) {
   m.close(fa, a0, a2, b1);
   m.close(fb, b0, b2, a1);
   link_to_copy(*kernel_, a0);
+  if (!kernel_->columns.empty()) kernel_->columns.note_turned(fa, fb, area_share(*this, fa, fb));
 }
 
 bool Mesh::can_flip_edge(FaceId f, VertexId from, VertexId to) const {
@@ -294,6 +309,7 @@ void Mesh::remove_face(FaceId f) {
   }
   m.remove(f);
   --kernel_->live_faces;
+  if (!kernel_->columns.empty()) kernel_->columns.note_removed(f);
 }
 
 size_t Mesh::bytes() const { return ChangeOfParts<Kernel>::bytes_of(*kernel_); }

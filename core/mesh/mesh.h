@@ -8,6 +8,7 @@
 #include "core/base/ids.h"
 #include "core/base/records.h"
 #include "core/base/vec3.h"
+#include "core/mesh/face_columns.h"
 
 namespace kerf {
 
@@ -80,6 +81,10 @@ class Mesh {
 
   const FaceData& data(FaceId f) const;
   FaceData& edit_data(FaceId f);
+
+  // Further values of the faces, which follow all that is done to faces (see FaceColumns).
+  const FaceColumns& columns() const;
+  FaceColumns& columns();
 
   // Appends every live face that shares an edge with f, over rings, f itself excepted. A face that shares two
   // edges with f comes twice. Linear in the rings' degrees.

@@ -26,7 +26,7 @@ Result<LoadedComponents> count_components(const Mesh& mesh, size_t components, c
       table.of_base[f] = table.left.size();
       table.left.push_back({});
     }
-    Piece& part = table.left.edit(table.of_base[f] = table.of_base[first]);
+    FaceCounts& part = table.left.edit(table.of_base[f] = table.of_base[first]);
     ++part.faces;
     part.area += triangle_area(mesh.triangle(FaceId(f)));
   }

@@ -10,9 +10,8 @@
 
 namespace kerf {
 
-// Faces that hang together, or that belong together because they were loaded together. A piece is a label on
-// its faces (FaceData::piece) while it stands still.
-struct Piece {
+// Some live faces of a mesh, counted.
+struct FaceCounts {
   size_t faces = 0;
   double area = 0;  // m^2
 };
@@ -22,7 +21,7 @@ struct Piece {
 // here or by its piece, and never has to be searched for.
 struct LoadedComponents {
   std::vector<uint32_t> of_base;  // by base face; both are empty where the mesh is one component
-  Records<Piece> left;
+  Records<FaceCounts> left;
 
   size_t bytes() const { return of_base.capacity() * sizeof(uint32_t) + left.bytes(); }
 

@@ -2,6 +2,20 @@
 
 namespace kerf {
 
+namespace {
+
+AreaMoments moments_of(const Mesh& mesh, const Vec3& origin) {
+  AreaMoments sum;
+  for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
+    if (!mesh.is_live(FaceId(f))) continue;
+    const Triangle t = mesh.triangle(FaceId(f));
+    sum += area_moments(t, triangle_area(t), origin);
+  }
+  return sum;
+}
+
+}  // namespace
+
 Result<Body> make_body(std::string name, BuiltMesh built, const Progress* progress) {
   const bool one = built.report.components <= 1;
   Stages stages(progress);
@@ -12,12 +26,12 @@ Result<Body> make_body(std::string name, BuiltMesh built, const Progress* progre
   Result<AabbTree> tree = AabbTree::build(body.mesh, &building);
   if (!tree) return tree.error();
   body.tree = std::move(*tree);
-  body.pieces.push_back({built.report.faces, built.report.area});
   Result<LoadedComponents> components = count_components(body.mesh, built.report.components, &counting);
   if (!components) return components.error();
   body.components = std::move(*components);
   body.material_names = std::move(built.material_names);
   body.loaded = std::move(built.report);
+  body.pieces.push_back({{body.loaded.faces, body.loaded.area}, moments_of(body.mesh, body.middle())});
   return body;
 }
 
@@ -30,17 +44,16 @@ uint32_t Body::label(FaceId f) const {
   return to_be != 0 ? to_be : mesh.data(f).piece;
 }
 
-const Piece& Body::whole_of(FaceId f) const {
+const FaceCounts& Body::whole_of(FaceId f) const {
   const uint32_t own = label(f);
-  return own != 0 || components.left.empty() ? pieces[own]
-                                             : components.left[components.of_base[mesh.data(f).base.index]];
+  if (own != 0 || components.left.empty()) return pieces[own];
+  return components.left[components.of_base[mesh.data(f).base.index]];
 }
 
-Piece& Body::edit_whole_of(FaceId f) {
+FaceCounts& Body::edit_whole_of(FaceId f) {
   const uint32_t own = label(f);
-  return own != 0 || components.left.empty()
-             ? pieces.edit(own)
-             : components.left.edit(components.of_base[mesh.data(f).base.index]);
+  if (own != 0 || components.left.empty()) return pieces.edit(own);
+  return components.left.edit(components.of_base[mesh.data(f).base.index]);
 }
 
 void Body::count(FaceId f, int faces, double area) {
@@ -48,7 +61,7 @@ void Body::count(FaceId f, int faces, double area) {
     counts.faces += static_cast<size_t>(faces);
     counts.area += area;
   };
-  Piece &piece = pieces.edit(label(f)), &whole = edit_whole_of(f);
+  FaceCounts &piece = pieces.edit(label(f)), &whole = edit_whole_of(f);
   add(piece);
   if (&whole != &piece) add(whole);
   OpenSearch& search = separation.search;

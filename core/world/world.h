@@ -15,8 +15,16 @@
 #include "core/world/loaded_components.h"
 #include "core/world/placement.h"
 #include "core/world/separation_state.h"
+#include "core/world/shell_mass.h"
 
 namespace kerf {
+
+// A piece of a body: faces that hang together, or that belong together because they were loaded together. It
+// is a label on its faces (FaceData::piece) while it stands still. `moments` are relative to Body::middle()
+// and, unlike the counts, those of the faces that have the label already (see Body::label).
+struct Piece : FaceCounts {
+  AreaMoments moments;
+};
 
 // One mesh in the world with what is kept up beside it.
 struct Body {
@@ -40,8 +48,14 @@ struct Body {
   uint32_t label(FaceId f) const;
 
   // The counts of all that f hangs together with, as far as the last settling knew.
-  const Piece& whole_of(FaceId f) const;
-  Piece& edit_whole_of(FaceId f);
+  const FaceCounts& whole_of(FaceId f) const;
+  FaceCounts& edit_whole_of(FaceId f);
+
+  // The piece whose label f has.
+  Piece& edit_piece_of(FaceId f) { return pieces.edit(mesh.data(f).piece); }
+
+  // The middle of the mesh as loaded, which moments are relative to.
+  Vec3 middle() const { return 0.5 * loaded.min + 0.5 * loaded.max; }
 
   // Adds to the counts of what f belongs to.
   void count(FaceId f, int faces, double area);

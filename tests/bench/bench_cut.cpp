@@ -24,7 +24,7 @@ Body body_of(const Subject& s) {
   body.tree = AabbTree(body.mesh);
   double area = 0;
   for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) area += triangle_area(body.mesh.triangle(FaceId(f)));
-  body.pieces.push_back({body.mesh.live_faces(), area});
+  body.pieces.push_back({{body.mesh.live_faces(), area}, {}});
   std::vector<uint32_t> component;
   body.components = std::move(*count_components(body.mesh, label_components(body.mesh, component), nullptr));
   return body;

@@ -42,6 +42,7 @@ void expect_same_body(const Body& a, const Body& b) {
   for (uint32_t p = 0; p < a.pieces.size(); ++p) {
     EXPECT_EQ(a.pieces[p].faces, b.pieces[p].faces);
     EXPECT_EQ(a.pieces[p].area, b.pieces[p].area);
+    EXPECT_EQ(a.pieces[p].moments, b.pieces[p].moments);
   }
   EXPECT_EQ(boxes(a.tree), boxes(b.tree));
 }

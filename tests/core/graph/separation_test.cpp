@@ -6,28 +6,25 @@
 #include <map>
 #include <set>
 
+#include "core/graph/body_edit.h"
 #include "tests/support/made_meshes.h"
+#include "tests/support/piece_sums.h"
 #include "tests/support/real_meshes.h"
 #include "tests/support/strokes.h"
 
 namespace kerf::test {
 namespace {
 
-void take_away(Body& body, FaceId f) {
-  note_removal(body, f);
-  body.count(f, -1, -triangle_area(body.mesh.triangle(f)));
-  body.mesh.remove_face(f);
-}
+void take_away(Body& body, FaceId f) { BodyEdit(body).remove({&f, 1}); }
 
 // Bisects the face over one of its edges, and all faces on that.
 void split(Body& body, FaceId f, size_t edge) {
   const auto c = body.mesh.corners(f);
+  const VertexId from = c[edge], to = c[(edge + 1) % 3];
+  const Vec3 middle = 0.5 * body.mesh.position(from) + 0.5 * body.mesh.position(to);
+  if (middle == body.mesh.position(from) || middle == body.mesh.position(to)) return;
   std::vector<Mesh::FaceSplit> splits;
-  body.mesh.split_edge(f, c[edge], c[(edge + 1) % 3], splits);
-  for (const Mesh::FaceSplit& s : splits) {
-    note_replaced(body, {{s.kept, FaceId()}, {s.kept, s.added, FaceId(), FaceId()}, 1, 2});
-    body.count(s.kept, 1, 0);
-  }
+  BodyEdit(body).split_edge_at(f, from, to, middle, splits);
 }
 
 FaceId live_face(const Body& body, Random& random) {
@@ -44,7 +41,6 @@ void expect_labels_of_the_full_search(const Body& body, const std::vector<uint32
   label_components(body.mesh, component);
   std::map<uint32_t, uint32_t> label_of;
   std::set<std::pair<uint32_t, uint32_t>> in_use;
-  std::vector<Piece> counted(body.pieces.size());
   for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
     if (!body.mesh.is_live(FaceId(f))) continue;
     const FaceData& data = body.mesh.data(FaceId(f));
@@ -53,13 +49,8 @@ void expect_labels_of_the_full_search(const Body& body, const std::vector<uint32
     const uint32_t from = data.piece == 0 ? loaded[data.base.index] : 0;
     if (fresh)
       ASSERT_TRUE(in_use.emplace(data.piece, from).second) << "label " << data.piece << " on two parts";
-    ++counted[data.piece].faces;
-    counted[data.piece].area += triangle_area(body.mesh.triangle(FaceId(f)));
   }
-  for (uint32_t p = 0; p < counted.size(); ++p) {
-    ASSERT_EQ(counted[p].faces, body.pieces[p].faces) << "piece " << p;
-    ASSERT_NEAR(counted[p].area, body.pieces[p].area, 1e-9 * body.loaded.area) << "piece " << p;
-  }
+  expect_piece_sums(body);
 }
 
 // Clumps of faces, grown over shared edges: holes, slots that close, islands.

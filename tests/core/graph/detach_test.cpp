@@ -1,4 +1,4 @@
-#include "core/world/detach.h"
+#include "core/graph/detach.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,9 @@
-#include "core/world/detach.h"
+#include "core/graph/detach.h"
 
 #include <cassert>
 #include <vector>
 
+#include "core/graph/body_edit.h"
 #include "core/mesh/extract_mesh.h"
 
 namespace kerf {
@@ -47,15 +48,6 @@ Body copy_out(const Body& body, std::span<const FaceId> faces, uint32_t label, b
   return copy;
 }
 
-void take_out(Body& body, std::span<const FaceId> faces) {
-  for (const FaceId f : faces) {
-    body.refinement.forget(body.mesh, f);
-    body.pieces.edit(body.mesh.data(f).piece) = Piece{};
-    body.mesh.remove_face(f);
-    body.tree.remove(f);
-  }
-}
-
 }  // namespace
 
 bool stands_alone(const World& world, const PieceId& piece) {
@@ -73,7 +65,7 @@ BodyId detach(World& world, const PieceId& piece, uint32_t generation, Delta& de
   const bool piece_goes = 2 * body.pieces[piece.label].faces <= body.mesh.live_faces();
   const std::vector<FaceId> going = faces_of(body, piece.label, piece_goes);
   const BodyId own = world.add(copy_out(body, going, piece.label, piece_goes), generation);
-  take_out(world.body(piece.body), going);
+  BodyEdit(world.body(piece.body)).take_out(going);
   if (!piece_goes) world.exchange_bodies(piece.body, own);
   world.body(own).name += " piece " + std::to_string(piece.label);
   delta.anew = true;

@@ -1,0 +1,92 @@
+#include "core/mesh/face_columns.h"
+
+#include <algorithm>
+
+namespace kerf {
+
+void FaceColumns::Column::set(FaceId f, uint64_t cell) {
+  if (get(f) == cell) return;
+  cells.grow_to(f.index + 1);
+  cells.edit(f.index) = cell;
+}
+
+void FaceColumns::Column::share_sum(FaceId a, FaceId b, double share) {
+  if (get(a) == 0 && get(b) == 0) return;
+  const double sum = from_cell<double>(get(a)) + from_cell<double>(get(b)), first = share * sum;
+  set(a, to_cell(first));
+  set(b, to_cell(sum - first));
+}
+
+uint32_t FaceColumns::attach(Rule rule) {
+  columns_.push_back({rule, {}});
+  return static_cast<uint32_t>(columns_.size() - 1);
+}
+
+void FaceColumns::note_split(FaceId kept, FaceId added, double share) {
+  for (Column& column : columns_) {
+    if (column.rule == Rule::kCopy) {
+      column.set(added, column.get(kept));
+    } else {
+      column.share_sum(kept, added, share);
+    }
+  }
+}
+
+void FaceColumns::note_turned(FaceId a, FaceId b, double share) {
+  for (Column& column : columns_) {
+    if (column.rule == Rule::kShareByArea) column.share_sum(a, b, share);
+  }
+}
+
+void FaceColumns::note_removed(FaceId f) {
+  for (Column& column : columns_) column.set(f, 0);
+}
+
+FaceColumns FaceColumns::extract(std::span<const FaceId> faces) const {
+  FaceColumns extracted;
+  for (const Column& column : columns_) {
+    Column& own = extracted.columns_.emplace_back(Column{column.rule, {}});
+    for (uint32_t f = 0; f < faces.size(); ++f) own.set(FaceId(f), column.get(faces[f]));
+  }
+  return extracted;
+}
+
+size_t FaceColumns::bytes() const {
+  size_t bytes = 0;
+  for (const Column& column : columns_) bytes += column.cells.bytes();
+  return bytes;
+}
+
+// Undo ------------------------------------------------------------------------------------------------------
+
+void FaceColumns::Change::begin(FaceColumns& columns) {
+  changes_.resize(columns.columns_.size());
+  for (size_t i = 0; i < changes_.size(); ++i) changes_[i].begin(columns.columns_[i].cells);
+}
+
+void FaceColumns::Change::end(FaceColumns& columns) {
+  assert(changes_.size() == columns.columns_.size() && "a column was attached within a command");
+  for (size_t i = 0; i < changes_.size(); ++i) changes_[i].end(columns.columns_[i].cells);
+}
+
+bool FaceColumns::Change::any() const {
+  return std::any_of(changes_.begin(), changes_.end(), [](const auto& change) { return change.any(); });
+}
+
+void FaceColumns::Change::exchange(FaceColumns& columns) {
+  assert(changes_.size() == columns.columns_.size());
+  for (size_t i = 0; i < changes_.size(); ++i) changes_[i].exchange(columns.columns_[i].cells);
+}
+
+void FaceColumns::Change::restore(FaceColumns& columns) const {
+  assert(changes_.size() == columns.columns_.size());
+  for (size_t i = 0; i < changes_.size(); ++i) changes_[i].restore(columns.columns_[i].cells);
+}
+
+size_t FaceColumns::Change::bytes() const {
+  size_t bytes = 0;
+  for (const auto& change : changes_) bytes += change.bytes();
+  return bytes;
+}
+
+}  // namespace kerf

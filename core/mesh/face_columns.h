@@ -1,0 +1,127 @@
+#pragma once
+
+#include <cassert>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+#include "core/base/change_of_parts.h"
+#include "core/base/ids.h"
+
+namespace kerf {
+
+// Names one column of FaceColumns: one value of type T for each face of a mesh. The name is also good for
+// every copy of the mesh and for every mesh that was extracted from it.
+template <typename T>
+class FaceColumn {
+  static_assert(std::is_trivially_copyable_v<T> && sizeof(T) <= sizeof(uint64_t));
+
+ public:
+  FaceColumn() = default;  // names no column
+  bool valid() const { return index_ != kNone; }
+
+ private:
+  friend class FaceColumns;
+  static constexpr uint32_t kNone = 0xffffffffu;
+  explicit FaceColumn(uint32_t index) : index_(index) {}
+  uint32_t index_ = kNone;
+};
+
+// Values of the faces of a mesh that whoever attaches them needs and the mesh itself does not (FaceData holds
+// what every mesh needs). The mesh takes the columns along with all that it does to faces:
+//
+//   split    the parts of a face copy its value, or share it by their areas, so that the sum stays;
+//   turn     two faces whose common edge is turned keep their values, or share their sum by their areas;
+//   move     values stay with the faces when a vertex moves;
+//   remove   the value of a removed face becomes T();
+//   copy     extract_mesh and copies of the mesh have the same columns with the same values;
+//   undo     the columns are a part of Mesh::Change.
+//
+// A value is T(), all bits zero, until it is set. A mesh without columns pays nothing, and a column takes
+// memory up to the last face whose value was ever set.
+class FaceColumns {
+ public:
+  // Attaches a column whose values are copied to the parts of a face that is split. No change of the mesh may
+  // be remembered meanwhile. Constant time.
+  template <typename T>
+  FaceColumn<T> attach_copied() {
+    return FaceColumn<T>(attach(Rule::kCopy));
+  }
+  // The same for a quantity that the parts of a face share by area, such as an energy in joules.
+  FaceColumn<double> attach_shared_by_area() { return FaceColumn<double>(attach(Rule::kShareByArea)); }
+
+  bool empty() const { return columns_.empty(); }
+
+  template <typename T>
+  T get(FaceColumn<T> column, FaceId f) const {
+    assert(column.index_ < columns_.size());
+    return from_cell<T>(columns_[column.index_].get(f));
+  }
+  template <typename T>
+  void set(FaceColumn<T> column, FaceId f, const T& value) {
+    assert(column.index_ < columns_.size() && f.valid());
+    columns_[column.index_].set(f, to_cell(value));
+  }
+
+  // The columns of a mesh that is made of these faces, in their order.
+  FaceColumns extract(std::span<const FaceId> faces) const;
+
+  size_t bytes() const;
+
+  // What the columns were before a command (see ChangeOf).
+  class Change;
+
+ private:
+  friend class Mesh;
+  enum class Rule : uint8_t { kCopy, kShareByArea };
+
+  // The values as they lie in memory, whatever their type; zero behind the last one.
+  struct Column {
+    Rule rule;
+    Records<uint64_t> cells;
+
+    uint64_t get(FaceId f) const { return f.index < cells.size() ? cells[f.index] : 0; }
+    void set(FaceId f, uint64_t cell);
+    // Gives each of two faces its share of the sum of both; `share` is that of the first.
+    void share_sum(FaceId a, FaceId b, double share);
+  };
+
+  template <typename T>
+  static T from_cell(uint64_t cell) {
+    T value;
+    std::memcpy(&value, &cell, sizeof(T));
+    return value;
+  }
+  template <typename T>
+  static uint64_t to_cell(const T& value) {
+    uint64_t cell = 0;
+    std::memcpy(&cell, &value, sizeof(T));
+    return cell;
+  }
+
+  uint32_t attach(Rule rule);
+
+  // What the mesh tells. `share` is the area of the first face relative to both, between 0 and 1.
+  void note_split(FaceId kept, FaceId added, double share);
+  void note_turned(FaceId a, FaceId b, double share);
+  void note_removed(FaceId f);
+
+  std::vector<Column> columns_;
+};
+
+class FaceColumns::Change {
+ public:
+  void begin(FaceColumns& columns);
+  void end(FaceColumns& columns);
+  bool any() const;
+  void exchange(FaceColumns& columns);
+  void restore(FaceColumns& columns) const;
+  size_t bytes() const;
+
+ private:
+  std::vector<ChangeOf<Records<uint64_t>>> changes_;  // by column
+};
+
+}  // namespace kerf

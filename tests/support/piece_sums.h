@@ -1,0 +1,12 @@
+#pragma once
+
+#include "core/world/world.h"
+
+namespace kerf::test {
+
+// Sums up faces, area and moments of every piece over the live faces of a settled body, and expects the sums
+// that the body keeps: the same number of faces, areas within 1e-9 of the area as loaded, and moments within
+// 1e-9 of that area times the first or second power of half the diagonal of the mesh as loaded.
+void expect_piece_sums(const Body& body);
+
+}  // namespace kerf::test

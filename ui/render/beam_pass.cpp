@@ -11,6 +11,9 @@ namespace {
 constexpr double kFirstDepth = 0.03;   // of the focus: nearer parts of the beam are not drawn
 constexpr double kLightReach = 14;     // radii that the spot's light reaches
 constexpr double kLeastReach = 0.012;  // of the world's unit
+constexpr double kSpotRadii = 16;      // half the width of the spot, in radii of the beam
+constexpr double kLeastSpot = 34;      // pixels, where the picture is high enough for them
+constexpr double kMostSpot = 0.20;     // of the picture's height
 
 // The part of the beam that lies far enough before the eye; empty when none does.
 std::optional<std::pair<Vec3, Vec3>> before_eye(const CameraView& view, Vec3 a, Vec3 b) {
@@ -23,6 +26,10 @@ std::optional<std::pair<Vec3, Vec3>> before_eye(const CameraView& view, Vec3 a, 
 }
 
 }  // namespace
+
+double spot_half_width(double radius_pixels, int height) {
+  return std::min(std::max(kSpotRadii * radius_pixels, kLeastSpot), kMostSpot * height);
+}
 
 Result<BeamPass> BeamPass::create(const std::filesystem::path& shaders) {
   auto ribbon = gl::Program::load(shaders, {{"frame.glsl", "beam.vert"}, {"beam.frag"}});
@@ -71,7 +78,7 @@ void BeamPass::draw(const CameraView& view, const FrameSpace& space, const BeamP
   if (beam.strike) {
     glDisable(GL_DEPTH_TEST);
     spot_.use();
-    spot_.set("half_width", static_cast<float>(std::clamp(16 * pixels, 34.0, 0.20 * height)));
+    spot_.set("half_width", static_cast<float>(spot_half_width(pixels, height)));
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
     glEnable(GL_DEPTH_TEST);
   }

@@ -15,6 +15,11 @@ struct BeamPicture {
   double radius = 0.01;        // m
 };
 
+// Half the side, in pixels, of the square on which the spot of a strike is drawn in a picture of this height,
+// for a beam whose radius is `radius_pixels` there. The glow stays visible around a thin beam, but never
+// spreads over more than a fifth of the picture's height.
+double spot_half_width(double radius_pixels, int height);
+
 // Draws the beam as a bright core with a soft halo that always faces the eye, and a white-hot spot where it
 // strikes.
 class BeamPass {

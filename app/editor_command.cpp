@@ -12,7 +12,8 @@ namespace {
 
 struct EditorArguments {
   std::vector<std::string> files;
-  std::string report, size;
+  std::string report, size, landmarks;
+  bool own_font = false;
 };
 
 Status edit(const EditorArguments& a) {
@@ -25,6 +26,8 @@ Status edit(const EditorArguments& a) {
     options.files.emplace_back(file);
   }
   if (!a.report.empty()) options.report = a.report;
+  if (!a.landmarks.empty()) options.landmarks = a.landmarks;
+  options.own_font = a.own_font;
   if (!a.size.empty()) {
     const auto size = parse_size(a.size);
     if (!size) return size.error();
@@ -42,6 +45,10 @@ void add_editor(CLI::App& app, Invocation& invocation) {
                  "Scenes (.json) and meshes to open together in the editor, or a journal (.kerf)");
   app.add_option("--report", a->report, "Where the editor writes what happened, as JSON, when it ends");
   app.add_option("--size", a->size, "Size of the editor's window, WxH");
+  constexpr auto kHidden = "";  // from the help: these are for the tests of the window
+  app.add_option("--landmarks", a->landmarks, "Where the editor keeps the places of its widgets, as JSON")
+      ->group(kHidden);
+  app.add_flag("--own-font", a->own_font, "Draw the panels as where no font is installed")->group(kHidden);
   invocation = [a] {
     const Status status = edit(*a);
     return status ? 0 : report_error(status.error());

@@ -10,15 +10,36 @@ import unittest
 
 KERF = os.path.abspath(sys.argv.pop(1))
 WIDTH, HEIGHT = 1280, 800
+# A build with sanitizers is several times slower; all waits are lengthened by this.
+PATIENCE = float(os.environ.get("KERF_TEST_PATIENCE", "1"))
 ASSETS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "assets")
+ACROSS, ACROSS_ABOVE = [(0.32, 0.5), (0.68, 0.5)], [(0.32, 0.37), (0.68, 0.37)]  # strokes that cut the sphere
 SPHERE = os.path.join(ASSETS, "scenes", "sphere.json")
 
 
+def pause(seconds):
+    time.sleep(PATIENCE * seconds)
+
+
+def wait_for(met, seconds, what):
+    """Until met() is true."""
+    until = time.monotonic() + PATIENCE * seconds
+    while not met():
+        if time.monotonic() > until:
+            raise AssertionError(what)
+        time.sleep(0.1)
+
+
 class Editor:
-    """A screen of its own with one editor on it."""
+    """A screen of its own with one editor on it.
+
+    A point of the window is (along, down), shares of the width and the height of the picture, or (part, along, down),
+    those of a part of the window that the editor reports under this name (ui/window/landmarks.h).
+    """
 
     def __init__(self, folder, *arguments):
         self.report_file = os.path.join(folder, "report.json")
+        self.landmarks_file = os.path.join(folder, f"landmarks-{time.monotonic_ns()}.json")
         read, write = os.pipe()
         # A server without -noreset starts anew when its last client goes, and refuses who comes meanwhile.
         self.screen = subprocess.Popen(["Xvfb", "-noreset", "-displayfd", str(write),
@@ -29,7 +50,8 @@ class Editor:
             self.environment = dict(os.environ, DISPLAY=":" + pipe.readline().strip(), XDG_CONFIG_HOME=folder,
                                     XDG_STATE_HOME=folder)
         self.wait_for_screen()
-        self.kerf = subprocess.Popen([KERF, *arguments, "--report", self.report_file, "--size", f"{WIDTH}x{HEIGHT}"],
+        self.kerf = subprocess.Popen([KERF, *arguments, "--report", self.report_file, "--size", f"{WIDTH}x{HEIGHT}",
+                                      "--landmarks", self.landmarks_file],
                                      env=self.environment, stderr=subprocess.PIPE, text=True)
         try:
             self.wait_for_window()
@@ -42,59 +64,103 @@ class Editor:
 
     def wait_for_screen(self):
         """A server that has told its number may not answer yet."""
-        for _ in range(100):
-            if self.xdotool("getdisplaygeometry").returncode == 0:
-                return
-            time.sleep(0.1)
-        self.screen.kill()
-        self.screen.wait()
-        raise AssertionError("the screen never answered")
+        try:
+            wait_for(lambda: self.xdotool("getdisplaygeometry").returncode == 0, 10, "the screen never answered")
+        except AssertionError:
+            self.screen.kill()
+            self.screen.wait()
+            raise
+
+    def has_window(self):
+        if self.kerf.poll() is not None:
+            raise AssertionError("the editor ended: " + self.kerf.stderr.read())
+        seen = self.xdotool("search", "--onlyvisible", "--name", "Kerf").stdout.strip()
+        return seen and os.path.exists(self.landmarks_file)
 
     def wait_for_window(self):
-        for _ in range(300):
-            if self.kerf.poll() is not None:
-                raise AssertionError("the editor ended: " + self.kerf.stderr.read())
-            if self.xdotool("search", "--onlyvisible", "--name", "Kerf").stdout.strip():
-                time.sleep(1.5)
-                return
-            time.sleep(0.1)
-        raise AssertionError("no window came up")
+        wait_for(self.has_window, 60, "no window came up")
+        pause(1.5)
+
+    def landmarks(self):
+        with open(self.landmarks_file) as file:
+            return json.load(file)
+
+    def part(self, name):
+        """The rectangle of a part of the window, x, y, width and height, once there is one that is not empty."""
+        wait_for(lambda: any(self.landmarks()["parts"].get(name, [])), 60, f"the editor shows no {name!r}")
+        return self.landmarks()["parts"][name]
+
+    def place(self, point):
+        """The point in pixels."""
+        *part, along, down = point
+        x, y, width, height = self.part(part[0] if part else "viewport")
+        return round(x + along * width), round(y + down * height)
+
+    def move_to(self, x, y):
+        self.xdotool("mousemove", x, y)
+        self.pointer = [x, y]
+
+    def settle(self):
+        """Waits until the editor has heard of the last move of the pointer and has nothing left to do."""
+        def settled():
+            now = self.landmarks()
+            return now["pointer"] == self.pointer and not now["busy"]
+        pause(0.3)
+        wait_for(settled, 60, "the editor never came to rest")
+
+    def point_at(self, *point):
+        self.move_to(*self.place(point))
+        self.settle()
+
+    def click(self, *point):
+        """Holds the button for some frames, for a press and a release in one frame are no click."""
+        self.point_at(*point)
+        self.xdotool("mousedown", 1)
+        pause(0.3)
+        self.xdotool("mouseup", 1)
+        pause(0.3)
+        self.settle()
 
     def drag(self, points, button=1):
         """Moves through the points with the button down, slowly enough that a software renderer sees them."""
-        self.xdotool("mousemove", *points[0])
-        time.sleep(0.4)
+        self.drag_pixels([self.place(point) for point in points], button)
+
+    def drag_pixels(self, points, button=1):
+        self.move_to(*points[0])
+        self.settle()
         self.xdotool("mousedown", button)
-        time.sleep(0.3)
+        pause(0.3)
         for (x0, y0), (x1, y1) in zip(points, points[1:]):
             for i in range(1, 13):
-                self.xdotool("mousemove", round(x0 + (x1 - x0) * i / 12), round(y0 + (y1 - y0) * i / 12))
-                time.sleep(0.05)
-        time.sleep(0.3)
+                self.move_to(round(x0 + (x1 - x0) * i / 12), round(y0 + (y1 - y0) * i / 12))
+                pause(0.05)
+        pause(0.3)
         self.xdotool("mouseup", button)
-        time.sleep(0.5)
+        pause(0.2)
+        self.settle()
 
     def press(self, *keys):
         for key in keys:
             self.xdotool("keydown", key)
-            time.sleep(0.15)
+            pause(0.15)
         for key in reversed(keys):
             self.xdotool("keyup", key)
-            time.sleep(0.15)
+            pause(0.15)
 
     def drop(self, *files):
         """Drags files from another program onto the middle of the picture and lets them go."""
         window = self.xdotool("search", "--onlyvisible", "--name", "Kerf").stdout.split()[0]
         source = os.path.join(os.path.dirname(os.path.abspath(__file__)), "drag_source.py")
-        subprocess.run([sys.executable, source, window, "500", "400", *files], env=self.environment, check=True)
-        time.sleep(2)
+        x, y = self.place((0.5, 0.5))
+        subprocess.run([sys.executable, source, window, str(x), str(y), *files], env=self.environment, check=True)
+        pause(2)
 
     def quit(self):
         """Ends the editor by its own shortcut, gives up what is not saved, and returns its report."""
         self.press("ctrl", "q")
         for _ in range(10):
             try:
-                self.kerf.wait(timeout=1.5)
+                self.kerf.wait(timeout=1.5 * PATIENCE)
                 break
             except subprocess.TimeoutExpired:
                 self.press("d")  # again where a slow picture kept the question from being there
@@ -104,27 +170,22 @@ class Editor:
         return self.xdotool("search", "--onlyvisible", "--name", "Kerf", "getwindowname").stdout.strip()
 
     def wait_for_title(self, title):
-        for _ in range(150):
-            if self.title() == title:
-                return
-            time.sleep(0.1)
-        raise AssertionError(f"the title is {self.title()!r} and not {title!r}")
+        wait_for(lambda: self.title() == title, 15, f"the title never was {title!r}")
 
     def draw_without_end(self):
         """A stroke that is running still."""
-        self.xdotool("mousemove", 300, 500)
-        time.sleep(0.3)
+        self.point_at(0.3, 0.63)
         self.xdotool("mousedown", 1)
         for i in range(10):
-            self.xdotool("mousemove", 300 + 20 * i, 500)
-            time.sleep(0.1)
+            self.move_to(*self.place((0.3 + 0.02 * i, 0.63)))
+            pause(0.1)
 
     def die(self):
         self.kerf.kill()
         self.close()
 
     def report(self):
-        status = self.kerf.wait(timeout=30)
+        status = self.kerf.wait(timeout=30 * PATIENCE)
         errors = self.kerf.stderr.read()
         if status != 0:
             raise AssertionError(f"the editor ended with {status}: {errors}")
@@ -150,7 +211,7 @@ class Window(unittest.TestCase):
 
     def test_a_drag_across_the_car_cuts_it_in_two(self):
         editor = self.open()
-        editor.drag([(500, 130), (500, 720)])
+        editor.drag([(0.53, 0.14), (0.53, 0.93)])
         report = editor.quit()
         self.assertEqual(report["strokes"], 1)
         self.assertGreater(report["faces_removed"], 100)
@@ -160,8 +221,8 @@ class Window(unittest.TestCase):
 
     def test_turning_the_view_and_stray_keys_cut_nothing(self):
         editor = self.open()
-        editor.drag([(500, 400), (620, 350)], button=2)
-        editor.drag([(500, 400), (560, 450)], button=3)
+        editor.drag([(0.53, 0.5), (0.66, 0.43)], button=2)
+        editor.drag([(0.53, 0.5), (0.6, 0.57)], button=3)
         editor.press("Escape")
         for key in ("f", "Home", "x", "space", "Delete"):
             editor.press(key)
@@ -172,7 +233,7 @@ class Window(unittest.TestCase):
 
     def test_a_stroke_over_the_sky_removes_nothing(self):
         editor = self.open()
-        editor.drag([(60, 80), (200, 90)])
+        editor.drag([(0.06, 0.07), (0.21, 0.09)])
         report = editor.quit()
         self.assertEqual(report["faces_removed"], 0)
 
@@ -199,18 +260,18 @@ class Window(unittest.TestCase):
     def open_by_browser(self, editor, file):
         """Types the whole path into File > Open."""
         editor.press("ctrl", "o")
-        time.sleep(1.5)
+        pause(1.5)
         editor.xdotool("type", "--delay", "40", file)
-        time.sleep(1)
+        pause(1)
         editor.press("Return")
-        time.sleep(1.5)
+        pause(1.5)
 
     def test_overlays_and_the_theme_are_switched_by_keys_and_the_theme_is_remembered(self):
         editor = self.open()
         for key in ("b", "w", "g"):
             editor.press(key)
         editor.press("F9")
-        time.sleep(1)
+        pause(1)
         view = editor.quit()["view"]
         self.assertEqual([view[name] for name in ("boxes", "wire", "ghost", "normals")], [True, True, True, False])
         self.assertEqual(self.settings()["theme"], "light")
@@ -219,7 +280,7 @@ class Window(unittest.TestCase):
         editor = self.open(SPHERE)
         for key in ("d", "e", "v", "c", "t", "x"):
             editor.press(key)
-        time.sleep(1)
+        pause(1)
         view = editor.quit()["view"]
         names = ("silhouette", "shadow_volumes", "shadow_counts", "shadow_facing", "shadow_compare")
         self.assertFalse(view["shadows"])
@@ -232,8 +293,8 @@ class Window(unittest.TestCase):
         editor = self.open_again(SPHERE)
         light = editor.quit()["lights"][0]
         editor = self.open_again(SPHERE)
-        x, y = map(round, light["handle"])
-        editor.drag([(x, y), (x + 50, y + 30)])
+        x, y = editor.place(("light 0", 0.5, 0.5))
+        editor.drag_pixels([(x, y), (x + 50, y + 30)])
         report = editor.quit()
         moved = report["lights"][0]
         self.assertEqual(report["strokes"], 0)
@@ -242,26 +303,26 @@ class Window(unittest.TestCase):
 
     def test_the_last_stroke_is_cut_again(self):
         editor = self.open(SPHERE)
-        editor.drag([(300, 400), (640, 400)])
-        time.sleep(2)
+        editor.drag(ACROSS)
+        pause(2)
         editor.press("r")
-        time.sleep(3)
+        pause(3)
         report = editor.quit()
         self.assertEqual((report["recuts"], report["strokes"]), (1, 1))
         self.assertGreater(report["faces_removed"], 100)
 
     def test_a_stroke_among_many_faces_is_cut_again_and_again_and_all_pieces_are_shown(self):
         editor = self.open()
-        editor.drag([(500, 130), (500, 720)])
-        time.sleep(3)
+        editor.drag([(0.53, 0.14), (0.53, 0.93)])
+        pause(3)
         for _ in range(2):
             editor.press("r")
-            time.sleep(4)
+            pause(4)
         editor.press("ctrl", "a")
         editor.press("h")
-        time.sleep(4)
+        pause(4)
         editor.press("shift", "h")
-        time.sleep(4)
+        pause(4)
         report = editor.quit()
         self.assertGreater(report["faces"], 40000)
         self.assertEqual((report["recuts"], report["strokes"], report["pieces_hidden"]), (2, 1, 0))
@@ -270,12 +331,7 @@ class Window(unittest.TestCase):
     def test_a_piece_is_picked_and_hidden(self):
         editor = self.open(SPHERE)
         editor.press("k")
-        editor.xdotool("mousemove", 470, 420)
-        time.sleep(0.5)
-        editor.xdotool("mousedown", 1)
-        time.sleep(0.4)
-        editor.xdotool("mouseup", 1)
-        time.sleep(0.8)
+        editor.click(0.5, 0.53)
         editor.press("h")
         report = editor.quit()
         self.assertEqual((report["pieces_hidden"], report["pieces_chosen"], report["strokes"]), (1, 0, 0))
@@ -306,25 +362,30 @@ class Window(unittest.TestCase):
         self.assertIn("not a mesh.stl", report["message"])
 
     def test_a_split_view_cuts_the_stroke_at_two_resolutions(self):
-        editor = self.open(SPHERE)
+        self.assert_split_view_works()
+
+    def test_a_split_view_works_where_no_font_is_installed(self):
+        self.assert_split_view_works("--own-font")
+
+    def assert_split_view_works(self, *options):
+        editor = self.open(SPHERE, *options)
         editor.press("s")
-        time.sleep(2)
-        editor.drag([(150, 400), (330, 400)])
-        time.sleep(3)
-        editor.drag([(472, 600), (300, 600)])
+        editor.part("second")
+        editor.drag([("first", 0.32, 0.5), ("first", 0.7, 0.5)])
+        editor.drag([("second", 0, 0.77), (0.32, 0.77)])
         report = editor.quit()
         self.assertEqual(report["strokes"], 1)
         self.assertTrue(report["split"]["shown"])
         self.assertGreater(report["split"]["faces"], 5000)
         self.assertLess(report["split"]["faces"], report["faces"])
         first, second = report["layout"]["first"], report["layout"]["second"]
-        self.assertAlmostEqual(first[2], 300, delta=8)
+        self.assertAlmostEqual(first[2], 0.32 * report["layout"]["viewport"][2], delta=8)
         self.assertEqual(first[2] + second[2], report["layout"]["viewport"][2])
 
     def test_a_smaller_window_keeps_panels_and_picture_apart(self):
         editor = self.open()
         editor.xdotool("search", "--name", "Kerf", "windowsize", 800, 600)
-        time.sleep(1.5)
+        pause(1.5)
         layout = editor.quit()["layout"]
         self.assertEqual(layout["viewport"][2] + layout["side"][2], 800)
         self.assertGreaterEqual(layout["viewport"][2], 320)
@@ -354,19 +415,19 @@ class Window(unittest.TestCase):
 
     def type_name(self, editor, name):
         """The name that the browser offers is chosen, so that typing replaces it."""
-        time.sleep(2)
+        pause(2)
         editor.xdotool("type", "--delay", "40", os.path.join(self.folder, name))
-        time.sleep(1.5)
+        pause(1.5)
         editor.press("Return")
 
     def test_what_was_cut_is_saved_and_opens_again_as_it_was(self):
         editor = self.open(SPHERE)
         editor.wait_for_title("sphere.json - Kerf")
-        editor.drag([(300, 400), (640, 400)])
+        editor.drag(ACROSS)
         editor.wait_for_title("sphere.json* - Kerf")
         self.save_as(editor, "ball")
         editor.wait_for_title("ball.kerf - Kerf")
-        editor.drag([(300, 300), (640, 300)])
+        editor.drag(ACROSS_ABOVE)
         editor.wait_for_title("ball.kerf* - Kerf")
         editor.press("ctrl", "s")
         editor.wait_for_title("ball.kerf - Kerf")
@@ -384,58 +445,62 @@ class Window(unittest.TestCase):
         self.assertEqual(self.settings()["recent"][0], os.path.realpath(journal))
 
     def only_panel(self, title):
-        """Folds all panels but one, so that it is known where it is."""
+        """Folds all panels but one, so that nothing pushes it out of the window."""
         os.makedirs(os.path.join(self.folder, "kerf"), exist_ok=True)
         titles = ("Laser", "Resolution", "Pieces", "History", "Light", "Tree", "View", "Statistics", "File", "Display")
         with open(os.path.join(self.folder, "kerf", "settings.json"), "w") as file:
             json.dump({"panels": {t: t == title for t in titles}}, file)
 
-    def test_strokes_are_taken_back_and_brought_again_and_history_is_travelled(self):
-        self.open(SPHERE).quit()
-        self.only_panel("History")
-        editor = self.open_again(SPHERE)
-        editor.drag([(300, 400), (640, 400)])
-        editor.drag([(300, 300), (640, 300)])
+    def test_strokes_are_taken_back_and_brought_again(self):
+        editor = self.open(SPHERE)
+        editor.drag(ACROSS)
+        editor.drag(ACROSS_ABOVE)
         editor.press("ctrl", "z")
-        time.sleep(1)
+        pause(1)
         editor.press("ctrl", "z")
-        time.sleep(1)
+        pause(1)
         editor.press("ctrl", "shift", "z")
-        time.sleep(1)
+        pause(1)
         back = editor.quit()
         self.assertEqual((back["undo_depth"], back["strokes"]), (1, 1))
         self.assertGreater(back["faces_removed"], 0)
 
-        editor = self.open_again(SPHERE)
-        editor.drag([(300, 400), (640, 400)])
-        editor.drag([(300, 300), (640, 300)])
-        first_row = (1000, 190)
-        editor.xdotool("mousemove", *first_row)
-        time.sleep(0.3)
-        editor.xdotool("click", 1)
-        time.sleep(2)
+    def test_a_click_on_the_first_row_of_the_history_goes_back_to_what_was_opened(self):
+        self.assert_history_is_travelled()
+
+    def test_the_history_is_travelled_where_no_font_is_installed(self):
+        self.assert_history_is_travelled("--own-font")
+
+    def assert_history_is_travelled(self, *options):
+        self.open(SPHERE).quit()
+        self.only_panel("History")
+        editor = self.open_again(SPHERE, *options)
+        editor.drag(ACROSS)
+        editor.drag(ACROSS_ABOVE)
+        editor.part("history row 2")
+        editor.click("history row 0", 0.2, 0.5)
         there = editor.quit()
         self.assertEqual((there["undo_depth"], there["strokes"], there["faces_removed"]), (0, 0, 0))
         self.assertEqual(there["pieces"], 1)
 
     def test_unsaved_work_does_not_go_without_a_question(self):
         editor = self.open(SPHERE)
-        editor.drag([(300, 400), (640, 400)])
+        editor.drag(ACROSS)
         for leave in (("ctrl", "q"), ("ctrl", "n")):
             editor.press(*leave)
-            time.sleep(1)
+            pause(1)
             editor.press("Escape")
-            time.sleep(0.5)
+            pause(0.5)
             editor.wait_for_title("sphere.json* - Kerf")
         editor.press("ctrl", "n")
-        time.sleep(1)
+        pause(1)
         editor.press("d")
         editor.wait_for_title("car.json - Kerf")
-        time.sleep(1)
-        editor.drag([(500, 130), (500, 400)])
+        pause(1)
+        editor.drag([(0.53, 0.14), (0.53, 0.5)])
         editor.wait_for_title("car.json* - Kerf")
         editor.press("ctrl", "q")
-        time.sleep(1)
+        pause(1)
         editor.press("s")
         self.type_name(editor, "car")
         self.assertEqual(editor.report()["strokes"], 1)
@@ -444,7 +509,7 @@ class Window(unittest.TestCase):
 
     def test_a_killed_editor_loses_nothing_and_the_next_one_goes_on(self):
         editor = self.open(SPHERE)
-        editor.drag([(300, 400), (640, 400)])
+        editor.drag(ACROSS)
         editor.draw_without_end()
         editor.die()
         left, = self.unsaved()
@@ -476,9 +541,9 @@ class Window(unittest.TestCase):
 
     def test_two_editors_at_once_keep_their_work_apart(self):
         one = self.open(SPHERE)
-        one.drag([(300, 400), (640, 400)])
+        one.drag(ACROSS)
         two = self.open_again(SPHERE)
-        two.drag([(300, 300), (640, 300)])
+        two.drag(ACROSS_ABOVE)
         self.assertEqual(len(self.unsaved()), 2)
         two.die()
         self.assertEqual(one.quit()["strokes"], 1)
@@ -486,7 +551,7 @@ class Window(unittest.TestCase):
 
     def test_sigterm_leaves_unsaved_work_for_the_next_start(self):
         editor = self.open(SPHERE)
-        editor.drag([(300, 400), (640, 400)])
+        editor.drag(ACROSS)
         editor.kerf.send_signal(signal.SIGTERM)
         self.assertEqual(editor.report()["strokes"], 1)
         self.assertEqual(len(self.unsaved()), 1)
@@ -499,7 +564,7 @@ class Window(unittest.TestCase):
 
     def test_a_million_faces_open_beside_the_frames(self):
         editor = self.open(self.large_mesh())
-        time.sleep(25)
+        pause(25)
         report = editor.quit()
         self.assertEqual(report["faces"], 1114656)
         self.assertEqual(report["files"], ["big_bunny_x16.ply"])
@@ -510,9 +575,9 @@ class Window(unittest.TestCase):
     def test_a_million_faces_are_cut_live(self):
         editor = self.open(self.large_mesh())
         editor.wait_for_title("big_bunny_x16.ply - Kerf")
-        time.sleep(8)
-        editor.drag([(450, 150), (480, 700)])
-        time.sleep(10)
+        pause(8)
+        editor.drag([(0.48, 0.17), (0.51, 0.9)])
+        pause(10)
         report = editor.quit()
         self.assertEqual(report["strokes"], 1)
         self.assertGreater(report["faces_removed"], 1000)
@@ -541,15 +606,15 @@ class Window(unittest.TestCase):
             json.dump({"history_mb": 16}, file)
         editor = self.open_again(self.slot_journal(mesh))
         editor.wait_for_title("slot.kerf - Kerf")
-        editor.xdotool("mousemove", 600, 500)
+        editor.point_at(0.64, 0.63)
         editor.xdotool("keydown", "ctrl", "click", 1, "keyup", "ctrl")
         editor.press("h")
         editor.wait_for_title("slot.kerf* - Kerf")
-        time.sleep(10)
+        pause(10)
         editor.press("ctrl", "z")
-        time.sleep(5)
+        pause(5)
         editor.press("ctrl", "z")
-        time.sleep(25)
+        pause(25)
         report = editor.quit()
         self.assertEqual((report["undo_depth"], report["strokes"], report["bodies"], report["pieces"]), (0, 0, 1, 1))
         self.assertEqual(report["faces"], 1114656)
@@ -561,7 +626,7 @@ class Window(unittest.TestCase):
         editor = self.open()
         editor.drop(self.large_mesh())
         editor.press("Escape")
-        time.sleep(6)
+        pause(6)
         report = editor.quit()
         self.assertEqual(report["faces"], before)
         self.assertIn("cancelled", report["message"])

@@ -12,6 +12,7 @@
 #include "ui/editor/editor_state.h"
 #include "ui/editor/frame/busy_window.h"
 #include "ui/editor/panels/panels.h"
+#include "ui/editor/tools/light_handle.h"
 #include "ui/editor/tools/piece_set.h"
 #include "ui/editor/tools/viewport_input.h"
 #include "ui/editor/work/file_opener.h"
@@ -22,6 +23,7 @@
 #include "ui/gl/debug_output.h"
 #include "ui/screen/live_picture.h"
 #include "ui/window/gui.h"
+#include "ui/window/landmarks.h"
 #include "ui/window/screenshot.h"
 #include "ui/window/stop_signals.h"
 #include "ui/window/window.h"
@@ -48,7 +50,7 @@ double seconds_since(Clock::time_point t) { return std::chrono::duration<double>
 // The running editor. One frame is: hear, move, cut, draw, show.
 class Editor {
  public:
-  Editor(Window window, Renderer renderer, LoadedSettings loaded);
+  Editor(Window window, Renderer renderer, LoadedSettings loaded, const EditorOptions& options);
 
   Status open(const EditorOptions& options);
   void run();
@@ -76,6 +78,7 @@ class Editor {
   bool cut_twin(Clock::time_point began, double budget);
   void send();  // to the graphics card
   bool draw();  // whether the picture is a new one
+  void show_landmarks();
   void note_time(double seconds, double without_picture, bool new_picture);
   void update_figures();
   void look_at_tree();
@@ -90,6 +93,8 @@ class Editor {
   }
 
   Window window_;
+  const EditorOptions& options_;
+  std::optional<Landmarks> landmarks_;
   Gui gui_;
   LivePicture picture_;
   EditorState state_;
@@ -104,12 +109,17 @@ class Editor {
   double cut_seconds_ = 0, picture_seconds_ = 0;  // of the last frame
 };
 
-Editor::Editor(Window window, Renderer renderer, LoadedSettings loaded)
-    : window_(std::move(window)), gui_(window_), picture_(std::move(renderer)), saved_(loaded.settings) {
+Editor::Editor(Window window, Renderer renderer, LoadedSettings loaded, const EditorOptions& options)
+    : window_(std::move(window)),
+      options_(options),
+      gui_(window_),
+      picture_(std::move(renderer)),
+      saved_(loaded.settings) {
   state_.settings = std::move(loaded.settings);
   state_.look.antialias = state_.settings.antialias;
   state_.look.show.shadows = true;
   dress();
+  if (options.landmarks) keep_landmarks(&landmarks_.emplace(*options.landmarks));
 }
 
 Status Editor::open(const EditorOptions& options) {
@@ -159,6 +169,7 @@ void Editor::frame() {
   begin_long_change();
   window_.swap();
   note_time(seconds_since(began), without_picture, new_picture);
+  show_landmarks();
 }
 
 // Long work
@@ -378,6 +389,7 @@ void Editor::send() {
 
 bool Editor::draw() {
   update_figures();
+  if (landmarks_) landmarks_->begin_frame();
   draw_panels(state_);
   const Clock::time_point began = Clock::now();
   const bool anew = picture_.draw(state_, window_);
@@ -387,6 +399,17 @@ bool Editor::draw() {
   gui_.end_frame();
   if (screenshot == Requests::Screenshot::kWindow) take_picture(screenshot);
   return anew;
+}
+
+void Editor::show_landmarks() {
+  if (!landmarks_) return;
+  const ImVec2 at = ImGui::GetIO().MousePos;
+  landmarks_->mark(state_.layout);
+  for (size_t i = 0; i < state_.look.lights.size(); ++i)
+    if (const auto handle = light_handle(state_, i))
+      landmarks_->mark("light " + std::to_string(i), {*handle, Vec2(0)});
+  if (const Status written = landmarks_->write(moving() || state_.long_work.busy(), {at.x, at.y}); !written)
+    state_.say(written.error().message, true);
 }
 
 void Editor::note_time(double seconds, double without_picture, bool new_picture) {
@@ -446,7 +469,7 @@ void Editor::lay_out_window() {
 
 void Editor::dress() {
   const Settings& s = state_.settings;
-  gui_.dress({s.theme, s.palette, window_.scale() * static_cast<float>(s.ui_scale)});
+  gui_.dress({s.theme, s.palette, window_.scale() * static_cast<float>(s.ui_scale), options_.own_font});
 }
 
 void Editor::save_settings() {
@@ -480,7 +503,7 @@ Status run_editor(const EditorOptions& options) {
   gl::report_gl_errors();
   auto renderer = Renderer::create();
   if (!renderer) return renderer.error();
-  Editor editor(std::move(*window), std::move(*renderer), std::move(loaded));
+  Editor editor(std::move(*window), std::move(*renderer), std::move(loaded), options);
   if (const Status opened = editor.open(options); !opened) return opened;
   editor.tell(fault);
   editor.run();

@@ -20,12 +20,12 @@ constexpr std::array kFonts{
 constexpr float kTextPixels = 15.5f;
 constexpr float kOwnTextPixels = 13;  // of ImGui's own font, which is made for this size
 
-void load_font(float scale) {
+void load_font(float scale, bool own_font) {
   ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
   fonts.Clear();
   std::error_code ignored;
   for (const char* file : kFonts) {
-    if (!std::filesystem::exists(file, ignored)) continue;
+    if (own_font || !std::filesystem::exists(file, ignored)) continue;
     if (fonts.AddFontFromFileTTF(file, std::round(kTextPixels * scale)) != nullptr) return;
   }
   ImFontConfig own;
@@ -114,7 +114,7 @@ void apply_theme(const GuiLook& look) {
   style.GrabMinSize = 12;
   style.ScrollbarSize = 12;
   style.ScaleAllSizes(look.scale);
-  load_font(look.scale);
+  load_font(look.scale, look.own_font);
 }
 
 }  // namespace kerf

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/document/command_words.h"
+#include "ui/window/landmarks.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
 #include "ui/window/theme.h"
@@ -32,6 +33,7 @@ void draw_row(EditorState& state, size_t position, const std::string& name, cons
   if (position == now) ImGui::PushStyleColor(ImGuiCol_Text, colours::accent());
   if (undone) ImGui::PushStyleColor(ImGuiCol_Text, colours::secondary());
   const bool clicked = ImGui::Selectable(name.c_str(), position == now, ImGuiSelectableFlags_SpanAllColumns);
+  mark_last_item("history row", static_cast<int>(position));
   tooltip(position == now ? "This is where the work is now."
                           : (undone ? "Was taken back. A click does it again, with all before it."
                                     : "A click goes back to here; what came after can be done again."));

@@ -17,6 +17,7 @@
 #include "ui/editor/panels/statistics_panel.h"
 #include "ui/editor/panels/tree_panel.h"
 #include "ui/editor/panels/view_panel.h"
+#include "ui/window/landmarks.h"
 #include "ui/window/property.h"
 #include "ui/window/splitter.h"
 #include "ui/window/theme.h"
@@ -53,6 +54,7 @@ void draw_side(EditorState& state) {
       ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 0);
       ImGui::SetNextItemOpen(open, ImGuiCond_Always);
       open = ImGui::CollapsingHeader(panel.title);
+      mark_last_item(panel.title);
       ImGui::PopStyleVar();
       if (open) {
         ImGui::Spacing();

@@ -1,0 +1,52 @@
+#include "ui/window/landmarks.h"
+
+#include <imgui.h>
+
+#include <nlohmann/json.hpp>
+
+#include "core/base/atomic_file.h"
+
+namespace kerf {
+
+namespace {
+
+Landmarks* kept_landmarks() { return static_cast<Landmarks*>(ImGui::GetIO().UserData); }
+
+Area last_item() {
+  const ImVec2 at = ImGui::GetItemRectMin(), size = ImGui::GetItemRectSize();
+  return {{at.x, at.y}, {size.x, size.y}};
+}
+
+}  // namespace
+
+void Landmarks::mark(const Layout& layout) {
+  mark("viewport", layout.viewport);
+  mark("side", layout.side);
+  mark("status", layout.status);
+  mark("first", layout.first);
+  mark("second", layout.second);
+}
+
+Status Landmarks::write(bool busy, Vec2 pointer) {
+  nlohmann::ordered_json parts = nlohmann::ordered_json::object();
+  for (const auto& [name, area] : areas_) parts[name] = {area.at.x, area.at.y, area.size.x, area.size.y};
+  const nlohmann::ordered_json all{{"busy", busy}, {"pointer", {pointer.x, pointer.y}}, {"parts", parts}};
+  const std::string text = all.dump(1) + "\n";
+  if (text == written_) return Done{};
+  if (const Status written = write_file_atomically(file_, text); !written) return written;
+  written_ = text;
+  return Done{};
+}
+
+void keep_landmarks(Landmarks* landmarks) { ImGui::GetIO().UserData = landmarks; }
+
+void mark_last_item(const char* name) {
+  if (Landmarks* landmarks = kept_landmarks()) landmarks->mark(name, last_item());
+}
+
+void mark_last_item(const char* name, int number) {
+  if (Landmarks* landmarks = kept_landmarks())
+    landmarks->mark(std::string(name) + ' ' + std::to_string(number), last_item());
+}
+
+}  // namespace kerf

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "core/base/result.h"
+#include "ui/window/layout.h"
+
+namespace kerf {
+
+// The rectangles of named parts of the window, in screen coordinates, for tests that drive the window from
+// outside: they find a part by its name, whatever the font, the theme and the sizes of the panels are.
+//
+// A landmark belongs to one frame. The file holds those of the last frame as JSON:
+//   {"busy": false, "pointer": [x, y], "parts": {"NAME": [x, y, width, height]}}
+class Landmarks {
+ public:
+  // `file` is replaced atomically by write(); its folder must exist.
+  explicit Landmarks(std::filesystem::path file) : file_(std::move(file)) {}
+
+  // Forgets the landmarks of the last frame.
+  void begin_frame() { areas_.clear(); }
+  // The last mark of a name in a frame counts.
+  void mark(std::string name, const Area& area) { areas_.insert_or_assign(std::move(name), area); }
+  // The five areas of the layout, under the names of the members of Layout.
+  void mark(const Layout& layout);
+  // Writes the landmarks of this frame where they differ from those in the file. `busy`: more frames follow
+  // without further input. `pointer`: where this frame saw the pointer; a test that finds it where it last
+  // moved it knows that all input up to then was heard. On failure the file is as it was.
+  Status write(bool busy, Vec2 pointer);
+
+ private:
+  std::filesystem::path file_;
+  std::map<std::string, Area> areas_;
+  std::string written_;  // what the file holds
+};
+
+// The current ImGui context hands the landmarks to the widgets; nullptr: none are kept. They must outlive the
+// frames that are drawn.
+void keep_landmarks(Landmarks* landmarks);
+// Marks the widget that was drawn last. Costs nothing where no landmarks are kept.
+void mark_last_item(const char* name, int number);
+void mark_last_item(const char* name);
+
+}  // namespace kerf

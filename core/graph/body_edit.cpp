@@ -43,6 +43,11 @@ void BodyEdit::count(FaceId f, int faces, double area) {
   removed_area_ -= area;
 }
 
+AreaMoments BodyEdit::moments_of(FaceId f) const {
+  const Triangle t = mesh().triangle(f);
+  return area_moments(t, triangle_area(t), body_->middle());
+}
+
 // Splitting -------------------------------------------------------------------------------------------------
 
 void BodyEdit::split_in_four(FaceId f) {
@@ -133,10 +138,13 @@ void BodyEdit::flip_edge(FaceId f, VertexId from, VertexId to) {
   mesh().append_edge_sides(f, from, to, sides);
   assert(sides.size() == 1);
   const std::array<FaceId, 2> faces{f, sides[0].face};
+  // While pieces get their labels, the two may belong to different ones.
+  const bool one_piece = mesh().data(faces[0]).piece == mesh().data(faces[1]).piece;
   std::array<double, 2> before;
   for (size_t i = 0; i < 2; ++i) {
     forget_pair(faces[i]);
     before[i] = triangle_area(mesh().triangle(faces[i]));
+    if (!one_piece) body_->edit_piece_of(faces[i]).moments -= moments_of(faces[i]);
   }
   body_->mesh.flip_edge(f, from, to);
   for (size_t i = 0; i < 2; ++i) {
@@ -145,6 +153,7 @@ void BodyEdit::flip_edge(FaceId f, VertexId from, VertexId to) {
     moved_.push_back(faces[i]);
     edited_.push_back(faces[i]);
     note_turned(*body_, faces[i], area - before[i]);
+    if (!one_piece) body_->edit_piece_of(faces[i]).moments += moments_of(faces[i]);
   }
 }
 

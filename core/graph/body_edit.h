@@ -79,6 +79,7 @@ class BodyEdit {
 
  private:
   void count(FaceId f, int faces, double area);
+  AreaMoments moments_of(FaceId f) const;
   void remove_face(FaceId f);
   void forget_pair(FaceId f) { body_->refinement.forget(body_->mesh, f); }
   void note_splits(size_t first);

@@ -104,12 +104,13 @@ void PartSearch::note_replaced(const Replacement& replaced) {
   }
 }
 
-// The area that each half of a green pair had before the pair was split.
+// The area that each half of a green pair had before four faces of equal areas replaced the pair, of which
+// some may have been bisected already, but not all.
 double PartSearch::half_of(const Replacement& replaced) const {
-  double area = 0;
-  for (int i = 0; i < replaced.born_count; ++i)
-    area += triangle_area(body_.mesh.triangle(replaced.born[i]));
-  return area / 2;
+  assert(replaced.gone_count == 2 && replaced.born_count == 4);
+  double quarter = 0;
+  for (const FaceId f : replaced.born) quarter = std::max(quarter, triangle_area(body_.mesh.triangle(f)));
+  return 2 * quarter;
 }
 
 // Marks a face as visited. One half of a green pair may not have been visited when the pair was split.
@@ -360,10 +361,14 @@ bool PartSearch::relabel(size_t most, SettleResult& result) {
     }
     const FaceId f(search_.next_slot);
     const uint32_t label = search_.label_to_be(f);
-    if (label == 0 || !body_.mesh.is_live(f)) continue;
+    if (label == 0 || !body_.mesh.is_live(f) || body_.mesh.data(f).piece == label) continue;
     if (result.relabelled.size() >= most) return false;
-    set_label(f, label);
-    result.relabelled.push_back(f);
+    // Both halves of a green pair at once: the faces that replace the pair take area from both.
+    const OneToFour::Element element = body_.refinement.element(body_.mesh, f);
+    for (int i = 0; i < element.face_count; ++i) {
+      set_label(element.faces[i], label);
+      result.relabelled.push_back(element.faces[i]);
+    }
   }
   search_.stage = OpenSearch::Stage::kNone;
   reset(search_);

@@ -1,5 +1,6 @@
 #include "core/graph/separation.h"
 
+#include <algorithm>
 #include <cassert>
 #include <utility>
 #include <vector>
@@ -79,6 +80,8 @@ SettleResult settle(Body& body, size_t most) {
   while (!is_settled(body) && search.go_on(most, result)) {
     if (std::exchange(again, false)) search.start(PartSearch::Scope::kComponents);
   }
+  if (!std::is_sorted(result.relabelled.begin(), result.relabelled.end()))  // halves of pairs go together
+    std::sort(result.relabelled.begin(), result.relabelled.end());
   if (is_settled(body)) state.ties.clear();
   start_step(state);
   return result;

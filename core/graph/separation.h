@@ -13,11 +13,11 @@ namespace kerf {
 // Separation: which parts of one body were disconnected by the removal of faces.
 //
 // Faces are connected over shared edges. BodyEdit, and nobody else, reports every edit of the mesh by the
-// functions below. settle() then decides from the loops that the cut has closed whether anything can have been
-// separated (see CutLoops), and only then searches for it, starting from the former neighbours of removed
-// faces (see PartSearch). A search may extend over several calls of settle(); edits in between are reported as
-// usual, and if they close further loops, another search follows it. Only faces that a connected set of
-// removed faces touched can have been separated by it, so that faces that were never connected are not
+// functions below. settle() then decides from the loops that the cut has closed whether anything can have
+// been separated (see CutLoops), and only then searches for it, starting from the former neighbours of
+// removed faces (see PartSearch). A search may extend over several calls of settle(); edits in between are
+// reported as usual, and if they close further loops, another search follows it. Only faces that a connected
+// set of removed faces touched can have been separated by it, so that faces that were never connected are not
 // confused with separated ones.
 
 // Reports that f is about to be removed. Preconditions: f is live, and the counts of its piece still include
@@ -27,8 +27,8 @@ void note_removal(Body& body, FaceId f);
 // Reports that faces were split, before their counts are updated and before the new faces are edited again.
 void note_replaced(Body& body, const Replacement& replaced);
 
-// Reports that the neighbours of a face have changed because one of its edges was flipped, and by how much its
-// area (m^2) has grown thereby. Precondition: f is live.
+// Reports that the neighbours of a face have changed because one of its edges was flipped, and by how much
+// its area (m^2) has grown thereby. Precondition: f is live.
 void note_turned(Body& body, FaceId f, double area_gained);
 
 // What one call of settle() did.

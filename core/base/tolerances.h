@@ -89,4 +89,21 @@ inline constexpr double kRimLeastEdge = 1.0 / 64;
 inline constexpr double kRimSnap = 0.25;
 inline constexpr double kRimSliver = 0.12;
 
+// Cosine of one degree: moving a vertex must not tilt a face by more, so that the cut surface keeps its
+// shape.
+inline constexpr double kRimLargestTurn = 0.99984769515639127;
+
+// Cosine of ten degrees: moving a vertex may always leave a face whose smallest angle is larger. Smaller
+// angles are accepted only if cutting the edge would leave about the same.
+inline constexpr double kRimGoodAngle = 0.98480775301220806;
+
+// Two parts of one base face are coplanar if the cosine of the angle between them is at least this. It
+// corresponds to 1.4e-6 rad, which exceeds the tilt that rounding of split points causes unless the faces are
+// extremely thin; flipping an edge between faces that are not coplanar would change the surface.
+inline constexpr double kCoplanar = 1 - 1e-12;
+
+// An edge is flipped only if the cosine of the smallest angle decreases by more than this. A positive bound
+// makes the sequence of flips finite, and smaller gains are not visible.
+inline constexpr double kLeastFlipGain = 1e-3;
+
 }  // namespace kerf

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/tolerances.h"
 #include "core/cut/rim_state.h"
 #include "core/cut/stopwatch.h"
 
@@ -8,7 +9,6 @@ namespace kerf {
 
 namespace {
 
-constexpr double kLeastGain = 1e-3;  // in the cosine of the smallest angle: flips end
 constexpr int kMostPasses = 4;
 
 Vec3 area_vector(const Triangle& t) { return glm::cross(t[1] - t[0], t[2] - t[0]); }
@@ -16,8 +16,7 @@ Vec3 area_vector(const Triangle& t) { return glm::cross(t[1] - t[0], t[2] - t[0]
 // Whether two faces of one base lie in one plane, as far as doubles can tell.
 bool in_one_plane(const Triangle& s, const Triangle& t) {
   const Vec3 n = area_vector(s), m = area_vector(t);
-  constexpr double kCosine = 1 - 1e-12;
-  return glm::dot(n, m) >= kCosine * std::sqrt(glm::dot(n, n)) * std::sqrt(glm::dot(m, m));
+  return glm::dot(n, m) >= kCoplanar * std::sqrt(glm::dot(n, n)) * std::sqrt(glm::dot(m, m));
 }
 
 // The edge of a face that turning it would gain most on, in its plane.
@@ -48,7 +47,7 @@ class Flip {
     gain_ = worst(before) - worst(after);
   }
 
-  bool pays() const { return gain_ > kLeastGain; }
+  bool pays() const { return gain_ > kLeastFlipGain; }
 
   void make(BodyEdit& edit) const { edit.flip_edge(face_, from_, to_); }
 

@@ -10,9 +10,6 @@ namespace kerf {
 
 namespace {
 
-constexpr double kCosineOfLargestTurn = 0.99984769515639127;  // of one degree
-constexpr double kCosineOfGoodAngle = 0.98480775301220806;    // of 10 degrees
-
 // A vertex near the boundary and a point of the boundary for it. `other` is the end of the edge along which
 // it would move, invalid where it would move within the plane of its faces.
 struct Snap {
@@ -107,7 +104,7 @@ Triangle with_corner_moved(const Mesh& mesh, FaceId f, VertexId v, const Vec3& t
 bool turns_too_far(const Triangle& before, const Triangle& after) {
   const Vec3 n = glm::cross(before[1] - before[0], before[2] - before[0]);
   const Vec3 m = glm::cross(after[1] - after[0], after[2] - after[0]);
-  return !(glm::dot(n, m) >= kCosineOfLargestTurn * std::sqrt(glm::dot(n, n)) * std::sqrt(glm::dot(m, m))) ||
+  return !(glm::dot(n, m) >= kRimLargestTurn * std::sqrt(glm::dot(n, n)) * std::sqrt(glm::dot(m, m))) ||
          !(glm::dot(m, m) > 0);
 }
 
@@ -119,7 +116,7 @@ bool keeps_faces_well(const Mesh& mesh, const Mesh::Star& star, const Snap& s) {
     if (turns_too_far(mesh.triangle(f), after)) return false;
     worst = std::max(worst, largest_cosine(after));
   }
-  return worst <= kCosineOfGoodAngle || 1 - worst * worst >= 0.25 * s.share * s.share;
+  return worst <= kRimGoodAngle || 1 - worst * worst >= 0.25 * s.share * s.share;
 }
 
 // A face around the vertex that could not be cut along one chord any more; none where all could.

@@ -28,13 +28,14 @@ class StrokeRegion {
   void inherit(std::span<const FaceId> children, std::span<const FaceId> parents);
   bool is_near(FaceId f) const { return list_of_.count(f.index) != 0; }
 
-  // Negative inside the union, positive outside; for a point in or next to the face.
+  // The signed distance of a point in or near the face from the boundary of the union: negative inside,
+  // positive outside.
   double signed_distance(FaceId near, const Vec3& p) const;
 
-  // Whether any part, thinner by `graze` metres, meets the triangle.
+  // Whether any part, with its radius reduced by `graze` metres, meets the triangle.
   bool reaches_into(FaceId near, const Triangle& t, double graze) const;
 
-  // Where the boundary crosses the segment from a point inside to one outside.
+  // The point at which the boundary crosses the segment from a point inside to one outside.
   Vec3 crossing(FaceId near, const Vec3& inside, const Vec3& outside) const;
 
  private:
@@ -43,7 +44,7 @@ class StrokeRegion {
 
   std::vector<SweptCylinder> parts_;
   std::vector<std::vector<uint32_t>> lists_;
-  std::unordered_map<uint32_t, uint32_t> list_of_;  // face slot -> list; looked up, never walked
+  std::unordered_map<uint32_t, uint32_t> list_of_;  // face slot -> list; never iterated
 };
 
 }  // namespace kerf

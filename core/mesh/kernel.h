@@ -6,8 +6,8 @@
 
 namespace kerf {
 
-// The next and the previous half-edge of a ring, both in the direction of half-edge 0 of the edge that holds
-// the link. An edge that is alone links to itself.
+// The next and the previous half-edge of an edge's ring, both in the direction of its half-edge 0. An edge in
+// no ring links to itself.
 struct RingLink {
   HalfEdgeId next;
   HalfEdgeId previous;
@@ -15,8 +15,8 @@ struct RingLink {
 
 struct Mesh::Kernel {
   HalfEdges half_edges;
-  Records<RingLink> rings;  // one an edge, or empty when no edge of the mesh has three faces
-  Records<FaceData> faces;  // one a face slot
+  Records<RingLink> rings;  // one per edge, or empty if the mesh has no ring
+  Records<FaceData> faces;  // one per face slot
   FaceColumns columns;
   uint32_t live_faces = 0;
 

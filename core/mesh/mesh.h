@@ -14,25 +14,25 @@ namespace kerf {
 
 using Triangle = std::array<Vec3, 3>;
 
+// Area in m^2.
 double triangle_area(const Triangle& t);
-// Square of the longest edge.
+// Squared length of the longest edge.
 double longest_edge2(const Triangle& t);
-// Smallest of the three angles in radians' cosine form: the largest cosine of the three corners, 1 for a
-// triangle without area.
+// Cosine of the smallest interior angle, i.e. the largest of the three cosines; 1 for a degenerate triangle.
 double largest_cosine(const Triangle& t);
 
-// What Kerf remembers of a face; a face that is split hands a copy to each part.
+// Data of a face. When a face is split, each part gets a copy.
 struct FaceData {
   static constexpr uint32_t kNoElement = 0xffffffffu;
 
-  FaceId base;                    // the face as loaded that this one lies in
-  uint32_t element = kNoElement;  // the green element that it is a half of (see OneToFour)
-  uint32_t piece = 0;             // label of the piece that it hangs together with
+  FaceId base;                    // the loaded face that contains this one
+  uint32_t element = kNoElement;  // the green element of which it is a half (see OneToFour)
+  uint32_t piece = 0;             // label of its piece
   uint16_t material = 0;
-  uint8_t halvings = 0;  // how often its area was halved since it was the base face; a split in four is two
+  uint8_t halvings = 0;  // how often the area of the base face was halved; a split into four counts two
 };
 
-// The positions of vertices as they lie in memory.
+// Direct access to the positions of vertices. Valid until the mesh is edited.
 class Positions {
  public:
   static constexpr uint32_t kShift = Records<Vec3>::kShift;
@@ -48,16 +48,17 @@ class Positions {
 
 // A conforming triangle mesh of half-edges.
 //
-// Conforming: two faces meet in a common edge, a common corner or not at all; a split closes itself on all
-// faces of the edge. Half-edges hold two faces an edge, so where three or more meet (or two that no turning
-// makes consistent) each face has an edge of its own and these coincident edges are linked in a *ring*. Faces
-// that lie on one another, corner for corner, are linked along all their edges and are split alike.
-// Neighbourhood is asked for over rings: a face is a neighbour when it shares an edge by position.
+// It is conforming: two faces share an edge, a corner or nothing, and splitting an edge splits all faces on
+// it. A half-edge structure stores at most two faces per edge. Where three or more faces meet, or two that
+// cannot be oriented consistently, each face has an edge of its own, and these coincident edges are linked in
+// a *ring*. Faces that coincide corner by corner are linked along all their edges and are always split
+// together. Adjacency includes rings: two faces are neighbours if they share an edge by position.
 //
-// Vertices are per sheet: where sheets touch in a vertex or a ring, each sheet has a vertex of its own at
-// bit-equal position. Slots of faces and vertices only grow; a removed face keeps its slot, marked dead.
+// Vertices belong to sheets: where sheets touch in a vertex or a ring, each sheet has its own vertex at a
+// bit-equal position. The numbers of face and vertex slots never decrease; a removed face keeps its slot,
+// which is marked dead.
 //
-// Growing never moves what is there, and what a command changes can be taken back (see Records).
+// Growing never moves existing data, and changes can be undone (see Records).
 class Mesh {
  public:
   Mesh();
@@ -70,13 +71,14 @@ class Mesh {
   uint32_t face_slots() const;
   uint32_t vertex_slots() const;
   uint32_t live_faces() const;
-  bool is_live(FaceId f) const;  // false for a slot that is not there
+  bool is_live(FaceId f) const;  // false if there is no such slot
 
   Vec3 position(VertexId v) const;
-  // Of a live face, counter-clockwise; where the turn starts may change with edits nearby.
+  // The corners of a face, counter-clockwise; edits nearby may change which corner comes first. Precondition
+  // of this, triangle, data and edit_data: the face is live.
   std::array<VertexId, 3> corners(FaceId f) const;
   Triangle triangle(FaceId f) const;
-  // All of them, for whoever asks for many, until the mesh is edited.
+  // All positions, for callers that need many of them. Valid until the mesh is edited.
   Positions positions() const;
 
   const FaceData& data(FaceId f) const;
@@ -86,30 +88,30 @@ class Mesh {
   const FaceColumns& columns() const;
   FaceColumns& columns();
 
-  // Appends every live face that shares an edge with f, over rings, f itself excepted. A face that shares two
-  // edges with f comes twice. Linear in the rings' degrees.
+  // Appends every other live face that shares an edge with f, including over rings; a face that shares two
+  // edges appears twice. Precondition: f is live. Linear in the degrees of the rings.
   void append_neighbours(FaceId f, std::vector<FaceId>& out) const;
 
-  // The same, but over a ring only the faces beside f in it. Every other face of the ring is reached from one
-  // of those, so that whoever walks to all that hangs together, or asks what f held together, needs no more.
-  // Constant time.
+  // The same, but of each ring only the two faces next to f. They suffice for a traversal of connected faces
+  // and for finding what f connects, because the other faces of the ring are reached from them. Constant
+  // time.
   void append_nearest_neighbours(FaceId f, std::vector<FaceId>& out) const;
 
-  // A face and one of its edges as it walks it, counter-clockwise, in the vertices of its own sheet.
+  // A face and one of its edges in the face's counter-clockwise direction, in the vertices of its own sheet.
   struct Side {
     FaceId face;
     VertexId from;
     VertexId to;
   };
-  // Asks for the memory that neighbours and corners of some faces lie in: for whoever asks for many, one
-  // after the other. `at` is the face that is asked next.
+  // Prefetches the data of neighbours and corners for callers that process many faces in order; faces[at] is
+  // processed next.
   void prefetch_neighbours(std::span<const FaceId> faces, size_t at) const;
 
-  // Appends the sides of every other live face on the edge of f from one of its corners to the next.
+  // Appends the sides of all other live faces on the edge of f from corner `from` to its next corner `to`.
   void append_edge_sides(FaceId f, VertexId from, VertexId to, std::vector<Side>& out) const;
 
-  // The faces around a vertex on its sheet, and the other ends of its edges that have one face. `alone` is
-  // false where an edge at the vertex is linked in a ring: there other sheets hold the same position.
+  // The faces around a vertex on its sheet, and the other ends of its boundary edges. `alone` is false if an
+  // edge at the vertex is in a ring, so that other sheets have a vertex at the same position.
   struct Star {
     std::vector<FaceId> faces;
     std::vector<VertexId> rim;
@@ -118,40 +120,41 @@ class Mesh {
   // Linear in the degree of the vertex.
   void star(VertexId v, Star& out) const;
 
-  // Moves one vertex of one sheet. What follows positions (a tree) must be told of its faces.
+  // Moves a vertex of one sheet. Structures that depend on positions, e.g. a tree, must be updated for its
+  // faces.
   void move_vertex(VertexId v, const Vec3& to);
 
-  // One face of a ring that was split: `kept` is the old slot, now the half at `kept_end` of the edge;
-  // `added` is the new slot, the half at the other end.
+  // One face that a split of an edge has split: `kept` is its old slot, now the half at `kept_end`, and
+  // `added` is the new slot with the other half.
   struct FaceSplit {
     FaceId kept;
     FaceId added;
     VertexId midpoint;  // of this face's sheet; bit-equal positions in all sheets of the ring
-    VertexId from;      // the edge as this face walked it, counter-clockwise
+    VertexId from;      // the edge in this face's counter-clockwise direction
     VertexId to;
     VertexId kept_end;  // from or to
   };
 
-  // Bisects the edge of f from corner `from` to its next corner `to`, and every face on its ring, at the
-  // midpoint (from + to) / 2. Appends one entry a face; each new face copies the data of the old one. Linear
-  // in the ring's degree.
+  // Splits the edge of f from corner `from` to its next corner `to`, and every face on its ring, at the
+  // midpoint (from + to) / 2. Appends one entry per face; a new face gets a copy of the data of the old one.
+  // Precondition: f is live and has this edge. Linear in the degree of the ring.
   void split_edge(FaceId f, VertexId from, VertexId to, std::vector<FaceSplit>& out);
 
-  // The same at any point of the edge that is neither of its ends.
+  // The same at any point of the edge. Precondition: `at` is neither of its ends.
   void split_edge_at(FaceId f, VertexId from, VertexId to, const Vec3& at, std::vector<FaceSplit>& out);
 
-  // Turns the edge between the two faces f and its neighbour over (from, to) in the quadrilateral that they
-  // make. The edge must have both faces. Face data stay with their slots. Constant time, but for copies of
-  // the faces: linear in the ring of a side.
+  // Flips the edge (from, to) between f and its neighbour, i.e. replaces it by the other diagonal of their
+  // quadrilateral. Face data stay with their slots. Precondition: can_flip_edge(). Constant time, or linear
+  // in the degree of a ring if faces coincide with these.
   void flip_edge(FaceId f, VertexId from, VertexId to);
 
-  // Whether that edge has two faces, is in no ring, and its opposite corners have no edge yet.
+  // Whether the edge has two faces and is in no ring, and its opposite corners are not connected by an edge.
   bool can_flip_edge(FaceId f, VertexId from, VertexId to) const;
 
-  // Marks f dead and frees its edges; its slot stays. f must be live.
+  // Removes a face; its slot stays and is marked dead. Precondition: f is live.
   void remove_face(FaceId f);
 
-  // Memory that the mesh holds.
+  // Memory allocated, in bytes.
   size_t bytes() const;
 
   // What the mesh was before a command or, once exchanged, after it (see ChangeOf). Every function costs what

@@ -16,11 +16,11 @@ struct FaceCounts {
   double area = 0;  // m^2
 };
 
-// The parts of a mesh that never hung together, and what each of them still has among the faces of piece 0.
-// Every other piece came off one of them and is one component; so what a face hangs together with is counted
-// here or by its piece, and never has to be searched for.
+// The connected components of a mesh as loaded, with the counts of their faces that still belong to piece 0.
+// Every other piece was separated from one of them and is connected itself, so that the counts of the
+// component of a face are always known, here or by its piece, without a search.
 struct LoadedComponents {
-  std::vector<uint32_t> of_base;  // by base face; both are empty where the mesh is one component
+  std::vector<uint32_t> of_base;  // by base face; both are empty if the mesh is connected
   Records<FaceCounts> left;
 
   size_t bytes() const { return of_base.capacity() * sizeof(uint32_t) + left.bytes(); }
@@ -35,8 +35,8 @@ struct LoadedComponents {
 
 class LoadedComponents::Change : public ChangeOfParts<LoadedComponents> {};
 
-// For a mesh as loaded, which has so many components, or that it was stopped. `progress` may be null.
-// O(faces), and constant time where it is one.
+// Counts the components of a mesh as loaded, whose number is known. Fails with cancelled() when stopped;
+// `progress` may be null. O(n), or constant time if the mesh is connected.
 Result<LoadedComponents> count_components(const Mesh& mesh, size_t components, const Progress* progress);
 
 }  // namespace kerf

@@ -40,8 +40,8 @@ void expect_hidden_body_untouched(uint64_t seed, Rim rim, Scheme scheme) {
   const auto ids = document.world().ids();
   const BodyId hidden = ids[random.below(ids.size())];
   const Placement aside{{random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1), 0}, {1, 0, 0, 0}};
-  ASSERT_TRUE(document.apply(MovePiece{{hidden.slot, 0}, aside}).ok());
-  ASSERT_TRUE(document.apply(HidePiece{{hidden.slot, 0}, true}).ok());
+  ASSERT_TRUE(document.apply(MovePiece{{hidden, 0}, aside}).ok());
+  ASSERT_TRUE(document.apply(HidePiece{{hidden, 0}, true}).ok());
   const World before = document.world();
   for (const Command& c : stroke_through_the_middle(random, rim, scheme)) ASSERT_TRUE(document.apply(c).ok());
   ASSERT_TRUE(walk_all(document).ok());

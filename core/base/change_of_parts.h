@@ -8,25 +8,24 @@
 
 namespace kerf {
 
-// What a value was before a command or, once exchanged, after it. This one keeps a copy, for values that are
-// cheap to copy and to compare. A class with a nested type `Change` is remembered by that instead; it offers
-// the same functions.
-//
-// A change is used in this order: begin, the edits of the command, end; then exchange as often as wanted,
-// always in the order of a history, or restore.
+// The state of a value before a command; after exchange(), the state after it. The general version keeps a
+// copy and suits values that are cheap to copy and to compare. For a class with a nested type `Change`, that
+// type is used instead; it has the same functions. The order of calls is begin, the edits of the command,
+// end, and then any number of exchange and restore. Precondition of both: the value is in the state that the
+// change was recorded for, i.e. later changes were undone before.
 template <typename T>
 class ChangeOf {
  public:
-  // From here on the edits of `value` are remembered.
+  // Starts to record the edits of `value`.
   void begin(T& value) { other_ = value; }
   void end(T& value) { differs_ = !(other_ == value); }
   // Whether the command changed anything.
   bool any() const { return differs_; }
-  // Swaps the state of `value` with the one that is kept here, to the bit.
+  // Swaps the state of `value` with the recorded one, exactly to the bit.
   void exchange(T& value) { std::swap(value, other_); }
-  // Gives `value` the state that is kept here, as an edit that another change may remember.
+  // Sets `value` to the recorded state, as an edit that another open change records.
   void restore(T& value) const { value = other_; }
-  // Memory that the change holds beside itself.
+  // Memory allocated by the change, in bytes.
   size_t bytes() const { return 0; }
 
  private:
@@ -80,7 +79,7 @@ class ChangeOfParts {
     return std::apply([](const auto&... change) { return (change.bytes() + ...); }, changes_);
   }
 
-  // Memory that the members of the owner hold.
+  // Memory allocated by the members of the owner, in bytes.
   static size_t bytes_of(const Owner& owner) {
     return std::apply([](const auto&... part) { return (bytes_of_part(part) + ...); }, Owner::parts(owner));
   }

@@ -4,8 +4,8 @@
 
 namespace kerf {
 
-// A ray, or where a beam stands: from `origin` (m) along the unit vector `direction`. The frame is the
-// user's to say: the world's for a stroke, a body's for a query of its tree.
+// A ray, or the pose of a beam: it starts at `origin` (m) and has the unit vector `direction`. The frame
+// depends on the use: that of the world for a stroke, that of a body for a query of its tree.
 struct Pose {
   Vec3 origin{0};
   Vec3 direction{0, 0, -1};

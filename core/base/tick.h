@@ -4,14 +4,14 @@
 
 namespace kerf {
 
-// The clock of a world counts ticks. A tick is 1/120 s: whatever moves or cools in a world by itself does so
-// a whole tick at a time.
+// The clock of a world counts ticks of 1/120 s. Everything that moves or cools by itself in a world advances
+// by whole ticks.
 using Ticks = uint64_t;
 
 inline constexpr Ticks kTicksPerSecond = 120;
 
-// Seconds after the start of the clock at which so many ticks are over. Exact to one rounding up to 2^53
-// ticks, more than two million years.
+// The time in seconds after a number of ticks, correctly rounded up to 2^53 ticks, i.e. more than two million
+// years.
 inline double seconds_of_ticks(Ticks ticks) {
   return static_cast<double>(ticks) / static_cast<double>(kTicksPerSecond);
 }

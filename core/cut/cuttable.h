@@ -7,7 +7,7 @@
 
 namespace kerf {
 
-// The bodies that the beam meets: all that are not hidden, in the order in which they were added. O(bodies).
+// The bodies that a beam can cut: all that are not hidden, in the order of World::ids(). O(bodies).
 std::vector<BodyId> cuttable(const World& world);
 
 }  // namespace kerf

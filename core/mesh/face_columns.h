@@ -12,14 +12,14 @@
 
 namespace kerf {
 
-// Names one column of FaceColumns: one value of type T for each face of a mesh. The name is also good for
-// every copy of the mesh and for every mesh that was extracted from it.
+// Identifies one column of FaceColumns, i.e. one value of type T per face of a mesh. It is also valid for
+// copies of the mesh and for meshes extracted from it.
 template <typename T>
 class FaceColumn {
   static_assert(std::is_trivially_copyable_v<T> && sizeof(T) <= sizeof(uint64_t));
 
  public:
-  FaceColumn() = default;  // names no column
+  FaceColumn() = default;  // identifies no column
   bool valid() const { return index_ != kNone; }
 
  private:
@@ -43,8 +43,8 @@ class FaceColumn {
 // memory up to the last face whose value was ever set.
 class FaceColumns {
  public:
-  // Attaches a column whose values are copied to the parts of a face that is split. No change of the mesh may
-  // be remembered meanwhile. Constant time.
+  // Attaches a column whose values are copied to the parts of a split face. Precondition: no change of the
+  // mesh is open. Constant time.
   template <typename T>
   FaceColumn<T> attach_copied() {
     return FaceColumn<T>(attach(Rule::kCopy));
@@ -65,26 +65,26 @@ class FaceColumns {
     columns_[column.index_].set(f, to_cell(value));
   }
 
-  // The columns of a mesh that is made of these faces, in their order.
+  // The columns for a mesh that consists of these faces, in their order.
   FaceColumns extract(std::span<const FaceId> faces) const;
 
   size_t bytes() const;
 
-  // What the columns were before a command (see ChangeOf).
+  // The columns before a command; see ChangeOf.
   class Change;
 
  private:
   friend class Mesh;
   enum class Rule : uint8_t { kCopy, kShareByArea };
 
-  // The values as they lie in memory, whatever their type; zero behind the last one.
+  // The bits of the values, whatever their type; zero beyond the last one.
   struct Column {
     Rule rule;
     Records<uint64_t> cells;
 
     uint64_t get(FaceId f) const { return f.index < cells.size() ? cells[f.index] : 0; }
     void set(FaceId f, uint64_t cell);
-    // Gives each of two faces its share of the sum of both; `share` is that of the first.
+    // Divides the sum of the values of two faces between them; `share` is the fraction of the first one.
     void share_sum(FaceId a, FaceId b, double share);
   };
 
@@ -103,7 +103,7 @@ class FaceColumns {
 
   uint32_t attach(Rule rule);
 
-  // What the mesh tells. `share` is the area of the first face relative to both, between 0 and 1.
+  // Called by the mesh. `share` is the fraction of the first face in the area of both, 0 .. 1.
   void note_split(FaceId kept, FaceId added, double share);
   void note_turned(FaceId a, FaceId b, double share);
   void note_removed(FaceId f);

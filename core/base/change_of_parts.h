@@ -10,9 +10,11 @@ namespace kerf {
 
 // The state of a value before a command; after exchange(), the state after it. The general version keeps a
 // copy and suits values that are cheap to copy and to compare. For a class with a nested type `Change`, that
-// type is used instead; it has the same functions. The order of calls is begin, the edits of the command,
-// end, and then any number of exchange and restore. Precondition of both: the value is in the state that the
-// change was recorded for, i.e. later changes were undone before.
+// type is used instead; it has the same functions.
+//
+// The order of calls is begin, the edits of the command, end, and then any number of exchange and restore.
+// Precondition of both: the value is in the state that the change was recorded for, i.e. later changes were
+// undone before.
 template <typename T>
 class ChangeOf {
  public:

@@ -12,11 +12,14 @@ namespace kerf {
 // All edits of the faces of a body, i.e. splitting, removing, flipping and moving, go through this class. It
 // keeps everything that depends on faces consistent: the mesh with its columns, green pairs (OneToFour), the
 // tree, the counts, areas and moments of pieces, the state from which separated parts are found, and the
-// delta. The tree is updated late, because that is faster for many faces at once; the order of its updates
+// delta.
+//
+// The tree is updated late, because that is faster for many faces at once; the order of its updates
 // determines the order of query results. Call update_tree() after splits and after removals, and refit_tree()
 // after the last vertex was moved or edge flipped. Queries of the tree are allowed in between. The destructor
-// makes pending updates, so that the body is consistent whatever ended the edit. Precondition of every
-// function that takes faces: they are live, and given vertices are corners of them.
+// makes pending updates, so that the body is consistent whatever ended the edit.
+//
+// Precondition of every function that takes faces: they are live, and given vertices are corners of them.
 class BodyEdit {
  public:
   // Preconditions: `body` outlives the edit, and nothing else edits its faces meanwhile.

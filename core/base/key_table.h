@@ -30,6 +30,15 @@ class KeyTable {
     return next;
   }
 
+  // The index of the item whose hash is `hash` and for which same(index) holds; kNone where there is none.
+  template <typename Same>
+  uint32_t find(uint64_t hash, const Same& same) const {
+    if (slots_.empty()) return kNone;
+    size_t at = home(hash);
+    while (slots_[at] != kNone && !same(slots_[at])) at = after(at);
+    return slots_[at];
+  }
+
   // Allocates space for `items` items and a sixth more, so that adding them does not reallocate.
   // Precondition: the table is empty.
   void reserve(size_t items) {

@@ -249,12 +249,14 @@ void Document::settle(size_t step) {
   if (open_ == step) close();
 }
 
-Status Document::finish(const Progress* progress) {
+// Walks all moves that wait; what that changed is appended to `walked`.
+Status Document::finish(Delta& walked, const Progress* progress) {
   const auto all = static_cast<double>(waiting());
   while (waiting() > 0) {
     const Progress going = share_of(progress, 1 - static_cast<double>(waiting()) / all, 1);
-    const Result<StepResult> done = step(waiting(), &going);
+    Result<StepResult> done = step(waiting(), &going);
     if (!done) return done.error();
+    walked.append(std::move(done->delta));
   }
   return Done{};
 }
@@ -361,9 +363,10 @@ Result<Delta> Document::redo(const Progress* progress) {
   return delta;
 }
 
-// Does a command that has no moves to wait for, and remembers what it changed.
-Result<Delta> Document::do_at_once(HistoryStep& step, const Progress* progress) {
-  const Status finished = finish(progress);
+// Does a command that has no moves to wait for, after those that wait, and remembers what it changed. Returns
+// that; what the moves changed is appended to `walked`.
+Result<Delta> Document::do_at_once(HistoryStep& step, Delta& walked, const Progress* progress) {
+  const Status finished = finish(walked, progress);
   if (!finished) return finished.error();
   close();
   step.commands.front() = with_whole_id(world_, step.commands.front());
@@ -383,23 +386,30 @@ Result<Delta> Document::do_at_once(HistoryStep& step, const Progress* progress) 
 Result<Delta> Document::at_once(const Command& command, const Progress* progress) {
   HistoryStep step(command);
   step.generation = static_cast<uint32_t>(journal_.size() + 1);
-  Result<Delta> delta = do_at_once(step, progress);
-  if (!delta || delta->empty()) return delta;
+  Delta all;
+  Result<Delta> delta = do_at_once(step, all, progress);
+  if (!delta) return delta;
+  const bool nothing = delta->empty();
+  all.append(std::move(*delta));
+  if (nothing) return all;
   assert(step.generation == journal_.size() + 1);
   journal_.push_back(step.commands.front());
   history_.append(std::move(step));
   history_.trim();
-  return delta;
+  return all;
 }
 
 Result<Delta> Document::redo_at_once(size_t at, const Progress* progress) {
   HistoryStep& step = history_.step(at);
   step.forget();
   history_.forget_behind(at);
-  Result<Delta> delta = do_at_once(step, progress);
-  if (delta) history_.forth();
+  Delta all;
+  Result<Delta> delta = do_at_once(step, all, progress);
   history_.trim();
-  return delta;
+  if (!delta) return delta;
+  history_.forth();
+  all.append(std::move(*delta));
+  return all;
 }
 
 bool Document::remembers_way_to(size_t position) const {
@@ -450,7 +460,8 @@ Result<Delta> Document::replay(size_t position, const Progress* progress) {
     history_.forth();
     if (step + 1 < position && cuts(step + 1) && base_of(step + 1) != step + 1) continue;
     walk_again();
-    done = finish(&walking);
+    Delta walked;  // all of the world is another one
+    done = finish(walked, &walking);
   }
   journal_.erase(journal_.begin() + static_cast<std::ptrdiff_t>(written), journal_.end());
   for (size_t i = history_.position(); i < before; ++i) journal_.emplace_back(Undo{});

@@ -109,10 +109,10 @@ class Document {
   Result<Delta> undo(const Progress* progress);
   Result<Delta> redo(const Progress* progress);
   Result<Delta> at_once(const Command& command, const Progress* progress);
-  Result<Delta> do_at_once(HistoryStep& step, const Progress* progress);
+  Result<Delta> do_at_once(HistoryStep& step, Delta& walked, const Progress* progress);
   Result<Delta> redo_at_once(size_t step, const Progress* progress);
   Result<Delta> replay(size_t position, const Progress* progress);
-  Status finish(const Progress* progress);
+  Status finish(Delta& walked, const Progress* progress);
 
   Result<StepResult> walk_some(size_t most, const Progress& progress);
   StepResult noted(size_t step, StepResult some);

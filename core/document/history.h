@@ -27,26 +27,30 @@ class HistoryStep {
   size_t bytes() const { return bytes_; }
 
   void add(World::Change change);
-  // Faces that the step made, took away or gave another label.
+  // Notes what a part of the step changed.
   void touch(const Delta& delta);
   // Nothing of it is in the world any more, nor remembered.
   void forget();
   // Its before-images go; it stays done.
   void let_go();
 
-  // What the step did is taken back, or done again; what changed.
+  // Takes back what the step did, or does it again; returns what that changed.
   Delta take_back(World& world);
   Delta bring_again(World& world);
   // What the step did is taken back as an edit of the world; the step stays as it is.
   Delta restore(World& world) const;
 
  private:
-  Delta delta(const World& world) const;
+  // Slots of faces, some more than once: with corners that changed, came or went, and with labels that did.
+  struct Touched {
+    std::vector<FaceId> corners, labels;
+  };
+  Delta delta(const World& world, bool back) const;
 
   std::vector<World::Change> changes_;  // in their order
-  std::map<BodyId, std::vector<FaceId>> touched_;
+  std::map<BodyId, Touched> touched_;   // by the id after the step
+  Delta bodies_;                        // what it changed, but for the faces
   size_t bytes_ = 0;
-  bool all_ = false;  // bodies came, went or moved
 };
 
 // The steps of a document up to where it is, and those that were taken back. Before-images are held as far as

@@ -17,7 +17,8 @@ bool same(const Placement& a, const Placement& b) {
   return a.position == b.position && a.orientation == b.orientation;
 }
 
-// Lets the command edit the body that the piece is, where `differs` says that there is something to do.
+// Lets the command edit the body that the piece is, where `differs` says that there is something to do. The
+// edit returns what it changed.
 template <typename Differs, typename Edit>
 Result<Delta> edit_piece(World& world, const PieceId& piece, uint32_t generation, Differs differs,
                          Edit edit) {
@@ -27,41 +28,60 @@ Result<Delta> edit_piece(World& world, const PieceId& piece, uint32_t generation
   Delta delta;
   if (!differs(world.body(piece.body))) return delta;
   const BodyId own = detach(world, piece, generation, delta);
-  edit(own);
-  delta.anew = true;
+  delta.append(edit(own));
   return delta;
 }
 
 Result<Delta> run(World& world, const AddMesh& c, uint32_t generation, const Progress* progress) {
   Result<Body> body = load_body(c.name, c.file, progress);
   if (!body) return body.error();
-  world.add(std::move(*body), generation);
   Delta delta;
-  delta.anew = true;
+  delta.came = {world.add(std::move(*body), generation)};
   return delta;
 }
 
 Result<Delta> run(World& world, const MovePiece& c, uint32_t generation) {
   return edit_piece(
       world, c.piece, generation, [&](const Body& b) { return !same(b.placement, c.to); },
-      [&](BodyId own) { world.body(own).placement = c.to; });
+      [&](BodyId own) {
+        world.body(own).placement = c.to;
+        Delta change;
+        change.moved = {own};
+        return change;
+      });
 }
 
 Result<Delta> run(World& world, const HidePiece& c, uint32_t generation) {
   return edit_piece(
       world, c.piece, generation, [&](const Body& b) { return b.hidden != c.hidden; },
-      [&](BodyId own) { world.body(own).hidden = c.hidden; });
+      [&](BodyId own) {
+        world.body(own).hidden = c.hidden;
+        Delta change;
+        change.hid_or_showed = {own};
+        return change;
+      });
 }
 
 Result<Delta> run(World& world, const DeletePiece& c, uint32_t generation) {
   return edit_piece(
-      world, c.piece, generation, [](const Body&) { return true; }, [&](BodyId own) { world.remove(own); });
+      world, c.piece, generation, [](const Body&) { return true; },
+      [&](BodyId own) {
+        world.remove(own);
+        Delta change;
+        change.went = {own};
+        return change;
+      });
 }
 
 Result<Delta> run(World& world, const RenamePiece& c, uint32_t generation) {
   return edit_piece(
       world, c.piece, generation, [&](const Body& b) { return b.name != c.name; },
-      [&](BodyId own) { world.body(own).name = c.name; });
+      [&](BodyId own) {
+        world.body(own).name = c.name;
+        Delta change;
+        change.renamed = {own};
+        return change;
+      });
 }
 
 }  // namespace

@@ -68,7 +68,12 @@ BodyId detach(World& world, const PieceId& piece, uint32_t generation, Delta& de
   BodyEdit(world.body(piece.body)).take_out(going);
   if (!piece_goes) world.exchange_bodies(piece.body, own);
   world.body(own).name += " piece " + std::to_string(piece.label);
-  delta.anew = true;
+  Delta step;
+  step.came = {piece_goes ? own : piece.body};
+  step.detached = {{piece.body, piece.label, own, !piece_goes}};
+  step.renamed = {own};
+  step.bodies.push_back({piece_goes ? piece.body : own, {}, going, {}, {}});
+  delta.append(std::move(step));
   return own;
 }
 

@@ -12,8 +12,9 @@ namespace {
 
 uint32_t bits(float x) { return std::bit_cast<uint32_t>(x); }
 
-uint64_t hash_of(const glm::vec3& at, uint32_t piece) {
-  return hash_combine(uint64_t{bits(at.x)} << 32 | bits(at.y), uint64_t{bits(at.z)} << 32 | piece);
+// Without the piece, so that a vertex whose piece changes stays where it is in the table.
+uint64_t hash_of(const glm::vec3& at) {
+  return hash_combine(uint64_t{bits(at.x)} << 32 | bits(at.y), bits(at.z));
 }
 uint64_t hash_of(uint32_t low, uint32_t high) { return mix64(uint64_t{low} << 32 | high); }
 
@@ -68,7 +69,9 @@ bool ShadowCaster::add_all(const Mesh& mesh, const Progress* progress) {
 ShadowCaster::Change ShadowCaster::update(const Mesh& mesh, std::span<const uint32_t> slots) {
   Change change;
   grow(mesh.face_slots());
-  for (const uint32_t f : slots) {
+  std::vector<uint32_t> each(slots.begin(), slots.end());
+  sort_unique(each);
+  for (const uint32_t f : relabel(mesh, each, change)) {
     assert(f < face_slots());
     change.faces.push_back(f);
     append_edges(f, change.edges);
@@ -81,6 +84,64 @@ ShadowCaster::Change ShadowCaster::update(const Mesh& mesh, std::span<const uint
   sort_unique(change.faces);
   sort_unique(change.edges);
   return change;
+}
+
+// Whether the face is live and there, with the corners that it has in the mesh.
+bool ShadowCaster::stands_still(const Mesh& mesh, uint32_t face) const {
+  if (!there(face) || !mesh.is_live(FaceId(face))) return false;
+  const Triangle t = mesh.triangle(FaceId(face));
+  for (uint32_t i = 0; i < 3; ++i) {
+    if (vertices_[corner_[3 * face + i]].at != frame_.to_float(t[i]) + 0.0f) return false;
+  }
+  return true;
+}
+
+// Gives the vertices of faces that are only relabelled the new label, where no other face uses them;
+// meanwhile `uses` leaves those faces out. Returns the slots that must be taken away and added instead: those
+// of all other faces, and those of faces at a vertex that keeps its label or gets another one.
+std::vector<uint32_t> ShadowCaster::relabel(const Mesh& mesh, std::span<const uint32_t> slots,
+                                            Change& change) {
+  std::vector<uint32_t> others;
+  std::vector<Relabelled> faces;
+  for (const uint32_t f : slots) {
+    if (!stands_still(mesh, f)) {
+      others.push_back(f);
+      continue;
+    }
+    const uint32_t from = vertices_[corner_[3 * f]].piece, to = mesh.data(FaceId(f)).piece;
+    if (from != to) faces.push_back({f, from, to});
+  }
+  const auto for_each_corner = [&](const Relabelled& r, const auto& visit) {
+    for (uint32_t i = 0; i < 3; ++i) visit(corner_[3 * r.face + i]);
+  };
+  for (const Relabelled& r : faces) for_each_corner(r, [&](uint32_t v) { --vertices_[v].uses; });
+  for (const Relabelled& r : faces) {
+    for_each_corner(r, [&](uint32_t v) {
+      if (vertices_[v].uses == 0 && vertices_[v].piece == r.from) rename_vertex(v, r.to);
+    });
+  }
+  for (const Relabelled& r : faces) for_each_corner(r, [&](uint32_t v) { ++vertices_[v].uses; });
+  for (const Relabelled& r : faces) {
+    bool all = true;
+    for_each_corner(r, [&](uint32_t v) { all = all && vertices_[v].piece == r.to; });
+    if (!all) {
+      others.push_back(r.face);
+      continue;
+    }
+    change.faces.push_back(r.face);
+    append_edges(r.face, change.edges);
+  }
+  return others;
+}
+
+// Leaves the vertex as it is where faces of that piece use another one at the same position. One that no face
+// uses takes over the old label, so that no two vertices have both in common.
+void ShadowCaster::rename_vertex(uint32_t vertex, uint32_t piece) {
+  Vertex& renamed = vertices_[vertex];
+  const uint32_t other = known_vertex(renamed.at, piece);
+  if (other != kNone && vertices_[other].uses > 0) return;
+  if (other != kNone) vertices_[other].piece = renamed.piece;
+  renamed.piece = piece;
 }
 
 std::array<glm::vec3, 3> ShadowCaster::corners(uint32_t face) const {
@@ -106,11 +167,15 @@ uint32_t ShadowCaster::find_vertex(const Vec3& p, uint32_t piece) {
   const glm::vec3 at = frame_.to_float(p) + 0.0f;  // -0.0 becomes +0.0
   const auto next = static_cast<uint32_t>(vertices_.size());
   const uint32_t found = vertex_table_.find_or_add(
-      hash_of(at, piece), next,
-      [&](uint32_t v) { return vertices_[v].at == at && vertices_[v].piece == piece; },
-      [&](uint32_t v) { return hash_of(vertices_[v].at, vertices_[v].piece); });
-  if (found == next) vertices_.push_back({at, piece});
+      hash_of(at), next, [&](uint32_t v) { return vertices_[v].at == at && vertices_[v].piece == piece; },
+      [&](uint32_t v) { return hash_of(vertices_[v].at); });
+  if (found == next) vertices_.push_back({at, piece, 0});
   return found;
+}
+
+uint32_t ShadowCaster::known_vertex(const glm::vec3& at, uint32_t piece) const {
+  return vertex_table_.find(hash_of(at),
+                            [&](uint32_t v) { return vertices_[v].at == at && vertices_[v].piece == piece; });
 }
 
 uint32_t ShadowCaster::find_side_edge(uint32_t from, uint32_t to) {
@@ -145,6 +210,7 @@ void ShadowCaster::put(uint32_t face, const std::array<uint32_t, 3>& c) {
   if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0]) return;
   for (uint32_t i = 0; i < 3; ++i) {
     corner_[3 * face + i] = c[i];
+    ++vertices_[c[i]].uses;
     link(3 * face + i, find_side_edge(c[i], c[(i + 1) % 3]));
   }
   find_copies(face);
@@ -157,6 +223,7 @@ void ShadowCaster::take_away(uint32_t face) {
   find_copies(face);
   for (uint32_t i = 0; i < 3; ++i) {
     unlink(3 * face + i);
+    --vertices_[corner_[3 * face + i]].uses;
     corner_[3 * face + i] = kNone;
   }
   casts_[face] = 0;

@@ -23,7 +23,7 @@ namespace kerf {
 // can be drawn displaced or hidden. A triangle with two equal corners casts no shadow; of several triangles
 // with the same three corners only the one in the lowest slot casts.
 //
-// The numbers of vertex and edge slots never decrease. Takes about 80 bytes per face.
+// The numbers of vertex and edge slots never decrease. Takes about 82 bytes per face.
 class ShadowCaster {
  public:
   // Adds all live faces of the mesh. Expected linear time.
@@ -37,7 +37,8 @@ class ShadowCaster {
   };
   // Brings these face slots up to date with the mesh; they may be new, dead or unchanged. Precondition: every
   // slot is below mesh.face_slots(). Expected time linear in the number of slots times the number of faces on
-  // their edges.
+  // their edges. Where all faces at a vertex get the same new label, the vertex and its
+  // edges keep their slots.
   Change update(const Mesh& mesh, std::span<const uint32_t> slots);
 
   uint32_t face_slots() const { return static_cast<uint32_t>(casts_.size()); }
@@ -85,6 +86,11 @@ class ShadowCaster {
   struct Vertex {
     glm::vec3 at;
     uint32_t piece;
+    uint32_t uses;  // corners of faces that are there
+  };
+  // A face whose corners stay where they are while its label changes.
+  struct Relabelled {
+    uint32_t face, from, to;
   };
   struct Edge {
     uint32_t low, high;  // vertices
@@ -103,9 +109,13 @@ class ShadowCaster {
   bool add_all(const Mesh& mesh, const Progress* progress);
   void grow(uint32_t faces);
   uint32_t find_vertex(const Vec3& p, uint32_t piece);
+  uint32_t known_vertex(const glm::vec3& at, uint32_t piece) const;
   uint32_t find_side_edge(uint32_t from, uint32_t to);
   bool there(uint32_t face) const { return corner_[3 * face] != kNone; }
   std::array<uint32_t, 3> sorted_corners(uint32_t face) const;
+  bool stands_still(const Mesh& mesh, uint32_t face) const;
+  std::vector<uint32_t> relabel(const Mesh& mesh, std::span<const uint32_t> slots, Change& change);
+  void rename_vertex(uint32_t vertex, uint32_t piece);
   // add, put and find_copies leave in `copies_` the faces with the same corners as `face`, itself included;
   // take_away leaves the others.
   void add(const Mesh& mesh, uint32_t face);

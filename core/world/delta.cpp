@@ -30,12 +30,28 @@ void append_body(BodyDelta& body, const BodyDelta& later) {
   body.new_pieces.insert(body.new_pieces.end(), later.new_pieces.begin(), later.new_pieces.end());
 }
 
-}  // namespace
+bool has(const std::vector<BodyId>& ids, BodyId id) {
+  return std::find(ids.begin(), ids.end(), id) != ids.end();
+}
 
-void Delta::append(Delta later) {
-  removed_faces += later.removed_faces;
-  removed_area += later.removed_area;
-  anew = anew || later.anew;
+void add_once(std::vector<BodyId>& ids, BodyId id) {
+  if (!has(ids, id)) ids.push_back(id);
+}
+
+// Bodies as they go after `later`, without those that it let go.
+void follow_ids(std::vector<BodyId>& ids, const Delta& later) {
+  std::erase_if(ids, [&](BodyId id) { return has(later.went, id); });
+  for (BodyId& id : ids) id = id_after(later, id);
+}
+
+void append_ids(std::vector<BodyId>& ids, const std::vector<BodyId>& more, const Delta& later) {
+  follow_ids(ids, later);
+  for (const BodyId id : more) add_once(ids, id);
+}
+
+void append_bodies(std::vector<BodyDelta>& bodies, Delta& later) {
+  std::erase_if(bodies, [&](const BodyDelta& b) { return has(later.went, b.body); });
+  for (BodyDelta& b : bodies) b.body = id_after(later, b.body);
   for (BodyDelta& b : later.bodies) {
     const auto same =
         std::find_if(bodies.begin(), bodies.end(), [&](const BodyDelta& a) { return a.body == b.body; });
@@ -45,6 +61,73 @@ void Delta::append(Delta later) {
       append_body(*same, b);
     }
   }
+}
+
+}  // namespace
+
+BodyId id_after(const Delta& delta, BodyId before) {
+  for (const Detached& d : delta.detached) {
+    if (d.carries_on && d.from == before) before = d.to;
+  }
+  return before;
+}
+
+BodyId id_before(const Delta& delta, BodyId after) {
+  for (auto d = delta.detached.rbegin(); d != delta.detached.rend(); ++d) {
+    if (d->carries_on && d->to == after) after = d->from;
+  }
+  return after;
+}
+
+void Delta::append(Delta later) {
+  removed_faces += later.removed_faces;
+  removed_area += later.removed_area;
+  if (anew || later.anew) {
+    Delta replaced;
+    replaced.anew = true;
+    replaced.removed_faces = removed_faces;
+    replaced.removed_area = removed_area;
+    *this = std::move(replaced);
+    return;
+  }
+  for (const BodyId id : later.went) {
+    if (!has(came, id)) add_once(went, id_before(*this, id));
+  }
+  append_ids(came, later.came, later);
+  append_bodies(bodies, later);
+  append_ids(moved, later.moved, later);
+  append_ids(hid_or_showed, later.hid_or_showed, later);
+  append_ids(renamed, later.renamed, later);
+  for (const Detached& d : later.detached) {
+    const bool back = !detached.empty() && detached.back() == Detached{d.to, d.label, d.from, d.carries_on};
+    if (back) {
+      detached.pop_back();
+    } else {
+      detached.push_back(d);
+    }
+  }
+  // Whoever looks at a body as a whole sees all of this.
+  const auto is_new = [&](BodyId id) { return has(came, id); };
+  std::erase_if(bodies, [&](const BodyDelta& b) { return is_new(b.body); });
+  for (auto* ids : {&moved, &hid_or_showed, &renamed}) std::erase_if(*ids, is_new);
+}
+
+Delta bodies_taken_back(const Delta& delta) {
+  Delta back;
+  back.came = delta.went;
+  back.went = delta.came;
+  for (auto d = delta.detached.rbegin(); d != delta.detached.rend(); ++d)
+    back.detached.push_back({d->to, d->label, d->from, d->carries_on});
+  const auto before = [&](const std::vector<BodyId>& ids) {
+    std::vector<BodyId> all;
+    for (const BodyId id : ids) all.push_back(id_before(delta, id));
+    return all;
+  };
+  back.moved = before(delta.moved);
+  back.hid_or_showed = before(delta.hid_or_showed);
+  back.renamed = before(delta.renamed);
+  back.anew = delta.anew;
+  return back;
 }
 
 }  // namespace kerf

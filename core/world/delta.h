@@ -7,28 +7,65 @@
 
 namespace kerf {
 
-// What a step changed in one body. Slots that only existed within the step are among `gone`.
+// The faces that a step changed in one body. Slots of faces that were made and removed within the step are
+// listed as gone.
 struct BodyDelta {
   BodyId body;
-  std::vector<FaceId> born;          // live slots whose corners are new, ascending
-  std::vector<FaceId> gone;          // slots that are dead now, ascending
-  std::vector<FaceId> relabelled;    // live slots whose piece changed, ascending
-  std::vector<uint32_t> new_pieces;  // labels that this step made
+  std::vector<FaceId> born;          // live faces that are new or have new corners, ascending
+  std::vector<FaceId> gone;          // slots whose face is dead, ascending
+  std::vector<FaceId> relabelled;    // live faces whose label changed, ascending
+  std::vector<uint32_t> new_pieces;  // labels that the step made
 };
 
-// What a step changed. Renderer, statistics and everything else that follows the world live on this.
+// A piece that belongs to another body since the step: it was detached, or put back by undo. It keeps its
+// label.
+struct Detached {
+  BodyId from;
+  uint32_t label = 0;
+  BodyId to;
+  // Whether the faces of `from` carry on under the id `to`, with the slots that they had: then `from`, where
+  // it is listed in Delta::came, is another body.
+  bool carries_on = false;
+  friend bool operator==(const Detached&, const Detached&) = default;
+};
+
+// What a step changed in the world. Whoever keeps something about the world follows it in this order: drop
+// the bodies that went, carry on what is kept about `from` as `to` where a piece was detached, look at the
+// bodies that came as a whole, and then at the changes of single bodies. All ids but those of `went` are
+// those after the step.
 struct Delta {
-  std::vector<BodyDelta> bodies;  // those that changed
+  std::vector<BodyDelta> bodies;      // whose faces changed, other than by coming
+  std::vector<BodyId> came, went;     // an id in both lists names another body since the step
+  std::vector<Detached> detached;     // one after the other
+  std::vector<BodyId> moved;          // whose placement changed
+  std::vector<BodyId> hid_or_showed;  // whose Body::hidden changed
+  std::vector<BodyId> renamed;
   size_t removed_faces = 0;
   // Area that the bodies have lost (m^2): that of the removed faces, and what the faces around moved vertices
   // lost (or, negative, gained) by the moves. The removed area and the area that is left sum up to the area
   // before the step.
   double removed_area = 0;
-  bool anew = false;  // bodies came, went, moved or hid: whoever follows must look at all of the world
-  bool empty() const { return bodies.empty() && !anew; }
+  bool anew = false;  // the world was replaced by another one: nothing that was known of it holds
 
-  // Makes this the delta of this step and the next one together.
+  bool empty() const { return bodies.empty() && !changes_bodies(); }
+  // Whether anything but faces changed.
+  bool changes_bodies() const {
+    return anew || !came.empty() || !went.empty() || !detached.empty() || !moved.empty() ||
+           !hid_or_showed.empty() || !renamed.empty();
+  }
+
+  // Makes this the delta of this step and the next one together: what came and went in between is not listed.
+  // O(n log n) in the lists.
   void append(Delta later);
 };
+
+// The changes of bodies that take those of `delta` back: what came goes, what was detached is put back. The
+// faces are left out, since their state before the step is not in the delta.
+Delta bodies_taken_back(const Delta& delta);
+
+// The id under which a body that has the id `before` ahead of a step goes after it, and the other way round.
+// The body neither came nor went.
+BodyId id_after(const Delta& delta, BodyId before);
+BodyId id_before(const Delta& delta, BodyId after);
 
 }  // namespace kerf

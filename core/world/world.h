@@ -156,7 +156,7 @@ class World::Change {
  public:
   // Memory that it holds.
   size_t bytes() const;
-  // Whether bodies came or went: whoever follows the world must look at all of it again.
+  // Whether bodies came or went.
   bool bodies_differ() const { return !died_.empty() || slots_differ_; }
 
  private:

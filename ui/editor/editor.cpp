@@ -373,7 +373,7 @@ bool Editor::cut_twin(Clock::time_point began, double budget) {
       state_.say("In the right half: " + step.error().message, true);
       break;
     }
-    (*half)->follow(step->delta);
+    (*half)->follow(split.twin.world(), step->delta);
     if (state_.look.ghost || state_.look.show.face_numbers) (*half)->catch_up(split.twin.world());
   }
   return anew || waited;

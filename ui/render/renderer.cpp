@@ -79,15 +79,37 @@ void Renderer::add(BodyId id, const Body& body, PreparedBodies& prepared) {
   bodies_.emplace(id, BodyPicture(body, paints_, std::move(ahead)));
 }
 
-void Renderer::follow(const Delta& delta) {
+void Renderer::drop(BodyId id) {
+  bodies_.erase(id);
+  passes_.lines.forget(id);
+  passes_.scene.shadows().forget(id);
+}
+
+void Renderer::carry_on(BodyId from, BodyId to) {
+  const auto found = bodies_.find(from);
+  if (found == bodies_.end()) return;  // the body came later in the same delta
+  bodies_.insert_or_assign(to, std::move(found->second));
+  bodies_.erase(found);
+  passes_.lines.forget(from);
+  passes_.lines.forget(to);
+  passes_.scene.shadows().carry_on(from, to);
+}
+
+void Renderer::follow(const World& world, const Delta& delta, PreparedBodies prepared) {
+  if (delta.anew) return resend(world, std::move(prepared));
+  if (delta.empty()) return;
+  for (const BodyId id : delta.went) drop(id);
+  for (const Detached& d : delta.detached) {
+    if (d.carries_on) carry_on(d.from, d.to);
+  }
+  for (const BodyId id : delta.came) add(id, world.body(id), prepared);
   for (const BodyDelta& d : delta.bodies) {
     const auto found = bodies_.find(d.body);
     if (found != bodies_.end()) found->second.faces().follow(d);
+    passes_.lines.forget(d.body);
   }
   passes_.scene.shadows().follow(delta);
-  if (delta.empty()) return;
   contact_old_ = true;
-  passes_.lines.forget();
 }
 
 void Renderer::resend(const World& world, PreparedBodies prepared) {

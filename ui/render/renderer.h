@@ -46,8 +46,10 @@ class Renderer {
   // Looks at a world anew. Smooth normals are taken from the faces of bodies that are not prepared, which
   // should be as they were loaded.
   void show(const World& world, const std::map<std::string, Paint>& paints, PreparedBodies prepared = {});
-  // What a step changed in the world that is shown; sent to the GPU with the next picture.
-  void follow(const Delta& delta);
+  // Follows what a step changed in the world that is shown, which is `world` after the step: bodies are
+  // added, dropped and carried on one by one, and faces that changed are sent to the GPU with the next
+  // picture. A body that only moved sends nothing. `prepared` may lack bodies that came.
+  void follow(const World& world, const Delta& delta, PreparedBodies prepared = {});
   // For when a Delta was lost: every face of the world is sent again. `prepared` may lack bodies, and the
   // bases of those that are shown already.
   void resend(const World& world, PreparedBodies prepared = {});
@@ -119,6 +121,8 @@ class Renderer {
   explicit Renderer(Passes passes) : passes_(std::move(passes)) {}
 
   void add(BodyId id, const Body& body, PreparedBodies& prepared);
+  void drop(BodyId id);
+  void carry_on(BodyId from, BodyId to);
   void update_looks(const ViewOptions& options);
   double near_of(const World& world, const CameraView& view, const ViewOptions& options);
   void set_up(const World& world, const CameraView& view, const ViewOptions& options,

@@ -39,6 +39,13 @@ ShadowPass::ShadowPass(gl::Program cap, gl::Program side) : cap_(std::move(cap))
   for (const gl::Program* p : {&cap_, &side_}) p->bind_block("Frame", kFrameBlock);
 }
 
+void ShadowPass::carry_on(BodyId from, BodyId to) {
+  const auto found = bodies_.find(from);
+  if (found == bodies_.end()) return;
+  bodies_.insert_or_assign(to, std::move(found->second));
+  bodies_.erase(found);
+}
+
 void ShadowPass::follow(const Delta& delta) {
   for (const BodyDelta& d : delta.bodies) {
     const auto found = bodies_.find(d.body);

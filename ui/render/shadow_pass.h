@@ -32,6 +32,11 @@ class ShadowPass {
 
   // Everything that is kept is of another world, or a Delta was lost.
   void forget() { bodies_.clear(); }
+  // The same of one body.
+  void forget(BodyId id) { bodies_.erase(id); }
+  // What is kept of the body `from` is of `to`.
+  void carry_on(BodyId from, BodyId to);
+  // Faces that changed; bodies that came or went are forgotten or adopted.
   void follow(const Delta& delta);
   // What casts the shadow of a body in its picture frame, made ahead.
   void adopt(BodyId id, std::unique_ptr<ShadowCaster> caster) { bodies_[id].caster = std::move(caster); }

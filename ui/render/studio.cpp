@@ -51,8 +51,8 @@ Result<Studio> Studio::open(const Scene& scene, const PictureOptions& options) {
 }
 
 void Studio::follow(const World& world, const StepResult* step) {
-  if (step == nullptr || step->delta.anew) return renderer_.resend(world);
-  renderer_.follow(step->delta);
+  if (step == nullptr) return renderer_.resend(world);
+  renderer_.follow(world, step->delta);
   if (look_.show.face_numbers) renderer_.catch_up(world);
 }
 

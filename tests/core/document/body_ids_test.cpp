@@ -1,13 +1,12 @@
 #include <gtest/gtest.h>
 
-#include <map>
 #include <set>
 
 #include "core/document/document.h"
 #include "core/document/journal.h"
 #include "core/document/save.h"
 #include "tests/support/made_meshes.h"
-#include "tests/support/random_commands.h"
+#include "tests/support/random_edits.h"
 #include "tests/support/same_world.h"
 #include "tests/support/strokes.h"
 #include "tests/support/temporary_folder.h"
@@ -15,13 +14,11 @@
 namespace kerf::test {
 namespace {
 
-constexpr const char* kPlate = "v -0.5 0 -0.5\nv 0.5 0 -0.5\nv 0.5 0 0.5\nv -0.5 0 0.5\nf 1 4 3\nf 1 3 2\n";
-
 // A document whose ids are followed: those at every position of its history, and all that there ever were.
 class BodyIds : public testing::Test {
  protected:
   void SetUp() override {
-    write_text(mesh(), kPlate);
+    write_text(mesh(), kPlateObj);
     scene_.bodies.push_back(body_of_file(mesh()));
     ASSERT_TRUE(note_hashes(scene_).ok());
     begin();
@@ -61,44 +58,6 @@ class BodyIds : public testing::Test {
     at_position_[position] = ids;
   }
 
-  PieceId random_piece(Random& random) const {
-    const World& world = document_.world();
-    std::vector<PieceId> all;
-    for (const BodyId id : world.ids()) {
-      for (uint32_t p = 0; p < world.body(id).pieces.size(); ++p) {
-        if (world.body(id).pieces[p].faces > 0) all.push_back({id, p});
-      }
-    }
-    return all[random.below(all.size())];
-  }
-
-  std::vector<Command> random_act(Random& random) const {
-    const double x = random.uniform(-0.45, 0.45);
-    CutSettings settings;
-    settings.laser.radius = 0.03;
-    settings.resolution.target_edge = 0.1;
-    if (document_.world().ids().empty()) return {Undo{}};
-    const PieceId piece = random_piece(random);
-    switch (random.below(9)) {
-      case 0:
-      case 1:
-        return {BeginStroke{settings, {{x, 3, -0.7}, {0, -1, 0}}}, MoveStroke{{{x, 3, 0.7}, {0, -1, 0}}},
-                EndStroke{}};
-      case 2:
-        return {AddMesh{mesh(), "more"}};
-      case 3:
-        return {MovePiece{piece, {{0, random.uniform(-1, 1), 0}, {1, 0, 0, 0}}}};
-      case 4:
-        return {HidePiece{piece, random.below(2) > 0}};
-      case 5:
-        return {DeletePiece{piece}};
-      case 6:
-        return {Redo{}};
-      default:
-        return {Undo{}};
-    }
-  }
-
   // What a journal that is written and read again leads to.
   World recovered() const {
     const auto file = folder_ / "work.kerf";
@@ -136,7 +95,7 @@ TEST_F(BodyIds, are_equal_after_undo_redo_replay_and_recovery_and_are_never_give
     if (seed % 3 == 0) document_.set_window(0);  // every undo starts again from the scene
     for (int i = 0; i < 25; ++i) {
       SCOPED_TRACE("act " + std::to_string(i));
-      for (const Command& command : random_act(random)) {
+      for (const Command& command : random_edit(document_.world(), mesh(), random)) {
         apply(command);
         if (HasFatalFailure()) return;
       }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 
 #include "tests/support/made_meshes.h"
 #include "tests/support/strokes.h"
@@ -19,12 +20,14 @@ FloatFrame frame_of(const Mesh& mesh) {
   return FloatFrame::around(tree.bounds().min, tree.bounds().max);
 }
 
-// A volume as a set that does not depend on slots: the ends of its edges with their multiplicities.
-std::map<std::pair<Point, Point>, int> silhouette_of(const ShadowCaster& caster, const ShadowVolume& volume) {
-  std::map<std::pair<Point, Point>, int> all;
+// A volume as a set that does not depend on slots: the ends of its edges and their pieces with their
+// multiplicities.
+std::map<std::tuple<Point, Point, uint32_t>, int> silhouette_of(const ShadowCaster& caster,
+                                                                const ShadowVolume& volume) {
+  std::map<std::tuple<Point, Point, uint32_t>, int> all;
   for (const SilhouetteEdge& e : volume.silhouette()) {
     const ShadowCaster::Ends ends = caster.ends(e.edge);
-    all[{point(ends.low), point(ends.high)}] += e.multiplicity;
+    all[{point(ends.low), point(ends.high), ends.piece}] += e.multiplicity;
   }
   return all;
 }
@@ -164,6 +167,60 @@ TEST(ShadowVolume, a_bite_looks_at_its_own_faces_and_edges_alone) {
   volume.follow(caster, caster.update(built.mesh, bite));
   EXPECT_LE(volume.work().faces - whole.faces, 50u);
   EXPECT_LE(volume.work().edges - whole.edges, 150u);
+}
+
+// Counted: no vertex and no edge is made for a piece that comes off and is put back.
+TEST(ShadowCaster, a_label_that_changes_over_a_whole_piece_keeps_vertices_and_edges) {
+  BuiltMesh built =
+      test::build(test::both(test::torus(20, 30, 1, 0.4), test::moved(test::grid(9, 1), {0, 2, 0}, 1)));
+  ShadowCaster caster(built.mesh, frame_of(built.mesh));
+  const uint32_t edges = caster.edge_slots();
+  std::vector<uint32_t> sheet;
+  for (uint32_t f = 0; f < built.mesh.face_slots(); ++f) {
+    if (built.mesh.triangle(FaceId(f))[0].y > 1) sheet.push_back(f);
+  }
+  ASSERT_EQ(sheet.size(), 2u * 9 * 9);
+  for (const uint32_t label : {3u, 0u, 7u}) {
+    for (const uint32_t f : sheet) built.mesh.edit_data(FaceId(f)).piece = label;
+    const ShadowCaster::Change change = caster.update(built.mesh, sheet);
+    EXPECT_EQ(change.faces, sheet);
+    EXPECT_EQ(caster.edge_slots(), edges);
+    for (const uint32_t f : sheet) EXPECT_EQ(caster.piece(f), label);
+  }
+}
+
+// By patches that meet at edges and corners, some of faces that lie on one another.
+TEST(ShadowCaster, random_labels_end_where_building_anew_ends) {
+  const Soup soup = test::both(test::both(test::grid(6, 2), test::grid(6, 2)), test::sphere(6, 8, 1));
+  for (uint64_t seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    BuiltMesh built = test::build(soup);
+    const FloatFrame frame = frame_of(built.mesh);
+    ShadowCaster caster(built.mesh, frame);
+    ShadowVolume followed = volume_of(caster, kLamp);
+    for (int step = 0; step < 12; ++step) {
+      const uint32_t faces = built.mesh.face_slots();
+      const auto first = static_cast<uint32_t>(random.below(faces));
+      const auto end = first + static_cast<uint32_t>(random.below(faces - first + 1));
+      const uint32_t more = random.below(2) > 0 ? 1 : 0;
+      std::vector<uint32_t> slots;
+      for (uint32_t f = first; f < end; ++f) {
+        built.mesh.edit_data(FaceId(f)).piece = static_cast<uint32_t>(step % 3 + (more * f / 5) % 2);
+        slots.push_back(f);
+        if (random.below(9) == 0) slots.push_back(f);
+      }
+      followed.follow(caster, caster.update(built.mesh, slots));
+      const ShadowCaster fresh(built.mesh, frame);
+      const ShadowVolume anew = volume_of(fresh, kLamp);
+      ASSERT_EQ(silhouette_of(caster, followed), silhouette_of(fresh, anew));
+      ASSERT_TRUE(std::equal(anew.signs().begin(), anew.signs().end(), followed.signs().begin()));
+      for (uint32_t f = 0; f < faces; ++f) {
+        ASSERT_EQ(caster.casts(f), fresh.casts(f));
+        if (caster.casts(f)) ASSERT_EQ(caster.piece(f), fresh.piece(f));
+      }
+    }
+  }
 }
 
 // After every step of many strokes the volumes that were followed are those that are built from nothing.

@@ -34,9 +34,16 @@ void Stage::cut(const Pose& from, const Pose& to, double radius) {
   while (document_.waiting() > 0) {
     const auto step = document_.step(16);
     ASSERT_TRUE(step.ok());
-    renderer_->follow(step->delta);
+    renderer_->follow(document_.world(), step->delta);
     renderer_->catch_up(document_.world());
   }
+}
+
+void Stage::apply(const Command& command) {
+  const auto delta = document_.apply(command);
+  ASSERT_TRUE(delta.ok());
+  renderer_->follow(document_.world(), *delta);
+  renderer_->catch_up(document_.world());
 }
 
 Pixels Stage::draw(const CameraView& view, const ViewOptions& options, int width, int height) {

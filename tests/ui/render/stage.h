@@ -15,6 +15,9 @@ class Stage {
   // Cuts with a beam that moves from one pose to another, into faces of about its radius.
   void cut(const Pose& from, const Pose& to, double radius);
 
+  // Applies a command that is no stroke's.
+  void apply(const Command& command);
+
   Pixels draw(const CameraView& view, const ViewOptions& options, int width, int height);
 
   const World& world() const { return document_.world(); }

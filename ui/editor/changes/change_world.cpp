@@ -26,10 +26,12 @@ void show_result(EditorState& state, Renderer& renderer, const Result<Delta>& de
   state.say(delta.error().message, true);
 }
 
-// What pictures need of bodies that are new, and of those that were there what casts their shadows now.
-PreparedBodies prepare_anew(const World& world, const std::map<BodyId, FloatFrame>& frames) {
+// What pictures need of the bodies that came; where the world was replaced, of all of them, but of those that
+// are shown already only what casts their shadows.
+PreparedBodies prepare(const World& world, const Delta& delta, const std::map<BodyId, FloatFrame>& frames) {
   PreparedBodies prepared;
-  for (const BodyId id : world.ids()) {
+  for (const BodyId id : delta.came) prepared.emplace(id, prepare_shading(world.body(id)));
+  for (const BodyId id : delta.anew ? world.ids() : std::vector<BodyId>()) {
     const auto known = frames.find(id);
     prepared.emplace(id, known == frames.end() ? prepare_shading(world.body(id))
                                                : PreparedBody{known->second, {}, nullptr});
@@ -51,7 +53,7 @@ void change(EditorState& state, Renderer& renderer, const std::string& title, bo
   long_change.run = [what, prepared, frames = renderer.frames()](Document& document,
                                                                  const Progress& progress) {
     Result<Delta> delta = what(document, &progress);
-    if (delta && delta->anew) *prepared = prepare_anew(document.world(), frames);
+    if (delta) *prepared = prepare(document.world(), *delta, frames);
     return delta;
   };
   long_change.then = [&, prepared](const Result<Delta>& delta) {
@@ -149,7 +151,7 @@ void cut_again(EditorState& state, Renderer& renderer, const CutSettings& settin
 }
 
 void follow_step(EditorState& state, Renderer& renderer, const StepResult& step) {
-  renderer.follow(step.delta);
+  renderer.follow(state.document.world(), step.delta);
   if (state.look.ghost || state.look.show.face_numbers) renderer.catch_up(state.document.world());
   state.last_step = step.figures;
   state.note_figures(step.figures);
@@ -195,12 +197,8 @@ void show_world(const EditorState& state, const World& world, Renderer& renderer
 
 void show_change(EditorState& state, Renderer& renderer, const Delta& delta, PreparedBodies prepared) {
   const World& world = state.document.world();
-  if (delta.anew) {
-    renderer.resend(world, std::move(prepared));
-  } else {
-    renderer.follow(delta);
-  }
-  follow_world(world, state.look.pieces);
+  renderer.follow(world, delta, std::move(prepared));
+  follow_world(world, delta, state.look.pieces);
   if (state.spread > 0) spread_pieces(world, state.spread, state.look.pieces);
   if (state.look.tree.body && !world.contains(*state.look.tree.body)) state.look.tree.body.reset();
   state.picture_old = state.world_changed = true;

@@ -104,20 +104,32 @@ std::vector<PieceId> hidden_pieces(const PieceMap& looks) {
   return hidden;
 }
 
-void follow_world(const World& world, PieceMap& looks) {
-  const std::vector<BodyId> ids = world.ids();
-  const auto has_faces = [&](const PieceId& id) {
-    return world.contains(id.body) && id.label < world.body(id.body).pieces.size() &&
-           world.body(id.body).pieces[id.label].faces > 0;
-  };
+namespace {
+
+bool has_faces(const World& world, const PieceId& id) {
+  if (!world.contains(id.body)) return false;
+  const auto& pieces = world.body(id.body).pieces;
+  return id.label < pieces.size() && pieces[id.label].faces > 0;
+}
+
+// The piece as it is named after it, and those before it in the list, were detached.
+PieceId named_after(const Delta& delta, PieceId id) {
+  for (const Detached& d : delta.detached) {
+    if (id == PieceId{d.from, d.label}) id.body = d.to;
+  }
+  return id;
+}
+
+}  // namespace
+
+void follow_world(const World& world, const Delta& delta, PieceMap& looks) {
   PieceMap now;
-  for (const auto& [id, look] : looks) {
-    PieceId own = id;
-    if (!has_faces(own) && !ids.empty()) own.body = ids.back();
-    if (has_faces(own)) now[own] = look;
+  for (const auto& [before, look] : looks) {
+    const PieceId id = named_after(delta, before);
+    if (has_faces(world, id)) now[id] = look;
   }
   for (auto& [id, look] : now) look.hidden = false;
-  for (const BodyId id : ids) {
+  for (const BodyId id : world.ids()) {
     const Body& body = world.body(id);
     for (uint32_t label = 0; body.hidden && label < body.pieces.size(); ++label) {
       if (body.pieces[label].faces == 0) continue;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/world/delta.h"
 #include "core/world/world.h"
 #include "ui/render/view_options.h"
 
@@ -37,10 +38,10 @@ size_t chosen_pieces(const PieceMap& looks);
 std::optional<PieceId> first_chosen(const PieceMap& looks);
 std::vector<PieceId> hidden_pieces(const PieceMap& looks);
 
-// Updates the looks after a change of the world: pieces of hidden bodies are hidden and deselected, all
-// others shown, and pieces without faces are dropped. The look of a piece that was detached moves to its new
-// body, the last one added.
-void follow_world(const World& world, PieceMap& looks);
+// Updates the looks after a step that changed the world by `delta`: pieces of hidden bodies are hidden and
+// deselected, all others shown, and pieces without faces are dropped. The look of a piece that was detached,
+// or put back, moves to the body that it belongs to since.
+void follow_world(const World& world, const Delta& delta, PieceMap& looks);
 
 // Sets the offset of every piece to `spread` times the vector from the centre of the world's bounds to the
 // piece's centre of area. O(n) if the spread is not 0.

@@ -46,15 +46,33 @@ TEST_F(CutSphere, looks_follow_a_piece_that_is_hidden_and_shown_again) {
   PieceMap& looks = state.look.pieces;
   const PieceId half = list_pieces(state.document.world())[1].id;
   choose_piece(looks, half, false);
-  ASSERT_TRUE(state.document.apply(HidePiece{half, true}).ok());
-  follow_world(state.document.world(), looks);
+  const Result<Delta> hid = state.document.apply(HidePiece{half, true});
+  ASSERT_TRUE(hid.ok());
+  follow_world(state.document.world(), *hid, looks);
   EXPECT_EQ(chosen_pieces(looks), 0u);
   ASSERT_EQ(hidden_pieces(looks).size(), 1u);
   EXPECT_EQ(state.document.world().body(hidden_pieces(looks).front().body).name, "sphere piece 1");
   EXPECT_EQ(list_pieces(state.document.world()).size(), 2u);
-  ASSERT_TRUE(state.document.apply(Undo{}).ok());
-  follow_world(state.document.world(), looks);
+  const Result<Delta> shown = state.document.apply(Undo{});
+  ASSERT_TRUE(shown.ok());
+  follow_world(state.document.world(), *shown, looks);
   EXPECT_TRUE(looks.empty());
+}
+
+TEST_F(CutSphere, a_piece_stays_chosen_when_it_is_detached_and_put_back) {
+  PieceMap& looks = state.look.pieces;
+  for (const PieceRow& row : list_pieces(state.document.world())) {
+    choose_piece(looks, row.id, false);
+    const Result<Delta> moved = state.document.apply(MovePiece{row.id, {{1, 2, 3}, {1, 0, 0, 0}}});
+    ASSERT_TRUE(moved.ok());
+    follow_world(state.document.world(), *moved, looks);
+    const BodyId own = state.document.world().ids().back();
+    EXPECT_EQ(first_chosen(looks), (PieceId{own, row.id.label}));
+    const Result<Delta> back = state.document.apply(Undo{});
+    ASSERT_TRUE(back.ok());
+    follow_world(state.document.world(), *back, looks);
+    EXPECT_EQ(first_chosen(looks), row.id);
+  }
 }
 
 TEST_F(CutSphere, spreads_its_halves_apart) {

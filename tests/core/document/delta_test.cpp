@@ -1,0 +1,219 @@
+#include "core/world/delta.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "core/document/document.h"
+#include "core/document/scene.h"
+#include "tests/support/made_meshes.h"
+#include "tests/support/random_edits.h"
+#include "tests/support/strokes.h"
+#include "tests/support/temporary_folder.h"
+
+namespace kerf::test {
+namespace {
+
+constexpr BodyId kA{0, 0}, kB{1, 1}, kC{2, 5};
+
+Delta with(std::vector<BodyId> Delta::*list, BodyId id) {
+  Delta delta;
+  delta.*list = {id};
+  return delta;
+}
+
+Delta both(Delta a, const Delta& b) {
+  a.append(b);
+  return a;
+}
+
+TEST(Delta, what_came_and_went_is_nothing) {
+  EXPECT_TRUE(both(with(&Delta::came, kB), with(&Delta::went, kB)).empty());
+  const Delta moved = both(both(with(&Delta::came, kB), with(&Delta::moved, kB)), with(&Delta::went, kB));
+  EXPECT_TRUE(moved.empty());
+}
+
+TEST(Delta, what_went_and_came_is_another_body) {
+  const Delta delta = both(with(&Delta::went, kA), with(&Delta::came, kA));
+  EXPECT_EQ(delta.went, std::vector{kA});
+  EXPECT_EQ(delta.came, std::vector{kA});
+  EXPECT_EQ(both(delta, with(&Delta::went, kA)).went, std::vector{kA});
+  EXPECT_TRUE(both(delta, with(&Delta::went, kA)).came.empty());
+}
+
+TEST(Delta, lists_what_moved_once_and_not_where_it_came_or_went) {
+  EXPECT_EQ(both(with(&Delta::moved, kA), with(&Delta::moved, kA)).moved, std::vector{kA});
+  EXPECT_TRUE(both(with(&Delta::came, kA), with(&Delta::moved, kA)).moved.empty());
+  EXPECT_TRUE(both(with(&Delta::moved, kA), with(&Delta::went, kA)).moved.empty());
+}
+
+TEST(Delta, edits_of_a_body_that_carries_on_go_by_its_last_id) {
+  Delta edited, detached;
+  edited.bodies.push_back({kA, {FaceId(3)}, {}, {}, {}});
+  edited.moved = {kA};
+  detached.detached = {{kA, 2, kB, true}};
+  detached.came = {kA};
+  detached.bodies.push_back({kB, {}, {FaceId(3), FaceId(4)}, {}, {}});
+  const Delta delta = both(edited, detached);
+  ASSERT_EQ(delta.bodies.size(), 1u);
+  EXPECT_EQ(delta.bodies[0].body, kB);
+  EXPECT_TRUE(delta.bodies[0].born.empty());
+  EXPECT_EQ(delta.bodies[0].gone, (std::vector{FaceId(3), FaceId(4)}));
+  EXPECT_EQ(delta.moved, std::vector{kB});
+  // And the body that goes is the one that was there before.
+  const Delta removed = both(delta, with(&Delta::went, kB));
+  EXPECT_EQ(removed.went, std::vector{kA});
+  EXPECT_EQ(removed.came, std::vector{kA});
+  EXPECT_TRUE(removed.bodies.empty() && removed.moved.empty());
+}
+
+TEST(Delta, taken_back_and_done_again_leaves_no_trace_but_faces) {
+  Delta detached;
+  detached.detached = {{kA, 2, kC, true}};
+  detached.came = {kA};
+  detached.moved = {kC};
+  const Delta back = bodies_taken_back(detached);
+  EXPECT_EQ(back.went, std::vector{kA});
+  EXPECT_EQ(back.moved, std::vector{kA});
+  const Delta none = both(detached, back);
+  EXPECT_TRUE(none.came.empty() && none.went.empty() && none.detached.empty());
+}
+
+// All that there is to know of a world, kept up by deltas alone where the world was not replaced.
+class Follower {
+ public:
+  explicit Follower(const World& world) { look_anew(world); }
+
+  void follow(const World& world, const Delta& delta) {
+    if (delta.anew) return look_anew(world);
+    for (const BodyId id : delta.went) ASSERT_EQ(known_.erase(id), 1u);
+    for (const Detached& d : delta.detached) {
+      if (!d.carries_on || !known_.contains(d.from)) continue;
+      known_[d.to] = std::move(known_[d.from]);
+      known_.erase(d.from);
+    }
+    for (const BodyId id : delta.came) ASSERT_TRUE(known_.emplace(id, whole(world.body(id))).second);
+    for (const BodyDelta& d : delta.bodies) follow_faces(world.body(d.body).mesh, d);
+    for (const BodyId id : delta.moved) known_.at(id).placement = world.body(id).placement;
+    for (const BodyId id : delta.hid_or_showed) known_.at(id).hidden = world.body(id).hidden;
+    for (const BodyId id : delta.renamed) known_.at(id).name = world.body(id).name;
+  }
+
+  void expect_knows(const World& world) const {
+    ASSERT_EQ(known_.size(), world.ids().size());
+    for (const BodyId id : world.ids()) {
+      ASSERT_TRUE(known_.contains(id));
+      const Known &known = known_.at(id), now = whole(world.body(id));
+      EXPECT_EQ(known.name, now.name);
+      EXPECT_EQ(known.hidden, now.hidden);
+      EXPECT_EQ(known.placement.position, now.placement.position);
+      ASSERT_TRUE(known.faces == now.faces) << "body " << id.slot;
+    }
+  }
+
+ private:
+  struct Face {
+    Triangle corners;
+    uint32_t label;
+    friend bool operator==(const Face&, const Face&) = default;
+  };
+  struct Known {
+    std::string name;
+    bool hidden = false;
+    Placement placement;
+    std::map<uint32_t, Face> faces;
+  };
+
+  Known whole(const Body& body) const {
+    Known known{body.name, body.hidden, body.placement, {}};
+    for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+      if (body.mesh.is_live(FaceId(f))) known.faces[f] = face(body.mesh, FaceId(f));
+    }
+    return known;
+  }
+  Face face(const Mesh& mesh, FaceId f) const { return {mesh.triangle(f), mesh.data(f).piece}; }
+
+  void look_anew(const World& world) {
+    known_.clear();
+    for (const BodyId id : world.ids()) known_.emplace(id, whole(world.body(id)));
+  }
+  void follow_faces(const Mesh& mesh, const BodyDelta& delta) {
+    Known& known = known_.at(delta.body);
+    for (const FaceId f : delta.born) known.faces[f.index] = face(mesh, f);
+    for (const FaceId f : delta.gone) known.faces.erase(f.index);
+    for (const FaceId f : delta.relabelled) known.faces.at(f.index).label = mesh.data(f).piece;
+  }
+
+  std::map<BodyId, Known> known_;
+};
+
+World plates(const std::filesystem::path& mesh) {
+  write_text(mesh, kPlateObj);
+  SceneDescription scene;
+  scene.bodies = {body_of_file(mesh), body_of_file(mesh)};
+  scene.bodies[1].placement.position.y = -0.5;
+  return std::move(load_scene(scene)->world);
+}
+
+void append_steps(Document& document, Delta& delta) {
+  while (document.waiting() > 0) {
+    auto step = document.step(1);
+    ASSERT_TRUE(step.ok());
+    delta.append(std::move(step->delta));
+  }
+}
+
+// One delta after several edits says what those did together; moves of the beam wait meanwhile, so that some
+// edits walk them.
+TEST(Delta, whoever_follows_knows_the_world) {
+  const TemporaryFolder folder;
+  const auto mesh = folder / "plate.obj";
+  for (uint64_t seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    Document document(plates(mesh));
+    Follower follower(document.world());
+    for (int round = 0; round < 12; ++round) {
+      Delta delta;
+      for (size_t edits = 1 + random.below(4); edits > 0; --edits) {
+        for (const Command& command : random_edit(document.world(), mesh, random)) {
+          auto one = document.apply(command);
+          // The moves before a command may remove the piece that it names; what they changed is not returned.
+          if (!one) delta.anew = true;
+          delta.append(one ? std::move(*one) : Delta{});
+        }
+        if (random.below(3) == 0) append_steps(document, delta);
+      }
+      follower.follow(document.world(), delta);
+      follower.expect_knows(document.world());
+      if (testing::Test::HasFailure()) return;
+    }
+  }
+}
+
+// A label is no corner: undo of a cut says which faces only go by another label again.
+TEST(Delta, undo_of_a_cut_lists_the_faces_of_the_piece_as_relabelled) {
+  Document document(world_of(grid(20, 1)));
+  CutSettings settings;
+  settings.laser.radius = 0.03;
+  settings.resolution.target_edge = 0.03;
+  document.apply(BeginStroke{settings, {{0.26, 3, -0.7}, {0, -1, 0}}});
+  document.apply(MoveStroke{{{0.26, 3, 0.7}, {0, -1, 0}}});
+  document.apply(EndStroke{});
+  ASSERT_TRUE(walk_all(document).ok());
+  ASSERT_EQ(document.world().live_pieces(), 2u);
+  const Delta back = *document.apply(Undo{}), again = *document.apply(Redo{});
+  for (const Delta* delta : {&back, &again}) {
+    size_t relabelled = 0;
+    for (const BodyDelta& b : delta->bodies) {
+      relabelled += b.relabelled.size();
+      for (const FaceId f : b.relabelled) EXPECT_FALSE(std::binary_search(b.born.begin(), b.born.end(), f));
+    }
+    EXPECT_GT(relabelled, 0u);
+  }
+}
+
+}  // namespace
+}  // namespace kerf::test

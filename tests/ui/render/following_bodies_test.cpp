@@ -1,0 +1,121 @@
+#include <gtest/gtest.h>
+
+#include "tests/support/made_meshes.h"
+#include "tests/ui/render/shadow_scenes.h"
+#include "tests/ui/render/stage.h"
+
+namespace kerf {
+namespace {
+
+constexpr int kWidth = 120, kHeight = 90;
+// Corners of a face with its place in the list of live ones, twice, for slots that are sent along.
+constexpr size_t kMostBytesOfFace = 2 * (60 + 12);
+
+ViewOptions under_lamp() {
+  ViewOptions options;
+  options.show.shadows = true;
+  options.antialias = false;
+  options.lights = {test::lamp_at({1, 4, 1.5})};
+  return options;
+}
+
+CameraView view_from_above() { return look_at({2.4, 2.6, 3.6}, {0, 0, 0}, double{kWidth} / kHeight); }
+
+size_t faces_of(const World& world, std::span<const BodyId> bodies) {
+  size_t faces = 0;
+  for (const BodyId id : bodies) faces += world.body(id).mesh.live_faces();
+  return faces;
+}
+
+// A hundred small rings over a large one of 1.1 million faces.
+TEST(FollowingBodies, that_move_sends_no_face_and_rebuilds_only_their_silhouettes) {
+  constexpr int kPieces = 100, kTicks = 100;
+  std::vector<Soup> soups{test::torus(740, 743, 1.5, 0.3)};
+  for (int i = 0; i < kPieces; ++i)
+    soups.push_back(
+        test::moved(test::torus(6, 8, 0.05, 0.02), {0.2 * (i % 10) - 1, 0.6, 0.2 * (i / 10) - 1}, 1));
+  test::Stage stage(test::world_of_all(soups));
+  std::vector<BodyId> pieces = stage.world().ids();
+  pieces.erase(pieces.begin());
+  const ViewOptions options = under_lamp();
+  stage.draw(view_from_above(), options, kWidth, kHeight);
+  const size_t sent = stage.renderer().uploaded_bytes();
+  ShadowWork before = stage.renderer().shadow_work();
+  const uint64_t faces = faces_of(stage.world(), pieces);
+  for (int tick = 1; tick <= kTicks; ++tick) {
+    for (const BodyId id : pieces) stage.apply(MovePiece{{id, 0}, {{0, -0.004 * tick, 0}, {1, 0, 0, 0}}});
+    ASSERT_EQ(stage.renderer().uploaded_bytes(), sent);
+    if (tick % (kTicks / 2) != 0) continue;
+    stage.draw(view_from_above(), options, kWidth, kHeight);
+    const ShadowWork after = stage.renderer().shadow_work();
+    EXPECT_EQ(after.casters, before.casters);
+    EXPECT_EQ(after.rebuilt, before.rebuilt + kPieces);
+    EXPECT_EQ(after.faces, before.faces + faces);
+    EXPECT_EQ(after.edges, before.edges + faces * 3 / 2);
+    before = after;
+  }
+  EXPECT_EQ(stage.renderer().uploaded_bytes(), sent);
+}
+
+// A sheet that is cut in two beside its edge, and a ball that stands by.
+test::Stage sheet_in_two() {
+  test::Stage stage(
+      test::world_of_all({test::grid(60, 2), test::moved(test::sphere(20, 30, 0.6), {0, -0.9, 0}, 1)}));
+  stage.cut({{0.8, 3, -1.3}, {0, -1, 0}}, {{0.8, 3, 1.3}, {0, -1, 0}}, 0.02);
+  return stage;
+}
+
+struct Seen {
+  Pixels picture;
+  ShadowCounts shadow;
+};
+Seen see(Renderer& renderer, const World& world) {
+  const gl::Framebuffer canvas({kWidth, kHeight, 1, false});
+  const CameraView view = view_from_above();
+  renderer.draw(world, view, under_lamp(), std::nullopt, {canvas.name(), 0, 0, kWidth, kHeight});
+  return {read_pixels(canvas.name(), kWidth, kHeight),
+          renderer.shadow_counts(world, view, under_lamp(), 0, ShadowMethod::kRobust, true, kWidth, kHeight)};
+}
+
+// The sheet is flat, so that a renderer that sees it cut for the first time shades it alike.
+void expect_seen_as_anew(test::Stage& stage) {
+  auto fresh = Renderer::create();
+  ASSERT_TRUE(fresh.ok());
+  fresh->show(stage.world(), {});
+  const Seen followed = see(stage.renderer(), stage.world()), anew = see(*fresh, stage.world());
+  EXPECT_EQ(followed.picture.rgb, anew.picture.rgb);
+  EXPECT_EQ(followed.shadow.stencil, anew.shadow.stencil);
+}
+
+// Whichever side of the sheet it is, the smaller one is sent.
+TEST(FollowingBodies, that_are_detached_put_back_and_deleted_sends_the_smaller_side_alone) {
+  for (const bool larger : {false, true}) {
+    SCOPED_TRACE(larger ? "the larger side" : "the smaller side");
+    test::Stage stage = sheet_in_two();
+    const BodyId sheet = stage.world().ids().front();
+    const Records<Piece>& pieces = stage.world().body(sheet).pieces;
+    ASSERT_EQ(stage.world().live_pieces(), 3u);
+    const uint32_t label = (pieces[0].faces > pieces[1].faces) == larger ? 0 : 1;
+    const size_t most = std::min(pieces[0].faces, pieces[1].faces) * kMostBytesOfFace;
+    ASSERT_LT(8 * most, pieces[1 - label].faces * kMostBytesOfFace + pieces[label].faces * kMostBytesOfFace);
+    expect_seen_as_anew(stage);
+    const std::vector<Command> edits{MovePiece{{sheet, label}, {{0, -0.3, 0}, {1, 0, 0, 0}}}, Undo{}, Redo{}};
+    for (const Command& edit : edits) {
+      const size_t sent = stage.renderer().uploaded_bytes();
+      const ShadowWork before = stage.renderer().shadow_work();
+      stage.apply(edit);
+      EXPECT_LE(stage.renderer().uploaded_bytes() - sent, most);
+      expect_seen_as_anew(stage);
+      EXPECT_LE(stage.renderer().shadow_work().casters, before.casters + 1);
+    }
+    const size_t sent = stage.renderer().uploaded_bytes();
+    stage.apply(DeletePiece{{stage.world().ids().back(), label}});
+    EXPECT_EQ(stage.renderer().uploaded_bytes(), sent);
+    expect_seen_as_anew(stage);
+    stage.apply(Undo{});
+    expect_seen_as_anew(stage);
+  }
+}
+
+}  // namespace
+}  // namespace kerf

@@ -354,6 +354,27 @@ void PartSearch::set_label(FaceId f, uint32_t label) {
 
 // Relabels faces in the order of their slots. Returns whether all have their labels.
 bool PartSearch::relabel(size_t most, SettleResult& result) {
+  const bool complete = find_unlabelled(most - std::min(most, result.relabelled.size()));
+  for (size_t at = 0; at < turn_.size(); ++at) {
+    body_.mesh.prefetch_neighbours(turn_, at);
+    const uint32_t label = search_.label_to_be(turn_[at]);
+    if (body_.mesh.data(turn_[at]).piece == label) continue;  // labelled with the other half of its pair
+    // Both halves of a green pair at once: the faces that replace the pair take area from both.
+    const OneToFour::Element element = body_.refinement.element(body_.mesh, turn_[at]);
+    for (int i = 0; i < element.face_count; ++i) {
+      set_label(element.faces[i], label);
+      result.relabelled.push_back(element.faces[i]);
+    }
+  }
+  if (!complete) return false;
+  search_.stage = OpenSearch::Stage::kNone;
+  reset(search_);
+  return true;
+}
+
+// Makes `turn_` the next faces that lack their label, `most` at most. Returns whether these are the last.
+bool PartSearch::find_unlabelled(size_t most) {
+  turn_.clear();
   for (; search_.next_slot < search_.mark.end(); ++search_.next_slot) {
     if (!search_.mark.has_page(search_.next_slot)) {
       search_.next_slot |= PagedArray<uint32_t>::kPage - 1;
@@ -362,16 +383,9 @@ bool PartSearch::relabel(size_t most, SettleResult& result) {
     const FaceId f(search_.next_slot);
     const uint32_t label = search_.label_to_be(f);
     if (label == 0 || !body_.mesh.is_live(f) || body_.mesh.data(f).piece == label) continue;
-    if (result.relabelled.size() >= most) return false;
-    // Both halves of a green pair at once: the faces that replace the pair take area from both.
-    const OneToFour::Element element = body_.refinement.element(body_.mesh, f);
-    for (int i = 0; i < element.face_count; ++i) {
-      set_label(element.faces[i], label);
-      result.relabelled.push_back(element.faces[i]);
-    }
+    if (turn_.size() >= most) return false;
+    turn_.push_back(f);
   }
-  search_.stage = OpenSearch::Stage::kNone;
-  reset(search_);
   return true;
 }
 

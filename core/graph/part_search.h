@@ -81,6 +81,7 @@ class PartSearch {
   void give_label(uint32_t part, SettleResult& result);
   void set_label(FaceId f, uint32_t label);
   bool relabel(size_t most, SettleResult& result);
+  bool find_unlabelled(size_t most);
 
   Body& body_;
   SeparationState& state_;

@@ -11,7 +11,7 @@
 
 namespace kerf {
 
-// A corner of a face as the GPU reads it.
+// A corner of a face in the format of the GPU.
 struct FaceVertex {
   std::array<float, 3> position{};  // in the body's float frame
   uint32_t normal = 0;              // pack_normal
@@ -22,15 +22,14 @@ static_assert(sizeof(FaceVertex) == 20);
 
 using FaceVertices = std::array<FaceVertex, 3>;
 
-// A piece's label in 16 bits; the body's own, 0, stays alone.
+// Maps a label to 16 bits; only label 0 is mapped to 0.
 uint32_t packed_piece(uint32_t label);
 
-// Heat (halvings, as CornerHeat tells them) times 8 in 8 bits, material in 8, piece in 16. What does not fit
-// is folded or cut off.
+// Packs the attributes of a corner: eight times its heat (in halvings, see CornerHeat) into 8 bits, the
+// material into 8, and the piece into 16. Values that do not fit are clamped or wrapped.
 uint32_t pack_attributes(const FaceData& data, float heat);
 
-// The three corners of the slot of f, each with the heat given: those of the face where it lives, three equal
-// points where it does not.
+// The three corners for the slot of f with the given heat; three equal points if the face is dead.
 FaceVertices face_vertices(const Mesh& mesh, const BaseFaces& bases, const FloatFrame& frame, FaceId f,
                            const std::array<float, 3>& heat = {});
 
@@ -40,18 +39,19 @@ struct SlotRange {
   friend bool operator==(const SlotRange&, const SlotRange&) = default;
 };
 
-// The slots whose picture is older than the mesh.
+// The slots whose data on the GPU are out of date.
 class DirtySlots {
  public:
   void mark(uint32_t slot) { slots_.push_back(slot); }
   void mark(const BodyDelta& delta);
   void mark_all(uint32_t slots);
   bool empty() const { return slots_.empty() && !has_all(); }
-  // Whether slots are left that mark_all marked.
+  // Whether slots that mark_all marked are left.
   bool has_all() const { return all_ > 0; }
 
-  // All of them, ascending, as ranges in which no more than `gap` clean slots in a row are taken along; none
-  // crosses a multiple of `chunk`. Nothing is dirty after, but for slots of mark_all beyond the first `most`.
+  // Returns and clears all of them as ascending ranges. Up to `gap` consecutive clean slots are included to
+  // join ranges, and no range crosses a multiple of `chunk`. Of the slots of mark_all only the first `most`
+  // are taken.
   static constexpr uint32_t kAll = 0xffffffffu;
   std::vector<SlotRange> take(uint32_t gap, uint32_t chunk, uint32_t most = kAll);
 

@@ -9,16 +9,16 @@
 
 namespace kerf {
 
-// The looks of one body's pieces on the GPU, for programs that include placed.glsl.
+// The looks of one body's pieces on the GPU for programs that contain placed.glsl.
 class PieceLooks {
  public:
   // Takes the looks of this body over from those of the view. Whether that changed anything.
   bool update(BodyId body, const std::map<PieceId, PieceLook>& looks, double unit);
 
-  // For the program in use.
+  // Binds the looks for `program`. Precondition: it is in use.
   void bind(const gl::Program& program) const;
 
-  // Whether any piece is hidden or moved, or selected.
+  // Whether any piece is hidden or displaced; whether any is selected.
   bool any_away() const { return any_away_; }
   bool any_selected() const { return any_selected_; }
 

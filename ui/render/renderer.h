@@ -29,82 +29,83 @@
 
 namespace kerf {
 
-// Where a picture goes: a rectangle of a framebuffer (0: the window), pixels from its lower left corner.
+// The destination of a picture: a rectangle of a framebuffer (0: the window) in pixels from its lower left
+// corner.
 struct Target {
   GLuint framebuffer = 0;
   int x = 0, y = 0;
   int width = 1, height = 1;
 };
 
-// Draws a world as it stands. Needs a current OpenGL 3.3 context that outlives it, and nothing else of a
-// window.
+// Draws a world. Precondition: an OpenGL 3.3 context is current and outlives the renderer; no window is
+// needed.
 class Renderer {
  public:
-  // Compiles the shaders of assets/shaders.
+  // Compiles the shaders in assets/shaders. Fails if one of them is missing or does not compile.
   static Result<Renderer> create();
 
-  // Looks at a world anew. Smooth normals are taken from the faces of bodies that are not prepared, which
-  // should be as they were loaded.
+  // Starts to show a world. Smooth normals of a body that is not in `prepared` are computed from its faces,
+  // which should be as loaded.
   void show(const World& world, const std::map<std::string, Paint>& paints, PreparedBodies prepared = {});
   // Follows what a step changed in the world that is shown, which is `world` after the step: bodies are
   // added, dropped and carried on one by one, and faces that changed are sent to the GPU with the next
   // picture. A body that only moved sends nothing. `prepared` may lack bodies that came.
   void follow(const World& world, const Delta& delta, PreparedBodies prepared = {});
-  // For when a Delta was lost: every face of the world is sent again. `prepared` may lack bodies, and the
-  // bases of those that are shown already.
+  // Sends every face of the world again, for the case that a Delta was lost. `prepared` may lack bodies, and
+  // the bases of bodies that are already shown.
   void resend(const World& world, PreparedBodies prepared = {});
 
-  // Of the bodies that are shown: in which their faces are drawn.
+  // The frames in which the faces of the shown bodies are drawn.
   std::map<BodyId, FloatFrame> frames() const;
 
-  // Sends what was followed now and not with the next picture: faces that are gone before they are drawn are
-  // remembered for it as they are now.
+  // Sends changes now instead of with the next picture, so that faces that are removed before they were drawn
+  // are recorded with their current corners.
   void catch_up(const World& world);
 
-  // The world must be the one that was shown, changed by what was followed.
+  // Draws a picture. Precondition: the world is the one that was shown, with all changes followed.
   void draw(const World& world, const CameraView& view, const ViewOptions& options,
             const std::optional<BeamPicture>& beam, const Target& target);
 
-  // Hands over the last picture once more; false where there is none of this size.
+  // Shows the last picture again. Returns false if there is none of this size.
   bool draw_again(const Target& target);
 
-  // How the shadow of a light of the options falls on the pixels of a view, seen with one sample and, where
-  // asked for, with the ground.
+  // The stencil counts of the shadow of one of the options' lights for a view, with one sample per pixel,
+  // with or without the ground.
   ShadowCounts shadow_counts(const World& world, const CameraView& view, const ViewOptions& options,
                              size_t light, ShadowMethod method, bool ground, int width, int height);
 
-  // The same by rays, none of which is traced yet.
+  // The same by ray tracing; no ray is traced yet.
   ShadowReference shadow_reference(const World& world, const CameraView& view, const ViewOptions& options,
                                    size_t light, bool ground, int width, int height);
 
-  // Lays what rays found over a picture of the same size that was just drawn to `target`.
+  // Draws the traced shadows over a picture of the same size that was just drawn to `target`.
   void draw_reference(const ShadowReference& traced, const ShadowCounts& drawn, const Target& target) const;
 
-  // Traces all of a picture that was just drawn to `target`, under the light that is inspected, and lays it
-  // over.
+  // Traces the shadows of the inspected light for a whole picture that was just drawn to `target`, and draws
+  // them over it.
   void draw_traced(const World& world, const CameraView& view, const ViewOptions& options,
                    const Target& target);
 
-  // Of the last picture that compared two methods: pixels that are lit with one of them alone.
+  // The number of pixels that are lit by only one of two methods in the last picture that compared them.
   size_t differing_pixels() const { return differing_; }
 
-  // What shadows cost since the renderer was made.
+  // The work for shadows since the renderer was created.
   ShadowWork shadow_work() const { return passes_.scene.shadows().work(); }
 
-  // Lets no picture send more than so many faces of a body that is shown or sent anew; the pictures after it
-  // go on. Without a limit every picture is whole.
+  // Limits the number of faces of a newly shown body that one picture sends; later pictures send the rest.
+  // Without a limit every picture is complete.
   void limit_sending(uint32_t faces) { most_faces_sent_ = faces; }
-  // Whether such faces are left to be sent.
+  // Whether faces are left to be sent by later pictures.
   bool is_sending() const;
 
-  // Of what grows with the faces of the world.
+  // Memory that grows with the number of faces.
   PictureMemory memory() const;
 
-  // Bytes of faces sent to the GPU since the renderer was made.
+  // The number of bytes of faces sent to the GPU since the renderer was created.
   size_t uploaded_bytes() const { return uploaded_; }
 
  private:
-  // What is drawn one after the other.
+  // The passes, in the order in which they draw.
   struct Passes {
     LitScene scene;
     BloomPass bloom;
@@ -136,8 +137,7 @@ class Renderer {
 
   Passes passes_;
   gl::Buffer uniforms_;
-  // Pictures are drawn on one of these and then handed over; both are kept, so that changing between them is
-  // free.
+  // Off-screen canvases for pictures; both are kept, so that switching between them is free.
   struct Canvas {
     std::optional<gl::Framebuffer> drawn, resolved;  // resolved: only with several samples
   };

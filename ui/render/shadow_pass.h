@@ -11,7 +11,7 @@
 
 namespace kerf {
 
-// What shadows cost since the pass was made.
+// The work since the pass was created.
 struct ShadowWork {
   uint64_t casters = 0;  // whole bodies whose edges were found
   uint64_t faces = 0;    // whose sign was computed, over all lights
@@ -19,13 +19,13 @@ struct ShadowWork {
   uint64_t rebuilt = 0;  // volumes computed from nothing
 };
 
-// Counts for every pixel by how many surfaces the light is kept from it: shadow volumes in the stencil buffer
-// (F. Crow: Shadow algorithms for computer graphics, 1977; T. Heidmann: Real shadows, real time, 1991),
-// counted where the depth test fails (W. Bilodeau, M. Songy and, independently, J. Carmack) with volumes that
-// reach to infinity under a projection without a far plane (C. Everitt, M. Kilgard: Practical and robust
-// stenciled shadow volumes, 2002).
+// Counts for every pixel the surfaces that occlude a light, with shadow volumes in the stencil buffer (F.
+// Crow: Shadow algorithms for computer graphics, 1977; T. Heidmann: Real shadows, real time, 1991) by depth
+// fail (W. Bilodeau, M. Songy and, independently, J. Carmack), with volumes that extend to infinity and a
+// projection without a far plane (C. Everitt, M. Kilgard: Practical and robust stenciled shadow volumes,
+// 2002).
 //
-// Volumes are kept for each body, light and method, follow Deltas, and do not depend on the eye.
+// Volumes are cached per body, light and method. They follow Deltas and do not depend on the viewpoint.
 class ShadowPass {
  public:
   static Result<ShadowPass> create(const std::filesystem::path& shaders);
@@ -49,16 +49,16 @@ class ShadowPass {
   // writable.
   void count(const Subject& subject, size_t light, ShadowMethod method);
 
-  // The volume of a body, brought up to date; null where the body is not drawn.
+  // The current volume of a body, or null if the body is not drawn.
   const VolumeBuffer* volume(const Subject& subject, BodyId id, size_t light, ShadowMethod method);
   const ShadowCaster* caster(BodyId id) const;
 
-  // Keeps of all that was made for lights and methods only what was used since the last call.
+  // Discards volumes that were not used since the last call.
   void drop_unused();
 
   ShadowWork work() const { return work_; }
 
-  // Casters, volumes and their buffers.
+  // The memory of casters, volumes and their buffers.
   PictureMemory memory() const;
 
  private:

@@ -100,13 +100,13 @@ class Editor:
         self.xdotool("mousemove", x, y)
         self.pointer = [x, y]
 
+    def has_heard(self):
+        return self.landmarks()["pointer"] == self.pointer
+
     def settle(self):
         """Waits until the editor has heard of the last move of the pointer and has nothing left to do."""
-        def settled():
-            now = self.landmarks()
-            return now["pointer"] == self.pointer and not now["busy"]
         pause(0.3)
-        wait_for(settled, 60, "the editor never came to rest")
+        wait_for(lambda: self.has_heard() and not self.landmarks()["busy"], 60, "the editor never came to rest")
 
     def point_at(self, *point):
         self.move_to(*self.place(point))
@@ -126,15 +126,19 @@ class Editor:
         self.drag_pixels([self.place(point) for point in points], button)
 
     def drag_pixels(self, points, button=1):
-        self.move_to(*points[0])
+        x, y = points[0]
+        self.move_to(x, y)
         self.settle()
         self.xdotool("mousedown", button)
-        pause(0.3)
+        # A frame that sees the pointer here has heard of the press, and where it was.
+        self.move_to(x + 1, y)
+        wait_for(self.has_heard, 60, "the editor never heard of the press")
         for (x0, y0), (x1, y1) in zip(points, points[1:]):
             for i in range(1, 13):
                 self.move_to(round(x0 + (x1 - x0) * i / 12), round(y0 + (y1 - y0) * i / 12))
                 pause(0.05)
         pause(0.3)
+        wait_for(self.has_heard, 60, "the editor never heard of the last move")
         self.xdotool("mouseup", button)
         pause(0.2)
         self.settle()

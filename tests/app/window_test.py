@@ -106,19 +106,22 @@ class Editor:
     def settle(self):
         """Waits until the editor has heard of the last move of the pointer and has nothing left to do."""
         pause(0.3)
-        wait_for(lambda: self.has_heard() and not self.landmarks()["busy"], 60, "the editor never came to rest")
+        wait_for(lambda: self.has_heard() and not self.landmarks()["busy"], 240, "the editor never came to rest")
 
     def point_at(self, *point):
         self.move_to(*self.place(point))
         self.settle()
 
     def click(self, *point):
-        """Holds the button for some frames, for a press and a release in one frame are no click."""
-        self.point_at(*point)
+        """A press and a release that different frames hear of."""
+        x, y = self.place(point)
+        self.move_to(x, y)
+        self.settle()
         self.xdotool("mousedown", 1)
-        pause(0.3)
+        self.move_to(x + 1, y)
+        wait_for(self.has_heard, 60, "the editor never heard of the press")
         self.xdotool("mouseup", 1)
-        pause(0.3)
+        self.move_to(x, y)
         self.settle()
 
     def drag(self, points, button=1):
@@ -150,6 +153,13 @@ class Editor:
         for key in reversed(keys):
             self.xdotool("keyup", key)
             pause(0.15)
+
+    def do(self, *keys):
+        """Presses the keys and waits until the editor has done what they ask for; the pointer was moved before."""
+        self.press(*keys)
+        x, y = self.pointer
+        self.move_to(x + 1, y)  # seen after the keys were heard
+        self.settle()
 
     def drop(self, *files):
         """Drags files from another program onto the middle of the picture and lets them go."""
@@ -308,9 +318,7 @@ class Window(unittest.TestCase):
     def test_the_last_stroke_is_cut_again(self):
         editor = self.open(SPHERE)
         editor.drag(ACROSS)
-        pause(2)
-        editor.press("r")
-        pause(3)
+        editor.do("r")
         report = editor.quit()
         self.assertEqual((report["recuts"], report["strokes"]), (1, 1))
         self.assertGreater(report["faces_removed"], 100)
@@ -318,15 +326,8 @@ class Window(unittest.TestCase):
     def test_a_stroke_among_many_faces_is_cut_again_and_again_and_all_pieces_are_shown(self):
         editor = self.open()
         editor.drag([(0.53, 0.14), (0.53, 0.93)])
-        pause(3)
-        for _ in range(2):
-            editor.press("r")
-            pause(4)
-        editor.press("ctrl", "a")
-        editor.press("h")
-        pause(4)
-        editor.press("shift", "h")
-        pause(4)
+        for keys in (("r",), ("r",), ("ctrl", "a"), ("h",), ("shift", "h")):
+            editor.do(*keys)
         report = editor.quit()
         self.assertGreater(report["faces"], 40000)
         self.assertEqual((report["recuts"], report["strokes"], report["pieces_hidden"]), (2, 1, 0))
@@ -459,12 +460,8 @@ class Window(unittest.TestCase):
         editor = self.open(SPHERE)
         editor.drag(ACROSS)
         editor.drag(ACROSS_ABOVE)
-        editor.press("ctrl", "z")
-        pause(1)
-        editor.press("ctrl", "z")
-        pause(1)
-        editor.press("ctrl", "shift", "z")
-        pause(1)
+        for keys in (("ctrl", "z"), ("ctrl", "z"), ("ctrl", "shift", "z")):
+            editor.do(*keys)
         back = editor.quit()
         self.assertEqual((back["undo_depth"], back["strokes"]), (1, 1))
         self.assertGreater(back["faces_removed"], 0)

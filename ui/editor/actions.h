@@ -1,36 +1,35 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
-#include "ui/editor/editor_state.h"
+#include "ui/editor/frame/user_action.h"
+#include "ui/editor/panels/panel_column.h"
+#include "ui/editor/state.h"
 
 namespace kerf {
 
-// Something that the user can ask for by menu and by key: the menus, the keys and the F1 sheet are all made
-// from this one table.
-struct Action {
-  const char* menu;
-  const char* name;
-  const char* shortcut = "";  // as it is written; empty: none
-  int key = 0;                // GLFW_KEY_*; 0: none
-  int mods = 0;               // GLFW_MOD_*
-  const char* tip = "";
-  void (*run)(EditorState&) = nullptr;
-  bool (*checked)(const EditorState&) = nullptr;         // null: not a switch
-  const char* (*why_not)(const EditorState&) = nullptr;  // a sentence where it cannot be done now, or null
-  void (*submenu)(EditorState&) = nullptr;               // draws a menu of its own in place of all that
-  bool ends_group = false;                               // a line under it in the menu
-};
-std::span<const Action> actions();
+// What the user can ask for by menu and by key, menu after menu. The state and the panels must outlive it.
+std::vector<UserAction> make_actions(EditorState& state, std::span<const Panel> panels);
 
-// Runs the action of a key; whether there is one. One that cannot be done now says why in the status bar.
-bool run_shortcut(EditorState& state, int key, int mods);
+// The groups of the menus, in this order.
+std::vector<UserAction> open_actions(EditorState& state);
+std::vector<UserAction> save_actions(EditorState& state);
+std::vector<UserAction> history_actions(EditorState& state);
+std::vector<UserAction> view_text_actions(EditorState& state);
+std::vector<UserAction> piece_actions(EditorState& state);
+std::vector<UserAction> tool_actions(EditorState& state);
+std::vector<UserAction> camera_actions(EditorState& state);
+std::vector<UserAction> switch_actions(EditorState& state);
+std::vector<UserAction> frame_actions(EditorState& state, std::span<const Panel> panels);
+std::vector<UserAction> text_actions(EditorState& state);
+std::vector<UserAction> help_actions(EditorState& state);
 
-// What the mouse does in the picture, for the F1 sheet.
-struct Gesture {
-  const char* gesture;
-  const char* meaning;
-};
+// What the mouse does in the picture.
 std::span<const Gesture> gestures();
+
+// Does what Esc asks for: the first of ending the stroke, stopping the files that are read, closing the sheet
+// of shortcuts and letting go of the chosen pieces that there is anything to do for.
+void escape(EditorState& state);
 
 }  // namespace kerf

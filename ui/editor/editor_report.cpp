@@ -4,42 +4,31 @@
 
 #include "core/base/atomic_file.h"
 #include "ui/editor/tools/light_handle.h"
-#include "ui/editor/tools/piece_set.h"
+#include "ui/editor/view/piece_set.h"
+#include "ui/render/view_switches.h"
 
 namespace kerf {
 
 namespace {
 
-nlohmann::ordered_json view_of(const EditorState& state) {
-  const ViewOptions& look = state.look;
-  return {{"wire", look.show.wire},
-          {"boxes", look.show.aabb},
-          {"boxes_hit", look.show.aabb_hit || look.tree.hit_only},
-          {"boxes_deepest", look.tree.deepest},
-          {"boxes_leaves_only", look.tree.leaves_only},
-          {"pieces", look.show.pieces},
-          {"normals", look.show.normals},
-          {"face_numbers", look.show.face_numbers},
-          {"two_sided", look.two_sided},
-          {"cull_backs", look.cull_backs},
-          {"ghost", look.ghost},
-          {"shadows", look.show.shadows},
-          {"silhouette", look.show.silhouette},
-          {"shadow_volumes", look.show.shadow_volumes},
-          {"shadow_counts", look.show.shadow_stencil},
-          {"shadow_facing", look.show.shadow_facing},
-          {"shadow_compare", look.show.shadow_compare},
-          {"shadow_rays", look.show.shadow_reference},
-          {"eye", {state.view().eye.x, state.view().eye.y, state.view().eye.z}}};
+nlohmann::ordered_json view_of(const ViewState& view) {
+  nlohmann::ordered_json all;
+  for (const ViewSwitch& s : view_switches()) all[s.report] = s.get(view.look);
+  all["boxes_deepest"] = view.look.tree.deepest;
+  all["boxes_leaves_only"] = view.look.tree.leaves_only;
+  const Vec3 eye = view.seen().eye;
+  all["eye"] = {eye.x, eye.y, eye.z};
+  return all;
 }
 
 // Where each light is, and its handle in the window where that is shown.
-nlohmann::ordered_json lights_of(const EditorState& state) {
+nlohmann::ordered_json lights_of(const ViewState& view, const Settings& settings) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
-  for (size_t i = 0; i < state.look.lights.size(); ++i) {
-    const Vec3& at = state.look.lights[i].at;
+  for (size_t i = 0; i < view.look.lights.size(); ++i) {
+    const Vec3& at = view.look.lights[i].at;
     nlohmann::ordered_json light{{"at", {at.x, at.y, at.z}}};
-    if (const auto handle = light_handle(state, i)) light["handle"] = {handle->x, handle->y};
+    const auto handle = light_handle(view, i);
+    if (handle && shows_light_handles(settings)) light["handle"] = {handle->x, handle->y};
     all.push_back(light);
   }
   return all;
@@ -55,8 +44,7 @@ nlohmann::ordered_json memory_of(const MemoryFigures& memory) {
           {"process", process_bytes()}};
 }
 
-nlohmann::ordered_json layout_of(const EditorState& state) {
-  const Layout& l = state.layout;
+nlohmann::ordered_json layout_of(const Layout& l) {
   const auto area = [](const Area& a) { return nlohmann::ordered_json{a.at.x, a.at.y, a.size.x, a.size.y}; };
   return {{"viewport", area(l.viewport)},
           {"first", area(l.first)},
@@ -69,41 +57,50 @@ nlohmann::ordered_json times_of(const FrameStatistics& frames) {
   return {{"p50", frames.percentile(0.5)}, {"p99", frames.percentile(0.99)}, {"max", frames.longest()}};
 }
 
+nlohmann::ordered_json times_of_cutting(const Figures& figures) {
+  return {{"frames", figures.cutting_frames.frames()},
+          {"frame_ms", times_of(figures.cutting_frames)},
+          {"between_pictures_ms", times_of(figures.between_cutting_pictures)},
+          {"each_frame_ms", figures.cutting_frames.each()},
+          {"each_between_pictures_ms", figures.between_cutting_pictures.each()}};
+}
+
+nlohmann::ordered_json names_of(const std::vector<std::filesystem::path>& files) {
+  nlohmann::ordered_json names = nlohmann::ordered_json::array();
+  for (const std::filesystem::path& file : files) names.push_back(file.filename().string());
+  return names;
+}
+
 }  // namespace
 
 Status write_editor_report(const EditorState& state, const std::filesystem::path& file) {
-  const FrameStatistics& frames = state.frames;
-  nlohmann::ordered_json names = nlohmann::ordered_json::array();
-  for (const std::filesystem::path& name : state.files) names.push_back(name.filename().string());
+  const Document& document = state.work.document;
+  const Figures& figures = state.figures;
+  const PieceMap& pieces = state.view.look.pieces;
   const nlohmann::ordered_json report{
-      {"frames", frames.frames()},
-      {"frame_ms", times_of(frames)},
-      {"between_pictures_ms", times_of(state.between_pictures)},
-      {"while_cutting",
-       {{"frames", state.cutting_frames.frames()},
-        {"frame_ms", times_of(state.cutting_frames)},
-        {"between_pictures_ms", times_of(state.between_cutting_pictures)},
-        {"each_frame_ms", state.cutting_frames.each()},
-        {"each_between_pictures_ms", state.between_cutting_pictures.each()}}},
+      {"frames", figures.frames.frames()},
+      {"frame_ms", times_of(figures.frames)},
+      {"between_pictures_ms", times_of(figures.between_pictures)},
+      {"while_cutting", times_of_cutting(figures)},
       {"process_bytes", process_bytes()},
-      {"memory_bytes", memory_of(state.shown.memory)},
-      {"strokes", state.document.strokes()},
-      {"faces", state.document.world().live_faces()},
-      {"faces_removed", state.document.removed_faces()},
-      {"pieces", state.document.world().live_pieces()},
-      {"undo_depth", state.document.history().position()},
-      {"recuts", state.recuts},
-      {"pieces_chosen", chosen_pieces(state.look.pieces)},
-      {"pieces_hidden", hidden_pieces(state.look.pieces).size()},
-      {"spread", state.spread},
-      {"bodies", state.document.world().ids().size()},
-      {"files", names},
-      {"message", state.message},
-      {"view", view_of(state)},
-      {"lights", lights_of(state)},
-      {"pixels_that_rays_have_otherwise", state.shadow_figures.wrong},
+      {"memory_bytes", memory_of(figures.shown.memory)},
+      {"strokes", document.strokes()},
+      {"faces", document.world().live_faces()},
+      {"faces_removed", document.removed_faces()},
+      {"pieces", document.world().live_pieces()},
+      {"undo_depth", document.history().position()},
+      {"recuts", figures.recuts},
+      {"pieces_chosen", chosen_pieces(pieces)},
+      {"pieces_hidden", hidden_pieces(pieces).size()},
+      {"spread", state.view.spread},
+      {"bodies", document.world().ids().size()},
+      {"files", names_of(state.work.files)},
+      {"message", state.message.text},
+      {"view", view_of(state.view)},
+      {"lights", lights_of(state.view, state.settings)},
+      {"pixels_that_rays_have_otherwise", figures.shadows.wrong},
       {"split", {{"shown", state.split.shown}, {"faces", state.split.twin.world().live_faces()}}},
-      {"layout", layout_of(state)},
+      {"layout", layout_of(state.view.layout)},
   };
   return write_file_atomically(
       file, report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "ui/editor/editor_state.h"
+#include "ui/editor/state.h"
 
 namespace kerf {
 

@@ -1,7 +1,5 @@
 #include "ui/screen/live_picture.h"
 
-#include "ui/editor/tools/piece_set.h"
-
 namespace kerf {
 
 namespace {
@@ -16,21 +14,7 @@ Target target_of(const Area& area, const Window& window) {
           static_cast<int>(pixels.size.x), static_cast<int>(pixels.size.y)};
 }
 
-CameraView view_in(const Area& area, const Camera& camera) { return camera.view(area.size.x / area.size.y); }
-
-// What was chosen or hidden are pieces of the first world; those of the twin are others.
-void look_at_twin(const EditorState& state, ViewOptions& look) {
-  look.pieces.clear();
-  if (state.spread > 0) spread_pieces(state.split.twin.world(), state.spread, look.pieces);
-}
-
 }  // namespace
-
-Area pixels_of(const Area& area, const Window& window) {
-  const Vec2 scale = window.pixel_size() / window.size();
-  const Vec2 from = glm::floor(area.at * scale), to = glm::floor((area.at + area.size) * scale);
-  return {from, glm::max(Vec2(1), to - from)};
-}
 
 Result<Renderer*> LivePicture::second() {
   if (!second_) {
@@ -47,38 +31,33 @@ PictureMemory LivePicture::memory() const {
   return memory;
 }
 
-bool LivePicture::draw(EditorState& state, const Window& window) {
-  if (state.picture_old) moved_at_ = Clock::now();
+bool LivePicture::draw(const Shot& first, const Shot* second, bool old, const Window& window,
+                       ShadowFigures& figures) {
+  if (!second_) second = nullptr;
+  if (old) moved_at_ = Clock::now();
   const bool still = std::chrono::duration<double>(Clock::now() - moved_at_).count() > kStillSeconds;
-  const Layout& layout = state.layout;
-  const bool split = layout.split() && second_;
-  const bool anew = state.picture_old || (rough_ && still) ||
-                    !first_.draw_again(target_of(layout.first, window)) ||
-                    (split && !second_->draw_again(target_of(layout.second, window)));
-  if (anew) draw_anew(state, window, still);
-  traced_.work(state, first_, view_in(layout.first, state.camera), target_of(layout.first, window), anew,
-               still);
-  // Once more without the beam when it is off.
-  state.picture_old = beam_shown_ && !state.tool.picture(state.document);
+  const Target target = target_of(first.area, window);
+  const bool anew = old || (rough_ && still) || !first_.draw_again(target) ||
+                    (second != nullptr && !second_->draw_again(target_of(second->area, window)));
+  if (anew) draw_anew(first, second, window, still);
+  if (anew && first.look.show.shadow_compare) figures.differing = first_.differing_pixels();
+  traced_.work(first.world, first.look, first_, first.view, target, anew, still, figures);
+  dead_beam_ = beam_shown_ && !first.beam;
   return anew;
 }
 
-void LivePicture::draw_anew(EditorState& state, const Window& window, bool still) {
-  ViewOptions look = state.look;
-  look.tree.palette = state.settings.palette;
-  rough_ = look.antialias && !still && smooth_seconds_ > kSlowFrame;
-  if (rough_) look.antialias = false;
-  antialiased_ = look.antialias;
-  const Layout& layout = state.layout;
-  const std::optional<BeamPicture> beam = state.tool.picture(state.document);
-  first_.draw(state.document.world(), view_in(layout.first, state.camera), look, beam,
-              target_of(layout.first, window));
-  beam_shown_ = beam.has_value();
-  if (look.show.shadow_compare) state.shadow_figures.differing = first_.differing_pixels();
-  if (!layout.split() || !second_) return;
-  look_at_twin(state, look);
-  second_->draw(state.split.twin.world(), view_in(layout.second, state.camera), look, beam,
-                target_of(layout.second, window));
+void LivePicture::draw_anew(const Shot& first, const Shot* second, const Window& window, bool still) {
+  rough_ = first.look.antialias && !still && smooth_seconds_ > kSlowFrame;
+  antialiased_ = first.look.antialias && !rough_;
+  beam_shown_ = first.beam.has_value();
+  draw_shot(first_, first, window);
+  if (second != nullptr) draw_shot(*second_, *second, window);
+}
+
+void LivePicture::draw_shot(Renderer& renderer, const Shot& shot, const Window& window) const {
+  ViewOptions look = shot.look;
+  look.antialias = antialiased_;
+  renderer.draw(shot.world, shot.view, look, shot.beam, target_of(shot.area, window));
 }
 
 void LivePicture::took(double seconds) {

@@ -6,13 +6,12 @@ namespace {
 constexpr size_t kPixelsOfFrame = 6000;
 }
 
-void TracedShadows::work(EditorState& state, Renderer& renderer, const CameraView& view, const Target& target,
-                         bool fresh, bool still) {
-  const ViewOptions& look = state.look;
+void TracedShadows::work(const World& world, const ViewOptions& look, Renderer& renderer,
+                         const CameraView& view, const Target& target, bool fresh, bool still,
+                         ShadowFigures& figures) {
   const bool wanted = look.show.shadow_reference && still && look.shadow.inspected < look.lights.size();
   if (!wanted || fresh) traced_.reset();
   if (!wanted) return;
-  const World& world = state.document.world();
   if (!traced_) {
     traced_ = renderer.shadow_reference(world, view, look, look.shadow.inspected, true, target.width,
                                         target.height);
@@ -21,8 +20,8 @@ void TracedShadows::work(EditorState& state, Renderer& renderer, const CameraVie
   }
   traced_->trace(kPixelsOfFrame);
   renderer.draw_reference(*traced_, drawn_, target);
-  state.shadow_figures.traced = traced_->share_done();
-  state.shadow_figures.wrong = differing_pixels(drawn_, *traced_);
+  figures.traced = traced_->share_done();
+  figures.wrong = differing_pixels(drawn_, *traced_);
 }
 
 }  // namespace kerf

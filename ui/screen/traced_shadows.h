@@ -2,18 +2,19 @@
 
 #include <optional>
 
-#include "ui/editor/editor_state.h"
+#include "ui/render/renderer.h"
+#include "ui/screen/shadow_figures.h"
 
 namespace kerf {
 
-// The ray-traced reference over the picture, traced a little every frame while the picture stands still.
+// The ray-traced reference over a picture, traced a little every frame while the picture stands still.
 class TracedShadows {
  public:
-  // After a picture of the document was drawn to `target`: begins anew where `still` says that it will stay,
-  // goes on where it has stayed, forgets everything where it moves. Draws over the target and notes how far
-  // it is.
-  void work(EditorState& state, Renderer& renderer, const CameraView& view, const Target& target, bool fresh,
-            bool still);
+  // To be called after a picture of the world was drawn to `target`. Begins where `still` says that the
+  // picture will stay, goes on where it has stayed, forgets everything where it is a `fresh` one. Draws over
+  // the target and notes in `figures` how far it is.
+  void work(const World& world, const ViewOptions& look, Renderer& renderer, const CameraView& view,
+            const Target& target, bool fresh, bool still, ShadowFigures& figures);
 
   // Whether there is more to trace.
   bool busy() const { return traced_ && !traced_->done(); }

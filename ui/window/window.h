@@ -7,6 +7,7 @@
 
 #include "core/base/result.h"
 #include "core/base/vec3.h"
+#include "ui/window/layout.h"
 
 struct GLFWwindow;
 
@@ -59,5 +60,8 @@ class Window {
   explicit Window(std::unique_ptr<Inner> inner) : inner_(std::move(inner)) {}
   std::unique_ptr<Inner> inner_;
 };
+
+// Where a rectangle of the window lies in its framebuffer, from the upper left corner; whole pixels.
+Area pixels_of(const Area& area, const Window& window);
 
 }  // namespace kerf

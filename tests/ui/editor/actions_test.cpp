@@ -7,20 +7,29 @@
 
 #include "tests/support/checkout.h"
 #include "ui/editor/actions.h"
+#include "ui/editor/panel_list.h"
+#include "ui/render/view_switches.h"
 
 namespace kerf {
 namespace {
 
-// "| Ctrl+O | Open... |" for every row of the sheet that F1 shows, in its order.
-std::vector<std::string> rows_of_sheet() {
-  std::vector<std::string> rows;
-  for (const Gesture& g : gestures())
-    rows.push_back(std::string("| ") + g.gesture + " | " + g.meaning + " |");
-  for (const Action& a : actions()) {
-    if (a.shortcut[0] != '\0') rows.push_back(std::string("| ") + a.shortcut + " | " + a.name + " |");
+class Actions : public testing::Test {
+ protected:
+  EditorState state;
+  const std::vector<Panel> panels = make_panels(state);
+  const std::vector<UserAction> actions = make_actions(state, panels);
+
+  // "| Ctrl+O | Open... |" for every row of the sheet that F1 shows, in its order.
+  std::vector<std::string> rows_of_sheet() const {
+    std::vector<std::string> rows;
+    for (const Gesture& g : gestures())
+      rows.push_back(std::string("| ") + g.gesture + " | " + g.meaning + " |");
+    for (const UserAction& a : actions) {
+      if (!a.shortcut.empty()) rows.push_back("| " + a.shortcut + " | " + a.name + " |");
+    }
+    return rows;
   }
-  return rows;
-}
+};
 
 std::vector<std::string> rows_of_readme() {
   std::ifstream readme(test::checkout() / "README.md");
@@ -33,28 +42,41 @@ std::vector<std::string> rows_of_readme() {
   return rows;
 }
 
-TEST(Shortcuts, the_readme_lists_what_the_sheet_lists) { EXPECT_EQ(rows_of_readme(), rows_of_sheet()); }
+TEST_F(Actions, the_readme_lists_what_the_sheet_lists) { EXPECT_EQ(rows_of_readme(), rows_of_sheet()); }
 
-TEST(Shortcuts, no_two_actions_share_a_key) {
+TEST_F(Actions, no_two_actions_share_a_key) {
   std::set<std::pair<int, int>> taken;
-  for (const Action& a : actions()) {
+  for (const UserAction& a : actions) {
     if (a.key == 0) continue;
     EXPECT_TRUE(taken.emplace(a.key, a.mods).second) << a.name;
   }
 }
 
-TEST(Shortcuts, what_is_written_in_the_menu_is_what_is_pressed) {
-  for (const Action& a : actions()) EXPECT_EQ(a.shortcut[0] != '\0', a.key != 0) << a.name;
+TEST_F(Actions, what_is_written_in_the_menu_is_what_is_pressed) {
+  for (const UserAction& a : actions) EXPECT_EQ(!a.shortcut.empty(), a.key != 0) << a.name;
 }
 
-TEST(Actions, either_do_something_or_open_a_menu) {
-  for (const Action& a : actions()) EXPECT_TRUE((a.run != nullptr) != (a.submenu != nullptr)) << a.name;
+TEST_F(Actions, either_do_something_or_open_a_menu) {
+  for (const UserAction& a : actions) EXPECT_TRUE((a.run != nullptr) != (a.submenu != nullptr)) << a.name;
 }
 
-TEST(Shortcuts, every_action_of_a_menu_says_what_it_does) {
-  for (const Action& a : actions()) {
+TEST_F(Actions, every_action_of_a_menu_says_what_it_does) {
+  for (const UserAction& a : actions) {
     EXPECT_TRUE(a.submenu != nullptr || a.tip[0] != '\0') << a.name;
   }
+}
+
+TEST_F(Actions, a_key_flips_a_switch_of_the_view_and_one_that_cannot_be_done_says_why) {
+  for (const ViewSwitch& s : view_switches()) {
+    if (s.key == 0) continue;
+    const bool before = s.get(state.view.look);
+    EXPECT_TRUE(run_shortcut(actions, s.key, 0, state.message)) << s.label;
+    EXPECT_NE(s.get(state.view.look), before) << s.label;
+  }
+  EXPECT_TRUE(state.message.text.empty());
+  EXPECT_TRUE(run_shortcut(actions, 'H', 0, state.message));
+  EXPECT_TRUE(state.message.is_error);
+  EXPECT_FALSE(run_shortcut(actions, 'J', 0, state.message));
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ui/editor/editor_state.h"
+#include "ui/editor/figures/step_chart.h"
 
 namespace kerf {
 
@@ -23,14 +23,15 @@ size_t MemoryFigures::other() const {
   return process - std::min(process, parts);
 }
 
-MemoryFigures memory_figures(const EditorState& state, const PictureMemory& pictures) {
+MemoryFigures memory_figures(std::span<const World* const> worlds, size_t history,
+                             const PictureMemory& pictures) {
   MemoryFigures figures;
   figures.process = process_bytes();
   figures.pictures = pictures;
-  figures.history = state.document.history().bytes();
-  add(state.document.world(), figures);
-  add(state.split.twin.world(), figures);
-  if (state.as_loaded) add(*state.as_loaded, figures);
+  figures.history = history;
+  for (const World* world : worlds) {
+    if (world != nullptr) add(*world, figures);
+  }
   return figures;
 }
 

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
+#include "core/world/world.h"
 #include "ui/render/picture_memory.h"
 
 namespace kerf {
-
-struct EditorState;
 
 // Where the memory of the process goes, bytes.
 struct MemoryFigures {
@@ -20,7 +20,9 @@ struct MemoryFigures {
   size_t other() const;
 };
 
-// As they are now. O(bodies + steps of the history), and what little grows with what was cut.
-MemoryFigures memory_figures(const EditorState& state, const PictureMemory& pictures);
+// The figures as they are, of these worlds (null: none) and a history that holds so many bytes.
+// O(bodies).
+MemoryFigures memory_figures(std::span<const World* const> worlds, size_t history,
+                             const PictureMemory& pictures);
 
 }  // namespace kerf

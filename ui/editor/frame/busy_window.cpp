@@ -7,7 +7,7 @@
 
 #include <utility>
 
-#include "ui/editor/frame/load_bar.h"
+#include "ui/window/progress_bar.h"
 
 namespace kerf {
 
@@ -27,30 +27,24 @@ void BusyWindow::keep(const Vec2& pixels) {
   glBindTexture(GL_TEXTURE_2D, 0);
 }
 
-void BusyWindow::show(EditorState& state, Window& window, Gui& gui) {
-  hear(state, window);
-  gui.begin_frame();
-  draw_kept(window.size());
-  LongWork& work = state.long_work;
-  const bool lasts = Clock::now() - began_ > kUnseen;
-  if (lasts && draw_progress(state.layout.viewport, work.title(), work.fraction(), work.can_stop()))
-    work.stop();
-  gui.end_frame();
-  window.swap();
-}
-
-void BusyWindow::hear(EditorState& state, Window& window) {
-  for (const InputEvent& event : window.take_events()) {
+bool BusyWindow::hear(const Input& input, ChangeThread& change) {
+  for (const InputEvent& event : input.events) {
     if (event.kind == InputEvent::Kind::kKey && event.button == GLFW_KEY_ESCAPE) {
-      state.long_work.stop();
+      change.stop();
     } else {
       heard_.push_back(event);
     }
   }
-  window.take_drops();
-  if (!window.take_close()) return;
-  state.requests.quit = true;
-  state.long_work.stop();
+  if (input.close) change.stop();
+  return input.close;
+}
+
+void BusyWindow::draw(const Vec2& window, const Area& picture, ChangeThread& change) const {
+  const auto texture = reinterpret_cast<ImTextureID>(static_cast<uintptr_t>(kept_.name()));
+  ImGui::GetBackgroundDrawList()->AddImage(
+      texture, {0, 0}, {static_cast<float>(window.x), static_cast<float>(window.y)}, {0, 1}, {1, 0});
+  const bool lasts = Clock::now() - began_ > kUnseen;
+  if (lasts && draw_progress(picture, change.title(), change.fraction(), change.can_stop())) change.stop();
 }
 
 std::vector<InputEvent> BusyWindow::take_heard() {
@@ -60,12 +54,6 @@ std::vector<InputEvent> BusyWindow::take_heard() {
     return event.kind == InputEvent::Kind::kPress || event.kind == InputEvent::Kind::kWheel;
   });
   return heard;
-}
-
-void BusyWindow::draw_kept(const Vec2& size) const {
-  const auto texture = reinterpret_cast<ImTextureID>(static_cast<uintptr_t>(kept_.name()));
-  ImGui::GetBackgroundDrawList()->AddImage(
-      texture, {0, 0}, {static_cast<float>(size.x), static_cast<float>(size.y)}, {0, 1}, {1, 0});
 }
 
 }  // namespace kerf

@@ -3,31 +3,31 @@
 #include <chrono>
 #include <vector>
 
-#include "ui/editor/editor_state.h"
+#include "ui/editor/changes/long_change.h"
 #include "ui/gl/objects.h"
-#include "ui/window/gui.h"
-#include "ui/window/window.h"
+#include "ui/screen/screen.h"
+#include "ui/window/layout.h"
 
 namespace kerf {
 
-// The window while long work is done and nobody may look at the document: what it showed last, under a bar
-// that says how far the work is.
+// The window while a change is done on a thread of its own and nobody may look at the document: what it
+// showed last, under a bar that says how far the change is.
 class BusyWindow {
  public:
-  // What was drawn to the window and is not swapped yet is shown from now on; its size in pixels.
+  // What was drawn to the window and is not swapped yet is shown from this call on; its size in pixels.
   void keep(const Vec2& pixels);
-  // A frame; the bar is there when the work lasts. Escape, the button beside the bar and closing the window
-  // stop the work; what else the user does waits.
-  void show(EditorState& state, Window& window, Gui& gui);
+  // Escape and closing the window stop the change; what else the user does waits. Returns whether the window
+  // is to be closed.
+  bool hear(const Input& input, ChangeThread& change);
+  // Draws a frame over a window of this size; the bar is there when the change lasts, and its button stops
+  // the change.
+  void draw(const Vec2& window, const Area& picture, ChangeThread& change) const;
   // What the user did meanwhile, once. After more than a second without what was pressed in the picture: it
-  // is another picture by now.
+  // is another picture by then.
   std::vector<InputEvent> take_heard();
 
  private:
   using Clock = std::chrono::steady_clock;
-
-  void hear(EditorState& state, Window& window);
-  void draw_kept(const Vec2& size) const;
 
   gl::Texture kept_;
   std::vector<InputEvent> heard_;

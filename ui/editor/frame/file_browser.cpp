@@ -5,16 +5,11 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include <cctype>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <utility>
 
-#include "core/document/work.h"
-#include "core/mesh/files/mesh_format.h"
-#include "ui/editor/editor_state.h"
-#include "ui/editor/work/export_pieces.h"
-#include "ui/editor/work/save_work.h"
 #include "ui/window/property.h"
 
 namespace kerf {
@@ -37,16 +32,6 @@ const Wording& wording(Purpose purpose) {
       Wording{"Export the chosen pieces", "Export",
               "Name; its ending (.obj .ply .stl .off) says the format"}};
   return kWordings[static_cast<size_t>(purpose)];
-}
-
-std::string lower(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
-
-bool can_be_opened(const fs::path& file) {
-  const std::string ending = lower(file.extension().string());
-  return ending == ".json" || is_journal(ending) || mesh_format(ending).has_value();
 }
 
 void set_name(FileBrowser& b, const std::string& text) {
@@ -85,44 +70,23 @@ std::optional<fs::path> typed_path(const FileBrowser& b) {
   return std::nullopt;
 }
 
-void export_to(EditorState& state, const fs::path& file) {
-  FileBrowser& b = state.browser;
-  const auto written = export_chosen(state, file);
-  if (!written) {
-    b.fault = written.error().message;
-    return;
-  }
-  state.say(*written == 1
-                ? "Written: " + file.string()
-                : std::to_string(*written) + " files written, the first: " + numbered(file, 1).string());
-  b.open = false;
-}
-
-void choose_file(EditorState& state, const fs::path& file) {
-  FileBrowser& b = state.browser;
-  if (b.purpose == Purpose::kOpen) {
-    state.requests.open = {file};
-    b.open = false;
-    return;
-  }
+void choose_file(FileBrowser& b, const fs::path& file) {
   std::error_code error;
-  if (fs::exists(file, error) && b.replace != file) {
+  if (b.purpose != Purpose::kOpen && fs::exists(file, error) && b.replace != file) {
     b.replace = file;
     b.fault = file.filename().string() + " is there already: choose Replace, or press Enter again";
     return;
   }
-  if (b.purpose == Purpose::kExport) return export_to(state, file);
-  state.requests.save_to = file;
-  b.open = false;
+  b.fault = b.take(b.purpose, file);
+  b.open = !b.fault.empty();
 }
 
-void choose_entry(EditorState& state, const FileBrowser::Entry& entry) {
-  FileBrowser& b = state.browser;
+void choose_entry(FileBrowser& b, const FileBrowser::Entry& entry) {
   const fs::path path = b.folder / entry.name;
   if (entry.folder) {
     enter_folder(b, path);
   } else if (b.purpose == Purpose::kOpen) {
-    choose_file(state, path);
+    choose_file(b, path);
   } else {
     set_name(b, entry.name);
   }
@@ -135,21 +99,20 @@ fs::path with_ending(fs::path file, Purpose purpose) {
   return file;
 }
 
-void accept(EditorState& state) {
-  FileBrowser& b = state.browser;
+void accept(FileBrowser& b) {
   std::error_code error;
   if (const auto typed = typed_path(b)) {
     if (fs::is_directory(*typed, error)) return enter_folder(b, *typed);
-    return choose_file(state, with_ending(*typed, b.purpose));
+    return choose_file(b, with_ending(*typed, b.purpose));
   }
   if (b.purpose != Purpose::kOpen) {
-    if (b.name.front() != '\0') choose_file(state, with_ending(b.folder / b.name.data(), b.purpose));
+    if (b.name.front() != '\0') choose_file(b, with_ending(b.folder / b.name.data(), b.purpose));
     return;
   }
   const std::vector<size_t> left = left_by_filter(b);
   if (b.cursor >= left.size()) return;
   const FileBrowser::Entry entry = b.entries[left[b.cursor]];
-  choose_entry(state, entry);
+  choose_entry(b, entry);
 }
 
 void draw_where(FileBrowser& b) {
@@ -174,8 +137,7 @@ std::string size_text(uintmax_t bytes) {
   return text.data();
 }
 
-void draw_entry(EditorState& state, size_t place, const FileBrowser::Entry& entry, bool& gone) {
-  FileBrowser& b = state.browser;
+void draw_entry(FileBrowser& b, size_t place, const FileBrowser::Entry& entry, bool& gone) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::PushID(static_cast<int>(place));
@@ -195,11 +157,10 @@ void draw_entry(EditorState& state, size_t place, const FileBrowser::Entry& entr
   if (!twice) return;
   const FileBrowser::Entry chosen = entry;
   gone = true;
-  choose_entry(state, chosen);
+  choose_entry(b, chosen);
 }
 
-void draw_list(EditorState& state) {
-  FileBrowser& b = state.browser;
+void draw_list(FileBrowser& b) {
   const std::vector<size_t> left = left_by_filter(b);
   if (!left.empty()) b.cursor = std::min(b.cursor, left.size() - 1);
   constexpr ImGuiTableFlags kList =
@@ -211,7 +172,7 @@ void draw_list(EditorState& state) {
   ImGui::TableSetupColumn("Size", ImGuiTableColumnFlags_WidthFixed, 5 * ImGui::GetFontSize());
   bool gone = false;  // the entries are those of another folder now
   for (size_t place = 0; place < left.size() && !gone; ++place) {
-    draw_entry(state, place, b.entries[left[place]], gone);
+    draw_entry(b, place, b.entries[left[place]], gone);
   }
   b.show_cursor = false;
   if (left.empty()) {
@@ -223,8 +184,7 @@ void draw_list(EditorState& state) {
 }
 
 // The field for the name, and what the keyboard asks for.
-void draw_name(EditorState& state) {
-  FileBrowser& b = state.browser;
+void draw_name(FileBrowser& b) {
   const bool was_empty = b.name.front() == '\0';
   if (b.take_focus || !ImGui::IsAnyItemActive()) ImGui::SetKeyboardFocusHere();
   b.take_focus = false;
@@ -247,12 +207,11 @@ void draw_name(EditorState& state) {
   if (keys.steps != 0 || keys.first || keys.last) b.show_cursor = true;
   if (keys.enter) {
     b.take_focus = true;
-    accept(state);
+    accept(b);
   }
 }
 
-void draw_buttons(EditorState& state) {
-  FileBrowser& b = state.browser;
+void draw_buttons(FileBrowser& b) {
   ImGui::PushTextWrapPos(0);
   if (b.fault.empty()) {
     ImGui::TextDisabled("%s",
@@ -262,53 +221,23 @@ void draw_buttons(EditorState& state) {
   }
   ImGui::PopTextWrapPos();
   const char* verb = b.replace.empty() ? wording(b.purpose).verb : "Replace";
-  if (ImGui::Button(verb, {7 * ImGui::GetFontSize(), 0})) accept(state);
+  if (ImGui::Button(verb, {7 * ImGui::GetFontSize(), 0})) accept(b);
   ImGui::SameLine();
   if (ImGui::Button("Cancel", {7 * ImGui::GetFontSize(), 0})) b.open = false;
 }
 
 }  // namespace
 
-std::vector<FileBrowser::Entry> list_folder(const fs::path& folder, std::string& fault) {
-  fault.clear();
-  std::vector<FileBrowser::Entry> entries;
-  std::error_code error;
-  fs::directory_iterator at(folder, fs::directory_options::skip_permission_denied, error);
-  for (; !error && at != fs::directory_iterator(); at.increment(error)) {
-    const std::string name = at->path().filename().string();
-    if (name.starts_with('.')) continue;
-    std::error_code unknown;
-    if (at->is_directory(unknown)) {
-      entries.push_back({name, true, 0});
-    } else if (at->is_regular_file(unknown) && can_be_opened(at->path())) {
-      const uintmax_t bytes = at->file_size(unknown);
-      entries.push_back({name, false, unknown ? 0 : bytes});
-    }
-  }
-  if (error) fault = folder.string() + ": this folder cannot be read";
-  std::sort(entries.begin(), entries.end(), [](const FileBrowser::Entry& a, const FileBrowser::Entry& b) {
-    if (a.folder != b.folder) return a.folder;
-    const std::string low_a = lower(a.name), low_b = lower(b.name);
-    return low_a != low_b ? low_a < low_b : a.name < b.name;
-  });
-  return entries;
-}
-
-bool passes_filter(const std::string& name, const std::string& filter) {
-  return lower(name).find(lower(filter)) != std::string::npos;
-}
-
-void browse(EditorState& state, Purpose purpose) {
-  FileBrowser& b = state.browser;
+void browse(FileBrowser& b, Purpose purpose, fs::path folder, const std::string& name) {
+  FileBrowser::Take take = std::move(b.take);
   b = FileBrowser();
+  b.take = std::move(take);
   b.open = true;
   b.purpose = purpose;
   std::error_code error;
-  fs::path folder = state.settings.folder;
   if (folder.empty() || !fs::is_directory(folder, error)) folder = fs::current_path(error);
   enter_folder(b, folder);
-  if (purpose == Purpose::kExport) set_name(b, "piece.obj");
-  if (purpose == Purpose::kSave) set_name(b, suggested_name(state));
+  set_name(b, name);
 }
 
 void browser_key(FileBrowser& browser, int key) {
@@ -347,8 +276,7 @@ void browser_key(FileBrowser& browser, int key) {
   }
 }
 
-void draw_file_browser(EditorState& state) {
-  FileBrowser& b = state.browser;
+void draw_file_browser(FileBrowser& b) {
   if (!b.open) return;
   const char* title = wording(b.purpose).title;
   if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
@@ -364,14 +292,11 @@ void draw_file_browser(EditorState& state) {
   ImGui::PopStyleVar();
   if (!drawn) return;
   draw_where(b);
-  draw_name(state);
-  draw_list(state);
-  draw_buttons(state);
+  draw_name(b);
+  draw_list(b);
+  draw_buttons(b);
   if (!wanted) b.open = false;
-  if (!b.open) {
-    state.settings.folder = b.folder;
-    ImGui::CloseCurrentPopup();
-  }
+  if (!b.open) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();
 }
 

@@ -1,24 +1,23 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
-namespace kerf {
+#include "ui/editor/frame/folder_list.h"
 
-struct EditorState;
+namespace kerf {
 
 // The window in which a file is chosen: folders, a filter by name, all of it by keyboard too.
 struct FileBrowser {
   enum class Purpose { kOpen, kSave, kExport };
-  struct Entry {
-    std::string name;
-    bool folder = false;
-    uintmax_t bytes = 0;
-  };
+  using Entry = FolderEntry;
+  // Takes the file that was chosen. Returns why it cannot, and the window stays open, or an empty text.
+  using Take = std::function<std::string(Purpose, const std::filesystem::path&)>;
 
+  Take take;
   bool open = false;
   Purpose purpose = Purpose::kOpen;
   std::filesystem::path folder;
@@ -36,19 +35,15 @@ struct FileBrowser {
   bool take_focus = false, show_cursor = false;
 };
 
-// Opens the window in the folder where it was last.
-void browse(EditorState& state, FileBrowser::Purpose purpose);
+// Opens the window in a folder, or in the current one where that does not exist, with a name to begin with.
+// Keeps `take`.
+void browse(FileBrowser& browser, FileBrowser::Purpose purpose, std::filesystem::path folder,
+            const std::string& name);
 
 // A key (GLFW_KEY_*) while the window is open.
 void browser_key(FileBrowser& browser, int key);
 
-void draw_file_browser(EditorState& state);
-
-// What the browser lists: folders, and files whose ending says that they can be opened; hidden ones are left
-// out.
-std::vector<FileBrowser::Entry> list_folder(const std::filesystem::path& folder, std::string& fault);
-
-// Whether a name holds the filter, in any case of letters.
-bool passes_filter(const std::string& name, const std::string& filter);
+// Draws the window where it is open. Precondition: `take` is set.
+void draw_file_browser(FileBrowser& browser);
 
 }  // namespace kerf

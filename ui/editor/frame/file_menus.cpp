@@ -33,15 +33,14 @@ std::string title_of(const fs::path& scene) {
 
 }  // namespace
 
-void draw_recent_menu(EditorState& state) {
-  std::vector<fs::path>& recent = state.settings.recent;
+void draw_recent_menu(Settings& settings, Requests& requests) {
+  std::vector<fs::path>& recent = settings.recent;
   if (recent.empty()) ImGui::TextDisabled("Nothing was opened yet");
   for (size_t i = 0; i < recent.size(); ++i) {
     std::error_code error;
     const bool there = fs::exists(recent[i], error);
     ImGui::PushID(static_cast<int>(i));
-    if (ImGui::MenuItem(recent[i].filename().c_str(), nullptr, false, there))
-      state.requests.open = {recent[i]};
+    if (ImGui::MenuItem(recent[i].filename().c_str(), nullptr, false, there)) requests.open = {recent[i]};
     tooltip(there ? recent[i].c_str() : (recent[i].string() + " is not there any more").c_str());
     ImGui::PopID();
   }
@@ -50,9 +49,9 @@ void draw_recent_menu(EditorState& state) {
   if (ImGui::MenuItem("Forget them")) recent.clear();
 }
 
-void draw_examples_menu(EditorState& state) {
+void draw_examples_menu(Requests& requests) {
   for (const fs::path& scene : example_scenes()) {
-    if (ImGui::MenuItem(title_of(scene).c_str())) state.requests.open = {scene};
+    if (ImGui::MenuItem(title_of(scene).c_str())) requests.open = {scene};
     tooltip(scene.c_str());
   }
 }

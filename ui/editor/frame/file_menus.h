@@ -1,13 +1,14 @@
 #pragma once
 
-#include "ui/editor/editor_state.h"
+#include "ui/editor/view/settings.h"
+#include "ui/editor/work/requests.h"
 
 namespace kerf {
 
-// The files that were open last; those that are gone are grey.
-void draw_recent_menu(EditorState& state);
+// Draws the items of a menu of the files that were open last; those that are gone are grey.
+void draw_recent_menu(Settings& settings, Requests& requests);
 
-// The scenes that come with Kerf.
-void draw_examples_menu(EditorState& state);
+// Draws the items of a menu of the scenes that come with Kerf.
+void draw_examples_menu(Requests& requests);
 
 }  // namespace kerf

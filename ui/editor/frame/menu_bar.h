@@ -1,10 +1,12 @@
 #pragma once
 
-#include "ui/editor/editor_state.h"
+#include <span>
+
+#include "ui/editor/frame/user_action.h"
 
 namespace kerf {
 
-// The menus, from the table of actions.
-void draw_menu_bar(EditorState& state);
+// Draws the menus of a list of actions; those of one menu stand together in the list.
+void draw_menu_bar(std::span<const UserAction> actions);
 
 }  // namespace kerf

@@ -22,24 +22,24 @@ constexpr double kLeastRing = 3, kMostRing = 400;  // pixels
 ImVec2 to_im(Vec2 p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
 
 // As large as the cut would be where the pointer is.
-void draw_ring(const EditorState& state, ImDrawList& list) {
-  if (!state.pointer_over_picture && state.drag != Drag::kCut) return;
-  if (state.left_button != Tool::kLaser && state.drag != Drag::kCut) return;
-  if (state.drag != Drag::kNone && state.drag != Drag::kCut) return;
-  const CameraView view = state.view();
-  const Vec2 p = state.in_picture(state.pointer);
-  const double distance = first_hit(state.document.world(), view.ray(p.x, p.y)).value_or(view.focus);
-  const double pixels = state.laser.radius / (distance * view.tan_half_fov) * 0.5 * state.pane().size.y;
+void draw_ring(const MarkParts& of, ImDrawList& list) {
+  if (!of.hand.over_picture && of.hand.drag != Drag::kCut) return;
+  if (of.hand.tool != Tool::kLaser && of.hand.drag != Drag::kCut) return;
+  if (of.hand.drag != Drag::kNone && of.hand.drag != Drag::kCut) return;
+  const CameraView view = of.view.seen();
+  const Vec2 p = of.view.in_picture(of.hand.pointer);
+  const double distance = first_hit(of.document.world(), view.ray(p.x, p.y)).value_or(view.focus);
+  const double pixels = of.hand.laser.radius / (distance * view.tan_half_fov) * 0.5 * of.view.pane().size.y;
   const auto ring = static_cast<float>(std::clamp(pixels, kLeastRing, kMostRing));
-  const ImVec2 at = to_im(state.pointer);
+  const ImVec2 at = to_im(of.hand.pointer);
   list.AddCircle(at, ring + 1.5f, IM_COL32(10, 12, 16, 150), 0, 3.0f);
-  list.AddCircle(at, ring + 1.5f, state.drag == Drag::kCut ? colours::accent() : colours::kPictureText, 0,
+  list.AddCircle(at, ring + 1.5f, of.hand.drag == Drag::kCut ? colours::accent() : colours::kPictureText, 0,
                  1.3f);
 }
 
-void draw_hints(const EditorState& state, ImDrawList& list) {
-  if (state.cut_once) return;
-  const Area& area = state.layout.viewport;
+void draw_hints(const MarkParts& of, ImDrawList& list) {
+  if (of.hand.cut_once) return;
+  const Area& area = of.view.layout.viewport;
   const float line = ImGui::GetTextLineHeightWithSpacing(), em = ImGui::GetFontSize();
   const float room = std::max(em, static_cast<float>(area.size.x) - 4 * em);
   std::array<ImVec2, kHints.size()> sizes;
@@ -82,21 +82,21 @@ void draw_half_label(const Area& half, const std::string& what, const std::strin
   list.PopClipRect();
 }
 
-void draw_half_labels(const EditorState& state, ImDrawList& list) {
-  const Layout& l = state.layout;
+void draw_half_labels(const MarkParts& of, ImDrawList& list) {
+  const Layout& l = of.view.layout;
   if (!l.split()) return;
-  const bool cut = state.document.strokes() > 0;
-  const double radius = state.laser.radius;
-  const SplitView& split = state.split;
+  const bool cut = of.document.strokes() > 0;
+  const double radius = of.hand.laser.radius;
+  const SplitView& split = of.split;
   draw_half_label(
       l.first,
-      resolution_text(cut ? state.document.stroke_settings().resolution : state.laser.resolution.of(radius)),
-      grouped(state.shown.faces) + " faces", list);
+      resolution_text(cut ? of.document.stroke_settings().resolution : of.hand.laser.resolution.of(radius)),
+      grouped(of.shown.faces) + " faces", list);
   const bool there = split.twin.there();
-  draw_half_label(l.second, resolution_text(cut ? split.twin.resolution() : split.resolution.of(radius)),
-                  there ? grouped(state.shown.twin_faces) + " faces"
-                        : "Too large to be cut twice (more than 400 000 faces)",
-                  list);
+  draw_half_label(
+      l.second, resolution_text(cut ? split.twin.resolution() : split.resolution.of(radius)),
+      there ? grouped(of.shown.twin_faces) + " faces" : "Too large to be cut twice (more than 400 000 faces)",
+      list);
   const auto x = static_cast<float>(l.second.at.x), y = static_cast<float>(l.second.at.y);
   list.AddLine({x, y}, {x, y + static_cast<float>(l.second.size.y)}, colours::kPictureShade, 3);
   list.AddLine({x, y}, {x, y + static_cast<float>(l.second.size.y)}, colours::kPictureSecondary, 1);
@@ -104,14 +104,14 @@ void draw_half_labels(const EditorState& state, ImDrawList& list) {
 
 }  // namespace
 
-void draw_picture_marks(const EditorState& state) {
+void draw_picture_marks(const MarkParts& of) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  const Area& area = state.layout.viewport;
+  const Area& area = of.view.layout.viewport;
   list.PushClipRect(to_im(area.at), to_im(area.at + area.size));
-  draw_ring(state, list);
-  draw_half_labels(state, list);
-  draw_light_handles(state, list);
-  draw_hints(state, list);
+  draw_ring(of, list);
+  draw_half_labels(of, list);
+  if (shows_light_handles(of.settings)) draw_light_handles(of.view, list);
+  draw_hints(of, list);
   list.PopClipRect();
 }
 

@@ -1,11 +1,25 @@
 #pragma once
 
-#include "ui/editor/editor_state.h"
+#include "ui/editor/changes/split_view.h"
+#include "ui/editor/figures/figures.h"
+#include "ui/editor/tools/hand.h"
+#include "ui/editor/view/settings.h"
+#include "ui/editor/view/view_state.h"
 
 namespace kerf {
 
-// What is drawn flat over the picture: the ring of the beam at the pointer, and the hints of the first
-// minutes.
-void draw_picture_marks(const EditorState& state);
+// What the marks over the picture tell of.
+struct MarkParts {
+  const Document& document;
+  const ViewState& view;
+  const Hand& hand;
+  const SplitView& split;
+  const Settings& settings;
+  const ShownFigures& shown;
+};
+
+// Draws over the picture: a ring as wide as the beam, what the halves of a split picture show, the handles of
+// lights, and hints until the first cut.
+void draw_picture_marks(const MarkParts& of);
 
 }  // namespace kerf

@@ -4,7 +4,6 @@
 
 #include <vector>
 
-#include "ui/editor/actions.h"
 #include "ui/window/theme.h"
 
 namespace kerf {
@@ -19,11 +18,11 @@ struct Row {
   const char *keys, *meaning;
 };
 
-std::vector<Row> rows_of_sheet() {
+std::vector<Row> rows_of_sheet(std::span<const UserAction> actions, std::span<const Gesture> gestures) {
   std::vector<Row> rows;
-  for (const Gesture& g : gestures()) rows.push_back({g.gesture, g.meaning});
-  for (const Action& a : actions()) {
-    if (a.shortcut[0] != '\0') rows.push_back({a.shortcut, a.name});
+  for (const Gesture& g : gestures) rows.push_back({g.gesture, g.meaning});
+  for (const UserAction& a : actions) {
+    if (!a.shortcut.empty()) rows.push_back({a.shortcut.c_str(), a.name});
   }
   return rows;
 }
@@ -54,8 +53,9 @@ void draw_rows(const std::vector<Row>& rows, size_t columns) {
 
 }  // namespace
 
-void draw_shortcut_sheet(EditorState& state) {
-  if (!state.show_shortcuts) return;
+void draw_shortcut_sheet(bool& shown, std::span<const UserAction> actions,
+                         std::span<const Gesture> gestures) {
+  if (!shown) return;
   const float em = ImGui::GetFontSize();
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   const float room = window.x - 2 * em;
@@ -66,7 +66,7 @@ void draw_shortcut_sheet(EditorState& state) {
   ImGui::SetNextWindowSize({width, 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 3);
-  if (ImGui::Begin("Shortcuts", &state.show_shortcuts, kSheet)) draw_rows(rows_of_sheet(), columns);
+  if (ImGui::Begin("Shortcuts", &shown, kSheet)) draw_rows(rows_of_sheet(actions, gestures), columns);
   ImGui::End();
   ImGui::PopStyleVar(2);
 }

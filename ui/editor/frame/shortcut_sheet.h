@@ -1,10 +1,12 @@
 #pragma once
 
-#include "ui/editor/editor_state.h"
+#include <span>
+
+#include "ui/editor/frame/user_action.h"
 
 namespace kerf {
 
-// The F1 sheet: gestures and shortcuts, from their tables.
-void draw_shortcut_sheet(EditorState& state);
+// Draws the window that lists all gestures and keys while `shown`; its button closes it.
+void draw_shortcut_sheet(bool& shown, std::span<const UserAction> actions, std::span<const Gesture> gestures);
 
 }  // namespace kerf

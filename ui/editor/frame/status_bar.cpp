@@ -13,8 +13,8 @@ namespace kerf {
 
 namespace {
 
-const char* left_button(const EditorState& state) {
-  switch (state.drag) {
+const char* left_button(const Hand& hand) {
+  switch (hand.drag) {
     case Drag::kCut:
       return "Cutting: release to end, Esc ends";
     case Drag::kOrbit:
@@ -27,8 +27,8 @@ const char* left_button(const EditorState& state) {
     case Drag::kNone:
       break;
   }
-  if (state.left_button == Tool::kPick) return "Pick: click chooses a piece, Shift adds, drag looks round";
-  if (state.cut_once) return "Laser: left drag cuts, Ctrl+click picks";
+  if (hand.tool == Tool::kPick) return "Pick: click chooses a piece, Shift adds, drag looks round";
+  if (hand.cut_once) return "Laser: left drag cuts, Ctrl+click picks";
   return "Laser: left drag cuts";
 }
 
@@ -43,18 +43,17 @@ struct Figure {
 };
 
 // From the right; what comes first stays longest where there is no room for all.
-std::vector<Figure> figures_of(const EditorState& state) {
+std::vector<Figure> figures_of(const ShownFigures& shown) {
   std::array<char, 32> frame{};
-  if (state.shown.frame_ms > 0) std::snprintf(frame.data(), frame.size(), "%.1f ms", state.shown.frame_ms);
-  return {
-      {grouped(state.shown.faces) + " faces", 6.0f, colours::text()},
-      {grouped(state.shown.pieces) + (state.shown.pieces == 1 ? " piece" : " pieces"), 4.4f, colours::text()},
-      {frame.data(), 3.6f, colours::secondary()}};
+  if (shown.frame_ms > 0) std::snprintf(frame.data(), frame.size(), "%.1f ms", shown.frame_ms);
+  return {{grouped(shown.faces) + " faces", 6.0f, colours::text()},
+          {grouped(shown.pieces) + (shown.pieces == 1 ? " piece" : " pieces"), 4.4f, colours::text()},
+          {frame.data(), 3.6f, colours::secondary()}};
 }
 
 // Where the figures begin.
-float draw_figures(const EditorState& state, float from, float to) {
-  std::vector<Figure> figures = figures_of(state);
+float draw_figures(const ShownFigures& shown, float from, float to) {
+  std::vector<Figure> figures = figures_of(shown);
   float width = 0;
   for (size_t i = 0; i < figures.size(); ++i) {
     width += figures[i].width();
@@ -74,36 +73,35 @@ float draw_figures(const EditorState& state, float from, float to) {
   return begin;
 }
 
-void draw_message(const EditorState& state, float from, float to) {
+void draw_message(const Message& message, float from, float to) {
   ImGui::SameLine(from);
   ImGui::PushClipRect({from, 0}, {to, ImGui::GetIO().DisplaySize.y}, false);
-  ImGui::PushStyleColor(ImGuiCol_Text, state.message_is_error ? colours::text() : colours::secondary());
-  ImGui::TextUnformatted(((state.message_is_error ? "! " : "") + state.message).c_str());
+  ImGui::PushStyleColor(ImGuiCol_Text, message.is_error ? colours::text() : colours::secondary());
+  ImGui::TextUnformatted(((message.is_error ? "! " : "") + message.text).c_str());
   ImGui::PopStyleColor();
   ImGui::PopClipRect();
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", state.message.c_str());
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", message.text.c_str());
 }
 
-void draw_contents(const EditorState& state) {
+void draw_contents(const Hand& hand, const Message& message, const ShownFigures& shown) {
   // What went wrong comes before what the button does, where there is no room for both.
   const float em = ImGui::GetFontSize(), left = ImGui::GetStyle().WindowPadding.x;
   const float end = ImGui::GetWindowWidth() - left;
-  const float hint = ImGui::CalcTextSize(left_button(state)).x + 1.6f * em;
-  const float right = draw_figures(state, left + hint, end);
-  const float wanted = ImGui::CalcTextSize(state.message.c_str()).x + em;
-  const bool crowded = state.message_is_error && left + hint + wanted > right;
+  const float hint = ImGui::CalcTextSize(left_button(hand)).x + 1.6f * em;
+  const float right = draw_figures(shown, left + hint, end);
+  const float wanted = ImGui::CalcTextSize(message.text.c_str()).x + em;
+  const bool crowded = message.is_error && left + hint + wanted > right;
   if (!crowded) {
     ImGui::SameLine(left);
-    ImGui::TextUnformatted(left_button(state));
+    ImGui::TextUnformatted(left_button(hand));
   }
   const float message_at = crowded ? left : left + hint;
-  if (!state.message.empty() && right > message_at) draw_message(state, message_at, right);
+  if (!message.text.empty() && right > message_at) draw_message(message, message_at, right);
 }
 
 }  // namespace
 
-void draw_status_bar(EditorState& state) {
-  const Area& area = state.layout.status;
+void draw_status_bar(const Area& area, const Hand& hand, const Message& message, const ShownFigures& shown) {
   ImGui::SetNextWindowPos({static_cast<float>(area.at.x), static_cast<float>(area.at.y)});
   ImGui::SetNextWindowSize({static_cast<float>(area.size.x), static_cast<float>(area.size.y)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImGui::GetStyle().FramePadding);
@@ -112,7 +110,7 @@ void draw_status_bar(EditorState& state) {
                                       ImGuiWindowFlags_NoSavedSettings |
                                       ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNavFocus |
                                       ImGuiWindowFlags_NoFocusOnAppearing;
-  if (ImGui::Begin("##status", nullptr, kFixed)) draw_contents(state);
+  if (ImGui::Begin("##status", nullptr, kFixed)) draw_contents(hand, message, shown);
   ImGui::End();
   ImGui::PopStyleVar(2);
 }

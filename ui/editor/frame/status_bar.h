@@ -1,10 +1,13 @@
 #pragma once
 
-#include "ui/editor/editor_state.h"
+#include "ui/editor/figures/figures.h"
+#include "ui/editor/tools/hand.h"
+#include "ui/window/layout.h"
+#include "ui/window/message.h"
 
 namespace kerf {
 
-// What the left button does now, the last message, faces, pieces and frame time.
-void draw_status_bar(EditorState& state);
+// Draws what the left button does, the message and the figures of the world into the status bar.
+void draw_status_bar(const Area& area, const Hand& hand, const Message& message, const ShownFigures& shown);
 
 }  // namespace kerf

@@ -28,15 +28,14 @@ void scale_row(Settings& settings, double& wanted) {
 
 }  // namespace
 
-void draw_display_panel(EditorState& state) {
+void DisplayPanel::draw(Settings& settings) {
   if (!begin_properties("display")) return;
-  Settings& settings = state.settings;
   property("Theme");
   int theme = settings.theme == Theme::kLight ? 1 : 0;
   if (ImGui::Combo("##theme", &theme, "Dark\0Light\0"))
     settings.theme = theme == 1 ? Theme::kLight : Theme::kDark;
   tooltip("Colours of the panels; the picture stays as it is (F9).");
-  scale_row(settings, state.wanted_scale);
+  scale_row(settings, wanted_scale_);
   end_properties();
 }
 

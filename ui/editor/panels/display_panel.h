@@ -1,10 +1,16 @@
 #pragma once
 
-#include "ui/editor/editor_state.h"
+#include "ui/editor/view/settings.h"
 
 namespace kerf {
 
-// Theme, size of the text, palette.
-void draw_display_panel(EditorState& state);
+// Theme and size of the text.
+class DisplayPanel {
+ public:
+  void draw(Settings& settings);
+
+ private:
+  double wanted_scale_ = 0;  // of the text, while its slider moves
+};
 
 }  // namespace kerf

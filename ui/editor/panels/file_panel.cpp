@@ -37,8 +37,7 @@ void draw_body(const Body& body) {
 
 }  // namespace
 
-void draw_file_panel(EditorState& state) {
-  const World& world = state.document.world();
+void draw_file_panel(const World& world) {
   const std::vector<BodyId> ids = world.ids();
   for (const BodyId id : ids) {
     const Body& body = world.body(id);

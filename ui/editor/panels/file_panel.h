@@ -1,10 +1,10 @@
 #pragma once
 
-#include "ui/editor/editor_state.h"
+#include "core/world/world.h"
 
 namespace kerf {
 
-// What the open files held and what was repaired in them.
-void draw_file_panel(EditorState& state);
+// What is in the files of the bodies, and what was put right when they were read.
+void draw_file_panel(const World& world);
 
 }  // namespace kerf

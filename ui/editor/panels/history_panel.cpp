@@ -24,8 +24,8 @@ std::string weight_text(const HistoryStep& step) {
   return kilobytes < 1000 ? text_of("%.0f kB", kilobytes) : text_of("%.1f MB", kilobytes / 1024);
 }
 
-void draw_row(EditorState& state, size_t position, const std::string& name, const std::string& weight) {
-  const size_t now = state.document.history().position();
+// Returns whether the row was clicked.
+bool draw_row(size_t now, size_t position, const std::string& name, const std::string& weight) {
   ImGui::PushID(static_cast<int>(position));
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
@@ -45,13 +45,40 @@ void draw_row(EditorState& state, size_t position, const std::string& name, cons
     ImGui::SetItemDefaultFocus();
   }
   ImGui::PopID();
-  if (clicked && position != now) state.requests.travel = position;
+  return clicked && position != now;
 }
 
-void draw_list(EditorState& state) {
+// The row of a position of the history; returns whether it was clicked.
+bool draw_step(const History& history, size_t position) {
+  if (position == 0) return draw_row(history.position(), 0, "As it was opened", "");
+  const HistoryStep& step = history.step(position - 1);
+  return draw_row(history.position(), position, words(step.commands.front()), weight_text(step));
+}
+
+void draw_window(Document& document, Settings& settings) {
+  if (!begin_properties("window")) return;
+  property("Memory");
+  int megabytes = settings.history_megabytes;
+  if (ImGui::SliderInt("##window", &megabytes, Settings::kLeastHistory, Settings::kMostHistory, "%d MB",
+                       ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic)) {
+    settings.history_megabytes = megabytes;
+    document.set_window(settings.history_bytes());
+  }
+  tooltip(
+      "How much memory going back at once may take. Older steps come back by replay, which takes longer.");
+  property("Held");
+  ImGui::TextUnformatted(
+      text_of("%.1f MB", static_cast<double>(document.history().bytes()) / (1 << 20)).c_str());
+  tooltip("What the steps above hold now.");
+  end_properties();
+}
+
+}  // namespace
+
+void HistoryPanel::draw_list(const Document& document, Requests& requests) {
   constexpr ImGuiTableFlags kList =
       ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersOuter;
-  const History& history = state.document.history();
+  const History& history = document.history();
   const float em = ImGui::GetFontSize();
   const auto lines = static_cast<float>(std::min(history.size() + 1, kMostRows));
   const float height = lines * (ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y) + 0.2f * em;
@@ -62,45 +89,21 @@ void draw_list(EditorState& state) {
   clipper.Begin(static_cast<int>(history.size() + 1));
   while (clipper.Step()) {
     for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-      if (i == 0) {
-        draw_row(state, 0, "As it was opened", "");
-        continue;
-      }
-      const HistoryStep& step = history.step(static_cast<size_t>(i) - 1);
-      draw_row(state, static_cast<size_t>(i), words(step.commands.front()), weight_text(step));
+      const auto position = static_cast<size_t>(i);
+      if (draw_step(history, position)) requests.travel = position;
     }
   }
-  if (state.history_shown != history.position()) {
-    state.history_shown = history.position();
+  if (shown_ != history.position()) {
+    shown_ = history.position();
     const float line = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
     ImGui::SetScrollY(line * static_cast<float>(history.position()) - 0.5f * height);
   }
   ImGui::EndTable();
 }
 
-void draw_window(EditorState& state) {
-  if (!begin_properties("window")) return;
-  property("Memory");
-  int megabytes = state.settings.history_megabytes;
-  if (ImGui::SliderInt("##window", &megabytes, Settings::kLeastHistory, Settings::kMostHistory, "%d MB",
-                       ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic)) {
-    state.settings.history_megabytes = megabytes;
-    state.document.set_window(state.settings.history_bytes());
-  }
-  tooltip(
-      "How much memory going back at once may take. Older steps come back by replay, which takes longer.");
-  property("Held");
-  ImGui::TextUnformatted(
-      text_of("%.1f MB", static_cast<double>(state.document.history().bytes()) / (1 << 20)).c_str());
-  tooltip("What the steps above hold now.");
-  end_properties();
-}
-
-}  // namespace
-
-void draw_history_panel(EditorState& state) {
-  draw_list(state);
-  draw_window(state);
+void HistoryPanel::draw(Document& document, Settings& settings, Requests& requests) {
+  draw_list(document, requests);
+  draw_window(document, settings);
 }
 
 }  // namespace kerf

@@ -1,10 +1,20 @@
 #pragma once
 
-#include "ui/editor/editor_state.h"
+#include "core/document/document.h"
+#include "ui/editor/view/settings.h"
+#include "ui/editor/work/requests.h"
 
 namespace kerf {
 
-// What was done, each step in words with the memory that going back holds, and the way to any of them.
-void draw_history_panel(EditorState& state);
+// The steps of the history, to be travelled by a click, and the memory that they may take.
+class HistoryPanel {
+ public:
+  void draw(Document& document, Settings& settings, Requests& requests);
+
+ private:
+  void draw_list(const Document& document, Requests& requests);
+
+  size_t shown_ = 0;  // the position that the list was scrolled to
+};
 
 }  // namespace kerf

@@ -47,10 +47,10 @@ void pattern_row(LaserControls& laser) {
 
 }  // namespace
 
-void draw_laser_panel(EditorState& state) {
+void draw_laser_panel(LaserControls& laser) {
   if (!begin_properties("laser")) return;
-  radius_row(state.laser);
-  pattern_row(state.laser);
+  radius_row(laser);
+  pattern_row(laser);
   end_properties();
 }
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "ui/editor/editor_state.h"
+#include "ui/editor/tools/laser_controls.h"
 
 namespace kerf {
 
 // Radius and pattern of the beam.
-void draw_laser_panel(EditorState& state);
+void draw_laser_panel(LaserControls& laser);
 
 }  // namespace kerf

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "ui/editor/panels/light_presets.h"
+#include "ui/editor/panels/switch_row.h"
 #include "ui/window/property.h"
 
 namespace kerf {
@@ -61,13 +62,12 @@ bool slider(const char* label, const char* id, double& value, double low, double
   return changed;
 }
 
-bool shadow_rows(EditorState& state) {
-  ViewOptions& look = state.look;
+bool shadow_rows(ViewState& view) {
+  ViewOptions& look = view.look;
   ShadowOptions& shadow = look.shadow;
   bool changed = false;
   property("Shadows");
-  changed |= ImGui::Checkbox("cast (D)", &look.show.shadows);
-  tooltip("Of everything on everything; off, only a plain one on the ground.");
+  draw_switch(view, SwitchId::kShadows, "cast");
   changed |= method_row("Method", "##method", shadow.method);
   if (shadow.method != ShadowMethod::kRobust) {
     changed |=
@@ -79,40 +79,28 @@ bool shadow_rows(EditorState& state) {
   changed |= ImGui::Checkbox("Paper look", &shadow.paper_look);
   tooltip("Transparent black over what is in shadow, as in the paper, in place of leaving the light out.");
   property("");
-  changed |= ImGui::Checkbox("Cull backs", &look.cull_backs);
-  tooltip(
-      "Leaves polygons out that are seen from behind. The paper turns it off: through a hole one sees backs, "
-      "and "
-      "shadows fall on them.");
+  draw_switch(view, SwitchId::kCullBacks);
   return changed;
 }
 
-bool compare_rows(EditorState& state) {
-  ShadowOptions& shadow = state.look.shadow;
-  bool changed = false;
+bool compare_rows(ViewState& view, const ShadowFigures& figures) {
+  ShadowOptions& shadow = view.look.shadow;
   property("Compare");
-  changed |= ImGui::Checkbox("two methods (X)", &state.look.show.shadow_compare);
-  tooltip("The method above left of a line, another right of it, and the pixels that differ.");
-  if (!state.look.show.shadow_compare) return changed;
-  changed |= method_row("with", "##beside", shadow.beside);
+  draw_switch(view, SwitchId::kCompare, "two methods");
+  if (!view.look.show.shadow_compare) return false;
+  bool changed = method_row("with", "##beside", shadow.beside);
   changed |= slider("Split", "##split", shadow.split, 0, 1, "%.2f", "Where the two meet.", 0);
   property("");
-  ImGui::Text("%zu pixels differ", state.shadow_figures.differing);
+  ImGui::Text("%zu pixels differ", figures.differing);
   return changed;
 }
 
-bool trace_rows(EditorState& state) {
+void trace_rows(ViewState& view, const ShadowFigures& figures) {
   property("Rays");
-  const bool changed = ImGui::Checkbox("trace (Y)", &state.look.show.shadow_reference);
-  tooltip(
-      "Traces the shadow of the chosen light pixel by pixel once the picture stands still, and marks in "
-      "magenta "
-      "where the picture has it otherwise.");
-  if (!state.look.show.shadow_reference) return changed;
+  draw_switch(view, SwitchId::kTrace, "trace");
+  if (!view.look.show.shadow_reference) return;
   property("");
-  const ShadowFigures& figures = state.shadow_figures;
   ImGui::Text("%.0f %%, %zu wrong", 100 * figures.traced, figures.wrong);
-  return changed;
 }
 
 void choose_kind(Light& light, Light::Kind kind, const World::Bounds& bounds) {
@@ -147,14 +135,14 @@ bool light_rows(Light& light, const World::Bounds& bounds) {
   return changed;
 }
 
-bool preset_row(EditorState& state) {
+bool preset_row(ViewOptions& look, const World::Bounds& bounds) {
   property("Preset");
   bool changed = false;
   if (ImGui::BeginCombo("##preset", "Choose")) {
     for (const LightPreset& preset : light_presets()) {
       if (ImGui::Selectable(preset.name)) {
-        state.look.lights = preset.lights(state.document.world().bounds());
-        state.look.shadow.inspected = 0;
+        look.lights = preset.lights(bounds);
+        look.shadow.inspected = 0;
         changed = true;
       }
       tooltip(preset.meaning);
@@ -165,9 +153,9 @@ bool preset_row(EditorState& state) {
 }
 
 // Buttons to choose a light, to add one and to take the chosen one away.
-bool choose_light(EditorState& state) {
-  std::vector<Light>& lights = state.look.lights;
-  size_t& chosen = state.look.shadow.inspected;
+bool choose_light(ViewOptions& look) {
+  std::vector<Light>& lights = look.lights;
+  size_t& chosen = look.shadow.inspected;
   bool changed = false;
   for (size_t i = 0; i < lights.size(); ++i) {
     const std::string label = " " + std::to_string(i + 1) + " ";
@@ -205,19 +193,19 @@ bool choose_light(EditorState& state) {
 
 }  // namespace
 
-void draw_light_panel(EditorState& state) {
-  bool changed = choose_light(state);
+void draw_light_panel(ViewState& view, const World::Bounds& bounds, const ShadowFigures& figures) {
+  ViewOptions& look = view.look;
+  bool changed = choose_light(look);
   if (begin_properties("light")) {
-    changed |= preset_row(state);
-    if (state.look.shadow.inspected < state.look.lights.size()) {
-      changed |= light_rows(state.look.lights[state.look.shadow.inspected], state.document.world().bounds());
-    }
-    changed |= shadow_rows(state);
-    changed |= compare_rows(state);
-    changed |= trace_rows(state);
+    changed |= preset_row(look, bounds);
+    if (look.shadow.inspected < look.lights.size())
+      changed |= light_rows(look.lights[look.shadow.inspected], bounds);
+    changed |= shadow_rows(view);
+    changed |= compare_rows(view, figures);
+    trace_rows(view, figures);
     end_properties();
   }
-  if (changed) state.picture_old = true;
+  if (changed) view.picture_old = true;
 }
 
 }  // namespace kerf

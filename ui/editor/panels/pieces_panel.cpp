@@ -2,7 +2,7 @@
 
 #include <imgui.h>
 
-#include "ui/editor/tools/piece_set.h"
+#include "ui/editor/view/piece_set.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
 #include "ui/window/theme.h"
@@ -25,7 +25,7 @@ void draw_swatch(uint32_t label, bool strong) {
   ImGui::Dummy({side, ImGui::GetTextLineHeight()});
 }
 
-void eye_button(EditorState& state, const PieceRow& row, bool hidden) {
+void eye_button(Requests& requests, const PieceRow& row, bool hidden) {
   ImGui::PushStyleColor(ImGuiCol_Text, hidden ? colours::secondary() : colours::text());
   ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(0, 0, 0, 0));
   ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 0);
@@ -35,17 +35,17 @@ void eye_button(EditorState& state, const PieceRow& row, bool hidden) {
   tooltip(hidden ? "Draws this piece again."
                  : "Leaves this piece out of the picture; the beam passes it by.");
   if (!pressed) return;
-  state.requests.commands.emplace_back(HidePiece{row.id, !hidden});
+  requests.commands.emplace_back(HidePiece{row.id, !hidden});
 }
 
-void draw_row(EditorState& state, const PieceRow& row) {
-  const auto found = state.look.pieces.find(row.id);
-  const PieceLook look = found != state.look.pieces.end() ? found->second : PieceLook();
+void draw_row(ViewState& view, Requests& requests, const PieceRow& row) {
+  const auto found = view.look.pieces.find(row.id);
+  const PieceLook look = found != view.look.pieces.end() ? found->second : PieceLook();
   ImGui::PushID(static_cast<int>(row.id.body.slot));
   ImGui::PushID(static_cast<int>(row.id.label));
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  draw_swatch(row.id.label, state.look.show.pieces);
+  draw_swatch(row.id.label, view.look.show.pieces);
   ImGui::SameLine();
   if (look.selected) ImGui::PushStyleColor(ImGuiCol_Text, colours::accent());
   if (look.hidden) ImGui::PushStyleColor(ImGuiCol_Text, colours::secondary());
@@ -57,20 +57,20 @@ void draw_row(EditorState& state, const PieceRow& row) {
   tooltip((row.name + ". Click chooses it, Ctrl+click or Shift+click adds it.").c_str());
   if (clicked && !look.hidden) {
     const ImGuiIO& io = ImGui::GetIO();
-    choose_piece(state.look.pieces, row.id, io.KeyCtrl || io.KeyShift);
-    state.picture_old = true;
+    choose_piece(view.look.pieces, row.id, io.KeyCtrl || io.KeyShift);
+    view.picture_old = true;
   }
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(grouped(row.faces).c_str());
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(area_text(row.area).c_str());
   ImGui::TableNextColumn();
-  eye_button(state, row, look.hidden);
+  eye_button(requests, row, look.hidden);
   ImGui::PopID();
   ImGui::PopID();
 }
 
-void draw_list(EditorState& state, const std::vector<PieceRow>& rows) {
+void draw_list(ViewState& view, Requests& requests, const std::vector<PieceRow>& rows) {
   constexpr ImGuiTableFlags kList =
       ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_NoPadOuterX;
   const float em = ImGui::GetFontSize();
@@ -87,7 +87,7 @@ void draw_list(EditorState& state, const std::vector<PieceRow>& rows) {
   clipper.Begin(static_cast<int>(rows.size()));
   while (clipper.Step()) {
     for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
-      draw_row(state, rows[static_cast<size_t>(i)]);
+      draw_row(view, requests, rows[static_cast<size_t>(i)]);
   }
   ImGui::EndTable();
 }
@@ -104,35 +104,34 @@ bool row_button(const char* label, int shares, bool can, const char* meaning, co
   return pressed;
 }
 
-void draw_buttons(EditorState& state) {
-  PieceMap& looks = state.look.pieces;
+void draw_buttons(const PieceMap& looks, Requests& requests, const std::function<void()>& browse_export) {
   const size_t chosen = chosen_pieces(looks), hidden = hidden_pieces(looks).size();
   constexpr const char* kNoneChosen =
       "No piece is chosen: Ctrl+click one in the picture, or click it in the list.";
   if (row_button("Hide", 3, chosen > 0, "Leaves the chosen pieces out of the picture (H).", kNoneChosen)) {
-    state.requests.hide_chosen = true;
+    requests.hide_chosen = true;
   }
   ImGui::SameLine();
   if (row_button("Show all", 3, hidden > 0, "Draws the hidden pieces again (Shift+H).",
                  "No piece is hidden.")) {
-    state.requests.show_hidden = true;
+    requests.show_hidden = true;
   }
   ImGui::SameLine();
   if (row_button("Export", 3, chosen > 0, "Writes the chosen pieces to mesh files (Ctrl+E).", kNoneChosen)) {
-    browse(state, FileBrowser::Purpose::kExport);
+    browse_export();
   }
 }
 
-void draw_spread(EditorState& state, bool one_piece) {
+void draw_spread(const World& world, ViewState& view, bool one_piece) {
   if (!begin_properties("spread")) return;
   property("Spread");
   constexpr double kNone = 0;
   ImGui::BeginDisabled(one_piece);
-  const std::string format = state.spread == 0 ? "together" : "%.2f";
-  if (ImGui::SliderScalar("##spread", ImGuiDataType_Double, &state.spread, &kNone, &kMostSpread,
+  const std::string format = view.spread == 0 ? "together" : "%.2f";
+  if (ImGui::SliderScalar("##spread", ImGuiDataType_Double, &view.spread, &kNone, &kMostSpread,
                           format.c_str(), ImGuiSliderFlags_AlwaysClamp)) {
-    spread_pieces(state.document.world(), state.spread, state.look.pieces);
-    state.picture_old = true;
+    spread_pieces(world, view.spread, view.look.pieces);
+    view.picture_old = true;
   }
   ImGui::EndDisabled();
   tooltip(one_piece ? "There is only one piece: cut something off first."
@@ -143,11 +142,12 @@ void draw_spread(EditorState& state, bool one_piece) {
 
 }  // namespace
 
-void draw_pieces_panel(EditorState& state) {
-  const std::vector<PieceRow> rows = list_pieces(state.document.world());
-  draw_list(state, rows);
-  draw_buttons(state);
-  draw_spread(state, rows.size() < 2);
+void draw_pieces_panel(const World& world, ViewState& view, Requests& requests,
+                       const std::function<void()>& browse_export) {
+  const std::vector<PieceRow> rows = list_pieces(world);
+  draw_list(view, requests, rows);
+  draw_buttons(view.look.pieces, requests, browse_export);
+  draw_spread(world, view, rows.size() < 2);
 }
 
 }  // namespace kerf

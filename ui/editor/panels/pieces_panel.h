@@ -1,10 +1,16 @@
 #pragma once
 
-#include "ui/editor/editor_state.h"
+#include <functional>
+
+#include "core/world/world.h"
+#include "ui/editor/view/view_state.h"
+#include "ui/editor/work/requests.h"
 
 namespace kerf {
 
-// The pieces: choose, show, hide, draw apart, export.
-void draw_pieces_panel(EditorState& state);
+// The pieces, what is done with the chosen ones, and how far they are drawn apart. `browse_export` lets the
+// user choose a file for the chosen pieces.
+void draw_pieces_panel(const World& world, ViewState& view, Requests& requests,
+                       const std::function<void()>& browse_export);
 
 }  // namespace kerf

@@ -6,8 +6,7 @@
 #include <cstdio>
 
 #include "core/base/length_text.h"
-#include "ui/editor/changes/recut.h"
-#include "ui/editor/tools/viewport_input.h"
+#include "ui/editor/changes/world_changes.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
 
@@ -100,17 +99,17 @@ bool depth_row(ResolutionControls& to) {
   return to.depth != before;
 }
 
-void recut_row(EditorState& state, bool changed) {
+void recut_row(const ResolutionParts& on, bool changed) {
   property("Last stroke");
-  const char* why_not = why_no_recut(state);
+  const char* why_not = why_no_recut(on.document);
   ImGui::BeginDisabled(why_not != nullptr);
-  if (ImGui::Button("Cut again", {-1, 0})) state.requests.recut = true;
+  if (ImGui::Button("Cut again", {-1, 0})) on.requests.recut = true;
   ImGui::EndDisabled();
   tooltip(why_not != nullptr ? why_not : "Takes the last stroke back and cuts it at this resolution (R).");
   property("");
-  ImGui::Checkbox("as the slider moves", &state.settings.live_recut);
+  ImGui::Checkbox("as the slider moves", &on.settings.live_recut);
   tooltip("Moving a slider above cuts the last stroke again: the same cut, just with different parameters.");
-  if (changed && state.settings.live_recut && why_not == nullptr) state.requests.recut = true;
+  if (changed && on.settings.live_recut && why_not == nullptr) on.requests.recut = true;
 }
 
 // Whether anything changed.
@@ -153,28 +152,29 @@ void stroke_rows(const StepFigures& stroke) {
              "Smallest angle of all faces that the last stroke made and left.");
 }
 
-void split_rows(EditorState& state) {
+void split_rows(const ResolutionParts& on) {
   property("Split view");
-  if (ImGui::Checkbox("two resolutions (S)", &state.split.shown)) show_split(state, state.split.shown);
+  bool shown = on.split.shown;
+  if (ImGui::Checkbox("two resolutions (S)", &shown)) on.show_split(shown);
   tooltip("The last stroke once more beside the picture, at a resolution of its own.");
-  if (!state.split.shown) return;
+  if (!on.split.shown) return;
   ImGui::PushID("right half");
   property("Right half");
   ImGui::Dummy({1, ImGui::GetFrameHeight()});
-  if (resolution_rows(state.split.resolution, state.laser.radius)) state.picture_old = true;
-  faces_row(state.shown.twin_faces, "Faces of all bodies in the right half.");
+  if (resolution_rows(on.split.resolution, on.laser.radius)) on.view.picture_old = true;
+  faces_row(on.figures.shown.twin_faces, "Faces of all bodies in the right half.");
   ImGui::PopID();
 }
 
 }  // namespace
 
-void draw_resolution_panel(EditorState& state) {
+void draw_resolution_panel(const ResolutionParts& on) {
   if (!begin_properties("resolution")) return;
-  const bool changed = resolution_rows(state.laser.resolution, state.laser.radius);
-  recut_row(state, changed);
-  faces_row(state.shown.faces, "Faces of all bodies as they stand.");
-  stroke_rows(state.stroke_figures);
-  split_rows(state);
+  const bool changed = resolution_rows(on.laser.resolution, on.laser.radius);
+  recut_row(on, changed);
+  faces_row(on.figures.shown.faces, "Faces of all bodies as they stand.");
+  stroke_rows(on.figures.stroke);
+  split_rows(on);
   end_properties();
 }
 

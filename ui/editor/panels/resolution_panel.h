@@ -1,10 +1,27 @@
 #pragma once
 
-#include "ui/editor/editor_state.h"
+#include <functional>
+
+#include "ui/editor/changes/split_view.h"
+#include "ui/editor/figures/figures.h"
+#include "ui/editor/view/settings.h"
+#include "ui/editor/work/requests.h"
 
 namespace kerf {
 
-// How finely faces are split under the beam, from coarse to fine; moving a slider cuts the last stroke again.
-void draw_resolution_panel(EditorState& state);
+// What the panel of the resolution shows and sets.
+struct ResolutionParts {
+  const Document& document;
+  LaserControls& laser;
+  SplitView& split;
+  ViewState& view;
+  Settings& settings;
+  Requests& requests;
+  const Figures& figures;
+  std::function<void(bool)> show_split;
+};
+
+// How finely is cut, what the last stroke made, and the second resolution of a split picture.
+void draw_resolution_panel(const ResolutionParts& on);
 
 }  // namespace kerf

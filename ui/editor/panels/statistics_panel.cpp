@@ -17,23 +17,23 @@ constexpr size_t kManyFaces = 100'000;  // among which what the program itself t
 constexpr float kPlotHeight = 1.7f, kNumberWidth = 5.2f;  // sizes of the text
 
 struct Row {
-  StepHistory::Line line;
+  StepChart::Line line;
   const char* name;
   const char* meaning;
 };
 
 constexpr std::array kStages{
-    Row{StepHistory::kFind, "Find", "Asking the tree for the faces under the beam."},
-    Row{StepHistory::kRefine, "Refine", "Splitting them until they are fine enough."},
-    Row{StepHistory::kRemove, "Remove", "Taking them out of the mesh."},
-    Row{StepHistory::kTree, "Tree", "Following with the tree."},
-    Row{StepHistory::kSeparate, "Separate", "Finding what came apart, and telling what changed."}};
+    Row{StepChart::kFind, "Find", "Asking the tree for the faces under the beam."},
+    Row{StepChart::kRefine, "Refine", "Splitting them until they are fine enough."},
+    Row{StepChart::kRemove, "Remove", "Taking them out of the mesh."},
+    Row{StepChart::kTree, "Tree", "Following with the tree."},
+    Row{StepChart::kSeparate, "Separate", "Finding what came apart, and telling what changed."}};
 
 // The line of a row up to `top`, and its last number beside it.
-void plot_row(const StepHistory& history, const Row& row, float top, const std::string& last) {
+void plot_row(const StepChart& chart, const Row& row, float top, const std::string& last) {
   property(row.name);
   const float em = ImGui::GetFontSize();
-  const std::span<const float> values = history.line(row.line);
+  const std::span<const float> values = chart.line(row.line);
   ImGui::PushID(row.name);
   ImGui::PushStyleColor(ImGuiCol_PlotLines, colours::accent());
   ImGui::PlotLines("##line", values.data(), static_cast<int>(values.size()), 0, nullptr, 0,
@@ -49,20 +49,20 @@ void plot_row(const StepHistory& history, const Row& row, float top, const std::
   ImGui::TextUnformatted(last.c_str());
 }
 
-void stage_rows(const StepHistory& history) {
+void stage_rows(const StepChart& chart) {
   float top = 0;  // one scale, so that the stages can be compared
-  for (const Row& row : kStages) top = std::max(top, history.largest(row.line));
-  for (const Row& row : kStages) plot_row(history, row, top, text_of("%.2f ms", history.last(row.line)));
+  for (const Row& row : kStages) top = std::max(top, chart.largest(row.line));
+  for (const Row& row : kStages) plot_row(chart, row, top, text_of("%.2f ms", chart.last(row.line)));
 }
 
-void change_rows(const StepHistory& history) {
-  const float top = std::max(history.largest(StepHistory::kBorn), history.largest(StepHistory::kGone));
-  const auto faces = [&](StepHistory::Line line) { return grouped(static_cast<size_t>(history.last(line))); };
-  plot_row(history, {StepHistory::kBorn, "Born", "Faces that are new or have new corners."}, top,
-           faces(StepHistory::kBorn));
-  plot_row(history, {StepHistory::kGone, "Gone", "Faces that are no more."}, top, faces(StepHistory::kGone));
-  plot_row(history, {StepHistory::kSent, "Sent", "Faces and lists sent to the graphics card for a picture."},
-           history.largest(StepHistory::kSent), text_of("%.0f kB", history.last(StepHistory::kSent)));
+void change_rows(const StepChart& chart) {
+  const float top = std::max(chart.largest(StepChart::kBorn), chart.largest(StepChart::kGone));
+  const auto faces = [&](StepChart::Line line) { return grouped(static_cast<size_t>(chart.last(line))); };
+  plot_row(chart, {StepChart::kBorn, "Born", "Faces that are new or have new corners."}, top,
+           faces(StepChart::kBorn));
+  plot_row(chart, {StepChart::kGone, "Gone", "Faces that are no more."}, top, faces(StepChart::kGone));
+  plot_row(chart, {StepChart::kSent, "Sent", "Faces and lists sent to the graphics card for a picture."},
+           chart.largest(StepChart::kSent), text_of("%.0f kB", chart.last(StepChart::kSent)));
 }
 
 void memory_row(const char* name, size_t bytes, size_t faces, const char* meaning) {
@@ -98,11 +98,11 @@ void memory_rows(const MemoryFigures& memory, size_t faces) {
 
 }  // namespace
 
-void draw_statistics_panel(EditorState& state) {
+void draw_statistics_panel(const StepChart& chart, const ShownFigures& shown) {
   if (!begin_properties("##statistics")) return;
-  stage_rows(state.history);
-  change_rows(state.history);
-  memory_rows(state.shown.memory, state.shown.faces);
+  stage_rows(chart);
+  change_rows(chart);
+  memory_rows(shown.memory, shown.faces);
   end_properties();
 }
 

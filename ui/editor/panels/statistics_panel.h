@@ -1,10 +1,10 @@
 #pragma once
 
-#include "ui/editor/editor_state.h"
+#include "ui/editor/figures/figures.h"
 
 namespace kerf {
 
-// What steps take, stage by stage, what they change and send, and where memory goes.
-void draw_statistics_panel(EditorState& state);
+// What the last steps took and changed, and where memory goes.
+void draw_statistics_panel(const StepChart& chart, const ShownFigures& shown);
 
 }  // namespace kerf

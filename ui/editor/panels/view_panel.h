@@ -1,10 +1,10 @@
 #pragma once
 
-#include "ui/editor/editor_state.h"
+#include "ui/editor/view/view_state.h"
 
 namespace kerf {
 
-// What is drawn over the picture.
-void draw_view_panel(EditorState& state);
+// The switches of the view that have no panel of their own.
+void draw_view_panel(ViewState& view);
 
 }  // namespace kerf

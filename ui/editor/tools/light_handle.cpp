@@ -39,61 +39,50 @@ Vec3 on_sphere(const Sphere& sphere, const Pose& ray, bool far_side) {
   return glm::normalize(nearest + ray.direction * (far_side ? 1.0 : -1.0) * std::sqrt(inside));
 }
 
-bool handles_shown(const EditorState& state) {
-  const auto found = state.settings.panels.find("Light");
-  return state.settings.side_shown && found != state.settings.panels.end() && found->second;
-}
-
-// Handles are in the document's own picture alone.
-CameraView view_of(const EditorState& state) {
-  const Vec2 size = state.layout.first.size;
-  return state.camera.view(size.x / size.y);
-}
-
 ImVec2 to_im(Vec2 p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
 
 }  // namespace
 
-std::optional<Vec2> light_handle(const EditorState& state, size_t light) {
-  if (!handles_shown(state) || light >= state.look.lights.size()) return std::nullopt;
-  const CameraView view = view_of(state);
-  const Vec3 seen = view.project(place_of(state.look.lights[light], view));
+std::optional<Vec2> light_handle(const ViewState& view, size_t light) {
+  if (light >= view.look.lights.size()) return std::nullopt;
+  const CameraView camera = view.seen_first();
+  const Vec3 seen = camera.project(place_of(view.look.lights[light], camera));
   if (seen.z <= 0) return std::nullopt;
-  const Area& area = state.layout.first;
+  const Area& area = view.layout.first;
   const Vec2 at = area.at + Vec2(0.5 + 0.5 * seen.x, 0.5 - 0.5 * seen.y) * area.size;
   return area.contains(at) ? std::optional(at) : std::nullopt;
 }
 
-std::optional<size_t> light_under(const EditorState& state, Vec2 at) {
-  for (size_t i = 0; i < state.look.lights.size(); ++i) {
-    const std::optional<Vec2> handle = light_handle(state, i);
+std::optional<size_t> light_under(const ViewState& view, Vec2 at) {
+  for (size_t i = 0; i < view.look.lights.size(); ++i) {
+    const std::optional<Vec2> handle = light_handle(view, i);
     if (handle && glm::length(*handle - at) < kReach) return i;
   }
   return std::nullopt;
 }
 
-void drag_light(EditorState& state, size_t light, Vec2 to) {
-  if (light >= state.look.lights.size()) return;
-  Light& dragged = state.look.lights[light];
-  const CameraView view = view_of(state);
-  const Vec2 p = state.in_picture(to);
-  const Pose ray = view.ray(p.x, p.y);
+void drag_light(ViewState& view, size_t light, Vec2 to) {
+  if (light >= view.look.lights.size()) return;
+  Light& dragged = view.look.lights[light];
+  const CameraView camera = view.seen_first();
+  const Vec2 p = view.in_picture(to);
+  const Pose ray = camera.ray(p.x, p.y);
   if (dragged.kind == Light::Kind::kPoint) {
-    const double depth = glm::dot(dragged.at - view.eye, view.forward);
-    dragged.at = view.eye + ray.direction * (depth / glm::dot(ray.direction, view.forward));
+    const double depth = glm::dot(dragged.at - camera.eye, camera.forward);
+    dragged.at = camera.eye + ray.direction * (depth / glm::dot(ray.direction, camera.forward));
   } else {
-    dragged.at = on_sphere(sphere_of(view), ray, glm::dot(dragged.at, view.forward) > 0);
+    dragged.at = on_sphere(sphere_of(camera), ray, glm::dot(dragged.at, camera.forward) > 0);
   }
-  state.look.shadow.inspected = light;
-  state.picture_old = true;
+  view.look.shadow.inspected = light;
+  view.picture_old = true;
 }
 
-void draw_light_handles(const EditorState& state, ImDrawList& list) {
-  for (size_t i = 0; i < state.look.lights.size(); ++i) {
-    const std::optional<Vec2> at = light_handle(state, i);
+void draw_light_handles(const ViewState& view, ImDrawList& list) {
+  for (size_t i = 0; i < view.look.lights.size(); ++i) {
+    const std::optional<Vec2> at = light_handle(view, i);
     if (!at) continue;
-    const Light& light = state.look.lights[i];
-    const bool chosen = state.look.shadow.inspected == i;
+    const Light& light = view.look.lights[i];
+    const bool chosen = view.look.shadow.inspected == i;
     const ImVec4 colour(static_cast<float>(std::sqrt(std::min(light.colour.x, 1.0))),
                         static_cast<float>(std::sqrt(std::min(light.colour.y, 1.0))),
                         static_cast<float>(std::sqrt(std::min(light.colour.z, 1.0))), 1);

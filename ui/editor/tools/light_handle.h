@@ -2,25 +2,29 @@
 
 #include <optional>
 
-#include "ui/editor/editor_state.h"
+#include "ui/editor/view/settings.h"
+#include "ui/editor/view/view_state.h"
 
 struct ImDrawList;
 
 namespace kerf {
 
-// A handle for every light in the picture, while the Light panel is unfolded: a lamp where it stands, a
-// directional light on a sphere around what is looked at. Places are of the window, screen coordinates.
+// A handle for every light in the first half of the picture: a lamp where it stands, a directional light on a
+// sphere around what is looked at. Places are of the window, screen coordinates.
 
-// Nothing for a light behind the eye, or while handles are not shown.
-std::optional<Vec2> light_handle(const EditorState& state, size_t light);
+// Whether handles are shown: while the Light panel is unfolded.
+inline bool shows_light_handles(const Settings& settings) { return settings.shows(PanelId::kLight); }
+
+// Where the handle of a light is; nothing for a light that is not in the picture.
+std::optional<Vec2> light_handle(const ViewState& view, size_t light);
 
 // The light whose handle is under a place.
-std::optional<size_t> light_under(const EditorState& state, Vec2 at);
+std::optional<size_t> light_under(const ViewState& view, Vec2 at);
 
 // Moves a light so that its handle is there: a lamp across the view at its depth, a directional light over
 // its sphere.
-void drag_light(EditorState& state, size_t light, Vec2 to);
+void drag_light(ViewState& view, size_t light, Vec2 to);
 
-void draw_light_handles(const EditorState& state, ImDrawList& list);
+void draw_light_handles(const ViewState& view, ImDrawList& list);
 
 }  // namespace kerf

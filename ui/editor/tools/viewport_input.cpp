@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "ui/editor/tools/light_handle.h"
-#include "ui/editor/tools/piece_set.h"
+#include "ui/editor/view/piece_set.h"
 #include "ui/render/pick.h"
 
 namespace kerf {
@@ -34,65 +34,67 @@ Drag drag_of(Tool tool, int button, int mods) {
 }
 
 // The beam cuts pieces where they stand, so they are drawn there.
-void stand_together(EditorState& state) {
-  if (state.spread == 0) return;
-  state.spread = 0;
-  spread_pieces(state.document.world(), 0, state.look.pieces);
+void stand_together(const MouseParts& on) {
+  if (on.view.spread == 0) return;
+  on.view.spread = 0;
+  spread_pieces(on.work.document.world(), 0, on.view.look.pieces);
 }
 
-void pick_piece(EditorState& state, int mods) {
-  if (state.in_second) return state.say("Pieces are chosen in the left half.", true);
-  const Vec2 p = state.in_picture(state.pointer);
-  const World& world = state.document.world();
-  const std::optional<Pick> seen = pick(world, state.look, state.view().ray(p.x, p.y));
+void pick_piece(const MouseParts& on, int mods) {
+  if (on.view.in_second) return on.message.say("Pieces are chosen in the left half.", true);
+  const Vec2 p = on.view.in_picture(on.hand.pointer);
+  const World& world = on.work.document.world();
+  const std::optional<Pick> seen = pick(world, on.view.look, on.view.seen().ray(p.x, p.y));
   const bool add = (mods & GLFW_MOD_SHIFT) != 0;
   if (seen) {
-    choose_piece(state.look.pieces, {seen->body, world.body(seen->body).mesh.data(seen->face).piece}, add);
+    choose_piece(on.view.look.pieces, {seen->body, world.body(seen->body).mesh.data(seen->face).piece}, add);
   } else if (!add) {
-    choose_none(state.look.pieces);
+    choose_none(on.view.look.pieces);
   }
-  state.picture_old = true;
+  on.view.picture_old = true;
 }
 
-void begin(EditorState& state, Drag drag) {
-  state.drag = drag;
-  state.pressed_at = state.pointer;
+void begin(const MouseParts& on, Drag drag) {
+  on.hand.drag = drag;
+  on.hand.pressed_at = on.hand.pointer;
   if (drag == Drag::kCut || drag == Drag::kPick) {
-    if (const auto light = light_under(state, state.pointer)) {
-      state.drag = Drag::kLight;
-      state.dragged_light = *light;
+    const auto light = light_under(on.view, on.hand.pointer);
+    if (light && shows_light_handles(on.settings)) {
+      on.hand.drag = Drag::kLight;
+      on.hand.dragged_light = *light;
       return;
     }
   }
   if (drag != Drag::kCut) return;
-  if (state.loader.busy()) {
-    state.drag = Drag::kNone;
-    return state.say("The laser waits until " + state.loader.order().name() + " is open.");
+  if (on.loader.busy()) {
+    on.hand.drag = Drag::kNone;
+    return on.message.say("The laser waits until " + on.loader.order().name() + " is open.");
   }
-  stand_together(state);
-  state.camera.finish();
-  state.tool.press(state.document, state.view(), state.in_picture(state.pointer), state.laser);
-  state.cut_once = true;
-  state.say("");
+  stand_together(on);
+  on.view.camera.finish();
+  on.hand.beam.press(on.work.document, on.view.seen(), on.view.in_picture(on.hand.pointer), on.hand.laser);
+  on.hand.cut_once = true;
+  on.message.say("");
 }
 
-void go_on(EditorState& state, Vec2 from) {
-  const Vec2 moved = (state.pointer - from) / state.pane().size.y;
-  switch (state.drag) {
+void go_on(const MouseParts& on, Vec2 from) {
+  const Vec2 moved = (on.hand.pointer - from) / on.view.pane().size.y;
+  switch (on.hand.drag) {
     case Drag::kCut:
-      state.tool.move(state.document, state.view(), state.in_picture(state.pointer), 2 / state.pane().size.y);
+      on.hand.beam.move(on.work.document, on.view.seen(), on.view.in_picture(on.hand.pointer),
+                        2 / on.view.pane().size.y);
       break;
     case Drag::kPick:
-      if (glm::length(state.pointer - state.pressed_at) > kClick) state.drag = Drag::kOrbit;
+      if (glm::length(on.hand.pointer - on.hand.pressed_at) > kClick) on.hand.drag = Drag::kOrbit;
       break;
     case Drag::kOrbit:
-      state.camera.orbit(-moved.x * kOrbitPerHeight, moved.y * kOrbitPerHeight);
+      on.view.camera.orbit(-moved.x * kOrbitPerHeight, moved.y * kOrbitPerHeight);
       break;
     case Drag::kPan:
-      state.camera.pan(2 * moved.x / state.aspect(), -2 * moved.y, state.aspect());
+      on.view.camera.pan(2 * moved.x / on.view.aspect(), -2 * moved.y, on.view.aspect());
       break;
     case Drag::kLight:
-      drag_light(state, state.dragged_light, state.pointer);
+      drag_light(on.view, on.hand.dragged_light, on.hand.pointer);
       break;
     case Drag::kNone:
       break;
@@ -101,47 +103,33 @@ void go_on(EditorState& state, Vec2 from) {
 
 }  // namespace
 
-bool cancel_stroke(EditorState& state) {
-  if (state.drag != Drag::kCut) return false;
-  state.tool.release(state.document);
-  state.drag = Drag::kNone;
-  return true;
-}
-
-void show_split(EditorState& state, bool shown) {
-  cancel_stroke(state);
-  state.split.shown = shown;
-  state.split.twin.forget();
-  state.in_second = false;
-  state.picture_old = true;
-}
-
-void handle_mouse(EditorState& state, const InputEvent& event, bool free) {
-  const Vec2 from = state.pointer;
-  state.pointer = event.at;
-  state.pointer_over_picture = free && state.layout.viewport.contains(event.at);
-  if (state.drag == Drag::kNone) state.in_second = state.layout.second.contains(event.at);
+void handle_mouse(const MouseParts& on, const InputEvent& event, bool free) {
+  const Vec2 from = on.hand.pointer;
+  on.hand.pointer = event.at;
+  on.hand.over_picture = free && on.view.layout.viewport.contains(event.at);
+  if (on.hand.drag == Drag::kNone) on.view.in_second = on.view.layout.second.contains(event.at);
   switch (event.kind) {
     case InputEvent::Kind::kPress:
-      if (state.drag == Drag::kNone && state.pointer_over_picture)
-        begin(state, drag_of(state.left_button, event.button, event.mods));
+      if (on.hand.drag == Drag::kNone && on.hand.over_picture)
+        begin(on, drag_of(on.hand.tool, event.button, event.mods));
       break;
     case InputEvent::Kind::kMove:
-      go_on(state, from);
+      go_on(on, from);
       break;
     case InputEvent::Kind::kRelease:
-      if (state.drag == Drag::kCut && event.button == GLFW_MOUSE_BUTTON_LEFT) cancel_stroke(state);
-      if (state.drag == Drag::kPick) {
-        pick_piece(state, event.mods);
-        state.drag = Drag::kNone;
+      if (on.hand.drag == Drag::kCut && event.button == GLFW_MOUSE_BUTTON_LEFT)
+        cancel_stroke(on.hand, on.work.document);
+      if (on.hand.drag == Drag::kPick) {
+        pick_piece(on, event.mods);
+        on.hand.drag = Drag::kNone;
       }
-      if (state.drag == Drag::kOrbit || state.drag == Drag::kPan || state.drag == Drag::kLight)
-        state.drag = Drag::kNone;
+      if (on.hand.drag == Drag::kOrbit || on.hand.drag == Drag::kPan || on.hand.drag == Drag::kLight)
+        on.hand.drag = Drag::kNone;
       break;
     case InputEvent::Kind::kWheel:
-      if (state.pointer_over_picture && state.drag != Drag::kCut) {
-        const Vec2 p = state.in_picture(event.at);
-        state.camera.zoom(std::pow(kZoomPerNotch, event.wheel), p.x, p.y, state.aspect());
+      if (on.hand.over_picture && on.hand.drag != Drag::kCut) {
+        const Vec2 p = on.view.in_picture(event.at);
+        on.view.camera.zoom(std::pow(kZoomPerNotch, event.wheel), p.x, p.y, on.view.aspect());
       }
       break;
     case InputEvent::Kind::kKey:

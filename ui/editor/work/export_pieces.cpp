@@ -14,9 +14,9 @@ Status export_piece(const Body& body, std::span<const FaceId> faces, const std::
                     format);
 }
 
-bool is_chosen(const EditorState& state, const PieceId& id) {
-  const auto found = state.look.pieces.find(id);
-  return found != state.look.pieces.end() && found->second.selected;
+bool is_chosen(const PieceMap& looks, const PieceId& id) {
+  const auto found = looks.find(id);
+  return found != looks.end() && found->second.selected;
 }
 
 }  // namespace
@@ -28,18 +28,16 @@ std::filesystem::path numbered(const std::filesystem::path& file, size_t number)
   return result;
 }
 
-Result<size_t> export_chosen(const EditorState& state, const std::filesystem::path& file) {
+Result<size_t> export_chosen(const World& world, const PieceMap& looks, const std::filesystem::path& file) {
   const auto format = mesh_format(file.extension().string());
   if (!format) return bad_input("The name must end in .obj, .ply, .stl or .off");
-  size_t count = 0;
-  for (const auto& [id, look] : state.look.pieces) count += look.selected ? 1 : 0;
+  const size_t count = chosen_pieces(looks);
   if (count == 0) return bad_input("No piece is chosen");
   size_t written = 0;
-  const World& world = state.document.world();
   for (const BodyId id : world.ids()) {
     const Body& body = world.body(id);
     for (const std::vector<FaceId>& faces : faces_by_piece(body, false)) {
-      if (!is_chosen(state, {id, body.mesh.data(faces.front()).piece})) continue;
+      if (!is_chosen(looks, {id, body.mesh.data(faces.front()).piece})) continue;
       const Status status =
           export_piece(body, faces, count == 1 ? file : numbered(file, written + 1), *format);
       if (!status) return status.error();

@@ -2,16 +2,16 @@
 
 #include <filesystem>
 
-#include "ui/editor/editor_state.h"
+#include "ui/editor/view/piece_set.h"
 
 namespace kerf {
 
 // "piece.obj" as "piece-2.obj".
 std::filesystem::path numbered(const std::filesystem::path& file, size_t number);
 
-// Writes the chosen pieces where they stand, in the format of the file's ending: one piece to the file
-// itself, several to numbered files beside it. How many were written; what was written before a failure
-// stays.
-Result<size_t> export_chosen(const EditorState& state, const std::filesystem::path& file);
+// Writes the chosen pieces of a world where they stand, in the format that the ending of the file's name
+// says: one piece to the file itself, several to numbered files beside it. Returns how many were written;
+// what was written before a failure stays.
+Result<size_t> export_chosen(const World& world, const PieceMap& looks, const std::filesystem::path& file);
 
 }  // namespace kerf

@@ -3,30 +3,34 @@
 #include <filesystem>
 #include <string>
 
-#include "ui/editor/editor_state.h"
+#include "ui/editor/view/settings.h"
+#include "ui/editor/view/view_state.h"
+#include "ui/editor/work/open_work.h"
+#include "ui/window/message.h"
 
 namespace kerf {
 
-// Whether there is anything that the file of the open work does not hold: commands, and lights that were
-// moved.
-bool is_unsaved(const EditorState& state);
+// Whether there is anything that the file of the open work does not hold: commands, or lights other than
+// these.
+bool is_unsaved(const OpenWork& work, const std::vector<Light>& lights);
 
 // What the open work is called, for people: the name of its file, or of what it was opened from.
-std::string name_of_work(const EditorState& state);
+std::string name_of_work(const OpenWork& work);
 
-// What the window says: "car.kerf* - Kerf", with the star while it is unsaved.
-std::string window_title(const EditorState& state);
+// The title of the window: "car.kerf* - Kerf", with the star where something is not saved.
+std::string window_title(const OpenWork& work, const std::vector<Light>& lights);
 
 // What a new file of the open work may be called: "car.kerf".
-std::string suggested_name(const EditorState& state);
+std::string suggested_name(const OpenWork& work);
 
-// The scene of the open work as it is looked at and lit now.
-SceneDescription scene_now(const EditorState& state);
+// The scene of the open work as it is looked at and lit at the moment.
+SceneDescription scene_now(const OpenWork& work, const ViewState& view);
 
 // Saves the open work: all of it as a journal, which Save writes to from then on, or where the name ends in
 // .json its scene without what was cut. A name with neither ending gets .kerf. The version before is kept
-// beside it with a ~ added to its name. Says in the status bar what became of it; whether all of the work is
-// saved.
-bool save_work(EditorState& state, std::filesystem::path file);
+// beside it with a ~ added to its name. The file becomes the first of the recent ones. Says in the status bar
+// what became of it. Returns whether all of the work is saved.
+bool save_work(OpenWork& work, const ViewState& view, std::filesystem::path file, Settings& settings,
+               Message& message);
 
 }  // namespace kerf

@@ -30,66 +30,65 @@ std::string name_of(const LeftWork& left) {
   return journal.scene.bodies.front().mesh.filename().string();
 }
 
-void ask_what_becomes(EditorState& state) {
-  Question& q = state.question;
-  q = Question();
-  q.about = Question::About::kUnsaved;
+void ask_what_becomes(Decisions& decisions, const OpenWork& work) {
+  decisions.about = Decisions::About::kUnsaved;
+  Question& q = decisions.question = Question();
   q.title = "Not saved";
-  q.text = name_of_work(state) + " has changes that are not saved.";
+  q.text = name_of_work(work) + " has changes that are not saved.";
   q.choices = {{"Save", "Saves them first (Enter, S).", 'S'},
                {"Discard", "They are gone then (D).", 'D'},
                {"Cancel", "Goes back to the work (Esc, C).", 'C'}};
 }
 
-Decision decide_on_unsaved(EditorState& state, size_t answer) {
+Decision decide_on_unsaved(Decisions& decisions, size_t answer) {
   if (answer == 0) return Decision::kSaveFirst;
   if (answer == 1) return Decision::kLeave;
-  state.leaving.reset();
+  decisions.leaving.reset();
   return Decision::kNone;
 }
 
-Decision decide_on_left(EditorState& state, size_t answer) {
+Decision decide_on_left(Decisions& decisions, std::vector<LeftWork>& left_work, size_t answer) {
   if (answer == 0) return Decision::kGoOn;
   if (answer == 2) {
-    state.left_work.clear();
+    left_work.clear();
     return Decision::kNone;
   }
-  state.left_work.front().file.remove();
-  state.left_work.erase(state.left_work.begin());
-  ask_about_left_work(state);
+  left_work.front().file.remove();
+  left_work.erase(left_work.begin());
+  ask_about_left_work(decisions, left_work);
   return Decision::kNone;
 }
 
 }  // namespace
 
-bool may_leave(EditorState& state, const Requests& wanted) {
-  if (!is_unsaved(state)) return true;
-  state.leaving = wanted;
-  ask_what_becomes(state);
+bool may_leave(Decisions& decisions, const OpenWork& work, const std::vector<Light>& lights,
+               const Requests& wanted) {
+  if (!is_unsaved(work, lights)) return true;
+  decisions.leaving = wanted;
+  ask_what_becomes(decisions, work);
   return false;
 }
 
-void ask_about_left_work(EditorState& state) {
-  if (state.left_work.empty()) return;
-  const LeftWork& left = state.left_work.front();
-  Question& q = state.question;
-  q = Question();
-  q.about = Question::About::kLeftWork;
+void ask_about_left_work(Decisions& decisions, const std::vector<LeftWork>& left_work) {
+  if (left_work.empty()) return;
+  const LeftWork& left = left_work.front();
+  decisions.about = Decisions::About::kLeftWork;
+  Question& q = decisions.question = Question();
   q.title = "Unsaved work was left";
   q.text = "The editor ended without saving " + name_of(left) + ", with " +
            count_text(left.strokes, "stroke") + ", last changed on " + time_text(left.last_change) + ".";
-  if (state.left_work.size() > 1)
-    q.text += " " + count_text(state.left_work.size() - 1, "more piece") + " of work was left besides.";
+  if (left_work.size() > 1)
+    q.text += " " + count_text(left_work.size() - 1, "more piece") + " of work was left besides.";
   q.choices = {{"Go on", "Opens it as it was left (Enter, G).", 'G'},
                {"Discard", "It is gone then."},
                {"Later", "Asks again at the next start (Esc, L).", 'L'}};
 }
 
-Decision take_decision(EditorState& state) {
-  if (!state.question.answer) return Decision::kNone;
-  const Question answered = std::exchange(state.question, {});
-  const bool unsaved = answered.about == Question::About::kUnsaved;
-  return unsaved ? decide_on_unsaved(state, *answered.answer) : decide_on_left(state, *answered.answer);
+Decision take_decision(Decisions& decisions, std::vector<LeftWork>& left_work) {
+  if (!decisions.question.answer) return Decision::kNone;
+  const size_t answer = *std::exchange(decisions.question, {}).answer;
+  return decisions.about == Decisions::About::kUnsaved ? decide_on_unsaved(decisions, answer)
+                                                       : decide_on_left(decisions, left_work, answer);
 }
 
 }  // namespace kerf

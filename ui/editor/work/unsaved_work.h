@@ -1,27 +1,43 @@
 #pragma once
 
-#include "ui/editor/editor_state.h"
+#include <optional>
+#include <vector>
+
+#include "core/document/autosave.h"
+#include "ui/editor/work/open_work.h"
+#include "ui/editor/work/requests.h"
+#include "ui/window/question.h"
 
 namespace kerf {
 
-// What becomes of unsaved work when the user asks for something that would end it, and of the work that a
-// dead editor has left. The frame loop does what is asked for; here is what has to be decided first.
+// What becomes of unsaved work when the user asks for something that would close it, and of the work that
+// editors that died have left. The frame loop does what is asked for; here is what has to be decided first.
 
-// Takes requests that the open work goes with: where it is unsaved they wait in `leaving` and the user is
-// asked. Whether they can be done now.
-bool may_leave(EditorState& state, const Requests& wanted);
+struct Decisions {
+  Question question;
+  enum class About { kUnsaved, kLeftWork };
+  About about = About::kUnsaved;    // meaningful while the question is open
+  std::optional<Requests> leaving;  // waits until it is known what becomes of the unsaved work
+};
 
-// Asks what to do with the first of the work that dead editors have left, if there is any.
-void ask_about_left_work(EditorState& state);
+// Takes requests that would close the open work: where it is unsaved they wait in `leaving` and the user is
+// asked. Returns whether they can be done at once.
+bool may_leave(Decisions& decisions, const OpenWork& work, const std::vector<Light>& lights,
+               const Requests& wanted);
 
-// What the last question was answered with, once: what to do now.
+// Asks what to do with the first of the work that editors that died have left, if there is any.
+void ask_about_left_work(Decisions& decisions, const std::vector<LeftWork>& left_work);
+
+// What follows from the answer to a question.
 enum class Decision {
   kNone,
   kLeave,      // do what is in `leaving`
   kSaveFirst,  // save the work, then do it
-  kGoOn,       // open the first of left_work
+  kGoOn,       // open the first of the left work
 };
-// Does all that needs no frame loop: discards what was left, closes the question, asks the next one.
-Decision take_decision(EditorState& state);
+
+// Takes the answer to the question, once, and does all that needs no frame loop: discards what was left,
+// closes the question, asks the next one.
+Decision take_decision(Decisions& decisions, std::vector<LeftWork>& left_work);
 
 }  // namespace kerf

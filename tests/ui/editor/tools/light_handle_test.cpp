@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/made_meshes.h"
 #include "ui/editor/panels/light_presets.h"
 
 namespace kerf {
@@ -11,40 +10,40 @@ namespace {
 class LightHandleTest : public testing::Test {
  protected:
   LightHandleTest() {
-    World world;
-    world.add(make_body("sphere", test::build(test::sphere(8, 12, 1))));
-    state.document = Document(std::move(world));
-    state.layout = lay_out({1000, 700}, 16, 26, 26);
-    state.settings.panels["Light"] = true;
-    state.camera.look({0, 1, 8}, {0, 0, 0});
-    state.camera.finish();
+    view.layout = lay_out({1000, 700}, 16, 26, 26);
+    view.camera.look({0, 1, 8}, {0, 0, 0});
+    view.camera.finish();
   }
-  EditorState state;
+  ViewState view;
 };
 
 TEST_F(LightHandleTest, is_shown_while_the_panel_is_unfolded) {
-  EXPECT_TRUE(light_handle(state, 0));
-  state.settings.panels["Light"] = false;
-  EXPECT_FALSE(light_handle(state, 0));
+  EXPECT_TRUE(light_handle(view, 0));
+  Settings settings;
+  EXPECT_FALSE(shows_light_handles(settings));
+  settings.panels[PanelId::kLight] = true;
+  EXPECT_TRUE(shows_light_handles(settings));
+  settings.side_shown = false;
+  EXPECT_FALSE(shows_light_handles(settings));
 }
 
 TEST_F(LightHandleTest, a_drag_takes_either_kind_of_light_to_the_pointer) {
-  state.look.lights = {Light{}, Light{Light::Kind::kPoint, {1, 2, 0.5}, {1, 1, 1}, 1}};
+  view.look.lights = {Light{}, Light{Light::Kind::kPoint, {1, 2, 0.5}, {1, 1, 1}, 1}};
   for (const size_t light : {size_t{0}, size_t{1}}) {
-    const std::optional<Vec2> before = light_handle(state, light);
+    const std::optional<Vec2> before = light_handle(view, light);
     ASSERT_TRUE(before);
-    EXPECT_EQ(light_under(state, *before), light);
+    EXPECT_EQ(light_under(view, *before), light);
     const Vec2 to = *before + Vec2(24, 17);
-    drag_light(state, light, to);
-    const std::optional<Vec2> after = light_handle(state, light);
+    drag_light(view, light, to);
+    const std::optional<Vec2> after = light_handle(view, light);
     ASSERT_TRUE(after);
     EXPECT_LT(glm::length(*after - to), 0.5) << light;
   }
 }
 
 TEST_F(LightHandleTest, a_light_behind_the_eye_has_none) {
-  state.look.lights = {Light{Light::Kind::kPoint, {0, 1, 20}, {1, 1, 1}, 1}};
-  EXPECT_FALSE(light_handle(state, 0));
+  view.look.lights = {Light{Light::Kind::kPoint, {0, 1, 20}, {1, 1, 1}, 1}};
+  EXPECT_FALSE(light_handle(view, 0));
 }
 
 TEST(LightPresets, each_has_one_to_four_lights_that_shine_on_the_world) {

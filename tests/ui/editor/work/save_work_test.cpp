@@ -24,38 +24,48 @@ class SaveWork : public testing::Test {
     write_text(folder_ / "plate.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 3 2\n");
     auto work = read_work(folder_ / "plate.obj");
     ASSERT_TRUE(work.ok());
-    state_.document = Document(std::move(work->scene.world));
-    state_.work.scene = std::move(work->scene);
-    state_.work.saved_lights = state_.look.lights;
-    state_.files = {folder_ / "plate.obj"};
+    work_.document = Document(std::move(work->scene.world));
+    work_.scene = std::move(work->scene);
+    work_.saved_lights = view_.look.lights;
+    work_.files = {folder_ / "plate.obj"};
   }
   void cut() {
     CutSettings settings;
     settings.laser.radius = 0.05;
-    state_.document.apply(BeginStroke{settings, {{0.2, 1, 0.2}, {0, -1, 0}}});
-    state_.document.apply(EndStroke{});
-    while (state_.document.waiting() > 0) ASSERT_TRUE(state_.document.step(1).ok());
+    work_.document.apply(BeginStroke{settings, {{0.2, 1, 0.2}, {0, -1, 0}}});
+    work_.document.apply(EndStroke{});
+    while (work_.document.waiting() > 0) ASSERT_TRUE(work_.document.step(1).ok());
   }
 
   TemporaryFolder folder_;
-  EditorState state_;
+  std::string title() const { return window_title(work_, view_.look.lights); }
+  bool unsaved() const { return is_unsaved(work_, view_.look.lights); }
+  bool save(const std::filesystem::path& file) { return save_work(work_, view_, file, settings_, message_); }
+  bool may_go(const Requests& wanted) { return may_leave(decisions_, work_, view_.look.lights, wanted); }
+
+  OpenWork work_;
+  ViewState view_;
+  Settings settings_;
+  Message message_;
+  Decisions decisions_;
+  std::vector<LeftWork> left_work_;
 };
 
 TEST_F(SaveWork, a_star_in_the_title_says_that_something_is_not_saved) {
-  EXPECT_EQ(window_title(state_), "plate.obj - Kerf");
+  EXPECT_EQ(title(), "plate.obj - Kerf");
   cut();
-  EXPECT_EQ(window_title(state_), "plate.obj* - Kerf");
-  EXPECT_EQ(suggested_name(state_), "plate.kerf");
-  ASSERT_TRUE(save_work(state_, folder_ / "mine"));
-  EXPECT_EQ(window_title(state_), "mine.kerf - Kerf");
-  state_.look.lights.front().intensity *= 2;
-  EXPECT_EQ(window_title(state_), "mine.kerf* - Kerf");
+  EXPECT_EQ(title(), "plate.obj* - Kerf");
+  EXPECT_EQ(suggested_name(work_), "plate.kerf");
+  ASSERT_TRUE(save(folder_ / "mine"));
+  EXPECT_EQ(title(), "mine.kerf - Kerf");
+  view_.look.lights.front().intensity *= 2;
+  EXPECT_EQ(title(), "mine.kerf* - Kerf");
 }
 
 TEST_F(SaveWork, what_was_saved_opens_with_its_lights_and_its_view) {
   cut();
-  state_.look.lights.front().at = {0, 7, 0};
-  ASSERT_TRUE(save_work(state_, folder_ / "mine.kerf"));
+  view_.look.lights.front().at = {0, 7, 0};
+  ASSERT_TRUE(save(folder_ / "mine.kerf"));
   const auto work = read_work(folder_ / "mine.kerf");
   ASSERT_TRUE(work.ok()) << work.error().message;
   EXPECT_EQ(work->journal.commands.size(), 2u);
@@ -66,26 +76,26 @@ TEST_F(SaveWork, what_was_saved_opens_with_its_lights_and_its_view) {
 }
 
 TEST_F(SaveWork, a_scene_holds_all_but_the_cuts_and_says_so) {
-  ASSERT_TRUE(save_work(state_, folder_ / "mine.json"));
+  ASSERT_TRUE(save(folder_ / "mine.json"));
   cut();
-  EXPECT_FALSE(save_work(state_, folder_ / "mine.json"));
-  EXPECT_TRUE(is_unsaved(state_));
-  EXPECT_NE(state_.message.find("without what was cut"), std::string::npos);
+  EXPECT_FALSE(save(folder_ / "mine.json"));
+  EXPECT_TRUE(unsaved());
+  EXPECT_NE(message_.text.find("without what was cut"), std::string::npos);
   EXPECT_TRUE(read_work(folder_ / "mine.json").ok());
 }
 
 TEST_F(SaveWork, a_file_that_cannot_be_written_leaves_the_work_unsaved) {
   cut();
-  EXPECT_FALSE(save_work(state_, folder_.path() / "no" / "mine.kerf"));
-  EXPECT_TRUE(state_.message_is_error);
-  EXPECT_TRUE(is_unsaved(state_));
-  EXPECT_TRUE(state_.work.file.empty());
+  EXPECT_FALSE(save(folder_.path() / "no" / "mine.kerf"));
+  EXPECT_TRUE(message_.is_error);
+  EXPECT_TRUE(unsaved());
+  EXPECT_TRUE(work_.file.empty());
 }
 
 TEST_F(SaveWork, unsaved_work_is_asked_about_before_it_goes) {
   Requests quit;
   quit.quit = true;
-  EXPECT_TRUE(may_leave(state_, quit));
+  EXPECT_TRUE(may_go(quit));
   cut();
   const struct {
     int key;
@@ -97,39 +107,39 @@ TEST_F(SaveWork, unsaved_work_is_asked_about_before_it_goes) {
                  {GLFW_KEY_S, Decision::kSaveFirst, true},
                  {GLFW_KEY_ENTER, Decision::kSaveFirst, true}};
   for (const auto& answer : answers) {
-    EXPECT_FALSE(may_leave(state_, quit));
-    question_key(state_.question, GLFW_KEY_X);
-    EXPECT_EQ(take_decision(state_), Decision::kNone);
-    EXPECT_TRUE(state_.question.open());
-    question_key(state_.question, answer.key);
-    EXPECT_EQ(take_decision(state_), answer.decision);
-    EXPECT_FALSE(state_.question.open());
-    EXPECT_EQ(state_.leaving.has_value(), answer.waits);
+    EXPECT_FALSE(may_go(quit));
+    question_key(decisions_.question, GLFW_KEY_X);
+    EXPECT_EQ(take_decision(decisions_, left_work_), Decision::kNone);
+    EXPECT_TRUE(decisions_.question.open());
+    question_key(decisions_.question, answer.key);
+    EXPECT_EQ(take_decision(decisions_, left_work_), answer.decision);
+    EXPECT_FALSE(decisions_.question.open());
+    EXPECT_EQ(decisions_.leaving.has_value(), answer.waits);
   }
 }
 
 TEST_F(SaveWork, no_letter_that_is_pressed_by_chance_discards_what_a_dead_editor_left) {
   cut();
-  ASSERT_TRUE(note_hashes(state_.work.scene).ok());
+  ASSERT_TRUE(note_hashes(work_.scene).ok());
   {
     Autosave dead(folder_ / "state");
-    dead.begin(state_.work.scene, {});
-    ASSERT_TRUE(dead.follow(state_.document, {}).ok());
+    dead.begin(work_.scene, {});
+    ASSERT_TRUE(dead.follow(work_.document, {}).ok());
   }
   std::vector<std::string> faults;
-  state_.left_work = find_left_work(folder_ / "state", faults);
-  ASSERT_EQ(state_.left_work.size(), 1u);
-  ask_about_left_work(state_);
-  EXPECT_NE(state_.question.text.find("plate.obj, with 1 stroke,"), std::string::npos)
-      << state_.question.text;
-  question_key(state_.question, GLFW_KEY_D);
-  EXPECT_FALSE(state_.question.answer.has_value());
-  question_key(state_.question, GLFW_KEY_G);
-  EXPECT_EQ(take_decision(state_), Decision::kGoOn);
-  ask_about_left_work(state_);
-  state_.question.answer = 1;
-  EXPECT_EQ(take_decision(state_), Decision::kNone);
-  EXPECT_TRUE(state_.left_work.empty());
+  left_work_ = find_left_work(folder_ / "state", faults);
+  ASSERT_EQ(left_work_.size(), 1u);
+  ask_about_left_work(decisions_, left_work_);
+  EXPECT_NE(decisions_.question.text.find("plate.obj, with 1 stroke,"), std::string::npos)
+      << decisions_.question.text;
+  question_key(decisions_.question, GLFW_KEY_D);
+  EXPECT_FALSE(decisions_.question.answer.has_value());
+  question_key(decisions_.question, GLFW_KEY_G);
+  EXPECT_EQ(take_decision(decisions_, left_work_), Decision::kGoOn);
+  ask_about_left_work(decisions_, left_work_);
+  decisions_.question.answer = 1;
+  EXPECT_EQ(take_decision(decisions_, left_work_), Decision::kNone);
+  EXPECT_TRUE(left_work_.empty());
   EXPECT_TRUE(std::filesystem::is_empty(folder_ / "state"));
 }
 

@@ -1,0 +1,96 @@
+#include <gtest/gtest.h>
+
+#include "tests/support/made_meshes.h"
+#include "ui/editor/changes/world_changes.h"
+#include "ui/editor/view/piece_set.h"
+
+namespace kerf {
+namespace {
+
+PieceId key(uint32_t label) { return {BodyId{0, 0}, label}; }
+
+TEST(PieceSet, a_click_chooses_one_and_shift_adds) {
+  PieceMap looks;
+  choose_piece(looks, key(1), false);
+  choose_piece(looks, key(2), false);
+  EXPECT_EQ(chosen_pieces(looks), 1u);
+  choose_piece(looks, key(3), true);
+  EXPECT_EQ(chosen_pieces(looks), 2u);
+  choose_piece(looks, key(3), true);
+  EXPECT_EQ(chosen_pieces(looks), 1u);
+  choose_piece(looks, key(2), false);
+  EXPECT_TRUE(looks.empty());
+}
+
+// A sphere whose last stroke went through its middle.
+class CutSphere : public testing::Test {
+ protected:
+  CutSphere() {
+    World world;
+    world.add(make_body("sphere", test::build(test::sphere(24, 32, 1))));
+    document = Document(std::move(world));
+    CutSettings settings;
+    settings.laser.radius = 0.1;
+    settings.laser.range = {0, 10};
+    settings.resolution = {.rule = Resolution::Rule::kDepth, .depth = 1};
+    document.apply(BeginStroke{settings, {{-1.5, 0, 5}, {0, 0, -1}}});
+    document.apply(MoveStroke{{{1.5, 0, 5}, {0, 0, -1}}});
+    document.apply(EndStroke{});
+    while (document.waiting() > 0) EXPECT_TRUE(document.step(64).ok());
+  }
+  Document document;
+  PieceMap looks;
+};
+
+TEST_F(CutSphere, looks_follow_a_piece_that_is_hidden_and_shown_again) {
+  const PieceId half = list_pieces(document.world())[1].id;
+  choose_piece(looks, half, false);
+  const Result<Delta> hid = document.apply(HidePiece{half, true});
+  ASSERT_TRUE(hid.ok());
+  follow_world(document.world(), *hid, looks);
+  EXPECT_EQ(chosen_pieces(looks), 0u);
+  ASSERT_EQ(hidden_pieces(looks).size(), 1u);
+  EXPECT_EQ(document.world().body(hidden_pieces(looks).front().body).name, "sphere piece 1");
+  EXPECT_EQ(list_pieces(document.world()).size(), 2u);
+  const Result<Delta> shown = document.apply(Undo{});
+  ASSERT_TRUE(shown.ok());
+  follow_world(document.world(), *shown, looks);
+  EXPECT_TRUE(looks.empty());
+}
+
+TEST_F(CutSphere, a_piece_stays_chosen_when_it_is_detached_and_put_back) {
+  for (const PieceRow& row : list_pieces(document.world())) {
+    choose_piece(looks, row.id, false);
+    const Result<Delta> moved = document.apply(MovePiece{row.id, {{1, 2, 3}, {1, 0, 0, 0}}});
+    ASSERT_TRUE(moved.ok());
+    follow_world(document.world(), *moved, looks);
+    const BodyId own = document.world().ids().back();
+    EXPECT_EQ(first_chosen(looks), (PieceId{own, row.id.label}));
+    const Result<Delta> back = document.apply(Undo{});
+    ASSERT_TRUE(back.ok());
+    follow_world(document.world(), *back, looks);
+    EXPECT_EQ(first_chosen(looks), row.id);
+  }
+}
+
+TEST_F(CutSphere, spreads_its_halves_apart) {
+  const World& world = document.world();
+  const std::vector<PieceRow> rows = list_pieces(world);
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0].name, "sphere");
+  spread_pieces(world, 0.5, looks);
+  const Vec3 a = looks[rows[0].id].offset, b = looks[rows[1].id].offset;
+  EXPECT_GT(std::abs(a.y - b.y), 0.3);
+  EXPECT_LT(a.y * b.y, 0);
+  EXPECT_NEAR(a.x, 0, 0.05);
+  spread_pieces(world, 0, looks);
+  EXPECT_TRUE(looks.empty());
+}
+
+TEST_F(CutSphere, can_be_cut_again_and_an_untouched_one_says_why_not) {
+  EXPECT_EQ(why_no_recut(document), nullptr);
+  EXPECT_NE(why_no_recut(Document()), nullptr);
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,62 @@
+#include "ui/editor/changes/live_cut.h"
+
+#include "ui/editor/view/piece_set.h"
+
+namespace kerf {
+
+namespace {
+constexpr double kStepSeconds =
+    0.020;  // of cutting in one frame, or as long as drawing takes if that is more
+constexpr size_t kMovesOfStep = 16;
+}  // namespace
+
+void LiveCut::advance() {
+  const Clock::time_point began = Clock::now();
+  const std::chrono::duration<double> budget(std::max(kStepSeconds, on_.picture.seconds()));
+  const Clock::time_point until = began + std::chrono::duration_cast<Clock::duration>(budget);
+  seconds_ = 0;
+  const bool first = cut_first(until), twin = cut_twin(until);
+  if (!first && !twin) return;
+  ViewState& view = on_.view;
+  if (first && view.spread > 0) spread_pieces(on_.work.document.world(), view.spread, view.look.pieces);
+  seconds_ = std::chrono::duration<double>(Clock::now() - began).count();
+  view.picture_old = on_.figures.world_changed = true;
+}
+
+bool LiveCut::cut_first(Clock::time_point until) {
+  const Document& document = on_.work.document;
+  if (document.waiting() == 0 || on_.changes.is_pending()) return false;
+  on_.hand.beam.find_strike(document);
+  while (document.waiting() > 0 && Clock::now() < until) {
+    if (!on_.changes.step(kMovesOfStep)) break;
+  }
+  return true;
+}
+
+bool LiveCut::cut_twin(Clock::time_point until) {
+  SplitView& split = on_.split;
+  if (!split.shown) return false;
+  const Result<Renderer*> half = on_.picture.second();
+  if (!half) {
+    split.shown = false;
+    on_.message.say(half.error().message, true);
+    return false;
+  }
+  Renderer& renderer = **half;
+  const bool anew = split.twin.follow(on_.work.document, split.resolution);
+  if (anew) on_.changes.show_world(split.twin.world(), renderer);
+  const bool waited = split.twin.waiting() > 0;
+  while (split.twin.waiting() > 0 && Clock::now() < until) {
+    const Result<StepResult> step = split.twin.step(kMovesOfStep);
+    if (!step) {
+      renderer.resend(split.twin.world());
+      on_.message.say("In the right half: " + step.error().message, true);
+      break;
+    }
+    renderer.follow(split.twin.world(), step->delta);
+    if (on_.view.look.ghost || on_.view.look.show.face_numbers) renderer.catch_up(split.twin.world());
+  }
+  return anew || waited;
+}
+
+}  // namespace kerf

@@ -1,0 +1,71 @@
+#include "ui/editor/changes/file_opener.h"
+
+namespace kerf {
+
+namespace {
+
+// What belonged to the world that was open.
+void forget_what_was_open(const OpenerParts& on) {
+  on.hand.beam = LaserTool();
+  on.hand.drag = Drag::kNone;
+  on.hand.cut_once = false;
+  on.split.twin.forget();
+  on.view.look.pieces.clear();
+  on.view.look.tree.body.reset();
+  on.view.look.shadow.inspected = 0;
+  on.view.spread = 0;
+  on.figures.forget_strokes();
+}
+
+void dress_as(ViewState& view, const SceneDescription& scene) {
+  view.home = scene.view;
+  view.look.lights = scene.lights.empty() ? std::vector{Light{}} : scene.lights;
+  if (const auto show = parse_show_list(scene.show); show && !scene.show.empty()) view.look.show = *show;
+}
+
+void say_what_was_opened(Message& message, const LoadedFiles& loaded) {
+  message.say(loaded.order.left ? "Here is the work that was left"
+                                : loaded.order.name() + (loaded.notes.empty() ? "" : ": " + loaded.notes));
+  // Without hashes the work can be cut but not kept, which is said when it comes to that.
+  if (loaded.cannot_be_kept) message.say(loaded.cannot_be_kept->message, true);
+  if (!loaded.fault.empty()) message.say(loaded.fault, true);
+}
+
+// How much of the open work is saved, and where.
+void note_what_is_saved(OpenWork& work, const LoadedFiles& loaded, const std::vector<Light>& lights) {
+  const LoadOrder& order = loaded.order;
+  work.files = order.files;
+  work.file.clear();
+  if (order.left) {
+    for (const SceneBody& body : loaded.scene.bodies) work.files.push_back(body.mesh);
+    work.file = order.left->work_of;
+  } else if (is_journal(order.files.front())) {
+    work.file = order.files.front();
+  }
+  const bool saved = !order.left && !loaded.damaged;
+  work.saved_commands = saved ? work.document.journal().size() : OpenWork::kNothing;
+  work.saved_lights = lights;
+}
+
+}  // namespace
+
+void show_loaded(const OpenerParts& on, LoadedFiles loaded) {
+  forget_what_was_open(on);
+  OpenWork& work = on.work;
+  work.document = std::move(loaded.document);
+  work.as_loaded = std::move(loaded.as_loaded);
+  work.paints = loaded.scene.paints;
+  on.renderer.show(work.document.world(), work.paints, std::move(loaded.prepared));
+  dress_as(on.view, loaded.scene);
+  const World::Bounds bounds = work.document.world().loaded_bounds();
+  on.hand.laser.fit(bounds.diagonal());
+  go_home(on.view, bounds);
+  on.view.camera.finish();
+  say_what_was_opened(on.message, loaded);
+  note_what_is_saved(work, loaded, on.view.look.lights);
+  work.marks = std::move(loaded.marks);
+  work.scene = std::move(loaded.scene);
+  on.view.picture_old = on.figures.world_changed = true;
+}
+
+}  // namespace kerf

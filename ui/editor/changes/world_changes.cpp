@@ -1,0 +1,222 @@
+#include "ui/editor/changes/world_changes.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "core/document/command_words.h"
+#include "ui/editor/view/piece_set.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr size_t kManyFaces = 40'000;  // from here on changes of bodies take longer than a part of a frame
+
+// What pictures need of the bodies that came; where the world was replaced, of all of them, but of those that
+// are shown already only what casts their shadows.
+PreparedBodies prepare(const World& world, const Delta& delta, const std::map<BodyId, FloatFrame>& frames) {
+  PreparedBodies prepared;
+  for (const BodyId id : delta.came) prepared.emplace(id, prepare_shading(world.body(id)));
+  for (const BodyId id : delta.anew ? world.ids() : std::vector<BodyId>()) {
+    const auto known = frames.find(id);
+    prepared.emplace(id, known == frames.end() ? prepare_shading(world.body(id))
+                                               : PreparedBody{known->second, {}, nullptr});
+  }
+  (void)prepare_shadows(world, prepared, nullptr);  // nobody stops it
+  return prepared;
+}
+
+bool is_of_stroke(const Command& command) {
+  return std::holds_alternative<BeginStroke>(command) || std::holds_alternative<MoveStroke>(command) ||
+         std::holds_alternative<EndStroke>(command) || std::holds_alternative<Recut>(command);
+}
+
+bool is_small(const Document& document) { return document.world().live_faces() <= kManyFaces; }
+
+bool is_quick(const Document& document, const Command& command) {
+  if (is_of_stroke(command)) return true;
+  if (std::holds_alternative<AddMesh>(command) || !is_small(document)) return false;
+  const size_t now = document.history().position();
+  return now == 0 || !std::holds_alternative<Undo>(command) || document.remembers_way_to(now - 1);
+}
+
+auto apply_all(std::vector<Command> commands) {
+  return [commands = std::move(commands)](Document& document, const Progress* progress) -> Result<Delta> {
+    Delta all;
+    for (const Command& command : commands) {
+      Result<Delta> one = document.apply(command, progress);
+      if (!one) return one;
+      all.append(std::move(*one));
+    }
+    return all;
+  };
+}
+
+}  // namespace
+
+const char* why_no_recut(const Document& document) {
+  if (!document.has_stroke()) return "Nothing is cut yet.";
+  if (document.in_stroke()) return "A stroke is being cut.";
+  if (!document.can_recut()) return "What was before the last stroke is no longer remembered.";
+  return nullptr;
+}
+
+// Commands
+// --------------------------------------------------------------------------------------------------------
+
+void WorldChanges::apply(const Command& command) {
+  change(words(command), is_quick(on_.work.document, command),
+         [command](Document& d, const Progress* progress) { return d.apply(command, progress); });
+}
+
+void WorldChanges::travel_to(size_t position) {
+  const Document& document = on_.work.document;
+  change("Through the history", is_small(document) && document.remembers_way_to(position),
+         [position](Document& d, const Progress* progress) { return d.travel(position, progress); });
+}
+
+void WorldChanges::step_through_history(bool back) {
+  cancel_stroke(on_.hand, on_.work.document);
+  apply(back ? Command(Undo{}) : Command(Redo{}));
+}
+
+// One after the other, because a piece may be part of another body after a command.
+template <typename Make>
+bool WorldChanges::change_chosen(Make command_for) {
+  while (const auto piece = first_chosen(on_.view.look.pieces)) {
+    if (pending_) return true;
+    on_.view.look.pieces[*piece].selected = false;
+    apply(command_for(*piece));
+  }
+  return false;
+}
+
+bool WorldChanges::hide_chosen() {
+  return change_chosen([](const PieceId& piece) { return Command(HidePiece{piece, true}); });
+}
+
+bool WorldChanges::delete_chosen() {
+  return change_chosen([](const PieceId& piece) { return Command(DeletePiece{piece}); });
+}
+
+// Hidden pieces are bodies of their own, so that no id changes when one of them is shown.
+void WorldChanges::show_hidden() {
+  std::vector<Command> commands;
+  for (const PieceId& piece : hidden_pieces(on_.view.look.pieces))
+    commands.emplace_back(HidePiece{piece, false});
+  change("Show all pieces", is_small(on_.work.document), apply_all(std::move(commands)));
+}
+
+void WorldChanges::recut_last_stroke() {
+  const Document& document = on_.work.document;
+  if (why_no_recut(document) != nullptr) return;
+  CutSettings settings = document.stroke_settings();
+  settings.resolution = on_.hand.laser.resolution.of(settings.laser.radius);
+  std::vector<Command> commands;
+  const Command& last = document.history().last().commands.front();
+  if (std::holds_alternative<Recut>(last)) commands.emplace_back(Undo{});
+  commands.emplace_back(Recut{settings});
+  change("Cut again", true, apply_all(std::move(commands)));
+  ++on_.figures.recuts;
+}
+
+// A quick change is done at once, another beside the frames.
+void WorldChanges::change(const std::string& title, bool quick, const Change& what) {
+  assert(!pending_);
+  on_.message.say("");
+  if (quick) return show_result(what(on_.work.document, nullptr));
+  const auto prepared = std::make_shared<PreparedBodies>();
+  LongChange change;
+  change.title = title;
+  change.run = [what, prepared, frames = on_.renderer.frames()](Document& document,
+                                                                const Progress& progress) {
+    Result<Delta> delta = what(document, &progress);
+    if (delta) *prepared = prepare(document.world(), *delta, frames);
+    return delta;
+  };
+  change.then = [this, prepared](const Result<Delta>& delta) { show_result(delta, std::move(*prepared)); };
+  pending_ = std::move(change);
+}
+
+// Steps of a cut
+// --------------------------------------------------------------------------------------------------------
+
+bool WorldChanges::step(size_t moves) {
+  assert(!pending_);
+  if (close_rim_beside()) return false;
+  const size_t faces = on_.work.document.world().live_faces();
+  const Result<StepResult> step = on_.work.document.step(moves);
+  if (!step) {
+    show_failed_step(step.error());
+    return false;
+  }
+  follow_step(*step, faces);
+  return true;
+}
+
+bool WorldChanges::close_rim_beside() {
+  const size_t faces = on_.work.document.world().live_faces();
+  if (!on_.work.document.next_closes_rim() || faces <= kManyFaces) return false;
+  const auto step = std::make_shared<StepResult>();
+  LongChange change;
+  change.title = "Smoothing the rim";
+  change.run = [step](Document& document, const Progress&) -> Result<Delta> {
+    Result<StepResult> done = document.step(1);
+    if (!done) return done.error();
+    *step = std::move(*done);
+    return Delta{};
+  };
+  change.then = [this, step, faces](const Result<Delta>& done) {
+    if (!done) return show_failed_step(done.error());
+    follow_step(*step, faces);
+    on_.figures.world_changed = true;
+  };
+  pending_ = std::move(change);
+  return true;
+}
+
+void WorldChanges::follow_step(const StepResult& step, size_t faces_before) {
+  on_.renderer.follow(on_.work.document.world(), step.delta);
+  if (on_.view.look.ghost || on_.view.look.show.face_numbers)
+    on_.renderer.catch_up(on_.work.document.world());
+  on_.figures.note_step(step, on_.work.document.revision(), faces_before);
+}
+
+void WorldChanges::show_failed_step(const Error& error) {
+  cancel_stroke(on_.hand, on_.work.document);
+  on_.renderer.resend(on_.work.document.world());
+  on_.message.say(error.message, true);
+}
+
+// The picture
+// --------------------------------------------------------------------------------------------------------
+
+void WorldChanges::show_result(const Result<Delta>& delta, PreparedBodies prepared) {
+  if (delta) return show_change(*delta, std::move(prepared));
+  // Queued moves may have been cut, or taken back, before the command failed.
+  Delta all;
+  all.anew = true;
+  show_change(all, {});
+  on_.message.say(delta.error().message, true);
+}
+
+void WorldChanges::show_change(const Delta& delta, PreparedBodies prepared) {
+  const World& world = on_.work.document.world();
+  on_.renderer.follow(world, delta, std::move(prepared));
+  ViewOptions& look = on_.view.look;
+  follow_world(world, delta, look.pieces);
+  if (on_.view.spread > 0) spread_pieces(world, on_.view.spread, look.pieces);
+  if (look.tree.body && !world.contains(*look.tree.body)) look.tree.body.reset();
+  on_.view.picture_old = on_.figures.world_changed = true;
+}
+
+void WorldChanges::show_world(const World& world, Renderer& renderer) const {
+  if (on_.work.as_loaded) {
+    renderer.show(*on_.work.as_loaded, on_.work.paints);
+    renderer.resend(world);
+  } else {
+    renderer.show(world, on_.work.paints);
+  }
+}
+
+}  // namespace kerf

@@ -1,0 +1,154 @@
+#include <imgui.h>
+
+#include "ui/editor/editor_screen.h"
+#include "ui/editor/file_choice.h"
+#include "ui/editor/frame/load_bar.h"
+#include "ui/editor/frame/menu_bar.h"
+#include "ui/editor/frame/picture_marks.h"
+#include "ui/editor/frame/shortcut_sheet.h"
+#include "ui/editor/frame/status_bar.h"
+#include "ui/editor/tools/light_handle.h"
+#include "ui/editor/view/piece_set.h"
+#include "ui/editor/work/save_work.h"
+#include "ui/window/screenshot.h"
+
+namespace kerf {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kFigureSeconds = 0.25;
+
+double seconds_since(Clock::time_point t) { return std::chrono::duration<double>(Clock::now() - t).count(); }
+
+// How the right half is looked at. What was chosen or hidden are pieces of the open document, not of its
+// twin.
+ViewOptions look_of_twin(const ViewOptions& first, double spread, const World& twin) {
+  ViewOptions look = first;
+  look.pieces.clear();
+  if (spread > 0) spread_pieces(twin, spread, look.pieces);
+  return look;
+}
+
+}  // namespace
+
+void EditorScreen::draw() {
+  busy_frame_ = thread_.busy();
+  if (busy_frame_) return busy_.draw(window_.size(), state_.view.layout.viewport, thread_);
+  update_figures();
+  if (landmarks_) landmarks_->begin_frame();
+  draw_panels();
+  const Clock::time_point began = Clock::now();
+  draw_picture();
+  picture_seconds_ = seconds_since(began);
+  if (state_.requests.screenshot != Requests::Screenshot::kPicture) return;
+  take_picture(std::exchange(state_.requests.screenshot, Requests::Screenshot::kNone));
+}
+
+void EditorScreen::drawn() {
+  if (busy_frame_) return;
+  const auto screenshot = std::exchange(state_.requests.screenshot, Requests::Screenshot::kNone);
+  if (screenshot != Requests::Screenshot::kNone) take_picture(screenshot);
+  show_title();
+  begin_pending_change();
+}
+
+void EditorScreen::took(const FrameTime& time) {
+  Figures& figures = state_.figures;
+  const double beside = busy_frame_ ? time.whole : time.before - picture_seconds_;
+  figures.frames.add(1000 * time.whole);
+  figures.between_pictures.add(1000 * beside);
+  if (busy_frame_) return;
+  if (picture_.first().is_sending()) state_.view.picture_old = true;
+  if (cut_.seconds() > 0) {
+    figures.cutting_frames.add(1000 * time.whole);
+    figures.between_cutting_pictures.add(1000 * beside);
+  }
+  if (new_picture_) picture_.took(time.whole - cut_.seconds());
+  show_landmarks();
+}
+
+void EditorScreen::draw_panels() {
+  const Layout& layout = state_.view.layout;
+  draw_menu_bar(actions_);
+  draw_picture_marks(
+      {state_.work.document, state_.view, state_.hand, state_.split, state_.settings, state_.figures.shown});
+  draw_panel_column(layout.side, panels_, state_.settings);
+  draw_splitters(layout, state_.settings);
+  draw_status_bar(layout.status, state_.hand, state_.message, state_.figures.shown);
+  draw_load_bar(layout.viewport, state_.opening, state_.message);
+  draw_shortcut_sheet(state_.shortcuts_shown, actions_, gestures());
+  draw_file_choice(state_);
+  draw_question(state_.decisions.question);
+}
+
+void EditorScreen::draw_picture() {
+  ViewState& view = state_.view;
+  const Document& document = state_.work.document;
+  const Layout& layout = view.layout;
+  view.look.tree.palette = state_.settings.palette;
+  const std::optional<BeamPicture> beam = state_.hand.beam.picture(document);
+  const Shot first{document.world(), view.seen_first(), view.look, beam, layout.first};
+  bool& old = view.picture_old;
+  ShadowFigures& shadows = state_.figures.shadows;
+  if (layout.split()) {
+    const World& twin = state_.split.twin.world();
+    const ViewOptions look = look_of_twin(view.look, view.spread, twin);
+    const double aspect = layout.second.size.x / layout.second.size.y;
+    const Shot second{twin, view.camera.view(aspect), look, beam, layout.second};
+    new_picture_ = picture_.draw(first, &second, old, window_, shadows);
+  } else {
+    new_picture_ = picture_.draw(first, nullptr, old, window_, shadows);
+  }
+  old = picture_.shows_dead_beam();
+}
+
+void EditorScreen::update_figures() {
+  if (seconds_since(figures_at_) < kFigureSeconds) return;
+  figures_at_ = Clock::now();
+  save_settings();
+  Figures& figures = state_.figures;
+  const World& world = state_.work.document.world();
+  const World& twin = state_.split.twin.world();
+  const World* as_loaded = state_.work.as_loaded ? &*state_.work.as_loaded : nullptr;
+  figures.shown.frame_ms = 1000 * picture_.seconds();
+  figures.shown.memory = memory_figures(std::array{&world, &twin, as_loaded},
+                                        state_.work.document.history().bytes(), picture_.memory());
+  if (!std::exchange(figures.world_changed, false)) return;
+  count_world(figures.shown, world, state_.settings.panels.at(PanelId::kTree));
+  figures.shown.twin_faces = twin.live_faces();
+  figures.shown.faces_tested = figures.last_step.tested.faces;
+  figures.shown.faces_of_step = figures.faces_before_step;
+}
+
+void EditorScreen::take_picture(Requests::Screenshot what) {
+  const bool window = what == Requests::Screenshot::kWindow;
+  const Vec2 pixels = window_.pixel_size();
+  const Area part = window ? Area{Vec2(0), pixels} : pixels_of(state_.view.layout.viewport, window_);
+  const auto file = take_screenshot(pixels, part);
+  state_.message.say(file ? "Saved: " + file->string() : file.error().message, !file.ok());
+}
+
+// After the frame, when it is known whether another one follows without input.
+void EditorScreen::show_landmarks() {
+  if (!landmarks_) return;
+  const ImVec2 at = ImGui::GetIO().MousePos;
+  const ViewState& view = state_.view;
+  landmarks_->mark(view.layout);
+  for (size_t i = 0; i < view.look.lights.size() && shows_light_handles(state_.settings); ++i) {
+    if (const auto handle = light_handle(view, i))
+      landmarks_->mark("light " + std::to_string(i), {*handle, Vec2(0)});
+  }
+  if (const Status written = landmarks_->write(moving(), {at.x, at.y}); !written)
+    state_.message.say(written.error().message, true);
+}
+
+void EditorScreen::show_title() {
+  const std::string title = window_title(state_.work, state_.view.look.lights);
+  if (title == title_) return;
+  title_ = title;
+  window_.set_title(title);
+}
+
+}  // namespace kerf

@@ -1,0 +1,127 @@
+#include "ui/editor/actions.h"
+
+#include <imgui.h>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include "ui/editor/view/camera_text.h"
+#include "ui/editor/view/piece_set.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr int kCtrl = GLFW_MOD_CONTROL, kShift = GLFW_MOD_SHIFT;
+
+void copy_view(EditorState& state) {
+  ImGui::SetClipboardText(view_text({state.view.seen().eye, state.view.camera.pivot()}).c_str());
+  state.message.say("The view is in the clipboard as text");
+}
+
+void paste_view(EditorState& state) {
+  const char* text = ImGui::GetClipboardText();
+  const Result<View> view = parse_view_text(text != nullptr ? text : "");
+  if (!view) return state.message.say(view.error().message, true);
+  state.view.camera.look(view->eye, view->target);
+  state.message.say("");
+}
+
+void choose_all(EditorState& state) {
+  for (const PieceRow& row : list_pieces(state.work.document.world())) {
+    PieceLook& look = state.view.look.pieces[row.id];
+    look.selected = !look.hidden;
+  }
+  state.view.picture_old = true;
+}
+
+const char* why_no_undo(const EditorState& state) {
+  return state.work.document.history().position() > 0 ? nullptr : "Nothing was done yet.";
+}
+const char* why_no_redo(const EditorState& state) {
+  const History& history = state.work.document.history();
+  return history.position() < history.size() ? nullptr : "Nothing was taken back.";
+}
+const char* why_none_hidden(const EditorState& state) {
+  return hidden_pieces(state.view.look.pieces).empty() ? "No piece is hidden." : nullptr;
+}
+
+}  // namespace
+
+std::vector<UserAction> history_actions(EditorState& s) {
+  return {
+      UserAction{.menu = "Edit",
+                 .name = "Undo",
+                 .shortcut = "Ctrl+Z",
+                 .key = GLFW_KEY_Z,
+                 .mods = kCtrl,
+                 .tip = "Takes the last stroke or command back.",
+                 .run = [&s] { s.requests.undo = true; },
+                 .why_not = [&s] { return why_no_undo(s); }},
+      UserAction{.menu = "Edit",
+                 .name = "Redo",
+                 .shortcut = "Ctrl+Shift+Z",
+                 .key = GLFW_KEY_Z,
+                 .mods = kCtrl | kShift,
+                 .tip = "Does again what was taken back.",
+                 .run = [&s] { s.requests.redo = true; },
+                 .why_not = [&s] { return why_no_redo(s); },
+                 .ends_group = true},
+  };
+}
+
+std::vector<UserAction> view_text_actions(EditorState& s) {
+  return {
+      UserAction{.menu = "Edit",
+                 .name = "Copy the view",
+                 .shortcut = "Ctrl+C",
+                 .key = GLFW_KEY_C,
+                 .mods = kCtrl,
+                 .tip = "Where the eye stands, as text.",
+                 .run = [&s] { copy_view(s); }},
+      UserAction{.menu = "Edit",
+                 .name = "Paste the view",
+                 .shortcut = "Ctrl+V",
+                 .key = GLFW_KEY_V,
+                 .mods = kCtrl,
+                 .tip = "Looks from where the text in the clipboard says.",
+                 .run = [&s] { paste_view(s); },
+                 .ends_group = true},
+  };
+}
+
+std::vector<UserAction> piece_actions(EditorState& s) {
+  return {
+      UserAction{.menu = "Edit",
+                 .name = "Choose all pieces",
+                 .shortcut = "Ctrl+A",
+                 .key = GLFW_KEY_A,
+                 .mods = kCtrl,
+                 .tip = "All that are not hidden.",
+                 .run = [&s] { choose_all(s); }},
+      UserAction{.menu = "Edit",
+                 .name = "Hide the chosen",
+                 .shortcut = "H",
+                 .key = GLFW_KEY_H,
+                 .tip = "Leaves the chosen pieces out of the picture; the beam passes them by.",
+                 .run = [&s] { s.requests.hide_chosen = true; },
+                 .why_not = [&s] { return why_none_chosen(s.view.look.pieces); }},
+      UserAction{.menu = "Edit",
+                 .name = "Show all pieces",
+                 .shortcut = "Shift+H",
+                 .key = GLFW_KEY_H,
+                 .mods = kShift,
+                 .tip = "Draws the hidden pieces again.",
+                 .run = [&s] { s.requests.show_hidden = true; },
+                 .why_not = [&s] { return why_none_hidden(s); }},
+      UserAction{.menu = "Edit",
+                 .name = "Delete the chosen",
+                 .shortcut = "Del",
+                 .key = GLFW_KEY_DELETE,
+                 .tip = "Takes the chosen pieces out of the world.",
+                 .run = [&s] { s.requests.delete_chosen = true; },
+                 .why_not = [&s] { return why_none_chosen(s.view.look.pieces); }},
+  };
+}
+
+}  // namespace kerf

@@ -1,0 +1,178 @@
+#include "ui/editor/editor_screen.h"
+
+#include <imgui.h>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include "ui/editor/file_choice.h"
+#include "ui/editor/panel_list.h"
+#include "ui/editor/tools/viewport_input.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr uint32_t kFacesSent = 50'000;  // of a scene that is shown anew, in one frame
+constexpr double kLongestEaseStep = 0.05;
+constexpr double kMissable = 0.05;  // s; for so long nobody misses a frame
+
+}  // namespace
+
+EditorScreen::EditorScreen(Window& window, Renderer renderer, LoadedSettings loaded,
+                           const EditorOptions& options)
+    : window_(window),
+      options_(options),
+      picture_(std::move(renderer)),
+      saved_(loaded.settings),
+      changes_({state_.work, state_.view, state_.hand, state_.figures, state_.message, picture_.first()}),
+      cut_({state_.work, state_.view, state_.hand, state_.split, state_.figures, state_.message, changes_,
+            picture_}),
+      opener_({state_.work, state_.view, state_.hand, state_.split, state_.figures, state_.opening,
+               state_.settings, state_.message, recovery_, picture_.first()}),
+      desk_(state_, changes_, opener_, recovery_),
+      panels_(make_panels(state_)),
+      actions_(make_actions(state_, panels_)) {
+  state_.settings = std::move(loaded.settings);
+  state_.view.look.antialias = state_.settings.antialias;
+  state_.view.look.show.shadows = true;
+  if (options.landmarks) keep_landmarks(&landmarks_.emplace(*options.landmarks));
+}
+
+Status EditorScreen::open() {
+  lay_out_window();
+  picture_.first().limit_sending(kFacesSent);
+  std::vector<std::string> faults;
+  state_.opening.left_work = find_left_work(state_folder(), faults);
+  ask_about_left_work(state_.decisions, state_.opening.left_work);
+  const Status opened = opener_.open_first(options_.default_scene, options_.files);
+  if (opened && !faults.empty()) tell("Work was left that cannot be read: " + faults.front());
+  return opened;
+}
+
+void EditorScreen::tell(const std::string& fault) {
+  if (!fault.empty() && !state_.message.is_error) state_.message.say(fault, true);
+}
+
+void EditorScreen::close(bool left_by_user) {
+  if (thread_.busy()) {
+    thread_.stop();
+    finish_change();
+  }
+  state_.hand.beam.release(state_.work.document);
+  recovery_.follow(state_.work, state_.view, state_.hand.drag == Drag::kLight, state_.message);
+  if (left_by_user) recovery_.drop();
+  save_settings();
+}
+
+GuiLook EditorScreen::look() const {
+  const Settings& s = state_.settings;
+  return {s.theme, s.palette, window_.scale() * static_cast<float>(s.ui_scale), options_.own_font};
+}
+
+bool EditorScreen::moving() const {
+  return thread_.busy() || easing_ || cut_.waits() || state_.view.picture_old || picture_.busy() ||
+         state_.opening.loader.busy();
+}
+
+// Hearing
+// --------------------------------------------------------------------------------------------------------
+
+void EditorScreen::hear(const Input& input) {
+  if (thread_.busy()) {
+    if (busy_.hear(input, thread_)) state_.requests.quit = true;
+    return;
+  }
+  lay_out_window();
+  const bool popup = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+  const bool mouse_free = !ImGui::GetIO().WantCaptureMouse && !popup;
+  const MouseParts mouse{state_.hand,     state_.work,           state_.view,
+                         state_.settings, state_.opening.loader, state_.message};
+  std::vector<InputEvent> events = busy_.take_heard();
+  events.insert(events.end(), input.events.begin(), input.events.end());
+  for (const InputEvent& event : events) {
+    if (event.kind != InputEvent::Kind::kKey) {
+      handle_mouse(mouse, event, mouse_free);
+    } else {
+      hear_key(event);
+    }
+  }
+  if (!input.drops.empty()) state_.requests.open = input.drops;
+  if (input.close) state_.requests.quit = true;
+  if (state_.hand.beam.cutting()) state_.view.picture_old = true;
+}
+
+void EditorScreen::hear_key(const InputEvent& event) {
+  if (state_.decisions.question.open()) {
+    if (!event.again) question_key(state_.decisions.question, event.button);
+  } else if (state_.browser.open) {
+    browser_key(state_.browser, event.button);
+  } else if (!ImGui::GetIO().WantTextInput && !event.again) {
+    if (event.button == GLFW_KEY_ESCAPE) return escape(state_);
+    run_shortcut(actions_, event.button, event.mods, state_.message);
+  }
+}
+
+// Going on
+// --------------------------------------------------------------------------------------------------------
+
+void EditorScreen::advance() {
+  if (thread_.busy() && !thread_.is_over(0)) return;
+  if (thread_.busy()) finish_change();
+  desk_.fulfil();
+  recovery_.follow(state_.work, state_.view, state_.hand.drag == Drag::kLight, state_.message);
+  move_camera();
+  cut_.advance();
+  send();
+}
+
+void EditorScreen::move_camera() {
+  easing_ = state_.view.camera.advance(std::min<double>(ImGui::GetIO().DeltaTime, kLongestEaseStep));
+  if (easing_) state_.view.picture_old = true;
+}
+
+// To the graphics card.
+void EditorScreen::send() {
+  if (!state_.view.picture_old) return;
+  Renderer& renderer = picture_.first();
+  const size_t before = renderer.uploaded_bytes();
+  renderer.catch_up(state_.work.document.world());
+  if (renderer.uploaded_bytes() > before) state_.figures.chart.note_sent(renderer.uploaded_bytes() - before);
+}
+
+// The last of a frame, for what the window shows is seen until the change is done.
+void EditorScreen::begin_pending_change() {
+  if (!changes_.is_pending()) return;
+  busy_.keep(window_.pixel_size());
+  thread_.start(state_.work.document, *changes_.take_pending());
+  if (thread_.is_over(kMissable)) finish_change();
+}
+
+void EditorScreen::finish_change() {
+  thread_.finish();
+  state_.view.picture_old = true;
+}
+
+void EditorScreen::lay_out_window() {
+  const double em = ImGui::GetFontSize(), bar = ImGui::GetFrameHeight();
+  const Settings& settings = state_.settings;
+  Layout layout = lay_out(window_.size(), em, bar, bar, settings.side_shown ? settings.side_ems : 0);
+  if (state_.split.shown) layout = split_in_two(layout, settings.split_share);
+  ViewState& view = state_.view;
+  if (layout.first.size != view.layout.first.size || layout.second.size != view.layout.second.size)
+    view.picture_old = true;
+  view.layout = layout;
+}
+
+void EditorScreen::save_settings() {
+  Settings& now = state_.settings;
+  now.antialias = state_.view.look.antialias;
+  now.width = static_cast<int>(window_.size().x);
+  now.height = static_cast<int>(window_.size().y);
+  if (now == saved_) return;
+  saved_ = now;
+  if (const Status written = write_settings(now, settings_file()); !written)
+    state_.message.say(written.error().message, true);
+}
+
+}  // namespace kerf

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <chrono>
+
+#include "ui/editor/actions.h"
+#include "ui/editor/changes/live_cut.h"
+#include "ui/editor/editor.h"
+#include "ui/editor/frame/busy_window.h"
+#include "ui/editor/request_desk.h"
+#include "ui/editor/state.h"
+#include "ui/screen/screen.h"
+#include "ui/window/landmarks.h"
+
+namespace kerf {
+
+// The editor as a screen: the open world in the picture, menus, panels and dialogs around it. While a change
+// is done on a thread of its own it shows what it showed last, under a bar.
+class EditorScreen : public Screen {
+ public:
+  // The window and the options must outlive it. Precondition: an ImGui context is current.
+  EditorScreen(Window& window, Renderer renderer, LoadedSettings loaded, const EditorOptions& options);
+  EditorScreen(const EditorScreen&) = delete;
+  EditorScreen& operator=(const EditorScreen&) = delete;
+
+  // Opens what the options say. Fails where not even the default scene can be read.
+  Status open();
+  // Says a fault in the status bar where nothing worse is said there.
+  void tell(const std::string& fault);
+  // Ends what is under way and writes the settings; what is not saved is kept for the next start unless the
+  // user has left the editor.
+  void close(bool left_by_user);
+  const EditorState& state() const { return state_; }
+
+  GuiLook look() const override;
+  void hear(const Input& input) override;
+  void advance() override;
+  void draw() override;
+  void drawn() override;
+  void took(const FrameTime& time) override;
+  bool moving() const override;
+  void rest() override { recovery_.flush(); }
+  bool over() const override { return desk_.quit(); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void hear_key(const InputEvent& event);
+  void move_camera();
+  void send();
+  void lay_out_window();
+  void draw_panels();
+  void draw_picture();
+  void update_figures();
+  void save_settings();
+  void take_picture(Requests::Screenshot what);
+  void show_title();
+  void show_landmarks();
+  void begin_pending_change();
+  void finish_change();
+
+  Window& window_;
+  const EditorOptions& options_;
+  std::optional<Landmarks> landmarks_;
+  LivePicture picture_;
+  EditorState state_;
+  Settings saved_;  // as they are in the file
+  Recovery recovery_;
+  WorldChanges changes_;
+  LiveCut cut_;
+  FileOpener opener_;
+  RequestDesk desk_;
+  std::vector<Panel> panels_;
+  std::vector<UserAction> actions_;
+  ChangeThread thread_;  // while it is busy the document is not touched
+  BusyWindow busy_;
+  std::string title_;  // of the window
+  Clock::time_point figures_at_{};
+  bool easing_ = false;         // the camera
+  bool busy_frame_ = false;     // the last frame showed the busy window
+  bool new_picture_ = false;    // the last frame
+  double picture_seconds_ = 0;  // of the last frame
+};
+
+}  // namespace kerf

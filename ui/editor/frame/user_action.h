@@ -1,0 +1,40 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+
+#include "ui/window/message.h"
+
+namespace kerf {
+
+// Something that the user can ask for by menu and by key. The menus, the keys and the sheet of shortcuts are
+// all made from one list of these.
+struct UserAction {
+  const char* menu;
+  const char* name;
+  std::string shortcut = {};  // as it is written; empty: none
+  int key = 0;                // GLFW_KEY_*; 0: none
+  int mods = 0;               // GLFW_MOD_*
+  const char* tip = "";
+  std::function<void()> run = {};
+  std::function<bool()> checked = {};         // empty: not a switch
+  std::function<const char*()> why_not = {};  // a sentence where it cannot be done at the moment, or null
+  std::function<void()> submenu = {};         // draws a menu of its own in place of all that
+  bool ends_group = false;                    // a line under it in the menu
+
+  // Why it cannot be done at the moment; null where it can.
+  const char* objection() const { return why_not ? why_not() : nullptr; }
+};
+
+// What the mouse does in the picture, for the sheet of shortcuts.
+struct Gesture {
+  const char* gesture;
+  const char* meaning;
+};
+
+// Runs the action of a key. One that cannot be done at the moment says why in the status bar. Returns whether
+// the key has an action.
+bool run_shortcut(std::span<const UserAction> actions, int key, int mods, Message& message);
+
+}  // namespace kerf

@@ -1,0 +1,50 @@
+#include "ui/editor/panel_list.h"
+
+#include "ui/editor/file_choice.h"
+#include "ui/editor/panels/display_panel.h"
+#include "ui/editor/panels/file_panel.h"
+#include "ui/editor/panels/history_panel.h"
+#include "ui/editor/panels/laser_panel.h"
+#include "ui/editor/panels/light_panel.h"
+#include "ui/editor/panels/pieces_panel.h"
+#include "ui/editor/panels/resolution_panel.h"
+#include "ui/editor/panels/statistics_panel.h"
+#include "ui/editor/panels/tree_panel.h"
+#include "ui/editor/panels/view_panel.h"
+
+namespace kerf {
+
+namespace {
+
+void draw_resolution(EditorState& s) {
+  draw_resolution_panel({s.work.document, s.hand.laser, s.split, s.view, s.settings, s.requests, s.figures,
+                         [&s](bool on) { show_split(s.split, on, s.hand, s.work.document, s.view); }});
+}
+
+void draw_pieces(EditorState& s) {
+  draw_pieces_panel(s.work.document.world(), s.view, s.requests,
+                    [&s] { choose_file_for(s, FileBrowser::Purpose::kExport); });
+}
+
+}  // namespace
+
+std::vector<Panel> make_panels(EditorState& s) {
+  const Document& document = s.work.document;
+  return {
+      {PanelId::kLaser, "Laser", [&s] { draw_laser_panel(s.hand.laser); }},
+      {PanelId::kResolution, "Resolution", [&s] { draw_resolution(s); }},
+      {PanelId::kPieces, "Pieces", [&s] { draw_pieces(s); }},
+      {PanelId::kHistory, "History",
+       [&s, panel = HistoryPanel()]() mutable { panel.draw(s.work.document, s.settings, s.requests); }},
+      {PanelId::kLight, "Light",
+       [&] { draw_light_panel(s.view, document.world().bounds(), s.figures.shadows); }},
+      {PanelId::kTree, "Tree",
+       [&] { draw_tree_panel(s.view, document.world(), s.settings, s.figures.shown); }},
+      {PanelId::kView, "View", [&s] { draw_view_panel(s.view); }},
+      {PanelId::kStatistics, "Statistics", [&s] { draw_statistics_panel(s.figures.chart, s.figures.shown); }},
+      {PanelId::kFile, "File", [&] { draw_file_panel(document.world()); }},
+      {PanelId::kDisplay, "Display", [&s, panel = DisplayPanel()]() mutable { panel.draw(s.settings); }},
+  };
+}
+
+}  // namespace kerf

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "ui/editor/changes/file_opener.h"
+#include "ui/editor/changes/world_changes.h"
+#include "ui/editor/state.h"
+
+namespace kerf {
+
+// Does what menus, keys and panels asked for since the last frame, and what the answer to a question decides.
+class RequestDesk {
+ public:
+  // All must outlive it.
+  RequestDesk(EditorState& state, WorldChanges& changes, FileOpener& opener, Recovery& recovery)
+      : state_(state), changes_(changes), opener_(opener), recovery_(recovery) {}
+
+  // To be called between two frames. A request for a picture of the window is left.
+  void fulfil();
+  // Whether the editor is to be left.
+  bool quit() const { return quit_; }
+
+ private:
+  void decide();
+  void save_to(const std::filesystem::path& file);
+  void leave(const Requests& wanted);
+  void change_world(const Requests& wanted);
+
+  EditorState& state_;
+  WorldChanges& changes_;
+  FileOpener& opener_;
+  Recovery& recovery_;
+  bool quit_ = false;
+};
+
+}  // namespace kerf

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "ui/editor/changes/split_view.h"
+#include "ui/editor/figures/figures.h"
+#include "ui/editor/frame/file_browser.h"
+#include "ui/editor/tools/hand.h"
+#include "ui/editor/view/settings.h"
+#include "ui/editor/view/view_state.h"
+#include "ui/editor/work/open_work.h"
+#include "ui/editor/work/opening.h"
+#include "ui/editor/work/requests.h"
+#include "ui/editor/work/unsaved_work.h"
+#include "ui/window/message.h"
+
+namespace kerf {
+
+// All parts of the running editor. Only the files beside this one know all of them; everything else is handed
+// the parts that it works on.
+struct EditorState {
+  OpenWork work;
+  Opening opening;
+  Decisions decisions;
+  Requests requests;
+
+  ViewState view;
+  Hand hand;
+  SplitView split;
+  Figures figures;
+
+  Settings settings;
+  Message message;
+  FileBrowser browser;
+  bool shortcuts_shown = false;
+};
+
+}  // namespace kerf

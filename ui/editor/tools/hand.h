@@ -1,0 +1,29 @@
+#pragma once
+
+#include "ui/editor/tools/laser_controls.h"
+#include "ui/editor/tools/laser_tool.h"
+
+namespace kerf {
+
+// What the left button does.
+enum class Tool { kLaser, kPick };
+
+// What a drag that has begun goes on doing. One that picks has not moved yet.
+enum class Drag { kNone, kCut, kPick, kOrbit, kPan, kLight };
+
+// What the user holds, and what the mouse is doing with it.
+struct Hand {
+  LaserControls laser;  // as its panel sets it
+  LaserTool beam;       // the stroke that is drawn
+  Tool tool = Tool::kLaser;
+  Drag drag = Drag::kNone;
+  size_t dragged_light = 0;
+  Vec2 pointer{0}, pressed_at{0};  // screen coordinates
+  bool over_picture = false;       // the pointer is
+  bool cut_once = false;           // hints are no longer needed
+};
+
+// Ends the stroke that is drawn, if one is; what was cut stays cut. Returns whether there was one.
+bool cancel_stroke(Hand& hand, Document& document);
+
+}  // namespace kerf

@@ -1,0 +1,165 @@
+#include "ui/editor/view/piece_set.h"
+
+#include <cmath>
+
+namespace kerf {
+
+namespace {
+
+void drop_plain(PieceMap& looks) {
+  std::erase_if(looks, [](const auto& entry) {
+    const PieceLook& look = entry.second;
+    return !look.hidden && !look.selected && look.offset == Vec3(0);
+  });
+}
+
+double fraction(double x) { return x - std::floor(x); }
+
+// As hue_colour of body.vert: linear light of a hue (0 .. 1), a saturation and a lightness.
+Vec3 hue_colour(double hue, double saturation, double value) {
+  const Vec3 turned = glm::abs(glm::fract(Vec3(hue, hue + 2.0 / 3, hue + 1.0 / 3)) * 6.0 - 3.0) - 1.0;
+  return value * glm::mix(Vec3(1), glm::clamp(turned, 0.0, 1.0), saturation);
+}
+
+struct Middle {
+  Vec3 moment{0};  // m^3
+  double area = 0;
+  Vec3 mean() const { return area > 0 ? moment / area : Vec3(0); }
+};
+
+std::vector<Middle> middles_of(const Body& body) {
+  std::vector<Middle> middles(body.pieces.size());
+  for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+    if (!body.mesh.is_live(FaceId(f))) continue;
+    const Triangle t = body.mesh.triangle(FaceId(f));
+    const double area = triangle_area(t);
+    Middle& middle = middles[body.mesh.data(FaceId(f)).piece];
+    middle.moment += (t[0] + t[1] + t[2]) * (area / 3);
+    middle.area += area;
+  }
+  return middles;
+}
+
+}  // namespace
+
+std::vector<PieceRow> list_pieces(const World& world) {
+  std::vector<PieceRow> rows;
+  for (const BodyId id : world.ids()) {
+    const Body& body = world.body(id);
+    for (uint32_t label = 0; label < body.pieces.size(); ++label) {
+      const Piece& piece = body.pieces[label];
+      if (piece.faces == 0) continue;
+      rows.push_back({{id, label},
+                      label == 0 ? body.name : body.name + " " + std::to_string(label),
+                      piece.faces,
+                      piece.area});
+    }
+  }
+  std::stable_sort(rows.begin(), rows.end(), [](const PieceRow& a, const PieceRow& b) {
+    const bool body_a = a.id.label == 0, body_b = b.id.label == 0;
+    return body_a != body_b ? body_a : a.area > b.area;
+  });
+  return rows;
+}
+
+Vec3 piece_colour(uint32_t label, bool strong) {
+  if (label == 0) return Vec3(0.45);
+  const double turn = fraction(label * 0.61803399), shade = fraction(label * 0.7548777);
+  const Vec3 linear = strong ? hue_colour(turn, 0.80, 0.40 + 0.25 * shade)
+                             : hue_colour(0.40 + 0.40 * turn, 0.72, 2 * (0.10 + 0.14 * shade));
+  return glm::pow(linear, Vec3(1 / 2.2));
+}
+
+void choose_piece(PieceMap& looks, const PieceId& id, bool add) {
+  const auto found = looks.find(id);
+  const bool was = found != looks.end() && found->second.selected;
+  const bool alone = was && chosen_pieces(looks) == 1;
+  if (!add) choose_none(looks);
+  looks[id].selected = add ? !was : !alone;
+  drop_plain(looks);
+}
+
+void choose_none(PieceMap& looks) {
+  for (auto& [id, look] : looks) look.selected = false;
+  drop_plain(looks);
+}
+
+size_t chosen_pieces(const PieceMap& looks) {
+  return static_cast<size_t>(
+      std::count_if(looks.begin(), looks.end(), [](const auto& entry) { return entry.second.selected; }));
+}
+
+const char* why_none_chosen(const PieceMap& looks) {
+  return chosen_pieces(looks) > 0 ? nullptr : "No piece is chosen: Ctrl+click one, or choose it in the list.";
+}
+
+std::optional<PieceId> first_chosen(const PieceMap& looks) {
+  for (const auto& [key, look] : looks) {
+    if (look.selected) return key;
+  }
+  return std::nullopt;
+}
+
+std::vector<PieceId> hidden_pieces(const PieceMap& looks) {
+  std::vector<PieceId> hidden;
+  for (const auto& [id, look] : looks) {
+    if (look.hidden) hidden.push_back(id);
+  }
+  return hidden;
+}
+
+namespace {
+
+bool has_faces(const World& world, const PieceId& id) {
+  if (!world.contains(id.body)) return false;
+  const auto& pieces = world.body(id.body).pieces;
+  return id.label < pieces.size() && pieces[id.label].faces > 0;
+}
+
+// The piece as it is named after it, and those before it in the list, were detached.
+PieceId named_after(const Delta& delta, PieceId id) {
+  for (const Detached& d : delta.detached) {
+    if (id == PieceId{d.from, d.label}) id.body = d.to;
+  }
+  return id;
+}
+
+}  // namespace
+
+void follow_world(const World& world, const Delta& delta, PieceMap& looks) {
+  PieceMap now;
+  for (const auto& [before, look] : looks) {
+    const PieceId id = named_after(delta, before);
+    if (has_faces(world, id)) now[id] = look;
+  }
+  for (auto& [id, look] : now) look.hidden = false;
+  for (const BodyId id : world.ids()) {
+    const Body& body = world.body(id);
+    for (uint32_t label = 0; body.hidden && label < body.pieces.size(); ++label) {
+      if (body.pieces[label].faces == 0) continue;
+      now[{id, label}].hidden = true;
+      now[{id, label}].selected = false;
+    }
+  }
+  drop_plain(now);
+  looks = std::move(now);
+}
+
+void spread_pieces(const World& world, double spread, PieceMap& looks) {
+  for (auto& [id, look] : looks) look.offset = Vec3(0);
+  if (spread > 0) {
+    const World::Bounds bounds = world.bounds();
+    const Vec3 middle = 0.5 * (bounds.min + bounds.max);
+    for (const BodyId id : world.ids()) {
+      const Body& body = world.body(id);
+      const std::vector<Middle> middles = middles_of(body);
+      for (uint32_t label = 0; label < middles.size(); ++label) {
+        if (body.pieces[label].faces == 0) continue;
+        looks[{id, label}].offset = spread * (body.placement.to_world(middles[label].mean()) - middle);
+      }
+    }
+  }
+  drop_plain(looks);
+}
+
+}  // namespace kerf

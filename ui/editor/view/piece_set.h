@@ -1,0 +1,52 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/world/delta.h"
+#include "core/world/world.h"
+#include "ui/render/view_options.h"
+
+namespace kerf {
+
+using PieceMap = std::map<PieceId, PieceLook>;
+
+// A piece in the list of pieces.
+struct PieceRow {
+  PieceId id;
+  std::string name;
+  size_t faces = 0;
+  double area = 0;  // m^2
+};
+
+// The pieces that have faces: first the bodies themselves (label 0), then separated pieces, both in
+// descending order of area.
+std::vector<PieceRow> list_pieces(const World& world);
+
+// The colour in which the renderer draws a separated piece (sRGB, 0 .. 1); grey for a body itself (label 0).
+// `strong`: with ShowOptions::pieces.
+Vec3 piece_colour(uint32_t label, bool strong);
+
+// Selects a piece instead of all others; if it was the only selected piece, deselects it. With `add` it
+// toggles the selection of this piece and keeps that of the others.
+void choose_piece(PieceMap& looks, const PieceId& id, bool add);
+void choose_none(PieceMap& looks);
+size_t chosen_pieces(const PieceMap& looks);
+// Why nothing can be done with the chosen pieces, in one sentence: there are none. Null where there are.
+const char* why_none_chosen(const PieceMap& looks);
+// The first selected piece, or nothing.
+std::optional<PieceId> first_chosen(const PieceMap& looks);
+std::vector<PieceId> hidden_pieces(const PieceMap& looks);
+
+// Updates the looks after a step that changed the world by `delta`: pieces of hidden bodies are hidden and
+// deselected, all others shown, and pieces without faces are dropped. The look of a piece that was detached,
+// or put back, moves to the body that it belongs to since.
+void follow_world(const World& world, const Delta& delta, PieceMap& looks);
+
+// Sets the offset of every piece to `spread` times the vector from the centre of the world's bounds to the
+// piece's centre of area. O(n) if the spread is not 0.
+void spread_pieces(const World& world, double spread, PieceMap& looks);
+
+}  // namespace kerf

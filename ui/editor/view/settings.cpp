@@ -1,0 +1,167 @@
+#include "ui/editor/view/settings.h"
+
+#include <cstdlib>
+
+#include "core/base/atomic_file.h"
+#include "core/document/json_value.h"
+
+namespace kerf {
+
+namespace {
+
+using Json = nlohmann::json;
+namespace fs = std::filesystem;
+
+constexpr int kVersion = 1;
+constexpr int kLeastWindow = 480, kMostWindow = 16384;
+
+// Panels by the names that they have in the file, and whether they are unfolded at first.
+struct PanelEntry {
+  PanelId id;
+  const char* name;
+  bool unfolded;
+};
+constexpr std::array kPanelEntries{
+    PanelEntry{PanelId::kLaser, "Laser", true},   PanelEntry{PanelId::kResolution, "Resolution", true},
+    PanelEntry{PanelId::kPieces, "Pieces", true}, PanelEntry{PanelId::kHistory, "History", true},
+    PanelEntry{PanelId::kLight, "Light", false},  PanelEntry{PanelId::kTree, "Tree", false},
+    PanelEntry{PanelId::kView, "View", false},    PanelEntry{PanelId::kStatistics, "Statistics", false},
+    PanelEntry{PanelId::kFile, "File", false},    PanelEntry{PanelId::kDisplay, "Display", false},
+};
+
+// Takes a key out of the object; null where it is missing.
+Json take(Json& from, const char* key) {
+  const auto found = from.find(key);
+  if (found == from.end()) return nullptr;
+  Json value = std::move(*found);
+  from.erase(found);
+  return value;
+}
+
+void take_flag(Json& from, const char* key, bool& flag) {
+  const Json value = take(from, key);
+  if (value.is_boolean()) flag = value.get<bool>();
+}
+
+template <typename Number>
+void take_number(Json& from, const char* key, Number& number, double low, double high) {
+  const Json value = take(from, key);
+  if (value.is_number()) number = static_cast<Number>(std::clamp(value.get<double>(), low, high));
+}
+
+Settings from_json(Json json) {
+  Settings s;
+  take(json, "version");
+  if (take(json, "theme") == Json("light")) s.theme = Theme::kLight;
+  if (take(json, "palette") == Json("orange-blue")) s.palette = BoxPalette::kOrangeAndBlue;
+  take_number(json, "ui_scale", s.ui_scale, Settings::kLeastScale, Settings::kMostScale);
+  take_number(json, "side_width", s.side_ems, Settings::kLeastSide, Settings::kMostSide);
+  take_number(json, "width", s.width, kLeastWindow, kMostWindow);
+  take_number(json, "height", s.height, kLeastWindow, kMostWindow);
+  take_number(json, "split_share", s.split_share, 0.0, 1.0);
+  take_flag(json, "side_shown", s.side_shown);
+  take_flag(json, "antialias", s.antialias);
+  take_flag(json, "live_recut", s.live_recut);
+  take_number(json, "history_mb", s.history_megabytes, Settings::kLeastHistory, Settings::kMostHistory);
+  Json panels = take(json, "panels");
+  if (panels.is_object()) {
+    for (const PanelEntry& panel : kPanelEntries) take_flag(panels, panel.name, s.panels.at(panel.id));
+  }
+  const Json recent = take(json, "recent");
+  if (recent.is_array()) {
+    for (const Json& file : recent) {
+      if (file.is_string() && s.recent.size() < Settings::kMostRecent)
+        s.recent.emplace_back(file.get<std::string>());
+    }
+  }
+  const Json folder = take(json, "folder");
+  if (folder.is_string()) s.folder = folder.get<std::string>();
+  s.others = json.dump();
+  return s;
+}
+
+// Paths may hold any bytes; JSON holds UTF-8 only. One that is not is left out.
+bool is_utf8(const std::string& text) {
+  try {
+    return !Json(text).dump().empty();
+  } catch (const Json::exception&) {
+    return false;
+  }
+}
+
+Json to_json(const Settings& s) {
+  Json json = Json::parse(s.others, nullptr, false);
+  if (!json.is_object()) json = Json::object();
+  json["version"] = kVersion;
+  json["theme"] = s.theme == Theme::kLight ? "light" : "dark";
+  json["palette"] = s.palette == BoxPalette::kOrangeAndBlue ? "orange-blue" : "red-green";
+  json["ui_scale"] = s.ui_scale;
+  json["side_width"] = s.side_ems;
+  json["width"] = s.width;
+  json["height"] = s.height;
+  json["split_share"] = s.split_share;
+  json["side_shown"] = s.side_shown;
+  json["antialias"] = s.antialias;
+  json["live_recut"] = s.live_recut;
+  json["history_mb"] = s.history_megabytes;
+  for (const PanelEntry& panel : kPanelEntries) json["panels"][panel.name] = s.panels.at(panel.id);
+  json["recent"] = Json::array();
+  for (const fs::path& file : s.recent) {
+    if (is_utf8(file.string())) json["recent"].push_back(file.string());
+  }
+  json["folder"] = is_utf8(s.folder.string()) ? s.folder.string() : "";
+  return json;
+}
+
+LoadedSettings set_aside(const fs::path& file) {
+  fs::path bad = file;
+  bad += ".bad";
+  std::error_code error;
+  fs::rename(file, bad, error);
+  return {Settings(), error
+                          ? file.string() + ": cannot be read and cannot be set aside: the defaults are used"
+                          : "The settings could not be read: they were set aside as " + bad.string()};
+}
+
+}  // namespace
+
+std::map<PanelId, bool> Settings::panels_at_first() {
+  std::map<PanelId, bool> unfolded;
+  for (const PanelEntry& panel : kPanelEntries) unfolded[panel.id] = panel.unfolded;
+  return unfolded;
+}
+
+void remember_recent(Settings& settings, const fs::path& file) {
+  std::error_code error;
+  fs::path whole = fs::weakly_canonical(fs::absolute(file, error), error);
+  if (error) whole = file;
+  std::erase(settings.recent, whole);
+  settings.recent.insert(settings.recent.begin(), whole);
+  if (settings.recent.size() > Settings::kMostRecent) settings.recent.resize(Settings::kMostRecent);
+}
+
+fs::path settings_file() {
+  const char* config = std::getenv("XDG_CONFIG_HOME");
+  if (config != nullptr && fs::path(config).is_absolute()) return fs::path(config) / "kerf" / "settings.json";
+  const char* home = std::getenv("HOME");
+  return fs::path(home != nullptr ? home : "/") / ".config" / "kerf" / "settings.json";
+}
+
+LoadedSettings read_settings(const fs::path& file) {
+  std::error_code error;
+  if (!fs::exists(file, error)) return {};
+  const auto text = read_text_file(file);
+  if (!text) return {Settings(), text.error().message};
+  const auto json = parse_json(*text, file.string());
+  if (!json || !json->is_object()) return set_aside(file);
+  return {from_json(*json), ""};
+}
+
+Status write_settings(const Settings& settings, const fs::path& file) {
+  std::error_code error;
+  fs::create_directories(file.parent_path(), error);
+  if (error) return failed(file.parent_path().string() + ": the folder for the settings cannot be made");
+  return write_file_atomically(file, to_json(settings).dump(2) + "\n");
+}
+
+}  // namespace kerf

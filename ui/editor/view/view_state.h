@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+
+#include "core/document/scene.h"
+#include "ui/render/camera.h"
+#include "ui/render/view_options.h"
+#include "ui/window/layout.h"
+
+namespace kerf {
+
+// How the open world is looked at, and where in the window its picture lies.
+struct ViewState {
+  Camera camera;
+  ViewOptions look;
+  std::optional<View> home;  // the view that the scene asks for
+  double spread = 0;         // how far pieces are drawn apart, in distances from the middle of the world
+  Layout layout;
+  bool in_second = false;   // the pointer is in the right half of a split picture, or its drag began there
+  bool picture_old = true;  // the picture has to be drawn anew
+
+  // The half of the picture that the pointer is in; all of it where it is not split.
+  const Area& pane() const { return in_second ? layout.second : layout.first; }
+  double aspect() const { return pane().size.x / pane().size.y; }
+  // What is seen in that half.
+  CameraView seen() const { return camera.view(aspect()); }
+  // What is seen in the first half, which alone shows the open document.
+  CameraView seen_first() const { return camera.view(layout.first.size.x / layout.first.size.y); }
+  // A place of the window (screen coordinates) as CameraView::ray takes it, in the pointer's half.
+  Vec2 in_picture(Vec2 at) const;
+};
+
+// Looks at a world of these bounds from where the scene asks to, or from three-quarter in front.
+void go_home(ViewState& view, const World::Bounds& bounds);
+
+}  // namespace kerf

@@ -1,0 +1,123 @@
+#include "ui/editor/actions.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include "ui/render/view_switches.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr int kCtrl = GLFW_MOD_CONTROL, kShift = GLFW_MOD_SHIFT;
+constexpr double kScaleStep = 0.125;
+
+void frame_all(EditorState& state) {
+  state.view.camera.frame(state.work.document.world().bounds(), state.view.aspect());
+}
+
+void change_scale(Settings& settings, double by) {
+  settings.ui_scale = std::clamp(settings.ui_scale + by, Settings::kLeastScale, Settings::kMostScale);
+}
+
+UserAction switch_action(ViewState& view, const ViewSwitch& s) {
+  UserAction action{.menu = "View", .name = s.label, .tip = s.tip, .ends_group = s.ends_group};
+  if (s.key != 0) action.shortcut = std::string(1, s.key);
+  action.key = s.key;  // GLFW's keys of letters are the capitals
+  action.run = [&view, &s] {
+    s.set(view.look, !s.get(view.look));
+    view.picture_old = true;
+  };
+  action.checked = [&view, &s] { return s.get(view.look); };
+  return action;
+}
+
+}  // namespace
+
+std::vector<UserAction> camera_actions(EditorState& s) {
+  return {
+      UserAction{.menu = "View",
+                 .name = "Frame all",
+                 .shortcut = "F",
+                 .key = GLFW_KEY_F,
+                 .tip = "Everything in the picture, seen from the side where the eye is.",
+                 .run = [&s] { frame_all(s); }},
+      UserAction{.menu = "View",
+                 .name = "First view",
+                 .shortcut = "Home",
+                 .key = GLFW_KEY_HOME,
+                 .tip = "As it was when the file was opened.",
+                 .run = [&s] { go_home(s.view, s.work.document.world().bounds()); },
+                 .ends_group = true},
+  };
+}
+
+std::vector<UserAction> switch_actions(EditorState& s) {
+  std::vector<UserAction> actions;
+  for (const ViewSwitch& each : view_switches()) {
+    if (each.in_menu) actions.push_back(switch_action(s.view, each));
+  }
+  return actions;
+}
+
+std::vector<UserAction> frame_actions(EditorState& s, std::span<const Panel> panels) {
+  return {
+      UserAction{.menu = "View",
+                 .name = "Split view",
+                 .shortcut = "S",
+                 .key = GLFW_KEY_S,
+                 .tip = "The last stroke at a second resolution, in a right half of the picture.",
+                 .run = [&s] { show_split(s.split, !s.split.shown, s.hand, s.work.document, s.view); },
+                 .checked = [&s] { return s.split.shown; }},
+      UserAction{.menu = "View",
+                 .name = "Panels",
+                 .submenu = [&s, panels] { draw_panels_menu(panels, s.settings); }},
+      UserAction{.menu = "View",
+                 .name = "Column of panels",
+                 .shortcut = "F4",
+                 .key = GLFW_KEY_F4,
+                 .tip = "Hides the column, so that the picture fills the window.",
+                 .run = [&s] { s.settings.side_shown = !s.settings.side_shown; },
+                 .checked = [&s] { return s.settings.side_shown; }},
+      UserAction{
+          .menu = "View",
+          .name = "Light theme",
+          .shortcut = "F9",
+          .key = GLFW_KEY_F9,
+          .tip = "Bright panels and menus; the picture stays as it is.",
+          .run =
+              [&s] { s.settings.theme = s.settings.theme == Theme::kLight ? Theme::kDark : Theme::kLight; },
+          .checked = [&s] { return s.settings.theme == Theme::kLight; }},
+  };
+}
+
+std::vector<UserAction> text_actions(EditorState& s) {
+  return {
+      UserAction{.menu = "View",
+                 .name = "Larger text",
+                 .shortcut = "Ctrl+=",
+                 .key = GLFW_KEY_EQUAL,
+                 .mods = kCtrl,
+                 .tip = "Of panels and menus.",
+                 .run = [&s] { change_scale(s.settings, kScaleStep); },
+                 .why_not =
+                     [&s] {
+                       return s.settings.ui_scale >= Settings::kMostScale ? "It is as large as it can be."
+                                                                          : nullptr;
+                     }},
+      UserAction{.menu = "View",
+                 .name = "Smaller text",
+                 .shortcut = "Ctrl+-",
+                 .key = GLFW_KEY_MINUS,
+                 .mods = kCtrl,
+                 .tip = "Of panels and menus.",
+                 .run = [&s] { change_scale(s.settings, -kScaleStep); },
+                 .why_not =
+                     [&s] {
+                       return s.settings.ui_scale <= Settings::kLeastScale ? "It is as small as it can be."
+                                                                           : nullptr;
+                     }},
+  };
+}
+
+}  // namespace kerf

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "core/document/command.h"
+
+namespace kerf {
+
+// What menus, keys and panels ask for and only the frame loop can do; it is done once, before the next
+// picture.
+struct Requests {
+  std::vector<std::filesystem::path> open;  // in place of what is open, as bodies of one scene
+  bool fresh = false;                       // the default scene in place of what is open
+  bool quit = false;
+  std::filesystem::path save_to;  // empty: nowhere
+  bool recut = false;
+  bool undo = false, redo = false;
+  bool hide_chosen = false, show_hidden = false, delete_chosen = false;
+  std::vector<Command> commands;
+  std::optional<size_t> travel;  // to a position of the history
+  enum class Screenshot { kNone, kPicture, kWindow };
+  Screenshot screenshot = Screenshot::kNone;
+
+  // Whether what is open would be closed.
+  bool leaves_work() const { return !open.empty() || fresh || quit; }
+};
+
+}  // namespace kerf

@@ -1,0 +1,196 @@
+#include "ui/render/view_switches.h"
+
+#include <cassert>
+
+namespace kerf {
+
+namespace {
+
+// The flag of a switch: a member of ShowOptions or of ViewOptions.
+template <auto flag>
+bool get(const ViewOptions& look) {
+  if constexpr (requires { look.show.*flag; }) {
+    return look.show.*flag;
+  } else {
+    return look.*flag;
+  }
+}
+template <auto flag>
+void set(ViewOptions& look, bool on) {
+  if constexpr (requires { look.show.*flag; }) {
+    look.show.*flag = on;
+  } else {
+    look.*flag = on;
+  }
+}
+
+bool shows_boxes_hit(const ViewOptions& look) { return look.show.aabb_hit || look.tree.hit_only; }
+
+constexpr std::array kSwitches{
+    ViewSwitch{.id = SwitchId::kShadows,
+               .show = "shadows",
+               .report = "shadows",
+               .label = "Shadows",
+               .key = 'D',
+               .tip =
+                   "Of everything on everything; off, only a plain one on the ground. How they are cast is "
+                   "said in the Light panel.",
+               .get = get<&ShowOptions::shadows>,
+               .set = set<&ShowOptions::shadows>},
+    ViewSwitch{.id = SwitchId::kSilhouette,
+               .show = "silhouette",
+               .report = "silhouette",
+               .label = "Silhouette",
+               .key = 'E',
+               .tip = "The edges that bound the shadow of a light (figure 11 of the paper): pale where one "
+                      "side lies on them, blue where two do, violet where more.",
+               .get = get<&ShowOptions::silhouette>,
+               .set = set<&ShowOptions::silhouette>},
+    ViewSwitch{.id = SwitchId::kShadowVolumes,
+               .show = "shadow-volumes",
+               .report = "shadow_volumes",
+               .label = "Shadow volumes",
+               .key = 'V',
+               .tip =
+                   "What the silhouette is extruded to (figure 12 of the paper): blue where it is seen from "
+                   "outside, orange from within.",
+               .get = get<&ShowOptions::shadow_volumes>,
+               .set = set<&ShowOptions::shadow_volumes>},
+    ViewSwitch{.id = SwitchId::kShadowCounts,
+               .show = "shadow-stencil",
+               .report = "shadow_counts",
+               .label = "Shadow counts",
+               .key = 'C',
+               .tip = "How many surfaces keep the light away, by the strip at the lower left; 9: or more.",
+               .get = get<&ShowOptions::shadow_stencil>,
+               .set = set<&ShowOptions::shadow_stencil>},
+    ViewSwitch{.id = SwitchId::kFacing,
+               .show = "shadow-facing",
+               .report = "shadow_facing",
+               .label = "Facing the light",
+               .key = 'T',
+               .tip = "Polygons that face the light are pale, averted ones blue.",
+               .get = get<&ShowOptions::shadow_facing>,
+               .set = set<&ShowOptions::shadow_facing>},
+    ViewSwitch{.id = SwitchId::kCompare,
+               .show = "shadow-compare",
+               .report = "shadow_compare",
+               .label = "Compare two shadow methods",
+               .key = 'X',
+               .tip =
+                   "The method of the Light panel left of a line, another right of it, and the pixels that "
+                   "differ.",
+               .in_view_panel = false,
+               .get = get<&ShowOptions::shadow_compare>,
+               .set = set<&ShowOptions::shadow_compare>},
+    ViewSwitch{.id = SwitchId::kTrace,
+               .show = "shadow-reference",
+               .report = "shadow_rays",
+               .label = "Trace shadow rays",
+               .key = 'Y',
+               .tip =
+                   "Traces the shadow of the chosen light pixel by pixel once the picture stands still, and "
+                   "marks in magenta where the picture has it otherwise.",
+               .in_view_panel = false,
+               .ends_group = true,
+               .get = get<&ShowOptions::shadow_reference>,
+               .set = set<&ShowOptions::shadow_reference>},
+    ViewSwitch{.id = SwitchId::kLevelColours,
+               .report = "level_colours",
+               .label = "Level colouring",
+               .tip = "Small faces glow: the smaller a face against the one it was split from, the hotter.",
+               .get = get<&ViewOptions::level_colours>,
+               .set = set<&ViewOptions::level_colours>},
+    ViewSwitch{.id = SwitchId::kWire,
+               .show = "wire",
+               .report = "wire",
+               .label = "Wire",
+               .key = 'W',
+               .tip = "Edges of the faces.",
+               .get = get<&ShowOptions::wire>,
+               .set = set<&ShowOptions::wire>},
+    ViewSwitch{.id = SwitchId::kBoxes,
+               .show = "aabb",
+               .report = "boxes",
+               .label = "Boxes of the tree",
+               .key = 'B',
+               .tip =
+                   "The bounding boxes that find the faces under the beam: solid where the beam is or was, "
+                   "dotted where it never came, as in the paper's figure 2.",
+               .in_view_panel = false,
+               .get = get<&ShowOptions::aabb>,
+               .set = set<&ShowOptions::aabb>},
+    ViewSwitch{.id = SwitchId::kBoxesHit,
+               .show = "aabb-hit",
+               .report = "boxes_hit",
+               .in_menu = false,
+               .in_view_panel = false,
+               .get = shows_boxes_hit,
+               .set = set<&ShowOptions::aabb_hit>},
+    ViewSwitch{.id = SwitchId::kPieces,
+               .show = "pieces",
+               .report = "pieces",
+               .label = "Piece colours",
+               .key = 'P',
+               .tip = "Every piece that came off in a strong colour of its own.",
+               .get = get<&ShowOptions::pieces>,
+               .set = set<&ShowOptions::pieces>},
+    ViewSwitch{.id = SwitchId::kNormals,
+               .show = "normals",
+               .report = "normals",
+               .label = "Normals",
+               .key = 'N',
+               .tip = "A short line out of the front of every face.",
+               .get = get<&ShowOptions::normals>,
+               .set = set<&ShowOptions::normals>},
+    ViewSwitch{.id = SwitchId::kFaceNumbers,
+               .show = "face-numbers",
+               .report = "face_numbers",
+               .label = "Face numbers",
+               .key = 'I',
+               .tip = "The number of each face, and in red of those that are gone (figure 8 of the paper).",
+               .get = get<&ShowOptions::face_numbers>,
+               .set = set<&ShowOptions::face_numbers>},
+    ViewSwitch{.id = SwitchId::kGhost,
+               .report = "ghost",
+               .label = "Ghost of what is gone",
+               .key = 'G',
+               .tip = "Removed faces stay as a faint veil.",
+               .get = get<&ViewOptions::ghost>,
+               .set = set<&ViewOptions::ghost>},
+    ViewSwitch{.id = SwitchId::kTwoSided,
+               .report = "two_sided",
+               .label = "Two-sided lighting",
+               .tip = "Faces are lit from both sides; off, their backs are black.",
+               .in_menu = false,
+               .get = get<&ViewOptions::two_sided>,
+               .set = set<&ViewOptions::two_sided>},
+    ViewSwitch{.id = SwitchId::kCullBacks,
+               .report = "cull_backs",
+               .label = "Cull backs",
+               .tip = "Leaves out the faces that are seen from behind, as is usual for closed models and "
+                      "faster. The paper had to turn it off: once a hole is cut, one looks through it at the "
+                      "backs of the far side, and with culling there is nothing there.",
+               .in_menu = false,
+               .get = get<&ViewOptions::cull_backs>,
+               .set = set<&ViewOptions::cull_backs>},
+    ViewSwitch{.id = SwitchId::kAntialias,
+               .report = "antialias",
+               .label = "Anti-aliasing",
+               .tip = "Smooth edges; off is faster without a graphics card.",
+               .ends_group = true,
+               .get = get<&ViewOptions::antialias>,
+               .set = set<&ViewOptions::antialias>},
+};
+
+}  // namespace
+
+std::span<const ViewSwitch> view_switches() { return kSwitches; }
+
+const ViewSwitch& view_switch(SwitchId id) {
+  const ViewSwitch& found = kSwitches.at(static_cast<size_t>(id));
+  assert(found.id == id);
+  return found;
+}
+
+}  // namespace kerf

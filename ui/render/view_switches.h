@@ -1,0 +1,50 @@
+#pragma once
+
+#include <span>
+
+#include "ui/render/view_options.h"
+
+namespace kerf {
+
+// The switches of the view, in the order in which menus and panels list them.
+enum class SwitchId {
+  kShadows,
+  kSilhouette,
+  kShadowVolumes,
+  kShadowCounts,
+  kFacing,
+  kCompare,
+  kTrace,
+  kLevelColours,
+  kWire,
+  kBoxes,
+  kBoxesHit,
+  kPieces,
+  kNormals,
+  kFaceNumbers,
+  kGhost,
+  kTwoSided,
+  kCullBacks,
+  kAntialias
+};
+
+// A switch of the view: what menus, keys, panels, `--show` and the editor's report know of it.
+struct ViewSwitch {
+  SwitchId id;
+  const char* show = "";    // the name that `--show` takes; empty: not one of its overlays
+  const char* report = "";  // the key in the editor's report; empty: not in it
+  const char* label = "";   // in menus and panels; empty: in neither
+  char key = 0;             // the capital letter of the key that flips it; 0: none
+  const char* tip = "";     // what it does, for people
+  bool in_menu = true;
+  bool in_view_panel = true;  // false where another panel has it
+  bool ends_group = false;    // a line under it in the menu
+  bool (*get)(const ViewOptions&) = nullptr;
+  void (*set)(ViewOptions&, bool) = nullptr;
+};
+
+// All of them, indexed by their ids.
+std::span<const ViewSwitch> view_switches();
+const ViewSwitch& view_switch(SwitchId id);
+
+}  // namespace kerf

@@ -1,0 +1,67 @@
+#include "ui/screen/frame_loop.h"
+
+#include <thread>
+
+namespace kerf {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kFrameSeconds = 1.0 / 60;  // no frame begins sooner after the last one
+constexpr double kSettleSeconds = 1.0;  // after the last event the panels are still drawn (tooltips appear)
+constexpr double kSettleWait = 0.12, kIdleWait = 0.5;
+
+double seconds_since(Clock::time_point t) { return std::chrono::duration<double>(Clock::now() - t).count(); }
+
+}  // namespace
+
+bool FrameLoop::run(Screen& screen) {
+  while (!screen.over() && !stop_.came()) {
+    wait(screen);
+    frame(screen);
+  }
+  return !stop_.came();
+}
+
+// Returns at once while something moves, at an event otherwise.
+void FrameLoop::wait(Screen& screen) {
+  const double left = kFrameSeconds - seconds_since(frame_began_);
+  if (left > 0) std::this_thread::sleep_for(std::chrono::duration<double>(left));
+  window_.wait(0);
+  while (!screen.moving() && !window_.take_activity() && !stop_.came()) {
+    screen.rest();
+    const bool settling = seconds_since(last_event_) < kSettleSeconds;
+    window_.wait(settling ? kSettleWait : kIdleWait);
+    if (settling) {
+      frame_began_ = Clock::now();
+      return;
+    }
+  }
+  last_event_ = Clock::now();
+  frame_began_ = Clock::now();
+}
+
+void FrameLoop::frame(Screen& screen) {
+  const Clock::time_point began = Clock::now();
+  gui_.dress(screen.look());
+  gui_.begin_frame();
+  screen.hear(take_input());
+  screen.advance();
+  screen.draw();
+  gui_.end_frame();
+  screen.drawn();
+  const double before = seconds_since(began);
+  window_.swap();
+  screen.took({seconds_since(began), before});
+}
+
+Input FrameLoop::take_input() {
+  Input input;
+  input.events = window_.take_events();
+  input.drops = window_.take_drops();
+  input.close = window_.take_close();
+  return input;
+}
+
+}  // namespace kerf

@@ -11,6 +11,11 @@ import sys
 LAYERS = ['app', 'ui', 'core']
 CORE = ['game', 'document', 'physics', 'cut', 'graph', 'heat', 'shadow', 'world', 'laser', 'tree', 'mesh', 'debug',
         'base']
+# Of ui, first what draws a world, then what any screen needs of a window, then the editor. In the editor: what it
+# counts, how the world is looked at, what is open and saved, what the mouse does, how the world changes, the menus
+# and dialogs, the panels; the files in ui/editor itself put these together and alone know all of its state.
+UI = ['editor', 'editor/panels', 'editor/frame', 'editor/changes', 'editor/tools', 'editor/work', 'editor/view',
+      'editor/figures', 'screen', 'window', 'render', 'gl']
 
 SOURCE_FOLDERS = LAYERS + ['tests']
 TOP_LEVEL = {'CMakeLists.txt', 'README.md', 'assets', *SOURCE_FOLDERS}
@@ -77,16 +82,25 @@ def against_the_arrows(path, name):
         return f'{name}: only tests include tests'
     if LAYERS.index(there) < LAYERS.index(here):
         return f'{name}: the arrows go {" -> ".join(LAYERS)}, and {here} does not know {there}'
-    return inside_core(path, name) if here == there == 'core' else None
+    if here == there == 'core':
+        return inside('core', CORE, path.split('/')[1], name.split('/')[1], name)
+    if here == there == 'ui':
+        return inside('ui', UI, room_of(path), room_of(name), name)
+    return None
 
 
-def inside_core(path, name):
-    here, there = path.split('/')[1], name.split('/')[1]
+def room_of(path):
+    """The folder of a file below ui: 'editor/panels' for ui/editor/panels/panel.h."""
+    return os.path.dirname(path)[len('ui/'):]
+
+
+def inside(layer, order, here, there, name):
     for folder in (here, there):
-        if folder not in CORE:
-            return f'core/{folder} has no place in the order of core: give it one in tests/layering/layering.py'
-    if CORE.index(there) < CORE.index(here):
-        return f'{name}: core/{here} comes after core/{there} in the order and does not know it'
+        if folder not in order:
+            return (f'{layer}/{folder} has no place in the order of {layer}: give it one in '
+                    'tests/layering/layering.py')
+    if order.index(there) < order.index(here):
+        return f'{name}: {layer}/{here} comes after {layer}/{there} in the order and does not know it'
     return None
 
 

@@ -9,8 +9,8 @@ import layering
 GOOD = {
     'CMakeLists.txt': '', 'README.md': '', '.gitignore': '', 'assets/scene.json': '', 'build/x.cpp': '#include "x"',
     'build-sanitize/x': '',
-    'app/main.cpp': '#include <imgui.h>\n#include "app/command.h"\n#include "ui/window.h"\n#include "core/cut/step.h"\n',
-    'ui/window.cpp': '#include <GLFW/glfw3.h>\n#include "ui/window.h"\n#include "core/base/result.h"\n',
+    'app/main.cpp': '#include <imgui.h>\n#include "app/command.h"\n#include "ui/window/window.h"\n#include "core/cut/step.h"\n',
+    'ui/window/window.cpp': '#include <GLFW/glfw3.h>\n#include "ui/window/window.h"\n#include "core/base/result.h"\n',
     'core/cut/step.cpp': '#include <glm/vec3.hpp>\n#include "core/cut/step.h"\n#include "core/graph/pieces.h"\n',
     'core/mesh/kernel.h': '#include "core/mesh/half_edges.h"\n#include "core/base/result.h"\n',
     'tests/core/cut/step_test.cpp': '#include "tests/support/plate.h"\n#include "core/cut/step.h"\n',
@@ -37,10 +37,10 @@ class Layering(unittest.TestCase):
         self.assertEqual([], breaches_of(GOOD))
 
     def test_refuses_core_that_knows_ui(self):
-        self.refuses('core/cut/bad.cpp', '\n#include "ui/window.h"\n', 2, 'core does not know ui')
+        self.refuses('core/cut/bad.cpp', '\n#include "ui/window/window.h"\n', 2, 'core does not know ui')
 
     def test_refuses_ui_that_knows_app(self):
-        self.refuses('ui/bad.h', '#include "app/command.h"\n', 1, 'ui does not know app')
+        self.refuses('ui/gl/bad.h', '#include "app/command.h"\n', 1, 'ui does not know app')
 
     def test_refuses_the_program_that_knows_its_tests(self):
         self.refuses('app/bad.cpp', '#include "tests/support/plate.h"\n', 1, 'only tests include tests')
@@ -55,8 +55,23 @@ class Layering(unittest.TestCase):
         self.refuses('core/misc/bad.h', '#include "core/base/result.h"\n', 1, 'core/misc has no place')
         self.refuses('core/bad.h', '#include "core/base/result.h"\n', 1, 'has no place')
 
+    def test_refuses_every_step_back_inside_ui(self):
+        for earlier, later in zip(layering.UI, layering.UI[1:]):
+            with self.subTest(earlier=earlier, later=later):
+                self.refuses(f'ui/{later}/bad.h', f'#include "ui/{earlier}/x.h"\n', 1,
+                             f'ui/{later} comes after ui/{earlier}')
+
+    def test_lets_each_room_of_ui_know_what_comes_after_it(self):
+        for i, here in enumerate(layering.UI):
+            includes = ''.join(f'#include "ui/{there}/x.h"\n' for there in layering.UI[i:])
+            self.assertEqual([], breaches_of({**GOOD, f'ui/{here}/good.cpp': includes}), here)
+
+    def test_refuses_a_room_of_ui_without_a_place(self):
+        for room in ('ui', 'ui/misc', 'ui/editor/misc'):
+            self.refuses(f'{room}/bad.h', '#include "ui/gl/objects.h"\n', 1, 'has no place in the order of ui')
+
     def test_refuses_half_edges_outside_core_mesh(self):
-        for path in ('core/cut/bad.cpp', 'ui/bad.cpp', 'tests/core/mesh/bad.cpp'):
+        for path in ('core/cut/bad.cpp', 'ui/gl/bad.cpp', 'tests/core/mesh/bad.cpp'):
             self.refuses(path, '#include "core/mesh/half_edges.h"\n', 1, 'outside core/mesh')
 
     def test_refuses_graphics_in_core(self):

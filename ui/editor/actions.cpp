@@ -77,6 +77,7 @@ std::vector<UserAction> make_actions(EditorState& state, std::span<const Panel> 
   std::vector<UserAction> all;
   append(all, open_actions(state));
   append(all, save_actions(state));
+  append(all, output_actions(state));
   append(all, history_actions(state));
   append(all, view_text_actions(state));
   append(all, piece_actions(state));

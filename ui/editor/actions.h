@@ -15,6 +15,7 @@ std::vector<UserAction> make_actions(EditorState& state, std::span<const Panel> 
 // The groups of the menus, in this order.
 std::vector<UserAction> open_actions(EditorState& state);
 std::vector<UserAction> save_actions(EditorState& state);
+std::vector<UserAction> output_actions(EditorState& state);
 std::vector<UserAction> history_actions(EditorState& state);
 std::vector<UserAction> view_text_actions(EditorState& state);
 std::vector<UserAction> piece_actions(EditorState& state);

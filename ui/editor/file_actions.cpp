@@ -67,6 +67,11 @@ std::vector<UserAction> save_actions(EditorState& s) {
                  .tip = "To another journal (.kerf), or as a scene (.json) without what was cut.",
                  .run = [&s] { choose_file_for(s, FileBrowser::Purpose::kSave); },
                  .ends_group = true},
+  };
+}
+
+std::vector<UserAction> output_actions(EditorState& s) {
+  return {
       UserAction{.menu = "File",
                  .name = "Export chosen pieces...",
                  .shortcut = "Ctrl+E",

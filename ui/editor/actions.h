@@ -9,10 +9,11 @@
 
 namespace kerf {
 
-// What the user can ask for by menu and by key, menu after menu. The state and the panels must outlive it.
+// All actions that menus and keys offer, in the order of the menus. The state and the panels must outlive
+// them.
 std::vector<UserAction> make_actions(EditorState& state, std::span<const Panel> panels);
 
-// The groups of the menus, in this order.
+// The groups of actions in the menus, in this order.
 std::vector<UserAction> open_actions(EditorState& state);
 std::vector<UserAction> save_actions(EditorState& state);
 std::vector<UserAction> output_actions(EditorState& state);
@@ -26,11 +27,11 @@ std::vector<UserAction> frame_actions(EditorState& state, std::span<const Panel>
 std::vector<UserAction> text_actions(EditorState& state);
 std::vector<UserAction> help_actions(EditorState& state);
 
-// What the mouse does in the picture.
+// Explanations of what the mouse does in the picture.
 std::span<const Gesture> gestures();
 
-// Does what Esc asks for: the first of ending the stroke, stopping the files that are read, closing the sheet
-// of shortcuts and letting go of the chosen pieces that there is anything to do for.
+// Performs the Esc key: ends the stroke, else stops reading files, else closes the sheet of shortcuts, else
+// deselects all pieces.
 void escape(EditorState& state);
 
 }  // namespace kerf

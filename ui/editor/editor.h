@@ -9,18 +9,19 @@
 namespace kerf {
 
 struct EditorOptions {
-  // Scenes and meshes, opened together; where one is bad, the default scene is shown and the reason said.
+  // Scenes and meshes that are opened together. If one cannot be read, the default scene is shown with an
+  // error message.
   std::vector<std::filesystem::path> files;
-  std::optional<std::filesystem::path> report;  // JSON written at exit, also on SIGINT and SIGTERM
+  std::optional<std::filesystem::path> report;  // JSON written at exit, also after SIGINT and SIGTERM
   // JSON of where the named parts of the window are, kept up frame by frame (see landmarks.h), for tests.
   std::optional<std::filesystem::path> landmarks;
   bool own_font = false;      // ImGui's own font, as where none is installed
-  int width = 0, height = 0;  // of the window, in screen coordinates; 0: as it was the last time
+  int width = 0, height = 0;  // of the window, in screen coordinates; 0: as in the last session
   std::filesystem::path default_scene;
 };
 
-// The editor, from its window opening to its window closing. Fails where there is no display or no
-// OpenGL 3.3, where not even the default scene can be read, or where the report cannot be written.
+// Runs the editor until its window is closed. Fails if there is no display or no OpenGL 3.3, if not even the
+// default scene can be read, or if the report cannot be written.
 Status run_editor(const EditorOptions& options);
 
 }  // namespace kerf

@@ -13,8 +13,8 @@
 
 namespace kerf {
 
-// The editor as a screen: the open world in the picture, menus, panels and dialogs around it. While a change
-// is done on a thread of its own it shows what it showed last, under a bar.
+// The editor as a screen: the picture of the open world with menus, panels and dialogs. While a change runs
+// on a background thread, it shows the last picture with a progress bar.
 class EditorScreen : public Screen {
  public:
   // The window and the options must outlive it. Precondition: an ImGui context is current.
@@ -22,12 +22,12 @@ class EditorScreen : public Screen {
   EditorScreen(const EditorScreen&) = delete;
   EditorScreen& operator=(const EditorScreen&) = delete;
 
-  // Opens what the options say. Fails where not even the default scene can be read.
+  // Opens the files of the options. Fails if not even the default scene can be read.
   Status open();
-  // Says a fault in the status bar where nothing worse is said there.
+  // Shows an error in the status bar unless a more important one is shown.
   void tell(const std::string& fault);
-  // Ends what is under way and writes the settings; what is not saved is kept for the next start unless the
-  // user has left the editor.
+  // Ends background work and writes the settings. Unsaved work is kept for the next start unless the user has
+  // closed the editor.
   void close(bool left_by_user);
   const EditorState& state() const { return state_; }
 

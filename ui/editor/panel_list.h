@@ -7,8 +7,8 @@
 
 namespace kerf {
 
-// The panels of the column at the right, from top to bottom, each bound to the parts of the editor that it
-// shows and sets. The state must outlive them.
+// The panels of the column at the right, from top to bottom, each bound to the parts of the state that it
+// shows and changes. The state must outlive them.
 std::vector<Panel> make_panels(EditorState& state);
 
 }  // namespace kerf

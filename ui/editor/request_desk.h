@@ -6,16 +6,16 @@
 
 namespace kerf {
 
-// Does what menus, keys and panels asked for since the last frame, and what the answer to a question decides.
+// Fulfils the requests of menus, keys and panels since the last frame, and the decisions of dialogs.
 class RequestDesk {
  public:
   // All must outlive it.
   RequestDesk(EditorState& state, WorldChanges& changes, FileOpener& opener, Recovery& recovery)
       : state_(state), changes_(changes), opener_(opener), recovery_(recovery) {}
 
-  // To be called between two frames. A request for a picture of the window is left.
+  // To be called between two frames. A request for a screenshot of the window is left to the caller.
   void fulfil();
-  // Whether the editor is to be left.
+  // Whether the editor should end.
   bool quit() const { return quit_; }
 
  private:

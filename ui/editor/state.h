@@ -14,8 +14,8 @@
 
 namespace kerf {
 
-// All parts of the running editor. Only the files beside this one know all of them; everything else is handed
-// the parts that it works on.
+// All parts of the running editor. Only the files in this folder know all of them; everything else receives
+// the parts that it needs.
 struct EditorState {
   OpenWork work;
   Opening opening;

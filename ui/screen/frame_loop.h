@@ -8,14 +8,14 @@
 
 namespace kerf {
 
-// Runs screens in a window: waits until there is something to draw, hands on what the user did, and shows
-// frame after frame, sixty a second at most.
+// Runs screens in a window: waits until there is something to draw, passes user input on, and shows frames,
+// at most sixty per second.
 class FrameLoop {
  public:
   // Both must outlive it.
   FrameLoop(Window& window, Gui& gui) : window_(window), gui_(gui) {}
 
-  // Runs until the screen is over, or SIGINT or SIGTERM came. Returns false where a signal ended it.
+  // Runs until the screen is over or SIGINT or SIGTERM arrives. Returns false if a signal ended it.
   bool run(Screen& screen);
 
  private:

@@ -11,7 +11,7 @@
 
 namespace kerf {
 
-// What a picture shows, and where in the window.
+// What a picture shows, and its area of the window.
 struct Shot {
   const World& world;
   CameraView view;
@@ -20,30 +20,31 @@ struct Shot {
   Area area;
 };
 
-// The picture of a world in the window, and of another one beside it where it is split: drawn anew when
-// something in it has changed, handed over once more otherwise. While it moves it is drawn without smooth
-// edges where those would take too long.
+// The picture of a world in the window, and of a second one beside it if the picture is split. It is redrawn
+// when something in it has changed and shown again otherwise. While it moves, antialiasing is switched off if
+// it would take too long.
 class LivePicture {
  public:
   explicit LivePicture(Renderer renderer) : first_(std::move(renderer)) {}
 
   Renderer& first() { return first_; }
-  // Of the world beside the first; made when it is first asked for.
+  // The renderer of the second world, which is created at the first call.
   Result<Renderer*> second();
 
-  // Of both.
+  // The memory of both renderers.
   PictureMemory memory() const;
 
-  // Draws one picture, or two where `second` is not null and second() was asked for; `old` says that
-  // something in them has changed. Returns whether anything was drawn anew; then took() wants to know how
-  // long the frame took (s).
+  // Draws one picture, or two if `second` is not null and second() was called before. `old` says that
+  // something in them has changed. Returns whether anything was redrawn; then took() has to be called with
+  // the duration of the frame (s).
   bool draw(const Shot& first, const Shot* second, bool old, const Window& window, ShadowFigures& figures);
   void took(double seconds);
-  // Whether there is more to draw although nothing moves.
+  // Whether another frame is needed although nothing moves.
   bool busy() const { return traced_.busy(); }
-  // What the last frame with a new picture took; 0 before the second one, for the first also warms up.
+  // The duration of the last frame with a new picture; 0 before the second one, because the first one
+  // includes warming up.
   double seconds() const { return seconds_; }
-  // Whether the last picture shows a beam that was off when draw() returned, and so is old.
+  // Whether the last picture shows a beam that is off by now, so that the picture is out of date.
   bool shows_dead_beam() const { return dead_beam_; }
 
  private:

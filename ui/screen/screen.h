@@ -15,33 +15,33 @@ struct Input {
   bool close = false;                        // the user asked to close the window
 };
 
-// What a frame took, seconds.
+// The duration of a frame in seconds.
 struct FrameTime {
   double whole = 0;   // of the frame, without waiting for it to begin
   double before = 0;  // from its beginning until it was handed to the display
 };
 
-// What the window shows and the user works in: the editor is one, a game another. FrameLoop calls these, once
-// a frame and in this order.
+// What the window shows: the editor is a screen, and a game is another. FrameLoop calls these functions once
+// per frame in this order.
 class Screen {
  public:
   virtual ~Screen() = default;
 
-  // How the panels look in the coming frame.
+  // The look of the panels in the next frame.
   virtual GuiLook look() const = 0;
-  // Takes in what the user did.
+  // Processes user input.
   virtual void hear(const Input& input) = 0;
-  // Goes on with what moves or waits: at most for as long as a frame may take.
+  // Advances everything that moves or waits, for at most the duration of a frame.
   virtual void advance() = 0;
   // Draws the picture to the window, and the panels with ImGui.
   virtual void draw() = 0;
-  // The panels are drawn over the picture, and nothing of it is on the display yet.
+  // Called when the picture and the panels are drawn but not displayed yet.
   virtual void drawn() {}
   virtual void took(const FrameTime&) {}
 
-  // Whether the next frame is to begin at once and not at the next event.
+  // Whether the next frame starts at once rather than at the next event.
   virtual bool moving() const = 0;
-  // To be done while nothing moves, before waiting for an event.
+  // Called before waiting for an event while nothing moves.
   virtual void rest() {}
   // Whether the screen is to be left.
   virtual bool over() const = 0;

@@ -7,16 +7,17 @@
 
 namespace kerf {
 
-// The ray-traced reference over a picture, traced a little every frame while the picture stands still.
+// Draws ray-traced reference shadows over a picture. A part of them is traced in every frame while the
+// picture stays the same.
 class TracedShadows {
  public:
-  // To be called after a picture of the world was drawn to `target`. Begins where `still` says that the
-  // picture will stay, goes on where it has stayed, forgets everything where it is a `fresh` one. Draws over
-  // the target and notes in `figures` how far it is.
+  // To be called after a picture of the world was drawn to `target`. Starts if `still` says that the picture
+  // will not change, continues if it has not changed, and starts over for a `fresh` one. Draws over the
+  // target and records its progress in `figures`.
   void work(const World& world, const ViewOptions& look, Renderer& renderer, const CameraView& view,
             const Target& target, bool fresh, bool still, ShadowFigures& figures);
 
-  // Whether there is more to trace.
+  // Whether tracing is incomplete.
   bool busy() const { return traced_ && !traced_->done(); }
 
  private:

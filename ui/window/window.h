@@ -61,7 +61,7 @@ class Window {
   std::unique_ptr<Inner> inner_;
 };
 
-// Where a rectangle of the window lies in its framebuffer, from the upper left corner; whole pixels.
+// Converts a rectangle of the window to whole pixels of its framebuffer, from the upper left corner.
 Area pixels_of(const Area& area, const Window& window);
 
 }  // namespace kerf

@@ -10,7 +10,7 @@
 
 namespace kerf {
 
-// What opening a file replaces or forgets.
+// The parts that opening a file replaces or resets.
 struct OpenerParts {
   OpenWork& work;
   ViewState& view;
@@ -24,25 +24,25 @@ struct OpenerParts {
   Renderer& renderer;  // of the open document
 };
 
-// Shows what was read in place of what is open, and stands the camera before it.
+// Replaces the open work by files that were read, and frames it with the camera.
 void show_loaded(const OpenerParts& on, LoadedFiles loaded);
 
-// Opens files in place of what is open. All are read beside the frames, but for the default scene, which is
-// small.
+// Opens files in place of the open work. All files but the default scene, which is small, are read in the
+// background.
 class FileOpener {
  public:
   // The parts must outlive it.
   explicit FileOpener(const OpenerParts& parts) : on_(parts) {}
 
-  // Scenes and meshes, or none. Where they are bad, or take long, the default scene is shown at first; fails
-  // where that cannot be.
+  // Opens scenes and meshes, or none, at startup. The default scene is shown while they are read and if they
+  // cannot be read; fails if the default scene cannot be read.
   Status open_first(std::filesystem::path default_scene, const std::vector<std::filesystem::path>& files);
-  // What a request asks for. Precondition: the open work is saved, or is to be discarded.
+  // Opens what was requested. Precondition: the open work is saved or may be discarded.
   void open(const Requests& wanted);
-  // The first of the left work. Precondition: there is one.
+  // Opens the first recovered work. Precondition: there is one.
   void open_left_work();
 
-  // To be called between two frames: shows what has been read by then.
+  // To be called between two frames: shows files that have been read.
   void take_loaded();
 
  private:

@@ -8,8 +8,8 @@
 
 namespace kerf {
 
-// Cuts the moves that wait, in the open document and in the right half of a split picture, for as long in
-// each frame as the frame may take.
+// Cuts queued moves of the open document and of the right half of a split picture, for as long as each frame
+// allows.
 class LiveCut {
  public:
   struct Parts {
@@ -25,17 +25,17 @@ class LiveCut {
   // The parts must outlive it.
   explicit LiveCut(const Parts& parts) : on_(parts) {}
 
-  // Cuts for a part of a frame. Ends early where a step fails, or has to be done beside the frames.
+  // Cuts for a part of the frame. Ends early if a step fails or has to run in the background.
   void advance();
-  // What cutting took in the last call, seconds; 0 where nothing waited.
+  // The time that the last call took for cutting, in seconds; 0 if nothing was queued.
   double seconds() const { return seconds_; }
-  // Whether moves wait.
+  // Whether moves are queued.
   bool waits() const { return on_.work.document.waiting() > 0 || on_.split.twin.waiting() > 0; }
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  // Both return whether there was anything to cut.
+  // Both return whether anything was queued.
   bool cut_first(Clock::time_point until);
   bool cut_twin(Clock::time_point until);
 

@@ -11,15 +11,14 @@
 
 namespace kerf {
 
-// A change of the document that takes longer than a frame may wait.
+// A change of the document that takes too long for a frame.
 struct LongChange {
-  std::string title;  // what happens, for people
+  std::string title;  // what happens, for the user
   std::function<Result<Delta>(Document&, const Progress&)> run;
   std::function<void(const Result<Delta>&)> then;  // on the thread that finishes it
 };
 
-// Lets a long change happen on a thread of its own. Until it is finished the document belongs to that thread
-// alone.
+// Runs a long change on a background thread. Until it is finished, only that thread may access the document.
 class ChangeThread {
  public:
   ChangeThread() = default;
@@ -27,21 +26,21 @@ class ChangeThread {
   ChangeThread& operator=(ChangeThread&&) = default;
   ~ChangeThread();
 
-  // Nothing may be under way. The document must outlive the work.
+  // Starts a change. Preconditions: none is running, and the document outlives it.
   void start(Document& document, LongChange change);
   bool busy() const { return job_ != nullptr; }
 
-  // Of what is under way.
+  // The title of the running change. Precondition: busy().
   const std::string& title() const { return job_->change.title; }
-  // Whether it has told how far it is, and so can be stopped.
+  // Whether the change has reported progress, so that it can be stopped.
   bool can_stop() const { return job_->told && !job_->stopped; }
   double fraction() const { return job_->fraction; }  // 0 to 1
 
-  // Asks it to stop. Its thread ends when it next tells how far it is.
+  // Asks the change to stop; it ends at its next report of progress.
   void stop() { job_->stopped = true; }
-  // Waits so long for its end (s); whether that came.
+  // Waits for the end for at most the given time (s). Returns whether it has ended.
   bool is_over(double seconds) const;
-  // Waits for its end and has what follows it done.
+  // Waits for the end and calls the continuation of the change.
   void finish();
 
  private:

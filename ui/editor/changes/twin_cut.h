@@ -7,25 +7,25 @@
 
 namespace kerf {
 
-// The last stroke of a document cut a second time, at a resolution of its own and beside the first: "the same
+// Cuts the last stroke of a document a second time at a different resolution for comparison: "the same
 // simulation, just with different parameters".
 class TwinCut {
  public:
-  // Takes on what the first has come to: its stroke is begun anew where it is another one or the resolution
-  // has changed, and goes on where it has gone on. Whether the world is a new one for everything that follows
-  // it. The commands wait to be stepped.
+  // Follows the document: starts again if its last stroke or the resolution is different, and queues the
+  // commands that the stroke has gained. Returns whether the world was replaced, so that everything that
+  // follows it must start anew.
   bool follow(Document& first, const ResolutionControls& resolution);
 
-  // Up to so many moves of the beam as one step, as Document::step.
+  // Cuts up to `moves` queued moves as one step, like Document::step.
   Result<StepResult> step(size_t moves) { return document_.step(moves); }
   size_t waiting() const { return document_.waiting(); }
 
-  // False where the first is too large to be copied; there is no world then.
+  // Whether the twin exists; it does not if the document is too large to be copied.
   bool there() const { return there_; }
   const World& world() const { return document_.world(); }
   const Resolution& resolution() const { return resolution_; }
 
-  // The first is another document now.
+  // Reports that the document was replaced.
   void forget() { *this = TwinCut(); }
 
  private:

@@ -13,12 +13,12 @@
 
 namespace kerf {
 
-// Why the last stroke of a document cannot be cut again, in one sentence; null where it can.
+// The reason why the last stroke of a document cannot be cut again, in one sentence, or null if it can.
 const char* why_no_recut(const Document& document);
 
-// Changes the open document and lets the picture, the pieces and the figures follow. What went wrong is said
-// in the status bar. A change that takes longer than a frame may wait becomes pending(); no function that
-// changes the world may be called before that is taken and done.
+// Changes the open document and updates the picture, the pieces and the figures. Errors are shown in the
+// status bar. A change that takes too long for a frame becomes pending; no function that changes the world
+// may be called until the pending change was taken and completed.
 class WorldChanges {
  public:
   struct Parts {
@@ -37,28 +37,28 @@ class WorldChanges {
   bool is_pending() const { return pending_.has_value(); }
   std::optional<LongChange> take_pending() { return std::exchange(pending_, std::nullopt); }
 
-  // Does a command.
+  // Applies a command.
   void apply(const Command& command);
-  // Goes to a position of the history; strokes that have to be cut again are cut over the next frames.
+  // Goes to a position of the history. Strokes that have to be cut again are cut during the next frames.
   void travel_to(size_t position);
-  // Goes one step of the history back, or forth; a stroke that is being drawn ends.
+  // Undoes or redoes one step of the history. Ends a stroke in progress.
   void step_through_history(bool back);
-  // Hides the chosen pieces or takes them out of the world, by a command each. Returns whether some are left
-  // because one takes long.
+  // Hides or deletes the selected pieces, with one command each. Returns whether some are left because one
+  // became pending.
   bool hide_chosen();
   bool delete_chosen();
   void show_hidden();
-  // Takes the last stroke back and queues it again at the resolution that the laser is set to; its radius and
-  // the rest stay. It is cut over the next frames as any stroke is. Cutting again what was just cut again is
-  // one step of the history. Nothing happens where why_no_recut() says why.
+  // Undoes the last stroke and queues it again at the current resolution; its other settings stay. It is cut
+  // during the next frames. Consecutive recuts are one step of the history. Does nothing if why_no_recut()
+  // gives a reason.
   void recut_last_stroke();
 
-  // Cuts up to so many moves that wait, as one step. Returns false where the step failed or has become
-  // pending, because it closes the rim of a stroke among many faces.
+  // Cuts up to `moves` queued moves as one step. Returns false if the step failed or became pending, because
+  // it closes the rim of a stroke with many faces.
   bool step(size_t moves);
 
-  // Lets a renderer look anew at a world that comes from the open document. Smooth normals come from the
-  // faces as they were loaded, whatever strokes have done to them.
+  // Makes a renderer show a world derived from the open document. Smooth normals are those of the faces as
+  // loaded, however they were cut since.
   void show_world(const World& world, Renderer& renderer) const;
 
  private:

@@ -7,10 +7,11 @@
 
 namespace kerf {
 
-// Numbers of the panels and the status bar. They are taken four times a second, so that they can be read.
+// The figures in the panels and the status bar. They are updated four times per second, so that they are
+// legible.
 struct ShownFigures {
   size_t faces = 0, pieces = 0;
-  size_t twin_faces = 0;  // of the right half
+  size_t twin_faces = 0;  // in the right half
   double frame_ms = 0;
   size_t tree_nodes = 0;
   int tree_depth = 0;
@@ -18,14 +19,14 @@ struct ShownFigures {
   size_t faces_tested = 0, faces_of_step = 0;  // in the last step, and how many there were before it
 };
 
-// What the editor counts and measures while it runs.
+// Everything that the editor counts and measures.
 struct Figures {
   ShownFigures shown;
   bool world_changed = true;  // since `shown` was taken
   ShadowFigures shadows;
   FrameStatistics frames;
-  FrameStatistics between_pictures;  // what frames took beside drawing
-  // The same of frames in which something was cut.
+  FrameStatistics between_pictures;  // durations of frames without drawing
+  // The same for frames in which something was cut.
   FrameStatistics cutting_frames, between_cutting_pictures;
   StepChart chart;
   StepFigures last_step, stroke;
@@ -33,14 +34,14 @@ struct Figures {
   size_t faces_before_step = 0;
   size_t recuts = 0;
 
-  // Takes in a step of a document that is at this revision, and the faces that there were before it.
+  // Records a step of a document at this revision, and the number of faces before the step.
   void note_step(const StepResult& step, size_t revision_of_step, size_t faces_before);
-  // Forgets what belongs to one document.
+  // Resets everything that belongs to one document.
   void forget_strokes();
 };
 
-// Takes the counts of a world for the panels. Depths of trees are found only where they are shown: that walks
-// over all of the tree.
+// Updates the counts of a world for the panels. Depths of trees are computed only if they are shown, because
+// that takes O(n).
 void count_world(ShownFigures& shown, const World& world, bool depth_shown);
 
 }  // namespace kerf

@@ -4,15 +4,15 @@
 
 namespace kerf {
 
-// How long frames took. Keeps the last million of them.
+// The durations of frames. The last million of them are kept.
 class FrameStatistics {
  public:
   void add(double milliseconds);
   size_t frames() const { return frames_; }
-  // The value below which this share of the frames lies, nearest rank; 0 when there was none.
+  // The percentile of the durations for a fraction 0 .. 1, by nearest rank; 0 without frames.
   double percentile(double share) const;
   double longest() const { return longest_; }
-  // Those that are kept, while they are fewer than a million in the order in which they were.
+  // The durations kept, in their order as long as they are fewer than a million.
   const std::vector<float>& each() const { return kept_; }
   double last() const { return last_; }
 

@@ -8,19 +8,19 @@
 
 namespace kerf {
 
-// Where the memory of the process goes, bytes.
+// The memory usage of the process, in bytes.
 struct MemoryFigures {
   size_t process = 0;
   size_t meshes = 0, trees = 0;  // of all worlds that are held
   PictureMemory pictures;
   size_t history = 0;  // before-images
 
-  // The process less all of its parts: the program itself, drivers, and what they keep for pictures. Too
-  // little by `graphics` where the card has memory of its own.
+  // The memory of the process minus all of these parts: the program itself, drivers and their buffers. It is
+  // too small by `graphics` if the graphics card has its own memory.
   size_t other() const;
 };
 
-// The figures as they are, of these worlds (null: none) and a history that holds so many bytes.
+// The current figures, for these worlds (entries may be null) and a history of the given size in bytes.
 // O(bodies).
 MemoryFigures memory_figures(std::span<const World* const> worlds, size_t history,
                              const PictureMemory& pictures);

@@ -9,7 +9,7 @@
 
 namespace kerf {
 
-// What the last steps took and changed, and what the last pictures sent: numbers to be drawn as lines.
+// The durations and changes of the last steps and the bytes sent for the last pictures, as lines of a chart.
 class StepChart {
  public:
   enum Line { kFind, kRefine, kRemove, kTree, kSeparate, kBorn, kGone, kSent, kLines };
@@ -18,7 +18,7 @@ class StepChart {
   void note_step(const StepResult& step);  // milliseconds and faces
   void note_sent(size_t bytes);            // of one picture, kilobytes
 
-  // Oldest first.
+  // The values of a line, oldest first.
   std::span<const float> line(Line line) const { return lines_[line]; }
   float last(Line line) const { return lines_[line].empty() ? 0 : lines_[line].back(); }
   float largest(Line line) const;
@@ -28,7 +28,7 @@ class StepChart {
   std::array<std::vector<float>, kLines> lines_;
 };
 
-// Memory that this process holds, bytes; 0 where that cannot be found out.
+// The memory used by this process in bytes, or 0 if that is unknown.
 size_t process_bytes();
 
 }  // namespace kerf

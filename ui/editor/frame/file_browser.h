@@ -40,7 +40,7 @@ struct FileBrowser {
 void browse(FileBrowser& browser, FileBrowser::Purpose purpose, std::filesystem::path folder,
             const std::string& name);
 
-// A key (GLFW_KEY_*) while the window is open.
+// Processes a key (GLFW_KEY_*) while the browser is open.
 void browser_key(FileBrowser& browser, int key);
 
 // Draws the window where it is open. Precondition: `take` is set.

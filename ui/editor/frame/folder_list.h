@@ -17,7 +17,7 @@ struct FolderEntry {
 // hidden ones are left out. `fault` becomes a sentence where the folder cannot be read, or empty.
 std::vector<FolderEntry> list_folder(const std::filesystem::path& folder, std::string& fault);
 
-// Whether a name holds the filter, in any case of letters.
+// Whether a name contains the filter, ignoring case.
 bool passes_filter(const std::string& name, const std::string& filter);
 
 }  // namespace kerf

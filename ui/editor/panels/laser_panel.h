@@ -4,7 +4,7 @@
 
 namespace kerf {
 
-// Radius and pattern of the beam.
+// Draws the radius and the pattern of the beam.
 void draw_laser_panel(LaserControls& laser);
 
 }  // namespace kerf

@@ -8,7 +8,7 @@
 
 namespace kerf {
 
-// Lights that can be had at once.
+// A predefined set of lights.
 struct LightPreset {
   const char* name;
   const char* meaning;

@@ -4,7 +4,7 @@
 
 namespace kerf {
 
-// How finely a cut is made: what the sliders of the resolution say.
+// The values of the resolution's sliders.
 struct ResolutionControls {
   Scheme scheme = Scheme::kLongestEdge;
   Resolution::Rule rule = Resolution::Rule::kTargetEdge;
@@ -16,18 +16,18 @@ struct ResolutionControls {
   static constexpr double kLeastFraction = 1.0 / 32, kMostFraction = 2;
   static constexpr int kLargestDepth = 10;
 
-  // For a beam of this radius (m).
+  // The resolution for a beam of this radius (m).
   Resolution of(double radius) const;
 };
 
-// How the laser is set: what its panel shows and a stroke starts with.
+// The settings of the laser that its panel shows and a stroke starts with.
 struct LaserControls {
   double radius = 0.01;          // m
   double default_radius = 0.01;  // m, D/400 of what was opened
   ResolutionControls resolution;
   Pattern pattern = Pattern::kVolume;
 
-  // For a world of this diagonal (m): the beam reaches ten of them.
+  // The settings of a cut in a world with this diagonal (m); the range of the beam is ten diagonals.
   CutSettings settings(double diagonal) const;
   void fit(double diagonal) { radius = default_radius = diagonal > 0 ? diagonal / 400 : 0.01; }
 };

@@ -9,10 +9,9 @@
 
 namespace kerf {
 
-// The laser in the user's hand: turns where the pointer goes into a stroke. The emitter stands beside the
-// eye, up and to the right of it; the beam aims at the point of the pointer's ray at a distance that is
-// chosen where the stroke begins (what the pointer is on, or the camera's pivot) and kept, so the beam moves
-// without jumps.
+// Converts pointer motion into strokes. The emitter is above and to the right of the eye. The beam aims at a
+// point on the pointer's ray whose distance is chosen at the start of the stroke (the surface under the
+// pointer, or the camera's pivot) and kept, so that the beam does not jump.
 class LaserTool {
  public:
   // x and y of the pointer as in CameraView::ray; `pixel` is the size of a pixel in y.
@@ -22,10 +21,10 @@ class LaserTool {
 
   bool cutting() const { return cutting_; }
 
-  // Looks where the beam strikes, before it burns away what it strikes. The beam stands where the document
-  // has got to with the stroke, which may be behind the pointer.
+  // Finds the point where the beam strikes, before the surface there is removed. The beam is at the pose that
+  // the document has reached in the stroke, which may lag behind the pointer.
   void find_strike(const Document& document);
-  // The beam, while it is on: until the stroke has ended and all of it is cut.
+  // The beam to be drawn while it is on, i.e. until the stroke has ended and is completely cut.
   std::optional<BeamPicture> picture(const Document& document) const;
 
  private:

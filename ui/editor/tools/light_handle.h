@@ -18,11 +18,11 @@ inline bool shows_light_handles(const Settings& settings) { return settings.show
 // Where the handle of a light is; nothing for a light that is not in the picture.
 std::optional<Vec2> light_handle(const ViewState& view, size_t light);
 
-// The light whose handle is under a place.
+// The light whose handle is at a position, if any.
 std::optional<size_t> light_under(const ViewState& view, Vec2 at);
 
-// Moves a light so that its handle is there: a lamp across the view at its depth, a directional light over
-// its sphere.
+// Moves a light so that its handle is at a position: a lamp parallel to the picture at its depth, a
+// directional light on its sphere.
 void drag_light(ViewState& view, size_t light, Vec2 to);
 
 void draw_light_handles(const ViewState& view, ImDrawList& list);

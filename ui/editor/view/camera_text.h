@@ -7,10 +7,10 @@
 
 namespace kerf {
 
-// A view as text for the clipboard: {"eye":[x,y,z],"target":[x,y,z]}, as the "view" of a scene file.
+// The text of a view for the clipboard: {"eye":[x,y,z],"target":[x,y,z]}, like the "view" of a scene file.
 std::string view_text(const View& view);
 
-// Takes that text, or a whole scene that has a "view".
+// Parses that text, or a whole scene that has a "view".
 Result<View> parse_view_text(const std::string& text);
 
 }  // namespace kerf

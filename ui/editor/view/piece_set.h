@@ -34,7 +34,7 @@ Vec3 piece_colour(uint32_t label, bool strong);
 void choose_piece(PieceMap& looks, const PieceId& id, bool add);
 void choose_none(PieceMap& looks);
 size_t chosen_pieces(const PieceMap& looks);
-// Why nothing can be done with the chosen pieces, in one sentence: there are none. Null where there are.
+// The sentence that no piece is selected, or null if there are selected pieces.
 const char* why_none_chosen(const PieceMap& looks);
 // The first selected piece, or nothing.
 std::optional<PieceId> first_chosen(const PieceMap& looks);

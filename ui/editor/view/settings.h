@@ -11,7 +11,7 @@
 
 namespace kerf {
 
-// The groups of the column of panels, from top to bottom.
+// The panels of the column, from top to bottom.
 enum class PanelId {
   kLaser,
   kResolution,
@@ -25,21 +25,21 @@ enum class PanelId {
   kDisplay
 };
 
-// What the editor remembers from one time to the next.
+// Settings that the editor keeps between sessions.
 struct Settings {
   Theme theme = Theme::kDark;
-  double ui_scale = 1;  // on top of what the display asks for
+  double ui_scale = 1;  // relative to the scale of the display
   bool side_shown = true;
   double side_ems = 21;            // width of the column of panels, in sizes of the text
   int width = 1280, height = 800;  // of the window, screen coordinates
   BoxPalette palette = BoxPalette::kRedAndGreen;
   bool antialias = true;
-  double split_share = 0.5;      // of the picture's width that the left half of a split one takes
-  int history_megabytes = 1024;  // of before-images
-  bool live_recut = true;        // the resolution's sliders cut the last stroke again
+  double split_share = 0.5;      // fraction of the width for the left half of a split picture
+  int history_megabytes = 1024;  // of undo data
+  bool live_recut = true;        // sliders of the resolution cut the last stroke again
   std::map<PanelId, bool> panels = panels_at_first();  // which are unfolded
   std::vector<std::filesystem::path> recent;           // latest first, absolute
-  std::filesystem::path folder;                        // where the file browser was last
+  std::filesystem::path folder;                        // the folder that the file browser showed last
   std::string others = "{}";  // JSON: keys of the file that this version does not know
 
   static constexpr double kLeastScale = 0.75, kMostScale = 2;
@@ -50,15 +50,15 @@ struct Settings {
 
   size_t history_bytes() const { return static_cast<size_t>(history_megabytes) << 20; }
 
-  // Whether a panel is seen unfolded, with the column.
+  // Whether a panel is visible and unfolded.
   bool shows(PanelId panel) const { return side_shown && panels.at(panel); }
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 
-// Puts a file first among the recent ones.
+// Moves a file to the front of the recent files.
 void remember_recent(Settings& settings, const std::filesystem::path& file);
 
-// kerf/settings.json under $XDG_CONFIG_HOME, or ~/.config where that is not set.
+// kerf/settings.json under $XDG_CONFIG_HOME or, if that is not set, under ~/.config.
 std::filesystem::path settings_file();
 
 struct LoadedSettings {
@@ -66,12 +66,11 @@ struct LoadedSettings {
   std::string fault;  // one sentence, or empty
 };
 
-// A file that is not there gives the defaults, and so does a value that makes no sense. What is not JSON at
-// all is set aside with ".bad" added to its name, so that nothing is lost when the settings are written
-// again.
+// Reads the settings. A missing file and invalid values give defaults. A file that is not JSON is renamed
+// with ".bad" appended, so that it is not lost when the settings are written.
 LoadedSettings read_settings(const std::filesystem::path& file);
 
-// Makes the folders that are missing. Whole or not at all.
+// Writes the settings, whole or not at all, and creates missing folders.
 Status write_settings(const Settings& settings, const std::filesystem::path& file);
 
 }  // namespace kerf

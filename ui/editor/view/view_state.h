@@ -9,17 +9,17 @@
 
 namespace kerf {
 
-// How the open world is looked at, and where in the window its picture lies.
+// The view of the open world, and the area of its picture in the window.
 struct ViewState {
   Camera camera;
   ViewOptions look;
   std::optional<View> home;  // the view that the scene asks for
-  double spread = 0;         // how far pieces are drawn apart, in distances from the middle of the world
+  double spread = 0;  // displacement of pieces, as a multiple of their distance from the centre of the world
   Layout layout;
   bool in_second = false;   // the pointer is in the right half of a split picture, or its drag began there
-  bool picture_old = true;  // the picture has to be drawn anew
+  bool picture_old = true;  // the picture has to be redrawn
 
-  // The half of the picture that the pointer is in; all of it where it is not split.
+  // The half of the picture under the pointer, or all of it if it is not split.
   const Area& pane() const { return in_second ? layout.second : layout.first; }
   double aspect() const { return pane().size.x / pane().size.y; }
   // What is seen in that half.

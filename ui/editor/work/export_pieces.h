@@ -6,7 +6,7 @@
 
 namespace kerf {
 
-// "piece.obj" as "piece-2.obj".
+// Inserts a number into a file name: "piece.obj" becomes "piece-2.obj".
 std::filesystem::path numbered(const std::filesystem::path& file, size_t number);
 
 // Writes the chosen pieces of a world where they stand, in the format that the ending of the file's name

@@ -17,19 +17,19 @@
 
 namespace kerf {
 
-// What is to be opened in place of what is open.
+// What is to be opened in place of the open work.
 struct LoadOrder {
-  // Scenes and meshes, together as one scene, or a journal alone.
+  // Scenes and meshes that form one scene, or a single journal.
   std::vector<std::filesystem::path> files;
-  // Work that an editor left, in place of files.
+  // Work that a crashed editor left, instead of files.
   std::optional<Journal> left;
   size_t history_bytes = 0;  // see Document::set_window
 
-  // For people: "bunny.ply and 1 more".
+  // A name for the user: "bunny.ply and 1 more".
   std::string name() const;
 };
 
-// Files that were read: the document as it stood, and what pictures of it need.
+// Files that were read: the document in its saved state, and the data for drawing it.
 struct LoadedFiles {
   LoadOrder order;
   SceneDescription scene;
@@ -43,27 +43,27 @@ struct LoadedFiles {
   std::optional<Error> cannot_be_kept;  // why the work cannot be saved
 };
 
-// Reads it, lets happen what it says. Where there is one file, its view is the scene's. `progress` may be
+// Reads the files and applies their strokes or commands. The view of a single file is kept. `progress` may be
 // null.
 Result<LoadedFiles> load_files(LoadOrder order, const Progress* progress);
 
-// Reads files on a thread of its own, into a world of its own, while the editor goes on.
+// Reads files on a background thread into a separate world while the editor goes on.
 class FileLoader {
  public:
-  // Gives up what is being read, and reads these.
+  // Cancels the current job and starts reading these files.
   void start(LoadOrder order);
-  // Gives up what is being read. Its thread ends when it next tells how far it is.
+  // Cancels the current job; its thread ends at its next report of progress.
   void cancel();
   bool busy() const { return job_ != nullptr; }
-  // Waits so long for its end (s); whether that came.
+  // Waits for the end for at most the given time (s). Returns whether it has ended.
   bool is_over(double seconds) const;
 
-  // What is being read.
+  // What is being read. Precondition: busy().
   const LoadOrder& order() const { return job_->order; }
-  // How far it is, 0 to 1.
+  // The progress from 0 to 1. Precondition: busy().
   double fraction() const { return job_->fraction; }
 
-  // What was read or why it could not be, once.
+  // The result of a finished job, once; nothing otherwise.
   std::optional<Result<LoadedFiles>> take();
 
  private:

@@ -14,13 +14,13 @@ namespace kerf {
 // these.
 bool is_unsaved(const OpenWork& work, const std::vector<Light>& lights);
 
-// What the open work is called, for people: the name of its file, or of what it was opened from.
+// The name of the open work for the user: that of its file, or of the file that it was opened from.
 std::string name_of_work(const OpenWork& work);
 
 // The title of the window: "car.kerf* - Kerf", with the star where something is not saved.
 std::string window_title(const OpenWork& work, const std::vector<Light>& lights);
 
-// What a new file of the open work may be called: "car.kerf".
+// A suggested name for a new file of the open work: "car.kerf".
 std::string suggested_name(const OpenWork& work);
 
 // The scene of the open work as it is looked at and lit at the moment.

@@ -327,7 +327,8 @@ class Window(unittest.TestCase):
         editor = self.open()
         editor.drag([(0.53, 0.14), (0.53, 0.93)])
         for keys in (("r",), ("r",), ("ctrl", "a"), ("h",), ("shift", "h")):
-            editor.do(*keys)
+            editor.press(*keys)
+            pause(4)
         report = editor.quit()
         self.assertGreater(report["faces"], 40000)
         self.assertEqual((report["recuts"], report["strokes"], report["pieces_hidden"]), (2, 1, 0))

@@ -11,8 +11,9 @@
 #include "app/tell.h"
 #include "core/base/atomic_file.h"
 #include "core/cut/stopwatch.h"
-#include "core/document/document.h"
 #include "core/document/journal.h"
+#include "core/document/stroke_settings.h"
+#include "core/document/walk.h"
 
 namespace kerf {
 
@@ -37,6 +38,8 @@ class CutRun {
   }
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   Status read_strokes() {
     if (options_.path.empty()) return Done{};
     auto strokes = read_path_file(options_.path);
@@ -86,9 +89,7 @@ class CutRun {
 
   Status cut(const StrokePath& stroke, const Progress& progress) {
     const CutSettings settings = stroke_settings(options_, stroke, diagonal_);
-    document_.apply(BeginStroke{settings, stroke.keys.front()});
-    for (size_t k = 1; k < stroke.keys.size(); ++k) document_.apply(MoveStroke{stroke.keys[k]});
-    document_.apply(EndStroke{});
+    for (const Command& command : stroke_commands(stroke, settings)) document_.apply(command);
     const size_t moves = document_.waiting();
     const size_t steps = options_.steps ? static_cast<size_t>(*options_.steps) : moves;
     for (size_t i = 0; i < steps; ++i) {
@@ -103,25 +104,20 @@ class CutRun {
   // Makes the given number of moves, in as many steps as they take, and after the last one completes the
   // search for parts that came apart.
   Status step(size_t moves, const Progress& progress) {
-    const size_t after = document_.waiting() - moves;
-    while (document_.waiting() > after) {
-      const size_t left = document_.waiting() - after;
-      const double done = 1 - static_cast<double>(left) / static_cast<double>(moves);
-      if (const auto s = bite(left, share_of(&progress, done, 1)); !s) return s;
-    }
-    ++job_.steps;
-    return Done{};
-  }
-
-  Status bite(size_t moves, const Progress& progress) {
-    double seconds = 0;
-    const Result<StepResult> result = [&] {
-      const Stopwatch watch(seconds);
-      return document_.step(moves, &progress);
-    }();
-    if (!result) return result.error();
-    job_.note_bite(*result, seconds);
-    return Done{};
+    auto began = Clock::now();
+    Walk how;
+    how.moves_a_step = moves;
+    how.leave = document_.waiting() - moves;
+    how.progress = &progress;
+    how.told = [&](const Result<StepResult>& bite) -> Status {
+      if (!bite) return bite.error();
+      job_.note_bite(*bite, std::chrono::duration<double>(Clock::now() - began).count());
+      began = Clock::now();
+      return Done{};
+    };
+    const Status walked = walk(document_, how);
+    if (walked) ++job_.steps;
+    return walked;
   }
 
   Status write_journal() {

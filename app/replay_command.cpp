@@ -1,3 +1,4 @@
+#include <chrono>
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <iostream>
@@ -19,8 +20,6 @@
 namespace kerf {
 
 namespace {
-
-constexpr size_t kMovesOfStep = 64;
 
 struct ReplayArguments {
   std::string journal, out, expect, frames;
@@ -53,6 +52,8 @@ class ReplayRun {
   }
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   Status check_arguments() {
     if (!arguments_.expect.empty()) {
       expected_ = parse_hash(arguments_.expect);
@@ -91,43 +92,31 @@ class ReplayRun {
     return Done{};
   }
 
-  Status walk(Replay& replay, Document& document) {
+  Status walk(Replay& replay, const Document& document) {
     const Stopwatch watch(job_.cut_s);
     ProgressLine line(film_ ? "filming" : "replaying");
     const Progress progress{[&](double) { return line.update(replay.fraction()); }};
-    while (!replay.done()) {
-      if (!progress.report(0)) return stopped();
-      if (const auto s = step(replay, document, progress); !s) return s;
-    }
+    Walk how;
+    if (film_) how.moves_a_step = 1;
+    how.progress = &progress;
+    how.told = [&](const Result<StepResult>& step) { return note(document, step); };
+    step_began_ = Clock::now();
+    if (const Status run = replay.run(how); !run) return error_or_stopped(run.error());
     return film_ ? film_->end(document) : Done{};
   }
 
-  Status step(Replay& replay, Document& document, const Progress& progress) {
-    Delta at_once;
-    if (document.waiting() == 0) {
-      Result<Delta> delta = replay.next_command(&progress);
-      if (interrupted()) return stopped();
-      if (!delta) warn(delta.error().message);
-      if (delta) at_once = std::move(*delta);
-    }
-    std::optional<BeamMove> move;
-    if (document.next_move() != nullptr) move = *document.next_move();
-    double seconds = 0;
-    Result<StepResult> step = [&] {
-      const Stopwatch watch(seconds);
-      return replay.step(film_ ? 1 : kMovesOfStep, &progress);
-    }();
+  // A step that fails failed when the journal was made, too, or the hash will tell.
+  Status note(const Document& document, const Result<StepResult>& step) {
     if (interrupted()) return stopped();
     if (step) {
       ++job_.steps;
-      job_.note_bite(*step, seconds);
-      if (step->moves == 0) move.reset();  // it goes on
-      at_once.append(std::move(step->delta));
-      step->delta = std::move(at_once);
+      job_.note_bite(*step, std::chrono::duration<double>(Clock::now() - step_began_).count());
     } else {
-      warn(step.error().message);  // as it was when the journal was made, or the hash will tell
+      warn(step.error().message);
     }
-    return film_ ? film_->follow(document, move, step ? &*step : nullptr) : Done{};
+    const Status filmed = film_ ? film_->follow(document, step ? &*step : nullptr) : Done{};
+    step_began_ = Clock::now();
+    return filmed;
   }
 
   CutSettings first_settings() const {
@@ -161,6 +150,7 @@ class ReplayRun {
   Work work_;
   CutJob job_;
   std::optional<Film> film_;
+  Clock::time_point step_began_;
 };
 
 }  // namespace

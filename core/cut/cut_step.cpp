@@ -127,6 +127,7 @@ Result<StepResult> cut_step(World& world, const CutSettings& settings, std::span
     }
     if (!*through) break;
     ++result.moves;
+    result.last = move;
   }
   bite.end(result);
   return result;

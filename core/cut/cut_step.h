@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "core/base/progress.h"
@@ -65,7 +66,8 @@ struct StepFigures {
 };
 
 struct StepResult {
-  size_t moves = 0;  // of the beam that came to their end
+  size_t moves = 0;              // of the beam that came to their end
+  std::optional<BeamMove> last;  // the last of those
   Delta delta;
   StepFigures figures;
 };

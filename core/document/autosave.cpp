@@ -46,7 +46,7 @@ void Autosave::drop() {
 }
 
 Status Autosave::follow(const Document& document, std::span<const StateMark> marks) {
-  const std::span<const Command> commands = document.journal();
+  const std::span<const Command> commands = std::span(document.journal()).first(document.final_commands());
   if (file_ && commands.size() == commands_ && marks.size() == marks_) {
     flush();
     return Done{};

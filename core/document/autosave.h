@@ -24,10 +24,11 @@ class Autosave {
   // note_hashes).
   void begin(SceneDescription scene, std::filesystem::path work_of);
 
-  // Appends the commands and marks since the last call; the first call writes all of them to a new file. On
-  // failure everything written before is kept, and the next call tries again. The cost is proportional to
-  // what is new. The data reach the disk asynchronously, for which follow or flush has to be called again
-  // within about a second. Precondition: `document` and `marks` continue those of the last call.
+  // Appends the final commands (see Document::final_commands) and marks since the last call; the first call
+  // writes all of them to a new file. So time that passes is less than a second behind. On failure everything
+  // written before is kept, and the next call tries again. The cost is proportional to what is new. The data
+  // reach the disk asynchronously, for which follow or flush has to be called again within about a second.
+  // Precondition: `document` and `marks` continue those of the last call.
   Status follow(const Document& document, std::span<const StateMark> marks);
   // Continues flushing to the disk. Returns whether anything is left to flush.
   bool flush() { return file_ && file_->flush(); }

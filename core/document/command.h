@@ -1,60 +1,50 @@
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
-#include <string>
+#include <concepts>
 #include <variant>
 
-#include "core/base/ids.h"
-#include "core/cut/cut_step.h"
-#include "core/world/placement.h"
+#include "core/document/commands/add_mesh.h"
+#include "core/document/commands/advance.h"
+#include "core/document/commands/begin_stroke.h"
+#include "core/document/commands/delete_piece.h"
+#include "core/document/commands/end_stroke.h"
+#include "core/document/commands/hide_piece.h"
+#include "core/document/commands/move_piece.h"
+#include "core/document/commands/move_stroke.h"
+#include "core/document/commands/recut.h"
+#include "core/document/commands/redo.h"
+#include "core/document/commands/rename_piece.h"
+#include "core/document/commands/undo.h"
 
 namespace kerf {
 
 // Everything that changes the world is one of these. A stroke is its beginning, poses in world coordinates
 // and its end, never pixels, so the journal of commands gives the same world wherever it is replayed.
-struct BeginStroke {
-  CutSettings settings;
-  Pose pose;  // unit direction
-};
-struct MoveStroke {
-  Pose pose;  // unit direction, not opposite to the last one
-};
-struct EndStroke {};
+//
+// Each kind of command is one pair of files in core/document/commands. Its struct has, beside its data:
+//   kName, kKeys, kOptionalKeys   its name and its keys in a journal
+//   words()                       what it does, for people: "Stroke, radius 4 mm"
+//   weight()                      bytes that it holds beside its own size
+//   write(), read()               its keys as text, see CommandWriter and CommandReader
+// A kind that lacks one of these does not compile, and neither does one that is missing where commands are
+// told apart, which is done by std::visit everywhere.
+using Command = std::variant<BeginStroke, MoveStroke, EndStroke, Recut, Advance, AddMesh, MovePiece,
+                             HidePiece, DeletePiece, RenamePiece, Undo, Redo>;
 
-// Takes the last stroke back and cuts it again with other settings.
-struct Recut {
-  CutSettings settings;
-};
-
-// Adds a body to the world from a mesh file.
-struct AddMesh {
-  std::filesystem::path file;
-  std::string name;
-};
-// A piece that is named by one of these becomes a body of its own first, where it is not one already (see
-// detach); the command of the journal still names it by the body that it was part of.
-struct MovePiece {
-  PieceId piece;
-  Placement to;
-};
-struct HidePiece {
-  PieceId piece;
-  bool hidden = true;
-};
-struct DeletePiece {
-  PieceId piece;
-};
-struct RenamePiece {
-  PieceId piece;
-  std::string name;
+// A command that changes the world in one go, after all that waits: run(world, generation, progress). The
+// delta says what changed and is empty where there was nothing to do. `generation` is that of the bodies that
+// it makes (see BodyId). On failure the world is as it was.
+template <typename C>
+concept HappensAtOnce = requires(const C& command, World& world) {
+  { command.run(world, uint32_t{}, nullptr) } -> std::same_as<Result<Delta>>;
 };
 
-// Back and forth in the history of the commands above; a stroke with all its moves is one step there.
-struct Undo {};
-struct Redo {};
-
-using Command = std::variant<BeginStroke, MoveStroke, EndStroke, Recut, AddMesh, MovePiece, HidePiece,
-                             DeletePiece, RenamePiece, Undo, Redo>;
+// Function objects for std::visit, one for each kind of command or for some of them.
+template <typename... Cases>
+struct Overloaded : Cases... {
+  using Cases::operator()...;
+};
+template <typename... Cases>
+Overloaded(Cases...) -> Overloaded<Cases...>;
 
 }  // namespace kerf

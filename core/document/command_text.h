@@ -10,14 +10,14 @@
 namespace kerf {
 
 // A command as one line of a journal, without the line's end: {"do": "move", "origin": [..], "direction":
-// [..]}. Numbers are exact. `folder` is the journal's; mesh files are named as path_text does. Bad input
-// where a name or a path is not UTF-8.
+// [..]}. Numbers are exact. `folder` is the folder of the journal; mesh files are named as path_text does.
+// Bad input where a name or a path is not UTF-8.
 Result<std::string> command_text(const Command& command, const std::filesystem::path& folder);
 
-// Takes that line. `last` is where the beam of a running stroke stands, which a move must not turn straight
-// round from. Numbers come back to the bit, out-of-range ones and keys that a command does not have are bad
-// input with a JSON pointer.
+// Reads that line. `beam` says where the beam of the last stroke is, if there was one: a move must not turn
+// it straight round. Numbers come back to the bit. Numbers out of range, keys that are missing and keys that
+// the command does not have are bad input with a JSON pointer.
 Result<Command> parse_command(const JsonValue& value, const std::filesystem::path& folder,
-                              const std::optional<Pose>& last);
+                              const std::optional<BeamAt>& beam);
 
 }  // namespace kerf

@@ -43,10 +43,11 @@ Result<std::string> journal_head(const SceneDescription& scene, const std::files
 Result<std::string> journal_lines(std::span<const Command> commands, std::span<const StateMark> marks,
                                   const std::filesystem::path& folder);
 
-// The state of a document that stands still is marked when so many commands have come since the last mark.
+// The state of a document in which nothing waits is marked when so many commands have come since the last
+// mark.
 inline constexpr size_t kCommandsBetweenMarks = 50;
-// Marks it where that is due, or whenever it stands still and is not marked yet with `always`. Whether it
-// did. O(faces) where it does.
-bool mark_state(const Document& document, std::vector<StateMark>& marks, bool always = false);
+// Marks the state where that is due, or with `always` wherever nothing waits and the state is not marked yet;
+// returns whether it did. A mark seals the journal (see Document::seal_journal). O(faces) where it marks.
+bool mark_state(Document& document, std::vector<StateMark>& marks, bool always = false);
 
 }  // namespace kerf

@@ -9,6 +9,21 @@ namespace {
 
 constexpr const char* kKind = "journal";
 
+// Where the beam is after a command that places it; none after others.
+std::optional<BeamAt> beam_after(const Command& command) {
+  using At = std::optional<BeamAt>;
+  return std::visit(Overloaded{
+                        [](const BeginStroke& c) -> At {
+                          return BeamAt{c.pose, 0};
+                        },
+                        [](const MoveStroke& c) -> At {
+                          return BeamAt{c.pose, c.time};
+                        },
+                        [](const auto&) -> At { return std::nullopt; },
+                    },
+                    command);
+}
+
 // Takes the lines of a journal one after the other.
 class JournalReader {
  public:
@@ -74,8 +89,7 @@ class JournalReader {
   Status take_command(const JsonValue& value) {
     auto command = parse_command(value, folder_, beam_);
     if (!command) return command.error();
-    if (const auto* begin = std::get_if<BeginStroke>(&*command)) beam_ = begin->pose;
-    if (const auto* move = std::get_if<MoveStroke>(&*command)) beam_ = move->pose;
+    if (const auto beam = beam_after(*command)) beam_ = beam;
     journal_.commands.push_back(std::move(*command));
     return Done{};
   }
@@ -84,7 +98,7 @@ class JournalReader {
   std::filesystem::path folder_;
   std::string_view rest_;
   size_t line_ = 0;
-  std::optional<Pose> beam_;  // of the stroke that came last
+  std::optional<BeamAt> beam_;  // of the stroke that came last
   Journal journal_;
 };
 

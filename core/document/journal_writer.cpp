@@ -36,12 +36,13 @@ Result<std::string> journal_lines(std::span<const Command> commands, std::span<c
   }
 }
 
-bool mark_state(const Document& document, std::vector<StateMark>& marks, bool always) {
+bool mark_state(Document& document, std::vector<StateMark>& marks, bool always) {
   const size_t commands = document.journal().size();
   const size_t last = marks.empty() ? 0 : marks.back().commands;
   const bool marked = !marks.empty() && last == commands;
   if (document.in_stroke() || document.waiting() > 0 || marked) return false;
   if (!always && commands < last + kCommandsBetweenMarks) return false;
+  document.seal_journal();
   marks.push_back({commands, state_hash(document.world()), 0});
   return true;
 }

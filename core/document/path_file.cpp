@@ -28,6 +28,8 @@ Status parse_key(const JsonValue& key, StrokePath& stroke) {
   if (!stroke.times.empty() && !(*t > stroke.times.back())) {
     return key["t"].wrong("must be greater than the one before: keys go forward in time");
   }
+  if (!stroke.times.empty() && !std::isfinite(*t - stroke.times.front()))
+    return key["t"].wrong("is too far from the first one");
   const auto origin = key["origin"].vector();
   if (!origin) return origin.error();
   const auto unit = direction(key["direction"]);

@@ -1,5 +1,7 @@
 #include "core/document/replay.h"
 
+#include <cassert>
+
 #include "core/world/state_hash.h"
 
 namespace kerf {
@@ -9,31 +11,38 @@ double Replay::fraction() const {
   return all > 0 ? static_cast<double>(next_) / static_cast<double>(all) : 1;
 }
 
-Result<Delta> Replay::next_command(const Progress* progress) {
-  compare();
-  Result<Delta> delta = document_.apply(journal_.commands[next_++], progress);
-  compare();
-  return delta;
+// Tells of what a command did at once; of one that only queued, its steps tell.
+Status Replay::tell(const Walk& how, Outcome at_once) const {
+  if (!how.told) return at_once.ok() ? Status(Done{}) : Status(at_once.error());
+  if (!at_once.ok()) return how.told(at_once.error());
+  if (at_once.delta.empty() && document_.waiting() > 0) return Done{};
+  StepResult result;
+  result.delta = std::move(at_once.delta);
+  return how.told(std::move(result));
 }
 
-Result<StepResult> Replay::step(size_t moves, const Progress* progress) {
-  Result<StepResult> result = document_.step(moves, progress);
+Status Replay::next(const Walk& how) {
+  assert(!done());
   compare();
-  return result;
-}
-
-Result<StepResult> Replay::advance(size_t moves, const Progress* progress) {
-  Delta at_once;
-  if (document_.waiting() == 0 && next_ < journal_.commands.size()) {
-    Result<Delta> delta = next_command(progress);
-    if (!delta) return delta.error();
-    at_once = std::move(*delta);
+  if (next_ < journal_.commands.size()) {
+    Outcome at_once = document_.apply(journal_.commands[next_++], how.progress);
+    document_.seal_journal();  // so that it has the same commands, by number too
+    if (const Status heard = tell(how, std::move(at_once)); !heard) return heard;
   }
-  Result<StepResult> result = step(moves, progress);
-  if (!result) return result;
-  at_once.append(std::move(result->delta));
-  result->delta = std::move(at_once);
-  return result;
+  const Status walked = walk(document_, how);
+  compare();
+  return walked;
+}
+
+Status Replay::run(const Walk& how) {
+  const Progress watched{[&](double) { return !how.progress || how.progress->report(fraction()); }};
+  Walk each = how;
+  each.progress = &watched;
+  while (!done()) {
+    if (!watched.report(0)) return cancelled();
+    if (const Status status = next(each); !status) return status;
+  }
+  return Done{};
 }
 
 // Marks that stand where the document is now and nothing waits.

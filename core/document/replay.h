@@ -2,30 +2,27 @@
 
 #include <optional>
 
-#include "core/document/document.h"
 #include "core/document/journal.h"
+#include "core/document/walk.h"
 
 namespace kerf {
 
-// Lets the commands of a journal happen to a document that holds its scene, one after the other, and holds
-// the world against the marks on the way. Both must outlive it.
+// Applies the commands of a journal to a document that holds its scene, and compares the world with the marks
+// on the way. Both must outlive it.
 class Replay {
  public:
   Replay(const Journal& journal, Document& document) : journal_(journal), document_(document) { compare(); }
 
   bool done() const { return next_ == journal_.commands.size() && document_.waiting() == 0; }
-  // Of the commands, 0 to 1.
+  // How much of the journal is applied, 0 to 1.
   double fraction() const;
 
-  // Gives the next command to the document; nothing must wait there. What it changed at once.
-  Result<Delta> next_command(const Progress* progress = nullptr);
-  // Walks up to so many moves that wait, as Document::step. After a failure the replay can go on with the
-  // next command, as the work that is replayed did.
-  Result<StepResult> step(size_t moves, const Progress* progress = nullptr);
-
-  // The next command where nothing waits, then moves as above, in one delta: called until done(), it replays
-  // all.
-  Result<StepResult> advance(size_t moves, const Progress* progress = nullptr);
+  // Applies the next command, walks what it queued (see walk), and has `told` hear of each step; of what the
+  // command did at once as of a step too. Where `told` goes on after a failure, so did the work that is
+  // replayed. Precondition: !done().
+  Status next(const Walk& how);
+  // All that is left. Fails as walk does, and where `progress`, which is told the fraction, stops it.
+  Status run(const Walk& how);
 
   // The first mark that the world did not come up to, and the hash that it had there instead.
   struct Difference {
@@ -33,12 +30,9 @@ class Replay {
     uint64_t hash = 0;
   };
   const std::optional<Difference>& difference() const { return difference_; }
-  // Whether the command that was given last begins a stroke.
-  bool begins_stroke() const {
-    return next_ > 0 && std::holds_alternative<BeginStroke>(journal_.commands[next_ - 1]);
-  }
 
  private:
+  Status tell(const Walk& how, Outcome at_once) const;
   void compare();
 
   const Journal& journal_;

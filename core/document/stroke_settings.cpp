@@ -1,5 +1,7 @@
 #include "core/document/stroke_settings.h"
 
+#include <cassert>
+
 namespace kerf {
 
 CutSettings default_settings(const StrokePath& stroke, double diagonal) {
@@ -10,6 +12,15 @@ CutSettings default_settings(const StrokePath& stroke, double diagonal) {
   settings.resolution.target_edge = settings.laser.radius / 4;
   settings.resolution.tolerance = settings.laser.radius / 8;
   return settings;
+}
+
+std::vector<Command> stroke_commands(const StrokePath& stroke, const CutSettings& settings) {
+  assert(!stroke.keys.empty() && stroke.keys.size() == stroke.times.size());
+  std::vector<Command> commands{BeginStroke{settings, stroke.keys.front()}};
+  for (size_t k = 1; k < stroke.keys.size(); ++k)
+    commands.emplace_back(MoveStroke{stroke.keys[k], stroke.times[k] - stroke.times.front()});
+  commands.emplace_back(EndStroke{});
+  return commands;
 }
 
 }  // namespace kerf

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/cut/cut_step.h"
+#include "core/document/command.h"
 #include "core/document/path_file.h"
 
 namespace kerf {
@@ -9,5 +9,9 @@ namespace kerf {
 // diagonal D of the bounding box of all meshes (m): radius D/400, range 0 to 10 D, faces down to a quarter of
 // the radius.
 CutSettings default_settings(const StrokePath& stroke, double diagonal);
+
+// The commands that draw a stroke: its keys with their times, counted from the first key. Precondition: it
+// has a key.
+std::vector<Command> stroke_commands(const StrokePath& stroke, const CutSettings& settings);
 
 }  // namespace kerf

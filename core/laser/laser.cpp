@@ -22,14 +22,14 @@ Pose halfway(const Pose& a, const Pose& b) {
   return {0.5 * a.origin + 0.5 * b.origin, direction};
 }
 
-void bisect(const BeamMove& move, int times, std::vector<BeamMove>& out) {
-  if (times == 0) {
+void bisect(const BeamMove& move, size_t parts, std::vector<BeamMove>& out) {
+  if (parts == 1) {
     out.push_back(move);
     return;
   }
   const Pose middle = halfway(move.from, move.to);
-  bisect({move.from, middle, 0.5 * move.seconds}, times - 1, out);
-  bisect({middle, move.to, 0.5 * move.seconds}, times - 1, out);
+  bisect({move.from, middle, 0.5 * move.seconds}, parts / 2, out);
+  bisect({middle, move.to, 0.5 * move.seconds}, parts / 2, out);
 }
 
 }  // namespace
@@ -49,20 +49,25 @@ std::vector<SweptCylinder> sweep_beam(const Laser& laser, const BeamMove& move) 
   return rays;
 }
 
-std::vector<BeamMove> subdivide(const BeamMove& move, double radius, double reach) {
+size_t subdivisions(const BeamMove& move, double radius, double reach) {
   constexpr double kArcOverChord = 1.5707963267948966;  // at most, for arcs up to half a turn
   constexpr double kLargestTurn = 0.05;                 // rad in one move
-  constexpr int kMostHalvings = 17;
-  assert(radius > 0 && reach >= 0 && move.seconds >= 0);
+  constexpr size_t kMost = size_t{1} << 17;
+  assert(radius > 0 && reach >= 0);
   const Vec3 turn = move.to.direction - move.from.direction;
   const double arc = kArcOverChord * glm::length(turn);
   const double way = glm::length(move.to.origin - move.from.origin) + arc * reach;
-  const double moves = std::max(way / radius, arc / kLargestTurn);
-  int halvings = 0;
-  for (double m = moves; m > 1 && halvings < kMostHalvings; m *= 0.5) ++halvings;
+  size_t moves = 1;
+  for (double m = std::max(way / radius, arc / kLargestTurn); m > 1 && moves < kMost; m *= 0.5) moves *= 2;
+  return moves;
+}
+
+std::vector<BeamMove> subdivide(const BeamMove& move, double radius, double reach) {
+  assert(move.seconds >= 0);
+  const size_t moves = subdivisions(move, radius, reach);
   std::vector<BeamMove> out;
-  out.reserve(size_t{1} << halvings);
-  bisect(move, halvings, out);
+  out.reserve(moves);
+  bisect(move, moves, out);
   return out;
 }
 

@@ -37,5 +37,7 @@ std::vector<SweptCylinder> sweep_beam(const Laser& laser, const BeamMove& move);
 // closely; it is limited to 2^17. The result depends on the arguments alone, so a stroke is subdivided alike
 // however its moves are dealt out to steps. Precondition: directions are unit vectors and not opposite.
 std::vector<BeamMove> subdivide(const BeamMove& move, double radius, double reach);
+// How many moves that gives. O(1).
+size_t subdivisions(const BeamMove& move, double radius, double reach);
 
 }  // namespace kerf

@@ -9,6 +9,8 @@ namespace kerf {
 
 namespace {
 
+constexpr uint64_t kClockSeed = 0x9d5c'b07a'63e1'42f8u;
+
 bool less(const Vec3& a, const Vec3& b) {
   if (a.x != b.x) return a.x < b.x;
   return a.y != b.y ? a.y < b.y : a.z < b.z;
@@ -48,6 +50,7 @@ uint64_t state_hash(const World& world) {
     for (const double x : {q.w, q.x, q.y, q.z}) place = hash_combine(place, number_bits(x));
     sum += place;
   }
+  if (world.clock() != 0) sum += hash_combine(kClockSeed, world.clock());
   return sum;
 }
 

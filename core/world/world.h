@@ -8,6 +8,7 @@
 
 #include "core/base/change_of_parts.h"
 #include "core/base/ids.h"
+#include "core/base/tick.h"
 #include "core/mesh/build_mesh.h"
 #include "core/mesh/mesh.h"
 #include "core/mesh/one_to_four.h"
@@ -112,6 +113,11 @@ class World {
   // The same of what was loaded: however much was cut away since.
   Bounds loaded_bounds() const;
 
+  // How much time has passed in the world.
+  Ticks clock() const { return clock_; }
+  // Lets so many ticks pass.
+  void pass(Ticks ticks) { clock_ += ticks; }
+
   size_t live_faces() const;
   // Pieces that have faces, the bodies themselves included.
   size_t live_pieces() const;
@@ -149,6 +155,7 @@ class World {
   void bring_again(Change& change);
 
   std::vector<Slot> slots_;
+  Ticks clock_ = 0;
   std::unique_ptr<Change> remembered_;  // while a command is remembered
 };
 
@@ -163,6 +170,7 @@ class World::Change {
   friend class World;
   void keep(uint32_t slot, Body& body);
 
+  ChangeOf<Ticks> clock_;
   size_t slots_ = 0;  // before the change
   bool slots_differ_ = false;
   bool taken_back_ = false;  // the world is as it was before the change

@@ -82,7 +82,11 @@ struct Bits {
     put(bits, c.settings);
     put(bits, c.pose);
   }
-  void operator()(const MoveStroke& c) { put(bits, c.pose); }
+  void operator()(const MoveStroke& c) {
+    put(bits, c.pose);
+    put(bits, c.time);
+  }
+  void operator()(const Advance& c) { bits.push_back(c.ticks); }
   void operator()(const Recut& c) { put(bits, c.settings); }
   void operator()(const AddMesh& c) {
     put(bits, c.file.string());
@@ -102,7 +106,9 @@ struct Bits {
     put(bits, c.piece);
     put(bits, c.name);
   }
-  void operator()(const auto&) {}
+  void operator()(const EndStroke&) {}
+  void operator()(const Undo&) {}
+  void operator()(const Redo&) {}
 };
 
 }  // namespace
@@ -124,11 +130,11 @@ CutSettings random_settings(Random& random) {
   return s;
 }
 
-Command random_command(Random& random, const Vec3& last) {
+Command random_command(Random& random, const BeamAt& beam) {
   Vec3 direction = random_direction(random);
-  if (glm::length(direction + last) < 1e-3) direction = last;
+  if (glm::length(direction + beam.pose.direction) < 1e-3) direction = beam.pose.direction;
   const Pose pose{random_point(random), direction};
-  switch (random.below(11)) {
+  switch (random.below(12)) {
     case 0:
       return BeginStroke{random_settings(random), pose};
     case 1:
@@ -149,18 +155,20 @@ Command random_command(Random& random, const Vec3& last) {
       return Undo{};
     case 9:
       return Redo{};
+    case 10:
+      return Advance{1 + random.below(Advance::kMostInALine)};
     default:
-      return MoveStroke{pose};
+      return MoveStroke{pose, random.below(3) == 0 ? beam.time : beam.time + random.unit()};
   }
 }
 
 std::vector<Command> random_commands(Random& random, size_t count) {
   std::vector<Command> commands;
-  Vec3 last{0, 1, 0};
+  BeamAt beam{{{}, {0, 1, 0}}, 0};
   while (commands.size() < count) {
-    commands.push_back(random_command(random, last));
-    if (const auto* begin = std::get_if<BeginStroke>(&commands.back())) last = begin->pose.direction;
-    if (const auto* move = std::get_if<MoveStroke>(&commands.back())) last = move->pose.direction;
+    commands.push_back(random_command(random, beam));
+    if (const auto* begin = std::get_if<BeginStroke>(&commands.back())) beam = {begin->pose, 0};
+    if (const auto* move = std::get_if<MoveStroke>(&commands.back())) beam = {move->pose, move->time};
   }
   return commands;
 }

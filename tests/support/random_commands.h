@@ -10,8 +10,9 @@ namespace kerf::test {
 // Settings of a stroke, any that a journal may hold.
 CutSettings random_settings(Random& random);
 
-// A command of any kind with any numbers that a journal may hold; its direction is not opposite to `last`.
-Command random_command(Random& random, const Vec3& last);
+// A command of any kind with any numbers that a journal may hold, where the beam of the last stroke is at
+// `beam`.
+Command random_command(Random& random, const BeamAt& beam);
 
 // So many of them, as a journal may hold them one after the other.
 std::vector<Command> random_commands(Random& random, size_t count);

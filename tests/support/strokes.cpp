@@ -1,5 +1,6 @@
 #include "tests/support/strokes.h"
 
+#include "core/document/walk.h"
 #include "tests/support/made_meshes.h"
 
 namespace kerf::test {
@@ -54,12 +55,15 @@ Result<StepResult> cut_whole(World& world, const CutSettings& settings, std::spa
 
 Result<StepResult> walk_moves(Document& document, size_t moves) {
   StepResult all;
-  const size_t after = document.waiting() - moves;
-  while (document.waiting() > after) {
-    Result<StepResult> some = document.step(document.waiting() - after);
-    if (!some) return some;
-    add(all, std::move(*some));
-  }
+  Walk how;
+  how.moves_a_step = moves;
+  how.leave = document.waiting() - moves;
+  how.told = [&](const Result<StepResult>& some) -> Status {
+    if (!some) return some.error();
+    add(all, *some);
+    return Done{};
+  };
+  if (const Status walked = walk(document, how); !walked) return walked.error();
   return all;
 }
 

@@ -1,5 +1,6 @@
 #include "ui/render/film.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "ui/render/beam_strike.h"
@@ -29,15 +30,30 @@ Result<Film> Film::begin(const Scene& scene, FilmOptions options) {
   return film;
 }
 
-Status Film::follow(const Document& document, const std::optional<BeamMove>& move, const StepResult* step) {
+Status Film::follow(const Document& document, const StepResult* step) {
   const World& world = document.world();
   studio_.follow(world, step);
-  if (move) {
-    if (const Status moved = pass(seconds_of(*move), world, beam_picture(document, move->to)); !moved)
-      return moved;
+  if (world.clock() > ticks_) return pass_ticks(document);
+  ticks_ = world.clock();  // an undo turns it back
+  if (step && step->last) {
+    const double seconds = seconds_of(*step->last), shown = std::min(seconds, ahead_);
+    ahead_ -= shown;
+    beam_ = step->last->to;
+    const auto beam = beam_picture(document, beam_);
+    if (const Status moved = pass(seconds - shown, world, beam); !moved) return moved;
   }
   const bool rests = document.waiting() == 0 && !document.in_stroke();
-  return rests ? pass(kRest, world, std::nullopt) : Done{};
+  if (!rests) return Done{};
+  ahead_ = 0;
+  return pass(kRest, world, std::nullopt);
+}
+
+Status Film::pass_ticks(const Document& document) {
+  const double seconds = seconds_of_ticks(document.world().clock() - ticks_);
+  ticks_ = document.world().clock();
+  if (!document.in_stroke()) return pass(seconds, document.world(), std::nullopt);
+  ahead_ += seconds;
+  return pass(seconds, document.world(), beam_picture(document, beam_));
 }
 
 Status Film::end(const Document& document) { return pass(kRestAtEnd, document.world(), std::nullopt); }

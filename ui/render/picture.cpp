@@ -8,15 +8,15 @@ namespace kerf {
 
 namespace {
 
-constexpr size_t kMovesOfStep = 64;
-
 // A step that fails here failed when the journal was made too.
 void replay_all(const Journal& journal, Document& document, Studio& studio) {
   Replay replay(journal, document);
-  while (!replay.done()) {
-    const Result<StepResult> step = replay.advance(kMovesOfStep);
+  Walk how;
+  how.told = [&](const Result<StepResult>& step) -> Status {
     studio.follow(document.world(), step ? &*step : nullptr);
-  }
+    return Done{};
+  };
+  (void)replay.run(how);  // nobody stops it
 }
 
 }  // namespace

@@ -1,14 +1,9 @@
 #include "ui/render/scene_strokes.h"
 
 #include "core/document/stroke_settings.h"
+#include "core/document/walk.h"
 
 namespace kerf {
-
-namespace {
-
-constexpr size_t kMovesOfStep = 64;
-
-}  // namespace
 
 Status cut_strokes(Document& document, const std::vector<StrokePath>& strokes,
                    const std::function<void(const StepResult&)>& told, const Progress* progress) {
@@ -18,16 +13,17 @@ Status cut_strokes(Document& document, const std::vector<StrokePath>& strokes,
     if (stroke.keys.empty()) continue;
     CutSettings settings = default_settings(stroke, diagonal);
     settings.resolution.rim = Rim::kSmooth;  // as in the editor
-    document.apply(BeginStroke{settings, stroke.keys.front()});
-    for (size_t k = 1; k < stroke.keys.size(); ++k) document.apply(MoveStroke{stroke.keys[k]});
-    document.apply(EndStroke{});
-    while (document.waiting() > 0) {
-      if (progress && !progress->report(static_cast<double>(i) / static_cast<double>(strokes.size())))
-        return cancelled();
-      const Result<StepResult> step = document.step(kMovesOfStep);
+    for (const Command& command : stroke_commands(stroke, settings)) document.apply(command);
+    const double share = 1 / static_cast<double>(strokes.size()), before = share * static_cast<double>(i);
+    const Progress cutting = share_of(progress, before, before + share);
+    Walk how;
+    how.progress = &cutting;
+    how.told = [&](const Result<StepResult>& step) -> Status {
       if (!step) return step.error();
       told(*step);
-    }
+      return Done{};
+    };
+    if (const Status walked = walk(document, how); !walked) return walked;
   }
   return Done{};
 }

@@ -22,7 +22,8 @@ struct Window::Callbacks {
     glfwGetCursorPos(w, &at.x, &at.y);
     return at;
   }
-  static void put(GLFWwindow* w, const InputEvent& event) {
+  static void put(GLFWwindow* w, InputEvent event) {
+    event.seconds = glfwGetTime();
     inner(w).events.push_back(event);
     inner(w).activity = true;
   }

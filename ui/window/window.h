@@ -22,6 +22,7 @@ struct InputEvent {
   int mods = 0;        // GLFW_MOD_*
   double wheel = 0;    // notches, positive away from the user
   bool again = false;  // a repetition while the key is held
+  double seconds = 0;  // when it was heard, on a clock that never runs backwards
 };
 
 // The window with an OpenGL 3.3 context, which is current while the object exists, and its queue of events.

@@ -62,7 +62,7 @@ void expect_area_balanced(const Soup& soup, Random& random, Rim rim, Scheme sche
   for (const double radius_share : {0.02, 0.03}) {
     const RandomStroke stroke = random_stroke(document.world(), random, radius_share, random.below(2) == 0);
     const double in_stroke = draw(document, stroke, settings_of(stroke, rim, scheme));
-    EXPECT_NEAR(document.history().last().removed_area, in_stroke, kShare * loaded);
+    EXPECT_NEAR(document.history().last().removed_area(), in_stroke, kShare * loaded);
     removed += in_stroke;
     EXPECT_NEAR(document.removed_area(), removed, kShare * loaded);
     expect_balanced(document, loaded, "after a stroke");

@@ -33,7 +33,7 @@ void draw(Document& document, const CutSettings& settings, const std::vector<Pos
   for (size_t i = 0; i < steps; ++i) {
     ASSERT_TRUE(walk_moves(document, moves * (i + 1) / steps - moves * i / steps).ok());
   }
-  ASSERT_EQ(document.next_move(), nullptr);
+  ASSERT_FALSE(document.next_move().has_value());
   while (document.waiting() > 0) ASSERT_TRUE(document.step(1).ok());
 }
 

@@ -83,7 +83,7 @@ std::vector<BeamMove> draw(Document& document, const Slit& slit) {
   document.apply(EndStroke{});
   std::vector<BeamMove> moves;
   while (document.waiting() > 0) {
-    if (document.next_move() != nullptr) moves.push_back(*document.next_move());
+    if (const auto move = document.next_move()) moves.push_back(*move);
     EXPECT_TRUE(document.step(1).ok());
   }
   return moves;

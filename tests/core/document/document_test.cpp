@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <set>
 
 #include "core/document/extract.h"
 #include "core/document/scene.h"
@@ -139,6 +140,68 @@ TEST(Document, a_stroke_that_fails_leaves_the_next_one_alone) {
   strokes(other, false);
   EXPECT_EQ(state_hash(one.world()), state_hash(other.world()));
   EXPECT_GT(one.world().live_faces(), 200u);
+}
+
+// The live faces of the only body.
+std::set<FaceId> live_faces(const World& world) {
+  const Mesh& mesh = world.body(world.ids()[0]).mesh;
+  std::set<FaceId> faces;
+  for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
+    if (mesh.is_live(FaceId(f))) faces.insert(FaceId(f));
+  }
+  return faces;
+}
+
+// The same as somebody knows them who follows deltas.
+void follow(std::set<FaceId>& faces, const World& world, const Delta& delta) {
+  if (delta.anew) faces = live_faces(world);
+  for (const BodyDelta& body : delta.bodies) {
+    for (const FaceId f : body.gone) faces.erase(f);
+    faces.insert(body.born.begin(), body.born.end());
+  }
+}
+
+TEST(Document, a_command_that_fails_tells_what_the_strokes_before_it_changed) {
+  for (const bool too_fine : {false, true}) {
+    Document document(world_of(plate(1)));
+    std::set<FaceId> known = live_faces(document.world());
+    const auto draw = [&](double z, size_t most_faces) {
+      CutSettings settings = settings_of(0.02);
+      settings.most_faces = most_faces;
+      document.apply(BeginStroke{settings, {{-0.7, 1, z}, {0, -1, 0}}});
+      document.apply(MoveStroke{{{0.7, 1, z}, {0, -1, 0}}});
+    };
+    draw(0.2, CutSettings{}.most_faces);
+    if (too_fine) draw(-0.2, 40);
+    const size_t before = document.world().live_faces();
+    const Outcome outcome = document.apply(MovePiece{{{7, 0}, 1}, {}});
+    ASSERT_FALSE(outcome.ok());
+    EXPECT_FALSE(document.in_stroke());
+    EXPECT_GT(document.world().live_faces(), before + 50);
+    EXPECT_FALSE(outcome.delta.empty());
+    follow(known, document.world(), outcome.delta);
+    EXPECT_EQ(known, live_faces(document.world()));
+    EXPECT_EQ(document.history().size(), too_fine ? 2u : 1u);
+  }
+}
+
+TEST(Document, a_journey_through_the_history_that_fails_tells_how_far_it_came) {
+  const auto file = std::filesystem::temp_directory_path() / "kerf-journey.obj";
+  std::filesystem::copy_file(checkout() / "assets/meshes/sphere.obj", file,
+                             std::filesystem::copy_options::overwrite_existing);
+  Document document(world_of(plate(1)), [](const Progress*) { return Result<World>(world_of(plate(1))); });
+  document.set_window(0);
+  document.apply(BeginStroke{settings_of(0.02), {{-0.7, 1, 0.2}, {0, -1, 0}}});
+  document.apply(MoveStroke{{{0.7, 1, 0.2}, {0, -1, 0}}});
+  ASSERT_TRUE(document.apply(AddMesh{file, "sphere"}).ok());
+  ASSERT_TRUE(document.apply(Undo{}).ok());
+  std::set<FaceId> known = live_faces(document.world());
+  std::filesystem::remove(file);
+  const Outcome outcome = document.travel(2);
+  ASSERT_FALSE(outcome.ok());
+  EXPECT_EQ(document.history().position(), 1u);
+  follow(known, document.world(), outcome.delta);
+  EXPECT_EQ(known, live_faces(document.world()));
 }
 
 TEST(Document, does_nothing_for_moves_outside_a_stroke) {

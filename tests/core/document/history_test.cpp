@@ -80,6 +80,15 @@ struct Model {
     steps.push_back({std::move(commands), again});
     ++at;
   }
+  // Time belongs to the stroke before it, cut again or not, and to other time.
+  void pass(const Advance& time) {
+    const bool own = at == 0 || std::visit(Overloaded{[](const HappensAtOnce auto&) { return true; },
+                                                      [](const auto&) { return false; }},
+                                           steps[at - 1].commands.front());
+    if (own) return add({time});
+    steps.resize(at);
+    steps.back().commands.emplace_back(time);
+  }
   World world() const {
     Document fresh(made_world());
     for (size_t i = 0; i < at; ++i) {
@@ -115,11 +124,23 @@ Command random_piece_command(const PieceId& piece, Random& random) {
   }
 }
 
+Advance random_time(Random& random) { return {1 + random.below(300)}; }
+
+// The stroke with ticks between its commands.
+std::vector<Command> with_time(const std::vector<Command>& stroke, Random& random) {
+  std::vector<Command> all;
+  for (const Command& c : stroke) {
+    all.push_back(c);
+    while (random.below(3) == 0) all.emplace_back(random_time(random));
+  }
+  return all;
+}
+
 // A random command, undo or redo on both; strokes may still wait afterwards.
 void act(Document& document, Model& model, Random& random) {
-  const size_t what = random.below(12);
+  const size_t what = random.below(14);
   if (what < 4) {
-    const auto stroke = random_stroke_commands(random);
+    const auto stroke = with_time(random_stroke_commands(random), random);
     for (const Command& c : stroke) {
       ASSERT_TRUE(document.apply(c).ok());
       if (random.below(2) == 0) {
@@ -136,7 +157,7 @@ void act(Document& document, Model& model, Random& random) {
   } else if (what == 9 && document.can_recut()) {
     const CutSettings settings = random_settings(random);
     ASSERT_TRUE(document.apply(Recut{settings}).ok());
-    std::vector<Command> stroke = document.last_stroke();
+    std::vector<Command> stroke = model.steps[model.at - 1].commands;
     std::get<BeginStroke>(stroke.front()).settings = settings;
     model.add(stroke, true);
   } else if (what == 10) {
@@ -147,13 +168,17 @@ void act(Document& document, Model& model, Random& random) {
                               piece->label};
       Random same = random;
       const Command command = random_piece_command(*piece, random);
-      const auto delta = document.apply(command);
-      ASSERT_TRUE(delta.ok());
-      if (!delta->empty()) model.add({random_piece_command(by_number, same)});
+      const Outcome outcome = document.apply(command);
+      ASSERT_TRUE(outcome.ok());
+      if (!outcome.delta.empty()) model.add({random_piece_command(by_number, same)});
     }
   } else if (what == 11) {
     model.at = random.below(model.steps.size() + 1);
     ASSERT_TRUE(document.travel(model.at).ok());
+  } else if (what >= 12) {
+    const Advance time = random_time(random);
+    document.apply(time);
+    model.pass(time);
   }
 }
 
@@ -296,7 +321,7 @@ TEST(History, a_stroke_cut_again_before_it_is_walked_leaves_the_one_before_it_al
     draw(document, settings, -0.2);
     draw(document, settings, 0.2);
     for (size_t i = 0; i < steps; ++i) ASSERT_TRUE(document.step(1).ok());
-    if (document.history().step(1).begun) break;
+    if (!document.history().step(1).waiting()) break;
     ASSERT_TRUE(document.apply(Recut{finer}).ok());
     finish(document);
     expect_same_world(document.world(), fresh.world());

@@ -248,7 +248,7 @@ TEST_F(JournalFile, replays_to_the_hashes_that_were_recorded_and_finds_the_first
     const Journal journal = read();
     Document document(world_of(plate(1)));
     Replay replay(journal, document);
-    while (!replay.done()) ASSERT_TRUE(replay.advance(64).ok());
+    ASSERT_TRUE(replay.run({}).ok());
     EXPECT_EQ(state_hash(document.world()), recorded.hash);
     ASSERT_EQ(replay.difference().has_value(), broken < marks.size());
     if (replay.difference()) EXPECT_EQ(replay.difference()->mark.commands, marks[broken].commands);
@@ -267,7 +267,9 @@ TEST_F(JournalFile, holds_a_stroke_that_was_cut_again) {
   const Journal journal = read();
   Document again(world_of(plate(1)));
   Replay replay(journal, again);
-  while (!replay.done()) ASSERT_TRUE(replay.advance(5).ok());
+  Walk how;
+  how.moves_a_step = 5;
+  ASSERT_TRUE(replay.run(how).ok());
   EXPECT_EQ(state_hash(again.world()), state_hash(document.world()));
   EXPECT_NE(state_hash(again.world()), run(stroke(0.1), 9).hash);
 }

@@ -40,9 +40,9 @@ void Stage::cut(const Pose& from, const Pose& to, double radius) {
 }
 
 void Stage::apply(const Command& command) {
-  const auto delta = document_.apply(command);
-  ASSERT_TRUE(delta.ok());
-  renderer_->follow(document_.world(), *delta);
+  const Outcome outcome = document_.apply(command);
+  ASSERT_TRUE(outcome.ok());
+  renderer_->follow(document_.world(), outcome.delta);
   renderer_->catch_up(document_.world());
 }
 

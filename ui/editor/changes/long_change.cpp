@@ -27,7 +27,7 @@ bool ChangeThread::is_over(double seconds) const {
 
 void ChangeThread::finish() {
   const std::unique_ptr<Job> job = std::move(job_);
-  const Result<Delta> result = job->result.get();
+  const Outcome result = job->result.get();
   job->change.then(result);
 }
 

@@ -14,8 +14,8 @@ namespace kerf {
 // A change of the document that takes too long for a frame.
 struct LongChange {
   std::string title;  // what happens, for the user
-  std::function<Result<Delta>(Document&, const Progress&)> run;
-  std::function<void(const Result<Delta>&)> then;  // on the thread that finishes it
+  std::function<Outcome(Document&, const Progress&)> run;
+  std::function<void(const Outcome&)> then;  // on the thread that finishes it
 };
 
 // Runs a long change on a background thread. Until it is finished, only that thread may access the document.
@@ -48,7 +48,7 @@ class ChangeThread {
     LongChange change;
     std::atomic<double> fraction = 0;
     std::atomic<bool> told = false, stopped = false;
-    std::future<Result<Delta>> result;
+    std::future<Outcome> result;
   };
   std::unique_ptr<Job> job_;
 };

@@ -43,7 +43,8 @@ bool TwinCut::follow(Document& first, const ResolutionControls& controls) {
       start->settings = first.stroke_settings();
       start->settings.resolution = resolution_;
     }
-    const Result<Delta> applied = document_.apply(command);
+    if (std::holds_alternative<Advance>(command)) continue;  // time stands still in the twin
+    const Outcome applied = document_.apply(command);
     assert(applied.ok());
     (void)applied;
   }

@@ -26,28 +26,32 @@ PreparedBodies prepare(const World& world, const Delta& delta, const std::map<Bo
   return prepared;
 }
 
-bool is_of_stroke(const Command& command) {
-  return std::holds_alternative<BeginStroke>(command) || std::holds_alternative<MoveStroke>(command) ||
-         std::holds_alternative<EndStroke>(command) || std::holds_alternative<Recut>(command);
-}
-
 bool is_small(const Document& document) { return document.world().live_faces() <= kManyFaces; }
 
+// Whether a command takes no longer than a part of a frame.
 bool is_quick(const Document& document, const Command& command) {
-  if (is_of_stroke(command)) return true;
-  if (std::holds_alternative<AddMesh>(command) || !is_small(document)) return false;
+  const bool small = is_small(document);
   const size_t now = document.history().position();
-  return now == 0 || !std::holds_alternative<Undo>(command) || document.remembers_way_to(now - 1);
+  return std::visit(
+      Overloaded{
+          [](const BeginStroke&) { return true; },
+          [](const MoveStroke&) { return true; },
+          [](const EndStroke&) { return true; },
+          [](const Recut&) { return true; },
+          [](const Advance&) { return true; },
+          [&](const Undo&) { return small && (now == 0 || document.remembers_way_to(now - 1)); },
+          [&](const Redo&) { return small; },
+          [](const AddMesh&) { return false; },
+          [&](const HappensAtOnce auto&) { return small; },
+      },
+      command);
 }
 
 auto apply_all(std::vector<Command> commands) {
-  return [commands = std::move(commands)](Document& document, const Progress* progress) -> Result<Delta> {
-    Delta all;
-    for (const Command& command : commands) {
-      Result<Delta> one = document.apply(command, progress);
-      if (!one) return one;
-      all.append(std::move(*one));
-    }
+  return [commands = std::move(commands)](Document& document, const Progress* progress) {
+    Outcome all;
+    for (size_t i = 0; i < commands.size() && all.ok(); ++i)
+      all.append(document.apply(commands[i], progress));
     return all;
   };
 }
@@ -113,9 +117,12 @@ void WorldChanges::recut_last_stroke() {
   CutSettings settings = document.stroke_settings();
   settings.resolution = on_.hand.laser.resolution.of(settings.laser.radius);
   std::vector<Command> commands;
-  const Command& last = document.history().last().commands.front();
-  if (std::holds_alternative<Recut>(last)) commands.emplace_back(Undo{});
+  const HistoryStep& last = document.history().last();
+  const bool again = last.kind() == HistoryStep::Kind::kRecut;
+  if (again) commands.emplace_back(Undo{});
   commands.emplace_back(Recut{settings});
+  // The time that passed after the recut that is undone passes again.
+  if (again) commands.insert(commands.end(), last.commands().begin() + 1, last.commands().end());
   change("Cut again", true, apply_all(std::move(commands)));
   ++on_.figures.recuts;
 }
@@ -124,17 +131,17 @@ void WorldChanges::recut_last_stroke() {
 void WorldChanges::change(const std::string& title, bool quick, const Change& what) {
   assert(!pending_);
   on_.message.say("");
-  if (quick) return show_result(what(on_.work.document, nullptr));
+  if (quick) return show_outcome(what(on_.work.document, nullptr));
   const auto prepared = std::make_shared<PreparedBodies>();
   LongChange change;
   change.title = title;
   change.run = [what, prepared, frames = on_.renderer.frames()](Document& document,
                                                                 const Progress& progress) {
-    Result<Delta> delta = what(document, &progress);
-    if (delta) *prepared = prepare(document.world(), *delta, frames);
-    return delta;
+    Outcome outcome = what(document, &progress);
+    *prepared = prepare(document.world(), outcome.delta, frames);
+    return outcome;
   };
-  change.then = [this, prepared](const Result<Delta>& delta) { show_result(delta, std::move(*prepared)); };
+  change.then = [this, prepared](const Outcome& outcome) { show_outcome(outcome, std::move(*prepared)); };
   pending_ = std::move(change);
 }
 
@@ -160,14 +167,15 @@ bool WorldChanges::close_rim_beside() {
   const auto step = std::make_shared<StepResult>();
   LongChange change;
   change.title = "Smoothing the rim";
-  change.run = [step](Document& document, const Progress&) -> Result<Delta> {
+  change.run = [step](Document& document, const Progress&) {
     Result<StepResult> done = document.step(1);
-    if (!done) return done.error();
-    *step = std::move(*done);
-    return Delta{};
+    Outcome outcome;
+    if (done) *step = std::move(*done);
+    if (!done) outcome.fail(done.error());
+    return outcome;
   };
-  change.then = [this, step, faces](const Result<Delta>& done) {
-    if (!done) return show_failed_step(done.error());
+  change.then = [this, step, faces](const Outcome& done) {
+    if (!done.ok()) return show_failed_step(done.error());
     follow_step(*step, faces);
     on_.figures.world_changed = true;
   };
@@ -191,13 +199,9 @@ void WorldChanges::show_failed_step(const Error& error) {
 // The picture
 // --------------------------------------------------------------------------------------------------------
 
-void WorldChanges::show_result(const Result<Delta>& delta, PreparedBodies prepared) {
-  if (delta) return show_change(*delta, std::move(prepared));
-  // Queued moves may have been cut, or taken back, before the command failed.
-  Delta all;
-  all.anew = true;
-  show_change(all, {});
-  on_.message.say(delta.error().message, true);
+void WorldChanges::show_outcome(const Outcome& outcome, PreparedBodies prepared) {
+  show_change(outcome.delta, std::move(prepared));
+  if (!outcome.ok()) on_.message.say(outcome.error().message, true);
 }
 
 void WorldChanges::show_change(const Delta& delta, PreparedBodies prepared) {

@@ -62,7 +62,7 @@ class WorldChanges {
   void show_world(const World& world, Renderer& renderer) const;
 
  private:
-  using Change = std::function<Result<Delta>(Document&, const Progress*)>;
+  using Change = std::function<Outcome(Document&, const Progress*)>;
 
   void change(const std::string& title, bool quick, const Change& what);
   template <typename Make>
@@ -70,7 +70,7 @@ class WorldChanges {
   bool close_rim_beside();
   void follow_step(const StepResult& step, size_t faces_before);
   void show_failed_step(const Error& error);
-  void show_result(const Result<Delta>& delta, PreparedBodies prepared = {});
+  void show_outcome(const Outcome& outcome, PreparedBodies prepared = {});
   void show_change(const Delta& delta, PreparedBodies prepared);
 
   Parts on_;

@@ -18,8 +18,8 @@ constexpr size_t kMostRows = 10;
 
 // Of before-images: what a step takes to be undone at once.
 std::string weight_text(const HistoryStep& step) {
-  if (!step.begun) return "waits";
-  if (!step.remembered()) return "by replay";
+  if (step.images() == HistoryStep::Images::kNone) return "waits";
+  if (step.images() == HistoryStep::Images::kLetGo) return "by replay";
   const double kilobytes = static_cast<double>(step.bytes()) / 1024;
   return kilobytes < 1000 ? text_of("%.0f kB", kilobytes) : text_of("%.1f MB", kilobytes / 1024);
 }
@@ -52,7 +52,7 @@ bool draw_row(size_t now, size_t position, const std::string& name, const std::s
 bool draw_step(const History& history, size_t position) {
   if (position == 0) return draw_row(history.position(), 0, "As it was opened", "");
   const HistoryStep& step = history.step(position - 1);
-  return draw_row(history.position(), position, words(step.commands.front()), weight_text(step));
+  return draw_row(history.position(), position, words(step.commands().front()), weight_text(step));
 }
 
 void draw_window(Document& document, Settings& settings) {

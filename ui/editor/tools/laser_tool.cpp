@@ -1,5 +1,7 @@
 #include "ui/editor/tools/laser_tool.h"
 
+#include <cassert>
+
 #include "ui/render/beam_strike.h"
 
 namespace kerf {
@@ -17,8 +19,8 @@ Pose LaserTool::aim(const CameraView& view, Vec2 pointer) const {
   return {emitter, glm::normalize(ray.origin + ray.direction * focus_ - emitter)};
 }
 
-void LaserTool::press(Document& document, const CameraView& view, Vec2 pointer,
-                      const LaserControls& controls) {
+void LaserTool::press(Document& document, const CameraView& view, Vec2 pointer, const LaserControls& controls,
+                      double heard) {
   const Pose ray = view.ray(pointer.x, pointer.y);
   focus_ = first_hit(document.world(), ray).value_or(view.focus);
   const CutSettings settings = controls.settings(document.world().bounds().diagonal());
@@ -31,16 +33,18 @@ void LaserTool::press(Document& document, const CameraView& view, Vec2 pointer,
   beam_ = pose_;
   strike_.reset();
   cutting_ = true;
+  began_ = heard;
   document.apply(BeginStroke{settings, pose_});
 }
 
-void LaserTool::move(Document& document, const CameraView& view, Vec2 pointer, double pixel) {
+void LaserTool::move(Document& document, const CameraView& view, Vec2 pointer, double pixel, double heard) {
   if (!cutting_) return;
   const Vec2 moved = (pointer - pointer_) * Vec2(view.aspect, 1) / pixel;
   if (glm::length(moved) < kLeastMove) return;
   pointer_ = pointer;
   pose_ = aim(view, pointer);
-  document.apply(MoveStroke{pose_});
+  assert(heard >= began_);
+  document.apply(MoveStroke{pose_, heard - began_});
 }
 
 void LaserTool::release(Document& document) {
@@ -50,12 +54,12 @@ void LaserTool::release(Document& document) {
 }
 
 void LaserTool::find_strike(const Document& document) {
-  if (const BeamMove* move = document.next_move()) beam_ = move->to;
+  if (const auto move = document.next_move()) beam_ = move->to;
   strike_ = kerf::find_strike(document.world(), beam_, radius_, overshoot_, reach_);
 }
 
 std::optional<BeamPicture> LaserTool::picture(const Document& document) const {
-  if (!cutting_ && document.waiting() == 0) return std::nullopt;
+  if (!cutting_ && !document.beam_waits()) return std::nullopt;
   BeamPicture beam{beam_.origin, beam_.origin + beam_.direction * std::min(reach_, 20 * focus_), std::nullopt,
                    radius_};
   if (strike_) beam.strike = beam_.origin + beam_.direction * *strike_;

@@ -14,9 +14,11 @@ namespace kerf {
 // pointer, or the camera's pivot) and kept, so that the beam does not jump.
 class LaserTool {
  public:
-  // x and y of the pointer as in CameraView::ray; `pixel` is the size of a pixel in y.
-  void press(Document& document, const CameraView& view, Vec2 pointer, const LaserControls& controls);
-  void move(Document& document, const CameraView& view, Vec2 pointer, double pixel);
+  // x and y of the pointer as in CameraView::ray; `pixel` is the size of a pixel in y. `heard` is when the
+  // pointer was there, in seconds of a clock that never goes back: poses of the stroke carry it.
+  void press(Document& document, const CameraView& view, Vec2 pointer, const LaserControls& controls,
+             double heard);
+  void move(Document& document, const CameraView& view, Vec2 pointer, double pixel, double heard);
   void release(Document& document);
 
   bool cutting() const { return cutting_; }
@@ -31,6 +33,7 @@ class LaserTool {
   Pose aim(const CameraView& view, Vec2 pointer) const;
 
   bool cutting_ = false;
+  double began_ = 0;              // s of that clock, when the stroke began
   double focus_ = 1;              // m along the pointer's ray
   double reach_ = 1;              // m along the beam
   double radius_ = 0.01;          // m

@@ -54,7 +54,7 @@ void pick_piece(const MouseParts& on, int mods) {
   on.view.picture_old = true;
 }
 
-void begin(const MouseParts& on, Drag drag) {
+void begin(const MouseParts& on, Drag drag, double heard) {
   on.hand.drag = drag;
   on.hand.pressed_at = on.hand.pointer;
   if (drag == Drag::kCut || drag == Drag::kPick) {
@@ -72,17 +72,18 @@ void begin(const MouseParts& on, Drag drag) {
   }
   stand_together(on);
   on.view.camera.finish();
-  on.hand.beam.press(on.work.document, on.view.seen(), on.view.in_picture(on.hand.pointer), on.hand.laser);
+  on.hand.beam.press(on.work.document, on.view.seen(), on.view.in_picture(on.hand.pointer), on.hand.laser,
+                     heard);
   on.hand.cut_once = true;
   on.message.say("");
 }
 
-void go_on(const MouseParts& on, Vec2 from) {
+void go_on(const MouseParts& on, Vec2 from, double heard) {
   const Vec2 moved = (on.hand.pointer - from) / on.view.pane().size.y;
   switch (on.hand.drag) {
     case Drag::kCut:
       on.hand.beam.move(on.work.document, on.view.seen(), on.view.in_picture(on.hand.pointer),
-                        2 / on.view.pane().size.y);
+                        2 / on.view.pane().size.y, heard);
       break;
     case Drag::kPick:
       if (glm::length(on.hand.pointer - on.hand.pressed_at) > kClick) on.hand.drag = Drag::kOrbit;
@@ -111,10 +112,10 @@ void handle_mouse(const MouseParts& on, const InputEvent& event, bool free) {
   switch (event.kind) {
     case InputEvent::Kind::kPress:
       if (on.hand.drag == Drag::kNone && on.hand.over_picture)
-        begin(on, drag_of(on.hand.tool, event.button, event.mods));
+        begin(on, drag_of(on.hand.tool, event.button, event.mods), event.seconds);
       break;
     case InputEvent::Kind::kMove:
-      go_on(on, from);
+      go_on(on, from, event.seconds);
       break;
     case InputEvent::Kind::kRelease:
       if (on.hand.drag == Drag::kCut && event.button == GLFW_MOUSE_BUTTON_LEFT)

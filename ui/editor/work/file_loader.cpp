@@ -10,7 +10,6 @@ namespace kerf {
 
 namespace {
 
-constexpr size_t kMovesOfStep = 64;
 // Of the time: reading, hashes, smooth normals, shadows; of all of it, strokes and journal where there are
 // any.
 constexpr double kReading = 0.48, kHashing = 0.01, kShading = 0.25, kShadows = 0.26, kCutting = 0.3;
@@ -66,10 +65,10 @@ Document document_of(World world, const SceneDescription& scene, size_t history_
 // A step that fails here failed when the journal was made too. Whether it came to its end.
 bool replay_all(const Journal& journal, LoadedFiles& loaded, const Progress& progress) {
   Replay replay(journal, loaded.document);
-  while (!replay.done()) {
-    if (!progress.report(replay.fraction())) return false;
-    (void)replay.advance(kMovesOfStep);
-  }
+  Walk how;
+  how.told = [](const Result<StepResult>&) -> Status { return Done{}; };
+  how.progress = &progress;
+  if (!replay.run(how)) return false;
   loaded.marks = journal.marks;
   loaded.damaged = !journal.damage.empty();
   if (loaded.damaged) {

@@ -15,16 +15,20 @@ struct Waiting {
   LongChange change() {
     LongChange change;
     change.title = "Waiting";
-    change.run = [this](Document&, const Progress& progress) -> Result<Delta> {
+    change.run = [this](Document&, const Progress& progress) -> Outcome {
       while (!may_end) {
-        if (!progress.report(0.5)) return cancelled();
+        if (!progress.report(0.5)) {
+          Outcome outcome;
+          outcome.fail(cancelled());
+          return outcome;
+        }
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
       }
-      return Delta{};
+      return Outcome();
     };
-    change.then = [this](const Result<Delta>& delta) {
+    change.then = [this](const Outcome& outcome) {
       told = true;
-      stopped = !delta.ok();
+      stopped = !outcome.ok();
     };
     return change;
   }

@@ -26,8 +26,8 @@ class LaserToolTest : public testing::Test {
 };
 
 TEST_F(LaserToolTest, a_drag_over_a_sphere_cuts_where_the_pointer_goes) {
-  tool.press(document, view, {-0.2, 0}, controls);
-  tool.move(document, view, {0.2, 0}, 2.0 / 700);
+  tool.press(document, view, {-0.2, 0}, controls, 7);
+  tool.move(document, view, {0.2, 0}, 2.0 / 700, 7.5);
   tool.release(document);
   step();
   for (const double x : {-0.2, 0.0, 0.2}) {
@@ -38,16 +38,16 @@ TEST_F(LaserToolTest, a_drag_over_a_sphere_cuts_where_the_pointer_goes) {
 }
 
 TEST_F(LaserToolTest, a_move_of_less_than_half_a_pixel_is_dropped) {
-  tool.press(document, view, {0, 0}, controls);
+  tool.press(document, view, {0, 0}, controls, 7);
   const size_t commands = document.journal().size();
-  tool.move(document, view, {0.0005, 0}, 2.0 / 700);
+  tool.move(document, view, {0.0005, 0}, 2.0 / 700, 7.5);
   EXPECT_EQ(document.journal().size(), commands);
-  tool.move(document, view, {0.05, 0}, 2.0 / 700);
+  tool.move(document, view, {0.05, 0}, 2.0 / 700, 7.5);
   EXPECT_EQ(document.journal().size(), commands + 1);
 }
 
 TEST_F(LaserToolTest, the_beam_strikes_the_rim_of_what_it_burnt) {
-  tool.press(document, view, {0, 0}, controls);
+  tool.press(document, view, {0, 0}, controls, 7);
   step();
   tool.find_strike(document);
   const auto beam = tool.picture(document);

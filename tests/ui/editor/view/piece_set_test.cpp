@@ -45,30 +45,30 @@ class CutSphere : public testing::Test {
 TEST_F(CutSphere, looks_follow_a_piece_that_is_hidden_and_shown_again) {
   const PieceId half = list_pieces(document.world())[1].id;
   choose_piece(looks, half, false);
-  const Result<Delta> hid = document.apply(HidePiece{half, true});
+  const Outcome hid = document.apply(HidePiece{half, true});
   ASSERT_TRUE(hid.ok());
-  follow_world(document.world(), *hid, looks);
+  follow_world(document.world(), hid.delta, looks);
   EXPECT_EQ(chosen_pieces(looks), 0u);
   ASSERT_EQ(hidden_pieces(looks).size(), 1u);
   EXPECT_EQ(document.world().body(hidden_pieces(looks).front().body).name, "sphere piece 1");
   EXPECT_EQ(list_pieces(document.world()).size(), 2u);
-  const Result<Delta> shown = document.apply(Undo{});
+  const Outcome shown = document.apply(Undo{});
   ASSERT_TRUE(shown.ok());
-  follow_world(document.world(), *shown, looks);
+  follow_world(document.world(), shown.delta, looks);
   EXPECT_TRUE(looks.empty());
 }
 
 TEST_F(CutSphere, a_piece_stays_chosen_when_it_is_detached_and_put_back) {
   for (const PieceRow& row : list_pieces(document.world())) {
     choose_piece(looks, row.id, false);
-    const Result<Delta> moved = document.apply(MovePiece{row.id, {{1, 2, 3}, {1, 0, 0, 0}}});
+    const Outcome moved = document.apply(MovePiece{row.id, {{1, 2, 3}, {1, 0, 0, 0}}});
     ASSERT_TRUE(moved.ok());
-    follow_world(document.world(), *moved, looks);
+    follow_world(document.world(), moved.delta, looks);
     const BodyId own = document.world().ids().back();
     EXPECT_EQ(first_chosen(looks), (PieceId{own, row.id.label}));
-    const Result<Delta> back = document.apply(Undo{});
+    const Outcome back = document.apply(Undo{});
     ASSERT_TRUE(back.ok());
-    follow_world(document.world(), *back, looks);
+    follow_world(document.world(), back.delta, looks);
     EXPECT_EQ(first_chosen(looks), row.id);
   }
 }

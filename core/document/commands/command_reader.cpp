@@ -1,0 +1,84 @@
+#include "core/document/commands/command_reader.h"
+
+#include "core/base/unit_vector.h"
+#include "core/document/settings_text.h"
+
+namespace kerf {
+
+Result<CutSettings> CommandReader::settings() const { return parse_settings(line_["settings"]); }
+
+Result<Pose> CommandReader::pose() const {
+  const auto origin = line_["origin"].vector();
+  if (!origin) return origin.error();
+  const auto direction = line_["direction"].vector();
+  if (!direction) return direction.error();
+  if (!is_unit_length2(glm::dot(*direction, *direction)))
+    return line_["direction"].wrong("must have length 1");
+  return Pose{*origin, *direction};
+}
+
+Result<Pose> CommandReader::next_pose() const {
+  const auto next = pose();
+  if (next && beam_ && are_opposite(beam_->pose.direction, next->direction))
+    return line_["direction"].wrong("is opposite to the one before");
+  return next;
+}
+
+Result<double> CommandReader::time() const {
+  if (!line_.has("t")) return 0.0;
+  const auto t = line_["t"].number();
+  if (!t) return t;
+  if (!(*t >= (beam_ ? beam_->time : 0))) return line_["t"].wrong("must not be before the pose before");
+  return t;
+}
+
+// [slot, generation, label]; or [number, label], as journals had it before bodies had generations.
+Result<PieceId> CommandReader::piece() const {
+  const JsonValue piece = line_["piece"];
+  const nlohmann::json& json = piece.json();
+  const auto wrong = piece.wrong("must be three whole numbers: a body's slot, its generation and a label");
+  if (!json.is_array() || (json.size() != 2 && json.size() != 3)) return wrong;
+  for (const nlohmann::json& n : json) {
+    if (!n.is_number_unsigned() || n.get<uint64_t>() >= BodyId::kNone) return wrong;
+  }
+  const uint32_t slot = json.front().get<uint32_t>(), label = json.back().get<uint32_t>();
+  const uint32_t generation = json.size() == 3 ? json[1].get<uint32_t>() : BodyId::kUnknownGeneration;
+  return PieceId{{slot, generation}, label};
+}
+
+Result<Placement> CommandReader::placement() const {
+  const auto position = line_["position"].vector();
+  if (!position) return position.error();
+  const JsonValue value = line_["orientation"];
+  if (!value.json().is_array() || value.json().size() != 4) return value.wrong("must be four numbers");
+  glm::dquat turn;
+  size_t i = 0;
+  for (double* part : {&turn.w, &turn.x, &turn.y, &turn.z}) {
+    const auto n = value[i++].number();
+    if (!n) return n.error();
+    *part = *n;
+  }
+  if (!is_unit_length2(glm::dot(turn, turn))) return value.wrong("must have length 1");
+  return Placement{*position, turn};
+}
+
+Result<std::filesystem::path> CommandReader::mesh() const {
+  const auto file = line_["mesh"].text();
+  if (!file) return file.error();
+  return folder_ / *file;
+}
+
+Result<uint64_t> CommandReader::whole_number(const char* key, uint64_t least, uint64_t most) const {
+  const nlohmann::json& json = line_[key].json();
+  if (json.is_number_unsigned() && json.get<uint64_t>() >= least && json.get<uint64_t>() <= most)
+    return json.get<uint64_t>();
+  return line_[key].wrong("must be a whole number from " + std::to_string(least) + " to " +
+                          std::to_string(most));
+}
+
+Result<bool> CommandReader::flag(const char* key) const {
+  if (!line_[key].json().is_boolean()) return line_[key].wrong("must be true or false");
+  return line_[key].json().get<bool>();
+}
+
+}  // namespace kerf

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "core/base/ids.h"
+#include "core/cut/cut_step.h"
+#include "core/document/beam_at.h"
+#include "core/document/json_value.h"
+#include "core/world/placement.h"
+
+namespace kerf {
+
+// Reads the keys of a command from its line in a journal, as CommandWriter writes them; numbers come back to
+// the bit. Precondition of each function: the line has the keys that it reads. Values that make no sense are
+// bad input with a JSON pointer.
+class CommandReader {
+ public:
+  // `folder` is the folder of the journal; `beam` says where the beam of the last stroke is, if there was
+  // one.
+  CommandReader(const JsonValue& line, const std::filesystem::path& folder, const std::optional<BeamAt>& beam)
+      : line_(line), folder_(folder), beam_(beam) {}
+
+  Result<CutSettings> settings() const;
+  Result<Pose> pose() const;  // with a unit direction
+  // A pose that the beam can move to from where it is: its direction is not opposite.
+  Result<Pose> next_pose() const;
+  // "t", not before the time of the beam; 0 where the line does not have it.
+  Result<double> time() const;
+  Result<PieceId> piece() const;
+  Result<Placement> placement() const;
+  Result<std::filesystem::path> mesh() const;
+  Result<std::string> text(const char* key) const { return line_[key].text(); }
+  Result<uint64_t> whole_number(const char* key, uint64_t least, uint64_t most) const;
+  Result<bool> flag(const char* key) const;
+
+ private:
+  const JsonValue& line_;
+  const std::filesystem::path& folder_;
+  const std::optional<BeamAt>& beam_;
+};
+
+}  // namespace kerf

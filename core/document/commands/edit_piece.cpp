@@ -1,0 +1,43 @@
+#include "core/document/commands/edit_piece.h"
+
+#include "core/graph/detach.h"
+
+namespace kerf {
+
+namespace {
+
+bool has_faces(const World& world, const PieceId& piece) {
+  if (!world.contains(piece.body)) return false;
+  const auto& pieces = world.body(piece.body).pieces;
+  return piece.label < pieces.size() && pieces[piece.label].faces > 0;
+}
+
+}  // namespace
+
+std::string piece_words(const PieceId& piece) {
+  const std::string body = "body " + std::to_string(piece.body.slot + 1);
+  return piece.label == 0 ? body : "piece " + std::to_string(piece.label) + " of " + body;
+}
+
+PieceId whole_id(const World& world, const PieceId& piece) {
+  if (piece.body.generation != BodyId::kUnknownGeneration) return piece;
+  for (const BodyId id : world.ids()) {
+    if (world.body(id).number == piece.body.slot) return {id, piece.label};
+  }
+  return piece;
+}
+
+Result<Delta> edit_piece(World& world, const PieceId& piece, uint32_t generation,
+                         const std::function<bool(const Body&)>& differs,
+                         const std::function<Delta(World&, BodyId)>& edit) {
+  if (!has_faces(world, piece))
+    return bad_input("there is no piece " + std::to_string(piece.label) + " of body " +
+                     std::to_string(piece.body.slot));
+  Delta delta;
+  if (!differs(world.body(piece.body))) return delta;
+  const BodyId own = detach(world, piece, generation, delta);
+  delta.append(edit(world, own));
+  return delta;
+}
+
+}  // namespace kerf

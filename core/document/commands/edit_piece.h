@@ -1,0 +1,28 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "core/base/result.h"
+#include "core/world/delta.h"
+#include "core/world/world.h"
+
+namespace kerf {
+
+// A piece as people are told of it: "piece 2 of body 1".
+std::string piece_words(const PieceId& piece);
+
+// The id of a piece, made whole where a journal gave its body by the number alone (see
+// BodyId::kUnknownGeneration): the body that has this number in `world`. Others, and pieces of a body that is
+// not there, come back as they are.
+PieceId whole_id(const World& world, const PieceId& piece);
+
+// Makes the piece a body of its own of this generation, where it is not one already (see detach), and lets
+// `edit` change it, which returns what it changed. The delta is empty where `differs`, asked about the body
+// that the piece is in, says that there is nothing to change. Bad input where there is no such piece; the
+// world is unchanged then.
+Result<Delta> edit_piece(World& world, const PieceId& piece, uint32_t generation,
+                         const std::function<bool(const Body&)>& differs,
+                         const std::function<Delta(World&, BodyId)>& edit);
+
+}  // namespace kerf

@@ -1,0 +1,33 @@
+#include "core/document/commands/recut.h"
+
+#include "core/base/length_text.h"
+
+namespace kerf {
+
+namespace {
+
+std::string fineness(const Resolution& r) {
+  switch (r.rule) {
+    case Resolution::Rule::kTargetEdge:
+      return "edges of " + length_text(r.target_edge);
+    case Resolution::Rule::kTolerance:
+      return "within " + length_text(r.tolerance);
+    case Resolution::Rule::kDepth:
+      return std::to_string(r.depth) + (r.depth == 1 ? " level" : " levels");
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string Recut::words() const { return "Cut the stroke again, " + fineness(settings.resolution); }
+
+void Recut::write(CommandWriter& line) const { line.settings(settings); }
+
+Result<Recut> Recut::read(const CommandReader& line) {
+  const auto settings = line.settings();
+  if (!settings) return settings.error();
+  return Recut{*settings};
+}
+
+}  // namespace kerf

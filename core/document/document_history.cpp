@@ -1,0 +1,180 @@
+#include <algorithm>
+
+#include "core/document/document.h"
+
+namespace kerf {
+
+using Images = HistoryStep::Images;
+using Kind = HistoryStep::Kind;
+
+bool Document::can_recut() const {
+  const auto last = history_.last_cut();
+  return !in_stroke_ && last && is_last(*last) &&
+         history_.holds_images(history_.base_of(*last), history_.position());
+}
+
+std::optional<World> Document::before_last_stroke() {
+  const auto last = history_.last_cut();
+  if (!last || !is_last(*last) || world_.live_faces() > kMostFacesToCopy) return std::nullopt;
+  const std::optional<size_t> open = recorder_.step();
+  close();
+  World before = world_;
+  if (open) begin(*open);
+  const size_t base = history_.base_of(*last);
+  if (!history_.holds_images(base, history_.position())) return std::nullopt;
+  for (size_t i = history_.position(); i-- > base;) history_.step(i).restore(before);
+  return before;
+}
+
+Outcome Document::recut(const Recut& command) {
+  end_stroke();
+  if (!can_recut()) return Outcome();
+  history_.append(HistoryStep(command));
+  journal_.append(command);
+  ++revision_;
+  return Outcome(cut_again());
+}
+
+// Of the last step: the world goes back to before the stroke as an edit of its own. A stroke of which moves
+// wait is taken back for good: whoever undoes the recut has it walked again.
+Delta Document::cut_again() {
+  const size_t step = history_.position() - 1, before = step - 1;
+  queue_.drop(before);
+  if (recorder_.step() == before) close();
+  Delta delta;
+  if (!history_.step(before).done()) {
+    delta = history_.step(before).take_back(world_);
+    history_.step(before).forget();
+  }
+  // Where the world shows nothing of the stroke, an earlier one may wait, half-way through a move.
+  const size_t base = history_.base_of(step);
+  if (history_.any_begun(base, step)) begin(step);
+  for (size_t i = step; i-- > base;) {
+    const Delta back = history_.step(i).restore(world_);
+    history_.last().touch(back);
+    delta.append(back);
+  }
+  queue_commands(step);
+  history_.trim();
+  return delta;
+}
+
+// Has what the last step queued walked as if it had just been drawn.
+Delta Document::walk_again() {
+  if (history_.last().kind() == Kind::kRecut) return cut_again();
+  queue_commands(history_.position() - 1);
+  return Delta{};
+}
+
+// Whether the world can be brought to where a step begins by before-images.
+bool Document::can_walk_again(size_t step) const {
+  return history_.holds_images(history_.base_of(step), step);
+}
+
+Outcome Document::undo(const Progress* progress) {
+  end_stroke();
+  if (history_.position() == 0) return Outcome();
+  const size_t last = history_.position() - 1;
+  if (recorder_.step() == last) close();
+  HistoryStep& step = history_.step(last);
+  // The step before was taken back for good where it was cut again.
+  const bool again = last > 0 && history_.step(last - 1).waiting() && !queue_.holds(last - 1);
+  if (step.images() == Images::kLetGo || (again && !can_walk_again(last - 1))) return replay(last, progress);
+  queue_.drop(last);
+  Delta delta = step.take_back(world_);
+  if (!step.done()) step.forget();
+  history_.back();
+  if (again) delta.append(walk_again());
+  history_.trim();
+  journal_.append(Undo{});
+  ++revision_;
+  return Outcome(std::move(delta));
+}
+
+Outcome Document::redo(const Progress* progress) {
+  end_stroke();
+  if (history_.position() == history_.size()) return Outcome();
+  const size_t at = history_.position();
+  HistoryStep& step = history_.step(at);
+  Outcome outcome;
+  if (step.images() == Images::kHeld && step.done() && queue_.empty()) {
+    close();
+    outcome.delta = step.bring_again(world_);
+    history_.forth();
+  } else if (step.kind() == Kind::kEdit) {
+    outcome = redo_at_once(at, progress);
+    if (!outcome.ok()) return outcome;
+  } else {
+    if (!can_walk_again(at)) return replay(at + 1, progress);
+    step.forget();
+    history_.forth();
+    outcome.delta = walk_again();
+  }
+  journal_.append(Redo{});
+  ++revision_;
+  return outcome;
+}
+
+bool Document::remembers_way_to(size_t position) const {
+  return history_.holds_images(position, history_.position());
+}
+
+Outcome Document::travel(size_t position, const Progress* progress) {
+  end_stroke();
+  position = std::min(position, history_.size());
+  if (!remembers_way_to(position)) return replay(position, progress);
+  Outcome all;
+  while (all.ok() && history_.position() != position)
+    all.append(history_.position() > position ? undo(progress) : redo(progress));
+  return all;
+}
+
+// Starts again from the origin. Where that cannot be had, nothing has changed.
+Outcome Document::replay(size_t position, const Progress* progress) {
+  Outcome outcome;
+  if (!origin_) {
+    outcome.fail(failed("what the world was then is no longer remembered"));
+    return outcome;
+  }
+  const Progress loading = share_of(progress, 0, 0.3), walking = share_of(progress, 0.3, 1);
+  Result<World> origin = origin_(&loading);
+  if (!origin) {
+    outcome.fail(origin.error());
+    return outcome;
+  }
+  world_ = std::move(*origin);
+  queue_.clear();
+  recorder_.abandon();
+  ++revision_;
+  const size_t before = history_.position(), written = journal_.size();
+  while (history_.position() > 0) history_.back();
+  for (size_t i = 0; i < history_.size(); ++i) history_.step(i).forget();
+  outcome.delta.anew = true;
+  if (const Status done = replay_steps(position, &walking); !done) outcome.fail(done.error());
+  journal_.shrink(written);
+  for (size_t i = history_.position(); i < before; ++i) journal_.append(Undo{});
+  for (size_t i = before; i < history_.position(); ++i) journal_.append(Redo{});
+  return outcome;
+}
+
+// A stroke that is cut again right away need not be cut first.
+Status Document::replay_steps(size_t position, const Progress* progress) {
+  while (history_.position() < position) {
+    const size_t step = history_.position();
+    const double share = 1 / static_cast<double>(position), from = share * static_cast<double>(step);
+    const Progress walking = share_of(progress, from, from + share);
+    Outcome done;
+    if (history_.step(step).kind() == Kind::kEdit) {
+      done = redo_at_once(step, &walking);
+    } else {
+      history_.forth();
+      if (step + 1 < position && history_.step(step + 1).kind() == Kind::kRecut) continue;
+      walk_again();
+      done = finish(&walking);
+    }
+    if (!done.ok()) return done.error();
+  }
+  return Done{};
+}
+
+}  // namespace kerf

@@ -1,0 +1,160 @@
+#include <algorithm>
+#include <cassert>
+
+#include "core/document/document.h"
+#include "core/document/walk.h"
+#include "core/graph/separation.h"
+
+namespace kerf {
+
+size_t Document::waiting() const { return queue_.empty() && !is_settled(world_) ? 1 : queue_.size(); }
+
+bool Document::next_closes_rim() const {
+  return !queue_.empty() && queue_.front_kind() == BeamQueue::Kind::kRim && !must_separate();
+}
+
+Result<StepResult> Document::step(size_t most, const Progress* progress) {
+  if (must_separate()) return separate_more();
+  if (queue_.empty() || most == 0) return StepResult{};
+  if (queue_.front_kind() == BeamQueue::Kind::kTicks) return pass_ticks(most);
+  const size_t step = queue_.front_step();
+  bool stopped = false;
+  const Progress watched{[&](double fraction) {
+    stopped = progress && !progress->report(fraction);
+    return !stopped;
+  }};
+  const bool moves = queue_.front_kind() == BeamQueue::Kind::kMove;
+  Result<StepResult> some = moves ? walk_moves(most, watched) : close_rim_of_stroke(watched);
+  if (some) return noted(step, std::move(*some));
+  give_up(step, stopped);
+  return some.error();
+}
+
+// What came apart in one stroke is known before the next one, or a tick, begins.
+bool Document::must_separate() const {
+  if (is_settled(world_)) return false;
+  return queue_.empty() || queue_.front_kind() == BeamQueue::Kind::kTicks ||
+         recorder_.step() != queue_.front_step();
+}
+
+StepResult Document::separate_more() {
+  const size_t most = walked_ ? walked_->settings.search_a_move : CutSettings{}.search_a_move;
+  StepResult some = go_on_separating(world_, most);
+  return recorder_.step() ? noted(*recorder_.step(), std::move(some)) : some;
+}
+
+Result<StepResult> Document::walk_moves(size_t most, const Progress& progress) {
+  constexpr size_t kMostAtOnce = 64;  // of a queue that may be long: a bite holds a few of them
+  begin(queue_.front_step());
+  walked_ = queue_.front_stroke();
+  const std::vector<BeamMove> moves = queue_.begin_moves(world_, std::min(most, kMostAtOnce));
+  Result<StepResult> some = cut_step(world_, walked_->settings, moves, queue_.unfinished(), &progress);
+  if (some) queue_.pop_moves(some->moves);
+  return some;
+}
+
+Result<StepResult> Document::close_rim_of_stroke(const Progress& progress) {
+  begin(queue_.front_step());
+  walked_ = queue_.front_stroke();
+  queue_.pop_rim();
+  return close_rim(world_, walked_->settings, walked_->path, &progress);
+}
+
+StepResult Document::pass_ticks(size_t most) {
+  const size_t step = queue_.front_step();
+  begin(step);
+  const Ticks ticks = std::min<Ticks>(most, queue_.front_ticks());
+  world_.pass(ticks);
+  queue_.pop_ticks(ticks);
+  if (is_over(step)) history_.step(step).finish();  // it stays open, for the ticks to come are its own
+  return {};
+}
+
+// What changes from here on is changed by this step.
+void Document::begin(size_t step) {
+  if (recorder_.step() == step) return;
+  close_and_trim();
+  history_.forget_behind(step);
+  HistoryStep& begun = history_.step(step);
+  // A step begins alike whatever way the world has come to where it begins.
+  if (begun.waiting()) {
+    for (const BodyId id : world_.ids()) forget_removals(world_.body(id));
+  }
+  begun.begin(history_.window() > 0);
+  recorder_.open(world_, step, begun.images() == HistoryStep::Images::kHeld);
+}
+
+void Document::close() {
+  const std::optional<size_t> step = recorder_.step();
+  if (!step) return;
+  if (std::optional<World::Change> change = recorder_.close(world_))
+    history_.step(*step).add(std::move(*change));
+}
+
+void Document::close_and_trim() {
+  if (!recorder_.step()) return;
+  close();
+  history_.trim();
+}
+
+StepResult Document::noted(size_t step, StepResult some) {
+  history_.step(step).touch(some.delta);
+  finish_step(step);
+  return some;
+}
+
+// Whether nothing of a step of the history waits, nor can be added by a stroke that is running.
+bool Document::is_over(size_t step) const {
+  const bool running = in_stroke_ && is_last(step);
+  return !running && !queue_.holds(step) && is_settled(world_);
+}
+
+void Document::finish_step(size_t step) {
+  if (!is_over(step)) return;
+  history_.step(step).finish();
+  if (recorder_.step() == step) close_and_trim();
+}
+
+// A stroke that cannot be cut to its end has cut nothing; only its time passes. It stays in the history, for
+// whoever replays it comes to the same. One that was stopped is undone, with all that waits behind it.
+void Document::give_up(size_t step, bool stopped) {
+  if (in_stroke_ && (stopped || is_last(step))) end_stroke();
+  queue_.drop_strokes(step);
+  if (stopped) queue_.clear();
+  if (recorder_.step() == step) close();
+  ++revision_;
+  HistoryStep& failed = history_.step(step);
+  if (failed.images() != HistoryStep::Images::kHeld) return finish_step(step);
+  queue_.drop(step);
+  failed.take_back(world_);
+  failed.forget();
+  if (stopped) {
+    for (; history_.position() > step; history_.back()) journal_.append(Undo{});
+    return;
+  }
+  begin(step);
+  Ticks ticks = 0;
+  for (const Command& c : history_.commands_of(step)) {
+    if (const auto* advance = std::get_if<Advance>(&c)) ticks += advance->ticks;
+  }
+  if (ticks > 0) queue_.push_ticks_in_front(step, ticks);
+  finish_step(step);
+}
+
+Outcome Document::finish(const Progress* progress) {
+  Outcome all;
+  Walk how;
+  how.progress = progress;
+  how.told = [&](const Result<StepResult>& some) -> Status {
+    if (!some) return some.error();
+    all.delta.append(some->delta);
+    return Done{};
+  };
+  if (const Status walked = walk(*this, how); !walked) {
+    all.delta.anew = true;
+    all.fail(walked.error());
+  }
+  return all;
+}
+
+}  // namespace kerf

@@ -1,0 +1,140 @@
+#include "core/document/history_step.h"
+
+#include <algorithm>
+#include <cassert>
+#include <iterator>
+
+#include "core/document/command_log.h"
+
+namespace kerf {
+
+namespace {
+
+// The kind of the step that a command begins.
+struct KindOfStep {
+  using Kind = HistoryStep::Kind;
+  Kind operator()(const BeginStroke&) const { return Kind::kStroke; }
+  Kind operator()(const Recut&) const { return Kind::kRecut; }
+  Kind operator()(const Advance&) const { return Kind::kTime; }
+  Kind operator()(const HappensAtOnce auto&) const { return Kind::kEdit; }
+  Kind operator()(const MoveStroke&) const { return none(); }
+  Kind operator()(const EndStroke&) const { return none(); }
+  Kind operator()(const Undo&) const { return none(); }
+  Kind operator()(const Redo&) const { return none(); }
+  static Kind none() {
+    assert(!"a step begins with this command");
+    return Kind::kEdit;
+  }
+};
+
+void sort_each_once(std::vector<FaceId>& faces) {
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+}
+
+bool is_live(const Mesh& mesh, FaceId f) { return f.index < mesh.face_slots() && mesh.is_live(f); }
+
+}  // namespace
+
+HistoryStep::HistoryStep(const Command& first) : kind_(std::visit(KindOfStep{}, first)) { add(first); }
+
+void HistoryStep::add(const Command& command) {
+  if (const auto* advance = std::get_if<Advance>(&command)) {
+    append_ticks(commands_, *advance);
+  } else {
+    commands_.push_back(command);
+  }
+}
+
+void HistoryStep::begin(bool record) {
+  if (!waiting()) return;
+  state_ = State::kBegun;
+  images_ = record ? Images::kHeld : Images::kLetGo;
+}
+
+void HistoryStep::finish() {
+  assert(!waiting());
+  state_ = State::kDone;
+}
+
+void HistoryStep::reopen() {
+  if (done()) state_ = State::kBegun;
+}
+
+void HistoryStep::add(World::Change change) {
+  if (images_ != Images::kHeld) return;
+  bytes_ += change.bytes();
+  changes_.push_back(std::move(change));
+}
+
+void HistoryStep::touch(const Delta& delta) {
+  removed_faces_ += delta.removed_faces;
+  removed_area_ += delta.removed_area;
+  for (const BodyDelta& b : delta.bodies) {
+    Touched& touched = touched_[b.body];
+    for (const auto* faces : {&b.born, &b.gone})
+      touched.corners.insert(touched.corners.end(), faces->begin(), faces->end());
+    touched.labels.insert(touched.labels.end(), b.relabelled.begin(), b.relabelled.end());
+  }
+  if (!delta.changes_bodies()) return;
+  // A command that changes bodies is a step of its own.
+  assert(bodies_.empty() && touched_.size() == delta.bodies.size());
+  bodies_ = delta;
+  bodies_.bodies.clear();
+}
+
+void HistoryStep::forget() {
+  changes_.clear();
+  bytes_ = 0;
+  touched_.clear();
+  bodies_ = Delta{};
+  removed_faces_ = 0;
+  removed_area_ = 0;
+  state_ = State::kWaiting;
+  images_ = Images::kNone;
+}
+
+void HistoryStep::let_go() {
+  if (images_ == Images::kHeld) images_ = Images::kLetGo;
+  changes_.clear();
+  bytes_ = 0;
+}
+
+Delta HistoryStep::take_back(World& world) {
+  for (size_t i = changes_.size(); i-- > 0;) world.exchange(changes_[i]);
+  return delta(world, true);
+}
+
+Delta HistoryStep::bring_again(World& world) {
+  for (World::Change& change : changes_) world.exchange(change);
+  return delta(world, false);
+}
+
+Delta HistoryStep::restore(World& world) const {
+  for (size_t i = changes_.size(); i-- > 0;) world.restore(changes_[i]);
+  return delta(world, true);
+}
+
+// Tells what the step touched; faces are told apart by what the world has become.
+Delta HistoryStep::delta(const World& world, bool back) const {
+  Delta all = back ? bodies_taken_back(bodies_) : bodies_;
+  all.removed_faces = 0;
+  all.removed_area = 0;
+  for (const auto& [after, touched] : touched_) {
+    const BodyId id = back ? id_before(bodies_, after) : after;
+    if (!world.contains(id)) continue;
+    const Mesh& mesh = world.body(id).mesh;
+    BodyDelta body;
+    body.body = id;
+    std::vector<FaceId> corners = touched.corners, labels = touched.labels;
+    sort_each_once(corners);
+    for (const FaceId f : corners) (is_live(mesh, f) ? body.born : body.gone).push_back(f);
+    sort_each_once(labels);
+    std::set_difference(labels.begin(), labels.end(), corners.begin(), corners.end(),
+                        std::back_inserter(body.relabelled));
+    all.bodies.push_back(std::move(body));
+  }
+  return all;
+}
+
+}  // namespace kerf

@@ -1,0 +1,355 @@
+#include <gtest/gtest.h>
+
+#include "core/document/document.h"
+#include "core/document/journal.h"
+#include "core/document/replay.h"
+#include "core/document/save.h"
+#include "core/document/stroke_settings.h"
+#include "core/world/state_hash.h"
+#include "tests/support/made_meshes.h"
+#include "tests/support/same_world.h"
+#include "tests/support/strokes.h"
+#include "tests/support/temporary_folder.h"
+
+namespace kerf::test {
+namespace {
+
+using Kind = HistoryStep::Kind;
+
+CutSettings settings_of(double radius) {
+  CutSettings s;
+  s.laser.radius = radius;
+  s.resolution.target_edge = radius;
+  return s;
+}
+
+const Pose kFrom{{-0.7, 1, 0.1}, {0, -1, 0}}, kTo{{0.7, 1, 0.12}, {0, -1, 0}};
+
+// A plate, and a stroke across it.
+class Time : public testing::Test {
+ protected:
+  void begin() { document_.apply(BeginStroke{settings_of(0.05), kFrom}); }
+  void move() { document_.apply(MoveStroke{kTo, 0.5}); }
+  void end() { document_.apply(EndStroke{}); }
+  void draw() {
+    begin();
+    move();
+    end();
+  }
+  void pass(Ticks ticks) { document_.apply(Advance{ticks}); }
+  void walk() { ASSERT_TRUE(walk_all(document_).ok()); }
+  void apply(const Command& command) { ASSERT_TRUE(document_.apply(command).ok()); }
+  Ticks clock() const { return document_.world().clock(); }
+  Ticks ticks_of_step(size_t i) const {
+    Ticks ticks = 0;
+    for (const Command& c : document_.history().step(i).commands()) {
+      if (const auto* advance = std::get_if<Advance>(&c)) ticks += advance->ticks;
+    }
+    return ticks;
+  }
+
+  Document document_{world_of(plate(1))};
+};
+
+TEST_F(Time, changes_nothing_but_the_clock) {
+  Document without(world_of(plate(1)));
+  without.apply(BeginStroke{settings_of(0.05), kFrom});
+  without.apply(MoveStroke{kTo});
+  without.apply(EndStroke{});
+  ASSERT_TRUE(walk_all(without).ok());
+  begin();
+  pass(3);
+  move();
+  pass(400);
+  end();
+  pass(7);
+  walk();
+  EXPECT_EQ(clock(), 410u);
+  EXPECT_NE(state_hash(document_.world()), state_hash(without.world()));
+  World stopped = document_.world();
+  stopped.pass(Ticks{0} - stopped.clock());
+  EXPECT_EQ(state_hash(stopped), state_hash(without.world()));
+}
+
+TEST_F(Time, waits_behind_the_moves_of_a_stroke_that_runs_and_does_not_end_it) {
+  begin();
+  move();
+  pass(5);
+  EXPECT_TRUE(document_.in_stroke());
+  const size_t moves = document_.waiting() - 5;
+  for (size_t i = 0; i < moves; ++i) {
+    EXPECT_EQ(clock(), 0u);
+    ASSERT_TRUE(walk_moves(document_, 1).ok());
+  }
+  EXPECT_FALSE(document_.next_move().has_value());
+  walk();
+  EXPECT_EQ(clock(), 5u);
+}
+
+TEST_F(Time, begins_when_what_came_apart_is_known) {
+  CutSettings settings = settings_of(0.05);
+  settings.search_a_move = 1;
+  document_ = Document(world_of(torus(64, 40, 0.5, 0.2)));
+  document_.apply(BeginStroke{settings, {{-0.8, 1, 0}, {0, -1, 0}}});
+  document_.apply(MoveStroke{{{0.8, 1, 0.01}, {0, -1, 0}}});
+  pass(1);
+  bool searched = false;
+  while (document_.waiting() > 0) {
+    const size_t pieces = document_.world().live_pieces();
+    const auto step = document_.step(1'000);
+    ASSERT_TRUE(step.ok());
+    const bool searching = step->moves == 0 && clock() == 0;
+    searched = searched || searching;
+    if (clock() > 0) EXPECT_EQ(document_.world().live_pieces(), pieces);
+  }
+  EXPECT_TRUE(searched);
+  EXPECT_EQ(clock(), 1u);
+  EXPECT_EQ(document_.world().live_pieces(), 2u);
+}
+
+TEST_F(Time, passes_no_more_ticks_in_a_step_than_it_is_asked_for) {
+  pass(100);
+  EXPECT_EQ(document_.waiting(), 100u);
+  ASSERT_TRUE(document_.step(30).ok());
+  EXPECT_EQ(clock(), 30u);
+  EXPECT_EQ(document_.waiting(), 70u);
+}
+
+TEST_F(Time, belongs_to_the_stroke_before_it_and_is_undone_with_it) {
+  draw();
+  pass(10);
+  walk();
+  pass(20);
+  walk();
+  EXPECT_EQ(document_.history().size(), 1u);
+  apply(Undo{});
+  EXPECT_EQ(clock(), 0u);
+  EXPECT_EQ(document_.world().live_faces(), 2u);
+  apply(Redo{});
+  walk();
+  EXPECT_EQ(clock(), 30u);
+  EXPECT_EQ(document_.world().live_pieces(), 2u);
+}
+
+TEST_F(Time, is_a_step_of_its_own_where_no_stroke_is_before_it) {
+  pass(10);
+  walk();
+  pass(10);
+  apply(RenamePiece{{document_.world().ids()[0], 0}, "plate"});
+  EXPECT_EQ(clock(), 20u);
+  pass(5);
+  walk();
+  ASSERT_EQ(document_.history().size(), 3u);
+  EXPECT_EQ(document_.history().step(0).kind(), Kind::kTime);
+  EXPECT_EQ(document_.history().step(1).kind(), Kind::kEdit);
+  EXPECT_EQ(document_.history().step(2).kind(), Kind::kTime);
+  apply(Undo{});
+  EXPECT_EQ(clock(), 20u);
+  apply(Undo{});
+  apply(Undo{});
+  EXPECT_EQ(clock(), 0u);
+  ASSERT_TRUE(document_.travel(3).ok());
+  walk();
+  EXPECT_EQ(clock(), 25u);
+}
+
+TEST_F(Time, makes_what_was_undone_gone) {
+  draw();
+  draw();
+  walk();
+  apply(Undo{});
+  pass(1);
+  EXPECT_EQ(document_.history().size(), 1u);
+  apply(Redo{});
+  EXPECT_EQ(document_.strokes(), 1u);
+}
+
+TEST_F(Time, passes_again_where_the_stroke_before_it_is_cut_again) {
+  draw();
+  pass(10);
+  walk();
+  const uint64_t coarse = state_hash(document_.world());
+  for (const double radius : {0.03, 0.02}) {
+    ASSERT_TRUE(document_.can_recut());
+    apply(Recut{settings_of(radius)});
+    EXPECT_EQ(clock(), 0u);
+    walk();
+    EXPECT_EQ(clock(), radius > 0.025 ? 10u : 17u);
+    pass(7);
+    walk();
+  }
+  EXPECT_EQ(clock(), 24u);
+  apply(Undo{});
+  EXPECT_EQ(clock(), 17u);
+  apply(Undo{});
+  EXPECT_EQ(state_hash(document_.world()), coarse);
+}
+
+// A world whose clock is watched by the moves: what a recut walks is in the same order.
+TEST_F(Time, in_a_stroke_keeps_its_place_between_the_moves_when_the_stroke_is_cut_again) {
+  const auto clocks = [&] {
+    std::vector<std::pair<double, Ticks>> seen;
+    while (document_.waiting() > 0) {
+      const auto step = document_.step(1);
+      EXPECT_TRUE(step.ok());
+      if (step->last) seen.emplace_back(step->last->to.origin.x, clock());
+    }
+    return seen;
+  };
+  begin();
+  pass(3);
+  document_.apply(MoveStroke{{{0, 1, 0.1}, {0, -1, 0}}, 0.1});
+  pass(4);
+  document_.apply(MoveStroke{kTo, 0.2});
+  end();
+  const auto drawn = clocks();
+  pass(2);
+  walk();
+  apply(Recut{settings_of(0.05)});
+  EXPECT_EQ(clocks(), drawn);
+  EXPECT_EQ(clock(), 9u);
+}
+
+TEST_F(Time, passes_once_in_a_stroke_that_cannot_be_cut_to_its_end) {
+  for (const bool step_between : {true, false}) {
+    CutSettings too_fine = settings_of(0.02);
+    too_fine.most_faces = 40;
+    document_ = Document(world_of(plate(1)));
+    bool failed = false;
+    for (const Command& c : std::vector<Command>{BeginStroke{too_fine, kFrom}, Advance{3}, MoveStroke{kTo},
+                                                 Advance{4}, EndStroke{}, Advance{5}}) {
+      apply(c);
+      while (step_between && document_.waiting() > 0) failed = !document_.step(8).ok() || failed;
+    }
+    while (document_.waiting() > 0) failed = !document_.step(8).ok() || failed;
+    EXPECT_TRUE(failed);
+    EXPECT_EQ(clock(), 12u);
+    EXPECT_EQ(document_.world().live_faces(), 2u);
+    EXPECT_EQ(document_.history().size(), 1u);
+  }
+}
+
+TEST_F(Time, is_merged_in_the_journal_up_to_whole_seconds) {
+  draw();
+  for (int i = 0; i < 50; ++i) pass(7);
+  ASSERT_EQ(document_.journal().size(), 6u);
+  for (const size_t i : {3u, 4u}) EXPECT_EQ(std::get<Advance>(document_.journal()[i]).ticks, 120u);
+  EXPECT_EQ(std::get<Advance>(document_.journal()[5]).ticks, 110u);
+  EXPECT_EQ(document_.final_commands(), 5u);
+  EXPECT_EQ(ticks_of_step(0), 350u);
+  document_.seal_journal();
+  EXPECT_EQ(document_.final_commands(), 6u);
+  pass(7);
+  EXPECT_EQ(document_.journal().size(), 7u);
+  EXPECT_EQ(document_.final_commands(), 6u);
+  pass(113);
+  EXPECT_EQ(document_.final_commands(), 7u);
+}
+
+TEST_F(Time, of_different_steps_of_the_history_is_not_merged) {
+  draw();
+  pass(7);
+  draw();
+  pass(7);
+  apply(Undo{});
+  pass(7);
+  const std::vector<Command>& journal = document_.journal();
+  EXPECT_EQ(std::count_if(journal.begin(), journal.end(),
+                          [](const Command& c) { return std::holds_alternative<Advance>(c); }),
+            3);
+  EXPECT_EQ(ticks_of_step(0), 14u);
+}
+
+// What a move of the beam takes.
+double seconds_of_moves(Document& document) {
+  double seconds = 0;
+  while (document.waiting() > 0) {
+    const auto step = document.step(1);
+    EXPECT_TRUE(step.ok());
+    if (step->last) seconds += step->last->seconds;
+  }
+  return seconds;
+}
+
+TEST_F(Time, of_the_poses_is_shared_among_the_moves) {
+  begin();
+  EXPECT_EQ(seconds_of_moves(document_), 0);
+  move();
+  EXPECT_EQ(seconds_of_moves(document_), 0.5);
+  document_.apply(MoveStroke{kFrom, 0.75});
+  EXPECT_EQ(seconds_of_moves(document_), 0.25);
+}
+
+TEST_F(Time, of_the_keys_of_a_path_file_counts_from_the_first_and_is_not_rounded) {
+  StrokePath path;
+  path.keys = {kFrom, kTo, kFrom};
+  path.times = {-1.0, -0.9, 0.2};
+  const std::vector<Command> commands = stroke_commands(path, settings_of(0.05));
+  ASSERT_EQ(commands.size(), 4u);
+  EXPECT_EQ(std::get<MoveStroke>(commands[1]).time, -0.9 - -1.0);
+  EXPECT_EQ(std::get<MoveStroke>(commands[2]).time, 1.2);
+}
+
+TEST(JournalTime, of_a_journal_without_times_is_none) {
+  TemporaryFolder folder;
+  write_text(folder / "plate.obj",
+             "v -0.5 0 -0.5\nv 0.5 0 -0.5\nv 0.5 0 0.5\nv -0.5 0 0.5\nf 1 4 3\nf 1 3 2\n");
+  SceneDescription scene;
+  scene.bodies.push_back(body_of_file(folder / "plate.obj"));
+  ASSERT_TRUE(note_hashes(scene).ok());
+  const std::vector<Command> commands{BeginStroke{settings_of(0.05), kFrom}, MoveStroke{kTo}, EndStroke{}};
+  ASSERT_TRUE(save_journal(folder / "old.kerf", scene, commands, {}).ok());
+  EXPECT_EQ(read_text(folder / "old.kerf").find("\"t\":"), std::string::npos);
+  const auto journal = read_journal(folder / "old.kerf");
+  ASSERT_TRUE(journal.ok());
+  ASSERT_EQ(journal->commands.size(), 3u);
+  EXPECT_EQ(std::get<MoveStroke>(journal->commands[1]).time, 0);
+}
+
+// Drawn live, with time, undone and cut again at random; then replayed from its journal.
+TEST(JournalTime, a_journal_with_time_replays_to_the_same_world_command_by_command) {
+  for (uint64_t seed = 1; seed <= 6; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    Document document(world_of(torus(16, 10, 0.5, 0.2)));
+    Journal journal;
+    double time = 0;
+    for (int i = 0; i < 60; ++i) {
+      const Pose pose{{random.uniform(-0.8, 0.8), 1, random.uniform(-0.8, 0.8)}, {0, -1, 0}};
+      switch (random.below(8)) {
+        case 0:
+          time = 0;
+          document.apply(BeginStroke{settings_of(random.uniform(0.02, 0.05)), pose});
+          break;
+        case 1:
+          ASSERT_TRUE(document.apply(Undo{}).ok());
+          break;
+        case 2:
+          if (document.can_recut()) ASSERT_TRUE(document.apply(Recut{settings_of(0.03)}).ok());
+          break;
+        case 3:
+          document.apply(MoveStroke{pose, time += random.unit()});
+          break;
+        case 4:
+          mark_state(document, journal.marks, true);
+          break;
+        default:
+          document.apply(Advance{1 + random.below(70)});
+      }
+      if (random.below(2) == 0) ASSERT_TRUE(document.step(random.below(50)).ok());
+    }
+    ASSERT_TRUE(walk_all(document).ok());
+    mark_state(document, journal.marks, true);
+    journal.commands = document.journal();
+    Document again(world_of(torus(16, 10, 0.5, 0.2)));
+    Replay replay(journal, again);
+    ASSERT_TRUE(replay.run({}).ok());
+    EXPECT_FALSE(replay.difference().has_value());
+    EXPECT_EQ(document.world().ids(), again.world().ids());
+    EXPECT_EQ(again.journal().size(), document.journal().size());
+    if (HasFailure()) return;
+  }
+}
+
+}  // namespace
+}  // namespace kerf::test

@@ -61,7 +61,7 @@ void main() {
   colour += own_light(n);
 #endif
 #endif
-  if (!gl_FrontFacing) colour *= heat.w;
+  if (!gl_FrontFacing) colour *= body_look.w;
 #ifdef WIRE
   vec3 wide = fwidth(corner);
   vec3 inner = smoothstep(vec3(0.0), wide * 1.15, corner);

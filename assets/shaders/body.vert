@@ -1,6 +1,6 @@
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 corner_normal;
-layout(location = 2) in uint attributes;  // heat 8, material 8, piece 16
+layout(location = 2) in uint attributes;  // fineness 8, material 8, piece 16
 
 layout(std140) uniform Paints { vec4 paints[256]; };  // linear rgb, gloss
 
@@ -49,12 +49,12 @@ void main() {
 
   uint piece = attributes >> 16;
   paint = paints[(attributes >> 8) & 255u];
-  if (heat.z > 0.5) {
+  if (body_look.z > 0.5) {
     paint = piece == 0u ? vec4(0.16, 0.17, 0.18, 0.25) : vec4(piece_colour(piece, true), 0.25);
   } else if (piece != 0u) {
     paint.rgb = mix(paint.rgb, piece_colour(piece, false), 0.85);
   }
-  float t = min(float(attributes & 255u) / (8.0 * max(heat.x, 1.0)), 1.0);
-  float hot = heat.y * smoothstep(0.70, 1.0, t);
+  float t = min(float(attributes & 255u) / (8.0 * max(body_look.x, 1.0)), 1.0);
+  float hot = body_look.y * smoothstep(0.70, 1.0, t);
   glow = vec4(ember(hot) * smoothstep(0.0, 0.3, hot), smoothstep(0.0, 0.5, hot));
 }

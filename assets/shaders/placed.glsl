@@ -3,7 +3,7 @@ uniform mat4 frame_from_body;
 uniform int looks;                  // pieces below this have a look
 uniform samplerBuffer piece_looks;  // xyz: moved by, in frame coordinates; w: -1 hidden, 0 plain, 1 selected
 
-// Of the piece in a face's attributes (heat 8, material 8, piece 16).
+// Of the piece in a face's attributes (fineness 8, material 8, piece 16).
 vec4 look_of(uint attributes) {
   int piece = int(attributes >> 16);
   return piece < looks ? texelFetch(piece_looks, piece) : vec4(0.0);

@@ -6,10 +6,10 @@
 
 namespace kerf {
 
-// What a command does, for people: "Stroke, radius 4 mm".
+// A description of the command for the user, for example "Stroke, radius 4 mm".
 std::string words(const Command& command);
 
-// What a command takes up in memory, bytes.
+// The memory that a command occupies, in bytes.
 size_t weight(const Command& command);
 
 }  // namespace kerf

@@ -1,4 +1,5 @@
 #include "core/document/path_file.h"
+#include "core/base/unit_vector.h"
 
 #include <cmath>
 
@@ -34,7 +35,7 @@ Status parse_key(const JsonValue& key, StrokePath& stroke) {
   if (!origin) return origin.error();
   const auto unit = direction(key["direction"]);
   if (!unit) return unit.error();
-  if (!stroke.keys.empty() && glm::length(stroke.keys.back().direction + *unit) < 1e-9) {
+  if (!stroke.keys.empty() && are_opposite(stroke.keys.back().direction, *unit)) {
     return key["direction"].wrong("is opposite to the one before: put a key between them");
   }
   stroke.times.push_back(*t);

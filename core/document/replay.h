@@ -7,8 +7,8 @@
 
 namespace kerf {
 
-// Applies the commands of a journal to a document that holds its scene, and compares the world with the marks
-// on the way. Both must outlive it.
+// Applies the commands of a journal to a document that holds the journal's scene, and compares the state of
+// the world with the marks of the journal on the way. The journal and the document must outlive the replay.
 class Replay {
  public:
   Replay(const Journal& journal, Document& document) : journal_(journal), document_(document) { compare(); }
@@ -17,14 +17,16 @@ class Replay {
   // How much of the journal is applied, 0 to 1.
   double fraction() const;
 
-  // Applies the next command, walks what it queued (see walk), and has `told` hear of each step; of what the
-  // command did at once as of a step too. Where `told` goes on after a failure, so did the work that is
-  // replayed. Precondition: !done().
+  // Applies the next command, walks what it queued (see walk) and calls `told` after each step. A change that
+  // the command made at once is reported to `told` as a step, too. A command or step that fails does not end
+  // the replay if `told` returns success, because it failed when the journal was recorded as well.
+  // Precondition: !done().
   Status next(const Walk& how);
-  // All that is left. Fails as walk does, and where `progress`, which is told the fraction, stops it.
+  // Replays the rest of the journal. Fails like walk(), or if `progress`, which receives fraction(), stops
+  // it.
   Status run(const Walk& how);
 
-  // The first mark that the world did not come up to, and the hash that it had there instead.
+  // The first mark whose hash differs from that of the world, and the hash that the world had there.
   struct Difference {
     StateMark mark;
     uint64_t hash = 0;

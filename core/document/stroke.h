@@ -7,11 +7,11 @@
 
 namespace kerf {
 
-// A stroke as it is cut: how, where its queued moves end, and what the beam has swept so far.
+// A stroke while it is cut: its settings, the end of its queued moves, and the path that the beam has swept.
 struct Stroke {
   CutSettings settings;
-  BeamAt beam;                 // at the end of the moves that were queued
-  std::vector<BeamMove> path;  // moves that were begun: those that only translate whole, others subdivided
+  BeamAt beam;                 // the pose and time at the end of the last queued move
+  std::vector<BeamMove> path;  // the moves that were begun; moves that rotate the beam are subdivided
 };
 
 }  // namespace kerf

@@ -79,8 +79,8 @@ void ShadowVolume::rebuild(const ShadowCaster& caster, LightOnBody light) {
     silhouette_.push_back({e, m});
   }
   touched_ = {};
-  work_.faces += faces;
-  work_.edges += edges;
+  effort_.faces += faces;
+  effort_.edges += edges;
 }
 
 void ShadowVolume::follow(const ShadowCaster& caster, const ShadowCaster::Change& change) {
@@ -89,8 +89,8 @@ void ShadowVolume::follow(const ShadowCaster& caster, const ShadowCaster::Change
   place_.resize(caster.edge_slots(), kNone);
   for (const uint32_t f : change.faces) signs_[f] = facing(caster, f);
   for (const uint32_t e : change.edges) put(e, multiplicity(caster, e));
-  work_.faces += change.faces.size();
-  work_.edges += change.edges.size();
+  effort_.faces += change.faces.size();
+  effort_.edges += change.edges.size();
   if (!touched_.all) touched_.faces.insert(touched_.faces.end(), change.faces.begin(), change.faces.end());
 }
 

@@ -81,10 +81,10 @@ class ShadowVolume {
   Touched take_touched();
 
   // The numbers of faces and edges processed since the volume was constructed.
-  struct Work {
+  struct Effort {
     uint64_t faces = 0, edges = 0;
   };
-  const Work& work() const { return work_; }
+  const Effort& effort() const { return effort_; }
 
   // Memory allocated, in bytes.
   size_t bytes() const;
@@ -102,7 +102,7 @@ class ShadowVolume {
   std::vector<SilhouetteEdge> silhouette_;
   std::vector<uint32_t> place_;  // by edge: its index in silhouette_, or kNone
   Touched touched_;
-  Work work_;
+  Effort effort_;
 };
 
 // The side of the triangle's plane on which the light lies: the sign of (b - a) x (c - a) . (light - a).

@@ -73,7 +73,7 @@ size_t FaceBuffer::update(const Mesh& mesh, uint32_t most) {
       count(mesh, f);
       if (!lives) continue;
       born.mark(f);
-      for (const FaceId g : heat_.faces_around(mesh, FaceId(f))) born.mark(g.index);
+      for (const FaceId g : fineness_.faces_around(mesh, FaceId(f))) born.mark(g.index);
     }
   }
   size_t bytes = 0;
@@ -109,7 +109,7 @@ void FaceBuffer::count(const Mesh& mesh, uint32_t slot) {
 size_t FaceBuffer::update_slots(const Mesh& mesh, const SlotRange& range) {
   staging_.clear();
   for (uint32_t f = range.begin; f < range.end; ++f) {
-    staging_.push_back(face_vertices(mesh, bases_, frame_, FaceId(f), heat_.of(mesh, FaceId(f))));
+    staging_.push_back(face_vertices(mesh, bases_, frame_, FaceId(f), fineness_.of(mesh, FaceId(f))));
     if (halvings_[f] != kDead && halvings_[f] > 0) removed_.saw(FaceId(f), corners_of(staging_.back()));
   }
   put(GL_ARRAY_BUFFER, chunk_of(range).vertices.name(), range.begin % kChunkFaces, staging_);

@@ -7,7 +7,7 @@
 #include "core/world/world.h"
 #include "ui/gl/objects.h"
 #include "ui/gl/program.h"
-#include "ui/render/corner_heat.h"
+#include "ui/render/corner_fineness.h"
 #include "ui/render/face_slots.h"
 #include "ui/render/live_list.h"
 #include "ui/render/picture_memory.h"
@@ -87,7 +87,7 @@ class FaceBuffer {
   FloatFrame frame_;
   BaseFaces bases_;
   RemovedFaces removed_;
-  CornerHeat heat_;
+  CornerFineness fineness_;
   DirtySlots dirty_;
   std::vector<Chunk> chunks_;
   std::vector<FaceVertices> staging_;

@@ -6,14 +6,14 @@ namespace kerf {
 
 uint32_t packed_piece(uint32_t label) { return label < 65536u ? label : 1u + label % 65535u; }
 
-uint32_t pack_attributes(const FaceData& data, float heat) {
-  const auto eighths = static_cast<uint32_t>(std::clamp(heat * 8 + 0.5f, 0.0f, 255.0f));
+uint32_t pack_attributes(const FaceData& data, float fineness) {
+  const auto eighths = static_cast<uint32_t>(std::clamp(fineness * 8 + 0.5f, 0.0f, 255.0f));
   const uint32_t material = std::min<uint32_t>(data.material, 255u);
   return eighths | material << 8 | packed_piece(data.piece) << 16;
 }
 
 FaceVertices face_vertices(const Mesh& mesh, const BaseFaces& bases, const FloatFrame& frame, FaceId f,
-                           const std::array<float, 3>& heat) {
+                           const std::array<float, 3>& fineness) {
   FaceVertices out{};
   if (!mesh.is_live(f)) return out;
   const Triangle t = mesh.triangle(f);
@@ -21,7 +21,7 @@ FaceVertices face_vertices(const Mesh& mesh, const BaseFaces& bases, const Float
   const FaceData& data = mesh.data(f);
   const std::array<glm::vec3, 3> normals = bases.normals_at(data.base, at);
   for (size_t i = 0; i < 3; ++i) {
-    out[i] = {{at[i].x, at[i].y, at[i].z}, pack_normal(normals[i]), pack_attributes(data, heat[i])};
+    out[i] = {{at[i].x, at[i].y, at[i].z}, pack_normal(normals[i]), pack_attributes(data, fineness[i])};
   }
   return out;
 }

@@ -25,13 +25,13 @@ using FaceVertices = std::array<FaceVertex, 3>;
 // Maps a label to 16 bits; only label 0 is mapped to 0.
 uint32_t packed_piece(uint32_t label);
 
-// Packs the attributes of a corner: eight times its heat (in halvings, see CornerHeat) into 8 bits, the
-// material into 8, and the piece into 16. Values that do not fit are clamped or wrapped.
-uint32_t pack_attributes(const FaceData& data, float heat);
+// Packs the attributes of a corner: eight times its fineness (in halvings, see CornerFineness) into 8 bits,
+// the material into 8, and the piece into 16. Values that do not fit are clamped or wrapped.
+uint32_t pack_attributes(const FaceData& data, float fineness);
 
-// The three corners for the slot of f with the given heat; three equal points if the face is dead.
+// The three corners for the slot of f with the given fineness; three equal points if the face is dead.
 FaceVertices face_vertices(const Mesh& mesh, const BaseFaces& bases, const FloatFrame& frame, FaceId f,
-                           const std::array<float, 3>& heat = {});
+                           const std::array<float, 3>& fineness = {});
 
 // Slots [begin, end).
 struct SlotRange {

@@ -40,7 +40,7 @@ struct FrameUniforms {
   glm::vec4 grid{0};
   glm::vec4 spot{0};
   glm::vec4 spot_colour{0};
-  glm::vec4 heat{0};
+  glm::vec4 body_look{0};
 };
 
 // The distance of the near plane along the forward axis of a view, in metres: as large as the visible box and

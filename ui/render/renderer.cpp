@@ -164,10 +164,10 @@ void Renderer::find_white_hot() {
     for (size_t h = 0; h < sum.size(); ++h) sum[h] += picture.faces().halvings_of_faces()[h];
   }
   size_t small = 0;
-  for (size_t h = CornerHeat::kLeastSmall; h < sum.size(); ++h) small += sum[h];
+  for (size_t h = CornerFineness::kLeastSmall; h < sum.size(); ++h) small += sum[h];
   white_hot_ = small > 0 ? kLeastWhiteHot : 0;
   size_t below = 0;
-  for (uint32_t h = CornerHeat::kLeastSmall; h < sum.size() && 2 * (below += sum[h]) < small; ++h) {
+  for (uint32_t h = CornerFineness::kLeastSmall; h < sum.size() && 2 * (below += sum[h]) < small; ++h) {
     white_hot_ = std::max(kLeastWhiteHot, h + 1);
   }
 }
@@ -196,7 +196,7 @@ void Renderer::set_up(const World& world, const CameraView& view, const ViewOpti
   const Light key = options.lights.empty() ? Light{} : options.lights.front();
   frame.key_light = glm::vec4(glm::vec3(direction_to(key, middle_)), 0);
   if (beam) BeamPass::fill_in(frame, space_, *beam);
-  frame.heat = {white_hot_, options.level_colours && white_hot_ > 0 ? 1 : 0, options.show.pieces ? 1 : 0,
+  frame.body_look = {white_hot_, options.level_colours && white_hot_ > 0 ? 1 : 0, options.show.pieces ? 1 : 0,
                 options.two_sided ? 1 : 0};
   glBindBuffer(GL_UNIFORM_BUFFER, uniforms_.name());
   glBufferData(GL_UNIFORM_BUFFER, sizeof(frame), &frame, GL_STREAM_DRAW);

@@ -53,7 +53,7 @@ void ShadowPass::follow(const Delta& delta) {
   }
 }
 
-void ShadowPass::note_work(const ShadowVolume::Work& before, const ShadowVolume::Work& after) {
+void ShadowPass::note_effort(const ShadowVolume::Effort& before, const ShadowVolume::Effort& after) {
   work_.faces += after.faces - before.faces;
   work_.edges += after.edges - before.edges;
 }
@@ -71,9 +71,9 @@ void ShadowPass::catch_up(BodyShadows& shadows, const Body& body, const FloatFra
   }
   const ShadowCaster::Change change = shadows.caster->update(body.mesh, slots);
   for (auto& [key, kept] : shadows.volumes) {
-    const ShadowVolume::Work before = kept.buffer.volume().work();
+    const ShadowVolume::Effort before = kept.buffer.volume().effort();
     kept.buffer.volume().follow(*shadows.caster, change);
-    note_work(before, kept.buffer.volume().work());
+    note_effort(before, kept.buffer.volume().effort());
   }
 }
 
@@ -89,9 +89,9 @@ ShadowPass::Kept& ShadowPass::bring_up_to_date(const Subject& subject, BodyId id
       light_on_body(subject.options.lights[key.first], id, body.placement, frame, subject.options.pieces);
   ShadowVolume& volume = kept.buffer.volume();
   if (fresh || !(volume.light() == light)) {
-    const ShadowVolume::Work before = volume.work();
+    const ShadowVolume::Effort before = volume.effort();
     volume.rebuild(*shadows.caster, std::move(light));
-    note_work(before, volume.work());
+    note_effort(before, volume.effort());
     ++work_.rebuilt;
   }
   kept.buffer.update(*shadows.caster);

@@ -46,7 +46,7 @@ struct ViewOptions {
   bool cull_backs = false;    // backs are not drawn, as the paper first had it
   bool ghost = false;         // removed faces stay as a faint veil
   TreeOverlay tree;
-  std::vector<Light> lights{Light{}};  // at most kMostLights are drawn
+  std::vector<Light> lights = std::vector<Light>(1);  // at most kMostLights are drawn
   ShadowOptions shadow;
   std::map<PieceId, PieceLook> pieces;  // those that are not looked at plainly
 };

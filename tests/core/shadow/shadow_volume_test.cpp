@@ -158,15 +158,15 @@ TEST(ShadowVolume, a_bite_looks_at_its_own_faces_and_edges_alone) {
   BuiltMesh built = test::build(test::torus(250, 200, 1, 0.4));
   ShadowCaster caster(built.mesh, frame_of(built.mesh));
   ShadowVolume volume = volume_of(caster, kLamp);
-  const ShadowVolume::Work whole = volume.work();
+  const ShadowVolume::Effort whole = volume.effort();
   EXPECT_EQ(whole.faces, built.mesh.face_slots());
   EXPECT_EQ(whole.edges, caster.edge_slots());
   std::vector<uint32_t> bite;
   for (uint32_t f = 700; f < 750; ++f) bite.push_back(f);
   for (const uint32_t f : bite) built.mesh.remove_face(FaceId(f));
   volume.follow(caster, caster.update(built.mesh, bite));
-  EXPECT_LE(volume.work().faces - whole.faces, 50u);
-  EXPECT_LE(volume.work().edges - whole.edges, 150u);
+  EXPECT_LE(volume.effort().faces - whole.faces, 50u);
+  EXPECT_LE(volume.effort().edges - whole.edges, 150u);
 }
 
 // Counted: no vertex and no edge is made for a piece that comes off and is put back.

@@ -80,7 +80,7 @@ TEST(FaceVertices, of_a_dead_face_are_one_point) {
   EXPECT_NE(face_vertices(mesh, bases, frame, FaceId(1)), FaceVertices{});
 }
 
-TEST(FaceVertices, attributes_tell_heat_material_and_piece) {
+TEST(FaceVertices, attributes_tell_fineness_material_and_piece) {
   FaceData data;
   data.material = 7;
   data.piece = 2;

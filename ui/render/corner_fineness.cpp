@@ -1,4 +1,4 @@
-#include "ui/render/corner_heat.h"
+#include "ui/render/corner_fineness.h"
 
 #include <algorithm>
 
@@ -11,7 +11,7 @@ constexpr size_t kLargestFan = 24;                   // no more faces are looked
 constexpr float kOnRim = 1.10f, kBesideRim = 0.89f;  // times the halvings of small faces
 }  // namespace
 
-void CornerHeat::find_fan(const Mesh& mesh, FaceId f, const Vec3& corner) {
+void CornerFineness::find_fan(const Mesh& mesh, FaceId f, const Vec3& corner) {
   fan_.assign(1, f);
   for (size_t i = 0; i < fan_.size() && fan_.size() < kLargestFan; ++i) {
     neighbours_.clear();
@@ -26,7 +26,7 @@ void CornerHeat::find_fan(const Mesh& mesh, FaceId f, const Vec3& corner) {
 
 // Whether the surface ends at the corner: one of the edges that run to it from the faces of the fan has a
 // face on one side only.
-bool CornerHeat::fan_ends(const Mesh& mesh, const Vec3& corner) {
+bool CornerFineness::fan_ends(const Mesh& mesh, const Vec3& corner) {
   if (fan_.size() >= kLargestFan) return false;
   spokes_.clear();
   for (const FaceId f : fan_) {
@@ -38,12 +38,12 @@ bool CornerHeat::fan_ends(const Mesh& mesh, const Vec3& corner) {
                      [&](const Vec3& p) { return std::count(spokes_.begin(), spokes_.end(), p) == 1; });
 }
 
-std::array<float, 3> CornerHeat::of(const Mesh& mesh, FaceId f) {
+std::array<float, 3> CornerFineness::of(const Mesh& mesh, FaceId f) {
   if (!mesh.is_live(f)) return {};
   const uint32_t own = mesh.data(f).halvings;
-  std::array<float, 3> heat;
-  heat.fill(static_cast<float>(own));
-  if (own < kLeastSmall) return heat;
+  std::array<float, 3> fineness;
+  fineness.fill(static_cast<float>(own));
+  if (own < kLeastSmall) return fineness;
   const Triangle t = mesh.triangle(f);
   for (size_t i = 0; i < 3; ++i) {
     find_fan(mesh, f, t[i]);
@@ -56,13 +56,13 @@ std::array<float, 3> CornerHeat::of(const Mesh& mesh, FaceId f) {
       sum += static_cast<float>(h);
     }
     const float mean = sum / static_cast<float>(fan_.size());
-    heat[i] = fan_ends(mesh, t[i]) ? kOnRim * static_cast<float>(most)
-                                   : kBesideRim * 0.5f * (static_cast<float>(least) + mean);
+    fineness[i] = fan_ends(mesh, t[i]) ? kOnRim * static_cast<float>(most)
+                                       : kBesideRim * 0.5f * (static_cast<float>(least) + mean);
   }
-  return heat;
+  return fineness;
 }
 
-const std::vector<FaceId>& CornerHeat::faces_around(const Mesh& mesh, FaceId f) {
+const std::vector<FaceId>& CornerFineness::faces_around(const Mesh& mesh, FaceId f) {
   around_.clear();
   if (mesh.data(f).halvings < kLeastSmall) return around_;
   for (const Vec3& corner : mesh.triangle(f)) {

@@ -10,13 +10,13 @@ namespace kerf {
 // How hot the corners of faces appear when they are coloured by refinement level. The unit is the number of
 // halvings since the base face: small faces are warm, and a rim that was cut through them is hottest. Values
 // at corners make the glow vary smoothly across faces.
-class CornerHeat {
+class CornerFineness {
  public:
   // Faces that were halved less often do not glow and cost nothing.
   static constexpr uint32_t kLeastSmall = 4;
 
-  // The heat at the corners of a face, in the order of Mesh::triangle; zero for a dead face. A corner on a
-  // rim is slightly hotter than the finest face there. Any other corner gets a value below the midpoint
+  // The fineness at the corners of a face, in the order of Mesh::triangle; zero for a dead face. A corner on
+  // a rim is slightly hotter than the finest face there. Any other corner gets a value below the midpoint
   // between the minimum and the mean of the faces that are connected around it, so that the glow is a thin
   // line along the rim. Constant time.
   std::array<float, 3> of(const Mesh& mesh, FaceId f);

@@ -1,15 +1,23 @@
-noperspective in float across;
-in float along;
-
-uniform float core;  // pixels
+uniform vec4 ends;           // pixels: xy where the segment begins, zw where it ends
+uniform vec4 inverse_depth;  // xy: depth of the near plane over the depth at either end
+uniform vec4 share;          // in lengths from the emitter to the strike: xy at either end, z all of the beam, w its fade
+uniform vec4 core;           // width in pixels at the near plane, its least, its largest
 
 out vec4 pixel;
 
 void main() {
-  float off = abs(across);
-  float thin = 1.0 - smoothstep(core * 0.5, core * 0.5 + 1.1, off);
-  float halo = exp(-off * off / (core * core * 9.0)) * 0.30 + exp(-off / (core * 4.5)) * 0.12;
-  float ends = smoothstep(0.0, 0.7, along);
+  vec2 way = ends.zw - ends.xy, from_begin = gl_FragCoord.xy - ends.xy;
+  float t = clamp(dot(from_begin, way) / max(dot(way, way), 1e-6), 0.0, 1.0);
+  float off = length(from_begin - way * t);
+  float nearness = mix(inverse_depth.x, inverse_depth.y, t);
+  float along = mix(share.x * inverse_depth.x, share.y * inverse_depth.y, t) / nearness;
+
+  float width = clamp(core.x * nearness, core.y, core.z);
+  float thin = 1.0 - smoothstep(width * 0.5, width * 0.5 + 1.1, off);
+  float halo = exp(-off * off / (width * width * 9.0)) * 0.30 + exp(-off / (width * 4.5)) * 0.12;
+  halo *= 1.0 - smoothstep(0.75, 1.0, off / (core.z * 16.0));
+  float ends_in = smoothstep(0.0, 0.7, along);
+  if (share.w > 0.0) ends_in *= 1.0 - smoothstep(share.z - share.w, share.z, along);
   vec3 colour = thin * vec3(1.0, 0.86, 0.70) + halo * vec3(1.0, 0.40, 0.16);
-  pixel = vec4(colour * ends, (thin * 0.5 + halo * 0.3) * ends);
+  pixel = vec4(colour * ends_in, (thin * 0.5 + halo * 0.3) * ends_in);
 }

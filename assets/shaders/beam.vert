@@ -1,20 +1,19 @@
-uniform vec4 beam_from;  // frame coordinates, in front of the eye
-uniform vec4 beam_to;
-uniform float half_width;  // pixels
-uniform vec4 lengths;      // from the emitter to beam_from and to beam_to, over that to the strike
-
-noperspective out float across;  // pixels from the middle of the ribbon
-out float along;                  // 0 at the emitter, 1 where it strikes
+// A ribbon along a segment of the picture: a cap before it, the segment, a cap behind it.
+uniform vec4 ends;           // pixels: xy where it begins, zw where it ends
+uniform vec4 inverse_depth;  // xy: depth of the near plane over the depth at either end
+uniform vec4 core;           // z: the core's largest width in pixels, w: half width of the ribbon over that of the core
 
 void main() {
-  vec4 a = clip_from_frame * vec4(beam_from.xyz, 1.0);
-  vec4 b = clip_from_frame * vec4(beam_to.xyz, 1.0);
-  vec2 way = (b.xy / b.w - a.xy / a.w) * viewport.xy;
-  vec2 side = normalize(vec2(-way.y, way.x) + vec2(1e-6, 0.0)) * half_width;
-  float sign_of = float(gl_VertexID & 1) * 2.0 - 1.0;
-  vec4 p = gl_VertexID < 2 ? a : b;
-  p.xy += side * sign_of * 2.0 * viewport.zw * p.w;
-  across = sign_of * half_width;
-  along = gl_VertexID < 2 ? lengths.x : lengths.y;
-  gl_Position = p;
+  vec2 way = ends.zw - ends.xy;
+  float distance_between = length(way);
+  vec2 along = distance_between > 1e-3 ? way / distance_between : vec2(1.0, 0.0);
+  float half_width = core.z * core.w;
+  int pair = gl_VertexID >> 1;
+  bool second = pair >= 2;
+  vec2 p = second ? ends.zw : ends.xy;
+  if (pair == 0) p -= along * half_width;
+  if (pair == 3) p += along * half_width;
+  p += vec2(-along.y, along.x) * half_width * (float(gl_VertexID & 1) * 2.0 - 1.0);
+  float depth = 1.0 - 2.0 * (second ? inverse_depth.y : inverse_depth.x);
+  gl_Position = vec4(p * 2.0 * viewport.zw - 1.0, clamp(depth, -1.0, 1.0), 1.0);
 }

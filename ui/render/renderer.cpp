@@ -190,8 +190,8 @@ double Renderer::near_of(const World& world, const CameraView& view, const ViewO
 void Renderer::set_up(const World& world, const CameraView& view, const ViewOptions& options,
                       const std::optional<BeamPicture>& beam, const Target& target) {
   space_.eye = view.eye;
-  FrameUniforms& frame = frame_ =
-      uniforms_of(view, near_of(world, view, options), space_, target.width, target.height);
+  near_ = near_of(world, view, options);
+  FrameUniforms& frame = frame_ = uniforms_of(view, near_, space_, target.width, target.height);
   passes_.scene.ground().fill_in(frame, space_);
   const Light key = options.lights.empty() ? Light{} : options.lights.front();
   frame.key_light = glm::vec4(glm::vec3(direction_to(key, middle_)), 0);
@@ -228,10 +228,7 @@ void Renderer::draw_overlays(const Subject& subject, const CameraView& view,
   for_each_body(subject, [&](BodyId id, const Body& body, const BodyPicture& p) {
     passes_.lines.draw(id, body, p.faces().frame(), space_, frame_.clip_from_frame, options);
   });
-  // The beam may begin before the near plane.
-  glEnable(GL_DEPTH_CLAMP);
-  if (beam) passes_.beam.draw(view, space_, *beam, picture.shape().height);
-  glDisable(GL_DEPTH_CLAMP);
+  if (beam) passes_.beam.draw(view, *beam, near_, picture.shape().width, picture.shape().height);
   if (options.ghost && !options.show.face_numbers) passes_.veil.draw(subject, VeilPass::Style::kVeil);
   passes_.outline.draw(subject, picture);
   if (options.show.face_numbers) passes_.numbers.draw(subject, frame_, picture);
@@ -323,11 +320,12 @@ void Renderer::draw_traced(const World& world, const CameraView& view, const Vie
 }
 
 void Renderer::draw(const World& world, const CameraView& view, const ViewOptions& options,
-                    const std::optional<BeamPicture>& beam, const Target& target) {
+                    std::optional<BeamPicture> beam, const Target& target) {
   set_plain_state();
   catch_up(world);
   update_looks(options);
   choose_canvas(target, options.antialias);
+  if (beam) beam = ended_on_ground(*beam, passes_.scene.ground().height());
   set_up(world, view, options, beam, target);
   if (contact_old_) {
     passes_.scene.ground().update_contact(space_,
@@ -335,7 +333,7 @@ void Renderer::draw(const World& world, const CameraView& view, const ViewOption
     contact_old_ = false;
   }
   const Subject subject{world, bodies_, space_, options};
-  passes_.scene.draw(subject, beam && beam->strike, *canvases_[canvas_].drawn);
+  passes_.scene.draw(subject, beam && (beam->strike || beam->on_ground), *canvases_[canvas_].drawn);
   draw_overlays(subject, view, beam);
   shining_ = beam || (options.level_colours && white_hot_ > 0);
   hand_over(target);

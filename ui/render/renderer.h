@@ -64,7 +64,7 @@ class Renderer {
 
   // Draws a picture. Precondition: the world is the one that was shown, with all changes followed.
   void draw(const World& world, const CameraView& view, const ViewOptions& options,
-            const std::optional<BeamPicture>& beam, const Target& target);
+            std::optional<BeamPicture> beam, const Target& target);
 
   // Shows the last picture again. Returns false if there is none of this size.
   bool draw_again(const Target& target);
@@ -149,6 +149,7 @@ class Renderer {
   Vec3 middle_{0};  // of the world as it was shown
   FrameSpace space_;
   FrameUniforms frame_;
+  double near_ = 0;         // m, of the last picture
   uint32_t white_hot_ = 0;  // halvings since the base face; 0 where nothing is small
   bool contact_old_ = true;
   bool shining_ = false;  // the last picture has something that glows

@@ -197,7 +197,7 @@ void Renderer::set_up(const World& world, const CameraView& view, const ViewOpti
   frame.key_light = glm::vec4(glm::vec3(direction_to(key, middle_)), 0);
   if (beam) BeamPass::fill_in(frame, space_, *beam);
   frame.body_look = {white_hot_, options.level_colours && white_hot_ > 0 ? 1 : 0, options.show.pieces ? 1 : 0,
-                options.two_sided ? 1 : 0};
+                     options.two_sided ? 1 : 0};
   glBindBuffer(GL_UNIFORM_BUFFER, uniforms_.name());
   glBufferData(GL_UNIFORM_BUFFER, sizeof(frame), &frame, GL_STREAM_DRAW);
   glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBlock, uniforms_.name());

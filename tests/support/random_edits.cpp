@@ -1,12 +1,7 @@
 #include "tests/support/random_edits.h"
 
-#include <optional>
-
 namespace kerf::test {
 
-namespace {
-
-// Any piece that has faces; none in a world without.
 std::optional<PieceId> random_piece(const World& world, Random& random) {
   std::vector<PieceId> all;
   for (const BodyId id : world.ids()) {
@@ -17,6 +12,8 @@ std::optional<PieceId> random_piece(const World& world, Random& random) {
   if (all.empty()) return std::nullopt;
   return all[random.below(all.size())];
 }
+
+namespace {
 
 std::vector<Command> stroke_across(Random& random) {
   const double x = random.uniform(-0.45, 0.45);

@@ -5,6 +5,7 @@
 #include "core/world/state_hash.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/mesh_numbers.h"
+#include "tests/support/random_edits.h"
 #include "tests/support/same_world.h"
 #include "tests/support/strokes.h"
 
@@ -99,17 +100,6 @@ struct Model {
     return fresh.world();
   }
 };
-
-std::optional<PieceId> random_piece(const World& world, Random& random) {
-  std::vector<PieceId> all;
-  for (const BodyId id : world.ids()) {
-    for (uint32_t p = 0; p < world.body(id).pieces.size(); ++p) {
-      if (world.body(id).pieces[p].faces > 0) all.push_back({id, p});
-    }
-  }
-  if (all.empty()) return std::nullopt;
-  return all[random.below(all.size())];
-}
 
 Command random_piece_command(const PieceId& piece, Random& random) {
   switch (random.below(4)) {

@@ -112,15 +112,18 @@ class Editor:
         self.move_to(*self.place(point))
         self.settle()
 
-    def click(self, *point):
+    def wait_for_popup(self, there):
+        wait_for(lambda: ("popup" in self.landmarks()["parts"]) == there, 20, f"a popup is open: {not there}")
+
+    def click(self, *point, button=1):
         """A press and a release that different frames hear of."""
         x, y = self.place(point)
         self.move_to(x, y)
         self.settle()
-        self.xdotool("mousedown", 1)
+        self.xdotool("mousedown", button)
         self.move_to(x + 1, y)
         wait_for(self.has_heard, 60, "the editor never heard of the press")
-        self.xdotool("mouseup", 1)
+        self.xdotool("mouseup", button)
         self.move_to(x, y)
         self.settle()
 
@@ -271,8 +274,14 @@ class Window(unittest.TestCase):
         with open(self.settings_file()) as file:
             return json.load(file)
 
+    def set(self, **settings):
+        """Changes some of the settings that the last editor left."""
+        settings = {**self.settings(), **settings}
+        with open(self.settings_file(), "w") as file:
+            json.dump(settings, file)
+
     def open_by_browser(self, editor, file):
-        """Types the whole path into File > Open."""
+        """Types a whole path, or a part of a name, into File > Open."""
         editor.press("ctrl", "o")
         pause(1.5)
         editor.xdotool("type", "--delay", "40", file)
@@ -388,6 +397,24 @@ class Window(unittest.TestCase):
         self.assertAlmostEqual(first[2], 0.32 * report["layout"]["viewport"][2], delta=8)
         self.assertEqual(first[2] + second[2], report["layout"]["viewport"][2])
 
+    def test_escape_and_a_stroke_close_what_is_open_over_the_picture(self):
+        editor = self.open(SPHERE)
+        for opener, button in ((("radius",), 3), (("pattern",), 1)):
+            editor.click(*opener, 0.3, 0.5, button=button)
+            editor.wait_for_popup(True)
+            editor.do("Escape")
+            editor.wait_for_popup(False)
+        editor.click("radius", 0.3, 0.5, button=3)
+        editor.wait_for_popup(True)
+        editor.click(0.5, 0.5)
+        editor.wait_for_popup(False)
+        editor.click("pattern", 0.3, 0.5)
+        editor.wait_for_popup(True)
+        editor.drag(ACROSS)
+        report = editor.quit()
+        self.assertEqual(report["strokes"], 1)
+        self.assertGreater(report["faces_removed"], 100)
+
     def test_a_smaller_window_keeps_panels_and_picture_apart(self):
         editor = self.open()
         editor.xdotool("search", "--name", "Kerf", "windowsize", 800, 600)
@@ -443,7 +470,9 @@ class Window(unittest.TestCase):
         self.assertTrue(os.path.exists(journal + "~"))
         replayed = subprocess.run([KERF, "replay", journal], capture_output=True, text=True)
         self.assertEqual((replayed.returncode, replayed.stderr), (0, ""))
-        again = self.open_again(journal)
+        self.set(folder=self.folder)
+        again = self.open_again(SPHERE)
+        self.open_by_browser(again, "all.kerf")  # a part of its name
         again.wait_for_title("ball.kerf - Kerf")
         report = again.quit()
         for key in ("strokes", "faces", "pieces", "faces_removed"):

@@ -17,7 +17,7 @@ constexpr std::array kGestures{
     Gesture{"Shift+middle drag, right drag", "Pan"},
     Gesture{"Left drag on a light", "Move it, while the Light panel is open"},
     Gesture{"Wheel", "Zoom to the pointer"},
-    Gesture{"Esc", "End the cut; stop opening a file; let go of the chosen pieces"},
+    Gesture{"Esc", "Close a menu; end the cut; stop opening a file; let go of the chosen pieces"},
 };
 
 void take_tool(EditorState& state, Tool tool) {

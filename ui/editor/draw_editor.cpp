@@ -8,6 +8,7 @@
 #include "ui/editor/frame/shortcut_sheet.h"
 #include "ui/editor/frame/status_bar.h"
 #include "ui/editor/tools/light_handle.h"
+#include "ui/editor/tools/popups.h"
 #include "ui/editor/view/piece_set.h"
 #include "ui/editor/work/save_work.h"
 #include "ui/window/screenshot.h"
@@ -136,6 +137,7 @@ void EditorScreen::show_landmarks() {
   const ImVec2 at = ImGui::GetIO().MousePos;
   const ViewState& view = state_.view;
   landmarks_->mark(view.layout);
+  if (is_popup_open()) landmarks_->mark("popup", {{at.x, at.y}, Vec2(1)});
   for (size_t i = 0; i < view.look.lights.size() && shows_light_handles(state_.settings); ++i) {
     if (const auto handle = light_handle(view, i))
       landmarks_->mark("light " + std::to_string(i), {*handle, Vec2(0)});

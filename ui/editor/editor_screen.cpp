@@ -7,7 +7,7 @@
 
 #include "ui/editor/file_choice.h"
 #include "ui/editor/panel_list.h"
-#include "ui/editor/tools/viewport_input.h"
+#include "ui/editor/tools/popups.h"
 
 namespace kerf {
 
@@ -84,15 +84,13 @@ void EditorScreen::hear(const Input& input) {
     return;
   }
   lay_out_window();
-  const bool popup = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
-  const bool mouse_free = !ImGui::GetIO().WantCaptureMouse && !popup;
   const MouseParts mouse{state_.hand,     state_.work,           state_.view,
                          state_.settings, state_.opening.loader, state_.message};
   std::vector<InputEvent> events = busy_.take_heard();
   events.insert(events.end(), input.events.begin(), input.events.end());
   for (const InputEvent& event : events) {
     if (event.kind != InputEvent::Kind::kKey) {
-      handle_mouse(mouse, event, mouse_free);
+      hear_mouse(mouse, event);
     } else {
       hear_key(event);
     }
@@ -102,13 +100,23 @@ void EditorScreen::hear(const Input& input) {
   if (state_.hand.beam.cutting()) state_.view.picture_old = true;
 }
 
+void EditorScreen::hear_mouse(const MouseParts& mouse, const InputEvent& event) {
+  const bool in_picture = state_.view.layout.viewport.contains(event.at) && !pointer_is_over_panel();
+  if (event.kind == InputEvent::Kind::kPress && is_popup_open() && in_picture) {
+    close_popups();
+    return held_press_.hold(event);
+  }
+  if (const auto press = held_press_.begun_by(event)) handle_mouse(mouse, *press, true);
+  handle_mouse(mouse, event, !ImGui::GetIO().WantCaptureMouse && !is_popup_open());
+}
+
 void EditorScreen::hear_key(const InputEvent& event) {
   if (state_.decisions.question.open()) {
     if (!event.again) question_key(state_.decisions.question, event.button);
   } else if (state_.browser.open) {
     browser_key(state_.browser, event.button);
   } else if (!ImGui::GetIO().WantTextInput && !event.again) {
-    if (event.button == GLFW_KEY_ESCAPE) return escape(state_);
+    if (event.button == GLFW_KEY_ESCAPE) return is_popup_open() ? close_popups() : escape(state_);
     run_shortcut(actions_, event.button, event.mods, state_.message);
   }
 }

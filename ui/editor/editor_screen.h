@@ -8,6 +8,8 @@
 #include "ui/editor/frame/busy_window.h"
 #include "ui/editor/request_desk.h"
 #include "ui/editor/state.h"
+#include "ui/editor/tools/held_press.h"
+#include "ui/editor/tools/viewport_input.h"
 #include "ui/screen/screen.h"
 #include "ui/window/landmarks.h"
 
@@ -44,6 +46,7 @@ class EditorScreen : public Screen {
  private:
   using Clock = std::chrono::steady_clock;
 
+  void hear_mouse(const MouseParts& mouse, const InputEvent& event);
   void hear_key(const InputEvent& event);
   void move_camera();
   void send();
@@ -68,6 +71,7 @@ class EditorScreen : public Screen {
   WorldChanges changes_;
   LiveCut cut_;
   FileOpener opener_;
+  HeldPress held_press_;
   RequestDesk desk_;
   std::vector<Panel> panels_;
   std::vector<UserAction> actions_;

@@ -18,7 +18,7 @@ std::string lower(std::string text) {
 
 bool can_be_opened(const fs::path& file) {
   const std::string ending = lower(file.extension().string());
-  return ending == ".json" || is_journal(ending) || mesh_format(ending).has_value();
+  return ending == ".json" || is_journal(file) || mesh_format(ending).has_value();
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/base/length_text.h"
+#include "ui/window/landmarks.h"
 #include "ui/window/property.h"
 
 namespace kerf {
@@ -31,6 +32,7 @@ void radius_row(LaserControls& laser) {
                           kLogarithmic)) {
     laser.radius = shown * unit.metres;
   }
+  mark_last_item("radius");
   reset_on_right_click(laser.radius, laser.default_radius);
   tooltip("Half the width of the cut. Ctrl+click to type a number, right click for the default.");
 }
@@ -41,6 +43,7 @@ void pattern_row(LaserControls& laser) {
   if (ImGui::Combo("##pattern", &pattern, "Volume\0Four rays\0")) {
     laser.pattern = pattern == 1 ? Pattern::kRays4 : Pattern::kVolume;
   }
+  mark_last_item("pattern");
   tooltip(
       "Volume burns everything in the beam. Four rays burns only what four parallel rays on its rim meet.");
 }

@@ -16,8 +16,6 @@ namespace {
 constexpr double kOrbitPerHeight = 3.6;  // radians for a drag over the height of the picture
 constexpr double kZoomPerNotch = 0.88;
 
-constexpr double kClick = 4;  // screen coordinates that the pointer may move and it is a click still
-
 Drag drag_of(Tool tool, int button, int mods) {
   const bool shift = (mods & GLFW_MOD_SHIFT) != 0, alt = (mods & GLFW_MOD_ALT) != 0;
   switch (button) {
@@ -86,7 +84,7 @@ void go_on(const MouseParts& on, Vec2 from, double heard) {
                         2 / on.view.pane().size.y, heard);
       break;
     case Drag::kPick:
-      if (glm::length(on.hand.pointer - on.hand.pressed_at) > kClick) on.hand.drag = Drag::kOrbit;
+      if (glm::length(on.hand.pointer - on.hand.pressed_at) > kClickReach) on.hand.drag = Drag::kOrbit;
       break;
     case Drag::kOrbit:
       on.view.camera.orbit(-moved.x * kOrbitPerHeight, moved.y * kOrbitPerHeight);

@@ -1,0 +1,20 @@
+#include "ui/editor/tools/popups.h"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+namespace kerf {
+
+bool is_popup_open() {
+  constexpr ImGuiPopupFlags kAny = ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel;
+  return ImGui::IsPopupOpen(nullptr, kAny) && ImGui::GetTopMostPopupModal() == nullptr;
+}
+
+void close_popups() { ImGui::ClosePopupToLevel(0, true); }
+
+bool pointer_is_over_panel() {
+  return ImGui::IsWindowHovered(ImGuiHoveredFlags_AnyWindow | ImGuiHoveredFlags_AllowWhenBlockedByPopup |
+                                ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
+}
+
+}  // namespace kerf

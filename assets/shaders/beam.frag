@@ -10,13 +10,15 @@ void main() {
   float t = clamp(dot(from_begin, way) / max(dot(way, way), 1e-6), 0.0, 1.0);
   float off = length(from_begin - way * t);
   float nearness = mix(inverse_depth.x, inverse_depth.y, t);
+  gl_FragDepth = clamp(1.0 - nearness, 0.0, 1.0);  // not linear where the beam comes from before the near plane
   float along = mix(share.x * inverse_depth.x, share.y * inverse_depth.y, t) / nearness;
 
   float width = clamp(core.x * nearness, core.y, core.z);
   float thin = 1.0 - smoothstep(width * 0.5, width * 0.5 + 1.1, off);
   float halo = exp(-off * off / (width * width * 9.0)) * 0.30 + exp(-off / (width * 4.5)) * 0.12;
   halo *= 1.0 - smoothstep(0.75, 1.0, off / (core.z * 16.0));
-  float ends_in = smoothstep(0.0, 0.7, along);
+  // A beam that comes from beside the eye is seen whole although most of the picture shows its beginning.
+  float ends_in = smoothstep(0.0, 0.7, max(along, t));
   if (share.w > 0.0) ends_in *= 1.0 - smoothstep(share.z - share.w, share.z, along);
   vec3 colour = thin * vec3(1.0, 0.86, 0.70) + halo * vec3(1.0, 0.40, 0.16);
   pixel = vec4(colour * ends_in, (thin * 0.5 + halo * 0.3) * ends_in);

@@ -1,6 +1,5 @@
 // A ribbon along a segment of the picture: a cap before it, the segment, a cap behind it.
 uniform vec4 ends;           // pixels: xy where it begins, zw where it ends
-uniform vec4 inverse_depth;  // xy: depth of the near plane over the depth at either end
 uniform vec4 core;           // z: the core's largest width in pixels, w: half width of the ribbon over that of the core
 
 void main() {
@@ -14,6 +13,5 @@ void main() {
   if (pair == 0) p -= along * half_width;
   if (pair == 3) p += along * half_width;
   p += vec2(-along.y, along.x) * half_width * (float(gl_VertexID & 1) * 2.0 - 1.0);
-  float depth = 1.0 - 2.0 * (second ? inverse_depth.y : inverse_depth.x);
-  gl_Position = vec4(p * 2.0 * viewport.zw - 1.0, clamp(depth, -1.0, 1.0), 1.0);
+  gl_Position = vec4(p * 2.0 * viewport.zw - 1.0, 0.0, 1.0);
 }

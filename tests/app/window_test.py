@@ -1,7 +1,9 @@
 """The editor in a real window, with real input: run as `window_test.py KERF`. Needs Xvfb and xdotool."""
 import json
+import math
 import os
 import signal
+import struct
 import subprocess
 import sys
 import tempfile
@@ -39,10 +41,11 @@ class Editor:
 
     def __init__(self, folder, *arguments):
         self.report_file = os.path.join(folder, "report.json")
+        self.screen_file = os.path.join(folder, "Xvfb_screen0")
         self.landmarks_file = os.path.join(folder, f"landmarks-{time.monotonic_ns()}.json")
         read, write = os.pipe()
         # A server without -noreset starts anew when its last client goes, and refuses who comes meanwhile.
-        self.screen = subprocess.Popen(["Xvfb", "-noreset", "-displayfd", str(write),
+        self.screen = subprocess.Popen(["Xvfb", "-noreset", "-displayfd", str(write), "-fbdir", folder,
                                         "-screen", "0", f"{WIDTH}x{HEIGHT}x24"],
                                        pass_fds=[write], stderr=subprocess.DEVNULL)
         os.close(write)
@@ -95,6 +98,14 @@ class Editor:
         *part, along, down = point
         x, y, width, height = self.part(part[0] if part else "viewport")
         return round(x + along * width), round(y + down * height)
+
+    def pixels(self):
+        """What the screen shows at the moment, as a function from a place to red, green and blue."""
+        with open(self.screen_file, "rb") as file:
+            dump = file.read()
+        header = struct.unpack(">25I", dump[:100])  # of the format of xwd
+        begin, row = header[0] + 12 * header[19], header[12]
+        return lambda x, y: tuple(dump[begin + row * y + 4 * x + channel] for channel in (2, 1, 0))
 
     def move_to(self, x, y):
         self.xdotool("mousemove", x, y)
@@ -247,6 +258,23 @@ class Window(unittest.TestCase):
             editor.xdotool("click", 4)
         report = editor.quit()
         self.assertEqual((report["strokes"], report["faces_removed"], report["pieces"]), (0, 0, 1))
+
+    def test_a_slit_follows_the_pointer_also_where_it_moves_within_a_slow_frame(self):
+        editor = self.open()
+        x, y = editor.place((0.3, 0.51))
+        path = [(x + 3 * i, round(y - 35 * math.sin(i / 13))) for i in range(121)]
+        editor.move_to(*path[0])
+        editor.settle()
+        before = editor.pixels()
+        editor.xdotool("mousedown", 1)
+        editor.xdotool(*(word for place in path for word in ("mousemove", *place)))
+        editor.xdotool("mouseup", 1)
+        editor.move_to(*editor.place((0.05, 0.05)))
+        editor.settle()
+        after = editor.pixels()
+        missed = [p for p in path if max(abs(a - b) for a, b in zip(before(*p), after(*p))) < 12]
+        self.assertEqual(editor.quit()["strokes"], 1)
+        self.assertLess(len(missed), 8, f"the slit is not at {missed}")
 
     def test_a_stroke_over_the_sky_removes_nothing(self):
         editor = self.open()

@@ -5,9 +5,17 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 namespace kerf {
+
+void spread_times(std::span<InputEvent> events, double from, double to) {
+  assert(from <= to);
+  const auto count = static_cast<double>(events.size());
+  for (size_t i = 0; i < events.size(); ++i)
+    events[i].seconds = from + (to - from) * (static_cast<double>(i + 1) / count);
+}
 
 Window::Inner::~Inner() {
   if (window != nullptr) glfwDestroyWindow(window);
@@ -106,11 +114,13 @@ void Window::set_title(const std::string& title) { glfwSetWindowTitle(handle(), 
 void Window::swap() { glfwSwapBuffers(handle()); }
 
 void Window::wait(double seconds) {
-  if (seconds > 0) {
-    glfwWaitEventsTimeout(seconds);
-  } else {
-    glfwPollEvents();
-  }
+  std::vector<InputEvent>& events = inner_->events;
+  const size_t heard = events.size();
+  glfwPollEvents();
+  const double now = glfwGetTime();
+  spread_times(std::span(events).subspan(heard), inner_->listened, now);
+  if (seconds > 0 && !inner_->activity) glfwWaitEventsTimeout(seconds);
+  inner_->listened = glfwGetTime();
 }
 
 std::vector<InputEvent> Window::take_events() { return std::exchange(inner_->events, {}); }

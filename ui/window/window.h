@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,8 +23,12 @@ struct InputEvent {
   int mods = 0;        // GLFW_MOD_*
   double wheel = 0;    // notches, positive away from the user
   bool again = false;  // a repetition while the key is held
-  double seconds = 0;  // when it was heard, on a clock that never runs backwards
+  double seconds = 0;  // when it happened, on a clock that never runs backwards
 };
+
+// Spreads the times of events whose order alone is known evenly over an interval (seconds); the last event
+// gets its end. Precondition: from <= to.
+void spread_times(std::span<InputEvent> events, double from, double to);
 
 // The window with an OpenGL 3.3 context, which is current while the object exists, and its queue of events.
 class Window {
@@ -40,7 +45,8 @@ class Window {
   void set_title(const std::string& title);
   void swap();
 
-  // Waits for events up to a time in seconds; 0 only polls.
+  // Waits for events up to a time in seconds; 0 only polls. GLFW does not tell when an event happened: the
+  // times of events that came between two calls are spread evenly over the time between these calls.
   void wait(double seconds);
   // The events since the last call, in the order in which they happened.
   std::vector<InputEvent> take_events();
@@ -55,6 +61,7 @@ class Window {
     std::vector<InputEvent> events;
     std::vector<std::filesystem::path> drops;
     bool activity = true;
+    double listened = 0;  // s, when the last call of wait() ended
     ~Inner();
   };
   struct Callbacks;

@@ -26,10 +26,10 @@ void LiveCut::advance() {
 bool LiveCut::cut_first(Clock::time_point until) {
   const Document& document = on_.work.document;
   if (document.waiting() == 0 || on_.changes.is_pending()) return false;
-  on_.hand.beam.find_strike(document);
   while (document.waiting() > 0 && Clock::now() < until) {
     if (!on_.changes.step(kMovesOfStep)) break;
   }
+  on_.hand.beam.find_strike(document);
   return true;
 }
 

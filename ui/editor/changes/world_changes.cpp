@@ -184,6 +184,7 @@ bool WorldChanges::close_rim_beside() {
 }
 
 void WorldChanges::follow_step(const StepResult& step, size_t faces_before) {
+  if (step.last) on_.hand.beam.reach(step.last->to);
   on_.renderer.follow(on_.work.document.world(), step.delta);
   if (on_.view.look.ghost || on_.view.look.show.face_numbers)
     on_.renderer.catch_up(on_.work.document.world());

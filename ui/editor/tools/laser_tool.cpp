@@ -8,8 +8,10 @@ namespace kerf {
 
 namespace {
 
-constexpr double kEmitterAside = 0.06;  // of the focus, to the right and up
-constexpr double kLeastMove = 0.5;      // pixels
+// Of the focus, to the right and up: enough for the beam to be seen from the side, and so little that it cuts
+// under the pointer at all depths.
+constexpr double kEmitterAside = 0.004;
+constexpr double kLeastMove = 0.5;  // pixels
 
 }  // namespace
 
@@ -30,8 +32,10 @@ void LaserTool::press(Document& document, const CameraView& view, Vec2 pointer, 
   reach_ = settings.laser.range.high;
   pointer_ = pointer;
   pose_ = aim(view, pointer);
-  beam_ = pose_;
-  strike_.reset();
+  if (!document.beam_waits()) {
+    beam_ = pose_;
+    strike_.reset();
+  }
   cutting_ = true;
   began_ = heard;
   document.apply(BeginStroke{settings, pose_});
@@ -54,7 +58,6 @@ void LaserTool::release(Document& document) {
 }
 
 void LaserTool::find_strike(const Document& document) {
-  if (const auto move = document.next_move()) beam_ = move->to;
   strike_ = kerf::find_strike(document.world(), beam_, radius_, overshoot_, reach_);
 }
 

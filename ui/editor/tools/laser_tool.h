@@ -9,9 +9,11 @@
 
 namespace kerf {
 
-// Converts pointer motion into strokes. The emitter is above and to the right of the eye. The beam aims at a
-// point on the pointer's ray whose distance is chosen at the start of the stroke (the surface under the
-// pointer, or the camera's pivot) and kept, so that the beam does not jump.
+// Converts pointer motion into strokes. The emitter is a little above and to the right of the eye. The beam
+// aims at a point on the pointer's ray whose distance is chosen at the start of the stroke (the surface under
+// the pointer, or the camera's pivot) and kept, so that the poses depend on the pointer alone and not on how
+// far the stroke has been cut. A surface at another distance is cut beside the pointer by less than 0.4
+// degrees of the view's angle, because the emitter is so near to the eye.
 class LaserTool {
  public:
   // x and y of the pointer as in CameraView::ray; `pixel` is the size of a pixel in y. `heard` is when the
@@ -23,8 +25,9 @@ class LaserTool {
 
   bool cutting() const { return cutting_; }
 
-  // Finds the point where the beam strikes, before the surface there is removed. The beam is at the pose that
-  // the document has reached in the stroke, which may lag behind the pointer.
+  // Records the pose that the cut has reached, which may lag behind the pointer. The beam is drawn there.
+  void reach(const Pose& pose) { beam_ = pose; }
+  // Finds the point where the beam strikes at that pose: the rim of what it has cut, or a surface behind it.
   void find_strike(const Document& document);
   // The beam to be drawn while it is on, i.e. until the stroke has ended and is completely cut.
   std::optional<BeamPicture> picture(const Document& document) const;
@@ -40,7 +43,7 @@ class LaserTool {
   double overshoot_ = 0.01;       // m, how far beside the beam the rim of what it burns may be
   Vec2 pointer_{0};               // of the last pose
   Pose pose_;                     // that the pointer asks for
-  Pose beam_;                     // where the beam is
+  Pose beam_;                     // that the cut has reached
   std::optional<double> strike_;  // m along the beam
 };
 

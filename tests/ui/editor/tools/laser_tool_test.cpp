@@ -46,6 +46,49 @@ TEST_F(LaserToolTest, a_move_of_less_than_half_a_pixel_is_dropped) {
   EXPECT_EQ(document.journal().size(), commands + 1);
 }
 
+TEST_F(LaserToolTest, a_slit_follows_the_pointer_over_surfaces_at_all_distances) {
+  // From the point of the sphere nearest to the eye almost to its outline.
+  tool.press(document, view, {0, 0}, controls, 7);
+  const Vec2 end(-0.3, 0.4);
+  tool.move(document, view, end, 2.0 / 700, 7.5);
+  tool.release(document);
+  step();
+  const double pixel = 2.0 / 700;
+  for (const double share : {0.1, 0.3, 0.5, 0.7, 0.9, 0.95}) {
+    const Vec2 p = end * share;
+    const auto depth = first_hit(document.world(), view.ray(p.x, p.y));
+    EXPECT_GT(depth.value_or(1e9), 5) << share;
+    // The middle of the slit is where the pointer was, to two pixels.
+    const Vec2 aside = glm::normalize(Vec2(end.y, -end.x * view.aspect)) / Vec2(view.aspect, 1);
+    const auto width = [&](double side) {
+      double w = 0;
+      while (w < 0.3 &&
+             first_hit(document.world(), view.ray(p.x + side * w * aside.x, p.y + side * w * aside.y))
+                     .value_or(1e9) > 5)
+        w += 0.25 * pixel;
+      return w;
+    };
+    EXPECT_NEAR(width(1), width(-1), 4 * pixel) << share;
+  }
+}
+
+TEST_F(LaserToolTest, the_beam_is_drawn_where_the_cut_has_come_to) {
+  tool.press(document, view, {-0.3, 0}, controls, 7);
+  step();
+  tool.move(document, view, {0.3, 0}, 2.0 / 700, 7.5);
+  const auto some = document.step(4);
+  ASSERT_TRUE(some.ok() && some->last.has_value() && document.waiting() > 0);
+  tool.reach(some->last->to);
+  tool.find_strike(document);
+  const auto beam = tool.picture(document);
+  ASSERT_TRUE(beam && beam->strike);
+  const double seen = view.project(*beam->strike).x;
+  EXPECT_GT(seen, -0.3);
+  EXPECT_LT(seen, 0.2);
+  EXPECT_GT(first_hit(document.world(), view.ray(seen, 0)).value_or(1e9), 4.5);
+  EXPECT_LT(first_hit(document.world(), view.ray(seen + 0.1, 0)).value_or(1e9), 4.5);
+}
+
 TEST_F(LaserToolTest, the_beam_strikes_the_rim_of_what_it_burnt) {
   tool.press(document, view, {0, 0}, controls, 7);
   step();

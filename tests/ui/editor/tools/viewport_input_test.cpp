@@ -1,0 +1,88 @@
+#include "ui/editor/tools/viewport_input.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/document/walk.h"
+#include "core/world/state_hash.h"
+#include "tests/support/made_meshes.h"
+
+namespace kerf {
+namespace {
+
+using Kind = InputEvent::Kind;
+
+// The parts of an editor that the mouse works on, with a sphere before the eye.
+struct Bench {
+  Bench() {
+    World world;
+    world.add(make_body("sphere", test::build(test::sphere(24, 32, 1))));
+    work.document = Document(std::move(world));
+    view.layout = lay_out({1000, 700}, 16, 26, 26);
+    view.camera.look({0, 0, 5}, {0, 0, 0});
+    view.camera.finish();
+    hand.laser.radius = 0.03;
+  }
+  void hear(const InputEvent& event) {
+    handle_mouse({hand, work, view, settings, loader, message}, event, true);
+  }
+  void cut() {
+    while (work.document.waiting() > 0) ASSERT_TRUE(work.document.step(8).ok());
+  }
+  uint64_t hash() const { return state_hash(work.document.world()); }
+
+  Hand hand;
+  OpenWork work;
+  ViewState view;
+  Settings settings;
+  FileLoader loader;
+  Message message;
+};
+
+InputEvent event(Kind kind, Vec2 at, double seconds) {
+  InputEvent e{kind, at, GLFW_MOUSE_BUTTON_LEFT};
+  e.seconds = seconds;
+  return e;
+}
+
+// A press, moves along an arc, and a release, with their times.
+std::vector<InputEvent> arc() {
+  constexpr int kMoves = 40;
+  const auto at = [](double share) { return Vec2(250 + 200 * share, 380 - 90 * std::sin(3.14 * share)); };
+  std::vector<InputEvent> events{event(Kind::kPress, at(0), 3)};
+  for (int i = 1; i <= kMoves; ++i) {
+    const double share = static_cast<double>(i) / kMoves;
+    events.push_back(event(Kind::kMove, at(share), 3 + share));
+  }
+  events.push_back(event(Kind::kRelease, at(1), 4));
+  return events;
+}
+
+TEST(ViewportInput, events_that_came_in_one_slow_frame_cut_what_they_cut_in_many_frames) {
+  Bench slow, fast;
+  for (const InputEvent& e : arc()) slow.hear(e);
+  slow.cut();
+  for (const InputEvent& e : arc()) {
+    fast.hear(e);
+    fast.cut();
+  }
+  EXPECT_GT(slow.work.document.removed_faces(), 100u);
+  EXPECT_EQ(slow.hash(), fast.hash());
+}
+
+TEST(ViewportInput, every_move_of_the_pointer_is_a_pose_of_the_stroke_with_its_time) {
+  Bench bench;
+  for (const InputEvent& e : arc()) bench.hear(e);
+  std::vector<double> times;
+  for (const Command& c : bench.work.document.journal()) {
+    if (const auto* move = std::get_if<MoveStroke>(&c)) times.push_back(move->time);
+  }
+  ASSERT_EQ(times.size(), 40u);
+  for (size_t i = 0; i < times.size(); ++i) EXPECT_NEAR(times[i], static_cast<double>(i + 1) / 40, 1e-12);
+}
+
+}  // namespace
+}  // namespace kerf

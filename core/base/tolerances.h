@@ -15,6 +15,13 @@ inline constexpr double kUnitSlack = 1e-9;
 // normalised sum, whose error is that of rounding, 1e-16, divided by its length: it stays below 1e-7.
 inline constexpr double kOpposite = 1e-9;
 
+// Loading ---------------------------------------------------------------------------------------------------
+
+// A closed part of a mesh has a volume if the sum of its signed terms exceeds this fraction of the sum of
+// their bounds. Rounding is 1.2e-10 of that at worst for a million terms, and near 1e-13 in practice; a plate
+// whose thickness is a millionth of its width exceeds the value by a factor of a thousand.
+inline constexpr double kLeastVolume = 1e-10;
+
 // Culling by boxes ------------------------------------------------------------------------------------------
 //
 // Floats and boxes only cull; exact or double tests decide. These bounds must therefore never be too small,

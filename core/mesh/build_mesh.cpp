@@ -87,11 +87,22 @@ class Builder {
   }
 
   Status orient(const Progress& progress) {
-    const auto turn = triangles_to_turn(triangles_, edges_, &progress);
-    if (!turn) return turn.error();
+    Stages stages(&progress);
+    const Progress agreeing = stages.next(0.6), facing = stages.next(0.4);
+    const auto disagreeing = triangles_to_turn(triangles_, edges_, &agreeing);
+    if (!disagreeing) return disagreeing.error();
+    turn(*disagreeing);
+    const auto inward = inward_triangles(soup_.positions, triangles_, edges_, &facing);
+    if (!inward) return inward.error();
+    turn(*inward);
+    for (size_t t = 0; t < triangles_.size(); ++t)
+      report_.repairs.reoriented_faces += (*disagreeing)[t] != (*inward)[t];
+    return Done{};
+  }
+
+  void turn(const std::vector<bool>& chosen) {
     for (size_t t = 0; t < triangles_.size(); ++t) {
-      if (!(*turn)[t]) continue;
-      ++report_.repairs.reoriented_faces;
+      if (!chosen[t]) continue;
       // Swapping the ends of side 0 turns the triangle and exchanges sides 1 and 2.
       std::swap(triangles_[t][0], triangles_[t][1]);
       const uint32_t s1 = static_cast<uint32_t>(3 * t + 1), s2 = s1 + 1;
@@ -100,7 +111,6 @@ class Builder {
       replace_side(e2, s2, s1);
       std::swap(edges_.edge_of[s1], edges_.edge_of[s2]);
     }
-    return Done{};
   }
 
   void replace_side(uint32_t edge, uint32_t old_side, uint32_t new_side) {

@@ -15,7 +15,7 @@ namespace kerf {
 struct Repairs {
   size_t welded_vertices = 0;            // vertices in use whose position an earlier vertex of the file has
   size_t duplicated_vertices = 0;        // vertices added because each sheet has vertices of its own
-  size_t reoriented_faces = 0;           // reversed to agree with their neighbours
+  size_t reoriented_faces = 0;           // turned to agree with their neighbours, or outward
   size_t degenerate_faces_dropped = 0;   // two corners at the same position
   size_t non_finite_faces_dropped = 0;   // a corner that is not a finite number
   size_t invalid_faces_dropped = 0;      // an index of a missing vertex
@@ -47,11 +47,12 @@ struct BuiltMesh {
 };
 
 // Builds a conforming half-edge mesh from a soup: equal positions are welded, unusable faces are dropped and
-// counted, components are oriented consistently, edges of three or more faces are split into rings, and where
-// several fans of faces meet in a vertex each gets a vertex of its own. Face slots have the order of the
-// soup's triangles. Fails if no face remains, or with cancelled() when stopped; `progress` may be null.
-// Precondition: all indices of the soup are in range. O(n log d), where d is the largest number of edges at a
-// vertex.
+// counted, components are oriented consistently, closed parts that face inward are turned outward unless they
+// lie inside another closed part, where they may be cavities, edges of three or more faces are split into
+// rings, and where several fans of faces meet in a vertex each gets a vertex of its own. Face slots have the
+// order of the soup's triangles. Fails if no face remains, or with cancelled() when stopped; `progress` may
+// be null. Precondition: all indices of the soup are in range. O(n log d), where d is the largest number of
+// edges at a vertex.
 Result<BuiltMesh> build_mesh(const Soup& soup, const Progress* progress = nullptr);
 
 }  // namespace kerf

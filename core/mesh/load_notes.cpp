@@ -37,8 +37,8 @@ std::vector<std::string> dropped_notes(const Repairs& r) {
 std::vector<std::string> load_notes(const MeshReport& report) {
   std::vector<std::string> notes = dropped_notes(report.repairs);
   add(report.repairs.reoriented_faces,
-      {" face was turned round to agree with its neighbours.",
-       " faces were turned round to agree with their neighbours."},
+      {" face was turned round, so that neighbours agree and closed parts face outward.",
+       " faces were turned round, so that neighbours agree and closed parts face outward."},
       notes);
   add(report.repairs.zero_area_faces,
       {" face had no area and holds others together.", " faces had no area and hold the others together."},

@@ -2,6 +2,10 @@
 
 #include <cassert>
 
+#include "core/base/tolerances.h"
+#include "core/mesh/enclosed_patches.h"
+#include "core/mesh/patches.h"
+
 namespace kerf {
 
 namespace {
@@ -61,12 +65,46 @@ class Orienter {
   std::vector<uint32_t> front_;
 };
 
+// Whether the signed volume of a closed patch is negative. The terms are bounded by the edges that enter, so
+// that a patch without volume, whose sum is nothing but rounding, does not count.
+bool faces_inward(std::span<const Vec3> positions, const std::vector<std::array<uint32_t, 3>>& triangles,
+                  std::span<const uint32_t> patch) {
+  const Vec3& apex = positions[triangles[patch[0]][0]];
+  double volume = 0, bound = 0;  // both times six
+  for (const uint32_t t : patch) {
+    const auto& [a, b, c] = triangles[t];
+    const Vec3 ab = positions[b] - positions[a], ac = positions[c] - positions[a], up = positions[a] - apex;
+    volume += glm::dot(up, glm::cross(ab, ac));
+    bound += glm::length(up) * glm::length(ab) * glm::length(ac);
+  }
+  return volume < -kLeastVolume * bound;
+}
+
 }  // namespace
 
 Result<std::vector<bool>> triangles_to_turn(const std::vector<std::array<uint32_t, 3>>& triangles,
                                             const SoupEdges& edges, const Progress* progress) {
   assert(edges.edge_of.size() == 3 * triangles.size());
   return Orienter(triangles, edges, progress).run();
+}
+
+Result<std::vector<bool>> inward_triangles(std::span<const Vec3> positions,
+                                           const std::vector<std::array<uint32_t, 3>>& triangles,
+                                           const SoupEdges& edges, const Progress* progress) {
+  const auto patches = find_patches(triangles, edges, progress);
+  if (!patches) return patches.error();
+  std::vector<uint32_t> inward;
+  for (uint32_t p = 0; p < patches->count(); ++p) {
+    if (patches->closed[p] && faces_inward(positions, triangles, patches->triangles_of(p)))
+      inward.push_back(p);
+  }
+  const std::vector<bool> enclosed = find_enclosed(positions, triangles, *patches, inward);
+  std::vector<bool> found(triangles.size());
+  for (size_t i = 0; i < inward.size(); ++i) {
+    if (enclosed[i]) continue;
+    for (const uint32_t t : patches->triangles_of(inward[i])) found[t] = true;
+  }
+  return found;
 }
 
 }  // namespace kerf

@@ -2,10 +2,12 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/base/vec3.h"
 #include "core/mesh/soup_edges.h"
 
 namespace kerf {
@@ -18,5 +20,15 @@ namespace kerf {
 // `triangles`. Linear time.
 Result<std::vector<bool>> triangles_to_turn(const std::vector<std::array<uint32_t, 3>>& triangles,
                                             const SoupEdges& edges, const Progress* progress);
+
+// Finds the triangles of closed patches that face inward, i.e. whose signed volume (the sum of those of the
+// tetrahedra over their triangles) is negative by more than rounding. The apex of the tetrahedra is a vertex
+// of the patch, so that the distance from the origin does not matter. A closed patch that lies inside another
+// one may be a cavity and is left out (see find_enclosed). Returns one flag per triangle, or fails with
+// cancelled() when stopped. `progress` may be null. Preconditions: `edges` are those of `triangles`, whose
+// orientation is consistent, and all corners are finite. O(n log n) except as said at find_enclosed.
+Result<std::vector<bool>> inward_triangles(std::span<const Vec3> positions,
+                                           const std::vector<std::array<uint32_t, 3>>& triangles,
+                                           const SoupEdges& edges, const Progress* progress);
 
 }  // namespace kerf

@@ -33,7 +33,7 @@ TEST(LoadNotes, begins_with_what_was_dropped_and_ends_with_what_the_reader_warne
   const Notes notes = load_notes(report);
   ASSERT_EQ(notes.size(), 4u);
   EXPECT_EQ(notes[0], "2 triangles name vertices that are not there and were dropped.");
-  EXPECT_EQ(notes[1], "12 faces were turned round to agree with their neighbours.");
+  EXPECT_EQ(notes[1], "12 faces were turned round, so that neighbours agree and closed parts face outward.");
   EXPECT_EQ(notes[3], report.warnings[0]);
 }
 

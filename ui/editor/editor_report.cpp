@@ -13,7 +13,10 @@ namespace {
 
 nlohmann::ordered_json view_of(const ViewState& view) {
   nlohmann::ordered_json all;
-  for (const ViewSwitch& s : view_switches()) all[s.report] = s.get(view.look);
+  for (const ViewSwitch& s : view_switches()) {
+    const size_t state = s.get(view.look);
+    all[s.report] = s.is_two_state() ? nlohmann::ordered_json(state == 1) : s.states[state];
+  }
   all["boxes_deepest"] = view.look.tree.deepest;
   all["boxes_leaves_only"] = view.look.tree.leaves_only;
   const Vec3 eye = view.seen().eye;

@@ -20,15 +20,24 @@ void change_scale(Settings& settings, double by) {
   settings.ui_scale = std::clamp(settings.ui_scale + by, Settings::kLeastScale, Settings::kMostScale);
 }
 
-UserAction switch_action(ViewState& view, const ViewSwitch& s) {
-  UserAction action{.menu = "View", .name = s.label, .tip = s.tip, .ends_group = s.ends_group};
+// "Shadows: none, ground, all"; without the states where they are off and on.
+std::string name_of(const ViewSwitch& s) {
+  std::string name = s.label;
+  for (size_t i = 0; !s.is_two_state() && i < s.states.size(); ++i)
+    name += std::string(i == 0 ? ": " : ", ") + s.states[i];
+  return name;
+}
+
+UserAction switch_action(EditorState& state, const ViewSwitch& s) {
+  UserAction action{.menu = "View", .name = name_of(s), .tip = s.tip, .ends_group = s.ends_group};
   if (s.key != 0) action.shortcut = std::string(1, s.key);
   action.key = s.key;  // GLFW's keys of letters are the capitals
-  action.run = [&view, &s] {
-    s.set(view.look, !s.get(view.look));
+  action.run = [&view = state.view, &message = state.message, &s] {
+    s.flip(view.look);
     view.picture_old = true;
+    if (!s.is_two_state()) message.say(std::string(s.label) + ": " + s.states[s.get(view.look)]);
   };
-  action.checked = [&view, &s] { return s.get(view.look); };
+  action.checked = [&view = state.view, &s] { return s.get(view.look) != 0; };
   return action;
 }
 
@@ -55,7 +64,7 @@ std::vector<UserAction> camera_actions(EditorState& s) {
 std::vector<UserAction> switch_actions(EditorState& s) {
   std::vector<UserAction> actions;
   for (const ViewSwitch& each : view_switches()) {
-    if (each.in_menu) actions.push_back(switch_action(s.view, each));
+    if (each.in_menu) actions.push_back(switch_action(s, each));
   }
   return actions;
 }

@@ -12,7 +12,9 @@ constexpr float kPaperDark = 0.5f;  // how black the paper's quad is
 
 bool shows_edges(const ViewOptions& options) { return options.show.wire || options.show.face_numbers; }
 
-bool casts_shadows(const ViewOptions& options) { return options.show.shadows || options.show.shadow_compare; }
+bool casts_shadows(const ViewOptions& options) {
+  return options.show.shadows == Shadows::kAll || options.show.shadow_compare;
+}
 
 void draw_bodies(const Subject& subject, const gl::Program& program) {
   for_each_body(subject, [&](BodyId, const Body& body, const BodyPicture& picture) {
@@ -122,10 +124,10 @@ void LitScene::add_direct(const Subject& subject, size_t light) const {
   body.set("light_colour", colour);
   draw_bodies(subject, body);
   glDisable(GL_CULL_FACE);
-  const bool projected = !casts_shadows(subject.options) &&
-                         ground_.project_shadow(subject.space, place, [&](const gl::Program& program) {
-                           draw_bodies(subject, program);
-                         });
+  const bool projected =
+      subject.options.show.shadows == Shadows::kGround && !casts_shadows(subject.options) &&
+      ground_.project_shadow(subject.space, place,
+                             [&](const gl::Program& program) { draw_bodies(subject, program); });
   ground_.add_light(subject.space, place, colour);
   if (projected) glDisable(GL_STENCIL_TEST);
   end_adding();

@@ -37,7 +37,7 @@ Result<ShowOptions> parse_show_list(std::string_view list) {
     const std::span<const ViewSwitch> all = view_switches();
     const auto known = std::find_if(all.begin(), all.end(), [&](const auto& s) { return s.show == word; });
     if (known != all.end()) {
-      known->set(look, true);
+      known->set(look, known->states.size() - 1);
       continue;
     }
     const bool later = std::find(kLater.begin(), kLater.end(), word) != kLater.end();

@@ -7,21 +7,28 @@
 
 namespace kerf {
 
+// On what surfaces shadows are drawn.
+enum class Shadows {
+  kNone,
+  kGround,  // only on the ground, those of directional lights that shine from above
+  kAll,     // on all surfaces
+};
+
 // What is drawn in addition to the picture: one flag for each name that `--show` accepts.
 struct ShowOptions {
-  bool aabb = false;              // all boxes of the tree
-  bool aabb_hit = false;          // only those that the beam has hit
-  bool wire = false;              // edges of the faces
-  bool face_numbers = false;      // of live faces, and in red of removed ones
-  bool pieces = false;            // each piece in a colour of its own
-  bool normals = false;           // a short line from the middle of every face
-  bool shadows = false;           // on all surfaces; otherwise only on the ground
-  bool silhouette = false;        // edges of a light's silhouette, coloured by their multiplicity
-  bool shadow_volumes = false;    // the volumes, fronts and backs in different colours
-  bool shadow_stencil = false;    // number of occluding surfaces as colours, with a legend
-  bool shadow_facing = false;     // polygons that face the light and those that face away
-  bool shadow_compare = false;    // two methods side by side, and the number of differing pixels
-  bool shadow_reference = false;  // ray-traced shadows, and the pixels that differ
+  bool aabb = false;                   // all boxes of the tree
+  bool aabb_hit = false;               // only those that the beam has hit
+  bool wire = false;                   // edges of the faces
+  bool face_numbers = false;           // of live faces, and in red of removed ones
+  bool pieces = false;                 // each piece in a colour of its own
+  bool normals = false;                // a short line from the middle of every face
+  Shadows shadows = Shadows::kGround;  // `--show shadows` asks for kAll
+  bool silhouette = false;             // edges of a light's silhouette, coloured by their multiplicity
+  bool shadow_volumes = false;         // the volumes, fronts and backs in different colours
+  bool shadow_stencil = false;         // number of occluding surfaces as colours, with a legend
+  bool shadow_facing = false;          // polygons that face the light and those that face away
+  bool shadow_compare = false;         // two methods side by side, and the number of differing pixels
+  bool shadow_reference = false;       // ray-traced shadows, and the pixels that differ
   friend bool operator==(const ShowOptions&, const ShowOptions&) = default;
 };
 

@@ -6,25 +6,29 @@ namespace kerf {
 
 namespace {
 
-// The flag of a switch: a member of ShowOptions or of ViewOptions.
-template <auto flag>
-bool get(const ViewOptions& look) {
-  if constexpr (requires { look.show.*flag; }) {
-    return look.show.*flag;
+// The member of a switch: a flag or an enumeration, of ShowOptions or of ViewOptions.
+template <auto member, typename Look>
+auto& member_of(Look& look) {
+  if constexpr (requires { look.show.*member; }) {
+    return look.show.*member;
   } else {
-    return look.*flag;
+    return look.*member;
   }
 }
-template <auto flag>
-void set(ViewOptions& look, bool on) {
-  if constexpr (requires { look.show.*flag; }) {
-    look.show.*flag = on;
-  } else {
-    look.*flag = on;
-  }
+template <auto member>
+size_t get(const ViewOptions& look) {
+  return static_cast<size_t>(member_of<member>(look));
+}
+template <auto member>
+void set(ViewOptions& look, size_t state) {
+  auto& value = member_of<member>(look);
+  value = static_cast<std::remove_reference_t<decltype(value)>>(state);
 }
 
-bool shows_boxes_hit(const ViewOptions& look) { return look.show.aabb_hit || look.tree.hit_only; }
+size_t shows_boxes_hit(const ViewOptions& look) { return look.show.aabb_hit || look.tree.hit_only ? 1 : 0; }
+
+// In the order of Shadows.
+constexpr std::array kShadowStates{"none", "ground", "all"};
 
 constexpr std::array kSwitches{
     ViewSwitch{.id = SwitchId::kShadows,
@@ -33,8 +37,9 @@ constexpr std::array kSwitches{
                .label = "Shadows",
                .key = 'D',
                .tip =
-                   "Of everything on everything; off, only a plain one on the ground. How they are cast is "
-                   "said in the Light panel.",
+                   "None, only those that the sun casts on the ground, or those of everything on everything. "
+                   "The Light panel sets how they are cast.",
+               .states = kShadowStates,
                .get = get<&ShowOptions::shadows>,
                .set = set<&ShowOptions::shadows>},
     ViewSwitch{.id = SwitchId::kSilhouette,

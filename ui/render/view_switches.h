@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 
 #include "ui/render/view_options.h"
@@ -28,7 +29,10 @@ enum class SwitchId {
   kAntialias
 };
 
-// A switch of the view: what menus, keys, panels, `--show` and the editor's report know of it.
+inline constexpr std::array kOffAndOn{"off", "on"};
+
+// A switch of the view: what menus, keys, panels, `--show` and the editor's report know of it. Most are off
+// or on; one with more states is taken through them by its key.
 struct ViewSwitch {
   SwitchId id;
   const char* show = "";    // the name that `--show` takes; empty: not one of its overlays
@@ -39,8 +43,14 @@ struct ViewSwitch {
   bool in_menu = true;
   bool in_view_panel = true;  // false where another panel has it
   bool ends_group = false;    // a line under it in the menu
-  bool (*get)(const ViewOptions&) = nullptr;
-  void (*set)(ViewOptions&, bool) = nullptr;
+  std::span<const char* const> states =
+      kOffAndOn;                                // their names for people, off first; `--show` sets the last
+  size_t (*get)(const ViewOptions&) = nullptr;  // the state, an index of `states`
+  void (*set)(ViewOptions&, size_t) = nullptr;
+
+  bool is_two_state() const { return states.size() == 2; }
+  // Goes to the state after the present one, and from the last to the first.
+  void flip(ViewOptions& look) const { set(look, (get(look) + 1) % states.size()); }
 };
 
 // All of them, indexed by their ids.

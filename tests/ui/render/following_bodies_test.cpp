@@ -13,7 +13,7 @@ constexpr size_t kMostBytesOfFace = 2 * (60 + 12);
 
 ViewOptions under_lamp() {
   ViewOptions options;
-  options.show.shadows = true;
+  options.show.shadows = Shadows::kAll;
   options.antialias = false;
   options.lights = {test::lamp_at({1, 4, 1.5})};
   return options;

@@ -14,7 +14,7 @@ class Lit {
       : stage_(test::world_of_all({test::box({0, 1, 0}, {1, 1, 1}), test::floor_at(0, 40)})),
         view_(look_at({2.6, 2.0, 4.2}, {0, 1.3, 0}, static_cast<double>(kWidth) / kHeight)) {
     options_.antialias = false;
-    options_.show.shadows = true;
+    options_.show.shadows = Shadows::kAll;
     options_.lights = {test::sun_from({0.4, 1, 0.5})};
     counts_ = stage_.renderer().shadow_counts(stage_.world(), view_, options_, 0, ShadowMethod::kRobust, true,
                                               kWidth, kHeight);
@@ -59,9 +59,9 @@ class Lit {
 // The sky, as it is without any shadow, with every method and look.
 TEST(ShadowLighting, leaves_the_sky_alone) {
   Lit lit;
-  lit.options().show.shadows = false;
+  lit.options().show.shadows = Shadows::kGround;
   const Pixels plain = lit.draw();
-  lit.options().show.shadows = true;
+  lit.options().show.shadows = Shadows::kAll;
   for (const ShadowMethod method : {ShadowMethod::kRobust, ShadowMethod::kPaperOneVolume}) {
     for (const bool paper_look : {false, true}) {
       lit.options().shadow.method = method;
@@ -147,12 +147,40 @@ TEST(ShadowLighting, four_lights_add_up_and_each_casts_its_shadow) {
   EXPECT_EQ(darker, 0u);
 }
 
+// Without shadows, with those on the ground and with all, each state darkens what it names and nothing else.
+TEST(ShadowLighting, none_ground_and_all_differ_on_the_surfaces_that_they_name) {
+  test::Stage stage(test::world_of_all({test::box({0, 0, 0}, {1, 1, 1}), test::box({0, 2.2, 0}, {1, 1, 1})}));
+  const CameraView view = look_at({6, 7, -9}, {-1, 1, 0}, static_cast<double>(kWidth) / kHeight);
+  ViewOptions options;
+  options.antialias = false;
+  options.lights = {test::sun_from({0.4, 1, 0.2})};
+  const auto draw = [&](Shadows shadows) {
+    options.show.shadows = shadows;
+    return stage.draw(view, options, kWidth, kHeight);
+  };
+  const Pixels none = draw(Shadows::kNone), ground = draw(Shadows::kGround), all = draw(Shadows::kAll);
+  const ShadowCounts counts = stage.renderer().shadow_counts(stage.world(), view, options, 0,
+                                                             ShadowMethod::kRobust, false, kWidth, kHeight);
+  const auto darker = [&](const Pixels& picture, bool on_bodies) {
+    size_t count = 0;
+    for (size_t i = 0; i < counts.faces.size(); ++i) {
+      const size_t x = i % kWidth, y = kHeight - 1 - i / kWidth, at = 3 * (y * kWidth + x);
+      count += (counts.faces[i] != 0) == on_bodies && picture.rgb[at] + 10 < none.rgb[at];
+    }
+    return count;
+  };
+  EXPECT_GT(darker(ground, false), 300u);
+  EXPECT_EQ(darker(ground, true), 0u);
+  EXPECT_GT(darker(all, false), 300u);
+  EXPECT_GT(darker(all, true), 100u);
+}
+
 // A white-hot rim shows as bright under the paper's black as without it.
 TEST(ShadowLighting, what_glows_is_not_darkened) {
   test::Stage stage = test::ball_and_ring();
   ViewOptions options;
   options.antialias = false;
-  options.show.shadows = true;
+  options.show.shadows = Shadows::kAll;
   options.lights = {test::sun_from({0.2, 1, -1.2})};  // the side that is seen lies in shadow
   const CameraView view = test::view_of_ball_and_ring(static_cast<double>(kWidth) / kHeight);
   const auto hot = [&](const Pixels& p) {

@@ -13,7 +13,7 @@ constexpr int kWidth = 200, kHeight = 150;
 
 ViewOptions under(const Light& light) {
   ViewOptions options;
-  options.show.shadows = true;
+  options.show.shadows = Shadows::kAll;
   options.lights = {light};
   return options;
 }

@@ -12,6 +12,11 @@ TEST(ShowList, takes_names_in_any_order_with_blanks) {
   EXPECT_FALSE(show->aabb || show->normals);
 }
 
+TEST(ShowList, shadows_are_those_on_all_surfaces_and_without_the_name_those_on_the_ground) {
+  EXPECT_EQ(parse_show_list("shadows")->shadows, Shadows::kAll);
+  EXPECT_EQ(parse_show_list("wire")->shadows, Shadows::kGround);
+}
+
 TEST(ShowList, may_be_empty) { EXPECT_EQ(*parse_show_list(""), ShowOptions{}); }
 
 TEST(ShowList, an_unknown_name_is_named_and_what_there_is_is_listed) {

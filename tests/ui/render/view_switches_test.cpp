@@ -12,16 +12,16 @@ TEST(ViewSwitches, stand_in_the_order_of_their_ids) {
   for (const ViewSwitch& s : view_switches()) EXPECT_EQ(&view_switch(s.id), &s) << s.report;
 }
 
-TEST(ViewSwitches, each_flips_one_flag_of_its_own) {
+TEST(ViewSwitches, each_flips_one_flag_of_its_own_and_comes_back_after_all_its_states) {
   for (const ViewSwitch& flipped : view_switches()) {
     ViewOptions look;
-    const bool before = flipped.get(look);
-    flipped.set(look, !before);
+    const size_t before = flipped.get(look);
+    flipped.flip(look);
     for (const ViewSwitch& other : view_switches()) {
       EXPECT_EQ(other.get(look) != other.get(ViewOptions()), other.id == flipped.id)
           << flipped.report << " and " << other.report;
     }
-    flipped.set(look, before);
+    for (size_t i = 1; i < flipped.states.size(); ++i) flipped.flip(look);
     EXPECT_EQ(flipped.get(look), before) << flipped.report;
   }
 }

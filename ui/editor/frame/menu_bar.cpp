@@ -12,14 +12,15 @@ namespace {
 
 void draw_action(const UserAction& action) {
   if (action.submenu) {
-    if (!ImGui::BeginMenu(action.name)) return;
+    if (!ImGui::BeginMenu(action.name.c_str())) return;
     action.submenu();
     ImGui::EndMenu();
     return;
   }
   const bool checked = action.checked && action.checked();
   const char* why_not = action.objection();
-  if (ImGui::MenuItem(action.name, action.shortcut.c_str(), checked, why_not == nullptr)) action.run();
+  if (ImGui::MenuItem(action.name.c_str(), action.shortcut.c_str(), checked, why_not == nullptr))
+    action.run();
   if (why_not != nullptr || action.tip[0] != '\0') tooltip(why_not != nullptr ? why_not : action.tip);
 }
 

@@ -22,7 +22,7 @@ std::vector<Row> rows_of_sheet(std::span<const UserAction> actions, std::span<co
   std::vector<Row> rows;
   for (const Gesture& g : gestures) rows.push_back({g.gesture, g.meaning});
   for (const UserAction& a : actions) {
-    if (!a.shortcut.empty()) rows.push_back({a.shortcut.c_str(), a.name});
+    if (!a.shortcut.empty()) rows.push_back({a.shortcut.c_str(), a.name.c_str()});
   }
   return rows;
 }

@@ -12,7 +12,7 @@ namespace kerf {
 // all made from one list of these.
 struct UserAction {
   const char* menu;
-  const char* name;
+  std::string name;
   std::string shortcut = {};  // as it is written; empty: none
   int key = 0;                // GLFW_KEY_*; 0: none
   int mods = 0;               // GLFW_MOD_*

@@ -67,7 +67,7 @@ bool shadow_rows(ViewState& view) {
   ShadowOptions& shadow = look.shadow;
   bool changed = false;
   property("Shadows");
-  draw_switch(view, SwitchId::kShadows, "cast");
+  draw_switch(view, SwitchId::kShadows, "");
   changed |= method_row("Method", "##method", shadow.method);
   if (shadow.method != ShadowMethod::kRobust) {
     changed |=

@@ -5,8 +5,9 @@
 
 namespace kerf {
 
-// Draws a switch of the view as a check box with its key and its tooltip. `label` stands in place of its own
-// where the row says what is switched already. Returns whether it was flipped.
+// Draws a switch of the view as a check box, or as radio buttons where it has more than two states, with its
+// key and its tooltip. `label` replaces its own label in a row that has a name already. Returns whether its
+// state was changed.
 bool draw_switch(ViewState& view, SwitchId id, const char* label = nullptr);
 
 }  // namespace kerf

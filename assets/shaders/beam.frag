@@ -1,7 +1,7 @@
 uniform vec4 ends;           // pixels: xy where the segment begins, zw where it ends
-uniform vec4 inverse_depth;  // xy: depth of the near plane over the depth at either end
+uniform vec4 depths;         // xy: depth of the focus over the depth at either end, zw: in the depth buffer
 uniform vec4 share;          // in lengths from the emitter to the strike: xy at either end, z all of the beam, w its fade
-uniform vec4 core;           // width in pixels at the near plane, its least, its largest
+uniform vec4 core;           // width in pixels at the focus, its least, its largest
 
 out vec4 pixel;
 
@@ -9,9 +9,9 @@ void main() {
   vec2 way = ends.zw - ends.xy, from_begin = gl_FragCoord.xy - ends.xy;
   float t = clamp(dot(from_begin, way) / max(dot(way, way), 1e-6), 0.0, 1.0);
   float off = length(from_begin - way * t);
-  float nearness = mix(inverse_depth.x, inverse_depth.y, t);
-  gl_FragDepth = clamp(1.0 - nearness, 0.0, 1.0);  // not linear where the beam comes from before the near plane
-  float along = mix(share.x * inverse_depth.x, share.y * inverse_depth.y, t) / nearness;
+  float nearness = mix(depths.x, depths.y, t);
+  gl_FragDepth = clamp(mix(depths.z, depths.w, t), 0.0, 1.0);  // the beam comes from before the near plane
+  float along = mix(share.x * depths.x, share.y * depths.y, t) / nearness;
 
   float width = clamp(core.x * nearness, core.y, core.z);
   float thin = 1.0 - smoothstep(width * 0.5, width * 0.5 + 1.1, off);

@@ -15,7 +15,8 @@ noperspective out float along;
 bool is_speck() {
   float depth = (clip_from_frame * frame_from_body * vec4(mix(low, high, 0.5), 1.0)).w;
   float size = length(mat3(frame_from_body) * (high - low));
-  return size * viewport.y < 3.0 * 2.0 * camera_up.w * depth;
+  float scale = length(vec3(clip_from_frame[0].y, clip_from_frame[1].y, clip_from_frame[2].y));
+  return size * scale * viewport.y < 3.0 * 2.0 * depth;
 }
 
 vec3 box_corner(int i) { return mix(low, high, vec3(i & 1, (i >> 1) & 1, (i >> 2) & 1)); }

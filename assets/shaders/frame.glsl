@@ -1,10 +1,12 @@
 // What all programs know of a frame. Frame coordinates: the axes of the world, the eye at the origin, lengths in
-// units of about the size of the world, so that floats do for worlds of any size and place.
+// units of about the size of the world, so that floats do for worlds of any size and place. In an orthographic
+// picture, and on the way to one, the eye at the origin is that of the perspective picture: what depends on the
+// direction of sight looks as it does there.
 layout(std140) uniform Frame {
   mat4 clip_from_frame;
   vec4 camera_right;    // xyz unit; w: tangent of half the field of view, sideways
   vec4 camera_up;       // xyz unit; w: the same, upwards
-  vec4 camera_forward;  // xyz unit
+  vec4 camera_forward;  // xyz unit; w: how far behind the origin the rays of the picture begin
   vec4 viewport;        // width and height in pixels, their inverses
   vec4 key_light;       // xyz unit, towards the light
   vec4 ground;          // height, x and z of the middle, radius of the disc

@@ -39,6 +39,6 @@ void main() {
   float covered = all(lessThan(abs(there - 0.5), vec2(0.5))) ? texture(contact, there).r : 0.0;
   vec3 colour = kMatt * (kSkyLight * 0.82 * (1.0 - 0.88 * covered) + spot_light(at, vec3(0.0, 1.0, 0.0)));
   colour += line * kLine * 0.4;
-  pixel = vec4(mix(colour, background(at / max(far, 1e-6)), gone), 0.0);
+  pixel = vec4(mix(colour, background(sight()), gone), 0.0);
 #endif
 }

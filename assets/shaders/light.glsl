@@ -7,6 +7,13 @@ const vec3 kGroundLight = vec3(0.115, 0.105, 0.095);
 const vec3 kRimDirection = vec3(0.62, 0.35, -0.70);
 const vec3 kRimColour = vec3(0.34, 0.42, 0.55);
 
+// Towards what a pixel shows of the surroundings.
+vec3 sight() {
+  vec2 side = gl_FragCoord.xy * viewport.zw * 2.0 - 1.0;
+  return normalize(camera_forward.xyz + side.x * camera_right.w * camera_right.xyz +
+                   side.y * camera_up.w * camera_up.xyz);
+}
+
 vec3 background(vec3 direction) {
   float up = clamp(direction.y, -0.25, 1.0);
   return mix(kHorizon, kZenith, 1.0 - exp(-3.2 * abs(up)));

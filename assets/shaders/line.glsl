@@ -1,10 +1,16 @@
 // Lines are wider in proportion in pictures that are higher than this.
 float line_scale() { return max(1.0, viewport.y / 900.0); }
 
+// Pulled along the ray of the picture by a share of its distance.
+vec3 nearer(vec3 at) {
+  vec3 way = at + camera_forward.xyz * camera_forward.w;
+  return at - way * (0.0015 * length(at) / max(length(way), 1e-6));
+}
+
 // A line of some pixels' width from a to b in frame coordinates as two triangles: which of six vertices this is.
 // Pulled towards the eye a little, so that lines on a surface show. Returns pixels along the line in `along`, in a picture of usual height.
 vec4 line_vertex(vec3 a, vec3 b, int vertex, float half_width, out float along) {
-  vec4 ca = clip_from_frame * vec4(a * 0.9985, 1.0), cb = clip_from_frame * vec4(b * 0.9985, 1.0);
+  vec4 ca = clip_from_frame * vec4(nearer(a), 1.0), cb = clip_from_frame * vec4(nearer(b), 1.0);
   const float near = 1e-5;
   if (ca.w < near && cb.w < near) return vec4(0.0, 0.0, 2.0, 1.0);
   if (ca.w < near) ca = mix(cb, ca, (cb.w - near) / (cb.w - ca.w));

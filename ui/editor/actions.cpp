@@ -17,6 +17,7 @@ constexpr std::array kGestures{
     Gesture{"Shift+middle drag, right drag", "Pan"},
     Gesture{"Left drag on a light", "Move it, while the Light panel is open"},
     Gesture{"Wheel", "Zoom to the pointer"},
+    Gesture{"Click on the axes in the corner", "Look along that axis; a drag there orbits"},
     Gesture{"Esc", "Close a menu; end the cut; stop opening a file; let go of the chosen pieces"},
 };
 

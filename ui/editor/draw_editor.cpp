@@ -7,6 +7,7 @@
 #include "ui/editor/frame/picture_marks.h"
 #include "ui/editor/frame/shortcut_sheet.h"
 #include "ui/editor/frame/status_bar.h"
+#include "ui/editor/tools/axes_gizmo.h"
 #include "ui/editor/tools/light_handle.h"
 #include "ui/editor/tools/popups.h"
 #include "ui/editor/view/piece_set.h"
@@ -142,6 +143,7 @@ void EditorScreen::show_landmarks() {
     if (const auto handle = light_handle(view, i))
       landmarks_->mark("light " + std::to_string(i), {*handle, Vec2(0)});
   }
+  for (const AxisEnd& end : axis_ends(view)) landmarks_->mark(name_of(end), {end.at, Vec2(0)});
   if (const Status written = landmarks_->write(moving(), {at.x, at.y}); !written)
     state_.message.say(written.error().message, true);
 }

@@ -15,7 +15,7 @@ namespace {
 constexpr int kCtrl = GLFW_MOD_CONTROL, kShift = GLFW_MOD_SHIFT;
 
 void copy_view(EditorState& state) {
-  ImGui::SetClipboardText(view_text({state.view.seen().eye, state.view.camera.pivot()}).c_str());
+  ImGui::SetClipboardText(view_text({state.view.seen().near().eye, state.view.camera.pivot()}).c_str());
   state.message.say("The view is in the clipboard as text");
 }
 

@@ -19,8 +19,9 @@ nlohmann::ordered_json view_of(const ViewState& view) {
   }
   all["boxes_deepest"] = view.look.tree.deepest;
   all["boxes_leaves_only"] = view.look.tree.leaves_only;
-  const Vec3 eye = view.seen().eye;
+  const Vec3 eye = view.seen().near().eye;
   all["eye"] = {eye.x, eye.y, eye.z};
+  all["orthographic"] = view.camera.parallel();
   return all;
 }
 

@@ -3,6 +3,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include "ui/editor/view/standard_view.h"
 #include "ui/render/view_switches.h"
 
 namespace kerf {
@@ -18,6 +19,25 @@ void frame_all(EditorState& state) {
 
 void change_scale(Settings& settings, double by) {
   settings.ui_scale = std::clamp(settings.ui_scale + by, Settings::kLeastScale, Settings::kMostScale);
+}
+
+// Of a standard view. Each pair has a key, and the second of the pair needs Ctrl.
+UserAction look_action(ViewState& view, size_t which) {
+  constexpr std::array kKeys{GLFW_KEY_1, GLFW_KEY_3, GLFW_KEY_7};
+  constexpr std::array kPadKeys{GLFW_KEY_KP_1, GLFW_KEY_KP_3, GLFW_KEY_KP_7};
+  const StandardView& looked = kStandardViews.at(which);
+  const bool opposite = which % 2 == 1;
+  const int key = kKeys.at(which / 2);
+  UserAction action{.menu = "Camera",
+                    .name = looked.name,
+                    .shortcut = (opposite ? "Ctrl+" : "") + std::string(1, static_cast<char>(key)),
+                    .key = key,  // GLFW's keys of digits are the digits
+                    .mods = opposite ? kCtrl : 0,
+                    .pad_key = kPadKeys.at(which / 2),
+                    .tip = "Also on the number pad, and by a click on the axes in the corner.",
+                    .ends_group = which + 1 == kStandardViews.size()};
+  action.run = [&view, &looked] { view.camera.turn_to(looked.yaw, looked.pitch); };
+  return action;
 }
 
 // "Shadows: none, ground, all"; without the states where they are off and on.
@@ -44,14 +64,14 @@ UserAction switch_action(EditorState& state, const ViewSwitch& s) {
 }  // namespace
 
 std::vector<UserAction> camera_actions(EditorState& s) {
-  return {
-      UserAction{.menu = "View",
+  std::vector<UserAction> actions{
+      UserAction{.menu = "Camera",
                  .name = "Frame all",
                  .shortcut = "F",
                  .key = GLFW_KEY_F,
                  .tip = "Everything in the picture, seen from the side where the eye is.",
                  .run = [&s] { frame_all(s); }},
-      UserAction{.menu = "View",
+      UserAction{.menu = "Camera",
                  .name = "First view",
                  .shortcut = "Home",
                  .key = GLFW_KEY_HOME,
@@ -59,6 +79,16 @@ std::vector<UserAction> camera_actions(EditorState& s) {
                  .run = [&s] { go_home(s.view, s.work.document.world().bounds()); },
                  .ends_group = true},
   };
+  for (size_t i = 0; i < kStandardViews.size(); ++i) actions.push_back(look_action(s.view, i));
+  actions.push_back(UserAction{.menu = "Camera",
+                               .name = "Orthographic",
+                               .shortcut = "5",
+                               .key = GLFW_KEY_5,
+                               .pad_key = GLFW_KEY_KP_5,
+                               .tip = "Without perspective: lengths are drawn alike at all distances.",
+                               .run = [&s] { s.view.camera.set_parallel(!s.view.camera.parallel()); },
+                               .checked = [&s] { return s.view.camera.parallel(); }});
+  return actions;
 }
 
 std::vector<UserAction> switch_actions(EditorState& s) {

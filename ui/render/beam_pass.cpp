@@ -83,11 +83,16 @@ void BeamPass::draw_ribbon(const CameraView& view, const BeamPicture& beam, doub
   const double fade = beam.on_ground ? 0 : std::min(kFade, kMostFade * length);
   ribbon_.use();
   ribbon_.set("ends", glm::vec4(glm::vec2(seen->from), glm::vec2(seen->to)));
-  ribbon_.set("inverse_depth", glm::vec4(glm::vec2(seen->inverse_depth * near), 0, 0));
+  const auto depth_of = [&](double share) {
+    const Vec3 at = beam.from + (beam.to - beam.from) * share;
+    return window_depth(view, near, glm::dot(at - view.eye, view.forward));
+  };
+  ribbon_.set("depths", glm::vec4(glm::vec2(seen->inverse_depth * view.focus), depth_of(seen->share.x),
+                                  depth_of(seen->share.y)));
   ribbon_.set("share", glm::vec4(glm::vec2(seen->share * length / std::max(strike, 1e-300)),
                                  static_cast<float>(length / std::max(strike, 1e-300)),
                                  static_cast<float>(fade / std::max(strike, 1e-300))));
-  ribbon_.set("core", glm::vec4(pixels_at_one_metre(view, kCoreOfBeam * beam.radius, height) / near,
+  ribbon_.set("core", glm::vec4(pixels_at_one_metre(view, kCoreOfBeam * beam.radius, height) / view.focus,
                                 kLeastCore * zoom, most, kHalo));
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 8);
 }
@@ -95,7 +100,7 @@ void BeamPass::draw_ribbon(const CameraView& view, const BeamPicture& beam, doub
 void BeamPass::draw_spot(const CameraView& view, const BeamPicture& beam, int height) const {
   const double depth = glm::dot(*beam.strike - view.eye, view.forward);
   if (!(depth > 0)) return;
-  const double pixels = pixels_at_one_metre(view, beam.radius, height) / depth;
+  const double pixels = pixels_at_one_metre(view, beam.radius, height) / (view.parallel ? view.focus : depth);
   glDisable(GL_DEPTH_TEST);
   spot_.use();
   spot_.set("half_width", static_cast<float>(spot_half_width(pixels, height)));

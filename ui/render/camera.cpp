@@ -13,6 +13,8 @@ constexpr double kDefaultPitch = 0.30;  // 17 degrees
 constexpr double kEaseSeconds = 0.043;  // to 1/e; nine tenths in 100 ms, 97 % in 150 ms
 constexpr double kNarrow = 1.25;        // a narrower picture shows as much sideways, and more above and below
 constexpr double kMostWidth = 0.82;     // of the picture that a framed box may take
+constexpr double kTurn = 6.283185307179586;
+const double kFullPull = std::log(CameraView::kFarAway);
 
 // x and y span of the box in the picture, and whether all of it lies before the eye.
 struct Extent {
@@ -35,6 +37,7 @@ Extent extent_of(const CameraView& view, const World::Bounds& b) {
 }  // namespace
 
 Pose CameraView::ray(double x, double y) const {
+  if (parallel) return {eye + (right * (x * aspect) + up * y) * half_height(), forward};
   const Vec3 way = forward + right * (x * tan_half_fov * aspect) + up * (y * tan_half_fov);
   return {eye, glm::normalize(way)};
 }
@@ -42,8 +45,21 @@ Pose CameraView::ray(double x, double y) const {
 Vec3 CameraView::project(const Vec3& p) const {
   const Vec3 d = p - eye;
   const double depth = glm::dot(d, forward);
-  const double scale = 1 / (depth * tan_half_fov);
+  const double scale = 1 / ((parallel ? focus : depth) * tan_half_fov);
   return {glm::dot(d, right) * scale / aspect, glm::dot(d, up) * scale, depth};
+}
+
+CameraView CameraView::near() const { return pulled(1); }
+
+CameraView CameraView::pulled(double times) const {
+  const double more = times / pull;
+  CameraView view = *this;
+  view.eye += forward * (focus - focus * more);
+  view.focus = focus * more;
+  view.tan_half_fov = tan_half_fov / more;
+  view.parallel = times >= kFarAway;
+  view.pull = times;
+  return view;
 }
 
 CameraView look_at(const Vec3& eye, const Vec3& target, double aspect) {
@@ -64,9 +80,12 @@ CameraView look_at(const Vec3& eye, const Vec3& target, double aspect) {
   return view;
 }
 
+Vec3 Camera::direction_of(double yaw, double pitch) {
+  return {std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch)};
+}
+
 CameraView Camera::view_of(const State& s, double aspect) {
-  const Vec3 outward(std::sin(s.yaw) * std::cos(s.pitch), std::sin(s.pitch),
-                     std::cos(s.yaw) * std::cos(s.pitch));
+  const Vec3 outward = direction_of(s.yaw, s.pitch);
   CameraView view;
   view.eye = s.pivot + outward * s.distance;
   view.forward = -outward;
@@ -75,7 +94,7 @@ CameraView Camera::view_of(const State& s, double aspect) {
   view.focus = s.distance;
   view.tan_half_fov = kTanHalfFov * std::max(1.0, kNarrow / aspect);
   view.aspect = aspect;
-  return view;
+  return s.pull == kFullPull ? view.pulled(CameraView::kFarAway) : view.pulled(std::exp(s.pull));
 }
 
 // The distance at which the larger of the two spans fits, found by halving; then the pivot is moved so that
@@ -98,7 +117,7 @@ void Camera::fit(State& state, const World::Bounds& bounds, double aspect, doubl
   const CameraView view = view_of(state, aspect);
   const Extent e = extent_of(view, bounds);
   const Vec2 off = (e.low + e.high) * 0.5;
-  state.pivot += (view.right * (off.x * aspect) + view.up * off.y) * (state.distance * view.tan_half_fov);
+  state.pivot += (view.right * (off.x * aspect) + view.up * off.y) * view.half_height();
 }
 
 void Camera::frame_default(const World::Bounds& bounds, double aspect, double fill) {
@@ -121,6 +140,18 @@ void Camera::look(const Vec3& eye, const Vec3& target) {
   goal_.pitch = std::clamp(std::asin(std::clamp(outward.y / distance, -1.0, 1.0)), -kPole, kPole);
 }
 
+void Camera::turn_to(double yaw, double pitch) {
+  goal_.yaw += std::remainder(yaw - goal_.yaw, kTurn);
+  goal_.pitch = pitch;
+}
+
+bool Camera::is_turned_to(double yaw, double pitch) const {
+  constexpr double kSame = 1e-6;
+  return std::abs(std::remainder(yaw - goal_.yaw, kTurn)) < kSame && std::abs(pitch - goal_.pitch) < kSame;
+}
+
+void Camera::set_parallel(bool parallel) { goal_.pull = parallel ? kFullPull : 0; }
+
 void Camera::orbit(double right, double up) {
   goal_.yaw += right;
   goal_.pitch = std::clamp(goal_.pitch + up, -kPole, kPole);
@@ -128,12 +159,12 @@ void Camera::orbit(double right, double up) {
 
 void Camera::pan(double dx, double dy, double aspect) {
   const CameraView view = view_of(goal_, aspect);
-  goal_.pivot -= (view.right * (dx * aspect) + view.up * dy) * (goal_.distance * view.tan_half_fov);
+  goal_.pivot -= (view.right * (dx * aspect) + view.up * dy) * view.half_height();
 }
 
 void Camera::zoom(double factor, double x, double y, double aspect) {
   const CameraView view = view_of(goal_, aspect);
-  const Vec3 side = (view.right * (x * aspect) + view.up * y) * (goal_.distance * view.tan_half_fov);
+  const Vec3 side = (view.right * (x * aspect) + view.up * y) * view.half_height();
   goal_.pivot += side * (1 - factor);
   goal_.distance *= factor;
 }
@@ -142,9 +173,9 @@ bool Camera::advance(double seconds) {
   const double way = 1 - std::exp(-std::max(seconds, 0.0) / kEaseSeconds);
   const Vec3 shift = goal_.pivot - now_.pivot;
   const double ratio = goal_.distance / now_.distance;
-  const double yaw = goal_.yaw - now_.yaw, pitch = goal_.pitch - now_.pitch;
-  const double left =
-      glm::length(shift) / goal_.distance + std::abs(std::log(ratio)) + std::abs(yaw) + std::abs(pitch);
+  const double yaw = goal_.yaw - now_.yaw, pitch = goal_.pitch - now_.pitch, pull = goal_.pull - now_.pull;
+  const double left = glm::length(shift) / goal_.distance + std::abs(std::log(ratio)) + std::abs(yaw) +
+                      std::abs(pitch) + std::abs(pull);
   if (!(left > 2e-4)) {
     const bool moved = left > 0;
     now_ = goal_;
@@ -154,6 +185,7 @@ bool Camera::advance(double seconds) {
   now_.distance *= std::pow(ratio, way);
   now_.yaw += yaw * way;
   now_.pitch += pitch * way;
+  now_.pull += pull * way;
   return true;
 }
 

@@ -9,20 +9,33 @@
 
 namespace kerf {
 
-// A perspective view in world coordinates and double precision. +Y points up in the picture.
+// A view in world coordinates and double precision: a perspective view, or an orthographic one, whose rays
+// are parallel to `forward`. An orthographic view is described by the perspective view that it is the limit
+// of: the eye is kFarAway times as far from what is looked at, and the field of view is narrower by this
+// factor, so that lengths at the distance `focus` appear as large as before.
 struct CameraView {
   Vec3 eye{0, 0, 1};
   Vec3 right{1, 0, 0}, up{0, 1, 0}, forward{0, 0, -1};  // orthonormal
   double focus = 1;                                     // m, distance of the point looked at
   double tan_half_fov = 0.3;                            // of half the vertical field of view
   double aspect = 16.0 / 9;                             // width over height
+  bool parallel = false;                                // orthographic
+  double pull = 1;                                      // how many times as far away the eye is as in near()
 
-  // The ray from the eye through a point of the picture: x from -1 (left) to 1 (right), y from -1 (bottom) to
-  // 1 (top).
+  static constexpr double kFarAway = 1000;
+
+  // Half the height (m) of what is seen at the distance `focus`.
+  double half_height() const { return focus * tan_half_fov; }
+  // The ray through a point of the picture, from the eye or, in an orthographic view, from the plane of the
+  // eye: x from -1 (left) to 1 (right), y from -1 (bottom) to 1 (top).
   Pose ray(double x, double y) const;
   // The point of the picture at which p is seen, with its depth along `forward` (m) as z; x and y are
   // undefined if z <= 0.
   Vec3 project(const Vec3& p) const;
+  // The perspective view, with the usual field of view, that shows lengths at the distance `focus` as large.
+  CameraView near() const;
+  // The view whose eye is so many times as far away as that of near(), orthographic from kFarAway on.
+  CameraView pulled(double times) const;
 };
 
 // The view from an eye to a target. If the target coincides with the eye or lies vertically above or below
@@ -39,6 +52,17 @@ class Camera {
   // The same without a change of direction.
   void frame(const World::Bounds& bounds, double aspect, double fill = 0.72);
   void look(const Vec3& eye, const Vec3& target);
+
+  // Turns to a direction of view on the shorter way: yaw and pitch of the eye as seen from the pivot, in
+  // radians from +Z towards +X, and over the horizon.
+  void turn_to(double yaw, double pitch);
+  // The unit vector from the pivot to the eye.
+  static Vec3 direction_of(double yaw, double pitch);
+  // Whether the camera is at, or on its way to, such a direction.
+  bool is_turned_to(double yaw, double pitch) const;
+  // Makes the projection orthographic, or perspective again; lengths at the pivot stay as large as they are.
+  void set_parallel(bool parallel);
+  bool parallel() const { return goal_.pull > 0; }
 
   void orbit(double right, double up);  // angles in radians around the pivot
   // Shifts the view so that points at the pivot's depth follow a motion in the picture, in the units of
@@ -63,6 +87,7 @@ class Camera {
     double distance = 1;
     double yaw = 0;    // radians from +Z towards +X
     double pitch = 0;  // radians over the horizon
+    double pull = 0;   // logarithm of CameraView::pull
   };
   static CameraView view_of(const State& state, double aspect);
   static void fit(State& state, const World::Bounds& bounds, double aspect, double fill);

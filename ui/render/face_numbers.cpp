@@ -63,7 +63,7 @@ class Candidates {
       const glm::vec4 p = clip_ * glm::vec4(at, 1);
       if (!(p.w > 0)) return;
       c.corners[i] = (glm::vec2(p) / p.w + 1.0f) * half_;
-      c.depth += p.w;
+      c.depth += p.z;
     }
     all_.push_back(c);
   }

@@ -11,12 +11,13 @@
 
 namespace kerf {
 
-// The coordinates of the shaders: the axes of the world, with the eye at the origin and lengths divided by
-// `unit`, a power of two near the size of the world. Differences are computed in double, so that floats
-// suffice at any place and size.
+// The coordinates of the shaders: the axes of the world, with the eye of the near view (see CameraView) at
+// the origin and lengths divided by `unit`, a power of two near the size of the world. Differences are
+// computed in double, so that floats suffice at any place and size.
 struct FrameSpace {
-  Vec3 eye{0};
-  double unit = 1;  // m
+  Vec3 eye{0};        // of the near view
+  Vec3 seen_from{0};  // the eye itself, which is farther away in an orthographic view
+  double unit = 1;    // m
 
   glm::vec3 from_world(const Vec3& p) const { return glm::vec3((p - eye) / unit); }
   float length(double metres) const { return static_cast<float>(metres / unit); }
@@ -45,11 +46,16 @@ struct FrameUniforms {
 
 // The distance of the near plane along the forward axis of a view, in metres: as large as the visible box and
 // the ground (its height, m) allow, because the resolution of the depth buffer is proportional to it, and at
-// least a fraction of the focus.
+// least a fraction of the focus. An orthographic view has as much depth before its focus as behind it: there
+// the plane lies so far before the focus that the box and the ground fit in, also where that is behind the
+// eye.
 double near_plane(const CameraView& view, const World::Bounds& drawn, double ground);
 
-// The members that depend on the view: the matrix (near plane at `near` metres, no far plane), the axes and
-// the viewport.
+// Where the depth buffer has a point at a depth along the forward axis (m), from 0 at the near plane to 1.
+double window_depth(const CameraView& view, double near, double depth);
+
+// The members that depend on the view: the matrix (near plane at `near` metres; no far plane, but in an
+// orthographic view one as far behind the focus), the axes and the viewport.
 FrameUniforms uniforms_of(const CameraView& view, double near, const FrameSpace& space, int width,
                           int height);
 

@@ -120,14 +120,14 @@ void GroundPass::draw(const FrameSpace& space, bool spot) const {
 }
 
 void GroundPass::draw_disc(const FrameSpace& space) const {
-  if (space.eye.y <= height_) return;
+  if (space.seen_from.y <= height_) return;
   glBindVertexArray(no_vertices_.name());
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
 bool GroundPass::project_shadow(const FrameSpace& space, const glm::vec4& light,
                                 const DrawBodies& bodies) const {
-  if (space.eye.y <= height_ || light.w > 0 || light.y <= 0) return false;
+  if (space.seen_from.y <= height_ || light.w > 0 || light.y <= 0) return false;
   glClear(GL_STENCIL_BUFFER_BIT);
   glEnable(GL_STENCIL_TEST);
   glStencilFunc(GL_ALWAYS, 1, 0xff);

@@ -189,7 +189,8 @@ double Renderer::near_of(const World& world, const CameraView& view, const ViewO
 
 void Renderer::set_up(const World& world, const CameraView& view, const ViewOptions& options,
                       const std::optional<BeamPicture>& beam, const Target& target) {
-  space_.eye = view.eye;
+  space_.eye = view.near().eye;
+  space_.seen_from = view.eye;
   near_ = near_of(world, view, options);
   FrameUniforms& frame = frame_ = uniforms_of(view, near_, space_, target.width, target.height);
   passes_.scene.ground().fill_in(frame, space_);

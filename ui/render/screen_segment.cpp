@@ -18,7 +18,7 @@ struct ClipPoint {
 ClipPoint clip_point(const CameraView& view, const Vec3& p) {
   const Vec3 d = p - view.eye;
   return {glm::dot(d, view.right) / (view.tan_half_fov * view.aspect),
-          glm::dot(d, view.up) / view.tan_half_fov, glm::dot(d, view.forward)};
+          glm::dot(d, view.up) / view.tan_half_fov, view.parallel ? view.focus : glm::dot(d, view.forward)};
 }
 
 // Of the segment, the shares between which a quantity that is linear along it is not negative.

@@ -9,7 +9,8 @@ namespace kerf {
 // A straight segment as a picture shows it.
 struct ScreenSegment {
   Vec2 from, to;       // its ends in pixels, from the lower left corner of the picture
-  Vec2 inverse_depth;  // 1 / m along the view's axis, at both ends; linear between them in the picture
+  Vec2 inverse_depth;  // 1 / m along the view's axis, at both ends; linear between them in the picture. In an
+                       // orthographic view both are that of the focus, for it shows all lengths as large
   Vec2 share;          // of the whole segment that lies before either end, 0 to 1
 };
 

@@ -1,5 +1,7 @@
 #include "ui/render/shadow_reference.h"
 
+#include <algorithm>
+
 namespace kerf {
 
 ShadowRays rays_through(const Subject& subject) {
@@ -37,7 +39,7 @@ void ShadowReference::trace(size_t pixels) {
 void ShadowReference::trace_pixel(int x, int y) {
   const size_t at = static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x);
   const Pose ray = view_.ray((x + 0.5) / width_ * 2 - 1, (y + 0.5) / height_ * 2 - 1);
-  const auto seen = rays_.look(ray, near_ / glm::dot(ray.direction, view_.forward));
+  const auto seen = rays_.look(ray, std::max(near_, 0.0) / glm::dot(ray.direction, view_.forward));
   if (ground_ && view_.eye.y > *ground_ && ray.direction.y < 0) {
     const double length = (*ground_ - ray.origin.y) / ray.direction.y;
     if (!seen || length < seen->length) {

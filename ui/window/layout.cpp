@@ -20,6 +20,7 @@ Layout lay_out(Vec2 window, double em, double menu, double status, double side_e
   layout.side = {{window.x - side, menu}, {side, height}};
   layout.status = {{0, menu + height}, {window.x, status}};
   layout.first = layout.viewport;
+  layout.em = em;
   return layout;
 }
 

@@ -19,6 +19,7 @@ struct Layout {
   Area viewport, side, status;
   // The halves of the viewport if it is split; otherwise `first` is all of it, and `second` has no width.
   Area first, second;
+  double em = 16;  // the size of the text
   bool split() const { return second.size.x > 0; }
 };
 

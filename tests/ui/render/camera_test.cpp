@@ -92,6 +92,59 @@ TEST(Camera, frames_worlds_of_any_size) {
   }
 }
 
+TEST(Camera, an_orthographic_view_shows_lengths_alike_at_all_distances) {
+  Camera camera = framed();
+  const CameraView before = camera.view(kWide);
+  camera.set_parallel(true);
+  camera.finish();
+  const CameraView view = camera.view(kWide);
+  EXPECT_TRUE(view.parallel);
+  const Vec3 pivot = camera.pivot();
+  for (const double depth : {-3.0, 0.0, 3.0}) {
+    const Vec3 at = pivot + view.forward * depth;
+    const double length = view.project(at + view.up * 0.5).y - view.project(at).y;
+    EXPECT_NEAR(length, before.project(pivot + before.up * 0.5).y - before.project(pivot).y, 1e-9) << depth;
+  }
+  const Vec3 p(0.3, 0.8, 1.1), seen = view.project(p);
+  const Pose ray = view.ray(seen.x, seen.y);
+  EXPECT_LT(glm::length(ray.origin + ray.direction * seen.z - p), 1e-9);
+  EXPECT_LT(glm::length(view.near().eye - before.eye), 1e-9);
+  camera.set_parallel(false);
+  camera.finish();
+  EXPECT_LT(glm::length(camera.view(kWide).eye - before.eye), 1e-12);
+}
+
+TEST(Camera, eases_from_perspective_to_orthographic_without_a_jump) {
+  Camera camera = framed();
+  camera.set_parallel(true);
+  const Vec3 corner(0.9, 1.45, 2.1);
+  Vec3 last = camera.view(kWide).project(corner);
+  int frames = 0;
+  while (camera.advance(0.016)) {
+    ASSERT_LT(++frames, 60);
+    const Vec3 now = camera.view(kWide).project(corner);
+    EXPECT_LT(glm::length(Vec2(now - last)), 0.1) << frames;
+    last = now;
+  }
+  EXPECT_TRUE(camera.view(kWide).parallel);
+}
+
+TEST(Camera, turns_on_the_shorter_way) {
+  Camera camera = framed();
+  camera.orbit(3.1, 0);
+  camera.finish();
+  camera.turn_to(-1.5707963267948966, 0);
+  camera.advance(0.001);
+  EXPECT_TRUE(camera.is_turned_to(-1.5707963267948966, 0));
+  camera.finish();
+  EXPECT_LT(glm::length(camera.view(kWide).forward - Vec3(1, 0, 0)), 1e-12);
+  camera.turn_to(0, 1.5707963267948966);
+  camera.finish();
+  const CameraView top = camera.view(kWide);
+  EXPECT_LT(glm::length(top.forward - Vec3(0, -1, 0)), 1e-12);
+  EXPECT_LT(glm::length(top.right - Vec3(1, 0, 0)), 1e-12);
+}
+
 TEST(Camera, look_at_a_target_straight_below_is_still_a_view) {
   const CameraView view = look_at({0, 5, 0}, {0, 0, 0}, kWide);
   EXPECT_NEAR(glm::length(view.right), 1, 1e-12);

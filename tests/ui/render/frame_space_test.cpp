@@ -41,5 +41,28 @@ TEST(NearPlane, is_a_share_of_the_focus_inside_the_box) {
   EXPECT_DOUBLE_EQ(near_plane(view, kBox, kNoGround), 0.008);
 }
 
+// Of every kind of view, also on the way from one kind to the other.
+TEST(FrameSpace, the_matrix_projects_as_the_view_does_and_depths_are_those_of_the_buffer) {
+  const CameraView close = look_at({3, 2, 6}, {0, 0.5, 0}, 1.5);
+  for (const double pull : {1.0, 4.0, 200.0, CameraView::kFarAway}) {
+    const CameraView view = close.pulled(pull);
+    const double near = near_plane(view, kBox, -0.1);
+    FrameSpace space;
+    space.eye = close.eye;
+    space.unit = 2;
+    const glm::mat4 clip = uniforms_of(view, near, space, 600, 400).clip_from_frame;
+    for (const Vec3& p : {Vec3(0, 0.5, 0), Vec3(-1, 1, 1), Vec3(0.9, 0, -1)}) {
+      const glm::vec4 seen = clip * glm::vec4(space.from_world(p), 1);
+      const Vec3 expected = view.project(p);
+      EXPECT_NEAR(seen.x / seen.w, expected.x, 1e-4) << pull;
+      EXPECT_NEAR(seen.y / seen.w, expected.y, 1e-4) << pull;
+      const double depth = window_depth(view, near, expected.z);
+      EXPECT_NEAR(0.5 + 0.5 * seen.z / seen.w, depth, 1e-4) << pull;
+      EXPECT_GT(depth, 0) << pull;
+      EXPECT_LT(depth, 1) << pull;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace kerf

@@ -36,19 +36,20 @@ TEST(ScreenSegment,
   for (uint64_t seed = 1; seed <= 300; ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);
-    const CameraView view = some_view(random);
+    const CameraView close = some_view(random);
+    const CameraView view = seed % 4 == 0 ? close.pulled(CameraView::kFarAway) : close;
     // Near the eye, through its plane, and far away.
     const double size = seed % 3 == 0 ? 0.5 : 20;
     const auto point = [&] {
-      return view.eye + size * Vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+      return close.eye + size * Vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
     };
     const Vec3 from = point(), to = point();
     const auto seen = on_screen(view, from, to, kWidth, kHeight, kMargin);
     for (int i = 0; i <= 200; ++i) {
       const double share = i / 200.0;
       const Vec3 p = from + share * (to - from);
-      if (glm::dot(p - view.eye, view.forward) < 1e-3 * view.focus || !in_picture(pixel_of(view, p)))
-        continue;
+      const bool behind = !view.parallel && glm::dot(p - view.eye, view.forward) < 1e-3 * view.focus;
+      if (behind || !in_picture(pixel_of(view, p))) continue;
       ASSERT_TRUE(seen.has_value());
       EXPECT_GE(share, seen->share.x - 1e-9);
       EXPECT_LE(share, seen->share.y + 1e-9);

@@ -88,6 +88,9 @@ World turned_ball() {
 World stack_255() { return world_of({test::stack(255), test::floor_at(0, 8)}); }
 
 const Vec3 kEye(2.6, 2.4, 4.2), kMiddle(0, 0.4, 0);
+const CameraView kParallel =
+    look_at(kEye, kMiddle, static_cast<double>(test::kShadowWidth) / test::kShadowHeight)
+        .pulled(CameraView::kFarAway);
 
 struct Case {
   const char* name;
@@ -101,6 +104,9 @@ const std::vector<Case>& right_cases() {
   static const std::vector<Case> cases{
       {"a box under a lamp", box_over_floor, lamp_at({1.2, 4, 1.5}), shadow_view(kEye, kMiddle)},
       {"a box in the sun", box_over_floor, sun_from({0.4, 1, 0.5}), shadow_view(kEye, kMiddle)},
+      {"a box under a lamp, orthographic", box_over_floor, lamp_at({1.2, 4, 1.5}), kParallel},
+      {"a box in the sun, orthographic", box_over_floor, sun_from({0.4, 1, 0.5}), kParallel},
+      {"an opened ball under a lamp, orthographic", opened_ball, lamp_at({1.5, 3, 2.5}), kParallel, kThin},
       {"a lamp a million metres away", box_over_floor, lamp_at({4e5, 1e6, 5e5}), shadow_view(kEye, kMiddle)},
       {"a lamp behind the eye", box_over_floor, lamp_at({4.4, 5.5, 5.0}), shadow_view(kEye, kMiddle)},
       {"a lamp at a corner", box_over_floor, lamp_at({0.5, 1.5, 0.5}), shadow_view(kEye, kMiddle)},

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include "core/base/length_text.h"
+#include "ui/editor/tools/axes_gizmo.h"
 #include "ui/editor/tools/light_handle.h"
 #include "ui/render/beam_strike.h"
 #include "ui/window/number_text.h"
@@ -26,10 +27,12 @@ void draw_ring(const MarkParts& of, ImDrawList& list) {
   if (!of.hand.over_picture && of.hand.drag != Drag::kCut) return;
   if (of.hand.tool != Tool::kLaser && of.hand.drag != Drag::kCut) return;
   if (of.hand.drag != Drag::kNone && of.hand.drag != Drag::kCut) return;
+  if (of.hand.drag == Drag::kNone && is_on_axes(of.view, of.hand.pointer)) return;
   const CameraView view = of.view.seen();
   const Vec2 p = of.view.in_picture(of.hand.pointer);
   const double distance = first_hit(of.document.world(), view.ray(p.x, p.y)).value_or(view.focus);
-  const double pixels = of.hand.laser.radius / (distance * view.tan_half_fov) * 0.5 * of.view.pane().size.y;
+  const double seen = view.parallel ? view.half_height() : distance * view.tan_half_fov;
+  const double pixels = of.hand.laser.radius / seen * 0.5 * of.view.pane().size.y;
   const auto ring = static_cast<float>(std::clamp(pixels, kLeastRing, kMostRing));
   const ImVec2 at = to_im(of.hand.pointer);
   list.AddCircle(at, ring + 1.5f, IM_COL32(10, 12, 16, 150), 0, 3.0f);
@@ -110,6 +113,7 @@ void draw_picture_marks(const MarkParts& of) {
   list.PushClipRect(to_im(area.at), to_im(area.at + area.size));
   draw_ring(of, list);
   draw_half_labels(of, list);
+  draw_axes_gizmo(of.view, of.hand.over_picture ? of.hand.pointer : Vec2(-1), list);
   if (shows_light_handles(of.settings)) draw_light_handles(of.view, list);
   draw_hints(of, list);
   list.PopClipRect();

@@ -24,6 +24,7 @@ const char* left_button(const Hand& hand) {
     case Drag::kLight:
       return "Moving a light";
     case Drag::kPick:
+    case Drag::kAxes:
     case Drag::kNone:
       break;
   }

@@ -16,6 +16,7 @@ struct UserAction {
   std::string shortcut = {};  // as it is written; empty: none
   int key = 0;                // GLFW_KEY_*; 0: none
   int mods = 0;               // GLFW_MOD_*
+  int pad_key = 0;            // GLFW_KEY_KP_* that does the same; 0: none
   const char* tip = "";
   std::function<void()> run = {};
   std::function<bool()> checked = {};         // empty: not a switch

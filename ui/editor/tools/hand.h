@@ -8,8 +8,8 @@ namespace kerf {
 // What the left button does.
 enum class Tool { kLaser, kPick };
 
-// What a drag that has begun goes on doing. One that picks has not moved yet.
-enum class Drag { kNone, kCut, kPick, kOrbit, kPan, kLight };
+// What a drag that has begun goes on doing. One that picks, or that began on the axes, has not moved yet.
+enum class Drag { kNone, kCut, kPick, kAxes, kOrbit, kPan, kLight };
 
 // The distance that the pointer may move between the press and the release of a click, in screen coordinates.
 inline constexpr double kClickReach = 4;

@@ -13,19 +13,35 @@ namespace {
 constexpr double kEmitterAside = 0.004;
 constexpr double kLeastMove = 0.5;  // pixels
 
+// Of the corner of the world's box that is nearest to the eye; not behind what is looked at.
+double least_depth(const World& world, const CameraView& view) {
+  const World::Bounds b = world.bounds();
+  double least = view.focus;
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 corner(i & 1 ? b.max.x : b.min.x, i & 2 ? b.max.y : b.min.y, i & 4 ? b.max.z : b.min.z);
+    least = std::min(least, glm::dot(corner - view.eye, view.forward));
+  }
+  return least;
+}
+
 }  // namespace
 
+// In an orthographic view the emitter moves with the pointer, so that all poses are parallel.
 Pose LaserTool::aim(const CameraView& view, Vec2 pointer) const {
   const Pose ray = view.ray(pointer.x, pointer.y);
-  const Vec3 emitter = view.eye + (view.right + view.up) * (kEmitterAside * focus_);
-  return {emitter, glm::normalize(ray.origin + ray.direction * focus_ - emitter)};
+  const Vec3 target = ray.origin + ray.direction * focus_;
+  const Vec3 before = view.parallel ? target - view.forward * emitter_ : view.eye;
+  const Vec3 emitter = before + (view.right + view.up) * (kEmitterAside * emitter_);
+  return {emitter, glm::normalize(target - emitter)};
 }
 
 void LaserTool::press(Document& document, const CameraView& view, Vec2 pointer, const LaserControls& controls,
                       double heard) {
   const Pose ray = view.ray(pointer.x, pointer.y);
+  const double diagonal = document.world().bounds().diagonal();
   focus_ = first_hit(document.world(), ray).value_or(view.focus);
-  const CutSettings settings = controls.settings(document.world().bounds().diagonal());
+  emitter_ = view.parallel ? focus_ - least_depth(document.world(), view) + 0.1 * diagonal : focus_;
+  const CutSettings settings = controls.settings(diagonal);
   radius_ = settings.laser.radius;
   const bool by_edge = settings.resolution.rule == Resolution::Rule::kTargetEdge;
   overshoot_ = by_edge ? settings.resolution.target_edge : 0.5 * radius_;
@@ -63,8 +79,8 @@ void LaserTool::find_strike(const Document& document) {
 
 std::optional<BeamPicture> LaserTool::picture(const Document& document) const {
   if (!cutting_ && !document.beam_waits()) return std::nullopt;
-  BeamPicture beam{beam_.origin, beam_.origin + beam_.direction * std::min(reach_, 20 * focus_), std::nullopt,
-                   radius_};
+  BeamPicture beam{beam_.origin, beam_.origin + beam_.direction * std::min(reach_, 20 * emitter_),
+                   std::nullopt, radius_};
   if (strike_) beam.strike = beam_.origin + beam_.direction * *strike_;
   return beam;
 }

@@ -38,6 +38,7 @@ class LaserTool {
   bool cutting_ = false;
   double began_ = 0;              // s of that clock, when the stroke began
   double focus_ = 1;              // m along the pointer's ray
+  double emitter_ = 1;            // m from there back to the emitter
   double reach_ = 1;              // m along the beam
   double radius_ = 0.01;          // m
   double overshoot_ = 0.01;       // m, how far beside the beam the rim of what it burns may be

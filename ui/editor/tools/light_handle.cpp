@@ -19,7 +19,7 @@ struct Sphere {
   double radius;
 };
 Sphere sphere_of(const CameraView& view) {
-  return {view.eye + view.forward * view.focus, kSphere * view.focus * view.tan_half_fov};
+  return {view.eye + view.forward * view.focus, kSphere * view.half_height()};
 }
 
 Vec3 place_of(const Light& light, const CameraView& view) {
@@ -69,7 +69,7 @@ void drag_light(ViewState& view, size_t light, Vec2 to) {
   const Pose ray = camera.ray(p.x, p.y);
   if (dragged.kind == Light::Kind::kPoint) {
     const double depth = glm::dot(dragged.at - camera.eye, camera.forward);
-    dragged.at = camera.eye + ray.direction * (depth / glm::dot(ray.direction, camera.forward));
+    dragged.at = ray.origin + ray.direction * (depth / glm::dot(ray.direction, camera.forward));
   } else {
     dragged.at = on_sphere(sphere_of(camera), ray, glm::dot(dragged.at, camera.forward) > 0);
   }

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "ui/editor/tools/axes_gizmo.h"
 #include "ui/editor/tools/light_handle.h"
 #include "ui/editor/view/piece_set.h"
 #include "ui/render/pick.h"
@@ -55,7 +56,12 @@ void pick_piece(const MouseParts& on, int mods) {
 void begin(const MouseParts& on, Drag drag, double heard) {
   on.hand.drag = drag;
   on.hand.pressed_at = on.hand.pointer;
-  if (drag == Drag::kCut || drag == Drag::kPick) {
+  const bool left = drag == Drag::kCut || drag == Drag::kPick;
+  if (left && is_on_axes(on.view, on.hand.pointer)) {
+    on.hand.drag = Drag::kAxes;
+    return;
+  }
+  if (left) {
     const auto light = light_under(on.view, on.hand.pointer);
     if (light && shows_light_handles(on.settings)) {
       on.hand.drag = Drag::kLight;
@@ -84,6 +90,7 @@ void go_on(const MouseParts& on, Vec2 from, double heard) {
                         2 / on.view.pane().size.y, heard);
       break;
     case Drag::kPick:
+    case Drag::kAxes:
       if (glm::length(on.hand.pointer - on.hand.pressed_at) > kClickReach) on.hand.drag = Drag::kOrbit;
       break;
     case Drag::kOrbit:
@@ -120,6 +127,11 @@ void handle_mouse(const MouseParts& on, const InputEvent& event, bool free) {
         cancel_stroke(on.hand, on.work.document);
       if (on.hand.drag == Drag::kPick) {
         pick_piece(on, event.mods);
+        on.hand.drag = Drag::kNone;
+      }
+      if (on.hand.drag == Drag::kAxes) {
+        if (const auto end = axis_end_under(on.view, on.hand.pointer))
+          on.view.camera.turn_to(end->view.yaw, end->view.pitch);
         on.hand.drag = Drag::kNone;
       }
       if (on.hand.drag == Drag::kOrbit || on.hand.drag == Drag::kPan || on.hand.drag == Drag::kLight)

@@ -43,7 +43,7 @@ std::string suggested_name(const OpenWork& work) {
 
 SceneDescription scene_now(const OpenWork& work, const ViewState& view) {
   SceneDescription scene = work.scene;
-  scene.view = View{view.seen().eye, view.camera.pivot()};
+  scene.view = View{view.seen().near().eye, view.camera.pivot()};
   if (view.look.lights != lights_shown(scene)) scene.lights = view.look.lights;
   return scene;
 }

@@ -72,6 +72,24 @@ TEST_F(LaserToolTest, a_slit_follows_the_pointer_over_surfaces_at_all_distances)
   }
 }
 
+TEST_F(LaserToolTest, a_stroke_in_an_orthographic_view_cuts_under_the_pointer) {
+  const CameraView parallel = view.pulled(CameraView::kFarAway);
+  const auto distance = [&](double x, double y) {
+    return first_hit(document.world(), parallel.ray(x, y)).value_or(1e9) - parallel.focus;
+  };
+  tool.press(document, parallel, {-0.3, 0.1}, controls, 7);
+  tool.move(document, parallel, {0.3, 0.1}, 2.0 / 700, 7.5);
+  const auto beam = tool.picture(document);
+  tool.release(document);
+  step();
+  for (const double x : {-0.3, -0.1, 0.1, 0.3}) EXPECT_GT(distance(x, 0.1), 0.5) << x;
+  EXPECT_LT(distance(0, 0.3), 0);
+  // The emitter is before the world, and not as far away as the eye.
+  ASSERT_TRUE(beam);
+  EXPECT_GT(beam->from.z, 1);
+  EXPECT_LT(beam->from.z, 10);
+}
+
 TEST_F(LaserToolTest, the_beam_is_drawn_where_the_cut_has_come_to) {
   tool.press(document, view, {-0.3, 0}, controls, 7);
   step();

@@ -396,6 +396,18 @@ class Window(unittest.TestCase):
         report = editor.quit()
         self.assertEqual((report["pieces_hidden"], report["pieces_chosen"], report["strokes"]), (1, 0, 0))
 
+    def test_pieces_are_chosen_by_a_box_and_isolated(self):
+        editor = self.open(SPHERE)
+        editor.drag([(0.2, 0.5), (0.8, 0.5)])
+        editor.xdotool("keydown", "ctrl")
+        editor.drag([(0.9, 0.2), (0.1, 0.3)])  # from right to left, over the upper half alone
+        editor.xdotool("keyup", "ctrl")
+        editor.do("slash")
+        editor.do("slash")
+        report = editor.quit()
+        self.assertEqual((report["pieces"], report["pieces_chosen"], report["pieces_hidden"]), (2, 1, 0))
+        self.assertEqual(report["undo_depth"], 3)  # the stroke, one half hidden, and shown again
+
     def test_a_good_file_opens_and_a_broken_one_changes_nothing(self):
         editor = self.open()
         self.open_by_browser(editor, SPHERE)

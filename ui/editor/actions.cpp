@@ -13,6 +13,7 @@ namespace {
 constexpr std::array kGestures{
     Gesture{"Left drag", "Cut where the pointer goes"},
     Gesture{"Ctrl+click", "Choose a piece; with Shift one more"},
+    Gesture{"Ctrl+left drag", "Choose the pieces in a box; from right to left those that it touches"},
     Gesture{"Middle drag, Alt+left drag", "Orbit"},
     Gesture{"Shift+middle drag, right drag", "Pan"},
     Gesture{"Left drag on a light", "Move it, while the Light panel is open"},
@@ -41,17 +42,16 @@ std::vector<UserAction> tool_actions(EditorState& s) {
                  .tip = "Left drag cuts.",
                  .run = [&s] { take_tool(s, Tool::kLaser); },
                  .checked = [&s] { return s.hand.tool == Tool::kLaser; }},
-      UserAction{
-          .menu = "Tool",
-          .name = "Pick pieces",
-          .shortcut = "K",
-          .key = GLFW_KEY_K,
-          .tip =
-              "A click chooses a piece, Shift+click adds one; left drag looks round. With the laser in hand, "
-              "Ctrl+click does the same.",
-          .run = [&s] { take_tool(s, Tool::kPick); },
-          .checked = [&s] { return s.hand.tool == Tool::kPick; },
-          .ends_group = true},
+      UserAction{.menu = "Tool",
+                 .name = "Pick pieces",
+                 .shortcut = "K",
+                 .key = GLFW_KEY_K,
+                 .tip = "A click chooses a piece, a drag the pieces in a box; with Shift they are added. "
+                        "With the laser "
+                        "in hand, Ctrl does the same.",
+                 .run = [&s] { take_tool(s, Tool::kPick); },
+                 .checked = [&s] { return s.hand.tool == Tool::kPick; },
+                 .ends_group = true},
       UserAction{.menu = "Tool",
                  .name = "Cut the last stroke again",
                  .shortcut = "R",
@@ -95,6 +95,10 @@ std::span<const Gesture> gestures() { return kGestures; }
 
 void escape(EditorState& state) {
   if (cancel_stroke(state.hand, state.work.document)) return;
+  if (state.hand.drag == Drag::kBox) {
+    state.hand.drag = Drag::kNone;
+    return;
+  }
   if (state.opening.loader.busy()) return cancel_opening(state.opening, state.message);
   if (state.shortcuts_shown) {
     state.shortcuts_shown = false;

@@ -5,6 +5,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include "ui/editor/changes/world_changes.h"
 #include "ui/editor/view/camera_text.h"
 #include "ui/editor/view/piece_set.h"
 
@@ -114,6 +115,14 @@ std::vector<UserAction> piece_actions(EditorState& s) {
                  .tip = "Draws the hidden pieces again.",
                  .run = [&s] { s.requests.show_hidden = true; },
                  .why_not = [&s] { return why_none_hidden(s); }},
+      UserAction{.menu = "Edit",
+                 .name = "Isolate the chosen",
+                 .shortcut = "/",
+                 .key = GLFW_KEY_SLASH,
+                 .pad_key = GLFW_KEY_KP_DIVIDE,
+                 .tip = "Hides all other pieces; the same again shows them as they were.",
+                 .run = [&s] { s.requests.isolate = true; },
+                 .why_not = [&s] { return why_no_isolation(s.work.document.world(), s.view); }},
       UserAction{.menu = "Edit",
                  .name = "Delete the chosen",
                  .shortcut = "Del",

@@ -70,6 +70,7 @@ void RequestDesk::change_world(const Requests& wanted) {
   if (wanted.hide_chosen) state_.requests.hide_chosen = changes_.hide_chosen();
   if (wanted.delete_chosen) state_.requests.delete_chosen = changes_.delete_chosen();
   if (wanted.show_hidden && !changes_.is_pending()) changes_.show_hidden();
+  if (wanted.isolate && !changes_.is_pending()) changes_.isolate_chosen();
   if (wanted.recut && !changes_.is_pending()) changes_.recut_last_stroke();
 }
 

@@ -11,6 +11,7 @@ void forget_what_was_open(const OpenerParts& on) {
   on.hand.cut_once = false;
   on.split.twin.forget();
   on.view.look.pieces.clear();
+  on.view.isolated_from.clear();
   on.view.look.tree.body.reset();
   on.view.look.shadow.inspected = 0;
   on.view.spread = 0;

@@ -56,7 +56,43 @@ auto apply_all(std::vector<Command> commands) {
   };
 }
 
+std::vector<BodyId> hidden_bodies(const World& world) {
+  std::vector<BodyId> hidden;
+  for (const BodyId id : world.ids()) {
+    if (world.body(id).hidden) hidden.push_back(id);
+  }
+  return hidden;
+}
+
+// Hides or shows pieces one after the other, because a piece may be part of another body after a command.
+Outcome hide_all(Document& document, std::vector<PieceId> pieces, bool hide, const Progress* progress) {
+  Outcome all;
+  for (size_t i = 0; i < pieces.size() && all.ok(); ++i) {
+    Outcome one = document.apply(HidePiece{pieces[i], hide}, progress);
+    for (PieceId& piece : pieces) piece = named_after(one.delta, piece);
+    all.append(std::move(one));
+  }
+  return all;
+}
+
+// The pieces that were hidden because others were isolated, and still are.
+std::vector<PieceId> to_show_again(const World& world, const ViewState& view) {
+  std::vector<PieceId> pieces;
+  for (const PieceId& piece : hidden_pieces(view.look.pieces)) {
+    const std::vector<BodyId>& bodies = view.isolated_from;
+    if (world.contains(piece.body) && std::find(bodies.begin(), bodies.end(), piece.body) != bodies.end())
+      pieces.push_back(piece);
+  }
+  return pieces;
+}
+
 }  // namespace
+
+const char* why_no_isolation(const World& world, const ViewState& view) {
+  if (!to_show_again(world, view).empty()) return nullptr;
+  if (const char* why = why_none_chosen(view.look.pieces)) return why;
+  return other_pieces(world, view.look.pieces).empty() ? "All pieces are chosen." : nullptr;
+}
 
 const char* why_no_recut(const Document& document) {
   if (!document.has_stroke()) return "Nothing is cut yet.";
@@ -109,6 +145,21 @@ void WorldChanges::show_hidden() {
   for (const PieceId& piece : hidden_pieces(on_.view.look.pieces))
     commands.emplace_back(HidePiece{piece, false});
   change("Show all pieces", is_small(on_.work.document), apply_all(std::move(commands)));
+}
+
+void WorldChanges::isolate_chosen() {
+  const World& world = on_.work.document.world();
+  std::vector<PieceId> pieces = to_show_again(world, on_.view);
+  const bool hide = pieces.empty();
+  if (hide) {
+    pieces = other_pieces(world, on_.view.look.pieces);
+    hidden_before_ = hidden_bodies(world);
+  }
+  cancel_stroke(on_.hand, on_.work.document);
+  change(hide ? "Isolate pieces" : "Show the other pieces", is_small(on_.work.document),
+         [pieces, hide](Document& document, const Progress* progress) {
+           return hide_all(document, pieces, hide, progress);
+         });
 }
 
 void WorldChanges::recut_last_stroke() {
@@ -211,6 +262,13 @@ void WorldChanges::show_change(const Delta& delta, PreparedBodies prepared) {
   ViewOptions& look = on_.view.look;
   follow_world(world, delta, look.pieces);
   if (on_.view.spread > 0) spread_pieces(world, on_.view.spread, look.pieces);
+  if (hidden_before_) {
+    on_.view.isolated_from = hidden_bodies(world);
+    std::erase_if(on_.view.isolated_from, [&](const BodyId& id) {
+      return std::find(hidden_before_->begin(), hidden_before_->end(), id) != hidden_before_->end();
+    });
+    hidden_before_.reset();
+  }
   if (look.tree.body && !world.contains(*look.tree.body)) look.tree.body.reset();
   on_.view.picture_old = on_.figures.world_changed = true;
 }

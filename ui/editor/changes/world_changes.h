@@ -15,6 +15,8 @@ namespace kerf {
 
 // The reason why the last stroke of a document cannot be cut again, in one sentence, or null if it can.
 const char* why_no_recut(const Document& document);
+// The same for isolating the selected pieces, and for showing the others again.
+const char* why_no_isolation(const World& world, const ViewState& view);
 
 // Changes the open document and updates the picture, the pieces and the figures. Errors are shown in the
 // status bar. A change that takes too long for a frame becomes pending; no function that changes the world
@@ -48,6 +50,9 @@ class WorldChanges {
   bool hide_chosen();
   bool delete_chosen();
   void show_hidden();
+  // Hides all pieces but the selected ones; the next call shows again those that were hidden by it, and no
+  // others.
+  void isolate_chosen();
   // Undoes the last stroke and queues it again at the current resolution; its other settings stay. It is cut
   // during the next frames. Consecutive recuts are one step of the history. Does nothing if why_no_recut()
   // gives a reason.
@@ -75,6 +80,7 @@ class WorldChanges {
 
   Parts on_;
   std::optional<LongChange> pending_;
+  std::optional<std::vector<BodyId>> hidden_before_;  // an isolation that is going on
 };
 
 }  // namespace kerf

@@ -5,6 +5,7 @@
 #include "core/base/length_text.h"
 #include "ui/editor/tools/axes_gizmo.h"
 #include "ui/editor/tools/light_handle.h"
+#include "ui/editor/tools/rubber_band.h"
 #include "ui/render/beam_strike.h"
 #include "ui/window/number_text.h"
 #include "ui/window/theme.h"
@@ -115,6 +116,7 @@ void draw_picture_marks(const MarkParts& of) {
   draw_half_labels(of, list);
   draw_axes_gizmo(of.view, of.hand.over_picture ? of.hand.pointer : Vec2(-1), list);
   if (shows_light_handles(of.settings)) draw_light_handles(of.view, list);
+  if (of.hand.drag == Drag::kBox) draw_rubber_band({of.hand.pressed_at, of.hand.pointer}, list);
   draw_hints(of, list);
   list.PopClipRect();
 }

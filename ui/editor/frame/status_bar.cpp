@@ -23,12 +23,14 @@ const char* left_button(const Hand& hand) {
       return "Panning";
     case Drag::kLight:
       return "Moving a light";
+    case Drag::kBox:
+      return "Choosing what lies wholly in the box; from right to left: what it touches";
     case Drag::kPick:
     case Drag::kAxes:
     case Drag::kNone:
       break;
   }
-  if (hand.tool == Tool::kPick) return "Pick: click chooses a piece, Shift adds, drag looks round";
+  if (hand.tool == Tool::kPick) return "Pick: click or drag a box to choose pieces, Shift adds";
   if (hand.cut_once) return "Laser: left drag cuts, Ctrl+click picks";
   return "Laser: left drag cuts";
 }

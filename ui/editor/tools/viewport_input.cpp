@@ -7,6 +7,7 @@
 
 #include "ui/editor/tools/axes_gizmo.h"
 #include "ui/editor/tools/light_handle.h"
+#include "ui/editor/tools/rubber_band.h"
 #include "ui/editor/view/piece_set.h"
 #include "ui/render/pick.h"
 
@@ -53,6 +54,16 @@ void pick_piece(const MouseParts& on, int mods) {
   on.view.picture_old = true;
 }
 
+void choose_in_box(const MouseParts& on, int mods) {
+  if (on.view.in_second) return on.message.say("Pieces are chosen in the left half.", true);
+  PieceMap& looks = on.view.look.pieces;
+  if ((mods & GLFW_MOD_SHIFT) == 0) choose_none(looks);
+  const RubberBand band{on.view.in_picture(on.hand.pressed_at), on.view.in_picture(on.hand.pointer)};
+  for (const PieceId& id : pieces_in(band, on.work.document.world(), looks, on.view.seen()))
+    looks[id].selected = true;
+  on.view.picture_old = true;
+}
+
 void begin(const MouseParts& on, Drag drag, double heard) {
   on.hand.drag = drag;
   on.hand.pressed_at = on.hand.pointer;
@@ -82,6 +93,9 @@ void begin(const MouseParts& on, Drag drag, double heard) {
   on.message.say("");
 }
 
+// Whether the pointer moved too far for a click.
+bool has_left_click(const Hand& hand) { return glm::length(hand.pointer - hand.pressed_at) > kClickReach; }
+
 void go_on(const MouseParts& on, Vec2 from, double heard) {
   const Vec2 moved = (on.hand.pointer - from) / on.view.pane().size.y;
   switch (on.hand.drag) {
@@ -90,8 +104,10 @@ void go_on(const MouseParts& on, Vec2 from, double heard) {
                         2 / on.view.pane().size.y, heard);
       break;
     case Drag::kPick:
+      if (has_left_click(on.hand)) on.hand.drag = Drag::kBox;
+      break;
     case Drag::kAxes:
-      if (glm::length(on.hand.pointer - on.hand.pressed_at) > kClickReach) on.hand.drag = Drag::kOrbit;
+      if (has_left_click(on.hand)) on.hand.drag = Drag::kOrbit;
       break;
     case Drag::kOrbit:
       on.view.camera.orbit(-moved.x * kOrbitPerHeight, moved.y * kOrbitPerHeight);
@@ -102,9 +118,31 @@ void go_on(const MouseParts& on, Vec2 from, double heard) {
     case Drag::kLight:
       drag_light(on.view, on.hand.dragged_light, on.hand.pointer);
       break;
+    case Drag::kBox:
     case Drag::kNone:
       break;
   }
+}
+
+void end(const MouseParts& on, const InputEvent& event) {
+  switch (on.hand.drag) {
+    case Drag::kCut:
+      if (event.button == GLFW_MOUSE_BUTTON_LEFT) cancel_stroke(on.hand, on.work.document);
+      return;
+    case Drag::kPick:
+      pick_piece(on, event.mods);
+      break;
+    case Drag::kBox:
+      choose_in_box(on, event.mods);
+      break;
+    case Drag::kAxes:
+      if (const auto axis = axis_end_under(on.view, on.hand.pointer))
+        on.view.camera.turn_to(axis->view.yaw, axis->view.pitch);
+      break;
+    default:
+      break;
+  }
+  on.hand.drag = Drag::kNone;
 }
 
 }  // namespace
@@ -123,19 +161,7 @@ void handle_mouse(const MouseParts& on, const InputEvent& event, bool free) {
       go_on(on, from, event.seconds);
       break;
     case InputEvent::Kind::kRelease:
-      if (on.hand.drag == Drag::kCut && event.button == GLFW_MOUSE_BUTTON_LEFT)
-        cancel_stroke(on.hand, on.work.document);
-      if (on.hand.drag == Drag::kPick) {
-        pick_piece(on, event.mods);
-        on.hand.drag = Drag::kNone;
-      }
-      if (on.hand.drag == Drag::kAxes) {
-        if (const auto end = axis_end_under(on.view, on.hand.pointer))
-          on.view.camera.turn_to(end->view.yaw, end->view.pitch);
-        on.hand.drag = Drag::kNone;
-      }
-      if (on.hand.drag == Drag::kOrbit || on.hand.drag == Drag::kPan || on.hand.drag == Drag::kLight)
-        on.hand.drag = Drag::kNone;
+      end(on, event);
       break;
     case InputEvent::Kind::kWheel:
       if (on.hand.over_picture && on.hand.drag != Drag::kCut) {

@@ -21,9 +21,9 @@ struct MouseParts {
 };
 
 // What the mouse does in the picture: left drag cuts or, with the tool that picks or Ctrl held, a click
-// chooses the piece there; middle or Alt+left drag orbits, Shift+middle or right drag pans, the wheel zooms
-// to the pointer. A drag belongs to where it began and goes on across panels. `free` says that no panel or
-// menu wants the mouse.
+// chooses the piece there and a drag those in a box; middle or Alt+left drag orbits, Shift+middle or right
+// drag pans, the wheel zooms to the pointer. A drag belongs to where it began and goes on across panels.
+// `free` says that no panel or menu wants the mouse.
 void handle_mouse(const MouseParts& on, const InputEvent& event, bool free);
 
 }  // namespace kerf

@@ -108,6 +108,15 @@ std::vector<PieceId> hidden_pieces(const PieceMap& looks) {
   return hidden;
 }
 
+std::vector<PieceId> other_pieces(const World& world, const PieceMap& looks) {
+  std::vector<PieceId> others;
+  for (const PieceRow& row : list_pieces(world)) {
+    const auto look = looks.find(row.id);
+    if (look == looks.end() || !(look->second.hidden || look->second.selected)) others.push_back(row.id);
+  }
+  return others;
+}
+
 namespace {
 
 bool has_faces(const World& world, const PieceId& id) {
@@ -116,15 +125,15 @@ bool has_faces(const World& world, const PieceId& id) {
   return id.label < pieces.size() && pieces[id.label].faces > 0;
 }
 
-// The piece as it is named after it, and those before it in the list, were detached.
+}  // namespace
+
 PieceId named_after(const Delta& delta, PieceId id) {
+  // One after the other: what was detached may be detached from again.
   for (const Detached& d : delta.detached) {
     if (id == PieceId{d.from, d.label}) id.body = d.to;
   }
   return id;
 }
-
-}  // namespace
 
 void follow_world(const World& world, const Delta& delta, PieceMap& looks) {
   PieceMap now;

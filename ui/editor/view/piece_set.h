@@ -39,6 +39,11 @@ const char* why_none_chosen(const PieceMap& looks);
 // The first selected piece, or nothing.
 std::optional<PieceId> first_chosen(const PieceMap& looks);
 std::vector<PieceId> hidden_pieces(const PieceMap& looks);
+// The pieces that are neither hidden nor selected.
+std::vector<PieceId> other_pieces(const World& world, const PieceMap& looks);
+
+// The piece as it is named after a step in which pieces were detached, or put back.
+PieceId named_after(const Delta& delta, PieceId id);
 
 // Updates the looks after a step that changed the world by `delta`: pieces of hidden bodies are hidden and
 // deselected, all others shown, and pieces without faces are dropped. The look of a piece that was detached,

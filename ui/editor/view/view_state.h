@@ -16,6 +16,7 @@ struct ViewState {
   std::optional<View> home;  // the view that the scene asks for
   double spread = 0;  // displacement of pieces, as a multiple of their distance from the centre of the world
   Layout layout;
+  std::vector<BodyId> isolated_from;  // bodies that are hidden because others were isolated
   bool in_second = false;   // the pointer is in the right half of a split picture, or its drag began there
   bool picture_old = true;  // the picture has to be redrawn
 

@@ -17,7 +17,7 @@ struct Requests {
   std::filesystem::path save_to;  // empty: nowhere
   bool recut = false;
   bool undo = false, redo = false;
-  bool hide_chosen = false, show_hidden = false, delete_chosen = false;
+  bool hide_chosen = false, show_hidden = false, isolate = false, delete_chosen = false;
   std::vector<Command> commands;
   std::optional<size_t> travel;  // to a position of the history
   enum class Screenshot { kNone, kPicture, kWindow };

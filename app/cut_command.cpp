@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <iostream>
 
 #include "app/commands.h"
 #include "app/cut_options.h"
@@ -34,7 +35,10 @@ class CutRun {
     if (const auto s = cut_strokes(); !s) return s;
     if (const auto s = write_journal(); !s) return s;
     const StrokePath first = strokes_.empty() ? StrokePath{} : strokes_.front();
-    return folder.write(job_, document_.world(), stroke_settings(options_, first, diagonal_));
+    const auto written = folder.write(job_, document_.world(), stroke_settings(options_, first, diagonal_));
+    if (!written) return written.error();
+    std::cerr << "kerf: " << cut_summary(job_, strokes_.size(), written->size(), options_.out) << '\n';
+    return Done{};
   }
 
  private:

@@ -77,6 +77,16 @@ Status take_key(const std::string& key, const JsonValue& value, CutOptions& o) {
   return value.wrong("is not a setting that this version has");
 }
 
+constexpr const char* kPathFile =
+    R"(The path file holds strokes. Between the keys of a stroke the origin of the beam
+moves on a straight line and its direction along the shorter arc; the beam is on
+for the whole of the stroke. Lengths are in metres, and "t" is in seconds and only
+gives the order of the keys. "laser" and what it holds may be left out.
+  {"strokes": [{"laser": {"radius": 0.01, "range": [0, 10]},
+                "keys": [{"t": 0, "origin": [-1.5, 3, 0.4], "direction": [0, -1, 0]},
+                         {"t": 1, "origin": [1.5, 3, 0.4], "direction": [0, -1, 0]}]}]}
+One key is a beam that stands still. Directions need not have unit length.)";
+
 bool is_resolution(const std::string& key) {
   return key == "target-edge" || key == "tolerance" || key == "depth";
 }
@@ -84,6 +94,7 @@ bool is_resolution(const std::string& key) {
 }  // namespace
 
 void add_cut_options(CLI::App& command, CutOptions& o) {
+  command.footer(kPathFile);
   command.add_option("MESH", o.meshes, "Mesh files (OBJ, STL, PLY, OFF), cut together")->required();
   command.add_option("--path", o.path, "The strokes of the laser (JSON); without it nothing is cut");
   command.add_option("--out", o.out, "The folder for the pieces and report.json")->required();

@@ -5,6 +5,7 @@
 
 #include "core/document/hash_text.h"
 #include "core/world/state_hash.h"
+#include "ui/window/number_text.h"
 
 namespace kerf {
 
@@ -107,6 +108,22 @@ double smallest_angle(const World& world) {
   for_each_live_face(
       world, [&](const Mesh& m, FaceId f) { cosine = std::max(cosine, largest_cosine(m.triangle(f))); });
   return std::acos(cosine) * 180 / 3.14159265358979323846;
+}
+
+std::string cut_summary(const CutJob& job, size_t strokes, size_t pieces, const std::string& folder) {
+  const auto count = [](size_t number, const char* noun) {
+    return grouped(number) + " " + noun + (number == 1 ? "" : "s");
+  };
+  std::string text;
+  if (strokes == 0) {
+    text = "nothing was cut, because there is no stroke";
+  } else if (job.removed_faces == 0) {
+    text = count(strokes, "stroke") + " met nothing";
+  } else {
+    text = count(strokes, "stroke") + " removed " + count(job.removed_faces, "face") + " (" +
+           area_text(job.removed_area) + ")";
+  }
+  return text + "; " + count(pieces, "piece") + " and report.json are in " + folder;
 }
 
 nlohmann::ordered_json cut_report(const CutJob& job, const World& world,

@@ -1,6 +1,8 @@
 #include "app/picture_arguments.h"
 
+#include <algorithm>
 #include <CLI/CLI.hpp>
+#include <filesystem>
 
 #include "app/parse_values.h"
 
@@ -10,7 +12,9 @@ void PictureArguments::add_to(CLI::App& command) {
   command.add_option("--size", size, "Width and height in pixels, WxH (1280x720)");
   command.add_option("--eye", eye, "Where the camera stands, x,y,z in metres");
   command.add_option("--target", target, "What it looks at, x,y,z in metres");
-  command.add_option("--show", show, "Overlays, separated by commas: " + offered_show_names());
+  command.add_option(
+      "--show", show,
+      "Overlays, separated by commas (shadows, unless the scene says otherwise): " + offered_show_names());
 }
 
 Result<PictureOptions> PictureArguments::parse() const {
@@ -40,8 +44,17 @@ Status show_as_asked(const PictureArguments& arguments, const Scene& scene, cons
   if (!arguments.show.empty()) return Done{};
   const auto wanted = parse_show_list(scene.show);
   if (!wanted) return bad_input(file + ": /show: " + wanted.error().message);
-  options.show = *wanted;
+  options.show = scene.show.empty() ? default_show() : *wanted;
   return Done{};
+}
+
+Status check_picture_name(const std::string& option, const std::string& file) {
+  std::string ending = std::filesystem::path(file).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  if (ending.empty() || ending == ".png") return Done{};
+  return bad_input(option + ": " + file +
+                   ": pictures are written as PNG only; choose a name that ends in .png");
 }
 
 }  // namespace kerf

@@ -20,9 +20,12 @@ struct PictureArguments {
   Result<PictureOptions> parse() const;
 };
 
-// If the command line does not say what to show, sets what the scene asks for. The error names `file`, the
-// scene's file.
+// If the command line does not say what to show, sets what the scene asks for, or if that does not say it
+// either, what the editor shows at first. The error names `file`, the scene's file.
 Status show_as_asked(const PictureArguments& arguments, const Scene& scene, const std::string& file,
                      PictureOptions& options);
+
+// Checks that a file for a picture does not have the ending of another format: only PNG is written.
+Status check_picture_name(const std::string& option, const std::string& file);
 
 }  // namespace kerf

@@ -64,14 +64,17 @@ Status PiecesFolder::make() const {
   return Done{};
 }
 
-Status PiecesFolder::write(CutJob& job, const World& world, const CutSettings& settings) const {
-  const auto written = [&] {
+Result<std::vector<WrittenPiece>> PiecesFolder::write(CutJob& job, const World& world,
+                                                      const CutSettings& settings) const {
+  auto written = [&] {
     const Stopwatch watch(job.save_s);
     return write_pieces(world, *this);
   }();
   if (!written) return written.error();
   const auto report = cut_report(job, world, settings_json(settings, format, split_all), *written);
-  return write_file_atomically(std::filesystem::path(path) / "report.json", report.dump(2) + "\n");
+  const auto file = std::filesystem::path(path) / "report.json";
+  if (const auto s = write_file_atomically(file, report.dump(2) + "\n"); !s) return s.error();
+  return written;
 }
 
 }  // namespace kerf

@@ -23,6 +23,7 @@ Result<Work> load_work(const std::filesystem::path& file) {
 }
 
 Status render(const RenderArguments& a) {
+  if (const auto s = check_picture_name("--out", a.out); !s) return s;
   auto options = a.picture.parse();
   if (!options) return options.error();
   catch_interrupts();

@@ -13,6 +13,7 @@
 #include "core/cut/stopwatch.h"
 #include "core/document/command_words.h"
 #include "core/document/hash_text.h"
+#include "core/document/lasting_commands.h"
 #include "core/document/replay.h"
 #include "core/world/state_hash.h"
 #include "ui/render/film.h"
@@ -46,7 +47,7 @@ class ReplayRun {
     const uint64_t hash = state_hash(document.world());
     std::cout << hash_text(hash) << '\n';
     if (!folder.path.empty()) {
-      if (const auto s = folder.write(job_, document.world(), first_settings()); !s) return s;
+      if (const auto s = folder.write(job_, document.world(), first_settings()); !s) return s.error();
     }
     return judge(replay, hash);
   }
@@ -89,6 +90,7 @@ class ReplayRun {
     auto film = Film::begin(work_.scene, {*picture, arguments_.frames_per_second, arguments_.frames});
     if (!film) return film.error();
     film_.emplace(std::move(*film));
+    lasting_ = lasting_commands(work_.journal.commands);
     return Done{};
   }
 
@@ -99,14 +101,14 @@ class ReplayRun {
     Walk how;
     if (film_) how.moves_a_step = 1;
     how.progress = &progress;
-    how.told = [&](const Result<StepResult>& step) { return note(document, step); };
+    how.told = [&](const Result<StepResult>& step) { return note(replay, document, step); };
     step_began_ = Clock::now();
     if (const Status run = replay.run(how); !run) return error_or_stopped(run.error());
     return film_ ? film_->end(document) : Done{};
   }
 
   // A step that fails failed when the journal was made, too, or the hash will tell.
-  Status note(const Document& document, const Result<StepResult>& step) {
+  Status note(const Replay& replay, const Document& document, const Result<StepResult>& step) {
     if (interrupted()) return stopped();
     if (step) {
       ++job_.steps;
@@ -114,9 +116,17 @@ class ReplayRun {
     } else {
       warn(step.error().message);
     }
-    const Status filmed = film_ ? film_->follow(document, step ? &*step : nullptr) : Done{};
+    const Status filmed = film(replay, document, step ? &*step : nullptr);
     step_began_ = Clock::now();
     return filmed;
+  }
+
+  // The film leaves out what was undone and strokes that were cut again.
+  Status film(const Replay& replay, const Document& document, const StepResult* step) {
+    if (!film_) return Done{};
+    if (lasting_[replay.applied() - 1]) return film_->follow(document, step);
+    film_->leave_out(document, step);
+    return Done{};
   }
 
   CutSettings first_settings() const {
@@ -150,6 +160,7 @@ class ReplayRun {
   Work work_;
   CutJob job_;
   std::optional<Film> film_;
+  std::vector<bool> lasting_;  // by command of the journal, while filming
   Clock::time_point step_began_;
 };
 
@@ -164,7 +175,8 @@ void add_replay_command(CLI::App& app, Invocation& invocation) {
   command->add_option("--expect", a->expect, "The hash that the end must have");
   auto* frames = command->add_option("--frames", a->frames,
                                      "A folder for a film in numbered PNGs: the beam goes at a steady speed, "
-                                     "across the diagonal of all meshes in four seconds");
+                                     "across the diagonal of all meshes in four seconds; what was undone is "
+                                     "left out");
   command->add_option("--fps", a->frames_per_second, "Frames a second of the film (30)")->needs(frames);
   a->picture.add_to(*command);
   command->callback([a, &invocation] {

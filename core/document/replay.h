@@ -14,6 +14,8 @@ class Replay {
   Replay(const Journal& journal, Document& document) : journal_(journal), document_(document) { compare(); }
 
   bool done() const { return next_ == journal_.commands.size() && document_.waiting() == 0; }
+  // The number of commands applied so far. What `told` hears of is what the last of these did.
+  size_t applied() const { return next_; }
   // How much of the journal is applied, 0 to 1.
   double fraction() const;
 

@@ -1,6 +1,7 @@
 """The command line as INTERFACE promises it: run as `command_line_test.py KERF`, with KERF the executable to test."""
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -9,6 +10,7 @@ import time
 import unittest
 
 KERF = os.path.abspath(sys.argv.pop(1))
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 PLATE = "v -0.5 0 -0.5\nv 0.5 0 -0.5\nv 0.5 0 0.5\nv -0.5 0 0.5\nf 1 4 3\nf 1 3 2\n"
 ACROSS = {"strokes": [{"laser": {"radius": 0.02, "range": [0, 5]},
                        "keys": [{"t": 0, "origin": [-0.7, 1, 0.1], "direction": [0, -1, 0]},
@@ -33,6 +35,10 @@ class CommandLine(unittest.TestCase):
     def write(self, name, text):
         with open(os.path.join(self.folder.name, name), "w") as file:
             file.write(text)
+
+    def read(self, name):
+        with open(os.path.join(self.folder.name, name), "rb") as file:
+            return file.read()
 
     def run_here(self, *args):
         return kerf(*args, cwd=self.folder.name)
@@ -134,9 +140,30 @@ class CommandLine(unittest.TestCase):
         self.assertIn("stopped", message)
         self.assertEqual(os.listdir(os.path.join(self.folder.name, "out")), [])
 
-    def test_nothing_is_shown_where_standard_error_is_no_terminal(self):
+    def test_a_cut_ends_with_one_line_of_what_came_of_it_and_shows_no_progress_without_a_terminal(self):
         done = self.run_here("cut", "plate.obj", "--path", "across.json", "--out", "out", "--target-edge", "0.001")
-        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
+        self.assertEqual((done.returncode, done.stdout), (0, ""))
+        self.assertRegex(done.stderr, r"^kerf: 1 stroke removed [0-9 ]+ faces \([0-9.]+ cm²\); "
+                                      r"2 pieces and report.json are in out\n$")
+        done = self.run_here("cut", "plate.obj", "--out", "whole")
+        self.assertEqual(done.stderr, "kerf: nothing was cut, because there is no stroke; "
+                                      "1 piece and report.json are in whole\n")
+
+    def test_the_example_of_a_path_file_in_the_readme_and_in_the_help_cuts_the_car_in_two(self):
+        with open(os.path.join(ROOT, "README.md")) as file:
+            readme = file.read()
+        example = re.search(r"```json\n(\{\"strokes\".*?)```", readme, re.S).group(1)
+        self.write("path.json", example)
+        command = re.search(r"^\./app/run (cut assets/meshes/car.obj --path path.json --out pieces)\b", readme, re.M)
+        words = command.group(1).replace("assets", os.path.join(ROOT, "assets")).split()
+        done = self.run_here(*words)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stderr, r"^kerf: 1 stroke removed [0-9 ]+ faces .* pieces and report.json are in pieces\n$")
+        with open(os.path.join(self.folder.name, "pieces", "report.json")) as file:
+            pieces = json.load(file)["pieces"]
+        self.assertGreater(pieces[1]["area"], 0.2 * pieces[0]["area"])
+        shown = re.search(r"^ *(\{\"strokes\".*\}\]\}\]\})$", kerf("cut", "--help").stdout, re.S | re.M)
+        self.assertEqual(json.loads(shown.group(1)), json.loads(example))
 
     def test_what_was_dropped_is_said(self):
         self.write("odd.obj", PLATE + "f 1 2 9\nf 1 1 2\nf 4 1 2 2 3\n")
@@ -145,7 +172,8 @@ class CommandLine(unittest.TestCase):
         done = self.run_here("cut", "odd.obj", "--out", "out")
         said = done.stderr.splitlines()
         self.assertEqual(said[0], "kerf: note: " + notes[0])
-        self.assertTrue(all("dropped" in line for line in said), said)
+        self.assertTrue(all("dropped" in line for line in said[:-1]), said)
+        self.assertIn("report.json", said[-1])
         self.assertEqual(json.loads(self.run_here("info", "plate.obj").stdout)["notes"], [])
 
     def test_a_full_disk_or_a_folder_without_permission_leaves_what_was_there(self):
@@ -169,6 +197,22 @@ class CommandLine(unittest.TestCase):
             head = file.read(24)
         self.assertEqual(head[:8], b"\x89PNG\r\n\x1a\n")
         self.assertEqual((int.from_bytes(head[16:20], "big"), int.from_bytes(head[20:24], "big")), (320, 200))
+
+    def test_render_has_the_shadows_of_the_editor_unless_told_otherwise(self):
+        def picture(*args):
+            done = self.run_here("render", "step.obj", "--out", "step.png", "--size", "160x100", *args)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            return self.read("step.png")
+        self.write("step.obj", PLATE + "v -0.4 0.5 -0.4\nv 0.4 0.5 -0.4\nv 0.4 0.5 0.4\nf 5 7 6\n")
+        self.assertEqual(picture(), picture("--show", "shadows"))
+        self.assertNotEqual(picture(), picture("--show", "wire"))
+
+    def test_render_refuses_the_ending_of_another_format(self):
+        for name in ("plate.jpg", "plate.JPEG", "plate.obj"):
+            self.assert_refused(self.run_here("render", "plate.obj", "--out", name), 2, name, "PNG", ".png")
+        self.assertFalse(os.path.exists(os.path.join(self.folder.name, "plate.jpg")))
+        with open(os.path.join(self.folder.name, "plate.obj")) as file:
+            self.assertEqual(file.read(), PLATE)
 
     def journal(self, *args):
         """The report of a cut that wrote a journal beside its mesh."""
@@ -230,6 +274,23 @@ class CommandLine(unittest.TestCase):
         # Across 1.4 m at the diagonal, 1.41 m, in four seconds, with half a second at either end and one more.
         self.assertAlmostEqual(frames("slow", 2), 2 * 6, delta=1)
         self.assertAlmostEqual(frames("fast", 5), 5 * 6, delta=1)
+
+    def test_a_film_leaves_out_strokes_that_were_undone_or_cut_again(self):
+        self.journal()
+        with open(os.path.join(self.folder.name, "plate.kerf")) as file:
+            lines = [line for line in file.read().splitlines() if '"hash"' not in line[:8]]
+        head, stroke, end = lines[0], lines[1:-1], lines[-1]
+        undone = [line.replace("-0.7", "-0.6") for line in stroke] + [end, '{"do": "undo"}']
+        self.write("plain.kerf", "\n".join([head, *stroke, end]) + "\n")
+        self.write("undone.kerf", "\n".join([head, *undone, *undone, *stroke, end]) + "\n")
+        films = []
+        for name in ("plain", "undone"):
+            done = self.run_here("replay", name + ".kerf", "--frames", name, "--fps", 2, "--size", "64x48")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            names = sorted(os.listdir(os.path.join(self.folder.name, name)))
+            films.append([self.read(os.path.join(name, frame)) for frame in names])
+        self.assertEqual(len(films[0]), len(films[1]))
+        self.assertEqual(*films)
 
     def test_render_draws_a_journal_as_cut(self):
         self.journal("--radius", "0.2")

@@ -35,7 +35,7 @@ EditorScreen::EditorScreen(Window& window, Renderer renderer, LoadedSettings loa
       actions_(make_actions(state_, panels_)) {
   state_.settings = std::move(loaded.settings);
   state_.view.look.antialias = state_.settings.antialias;
-  state_.view.look.show.shadows = Shadows::kAll;
+  state_.view.look.show = default_show();
   if (options.landmarks) keep_landmarks(&landmarks_.emplace(*options.landmarks));
 }
 

@@ -62,10 +62,11 @@ PictureMemory FaceBuffer::memory() const {
 
 size_t FaceBuffer::update(const Mesh& mesh, uint32_t most) {
   if (dirty_.empty()) return 0;
-  if (halvings_.size() < mesh.face_slots()) halvings_.resize(mesh.face_slots(), kDead);
   // Slots that died are only struck off the list; their corners are not sent.
   DirtySlots born;
   for (const SlotRange range : dirty_.take(0, kChunkFaces, most)) {
+    // An undo may have taken slots away that were never sent.
+    if (halvings_.size() < range.end) halvings_.resize(range.end, kDead);
     LiveList& live = chunk_of(range).live;
     for (uint32_t f = range.begin; f < range.end; ++f) {
       const bool lives = mesh.is_live(FaceId(f));

@@ -48,6 +48,12 @@ Status Film::follow(const Document& document, const StepResult* step) {
   return pass(kRest, world, std::nullopt);
 }
 
+void Film::leave_out(const Document& document, const StepResult* step) {
+  studio_.follow(document.world(), step);
+  ticks_ = document.world().clock();
+  ahead_ = 0;
+}
+
 Status Film::pass_ticks(const Document& document) {
   const double seconds = seconds_of_ticks(document.world().clock() - ticks_);
   ticks_ = document.world().clock();

@@ -27,6 +27,12 @@ std::string offered_show_names() {
   return all;
 }
 
+ShowOptions default_show() {
+  ShowOptions show;
+  show.shadows = Shadows::kAll;
+  return show;
+}
+
 Result<ShowOptions> parse_show_list(std::string_view list) {
   ViewOptions look;
   while (!list.empty()) {

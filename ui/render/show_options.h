@@ -32,6 +32,9 @@ struct ShowOptions {
   friend bool operator==(const ShowOptions&, const ShowOptions&) = default;
 };
 
+// What the editor shows at first, and pictures for which nothing else is asked: shadows on all surfaces.
+ShowOptions default_show();
+
 // Parses names separated by commas; blanks around them and an empty list are accepted. The error for an
 // unknown name lists the valid ones.
 Result<ShowOptions> parse_show_list(std::string_view list);

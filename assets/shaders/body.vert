@@ -47,7 +47,7 @@ void main() {
   corner = vec3(which == 0, which == 1, which == 2);
 #endif
 
-  uint piece = attributes >> 16;
+  uint piece = shown_number(attributes, look);
   paint = paints[(attributes >> 8) & 255u];
   if (body_look.z > 0.5) {
     paint = piece == 0u ? vec4(0.16, 0.17, 0.18, 0.25) : vec4(piece_colour(piece, true), 0.25);

@@ -12,7 +12,7 @@ flat out vec4 mark;  // which face this is, in the bytes of a pixel
 void main() {
   vec4 look = look_of(attributes);
   bool away = look.w < 0.0 || look.xyz != vec3(0.0);
-  bool drawn = only == 0 ? look.w >= 0.0 : only == 1 ? look.w > 0.5 : away;
+  bool drawn = only == 0 ? look.w >= 0.0 : only == 1 ? is_selected(look) : away;
   vec3 at = placed(position, only == 2 ? vec4(0.0) : look);
   gl_Position = drawn ? clip_from_frame * vec4(at, 1.0) : kNowhere;
   int slot = first_slot + gl_VertexID / 3;

@@ -33,9 +33,18 @@ LoadedComponents components_of(const Mesh& copy, const Body& body, std::span<con
   return own;
 }
 
+// Where the base faces of faces that were copied out were loaded.
+std::vector<FaceId> loaded_faces_of(const Mesh& copy, const Body& body, std::span<const FaceId> faces) {
+  std::vector<FaceId> loaded(faces.size());
+  for (uint32_t f = 0; f < faces.size(); ++f)
+    loaded[copy.data(FaceId(f)).base.index] = body.loaded_face(body.mesh.data(faces[f]).base);
+  return loaded;
+}
+
 Body copy_out(const Body& body, std::span<const FaceId> faces, uint32_t label, bool of_piece) {
   Body copy;
   copy.name = body.name;
+  copy.named = body.named;
   copy.placement = body.placement;
   copy.hidden = body.hidden;
   copy.mesh = extract_mesh(body.mesh, faces);
@@ -45,6 +54,8 @@ Body copy_out(const Body& body, std::span<const FaceId> faces, uint32_t label, b
   copy.components = components_of(copy.mesh, body, faces);
   copy.material_names = body.material_names;
   copy.loaded = body.loaded;
+  copy.loaded_as = body.loaded_as;
+  copy.loaded_faces = loaded_faces_of(copy.mesh, body, faces);
   return copy;
 }
 
@@ -67,11 +78,9 @@ BodyId detach(World& world, const PieceId& piece, uint32_t generation, Delta& de
   const BodyId own = world.add(copy_out(body, going, piece.label, piece_goes), generation);
   BodyEdit(world.body(piece.body)).take_out(going);
   if (!piece_goes) world.exchange_bodies(piece.body, own);
-  world.body(own).name += " piece " + std::to_string(piece.label);
   Delta step;
   step.came = {piece_goes ? own : piece.body};
   step.detached = {{piece.body, piece.label, own, !piece_goes}};
-  step.renamed = {own};
   step.bodies.push_back({piece_goes ? piece.body : own, {}, going, {}, {}});
   delta.append(std::move(step));
   return own;

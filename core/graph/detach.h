@@ -9,8 +9,8 @@ namespace kerf {
 bool stands_alone(const World& world, const PieceId& piece);
 
 // Makes a piece a body of its own and returns the id of that body: a new one of this generation, or the old
-// one where the piece stands alone. The piece keeps its label and its placement and is named after the body
-// and the label; the rest of the body keeps the old id. Appends the change to `delta`.
+// one where the piece stands alone. The piece keeps its label, its placement and its name (see
+// Body::name_of); the rest of the body keeps the old id. Appends the change to `delta`.
 //
 // The smaller of the two sides, by faces, is copied to new arrays; where that is the rest, the bodies of the
 // two ids are then exchanged. So ids of faces and vertices hold on for the larger side alone.

@@ -68,9 +68,9 @@ bool ShadowCaster::add_all(const Mesh& mesh, const Progress* progress) {
 
 ShadowCaster::Change ShadowCaster::update(const Mesh& mesh, std::span<const uint32_t> slots) {
   Change change;
-  grow(mesh.face_slots());
   std::vector<uint32_t> each(slots.begin(), slots.end());
   sort_unique(each);
+  grow(std::max(mesh.face_slots(), each.empty() ? 0 : each.back() + 1));
   for (const uint32_t f : relabel(mesh, each, change)) {
     assert(f < face_slots());
     change.faces.push_back(f);

@@ -35,10 +35,10 @@ class ShadowCaster {
   struct Change {
     std::vector<uint32_t> faces, edges;
   };
-  // Brings these face slots up to date with the mesh; they may be new, dead or unchanged. Precondition: every
-  // slot is below mesh.face_slots(). Expected time linear in the number of slots times the number of faces on
-  // their edges. Where all faces at a vertex get the same new label, the vertex and its
-  // edges keep their slots.
+  // Brings these face slots up to date with the mesh; they may be new, dead or unchanged, and a slot that undo
+  // took away from the mesh is dead. Expected time linear in the number of slots times the number of faces on
+  // their edges. Where all faces at a vertex get the same new label, the vertex and its edges keep their
+  // slots.
   Change update(const Mesh& mesh, std::span<const uint32_t> slots);
 
   uint32_t face_slots() const { return static_cast<uint32_t>(casts_.size()); }

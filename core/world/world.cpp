@@ -44,6 +44,20 @@ uint32_t Body::label(FaceId f) const {
   return to_be != 0 ? to_be : mesh.data(f).piece;
 }
 
+std::string Body::name_of(uint32_t label) const {
+  return label == named ? name : name + " " + std::to_string(label);
+}
+
+std::string Body::own_name() const {
+  uint32_t only = 0, count = 0;
+  for (uint32_t label = 0; label < pieces.size(); ++label) {
+    if (pieces[label].faces == 0) continue;
+    only = label;
+    ++count;
+  }
+  return count == 1 ? name_of(only) : name;
+}
+
 const FaceCounts& Body::whole_of(FaceId f) const {
   const uint32_t own = label(f);
   if (own != 0 || components.left.empty()) return pieces[own];
@@ -75,6 +89,7 @@ BodyId World::add(Body body, uint32_t generation) {
   assert(generation != BodyId::kUnknownGeneration);
   const auto slot = static_cast<uint32_t>(slots_.size());
   body.number = slot;
+  if (!body.loaded_as.valid()) body.loaded_as = {slot, generation};
   slots_.push_back({std::move(body), generation, true});
   return {slot, generation};
 }

@@ -30,6 +30,7 @@ struct Piece : FaceCounts {
 // One mesh in the world with what is kept up beside it.
 struct Body {
   std::string name;
+  uint32_t named = 0;  // the label of the piece that has this name; the others are named after it
   Placement placement;
   bool hidden = false;  // not seen, and not met by the beam
   // Where state_hash counts the body among the others, and how journals named it before there were
@@ -44,9 +45,21 @@ struct Body {
   SeparationState separation;
   std::vector<std::string> material_names;
   MeshReport loaded;  // what the file held
+  // Where the faces come from: the body as which they were loaded, and by base face of this body the face of
+  // that one; empty where they are equal, i.e. unless the body was copied out of another one.
+  BodyId loaded_as;
+  std::vector<FaceId> loaded_faces;
 
   // The label of f, or the one that it is about to be given.
   uint32_t label(FaceId f) const;
+
+  // The name of a piece for people: "car", or for the piece with label 9 that came off it "car 9".
+  std::string name_of(uint32_t label) const;
+  // The name of the body: that of its piece if it is only one.
+  std::string own_name() const;
+
+  // The face as which a base face of this body was loaded.
+  FaceId loaded_face(FaceId base) const { return loaded_faces.empty() ? base : loaded_faces[base.index]; }
 
   // The counts of all that f hangs together with, as far as the last settling knew.
   const FaceCounts& whole_of(FaceId f) const;
@@ -64,7 +77,7 @@ struct Body {
   // All that a command may change in a body that it neither adds nor removes.
   template <typename Self>
   static auto parts(Self& self) {
-    return std::tie(self.name, self.placement, self.hidden, self.mesh, self.tree, self.refinement,
+    return std::tie(self.name, self.named, self.placement, self.hidden, self.mesh, self.tree, self.refinement,
                     self.pieces, self.components, self.separation);
   }
 

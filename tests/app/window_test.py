@@ -408,6 +408,42 @@ class Window(unittest.TestCase):
         self.assertEqual((report["pieces"], report["pieces_chosen"], report["pieces_hidden"]), (2, 1, 0))
         self.assertEqual(report["undo_depth"], 3)  # the stroke, one half hidden, and shown again
 
+    def picture(self, editor):
+        """The colours of the picture at points of a grid, while the pointer is in a corner."""
+        editor.point_at(0.02, 0.04)
+        pause(0.5)
+        pixel, (x, y, width, height) = editor.pixels(), editor.part("viewport")
+        return [pixel(round(x + width * (i + 8) / 100), round(y + height * (j + 8) / 100))
+                for i in range(84) for j in range(84)]
+
+    def changed(self, before, after):
+        """The share of the points whose colour is another."""
+        return sum(max(abs(a - b) for a, b in zip(p, q)) > 24 for p, q in zip(before, after)) / len(before)
+
+    def test_a_piece_looks_as_before_when_it_was_hidden_and_shown_again(self):
+        editor = self.open()
+        editor.drag([(0.53, 0.14), (0.53, 0.93)])
+        editor.press("k")
+        before = self.picture(editor)
+        editor.click(0.42, 0.6)
+        editor.do("h")
+        self.assertGreater(self.changed(before, self.picture(editor)), 0.02)
+        editor.do("shift", "h")
+        self.assertLess(self.changed(before, self.picture(editor)), 0.002)
+        self.assertEqual(editor.quit()["pieces_hidden"], 0)
+
+    def test_an_export_offers_its_formats_and_names_files_after_pieces(self):
+        self.open(SPHERE).quit()
+        self.set(folder=self.folder)
+        editor = self.open_again(SPHERE)
+        editor.point_at(0.5, 0.5)
+        editor.do("ctrl", "a")
+        editor.press("ctrl", "e")
+        editor.click("format PLY", 0.3, 0.5)
+        editor.press("Return")
+        wait_for(lambda: os.path.exists(os.path.join(self.folder, "sphere.ply")), 20, "no file was written")
+        editor.quit()
+
     def test_a_good_file_opens_and_a_broken_one_changes_nothing(self):
         editor = self.open()
         self.open_by_browser(editor, SPHERE)

@@ -9,17 +9,30 @@ namespace {
 
 using Purpose = FileBrowser::Purpose;
 
+// The chosen piece, or a "*" for the names of several.
+std::string name_to_export(const EditorState& state) {
+  const PieceMap& looks = state.view.look.pieces;
+  const std::string ending = "." + std::string(format_name(state.browser.format));
+  if (chosen_pieces(looks) != 1) return "*" + ending;
+  for (const PieceRow& row : list_pieces(state.work.document.world(), looks)) {
+    if (row.id == first_chosen(looks)) return file_name_of(row.name) + ending;
+  }
+  return "piece" + ending;
+}
+
 std::string name_for(const EditorState& state, Purpose purpose) {
-  if (purpose == Purpose::kExport) return "piece.obj";
+  if (purpose == Purpose::kExport) return name_to_export(state);
   return purpose == Purpose::kSave ? suggested_name(state.work) : "";
 }
 
 std::string export_to(EditorState& state, const std::filesystem::path& file) {
-  const Result<size_t> written = export_chosen(state.work.document.world(), state.view.look.pieces, file);
+  const auto written =
+      export_chosen(state.work.document.world(), state.view.look.pieces, state.work.paints, file);
   if (!written) return written.error().message;
-  state.message.say(*written == 1 ? "Written: " + file.string()
-                                  : std::to_string(*written) +
-                                        " files written, the first: " + numbered(file, 1).string());
+  const std::string first = written->front().mesh.string();
+  state.message.say(written->size() == 1
+                        ? "Written: " + first
+                        : std::to_string(written->size()) + " pieces written, the first: " + first);
   return "";
 }
 
@@ -28,6 +41,14 @@ std::string export_to(EditorState& state, const std::filesystem::path& file) {
 void choose_file_for(EditorState& state, Purpose purpose) {
   state.browser.take = [&state](Purpose chosen_for, const std::filesystem::path& file) {
     return take_chosen_file(state, chosen_for, file);
+  };
+  state.browser.writes = [&state](const std::filesystem::path& file) {
+    std::vector<std::filesystem::path> files;
+    for (const PieceFile& f : files_to_export(state.work.document.world(), state.view.look.pieces, file)) {
+      files.push_back(f.mesh);
+      if (!f.library.empty()) files.push_back(f.library);
+    }
+    return files;
   };
   browse(state.browser, purpose, state.settings.folder, name_for(state, purpose));
 }

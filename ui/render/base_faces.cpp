@@ -193,6 +193,27 @@ Result<BaseFaces> BaseFaces::build(const Mesh& mesh, const FloatFrame& frame, co
   return bases;
 }
 
+BaseFaces BaseFaces::pick(std::span<const FaceId> faces) const {
+  std::vector<uint32_t> used;
+  for (const FaceId f : faces) {
+    if (knows(f)) used.insert(used.end(), faces_[f.index].begin(), faces_[f.index].end());
+  }
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  BaseFaces picked;
+  picked.corners_.reserve(used.size());
+  for (const uint32_t c : used) picked.corners_.push_back(corners_[c]);
+  picked.faces_.assign(faces.size(), {kNone, kNone, kNone});
+  for (size_t i = 0; i < faces.size(); ++i) {
+    if (!knows(faces[i])) continue;
+    for (size_t c = 0; c < 3; ++c) {
+      const auto at = std::lower_bound(used.begin(), used.end(), faces_[faces[i].index][c]);
+      picked.faces_[i][c] = static_cast<uint32_t>(at - used.begin());
+    }
+  }
+  return picked;
+}
+
 std::optional<std::array<glm::vec3, 3>> BaseFaces::corners(FaceId base) const {
   if (!knows(base)) return std::nullopt;
   const auto& [a, b, c] = faces_[base.index];

@@ -3,6 +3,7 @@
 #include <array>
 #include <glm/glm.hpp>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/base/float_frame.h"
@@ -26,6 +27,10 @@ class BaseFaces {
   BaseFaces(const Mesh& mesh, const FloatFrame& frame);
   // The same, or fails with cancelled() when stopped. `progress` may be null.
   static Result<BaseFaces> build(const Mesh& mesh, const FloatFrame& frame, const Progress* progress);
+
+  // The bases of a body that was copied out of this one: its face i is face `faces[i]` of this one, or
+  // unknown if that is not valid. O(k log k) for k faces.
+  BaseFaces pick(std::span<const FaceId> faces) const;
 
   // The unit normals at three points in the plane of `base`, which are given in the body's float frame. A
   // face that is unknown gives the flat normal of the points.

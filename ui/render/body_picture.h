@@ -21,7 +21,7 @@ inline constexpr GLuint kPaintBlock = 1;
 // One body on the GPU: its faces, its paints and the looks of its pieces.
 class BodyPicture {
  public:
-  // Precondition: `prepared` was made from the body as it was loaded.
+  // Precondition: `prepared` was made for this body.
   BodyPicture(const Body& body, const std::map<std::string, Paint>& paints, PreparedBody prepared);
 
   FaceBuffer& faces() { return faces_; }

@@ -46,14 +46,14 @@ FaceBuffer::Chunk::Chunk() {
   glBindVertexArray(0);
 }
 
-FaceBuffer::FaceBuffer(const Mesh& mesh, const FloatFrame& frame, BaseFaces bases)
+FaceBuffer::FaceBuffer(const Mesh& mesh, const FloatFrame& frame, std::shared_ptr<const BaseFaces> bases)
     : frame_(frame), bases_(std::move(bases)) {
   dirty_.mark_all(mesh.face_slots());
 }
 
 PictureMemory FaceBuffer::memory() const {
   PictureMemory memory;
-  memory.shading = bases_.bytes();
+  memory.shading = bases_->bytes();
   memory.graphics = chunks_.size() * kChunkFaces * (sizeof(FaceVertices) + sizeof(Indices)) +
                     halvings_.capacity() + staging_.capacity() * sizeof(FaceVertices);
   for (const Chunk& chunk : chunks_) memory.graphics += chunk.live.bytes();
@@ -110,7 +110,7 @@ void FaceBuffer::count(const Mesh& mesh, uint32_t slot) {
 size_t FaceBuffer::update_slots(const Mesh& mesh, const SlotRange& range) {
   staging_.clear();
   for (uint32_t f = range.begin; f < range.end; ++f) {
-    staging_.push_back(face_vertices(mesh, bases_, frame_, FaceId(f), fineness_.of(mesh, FaceId(f))));
+    staging_.push_back(face_vertices(mesh, *bases_, frame_, FaceId(f), fineness_.of(mesh, FaceId(f))));
     if (halvings_[f] != kDead && halvings_[f] > 0) removed_.saw(FaceId(f), corners_of(staging_.back()));
   }
   put(GL_ARRAY_BUFFER, chunk_of(range).vertices.name(), range.begin % kChunkFaces, staging_);
@@ -142,7 +142,7 @@ void FaceBuffer::draw_numbered(const gl::Program& program) const {
 }
 
 void FaceBuffer::draw_removed(const Mesh& mesh) {
-  removed_.update(mesh, bases_);
+  removed_.update(mesh, *bases_);
   removed_.draw();
 }
 

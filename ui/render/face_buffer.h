@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "core/world/world.h"
@@ -20,8 +21,8 @@ namespace kerf {
 // are drawn. The buffer follows Deltas, and the cost of an update is proportional to what changed.
 class FaceBuffer {
  public:
-  // Uploads nothing yet. Precondition: `bases` was made from the mesh as it was loaded, with the same frame.
-  FaceBuffer(const Mesh& mesh, const FloatFrame& frame, BaseFaces bases);
+  // Uploads nothing yet. Precondition: `bases` is not null and belongs to the mesh, with the same frame.
+  FaceBuffer(const Mesh& mesh, const FloatFrame& frame, std::shared_ptr<const BaseFaces> bases);
 
   void follow(const BodyDelta& delta) {
     dirty_.mark(delta);
@@ -59,7 +60,7 @@ class FaceBuffer {
 
   // Draws the loaded surface where faces were removed; see RemovedFaces.
   void draw_removed(const Mesh& mesh);
-  std::vector<RemovedFace> removed(const Mesh& mesh) const { return removed_.list(mesh, bases_); }
+  std::vector<RemovedFace> removed(const Mesh& mesh) const { return removed_.list(mesh, *bases_); }
 
   const FloatFrame& frame() const { return frame_; }
   // The number of live faces by their number of halvings; the last element includes all larger numbers.
@@ -85,7 +86,7 @@ class FaceBuffer {
   size_t update_list(Chunk& chunk);
 
   FloatFrame frame_;
-  BaseFaces bases_;
+  std::shared_ptr<const BaseFaces> bases_;
   RemovedFaces removed_;
   CornerFineness fineness_;
   DirtySlots dirty_;

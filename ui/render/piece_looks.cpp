@@ -9,7 +9,8 @@ namespace {
 constexpr int kUnit = 3;  // of the textures; no program that draws bodies uses it for another
 
 glm::vec4 packed(const PieceLook& look, double unit) {
-  return {glm::vec3(look.offset / unit), look.hidden ? -1.0f : look.selected ? 1.0f : 0.0f};
+  const float shown = (look.selected ? 1.0f : 0.0f) + 2.0f * static_cast<float>(packed_piece(look.number));
+  return {glm::vec3(look.offset / unit), look.hidden ? -1.0f : shown};
 }
 
 }  // namespace

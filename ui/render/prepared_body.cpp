@@ -23,9 +23,15 @@ Status for_each_body(const World& world, const Progress* progress, What what) {
 
 }  // namespace
 
-PreparedBody prepare_shading(const Body& body) {
-  const FloatFrame frame = picture_frame(body);
-  return {frame, BaseFaces(body.mesh, frame), nullptr};
+PreparedBody prepare_shading(const Body& body, const LoadedShadings& loaded) {
+  const auto found = loaded.find(body.loaded_as);
+  if (found == loaded.end()) {
+    const FloatFrame frame = picture_frame(body);
+    return {frame, std::make_shared<const BaseFaces>(body.mesh, frame), nullptr};
+  }
+  const auto& [frame, bases] = found->second;
+  if (body.loaded_faces.empty()) return {frame, bases, nullptr};
+  return {frame, std::make_shared<const BaseFaces>(bases->pick(body.loaded_faces)), nullptr};
 }
 
 Result<PreparedBodies> prepare_shading(const World& world, const Progress* progress) {
@@ -34,7 +40,7 @@ Result<PreparedBodies> prepare_shading(const World& world, const Progress* progr
     const FloatFrame frame = picture_frame(body);
     Result<BaseFaces> bases = BaseFaces::build(body.mesh, frame, own);
     if (!bases) return Status(bases.error());
-    prepared.emplace(id, PreparedBody{frame, std::move(*bases), nullptr});
+    prepared.emplace(id, PreparedBody{frame, std::make_shared<const BaseFaces>(std::move(*bases)), nullptr});
     return Status(Done{});
   });
   if (!done) return done.error();

@@ -64,7 +64,14 @@ void Renderer::show(const World& world, const std::map<std::string, Paint>& pain
   passes_.lines.forget();
   passes_.scene.shadows().forget();
   contact_old_ = true;
-  for (const BodyId id : world.ids()) add(id, world.body(id), prepared);
+  loaded_.clear();
+  for (const auto& [id, body] : prepared) loaded_.emplace(id, LoadedShading{body.frame, body.bases});
+  for (const BodyId id : world.ids()) {
+    PreparedBody ahead = prepare_shading(world.body(id), loaded_);
+    ahead.caster = std::move(prepared[id].caster);
+    prepared[id] = std::move(ahead);
+    add(id, world.body(id), prepared);
+  }
   const World::Bounds bounds = world.loaded_bounds();
   const double diagonal = bounds.diagonal();
   middle_ = bounds.min + (bounds.max - bounds.min) * 0.5;
@@ -74,7 +81,8 @@ void Renderer::show(const World& world, const std::map<std::string, Paint>& pain
 
 void Renderer::add(BodyId id, const Body& body, PreparedBodies& prepared) {
   const auto found = prepared.find(id);
-  PreparedBody ahead = found != prepared.end() ? std::move(found->second) : prepare_shading(body);
+  PreparedBody ahead = found != prepared.end() ? std::move(found->second) : prepare_shading(body, loaded_);
+  if (body.loaded_faces.empty()) loaded_.try_emplace(body.loaded_as, LoadedShading{ahead.frame, ahead.bases});
   if (ahead.caster) passes_.scene.shadows().adopt(id, std::move(ahead.caster));
   bodies_.emplace(id, BodyPicture(body, paints_, std::move(ahead)));
 }
@@ -128,12 +136,6 @@ void Renderer::resend(const World& world, PreparedBodies prepared) {
   }
   contact_old_ = true;
   passes_.lines.forget();
-}
-
-std::map<BodyId, FloatFrame> Renderer::frames() const {
-  std::map<BodyId, FloatFrame> frames;
-  for (const auto& [id, picture] : bodies_) frames.emplace(id, picture.faces().frame());
-  return frames;
 }
 
 void Renderer::catch_up(const World& world) {

@@ -44,8 +44,8 @@ class Renderer {
   // Compiles the shaders in assets/shaders. Fails if one of them is missing or does not compile.
   static Result<Renderer> create();
 
-  // Starts to show a world. Smooth normals of a body that is not in `prepared` are computed from its faces,
-  // which should be as loaded.
+  // Starts to show a world. `prepared` has its bodies as loaded, by Body::loaded_as; the smooth normals of
+  // others are computed from their faces, which should be as loaded.
   void show(const World& world, const std::map<std::string, Paint>& paints, PreparedBodies prepared = {});
   // Follows what a step changed in the world that is shown, which is `world` after the step: bodies are
   // added, dropped and carried on one by one, and faces that changed are sent to the GPU with the next
@@ -55,8 +55,8 @@ class Renderer {
   // the bases of bodies that are already shown.
   void resend(const World& world, PreparedBodies prepared = {});
 
-  // The frames in which the faces of the shown bodies are drawn.
-  std::map<BodyId, FloatFrame> frames() const;
+  // How the bodies were shaded as loaded, for prepare_shading of bodies that will come.
+  const LoadedShadings& loaded_shadings() const { return loaded_; }
 
   // Sends changes now instead of with the next picture, so that faces that are removed before they were drawn
   // are recorded with their current corners.
@@ -145,6 +145,7 @@ class Renderer {
   size_t canvas_ = 0;               // that of the last picture
 
   std::map<BodyId, BodyPicture> bodies_;
+  LoadedShadings loaded_;
   std::map<std::string, Paint> paints_;
   Vec3 middle_{0};  // of the world as it was shown
   FrameSpace space_;

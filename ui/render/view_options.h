@@ -33,6 +33,7 @@ struct TreeOverlay {
 struct PieceLook {
   bool hidden = false;
   bool selected = false;  // outlined
+  uint32_t number = 0;    // decides its colour; 0: its label does
   Vec3 offset{0};         // m along the axes of the world, added to where it stands
   friend bool operator==(const PieceLook&, const PieceLook&) = default;
 };

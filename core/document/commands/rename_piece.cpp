@@ -21,9 +21,10 @@ Result<RenamePiece> RenamePiece::read(const CommandReader& line) {
 
 Result<Delta> RenamePiece::run(World& world, uint32_t generation, const Progress*) const {
   return edit_piece(
-      world, piece, generation, [&](const Body& body) { return body.name != name; },
+      world, piece, generation, [&](const Body& body) { return body.name_of(piece.label) != name; },
       [&](World& edited, BodyId own) {
         edited.body(own).name = name;
+        edited.body(own).named = piece.label;
         Delta change;
         change.renamed = {own};
         return change;

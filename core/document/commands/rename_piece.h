@@ -11,7 +11,8 @@
 
 namespace kerf {
 
-// Gives a piece a name. It becomes a body of its own first, where it is not one already.
+// Gives a piece a name, after which pieces that come off it later are named. It becomes a body of its own
+// first, where it is not one already.
 struct RenamePiece {
   PieceId piece;
   std::string name;

@@ -10,8 +10,8 @@ namespace kerf {
 // bit, except from STL, which stores three positions in single precision per triangle. Precondition: the mesh
 // satisfies the requirements stated at MeshView. Linear time.
 
-// OBJ with the shortest decimal numbers that are read back exactly, and a usemtl wherever the material
-// changes.
+// OBJ with the shortest decimal numbers that are read back exactly, a mtllib if the mesh has a library, and a
+// usemtl wherever the material changes.
 std::string encode_obj(const MeshView& mesh);
 // OFF with numbers of the same kind; without materials.
 std::string encode_off(const MeshView& mesh);

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/mesh/files/encode.h"
+#include "core/mesh/files/encode_mtl.h"
 
 namespace kerf {
 namespace {
@@ -33,8 +34,8 @@ size_t likely_size(const MeshView& mesh) {
 }
 
 // OBJ cannot return to the unnamed material, so that it is given a name.
-void append_usemtl(const std::string& name, std::string& text) {
-  text += "usemtl ";
+void append_material(const char* keyword, const std::string& name, std::string& text) {
+  text += keyword;
   text += name.empty() ? "default" : name;
   text += '\n';
 }
@@ -45,6 +46,7 @@ std::string encode_obj(const MeshView& mesh) {
   assert(mesh.materials.empty() || mesh.materials.size() == mesh.triangles.size());
   std::string text;
   text.reserve(likely_size(mesh));
+  if (!mesh.library.empty()) (text += "mtllib ").append(mesh.library) += '\n';
   for (const Vec3& p : mesh.positions) {
     text += "v ";
     append_three(p, text);
@@ -54,12 +56,28 @@ std::string encode_obj(const MeshView& mesh) {
     if (!mesh.materials.empty() && material != mesh.materials[i]) {
       material = mesh.materials[i];
       assert(*material < mesh.material_names.size());
-      append_usemtl(mesh.material_names[*material], text);
+      append_material("usemtl ", mesh.material_names[*material], text);
     }
     const auto& [a, b, c] = mesh.triangles[i];
     assert(std::max({a, b, c}) < mesh.positions.size());
     text += "f ";
     append_three(std::array<uint64_t, 3>{uint64_t{a} + 1, uint64_t{b} + 1, uint64_t{c} + 1}, text);
+  }
+  return text;
+}
+
+std::string encode_mtl(std::span<const MaterialLook> materials) {
+  std::string text;
+  for (const MaterialLook& m : materials) {
+    append_material("newmtl ", m.name, text);
+    text += "Kd ";
+    append_three(m.colour, text);
+    const double shine = 0.5 * m.gloss;
+    text += "Ks ";
+    append_three(Vec3(shine), text);
+    text += "Ns ";
+    append_number(1000 * m.gloss * m.gloss, text);
+    text += "\nd 1\nillum 2\n";
   }
   return text;
 }

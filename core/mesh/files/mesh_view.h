@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "core/base/vec3.h"
 
@@ -15,6 +16,7 @@ struct MeshView {
   std::span<const std::array<uint32_t, 3>> triangles;  // indices of positions, counter-clockwise
   std::span<const uint16_t> materials;                 // one per triangle, or empty
   std::span<const std::string> material_names;  // by material; covers every material that a triangle has
+  std::string_view library{};  // name of the MTL file beside it, on one line; empty: none. Only for OBJ
 };
 
 }  // namespace kerf

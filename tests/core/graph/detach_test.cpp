@@ -118,6 +118,66 @@ TEST(Detach, a_piece_is_cut_on_as_it_was_in_the_body_that_it_came_from) {
   }
 }
 
+bool contains(const Triangle& large, const Triangle& small) {
+  const Vec3 n = glm::cross(large[1] - large[0], large[2] - large[0]);
+  for (const Vec3& p : small) {
+    for (int i = 0; i < 3; ++i) {
+      if (glm::dot(glm::cross(large[(i + 1) % 3] - large[i], p - large[i]), n) < -1e-9 * glm::dot(n, n))
+        return false;
+    }
+  }
+  return true;
+}
+
+TEST(Detach, knows_of_every_face_where_it_was_loaded) {
+  const Soup soup = both(torus(14, 10, 0.5, 0.2), sphere(8, 10, 0.3));
+  const Mesh loaded = build(soup).mesh;
+  World world = cut_world(soup, 3);
+  const BodyId first = world.ids().front();
+  for (int round = 1; round <= 2; ++round) {
+    const Records<Piece> pieces = world.body(first).pieces;
+    Delta delta;
+    for (uint32_t p = 1; p < pieces.size(); ++p) {
+      const bool now = round == 2 || p % 2 == 1;
+      if (now && world.body(first).pieces[p].faces > 0)
+        detach(world, {first, p}, static_cast<uint32_t>(round) * 1000 + p, delta);
+    }
+    for (const BodyId id : world.ids()) {
+      const Body& body = world.body(id);
+      EXPECT_EQ(body.loaded_as, first);
+      for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+        if (!body.mesh.is_live(FaceId(f))) continue;
+        const FaceId from = body.loaded_face(body.mesh.data(FaceId(f)).base);
+        ASSERT_TRUE(from.valid());
+        EXPECT_TRUE(contains(loaded.triangle(from), body.mesh.triangle(FaceId(f))));
+      }
+    }
+  }
+}
+
+TEST(Detach, leaves_a_piece_its_name_and_names_after_it_what_comes_off_later) {
+  Document document(cut_world(torus(14, 10, 0.5, 0.2), 7));
+  const BodyId first = document.world().ids().front();
+  const std::string name = document.world().body(first).name;
+  ASSERT_GT(document.world().body(first).pieces[1].faces, 0u);
+  EXPECT_EQ(document.world().body(first).name_of(0), name);
+  EXPECT_EQ(document.world().body(first).name_of(1), name + " 1");
+  const World before = document.world();
+  ASSERT_TRUE(document.apply(HidePiece{{first, 1}, true}).ok());
+  const auto own = [&]() -> const Body& { return document.world().body(document.world().ids().back()); };
+  EXPECT_EQ(own().own_name(), name + " 1");
+  EXPECT_EQ(own().name_of(5), name + " 5");
+  EXPECT_EQ(document.world().body(first).name_of(0), name);
+  ASSERT_TRUE(document.apply(RenamePiece{{document.world().ids().back(), 1}, "door"}).ok());
+  EXPECT_EQ(own().own_name(), "door");
+  EXPECT_EQ(own().name_of(5), "door 5");
+  EXPECT_EQ(document.world().body(first).name_of(0), name);
+  ASSERT_TRUE(document.apply(Undo{}).ok());
+  EXPECT_EQ(own().own_name(), name + " 1");
+  ASSERT_TRUE(document.apply(Undo{}).ok());
+  expect_same_world(document.world(), before);
+}
+
 // A plate of which a strip came off, either side of which is the larger one.
 World plate_in_two(double x) {
   World world = world_of(plate(1));

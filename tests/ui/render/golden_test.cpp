@@ -65,7 +65,7 @@ std::vector<Golden> goldens(const World& world) {
   culled.options.cull_backs = true;
   all.push_back(culled);
   Golden spread{"pieces-spread", showing("pieces")};
-  spread.options.pieces[{ball, 1}] = {false, true, {0, 0.35, 0}};
+  spread.options.pieces[{ball, 1}] = {.selected = true, .offset = {0, 0.35, 0}};
   all.push_back(spread);
   Golden hidden{"pieces-hidden", {}};
   hidden.options.pieces[{ball, 1}].hidden = true;

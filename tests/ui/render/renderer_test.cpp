@@ -61,6 +61,25 @@ TEST(Renderer, two_draw_side_by_side_without_touching_each_other) {
   }
 }
 
+// Whichever side is copied to arrays of its own: its faces are shaded as those of the body as loaded.
+TEST(Renderer, a_piece_that_was_detached_looks_as_before) {
+  for (const uint32_t label : {0u, 1u}) {
+    World world;
+    world.add(make_body("ball", test::build(test::sphere(16, 24, 1))));
+    test::Stage stage(std::move(world));
+    stage.cut({{-1.5, 0.3, 5}, {0, 0, -1}}, {{1.5, 0.3, 5}, {0, 0, -1}}, 0.05);
+    const CameraView view = look_at({1.5, 2, 3.5}, {0, 0, 0}, static_cast<double>(kWidth) / kHeight);
+    ASSERT_EQ(stage.world().live_pieces(), 2u);
+    const Pixels before = stage.draw(view, {}, kWidth, kHeight);
+    stage.apply(HidePiece{{stage.world().ids().front(), label}, true});
+    for (const BodyId id : stage.world().ids()) {
+      if (stage.world().body(id).hidden) stage.apply(HidePiece{{id, label}, false});
+    }
+    ASSERT_EQ(stage.world().ids().size(), 2u);
+    EXPECT_EQ(test::difference(before, stage.draw(view, {}, kWidth, kHeight)).changed, 0) << label;
+  }
+}
+
 TEST(Renderer, a_hidden_piece_and_its_shadow_are_gone_and_come_back) {
   test::Stage stage = test::ball_and_ring();
   const CameraView view = test::view_of_ball_and_ring(static_cast<double>(kWidth) / kHeight);

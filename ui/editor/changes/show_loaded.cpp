@@ -12,6 +12,7 @@ void forget_what_was_open(const OpenerParts& on) {
   on.split.twin.forget();
   on.view.look.pieces.clear();
   on.view.isolated_from.clear();
+  on.view.numbers = PieceNumbers();
   on.view.look.tree.body.reset();
   on.view.look.shadow.inspected = 0;
   on.view.spread = 0;
@@ -57,6 +58,7 @@ void show_loaded(const OpenerParts& on, LoadedFiles loaded) {
   work.as_loaded = std::move(loaded.as_loaded);
   work.paints = loaded.scene.paints;
   on.renderer.show(work.document.world(), work.paints, std::move(loaded.prepared));
+  on.view.numbers.follow(work.document.world(), true, false, on.view.look.pieces);
   dress_as(on.view, loaded.scene);
   const World::Bounds bounds = work.document.world().loaded_bounds();
   on.hand.laser.fit(bounds.diagonal());

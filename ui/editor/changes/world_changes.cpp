@@ -12,16 +12,11 @@ namespace {
 
 constexpr size_t kManyFaces = 40'000;  // from here on changes of bodies take longer than a part of a frame
 
-// What pictures need of the bodies that came; where the world was replaced, of all of them, but of those that
-// are shown already only what casts their shadows.
-PreparedBodies prepare(const World& world, const Delta& delta, const std::map<BodyId, FloatFrame>& frames) {
+// What pictures need of the bodies that came or, where the world was replaced, of all of them.
+PreparedBodies prepare(const World& world, const Delta& delta, const LoadedShadings& loaded) {
   PreparedBodies prepared;
-  for (const BodyId id : delta.came) prepared.emplace(id, prepare_shading(world.body(id)));
-  for (const BodyId id : delta.anew ? world.ids() : std::vector<BodyId>()) {
-    const auto known = frames.find(id);
-    prepared.emplace(id, known == frames.end() ? prepare_shading(world.body(id))
-                                               : PreparedBody{known->second, {}, nullptr});
-  }
+  for (const BodyId id : delta.anew ? world.ids() : delta.came)
+    prepared.emplace(id, prepare_shading(world.body(id), loaded));
   (void)prepare_shadows(world, prepared, nullptr);  // nobody stops it
   return prepared;
 }
@@ -45,6 +40,12 @@ bool is_quick(const Document& document, const Command& command) {
           [&](const HappensAtOnce auto&) { return small; },
       },
       command);
+}
+
+// Whether redo, or a recut that is being walked, may bring back pieces that are not there.
+bool pieces_may_return(const History& history) {
+  if (history.size() > history.position()) return true;
+  return history.position() > 0 && history.last().kind() == HistoryStep::Kind::kRecut;
 }
 
 auto apply_all(std::vector<Command> commands) {
@@ -186,10 +187,10 @@ void WorldChanges::change(const std::string& title, bool quick, const Change& wh
   const auto prepared = std::make_shared<PreparedBodies>();
   LongChange change;
   change.title = title;
-  change.run = [what, prepared, frames = on_.renderer.frames()](Document& document,
-                                                                const Progress& progress) {
+  change.run = [what, prepared, loaded = on_.renderer.loaded_shadings()](Document& document,
+                                                                         const Progress& progress) {
     Outcome outcome = what(document, &progress);
-    *prepared = prepare(document.world(), outcome.delta, frames);
+    *prepared = prepare(document.world(), outcome.delta, loaded);
     return outcome;
   };
   change.then = [this, prepared](const Outcome& outcome) { show_outcome(outcome, std::move(*prepared)); };
@@ -239,6 +240,12 @@ void WorldChanges::follow_step(const StepResult& step, size_t faces_before) {
   on_.renderer.follow(on_.work.document.world(), step.delta);
   if (on_.view.look.ghost || on_.view.look.show.face_numbers)
     on_.renderer.catch_up(on_.work.document.world());
+  const bool came = std::any_of(step.delta.bodies.begin(), step.delta.bodies.end(),
+                                [](const BodyDelta& body) { return !body.new_pieces.empty(); });
+  if (came || on_.view.numbers.waits()) {
+    on_.view.numbers.follow(on_.work.document.world(), false, pieces_may_return(on_.work.document.history()),
+                            on_.view.look.pieces);
+  }
   on_.figures.note_step(step, on_.work.document.revision(), faces_before);
 }
 
@@ -261,6 +268,7 @@ void WorldChanges::show_change(const Delta& delta, PreparedBodies prepared) {
   on_.renderer.follow(world, delta, std::move(prepared));
   ViewOptions& look = on_.view.look;
   follow_world(world, delta, look.pieces);
+  on_.view.numbers.follow(world, true, pieces_may_return(on_.work.document.history()), look.pieces);
   if (on_.view.spread > 0) spread_pieces(world, on_.view.spread, look.pieces);
   if (hidden_before_) {
     on_.view.isolated_from = hidden_bodies(world);

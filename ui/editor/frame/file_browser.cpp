@@ -10,6 +10,7 @@
 #include <cstring>
 #include <utility>
 
+#include "ui/editor/frame/mesh_formats.h"
 #include "ui/window/property.h"
 
 namespace kerf {
@@ -29,8 +30,7 @@ const Wording& wording(Purpose purpose) {
   static constexpr std::array kWordings{
       Wording{"Open a scene, a journal or a mesh", "Open", "Type a part of a name, or a whole path"},
       Wording{"Save the work", "Save", "Name; .kerf keeps everything, .json the scene without what was cut"},
-      Wording{"Export the chosen pieces", "Export",
-              "Name; its ending (.obj .ply .stl .off) says the format"}};
+      Wording{"Export the chosen pieces", "Export", "Name; a * stands for the name of each piece"}};
   return kWordings[static_cast<size_t>(purpose)];
 }
 
@@ -70,11 +70,22 @@ std::optional<fs::path> typed_path(const FileBrowser& b) {
   return std::nullopt;
 }
 
-void choose_file(FileBrowser& b, const fs::path& file) {
+// The files that are there already of those that would be written.
+std::vector<fs::path> to_be_replaced(const FileBrowser& b, const fs::path& file) {
+  if (b.purpose == Purpose::kOpen) return {};
+  std::vector<fs::path> files = b.purpose == Purpose::kExport ? b.writes(file) : std::vector{file};
   std::error_code error;
-  if (b.purpose != Purpose::kOpen && fs::exists(file, error) && b.replace != file) {
+  std::erase_if(files, [&](const fs::path& f) { return !fs::exists(f, error); });
+  return files;
+}
+
+void choose_file(FileBrowser& b, const fs::path& file) {
+  const std::vector<fs::path> there = to_be_replaced(b, file);
+  if (!there.empty() && b.replace != file) {
     b.replace = file;
-    b.fault = file.filename().string() + " is there already: choose Replace, or press Enter again";
+    b.fault = there.front().filename().string() +
+              (there.size() == 1 ? " is" : " and " + std::to_string(there.size() - 1) + " more are") +
+              " there already: choose Replace, or press Enter again";
     return;
   }
   b.fault = b.take(b.purpose, file);
@@ -92,10 +103,11 @@ void choose_entry(FileBrowser& b, const FileBrowser::Entry& entry) {
   }
 }
 
-// A name to save to gets the ending of a journal where it has none that says what to save.
-fs::path with_ending(fs::path file, Purpose purpose) {
+// A name to write to that does not say what to write gets an ending: that of a journal, or of the format.
+fs::path with_ending(fs::path file, const FileBrowser& b) {
   const std::string ending = file.extension().string();
-  if (purpose == Purpose::kSave && ending != ".kerf" && ending != ".json") file += ".kerf";
+  if (b.purpose == Purpose::kSave && ending != ".kerf" && ending != ".json") file += ".kerf";
+  if (b.purpose == Purpose::kExport && !mesh_format(ending)) file += "." + std::string(format_name(b.format));
   return file;
 }
 
@@ -103,10 +115,10 @@ void accept(FileBrowser& b) {
   std::error_code error;
   if (const auto typed = typed_path(b)) {
     if (fs::is_directory(*typed, error)) return enter_folder(b, *typed);
-    return choose_file(b, with_ending(*typed, b.purpose));
+    return choose_file(b, with_ending(*typed, b));
   }
   if (b.purpose != Purpose::kOpen) {
-    if (b.name.front() != '\0') choose_file(b, with_ending(b.folder / b.name.data(), b.purpose));
+    if (b.name.front() != '\0') choose_file(b, with_ending(b.folder / b.name.data(), b));
     return;
   }
   const std::vector<size_t> left = left_by_filter(b);
@@ -211,6 +223,22 @@ void draw_name(FileBrowser& b) {
   }
 }
 
+// The name gets the ending of the format that is chosen, and an ending that is typed chooses its format.
+void draw_export(FileBrowser& b) {
+  const fs::path name = b.name.data();
+  if (const auto typed = mesh_format(name.extension().string())) b.format = *typed;
+  if (const auto chosen = draw_mesh_formats(b.format)) {
+    b.format = *chosen;
+    fs::path stem = name;
+    if (mesh_format(name.extension().string())) stem.replace_extension();
+    set_name(b, with_ending(stem, b).string());
+    b.replace.clear();
+    b.fault.clear();
+    b.take_focus = true;
+  }
+  draw_file_names(b.writes(with_ending(b.folder / b.name.data(), b)));
+}
+
 void draw_buttons(FileBrowser& b) {
   ImGui::PushTextWrapPos(0);
   if (b.fault.empty()) {
@@ -229,9 +257,11 @@ void draw_buttons(FileBrowser& b) {
 }  // namespace
 
 void browse(FileBrowser& b, Purpose purpose, fs::path folder, const std::string& name) {
-  FileBrowser::Take take = std::move(b.take);
-  b = FileBrowser();
-  b.take = std::move(take);
+  FileBrowser kept;
+  kept.take = std::move(b.take);
+  kept.writes = std::move(b.writes);
+  kept.format = b.format;
+  b = std::move(kept);
   b.open = true;
   b.purpose = purpose;
   std::error_code error;
@@ -293,6 +323,7 @@ void draw_file_browser(FileBrowser& b) {
   if (!drawn) return;
   draw_where(b);
   draw_name(b);
+  if (b.purpose == Purpose::kExport) draw_export(b);
   draw_list(b);
   draw_buttons(b);
   if (!wanted) b.open = false;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/mesh/files/mesh_format.h"
 #include "ui/editor/frame/folder_list.h"
 
 namespace kerf {
@@ -16,8 +17,12 @@ struct FileBrowser {
   using Entry = FolderEntry;
   // Takes the file that was chosen. Returns why it cannot, and the window stays open, or an empty text.
   using Take = std::function<std::string(Purpose, const std::filesystem::path&)>;
+  // The files that an export under this name writes.
+  using Writes = std::function<std::vector<std::filesystem::path>(const std::filesystem::path&)>;
 
   Take take;
+  Writes writes;
+  MeshFormat format = MeshFormat::kObj;  // of an export; the one chosen last
   bool open = false;
   Purpose purpose = Purpose::kOpen;
   std::filesystem::path folder;
@@ -36,14 +41,14 @@ struct FileBrowser {
 };
 
 // Opens the window in a folder, or in the current one where that does not exist, with a name to begin with.
-// Keeps `take`.
+// Keeps `take`, `writes` and `format`.
 void browse(FileBrowser& browser, FileBrowser::Purpose purpose, std::filesystem::path folder,
             const std::string& name);
 
 // Processes a key (GLFW_KEY_*) while the browser is open.
 void browser_key(FileBrowser& browser, int key);
 
-// Draws the window where it is open. Precondition: `take` is set.
+// Draws the window where it is open. Preconditions: `take` is set, and `writes` for an export.
 void draw_file_browser(FileBrowser& browser);
 
 }  // namespace kerf

@@ -42,7 +42,7 @@ void draw_file_panel(const World& world) {
   for (const BodyId id : ids) {
     const Body& body = world.body(id);
     ImGui::PushID(static_cast<int>(id.slot));
-    ImGui::TextUnformatted(body.name.c_str());
+    ImGui::TextUnformatted(body.own_name().c_str());
     if (begin_properties("body")) {
       draw_body(body);
       end_properties();

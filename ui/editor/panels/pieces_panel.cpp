@@ -14,8 +14,8 @@ namespace {
 constexpr size_t kMostRows = 8;  // that are seen at once
 constexpr double kMostSpread = 1.5;
 
-void draw_swatch(uint32_t label, bool strong) {
-  const Vec3 c = piece_colour(label, strong);
+void draw_swatch(uint32_t number, bool strong) {
+  const Vec3 c = piece_colour(number, strong);
   const float side = 0.8f * ImGui::GetFontSize();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float y = at.y + 0.5f * (ImGui::GetTextLineHeight() - side);
@@ -45,7 +45,7 @@ void draw_row(ViewState& view, Requests& requests, const PieceRow& row) {
   ImGui::PushID(static_cast<int>(row.id.label));
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  draw_swatch(row.id.label, view.look.show.pieces);
+  draw_swatch(row.number, view.look.show.pieces);
   ImGui::SameLine();
   if (look.selected) ImGui::PushStyleColor(ImGuiCol_Text, colours::accent());
   if (look.hidden) ImGui::PushStyleColor(ImGuiCol_Text, colours::secondary());
@@ -81,7 +81,8 @@ void draw_list(ViewState& view, Requests& requests, const std::vector<PieceRow>&
   ImGui::TableSetupColumn("Piece", ImGuiTableColumnFlags_WidthStretch);
   ImGui::TableSetupColumn("Faces", ImGuiTableColumnFlags_WidthFixed, 3.7f * em);
   ImGui::TableSetupColumn("Area", ImGuiTableColumnFlags_WidthFixed, 4.4f * em);
-  ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, 2.3f * em);
+  const float button = ImGui::CalcTextSize("show").x + 2 * ImGui::GetStyle().FramePadding.x;
+  ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, button);
   ImGui::TableHeadersRow();
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(rows.size()));
@@ -144,7 +145,7 @@ void draw_spread(const World& world, ViewState& view, bool one_piece) {
 
 void draw_pieces_panel(const World& world, ViewState& view, Requests& requests,
                        const std::function<void()>& browse_export) {
-  const std::vector<PieceRow> rows = list_pieces(world);
+  const std::vector<PieceRow> rows = list_pieces(world, view.look.pieces);
   draw_list(view, requests, rows);
   draw_buttons(view.look.pieces, requests, browse_export);
   draw_spread(world, view, rows.size() < 2);

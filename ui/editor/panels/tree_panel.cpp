@@ -43,11 +43,12 @@ void body_row(ViewState& view, const World& world) {
   const std::vector<BodyId> ids = world.ids();
   const bool one = ids.size() < 2;
   ImGui::BeginDisabled(one);
-  if (ImGui::BeginCombo("##body", only ? world.body(*only).name.c_str() : "all bodies")) {
+  if (ImGui::BeginCombo("##body", only ? world.body(*only).own_name().c_str() : "all bodies")) {
     if (ImGui::Selectable("all bodies", !only)) only.reset(), view.picture_old = true;
     for (const BodyId id : ids) {
       ImGui::PushID(static_cast<int>(id.slot));
-      if (ImGui::Selectable(world.body(id).name.c_str(), only == id)) only = id, view.picture_old = true;
+      if (ImGui::Selectable(world.body(id).own_name().c_str(), only == id))
+        only = id, view.picture_old = true;
       ImGui::PopID();
     }
     ImGui::EndCombo();

@@ -4,14 +4,11 @@
 
 namespace kerf {
 
-namespace {
-
 void drop_plain(PieceMap& looks) {
-  std::erase_if(looks, [](const auto& entry) {
-    const PieceLook& look = entry.second;
-    return !look.hidden && !look.selected && look.offset == Vec3(0);
-  });
+  std::erase_if(looks, [](const auto& entry) { return entry.second == PieceLook(); });
 }
+
+namespace {
 
 double fraction(double x) { return x - std::floor(x); }
 
@@ -42,17 +39,17 @@ std::vector<Middle> middles_of(const Body& body) {
 
 }  // namespace
 
-std::vector<PieceRow> list_pieces(const World& world) {
+std::vector<PieceRow> list_pieces(const World& world, const PieceMap& looks) {
   std::vector<PieceRow> rows;
   for (const BodyId id : world.ids()) {
     const Body& body = world.body(id);
     for (uint32_t label = 0; label < body.pieces.size(); ++label) {
       const Piece& piece = body.pieces[label];
       if (piece.faces == 0) continue;
-      rows.push_back({{id, label},
-                      label == 0 ? body.name : body.name + " " + std::to_string(label),
-                      piece.faces,
-                      piece.area});
+      const auto look = looks.find({id, label});
+      const uint32_t number = look != looks.end() && look->second.number != 0 ? look->second.number : label;
+      const std::string name = label == body.named ? body.name : body.name + " " + std::to_string(number);
+      rows.push_back({{id, label}, number, name, piece.faces, piece.area});
     }
   }
   std::stable_sort(rows.begin(), rows.end(), [](const PieceRow& a, const PieceRow& b) {
@@ -62,9 +59,9 @@ std::vector<PieceRow> list_pieces(const World& world) {
   return rows;
 }
 
-Vec3 piece_colour(uint32_t label, bool strong) {
-  if (label == 0) return Vec3(0.45);
-  const double turn = fraction(label * 0.61803399), shade = fraction(label * 0.7548777);
+Vec3 piece_colour(uint32_t number, bool strong) {
+  if (number == 0) return Vec3(0.45);
+  const double turn = fraction(number * 0.61803399), shade = fraction(number * 0.7548777);
   const Vec3 linear = strong ? hue_colour(turn, 0.80, 0.40 + 0.25 * shade)
                              : hue_colour(0.40 + 0.40 * turn, 0.72, 2 * (0.10 + 0.14 * shade));
   return glm::pow(linear, Vec3(1 / 2.2));

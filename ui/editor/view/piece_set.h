@@ -16,6 +16,7 @@ using PieceMap = std::map<PieceId, PieceLook>;
 // A piece in the list of pieces.
 struct PieceRow {
   PieceId id;
+  uint32_t number = 0;  // see PieceLook::number; 0 for a body itself
   std::string name;
   size_t faces = 0;
   double area = 0;  // m^2
@@ -23,11 +24,14 @@ struct PieceRow {
 
 // The pieces that have faces: first the bodies themselves (label 0), then separated pieces, both in
 // descending order of area.
-std::vector<PieceRow> list_pieces(const World& world);
+std::vector<PieceRow> list_pieces(const World& world, const PieceMap& looks = {});
 
-// The colour in which the renderer draws a separated piece (sRGB, 0 .. 1); grey for a body itself (label 0).
-// `strong`: with ShowOptions::pieces.
-Vec3 piece_colour(uint32_t label, bool strong);
+// The colour in which the renderer draws a separated piece of this number (sRGB, 0 .. 1); grey for a body
+// itself (0). `strong`: with ShowOptions::pieces.
+Vec3 piece_colour(uint32_t number, bool strong);
+
+// Removes looks in which nothing is set.
+void drop_plain(PieceMap& looks);
 
 // Selects a piece instead of all others; if it was the only selected piece, deselects it. With `add` it
 // toggles the selection of this piece and keeps that of the others.

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "core/document/scene.h"
+#include "ui/editor/view/piece_numbers.h"
 #include "ui/render/camera.h"
 #include "ui/render/view_options.h"
 #include "ui/window/layout.h"
@@ -13,6 +14,7 @@ namespace kerf {
 struct ViewState {
   Camera camera;
   ViewOptions look;
+  PieceNumbers numbers;      // of the pieces, which `look` shows
   std::optional<View> home;  // the view that the scene asks for
   double spread = 0;  // displacement of pieces, as a multiple of their distance from the centre of the world
   Layout layout;

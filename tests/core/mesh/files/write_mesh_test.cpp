@@ -11,6 +11,9 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/random.h"
+#include "core/mesh/files/encode.h"
+#include "core/mesh/files/encode_mtl.h"
+#include "core/mesh/files/obj_reader.h"
 #include "core/mesh/read_mesh.h"
 #include "tests/core/mesh/files/sample_files.h"
 
@@ -72,6 +75,23 @@ TEST(WriteMesh, reads_back_bit_equal) {
       EXPECT_EQ(soup->material_names, mesh.names) << "seed " << seed;
     }
   }
+}
+
+TEST(WriteMesh, names_the_library_of_an_obj_file_and_describes_every_material_in_it) {
+  Random random(16);
+  const RandomMesh mesh = random_mesh(random);
+  MeshView view = mesh.view();
+  view.library = "part one.mtl";
+  const std::string obj = encode_obj(view);
+  EXPECT_TRUE(obj.starts_with("mtllib part one.mtl\nv "));
+  const Result<Soup> soup = read_obj(obj, "part.obj", nullptr);
+  ASSERT_TRUE(soup);
+  EXPECT_TRUE(soup->warnings.empty());
+  EXPECT_EQ(soup->material_names, mesh.names);
+  const std::vector<MaterialLook> looks{{"steel", {0.5, 0.25, 1}, 0}, {"", {0, 0, 0.1}, 1}};
+  EXPECT_EQ(encode_mtl(looks),
+            "newmtl steel\nKd 0.5 0.25 1\nKs 0 0 0\nNs 0\nd 1\nillum 2\n"
+            "newmtl default\nKd 0 0 0.1\nKs 0.5 0.5 0.5\nNs 1000\nd 1\nillum 2\n");
 }
 
 TEST(WriteMesh, writes_stl_to_the_precision_of_float) {

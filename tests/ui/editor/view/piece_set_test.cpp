@@ -50,7 +50,7 @@ TEST_F(CutSphere, looks_follow_a_piece_that_is_hidden_and_shown_again) {
   follow_world(document.world(), hid.delta, looks);
   EXPECT_EQ(chosen_pieces(looks), 0u);
   ASSERT_EQ(hidden_pieces(looks).size(), 1u);
-  EXPECT_EQ(document.world().body(hidden_pieces(looks).front().body).name, "sphere piece 1");
+  EXPECT_EQ(document.world().body(hidden_pieces(looks).front().body).own_name(), "sphere 1");
   EXPECT_EQ(list_pieces(document.world()).size(), 2u);
   const Outcome shown = document.apply(Undo{});
   ASSERT_TRUE(shown.ok());

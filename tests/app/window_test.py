@@ -409,12 +409,19 @@ class Window(unittest.TestCase):
         self.assertEqual(report["undo_depth"], 3)  # the stroke, one half hidden, and shown again
 
     def picture(self, editor):
-        """The colours of the picture at points of a grid, while the pointer is in a corner."""
+        """The colours of the picture at points of a grid, once it is smooth, while the pointer is in a corner."""
         editor.point_at(0.02, 0.04)
-        pause(0.5)
-        pixel, (x, y, width, height) = editor.pixels(), editor.part("viewport")
-        return [pixel(round(x + width * (i + 8) / 100), round(y + height * (j + 8) / 100))
-                for i in range(84) for j in range(84)]
+        x, y, width, height = editor.part("viewport")
+        points = [(round(x + width * i / 100), round(y + height * j / 100)) for i in range(8, 92) for j in range(8, 92)]
+        last = None
+        for _ in range(20):
+            pixel = editor.pixels()
+            now = [pixel(*point) for point in points]
+            if now == last:
+                break
+            last = now
+            pause(1.5)
+        return now
 
     def changed(self, before, after):
         """The share of the points whose colour is another."""

@@ -175,7 +175,7 @@ TEST(Orient, leaves_open_and_flat_parts_as_they_are) {
   }
 }
 
-TEST(Orient, turns_the_airliner_outward) {
+TEST(Orient, turns_a_real_part_outward_whose_faces_look_inward) {
   const auto files = real_meshes(3000);
   const auto file =
       std::find_if(files.begin(), files.end(), [](const auto& f) { return f.filename() == "boeing.off"; });

@@ -9,6 +9,7 @@
 namespace kerf {
 
 void StepFigures::add(const StepFigures& other) {
+  queries += other.queries;
   tested.boxes += other.tested.boxes;
   tested.faces += other.tested.faces;
   faces_made += other.faces_made;

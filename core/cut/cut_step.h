@@ -57,7 +57,8 @@ struct CutSettings {
 
 // What a step looked at, made and took, and how long its stages took (seconds).
 struct StepFigures {
-  QueryCounts tested;
+  size_t queries = 0;  // of trees, by moves of the beam
+  QueryCounts tested;  // in all of these
   size_t faces_made = 0;
   double largest_cosine = -1;  // of the corners of faces that were made and are left: their smallest angle
   double query_s = 0, refine_s = 0, remove_s = 0, update_tree_s = 0, separate_s = 0;

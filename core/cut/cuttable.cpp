@@ -1,11 +1,35 @@
 #include "core/cut/cuttable.h"
 
+#include <algorithm>
+
 namespace kerf {
+
+namespace {
+
+bool meets(const Body& body, const SweptCylinder& beam) {
+  for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+    if (body.mesh.is_live(FaceId(f)) && beam.touches(body.mesh.triangle(FaceId(f)))) return true;
+  }
+  return false;
+}
+
+}  // namespace
 
 std::vector<BodyId> cuttable(const World& world) {
   std::vector<BodyId> ids = world.ids();
   std::erase_if(ids, [&](BodyId id) { return world.body(id).hidden; });
   return ids;
+}
+
+bool meets_anything(const World& world, const Laser& laser, const Pose& pose) {
+  const std::vector<BodyId> ids = cuttable(world);
+  return std::any_of(ids.begin(), ids.end(), [&](BodyId id) {
+    const Body& body = world.body(id);
+    const Pose seen = body.placement.to_body(pose);
+    const std::vector<SweptCylinder> beam = sweep_beam(laser, {seen, seen});
+    return std::any_of(beam.begin(), beam.end(),
+                       [&](const SweptCylinder& part) { return meets(body, part); });
+  });
 }
 
 }  // namespace kerf

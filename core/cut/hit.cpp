@@ -15,6 +15,7 @@ void hit(BodyStep& step, std::vector<FaceId>& faces) {
   faces.clear();
   for (const SweptCylinder& part : step.beam) {
     const QueryCounts counts = step.edit.touched(part, faces);
+    ++step.figures.queries;
     step.figures.tested.boxes += counts.boxes;
     step.figures.tested.faces += counts.faces;
   }

@@ -90,6 +90,7 @@ void HistoryStep::forget() {
   bodies_ = Delta{};
   removed_faces_ = 0;
   removed_area_ = 0;
+  figures_ = {};
   state_ = State::kWaiting;
   images_ = Images::kNone;
 }

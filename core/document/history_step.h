@@ -43,6 +43,8 @@ class HistoryStep {
   // What it took away: live faces, and their area (m^2).
   size_t removed_faces() const { return removed_faces_; }
   double removed_area() const { return removed_area_; }  // see Delta
+  // What the steps that walked it looked at, made and took since it was begun.
+  const StepFigures& figures() const { return figures_; }
 
   State state() const { return state_; }
   bool waiting() const { return state_ == State::kWaiting; }
@@ -59,6 +61,7 @@ class HistoryStep {
   void add(World::Change change);
   // Notes what the step changed, so that a delta can tell of it when it is taken back.
   void touch(const Delta& delta);
+  void add(const StepFigures& figures) { figures_.add(figures); }
   // Nothing of the step is in the world any more, nor remembered: it waits.
   void forget();
   // Its images go; what it did stays.
@@ -85,6 +88,7 @@ class HistoryStep {
   std::vector<Command> commands_;
   size_t removed_faces_ = 0;
   double removed_area_ = 0;
+  StepFigures figures_;
   std::vector<World::Change> changes_;  // in their order
   std::map<BodyId, Touched> touched_;   // by the id of the body after the step
   Delta bodies_;                        // what the step changed, except for faces

@@ -463,18 +463,73 @@ class Window(unittest.TestCase):
         self.assertIn("broken.obj", report["message"])
         self.assertEqual(self.settings()["recent"], [os.path.realpath(SPHERE)])
 
-    def test_dropped_files_open_together_and_a_broken_one_changes_nothing(self):
+    def test_dropped_files_open_together_and_a_broken_one_neither_changes_anything_nor_keeps_others_out(self):
         editor = self.open()
-        meshes = [os.path.join(ASSETS, "meshes", name) for name in ("bracket.obj", "plate.obj")]
-        editor.drop(*meshes)
+        bracket, plate = (os.path.join(ASSETS, "meshes", name) for name in ("bracket.obj", "plate.obj"))
         broken = os.path.join(self.folder, "not a mesh.stl")
         with open(broken, "w") as file:
             file.write("solid nothing\nfacet normal none\n")
+        editor.drop(bracket, broken, plate)
+        editor.wait_for_title("bracket.obj and 1 more - Kerf")
+        editor.point_at("message", 0.3, 0.5)
+        editor.part("whole message")
         editor.drop(broken)
+        editor.click("message", 0.3, 0.5)
+        editor.part("messages")
+        editor.do("Escape")
+        self.assertNotIn("messages", editor.landmarks()["parts"])
         report = editor.quit()
         self.assertEqual(report["files"], ["bracket.obj", "plate.obj"])
         self.assertEqual(report["bodies"], 2)
         self.assertIn("not a mesh.stl", report["message"])
+        self.assertEqual(sum("not a mesh.stl" in text for text in report["messages"]), 3)
+
+    def test_a_click_on_nothing_leaves_no_step(self):
+        editor = self.open(SPHERE)
+        editor.click(0.06, 0.1)
+        editor.wait_for_title("sphere.json - Kerf")
+        report = editor.quit()
+        self.assertEqual((report["undo_depth"], report["strokes"]), (0, 0))
+
+    def test_the_last_stroke_follows_the_slider_of_the_radius_and_its_figures_follow_undo(self):
+        editor = self.open(SPHERE)
+        editor.drag(ACROSS)
+        editor.drag([("radius", 0.5, 0.5), ("radius", 0.7, 0.5)])
+        report = editor.quit()
+        self.assertEqual(report["strokes"], 1)
+        self.assertGreater(report["recuts"], 0)
+        wide = report["last_stroke"]
+        again = self.open_again(SPHERE)
+        again.drag(ACROSS)
+        again.drag(ACROSS_ABOVE)
+        again.do("ctrl", "z")
+        report = again.quit()
+        self.assertGreater(wide["radius"], 1.5 * report["last_stroke"]["radius"])
+        self.assertGreater(wide["removed_area"], 1.5 * report["last_stroke"]["removed_area"])
+        self.assertEqual(report["last_stroke"]["faces_removed"], report["faces_removed"])
+        self.assertGreater(report["last_stroke"]["faces_made"], 100)
+
+    def test_a_double_click_renames_a_piece_and_undo_takes_the_name_back(self):
+        self.open(SPHERE).quit()
+        self.only_panel("Pieces")
+        editor = self.open_again(SPHERE)
+        for name, end in (("half of a ball", "Return"), ("nothing", "Escape")):
+            where = "piece sphere" if end == "Return" else "piece half of a ball"
+            editor.point_at(where, 0.2, 0.5)
+            editor.xdotool("click", "--repeat", 2, "--delay", 120, 1)
+            pause(1)
+            editor.xdotool("type", "--delay", "60", name)
+            pause(0.5)
+            editor.do(end)
+            editor.part("piece half of a ball")
+        editor.do("ctrl", "z")
+        editor.part("piece sphere")
+        editor.do("ctrl", "shift", "z")
+        self.save_as(editor, "named")
+        editor.wait_for_title("named.kerf - Kerf")
+        editor.quit()
+        with open(os.path.join(self.folder, "named.kerf")) as file:
+            self.assertIn('"half of a ball"', file.read())
 
     def test_a_split_view_cuts_the_stroke_at_two_resolutions(self):
         self.assert_split_view_works()
@@ -666,6 +721,7 @@ class Window(unittest.TestCase):
         report = editor.quit()
         self.assertEqual(report["strokes"], 2)
         self.assertGreater(report["faces_removed"], 500)
+        self.assertGreater(report["last_stroke"]["faces_made"], 100)  # as figures of what was replayed
         self.assertEqual(self.unsaved(), [])
         replayed = subprocess.run([KERF, "replay", os.path.join(self.folder, "saved.kerf")], stdout=subprocess.DEVNULL)
         self.assertEqual(replayed.returncode, 0)

@@ -14,6 +14,7 @@ constexpr std::array kGestures{
     Gesture{"Left drag", "Cut where the pointer goes"},
     Gesture{"Ctrl+click", "Choose a piece; with Shift one more"},
     Gesture{"Ctrl+left drag", "Choose the pieces in a box; from right to left those that it touches"},
+    Gesture{"Double click on a name in the list", "Rename the piece"},
     Gesture{"Middle drag, Alt+left drag", "Orbit"},
     Gesture{"Shift+middle drag, right drag", "Pan"},
     Gesture{"Left drag on a light", "Move it, while the Light panel is open"},
@@ -71,6 +72,11 @@ std::vector<UserAction> help_actions(EditorState& s) {
                  .tip = "All keys, and what the mouse does.",
                  .run = [&s] { s.shortcuts_shown = !s.shortcuts_shown; },
                  .checked = [&s] { return s.shortcuts_shown; }},
+      UserAction{.menu = "Help",
+                 .name = "Messages",
+                 .tip = "What the status bar has said, in full. A click on its message shows them too.",
+                 .run = [&s] { s.messages_shown = !s.messages_shown; },
+                 .checked = [&s] { return s.messages_shown; }},
   };
 }
 
@@ -100,8 +106,8 @@ void escape(EditorState& state) {
     return;
   }
   if (state.opening.loader.busy()) return cancel_opening(state.opening, state.message);
-  if (state.shortcuts_shown) {
-    state.shortcuts_shown = false;
+  if (state.shortcuts_shown || state.messages_shown) {
+    state.shortcuts_shown = state.messages_shown = false;
   } else {
     choose_none(state.view.look.pieces);
     state.view.picture_old = true;

@@ -30,8 +30,8 @@ std::vector<UserAction> help_actions(EditorState& state);
 // Explanations of what the mouse does in the picture.
 std::span<const Gesture> gestures();
 
-// Performs the Esc key: ends the stroke, else stops reading files, else closes the sheet of shortcuts, else
-// deselects all pieces.
+// Performs the Esc key: ends the stroke, else stops reading files, else closes the sheet of shortcuts and the
+// log of messages, else deselects all pieces.
 void escape(EditorState& state);
 
 }  // namespace kerf

@@ -4,9 +4,10 @@
 #include "ui/editor/file_choice.h"
 #include "ui/editor/frame/load_bar.h"
 #include "ui/editor/frame/menu_bar.h"
-#include "ui/editor/frame/picture_marks.h"
+#include "ui/editor/frame/message_log.h"
 #include "ui/editor/frame/shortcut_sheet.h"
 #include "ui/editor/frame/status_bar.h"
+#include "ui/editor/marks/picture_marks.h"
 #include "ui/editor/tools/axes_gizmo.h"
 #include "ui/editor/tools/light_handle.h"
 #include "ui/editor/tools/popups.h"
@@ -74,13 +75,15 @@ void EditorScreen::took(const FrameTime& time) {
 void EditorScreen::draw_panels() {
   const Layout& layout = state_.view.layout;
   draw_menu_bar(actions_);
-  draw_picture_marks(
-      {state_.work.document, state_.view, state_.hand, state_.split, state_.settings, state_.figures.shown});
+  draw_picture_marks({state_.work.document, state_.view, state_.hand, state_.split, state_.settings,
+                      state_.figures.shown, state_.figures.shadows});
   draw_panel_column(layout.side, panels_, state_.settings);
   draw_splitters(layout, state_.settings);
-  draw_status_bar(layout.status, state_.hand, state_.message, state_.figures.shown);
+  if (draw_status_bar(layout.status, state_.hand, state_.message, state_.figures.shown))
+    state_.messages_shown = true;
   draw_load_bar(layout.viewport, state_.opening, state_.message);
   draw_shortcut_sheet(state_.shortcuts_shown, actions_, gestures());
+  draw_message_log(state_.messages_shown, state_.message);
   draw_file_choice(state_);
   draw_question(state_.decisions.question);
 }
@@ -117,11 +120,12 @@ void EditorScreen::update_figures() {
   figures.shown.frame_ms = 1000 * picture_.seconds();
   figures.shown.memory = memory_figures(std::array{&world, &twin, as_loaded},
                                         state_.work.document.history().bytes(), picture_.memory());
-  if (!std::exchange(figures.world_changed, false)) return;
-  count_world(figures.shown, world, state_.settings.panels.at(PanelId::kTree));
+  const bool depth_shown = state_.settings.shows(PanelId::kTree);
+  const bool depth_missing = depth_shown && !figures.shown.tree_depth;
+  if (!std::exchange(figures.world_changed, false) && !depth_missing) return;
+  count_world(figures.shown, world, depth_shown);
+  note_stroke(figures.shown, state_.work.document);
   figures.shown.twin_faces = twin.live_faces();
-  figures.shown.faces_tested = figures.last_step.tested.faces;
-  figures.shown.faces_of_step = figures.faces_before_step;
 }
 
 void EditorScreen::take_picture(Requests::Screenshot what) {

@@ -9,8 +9,8 @@
 namespace kerf {
 
 struct EditorOptions {
-  // Scenes and meshes that are opened together. If one cannot be read, the default scene is shown with an
-  // error message.
+  // Scenes and meshes that are opened together. Those that cannot be read are left out with an error message;
+  // if none can be read, the default scene is shown.
   std::vector<std::filesystem::path> files;
   std::optional<std::filesystem::path> report;  // JSON written at exit, also after SIGINT and SIGTERM
   // JSON of where the named parts of the window are, kept up frame by frame (see landmarks.h), for tests.

@@ -69,6 +69,23 @@ nlohmann::ordered_json times_of_cutting(const Figures& figures) {
           {"each_between_pictures_ms", figures.between_cutting_pictures.each()}};
 }
 
+nlohmann::ordered_json texts_of(const std::deque<Message::Said>& log) {
+  nlohmann::ordered_json texts = nlohmann::ordered_json::array();
+  for (const Message::Said& said : log) texts.push_back(said.text);
+  return texts;
+}
+
+// Null where nothing is cut.
+nlohmann::ordered_json last_stroke_of(const Document& document) {
+  const auto last = document.history().last_cut();
+  if (!last) return nullptr;
+  const HistoryStep& step = document.history().step(*last);
+  return {{"radius", document.stroke_settings().laser.radius},
+          {"faces_made", step.figures().faces_made},
+          {"faces_removed", step.removed_faces()},
+          {"removed_area", step.removed_area()}};
+}
+
 nlohmann::ordered_json names_of(const std::vector<std::filesystem::path>& files) {
   nlohmann::ordered_json names = nlohmann::ordered_json::array();
   for (const std::filesystem::path& file : files) names.push_back(file.filename().string());
@@ -91,6 +108,8 @@ Status write_editor_report(const EditorState& state, const std::filesystem::path
       {"strokes", document.strokes()},
       {"faces", document.world().live_faces()},
       {"faces_removed", document.removed_faces()},
+      {"removed_area", document.removed_area()},
+      {"last_stroke", last_stroke_of(document)},
       {"pieces", document.world().live_pieces()},
       {"undo_depth", document.history().position()},
       {"recuts", figures.recuts},
@@ -100,6 +119,7 @@ Status write_editor_report(const EditorState& state, const std::filesystem::path
       {"bodies", document.world().ids().size()},
       {"files", names_of(state.work.files)},
       {"message", state.message.text},
+      {"messages", texts_of(state.message.log)},
       {"view", view_of(state.view)},
       {"lights", lights_of(state.view, state.settings)},
       {"pixels_that_rays_have_otherwise", figures.shadows.wrong},

@@ -1,5 +1,6 @@
 #include "ui/editor/panel_list.h"
 
+#include "ui/editor/changes/world_changes.h"
 #include "ui/editor/file_choice.h"
 #include "ui/editor/panels/display_panel.h"
 #include "ui/editor/panels/file_panel.h"
@@ -16,14 +17,20 @@ namespace kerf {
 
 namespace {
 
+void draw_laser(EditorState& s) {
+  const bool changed = draw_laser_panel(s.hand.laser);
+  if (changed && s.settings.live_recut && why_no_recut(s.work.document) == nullptr)
+    s.requests.recut_radius = true;
+}
+
 void draw_resolution(EditorState& s) {
   draw_resolution_panel({s.work.document, s.hand.laser, s.split, s.view, s.settings, s.requests, s.figures,
                          [&s](bool on) { show_split(s.split, on, s.hand, s.work.document, s.view); }});
 }
 
-void draw_pieces(EditorState& s) {
-  draw_pieces_panel(s.work.document.world(), s.view, s.requests,
-                    [&s] { choose_file_for(s, FileBrowser::Purpose::kExport); });
+void draw_pieces(EditorState& s, PiecesPanel& panel) {
+  panel.draw(s.work.document.world(), s.view, s.requests,
+             [&s] { choose_file_for(s, FileBrowser::Purpose::kExport); });
 }
 
 }  // namespace
@@ -31,9 +38,9 @@ void draw_pieces(EditorState& s) {
 std::vector<Panel> make_panels(EditorState& s) {
   const Document& document = s.work.document;
   return {
-      {PanelId::kLaser, "Laser", [&s] { draw_laser_panel(s.hand.laser); }},
+      {PanelId::kLaser, "Laser", [&s] { draw_laser(s); }},
       {PanelId::kResolution, "Resolution", [&s] { draw_resolution(s); }},
-      {PanelId::kPieces, "Pieces", [&s] { draw_pieces(s); }},
+      {PanelId::kPieces, "Pieces", [&s, panel = PiecesPanel()]() mutable { draw_pieces(s, panel); }},
       {PanelId::kHistory, "History",
        [&s, panel = HistoryPanel()]() mutable { panel.draw(s.work.document, s.settings, s.requests); }},
       {PanelId::kLight, "Light",

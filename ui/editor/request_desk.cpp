@@ -71,7 +71,8 @@ void RequestDesk::change_world(const Requests& wanted) {
   if (wanted.delete_chosen) state_.requests.delete_chosen = changes_.delete_chosen();
   if (wanted.show_hidden && !changes_.is_pending()) changes_.show_hidden();
   if (wanted.isolate && !changes_.is_pending()) changes_.isolate_chosen();
-  if (wanted.recut && !changes_.is_pending()) changes_.recut_last_stroke();
+  const bool recut = wanted.recut || wanted.recut_radius;
+  if (recut && !changes_.is_pending()) changes_.recut_last_stroke(wanted.recut_radius);
 }
 
 }  // namespace kerf

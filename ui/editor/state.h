@@ -30,7 +30,7 @@ struct EditorState {
   Settings settings;
   Message message;
   FileBrowser browser;
-  bool shortcuts_shown = false;
+  bool shortcuts_shown = false, messages_shown = false;
 };
 
 }  // namespace kerf

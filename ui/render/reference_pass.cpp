@@ -2,13 +2,20 @@
 
 #include <array>
 
+#include "ui/render/overlay_colours.h"
+
 namespace kerf {
 
 namespace {
 
 using Pixel = std::array<uint8_t, 4>;
-constexpr Pixel kClear{0, 0, 0, 0}, kLit{236, 226, 190, 80}, kShadow{8, 12, 22, 190},
-    kWrong{255, 40, 220, 255};
+constexpr Pixel pixel_of(uint32_t hex, uint8_t opacity) {
+  return {static_cast<uint8_t>(hex >> 16 & 0xffu), static_cast<uint8_t>(hex >> 8 & 0xffu),
+          static_cast<uint8_t>(hex & 0xffu), opacity};
+}
+constexpr Pixel kClear{0, 0, 0, 0}, kLit = pixel_of(overlay_colours::kTracedLit, 80),
+                                    kShadow = pixel_of(overlay_colours::kTracedShadow, 190),
+                                    kWrong = pixel_of(overlay_colours::kWrong, 255);
 
 Pixel colour(const ShadowReference& traced, const ShadowCounts& drawn, size_t i) {
   if (traced.faces()[i] == 0) return kClear;

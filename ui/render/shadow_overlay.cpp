@@ -2,9 +2,12 @@
 
 #include <algorithm>
 
+#include "ui/render/overlay_colours.h"
 #include "ui/render/seen_light.h"
 
 namespace kerf {
+
+using namespace overlay_colours;
 
 namespace {
 
@@ -18,14 +21,10 @@ glm::vec4 srgb(uint32_t hex, float opacity = 1) {
 
 // Of edges with one, two and more sides.
 std::array<glm::vec4, 3> silhouette_colours(float opacity) {
-  return {srgb(0xa8d4ff, 0.75f * opacity), srgb(0x4aa3ff, opacity), srgb(0xb07cff, opacity)};
+  return {srgb(kOneSide, 0.75f * opacity), srgb(kTwoSides, opacity), srgb(kMoreSides, opacity)};
 }
 std::array<glm::vec4, 3> all_of(const glm::vec4& colour) { return {colour, colour, colour}; }
 
-// From one occluder to this many, and more than that: dark blue over violet and orange to pale yellow.
-constexpr std::array<uint32_t, 9> kCounts{0x1f4fa8, 0x5b3fb5, 0x93329f, 0xc23a7c, 0xe25a51,
-                                          0xf58233, 0xfbad2c, 0xf8d84e, 0xfffbd0};
-constexpr uint32_t kLit = 0x20303a;
 constexpr float kCountOpacity = 0.78f;
 
 void blend() {
@@ -120,9 +119,9 @@ void ShadowOverlay::draw(const Subject& subject, ShadowPass& shadows, const Face
 void ShadowOverlay::draw_facing(const Inspected& seen) const {
   glDepthFunc(GL_EQUAL);
   facing_.use();
-  facing_.set("facing_colour", srgb(0xf2dc9a));
-  facing_.set("averted_colour", srgb(0x2c4a8c));
-  facing_.set("neither_colour", srgb(0x808890));
+  facing_.set("facing_colour", srgb(kFacing));
+  facing_.set("averted_colour", srgb(kAverted));
+  facing_.set("neither_colour", srgb(kEdgeOn));
   seen.for_each_volume([&](const VolumeBuffer& volume, const Body& body, const BodyPicture& picture) {
     picture.bind(facing_, seen.subject.space, body.placement);
     picture.faces().draw_chunks([&](size_t chunk) { volume.bind_signs(facing_, chunk); });
@@ -179,8 +178,8 @@ void ShadowOverlay::draw_volumes(const Inspected& seen) const {
   sheet_.use();
   sheet_.set("light", seen.in_frame);
   sheet_.set("reach", reach);
-  sheet_.set("front", srgb(0x4aa3ff, 0.15f));
-  sheet_.set("back", srgb(0xff8a3d, 0.12f));
+  sheet_.set("front", srgb(kVolumeFront, 0.15f));
+  sheet_.set("back", srgb(kVolumeBack, 0.12f));
   seen.for_each_volume([&](const VolumeBuffer& volume, const Body& body, const BodyPicture& picture) {
     picture.bind(sheet_, seen.subject.space, body.placement);
     volume.draw_sides(sheet_, 6);

@@ -44,6 +44,15 @@ void mark_last_item(const char* name) {
   if (Landmarks* landmarks = kept_landmarks()) landmarks->mark(name, last_item());
 }
 
+void mark_area(const char* name, const Area& area) {
+  if (Landmarks* landmarks = kept_landmarks()) landmarks->mark(name, area);
+}
+
+void mark_window(const char* name) {
+  const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  mark_area(name, {{at.x, at.y}, {size.x, size.y}});
+}
+
 void mark_last_item(const char* name, int number) {
   if (Landmarks* landmarks = kept_landmarks())
     landmarks->mark(std::string(name) + ' ' + std::to_string(number), last_item());

@@ -42,5 +42,9 @@ void keep_landmarks(Landmarks* landmarks);
 // Marks the widget that was drawn last. Costs nothing where no landmarks are kept.
 void mark_last_item(const char* name, int number);
 void mark_last_item(const char* name);
+// Marks something that is not a widget.
+void mark_area(const char* name, const Area& area);
+// Marks the window or popup that is being drawn.
+void mark_window(const char* name);
 
 }  // namespace kerf

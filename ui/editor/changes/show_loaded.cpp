@@ -16,7 +16,6 @@ void forget_what_was_open(const OpenerParts& on) {
   on.view.look.tree.body.reset();
   on.view.look.shadow.inspected = 0;
   on.view.spread = 0;
-  on.figures.forget_strokes();
 }
 
 void dress_as(ViewState& view, const SceneDescription& scene) {
@@ -25,12 +24,22 @@ void dress_as(ViewState& view, const SceneDescription& scene) {
   if (const auto show = parse_show_list(scene.show); show && !scene.show.empty()) view.look.show = *show;
 }
 
+// All reasons are in the log, the first is in the status bar.
+void say_what_was_refused(Message& message, const LoadedFiles& loaded) {
+  const size_t count = loaded.refused.size();
+  for (const std::string& why : loaded.refused) message.note(why, true);
+  const std::string others =
+      count == 1 ? "" : " (and " + std::to_string(count - 1) + " more, see Help > Messages)";
+  message.say(loaded.order.name() + " opened, without: " + loaded.refused.front() + others, true);
+}
+
 void say_what_was_opened(Message& message, const LoadedFiles& loaded) {
   message.say(loaded.order.left ? "Here is the work that was left"
                                 : loaded.order.name() + (loaded.notes.empty() ? "" : ": " + loaded.notes));
   // Without hashes the work can be cut but not kept, which is said when it comes to that.
   if (loaded.cannot_be_kept) message.say(loaded.cannot_be_kept->message, true);
   if (!loaded.fault.empty()) message.say(loaded.fault, true);
+  if (!loaded.refused.empty()) say_what_was_refused(message, loaded);
 }
 
 // How much of the open work is saved, and where.

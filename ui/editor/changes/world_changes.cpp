@@ -163,10 +163,11 @@ void WorldChanges::isolate_chosen() {
          });
 }
 
-void WorldChanges::recut_last_stroke() {
+void WorldChanges::recut_last_stroke(bool radius) {
   const Document& document = on_.work.document;
   if (why_no_recut(document) != nullptr) return;
   CutSettings settings = document.stroke_settings();
+  if (radius) settings.laser.radius = on_.hand.laser.radius;
   settings.resolution = on_.hand.laser.resolution.of(settings.laser.radius);
   std::vector<Command> commands;
   const HistoryStep& last = document.history().last();
@@ -203,13 +204,12 @@ void WorldChanges::change(const std::string& title, bool quick, const Change& wh
 bool WorldChanges::step(size_t moves) {
   assert(!pending_);
   if (close_rim_beside()) return false;
-  const size_t faces = on_.work.document.world().live_faces();
   const Result<StepResult> step = on_.work.document.step(moves);
   if (!step) {
     show_failed_step(step.error());
     return false;
   }
-  follow_step(*step, faces);
+  follow_step(*step);
   return true;
 }
 
@@ -226,16 +226,16 @@ bool WorldChanges::close_rim_beside() {
     if (!done) outcome.fail(done.error());
     return outcome;
   };
-  change.then = [this, step, faces](const Outcome& done) {
+  change.then = [this, step](const Outcome& done) {
     if (!done.ok()) return show_failed_step(done.error());
-    follow_step(*step, faces);
+    follow_step(*step);
     on_.figures.world_changed = true;
   };
   pending_ = std::move(change);
   return true;
 }
 
-void WorldChanges::follow_step(const StepResult& step, size_t faces_before) {
+void WorldChanges::follow_step(const StepResult& step) {
   if (step.last) on_.hand.beam.reach(step.last->to);
   on_.renderer.follow(on_.work.document.world(), step.delta);
   if (on_.view.look.ghost || on_.view.look.show.face_numbers)
@@ -246,7 +246,7 @@ void WorldChanges::follow_step(const StepResult& step, size_t faces_before) {
     on_.view.numbers.follow(on_.work.document.world(), false, pieces_may_return(on_.work.document.history()),
                             on_.view.look.pieces);
   }
-  on_.figures.note_step(step, on_.work.document.revision(), faces_before);
+  on_.figures.chart.note_step(step);
 }
 
 void WorldChanges::show_failed_step(const Error& error) {

@@ -53,10 +53,11 @@ class WorldChanges {
   // Hides all pieces but the selected ones; the next call shows again those that were hidden by it, and no
   // others.
   void isolate_chosen();
-  // Undoes the last stroke and queues it again at the current resolution; its other settings stay. It is cut
+  // Undoes the last stroke and queues it again at the current resolution, and with `radius` with the current
+  // radius; its other settings stay. It is cut
   // during the next frames. Consecutive recuts are one step of the history. Does nothing if why_no_recut()
   // gives a reason.
-  void recut_last_stroke();
+  void recut_last_stroke(bool radius);
 
   // Cuts up to `moves` queued moves as one step. Returns false if the step failed or became pending, because
   // it closes the rim of a stroke with many faces.
@@ -73,7 +74,7 @@ class WorldChanges {
   template <typename Make>
   bool change_chosen(Make command_for);
   bool close_rim_beside();
-  void follow_step(const StepResult& step, size_t faces_before);
+  void follow_step(const StepResult& step);
   void show_failed_step(const Error& error);
   void show_outcome(const Outcome& outcome, PreparedBodies prepared = {});
   void show_change(const Delta& delta, PreparedBodies prepared);

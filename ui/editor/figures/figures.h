@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+
+#include "core/document/document.h"
 #include "ui/editor/figures/frame_statistics.h"
 #include "ui/editor/figures/memory_figures.h"
 #include "ui/editor/figures/step_chart.h"
@@ -14,9 +17,14 @@ struct ShownFigures {
   size_t twin_faces = 0;  // in the right half
   double frame_ms = 0;
   size_t tree_nodes = 0;
-  int tree_depth = 0;
+  std::optional<int> tree_depth;  // unknown until a panel shows it
   MemoryFigures memory;
-  size_t faces_tested = 0, faces_of_step = 0;  // in the last step, and how many there were before it
+  // Of the last stroke that was not undone, however it came into the world; nothing where there is none.
+  struct Stroke {
+    StepFigures figures;
+    double removed_area = 0;  // m^2
+  };
+  std::optional<Stroke> stroke;
 };
 
 // Everything that the editor counts and measures.
@@ -29,19 +37,14 @@ struct Figures {
   // The same for frames in which something was cut.
   FrameStatistics cutting_frames, between_cutting_pictures;
   StepChart chart;
-  StepFigures last_step, stroke;
-  size_t revision = 0;  // of the document whose stroke or recut `stroke` is of
-  size_t faces_before_step = 0;
   size_t recuts = 0;
-
-  // Records a step of a document at this revision, and the number of faces before the step.
-  void note_step(const StepResult& step, size_t revision_of_step, size_t faces_before);
-  // Resets everything that belongs to one document.
-  void forget_strokes();
 };
 
 // Updates the counts of a world for the panels. Depths of trees are computed only if they are shown, because
 // that takes O(n).
 void count_world(ShownFigures& shown, const World& world, bool depth_shown);
+
+// Updates the figures of the last stroke.
+void note_stroke(ShownFigures& shown, const Document& document);
 
 }  // namespace kerf

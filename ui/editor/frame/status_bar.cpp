@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "ui/window/landmarks.h"
 #include "ui/window/number_text.h"
 #include "ui/window/theme.h"
 
@@ -32,7 +33,7 @@ const char* left_button(const Hand& hand) {
   }
   if (hand.tool == Tool::kPick) return "Pick: click or drag a box to choose pieces, Shift adds";
   if (hand.cut_once) return "Laser: left drag cuts, Ctrl+click picks";
-  return "Laser: left drag cuts";
+  return "Laser: left drag cuts, F1 shows all shortcuts";
 }
 
 struct Figure {
@@ -49,9 +50,14 @@ struct Figure {
 std::vector<Figure> figures_of(const ShownFigures& shown) {
   std::array<char, 32> frame{};
   if (shown.frame_ms > 0) std::snprintf(frame.data(), frame.size(), "%.1f ms", shown.frame_ms);
-  return {{grouped(shown.faces) + " faces", 6.0f, colours::text()},
-          {grouped(shown.pieces) + (shown.pieces == 1 ? " piece" : " pieces"), 4.4f, colours::text()},
-          {frame.data(), 3.6f, colours::secondary()}};
+  std::vector<Figure> figures{
+      {grouped(shown.faces) + " faces", 6.0f, colours::text()},
+      {grouped(shown.pieces) + (shown.pieces == 1 ? " piece" : " pieces"), 4.4f, colours::text()},
+      {frame.data(), 3.6f, colours::secondary()}};
+  if (shown.stroke)
+    figures.push_back(
+        {"last stroke removed " + area_text(shown.stroke->removed_area), 12.4f, colours::secondary()});
+  return figures;
 }
 
 // Where the figures begin.
@@ -76,17 +82,32 @@ float draw_figures(const ShownFigures& shown, float from, float to) {
   return begin;
 }
 
-void draw_message(const Message& message, float from, float to) {
-  ImGui::SameLine(from);
-  ImGui::PushClipRect({from, 0}, {to, ImGui::GetIO().DisplaySize.y}, false);
-  ImGui::PushStyleColor(ImGuiCol_Text, message.is_error ? colours::text() : colours::secondary());
-  ImGui::TextUnformatted(((message.is_error ? "! " : "") + message.text).c_str());
-  ImGui::PopStyleColor();
-  ImGui::PopClipRect();
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", message.text.c_str());
+// The whole sentence, wrapped: it may be longer than the window is wide.
+void draw_whole(const std::string& text) {
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(std::min(36 * ImGui::GetFontSize(), 0.9f * ImGui::GetIO().DisplaySize.x));
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::TextDisabled("Click for all messages.");
+  ImGui::PopTextWrapPos();
+  mark_window("whole message");
+  ImGui::EndTooltip();
 }
 
-void draw_contents(const Hand& hand, const Message& message, const ShownFigures& shown) {
+// Returns whether it was clicked.
+bool draw_message(const Message& message, float from, float to) {
+  ImGui::SameLine(from);
+  ImGui::PushClipRect({from, 0}, {to, ImGui::GetIO().DisplaySize.y}, true);
+  ImGui::PushStyleColor(ImGuiCol_Text, message.is_error ? colours::text() : colours::secondary());
+  ImGui::TextUnformatted(((message.is_error ? "! " : "") + message.text).c_str());
+  mark_last_item("message");
+  ImGui::PopStyleColor();
+  const bool hovered = ImGui::IsItemHovered();
+  ImGui::PopClipRect();
+  if (hovered) draw_whole(message.text);
+  return hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+}
+
+bool draw_contents(const Hand& hand, const Message& message, const ShownFigures& shown) {
   // What went wrong comes before what the button does, where there is no room for both.
   const float em = ImGui::GetFontSize(), left = ImGui::GetStyle().WindowPadding.x;
   const float end = ImGui::GetWindowWidth() - left;
@@ -99,12 +120,12 @@ void draw_contents(const Hand& hand, const Message& message, const ShownFigures&
     ImGui::TextUnformatted(left_button(hand));
   }
   const float message_at = crowded ? left : left + hint;
-  if (!message.text.empty() && right > message_at) draw_message(message, message_at, right);
+  return !message.text.empty() && right > message_at && draw_message(message, message_at, right);
 }
 
 }  // namespace
 
-void draw_status_bar(const Area& area, const Hand& hand, const Message& message, const ShownFigures& shown) {
+bool draw_status_bar(const Area& area, const Hand& hand, const Message& message, const ShownFigures& shown) {
   ImGui::SetNextWindowPos({static_cast<float>(area.at.x), static_cast<float>(area.at.y)});
   ImGui::SetNextWindowSize({static_cast<float>(area.size.x), static_cast<float>(area.size.y)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImGui::GetStyle().FramePadding);
@@ -113,9 +134,10 @@ void draw_status_bar(const Area& area, const Hand& hand, const Message& message,
                                       ImGuiWindowFlags_NoSavedSettings |
                                       ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNavFocus |
                                       ImGuiWindowFlags_NoFocusOnAppearing;
-  if (ImGui::Begin("##status", nullptr, kFixed)) draw_contents(hand, message, shown);
+  const bool clicked = ImGui::Begin("##status", nullptr, kFixed) && draw_contents(hand, message, shown);
   ImGui::End();
   ImGui::PopStyleVar(2);
+  return clicked;
 }
 
 }  // namespace kerf

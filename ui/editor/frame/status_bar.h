@@ -7,7 +7,8 @@
 
 namespace kerf {
 
-// Draws what the left button does, the message and the figures of the world into the status bar.
-void draw_status_bar(const Area& area, const Hand& hand, const Message& message, const ShownFigures& shown);
+// Draws what the left button does, the message and the figures of the world into the status bar. A message
+// that does not fit can be read in its tooltip. Returns whether the message was clicked.
+bool draw_status_bar(const Area& area, const Hand& hand, const Message& message, const ShownFigures& shown);
 
 }  // namespace kerf

@@ -24,21 +24,46 @@ std::string weight_text(const HistoryStep& step) {
   return kilobytes < 1000 ? text_of("%.0f kB", kilobytes) : text_of("%.1f MB", kilobytes / 1024);
 }
 
+std::string removed_text(const HistoryStep& step) {
+  return step.removed_area() > 0 ? area_text(step.removed_area()) : "";
+}
+
+// The width that a column of such texts needs.
+float widest(const History& history, std::string (*text)(const HistoryStep&)) {
+  float width = 1;
+  for (size_t i = 0; i < history.size(); ++i)
+    width = std::max(width, ImGui::CalcTextSize(text(history.step(i)).c_str()).x);
+  return width;
+}
+
+// What a row of the list says.
+struct Row {
+  std::string name;
+  std::string removed = {};  // the area that the step has taken away
+  std::string weight = {};
+};
+
 // Returns whether the row was clicked.
-bool draw_row(size_t now, size_t position, const std::string& name, const std::string& weight) {
+bool draw_row(size_t now, size_t position, const Row& row) {
   ImGui::PushID(static_cast<int>(position));
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   const bool undone = position > now;
   if (position == now) ImGui::PushStyleColor(ImGuiCol_Text, colours::accent());
   if (undone) ImGui::PushStyleColor(ImGuiCol_Text, colours::secondary());
-  const bool clicked = ImGui::Selectable(name.c_str(), position == now, ImGuiSelectableFlags_SpanAllColumns);
+  const bool clicked =
+      ImGui::Selectable(row.name.c_str(), position == now, ImGuiSelectableFlags_SpanAllColumns);
   mark_last_item("history row", static_cast<int>(position));
-  tooltip(position == now ? "This is where the work is now."
-                          : (undone ? "Was taken back. A click does it again, with all before it."
-                                    : "A click goes back to here; what came after can be done again."));
+  const char* meaning = position == now ? "This is where the work is now."
+                        : undone        ? "Was taken back. A click does it again, with all before it."
+                                        : "A click goes back to here; what came after can be done again.";
+  tooltip((row.name + ". " + meaning).c_str());
   ImGui::TableNextColumn();
-  ImGui::TextUnformatted(weight.c_str());
+  ImGui::TextUnformatted(row.removed.c_str());
+  tooltip("The area that this step has taken away.");
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(row.weight.c_str());
+  tooltip("The memory that it takes to undo this step at once.");
   if (undone) ImGui::PopStyleColor();
   if (position == now) {
     ImGui::PopStyleColor();
@@ -50,9 +75,10 @@ bool draw_row(size_t now, size_t position, const std::string& name, const std::s
 
 // The row of a position of the history; returns whether it was clicked.
 bool draw_step(const History& history, size_t position) {
-  if (position == 0) return draw_row(history.position(), 0, "As it was opened", "");
+  if (position == 0) return draw_row(history.position(), 0, {"As it was opened"});
   const HistoryStep& step = history.step(position - 1);
-  return draw_row(history.position(), position, words(step.commands().front()), weight_text(step));
+  return draw_row(history.position(), position,
+                  {words(step.commands().front()), removed_text(step), weight_text(step)});
 }
 
 void draw_window(Document& document, Settings& settings) {
@@ -82,9 +108,10 @@ void HistoryPanel::draw_list(const Document& document, Requests& requests) {
   const float em = ImGui::GetFontSize();
   const auto lines = static_cast<float>(std::min(history.size() + 1, kMostRows));
   const float height = lines * (ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y) + 0.2f * em;
-  if (!ImGui::BeginTable("steps", 2, kList, {0, height})) return;
+  if (!ImGui::BeginTable("steps", 3, kList, {0, height})) return;
   ImGui::TableSetupColumn("Step", ImGuiTableColumnFlags_WidthStretch);
-  ImGui::TableSetupColumn("Weight", ImGuiTableColumnFlags_WidthFixed, 4.8f * em);
+  ImGui::TableSetupColumn("Removed", ImGuiTableColumnFlags_WidthFixed, widest(history, removed_text));
+  ImGui::TableSetupColumn("Weight", ImGuiTableColumnFlags_WidthFixed, widest(history, weight_text));
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(history.size() + 1));
   while (clipper.Step()) {

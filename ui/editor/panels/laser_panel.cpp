@@ -21,8 +21,9 @@ void reset_on_right_click(double& value, double reset) {
   ImGui::EndPopup();
 }
 
-void radius_row(LaserControls& laser) {
+bool radius_row(LaserControls& laser) {
   property("Radius");
+  const double before = laser.radius;
   const LengthUnit unit = unit_for(laser.default_radius);
   double shown = laser.radius / unit.metres;
   const double low = laser.default_radius / kRadiusSpan / unit.metres;
@@ -34,7 +35,10 @@ void radius_row(LaserControls& laser) {
   }
   mark_last_item("radius");
   reset_on_right_click(laser.radius, laser.default_radius);
-  tooltip("Half the width of the cut. Ctrl+click to type a number, right click for the default.");
+  tooltip(
+      "Half the width of the cut. Ctrl+click to type a number, right click for the default. The last stroke "
+      "follows while \"as the slider moves\" is on in the Resolution panel.");
+  return laser.radius != before;
 }
 
 void pattern_row(LaserControls& laser) {
@@ -50,11 +54,12 @@ void pattern_row(LaserControls& laser) {
 
 }  // namespace
 
-void draw_laser_panel(LaserControls& laser) {
-  if (!begin_properties("laser")) return;
-  radius_row(laser);
+bool draw_laser_panel(LaserControls& laser) {
+  if (!begin_properties("laser")) return false;
+  const bool changed = radius_row(laser);
   pattern_row(laser);
   end_properties();
+  return changed;
 }
 
 }  // namespace kerf

@@ -4,7 +4,7 @@
 
 namespace kerf {
 
-// Draws the radius and the pattern of the beam.
-void draw_laser_panel(LaserControls& laser);
+// Draws the radius and the pattern of the beam. Returns whether the radius was changed.
+bool draw_laser_panel(LaserControls& laser);
 
 }  // namespace kerf

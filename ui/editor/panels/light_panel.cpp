@@ -5,8 +5,9 @@
 #include <cmath>
 #include <string>
 
-#include "ui/editor/panels/light_presets.h"
 #include "ui/editor/panels/switch_row.h"
+#include "ui/editor/view/light_presets.h"
+#include "ui/editor/view/shadow_methods.h"
 #include "ui/window/property.h"
 
 namespace kerf {
@@ -16,30 +17,14 @@ namespace {
 constexpr double kLeastIntensity = 0.02, kMostIntensity = 50;
 constexpr double kLeastReach = 0.25, kMostReach = 50;  // diagonals
 
-struct Method {
-  ShadowMethod method;
-  const char* name;
-  const char* meaning;
-};
-constexpr std::array kMethods{
-    Method{ShadowMethod::kRobust, "Robust",
-           "Every polygon spans a closed volume without end; counted from behind. Right for any mesh and any "
-           "eye."},
-    Method{
-        ShadowMethod::kPaperOneVolume, "Paper, one volume",
-        "The silhouette of the polygons that face the light, extruded so far and left open. Right for closed "
-        "meshes while the eye is in the light."},
-    Method{ShadowMethod::kPaperTwoVolumes, "Paper, two volumes",
-           "Another volume for the averted polygons: the paper's answer for hollow meshes."},
-};
-
 bool method_row(const char* label, const char* id, ShadowMethod& method) {
   property(label);
   bool changed = false;
-  const auto is = [&](const Method& m) { return m.method == method; };
-  const Method& now = *std::find_if(kMethods.begin(), kMethods.end(), is);
+  const auto is = [&](const MethodWords& m) { return m.method == method; };
+  const std::span<const MethodWords> all = shadow_methods();
+  const MethodWords& now = *std::find_if(all.begin(), all.end(), is);
   if (ImGui::BeginCombo(id, now.name)) {
-    for (const Method& m : kMethods) {
+    for (const MethodWords& m : all) {
       if (ImGui::Selectable(m.name, m.method == method)) {
         changed = m.method != method;
         method = m.method;
@@ -92,6 +77,7 @@ bool compare_rows(ViewState& view, const ShadowFigures& figures) {
   changed |= slider("Split", "##split", shadow.split, 0, 1, "%.2f", "Where the two meet.", 0);
   property("");
   ImGui::Text("%zu pixels differ", figures.differing);
+  tooltip("Pixels of the whole picture that are in shadow with one method and lit with the other.");
   return changed;
 }
 

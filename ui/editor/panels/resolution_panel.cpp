@@ -108,7 +108,9 @@ void recut_row(const ResolutionParts& on, bool changed) {
   tooltip(why_not != nullptr ? why_not : "Takes the last stroke back and cuts it at this resolution (R).");
   property("");
   ImGui::Checkbox("as the slider moves", &on.settings.live_recut);
-  tooltip("Moving a slider above cuts the last stroke again: the same cut, just with different parameters.");
+  tooltip(
+      "Moving a slider above, or that of the radius, cuts the last stroke again: the same cut, just with "
+      "different parameters.");
   if (changed && on.settings.live_recut && why_not == nullptr) on.requests.recut = true;
 }
 
@@ -140,16 +142,20 @@ void figure_row(const char* name, const std::string& value, const char* meaning)
 void faces_row(size_t faces, const char* meaning) { figure_row("Faces", grouped(faces), meaning); }
 
 std::string smallest_angle_text(double largest_cosine) {
-  if (largest_cosine < 0) return "nothing cut yet";
+  if (largest_cosine < 0) return "no face is left of them";
   char text[32];
   std::snprintf(text, sizeof text, "%.1f degrees", std::acos(largest_cosine) * 180 / 3.14159265358979);
   return text;
 }
 
-void stroke_rows(const StepFigures& stroke) {
-  figure_row("Made", grouped(stroke.faces_made), "Faces that splitting made in the last stroke.");
-  figure_row("Least angle", smallest_angle_text(stroke.largest_cosine),
+void stroke_rows(const std::optional<ShownFigures::Stroke>& stroke) {
+  const std::string none = "nothing is cut";
+  figure_row("Made", stroke ? grouped(stroke->figures.faces_made) : none,
+             "Faces that splitting made in the last stroke.");
+  figure_row("Least angle", stroke ? smallest_angle_text(stroke->figures.largest_cosine) : none,
              "Smallest angle of all faces that the last stroke made and left.");
+  figure_row("Removed", stroke ? area_text(stroke->removed_area) : none,
+             "Area that the last stroke has taken away.");
 }
 
 void split_rows(const ResolutionParts& on) {
@@ -173,7 +179,7 @@ void draw_resolution_panel(const ResolutionParts& on) {
   const bool changed = resolution_rows(on.laser.resolution, on.laser.radius);
   recut_row(on, changed);
   faces_row(on.figures.shown.faces, "Faces of all bodies as they stand.");
-  stroke_rows(on.figures.stroke);
+  stroke_rows(on.figures.shown.stroke);
   split_rows(on);
   end_properties();
 }

@@ -75,14 +75,28 @@ void figure_row(const char* name, const std::string& value, const char* meaning)
   tooltip(meaning);
 }
 
+// A stroke asks the tree once or a few times for each move of the beam.
+void query_rows(const ShownFigures& shown) {
+  std::string per_query = "nothing is cut", per_stroke = per_query;
+  if (shown.stroke) {
+    const size_t queries = shown.stroke->figures.queries, tested = shown.stroke->figures.tested.faces;
+    per_query = grouped(tested / std::max<size_t>(1, queries)) + " of " + grouped(shown.faces) + " faces";
+    per_stroke = grouped(tested) + " in " + grouped(queries) + (queries == 1 ? " query" : " queries");
+  }
+  figure_row(
+      "Per query", per_query,
+      "Faces that a query of the last stroke tested one by one, on average, and all that there are: the "
+      "tree spares the rest.");
+  figure_row(
+      "Per stroke", per_stroke,
+      "Faces that all queries of the last stroke tested. A face near the beam is tested by many of them.");
+}
+
 void figure_rows(const ShownFigures& shown) {
-  figure_row("Nodes", grouped(shown.tree_nodes) + ", depth " + std::to_string(shown.tree_depth),
+  const std::string depth = shown.tree_depth ? ", depth " + std::to_string(*shown.tree_depth) : "";
+  figure_row("Nodes", grouped(shown.tree_nodes) + depth,
              "Boxes of all trees, and levels under the root of the deepest.");
-  figure_row("Tested",
-             shown.faces_of_step == 0
-                 ? "nothing cut yet"
-                 : grouped(shown.faces_tested) + " of " + grouped(shown.faces_of_step) + " faces",
-             "Faces that the last step looked at one by one, of all there were: the tree spares the rest.");
+  query_rows(shown);
 }
 
 }  // namespace
@@ -92,7 +106,7 @@ void draw_tree_panel(ViewState& view, const World& world, Settings& settings, co
   property("Boxes");
   draw_switch(view, SwitchId::kBoxes, "shown");
   ImGui::BeginDisabled(!view.look.show.aabb);
-  depth_row(view, shown.tree_depth);
+  depth_row(view, shown.tree_depth.value_or(0));
   TreeOverlay& tree = view.look.tree;
   flag_row(view, "Only", "leaves", tree.leaves_only, "Only the boxes that hold one face.");
   flag_row(view, "", "where the beam was", tree.hit_only, "Only the boxes in which the beam is or was.");

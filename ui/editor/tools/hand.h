@@ -11,9 +11,6 @@ enum class Tool { kLaser, kPick };
 // What a drag that has begun goes on doing. One that picks, or that began on the axes, has not moved yet.
 enum class Drag { kNone, kCut, kPick, kBox, kAxes, kOrbit, kPan, kLight };
 
-// The distance that the pointer may move between the press and the release of a click, in screen coordinates.
-inline constexpr double kClickReach = 4;
-
 // What the user holds, and what the mouse is doing with it.
 struct Hand {
   LaserControls laser;  // as its panel sets it

@@ -3,7 +3,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "ui/editor/tools/hand.h"
+#include "ui/editor/tools/click.h"
 
 namespace kerf {
 

@@ -1,7 +1,10 @@
 #include "ui/editor/tools/laser_tool.h"
 
 #include <cassert>
+#include <utility>
 
+#include "core/cut/cuttable.h"
+#include "ui/editor/tools/click.h"
 #include "ui/render/beam_strike.h"
 
 namespace kerf {
@@ -39,7 +42,8 @@ void LaserTool::press(Document& document, const CameraView& view, Vec2 pointer, 
                       double heard) {
   const Pose ray = view.ray(pointer.x, pointer.y);
   const double diagonal = document.world().bounds().diagonal();
-  focus_ = first_hit(document.world(), ray).value_or(view.focus);
+  const std::optional<double> hit = first_hit(document.world(), ray);
+  focus_ = hit.value_or(view.focus);
   emitter_ = view.parallel ? focus_ - least_depth(document.world(), view) + 0.1 * diagonal : focus_;
   const CutSettings settings = controls.settings(diagonal);
   radius_ = settings.laser.radius;
@@ -54,23 +58,31 @@ void LaserTool::press(Document& document, const CameraView& view, Vec2 pointer, 
   }
   cutting_ = true;
   began_ = heard;
-  document.apply(BeginStroke{settings, pose_});
+  held_ = BeginStroke{settings, pose_};
+  if (hit) begin_held(document);
+}
+
+void LaserTool::begin_held(Document& document) {
+  if (held_) document.apply(*std::exchange(held_, std::nullopt));
 }
 
 void LaserTool::move(Document& document, const CameraView& view, Vec2 pointer, double pixel, double heard) {
   if (!cutting_) return;
   const Vec2 moved = (pointer - pointer_) * Vec2(view.aspect, 1) / pixel;
-  if (glm::length(moved) < kLeastMove) return;
+  if (glm::length(moved) < (held_ ? kClickReach : kLeastMove)) return;
   pointer_ = pointer;
   pose_ = aim(view, pointer);
   assert(heard >= began_);
+  begin_held(document);
   document.apply(MoveStroke{pose_, heard - began_});
 }
 
 void LaserTool::release(Document& document) {
   if (!cutting_) return;
   cutting_ = false;
-  document.apply(EndStroke{});
+  if (held_ && meets_anything(document.world(), held_->settings.laser, held_->pose)) begin_held(document);
+  if (!held_) document.apply(EndStroke{});
+  held_.reset();
 }
 
 void LaserTool::find_strike(const Document& document) {

@@ -18,6 +18,9 @@ class LaserTool {
  public:
   // x and y of the pointer as in CameraView::ray; `pixel` is the size of a pixel in y. `heard` is when the
   // pointer was there, in seconds of a clock that never goes back: poses of the stroke carry it.
+  // A press beside everything begins a stroke only when the pointer has moved further than within a click, or
+  // on release if the beam touches a body with its edge, so that a click on nothing leaves no step in the
+  // history.
   void press(Document& document, const CameraView& view, Vec2 pointer, const LaserControls& controls,
              double heard);
   void move(Document& document, const CameraView& view, Vec2 pointer, double pixel, double heard);
@@ -34,18 +37,20 @@ class LaserTool {
 
  private:
   Pose aim(const CameraView& view, Vec2 pointer) const;
+  void begin_held(Document& document);
 
   bool cutting_ = false;
-  double began_ = 0;              // s of that clock, when the stroke began
-  double focus_ = 1;              // m along the pointer's ray
-  double emitter_ = 1;            // m from there back to the emitter
-  double reach_ = 1;              // m along the beam
-  double radius_ = 0.01;          // m
-  double overshoot_ = 0.01;       // m, how far beside the beam the rim of what it burns may be
-  Vec2 pointer_{0};               // of the last pose
-  Pose pose_;                     // that the pointer asks for
-  Pose beam_;                     // that the cut has reached
-  std::optional<double> strike_;  // m along the beam
+  std::optional<BeginStroke> held_;  // the beginning that the document does not know of yet
+  double began_ = 0;                 // s of that clock, when the stroke began
+  double focus_ = 1;                 // m along the pointer's ray
+  double emitter_ = 1;               // m from there back to the emitter
+  double reach_ = 1;                 // m along the beam
+  double radius_ = 0.01;             // m
+  double overshoot_ = 0.01;          // m, how far beside the beam the rim of what it burns may be
+  Vec2 pointer_{0};                  // of the last pose
+  Pose pose_;                        // that the pointer asks for
+  Pose beam_;                        // that the cut has reached
+  std::optional<double> strike_;     // m along the beam
 };
 
 }  // namespace kerf

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ui/editor/tools/axes_gizmo.h"
+#include "ui/editor/tools/click.h"
 #include "ui/editor/tools/light_handle.h"
 #include "ui/editor/tools/rubber_band.h"
 #include "ui/editor/view/piece_set.h"

@@ -59,6 +59,17 @@ std::vector<PieceRow> list_pieces(const World& world, const PieceMap& looks) {
   return rows;
 }
 
+SortedPieces set_crumbs_apart(std::vector<PieceRow> rows) {
+  const auto is_crumb = [](const PieceRow& row) { return row.number != 0 && row.faces <= kFacesOfCrumb; };
+  SortedPieces sorted;
+  if (std::count_if(rows.begin(), rows.end(), is_crumb) < 2) {
+    sorted.rest = std::move(rows);
+    return sorted;
+  }
+  for (PieceRow& row : rows) (is_crumb(row) ? sorted.crumbs : sorted.rest).push_back(std::move(row));
+  return sorted;
+}
+
 Vec3 piece_colour(uint32_t number, bool strong) {
   if (number == 0) return Vec3(0.45);
   const double turn = fraction(number * 0.61803399), shade = fraction(number * 0.7548777);

@@ -26,6 +26,16 @@ struct PieceRow {
 // descending order of area.
 std::vector<PieceRow> list_pieces(const World& world, const PieceMap& looks = {});
 
+// The largest number of faces of a crumb.
+inline constexpr size_t kFacesOfCrumb = 8;
+
+// Splits a list of pieces: crumbs are separated pieces of at most kFacesOfCrumb faces, and `rest` is all
+// else, in the same order. One crumb alone is left in the rest.
+struct SortedPieces {
+  std::vector<PieceRow> rest, crumbs;
+};
+SortedPieces set_crumbs_apart(std::vector<PieceRow> rows);
+
 // The colour in which the renderer draws a separated piece of this number (sRGB, 0 .. 1); grey for a body
 // itself (0). `strong`: with ShowOptions::pieces.
 Vec3 piece_colour(uint32_t number, bool strong);

@@ -18,27 +18,52 @@ bool is_over(const std::future<Result<LoadedFiles>>& result, double seconds) {
   return result.wait_for(std::chrono::duration<double>(seconds)) == std::future_status::ready;
 }
 
-Result<Work> read_all(std::span<const std::filesystem::path> files, const Progress* progress) {
-  if (files.size() == 1) return read_work(files.front(), progress);
+Result<Scene> read_beside_others(const std::filesystem::path& file, const Progress* progress) {
+  if (is_journal(file)) return bad_input(file.string() + ": a journal is opened alone");
+  return read_scene(file, progress);
+}
+
+void put_into(Scene& scene, Scene more) {
+  for (const BodyId id : more.world.ids()) scene.world.add(std::move(more.world.body(id)));
+  scene.bodies.insert(scene.bodies.end(), more.bodies.begin(), more.bodies.end());
+  scene.paints.merge(more.paints);
+  scene.strokes.insert(scene.strokes.end(), more.strokes.begin(), more.strokes.end());
+}
+
+// Reads several files as one scene. One that cannot be read keeps no other out: it is taken out of `files`,
+// and `refused` gets the reason. Fails if none can be read.
+Result<Work> read_together(std::vector<std::filesystem::path>& files, std::vector<std::string>& refused,
+                           const Progress* progress) {
+  bool stopped = false;
+  const Progress watched{[&](double fraction) {
+    stopped = progress != nullptr && !progress->report(fraction);
+    return !stopped;
+  }};
   Work all;
-  Scene& scene = all.scene;
+  std::vector<std::filesystem::path> good;
+  std::optional<Error> fault;
   const double share = 1 / static_cast<double>(files.size());
   for (size_t i = 0; i < files.size(); ++i) {
-    if (is_journal(files[i])) return bad_input(files[i].string() + ": a journal is opened alone");
     const double before = share * static_cast<double>(i);
-    const Progress reading = share_of(progress, before, before + share);
-    Result<Scene> more = read_scene(files[i], &reading);
-    if (!more) return more.error();
-    for (const BodyId id : more->world.ids()) scene.world.add(std::move(more->world.body(id)));
-    scene.bodies.insert(scene.bodies.end(), more->bodies.begin(), more->bodies.end());
-    scene.paints.merge(more->paints);
-    scene.strokes.insert(scene.strokes.end(), more->strokes.begin(), more->strokes.end());
+    const Progress reading = share_of(&watched, before, before + share);
+    Result<Scene> more = read_beside_others(files[i], &reading);
+    if (stopped) return cancelled();
+    if (more) {
+      put_into(all.scene, std::move(*more));
+      good.push_back(files[i]);
+    } else {
+      if (!fault) fault = more.error();
+      refused.push_back(more.error().message);
+    }
   }
+  if (good.empty()) return *fault;
+  files = std::move(good);
   return all;
 }
 
-Result<Work> read_order(const LoadOrder& order, const Progress* progress) {
-  if (!order.left) return read_all(order.files, progress);
+Result<Work> read_order(LoadOrder& order, std::vector<std::string>& refused, const Progress* progress) {
+  if (!order.left && order.files.size() == 1) return read_work(order.files.front(), progress);
+  if (!order.left) return read_together(order.files, refused, progress);
   Result<Scene> scene = load_scene(order.left->scene, progress);
   if (!scene) return scene.error();
   return Work{std::move(*scene), *order.left};
@@ -121,10 +146,10 @@ Result<LoadedFiles> load_files(LoadOrder order, const Progress* progress) {
   const Progress reading = stages.next(rest * kReading), hashing = stages.next(rest * kHashing),
                  shading = stages.next(rest * kShading), deeds = stages.next(cutting),
                  shadows = stages.next(rest * kShadows);
-  Result<Work> work = read_order(order, &reading);
+  LoadedFiles loaded;
+  Result<Work> work = read_order(order, loaded.refused, &reading);
   if (!work) return work.error();
   Scene& scene = work->scene;
-  LoadedFiles loaded;
   loaded.order = std::move(order);
   loaded.notes = notes_of(scene.world);
   loaded.scene = scene;

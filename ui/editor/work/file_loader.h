@@ -19,7 +19,8 @@ namespace kerf {
 
 // What is to be opened in place of the open work.
 struct LoadOrder {
-  // Scenes and meshes that form one scene, or a single journal.
+  // Scenes and meshes that form one scene, or a single journal. Of several, those that cannot be read are
+  // left out.
   std::vector<std::filesystem::path> files;
   // Work that a crashed editor left, instead of files.
   std::optional<Journal> left;
@@ -31,7 +32,8 @@ struct LoadOrder {
 
 // Files that were read: the document in its saved state, and the data for drawing it.
 struct LoadedFiles {
-  LoadOrder order;
+  LoadOrder order;                   // with the files that were read
+  std::vector<std::string> refused;  // why others of its files were not, a sentence each
   SceneDescription scene;
   Document document;               // the strokes of the scene are cut, the journal is replayed
   std::optional<World> as_loaded;  // a copy, where the world is not too large for one
@@ -43,8 +45,8 @@ struct LoadedFiles {
   std::optional<Error> cannot_be_kept;  // why the work cannot be saved
 };
 
-// Reads the files and applies their strokes or commands. The view of a single file is kept. `progress` may be
-// null.
+// Reads the files and applies their strokes or commands. The view of a single file is kept. Fails if none of
+// the files can be read. `progress` may be null.
 Result<LoadedFiles> load_files(LoadOrder order, const Progress* progress);
 
 // Reads files on a background thread into a separate world while the editor goes on.

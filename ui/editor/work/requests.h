@@ -15,7 +15,8 @@ struct Requests {
   bool fresh = false;                       // the default scene in place of what is open
   bool quit = false;
   std::filesystem::path save_to;  // empty: nowhere
-  bool recut = false;
+  bool recut = false;             // at the resolution that is set now
+  bool recut_radius = false;      // with the radius that is set now, too
   bool undo = false, redo = false;
   bool hide_chosen = false, show_hidden = false, isolate = false, delete_chosen = false;
   std::vector<Command> commands;

@@ -37,6 +37,33 @@ TEST_F(LaserToolTest, a_drag_over_a_sphere_cuts_where_the_pointer_goes) {
   EXPECT_NEAR(*first_hit(document.world(), view.ray(0, 0.3)), 4, 0.2);
 }
 
+TEST_F(LaserToolTest, a_click_beside_everything_leaves_no_step_and_one_whose_edge_touches_does) {
+  const auto click = [&](Vec2 at) {
+    tool.press(document, view, at, controls, 7);
+    tool.release(document);
+    step();
+  };
+  click({-0.9, 0.9});
+  EXPECT_EQ(document.history().size(), 0u);
+  EXPECT_TRUE(document.journal().empty());
+  double x = 0;
+  while (first_hit(document.world(), view.ray(x, 0))) x += 0.001;
+  click({x + 0.002, 0});
+  EXPECT_EQ(document.history().size(), 1u);
+  EXPECT_GT(document.removed_faces(), 0u);
+}
+
+TEST_F(LaserToolTest, a_drag_that_begins_beside_everything_keeps_its_first_pose) {
+  tool.press(document, view, {-0.9, 0}, controls, 7);
+  EXPECT_TRUE(document.journal().empty());
+  tool.move(document, view, {0, 0}, 2.0 / 700, 7.5);
+  tool.release(document);
+  step();
+  ASSERT_EQ(document.journal().size(), 3u);
+  EXPECT_LT(std::get<BeginStroke>(document.journal().front()).pose.direction.x, -0.1);
+  EXPECT_GT(document.removed_faces(), 0u);
+}
+
 TEST_F(LaserToolTest, a_move_of_less_than_half_a_pixel_is_dropped) {
   tool.press(document, view, {0, 0}, controls, 7);
   const size_t commands = document.journal().size();

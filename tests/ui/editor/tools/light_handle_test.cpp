@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ui/editor/panels/light_presets.h"
+#include "ui/editor/view/light_presets.h"
 
 namespace kerf {
 namespace {

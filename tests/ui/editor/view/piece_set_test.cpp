@@ -92,5 +92,18 @@ TEST_F(CutSphere, can_be_cut_again_and_an_untouched_one_says_why_not) {
   EXPECT_NE(why_no_recut(Document()), nullptr);
 }
 
+TEST(PieceSet, crumbs_are_separated_pieces_of_few_faces_and_one_alone_is_none) {
+  const auto row = [](uint32_t label, size_t faces) {
+    return PieceRow{{{0, 0}, label}, label, "piece " + std::to_string(label), faces, 1};
+  };
+  const SortedPieces sorted =
+      set_crumbs_apart({row(0, 4), row(1, kFacesOfCrumb + 1), row(2, kFacesOfCrumb), row(3, 1)});
+  ASSERT_EQ(sorted.rest.size(), 2u);
+  EXPECT_EQ(sorted.rest[1].id.label, 1u);
+  ASSERT_EQ(sorted.crumbs.size(), 2u);
+  EXPECT_EQ(sorted.crumbs[1].id.label, 3u);
+  EXPECT_TRUE(set_crumbs_apart({row(0, 90), row(1, 1)}).crumbs.empty());
+}
+
 }  // namespace
 }  // namespace kerf

@@ -50,6 +50,18 @@ TEST(FileLoader, says_why_a_file_cannot_be_read) {
   EXPECT_NE(loaded.error().message.find("no_such_file.obj"), std::string::npos);
 }
 
+TEST(FileLoader, a_file_that_cannot_be_read_keeps_no_other_out) {
+  LoadOrder order = files({"no_such_file.obj", "knot.obj", "none.kerf", "bracket.obj"});
+  const Result<LoadedFiles> loaded = load_files(order, nullptr);
+  ASSERT_TRUE(loaded.ok());
+  EXPECT_EQ(loaded->document.world().ids().size(), 2u);
+  EXPECT_EQ(loaded->order.files, files({"knot.obj", "bracket.obj"}).files);
+  ASSERT_EQ(loaded->refused.size(), 2u);
+  EXPECT_NE(loaded->refused[0].find("no_such_file.obj"), std::string::npos);
+  EXPECT_NE(loaded->refused[1].find("none.kerf"), std::string::npos);
+  EXPECT_FALSE(load_files(files({"no_such_file.obj", "none.obj"}), nullptr).ok());
+}
+
 TEST(FileLoader, what_was_given_up_never_comes) {
   FileLoader loader;
   loader.start(files({"knot.obj"}));

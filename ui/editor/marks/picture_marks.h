@@ -16,10 +16,11 @@ struct MarkParts {
   const SplitView& split;
   const Settings& settings;
   const ShownFigures& shown;
+  const ShadowFigures& shadows;
 };
 
 // Draws over the picture: a ring as wide as the beam, what the halves of a split picture show, the handles of
-// lights, and hints until the first cut.
+// lights, the legends of its views, and hints until the first cut.
 void draw_picture_marks(const MarkParts& of);
 
 }  // namespace kerf

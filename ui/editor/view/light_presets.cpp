@@ -1,4 +1,4 @@
-#include "ui/editor/panels/light_presets.h"
+#include "ui/editor/view/light_presets.h"
 
 #include <array>
 

@@ -1,8 +1,10 @@
-#include "ui/editor/frame/picture_marks.h"
+#include "ui/editor/marks/picture_marks.h"
 
 #include <imgui.h>
 
 #include "core/base/length_text.h"
+#include "ui/editor/marks/hint_box.h"
+#include "ui/editor/marks/legends.h"
 #include "ui/editor/tools/axes_gizmo.h"
 #include "ui/editor/tools/light_handle.h"
 #include "ui/editor/tools/rubber_band.h"
@@ -14,11 +16,6 @@ namespace kerf {
 
 namespace {
 
-constexpr std::array kHints{
-    "Hold the left button and drag to cut",
-    "Middle drag to look round, wheel to come closer",
-    "F1 shows all shortcuts",
-};
 constexpr double kLeastRing = 3, kMostRing = 400;  // pixels
 
 ImVec2 to_im(Vec2 p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
@@ -39,32 +36,6 @@ void draw_ring(const MarkParts& of, ImDrawList& list) {
   list.AddCircle(at, ring + 1.5f, IM_COL32(10, 12, 16, 150), 0, 3.0f);
   list.AddCircle(at, ring + 1.5f, of.hand.drag == Drag::kCut ? colours::accent() : colours::kPictureText, 0,
                  1.3f);
-}
-
-void draw_hints(const MarkParts& of, ImDrawList& list) {
-  if (of.hand.cut_once) return;
-  const Area& area = of.view.layout.viewport;
-  const float line = ImGui::GetTextLineHeightWithSpacing(), em = ImGui::GetFontSize();
-  const float room = std::max(em, static_cast<float>(area.size.x) - 4 * em);
-  std::array<ImVec2, kHints.size()> sizes;
-  // In a picture that they would hide there is only the first.
-  const size_t count = area.size.x > 20 * em && area.size.y > 20 * em ? kHints.size() : 1;
-  float widest = 0, height = 0;
-  for (size_t i = 0; i < count; ++i) {
-    sizes[i] = ImGui::CalcTextSize(kHints[i], nullptr, false, room);
-    widest = std::max(widest, sizes[i].x);
-    height += sizes[i].y + line - em;
-  }
-  const float middle = static_cast<float>(area.at.x + 0.5 * area.size.x);
-  const float bottom = static_cast<float>(area.at.y + area.size.y) - 1.6f * em;
-  float y = bottom - height;
-  list.AddRectFilled({middle - 0.5f * widest - em, y - 0.6f * em},
-                     {middle + 0.5f * widest + em, bottom + 0.4f * em}, colours::kPictureShade, 3);
-  for (size_t i = 0; i < count; ++i) {
-    list.AddText(nullptr, 0, {middle - 0.5f * sizes[i].x, y},
-                 i == 0 ? colours::kPictureText : colours::kPictureSecondary, kHints[i], nullptr, room);
-    y += sizes[i].y + line - em;
-  }
 }
 
 std::string resolution_text(const Resolution& r) {
@@ -106,6 +77,12 @@ void draw_half_labels(const MarkParts& of, ImDrawList& list) {
   list.AddLine({x, y}, {x, y + static_cast<float>(l.second.size.y)}, colours::kPictureSecondary, 1);
 }
 
+// The first half without the label in its corner.
+Area under_label(const Layout& l) {
+  const Vec2 label(0, l.split() ? 2.2 * ImGui::GetTextLineHeight() + ImGui::GetFontSize() : 0);
+  return {l.first.at + label, l.first.size - label};
+}
+
 }  // namespace
 
 void draw_picture_marks(const MarkParts& of) {
@@ -117,7 +94,9 @@ void draw_picture_marks(const MarkParts& of) {
   draw_axes_gizmo(of.view, of.hand.over_picture ? of.hand.pointer : Vec2(-1), list);
   if (shows_light_handles(of.settings)) draw_light_handles(of.view, list);
   if (of.hand.drag == Drag::kBox) draw_rubber_band({of.hand.pressed_at, of.hand.pointer}, list);
-  draw_hints(of, list);
+  const Area legends = draw_legends(legends_of(of.view.look, of.shadows, of.document.strokes() > 0),
+                                    under_label(of.view.layout));
+  if (!of.hand.cut_once) draw_hint_box(of.document.world(), of.view, legends);
   list.PopClipRect();
 }
 

@@ -1,0 +1,160 @@
+#include "ui/editor/marks/legends.h"
+
+#include <imgui.h>
+
+#include "ui/editor/view/shadow_methods.h"
+#include "ui/render/box_palette.h"
+#include "ui/render/overlay_colours.h"
+#include "ui/render/view_switches.h"
+#include "ui/window/landmarks.h"
+#include "ui/window/number_text.h"
+#include "ui/window/theme.h"
+
+namespace kerf {
+
+namespace {
+
+using namespace overlay_colours;
+using Rows = std::vector<Legend::Row>;
+
+Legend::Row sentence(std::string text) { return {0, std::move(text), false, false}; }
+
+Legend legend_of_boxes(const ViewOptions& look) {
+  const BoxColours colours = colours_of(look.tree.palette);
+  const bool hit_only = look.show.aabb_hit || look.tree.hit_only;
+  Legend legend;
+  legend.title = look.tree.leaves_only ? "Boxes of single faces" : "Boxes of the tree";
+  legend.rows.push_back({colours.hit, "the beam is or was in it"});
+  if (!hit_only) legend.rows.push_back({colours.untouched, "the beam never came there", true, true});
+  if (!look.tree.leaves_only && look.tree.deepest < TreeOverlay().deepest)
+    legend.rows.push_back(sentence("down to level " + std::to_string(look.tree.deepest) + " under the root"));
+  return legend;
+}
+
+// The strip itself is part of the picture.
+Legend legend_by_strip(const char* title, const char* last) {
+  return {title, {sentence("by the strip at the lower left"), sentence(last)}};
+}
+
+Legend legend_of_comparison(const ViewOptions& look, const ShadowFigures& shadows) {
+  return {"Two shadow methods",
+          {sentence("left: " + std::string(method_name(look.shadow.method))),
+           sentence("right: " + std::string(method_name(look.shadow.beside))),
+           sentence(grouped(shadows.differing) + " pixels are in shadow with"),
+           sentence("one of them and lit with the other")}};
+}
+
+Legend legend_of_rays(const ShadowFigures& shadows) {
+  return {"Shadow rays",
+          {{kTracedLit, "lit"},
+           {kTracedShadow, "in shadow"},
+           {kWrong, "the picture has it otherwise: " + grouped(shadows.wrong) + " pixels"}}};
+}
+
+// Empty for a view without colours of its own.
+Legend legend_of(SwitchId view, const ViewOptions& look, const ShadowFigures& shadows, bool cut) {
+  switch (view) {
+    case SwitchId::kSilhouette:
+      return legend_by_strip("Silhouette: sides of the volume on an edge", "3: three or more");
+    case SwitchId::kShadowVolumes:
+      return {"Shadow volumes", {{kVolumeFront, "seen from outside"}, {kVolumeBack, "seen from within"}}};
+    case SwitchId::kShadowCounts:
+      return legend_by_strip("Surfaces that keep the light away", "9: nine or more");
+    case SwitchId::kFacing:
+      return {"Facing the light", {{kFacing, "facing it"}, {kAverted, "averted"}, {kEdgeOn, "edge-on"}}};
+    case SwitchId::kCompare:
+      return legend_of_comparison(look, shadows);
+    case SwitchId::kTrace:
+      return legend_of_rays(shadows);
+    case SwitchId::kLevelColours:
+      if (!cut) return {};
+      return {"Size of faces",
+              {{0xfff0c0, "split most often"}, {0xe87a1c, "split less"}, {0x7a1405, "split least"}}};
+    case SwitchId::kBoxes:
+      return legend_of_boxes(look);
+    case SwitchId::kBoxesHit:
+      return look.show.aabb || !look.show.aabb_hit ? Legend() : legend_of_boxes(look);
+    case SwitchId::kPieces:
+      return {"Pieces",
+              {{0x6f7174, "stays with its body"}, sentence("each other colour: one piece that came off")}};
+    case SwitchId::kFaceNumbers:
+      return {"Numbers of faces", {{0xf2f5f7, "there"}, {0xff8a78, "removed"}}};
+    case SwitchId::kShadows:
+    case SwitchId::kWire:
+    case SwitchId::kNormals:
+    case SwitchId::kGhost:
+    case SwitchId::kTwoSided:
+    case SwitchId::kCullBacks:
+    case SwitchId::kAntialias:
+      break;
+  }
+  return {};
+}
+
+ImU32 opaque(uint32_t hex) { return IM_COL32(hex >> 16 & 0xffu, hex >> 8 & 0xffu, hex & 0xffu, 255); }
+
+void draw_swatch(const Legend::Row& row, ImVec2 at, float side, ImDrawList& list) {
+  const ImU32 colour = opaque(row.colour);
+  if (!row.dotted) {
+    list.AddRectFilled(at, {at.x + side, at.y + side}, colour, 2);
+    list.AddRect(at, {at.x + side, at.y + side}, IM_COL32(255, 255, 255, 70), 2);
+    return;
+  }
+  const float gap = side / 5;
+  for (float x = 0; x < side; x += 2 * gap)
+    list.AddRectFilled({at.x + x, at.y + 2 * gap}, {at.x + x + gap, at.y + 3 * gap}, colour);
+}
+
+float width_of(const Legend& legend, float swatch) {
+  float width = ImGui::CalcTextSize(legend.title.c_str()).x;
+  for (const Legend::Row& row : legend.rows)
+    width = std::max(width, ImGui::CalcTextSize(row.meaning.c_str()).x + (row.swatch ? swatch : 0));
+  return width;
+}
+
+void draw_legend(const Legend& legend, ImVec2 at, ImVec2 size, ImDrawList& list) {
+  const float em = ImGui::GetFontSize(), line = 1.2f * em, side = 0.8f * em;
+  list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, colours::kPictureShade, 3);
+  ImVec2 pen{at.x + 0.6f * em, at.y + 0.5f * em};
+  list.AddText(pen, colours::kPictureText, legend.title.c_str());
+  for (const Legend::Row& row : legend.rows) {
+    pen.y += line;
+    if (row.swatch) draw_swatch(row, {pen.x, pen.y + 0.5f * (ImGui::GetTextLineHeight() - side)}, side, list);
+    list.AddText({pen.x + (row.swatch ? 1.4f * em : 0), pen.y}, colours::kPictureSecondary,
+                 row.meaning.c_str());
+  }
+}
+
+}  // namespace
+
+std::vector<Legend> legends_of(const ViewOptions& look, const ShadowFigures& shadows, bool cut) {
+  std::vector<Legend> legends;
+  for (const ViewSwitch& s : view_switches()) {
+    if (s.get(look) == 0) continue;
+    if (Legend legend = legend_of(s.id, look, shadows, cut); !legend.title.empty())
+      legends.push_back(std::move(legend));
+  }
+  return legends;
+}
+
+Area draw_legends(const std::vector<Legend>& legends, const Area& picture) {
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const float em = ImGui::GetFontSize();
+  const auto x = static_cast<float>(picture.at.x) + em,
+             bottom = static_cast<float>(picture.at.y + picture.size.y) - em;
+  auto y = static_cast<float>(picture.at.y) + em;
+  Area taken{picture.at + Vec2(em), Vec2(0)};
+  for (size_t i = 0; i < legends.size(); ++i) {
+    const ImVec2 size{width_of(legends[i], 1.4f * em) + 1.2f * em,
+                      (1.2f * static_cast<float>(legends[i].rows.size() + 1) + 0.8f) * em};
+    if (y + size.y > bottom) break;
+    draw_legend(legends[i], {x, y}, size, list);
+    mark_area(("legend " + legends[i].title).c_str(), {{x, y}, {size.x, size.y}});
+    taken.size.x = std::max<double>(taken.size.x, size.x);
+    taken.size.y = y + size.y - taken.at.y;
+    y += size.y + 0.5f * em;
+  }
+  return taken;
+}
+
+}  // namespace kerf

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace kerf::overlay_colours {
+
+// What the views of shadows are drawn in, and their legends: 0xrrggbb (sRGB).
+
+// Edges of a silhouette on which one side of the volumes lies, two sides, or more.
+inline constexpr uint32_t kOneSide = 0xa8d4ff, kTwoSides = 0x4aa3ff, kMoreSides = 0xb07cff;
+
+// Sides of the volumes, seen from outside and from within.
+inline constexpr uint32_t kVolumeFront = 0x4aa3ff, kVolumeBack = 0xff8a3d;
+
+// Polygons that face the light, that are averted, and that lie edge-on.
+inline constexpr uint32_t kFacing = 0xf2dc9a, kAverted = 0x2c4a8c, kEdgeOn = 0x808890;
+
+// Where nothing keeps the light away; one occluder to this many, and more than that: dark blue over violet
+// and orange to pale yellow.
+inline constexpr uint32_t kLit = 0x20303a;
+inline constexpr std::array<uint32_t, 9> kCounts{0x1f4fa8, 0x5b3fb5, 0x93329f, 0xc23a7c, 0xe25a51,
+                                                 0xf58233, 0xfbad2c, 0xf8d84e, 0xfffbd0};
+
+// Pixels whose ray says otherwise than the picture, that it finds lit, and that it finds in shadow.
+inline constexpr uint32_t kWrong = 0xff28dc, kTracedLit = 0xece2be, kTracedShadow = 0x080c16;
+
+}  // namespace kerf::overlay_colours

@@ -7,6 +7,10 @@
 
 namespace kerf {
 
+namespace {
+constexpr float kDoubleClickSeconds = 0.3f, kLongestDelay = 1;
+}  // namespace
+
 Gui::Gui(const Window& window) {
   IMGUI_CHECKVERSION();
   ImGui::CreateContext();
@@ -35,6 +39,9 @@ void Gui::dress(const GuiLook& look) {
 void Gui::begin_frame() {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
+  // ImGui takes the time of a click from the frame that hears of it, which a slow picture delays.
+  ImGuiIO& io = ImGui::GetIO();
+  io.MouseDoubleClickTime = kDoubleClickSeconds + std::min(io.DeltaTime, kLongestDelay);
   ImGui::NewFrame();
 }
 

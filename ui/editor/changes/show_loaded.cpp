@@ -24,10 +24,10 @@ void dress_as(ViewState& view, const SceneDescription& scene) {
   if (const auto show = parse_show_list(scene.show); show && !scene.show.empty()) view.look.show = *show;
 }
 
-// All reasons are in the log, the first is in the status bar.
+// The first reason is in the status bar, the others are in the log.
 void say_what_was_refused(Message& message, const LoadedFiles& loaded) {
   const size_t count = loaded.refused.size();
-  for (const std::string& why : loaded.refused) message.note(why, true);
+  for (size_t i = 1; i < count; ++i) message.note(loaded.refused[i], true);
   const std::string others =
       count == 1 ? "" : " (and " + std::to_string(count - 1) + " more, see Help > Messages)";
   message.say(loaded.order.name() + " opened, without: " + loaded.refused.front() + others, true);

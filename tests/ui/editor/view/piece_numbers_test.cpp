@@ -96,7 +96,9 @@ TEST_F(CutStrips, numbers_stay_with_their_places_through_recuts_undo_and_redo) {
   }
   for (int i = 0; i < 4; ++i) {
     apply(Undo{});
-    if (i < 3) EXPECT_EQ(places(), before) << "undone " << i + 1;
+    if (i < 3) {
+      EXPECT_EQ(places(), before) << "undone " << i + 1;
+    }
   }
   EXPECT_TRUE(places().empty());
   for (int i = 0; i < 4; ++i) {

@@ -445,7 +445,7 @@ class Window(unittest.TestCase):
         editor = self.open_again(SPHERE)
         editor.point_at(0.5, 0.5)
         editor.do("ctrl", "a")
-        editor.press("ctrl", "e")
+        editor.do("ctrl", "e")
         editor.click("format PLY", 0.3, 0.5)
         editor.press("Return")
         wait_for(lambda: os.path.exists(os.path.join(self.folder, "sphere.ply")), 20, "no file was written")

@@ -509,6 +509,35 @@ class Window(unittest.TestCase):
         self.assertEqual(report["last_stroke"]["faces_removed"], report["faces_removed"])
         self.assertGreater(report["last_stroke"]["faces_made"], 100)
 
+    def comb_without_teeth(self):
+        """The journal of a bar from which a stroke has cut twelve teeth of two faces each."""
+        mesh, path, journal = (os.path.join(self.folder, name) for name in ("comb.obj", "path.json", "comb.kerf"))
+        corners = [(0.1 * x, y, 0) for y in (0, 1, 1.1, 1.2) for x in range(24)]
+        quads = [(0, x) for x in range(23)] + [(y, x) for y in (1, 2) for x in range(0, 24, 2)]
+        with open(mesh, "w") as file:
+            file.writelines(f"v {x} {y} {z}\n" for x, y, z in corners)
+            for y, x in quads:
+                a = 24 * y + x + 1
+                file.write(f"f {a} {a + 1} {a + 25} {a + 24}\n")
+        keys = [{"t": t, "origin": [x, 1.05, 1], "direction": [0, 0, -1]} for t, x in ((0, -0.1), (1, 2.5))]
+        with open(path, "w") as file:
+            json.dump({"strokes": [{"laser": {"radius": 0.005}, "keys": keys}]}, file)
+        subprocess.run([KERF, "cut", mesh, "--path", path, "--out", os.path.join(self.folder, "pieces"),
+                        "--depth", "0", "--journal", journal], check=True, capture_output=True)
+        return journal
+
+    def test_crumbs_share_a_row_that_a_click_unfolds(self):
+        self.open(SPHERE).quit()
+        self.only_panel("Pieces")
+        editor = self.open_again(self.comb_without_teeth())
+        editor.wait_for_title("comb.kerf - Kerf")
+        editor.part("crumbs")
+        teeth = lambda: [name for name in editor.landmarks()["parts"] if name.startswith("piece comb ")]
+        self.assertEqual(teeth(), [])
+        editor.click("crumbs", 0.5, 0.5)
+        wait_for(teeth, 20, "no crumb is listed")
+        self.assertEqual(editor.quit()["pieces"], 13)
+
     def test_a_double_click_renames_a_piece_and_undo_takes_the_name_back(self):
         self.open(SPHERE).quit()
         self.only_panel("Pieces")

@@ -52,7 +52,7 @@ Legend legend_of_rays(const ShadowFigures& shadows) {
 }
 
 // Empty for a view without colours of its own.
-Legend legend_of(SwitchId view, const ViewOptions& look, const ShadowFigures& shadows, bool cut) {
+Legend legend_of(SwitchId view, const ViewOptions& look, const ShadowFigures& shadows, bool split) {
   switch (view) {
     case SwitchId::kSilhouette:
       return legend_by_strip("Silhouette: sides of the volume on an edge", "3: three or more");
@@ -67,7 +67,7 @@ Legend legend_of(SwitchId view, const ViewOptions& look, const ShadowFigures& sh
     case SwitchId::kTrace:
       return legend_of_rays(shadows);
     case SwitchId::kLevelColours:
-      if (!cut) return {};
+      if (!split) return {};
       return {"Size of faces",
               {{0xfff0c0, "split most often"}, {0xe87a1c, "split less"}, {0x7a1405, "split least"}}};
     case SwitchId::kBoxes:
@@ -127,11 +127,11 @@ void draw_legend(const Legend& legend, ImVec2 at, ImVec2 size, ImDrawList& list)
 
 }  // namespace
 
-std::vector<Legend> legends_of(const ViewOptions& look, const ShadowFigures& shadows, bool cut) {
+std::vector<Legend> legends_of(const ViewOptions& look, const ShadowFigures& shadows, bool split) {
   std::vector<Legend> legends;
   for (const ViewSwitch& s : view_switches()) {
     if (s.get(look) == 0) continue;
-    if (Legend legend = legend_of(s.id, look, shadows, cut); !legend.title.empty())
+    if (Legend legend = legend_of(s.id, look, shadows, split); !legend.title.empty())
       legends.push_back(std::move(legend));
   }
   return legends;

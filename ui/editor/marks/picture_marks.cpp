@@ -94,8 +94,9 @@ void draw_picture_marks(const MarkParts& of) {
   draw_axes_gizmo(of.view, of.hand.over_picture ? of.hand.pointer : Vec2(-1), list);
   if (shows_light_handles(of.settings)) draw_light_handles(of.view, list);
   if (of.hand.drag == Drag::kBox) draw_rubber_band({of.hand.pressed_at, of.hand.pointer}, list);
-  const Area legends = draw_legends(legends_of(of.view.look, of.shadows, of.document.strokes() > 0),
-                                    under_label(of.view.layout));
+  const Area legends = draw_legends(
+      legends_of(of.view.look, of.shadows, of.shown.stroke && of.shown.stroke->figures.faces_made > 0),
+      under_label(of.view.layout));
   if (!of.hand.cut_once) draw_hint_box(of.document.world(), of.view, legends);
   list.PopClipRect();
 }

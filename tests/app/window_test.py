@@ -451,6 +451,24 @@ class Window(unittest.TestCase):
         wait_for(lambda: os.path.exists(os.path.join(self.folder, "sphere.ply")), 20, "no file was written")
         editor.quit()
 
+    def test_a_mesh_file_is_shown_as_guessed_and_the_question_about_it_holds_nothing_up(self):
+        cut = [KERF, "cut", os.path.join(ASSETS, "meshes", "plate.obj"), "--format", "stl", "--out"]
+        pieces = tempfile.TemporaryDirectory()
+        self.addCleanup(pieces.cleanup)
+        subprocess.run([*cut, pieces.name], check=True, capture_output=True)
+        plate, = (os.path.join(pieces.name, name) for name in os.listdir(pieces.name) if name.endswith(".stl"))
+        editor = self.open(plate)
+        editor.part("up axis")
+        editor.drag(ACROSS)
+        report = editor.quit()
+        self.assertEqual(report["strokes"], 1)
+        self.assertEqual(report["view"]["frame"]["unit"], "m")
+        self.assertEqual(self.settings()["frames"], {})
+        editor = self.open_again(plate)
+        editor.click("frame for all", 0.5, 0.5)
+        frame = editor.quit()["view"]["frame"]
+        self.assertEqual(self.settings()["frames"], {"stl": frame})
+
     def test_a_good_file_opens_and_a_broken_one_changes_nothing(self):
         editor = self.open()
         self.open_by_browser(editor, SPHERE)

@@ -2,6 +2,7 @@
 
 #include "ui/editor/editor_screen.h"
 #include "ui/editor/file_choice.h"
+#include "ui/editor/frame/frame_question.h"
 #include "ui/editor/frame/load_bar.h"
 #include "ui/editor/frame/menu_bar.h"
 #include "ui/editor/frame/message_log.h"
@@ -81,6 +82,7 @@ void EditorScreen::draw_panels() {
   draw_splitters(layout, state_.settings);
   if (draw_status_bar(layout.status, state_.hand, state_.message, state_.figures.shown))
     state_.messages_shown = true;
+  draw_frame_question(state_.view, state_.settings, state_.hand.cut_once);
   draw_load_bar(layout.viewport, state_.opening, state_.message);
   draw_shortcut_sheet(state_.shortcuts_shown, actions_, gestures());
   draw_message_log(state_.messages_shown, state_.message);
@@ -114,6 +116,7 @@ void EditorScreen::update_figures() {
   figures_at_ = Clock::now();
   save_settings();
   Figures& figures = state_.figures;
+  figures.shown.unit = state_.view.frame.unit;
   const World& world = state_.work.document.world();
   const World& twin = state_.split.twin.world();
   const World* as_loaded = state_.work.as_loaded ? &*state_.work.as_loaded : nullptr;

@@ -5,6 +5,7 @@
 #include "core/base/atomic_file.h"
 #include "ui/editor/tools/light_handle.h"
 #include "ui/editor/view/piece_set.h"
+#include "ui/editor/view/settings.h"
 #include "ui/render/view_switches.h"
 
 namespace kerf {
@@ -22,6 +23,7 @@ nlohmann::ordered_json view_of(const ViewState& view) {
   const Vec3 eye = view.seen().near().eye;
   all["eye"] = {eye.x, eye.y, eye.z};
   all["orthographic"] = view.camera.parallel();
+  all["frame"] = frame_to_json(view.frame);
   return all;
 }
 

@@ -18,7 +18,7 @@ namespace kerf {
 namespace {
 
 void draw_laser(EditorState& s) {
-  const bool changed = draw_laser_panel(s.hand.laser);
+  const bool changed = draw_laser_panel(s.hand.laser, s.view.frame.unit);
   if (changed && s.settings.live_recut && why_no_recut(s.work.document) == nullptr)
     s.requests.recut_radius = true;
 }
@@ -49,7 +49,7 @@ std::vector<Panel> make_panels(EditorState& s) {
        [&] { draw_tree_panel(s.view, document.world(), s.settings, s.figures.shown); }},
       {PanelId::kView, "View", [&s] { draw_view_panel(s.view); }},
       {PanelId::kStatistics, "Statistics", [&s] { draw_statistics_panel(s.figures.chart, s.figures.shown); }},
-      {PanelId::kFile, "File", [&] { draw_file_panel(document.world()); }},
+      {PanelId::kFile, "File", [&] { draw_file_panel(document.world(), s.work.scene, s.view, s.settings); }},
       {PanelId::kDisplay, "Display", [&s, panel = DisplayPanel()]() mutable { panel.draw(s.settings); }},
   };
 }

@@ -32,8 +32,8 @@ double spot_half_width(double radius_pixels, int height) {
   return std::min(std::max(kSpotRadii * radius_pixels, kLeastSpot), kMostSpot * height);
 }
 
-BeamPicture ended_on_ground(BeamPicture beam, double ground) {
-  const double fall = beam.from.y - beam.to.y, above = beam.from.y - ground;
+BeamPicture ended_on_ground(BeamPicture beam, double ground, UpAxis up) {
+  const double fall = height_of(beam.from - beam.to, up), above = height_of(beam.from, up) - ground;
   if (!(above > 0 && above <= fall)) return beam;
   beam.to = beam.from + (beam.to - beam.from) * (above / fall);
   beam.on_ground = true;

@@ -18,7 +18,7 @@ struct BeamPicture {
 
 // The beam with the end that it is seen to have: the ground, a plane at a height (m), if the beam meets it
 // before `to`.
-BeamPicture ended_on_ground(BeamPicture beam, double ground);
+BeamPicture ended_on_ground(BeamPicture beam, double ground, UpAxis up = UpAxis::kY);
 
 // Half the side, in pixels, of the square on which the spot of a strike is drawn in a picture of this height,
 // for a beam whose radius is `radius_pixels` there. The glow stays visible around a thin beam, but never

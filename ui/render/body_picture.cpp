@@ -28,7 +28,7 @@ BodyPicture::BodyPicture(const Body& body, const std::map<std::string, Paint>& p
 void BodyPicture::bind(const gl::Program& program, const FrameSpace& space,
                        const Placement& placement) const {
   program.set("frame_from_body", space.from_body(placement, faces_.frame()));
-  program.set("turn", glm::mat3(glm::mat3_cast(placement.orientation)));
+  program.set("turn", glm::mat3(space.turn_from(placement.orientation)));
   glBindBufferBase(GL_UNIFORM_BUFFER, kPaintBlock, paints_.name());
   looks_.bind(program);
 }

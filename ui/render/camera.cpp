@@ -85,11 +85,12 @@ Vec3 Camera::direction_of(double yaw, double pitch) {
 }
 
 CameraView Camera::view_of(const State& s, double aspect) {
-  const Vec3 outward = direction_of(s.yaw, s.pitch);
+  const Vec3 outward = from_y_up(direction_of(s.yaw, s.pitch), s.up);
   CameraView view;
   view.eye = s.pivot + outward * s.distance;
   view.forward = -outward;
-  view.right = Vec3(std::cos(s.yaw), 0, -std::sin(s.yaw));
+  view.right = from_y_up(Vec3(std::cos(s.yaw), 0, -std::sin(s.yaw)), s.up);
+  view.up_axis = s.up;
   view.up = glm::cross(view.right, view.forward);
   view.focus = s.distance;
   view.tan_half_fov = kTanHalfFov * std::max(1.0, kNarrow / aspect);
@@ -131,7 +132,7 @@ void Camera::frame(const World::Bounds& bounds, double aspect, double fill) {
 }
 
 void Camera::look(const Vec3& eye, const Vec3& target) {
-  const Vec3 outward = eye - target;
+  const Vec3 outward = to_y_up(eye - target, goal_.up);
   const double distance = glm::length(outward);
   if (!(distance > 0)) return;
   goal_.pivot = target;

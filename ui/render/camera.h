@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/base/vec3.h"
+#include "core/mesh/files/file_frame.h"
 #include "core/tree/swept_cylinder.h"
 #include "core/world/world.h"
 
@@ -19,6 +20,7 @@ struct CameraView {
   double focus = 1;                                     // m, distance of the point looked at
   double tan_half_fov = 0.3;                            // of half the vertical field of view
   double aspect = 16.0 / 9;                             // width over height
+  UpAxis up_axis = UpAxis::kY;                          // of the world, upright in the picture
   bool parallel = false;                                // orthographic
   double pull = 1;                                      // how many times as far away the eye is as in near()
 
@@ -53,10 +55,15 @@ class Camera {
   void frame(const World::Bounds& bounds, double aspect, double fill = 0.72);
   void look(const Vec3& eye, const Vec3& target);
 
+  // Which axis of the world is upright. Yaw, pitch and "front" are those of a world turned so that +Y points
+  // upwards (see to_y_up); the camera turns with it at once.
+  void set_up_axis(UpAxis up) { now_.up = goal_.up = up; }
+  UpAxis up_axis() const { return goal_.up; }
+
   // Turns to a direction of view on the shorter way: yaw and pitch of the eye as seen from the pivot, in
   // radians from +Z towards +X, and over the horizon.
   void turn_to(double yaw, double pitch);
-  // The unit vector from the pivot to the eye.
+  // The unit vector from the pivot to the eye, with +Y upwards.
   static Vec3 direction_of(double yaw, double pitch);
   // Whether the camera is at, or on its way to, such a direction.
   bool is_turned_to(double yaw, double pitch) const;
@@ -88,6 +95,7 @@ class Camera {
     double yaw = 0;    // radians from +Z towards +X
     double pitch = 0;  // radians over the horizon
     double pull = 0;   // logarithm of CameraView::pull
+    UpAxis up = UpAxis::kY;
   };
   static CameraView view_of(const State& state, double aspect);
   static void fit(State& state, const World::Bounds& bounds, double aspect, double fill);

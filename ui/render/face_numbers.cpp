@@ -48,7 +48,7 @@ class Candidates {
         const auto look = subject_.options.pieces.find({id, data.piece});
         if (look != subject_.options.pieces.end()) {
           if (look->second.hidden) continue;
-          offset = glm::vec3(look->second.offset / subject_.space.unit);
+          offset = glm::vec3(subject_.space.turned(look->second.offset) / subject_.space.unit);
         }
       }
       const Triangle t = body.mesh.triangle(FaceId(f));

@@ -32,8 +32,8 @@ glm::mat4 projection(const CameraView& view, double near, const FrameSpace& spac
   return glm::mat4(p);
 }
 
-glm::mat4 rotation(const CameraView& view) {
-  const glm::dmat3 rows(view.right, view.up, -view.forward);
+glm::mat4 rotation(const CameraView& view, const FrameSpace& space) {
+  const glm::dmat3 rows(space.turned(view.right), space.turned(view.up), -space.turned(view.forward));
   return glm::mat4(glm::mat3(glm::transpose(rows)));
 }
 
@@ -50,9 +50,12 @@ double near_plane(const CameraView& view, const World::Bounds& drawn, double gro
   }
   if (view.parallel) return view.focus - (most + kParallelRoom * drawn.diagonal() + view.half_height());
   for (const double y : {-1.0, 1.0}) {
+    const UpAxis up = view.up_axis;
+    const double aside = view.aspect * std::abs(height_of(view.right, up));
     const double rise =
-        view.forward.y + view.tan_half_fov * (y * view.up.y - view.aspect * std::abs(view.right.y));
-    if (rise < 0 && view.eye.y > ground) least = std::min(least, (ground - view.eye.y) / rise);
+        height_of(view.forward, up) + view.tan_half_fov * (y * height_of(view.up, up) - aside);
+    const double above = height_of(view.eye, up) - ground;
+    if (rise < 0 && above > 0) least = std::min(least, -above / rise);
   }
   return std::max(kNear * view.focus, kRoom * least);
 }
@@ -65,10 +68,11 @@ FrameUniforms uniforms_of(const CameraView& view, double near, const FrameSpace&
                           int height) {
   const CameraView close = view.near();
   FrameUniforms u;
-  u.clip_from_frame = projection(view, near, space) * rotation(view);
-  u.camera_right = glm::vec4(glm::vec3(view.right), static_cast<float>(close.tan_half_fov * view.aspect));
-  u.camera_up = glm::vec4(glm::vec3(view.up), static_cast<float>(close.tan_half_fov));
-  u.camera_forward = glm::vec4(glm::vec3(view.forward), space.length(view.focus - close.focus));
+  u.clip_from_frame = projection(view, near, space) * rotation(view, space);
+  u.camera_right =
+      glm::vec4(glm::vec3(space.turned(view.right)), static_cast<float>(close.tan_half_fov * view.aspect));
+  u.camera_up = glm::vec4(glm::vec3(space.turned(view.up)), static_cast<float>(close.tan_half_fov));
+  u.camera_forward = glm::vec4(glm::vec3(space.turned(view.forward)), space.length(view.focus - close.focus));
   const auto w = static_cast<float>(width), h = static_cast<float>(height);
   u.viewport = {w, h, 1 / w, 1 / h};
   return u;

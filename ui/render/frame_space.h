@@ -11,21 +11,29 @@
 
 namespace kerf {
 
-// The coordinates of the shaders: the axes of the world, with the eye of the near view (see CameraView) at
-// the origin and lengths divided by `unit`, a power of two near the size of the world. Differences are
-// computed in double, so that floats suffice at any place and size.
+// The coordinates of the shaders: the axes of the world turned so that +Y points upwards (see to_y_up), with
+// the eye of the near view (see CameraView) at the origin and lengths divided by `unit`, a power of two near
+// the size of the world. Differences are computed in double, so that floats suffice at any place and size.
 struct FrameSpace {
   Vec3 eye{0};        // of the near view
   Vec3 seen_from{0};  // the eye itself, which is farther away in an orthographic view
   double unit = 1;    // m
+  UpAxis up = UpAxis::kY;
 
-  glm::vec3 from_world(const Vec3& p) const { return glm::vec3((p - eye) / unit); }
+  glm::vec3 from_world(const Vec3& p) const { return glm::vec3(turned(p - eye) / unit); }
+  // A direction or displacement of the world with +Y upwards, not divided by the unit.
+  Vec3 turned(const Vec3& v) const { return to_y_up(v, up); }
+  // The rotation of vectors from a frame that has this orientation in the world.
+  glm::dmat3 turn_from(const glm::dquat& orientation) const {
+    const glm::dmat3 m = glm::mat3_cast(orientation);
+    return {turned(m[0]), turned(m[1]), turned(m[2])};
+  }
   float length(double metres) const { return static_cast<float>(metres / unit); }
 
   // The transformation from the float frame of a body with this placement.
   glm::mat4 from_body(const Placement& placement, const FloatFrame& frame) const {
-    const glm::dmat3 turn = glm::mat3_cast(placement.orientation) * (1 / (frame.scale * unit));
-    const Vec3 origin = (placement.to_world(frame.origin) - eye) / unit;
+    const glm::dmat3 turn = turn_from(placement.orientation) * (1 / (frame.scale * unit));
+    const Vec3 origin = turned(placement.to_world(frame.origin) - eye) / unit;
     return glm::mat4(glm::dmat4(glm::dvec4(turn[0], 0), glm::dvec4(turn[1], 0), glm::dvec4(turn[2], 0),
                                 glm::dvec4(origin, 1)));
   }

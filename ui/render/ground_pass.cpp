@@ -53,7 +53,9 @@ GroundPass::GroundPass(gl::Program disc, gl::Program spot_disc, gl::Program dire
     p->bind_block("Frame", kFrameBlock);
 }
 
-void GroundPass::place_under(const World::Bounds& bounds) {
+void GroundPass::place_under(const World::Bounds& world, UpAxis up) {
+  const Vec3 a = to_y_up(world.min, up), b = to_y_up(world.max, up);
+  const World::Bounds bounds{glm::min(a, b), glm::max(a, b)};
   const double diagonal = bounds.diagonal() > 0 ? bounds.diagonal() : 1;
   const Vec3 size = bounds.max - bounds.min;
   height_ = bounds.min.y - kGap * diagonal;
@@ -65,16 +67,18 @@ void GroundPass::place_under(const World::Bounds& bounds) {
 }
 
 void GroundPass::fill_in(FrameUniforms& frame, const FrameSpace& space) const {
-  const glm::vec3 middle = space.from_world({middle_.x, height_, middle_.z});
+  const Vec3 eye = space.turned(space.eye);
+  const glm::vec3 middle((Vec3(middle_.x, height_, middle_.z) - eye) / space.unit);
   frame.ground = {middle.y, middle.x, middle.z, space.length(radius_)};
   const double five = 5 * spacing_;
-  frame.grid = {space.length(std::fmod(space.eye.x, five)), space.length(std::fmod(space.eye.z, five)),
+  frame.grid = {space.length(std::fmod(eye.x, five)), space.length(std::fmod(eye.z, five)),
                 space.length(spacing_), space.length(tall_)};
 }
 
 glm::vec4 GroundPass::contact_place(const FrameSpace& space) const {
-  const glm::vec3 corner =
-      space.from_world({middle_.x - 0.5 * contact_size_, height_, middle_.z - 0.5 * contact_size_});
+  const Vec3 eye = space.turned(space.eye);
+  const glm::vec3 corner(
+      (Vec3(middle_.x - 0.5 * contact_size_, height_, middle_.z - 0.5 * contact_size_) - eye) / space.unit);
   return {corner.x, corner.z, 1 / space.length(contact_size_), 0};
 }
 
@@ -120,14 +124,14 @@ void GroundPass::draw(const FrameSpace& space, bool spot) const {
 }
 
 void GroundPass::draw_disc(const FrameSpace& space) const {
-  if (space.seen_from.y <= height_) return;
+  if (height_of(space.seen_from, space.up) <= height_) return;
   glBindVertexArray(no_vertices_.name());
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
 bool GroundPass::project_shadow(const FrameSpace& space, const glm::vec4& light,
                                 const DrawBodies& bodies) const {
-  if (space.seen_from.y <= height_ || light.w > 0 || light.y <= 0) return false;
+  if (height_of(space.seen_from, space.up) <= height_ || light.w > 0 || light.y <= 0) return false;
   glClear(GL_STENCIL_BUFFER_BIT);
   glEnable(GL_STENCIL_TEST);
   glStencilFunc(GL_ALWAYS, 1, 0xff);

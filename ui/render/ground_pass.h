@@ -15,7 +15,7 @@ class GroundPass {
   static Result<GroundPass> create(const std::filesystem::path& shaders);
 
   // Places the ground under these bounds.
-  void place_under(const World::Bounds& bounds);
+  void place_under(const World::Bounds& world, UpAxis up);
   void fill_in(FrameUniforms& frame, const FrameSpace& space) const;
 
   // Draws all bodies with the given program, for the shading of the ground only.
@@ -48,7 +48,7 @@ class GroundPass {
   gl::Framebuffer picture_, half_way_;
   gl::VertexArray no_vertices_;
   double height_ = 0, tall_ = 1, radius_ = 1, spacing_ = 1;  // m
-  Vec3 middle_{0};
+  Vec3 middle_{0};                                           // of the world, +Y upwards
   double contact_size_ = 1;  // m, side of the square that the contact picture covers
 };
 

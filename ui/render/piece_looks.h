@@ -13,7 +13,7 @@ namespace kerf {
 class PieceLooks {
  public:
   // Takes the looks of this body over from those of the view. Whether that changed anything.
-  bool update(BodyId body, const std::map<PieceId, PieceLook>& looks, double unit);
+  bool update(BodyId body, const std::map<PieceId, PieceLook>& looks, const FrameSpace& space);
 
   // Binds the looks for `program`. Precondition: it is in use.
   void bind(const gl::Program& program) const;
@@ -24,6 +24,7 @@ class PieceLooks {
 
  private:
   std::map<uint32_t, PieceLook> looks_;
+  UpAxis up_ = UpAxis::kY;  // of the displacements on the GPU
   gl::Buffer buffer_;
   gl::Texture table_;
   int count_ = 0;

@@ -76,7 +76,7 @@ void Renderer::show(const World& world, const std::map<std::string, Paint>& pain
   const double diagonal = bounds.diagonal();
   middle_ = bounds.min + (bounds.max - bounds.min) * 0.5;
   space_.unit = diagonal > 0 && std::isfinite(diagonal) ? std::ldexp(1.0, std::ilogb(diagonal)) : 1;
-  passes_.scene.ground().place_under(bounds);
+  passes_.scene.ground().place_under(bounds, space_.up);
 }
 
 void Renderer::add(BodyId id, const Body& body, PreparedBodies& prepared) {
@@ -176,8 +176,15 @@ void Renderer::find_white_hot() {
 
 void Renderer::update_looks(const ViewOptions& options) {
   for (auto& [id, picture] : bodies_) {
-    if (picture.looks().update(id, options.pieces, space_.unit)) contact_old_ = true;
+    if (picture.looks().update(id, options.pieces, space_)) contact_old_ = true;
   }
+}
+
+void Renderer::turn_upright(const World& world, UpAxis up) {
+  if (space_.up == up) return;
+  space_.up = up;
+  passes_.scene.ground().place_under(world.loaded_bounds(), up);
+  contact_old_ = true;
 }
 
 double Renderer::near_of(const World& world, const CameraView& view, const ViewOptions& options) {
@@ -197,7 +204,7 @@ void Renderer::set_up(const World& world, const CameraView& view, const ViewOpti
   FrameUniforms& frame = frame_ = uniforms_of(view, near_, space_, target.width, target.height);
   passes_.scene.ground().fill_in(frame, space_);
   const Light key = options.lights.empty() ? Light{} : options.lights.front();
-  frame.key_light = glm::vec4(glm::vec3(direction_to(key, middle_)), 0);
+  frame.key_light = glm::vec4(glm::vec3(space_.turned(direction_to(key, middle_))), 0);
   if (beam) BeamPass::fill_in(frame, space_, *beam);
   frame.body_look = {white_hot_, options.level_colours && white_hot_ > 0 ? 1 : 0, options.show.pieces ? 1 : 0,
                      options.two_sided ? 1 : 0};
@@ -284,6 +291,7 @@ ShadowCounts Renderer::shadow_counts(const World& world, const CameraView& view,
                                      size_t light, ShadowMethod method, bool ground, int width, int height) {
   set_plain_state();
   catch_up(world);
+  turn_upright(world, view.up_axis);
   update_looks(options);
   set_up(world, view, options, std::nullopt, {0, 0, 0, width, height});
   LitScene& scene = passes_.scene;
@@ -326,9 +334,10 @@ void Renderer::draw(const World& world, const CameraView& view, const ViewOption
                     std::optional<BeamPicture> beam, const Target& target) {
   set_plain_state();
   catch_up(world);
+  turn_upright(world, view.up_axis);
   update_looks(options);
   choose_canvas(target, options.antialias);
-  if (beam) beam = ended_on_ground(*beam, passes_.scene.ground().height());
+  if (beam) beam = ended_on_ground(*beam, passes_.scene.ground().height(), view.up_axis);
   set_up(world, view, options, beam, target);
   if (contact_old_) {
     passes_.scene.ground().update_contact(space_,

@@ -21,7 +21,7 @@ LightOnBody light_on_body(const Light& light, BodyId id, const Placement& placem
 }
 
 glm::vec4 light_in_frame(const Light& light, const FrameSpace& space) {
-  if (light.kind == Light::Kind::kDirectional) return {glm::vec3(glm::normalize(light.at)), 0};
+  if (light.kind == Light::Kind::kDirectional) return {glm::vec3(glm::normalize(space.turned(light.at))), 0};
   return {space.from_world(light.at), 1};
 }
 

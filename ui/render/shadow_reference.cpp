@@ -40,8 +40,10 @@ void ShadowReference::trace_pixel(int x, int y) {
   const size_t at = static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x);
   const Pose ray = view_.ray((x + 0.5) / width_ * 2 - 1, (y + 0.5) / height_ * 2 - 1);
   const auto seen = rays_.look(ray, std::max(near_, 0.0) / glm::dot(ray.direction, view_.forward));
-  if (ground_ && view_.eye.y > *ground_ && ray.direction.y < 0) {
-    const double length = (*ground_ - ray.origin.y) / ray.direction.y;
+  const UpAxis up = view_.up_axis;
+  const double fall = -height_of(ray.direction, up);
+  if (ground_ && height_of(view_.eye, up) > *ground_ && fall > 0) {
+    const double length = (height_of(ray.origin, up) - *ground_) / fall;
     if (!seen || length < seen->length) {
       faces_[at] = ShadowCounts::kGround;
       occluders_[at] = rays_.occluders(ray.origin + ray.direction * length, light_);

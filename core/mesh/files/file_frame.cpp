@@ -70,4 +70,8 @@ std::string_view unit_symbol(FileUnit unit) {
 
 Vec3 to_y_up(const Vec3& v, UpAxis up) { return up == UpAxis::kZ ? Vec3(v.x, v.z, -v.y) : v; }
 
+Vec3 from_y_up(const Vec3& v, UpAxis up) { return up == UpAxis::kZ ? Vec3(v.x, -v.z, v.y) : v; }
+
+double height_of(const Vec3& v, UpAxis up) { return up == UpAxis::kZ ? v.z : v.y; }
+
 }  // namespace kerf

@@ -40,5 +40,9 @@ std::string_view unit_symbol(FileUnit unit);
 
 // The same direction or point in a frame in which +Y points upwards: (x, z, -y) for kZ. Exact.
 Vec3 to_y_up(const Vec3& v, UpAxis up);
+// The inverse of that.
+Vec3 from_y_up(const Vec3& v, UpAxis up);
+// The coordinate of v along the upward axis.
+double height_of(const Vec3& v, UpAxis up);
 
 }  // namespace kerf

@@ -129,6 +129,20 @@ TEST(Camera, eases_from_perspective_to_orthographic_without_a_jump) {
   EXPECT_TRUE(camera.view(kWide).parallel);
 }
 
+TEST(Camera, keeps_another_axis_upright) {
+  const World::Bounds lying{{-0.9, -2.1, 0}, {0.9, 2.1, 1.45}};  // the car with +Z upwards, its front at -Y
+  Camera camera;
+  camera.set_up_axis(UpAxis::kZ);
+  camera.frame_default(lying, kWide);
+  camera.finish();
+  const CameraView view = camera.view(kWide), usual = framed().view(kWide);
+  EXPECT_LT(glm::length(to_y_up(view.eye, UpAxis::kZ) - usual.eye), 1e-9);
+  EXPECT_LT(glm::length(to_y_up(view.up, UpAxis::kZ) - usual.up), 1e-12);
+  camera.look(view.eye, camera.pivot());
+  camera.finish();
+  EXPECT_LT(glm::length(camera.view(kWide).eye - view.eye), 1e-9);
+}
+
 TEST(Camera, turns_on_the_shorter_way) {
   Camera camera = framed();
   camera.orbit(3.1, 0);

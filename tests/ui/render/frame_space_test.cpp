@@ -45,11 +45,13 @@ TEST(NearPlane, is_a_share_of_the_focus_inside_the_box) {
 TEST(FrameSpace, the_matrix_projects_as_the_view_does_and_depths_are_those_of_the_buffer) {
   const CameraView close = look_at({3, 2, 6}, {0, 0.5, 0}, 1.5);
   for (const double pull : {1.0, 4.0, 200.0, CameraView::kFarAway}) {
-    const CameraView view = close.pulled(pull);
+    CameraView view = close.pulled(pull);
+    view.up_axis = pull < 100 ? UpAxis::kY : UpAxis::kZ;
     const double near = near_plane(view, kBox, -0.1);
     FrameSpace space;
     space.eye = close.eye;
     space.unit = 2;
+    space.up = view.up_axis;
     const glm::mat4 clip = uniforms_of(view, near, space, 600, 400).clip_from_frame;
     for (const Vec3& p : {Vec3(0, 0.5, 0), Vec3(-1, 1, 1), Vec3(0.9, 0, -1)}) {
       const glm::vec4 seen = clip * glm::vec4(space.from_world(p), 1);

@@ -92,6 +92,12 @@ const CameraView kParallel =
     look_at(kEye, kMiddle, static_cast<double>(test::kShadowWidth) / test::kShadowHeight)
         .pulled(CameraView::kFarAway);
 
+CameraView z_up(CameraView view) {
+  view.up_axis = UpAxis::kZ;
+  return view;
+}
+const CameraView kZUp = z_up(shadow_view(kEye, kMiddle));
+
 struct Case {
   const char* name;
   World (*world)();
@@ -105,6 +111,8 @@ const std::vector<Case>& right_cases() {
       {"a box under a lamp", box_over_floor, lamp_at({1.2, 4, 1.5}), shadow_view(kEye, kMiddle)},
       {"a box in the sun", box_over_floor, sun_from({0.4, 1, 0.5}), shadow_view(kEye, kMiddle)},
       {"a box under a lamp, orthographic", box_over_floor, lamp_at({1.2, 4, 1.5}), kParallel},
+      {"a box under a lamp, +Z upwards", box_over_floor, lamp_at({1.2, 4, 1.5}), kZUp},
+      {"a turned ball in the sun, +Z upwards", turned_ball, sun_from({0.4, 1, 0.5}), kZUp, kThin},
       {"a box in the sun, orthographic", box_over_floor, sun_from({0.4, 1, 0.5}), kParallel},
       {"an opened ball under a lamp, orthographic", opened_ball, lamp_at({1.5, 3, 2.5}), kParallel, kThin},
       {"a lamp a million metres away", box_over_floor, lamp_at({4e5, 1e6, 5e5}), shadow_view(kEye, kMiddle)},

@@ -1,4 +1,6 @@
+#include "core/mesh/files/mesh_format.h"
 #include "ui/editor/changes/file_opener.h"
+#include "ui/editor/view/file_frames.h"
 
 namespace kerf {
 
@@ -18,9 +20,17 @@ void forget_what_was_open(const OpenerParts& on) {
   on.view.spread = 0;
 }
 
-void dress_as(ViewState& view, const SceneDescription& scene) {
+void dress_as(ViewState& view, const SceneDescription& scene, const FileFrame& frame) {
   view.home = scene.view;
-  view.look.lights = scene.lights.empty() ? std::vector{Light{}} : scene.lights;
+  // The lights of a scene are in world coordinates, and the default light comes from above.
+  if (scene.lights.empty()) {
+    view.camera.set_up_axis(UpAxis::kY);
+    view.look.lights = {Light{}};
+  } else {
+    view.camera.set_up_axis(frame.up);
+    view.look.lights = scene.lights;
+  }
+  show_in_frame(view, frame);
   if (const auto show = parse_show_list(scene.show); show && !scene.show.empty()) view.look.show = *show;
 }
 
@@ -68,8 +78,12 @@ void show_loaded(const OpenerParts& on, LoadedFiles loaded) {
   work.paints = loaded.scene.paints;
   on.renderer.show(work.document.world(), work.paints, std::move(loaded.prepared));
   on.view.numbers.follow(work.document.world(), true, false, on.view.look.pieces);
-  dress_as(on.view, loaded.scene);
   const World::Bounds bounds = work.document.world().loaded_bounds();
+  const bool is_mesh_file = !loaded.order.left && !loaded.order.files.empty() &&
+                            mesh_format(loaded.order.files.front().extension().string()).has_value();
+  const FrameChoice choice = choose_frame(loaded.scene, is_mesh_file, bounds, on.settings);
+  on.view.frame_asked_for = choice.ask ? mesh_kind(loaded.scene) : "";
+  dress_as(on.view, loaded.scene, choice.frame);
   on.hand.laser.fit(bounds.diagonal());
   go_home(on.view, bounds);
   on.view.camera.finish();

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "core/document/document.h"
+#include "core/mesh/files/file_frame.h"
 #include "ui/editor/figures/frame_statistics.h"
 #include "ui/editor/figures/memory_figures.h"
 #include "ui/editor/figures/step_chart.h"
@@ -13,6 +14,7 @@ namespace kerf {
 // The figures in the panels and the status bar. They are updated four times per second, so that they are
 // legible.
 struct ShownFigures {
+  FileUnit unit = FileUnit::kMetre;  // that areas are shown in
   size_t faces = 0, pieces = 0;
   size_t twin_faces = 0;  // in the right half
   double frame_ms = 0;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "ui/editor/view/file_frames.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_text.h"
 #include "ui/window/theme.h"
@@ -55,8 +56,8 @@ std::vector<Figure> figures_of(const ShownFigures& shown) {
       {grouped(shown.pieces) + (shown.pieces == 1 ? " piece" : " pieces"), 4.4f, colours::text()},
       {frame.data(), 3.6f, colours::secondary()}};
   if (shown.stroke)
-    figures.push_back(
-        {"last stroke removed " + area_text(shown.stroke->removed_area), 12.4f, colours::secondary()});
+    figures.push_back({"last stroke removed " + area_label(shown.stroke->removed_area, shown.unit), 12.4f,
+                       colours::secondary()});
   return figures;
 }
 

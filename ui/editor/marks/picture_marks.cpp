@@ -2,12 +2,12 @@
 
 #include <imgui.h>
 
-#include "core/base/length_text.h"
 #include "ui/editor/marks/hint_box.h"
 #include "ui/editor/marks/legends.h"
 #include "ui/editor/tools/axes_gizmo.h"
 #include "ui/editor/tools/light_handle.h"
 #include "ui/editor/tools/rubber_band.h"
+#include "ui/editor/view/file_frames.h"
 #include "ui/render/beam_strike.h"
 #include "ui/window/number_text.h"
 #include "ui/window/theme.h"
@@ -38,9 +38,9 @@ void draw_ring(const MarkParts& of, ImDrawList& list) {
                  1.3f);
 }
 
-std::string resolution_text(const Resolution& r) {
-  if (r.rule == Resolution::Rule::kTargetEdge) return "Edges of " + length_text(r.target_edge);
-  if (r.rule == Resolution::Rule::kTolerance) return "Within " + length_text(r.tolerance);
+std::string resolution_text(const Resolution& r, FileUnit unit) {
+  if (r.rule == Resolution::Rule::kTargetEdge) return "Edges of " + length_label(r.target_edge, unit);
+  if (r.rule == Resolution::Rule::kTolerance) return "Within " + length_label(r.tolerance, unit);
   return r.depth == 0 ? "Whole faces" : "Depth " + std::to_string(r.depth);
 }
 
@@ -65,11 +65,13 @@ void draw_half_labels(const MarkParts& of, ImDrawList& list) {
   const SplitView& split = of.split;
   draw_half_label(
       l.first,
-      resolution_text(cut ? of.document.stroke_settings().resolution : of.hand.laser.resolution.of(radius)),
+      resolution_text(cut ? of.document.stroke_settings().resolution : of.hand.laser.resolution.of(radius),
+                      of.view.frame.unit),
       grouped(of.shown.faces) + " faces", list);
   const bool there = split.twin.there();
   draw_half_label(
-      l.second, resolution_text(cut ? split.twin.resolution() : split.resolution.of(radius)),
+      l.second,
+      resolution_text(cut ? split.twin.resolution() : split.resolution.of(radius), of.view.frame.unit),
       there ? grouped(of.shown.twin_faces) + " faces" : "Too large to be cut twice (more than 400 000 faces)",
       list);
   const auto x = static_cast<float>(l.second.at.x), y = static_cast<float>(l.second.at.y);
@@ -92,7 +94,8 @@ void draw_picture_marks(const MarkParts& of) {
   draw_ring(of, list);
   draw_half_labels(of, list);
   draw_axes_gizmo(of.view, of.hand.over_picture ? of.hand.pointer : Vec2(-1), list);
-  if (shows_light_handles(of.settings)) draw_light_handles(of.view, list);
+  const bool cutting = of.hand.drag == Drag::kCut || of.document.beam_waits();
+  if (shows_light_handles(of.settings) && !cutting) draw_light_handles(of.view, list);
   if (of.hand.drag == Drag::kBox) draw_rubber_band({of.hand.pressed_at, of.hand.pointer}, list);
   const Area legends = draw_legends(
       legends_of(of.view.look, of.shadows, of.shown.stroke && of.shown.stroke->figures.faces_made > 0),

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "core/base/length_text.h"
+#include "ui/editor/view/file_frames.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/property.h"
 
@@ -21,10 +21,10 @@ void reset_on_right_click(double& value, double reset) {
   ImGui::EndPopup();
 }
 
-bool radius_row(LaserControls& laser) {
+bool radius_row(LaserControls& laser, FileUnit file_unit) {
   property("Radius");
   const double before = laser.radius;
-  const LengthUnit unit = unit_for(laser.default_radius);
+  const LengthUnit unit = label_unit(laser.default_radius, file_unit);
   double shown = laser.radius / unit.metres;
   const double low = laser.default_radius / kRadiusSpan / unit.metres;
   const double high = laser.default_radius * kRadiusSpan / unit.metres;
@@ -54,9 +54,9 @@ void pattern_row(LaserControls& laser) {
 
 }  // namespace
 
-bool draw_laser_panel(LaserControls& laser) {
+bool draw_laser_panel(LaserControls& laser, FileUnit unit) {
   if (!begin_properties("laser")) return false;
-  const bool changed = radius_row(laser);
+  const bool changed = radius_row(laser, unit);
   pattern_row(laser);
   end_properties();
   return changed;

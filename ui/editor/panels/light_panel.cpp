@@ -121,13 +121,13 @@ bool light_rows(Light& light, const World::Bounds& bounds) {
   return changed;
 }
 
-bool preset_row(ViewOptions& look, const World::Bounds& bounds) {
+bool preset_row(ViewOptions& look, const World::Bounds& bounds, UpAxis up) {
   property("Preset");
   bool changed = false;
   if (ImGui::BeginCombo("##preset", "Choose")) {
     for (const LightPreset& preset : light_presets()) {
       if (ImGui::Selectable(preset.name)) {
-        look.lights = preset.lights(bounds);
+        look.lights = lights_of(preset, bounds, up);
         look.shadow.inspected = 0;
         changed = true;
       }
@@ -139,7 +139,7 @@ bool preset_row(ViewOptions& look, const World::Bounds& bounds) {
 }
 
 // Buttons to choose a light, to add one and to take the chosen one away.
-bool choose_light(ViewOptions& look) {
+bool choose_light(ViewOptions& look, UpAxis up) {
   std::vector<Light>& lights = look.lights;
   size_t& chosen = look.shadow.inspected;
   bool changed = false;
@@ -158,7 +158,7 @@ bool choose_light(ViewOptions& look) {
   ImGui::BeginDisabled(lights.size() >= kMostLights);
   if (ImGui::Button("Add")) {
     Light another;
-    another.at = {0.7, 0.8, -0.4};
+    another.at = from_y_up({0.7, 0.8, -0.4}, up);
     another.intensity = 1;
     chosen = lights.size();
     lights.push_back(another);
@@ -181,9 +181,9 @@ bool choose_light(ViewOptions& look) {
 
 void draw_light_panel(ViewState& view, const World::Bounds& bounds, const ShadowFigures& figures) {
   ViewOptions& look = view.look;
-  bool changed = choose_light(look);
+  bool changed = choose_light(look, view.camera.up_axis());
   if (begin_properties("light")) {
-    changed |= preset_row(look, bounds);
+    changed |= preset_row(look, bounds, view.camera.up_axis());
     if (look.shadow.inspected < look.lights.size())
       changed |= light_rows(look.lights[look.shadow.inspected], bounds);
     changed |= shadow_rows(view);

@@ -4,6 +4,7 @@
 
 #include <cstring>
 
+#include "ui/editor/view/file_frames.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
@@ -52,12 +53,12 @@ std::string shortened(std::string text, float room) {
 }
 
 // The columns of figures are as wide as the widest figure, and the names get what is left.
-void set_up_columns(const std::vector<PieceRow>& rows) {
+void set_up_columns(const std::vector<PieceRow>& rows, FileUnit unit) {
   float faces = width_of("Faces"), area = width_of("Area");
   size_t all_faces = 0;
   for (const PieceRow& row : rows) {
     all_faces += row.faces;
-    area = std::max(area, width_of(area_text(row.area)));
+    area = std::max(area, width_of(area_label(row.area, unit)));
   }
   faces = std::max(faces, width_of(grouped(all_faces)));
   ImGui::TableSetupScrollFreeze(0, 1);
@@ -68,11 +69,11 @@ void set_up_columns(const std::vector<PieceRow>& rows) {
   ImGui::TableHeadersRow();
 }
 
-void draw_figures(size_t faces, double area) {
+void draw_figures(size_t faces, double area, FileUnit unit) {
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(grouped(faces).c_str());
   ImGui::TableNextColumn();
-  ImGui::TextUnformatted(area_text(area).c_str());
+  ImGui::TextUnformatted(area_label(area, unit).c_str());
   ImGui::TableNextColumn();
 }
 
@@ -159,7 +160,7 @@ void PiecesList::draw_row(ViewState& view, Requests& requests, const PieceRow& r
   }
   mark_last_item(("piece " + row.name).c_str());
   if (is_crumb) ImGui::Unindent();
-  draw_figures(row.faces, row.area);
+  draw_figures(row.faces, row.area, view.frame.unit);
   if (plain_button(look.hidden ? "show" : "hide", look.hidden,
                    look.hidden ? "Draws this piece again."
                                : "Leaves this piece out of the picture; the beam passes it by."))
@@ -187,7 +188,7 @@ void PiecesList::draw_crumbs(ViewState& view, Requests& requests, const std::vec
   if (chosen) ImGui::PopStyleColor();
   mark_last_item("crumbs");
   tooltip(("Pieces of at most " + std::to_string(kFacesOfCrumb) + " faces. A click lists them.").c_str());
-  draw_figures(faces, area);
+  draw_figures(faces, area, view.frame.unit);
   if (plain_button("hide##crumbs", false, "Leaves all crumbs out of the picture; the beam passes them by.")) {
     choose_only(view, crumbs);
     requests.hide_chosen = true;
@@ -202,7 +203,7 @@ void PiecesList::draw(ViewState& view, Requests& requests, const std::vector<Pie
   const auto lines = static_cast<float>(std::min(listed.size(), kMostRows) + 1);
   const float line = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
   if (!ImGui::BeginTable("pieces", 4, kList, {0, lines * line + 0.2f * ImGui::GetFontSize()})) return;
-  set_up_columns(rows);
+  set_up_columns(rows, view.frame.unit);
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(listed.size()));
   while (clipper.Step()) {

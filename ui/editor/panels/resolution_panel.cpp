@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/base/length_text.h"
 #include "ui/editor/changes/world_changes.h"
+#include "ui/editor/view/file_frames.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
 
@@ -56,13 +56,20 @@ bool reset_item(double& value, double standard) {
   return reset;
 }
 
+// The radius of the beam, and the unit that it is shown in.
+struct ShownRadius {
+  double length;
+  FileUnit unit;
+};
+
 // A share of the radius, from twice the radius to a 32nd of it; finer to the right, as with depth.
-bool fraction_row(const char* name, double& fraction, double standard, double radius, const char* meaning) {
+bool fraction_row(const char* name, double& fraction, double standard, const ShownRadius& radius,
+                  const char* meaning) {
   property(name);
   double halvings = -std::log2(fraction);
   const double low = -std::log2(ResolutionControls::kMostFraction),
                high = -std::log2(ResolutionControls::kLeastFraction);
-  const std::string text = length_text(radius * fraction);
+  const std::string text = length_label(radius.length * fraction, radius.unit);
   const double before = fraction;
   if (ImGui::SliderScalar("##fraction", ImGuiDataType_Double, &halvings, &low, &high, text.c_str(),
                           ImGuiSliderFlags_NoInput)) {
@@ -73,14 +80,14 @@ bool fraction_row(const char* name, double& fraction, double standard, double ra
   return reset || fraction != before;
 }
 
-bool edge_row(ResolutionControls& to, double radius) {
+bool edge_row(ResolutionControls& to, const ShownRadius& radius) {
   return fraction_row(
       "Edge", to.edge_fraction, ResolutionControls().edge_fraction, radius,
       "Longest edge under the beam, from twice the radius to a 32nd of it. Finer to the right. "
       "Right click for the default.");
 }
 
-bool tolerance_row(ResolutionControls& to, double radius) {
+bool tolerance_row(ResolutionControls& to, const ShownRadius& radius) {
   return fraction_row(
       "Tolerance", to.tolerance_fraction, ResolutionControls().tolerance_fraction, radius,
       "How far what is removed may overshoot the beam, from twice the radius to a 32nd of it. "
@@ -115,7 +122,7 @@ void recut_row(const ResolutionParts& on, bool changed) {
 }
 
 // Whether anything changed.
-bool resolution_rows(ResolutionControls& to, double radius) {
+bool resolution_rows(ResolutionControls& to, const ShownRadius& radius) {
   bool changed = rule_row(to);
   switch (to.rule) {
     case Resolution::Rule::kTargetEdge:
@@ -148,13 +155,13 @@ std::string smallest_angle_text(double largest_cosine) {
   return text;
 }
 
-void stroke_rows(const std::optional<ShownFigures::Stroke>& stroke) {
+void stroke_rows(const std::optional<ShownFigures::Stroke>& stroke, FileUnit unit) {
   const std::string none = "nothing is cut";
   figure_row("Made", stroke ? grouped(stroke->figures.faces_made) : none,
              "Faces that splitting made in the last stroke.");
   figure_row("Least angle", stroke ? smallest_angle_text(stroke->figures.largest_cosine) : none,
              "Smallest angle of all faces that the last stroke made and left.");
-  figure_row("Removed", stroke ? area_text(stroke->removed_area) : none,
+  figure_row("Removed", stroke ? area_label(stroke->removed_area, unit) : none,
              "Area that the last stroke has taken away.");
 }
 
@@ -167,7 +174,7 @@ void split_rows(const ResolutionParts& on) {
   ImGui::PushID("right half");
   property("Right half");
   ImGui::Dummy({1, ImGui::GetFrameHeight()});
-  if (resolution_rows(on.split.resolution, on.laser.radius)) on.view.picture_old = true;
+  if (resolution_rows(on.split.resolution, {on.laser.radius, on.view.frame.unit})) on.view.picture_old = true;
   faces_row(on.figures.shown.twin_faces, "Faces of all bodies in the right half.");
   ImGui::PopID();
 }
@@ -176,10 +183,10 @@ void split_rows(const ResolutionParts& on) {
 
 void draw_resolution_panel(const ResolutionParts& on) {
   if (!begin_properties("resolution")) return;
-  const bool changed = resolution_rows(on.laser.resolution, on.laser.radius);
+  const bool changed = resolution_rows(on.laser.resolution, {on.laser.radius, on.view.frame.unit});
   recut_row(on, changed);
   faces_row(on.figures.shown.faces, "Faces of all bodies as they stand.");
-  stroke_rows(on.figures.shown.stroke);
+  stroke_rows(on.figures.shown.stroke, on.view.frame.unit);
   split_rows(on);
   end_properties();
 }

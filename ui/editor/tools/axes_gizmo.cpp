@@ -81,7 +81,7 @@ std::vector<AxisEnd> axis_ends(const ViewState& view) {
   const CameraView camera = view.seen_first();
   const Vec2 middle = middle_of(view);
   for (const StandardView& standard : kStandardViews) {
-    const Vec3 way = Camera::direction_of(standard.yaw, standard.pitch);
+    const Vec3 way = from_y_up(Camera::direction_of(standard.yaw, standard.pitch), camera.up_axis);
     AxisEnd end{standard};
     for (int i = 1; i < 3; ++i) {
       if (std::abs(way[i]) > std::abs(way[end.axis])) end.axis = i;

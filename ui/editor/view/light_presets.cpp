@@ -51,4 +51,11 @@ const std::array<LightPreset, 6> kPresets{{
 
 std::span<const LightPreset> light_presets() { return kPresets; }
 
+std::vector<Light> lights_of(const LightPreset& preset, const World::Bounds& bounds, UpAxis up) {
+  const Vec3 a = to_y_up(bounds.min, up), b = to_y_up(bounds.max, up);
+  std::vector<Light> lights = preset.lights({glm::min(a, b), glm::max(a, b)});
+  for (Light& light : lights) light.at = from_y_up(light.at, up);
+  return lights;
+}
+
 }  // namespace kerf

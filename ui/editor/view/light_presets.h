@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "core/mesh/files/file_frame.h"
 #include "core/shadow/light.h"
 #include "core/world/world.h"
 
@@ -15,5 +16,8 @@ struct LightPreset {
   std::vector<Light> (*lights)(const World::Bounds& bounds);
 };
 std::span<const LightPreset> light_presets();
+
+// The lights of a preset for a world whose upward axis is `up`.
+std::vector<Light> lights_of(const LightPreset& preset, const World::Bounds& bounds, UpAxis up);
 
 }  // namespace kerf

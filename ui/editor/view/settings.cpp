@@ -74,6 +74,10 @@ Settings from_json(Json json) {
         s.recent.emplace_back(file.get<std::string>());
     }
   }
+  const Json frames = take(json, "frames");
+  if (frames.is_object()) {
+    for (const auto& [kind, frame] : frames.items()) s.frames[kind] = frame_from_json(frame);
+  }
   const Json folder = take(json, "folder");
   if (folder.is_string()) s.folder = folder.get<std::string>();
   s.others = json.dump();
@@ -109,6 +113,9 @@ Json to_json(const Settings& s) {
   for (const fs::path& file : s.recent) {
     if (is_utf8(file.string())) json["recent"].push_back(file.string());
   }
+  json["frames"] = Json::object();
+  for (const auto& [kind, frame] : s.frames)
+    json["frames"][kind] = frame ? frame_to_json(*frame) : Json("guess");
   json["folder"] = is_utf8(s.folder.string()) ? s.folder.string() : "";
   return json;
 }
@@ -129,6 +136,20 @@ std::map<PanelId, bool> Settings::panels_at_first() {
   std::map<PanelId, bool> unfolded;
   for (const PanelEntry& panel : kPanelEntries) unfolded[panel.id] = panel.unfolded;
   return unfolded;
+}
+
+Json frame_to_json(const FileFrame& frame) {
+  return {{"unit", unit_symbol(frame.unit)}, {"up", frame.up == UpAxis::kZ ? "z" : "y"}};
+}
+
+std::optional<FileFrame> frame_from_json(const Json& json) {
+  if (!json.is_object()) return std::nullopt;
+  const Json unit = json.value("unit", Json()), up = json.value("up", Json());
+  for (const FileUnit u : {FileUnit::kMillimetre, FileUnit::kCentimetre, FileUnit::kMetre, FileUnit::kInch}) {
+    if (unit == Json(unit_symbol(u)) && (up == Json("y") || up == Json("z")))
+      return FileFrame{u, up == Json("z") ? UpAxis::kZ : UpAxis::kY};
+  }
+  return std::nullopt;
 }
 
 void remember_recent(Settings& settings, const fs::path& file) {

@@ -2,10 +2,13 @@
 
 #include <filesystem>
 #include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/mesh/files/file_frame.h"
 #include "ui/render/view_options.h"
 #include "ui/window/gui_look.h"
 
@@ -39,8 +42,11 @@ struct Settings {
   bool live_recut = true;        // sliders of the resolution cut the last stroke again
   std::map<PanelId, bool> panels = panels_at_first();  // which are unfolded
   std::vector<std::filesystem::path> recent;           // latest first, absolute
-  std::filesystem::path folder;                        // the folder that the file browser showed last
-  std::string others = "{}";  // JSON: keys of the file that this version does not know
+  // How mesh files of a kind ("stl") are shown; none where the user wants a guess for each file. Kinds that
+  // are not here were not asked about yet.
+  std::map<std::string, std::optional<FileFrame>> frames;
+  std::filesystem::path folder;  // the folder that the file browser showed last
+  std::string others = "{}";     // JSON: keys of the file that this version does not know
 
   static constexpr double kLeastScale = 0.75, kMostScale = 2;
   static constexpr double kLeastSide = 13, kMostSide = 42;
@@ -54,6 +60,10 @@ struct Settings {
   bool shows(PanelId panel) const { return side_shown && panels.at(panel); }
   friend bool operator==(const Settings&, const Settings&) = default;
 };
+
+// A frame as {"unit": "mm", "up": "z"}, and back; nothing where it is not one.
+nlohmann::json frame_to_json(const FileFrame& frame);
+std::optional<FileFrame> frame_from_json(const nlohmann::json& json);
 
 // Moves a file to the front of the recent files.
 void remember_recent(Settings& settings, const std::filesystem::path& file);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "core/document/scene.h"
 #include "ui/editor/view/piece_numbers.h"
@@ -14,8 +15,10 @@ namespace kerf {
 struct ViewState {
   Camera camera;
   ViewOptions look;
-  PieceNumbers numbers;      // of the pieces, which `look` shows
-  std::optional<View> home;  // the view that the scene asks for
+  PieceNumbers numbers;         // of the pieces, which `look` shows
+  FileFrame frame;              // in which the world is shown; its upward axis is that of the camera
+  std::string frame_asked_for;  // the kind of file about whose frame the user is asked; empty: no question
+  std::optional<View> home;     // the view that the scene asks for
   double spread = 0;  // displacement of pieces, as a multiple of their distance from the centre of the world
   Layout layout;
   std::vector<BodyId> isolated_from;  // bodies that are hidden because others were isolated

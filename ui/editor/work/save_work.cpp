@@ -1,6 +1,7 @@
 #include "ui/editor/work/save_work.h"
 
 #include "core/document/save.h"
+#include "ui/editor/view/file_frames.h"
 
 namespace kerf {
 
@@ -44,6 +45,7 @@ std::string suggested_name(const OpenWork& work) {
 SceneDescription scene_now(const OpenWork& work, const ViewState& view) {
   SceneDescription scene = work.scene;
   scene.view = View{view.seen().near().eye, view.camera.pivot()};
+  note_frame(scene, view.frame);
   if (view.look.lights != lights_shown(scene)) scene.lights = view.look.lights;
   return scene;
 }

@@ -70,5 +70,13 @@ TEST(FileFrame, turns_z_upwards_to_y_upwards_and_keeps_the_hand) {
             to_y_up(glm::cross(a, b), UpAxis::kZ));
 }
 
+TEST(FileFrame, turning_upright_and_back_is_exact_and_keeps_heights) {
+  const Vec3 v(0.1, -2.7, 1e17);
+  for (const UpAxis up : {UpAxis::kY, UpAxis::kZ}) {
+    EXPECT_EQ(from_y_up(to_y_up(v, up), up), v);
+    EXPECT_EQ(height_of(v, up), to_y_up(v, up).y);
+  }
+}
+
 }  // namespace
 }  // namespace kerf

@@ -37,6 +37,8 @@ TEST_F(SettingsTest, come_back_as_they_were_written) {
   settings.panels[PanelId::kLaser] = false;
   settings.recent = {"/a/car.obj"};
   settings.folder = "/a";
+  settings.frames["stl"] = FileFrame{FileUnit::kInch, UpAxis::kZ};
+  settings.frames["obj"] = std::nullopt;
   ASSERT_TRUE(write_settings(settings, file).ok());
   const LoadedSettings loaded = read_settings(file);
   EXPECT_EQ(loaded.fault, "");

@@ -6,45 +6,63 @@ in vec3 normal;
 in vec3 corner;
 #endif
 flat in vec4 paint;
-in vec4 glow;
+centroid in float rim;  // samples outside a face must not extrapolate it
+
+uniform float terminator;  // sine of the angle between smooth normals and facets
 
 out vec4 pixel;  // linear light; alpha: how much of it may bloom
 
-float gloss_left() { return paint.a * (1.0 - 0.8 * glow.a); }
-vec3 skin_left() { return paint.rgb * (1.0 - 0.75 * glow.a); }
+// From dark red over orange to yellow-white, as steel glows.
+vec3 ember(float t) {
+  vec3 colour = mix(vec3(0.10, 0.004, 0.0), vec3(0.75, 0.07, 0.008), smoothstep(0.0, 0.45, t));
+  colour = mix(colour, vec3(2.1, 0.55, 0.06), smoothstep(0.40, 0.75, t));
+  return mix(colour, vec3(4.4, 3.0, 1.45), smoothstep(0.75, 1.0, t));
+}
+
+// rgb; how much of the paint is burnt away.
+vec4 glow_of_rim() {
+  if (rim >= 1.0) return vec4(0.0);
+  float hot = 1.0 - max(rim, 0.0);
+  return vec4(ember(hot) * smoothstep(0.0, 0.5, hot), smoothstep(0.0, 0.6, hot));
+}
+
+float gloss_left(vec4 glow) { return paint.a * (1.0 - 0.8 * glow.a); }
+vec3 skin_left(vec4 glow) { return paint.rgb * (1.0 - 0.75 * glow.a); }
+// The back of a sheet is primed in a grey that has a little of the paint.
+vec3 primer(vec4 glow) { return mix(vec3(0.15), paint.rgb, 0.25) * (1.0 - 0.75 * glow.a); }
+
+// How light that falls on a surface fades out where the smooth normal turns away from it, before the facets do.
+float lit(float facing) { return max(facing, 0.0) * smoothstep(terminator, 2.5 * terminator + 1e-4, facing); }
 
 #ifdef DIRECT
 
-vec3 outside(vec3 n, vec3 v) {
+vec3 outside(vec3 n, vec3 v, vec4 glow) {
   vec3 l = to_light(at);
-  float gloss = gloss_left(), sharp = exp2(3.0 + 6.5 * gloss);
-  float shine = pow(max(dot(n, normalize(l + v)), 0.0), sharp) * (sharp + 8.0) * 0.010 * gloss * step(0.0, dot(n, l));
-  return (skin_left() * max(dot(n, l), 0.0) * 0.62 + shine) * arriving(at);
+  float gloss = gloss_left(glow), facing = lit(dot(n, l)), sharp = exp2(3.0 + 6.5 * gloss);
+  float shine = pow(max(dot(n, normalize(l + v)), 0.0), sharp) * (sharp + 8.0) * 0.010 * gloss * smoothstep(0.0, 0.1, facing);
+  return (skin_left(glow) * facing * 0.62 + shine) * arriving(at);
 }
 
-vec3 inside(vec3 n) { return vec3(0.088, 0.087, 0.088) * max(dot(n, to_light(at)), 0.0) * 0.25 * arriving(at); }
+vec3 inside(vec3 n, vec4 glow) { return primer(glow) * lit(dot(n, to_light(at))) * 0.62 * arriving(at); }
 
 #else
 
-vec3 outside(vec3 n, vec3 v) {
+vec3 outside(vec3 n, vec3 v, vec4 glow) {
   float height = clamp((at.y - ground.x) / max(grid.w, 1e-6), 0.0, 1.0);
   float open = 0.42 + 0.58 * smoothstep(0.0, 0.55, height + 0.5 * max(n.y, 0.0));
   vec3 sky = mix(kGroundLight * open, kSkyLight, 0.5 + 0.5 * n.y) * mix(open, 1.0, 0.5);
-  float gloss = gloss_left();
+  float gloss = gloss_left(glow);
   float edge = 1.0 - clamp(dot(n, v), 0.0, 1.0);
   float fresnel = mix(0.035, 0.05, gloss) + (0.25 + 0.55 * gloss) * gloss * edge * edge * edge * edge;
   vec3 mirrored = surroundings(reflect(-v, n)) * fresnel * (0.25 + 1.9 * gloss) * open;
   vec3 rim = kRimColour * edge * edge * edge * max(dot(n, normalize(kRimDirection)), 0.0) * (0.25 + 0.75 * gloss);
-  return skin_left() * sky + mirrored + rim;
+  return skin_left(glow) * sky + mirrored + rim;
 }
 
-// The bare inside of a sheet.
-vec3 inside(vec3 n) {
-  return vec3(0.088, 0.087, 0.088) * mix(kGroundLight, kSkyLight * 0.75, 0.5 + 0.5 * n.y);
-}
+vec3 inside(vec3 n, vec4 glow) { return primer(glow) * mix(kGroundLight, kSkyLight, 0.5 + 0.5 * n.y); }
 
-vec3 own_light(vec3 n) {
-  vec3 skin = gl_FrontFacing ? paint.rgb : vec3(0.06);
+vec3 own_light(vec3 n, vec4 glow) {
+  vec3 skin = gl_FrontFacing ? paint.rgb : primer(glow);
   return (0.25 * skin + 0.05) * spot_light(at, n) + glow.rgb * (gl_FrontFacing ? 1.0 : 0.8);
 }
 
@@ -53,12 +71,13 @@ vec3 own_light(vec3 n) {
 void main() {
   vec3 v = -normalize(at);
   vec3 n = normalize(gl_FrontFacing ? normal : -normal);
+  vec4 glow = glow_of_rim();
 #ifdef GLOW
   vec3 colour = glow.rgb * (gl_FrontFacing ? 1.0 : 0.8);
 #else
-  vec3 colour = gl_FrontFacing ? outside(n, v) : inside(n);
+  vec3 colour = gl_FrontFacing ? outside(n, v, glow) : inside(n, glow);
 #ifndef DIRECT
-  colour += own_light(n);
+  colour += own_light(n, glow);
 #endif
 #endif
   if (!gl_FrontFacing) colour *= body_look.w;

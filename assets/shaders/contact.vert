@@ -1,5 +1,5 @@
 layout(location = 0) in vec3 position;
-layout(location = 2) in uint attributes;
+layout(location = 2) in uint piece;
 
 uniform vec4 contact_place;  // corner x, z and inverse size, in frame coordinates
 
@@ -7,7 +7,7 @@ out float height;
 
 // Seen from under the ground.
 void main() {
-  vec4 look = look_of(attributes);
+  vec4 look = look_of(piece);
   vec3 p = placed(position, look);
   height = (p.y - ground.x) / max(grid.w, 1e-6);
   vec2 uv = (p.xz - contact_place.xy) * contact_place.z;

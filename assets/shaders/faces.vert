@@ -1,5 +1,5 @@
 layout(location = 0) in vec3 position;
-layout(location = 2) in uint attributes;
+layout(location = 2) in uint piece;
 
 uniform int first_slot;  // of vertex 0
 uniform int body;        // 1 .. 127
@@ -10,7 +10,7 @@ invariant gl_Position;
 flat out vec4 mark;  // which face this is, in the bytes of a pixel
 
 void main() {
-  vec4 look = look_of(attributes);
+  vec4 look = look_of(piece);
   bool away = look.w < 0.0 || look.xyz != vec3(0.0);
   bool drawn = only == 0 ? look.w >= 0.0 : only == 1 ? is_selected(look) : away;
   vec3 at = placed(position, only == 2 ? vec4(0.0) : look);

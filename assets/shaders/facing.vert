@@ -1,5 +1,5 @@
 layout(location = 0) in vec3 position;
-layout(location = 2) in uint attributes;
+layout(location = 2) in uint piece;
 
 uniform isamplerBuffer signs;  // as in shadow_cap.vert
 
@@ -9,7 +9,7 @@ out vec3 at;
 flat out int sign_of_face;
 
 void main() {
-  vec4 look = look_of(attributes);
+  vec4 look = look_of(piece);
   at = placed(position, look);
   gl_Position = look.w < 0.0 ? kNowhere : clip_from_frame * vec4(at, 1.0);
   sign_of_face = texelFetch(signs, gl_VertexID / 3).r;

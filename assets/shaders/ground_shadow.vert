@@ -1,11 +1,11 @@
 layout(location = 0) in vec3 position;
-layout(location = 2) in uint attributes;
+layout(location = 2) in uint piece;
 
 uniform vec4 light;  // the direction towards it, in frame coordinates; upwards
 
 // Along the light onto the ground.
 void main() {
-  vec4 look = look_of(attributes);
+  vec4 look = look_of(piece);
   vec3 p = placed(position, look);
   float height = max(p.y - ground.x, 0.0);
   p -= light.xyz * (height / light.y);

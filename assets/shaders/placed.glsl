@@ -4,18 +4,13 @@ uniform int looks;                  // pieces below this have a look
 // xyz: moved by, in frame coordinates; w: -1 hidden, else 1 if selected, plus twice the number that is shown
 uniform samplerBuffer piece_looks;
 
-// Of the piece in a face's attributes (fineness 8, material 8, piece 16).
-vec4 look_of(uint attributes) {
-  int piece = int(attributes >> 16);
-  return piece < looks ? texelFetch(piece_looks, piece) : vec4(0.0);
-}
+// Of the piece of a face.
+vec4 look_of(uint piece) { return int(piece) < looks ? texelFetch(piece_looks, int(piece)) : vec4(0.0); }
 
 bool is_selected(vec4 look) { return look.w > 0.0 && mod(look.w, 2.0) > 0.5; }
 
 // The number that decides the colour of a piece: that of its look, or its label.
-uint shown_number(uint attributes, vec4 look) {
-  return look.w > 1.5 ? uint(look.w) / 2u : attributes >> 16;
-}
+uint shown_number(uint piece, vec4 look) { return look.w > 1.5 ? uint(look.w) / 2u : piece; }
 
 vec3 placed(vec3 position, vec4 look) { return (frame_from_body * vec4(position, 1.0)).xyz + look.xyz; }
 

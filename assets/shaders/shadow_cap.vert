@@ -1,5 +1,5 @@
 layout(location = 0) in vec3 position;
-layout(location = 2) in uint attributes;
+layout(location = 2) in uint piece;
 
 uniform isamplerBuffer signs;  // of the faces of this chunk: 1 faces the light, -1 averted, 0 casts nothing
 uniform int wanted;            // faces of this sign are drawn
@@ -10,7 +10,7 @@ invariant gl_Position;
 // Where they are these have to be the very pixels and depths of the picture: the same expression, the same corners
 // in the same order.
 void main() {
-  vec4 look = look_of(attributes);
+  vec4 look = look_of(piece);
   vec3 at = placed(position, look);
   if (look.w < 0.0 || texelFetch(signs, gl_VertexID / 3).r != wanted) {
     gl_Position = kNowhere;

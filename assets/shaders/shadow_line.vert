@@ -1,6 +1,6 @@
 layout(location = 0) in vec3 low;  // one edge of the silhouette an instance
 layout(location = 1) in vec3 high;
-layout(location = 2) in uint attributes;
+layout(location = 2) in uint piece;
 layout(location = 3) in int multiplicity;
 
 uniform float half_width;  // pixels
@@ -15,7 +15,7 @@ noperspective out float along;
 
 // Lines of extruded edges that are short in the picture are faint, so that the many of a fine rim make no fog.
 void main() {
-  vec4 look = look_of(attributes);
+  vec4 look = look_of(piece);
   vec3 a = placed(low, look), b = placed(high, look);
   float short_edge = 1.0;
   if (reach > 0.0) {

@@ -1,6 +1,6 @@
 layout(location = 0) in vec3 low;  // one edge of the silhouette an instance
 layout(location = 1) in vec3 high;
-layout(location = 2) in uint attributes;  // piece 16 << 16
+layout(location = 2) in uint piece;
 layout(location = 3) in int multiplicity;
 
 uniform int vertices_of_side;  // 6, or 3 where all points at infinity are one
@@ -19,7 +19,7 @@ vec4 pushed(vec3 at) {
 // From the edge u -> v, which has the volume on its left seen from the light, the outward triangles (v, u, u')
 // and (v, u', v'), as often as its multiplicity says.
 void main() {
-  vec4 look = look_of(attributes);
+  vec4 look = look_of(piece);
   int copy = gl_VertexID / vertices_of_side, which = gl_VertexID % vertices_of_side;
   if (look.w < 0.0 || copy >= abs(multiplicity)) {
     gl_Position = kNowhere;

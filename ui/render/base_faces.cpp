@@ -14,7 +14,11 @@ namespace {
 
 constexpr double kCreaseCosine = 0.8191520442889918;  // 35 degrees
 constexpr size_t kLargestFan = 512;  // corners around a position; above it faces are shaded flat
-constexpr size_t kAlike = 8;         // so many normals at a position are looked through for one again
+constexpr double kFlat = 0.01;       // deviations below it are none
+constexpr double kCurvedShare = 0.9;
+constexpr size_t kDeviationSteps = 100;
+constexpr double kOnSide = 1e-4;  // barycentric; positions are floats
+constexpr size_t kAlike = 8;      // so many normals at a position are looked through for one again
 
 uint64_t position_hash(const Vec3& p) {
   return hash_combine(hash_combine(mix64(number_bits(p.x)), number_bits(p.y)), number_bits(p.z));
@@ -67,13 +71,19 @@ glm::vec3 unpack_normal(uint32_t packed) {
 class BaseFaces::Builder {
  public:
   Builder(const Mesh& mesh, const FloatFrame& frame, BaseFaces& out)
-      : mesh_(mesh), frame_(frame), out_(out), planes_(mesh.face_slots(), glm::dvec3(0)) {}
+      : mesh_(mesh),
+        frame_(frame),
+        out_(out),
+        planes_(mesh.face_slots(), glm::dvec3(0)),
+        areas_(mesh.face_slots(), 0) {}
 
   // Whether it was not stopped.
   bool run(const Progress* progress) {
     Stages stages(progress);
     const Progress grouping = stages.next(0.2), gathering = stages.next(0.4), smoothing = stages.next(0.4);
-    return group_vertices(&grouping) && gather(&gathering) && smooth(&smoothing);
+    if (!group_vertices(&grouping) || !gather(&gathering) || !smooth(&smoothing)) return false;
+    find_deviation();
+    return true;
   }
 
  private:
@@ -110,6 +120,8 @@ class BaseFaces::Builder {
     for (size_t v = 1; v < fan_end_.size(); ++v) fan_end_[v] += fan_end_[v - 1];
     fans_ = std::make_unique_for_overwrite<FanCorner[]>(fan_end_.back());
     out_.faces_.assign(planes_.size(), {kNone, kNone, kNone});
+    out_.open_.assign(planes_.size(), 0);
+    out_.live_ = mesh_.live_faces();
     for (uint32_t f = 0; f < planes_.size(); ++f) {
       if (!pace.step()) return false;
       if (mesh_.is_live(FaceId(f))) gather_face(f);
@@ -122,8 +134,13 @@ class BaseFaces::Builder {
     const auto corners = mesh_.corners(FaceId(f));
     const Triangle t = mesh_.triangle(FaceId(f));
     const std::array<glm::dvec3, 3> s{frame_.scaled(t[0]), frame_.scaled(t[1]), frame_.scaled(t[2])};
-    planes_[f] = unit_or_zero(glm::cross(s[1] - s[0], s[2] - s[0]));
+    const glm::dvec3 across = glm::cross(s[1] - s[0], s[2] - s[0]);
+    planes_[f] = unit_or_zero(across);
+    areas_[f] = static_cast<float>(glm::length(across));
     for (uint32_t c = 0; c < 3; ++c) {
+      sides_.clear();
+      mesh_.append_edge_sides(FaceId(f), corners[c], corners[(c + 1) % 3], sides_);
+      if (sides_.empty()) out_.open_[f] |= static_cast<uint8_t>(1u << c);
       fans_[fan_end_[first_[corners[c].index]]++] = {
           3 * f + c, angle_between(s[(c + 1) % 3] - s[c], s[(c + 2) % 3] - s[c])};
     }
@@ -148,7 +165,9 @@ class BaseFaces::Builder {
       const FaceId face(c.side / 3);
       const FaceData& data = mesh_.data(face);
       if (data.halvings != 0 || data.base != face) continue;
-      out_.faces_[face.index][c.side % 3] = corner(first, {at, pack_normal(glm::vec3(normal(c, fan)))});
+      const glm::dvec3 smooth = normal(c, fan);
+      out_.faces_[face.index][c.side % 3] = corner(first, {at, pack_normal(glm::vec3(smooth))});
+      note_deviation(face, glm::length(glm::cross(smooth, planes_[face.index])));
     }
   }
 
@@ -165,6 +184,21 @@ class BaseFaces::Builder {
     return sum == glm::dvec3(0) ? own : unit_or_zero(sum);
   }
 
+  void note_deviation(FaceId face, double sine) {
+    if (sine < kFlat) return;
+    const auto step = static_cast<size_t>(sine * kDeviationSteps);
+    curved_area_[std::min(step, kDeviationSteps - 1)] += areas_[face.index];
+  }
+
+  void find_deviation() {
+    double all = 0, below = 0;
+    for (const double area : curved_area_) all += area;
+    for (size_t i = 0; i < kDeviationSteps && below < kCurvedShare * all; ++i) {
+      below += curved_area_[i];
+      out_.deviation_ = static_cast<float>(i + 1) / kDeviationSteps;
+    }
+  }
+
   // Its index; one of the last few from `first` on, where that is the same.
   uint32_t corner(size_t first, const Corner& wanted) {
     std::vector<Corner>& all = out_.corners_;
@@ -179,9 +213,12 @@ class BaseFaces::Builder {
   const Mesh& mesh_;
   const FloatFrame& frame_;
   BaseFaces& out_;
-  std::vector<glm::dvec3> planes_;  // by face: its unit normal
-  std::vector<uint32_t> first_;     // by vertex: the lowest at the same position
-  std::vector<uint32_t> fan_end_;   // by vertex, in fans_; empty fans where another is the first
+  std::vector<Mesh::Side> sides_;
+  std::vector<glm::dvec3> planes_;                     // by face: its unit normal
+  std::vector<float> areas_;                           // by face: twice its area
+  std::array<double, kDeviationSteps> curved_area_{};  // by the sine of the deviation
+  std::vector<uint32_t> first_;                        // by vertex: the lowest at the same position
+  std::vector<uint32_t> fan_end_;  // by vertex, in fans_; empty fans where another is the first
   std::unique_ptr<FanCorner[]> fans_;
 };
 
@@ -204,8 +241,11 @@ BaseFaces BaseFaces::pick(std::span<const FaceId> faces) const {
   picked.corners_.reserve(used.size());
   for (const uint32_t c : used) picked.corners_.push_back(corners_[c]);
   picked.faces_.assign(faces.size(), {kNone, kNone, kNone});
+  picked.open_.assign(faces.size(), 0);
+  picked.deviation_ = deviation_;
   for (size_t i = 0; i < faces.size(); ++i) {
     if (!knows(faces[i])) continue;
+    picked.open_[i] = open_[faces[i].index];
     for (size_t c = 0; c < 3; ++c) {
       const auto at = std::lower_bound(used.begin(), used.end(), faces_[faces[i].index][c]);
       picked.faces_[i][c] = static_cast<uint32_t>(at - used.begin());
@@ -220,8 +260,20 @@ std::optional<std::array<glm::vec3, 3>> BaseFaces::corners(FaceId base) const {
   return std::array{corners_[a].at, corners_[b].at, corners_[c].at};
 }
 
+bool BaseFaces::was_open(FaceId base, const glm::vec3& from, const glm::vec3& to) const {
+  if (!knows(base) || open_[base.index] == 0) return false;
+  const std::array<glm::vec3, 3> at = *corners(base);
+  const glm::dvec3 a = barycentric(at, from), b = barycentric(at, to);
+  for (int side = 0; side < 3; ++side) {
+    const int across = (side + 2) % 3;
+    const bool on_it = std::max(std::abs(a[across]), std::abs(b[across])) < kOnSide;
+    if (on_it && (open_[base.index] & 1u << side) != 0) return true;
+  }
+  return false;
+}
+
 size_t BaseFaces::bytes() const {
-  return corners_.capacity() * sizeof(Corner) + faces_.capacity() * sizeof(faces_[0]);
+  return open_.capacity() + corners_.capacity() * sizeof(Corner) + faces_.capacity() * sizeof(faces_[0]);
 }
 
 std::array<glm::vec3, 3> BaseFaces::normals_at(FaceId base, const std::array<glm::vec3, 3>& points) const {

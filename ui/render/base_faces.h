@@ -18,7 +18,7 @@ namespace kerf {
 //
 // The normal at a corner is the angle-weighted mean of the normals of those faces around its position whose
 // planes differ by less than 35 degrees from that of the corner's face. Positions are compared to the bit.
-// Construction takes expected linear time; memory is about 20 bytes per face if the surface is smooth and 60
+// Construction takes expected linear time; memory is about 21 bytes per face if the surface is smooth and 61
 // if all edges are sharp.
 class BaseFaces {
  public:
@@ -41,6 +41,18 @@ class BaseFaces {
   uint32_t count() const { return static_cast<uint32_t>(faces_.size()); }
   std::optional<std::array<glm::vec3, 3>> corners(FaceId base) const;
 
+  // Whether the segment between two points in the plane of `base`, given in the float frame, lies on a side
+  // of it that no other face shared as loaded.
+  bool was_open(FaceId base, const glm::vec3& from, const glm::vec3& to) const;
+  // Whether a mesh has the faces as loaded: none was split or removed.
+  bool are_whole(const Mesh& mesh) const {
+    return mesh.face_slots() == count() && mesh.live_faces() == live_;
+  }
+
+  // The sine of the angle by which the smooth normals at the corners of faces deviate from the faces: that
+  // which nine tenths of the curved area do not exceed, 0 if nothing is curved.
+  float deviation() const { return deviation_; }
+
   // Memory allocated, in bytes.
   size_t bytes() const;
 
@@ -56,6 +68,9 @@ class BaseFaces {
 
   bool knows(FaceId base) const { return base.index < faces_.size() && faces_[base.index][0] != kNone; }
 
+  uint32_t live_ = kNone;  // of the mesh as loaded; of a part of one, none that a mesh can have
+  float deviation_ = 0;
+  std::vector<uint8_t> open_;  // by face slot as loaded: bit i is set if the side after corner i was open
   std::vector<Corner> corners_;
   std::vector<std::array<uint32_t, 3>>
       faces_;  // by face slot as loaded: indices into corners_; kNone where there was no face

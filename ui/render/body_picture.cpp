@@ -17,8 +17,9 @@ std::vector<glm::vec4> paint_table(const std::vector<std::string>& materials,
   return table;
 }
 
-BodyPicture::BodyPicture(const Body& body, const std::map<std::string, Paint>& paints, PreparedBody prepared)
-    : faces_(body.mesh, prepared.frame, std::move(prepared.bases)) {
+BodyPicture::BodyPicture(const Body& body, const std::map<std::string, Paint>& paints, PreparedBody prepared,
+                         double glow_width)
+    : faces_(body.mesh, prepared.frame, std::move(prepared.bases), glow_width) {
   const std::vector<glm::vec4> table = paint_table(body.material_names, paints);
   glBindBuffer(GL_UNIFORM_BUFFER, paints_.name());
   glBufferData(GL_UNIFORM_BUFFER, static_cast<GLsizeiptr>(table.size() * sizeof(glm::vec4)), table.data(),
@@ -29,6 +30,7 @@ void BodyPicture::bind(const gl::Program& program, const FrameSpace& space,
                        const Placement& placement) const {
   program.set("frame_from_body", space.from_body(placement, faces_.frame()));
   program.set("turn", glm::mat3(space.turn_from(placement.orientation)));
+  program.set("terminator", faces_.deviation());
   glBindBufferBase(GL_UNIFORM_BUFFER, kPaintBlock, paints_.name());
   looks_.bind(program);
 }

@@ -21,8 +21,9 @@ inline constexpr GLuint kPaintBlock = 1;
 // One body on the GPU: its faces, its paints and the looks of its pieces.
 class BodyPicture {
  public:
-  // Precondition: `prepared` was made for this body.
-  BodyPicture(const Body& body, const std::map<std::string, Paint>& paints, PreparedBody prepared);
+  // `glow_width` (m) is that of RimDistance. Precondition: `prepared` was made for this body.
+  BodyPicture(const Body& body, const std::map<std::string, Paint>& paints, PreparedBody prepared,
+              double glow_width);
 
   FaceBuffer& faces() { return faces_; }
   const FaceBuffer& faces() const { return faces_; }

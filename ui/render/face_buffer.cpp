@@ -38,49 +38,112 @@ FaceBuffer::Chunk::Chunk() {
   glEnableVertexAttribArray(1);
   glVertexAttribPointer(1, 4, GL_INT_2_10_10_10_REV, GL_TRUE, sizeof(FaceVertex),
                         at(offsetof(FaceVertex, normal)));
+  glEnableVertexAttribArray(3);
+  glVertexAttribPointer(3, 1, GL_HALF_FLOAT, GL_FALSE, sizeof(FaceVertex), at(offsetof(FaceVertex, rim)));
+  glEnableVertexAttribArray(4);
+  glVertexAttribIPointer(4, 2, GL_UNSIGNED_BYTE, sizeof(FaceVertex), at(offsetof(FaceVertex, halvings)));
+  glBindBuffer(GL_ARRAY_BUFFER, labels.name());
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(kChunkFaces * sizeof(Labels)), nullptr,
+               GL_DYNAMIC_DRAW);
   glEnableVertexAttribArray(2);
-  glVertexAttribIPointer(2, 1, GL_UNSIGNED_INT, sizeof(FaceVertex), at(offsetof(FaceVertex, attributes)));
+  glVertexAttribIPointer(2, 1, GL_UNSIGNED_SHORT, sizeof(uint16_t), nullptr);
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.name());
   glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(kChunkFaces * sizeof(Indices)), nullptr,
                GL_DYNAMIC_DRAW);
   glBindVertexArray(0);
 }
 
-FaceBuffer::FaceBuffer(const Mesh& mesh, const FloatFrame& frame, std::shared_ptr<const BaseFaces> bases)
-    : frame_(frame), bases_(std::move(bases)) {
+FaceBuffer::FaceBuffer(const Mesh& mesh, const FloatFrame& frame, std::shared_ptr<const BaseFaces> bases,
+                       double glow_width)
+    : frame_(frame), bases_(std::move(bases)), rims_(static_cast<float>(glow_width * frame.scale)) {
   dirty_.mark_all(mesh.face_slots());
+}
+
+void FaceBuffer::follow(const BodyDelta& delta) {
+  dirty_.mark(delta.born);
+  dirty_.mark(delta.gone);
+  relabelled_.mark(delta.relabelled);
+  removed_.forget();
 }
 
 PictureMemory FaceBuffer::memory() const {
   PictureMemory memory;
   memory.shading = bases_->bytes();
-  memory.graphics = chunks_.size() * kChunkFaces * (sizeof(FaceVertices) + sizeof(Indices)) +
-                    halvings_.capacity() + staging_.capacity() * sizeof(FaceVertices);
+  memory.graphics = chunks_.size() * kChunkFaces * (sizeof(FaceVertices) + sizeof(Labels) + sizeof(Indices)) +
+                    halvings_.capacity() + corners_.capacity() * sizeof(Corners) +
+                    staging_.capacity() * sizeof(FaceVertices) + staged_labels_.capacity() * sizeof(Labels);
   for (const Chunk& chunk : chunks_) memory.graphics += chunk.live.bytes();
   return memory;
 }
 
 size_t FaceBuffer::update(const Mesh& mesh, uint32_t most) {
-  if (dirty_.empty()) return 0;
-  // Slots that died are only struck off the list; their corners are not sent.
+  if (dirty_.empty() && relabelled_.empty()) return 0;
+  DirtySlots born = take_born(mesh, most);
+  find_rims(mesh, born);
+  size_t bytes = 0;
+  for (const SlotRange range : born.take(kGap, kChunkFaces)) {
+    bytes += update_slots(mesh, range) + update_labels(mesh, range);
+  }
+  for (const SlotRange range : relabelled_.take(kGap, kChunkFaces)) bytes += update_labels(mesh, range);
+  for (Chunk& chunk : chunks_) bytes += update_list(chunk);
+  return bytes;
+}
+
+// Strikes slots that died off the list, since their corners need not be sent, and returns the others.
+DirtySlots FaceBuffer::take_born(const Mesh& mesh, uint32_t most) {
+  if (halvings_.size() < mesh.face_slots()) {
+    halvings_.resize(mesh.face_slots(), kDead);
+    corners_.resize(mesh.face_slots());
+  }
   DirtySlots born;
   for (const SlotRange range : dirty_.take(0, kChunkFaces, most)) {
     // An undo may have taken slots away that were never sent.
-    if (halvings_.size() < range.end) halvings_.resize(range.end, kDead);
+    if (halvings_.size() < range.end) {
+      halvings_.resize(range.end, kDead);
+      corners_.resize(range.end);
+    }
     LiveList& live = chunk_of(range).live;
     for (uint32_t f = range.begin; f < range.end; ++f) {
       const bool lives = mesh.is_live(FaceId(f));
       if (live.set(f % kChunkFaces, lives)) note_change(mesh, FaceId(f), lives);
       count(mesh, f);
-      if (!lives) continue;
-      born.mark(f);
-      for (const FaceId g : fineness_.faces_around(mesh, FaceId(f))) born.mark(g.index);
+      note_corners(mesh, f);
+      if (lives) born.mark(f);
     }
   }
-  size_t bytes = 0;
-  for (const SlotRange range : born.take(kGap, kChunkFaces)) bytes += update_slots(mesh, range);
-  for (Chunk& chunk : chunks_) bytes += update_list(chunk);
-  return bytes;
+  return born;
+}
+
+void FaceBuffer::note_corners(const Mesh& mesh, uint32_t slot) {
+  const Corners before = corners_[slot];
+  corners_[slot] = mesh.is_live(FaceId(slot)) ? mesh.corners(FaceId(slot)) : Corners{};
+  for (const Corners& corners : {before, corners_[slot]}) {
+    if (corners[0].valid()) moved_corners_.insert(moved_corners_.end(), corners.begin(), corners.end());
+  }
+}
+
+// Adds the faces that are drawn otherwise because a rim came or went near them. A mesh as loaded has no rim.
+void FaceBuffer::find_rims(const Mesh& mesh, DirtySlots& born) {
+  std::vector<VertexId> changed = std::exchange(moved_corners_, {});
+  if (bases_->are_whole(mesh) && !rims_.any()) return;
+  std::sort(changed.begin(), changed.end());
+  changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+  std::vector<VertexId> affected;
+  rims_.update(mesh, *bases_, frame_, changed, affected);
+  Mesh::Star star;
+  for (const VertexId v : affected) {
+    mesh.star(v, star);
+    for (const FaceId f : star.faces) {
+      if (halvings_[f.index] != kDead) born.mark(f.index);
+    }
+  }
+}
+
+std::array<float, 3> FaceBuffer::rim_of(const Mesh& mesh, FaceId f) const {
+  if (!rims_.any() || !mesh.is_live(f)) return {RimDistance::kFar, RimDistance::kFar, RimDistance::kFar};
+  const auto [a, b, c] = mesh.corners(f);
+  const auto widths = [&](VertexId v) { return std::min(rims_.of(v) / rims_.width(), RimDistance::kFar); };
+  return {widths(a), widths(b), widths(c)};
 }
 
 // A slot behind the last one was taken back with the command that made it: its face was never removed.
@@ -110,11 +173,21 @@ void FaceBuffer::count(const Mesh& mesh, uint32_t slot) {
 size_t FaceBuffer::update_slots(const Mesh& mesh, const SlotRange& range) {
   staging_.clear();
   for (uint32_t f = range.begin; f < range.end; ++f) {
-    staging_.push_back(face_vertices(mesh, *bases_, frame_, FaceId(f), fineness_.of(mesh, FaceId(f))));
+    staging_.push_back(face_vertices(mesh, *bases_, frame_, FaceId(f), rim_of(mesh, FaceId(f))));
     if (halvings_[f] != kDead && halvings_[f] > 0) removed_.saw(FaceId(f), corners_of(staging_.back()));
   }
   put(GL_ARRAY_BUFFER, chunk_of(range).vertices.name(), range.begin % kChunkFaces, staging_);
   return staging_.size() * sizeof(FaceVertices);
+}
+
+size_t FaceBuffer::update_labels(const Mesh& mesh, const SlotRange& range) {
+  staged_labels_.clear();
+  for (uint32_t f = range.begin; f < range.end; ++f) {
+    const uint16_t piece = mesh.is_live(FaceId(f)) ? packed_piece(mesh.data(FaceId(f)).piece) : uint16_t{0};
+    staged_labels_.push_back({piece, piece, piece});
+  }
+  put(GL_ARRAY_BUFFER, chunk_of(range).labels.name(), range.begin % kChunkFaces, staged_labels_);
+  return staged_labels_.size() * sizeof(Labels);
 }
 
 size_t FaceBuffer::update_list(Chunk& chunk) {

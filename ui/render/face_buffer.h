@@ -8,26 +8,26 @@
 #include "core/world/world.h"
 #include "ui/gl/objects.h"
 #include "ui/gl/program.h"
-#include "ui/render/corner_fineness.h"
 #include "ui/render/face_slots.h"
 #include "ui/render/live_list.h"
 #include "ui/render/picture_memory.h"
 #include "ui/render/removed_faces.h"
+#include "ui/render/rim_distance.h"
 
 namespace kerf {
 
 // The faces of one body on the GPU. Every face slot of the mesh has a fixed slot of three corners, in chunks
 // of a fixed size, so that growing copies nothing. Each chunk has a list of its live slots, and only these
-// are drawn. The buffer follows Deltas, and the cost of an update is proportional to what changed.
+// are drawn. The buffer follows Deltas, and the cost of an update is proportional to what changed. Labels of
+// pieces lie in a buffer of their own, so that a face with a new label sends its label alone.
 class FaceBuffer {
  public:
-  // Uploads nothing yet. Precondition: `bases` is not null and belongs to the mesh, with the same frame.
-  FaceBuffer(const Mesh& mesh, const FloatFrame& frame, std::shared_ptr<const BaseFaces> bases);
+  // Uploads nothing yet. `glow_width` (m) is that of RimDistance. Precondition: `bases` is not null and
+  // belongs to the mesh, with the same frame.
+  FaceBuffer(const Mesh& mesh, const FloatFrame& frame, std::shared_ptr<const BaseFaces> bases,
+             double glow_width);
 
-  void follow(const BodyDelta& delta) {
-    dirty_.mark(delta);
-    removed_.forget();
-  }
+  void follow(const BodyDelta& delta);
   // Marks every slot as changed, for the case that Deltas were lost.
   void forget_all(const Mesh& mesh) {
     dirty_.mark_all(std::max(mesh.face_slots(), static_cast<uint32_t>(halvings_.size())));
@@ -63,6 +63,10 @@ class FaceBuffer {
   std::vector<RemovedFace> removed(const Mesh& mesh) const { return removed_.list(mesh, *bases_); }
 
   const FloatFrame& frame() const { return frame_; }
+  // See BaseFaces.
+  float deviation() const { return bases_->deviation(); }
+  // Whether a cut has left a rim, which glows.
+  bool has_rim() const { return rims_.any(); }
   // The number of live faces by their number of halvings; the last element includes all larger numbers.
   using Halvings = std::array<uint32_t, 64>;
   const Halvings& halvings_of_faces() const { return faces_of_; }
@@ -71,9 +75,11 @@ class FaceBuffer {
   static constexpr uint32_t kGap = 4;  // largest gap of unchanged slots between ranges that are sent together
 
   static constexpr uint8_t kDead = 0xff;
+  using Corners = std::array<VertexId, 3>;
+  using Labels = std::array<uint16_t, 3>;  // of a face, once for each corner
 
   struct Chunk {
-    gl::Buffer vertices, indices;
+    gl::Buffer vertices, labels, indices;
     gl::VertexArray layout;
     LiveList live{kChunkFaces};
     Chunk();
@@ -82,17 +88,25 @@ class FaceBuffer {
   Chunk& chunk_of(const SlotRange& range);  // creates it if necessary
   void count(const Mesh& mesh, uint32_t slot);
   void note_change(const Mesh& mesh, FaceId f, bool lives);
+  DirtySlots take_born(const Mesh& mesh, uint32_t most);
+  void note_corners(const Mesh& mesh, uint32_t slot);
+  void find_rims(const Mesh& mesh, DirtySlots& born);
+  std::array<float, 3> rim_of(const Mesh& mesh, FaceId f) const;
   size_t update_slots(const Mesh& mesh, const SlotRange& range);
+  size_t update_labels(const Mesh& mesh, const SlotRange& range);
   size_t update_list(Chunk& chunk);
 
   FloatFrame frame_;
   std::shared_ptr<const BaseFaces> bases_;
   RemovedFaces removed_;
-  CornerFineness fineness_;
-  DirtySlots dirty_;
+  RimDistance rims_;
+  DirtySlots dirty_, relabelled_;
   std::vector<Chunk> chunks_;
   std::vector<FaceVertices> staging_;
-  std::vector<uint8_t> halvings_;  // by slot; kDead without a live face
+  std::vector<Labels> staged_labels_;
+  std::vector<VertexId> moved_corners_;  // of faces that changed since the rims were found
+  std::vector<Corners> corners_;         // by slot, as last drawn
+  std::vector<uint8_t> halvings_;        // by slot; kDead without a live face
   Halvings faces_of_{};
 };
 

@@ -1,35 +1,39 @@
 #include "ui/render/face_slots.h"
 
 #include <algorithm>
+#include <glm/gtc/packing.hpp>
 
 namespace kerf {
 
-uint32_t packed_piece(uint32_t label) { return label < 65536u ? label : 1u + label % 65535u; }
-
-uint32_t pack_attributes(const FaceData& data, float fineness) {
-  const auto eighths = static_cast<uint32_t>(std::clamp(fineness * 8 + 0.5f, 0.0f, 255.0f));
-  const uint32_t material = std::min<uint32_t>(data.material, 255u);
-  return eighths | material << 8 | packed_piece(data.piece) << 16;
+uint16_t packed_piece(uint32_t label) {
+  return static_cast<uint16_t>(label < 65536u ? label : 1u + label % 65535u);
 }
 
 FaceVertices face_vertices(const Mesh& mesh, const BaseFaces& bases, const FloatFrame& frame, FaceId f,
-                           const std::array<float, 3>& fineness) {
+                           const std::array<float, 3>& rim) {
   FaceVertices out{};
   if (!mesh.is_live(f)) return out;
   const Triangle t = mesh.triangle(f);
   const std::array<glm::vec3, 3> at{frame.to_float(t[0]), frame.to_float(t[1]), frame.to_float(t[2])};
   const FaceData& data = mesh.data(f);
   const std::array<glm::vec3, 3> normals = bases.normals_at(data.base, at);
+  const auto material = static_cast<uint8_t>(std::min<uint32_t>(data.material, 255u));
   for (size_t i = 0; i < 3; ++i) {
-    out[i] = {{at[i].x, at[i].y, at[i].z}, pack_normal(normals[i]), pack_attributes(data, fineness[i])};
+    out[i] = {{at[i].x, at[i].y, at[i].z},
+              pack_normal(normals[i]),
+              glm::packHalf1x16(rim[i]),
+              data.halvings,
+              material};
   }
   return out;
 }
 
+void DirtySlots::mark(std::span<const FaceId> faces) {
+  for (const FaceId f : faces) slots_.push_back(f.index);
+}
+
 void DirtySlots::mark(const BodyDelta& delta) {
-  for (const auto* faces : {&delta.born, &delta.gone, &delta.relabelled}) {
-    for (const FaceId f : *faces) slots_.push_back(f.index);
-  }
+  for (const auto* faces : {&delta.born, &delta.gone, &delta.relabelled}) mark(*faces);
 }
 
 void DirtySlots::mark_all(uint32_t slots) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/base/float_frame.h"
@@ -15,23 +16,22 @@ namespace kerf {
 struct FaceVertex {
   std::array<float, 3> position{};  // in the body's float frame
   uint32_t normal = 0;              // pack_normal
-  uint32_t attributes = 0;          // pack_attributes
+  uint16_t rim = 0;      // half float: distance from the nearest rim (see RimDistance) in its widths
+  uint8_t halvings = 0;  // of the face
+  uint8_t material = 0;  // of the face; the last of 256 stands for all others
   friend bool operator==(const FaceVertex&, const FaceVertex&) = default;
 };
 static_assert(sizeof(FaceVertex) == 20);
 
 using FaceVertices = std::array<FaceVertex, 3>;
 
-// Maps a label to 16 bits; only label 0 is mapped to 0.
-uint32_t packed_piece(uint32_t label);
+// Maps the label of a piece to the 16 bits that the GPU has for it; only label 0 is mapped to 0.
+uint16_t packed_piece(uint32_t label);
 
-// Packs the attributes of a corner: eight times its fineness (in halvings, see CornerFineness) into 8 bits,
-// the material into 8, and the piece into 16. Values that do not fit are clamped or wrapped.
-uint32_t pack_attributes(const FaceData& data, float fineness);
-
-// The three corners for the slot of f with the given fineness; three equal points if the face is dead.
+// The three corners for the slot of f, whose corners are so far from the nearest rim, in widths; three equal
+// points if the face is dead.
 FaceVertices face_vertices(const Mesh& mesh, const BaseFaces& bases, const FloatFrame& frame, FaceId f,
-                           const std::array<float, 3>& fineness = {});
+                           const std::array<float, 3>& rim);
 
 // Slots [begin, end).
 struct SlotRange {
@@ -43,6 +43,8 @@ struct SlotRange {
 class DirtySlots {
  public:
   void mark(uint32_t slot) { slots_.push_back(slot); }
+  void mark(std::span<const FaceId> faces);
+  // Marks every slot that the delta lists.
   void mark(const BodyDelta& delta);
   void mark_all(uint32_t slots);
   bool empty() const { return slots_.empty() && !has_all(); }

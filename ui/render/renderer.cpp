@@ -11,9 +11,7 @@ namespace kerf {
 namespace {
 
 constexpr int kSamples = 4;
-// A face that was halved less often than this since its base face is never white-hot, however fine it is
-// among others.
-constexpr uint32_t kLeastWhiteHot = 6;
+constexpr double kGlowWidth = 1.0 / 220;  // of the diagonal of the world as loaded
 
 void set_plain_state() {
   glDisable(GL_BLEND);
@@ -64,6 +62,9 @@ void Renderer::show(const World& world, const std::map<std::string, Paint>& pain
   passes_.lines.forget();
   passes_.scene.shadows().forget();
   contact_old_ = true;
+  const World::Bounds bounds = world.loaded_bounds();
+  const double diagonal = bounds.diagonal();
+  glow_width_ = kGlowWidth * diagonal;
   loaded_.clear();
   for (const auto& [id, body] : prepared) loaded_.emplace(id, LoadedShading{body.frame, body.bases});
   for (const BodyId id : world.ids()) {
@@ -72,8 +73,6 @@ void Renderer::show(const World& world, const std::map<std::string, Paint>& pain
     prepared[id] = std::move(ahead);
     add(id, world.body(id), prepared);
   }
-  const World::Bounds bounds = world.loaded_bounds();
-  const double diagonal = bounds.diagonal();
   middle_ = bounds.min + (bounds.max - bounds.min) * 0.5;
   space_.unit = diagonal > 0 && std::isfinite(diagonal) ? std::ldexp(1.0, std::ilogb(diagonal)) : 1;
   passes_.scene.ground().place_under(bounds, space_.up);
@@ -84,7 +83,7 @@ void Renderer::add(BodyId id, const Body& body, PreparedBodies& prepared) {
   PreparedBody ahead = found != prepared.end() ? std::move(found->second) : prepare_shading(body, loaded_);
   if (body.loaded_faces.empty()) loaded_.try_emplace(body.loaded_as, LoadedShading{ahead.frame, ahead.bases});
   if (ahead.caster) passes_.scene.shadows().adopt(id, std::move(ahead.caster));
-  bodies_.emplace(id, BodyPicture(body, paints_, std::move(ahead)));
+  bodies_.emplace(id, BodyPicture(body, paints_, std::move(ahead), glow_width_));
 }
 
 void Renderer::drop(BodyId id) {
@@ -144,7 +143,7 @@ void Renderer::catch_up(const World& world) {
     if (picture.faces().is_sending()) contact_old_ = true;
     uploaded_ += picture.faces().update(world.body(id).mesh, most_faces_sent_);
   }
-  find_white_hot();
+  find_finest();
 }
 
 bool Renderer::is_sending() const {
@@ -158,20 +157,20 @@ PictureMemory Renderer::memory() const {
   return memory;
 }
 
-// The median of the faces that are small at all: base faces differ in size, so the finest of some are halved
-// far more often than the finest of others, and both should glow.
-void Renderer::find_white_hot() {
-  FaceBuffer::Halvings sum{};
+void Renderer::find_finest() {
+  finest_ = 0;
   for (const auto& [id, picture] : bodies_) {
-    for (size_t h = 0; h < sum.size(); ++h) sum[h] += picture.faces().halvings_of_faces()[h];
+    const FaceBuffer::Halvings& faces = picture.faces().halvings_of_faces();
+    for (uint32_t h = finest_ + 1; h < faces.size(); ++h) {
+      if (faces[h] > 0) finest_ = h;
+    }
   }
-  size_t small = 0;
-  for (size_t h = CornerFineness::kLeastSmall; h < sum.size(); ++h) small += sum[h];
-  white_hot_ = small > 0 ? kLeastWhiteHot : 0;
-  size_t below = 0;
-  for (uint32_t h = CornerFineness::kLeastSmall; h < sum.size() && 2 * (below += sum[h]) < small; ++h) {
-    white_hot_ = std::max(kLeastWhiteHot, h + 1);
-  }
+}
+
+bool Renderer::glows(const ViewOptions& options) const {
+  return options.rim_glow && !options.show.sizes &&
+         std::any_of(bodies_.begin(), bodies_.end(),
+                     [](const auto& body) { return body.second.faces().has_rim(); });
 }
 
 void Renderer::update_looks(const ViewOptions& options) {
@@ -206,8 +205,8 @@ void Renderer::set_up(const World& world, const CameraView& view, const ViewOpti
   const Light key = options.lights.empty() ? Light{} : options.lights.front();
   frame.key_light = glm::vec4(glm::vec3(space_.turned(direction_to(key, middle_))), 0);
   if (beam) BeamPass::fill_in(frame, space_, *beam);
-  frame.body_look = {white_hot_, options.level_colours && white_hot_ > 0 ? 1 : 0, options.show.pieces ? 1 : 0,
-                     options.two_sided ? 1 : 0};
+  const int colours = options.show.sizes ? 2 : options.show.pieces ? 1 : 0;
+  frame.body_look = {finest_, glows(options) ? 1 : 0, colours, options.two_sided ? 1 : 0};
   glBindBuffer(GL_UNIFORM_BUFFER, uniforms_.name());
   glBufferData(GL_UNIFORM_BUFFER, sizeof(frame), &frame, GL_STREAM_DRAW);
   glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBlock, uniforms_.name());
@@ -347,7 +346,7 @@ void Renderer::draw(const World& world, const CameraView& view, const ViewOption
   const Subject subject{world, bodies_, space_, options};
   passes_.scene.draw(subject, beam && (beam->strike || beam->on_ground), *canvases_[canvas_].drawn);
   draw_overlays(subject, view, beam);
-  shining_ = beam || (options.level_colours && white_hot_ > 0);
+  shining_ = beam || glows(options);
   hand_over(target);
 }
 

@@ -134,7 +134,8 @@ class Renderer {
   void draw_overlays(const Subject& subject, const CameraView& view, const std::optional<BeamPicture>& beam);
   void draw_comparison(const Subject& subject, const gl::Framebuffer& picture);
   void hand_over(const Target& target);
-  void find_white_hot();
+  void find_finest();
+  bool glows(const ViewOptions& options) const;
 
   Passes passes_;
   gl::Buffer uniforms_;
@@ -151,8 +152,9 @@ class Renderer {
   Vec3 middle_{0};  // of the world as it was shown
   FrameSpace space_;
   FrameUniforms frame_;
-  double near_ = 0;         // m, of the last picture
-  uint32_t white_hot_ = 0;  // halvings since the base face; 0 where nothing is small
+  double near_ = 0;        // m, of the last picture
+  double glow_width_ = 0;  // m
+  uint32_t finest_ = 0;    // most halvings of a face
   bool contact_old_ = true;
   bool shining_ = false;  // the last picture has something that glows
   size_t uploaded_ = 0;

@@ -21,6 +21,7 @@ struct ShowOptions {
   bool wire = false;                   // edges of the faces
   bool face_numbers = false;           // of live faces, and in red of removed ones
   bool pieces = false;                 // each piece in a colour of its own
+  bool sizes = false;                  // small faces warm, as the paper colours them
   bool normals = false;                // a short line from the middle of every face
   Shadows shadows = Shadows::kGround;  // `--show shadows` asks for kAll
   bool silhouette = false;             // edges of a light's silhouette, coloured by their multiplicity

@@ -41,11 +41,11 @@ struct PieceLook {
 // How the world is looked at.
 struct ViewOptions {
   ShowOptions show;
-  bool level_colours = true;  // small faces glow
-  bool antialias = true;      // four samples a pixel
-  bool two_sided = true;      // faces are lit on both sides; otherwise the back is black
-  bool cull_backs = false;    // backs are not drawn, as the paper first had it
-  bool ghost = false;         // removed faces stay as a faint veil
+  bool rim_glow = true;     // the rims of cuts glow
+  bool antialias = true;    // four samples a pixel
+  bool two_sided = true;    // faces are lit on both sides; otherwise the back is black
+  bool cull_backs = false;  // backs are not drawn, as the paper first had it
+  bool ghost = false;       // removed faces stay as a faint veil
   TreeOverlay tree;
   std::vector<Light> lights = std::vector<Light>(1);  // at most kMostLights are drawn
   ShadowOptions shadow;

@@ -22,7 +22,7 @@ VolumeBuffer::Sides::Sides() {
   glBindBuffer(GL_ARRAY_BUFFER, buffer.name());
   glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Side), at(offsetof(Side, low)));
   glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(Side), at(offsetof(Side, high)));
-  glVertexAttribIPointer(2, 1, GL_UNSIGNED_INT, sizeof(Side), at(offsetof(Side, attributes)));
+  glVertexAttribIPointer(2, 1, GL_UNSIGNED_INT, sizeof(Side), at(offsetof(Side, piece)));
   glVertexAttribIPointer(3, 1, GL_INT, sizeof(Side), at(offsetof(Side, multiplicity)));
   for (const GLuint i : {0u, 1u, 2u, 3u}) {
     glEnableVertexAttribArray(i);
@@ -41,7 +41,7 @@ void VolumeBuffer::Sides::replace(const std::vector<Side>& all) {
 
 VolumeBuffer::Side VolumeBuffer::side(const ShadowCaster& caster, const SilhouetteEdge& edge) const {
   const ShadowCaster::Ends ends = caster.ends(edge.edge);
-  return {ends.low, ends.high, packed_piece(ends.piece) << 16, edge.multiplicity};
+  return {ends.low, ends.high, packed_piece(ends.piece), edge.multiplicity};
 }
 
 size_t VolumeBuffer::bytes() const {

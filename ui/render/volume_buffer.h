@@ -36,7 +36,7 @@ class VolumeBuffer {
   // An edge as the GPU reads it.
   struct Side {
     glm::vec3 low, high;  // in the body's float frame
-    uint32_t attributes;  // its piece, encoded as by pack_attributes
+    uint32_t piece;       // packed_piece of its label
     int32_t multiplicity;
   };
   struct Signs {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <glm/gtc/packing.hpp>
+
 #include "tests/support/made_meshes.h"
 #include "ui/render/live_list.h"
 
@@ -9,6 +11,7 @@ namespace kerf {
 namespace {
 
 using Ranges = std::vector<SlotRange>;
+constexpr std::array<float, 3> kNoRim{60000, 60000, 60000};
 
 TEST(DirtySlots, are_taken_as_few_ranges_and_are_clean_after) {
   DirtySlots dirty;
@@ -76,17 +79,31 @@ TEST(FaceVertices, of_a_dead_face_are_one_point) {
   const FloatFrame frame = FloatFrame::around({0, 0, 0}, {1, 0, 1});
   const BaseFaces bases(mesh, frame);
   mesh.remove_face(FaceId(0));
-  EXPECT_EQ(face_vertices(mesh, bases, frame, FaceId(0)), FaceVertices{});
-  EXPECT_NE(face_vertices(mesh, bases, frame, FaceId(1)), FaceVertices{});
+  EXPECT_EQ(face_vertices(mesh, bases, frame, FaceId(0), kNoRim), FaceVertices{});
+  EXPECT_NE(face_vertices(mesh, bases, frame, FaceId(1), kNoRim), FaceVertices{});
 }
 
-TEST(FaceVertices, attributes_tell_fineness_material_and_piece) {
-  FaceData data;
-  data.material = 7;
-  data.piece = 2;
-  EXPECT_EQ(pack_attributes(data, 6.25f), 50u | 7u << 8 | 2u << 16);
-  data.piece = 65536;
-  EXPECT_NE(pack_attributes(data, 0) >> 16, 0u);
+TEST(FaceVertices, tell_material_halvings_and_the_distance_of_each_corner_from_a_rim) {
+  Mesh mesh = test::build(test::plate(1)).mesh;
+  const FloatFrame frame = FloatFrame::around({0, 0, 0}, {1, 0, 1});
+  const BaseFaces bases(mesh, frame);
+  mesh.edit_data(FaceId(0)).material = 7;
+  mesh.edit_data(FaceId(0)).halvings = 3;
+  const FaceVertices corners = face_vertices(mesh, bases, frame, FaceId(0), {0, 0.25f, 1.5f});
+  for (const FaceVertex& v : corners) {
+    EXPECT_EQ(v.material, 7);
+    EXPECT_EQ(v.halvings, 3);
+  }
+  EXPECT_EQ(glm::unpackHalf1x16(corners[0].rim), 0);
+  EXPECT_EQ(glm::unpackHalf1x16(corners[1].rim), 0.25f);
+  EXPECT_EQ(glm::unpackHalf1x16(corners[2].rim), 1.5f);
+}
+
+TEST(PackedPiece, is_zero_for_label_zero_alone) {
+  EXPECT_EQ(packed_piece(0), 0);
+  for (const uint32_t label : {1u, 2u, 65535u, 65536u, 131070u, 131071u, 0xffffffffu}) {
+    EXPECT_NE(packed_piece(label), 0) << label;
+  }
 }
 
 // The shading of a split face is that of its base: its corners get what the base's corners say there.
@@ -98,7 +115,7 @@ TEST(BaseFaces, split_faces_keep_the_smooth_normals_of_a_sphere) {
   const std::array<VertexId, 3> corners = mesh.corners(FaceId(40));
   mesh.split_edge(FaceId(40), corners[0], corners[1], splits);
   for (const Mesh::FaceSplit& split : splits) {
-    for (const FaceVertex& v : face_vertices(mesh, bases, frame, split.added)) {
+    for (const FaceVertex& v : face_vertices(mesh, bases, frame, split.added, kNoRim)) {
       const glm::vec3 at = glm::normalize(glm::vec3(v.position[0], v.position[1], v.position[2]));
       EXPECT_GT(glm::dot(at, glm::normalize(unpack_normal(v.normal))), 0.99f);
     }
@@ -117,7 +134,7 @@ TEST(BaseFaces, an_edge_sharper_than_the_crease_stays_sharp) {
   for (uint32_t f = 0; f < 2; ++f) {
     const Triangle t = mesh.triangle(FaceId(f));
     const glm::vec3 plane(glm::normalize(glm::cross(t[1] - t[0], t[2] - t[0])));
-    for (const FaceVertex& v : face_vertices(mesh, bases, frame, FaceId(f))) {
+    for (const FaceVertex& v : face_vertices(mesh, bases, frame, FaceId(f), kNoRim)) {
       EXPECT_GT(glm::dot(plane, unpack_normal(v.normal)), 0.999f);
     }
   }

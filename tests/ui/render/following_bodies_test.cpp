@@ -69,12 +69,15 @@ struct Seen {
   Pixels picture;
   ShadowCounts shadow;
 };
+// Without glow: a renderer that sees a cut world for the first time takes its rims for boundaries as loaded.
 Seen see(Renderer& renderer, const World& world) {
+  ViewOptions look = under_lamp();
+  look.rim_glow = false;
   const gl::Framebuffer canvas({kWidth, kHeight, 1, false});
   const CameraView view = view_from_above();
-  renderer.draw(world, view, under_lamp(), std::nullopt, {canvas.name(), 0, 0, kWidth, kHeight});
+  renderer.draw(world, view, look, std::nullopt, {canvas.name(), 0, 0, kWidth, kHeight});
   return {read_pixels(canvas.name(), kWidth, kHeight),
-          renderer.shadow_counts(world, view, under_lamp(), 0, ShadowMethod::kRobust, true, kWidth, kHeight)};
+          renderer.shadow_counts(world, view, look, 0, ShadowMethod::kRobust, true, kWidth, kHeight)};
 }
 
 // The sheet is flat, so that a renderer that sees it cut for the first time shades it alike.

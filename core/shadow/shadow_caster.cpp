@@ -23,9 +23,20 @@ bool comes_before(const glm::vec3& a, const glm::vec3& b) {
   return a.y != b.y ? a.y < b.y : a.z < b.z;
 }
 
-void sort_unique(std::vector<uint32_t>& all) {
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
+// Sorts numbers below `count` and keeps each once: by a bit for each number where there are many.
+void sort_unique(std::vector<uint32_t>& all, size_t count) {
+  if (all.size() < count / 64) {
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return;
+  }
+  std::vector<uint64_t> there(count / 64 + 1);
+  for (const uint32_t i : all) there[i / 64] |= uint64_t{1} << i % 64;
+  all.clear();
+  for (size_t word = 0; word < there.size(); ++word) {
+    for (uint64_t left = there[word]; left != 0; left &= left - 1)
+      all.push_back(static_cast<uint32_t>(64 * word) + static_cast<uint32_t>(std::countr_zero(left)));
+  }
 }
 
 }  // namespace
@@ -66,12 +77,34 @@ bool ShadowCaster::add_all(const Mesh& mesh, const Progress* progress) {
   return true;
 }
 
-ShadowCaster::Change ShadowCaster::update(const Mesh& mesh, std::span<const uint32_t> slots) {
+ShadowCaster::Change ShadowCaster::update(const Mesh& mesh, std::span<const uint32_t> slots,
+                                          std::span<const uint32_t> relabelled) {
   Change change;
-  std::vector<uint32_t> each(slots.begin(), slots.end());
-  sort_unique(each);
-  grow(std::max(mesh.face_slots(), each.empty() ? 0 : each.back() + 1));
-  for (const uint32_t f : relabel(mesh, each, change)) {
+  std::vector<uint32_t> each(slots.begin(), slots.end()), labels(relabelled.begin(), relabelled.end()),
+      others;
+  uint32_t slots_end = mesh.face_slots();
+  for (const auto* all : {&each, &labels}) {
+    for (const uint32_t f : *all) slots_end = std::max(slots_end, f + 1);
+  }
+  grow(slots_end);
+  sort_unique(each, face_slots());
+  sort_unique(labels, face_slots());
+  std::vector<Relabelled> faces;
+  for (const uint32_t f : each) {
+    if (stands_still(mesh, f)) {
+      note_label(mesh, f, faces);
+    } else {
+      others.push_back(f);
+    }
+  }
+  for (const uint32_t f : labels) {
+    const bool label_alone =
+        there(f) && mesh.is_live(FaceId(f)) && !std::binary_search(each.begin(), each.end(), f);
+    if (label_alone) note_label(mesh, f, faces);
+  }
+  const std::vector<uint32_t> torn = relabel(faces, change);
+  others.insert(others.end(), torn.begin(), torn.end());
+  for (const uint32_t f : others) {
     assert(f < face_slots());
     change.faces.push_back(f);
     append_edges(f, change.edges);
@@ -81,8 +114,8 @@ ShadowCaster::Change ShadowCaster::update(const Mesh& mesh, std::span<const uint
     change.faces.insert(change.faces.end(), copies_.begin(), copies_.end());
     append_edges(f, change.edges);
   }
-  sort_unique(change.faces);
-  sort_unique(change.edges);
+  sort_unique(change.faces, face_slots());
+  sort_unique(change.edges, edge_slots());
   return change;
 }
 
@@ -96,21 +129,17 @@ bool ShadowCaster::stands_still(const Mesh& mesh, uint32_t face) const {
   return true;
 }
 
+// Notes a face whose label the mesh has otherwise.
+void ShadowCaster::note_label(const Mesh& mesh, uint32_t face, std::vector<Relabelled>& out) const {
+  const uint32_t from = vertices_[corner_[3 * face]].piece, to = mesh.data(FaceId(face)).piece;
+  if (from != to) out.push_back({face, from, to});
+}
+
 // Gives the vertices of faces that are only relabelled the new label, where no other face uses them;
-// meanwhile `uses` leaves those faces out. Returns the slots that must be taken away and added instead: those
-// of all other faces, and those of faces at a vertex that keeps its label or gets another one.
-std::vector<uint32_t> ShadowCaster::relabel(const Mesh& mesh, std::span<const uint32_t> slots,
-                                            Change& change) {
+// meanwhile `uses` leaves those faces out. Returns the faces that must be taken away and added instead: those
+// at a vertex that keeps its label or gets another one.
+std::vector<uint32_t> ShadowCaster::relabel(std::span<const Relabelled> faces, Change& change) {
   std::vector<uint32_t> others;
-  std::vector<Relabelled> faces;
-  for (const uint32_t f : slots) {
-    if (!stands_still(mesh, f)) {
-      others.push_back(f);
-      continue;
-    }
-    const uint32_t from = vertices_[corner_[3 * f]].piece, to = mesh.data(FaceId(f)).piece;
-    if (from != to) faces.push_back({f, from, to});
-  }
   const auto for_each_corner = [&](const Relabelled& r, const auto& visit) {
     for (uint32_t i = 0; i < 3; ++i) visit(corner_[3 * r.face + i]);
   };

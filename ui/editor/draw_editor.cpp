@@ -14,6 +14,7 @@
 #include "ui/editor/tools/popups.h"
 #include "ui/editor/view/piece_set.h"
 #include "ui/editor/work/save_work.h"
+#include "ui/window/progress_bar.h"
 #include "ui/window/screenshot.h"
 
 namespace kerf {
@@ -84,6 +85,9 @@ void EditorScreen::draw_panels() {
     state_.messages_shown = true;
   draw_frame_question(state_.view, state_.settings, state_.hand.cut_once);
   draw_load_bar(layout.viewport, state_.opening, state_.message);
+  if (picture_.first().is_sending() && !state_.opening.loader.busy())
+    draw_progress(layout.viewport, "Sending faces to the graphics card", picture_.first().sent_share(),
+                  false);
   draw_shortcut_sheet(state_.shortcuts_shown, actions_, gestures());
   draw_message_log(state_.messages_shown, state_.message);
   draw_file_choice(state_);

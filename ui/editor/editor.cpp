@@ -15,11 +15,11 @@ Status run_editor(const EditorOptions& options) {
   auto window = Window::open(width, height, "Kerf");
   if (!window) return window.error();
   gl::report_gl_errors();
-  auto renderer = Renderer::create();
-  if (!renderer) return renderer.error();
+  auto picture = LivePicture::create();
+  if (!picture) return picture.error();
   Gui gui(*window);
   FrameLoop loop(*window, gui);
-  EditorScreen screen(*window, std::move(*renderer), std::move(loaded), options);
+  EditorScreen screen(*window, std::move(*picture), std::move(loaded), options);
   gui.dress(screen.look());
   if (const Status opened = screen.open(); !opened) return opened;
   screen.tell(fault);

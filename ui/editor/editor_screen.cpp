@@ -19,11 +19,11 @@ constexpr double kMissable = 0.05;  // s; for so long nobody misses a frame
 
 }  // namespace
 
-EditorScreen::EditorScreen(Window& window, Renderer renderer, LoadedSettings loaded,
+EditorScreen::EditorScreen(Window& window, LivePicture picture, LoadedSettings loaded,
                            const EditorOptions& options)
     : window_(window),
       options_(options),
-      picture_(std::move(renderer)),
+      picture_(std::move(picture)),
       saved_(loaded.settings),
       changes_({state_.work, state_.view, state_.hand, state_.figures, state_.message, picture_.first()}),
       cut_({state_.work, state_.view, state_.hand, state_.split, state_.figures, state_.message, changes_,

@@ -20,7 +20,7 @@ namespace kerf {
 class EditorScreen : public Screen {
  public:
   // The window and the options must outlive it. Precondition: an ImGui context is current.
-  EditorScreen(Window& window, Renderer renderer, LoadedSettings loaded, const EditorOptions& options);
+  EditorScreen(Window& window, LivePicture picture, LoadedSettings loaded, const EditorOptions& options);
   EditorScreen(const EditorScreen&) = delete;
   EditorScreen& operator=(const EditorScreen&) = delete;
 

@@ -39,6 +39,9 @@ class FaceBuffer {
   size_t update(const Mesh& mesh, uint32_t most = DirtySlots::kAll);
   // Whether slots are left for later calls.
   bool is_sending() const { return dirty_.has_all(); }
+  // The number of slots, and how many of them are left for later calls.
+  size_t slots() const { return corners_.size(); }
+  size_t unsent() const { return dirty_.left(); }
   PictureMemory memory() const;
 
   // The number of slots in a chunk.

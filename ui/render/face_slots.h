@@ -50,6 +50,8 @@ class DirtySlots {
   bool empty() const { return slots_.empty() && !has_all(); }
   // Whether slots that mark_all marked are left.
   bool has_all() const { return all_ > 0; }
+  // The number of slots that mark_all marked and that are left.
+  uint32_t left() const { return all_ - from_; }
 
   // Returns and clears all of them as ascending ranges. Up to `gap` consecutive clean slots are included to
   // join ranges, and no range crosses a multiple of `chunk`. Of the slots of mark_all only the first `most`

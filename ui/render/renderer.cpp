@@ -22,6 +22,14 @@ void set_plain_state() {
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
+// Moves what a matrix projects by the shift of the target.
+glm::mat4 shifted(const glm::mat4& clip_from_frame, const Target& target) {
+  glm::mat4 shift(1);
+  shift[3].x = 2 * target.shift.x / static_cast<float>(target.width);
+  shift[3].y = 2 * target.shift.y / static_cast<float>(target.height);
+  return shift * clip_from_frame;
+}
+
 }  // namespace
 
 Result<Renderer::Passes> Renderer::load_passes(const std::filesystem::path& shaders) {
@@ -151,6 +159,15 @@ bool Renderer::is_sending() const {
                      [](const auto& entry) { return entry.second.faces().is_sending(); });
 }
 
+double Renderer::sent_share() const {
+  size_t all = 0, unsent = 0;
+  for (const auto& [id, picture] : bodies_) {
+    all += picture.faces().slots();
+    unsent += picture.faces().unsent();
+  }
+  return all > 0 ? 1 - static_cast<double>(unsent) / static_cast<double>(all) : 1;
+}
+
 PictureMemory Renderer::memory() const {
   PictureMemory memory = passes_.scene.shadows().memory();
   for (const auto& [id, picture] : bodies_) memory += picture.faces().memory();
@@ -201,6 +218,7 @@ void Renderer::set_up(const World& world, const CameraView& view, const ViewOpti
   space_.seen_from = view.eye;
   near_ = near_of(world, view, options);
   FrameUniforms& frame = frame_ = uniforms_of(view, near_, space_, target.width, target.height);
+  frame.clip_from_frame = shifted(frame.clip_from_frame, target);
   passes_.scene.ground().fill_in(frame, space_);
   const Light key = options.lights.empty() ? Light{} : options.lights.front();
   frame.key_light = glm::vec4(glm::vec3(space_.turned(direction_to(key, middle_))), 0);

@@ -24,18 +24,11 @@
 #include "ui/render/shadow_overlay.h"
 #include "ui/render/shadow_probe.h"
 #include "ui/render/shadow_reference.h"
+#include "ui/render/target.h"
 #include "ui/render/veil_pass.h"
 #include "ui/render/view_options.h"
 
 namespace kerf {
-
-// The destination of a picture: a rectangle of a framebuffer (0: the window) in pixels from its lower left
-// corner.
-struct Target {
-  GLuint framebuffer = 0;
-  int x = 0, y = 0;
-  int width = 1, height = 1;
-};
 
 // Draws a world. Precondition: an OpenGL 3.3 context is current and outlives the renderer; no window is
 // needed.
@@ -97,6 +90,8 @@ class Renderer {
   void limit_sending(uint32_t faces) { most_faces_sent_ = faces; }
   // Whether faces are left to be sent by later pictures.
   bool is_sending() const;
+  // The share of the faces that were sent, from 0 to 1.
+  double sent_share() const;
 
   // Memory that grows with the number of faces.
   PictureMemory memory() const;

@@ -8,7 +8,7 @@ namespace kerf {
 
 namespace {
 
-constexpr float kReach = 1.5f;   // widths; paths along edges are longer than straight lines
+constexpr float kReach = 1.5f;    // widths; paths along edges are longer than straight lines
 constexpr float kBehind = 0.15f;  // of the length of a rim's side
 
 float distance_from_segment(const glm::vec3& p, const glm::vec3& a, const glm::vec3& b) {

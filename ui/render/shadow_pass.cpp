@@ -21,6 +21,14 @@ void write_stencil_alone(bool alone) {
 
 int vertices_of_side(const glm::vec4& light) { return light.w > 0 ? 6 : 3; }
 
+std::vector<uint32_t> take_slots(DirtySlots& dirty) {
+  std::vector<uint32_t> slots;
+  for (const SlotRange range : dirty.take(0, FaceBuffer::kChunkFaces)) {
+    for (uint32_t f = range.begin; f < range.end; ++f) slots.push_back(f);
+  }
+  return slots;
+}
+
 }  // namespace
 
 Result<ShadowPass> ShadowPass::create(const std::filesystem::path& shaders) {
@@ -49,7 +57,10 @@ void ShadowPass::carry_on(BodyId from, BodyId to) {
 void ShadowPass::follow(const Delta& delta) {
   for (const BodyDelta& d : delta.bodies) {
     const auto found = bodies_.find(d.body);
-    if (found != bodies_.end()) found->second.dirty.mark(d);
+    if (found == bodies_.end()) continue;
+    found->second.dirty.mark(d.born);
+    found->second.dirty.mark(d.gone);
+    found->second.relabelled.mark(d.relabelled);
   }
 }
 
@@ -62,14 +73,12 @@ void ShadowPass::catch_up(BodyShadows& shadows, const Body& body, const FloatFra
   if (!shadows.caster) {
     shadows.caster = std::make_unique<ShadowCaster>(body.mesh, frame);
     shadows.dirty = {};
+    shadows.relabelled = {};
     ++work_.casters;
   }
-  if (shadows.dirty.empty()) return;
-  std::vector<uint32_t> slots;
-  for (const SlotRange range : shadows.dirty.take(0, FaceBuffer::kChunkFaces)) {
-    for (uint32_t f = range.begin; f < range.end; ++f) slots.push_back(f);
-  }
-  const ShadowCaster::Change change = shadows.caster->update(body.mesh, slots);
+  if (shadows.dirty.empty() && shadows.relabelled.empty()) return;
+  const std::vector<uint32_t> slots = take_slots(shadows.dirty), labels = take_slots(shadows.relabelled);
+  const ShadowCaster::Change change = shadows.caster->update(body.mesh, slots, labels);
   for (auto& [key, kept] : shadows.volumes) {
     const ShadowVolume::Effort before = kept.buffer.volume().effort();
     kept.buffer.volume().follow(*shadows.caster, change);

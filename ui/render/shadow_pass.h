@@ -74,6 +74,7 @@ class ShadowPass {
     std::unique_ptr<ShadowCaster> caster;
     std::map<VolumeKey, Kept> volumes;
     DirtySlots dirty;
+    DirtySlots relabelled;  // slots whose label alone changed
   };
 
   void catch_up(BodyShadows& shadows, const Body& body, const FloatFrame& frame);

@@ -1,10 +1,14 @@
 #include "ui/screen/live_picture.h"
 
+#include <utility>
+
 namespace kerf {
 
 namespace {
 
-constexpr double kSlowFrame = 0.030;  // s; smooth pictures that take longer are left for when nothing moves
+constexpr double kSlowFrame = 0.030;  // s; pictures with several samples that take longer are only gathered
+constexpr double kSamplesCost = 4;    // by which several samples are slower at most
+constexpr double kLongestGathered = 0.4;  // s; of one of the pictures that are gathered
 constexpr double kStillSeconds = 0.15;
 
 Target target_of(const Area& area, const Window& window) {
@@ -14,56 +18,122 @@ Target target_of(const Area& area, const Window& window) {
           static_cast<int>(pixels.size.x), static_cast<int>(pixels.size.y)};
 }
 
+// Fills a part of the window with the colour behind the panels' edges.
+void clear(const Target& target) {
+  glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(target.x, target.y, target.width, target.height);
+  glClearColor(0.035f, 0.040f, 0.048f, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+  glDisable(GL_SCISSOR_TEST);
+}
+
 }  // namespace
+
+Result<LivePicture::Drawn> LivePicture::make_drawn() {
+  auto renderer = Renderer::create();
+  if (!renderer) return renderer.error();
+  auto gathered = GatheredPicture::create();
+  if (!gathered) return gathered.error();
+  return Drawn{std::move(*renderer), std::move(*gathered)};
+}
+
+Result<LivePicture> LivePicture::create() {
+  auto first = make_drawn();
+  if (!first) return first.error();
+  return LivePicture(std::move(*first));
+}
 
 Result<Renderer*> LivePicture::second() {
   if (!second_) {
-    auto made = Renderer::create();
+    auto made = make_drawn();
     if (!made) return made.error();
-    second_ = std::move(*made);
+    second_.emplace(std::move(*made));
   }
-  return &*second_;
+  return &second_->renderer;
 }
 
 PictureMemory LivePicture::memory() const {
-  PictureMemory memory = first_.memory();
-  if (second_) memory += second_->memory();
+  PictureMemory memory = first_.renderer.memory();
+  if (second_) memory += second_->renderer.memory();
   return memory;
 }
 
 bool LivePicture::draw(const Shot& first, const Shot* second, bool old, const Window& window,
                        ShadowFigures& figures) {
   if (!second_) second = nullptr;
+  const Target target = target_of(first.area, window);
+  if (first_.renderer.is_sending()) {
+    if (!show_again(first_, target)) clear(target);
+    return false;
+  }
   if (old) moved_at_ = Clock::now();
   const bool still = std::chrono::duration<double>(Clock::now() - moved_at_).count() > kStillSeconds;
-  const Target target = target_of(first.area, window);
-  const bool anew = old || (rough_ && still) || !first_.draw_again(target) ||
-                    (second != nullptr && !second_->draw_again(target_of(second->area, window)));
-  if (anew) draw_anew(first, second, window, still);
-  if (anew && first.look.show.shadow_compare) figures.differing = first_.differing_pixels();
-  traced_.work(first.world, first.look, first_, first.view, target, anew, still, figures);
+  const bool more = !old && still && may_gather();
+  const bool anew =
+      old || (!more && (!show_again(first_, target) ||
+                        (second != nullptr && !show_again(*second_, target_of(second->area, window)))));
+  if (anew) draw_anew(first, second, window);
+  if (more) gather(first, second, window);
+  if (anew && first.look.show.shadow_compare) figures.differing = first_.renderer.differing_pixels();
+  traced_.work(first.world, first.look, first_.renderer, first.view, target, anew || more,
+               still && !is_gathering(), figures);
   dead_beam_ = beam_shown_ && !first.beam;
-  return anew;
+  return anew || more;
 }
 
-void LivePicture::draw_anew(const Shot& first, const Shot* second, const Window& window, bool still) {
-  rough_ = first.look.antialias && !still && smooth_seconds_ > kSlowFrame;
-  antialiased_ = first.look.antialias && !rough_;
+bool LivePicture::may_gather() const {
+  if (quality_ == Quality::kFinished || rough_seconds_.value_or(0) > kLongestGathered) return false;
+  return quality_ == Quality::kRough || is_gathering();
+}
+
+bool LivePicture::show_again(Drawn& drawn, const Target& target) const {
+  if (quality_ != Quality::kGathered) return drawn.renderer.draw_again(target);
+  if (!drawn.gathered.can_show(target)) return false;
+  drawn.gathered.show(target);
+  return true;
+}
+
+void LivePicture::draw_anew(const Shot& first, const Shot* second, const Window& window) {
+  const double expected =
+      smooth_seconds_ ? *smooth_seconds_ : kSamplesCost * rough_seconds_.value_or(kSlowFrame);
+  antialiased_ = first.look.antialias && expected <= kSlowFrame;
+  quality_ = first.look.antialias && !antialiased_ ? Quality::kRough : Quality::kFinished;
   beam_shown_ = first.beam.has_value();
-  draw_shot(first_, first, window);
-  if (second != nullptr) draw_shot(*second_, *second, window);
+  const auto draw = [&](Drawn& drawn, const Shot& shot) {
+    ViewOptions look = shot.look;
+    look.antialias = antialiased_;
+    drawn.renderer.draw(shot.world, shot.view, look, shot.beam, target_of(shot.area, window));
+  };
+  draw(first_, first);
+  if (second != nullptr) draw(*second_, *second);
 }
 
-void LivePicture::draw_shot(Renderer& renderer, const Shot& shot, const Window& window) const {
-  ViewOptions look = shot.look;
-  look.antialias = antialiased_;
-  renderer.draw(shot.world, shot.view, look, shot.beam, target_of(shot.area, window));
+void LivePicture::gather(const Shot& first, const Shot* second, const Window& window) {
+  const bool begins = quality_ != Quality::kGathered;
+  quality_ = Quality::kGathered;
+  const auto add = [&](Drawn& drawn, const Shot& shot) {
+    const Target target = target_of(shot.area, window);
+    if (begins || !drawn.gathered.can_show(target)) drawn.gathered.begin(target.width, target.height);
+    ViewOptions look = shot.look;
+    look.antialias = false;
+    drawn.gathered.add(
+        [&](const Target& next) { drawn.renderer.draw(shot.world, shot.view, look, shot.beam, next); });
+    drawn.gathered.show(target);
+  };
+  add(first_, first);
+  if (second != nullptr) add(*second_, *second);
 }
 
 void LivePicture::took(double seconds) {
-  if (antialiased_) smooth_seconds_ = seconds;
-  if (warm_) seconds_ = seconds;
-  warm_ = true;
+  if (!std::exchange(warm_, true)) return;
+  seconds_ = seconds;
+  if (antialiased_ && quality_ == Quality::kFinished) {
+    smooth_seconds_ = seconds;
+  } else {
+    rough_seconds_ = seconds;
+    if (kSamplesCost * seconds <= kSlowFrame) smooth_seconds_.reset();
+  }
 }
 
 }  // namespace kerf

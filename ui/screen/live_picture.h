@@ -3,6 +3,7 @@
 #include <chrono>
 #include <optional>
 
+#include "ui/render/gathered_picture.h"
 #include "ui/render/renderer.h"
 #include "ui/screen/shadow_figures.h"
 #include "ui/screen/traced_shadows.h"
@@ -21,13 +22,18 @@ struct Shot {
 };
 
 // The picture of a world in the window, and of a second one beside it if the picture is split. It is redrawn
-// when something in it has changed and shown again otherwise. While it moves, antialiasing is switched off if
-// it would take too long.
+// when something in it has changed and shown again otherwise.
+//
+// Antialiasing is switched off while the picture moves if it would take too long. Once the picture stands
+// still it is gathered from several pictures, one a frame (see GatheredPicture), so that the next change is
+// never waited for; where that would take seconds it is left out. While the faces of a scene that was just
+// opened are sent, nothing of it is drawn.
 class LivePicture {
  public:
-  explicit LivePicture(Renderer renderer) : first_(std::move(renderer)) {}
+  // Fails if a shader is missing or does not compile.
+  static Result<LivePicture> create();
 
-  Renderer& first() { return first_; }
+  Renderer& first() { return first_.renderer; }
   // The renderer of the second world, which is created at the first call.
   Result<Renderer*> second();
 
@@ -40,7 +46,7 @@ class LivePicture {
   bool draw(const Shot& first, const Shot* second, bool old, const Window& window, ShadowFigures& figures);
   void took(double seconds);
   // Whether another frame is needed although nothing moves.
-  bool busy() const { return traced_.busy(); }
+  bool busy() const { return traced_.busy() || is_gathering(); }
   // The duration of the last frame with a new picture; 0 before the second one, because the first one
   // includes warming up.
   double seconds() const { return seconds_; }
@@ -49,18 +55,39 @@ class LivePicture {
 
  private:
   using Clock = std::chrono::steady_clock;
-  void draw_anew(const Shot& first, const Shot* second, const Window& window, bool still);
-  void draw_shot(Renderer& renderer, const Shot& shot, const Window& window) const;
 
-  Renderer first_;
-  std::optional<Renderer> second_;
+  // A renderer, and what is gathered of its pictures.
+  struct Drawn {
+    Renderer renderer;
+    GatheredPicture gathered;
+  };
+
+  // How the last picture was drawn.
+  enum class Quality {
+    kRough,     // with one sample per pixel, to be in time
+    kFinished,  // as wanted, with several samples or with one
+    kGathered,  // of pictures with one sample, perhaps not all of them yet
+  };
+
+  static Result<Drawn> make_drawn();
+  explicit LivePicture(Drawn first) : first_(std::move(first)) {}
+
+  bool is_gathering() const { return quality_ == Quality::kGathered && !first_.gathered.complete(); }
+  bool may_gather() const;
+  void draw_anew(const Shot& first, const Shot* second, const Window& window);
+  void gather(const Shot& first, const Shot* second, const Window& window);
+  bool show_again(Drawn& drawn, const Target& target) const;
+
+  Drawn first_;
+  std::optional<Drawn> second_;
   TracedShadows traced_;
   bool beam_shown_ = false;  // in the last picture
   bool dead_beam_ = false;
-  bool rough_ = false;  // the last picture was drawn without smooth edges to be in time
-  bool antialiased_ = false;
   bool warm_ = false;
-  double smooth_seconds_ = 0;  // what the last smooth frame with a new picture took
+  Quality quality_ = Quality::kFinished;
+  bool antialiased_ = false;              // the last picture has several samples per pixel
+  std::optional<double> smooth_seconds_;  // what the last new picture with several samples took
+  std::optional<double> rough_seconds_;   // the same with one sample
   double seconds_ = 0;
   Clock::time_point moved_at_{};
 };

@@ -243,13 +243,13 @@ TEST(ShadowVolume, following_deltas_ends_where_building_anew_ends) {
       for (const BeamMove& move : cut.moves) {
         const auto step = test::cut_whole(world, cut.settings, {&move, 1});
         ASSERT_TRUE(step.ok());
-        std::vector<uint32_t> slots;
+        std::vector<uint32_t> slots, labels;
         for (const BodyDelta& d : step->delta.bodies) {
-          for (const auto* faces : {&d.born, &d.gone, &d.relabelled}) {
-            for (const FaceId f : *faces) slots.push_back(f.index);
-          }
+          for (const FaceId f : d.born) slots.push_back(f.index);
+          for (const FaceId f : d.gone) slots.push_back(f.index);
+          for (const FaceId f : d.relabelled) labels.push_back(f.index);
         }
-        const ShadowCaster::Change change = caster.update(body.mesh, slots);
+        const ShadowCaster::Change change = caster.update(body.mesh, slots, labels);
         for (ShadowVolume& volume : followed) volume.follow(caster, change);
       }
       const ShadowCaster fresh(body.mesh, frame);

@@ -118,7 +118,17 @@ void WorldChanges::travel_to(size_t position) {
 
 void WorldChanges::step_through_history(bool back) {
   cancel_stroke(on_.hand, on_.work.document);
-  apply(back ? Command(Undo{}) : Command(Redo{}));
+  const History& history = on_.work.document.history();
+  const bool there_is_one = back ? history.position() > 0 : history.position() < history.size();
+  std::string said;
+  if (there_is_one) {
+    const HistoryStep& step = back ? history.last() : history.step(history.position());
+    said = (back ? "Undone: " : "Done again: ") + words(step.commands().front());
+  }
+  const Command command = back ? Command(Undo{}) : Command(Redo{});
+  change(
+      words(command), is_quick(on_.work.document, command),
+      [command](Document& d, const Progress* progress) { return d.apply(command, progress); }, said);
 }
 
 // One after the other, because a piece may be part of another body after a command.
@@ -181,10 +191,10 @@ void WorldChanges::recut_last_stroke(bool radius) {
 }
 
 // A quick change is done at once, another beside the frames.
-void WorldChanges::change(const std::string& title, bool quick, const Change& what) {
+void WorldChanges::change(const std::string& title, bool quick, const Change& what, const std::string& said) {
   assert(!pending_);
   on_.message.say("");
-  if (quick) return show_outcome(what(on_.work.document, nullptr));
+  if (quick) return show_outcome(what(on_.work.document, nullptr), {}, said);
   const auto prepared = std::make_shared<PreparedBodies>();
   LongChange change;
   change.title = title;
@@ -194,7 +204,9 @@ void WorldChanges::change(const std::string& title, bool quick, const Change& wh
     *prepared = prepare(document.world(), outcome.delta, loaded);
     return outcome;
   };
-  change.then = [this, prepared](const Outcome& outcome) { show_outcome(outcome, std::move(*prepared)); };
+  change.then = [this, prepared, said](const Outcome& outcome) {
+    show_outcome(outcome, std::move(*prepared), said);
+  };
   pending_ = std::move(change);
 }
 
@@ -258,9 +270,13 @@ void WorldChanges::show_failed_step(const Error& error) {
 // The picture
 // --------------------------------------------------------------------------------------------------------
 
-void WorldChanges::show_outcome(const Outcome& outcome, PreparedBodies prepared) {
+void WorldChanges::show_outcome(const Outcome& outcome, PreparedBodies prepared, const std::string& said) {
   show_change(outcome.delta, std::move(prepared));
-  if (!outcome.ok()) on_.message.say(outcome.error().message, true);
+  if (!outcome.ok()) {
+    on_.message.say(outcome.error().message, true);
+  } else if (!said.empty()) {
+    on_.message.say(said);
+  }
 }
 
 void WorldChanges::show_change(const Delta& delta, PreparedBodies prepared) {

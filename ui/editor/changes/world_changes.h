@@ -43,7 +43,7 @@ class WorldChanges {
   void apply(const Command& command);
   // Goes to a position of the history. Strokes that have to be cut again are cut during the next frames.
   void travel_to(size_t position);
-  // Undoes or redoes one step of the history. Ends a stroke in progress.
+  // Undoes or redoes one step of the history, and says which. Ends a stroke in progress.
   void step_through_history(bool back);
   // Hides or deletes the selected pieces, with one command each. Returns whether some are left because one
   // became pending.
@@ -70,13 +70,14 @@ class WorldChanges {
  private:
   using Change = std::function<Outcome(Document&, const Progress*)>;
 
-  void change(const std::string& title, bool quick, const Change& what);
+  // Says `said` once the change is done.
+  void change(const std::string& title, bool quick, const Change& what, const std::string& said = "");
   template <typename Make>
   bool change_chosen(Make command_for);
   bool close_rim_beside();
   void follow_step(const StepResult& step);
   void show_failed_step(const Error& error);
-  void show_outcome(const Outcome& outcome, PreparedBodies prepared = {});
+  void show_outcome(const Outcome& outcome, PreparedBodies prepared = {}, const std::string& said = "");
   void show_change(const Delta& delta, PreparedBodies prepared);
 
   Parts on_;

@@ -20,6 +20,6 @@ void main() {
   // A beam that comes from beside the eye is seen whole although most of the picture shows its beginning.
   float ends_in = smoothstep(0.0, 0.7, max(along, t));
   if (share.w > 0.0) ends_in *= 1.0 - smoothstep(share.z - share.w, share.z, along);
-  vec3 colour = thin * vec3(1.0, 0.86, 0.70) + halo * vec3(1.0, 0.40, 0.16);
+  vec3 colour = thin * vec3(1.0, 0.96, 0.90) + halo * vec3(1.0, 0.36, 0.12);
   pixel = vec4(colour * ends_in, (thin * 0.5 + halo * 0.3) * ends_in);
 }

@@ -50,7 +50,7 @@ vec3 inside(vec3 n, vec4 glow) { return primer(glow) * lit(dot(n, to_light(at)))
 vec3 outside(vec3 n, vec3 v, vec4 glow) {
   float height = clamp((at.y - ground.x) / max(grid.w, 1e-6), 0.0, 1.0);
   float open = 0.42 + 0.58 * smoothstep(0.0, 0.55, height + 0.5 * max(n.y, 0.0));
-  vec3 sky = mix(kGroundLight * open, kSkyLight, 0.5 + 0.5 * n.y) * mix(open, 1.0, 0.5);
+  vec3 sky = mix(ground_light() * open, sky_light(), 0.5 + 0.5 * n.y) * mix(open, 1.0, 0.5);
   float gloss = gloss_left(glow);
   float edge = 1.0 - clamp(dot(n, v), 0.0, 1.0);
   float fresnel = mix(0.035, 0.05, gloss) + (0.25 + 0.55 * gloss) * gloss * edge * edge * edge * edge;
@@ -59,7 +59,7 @@ vec3 outside(vec3 n, vec3 v, vec4 glow) {
   return skin_left(glow) * sky + mirrored + rim;
 }
 
-vec3 inside(vec3 n, vec4 glow) { return primer(glow) * mix(kGroundLight, kSkyLight, 0.5 + 0.5 * n.y); }
+vec3 inside(vec3 n, vec4 glow) { return primer(glow) * mix(ground_light(), sky_light(), 0.5 + 0.5 * n.y); }
 
 vec3 own_light(vec3 n, vec4 glow) {
   vec3 skin = gl_FrontFacing ? paint.rgb : primer(glow);

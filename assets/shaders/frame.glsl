@@ -13,5 +13,7 @@ layout(std140) uniform Frame {
   vec4 grid;            // phase x and z and spacing of the fine lines, height of the world over the ground
   vec4 spot;            // xyz where the beam strikes; w: how far its light reaches
   vec4 spot_colour;     // rgb, 0 when the beam is off
+  vec4 beam;            // xyz: where the beam is emitted
+  vec4 stage;           // x: 0 at dusk, 1 by day
   vec4 body_look;       // x: most halvings of a face, y: 1 where rims glow, z: 1 strong piece colours, 2 levels, w: backs are lit
 };

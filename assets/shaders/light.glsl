@@ -1,9 +1,8 @@
-// The workshop at dusk: where light comes from, and how it ends up in the eight bits of a pixel. Linear light.
+// The workshop at dusk, or by day: where light comes from, and how it ends up in the eight bits of a pixel. Linear
+// light.
 
-const vec3 kZenith = vec3(0.0075, 0.0095, 0.0135);
-const vec3 kHorizon = vec3(0.034, 0.039, 0.046);
-const vec3 kSkyLight = vec3(0.30, 0.37, 0.47);
-const vec3 kGroundLight = vec3(0.115, 0.105, 0.095);
+vec3 sky_light() { return mix(vec3(0.30, 0.37, 0.47), vec3(0.52, 0.57, 0.64), stage.x); }
+vec3 ground_light() { return mix(vec3(0.115, 0.105, 0.095), vec3(0.30, 0.29, 0.28), stage.x); }
 const vec3 kRimDirection = vec3(0.62, 0.35, -0.70);
 const vec3 kRimColour = vec3(0.34, 0.42, 0.55);
 
@@ -14,9 +13,13 @@ vec3 sight() {
                    side.y * camera_up.w * camera_up.xyz);
 }
 
+// A band of light along the horizon under a dark sky; far ground has the colour of the sky as high above it.
 vec3 background(vec3 direction) {
-  float up = clamp(direction.y, -0.25, 1.0);
-  return mix(kHorizon, kZenith, 1.0 - exp(-3.2 * abs(up)));
+  float up = abs(clamp(direction.y, -0.3, 1.0));
+  float low = exp(-3.2 * up), band = exp(-13.0 * up);
+  vec3 dusk = mix(vec3(0.0048, 0.0064, 0.0100), vec3(0.030, 0.038, 0.050), low) + vec3(0.034, 0.030, 0.025) * band;
+  vec3 day = mix(vec3(0.33, 0.40, 0.49), vec3(0.58, 0.62, 0.66), low) + vec3(0.10, 0.09, 0.08) * band;
+  return mix(dusk, day, stage.x);
 }
 
 // What polished paint mirrors: the sky, a dark ground, and a broad soft light around the key.
@@ -37,6 +40,17 @@ vec3 spot_light(vec3 at, vec3 normal) {
   float r2 = dot(to, to) / (spot.w * spot.w) + 0.02;
   float facing = 0.35 + 0.65 * abs(dot(normalize(to + normal * spot.w * 0.05), normal));
   return spot_colour.rgb * facing * exp(-1.6 * sqrt(r2)) / (0.25 + 6.0 * r2);
+}
+
+// The light of the shaft, from where it is emitted to where it strikes; nothing in programs without SPOT.
+vec3 shaft_light(vec3 at) {
+#ifndef SPOT
+  return vec3(0.0);
+#endif
+  vec3 way = spot.xyz - beam.xyz;
+  float t = clamp(dot(at - beam.xyz, way) / max(dot(way, way), 1e-12), 0.0, 1.0);
+  float r = distance(at, beam.xyz + t * way);
+  return spot_colour.rgb * 0.30 * spot.w / (r + spot.w) * exp(-4.0 * r);
 }
 
 vec3 filmic(vec3 x) {  // K. Narkowicz, ACES filmic tone mapping curve, 2016

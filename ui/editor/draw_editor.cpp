@@ -99,6 +99,7 @@ void EditorScreen::draw_picture() {
   const Document& document = state_.work.document;
   const Layout& layout = view.layout;
   view.look.tree.palette = state_.settings.palette;
+  view.look.by_day = state_.settings.theme == Theme::kLight;
   const std::optional<BeamPicture> beam = state_.hand.beam.picture(document);
   const Shot first{document.world(), view.seen_first(), view.look, beam, layout.first};
   bool& old = view.picture_old;

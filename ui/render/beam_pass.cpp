@@ -58,6 +58,7 @@ void BeamPass::fill_in(FrameUniforms& frame, const FrameSpace& space, const Beam
   if (!beam.strike && !beam.on_ground) return;
   const double reach = std::max(kLightReach * beam.radius, kLeastReach * space.unit);
   frame.spot = glm::vec4(space.from_world(beam.strike.value_or(beam.to)), space.length(reach));
+  frame.beam = glm::vec4(space.from_world(beam.from), 0);
   frame.spot_colour = beam.strike ? glm::vec4(5.0f, 2.7f, 1.15f, 0) : glm::vec4(2.5f, 1.35f, 0.6f, 0);
 }
 

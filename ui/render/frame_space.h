@@ -49,6 +49,8 @@ struct FrameUniforms {
   glm::vec4 grid{0};
   glm::vec4 spot{0};
   glm::vec4 spot_colour{0};
+  glm::vec4 beam{0};
+  glm::vec4 stage{0};
   glm::vec4 body_look{0};
 };
 

@@ -51,6 +51,10 @@ GroundPass::GroundPass(gl::Program disc, gl::Program spot_disc, gl::Program dire
       half_way_({kContactPixels, kContactPixels, 1, false}) {
   for (const gl::Program* p : {&disc_, &spot_disc_, &direct_, &shadow_, &contact_})
     p->bind_block("Frame", kFrameBlock);
+  contact_.bind_block("Paints", kPaintBlock);
+  glBindTexture(GL_TEXTURE_2D, picture_.colour_texture());
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  glGenerateMipmap(GL_TEXTURE_2D);
 }
 
 void GroundPass::place_under(const World::Bounds& world, UpAxis up) {
@@ -111,6 +115,8 @@ void GroundPass::blur_contact() {
     blur_.set("stride", glm::vec4(0, step, 0, 0));
     glDrawArrays(GL_TRIANGLES, 0, 3);
   }
+  glBindTexture(GL_TEXTURE_2D, picture_.colour_texture());
+  glGenerateMipmap(GL_TEXTURE_2D);
 }
 
 void GroundPass::draw(const FrameSpace& space, bool spot) const {

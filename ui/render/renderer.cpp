@@ -223,6 +223,7 @@ void Renderer::set_up(const World& world, const CameraView& view, const ViewOpti
   const Light key = options.lights.empty() ? Light{} : options.lights.front();
   frame.key_light = glm::vec4(glm::vec3(space_.turned(direction_to(key, middle_))), 0);
   if (beam) BeamPass::fill_in(frame, space_, *beam);
+  frame.stage = {options.by_day ? 1 : 0, 0, 0, 0};
   const int colours = options.show.sizes ? 2 : options.show.pieces ? 1 : 0;
   frame.body_look = {finest_, glows(options) ? 1 : 0, colours, options.two_sided ? 1 : 0};
   glBindBuffer(GL_UNIFORM_BUFFER, uniforms_.name());

@@ -46,6 +46,7 @@ struct ViewOptions {
   bool two_sided = true;    // faces are lit on both sides; otherwise the back is black
   bool cull_backs = false;  // backs are not drawn, as the paper first had it
   bool ghost = false;       // removed faces stay as a faint veil
+  bool by_day = false;      // the stage is light, otherwise at dusk
   TreeOverlay tree;
   std::vector<Light> lights = std::vector<Light>(1);  // at most kMostLights are drawn
   ShadowOptions shadow;

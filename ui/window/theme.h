@@ -12,7 +12,7 @@ inline ImU32 text() { return ImGui::GetColorU32(ImGuiCol_Text); }
 inline ImU32 secondary() { return ImGui::GetColorU32(ImGuiCol_TextDisabled); }
 inline ImU32 accent() { return ImGui::GetColorU32(ImGuiCol_NavHighlight); }
 
-// Colours on the picture, which is dark in every theme.
+// Colours of marks on the picture, in every theme; text lies on the shade, so that it is legible by day too.
 inline constexpr ImU32 kPictureText = IM_COL32(0xe6, 0xe9, 0xee, 255);
 inline constexpr ImU32 kPictureSecondary = IM_COL32(0x9a, 0xa6, 0xb6, 255);
 inline constexpr ImU32 kPictureShade = IM_COL32(0x1b, 0x1f, 0x26, 165);

@@ -29,7 +29,7 @@ ViewOptions showing(const char* list) {
 std::vector<Golden> goldens(const World& world) {
   const BodyId ball = world.ids().front();
   std::vector<Golden> all;
-  for (const char* name : {"aabb", "aabb-hit", "wire", "face-numbers", "pieces", "normals"}) {
+  for (const char* name : {"aabb", "aabb-hit", "wire", "face-numbers", "pieces", "sizes", "normals"}) {
     all.push_back({name, showing(name)});
   }
   for (const char* name : {"shadows", "silhouette", "shadow-volumes", "shadow-stencil", "shadow-facing",
@@ -58,6 +58,9 @@ std::vector<Golden> goldens(const World& world) {
   Golden ghost{"ghost", {}};
   ghost.options.ghost = true;
   all.push_back(ghost);
+  Golden day{"by-day", showing("shadows")};
+  day.options.by_day = true;
+  all.push_back(day);
   Golden black{"one-sided", {}};
   black.options.two_sided = false;
   all.push_back(black);

@@ -52,7 +52,7 @@ Legend legend_of_rays(const ShadowFigures& shadows) {
 }
 
 // Empty for a view without colours of its own.
-Legend legend_of(SwitchId view, const ViewOptions& look, const ShadowFigures& shadows, bool split) {
+Legend legend_of(SwitchId view, const ViewOptions& look, const ShadowFigures& shadows) {
   switch (view) {
     case SwitchId::kSilhouette:
       return legend_by_strip("Silhouette: sides of the volume on an edge", "3: three or more");
@@ -66,10 +66,12 @@ Legend legend_of(SwitchId view, const ViewOptions& look, const ShadowFigures& sh
       return legend_of_comparison(look, shadows);
     case SwitchId::kTrace:
       return legend_of_rays(shadows);
-    case SwitchId::kLevelColours:
-      if (!split) return {};
+    case SwitchId::kSizes:
       return {"Size of faces",
-              {{0xfff0c0, "split most often"}, {0xe87a1c, "split less"}, {0x7a1405, "split least"}}};
+              {{0xf5e3a0, "split most often"},
+               {0xee8f2e, "split less"},
+               {0xa23a36, "split least"},
+               {0x48535f, "as loaded"}}};
     case SwitchId::kBoxes:
       return legend_of_boxes(look);
     case SwitchId::kBoxesHit:
@@ -80,6 +82,7 @@ Legend legend_of(SwitchId view, const ViewOptions& look, const ShadowFigures& sh
     case SwitchId::kFaceNumbers:
       return {"Numbers of faces", {{0xf2f5f7, "there"}, {0xff8a78, "removed"}}};
     case SwitchId::kShadows:
+    case SwitchId::kRimGlow:
     case SwitchId::kWire:
     case SwitchId::kNormals:
     case SwitchId::kGhost:
@@ -127,11 +130,11 @@ void draw_legend(const Legend& legend, ImVec2 at, ImVec2 size, ImDrawList& list)
 
 }  // namespace
 
-std::vector<Legend> legends_of(const ViewOptions& look, const ShadowFigures& shadows, bool split) {
+std::vector<Legend> legends_of(const ViewOptions& look, const ShadowFigures& shadows) {
   std::vector<Legend> legends;
   for (const ViewSwitch& s : view_switches()) {
     if (s.get(look) == 0) continue;
-    if (Legend legend = legend_of(s.id, look, shadows, split); !legend.title.empty())
+    if (Legend legend = legend_of(s.id, look, shadows); !legend.title.empty())
       legends.push_back(std::move(legend));
   }
   return legends;

@@ -22,9 +22,8 @@ struct Legend {
   std::vector<Row> rows;
 };
 
-// The legends of all views with colours that are switched on, in the order of view_switches(). `split`:
-// faces were split, without which there is nothing to tell of their size.
-std::vector<Legend> legends_of(const ViewOptions& look, const ShadowFigures& shadows, bool split);
+// The legends of all views with colours that are switched on, in the order of view_switches().
+std::vector<Legend> legends_of(const ViewOptions& look, const ShadowFigures& shadows);
 
 // Draws the legends one below the other, from the upper left corner of a picture downward, each as long as
 // there is room. Returns the area that they take.

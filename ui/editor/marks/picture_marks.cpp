@@ -97,9 +97,7 @@ void draw_picture_marks(const MarkParts& of) {
   const bool cutting = of.hand.drag == Drag::kCut || of.document.beam_waits();
   if (shows_light_handles(of.settings) && !cutting) draw_light_handles(of.view, list);
   if (of.hand.drag == Drag::kBox) draw_rubber_band({of.hand.pressed_at, of.hand.pointer}, list);
-  const Area legends = draw_legends(
-      legends_of(of.view.look, of.shadows, of.shown.stroke && of.shown.stroke->figures.faces_made > 0),
-      under_label(of.view.layout));
+  const Area legends = draw_legends(legends_of(of.view.look, of.shadows), under_label(of.view.layout));
   if (!of.hand.cut_once) draw_hint_box(of.document.world(), of.view, legends);
   list.PopClipRect();
 }

@@ -3,6 +3,7 @@
 #include "app/commands.h"
 #include "app/exit_status.h"
 #include "app/interrupt.h"
+#include "app/parse_values.h"
 #include "app/picture_arguments.h"
 #include "app/progress_line.h"
 #include "app/tell.h"
@@ -12,7 +13,7 @@ namespace kerf {
 namespace {
 
 struct RenderArguments {
-  std::string file, out;
+  std::string file, out, spread;
   PictureArguments picture;
 };
 
@@ -26,6 +27,8 @@ Status render(const RenderArguments& a) {
   if (const auto s = check_picture_name("--out", a.out); !s) return s;
   auto options = a.picture.parse();
   if (!options) return options.error();
+  if (!a.spread.empty() && !(parse_number(a.spread, options->spread) && options->spread >= 0))
+    return bad_input("--spread: '" + a.spread + "' is not a number from 0 up");
   catch_interrupts();
   Result<Work> work = load_work(a.file);
   if (!work) return error_or_stopped(work.error());
@@ -44,6 +47,8 @@ void add_render_command(CLI::App& app, Invocation& invocation) {
   command->add_option("FILE", a->file, "A scene (.json), a journal (.kerf) or a mesh")->required();
   command->add_option("--out", a->out, "The PNG to write")->required();
   a->picture.add_to(*command);
+  command->add_option("--spread", a->spread,
+                      "How far the pieces are drawn apart, in distances from the middle (0)");
   command->callback([a, &invocation] {
     invocation = [a] {
       const Status status = render(*a);

@@ -207,6 +207,18 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(picture(), picture("--show", "shadows"))
         self.assertNotEqual(picture(), picture("--show", "wire"))
 
+    def test_render_draws_pieces_apart(self):
+        self.write("cut.json", json.dumps({"bodies": [{"mesh": "plate.obj"}], "strokes": ACROSS["strokes"]}))
+        def picture(*args):
+            done = self.run_here("render", "cut.json", "--out", "cut.png", "--size", "160x100", *args)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            return self.read("cut.png")
+        self.assertEqual(picture(), picture("--spread", "0"))
+        self.assertNotEqual(picture(), picture("--spread", "0.5"))
+        for share in ("wide", "-1", "nan"):
+            self.assert_refused(self.run_here("render", "cut.json", "--out", "no.png", "--spread", share), 2,
+                                "--spread", share)
+
     def test_render_refuses_the_ending_of_another_format(self):
         for name in ("plate.jpg", "plate.JPEG", "plate.obj"):
             self.assert_refused(self.run_here("render", "plate.obj", "--out", name), 2, name, "PNG", ".png")

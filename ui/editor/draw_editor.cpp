@@ -16,6 +16,7 @@
 #include "ui/editor/work/save_work.h"
 #include "ui/window/progress_bar.h"
 #include "ui/window/screenshot.h"
+#include "ui/render/spread.h"
 
 namespace kerf {
 

@@ -15,6 +15,7 @@ struct PictureOptions {
   int width = 1280, height = 720;   // pixels, 1 .. 16384
   std::optional<Vec3> eye, target;  // m; if both are empty, the scene's view or one from the front
   ShowOptions show;
+  double spread = 0;  // how far pieces are drawn apart; see spread_pieces()
   bool antialias = true;
 };
 

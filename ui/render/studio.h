@@ -5,6 +5,7 @@
 #include "ui/gl/offscreen_context.h"
 #include "ui/render/picture.h"
 #include "ui/render/renderer.h"
+#include "ui/render/spread.h"
 
 namespace kerf {
 
@@ -17,6 +18,8 @@ class Studio {
 
   // Follows a change of the world; `step` is null if what changed is unknown.
   void follow(const World& world, const StepResult* step);
+  // Draws the pieces of the world apart from the next picture on; see spread_pieces().
+  void spread(const World& world, double share) { spread_pieces(world, share, look_.pieces); }
   // Draws a picture.
   void draw(const World& world, const std::optional<BeamPicture>& beam);
   // Writes the last picture as a PNG, whole or not at all.

@@ -6,7 +6,6 @@ namespace kerf {
 
 namespace {
 
-constexpr double kSlowFrame = 0.030;  // s; pictures with several samples that take longer are only gathered
 constexpr double kSamplesCost = 4;    // by which several samples are slower at most
 constexpr double kLongestGathered = 0.4;  // s; of one of the pictures that are gathered
 constexpr double kStillSeconds = 0.15;
@@ -83,7 +82,7 @@ bool LivePicture::draw(const Shot& first, const Shot* second, bool old, const Wi
 }
 
 bool LivePicture::may_gather() const {
-  if (quality_ == Quality::kFinished || rough_seconds_.value_or(0) > kLongestGathered) return false;
+  if (quality_ == Quality::kFinished || rough_seconds() > kLongestGathered) return false;
   return quality_ == Quality::kRough || is_gathering();
 }
 
@@ -95,8 +94,7 @@ bool LivePicture::show_again(Drawn& drawn, const Target& target) const {
 }
 
 void LivePicture::draw_anew(const Shot& first, const Shot* second, const Window& window) {
-  const double expected =
-      smooth_seconds_ ? *smooth_seconds_ : kSamplesCost * rough_seconds_.value_or(kSlowFrame);
+  const double expected = smooth_seconds_ ? *smooth_seconds_ : kSamplesCost * rough_seconds();
   antialiased_ = first.look.antialias && expected <= kSlowFrame;
   quality_ = first.look.antialias && !antialiased_ ? Quality::kRough : Quality::kFinished;
   beam_shown_ = first.beam.has_value();
@@ -131,8 +129,8 @@ void LivePicture::took(double seconds) {
   if (antialiased_ && quality_ == Quality::kFinished) {
     smooth_seconds_ = seconds;
   } else {
-    rough_seconds_ = seconds;
-    if (kSamplesCost * seconds <= kSlowFrame) smooth_seconds_.reset();
+    rough_seconds_ = {rough_seconds_[1], seconds};
+    if (kSamplesCost * rough_seconds() <= kSlowFrame) smooth_seconds_.reset();
   }
 }
 

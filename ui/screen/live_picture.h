@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <optional>
 
@@ -55,6 +57,8 @@ class LivePicture {
 
  private:
   using Clock = std::chrono::steady_clock;
+  // s; pictures with several samples that take longer are gathered.
+  static constexpr double kSlowFrame = 0.030;
 
   // A renderer, and what is gathered of its pictures.
   struct Drawn {
@@ -73,6 +77,7 @@ class LivePicture {
   explicit LivePicture(Drawn first) : first_(std::move(first)) {}
 
   bool is_gathering() const { return quality_ == Quality::kGathered && !first_.gathered.complete(); }
+  double rough_seconds() const { return std::min(rough_seconds_[0], rough_seconds_[1]); }
   bool may_gather() const;
   void draw_anew(const Shot& first, const Shot* second, const Window& window);
   void gather(const Shot& first, const Shot* second, const Window& window);
@@ -87,7 +92,8 @@ class LivePicture {
   Quality quality_ = Quality::kFinished;
   bool antialiased_ = false;              // the last picture has several samples per pixel
   std::optional<double> smooth_seconds_;  // what the last new picture with several samples took
-  std::optional<double> rough_seconds_;   // the same with one sample
+  // The same of the last two with one sample; a change may have made one of them slow by itself.
+  std::array<double, 2> rough_seconds_{kSlowFrame, kSlowFrame};
   double seconds_ = 0;
   Clock::time_point moved_at_{};
 };

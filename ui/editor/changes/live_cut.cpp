@@ -1,6 +1,7 @@
 #include "ui/editor/changes/live_cut.h"
 
 #include "ui/editor/view/piece_set.h"
+#include "ui/render/spread.h"
 
 namespace kerf {
 

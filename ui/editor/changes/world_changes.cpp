@@ -5,6 +5,7 @@
 
 #include "core/document/command_words.h"
 #include "ui/editor/view/piece_set.h"
+#include "ui/render/spread.h"
 
 namespace kerf {
 

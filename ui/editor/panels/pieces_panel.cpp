@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include "ui/editor/view/piece_set.h"
+#include "ui/render/spread.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
 #include "ui/window/theme.h"

@@ -11,6 +11,7 @@
 #include "ui/editor/tools/rubber_band.h"
 #include "ui/editor/view/piece_set.h"
 #include "ui/render/pick.h"
+#include "ui/render/spread.h"
 
 namespace kerf {
 

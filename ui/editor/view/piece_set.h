@@ -64,8 +64,4 @@ PieceId named_after(const Delta& delta, PieceId id);
 // or put back, moves to the body that it belongs to since.
 void follow_world(const World& world, const Delta& delta, PieceMap& looks);
 
-// Sets the offset of every piece to `spread` times the vector from the centre of the world's bounds to the
-// piece's centre of area. O(n) if the spread is not 0.
-void spread_pieces(const World& world, double spread, PieceMap& looks);
-
 }  // namespace kerf

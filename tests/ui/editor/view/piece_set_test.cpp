@@ -3,6 +3,7 @@
 #include "tests/support/made_meshes.h"
 #include "ui/editor/changes/world_changes.h"
 #include "ui/editor/view/piece_set.h"
+#include "ui/render/spread.h"
 
 namespace kerf {
 namespace {

@@ -6,7 +6,7 @@ namespace kerf {
 
 namespace {
 
-constexpr double kSamplesCost = 4;    // by which several samples are slower at most
+constexpr double kSamplesCost = 4;        // by which several samples are slower at most
 constexpr double kLongestGathered = 0.4;  // s; of one of the pictures that are gathered
 constexpr double kStillSeconds = 0.15;
 
@@ -68,7 +68,7 @@ bool LivePicture::draw(const Shot& first, const Shot* second, bool old, const Wi
   }
   if (old) moved_at_ = Clock::now();
   const bool still = std::chrono::duration<double>(Clock::now() - moved_at_).count() > kStillSeconds;
-  const bool more = !old && still && may_gather();
+  const bool more = !old && still && (is_gathering() || (quality_ == Quality::kRough && may_gather()));
   const bool anew =
       old || (!more && (!show_again(first_, target) ||
                         (second != nullptr && !show_again(*second_, target_of(second->area, window)))));
@@ -81,10 +81,7 @@ bool LivePicture::draw(const Shot& first, const Shot* second, bool old, const Wi
   return anew || more;
 }
 
-bool LivePicture::may_gather() const {
-  if (quality_ == Quality::kFinished || rough_seconds() > kLongestGathered) return false;
-  return quality_ == Quality::kRough || is_gathering();
-}
+bool LivePicture::may_gather() const { return rough_seconds() <= kLongestGathered; }
 
 bool LivePicture::show_again(Drawn& drawn, const Target& target) const {
   if (quality_ != Quality::kGathered) return drawn.renderer.draw_again(target);

@@ -76,9 +76,12 @@ class LivePicture {
   static Result<Drawn> make_drawn();
   explicit LivePicture(Drawn first) : first_(std::move(first)) {}
 
-  bool is_gathering() const { return quality_ == Quality::kGathered && !first_.gathered.complete(); }
   double rough_seconds() const { return std::min(rough_seconds_[0], rough_seconds_[1]); }
   bool may_gather() const;
+  // Whether more pictures are to be gathered; it ends early where one of them takes too long.
+  bool is_gathering() const {
+    return quality_ == Quality::kGathered && !first_.gathered.complete() && may_gather();
+  }
   void draw_anew(const Shot& first, const Shot* second, const Window& window);
   void gather(const Shot& first, const Shot* second, const Window& window);
   bool show_again(Drawn& drawn, const Target& target) const;

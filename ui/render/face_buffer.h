@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/world/delta.h"
 #include "core/world/world.h"
 #include "ui/gl/objects.h"
 #include "ui/gl/program.h"

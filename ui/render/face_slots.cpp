@@ -32,10 +32,6 @@ void DirtySlots::mark(std::span<const FaceId> faces) {
   for (const FaceId f : faces) slots_.push_back(f.index);
 }
 
-void DirtySlots::mark(const BodyDelta& delta) {
-  for (const auto* faces : {&delta.born, &delta.gone, &delta.relabelled}) mark(*faces);
-}
-
 void DirtySlots::mark_all(uint32_t slots) {
   all_ = std::max(all_, slots);
   from_ = 0;

@@ -7,7 +7,6 @@
 
 #include "core/base/float_frame.h"
 #include "core/mesh/mesh.h"
-#include "core/world/delta.h"
 #include "ui/render/base_faces.h"
 
 namespace kerf {
@@ -44,8 +43,6 @@ class DirtySlots {
  public:
   void mark(uint32_t slot) { slots_.push_back(slot); }
   void mark(std::span<const FaceId> faces);
-  // Marks every slot that the delta lists.
-  void mark(const BodyDelta& delta);
   void mark_all(uint32_t slots);
   bool empty() const { return slots_.empty() && !has_all(); }
   // Whether slots that mark_all marked are left.

@@ -34,16 +34,6 @@ TEST(DirtySlots, no_range_crosses_a_chunk) {
   EXPECT_EQ(dirty.take(100, 4), (Ranges{{0, 4}, {4, 8}, {8, 10}, {12, 13}}));
 }
 
-TEST(DirtySlots, a_delta_marks_born_gone_and_relabelled) {
-  DirtySlots dirty;
-  BodyDelta delta;
-  delta.born = {FaceId(1)};
-  delta.gone = {FaceId(5)};
-  delta.relabelled = {FaceId(2)};
-  dirty.mark(delta);
-  EXPECT_EQ(dirty.take(0, 100), (Ranges{{1, 3}, {5, 6}}));
-}
-
 TEST(DirtySlots, all_are_handed_out_a_part_at_a_time_and_each_once) {
   DirtySlots dirty;
   dirty.mark_all(10);

@@ -198,7 +198,7 @@ class Editor:
         return self.xdotool("search", "--onlyvisible", "--name", "Kerf", "getwindowname").stdout.strip()
 
     def wait_for_title(self, title):
-        wait_for(lambda: self.title() == title, 15, f"the title never was {title!r}")
+        wait_for(lambda: self.title() == title, 60, f"the title never was {title!r}")
 
     def draw_without_end(self):
         """A stroke that is running still."""

@@ -18,6 +18,10 @@ uint64_t hash_of(const glm::vec3& at) {
 }
 uint64_t hash_of(uint32_t low, uint32_t high) { return mix64(uint64_t{low} << 32 | high); }
 
+uint32_t label_of(const Mesh& mesh, uint32_t face, ShadowCaster::Labels labels) {
+  return face < labels.size() ? labels[face] : mesh.data(FaceId(face)).piece;
+}
+
 bool comes_before(const glm::vec3& a, const glm::vec3& b) {
   if (a.x != b.x) return a.x < b.x;
   return a.y != b.y ? a.y < b.y : a.z < b.z;
@@ -41,18 +45,18 @@ void sort_unique(std::vector<uint32_t>& all, size_t count) {
 
 }  // namespace
 
-ShadowCaster::ShadowCaster(const Mesh& mesh, const FloatFrame& frame) : frame_(frame) {
-  add_all(mesh, nullptr);
+ShadowCaster::ShadowCaster(const Mesh& mesh, const FloatFrame& frame, Labels labels) : frame_(frame) {
+  add_all(mesh, labels, nullptr);
 }
 
 Result<ShadowCaster> ShadowCaster::build(const Mesh& mesh, const FloatFrame& frame,
                                          const Progress* progress) {
   ShadowCaster caster(frame);
-  if (!caster.add_all(mesh, progress)) return cancelled();
+  if (!caster.add_all(mesh, {}, progress)) return cancelled();
   return caster;
 }
 
-bool ShadowCaster::add_all(const Mesh& mesh, const Progress* progress) {
+bool ShadowCaster::add_all(const Mesh& mesh, Labels labels, const Progress* progress) {
   const uint32_t faces = mesh.face_slots();
   vertices_.reserve(mesh.vertex_slots());
   edges_.reserve(faces + faces / 2);
@@ -70,7 +74,7 @@ bool ShadowCaster::add_all(const Mesh& mesh, const Progress* progress) {
     if (!pace.step()) return false;
     if (!mesh.is_live(FaceId(f))) continue;
     const auto [a, b, c] = mesh.corners(FaceId(f));
-    const uint32_t piece = mesh.data(FaceId(f)).piece;
+    const uint32_t piece = label_of(mesh, f, labels);
     const uint32_t first = find(a, piece), second = find(b, piece);
     put(f, {first, second, find(c, piece)});
   }
@@ -78,29 +82,29 @@ bool ShadowCaster::add_all(const Mesh& mesh, const Progress* progress) {
 }
 
 ShadowCaster::Change ShadowCaster::update(const Mesh& mesh, std::span<const uint32_t> slots,
-                                          std::span<const uint32_t> relabelled) {
+                                          std::span<const uint32_t> relabelled, Labels labels) {
   Change change;
-  std::vector<uint32_t> each(slots.begin(), slots.end()), labels(relabelled.begin(), relabelled.end()),
+  std::vector<uint32_t> each(slots.begin(), slots.end()), unmoved(relabelled.begin(), relabelled.end()),
       others;
   uint32_t slots_end = mesh.face_slots();
-  for (const auto* all : {&each, &labels}) {
+  for (const auto* all : {&each, &unmoved}) {
     for (const uint32_t f : *all) slots_end = std::max(slots_end, f + 1);
   }
   grow(slots_end);
   sort_unique(each, face_slots());
-  sort_unique(labels, face_slots());
+  sort_unique(unmoved, face_slots());
   std::vector<Relabelled> faces;
   for (const uint32_t f : each) {
     if (stands_still(mesh, f)) {
-      note_label(mesh, f, faces);
+      note_label(f, label_of(mesh, f, labels), faces);
     } else {
       others.push_back(f);
     }
   }
-  for (const uint32_t f : labels) {
+  for (const uint32_t f : unmoved) {
     const bool label_alone =
         there(f) && mesh.is_live(FaceId(f)) && !std::binary_search(each.begin(), each.end(), f);
-    if (label_alone) note_label(mesh, f, faces);
+    if (label_alone) note_label(f, label_of(mesh, f, labels), faces);
   }
   const std::vector<uint32_t> torn = relabel(faces, change);
   others.insert(others.end(), torn.begin(), torn.end());
@@ -110,7 +114,7 @@ ShadowCaster::Change ShadowCaster::update(const Mesh& mesh, std::span<const uint
     append_edges(f, change.edges);
     take_away(f);
     change.faces.insert(change.faces.end(), copies_.begin(), copies_.end());
-    add(mesh, f);
+    add(mesh, f, labels);
     change.faces.insert(change.faces.end(), copies_.begin(), copies_.end());
     append_edges(f, change.edges);
   }
@@ -129,10 +133,10 @@ bool ShadowCaster::stands_still(const Mesh& mesh, uint32_t face) const {
   return true;
 }
 
-// Notes a face whose label the mesh has otherwise.
-void ShadowCaster::note_label(const Mesh& mesh, uint32_t face, std::vector<Relabelled>& out) const {
-  const uint32_t from = vertices_[corner_[3 * face]].piece, to = mesh.data(FaceId(face)).piece;
-  if (from != to) out.push_back({face, from, to});
+// Notes a face whose label is to be another one.
+void ShadowCaster::note_label(uint32_t face, uint32_t label, std::vector<Relabelled>& out) const {
+  const uint32_t from = vertices_[corner_[3 * face]].piece;
+  if (from != label) out.push_back({face, from, label});
 }
 
 // Gives the vertices of faces that are only relabelled the new label, where no other face uses them;
@@ -224,11 +228,11 @@ std::array<uint32_t, 3> ShadowCaster::sorted_corners(uint32_t face) const {
   return c;
 }
 
-void ShadowCaster::add(const Mesh& mesh, uint32_t face) {
+void ShadowCaster::add(const Mesh& mesh, uint32_t face, Labels labels) {
   copies_.clear();
   if (!mesh.is_live(FaceId(face))) return;
   const Triangle t = mesh.triangle(FaceId(face));
-  const uint32_t piece = mesh.data(FaceId(face)).piece;
+  const uint32_t piece = label_of(mesh, face, labels);
   std::array<uint32_t, 3> c{};
   for (size_t i = 0; i < 3; ++i) c[i] = find_vertex(t[i], piece);
   put(face, c);

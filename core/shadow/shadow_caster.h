@@ -26,8 +26,12 @@ namespace kerf {
 // The numbers of vertex and edge slots never decrease. Takes about 82 bytes per face.
 class ShadowCaster {
  public:
+  // By face slot the label that stands for the piece of a face where loose parts are drawn apart from it;
+  // faces beyond the end have the label of their piece.
+  using Labels = std::span<const uint32_t>;
+
   // Adds all live faces of the mesh. Expected linear time.
-  ShadowCaster(const Mesh& mesh, const FloatFrame& frame);
+  ShadowCaster(const Mesh& mesh, const FloatFrame& frame, Labels labels = {});
   // The same, or fails with cancelled() when stopped. `progress` may be null.
   static Result<ShadowCaster> build(const Mesh& mesh, const FloatFrame& frame, const Progress* progress);
 
@@ -40,7 +44,8 @@ class ShadowCaster {
   // which saves looking at their corners; slots that are listed in both are treated as the others. Expected
   // time linear in the number of slots times the number of faces on their edges. Where all faces at a vertex
   // get the same new label, the vertex and its edges keep their slots.
-  Change update(const Mesh& mesh, std::span<const uint32_t> slots, std::span<const uint32_t> relabelled = {});
+  Change update(const Mesh& mesh, std::span<const uint32_t> slots, std::span<const uint32_t> relabelled = {},
+                Labels labels = {});
 
   uint32_t face_slots() const { return static_cast<uint32_t>(casts_.size()); }
   uint32_t edge_slots() const { return static_cast<uint32_t>(edges_.size()); }
@@ -107,7 +112,7 @@ class ShadowCaster {
   explicit ShadowCaster(const FloatFrame& frame) : frame_(frame) {}
 
   // Adds all faces of a mesh to an empty caster. Returns false if it was stopped.
-  bool add_all(const Mesh& mesh, const Progress* progress);
+  bool add_all(const Mesh& mesh, Labels labels, const Progress* progress);
   void grow(uint32_t faces);
   uint32_t find_vertex(const Vec3& p, uint32_t piece);
   uint32_t known_vertex(const glm::vec3& at, uint32_t piece) const;
@@ -115,12 +120,12 @@ class ShadowCaster {
   bool there(uint32_t face) const { return corner_[3 * face] != kNone; }
   std::array<uint32_t, 3> sorted_corners(uint32_t face) const;
   bool stands_still(const Mesh& mesh, uint32_t face) const;
-  void note_label(const Mesh& mesh, uint32_t face, std::vector<Relabelled>& out) const;
+  void note_label(uint32_t face, uint32_t label, std::vector<Relabelled>& out) const;
   std::vector<uint32_t> relabel(std::span<const Relabelled> faces, Change& change);
   void rename_vertex(uint32_t vertex, uint32_t piece);
   // add, put and find_copies leave in `copies_` the faces with the same corners as `face`, itself included;
   // take_away leaves the others.
-  void add(const Mesh& mesh, uint32_t face);
+  void add(const Mesh& mesh, uint32_t face, Labels labels);
   void put(uint32_t face, const std::array<uint32_t, 3>& corners);
   void take_away(uint32_t face);
   void find_copies(uint32_t face);

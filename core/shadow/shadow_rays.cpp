@@ -14,13 +14,14 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 }
 
-void ShadowRays::add(const Body& body, const FloatFrame& frame, const PieceOffset& offset_of) {
-  const ShadowCaster caster(body.mesh, frame);
+void ShadowRays::add(const Body& body, const FloatFrame& frame, const PieceOffset& offset_of,
+                     std::span<const uint32_t> labels) {
+  const ShadowCaster caster(body.mesh, frame, labels);
   Copy copy{{}, {}, {}, frame, body.placement};
   Soup soup;
   for (uint32_t f = 0; f < caster.face_slots(); ++f) {
     if (!caster.casts(f)) continue;
-    const std::optional<Vec3> offset = offset_of(body.mesh.data(FaceId(f)).piece);
+    const std::optional<Vec3> offset = offset_of(caster.piece(f));
     if (!offset) continue;
     const Vec3 moved = glm::conjugate(body.placement.orientation) * *offset * frame.scale;
     for (const glm::vec3& p : caster.corners(f)) soup.positions.push_back(Vec3(p) + moved);

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/base/float_frame.h"
@@ -19,8 +20,9 @@ class ShadowRays {
   // hidden.
   using PieceOffset = std::function<std::optional<Vec3>(uint32_t piece)>;
 
-  // Adds a copy of the body's current faces. O(n log n).
-  void add(const Body& body, const FloatFrame& frame, const PieceOffset& offset_of);
+  // Adds a copy of the body's current faces. `labels` as ShadowCaster takes them. O(n log n).
+  void add(const Body& body, const FloatFrame& frame, const PieceOffset& offset_of,
+           std::span<const uint32_t> labels = {});
 
   // A point of a face that a ray meets.
   struct Seen {

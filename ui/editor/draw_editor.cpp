@@ -33,7 +33,7 @@ double seconds_since(Clock::time_point t) { return std::chrono::duration<double>
 ViewOptions look_of_twin(const ViewOptions& first, double spread, const World& twin) {
   ViewOptions look = first;
   look.pieces.clear();
-  if (spread > 0) spread_pieces(twin, spread, look.pieces);
+  spread_pieces(twin, spread, look);
   return look;
 }
 

@@ -66,6 +66,11 @@ void FaceBuffer::follow(const BodyDelta& delta) {
   removed_.forget();
 }
 
+void FaceBuffer::group(const Mesh& mesh, const std::shared_ptr<const PieceGroups>& groups) {
+  relabelled_.mark(regrouped(mesh, groups_.get(), groups.get()));
+  groups_ = groups;
+}
+
 PictureMemory FaceBuffer::memory() const {
   PictureMemory memory;
   memory.shading = bases_->bytes();
@@ -183,8 +188,10 @@ size_t FaceBuffer::update_slots(const Mesh& mesh, const SlotRange& range) {
 size_t FaceBuffer::update_labels(const Mesh& mesh, const SlotRange& range) {
   staged_labels_.clear();
   for (uint32_t f = range.begin; f < range.end; ++f) {
-    const uint16_t piece = mesh.is_live(FaceId(f)) ? packed_piece(mesh.data(FaceId(f)).piece) : uint16_t{0};
-    staged_labels_.push_back({piece, piece, piece});
+    uint16_t label = 0;
+    if (mesh.is_live(FaceId(f)))
+      label = packed_piece(groups_ ? groups_->of(mesh, FaceId(f)) : mesh.data(FaceId(f)).piece);
+    staged_labels_.push_back({label, label, label});
   }
   put(GL_ARRAY_BUFFER, chunk_of(range).labels.name(), range.begin % kChunkFaces, staged_labels_);
   return staged_labels_.size() * sizeof(Labels);

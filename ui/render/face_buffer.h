@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/graph/piece_groups.h"
 #include "core/world/delta.h"
 #include "core/world/world.h"
 #include "ui/gl/objects.h"
@@ -29,6 +30,9 @@ class FaceBuffer {
              double glow_width);
 
   void follow(const BodyDelta& delta);
+  // Sends with the next update the groups of the faces instead of the labels of their pieces, or, if null,
+  // the labels again.
+  void group(const Mesh& mesh, const std::shared_ptr<const PieceGroups>& groups);
   // Marks every slot as changed, for the case that Deltas were lost.
   void forget_all(const Mesh& mesh) {
     dirty_.mark_all(std::max(mesh.face_slots(), static_cast<uint32_t>(halvings_.size())));
@@ -104,6 +108,7 @@ class FaceBuffer {
   std::shared_ptr<const BaseFaces> bases_;
   RemovedFaces removed_;
   RimDistance rims_;
+  std::shared_ptr<const PieceGroups> groups_;
   DirtySlots dirty_, relabelled_;
   std::vector<Chunk> chunks_;
   std::vector<FaceVertices> staging_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "ui/render/body_looks.h"
 #include "ui/render/digits.h"
 #include "ui/render/marked_faces.h"
 #include "ui/render/veil_pass.h"
@@ -40,17 +41,13 @@ class Candidates {
 
  private:
   void add_live(BodyId id, const Body& body, const FloatFrame& frame, const glm::mat4& from_body) {
+    const BodyLooks looks(id, subject_.options);
     for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
       if (!body.mesh.is_live(FaceId(f))) continue;
       const FaceData& data = body.mesh.data(FaceId(f));
-      glm::vec3 offset(0);
-      if (!subject_.options.pieces.empty()) {
-        const auto look = subject_.options.pieces.find({id, data.piece});
-        if (look != subject_.options.pieces.end()) {
-          if (look->second.hidden) continue;
-          offset = glm::vec3(subject_.space.turned(look->second.offset) / subject_.space.unit);
-        }
-      }
+      const PieceLook& look = looks.of(body.mesh, FaceId(f));
+      if (look.hidden) continue;
+      const glm::vec3 offset(subject_.space.turned(look.offset) / subject_.space.unit);
       const Triangle t = body.mesh.triangle(FaceId(f));
       add({FaceId(f), data.base, body_, false, {}, 0},
           {frame.to_float(t[0]), frame.to_float(t[1]), frame.to_float(t[2])}, from_body, offset);

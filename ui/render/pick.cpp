@@ -1,41 +1,29 @@
 #include "ui/render/pick.h"
 
+#include <algorithm>
 #include <limits>
 #include <vector>
+
+#include "ui/render/body_looks.h"
 
 namespace kerf {
 
 namespace {
 
-// How the pieces of one body are looked at.
-class BodyLooks {
- public:
-  BodyLooks(BodyId id, const ViewOptions& options)
-      : id_(id), pieces_(options.pieces), cull_backs_(options.cull_backs) {
-    offsets_.emplace_back(0);
-    for (auto i = pieces_.lower_bound({id, 0}); i != pieces_.end() && i->first.body == id; ++i) {
-      const Vec3 offset = i->second.offset;
-      if (std::find(offsets_.begin(), offsets_.end(), offset) == offsets_.end()) offsets_.push_back(offset);
-    }
+// The distinct offsets at which pieces of a body are drawn, none of them included.
+std::vector<Vec3> offsets_of(const BodyLooks& looks) {
+  std::vector<Vec3> offsets{Vec3(0)};
+  for (const auto& [group, look] : looks.by_group()) {
+    if (std::find(offsets.begin(), offsets.end(), look.offset) == offsets.end())
+      offsets.push_back(look.offset);
   }
-  const std::vector<Vec3>& offsets() const { return offsets_; }
+  return offsets;
+}
 
-  // Whether a ray through the body as it is moved by `offset` meets this face there.
-  bool meets(const Body& body, FaceId f, const Vec3& offset, const Vec3& direction) const {
-    const auto found = pieces_.find({id_, body.mesh.data(f).piece});
-    const PieceLook look = found == pieces_.end() ? PieceLook{} : found->second;
-    if (look.hidden || look.offset != offset) return false;
-    if (!cull_backs_) return true;
-    const Triangle t = body.mesh.triangle(f);
-    return glm::dot(glm::cross(t[1] - t[0], t[2] - t[0]), direction) < 0;
-  }
-
- private:
-  BodyId id_;
-  const std::map<PieceId, PieceLook>& pieces_;
-  bool cull_backs_;
-  std::vector<Vec3> offsets_;
-};
+bool shows_front(const Body& body, FaceId f, const Vec3& direction) {
+  const Triangle t = body.mesh.triangle(f);
+  return glm::dot(glm::cross(t[1] - t[0], t[2] - t[0]), direction) < 0;
+}
 
 }  // namespace
 
@@ -45,13 +33,15 @@ std::optional<Pick> pick(const World& world, const ViewOptions& options, const P
   for (const BodyId id : world.ids()) {
     const Body& body = world.body(id);
     const BodyLooks looks(id, options);
-    for (const Vec3& offset : looks.offsets()) {
+    for (const Vec3& offset : offsets_of(looks)) {
       const Pose through = body.placement.to_body(Pose{ray.origin - offset, ray.direction});
       const double most = nearest ? nearest->length : std::numeric_limits<double>::max();
       hits.clear();
       body.tree.crossings(body.mesh, through, {0, most}, hits);
       for (const RayHit& hit : hits) {
-        if (!looks.meets(body, hit.face, offset, through.direction)) continue;
+        const PieceLook& look = looks.of(body.mesh, hit.face);
+        if (look.hidden || look.offset != offset) continue;
+        if (options.cull_backs && !shows_front(body, hit.face, through.direction)) continue;
         if (!nearest || hit.length < nearest->length) nearest = Pick{id, hit.face, hit.length};
         break;
       }

@@ -8,27 +8,26 @@ namespace {
 
 constexpr int kUnit = 3;  // of the textures; no program that draws bodies uses it for another
 
-glm::vec4 packed(const PieceLook& look, const FrameSpace& space) {
-  const float shown = (look.selected ? 1.0f : 0.0f) + 2.0f * static_cast<float>(packed_piece(look.number));
+// `numbered`: the colour follows from the number of the look, not from the group.
+glm::vec4 packed(const PieceLook& look, bool numbered, const FrameSpace& space) {
+  const float number = numbered ? static_cast<float>(packed_piece(look.number)) + 1.0f : 0.0f;
+  const float shown = (look.selected ? 1.0f : 0.0f) + 2.0f * number;
   return {glm::vec3(space.turned(look.offset) / space.unit), look.hidden ? -1.0f : shown};
 }
 
 }  // namespace
 
-bool PieceLooks::update(BodyId body, const std::map<PieceId, PieceLook>& looks, const FrameSpace& space) {
-  std::map<uint32_t, PieceLook> mine;
-  for (auto i = looks.lower_bound({body, 0}); i != looks.end() && i->first.body == body; ++i) {
-    if (!(i->second == PieceLook{})) mine.emplace(i->first.label, i->second);
-  }
-  if (mine == looks_ && up_ == space.up) return false;
+bool PieceLooks::update(const BodyLooks& looks, const FrameSpace& space) {
+  if (looks.by_group() == looks_ && up_ == space.up) return false;
   up_ = space.up;
-  looks_ = std::move(mine);
+  looks_ = looks.by_group();
   any_away_ = any_selected_ = false;
   std::vector<glm::vec4> table;
-  for (const auto& [piece, look] : looks_) {
-    const uint32_t label = packed_piece(piece);
-    if (table.size() <= label) table.resize(label + 1, glm::vec4(0));
-    table[label] = packed(look, space);
+  const size_t pieces = looks.groups() ? looks.groups()->middles.size() : SIZE_MAX;
+  for (const auto& [group, look] : looks_) {
+    const uint32_t row = packed_piece(group);
+    if (table.size() <= row) table.resize(row + 1, glm::vec4(0));
+    table[row] = packed(look, look.number > 0 || group >= pieces, space);
     any_away_ = any_away_ || look.hidden || look.offset != Vec3(0);
     any_selected_ = any_selected_ || (look.selected && !look.hidden);
   }

@@ -4,16 +4,16 @@
 
 #include "ui/gl/objects.h"
 #include "ui/gl/program.h"
+#include "ui/render/body_looks.h"
 #include "ui/render/frame_space.h"
-#include "ui/render/view_options.h"
 
 namespace kerf {
 
-// The looks of one body's pieces on the GPU for programs that contain placed.glsl.
+// The looks of one body's groups of faces on the GPU for programs that contain placed.glsl.
 class PieceLooks {
  public:
-  // Takes the looks of this body over from those of the view. Whether that changed anything.
-  bool update(BodyId body, const std::map<PieceId, PieceLook>& looks, const FrameSpace& space);
+  // Takes over the looks of the body. Returns whether that changed anything.
+  bool update(const BodyLooks& looks, const FrameSpace& space);
 
   // Binds the looks for `program`. Precondition: it is in use.
   void bind(const gl::Program& program) const;
@@ -23,7 +23,7 @@ class PieceLooks {
   bool any_selected() const { return any_selected_; }
 
  private:
-  std::map<uint32_t, PieceLook> looks_;
+  std::map<uint32_t, PieceLook> looks_;  // by group
   UpAxis up_ = UpAxis::kY;  // of the displacements on the GPU
   gl::Buffer buffer_;
   gl::Texture table_;

@@ -190,9 +190,12 @@ bool Renderer::glows(const ViewOptions& options) const {
                      [](const auto& body) { return body.second.faces().has_rim(); });
 }
 
-void Renderer::update_looks(const ViewOptions& options) {
+void Renderer::update_looks(const World& world, const ViewOptions& options) {
   for (auto& [id, picture] : bodies_) {
-    if (picture.looks().update(id, options.pieces, space_)) contact_old_ = true;
+    if (!world.contains(id)) continue;
+    const BodyLooks looks(id, options);
+    if (picture.looks().update(looks, space_)) contact_old_ = true;
+    picture.faces().group(world.body(id).mesh, looks.groups());
   }
 }
 
@@ -308,9 +311,9 @@ void Renderer::hand_over(const Target& target) {
 ShadowCounts Renderer::shadow_counts(const World& world, const CameraView& view, const ViewOptions& options,
                                      size_t light, ShadowMethod method, bool ground, int width, int height) {
   set_plain_state();
-  catch_up(world);
   turn_upright(world, view.up_axis);
-  update_looks(options);
+  update_looks(world, options);
+  catch_up(world);
   set_up(world, view, options, std::nullopt, {0, 0, 0, width, height});
   LitScene& scene = passes_.scene;
   return passes_.probe.look({world, bodies_, space_, options}, scene.shadows(), light, method,
@@ -351,9 +354,9 @@ void Renderer::draw_traced(const World& world, const CameraView& view, const Vie
 void Renderer::draw(const World& world, const CameraView& view, const ViewOptions& options,
                     std::optional<BeamPicture> beam, const Target& target) {
   set_plain_state();
-  catch_up(world);
   turn_upright(world, view.up_axis);
-  update_looks(options);
+  update_looks(world, options);
+  catch_up(world);
   choose_canvas(target, options.antialias);
   if (beam) beam = ended_on_ground(*beam, passes_.scene.ground().height(), view.up_axis);
   set_up(world, view, options, beam, target);

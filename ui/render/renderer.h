@@ -120,7 +120,7 @@ class Renderer {
   void drop(BodyId id);
   void carry_on(BodyId from, BodyId to);
   void turn_upright(const World& world, UpAxis up);
-  void update_looks(const ViewOptions& options);
+  void update_looks(const World& world, const ViewOptions& options);
   double near_of(const World& world, const CameraView& view, const ViewOptions& options);
   void set_up(const World& world, const CameraView& view, const ViewOptions& options,
               const std::optional<BeamPicture>& beam, const Target& target);

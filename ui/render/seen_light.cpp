@@ -2,20 +2,18 @@
 
 namespace kerf {
 
-LightOnBody light_on_body(const Light& light, BodyId id, const Placement& placement, const FloatFrame& frame,
-                          const std::map<PieceId, PieceLook>& pieces) {
+LightOnBody light_on_body(const Light& light, const Placement& placement, const FloatFrame& frame,
+                          const BodyLooks& looks) {
   const auto seen_from = [&](const Vec3& offset) -> LightPoint {
     if (light.kind == Light::Kind::kDirectional) return {glm::conjugate(placement.orientation) * light.at, 0};
     return {frame.scaled(placement.to_body(light.at - offset)), 1};
   };
   LightOnBody on{seen_from(Vec3(0)), {}};
-  for (auto i = pieces.lower_bound({id, 0}); i != pieces.end() && i->first.body == id; ++i) {
-    const PieceLook& look = i->second;
+  for (const auto& [group, look] : looks.by_group()) {
     const bool sees_otherwise = light.kind == Light::Kind::kPoint && look.offset != Vec3(0);
     if (!look.hidden && !sees_otherwise) continue;
-    const uint32_t piece = i->first.label;
-    if (on.pieces.size() <= piece) on.pieces.resize(piece + 1, on.light);
-    on.pieces[piece] = look.hidden ? std::nullopt : std::optional(seen_from(look.offset));
+    if (on.pieces.size() <= group) on.pieces.resize(group + 1, on.light);
+    on.pieces[group] = look.hidden ? std::nullopt : std::optional(seen_from(look.offset));
   }
   return on;
 }

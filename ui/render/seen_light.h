@@ -1,18 +1,16 @@
 #pragma once
 
-#include <map>
-
 #include "core/shadow/light.h"
 #include "core/shadow/shadow_volume.h"
 #include "core/world/placement.h"
+#include "ui/render/body_looks.h"
 #include "ui/render/frame_space.h"
-#include "ui/render/view_options.h"
 
 namespace kerf {
 
-// A light as a body sees it that stands at `placement` and whose pieces have these looks.
-LightOnBody light_on_body(const Light& light, BodyId id, const Placement& placement, const FloatFrame& frame,
-                          const std::map<PieceId, PieceLook>& pieces);
+// A light as a body sees it that stands at `placement` and has these looks.
+LightOnBody light_on_body(const Light& light, const Placement& placement, const FloatFrame& frame,
+                          const BodyLooks& looks);
 
 // The uniform "light" of the shaders: the light in frame coordinates.
 glm::vec4 light_in_frame(const Light& light, const FrameSpace& space);

@@ -69,16 +69,20 @@ void ShadowPass::note_effort(const ShadowVolume::Effort& before, const ShadowVol
   work_.edges += after.edges - before.edges;
 }
 
-void ShadowPass::catch_up(BodyShadows& shadows, const Body& body, const FloatFrame& frame) {
+void ShadowPass::catch_up(BodyShadows& shadows, const Body& body, const FloatFrame& frame,
+                          const BodyLooks& looks) {
   if (!shadows.caster) {
     shadows.caster = std::make_unique<ShadowCaster>(body.mesh, frame);
     shadows.dirty = {};
     shadows.relabelled = {};
+    shadows.groups.reset();
     ++work_.casters;
   }
+  shadows.relabelled.mark(regrouped(body.mesh, shadows.groups.get(), looks.groups().get()));
+  shadows.groups = looks.groups();
   if (shadows.dirty.empty() && shadows.relabelled.empty()) return;
   const std::vector<uint32_t> slots = take_slots(shadows.dirty), labels = take_slots(shadows.relabelled);
-  const ShadowCaster::Change change = shadows.caster->update(body.mesh, slots, labels);
+  const ShadowCaster::Change change = shadows.caster->update(body.mesh, slots, labels, labels_of(shadows.groups));
   for (auto& [key, kept] : shadows.volumes) {
     const ShadowVolume::Effort before = kept.buffer.volume().effort();
     kept.buffer.volume().follow(*shadows.caster, change);
@@ -90,12 +94,13 @@ ShadowPass::Kept& ShadowPass::bring_up_to_date(const Subject& subject, BodyId id
                                                const BodyPicture& picture, VolumeKey key) {
   BodyShadows& shadows = bodies_[id];
   const FloatFrame& frame = picture.faces().frame();
-  catch_up(shadows, body, frame);
+  const BodyLooks looks(id, subject.options);
+  catch_up(shadows, body, frame, looks);
   const auto [found, fresh] = shadows.volumes.try_emplace(key, key.second);
   Kept& kept = found->second;
   kept.used = true;
   LightOnBody light =
-      light_on_body(subject.options.lights[key.first], id, body.placement, frame, subject.options.pieces);
+      light_on_body(subject.options.lights[key.first], body.placement, frame, looks);
   ShadowVolume& volume = kept.buffer.volume();
   if (fresh || !(volume.light() == light)) {
     const ShadowVolume::Effort before = volume.effort();

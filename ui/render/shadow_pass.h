@@ -75,9 +75,10 @@ class ShadowPass {
     std::map<VolumeKey, Kept> volumes;
     DirtySlots dirty;
     DirtySlots relabelled;  // slots whose label alone changed
+    std::shared_ptr<const PieceGroups> groups;
   };
 
-  void catch_up(BodyShadows& shadows, const Body& body, const FloatFrame& frame);
+  void catch_up(BodyShadows& shadows, const Body& body, const FloatFrame& frame, const BodyLooks& looks);
   Kept& bring_up_to_date(const Subject& subject, BodyId id, const Body& body, const BodyPicture& picture,
                          VolumeKey key);
   void note_effort(const ShadowVolume::Effort& before, const ShadowVolume::Effort& after);

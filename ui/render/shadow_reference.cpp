@@ -2,16 +2,18 @@
 
 #include <algorithm>
 
+#include "ui/render/body_looks.h"
+
 namespace kerf {
 
 ShadowRays rays_through(const Subject& subject) {
   ShadowRays rays;
   for_each_body(subject, [&](BodyId id, const Body& body, const BodyPicture& picture) {
-    rays.add(body, picture.faces().frame(), [&](uint32_t piece) -> std::optional<Vec3> {
-      const auto look = subject.options.pieces.find({id, piece});
-      if (look == subject.options.pieces.end()) return Vec3(0);
-      return look->second.hidden ? std::nullopt : std::optional(look->second.offset);
-    });
+    const BodyLooks looks(id, subject.options);
+    const auto offset_of = [&](uint32_t group) -> std::optional<Vec3> {
+      return looks.of(group).hidden ? std::nullopt : std::optional(looks.of(group).offset);
+    };
+    rays.add(body, picture.faces().frame(), offset_of, labels_of(looks.groups()));
   });
   return rays;
 }

@@ -1,47 +1,40 @@
 #include "ui/render/spread.h"
 
-#include <vector>
-
 namespace kerf {
 
 namespace {
 
-struct Middle {
-  Vec3 moment{0};  // m^3
-  double area = 0;
-  Vec3 mean() const { return area > 0 ? moment / area : Vec3(0); }
-};
-
-std::vector<Middle> middles_of(const Body& body) {
-  std::vector<Middle> middles(body.pieces.size());
-  for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
-    if (!body.mesh.is_live(FaceId(f))) continue;
-    const Triangle t = body.mesh.triangle(FaceId(f));
-    const double area = triangle_area(t);
-    Middle& middle = middles[body.mesh.data(FaceId(f)).piece];
-    middle.moment += (t[0] + t[1] + t[2]) * (area / 3);
-    middle.area += area;
-  }
-  return middles;
+const PieceGroups& groups_of(const World& world, BodyId id, ViewOptions& look) {
+  std::shared_ptr<const PieceGroups>& groups = look.groups[id];
+  if (!groups) groups = std::make_shared<const PieceGroups>(group_pieces(world.body(id)));
+  return *groups;
 }
 
 }  // namespace
 
-void spread_pieces(const World& world, double spread, std::map<PieceId, PieceLook>& looks) {
-  for (auto& [id, look] : looks) look.offset = Vec3(0);
+void spread_pieces(const World& world, double spread, ViewOptions& look) {
+  look.groups.clear();
+  spread_further(world, spread, look);
+}
+
+void spread_further(const World& world, double spread, ViewOptions& look) {
+  for (auto& [id, piece] : look.pieces) piece.offset = Vec3(0);
   if (spread > 0) {
     const World::Bounds bounds = world.bounds();
     const Vec3 middle = 0.5 * (bounds.min + bounds.max);
     for (const BodyId id : world.ids()) {
       const Body& body = world.body(id);
-      const std::vector<Middle> middles = middles_of(body);
-      for (uint32_t label = 0; label < middles.size(); ++label) {
+      const PieceGroups& groups = groups_of(world, id, look);
+      for (uint32_t label = 0; label < body.pieces.size(); ++label) {
         if (body.pieces[label].faces == 0) continue;
-        looks[{id, label}].offset = spread * (body.placement.to_world(middles[label].mean()) - middle);
+        look.pieces[{id, label}].offset =
+            spread * (body.placement.to_world(groups.middles[label]) - middle);
       }
     }
+  } else {
+    look.groups.clear();
   }
-  std::erase_if(looks, [](const auto& entry) { return entry.second == PieceLook(); });
+  std::erase_if(look.pieces, [](const auto& entry) { return entry.second == PieceLook(); });
 }
 
 }  // namespace kerf

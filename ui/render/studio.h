@@ -19,7 +19,7 @@ class Studio {
   // Follows a change of the world; `step` is null if what changed is unknown.
   void follow(const World& world, const StepResult* step);
   // Draws the pieces of the world apart from the next picture on; see spread_pieces().
-  void spread(const World& world, double share) { spread_pieces(world, share, look_.pieces); }
+  void spread(const World& world, double share) { spread_pieces(world, share, look_); }
   // Draws a picture.
   void draw(const World& world, const std::optional<BeamPicture>& beam);
   // Writes the last picture as a PNG, whole or not at all.

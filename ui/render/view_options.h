@@ -2,12 +2,14 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "core/base/ids.h"
 #include "core/base/vec3.h"
 #include "core/document/scene.h"
+#include "core/graph/piece_groups.h"
 #include "ui/render/shadow_options.h"
 #include "ui/render/show_options.h"
 
@@ -51,6 +53,8 @@ struct ViewOptions {
   std::vector<Light> lights = std::vector<Light>(1);  // at most kMostLights are drawn
   ShadowOptions shadow;
   std::map<PieceId, PieceLook> pieces;  // those that are not looked at plainly
+  // Of bodies whose pieces are drawn apart, for the world as it is now; see spread_pieces(). Not null.
+  std::map<BodyId, std::shared_ptr<const PieceGroups>> groups;
 };
 
 }  // namespace kerf

@@ -19,7 +19,7 @@ void LiveCut::advance() {
   const bool first = cut_first(until), twin = cut_twin(until);
   if (!first && !twin) return;
   ViewState& view = on_.view;
-  if (first && view.spread > 0) spread_pieces(on_.work.document.world(), view.spread, view.look.pieces);
+  if (first && view.spread > 0) spread_pieces(on_.work.document.world(), view.spread, view.look);
   seconds_ = std::chrono::duration<double>(Clock::now() - began).count();
   view.picture_old = on_.figures.world_changed = true;
 }

@@ -286,7 +286,7 @@ void WorldChanges::show_change(const Delta& delta, PreparedBodies prepared) {
   ViewOptions& look = on_.view.look;
   follow_world(world, delta, look.pieces);
   on_.view.numbers.follow(world, true, pieces_may_return(on_.work.document.history()), look.pieces);
-  if (on_.view.spread > 0) spread_pieces(world, on_.view.spread, look.pieces);
+  if (on_.view.spread > 0) spread_pieces(world, on_.view.spread, look);
   if (hidden_before_) {
     on_.view.isolated_from = hidden_bodies(world);
     std::erase_if(on_.view.isolated_from, [&](const BodyId& id) {

@@ -52,7 +52,7 @@ void draw_spread(const World& world, ViewState& view, bool one_piece) {
   const std::string format = view.spread == 0 ? "together" : "%.2f";
   if (ImGui::SliderScalar("##spread", ImGuiDataType_Double, &view.spread, &kNone, &kMostSpread,
                           format.c_str(), ImGuiSliderFlags_AlwaysClamp)) {
-    spread_pieces(world, view.spread, view.look.pieces);
+    spread_further(world, view.spread, view.look);
     view.picture_old = true;
   }
   ImGui::EndDisabled();

@@ -6,6 +6,7 @@
 #include <array>
 #include <optional>
 
+#include "ui/render/body_looks.h"
 #include "ui/window/theme.h"
 
 namespace kerf {
@@ -48,12 +49,9 @@ bool touches(const RubberBand& band, const Corners& corners) {
 // Decides piece by piece of one body, and looks at no more faces of a piece than that takes.
 class PiecesOfBody {
  public:
-  PiecesOfBody(BodyId id, const Body& body, const PieceMap& looks)
-      : body_(body), looks_(body.pieces.size()), decided_(body.pieces.size()), chosen_(body.pieces.size()) {
-    for (auto i = looks.lower_bound({id, 0}); i != looks.end() && i->first.body == id; ++i) {
-      if (i->first.label < looks_.size()) looks_[i->first.label] = i->second;
-    }
-    for (size_t i = 0; i < looks_.size(); ++i) decided_[i] = looks_[i].hidden;
+  PiecesOfBody(BodyId id, const Body& body, const ViewOptions& options)
+      : body_(body), looks_(id, options), decided_(body.pieces.size()), chosen_(body.pieces.size()) {
+    for (uint32_t label = 0; label < body.pieces.size(); ++label) decided_[label] = looks_.of(label).hidden;
   }
 
   void look(const RubberBand& band, const CameraView& view) {
@@ -62,7 +60,7 @@ class PiecesOfBody {
       if (!body_.mesh.is_live(FaceId(f))) continue;
       const uint32_t label = body_.mesh.data(FaceId(f)).piece;
       if (decided_[label]) continue;
-      const std::optional<Corners> seen = corners_of(FaceId(f), looks_[label].offset, view);
+      const std::optional<Corners> seen = corners_of(FaceId(f), looks_.of(body_.mesh, FaceId(f)).offset, view);
       if (!touching) chosen_[label] = true;
       const bool in = seen && (touching ? touches(band, *seen) : contains(band, *seen));
       if (in != touching) continue;
@@ -86,8 +84,8 @@ class PiecesOfBody {
   }
 
   const Body& body_;
-  std::vector<PieceLook> looks_;  // by label, as the others
-  std::vector<char> decided_, chosen_;
+  BodyLooks looks_;
+  std::vector<char> decided_, chosen_;  // by label
 };
 
 ImVec2 to_im(Vec2 p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
@@ -103,13 +101,13 @@ void draw_dashes(Vec2 from, Vec2 to, ImU32 colour, ImDrawList& list) {
 
 }  // namespace
 
-std::vector<PieceId> pieces_in(const RubberBand& band, const World& world, const PieceMap& looks,
+std::vector<PieceId> pieces_in(const RubberBand& band, const World& world, const ViewOptions& look,
                                const CameraView& view) {
   std::vector<PieceId> found;
   for (const BodyId id : world.ids()) {
     const Body& body = world.body(id);
     if (body.hidden) continue;
-    PiecesOfBody pieces(id, body, looks);
+    PiecesOfBody pieces(id, body, look);
     pieces.look(band, view);
     for (uint32_t label = 0; label < body.pieces.size(); ++label) {
       if (pieces.chosen(label)) found.push_back({id, label});

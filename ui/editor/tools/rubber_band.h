@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "core/world/world.h"
-#include "ui/editor/view/piece_set.h"
 #include "ui/render/camera.h"
+#include "ui/render/view_options.h"
 
 struct ImDrawList;
 
@@ -22,7 +22,7 @@ struct RubberBand {
 
 // The pieces that a box chooses, among those that are shown, where they are drawn. Its corners are points of
 // the picture, as in CameraView::ray. Faces behind the eye are outside. O(n) in the number of faces.
-std::vector<PieceId> pieces_in(const RubberBand& band, const World& world, const PieceMap& looks,
+std::vector<PieceId> pieces_in(const RubberBand& band, const World& world, const ViewOptions& look,
                                const CameraView& view);
 
 // Draws the box; its corners are in screen coordinates of the window. One that touches is dashed.

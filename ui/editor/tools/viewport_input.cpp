@@ -39,7 +39,7 @@ Drag drag_of(Tool tool, int button, int mods) {
 void stand_together(const MouseParts& on) {
   if (on.view.spread == 0) return;
   on.view.spread = 0;
-  spread_pieces(on.work.document.world(), 0, on.view.look.pieces);
+  spread_pieces(on.work.document.world(), 0, on.view.look);
 }
 
 void pick_piece(const MouseParts& on, int mods) {
@@ -61,7 +61,7 @@ void choose_in_box(const MouseParts& on, int mods) {
   PieceMap& looks = on.view.look.pieces;
   if ((mods & GLFW_MOD_SHIFT) == 0) choose_none(looks);
   const RubberBand band{on.view.in_picture(on.hand.pressed_at), on.view.in_picture(on.hand.pointer)};
-  for (const PieceId& id : pieces_in(band, on.work.document.world(), looks, on.view.seen()))
+  for (const PieceId& id : pieces_in(band, on.work.document.world(), on.view.look, on.view.seen()))
     looks[id].selected = true;
   on.view.picture_old = true;
 }

@@ -20,8 +20,8 @@ World three_spheres() {
 
 const CameraView kView = look_at({0, 0, 10}, {0, 0, 0}, 1.5);
 
-size_t chosen(const World& world, Vec2 from, Vec2 to, const PieceMap& looks = {}) {
-  return pieces_in({from, to}, world, looks, kView).size();
+size_t chosen(const World& world, Vec2 from, Vec2 to, const ViewOptions& look = {}) {
+  return pieces_in({from, to}, world, look, kView).size();
 }
 
 Vec2 seen(const Vec3& p) { return Vec2(kView.project(p)); }
@@ -45,12 +45,12 @@ TEST(RubberBand, looks_at_pieces_where_they_are_drawn_and_not_at_hidden_ones) {
   const World world = three_spheres();
   const PieceId middle{world.ids()[1], 0};
   const Vec2 low = seen({-0.7, -0.7, 0}), high = seen({0.7, 0.7, 0});
-  PieceMap looks;
-  looks[middle].offset = {0, 3, 0};
-  EXPECT_EQ(chosen(world, low, high, looks), 0u);
-  EXPECT_EQ(chosen(world, seen({-0.7, 2.3, 0}), seen({0.7, 3.7, 0}), looks), 1u);
-  looks[middle] = {.hidden = true};
-  EXPECT_EQ(chosen(world, low, high, looks), 0u);
+  ViewOptions look;
+  look.pieces[middle].offset = {0, 3, 0};
+  EXPECT_EQ(chosen(world, low, high, look), 0u);
+  EXPECT_EQ(chosen(world, seen({-0.7, 2.3, 0}), seen({0.7, 3.7, 0}), look), 1u);
+  look.pieces[middle] = {.hidden = true};
+  EXPECT_EQ(chosen(world, low, high, look), 0u);
 }
 
 // Against points of the face, which lie closer together than the margin.

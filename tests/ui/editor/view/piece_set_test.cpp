@@ -79,13 +79,14 @@ TEST_F(CutSphere, spreads_its_halves_apart) {
   const std::vector<PieceRow> rows = list_pieces(world);
   ASSERT_EQ(rows.size(), 2u);
   EXPECT_EQ(rows[0].name, "sphere");
-  spread_pieces(world, 0.5, looks);
-  const Vec3 a = looks[rows[0].id].offset, b = looks[rows[1].id].offset;
+  ViewOptions look;
+  spread_pieces(world, 0.5, look);
+  const Vec3 a = look.pieces[rows[0].id].offset, b = look.pieces[rows[1].id].offset;
   EXPECT_GT(std::abs(a.y - b.y), 0.3);
   EXPECT_LT(a.y * b.y, 0);
   EXPECT_NEAR(a.x, 0, 0.05);
-  spread_pieces(world, 0, looks);
-  EXPECT_TRUE(looks.empty());
+  spread_pieces(world, 0, look);
+  EXPECT_TRUE(look.pieces.empty() && look.groups.empty());
 }
 
 TEST_F(CutSphere, can_be_cut_again_and_an_untouched_one_says_why_not) {

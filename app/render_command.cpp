@@ -17,10 +17,10 @@ struct RenderArguments {
   PictureArguments picture;
 };
 
-Result<Work> load_work(const std::filesystem::path& file) {
+Result<OpenedFile> load_work(const std::filesystem::path& file) {
   ProgressLine line("loading " + file.filename().string());
   const Progress progress = line.progress();
-  return read_work(file, &progress);
+  return open_file(file, &progress);
 }
 
 Status render(const RenderArguments& a) {
@@ -30,7 +30,7 @@ Status render(const RenderArguments& a) {
   if (!a.spread.empty() && !(parse_number(a.spread, options->spread) && options->spread >= 0))
     return bad_input("--spread: '" + a.spread + "' is not a number from 0 up");
   catch_interrupts();
-  Result<Work> work = load_work(a.file);
+  Result<OpenedFile> work = load_work(a.file);
   if (!work) return error_or_stopped(work.error());
   let_interrupts_end();
   if (!work->journal.damage.empty()) warn(work->journal.damage);

@@ -70,7 +70,7 @@ class ReplayRun {
     ProgressLine line("loading " + std::filesystem::path(arguments_.journal).filename().string());
     const Progress progress = line.progress();
     const Stopwatch watch(job_.load_s);
-    auto work = read_journal_work(arguments_.journal, &progress);
+    auto work = open_journal(arguments_.journal, &progress);
     if (!work) return error_or_stopped(work.error());
     work_ = std::move(*work);
     if (!work_.journal.damage.empty()) warn(work_.journal.damage);
@@ -157,7 +157,7 @@ class ReplayRun {
 
   ReplayArguments arguments_;
   std::optional<uint64_t> expected_;
-  Work work_;
+  OpenedFile work_;
   CutJob job_;
   std::optional<Film> film_;
   std::vector<bool> lasting_;  // by command of the journal, while filming

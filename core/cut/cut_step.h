@@ -14,29 +14,29 @@ namespace kerf {
 
 // How a face is split.
 enum class Scheme {
-  kOneToFour,    // in four, closed with green pairs (see OneToFour)
-  kLongestEdge,  // in two at its longest edge (see longest_edge.h)
+  kOneToFour,    // into four, with green pairs for conformity (see OneToFour)
+  kLongestEdge,  // into two at its longest edge (see longest_edge.h)
 };
 
-// What is left along a stroke.
+// The boundary that a stroke leaves.
 enum class Rim {
-  kFaces,   // every face that the beam touches goes
+  kFaces,   // every face that the beam touches is removed
   kSmooth,  // faces across the boundary of the beam are cut along it when the stroke ends (see close_rim)
 };
 
-// How finely faces are split where the beam touches them before they are removed, and what rim is left.
+// How finely faces are split where the beam touches them before they are removed, and which rim is left.
 struct Resolution {
   enum class Rule {
     kTargetEdge,  // until the longest edge is at most target_edge
-    kTolerance,   // until taking the face away overshoots the beam by at most `tolerance`
-    kDepth,       // until the face lies `depth` levels under its base face; 0 removes base faces whole
+    kTolerance,   // until removing the face removes nothing farther than `tolerance` outside the beam
+    kDepth,       // until the face is `depth` levels below its base face; 0 removes whole base faces
   };
   Scheme scheme = Scheme::kLongestEdge;
   Rule rule = Rule::kTargetEdge;
   double target_edge = 0.0025;  // m, > 0
   double tolerance = 0.00125;   // m, > 0
-  int depth = 4;                // levels, 0 .. kLargestDepth: a split in four, or two in two
-  Rim rim = Rim::kFaces;        // a pattern of rays has no volume: it leaves faces
+  int depth = 4;                // levels, 0 .. kLargestDepth: one split into four, or two into two
+  Rim rim = Rim::kFaces;        // a pattern of rays has no volume and always leaves kFaces
 
   static constexpr int kLargestDepth = 24;
   friend bool operator==(const Resolution&, const Resolution&) = default;
@@ -46,68 +46,66 @@ struct CutSettings {
   Laser laser;
   Resolution resolution;
   bool smooth() const { return resolution.rim == Rim::kSmooth && laser.pattern == Pattern::kVolume; }
-  size_t most_faces = 20'000'000;  // a cut that would make more live faces than this stops
-  // How many faces a move looks at when what came apart must be searched for; the next moves go on with it,
-  // so that pieces get the same labels however moves are dealt out to steps.
+  size_t most_faces = 20'000'000;  // a cut fails before there are more live faces than this
+  // The number of faces that a move visits in a search for separated pieces; the following moves continue the
+  // search. The limit is per move and not per step, so that labels do not depend on the division into steps.
   size_t search_a_move = 1'000;
-  // How many faces a step finds, looks at and removes before it ends, or few more; about a millisecond. What
-  // is cut does not depend on it.
+  // The number of faces that a step finds, examines and removes before it ends, or slightly more; about a
+  // millisecond of work. The result of the cut does not depend on it.
   size_t bite = 3'000;
 };
 
-// What a step looked at, made and took, and how long its stages took (seconds).
+// Counts of the work of a step, and the duration of its stages (s).
 struct StepFigures {
-  size_t queries = 0;  // of trees, by moves of the beam
-  QueryCounts tested;  // in all of these
+  size_t queries = 0;  // queries of trees
+  QueryCounts tested;  // the sum over these queries
   size_t faces_made = 0;
-  double largest_cosine = -1;  // of the corners of faces that were made and are left: their smallest angle
+  double largest_cosine = -1;  // of the smallest angle of the faces that were created and not removed
   double query_s = 0, refine_s = 0, remove_s = 0, update_tree_s = 0, separate_s = 0;
 
   void add(const StepFigures& other);
 };
 
 struct StepResult {
-  size_t moves = 0;              // of the beam that came to their end
-  std::optional<BeamMove> last;  // the last of those
+  size_t moves = 0;              // number of moves of the beam that were finished
+  std::optional<BeamMove> last;  // the last of these
   Delta delta;
   StepFigures figures;
 };
 
-// One step of a cut through all bodies that the beam meets (see cuttable): for each move of the beam in turn
-// the faces that it touches are found (hit), split until they are fine enough or wholly within the beam
-// (refine), and removed; then what came apart gets labels of its own (separate). Topology changes nowhere
-// else. Moves are in world coordinates.
+// Executes one step of a cut through all bodies that the beam may cut (see cuttable). For each move of the
+// beam in turn, the faces that it touches are found (hit), split until they are fine enough or wholly inside
+// the beam (refine), and removed; then separated pieces get new labels (separate). The topology changes
+// nowhere else. Moves are in world coordinates.
 //
-// The first move is begun where it was left, and the step ends with the last move or after settings.bite
-// faces, perhaps within a move: then `unfinished` says where, and the next step is given the moves from that
-// one on. However moves are dealt out to steps and whatever the bite, the same faces come to the same slots
-// with the same labels, and the tree to the same boxes. Between two steps the world is whole; what the move
-// cut off has its label when the move is through. One search of the tree and the separation of one move are
-// not parted.
+// The step continues the first move where `unfinished` says, and ends with the last move or after
+// settings.bite faces. If it ends within a move, `unfinished` says where, and the next step must be given the
+// moves from that one on. The result does not depend on the division into steps or on the bite: faces get the
+// same slots and labels, and the tree the same boxes. The world is consistent between steps; the pieces that
+// a move separates have their labels when the move is finished. A single query of the tree and the separation
+// after one move are never divided.
 //
-// Fails when settings.most_faces is reached and when `progress` stops it; what was cut until then stays cut,
-// the delta is lost, so that everything that follows the world must look at it anew, and nothing is
-// unfinished: the move is begun anew by whoever goes on.
+// Fails if settings.most_faces is reached or `progress` stops it. The part of the cut that was done remains,
+// but its delta is lost, so that everything that follows the world must read it again. `unfinished` is reset.
 Result<StepResult> cut_step(World& world, const CutSettings& settings, std::span<const BeamMove> moves,
                             UnfinishedMove& unfinished, const Progress* progress = nullptr);
 
-// Ends a stroke with a smooth rim in all bodies that the beam meets (see cuttable). While the stroke runs,
-// steps take only what lies wholly within the beam; here the faces that lie across the boundary of all that
-// `path` has swept are cut along it, and what is inside goes. `path` holds the moves of the whole stroke,
-// world coordinates.
+// Ends a stroke with a smooth rim in all bodies that the beam may cut (see cuttable). Before that, the steps
+// of the stroke only remove faces that are wholly inside the beam. This function cuts the faces that cross
+// the boundary of the volume swept by `path` along that boundary, and removes the parts inside. `path` holds
+// all moves of the stroke, in world coordinates.
 //
-// Where a chord would leave the boundary by more than kRimChord, faces are split by the scheme first. A
-// vertex near the boundary moves onto it along an edge where that leaves the surface as it was; every other
-// edge across the boundary is split there, so the rim lies on the original surface. Then edges in the plane
-// of one base face are turned where that makes the smallest angle larger. Fails as cut_step does.
+// Faces in which a chord would deviate from the boundary by more than kRimChord are split by the scheme
+// first. A vertex near the boundary is moved onto it along an edge if that does not change the surface; every
+// other edge that crosses the boundary is split there, so that the rim lies on the original surface. Finally,
+// edges within one base face are flipped where that increases the smallest angle. Fails like cut_step.
 Result<StepResult> close_rim(World& world, const CutSettings& settings, std::span<const BeamMove> path,
                              const Progress* progress = nullptr);
 
-// Whether no search for what came apart is open in any body.
+// Whether no body has an unfinished search for separated pieces.
 bool is_settled(const World& world);
 
-// Goes on with those searches as a step that cuts nothing, looking at so many faces in each body, also in
-// those that are hidden.
+// Continues these searches in all bodies, including hidden ones, and visits `most` faces in each of them.
 StepResult go_on_separating(World& world, size_t most);
 
 }  // namespace kerf

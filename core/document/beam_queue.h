@@ -11,49 +11,49 @@
 
 namespace kerf {
 
-// What waits to be walked in a document, in its order: moves of the beam, ends of strokes with a smooth rim,
-// and ticks, each of a step of the history. Moves are queued whole and subdivided when they are begun, for
-// how finely depends on how far from the beam the bodies stand then.
+// The work of a document that has not been executed yet, in order: moves of the beam, ends of strokes with a
+// smooth rim, and ticks. Each entry belongs to a step of the history. Moves are stored whole and subdivided
+// when they are begun, because the subdivision depends on where the bodies are at that moment.
 class BeamQueue {
  public:
   enum class Kind { kMove, kRim, kTicks };
 
   bool empty() const { return ready_.empty() && entries_.empty(); }
-  // How many moves, ends of strokes and ticks wait. A move counts as many times as it would be subdivided
-  // where the bodies stood when it was queued; once it is begun, the count is exact.
+  // The number of moves, ends of strokes and ticks. A move counts as the number of parts into which it would
+  // have been subdivided when it was appended; once it is begun, the count is exact.
   size_t size() const { return size_; }
-  // Whether anything waits but ticks.
+  // Whether the queue holds anything besides ticks.
   bool holds_beam() const { return size_ > ticks_; }
-  // Whether anything waits of a step of the history.
+  // Whether the queue holds anything of a step of the history.
   bool holds(size_t step) const;
 
   void push_move(size_t step, std::shared_ptr<Stroke> stroke, const BeamMove& move, const World& world);
   void push_rim(size_t step, std::shared_ptr<Stroke> stroke);
   void push_ticks(size_t step, Ticks ticks);
-  // Ticks that pass before all that waits.
+  // Inserts ticks before everything else.
   void push_ticks_in_front(size_t step, Ticks ticks);
 
-  // What comes first. Precondition: !empty().
+  // The front of the queue. Precondition of these: !empty().
   size_t front_step() const;
   Kind front_kind() const { return ready_.empty() ? entries_.front().kind : Kind::kMove; }
   const std::shared_ptr<Stroke>& front_stroke() const;
-  Ticks front_ticks() const;  // of a front of that kind
+  Ticks front_ticks() const;  // precondition: front_kind() is kTicks
 
-  // The move that the next step begins with, or goes on with; none where it is no move.
+  // The move that the next step begins or continues, or nothing if the front is no move.
   std::optional<BeamMove> next_move(const World& world) const;
 
-  // Begins moves of the step in front: subdivides them, which adds them to the path of their stroke, and
-  // returns up to `most` of them, one or more. Precondition: the front is a move, most > 0.
+  // Begins moves at the front: subdivides them, appends the parts to the path of their stroke, and returns
+  // between 1 and `most` parts. Preconditions: the front is a move, most > 0.
   std::vector<BeamMove> begin_moves(const World& world, size_t most);
-  // Where the first move was left by the last step.
+  // How far the last step executed the first move.
   UnfinishedMove& unfinished() { return unfinished_; }
 
-  // What was begun came to its end.
+  // Remove what has been executed from the front.
   void pop_moves(size_t count);
   void pop_rim();
   void pop_ticks(Ticks count);
 
-  // What waits of a step of the history is not to be walked: all of it, or all but ticks.
+  // Remove the entries of a step of the history: all of them, or all except ticks.
   void drop(size_t step);
   void drop_strokes(size_t step);
   void clear() { *this = BeamQueue(); }
@@ -64,19 +64,19 @@ class BeamQueue {
     Kind kind = Kind::kMove;
     std::shared_ptr<Stroke> stroke;  // null: ticks
     BeamMove move;                   // of a move, not subdivided
-    size_t count = 1;                // how many of size() it is; of ticks: how many
+    size_t count = 1;                // its share of size(); the number of ticks
   };
   void push(Entry entry);
   template <typename Drops>
   void drop_if(size_t step, Drops drops);
 
-  std::deque<BeamMove> ready_;  // moves that were begun, of one stroke; the first may be unfinished
+  std::deque<BeamMove> ready_;  // begun moves, all of one stroke; the first may be unfinished
   size_t ready_step_ = 0;
   std::shared_ptr<Stroke> ready_stroke_;
   UnfinishedMove unfinished_;
-  std::deque<Entry> entries_;  // behind them, by ascending step
+  std::deque<Entry> entries_;  // after those, in the order of steps
   size_t size_ = 0;
-  size_t ticks_ = 0;  // among those
+  size_t ticks_ = 0;  // included in size_
 };
 
 }  // namespace kerf

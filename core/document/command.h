@@ -18,22 +18,22 @@
 
 namespace kerf {
 
-// Everything that changes the world is one of these. A stroke is its beginning, poses in world coordinates
-// and its end, never pixels, so the journal of commands gives the same world wherever it is replayed.
+// All changes of the world are commands. A stroke consists of a beginning, poses in world coordinates and an
+// end; it contains no pixels, so that a journal of commands gives the same world wherever it is replayed.
 //
 // Each kind of command is one pair of files in core/document/commands. Its struct has, beside its data:
 //   kName, kKeys, kOptionalKeys   its name and its keys in a journal
-//   words()                       what it does, for people: "Stroke, radius 4 mm"
-//   weight()                      bytes that it holds beside its own size
+//   words()                       a description for the user: "Stroke, radius 4 mm"
+//   weight()                      the memory that it owns besides its own size, in bytes
 //   write(), read()               its keys as text, see CommandWriter and CommandReader
-// A kind that lacks one of these does not compile, and neither does one that is missing where commands are
-// told apart, which is done by std::visit everywhere.
+// A kind without one of these members does not compile. Kinds are always distinguished by std::visit, so that
+// a case that is missing anywhere does not compile either.
 using Command = std::variant<BeginStroke, MoveStroke, EndStroke, Recut, Advance, AddMesh, MovePiece,
                              HidePiece, DeletePiece, RenamePiece, Undo, Redo>;
 
-// A command that changes the world in one go, after all that waits: run(world, generation, progress). The
-// delta says what changed and is empty where there was nothing to do. `generation` is that of the bodies that
-// it makes (see BodyId). On failure the world is as it was.
+// A command that is executed at once, after the queue: run(world, generation, progress). It returns what
+// changed, which is empty if the command has no effect. Bodies that it creates get `generation` (see BodyId).
+// On failure the world is unchanged.
 template <typename C>
 concept HappensAtOnce = requires(const C& command, World& world) {
   { command.run(world, uint32_t{}, nullptr) } -> std::same_as<Result<Delta>>;

@@ -17,19 +17,22 @@ namespace kerf {
 
 // A world and the commands that led to it.
 //
-// A command of a stroke, and one that lets time pass, queues what it asks for; step() does it, as much at a
-// time as it is asked for or as a bite holds. However that is dealt out to steps, the same faces go and the
-// same pieces come off. All other commands happen at once, after what waits.
+// The commands of a stroke, and Advance, only append work to a queue: moves of the beam and ticks of time.
+// step() executes a bounded part of the queue. The result does not depend on how the queue is divided into
+// steps: the same faces are removed and the same pieces are separated. All other commands are executed at
+// once, after everything in the queue.
 //
-// Time passes where the commands say so (see Advance): a tick begins when the moves before it are walked and
-// what came apart in them is known. In the history it belongs to the stroke before it, is undone with it, and
-// passes again when the stroke is cut again; where there is no stroke before it, it is a step of its own.
+// Time passes only by Advance commands. A tick starts when the moves before it have been executed and the
+// search for separated pieces is finished. In the history, time belongs to the stroke before it: it is undone
+// with the stroke, and passes again when the stroke is cut again. Without a stroke before it, it is a step of
+// its own.
 //
-// Undo and redo exchange before-images of what each step of the history changed, exact to the bit, at the
-// cost of what was changed. Where those were let go the document starts again from its origin.
+// Undo and redo exchange before-images of what each step of the history changed. They are exact to the bit,
+// and their cost is proportional to the change. If the before-images of a step were discarded to save memory,
+// the document is replayed from its origin.
 class Document {
  public:
-  // Makes the world that the document began with once more.
+  // Creates the world that the document started with again.
   using Origin = std::function<Result<World>(const Progress*)>;
 
   Document() = default;
@@ -37,40 +40,44 @@ class Document {
 
   const World& world() const { return world_; }
 
-  // Applies the command and appends it to the journal. Commands but those of a stroke and Advance end a
-  // stroke that is running. Moves without a stroke, and commands for which there is nothing to do, do nothing
-  // and are not written.
+  // Applies the command and appends it to the journal. Every command except those of a stroke and Advance
+  // ends a running stroke. A move without a running stroke, and a command that has no effect, are ignored and
+  // not written to the journal.
   //
-  // A command that happens at once has all that waits walked first. The outcome tells all that changed, also
-  // where it failed; the command itself has then done nothing, but what waited before it is done.
+  // A command that is executed at once first executes the whole queue. The outcome lists all changes of both.
+  // If the command fails, it has changed nothing itself, but the queue has been executed, and the outcome
+  // lists these changes.
   Outcome apply(const Command& command, const Progress* progress = nullptr);
-  // These only queue.
+  // Commands that only append to the queue.
   void apply(const BeginStroke& command);
   void apply(const MoveStroke& command);
   void apply(const EndStroke& command);
   void apply(const Advance& command);
 
-  // How many moves wait, one that was left half-way among them, with ticks and ends of strokes with a smooth
-  // rim (see BeamQueue::size); at least 1 while a search for what came apart is not finished.
+  // The length of the queue: moves (including one that is partly executed), ticks, and ends of strokes with a
+  // smooth rim (see BeamQueue::size). At least 1 while a search for separated pieces is not finished.
   size_t waiting() const;
-  // Whether moves or ends of strokes wait, not only ticks and searches.
+  // Whether the queue holds moves or ends of strokes, not only ticks and searches.
   bool beam_waits() const { return queue_.holds_beam(); }
-  // The move that the next step walks first; none where it walks none.
+  // The first move that the next step executes, or nothing if it executes none.
   std::optional<BeamMove> next_move() const { return queue_.next_move(world_); }
-  // Whether the next step ends a stroke with a smooth rim, which takes long after a long stroke.
+  // Whether the next step ends a stroke with a smooth rim. Its cost is proportional to the whole stroke.
   bool next_closes_rim() const;
 
-  // One step of bounded work: walks up to `most` moves of one stroke, but no more than a bite
-  // (CutSettings::bite), so that the last of them may be left half-way for the next step; or ends a stroke
-  // with a smooth rim, whatever that costs; or goes on with a search for what came apart, before the next
-  // stroke or tick begins; or lets up to `most` ticks pass. Called while anything waits, it does all.
+  // Executes a bounded part of the queue, which is one of these:
+  // - up to `most` moves of one stroke, limited to CutSettings::bite faces, so that the last move may be left
+  //   unfinished for the next step;
+  // - the end of a stroke with a smooth rim, as a whole;
+  // - a part of the search for separated pieces, which must be finished before the next stroke or tick;
+  // - up to `most` ticks.
+  // Calling it while waiting() > 0 executes the whole queue.
   //
-  // On failure the stroke has cut nothing, and who follows the world must look at all of it again; where
-  // `progress` stopped it, it is undone in the journal too, with what waits behind it. Where no before-images
-  // are made, the stroke ends where it is.
+  // On failure the stroke is taken back, and whatever follows the world must read all of it again. If
+  // `progress` stopped the step, the stroke is also undone in the journal, together with the queue behind it.
+  // If no before-images are recorded (see set_window), the stroke ends where it was stopped instead.
   Result<StepResult> step(size_t most, const Progress* progress = nullptr);
 
-  // Whether the step before the position is a stroke, cut again or not, that a Recut can take back.
+  // Whether the last step of the history before the position is a stroke that Recut can cut again.
   bool can_recut() const;
 
   // The settings and the commands so far of the last stroke that was not undone. Precondition: has_stroke().
@@ -79,50 +86,51 @@ class Document {
   const std::vector<Command>& last_stroke() const {
     return history_.step(history_.base_of(*history_.last_cut())).commands();
   }
-  // A copy of the world as it was before that stroke; none where that is not remembered, and where the world
-  // is too large to be copied between two frames.
+  // A copy of the world as it was before that stroke. Nothing if its before-images were discarded, or if the
+  // world has more faces than can be copied between two frames.
   static constexpr size_t kMostFacesToCopy = 400'000;
   std::optional<World> before_last_stroke();
 
-  // Strokes that are in the world or wait, the last of them perhaps running.
+  // The number of strokes that are not undone, including those in the queue and a running one.
   size_t strokes() const { return history_.strokes(); }
   bool in_stroke() const { return in_stroke_; }
-  // Faces that all of them removed, and their area (m^2).
+  // The number of faces that these strokes removed so far, and their area (m^2).
   size_t removed_faces() const { return history_.removed_faces(); }
   double removed_area() const { return history_.removed_area(); }
-  // A number that grows whenever a stroke is begun, cut again, undone or redone.
+  // A number that increases whenever a stroke is begun, cut again, undone or redone.
   size_t revision() const { return revision_; }
 
   // The steps that can be undone and redone.
   const History& history() const { return history_; }
   void set_window(size_t bytes) { history_.set_window(bytes); }
-  // Whether the way back to a position is remembered; otherwise going there takes a replay.
+  // Whether the before-images that lead to a position are kept. Otherwise travel() has to replay.
   bool remembers_way_to(size_t position) const;
-  // Goes to a position of the history by undo and redo. The outcome tells all that changed, also on failure.
+  // Goes to a position of the history by undo and redo. The outcome lists all changes, also on failure.
   Outcome travel(size_t position, const Progress* progress = nullptr);
 
-  // All commands that were applied, Undo and Redo too.
+  // All commands that were applied, including Undo and Redo.
   const std::vector<Command>& journal() const { return journal_.commands(); }
-  // How many of them are final: the last may be an Advance that grows to a whole second.
+  // The number of commands that do not change any more. The last one may be an Advance of less than a second,
+  // to which further time is added.
   size_t final_commands() const { return journal_.final_size(); }
-  // Makes all of them final, so that who writes the journal down need not come back to them.
+  // Makes all of them final, so that they can be written to a file.
   void seal_journal() { journal_.seal(); }
 
  private:
-  // Drawing.
+  // Appending to the queue.
   void end_stroke();
   void queue_commands(size_t step);
   void queue_command(size_t step, const Command& command);
 
-  // Walking: of what comes first in the queue.
+  // Executing the front of the queue.
   bool must_separate() const;
   StepResult separate_more();
   Result<StepResult> walk_moves(size_t most, const Progress& progress);
   Result<StepResult> close_rim_of_stroke(const Progress& progress);
   StepResult pass_ticks(size_t most);
   void begin(size_t step);
-  // Ends the recording of the step that is open, if one is. The images of a step that is about to be taken
-  // back must not be let go, so close() does not look at the window.
+  // Ends the recording of the open step, if there is one. close() does not trim the history to its window,
+  // because the images of a step that is about to be taken back must be kept.
   void close();
   void close_and_trim();
   StepResult noted(size_t step, StepResult some);
@@ -131,7 +139,7 @@ class Document {
   void give_up(size_t step, bool stopped);
   Outcome finish(const Progress* progress);
 
-  // Commands that happen at once.
+  // Commands that are executed at once.
   Result<Delta> run(HistoryStep& step, size_t at, const Progress* progress);
   Outcome do_at_once(const Command& command, const Progress* progress);
   Outcome redo_at_once(size_t step, const Progress* progress);
@@ -153,8 +161,8 @@ class Document {
   History history_;
   BeamQueue queue_;
   Recorder recorder_;
-  std::shared_ptr<Stroke> drawn_;   // the stroke that was queued last
-  std::shared_ptr<Stroke> walked_;  // the stroke that was walked last
+  std::shared_ptr<Stroke> drawn_;   // the last stroke that was appended to the queue
+  std::shared_ptr<Stroke> walked_;  // the last stroke that was executed
   bool in_stroke_ = false;
   size_t revision_ = 0;
 };

@@ -8,8 +8,8 @@
 
 namespace kerf {
 
-// The timeline of a document: its steps up to where it is, and behind those the ones that were undone.
-// Before-images are held as far as a window of memory allows; the oldest go first.
+// The timeline of a document: the steps before its position are done, those from the position on were undone.
+// The before-images of steps are kept within a limit of memory, the window; the oldest are discarded first.
 class History {
  public:
   size_t position() const { return position_; }
@@ -21,40 +21,40 @@ class History {
   HistoryStep& last() { return *steps_[position_ - 1]; }
   const HistoryStep& last() const { return *steps_[position_ - 1]; }
 
-  // A new step at the position; those that were undone are gone.
+  // Adds a step at the position and drops the steps that were undone.
   void append(HistoryStep step);
   void drop_undone() { steps_.resize(position_); }
   void back() { --position_; }
   void forth() { ++position_; }
-  // Steps behind this one can only be done again by their commands.
+  // Forgets what the steps after this one did, so that they can only be redone by executing their commands.
   void forget_behind(size_t step);
 
-  // Whether a step is a stroke, or one cut again.
+  // Whether a step is a stroke or a recut of one.
   bool cuts(size_t step) const;
-  // The stroke that a step is, or cuts again.
+  // The stroke itself, or for a recut the stroke that it cuts again.
   size_t base_of(size_t step) const;
-  // The last stroke, or the last time that it was cut again, before the position.
+  // The last step before the position that is a stroke or a recut.
   std::optional<size_t> last_cut() const;
-  // The settings of a step that cuts.
+  // The settings with which a step cuts. Precondition: cuts(step).
   const CutSettings& settings_of(size_t step) const;
-  // The commands that do from scratch what the world shows of a step: of a stroke that was cut again, its own
-  // with the settings of the recut, and behind them the time that passed after it and after each recut.
+  // The commands that reproduce the effect of a step. For a recut these are the commands of the stroke with
+  // the settings of the recut, followed by the time that passed after the stroke and after each recut.
   std::vector<Command> commands_of(size_t step) const;
-  // Of all strokes before the position: how many they are, the faces that they removed, and their area (m^2).
+  // Sums over the strokes before the position: their number, the faces they removed, and the area (m^2).
   size_t strokes() const;
   size_t removed_faces() const;
   double removed_area() const;
 
-  // Whether steps first .. end - 1 can be taken back by their before-images.
+  // Whether the before-images of all steps first .. end - 1 are kept.
   bool holds_images(size_t first, size_t end) const;
-  // Whether any of the steps first .. end - 1 has changed the world.
+  // Whether any of the steps first .. end - 1 has been begun, i.e. may have changed the world.
   bool any_begun(size_t first, size_t end) const;
 
-  // Bytes of before-images that are held at most; 0: none are made.
+  // The limit for the before-images, in bytes; with 0 none are recorded.
   size_t window() const { return window_; }
   void set_window(size_t bytes);
   size_t bytes() const;
-  // Lets images go, the oldest first, until the window holds them.
+  // Discards before-images, the oldest first, until they are within the window.
   void trim();
 
  private:

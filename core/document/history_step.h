@@ -9,73 +9,73 @@
 
 namespace kerf {
 
-// One step of a history: its commands, how far they have come, and what they did to the world.
+// A step of the history: its commands, how far they have been executed, and what they changed.
 class HistoryStep {
  public:
   enum class Kind {
-    kStroke,  // a stroke with all its moves, and the time that passed after it
-    kRecut,   // the stroke of the step before, cut again; and the time that passed after it
-    kTime,    // time that passed where no stroke was before
-    kEdit,    // a command that happens at once
+    kStroke,  // a stroke with all its moves, and the time that passes after it
+    kRecut,   // the previous stroke cut again with other settings, and the time that passes after it
+    kTime,    // time that passes without a stroke before it
+    kEdit,    // a command that is executed at once
   };
   enum class State {
-    kWaiting,  // nothing of it was begun
-    kBegun,    // some of it waits, or more may come
+    kWaiting,  // nothing has been executed yet
+    kBegun,    // a part is still in the queue, or more commands may follow
     kDone,
   };
-  // Of what the step changed: what it was before.
+  // The before-images of what the step changed.
   enum class Images {
     kNone,   // the step is waiting
-    kHeld,   // all are held, or being recorded
-    kLetGo,  // some are not: the step can only be taken back by a replay
+    kHeld,   // all are kept, or are being recorded
+    kLetGo,  // some were discarded, so that the step can only be undone by a replay
   };
 
-  // Precondition: the command is one that a step begins with.
+  // Precondition: the command is one that can begin a step.
   explicit HistoryStep(const Command& first);
 
   Kind kind() const { return kind_; }
   const std::vector<Command>& commands() const { return commands_; }
   Command& first() { return commands_.front(); }
   void add(const Command& command);
-  // The generation of bodies that the step makes (see BodyId); it is of kind kEdit.
+  // The generation of bodies that the step creates (see BodyId). Only used by kEdit.
   uint32_t generation = 0;
 
-  // What it took away: live faces, and their area (m^2).
+  // The number of live faces that the step removed, and their area (m^2).
   size_t removed_faces() const { return removed_faces_; }
   double removed_area() const { return removed_area_; }  // see Delta
-  // What the steps that walked it looked at, made and took since it was begun.
+  // The sum of the figures of all cut steps that executed it.
   const StepFigures& figures() const { return figures_; }
 
   State state() const { return state_; }
   bool waiting() const { return state_ == State::kWaiting; }
   bool done() const { return state_ == State::kDone; }
-  // The step is begun where it waits; `record`: all that it changes will be added.
+  // Begins the step if it is waiting. `record`: the before-images of all its changes will be added.
   void begin(bool record);
   // Precondition: it was begun.
   void finish();
-  // More was added to a step that was done.
+  // Makes a finished step begun again, because commands were added to it.
   void reopen();
 
   Images images() const { return images_; }
-  size_t bytes() const { return bytes_; }  // of memory that its images hold
+  size_t bytes() const { return bytes_; }  // memory of its before-images
   void add(World::Change change);
-  // Notes what the step changed, so that a delta can tell of it when it is taken back.
+  // Notes what the step changed, from which the delta is made when the step is undone or redone.
   void touch(const Delta& delta);
   void add(const StepFigures& figures) { figures_.add(figures); }
-  // Nothing of the step is in the world any more, nor remembered: it waits.
+  // Makes the step waiting again, after its changes were taken out of the world. Drops all records of them.
   void forget();
-  // Its images go; what it did stays.
+  // Discards the before-images. The changes stay in the world.
   void let_go();
 
-  // Exchanges what the step changed with its images: it is taken back, or done again. Precondition: images
-  // are held, and all steps behind it are taken back.
+  // Undoes or redoes the step by exchanging what it changed with its before-images. Preconditions: the images
+  // are held, and all later steps are undone.
   Delta take_back(World& world);
   Delta bring_again(World& world);
-  // Takes what the step did back as an edit of the world; the step stays as it is.
+  // Undoes the step by an edit of the world that is recorded like any other. The step is left unchanged.
   Delta restore(World& world) const;
 
  private:
-  // Slots of faces, some more than once: those whose corners changed, that came or went, and those whose
+  // Slots of faces, possibly repeated: faces that were added, removed or had corners moved, and faces whose
   // label changed.
   struct Touched {
     std::vector<FaceId> corners, labels;
@@ -89,9 +89,9 @@ class HistoryStep {
   size_t removed_faces_ = 0;
   double removed_area_ = 0;
   StepFigures figures_;
-  std::vector<World::Change> changes_;  // in their order
+  std::vector<World::Change> changes_;  // in the order in which they were made
   std::map<BodyId, Touched> touched_;   // by the id of the body after the step
-  Delta bodies_;                        // what the step changed, except for faces
+  Delta bodies_;                        // all changes except those of faces
   size_t bytes_ = 0;
 };
 

@@ -9,8 +9,8 @@
 
 namespace kerf {
 
-// What a command did to a world, and why it failed where it did. A command that fails may have changed the
-// world all the same, for what waited before it is done first: the delta always tells all that changed.
+// The result of a command: what changed in the world, and the error if the command failed. The delta may be
+// non-empty also on failure, because the queue of the document is executed before the command.
 class Outcome {
  public:
   Outcome() = default;

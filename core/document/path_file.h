@@ -9,8 +9,8 @@
 
 namespace kerf {
 
-// A stroke as a file holds it: what it says of the laser, and its keys in the order of time. Directions are
-// unit.
+// A stroke as read from a file: the settings of the laser that the file gives, and the keys in the order of
+// time. Directions are unit vectors.
 struct StrokePath {
   std::optional<double> radius;   // m
   std::optional<Interval> range;  // m
@@ -20,7 +20,7 @@ struct StrokePath {
 };
 
 // The strokes of a path file: {"strokes": [{"laser": {...}, "keys": [{"t", "origin", "direction"}, ...]}]}.
-// Anything that is wrong is one sentence with a JSON pointer.
+// The error names the first wrong value by its JSON pointer.
 Result<std::vector<StrokePath>> read_path_file(const std::filesystem::path& file);
 
 }  // namespace kerf

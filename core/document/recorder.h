@@ -6,19 +6,19 @@
 
 namespace kerf {
 
-// Knows which step of a history changes the world at the moment, and records before-images of what it
-// changes where they are wanted.
+// Records the before-images of the step of the history that is being executed, which is called open.
 class Recorder {
  public:
-  // The step that is open; none between close and open.
+  // The open step, or nothing between close() and open().
   std::optional<size_t> step() const { return step_; }
 
-  // What changes from here on is changed by this step. Precondition: no step is open.
+  // Opens a step: changes from now on belong to it, and with `record` their before-images are recorded.
+  // Precondition: no step is open.
   void open(World& world, size_t step, bool record);
-  // Closes the open step. What it changed since open, where that was recorded. Precondition: a step is open,
-  // and `world` is the one that it was opened for.
+  // Closes the open step and returns the changes since open() if they were recorded. Preconditions: a step is
+  // open, and `world` is the one for which it was opened.
   std::optional<World::Change> close(World& world);
-  // The world is another one: what was recorded is of no use.
+  // Discards the recording, because the world was replaced by another one.
   void abandon() { step_.reset(); }
 
  private:

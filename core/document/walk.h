@@ -6,18 +6,18 @@
 
 namespace kerf {
 
-// How a document is walked.
+// How the queue of a document is executed.
 struct Walk {
-  size_t moves_a_step = 64;  // at most, see Document::step
-  size_t leave = 0;          // the walk ends when no more than so many wait
-  // Hears of each step, also of one that failed; the walk ends with what it returns where that is an error.
-  // Without it the walk ends with the first step that fails.
+  size_t moves_a_step = 64;  // the limit that Document::step is given
+  size_t leave = 0;          // execution ends when the queue is not longer than this
+  // Called after each step with its result, also if the step failed. Execution ends with the error that it
+  // returns, if any. Without this function, execution ends with the first step that fails.
   std::function<Status(const Result<StepResult>&)> told;
-  const Progress* progress = nullptr;  // asked before each step and in it
+  const Progress* progress = nullptr;  // may stop execution before and within each step
 };
 
-// Walks what waits in a document, step by step. Fails as `told` says, and where `progress` stops it: before a
-// step, or in one, whose stroke the document then undoes.
+// Executes the queue of a document step by step. Fails with the error of `told`, or with cancelled() if
+// `progress` stopped it; a stroke that was stopped within a step is undone by the document.
 Status walk(Document& document, const Walk& how);
 
 }  // namespace kerf

@@ -21,7 +21,8 @@ struct PieceGroups {
   // of pieces of the body plus the index in `loose`. Empty if nothing is loose: then the group of each face
   // is the label of its piece.
   std::vector<uint32_t> of_face;
-  std::vector<Vec3> middles;  // by label: centre of area of all that goes with the piece, m, in the body frame
+  std::vector<Vec3>
+      middles;  // by label: centre of area of all that goes with the piece, m, in the body frame
 
   uint32_t of(const Mesh& mesh, FaceId f) const {
     return f.index < of_face.size() ? of_face[f.index] : mesh.data(f).piece;

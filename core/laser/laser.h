@@ -10,7 +10,7 @@ namespace kerf {
 
 // How the beam fills its radius.
 enum class Pattern {
-  kVolume,  // everything in the cylinder
+  kVolume,  // the whole cylinder
   kRays4,   // four parallel rays on a circle of the radius, as in the paper
 };
 
@@ -18,26 +18,27 @@ struct Laser {
   double radius = 0.01;   // m, > 0
   Interval range{0, 10};  // m along the beam from its origin
   Pattern pattern = Pattern::kVolume;
-  double power = 2000;  // W; the geometric model does not ask
+  double power = 2000;  // W; the geometric model ignores it
 };
 
-// A beam that is on while it moves from one pose to the next: its origin on the straight line, its direction
-// along the shorter arc.
+// A move of the switched-on beam from one pose to another: its origin moves along the straight line, its
+// direction along the shorter arc.
 struct BeamMove {
   Pose from, to;
-  double seconds = 0;  // that the move takes, >= 0; zero where nothing is known of its time
+  double seconds = 0;  // duration, >= 0; 0 if it is unknown
 };
 
-// The volumes that the beam passes in a move: one, or one strip for each ray of the pattern.
+// The volumes that the beam sweeps in a move: one volume, or one strip for each ray of the pattern.
 std::vector<SweptCylinder> sweep_beam(const Laser& laser, const BeamMove& move);
 
 // Subdivides a move into 2^k equal moves, each of which takes an equal share of the time. Their number is the
 // smallest for which no move carries a point of the beam within `reach` metres of its origin farther than
 // `radius` (m, > 0), nor turns the beam by more than 0.05 rad, so that the swept volumes follow the beam
-// closely; it is limited to 2^17. The result depends on the arguments alone, so a stroke is subdivided alike
-// however its moves are dealt out to steps. Precondition: directions are unit vectors and not opposite.
+// closely; it is limited to 2^17. The result depends only on the arguments, so the subdivision of a stroke
+// does not depend on how its moves are divided into steps. Precondition: directions are unit vectors and not
+// opposite.
 std::vector<BeamMove> subdivide(const BeamMove& move, double radius, double reach);
-// How many moves that gives. O(1).
+// The number of moves that subdivide() returns. O(1).
 size_t subdivisions(const BeamMove& move, double radius, double reach);
 
 }  // namespace kerf

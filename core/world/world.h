@@ -20,93 +20,92 @@
 
 namespace kerf {
 
-// A piece of a body: faces that hang together, or that belong together because they were loaded together. It
-// is a label on its faces (FaceData::piece) while it stands still. `moments` are relative to Body::middle()
-// and, unlike the counts, those of the faces that have the label already (see Body::label).
+// A piece of a body: the faces with one label (FaceData::piece). They are connected, except that the faces
+// with label 0 may be several components that were loaded together. `moments` are relative to Body::middle();
+// unlike the counts, they only include faces that already have the label (see Body::label).
 struct Piece : FaceCounts {
   AreaMoments moments;
 };
 
-// One mesh in the world with what is kept up beside it.
+// A mesh in the world with the data that are kept consistent with it.
 struct Body {
   std::string name;
   uint32_t named = 0;  // the label of the piece that has this name; the others are named after it
   Placement placement;
-  bool hidden = false;  // not seen, and not met by the beam
-  // Where state_hash counts the body among the others, and how journals named it before there were
-  // generations: the slot that it was added to. A body that a piece is detached from keeps its number for the
-  // larger of the two sides.
+  bool hidden = false;  // neither drawn nor cut
+  // The position of the body in state_hash, and its name in journals that predate generations: the slot to
+  // which it was added. When a piece is detached from a body, the larger of the two sides keeps the number.
   uint32_t number = 0;
   Mesh mesh;
   AabbTree tree;
   OneToFour refinement;
-  Records<Piece> pieces;        // by label; 0 is the body itself, the others came off it
+  Records<Piece> pieces;        // by label; 0 is the body itself, the others were separated from it
   LoadedComponents components;  // of piece 0
   SeparationState separation;
   std::vector<std::string> material_names;
-  MeshReport loaded;  // what the file held
-  // Where the faces come from: the body as which they were loaded, and by base face of this body the face of
-  // that one; empty where they are equal, i.e. unless the body was copied out of another one.
+  MeshReport loaded;  // the content of the file
+  // The origin of the faces: the body as which they were loaded, and for each base face of this body the base
+  // face there. The list is empty if both are equal, which is so unless the body was detached from another.
   BodyId loaded_as;
   std::vector<FaceId> loaded_faces;
 
-  // The label of f, or the one that it is about to be given.
+  // The label of f, or the label that an unfinished search will give it.
   uint32_t label(FaceId f) const;
 
-  // The name of a piece for people: "car", or for the piece with label 9 that came off it "car 9".
+  // The name of a piece for the user: "car", or "car 9" for the piece with label 9.
   std::string name_of(uint32_t label) const;
-  // The name of the body: that of its piece if it is only one.
+  // The name of the body: the name of its piece if it has only one.
   std::string own_name() const;
 
-  // The face as which a base face of this body was loaded.
+  // The loaded face of a base face of this body.
   FaceId loaded_face(FaceId base) const { return loaded_faces.empty() ? base : loaded_faces[base.index]; }
 
-  // The counts of all that f hangs together with, as far as the last settling knew.
+  // The counts of the component of f, as known from the last call of settle().
   const FaceCounts& whole_of(FaceId f) const;
   FaceCounts& edit_whole_of(FaceId f);
 
-  // The piece whose label f has.
+  // The piece of f.
   Piece& edit_piece_of(FaceId f) { return pieces.edit(mesh.data(f).piece); }
 
-  // The middle of the mesh as loaded, which moments are relative to.
+  // The centre of the bounds of the mesh as loaded, which is the origin of moments.
   Vec3 middle() const { return 0.5 * loaded.min + 0.5 * loaded.max; }
 
-  // Adds to the counts of what f belongs to.
+  // Adds to the counts of the piece and the component of f.
   void count(FaceId f, int faces, double area);
 
-  // All that a command may change in a body that it neither adds nor removes.
+  // All members that a command may change in a body that exists before and after it.
   template <typename Self>
   static auto parts(Self& self) {
     return std::tie(self.name, self.named, self.placement, self.hidden, self.mesh, self.tree, self.refinement,
                     self.pieces, self.components, self.separation);
   }
 
-  // Memory that its arrays hold.
+  // Memory of its arrays, in bytes.
   size_t bytes() const;
 };
 
-// A body around a mesh as loaded: builds its tree and counts its one piece and its components. O(n log n).
+// Creates a body from a loaded mesh: builds the tree and counts its piece and its components. O(n log n).
 Body make_body(std::string name, BuiltMesh built);
-// The same, or that it was stopped. `progress` may be null.
+// The same, or fails with cancelled() when stopped. `progress` may be null.
 Result<Body> make_body(std::string name, BuiltMesh built, const Progress* progress);
 
-// All bodies. An id stays valid for as long as its body lives and never names another one, provided that the
-// generations that add is given differ for any two bodies of one slot.
+// All bodies. An id is valid as long as its body exists and never refers to another one, provided that all
+// bodies of one slot are added with different generations.
 class World {
  public:
   World();
   ~World();
   World(World&&) noexcept;
   World& operator=(World&&) noexcept;
-  // A copy remembers nothing.
+  // A copy does not record changes.
   World(const World& other);
   World& operator=(const World& other);
 
-  // Gives the body a new slot. Generation 0: the world begins with it (see BodyId).
+  // Adds the body in a new slot. Generation 0 is for the bodies with which the world starts (see BodyId).
   BodyId add(Body body, uint32_t generation = 0);
-  // Precondition: contains(id). The slot stays empty.
+  // Removes a body; its slot is not used again. Precondition: contains(id).
   void remove(BodyId id);
-  // Each of the two ids gets the body of the other. Precondition: both are contained, and differ. O(1).
+  // Exchanges the bodies of two ids. Precondition: both are contained, and they differ. O(1).
   void exchange_bodies(BodyId a, BodyId b);
   bool contains(BodyId id) const {
     return id.slot < slots_.size() && slots_[id.slot].alive && slots_[id.slot].generation == id.generation;
@@ -121,30 +120,30 @@ class World {
     Vec3 min{0}, max{0};
     double diagonal() const { return glm::length(max - min); }
   };
-  // Of all bodies where they stand, a little outward; zero for an empty world. O(bodies).
+  // The bounds of all bodies at their placements, rounded outward; zero for an empty world. O(bodies).
   Bounds bounds() const;
-  // The same of what was loaded: however much was cut away since.
+  // The same for the bodies as they were loaded.
   Bounds loaded_bounds() const;
 
-  // How much time has passed in the world.
+  // The time that has passed since the world was created.
   Ticks clock() const { return clock_; }
-  // Lets so many ticks pass.
+  // Advances the clock.
   void pass(Ticks ticks) { clock_ += ticks; }
 
   size_t live_faces() const;
-  // Pieces that have faces, the bodies themselves included.
+  // The number of pieces that have faces, including those with label 0.
   size_t live_pieces() const;
 
-  // What the world was before a command, or, once exchanged, after it.
+  // The before-images of a command, or, once exchanged, its after-images.
   class Change;
-  // From begin_change on, what is edited is saved before; end_change gives what the world was; exchange makes
-  // it that again, to the bit, and the change what it was till then. Changes are exchanged in the order of a
-  // history: what came later is taken back first. O(bodies + what was changed).
+  // Between begin_change and end_change, everything is saved before it is edited; end_change returns what was
+  // saved. exchange restores it exactly to the bit, and turns the change into its reverse. Changes must be
+  // exchanged in the order of a history, the latest first. O(bodies + size of the change).
   void begin_change();
   Change end_change();
   void exchange(Change& change);
-  // Makes the world what it was before the change, as an edit that is remembered as others are. The change
-  // touched no body but by editing it. Also good for a copy of the world.
+  // Restores the world before the change by edits that are recorded like any others. Precondition: the change
+  // added and removed no body. Can also be applied to a copy of the world.
   void restore(const Change& change);
 
  private:
@@ -153,7 +152,7 @@ class World {
     uint32_t generation = 0;
     bool alive = false;
   };
-  // A body that is there before and after a change.
+  // A body that exists before and after a change.
   struct BodyChange {
     uint32_t slot = 0;  // after the change
     uint32_t home = 0;  // the slot before it
@@ -169,14 +168,14 @@ class World {
 
   std::vector<Slot> slots_;
   Ticks clock_ = 0;
-  std::unique_ptr<Change> remembered_;  // while a command is remembered
+  std::unique_ptr<Change> remembered_;  // not null between begin_change and end_change
 };
 
 class World::Change {
  public:
-  // Memory that it holds.
+  // Memory of the images, in bytes.
   size_t bytes() const;
-  // Whether bodies came or went.
+  // Whether bodies were added or removed.
   bool bodies_differ() const { return !died_.empty() || slots_differ_; }
 
  private:
@@ -189,9 +188,9 @@ class World::Change {
   bool taken_back_ = false;  // the world is as it was before the change
   std::vector<BodyChange> edited_;
   std::vector<std::pair<uint32_t, uint32_t>> exchanged_;  // slots whose bodies were exchanged, in order
-  std::vector<std::pair<uint32_t, Body>> removed_;        // by slot before the change: bodies that it removed
-  std::vector<uint32_t> died_;                            // slots that it emptied
-  std::vector<Slot> added_;                               // slots that it added, while it is taken back
+  std::vector<std::pair<uint32_t, Body>> removed_;        // removed bodies by slot before the change
+  std::vector<uint32_t> died_;                            // slots of removed bodies
+  std::vector<Slot> added_;                               // added slots, while the change is undone
 };
 
 }  // namespace kerf

@@ -21,7 +21,7 @@ void replay_all(const Journal& journal, Document& document, Studio& studio) {
 
 }  // namespace
 
-Status render_picture(Work work, const PictureOptions& options, const std::filesystem::path& png) {
+Status render_picture(OpenedFile work, const PictureOptions& options, const std::filesystem::path& png) {
   auto studio = Studio::open(work.scene, options);
   if (!studio) return studio.error();
   Document document(std::move(work.scene.world));

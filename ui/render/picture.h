@@ -5,7 +5,7 @@
 
 #include "core/base/result.h"
 #include "core/base/vec3.h"
-#include "core/document/work.h"
+#include "core/document/opened_file.h"
 #include "ui/render/show_options.h"
 
 namespace kerf {
@@ -22,6 +22,6 @@ struct PictureOptions {
 // Renders the content of a file without a screen and writes it as a PNG, whole or not at all. The strokes of
 // a scene are cut, or the commands of a journal replayed, beforehand. Fails if OpenGL is not available, the
 // file cannot be written or a stroke cannot be cut.
-Status render_picture(Work work, const PictureOptions& options, const std::filesystem::path& png);
+Status render_picture(OpenedFile work, const PictureOptions& options, const std::filesystem::path& png);
 
 }  // namespace kerf

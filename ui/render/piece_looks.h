@@ -24,7 +24,7 @@ class PieceLooks {
 
  private:
   std::map<uint32_t, PieceLook> looks_;  // by group
-  UpAxis up_ = UpAxis::kY;  // of the displacements on the GPU
+  UpAxis up_ = UpAxis::kY;               // of the displacements on the GPU
   gl::Buffer buffer_;
   gl::Texture table_;
   int count_ = 0;

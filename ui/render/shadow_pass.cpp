@@ -82,7 +82,8 @@ void ShadowPass::catch_up(BodyShadows& shadows, const Body& body, const FloatFra
   shadows.groups = looks.groups();
   if (shadows.dirty.empty() && shadows.relabelled.empty()) return;
   const std::vector<uint32_t> slots = take_slots(shadows.dirty), labels = take_slots(shadows.relabelled);
-  const ShadowCaster::Change change = shadows.caster->update(body.mesh, slots, labels, labels_of(shadows.groups));
+  const ShadowCaster::Change change =
+      shadows.caster->update(body.mesh, slots, labels, labels_of(shadows.groups));
   for (auto& [key, kept] : shadows.volumes) {
     const ShadowVolume::Effort before = kept.buffer.volume().effort();
     kept.buffer.volume().follow(*shadows.caster, change);
@@ -99,8 +100,7 @@ ShadowPass::Kept& ShadowPass::bring_up_to_date(const Subject& subject, BodyId id
   const auto [found, fresh] = shadows.volumes.try_emplace(key, key.second);
   Kept& kept = found->second;
   kept.used = true;
-  LightOnBody light =
-      light_on_body(subject.options.lights[key.first], body.placement, frame, looks);
+  LightOnBody light = light_on_body(subject.options.lights[key.first], body.placement, frame, looks);
   ShadowVolume& volume = kept.buffer.volume();
   if (fresh || !(volume.light() == light)) {
     const ShadowVolume::Effort before = volume.effort();

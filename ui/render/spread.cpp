@@ -27,8 +27,7 @@ void spread_further(const World& world, double spread, ViewOptions& look) {
       const PieceGroups& groups = groups_of(world, id, look);
       for (uint32_t label = 0; label < body.pieces.size(); ++label) {
         if (body.pieces[label].faces == 0) continue;
-        look.pieces[{id, label}].offset =
-            spread * (body.placement.to_world(groups.middles[label]) - middle);
+        look.pieces[{id, label}].offset = spread * (body.placement.to_world(groups.middles[label]) - middle);
       }
     }
   } else {

@@ -26,34 +26,35 @@ struct TreeOverlay {
   int deepest = 64;  // levels under the root
   bool leaves_only = false;
   bool hit_only = false;
-  std::optional<BodyId> body;  // that one only
+  std::optional<BodyId> body;  // the only body whose boxes are drawn; nothing: all
   BoxPalette palette = BoxPalette::kRedAndGreen;
   friend bool operator==(const TreeOverlay&, const TreeOverlay&) = default;
 };
 
-// How one piece is looked at; it stands still all the same.
+// How a piece is drawn. This does not change the world.
 struct PieceLook {
   bool hidden = false;
-  bool selected = false;  // outlined
-  uint32_t number = 0;    // decides its colour; 0: its label does
-  Vec3 offset{0};         // m along the axes of the world, added to where it stands
+  bool selected = false;  // drawn with an outline
+  uint32_t number = 0;    // determines its colour; 0: its label does
+  Vec3 offset{0};         // displacement in metres, along the axes of the world
   friend bool operator==(const PieceLook&, const PieceLook&) = default;
 };
 
-// How the world is looked at.
+// How the world is drawn.
 struct ViewOptions {
   ShowOptions show;
   bool rim_glow = true;     // the rims of cuts glow
-  bool antialias = true;    // four samples a pixel
+  bool antialias = true;    // four samples per pixel
   bool two_sided = true;    // faces are lit on both sides; otherwise the back is black
   bool cull_backs = false;  // backs are not drawn, as the paper first had it
-  bool ghost = false;       // removed faces stay as a faint veil
-  bool by_day = false;      // the stage is light, otherwise at dusk
+  bool ghost = false;       // removed faces are drawn as a faint veil
+  bool by_day = false;      // the surroundings are bright, otherwise dark
   TreeOverlay tree;
-  std::vector<Light> lights = std::vector<Light>(1);  // at most kMostLights are drawn
+  std::vector<Light> lights = std::vector<Light>(1);  // only the first kMostLights are used
   ShadowOptions shadow;
-  std::map<PieceId, PieceLook> pieces;  // those that are not looked at plainly
-  // Of bodies whose pieces are drawn apart, for the world as it is now; see spread_pieces(). Not null.
+  std::map<PieceId, PieceLook> pieces;  // pieces that are not drawn with the default look
+  // The groups of faces of bodies whose pieces are drawn apart, for the present world; see spread_pieces().
+  // Values are not null.
   std::map<BodyId, std::shared_ptr<const PieceGroups>> groups;
 };
 

@@ -6,9 +6,9 @@
 
 #include "core/document/command_words.h"
 #include "core/document/document.h"
+#include "core/document/opened_file.h"
 #include "core/document/replay.h"
 #include "core/document/save.h"
-#include "core/document/work.h"
 #include "core/world/state_hash.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/random_commands.h"
@@ -90,7 +90,7 @@ TEST_F(JournalFile, that_was_moved_with_its_mesh_still_opens) {
   std::filesystem::create_directory(folder_ / "moved");
   for (const char* name : {"plate.obj", "plate.kerf"})
     std::filesystem::rename(folder_ / name, folder_.path() / "moved" / name);
-  const auto work = read_work(folder_.path() / "moved" / "plate.kerf");
+  const auto work = open_file(folder_.path() / "moved" / "plate.kerf");
   ASSERT_TRUE(work.ok()) << work.error().message;
   EXPECT_EQ(work->scene.world.live_faces(), 2u);
   EXPECT_EQ(work->journal.commands.size(), 3u);
@@ -99,12 +99,12 @@ TEST_F(JournalFile, that_was_moved_with_its_mesh_still_opens) {
 TEST_F(JournalFile, refuses_a_mesh_that_is_another_one_or_gone) {
   save({});
   write_text(folder_ / "plate.obj", std::string(kPlate) + "v 1 2 3\n");
-  auto work = read_work(file());
+  auto work = open_file(file());
   ASSERT_FALSE(work.ok());
   EXPECT_EQ(work.error().code, ErrorCode::kBadInput);
   EXPECT_NE(work.error().message.find("plate.obj: this mesh is another one"), std::string::npos);
   std::filesystem::remove(folder_ / "plate.obj");
-  work = read_work(file());
+  work = open_file(file());
   ASSERT_FALSE(work.ok());
   EXPECT_NE(work.error().message.find("there is no such file"), std::string::npos);
 }

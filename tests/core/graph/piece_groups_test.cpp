@@ -56,7 +56,8 @@ TEST(PieceGroups, loose_parts_go_with_the_nearer_half) {
     for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
       if (!body.mesh.is_live(FaceId(f))) continue;
       const double x = body.mesh.triangle(FaceId(f))[0].x;
-      ASSERT_EQ(goes_with(body, groups, FaceId(f)), label_at(body, x > 0 ? 1 : -1)) << "face " << f << " at x = " << x;
+      ASSERT_EQ(goes_with(body, groups, FaceId(f)), label_at(body, x > 0 ? 1 : -1))
+          << "face " << f << " at x = " << x;
     }
   }
 }

@@ -60,7 +60,8 @@ class PiecesOfBody {
       if (!body_.mesh.is_live(FaceId(f))) continue;
       const uint32_t label = body_.mesh.data(FaceId(f)).piece;
       if (decided_[label]) continue;
-      const std::optional<Corners> seen = corners_of(FaceId(f), looks_.of(body_.mesh, FaceId(f)).offset, view);
+      const std::optional<Corners> seen =
+          corners_of(FaceId(f), looks_.of(body_.mesh, FaceId(f)).offset, view);
       if (!touching) chosen_[label] = true;
       const bool in = seen && (touching ? touches(band, *seen) : contains(band, *seen));
       if (in != touching) continue;

@@ -32,14 +32,14 @@ void put_into(Scene& scene, Scene more) {
 
 // Reads several files as one scene. One that cannot be read keeps no other out: it is taken out of `files`,
 // and `refused` gets the reason. Fails if none can be read.
-Result<Work> read_together(std::vector<std::filesystem::path>& files, std::vector<std::string>& refused,
+Result<OpenedFile> read_together(std::vector<std::filesystem::path>& files, std::vector<std::string>& refused,
                            const Progress* progress) {
   bool stopped = false;
   const Progress watched{[&](double fraction) {
     stopped = progress != nullptr && !progress->report(fraction);
     return !stopped;
   }};
-  Work all;
+  OpenedFile all;
   std::vector<std::filesystem::path> good;
   std::optional<Error> fault;
   const double share = 1 / static_cast<double>(files.size());
@@ -61,12 +61,12 @@ Result<Work> read_together(std::vector<std::filesystem::path>& files, std::vecto
   return all;
 }
 
-Result<Work> read_order(LoadOrder& order, std::vector<std::string>& refused, const Progress* progress) {
-  if (!order.left && order.files.size() == 1) return read_work(order.files.front(), progress);
+Result<OpenedFile> read_order(LoadOrder& order, std::vector<std::string>& refused, const Progress* progress) {
+  if (!order.left && order.files.size() == 1) return open_file(order.files.front(), progress);
   if (!order.left) return read_together(order.files, refused, progress);
   Result<Scene> scene = load_scene(order.left->scene, progress);
   if (!scene) return scene.error();
-  return Work{std::move(*scene), *order.left};
+  return OpenedFile{std::move(*scene), *order.left};
 }
 
 std::string notes_of(const World& world) {
@@ -147,7 +147,7 @@ Result<LoadedFiles> load_files(LoadOrder order, const Progress* progress) {
                  shading = stages.next(rest * kShading), deeds = stages.next(cutting),
                  shadows = stages.next(rest * kShadows);
   LoadedFiles loaded;
-  Result<Work> work = read_order(order, loaded.refused, &reading);
+  Result<OpenedFile> work = read_order(order, loaded.refused, &reading);
   if (!work) return work.error();
   Scene& scene = work->scene;
   loaded.order = std::move(order);

@@ -12,7 +12,7 @@
 #include "core/base/result.h"
 #include "core/document/document.h"
 #include "core/document/journal.h"
-#include "core/document/work.h"
+#include "core/document/opened_file.h"
 #include "ui/render/prepared_body.h"
 
 namespace kerf {

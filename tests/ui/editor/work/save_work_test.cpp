@@ -5,8 +5,8 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include "core/document/opened_file.h"
 #include "core/document/save.h"
-#include "core/document/work.h"
 #include "tests/support/temporary_folder.h"
 #include "ui/editor/work/unsaved_work.h"
 
@@ -22,7 +22,7 @@ class SaveWork : public testing::Test {
  protected:
   void SetUp() override {
     write_text(folder_ / "plate.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 3 2\n");
-    auto work = read_work(folder_ / "plate.obj");
+    auto work = open_file(folder_ / "plate.obj");
     ASSERT_TRUE(work.ok());
     work_.document = Document(std::move(work->scene.world));
     work_.scene = std::move(work->scene);
@@ -66,7 +66,7 @@ TEST_F(SaveWork, what_was_saved_opens_with_its_lights_and_its_view) {
   cut();
   view_.look.lights.front().at = {0, 7, 0};
   ASSERT_TRUE(save(folder_ / "mine.kerf"));
-  const auto work = read_work(folder_ / "mine.kerf");
+  const auto work = open_file(folder_ / "mine.kerf");
   ASSERT_TRUE(work.ok()) << work.error().message;
   EXPECT_EQ(work->journal.commands.size(), 2u);
   EXPECT_EQ(work->journal.marks.size(), 1u);
@@ -81,7 +81,7 @@ TEST_F(SaveWork, a_scene_holds_all_but_the_cuts_and_says_so) {
   EXPECT_FALSE(save(folder_ / "mine.json"));
   EXPECT_TRUE(unsaved());
   EXPECT_NE(message_.text.find("without what was cut"), std::string::npos);
-  EXPECT_TRUE(read_work(folder_ / "mine.json").ok());
+  EXPECT_TRUE(open_file(folder_ / "mine.json").ok());
 }
 
 TEST_F(SaveWork, a_file_that_cannot_be_written_leaves_the_work_unsaved) {

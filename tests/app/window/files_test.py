@@ -1,0 +1,220 @@
+"""Opening files, and work that is not lost."""
+import json
+import os
+import signal
+import subprocess
+import tempfile
+import unittest
+
+from editor_window import ACROSS, ACROSS_ABOVE, ASSETS, KERF, SPHERE, Editor, WindowTest, pause
+
+
+class Files(WindowTest):
+    def test_a_broken_file_leaves_the_default_scene_and_the_editor_running(self):
+        with tempfile.NamedTemporaryFile("w", suffix=".obj") as file:
+            file.write("f one two three\n")
+            file.flush()
+            report = self.open(file.name).quit()
+        self.assertGreater(report["faces"], 3000)
+
+    def test_a_mesh_file_is_shown_as_guessed_and_the_question_about_it_holds_nothing_up(self):
+        cut = [KERF, "cut", os.path.join(ASSETS, "meshes", "plate.obj"), "--format", "stl", "--out"]
+        pieces = tempfile.TemporaryDirectory()
+        self.addCleanup(pieces.cleanup)
+        subprocess.run([*cut, pieces.name], check=True, capture_output=True)
+        plate, = (os.path.join(pieces.name, name) for name in os.listdir(pieces.name) if name.endswith(".stl"))
+        editor = self.open(plate)
+        editor.part("up axis")
+        editor.drag(ACROSS)
+        report = editor.quit()
+        self.assertEqual(report["strokes"], 1)
+        self.assertEqual(report["view"]["frame"]["unit"], "m")
+        self.assertEqual(self.settings()["frames"], {})
+        editor = self.open_again(plate)
+        editor.click("frame for all", 0.5, 0.5)
+        frame = editor.quit()["view"]["frame"]
+        self.assertEqual(self.settings()["frames"], {"stl": frame})
+
+    def test_a_good_file_opens_and_a_broken_one_changes_nothing(self):
+        editor = self.open()
+        self.open_by_browser(editor, SPHERE)
+        broken = os.path.join(self.folder, "broken.obj")
+        with open(broken, "w") as file:
+            file.write("f one two three\n")
+        self.open_by_browser(editor, broken)
+        report = editor.quit()
+        self.assertEqual(report["files"], [os.path.basename(SPHERE)])
+        self.assertIn("broken.obj", report["message"])
+        self.assertEqual(self.settings()["recent"], [os.path.realpath(SPHERE)])
+
+    def test_dropped_files_open_together_and_a_broken_one_neither_changes_anything_nor_keeps_others_out(self):
+        editor = self.open()
+        bracket, plate = (os.path.join(ASSETS, "meshes", name) for name in ("bracket.obj", "plate.obj"))
+        broken = os.path.join(self.folder, "not a mesh.stl")
+        with open(broken, "w") as file:
+            file.write("solid nothing\nfacet normal none\n")
+        editor.drop(bracket, broken, plate)
+        editor.wait_for_title("bracket.obj and 1 more - Kerf")
+        editor.point_at("message", 0.3, 0.5)
+        editor.part("whole message")
+        editor.drop(broken)
+        editor.click("message", 0.3, 0.5)
+        editor.part("messages")
+        editor.do("Escape")
+        self.assertNotIn("messages", editor.landmarks()["parts"])
+        report = editor.quit()
+        self.assertEqual(report["files"], ["bracket.obj", "plate.obj"])
+        self.assertEqual(report["bodies"], 2)
+        self.assertIn("not a mesh.stl", report["message"])
+        self.assertEqual(sum("not a mesh.stl" in text for text in report["messages"]), 2)
+
+    def test_files_open_together_and_broken_settings_are_set_aside(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        os.mkdir(os.path.join(folder.name, "kerf"))
+        with open(os.path.join(folder.name, "kerf", "settings.json"), "w") as file:
+            file.write("{broken")
+        meshes = os.path.join(ASSETS, "meshes")
+        editor = Editor(folder.name, os.path.join(meshes, "knot.obj"), os.path.join(meshes, "bracket.obj"))
+        self.addCleanup(editor.close)
+        report = editor.quit()
+        self.assertEqual(report["bodies"], 2)
+        self.assertTrue(os.path.exists(os.path.join(folder.name, "kerf", "settings.json.bad")))
+        self.assertIn("set aside", report["message"])
+
+    def test_what_was_cut_is_saved_and_opens_again_as_it_was(self):
+        editor = self.open(SPHERE)
+        editor.wait_for_title("sphere.json - Kerf")
+        editor.drag(ACROSS)
+        editor.wait_for_title("sphere.json* - Kerf")
+        self.save_as(editor, "ball")
+        editor.wait_for_title("ball.kerf - Kerf")
+        editor.drag(ACROSS_ABOVE)
+        editor.wait_for_title("ball.kerf* - Kerf")
+        editor.press("ctrl", "s")
+        editor.wait_for_title("ball.kerf - Kerf")
+        saved = editor.quit()
+        self.assertEqual(self.unsaved(), [])
+        journal = os.path.join(self.folder, "ball.kerf")
+        self.assertTrue(os.path.exists(journal + "~"))
+        replayed = subprocess.run([KERF, "replay", journal], capture_output=True, text=True)
+        self.assertEqual((replayed.returncode, replayed.stderr), (0, ""))
+        self.set(folder=self.folder)
+        again = self.open_again(SPHERE)
+        self.open_by_browser(again, "all.kerf")  # a part of its name
+        again.wait_for_title("ball.kerf - Kerf")
+        report = again.quit()
+        for key in ("strokes", "faces", "pieces", "faces_removed"):
+            self.assertEqual(report[key], saved[key], key)
+        self.assertEqual(self.settings()["recent"][0], os.path.realpath(journal))
+
+    def test_strokes_are_taken_back_and_brought_again(self):
+        editor = self.open(SPHERE)
+        editor.drag(ACROSS)
+        editor.drag(ACROSS_ABOVE)
+        for keys in (("ctrl", "z"), ("ctrl", "z"), ("ctrl", "shift", "z")):
+            editor.do(*keys)
+        back = editor.quit()
+        self.assertEqual((back["undo_depth"], back["strokes"]), (1, 1))
+        self.assertGreater(back["faces_removed"], 0)
+
+    def test_a_click_on_the_first_row_of_the_history_goes_back_to_what_was_opened(self):
+        self.assert_history_is_travelled()
+
+    def test_the_history_is_travelled_where_no_font_is_installed(self):
+        self.assert_history_is_travelled("--own-font")
+
+    def assert_history_is_travelled(self, *options):
+        self.open(SPHERE).quit()
+        self.only_panel("History")
+        editor = self.open_again(SPHERE, *options)
+        editor.drag(ACROSS)
+        editor.drag(ACROSS_ABOVE)
+        editor.part("history row 2")
+        editor.click("history row 0", 0.2, 0.5)
+        there = editor.quit()
+        self.assertEqual((there["undo_depth"], there["strokes"], there["faces_removed"]), (0, 0, 0))
+        self.assertEqual(there["pieces"], 1)
+
+    def test_unsaved_work_does_not_go_without_a_question(self):
+        editor = self.open(SPHERE)
+        editor.drag(ACROSS)
+        for leave in (("ctrl", "q"), ("ctrl", "n")):
+            editor.press(*leave)
+            pause(1)
+            editor.press("Escape")
+            pause(0.5)
+            editor.wait_for_title("sphere.json* - Kerf")
+        editor.press("ctrl", "n")
+        pause(1)
+        editor.press("d")
+        editor.wait_for_title("car.json - Kerf")
+        pause(1)
+        editor.drag([(0.53, 0.14), (0.53, 0.5)])
+        editor.wait_for_title("car.json* - Kerf")
+        editor.press("ctrl", "q")
+        pause(1)
+        editor.press("s")
+        self.type_name(editor, "car")
+        self.assertEqual(editor.report()["strokes"], 1)
+        self.assertTrue(os.path.exists(os.path.join(self.folder, "car.kerf")))
+        self.assertEqual(self.unsaved(), [])
+
+    def test_a_killed_editor_loses_nothing_and_the_next_one_goes_on(self):
+        editor = self.open(SPHERE)
+        editor.drag(ACROSS)
+        editor.draw_without_end()
+        editor.die()
+        left, = self.unsaved()
+        with open(left) as file:
+            lines = file.read().splitlines()
+        self.assertEqual(sum('"do":"begin"' in line for line in lines), 2)
+        self.assertIn('"do":"move"', lines[-1])
+
+        later = self.open_again(SPHERE)
+        later.press("Escape")
+        self.assertEqual(later.quit()["strokes"], 0)
+        self.assertEqual(self.unsaved(), [left])
+
+        editor = self.open_again(SPHERE)
+        other = self.open_again(SPHERE)  # is not offered what another looks at
+        self.assertEqual(other.quit()["strokes"], 0)
+        editor.press("Return")
+        editor.wait_for_title("sphere.obj* - Kerf")
+        self.assertNotIn(left, self.unsaved())
+        self.assertEqual(len(self.unsaved()), 1)
+        self.save_as(editor, "saved")
+        editor.wait_for_title("saved.kerf - Kerf")
+        report = editor.quit()
+        self.assertEqual(report["strokes"], 2)
+        self.assertGreater(report["faces_removed"], 500)
+        self.assertGreater(report["last_stroke"]["faces_made"], 100)  # as figures of what was replayed
+        self.assertEqual(self.unsaved(), [])
+        replayed = subprocess.run([KERF, "replay", os.path.join(self.folder, "saved.kerf")], stdout=subprocess.DEVNULL)
+        self.assertEqual(replayed.returncode, 0)
+
+    def test_two_editors_at_once_keep_their_work_apart(self):
+        one = self.open(SPHERE)
+        one.drag(ACROSS)
+        two = self.open_again(SPHERE)
+        two.drag(ACROSS_ABOVE)
+        self.assertEqual(len(self.unsaved()), 2)
+        two.die()
+        self.assertEqual(one.quit()["strokes"], 1)
+        self.assertEqual(len(self.unsaved()), 1)
+
+    def test_sigterm_leaves_unsaved_work_for_the_next_start(self):
+        editor = self.open(SPHERE)
+        editor.drag(ACROSS)
+        editor.kerf.send_signal(signal.SIGTERM)
+        self.assertEqual(editor.report()["strokes"], 1)
+        self.assertEqual(len(self.unsaved()), 1)
+
+    def test_sigterm_ends_it_with_its_report(self):
+        editor = self.open()
+        editor.kerf.send_signal(signal.SIGTERM)
+        self.assertEqual(editor.report()["strokes"], 0)
+
+
+if __name__ == "__main__":
+    unittest.main()

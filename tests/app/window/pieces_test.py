@@ -1,0 +1,171 @@
+"""Choosing, hiding, renaming and exporting pieces, and what the window shows of them."""
+import json
+import os
+import subprocess
+import unittest
+
+from editor_window import KERF, SPHERE, WindowTest, pause, wait_for
+
+
+class Pieces(WindowTest):
+    def test_overlays_and_the_theme_are_switched_by_keys_and_the_theme_is_remembered(self):
+        editor = self.open()
+        for key in ("b", "w", "g"):
+            editor.press(key)
+        editor.press("F9")
+        pause(1)
+        view = editor.quit()["view"]
+        self.assertEqual([view[name] for name in ("boxes", "wire", "ghost", "normals")], [True, True, True, False])
+        self.assertEqual(self.settings()["theme"], "light")
+
+    def test_shadow_views_are_switched_by_keys_and_a_light_is_dragged(self):
+        editor = self.open(SPHERE)
+        for key in ("d", "e", "v", "c", "t", "x"):
+            editor.press(key)
+        pause(1)
+        view = editor.quit()["view"]
+        names = ("silhouette", "shadow_volumes", "shadow_counts", "shadow_facing", "shadow_compare")
+        self.assertEqual(view["shadows"], "none")  # after all
+        self.assertTrue(all(view[name] for name in names))
+
+        settings = self.settings()
+        settings["panels"]["Light"] = True
+        with open(self.settings_file(), "w") as file:
+            json.dump(settings, file)
+        editor = self.open_again(SPHERE)
+        light = editor.quit()["lights"][0]
+        editor = self.open_again(SPHERE)
+        x, y = editor.place(("light 0", 0.5, 0.5))
+        editor.drag_pixels([(x, y), (x + 50, y + 30)])
+        report = editor.quit()
+        moved = report["lights"][0]
+        self.assertEqual(report["strokes"], 0)
+        self.assertNotEqual(moved["at"], light["at"])
+        self.assertLess(abs(moved["handle"][0] - x - 50) + abs(moved["handle"][1] - y - 30), 6)
+
+    def test_a_piece_is_picked_and_hidden(self):
+        editor = self.open(SPHERE)
+        editor.press("k")
+        editor.click(0.5, 0.53)
+        editor.press("h")
+        report = editor.quit()
+        self.assertEqual((report["pieces_hidden"], report["pieces_chosen"], report["strokes"]), (1, 0, 0))
+
+    def test_pieces_are_chosen_by_a_box_and_isolated(self):
+        editor = self.open(SPHERE)
+        editor.drag([(0.2, 0.5), (0.8, 0.5)])
+        editor.xdotool("keydown", "ctrl")
+        editor.drag([(0.9, 0.2), (0.1, 0.3)])  # from right to left, over the upper half alone
+        editor.xdotool("keyup", "ctrl")
+        editor.do("slash")
+        editor.do("slash")
+        report = editor.quit()
+        self.assertEqual((report["pieces"], report["pieces_chosen"], report["pieces_hidden"]), (2, 1, 0))
+        self.assertEqual(report["undo_depth"], 3)  # the stroke, one half hidden, and shown again
+
+    def picture(self, editor):
+        """The colours of the picture at points of a grid, once it is smooth, while the pointer is in a corner."""
+        editor.point_at(0.02, 0.04)
+        x, y, width, height = editor.part("viewport")
+        points = [(round(x + width * i / 100), round(y + height * j / 100)) for i in range(8, 92) for j in range(8, 92)]
+        last = None
+        for _ in range(20):
+            pixel = editor.pixels()
+            now = [pixel(*point) for point in points]
+            if now == last:
+                break
+            last = now
+            pause(1.5)
+        return now
+
+    def changed(self, before, after):
+        """The share of the points whose colour is another."""
+        return sum(max(abs(a - b) for a, b in zip(p, q)) > 24 for p, q in zip(before, after)) / len(before)
+
+    def test_a_piece_looks_as_before_when_it_was_hidden_and_shown_again(self):
+        editor = self.open()
+        editor.drag([(0.53, 0.14), (0.53, 0.93)])
+        editor.press("k")
+        before = self.picture(editor)
+        editor.click(0.42, 0.6)
+        editor.do("h")
+        self.assertGreater(self.changed(before, self.picture(editor)), 0.02)
+        editor.do("shift", "h")
+        self.assertLess(self.changed(before, self.picture(editor)), 0.002)
+        self.assertEqual(editor.quit()["pieces_hidden"], 0)
+
+    def test_an_export_offers_its_formats_and_names_files_after_pieces(self):
+        self.open(SPHERE).quit()
+        self.set(folder=self.folder)
+        editor = self.open_again(SPHERE)
+        editor.point_at(0.5, 0.5)
+        editor.do("ctrl", "a")
+        editor.do("ctrl", "e")
+        editor.click("format PLY", 0.3, 0.5)
+        editor.press("Return")
+        wait_for(lambda: os.path.exists(os.path.join(self.folder, "sphere.ply")), 20, "no file was written")
+        editor.quit()
+
+    def comb_without_teeth(self):
+        """The journal of a bar from which a stroke has cut twelve teeth of two faces each."""
+        mesh, path, journal = (os.path.join(self.folder, name) for name in ("comb.obj", "path.json", "comb.kerf"))
+        corners = [(0.1 * x, y, 0) for y in (0, 1, 1.1, 1.2) for x in range(24)]
+        quads = [(0, x) for x in range(23)] + [(y, x) for y in (1, 2) for x in range(0, 24, 2)]
+        with open(mesh, "w") as file:
+            file.writelines(f"v {x} {y} {z}\n" for x, y, z in corners)
+            for y, x in quads:
+                a = 24 * y + x + 1
+                file.write(f"f {a} {a + 1} {a + 25} {a + 24}\n")
+        keys = [{"t": t, "origin": [x, 1.05, 1], "direction": [0, 0, -1]} for t, x in ((0, -0.1), (1, 2.5))]
+        with open(path, "w") as file:
+            json.dump({"strokes": [{"laser": {"radius": 0.005}, "keys": keys}]}, file)
+        subprocess.run([KERF, "cut", mesh, "--path", path, "--out", os.path.join(self.folder, "pieces"),
+                        "--depth", "0", "--journal", journal], check=True, capture_output=True)
+        return journal
+
+    def test_crumbs_share_a_row_that_a_click_unfolds(self):
+        self.open(SPHERE).quit()
+        self.only_panel("Pieces")
+        editor = self.open_again(self.comb_without_teeth())
+        editor.wait_for_title("comb.kerf - Kerf")
+        editor.part("crumbs")
+        teeth = lambda: [name for name in editor.landmarks()["parts"] if name.startswith("piece comb ")]
+        self.assertEqual(teeth(), [])
+        editor.click("crumbs", 0.5, 0.5)
+        wait_for(teeth, 20, "no crumb is listed")
+        self.assertEqual(editor.quit()["pieces"], 13)
+
+    def test_a_double_click_renames_a_piece_and_undo_takes_the_name_back(self):
+        self.open(SPHERE).quit()
+        self.only_panel("Pieces")
+        editor = self.open_again(SPHERE)
+        for name, end in (("half of a ball", "Return"), ("nothing", "Escape")):
+            where = "piece sphere" if end == "Return" else "piece half of a ball"
+            editor.point_at(where, 0.2, 0.5)
+            editor.xdotool("click", "--repeat", 2, "--delay", 120, 1)
+            pause(1)
+            editor.xdotool("type", "--delay", "60", name)
+            pause(0.5)
+            editor.do(end)
+            editor.part("piece half of a ball")
+        editor.do("ctrl", "z")
+        editor.part("piece sphere")
+        editor.do("ctrl", "shift", "z")
+        self.save_as(editor, "named")
+        editor.wait_for_title("named.kerf - Kerf")
+        editor.quit()
+        with open(os.path.join(self.folder, "named.kerf")) as file:
+            self.assertIn('"half of a ball"', file.read())
+
+    def test_a_smaller_window_keeps_panels_and_picture_apart(self):
+        editor = self.open()
+        editor.xdotool("search", "--name", "Kerf", "windowsize", 800, 600)
+        pause(1.5)
+        layout = editor.quit()["layout"]
+        self.assertEqual(layout["viewport"][2] + layout["side"][2], 800)
+        self.assertGreaterEqual(layout["viewport"][2], 320)
+        self.assertEqual(layout["status"][1] + layout["status"][3], 600)
+
+
+if __name__ == "__main__":
+    unittest.main()

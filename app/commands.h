@@ -16,6 +16,7 @@ using Invocation = std::function<int()>;
 // here and one line in main.cpp. `app` and `invocation` must outlive parsing.
 void add_info_command(CLI::App& app, Invocation& invocation);
 void add_cut_command(CLI::App& app, Invocation& invocation);
+void add_inspect_command(CLI::App& app, Invocation& invocation);
 void add_render_command(CLI::App& app, Invocation& invocation);
 void add_replay_command(CLI::App& app, Invocation& invocation);
 

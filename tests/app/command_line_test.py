@@ -57,7 +57,7 @@ class CommandLine(unittest.TestCase):
             self.assertIn(word, done.stderr)
 
     def test_help_and_version_go_to_standard_output(self):
-        for args in (["--help"], ["--version"], ["cut", "--help"], ["info", "--help"], ["render", "--help"]):
+        for args in (["--help"], ["--version"], ["cut", "--help"], ["info", "--help"], ["inspect", "--help"], ["render", "--help"]):
             done = kerf(*args)
             self.assertEqual((done.returncode, done.stderr), (0, ""), args)
             self.assertTrue(done.stdout.strip())
@@ -69,9 +69,23 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(report["boundary_edges"], 4)
         self.assertAlmostEqual(report["area"], 1)
 
+    def test_inspect_writes_the_component_graph_of_a_mesh_and_of_a_cut(self):
+        graph = json.loads(self.run_here("inspect", "plate.obj", "--graph").stdout)
+        self.assertEqual([(n["face"], n["piece"]) for n in graph["nodes"]], [(0, 0), (1, 0)])
+        self.assertEqual(graph["edges"], [[0, 1]])
+        self.assertIn("0 -- 1;", self.run_here("inspect", "plate.obj", "--graph", "--dot").stdout)
+        report = self.cut("--journal", "cut.kerf")
+        graph = json.loads(self.run_here("inspect", "cut.kerf", "--graph").stdout)
+        self.assertEqual(len(graph["nodes"]), report["output"]["faces"])
+        self.assertEqual({n["piece"] for n in graph["nodes"]}, set(range(len(report["pieces"]))))
+        for a, b in graph["edges"]:
+            self.assertEqual(graph["nodes"][a]["piece"], graph["nodes"][b]["piece"])
+
     def test_bad_command_lines_end_with_2_and_one_sentence(self):
         for args, word in ((["info"], "MESH"), (["info", "nowhere.obj"], "nowhere.obj"), (["cut"], "MESH"),
-                           (["info", "plate.obj", "--nonsense"], "nonsense"), (["play"], "play"),
+                           (["info", "plate.obj", "--nonsense"], "nonsense"),
+                           (["inspect", "plate.obj"], "--graph"), (["inspect", "nowhere.obj", "--graph"], "nowhere.obj"),
+                           (["inspect", "plate.obj", "--dot"], "--graph"), (["play"], "play"),
                            (["cut", "plate.obj", "--out", "o", "--depth", "x"], "depth"),
                            (["cut", "plate.obj", "--out", "o", "--depth", "-1"], "--depth"),
                            (["cut", "plate.obj", "--out", "o", "--radius", "0"], "--radius"),

@@ -1,0 +1,197 @@
+#include "core/graph/component_graph.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "core/graph/graph_text.h"
+#include "core/graph/separation.h"
+#include "core/graph/traversal.h"
+#include "tests/support/made_meshes.h"
+#include "tests/support/runs.h"
+#include "tests/support/strokes.h"
+
+namespace kerf::test {
+namespace {
+
+using Point = std::array<double, 3>;
+using Segment = std::pair<Point, Point>;
+
+Segment segment(const Vec3& a, const Vec3& b) {
+  return std::minmax(Point{a.x, a.y, a.z}, Point{b.x, b.y, b.z});
+}
+
+// The pairs of faces with a common edge, from positions alone.
+std::set<std::pair<uint32_t, uint32_t>> edges_by_position(const Mesh& mesh) {
+  std::map<Segment, std::vector<uint32_t>> faces_on;
+  for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
+    if (!mesh.is_live(FaceId(f))) continue;
+    const Triangle t = mesh.triangle(FaceId(f));
+    for (size_t i = 0; i < 3; ++i) faces_on[segment(t[i], t[(i + 1) % 3])].push_back(f);
+  }
+  std::set<std::pair<uint32_t, uint32_t>> pairs;
+  for (const auto& [at, faces] : faces_on) {
+    for (const uint32_t a : faces) {
+      for (const uint32_t b : faces) {
+        if (a < b) pairs.emplace(a, b);
+      }
+    }
+  }
+  return pairs;
+}
+
+void expect_graph_by_position(const ComponentGraph& graph, const Body& body) {
+  std::vector<uint32_t> live;
+  for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+    if (body.mesh.is_live(FaceId(f))) live.push_back(f);
+  }
+  ASSERT_EQ(graph.nodes.size(), live.size());
+  for (size_t i = 0; i < live.size(); ++i) {
+    ASSERT_EQ(graph.nodes[i].face, FaceId(live[i]));
+    ASSERT_EQ(graph.nodes[i].piece, body.mesh.data(FaceId(live[i])).piece);
+  }
+  std::vector<std::pair<uint32_t, uint32_t>> edges;
+  for (const auto& [a, b] : graph.edges) {
+    ASSERT_LT(a, b);
+    ASSERT_LT(b, graph.nodes.size());
+    edges.emplace_back(graph.nodes[a].face.index, graph.nodes[b].face.index);
+  }
+  const auto expected = edges_by_position(body.mesh);
+  EXPECT_TRUE(std::equal(edges.begin(), edges.end(), expected.begin(), expected.end()))
+      << edges.size() << " edges, by position " << expected.size();
+}
+
+// A stroke without an error that cannot be avoided, such as more faces than are allowed.
+World cut_at_random(const Soup& soup, uint64_t seed) {
+  World world = world_of(soup);
+  Random random(seed);
+  const RandomStroke stroke = random_stroke(world, random, 0.05, true);
+  EXPECT_TRUE(cut_whole(world, stroke.settings, stroke.moves).ok());
+  while (!is_settled(world)) go_on_separating(world, 100'000);
+  return world;
+}
+
+TEST(ComponentGraph, has_the_edges_that_positions_give_after_random_strokes) {
+  for (const auto& [name, soup] : mesh_classes()) {
+    for (uint64_t seed = 1; seed <= runs(8); ++seed) {
+      SCOPED_TRACE(name + ", seed " + std::to_string(seed));
+      World world = cut_at_random(soup, seed);
+      expect_graph_by_position(component_graph(world), only_body(world));
+      if (HasFatalFailure()) return;
+    }
+  }
+}
+
+TEST(ComponentGraph, links_all_pairs_of_the_faces_on_one_edge) {
+  for (int sheets = 1; sheets <= 6; ++sheets) {
+    SCOPED_TRACE(sheets);
+    World world = world_of(book(sheets));
+    expect_graph_by_position(component_graph(world), only_body(world));
+  }
+}
+
+TEST(ComponentGraph, lists_a_pair_of_faces_with_two_common_edges_once) {
+  const World world = world_of(pillow());
+  EXPECT_EQ(component_graph(world).edges, (std::vector<ComponentGraph::Edge>{{0, 1}}));
+}
+
+TEST(ComponentGraph, of_one_piece_is_the_part_of_the_whole_graph) {
+  World world = cut_at_random(grid(12, 2), 3);
+  world.add(make_body("beside", build(sphere(6, 8, 0.5))));
+  const ComponentGraph whole = component_graph(world);
+  for (const BodyId id : world.ids()) {
+    for (uint32_t label = 0; label < world.body(id).pieces.size(); ++label) {
+      const PieceId piece{id, label};
+      const ComponentGraph part = component_graph(world, {&piece, 1});
+      std::vector<GraphNode> nodes;
+      std::vector<uint32_t> number(whole.nodes.size(), Traversal::kNone);
+      for (size_t i = 0; i < whole.nodes.size(); ++i) {
+        if (whole.nodes[i].body != id || whole.nodes[i].piece != label) continue;
+        number[i] = static_cast<uint32_t>(nodes.size());
+        nodes.push_back(whole.nodes[i]);
+      }
+      std::vector<ComponentGraph::Edge> edges;
+      for (const auto& [a, b] : whole.edges) {
+        if (number[a] != Traversal::kNone && number[b] != Traversal::kNone)
+          edges.push_back({number[a], number[b]});
+      }
+      EXPECT_EQ(part.nodes, nodes);
+      EXPECT_EQ(part.edges, edges);
+    }
+  }
+}
+
+TEST(ComponentGraph, numbers_faces_and_pieces_of_several_bodies_once_each) {
+  World world = cut_at_random(grid(12, 2), 3);
+  world.add(make_body("a \"quoted\" name", build(sphere(6, 8, 0.5))));
+  const ComponentGraph graph = component_graph(world);
+  std::ostringstream text;
+  write_graph_json(graph, world, text);
+  const auto json = nlohmann::json::parse(text.str());
+  std::set<size_t> faces;
+  std::map<size_t, std::set<size_t>> bodies_of_piece;
+  for (size_t i = 0; i < graph.nodes.size(); ++i) {
+    const auto& node = json["nodes"][i];
+    const auto& body = json["bodies"][node["body"].get<size_t>()];
+    EXPECT_EQ(node["face"].get<size_t>() - body["first_face"].get<size_t>(), graph.nodes[i].face.index);
+    EXPECT_EQ(node["piece"].get<size_t>() - body["first_piece"].get<size_t>(), graph.nodes[i].piece);
+    EXPECT_TRUE(faces.insert(node["face"].get<size_t>()).second);
+    bodies_of_piece[node["piece"]].insert(node["body"].get<size_t>());
+  }
+  EXPECT_EQ(json["nodes"].size(), graph.nodes.size());
+  EXPECT_EQ(json["edges"].get<std::vector<ComponentGraph::Edge>>(), graph.edges);
+  EXPECT_EQ(json["bodies"][1]["name"], "a \"quoted\" name");
+  for (const auto& [piece, bodies] : bodies_of_piece) EXPECT_EQ(bodies.size(), 1u) << "piece " << piece;
+}
+
+TEST(ComponentGraph, is_written_for_graphviz_with_a_line_for_each_node_and_edge) {
+  const World world = world_of(plate(1));
+  std::ostringstream text;
+  write_graph_dot(component_graph(world), world, text);
+  EXPECT_EQ(text.str(),
+            "graph components {\n  node [shape=circle, style=filled, colorscheme=set312];\n"
+            "  0 [fillcolor=1];\n  1 [fillcolor=1];\n  0 -- 1;\n}\n");
+}
+
+TEST(Traversal, reaches_what_the_full_search_labels_alike) {
+  for (const auto& [name, soup] : mesh_classes()) {
+    for (uint64_t seed = 1; seed <= runs(4); ++seed) {
+      SCOPED_TRACE(name + ", seed " + std::to_string(seed));
+      World world = cut_at_random(soup, seed);
+      const ComponentGraph graph = component_graph(world);
+      if (graph.nodes.empty()) continue;
+      const GraphLinks links(graph.nodes.size(), graph.edges);
+      std::vector<uint32_t> label;
+      const uint32_t components = label_components(only_body(world).mesh, label);
+      const auto label_of = [&](uint32_t node) { return label[graph.nodes[node].face.index]; };
+      Random random(seed);
+      const auto start = static_cast<uint32_t>(random.below(graph.nodes.size()));
+      const Traversal t = traverse(links, start);
+      EXPECT_EQ(t.separated(), components > 1);
+      for (uint32_t node = 0; node < t.total(); ++node)
+        ASSERT_EQ(t.is_marked(node, t.reached()), label_of(node) == label_of(start)) << "node " << node;
+      EXPECT_EQ(find_components(links).size.size(), components);
+    }
+  }
+}
+
+TEST(Traversal, reaches_each_node_over_a_link_and_nearer_nodes_first) {
+  const World world = cut_at_random(torus(12, 16, 1, 0.4), 5);
+  const ComponentGraph graph = component_graph(world);
+  const GraphLinks links(graph.nodes.size(), graph.edges);
+  const Traversal t = traverse(links, 0);
+  std::vector<uint32_t> distance(t.total(), 0);
+  for (size_t i = 1; i < t.reached(); ++i) {
+    const auto linked = links.of(t.order[i]);
+    ASSERT_TRUE(std::find(linked.begin(), linked.end(), t.from[i]) != linked.end());
+    ASSERT_LT(t.rank[t.from[i]], i);
+    distance[t.order[i]] = distance[t.from[i]] + 1;
+    ASSERT_GE(distance[t.order[i]], distance[t.order[i - 1]]);
+  }
+}
+
+}  // namespace
+}  // namespace kerf::test

@@ -101,6 +101,27 @@ void History::trim() {
     held -= steps_[i]->bytes();
     steps_[i]->let_go();
   }
+  trim_cut_faces();
+}
+
+void History::trim_cut_faces() {
+  size_t kept = 0;
+  for (size_t i = steps_.size(); i-- > 0;) {
+    if (kept > kMostCutFaces) steps_[i]->let_go_cut_faces();
+    kept += steps_[i]->cut_faces_kept();
+  }
+}
+
+CutFaces History::last_cut_faces() const {
+  const std::optional<size_t> last = last_cut();
+  CutFaces faces;
+  if (!last) return faces;
+  for (const auto& [cut_in, cut] : step(*last).cut_faces()) {
+    BodyId id = cut_in;
+    for (size_t i = *last + 1; i < position_; ++i) id = step(i).id_after_step(id);
+    faces[id] = cut;
+  }
+  return faces;
 }
 
 }  // namespace kerf

@@ -45,6 +45,10 @@ class History {
   size_t removed_faces() const;
   double removed_area() const;
 
+  // The faces that the last stroke before the position removed (see HistoryStep::cut_faces), by the ids that
+  // the bodies have at the position; a body that a later step removed is listed, too. Empty without a stroke.
+  CutFaces last_cut_faces() const;
+
   // Whether the before-images of all steps first .. end - 1 are kept.
   bool holds_images(size_t first, size_t end) const;
   // Whether any of the steps first .. end - 1 has been begun, i.e. may have changed the world.
@@ -54,11 +58,14 @@ class History {
   size_t window() const { return window_; }
   void set_window(size_t bytes);
   size_t bytes() const;
-  // Discards before-images, the oldest first, until they are within the window.
+  // Discards before-images, the oldest first, until they are within the window; and the faces that the oldest
+  // steps cut, until at most kMostCutFaces are kept besides those of the latest step.
+  static constexpr size_t kMostCutFaces = 500'000;
   void trim();
 
  private:
   bool is_cut_again(size_t step) const;
+  void trim_cut_faces();
 
   std::vector<std::unique_ptr<HistoryStep>> steps_;
   size_t position_ = 0;

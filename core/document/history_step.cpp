@@ -75,6 +75,7 @@ void HistoryStep::touch(const Delta& delta) {
     for (const auto* faces : {&b.born, &b.gone})
       touched.corners.insert(touched.corners.end(), faces->begin(), faces->end());
     touched.labels.insert(touched.labels.end(), b.relabelled.begin(), b.relabelled.end());
+    keep_cut_faces(b);
   }
   if (!delta.changes_bodies()) return;
   // A command that changes bodies is a step of its own.
@@ -83,7 +84,21 @@ void HistoryStep::touch(const Delta& delta) {
   bodies_.bodies.clear();
 }
 
+void HistoryStep::keep_cut_faces(const BodyDelta& delta) {
+  const size_t count = std::min(delta.removed.size(), kMostCutFaces - cut_faces_kept_);
+  if (count == 0) return;
+  std::vector<CutFace>& kept = cut_faces_[delta.body];
+  kept.insert(kept.end(), delta.removed.begin(), delta.removed.begin() + static_cast<std::ptrdiff_t>(count));
+  cut_faces_kept_ += count;
+}
+
+void HistoryStep::let_go_cut_faces() {
+  cut_faces_.clear();
+  cut_faces_kept_ = 0;
+}
+
 void HistoryStep::forget() {
+  let_go_cut_faces();
   changes_.clear();
   bytes_ = 0;
   touched_.clear();

@@ -67,6 +67,18 @@ class HistoryStep {
   // Discards the before-images. The changes stay in the world.
   void let_go();
 
+  // The id after the step of a body that has the id `before` ahead of it and was not removed by it.
+  BodyId id_after_step(BodyId before) const { return id_after(bodies_, before); }
+
+  // The faces that the beam removed in the step, by the id of the body after the step, for views of the cut.
+  // They are kept while the step is undone, and when its before-images are discarded. Beyond
+  // kMostCutFaces, and after let_go_cut_faces(), some are missing.
+  static constexpr size_t kMostCutFaces = 200'000;
+  const CutFaces& cut_faces() const { return cut_faces_; }
+  size_t cut_faces_kept() const { return cut_faces_kept_; }
+  bool has_all_cut_faces() const { return cut_faces_kept_ == removed_faces_; }
+  void let_go_cut_faces();
+
   // Undoes or redoes the step by exchanging what it changed with its before-images. Preconditions: the images
   // are held, and all later steps are undone.
   Delta take_back(World& world);
@@ -81,6 +93,7 @@ class HistoryStep {
     std::vector<FaceId> corners, labels;
   };
   Delta delta(const World& world, bool back) const;
+  void keep_cut_faces(const BodyDelta& delta);
 
   Kind kind_;
   State state_ = State::kWaiting;
@@ -93,6 +106,8 @@ class HistoryStep {
   std::map<BodyId, Touched> touched_;   // by the id of the body after the step
   Delta bodies_;                        // all changes except those of faces
   size_t bytes_ = 0;
+  CutFaces cut_faces_;
+  size_t cut_faces_kept_ = 0;
 };
 
 }  // namespace kerf

@@ -111,13 +111,30 @@ void BodyEdit::remove(std::span<const FaceId> faces) {
 void BodyEdit::remove_face(FaceId f) {
   const Triangle t = mesh().triangle(f);
   const double area = triangle_area(t);
+  const int64_t loops = body_->separation.loops;
   note_removal(*body_, f);
+  record_removal(f, t, loops);
   count(f, -1, -area);
   body_->edit_piece_of(f).moments -= area_moments(t, area, body_->middle());
   ++removed_faces_;
   body_->mesh.remove_face(f);
   removed_.push_back(f);
   edited_.push_back(f);
+}
+
+// Precondition: the separation state of the body still holds the neighbours of f (see note_removal).
+void BodyEdit::record_removal(FaceId f, const Triangle& corners, int64_t loops_before) {
+  const FaceData& data = mesh().data(f);
+  CutFace cut;
+  cut.face = f;
+  cut.base = data.base;
+  cut.piece = data.piece;
+  cut.corners = corners;
+  cut.closed_loop = body_->separation.loops > loops_before;
+  const std::vector<FaceId>& neighbours = body_->separation.neighbours;
+  assert(neighbours.size() <= cut.neighbours.size());
+  std::copy(neighbours.begin(), neighbours.end(), cut.neighbours.begin());
+  cut_faces_.push_back(cut);
 }
 
 void BodyEdit::take_out(std::span<const FaceId> faces) {
@@ -218,6 +235,7 @@ BodyDelta BodyEdit::take_delta(BodyId id) {
   std::erase_if(relabelled_, [&](FaceId f) { return !mesh().is_live(f); });
   delta.relabelled = std::exchange(relabelled_, {});
   delta.new_pieces = std::exchange(new_pieces_, {});
+  delta.removed = std::exchange(cut_faces_, {});
   edited_.clear();
   return delta;
 }

@@ -85,6 +85,7 @@ class BodyEdit {
   void count(FaceId f, int faces, double area);
   AreaMoments moments_of(FaceId f) const;
   void remove_face(FaceId f);
+  void record_removal(FaceId f, const Triangle& corners, int64_t loops_before);
   void forget_pair(FaceId f) { body_->refinement.forget(body_->mesh, f); }
   void note_splits(size_t first);
 
@@ -95,6 +96,7 @@ class BodyEdit {
   std::vector<FaceId> edited_;       // slots that were created, reused or removed, with repeats
   std::vector<FaceId> relabelled_;
   std::vector<uint32_t> new_pieces_;
+  std::vector<CutFace> cut_faces_;
   size_t faces_made_ = 0, removed_faces_ = 0;
   double removed_area_ = 0;
 };

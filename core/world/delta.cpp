@@ -28,6 +28,7 @@ void append_body(BodyDelta& body, const BodyDelta& later) {
   unite(body.relabelled, later.relabelled);
   take_away(body.relabelled, body.gone);
   body.new_pieces.insert(body.new_pieces.end(), later.new_pieces.begin(), later.new_pieces.end());
+  body.removed.insert(body.removed.end(), later.removed.begin(), later.removed.end());
 }
 
 bool has(const std::vector<BodyId>& ids, BodyId id) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/base/ids.h"
+#include "core/world/cut_face.h"
 
 namespace kerf {
 
@@ -15,6 +16,8 @@ struct BodyDelta {
   std::vector<FaceId> gone;          // slots whose face is dead, ascending
   std::vector<FaceId> relabelled;    // live faces whose label changed, ascending
   std::vector<uint32_t> new_pieces;  // labels that the step made
+  // The faces that the beam removed, in the order of removal. Undo and redo leave the list empty.
+  std::vector<CutFace> removed;
 };
 
 // A piece that belongs to another body since the step: it was detached, or put back by undo. It keeps its

@@ -33,6 +33,7 @@ Result<Film> Film::begin(const Scene& scene, FilmOptions options) {
 Status Film::follow(const Document& document, const StepResult* step) {
   const World& world = document.world();
   studio_.follow(world, step);
+  studio_.show_graph(document);
   if (world.clock() > ticks_) return pass_ticks(document);
   ticks_ = world.clock();  // an undo turns it back
   if (step && step->last) {
@@ -50,6 +51,7 @@ Status Film::follow(const Document& document, const StepResult* step) {
 
 void Film::leave_out(const Document& document, const StepResult* step) {
   studio_.follow(document.world(), step);
+  studio_.show_graph(document);
   ticks_ = document.world().clock();
   ahead_ = 0;
 }

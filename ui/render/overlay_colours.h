@@ -22,6 +22,10 @@ inline constexpr uint32_t kLit = 0x20303a;
 inline constexpr std::array<uint32_t, 9> kCounts{0x1f4fa8, 0x5b3fb5, 0x93329f, 0xc23a7c, 0xe25a51,
                                                  0xf58233, 0xfbad2c, 0xf8d84e, 0xfffbd0};
 
+// Nodes of the component graph: the set that a traversal reaches, the other one, removed faces, and what no
+// traversal has come to.
+inline constexpr uint32_t kReached = 0x4aa3ff, kApart = 0xf2dc9a, kRemoved = 0xff5a48, kUnmarked = 0x7d8896;
+
 // Pixels whose ray says otherwise than the picture, that it finds lit, and that it finds in shadow.
 inline constexpr uint32_t kWrong = 0xff28dc, kTracedLit = 0xece2be, kTracedShadow = 0x080c16;
 

@@ -29,6 +29,7 @@ Status render_picture(OpenedFile work, const PictureOptions& options, const std:
                                  [&](const StepResult& step) { studio->follow(document.world(), &step); });
   if (!cut) return cut.error();
   replay_all(work.journal, document, *studio);
+  studio->show_graph(document);
   studio->spread(document.world(), options.spread);
   studio->draw(document.world(), std::nullopt);
   return studio->write(png);

@@ -53,9 +53,11 @@ Result<Renderer::Passes> Renderer::load_passes(const std::filesystem::path& shad
   if (!shadow_overlay) return shadow_overlay.error();
   auto reference = ReferencePass::create(shaders);
   if (!reference) return reference.error();
-  return Passes{std::move(*scene),          std::move(*bloom),    std::move(*beam),    std::move(*lines),
-                std::move(*veil),           std::move(*outline),  std::move(*numbers), std::move(*probe),
-                std::move(*shadow_overlay), std::move(*reference)};
+  auto graph = GraphPass::create(shaders);
+  if (!graph) return graph.error();
+  return Passes{std::move(*scene),          std::move(*bloom),     std::move(*beam),    std::move(*lines),
+                std::move(*veil),           std::move(*outline),   std::move(*numbers), std::move(*probe),
+                std::move(*shadow_overlay), std::move(*reference), std::move(*graph)};
 }
 
 Result<Renderer> Renderer::create() {
@@ -262,6 +264,7 @@ void Renderer::draw_overlays(const Subject& subject, const CameraView& view,
   if (beam) passes_.beam.draw(view, *beam, near_, picture.shape().width, picture.shape().height);
   if (options.ghost && !options.show.face_numbers) passes_.veil.draw(subject, VeilPass::Style::kVeil);
   passes_.outline.draw(subject, picture);
+  passes_.graph.draw(subject, frame_);
   if (options.show.face_numbers) passes_.numbers.draw(subject, frame_, picture);
   if (options.show.shadow_compare) draw_comparison(subject, picture);
 }

@@ -15,6 +15,7 @@
 #include "ui/render/body_picture.h"
 #include "ui/render/camera.h"
 #include "ui/render/face_numbers.h"
+#include "ui/render/graph_pass.h"
 #include "ui/render/line_overlay.h"
 #include "ui/render/lit_scene.h"
 #include "ui/render/outline_pass.h"
@@ -112,6 +113,7 @@ class Renderer {
     ShadowProbe probe;
     ShadowOverlay shadow_overlay;
     ReferencePass reference;
+    GraphPass graph;
   };
   static Result<Passes> load_passes(const std::filesystem::path& shaders);
   explicit Renderer(Passes passes) : passes_(std::move(passes)) {}

@@ -20,6 +20,7 @@ struct ShowOptions {
   bool aabb_hit = false;               // only those that the beam has hit
   bool wire = false;                   // edges of the faces
   bool face_numbers = false;           // of live faces, and in red of removed ones
+  bool graph = false;                  // nodes and links of ViewOptions::graph
   bool pieces = false;                 // each piece in a colour of its own
   bool sizes = false;                  // small faces warm, as the paper colours them
   bool normals = false;                // a short line from the middle of every face

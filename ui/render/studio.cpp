@@ -1,5 +1,6 @@
 #include "ui/render/studio.h"
 
+#include "core/document/last_cut_graph.h"
 #include "ui/gl/debug_output.h"
 #include "ui/render/png.h"
 
@@ -54,6 +55,12 @@ void Studio::follow(const World& world, const StepResult* step) {
   if (step == nullptr) return renderer_.resend(world);
   renderer_.follow(world, step->delta);
   if (look_.show.face_numbers) renderer_.catch_up(world);
+}
+
+void Studio::show_graph(const Document& document) {
+  if (!look_.show.graph) return;
+  std::optional<DrawnGraph> graph = graph_around_last_cut(document);
+  look_.graph = graph ? std::make_shared<DrawnGraph>(std::move(*graph)) : nullptr;
 }
 
 void Studio::draw(const World& world, const std::optional<BeamPicture>& beam) {

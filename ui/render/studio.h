@@ -20,6 +20,9 @@ class Studio {
   void follow(const World& world, const StepResult* step);
   // Draws the pieces of the world apart from the next picture on; see spread_pieces().
   void spread(const World& world, double share) { spread_pieces(world, share, look_); }
+  // Draws the component graph around the last stroke of the document from the next picture on, if the options
+  // of the picture ask for it. Linear in the faces of the bodies that were cut.
+  void show_graph(const Document& document);
   // Draws a picture.
   void draw(const World& world, const std::optional<BeamPicture>& beam);
   // Writes the last picture as a PNG, whole or not at all.

@@ -40,6 +40,15 @@ struct PieceLook {
   friend bool operator==(const PieceLook&, const PieceLook&) = default;
 };
 
+struct DrawnGraph;
+
+// A face of a body.
+struct FaceOfBody {
+  BodyId body;
+  FaceId face;
+  friend bool operator==(const FaceOfBody&, const FaceOfBody&) = default;
+};
+
 // How the world is drawn.
 struct ViewOptions {
   ShowOptions show;
@@ -52,7 +61,9 @@ struct ViewOptions {
   TreeOverlay tree;
   std::vector<Light> lights = std::vector<Light>(1);  // only the first kMostLights are used
   ShadowOptions shadow;
-  std::map<PieceId, PieceLook> pieces;  // pieces that are not drawn with the default look
+  std::shared_ptr<const DrawnGraph> graph;  // what ShowOptions::graph draws; null: nothing
+  std::optional<FaceOfBody> lit_face;       // outlined, if it is live
+  std::map<PieceId, PieceLook> pieces;      // pieces that are not drawn with the default look
   // The groups of faces of bodies whose pieces are drawn apart, for the present world; see spread_pieces().
   // Values are not null.
   std::map<BodyId, std::shared_ptr<const PieceGroups>> groups;

@@ -164,6 +164,16 @@ constexpr std::array kSwitches{
                .tip = "The number of each face, and in red of those that are gone (figure 8 of the paper).",
                .get = get<&ShowOptions::face_numbers>,
                .set = set<&ShowOptions::face_numbers>},
+    ViewSwitch{.id = SwitchId::kGraph,
+               .show = "graph",
+               .report = "graph",
+               .label = "Component graph",
+               .key = 'J',
+               .tip =
+                   "A node on each face around the last cut and a link over each shared edge, in red where "
+                   "faces were removed (figures 8 and 9 of the paper). The Graph panel lays it out flat.",
+               .get = get<&ShowOptions::graph>,
+               .set = set<&ShowOptions::graph>},
     ViewSwitch{.id = SwitchId::kGhost,
                .report = "ghost",
                .label = "Ghost of what is gone",

@@ -24,6 +24,7 @@ enum class SwitchId {
   kSizes,
   kNormals,
   kFaceNumbers,
+  kGraph,
   kGhost,
   kTwoSided,
   kCullBacks,

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "core/document/last_cut_graph.h"
 #include "tests/support/checkout.h"
 #include "tests/ui/render/stage.h"
 
@@ -26,8 +27,8 @@ ViewOptions showing(const char* list) {
   return options;
 }
 
-std::vector<Golden> goldens(const World& world) {
-  const BodyId ball = world.ids().front();
+std::vector<Golden> goldens(const test::Stage& stage) {
+  const BodyId ball = stage.world().ids().front();
   std::vector<Golden> all;
   for (const char* name : {"aabb", "aabb-hit", "wire", "face-numbers", "pieces", "sizes", "normals"}) {
     all.push_back({name, showing(name)});
@@ -74,6 +75,10 @@ std::vector<Golden> goldens(const World& world) {
   hidden.options.pieces[{ball, 1}].hidden = true;
   hidden.options.ghost = true;
   all.push_back(hidden);
+  Golden graph{"graph", showing("shadows,graph")};
+  graph.options.graph = std::make_shared<DrawnGraph>(*graph_around_last_cut(stage.document()));
+  graph.options.lit_face = FaceOfBody{ball, FaceId(3)};
+  all.push_back(graph);
   return all;
 }
 
@@ -92,7 +97,7 @@ Pixels read(const std::filesystem::path& png) {
 TEST(Golden, every_overlay_looks_as_it_did) {
   test::Stage stage = test::ball_and_ring();
   const CameraView view = test::view_of_ball_and_ring(static_cast<double>(kWidth) / kHeight);
-  for (const Golden& golden : goldens(stage.world())) {
+  for (const Golden& golden : goldens(stage)) {
     const Pixels drawn = stage.draw(view, golden.options, kWidth, kHeight);
     const auto file = test::checkout() / "tests/golden" / (std::string(golden.name) + ".png");
     if (std::getenv("KERF_MAKE_GOLDEN") != nullptr) {

@@ -20,6 +20,7 @@ class Stage {
 
   Pixels draw(const CameraView& view, const ViewOptions& options, int width, int height);
 
+  const Document& document() const { return document_; }
   const World& world() const { return document_.world(); }
   Renderer& renderer() { return *renderer_; }
 

@@ -81,6 +81,11 @@ Legend legend_of(SwitchId view, const ViewOptions& look, const ShadowFigures& sh
               {{0x6f7174, "stays with its body"}, sentence("each other colour: one piece that came off")}};
     case SwitchId::kFaceNumbers:
       return {"Numbers of faces", {{0xf2f5f7, "there"}, {0xff8a78, "removed"}}};
+    case SwitchId::kGraph:
+      return {"Component graph around the last cut",
+              {{kReached, "faces that hang together"},
+               {kApart, "what the cut separated from them"},
+               {kRemoved, "removed faces"}}};
     case SwitchId::kShadows:
     case SwitchId::kRimGlow:
     case SwitchId::kWire:

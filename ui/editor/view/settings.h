@@ -22,6 +22,7 @@ enum class PanelId {
   kHistory,
   kLight,
   kTree,
+  kGraph,
   kView,
   kStatistics,
   kFile,

@@ -1,0 +1,185 @@
+#include "core/graph/drawn_graph.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/graph/graph_clusters.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr uint32_t kNone = DrawnGraph::kNone;
+constexpr uint32_t kRemovedKind = kNone - 1;
+
+// Nodes of a graph that are clustered by themselves.
+class Selection {
+ public:
+  Selection(const CutGraph& graph, std::vector<uint32_t> nodes) : nodes_(std::move(nodes)) {
+    std::sort(nodes_.begin(), nodes_.end());
+    std::vector<uint32_t> local(graph.nodes.size(), kNone);
+    for (size_t i = 0; i < nodes_.size(); ++i) local[nodes_[i]] = static_cast<uint32_t>(i);
+    std::vector<ComponentGraph::Edge> edges;
+    for (const auto& [a, b] : graph.edges) {
+      if (local[a] != kNone && local[b] != kNone) edges.push_back({local[a], local[b]});
+    }
+    links_ = GraphLinks(nodes_.size(), edges);
+  }
+
+  const std::vector<uint32_t>& nodes() const { return nodes_; }
+
+  // The cluster of each of the nodes.
+  std::vector<uint32_t> clusters(const std::vector<uint32_t>& kind_of, size_t most) const {
+    std::vector<uint32_t> kind;
+    for (const uint32_t node : nodes_) kind.push_back(kind_of[node]);
+    return cluster_nodes(links_, kind, most).of;
+  }
+
+ private:
+  std::vector<uint32_t> nodes_;
+  GraphLinks links_;
+};
+
+std::vector<uint32_t> kinds_of(const CutGraph& graph, const CutTraversal& traversal) {
+  std::vector<uint32_t> kind(graph.nodes.size(), kRemovedKind);
+  std::copy(traversal.set.begin(), traversal.set.end(), kind.begin());
+  return kind;
+}
+
+std::vector<uint32_t> all_of(const CutGraph& graph) {
+  std::vector<uint32_t> all(graph.nodes.size());
+  std::iota(all.begin(), all.end(), 0u);
+  return all;
+}
+
+// The removed faces and those around them, breadth-first.
+std::vector<uint32_t> around_cut(const CutGraph& graph) {
+  const size_t removed = graph.nodes.size() - graph.live;
+  if (removed == 0) return all_of(graph);
+  const size_t most = std::max(DrawnGraph::kMost, 2 * removed);
+  const GraphLinks links = graph.links();
+  std::vector<uint32_t> chosen(removed);
+  std::iota(chosen.begin(), chosen.end(), graph.live);
+  std::vector<bool> seen(graph.nodes.size(), false);
+  for (const uint32_t node : chosen) seen[node] = true;
+  for (size_t i = 0; i < chosen.size(); ++i) {
+    for (const uint32_t other : links.of(chosen[i])) {
+      if (seen[other] || chosen.size() >= most) continue;
+      seen[other] = true;
+      chosen.push_back(other);
+    }
+  }
+  return chosen;
+}
+
+// Divides nodes into clusters, some of which are opened.
+class Clustering {
+ public:
+  Clustering(const CutGraph& graph, std::vector<uint32_t> kind)
+      : graph_(graph), kind_(std::move(kind)), of_(graph.nodes.size(), kNone) {}
+
+  void divide(const std::vector<uint32_t>& nodes, size_t most) {
+    const Selection selection(graph_, nodes);
+    const std::vector<uint32_t> clusters = selection.clusters(kind_, most);
+    const uint32_t first = next_;
+    for (size_t i = 0; i < clusters.size(); ++i) {
+      of_[selection.nodes()[i]] = first + clusters[i];
+      next_ = std::max(next_, first + clusters[i] + 1);
+    }
+    count_ += next_ - first;
+  }
+
+  void open(uint32_t node) {
+    if (node >= of_.size() || of_[node] == kNone || count_ > DrawnGraph::kMost) return;
+    std::vector<uint32_t> members;
+    for (uint32_t other = 0; other < of_.size(); ++other) {
+      if (of_[other] == of_[node]) members.push_back(other);
+    }
+    --count_;
+    divide(members, DrawnGraph::kMost - count_);
+  }
+
+  const std::vector<uint32_t>& of() const { return of_; }
+  uint32_t numbers() const { return next_; }
+
+ private:
+  const CutGraph& graph_;
+  std::vector<uint32_t> kind_, of_;
+  uint32_t next_ = 0;
+  size_t count_ = 0;
+};
+
+// By number of a cluster: whether it is among the kMost largest, or of equally large ones among the first.
+std::vector<bool> largest(const Clustering& clustering) {
+  std::vector<uint32_t> size(clustering.numbers(), 0), order(clustering.numbers());
+  for (const uint32_t cluster : clustering.of()) {
+    if (cluster != kNone) ++size[cluster];
+  }
+  std::iota(order.begin(), order.end(), 0u);
+  std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return size[a] > size[b]; });
+  std::vector<bool> drawn(size.size(), false);
+  for (size_t i = 0; i < std::min(DrawnGraph::kMost, order.size()); ++i) drawn[order[i]] = true;
+  return drawn;
+}
+
+void add_face(DrawnGraph::Node& drawn, const CutGraph& graph, const CutTraversal& traversal, uint32_t node) {
+  ++drawn.faces;
+  drawn.middle += (graph.middles[node] - drawn.middle) / static_cast<double>(drawn.faces);
+  drawn.removed = graph.is_removed(node);
+  if (drawn.removed) return;
+  drawn.set = traversal.set[node];
+  drawn.marked_at = std::min(drawn.marked_at, traversal.traversal.rank[node]);
+}
+
+std::vector<ComponentGraph::Edge> edges_between(const CutGraph& graph, const std::vector<uint32_t>& of) {
+  std::vector<ComponentGraph::Edge> edges;
+  for (const auto& [a, b] : graph.edges) {
+    if (of[a] == kNone || of[b] == kNone || of[a] == of[b]) continue;
+    edges.push_back({std::min(of[a], of[b]), std::max(of[a], of[b])});
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
+}  // namespace
+
+bool DrawnGraph::has_clusters() const {
+  return std::any_of(nodes.begin(), nodes.end(), [](const Node& n) { return n.faces > 1; });
+}
+
+DrawnGraph::State DrawnGraph::state(const Node& node) const {
+  if (node.removed) return State::kRemoved;
+  if (node.marked_at < marked) return State::kMarked;
+  const bool over = marked >= reached;
+  return over && node.set != kNone ? State::kApart : State::kUnmarked;
+}
+
+DrawnGraph draw_graph(const CutGraph& graph, const CutTraversal& traversal, GraphScope scope,
+                      std::span<const uint32_t> opened) {
+  const std::vector<uint32_t> nodes = scope == GraphScope::kWhole ? all_of(graph) : around_cut(graph);
+  Clustering clustering(graph, kinds_of(graph, traversal));
+  clustering.divide(nodes, nodes.size() > DrawnGraph::kMost ? DrawnGraph::kMost / 2 : DrawnGraph::kMost);
+  for (const uint32_t node : opened) clustering.open(node);
+  const std::vector<bool> is_drawn = largest(clustering);
+  DrawnGraph drawn;
+  drawn.of.assign(graph.nodes.size(), kNone);
+  std::vector<uint32_t> number(clustering.numbers(), kNone);
+  for (uint32_t node = 0; node < graph.nodes.size(); ++node) {
+    const uint32_t cluster = clustering.of()[node];
+    if (cluster == kNone || !is_drawn[cluster]) continue;
+    if (number[cluster] == kNone) {
+      number[cluster] = static_cast<uint32_t>(drawn.nodes.size());
+      drawn.nodes.emplace_back();
+      drawn.nodes.back().lowest = node;
+      drawn.nodes.back().face = graph.nodes[node];
+    }
+    drawn.of[node] = number[cluster];
+    add_face(drawn.nodes[number[cluster]], graph, traversal, node);
+  }
+  drawn.edges = edges_between(graph, drawn.of);
+  drawn.reached = traversal.reached();
+  return drawn;
+}
+
+}  // namespace kerf

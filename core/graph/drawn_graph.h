@@ -1,0 +1,55 @@
+#pragma once
+
+#include <span>
+
+#include "core/graph/cut_graph.h"
+
+namespace kerf {
+
+// What is drawn of the graph of a cut: at most so many nodes, each of them a face or a cluster of linked
+// faces of one set.
+struct DrawnGraph {
+  static constexpr uint32_t kNone = CutTraversal::kNone;
+  static constexpr size_t kMost = 2000;
+
+  struct Node {
+    uint32_t lowest = 0;  // the lowest node of the CutGraph in it
+    GraphNode face;       // that node
+    uint32_t faces = 0;
+    bool removed = false;
+    uint32_t set = kNone;        // of CutTraversal; kNone for removed faces
+    uint32_t marked_at = kNone;  // the rank at which the traversal marks the first of its faces
+    Vec3 middle{0};              // mean of the middles of its faces, m, in the world
+  };
+  std::vector<Node> nodes;                  // in the order of `lowest`
+  std::vector<ComponentGraph::Edge> edges;  // ascending, each pair once
+  std::vector<uint32_t> of;                 // by node of the CutGraph: the drawn node; kNone: not drawn
+  size_t reached = 0;                       // faces that the traversal reaches
+  size_t marked = kNone;                    // the first faces of the traversal that are drawn as marked
+
+  bool has_clusters() const;
+
+  // What the traversal knows of a node after its first `marked` faces.
+  enum class State {
+    kRemoved,
+    kMarked,    // it was reached
+    kUnmarked,  // it was not reached yet, or never hung together with the start
+    kApart,     // the traversal is over and has not reached it: it was separated
+  };
+  State state(const Node& node) const;
+};
+
+// Which faces are drawn.
+enum class GraphScope {
+  kAroundCut,  // removed faces and about as many around them, or kMost; all if none were removed
+  kWhole,
+};
+
+// Chooses what is drawn. More than kMost faces are joined to clusters (see cluster_nodes), half as many as
+// kMost; the clusters that hold the nodes of `opened` are then divided, in this order, as long as there is
+// room. Of more unconnected parts than kMost the largest are drawn. O(n log n) in the faces of the scope,
+// plus linear time in the graph.
+DrawnGraph draw_graph(const CutGraph& graph, const CutTraversal& traversal, GraphScope scope,
+                      std::span<const uint32_t> opened = {});
+
+}  // namespace kerf

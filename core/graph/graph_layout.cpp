@@ -1,0 +1,198 @@
+#include "core/graph/graph_layout.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/base/random.h"
+
+namespace kerf {
+
+namespace {
+
+using Matrix3 = std::array<std::array<double, 3>, 3>;  // rows
+
+constexpr int kSweeps = 12;       // of Jacobi's method, which converges quadratically
+constexpr int kTurns = 120;       // of the forces
+constexpr double kJitter = 1e-3;  // of the side of the layout, so that no two nodes coincide
+
+Matrix3 covariance(const DrawnGraph& graph, const Vec3& mean) {
+  Matrix3 sum{};
+  for (const DrawnGraph::Node& n : graph.nodes) {
+    const Vec3 d = n.middle - mean;
+    for (int i = 0; i < 3; ++i) {
+      for (int k = 0; k < 3; ++k) sum[static_cast<size_t>(i)][static_cast<size_t>(k)] += d[i] * d[k];
+    }
+  }
+  return sum;
+}
+
+// One rotation of Jacobi's method: makes m[p][q] zero and turns the columns of `axes` with it.
+void rotate(Matrix3& m, Matrix3& axes, size_t p, size_t q) {
+  if (m[p][q] == 0) return;
+  const double theta = (m[q][q] - m[p][p]) / (2 * m[p][q]);
+  const double t = (theta >= 0 ? 1 : -1) / (std::abs(theta) + std::sqrt(theta * theta + 1));
+  const double c = 1 / std::sqrt(t * t + 1), s = t * c;
+  for (size_t k = 0; k < 3; ++k) {
+    const double a = m[k][p], b = m[k][q];
+    m[k][p] = c * a - s * b;
+    m[k][q] = s * a + c * b;
+  }
+  for (size_t k = 0; k < 3; ++k) {
+    const double a = m[p][k], b = m[q][k];
+    m[p][k] = c * a - s * b;
+    m[q][k] = s * a + c * b;
+  }
+  for (size_t k = 0; k < 3; ++k) {
+    const double a = axes[k][p], b = axes[k][q];
+    axes[k][p] = c * a - s * b;
+    axes[k][q] = s * a + c * b;
+  }
+}
+
+// The eigenvectors of a symmetric matrix, that of the largest eigenvalue first, each turned so that its
+// largest component is positive.
+std::array<Vec3, 3> main_directions(Matrix3 m) {
+  Matrix3 axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    rotate(m, axes, 0, 1);
+    rotate(m, axes, 0, 2);
+    rotate(m, axes, 1, 2);
+  }
+  std::array<size_t, 3> order{0, 1, 2};
+  std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return m[a][a] > m[b][b]; });
+  std::array<Vec3, 3> directions;
+  for (size_t i = 0; i < 3; ++i) {
+    Vec3 v(axes[0][order[i]], axes[1][order[i]], axes[2][order[i]]);
+    double largest = v.x;
+    for (const double c : {v.y, v.z}) {
+      if (std::abs(c) > std::abs(largest)) largest = c;
+    }
+    directions[i] = largest < 0 ? -v : v;
+  }
+  return directions;
+}
+
+// Scales a layout to its square.
+void fit(GraphLayout& places) {
+  if (places.empty()) return;
+  Vec2 low = places[0], high = places[0];
+  for (const Vec2& p : places) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  const double side = std::max(high.x - low.x, high.y - low.y);
+  const Vec2 middle = 0.5 * (low + high);
+  for (Vec2& p : places) p = side > 0 ? (p - middle) * (2 / side) : Vec2(0);
+}
+
+// The square cells into which nodes are sorted, so that near ones are found.
+class Cells {
+ public:
+  static constexpr int kMostCells = 64;  // a side
+
+  // Cells at least so wide over all places. Precondition: there is a place, and width > 0.
+  Cells(const GraphLayout& places, double width) : low_(places[0]) {
+    Vec2 high = places[0];
+    for (const Vec2& p : places) {
+      low_ = glm::min(low_, p);
+      high = glm::max(high, p);
+    }
+    width_ = std::max(width, std::max(high.x - low_.x, high.y - low_.y) / kMostCells);
+    in_.resize(size_t{kMostCells} * kMostCells);
+    for (uint32_t i = 0; i < places.size(); ++i)
+      in_[at(column(places[i].x, low_.x), column(places[i].y, low_.y))].push_back(i);
+  }
+
+  // Calls visit(node) for all nodes that are nearer to a place than the width of a cell, and some others.
+  template <typename Visit>
+  void for_each_near(const Vec2& place, const Visit& visit) const {
+    const int x = column(place.x, low_.x), y = column(place.y, low_.y);
+    for (int v = std::max(0, y - 1); v <= std::min(kMostCells - 1, y + 1); ++v) {
+      for (int u = std::max(0, x - 1); u <= std::min(kMostCells - 1, x + 1); ++u) {
+        for (const uint32_t node : in_[at(u, v)]) visit(node);
+      }
+    }
+  }
+
+ private:
+  int column(double x, double low) const {
+    return std::clamp(static_cast<int>((x - low) / width_), 0, kMostCells - 1);
+  }
+  static size_t at(int x, int y) { return static_cast<size_t>(y) * kMostCells + static_cast<size_t>(x); }
+
+  Vec2 low_;
+  double width_ = 1;
+  std::vector<std::vector<uint32_t>> in_;
+};
+
+class Forces {
+ public:
+  Forces(const DrawnGraph& graph, GraphLayout& places)
+      : graph_(graph),
+        places_(places),
+        force_(places.size()),
+        spring_(2 / std::sqrt(static_cast<double>(places.size()))) {}
+
+  // Moves each node by its force, but at most so far.
+  void turn(double farthest) {
+    std::fill(force_.begin(), force_.end(), Vec2(0));
+    const Cells cells(places_, 2 * spring_);
+    for (uint32_t i = 0; i < places_.size(); ++i)
+      cells.for_each_near(places_[i], [&](uint32_t k) { repel(i, k); });
+    attract();
+    for (size_t i = 0; i < places_.size(); ++i) {
+      const double length = glm::length(force_[i]);
+      if (length > 0) places_[i] += force_[i] * (std::min(length, farthest) / length);
+    }
+  }
+
+ private:
+  void repel(uint32_t i, uint32_t k) {
+    const Vec2 away = places_[i] - places_[k];
+    const double distance2 = glm::dot(away, away);
+    if (i == k || !(distance2 > 0) || distance2 > 4 * spring_ * spring_) return;
+    force_[i] += away * (spring_ * spring_ / distance2);
+  }
+
+  void attract() {
+    for (const auto& [a, b] : graph_.edges) {
+      const Vec2 to = places_[b] - places_[a];
+      const Vec2 pull = to * (glm::length(to) / spring_);
+      force_[a] += pull;
+      force_[b] -= pull;
+    }
+  }
+
+  const DrawnGraph& graph_;
+  GraphLayout& places_;
+  std::vector<Vec2> force_;
+  double spring_;
+};
+
+}  // namespace
+
+GraphLayout lay_out_by_position(const DrawnGraph& graph) {
+  Vec3 mean(0);
+  for (size_t i = 0; i < graph.nodes.size(); ++i)
+    mean += (graph.nodes[i].middle - mean) / static_cast<double>(i + 1);
+  const std::array<Vec3, 3> directions = main_directions(covariance(graph, mean));
+  GraphLayout places;
+  for (const DrawnGraph::Node& n : graph.nodes)
+    places.emplace_back(glm::dot(n.middle - mean, directions[0]), glm::dot(n.middle - mean, directions[1]));
+  fit(places);
+  return places;
+}
+
+GraphLayout lay_out_by_force(const DrawnGraph& graph) {
+  GraphLayout places = lay_out_by_position(graph);
+  if (places.empty()) return places;
+  Random random(1);
+  for (Vec2& p : places) p += kJitter * Vec2(random.uniform(-1, 1), random.uniform(-1, 1));
+  Forces forces(graph, places);
+  for (int i = 0; i < kTurns; ++i) forces.turn(0.1 * (kTurns - i) / kTurns);
+  fit(places);
+  return places;
+}
+
+}  // namespace kerf

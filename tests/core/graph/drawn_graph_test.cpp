@@ -1,0 +1,193 @@
+#include "core/graph/drawn_graph.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "core/graph/graph_clusters.h"
+#include "core/graph/graph_layout.h"
+#include "core/graph/separation.h"
+#include "tests/support/made_meshes.h"
+#include "tests/support/strokes.h"
+
+namespace kerf::test {
+namespace {
+
+// The graph of a sheet or a ball with a slot, as a view shows it.
+struct Shown {
+  World world;
+  CutGraph graph;
+  CutTraversal traversal;
+};
+
+Shown cut_across(const Soup& soup, uint64_t seed, double radius_share) {
+  Shown shown{world_of(soup), {}, {}};
+  Random random(seed);
+  const RandomStroke stroke = random_stroke(shown.world, random, radius_share, false);
+  auto done = cut_whole(shown.world, stroke.settings, stroke.moves);
+  EXPECT_TRUE(done.ok());
+  CutFaces removed;
+  for (const BodyDelta& b : done->delta.bodies) removed[b.body] = b.removed;
+  shown.graph = cut_graph(shown.world, removed);
+  const auto start = start_beside_cut(shown.graph);
+  EXPECT_TRUE(start);
+  shown.traversal = traverse_cut(shown.graph, start.value_or(0));
+  return shown;
+}
+
+bool is_connected(const CutGraph& graph, const std::vector<uint32_t>& nodes) {
+  const std::set<uint32_t> wanted(nodes.begin(), nodes.end());
+  const GraphLinks links = graph.links();
+  std::set<uint32_t> seen{nodes[0]};
+  std::vector<uint32_t> queue{nodes[0]};
+  for (size_t i = 0; i < queue.size(); ++i) {
+    for (const uint32_t other : links.of(queue[i])) {
+      if (wanted.contains(other) && seen.insert(other).second) queue.push_back(other);
+    }
+  }
+  return seen.size() == wanted.size();
+}
+
+void expect_sound(const Shown& shown, const DrawnGraph& drawn) {
+  ASSERT_LE(drawn.nodes.size(), DrawnGraph::kMost);
+  std::vector<std::vector<uint32_t>> members(drawn.nodes.size());
+  for (uint32_t node = 0; node < drawn.of.size(); ++node) {
+    if (drawn.of[node] != DrawnGraph::kNone) members[drawn.of[node]].push_back(node);
+  }
+  for (size_t i = 0; i < members.size(); ++i) {
+    const DrawnGraph::Node& n = drawn.nodes[i];
+    ASSERT_EQ(members[i].size(), n.faces);
+    ASSERT_EQ(members[i][0], n.lowest);
+    ASSERT_TRUE(is_connected(shown.graph, members[i])) << "node " << i;
+    for (const uint32_t node : members[i]) {
+      ASSERT_EQ(shown.graph.is_removed(node), n.removed);
+      if (!n.removed) ASSERT_EQ(shown.traversal.set[node], n.set);
+    }
+  }
+  for (const auto& [a, b] : drawn.edges) ASSERT_LT(a, b);
+}
+
+TEST(DrawnGraph, shows_single_faces_of_a_small_mesh) {
+  const Shown shown = cut_across(grid(8, 2), 2, 0.05);
+  const DrawnGraph drawn = draw_graph(shown.graph, shown.traversal, GraphScope::kWhole);
+  expect_sound(shown, drawn);
+  EXPECT_FALSE(drawn.has_clusters());
+  EXPECT_EQ(drawn.nodes.size(), shown.graph.nodes.size());
+  EXPECT_EQ(drawn.edges, shown.graph.edges);
+}
+
+TEST(DrawnGraph, joins_the_faces_of_a_large_mesh_to_connected_clusters_of_one_set) {
+  for (uint64_t seed = 1; seed <= 4; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Shown shown = cut_across(grid(60, 2), seed, 0.02);
+    const DrawnGraph drawn = draw_graph(shown.graph, shown.traversal, GraphScope::kWhole);
+    expect_sound(shown, drawn);
+    if (HasFatalFailure()) return;
+    EXPECT_TRUE(drawn.has_clusters());
+    const DrawnGraph again = draw_graph(shown.graph, shown.traversal, GraphScope::kWhole);
+    EXPECT_EQ(again.of, drawn.of);
+  }
+}
+
+TEST(DrawnGraph, shows_the_nearest_faces_around_a_cut) {
+  const Shown shown = cut_across(grid(60, 2), 1, 0.02);
+  const DrawnGraph drawn = draw_graph(shown.graph, shown.traversal, GraphScope::kAroundCut);
+  expect_sound(shown, drawn);
+  for (uint32_t node = shown.graph.live; node < shown.graph.nodes.size(); ++node)
+    ASSERT_NE(drawn.of[node], DrawnGraph::kNone) << "every removed face is drawn";
+  EXPECT_LT(static_cast<size_t>(std::count(drawn.of.begin(), drawn.of.end(), DrawnGraph::kNone)),
+            shown.graph.nodes.size());
+}
+
+TEST(DrawnGraph, opens_a_cluster_into_its_faces) {
+  const Shown shown = cut_across(grid(60, 2), 1, 0.02);
+  const DrawnGraph closed = draw_graph(shown.graph, shown.traversal, GraphScope::kWhole);
+  const auto cluster = std::find_if(closed.nodes.begin(), closed.nodes.end(),
+                                    [](const DrawnGraph::Node& n) { return n.faces > 1; });
+  ASSERT_NE(cluster, closed.nodes.end());
+  const uint32_t opened = cluster->lowest;
+  const DrawnGraph open = draw_graph(shown.graph, shown.traversal, GraphScope::kWhole, {&opened, 1});
+  expect_sound(shown, open);
+  EXPECT_EQ(open.nodes.size(), closed.nodes.size() + cluster->faces - 1);
+  EXPECT_EQ(open.nodes[open.of[opened]].faces, 1u);
+}
+
+TEST(DrawnGraph, draws_the_largest_of_more_parts_than_it_can) {
+  Soup soup;
+  for (uint32_t i = 0; i < 2500; ++i) {
+    const double x = 3.0 * i;
+    soup.positions.insert(soup.positions.end(), {{x, 0, 0}, {x + 1, 0, 0}, {x, 0, 1}});
+    soup.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  Shown shown{world_of(soup), {}, {}};
+  shown.graph = cut_graph(shown.world, {});
+  shown.traversal = traverse_cut(shown.graph, 0);
+  const DrawnGraph drawn = draw_graph(shown.graph, shown.traversal, GraphScope::kAroundCut);
+  expect_sound(shown, drawn);
+  EXPECT_EQ(drawn.nodes.size(), DrawnGraph::kMost);
+}
+
+TEST(DrawnGraph, marks_nodes_as_the_traversal_goes_on_and_tells_what_is_apart_at_its_end) {
+  const Shown shown = cut_across(grid(8, 2), 2, 0.05);
+  DrawnGraph drawn = draw_graph(shown.graph, shown.traversal, GraphScope::kWhole);
+  using State = DrawnGraph::State;
+  for (size_t marked = 0; marked <= drawn.reached; ++marked) {
+    drawn.marked = marked;
+    size_t seen = 0;
+    for (const DrawnGraph::Node& n : drawn.nodes) {
+      seen += drawn.state(n) == State::kMarked;
+      if (marked < drawn.reached) EXPECT_NE(drawn.state(n), State::kApart);
+    }
+    EXPECT_EQ(seen, marked);
+  }
+  size_t apart = 0;
+  for (const DrawnGraph::Node& n : drawn.nodes) apart += drawn.state(n) == State::kApart;
+  EXPECT_EQ(apart, shown.traversal.total - shown.traversal.reached());
+}
+
+TEST(GraphLayout, by_position_is_a_flat_sheet_to_scale) {
+  const Shown shown = cut_across(grid(10, 2), 2, 0.05);
+  const DrawnGraph drawn = draw_graph(shown.graph, shown.traversal, GraphScope::kWhole);
+  const GraphLayout places = lay_out_by_position(drawn);
+  ASSERT_EQ(places.size(), drawn.nodes.size());
+  const auto apart = [&](size_t i, size_t k) {
+    return glm::length(drawn.nodes[i].middle - drawn.nodes[k].middle);
+  };
+  const double scale = glm::length(places[1] - places[0]) / apart(1, 0);
+  for (size_t i = 2; i < places.size(); ++i)
+    ASSERT_NEAR(glm::length(places[i] - places[0]), scale * apart(i, 0), 1e-9) << "node " << i;
+}
+
+TEST(GraphLayout, both_kinds_fill_the_square_and_are_functions_of_the_graph) {
+  for (const auto& [name, soup] : mesh_classes()) {
+    SCOPED_TRACE(name);
+    Shown shown{world_of(soup), {}, {}};
+    shown.graph = cut_graph(shown.world, {});
+    shown.traversal = traverse_cut(shown.graph, 0);
+    const DrawnGraph drawn = draw_graph(shown.graph, shown.traversal, GraphScope::kWhole);
+    for (auto lay_out : {lay_out_by_position, lay_out_by_force}) {
+      const GraphLayout places = lay_out(drawn);
+      double farthest = 0;
+      for (const Vec2& p : places) farthest = std::max({farthest, std::abs(p.x), std::abs(p.y)});
+      const bool coincide = name == "pillow" && lay_out == lay_out_by_position;
+      EXPECT_NEAR(farthest, coincide ? 0 : 1, 1e-9);
+      EXPECT_EQ(lay_out(drawn), places);
+    }
+  }
+}
+
+TEST(GraphLayout, by_force_keeps_linked_nodes_nearer_than_others) {
+  const Shown shown = cut_across(torus(12, 16, 1, 0.4), 5, 0.03);
+  const DrawnGraph drawn = draw_graph(shown.graph, shown.traversal, GraphScope::kWhole);
+  const GraphLayout places = lay_out_by_force(drawn);
+  double linked = 0, any = 0;
+  for (const auto& [a, b] : drawn.edges) linked += glm::length(places[a] - places[b]);
+  linked /= static_cast<double>(drawn.edges.size());
+  Random random(1);
+  for (int i = 0; i < 1000; ++i)
+    any += glm::length(places[random.below(places.size())] - places[random.below(places.size())]) / 1000;
+  EXPECT_LT(linked, 0.25 * any);
+}
+
+}  // namespace
+}  // namespace kerf::test

@@ -1,0 +1,190 @@
+#include "ui/render/graph_pass.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "ui/render/body_looks.h"
+#include "ui/render/box_palette.h"
+#include "ui/render/overlay_colours.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr float kLinkHalfWidth = 0.7f, kDarkAround = 0.8f;  // pixels
+constexpr float kLeastRadius = 1.6f, kMostRadius = 7;       // of a disc, pixels
+constexpr float kRadiusOfLink = 0.22f;                      // of the usual length of a link
+constexpr float kUsualHeight = 900;                         // of a picture, see line.glsl
+constexpr int kVerticesOfLine = 6;
+
+glm::vec4 srgb(uint32_t hex, float opacity) {
+  const auto part = [&](int shift) { return static_cast<float>(hex >> shift & 0xffu) / 255.0f; };
+  return {part(16), part(8), part(0), opacity};
+}
+
+void attribute(GLuint index, GLint numbers, size_t stride, size_t offset) {
+  glEnableVertexAttribArray(index);
+  glVertexAttribPointer(index, numbers, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
+                        reinterpret_cast<const void*>(offset));
+  glVertexAttribDivisor(index, 1);
+}
+
+// Where nodes are drawn: displaced with their pieces, and not at all where these are hidden.
+class Places {
+ public:
+  explicit Places(const Subject& subject) : subject_(subject) {}
+
+  std::optional<glm::vec3> of(const DrawnGraph::Node& node) {
+    const glm::vec3 at = subject_.space.from_world(node.middle);
+    if (node.removed || !is_live(node.face)) return at;
+    const BodyId id = node.face.body;
+    const auto found = looks_.try_emplace(id, id, subject_.options).first;
+    const PieceLook& look = found->second.of(subject_.world.body(id).mesh, node.face.face);
+    if (look.hidden) return std::nullopt;
+    return at + glm::vec3(subject_.space.turned(look.offset) / subject_.space.unit);
+  }
+
+ private:
+  bool is_live(const GraphNode& n) const {
+    return subject_.world.contains(n.body) && subject_.world.body(n.body).mesh.is_live(n.face);
+  }
+
+  const Subject& subject_;
+  std::map<BodyId, BodyLooks> looks_;
+};
+
+// The length that half of the links exceed in the picture, in pixels of a picture of usual height.
+float usual_length(const std::vector<std::pair<glm::vec3, glm::vec3>>& links, const FrameUniforms& frame) {
+  const glm::vec2 half = 0.5f * glm::vec2(frame.viewport.x, frame.viewport.y);
+  std::vector<float> lengths;
+  for (const auto& [from, to] : links) {
+    const glm::vec4 a = frame.clip_from_frame * glm::vec4(from, 1),
+                    b = frame.clip_from_frame * glm::vec4(to, 1);
+    if (a.w > 0 && b.w > 0) lengths.push_back(glm::length((glm::vec2(a) / a.w - glm::vec2(b) / b.w) * half));
+  }
+  if (lengths.empty()) return 0;
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  return *middle / std::max(1.0f, frame.viewport.y / kUsualHeight);
+}
+
+}  // namespace
+
+uint32_t colour_of(DrawnGraph::State state) {
+  switch (state) {
+    case DrawnGraph::State::kRemoved:
+      return overlay_colours::kRemoved;
+    case DrawnGraph::State::kMarked:
+      return overlay_colours::kReached;
+    case DrawnGraph::State::kApart:
+      return overlay_colours::kApart;
+    case DrawnGraph::State::kUnmarked:
+      break;
+  }
+  return overlay_colours::kUnmarked;
+}
+
+Result<GraphPass> GraphPass::create(const std::filesystem::path& shaders) {
+  auto links = gl::Program::load(shaders, {{"frame.glsl", "line.glsl", "link.vert"}, {"box.frag"}});
+  if (!links) return links.error();
+  auto nodes = gl::Program::load(shaders, {{"frame.glsl", "line.glsl", "node.vert"}, {"node.frag"}});
+  if (!nodes) return nodes.error();
+  return GraphPass(std::move(*links), std::move(*nodes));
+}
+
+GraphPass::GraphPass(gl::Program links, gl::Program nodes)
+    : links_(std::move(links)), nodes_(std::move(nodes)) {
+  for (const gl::Program* p : {&links_, &nodes_}) p->bind_block("Frame", kFrameBlock);
+}
+
+void GraphPass::draw(const Subject& subject, const FrameUniforms& frame) {
+  const ViewOptions& options = subject.options;
+  if (!options.lit_face && !(options.show.graph && options.graph)) return;
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  glDepthMask(GL_FALSE);
+  glEnable(GL_BLEND);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
+  if (options.show.graph && options.graph) draw_graph(subject, *options.graph, frame);
+  if (options.lit_face) draw_lit_face(subject);
+  glDisable(GL_BLEND);
+  glDepthMask(GL_TRUE);
+}
+
+void GraphPass::draw_graph(const Subject& subject, const DrawnGraph& graph, const FrameUniforms& frame) {
+  Places places(subject);
+  std::vector<std::optional<glm::vec3>> at;
+  for (const DrawnGraph::Node& n : graph.nodes) at.push_back(places.of(n));
+  std::vector<std::pair<glm::vec3, glm::vec3>> ends;
+  std::vector<Link> links;
+  for (const auto& [a, b] : graph.edges) {
+    if (!at[a] || !at[b]) continue;
+    const bool cut = graph.nodes[a].removed || graph.nodes[b].removed;
+    const glm::vec4 colour =
+        srgb(cut ? overlay_colours::kRemoved : colour_of(graph.state(graph.nodes[a])), 0.8f);
+    ends.emplace_back(*at[a], *at[b]);
+    links.push_back({*at[a], *at[b], colour});
+  }
+  const float radius = std::clamp(kRadiusOfLink * usual_length(ends, frame), kLeastRadius, kMostRadius);
+  std::vector<Disc> discs;
+  for (size_t i = 0; i < at.size(); ++i) {
+    const DrawnGraph::Node& n = graph.nodes[i];
+    const float larger = n.faces > 1 ? 1.25f : 1;
+    if (at[i]) discs.push_back({*at[i], radius * larger, srgb(colour_of(graph.state(n)), 1)});
+  }
+  draw_links(links, kLinkHalfWidth);
+  draw_discs(discs);
+}
+
+void GraphPass::draw_lit_face(const Subject& subject) {
+  const FaceOfBody lit = *subject.options.lit_face;
+  if (!subject.world.contains(lit.body) || !subject.world.body(lit.body).mesh.is_live(lit.face)) return;
+  const Body& body = subject.world.body(lit.body);
+  const PieceLook look = BodyLooks(lit.body, subject.options).of(body.mesh, lit.face);
+  if (look.hidden) return;
+  const Triangle t = body.mesh.triangle(lit.face);
+  const glm::vec4 colour = srgb(selection_colour(subject.options.tree.palette), 1);
+  const auto corner = [&](size_t i) {
+    return subject.space.from_world(body.placement.to_world(t[i % 3]) + look.offset);
+  };
+  std::vector<Link> sides;
+  for (size_t i = 0; i < 3; ++i) sides.push_back({corner(i), corner(i + 1), colour});
+  glDisable(GL_DEPTH_TEST);
+  draw_links(sides, 1.4f);
+  draw_discs({{(corner(0) + corner(1) + corner(2)) / 3.0f, 4, colour}});
+  glEnable(GL_DEPTH_TEST);
+}
+
+// Dark ones first, a little wider, so that the lines show on anything.
+void GraphPass::draw_links(const std::vector<Link>& links, float half_width) {
+  if (links.empty()) return;
+  glBindVertexArray(link_layout_.name());
+  glBindBuffer(GL_ARRAY_BUFFER, link_buffer_.name());
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(links.size() * sizeof(Link)), links.data(),
+               GL_STREAM_DRAW);
+  attribute(0, 3, sizeof(Link), offsetof(Link, from));
+  attribute(1, 3, sizeof(Link), offsetof(Link, to));
+  attribute(2, 4, sizeof(Link), offsetof(Link, colour));
+  links_.use();
+  for (const bool dark : {true, false}) {
+    links_.set("half_width", half_width + (dark ? kDarkAround : 0));
+    links_.set("shade", dark ? glm::vec4(0.02f, 0.025f, 0.03f, 1) : glm::vec4(0));
+    glDrawArraysInstanced(GL_TRIANGLES, 0, kVerticesOfLine, static_cast<GLsizei>(links.size()));
+  }
+}
+
+void GraphPass::draw_discs(const std::vector<Disc>& discs) {
+  if (discs.empty()) return;
+  glBindVertexArray(node_layout_.name());
+  glBindBuffer(GL_ARRAY_BUFFER, node_buffer_.name());
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(discs.size() * sizeof(Disc)), discs.data(),
+               GL_STREAM_DRAW);
+  attribute(0, 3, sizeof(Disc), offsetof(Disc, middle));
+  attribute(1, 1, sizeof(Disc), offsetof(Disc, radius));
+  attribute(2, 4, sizeof(Disc), offsetof(Disc, colour));
+  nodes_.use();
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(discs.size()));
+}
+
+}  // namespace kerf

@@ -1,5 +1,7 @@
 #include "app/cut_report.h"
 
+#include "app/json_vector.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -58,7 +60,7 @@ nlohmann::ordered_json to_json(const WrittenPiece& p) {
           {"faces", p.faces},
           {"vertices", p.vertices},
           {"area", p.area},
-          {"centroid", {p.centroid.x, p.centroid.y, p.centroid.z}},
+          {"centroid", json_vector(p.centroid)},
           {"boundary_edges", p.boundary_edges}};
 }
 

@@ -5,6 +5,7 @@
 #include "app/commands.h"
 #include "app/exit_status.h"
 #include "app/interrupt.h"
+#include "app/json_vector.h"
 #include "app/load_mesh.h"
 #include "core/mesh/load_notes.h"
 
@@ -34,7 +35,7 @@ nlohmann::ordered_json to_json(const std::string& file, const MeshReport& m) {
           {"non_manifold_edges", m.non_manifold_edges},
           {"components", m.components},
           {"area", m.area},
-          {"bounds", {{"min", {m.min.x, m.min.y, m.min.z}}, {"max", {m.max.x, m.max.y, m.max.z}}}},
+          {"bounds", {{"min", json_vector(m.min)}, {"max", json_vector(m.max)}}},
           {"repairs", to_json(m.repairs)},
           {"notes", load_notes(m)}};
 }

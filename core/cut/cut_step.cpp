@@ -23,7 +23,7 @@ void StepFigures::add(const StepFigures& other) {
 
 namespace {
 
-// One step, as long as its bite lasts.
+// One step, which ends after settings.bite faces.
 class Bite {
  public:
   Bite(World& world, const CutSettings& settings, UnfinishedMove& unfinished, const Progress& progress)
@@ -31,7 +31,20 @@ class Bite {
     for (const BodyId id : cuttable(world)) bodies_.emplace_back(id, world.body(id));
   }
 
-  // Whether the move is through all bodies.
+  // Executes the next part of a move. Returns whether the move is finished.
+  Result<bool> take_part(const BeamMove& move) {
+    if (move_.bodies < bodies_.size()) {
+      BodyStep& step = bodies_[move_.bodies];
+      sweep(step, settings_.laser, move);
+      if (const Status done = go_on(step); !done) return done.error();
+      if (move_.stage == Stage::kFind) ++move_.bodies;
+    }
+    if (move_.bodies < bodies_.size()) return false;
+    move_.bodies = 0;
+    return true;
+  }
+
+  // Executes a move as far as the bite goes. Returns whether the move is finished.
   Result<bool> take(const BeamMove& move) {
     for (; move_.bodies < bodies_.size(); ++move_.bodies) {
       BodyStep& step = bodies_[move_.bodies];
@@ -128,6 +141,24 @@ Result<StepResult> cut_step(World& world, const CutSettings& settings, std::span
     }
     if (!*through) break;
     ++result.moves;
+    result.last = move;
+  }
+  bite.end(result);
+  return result;
+}
+
+Result<StepResult> cut_stage(World& world, const CutSettings& settings, const BeamMove& move,
+                             UnfinishedMove& unfinished, const Progress* progress) {
+  StepResult result;
+  const Progress asked = share_of(progress, 0, 1);
+  Bite bite(world, settings, unfinished, asked);
+  const Result<bool> through = bite.take_part(move);
+  if (!through) {
+    unfinished = UnfinishedMove{};
+    return through.error();
+  }
+  if (*through) {
+    result.moves = 1;
     result.last = move;
   }
   bite.end(result);

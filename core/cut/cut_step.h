@@ -90,6 +90,12 @@ struct StepResult {
 Result<StepResult> cut_step(World& world, const CutSettings& settings, std::span<const BeamMove> moves,
                             UnfinishedMove& unfinished, const Progress* progress = nullptr);
 
+// Executes the next stage of a move through one body, or a part of it if the stage has many faces, and
+// continues it from `unfinished` like cut_step; result.moves is 1 once the move is finished. A move that is
+// executed in stages has the same result as one that is executed by cut_step.
+Result<StepResult> cut_stage(World& world, const CutSettings& settings, const BeamMove& move,
+                             UnfinishedMove& unfinished, const Progress* progress = nullptr);
+
 // Ends a stroke with a smooth rim in all bodies that the beam may cut (see cuttable). Before that, the steps
 // of the stroke only remove faces that are wholly inside the beam. This function cuts the faces that cross
 // the boundary of the volume swept by `path` along that boundary, and removes the parts inside. `path` holds

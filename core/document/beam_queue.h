@@ -47,6 +47,7 @@ class BeamQueue {
   std::vector<BeamMove> begin_moves(const World& world, size_t most);
   // How far the last step executed the first move.
   UnfinishedMove& unfinished() { return unfinished_; }
+  const UnfinishedMove& unfinished() const { return unfinished_; }
 
   // Remove what has been executed from the front.
   void pop_moves(size_t count);

@@ -61,6 +61,10 @@ class Document {
   bool beam_waits() const { return queue_.holds_beam(); }
   // The first move that the next step executes, or nothing if it executes none.
   std::optional<BeamMove> next_move() const { return queue_.next_move(world_); }
+  // The settings of the stroke of that move. Precondition: there is one.
+  const CutSettings& next_settings() const { return queue_.front_stroke()->settings; }
+  // Whether the next step is a part of the search for separated pieces.
+  bool next_searches() const { return must_separate(); }
   // Whether the next step ends a stroke with a smooth rim. Its cost is proportional to the whole stroke.
   bool next_closes_rim() const;
 
@@ -76,6 +80,12 @@ class Document {
   // `progress` stopped the step, the stroke is also undone in the journal, together with the queue behind it.
   // If no before-images are recorded (see set_window), the stroke ends where it was stopped instead.
   Result<StepResult> step(size_t most, const Progress* progress = nullptr);
+
+  // The same, but executes only the next stage of a move through one body (see cut_stage), the end of a
+  // stroke, a part of the search, or one tick. The result of the stroke is the same.
+  Result<StepResult> step_stage(const Progress* progress = nullptr);
+  // How far the first move of the queue has been executed.
+  const UnfinishedMove& unfinished_move() const { return queue_.unfinished(); }
 
   // Whether the last step of the history before the position is a stroke that Recut can cut again.
   bool can_recut() const;
@@ -125,7 +135,9 @@ class Document {
   // Executing the front of the queue.
   bool must_separate() const;
   StepResult separate_more();
+  Result<StepResult> step_front(size_t most, bool one_stage, const Progress* progress);
   Result<StepResult> walk_moves(size_t most, const Progress& progress);
+  Result<StepResult> walk_stage(const Progress& progress);
   Result<StepResult> close_rim_of_stroke(const Progress& progress);
   StepResult pass_ticks(size_t most);
   void begin(size_t step);

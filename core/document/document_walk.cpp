@@ -14,6 +14,12 @@ bool Document::next_closes_rim() const {
 }
 
 Result<StepResult> Document::step(size_t most, const Progress* progress) {
+  return step_front(most, false, progress);
+}
+
+Result<StepResult> Document::step_stage(const Progress* progress) { return step_front(1, true, progress); }
+
+Result<StepResult> Document::step_front(size_t most, bool one_stage, const Progress* progress) {
   if (must_separate()) return separate_more();
   if (queue_.empty() || most == 0) return StepResult{};
   if (queue_.front_kind() == BeamQueue::Kind::kTicks) return pass_ticks(most);
@@ -24,7 +30,9 @@ Result<StepResult> Document::step(size_t most, const Progress* progress) {
     return !stopped;
   }};
   const bool moves = queue_.front_kind() == BeamQueue::Kind::kMove;
-  Result<StepResult> some = moves ? walk_moves(most, watched) : close_rim_of_stroke(watched);
+  Result<StepResult> some = !moves      ? close_rim_of_stroke(watched)
+                            : one_stage ? walk_stage(watched)
+                                        : walk_moves(most, watched);
   if (some) return noted(step, std::move(*some));
   give_up(step, stopped);
   return some.error();
@@ -49,6 +57,15 @@ Result<StepResult> Document::walk_moves(size_t most, const Progress& progress) {
   walked_ = queue_.front_stroke();
   const std::vector<BeamMove> moves = queue_.begin_moves(world_, std::min(most, kMostAtOnce));
   Result<StepResult> some = cut_step(world_, walked_->settings, moves, queue_.unfinished(), &progress);
+  if (some) queue_.pop_moves(some->moves);
+  return some;
+}
+
+Result<StepResult> Document::walk_stage(const Progress& progress) {
+  begin(queue_.front_step());
+  walked_ = queue_.front_stroke();
+  const BeamMove move = queue_.begin_moves(world_, 1).front();
+  Result<StepResult> some = cut_stage(world_, walked_->settings, move, queue_.unfinished(), &progress);
   if (some) queue_.pop_moves(some->moves);
   return some;
 }

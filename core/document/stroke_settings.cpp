@@ -23,4 +23,11 @@ std::vector<Command> stroke_commands(const StrokePath& stroke, const CutSettings
   return commands;
 }
 
+std::vector<Command> scene_stroke_commands(const StrokePath& stroke, double diagonal) {
+  if (stroke.keys.empty()) return {};
+  CutSettings settings = default_settings(stroke, diagonal);
+  settings.resolution.rim = Rim::kSmooth;
+  return stroke_commands(stroke, settings);
+}
+
 }  // namespace kerf

@@ -14,4 +14,8 @@ CutSettings default_settings(const StrokePath& stroke, double diagonal);
 // has a key.
 std::vector<Command> stroke_commands(const StrokePath& stroke, const CutSettings& settings);
 
+// The commands that draw a stroke of a scene: those of its default settings with a smooth rim, as in the
+// editor. None if it has no key.
+std::vector<Command> scene_stroke_commands(const StrokePath& stroke, double diagonal);
+
 }  // namespace kerf

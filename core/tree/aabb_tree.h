@@ -110,6 +110,7 @@ class AabbTree {
 
  private:
   friend class ChangeOfParts<AabbTree>;
+  friend class TouchedTrace;
   template <typename Self>
   static auto parts(Self& self) {
     return std::tie(self.store_, self.leaf_count_);

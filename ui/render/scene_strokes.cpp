@@ -9,11 +9,7 @@ Status cut_strokes(Document& document, const std::vector<StrokePath>& strokes,
                    const std::function<void(const StepResult&)>& told, const Progress* progress) {
   const double diagonal = document.world().bounds().diagonal();
   for (size_t i = 0; i < strokes.size(); ++i) {
-    const StrokePath& stroke = strokes[i];
-    if (stroke.keys.empty()) continue;
-    CutSettings settings = default_settings(stroke, diagonal);
-    settings.resolution.rim = Rim::kSmooth;  // as in the editor
-    for (const Command& command : stroke_commands(stroke, settings)) document.apply(command);
+    for (const Command& command : scene_stroke_commands(strokes[i], diagonal)) document.apply(command);
     const double share = 1 / static_cast<double>(strokes.size()), before = share * static_cast<double>(i);
     const Progress cutting = share_of(progress, before, before + share);
     Walk how;

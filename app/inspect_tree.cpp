@@ -1,0 +1,24 @@
+#include "app/inspect_tree.h"
+
+#include "app/json_vector.h"
+
+namespace kerf {
+
+nlohmann::ordered_json tree_json(const World& world) {
+  auto bodies = nlohmann::ordered_json::array();
+  for (const BodyId id : world.ids()) {
+    const Body& body = world.body(id);
+    auto boxes = nlohmann::ordered_json::array();
+    body.tree.for_each_box([&](const AabbTree::Box& box) {
+      boxes.push_back({{"min", json_vector(box.min)},
+                       {"max", json_vector(box.max)},
+                       {"depth", box.depth},
+                       {"leaf", box.leaf},
+                       {"hit", box.hit}});
+    });
+    bodies.push_back({{"body", body.name}, {"faces", body.tree.leaf_count()}, {"boxes", std::move(boxes)}});
+  }
+  return {{"bodies", std::move(bodies)}};
+}
+
+}  // namespace kerf

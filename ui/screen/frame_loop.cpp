@@ -45,8 +45,9 @@ void FrameLoop::wait(Screen& screen) {
 void FrameLoop::frame(Screen& screen) {
   const Clock::time_point began = Clock::now();
   gui_.dress(screen.look());
-  gui_.begin_frame();
-  screen.hear(take_input());
+  const Input input = take_input();
+  gui_.begin_frame(input.events);
+  screen.hear(input);
   screen.advance();
   screen.draw();
   gui_.end_frame();

@@ -1,5 +1,6 @@
 #include "ui/window/gui.h"
 
+#include <GLFW/glfw3.h>
 #include <imgui.h>
 
 #include <backends/imgui_impl_glfw.h>
@@ -9,6 +10,17 @@ namespace kerf {
 
 namespace {
 constexpr float kDoubleClickSeconds = 0.3f, kLongestDelay = 1;
+
+// Whether the left button was pressed twice at about one place. ImGui takes all presses of a frame for one.
+bool has_double_click(std::span<const InputEvent> events, double most_pixels) {
+  std::optional<Vec2> first;
+  for (const InputEvent& event : events) {
+    if (event.kind != InputEvent::Kind::kPress || event.button != GLFW_MOUSE_BUTTON_LEFT) continue;
+    if (first && glm::length(event.at - *first) <= most_pixels) return true;
+    first = event.at;
+  }
+  return false;
+}
 }  // namespace
 
 Gui::Gui(const Window& window) {
@@ -36,13 +48,16 @@ void Gui::dress(const GuiLook& look) {
   look_ = look;
 }
 
-void Gui::begin_frame() {
+void Gui::begin_frame(std::span<const InputEvent> events) {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
   // ImGui takes the time of a click from the frame that hears of it, which a slow picture delays.
   ImGuiIO& io = ImGui::GetIO();
   io.MouseDoubleClickTime = kDoubleClickSeconds + std::min(io.DeltaTime, kLongestDelay);
   ImGui::NewFrame();
+  if (!has_double_click(events, io.MouseDoubleClickMaxDist)) return;
+  io.MouseClickedCount[ImGuiMouseButton_Left] = 2;
+  io.MouseDoubleClicked[ImGuiMouseButton_Left] = true;
 }
 
 void Gui::end_frame() {

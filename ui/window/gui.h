@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "ui/window/theme.h"
 #include "ui/window/window.h"
@@ -18,7 +19,8 @@ class Gui {
   // Changes the look; costs nothing if it is the current one. Precondition: called between frames.
   void dress(const GuiLook& look);
 
-  void begin_frame();
+  // `events` are those that the window received since the last frame.
+  void begin_frame(std::span<const InputEvent> events);
   // Draws the panels over the content of the window.
   void end_frame();
 

@@ -27,6 +27,16 @@ nlohmann::ordered_json view_of(const ViewState& view) {
   return all;
 }
 
+nlohmann::ordered_json graph_of(const GraphState& graph, const ViewState& view) {
+  return {{"nodes", graph.drawn() ? graph.drawn()->nodes.size() : 0},
+          {"marked", graph.marked()},
+          {"reached", graph.reached()},
+          {"total", graph.total()},
+          {"removed", graph.removed()},
+          {"any_open", graph.any_open()},
+          {"face_lit", view.look.lit_face.has_value()}};
+}
+
 // Where each light is, and its handle in the window where that is shown.
 nlohmann::ordered_json lights_of(const ViewState& view, const Settings& settings) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
@@ -123,6 +133,7 @@ Status write_editor_report(const EditorState& state, const std::filesystem::path
       {"message", state.message.text},
       {"messages", texts_of(state.message.log)},
       {"view", view_of(state.view)},
+      {"graph", graph_of(state.graph, state.view)},
       {"lights", lights_of(state.view, state.settings)},
       {"pixels_that_rays_have_otherwise", figures.shadows.wrong},
       {"split", {{"shown", state.split.shown}, {"faces", state.split.twin.world().live_faces()}}},

@@ -72,7 +72,7 @@ GuiLook EditorScreen::look() const {
 
 bool EditorScreen::moving() const {
   return thread_.busy() || easing_ || cut_.waits() || state_.view.picture_old || picture_.busy() ||
-         state_.opening.loader.busy();
+         state_.opening.loader.busy() || state_.graph.playing();
 }
 
 // Hearing
@@ -131,12 +131,28 @@ void EditorScreen::advance() {
   recovery_.follow(state_.work, state_.view, state_.hand.drag == Drag::kLight, state_.message);
   move_camera();
   cut_.advance();
+  follow_graph();
   send();
 }
 
 void EditorScreen::move_camera() {
   easing_ = state_.view.camera.advance(std::min<double>(ImGui::GetIO().DeltaTime, kLongestEaseStep));
   if (easing_) state_.view.picture_old = true;
+}
+
+void EditorScreen::follow_graph() {
+  ViewState& view = state_.view;
+  const bool panel = state_.settings.shows(PanelId::kGraph);
+  if (!panel && view.look.lit_face) {
+    view.look.lit_face.reset();
+    view.picture_old = true;
+  }
+  if (!panel && !view.look.show.graph) return state_.graph.play(false);
+  state_.graph.follow(state_.work.document);
+  state_.graph.advance(std::min<double>(ImGui::GetIO().DeltaTime, kLongestEaseStep));
+  if (view.look.graph == state_.graph.drawn()) return;
+  view.look.graph = state_.graph.drawn();
+  if (view.look.show.graph) view.picture_old = true;
 }
 
 // To the graphics card.

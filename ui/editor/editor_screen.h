@@ -49,6 +49,7 @@ class EditorScreen : public Screen {
   void hear_mouse(const MouseParts& mouse, const InputEvent& event);
   void hear_key(const InputEvent& event);
   void move_camera();
+  void follow_graph();
   void send();
   void lay_out_window();
   void draw_panels();

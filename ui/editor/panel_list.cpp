@@ -2,6 +2,7 @@
 
 #include "ui/editor/changes/world_changes.h"
 #include "ui/editor/file_choice.h"
+#include "ui/editor/graph/graph_panel.h"
 #include "ui/editor/panels/display_panel.h"
 #include "ui/editor/panels/file_panel.h"
 #include "ui/editor/panels/history_panel.h"
@@ -33,6 +34,11 @@ void draw_pieces(EditorState& s, PiecesPanel& panel) {
              [&s] { choose_file_for(s, FileBrowser::Purpose::kExport); });
 }
 
+void draw_graph(EditorState& s, GraphPanel& panel) {
+  const bool seen = s.hand.over_picture && s.hand.drag == Drag::kNone && !s.view.in_second;
+  panel.draw(s.graph, s.work.document, s.view, seen ? std::optional(s.hand.pointer) : std::nullopt);
+}
+
 }  // namespace
 
 std::vector<Panel> make_panels(EditorState& s) {
@@ -47,6 +53,7 @@ std::vector<Panel> make_panels(EditorState& s) {
        [&] { draw_light_panel(s.view, document.world().bounds(), s.figures.shadows); }},
       {PanelId::kTree, "Tree",
        [&] { draw_tree_panel(s.view, document.world(), s.settings, s.figures.shown); }},
+      {PanelId::kGraph, "Graph", [&s, panel = GraphPanel()]() mutable { draw_graph(s, panel); }},
       {PanelId::kView, "View", [&s] { draw_view_panel(s.view); }},
       {PanelId::kStatistics, "Statistics", [&s] { draw_statistics_panel(s.figures.chart, s.figures.shown); }},
       {PanelId::kFile, "File", [&] { draw_file_panel(document.world(), s.work.scene, s.view, s.settings); }},

@@ -3,6 +3,7 @@
 #include "ui/editor/changes/split_view.h"
 #include "ui/editor/figures/figures.h"
 #include "ui/editor/frame/file_browser.h"
+#include "ui/editor/graph/graph_state.h"
 #include "ui/editor/tools/hand.h"
 #include "ui/editor/view/settings.h"
 #include "ui/editor/view/view_state.h"
@@ -26,6 +27,7 @@ struct EditorState {
   Hand hand;
   SplitView split;
   Figures figures;
+  GraphState graph;
 
   Settings settings;
   Message message;

@@ -1,0 +1,191 @@
+#include "ui/editor/graph/graph_panel.h"
+
+#include <imgui.h>
+
+#include "ui/render/pick.h"
+#include "ui/window/landmarks.h"
+#include "ui/window/number_text.h"
+#include "ui/window/property.h"
+#include "ui/window/theme.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr float kHeightOfWidth = 0.8f;  // of the canvas
+
+void placing_row(GraphState& graph) {
+  property("Laid out");
+  int placing = graph.placing() == GraphState::Placing::kForce ? 1 : 0;
+  if (ImGui::Combo("##placing", &placing, "By position\0By force\0"))
+    graph.place(placing == 1 ? GraphState::Placing::kForce : GraphState::Placing::kPosition);
+  mark_last_item("graph placing");
+  tooltip(
+      "By position: where the faces are, seen along the direction in which they extend least. By force: "
+      "linked nodes pull each other, near ones push each other away.");
+}
+
+// Played by the button or drawn by hand.
+void traversal_row(GraphState& graph) {
+  property("Traversal");
+  if (ImGui::Button(graph.playing() ? "Stop" : "Play")) graph.play(!graph.playing());
+  mark_last_item("graph play");
+  tooltip("Plays the breadth-first search from the ringed node: what it has come to is blue.");
+  ImGui::SameLine();
+  int marked = static_cast<int>(graph.marked());
+  ImGui::SetNextItemWidth(-1);
+  const std::string shown = grouped(graph.marked()) + (graph.marked() == 1 ? " face" : " faces");
+  if (ImGui::SliderInt("##marked", &marked, 0, static_cast<int>(graph.reached()), shown.c_str(),
+                       ImGuiSliderFlags_AlwaysClamp)) {
+    graph.play(false);
+    graph.set_marked(static_cast<size_t>(marked));
+  }
+  mark_last_item("graph slider");
+  tooltip("How many faces the search has marked. A click on a single face starts it from there.");
+}
+
+std::string verdict(const GraphState& graph) {
+  if (graph.marked() < graph.reached()) return "The search goes on.";
+  if (graph.removed() == 0) return "Nothing is cut yet.";
+  const size_t rest = graph.total() - graph.reached();
+  if (!graph.separated()) return "Not separated: the search reached every face that hung together before.";
+  const size_t others = graph.sets() - 1;
+  return "Separated: the search did not reach " + grouped(rest) + (rest == 1 ? " face in " : " faces in ") +
+         grouped(others) + (others == 1 ? " other part." : " other parts.");
+}
+
+// What Kerf does in place of the search.
+std::string loops_text(const GraphState& graph) {
+  if (graph.removed() == 0) return "";
+  const std::vector<size_t>& closings = graph.closings();
+  const std::string of = " of " + grouped(graph.removed()) + " removals";
+  if (closings.empty()) return "Kerf itself did not search: none" + of + " closed a loop.";
+  return "Kerf itself searches where the removed faces close a loop: " + grouped(closings.size()) + of +
+         " closed one, the first with removal " + grouped(closings.front()) + ".";
+}
+
+void secondary_text(const std::string& text) {
+  if (text.empty()) return;
+  ImGui::PushStyleColor(ImGuiCol_Text, colours::secondary());
+  ImGui::TextWrapped("%s", text.c_str());
+  ImGui::PopStyleColor();
+}
+
+void draw_verdict(const GraphState& graph) {
+  ImGui::TextWrapped("Reached %s of %s", grouped(graph.marked()).c_str(), grouped(graph.total()).c_str());
+  ImGui::TextWrapped("%s", verdict(graph).c_str());
+  mark_last_item("graph verdict");
+  secondary_text(loops_text(graph));
+  if (!graph.complete()) secondary_text("Some faces that the stroke removed are not kept any more.");
+}
+
+// What a node is, for the pointer that rests on it.
+void explain(const GraphState& graph, const Document& document, uint32_t node) {
+  const DrawnGraph::Node& n = graph.drawn()->nodes[node];
+  if (!document.world().contains(n.face.body)) return;
+  const std::string piece = document.world().body(n.face.body).name_of(n.face.piece);
+  std::string text = n.faces == 1 ? "Face " + std::to_string(n.face.face.index) : grouped(n.faces) + " faces";
+  text += (n.removed ? ", removed from " : " of ") + piece;
+  if (n.faces > 1) text += ". A click divides the cluster.";
+  ImGui::SetTooltip("%s", text.c_str());
+}
+
+std::optional<FaceOfBody> face_under(const Document& document, const ViewState& view,
+                                     std::optional<Vec2> pointer) {
+  if (!pointer) return std::nullopt;
+  const Vec2 p = view.in_picture(*pointer);
+  const auto seen = pick(document.world(), view.look, view.seen().ray(p.x, p.y));
+  return seen ? std::optional(FaceOfBody{seen->body, seen->face}) : std::nullopt;
+}
+
+}  // namespace
+
+void GraphPanel::draw_view_row(GraphState& graph) {
+  property("Nodes");
+  int view = pieces_shown_ ? 2 : graph.scope() == GraphScope::kWhole ? 1 : 0;
+  if (ImGui::Combo("##nodes", &view, "Faces around the cut\0Faces of whole bodies\0Pieces\0")) {
+    pieces_shown_ = view == 2;
+    const GraphScope scope = view == 1 ? GraphScope::kWhole : GraphScope::kAroundCut;
+    if (!pieces_shown_ && scope != graph.scope()) graph.show(scope);
+    canvas_.fit();
+  }
+  mark_last_item("graph nodes");
+  tooltip(
+      "The faces around the last stroke, all faces of the bodies that it cut, or the pieces and what they "
+      "came "
+      "off. More than 2,000 faces are drawn as clusters.");
+}
+
+void GraphPanel::light(const GraphState& graph, const Document& document, ViewState& view,
+                       const GraphCanvas::Pointer& on_canvas, std::optional<FaceOfBody> in_picture) {
+  std::optional<FaceOfBody> lit = in_picture;
+  if (on_canvas.over) {
+    lit = graph.face_of(*on_canvas.over);
+    explain(graph, document, *on_canvas.over);
+  }
+  if (lit == view.look.lit_face) return;
+  view.look.lit_face = lit;
+  view.picture_old = true;
+}
+
+void GraphPanel::draw_canvas(GraphState& graph, const Document& document, ViewState& view,
+                             std::optional<Vec2> pointer) {
+  const DrawnGraph& drawn = *graph.drawn();
+  const std::optional<FaceOfBody> face = face_under(document, view, pointer);
+  const std::optional<uint32_t> lit = face ? graph.node_of(*face) : std::nullopt;
+  const uint32_t start = drawn.of[graph.start()];
+  const GraphCanvas::Pointer on_canvas =
+      canvas_.draw(drawn, graph.layout(), kHeightOfWidth * ImGui::GetContentRegionAvail().x, lit,
+                   start == DrawnGraph::kNone ? std::nullopt : std::optional(start));
+  light(graph, document, view, on_canvas, lit ? face : std::nullopt);
+  if (!on_canvas.clicked) return;
+  const DrawnGraph::Node& n = drawn.nodes[*on_canvas.clicked];
+  if (n.faces > 1) {
+    graph.open(*on_canvas.clicked);
+  } else if (!n.removed) {
+    graph.start_from(*on_canvas.clicked);
+  }
+  view.picture_old = true;
+}
+
+void GraphPanel::draw_faces(GraphState& graph, const Document& document, ViewState& view,
+                            std::optional<Vec2> pointer) {
+  if (!graph.drawn()) return secondary_text("There are no faces.");
+  draw_canvas(graph, document, view, pointer);
+  if (ImGui::Button("Fit")) canvas_.fit();
+  tooltip("The wheel zooms, a drag moves the graph; this shows all of it again.");
+  if (graph.any_open()) {
+    ImGui::SameLine();
+    if (ImGui::Button("Close clusters")) graph.close_all();
+  }
+  if (!begin_properties("traversal")) return;
+  traversal_row(graph);
+  end_properties();
+  draw_verdict(graph);
+}
+
+void GraphPanel::draw_pieces(const Document& document, ViewState& view) {
+  if (origins_of_ != document.journal().size()) {
+    rows_ = piece_tree(piece_origins(document));
+    origins_of_ = document.journal().size();
+  }
+  std::erase_if(rows_,
+                [&](const PieceTreeRow& row) { return !document.world().contains(row.origin.piece.body); });
+  draw_piece_tree(rows_, document, view);
+}
+
+void GraphPanel::draw(GraphState& graph, const Document& document, ViewState& view,
+                      std::optional<Vec2> pointer) {
+  if (begin_properties("graph")) {
+    draw_view_row(graph);
+    if (!pieces_shown_) placing_row(graph);
+    end_properties();
+  }
+  if (pieces_shown_) {
+    draw_pieces(document, view);
+  } else {
+    draw_faces(graph, document, view, pointer);
+  }
+}
+
+}  // namespace kerf

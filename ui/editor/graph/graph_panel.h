@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "ui/editor/graph/graph_canvas.h"
+#include "ui/editor/graph/graph_state.h"
+#include "ui/editor/graph/piece_tree.h"
+#include "ui/editor/view/view_state.h"
+
+namespace kerf {
+
+// The component graph of the last stroke: nodes and links in a plane, the traversal that tells whether the
+// stroke has separated anything, and as a second view the pieces and what they came off.
+class GraphPanel {
+ public:
+  // `pointer` is the place of the pointer in the window if it is over the picture of the open document.
+  void draw(GraphState& graph, const Document& document, ViewState& view, std::optional<Vec2> pointer);
+
+ private:
+  void draw_view_row(GraphState& graph);
+  void draw_faces(GraphState& graph, const Document& document, ViewState& view, std::optional<Vec2> pointer);
+  void draw_canvas(GraphState& graph, const Document& document, ViewState& view, std::optional<Vec2> pointer);
+  void light(const GraphState& graph, const Document& document, ViewState& view,
+             const GraphCanvas::Pointer& on_canvas, std::optional<FaceOfBody> in_picture);
+  void draw_pieces(const Document& document, ViewState& view);
+
+  GraphCanvas canvas_;
+  bool pieces_shown_ = false;
+  std::vector<PieceTreeRow> rows_;
+  size_t origins_of_ = static_cast<size_t>(-1);  // the commands of the journal for which the rows were found
+};
+
+}  // namespace kerf

@@ -1,0 +1,138 @@
+#include "ui/editor/graph/graph_state.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace kerf {
+
+namespace {
+
+constexpr double kPlaySeconds = 6;  // for a whole traversal
+
+std::vector<size_t> closings_of(const CutFaces& removed) {
+  std::vector<size_t> closings;
+  size_t removals = 0;
+  for (const auto& [body, faces] : removed) {
+    for (const CutFace& f : faces) {
+      ++removals;
+      if (f.closed_loop) closings.push_back(removals);
+    }
+  }
+  return closings;
+}
+
+}  // namespace
+
+GraphState::Key GraphState::key_of(const Document& document) {
+  return {document.revision(), document.history().position(), document.journal().size(),
+          document.world().live_faces(), true};
+}
+
+bool GraphState::follow(const Document& document) {
+  if (!is_old(document)) return false;
+  if (key_.known && (document.in_stroke() || document.waiting() > 0)) return false;
+  key_ = key_of(document);
+  const CutFaces removed = document.history().last_cut_faces();
+  const auto cut = document.history().last_cut();
+  complete_ = !cut || document.history().step(*cut).has_all_cut_faces();
+  graph_ = cut_graph(document.world(), removed);
+  removed_ = graph_.nodes.size() - graph_.live;
+  closings_ = closings_of(removed);
+  opened_.clear();
+  playing_ = false;
+  const std::optional<uint32_t> start = start_beside_cut(graph_);
+  if (start) {
+    traverse_from(*start);
+  } else {
+    drawn_.reset();
+    layout_.clear();
+  }
+  return true;
+}
+
+void GraphState::traverse_from(uint32_t node) {
+  start_ = node;
+  traversal_ = traverse_cut(graph_, node);
+  marked_ = traversal_.reached();
+  draw_again();
+}
+
+void GraphState::draw_again() {
+  auto drawn = std::make_shared<DrawnGraph>(draw_graph(graph_, traversal_, scope_, opened_));
+  drawn->marked = marked_;
+  layout_ = placing_ == Placing::kForce ? lay_out_by_force(*drawn) : lay_out_by_position(*drawn);
+  drawn_ = std::move(drawn);
+}
+
+void GraphState::show(GraphScope scope) {
+  scope_ = scope;
+  opened_.clear();
+  if (drawn_) draw_again();
+}
+
+void GraphState::place(Placing placing) {
+  placing_ = placing;
+  if (drawn_) draw_again();
+}
+
+void GraphState::open(uint32_t drawn_node) {
+  assert(drawn_ && drawn_node < drawn_->nodes.size());
+  opened_.push_back(drawn_->nodes[drawn_node].lowest);
+  draw_again();
+}
+
+void GraphState::close_all() {
+  opened_.clear();
+  if (drawn_) draw_again();
+}
+
+void GraphState::start_from(uint32_t drawn_node) {
+  assert(drawn_ && drawn_node < drawn_->nodes.size() && !drawn_->nodes[drawn_node].removed);
+  traverse_from(drawn_->nodes[drawn_node].lowest);
+}
+
+void GraphState::set_marked(size_t faces) {
+  marked_ = std::min(faces, reached());
+  hand_on_marked();
+}
+
+void GraphState::hand_on_marked() {
+  if (!drawn_) return;
+  auto drawn = std::make_shared<DrawnGraph>(*drawn_);
+  drawn->marked = marked_;
+  drawn_ = std::move(drawn);
+}
+
+void GraphState::play(bool on) {
+  playing_ = on && drawn_ != nullptr;
+  if (playing_ && marked_ == reached()) marked_ = 0;
+  played_ = static_cast<double>(marked_);
+}
+
+bool GraphState::advance(double seconds) {
+  if (!playing_) return false;
+  played_ += std::max(1.0, static_cast<double>(reached()) * seconds / kPlaySeconds);
+  set_marked(static_cast<size_t>(played_));
+  playing_ = marked_ < reached();
+  return true;
+}
+
+std::optional<FaceOfBody> GraphState::face_of(uint32_t drawn_node) const {
+  const DrawnGraph::Node& n = drawn_->nodes[drawn_node];
+  if (n.removed || n.faces != 1) return std::nullopt;
+  return FaceOfBody{n.face.body, n.face.face};
+}
+
+std::optional<uint32_t> GraphState::node_of(const FaceOfBody& face) const {
+  if (!drawn_) return std::nullopt;
+  const auto end = graph_.nodes.begin() + graph_.live;
+  const auto found =
+      std::lower_bound(graph_.nodes.begin(), end, face, [](const GraphNode& n, const FaceOfBody& f) {
+        return n.body != f.body ? n.body < f.body : n.face < f.face;
+      });
+  if (found == end || found->body != face.body || found->face != face.face) return std::nullopt;
+  const uint32_t drawn = drawn_->of[static_cast<size_t>(found - graph_.nodes.begin())];
+  return drawn == DrawnGraph::kNone ? std::nullopt : std::optional(drawn);
+}
+
+}  // namespace kerf

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/document/document.h"
+#include "core/graph/drawn_graph.h"
+#include "core/graph/graph_layout.h"
+#include "ui/render/view_options.h"
+
+namespace kerf {
+
+// What the Graph panel and the overlay in the picture show: the component graph of the last stroke, with a
+// traversal of it that is played.
+class GraphState {
+ public:
+  enum class Placing { kPosition, kForce };
+
+  // Follows the document, unless a stroke is being cut: what is shown then is that before the stroke. Returns
+  // whether anything changed. Linear in the faces of the bodies that the last stroke cut if it did.
+  bool follow(const Document& document);
+  // Whether the document has changed since follow() took it over.
+  bool is_old(const Document& document) const { return !(key_ == key_of(document)); }
+
+  // What is drawn, and where; null and empty if no face is live.
+  const std::shared_ptr<const DrawnGraph>& drawn() const { return drawn_; }
+  const GraphLayout& layout() const { return layout_; }
+
+  GraphScope scope() const { return scope_; }
+  Placing placing() const { return placing_; }
+  void show(GraphScope scope);
+  void place(Placing placing);
+
+  // Clusters that are drawn divided.
+  void open(uint32_t drawn_node);
+  void close_all();
+  bool any_open() const { return !opened_.empty(); }
+
+  // The face from which the traversal starts. Precondition of start_from: the node is drawn and not removed.
+  void start_from(uint32_t drawn_node);
+  uint32_t start() const { return start_; }
+
+  // How far the traversal has been played, in faces; playing goes on by `seconds`. Returns whether anything
+  // changed.
+  size_t marked() const { return marked_; }
+  void set_marked(size_t faces);
+  bool playing() const { return playing_; }
+  void play(bool on);
+  bool advance(double seconds);
+
+  // Figures of the traversal, which is over when marked() == reached().
+  size_t reached() const { return traversal_.reached(); }
+  size_t total() const { return traversal_.total; }
+  bool separated() const { return traversal_.separated(); }
+  size_t sets() const { return traversal_.sets; }
+  size_t removed() const { return removed_; }
+
+  // The removals of the stroke that closed a loop of removed faces (see CutLoops), counted from 1, in order;
+  // whether the faces that the stroke removed are all kept.
+  const std::vector<size_t>& closings() const { return closings_; }
+  bool complete() const { return complete_; }
+
+  // The live face of a node if it is a single one, and the drawn node of a face.
+  std::optional<FaceOfBody> face_of(uint32_t drawn_node) const;
+  std::optional<uint32_t> node_of(const FaceOfBody& face) const;
+
+ private:
+  struct Key {
+    size_t revision = 0, position = 0, commands = 0, faces = 0;
+    bool known = false;
+    friend bool operator==(const Key&, const Key&) = default;
+  };
+  static Key key_of(const Document& document);
+  void traverse_from(uint32_t node);
+  void draw_again();
+  void hand_on_marked();
+
+  Key key_;
+  CutGraph graph_;
+  CutTraversal traversal_;
+  uint32_t start_ = 0;  // node of graph_
+  std::vector<uint32_t> opened_;
+  GraphScope scope_ = GraphScope::kAroundCut;
+  Placing placing_ = Placing::kPosition;
+  std::shared_ptr<const DrawnGraph> drawn_;
+  GraphLayout layout_;
+  size_t marked_ = 0, removed_ = 0;
+  double played_ = 0;  // faces, with a fraction
+  bool playing_ = false, complete_ = true;
+  std::vector<size_t> closings_;
+};
+
+}  // namespace kerf

@@ -41,9 +41,9 @@ vec3 level_colour(float t) {
 
 void main() {
   vec4 look = look_of(piece);
-  at = placed(position, look);
+  at = placed(position, look, turn_of(piece));
   gl_Position = look.w < 0.0 ? kNowhere : clip_from_frame * vec4(at, 1.0);
-  normal = turn * corner_normal.xyz;
+  normal = turned(turn * corner_normal.xyz, turn_of(piece));
 #ifdef WIRE
   int which = gl_VertexID % 3;
   corner = vec3(which == 0, which == 1, which == 2);

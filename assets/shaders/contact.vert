@@ -12,7 +12,7 @@ flat out vec3 colour;
 // Seen from under the ground.
 void main() {
   vec4 look = look_of(piece);
-  vec3 p = placed(position, look);
+  vec3 p = placed(position, look, turn_of(piece));
   height = (p.y - ground.x) / max(grid.w, 1e-6);
   colour = paints[traits.y].rgb;
   vec2 uv = (p.xz - contact_place.xy) * contact_place.z;

@@ -11,9 +11,10 @@ flat out vec4 mark;  // which face this is, in the bytes of a pixel
 
 void main() {
   vec4 look = look_of(piece);
-  bool away = look.w < 0.0 || look.xyz != vec3(0.0);
+  vec4 turn = turn_of(piece);
+  bool away = look.w < 0.0 || look.xyz != vec3(0.0) || turn.xyz != vec3(0.0);
   bool drawn = only == 0 ? look.w >= 0.0 : only == 1 ? is_selected(look) : away;
-  vec3 at = placed(position, only == 2 ? vec4(0.0) : look);
+  vec3 at = only == 2 ? placed(position, vec4(0.0), vec4(0.0, 0.0, 0.0, 1.0)) : placed(position, look, turn);
   gl_Position = drawn ? clip_from_frame * vec4(at, 1.0) : kNowhere;
   int slot = first_slot + gl_VertexID / 3;
   mark = vec4(slot & 255, slot >> 8 & 255, slot >> 16 & 255, body) / 255.0;

@@ -11,7 +11,7 @@ invariant gl_Position;
 // in the same order.
 void main() {
   vec4 look = look_of(piece);
-  vec3 at = placed(position, look);
+  vec3 at = placed(position, look, turn_of(piece));
   if (look.w < 0.0 || texelFetch(signs, gl_VertexID / 3).r != wanted) {
     gl_Position = kNowhere;
   } else if (at_infinity == 0) {

@@ -16,7 +16,7 @@ noperspective out float along;
 // Lines of extruded edges that are short in the picture are faint, so that the many of a fine rim make no fog.
 void main() {
   vec4 look = look_of(piece);
-  vec3 a = placed(low, look), b = placed(high, look);
+  vec3 a = placed(low, look, turn_of(piece)), b = placed(high, look, turn_of(piece));
   float short_edge = 1.0;
   if (reach > 0.0) {
     vec4 ca = clip_from_frame * vec4(a, 1.0), cb = clip_from_frame * vec4(b, 1.0);

@@ -28,7 +28,8 @@ void main() {
 #ifdef SHEET
   far = which == 2 || which > 3 ? 1.0 : 0.0;
 #endif
-  vec3 u = placed(multiplicity > 0 ? low : high, look), v = placed(multiplicity > 0 ? high : low, look);
+  vec4 turn = turn_of(piece);
+  vec3 u = placed(multiplicity > 0 ? low : high, look, turn), v = placed(multiplicity > 0 ? high : low, look, turn);
   if (which == 0 || which == 3) {
     gl_Position = clip_from_frame * vec4(v, 1.0);
   } else if (which == 1) {

@@ -7,6 +7,7 @@
 #include "core/document/commands/advance.h"
 #include "core/document/commands/begin_stroke.h"
 #include "core/document/commands/delete_piece.h"
+#include "core/document/commands/duplicate_piece.h"
 #include "core/document/commands/end_stroke.h"
 #include "core/document/commands/hide_piece.h"
 #include "core/document/commands/move_piece.h"
@@ -29,7 +30,7 @@ namespace kerf {
 // A kind without one of these members does not compile. Kinds are always distinguished by std::visit, so that
 // a case that is missing anywhere does not compile either.
 using Command = std::variant<BeginStroke, MoveStroke, EndStroke, Recut, Advance, AddMesh, MovePiece,
-                             HidePiece, DeletePiece, RenamePiece, Undo, Redo>;
+                             DuplicatePiece, HidePiece, DeletePiece, RenamePiece, Undo, Redo>;
 
 // A command that is executed at once, after the queue: run(world, generation, progress). It returns what
 // changed, which is empty if the command has no effect. Bodies that it creates get `generation` (see BodyId).

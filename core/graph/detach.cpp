@@ -81,9 +81,22 @@ BodyId detach(World& world, const PieceId& piece, uint32_t generation, Delta& de
   Delta step;
   step.came = {piece_goes ? own : piece.body};
   step.detached = {{piece.body, piece.label, own, !piece_goes}};
-  step.bodies.push_back({piece_goes ? piece.body : own, {}, going, {}, {}});
+  step.bodies.push_back({piece_goes ? piece.body : own, {}, going, {}, {}, {}});
   delta.append(std::move(step));
   return own;
+}
+
+BodyId duplicate(World& world, const PieceId& piece, uint32_t generation, Delta& delta) {
+  const Body& body = world.body(piece.body);
+  assert(piece.label < body.pieces.size() && body.pieces[piece.label].faces > 0);
+  const std::vector<FaceId> faces = faces_of(body, piece.label, true);
+  Body copy = copy_out(body, faces, piece.label, true);
+  copy.name = body.name_of(piece.label) + " copy";
+  copy.named = piece.label;
+  Delta step;
+  step.came = {world.add(std::move(copy), generation)};
+  delta.append(step);
+  return step.came.front();
 }
 
 }  // namespace kerf

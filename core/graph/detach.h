@@ -19,4 +19,10 @@ bool stands_alone(const World& world, const PieceId& piece);
 // body.
 BodyId detach(World& world, const PieceId& piece, uint32_t generation, Delta& delta);
 
+// Adds a copy of a piece as a body of its own of this generation and returns its id. The copy has the label
+// and the placement of the piece, and its name with "copy" after it. Appends the change to `delta`.
+//
+// Precondition: the piece has faces. O(n log n) in its faces, and O(n) in those of the body.
+BodyId duplicate(World& world, const PieceId& piece, uint32_t generation, Delta& delta);
+
 }  // namespace kerf

@@ -97,6 +97,11 @@ struct Bits {
     put(bits, c.to.position);
     for (int k = 0; k < 4; ++k) put(bits, c.to.orientation[k]);
   }
+  void operator()(const DuplicatePiece& c) {
+    put(bits, c.piece);
+    put(bits, c.to.position);
+    for (int k = 0; k < 4; ++k) put(bits, c.to.orientation[k]);
+  }
   void operator()(const HidePiece& c) {
     put(bits, c.piece);
     bits.push_back(c.hidden);
@@ -134,7 +139,7 @@ Command random_command(Random& random, const BeamAt& beam) {
   Vec3 direction = random_direction(random);
   if (glm::length(direction + beam.pose.direction) < 1e-3) direction = beam.pose.direction;
   const Pose pose{random_point(random), direction};
-  switch (random.below(12)) {
+  switch (random.below(13)) {
     case 0:
       return BeginStroke{random_settings(random), pose};
     case 1:
@@ -157,6 +162,8 @@ Command random_command(Random& random, const BeamAt& beam) {
       return Redo{};
     case 10:
       return Advance{1 + random.below(Advance::kMostInALine)};
+    case 11:
+      return DuplicatePiece{random_piece(random), random_placement(random)};
     default:
       return MoveStroke{pose, random.below(3) == 0 ? beam.time : beam.time + random.unit()};
   }

@@ -27,7 +27,7 @@ std::vector<Command> stroke_across(Random& random) {
 }  // namespace
 
 std::vector<Command> random_edit(const World& world, const std::filesystem::path& mesh, Random& random) {
-  const size_t what = random.below(10);
+  const size_t what = random.below(11);
   if (what < 2) return stroke_across(random);
   if (what == 2) return {AddMesh{mesh, "more"}};
   if (what == 3) return {Redo{}};
@@ -36,6 +36,7 @@ std::vector<Command> random_edit(const World& world, const std::filesystem::path
   if (!piece) return {};
   if (what == 6) return {MovePiece{*piece, {{0, random.uniform(-1, 1), 0}, {1, 0, 0, 0}}}};
   if (what == 7) return {HidePiece{*piece, random.below(2) > 0}};
+  if (what == 9) return {DuplicatePiece{*piece, {{random.uniform(-1, 1), 0, 0}, {1, 0, 0, 0}}}};
   if (what == 8) return {RenamePiece{*piece, "part " + std::to_string(random.below(100))}};
   return {DeletePiece{*piece}};
 }

@@ -14,6 +14,7 @@ constexpr std::array kGestures{
     Gesture{"Left drag", "Cut where the pointer goes"},
     Gesture{"Ctrl+click", "Choose a piece; with Shift one more"},
     Gesture{"Ctrl+left drag", "Choose the pieces in a box; from right to left those that it touches"},
+    Gesture{"Left drag on an arrow or a ring", "Move or turn the chosen piece, with the tool that picks"},
     Gesture{"Double click on a name in the list", "Rename the piece"},
     Gesture{"Middle drag, Alt+left drag", "Orbit"},
     Gesture{"Shift+middle drag, right drag", "Pan"},
@@ -66,6 +67,13 @@ std::vector<UserAction> tool_actions(EditorState& s) {
 std::vector<UserAction> help_actions(EditorState& s) {
   return {
       UserAction{.menu = "Help",
+                 .name = "Command palette",
+                 .shortcut = "Ctrl+P",
+                 .key = GLFW_KEY_P,
+                 .mods = GLFW_MOD_CONTROL,
+                 .tip = "Finds any action by parts of its name, and shows its key.",
+                 .run = [&s] { open_palette(s.palette); }},
+      UserAction{.menu = "Help",
                  .name = "Shortcuts",
                  .shortcut = "F1",
                  .key = GLFW_KEY_F1,
@@ -94,6 +102,9 @@ std::vector<UserAction> make_actions(EditorState& state, std::span<const Panel> 
   append(all, frame_actions(state, panels));
   append(all, text_actions(state));
   append(all, help_actions(state));
+  append(all, laser_actions(state));
+  append(all, light_actions(state));
+  append(all, shown_actions(state));
   return all;
 }
 

@@ -26,6 +26,10 @@ std::vector<UserAction> switch_actions(EditorState& state);
 std::vector<UserAction> frame_actions(EditorState& state, std::span<const Panel> panels);
 std::vector<UserAction> text_actions(EditorState& state);
 std::vector<UserAction> help_actions(EditorState& state);
+// Those that panels offer beside the menus: of the laser, its resolution, the lights and so on.
+std::vector<UserAction> laser_actions(EditorState& state);
+std::vector<UserAction> light_actions(EditorState& state);
+std::vector<UserAction> shown_actions(EditorState& state);
 
 // Explanations of what the mouse does in the picture.
 std::span<const Gesture> gestures();

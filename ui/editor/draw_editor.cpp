@@ -11,12 +11,13 @@
 #include "ui/editor/marks/picture_marks.h"
 #include "ui/editor/tools/axes_gizmo.h"
 #include "ui/editor/tools/light_handle.h"
+#include "ui/editor/tools/piece_handles.h"
 #include "ui/editor/tools/popups.h"
 #include "ui/editor/view/piece_set.h"
 #include "ui/editor/work/save_work.h"
+#include "ui/render/spread.h"
 #include "ui/window/progress_bar.h"
 #include "ui/window/screenshot.h"
-#include "ui/render/spread.h"
 
 namespace kerf {
 
@@ -91,6 +92,9 @@ void EditorScreen::draw_panels() {
                   false);
   draw_shortcut_sheet(state_.shortcuts_shown, actions_, gestures());
   draw_message_log(state_.messages_shown, state_.message);
+  const Area& picture = layout.viewport;
+  draw_palette(state_.palette, actions_, static_cast<float>(picture.at.x + 0.5 * picture.size.x),
+               static_cast<float>(picture.at.y + ImGui::GetFontSize()));
   draw_file_choice(state_);
   draw_question(state_.decisions.question);
 }
@@ -156,6 +160,8 @@ void EditorScreen::show_landmarks() {
     if (const auto handle = light_handle(view, i))
       landmarks_->mark("light " + std::to_string(i), {*handle, Vec2(0)});
   }
+  for (const PieceHandle& handle : piece_handles(view, state_.hand, state_.work.document.world()))
+    landmarks_->mark(name_of(handle), {grip_of(handle), Vec2(0)});
   for (const AxisEnd& end : axis_ends(view)) landmarks_->mark(name_of(end), {end.at, Vec2(0)});
   if (const Status written = landmarks_->write(moving(), {at.x, at.y}); !written)
     state_.message.say(written.error().message, true);

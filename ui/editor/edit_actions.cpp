@@ -6,6 +6,7 @@
 #include <GLFW/glfw3.h>
 
 #include "ui/editor/changes/world_changes.h"
+#include "ui/editor/tools/moving.h"
 #include "ui/editor/view/camera_text.h"
 #include "ui/editor/view/piece_set.h"
 
@@ -45,6 +46,26 @@ const char* why_no_redo(const EditorState& state) {
 }
 const char* why_none_hidden(const EditorState& state) {
   return hidden_pieces(state.view.look.pieces).empty() ? "No piece is hidden." : nullptr;
+}
+
+// The key has its usual meaning unless the tool that picks is in hand and a piece is chosen.
+UserAction move_action(EditorState& s, const char* name, const char* key, PieceMove::Kind kind) {
+  return {
+      .menu = "Edit",
+      .name = name,
+      .shortcut = key,
+      .key = key[0],  // GLFW's keys of letters are the capitals
+      .tip =
+          "The chosen piece follows the pointer: X, Y and Z keep it to an axis, digits give the "
+          "amount, Enter or a click ends it, Esc takes it back. The key does it with the tool that "
+          "picks in hand.",
+      .run =
+          [&s, kind] {
+            cancel_stroke(s.hand, s.work.document);
+            begin_move(s.hand, s.view, s.work.document.world(), kind);
+          },
+      .why_not = [&s] { return why_no_move(s.view.look.pieces); },
+      .has_key_when = [&s] { return s.hand.tool == Tool::kPick && chosen_pieces(s.view.look.pieces) > 0; }};
 }
 
 }  // namespace
@@ -129,7 +150,18 @@ std::vector<UserAction> piece_actions(EditorState& s) {
                  .key = GLFW_KEY_DELETE,
                  .tip = "Takes the chosen pieces out of the world.",
                  .run = [&s] { s.requests.delete_chosen = true; },
-                 .why_not = [&s] { return why_none_chosen(s.view.look.pieces); }},
+                 .why_not = [&s] { return why_none_chosen(s.view.look.pieces); },
+                 .ends_group = true},
+      move_action(s, "Move the chosen", "G", PieceMove::Kind::kMove),
+      move_action(s, "Rotate the chosen", "R", PieceMove::Kind::kTurn),
+      UserAction{.menu = "Edit",
+                 .name = "Duplicate the chosen",
+                 .shortcut = "Shift+D",
+                 .key = GLFW_KEY_D,
+                 .mods = kShift,
+                 .tip = "Adds a copy of the chosen piece, which the pointer then moves.",
+                 .run = [&s] { s.requests.duplicate_chosen = true; },
+                 .why_not = [&s] { return why_no_move(s.view.look.pieces); }},
   };
 }
 

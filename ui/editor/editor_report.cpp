@@ -69,6 +69,17 @@ nlohmann::ordered_json layout_of(const Layout& l) {
           {"status", area(l.status)}};
 }
 
+nlohmann::ordered_json placements_of(const World& world) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const BodyId id : world.ids()) {
+    const auto& [at, turned] = world.body(id).placement;
+    all.push_back({{"name", world.body(id).own_name()},
+                   {"position", {at.x, at.y, at.z}},
+                   {"orientation", {turned.w, turned.x, turned.y, turned.z}}});
+  }
+  return all;
+}
+
 nlohmann::ordered_json times_of(const FrameStatistics& frames) {
   return {{"p50", frames.percentile(0.5)}, {"p99", frames.percentile(0.99)}, {"max", frames.longest()}};
 }
@@ -129,6 +140,7 @@ Status write_editor_report(const EditorState& state, const std::filesystem::path
       {"pieces_hidden", hidden_pieces(pieces).size()},
       {"spread", state.view.spread},
       {"bodies", document.world().ids().size()},
+      {"placements", placements_of(document.world())},
       {"files", names_of(state.work.files)},
       {"message", state.message.text},
       {"messages", texts_of(state.message.log)},

@@ -7,6 +7,7 @@
 
 #include "ui/editor/file_choice.h"
 #include "ui/editor/panel_list.h"
+#include "ui/editor/tools/moving.h"
 #include "ui/editor/tools/popups.h"
 
 namespace kerf {
@@ -84,8 +85,8 @@ void EditorScreen::hear(const Input& input) {
     return;
   }
   lay_out_window();
-  const MouseParts mouse{state_.hand,     state_.work,           state_.view,
-                         state_.settings, state_.opening.loader, state_.message};
+  const MouseParts mouse{state_.hand,           state_.work,     state_.view,   state_.settings,
+                         state_.opening.loader, state_.requests, state_.message};
   std::vector<InputEvent> events = busy_.take_heard();
   events.insert(events.end(), input.events.begin(), input.events.end());
   for (const InputEvent& event : events) {
@@ -107,7 +108,26 @@ void EditorScreen::hear_mouse(const MouseParts& mouse, const InputEvent& event) 
     return held_press_.hold(event);
   }
   if (const auto press = held_press_.begun_by(event)) handle_mouse(mouse, *press, true);
+  if (state_.hand.move && state_.hand.drag == Drag::kNone && hear_move(event, in_picture)) return;
   handle_mouse(mouse, event, !ImGui::GetIO().WantCaptureMouse && !is_popup_open());
+}
+
+// The mouse while a piece is moved by keys. Returns whether nothing else shall hear the event.
+bool EditorScreen::hear_move(const InputEvent& event, bool in_picture) {
+  Hand& hand = state_.hand;
+  if (event.kind == InputEvent::Kind::kMove) {
+    hand.pointer = event.at;
+    follow_move(hand, state_.view);
+    return false;
+  }
+  const bool left = event.button == GLFW_MOUSE_BUTTON_LEFT, right = event.button == GLFW_MOUSE_BUTTON_RIGHT;
+  if (event.kind != InputEvent::Kind::kPress || (!left && !right)) return false;
+  if (left && in_picture) {
+    confirm_move(hand, state_.view, state_.requests);
+  } else {
+    cancel_move(hand, state_.view, state_.requests);
+  }
+  return in_picture;
 }
 
 void EditorScreen::hear_key(const InputEvent& event) {
@@ -115,6 +135,10 @@ void EditorScreen::hear_key(const InputEvent& event) {
     if (!event.again) question_key(state_.decisions.question, event.button);
   } else if (state_.browser.open) {
     browser_key(state_.browser, event.button);
+  } else if (state_.palette.open) {
+    palette_key(state_.palette, event.button);
+  } else if (state_.hand.move) {
+    move_key(state_.hand, state_.view, state_.work.document.world(), state_.requests, event.button);
   } else if (!ImGui::GetIO().WantTextInput && !event.again) {
     if (event.button == GLFW_KEY_ESCAPE) return is_popup_open() ? close_popups() : escape(state_);
     run_shortcut(actions_, event.button, event.mods, state_.message);
@@ -128,6 +152,8 @@ void EditorScreen::advance() {
   if (thread_.busy() && !thread_.is_over(0)) return;
   if (thread_.busy()) finish_change();
   desk_.fulfil();
+  drop_lost_move(state_.hand, state_.view, state_.work.document.world());
+  if (!changes_.is_pending()) grab_copy(state_.hand, state_.view, state_.work.document.world());
   recovery_.follow(state_.work, state_.view, state_.hand.drag == Drag::kLight, state_.message);
   move_camera();
   cut_.advance();

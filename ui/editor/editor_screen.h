@@ -47,6 +47,7 @@ class EditorScreen : public Screen {
   using Clock = std::chrono::steady_clock;
 
   void hear_mouse(const MouseParts& mouse, const InputEvent& event);
+  bool hear_move(const InputEvent& event, bool in_picture);
   void hear_key(const InputEvent& event);
   void move_camera();
   void follow_graph();

@@ -41,10 +41,10 @@ std::vector<UserAction> open_actions(EditorState& s) {
                  .run = [&s] { choose_file_for(s, FileBrowser::Purpose::kOpen); }},
       UserAction{.menu = "File",
                  .name = "Open recent",
-                 .submenu = [&s] { draw_recent_menu(s.settings, s.requests); }},
+                 .items = [&s] { return recent_actions(s.settings, s.requests); }},
       UserAction{.menu = "File",
                  .name = "Examples",
-                 .submenu = [&s] { draw_examples_menu(s.requests); },
+                 .items = [&s] { return example_actions(s.requests); },
                  .ends_group = true},
   };
 }

@@ -4,6 +4,7 @@
 #include "ui/editor/figures/figures.h"
 #include "ui/editor/frame/file_browser.h"
 #include "ui/editor/graph/graph_state.h"
+#include "ui/editor/keys/command_palette.h"
 #include "ui/editor/tools/hand.h"
 #include "ui/editor/view/settings.h"
 #include "ui/editor/view/view_state.h"
@@ -32,6 +33,7 @@ struct EditorState {
   Settings settings;
   Message message;
   FileBrowser browser;
+  CommandPalette palette;
   bool shortcuts_shown = false, messages_shown = false;
 };
 

@@ -49,7 +49,8 @@ std::string name_of(const ViewSwitch& s) {
 }
 
 UserAction switch_action(EditorState& state, const ViewSwitch& s) {
-  UserAction action{.menu = "View", .name = name_of(s), .tip = s.tip, .ends_group = s.ends_group};
+  UserAction action{
+      .menu = "View", .name = name_of(s), .tip = s.tip, .in_menu = s.in_menu, .ends_group = s.ends_group};
   if (s.key != 0) action.shortcut = std::string(1, s.key);
   action.key = s.key;  // GLFW's keys of letters are the capitals
   action.run = [&view = state.view, &message = state.message, &s] {
@@ -94,7 +95,7 @@ std::vector<UserAction> camera_actions(EditorState& s) {
 std::vector<UserAction> switch_actions(EditorState& s) {
   std::vector<UserAction> actions;
   for (const ViewSwitch& each : view_switches()) {
-    if (each.in_menu) actions.push_back(switch_action(s, each));
+    if (each.label[0] != '\0') actions.push_back(switch_action(s, each));
   }
   return actions;
 }
@@ -110,7 +111,7 @@ std::vector<UserAction> frame_actions(EditorState& s, std::span<const Panel> pan
                  .checked = [&s] { return s.split.shown; }},
       UserAction{.menu = "View",
                  .name = "Panels",
-                 .submenu = [&s, panels] { draw_panels_menu(panels, s.settings); }},
+                 .items = [&s, panels] { return panel_actions(panels, s.settings); }},
       UserAction{.menu = "View",
                  .name = "Column of panels",
                  .shortcut = "F4",

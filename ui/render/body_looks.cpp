@@ -13,6 +13,7 @@ BodyLooks::BodyLooks(BodyId id, const ViewOptions& options) {
   for (const PieceGroups::Loose& loose : groups_->loose) {
     PieceLook look = of(loose.piece);
     look.offset = of(loose.goes_with).offset;
+    look.turn = of(loose.goes_with).turn;
     if (look.number == 0) look.number = loose.piece;
     by_group_.emplace(group++, look);
   }

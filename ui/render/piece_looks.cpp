@@ -6,36 +6,50 @@ namespace kerf {
 
 namespace {
 
+const glm::vec4 kNotTurned(0, 0, 0, 1);
 constexpr int kUnit = 3;  // of the textures; no program that draws bodies uses it for another
+
+// Where the look moves the origin of the frame, which is the eye.
+Vec3 moved_origin(const PieceLook& look, const FrameSpace& space) {
+  return look.is_turned() ? look.turn * space.eye - space.eye + look.offset : look.offset;
+}
+
+glm::vec4 packed_turn(const PieceLook& look, const FrameSpace& space) {
+  const Vec3 axis = space.turned({look.turn.x, look.turn.y, look.turn.z});
+  return {glm::vec3(axis), static_cast<float>(look.turn.w)};
+}
 
 // `numbered`: the colour follows from the number of the look, not from the group.
 glm::vec4 packed(const PieceLook& look, bool numbered, const FrameSpace& space) {
   const float number = numbered ? static_cast<float>(packed_piece(look.number)) + 1.0f : 0.0f;
   const float shown = (look.selected ? 1.0f : 0.0f) + 2.0f * number;
-  return {glm::vec3(space.turned(look.offset) / space.unit), look.hidden ? -1.0f : shown};
+  return {glm::vec3(space.turned(moved_origin(look, space)) / space.unit), look.hidden ? -1.0f : shown};
 }
 
 }  // namespace
 
 bool PieceLooks::update(const BodyLooks& looks, const FrameSpace& space) {
-  if (looks.by_group() == looks_ && up_ == space.up) return false;
+  const bool changed = looks.by_group() != looks_ || up_ != space.up;
+  if (!changed && !any_turned_) return false;
   up_ = space.up;
   looks_ = looks.by_group();
-  any_away_ = any_selected_ = false;
+  any_away_ = any_turned_ = any_selected_ = false;
   std::vector<glm::vec4> table;
   const size_t pieces = looks.groups() ? looks.groups()->middles.size() : SIZE_MAX;
   for (const auto& [group, look] : looks_) {
-    const uint32_t row = packed_piece(group);
-    if (table.size() <= row) table.resize(row + 1, glm::vec4(0));
-    table[row] = packed(look, look.number > 0 || group >= pieces, space);
-    any_away_ = any_away_ || look.hidden || look.offset != Vec3(0);
+    const size_t row = packed_piece(group);
+    while (table.size() <= 2 * row) table.insert(table.end(), {glm::vec4(0), kNotTurned});
+    table[2 * row] = packed(look, look.number > 0 || group >= pieces, space);
+    table[2 * row + 1] = packed_turn(look, space);
+    any_away_ = any_away_ || look.hidden || look.is_away();
+    any_turned_ = any_turned_ || look.is_turned();
     any_selected_ = any_selected_ || (look.selected && !look.hidden);
   }
-  count_ = static_cast<int>(table.size());
+  count_ = static_cast<int>(table.size() / 2);
   glBindBuffer(GL_TEXTURE_BUFFER, buffer_.name());
   glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(table.size() * sizeof(glm::vec4)), table.data(),
                GL_DYNAMIC_DRAW);
-  return true;
+  return changed;
 }
 
 void PieceLooks::bind(const gl::Program& program) const {

@@ -18,7 +18,7 @@ class PieceLooks {
   // Binds the looks for `program`. Precondition: it is in use.
   void bind(const gl::Program& program) const;
 
-  // Whether any piece is hidden or displaced; whether any is selected.
+  // Whether any piece is hidden, displaced or turned; whether any is selected.
   bool any_away() const { return any_away_; }
   bool any_selected() const { return any_selected_; }
 
@@ -28,7 +28,7 @@ class PieceLooks {
   gl::Buffer buffer_;
   gl::Texture table_;
   int count_ = 0;
-  bool any_away_ = false, any_selected_ = false;
+  bool any_away_ = false, any_turned_ = false, any_selected_ = false;
 };
 
 }  // namespace kerf

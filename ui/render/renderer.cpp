@@ -210,8 +210,12 @@ void Renderer::turn_upright(const World& world, UpAxis up) {
 
 double Renderer::near_of(const World& world, const CameraView& view, const ViewOptions& options) {
   World::Bounds drawn = world.bounds();
+  const Vec3 middle = 0.5 * (drawn.min + drawn.max);
   double moved = 0;
-  for (const auto& [key, look] : options.pieces) moved = std::max(moved, glm::length(look.offset));
+  for (const auto& [key, look] : options.pieces) {
+    const double turned = look.is_turned() ? drawn.diagonal() : 0;
+    moved = std::max(moved, glm::length(look.turn * middle + look.offset - middle) + turned);
+  }
   drawn.min -= moved;
   drawn.max += moved;
   return near_plane(view, drawn, passes_.scene.ground().height());

@@ -4,16 +4,19 @@ namespace kerf {
 
 LightOnBody light_on_body(const Light& light, const Placement& placement, const FloatFrame& frame,
                           const BodyLooks& looks) {
-  const auto seen_from = [&](const Vec3& offset) -> LightPoint {
-    if (light.kind == Light::Kind::kDirectional) return {glm::conjugate(placement.orientation) * light.at, 0};
-    return {frame.scaled(placement.to_body(light.at - offset)), 1};
+  const auto seen_from = [&](const PieceLook& look) -> LightPoint {
+    const Vec3 at = light.kind == Light::Kind::kDirectional ? light.at : light.at - look.offset;
+    const Vec3 before = look.is_turned() ? glm::conjugate(look.turn) * at : at;
+    if (light.kind == Light::Kind::kDirectional) return {glm::conjugate(placement.orientation) * before, 0};
+    return {frame.scaled(placement.to_body(before)), 1};
   };
-  LightOnBody on{seen_from(Vec3(0)), {}};
+  LightOnBody on{seen_from(PieceLook()), {}};
   for (const auto& [group, look] : looks.by_group()) {
-    const bool sees_otherwise = light.kind == Light::Kind::kPoint && look.offset != Vec3(0);
+    const bool sees_otherwise =
+        look.is_turned() || (light.kind == Light::Kind::kPoint && look.offset != Vec3(0));
     if (!look.hidden && !sees_otherwise) continue;
     if (on.pieces.size() <= group) on.pieces.resize(group + 1, on.light);
-    on.pieces[group] = look.hidden ? std::nullopt : std::optional(seen_from(look.offset));
+    on.pieces[group] = look.hidden ? std::nullopt : std::optional(seen_from(look));
   }
   return on;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/gtc/quaternion.hpp>
 #include <map>
 #include <memory>
 #include <optional>
@@ -36,7 +37,12 @@ struct PieceLook {
   bool hidden = false;
   bool selected = false;  // drawn with an outline
   uint32_t number = 0;    // determines its colour; 0: its label does
-  Vec3 offset{0};         // displacement in metres, along the axes of the world
+  // A point p of the world is drawn at turn * p + offset; the offset is in metres, along the axes of the
+  // world.
+  glm::dquat turn{1, 0, 0, 0};
+  Vec3 offset{0};
+  bool is_away() const { return offset != Vec3(0) || is_turned(); }
+  bool is_turned() const { return turn != glm::dquat(1, 0, 0, 0); }
   friend bool operator==(const PieceLook&, const PieceLook&) = default;
 };
 

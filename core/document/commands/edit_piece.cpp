@@ -4,7 +4,10 @@
 
 namespace kerf {
 
-namespace {
+std::string piece_words(const PieceId& piece) {
+  const std::string body = "body " + std::to_string(piece.body.slot + 1);
+  return piece.label == 0 ? body : "piece " + std::to_string(piece.label) + " of " + body;
+}
 
 bool has_faces(const World& world, const PieceId& piece) {
   if (!world.contains(piece.body)) return false;
@@ -12,11 +15,9 @@ bool has_faces(const World& world, const PieceId& piece) {
   return piece.label < pieces.size() && pieces[piece.label].faces > 0;
 }
 
-}  // namespace
-
-std::string piece_words(const PieceId& piece) {
-  const std::string body = "body " + std::to_string(piece.body.slot + 1);
-  return piece.label == 0 ? body : "piece " + std::to_string(piece.label) + " of " + body;
+Error no_such_piece(const PieceId& piece) {
+  return bad_input("there is no piece " + std::to_string(piece.label) + " of body " +
+                   std::to_string(piece.body.slot));
 }
 
 PieceId whole_id(const World& world, const PieceId& piece) {
@@ -30,9 +31,7 @@ PieceId whole_id(const World& world, const PieceId& piece) {
 Result<Delta> edit_piece(World& world, const PieceId& piece, uint32_t generation,
                          const std::function<bool(const Body&)>& differs,
                          const std::function<Delta(World&, BodyId)>& edit) {
-  if (!has_faces(world, piece))
-    return bad_input("there is no piece " + std::to_string(piece.label) + " of body " +
-                     std::to_string(piece.body.slot));
+  if (!has_faces(world, piece)) return no_such_piece(piece);
   Delta delta;
   if (!differs(world.body(piece.body))) return delta;
   const BodyId own = detach(world, piece, generation, delta);

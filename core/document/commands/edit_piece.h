@@ -12,6 +12,11 @@ namespace kerf {
 // A piece as people are told of it: "piece 2 of body 1".
 std::string piece_words(const PieceId& piece);
 
+// Whether the world has the piece, with at least one face.
+bool has_faces(const World& world, const PieceId& piece);
+// Bad input: it has not.
+Error no_such_piece(const PieceId& piece);
+
 // The id of a piece, made whole where a journal gave its body by the number alone (see
 // BodyId::kUnknownGeneration): the body that has this number in `world`. Others, and pieces of a body that is
 // not there, come back as they are.

@@ -102,13 +102,15 @@ struct Model {
 };
 
 Command random_piece_command(const PieceId& piece, Random& random) {
-  switch (random.below(4)) {
+  switch (random.below(5)) {
     case 0:
       return MovePiece{piece, {{random.uniform(-0.2, 0.2), 0.1, 0}, {1, 0, 0, 0}}};
     case 1:
       return HidePiece{piece, random.below(2) == 0};
     case 2:
       return DeletePiece{piece};
+    case 3:
+      return DuplicatePiece{piece, {{0, random.uniform(-0.2, 0.2), 0.1}, {1, 0, 0, 0}}};
     default:
       return RenamePiece{piece, "part " + std::to_string(random.below(100))};
   }

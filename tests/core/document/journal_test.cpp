@@ -155,6 +155,7 @@ TEST_F(JournalFile, with_garbage_in_it_is_read_up_to_the_damage_and_names_its_li
       R"({"do":"hide-piece","piece":[0,0,0,0],"hidden":true})",
       R"({"do":"hide-piece","piece":[0,4294967295,0],"hidden":true})",
       R"({"do":"delete-piece","piece":[0,4294967296]})",
+      R"({"do":"duplicate-piece","piece":[0,0],"position":[0,0,0]})",
       R"({"do":"begin","settings":{},"origin":[0,1,0],"direction":[0,-1,0]})",
       R"({"do":"move-piece","piece":[0,0],"position":[0,0,0],"orientation":[1,1,0,0]})"};
   save(stroke(0.1));
@@ -279,6 +280,7 @@ TEST(CommandWords, are_for_people) {
   settings.laser.radius = 0.004;
   EXPECT_EQ(words(BeginStroke{settings, {}}), "Stroke, radius 4 mm");
   EXPECT_EQ(words(HidePiece{{{0, 0}, 2}, true}), "Hide piece 2 of body 1");
+  EXPECT_EQ(words(DuplicatePiece{{{1, 0}, 0}, {}}), "Duplicate body 2");
   EXPECT_GT(weight(RenamePiece{{{0, 0}, 1}, std::string(100, 'x')}), 100u);
 }
 

@@ -220,5 +220,61 @@ TEST(Detach, gives_the_piece_the_new_id_whichever_side_is_copied_and_is_taken_ba
   }
 }
 
+TEST(Duplicate, adds_the_same_faces_as_a_body_of_its_own_and_leaves_the_piece_as_it_is) {
+  for (uint64_t seed = 1; seed <= 6; ++seed) {
+    World world = cut_world(both(torus(14, 10, 0.5, 0.2), sphere(8, 10, 0.3)), seed);
+    const World before = world;
+    const BodyId first = world.ids().front();
+    for (uint32_t p = 0; p < before.body(first).pieces.size(); ++p) {
+      if (before.body(first).pieces[p].faces == 0) continue;
+      SCOPED_TRACE("seed " + std::to_string(seed) + ", piece " + std::to_string(p));
+      Delta delta;
+      const BodyId copy = duplicate(world, {first, p}, 100 + p, delta);
+      EXPECT_EQ(delta.came, std::vector{copy});
+      EXPECT_TRUE(delta.bodies.empty() && delta.detached.empty());
+      expect_whole(world.body(copy));
+      EXPECT_EQ(world.body(copy).own_name(), before.body(first).name_of(p) + " copy");
+      EXPECT_EQ(world.body(copy).pieces[p].area, before.body(first).pieces[p].area);
+
+      World alone, detached = before;
+      Delta ignored;
+      const BodyId own = detach(detached, {first, p}, 1, ignored);
+      alone.add(world.body(copy));
+      World expected;
+      expected.add(detached.body(own));
+      EXPECT_EQ(triangles_of(alone), triangles_of(expected));
+      world.remove(copy);
+    }
+    EXPECT_EQ(triangles_of(world), triangles_of(before));
+  }
+}
+
+TEST(Duplicate, is_a_command_that_is_undone_and_done_again_and_whose_copy_is_cut_like_any_body) {
+  Document document(cut_world(torus(14, 10, 0.5, 0.2), 7));
+  const BodyId first = document.world().ids().front();
+  const World before = document.world();
+  ASSERT_TRUE(document.apply(DuplicatePiece{{first, 1}, {{0, 1, 0}, {1, 0, 0, 0}}}).ok());
+  const World after = document.world();
+  ASSERT_EQ(after.ids().size(), 2u);
+  EXPECT_EQ(after.body(after.ids().back()).placement.position, Vec3(0, 1, 0));
+  ASSERT_TRUE(document.apply(Undo{}).ok());
+  expect_same_world(document.world(), before);
+  ASSERT_TRUE(document.apply(Redo{}).ok());
+  expect_same_world(document.world(), after);
+
+  World cut = after;
+  cut.remove(first);
+  const size_t faces = cut.live_faces();
+  Random random(3);
+  const RandomStroke stroke = random_stroke(cut, random, 0.05, true);
+  ASSERT_TRUE(cut_whole(cut, stroke.settings, stroke.moves).ok());
+  EXPECT_NE(cut.live_faces(), faces);
+  expect_whole(cut.body(cut.ids().front()));
+
+  const Outcome none = document.apply(DuplicatePiece{{first, 4000}, {}});
+  EXPECT_FALSE(none.ok());
+  expect_same_world(document.world(), after);
+}
+
 }  // namespace
 }  // namespace kerf::test

@@ -10,6 +10,8 @@ namespace {
 void forget_what_was_open(const OpenerParts& on) {
   on.hand.beam = LaserTool();
   on.hand.drag = Drag::kNone;
+  on.hand.move.reset();
+  on.hand.measured.clear();
   on.hand.cut_once = false;
   on.split.twin.forget();
   on.view.look.pieces.clear();

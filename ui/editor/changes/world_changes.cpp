@@ -151,6 +151,13 @@ bool WorldChanges::delete_chosen() {
   return change_chosen([](const PieceId& piece) { return Command(DeletePiece{piece}); });
 }
 
+void WorldChanges::duplicate_chosen() {
+  const PieceId piece = *first_chosen(on_.view.look.pieces);
+  const World& world = on_.work.document.world();
+  on_.hand.newest_before_copy = world.ids().back();
+  apply(DuplicatePiece{piece, world.body(piece.body).placement});
+}
+
 // Hidden pieces are bodies of their own, so that no id changes when one of them is shown.
 void WorldChanges::show_hidden() {
   std::vector<Command> commands;

@@ -49,6 +49,8 @@ class WorldChanges {
   // became pending.
   bool hide_chosen();
   bool delete_chosen();
+  // Adds a copy of the selected piece where it stands. Precondition: a piece is selected.
+  void duplicate_chosen();
   void show_hidden();
   // Hides all pieces but the selected ones; the next call shows again those that were hidden by it, and no
   // others.

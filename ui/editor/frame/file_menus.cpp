@@ -1,9 +1,6 @@
 #include "ui/editor/frame/file_menus.h"
 
-#include <imgui.h>
-
 #include "ui/render/assets.h"
-#include "ui/window/property.h"
 
 namespace kerf {
 
@@ -33,27 +30,32 @@ std::string title_of(const fs::path& scene) {
 
 }  // namespace
 
-void draw_recent_menu(Settings& settings, Requests& requests) {
-  std::vector<fs::path>& recent = settings.recent;
-  if (recent.empty()) ImGui::TextDisabled("Nothing was opened yet");
-  for (size_t i = 0; i < recent.size(); ++i) {
-    std::error_code error;
-    const bool there = fs::exists(recent[i], error);
-    ImGui::PushID(static_cast<int>(i));
-    if (ImGui::MenuItem(recent[i].filename().c_str(), nullptr, false, there)) requests.open = {recent[i]};
-    tooltip(there ? recent[i].c_str() : (recent[i].string() + " is not there any more").c_str());
-    ImGui::PopID();
+std::vector<UserAction> recent_actions(Settings& settings, Requests& requests) {
+  std::vector<UserAction> actions;
+  for (const fs::path& file : settings.recent) {
+    actions.push_back({.menu = "File", .name = file.filename().string(), .tip = file.string()});
+    actions.back().run = [&requests, file] { requests.open = {file}; };
+    actions.back().why_not = [file]() -> const char* {
+      std::error_code error;
+      return fs::exists(file, error) ? nullptr : "This file is not there any more.";
+    };
   }
-  if (recent.empty()) return;
-  ImGui::Separator();
-  if (ImGui::MenuItem("Forget them")) recent.clear();
+  if (!actions.empty()) actions.back().ends_group = true;
+  actions.push_back({.menu = "File", .name = "Forget them", .tip = "Empties this list; the files stay."});
+  actions.back().run = [&settings] { settings.recent.clear(); };
+  actions.back().why_not = [&settings] {
+    return settings.recent.empty() ? "Nothing was opened yet." : nullptr;
+  };
+  return actions;
 }
 
-void draw_examples_menu(Requests& requests) {
+std::vector<UserAction> example_actions(Requests& requests) {
+  std::vector<UserAction> actions;
   for (const fs::path& scene : example_scenes()) {
-    if (ImGui::MenuItem(title_of(scene).c_str())) requests.open = {scene};
-    tooltip(scene.c_str());
+    actions.push_back({.menu = "File", .name = title_of(scene), .tip = scene.string()});
+    actions.back().run = [&requests, scene] { requests.open = {scene}; };
   }
+  return actions;
 }
 
 }  // namespace kerf

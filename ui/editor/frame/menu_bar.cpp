@@ -10,10 +10,12 @@ namespace kerf {
 
 namespace {
 
+void draw_actions(std::span<const UserAction> actions);
+
 void draw_action(const UserAction& action) {
-  if (action.submenu) {
+  if (action.items) {
     if (!ImGui::BeginMenu(action.name.c_str())) return;
-    action.submenu();
+    draw_actions(action.items());
     ImGui::EndMenu();
     return;
   }
@@ -21,7 +23,21 @@ void draw_action(const UserAction& action) {
   const char* why_not = action.objection();
   if (ImGui::MenuItem(action.name.c_str(), action.shortcut.c_str(), checked, why_not == nullptr))
     action.run();
-  if (why_not != nullptr || action.tip[0] != '\0') tooltip(why_not != nullptr ? why_not : action.tip);
+  if (why_not != nullptr || !action.tip.empty()) tooltip(why_not != nullptr ? why_not : action.tip.c_str());
+}
+
+void draw_actions(std::span<const UserAction> actions) {
+  for (size_t i = 0; i < actions.size(); ++i) {
+    if (!actions[i].in_menu) continue;
+    ImGui::PushID(static_cast<int>(i));
+    draw_action(actions[i]);
+    ImGui::PopID();
+    if (actions[i].ends_group) ImGui::Separator();
+  }
+}
+
+bool has_menu(std::span<const UserAction> actions) {
+  return std::any_of(actions.begin(), actions.end(), [](const UserAction& a) { return a.in_menu; });
 }
 
 }  // namespace
@@ -31,11 +47,9 @@ void draw_menu_bar(std::span<const UserAction> actions) {
   for (size_t first = 0; first < actions.size();) {
     size_t end = first;
     while (end < actions.size() && std::string_view(actions[end].menu) == actions[first].menu) ++end;
-    if (ImGui::BeginMenu(actions[first].menu)) {
-      for (const UserAction& action : actions.subspan(first, end - first)) {
-        draw_action(action);
-        if (action.ends_group) ImGui::Separator();
-      }
+    const std::span<const UserAction> menu = actions.subspan(first, end - first);
+    if (has_menu(menu) && ImGui::BeginMenu(menu.front().menu)) {
+      draw_actions(menu);
       ImGui::EndMenu();
     }
     first = end;

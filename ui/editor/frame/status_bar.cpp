@@ -28,11 +28,13 @@ const char* left_button(const Hand& hand) {
     case Drag::kBox:
       return "Choosing what lies wholly in the box; from right to left: what it touches";
     case Drag::kPick:
+    case Drag::kPiece:
     case Drag::kAxes:
     case Drag::kNone:
       break;
   }
-  if (hand.tool == Tool::kPick) return "Pick: click or drag a box to choose pieces, Shift adds";
+  if (hand.move) return hand.move->kind() == PieceMove::Kind::kMove ? "Moving a piece" : "Turning a piece";
+  if (hand.tool == Tool::kPick) return "Pick: click or drag a box, Shift adds; G moves the chosen piece, R turns it";
   if (hand.cut_once) return "Laser: left drag cuts, Ctrl+click picks";
   return "Laser: left drag cuts, F1 shows all shortcuts";
 }

@@ -5,19 +5,31 @@
 
 namespace kerf {
 
+namespace {
+
+// Of several actions with a key, those come first that have it at the moment alone.
+const UserAction* action_of(std::span<const UserAction> actions, int key, int mods) {
+  const UserAction* found = nullptr;
+  for (const UserAction& action : actions) {
+    if (key == 0 || (action.key != key && action.pad_key != key) || action.mods != mods) continue;
+    if (action.has_key_when && action.has_key_when()) return &action;
+    if (!action.has_key_when && found == nullptr) found = &action;
+  }
+  return found;
+}
+
+}  // namespace
+
 bool run_shortcut(std::span<const UserAction> actions, int key, int mods, Message& message) {
   constexpr int kCounted = GLFW_MOD_CONTROL | GLFW_MOD_SHIFT | GLFW_MOD_ALT | GLFW_MOD_SUPER;
-  for (const UserAction& action : actions) {
-    if (key == 0 || (action.key != key && action.pad_key != key)) continue;
-    if (action.mods != (mods & kCounted)) continue;
-    if (const char* why = action.objection()) {
-      message.say(why, true);
-    } else {
-      action.run();
-    }
-    return true;
+  const UserAction* action = action_of(actions, key, mods & kCounted);
+  if (action == nullptr) return false;
+  if (const char* why = action->objection()) {
+    message.say(why, true);
+  } else {
+    action->run();
   }
-  return false;
+  return true;
 }
 
 }  // namespace kerf

@@ -3,13 +3,14 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "ui/window/message.h"
 
 namespace kerf {
 
-// Something that the user can ask for by menu and by key. The menus, the keys and the sheet of shortcuts are
-// all made from one list of these.
+// Something that the user can ask for by menu, by key and by name. The menus, the keys, the command palette
+// and the sheet of shortcuts are all made from one list of these.
 struct UserAction {
   const char* menu;
   std::string name;
@@ -17,12 +18,17 @@ struct UserAction {
   int key = 0;                // GLFW_KEY_*; 0: none
   int mods = 0;               // GLFW_MOD_*
   int pad_key = 0;            // GLFW_KEY_KP_* that does the same; 0: none
-  const char* tip = "";
+  std::string tip = {};
   std::function<void()> run = {};
   std::function<bool()> checked = {};         // empty: not a switch
   std::function<const char*()> why_not = {};  // a sentence where it cannot be done at the moment, or null
-  std::function<void()> submenu = {};         // draws a menu of its own in place of all that
-  bool ends_group = false;                    // a line under it in the menu
+  // Where it is set, the key belongs to the action only while this holds, and then to no other action.
+  std::function<bool()> has_key_when = {};
+  // The actions of a submenu, as they are at the moment, in place of `run`. They have neither keys nor
+  // submenus.
+  std::function<std::vector<UserAction>()> items = {};
+  bool in_menu = true;      // false: the command palette alone offers it, beside a panel
+  bool ends_group = false;  // a line under it in the menu
 
   // Why it cannot be done at the moment; null where it can.
   const char* objection() const { return why_not ? why_not() : nullptr; }

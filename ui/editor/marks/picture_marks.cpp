@@ -6,6 +6,7 @@
 #include "ui/editor/marks/legends.h"
 #include "ui/editor/tools/axes_gizmo.h"
 #include "ui/editor/tools/light_handle.h"
+#include "ui/editor/tools/piece_handles.h"
 #include "ui/editor/tools/rubber_band.h"
 #include "ui/editor/view/file_frames.h"
 #include "ui/render/beam_strike.h"
@@ -96,9 +97,11 @@ void draw_picture_marks(const MarkParts& of) {
   draw_axes_gizmo(of.view, of.hand.over_picture ? of.hand.pointer : Vec2(-1), list);
   const bool cutting = of.hand.drag == Drag::kCut || of.document.beam_waits();
   if (shows_light_handles(of.settings) && !cutting) draw_light_handles(of.view, list);
+  if (!cutting) draw_piece_handles(of.view, of.hand, of.document.world(), list);
   if (of.hand.drag == Drag::kBox) draw_rubber_band({of.hand.pressed_at, of.hand.pointer}, list);
   const Area legends = draw_legends(legends_of(of.view.look, of.shadows), under_label(of.view.layout));
-  if (!of.hand.cut_once) draw_hint_box(of.document.world(), of.view, legends);
+  if (!of.hand.cut_once && of.hand.tool == Tool::kLaser && !of.hand.move)
+    draw_hint_box(of.document.world(), of.view, legends);
   list.PopClipRect();
 }
 

@@ -20,7 +20,7 @@ struct MarkParts {
 };
 
 // Draws over the picture: a ring as wide as the beam, what the halves of a split picture show, the handles of
-// lights, the legends of its views, and hints until the first cut.
+// lights and of the chosen piece, the legends of its views, and hints until the first cut.
 void draw_picture_marks(const MarkParts& of);
 
 }  // namespace kerf

@@ -43,10 +43,7 @@ void draw_frame(const SceneDescription& scene, ViewState& view, Settings& settin
   bool changed = up_axis_combo(frame.up);
   property("Unit");
   changed = unit_combo(frame.unit) || changed;
-  if (!changed) return;
-  show_in_frame(view, frame);
-  view.frame_asked_for.clear();
-  if (const std::string kind = mesh_kind(scene); !kind.empty()) settings.frames[kind] = frame;
+  if (changed) set_frame(frame, scene, view, settings);
 }
 
 }  // namespace

@@ -157,11 +157,7 @@ bool choose_light(ViewOptions& look, UpAxis up) {
   if (!lights.empty()) ImGui::SameLine();
   ImGui::BeginDisabled(lights.size() >= kMostLights);
   if (ImGui::Button("Add")) {
-    Light another;
-    another.at = from_y_up({0.7, 0.8, -0.4}, up);
-    another.intensity = 1;
-    chosen = lights.size();
-    lights.push_back(another);
+    add_light(look, up);
     changed = true;
   }
   tooltip("Up to four.");
@@ -169,8 +165,7 @@ bool choose_light(ViewOptions& look, UpAxis up) {
   ImGui::SameLine();
   ImGui::BeginDisabled(lights.empty());
   if (ImGui::Button("Remove")) {
-    lights.erase(lights.begin() + static_cast<std::ptrdiff_t>(std::min(chosen, lights.size() - 1)));
-    chosen = 0;
+    remove_light(look);
     changed = true;
   }
   ImGui::EndDisabled();

@@ -40,8 +40,18 @@ void draw_panel_column(const Area& area, std::span<const Panel> panels, Settings
   ImGui::End();
 }
 
-void draw_panels_menu(std::span<const Panel> panels, Settings& settings) {
-  for (const Panel& panel : panels) ImGui::MenuItem(panel.title, nullptr, &settings.panels.at(panel.id));
+std::vector<UserAction> panel_actions(std::span<const Panel> panels, Settings& settings) {
+  std::vector<UserAction> actions;
+  for (const Panel& panel : panels) {
+    actions.push_back({.menu = "View", .name = panel.title, .tip = "Unfolds or folds this panel."});
+    actions.back().run = [&settings, id = panel.id] {
+      const bool shown = settings.shows(id);
+      settings.panels.at(id) = !shown;
+      settings.side_shown = settings.side_shown || !shown;
+    };
+    actions.back().checked = [&settings, id = panel.id] { return settings.shows(id); };
+  }
+  return actions;
 }
 
 void draw_splitters(const Layout& l, Settings& settings) {

@@ -75,6 +75,8 @@ std::string kind_of_view(const ViewState& view) {
 
 }  // namespace
 
+ImU32 axis_colour(size_t axis) { return kColours.at(axis); }
+
 std::vector<AxisEnd> axis_ends(const ViewState& view) {
   std::vector<AxisEnd> ends;
   if (!has_room(view)) return ends;

@@ -1,15 +1,18 @@
 #pragma once
 
+#include <vector>
+
 #include "ui/editor/tools/laser_controls.h"
 #include "ui/editor/tools/laser_tool.h"
+#include "ui/editor/tools/piece_move.h"
 
 namespace kerf {
 
 // What the left button does.
-enum class Tool { kLaser, kPick };
+enum class Tool { kLaser, kPick, kInspect };
 
 // What a drag that has begun goes on doing. One that picks, or that began on the axes, has not moved yet.
-enum class Drag { kNone, kCut, kPick, kBox, kAxes, kOrbit, kPan, kLight };
+enum class Drag { kNone, kCut, kPick, kBox, kAxes, kOrbit, kPan, kLight, kPiece };
 
 // What the user holds, and what the mouse is doing with it.
 struct Hand {
@@ -18,9 +21,13 @@ struct Hand {
   Tool tool = Tool::kLaser;
   Drag drag = Drag::kNone;
   size_t dragged_light = 0;
-  Vec2 pointer{0}, pressed_at{0};  // screen coordinates
-  bool over_picture = false;       // the pointer is
-  bool cut_once = false;           // hints are no longer needed
+  std::optional<PieceMove> move;             // of the chosen piece, while the user decides where it goes
+  bool moves_copy = false;                   // the piece is a copy that was made for the move
+  std::optional<BodyId> newest_before_copy;  // the body that was the newest when a copy was asked for
+  std::vector<Vec3> measured;                // m, the points that were clicked to measure: at most two
+  Vec2 pointer{0}, pressed_at{0};            // screen coordinates
+  bool over_picture = false;                 // the pointer is
+  bool cut_once = false;                     // hints are no longer needed
 };
 
 // Ends the stroke that is drawn, if one is; what was cut stays cut. Returns whether there was one.

@@ -1,5 +1,7 @@
 #include "ui/editor/tools/laser_controls.h"
 
+#include <cmath>
+
 namespace kerf {
 
 Resolution ResolutionControls::of(double radius) const {
@@ -11,6 +13,21 @@ Resolution ResolutionControls::of(double radius) const {
   resolution.tolerance = radius * tolerance_fraction;
   resolution.depth = depth;
   return resolution;
+}
+
+void make_finer(ResolutionControls& controls, int steps) {
+  using Controls = ResolutionControls;
+  const auto divide = [&](double& fraction) {
+    fraction = std::clamp(std::ldexp(fraction, -steps), Controls::kLeastFraction, Controls::kMostFraction);
+  };
+  switch (controls.rule) {
+    case Resolution::Rule::kTargetEdge:
+      return divide(controls.edge_fraction);
+    case Resolution::Rule::kTolerance:
+      return divide(controls.tolerance_fraction);
+    case Resolution::Rule::kDepth:
+      controls.depth = std::clamp(controls.depth + steps, 0, Controls::kLargestDepth);
+  }
 }
 
 CutSettings LaserControls::settings(double diagonal) const {

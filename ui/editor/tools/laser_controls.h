@@ -20,6 +20,9 @@ struct ResolutionControls {
   Resolution of(double radius) const;
 };
 
+// So many steps finer: a step halves the fraction of the rule that is chosen, or splits once more.
+void make_finer(ResolutionControls& controls, int steps);
+
 // The settings of the laser that its panel shows and a stroke starts with.
 struct LaserControls {
   double radius = 0.01;          // m

@@ -8,6 +8,8 @@
 #include "ui/editor/tools/axes_gizmo.h"
 #include "ui/editor/tools/click.h"
 #include "ui/editor/tools/light_handle.h"
+#include "ui/editor/tools/moving.h"
+#include "ui/editor/tools/piece_handles.h"
 #include "ui/editor/tools/rubber_band.h"
 #include "ui/editor/view/piece_set.h"
 #include "ui/render/pick.h"
@@ -66,6 +68,17 @@ void choose_in_box(const MouseParts& on, int mods) {
   on.view.picture_old = true;
 }
 
+// Begins to move the chosen piece by the handle under the pointer. Returns whether there is one.
+bool take_handle(const MouseParts& on) {
+  const World& world = on.work.document.world();
+  const auto handle = handle_under(piece_handles(on.view, on.hand, world), on.hand.pointer);
+  if (!handle) return false;
+  begin_move(on.hand, on.view, world, handle->kind);
+  on.hand.move->constrain(handle->axis);
+  on.hand.drag = Drag::kPiece;
+  return true;
+}
+
 void begin(const MouseParts& on, Drag drag, double heard) {
   on.hand.drag = drag;
   on.hand.pressed_at = on.hand.pointer;
@@ -82,6 +95,7 @@ void begin(const MouseParts& on, Drag drag, double heard) {
       return;
     }
   }
+  if (drag == Drag::kPick && take_handle(on)) return;
   if (drag != Drag::kCut) return;
   if (on.loader.busy()) {
     on.hand.drag = Drag::kNone;
@@ -120,6 +134,9 @@ void go_on(const MouseParts& on, Vec2 from, double heard) {
     case Drag::kLight:
       drag_light(on.view, on.hand.dragged_light, on.hand.pointer);
       break;
+    case Drag::kPiece:
+      if (on.hand.move) follow_move(on.hand, on.view);
+      break;
     case Drag::kBox:
     case Drag::kNone:
       break;
@@ -136,6 +153,9 @@ void end(const MouseParts& on, const InputEvent& event) {
       break;
     case Drag::kBox:
       choose_in_box(on, event.mods);
+      break;
+    case Drag::kPiece:
+      if (on.hand.move) confirm_move(on.hand, on.view, on.requests);
       break;
     case Drag::kAxes:
       if (const auto axis = axis_end_under(on.view, on.hand.pointer))

@@ -5,6 +5,7 @@
 #include "ui/editor/view/view_state.h"
 #include "ui/editor/work/file_loader.h"
 #include "ui/editor/work/open_work.h"
+#include "ui/editor/work/requests.h"
 #include "ui/window/message.h"
 #include "ui/window/window.h"
 
@@ -17,6 +18,7 @@ struct MouseParts {
   ViewState& view;
   const Settings& settings;
   const FileLoader& loader;
+  Requests& requests;
   Message& message;
 };
 

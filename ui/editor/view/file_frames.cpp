@@ -67,6 +67,12 @@ LengthUnit label_unit(double length, FileUnit unit) {
   return {shown.name, shown.metres / metres};
 }
 
+void set_frame(const FileFrame& frame, const SceneDescription& scene, ViewState& view, Settings& settings) {
+  show_in_frame(view, frame);
+  view.frame_asked_for.clear();
+  if (const std::string kind = mesh_kind(scene); !kind.empty()) settings.frames[kind] = frame;
+}
+
 std::string length_label(double length, FileUnit unit) {
   const LengthUnit shown = label_unit(length, unit);
   std::array<char, 48> text{};

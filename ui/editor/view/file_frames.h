@@ -33,6 +33,9 @@ void note_frame(SceneDescription& scene, const FileFrame& frame);
 // Shows the world in this frame. The lights turn with the ground, and the camera keeps its direction to it.
 void show_in_frame(ViewState& view, const FileFrame& frame);
 
+// The same as the choice of the user: it is remembered for files of this kind, and no question is left.
+void set_frame(const FileFrame& frame, const SceneDescription& scene, ViewState& view, Settings& settings);
+
 // A length or an area in the numbers of the file as a label: "2.75 mm", "0.3 in".
 std::string length_label(double length, FileUnit unit);
 std::string area_label(double area, FileUnit unit);

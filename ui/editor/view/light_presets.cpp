@@ -1,6 +1,7 @@
 #include "ui/editor/view/light_presets.h"
 
 #include <array>
+#include <cassert>
 
 namespace kerf {
 
@@ -56,6 +57,22 @@ std::vector<Light> lights_of(const LightPreset& preset, const World::Bounds& bou
   std::vector<Light> lights = preset.lights({glm::min(a, b), glm::max(a, b)});
   for (Light& light : lights) light.at = from_y_up(light.at, up);
   return lights;
+}
+
+void add_light(ViewOptions& look, UpAxis up) {
+  assert(look.lights.size() < kMostLights);
+  Light another;
+  another.at = from_y_up({0.7, 0.8, -0.4}, up);
+  another.intensity = 1;
+  look.shadow.inspected = look.lights.size();
+  look.lights.push_back(another);
+}
+
+void remove_light(ViewOptions& look) {
+  assert(!look.lights.empty());
+  const size_t chosen = std::min(look.shadow.inspected, look.lights.size() - 1);
+  look.lights.erase(look.lights.begin() + static_cast<std::ptrdiff_t>(chosen));
+  look.shadow.inspected = 0;
 }
 
 }  // namespace kerf

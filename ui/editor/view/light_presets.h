@@ -6,6 +6,7 @@
 #include "core/mesh/files/file_frame.h"
 #include "core/shadow/light.h"
 #include "core/world/world.h"
+#include "ui/render/view_options.h"
 
 namespace kerf {
 
@@ -19,5 +20,10 @@ std::span<const LightPreset> light_presets();
 
 // The lights of a preset for a world whose upward axis is `up`.
 std::vector<Light> lights_of(const LightPreset& preset, const World::Bounds& bounds, UpAxis up);
+
+// Adds a directional light and chooses it. Precondition: fewer than kMostLights.
+void add_light(ViewOptions& look, UpAxis up);
+// Removes the chosen light and chooses the first one. Precondition: there is a light.
+void remove_light(ViewOptions& look);
 
 }  // namespace kerf

@@ -38,9 +38,11 @@ struct Settings {
   int width = 1280, height = 800;  // of the window, screen coordinates
   BoxPalette palette = BoxPalette::kRedAndGreen;
   bool antialias = true;
-  double split_share = 0.5;      // fraction of the width for the left half of a split picture
-  int history_megabytes = 1024;  // of undo data
-  bool live_recut = true;        // sliders of the resolution cut the last stroke again
+  double split_share = 0.5;                // fraction of the width for the left half of a split picture
+  int history_megabytes = 1024;            // of undo data
+  bool live_recut = true;                  // sliders of the resolution cut the last stroke again
+  double drag_speed = 1, wheel_speed = 1;  // of orbits and zooms by the mouse, relative to the usual speed
+  std::map<std::string, std::string> bindings;  // keys by the names of actions, where they are not the usual
   std::map<PanelId, bool> panels = panels_at_first();  // which are unfolded
   std::vector<std::filesystem::path> recent;           // latest first, absolute
   // How mesh files of a kind ("stl") are shown; none where the user wants a guess for each file. Kinds that
@@ -51,6 +53,7 @@ struct Settings {
 
   static constexpr double kLeastScale = 0.75, kMostScale = 2;
   static constexpr double kLeastSide = 13, kMostSide = 42;
+  static constexpr double kLeastSpeed = 0.25, kMostSpeed = 4;
   static constexpr size_t kMostRecent = 10;
   static constexpr int kLeastHistory = 16, kMostHistory = 16384;
   static std::map<PanelId, bool> panels_at_first();

@@ -19,6 +19,7 @@ struct Requests {
   bool recut_radius = false;      // with the radius that is set now, too
   bool undo = false, redo = false;
   bool hide_chosen = false, show_hidden = false, isolate = false, delete_chosen = false;
+  bool duplicate_chosen = false;
   std::vector<Command> commands;
   std::optional<size_t> travel;  // to a position of the history
   enum class Screenshot { kNone, kPicture, kWindow };

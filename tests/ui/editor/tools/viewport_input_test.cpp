@@ -27,7 +27,7 @@ struct Bench {
     hand.laser.radius = 0.03;
   }
   void hear(const InputEvent& event) {
-    handle_mouse({hand, work, view, settings, loader, message}, event, true);
+    handle_mouse({hand, work, view, settings, loader, requests, message}, event, true);
   }
   void cut() {
     while (work.document.waiting() > 0) ASSERT_TRUE(work.document.step(8).ok());
@@ -39,6 +39,7 @@ struct Bench {
   ViewState view;
   Settings settings;
   FileLoader loader;
+  Requests requests;
   Message message;
 };
 

@@ -1,0 +1,65 @@
+#!/usr/bin/env python3
+"""The command palette, by the keyboard alone."""
+import unittest
+
+from editor_window import SPHERE, WindowTest, pause, wait_for
+
+
+class PaletteTest(WindowTest):
+    def find(self, editor, typed):
+        editor.press("ctrl", "p")
+        editor.part("palette")
+        editor.xdotool("type", "--delay", "40", typed)
+        pause(0.5)
+
+    def wait_until_closed(self, editor):
+        wait_for(lambda: "palette" not in editor.landmarks()["parts"], 20, "the palette stays open")
+
+    def test_it_runs_what_was_typed_and_closes(self):
+        editor = self.open(SPHERE)
+        editor.point_at(0.5, 0.5)
+        self.find(editor, "wire")
+        editor.press("Return")
+        self.wait_until_closed(editor)
+        self.find(editor, "panels tree")
+        editor.press("Return")
+        self.wait_until_closed(editor)
+        self.find(editor, "normals")
+        editor.press("Escape")
+        self.wait_until_closed(editor)
+        view = editor.quit()["view"]
+        self.assertEqual((view["wire"], view["normals"]), (True, False))
+        self.assertTrue(self.settings()["panels"]["Tree"])
+
+    def test_what_cannot_be_done_stays_undone_and_the_arrows_choose_something_else(self):
+        editor = self.open(SPHERE)
+        editor.point_at(0.5, 0.5)
+        self.find(editor, "undo")
+        editor.press("Return")
+        pause(0.5)
+        self.assertIn("palette", editor.landmarks()["parts"])
+        for _ in range(4):
+            editor.press("BackSpace")
+        editor.xdotool("type", "--delay", "40", "boxes")
+        pause(0.5)
+        editor.press("Down")
+        editor.press("Up")
+        editor.press("Return")
+        self.wait_until_closed(editor)
+        self.assertTrue(editor.quit()["view"]["boxes"])
+
+    def test_a_click_runs_a_row_and_a_click_beside_it_cuts_nothing(self):
+        editor = self.open(SPHERE)
+        self.find(editor, "wire")
+        editor.click("palette row 0", 0.3, 0.5)
+        self.wait_until_closed(editor)
+        self.find(editor, "")
+        editor.click(0.5, 0.9)
+        self.wait_until_closed(editor)
+        report = editor.quit()
+        self.assertTrue(report["view"]["wire"])
+        self.assertEqual(report["strokes"], 0)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes the small shapes of the example scenes: sphere, thin plate, knot, bracket. Run as
+"""Makes the small shapes of the example scenes: sphere, thin plate, knot, sheet, bracket. Run as
 `make_shapes.py [FOLDER]`; the files are the same on every run.
 
 Metres, +Y up, counter-clockwise fronts. A shape is a list of points and a list of polygons of indices.
@@ -136,6 +136,25 @@ def bracket(length, thickness, width, hole, corners):
     return points, faces
 
 
+def sheet(width, height, columns, rows, uneven):
+    """A single sheet that stands on the ground, of triangles that differ: inner points are moved by up to so much of
+    a cell, and the diagonals alternate."""
+    random = lambda i: (i * 2654435761 % 4294967296) / 2147483648 - 1
+    points, faces = [], []
+    for r in range(rows + 1):
+        for c in range(columns + 1):
+            inner = 0 < r < rows and 0 < c < columns
+            i = 2 * (r * (columns + 1) + c) + 1
+            x, y = (c + uneven * random(i) * inner) / columns, (r + uneven * random(i + 1) * inner) / rows
+            points.append(((x - 0.5) * width, y * height, 0.0))
+    at = lambda r, c: r * (columns + 1) + c
+    for r in range(rows):
+        for c in range(columns):
+            a, b, d, e = at(r, c), at(r, c + 1), at(r + 1, c + 1), at(r + 1, c)
+            faces += [(a, b, d), (a, d, e)] if (r + c) % 2 == 0 else [(a, b, e), (b, d, e)]
+    return points, faces
+
+
 def minus(a, b):
     return tuple(x - y for x, y in zip(a, b))
 
@@ -178,6 +197,7 @@ SHAPES = {
     "sphere": ("porcelain", lambda: sphere(40, 64, 0.25)),
     "plate": ("steel", lambda: plate(1.0, 0.7, 0.003, 40, 28)),
     "knot": ("copper", lambda: knot(2, 3, 0.32, 0.14, 0.07, 20, 260)),
+    "sheet": ("paint", lambda: sheet(1.2, 0.75, 9, 6, 0.28)),
     "bracket": ("zinc", lambda: bracket(0.09, 0.006, 0.05, 0.012, 48)),
 }
 

@@ -26,6 +26,7 @@ constexpr std::array kGestures{
 
 void take_tool(EditorState& state, Tool tool) {
   cancel_stroke(state.hand, state.work.document);
+  state.hand.measured.clear();
   state.hand.tool = tool;
 }
 
@@ -52,7 +53,16 @@ std::vector<UserAction> tool_actions(EditorState& s) {
                         "With the laser "
                         "in hand, Ctrl does the same.",
                  .run = [&s] { take_tool(s, Tool::kPick); },
-                 .checked = [&s] { return s.hand.tool == Tool::kPick; },
+                 .checked = [&s] { return s.hand.tool == Tool::kPick; }},
+      UserAction{.menu = "Tool",
+                 .name = "Inspect and measure",
+                 .shortcut = "M",
+                 .key = GLFW_KEY_M,
+                 .tip =
+                     "Tells what there is to know about the face under the pointer; two clicks measure the "
+                     "distance between two points.",
+                 .run = [&s] { take_tool(s, Tool::kInspect); },
+                 .checked = [&s] { return s.hand.tool == Tool::kInspect; },
                  .ends_group = true},
       UserAction{.menu = "Tool",
                  .name = "Cut the last stroke again",
@@ -73,6 +83,14 @@ std::vector<UserAction> help_actions(EditorState& s) {
                  .mods = GLFW_MOD_CONTROL,
                  .tip = "Finds any action by parts of its name, and shows its key.",
                  .run = [&s] { open_palette(s.palette); }},
+      UserAction{.menu = "Help",
+                 .name = "Settings",
+                 .shortcut = "Ctrl+,",
+                 .key = GLFW_KEY_COMMA,
+                 .mods = GLFW_MOD_CONTROL,
+                 .tip = "The speed of the mouse, and the keys of all actions.",
+                 .run = [&s] { s.settings_page.shown = !s.settings_page.shown; },
+                 .checked = [&s] { return s.settings_page.shown; }},
       UserAction{.menu = "Help",
                  .name = "Shortcuts",
                  .shortcut = "F1",
@@ -119,6 +137,8 @@ void escape(EditorState& state) {
   if (state.opening.loader.busy()) return cancel_opening(state.opening, state.message);
   if (state.shortcuts_shown || state.messages_shown) {
     state.shortcuts_shown = state.messages_shown = false;
+  } else if (!state.hand.measured.empty()) {
+    state.hand.measured.clear();
   } else {
     choose_none(state.view.look.pieces);
     state.view.picture_old = true;

@@ -92,6 +92,7 @@ void EditorScreen::draw_panels() {
                   false);
   draw_shortcut_sheet(state_.shortcuts_shown, actions_, gestures());
   draw_message_log(state_.messages_shown, state_.message);
+  draw_settings_page(state_.settings_page, state_.settings, usual_actions_);
   const Area& picture = layout.viewport;
   draw_palette(state_.palette, actions_, static_cast<float>(picture.at.x + 0.5 * picture.size.x),
                static_cast<float>(picture.at.y + ImGui::GetFontSize()));

@@ -6,6 +6,7 @@
 #include <GLFW/glfw3.h>
 
 #include "ui/editor/file_choice.h"
+#include "ui/editor/keys/bindings.h"
 #include "ui/editor/panel_list.h"
 #include "ui/editor/tools/moving.h"
 #include "ui/editor/tools/popups.h"
@@ -33,7 +34,8 @@ EditorScreen::EditorScreen(Window& window, LivePicture picture, LoadedSettings l
                state_.settings, state_.message, recovery_, picture_.first()}),
       desk_(state_, changes_, opener_, recovery_),
       panels_(make_panels(state_)),
-      actions_(make_actions(state_, panels_)) {
+      usual_actions_(make_actions(state_, panels_)),
+      actions_(usual_actions_) {
   state_.settings = std::move(loaded.settings);
   state_.view.look.antialias = state_.settings.antialias;
   state_.view.look.show = default_show();
@@ -85,6 +87,7 @@ void EditorScreen::hear(const Input& input) {
     return;
   }
   lay_out_window();
+  bind_actions();
   const MouseParts mouse{state_.hand,           state_.work,     state_.view,   state_.settings,
                          state_.opening.loader, state_.requests, state_.message};
   std::vector<InputEvent> events = busy_.take_heard();
@@ -130,6 +133,12 @@ bool EditorScreen::hear_move(const InputEvent& event, bool in_picture) {
   return in_picture;
 }
 
+void EditorScreen::bind_actions() {
+  if (bound_ == state_.settings.bindings) return;
+  bound_ = state_.settings.bindings;
+  actions_ = bind_keys(usual_actions_, bound_);
+}
+
 void EditorScreen::hear_key(const InputEvent& event) {
   if (state_.decisions.question.open()) {
     if (!event.again) question_key(state_.decisions.question, event.button);
@@ -137,6 +146,8 @@ void EditorScreen::hear_key(const InputEvent& event) {
     browser_key(state_.browser, event.button);
   } else if (state_.palette.open) {
     palette_key(state_.palette, event.button);
+  } else if (state_.settings_page.shown && !ImGui::GetIO().WantTextInput) {
+    settings_page_key(state_.settings_page, state_.settings, usual_actions_, event.button, event.mods);
   } else if (state_.hand.move) {
     move_key(state_.hand, state_.view, state_.work.document.world(), state_.requests, event.button);
   } else if (!ImGui::GetIO().WantTextInput && !event.again) {

@@ -48,6 +48,7 @@ class EditorScreen : public Screen {
 
   void hear_mouse(const MouseParts& mouse, const InputEvent& event);
   bool hear_move(const InputEvent& event, bool in_picture);
+  void bind_actions();
   void hear_key(const InputEvent& event);
   void move_camera();
   void follow_graph();
@@ -76,7 +77,9 @@ class EditorScreen : public Screen {
   HeldPress held_press_;
   RequestDesk desk_;
   std::vector<Panel> panels_;
-  std::vector<UserAction> actions_;
+  std::vector<UserAction> usual_actions_;  // with their usual keys
+  std::vector<UserAction> actions_;        // with those of the settings
+  std::map<std::string, std::string> bound_;
   ChangeThread thread_;  // while it is busy the document is not touched
   BusyWindow busy_;
   std::string title_;  // of the window

@@ -5,6 +5,7 @@
 #include "ui/editor/frame/file_browser.h"
 #include "ui/editor/graph/graph_state.h"
 #include "ui/editor/keys/command_palette.h"
+#include "ui/editor/keys/settings_page.h"
 #include "ui/editor/tools/hand.h"
 #include "ui/editor/view/settings.h"
 #include "ui/editor/view/view_state.h"
@@ -34,6 +35,7 @@ struct EditorState {
   Message message;
   FileBrowser browser;
   CommandPalette palette;
+  SettingsPage settings_page;
   bool shortcuts_shown = false, messages_shown = false;
 };
 

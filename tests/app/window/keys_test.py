@@ -61,5 +61,40 @@ class PaletteTest(WindowTest):
         self.assertEqual(report["strokes"], 0)
 
 
+class SettingsTest(WindowTest):
+    def test_a_key_is_rebound_after_its_clash_was_named_and_stays_so(self):
+        editor = self.open(SPHERE)
+        editor.point_at(0.05, 0.95)
+        editor.do("ctrl", "comma")
+        editor.click("key of Undo", 0.1, 0.5)
+        editor.do("w")
+        editor.part("take the key")  # W is the key of Wire
+        editor.do("Return")
+        editor.do("Escape")
+        editor.do("w")  # nothing was done yet, so undo says so
+        report = editor.quit()
+        self.assertFalse(report["view"]["wire"])
+        self.assertIn("Nothing was done yet.", report["messages"])
+        self.assertEqual(self.settings()["bindings"], {"Undo": "W", "Wire": ""})
+        self.set(bindings={"Wire": "Q", "No such action": "Q", "Normals": 7})
+        editor = self.open_again(SPHERE)
+        editor.point_at(0.05, 0.95)
+        editor.do("q")
+        self.assertTrue(editor.quit()["view"]["wire"])
+
+    def test_a_preset_gives_other_keys(self):
+        editor = self.open(SPHERE)
+        editor.point_at(0.05, 0.95)
+        editor.do("ctrl", "comma")
+        editor.click("Like Blender", 0.5, 0.5)
+        editor.do("Escape")
+        editor.do("shift", "z")
+        editor.press("F3")
+        editor.part("palette")
+        editor.press("Escape")
+        self.assertTrue(editor.quit()["view"]["wire"])
+        self.assertEqual(self.settings()["bindings"]["Wire"], "Shift+Z")
+
+
 if __name__ == "__main__":
     unittest.main()

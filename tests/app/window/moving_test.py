@@ -87,5 +87,32 @@ class Moving(WindowTest):
         self.assertIn([0, 1, 0], [p["position"] for p in report["placements"]])
 
 
+class Inspecting(WindowTest):
+    def test_a_face_is_told_of_and_two_clicks_measure(self):
+        editor = self.open(SPHERE)
+        editor.press("m")
+        editor.point_at(0.5, 0.5)
+        editor.part("face readout")
+        editor.click(0.45, 0.5)
+        editor.click(0.55, 0.5)
+        report = editor.quit()
+        self.assertEqual((report["strokes"], report["pieces_chosen"]), (0, 0))
+        self.assertTrue(report["message"].startswith("Distance "), report["message"])
+
+    def test_a_number_that_is_typed_in_the_panel_moves_the_chosen_piece(self):
+        self.open(SPHERE).quit()
+        self.only_panel("Pieces")
+        editor = self.open_again(SPHERE)
+        editor.press("k")
+        editor.click(0.5, 0.53)
+        editor.click("Centre 0", 0.5, 0.5)
+        editor.press("ctrl", "a")
+        editor.xdotool("type", "--delay", "40", "1.5")
+        editor.do("Return")
+        report = editor.quit()
+        self.assertEqual(report["undo_depth"], 1)
+        self.assertAlmostEqual(report["placements"][0]["position"][0], 1.5, places=3)
+
+
 if __name__ == "__main__":
     unittest.main()

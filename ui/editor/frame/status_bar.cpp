@@ -29,12 +29,15 @@ const char* left_button(const Hand& hand) {
       return "Choosing what lies wholly in the box; from right to left: what it touches";
     case Drag::kPick:
     case Drag::kPiece:
+    case Drag::kMeasure:
     case Drag::kAxes:
     case Drag::kNone:
       break;
   }
   if (hand.move) return hand.move->kind() == PieceMove::Kind::kMove ? "Moving a piece" : "Turning a piece";
-  if (hand.tool == Tool::kPick) return "Pick: click or drag a box, Shift adds; G moves the chosen piece, R turns it";
+  if (hand.tool == Tool::kPick)
+    return "Pick: click or drag a box, Shift adds; G moves the chosen piece, R turns it";
+  if (hand.tool == Tool::kInspect) return "Inspect: click two points to measure their distance";
   if (hand.cut_once) return "Laser: left drag cuts, Ctrl+click picks";
   return "Laser: left drag cuts, F1 shows all shortcuts";
 }

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include "ui/editor/inspect/face_readout.h"
 #include "ui/editor/marks/hint_box.h"
 #include "ui/editor/marks/legends.h"
 #include "ui/editor/tools/axes_gizmo.h"
@@ -98,6 +99,7 @@ void draw_picture_marks(const MarkParts& of) {
   const bool cutting = of.hand.drag == Drag::kCut || of.document.beam_waits();
   if (shows_light_handles(of.settings) && !cutting) draw_light_handles(of.view, list);
   if (!cutting) draw_piece_handles(of.view, of.hand, of.document.world(), list);
+  draw_face_readout(of.view, of.hand, of.document.world(), list);
   if (of.hand.drag == Drag::kBox) draw_rubber_band({of.hand.pressed_at, of.hand.pointer}, list);
   const Area legends = draw_legends(legends_of(of.view.look, of.shadows), under_label(of.view.layout));
   if (!of.hand.cut_once && of.hand.tool == Tool::kLaser && !of.hand.move)

@@ -69,6 +69,7 @@ void PiecesPanel::draw(const World& world, ViewState& view, Requests& requests,
   const std::vector<PieceRow> rows = list_pieces(world, view.look.pieces);
   list_.draw(view, requests, rows);
   draw_buttons(view.look.pieces, requests, browse_export);
+  placement_.draw(world, view, requests);
   draw_spread(world, view, rows.size() < 2);
 }
 

@@ -3,13 +3,15 @@
 #include <functional>
 
 #include "core/world/world.h"
+#include "ui/editor/inspect/placement_rows.h"
 #include "ui/editor/panels/pieces_list.h"
 #include "ui/editor/view/view_state.h"
 #include "ui/editor/work/requests.h"
 
 namespace kerf {
 
-// The pieces, what is done with the chosen ones, and how far they are drawn apart.
+// The pieces, what is done with the chosen ones, where the chosen one stands, and how far they are drawn
+// apart.
 class PiecesPanel {
  public:
   // `browse_export` lets the user choose a file for the chosen pieces.
@@ -18,6 +20,7 @@ class PiecesPanel {
 
  private:
   PiecesList list_;
+  PlacementRows placement_;
 };
 
 }  // namespace kerf

@@ -12,7 +12,7 @@ namespace kerf {
 enum class Tool { kLaser, kPick, kInspect };
 
 // What a drag that has begun goes on doing. One that picks, or that began on the axes, has not moved yet.
-enum class Drag { kNone, kCut, kPick, kBox, kAxes, kOrbit, kPan, kLight, kPiece };
+enum class Drag { kNone, kCut, kPick, kBox, kAxes, kOrbit, kPan, kLight, kPiece, kMeasure };
 
 // What the user holds, and what the mouse is doing with it.
 struct Hand {

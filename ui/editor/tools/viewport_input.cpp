@@ -11,6 +11,7 @@
 #include "ui/editor/tools/moving.h"
 #include "ui/editor/tools/piece_handles.h"
 #include "ui/editor/tools/rubber_band.h"
+#include "ui/editor/view/file_frames.h"
 #include "ui/editor/view/piece_set.h"
 #include "ui/render/pick.h"
 #include "ui/render/spread.h"
@@ -27,6 +28,7 @@ Drag drag_of(Tool tool, int button, int mods) {
   switch (button) {
     case GLFW_MOUSE_BUTTON_LEFT:
       if (alt) return Drag::kOrbit;
+      if (tool == Tool::kInspect && (mods & GLFW_MOD_CONTROL) == 0) return Drag::kMeasure;
       return tool == Tool::kPick || (mods & GLFW_MOD_CONTROL) != 0 ? Drag::kPick : Drag::kCut;
     case GLFW_MOUSE_BUTTON_MIDDLE:
       return shift ? Drag::kPan : Drag::kOrbit;
@@ -58,6 +60,23 @@ void pick_piece(const MouseParts& on, int mods) {
   on.view.picture_old = true;
 }
 
+// The third click begins another distance.
+void measure_point(const MouseParts& on) {
+  if (on.view.in_second) return on.message.say("Distances are measured in the left half.", true);
+  const Vec2 p = on.view.in_picture(on.hand.pointer);
+  const Pose ray = on.view.seen().ray(p.x, p.y);
+  const std::optional<Pick> seen = pick(on.work.document.world(), on.view.look, ray);
+  if (!seen) return on.message.say("There is no surface under the pointer.", true);
+  std::vector<Vec3>& points = on.hand.measured;
+  if (points.size() == 2) points.clear();
+  points.push_back(ray.origin + ray.direction * seen->length);
+  if (points.size() < 2) return on.message.say("Click a second point to measure its distance from this one.");
+  const Vec3 way = points[1] - points[0];
+  const auto text = [&](double length) { return length_label(length, on.view.frame.unit); };
+  on.message.say("Distance " + text(glm::length(way)) + "; along X " + text(std::abs(way.x)) + ", along Y " +
+                 text(std::abs(way.y)) + ", along Z " + text(std::abs(way.z)));
+}
+
 void choose_in_box(const MouseParts& on, int mods) {
   if (on.view.in_second) return on.message.say("Pieces are chosen in the left half.", true);
   PieceMap& looks = on.view.look.pieces;
@@ -82,7 +101,7 @@ bool take_handle(const MouseParts& on) {
 void begin(const MouseParts& on, Drag drag, double heard) {
   on.hand.drag = drag;
   on.hand.pressed_at = on.hand.pointer;
-  const bool left = drag == Drag::kCut || drag == Drag::kPick;
+  const bool left = drag == Drag::kCut || drag == Drag::kPick || drag == Drag::kMeasure;
   if (left && is_on_axes(on.view, on.hand.pointer)) {
     on.hand.drag = Drag::kAxes;
     return;
@@ -126,7 +145,8 @@ void go_on(const MouseParts& on, Vec2 from, double heard) {
       if (has_left_click(on.hand)) on.hand.drag = Drag::kOrbit;
       break;
     case Drag::kOrbit:
-      on.view.camera.orbit(-moved.x * kOrbitPerHeight, moved.y * kOrbitPerHeight);
+      on.view.camera.orbit(-moved.x * kOrbitPerHeight * on.settings.drag_speed,
+                           moved.y * kOrbitPerHeight * on.settings.drag_speed);
       break;
     case Drag::kPan:
       on.view.camera.pan(2 * moved.x / on.view.aspect(), -2 * moved.y, on.view.aspect());
@@ -137,6 +157,7 @@ void go_on(const MouseParts& on, Vec2 from, double heard) {
     case Drag::kPiece:
       if (on.hand.move) follow_move(on.hand, on.view);
       break;
+    case Drag::kMeasure:
     case Drag::kBox:
     case Drag::kNone:
       break;
@@ -153,6 +174,9 @@ void end(const MouseParts& on, const InputEvent& event) {
       break;
     case Drag::kBox:
       choose_in_box(on, event.mods);
+      break;
+    case Drag::kMeasure:
+      measure_point(on);
       break;
     case Drag::kPiece:
       if (on.hand.move) confirm_move(on.hand, on.view, on.requests);
@@ -188,7 +212,8 @@ void handle_mouse(const MouseParts& on, const InputEvent& event, bool free) {
     case InputEvent::Kind::kWheel:
       if (on.hand.over_picture && on.hand.drag != Drag::kCut) {
         const Vec2 p = on.view.in_picture(event.at);
-        on.view.camera.zoom(std::pow(kZoomPerNotch, event.wheel), p.x, p.y, on.view.aspect());
+        on.view.camera.zoom(std::pow(kZoomPerNotch, event.wheel * on.settings.wheel_speed), p.x, p.y,
+                            on.view.aspect());
       }
       break;
     case InputEvent::Kind::kKey:

@@ -69,6 +69,14 @@ Settings from_json(Json json) {
   take_flag(json, "antialias", s.antialias);
   take_flag(json, "live_recut", s.live_recut);
   take_number(json, "history_mb", s.history_megabytes, Settings::kLeastHistory, Settings::kMostHistory);
+  take_number(json, "drag_speed", s.drag_speed, Settings::kLeastSpeed, Settings::kMostSpeed);
+  take_number(json, "wheel_speed", s.wheel_speed, Settings::kLeastSpeed, Settings::kMostSpeed);
+  const Json bindings = take(json, "bindings");
+  if (bindings.is_object()) {
+    for (const auto& [action, key] : bindings.items()) {
+      if (key.is_string()) s.bindings[action] = key.get<std::string>();
+    }
+  }
   Json panels = take(json, "panels");
   if (panels.is_object()) {
     for (const PanelEntry& panel : kPanelEntries) take_flag(panels, panel.name, s.panels.at(panel.id));
@@ -114,6 +122,9 @@ Json to_json(const Settings& s) {
   json["antialias"] = s.antialias;
   json["live_recut"] = s.live_recut;
   json["history_mb"] = s.history_megabytes;
+  json["drag_speed"] = s.drag_speed;
+  json["wheel_speed"] = s.wheel_speed;
+  json["bindings"] = s.bindings;
   for (const PanelEntry& panel : kPanelEntries) json["panels"][panel.name] = s.panels.at(panel.id);
   json["recent"] = Json::array();
   for (const fs::path& file : s.recent) {

@@ -85,5 +85,27 @@ TEST(ViewportInput, every_move_of_the_pointer_is_a_pose_of_the_stroke_with_its_t
   for (size_t i = 0; i < times.size(); ++i) EXPECT_NEAR(times[i], static_cast<double>(i + 1) / 40, 1e-12);
 }
 
+TEST(ViewportInput, the_settings_say_how_far_a_drag_turns_the_view_and_a_notch_comes_closer) {
+  const auto seen = [](double speed) {
+    Bench bench;
+    bench.settings.drag_speed = bench.settings.wheel_speed = speed;
+    InputEvent wheel{Kind::kWheel, {400, 300}};
+    wheel.wheel = 1;
+    bench.hear(wheel);
+    bench.view.camera.finish();
+    const double distance = bench.view.seen().focus;
+    InputEvent press{Kind::kPress, {400, 300}, GLFW_MOUSE_BUTTON_MIDDLE};
+    bench.hear(press);
+    bench.hear({Kind::kMove, {430, 300}});
+    bench.view.camera.finish();
+    return std::pair(std::asin(bench.view.seen().forward.x), std::log(distance / 5));
+  };
+  const auto [turned, nearer] = seen(1);
+  const auto [turned_twice, nearer_twice] = seen(2);
+  EXPECT_NE(turned, 0);
+  EXPECT_NEAR(turned_twice, 2 * turned, 1e-6);
+  EXPECT_NEAR(nearer_twice, 2 * nearer, 1e-6);
+}
+
 }  // namespace
 }  // namespace kerf

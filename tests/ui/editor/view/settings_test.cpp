@@ -37,6 +37,9 @@ TEST_F(SettingsTest, come_back_as_they_were_written) {
   settings.panels[PanelId::kLaser] = false;
   settings.recent = {"/a/car.obj"};
   settings.folder = "/a";
+  settings.drag_speed = 2;
+  settings.wheel_speed = 0.5;
+  settings.bindings = {{"Undo", "Ctrl+U"}, {"Wire", ""}};
   settings.frames["stl"] = FileFrame{FileUnit::kInch, UpAxis::kZ};
   settings.frames["obj"] = std::nullopt;
   ASSERT_TRUE(write_settings(settings, file).ok());

@@ -1,0 +1,62 @@
+#include "ui/editor/inspect/face_facts.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "core/base/random.h"
+#include "tests/support/made_meshes.h"
+#include "ui/editor/inspect/placement_rows.h"
+
+namespace kerf {
+namespace {
+
+TEST(FaceFacts, agree_with_the_mesh_on_every_face) {
+  const Body body = make_body("ball", test::build(test::sphere(9, 12, 1)));
+  for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+    const FaceFacts facts = face_facts(body, FaceId(f));
+    EXPECT_EQ(facts.face, FaceId(f));
+    EXPECT_EQ(facts.loaded, FaceId(f));
+    EXPECT_EQ(facts.area, triangle_area(body.mesh.triangle(FaceId(f))));
+    EXPECT_NEAR(facts.angles[0] + facts.angles[1] + facts.angles[2], 180, 1e-9);
+    // The law of sines: edge i is opposite to corner i + 2.
+    const double ratio = facts.edges[0] / std::sin(facts.angles[2] * 3.14159265358979 / 180);
+    EXPECT_NEAR(facts.edges[1] / std::sin(facts.angles[0] * 3.14159265358979 / 180), ratio, 1e-9 * ratio);
+    std::vector<FaceId> around, across;
+    body.mesh.append_neighbours(FaceId(f), around);
+    for (const auto& side : facts.neighbours) across.insert(across.end(), side.begin(), side.end());
+    std::sort(around.begin(), around.end());
+    std::sort(across.begin(), across.end());
+    EXPECT_EQ(across, around);
+  }
+}
+
+TEST(FaceFacts, are_told_in_lines_with_borders_and_rings_named) {
+  Soup three;  // three triangles on one edge
+  three.positions = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {-1, 0.2, 0}, {0, 1, 0}};
+  three.triangles = {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}};
+  const Body body = make_body("fan", test::build(three));
+  const std::vector<std::string> lines = lines_of(face_facts(body, FaceId(0)), body, FileUnit::kMetre);
+  std::string all;
+  for (const std::string& line : lines) all += line + "\n";
+  EXPECT_NE(all.find("Face 0, as loaded"), std::string::npos) << all;
+  EXPECT_NE(all.find("(ring of 3)"), std::string::npos) << all;
+  EXPECT_NE(all.find("border"), std::string::npos) << all;
+  EXPECT_NE(all.find("fan"), std::string::npos) << all;
+  EXPECT_NE(all.find("90.0"), std::string::npos) << all;
+}
+
+TEST(PlacementAngles, are_those_of_the_orientation_that_they_give) {
+  Random random(3);
+  for (int round = 0; round < 200; ++round) {
+    const Vec3 angles(random.uniform(-179, 179), random.uniform(-89, 89), random.uniform(-179, 179));
+    EXPECT_LT(glm::length(angles_of(orientation_of(angles)) - angles), 1e-6);
+  }
+  EXPECT_EQ(angles_of({1, 0, 0, 0}), Vec3(0));
+  const Vec3 turned = orientation_of({0, 0, 90}) * Vec3(1, 0, 0);
+  EXPECT_LT(glm::length(turned - Vec3(0, 1, 0)), 1e-12);
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,53 @@
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "core/base/random.h"
+#include "tests/ui/render/shadow_scenes.h"
+#include "tests/ui/render/stage.h"
+
+namespace kerf {
+namespace {
+
+constexpr int kWidth = 240, kHeight = 180;
+
+ViewOptions under(const Light& light) {
+  ViewOptions options;
+  options.show.shadows = Shadows::kAll;
+  options.antialias = options.rim_glow = false;
+  options.lights = {light};
+  return options;
+}
+
+// A piece that a look turns and moves has to be drawn, and to cast its shadow, as it does where it stands
+// there.
+TEST(TurnedPieces, look_as_they_do_once_they_stand_there) {
+  Random random(11);
+  const CameraView view = test::view_of_ball_and_ring(double{kWidth} / kHeight);
+  for (const Light& light : {Light{}, test::lamp_at({1, 4, 1.5})}) {
+    test::Stage stage = test::ball_and_ring();
+    for (const BodyId id : stage.world().ids()) {
+      for (uint32_t label = 0; label < stage.world().body(id).pieces.size(); ++label) {
+        const Body& body = stage.world().body(id);
+        if (body.pieces[label].faces == 0) continue;
+        SCOPED_TRACE("piece " + std::to_string(label) + " of body " + std::to_string(id.slot));
+        const Vec3 axis(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+        const glm::dquat turn = glm::angleAxis(random.uniform(0.2, 3), glm::normalize(axis));
+        const Vec3 offset(random.uniform(-0.2, 0.2), 0.3, random.uniform(-0.2, 0.2));
+        ViewOptions options = under(light);
+        options.pieces[{id, label}].turn = turn;
+        options.pieces[{id, label}].offset = offset;
+        const Pixels shown = stage.draw(view, options, kWidth, kHeight);
+        const Pixels before = stage.draw(view, under(light), kWidth, kHeight);
+        stage.apply(MovePiece{{id, label}, {turn * body.placement.position + offset, turn}});
+        const Pixels stands = stage.draw(view, under(light), kWidth, kHeight);
+        EXPECT_LT(test::difference(shown, stands).changed, 0.003);
+        EXPECT_GT(test::difference(shown, before).changed, 0.003);
+        stage.apply(Undo{});
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,74 @@
+#include "ui/editor/inspect/placement_rows.h"
+
+#include <imgui.h>
+
+#include <cmath>
+
+#include "ui/editor/tools/moving.h"
+#include "ui/editor/view/piece_set.h"
+#include "ui/window/landmarks.h"
+#include "ui/window/property.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr double kDegree = 3.14159265358979323846 / 180;
+
+// Angles are shown without the rounding of sines and cosines, and without a sign at zero.
+double tidy(double degrees) { return std::round(degrees * 1e9) / 1e9 + 0.0; }
+
+}  // namespace
+
+Vec3 angles_of(const glm::dquat& orientation) {
+  const glm::dvec3 radians = glm::eulerAngles(orientation);
+  return {tidy(radians.x / kDegree), tidy(radians.y / kDegree), tidy(radians.z / kDegree)};
+}
+
+glm::dquat orientation_of(const Vec3& angles) { return glm::normalize(glm::dquat(angles * kDegree)); }
+
+bool PlacementRows::fields(const char* name, Vec3& values, const char* format, const char* meaning) {
+  property(name);
+  bool entered = false;
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  const float width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
+  ImGui::PushID(name);
+  for (int i = 0; i < 3; ++i) {
+    if (i > 0) ImGui::SameLine(0, gap);
+    ImGui::SetNextItemWidth(width);
+    ImGui::PushID(i);
+    double shown = values[i];
+    if (ImGui::InputScalar("##field", ImGuiDataType_Double, &shown, nullptr, nullptr, format)) typed_ = shown;
+    mark_last_item(name, i);
+    if (ImGui::IsItemDeactivatedAfterEdit() && std::isfinite(typed_)) {
+      values[i] = typed_;
+      entered = true;
+    }
+    tooltip(meaning);
+    ImGui::PopID();
+  }
+  ImGui::PopID();
+  return entered;
+}
+
+void PlacementRows::draw(const World& world, const ViewState& view, Requests& requests) {
+  if (why_no_move(view.look.pieces) != nullptr) return;
+  const PieceId piece = *first_chosen(view.look.pieces);
+  const Body& body = world.body(piece.body);
+  Placement to = body.placement;
+  const Vec3 before = pivot_of(body, piece.label), centre_in_body = to.to_body(before);
+  Vec3 centre = before, angles = angles_of(to.orientation);
+  if (!begin_properties("placement")) return;
+  if (fields("Centre", centre, "%.5g",
+             "X, Y and Z of the chosen piece's centre of area, in the unit of the file."))
+    to.position += centre - before;
+  if (fields("Rotation", angles, "%.4g",
+             "Degrees about X, then Y, then Z, about its centre: 0 is as it was loaded.")) {
+    to.orientation = orientation_of(angles);
+    to.position = before - to.orientation * centre_in_body;
+  }
+  end_properties();
+  if (to != body.placement) requests.commands.emplace_back(MovePiece{piece, to});
+}
+
+}  // namespace kerf

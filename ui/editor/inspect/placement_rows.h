@@ -1,0 +1,27 @@
+#pragma once
+
+#include "ui/editor/view/view_state.h"
+#include "ui/editor/work/requests.h"
+
+namespace kerf {
+
+// Angles in degrees about the axes of the world: the orientation turns about X first, then about Y, then
+// about Z. The angle about Y is within 90 degrees of 0.
+Vec3 angles_of(const glm::dquat& orientation);
+glm::dquat orientation_of(const Vec3& angles);
+
+// Where the chosen piece stands as numbers that can be typed: its centre of area in the unit of the file, and
+// its angles, which turn it about this centre.
+class PlacementRows {
+ public:
+  // Draws nothing where not exactly one piece is chosen. Enter or leaving a field asks for the command.
+  void draw(const World& world, const ViewState& view, Requests& requests);
+
+ private:
+  // Three fields in a row. Returns whether one was typed, which `values` then holds.
+  bool fields(const char* name, Vec3& values, const char* format, const char* meaning);
+
+  double typed_ = 0;  // in the field that is being edited
+};
+
+}  // namespace kerf

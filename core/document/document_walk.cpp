@@ -116,6 +116,7 @@ void Document::close_and_trim() {
 
 StepResult Document::noted(size_t step, StepResult some) {
   history_.step(step).touch(some.delta);
+  history_.step(step).note_new_pieces(world_, some.delta);
   history_.step(step).add(some.figures);
   finish_step(step);
   return some;

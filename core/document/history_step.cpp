@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 #include <iterator>
+#include <set>
+#include <unordered_map>
 
 #include "core/document/command_log.h"
 
@@ -97,7 +99,39 @@ void HistoryStep::let_go_cut_faces() {
   cut_faces_kept_ = 0;
 }
 
+PieceId HistoryStep::piece_after_step(PieceId before) const {
+  for (const Detached& d : bodies_.detached) {
+    if (d.from == before.body && d.label == before.label) before.body = d.to;
+  }
+  return before;
+}
+
+// The latest removals are looked at first, because the last of those that separate a piece is beside it. What
+// was beside it then may have been removed later, with the label of the new piece.
+void HistoryStep::note_new_pieces(const World& world, const Delta& delta) {
+  constexpr size_t kMostLookedAt = 20'000;
+  for (const BodyDelta& b : delta.bodies) {
+    const auto cut = cut_faces_.find(b.body);
+    if (b.new_pieces.empty() || cut == cut_faces_.end()) continue;
+    const Body& body = world.body(b.body);
+    const std::vector<CutFace>& faces = cut->second;
+    std::set<uint32_t> unknown(b.new_pieces.begin(), b.new_pieces.end());
+    std::unordered_map<uint32_t, uint32_t> label_then;  // of faces that were removed later; never iterated
+    const size_t end = faces.size() - std::min(faces.size(), kMostLookedAt);
+    for (size_t i = faces.size(); i-- > end && !unknown.empty();) {
+      label_then[faces[i].face.index] = faces[i].piece;
+      for (const FaceId n : faces[i].neighbours) {
+        const auto later = label_then.find(n.index);
+        if (!body.mesh.is_live(n) && later == label_then.end()) continue;
+        const uint32_t label = body.mesh.is_live(n) ? body.label(n) : later->second;
+        if (label != faces[i].piece && unknown.erase(label) > 0) came_off_[{b.body, label}] = faces[i].piece;
+      }
+    }
+  }
+}
+
 void HistoryStep::forget() {
+  came_off_.clear();
   let_go_cut_faces();
   changes_.clear();
   bytes_ = 0;

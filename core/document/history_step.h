@@ -70,6 +70,15 @@ class HistoryStep {
   // The id after the step of a body that has the id `before` ahead of it and was not removed by it.
   BodyId id_after_step(BodyId before) const { return id_after(bodies_, before); }
 
+  // The same of a piece, which another body has if the step detached it.
+  PieceId piece_after_step(PieceId before) const;
+
+  // The pieces that came off in the step, by the ids of the bodies after the step, and the label of the piece
+  // that each came off. note_new_pieces() is told of each part of the step right after it: what came off what
+  // is found from the faces that were removed beside a new piece.
+  const std::map<PieceId, uint32_t>& came_off() const { return came_off_; }
+  void note_new_pieces(const World& world, const Delta& delta);
+
   // The faces that the beam removed in the step, by the id of the body after the step, for views of the cut.
   // They are kept while the step is undone, and when its before-images are discarded. Beyond
   // kMostCutFaces, and after let_go_cut_faces(), some are missing.
@@ -108,6 +117,7 @@ class HistoryStep {
   size_t bytes_ = 0;
   CutFaces cut_faces_;
   size_t cut_faces_kept_ = 0;
+  std::map<PieceId, uint32_t> came_off_;
 };
 
 }  // namespace kerf

@@ -6,10 +6,10 @@ namespace kerf {
 
 namespace {
 
-// The id at the position of the history of a body that had the id `id` after a step.
-BodyId id_at_position(const History& history, size_t step, BodyId id) {
-  for (size_t i = step + 1; i < history.position(); ++i) id = history.step(i).id_after_step(id);
-  return id;
+// The name at the position of the history of a piece that had the name `piece` after a step.
+PieceId at_position(const History& history, size_t step, PieceId piece) {
+  for (size_t i = step + 1; i < history.position(); ++i) piece = history.step(i).piece_after_step(piece);
+  return piece;
 }
 
 }  // namespace
@@ -25,18 +25,11 @@ std::vector<PieceOrigin> piece_origins(const Document& document) {
     }
   }
   for (size_t step = 0; step < history.position(); ++step) {
-    for (const auto& [cut_in, faces] : history.step(step).cut_faces()) {
-      const BodyId id = id_at_position(history, step, cut_in);
-      if (!world.contains(id)) continue;
-      const Mesh& mesh = world.body(id).mesh;
-      for (const CutFace& cut : faces) {
-        for (const FaceId n : cut.neighbours) {
-          if (!mesh.is_live(n)) continue;
-          const uint32_t label = mesh.data(n).piece;
-          if (label <= cut.piece) continue;
-          origins[{id, label}] = {{id, label}, cut.piece, step};
-        }
-      }
+    for (const auto& [piece, from] : history.step(step).came_off()) {
+      const auto found = origins.find(at_position(history, step, piece));
+      if (found == origins.end()) continue;
+      found->second.came_off = at_position(history, step, {piece.body, from});
+      found->second.step = step;
     }
   }
   std::vector<PieceOrigin> all;

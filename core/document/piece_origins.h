@@ -10,15 +10,14 @@ namespace kerf {
 // Where a piece comes from.
 struct PieceOrigin {
   PieceId piece;
-  // The label of the piece of the same body from which it came off, and the step of the history that did it.
-  // Nothing for what is left of a body, and where the faces that were removed around the piece are not kept.
-  std::optional<uint32_t> came_off;
+  // The piece from which it came off, as it is named after the last step of the history, and the step that
+  // did it. Nothing for what is left of a body, and where it is not known (see HistoryStep::came_off).
+  std::optional<PieceId> came_off;
   size_t step = 0;
 };
 
-// The origins of all pieces that have faces, ascending by piece. A piece came off in the last step that
-// removed a face beside it which had another label then; that label is the one it came off. Linear in the
-// faces that the strokes of the history removed and are kept (see HistoryStep::cut_faces).
+// The origins of all pieces that have faces, ascending by piece. O(p log p) in the pieces of the world and
+// those that came off in the history, for each step that follows.
 std::vector<PieceOrigin> piece_origins(const Document& document);
 
 }  // namespace kerf

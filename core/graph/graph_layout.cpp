@@ -16,10 +16,24 @@ constexpr int kSweeps = 12;       // of Jacobi's method, which converges quadrat
 constexpr int kTurns = 120;       // of the forces
 constexpr double kJitter = 1e-3;  // of the side of the layout, so that no two nodes coincide
 
-Matrix3 covariance(const DrawnGraph& graph, const Vec3& mean) {
-  Matrix3 sum{};
+std::vector<Vec3> middles_of(const DrawnGraph& graph, bool only_removed) {
+  std::vector<Vec3> middles;
   for (const DrawnGraph::Node& n : graph.nodes) {
-    const Vec3 d = n.middle - mean;
+    if (n.removed || !only_removed) middles.push_back(n.middle);
+  }
+  return middles;
+}
+
+Vec3 mean_of(const std::vector<Vec3>& points) {
+  Vec3 mean(0);
+  for (size_t i = 0; i < points.size(); ++i) mean += (points[i] - mean) / static_cast<double>(i + 1);
+  return mean;
+}
+
+Matrix3 covariance(const std::vector<Vec3>& points, const Vec3& mean) {
+  Matrix3 sum{};
+  for (const Vec3& p : points) {
+    const Vec3 d = p - mean;
     for (int i = 0; i < 3; ++i) {
       for (int k = 0; k < 3; ++k) sum[static_cast<size_t>(i)][static_cast<size_t>(k)] += d[i] * d[k];
     }
@@ -170,13 +184,92 @@ class Forces {
   double spring_;
 };
 
+// A ring around the middle of the removed faces, in the plane in which these extend most.
+class Ring {
+ public:
+  explicit Ring(const std::vector<Vec3>& removed)
+      : middle_(mean_of(removed)), directions_(main_directions(covariance(removed, middle_))) {
+    for (const Vec3& p : removed) {
+      turns_.push_back(turn_of(p));
+      radius_ += glm::length(flat(p)) / static_cast<double>(removed.size());
+    }
+    for (const Vec3& p : removed) inside_ += glm::length(flat(p)) < kInside * radius_ ? 1 : 0;
+    std::sort(turns_.begin(), turns_.end());
+    for (size_t i = 0; i < turns_.size(); ++i) {
+      const double next = i + 1 < turns_.size() ? turns_[i + 1] : turns_.front() + kTurn;
+      if (next - turns_[i] <= gap_) continue;
+      gap_ = next - turns_[i];
+      seam_ = turns_[i] + 0.5 * gap_;
+    }
+  }
+
+  // Whether the removed faces run around: the widest gap between them is less than a quarter turn, and few of
+  // them are near the middle, through which a cut across a sheet runs.
+  bool is_round() const {
+    return radius_ > 0 && gap_ < kTurn / 4 &&
+           static_cast<double>(inside_) < 0.05 * static_cast<double>(turns_.size());
+  }
+  // The place of a point on the unrolled ring, as multiples of its radius: the way around from the seam, and
+  // the distance from the ring, which is negative on one side.
+  Vec2 unrolled(const Vec3& p) const {
+    double turn = turn_of(p) - seam_;
+    while (turn < 0) turn += kTurn;
+    while (turn >= kTurn) turn -= kTurn;
+    const double up = glm::dot(p - middle_, directions_[2]), off = glm::length(flat(p)) - radius_;
+    const double away = std::sqrt(up * up + off * off) / radius_;
+    return {kCircle * turn / kTurn, up < 0 ? -away : away};
+  }
+
+ private:
+  static constexpr double kTurn = 4;      // of an angle as turn_of() measures it
+  static constexpr double kInside = 0.3;  // of the mean radius
+  static constexpr double kCircle = 6.283185307179586;
+
+  Vec2 flat(const Vec3& p) const {
+    return {glm::dot(p - middle_, directions_[0]), glm::dot(p - middle_, directions_[1])};
+  }
+  // From 0 to kTurn, monotone in the angle and equal to it, in quarter turns, at multiples of an eighth.
+  double turn_of(const Vec3& p) const {
+    const Vec2 v = flat(p);
+    const double size = std::abs(v.x) + std::abs(v.y);
+    if (!(size > 0)) return 0;
+    const double quarter = v.y / size;
+    if (v.x < 0) return 2 - quarter;
+    return quarter < 0 ? kTurn + quarter : quarter;
+  }
+
+  Vec3 middle_;
+  std::array<Vec3, 3> directions_;
+  std::vector<double> turns_;
+  double radius_ = 0, gap_ = 0, seam_ = 0;
+  size_t inside_ = 0;  // removed faces near the middle
+};
+
 }  // namespace
 
+std::optional<GraphLayout> lay_out_unrolled(const DrawnGraph& graph) {
+  constexpr double kLeastHeight = 0.4;  // of the width
+  const std::vector<Vec3> removed = middles_of(graph, true);
+  if (removed.size() < 3) return std::nullopt;
+  const Ring ring(removed);
+  if (!ring.is_round()) return std::nullopt;
+  GraphLayout places;
+  double width = 0, height = 0;
+  for (const DrawnGraph::Node& n : graph.nodes) {
+    places.push_back(ring.unrolled(n.middle));
+    width = std::max(width, places.back().x);
+    height = std::max(height, 2 * std::abs(places.back().y));
+  }
+  const double stretch = height > 0 ? std::max(1.0, kLeastHeight * width / height) : 1;
+  for (Vec2& p : places) p.y *= stretch;
+  fit(places);
+  return places;
+}
+
 GraphLayout lay_out_by_position(const DrawnGraph& graph) {
-  Vec3 mean(0);
-  for (size_t i = 0; i < graph.nodes.size(); ++i)
-    mean += (graph.nodes[i].middle - mean) / static_cast<double>(i + 1);
-  const std::array<Vec3, 3> directions = main_directions(covariance(graph, mean));
+  const std::vector<Vec3> middles = middles_of(graph, false);
+  const Vec3 mean = mean_of(middles);
+  const std::array<Vec3, 3> directions = main_directions(covariance(middles, mean));
   GraphLayout places;
   for (const DrawnGraph::Node& n : graph.nodes)
     places.emplace_back(glm::dot(n.middle - mean, directions[0]), glm::dot(n.middle - mean, directions[1]));

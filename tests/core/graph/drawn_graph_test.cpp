@@ -158,6 +158,43 @@ TEST(GraphLayout, by_position_is_a_flat_sheet_to_scale) {
     ASSERT_NEAR(glm::length(places[i] - places[0]), scale * apart(i, 0), 1e-9) << "node " << i;
 }
 
+TEST(GraphLayout, unrolls_a_cut_around_a_ball_with_its_sides_above_and_below) {
+  Shown shown{world_of(sphere(24, 32, 1)), {}, {}};
+  const Vec3 forward(0, 0, -1);
+  CutSettings settings;
+  settings.laser.radius = settings.resolution.target_edge = 0.06;
+  const std::vector<BeamMove> moves = subdivide({{{-2, 0.03, 3}, forward}, {{2, 0.03, 3}, forward}}, 0.06, 4);
+  const auto done = cut_whole(shown.world, settings, moves);
+  ASSERT_TRUE(done.ok());
+  CutFaces removed;
+  for (const BodyDelta& b : done->delta.bodies) removed[b.body] = b.removed;
+  shown.graph = cut_graph(shown.world, removed);
+  shown.traversal = traverse_cut(shown.graph, start_beside_cut(shown.graph).value());
+  ASSERT_TRUE(shown.traversal.separated());
+  const DrawnGraph drawn = draw_graph(shown.graph, shown.traversal, GraphScope::kWhole);
+  const std::optional<GraphLayout> places = lay_out_unrolled(drawn);
+  ASSERT_TRUE(places);
+  double side = 0, widest = 0;
+  for (size_t i = 0; i < drawn.nodes.size(); ++i) {
+    if (drawn.nodes[i].removed) continue;
+    const bool first = drawn.nodes[i].set == 0;
+    if (side == 0) side = first ? (*places)[i].y : -(*places)[i].y;
+    ASSERT_GT((first ? 1 : -1) * side * (*places)[i].y, 0) << "node " << i;
+  }
+  for (const auto& [a, b] : drawn.edges) {
+    const double length = std::abs((*places)[a].x - (*places)[b].x);
+    const bool near_pole =
+        std::min(std::abs(drawn.nodes[a].middle.y), std::abs(drawn.nodes[b].middle.y)) > 0.9;
+    if (length < 1 && !near_pole) widest = std::max(widest, length);
+  }
+  EXPECT_LT(widest, 0.25);
+}
+
+TEST(GraphLayout, does_not_unroll_a_cut_across_a_sheet) {
+  const Shown shown = cut_across(grid(10, 2), 2, 0.05);
+  EXPECT_FALSE(lay_out_unrolled(draw_graph(shown.graph, shown.traversal, GraphScope::kWhole)));
+}
+
 TEST(GraphLayout, both_kinds_fill_the_square_and_are_functions_of_the_graph) {
   for (const auto& [name, soup] : mesh_classes()) {
     SCOPED_TRACE(name);

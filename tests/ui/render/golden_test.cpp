@@ -6,7 +6,9 @@
 
 #include "core/document/last_cut_graph.h"
 #include "tests/support/checkout.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/ui/render/stage.h"
+#include "ui/render/picture.h"
 
 namespace kerf {
 namespace {
@@ -93,24 +95,41 @@ Pixels read(const std::filesystem::path& png) {
   return pixels;
 }
 
-// KERF_MAKE_GOLDEN=1 makes the pictures anew; look at each of them then.
+// Compares a picture with the golden one of this name. KERF_MAKE_GOLDEN=1 makes that anew; look at it then.
+void expect_golden(const std::string& name, const Pixels& drawn) {
+  const auto file = test::checkout() / "tests/golden" / (name + ".png");
+  if (std::getenv("KERF_MAKE_GOLDEN") != nullptr) {
+    EXPECT_TRUE(write_png(drawn, file).ok());
+    return;
+  }
+  const test::PictureDifference off = test::difference(read(file), drawn);
+  EXPECT_LE(off.mean, kMeanTolerance) << name;
+  EXPECT_LE(off.changed, kPixelTolerance) << name;
+  if (off.mean > kMeanTolerance || off.changed > kPixelTolerance) {
+    const auto here = std::filesystem::temp_directory_path() / (name + ".png");
+    if (write_png(drawn, here).ok()) std::printf("as drawn now: %s\n", here.c_str());
+  }
+}
+
 TEST(Golden, every_overlay_looks_as_it_did) {
   test::Stage stage = test::ball_and_ring();
   const CameraView view = test::view_of_ball_and_ring(static_cast<double>(kWidth) / kHeight);
-  for (const Golden& golden : goldens(stage)) {
-    const Pixels drawn = stage.draw(view, golden.options, kWidth, kHeight);
-    const auto file = test::checkout() / "tests/golden" / (std::string(golden.name) + ".png");
-    if (std::getenv("KERF_MAKE_GOLDEN") != nullptr) {
-      ASSERT_TRUE(write_png(drawn, file).ok());
-      continue;
-    }
-    const test::PictureDifference off = test::difference(read(file), drawn);
-    EXPECT_LE(off.mean, kMeanTolerance) << golden.name;
-    EXPECT_LE(off.changed, kPixelTolerance) << golden.name;
-    if (off.mean > kMeanTolerance || off.changed > kPixelTolerance) {
-      const auto here = std::filesystem::temp_directory_path() / (std::string(golden.name) + ".png");
-      if (write_png(drawn, here).ok()) std::printf("as drawn now: %s\n", here.c_str());
-    }
+  for (const Golden& golden : goldens(stage))
+    expect_golden(golden.name, stage.draw(view, golden.options, kWidth, kHeight));
+}
+
+TEST(Golden, figures_8_and_9_of_the_paper_look_as_they_did) {
+  const test::TemporaryFolder folder;
+  for (const std::string name : {"figure-8", "figure-9"}) {
+    auto work = open_file(test::checkout() / "assets/scenes" / (name + ".kerf"));
+    ASSERT_TRUE(work.ok());
+    PictureOptions options;
+    options.width = 480;
+    options.height = 300;
+    options.show = *parse_show_list(work->scene.show);
+    const auto png = folder.path() / "figure.png";
+    ASSERT_TRUE(render_picture(std::move(*work), options, png).ok());
+    expect_golden(name, read(png));
   }
 }
 

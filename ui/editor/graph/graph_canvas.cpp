@@ -17,6 +17,8 @@ namespace {
 
 constexpr double kZoomOfNotch = 1.2, kLeastZoom = 0.5, kMostZoom = 400;
 constexpr double kLeastRadius = 1.5, kMostRadius = 8;  // of a node that is a single face, pixels
+constexpr double kLongLink =
+    1;  // of a layout; longer ones, as over the seam of an unrolled cut, are drawn faintly
 constexpr double kReach = 5;  // pixels around a node in which it is under the pointer
 
 ImU32 opaque(uint32_t hex, int opacity = 255) {
@@ -61,7 +63,9 @@ void GraphCanvas::draw_links(const DrawnGraph& graph, const GraphLayout& places)
   for (const auto& edge : graph.edges) {
     const uint32_t hex =
         is_cut(graph, edge) ? overlay_colours::kRemoved : colour_of(graph.state(graph.nodes[edge[0]]));
-    list.AddLine(im(on_screen(places[edge[0]])), im(on_screen(places[edge[1]])), opaque(hex, 110));
+    const bool is_long = glm::length(places[edge[0]] - places[edge[1]]) > kLongLink;
+    list.AddLine(im(on_screen(places[edge[0]])), im(on_screen(places[edge[1]])),
+                 opaque(hex, is_long ? 12 : 110));
   }
 }
 

@@ -16,13 +16,15 @@ constexpr float kHeightOfWidth = 0.8f;  // of the canvas
 
 void placing_row(GraphState& graph) {
   property("Laid out");
-  int placing = graph.placing() == GraphState::Placing::kForce ? 1 : 0;
-  if (ImGui::Combo("##placing", &placing, "By position\0By force\0"))
-    graph.place(placing == 1 ? GraphState::Placing::kForce : GraphState::Placing::kPosition);
+  int placing = static_cast<int>(graph.placing());
+  if (ImGui::Combo("##placing", &placing, "Unrolled along the cut\0By position\0By force\0"))
+    graph.place(static_cast<GraphState::Placing>(placing));
   mark_last_item("graph placing");
   tooltip(
-      "By position: where the faces are, seen along the direction in which they extend least. By force: "
-      "linked nodes pull each other, near ones push each other away.");
+      "Unrolled: the way around the cut from left to right, and its two sides above and below; by position "
+      "where "
+      "the cut does not run around. By position: where the faces are, seen along the direction in which they "
+      "extend least. By force: linked nodes pull each other, near ones push each other away.");
 }
 
 // Played by the button or drawn by hand.
@@ -152,6 +154,8 @@ void GraphPanel::draw_faces(GraphState& graph, const Document& document, ViewSta
                             std::optional<Vec2> pointer) {
   if (!graph.drawn()) return secondary_text("There are no faces.");
   draw_canvas(graph, document, view, pointer);
+  if (graph.cannot_unroll() && graph.removed() > 0)
+    secondary_text("Laid out by position: the cut does not run around.");
   if (ImGui::Button("Fit")) canvas_.fit();
   tooltip("The wheel zooms, a drag moves the graph; this shows all of it again.");
   if (graph.any_open()) {

@@ -60,7 +60,12 @@ void GraphState::traverse_from(uint32_t node) {
 void GraphState::draw_again() {
   auto drawn = std::make_shared<DrawnGraph>(draw_graph(graph_, traversal_, scope_, opened_));
   drawn->marked = marked_;
-  layout_ = placing_ == Placing::kForce ? lay_out_by_force(*drawn) : lay_out_by_position(*drawn);
+  std::optional<GraphLayout> unrolled;
+  if (placing_ == Placing::kUnrolled) unrolled = lay_out_unrolled(*drawn);
+  unrolled_ = unrolled.has_value();
+  layout_ = unrolled_                     ? std::move(*unrolled)
+            : placing_ == Placing::kForce ? lay_out_by_force(*drawn)
+                                          : lay_out_by_position(*drawn);
   drawn_ = std::move(drawn);
 }
 

@@ -15,7 +15,7 @@ namespace kerf {
 // traversal of it that is played.
 class GraphState {
  public:
-  enum class Placing { kPosition, kForce };
+  enum class Placing { kUnrolled, kPosition, kForce };
 
   // Follows the document, unless a stroke is being cut: what is shown then is that before the stroke. Returns
   // whether anything changed. Linear in the faces of the bodies that the last stroke cut if it did.
@@ -29,6 +29,8 @@ class GraphState {
 
   GraphScope scope() const { return scope_; }
   Placing placing() const { return placing_; }
+  // Whether the layout is by position because the cut does not run around (see lay_out_unrolled).
+  bool cannot_unroll() const { return placing_ == Placing::kUnrolled && !unrolled_; }
   void show(GraphScope scope);
   void place(Placing placing);
 
@@ -82,12 +84,12 @@ class GraphState {
   uint32_t start_ = 0;  // node of graph_
   std::vector<uint32_t> opened_;
   GraphScope scope_ = GraphScope::kAroundCut;
-  Placing placing_ = Placing::kPosition;
+  Placing placing_ = Placing::kUnrolled;
   std::shared_ptr<const DrawnGraph> drawn_;
   GraphLayout layout_;
   size_t marked_ = 0, removed_ = 0;
   double played_ = 0;  // faces, with a fraction
-  bool playing_ = false, complete_ = true;
+  bool playing_ = false, complete_ = true, unrolled_ = false;
   std::vector<size_t> closings_;
 };
 

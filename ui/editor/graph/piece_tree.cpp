@@ -24,7 +24,7 @@ class TreeOrder {
   explicit TreeOrder(const std::vector<PieceOrigin>& origins) {
     for (const PieceOrigin& o : origins) known_[o.piece] = true;
     for (const PieceOrigin& o : origins) {
-      if (has_parent(o)) children_[{o.piece.body, *o.came_off}].push_back(o);
+      if (has_parent(o)) children_[*o.came_off].push_back(o);
     }
     for (auto& [parent, children] : children_)
       std::stable_sort(children.begin(), children.end(),
@@ -37,9 +37,7 @@ class TreeOrder {
 
  private:
   // A piece of which nothing is left has no row.
-  bool has_parent(const PieceOrigin& o) const {
-    return o.came_off && known_.contains({o.piece.body, *o.came_off});
-  }
+  bool has_parent(const PieceOrigin& o) const { return o.came_off && known_.contains(*o.came_off); }
   void add(const PieceOrigin& origin, int depth) {
     rows_.push_back({origin, depth});
     const auto found = children_.find(origin.piece);
@@ -62,9 +60,13 @@ ImU32 colour_of_piece(const ViewState& view, const PieceId& id) {
 }
 
 std::string origin_text(const PieceOrigin& origin, const Document& document) {
-  if (!origin.came_off) return origin.piece.label == 0 ? "as it was loaded" : "came off earlier";
-  const Body& body = document.world().body(origin.piece.body);
-  return "came off " + body.name_of(*origin.came_off) + " in step " + std::to_string(origin.step + 1);
+  if (!origin.came_off)
+    return origin.piece.label == 0 ? "what is left of the body" : "it is not known what it came off";
+  const PieceId from = *origin.came_off;
+  const std::string name = document.world().contains(from.body)
+                               ? document.world().body(from.body).name_of(from.label)
+                               : "a piece that is deleted";
+  return "came off " + name + " in step " + std::to_string(origin.step + 1);
 }
 
 void draw_row(const PieceTreeRow& row, const Document& document, ViewState& view) {

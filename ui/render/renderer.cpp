@@ -201,10 +201,13 @@ void Renderer::update_looks(const World& world, const ViewOptions& options) {
   }
 }
 
-void Renderer::turn_upright(const World& world, UpAxis up) {
-  if (space_.up == up) return;
-  space_.up = up;
-  passes_.scene.ground().place_under(world.loaded_bounds(), up);
+// The looks of pieces are in the frame of the eye, and so are set up after it.
+void Renderer::look_from(const World& world, const CameraView& view) {
+  space_.eye = view.near().eye;
+  space_.seen_from = view.eye;
+  if (space_.up == view.up_axis) return;
+  space_.up = view.up_axis;
+  passes_.scene.ground().place_under(world.loaded_bounds(), space_.up);
   contact_old_ = true;
 }
 
@@ -223,8 +226,6 @@ double Renderer::near_of(const World& world, const CameraView& view, const ViewO
 
 void Renderer::set_up(const World& world, const CameraView& view, const ViewOptions& options,
                       const std::optional<BeamPicture>& beam, const Target& target) {
-  space_.eye = view.near().eye;
-  space_.seen_from = view.eye;
   near_ = near_of(world, view, options);
   FrameUniforms& frame = frame_ = uniforms_of(view, near_, space_, target.width, target.height);
   frame.clip_from_frame = shifted(frame.clip_from_frame, target);
@@ -318,7 +319,7 @@ void Renderer::hand_over(const Target& target) {
 ShadowCounts Renderer::shadow_counts(const World& world, const CameraView& view, const ViewOptions& options,
                                      size_t light, ShadowMethod method, bool ground, int width, int height) {
   set_plain_state();
-  turn_upright(world, view.up_axis);
+  look_from(world, view);
   update_looks(world, options);
   catch_up(world);
   set_up(world, view, options, std::nullopt, {0, 0, 0, width, height});
@@ -361,7 +362,7 @@ void Renderer::draw_traced(const World& world, const CameraView& view, const Vie
 void Renderer::draw(const World& world, const CameraView& view, const ViewOptions& options,
                     std::optional<BeamPicture> beam, const Target& target) {
   set_plain_state();
-  turn_upright(world, view.up_axis);
+  look_from(world, view);
   update_looks(world, options);
   catch_up(world);
   choose_canvas(target, options.antialias);

@@ -121,7 +121,7 @@ class Renderer {
   void add(BodyId id, const Body& body, PreparedBodies& prepared);
   void drop(BodyId id);
   void carry_on(BodyId from, BodyId to);
-  void turn_upright(const World& world, UpAxis up);
+  void look_from(const World& world, const CameraView& view);
   void update_looks(const World& world, const ViewOptions& options);
   double near_of(const World& world, const CameraView& view, const ViewOptions& options);
   void set_up(const World& world, const CameraView& view, const ViewOptions& options,

@@ -152,6 +152,12 @@ void GraphPanel::draw_canvas(GraphState& graph, const Document& document, ViewSt
 
 void GraphPanel::draw_faces(GraphState& graph, const Document& document, ViewState& view,
                             std::optional<Vec2> pointer) {
+  if (graph.is_left_out()) {
+    secondary_text("The graph of " + grouped(graph.left_out()) + " faces takes a moment after each stroke.");
+    if (ImGui::Button("Draw it")) graph.ask_for_it();
+    mark_last_item("graph ask");
+    return;
+  }
   if (!graph.drawn()) return secondary_text("There are no faces.");
   draw_canvas(graph, document, view, pointer);
   if (graph.cannot_unroll() && graph.removed() > 0)

@@ -21,6 +21,17 @@ std::vector<size_t> closings_of(const CutFaces& removed) {
   return closings;
 }
 
+// Those of the bodies that the last stroke cut, or of all if none is.
+size_t faces_to_read(const Document& document) {
+  const World& world = document.world();
+  const CutFaces removed = document.history().last_cut_faces();
+  size_t faces = 0;
+  for (const BodyId id : world.ids()) {
+    if (removed.empty() || removed.contains(id)) faces += world.body(id).mesh.live_faces();
+  }
+  return faces;
+}
+
 }  // namespace
 
 GraphState::Key GraphState::key_of(const Document& document) {
@@ -32,22 +43,42 @@ bool GraphState::follow(const Document& document) {
   if (!is_old(document)) return false;
   if (key_.known && (document.in_stroke() || document.waiting() > 0)) return false;
   key_ = key_of(document);
+  const size_t faces = faces_to_read(document);
+  left_out_ = faces > kMostAtOnce && !asked_ ? faces : 0;
+  asked_ = false;
+  if (is_left_out()) {
+    clear();
+  } else {
+    read(document);
+  }
+  return true;
+}
+
+void GraphState::ask_for_it() {
+  asked_ = true;
+  key_.known = false;
+}
+
+void GraphState::clear() {
+  graph_ = CutGraph();
+  traversal_ = CutTraversal();
+  drawn_.reset();
+  layout_.clear();
+  opened_.clear();
+  closings_.clear();
+  marked_ = removed_ = 0;
+  playing_ = false;
+}
+
+void GraphState::read(const Document& document) {
+  clear();
   const CutFaces removed = document.history().last_cut_faces();
   const auto cut = document.history().last_cut();
   complete_ = !cut || document.history().step(*cut).has_all_cut_faces();
   graph_ = cut_graph(document.world(), removed);
   removed_ = graph_.nodes.size() - graph_.live;
   closings_ = closings_of(removed);
-  opened_.clear();
-  playing_ = false;
-  const std::optional<uint32_t> start = start_beside_cut(graph_);
-  if (start) {
-    traverse_from(*start);
-  } else {
-    drawn_.reset();
-    layout_.clear();
-  }
-  return true;
+  if (const std::optional<uint32_t> start = start_beside_cut(graph_)) traverse_from(*start);
 }
 
 void GraphState::traverse_from(uint32_t node) {

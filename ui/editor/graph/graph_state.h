@@ -23,6 +23,12 @@ class GraphState {
   // Whether the document has changed since follow() took it over.
   bool is_old(const Document& document) const { return !(key_ == key_of(document)); }
 
+  // Bodies of more faces take too long between two frames: their graph is left out until it is asked for.
+  static constexpr size_t kMostAtOnce = 300'000;
+  bool is_left_out() const { return left_out_ > 0; }
+  size_t left_out() const { return left_out_; }  // faces
+  void ask_for_it();
+
   // What is drawn, and where; null and empty if no face is live.
   const std::shared_ptr<const DrawnGraph>& drawn() const { return drawn_; }
   const GraphLayout& layout() const { return layout_; }
@@ -74,6 +80,8 @@ class GraphState {
     friend bool operator==(const Key&, const Key&) = default;
   };
   static Key key_of(const Document& document);
+  void read(const Document& document);
+  void clear();
   void traverse_from(uint32_t node);
   void draw_again();
   void hand_on_marked();
@@ -87,7 +95,8 @@ class GraphState {
   Placing placing_ = Placing::kUnrolled;
   std::shared_ptr<const DrawnGraph> drawn_;
   GraphLayout layout_;
-  size_t marked_ = 0, removed_ = 0;
+  size_t marked_ = 0, removed_ = 0, left_out_ = 0;
+  bool asked_ = false;
   double played_ = 0;  // faces, with a fraction
   bool playing_ = false, complete_ = true, unrolled_ = false;
   std::vector<size_t> closings_;

@@ -1,0 +1,114 @@
+#include "ui/editor/graph/graph_state.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/made_meshes.h"
+#include "ui/editor/graph/piece_tree.h"
+
+namespace kerf {
+namespace {
+
+Document sheet() {
+  World world;
+  world.add(make_body("sheet", test::build(test::grid(10, 2))));
+  return Document(std::move(world));
+}
+
+// From edge to edge of the sheet, along z.
+void cut_at(Document& document, double x) {
+  CutSettings settings;
+  settings.laser.radius = 0.03;
+  settings.resolution.target_edge = 0.15;  // few faces, so that none are joined to clusters
+  const Vec3 down(0, -1, 0);
+  document.apply(BeginStroke{settings, {{x, 3, -1.3}, down}});
+  document.apply(MoveStroke{{{x, 3, 1.3}, down}});
+  document.apply(EndStroke{});
+}
+
+void walk(Document& document) {
+  while (document.waiting() > 0) ASSERT_TRUE(document.step(64).ok());
+}
+
+TEST(GraphState, follows_the_document_when_no_stroke_is_being_cut) {
+  Document document = sheet();
+  GraphState graph;
+  EXPECT_TRUE(graph.follow(document));
+  EXPECT_FALSE(graph.follow(document));
+  EXPECT_EQ(graph.reached(), graph.total());
+  cut_at(document, 0.1);
+  EXPECT_FALSE(graph.follow(document)) << "the stroke waits";
+  walk(document);
+  EXPECT_TRUE(graph.follow(document));
+  EXPECT_TRUE(graph.separated());
+  EXPECT_EQ(graph.total(), document.world().live_faces());
+  EXPECT_EQ(graph.removed(), document.removed_faces());
+  EXPECT_FALSE(graph.closings().empty());
+}
+
+TEST(GraphState, plays_the_traversal_to_its_end) {
+  Document document = sheet();
+  cut_at(document, 0.1);
+  walk(document);
+  GraphState graph;
+  graph.follow(document);
+  EXPECT_EQ(graph.marked(), graph.reached());
+  graph.play(true);
+  EXPECT_EQ(graph.marked(), 0u);
+  size_t before = 0;
+  while (graph.playing()) {
+    ASSERT_TRUE(graph.advance(0.05));
+    ASSERT_GT(graph.marked(), before);
+    ASSERT_EQ(graph.drawn()->marked, graph.marked());
+    before = graph.marked();
+  }
+  EXPECT_EQ(graph.marked(), graph.reached());
+}
+
+TEST(GraphState, starts_from_the_other_side_at_a_node_there) {
+  Document document = sheet();
+  cut_at(document, 0.1);
+  walk(document);
+  GraphState graph;
+  graph.follow(document);
+  const size_t one = graph.reached(), both = graph.total();
+  const auto& nodes = graph.drawn()->nodes;
+  uint32_t other = 0;
+  while (nodes[other].removed || nodes[other].set != 1) ++other;
+  graph.start_from(other);
+  EXPECT_EQ(graph.total(), both);
+  EXPECT_EQ(one + graph.reached(), both);
+}
+
+TEST(GraphState, finds_the_node_of_a_face_and_the_face_of_a_node) {
+  Document document = sheet();
+  cut_at(document, 0.1);
+  walk(document);
+  GraphState graph;
+  graph.follow(document);
+  size_t faces = 0;
+  for (uint32_t node = 0; node < graph.drawn()->nodes.size(); ++node) {
+    const auto face = graph.face_of(node);
+    if (!face) continue;
+    ++faces;
+    EXPECT_EQ(graph.node_of(*face), node);
+  }
+  EXPECT_GT(faces, 0u);
+  EXPECT_FALSE(graph.node_of({document.world().ids()[0], FaceId(1'000'000)}));
+}
+
+TEST(PieceTree, lists_under_each_piece_what_came_off_it_by_step) {
+  const BodyId body{0, 0};
+  const auto piece = [&](uint32_t label) { return PieceId{body, label}; };
+  const std::vector<PieceOrigin> origins{{piece(0), std::nullopt, 0},
+                                         {piece(1), piece(0), 2},
+                                         {piece(2), piece(1), 3},
+                                         {piece(3), piece(0), 1},
+                                         {piece(5), piece(4), 4}};
+  std::vector<std::pair<uint32_t, int>> seen;
+  for (const PieceTreeRow& row : piece_tree(origins)) seen.emplace_back(row.origin.piece.label, row.depth);
+  const std::vector<std::pair<uint32_t, int>> expected{{0, 0}, {3, 1}, {1, 1}, {2, 2}, {5, 1}};
+  EXPECT_EQ(seen, expected) << "nothing is left of piece 4, so that piece 5 stands alone";
+}
+
+}  // namespace
+}  // namespace kerf

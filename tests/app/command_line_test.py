@@ -2,6 +2,7 @@
 import json
 import os
 import re
+import re
 import signal
 import subprocess
 import sys
@@ -81,11 +82,43 @@ class CommandLine(unittest.TestCase):
         for a, b in graph["edges"]:
             self.assertEqual(graph["nodes"][a]["piece"], graph["nodes"][b]["piece"])
 
+    def test_inspect_writes_the_boxes_of_the_tree_and_whether_the_beam_was_there(self):
+        self.cut("--journal", "cut.kerf")
+        whole, = json.loads(self.run_here("inspect", "plate.obj", "--tree").stdout)["bodies"]
+        self.assertEqual((whole["body"], whole["faces"]), ("plate", 2))
+        self.assertEqual([box["leaf"] for box in whole["boxes"]].count(True), 2)
+        self.assertFalse(any(box["hit"] for box in whole["boxes"]))
+        cut, = json.loads(self.run_here("inspect", "cut.kerf", "--tree").stdout)["bodies"]
+        self.assertEqual([box["leaf"] for box in cut["boxes"]].count(True), cut["faces"])
+        self.assertTrue(any(box["hit"] for box in cut["boxes"]))
+
+    def test_inspect_writes_the_stages_of_a_move_and_the_last_one_ends_where_the_cut_ends(self):
+        report = self.cut("--journal", "cut.kerf")
+        beyond = self.run_here("inspect", "cut.kerf", "--step", "1000000")
+        self.assertEqual(beyond.returncode, 2)
+        moves, = re.findall(r"only (\d+) moves", beyond.stderr)
+        removed = 0
+        for number in range(1, int(moves) + 1):
+            step = json.loads(self.run_here("inspect", "cut.kerf", "--step", str(number)).stdout)
+            names = [stage["stage"] for stage in step["stages"]]
+            self.assertEqual((names[:3], names[-1]), (["sweep", "hit", "refine"], "separate"))
+            for stage in step["stages"]:
+                if stage["stage"].startswith("hit"):
+                    query, = stage["queries"]
+                    self.assertEqual(query["touched"], stage["hit"])
+                if stage["stage"] == "remove":
+                    removed += len(stage.get("gone", []))
+        self.assertEqual(step["state_hash"], report["state_hash"])
+        self.assertEqual(removed, report["removed"]["faces"])
+
     def test_bad_command_lines_end_with_2_and_one_sentence(self):
         for args, word in ((["info"], "MESH"), (["info", "nowhere.obj"], "nowhere.obj"), (["cut"], "MESH"),
                            (["info", "plate.obj", "--nonsense"], "nonsense"),
                            (["inspect", "plate.obj"], "--graph"), (["inspect", "nowhere.obj", "--graph"], "nowhere.obj"),
-                           (["inspect", "plate.obj", "--dot"], "--graph"), (["play"], "play"),
+                           (["inspect", "plate.obj", "--dot"], "--graph"),
+                           (["inspect", "plate.obj", "--tree", "--graph"], "--step"),
+                           (["inspect", "plate.obj", "--step", "0"], "--step"), (["inspect", "plate.obj", "--step", "1"], "moves"),
+                           (["play"], "play"),
                            (["cut", "plate.obj", "--out", "o", "--depth", "x"], "depth"),
                            (["cut", "plate.obj", "--out", "o", "--depth", "-1"], "--depth"),
                            (["cut", "plate.obj", "--out", "o", "--radius", "0"], "--radius"),

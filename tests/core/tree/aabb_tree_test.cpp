@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/mesh/one_to_four.h"
+#include "core/tree/touched_walk.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/strokes.h"
 
@@ -36,11 +37,32 @@ SweptCylinder random_beam(const Frame& frame, Random& random, bool tilt) {
           {0, frame.size * random.uniform(0.5, 3)}};
 }
 
+// Children lie below boxes that were entered, and what a query entered or tested has been marked as hit.
+void expect_visits_make_sense(const TouchedWalk& traced, const AabbTree& tree) {
+  size_t tested = 0;
+  for (size_t i = 1; i < traced.visits.size(); ++i) {
+    const TouchedWalk::Visit& visit = traced.visits[i];
+    ASSERT_LT(visit.parent, i);
+    ASSERT_EQ(traced.visits[visit.parent].outcome, TouchedWalk::Outcome::kEntered);
+    ASSERT_EQ(visit.box.depth, traced.visits[visit.parent].box.depth + 1);
+    ASSERT_EQ(visit.outcome == TouchedWalk::Outcome::kCulled, visit.outside != TouchedWalk::Side::kNone);
+    tested +=
+        visit.outcome == TouchedWalk::Outcome::kMissed || visit.outcome == TouchedWalk::Outcome::kTouched;
+  }
+  ASSERT_EQ(tested, traced.counts.faces);
+  ASSERT_LE(traced.visits.size(), tree.box_count() + tree.leaf_count());
+}
+
 void expect_touched_equals_brute_force(AabbTree& tree, const Mesh& mesh, const Frame& frame, Random& random) {
   for (int i = 0; i < 12; ++i) {
     const SweptCylinder beam = random_beam(frame, random, i % 3 == 0);
+    const TouchedWalk traced = trace_touched(tree, mesh, beam);
     std::vector<FaceId> found;
-    tree.touched(mesh, beam, found);
+    const QueryCounts counts = tree.touched(mesh, beam, found);
+    ASSERT_EQ(traced.touched, found);
+    ASSERT_EQ(traced.counts.boxes, counts.boxes);
+    ASSERT_EQ(traced.counts.faces, counts.faces);
+    expect_visits_make_sense(traced, tree);
     std::sort(found.begin(), found.end());
     ASSERT_EQ(found, brute_touched(mesh, beam));
   }

@@ -51,11 +51,11 @@ TEST(Delta, lists_what_moved_once_and_not_where_it_came_or_went) {
 
 TEST(Delta, edits_of_a_body_that_carries_on_go_by_its_last_id) {
   Delta edited, detached;
-  edited.bodies.push_back({kA, {FaceId(3)}, {}, {}, {}});
+  edited.bodies.push_back({kA, {FaceId(3)}, {}, {}, {}, {}});
   edited.moved = {kA};
   detached.detached = {{kA, 2, kB, true}};
   detached.came = {kA};
-  detached.bodies.push_back({kB, {}, {FaceId(3), FaceId(4)}, {}, {}});
+  detached.bodies.push_back({kB, {}, {FaceId(3), FaceId(4)}, {}, {}, {}});
   const Delta delta = both(edited, detached);
   ASSERT_EQ(delta.bodies.size(), 1u);
   EXPECT_EQ(delta.bodies[0].body, kB);

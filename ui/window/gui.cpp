@@ -9,7 +9,7 @@
 namespace kerf {
 
 namespace {
-constexpr float kDoubleClickSeconds = 0.3f, kLongestDelay = 1;
+constexpr float kDoubleClickSeconds = 0.3f;
 
 // Whether the left button was pressed twice at about one place. ImGui takes all presses of a frame for one.
 bool has_double_click(std::span<const InputEvent> events, double most_pixels) {
@@ -51,9 +51,11 @@ void Gui::dress(const GuiLook& look) {
 void Gui::begin_frame(std::span<const InputEvent> events) {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
-  // ImGui takes the time of a click from the frame that hears of it, which a slow picture delays.
+  // ImGui takes the time of a click from the frame that sees it. A press, its release and the next press are seen by
+  // three frames at least, so that slow frames would keep two quick clicks apart.
   ImGuiIO& io = ImGui::GetIO();
-  io.MouseDoubleClickTime = kDoubleClickSeconds + std::min(io.DeltaTime, kLongestDelay);
+  io.MouseDoubleClickTime = kDoubleClickSeconds + last_frame_seconds_ + io.DeltaTime;
+  last_frame_seconds_ = io.DeltaTime;
   ImGui::NewFrame();
   if (!has_double_click(events, io.MouseDoubleClickMaxDist)) return;
   io.MouseClickedCount[ImGuiMouseButton_Left] = 2;

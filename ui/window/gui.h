@@ -26,6 +26,7 @@ class Gui {
 
  private:
   std::optional<GuiLook> look_;
+  float last_frame_seconds_ = 0;
 };
 
 }  // namespace kerf

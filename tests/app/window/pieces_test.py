@@ -143,7 +143,7 @@ class Pieces(WindowTest):
             where = "piece sphere" if end == "Return" else "piece half of a ball"
             editor.point_at(where, 0.2, 0.5)
             editor.xdotool("click", "--repeat", 2, "--delay", 120, 1)
-            pause(1)
+            editor.part("new name")
             editor.xdotool("type", "--delay", "60", name)
             pause(0.5)
             editor.do(end)

@@ -2,7 +2,7 @@
 import math
 import unittest
 
-from editor_window import ACROSS, ACROSS_ABOVE, SPHERE, WindowTest, pause
+from editor_window import ACROSS, ACROSS_ABOVE, SPHERE, WindowTest
 
 
 class Strokes(WindowTest):
@@ -87,8 +87,7 @@ class Strokes(WindowTest):
         editor = self.open()
         editor.drag([(0.53, 0.14), (0.53, 0.93)])
         for keys in (("r",), ("r",), ("ctrl", "a"), ("h",), ("shift", "h")):
-            editor.press(*keys)
-            pause(4)
+            editor.do(*keys)
         report = editor.quit()
         self.assertGreater(report["faces"], 40000)
         self.assertEqual((report["recuts"], report["strokes"], report["pieces_hidden"]), (2, 1, 0))

@@ -113,6 +113,7 @@ void PiecesList::edit_name(Requests& requests, const PieceRow& row) {
       ImGui::InputText("##name", new_name_.data(), new_name_.size(),
                        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   ImGui::PopStyleVar();
+  if (ImGui::IsItemActive()) mark_last_item("new name");
   const bool over = entered || (!take_focus_ && !ImGui::IsItemActive());
   take_focus_ = take_focus_ && !ImGui::IsItemActive();
   if (!over) return;

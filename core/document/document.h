@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/base/result.h"
@@ -48,6 +49,10 @@ class Document {
   // If the command fails, it has changed nothing itself, but the queue has been executed, and the outcome
   // lists these changes.
   Outcome apply(const Command& command, const Progress* progress = nullptr);
+  // Applies the commands of strokes and Advance commands and executes them to the end, all or nothing. On
+  // failure, also if `progress` stopped it, the world, the journal and the history with its undone steps are
+  // as before. The queue is executed first, which `progress` does not stop. The outcome lists all changes.
+  Outcome run_whole(std::span<const Command> commands, const Progress* progress = nullptr);
   // Commands that only append to the queue.
   void apply(const BeginStroke& command);
   void apply(const MoveStroke& command);
@@ -164,6 +169,7 @@ class Document {
   Outcome undo(const Progress* progress);
   Outcome redo(const Progress* progress);
   Outcome replay(size_t position, const Progress* progress);
+  Status take_back_to(size_t position, size_t journal_size, std::vector<std::unique_ptr<HistoryStep>> undone);
   Status replay_steps(size_t position, const Progress* progress);
   bool is_last(size_t step) const { return step + 1 == history_.position(); }
 

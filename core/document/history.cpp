@@ -1,6 +1,7 @@
 #include "core/document/history.h"
 
 #include <cassert>
+#include <iterator>
 
 namespace kerf {
 
@@ -10,6 +11,19 @@ void History::append(HistoryStep step) {
   drop_undone();
   steps_.push_back(std::make_unique<HistoryStep>(std::move(step)));
   ++position_;
+}
+
+std::vector<std::unique_ptr<HistoryStep>> History::take_undone() {
+  const auto first = steps_.begin() + static_cast<std::ptrdiff_t>(position_);
+  std::vector<std::unique_ptr<HistoryStep>> undone(std::make_move_iterator(first),
+                                                   std::make_move_iterator(steps_.end()));
+  drop_undone();
+  return undone;
+}
+
+void History::put_undone(std::vector<std::unique_ptr<HistoryStep>> steps) {
+  drop_undone();
+  std::move(steps.begin(), steps.end(), std::back_inserter(steps_));
 }
 
 void History::forget_behind(size_t step) {

@@ -24,6 +24,9 @@ class History {
   // Adds a step at the position and drops the steps that were undone.
   void append(HistoryStep step);
   void drop_undone() { steps_.resize(position_); }
+  // Takes the undone steps out, and puts such steps in place of those that are undone.
+  std::vector<std::unique_ptr<HistoryStep>> take_undone();
+  void put_undone(std::vector<std::unique_ptr<HistoryStep>> steps);
   void back() { --position_; }
   void forth() { ++position_; }
   // Forgets what the steps after this one did, so that they can only be redone by executing their commands.

@@ -1,8 +1,9 @@
 #include "core/document/path_file.h"
-#include "core/base/unit_vector.h"
 
+#include <cassert>
 #include <cmath>
 
+#include "core/base/unit_vector.h"
 #include "core/document/json_value.h"
 #include "core/document/parse_strokes.h"
 
@@ -10,13 +11,11 @@ namespace kerf {
 
 namespace {
 
-// A direction of any length but zero, made unit without overflow.
 Result<Vec3> direction(const JsonValue& value) {
   const auto v = value.vector();
   if (!v) return v;
-  const double largest = std::max({std::abs(v->x), std::abs(v->y), std::abs(v->z)});
-  if (!(largest > 0)) return value.wrong("must not be zero");
-  return glm::normalize(*v / largest);
+  if (*v == Vec3(0)) return value.wrong("must not be zero");
+  return beam_direction(*v);
 }
 
 Status parse_key(const JsonValue& key, StrokePath& stroke) {
@@ -81,6 +80,12 @@ Result<StrokePath> parse_stroke(const JsonValue& value) {
 
 }  // namespace
 
+Vec3 beam_direction(const Vec3& v) {
+  const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  assert(largest > 0);
+  return glm::normalize(v / largest);
+}
+
 Result<std::vector<StrokePath>> parse_strokes(const JsonValue& strokes) {
   if (const auto array = strokes.array("strokes"); !array) return array.error();
   std::vector<StrokePath> all;
@@ -95,12 +100,24 @@ Result<std::vector<StrokePath>> parse_strokes(const JsonValue& strokes) {
 Result<std::vector<StrokePath>> read_path_file(const std::filesystem::path& file) {
   const auto text = read_text_file(file);
   if (!text) return text.error();
-  const auto json = parse_json(*text, file.string());
+  return parse_path(*text, file.string());
+}
+
+Result<std::vector<StrokePath>> parse_path(std::string_view text, const std::string& file) {
+  const auto json = parse_json(text, file);
   if (!json) return json.error();
-  const JsonValue root(*json, file.string());
+  const JsonValue root(*json, file);
   if (const auto object = root.object(); !object) return object.error();
   if (!root.has("strokes")) return root.wrong("needs \"strokes\"");
   return parse_strokes(root["strokes"]);
+}
+
+bool is_path_file(const std::filesystem::path& file) {
+  if (file.extension() != ".json") return false;
+  const auto text = read_text_file(file);
+  if (!text) return false;
+  const auto json = parse_json(*text, file.string());
+  return json && json->is_object() && json->contains("strokes") && !json->contains("bodies");
 }
 
 }  // namespace kerf

@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/result.h"
@@ -22,5 +24,14 @@ struct StrokePath {
 // The strokes of a path file: {"strokes": [{"laser": {...}, "keys": [{"t", "origin", "direction"}, ...]}]}.
 // The error names the first wrong value by its JSON pointer.
 Result<std::vector<StrokePath>> read_path_file(const std::filesystem::path& file);
+// The same of the text of such a file; `file` is its name in errors.
+Result<std::vector<StrokePath>> parse_path(std::string_view text, const std::string& file);
+
+// Whether a file is JSON with strokes and without bodies, i.e. a path and not a scene.
+bool is_path_file(const std::filesystem::path& file);
+
+// The unit vector that a direction in a path file stands for, computed without overflow. Precondition: v is
+// finite and not zero.
+Vec3 beam_direction(const Vec3& v);
 
 }  // namespace kerf

@@ -1,6 +1,7 @@
 #include "core/document/save.h"
 
 #include "core/base/atomic_file.h"
+#include "core/document/path_text.h"
 #include "core/document/scene_text.h"
 
 namespace kerf {
@@ -63,6 +64,10 @@ Status save_scene(const fs::path& file, const SceneDescription& scene) {
   const auto text = dump_json(scene_json(without_hashes, folder_of(file)), 2);
   if (!text) return text.error();
   return save_file(file, *text + "\n");
+}
+
+Status save_path(const fs::path& file, std::span<const StrokePath> strokes) {
+  return save_file(file, path_file_text(strokes));
 }
 
 }  // namespace kerf

@@ -18,4 +18,7 @@ Status save_journal(const std::filesystem::path& file, const SceneDescription& s
 // Writes a scene (.json) with save_file, without commands and hashes.
 Status save_scene(const std::filesystem::path& file, const SceneDescription& scene);
 
+// Writes a path file (.json) with save_file. It is read back as the same strokes to the bit.
+Status save_path(const std::filesystem::path& file, std::span<const StrokePath> strokes);
+
 }  // namespace kerf

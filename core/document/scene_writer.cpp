@@ -1,5 +1,6 @@
 #include "core/document/colour_text.h"
 #include "core/document/hash_text.h"
+#include "core/document/path_text.h"
 #include "core/document/scene_text.h"
 
 namespace kerf {
@@ -42,19 +43,6 @@ Json show_json(const std::string& show) {
     at = comma + 1;
   }
   return names;
-}
-
-Json stroke_json(const StrokePath& stroke) {
-  Json laser = Json::object(), keys = Json::array();
-  if (stroke.radius) laser["radius"] = *stroke.radius;
-  if (stroke.range) laser["range"] = {stroke.range->low, stroke.range->high};
-  if (stroke.power) laser["power"] = *stroke.power;
-  for (size_t k = 0; k < stroke.keys.size(); ++k) {
-    keys.push_back({{"t", stroke.times[k]},
-                    {"origin", list(stroke.keys[k].origin)},
-                    {"direction", list(stroke.keys[k].direction)}});
-  }
-  return {{"laser", laser}, {"keys", keys}};
 }
 
 template <typename Items, typename ToJson>

@@ -23,6 +23,15 @@ std::vector<Command> stroke_commands(const StrokePath& stroke, const CutSettings
   return commands;
 }
 
+std::vector<Command> path_commands(std::span<const StrokePath> strokes, double diagonal) {
+  std::vector<Command> all;
+  for (const StrokePath& stroke : strokes) {
+    const std::vector<Command> own = stroke_commands(stroke, default_settings(stroke, diagonal));
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  return all;
+}
+
 std::vector<Command> scene_stroke_commands(const StrokePath& stroke, double diagonal) {
   if (stroke.keys.empty()) return {};
   CutSettings settings = default_settings(stroke, diagonal);

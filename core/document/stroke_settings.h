@@ -1,5 +1,8 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "core/document/command.h"
 #include "core/document/path_file.h"
 
@@ -13,6 +16,10 @@ CutSettings default_settings(const StrokePath& stroke, double diagonal);
 // The commands that draw a stroke: its keys with their times, counted from the first key. Precondition: it
 // has a key.
 std::vector<Command> stroke_commands(const StrokePath& stroke, const CutSettings& settings);
+
+// The commands that draw the strokes of a path one after the other, with default_settings(): what `kerf cut
+// --path` does with a path file without further options. Precondition: each stroke has a key.
+std::vector<Command> path_commands(std::span<const StrokePath> strokes, double diagonal);
 
 // The commands that draw a stroke of a scene: those of its default settings with a smooth rim, as in the
 // editor. None if it has no key.

@@ -1,0 +1,89 @@
+#include <gtest/gtest.h>
+
+#include "core/document/command_words.h"
+#include "core/document/document.h"
+#include "core/document/stroke_settings.h"
+#include "core/world/state_hash.h"
+#include "tests/support/made_meshes.h"
+#include "tests/support/same_world.h"
+#include "tests/support/strokes.h"
+
+namespace kerf::test {
+namespace {
+
+StrokePath across(double z) {
+  StrokePath stroke;
+  stroke.radius = 0.02;
+  stroke.keys = {{{-0.8, 1, z}, {0, -1, 0}}, {{0.8, 1, z}, glm::normalize(Vec3(0.1, -1, 0))}};
+  stroke.times = {0, 1};
+  return stroke;
+}
+
+Document torus_document() {
+  const auto world = [] { return world_of(torus(24, 16, 0.5, 0.2)); };
+  return Document(world(), [world](const Progress*) -> Result<World> { return world(); });
+}
+
+std::vector<Command> path_of(const Document& document) {
+  return path_commands(std::vector{across(0.1), across(0), across(-0.1)},
+                       document.world().bounds().diagonal());
+}
+
+std::vector<std::string> lines_of(const Document& document) {
+  std::vector<std::string> lines;
+  for (const Command& command : document.journal()) lines.push_back(words(command));
+  return lines;
+}
+
+TEST(RunWhole, cuts_what_the_strokes_cut_one_after_the_other) {
+  Document whole = torus_document(), drawn = torus_document();
+  ASSERT_TRUE(whole.run_whole(path_of(whole)).ok());
+  for (const Command& command : path_of(drawn)) {
+    drawn.apply(command);
+    ASSERT_TRUE(walk_all(drawn).ok());
+  }
+  EXPECT_EQ(whole.strokes(), 3u);
+  EXPECT_GT(whole.removed_faces(), 100u);
+  expect_same_world(whole.world(), drawn.world());
+  EXPECT_EQ(state_hash(whole.world()), state_hash(drawn.world()));
+  EXPECT_EQ(lines_of(whole), lines_of(drawn));
+}
+
+// A document with a stroke that is done and one that was undone, stopped after so many reports of a run.
+void expect_no_trace(size_t window, int reports) {
+  SCOPED_TRACE("window " + std::to_string(window) + ", stopped at report " + std::to_string(reports));
+  Document document = torus_document();
+  for (const double z : {0.05, -0.05}) {
+    for (const Command& c : path_commands(std::vector{across(z)}, document.world().bounds().diagonal()))
+      document.apply(c);
+    ASSERT_TRUE(walk_all(document).ok());
+  }
+  const uint64_t both = state_hash(document.world());
+  ASSERT_TRUE(document.apply(Undo{}).ok());
+  document.set_window(window);
+  const uint64_t before = state_hash(document.world());
+  const std::vector<std::string> lines = lines_of(document);
+  int left = reports;
+  const Progress progress{[&](double) { return left-- > 0; }};
+  const Outcome outcome = document.run_whole(path_of(document), &progress);
+  if (outcome.ok()) return;  // it was over before
+  EXPECT_EQ(outcome.error().message, cancelled().message);
+  EXPECT_EQ(document.waiting(), 0u);
+  EXPECT_EQ(state_hash(document.world()), before);
+  EXPECT_EQ(lines_of(document), lines);
+  EXPECT_EQ(document.history().position(), 1u);
+  EXPECT_EQ(document.history().size(), 2u);
+  ASSERT_TRUE(document.apply(Redo{}).ok());
+  ASSERT_TRUE(walk_all(document).ok());
+  EXPECT_EQ(state_hash(document.world()), both);
+}
+
+TEST(RunWhole, stopped_at_any_report_it_leaves_no_trace) {
+  for (const int reports : {0, 1, 2, 5, 9, 17, 30, 45, 60, 90, 140}) {
+    expect_no_trace(size_t{1} << 30, reports);
+    expect_no_trace(1, reports);  // what it did is not remembered and has to be replayed
+  }
+}
+
+}  // namespace
+}  // namespace kerf::test

@@ -15,6 +15,9 @@ constexpr std::array kGestures{
     Gesture{"Ctrl+click", "Choose a piece; with Shift one more"},
     Gesture{"Ctrl+left drag", "Choose the pieces in a box; from right to left those that it touches"},
     Gesture{"Left drag on an arrow or a ring", "Move or turn the chosen piece, with the tool that picks"},
+    Gesture{"Click on a surface", "Add a point to the path, with the tool Path; Shift begins another stroke"},
+    Gesture{"Left drag on a point or its knob", "Move a point of the path over the surface, turn its beam"},
+    Gesture{"Left drag on the emitter", "Move it, or aim it by the ring where it aims"},
     Gesture{"Double click on a name in the list", "Rename the piece"},
     Gesture{"Middle drag, Alt+left drag", "Orbit"},
     Gesture{"Shift+middle drag, right drag", "Pan"},
@@ -25,7 +28,7 @@ constexpr std::array kGestures{
 };
 
 void take_tool(EditorState& state, Tool tool) {
-  cancel_stroke(state.hand, state.work.document);
+  if (state.hand.drag == Drag::kCut) cancel_stroke(state.hand, state.work.document);
   state.hand.measured.clear();
   state.hand.tool = tool;
 }
@@ -62,7 +65,19 @@ std::vector<UserAction> tool_actions(EditorState& s) {
                      "Tells what there is to know about the face under the pointer; two clicks measure the "
                      "distance between two points.",
                  .run = [&s] { take_tool(s, Tool::kInspect); },
-                 .checked = [&s] { return s.hand.tool == Tool::kInspect; },
+                 .checked = [&s] { return s.hand.tool == Tool::kInspect; }},
+      UserAction{.menu = "Tool",
+                 .name = "Path",
+                 .shortcut = "O",
+                 .key = GLFW_KEY_O,
+                 .tip = "A click on a surface adds a point to the path of the laser, with Shift the first of "
+                        "another stroke; points and their beams are dragged.",
+                 .run =
+                     [&s] {
+                       take_tool(s, Tool::kPath);
+                       s.settings.side_shown = s.settings.panels.at(PanelId::kPath) = true;
+                     },
+                 .checked = [&s] { return s.hand.tool == Tool::kPath; },
                  .ends_group = true},
       UserAction{.menu = "Tool",
                  .name = "Cut the last stroke again",
@@ -115,6 +130,8 @@ std::vector<UserAction> make_actions(EditorState& state, std::span<const Panel> 
   append(all, view_text_actions(state));
   append(all, piece_actions(state));
   append(all, tool_actions(state));
+  append(all, path_actions(state));
+  append(all, emitter_actions(state));
   append(all, camera_actions(state));
   append(all, switch_actions(state));
   append(all, frame_actions(state, panels));

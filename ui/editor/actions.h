@@ -21,6 +21,8 @@ std::vector<UserAction> history_actions(EditorState& state);
 std::vector<UserAction> view_text_actions(EditorState& state);
 std::vector<UserAction> piece_actions(EditorState& state);
 std::vector<UserAction> tool_actions(EditorState& state);
+std::vector<UserAction> path_actions(EditorState& state);
+std::vector<UserAction> emitter_actions(EditorState& state);
 std::vector<UserAction> camera_actions(EditorState& state);
 std::vector<UserAction> switch_actions(EditorState& state);
 std::vector<UserAction> frame_actions(EditorState& state, std::span<const Panel> panels);

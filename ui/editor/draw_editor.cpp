@@ -9,6 +9,7 @@
 #include "ui/editor/frame/shortcut_sheet.h"
 #include "ui/editor/frame/status_bar.h"
 #include "ui/editor/marks/picture_marks.h"
+#include "ui/editor/path/path_marks.h"
 #include "ui/editor/tools/axes_gizmo.h"
 #include "ui/editor/tools/light_handle.h"
 #include "ui/editor/tools/piece_handles.h"
@@ -80,7 +81,7 @@ void EditorScreen::draw_panels() {
   const Layout& layout = state_.view.layout;
   draw_menu_bar(actions_);
   draw_picture_marks({state_.work.document, state_.view, state_.hand, state_.split, state_.settings,
-                      state_.figures.shown, state_.figures.shadows});
+                      state_.figures.shown, state_.figures.shadows, state_.lasers});
   draw_panel_column(layout.side, panels_, state_.settings);
   draw_splitters(layout, state_.settings);
   if (draw_status_bar(layout.status, state_.hand, state_.message, state_.figures.shown))
@@ -163,9 +164,22 @@ void EditorScreen::show_landmarks() {
   }
   for (const PieceHandle& handle : piece_handles(view, state_.hand, state_.work.document.world()))
     landmarks_->mark(name_of(handle), {grip_of(handle), Vec2(0)});
+  mark_lasers();
   for (const AxisEnd& end : axis_ends(view)) landmarks_->mark(name_of(end), {end.at, Vec2(0)});
   if (const Status written = landmarks_->write(moving(), {at.x, at.y}); !written)
     state_.message.say(written.error().message, true);
+}
+
+void EditorScreen::mark_lasers() {
+  const FirstPicture picture(state_.view);
+  const PathWork& path = state_.lasers.path;
+  if (shows_path(state_.hand, state_.settings)) {
+    for (const PathMark& mark : path_marks(path, state_.work.document.world(), picture))
+      landmarks_->mark("path point " + std::to_string(mark.number), {mark.target, Vec2(0)});
+    if (const auto knob = path_knob(path, picture)) landmarks_->mark("path knob", {knob->place, Vec2(0)});
+  }
+  for (const EmitterHandle& handle : emitter_handles(state_.lasers.emitter, picture))
+    landmarks_->mark(name_of(handle), {handle.to, Vec2(0)});
 }
 
 void EditorScreen::show_title() {

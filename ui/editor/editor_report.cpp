@@ -50,6 +50,27 @@ nlohmann::ordered_json lights_of(const ViewState& view, const Settings& settings
   return all;
 }
 
+nlohmann::ordered_json list_of(const Vec3& v) { return {v.x, v.y, v.z}; }
+
+nlohmann::ordered_json path_of(const PathWork& path) {
+  nlohmann::ordered_json targets = nlohmann::ordered_json::array();
+  for (size_t i = 0; i < path.strokes().size(); ++i) {
+    for (size_t k = 0; k < path.strokes()[i].keys.size(); ++k)
+      targets.push_back(list_of(path.target({i, k})));
+  }
+  return {{"strokes", path.strokes().size()},
+          {"targets", targets},
+          {"speed", path.speed()},
+          {"unsaved", path.is_unsaved()}};
+}
+
+nlohmann::ordered_json emitter_of(const Emitter& emitter) {
+  return {{"placed", emitter.placed()},
+          {"at", list_of(emitter.at())},
+          {"target", list_of(emitter.target())},
+          {"firing", emitter.firing}};
+}
+
 nlohmann::ordered_json memory_of(const MemoryFigures& memory) {
   return {{"meshes", memory.meshes},
           {"trees", memory.trees},
@@ -146,6 +167,8 @@ Status write_editor_report(const EditorState& state, const std::filesystem::path
       {"messages", texts_of(state.message.log)},
       {"view", view_of(state.view)},
       {"graph", graph_of(state.graph, state.view)},
+      {"path", path_of(state.lasers.path)},
+      {"emitter", emitter_of(state.lasers.emitter)},
       {"lights", lights_of(state.view, state.settings)},
       {"pixels_that_rays_have_otherwise", figures.shadows.wrong},
       {"split", {{"shown", state.split.shown}, {"faces", state.split.twin.world().live_faces()}}},

@@ -8,6 +8,7 @@
 #include "ui/editor/file_choice.h"
 #include "ui/editor/keys/bindings.h"
 #include "ui/editor/panel_list.h"
+#include "ui/editor/path_choice.h"
 #include "ui/editor/tools/moving.h"
 #include "ui/editor/tools/popups.h"
 
@@ -27,6 +28,7 @@ EditorScreen::EditorScreen(Window& window, LivePicture picture, LoadedSettings l
       options_(options),
       picture_(std::move(picture)),
       saved_(loaded.settings),
+      kept_path_(state_folder()),
       changes_({state_.work, state_.view, state_.hand, state_.figures, state_.message, picture_.first()}),
       cut_({state_.work, state_.view, state_.hand, state_.split, state_.figures, state_.message, changes_,
             picture_}),
@@ -48,9 +50,34 @@ Status EditorScreen::open() {
   std::vector<std::string> faults;
   state_.opening.left_work = find_left_work(state_folder(), faults);
   ask_about_left_work(state_.decisions, state_.opening.left_work);
-  const Status opened = opener_.open_first(options_.default_scene, options_.files);
+  std::vector<std::filesystem::path> files = options_.files;
+  const auto paths = std::stable_partition(files.begin(), files.end(),
+                                           [](const std::filesystem::path& f) { return !is_path_file(f); });
+  const Status opened = opener_.open_first(options_.default_scene, std::vector(files.begin(), paths));
+  std::for_each(paths, files.end(), [&](const std::filesystem::path& f) { tell(load_path(state_, f)); });
+  open_kept_path();
   if (opened && !faults.empty()) tell("Work was left that cannot be read: " + faults.front());
   return opened;
+}
+
+// A path that was not saved is there again, unless another one was asked for.
+void EditorScreen::open_kept_path() {
+  if (!state_.lasers.path.empty()) return;
+  auto left = kept_path_.adopt();
+  if (!left) return;
+  state_.lasers.path.begin_edit();
+  state_.lasers.path.load(std::move(*left), state_.work.document.world());
+  state_.message.say("The path that was not saved is in the Path panel again.");
+}
+
+void EditorScreen::keep_path(bool now) {
+  if (const Status kept = kept_path_.follow(state_.lasers.path, now); !kept)
+    state_.message.say("The path cannot be kept: " + kept.error().message, true);
+}
+
+void EditorScreen::rest() {
+  recovery_.flush();
+  keep_path(false);
 }
 
 void EditorScreen::tell(const std::string& fault) {
@@ -65,6 +92,7 @@ void EditorScreen::close(bool left_by_user) {
   state_.hand.beam.release(state_.work.document);
   recovery_.follow(state_.work, state_.view, state_.hand.drag == Drag::kLight, state_.message);
   if (left_by_user) recovery_.drop();
+  keep_path(true);
   save_settings();
 }
 
@@ -88,8 +116,8 @@ void EditorScreen::hear(const Input& input) {
   }
   lay_out_window();
   bind_actions();
-  const MouseParts mouse{state_.hand,           state_.work,     state_.view,   state_.settings,
-                         state_.opening.loader, state_.requests, state_.message};
+  const MouseParts mouse{state_.hand,           state_.work,     state_.view,    state_.settings,
+                         state_.opening.loader, state_.requests, state_.message, state_.lasers};
   std::vector<InputEvent> events = busy_.take_heard();
   events.insert(events.end(), input.events.begin(), input.events.end());
   for (const InputEvent& event : events) {
@@ -165,7 +193,9 @@ void EditorScreen::advance() {
   desk_.fulfil();
   drop_lost_move(state_.hand, state_.view, state_.work.document.world());
   if (!changes_.is_pending()) grab_copy(state_.hand, state_.view, state_.work.document.world());
+  if (!changes_.is_pending()) follow_emitter(state_, glfwGetTime());
   recovery_.follow(state_.work, state_.view, state_.hand.drag == Drag::kLight, state_.message);
+  keep_path(false);
   move_camera();
   cut_.advance();
   follow_graph();

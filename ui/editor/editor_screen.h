@@ -6,6 +6,7 @@
 #include "ui/editor/changes/live_cut.h"
 #include "ui/editor/editor.h"
 #include "ui/editor/frame/busy_window.h"
+#include "ui/editor/path/kept_path.h"
 #include "ui/editor/request_desk.h"
 #include "ui/editor/state.h"
 #include "ui/editor/tools/held_press.h"
@@ -40,7 +41,7 @@ class EditorScreen : public Screen {
   void drawn() override;
   void took(const FrameTime& time) override;
   bool moving() const override;
-  void rest() override { recovery_.flush(); }
+  void rest() override;
   bool over() const override { return desk_.quit(); }
 
  private:
@@ -52,6 +53,8 @@ class EditorScreen : public Screen {
   void hear_key(const InputEvent& event);
   void move_camera();
   void follow_graph();
+  void keep_path(bool now);
+  void open_kept_path();
   void send();
   void lay_out_window();
   void draw_panels();
@@ -61,6 +64,7 @@ class EditorScreen : public Screen {
   void take_picture(Requests::Screenshot what);
   void show_title();
   void show_landmarks();
+  void mark_lasers();
   void begin_pending_change();
   void finish_change();
 
@@ -71,6 +75,7 @@ class EditorScreen : public Screen {
   EditorState state_;
   Settings saved_;  // as they are in the file
   Recovery recovery_;
+  KeptPath kept_path_;
   WorldChanges changes_;
   LiveCut cut_;
   FileOpener opener_;

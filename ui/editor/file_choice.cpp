@@ -1,5 +1,6 @@
 #include "ui/editor/file_choice.h"
 
+#include "ui/editor/path_choice.h"
 #include "ui/editor/work/export_pieces.h"
 #include "ui/editor/work/save_work.h"
 
@@ -22,6 +23,10 @@ std::string name_to_export(const EditorState& state) {
 
 std::string name_for(const EditorState& state, Purpose purpose) {
   if (purpose == Purpose::kExport) return name_to_export(state);
+  if (purpose == Purpose::kSavePath) {
+    const std::string name = state.lasers.path.file().filename().string();
+    return name.empty() ? "path.json" : name;
+  }
   return purpose == Purpose::kSave ? suggested_name(state.work) : "";
 }
 
@@ -55,7 +60,10 @@ void choose_file_for(EditorState& state, Purpose purpose) {
 
 std::string take_chosen_file(EditorState& state, Purpose purpose, const std::filesystem::path& file) {
   if (purpose == Purpose::kExport) return export_to(state, file);
-  if (purpose == Purpose::kOpen) {
+  if (purpose == Purpose::kOpenPath) return load_path(state, file);
+  if (purpose == Purpose::kSavePath) {
+    state.requests.save_path_to = file;
+  } else if (purpose == Purpose::kOpen) {
     state.requests.open = {file};
   } else {
     state.requests.save_to = file;

@@ -13,13 +13,17 @@
 #include "ui/editor/panels/statistics_panel.h"
 #include "ui/editor/panels/tree_panel.h"
 #include "ui/editor/panels/view_panel.h"
+#include "ui/editor/path/emitter_rows.h"
+#include "ui/editor/path/path_panel.h"
+#include "ui/editor/path_choice.h"
 
 namespace kerf {
 
 namespace {
 
-void draw_laser(EditorState& s) {
+void draw_laser(EditorState& s, EmitterRows& emitter) {
   const bool changed = draw_laser_panel(s.hand.laser, s.view.frame.unit);
+  emitter.draw(s.lasers.emitter, [&s] { place_emitter(s); });
   if (changed && s.settings.live_recut && why_no_recut(s.work.document) == nullptr)
     s.requests.recut_radius = true;
 }
@@ -27,6 +31,14 @@ void draw_laser(EditorState& s) {
 void draw_resolution(EditorState& s) {
   draw_resolution_panel({s.work.document, s.hand.laser, s.split, s.view, s.settings, s.requests, s.figures,
                          [&s](bool on) { show_split(s.split, on, s.hand, s.work.document, s.view); }});
+}
+
+void draw_path(EditorState& s, PathPanel& panel) {
+  const World& world = s.work.document.world();
+  panel.draw(
+      s.lasers.path, world, PathTool::beam_for(world, s.hand.laser.radius), why_no_run(s),
+      {[&s] { s.requests.run_path = true; }, [&s] { choose_file_for(s, FileBrowser::Purpose::kOpenPath); },
+       [&s] { choose_file_for(s, FileBrowser::Purpose::kSavePath); }});
 }
 
 void draw_pieces(EditorState& s, PiecesPanel& panel) {
@@ -44,8 +56,9 @@ void draw_graph(EditorState& s, GraphPanel& panel) {
 std::vector<Panel> make_panels(EditorState& s) {
   const Document& document = s.work.document;
   return {
-      {PanelId::kLaser, "Laser", [&s] { draw_laser(s); }},
+      {PanelId::kLaser, "Laser", [&s, emitter = EmitterRows()]() mutable { draw_laser(s, emitter); }},
       {PanelId::kResolution, "Resolution", [&s] { draw_resolution(s); }},
+      {PanelId::kPath, "Path", [&s, panel = PathPanel()]() mutable { draw_path(s, panel); }},
       {PanelId::kPieces, "Pieces", [&s, panel = PiecesPanel()]() mutable { draw_pieces(s, panel); }},
       {PanelId::kHistory, "History",
        [&s, panel = HistoryPanel()]() mutable { panel.draw(s.work.document, s.settings, s.requests); }},

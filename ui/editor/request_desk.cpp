@@ -1,13 +1,19 @@
 #include "ui/editor/request_desk.h"
 
+#include <algorithm>
+
+#include "core/document/edit_path.h"
+#include "core/document/save.h"
 #include "ui/editor/file_choice.h"
+#include "ui/editor/path_choice.h"
 #include "ui/editor/work/save_work.h"
 
 namespace kerf {
 
 void RequestDesk::fulfil() {
   decide();
-  const Requests wanted = std::exchange(state_.requests, {});
+  Requests wanted = std::exchange(state_.requests, {});
+  load_paths(wanted.open);
   state_.requests.screenshot = wanted.screenshot;  // waits for the picture
   Decisions& decisions = state_.decisions;
   if (!wanted.save_to.empty()) {
@@ -19,6 +25,7 @@ void RequestDesk::fulfil() {
     cancel_stroke(state_.hand, state_.work.document);
     if (may_leave(decisions, state_.work, state_.view.look.lights, wanted)) leave(wanted);
   }
+  if (!wanted.save_path_to.empty()) save_path_to(wanted.save_path_to);
   opener_.take_loaded();
   if (!state_.opening.loader.busy()) change_world(wanted);  // otherwise what is open is about to go
 }
@@ -60,6 +67,32 @@ void RequestDesk::leave(const Requests& wanted) {
   state_.work.saved_lights = state_.view.look.lights;
 }
 
+// Takes the path files out of those that are to be opened, and loads them.
+void RequestDesk::load_paths(std::vector<std::filesystem::path>& files) {
+  const auto first = std::stable_partition(files.begin(), files.end(),
+                                           [](const std::filesystem::path& f) { return !is_path_file(f); });
+  for (auto file = first; file != files.end(); ++file) {
+    if (const std::string why = load_path(state_, *file); !why.empty()) state_.message.say(why, true);
+  }
+  files.erase(first, files.end());
+}
+
+void RequestDesk::save_path_to(const std::filesystem::path& file) {
+  PathWork& path = state_.lasers.path;
+  const Status saved = save_path(file, path.strokes());
+  if (saved) path.note_saved(file);
+  state_.message.say(saved ? "Saved: " + file.string() : saved.error().message, !saved.ok());
+}
+
+void RequestDesk::run_path() {
+  PathWork& path = state_.lasers.path;
+  if (const auto why = why_no_cut(path.strokes())) return state_.message.say(*why, true);
+  cancel_stroke(state_.hand, state_.work.document);
+  path.note_run(state_.work.document.history().position());
+  changes_.run_path(path.strokes());
+  state_.hand.cut_once = true;
+}
+
 void RequestDesk::change_world(const Requests& wanted) {
   if (wanted.undo || wanted.redo) changes_.step_through_history(wanted.undo);
   if (wanted.travel && !changes_.is_pending()) changes_.travel_to(*wanted.travel);
@@ -67,6 +100,7 @@ void RequestDesk::change_world(const Requests& wanted) {
     if (changes_.is_pending()) break;
     changes_.apply(command);
   }
+  if (wanted.run_path && !changes_.is_pending()) run_path();
   if (wanted.hide_chosen) state_.requests.hide_chosen = changes_.hide_chosen();
   if (wanted.delete_chosen) state_.requests.delete_chosen = changes_.delete_chosen();
   if (wanted.duplicate_chosen && !changes_.is_pending()) changes_.duplicate_chosen();

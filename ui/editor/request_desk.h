@@ -22,7 +22,10 @@ class RequestDesk {
   void decide();
   void save_to(const std::filesystem::path& file);
   void leave(const Requests& wanted);
+  void load_paths(std::vector<std::filesystem::path>& files);
+  void save_path_to(const std::filesystem::path& file);
   void change_world(const Requests& wanted);
+  void run_path();
 
   EditorState& state_;
   WorldChanges& changes_;

@@ -6,6 +6,7 @@
 #include "ui/editor/graph/graph_state.h"
 #include "ui/editor/keys/command_palette.h"
 #include "ui/editor/keys/settings_page.h"
+#include "ui/editor/path/placed_lasers.h"
 #include "ui/editor/tools/hand.h"
 #include "ui/editor/view/settings.h"
 #include "ui/editor/view/view_state.h"
@@ -30,6 +31,7 @@ struct EditorState {
   SplitView split;
   Figures figures;
   GraphState graph;
+  PlacedLasers lasers;
 
   Settings settings;
   Message message;

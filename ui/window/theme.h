@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include <array>
+
 #include "ui/window/gui_look.h"
 
 namespace kerf {
@@ -16,6 +18,9 @@ inline ImU32 accent() { return ImGui::GetColorU32(ImGuiCol_NavHighlight); }
 inline constexpr ImU32 kPictureText = IM_COL32(0xe6, 0xe9, 0xee, 255);
 inline constexpr ImU32 kPictureSecondary = IM_COL32(0x9a, 0xa6, 0xb6, 255);
 inline constexpr ImU32 kPictureShade = IM_COL32(0x1b, 0x1f, 0x26, 165);
+// The colour of an axis of the world: 0 for X, 1 for Y, 2 for Z.
+inline constexpr std::array<ImU32, 3> kAxes{IM_COL32(0xd9, 0x6a, 0x62, 255), IM_COL32(0x84, 0xb3, 0x5c, 255),
+                                            IM_COL32(0x62, 0x97, 0xdc, 255)};
 }  // namespace colours
 
 // Sets sizes, colours and the font of the current ImGui context. The font texture has to be recreated

@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "core/document/command_words.h"
+#include "core/document/stroke_settings.h"
 #include "ui/editor/view/piece_set.h"
 #include "ui/render/spread.h"
 
@@ -196,6 +197,20 @@ void WorldChanges::recut_last_stroke(bool radius) {
   if (again) commands.insert(commands.end(), last.commands().begin() + 1, last.commands().end());
   change("Cut again", true, apply_all(std::move(commands)));
   ++on_.figures.recuts;
+}
+
+void WorldChanges::run_path(const std::vector<StrokePath>& strokes) {
+  const double diagonal = on_.work.document.world().bounds().diagonal();
+  const auto run = [commands = path_commands(strokes, diagonal)](Document& document,
+                                                                 const Progress* progress) {
+    Outcome outcome = document.run_whole(commands, progress);
+    if (!outcome.ok() && outcome.error().message == cancelled().message)
+      outcome.fail(failed("The path was stopped: nothing was cut."));
+    return outcome;
+  };
+  const size_t count = strokes.size();
+  change("Cutting the path", false, run,
+         "Cut along the path: " + std::to_string(count) + (count == 1 ? " stroke" : " strokes"));
 }
 
 // A quick change is done at once, another beside the frames.

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "ui/editor/changes/long_change.h"
 #include "ui/editor/figures/figures.h"
@@ -60,6 +61,10 @@ class WorldChanges {
   // during the next frames. Consecutive recuts are one step of the history. Does nothing if why_no_recut()
   // gives a reason.
   void recut_last_stroke(bool radius);
+
+  // Cuts the strokes of a path on a thread of its own, with the commands of path_commands(): all of them, or
+  // none if the user stops it. Precondition: why_no_cut() gives no reason.
+  void run_path(const std::vector<StrokePath>& strokes);
 
   // Cuts up to `moves` queued moves as one step. Returns false if the step failed or became pending, because
   // it closes the rim of a stroke with many faces.

@@ -30,8 +30,18 @@ const Wording& wording(Purpose purpose) {
   static constexpr std::array kWordings{
       Wording{"Open a scene, a journal or a mesh", "Open", "Type a part of a name, or a whole path"},
       Wording{"Save the work", "Save", "Name; .kerf keeps everything, .json the scene without what was cut"},
-      Wording{"Export the chosen pieces", "Export", "Name; a * stands for the name of each piece"}};
+      Wording{"Export the chosen pieces", "Export", "Name; a * stands for the name of each piece"},
+      Wording{"Load a path of the laser", "Load", "Type a part of a name, or a whole path"},
+      Wording{"Save the path of the laser", "Save", "Name; the ending is .json"}};
   return kWordings[static_cast<size_t>(purpose)];
+}
+
+bool opens(const FileBrowser& b) { return b.purpose == Purpose::kOpen || b.purpose == Purpose::kOpenPath; }
+
+// Paths lie in JSON files.
+bool is_listed(const FileBrowser& b, const FileBrowser::Entry& entry) {
+  const bool path = b.purpose == Purpose::kOpenPath || b.purpose == Purpose::kSavePath;
+  return entry.folder || !path || entry.name.ends_with(".json");
 }
 
 void set_name(FileBrowser& b, const std::string& text) {
@@ -48,14 +58,14 @@ void enter_folder(FileBrowser& b, const fs::path& folder) {
   b.replace.clear();
   b.show_cursor = true;
   b.take_focus = true;
-  if (b.purpose == Purpose::kOpen) set_name(b, "");
+  if (opens(b)) set_name(b, "");
 }
 
 std::vector<size_t> left_by_filter(const FileBrowser& b) {
-  const std::string filter = b.purpose == Purpose::kOpen ? b.name.data() : "";
+  const std::string filter = opens(b) ? b.name.data() : "";
   std::vector<size_t> left;
   for (size_t i = 0; i < b.entries.size(); ++i) {
-    if (passes_filter(b.entries[i].name, filter)) left.push_back(i);
+    if (is_listed(b, b.entries[i]) && passes_filter(b.entries[i].name, filter)) left.push_back(i);
   }
   return left;
 }
@@ -72,7 +82,7 @@ std::optional<fs::path> typed_path(const FileBrowser& b) {
 
 // The files that are there already of those that would be written.
 std::vector<fs::path> to_be_replaced(const FileBrowser& b, const fs::path& file) {
-  if (b.purpose == Purpose::kOpen) return {};
+  if (opens(b)) return {};
   std::vector<fs::path> files = b.purpose == Purpose::kExport ? b.writes(file) : std::vector{file};
   std::error_code error;
   std::erase_if(files, [&](const fs::path& f) { return !fs::exists(f, error); });
@@ -96,7 +106,7 @@ void choose_entry(FileBrowser& b, const FileBrowser::Entry& entry) {
   const fs::path path = b.folder / entry.name;
   if (entry.folder) {
     enter_folder(b, path);
-  } else if (b.purpose == Purpose::kOpen) {
+  } else if (opens(b)) {
     choose_file(b, path);
   } else {
     set_name(b, entry.name);
@@ -107,6 +117,7 @@ void choose_entry(FileBrowser& b, const FileBrowser::Entry& entry) {
 fs::path with_ending(fs::path file, const FileBrowser& b) {
   const std::string ending = file.extension().string();
   if (b.purpose == Purpose::kSave && ending != ".kerf" && ending != ".json") file += ".kerf";
+  if (b.purpose == Purpose::kSavePath && ending != ".json") file += ".json";
   if (b.purpose == Purpose::kExport && !mesh_format(ending)) file += "." + std::string(format_name(b.format));
   return file;
 }
@@ -117,7 +128,7 @@ void accept(FileBrowser& b) {
     if (fs::is_directory(*typed, error)) return enter_folder(b, *typed);
     return choose_file(b, with_ending(*typed, b));
   }
-  if (b.purpose != Purpose::kOpen) {
+  if (!opens(b)) {
     if (b.name.front() != '\0') choose_file(b, with_ending(b.folder / b.name.data(), b));
     return;
   }
@@ -165,7 +176,7 @@ void draw_entry(FileBrowser& b, size_t place, const FileBrowser::Entry& entry, b
   if (!entry.folder) ImGui::TextDisabled("%s", size_text(entry.bytes).c_str());
   if (!clicked) return;
   b.cursor = place;
-  if (b.purpose != Purpose::kOpen && !entry.folder) set_name(b, entry.name);
+  if (!opens(b) && !entry.folder) set_name(b, entry.name);
   if (!twice) return;
   const FileBrowser::Entry chosen = entry;
   gone = true;

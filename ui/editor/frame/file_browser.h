@@ -13,7 +13,7 @@ namespace kerf {
 
 // The window in which a file is chosen: folders, a filter by name, all of it by keyboard too.
 struct FileBrowser {
-  enum class Purpose { kOpen, kSave, kExport };
+  enum class Purpose { kOpen, kSave, kExport, kOpenPath, kSavePath };
   using Entry = FolderEntry;
   // Takes the file that was chosen. Returns why it cannot, and the window stays open, or an empty text.
   using Take = std::function<std::string(Purpose, const std::filesystem::path&)>;

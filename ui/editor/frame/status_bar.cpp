@@ -27,6 +27,10 @@ const char* left_button(const Hand& hand) {
       return "Moving a light";
     case Drag::kBox:
       return "Choosing what lies wholly in the box; from right to left: what it touches";
+    case Drag::kPath:
+      return "Path: the point follows the pointer over the surface";
+    case Drag::kEmitter:
+      return "Moving the emitter";
     case Drag::kPick:
     case Drag::kPiece:
     case Drag::kMeasure:
@@ -38,6 +42,8 @@ const char* left_button(const Hand& hand) {
   if (hand.tool == Tool::kPick)
     return "Pick: click or drag a box, Shift adds; G moves the chosen piece, R turns it";
   if (hand.tool == Tool::kInspect) return "Inspect: click two points to measure their distance";
+  if (hand.tool == Tool::kPath)
+    return "Path: click adds a point, Shift begins another stroke, Ctrl+Enter runs it";
   if (hand.cut_once) return "Laser: left drag cuts, Ctrl+click picks";
   return "Laser: left drag cuts, F1 shows all shortcuts";
 }

@@ -1,12 +1,9 @@
 #include "ui/editor/inspect/placement_rows.h"
 
-#include <imgui.h>
-
 #include <cmath>
 
 #include "ui/editor/tools/moving.h"
 #include "ui/editor/view/piece_set.h"
-#include "ui/window/landmarks.h"
 #include "ui/window/property.h"
 
 namespace kerf {
@@ -27,30 +24,6 @@ Vec3 angles_of(const glm::dquat& orientation) {
 
 glm::dquat orientation_of(const Vec3& angles) { return glm::normalize(glm::dquat(angles * kDegree)); }
 
-bool PlacementRows::fields(const char* name, Vec3& values, const char* format, const char* meaning) {
-  property(name);
-  bool entered = false;
-  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-  const float width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
-  ImGui::PushID(name);
-  for (int i = 0; i < 3; ++i) {
-    if (i > 0) ImGui::SameLine(0, gap);
-    ImGui::SetNextItemWidth(width);
-    ImGui::PushID(i);
-    double shown = values[i];
-    if (ImGui::InputScalar("##field", ImGuiDataType_Double, &shown, nullptr, nullptr, format)) typed_ = shown;
-    mark_last_item(name, i);
-    if (ImGui::IsItemDeactivatedAfterEdit() && std::isfinite(typed_)) {
-      values[i] = typed_;
-      entered = true;
-    }
-    tooltip(meaning);
-    ImGui::PopID();
-  }
-  ImGui::PopID();
-  return entered;
-}
-
 void PlacementRows::draw(const World& world, const ViewState& view, Requests& requests) {
   if (why_no_move(view.look.pieces) != nullptr) return;
   const PieceId piece = *first_chosen(view.look.pieces);
@@ -59,11 +32,11 @@ void PlacementRows::draw(const World& world, const ViewState& view, Requests& re
   const Vec3 before = pivot_of(body, piece.label), centre_in_body = to.to_body(before);
   Vec3 centre = before, angles = angles_of(to.orientation);
   if (!begin_properties("placement")) return;
-  if (fields("Centre", centre, "%.5g",
-             "X, Y and Z of the chosen piece's centre of area, in the unit of the file."))
+  if (fields_.vector("Centre", centre, "%.5g",
+                     "X, Y and Z of the chosen piece's centre of area, in the unit of the file."))
     to.position += centre - before;
-  if (fields("Rotation", angles, "%.4g",
-             "Degrees about X, then Y, then Z, about its centre: 0 is as it was loaded.")) {
+  if (fields_.vector("Rotation", angles, "%.4g",
+                     "Degrees about X, then Y, then Z, about its centre: 0 is as it was loaded.")) {
     to.orientation = orientation_of(angles);
     to.position = before - to.orientation * centre_in_body;
   }

@@ -2,6 +2,7 @@
 
 #include "ui/editor/view/view_state.h"
 #include "ui/editor/work/requests.h"
+#include "ui/window/number_fields.h"
 
 namespace kerf {
 
@@ -18,10 +19,7 @@ class PlacementRows {
   void draw(const World& world, const ViewState& view, Requests& requests);
 
  private:
-  // Three fields in a row. Returns whether one was typed, which `values` then holds.
-  bool fields(const char* name, Vec3& values, const char* format, const char* meaning);
-
-  double typed_ = 0;  // in the field that is being edited
+  NumberFields fields_;
 };
 
 }  // namespace kerf

@@ -5,6 +5,7 @@
 #include "ui/editor/inspect/face_readout.h"
 #include "ui/editor/marks/hint_box.h"
 #include "ui/editor/marks/legends.h"
+#include "ui/editor/path/path_marks.h"
 #include "ui/editor/tools/axes_gizmo.h"
 #include "ui/editor/tools/light_handle.h"
 #include "ui/editor/tools/piece_handles.h"
@@ -81,6 +82,17 @@ void draw_half_labels(const MarkParts& of, ImDrawList& list) {
   list.AddLine({x, y}, {x, y + static_cast<float>(l.second.size.y)}, colours::kPictureSecondary, 1);
 }
 
+// The path while it is in hand or its panel is unfolded, and the emitter.
+void draw_placed_lasers(const MarkParts& of, bool cutting, ImDrawList& list) {
+  const FirstPicture picture(of.view);
+  const Area& first = of.view.layout.first;
+  list.PushClipRect(to_im(first.at), to_im(first.at + first.size), true);
+  if (shows_path(of.hand, of.settings) && !cutting)
+    draw_path(of.lasers.path, of.document.world(), picture, list);
+  draw_emitter(of.lasers.emitter, picture, of.hand.over_picture ? of.hand.pointer : Vec2(-1), list);
+  list.PopClipRect();
+}
+
 // The first half without the label in its corner.
 Area under_label(const Layout& l) {
   const Vec2 label(0, l.split() ? 2.2 * ImGui::GetTextLineHeight() + ImGui::GetFontSize() : 0);
@@ -98,6 +110,7 @@ void draw_picture_marks(const MarkParts& of) {
   draw_axes_gizmo(of.view, of.hand.over_picture ? of.hand.pointer : Vec2(-1), list);
   const bool cutting = of.hand.drag == Drag::kCut || of.document.beam_waits();
   if (shows_light_handles(of.settings) && !cutting) draw_light_handles(of.view, list);
+  draw_placed_lasers(of, cutting, list);
   if (!cutting) draw_piece_handles(of.view, of.hand, of.document.world(), list);
   draw_face_readout(of.view, of.hand, of.document.world(), list);
   if (of.hand.drag == Drag::kBox) draw_rubber_band({of.hand.pressed_at, of.hand.pointer}, list);

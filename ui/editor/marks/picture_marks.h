@@ -2,6 +2,7 @@
 
 #include "ui/editor/changes/split_view.h"
 #include "ui/editor/figures/figures.h"
+#include "ui/editor/path/placed_lasers.h"
 #include "ui/editor/tools/hand.h"
 #include "ui/editor/view/settings.h"
 #include "ui/editor/view/view_state.h"
@@ -17,10 +18,12 @@ struct MarkParts {
   const Settings& settings;
   const ShownFigures& shown;
   const ShadowFigures& shadows;
+  const PlacedLasers& lasers;
 };
 
 // Draws over the picture: a ring as wide as the beam, what the halves of a split picture show, the handles of
-// lights and of the chosen piece, the legends of its views, and hints until the first cut.
+// lights and of the chosen piece, the path and the emitter, the legends of its views, and hints until the
+// first cut.
 void draw_picture_marks(const MarkParts& of);
 
 }  // namespace kerf

@@ -13,12 +13,18 @@ constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFla
                                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
+// Whether the header was drawn folded in the last frame.
+bool was_folded(const char* title) { return ImGui::GetStateStorage()->GetInt(ImGui::GetID(title), 1) == 0; }
+
+// One that is unfolded from elsewhere comes into view.
 void draw_panel(const Panel& panel, bool& unfolded) {
   ImGui::PushID(panel.title);
+  const bool comes = unfolded && was_folded(panel.title);
   ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 0);
   ImGui::SetNextItemOpen(unfolded, ImGuiCond_Always);
   unfolded = ImGui::CollapsingHeader(panel.title);
   mark_last_item(panel.title);
+  if (comes) ImGui::SetScrollHereY(0);
   ImGui::PopStyleVar();
   if (unfolded) {
     ImGui::Spacing();

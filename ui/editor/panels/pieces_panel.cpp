@@ -4,9 +4,8 @@
 
 #include "ui/editor/view/piece_set.h"
 #include "ui/render/spread.h"
-#include "ui/window/number_text.h"
 #include "ui/window/property.h"
-#include "ui/window/theme.h"
+#include "ui/window/row_button.h"
 
 namespace kerf {
 
@@ -14,34 +13,19 @@ namespace {
 
 constexpr double kMostSpread = 1.5;
 
-// A button that takes its share of the row, and says why when it can do nothing.
-bool row_button(const char* label, int shares, bool can, const char* meaning, const char* why_not) {
-  const float gap = ImGui::GetStyle().ItemSpacing.x;
-  const float room = ImGui::GetWindowContentRegionMax().x - ImGui::GetWindowContentRegionMin().x;
-  ImGui::BeginDisabled(!can);
-  const bool pressed =
-      ImGui::Button(label, {(room - gap * static_cast<float>(shares - 1)) / static_cast<float>(shares), 0});
-  ImGui::EndDisabled();
-  tooltip(can ? meaning : why_not);
-  return pressed;
-}
-
 void draw_buttons(const PieceMap& looks, Requests& requests, const std::function<void()>& browse_export) {
   const size_t chosen = chosen_pieces(looks), hidden = hidden_pieces(looks).size();
   constexpr const char* kNoneChosen =
       "No piece is chosen: Ctrl+click one in the picture, or click it in the list.";
-  if (row_button("Hide", 3, chosen > 0, "Leaves the chosen pieces out of the picture (H).", kNoneChosen)) {
+  const char* why_none = chosen > 0 ? nullptr : kNoneChosen;
+  if (row_button("Hide", 3, why_none, "Leaves the chosen pieces out of the picture (H)."))
     requests.hide_chosen = true;
-  }
   ImGui::SameLine();
-  if (row_button("Show all", 3, hidden > 0, "Draws the hidden pieces again (Shift+H).",
-                 "No piece is hidden.")) {
+  if (row_button("Show all", 3, hidden > 0 ? nullptr : "No piece is hidden.",
+                 "Draws the hidden pieces again (Shift+H)."))
     requests.show_hidden = true;
-  }
   ImGui::SameLine();
-  if (row_button("Export", 3, chosen > 0, "Writes the chosen pieces to mesh files (Ctrl+E).", kNoneChosen)) {
-    browse_export();
-  }
+  if (row_button("Export", 3, why_none, "Writes the chosen pieces to mesh files (Ctrl+E).")) browse_export();
 }
 
 void draw_spread(const World& world, ViewState& view, bool one_piece) {

@@ -17,9 +17,6 @@ constexpr double kOppositeEnd = 0.45;
 constexpr double kMargin = 0.9;       // around all that
 constexpr double kLeastPicture = 14;  // width and height of a picture that has room for it
 
-constexpr std::array<ImU32, 3> kColours{IM_COL32(0xd9, 0x6a, 0x62, 255), IM_COL32(0x84, 0xb3, 0x5c, 255),
-                                        IM_COL32(0x62, 0x97, 0xdc, 255)};
-
 ImVec2 to_im(Vec2 p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
 
 double whole_radius(const ViewState& view) { return (kRadius + kEnd + 0.25) * view.layout.em; }
@@ -52,7 +49,7 @@ void draw_letter(const AxisEnd& end, ImU32 colour, ImDrawList& list) {
 void draw_end(const AxisEnd& end, Vec2 middle, double em, bool pointed_at, ImDrawList& list) {
   const auto reach = static_cast<float>(reach_of(end, em));
   const double opacity = pointed_at ? 1 : 0.72 - 0.22 * end.depth;
-  const ImU32 colour = faded(kColours.at(static_cast<size_t>(end.axis)), opacity);
+  const ImU32 colour = faded(colours::kAxes.at(static_cast<size_t>(end.axis)), opacity);
   if (end.positive) list.AddLine(to_im(middle), to_im(end.at), colour, 2);
   if (end.positive) {
     list.AddCircleFilled(to_im(end.at), reach, colour);
@@ -74,8 +71,6 @@ std::string kind_of_view(const ViewState& view) {
 }
 
 }  // namespace
-
-ImU32 axis_colour(size_t axis) { return kColours.at(axis); }
 
 std::vector<AxisEnd> axis_ends(const ViewState& view) {
   std::vector<AxisEnd> ends;

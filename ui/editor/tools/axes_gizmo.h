@@ -7,7 +7,6 @@
 #include "ui/editor/view/view_state.h"
 
 struct ImDrawList;
-using ImU32 = unsigned int;
 
 namespace kerf {
 
@@ -30,9 +29,6 @@ std::vector<AxisEnd> axis_ends(const ViewState& view);
 bool is_on_axes(const ViewState& view, Vec2 at);
 // The nearest end of an axis at a place, if any.
 std::optional<AxisEnd> axis_end_under(const ViewState& view, Vec2 at);
-
-// The colour of an axis of the world: 0 for X, 1 for Y, 2 for Z.
-ImU32 axis_colour(size_t axis);
 
 // The name of an end, as tests know it: "axis X", "axis -Y".
 std::string name_of(const AxisEnd& end);

@@ -3,9 +3,9 @@
 namespace kerf {
 
 bool cancel_stroke(Hand& hand, Document& document) {
-  if (hand.drag != Drag::kCut) return false;
+  if (hand.drag != Drag::kCut && !hand.beam.cutting()) return false;
   hand.beam.release(document);
-  hand.drag = Drag::kNone;
+  if (hand.drag == Drag::kCut) hand.drag = Drag::kNone;
   return true;
 }
 

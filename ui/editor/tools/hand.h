@@ -5,14 +5,15 @@
 #include "ui/editor/tools/laser_controls.h"
 #include "ui/editor/tools/laser_tool.h"
 #include "ui/editor/tools/piece_move.h"
+#include "ui/editor/view/settings.h"
 
 namespace kerf {
 
 // What the left button does.
-enum class Tool { kLaser, kPick, kInspect };
+enum class Tool { kLaser, kPick, kInspect, kPath };
 
 // What a drag that has begun goes on doing. One that picks, or that began on the axes, has not moved yet.
-enum class Drag { kNone, kCut, kPick, kBox, kAxes, kOrbit, kPan, kLight, kPiece, kMeasure };
+enum class Drag { kNone, kCut, kPick, kBox, kAxes, kOrbit, kPan, kLight, kPiece, kMeasure, kPath, kEmitter };
 
 // What the user holds, and what the mouse is doing with it.
 struct Hand {
@@ -29,6 +30,11 @@ struct Hand {
   bool over_picture = false;                 // the pointer is
   bool cut_once = false;                     // hints are no longer needed
 };
+
+// Whether the path is shown: while it is in hand or its panel is unfolded.
+inline bool shows_path(const Hand& hand, const Settings& settings) {
+  return hand.tool == Tool::kPath || settings.shows(PanelId::kPath);
+}
 
 // Ends the stroke that is drawn, if one is; what was cut stays cut. Returns whether there was one.
 bool cancel_stroke(Hand& hand, Document& document);

@@ -3,6 +3,7 @@
 #include <cassert>
 #include <utility>
 
+#include "core/base/unit_vector.h"
 #include "core/cut/cuttable.h"
 #include "ui/editor/tools/click.h"
 #include "ui/render/beam_strike.h"
@@ -45,21 +46,48 @@ void LaserTool::press(Document& document, const CameraView& view, Vec2 pointer, 
   const std::optional<double> hit = first_hit(document.world(), ray);
   focus_ = hit.value_or(view.focus);
   emitter_ = view.parallel ? focus_ - least_depth(document.world(), view) + 0.1 * diagonal : focus_;
-  const CutSettings settings = controls.settings(diagonal);
+  pointer_ = pointer;
+  pose_ = aim(view, pointer);
+  begin(document, controls.settings(diagonal), heard);
+  held_ = BeginStroke{settings_, pose_};
+  if (hit) begin_held(document);
+}
+
+// A stroke with the settings at pose_.
+void LaserTool::begin(const Document& document, const CutSettings& settings, double heard) {
+  settings_ = settings;
   radius_ = settings.laser.radius;
   const bool by_edge = settings.resolution.rule == Resolution::Rule::kTargetEdge;
   overshoot_ = by_edge ? settings.resolution.target_edge : 0.5 * radius_;
   reach_ = settings.laser.range.high;
-  pointer_ = pointer;
-  pose_ = aim(view, pointer);
   if (!document.beam_waits()) {
     beam_ = pose_;
     strike_.reset();
   }
   cutting_ = true;
   began_ = heard;
-  held_ = BeginStroke{settings, pose_};
-  if (hit) begin_held(document);
+  told_ = 0;
+}
+
+void LaserTool::fire(Document& document, const Pose& pose, double distance, const CutSettings& settings,
+                     double heard) {
+  assert(!cutting_);
+  emitter_ = distance;
+  pose_ = pose;
+  begin(document, settings, heard);
+  held_.reset();
+  document.apply(BeginStroke{settings_, pose_});
+}
+
+void LaserTool::carry_to(Document& document, const Pose& pose, double heard) {
+  if (!cutting_ || (pose.origin == pose_.origin && pose.direction == pose_.direction)) return;
+  if (are_opposite(pose_.direction, pose.direction)) {
+    release(document);
+    return fire(document, pose, emitter_, settings_, heard);
+  }
+  pose_ = pose;
+  told_ = std::max(told_, heard - began_);
+  document.apply(MoveStroke{pose_, told_});
 }
 
 void LaserTool::begin_held(Document& document) {

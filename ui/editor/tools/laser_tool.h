@@ -24,6 +24,11 @@ class LaserTool {
   void press(Document& document, const CameraView& view, Vec2 pointer, const LaserControls& controls,
              double heard);
   void move(Document& document, const CameraView& view, Vec2 pointer, double pixel, double heard);
+  // The same with poses that are given: of a beam that comes from `distance` (m) away from what it aims at.
+  // A turn to the opposite direction ends the stroke and begins another. Preconditions: fire() is called
+  // while no stroke is drawn, and directions are unit vectors.
+  void fire(Document& document, const Pose& pose, double distance, const CutSettings& settings, double heard);
+  void carry_to(Document& document, const Pose& pose, double heard);
   void release(Document& document);
 
   bool cutting() const { return cutting_; }
@@ -37,17 +42,20 @@ class LaserTool {
 
  private:
   Pose aim(const CameraView& view, Vec2 pointer) const;
+  void begin(const Document& document, const CutSettings& settings, double heard);
   void begin_held(Document& document);
 
   bool cutting_ = false;
   std::optional<BeginStroke> held_;  // the beginning that the document does not know of yet
   double began_ = 0;                 // s of that clock, when the stroke began
+  double told_ = 0;                  // s from there to the last pose that carry_to() was told
   double focus_ = 1;                 // m along the pointer's ray
   double emitter_ = 1;               // m from there back to the emitter
   double reach_ = 1;                 // m along the beam
   double radius_ = 0.01;             // m
   double overshoot_ = 0.01;          // m, how far beside the beam the rim of what it burns may be
   Vec2 pointer_{0};                  // of the last pose
+  CutSettings settings_;             // of the stroke
   Pose pose_;                        // that the pointer asks for
   Pose beam_;                        // that the cut has reached
   std::optional<double> strike_;     // m along the beam

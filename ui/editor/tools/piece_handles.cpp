@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "ui/editor/tools/axes_gizmo.h"
 #include "ui/editor/tools/moving.h"
 #include "ui/editor/view/piece_set.h"
 #include "ui/window/theme.h"
@@ -90,7 +89,8 @@ double distance_to(const PieceHandle& handle, Vec2 at) {
 }
 
 void draw_handle(const PieceHandle& handle, double em, bool pointed_at, ImDrawList& list) {
-  const ImU32 colour = pointed_at ? colours::kPictureText : axis_colour(static_cast<size_t>(handle.axis));
+  const ImU32 colour =
+      pointed_at ? colours::kPictureText : colours::kAxes.at(static_cast<size_t>(handle.axis));
   const bool is_arrow = handle.kind == PieceMove::Kind::kMove;
   std::vector<ImVec2> points;
   for (const Vec2& p : handle.line) points.push_back(to_im(p));
@@ -115,7 +115,7 @@ void draw_axis(const Stage& stage, PieceMove::Axis axis, ImDrawList& list) {
     for (int i = 0; i < 8 && stage.camera.project(end).z <= 0; ++i) end = 0.5 * (end + stage.pivot);
   }
   list.AddLine(to_im(stage.place_of(ends[0])), to_im(stage.place_of(ends[1])),
-               axis_colour(static_cast<size_t>(axis)), 1.5f);
+               colours::kAxes.at(static_cast<size_t>(axis)), 1.5f);
 }
 
 void draw_words(const Stage& stage, const std::string& words, ImDrawList& list) {

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "ui/editor/path/surface_point.h"
 #include "ui/editor/tools/axes_gizmo.h"
 #include "ui/editor/tools/click.h"
 #include "ui/editor/tools/light_handle.h"
@@ -29,6 +30,7 @@ Drag drag_of(Tool tool, int button, int mods) {
     case GLFW_MOUSE_BUTTON_LEFT:
       if (alt) return Drag::kOrbit;
       if (tool == Tool::kInspect && (mods & GLFW_MOD_CONTROL) == 0) return Drag::kMeasure;
+      if (tool == Tool::kPath && (mods & GLFW_MOD_CONTROL) == 0) return Drag::kPath;
       return tool == Tool::kPick || (mods & GLFW_MOD_CONTROL) != 0 ? Drag::kPick : Drag::kCut;
     case GLFW_MOUSE_BUTTON_MIDDLE:
       return shift ? Drag::kPan : Drag::kOrbit;
@@ -98,10 +100,59 @@ bool take_handle(const MouseParts& on) {
   return true;
 }
 
-void begin(const MouseParts& on, Drag drag, double heard) {
+void press_path(const MouseParts& on, int mods) {
+  if (on.view.in_second) return on.message.say("The path is drawn in the left half.", true);
+  stand_together(on);
+  const World& world = on.work.document.world();
+  const bool new_stroke = (mods & GLFW_MOD_SHIFT) != 0;
+  on.message.say("");
+  const std::string why =
+      on.lasers.path_tool.press(on.lasers.path, world, on.view, on.hand.pointer, new_stroke,
+                                PathTool::beam_for(world, on.hand.laser.radius));
+  if (!why.empty()) on.message.say(why, true);
+}
+
+// Begins to drag the part of the emitter under the pointer. Returns whether there is one.
+bool take_emitter(const MouseParts& on) {
+  const auto handles = emitter_handles(on.lasers.emitter, FirstPicture(on.view));
+  const auto handle = emitter_handle_under(handles, on.hand.pointer);
+  if (!handle || on.view.in_second) return false;
+  on.lasers.emitter.take(*handle, on.hand.pointer);
+  on.hand.drag = Drag::kEmitter;
+  return true;
+}
+
+// The beam of an emitter that fires follows each move of the pointer, as that of the pointer itself does.
+void drag_emitter(const MouseParts& on, double heard) {
+  Emitter& emitter = on.lasers.emitter;
+  const FirstPicture picture(on.view);
+  const auto surface = surface_point(on.work.document.world(), on.view.look, picture.ray(on.hand.pointer));
+  emitter.drag(picture, on.hand.pointer, surface ? std::optional(surface->at) : std::nullopt);
+  if (emitter.drawing) on.hand.beam.carry_to(on.work.document, emitter.pose(), heard);
+}
+
+// Begins to cut.
+void press_laser(const MouseParts& on, double heard) {
+  if (on.loader.busy()) {
+    on.hand.drag = Drag::kNone;
+    return on.message.say("The laser waits until " + on.loader.order().name() + " is open.");
+  }
+  stand_together(on);
+  cancel_stroke(on.hand, on.work.document);
+  on.hand.drag = Drag::kCut;
+  on.lasers.emitter.firing = on.lasers.emitter.drawing = false;
+  on.view.camera.finish();
+  on.hand.beam.press(on.work.document, on.view.seen(), on.view.in_picture(on.hand.pointer), on.hand.laser,
+                     heard);
+  on.hand.cut_once = true;
+  on.message.say("");
+}
+
+void begin(const MouseParts& on, Drag drag, const InputEvent& event) {
   on.hand.drag = drag;
   on.hand.pressed_at = on.hand.pointer;
-  const bool left = drag == Drag::kCut || drag == Drag::kPick || drag == Drag::kMeasure;
+  const bool left =
+      drag == Drag::kCut || drag == Drag::kPick || drag == Drag::kMeasure || drag == Drag::kPath;
   if (left && is_on_axes(on.view, on.hand.pointer)) {
     on.hand.drag = Drag::kAxes;
     return;
@@ -114,18 +165,10 @@ void begin(const MouseParts& on, Drag drag, double heard) {
       return;
     }
   }
+  if (left && take_emitter(on)) return;
   if (drag == Drag::kPick && take_handle(on)) return;
-  if (drag != Drag::kCut) return;
-  if (on.loader.busy()) {
-    on.hand.drag = Drag::kNone;
-    return on.message.say("The laser waits until " + on.loader.order().name() + " is open.");
-  }
-  stand_together(on);
-  on.view.camera.finish();
-  on.hand.beam.press(on.work.document, on.view.seen(), on.view.in_picture(on.hand.pointer), on.hand.laser,
-                     heard);
-  on.hand.cut_once = true;
-  on.message.say("");
+  if (drag == Drag::kPath) press_path(on, event.mods);
+  if (drag == Drag::kCut) press_laser(on, event.seconds);
 }
 
 // Whether the pointer moved too far for a click.
@@ -157,6 +200,12 @@ void go_on(const MouseParts& on, Vec2 from, double heard) {
     case Drag::kPiece:
       if (on.hand.move) follow_move(on.hand, on.view);
       break;
+    case Drag::kPath:
+      on.lasers.path_tool.move(on.lasers.path, on.work.document.world(), on.view, on.hand.pointer);
+      break;
+    case Drag::kEmitter:
+      drag_emitter(on, heard);
+      break;
     case Drag::kMeasure:
     case Drag::kBox:
     case Drag::kNone:
@@ -181,6 +230,9 @@ void end(const MouseParts& on, const InputEvent& event) {
     case Drag::kPiece:
       if (on.hand.move) confirm_move(on.hand, on.view, on.requests);
       break;
+    case Drag::kPath:
+      on.lasers.path_tool.release();
+      break;
     case Drag::kAxes:
       if (const auto axis = axis_end_under(on.view, on.hand.pointer))
         on.view.camera.turn_to(axis->view.yaw, axis->view.pitch);
@@ -201,7 +253,7 @@ void handle_mouse(const MouseParts& on, const InputEvent& event, bool free) {
   switch (event.kind) {
     case InputEvent::Kind::kPress:
       if (on.hand.drag == Drag::kNone && on.hand.over_picture)
-        begin(on, drag_of(on.hand.tool, event.button, event.mods), event.seconds);
+        begin(on, drag_of(on.hand.tool, event.button, event.mods), event);
       break;
     case InputEvent::Kind::kMove:
       go_on(on, from, event.seconds);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/editor/path/placed_lasers.h"
 #include "ui/editor/tools/hand.h"
 #include "ui/editor/view/settings.h"
 #include "ui/editor/view/view_state.h"
@@ -20,12 +21,13 @@ struct MouseParts {
   const FileLoader& loader;
   Requests& requests;
   Message& message;
+  PlacedLasers& lasers;
 };
 
 // What the mouse does in the picture: left drag cuts or, with the tool that picks or Ctrl held, a click
-// chooses the piece there and a drag those in a box; middle or Alt+left drag orbits, Shift+middle or right
-// drag pans, the wheel zooms to the pointer. A drag belongs to where it began and goes on across panels.
-// `free` says that no panel or menu wants the mouse.
+// chooses the piece there and a drag those in a box; with the path in hand it adds and drags points; middle
+// or Alt+left drag orbits, Shift+middle or right drag pans, the wheel zooms to the pointer. A drag belongs to
+// where it began and goes on across panels. `free` says that no panel or menu wants the mouse.
 void handle_mouse(const MouseParts& on, const InputEvent& event, bool free);
 
 }  // namespace kerf

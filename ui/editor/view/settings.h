@@ -18,6 +18,7 @@ namespace kerf {
 enum class PanelId {
   kLaser,
   kResolution,
+  kPath,
   kPieces,
   kHistory,
   kLight,

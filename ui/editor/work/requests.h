@@ -21,6 +21,8 @@ struct Requests {
   bool hide_chosen = false, show_hidden = false, isolate = false, delete_chosen = false;
   bool duplicate_chosen = false;
   std::vector<Command> commands;
+  std::filesystem::path save_path_to;  // the path of the laser; empty: nowhere
+  bool run_path = false;
   std::optional<size_t> travel;  // to a position of the history
   enum class Screenshot { kNone, kPicture, kWindow };
   Screenshot screenshot = Screenshot::kNone;

@@ -1,0 +1,172 @@
+"""The path of the laser: its points, its file, its run against `kerf cut --path`, holes; and the emitter."""
+import json
+import os
+import subprocess
+import tempfile
+import unittest
+
+from editor_window import ASSETS, KERF, SPHERE, WindowTest, pause, wait_for
+
+PLATE = os.path.join(ASSETS, "scenes", "thin-plate.json")
+
+
+def mesh(name):
+    return os.path.join(ASSETS, "meshes", name)
+
+
+def commands_of(journal):
+    with open(journal) as file:
+        lines = [json.loads(line) for line in file]
+    return [line for line in lines if "do" in line]
+
+
+class Path(WindowTest):
+    def open_path(self, *arguments):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        self.only_panel("Path")
+        return self.open_again(*arguments)
+
+    def write_path(self, strokes, radius):
+        """A path file of strokes from above, across the sphere."""
+        file = os.path.join(self.folder, "path.json")
+        keys = lambda z: [{"t": t, "origin": [x, 1, z], "direction": [0.1, -2, 0]} for t, x in ((0, -0.3), (2, 0.3))]
+        with open(file, "w") as text:
+            json.dump({"strokes": [{"laser": {"radius": radius}, "keys": keys(z)} for z in strokes]}, text)
+        return file
+
+    def expect_same_cut(self, path, journal, mesh_file):
+        """The journal of the editor holds what `kerf cut --path` does with the path, and its end is the same."""
+        out, cut = os.path.join(self.folder, "out"), os.path.join(self.folder, "cut.kerf")
+        subprocess.run([KERF, "cut", mesh_file, "--path", path, "--out", out, "--journal", cut], check=True,
+                       stderr=subprocess.DEVNULL)
+        self.assertEqual(commands_of(journal), commands_of(cut))
+        with open(os.path.join(out, "report.json")) as file:
+            state = json.load(file)["state_hash"]
+        subprocess.run([KERF, "replay", journal, "--expect", state], check=True, stdout=subprocess.DEVNULL,
+                       stderr=subprocess.DEVNULL)
+
+    def test_clicked_points_are_moved_removed_and_brought_back(self):
+        editor = self.open_path(SPHERE)
+        editor.press("o")
+        editor.click(0.44, 0.5)
+        editor.click(0.56, 0.5)
+        editor.xdotool("keydown", "shift")
+        editor.click(0.5, 0.62)
+        editor.xdotool("keyup", "shift")
+        before = editor.landmarks()["parts"]
+        x, y = editor.place(("path point 0", 0.5, 0.5))
+        editor.drag_pixels([(x, y), (x, y - 50)])
+        x, y = editor.place(("path knob", 0.5, 0.5))
+        editor.drag_pixels([(x, y), (x + 40, y)])
+        after = editor.landmarks()["parts"]
+        self.assertAlmostEqual(after["path point 0"][1], before["path point 0"][1] - 50, delta=3)
+        self.assertEqual(after["path point 1"], before["path point 1"])
+        editor.click("path point 2", 0.5, 0.5)
+        editor.do("BackSpace")
+        editor.do("Delete")
+        self.assertEqual(sorted(n for n in editor.landmarks()["parts"] if n.startswith("path point")), ["path point 0"])
+        editor.do("ctrl", "z")
+        editor.do("ctrl", "z")
+        report = editor.quit()
+        self.assertEqual((report["path"]["strokes"], len(report["path"]["targets"])), (2, 3))
+        self.assertEqual((report["undo_depth"], report["strokes"]), (0, 0))
+
+    def test_a_saved_path_runs_as_kerf_cut_runs_its_file(self):
+        editor = self.open_path(SPHERE)
+        editor.press("o")
+        for at in ((0.4, 0.45), (0.5, 0.55), (0.6, 0.45)):
+            editor.click(*at)
+        editor.click("Save", 0.5, 0.5)
+        self.type_name(editor, "clicked")
+        path, journal = (os.path.join(self.folder, name) for name in ("clicked.json", "run.kerf"))
+        wait_for(lambda: os.path.exists(path), 20, "the path was not saved")
+        editor.do("ctrl", "Return")
+        self.save_as(editor, "run")
+        editor.wait_for_title("run.kerf - Kerf")
+        report = editor.quit()
+        self.assertEqual((report["strokes"], report["path"]["unsaved"]), (1, False))
+        self.assertGreater(report["faces_removed"], 0)
+        self.expect_same_cut(path, journal, mesh("sphere.obj"))
+
+    def test_a_dropped_path_runs_as_kerf_cut_runs_it_and_its_speed_can_be_typed(self):
+        editor = self.open_path(SPHERE)
+        path = self.write_path([0.05, -0.05], 0.006)
+        editor.drop(path)
+        editor.part("path point 3")
+        editor.click("Run", 0.5, 0.5)
+        self.save_as(editor, "run")
+        editor.wait_for_title("run.kerf - Kerf")
+        editor.click("Speed", 0.5, 0.5)
+        editor.press("ctrl", "a")
+        editor.xdotool("type", "--delay", "60", "0.6")
+        editor.do("Return")
+        report = editor.quit()
+        self.assertEqual((report["strokes"], report["undo_depth"]), (2, 2))
+        self.assertEqual(report["path"]["speed"], 0.6)
+        self.expect_same_cut(path, os.path.join(self.folder, "run.kerf"), mesh("sphere.obj"))
+
+    def test_a_run_that_is_stopped_leaves_no_trace(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        path = self.write_path([-0.2 + 0.002 * i for i in range(200)], 0.0006)
+        self.only_panel("Path")
+        editor = self.open_again(SPHERE, path)
+        editor.point_at(0.1, 0.1)
+        editor.press("ctrl", "Return")
+        pause(2)
+        editor.press("Escape")
+        editor.settle()
+        report = editor.quit()
+        self.assertEqual((report["undo_depth"], report["strokes"], report["faces_removed"]), (0, 0, 0))
+        self.assertIn("The path was stopped: nothing was cut.", report["messages"])
+        self.assertEqual(report["path"]["strokes"], 200)
+
+    def test_a_grid_of_holes_around_a_clicked_point_drills_the_plate(self):
+        editor = self.open_path(PLATE)
+        editor.press("o")
+        editor.click(0.5, 0.5)
+        editor.click("Holes header", 0.3, 0.5)
+        editor.click("add holes", 0.5, 0.5)
+        editor.do("ctrl", "Return")
+        report = editor.quit()
+        self.assertEqual((report["path"]["strokes"], report["strokes"]), (12, 12))
+        self.assertEqual(report["pieces"], 1 + 2 * 12)  # of each hole a disc of the front and one of the back
+
+    def test_a_path_that_was_not_saved_is_there_again_after_a_crash(self):
+        editor = self.open_path(SPHERE)
+        editor.press("o")
+        editor.click(0.45, 0.5)
+        editor.click(0.55, 0.5)
+        pause(1.5)
+        editor.die()
+        editor = self.open_again(SPHERE)
+        editor.part("path point 1")
+        path = editor.quit()["path"]
+        self.assertEqual((len(path["targets"]), path["unsaved"]), (2, True))
+
+    def test_the_emitter_cuts_while_it_is_moved_and_one_undo_takes_the_stroke_back(self):
+        editor = self.open(SPHERE)
+        editor.point_at(0.1, 0.1)
+        editor.do("shift", "u")
+        editor.part("emitter target")
+        editor.do("u")
+        x, y = editor.place(("emitter target", 0.5, 0.5))
+        editor.drag_pixels([(x, y), (x + 60, y)])
+        x, y = editor.place(("emitter body", 0.5, 0.5))
+        editor.drag_pixels([(x, y), (x - 60, y)])
+        editor.do("u")
+        self.save_as(editor, "fired")
+        editor.wait_for_title("fired.kerf - Kerf")
+        moves = [c for c in commands_of(os.path.join(self.folder, "fired.kerf")) if c["do"] == "move"]
+        editor.do("ctrl", "z")
+        report = editor.quit()
+        self.assertGreater(len(moves), 10)
+        self.assertEqual(sorted(m["t"] for m in moves), [m["t"] for m in moves])
+        self.assertEqual((report["strokes"], report["undo_depth"], report["emitter"]["firing"]), (0, 0, False))
+
+
+if __name__ == "__main__":
+    unittest.main()

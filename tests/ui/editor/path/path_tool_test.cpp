@@ -1,0 +1,118 @@
+#include "ui/editor/path/path_tool.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/made_meshes.h"
+#include "ui/editor/path/emitter.h"
+#include "ui/editor/path/path_marks.h"
+
+namespace kerf {
+namespace {
+
+// A sphere of 1 m before the eye.
+class PathToolTest : public testing::Test {
+ protected:
+  PathToolTest() {
+    world.add(make_body("sphere", test::build(test::sphere(24, 32, 1))));
+    view.layout = lay_out({1000, 700}, 16, 26, 26);
+    view.camera.look({0, 0, 5}, {0, 0, 0});
+    view.camera.finish();
+  }
+  Vec2 middle() const { return view.layout.first.at + 0.5 * view.layout.first.size; }
+  std::string press(Vec2 at, bool new_stroke = false) {
+    return tool.press(path, world, view, at, new_stroke, PathTool::beam_for(world, 0.02));
+  }
+  void drag(Vec2 from, Vec2 to) {
+    press(from);
+    for (int i = 1; i <= 10; ++i) tool.move(path, world, view, glm::mix(from, to, 0.1 * i));
+    tool.release();
+  }
+  Vec2 place(PathPoint p) const { return *FirstPicture(view).place_of(path.target(p)); }
+
+  World world;
+  ViewState view;
+  PathWork path;
+  PathTool tool;
+};
+
+TEST_F(PathToolTest, a_click_adds_a_point_whose_beam_stands_upright_on_the_surface) {
+  EXPECT_EQ(press(middle() + Vec2(60, -40)), "");
+  tool.release();
+  ASSERT_EQ(path.points(), 1u);
+  const Vec3 target = path.target({0, 0});
+  EXPECT_NEAR(glm::length(target), 1, 0.02);
+  EXPECT_GT(glm::dot(path.pose({0, 0}).direction, -glm::normalize(target)), 0.98);
+  EXPECT_LT(glm::length(place({0, 0}) - (middle() + Vec2(60, -40))), 1e-6);
+  EXPECT_EQ(path.strokes().front().radius, 0.02);
+}
+
+TEST_F(PathToolTest, a_click_beside_everything_says_so_and_adds_nothing) {
+  EXPECT_NE(press(view.layout.first.at + Vec2(3, 3)), "");
+  EXPECT_TRUE(path.empty());
+  EXPECT_FALSE(path.can_undo());
+}
+
+TEST_F(PathToolTest, a_dragged_point_follows_over_the_surface_and_keeps_its_angle_in_one_step_of_undo) {
+  press(middle());
+  tool.release();
+  const Vec3 before = path.target({0, 0});
+  const Vec2 to = middle() + Vec2(100, 50);
+  drag(middle(), to);
+  EXPECT_EQ(path.points(), 1u);
+  EXPECT_LT(glm::length(place({0, 0}) - to), 1e-6);
+  EXPECT_GT(glm::dot(path.pose({0, 0}).direction, -glm::normalize(path.target({0, 0}))), 0.97);
+  path.undo();
+  EXPECT_EQ(path.target({0, 0}), before);
+}
+
+TEST_F(PathToolTest, a_click_on_a_point_chooses_it_without_an_edit) {
+  press(middle());
+  press(middle() + Vec2(80, 0));
+  tool.release();
+  const size_t changes = path.changes();
+  press(middle() + Vec2(2, 1));
+  tool.move(path, world, view, middle() + Vec2(1, 1));
+  tool.release();
+  EXPECT_EQ(path.chosen(), (PathPoint{0, 0}));
+  EXPECT_EQ(path.changes(), changes);
+}
+
+TEST_F(PathToolTest, the_knob_turns_the_beam_about_the_place_that_it_aims_at) {
+  press(middle() + Vec2(120, 0));
+  tool.release();
+  const Vec3 target = path.target({0, 0}), direction = path.pose({0, 0}).direction;
+  const auto knob = path_knob(path, FirstPicture(view));
+  ASSERT_TRUE(knob.has_value());
+  drag(knob->place, knob->place + Vec2(0, -30));
+  EXPECT_LT(glm::length(path.target({0, 0}) - target), 1e-12);
+  EXPECT_LT(glm::dot(path.pose({0, 0}).direction, direction), 0.99);
+  EXPECT_LT(path.pose({0, 0}).direction.y, direction.y - 0.1);  // the origin went up
+}
+
+TEST_F(PathToolTest, an_arrow_moves_the_emitter_along_its_axis_and_the_ring_aims_it) {
+  Emitter emitter;
+  place_in_view(emitter, view.seen_first(), {0, 0, 1}, 1);
+  const FirstPicture picture(view);
+  for (const EmitterHandle& handle : emitter_handles(emitter, picture)) {
+    if (handle.part == EmitterHandle::Part::kTarget || handle.part == EmitterHandle::Part::kBody) continue;
+    const auto under = emitter_handle_under(emitter_handles(emitter, picture), handle.to);
+    ASSERT_TRUE(under && under->part == handle.part) << name_of(handle);
+    const Vec3 before = emitter.at();
+    emitter.take(handle, handle.to);
+    emitter.drag(picture, handle.to + 0.5 * (handle.to - handle.from), std::nullopt);
+    const Vec3 moved = emitter.at() - before;
+    EXPECT_GT(moved[static_cast<int>(handle.part)], 0) << name_of(handle);
+    EXPECT_NEAR(glm::length(moved), moved[static_cast<int>(handle.part)], 1e-12) << name_of(handle);
+    EXPECT_EQ(emitter.target(), Vec3(0, 0, 1));
+    emitter.stand_at(before);
+  }
+  const Vec2 at = *picture.place_of(emitter.target());
+  emitter.take({EmitterHandle::Part::kTarget, at, at}, at);
+  emitter.drag(picture, at + Vec2(30, 0), Vec3(0.5, 0.5, 0.5));
+  EXPECT_EQ(emitter.target(), Vec3(0.5, 0.5, 0.5));
+  emitter.aim_at(emitter.at());
+  EXPECT_EQ(emitter.target(), Vec3(0.5, 0.5, 0.5));
+}
+
+}  // namespace
+}  // namespace kerf

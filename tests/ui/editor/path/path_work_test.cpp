@@ -1,0 +1,104 @@
+#include "ui/editor/path/path_work.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/made_meshes.h"
+
+namespace kerf {
+namespace {
+
+constexpr Vec3 kDown(0, -1, 0);
+
+// Four points in two strokes.
+PathWork two_strokes() {
+  PathWork path;
+  for (int i = 0; i < 4; ++i) {
+    path.begin_edit();
+    path.add({{i, 1, 0}, kDown}, 1, i == 2, 0.01, 2);
+  }
+  return path;
+}
+
+TEST(PathWork, points_come_after_the_chosen_one_or_begin_another_stroke) {
+  PathWork path = two_strokes();
+  ASSERT_EQ(path.strokes().size(), 2u);
+  path.choose(PathPoint{0, 0});
+  path.begin_edit();
+  path.add({{0.5, 1, 0}, kDown}, 1, false, 0.01, 2);
+  EXPECT_EQ(path.chosen(), (PathPoint{0, 1}));
+  EXPECT_EQ(path.strokes()[0].keys.size(), 3u);
+  EXPECT_EQ(path.target({0, 1}), Vec3(0.5, 0, 0));
+  EXPECT_EQ(path.strokes()[0].times, (std::vector<double>{0, 0.25, 0.5}));
+}
+
+TEST(PathWork, the_last_point_of_a_stroke_takes_the_stroke_with_it) {
+  PathWork path = two_strokes();
+  path.begin_edit();
+  path.remove({1, 0});
+  path.remove({1, 0});
+  EXPECT_EQ(path.strokes().size(), 1u);
+  EXPECT_EQ(path.chosen(), (PathPoint{0, 1}));
+  path.remove({0, 1});
+  path.remove({0, 0});
+  EXPECT_TRUE(path.empty());
+  EXPECT_FALSE(path.chosen().has_value());
+}
+
+TEST(PathWork, undo_and_redo_go_through_all_edits) {
+  PathWork path = two_strokes();
+  path.begin_edit();
+  path.clear();
+  path.undo();
+  EXPECT_EQ(path.points(), 4u);
+  while (path.can_undo()) path.undo();
+  EXPECT_TRUE(path.empty());
+  for (int i = 0; i < 4; ++i) path.redo();
+  EXPECT_EQ(path.points(), 4u);
+  path.redo();
+  EXPECT_TRUE(path.empty());
+}
+
+TEST(PathWork, is_unsaved_until_the_file_holds_what_is_there) {
+  PathWork path = two_strokes();
+  EXPECT_TRUE(path.is_unsaved());
+  path.note_saved("path.json");
+  EXPECT_FALSE(path.is_unsaved());
+  path.begin_edit();
+  path.set_speed(5);
+  EXPECT_TRUE(path.is_unsaved());
+  path.undo();
+  EXPECT_FALSE(path.is_unsaved());
+}
+
+TEST(PathWork, a_run_comes_before_the_edits_in_the_order_of_undo_until_it_is_undone_or_the_path_edited) {
+  PathWork path = two_strokes();
+  EXPECT_TRUE(path.is_newer_than(7));
+  path.note_run(3);
+  EXPECT_FALSE(path.is_newer_than(5));
+  EXPECT_TRUE(path.is_newer_than(3));
+  path.begin_edit();
+  EXPECT_TRUE(path.is_newer_than(5));
+}
+
+TEST(PathWork, points_of_a_file_lie_on_the_surface_and_keep_their_times_until_a_speed_is_set) {
+  World world;
+  world.add(make_body("sphere", test::build(test::sphere(24, 32, 1))));
+  StrokePath stroke;
+  stroke.keys = {{{0, 3, 0}, kDown}, {{5, 3, 0}, kDown}};
+  stroke.times = {1, 11};
+  PathWork path;
+  path.begin_edit();
+  path.load({stroke}, world);
+  EXPECT_NEAR(path.target({0, 0}).y, 1, 0.01);
+  EXPECT_NEAR(path.target({0, 1}).y, 0, 0.01);  // it misses: beside the middle of the world
+  EXPECT_TRUE(path.has_times_of_file());
+  EXPECT_EQ(path.speed(), 0.5);
+  path.begin_edit();
+  path.set({0, 1}, {{4, 3, 0}, kDown}, 3);
+  EXPECT_EQ(path.strokes()[0].times, stroke.times);
+  path.set_speed(2);
+  EXPECT_EQ(path.strokes()[0].times, (std::vector<double>{0, 2}));
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,153 @@
+#include "ui/editor/path/emitter.h"
+
+#include <imgui.h>
+
+#include "core/document/path_file.h"
+#include "ui/window/theme.h"
+
+namespace kerf {
+
+namespace {
+
+using Part = EmitterHandle::Part;
+
+constexpr double kArrowEms = 4, kReach = 8;  // the reach in screen coordinates
+constexpr float kBody = 7, kTarget = 7;      // radii in screen coordinates
+constexpr ImU32 kShade = IM_COL32(10, 12, 16, 150);
+
+ImVec2 to_im(Vec2 p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
+
+Vec3 axis_of(Part part) {
+  Vec3 axis(0);
+  axis[static_cast<int>(part)] = 1;
+  return axis;
+}
+
+bool is_arrow(Part part) { return part < Part::kBody; }
+
+double distance_to(const EmitterHandle& handle, Vec2 p) {
+  const Vec2 along = handle.to - handle.from;
+  const double length2 = glm::dot(along, along);
+  // The first third of an arrow belongs to the body, from which it starts.
+  if (length2 > 0) {
+    const double t = std::clamp(glm::dot(p - handle.from, along) / length2, 0.35, 1.0);
+    return glm::length(p - (handle.from + along * t));
+  }
+  return glm::length(p - handle.from);
+}
+
+void draw_arrow(const EmitterHandle& handle, bool pointed_at, ImDrawList& list) {
+  const ImU32 colour =
+      pointed_at ? colours::kPictureText : colours::kAxes.at(static_cast<size_t>(handle.part));
+  list.AddLine(to_im(handle.from), to_im(handle.to), kShade, 5);
+  list.AddLine(to_im(handle.from), to_im(handle.to), colour, 2.4f);
+  list.AddCircleFilled(to_im(handle.to), 4.5f, colour);
+}
+
+void draw_body(Vec2 at, bool pointed_at, bool firing, ImDrawList& list) {
+  const float radius = pointed_at ? kBody + 1.5f : kBody;
+  list.AddCircleFilled(to_im(at), radius + 2, kShade);
+  list.AddCircleFilled(to_im(at), radius, IM_COL32(0x1b, 0x1f, 0x26, 255));
+  list.AddCircle(to_im(at), radius, firing ? colours::accent() : colours::kPictureText, 0, 2);
+  if (firing) list.AddCircleFilled(to_im(at), 3.5f, colours::accent());
+}
+
+void draw_target(Vec2 at, bool pointed_at, ImDrawList& list) {
+  const float radius = pointed_at ? kTarget + 1.5f : kTarget;
+  list.AddCircle(to_im(at), radius, kShade, 0, 4);
+  list.AddCircle(to_im(at), radius, colours::kPictureText, 0, 1.6f);
+  list.AddCircleFilled(to_im(at), 1.8f, colours::kPictureText);
+}
+
+}  // namespace
+
+void Emitter::place(const Vec3& at, const Vec3& target) {
+  placed_ = true;
+  at_ = at;
+  target_ = target;
+}
+
+Pose Emitter::pose() const { return {at_, beam_direction(target_ - at_)}; }
+
+void Emitter::stand_at(const Vec3& at) {
+  if (at != target_) at_ = at;
+}
+
+void Emitter::aim_at(const Vec3& target) {
+  if (target != at_) target_ = target;
+}
+
+void Emitter::take(const EmitterHandle& handle, Vec2 pointer) {
+  held_ = handle.part;
+  pressed_at_ = pointer;
+  held_at_ = at_;
+}
+
+// What it aims at stays where it is while the emitter itself is moved.
+void Emitter::drag(const FirstPicture& picture, Vec2 pointer, const std::optional<Vec3>& surface) {
+  if (held_ == Part::kTarget) return aim_at(surface ? *surface : picture.at_depth_of(target_, pointer));
+  Vec3 to = held_at_;
+  if (held_ == Part::kBody) {
+    to += picture.at_depth_of(held_at_, pointer) - picture.at_depth_of(held_at_, pressed_at_);
+  } else {
+    const Vec3 axis = axis_of(held_);
+    to += axis * dragged_along(picture, held_at_, axis, pressed_at_, pointer);
+  }
+  stand_at(to);
+}
+
+void place_in_view(Emitter& emitter, const CameraView& view, const Vec3& target, double distance) {
+  const Vec3 towards = glm::normalize(0.4 * view.right + 0.7 * view.up - 0.6 * view.forward);
+  emitter.place(target + towards * distance, target);
+}
+
+std::vector<EmitterHandle> emitter_handles(const Emitter& emitter, const FirstPicture& picture) {
+  std::vector<EmitterHandle> handles;
+  if (!emitter.placed()) return handles;
+  if (const auto target = picture.place_of(emitter.target()))
+    handles.push_back({Part::kTarget, *target, *target});
+  const auto at = picture.place_of(emitter.at());
+  if (!at) return handles;
+  const double length = kArrowEms * picture.metres_of_em(emitter.at());
+  for (const Part part : {Part::kX, Part::kY, Part::kZ}) {
+    if (const auto tip = picture.place_of(emitter.at() + axis_of(part) * length))
+      handles.push_back({part, *at, *tip});
+  }
+  handles.push_back({Part::kBody, *at, *at});
+  return handles;
+}
+
+std::optional<EmitterHandle> emitter_handle_under(const std::vector<EmitterHandle>& handles, Vec2 at) {
+  std::optional<EmitterHandle> found;
+  double least = kReach;
+  for (const EmitterHandle& handle : handles) {
+    const double distance = distance_to(handle, at);
+    if (distance > least) continue;
+    least = distance;
+    found = handle;
+  }
+  return found;
+}
+
+const char* name_of(const EmitterHandle& handle) {
+  constexpr std::array kNames{"emitter X", "emitter Y", "emitter Z", "emitter body", "emitter target"};
+  return kNames.at(static_cast<size_t>(handle.part));
+}
+
+void draw_emitter(const Emitter& emitter, const FirstPicture& picture, Vec2 pointer, ImDrawList& list) {
+  const std::vector<EmitterHandle> handles = emitter_handles(emitter, picture);
+  const auto under = emitter_handle_under(handles, pointer);
+  const auto at = picture.place_of(emitter.at()), target = picture.place_of(emitter.target());
+  if (emitter.placed() && at && target && !emitter.drawing) {
+    list.AddLine(to_im(*at), to_im(*target), kShade, 3.4f);
+    list.AddLine(to_im(*at), to_im(*target), colours::kPictureSecondary, 1.2f);
+  }
+  for (const EmitterHandle& handle : handles) {
+    const bool pointed_at = under && under->part == handle.part;
+    if (is_arrow(handle.part)) draw_arrow(handle, pointed_at, list);
+    if (handle.part == Part::kTarget) draw_target(handle.from, pointed_at, list);
+    if (handle.part == Part::kBody) draw_body(handle.from, pointed_at, emitter.firing, list);
+  }
+}
+
+}  // namespace kerf

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "ui/editor/path/first_picture.h"
+
+struct ImDrawList;
+
+namespace kerf {
+
+// A part of the emitter that is dragged: the arrows that move it along an axis of the world, the emitter
+// itself, which moves parallel to the picture, and the place that it aims at.
+struct EmitterHandle {
+  enum class Part { kX, kY, kZ, kBody, kTarget };
+  Part part = Part::kBody;
+  Vec2 from{0}, to{0};  // of an arrow; both are the place of another part. Screen coordinates
+};
+
+// A laser that stands in the scene and fires while it is switched on, with the settings of the Laser panel.
+class Emitter {
+ public:
+  bool placed() const { return placed_; }
+  // Places it at a point of the world (m), aimed at another one. Precondition: they differ.
+  void place(const Vec3& at, const Vec3& target);
+  // Takes it out of the scene. A stroke that is being drawn has to be ended by whoever draws it.
+  void remove() { placed_ = firing = false; }
+
+  const Vec3& at() const { return at_; }
+  const Vec3& target() const { return target_; }
+  double distance() const { return glm::length(target_ - at_); }
+  Pose pose() const;
+
+  // Moves the emitter, which goes on to aim at the same place, or aims it anew. Nothing changes where the two
+  // would meet.
+  void stand_at(const Vec3& at);
+  void aim_at(const Vec3& target);
+
+  // Whether the user has switched it on.
+  bool firing = false;
+  // Whether its stroke is being drawn, for whoever draws it.
+  bool drawing = false;
+
+  // Dragging a handle. Precondition of drag(): take() was called.
+  void take(const EmitterHandle& handle, Vec2 pointer);
+  void drag(const FirstPicture& picture, Vec2 pointer, const std::optional<Vec3>& surface);
+
+ private:
+  bool placed_ = false;
+  Vec3 at_{0}, target_{0, 0, -1};  // m
+  EmitterHandle::Part held_ = EmitterHandle::Part::kBody;
+  Vec2 pressed_at_{0};
+  Vec3 held_at_{0};  // where the emitter stood
+};
+
+// Places the emitter above and to the right of the line from a point to the eye, at this distance (m, > 0)
+// from the point at which it aims.
+void place_in_view(Emitter& emitter, const CameraView& view, const Vec3& target, double distance);
+
+// The handles in the first half of the picture; none where it is not placed or behind the eye.
+std::vector<EmitterHandle> emitter_handles(const Emitter& emitter, const FirstPicture& picture);
+// The handle at a place of the window, if any.
+std::optional<EmitterHandle> emitter_handle_under(const std::vector<EmitterHandle>& handles, Vec2 at);
+// The name of a handle, as tests know it: "emitter X", "emitter body", "emitter target".
+const char* name_of(const EmitterHandle& handle);
+
+// Draws the emitter, its line of aim and its handles; the one at `pointer` is highlighted.
+void draw_emitter(const Emitter& emitter, const FirstPicture& picture, Vec2 pointer, ImDrawList& list);
+
+}  // namespace kerf

@@ -1,0 +1,83 @@
+#include "ui/editor/path/hole_form.h"
+
+#include <imgui.h>
+
+#include <string>
+
+#include "ui/window/landmarks.h"
+#include "ui/window/property.h"
+#include "ui/window/row_button.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr const char* kLength = "%.5g";
+
+void number_row(const char* name, int& number, const char* meaning) {
+  property(name);
+  ImGui::PushID(name);
+  ImGui::InputInt("##number", &number, 1, 5);
+  ImGui::PopID();
+  mark_last_item(name);
+  tooltip(meaning);
+  number = std::clamp(number, 1, HolePattern::kMostInALine);
+}
+
+void length_row(NumberFields& fields, const char* name, double& length, const char* meaning) {
+  double typed = length;
+  if (fields.number(name, typed, kLength, meaning) && typed > 0) length = typed;
+}
+
+}  // namespace
+
+void HoleForm::draw_grid() {
+  number_row("Rows", pattern_.rows, "How many rows of holes there are.");
+  number_row("Columns", pattern_.columns, "How many holes there are in each row.");
+  length_row(fields_, "Spacing", pattern_.spacing,
+             "Between the middles of neighbouring holes, in the unit of the file.");
+}
+
+void HoleForm::draw_circle() {
+  number_row("Holes", pattern_.count, "How many holes there are on the circle.");
+  length_row(fields_, "Circle radius", pattern_.circle_radius,
+             "Of the circle on which the middles of the holes lie, in the unit of the file.");
+}
+
+void HoleForm::add_holes(PathWork& path, double radius, double speed) const {
+  const PathPoint point = *path.chosen();
+  const Pose beam = path.pose(point);
+  const double distance = path.distance(point);
+  path.begin_edit();
+  path.add_strokes(hole_strokes(pattern_, beam, radius), distance, speed);
+}
+
+void HoleForm::draw(PathWork& path, double radius, double speed, double diagonal) {
+  const bool of_another_size = diagonal < 0.5 * fitted_to_ || diagonal > 2 * fitted_to_;
+  if (of_another_size && diagonal > 0) {
+    fitted_to_ = diagonal;
+    pattern_.spacing = diagonal / 12;
+    pattern_.circle_radius = diagonal / 6;
+    pattern_.hole_radius = diagonal / 40;
+  }
+  if (!begin_properties("holes")) return;
+  property("Pattern");
+  int kind = static_cast<int>(pattern_.kind);
+  if (ImGui::Combo("##kind", &kind, "Grid\0Circle\0")) pattern_.kind = static_cast<HolePattern::Kind>(kind);
+  mark_last_item("hole pattern");
+  const bool grid = pattern_.kind == HolePattern::Kind::kGrid;
+  if (grid) draw_grid();
+  if (!grid) draw_circle();
+  length_row(fields_, "Hole radius", pattern_.hole_radius,
+             "In the unit of the file. A hole that is no wider than the beam is a single burst.");
+  end_properties();
+  const int count = grid ? pattern_.rows * pattern_.columns : pattern_.count;
+  const std::string label = "Add " + std::to_string(count) + (count == 1 ? " hole" : " holes");
+  if (row_button((label + "###add holes").c_str(), 1,
+                 path.chosen() ? nullptr : "Click a point on a surface first: it is the middle of the holes.",
+                 "Adds a stroke for each hole around the chosen point, along its beam."))
+    add_holes(path, radius, speed);
+  mark_last_item("add holes");
+}
+
+}  // namespace kerf

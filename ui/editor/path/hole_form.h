@@ -1,0 +1,27 @@
+#pragma once
+
+#include "ui/editor/path/hole_pattern.h"
+#include "ui/editor/path/path_work.h"
+#include "ui/window/number_fields.h"
+
+namespace kerf {
+
+// The rows of the Path panel that make a grid or a circle of holes around the chosen point of the path.
+class HoleForm {
+ public:
+  // `radius` (m) is that of the beam, `speed` (m/s) that of a path that begins with the holes, and `diagonal`
+  // (m) that of the world, from which the lengths follow until they are typed; a world of quite another size
+  // sets them anew.
+  void draw(PathWork& path, double radius, double speed, double diagonal);
+
+ private:
+  void draw_grid();
+  void draw_circle();
+  void add_holes(PathWork& path, double radius, double speed) const;
+
+  HolePattern pattern_;
+  NumberFields fields_;
+  double fitted_to_ = 0;  // the diagonal from which the lengths were set
+};
+
+}  // namespace kerf

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <functional>
+
+#include "ui/editor/path/hole_form.h"
+#include "ui/editor/path/path_tool.h"
+#include "ui/editor/path/path_work.h"
+
+namespace kerf {
+
+// What the panel asks for beside edits of the path.
+struct PathWishes {
+  std::function<void()> run, load, save;
+};
+
+// The path as numbers: its speed and beam, its points, the chosen point, and holes in a pattern.
+class PathPanel {
+ public:
+  // `beam` is what a new point gets. `why_no_run` is the reason why the path cannot be run, or null.
+  void draw(PathWork& path, const World& world, const PathTool::Beam& beam, const char* why_no_run,
+            const PathWishes& wishes);
+
+ private:
+  void draw_buttons(PathWork& path, const char* why_no_run, const PathWishes& wishes);
+  void draw_beam(PathWork& path);
+  void draw_list(PathWork& path);
+  void draw_row(PathWork& path, PathPoint point, int number);
+  void draw_chosen(PathWork& path);
+
+  NumberFields fields_;
+  HoleForm holes_;
+  std::optional<PathPoint> shown_;  // the point to which the list was scrolled last
+};
+
+}  // namespace kerf

@@ -1,0 +1,151 @@
+#include "ui/editor/path/path_work.h"
+
+#include <cassert>
+
+#include "core/document/edit_path.h"
+#include "ui/render/beam_strike.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr size_t kMostSteps = 200;  // of the undo
+
+// To the first surface that the beam meets, else to the plane through the middle of the world across it.
+double distance_to_surface(const World& world, const Pose& pose) {
+  if (const auto hit = first_hit(world, pose)) return *hit;
+  const World::Bounds bounds = world.bounds();
+  const double middle = glm::dot(0.5 * (bounds.min + bounds.max) - pose.origin, pose.direction);
+  return middle > 0 ? middle : std::max(bounds.diagonal(), 1e-9) / 16;
+}
+
+}  // namespace
+
+size_t PathWork::points() const {
+  size_t points = 0;
+  for (const StrokePath& stroke : strokes()) points += stroke.keys.size();
+  return points;
+}
+
+double PathWork::speed() const {
+  if (now_.speed) return *now_.speed;
+  double way = 0, duration = 0;
+  for (const StrokePath& stroke : strokes()) {
+    way += way_of(stroke);
+    duration += duration_of(stroke);
+  }
+  return duration > 0 ? way / duration : 0;
+}
+
+void PathWork::begin_edit() {
+  undone_to_.push_back(now_);
+  if (undone_to_.size() > kMostSteps) undone_to_.erase(undone_to_.begin());
+  redone_to_.clear();
+  now_.number = ++last_number_;
+  ++changes_;
+  run_at_.reset();
+}
+
+void PathWork::keep_speed(size_t stroke) {
+  if (now_.speed) retime(now_.strokes[stroke], *now_.speed);
+}
+
+void PathWork::add(const Pose& pose, double distance, bool new_stroke, double radius, double speed) {
+  if (empty()) now_.speed = speed;
+  size_t stroke = chosen_ ? chosen_->stroke : now_.strokes.size() - 1;
+  if (empty() || new_stroke) {
+    stroke = now_.strokes.size();
+    now_.strokes.emplace_back().radius = radius;
+    now_.distances.emplace_back();
+  }
+  const size_t keys = now_.strokes[stroke].keys.size();
+  const size_t at = chosen_ && chosen_->stroke == stroke ? chosen_->key + 1 : keys;
+  insert_key(now_.strokes[stroke], at, pose);
+  std::vector<double>& distances = now_.distances[stroke];
+  distances.insert(distances.begin() + static_cast<std::ptrdiff_t>(at), distance);
+  keep_speed(stroke);
+  chosen_ = PathPoint{stroke, at};
+}
+
+void PathWork::set(PathPoint p, const Pose& pose, double distance) {
+  now_.strokes[p.stroke].keys[p.key] = pose;
+  now_.distances[p.stroke][p.key] = distance;
+  ++changes_;
+  keep_speed(p.stroke);
+}
+
+void PathWork::remove(PathPoint p) {
+  StrokePath& stroke = now_.strokes[p.stroke];
+  std::vector<double>& distances = now_.distances[p.stroke];
+  erase_key(stroke, p.key);
+  distances.erase(distances.begin() + static_cast<std::ptrdiff_t>(p.key));
+  if (!stroke.keys.empty()) {
+    keep_speed(p.stroke);
+    chosen_ = PathPoint{p.stroke, p.key > 0 ? p.key - 1 : 0};
+    return;
+  }
+  now_.strokes.erase(now_.strokes.begin() + static_cast<std::ptrdiff_t>(p.stroke));
+  now_.distances.erase(now_.distances.begin() + static_cast<std::ptrdiff_t>(p.stroke));
+  chosen_.reset();
+  if (empty()) return;
+  const size_t before = p.stroke > 0 ? p.stroke - 1 : 0;
+  chosen_ = PathPoint{before, now_.strokes[before].keys.size() - 1};
+}
+
+void PathWork::set_radius(size_t stroke, double radius) { now_.strokes[stroke].radius = radius; }
+
+void PathWork::set_speed(double speed) {
+  now_.speed = speed;
+  for (size_t i = 0; i < now_.strokes.size(); ++i) keep_speed(i);
+}
+
+void PathWork::add_strokes(const std::vector<StrokePath>& strokes, double distance, double speed) {
+  if (chosen_ && now_.strokes[chosen_->stroke].keys.size() == 1) remove(*chosen_);
+  if (empty()) now_.speed = speed;
+  for (const StrokePath& stroke : strokes) {
+    now_.strokes.push_back(stroke);
+    now_.distances.emplace_back(stroke.keys.size(), distance);
+    keep_speed(now_.strokes.size() - 1);
+  }
+  chosen_.reset();
+}
+
+void PathWork::load(std::vector<StrokePath> strokes, const World& world) {
+  Version version;
+  for (const StrokePath& stroke : strokes) {
+    std::vector<double>& distances = version.distances.emplace_back();
+    for (const Pose& pose : stroke.keys) distances.push_back(distance_to_surface(world, pose));
+  }
+  version.strokes = std::move(strokes);
+  replace(std::move(version));
+}
+
+void PathWork::replace(Version version) {
+  version.number = now_.number;
+  now_ = std::move(version);
+  chosen_.reset();
+}
+
+void PathWork::undo() {
+  assert(can_undo());
+  ++changes_;
+  redone_to_.push_back(std::exchange(now_, std::move(undone_to_.back())));
+  undone_to_.pop_back();
+  chosen_.reset();
+}
+
+void PathWork::redo() {
+  assert(can_redo());
+  ++changes_;
+  undone_to_.push_back(std::exchange(now_, std::move(redone_to_.back())));
+  redone_to_.pop_back();
+  chosen_.reset();
+}
+
+void PathWork::note_saved(std::filesystem::path file) {
+  file_ = std::move(file);
+  saved_ = now_.number;
+  ++changes_;
+}
+
+}  // namespace kerf

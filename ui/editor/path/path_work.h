@@ -1,0 +1,97 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "core/document/path_file.h"
+#include "core/world/world.h"
+
+namespace kerf {
+
+// A point of a path: a key of one of its strokes.
+struct PathPoint {
+  size_t stroke = 0, key = 0;
+  friend bool operator==(const PathPoint&, const PathPoint&) = default;
+};
+
+// The path of the laser that the user edits, with an undo of its own. Each point has, beside its key, the
+// distance from the origin of the beam to the place that it aims at, where the point is drawn.
+class PathWork {
+ public:
+  const std::vector<StrokePath>& strokes() const { return now_.strokes; }
+  bool empty() const { return now_.strokes.empty(); }
+  size_t points() const;
+  const Pose& pose(PathPoint p) const { return now_.strokes[p.stroke].keys[p.key]; }
+  double distance(PathPoint p) const { return now_.distances[p.stroke][p.key]; }
+  Vec3 target(PathPoint p) const { return pose(p).origin + pose(p).direction * distance(p); }
+
+  // The speed of the beam's origin (m/s): the one that was set, else the mean speed of the path, or 0 if it
+  // does not move.
+  double speed() const;
+  // Whether the times of the points are those of the file that was loaded.
+  bool has_times_of_file() const { return !empty() && !now_.speed; }
+
+  const std::optional<PathPoint>& chosen() const { return chosen_; }
+  void choose(std::optional<PathPoint> point) { chosen_ = point; }
+
+  // Begins a step of the undo: the edits until the next call belong to it.
+  void begin_edit();
+  // Edits. Precondition of all: begin_edit() was called. Directions are unit vectors as beam_direction()
+  // gives them.
+  //
+  // Adds a point after the chosen one, or at the end, and chooses it. A first point, and any with
+  // `new_stroke`, begins a stroke with a beam of this radius (m). A path that was empty gets this speed.
+  void add(const Pose& pose, double distance, bool new_stroke, double radius, double speed);
+  void set(PathPoint point, const Pose& pose, double distance);
+  // Removes a point, and its stroke with its last point; chooses the point before it.
+  void remove(PathPoint point);
+  void set_radius(size_t stroke, double radius);
+  void set_speed(double speed);
+  // Adds strokes whose points all aim at places at this distance, in place of the chosen point if it is a
+  // stroke of its own.
+  void add_strokes(const std::vector<StrokePath>& strokes, double distance, double speed);
+  // Replaces the path by that of a file. The places at which the points aim are found on the surfaces of the
+  // world.
+  void load(std::vector<StrokePath> strokes, const World& world);
+  void clear() { replace({}); }
+
+  bool can_undo() const { return !undone_to_.empty(); }
+  bool can_redo() const { return !redone_to_.empty(); }
+  void undo();
+  void redo();
+
+  // The file that the path was loaded from or saved to; empty: none.
+  const std::filesystem::path& file() const { return file_; }
+  void note_saved(std::filesystem::path file);
+  // Whether the file holds something else than the path.
+  bool is_unsaved() const { return !empty() && now_.number != saved_; }
+  // A number that grows with everything that changes the path or whether it is saved.
+  size_t changes() const { return changes_; }
+
+  // Notes that the path is run at this position of the history of the document. Until the path is edited
+  // again, only positions up to this one are older than the last edit of the path.
+  void note_run(size_t position) { run_at_ = position; }
+  bool is_newer_than(size_t position) const { return !run_at_ || position <= *run_at_; }
+
+ private:
+  struct Version {
+    std::vector<StrokePath> strokes;
+    std::vector<std::vector<double>> distances;  // m, one for each key
+    std::optional<double> speed;                 // m/s, that was set
+    size_t number = 0;
+  };
+  void replace(Version version);
+  void keep_speed(size_t stroke);
+
+  Version now_;
+  std::vector<Version> undone_to_, redone_to_;
+  std::optional<PathPoint> chosen_;
+  std::filesystem::path file_;
+  size_t saved_ = 0;        // the number of the version in the file
+  size_t last_number_ = 0;  // that was given
+  size_t changes_ = 0;
+  std::optional<size_t> run_at_;
+};
+
+}  // namespace kerf

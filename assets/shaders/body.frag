@@ -6,12 +6,15 @@ in vec3 normal;
 in vec3 corner;
 #endif
 flat in vec4 paint;
+#ifdef RIM
 centroid in float rim;  // samples outside a face must not extrapolate it
+#endif
 
 uniform float terminator;  // sine of the angle between smooth normals and facets
 
 out vec4 pixel;  // linear light; alpha: how much of it may bloom
 
+#ifdef RIM
 // From dark red over orange to yellow-white, as steel glows.
 vec3 ember(float t) {
   vec3 colour = mix(vec3(0.10, 0.004, 0.0), vec3(0.75, 0.07, 0.008), smoothstep(0.0, 0.45, t));
@@ -25,6 +28,9 @@ vec4 glow_of_rim() {
   float hot = 1.0 - max(rim, 0.0);
   return vec4(ember(hot) * smoothstep(0.0, 0.5, hot), smoothstep(0.0, 0.6, hot));
 }
+#else
+vec4 glow_of_rim() { return vec4(0.0); }
+#endif
 
 float gloss_left(vec4 glow) { return paint.a * (1.0 - 0.8 * glow.a); }
 vec3 skin_left(vec4 glow) { return paint.rgb * (1.0 - 0.75 * glow.a); }
@@ -50,7 +56,7 @@ vec3 inside(vec3 n, vec4 glow) { return primer(glow) * lit(dot(n, to_light(at)))
 vec3 outside(vec3 n, vec3 v, vec4 glow) {
   float height = clamp((at.y - ground.x) / max(grid.w, 1e-6), 0.0, 1.0);
   float open = 0.42 + 0.58 * smoothstep(0.0, 0.55, height + 0.5 * max(n.y, 0.0));
-  vec3 sky = mix(ground_light() * open, sky_light(), 0.5 + 0.5 * n.y) * mix(open, 1.0, 0.5);
+  vec3 sky = mix(ground_light.rgb * open, sky_light.rgb, 0.5 + 0.5 * n.y) * mix(open, 1.0, 0.5);
   float gloss = gloss_left(glow);
   float edge = 1.0 - clamp(dot(n, v), 0.0, 1.0);
   float fresnel = mix(0.035, 0.05, gloss) + (0.25 + 0.55 * gloss) * gloss * edge * edge * edge * edge;
@@ -59,7 +65,7 @@ vec3 outside(vec3 n, vec3 v, vec4 glow) {
   return skin_left(glow) * sky + mirrored + rim;
 }
 
-vec3 inside(vec3 n, vec4 glow) { return primer(glow) * mix(ground_light(), sky_light(), 0.5 + 0.5 * n.y); }
+vec3 inside(vec3 n, vec4 glow) { return primer(glow) * mix(ground_light.rgb, sky_light.rgb, 0.5 + 0.5 * n.y); }
 
 vec3 own_light(vec3 n, vec4 glow) {
   vec3 skin = gl_FrontFacing ? paint.rgb : primer(glow);
@@ -80,7 +86,7 @@ void main() {
   colour += own_light(n, glow);
 #endif
 #endif
-  if (!gl_FrontFacing) colour *= body_look.w;
+  if (!gl_FrontFacing) colour *= body_look.z;
 #ifdef WIRE
   vec3 wide = fwidth(corner);
   vec3 inner = smoothstep(vec3(0.0), wide * 1.15, corner);

@@ -16,7 +16,9 @@ out vec3 corner;  // 1 at the first, second, third corner
 invariant gl_Position;
 
 flat out vec4 paint;
+#ifdef RIM
 centroid out float rim;  // 0 at a rim that glows, 1 and more where nothing does
+#endif
 
 vec3 hue_colour(float hue, float saturation, float value) {
   vec3 wheel = clamp(abs(fract(hue + vec3(0.0, 2.0 / 3.0, 1.0 / 3.0)) * 6.0 - 3.0) - 1.0, 0.0, 1.0);
@@ -51,12 +53,14 @@ void main() {
 
   uint number = shown_number(piece, look);
   paint = paints[traits.y];
-  if (body_look.z > 1.5) {
+  if (body_look.y > 1.5) {
     paint = vec4(level_colour(float(traits.x) / max(body_look.x, 1.0)), 0.25);
-  } else if (body_look.z > 0.5) {
+  } else if (body_look.y > 0.5) {
     paint = number == 0u ? vec4(0.16, 0.17, 0.18, 0.25) : vec4(piece_colour(number, true), 0.25);
   } else if (number != 0u) {
     paint.rgb = mix(paint.rgb, piece_colour(number, false), 0.85);
   }
-  rim = body_look.y > 0.5 ? from_rim : 2.0;
+#ifdef RIM
+  rim = from_rim;
+#endif
 }

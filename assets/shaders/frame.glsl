@@ -14,6 +14,12 @@ layout(std140) uniform Frame {
   vec4 spot;            // xyz where the beam strikes; w: how far its light reaches
   vec4 spot_colour;     // rgb, 0 when the beam is off
   vec4 beam;            // xyz: where the beam is emitted
-  vec4 stage;           // x: 0 at dusk, 1 by day
-  vec4 body_look;       // x: most halvings of a face, y: 1 where rims glow, z: 1 strong piece colours, 2 levels, w: backs are lit
+  vec4 sky_high;        // rgb of the sky overhead
+  vec4 sky_low;         // rgb of the sky near the horizon
+  vec4 sky_band;        // rgb, what a band of light along the horizon adds to it
+  vec4 sky_light;       // rgb of the light that falls on surfaces from above
+  vec4 ground_light;    // rgb of the light that falls on surfaces from below
+  vec4 ground_matt;     // rgb, the share of light that the ground reflects
+  vec4 ground_line;     // rgb, what the lines of its grid add; less than 0 by day
+  vec4 body_look;       // x: most halvings of a face, y: 1 strong piece colours, 2 levels, z: backs are lit
 };

@@ -1,25 +1,21 @@
 // The workshop at dusk, or by day: where light comes from, and how it ends up in the eight bits of a pixel. Linear
 // light.
 
-vec3 sky_light() { return mix(vec3(0.30, 0.37, 0.47), vec3(0.52, 0.57, 0.64), stage.x); }
-vec3 ground_light() { return mix(vec3(0.115, 0.105, 0.095), vec3(0.30, 0.29, 0.28), stage.x); }
 const vec3 kRimDirection = vec3(0.62, 0.35, -0.70);
 const vec3 kRimColour = vec3(0.34, 0.42, 0.55);
 
-// Towards what a pixel shows of the surroundings.
-vec3 sight() {
-  vec2 side = gl_FragCoord.xy * viewport.zw * 2.0 - 1.0;
-  return normalize(camera_forward.xyz + side.x * camera_right.w * camera_right.xyz +
-                   side.y * camera_up.w * camera_up.xyz);
+// The height of the unit vector towards what a pixel shows of the surroundings.
+float rise_of_sight() {
+  vec2 side = (gl_FragCoord.xy * viewport.zw * 2.0 - 1.0) * vec2(camera_right.w, camera_up.w);
+  return (camera_forward.y + side.x * camera_right.y + side.y * camera_up.y) * inversesqrt(1.0 + dot(side, side));
 }
 
-// A band of light along the horizon under a dark sky; far ground has the colour of the sky as high above it.
-vec3 background(vec3 direction) {
-  float up = abs(clamp(direction.y, -0.3, 1.0));
-  float low = exp(-3.2 * up), band = exp(-13.0 * up);
-  vec3 dusk = mix(vec3(0.0048, 0.0064, 0.0100), vec3(0.030, 0.038, 0.050), low) + vec3(0.034, 0.030, 0.025) * band;
-  vec3 day = mix(vec3(0.33, 0.40, 0.49), vec3(0.58, 0.62, 0.66), low) + vec3(0.10, 0.09, 0.08) * band;
-  return mix(dusk, day, stage.x);
+// What is seen at this height of a unit vector: a band of light along the horizon under a darker sky. Far ground has
+// the colour of the sky as high above the horizon.
+vec3 background(float rise) {
+  float up = abs(max(rise, -0.3));
+  float low = exp(-3.25 * up), low2 = low * low;
+  return mix(sky_high.rgb, sky_low.rgb, low) + sky_band.rgb * (low2 * low2);
 }
 
 // What polished paint mirrors: the sky, a dark ground, and a broad soft light around the key.
@@ -69,5 +65,5 @@ vec3 finish(vec3 linear) {
 // How much of what is seen at a place the haze lets through, and what it adds.
 float clear_air(vec3 at) { return exp(-0.028 * length(at)); }
 vec3 haze(vec3 colour, vec3 at) {
-  return mix(background(at / max(length(at), 1e-6)), colour, clear_air(at));
+  return mix(background(at.y / max(length(at), 1e-6)), colour, clear_air(at));
 }

@@ -1,3 +1,3 @@
 out vec4 pixel;
 
-void main() { pixel = vec4(background(sight()), 0.0); }
+void main() { pixel = vec4(background(rise_of_sight()), 0.0); }

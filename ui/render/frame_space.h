@@ -8,6 +8,7 @@
 #include "core/world/placement.h"
 #include "core/world/world.h"
 #include "ui/render/camera.h"
+#include "ui/render/stage_colours.h"
 
 namespace kerf {
 
@@ -50,7 +51,7 @@ struct FrameUniforms {
   glm::vec4 spot{0};
   glm::vec4 spot_colour{0};
   glm::vec4 beam{0};
-  glm::vec4 stage{0};
+  StageColours stage;
   glm::vec4 body_look{0};
 };
 

@@ -35,25 +35,22 @@ Result<GroundPass> GroundPass::create(const std::filesystem::path& shaders) {
   if (!contact) return contact.error();
   auto blur = gl::Program::load(shaders, {{"screen.vert"}, {"blur.frag"}});
   if (!blur) return blur.error();
-  return GroundPass(std::move(*disc), std::move(*spot_disc), std::move(*direct), std::move(*shadow),
-                    std::move(*contact), std::move(*blur));
+  auto contact_light = gl::Program::load(shaders, {{"screen.vert"}, {"contact_light.frag"}});
+  if (!contact_light) return contact_light.error();
+  return GroundPass({std::move(*disc), std::move(*spot_disc), std::move(*direct), std::move(*shadow),
+                     std::move(*contact), std::move(*blur), std::move(*contact_light)});
 }
 
-GroundPass::GroundPass(gl::Program disc, gl::Program spot_disc, gl::Program direct, gl::Program shadow,
-                       gl::Program contact, gl::Program blur)
-    : disc_(std::move(disc)),
-      spot_disc_(std::move(spot_disc)),
-      direct_(std::move(direct)),
-      shadow_(std::move(shadow)),
-      contact_(std::move(contact)),
-      blur_(std::move(blur)),
+GroundPass::GroundPass(Programs programs)
+    : programs_(std::move(programs)),
       picture_({kContactPixels, kContactPixels, 1, true}),
-      half_way_({kContactPixels, kContactPixels, 1, false}) {
-  for (const gl::Program* p : {&disc_, &spot_disc_, &direct_, &shadow_, &contact_})
-    p->bind_block("Frame", kFrameBlock);
-  contact_.bind_block("Paints", kPaintBlock);
+      light_({kContactPixels, kContactPixels, 1, false}) {
+  const Programs& p = programs_;
+  for (const gl::Program* program : {&p.disc, &p.spot_disc, &p.direct, &p.shadow, &p.contact})
+    program->bind_block("Frame", kFrameBlock);
+  p.contact.bind_block("Paints", kPaintBlock);
   glBindTexture(GL_TEXTURE_2D, picture_.colour_texture());
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
   glGenerateMipmap(GL_TEXTURE_2D);
 }
 
@@ -92,40 +89,48 @@ void GroundPass::update_contact(const FrameSpace& space, const DrawBodies& bodie
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
-  contact_.use();
-  contact_.set("contact_place", contact_place(space));
-  bodies(contact_);
+  programs_.contact.use();
+  programs_.contact.set("contact_place", contact_place(space));
+  bodies(programs_.contact);
   glDisable(GL_DEPTH_TEST);
   blur_contact();
+  light_contact();
 }
 
 void GroundPass::blur_contact() {
-  blur_.use();
-  blur_.set("picture", 0);
+  programs_.blur.use();
+  programs_.blur.set("picture", 0);
   glActiveTexture(GL_TEXTURE0);
   glBindVertexArray(no_vertices_.name());
   for (int i = 0; i < kContactBlurs; ++i) {
     const float step = static_cast<float>(i + 1) / kContactPixels;
-    half_way_.bind();
+    light_.bind();
     glBindTexture(GL_TEXTURE_2D, picture_.colour_texture());
-    blur_.set("stride", glm::vec4(step, 0, 0, 0));
+    programs_.blur.set("stride", glm::vec4(step, 0, 0, 0));
     glDrawArrays(GL_TRIANGLES, 0, 3);
     picture_.bind();
-    glBindTexture(GL_TEXTURE_2D, half_way_.colour_texture());
-    blur_.set("stride", glm::vec4(0, step, 0, 0));
+    glBindTexture(GL_TEXTURE_2D, light_.colour_texture());
+    programs_.blur.set("stride", glm::vec4(0, step, 0, 0));
     glDrawArrays(GL_TRIANGLES, 0, 3);
   }
   glBindTexture(GL_TEXTURE_2D, picture_.colour_texture());
   glGenerateMipmap(GL_TEXTURE_2D);
 }
 
+void GroundPass::light_contact() {
+  light_.bind();
+  programs_.contact_light.use();
+  programs_.contact_light.set("picture", 0);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
 void GroundPass::draw(const FrameSpace& space, bool spot) const {
-  const gl::Program& disc = spot ? spot_disc_ : disc_;
+  const gl::Program& disc = spot ? programs_.spot_disc : programs_.disc;
   disc.use();
   disc.set("contact", 0);
   disc.set("contact_place", contact_place(space));
   glActiveTexture(GL_TEXTURE0);
-  glBindTexture(GL_TEXTURE_2D, picture_.colour_texture());
+  glBindTexture(GL_TEXTURE_2D, light_.colour_texture());
   draw_disc(space);
 }
 
@@ -144,9 +149,9 @@ bool GroundPass::project_shadow(const FrameSpace& space, const glm::vec4& light,
   glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
   glDisable(GL_DEPTH_TEST);
   glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  shadow_.use();
-  shadow_.set("light", light);
-  bodies(shadow_);
+  programs_.shadow.use();
+  programs_.shadow.set("light", light);
+  bodies(programs_.shadow);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glEnable(GL_DEPTH_TEST);
   glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
@@ -155,9 +160,9 @@ bool GroundPass::project_shadow(const FrameSpace& space, const glm::vec4& light,
 }
 
 void GroundPass::add_light(const FrameSpace& space, const glm::vec4& light, const glm::vec4& colour) const {
-  direct_.use();
-  direct_.set("light", light);
-  direct_.set("light_colour", colour);
+  programs_.direct.use();
+  programs_.direct.set("light", light);
+  programs_.direct.set("light_colour", colour);
   draw_disc(space);
 }
 

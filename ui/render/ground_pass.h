@@ -8,8 +8,8 @@
 
 namespace kerf {
 
-// The floor: a matt disc with a grid at the height of the world's lowest point. Contact shading darkens it
-// softly under nearby surfaces.
+// The floor: a matt disc with a grid at the height of the world's lowest point. Surfaces nearby darken it
+// softly under them, and colour the ground around.
 class GroundPass {
  public:
   static Result<GroundPass> create(const std::filesystem::path& shaders);
@@ -39,13 +39,17 @@ class GroundPass {
   double height() const { return height_; }
 
  private:
-  GroundPass(gl::Program disc, gl::Program spot_disc, gl::Program direct, gl::Program shadow,
-             gl::Program contact, gl::Program blur);
+  struct Programs {
+    gl::Program disc, spot_disc, direct, shadow, contact, blur, contact_light;
+  };
+  explicit GroundPass(Programs programs);
   glm::vec4 contact_place(const FrameSpace& space) const;
   void blur_contact();
+  void light_contact();
 
-  gl::Program disc_, spot_disc_, direct_, shadow_, contact_, blur_;
-  gl::Framebuffer picture_, half_way_;
+  Programs programs_;
+  gl::Framebuffer picture_;  // what lies over the ground
+  gl::Framebuffer light_;    // how that shades and lights the ground
   gl::VertexArray no_vertices_;
   double height_ = 0, tall_ = 1, radius_ = 1, spacing_ = 1;  // m
   Vec3 middle_{0};                                           // of the world, +Y upwards

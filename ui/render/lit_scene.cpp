@@ -51,18 +51,19 @@ Result<LitScene::BodyPrograms> LitScene::load_bodies(const std::filesystem::path
   };
   for (size_t i = 0; i < programs.ambient.size(); ++i) {
     std::vector<std::string> defines;
-    if (i & kWire) defines.emplace_back("WIRE");
-    const bool spot = (i & kSpot) != 0;
-    if (!spot) {
-      for (auto [kind, name] : {std::pair{&programs.direct, "DIRECT"}, std::pair{&programs.glow, "GLOW"}}) {
-        std::vector<std::string> all = defines;
-        all.emplace_back(name);
-        if (Status s = load((*kind)[i], std::move(all)); !s) return s.error();
-      }
-    } else {
-      defines.emplace_back("SPOT");
+    for (auto [bit, name] : {std::pair{kWire, "WIRE"}, std::pair{kRim, "RIM"}, std::pair{kSpot, "SPOT"}}) {
+      if (i & bit) defines.emplace_back(name);
     }
-    if (Status s = load(programs.ambient[i], std::move(defines)); !s) return s.error();
+    if (Status s = load(programs.ambient[i], defines); !s) return s.error();
+    defines.emplace_back("DIRECT");
+    if (i < programs.direct.size()) {
+      if (Status s = load(programs.direct[i], defines); !s) return s.error();
+    }
+  }
+  for (size_t i = 0; i < programs.glow.size(); ++i) {
+    std::vector<std::string> defines{"RIM", "GLOW"};
+    if (i & kWire) defines.emplace_back("WIRE");
+    if (Status s = load(programs.glow[i], std::move(defines)); !s) return s.error();
   }
   return programs;
 }
@@ -95,16 +96,16 @@ LitScene::LitScene(BodyPrograms bodies, gl::Program sky, gl::Program darken, Gro
   sky_.bind_block("Frame", kFrameBlock);
 }
 
-void LitScene::draw_without_lights(const Subject& subject, bool spot) const {
+void LitScene::draw_without_lights(const Subject& subject) const {
   glClear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
   if (subject.options.cull_backs) glEnable(GL_CULL_FACE);
-  const gl::Program& body = body_.ambient[(shows_edges(subject.options) ? kWire : 0) + (spot ? kSpot : 0)];
+  const gl::Program& body = body_.ambient[variant_ + (spot_ ? kSpot : 0)];
   body.use();
   draw_bodies(subject, body);
   glDisable(GL_CULL_FACE);
-  ground_.draw(subject.space, spot);
+  ground_.draw(subject.space, spot_);
   glDepthFunc(GL_LEQUAL);
   sky_.use();
   glBindVertexArray(no_vertices_.name());
@@ -118,7 +119,7 @@ void LitScene::add_direct(const Subject& subject, size_t light) const {
   const glm::vec4 colour = light_colour(l, subject.space, subject.world.bounds().diagonal());
   begin_adding();
   if (subject.options.cull_backs) glEnable(GL_CULL_FACE);
-  const gl::Program& body = body_.direct[shows_edges(subject.options) ? kWire : 0];
+  const gl::Program& body = body_.direct[variant_];
   body.use();
   body.set("light", place);
   body.set("light_colour", colour);
@@ -133,8 +134,8 @@ void LitScene::add_direct(const Subject& subject, size_t light) const {
   end_adding();
 }
 
-// Black over what is in shadow, and what glows anew over that.
-void LitScene::darken_shadows(const Subject& subject, size_t wire) {
+// Black over what is in shadow, and what glows again over that.
+void LitScene::darken_shadows(const Subject& subject) {
   glStencilFunc(GL_NOTEQUAL, 0, 0xff);
   // The quad lies as far as the sky, which stays as it is.
   glDepthFunc(GL_GREATER);
@@ -145,21 +146,25 @@ void LitScene::darken_shadows(const Subject& subject, size_t wire) {
   darken_.set("colour", glm::vec4(0, 0, 0, kPaperDark));
   glBindVertexArray(no_vertices_.name());
   glDrawArrays(GL_TRIANGLES, 0, 3);
+  if (variant_ & kRim) restore_glow(subject);
+  end_adding();
+}
+
+void LitScene::restore_glow(const Subject& subject) const {
   begin_adding();
   glBlendColor(kPaperDark, kPaperDark, kPaperDark, 0);
   glBlendFunc(GL_CONSTANT_COLOR, GL_ONE);
-  const gl::Program& glow = body_.glow[wire];
+  const gl::Program& glow = body_.glow[variant_ & kWire];
   glow.use();
   if (subject.options.cull_backs) glEnable(GL_CULL_FACE);
   draw_bodies(subject, glow);
   glDisable(GL_CULL_FACE);
-  end_adding();
 }
 
 void LitScene::add_shadowed(const Subject& subject, size_t light, ShadowMethod method) {
   shadows_.count(subject, light, method);
   if (subject.options.shadow.paper_look) {
-    darken_shadows(subject, shows_edges(subject.options) ? kWire : 0);
+    darken_shadows(subject);
   } else {
     glStencilFunc(GL_EQUAL, 0, 0xff);
     add_direct(subject, light);
@@ -180,7 +185,9 @@ void LitScene::add_light(const Subject& subject, size_t light) {
   glDisable(GL_SCISSOR_TEST);
 }
 
-void LitScene::draw(const Subject& subject, bool spot, const gl::Framebuffer& canvas) {
+void LitScene::draw(const Subject& subject, const Shining& shining, const gl::Framebuffer& canvas) {
+  variant_ = (shows_edges(subject.options) ? kWire : 0) + (shining.rims ? kRim : 0);
+  spot_ = shining.spot;
   gl::Framebuffer::Shape shape = canvas.shape();
   shape.colour = GL_RGBA16F;
   if (!linear_ || !(linear_->shape() == shape) || linear_beside_ != canvas.name()) {
@@ -188,7 +195,7 @@ void LitScene::draw(const Subject& subject, bool spot, const gl::Framebuffer& ca
     linear_beside_ = canvas.name();
   }
   linear_->bind();
-  draw_without_lights(subject, spot);
+  draw_without_lights(subject);
   const size_t lights = std::min(subject.options.lights.size(), kMostLights);
   const bool shadowed = casts_shadows(subject.options);
   for (size_t i = 0; i < lights; ++i) {

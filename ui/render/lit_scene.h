@@ -20,26 +20,34 @@ class LitScene {
   ShadowPass& shadows() { return shadows_; }
   const ShadowPass& shadows() const { return shadows_; }
 
-  // Draws into the colour and depth of `canvas`. `spot`: whether the spot of the beam lights its
-  // surroundings. Precondition: the uniform block of the frame is bound.
-  void draw(const Subject& subject, bool spot, const gl::Framebuffer& canvas);
+  // What shines in a picture by itself.
+  struct Shining {
+    bool spot = false;  // the spot of the beam, which lights its surroundings
+    bool rims = false;  // the rims of cuts
+  };
+
+  // Draws into the colour and depth of `canvas`. Precondition: the uniform block of the frame is bound.
+  void draw(const Subject& subject, const Shining& shining, const gl::Framebuffer& canvas);
 
  private:
-  // Variants of the programs with and without wire and spot, so that what is not needed is not computed.
-  static constexpr size_t kWire = 1, kSpot = 2;
+  // Variants of the programs with and without wire, glowing rims and spot, so that what is not needed is not
+  // computed.
+  static constexpr size_t kWire = 1, kRim = 2, kSpot = 4;
   struct BodyPrograms {
-    std::array<gl::Program, 4> ambient;
-    std::array<gl::Program, 2> direct, glow;
+    std::array<gl::Program, 8> ambient;
+    std::array<gl::Program, 4> direct;  // without spot
+    std::array<gl::Program, 2> glow;    // of rims, without spot
   };
   static Result<BodyPrograms> load_bodies(const std::filesystem::path& shaders);
   LitScene(BodyPrograms bodies, gl::Program sky, gl::Program darken, GroundPass ground, ShadowPass shadows,
            TonePass tone);
 
-  void draw_without_lights(const Subject& subject, bool spot) const;
+  void draw_without_lights(const Subject& subject) const;
   void add_light(const Subject& subject, size_t light);
   void add_shadowed(const Subject& subject, size_t light, ShadowMethod method);
   void add_direct(const Subject& subject, size_t light) const;
-  void darken_shadows(const Subject& subject, size_t wire);
+  void darken_shadows(const Subject& subject);
+  void restore_glow(const Subject& subject) const;
 
   BodyPrograms body_;
   gl::Program sky_, darken_;
@@ -47,6 +55,8 @@ class LitScene {
   ShadowPass shadows_;
   TonePass tone_;
   gl::VertexArray no_vertices_;
+  size_t variant_ = 0;  // that the picture needs, without the spot
+  bool spot_ = false;
   std::optional<gl::Framebuffer> linear_;
   GLuint linear_beside_ = 0;  // the canvas whose depth buffer it shares
 };

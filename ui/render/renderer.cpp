@@ -150,9 +150,9 @@ void Renderer::set_up(const World& world, const CameraView& view, const ViewOpti
   const Light key = options.lights.empty() ? Light{} : options.lights.front();
   frame.key_light = glm::vec4(glm::vec3(space_.turned(direction_to(key, middle_))), 0);
   if (beam) BeamPass::fill_in(frame, space_, *beam);
-  frame.stage = {options.by_day ? 1 : 0, 0, 0, 0};
+  frame.stage = stage_colours(options.by_day);
   const int colours = options.show.sizes ? 2 : options.show.pieces ? 1 : 0;
-  frame.body_look = {finest_, glows(options) ? 1 : 0, colours, options.two_sided ? 1 : 0};
+  frame.body_look = {finest_, colours, options.two_sided ? 1 : 0, 0};
   glBindBuffer(GL_UNIFORM_BUFFER, uniforms_.name());
   glBufferData(GL_UNIFORM_BUFFER, sizeof(frame), &frame, GL_STREAM_DRAW);
   glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBlock, uniforms_.name());
@@ -291,7 +291,8 @@ void Renderer::draw(const World& world, const CameraView& view, const ViewOption
     contact_old_ = false;
   }
   const Subject subject{world, bodies_, space_, options};
-  passes_.scene.draw(subject, beam && (beam->strike || beam->on_ground), *canvases_[canvas_].drawn);
+  const bool spot = beam && (beam->strike || beam->on_ground);
+  passes_.scene.draw(subject, {.spot = spot, .rims = glows(options)}, *canvases_[canvas_].drawn);
   draw_overlays(subject, view, beam);
   shining_ = beam || glows(options);
   hand_over(target);

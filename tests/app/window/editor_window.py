@@ -23,11 +23,11 @@ def pause(seconds):
 
 
 def wait_for(met, seconds, what):
-    """Until met() is true."""
+    """Until met() is true. `what` is said otherwise: a text, or a function that gives one."""
     until = time.monotonic() + PATIENCE * seconds
     while not met():
         if time.monotonic() > until:
-            raise AssertionError(what)
+            raise AssertionError(what() if callable(what) else what)
         time.sleep(0.1)
 
 
@@ -73,9 +73,12 @@ class Editor:
             self.screen.wait()
             raise
 
-    def has_window(self):
+    def expect_running(self):
         if self.kerf.poll() is not None:
-            raise AssertionError("the editor ended: " + self.kerf.stderr.read())
+            raise AssertionError(f"the editor ended with {self.kerf.returncode}: {self.kerf.stderr.read()}")
+
+    def has_window(self):
+        self.expect_running()
         seen = self.xdotool("search", "--onlyvisible", "--name", "Kerf").stdout.strip()
         return seen and os.path.exists(self.landmarks_file)
 
@@ -84,6 +87,7 @@ class Editor:
         pause(1.5)
 
     def landmarks(self):
+        self.expect_running()
         with open(self.landmarks_file) as file:
             return json.load(file)
 
@@ -116,7 +120,9 @@ class Editor:
     def settle(self):
         """Waits until the editor has heard of the last move of the pointer and has nothing left to do."""
         pause(0.3)
-        wait_for(lambda: self.has_heard() and not self.landmarks()["busy"], 240, "the editor never came to rest")
+        wait_for(lambda: self.has_heard() and not self.landmarks()["busy"], 240,
+                 lambda: f"the editor never came to rest: busy {self.landmarks()['busy']}, the pointer is at "
+                         f"{self.pointer} and was heard of at {self.landmarks()['pointer']}")
 
     def point_at(self, *point):
         self.move_to(*self.place(point))

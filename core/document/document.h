@@ -92,6 +92,15 @@ class Document {
   // How far the first move of the queue has been executed.
   const UnfinishedMove& unfinished_move() const { return queue_.unfinished(); }
 
+  // Whether the next step executes work of the last step of the history, not of an earlier one.
+  bool next_is_of_last_step() const;
+  // Takes the last step of the history, a stroke or a recut, back, and appends its work to the queue again,
+  // as if it had just been applied; a stroke may still be running. The history and the journal stay as they
+  // are, and executing the queue again leads to the same world, to the bit. Returns what changed.
+  // Precondition: can_start_again(), i.e. there is such a step and its before-images are kept.
+  bool can_start_again() const;
+  Delta start_again();
+
   // Whether the last step of the history before the position is a stroke that Recut can cut again.
   bool can_recut() const;
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cassert>
 
 #include "core/document/document.h"
 
@@ -64,6 +65,23 @@ Delta Document::walk_again() {
   if (history_.last().kind() == Kind::kRecut) return cut_again();
   queue_commands(history_.position() - 1);
   return Delta{};
+}
+
+bool Document::can_start_again() const {
+  const size_t now = history_.position();
+  return now > 0 && history_.cuts(now - 1) && history_.holds_images(history_.base_of(now - 1), now);
+}
+
+Delta Document::start_again() {
+  assert(can_start_again());
+  const size_t last = history_.position() - 1;
+  if (recorder_.step() == last) close();
+  queue_.drop(last);
+  Delta delta = history_.step(last).take_back(world_);
+  history_.step(last).forget();
+  delta.append(walk_again());
+  ++revision_;
+  return delta;
 }
 
 // Whether the world can be brought to where a step begins by before-images.

@@ -13,6 +13,12 @@ bool Document::next_closes_rim() const {
   return !queue_.empty() && queue_.front_kind() == BeamQueue::Kind::kRim && !must_separate();
 }
 
+bool Document::next_is_of_last_step() const {
+  const std::optional<size_t> open = recorder_.step();
+  if (must_separate()) return open && is_last(*open);
+  return !queue_.empty() && is_last(queue_.front_step());
+}
+
 Result<StepResult> Document::step(size_t most, const Progress* progress) {
   return step_front(most, false, progress);
 }

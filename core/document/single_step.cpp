@@ -37,8 +37,28 @@ size_t new_pieces(const Delta& delta) {
   return all;
 }
 
+std::string sweep_words(const StageRecord& record) {
+  const double way = glm::length(record.move->to.origin - record.move->from.origin);
+  const std::string moves = way > 0 ? "moves by " + length_text(way) : "stays";
+  return "Sweep: the origin of the beam " + moves + ", which sweeps " + number(record.beam.size(), "volume") +
+         " of radius " + length_text(record.beam.front().radius()) + ".";
+}
+
+std::string separate_words(size_t pieces) {
+  return "Separate: " + (pieces == 0 ? "no piece" : number(pieces, "piece")) + " came off.";
+}
+
 std::string left_words(const StageRecord& record) {
   return record.left > 0 ? " " + number(record.left, "face") + " are left for this stage." : "";
+}
+
+// In pairs, because the time to append one after the other would be quadratic.
+Delta joined(std::vector<Delta> changes) {
+  for (size_t width = 1; width < changes.size(); width *= 2) {
+    for (size_t i = 0; i + width < changes.size(); i += 2 * width)
+      changes[i].append(std::move(changes[i + width]));
+  }
+  return std::move(changes.front());
 }
 
 }  // namespace
@@ -66,19 +86,38 @@ StageRecord SingleStep::describe() const {
   return record;
 }
 
+// A stage of many faces, with its parts. Very many parts are several stages.
+Result<StepResult> SingleStep::execute(Kind kind, const Progress* progress) {
+  constexpr size_t kMostParts = 64;
+  Result<StepResult> all = document_.step_stage(progress);
+  const auto goes_on = [&] {
+    return (kind == Kind::kRefine || kind == Kind::kRemove) && all->moves == 0 &&
+           kind_of(document_.unfinished_move().stage) == kind;
+  };
+  for (size_t parts = 1; all && parts < kMostParts && goes_on(); ++parts) {
+    Result<StepResult> part = document_.step_stage(progress);
+    if (!part) return part;
+    all->delta.append(std::move(part->delta));
+    all->figures.add(part->figures);
+  }
+  return all;
+}
+
 Result<StageRecord> SingleStep::next(const Progress* progress) {
   assert(document_.waiting() > 0);
   StageRecord record = describe();
   if (record.kind == Kind::kHit && !record.beam.empty() && !swept_) {
     swept_ = true;
+    ++stages_;
     record.kind = Kind::kSweep;
     return record;
   }
-  Result<StepResult> done = document_.step_stage(progress);
+  Result<StepResult> done = execute(record.kind, progress);
   if (!done) {
     swept_ = false;
     return done.error();
   }
+  ++stages_;
   record.done = std::move(*done);
   const UnfinishedMove& after = document_.unfinished_move();
   if (record.kind == Kind::kHit || record.kind == Kind::kHitAgain) record.hit = after.hit;
@@ -88,14 +127,33 @@ Result<StageRecord> SingleStep::next(const Progress* progress) {
   return record;
 }
 
+Outcome SingleStep::go_back_to(size_t stages, const Told& told, const Progress* progress) {
+  assert(document_.can_start_again() && stages <= stages_);
+  Outcome outcome;
+  std::vector<Delta> changes{document_.start_again()};
+  stages_ = 0;
+  swept_ = false;
+  while (outcome.ok() && stages_ < stages) {
+    const double share = static_cast<double>(stages_) / static_cast<double>(stages);
+    if (progress && !progress->report(share)) {
+      outcome.fail(cancelled());
+    } else if (Result<StageRecord> stage = next()) {
+      if (told) told(*stage);
+      changes.push_back(std::move(stage->done.delta));
+    } else {
+      changes.front().anew = true;
+      outcome.fail(stage.error());
+    }
+  }
+  outcome.delta = joined(std::move(changes));
+  return outcome;
+}
+
 std::string words(const StageRecord& record) {
   const StepFigures& figures = record.done.figures;
   switch (record.kind) {
     case Kind::kSweep:
-      return "Sweep: the origin of the beam moves by " +
-             length_text(glm::length(record.move->to.origin - record.move->from.origin)) + ", which sweeps " +
-             number(record.beam.size(), "volume") + " of radius " +
-             length_text(record.beam.front().radius()) + ".";
+      return sweep_words(record);
     case Kind::kHit:
     case Kind::kHitAgain:
       return std::string(record.kind == Kind::kHit ? "Hit" : "Hit again, after the splits") +
@@ -107,7 +165,7 @@ std::string words(const StageRecord& record) {
       return "Remove: " + number(record.done.delta.removed_faces, "face") + " were removed." +
              left_words(record);
     case Kind::kSeparate:
-      return "Separate: " + number(new_pieces(record.done.delta), "piece") + " came off.";
+      return separate_words(new_pieces(record.done.delta));
     case Kind::kCloseRim:
       return "Close the rim: " + number(record.done.delta.removed_faces, "face") +
              " inside the boundary of the stroke were removed.";

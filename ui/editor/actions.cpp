@@ -85,7 +85,8 @@ std::vector<UserAction> tool_actions(EditorState& s) {
                  .key = GLFW_KEY_R,
                  .tip = "At the resolution that is set now.",
                  .run = [&s] { s.requests.recut = true; },
-                 .why_not = [&s] { return why_no_recut(s.work.document); }},
+                 .why_not = [&s] { return why_no_recut(s.work.document); },
+                 .ends_group = true},
   };
 }
 
@@ -132,12 +133,14 @@ std::vector<UserAction> make_actions(EditorState& state, std::span<const Panel> 
   append(all, tool_actions(state));
   append(all, path_actions(state));
   append(all, emitter_actions(state));
+  append(all, stage_actions(state));
   append(all, camera_actions(state));
   append(all, switch_actions(state));
   append(all, frame_actions(state, panels));
   append(all, text_actions(state));
   append(all, help_actions(state));
   append(all, laser_actions(state));
+  append(all, stage_view_actions(state));
   append(all, light_actions(state));
   append(all, shown_actions(state));
   return all;

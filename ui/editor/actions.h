@@ -23,6 +23,7 @@ std::vector<UserAction> piece_actions(EditorState& state);
 std::vector<UserAction> tool_actions(EditorState& state);
 std::vector<UserAction> path_actions(EditorState& state);
 std::vector<UserAction> emitter_actions(EditorState& state);
+std::vector<UserAction> stage_actions(EditorState& state);
 std::vector<UserAction> camera_actions(EditorState& state);
 std::vector<UserAction> switch_actions(EditorState& state);
 std::vector<UserAction> frame_actions(EditorState& state, std::span<const Panel> panels);
@@ -30,6 +31,7 @@ std::vector<UserAction> text_actions(EditorState& state);
 std::vector<UserAction> help_actions(EditorState& state);
 // Those that panels offer beside the menus: of the laser, its resolution, the lights and so on.
 std::vector<UserAction> laser_actions(EditorState& state);
+std::vector<UserAction> stage_view_actions(EditorState& state);
 std::vector<UserAction> light_actions(EditorState& state);
 std::vector<UserAction> shown_actions(EditorState& state);
 

@@ -35,6 +35,7 @@ double seconds_since(Clock::time_point t) { return std::chrono::duration<double>
 ViewOptions look_of_twin(const ViewOptions& first, double spread, const World& twin) {
   ViewOptions look = first;
   look.pieces.clear();
+  look.stage.reset();
   spread_pieces(twin, spread, look);
   return look;
 }
@@ -80,8 +81,8 @@ void EditorScreen::took(const FrameTime& time) {
 void EditorScreen::draw_panels() {
   const Layout& layout = state_.view.layout;
   draw_menu_bar(actions_);
-  draw_picture_marks({state_.work.document, state_.view, state_.hand, state_.split, state_.settings,
-                      state_.figures.shown, state_.figures.shadows, state_.lasers});
+  draw_picture_marks({state_.work.document, state_.view, state_.hand, state_.split, state_.stages,
+                      state_.settings, state_.figures.shown, state_.figures.shadows, state_.lasers});
   draw_panel_column(layout.side, panels_, state_.settings);
   draw_splitters(layout, state_.settings);
   if (draw_status_bar(layout.status, state_.hand, state_.message, state_.figures.shown))
@@ -107,7 +108,8 @@ void EditorScreen::draw_picture() {
   const Layout& layout = view.layout;
   view.look.tree.palette = state_.settings.palette;
   view.look.by_day = state_.settings.theme == Theme::kLight;
-  const std::optional<BeamPicture> beam = state_.hand.beam.picture(document);
+  std::optional<BeamPicture> beam;  // its glare would hide what a stage did
+  if (!view.look.stage) beam = state_.hand.beam.picture(document);
   const Shot first{document.world(), view.seen_first(), view.look, beam, layout.first};
   bool& old = view.picture_old;
   ShadowFigures& shadows = state_.figures.shadows;

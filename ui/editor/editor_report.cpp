@@ -3,6 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/atomic_file.h"
+#include "core/document/hash_text.h"
+#include "core/world/state_hash.h"
 #include "ui/editor/tools/light_handle.h"
 #include "ui/editor/view/piece_set.h"
 #include "ui/editor/view/settings.h"
@@ -35,6 +37,15 @@ nlohmann::ordered_json graph_of(const GraphState& graph, const ViewState& view) 
           {"removed", graph.removed()},
           {"any_open", graph.any_open()},
           {"face_lit", view.look.lit_face.has_value()}};
+}
+
+nlohmann::ordered_json stages_of(const StageState& stages) {
+  const QueryWalk& query = stages.log.query();
+  return {{"on", stages.wishes.on},
+          {"playing", stages.wishes.playing},
+          {"done", stages.log.done()},
+          {"told", stages.log.told()},
+          {"query", {{"drawn", query.drawn}, {"visited", query.visited()}, {"boxes", query.size()}}}};
 }
 
 // Where each light is, and its handle in the window where that is shown.
@@ -150,6 +161,8 @@ Status write_editor_report(const EditorState& state, const std::filesystem::path
       {"process_bytes", process_bytes()},
       {"memory_bytes", memory_of(figures.shown.memory)},
       {"strokes", document.strokes()},
+      {"waiting", document.waiting()},
+      {"state_hash", hash_text(state_hash(document.world()))},
       {"faces", document.world().live_faces()},
       {"faces_removed", document.removed_faces()},
       {"removed_area", document.removed_area()},
@@ -169,6 +182,7 @@ Status write_editor_report(const EditorState& state, const std::filesystem::path
       {"graph", graph_of(state.graph, state.view)},
       {"path", path_of(state.lasers.path)},
       {"emitter", emitter_of(state.lasers.emitter)},
+      {"stages", stages_of(state.stages)},
       {"lights", lights_of(state.view, state.settings)},
       {"pixels_that_rays_have_otherwise", figures.shadows.wrong},
       {"split", {{"shown", state.split.shown}, {"faces", state.split.twin.world().live_faces()}}},

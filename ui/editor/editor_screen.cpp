@@ -30,10 +30,11 @@ EditorScreen::EditorScreen(Window& window, LivePicture picture, LoadedSettings l
       saved_(loaded.settings),
       kept_path_(state_folder()),
       changes_({state_.work, state_.view, state_.hand, state_.figures, state_.message, picture_.first()}),
+      stage_cut_({state_.work, state_.hand, state_.view, state_.figures, changes_, state_.stages}),
       cut_({state_.work, state_.view, state_.hand, state_.split, state_.figures, state_.message, changes_,
-            picture_}),
-      opener_({state_.work, state_.view, state_.hand, state_.split, state_.figures, state_.opening,
-               state_.settings, state_.message, recovery_, picture_.first()}),
+            stage_cut_, picture_}),
+      opener_({state_.work, state_.view, state_.hand, state_.split, state_.stages.log, state_.figures,
+               state_.opening, state_.settings, state_.message, recovery_, picture_.first()}),
       desk_(state_, changes_, opener_, recovery_),
       panels_(make_panels(state_)),
       usual_actions_(make_actions(state_, panels_)),
@@ -102,8 +103,8 @@ GuiLook EditorScreen::look() const {
 }
 
 bool EditorScreen::moving() const {
-  return thread_.busy() || easing_ || cut_.waits() || state_.view.picture_old || picture_.busy() ||
-         state_.opening.loader.busy() || state_.graph.playing();
+  return thread_.busy() || easing_ || stage_cut_.waits() || cut_.waits() || state_.view.picture_old ||
+         picture_.busy() || state_.opening.loader.busy() || state_.graph.playing();
 }
 
 // Hearing
@@ -197,7 +198,9 @@ void EditorScreen::advance() {
   recovery_.follow(state_.work, state_.view, state_.hand.drag == Drag::kLight, state_.message);
   keep_path(false);
   move_camera();
+  stage_cut_.advance(std::min<double>(ImGui::GetIO().DeltaTime, kLongestEaseStep));
   cut_.advance();
+  follow_stages();
   follow_graph();
   send();
 }
@@ -205,6 +208,16 @@ void EditorScreen::advance() {
 void EditorScreen::move_camera() {
   easing_ = state_.view.camera.advance(std::min<double>(ImGui::GetIO().DeltaTime, kLongestEaseStep));
   if (easing_) state_.view.picture_old = true;
+}
+
+void EditorScreen::follow_stages() {
+  if (changes_.is_pending()) return;
+  ViewState& view = state_.view;
+  std::shared_ptr<const StageMarks> marks;
+  if (state_.stages.wishes.on) marks = state_.stages.log.marks(state_.work.document.world());
+  if (view.look.stage == marks) return;
+  view.look.stage = std::move(marks);
+  view.picture_old = true;
 }
 
 void EditorScreen::follow_graph() {
@@ -215,7 +228,7 @@ void EditorScreen::follow_graph() {
     view.picture_old = true;
   }
   if (!panel && !view.look.show.graph) return state_.graph.play(false);
-  state_.graph.follow(state_.work.document);
+  state_.graph.follow(state_.work.document, stage_cut_.holds_back());
   state_.graph.advance(std::min<double>(ImGui::GetIO().DeltaTime, kLongestEaseStep));
   if (view.look.graph == state_.graph.drawn()) return;
   view.look.graph = state_.graph.drawn();

@@ -55,6 +55,7 @@ class EditorScreen : public Screen {
   void follow_graph();
   void keep_path(bool now);
   void open_kept_path();
+  void follow_stages();
   void send();
   void lay_out_window();
   void draw_panels();
@@ -77,6 +78,7 @@ class EditorScreen : public Screen {
   Recovery recovery_;
   KeptPath kept_path_;
   WorldChanges changes_;
+  StageCut stage_cut_;
   LiveCut cut_;
   FileOpener opener_;
   HeldPress held_press_;

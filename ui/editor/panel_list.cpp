@@ -16,6 +16,8 @@
 #include "ui/editor/path/emitter_rows.h"
 #include "ui/editor/path/path_panel.h"
 #include "ui/editor/path_choice.h"
+#include "ui/editor/single_step/query_walk_rows.h"
+#include "ui/editor/single_step/single_step_panel.h"
 
 namespace kerf {
 
@@ -46,6 +48,11 @@ void draw_pieces(EditorState& s, PiecesPanel& panel) {
              [&s] { choose_file_for(s, FileBrowser::Purpose::kExport); });
 }
 
+void draw_tree(EditorState& s) {
+  draw_tree_panel(s.view, s.work.document.world(), s.settings, s.figures.shown);
+  if (s.stages.wishes.on) draw_query_walk(s.stages.log);
+}
+
 void draw_graph(EditorState& s, GraphPanel& panel) {
   const bool seen = s.hand.over_picture && s.hand.drag == Drag::kNone && !s.view.in_second;
   panel.draw(s.graph, s.work.document, s.view, seen ? std::optional(s.hand.pointer) : std::nullopt);
@@ -64,9 +71,10 @@ std::vector<Panel> make_panels(EditorState& s) {
        [&s, panel = HistoryPanel()]() mutable { panel.draw(s.work.document, s.settings, s.requests); }},
       {PanelId::kLight, "Light",
        [&] { draw_light_panel(s.view, document.world().bounds(), s.figures.shadows); }},
-      {PanelId::kTree, "Tree",
-       [&] { draw_tree_panel(s.view, document.world(), s.settings, s.figures.shown); }},
+      {PanelId::kTree, "Tree", [&s] { draw_tree(s); }},
       {PanelId::kGraph, "Graph", [&s, panel = GraphPanel()]() mutable { draw_graph(s, panel); }},
+      {PanelId::kSingleStep, "Single step",
+       [&s, panel = SingleStepPanel()]() mutable { panel.draw(s.stages, s.work.document); }},
       {PanelId::kView, "View", [&s] { draw_view_panel(s.view); }},
       {PanelId::kStatistics, "Statistics", [&s] { draw_statistics_panel(s.figures.chart, s.figures.shown); }},
       {PanelId::kFile, "File", [&] { draw_file_panel(document.world(), s.work.scene, s.view, s.settings); }},

@@ -7,6 +7,7 @@
 #include "ui/editor/keys/command_palette.h"
 #include "ui/editor/keys/settings_page.h"
 #include "ui/editor/path/placed_lasers.h"
+#include "ui/editor/single_step/stage_state.h"
 #include "ui/editor/tools/hand.h"
 #include "ui/editor/view/settings.h"
 #include "ui/editor/view/view_state.h"
@@ -29,6 +30,7 @@ struct EditorState {
   ViewState view;
   Hand hand;
   SplitView split;
+  StageState stages;
   Figures figures;
   GraphState graph;
   PlacedLasers lasers;

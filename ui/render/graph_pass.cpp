@@ -12,16 +12,10 @@ namespace kerf {
 
 namespace {
 
-constexpr float kLinkHalfWidth = 0.7f, kDarkAround = 0.8f;  // pixels
-constexpr float kLeastRadius = 1.6f, kMostRadius = 7;       // of a disc, pixels
-constexpr float kRadiusOfLink = 0.22f;                      // of the usual length of a link
-constexpr float kUsualHeight = 900;                         // of a picture, see line.glsl
-constexpr int kVerticesOfLine = 6;
-
-glm::vec4 srgb(uint32_t hex, float opacity) {
-  const auto part = [&](int shift) { return static_cast<float>(hex >> shift & 0xffu) / 255.0f; };
-  return {part(16), part(8), part(0), opacity};
-}
+constexpr float kLinkHalfWidth = 0.7f;                 // pixels
+constexpr float kLeastRadius = 1.6f, kMostRadius = 7;  // of a disc, pixels
+constexpr float kRadiusOfLink = 0.22f;                 // of the usual length of a link
+constexpr float kUsualHeight = 900;                    // of a picture, see line.glsl
 
 void attribute(GLuint index, GLint numbers, size_t stride, size_t offset) {
   glEnableVertexAttribArray(index);
@@ -86,16 +80,16 @@ uint32_t colour_of(DrawnGraph::State state) {
 }
 
 Result<GraphPass> GraphPass::create(const std::filesystem::path& shaders) {
-  auto links = gl::Program::load(shaders, {{"frame.glsl", "line.glsl", "link.vert"}, {"box.frag"}});
+  auto links = ColouredLines::create(shaders);
   if (!links) return links.error();
   auto nodes = gl::Program::load(shaders, {{"frame.glsl", "line.glsl", "node.vert"}, {"node.frag"}});
   if (!nodes) return nodes.error();
   return GraphPass(std::move(*links), std::move(*nodes));
 }
 
-GraphPass::GraphPass(gl::Program links, gl::Program nodes)
+GraphPass::GraphPass(ColouredLines links, gl::Program nodes)
     : links_(std::move(links)), nodes_(std::move(nodes)) {
-  for (const gl::Program* p : {&links_, &nodes_}) p->bind_block("Frame", kFrameBlock);
+  nodes_.bind_block("Frame", kFrameBlock);
 }
 
 void GraphPass::draw(const Subject& subject, const FrameUniforms& frame) {
@@ -117,12 +111,12 @@ void GraphPass::draw_graph(const Subject& subject, const DrawnGraph& graph, cons
   std::vector<std::optional<glm::vec3>> at;
   for (const DrawnGraph::Node& n : graph.nodes) at.push_back(places.of(n));
   std::vector<std::pair<glm::vec3, glm::vec3>> ends;
-  std::vector<Link> links;
+  std::vector<ColouredLines::Line> links;
   for (const auto& [a, b] : graph.edges) {
     if (!at[a] || !at[b]) continue;
     const bool cut = graph.nodes[a].removed || graph.nodes[b].removed;
     const glm::vec4 colour =
-        srgb(cut ? overlay_colours::kRemoved : colour_of(graph.state(graph.nodes[a])), 0.8f);
+        colour_from_hex(cut ? overlay_colours::kRemoved : colour_of(graph.state(graph.nodes[a])), 0.8f);
     ends.emplace_back(*at[a], *at[b]);
     links.push_back({*at[a], *at[b], colour});
   }
@@ -131,9 +125,9 @@ void GraphPass::draw_graph(const Subject& subject, const DrawnGraph& graph, cons
   for (size_t i = 0; i < at.size(); ++i) {
     const DrawnGraph::Node& n = graph.nodes[i];
     const float larger = n.faces > 1 ? 1.25f : 1;
-    if (at[i]) discs.push_back({*at[i], radius * larger, srgb(colour_of(graph.state(n)), 1)});
+    if (at[i]) discs.push_back({*at[i], radius * larger, colour_from_hex(colour_of(graph.state(n)), 1)});
   }
-  draw_links(links, kLinkHalfWidth);
+  links_.draw(links, kLinkHalfWidth);
   draw_discs(discs);
 }
 
@@ -144,34 +138,16 @@ void GraphPass::draw_lit_face(const Subject& subject) {
   const PieceLook look = BodyLooks(lit.body, subject.options).of(body.mesh, lit.face);
   if (look.hidden) return;
   const Triangle t = body.mesh.triangle(lit.face);
-  const glm::vec4 colour = srgb(selection_colour(subject.options.tree.palette), 1);
+  const glm::vec4 colour = colour_from_hex(selection_colour(subject.options.tree.palette), 1);
   const auto corner = [&](size_t i) {
     return subject.space.from_world(body.placement.to_world(t[i % 3]) + look.offset);
   };
-  std::vector<Link> sides;
+  std::vector<ColouredLines::Line> sides;
   for (size_t i = 0; i < 3; ++i) sides.push_back({corner(i), corner(i + 1), colour});
   glDisable(GL_DEPTH_TEST);
-  draw_links(sides, 1.4f);
+  links_.draw(sides, 1.4f);
   draw_discs({{(corner(0) + corner(1) + corner(2)) / 3.0f, 4, colour}});
   glEnable(GL_DEPTH_TEST);
-}
-
-// Dark ones first, a little wider, so that the lines show on anything.
-void GraphPass::draw_links(const std::vector<Link>& links, float half_width) {
-  if (links.empty()) return;
-  glBindVertexArray(link_layout_.name());
-  glBindBuffer(GL_ARRAY_BUFFER, link_buffer_.name());
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(links.size() * sizeof(Link)), links.data(),
-               GL_STREAM_DRAW);
-  attribute(0, 3, sizeof(Link), offsetof(Link, from));
-  attribute(1, 3, sizeof(Link), offsetof(Link, to));
-  attribute(2, 4, sizeof(Link), offsetof(Link, colour));
-  links_.use();
-  for (const bool dark : {true, false}) {
-    links_.set("half_width", half_width + (dark ? kDarkAround : 0));
-    links_.set("shade", dark ? glm::vec4(0.02f, 0.025f, 0.03f, 1) : glm::vec4(0));
-    glDrawArraysInstanced(GL_TRIANGLES, 0, kVerticesOfLine, static_cast<GLsizei>(links.size()));
-  }
 }
 
 void GraphPass::draw_discs(const std::vector<Disc>& discs) {

@@ -6,6 +6,7 @@
 #include "core/graph/drawn_graph.h"
 #include "ui/gl/objects.h"
 #include "ui/gl/program.h"
+#include "ui/render/coloured_lines.h"
 #include "ui/render/subject.h"
 
 namespace kerf {
@@ -23,12 +24,8 @@ class GraphPass {
   void draw(const Subject& subject, const FrameUniforms& frame);
 
  private:
-  GraphPass(gl::Program links, gl::Program nodes);
+  GraphPass(ColouredLines links, gl::Program nodes);
 
-  struct Link {
-    glm::vec3 from, to;
-    glm::vec4 colour;
-  };
   struct Disc {
     glm::vec3 middle;
     float radius;
@@ -36,12 +33,12 @@ class GraphPass {
   };
   void draw_graph(const Subject& subject, const DrawnGraph& graph, const FrameUniforms& frame);
   void draw_lit_face(const Subject& subject);
-  void draw_links(const std::vector<Link>& links, float half_width);
   void draw_discs(const std::vector<Disc>& discs);
 
-  gl::Program links_, nodes_;
-  gl::Buffer link_buffer_, node_buffer_;
-  gl::VertexArray link_layout_, node_layout_;
+  ColouredLines links_;
+  gl::Program nodes_;
+  gl::Buffer node_buffer_;
+  gl::VertexArray node_layout_;
 };
 
 }  // namespace kerf

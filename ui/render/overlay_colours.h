@@ -26,6 +26,15 @@ inline constexpr std::array<uint32_t, 9> kCounts{0x1f4fa8, 0x5b3fb5, 0x93329f, 0
 // traversal has come to.
 inline constexpr uint32_t kReached = 0x4aa3ff, kApart = 0xf2dc9a, kRemoved = 0xff5a48, kUnmarked = 0x7d8896;
 
+// What a stage of a cut did: the volume that the beam sweeps, faces that it touches, and faces that a split
+// made; removed faces have the colour of the graph.
+inline constexpr uint32_t kSwept = 0xa8d4ff, kHit = 0xffd27a, kBorn = 0x4aa3ff;
+
+// Boxes that a query of the tree visits: those that it enters and culls, and of single faces those that the
+// beam misses and touches; and the one that it visited last.
+inline constexpr uint32_t kEntered = 0xb99aff, kCulled = 0x7d8896, kMissed = 0xf2dc9a, kTouched = 0xff6a4d,
+                          kLast = 0xffffff;
+
 // Pixels whose ray says otherwise than the picture, that it finds lit, and that it finds in shadow.
 inline constexpr uint32_t kWrong = 0xff28dc, kTracedLit = 0xece2be, kTracedShadow = 0x080c16;
 

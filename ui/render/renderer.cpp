@@ -53,9 +53,11 @@ Result<Renderer::Passes> Renderer::load_passes(const std::filesystem::path& shad
   if (!reference) return reference.error();
   auto graph = GraphPass::create(shaders);
   if (!graph) return graph.error();
+  auto stage = StagePass::create(shaders);
+  if (!stage) return stage.error();
   return Passes{std::move(*scene),          std::move(*bloom),     std::move(*beam),    std::move(*lines),
                 std::move(*veil),           std::move(*outline),   std::move(*numbers), std::move(*probe),
-                std::move(*shadow_overlay), std::move(*reference), std::move(*graph)};
+                std::move(*shadow_overlay), std::move(*reference), std::move(*graph),   std::move(*stage)};
 }
 
 Result<Renderer> Renderer::create() {
@@ -151,7 +153,8 @@ void Renderer::set_up(const World& world, const CameraView& view, const ViewOpti
   frame.key_light = glm::vec4(glm::vec3(space_.turned(direction_to(key, middle_))), 0);
   if (beam) BeamPass::fill_in(frame, space_, *beam);
   frame.stage = stage_colours(options.by_day);
-  const int colours = options.show.sizes ? 2 : options.show.pieces ? 1 : 0;
+  const bool pieces = options.show.pieces || (options.stage && options.stage->came_off);
+  const int colours = options.show.sizes ? 2 : pieces ? 1 : 0;
   frame.body_look = {finest_, colours, options.two_sided ? 1 : 0, 0};
   glBindBuffer(GL_UNIFORM_BUFFER, uniforms_.name());
   glBufferData(GL_UNIFORM_BUFFER, sizeof(frame), &frame, GL_STREAM_DRAW);
@@ -187,6 +190,7 @@ void Renderer::draw_overlays(const Subject& subject, const CameraView& view,
   if (options.ghost && !options.show.face_numbers) passes_.veil.draw(subject, VeilPass::Style::kVeil);
   passes_.outline.draw(subject, picture);
   passes_.graph.draw(subject, frame_);
+  passes_.stage.draw(subject);
   if (options.show.face_numbers) passes_.numbers.draw(subject, frame_, picture);
   if (options.show.shadow_compare) draw_comparison(subject, picture);
 }

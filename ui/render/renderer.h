@@ -25,6 +25,7 @@
 #include "ui/render/shadow_overlay.h"
 #include "ui/render/shadow_probe.h"
 #include "ui/render/shadow_reference.h"
+#include "ui/render/stage_pass.h"
 #include "ui/render/target.h"
 #include "ui/render/veil_pass.h"
 #include "ui/render/view_options.h"
@@ -114,6 +115,7 @@ class Renderer {
     ShadowOverlay shadow_overlay;
     ReferencePass reference;
     GraphPass graph;
+    StagePass stage;
   };
   static Result<Passes> load_passes(const std::filesystem::path& shaders);
   explicit Renderer(Passes passes) : passes_(std::move(passes)) {}

@@ -47,6 +47,7 @@ struct PieceLook {
 };
 
 struct DrawnGraph;
+struct StageMarks;
 
 // A face of a body.
 struct FaceOfBody {
@@ -69,6 +70,7 @@ struct ViewOptions {
   ShadowOptions shadow;
   std::shared_ptr<const DrawnGraph> graph;  // what ShowOptions::graph draws; null: nothing
   std::optional<FaceOfBody> lit_face;       // outlined, if it is live
+  std::shared_ptr<const StageMarks> stage;  // what a stage of a cut did; null: nothing
   std::map<PieceId, PieceLook> pieces;      // pieces that are not drawn with the default look
   // The groups of faces of bodies whose pieces are drawn apart, for the present world; see spread_pieces().
   // Values are not null.

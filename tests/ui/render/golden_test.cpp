@@ -8,6 +8,7 @@
 #include "tests/support/checkout.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/render/stage.h"
+#include "ui/editor/single_step/stage_log.h"
 #include "ui/render/picture.h"
 
 namespace kerf {
@@ -116,6 +117,32 @@ TEST(Golden, every_overlay_looks_as_it_did) {
   const CameraView view = test::view_of_ball_and_ring(static_cast<double>(kWidth) / kHeight);
   for (const Golden& golden : goldens(stage))
     expect_golden(golden.name, stage.draw(view, golden.options, kWidth, kHeight));
+}
+
+// The picture of the next stage of this kind that removed, made or hit anything.
+Pixels draw_stage(test::Stage& stage, StageLog& log, StageRecord::Kind kind) {
+  for (bool found = false; !found;) {
+    const StageRecord record = stage.next_stage();
+    log.note(stage.world(), record);
+    found = record.kind == kind && (!record.hit.empty() || !record.done.delta.bodies.empty());
+  }
+  ViewOptions options = showing("shadows");
+  options.stage = log.marks(stage.world());
+  return stage.draw(test::view_of_ball_and_ring(static_cast<double>(kWidth) / kHeight), options, kWidth,
+                    kHeight);
+}
+
+TEST(Golden, the_stages_of_a_cut_look_as_they_did) {
+  test::Stage stage = test::ball_and_ring();
+  stage.begin_cut({{-0.3, -0.5, 4}, {0, 0, -1}}, {{0.5, -0.3, 4}, {0, 0, -1}}, 0.12);
+  StageLog log;
+  using Kind = StageRecord::Kind;
+  expect_golden("stage-hit", draw_stage(stage, log, Kind::kHit));
+  log.draw_query(true);
+  expect_golden("stage-query", draw_stage(stage, log, Kind::kHitAgain));
+  log.draw_query(false);
+  expect_golden("stage-remove", draw_stage(stage, log, Kind::kRemove));
+  expect_golden("stage-refine", draw_stage(stage, log, Kind::kRefine));
 }
 
 TEST(Golden, figures_8_and_9_of_the_paper_look_as_they_did) {

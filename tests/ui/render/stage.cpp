@@ -23,7 +23,7 @@ Stage::Stage(World world) : context_(make_context()), document_(std::move(world)
   renderer_->show(document_.world(), {});
 }
 
-void Stage::cut(const Pose& from, const Pose& to, double radius) {
+void Stage::begin_cut(const Pose& from, const Pose& to, double radius) {
   CutSettings settings;
   settings.laser.radius = radius;
   settings.laser.range = {0, 20};
@@ -31,6 +31,19 @@ void Stage::cut(const Pose& from, const Pose& to, double radius) {
   document_.apply(BeginStroke{settings, from});
   document_.apply(MoveStroke{to});
   document_.apply(EndStroke{});
+}
+
+StageRecord Stage::next_stage() {
+  if (!single_) single_.emplace(document_);
+  const auto stage = single_->next();
+  EXPECT_TRUE(stage.ok());
+  if (!stage) return {};
+  renderer_->follow(document_.world(), stage->done.delta);
+  return *stage;
+}
+
+void Stage::cut(const Pose& from, const Pose& to, double radius) {
+  begin_cut(from, to, radius);
   while (document_.waiting() > 0) {
     const auto step = document_.step(16);
     ASSERT_TRUE(step.ok());

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/document/document.h"
+#include "core/document/single_step.h"
 #include "ui/gl/offscreen_context.h"
 #include "ui/render/png.h"
 #include "ui/render/renderer.h"
@@ -15,6 +15,10 @@ class Stage {
   // Cuts with a beam that moves from one pose to another, into faces of about its radius.
   void cut(const Pose& from, const Pose& to, double radius);
 
+  // The same stroke waits, and is executed stage by stage; the stage may not be moved meanwhile.
+  void begin_cut(const Pose& from, const Pose& to, double radius);
+  StageRecord next_stage();
+
   // Applies a command that is no stroke's.
   void apply(const Command& command);
 
@@ -28,6 +32,7 @@ class Stage {
   gl::OffscreenContext context_;
   std::optional<Renderer> renderer_;
   Document document_;
+  std::optional<SingleStep> single_;
 };
 
 // A ball beside a ring, each a body, and a beam that cut the top off the ball: four pieces to look at.

@@ -2,6 +2,7 @@
 
 #include "ui/editor/changes/split_view.h"
 #include "ui/editor/figures/figures.h"
+#include "ui/editor/single_step/stage_log.h"
 #include "ui/editor/view/settings.h"
 #include "ui/editor/work/opening.h"
 #include "ui/editor/work/recovery.h"
@@ -16,6 +17,7 @@ struct OpenerParts {
   ViewState& view;
   Hand& hand;
   SplitView& split;
+  StageLog& stages;
   Figures& figures;
   Opening& opening;
   Settings& settings;

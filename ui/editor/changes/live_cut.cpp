@@ -26,9 +26,9 @@ void LiveCut::advance() {
 
 bool LiveCut::cut_first(Clock::time_point until) {
   const Document& document = on_.work.document;
-  if (document.waiting() == 0 || on_.changes.is_pending()) return false;
-  while (document.waiting() > 0 && Clock::now() < until) {
-    if (!on_.changes.step(kMovesOfStep)) break;
+  if (!first_waits() || on_.changes.is_pending()) return false;
+  while (first_waits() && Clock::now() < until) {
+    if (!on_.changes.step([](Document& d) { return d.step(kMovesOfStep); })) break;
   }
   on_.hand.beam.find_strike(document);
   return true;

@@ -3,7 +3,7 @@
 #include <chrono>
 
 #include "ui/editor/changes/split_view.h"
-#include "ui/editor/changes/world_changes.h"
+#include "ui/editor/changes/stage_cut.h"
 #include "ui/screen/live_picture.h"
 
 namespace kerf {
@@ -20,6 +20,7 @@ class LiveCut {
     Figures& figures;
     Message& message;
     WorldChanges& changes;
+    const StageCut& stages;  // what it holds back is left to it
     LivePicture& picture;
   };
   // The parts must outlive it.
@@ -29,12 +30,13 @@ class LiveCut {
   void advance();
   // The time that the last call took for cutting, in seconds; 0 if nothing was queued.
   double seconds() const { return seconds_; }
-  // Whether moves are queued.
-  bool waits() const { return on_.work.document.waiting() > 0 || on_.split.twin.waiting() > 0; }
+  // Whether moves are queued that it may cut.
+  bool waits() const { return first_waits() || on_.split.twin.waiting() > 0; }
 
  private:
   using Clock = std::chrono::steady_clock;
 
+  bool first_waits() const { return on_.work.document.waiting() > 0 && !on_.stages.holds_back(); }
   // Both return whether anything was queued.
   bool cut_first(Clock::time_point until);
   bool cut_twin(Clock::time_point until);

@@ -14,6 +14,7 @@ void forget_what_was_open(const OpenerParts& on) {
   on.hand.measured.clear();
   on.hand.cut_once = false;
   on.split.twin.forget();
+  on.stages.forget();
   on.view.look.pieces.clear();
   on.view.isolated_from.clear();
   on.view.numbers = PieceNumbers();

@@ -13,6 +13,7 @@ namespace kerf {
 namespace {
 
 constexpr size_t kManyFaces = 40'000;  // from here on changes of bodies take longer than a part of a frame
+constexpr size_t kManyMoves = 20;      // of the queue, that take longer than a part of a frame
 
 // What pictures need of the bodies that came or, where the world was replaced, of all of them.
 PreparedBodies prepare(const World& world, const Delta& delta, const LoadedShadings& loaded) {
@@ -39,7 +40,7 @@ bool is_quick(const Document& document, const Command& command) {
           [&](const Undo&) { return small && (now == 0 || document.remembers_way_to(now - 1)); },
           [&](const Redo&) { return small; },
           [](const AddMesh&) { return false; },
-          [&](const HappensAtOnce auto&) { return small; },
+          [&](const HappensAtOnce auto&) { return small && document.waiting() <= kManyMoves; },
       },
       command);
 }
@@ -236,10 +237,10 @@ void WorldChanges::change(const std::string& title, bool quick, const Change& wh
 // Steps of a cut
 // --------------------------------------------------------------------------------------------------------
 
-bool WorldChanges::step(size_t moves) {
+bool WorldChanges::step(const Part& part) {
   assert(!pending_);
-  if (close_rim_beside()) return false;
-  const Result<StepResult> step = on_.work.document.step(moves);
+  if (close_rim_beside(part)) return false;
+  const Result<StepResult> step = part(on_.work.document);
   if (!step) {
     show_failed_step(step.error());
     return false;
@@ -248,14 +249,14 @@ bool WorldChanges::step(size_t moves) {
   return true;
 }
 
-bool WorldChanges::close_rim_beside() {
+bool WorldChanges::close_rim_beside(const Part& part) {
   const size_t faces = on_.work.document.world().live_faces();
   if (!on_.work.document.next_closes_rim() || faces <= kManyFaces) return false;
   const auto step = std::make_shared<StepResult>();
   LongChange change;
   change.title = "Smoothing the rim";
-  change.run = [step](Document& document, const Progress&) {
-    Result<StepResult> done = document.step(1);
+  change.run = [step, part](Document& document, const Progress&) {
+    Result<StepResult> done = part(document);
     Outcome outcome;
     if (done) *step = std::move(*done);
     if (!done) outcome.fail(done.error());

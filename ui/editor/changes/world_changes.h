@@ -66,22 +66,24 @@ class WorldChanges {
   // none if the user stops it. Precondition: why_no_cut() gives no reason.
   void run_path(const std::vector<StrokePath>& strokes);
 
-  // Cuts up to `moves` queued moves as one step. Returns false if the step failed or became pending, because
-  // it closes the rim of a stroke with many faces.
-  bool step(size_t moves);
+  // Executes a part of the queue by Document::step or SingleStep. Returns false if that failed or became
+  // pending, because it closes the rim of a stroke with many faces.
+  using Part = std::function<Result<StepResult>(Document&)>;
+  bool step(const Part& part);
+
+  // Changes the document by `what`, which may report no progress if it is called with null. A change that is
+  // not `quick` becomes pending, and is called by the title. Says `said` once it is done.
+  using Change = std::function<Outcome(Document&, const Progress*)>;
+  void change(const std::string& title, bool quick, const Change& what, const std::string& said = "");
 
   // Makes a renderer show a world derived from the open document. Smooth normals are those of the faces as
   // loaded, however they were cut since.
   void show_world(const World& world, Renderer& renderer) const;
 
  private:
-  using Change = std::function<Outcome(Document&, const Progress*)>;
-
-  // Says `said` once the change is done.
-  void change(const std::string& title, bool quick, const Change& what, const std::string& said = "");
   template <typename Make>
   bool change_chosen(Make command_for);
-  bool close_rim_beside();
+  bool close_rim_beside(const Part& part);
   void follow_step(const StepResult& step);
   void show_failed_step(const Error& error);
   void show_outcome(const Outcome& outcome, PreparedBodies prepared = {}, const std::string& said = "");

@@ -39,9 +39,11 @@ GraphState::Key GraphState::key_of(const Document& document) {
           document.world().live_faces(), true};
 }
 
-bool GraphState::follow(const Document& document) {
+bool GraphState::follow(const Document& document, bool in_single_steps) {
   if (!is_old(document)) return false;
-  if (key_.known && (document.in_stroke() || document.waiting() > 0)) return false;
+  const bool cutting = key_.known && (document.in_stroke() || document.waiting() > 0);
+  if (cutting && !in_single_steps) return false;
+  if (cutting && document.world().live_faces() > kMostAtStages) return false;
   key_ = key_of(document);
   const size_t faces = faces_to_read(document);
   left_out_ = faces > kMostAtOnce && !asked_ ? faces : 0;

@@ -17,14 +17,15 @@ class GraphState {
  public:
   enum class Placing { kUnrolled, kPosition, kForce };
 
-  // Follows the document, unless a stroke is being cut: what is shown then is that before the stroke. Returns
-  // whether anything changed. Linear in the faces of the bodies that the last stroke cut if it did.
-  bool follow(const Document& document);
+  // Follows the document, unless a stroke is being cut: what is shown then is that before the stroke. In
+  // single steps it is followed there, too, if the world has at most kMostAtStages faces. Returns whether
+  // anything changed. Linear in the faces of the bodies that the last stroke cut if it did.
+  bool follow(const Document& document, bool in_single_steps = false);
   // Whether the document has changed since follow() took it over.
   bool is_old(const Document& document) const { return !(key_ == key_of(document)); }
 
   // Bodies of more faces take too long between two frames: their graph is left out until it is asked for.
-  static constexpr size_t kMostAtOnce = 300'000;
+  static constexpr size_t kMostAtOnce = 300'000, kMostAtStages = 20'000;
   bool is_left_out() const { return left_out_ > 0; }
   size_t left_out() const { return left_out_; }  // faces
   void ask_for_it();

@@ -2,9 +2,12 @@
 
 #include <imgui.h>
 
+#include <set>
+
 #include "ui/editor/view/shadow_methods.h"
 #include "ui/render/box_palette.h"
 #include "ui/render/overlay_colours.h"
+#include "ui/render/stage_pass.h"
 #include "ui/render/view_switches.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_text.h"
@@ -99,6 +102,42 @@ Legend legend_of(SwitchId view, const ViewOptions& look, const ShadowFigures& sh
   return {};
 }
 
+const char* meaning_of(StageMarks::Kind kind) {
+  using Kind = StageMarks::Kind;
+  switch (kind) {
+    case Kind::kSwept:
+      return "what the beam sweeps";
+    case Kind::kHit:
+      return "faces that it hits";
+    case Kind::kBorn:
+      return "faces that splits made";
+    case Kind::kRemoved:
+      return "removed faces";
+    case Kind::kEntered:
+      return "boxes that the query entered";
+    case Kind::kCulled:
+      return "boxes that it culled";
+    case Kind::kMissed:
+      return "boxes of faces that the beam misses";
+    case Kind::kTouched:
+      return "boxes of faces that it hits";
+    case Kind::kLast:
+      break;
+  }
+  return "the box that was tested last";
+}
+
+Legend legend_of_stage(const StageMarks& marks) {
+  std::set<StageMarks::Kind> kinds;
+  for (const StageMarks::OfBody& body : marks.bodies) {
+    for (const StageMarks::Line& line : body.lines) kinds.insert(line.kind);
+  }
+  Legend legend{"Single step", {}};
+  for (const StageMarks::Kind kind : kinds) legend.rows.push_back({colour_of(kind), meaning_of(kind)});
+  if (marks.came_off) legend.rows.push_back(sentence("each piece in its own colour: some came off"));
+  return legend;
+}
+
 ImU32 opaque(uint32_t hex) { return IM_COL32(hex >> 16 & 0xffu, hex >> 8 & 0xffu, hex & 0xffu, 255); }
 
 void draw_swatch(const Legend::Row& row, ImVec2 at, float side, ImDrawList& list) {
@@ -140,6 +179,10 @@ std::vector<Legend> legends_of(const ViewOptions& look, const ShadowFigures& sha
   for (const ViewSwitch& s : view_switches()) {
     if (s.get(look) == 0) continue;
     if (Legend legend = legend_of(s.id, look, shadows); !legend.title.empty())
+      legends.push_back(std::move(legend));
+  }
+  if (look.stage) {
+    if (Legend legend = legend_of_stage(*look.stage); !legend.rows.empty())
       legends.push_back(std::move(legend));
   }
   return legends;

@@ -5,6 +5,7 @@
 #include "ui/editor/inspect/face_readout.h"
 #include "ui/editor/marks/hint_box.h"
 #include "ui/editor/marks/legends.h"
+#include "ui/editor/marks/stage_caption.h"
 #include "ui/editor/path/path_marks.h"
 #include "ui/editor/tools/axes_gizmo.h"
 #include "ui/editor/tools/light_handle.h"
@@ -117,6 +118,7 @@ void draw_picture_marks(const MarkParts& of) {
   const Area legends = draw_legends(legends_of(of.view.look, of.shadows), under_label(of.view.layout));
   if (!of.hand.cut_once && of.hand.tool == Tool::kLaser && !of.hand.move)
     draw_hint_box(of.document.world(), of.view, legends);
+  if (of.stages.wishes.on) draw_stage_caption(of.stages.log, of.view.layout.first);
   list.PopClipRect();
 }
 

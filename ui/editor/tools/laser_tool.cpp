@@ -39,6 +39,20 @@ Pose LaserTool::aim(const CameraView& view, Vec2 pointer) const {
   return {emitter, glm::normalize(target - emitter)};
 }
 
+// How the beam is drawn.
+void LaserTool::set_up(const CutSettings& settings) {
+  radius_ = settings.laser.radius;
+  const bool by_edge = settings.resolution.rule == Resolution::Rule::kTargetEdge;
+  overshoot_ = by_edge ? settings.resolution.target_edge : 0.5 * radius_;
+  reach_ = settings.laser.range.high;
+}
+
+void LaserTool::take_over(const CutSettings& settings, double emitter) {
+  if (cutting_) return;
+  set_up(settings);
+  emitter_ = emitter;
+}
+
 void LaserTool::press(Document& document, const CameraView& view, Vec2 pointer, const LaserControls& controls,
                       double heard) {
   const Pose ray = view.ray(pointer.x, pointer.y);
@@ -56,10 +70,7 @@ void LaserTool::press(Document& document, const CameraView& view, Vec2 pointer, 
 // A stroke with the settings at pose_.
 void LaserTool::begin(const Document& document, const CutSettings& settings, double heard) {
   settings_ = settings;
-  radius_ = settings.laser.radius;
-  const bool by_edge = settings.resolution.rule == Resolution::Rule::kTargetEdge;
-  overshoot_ = by_edge ? settings.resolution.target_edge : 0.5 * radius_;
-  reach_ = settings.laser.range.high;
+  set_up(settings);
   if (!document.beam_waits()) {
     beam_ = pose_;
     strike_.reset();

@@ -33,6 +33,9 @@ class LaserTool {
 
   bool cutting() const { return cutting_; }
 
+  // A stroke that was drawn earlier, or elsewhere, is cut again: the beam is drawn as its settings say, from
+  // about `emitter` metres away. Does nothing while a stroke is drawn.
+  void take_over(const CutSettings& settings, double emitter);
   // Records the pose that the cut has reached, which may lag behind the pointer. The beam is drawn there.
   void reach(const Pose& pose) { beam_ = pose; }
   // Finds the point where the beam strikes at that pose: the rim of what it has cut, or a surface behind it.
@@ -41,6 +44,7 @@ class LaserTool {
   std::optional<BeamPicture> picture(const Document& document) const;
 
  private:
+  void set_up(const CutSettings& settings);
   Pose aim(const CameraView& view, Vec2 pointer) const;
   void begin(const Document& document, const CutSettings& settings, double heard);
   void begin_held(Document& document);

@@ -24,6 +24,7 @@ enum class PanelId {
   kLight,
   kTree,
   kGraph,
+  kSingleStep,
   kView,
   kStatistics,
   kFile,

@@ -45,6 +45,21 @@ TEST(GraphState, follows_the_document_when_no_stroke_is_being_cut) {
   EXPECT_FALSE(graph.closings().empty());
 }
 
+TEST(GraphState, follows_the_document_between_single_steps) {
+  Document document = sheet();
+  GraphState graph;
+  graph.follow(document);
+  cut_at(document, 0.1);
+  size_t changes = 0;
+  while (document.waiting() > 0) {
+    ASSERT_TRUE(document.step_stage().ok());
+    EXPECT_EQ(graph.follow(document) && document.waiting() > 0, false);
+    if (graph.follow(document, true)) ++changes;
+    EXPECT_EQ(graph.removed(), document.removed_faces());
+  }
+  EXPECT_GT(changes, 10u);
+}
+
 TEST(GraphState, plays_the_traversal_to_its_end) {
   Document document = sheet();
   cut_at(document, 0.1);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "ui/render/stage_marks.h"
 #include "ui/render/view_switches.h"
 
 namespace kerf {
@@ -38,6 +39,18 @@ TEST(Legends, the_comparison_says_what_it_counts) {
   figures.differing = 1234;
   const Legend legend = legends_of(look, figures).at(0);
   EXPECT_NE(legend.rows[2].meaning.find("1 234 pixels"), std::string::npos);
+}
+
+TEST(Legends, a_stage_of_single_steps_names_the_marks_that_are_drawn) {
+  ViewOptions look;
+  StageMarks marks;
+  look.stage = std::make_shared<const StageMarks>(marks);
+  EXPECT_TRUE(legends_of(look, {}).empty());
+  marks.bodies.emplace_back().lines = {{.kind = StageMarks::Kind::kHit},
+                                       {.kind = StageMarks::Kind::kRemoved}};
+  marks.came_off = true;
+  look.stage = std::make_shared<const StageMarks>(marks);
+  EXPECT_EQ(legends_of(look, {}).at(0).rows.size(), 3u);
 }
 
 }  // namespace

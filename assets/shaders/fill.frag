@@ -1,0 +1,5 @@
+in vec4 colour;
+
+out vec4 pixel;
+
+void main() { pixel = colour; }

@@ -1,0 +1,79 @@
+"""Single steps: the last stroke is cut stage by stage, forth and back, by keys and by the buttons of the panel."""
+import os
+import subprocess
+import tempfile
+import unittest
+
+from editor_window import ACROSS, KERF, SPHERE, WindowTest
+
+
+class SingleStep(WindowTest):
+    def open_panel(self, title):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        self.only_panel(title)
+        return self.open_again(SPHERE)
+
+    def hash_of(self, journal):
+        """That of the state to which the commands of a journal lead."""
+        replay = subprocess.run([KERF, "replay", os.path.join(self.folder, journal)], capture_output=True, text=True)
+        self.assertEqual(replay.returncode, 0, replay.stderr)
+        return replay.stdout.split()[-1]
+
+    def test_a_stroke_that_is_stepped_through_forth_and_back_ends_as_it_was_drawn(self):
+        editor = self.open_panel("Single step")
+        editor.drag(ACROSS)
+        self.save_as(editor, "drawn.kerf")
+        editor.wait_for_title("drawn.kerf - Kerf")
+        editor.point_at(0.9, 0.9)
+        editor.do("shift", "F8")
+        for key in ("period", "period", "period", "comma", "period"):
+            editor.do(key)
+        editor.click("stage next", 0.5, 0.5)
+        editor.click("stage end of move", 0.5, 0.5)
+        editor.click("stage back", 0.5, 0.5)
+        editor.do("shift", "period")
+        editor.click("stage row 2", 0.5, 0.5)
+        editor.do("End")
+        editor.do("comma")
+        editor.click("stage end of stroke", 0.5, 0.5)
+        report = editor.quit()
+        stages = report["stages"]
+        self.assertEqual(report["waiting"], 0)
+        self.assertEqual(stages["done"], len(stages["told"]))
+        self.assertGreater(stages["done"], 20)
+        self.assertEqual([text.split(":")[0] for text in stages["told"][:3]], ["Sweep", "Hit", "Refine"])
+        self.assertEqual(report["state_hash"], self.hash_of("drawn.kerf"))
+
+    def test_a_stroke_waits_for_its_stages_and_plays_in_slow_motion(self):
+        editor = self.open_panel("Single step")
+        editor.click("stages on", 0.05, 0.5)
+        editor.drag(ACROSS)
+        editor.do("period")
+        editor.click("stage speed", 0.9, 0.5)
+        editor.press("space")
+        editor.press("space")
+        editor.point_at(0.9, 0.9)
+        stages = editor.quit()
+        self.assertGreater(stages["waiting"], 0)
+        self.assertGreater(stages["stages"]["done"], 2)
+        self.assertEqual(stages["stages"]["done"], len(stages["stages"]["told"]))
+        self.assertFalse(stages["stages"]["playing"])
+
+    def test_the_slider_of_the_tree_panel_walks_through_the_query_box_by_box(self):
+        editor = self.open_panel("Tree")
+        editor.drag(ACROSS)
+        editor.do("shift", "F8")
+        editor.do("period")
+        editor.do("period")
+        editor.click("query slider", 0.5, 0.5)
+        editor.do("bracketright")
+        query = editor.quit()["stages"]["query"]
+        self.assertTrue(query["drawn"])
+        self.assertGreater(query["boxes"], 10)
+        self.assertAlmostEqual(query["visited"] / query["boxes"], 0.5, delta=0.15)
+
+
+if __name__ == "__main__":
+    unittest.main()

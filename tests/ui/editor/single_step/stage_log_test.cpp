@@ -1,0 +1,172 @@
+#include "ui/editor/single_step/stage_log.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "tests/support/made_meshes.h"
+#include "ui/editor/single_step/mark_stage.h"
+#include "ui/editor/single_step/stage_state.h"
+
+namespace kerf {
+namespace {
+
+using Kind = StageRecord::Kind;
+
+// A sheet, with a stroke from edge to edge that waits.
+Document sheet(bool turns = false) {
+  World world;
+  world.add(make_body("sheet", test::build(test::grid(10, 2))));
+  Document document(std::move(world));
+  CutSettings settings;
+  settings.laser.radius = 0.03;
+  settings.resolution.target_edge = 0.08;
+  const Vec3 down(0, -1, 0), aslant = glm::normalize(Vec3(0.2, -1, 0));
+  document.apply(BeginStroke{settings, {{0.1, 3, -1.3}, down}});
+  document.apply(MoveStroke{{{0.1, 3, 1.3}, turns ? aslant : down}});
+  document.apply(EndStroke{});
+  return document;
+}
+
+size_t count(const StageMarks& marks, StageMarks::Kind kind) {
+  size_t fills = 0;
+  for (const StageMarks::OfBody& body : marks.bodies) {
+    fills += static_cast<size_t>(std::count_if(body.fills.begin(), body.fills.end(),
+                                               [&](const StageMarks::Fill& f) { return f.kind == kind; }));
+  }
+  return fills;
+}
+
+size_t lines(const StageMarks& marks, StageMarks::Kind kind) {
+  size_t lines = 0;
+  for (const StageMarks::OfBody& body : marks.bodies) {
+    lines += static_cast<size_t>(std::count_if(body.lines.begin(), body.lines.end(),
+                                               [&](const StageMarks::Line& l) { return l.kind == kind; }));
+  }
+  return lines;
+}
+
+TEST(StageLog, marks_the_faces_that_each_stage_hit_made_and_removed) {
+  Document document = sheet();
+  SingleStep single(document);
+  StageLog log;
+  EXPECT_EQ(log.marks(document.world()), nullptr);
+  std::set<Kind> seen;
+  bool came_off = false;
+  while (document.waiting() > 0) {
+    const Result<StageRecord> stage = single.next();
+    ASSERT_TRUE(stage.ok());
+    log.note(document.world(), *stage);
+    const auto marks = log.marks(document.world());
+    ASSERT_NE(marks, nullptr);
+    EXPECT_EQ(marks, log.marks(document.world())) << "made once";
+    size_t born = 0;
+    for (const BodyDelta& b : stage->done.delta.bodies) born += b.born.size();
+    EXPECT_EQ(count(*marks, StageMarks::Kind::kHit), stage->hit.size());
+    EXPECT_EQ(count(*marks, StageMarks::Kind::kRemoved), stage->done.delta.removed_faces);
+    EXPECT_EQ(lines(*marks, StageMarks::Kind::kBorn), stage->kind == Kind::kRefine ? 3 * born : 0);
+    EXPECT_EQ(count(*marks, StageMarks::Kind::kSwept) > 0, stage->move.has_value());
+    came_off = came_off || marks->came_off;
+    seen.insert(stage->kind);
+  }
+  EXPECT_TRUE(came_off);
+  for (const Kind kind : {Kind::kSweep, Kind::kHit, Kind::kRefine, Kind::kHitAgain, Kind::kRemove})
+    EXPECT_TRUE(seen.contains(kind));
+}
+
+TEST(StageLog, walks_through_the_last_query_of_the_tree) {
+  for (const bool turns : {false, true}) {
+    Document document = sheet(turns);
+    SingleStep single(document);
+    StageLog log;
+    while (document.waiting() > 0) {
+      const Result<StageRecord> stage = single.next();
+      ASSERT_TRUE(stage.ok());
+      log.note(document.world(), *stage);
+      if (stage->kind != Kind::kHit && stage->kind != Kind::kHitAgain) continue;
+      const QueryWalk& query = log.query();
+      ASSERT_EQ(query.visited(), query.size());
+      std::set<uint32_t> touched;
+      for (size_t boxes = 1; boxes <= query.size(); ++boxes) {
+        log.visit(boxes);
+        const bool hits = query.words().ends_with("the beam hits it.");
+        if (hits) touched.insert(query.face().index);
+        const bool culled = query.words().find("culled") != std::string::npos;
+        EXPECT_EQ(culled, query.words().find("lies") != std::string::npos) << query.words();
+      }
+      std::set<uint32_t> hit;
+      for (const FaceId f : stage->hit) hit.insert(f.index);
+      ASSERT_EQ(touched, hit);
+    }
+  }
+}
+
+TEST(StageLog, draws_the_boxes_of_the_query_that_were_visited) {
+  Document document = sheet();
+  SingleStep single(document);
+  StageLog log;
+  while (log.query().count(TouchedWalk::Outcome::kTouched) == 0) {
+    const Result<StageRecord> stage = single.next();
+    ASSERT_TRUE(stage.ok());
+    log.note(document.world(), *stage);
+  }
+  EXPECT_EQ(lines(*log.marks(document.world()), StageMarks::Kind::kEntered), 0u);
+  log.visit(1);
+  EXPECT_EQ(lines(*log.marks(document.world()), StageMarks::Kind::kEntered), 12u);
+  EXPECT_EQ(lines(*log.marks(document.world()), StageMarks::Kind::kLast), 12u);
+  log.visit(log.query().size());
+  EXPECT_EQ(lines(*log.marks(document.world()), StageMarks::Kind::kTouched),
+            12 * log.query().count(TouchedWalk::Outcome::kTouched));
+  log.draw_query(false);
+  EXPECT_EQ(lines(*log.marks(document.world()), StageMarks::Kind::kLast), 0u);
+}
+
+TEST(StageLog, keeps_the_sentences_of_the_stages_ahead_after_going_back) {
+  Document document = sheet();
+  SingleStep single(document);
+  StageLog log;
+  const auto note = [&](const StageRecord& stage) { log.note(document.world(), stage); };
+  while (single.stages() < 30) {
+    const Result<StageRecord> stage = single.next();
+    ASSERT_TRUE(stage.ok());
+    note(*stage);
+  }
+  const std::vector<std::string> told = log.told();
+  log.restart();
+  ASSERT_TRUE(single.go_back_to(11, note).ok());
+  EXPECT_EQ(log.done(), 11u);
+  EXPECT_EQ(log.told(), told);
+  EXPECT_EQ(words(*log.last()), told[10]);
+  log.forget();
+  EXPECT_EQ(log.told().size(), 0u);
+}
+
+TEST(StageState, says_why_there_is_nothing_to_step_through) {
+  Document document = sheet();
+  StageState stages;
+  EXPECT_NE(why_no_next_stage(stages, document), nullptr) << "off";
+  stages.wishes.on = true;
+  EXPECT_EQ(why_no_next_stage(stages, document), nullptr);
+  EXPECT_NE(why_no_stage_back(stages, document), nullptr) << "nothing was executed";
+  EXPECT_EQ(why_not_again(document), nullptr);
+  document.apply(RenamePiece{{document.world().ids().front(), 0}, "plate"});
+  EXPECT_NE(why_not_again(document), nullptr) << "the stroke is not the last step";
+  EXPECT_NE(why_no_next_stage(stages, document), nullptr) << "everything is cut";
+  EXPECT_NE(why_not_again(Document(World())), nullptr);
+}
+
+TEST(StageState, plays_from_where_it_is_and_at_the_end_from_the_start) {
+  Document document = sheet();
+  StageState stages;
+  play_or_pause(stages, document);
+  EXPECT_TRUE(stages.wishes.on && stages.wishes.playing && stages.wishes.start_again);
+  stages.wishes.start_again = false;
+  play_or_pause(stages, document);
+  EXPECT_FALSE(stages.wishes.playing);
+  play_or_pause(stages, document);
+  EXPECT_TRUE(stages.wishes.playing && !stages.wishes.start_again);
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,140 @@
+#include "ui/editor/changes/stage_cut.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace kerf {
+
+namespace {
+constexpr double kStepSeconds = 0.020;   // of executing stages in one frame
+constexpr double kQuickSeconds = 0.100;  // going back that takes longer runs beside the frames
+}  // namespace
+
+StageCut::Key StageCut::key_now() const {
+  const Document& document = on_.work.document;
+  return {document.revision(), document.history().position(), on_.stages.log.forgotten()};
+}
+
+bool StageCut::can_go_on() const {
+  const Document& document = on_.work.document;
+  return document.waiting() > 0 && document.next_is_of_last_step();
+}
+
+bool StageCut::holds_back() const { return on_.stages.wishes.on && from_its_start_ && can_go_on(); }
+
+bool StageCut::must_go_back() const {
+  const StageWishes& wishes = on_.stages.wishes;
+  return wishes.start_again || (wishes.stage && *wishes.stage < on_.stages.log.done());
+}
+
+bool StageCut::wants_more() const {
+  const StageWishes& wishes = on_.stages.wishes;
+  if (wishes.stage) return on_.stages.log.done() < *wishes.stage;
+  return wishes.to_end_of_move || wishes.playing;
+}
+
+bool StageCut::waits() const {
+  return on_.stages.wishes.on && !on_.changes.is_pending() &&
+         (must_go_back() || (wants_more() && can_go_on()));
+}
+
+void StageCut::advance(double seconds) {
+  if (on_.changes.is_pending()) return;
+  StageWishes& wishes = on_.stages.wishes;
+  if (!wishes.on) return key_.reset();
+  if (std::exchange(went_back_, false)) show();
+  follow();
+  if (must_go_back()) return go_back(wishes.stage.value_or(0));
+  due_ = wishes.playing ? std::min(due_ + seconds * wishes.per_second, 1 + wishes.per_second) : 1;
+  go_on();
+  drop_fulfilled();
+}
+
+// Whether the stages in the log are those of the last stroke.
+void StageCut::follow() {
+  if (key_ == key_now()) return;
+  on_.stages.log.forget();
+  key_ = key_now();
+  begin();
+}
+
+// A stroke of which a part was executed otherwise starts again, where it can.
+void StageCut::begin() {
+  single_.emplace(on_.work.document);
+  spent_ = 0;
+  StageWishes& wishes = on_.stages.wishes;
+  if (!wishes.start_again) wishes.stop();
+  const Document& document = on_.work.document;
+  from_its_start_ = !can_go_on() || document.history().last().waiting();
+  if (!from_its_start_ && document.can_start_again()) wishes.start_again = true;
+}
+
+void StageCut::go_back(size_t stages) {
+  StageWishes& wishes = on_.stages.wishes;
+  const size_t done = on_.stages.log.done();
+  wishes.start_again = false;
+  wishes.stage.reset();
+  if (!on_.work.document.can_start_again()) return;
+  stages = std::min(stages, done);
+  spent_ = done > 0 ? spent_ * static_cast<double>(stages) / static_cast<double>(done) : 0;
+  from_its_start_ = true;
+  on_.changes.change("Going back", spent_ < kQuickSeconds,
+                     [this, stages](Document&, const Progress* progress) {
+                       on_.stages.log.restart();
+                       Outcome gone = single_->go_back_to(
+                           stages, [this](const StageRecord& stage) { note(stage); }, progress);
+                       key_ = key_now();
+                       went_back_ = true;
+                       return gone;
+                     });
+}
+
+void StageCut::go_on() {
+  const Clock::time_point began = Clock::now();
+  const auto spent = [&] { return std::chrono::duration<double>(Clock::now() - began).count(); };
+  const size_t before = on_.stages.log.done();
+  while (holds_back() && wants_more() && due_ >= 1 && spent() < kStepSeconds) {
+    if (!next()) break;
+    if (on_.stages.wishes.playing) due_ -= 1;
+  }
+  if (on_.stages.log.done() == before) return;
+  spent_ += spent();
+  show();
+}
+
+void StageCut::drop_fulfilled() {
+  StageWishes& wishes = on_.stages.wishes;
+  const bool over = !can_go_on() && !on_.work.document.in_stroke();
+  if (over || (wishes.stage && *wishes.stage <= on_.stages.log.done())) {
+    const bool playing = wishes.playing && !over;
+    wishes.stop();
+    wishes.playing = playing;
+  }
+}
+
+bool StageCut::next() {
+  return on_.changes.step([this](Document&) -> Result<StepResult> {
+    Result<StageRecord> stage = single_->next();
+    if (!stage) return stage.error();
+    note(*stage);
+    if (stage->done.moves > 0) on_.stages.wishes.to_end_of_move = false;
+    return std::move(stage->done);
+  });
+}
+
+void StageCut::note(const StageRecord& stage) { on_.stages.log.note(on_.work.document.world(), stage); }
+
+void StageCut::show() {
+  const StageRecord* last = on_.stages.log.last();
+  if (last != nullptr && last->move) {
+    const World::Bounds bounds = on_.work.document.world().bounds();
+    const Pose& pose = last->move->to;
+    on_.hand.beam.take_over(on_.work.document.stroke_settings(),
+                            glm::length(0.5 * (bounds.min + bounds.max) - pose.origin));
+    on_.hand.beam.reach(pose);
+  }
+  on_.hand.beam.find_strike(on_.work.document);
+  on_.view.picture_old = on_.figures.world_changed = true;
+}
+
+}  // namespace kerf

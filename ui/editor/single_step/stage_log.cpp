@@ -1,0 +1,51 @@
+#include "ui/editor/single_step/stage_log.h"
+
+#include "ui/editor/single_step/mark_stage.h"
+
+namespace kerf {
+
+// A stage that is executed again says the same; one of another queue does not.
+void StageLog::note(const World& world, const StageRecord& stage) {
+  std::string sentence = words(stage);
+  if (done_ < told_.size() && told_[done_] != sentence) told_.resize(done_);
+  if (done_ == told_.size()) told_.push_back(std::move(sentence));
+  ++done_;
+  const bool found = stage.kind == StageRecord::Kind::kHit || stage.kind == StageRecord::Kind::kHitAgain;
+  if (found && world.contains(stage.body)) query_.trace(world, stage);
+  last_ = stage;
+  marks_.reset();
+}
+
+void StageLog::restart() {
+  done_ = 0;
+  last_.reset();
+  query_.clear();
+  marks_.reset();
+}
+
+void StageLog::forget() {
+  restart();
+  told_.clear();
+  ++forgotten_;
+}
+
+void StageLog::draw_query(bool drawn) {
+  query_.drawn = drawn;
+  marks_.reset();
+}
+
+void StageLog::visit(size_t boxes) {
+  query_.visit(boxes);
+  draw_query(true);
+}
+
+std::shared_ptr<const StageMarks> StageLog::marks(const World& world) {
+  if (!last_) return nullptr;
+  if (marks_) return marks_;
+  StageMarks marks = mark_stage(world, *last_);
+  if (query_.drawn) query_.mark(marks);
+  marks_ = std::make_shared<const StageMarks>(std::move(marks));
+  return marks_;
+}
+
+}  // namespace kerf

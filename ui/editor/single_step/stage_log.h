@@ -1,0 +1,49 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ui/editor/single_step/query_walk.h"
+
+namespace kerf {
+
+// The stages of the last stroke that were executed in single steps, and what is drawn of them.
+class StageLog {
+ public:
+  // The number of stages that were executed.
+  size_t done() const { return done_; }
+  // What the stages did, one sentence each: first those that were executed, then those that were executed
+  // before the user went back.
+  const std::vector<std::string>& told() const { return told_; }
+  // The stage that was executed last; null if none was.
+  const StageRecord* last() const { return last_ ? &*last_ : nullptr; }
+
+  // Notes a stage right after it was executed.
+  void note(const World& world, const StageRecord& stage);
+  // The stroke was taken back, to be executed again.
+  void restart();
+  // Another stroke, or another document.
+  void forget();
+  // A number that increases with every forget().
+  size_t forgotten() const { return forgotten_; }
+
+  // The last query of the tree, and how much of it is displayed.
+  const QueryWalk& query() const { return query_; }
+  void draw_query(bool drawn);
+  void visit(size_t boxes);
+
+  // What is drawn of the last stage and of the query; null if nothing is. `world` is the one right after the
+  // stage. Made when it is first asked for after a change.
+  std::shared_ptr<const StageMarks> marks(const World& world);
+
+ private:
+  size_t done_ = 0, forgotten_ = 0;
+  std::vector<std::string> told_;
+  std::optional<StageRecord> last_;
+  QueryWalk query_;
+  std::shared_ptr<const StageMarks> marks_;
+};
+
+}  // namespace kerf

@@ -1,0 +1,50 @@
+#include "ui/render/coloured_lines.h"
+
+#include "ui/render/body_picture.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr float kDarkAround = 0.8f;  // pixels
+constexpr int kVerticesOfLine = 6;
+
+void attribute(GLuint index, GLint numbers, size_t offset) {
+  glEnableVertexAttribArray(index);
+  glVertexAttribPointer(index, numbers, GL_FLOAT, GL_FALSE, sizeof(ColouredLines::Line),
+                        reinterpret_cast<const void*>(offset));
+  glVertexAttribDivisor(index, 1);
+}
+
+}  // namespace
+
+glm::vec4 colour_from_hex(uint32_t hex, float opacity) {
+  const auto part = [&](int shift) { return static_cast<float>(hex >> shift & 0xffu) / 255.0f; };
+  return {part(16), part(8), part(0), opacity};
+}
+
+Result<ColouredLines> ColouredLines::create(const std::filesystem::path& shaders) {
+  auto program = gl::Program::load(shaders, {{"frame.glsl", "line.glsl", "link.vert"}, {"box.frag"}});
+  if (!program) return program.error();
+  program->bind_block("Frame", kFrameBlock);
+  return ColouredLines(std::move(*program));
+}
+
+// Dark ones first, a little wider.
+void ColouredLines::draw(std::span<const Line> lines, float half_width) {
+  if (lines.empty()) return;
+  glBindVertexArray(layout_.name());
+  glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(lines.size_bytes()), lines.data(), GL_STREAM_DRAW);
+  attribute(0, 3, offsetof(Line, from));
+  attribute(1, 3, offsetof(Line, to));
+  attribute(2, 4, offsetof(Line, colour));
+  program_.use();
+  for (const bool dark : {true, false}) {
+    program_.set("half_width", half_width + (dark ? kDarkAround : 0));
+    program_.set("shade", dark ? glm::vec4(0.02f, 0.025f, 0.03f, 1) : glm::vec4(0));
+    glDrawArraysInstanced(GL_TRIANGLES, 0, kVerticesOfLine, static_cast<GLsizei>(lines.size()));
+  }
+}
+
+}  // namespace kerf

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+
+#include "ui/gl/objects.h"
+#include "ui/gl/program.h"
+
+namespace kerf {
+
+// A colour 0xrrggbb (sRGB) as shaders take it.
+glm::vec4 colour_from_hex(uint32_t hex, float opacity);
+
+// Draws lines of any colours, each with a dark one under it, so that they show on anything.
+class ColouredLines {
+ public:
+  static Result<ColouredLines> create(const std::filesystem::path& shaders);
+
+  struct Line {
+    glm::vec3 from, to;  // in the coordinates of FrameSpace
+    glm::vec4 colour;
+  };
+  // `half_width` is in pixels of a picture of usual height; see line.glsl. Blending must be switched on.
+  void draw(std::span<const Line> lines, float half_width);
+
+ private:
+  explicit ColouredLines(gl::Program program) : program_(std::move(program)) {}
+
+  gl::Program program_;
+  gl::Buffer buffer_;
+  gl::VertexArray layout_;
+};
+
+}  // namespace kerf

@@ -23,10 +23,13 @@ std::vector<Command> stroke_commands(const StrokePath& stroke, const CutSettings
   return commands;
 }
 
-std::vector<Command> path_commands(std::span<const StrokePath> strokes, double diagonal) {
+std::vector<Command> path_commands(std::span<const StrokePath> strokes, double diagonal,
+                                   const std::function<Resolution(double)>& resolution) {
   std::vector<Command> all;
   for (const StrokePath& stroke : strokes) {
-    const std::vector<Command> own = stroke_commands(stroke, default_settings(stroke, diagonal));
+    CutSettings settings = default_settings(stroke, diagonal);
+    if (resolution) settings.resolution = resolution(settings.laser.radius);
+    const std::vector<Command> own = stroke_commands(stroke, settings);
     all.insert(all.end(), own.begin(), own.end());
   }
   return all;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -18,8 +19,10 @@ CutSettings default_settings(const StrokePath& stroke, double diagonal);
 std::vector<Command> stroke_commands(const StrokePath& stroke, const CutSettings& settings);
 
 // The commands that draw the strokes of a path one after the other, with default_settings(): what `kerf cut
-// --path` does with a path file without further options. Precondition: each stroke has a key.
-std::vector<Command> path_commands(std::span<const StrokePath> strokes, double diagonal);
+// --path` does with a path file without further options. With `resolution`, a function of the radius of the
+// beam (m), they are drawn at that resolution instead. Precondition: each stroke has a key.
+std::vector<Command> path_commands(std::span<const StrokePath> strokes, double diagonal,
+                                   const std::function<Resolution(double)>& resolution = {});
 
 // The commands that draw a stroke of a scene: those of its default settings with a smooth rim, as in the
 // editor. None if it has no key.

@@ -7,8 +7,8 @@
 
 #include "ui/editor/file_choice.h"
 #include "ui/editor/keys/bindings.h"
+#include "ui/editor/laser_desk.h"
 #include "ui/editor/panel_list.h"
-#include "ui/editor/path_choice.h"
 #include "ui/editor/tools/moving.h"
 #include "ui/editor/tools/popups.h"
 

@@ -1,6 +1,6 @@
 #include "ui/editor/file_choice.h"
 
-#include "ui/editor/path_choice.h"
+#include "ui/editor/laser_desk.h"
 #include "ui/editor/work/export_pieces.h"
 #include "ui/editor/work/save_work.h"
 

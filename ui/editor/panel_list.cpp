@@ -3,6 +3,7 @@
 #include "ui/editor/changes/world_changes.h"
 #include "ui/editor/file_choice.h"
 #include "ui/editor/graph/graph_panel.h"
+#include "ui/editor/laser_desk.h"
 #include "ui/editor/panels/display_panel.h"
 #include "ui/editor/panels/file_panel.h"
 #include "ui/editor/panels/history_panel.h"
@@ -15,7 +16,6 @@
 #include "ui/editor/panels/view_panel.h"
 #include "ui/editor/path/emitter_rows.h"
 #include "ui/editor/path/path_panel.h"
-#include "ui/editor/path_choice.h"
 #include "ui/editor/single_step/query_walk_rows.h"
 #include "ui/editor/single_step/single_step_panel.h"
 
@@ -38,7 +38,7 @@ void draw_resolution(EditorState& s) {
 void draw_path(EditorState& s, PathPanel& panel) {
   const World& world = s.work.document.world();
   panel.draw(
-      s.lasers.path, world, PathTool::beam_for(world, s.hand.laser.radius), why_no_run(s),
+      s.lasers, world, PathTool::beam_for(world, s.hand.laser.radius), why_no_run(s),
       {[&s] { s.requests.run_path = true; }, [&s] { choose_file_for(s, FileBrowser::Purpose::kOpenPath); },
        [&s] { choose_file_for(s, FileBrowser::Purpose::kSavePath); }});
 }

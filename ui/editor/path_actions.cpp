@@ -1,4 +1,4 @@
-#include "ui/editor/path_choice.h"
+#include "ui/editor/laser_desk.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>

@@ -4,8 +4,9 @@
 
 #include "core/document/edit_path.h"
 #include "core/document/save.h"
+#include "core/document/stroke_settings.h"
 #include "ui/editor/file_choice.h"
-#include "ui/editor/path_choice.h"
+#include "ui/editor/laser_desk.h"
 #include "ui/editor/work/save_work.h"
 
 namespace kerf {
@@ -88,13 +89,32 @@ void RequestDesk::run_path() {
   PathWork& path = state_.lasers.path;
   if (const auto why = why_no_cut(path.strokes())) return state_.message.say(*why, true);
   cancel_stroke(state_.hand, state_.work.document);
-  path.note_run(state_.work.document.history().position());
-  changes_.run_path(path.strokes());
+  const Document& document = state_.work.document;
+  const size_t from = document.history().position();
+  path.note_run(from);
+  std::function<Resolution(double)> resolution;
+  if (state_.lasers.at_panel_resolution)
+    resolution = [controls = state_.hand.laser.resolution](double radius) { return controls.of(radius); };
+  changes_.run_path(path_commands(path.strokes(), document.world().bounds().diagonal(), resolution),
+                    [this, &document, from] {
+                      run_ = Run{from, document.history().position(), document.journal().size()};
+                    });
   state_.hand.cut_once = true;
 }
 
+// A step back from the end of the run goes to where it began, and a step forth from there to its end.
+void RequestDesk::step_through_history(bool back) {
+  const Document& document = state_.work.document;
+  const size_t position = document.history().position();
+  const bool alone = run_ && document.journal().size() == run_->commands;
+  if (!alone || position != (back ? run_->to : run_->from)) return changes_.step_through_history(back);
+  run_->commands += run_->to - run_->from;
+  changes_.travel_to(back ? run_->from : run_->to,
+                     back ? "Undone: the run of the path" : "Done again: the run of the path");
+}
+
 void RequestDesk::change_world(const Requests& wanted) {
-  if (wanted.undo || wanted.redo) changes_.step_through_history(wanted.undo);
+  if (wanted.undo || wanted.redo) step_through_history(wanted.undo);
   if (wanted.travel && !changes_.is_pending()) changes_.travel_to(*wanted.travel);
   for (const Command& command : wanted.commands) {
     if (changes_.is_pending()) break;

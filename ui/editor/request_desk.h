@@ -26,12 +26,20 @@ class RequestDesk {
   void save_path_to(const std::filesystem::path& file);
   void change_world(const Requests& wanted);
   void run_path();
+  void step_through_history(bool back);
+
+  // The last run of the path, which undo and redo take as one step while nothing else was done since.
+  struct Run {
+    size_t from = 0, to = 0;  // positions of the history
+    size_t commands = 0;      // in the journal, where nothing else was done
+  };
 
   EditorState& state_;
   WorldChanges& changes_;
   FileOpener& opener_;
   Recovery& recovery_;
   bool quit_ = false;
+  std::optional<Run> run_;
 };
 
 }  // namespace kerf

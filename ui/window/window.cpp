@@ -25,17 +25,18 @@ Window::Inner::~Inner() {
 // What GLFW calls; set before ImGui's, which call on to these.
 struct Window::Callbacks {
   static Inner& inner(GLFWwindow* w) { return *static_cast<Inner*>(glfwGetWindowUserPointer(w)); }
-  static Vec2 pointer(GLFWwindow* w) {
-    Vec2 at;
-    glfwGetCursorPos(w, &at.x, &at.y);
-    return at;
-  }
+  // GLFW asks the display where the pointer is at the moment; when a slow frame hears of a press, it has gone
+  // on.
+  static Vec2 pointer(GLFWwindow* w) { return inner(w).pointer; }
   static void put(GLFWwindow* w, InputEvent event) {
     event.seconds = glfwGetTime();
     inner(w).events.push_back(event);
     inner(w).activity = true;
   }
-  static void cursor(GLFWwindow* w, double x, double y) { put(w, {InputEvent::Kind::kMove, {x, y}}); }
+  static void cursor(GLFWwindow* w, double x, double y) {
+    inner(w).pointer = {x, y};
+    put(w, {InputEvent::Kind::kMove, {x, y}});
+  }
   static void button(GLFWwindow* w, int button, int action, int mods) {
     const auto kind = action == GLFW_PRESS ? InputEvent::Kind::kPress : InputEvent::Kind::kRelease;
     put(w, {kind, pointer(w), button, mods});
@@ -73,6 +74,7 @@ Result<Window> Window::open(int width, int height, const std::string& title) {
   glfwMakeContextCurrent(inner->window);
   glfwSwapInterval(1);
   glfwSetWindowUserPointer(inner->window, inner.get());
+  glfwGetCursorPos(inner->window, &inner->pointer.x, &inner->pointer.y);
   glfwSetCursorPosCallback(inner->window, Callbacks::cursor);
   glfwSetMouseButtonCallback(inner->window, Callbacks::button);
   glfwSetScrollCallback(inner->window, Callbacks::scroll);

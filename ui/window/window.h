@@ -61,6 +61,7 @@ class Window {
     std::vector<InputEvent> events;
     std::vector<std::filesystem::path> drops;
     bool activity = true;
+    Vec2 pointer{0};      // where the last event saw it
     double listened = 0;  // s, when the last call of wait() ended
     ~Inner();
   };

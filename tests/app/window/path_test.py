@@ -131,7 +131,10 @@ class Path(WindowTest):
         editor.click("Holes header", 0.3, 0.5)
         editor.click("add holes", 0.5, 0.5)
         editor.do("ctrl", "Return")
+        editor.do("ctrl", "z")
+        editor.do("ctrl", "shift", "z")
         report = editor.quit()
+        self.assertEqual(report["messages"][-2:], ["Undone: the run of the path", "Done again: the run of the path"])
         self.assertEqual((report["path"]["strokes"], report["strokes"]), (12, 12))
         self.assertEqual(report["pieces"], 1 + 2 * 12)  # of each hole a disc of the front and one of the back
 

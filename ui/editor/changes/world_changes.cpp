@@ -4,7 +4,6 @@
 #include <cassert>
 
 #include "core/document/command_words.h"
-#include "core/document/stroke_settings.h"
 #include "ui/editor/view/piece_set.h"
 #include "ui/render/spread.h"
 
@@ -113,10 +112,11 @@ void WorldChanges::apply(const Command& command) {
          [command](Document& d, const Progress* progress) { return d.apply(command, progress); });
 }
 
-void WorldChanges::travel_to(size_t position) {
+void WorldChanges::travel_to(size_t position, const std::string& said) {
   const Document& document = on_.work.document;
-  change("Through the history", is_small(document) && document.remembers_way_to(position),
-         [position](Document& d, const Progress* progress) { return d.travel(position, progress); });
+  change(
+      "Through the history", is_small(document) && document.remembers_way_to(position),
+      [position](Document& d, const Progress* progress) { return d.travel(position, progress); }, said);
 }
 
 void WorldChanges::step_through_history(bool back) {
@@ -200,18 +200,18 @@ void WorldChanges::recut_last_stroke(bool radius) {
   ++on_.figures.recuts;
 }
 
-void WorldChanges::run_path(const std::vector<StrokePath>& strokes) {
-  const double diagonal = on_.work.document.world().bounds().diagonal();
-  const auto run = [commands = path_commands(strokes, diagonal)](Document& document,
-                                                                 const Progress* progress) {
+void WorldChanges::run_path(std::vector<Command> commands, std::function<void()> done) {
+  const auto run = [commands = std::move(commands)](Document& document, const Progress* progress) {
     Outcome outcome = document.run_whole(commands, progress);
     if (!outcome.ok() && outcome.error().message == cancelled().message)
       outcome.fail(failed("The path was stopped: nothing was cut."));
     return outcome;
   };
-  const size_t count = strokes.size();
-  change("Cutting the path", false, run,
-         "Cut along the path: " + std::to_string(count) + (count == 1 ? " stroke" : " strokes"));
+  change("Cutting the path", false, run, "The path is cut.");
+  pending_->then = [then = pending_->then, done = std::move(done)](const Outcome& outcome) {
+    then(outcome);
+    if (outcome.ok()) done();
+  };
 }
 
 // A quick change is done at once, another beside the frames.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -42,8 +43,9 @@ class WorldChanges {
 
   // Applies a command.
   void apply(const Command& command);
-  // Goes to a position of the history. Strokes that have to be cut again are cut during the next frames.
-  void travel_to(size_t position);
+  // Goes to a position of the history, and says `said` then. Strokes that have to be cut again are cut during
+  // the next frames.
+  void travel_to(size_t position, const std::string& said = "");
   // Undoes or redoes one step of the history, and says which. Ends a stroke in progress.
   void step_through_history(bool back);
   // Hides or deletes the selected pieces, with one command each. Returns whether some are left because one
@@ -62,9 +64,9 @@ class WorldChanges {
   // gives a reason.
   void recut_last_stroke(bool radius);
 
-  // Cuts the strokes of a path on a thread of its own, with the commands of path_commands(): all of them, or
-  // none if the user stops it. Precondition: why_no_cut() gives no reason.
-  void run_path(const std::vector<StrokePath>& strokes);
+  // Executes commands of strokes on a thread of its own: all of them, or none if the user stops it. Calls
+  // `done` afterwards if all were executed.
+  void run_path(std::vector<Command> commands, std::function<void()> done);
 
   // Executes a part of the queue by Document::step or SingleStep. Returns false if that failed or became
   // pending, because it closes the rim of a stroke with many faces.

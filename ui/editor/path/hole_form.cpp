@@ -44,22 +44,25 @@ void HoleForm::draw_circle() {
              "Of the circle on which the middles of the holes lie, in the unit of the file.");
 }
 
-void HoleForm::add_holes(PathWork& path, double radius, double speed) const {
+void HoleForm::fit_to(double diagonal) {
+  const bool of_another_size = diagonal < 0.5 * fitted_to_ || diagonal > 2 * fitted_to_;
+  if (!of_another_size || !(diagonal > 0)) return;
+  fitted_to_ = diagonal;
+  pattern_.spacing = diagonal / 12;
+  pattern_.circle_radius = diagonal / 6;
+  pattern_.hole_radius = diagonal / 40;
+}
+
+void HoleForm::add_holes(PathWork& path, const World& world, double radius, double speed) const {
   const PathPoint point = *path.chosen();
   const Pose beam = path.pose(point);
   const double distance = path.distance(point);
   path.begin_edit();
-  path.add_strokes(hole_strokes(pattern_, beam, radius), distance, speed);
+  path.add_strokes(hole_strokes(pattern_, beam, radius), world, distance, speed);
 }
 
-void HoleForm::draw(PathWork& path, double radius, double speed, double diagonal) {
-  const bool of_another_size = diagonal < 0.5 * fitted_to_ || diagonal > 2 * fitted_to_;
-  if (of_another_size && diagonal > 0) {
-    fitted_to_ = diagonal;
-    pattern_.spacing = diagonal / 12;
-    pattern_.circle_radius = diagonal / 6;
-    pattern_.hole_radius = diagonal / 40;
-  }
+void HoleForm::draw(PathWork& path, const World& world, double radius, double speed) {
+  fit_to(world.bounds().diagonal());
   if (!begin_properties("holes")) return;
   property("Pattern");
   int kind = static_cast<int>(pattern_.kind);
@@ -76,7 +79,7 @@ void HoleForm::draw(PathWork& path, double radius, double speed, double diagonal
   if (row_button((label + "###add holes").c_str(), 1,
                  path.chosen() ? nullptr : "Click a point on a surface first: it is the middle of the holes.",
                  "Adds a stroke for each hole around the chosen point, along its beam."))
-    add_holes(path, radius, speed);
+    add_holes(path, world, radius, speed);
   mark_last_item("add holes");
 }
 

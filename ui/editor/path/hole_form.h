@@ -9,15 +9,15 @@ namespace kerf {
 // The rows of the Path panel that make a grid or a circle of holes around the chosen point of the path.
 class HoleForm {
  public:
-  // `radius` (m) is that of the beam, `speed` (m/s) that of a path that begins with the holes, and `diagonal`
-  // (m) that of the world, from which the lengths follow until they are typed; a world of quite another size
-  // sets them anew.
-  void draw(PathWork& path, double radius, double speed, double diagonal);
+  // `radius` (m) is that of the beam, `speed` (m/s) that of a path that begins with the holes. The lengths
+  // follow from the size of the world until they are typed; a world of quite another size sets them anew.
+  void draw(PathWork& path, const World& world, double radius, double speed);
 
  private:
   void draw_grid();
   void draw_circle();
-  void add_holes(PathWork& path, double radius, double speed) const;
+  void fit_to(double diagonal);
+  void add_holes(PathWork& path, const World& world, double radius, double speed) const;
 
   HolePattern pattern_;
   NumberFields fields_;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr float kDot = 4.5f, kKnob = 6;  // screen coordinates
 constexpr double kReach = 9;             // the same
-constexpr double kLeastApart = 10;       // of dots, screen coordinates
+constexpr double kLeastApart = 14;       // of dots, screen coordinates
 constexpr double kArrowEms = 3, kKnobEms = 5.5;
 constexpr double kNearEnough = 0.998;   // of the depth of a point: a surface there does not hide it
 constexpr size_t kMostLookedFor = 600;  // points beyond which no surface is asked whether it hides them
@@ -92,6 +92,23 @@ void draw_arrow(const PathWork& path, const PathMark& mark, const FirstPicture& 
   list.AddTriangleFilled(to_im(tip), to_im(base + across * 3.5), to_im(base - across * 3.5), colour);
 }
 
+// Of points close together whose beams are parallel one alone has an arrow.
+void draw_arrows(const PathWork& path, const std::vector<PathMark>& marks, const FirstPicture& picture,
+                 ImDrawList& list) {
+  const PathMark* before = nullptr;
+  for (const PathMark& mark : marks) {
+    const bool chosen = path.chosen() == mark.point;
+    const bool close = before != nullptr && before->point.stroke == mark.point.stroke &&
+                       glm::length(before->target - mark.target) < kArrowEms * picture.em() &&
+                       path.pose(before->point).direction == path.pose(mark.point).direction;
+    if (close && !chosen) continue;
+    before = &mark;
+    const ImU32 colour = chosen ? colours::accent() : colours::kPictureSecondary;
+    draw_arrow(path, mark, picture, chosen ? kKnobEms : kArrowEms, faded(colour, mark.hidden && !chosen),
+               list);
+  }
+}
+
 void draw_dot(const PathMark& mark, bool chosen, bool numbered, ImDrawList& list) {
   const ImU32 colour = faded(chosen ? colours::accent() : colours::kPictureText, mark.hidden && !chosen);
   list.AddCircleFilled(to_im(mark.target), kDot + 1.8f, kShade);
@@ -158,12 +175,7 @@ std::optional<PathGrip> path_grip(const PathWork& path, const World& world, cons
 void draw_path(const PathWork& path, const World& world, const FirstPicture& picture, ImDrawList& list) {
   draw_lines(path, world, picture, list);
   const std::vector<PathMark> marks = path_marks(path, world, picture);
-  for (const PathMark& mark : marks) {
-    const bool chosen = path.chosen() == mark.point;
-    const ImU32 colour = chosen ? colours::accent() : colours::kPictureSecondary;
-    draw_arrow(path, mark, picture, chosen ? kKnobEms : kArrowEms, faded(colour, mark.hidden && !chosen),
-               list);
-  }
+  draw_arrows(path, marks, picture, list);
   for (const PathMark& mark : marks)
     draw_dot(mark, path.chosen() == mark.point, marks.size() <= kMostNumbered, list);
   if (const auto knob = path_knob(path, picture)) draw_knob(*knob, list);

@@ -68,7 +68,8 @@ void PathPanel::draw_buttons(PathWork& path, const char* why_no_run, const PathW
   path.clear();
 }
 
-void PathPanel::draw_beam(PathWork& path) {
+void PathPanel::draw_beam(PlacedLasers& lasers) {
+  PathWork& path = lasers.path;
   if (path.empty() || !begin_properties("beam")) return;
   double speed = path.speed();
   const char* meaning =
@@ -80,6 +81,15 @@ void PathPanel::draw_beam(PathWork& path) {
     path.begin_edit();
     path.set_speed(speed);
   }
+  property("Cut");
+  int cut = lasers.at_panel_resolution ? 1 : 0;
+  if (ImGui::Combo("##cut", &cut, "As kerf cut does\0As in the Resolution panel\0"))
+    lasers.at_panel_resolution = cut == 1;
+  mark_last_item("path resolution");
+  tooltip(
+      "How fine the faces along the cut are, and which rim is left: as kerf cut --path does with the same "
+      "file, "
+      "or as strokes of the pointer are cut.");
   if (path.chosen()) {
     const size_t stroke = path.chosen()->stroke;
     double radius = path.strokes()[stroke].radius.value_or(0);
@@ -157,19 +167,20 @@ void PathPanel::draw_chosen(PathWork& path) {
   path.set(point, {target - direction * distance, direction}, distance);
 }
 
-void PathPanel::draw(PathWork& path, const World& world, const PathTool::Beam& beam, const char* why_no_run,
-                     const PathWishes& wishes) {
+void PathPanel::draw(PlacedLasers& lasers, const World& world, const PathTool::Beam& beam,
+                     const char* why_no_run, const PathWishes& wishes) {
+  PathWork& path = lasers.path;
   draw_buttons(path, why_no_run, wishes);
   ImGui::PushStyleColor(ImGuiCol_Text, colours::secondary());
   ImGui::TextWrapped("%s", summary(path).c_str());
   ImGui::PopStyleColor();
-  draw_beam(path);
+  draw_beam(lasers);
   draw_list(path);
   draw_chosen(path);
   const bool unfolded = ImGui::TreeNodeEx("Holes", ImGuiTreeNodeFlags_NoTreePushOnOpen);
   mark_last_item("Holes header");
   tooltip("A grid or a circle of holes around the chosen point.");
-  if (unfolded) holes_.draw(path, beam.radius, beam.speed, world.bounds().diagonal());
+  if (unfolded) holes_.draw(path, world, beam.radius, beam.speed);
 }
 
 }  // namespace kerf

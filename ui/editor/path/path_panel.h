@@ -3,8 +3,7 @@
 #include <functional>
 
 #include "ui/editor/path/hole_form.h"
-#include "ui/editor/path/path_tool.h"
-#include "ui/editor/path/path_work.h"
+#include "ui/editor/path/placed_lasers.h"
 
 namespace kerf {
 
@@ -17,12 +16,12 @@ struct PathWishes {
 class PathPanel {
  public:
   // `beam` is what a new point gets. `why_no_run` is the reason why the path cannot be run, or null.
-  void draw(PathWork& path, const World& world, const PathTool::Beam& beam, const char* why_no_run,
+  void draw(PlacedLasers& lasers, const World& world, const PathTool::Beam& beam, const char* why_no_run,
             const PathWishes& wishes);
 
  private:
   void draw_buttons(PathWork& path, const char* why_no_run, const PathWishes& wishes);
-  void draw_beam(PathWork& path);
+  void draw_beam(PlacedLasers& lasers);
   void draw_list(PathWork& path);
   void draw_row(PathWork& path, PathPoint point, int number);
   void draw_chosen(PathWork& path);

@@ -99,12 +99,14 @@ void PathWork::set_speed(double speed) {
   for (size_t i = 0; i < now_.strokes.size(); ++i) keep_speed(i);
 }
 
-void PathWork::add_strokes(const std::vector<StrokePath>& strokes, double distance, double speed) {
+void PathWork::add_strokes(const std::vector<StrokePath>& strokes, const World& world, double distance,
+                           double speed) {
   if (chosen_ && now_.strokes[chosen_->stroke].keys.size() == 1) remove(*chosen_);
   if (empty()) now_.speed = speed;
   for (const StrokePath& stroke : strokes) {
     now_.strokes.push_back(stroke);
-    now_.distances.emplace_back(stroke.keys.size(), distance);
+    std::vector<double>& distances = now_.distances.emplace_back();
+    for (const Pose& pose : stroke.keys) distances.push_back(first_hit(world, pose).value_or(distance));
     keep_speed(now_.strokes.size() - 1);
   }
   chosen_.reset();

@@ -48,9 +48,9 @@ class PathWork {
   void remove(PathPoint point);
   void set_radius(size_t stroke, double radius);
   void set_speed(double speed);
-  // Adds strokes whose points all aim at places at this distance, in place of the chosen point if it is a
-  // stroke of its own.
-  void add_strokes(const std::vector<StrokePath>& strokes, double distance, double speed);
+  // Adds strokes, in place of the chosen point if it is a stroke of its own. Their points aim at places on
+  // the surfaces of the world or, where their beams meet none, at this distance (m).
+  void add_strokes(const std::vector<StrokePath>& strokes, const World& world, double distance, double speed);
   // Replaces the path by that of a file. The places at which the points aim are found on the surfaces of the
   // world.
   void load(std::vector<StrokePath> strokes, const World& world);

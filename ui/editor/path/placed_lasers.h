@@ -10,6 +10,7 @@ namespace kerf {
 struct PlacedLasers {
   PathWork path;
   PathTool path_tool;
+  bool at_panel_resolution = false;  // the path is run so, and not as kerf cut --path does
   Emitter emitter;
 };
 

@@ -1,4 +1,4 @@
-#include "ui/editor/path_choice.h"
+#include "ui/editor/laser_desk.h"
 
 #include "ui/editor/path/surface_point.h"
 #include "ui/render/spread.h"

@@ -4,7 +4,7 @@ import subprocess
 import tempfile
 import unittest
 
-from editor_window import ACROSS, KERF, SPHERE, WindowTest
+from editor_window import ACROSS, ACROSS_ABOVE, KERF, SPHERE, WindowTest
 
 
 class SingleStep(WindowTest):
@@ -60,6 +60,18 @@ class SingleStep(WindowTest):
         self.assertGreater(stages["stages"]["done"], 2)
         self.assertEqual(stages["stages"]["done"], len(stages["stages"]["told"]))
         self.assertFalse(stages["stages"]["playing"])
+
+    def test_another_stroke_finishes_the_one_before_and_waits_itself(self):
+        editor = self.open_panel("Single step")
+        editor.press("F8")
+        editor.drag(ACROSS)
+        editor.do("period")
+        editor.drag(ACROSS_ABOVE)
+        report = editor.quit()
+        self.assertEqual(report["strokes"], 2)
+        self.assertGreater(report["faces_removed"], 100)
+        self.assertGreater(report["waiting"], 0)
+        self.assertEqual(report["stages"]["done"], 0)
 
     def test_the_slider_of_the_tree_panel_walks_through_the_query_box_by_box(self):
         editor = self.open_panel("Tree")

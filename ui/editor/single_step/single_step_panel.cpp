@@ -43,8 +43,8 @@ void draw_beginnings(StageState& stages, const Document& document) {
   tooltip("A stroke waits when it is drawn, and is cut stage by stage. The result is the same.");
   ImGui::SameLine();
   if (button("Start again", "stage start",
-             "Takes the last stroke back, to be cut again stage by stage (Shift+F8).", why_not_again(document),
-             width_of_one(1)))
+             "Takes the last stroke back, to be cut again stage by stage (Shift+F8).",
+             why_not_again(document), width_of_one(1)))
     wishes.begin_again();
 }
 

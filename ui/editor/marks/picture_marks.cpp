@@ -116,9 +116,10 @@ void draw_picture_marks(const MarkParts& of) {
   draw_face_readout(of.view, of.hand, of.document.world(), list);
   if (of.hand.drag == Drag::kBox) draw_rubber_band({of.hand.pressed_at, of.hand.pointer}, list);
   const Area legends = draw_legends(legends_of(of.view.look, of.shadows), under_label(of.view.layout));
-  if (!of.hand.cut_once && of.hand.tool == Tool::kLaser && !of.hand.move)
+  const bool steps = of.stages.wishes.on && of.stages.log.done() > 0;
+  if (steps) draw_stage_caption(of.stages.log, of.view.layout.first);
+  if (!steps && !of.hand.cut_once && of.hand.tool == Tool::kLaser && !of.hand.move)
     draw_hint_box(of.document.world(), of.view, legends);
-  if (of.stages.wishes.on) draw_stage_caption(of.stages.log, of.view.layout.first);
   list.PopClipRect();
 }
 

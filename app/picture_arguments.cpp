@@ -12,6 +12,9 @@ void PictureArguments::add_to(CLI::App& command) {
   command.add_option("--size", size, "Width and height in pixels, WxH (1280x720)");
   command.add_option("--eye", eye, "Where the camera stands, x,y,z in metres");
   command.add_option("--target", target, "What it looks at, x,y,z in metres");
+  command.add_option("--section", section,
+                     "Draws what lies under a plane alone: its point and its normal, \"x,y,z x,y,z\", as the "
+                     "editor copies them");
   command.add_option(
       "--show", show,
       "Overlays, separated by commas (shadows, unless the scene says otherwise): " + offered_show_names());
@@ -36,15 +39,22 @@ Result<PictureOptions> PictureArguments::parse() const {
   const auto shown = parse_show_list(show);
   if (!shown) return shown.error();
   options.show = *shown;
+  if (!section.empty()) {
+    const auto plane = parse_section(section);
+    if (!plane) return bad_input("--section: " + plane.error().message);
+    options.section = *plane;
+  }
   return options;
 }
 
 Status show_as_asked(const PictureArguments& arguments, const Scene& scene, const std::string& file,
                      PictureOptions& options) {
-  if (!arguments.show.empty()) return Done{};
-  const auto wanted = parse_show_list(scene.show);
-  if (!wanted) return bad_input(file + ": /show: " + wanted.error().message);
-  options.show = scene.show.empty() ? default_show() : *wanted;
+  if (arguments.show.empty()) {
+    const auto wanted = parse_show_list(scene.show);
+    if (!wanted) return bad_input(file + ": /show: " + wanted.error().message);
+    options.show = scene.show.empty() ? default_show() : *wanted;
+  }
+  options.show.section = options.show.section || options.section.has_value();
   return Done{};
 }
 

@@ -12,7 +12,7 @@ namespace kerf {
 
 // The options of the command line for rendering a picture.
 struct PictureArguments {
-  std::string size = "1280x720", eye, target, show;
+  std::string size = "1280x720", eye, target, section, show;
 
   // Adds the options to a subcommand; parsing fills this object.
   void add_to(CLI::App& command);

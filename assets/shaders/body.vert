@@ -44,6 +44,7 @@ vec3 level_colour(float t) {
 void main() {
   vec4 look = look_of(piece);
   at = placed(position, look, turn_of(piece));
+  gl_ClipDistance[0] = under_section(at);
   gl_Position = look.w < 0.0 ? kNowhere : clip_from_frame * vec4(at, 1.0);
   normal = turned(turn * corner_normal.xyz, turn_of(piece));
 #ifdef WIRE

@@ -15,6 +15,7 @@ void main() {
   bool away = look.w < 0.0 || look.xyz != vec3(0.0) || turn.xyz != vec3(0.0);
   bool drawn = only == 0 ? look.w >= 0.0 : only == 1 ? is_selected(look) : away;
   vec3 at = only == 2 ? placed(position, vec4(0.0), vec4(0.0, 0.0, 0.0, 1.0)) : placed(position, look, turn);
+  gl_ClipDistance[0] = under_section(at);
   gl_Position = drawn ? clip_from_frame * vec4(at, 1.0) : kNowhere;
   int slot = first_slot + gl_VertexID / 3;
   mark = vec4(slot & 255, slot >> 8 & 255, slot >> 16 & 255, body) / 255.0;

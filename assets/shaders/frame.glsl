@@ -21,5 +21,6 @@ layout(std140) uniform Frame {
   vec4 ground_light;    // rgb of the light that falls on surfaces from below
   vec4 ground_matt;     // rgb, the share of light that the ground reflects
   vec4 ground_line;     // rgb, what the lines of its grid add; less than 0 by day
+  vec4 section;         // a place p is drawn where dot(section, vec4(p, 1)) >= 0: everywhere without a section plane
   vec4 body_look;       // x: most halvings of a face, y: 1 strong piece colours, 2 levels, z: backs are lit
 };

@@ -10,6 +10,7 @@ flat out float dotted;
 noperspective out float along;
 
 void main() {
+  gl_ClipDistance[0] = dot(section, vec4(from, 1.0)) + dot(section, vec4(to, 1.0));
   gl_Position = line_vertex(from, to, gl_VertexID, half_width, along);
   colour = vec4(mix(line_colour.rgb, shade.rgb, shade.w), line_colour.a);
   dotted = 0.0;

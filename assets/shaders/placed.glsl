@@ -24,5 +24,8 @@ vec3 placed(vec3 position, vec4 look, vec4 turn) {
   return turned((frame_from_body * vec4(position, 1.0)).xyz, turn) + look.xyz;
 }
 
+// How far a place lies under the section plane, on the side that is drawn, in frame units.
+float under_section(vec3 at) { return dot(section, vec4(at, 1.0)); }
+
 // Beyond what is seen; a face with all its corners there is not drawn.
 const vec4 kNowhere = vec4(0.0, 0.0, 2.0, 1.0);

@@ -3,6 +3,7 @@ layout(location = 2) in uint piece;
 
 uniform isamplerBuffer signs;  // of the faces of this chunk: 1 faces the light, -1 averted, 0 casts nothing
 uniform int wanted;            // faces of this sign are drawn
+uniform int under;             // 1: what the section plane leaves is drawn, -1: the rest
 uniform int at_infinity;       // 0: where they are, 1: pushed away from the light without end
 
 invariant gl_Position;
@@ -12,6 +13,7 @@ invariant gl_Position;
 void main() {
   vec4 look = look_of(piece);
   vec3 at = placed(position, look, turn_of(piece));
+  gl_ClipDistance[0] = at_infinity == 0 ? under_section(at) * float(under) : 1.0;
   if (look.w < 0.0 || texelFetch(signs, gl_VertexID / 3).r != wanted) {
     gl_Position = kNowhere;
   } else if (at_infinity == 0) {

@@ -10,6 +10,7 @@ flat out vec4 mark;  // as in faces.vert, the highest bit for a face that is gon
 
 void main() {
   at = (frame_from_body * vec4(position, 1.0)).xyz;
+  gl_ClipDistance[0] = dot(section, vec4(at, 1.0));
   gl_Position = clip_from_frame * vec4(at, 1.0);
   int which = gl_VertexID % 3;
   corner = vec3(which == 0, which == 1, which == 2);

@@ -22,6 +22,19 @@ std::vector<PieceId> pieces_of(const World& world, const CutFaces& removed) {
   return pieces;
 }
 
+CutGraph live_graph(const World& world, std::span<const PieceId> pieces) {
+  ComponentGraph faces = component_graph(world, pieces);
+  CutGraph graph;
+  graph.live = static_cast<uint32_t>(faces.nodes.size());
+  graph.nodes = std::move(faces.nodes);
+  graph.edges = std::move(faces.edges);
+  for (const GraphNode& n : graph.nodes) {
+    const Body& body = world.body(n.body);
+    graph.middles.push_back(body.placement.to_world(middle_of(body.mesh.triangle(n.face))));
+  }
+  return graph;
+}
+
 // Adds removed faces of one body to a graph that holds its live ones.
 void add_removed(CutGraph& graph, BodyId id, const Body& body, const std::vector<CutFace>& removed) {
   std::vector<uint32_t> node_of(body.mesh.face_slots(), kNone);
@@ -59,21 +72,15 @@ GraphLinks CutGraph::live_links() const {
 }
 
 CutGraph cut_graph(const World& world, const CutFaces& removed) {
-  ComponentGraph faces = component_graph(world, pieces_of(world, removed));
-  CutGraph graph;
-  graph.live = static_cast<uint32_t>(faces.nodes.size());
-  graph.nodes = std::move(faces.nodes);
-  graph.edges = std::move(faces.edges);
-  for (const GraphNode& n : graph.nodes) {
-    const Body& body = world.body(n.body);
-    graph.middles.push_back(body.placement.to_world(middle_of(body.mesh.triangle(n.face))));
-  }
+  CutGraph graph = live_graph(world, pieces_of(world, removed));
   for (const auto& [id, cut] : removed) {
     if (world.contains(id)) add_removed(graph, id, world.body(id), cut);
   }
   sort_each_once(graph.edges);
   return graph;
 }
+
+CutGraph piece_graph(const World& world, const PieceId& piece) { return live_graph(world, {&piece, 1}); }
 
 CutTraversal traverse_cut(const CutGraph& graph, uint32_t start) {
   assert(start < graph.live);

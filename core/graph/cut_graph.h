@@ -25,6 +25,9 @@ struct CutGraph {
 // part that kept its slot. Bodies that no longer exist are left out. Linear time.
 CutGraph cut_graph(const World& world, const CutFaces& removed);
 
+// The graph of the live faces of one piece. Precondition: its body exists. Linear in the size of the body.
+CutGraph piece_graph(const World& world, const PieceId& piece);
+
 // The traversal that tells whether a stroke has separated anything.
 struct CutTraversal {
   Traversal traversal;  // of the live nodes

@@ -1,6 +1,7 @@
 #include "core/graph/drawn_graph.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 #include "core/graph/graph_clusters.h"
@@ -101,6 +102,7 @@ class Clustering {
 
   const std::vector<uint32_t>& of() const { return of_; }
   uint32_t numbers() const { return next_; }
+  size_t count() const { return count_; }
 
  private:
   const CutGraph& graph_;
@@ -126,7 +128,10 @@ void add_face(DrawnGraph::Node& drawn, const CutGraph& graph, const CutTraversal
   ++drawn.faces;
   drawn.middle += (graph.middles[node] - drawn.middle) / static_cast<double>(drawn.faces);
   drawn.removed = graph.is_removed(node);
-  if (drawn.removed) return;
+  if (drawn.removed) {
+    drawn.removed_at = std::min(drawn.removed_at, node - graph.live);
+    return;
+  }
   drawn.set = traversal.set[node];
   drawn.marked_at = std::min(drawn.marked_at, traversal.traversal.rank[node]);
 }
@@ -142,6 +147,33 @@ std::vector<ComponentGraph::Edge> edges_between(const CutGraph& graph, const std
   return edges;
 }
 
+// The nodes of the scope by where they are: removed, live beside a removed one, and the others.
+using Zones = std::array<std::vector<uint32_t>, 3>;
+Zones zones_of(const CutGraph& graph, const std::vector<uint32_t>& nodes) {
+  std::vector<bool> beside(graph.nodes.size(), false);
+  for (const auto& [a, b] : graph.edges) {
+    if (graph.is_removed(b)) beside[a] = true;  // the second is the higher one
+  }
+  Zones zones;
+  for (const uint32_t node : nodes)
+    zones.at(graph.is_removed(node) ? 0 : beside[node] ? 1 : 2).push_back(node);
+  return zones;
+}
+
+// Divides the nodes of a scope that has too many. What one zone does not need goes to the next.
+void divide_by_zones(Clustering& clustering, const CutGraph& graph, const std::vector<uint32_t>& nodes) {
+  const Zones zones = zones_of(graph, nodes);
+  size_t left = DrawnGraph::kMost / 2, shares = 5;
+  for (size_t zone = 0; zone < zones.size(); ++zone) {
+    const size_t share = zone == 0 ? 1 : 2;
+    const size_t most = zone + 1 < zones.size() ? left * share / shares : left;
+    const size_t before = clustering.count();
+    if (!zones[zone].empty()) clustering.divide(zones[zone], most);
+    left -= std::min(left, clustering.count() - before);
+    shares -= share;
+  }
+}
+
 }  // namespace
 
 bool DrawnGraph::has_clusters() const {
@@ -149,17 +181,25 @@ bool DrawnGraph::has_clusters() const {
 }
 
 DrawnGraph::State DrawnGraph::state(const Node& node) const {
-  if (node.removed) return State::kRemoved;
+  if (node.removed) return node.removed_at < removals ? State::kRemoved : State::kUnmarked;
   if (node.marked_at < marked) return State::kMarked;
   const bool over = marked >= reached;
   return over && node.set != kNone ? State::kApart : State::kUnmarked;
+}
+
+bool DrawnGraph::is_cut(const ComponentGraph::Edge& edge) const {
+  return state(nodes[edge[0]]) == State::kRemoved || state(nodes[edge[1]]) == State::kRemoved;
 }
 
 DrawnGraph draw_graph(const CutGraph& graph, const CutTraversal& traversal, GraphScope scope,
                       std::span<const uint32_t> opened) {
   const std::vector<uint32_t> nodes = scope == GraphScope::kWhole ? all_of(graph) : around_cut(graph);
   Clustering clustering(graph, kinds_of(graph, traversal));
-  clustering.divide(nodes, nodes.size() > DrawnGraph::kMost ? DrawnGraph::kMost / 2 : DrawnGraph::kMost);
+  if (nodes.size() > DrawnGraph::kMost) {
+    divide_by_zones(clustering, graph, nodes);
+  } else {
+    clustering.divide(nodes, DrawnGraph::kMost);
+  }
   for (const uint32_t node : opened) clustering.open(node);
   const std::vector<bool> is_drawn = largest(clustering);
   DrawnGraph drawn;

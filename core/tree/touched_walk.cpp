@@ -68,6 +68,13 @@ class TouchedTrace {
   TouchedTrace(const AabbTree& tree, const Mesh& mesh, const SweptCylinder& beam)
       : tree_(tree), mesh_(mesh), beam_(beam), slab_(beam_slab(tree.store_, beam)) {}
 
+  static std::optional<TreeSlot> slot_of(const AabbTree& tree, FaceId face) {
+    const uint32_t place = tree.store_.place(face);
+    if (place == kNoIndex) return std::nullopt;
+    const uint32_t block = place / kBlockWidth, lane = place % kBlockWidth;
+    return TreeSlot{block, lane, (tree.store_.blocks[block].hit >> lane & 1) != 0};
+  }
+
   TouchedWalk run() {
     const TreeStore& store = tree_.store_;
     add(tree_.bounds(), TouchedWalk::kNoParent, Side::kNone);
@@ -136,6 +143,10 @@ class TouchedTrace {
   std::vector<Place> nodes_, blocks_;
   TouchedWalk walk_;
 };
+
+std::optional<TreeSlot> tree_slot(const AabbTree& tree, FaceId face) {
+  return TouchedTrace::slot_of(tree, face);
+}
 
 TouchedWalk trace_touched(const AabbTree& tree, const Mesh& mesh, const SweptCylinder& beam) {
   return tree.leaf_count() == 0 ? TouchedWalk{} : TouchedTrace(tree, mesh, beam).run();

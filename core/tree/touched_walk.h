@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/tree/aabb_tree.h"
@@ -33,5 +34,14 @@ struct TouchedWalk {
 // Traces a query without marking boxes. The boxes that it enters, the faces that it tests, its results and
 // its counts are those of AabbTree::touched, to the bit. Takes a constant factor more time.
 TouchedWalk trace_touched(const AabbTree& tree, const Mesh& mesh, const SweptCylinder& beam);
+
+// Where the tree keeps a face: in a block of up to four faces, and whether the beam is or was in its box.
+struct TreeSlot {
+  uint32_t block = 0, place = 0;  // the number of the block, and the place in it
+  bool hit = false;
+  friend bool operator==(const TreeSlot&, const TreeSlot&) = default;
+};
+// Nothing if the face is not in the tree. Constant time.
+std::optional<TreeSlot> tree_slot(const AabbTree& tree, FaceId face);
 
 }  // namespace kerf

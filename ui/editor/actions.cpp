@@ -21,6 +21,7 @@ constexpr std::array kGestures{
     Gesture{"Double click on a name in the list", "Rename the piece"},
     Gesture{"Middle drag, Alt+left drag", "Orbit"},
     Gesture{"Shift+middle drag, right drag", "Pan"},
+    Gesture{"Left drag on the section plane's handles", "Move it along its normal, or turn it"},
     Gesture{"Left drag on a light", "Move it, while the Light panel is open"},
     Gesture{"Wheel", "Zoom to the pointer"},
     Gesture{"Click on the axes in the corner", "Look along that axis; a drag there orbits"},
@@ -143,6 +144,7 @@ std::vector<UserAction> make_actions(EditorState& state, std::span<const Panel> 
   append(all, stage_view_actions(state));
   append(all, light_actions(state));
   append(all, shown_actions(state));
+  append(all, section_actions(state));
   return all;
 }
 
@@ -151,6 +153,12 @@ std::span<const Gesture> gestures() { return kGestures; }
 void escape(EditorState& state) {
   if (cancel_stroke(state.hand, state.work.document)) return;
   if (state.hand.drag == Drag::kBox) {
+    state.hand.drag = Drag::kNone;
+    return;
+  }
+  if (state.hand.drag == Drag::kSection) {
+    state.view.look.section = std::exchange(state.hand.section, {})->from();
+    state.view.picture_old = true;
     state.hand.drag = Drag::kNone;
     return;
   }

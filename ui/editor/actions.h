@@ -34,6 +34,7 @@ std::vector<UserAction> laser_actions(EditorState& state);
 std::vector<UserAction> stage_view_actions(EditorState& state);
 std::vector<UserAction> light_actions(EditorState& state);
 std::vector<UserAction> shown_actions(EditorState& state);
+std::vector<UserAction> section_actions(EditorState& state);
 
 // Explanations of what the mouse does in the picture.
 std::span<const Gesture> gestures();

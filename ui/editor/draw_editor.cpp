@@ -10,6 +10,7 @@
 #include "ui/editor/frame/status_bar.h"
 #include "ui/editor/marks/picture_marks.h"
 #include "ui/editor/path/path_marks.h"
+#include "ui/editor/section/section_handles.h"
 #include "ui/editor/tools/axes_gizmo.h"
 #include "ui/editor/tools/light_handle.h"
 #include "ui/editor/tools/piece_handles.h"
@@ -167,6 +168,8 @@ void EditorScreen::show_landmarks() {
   for (const PieceHandle& handle : piece_handles(view, state_.hand, state_.work.document.world()))
     landmarks_->mark(name_of(handle), {grip_of(handle), Vec2(0)});
   mark_lasers();
+  for (const SectionHandle& handle : section_handles(view))
+    landmarks_->mark(name_of(handle), {grip_of(handle), Vec2(0)});
   for (const AxisEnd& end : axis_ends(view)) landmarks_->mark(name_of(end), {end.at, Vec2(0)});
   if (const Status written = landmarks_->write(moving(), {at.x, at.y}); !written)
     state_.message.say(written.error().message, true);

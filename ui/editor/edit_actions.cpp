@@ -48,6 +48,17 @@ const char* why_none_hidden(const EditorState& state) {
   return hidden_pieces(state.view.look.pieces).empty() ? "No piece is hidden." : nullptr;
 }
 
+const char* why_no_rename(const PieceMap& looks) {
+  if (const char* why = why_none_chosen(looks)) return why;
+  return chosen_pieces(looks) > 1 ? "Several pieces are chosen: choose one alone to rename it." : nullptr;
+}
+
+void rename_chosen(EditorState& state) {
+  state.settings.side_shown = true;
+  state.settings.panels[PanelId::kPieces] = true;
+  state.view.renaming = first_chosen(state.view.look.pieces);
+}
+
 // The key has its usual meaning unless the tool that picks is in hand and a piece is chosen.
 UserAction move_action(EditorState& s, const char* name, const char* key, PieceMove::Kind kind) {
   return {
@@ -144,6 +155,14 @@ std::vector<UserAction> piece_actions(EditorState& s) {
                  .tip = "Hides all other pieces; the same again shows them as they were.",
                  .run = [&s] { s.requests.isolate = true; },
                  .why_not = [&s] { return why_no_isolation(s.work.document.world(), s.view); }},
+      UserAction{
+          .menu = "Edit",
+          .name = "Rename the chosen",
+          .shortcut = "F2",
+          .key = GLFW_KEY_F2,
+          .tip = "Edits the name of the chosen piece in the Pieces panel: Enter takes it, Esc does not.",
+          .run = [&s] { rename_chosen(s); },
+          .why_not = [&s] { return why_no_rename(s.view.look.pieces); }},
       UserAction{.menu = "Edit",
                  .name = "Delete the chosen",
                  .shortcut = "Del",

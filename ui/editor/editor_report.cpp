@@ -20,6 +20,8 @@ nlohmann::ordered_json view_of(const ViewState& view) {
     const size_t state = s.get(view.look);
     all[s.report] = s.is_two_state() ? nlohmann::ordered_json(state == 1) : s.states[state];
   }
+  all["section_plane"] = nullptr;
+  if (const SectionPlane* plane = shown_section(view.look)) all["section_plane"] = section_text(*plane);
   all["boxes_deepest"] = view.look.tree.deepest;
   all["boxes_leaves_only"] = view.look.tree.leaves_only;
   const Vec3 eye = view.seen().near().eye;
@@ -35,6 +37,10 @@ nlohmann::ordered_json graph_of(const GraphState& graph, const ViewState& view) 
           {"reached", graph.reached()},
           {"total", graph.total()},
           {"removed", graph.removed()},
+          {"removals", graph.removals()},
+          {"closings", graph.closings().size()},
+          {"loops", graph.drawn() ? graph.drawn()->loops.size() : 0},
+          {"of_piece", graph.shows_piece()},
           {"any_open", graph.any_open()},
           {"face_lit", view.look.lit_face.has_value()}};
 }

@@ -6,9 +6,11 @@
 #include <GLFW/glfw3.h>
 
 #include "ui/editor/file_choice.h"
+#include "ui/editor/graph/graph_reading.h"
 #include "ui/editor/keys/bindings.h"
 #include "ui/editor/laser_desk.h"
 #include "ui/editor/panel_list.h"
+#include "ui/editor/section/section_edits.h"
 #include "ui/editor/tools/moving.h"
 #include "ui/editor/tools/popups.h"
 
@@ -163,9 +165,12 @@ bool EditorScreen::hear_move(const InputEvent& event, bool in_picture) {
 }
 
 void EditorScreen::bind_actions() {
-  if (bound_ == state_.settings.bindings) return;
+  std::map<std::string, std::string>& shortcuts = state_.view.shortcuts;
+  if (bound_ == state_.settings.bindings && !shortcuts.empty()) return;
   bound_ = state_.settings.bindings;
   actions_ = bind_keys(usual_actions_, bound_);
+  shortcuts.clear();
+  for (const UserAction& action : actions_) shortcuts.emplace(action.name, action.shortcut);
 }
 
 void EditorScreen::hear_key(const InputEvent& event) {
@@ -199,6 +204,7 @@ void EditorScreen::advance() {
   keep_path(false);
   move_camera();
   stage_cut_.advance(std::min<double>(ImGui::GetIO().DeltaTime, kLongestEaseStep));
+  place_section(state_.view, state_.work.document.world());
   cut_.advance();
   follow_stages();
   follow_graph();
@@ -246,9 +252,12 @@ void EditorScreen::send() {
 
 // The last of a frame, for what the window shows is seen until the change is done.
 void EditorScreen::begin_pending_change() {
-  if (!changes_.is_pending()) return;
+  const Document& document = state_.work.document;
+  const bool graph = state_.graph.is_asked_for() && !document.in_stroke() && document.waiting() == 0;
+  if (!changes_.is_pending() && !graph) return;
   busy_.keep(window_.pixel_size());
-  thread_.start(state_.work.document, *changes_.take_pending());
+  thread_.start(state_.work.document,
+                changes_.is_pending() ? *changes_.take_pending() : graph_reading(state_.graph));
   if (thread_.is_over(kMissable)) finish_change();
 }
 

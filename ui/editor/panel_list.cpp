@@ -16,6 +16,7 @@
 #include "ui/editor/panels/view_panel.h"
 #include "ui/editor/path/emitter_rows.h"
 #include "ui/editor/path/path_panel.h"
+#include "ui/editor/section/section_rows.h"
 #include "ui/editor/single_step/query_walk_rows.h"
 #include "ui/editor/single_step/single_step_panel.h"
 
@@ -58,6 +59,11 @@ void draw_graph(EditorState& s, GraphPanel& panel) {
   panel.draw(s.graph, s.work.document, s.view, seen ? std::optional(s.hand.pointer) : std::nullopt);
 }
 
+void draw_view(EditorState& s, SectionRows& rows) {
+  rows.draw(s.view, s.message);
+  draw_view_panel(s.view);
+}
+
 }  // namespace
 
 std::vector<Panel> make_panels(EditorState& s) {
@@ -75,7 +81,7 @@ std::vector<Panel> make_panels(EditorState& s) {
       {PanelId::kGraph, "Graph", [&s, panel = GraphPanel()]() mutable { draw_graph(s, panel); }},
       {PanelId::kSingleStep, "Single step",
        [&s, panel = SingleStepPanel()]() mutable { panel.draw(s.stages, s.work.document); }},
-      {PanelId::kView, "View", [&s] { draw_view_panel(s.view); }},
+      {PanelId::kView, "View", [&s, rows = SectionRows()]() mutable { draw_view(s, rows); }},
       {PanelId::kStatistics, "Statistics", [&s] { draw_statistics_panel(s.figures.chart, s.figures.shown); }},
       {PanelId::kFile, "File", [&] { draw_file_panel(document.world(), s.work.scene, s.view, s.settings); }},
       {PanelId::kDisplay, "Display", [&s, panel = DisplayPanel()]() mutable { panel.draw(s.settings); }},

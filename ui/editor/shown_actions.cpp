@@ -101,7 +101,7 @@ UserAction level_action(EditorState& s, const char* name, int by) {
                 deepest = std::max(0, std::min(deepest, all) + by);
                 s.view.picture_old = true;
               },
-          .why_not = [&s] { return s.view.look.show.aabb ? nullptr : "The boxes are not shown (B)."; },
+          .why_not = [&s] { return s.view.look.show.aabb ? nullptr : "The boxes are not shown."; },
           .in_menu = false};
 }
 

@@ -40,17 +40,9 @@ UserAction look_action(ViewState& view, size_t which) {
   return action;
 }
 
-// "Shadows: none, ground, all"; without the states where they are off and on.
-std::string name_of(const ViewSwitch& s) {
-  std::string name = s.label;
-  for (size_t i = 0; !s.is_two_state() && i < s.states.size(); ++i)
-    name += std::string(i == 0 ? ": " : ", ") + s.states[i];
-  return name;
-}
-
 UserAction switch_action(EditorState& state, const ViewSwitch& s) {
   UserAction action{
-      .menu = "View", .name = name_of(s), .tip = s.tip, .in_menu = s.in_menu, .ends_group = s.ends_group};
+      .menu = "View", .name = action_name(s), .tip = s.tip, .in_menu = s.in_menu, .ends_group = s.ends_group};
   if (s.key != 0) action.shortcut = std::string(1, s.key);
   action.key = s.key;  // GLFW's keys of letters are the capitals
   action.run = [&view = state.view, &message = state.message, &s] {

@@ -26,6 +26,8 @@ struct CameraView {
 
   static constexpr double kFarAway = 1000;
 
+  friend bool operator==(const CameraView&, const CameraView&) = default;
+
   // Half the height (m) of what is seen at the distance `focus`.
   double half_height() const { return focus * tan_half_fov; }
   // The ray through a point of the picture, from the eye or, in an orthographic view, from the plane of the

@@ -52,6 +52,7 @@ struct FrameUniforms {
   glm::vec4 spot_colour{0};
   glm::vec4 beam{0};
   StageColours stage;
+  glm::vec4 section{0, 0, 0, 1};
   glm::vec4 body_look{0};
 };
 

@@ -7,15 +7,17 @@
 #include "ui/render/body_looks.h"
 #include "ui/render/box_palette.h"
 #include "ui/render/overlay_colours.h"
+#include "ui/render/section_clip.h"
 
 namespace kerf {
 
 namespace {
 
-constexpr float kLinkHalfWidth = 0.7f;                 // pixels
-constexpr float kLeastRadius = 1.6f, kMostRadius = 7;  // of a disc, pixels
-constexpr float kRadiusOfLink = 0.22f;                 // of the usual length of a link
-constexpr float kUsualHeight = 900;                    // of a picture, see line.glsl
+constexpr float kLinkHalfWidth = 0.7f;                        // pixels
+constexpr float kLoopHalfWidth = 1.1f, kEarlierLoop = 0.45f;  // pixels; opacity
+constexpr float kLeastRadius = 1.6f, kMostRadius = 7;         // of a disc, pixels
+constexpr float kRadiusOfLink = 0.22f;                        // of the usual length of a link
+constexpr float kUsualHeight = 900;                           // of a picture, see line.glsl
 
 void attribute(GLuint index, GLint numbers, size_t stride, size_t offset) {
   glEnableVertexAttribArray(index);
@@ -114,7 +116,7 @@ void GraphPass::draw_graph(const Subject& subject, const DrawnGraph& graph, cons
   std::vector<ColouredLines::Line> links;
   for (const auto& [a, b] : graph.edges) {
     if (!at[a] || !at[b]) continue;
-    const bool cut = graph.nodes[a].removed || graph.nodes[b].removed;
+    const bool cut = graph.is_cut({a, b});
     const glm::vec4 colour =
         colour_from_hex(cut ? overlay_colours::kRemoved : colour_of(graph.state(graph.nodes[a])), 0.8f);
     ends.emplace_back(*at[a], *at[b]);
@@ -127,8 +129,31 @@ void GraphPass::draw_graph(const Subject& subject, const DrawnGraph& graph, cons
     const float larger = n.faces > 1 ? 1.25f : 1;
     if (at[i]) discs.push_back({*at[i], radius * larger, colour_from_hex(colour_of(graph.state(n)), 1)});
   }
+  const SectionClip clip(subject.options);
   links_.draw(links, kLinkHalfWidth);
   draw_discs(discs);
+  draw_loops(subject, graph);
+}
+
+// The last one that is closed by then over the others.
+void GraphPass::draw_loops(const Subject& subject, const DrawnGraph& graph) {
+  size_t closed = 0;
+  while (closed < graph.loops.size() && graph.loops[closed].removal <= graph.removals) ++closed;
+  std::vector<ColouredLines::Line> links;
+  for (size_t i = 0; i < closed; ++i) {
+    const LoopPath& loop = graph.loops[i];
+    if (i + 1 == closed) {
+      links_.draw(links, kLoopHalfWidth);
+      links.clear();
+    }
+    const glm::vec4 colour = colour_from_hex(overlay_colours::kLoop, i + 1 == closed ? 1 : kEarlierLoop);
+    const size_t sides = loop.points.size() - (loop.runs_around ? 0 : 1);
+    for (size_t k = 0; k < sides; ++k) {
+      links.push_back({subject.space.from_world(loop.points[k]),
+                       subject.space.from_world(loop.points[(k + 1) % loop.points.size()]), colour});
+    }
+  }
+  links_.draw(links, 1.4f * kLoopHalfWidth);
 }
 
 void GraphPass::draw_lit_face(const Subject& subject) {

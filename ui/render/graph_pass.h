@@ -15,7 +15,8 @@ namespace kerf {
 uint32_t colour_of(DrawnGraph::State state);
 
 // Draws a component graph on the faces whose graph it is: a disc on the middle of each face and a line over
-// each shared edge; what a surface hides is not seen. Also the outline of the face that is lit.
+// each shared edge, and a line along each loop of removed faces; what a surface hides is not seen. Also the
+// outline of the face that is lit.
 class GraphPass {
  public:
   static Result<GraphPass> create(const std::filesystem::path& shaders);
@@ -32,6 +33,7 @@ class GraphPass {
     glm::vec4 colour;
   };
   void draw_graph(const Subject& subject, const DrawnGraph& graph, const FrameUniforms& frame);
+  void draw_loops(const Subject& subject, const DrawnGraph& graph);
   void draw_lit_face(const Subject& subject);
   void draw_discs(const std::vector<Disc>& discs);
 

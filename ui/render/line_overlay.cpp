@@ -5,6 +5,7 @@
 
 #include "ui/render/body_picture.h"
 #include "ui/render/box_palette.h"
+#include "ui/render/section_clip.h"
 
 namespace kerf {
 
@@ -155,6 +156,7 @@ void LineOverlay::draw(BodyId id, const Body& body, const FloatFrame& frame, con
                srgb(colours.untouched, 1));
   }
   if (show.normals) {
+    const SectionClip clip(options);
     glBindVertexArray(lines.sticks.layout.name());
     draw_twice(stick_, from_body, kVerticesOfLine, lines.sticks.count, lines.sticks.count,
                srgb(0x4aa3ff, 0.9f), glm::vec4(0));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ui/render/section_clip.h"
 #include "ui/render/seen_light.h"
 
 namespace kerf {
@@ -20,6 +21,12 @@ void draw_bodies(const Subject& subject, const gl::Program& program) {
   for_each_body(subject, [&](BodyId, const Body& body, const BodyPicture& picture) {
     picture.draw(program, subject.space, body.placement);
   });
+}
+
+// What the section plane leaves of them.
+void draw_section(const Subject& subject, const gl::Program& program) {
+  const SectionClip clip(subject.options);
+  draw_bodies(subject, program);
 }
 
 // Adds to what is there, on the surfaces that are seen.
@@ -103,7 +110,7 @@ void LitScene::draw_without_lights(const Subject& subject) const {
   if (subject.options.cull_backs) glEnable(GL_CULL_FACE);
   const gl::Program& body = body_.ambient[variant_ + (spot_ ? kSpot : 0)];
   body.use();
-  draw_bodies(subject, body);
+  draw_section(subject, body);
   glDisable(GL_CULL_FACE);
   ground_.draw(subject.space, spot_);
   glDepthFunc(GL_LEQUAL);
@@ -123,7 +130,7 @@ void LitScene::add_direct(const Subject& subject, size_t light) const {
   body.use();
   body.set("light", place);
   body.set("light_colour", colour);
-  draw_bodies(subject, body);
+  draw_section(subject, body);
   glDisable(GL_CULL_FACE);
   const bool projected =
       subject.options.show.shadows == Shadows::kGround && !casts_shadows(subject.options) &&
@@ -157,7 +164,7 @@ void LitScene::restore_glow(const Subject& subject) const {
   const gl::Program& glow = body_.glow[variant_ & kWire];
   glow.use();
   if (subject.options.cull_backs) glEnable(GL_CULL_FACE);
-  draw_bodies(subject, glow);
+  draw_section(subject, glow);
   glDisable(GL_CULL_FACE);
 }
 

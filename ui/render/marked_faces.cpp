@@ -1,5 +1,7 @@
 #include "ui/render/marked_faces.h"
 
+#include "ui/render/section_clip.h"
+
 namespace kerf {
 
 void draw_marked_faces(const Subject& subject, const gl::Program& faces) {
@@ -8,6 +10,7 @@ void draw_marked_faces(const Subject& subject, const gl::Program& faces) {
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
   if (subject.options.cull_backs) glEnable(GL_CULL_FACE);
+  const SectionClip clip(subject.options);
   faces.use();
   faces.set("only", 0);
   int number = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ui/render/box_palette.h"
+#include "ui/render/section_clip.h"
 
 namespace kerf {
 
@@ -30,6 +31,13 @@ OutlinePass::OutlinePass(gl::Program faces, gl::Program outline)
   for (const gl::Program* p : {&faces_, &outline_}) p->bind_block("Frame", kFrameBlock);
 }
 
+void OutlinePass::draw_selected(const Subject& subject) const {
+  const SectionClip clip(subject.options);
+  for_each_body(subject, [&](BodyId, const Body& body, const BodyPicture& p) {
+    if (p.looks().any_selected()) p.draw(faces_, subject.space, body.placement);
+  });
+}
+
 void OutlinePass::draw(const Subject& subject, const gl::Framebuffer& picture) {
   bool any = false;
   for_each_body(subject,
@@ -44,9 +52,7 @@ void OutlinePass::draw(const Subject& subject, const gl::Framebuffer& picture) {
   faces_.use();
   faces_.set("only", 1);
   faces_.set("body", 255);
-  for_each_body(subject, [&](BodyId, const Body& body, const BodyPicture& p) {
-    if (p.looks().any_selected()) p.draw(faces_, subject.space, body.placement);
-  });
+  draw_selected(subject);
 
   picture.bind();
   glEnable(GL_BLEND);

@@ -18,6 +18,7 @@ class OutlinePass {
 
  private:
   OutlinePass(gl::Program faces, gl::Program outline);
+  void draw_selected(const Subject& subject) const;
 
   gl::Program faces_, outline_;
   gl::VertexArray no_vertices_;

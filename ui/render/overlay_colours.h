@@ -35,6 +35,9 @@ inline constexpr uint32_t kSwept = 0xa8d4ff, kHit = 0xffd27a, kBorn = 0x4aa3ff;
 inline constexpr uint32_t kEntered = 0xb99aff, kCulled = 0x7d8896, kMissed = 0xf2dc9a, kTouched = 0xff6a4d,
                           kLast = 0xffffff;
 
+// Loops that removed faces closed.
+inline constexpr uint32_t kLoop = 0xf4f7fb;
+
 // Pixels whose ray says otherwise than the picture, that it finds lit, and that it finds in shadow.
 inline constexpr uint32_t kWrong = 0xff28dc, kTracedLit = 0xece2be, kTracedShadow = 0x080c16;
 

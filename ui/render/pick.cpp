@@ -10,6 +10,8 @@ namespace kerf {
 
 namespace {
 
+constexpr double kEndless = std::numeric_limits<double>::max();
+
 // The distinct offsets at which pieces of a body are drawn, none of them included.
 std::vector<Vec3> offsets_of(const BodyLooks& looks) {
   std::vector<Vec3> offsets{Vec3(0)};
@@ -29,15 +31,17 @@ bool shows_front(const Body& body, FaceId f, const Vec3& direction) {
 
 std::optional<Pick> pick(const World& world, const ViewOptions& options, const Pose& ray) {
   std::optional<Pick> nearest;
+  const SectionPlane* section = shown_section(options);
+  const Interval seen = section != nullptr ? section->kept_along(ray) : Interval{0, kEndless};
   std::vector<RayHit> hits;
   for (const BodyId id : world.ids()) {
     const Body& body = world.body(id);
     const BodyLooks looks(id, options);
     for (const Vec3& offset : offsets_of(looks)) {
       const Pose through = body.placement.to_body(Pose{ray.origin - offset, ray.direction});
-      const double most = nearest ? nearest->length : std::numeric_limits<double>::max();
+      const double most = nearest ? nearest->length : seen.high;
       hits.clear();
-      body.tree.crossings(body.mesh, through, {0, most}, hits);
+      body.tree.crossings(body.mesh, through, {seen.low, most}, hits);
       for (const RayHit& hit : hits) {
         const PieceLook& look = looks.of(body.mesh, hit.face);
         if (look.hidden || look.offset != offset) continue;

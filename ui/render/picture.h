@@ -6,6 +6,7 @@
 #include "core/base/result.h"
 #include "core/base/vec3.h"
 #include "core/document/opened_file.h"
+#include "ui/render/section_plane.h"
 #include "ui/render/show_options.h"
 
 namespace kerf {
@@ -15,7 +16,8 @@ struct PictureOptions {
   int width = 1280, height = 720;   // pixels, 1 .. 16384
   std::optional<Vec3> eye, target;  // m; if both are empty, the scene's view or one from the front
   ShowOptions show;
-  double spread = 0;  // how far pieces are drawn apart; see spread_pieces()
+  std::optional<SectionPlane> section;  // where ShowOptions::section cuts; if empty, the middle
+  double spread = 0;                    // how far pieces are drawn apart; see spread_pieces()
   bool antialias = true;
 };
 

@@ -55,9 +55,12 @@ Result<Renderer::Passes> Renderer::load_passes(const std::filesystem::path& shad
   if (!graph) return graph.error();
   auto stage = StagePass::create(shaders);
   if (!stage) return stage.error();
+  auto section = SectionPass::create(shaders);
+  if (!section) return section.error();
   return Passes{std::move(*scene),          std::move(*bloom),     std::move(*beam),    std::move(*lines),
                 std::move(*veil),           std::move(*outline),   std::move(*numbers), std::move(*probe),
-                std::move(*shadow_overlay), std::move(*reference), std::move(*graph),   std::move(*stage)};
+                std::move(*shadow_overlay), std::move(*reference), std::move(*graph),   std::move(*stage),
+                std::move(*section)};
 }
 
 Result<Renderer> Renderer::create() {
@@ -153,6 +156,10 @@ void Renderer::set_up(const World& world, const CameraView& view, const ViewOpti
   frame.key_light = glm::vec4(glm::vec3(space_.turned(direction_to(key, middle_))), 0);
   if (beam) BeamPass::fill_in(frame, space_, *beam);
   frame.stage = stage_colours(options.by_day);
+  if (const SectionPlane* section = shown_section(options)) {
+    const Vec3 normal = space_.turned(section->normal);
+    frame.section = -glm::vec4(glm::vec3(normal), space_.length(section->height_of(space_.eye)));
+  }
   const bool pieces = options.show.pieces || (options.stage && options.stage->came_off);
   const int colours = options.show.sizes ? 2 : pieces ? 1 : 0;
   frame.body_look = {finest_, colours, options.two_sided ? 1 : 0, 0};
@@ -182,6 +189,8 @@ void Renderer::draw_overlays(const Subject& subject, const CameraView& view,
   const ViewOptions& options = subject.options;
   const gl::Framebuffer& picture = *canvases_[canvas_].drawn;
   passes_.shadow_overlay.draw(subject, passes_.scene.shadows(), passes_.numbers, picture);
+  picture.bind();
+  passes_.section.draw(subject, picture.shape().height);
   if (options.show.face_numbers) passes_.veil.draw(subject, VeilPass::Style::kRed);
   for_each_body(subject, [&](BodyId id, const Body& body, const BodyPicture& p) {
     passes_.lines.draw(id, body, p.faces().frame(), space_, frame_.clip_from_frame, options);
@@ -253,9 +262,11 @@ ShadowReference Renderer::shadow_reference(const World& world, const CameraView&
                                            const ViewOptions& options, size_t light, bool ground, int width,
                                            int height) {
   const std::optional<double> floor = ground ? std::optional(passes_.scene.ground().height()) : std::nullopt;
+  const SectionPlane* section = shown_section(options);
   return {rays_through({world, bodies_, space_, options}),
           view,
           near_of(world, view, options),
+          section != nullptr ? std::optional(*section) : std::nullopt,
           options.lights[light],
           floor,
           width,

@@ -22,6 +22,7 @@
 #include "ui/render/picture_memory.h"
 #include "ui/render/prepared_body.h"
 #include "ui/render/reference_pass.h"
+#include "ui/render/section_pass.h"
 #include "ui/render/shadow_overlay.h"
 #include "ui/render/shadow_probe.h"
 #include "ui/render/shadow_reference.h"
@@ -116,6 +117,7 @@ class Renderer {
     ReferencePass reference;
     GraphPass graph;
     StagePass stage;
+    SectionPass section;
   };
   static Result<Passes> load_passes(const std::filesystem::path& shaders);
   explicit Renderer(Passes passes) : passes_(std::move(passes)) {}

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ui/render/overlay_colours.h"
+#include "ui/render/section_clip.h"
 #include "ui/render/seen_light.h"
 
 namespace kerf {
@@ -118,6 +119,7 @@ void ShadowOverlay::draw(const Subject& subject, ShadowPass& shadows, const Face
 
 void ShadowOverlay::draw_facing(const Inspected& seen) const {
   glDepthFunc(GL_EQUAL);
+  const SectionClip clip(seen.subject.options);
   facing_.use();
   facing_.set("facing_colour", srgb(kFacing));
   facing_.set("averted_colour", srgb(kAverted));

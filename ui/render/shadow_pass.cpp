@@ -1,5 +1,6 @@
 #include "ui/render/shadow_pass.h"
 
+#include "ui/render/section_clip.h"
 #include "ui/render/seen_light.h"
 
 namespace kerf {
@@ -147,14 +148,21 @@ void ShadowPass::draw_sides(const Subject& subject, VolumeKey key, int vertices)
   });
 }
 
+// A section plane takes nothing from the caps; but they are drawn in two parts, so that the part that is seen
+// has been clipped to the very triangles of the picture.
 void ShadowPass::count_near_caps(const Subject& subject, VolumeKey key) {
   const NearCaps how = subject.options.shadow.near_caps;
   if (how == NearCaps::kLessOrEqual) glDepthFunc(GL_LEQUAL);
   if (how == NearCaps::kDisplaced) glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(0, -1);
-  for (const int sign : {1, -1}) {
-    count_behind(sign > 0);
-    draw_caps(subject, key, sign, false);
+  const SectionClip clip(subject.options);
+  for (const int under : {1, -1}) {
+    if (under < 0 && shown_section(subject.options) == nullptr) continue;
+    cap_.set("under", under);
+    for (const int sign : {1, -1}) {
+      count_behind(sign > 0);
+      draw_caps(subject, key, sign, false);
+    }
   }
   glDisable(GL_POLYGON_OFFSET_FILL);
   glDepthFunc(GL_LESS);

@@ -18,11 +18,13 @@ ShadowRays rays_through(const Subject& subject) {
   return rays;
 }
 
-ShadowReference::ShadowReference(ShadowRays rays, const CameraView& view, double near, const Light& light,
+ShadowReference::ShadowReference(ShadowRays rays, const CameraView& view, double near,
+                                 const std::optional<SectionPlane>& section, const Light& light,
                                  std::optional<double> ground, int width, int height)
     : rays_(std::move(rays)),
       view_(view),
       near_(near),
+      section_(section),
       light_(light),
       ground_(ground),
       width_(width),
@@ -38,10 +40,18 @@ void ShadowReference::trace(size_t pixels) {
   }
 }
 
+std::optional<ShadowRays::Seen> ShadowReference::look(const Pose& ray) const {
+  const double nearest = std::max(near_, 0.0) / glm::dot(ray.direction, view_.forward);
+  if (!section_) return rays_.look(ray, nearest);
+  const Interval kept = section_->kept_along(ray);
+  const auto seen = rays_.look(ray, std::max(nearest, kept.low));
+  return seen && seen->length <= kept.high ? seen : std::nullopt;
+}
+
 void ShadowReference::trace_pixel(int x, int y) {
   const size_t at = static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x);
   const Pose ray = view_.ray((x + 0.5) / width_ * 2 - 1, (y + 0.5) / height_ * 2 - 1);
-  const auto seen = rays_.look(ray, std::max(near_, 0.0) / glm::dot(ray.direction, view_.forward));
+  const auto seen = look(ray);
   const UpAxis up = view_.up_axis;
   const double fall = -height_of(ray.direction, up);
   if (ground_ && height_of(view_.eye, up) > *ground_ && fall > 0) {

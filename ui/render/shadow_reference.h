@@ -14,8 +14,9 @@ ShadowRays rays_through(const Subject& subject);
 class ShadowReference {
  public:
   // `near`: distance of the near plane along the view's forward axis, m; `ground`: its height (m) if it is
-  // visible and receives shadows.
-  ShadowReference(ShadowRays rays, const CameraView& view, double near, const Light& light,
+  // visible and receives shadows. What `section` takes away is not seen and casts shadows.
+  ShadowReference(ShadowRays rays, const CameraView& view, double near,
+                  const std::optional<SectionPlane>& section, const Light& light,
                   std::optional<double> ground, int width, int height);
 
   // Traces whole rows, at least `pixels` pixels or all that are left.
@@ -31,11 +32,13 @@ class ShadowReference {
   const std::vector<int>& occluders() const { return occluders_; }
 
  private:
+  std::optional<ShadowRays::Seen> look(const Pose& ray) const;
   void trace_pixel(int x, int y);
 
   ShadowRays rays_;
   CameraView view_;
   double near_;
+  std::optional<SectionPlane> section_;
   Light light_;
   std::optional<double> ground_;
   int width_, height_, row_ = 0;

@@ -23,6 +23,7 @@ struct ShowOptions {
   bool graph = false;                  // nodes and links of ViewOptions::graph
   bool pieces = false;                 // each piece in a colour of its own
   bool sizes = false;                  // small faces warm, as the paper colours them
+  bool section = false;                // only what lies under the section plane
   bool normals = false;                // a short line from the middle of every face
   Shadows shadows = Shadows::kGround;  // `--show shadows` asks for kAll
   bool silhouette = false;             // edges of a light's silhouette, coloured by their multiplicity

@@ -46,6 +46,8 @@ Result<Studio> Studio::open(const Scene& scene, const PictureOptions& options) {
   studio.renderer_.show(scene.world, scene.paints);
   studio.view_ = chosen_view(options, scene.view, scene.world.bounds());
   studio.look_.show = options.show;
+  studio.look_.section =
+      options.section.value_or(section_through(scene.world.bounds(), -studio.view_.forward));
   studio.look_.antialias = options.antialias;
   if (!scene.lights.empty()) studio.look_.lights = scene.lights;
   return studio;

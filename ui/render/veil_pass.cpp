@@ -1,5 +1,7 @@
 #include "ui/render/veil_pass.h"
 
+#include "ui/render/section_clip.h"
+
 namespace kerf {
 
 namespace {
@@ -19,6 +21,7 @@ Look look_of(VeilPass::Style style) {
 void draw_removed(const Subject& subject, const gl::Program& program) {
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(kBehindPerSlope, kBehind);
+  const SectionClip clip(subject.options);
   int number = 0;
   for_each_body(subject, [&](BodyId, const Body& body, BodyPicture& picture) {
     program.set("body", (number++ % 127) + 1);
@@ -46,6 +49,7 @@ void VeilPass::draw_what_is_away(const Subject& subject) const {
   glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   faces_.use();
   faces_.set("only", 2);
+  const SectionClip clip(subject.options);
   for_each_body(subject, [&](BodyId, const Body& body, BodyPicture& picture) {
     if (picture.looks().any_away()) picture.draw(faces_, subject.space, body.placement);
   });

@@ -11,6 +11,7 @@
 #include "core/base/vec3.h"
 #include "core/document/scene.h"
 #include "core/graph/piece_groups.h"
+#include "ui/render/section_plane.h"
 #include "ui/render/shadow_options.h"
 #include "ui/render/show_options.h"
 
@@ -59,12 +60,13 @@ struct FaceOfBody {
 // How the world is drawn.
 struct ViewOptions {
   ShowOptions show;
-  bool rim_glow = true;     // the rims of cuts glow
-  bool antialias = true;    // four samples per pixel
-  bool two_sided = true;    // faces are lit on both sides; otherwise the back is black
-  bool cull_backs = false;  // backs are not drawn, as the paper first had it
-  bool ghost = false;       // removed faces are drawn as a faint veil
-  bool by_day = false;      // the surroundings are bright, otherwise dark
+  bool rim_glow = true;                 // the rims of cuts glow
+  bool antialias = true;                // four samples per pixel
+  bool two_sided = true;                // faces are lit on both sides; otherwise the back is black
+  bool cull_backs = false;              // backs are not drawn, as the paper first had it
+  bool ghost = false;                   // removed faces are drawn as a faint veil
+  bool by_day = false;                  // the surroundings are bright, otherwise dark
+  std::optional<SectionPlane> section;  // where ShowOptions::section cuts; see shown_section()
   TreeOverlay tree;
   std::vector<Light> lights = std::vector<Light>(1);  // only the first kMostLights are used
   ShadowOptions shadow;

@@ -114,6 +114,16 @@ constexpr std::array kSwitches{
                .tip = "Edges of the faces.",
                .get = get<&ShowOptions::wire>,
                .set = set<&ShowOptions::wire>},
+    ViewSwitch{.id = SwitchId::kSection,
+               .show = "section",
+               .report = "section",
+               .label = "Section plane",
+               .key = 'O',
+               .tip =
+                   "Opens the bodies at a plane to look inside; the pointer picks what is seen. What is not "
+                   "drawn is there still: it casts shadows, and the beam cuts it.",
+               .get = get<&ShowOptions::section>,
+               .set = set<&ShowOptions::section>},
     ViewSwitch{.id = SwitchId::kBoxes,
                .show = "aabb",
                .report = "boxes",
@@ -207,6 +217,13 @@ constexpr std::array kSwitches{
 };
 
 }  // namespace
+
+std::string action_name(const ViewSwitch& s) {
+  std::string name = s.label;
+  for (size_t i = 0; !s.is_two_state() && i < s.states.size(); ++i)
+    name += std::string(i == 0 ? ": " : ", ") + s.states[i];
+  return name;
+}
 
 std::span<const ViewSwitch> view_switches() { return kSwitches; }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <span>
+#include <string>
 
 #include "ui/render/view_options.h"
 
@@ -18,6 +19,7 @@ enum class SwitchId {
   kTrace,
   kRimGlow,
   kWire,
+  kSection,
   kBoxes,
   kBoxesHit,
   kPieces,
@@ -54,6 +56,10 @@ struct ViewSwitch {
   // Goes to the state after the present one, and from the last to the first.
   void flip(ViewOptions& look) const { set(look, (get(look) + 1) % states.size()); }
 };
+
+// The name of the action that flips it: "Shadows: none, ground, all", and its label where the states are off
+// and on.
+std::string action_name(const ViewSwitch& s);
 
 // All of them, indexed by their ids.
 std::span<const ViewSwitch> view_switches();

@@ -32,6 +32,44 @@ class Graph(WindowTest):
         self.assertTrue(graph["face_lit"])
         self.assertEqual((graph["removed"], graph["reached"]), (0, graph["total"]))
 
+    def middle_of(self, editor, part):
+        x, y, width, height = editor.part(part)
+        return x + 0.5 * width, y + 0.5 * height
+
+    def test_the_wheel_zooms_to_the_pointer_and_a_drag_moves_the_graph(self):
+        editor = self.open_graph()
+        editor.point_at("graph canvas", 0.5, 0.5)
+        pointer, before = editor.pointer, self.middle_of(editor, "graph start")
+        for _ in range(3):
+            editor.xdotool("click", 4)
+        editor.do("Shift_L")
+        zoomed = self.middle_of(editor, "graph start")
+        for i in (0, 1):
+            self.assertAlmostEqual(zoomed[i] - pointer[i], 1.2 ** 3 * (before[i] - pointer[i]), delta=3)
+        x, y = pointer
+        editor.drag_pixels([(x, y), (x + 40, y - 30)])
+        moved = self.middle_of(editor, "graph start")
+        self.assertAlmostEqual(moved[0] - zoomed[0], 40, delta=9)  # a drag begins after some pixels
+        self.assertAlmostEqual(moved[1] - zoomed[1], -30, delta=9)
+        self.assertFalse(editor.quit()["graph"]["any_open"])
+
+    def test_the_second_view_lists_the_pieces_and_the_graph_of_a_chosen_one_is_drawn(self):
+        editor = self.open_graph()
+        editor.drag([(0.2, 0.5), (0.8, 0.5)])
+        editor.click("graph removals", 0.02, 0.3)
+        editor.click("graph nodes", 0.5, 0.5)
+        editor.click("graph nodes 3", 0.3, 0.5)
+        editor.click("piece node 1", 0.3, 0.5)
+        editor.click("graph nodes", 0.5, 0.5)
+        editor.click("graph nodes 2", 0.3, 0.5)
+        report = editor.quit()
+        graph = report["graph"]
+        self.assertEqual(report["pieces_chosen"], 1)
+        self.assertTrue(graph["of_piece"])
+        self.assertEqual((graph["removed"], graph["reached"]), (0, graph["total"]))
+        self.assertLess(graph["total"], report["faces"])
+        self.assertEqual(report["strokes"], 1)
+
 
 if __name__ == "__main__":
     unittest.main()

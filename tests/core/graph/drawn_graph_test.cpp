@@ -99,6 +99,43 @@ TEST(DrawnGraph, shows_the_nearest_faces_around_a_cut) {
             shown.graph.nodes.size());
 }
 
+TEST(DrawnGraph, gives_the_faces_beside_a_fine_cut_more_nodes_than_the_removed_ones) {
+  const Shown shown = cut_across(sphere(40, 60, 1), 2, 0.02);
+  const size_t removed = shown.graph.nodes.size() - shown.graph.live;
+  ASSERT_GT(removed, DrawnGraph::kMost);
+  const DrawnGraph drawn = draw_graph(shown.graph, shown.traversal, GraphScope::kAroundCut);
+  expect_sound(shown, drawn);
+  const GraphLinks links = shown.graph.links();
+  std::set<uint32_t> red, beside;
+  size_t faces_beside = 0;
+  for (uint32_t node = 0; node < shown.graph.nodes.size(); ++node) {
+    if (shown.graph.is_removed(node)) {
+      red.insert(drawn.of[node]);
+    } else if (!links.of(node).empty() && shown.graph.is_removed(links.of(node).back())) {
+      beside.insert(drawn.of[node]);
+      ++faces_beside;
+    }
+  }
+  EXPECT_LE(red.size(), DrawnGraph::kMost / 2 / 5);
+  EXPECT_GE(beside.size(), std::min(faces_beside, 2 * red.size()));
+  EXPECT_GT(drawn.nodes.size(), DrawnGraph::kMost * 2 / 5);
+}
+
+TEST(DrawnGraph, shows_the_removals_as_they_go_on) {
+  const Shown shown = cut_across(grid(8, 2), 2, 0.05);
+  DrawnGraph drawn = draw_graph(shown.graph, shown.traversal, GraphScope::kWhole);
+  const size_t removed = shown.graph.nodes.size() - shown.graph.live;
+  ASSERT_GT(removed, 5u);
+  for (size_t removals = 0; removals <= removed; ++removals) {
+    drawn.removals = removals;
+    size_t red = 0, cut = 0;
+    for (const DrawnGraph::Node& n : drawn.nodes) red += drawn.state(n) == DrawnGraph::State::kRemoved;
+    for (const auto& edge : drawn.edges) cut += drawn.is_cut(edge);
+    EXPECT_EQ(red, removals);
+    EXPECT_EQ(cut > 0, removals > 0);
+  }
+}
+
 TEST(DrawnGraph, opens_a_cluster_into_its_faces) {
   const Shown shown = cut_across(grid(60, 2), 1, 0.02);
   const DrawnGraph closed = draw_graph(shown.graph, shown.traversal, GraphScope::kWhole);

@@ -71,6 +71,9 @@ std::vector<Golden> goldens(const test::Stage& stage) {
   Golden culled{"backs-culled", {}};
   culled.options.cull_backs = true;
   all.push_back(culled);
+  Golden section{"section", showing("shadows,section")};
+  section.options.section = SectionPlane{{0, 0.1, 0.15}, {0, 0, 1}};
+  all.push_back(section);
   Golden spread{"pieces-spread", showing("pieces")};
   spread.options.pieces[{ball, 1}] = {.selected = true, .offset = {0, 0.35, 0}};
   all.push_back(spread);
@@ -82,6 +85,11 @@ std::vector<Golden> goldens(const test::Stage& stage) {
   graph.options.graph = std::make_shared<DrawnGraph>(*graph_around_last_cut(stage.document()));
   graph.options.lit_face = FaceOfBody{ball, FaceId(3)};
   all.push_back(graph);
+  Golden loops{"graph-loops", graph.options};
+  DrawnGraph with_loops = *graph.options.graph;
+  with_loops.loops = loop_paths(stage.world(), stage.document().history().last_cut_faces());
+  loops.options.graph = std::make_shared<DrawnGraph>(std::move(with_loops));
+  all.push_back(loops);
   return all;
 }
 

@@ -62,6 +62,21 @@ TEST(Pick, meets_no_back_where_none_is_drawn) {
   EXPECT_NE(from_above, from_below);
 }
 
+TEST(Pick, looks_past_what_the_section_plane_takes_away) {
+  const World world = two_plates();
+  const Vec3 at = middle_of_first(world);
+  ViewOptions options;
+  options.section = SectionPlane{{0, 0.5, 0}, {0, 1, 0}};
+  EXPECT_DOUBLE_EQ(pick(world, options, down_at(at)).value().length, 2) << "it is not shown";
+  options.show.section = true;
+  EXPECT_DOUBLE_EQ(pick(world, options, down_at(at)).value().length, 3);
+  options.section->normal = {0, -1, 0};
+  EXPECT_DOUBLE_EQ(pick(world, options, down_at(at)).value().length, 2);
+  EXPECT_DOUBLE_EQ(pick(world, options, {{at.x, -3, at.z}, {0, 1, 0}}).value().length, 4);
+  options.section->point.y = 7;
+  EXPECT_FALSE(pick(world, options, down_at(at)));
+}
+
 TEST(Pick, misses_beside_everything) {
   EXPECT_FALSE(pick(two_plates(), {}, down_at({50, 0, 0})));
   EXPECT_FALSE(pick(World{}, {}, down_at({0, 0, 0})));

@@ -57,6 +57,11 @@ ShadowTrial::ShadowTrial(Stage& stage, const Light& light, const CameraView& vie
   options_.lights = {light};
 }
 
+void ShadowTrial::cut_with(const SectionPlane& plane) {
+  options_.section = plane;
+  options_.show.section = true;
+}
+
 ShadowVerdict ShadowTrial::verdict(ShadowMethod method) {
   Renderer& renderer = stage_.renderer();
   const World& world = stage_.world();

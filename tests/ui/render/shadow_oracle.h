@@ -32,6 +32,8 @@ class ShadowTrial {
   ShadowVerdict verdict(ShadowMethod method);
   // Draws the near caps of the robust method so from now on.
   void draw_near_caps(NearCaps how) { options_.shadow.near_caps = how; }
+  // Cuts the picture with a section plane. Precondition: no verdict was asked for.
+  void cut_with(const SectionPlane& plane);
   ShadowVerdict robust() { return verdict(ShadowMethod::kRobust); }
 
  private:

@@ -222,6 +222,27 @@ TEST(ShadowOracle, the_papers_methods_fail_where_they_must_and_the_robust_one_do
   }
 }
 
+// The faces that are seen and the shadows on them, which the whole world casts, are those that rays find.
+TEST(ShadowOracle, a_section_plane_takes_faces_from_the_picture_and_nothing_from_the_shadows) {
+  const SectionPlane level = SectionPlane::facing({0, 0.9, 0}, {0, 1, 0});
+  const SectionPlane front = SectionPlane::facing({0, 0.1, 0.1}, {0.3, 0.2, 1});
+  for (const Case& c :
+       {Case{"an opened ball under a lamp", opened_ball, lamp_at({1.5, 3, 2.5}), shadow_view(kEye, kMiddle),
+             kThin},
+        Case{"a box in the sun, orthographic", box_over_floor, sun_from({0.4, 1, 0.5}), kParallel},
+        Case{"a turned ball, +Z upwards", turned_ball, sun_from({0.4, 1, 0.5}), kZUp, kThin}}) {
+    test::Stage stage(c.world());
+    for (const SectionPlane& plane : {level, front}) {
+      test::ShadowTrial whole = trial_of(stage, c.light, c.view), cut = trial_of(stage, c.light, c.view);
+      cut.cut_with(plane);
+      const ShadowVerdict v = cut.robust();
+      SCOPED_TRACE(std::string(c.name) + ", " + section_text(plane) + ": " + v.summary());
+      expect_right(v, 2 * c.most_left_out);
+      EXPECT_NE(v.in_shadow, whole.robust().in_shadow);
+    }
+  }
+}
+
 // What a slip in the depths of the near caps would cost: nearly everything that is lit.
 TEST(ShadowOracle, near_caps_that_are_off_by_a_hair_are_noticed) {
   test::Stage stage(box_over_floor());

@@ -12,6 +12,7 @@ void forget_what_was_open(const OpenerParts& on) {
   on.hand.drag = Drag::kNone;
   on.hand.move.reset();
   on.hand.measured.clear();
+  on.hand.section.reset();
   on.hand.cut_once = false;
   on.split.twin.forget();
   on.stages.forget();
@@ -19,6 +20,8 @@ void forget_what_was_open(const OpenerParts& on) {
   on.view.isolated_from.clear();
   on.view.numbers = PieceNumbers();
   on.view.look.tree.body.reset();
+  on.view.look.section.reset();
+  on.view.look.show.section = false;
   on.view.look.shadow.inspected = 0;
   on.view.spread = 0;
 }

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include "ui/window/centred_window.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/property.h"
 #include "ui/window/theme.h"
@@ -11,8 +12,6 @@ namespace kerf {
 namespace {
 
 constexpr float kWidthEms = 48, kHeightEms = 26, kTimeEms = 5;
-constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
-                                    ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings;
 
 std::string time_text(std::time_t when) {
   std::tm parts{};
@@ -54,19 +53,10 @@ void draw_log(const std::deque<Message::Said>& log) {
 
 void draw_message_log(bool& shown, const Message& message) {
   if (!shown) return;
-  const float em = ImGui::GetFontSize();
-  const ImVec2 window = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({0.5f * window.x, 0.5f * window.y}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize(
-      {std::min(window.x - 2 * em, kWidthEms * em), std::min(window.y - 4 * em, kHeightEms * em)});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 3);
-  if (ImGui::Begin("Messages", &shown, kFixed)) {
-    mark_window("messages");
+  if (begin_centred_window("Messages", "messages", shown, kWidthEms, kHeightEms)) {
     draw_log(message.log);
   }
-  ImGui::End();
-  ImGui::PopStyleVar(2);
+  end_centred_window();
 }
 
 }  // namespace kerf

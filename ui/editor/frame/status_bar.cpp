@@ -31,6 +31,9 @@ const char* left_button(const Hand& hand) {
       return "Path: the point follows the pointer over the surface";
     case Drag::kEmitter:
       return "Moving the emitter";
+    case Drag::kSection:
+      return hand.section->kind() == SectionDrag::Kind::kMove ? "Moving the section plane"
+                                                              : "Turning the section plane";
     case Drag::kPick:
     case Drag::kPiece:
     case Drag::kMeasure:

@@ -28,10 +28,6 @@ ImU32 opaque(uint32_t hex, int opacity = 255) {
 ImVec2 im(const Vec2& p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
 Vec2 vec(const ImVec2& p) { return {p.x, p.y}; }
 
-bool is_cut(const DrawnGraph& graph, const ComponentGraph::Edge& edge) {
-  return graph.nodes[edge[0]].removed || graph.nodes[edge[1]].removed;
-}
-
 }  // namespace
 
 // That of a cluster grows slowly with its faces.
@@ -62,7 +58,7 @@ void GraphCanvas::draw_links(const DrawnGraph& graph, const GraphLayout& places)
   ImDrawList& list = *ImGui::GetWindowDrawList();
   for (const auto& edge : graph.edges) {
     const uint32_t hex =
-        is_cut(graph, edge) ? overlay_colours::kRemoved : colour_of(graph.state(graph.nodes[edge[0]]));
+        graph.is_cut(edge) ? overlay_colours::kRemoved : colour_of(graph.state(graph.nodes[edge[0]]));
     const bool is_long = glm::length(places[edge[0]] - places[edge[1]]) > kLongLink;
     list.AddLine(im(on_screen(places[edge[0]])), im(on_screen(places[edge[1]])),
                  opaque(hex, is_long ? 12 : 110));
@@ -115,7 +111,10 @@ GraphCanvas::Pointer GraphCanvas::draw(const DrawnGraph& graph, const GraphLayou
     pointer.over = draw_nodes(graph, places);
     if (!ImGui::IsItemHovered()) pointer.over.reset();
     if (ImGui::IsItemDeactivated() && !dragged_) pointer.clicked = pointer.over;
-    if (start) draw_ring(graph, places, *start, colours::text());
+    if (start) {
+      draw_ring(graph, places, *start, colours::text());
+      mark_area("graph start", {on_screen(places[*start]) - Vec2(2), Vec2(4)});
+    }
     if (pointer.over) lit = pointer.over;
     if (lit) draw_ring(graph, places, *lit, colours::accent());
   }

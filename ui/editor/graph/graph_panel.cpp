@@ -2,7 +2,12 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+
+#include "ui/editor/view/piece_set.h"
+#include "ui/editor/view/shortcut_text.h"
 #include "ui/render/pick.h"
+#include "ui/render/view_switches.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
@@ -12,6 +17,8 @@ namespace kerf {
 
 namespace {
 
+constexpr std::array kNodes{"Faces around the cut", "Faces of whole bodies", "Faces of the chosen piece",
+                            "Pieces"};
 constexpr float kHeightOfWidth = 0.8f;  // of the canvas
 
 void placing_row(GraphState& graph) {
@@ -46,8 +53,44 @@ void traversal_row(GraphState& graph) {
   tooltip("How many faces the search has marked. A click on a single face starts it from there.");
 }
 
+// A line on the last slider for each removal that closed a loop.
+void mark_closings(const GraphState& graph) {
+  const ImVec2 least = ImGui::GetItemRectMin(), most = ImGui::GetItemRectMax();
+  const float grab = ImGui::GetStyle().GrabMinSize, height = most.y - least.y;
+  const float width = most.x - least.x - grab - 4;
+  for (const size_t closing : graph.closings()) {
+    const float share = static_cast<float>(closing) / static_cast<float>(graph.removed());
+    const float x = least.x + 2 + 0.5f * grab + share * width;
+    ImGui::GetWindowDrawList()->AddLine({x, least.y + 0.68f * height}, {x, most.y}, colours::text(), 1.5f);
+  }
+}
+
+// The removals in their order, with the moments at which one closed a loop.
+void removals_row(GraphState& graph, const ViewState& view) {
+  property("Removals");
+  int removals = static_cast<int>(graph.removals());
+  ImGui::SetNextItemWidth(-1);
+  const auto& closings = graph.closings();
+  const auto closed = std::upper_bound(closings.begin(), closings.end(), graph.removals()) - closings.begin();
+  const std::string shown = grouped(graph.removals()) + ", " + grouped(static_cast<size_t>(closed)) +
+                            (closed == 1 ? " loop closed" : " loops closed");
+  if (ImGui::SliderInt("##removals", &removals, 0, static_cast<int>(graph.removed()), shown.c_str(),
+                       ImGuiSliderFlags_AlwaysClamp))
+    graph.set_removals(static_cast<size_t>(removals));
+  mark_last_item("graph removals");
+  mark_closings(graph);
+  const std::string meaning = with_shortcut(
+      view,
+      "How many faces the stroke had removed. A tick is the moment at which a removal closed a loop of "
+      "removed "
+      "faces, which is when Kerf searches. The picture shows the loops while it shows the component graph.",
+      action_name(view_switch(SwitchId::kGraph)));
+  tooltip(meaning.c_str());
+}
+
 std::string verdict(const GraphState& graph) {
   if (graph.marked() < graph.reached()) return "The search goes on.";
+  if (graph.shows_piece()) return "The search reached every face that hangs together with the first.";
   if (graph.removed() == 0) return "Nothing is cut yet.";
   const size_t rest = graph.total() - graph.reached();
   if (!graph.separated()) return "Not separated: the search reached every face that hung together before.";
@@ -102,20 +145,31 @@ std::optional<FaceOfBody> face_under(const Document& document, const ViewState& 
 
 }  // namespace
 
-void GraphPanel::draw_view_row(GraphState& graph) {
+void GraphPanel::draw_view_row(GraphState& graph, std::optional<PieceId> chosen) {
   property("Nodes");
-  int view = pieces_shown_ ? 2 : graph.scope() == GraphScope::kWhole ? 1 : 0;
-  if (ImGui::Combo("##nodes", &view, "Faces around the cut\0Faces of whole bodies\0Pieces\0")) {
-    pieces_shown_ = view == 2;
-    const GraphScope scope = view == 1 ? GraphScope::kWhole : GraphScope::kAroundCut;
-    if (!pieces_shown_ && scope != graph.scope()) graph.show(scope);
-    canvas_.fit();
+  const int view = pieces_shown_ ? 3 : graph.shows_piece() ? 2 : graph.scope() == GraphScope::kWhole ? 1 : 0;
+  if (ImGui::BeginCombo("##nodes", kNodes.at(static_cast<size_t>(view)))) {
+    for (int i = 0; i < static_cast<int>(kNodes.size()); ++i) {
+      if (ImGui::Selectable(kNodes.at(static_cast<size_t>(i)), i == view)) show_nodes(graph, i, chosen);
+      mark_last_item("graph nodes", i);
+    }
+    ImGui::EndCombo();
+  } else {
+    mark_last_item("graph nodes");
+    tooltip(
+        "The faces around the last stroke, all faces of the bodies that it cut, those of one piece, or the "
+        "pieces and what they came off. More than 2,000 faces are drawn as clusters.");
   }
-  mark_last_item("graph nodes");
-  tooltip(
-      "The faces around the last stroke, all faces of the bodies that it cut, or the pieces and what they "
-      "came "
-      "off. More than 2,000 faces are drawn as clusters.");
+  if (graph.shows_piece()) graph.show_piece(chosen);
+}
+
+void GraphPanel::show_nodes(GraphState& graph, int view, std::optional<PieceId> chosen) {
+  pieces_shown_ = view == 3;
+  const GraphScope scope = view == 1 ? GraphScope::kWhole : GraphScope::kAroundCut;
+  if (view < 2) graph.show_cut();
+  if (view < 2 && scope != graph.scope()) graph.show(scope);
+  if (view == 2) graph.show_piece(chosen);
+  canvas_.fit();
 }
 
 void GraphPanel::light(const GraphState& graph, const Document& document, ViewState& view,
@@ -158,7 +212,9 @@ void GraphPanel::draw_faces(GraphState& graph, const Document& document, ViewSta
     mark_last_item("graph ask");
     return;
   }
-  if (!graph.drawn()) return secondary_text("There are no faces.");
+  if (!graph.drawn())
+    return secondary_text(graph.shows_piece() ? "Choose a piece: its graph is drawn here."
+                                              : "There are no faces.");
   draw_canvas(graph, document, view, pointer);
   if (graph.cannot_unroll() && graph.removed() > 0)
     secondary_text("Laid out by position: the cut does not run around.");
@@ -170,6 +226,7 @@ void GraphPanel::draw_faces(GraphState& graph, const Document& document, ViewSta
   }
   if (!begin_properties("traversal")) return;
   traversal_row(graph);
+  if (graph.removed() > 0) removals_row(graph, view);
   end_properties();
   draw_verdict(graph);
 }
@@ -187,7 +244,7 @@ void GraphPanel::draw_pieces(const Document& document, ViewState& view) {
 void GraphPanel::draw(GraphState& graph, const Document& document, ViewState& view,
                       std::optional<Vec2> pointer) {
   if (begin_properties("graph")) {
-    draw_view_row(graph);
+    draw_view_row(graph, first_chosen(view.look.pieces));
     if (!pieces_shown_) placing_row(graph);
     end_properties();
   }

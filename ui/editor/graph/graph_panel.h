@@ -17,7 +17,8 @@ class GraphPanel {
   void draw(GraphState& graph, const Document& document, ViewState& view, std::optional<Vec2> pointer);
 
  private:
-  void draw_view_row(GraphState& graph);
+  void draw_view_row(GraphState& graph, std::optional<PieceId> chosen);
+  void show_nodes(GraphState& graph, int view, std::optional<PieceId> chosen);
   void draw_faces(GraphState& graph, const Document& document, ViewState& view, std::optional<Vec2> pointer);
   void draw_canvas(GraphState& graph, const Document& document, ViewState& view, std::optional<Vec2> pointer);
   void light(const GraphState& graph, const Document& document, ViewState& view,

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "core/document/commands/edit_piece.h"
+
 namespace kerf {
 
 namespace {
@@ -21,9 +23,22 @@ std::vector<size_t> closings_of(const CutFaces& removed) {
   return closings;
 }
 
-// Those of the bodies that the last stroke cut, or of all if none is.
-size_t faces_to_read(const Document& document) {
+}  // namespace
+
+GraphState::Key GraphState::key_of(const Document& document) const {
+  return {document.revision(),
+          document.history().position(),
+          document.journal().size(),
+          document.world().live_faces(),
+          piece_,
+          true};
+}
+
+// Those of the piece, of the bodies that the last stroke cut, or of all if none is.
+size_t GraphState::faces_to_read(const Document& document) const {
   const World& world = document.world();
+  if (shows_piece())
+    return piece_ && has_faces(world, *piece_) ? world.body(piece_->body).pieces[piece_->label].faces : 0;
   const CutFaces removed = document.history().last_cut_faces();
   size_t faces = 0;
   for (const BodyId id : world.ids()) {
@@ -32,11 +47,16 @@ size_t faces_to_read(const Document& document) {
   return faces;
 }
 
-}  // namespace
+void GraphState::show_piece(std::optional<PieceId> piece) {
+  if (!shows_piece()) key_.known = false;
+  subject_ = Subject::kPiece;
+  piece_ = piece;
+}
 
-GraphState::Key GraphState::key_of(const Document& document) {
-  return {document.revision(), document.history().position(), document.journal().size(),
-          document.world().live_faces(), true};
+void GraphState::show_cut() {
+  if (shows_piece()) key_.known = false;
+  subject_ = Subject::kCut;
+  piece_.reset();
 }
 
 bool GraphState::follow(const Document& document, bool in_single_steps) {
@@ -46,19 +66,25 @@ bool GraphState::follow(const Document& document, bool in_single_steps) {
   if (cutting && document.world().live_faces() > kMostAtStages) return false;
   key_ = key_of(document);
   const size_t faces = faces_to_read(document);
-  left_out_ = faces > kMostAtOnce && !asked_ ? faces : 0;
+  left_out_ = faces > kMostAtOnce ? faces : 0;
   asked_ = false;
   if (is_left_out()) {
     clear();
   } else {
-    read(document);
+    read(document, nullptr);
   }
   return true;
 }
 
-void GraphState::ask_for_it() {
-  asked_ = true;
-  key_.known = false;
+bool GraphState::read_left_out(const Document& document, const Progress& progress) {
+  assert(is_left_out());
+  asked_ = false;
+  if (!read(document, &progress)) {
+    clear();
+    return false;
+  }
+  left_out_ = 0;
+  return true;
 }
 
 void GraphState::clear() {
@@ -68,31 +94,52 @@ void GraphState::clear() {
   layout_.clear();
   opened_.clear();
   closings_.clear();
-  marked_ = removed_ = 0;
+  loops_.clear();
+  marked_ = removed_ = removals_ = 0;
   playing_ = false;
 }
 
-void GraphState::read(const Document& document) {
+bool GraphState::read(const Document& document, const Progress* progress) {
+  const auto goes_on = [&](double done) { return progress == nullptr || progress->report(done); };
   clear();
+  if (!goes_on(0)) return false;
+  if (!shows_piece()) {
+    read_cut(document);
+  } else if (piece_ && has_faces(document.world(), *piece_)) {
+    complete_ = true;
+    graph_ = piece_graph(document.world(), *piece_);
+  }
+  if (!goes_on(0.4)) return false;
+  const std::optional<uint32_t> start = start_beside_cut(graph_);
+  if (!start) return true;
+  traverse_from(*start);
+  if (!goes_on(0.7)) return false;
+  draw_again();
+  return goes_on(1);
+}
+
+void GraphState::read_cut(const Document& document) {
   const CutFaces removed = document.history().last_cut_faces();
   const auto cut = document.history().last_cut();
   complete_ = !cut || document.history().step(*cut).has_all_cut_faces();
   graph_ = cut_graph(document.world(), removed);
-  removed_ = graph_.nodes.size() - graph_.live;
+  removed_ = removals_ = graph_.nodes.size() - graph_.live;
   closings_ = closings_of(removed);
-  if (const std::optional<uint32_t> start = start_beside_cut(graph_)) traverse_from(*start);
+  loops_ = loop_paths(document.world(), removed);
 }
 
 void GraphState::traverse_from(uint32_t node) {
   start_ = node;
   traversal_ = traverse_cut(graph_, node);
   marked_ = traversal_.reached();
-  draw_again();
 }
 
 void GraphState::draw_again() {
-  auto drawn = std::make_shared<DrawnGraph>(draw_graph(graph_, traversal_, scope_, opened_));
+  const GraphScope shown = shows_piece() ? GraphScope::kWhole : scope_;
+  auto drawn = std::make_shared<DrawnGraph>(draw_graph(graph_, traversal_, shown, opened_));
   drawn->marked = marked_;
+  drawn->removals = removals_;
+  drawn->loops = loops_;
   std::optional<GraphLayout> unrolled;
   if (placing_ == Placing::kUnrolled) unrolled = lay_out_unrolled(*drawn);
   unrolled_ = unrolled.has_value();
@@ -127,6 +174,7 @@ void GraphState::close_all() {
 void GraphState::start_from(uint32_t drawn_node) {
   assert(drawn_ && drawn_node < drawn_->nodes.size() && !drawn_->nodes[drawn_node].removed);
   traverse_from(drawn_->nodes[drawn_node].lowest);
+  draw_again();
 }
 
 void GraphState::set_marked(size_t faces) {
@@ -138,7 +186,13 @@ void GraphState::hand_on_marked() {
   if (!drawn_) return;
   auto drawn = std::make_shared<DrawnGraph>(*drawn_);
   drawn->marked = marked_;
+  drawn->removals = removals_;
   drawn_ = std::move(drawn);
+}
+
+void GraphState::set_removals(size_t faces) {
+  removals_ = std::min(faces, removed_);
+  hand_on_marked();
 }
 
 void GraphState::play(bool on) {

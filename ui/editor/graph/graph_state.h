@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/document/document.h"
 #include "core/graph/drawn_graph.h"
 #include "core/graph/graph_layout.h"
@@ -15,6 +16,8 @@ namespace kerf {
 // traversal of it that is played.
 class GraphState {
  public:
+  // What the nodes are taken from: the bodies that the last stroke cut, or one piece.
+  enum class Subject { kCut, kPiece };
   enum class Placing { kUnrolled, kPosition, kForce };
 
   // Follows the document, unless a stroke is being cut: what is shown then is that before the stroke. In
@@ -24,11 +27,22 @@ class GraphState {
   // Whether the document has changed since follow() took it over.
   bool is_old(const Document& document) const { return !(key_ == key_of(document)); }
 
-  // Bodies of more faces take too long between two frames: their graph is left out until it is asked for.
+  // Shows the graph of one piece from the next follow() on (nothing: of none), or of the cut again.
+  void show_piece(std::optional<PieceId> piece);
+  void show_cut();
+  bool shows_piece() const { return subject_ == Subject::kPiece; }
+
+  // Bodies of more faces take too long between two frames: their graph is left out until it is asked for, and
+  // then read beside the frames (see graph_reading).
   static constexpr size_t kMostAtOnce = 300'000, kMostAtStages = 20'000;
   bool is_left_out() const { return left_out_ > 0; }
   size_t left_out() const { return left_out_; }  // faces
-  void ask_for_it();
+  void ask_for_it() { asked_ = is_left_out(); }
+  bool is_asked_for() const { return asked_; }
+  void no_longer_ask() { asked_ = false; }
+  // Reads what was left out of the document that was followed last. Returns false if `progress` stopped it;
+  // then nothing is there still. Precondition: is_left_out().
+  bool read_left_out(const Document& document, const Progress& progress);
 
   // What is drawn, and where; null and empty if no face is live.
   const std::shared_ptr<const DrawnGraph>& drawn() const { return drawn_; }
@@ -58,6 +72,10 @@ class GraphState {
   void play(bool on);
   bool advance(double seconds);
 
+  // How many of the removals are drawn as done; the loops that these closed are drawn in the picture.
+  size_t removals() const { return removals_; }
+  void set_removals(size_t faces);
+
   // Figures of the traversal, which is over when marked() == reached().
   size_t reached() const { return traversal_.reached(); }
   size_t total() const { return traversal_.total; }
@@ -77,17 +95,22 @@ class GraphState {
  private:
   struct Key {
     size_t revision = 0, position = 0, commands = 0, faces = 0;
+    std::optional<PieceId> piece;
     bool known = false;
     friend bool operator==(const Key&, const Key&) = default;
   };
-  static Key key_of(const Document& document);
-  void read(const Document& document);
+  Key key_of(const Document& document) const;
+  size_t faces_to_read(const Document& document) const;
+  bool read(const Document& document, const Progress* progress);
+  void read_cut(const Document& document);
   void clear();
   void traverse_from(uint32_t node);
   void draw_again();
   void hand_on_marked();
 
   Key key_;
+  Subject subject_ = Subject::kCut;
+  std::optional<PieceId> piece_;
   CutGraph graph_;
   CutTraversal traversal_;
   uint32_t start_ = 0;  // node of graph_
@@ -96,11 +119,12 @@ class GraphState {
   Placing placing_ = Placing::kUnrolled;
   std::shared_ptr<const DrawnGraph> drawn_;
   GraphLayout layout_;
-  size_t marked_ = 0, removed_ = 0, left_out_ = 0;
+  size_t marked_ = 0, removed_ = 0, removals_ = 0, left_out_ = 0;
   bool asked_ = false;
   double played_ = 0;  // faces, with a fraction
   bool playing_ = false, complete_ = true, unrolled_ = false;
   std::vector<size_t> closings_;
+  std::vector<LoopPath> loops_;
 };
 
 }  // namespace kerf

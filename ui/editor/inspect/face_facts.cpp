@@ -35,7 +35,8 @@ FaceFacts face_facts(const Body& body, FaceId face) {
   const Triangle t = body.mesh.triangle(face);
   const std::array<VertexId, 3> corners = body.mesh.corners(face);
   FaceFacts facts{
-      face, body.loaded_face(data.base), data.halvings, body.label(face), triangle_area(t), {}, {}, {}};
+      face, body.loaded_face(data.base), data.halvings, body.label(face), triangle_area(t), {}, {}, {}, {}};
+  facts.slot = tree_slot(body.tree, face).value_or(TreeSlot());
   for (size_t i = 0; i < 3; ++i) {
     const size_t next = (i + 1) % 3, last = (i + 2) % 3;
     facts.edges[i] = glm::length(t[next] - t[i]);
@@ -60,7 +61,10 @@ std::vector<std::string> lines_of(const FaceFacts& facts, const Body& body, File
           "Edges   " + joined(facts.edges, ", ", length),
           "Angles   " + joined(facts.angles, ", ", angle) + " degrees",
           "Across   " + across(facts.neighbours[0]) + ", " + across(facts.neighbours[1]) + ", " +
-              across(facts.neighbours[2])};
+              across(facts.neighbours[2]),
+          "Tree   block " + std::to_string(facts.slot.block) + ", place " +
+              std::to_string(facts.slot.place + 1) + " of up to 4" +
+              (facts.slot.hit ? "; the beam was in its box" : "")};
 }
 
 }  // namespace kerf

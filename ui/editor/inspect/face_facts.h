@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/mesh/files/file_frame.h"
+#include "core/tree/touched_walk.h"
 #include "core/world/world.h"
 
 namespace kerf {
@@ -18,6 +19,7 @@ struct FaceFacts {
   double area = 0;                                // m^2
   std::array<double, 3> edges{};                  // m
   std::array<double, 3> angles{};                 // degrees, at the corners; 0 where an edge has no length
+  TreeSlot slot;                                  // in the tree
   std::array<std::vector<FaceId>, 3> neighbours;  // the other faces on each edge: none on a border
 };
 

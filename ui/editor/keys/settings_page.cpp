@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "ui/editor/keys/bindings.h"
+#include "ui/window/centred_window.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/property.h"
 #include "ui/window/theme.h"
@@ -18,8 +19,6 @@ namespace kerf {
 namespace {
 
 constexpr float kWidthEms = 40, kHeightEms = 36, kKeyEms = 9;
-constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
-                                    ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings;
 
 // The actions that can have a key, with those that they have.
 std::vector<UserAction> bindable(std::span<const UserAction> usual, const Bindings& bindings) {
@@ -156,22 +155,13 @@ void settings_page_key(SettingsPage& page, Settings& settings, std::span<const U
 
 void draw_settings_page(SettingsPage& page, Settings& settings, std::span<const UserAction> usual) {
   if (!page.shown) return;
-  const float em = ImGui::GetFontSize();
-  const ImVec2 window = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({0.5f * window.x, 0.5f * window.y}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize(
-      {std::min(window.x - 2 * em, kWidthEms * em), std::min(window.y - 4 * em, kHeightEms * em)});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 3);
-  if (ImGui::Begin("Settings", &page.shown, kFixed)) {
-    mark_window("settings");
+  if (begin_centred_window("Settings", "settings", page.shown, kWidthEms, kHeightEms)) {
     const std::vector<UserAction> actions = bindable(usual, settings.bindings);
     draw_mouse(settings);
     draw_prompt(page, settings, usual, actions);
     draw_list(page, actions);
   }
-  ImGui::End();
-  ImGui::PopStyleVar(2);
+  end_centred_window();
   if (!page.shown) stop_waiting(page);
 }
 

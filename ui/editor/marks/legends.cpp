@@ -88,10 +88,12 @@ Legend legend_of(SwitchId view, const ViewOptions& look, const ShadowFigures& sh
       return {"Component graph around the last cut",
               {{kReached, "faces that hang together"},
                {kApart, "what the cut separated from them"},
-               {kRemoved, "removed faces"}}};
+               {kRemoved, "removed faces"},
+               {kLoop, "loops that they closed"}}};
     case SwitchId::kShadows:
     case SwitchId::kRimGlow:
     case SwitchId::kWire:
+    case SwitchId::kSection:
     case SwitchId::kNormals:
     case SwitchId::kGhost:
     case SwitchId::kTwoSided:

@@ -7,12 +7,13 @@
 #include "ui/editor/marks/legends.h"
 #include "ui/editor/marks/stage_caption.h"
 #include "ui/editor/path/path_marks.h"
+#include "ui/editor/section/section_handles.h"
 #include "ui/editor/tools/axes_gizmo.h"
 #include "ui/editor/tools/light_handle.h"
 #include "ui/editor/tools/piece_handles.h"
 #include "ui/editor/tools/rubber_band.h"
 #include "ui/editor/view/file_frames.h"
-#include "ui/render/beam_strike.h"
+#include "ui/render/pick.h"
 #include "ui/window/number_text.h"
 #include "ui/window/theme.h"
 
@@ -32,7 +33,8 @@ void draw_ring(const MarkParts& of, ImDrawList& list) {
   if (of.hand.drag == Drag::kNone && is_on_axes(of.view, of.hand.pointer)) return;
   const CameraView view = of.view.seen();
   const Vec2 p = of.view.in_picture(of.hand.pointer);
-  const double distance = first_hit(of.document.world(), view.ray(p.x, p.y)).value_or(view.focus);
+  const auto seen_face = pick(of.document.world(), of.view.look, view.ray(p.x, p.y));
+  const double distance = seen_face ? seen_face->length : view.focus;
   const double seen = view.parallel ? view.half_height() : distance * view.tan_half_fov;
   const double pixels = of.hand.laser.radius / seen * 0.5 * of.view.pane().size.y;
   const auto ring = static_cast<float>(std::clamp(pixels, kLeastRing, kMostRing));
@@ -112,6 +114,10 @@ void draw_picture_marks(const MarkParts& of) {
   const bool cutting = of.hand.drag == Drag::kCut || of.document.beam_waits();
   if (shows_light_handles(of.settings) && !cutting) draw_light_handles(of.view, list);
   draw_placed_lasers(of, cutting, list);
+  const bool free = of.hand.over_picture && of.hand.drag == Drag::kNone;
+  if (!cutting)
+    draw_section(of.view, of.document.world().bounds(), free ? std::optional(of.hand.pointer) : std::nullopt,
+                 of.hand.section, list);
   if (!cutting) draw_piece_handles(of.view, of.hand, of.document.world(), list);
   draw_face_readout(of.view, of.hand, of.document.world(), list);
   if (of.hand.drag == Drag::kBox) draw_rubber_band({of.hand.pressed_at, of.hand.pointer}, list);

@@ -23,7 +23,7 @@ void scale_row(Settings& settings, double& wanted) {
     settings.ui_scale = wanted;
     wanted = 0;
   }
-  tooltip("Of the panels and menus, on top of what the display asks for (Ctrl+= and Ctrl+-).");
+  tooltip("Of the panels and menus, on top of what the display asks for.");
 }
 
 }  // namespace

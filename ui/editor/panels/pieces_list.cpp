@@ -2,7 +2,9 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <cstring>
+#include <utility>
 
 #include "ui/editor/view/file_frames.h"
 #include "ui/window/landmarks.h"
@@ -104,6 +106,25 @@ void choose_only(ViewState& view, const std::vector<PieceRow>& rows) {
 
 }  // namespace
 
+void PiecesList::begin_rename(const PieceRow& row) {
+  renamed_ = row.id;
+  take_focus_ = true;
+  new_name_.fill('\0');
+  std::memcpy(new_name_.data(), row.name.data(), std::min(row.name.size(), new_name_.size() - 1));
+}
+
+void PiecesList::begin_asked_rename(ViewState& view, const SortedPieces& sorted) {
+  const std::optional<PieceId> asked = std::exchange(view.renaming, {});
+  if (!asked) return;
+  for (const std::vector<PieceRow>* rows : {&sorted.rest, &sorted.crumbs}) {
+    for (const PieceRow& row : *rows) {
+      if (row.id != *asked) continue;
+      crumbs_unfolded_ = crumbs_unfolded_ || rows == &sorted.crumbs;
+      begin_rename(row);
+    }
+  }
+}
+
 // The field of the name, in place of the name. Whatever ends the edit but Esc renames the piece.
 void PiecesList::edit_name(Requests& requests, const PieceRow& row) {
   if (take_focus_) ImGui::SetKeyboardFocusHere();
@@ -135,10 +156,7 @@ void PiecesList::draw_name(ViewState& view, const PieceRow& row, const PieceLook
       (row.name + ". Click chooses it, Ctrl+click or Shift+click adds it, double click renames it.").c_str());
   if (!clicked) return;
   if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-    renamed_ = row.id;
-    take_focus_ = true;
-    new_name_.fill('\0');
-    std::memcpy(new_name_.data(), row.name.data(), std::min(row.name.size(), new_name_.size() - 1));
+    begin_rename(row);
   }
   if (look.hidden || renamed_) return;
   const ImGuiIO& io = ImGui::GetIO();
@@ -196,27 +214,35 @@ void PiecesList::draw_crumbs(ViewState& view, Requests& requests, const std::vec
   }
 }
 
+void PiecesList::draw_rows(ViewState& view, Requests& requests, const SortedPieces& sorted) {
+  const std::vector<Listed> listed = rows_to_list(sorted, crumbs_unfolded_);
+  const auto draw_one = [&](const Listed& each) {
+    if (each.row == nullptr) return draw_crumbs(view, requests, sorted.crumbs);
+    draw_row(view, requests, *each.row, each.is_crumb);
+  };
+  // A field that is to take the focus has to be drawn, also where it is scrolled away.
+  if (take_focus_) {
+    std::for_each(listed.begin(), listed.end(), draw_one);
+    return;
+  }
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(listed.size()));
+  while (clipper.Step()) {
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) draw_one(listed[static_cast<size_t>(i)]);
+  }
+}
+
 void PiecesList::draw(ViewState& view, Requests& requests, const std::vector<PieceRow>& rows) {
   constexpr ImGuiTableFlags kList =
       ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_NoPadOuterX;
   const SortedPieces sorted = set_crumbs_apart(rows);
-  const std::vector<Listed> listed = rows_to_list(sorted, crumbs_unfolded_);
-  const auto lines = static_cast<float>(std::min(listed.size(), kMostRows) + 1);
+  begin_asked_rename(view, sorted);
+  const size_t count = rows_to_list(sorted, crumbs_unfolded_).size();
+  const auto lines = static_cast<float>(std::min(count, kMostRows) + 1);
   const float line = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
   if (!ImGui::BeginTable("pieces", 4, kList, {0, lines * line + 0.2f * ImGui::GetFontSize()})) return;
   set_up_columns(rows, view.frame.unit);
-  ImGuiListClipper clipper;
-  clipper.Begin(static_cast<int>(listed.size()));
-  while (clipper.Step()) {
-    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-      const Listed& each = listed[static_cast<size_t>(i)];
-      if (each.row == nullptr) {
-        draw_crumbs(view, requests, sorted.crumbs);
-      } else {
-        draw_row(view, requests, *each.row, each.is_crumb);
-      }
-    }
-  }
+  draw_rows(view, requests, sorted);
   ImGui::EndTable();
 }
 

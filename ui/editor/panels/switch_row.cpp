@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include "ui/editor/view/shortcut_text.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/property.h"
 
@@ -25,7 +26,7 @@ size_t choose_state(const ViewSwitch& s, size_t state) {
 bool draw_switch(ViewState& view, SwitchId id, const char* label) {
   const ViewSwitch& s = view_switch(id);
   std::string text = label != nullptr ? label : s.label;
-  if (s.key != 0) text += std::string(" (") + s.key + ")";
+  text = with_shortcut(view, text, action_name(s));
   const size_t before = s.get(view.look);
   size_t state = before;
   if (s.is_two_state()) {

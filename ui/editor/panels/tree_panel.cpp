@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include "ui/editor/panels/switch_row.h"
+#include "ui/editor/view/shortcut_text.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
 
@@ -14,7 +15,9 @@ constexpr int kAllLevels = 64;
 
 // What a row says: what it means, or why it can do nothing.
 void explain(const ViewState& view, const char* meaning) {
-  tooltip(view.look.show.aabb ? meaning : "The boxes are not shown: switch them on above (B).");
+  const std::string off = with_shortcut(view, "The boxes are not shown: switch them on above.",
+                                        action_name(view_switch(SwitchId::kBoxes)));
+  tooltip(view.look.show.aabb ? meaning : off.c_str());
 }
 
 void depth_row(ViewState& view, int tree_depth) {

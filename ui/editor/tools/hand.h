@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "ui/editor/section/section_drag.h"
 #include "ui/editor/tools/laser_controls.h"
 #include "ui/editor/tools/laser_tool.h"
 #include "ui/editor/tools/piece_move.h"
@@ -13,7 +14,21 @@ namespace kerf {
 enum class Tool { kLaser, kPick, kInspect, kPath };
 
 // What a drag that has begun goes on doing. One that picks, or that began on the axes, has not moved yet.
-enum class Drag { kNone, kCut, kPick, kBox, kAxes, kOrbit, kPan, kLight, kPiece, kMeasure, kPath, kEmitter };
+enum class Drag {
+  kNone,
+  kCut,
+  kPick,
+  kBox,
+  kAxes,
+  kOrbit,
+  kPan,
+  kLight,
+  kPiece,
+  kMeasure,
+  kPath,
+  kEmitter,
+  kSection
+};
 
 // What the user holds, and what the mouse is doing with it.
 struct Hand {
@@ -25,6 +40,7 @@ struct Hand {
   std::optional<PieceMove> move;             // of the chosen piece, while the user decides where it goes
   bool moves_copy = false;                   // the piece is a copy that was made for the move
   std::optional<BodyId> newest_before_copy;  // the body that was the newest when a copy was asked for
+  std::optional<SectionDrag> section;        // of the section plane, by one of its handles
   std::vector<Vec3> measured;                // m, the points that were clicked to measure: at most two
   Vec2 pointer{0}, pressed_at{0};            // screen coordinates
   bool over_picture = false;                 // the pointer is

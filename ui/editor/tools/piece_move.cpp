@@ -8,27 +8,19 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "ui/editor/view/along_axis.h"
+
 namespace kerf {
 
 namespace {
 
 constexpr double kTurn = 2 * 3.14159265358979323846, kDegree = kTurn / 360;
 constexpr size_t kMostTyped = 18;
-// An axis that is seen nearly from its end cannot be followed: the square of the sine of the angle.
-constexpr double kLeastSine2 = 1e-3;
 
 // Where a ray meets the plane through `at` that is parallel to the picture.
 Vec3 on_picture_plane(const CameraView& view, const Pose& ray, const Vec3& at) {
   const double depth = glm::dot(at - ray.origin, view.forward);
   return ray.origin + ray.direction * (depth / glm::dot(ray.direction, view.forward));
-}
-
-// How far along a line through `at` the point of it is that is nearest to a ray.
-std::optional<double> along_axis(const Pose& ray, const Vec3& at, const Vec3& axis) {
-  const double cosine = glm::dot(axis, ray.direction), sine2 = 1 - cosine * cosine;
-  if (sine2 < kLeastSine2) return std::nullopt;
-  const Vec3 from = ray.origin - at;
-  return (glm::dot(from, axis) - cosine * glm::dot(from, ray.direction)) / sine2;
 }
 
 // The direction from the pivot to the pointer in the picture, radians, counterclockwise.
@@ -93,10 +85,16 @@ PieceMove::PieceMove(Kind kind, const PieceId& piece, const Placement& from, con
                      const CameraView& view, Vec2 pointer)
     : kind_(kind), piece_(piece), from_(from), pivot_(pivot), view_(view), began_(pointer), now_(pointer) {}
 
+void PieceMove::go_on_from(const CameraView& view, Vec2 pointer) {
+  carried_ = pointed_shift();
+  view_ = view;
+  began_ = now_ = pointer;
+}
+
 void PieceMove::point(const CameraView& view, Vec2 pointer) {
+  if (!(view == view_)) return go_on_from(view, pointer);
   const double before = direction_in_picture(view_, pivot_, now_);
   turned_ += std::remainder(direction_in_picture(view, pivot_, pointer) - before, kTurn);
-  view_ = view;
   now_ = pointer;
 }
 
@@ -113,13 +111,18 @@ std::optional<double> PieceMove::typed_amount() const {
   return std::strtod(typed_.c_str(), nullptr);
 }
 
+Vec3 PieceMove::pointed_shift() const {
+  const Pose from = view_.ray(began_.x, began_.y), to = view_.ray(now_.x, now_.y);
+  const Vec3 at = pivot_ + carried_;
+  if (!axis_) return carried_ + on_picture_plane(view_, to, at) - on_picture_plane(view_, from, at);
+  const Vec3 axis = direction_of(*axis_);
+  const auto a = along_axis(from, at, axis), b = along_axis(to, at, axis);
+  return axis * (glm::dot(carried_, axis) + (a && b ? *b - *a : 0));
+}
+
 Vec3 PieceMove::shift() const {
   if (const auto amount = typed_amount()) return direction_of(axis_.value_or(Axis::kX)) * *amount;
-  const Pose from = view_.ray(began_.x, began_.y), to = view_.ray(now_.x, now_.y);
-  if (!axis_) return on_picture_plane(view_, to, pivot_) - on_picture_plane(view_, from, pivot_);
-  const Vec3 axis = direction_of(*axis_);
-  const auto a = along_axis(from, pivot_, axis), b = along_axis(to, pivot_, axis);
-  return a && b ? axis * (*b - *a) : Vec3(0);
+  return pointed_shift();
 }
 
 // Towards the eye, so that what follows the pointer turns as it does in the picture.

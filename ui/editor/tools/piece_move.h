@@ -21,7 +21,8 @@ class PieceMove {
   PieceMove(Kind kind, const PieceId& piece, const Placement& from, const Vec3& pivot, const CameraView& view,
             Vec2 pointer);
 
-  // Follows the pointer, unless an amount was typed.
+  // Follows the pointer, unless an amount was typed. Where the view has changed since, the piece stays where
+  // it is and follows the pointer from there.
   void point(const CameraView& view, Vec2 pointer);
   // Takes a key (GLFW_KEY_*): X, Y and Z constrain it to an axis of the world or set it free again; digits,
   // point, minus and Backspace edit the amount. Returns whether it was one of these.
@@ -48,6 +49,8 @@ class PieceMove {
   std::string words(const char* unit) const;
 
  private:
+  void go_on_from(const CameraView& view, Vec2 pointer);
+  Vec3 pointed_shift() const;
   Vec3 shift() const;
   double angle() const;  // radians
   Vec3 turning_axis() const;
@@ -60,6 +63,7 @@ class PieceMove {
   CameraView view_;
   Vec2 began_, now_;  // of the pointer
   std::optional<Axis> axis_;
+  Vec3 carried_{0};    // m, by the pointer before the view changed
   double turned_ = 0;  // by the pointer, radians, over full turns
   std::string typed_;
 };

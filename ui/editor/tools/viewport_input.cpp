@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ui/editor/path/surface_point.h"
+#include "ui/editor/section/section_handles.h"
 #include "ui/editor/tools/axes_gizmo.h"
 #include "ui/editor/tools/click.h"
 #include "ui/editor/tools/light_handle.h"
@@ -164,6 +165,11 @@ void begin(const MouseParts& on, Drag drag, const InputEvent& event) {
       on.hand.dragged_light = *light;
       return;
     }
+    on.hand.section = section_drag_at(on.view, on.hand.pointer);
+    if (on.hand.section) {
+      on.hand.drag = Drag::kSection;
+      return;
+    }
   }
   if (left && take_emitter(on)) return;
   if (drag == Drag::kPick && take_handle(on)) return;
@@ -206,6 +212,10 @@ void go_on(const MouseParts& on, Vec2 from, double heard) {
     case Drag::kEmitter:
       drag_emitter(on, heard);
       break;
+    case Drag::kSection:
+      on.view.look.section = on.hand.section->to(on.view.in_picture(on.hand.pointer));
+      on.view.picture_old = true;
+      break;
     case Drag::kMeasure:
     case Drag::kBox:
     case Drag::kNone:
@@ -232,6 +242,9 @@ void end(const MouseParts& on, const InputEvent& event) {
       break;
     case Drag::kPath:
       on.lasers.path_tool.release();
+      break;
+    case Drag::kSection:
+      on.hand.section.reset();
       break;
     case Drag::kAxes:
       if (const auto axis = axis_end_under(on.view, on.hand.pointer))

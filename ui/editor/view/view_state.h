@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 
@@ -21,6 +22,9 @@ struct ViewState {
   std::optional<View> home;     // the view that the scene asks for
   double spread = 0;  // displacement of pieces, as a multiple of their distance from the centre of the world
   Layout layout;
+  std::optional<PieceId> renaming;  // the piece whose name the Pieces panel is to edit
+  std::map<std::string, std::string>
+      shortcuts;                      // keys by the names of actions, as they are bound at the moment
   std::vector<BodyId> isolated_from;  // bodies that are hidden because others were isolated
   bool in_second = false;   // the pointer is in the right half of a split picture, or its drag began there
   bool picture_old = true;  // the picture has to be redrawn

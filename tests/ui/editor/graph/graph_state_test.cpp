@@ -111,6 +111,45 @@ TEST(GraphState, finds_the_node_of_a_face_and_the_face_of_a_node) {
   EXPECT_FALSE(graph.node_of({document.world().ids()[0], FaceId(1'000'000)}));
 }
 
+TEST(GraphState, shows_a_piece_alone_and_the_cut_again) {
+  Document document = sheet();
+  cut_at(document, 0.1);
+  walk(document);
+  GraphState graph;
+  graph.follow(document);
+  const BodyId body = document.world().ids()[0];
+  const size_t whole = graph.total();
+  graph.show_piece(PieceId{body, 1});
+  EXPECT_TRUE(graph.follow(document));
+  const size_t faces = document.world().body(body).pieces[1].faces;
+  EXPECT_EQ(graph.total(), faces);
+  EXPECT_EQ(graph.reached(), faces);
+  EXPECT_EQ(graph.removed(), 0u);
+  for (const DrawnGraph::Node& n : graph.drawn()->nodes) EXPECT_EQ(n.face.piece, 1u);
+  graph.show_piece(std::nullopt);
+  EXPECT_TRUE(graph.follow(document));
+  EXPECT_FALSE(graph.drawn());
+  graph.show_cut();
+  EXPECT_TRUE(graph.follow(document));
+  EXPECT_EQ(graph.total(), whole);
+}
+
+TEST(GraphState, hands_on_the_removals_and_the_loops_that_they_closed) {
+  Document document = sheet();
+  cut_at(document, 0.1);
+  walk(document);
+  GraphState graph;
+  graph.follow(document);
+  EXPECT_EQ(graph.removals(), graph.removed());
+  EXPECT_FALSE(graph.drawn()->loops.empty());
+  for (const LoopPath& loop : graph.drawn()->loops)
+    EXPECT_TRUE(std::count(graph.closings().begin(), graph.closings().end(), loop.removal) == 1);
+  graph.set_removals(2);
+  EXPECT_EQ(graph.drawn()->removals, 2u);
+  graph.set_removals(1'000'000);
+  EXPECT_EQ(graph.drawn()->removals, graph.removed());
+}
+
 TEST(PieceTree, lists_under_each_piece_what_came_off_it_by_step) {
   const BodyId body{0, 0};
   const auto piece = [&](uint32_t label) { return PieceId{body, label}; };

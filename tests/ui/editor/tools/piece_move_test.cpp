@@ -65,10 +65,10 @@ TEST(PieceMove, what_the_picture_shows_is_where_the_piece_comes_to_stand) {
   for (int round = 0; round < 200; ++round) {
     const Kind kind = round % 2 == 0 ? Kind::kMove : Kind::kTurn;
     const Placement from{vector(), glm::normalize(glm::dquat(random.uniform(-1, 1), vector()))};
-    PieceMove move(kind, {}, from, vector(), look_at(5.0 * vector(), vector(), 1.3),
-                   {random.uniform(-1, 1), 0});
+    const CameraView view = look_at(5.0 * vector(), vector(), 1.3);
+    PieceMove move(kind, {}, from, vector(), view, {random.uniform(-1, 1), 0});
     if (round % 3 != 0) move.constrain(static_cast<Axis>(random.below(3)));
-    move.point(from_the_front(), {random.uniform(-1, 1), random.uniform(-1, 1)});
+    move.point(view, {random.uniform(-1, 1), random.uniform(-1, 1)});
     const Vec3 p = vector();
     const PieceMove::Look look = move.look();
     EXPECT_LT(glm::length(look.turn * from.to_world(p) + look.offset - move.placement().to_world(p)), 1e-9);
@@ -89,6 +89,25 @@ TEST(PieceMove, the_pivot_follows_the_pointer_in_the_plane_of_the_picture_and_al
   EXPECT_EQ(move.placement().position.y, 0);
   move.constrain(Axis::kZ);  // it points at the eye: the pointer says nothing about it
   EXPECT_EQ(move.placement().position, Vec3(0));
+}
+
+TEST(PieceMove, stays_where_it_is_while_the_view_changes_and_follows_the_pointer_from_there) {
+  const CameraView front = from_the_front(), aside = look_at({4, 1, 3}, {0, 0, 0}, 1.5);
+  PieceMove move = begin(Kind::kMove);
+  move.point(front, {0.4, -0.3});
+  const Vec3 before = move.placement().position;
+  move.point(aside, {0.7, 0.1});
+  EXPECT_LT(glm::length(move.placement().position - before), 1e-12);
+  move.point(aside, {0.75, 0.2});
+  const Vec3 from = aside.project(before), to = aside.project(move.placement().position);
+  EXPECT_NEAR(to.x - from.x, 0.05, 1e-9);
+  EXPECT_NEAR(to.y - from.y, 0.1, 1e-9);
+  PieceMove turn = begin(Kind::kTurn);
+  turn.point(front, {0.4, -0.3});
+  turn.point(front, {0.1, 0.4});
+  const std::string words = turn.words("m");
+  turn.point(aside, {-0.8, 0.6});
+  EXPECT_EQ(turn.words("m"), words);
 }
 
 TEST(PieceMove, a_turn_follows_the_pointer_round_the_pivot_and_counts_whole_turns) {

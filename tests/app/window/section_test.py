@@ -1,0 +1,81 @@
+#!/usr/bin/env python3
+"""The section plane: its key, its handles, its numbers, its text in the clipboard, and what the pointer meets."""
+import os
+import subprocess
+import unittest
+
+from editor_window import KERF, SPHERE, WindowTest
+
+
+def numbers(report):
+    """The point and the normal of the plane."""
+    point, normal = report["view"]["section_plane"].split(" ")
+    return [float(x) for x in point.split(",")], [float(x) for x in normal.split(",")]
+
+
+class Section(WindowTest):
+    def open_with_panel(self):
+        self.open(SPHERE).quit()
+        self.only_panel("View")
+        return self.open_again(SPHERE)
+
+    def type_into(self, editor, field, text):
+        editor.click(field, 0.5, 0.5)
+        editor.press("ctrl", "a")
+        editor.xdotool("type", "--delay", "40", text)
+        editor.do("Return")
+
+    def test_the_handles_move_and_turn_it_and_nothing_is_cut(self):
+        editor = self.open(SPHERE)
+        editor.point_at(0.1, 0.9)
+        editor.do("o")
+        x, y = editor.place(("section move", 0.5, 0.5))
+        editor.drag_pixels([(x, y), (x - 40, y + 40)])
+        x, y = editor.place(("section tilt", 0.5, 0.5))
+        editor.drag_pixels([(x, y), (x, y - 50)])
+        report = editor.quit()
+        self.assertEqual((report["strokes"], report["pieces_chosen"], report["undo_depth"]), (0, 0, 0))
+        point, normal = numbers(report)
+        self.assertGreater(point[2], 0.02)  # towards the eye, which is in front
+        self.assertNotEqual(normal[1], 0)
+        self.assertEqual(normal[0], 0)
+
+    def test_numbers_are_typed_copied_and_pasted_and_render_takes_the_text(self):
+        editor = self.open_with_panel()
+        editor.point_at(0.1, 0.9)
+        editor.do("o")
+        self.type_into(editor, "Section 1", "0.25")
+        self.type_into(editor, "Normal 1", "1")
+        editor.click("section copy", 0.5, 0.5)
+        editor.click("section X", 0.5, 0.5)
+        editor.click("section flip", 0.5, 0.5)
+        editor.click("section paste", 0.5, 0.5)
+        report = editor.quit()
+        point, normal = numbers(report)
+        self.assertEqual(point[1], 0.25)
+        self.assertEqual(normal[0], 0)
+        self.assertAlmostEqual(normal[1], 0.5 ** 0.5)
+        self.assertAlmostEqual(normal[2], 0.5 ** 0.5)
+        picture = os.path.join(self.folder, "section.png")
+        subprocess.run([KERF, "render", SPHERE, "--out", picture, "--size", "64x48", "--section",
+                        report["view"]["section_plane"]], check=True)
+        self.assertTrue(os.path.exists(picture))
+
+    def test_the_pointer_picks_what_it_sees_and_the_beam_cuts_what_is_not_drawn(self):
+        editor = self.open_with_panel()
+        editor.point_at(0.1, 0.9)
+        editor.do("o")
+        self.type_into(editor, "Section 2", "-7")  # behind the sphere: all of it is taken away
+        editor.press("k")
+        editor.click(0.35, 0.5)
+        editor.press("l")
+        editor.drag([(0.3, 0.4), (0.36, 0.45)])
+        report = editor.quit()
+        self.assertEqual(report["pieces_chosen"], 0)
+        self.assertEqual(report["strokes"], 1)
+        self.assertGreater(report["faces_removed"], 0)
+        self.assertTrue(report["view"]["section"])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "ui/editor/changes/long_change.h"
+#include "ui/editor/graph/graph_state.h"
+
+namespace kerf {
+
+// Reads the graph that was asked for, beside the frames, and hands it to `graph`, which must outlive it; if
+// it is stopped, the graph stays left out. The document is not changed. Precondition: graph.is_asked_for().
+LongChange graph_reading(GraphState& graph);
+
+}  // namespace kerf

@@ -137,15 +137,23 @@ class Pieces(WindowTest):
         wait_for(teeth, 20, "no crumb is listed")
         self.assertEqual(editor.quit()["pieces"], 13)
 
+    def double_click_for(self, editor, part, *point):
+        """Double clicks until the part is there. On a busy machine two clicks may come too far apart to be one."""
+        editor.point_at(*point)
+        for _ in range(6):
+            editor.xdotool("click", "--repeat", 2, "--delay", 120, 1)
+            pause(3)
+            if part in editor.landmarks()["parts"]:
+                return
+        editor.part(part)
+
     def test_a_double_click_renames_a_piece_and_undo_takes_the_name_back(self):
         self.open(SPHERE).quit()
         self.only_panel("Pieces")
         editor = self.open_again(SPHERE)
         for name, end in (("half of a ball", "Return"), ("nothing", "Escape")):
             where = "piece sphere" if end == "Return" else "piece half of a ball"
-            editor.point_at(where, 0.2, 0.5)
-            editor.xdotool("click", "--repeat", 2, "--delay", 120, 1)
-            editor.part("new name")
+            self.double_click_for(editor, "new name", where, 0.2, 0.5)
             editor.xdotool("type", "--delay", "60", name)
             pause(0.5)
             editor.do(end)

@@ -47,6 +47,9 @@ Body copy_out(const Body& body, std::span<const FaceId> faces, uint32_t label, b
   copy.named = body.named;
   copy.placement = body.placement;
   copy.hidden = body.hidden;
+  copy.motion = body.motion;
+  copy.sheet = body.sheet;
+  copy.pinned = body.pinned;
   copy.mesh = extract_mesh(body.mesh, faces);
   copy.tree = AabbTree(copy.mesh);
   for (uint32_t p = 0; p < body.pieces.size(); ++p)

@@ -9,7 +9,7 @@ namespace kerf {
 
 namespace {
 
-constexpr uint64_t kClockSeed = 0x9d5c'b07a'63e1'42f8u;
+constexpr uint64_t kClockSeed = 0x9d5c'b07a'63e1'42f8u, kMotionSeed = 0x3c81'6f2e'b9d4'0a57u;
 
 bool less(const Vec3& a, const Vec3& b) {
   if (a.x != b.x) return a.x < b.x;
@@ -32,6 +32,12 @@ uint64_t face_hash(const Body& body, uint64_t seed, FaceId f) {
   return h;
 }
 
+// Of a body that moves or has moved.
+uint64_t motion_hash(uint64_t seed, const Motion& motion) {
+  const uint64_t h = hash_of(hash_of(hash_combine(seed, kMotionSeed), motion.velocity), motion.spin);
+  return hash_combine(hash_combine(h, motion.quiet), motion.asleep ? 1 : 0);
+}
+
 }  // namespace
 
 uint64_t state_hash(const World& world) {
@@ -49,6 +55,7 @@ uint64_t state_hash(const World& world) {
     uint64_t place = hash_of(seed, body.placement.position);
     for (const double x : {q.w, q.x, q.y, q.z}) place = hash_combine(place, number_bits(x));
     sum += place;
+    if (body.motion != Motion{}) sum += motion_hash(seed, body.motion);
   }
   if (world.clock() != 0) sum += hash_combine(kClockSeed, world.clock());
   return sum;

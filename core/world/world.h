@@ -13,10 +13,13 @@
 #include "core/mesh/mesh.h"
 #include "core/mesh/one_to_four.h"
 #include "core/tree/aabb_tree.h"
+#include "core/world/contact_memory.h"
 #include "core/world/loaded_components.h"
+#include "core/world/motion.h"
 #include "core/world/placement.h"
 #include "core/world/separation_state.h"
 #include "core/world/shell_mass.h"
+#include "core/world/surroundings.h"
 
 namespace kerf {
 
@@ -33,6 +36,9 @@ struct Body {
   uint32_t named = 0;  // the label of the piece that has this name; the others are named after it
   Placement placement;
   bool hidden = false;  // neither drawn nor cut
+  Motion motion;
+  Sheet sheet;
+  bool pinned = false;  // stays where it is whatever acts on it
   // The position of the body in state_hash, and its name in journals that predate generations: the slot to
   // which it was added. When a piece is detached from a body, the larger of the two sides keeps the number.
   uint32_t number = 0;
@@ -76,7 +82,7 @@ struct Body {
   // All members that a command may change in a body that exists before and after it.
   template <typename Self>
   static auto parts(Self& self) {
-    return std::tie(self.name, self.named, self.placement, self.hidden, self.mesh, self.tree, self.refinement,
+    return std::tie(self.name, self.named, self.placement, self.hidden, self.motion, self.sheet, self.pinned, self.mesh, self.tree, self.refinement,
                     self.pieces, self.components, self.separation);
   }
 
@@ -126,9 +132,19 @@ class World {
   Bounds loaded_bounds() const;
 
   // The time that has passed since the world was created.
-  Ticks clock() const { return clock_; }
+  Ticks clock() const { return situation_.clock; }
   // Advances the clock.
-  void pass(Ticks ticks) { clock_ += ticks; }
+  void pass(Ticks ticks) { situation_.clock += ticks; }
+
+  const Surroundings& surroundings() const { return situation_.around; }
+  void set_surroundings(const Surroundings& around) { situation_.around = around; }
+
+  // What core/physics knows of bodies that are near each other. It is a part of the state: what happens next
+  // depends on it.
+  const ContactMemory& contact_memory() const { return *situation_.contacts; }
+  void set_contact_memory(ContactMemory memory) {
+    situation_.contacts = std::make_shared<const ContactMemory>(std::move(memory));
+  }
 
   size_t live_faces() const;
   // The number of pieces that have faces, including those with label 0.
@@ -152,6 +168,14 @@ class World {
     uint32_t generation = 0;
     bool alive = false;
   };
+  // The state of the world beside its bodies.
+  struct Situation {
+    Ticks clock = 0;
+    Surroundings around;
+    // Never null; shared with the images of changes.
+    std::shared_ptr<const ContactMemory> contacts = std::make_shared<const ContactMemory>();
+    friend bool operator==(const Situation&, const Situation&) = default;
+  };
   // A body that exists before and after a change.
   struct BodyChange {
     uint32_t slot = 0;  // after the change
@@ -167,7 +191,7 @@ class World {
   void bring_again(Change& change);
 
   std::vector<Slot> slots_;
-  Ticks clock_ = 0;
+  Situation situation_;
   std::unique_ptr<Change> remembered_;  // not null between begin_change and end_change
 };
 
@@ -182,7 +206,7 @@ class World::Change {
   friend class World;
   void keep(uint32_t slot, Body& body);
 
-  ChangeOf<Ticks> clock_;
+  ChangeOf<Situation> situation_;
   size_t slots_ = 0;  // before the change
   bool slots_differ_ = false;
   bool taken_back_ = false;  // the world is as it was before the change

@@ -18,17 +18,17 @@ World::World() = default;
 World::~World() = default;
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
-World::World(const World& other) : slots_(other.slots_), clock_(other.clock_) {}
+World::World(const World& other) : slots_(other.slots_), situation_(other.situation_) {}
 World& World::operator=(const World& other) {
   slots_ = other.slots_;
-  clock_ = other.clock_;
+  situation_ = other.situation_;
   remembered_.reset();
   return *this;
 }
 
 void World::begin_change() {
   remembered_ = std::make_unique<Change>();
-  remembered_->clock_.begin(clock_);
+  remembered_->situation_.begin(situation_);
   remembered_->slots_ = slots_.size();
   for (uint32_t s = 0; s < slots_.size(); ++s) {
     if (!slots_[s].alive) continue;
@@ -69,7 +69,7 @@ void World::exchange_bodies(BodyId a, BodyId b) {
 World::Change World::end_change() {
   Change change = std::move(*remembered_);
   remembered_.reset();
-  change.clock_.end(clock_);
+  change.situation_.end(situation_);
   change.slots_differ_ = change.slots_ != slots_.size();
   for (BodyChange& c : change.edited_) c.parts.end(slots_[c.slot].body);
   std::erase_if(change.edited_, [&](const BodyChange& c) { return !c.parts.any(); });
@@ -77,7 +77,7 @@ World::Change World::end_change() {
 }
 
 void World::exchange(Change& change) {
-  change.clock_.exchange(clock_);
+  change.situation_.exchange(situation_);
   change.taken_back_ ? bring_again(change) : take_back(change);
   change.taken_back_ = !change.taken_back_;
 }
@@ -107,7 +107,7 @@ void World::bring_again(Change& change) {
 
 void World::restore(const Change& change) {
   assert(!change.bodies_differ() && !change.taken_back_);
-  change.clock_.restore(clock_);
+  change.situation_.restore(situation_);
   for (const BodyChange& c : change.edited_) c.parts.restore(slots_[c.slot].body);
 }
 

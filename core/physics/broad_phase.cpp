@@ -1,0 +1,48 @@
+#include "core/physics/broad_phase.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace kerf {
+
+namespace {
+
+int widest_axis(std::span<const MovingBody> bodies) {
+  Vec3 min = bodies.front().min, max = min;
+  for (const MovingBody& b : bodies) {
+    min = glm::min(min, b.min);
+    max = glm::max(max, b.min);
+  }
+  const Vec3 extent = max - min;
+  if (extent.x >= extent.y && extent.x >= extent.z) return 0;
+  return extent.y >= extent.z ? 1 : 2;
+}
+
+bool overlap(const MovingBody& a, const MovingBody& b) {
+  return glm::all(glm::lessThanEqual(a.min, b.max)) && glm::all(glm::lessThanEqual(b.min, a.max));
+}
+
+bool moves(const MovingBody& b) { return !b.fixed && !b.asleep; }
+
+}  // namespace
+
+std::vector<std::pair<uint32_t, uint32_t>> near_pairs(std::span<const MovingBody> bodies) {
+  std::vector<std::pair<uint32_t, uint32_t>> pairs;
+  if (bodies.empty()) return pairs;
+  const int axis = widest_axis(bodies);
+  std::vector<uint32_t> order(bodies.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](uint32_t a, uint32_t b) { return bodies[a].min[axis] < bodies[b].min[axis]; });
+  for (size_t i = 0; i < order.size(); ++i) {
+    const MovingBody& a = bodies[order[i]];
+    for (size_t j = i + 1; j < order.size() && bodies[order[j]].min[axis] <= a.max[axis]; ++j) {
+      const MovingBody& b = bodies[order[j]];
+      if ((moves(a) || moves(b)) && overlap(a, b)) pairs.push_back(std::minmax(order[i], order[j]));
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+}  // namespace kerf

@@ -1,0 +1,198 @@
+#include "core/physics/collider.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "core/physics/feature_edges.h"
+#include "core/physics/simplify_line.h"
+#include "core/physics/spread_points.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr size_t kMostCandidates = 1024;
+
+struct VertexNormals {
+  std::vector<Vec3> of_face;    // unit, by slot
+  std::vector<Vec3> of_vertex;  // sums weighted by area, by slot
+  std::vector<VertexId> used;   // vertices of live faces, ascending
+};
+
+VertexNormals normals_of(const Mesh& mesh) {
+  VertexNormals n;
+  n.of_face.resize(mesh.face_slots(), Vec3(0));
+  n.of_vertex.resize(mesh.vertex_slots(), Vec3(0));
+  std::vector<bool> seen(mesh.vertex_slots(), false);
+  for (uint32_t slot = 0; slot < mesh.face_slots(); ++slot) {
+    const FaceId f(slot);
+    if (!mesh.is_live(f)) continue;
+    const Triangle t = mesh.triangle(f);
+    const Vec3 area = glm::cross(t[1] - t[0], t[2] - t[0]);
+    const double length = glm::length(area);
+    if (length > 0) n.of_face[slot] = area / length;
+    for (VertexId v : mesh.corners(f)) {
+      n.of_vertex[v.index] += area;
+      seen[v.index] = true;
+    }
+  }
+  for (uint32_t v = 0; v < seen.size(); ++v) {
+    if (seen[v]) n.used.push_back(VertexId(v));
+  }
+  return n;
+}
+
+// At most so many of them, evenly over their order.
+std::vector<VertexId> thinned(const std::vector<VertexId>& all) {
+  if (all.size() <= kMostCandidates) return all;
+  std::vector<VertexId> some(kMostCandidates);
+  for (size_t i = 0; i < some.size(); ++i) some[i] = all[i * all.size() / some.size()];
+  return some;
+}
+
+// The sums of the directions in which the sheet ends at the vertices of rims.
+std::vector<Vec3> outward_at_rims(const Mesh& mesh, const std::vector<FeatureEdge>& edges,
+                                  const VertexNormals& normals) {
+  std::vector<Vec3> outward(mesh.vertex_slots(), Vec3(0));
+  for (const FeatureEdge& e : edges) {
+    if (!e.rim) continue;
+    const Vec3 along = mesh.position(e.to) - mesh.position(e.from);
+    const Vec3 out = glm::cross(along, normals.of_face[e.face.index]);
+    outward[e.from.index] += out;
+    outward[e.to.index] += out;
+  }
+  return outward;
+}
+
+Vec3 unit_or_zero(const Vec3& v) {
+  const double length = glm::length(v);
+  return length > 0 ? v / length : Vec3(0);
+}
+
+std::vector<VertexId> on_lines(const std::vector<FeatureEdge>& edges, bool rims_only = false) {
+  std::vector<VertexId> vertices;
+  for (const FeatureEdge& e : edges) {
+    if (e.rim || !rims_only) vertices.insert(vertices.end(), {e.from, e.to});
+  }
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
+}
+
+std::vector<VertexId> chosen_vertices(const Mesh& mesh, const std::vector<VertexId>& rims,
+                                      const std::vector<VertexId>& all, size_t most) {
+  std::vector<VertexId> candidates = thinned(rims);
+  const size_t on_rim = candidates.size();
+  for (VertexId v : thinned(all)) {
+    if (!std::binary_search(rims.begin(), rims.end(), v)) candidates.push_back(v);
+  }
+  std::vector<Vec3> places;
+  for (VertexId v : candidates) places.push_back(mesh.position(v));
+  std::vector<uint32_t> chosen;
+  choose_extreme(places, chosen);
+  if (chosen.size() > most) chosen.resize(most);
+  // Half of the rest on rims, where sheets get caught.
+  const std::vector<Vec3> rim_places(places.begin(), places.begin() + static_cast<ptrdiff_t>(on_rim));
+  std::vector<uint32_t> chosen_rims;
+  for (uint32_t c : chosen) {
+    if (c < on_rim) chosen_rims.push_back(c);
+  }
+  const size_t before = chosen_rims.size();
+  choose_spread(rim_places, before + (most - chosen.size()) / 2, chosen_rims);
+  chosen.insert(chosen.end(), chosen_rims.begin() + static_cast<ptrdiff_t>(before), chosen_rims.end());
+  choose_spread(places, most, chosen);
+  std::vector<VertexId> vertices;
+  for (uint32_t c : chosen) vertices.push_back(candidates[c]);
+  return vertices;
+}
+
+std::vector<Collider::Chord> chords_along(const std::vector<std::vector<Vec3>>& lines, double error) {
+  std::vector<Collider::Chord> chords;
+  for (const std::vector<Vec3>& line : lines) {
+    const std::vector<Vec3> kept = simplified(line, error);
+    const auto first = static_cast<uint32_t>(chords.size());
+    for (size_t i = 0; i + 1 < kept.size(); ++i) {
+      Collider::Chord chord{kept[i], kept[i + 1]};
+      const auto at = static_cast<uint32_t>(chords.size());
+      if (at > first) {
+        chord.next[0] = at - 1;
+        chords.back().next[1] = at;
+      }
+      chords.push_back(chord);
+    }
+    if (kept.size() > 3 && kept.front() == kept.back()) {
+      chords[first].next[0] = static_cast<uint32_t>(chords.size() - 1);
+      chords.back().next[1] = first;
+    }
+  }
+  return chords;
+}
+
+std::vector<Collider::Chord> chords_of(const Mesh& mesh, const std::vector<FeatureEdge>& edges,
+                                       const ColliderSettings& settings) {
+  std::vector<std::vector<Vec3>> lines;
+  for (const FeatureLine& line : joined(edges)) {
+    std::vector<Vec3>& places = lines.emplace_back();
+    for (VertexId v : line) places.push_back(mesh.position(v));
+  }
+  double error = settings.chord_error;
+  std::vector<Collider::Chord> chords = chords_along(lines, error);
+  // Two chords remain of the smallest closed line, so that lines alone may be too many.
+  for (int i = 0; i < 16 && chords.size() > settings.most_chords; ++i) {
+    error *= 2;
+    chords = chords_along(lines, error);
+  }
+  if (chords.size() > settings.most_chords) {
+    const auto longer = [](const Collider::Chord& a, const Collider::Chord& b) {
+      return glm::length(a.to - a.from) > glm::length(b.to - b.from);
+    };
+    std::stable_sort(chords.begin(), chords.end(), longer);
+    chords.resize(settings.most_chords);
+    for (Collider::Chord& c : chords) c.next = {Collider::Chord::kNone, Collider::Chord::kNone};
+  }
+  return chords;
+}
+
+}  // namespace
+
+// The vertices at the ends of chords: a sheet gets through another with one of them first, or edge by edge.
+std::vector<VertexId> ends_of(const std::vector<Collider::Chord>& chords, const Mesh& mesh,
+                              const std::vector<VertexId>& on_lines) {
+  std::vector<Vec3> ends;
+  for (const Collider::Chord& c : chords) ends.insert(ends.end(), {c.from, c.to});
+  const auto less = [](const Vec3& a, const Vec3& b) {
+    return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+  };
+  std::sort(ends.begin(), ends.end(), less);
+  std::vector<VertexId> vertices;
+  for (VertexId v : on_lines) {
+    if (std::binary_search(ends.begin(), ends.end(), mesh.position(v), less)) vertices.push_back(v);
+  }
+  return vertices;
+}
+
+Collider make_collider(const Mesh& mesh, const ColliderSettings& settings) {
+  const VertexNormals normals = normals_of(mesh);
+  const std::vector<FeatureEdge> edges = feature_edges(mesh, normals.of_face);
+  const std::vector<Vec3> outward = outward_at_rims(mesh, edges, normals);
+  Collider collider;
+  collider.chords = chords_of(mesh, edges, settings);
+  std::vector<VertexId> vertices = ends_of(collider.chords, mesh, on_lines(edges));
+  if (vertices.size() > settings.most_points) vertices.resize(settings.most_points);
+  const size_t more = settings.most_points - vertices.size();
+  for (VertexId v : chosen_vertices(mesh, on_lines(edges, true), normals.used, more)) {
+    if (std::find(vertices.begin(), vertices.end(), v) == vertices.end()) vertices.push_back(v);
+  }
+  for (VertexId v : vertices) {
+    collider.points.push_back(
+        {mesh.position(v), unit_or_zero(normals.of_vertex[v.index]), unit_or_zero(outward[v.index])});
+  }
+  if (!normals.used.empty()) collider.min = collider.max = mesh.position(normals.used.front());
+  for (VertexId v : normals.used) {
+    collider.min = glm::min(collider.min, mesh.position(v));
+    collider.max = glm::max(collider.max, mesh.position(v));
+  }
+  return collider;
+}
+
+}  // namespace kerf

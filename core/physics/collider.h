@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/mesh/mesh.h"
+
+namespace kerf {
+
+// What a body touches others with, besides its faces: points and straight chords of its sheet, in the frame
+// of the body (m).
+struct Collider {
+  struct Point {
+    Vec3 at{0};
+    Vec3 normal{0};   // unit, of the faces around it; zero where they cancel
+    Vec3 outward{0};  // on a rim: unit, in the plane of the sheet and away from it; otherwise zero
+  };
+  // A straight piece of a rim or a crease.
+  struct Chord {
+    static constexpr uint32_t kNone = 0xffffffffu;
+    Vec3 from{0}, to{0};
+    std::array<uint32_t, 2> next{kNone, kNone};  // the chords that go on at `from` and at `to`
+  };
+
+  std::vector<Point> points;
+  std::vector<Chord> chords;
+  Vec3 min{0}, max{0};  // bounds of all vertices
+};
+
+// How much of a sheet is looked at.
+struct ColliderSettings {
+  size_t most_points = 96;
+  size_t most_chords = 96;
+  // m, how far a chord may lie from its rim; larger where there would be too many chords.
+  double chord_error = 0.001;
+};
+
+// The collider of all live faces of a mesh: the ends of chords, extreme vertices, and then those of rims and
+// all others as far apart as possible (T. Gonzalez: Clustering to minimize the maximum intercluster distance,
+// 1985); rims and creases of more than 40 degrees as polygons (D. Douglas, T. Peucker, 1973). Deterministic. About
+// O(faces log faces).
+Collider make_collider(const Mesh& mesh, const ColliderSettings& settings = {});
+
+}  // namespace kerf

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/base/vec3.h"
+
+namespace kerf {
+
+// How two bodies, or a body and the ground, touch at a place.
+struct Contact {
+  Vec3 at{0};           // m, in the world, on the first body
+  Vec3 normal{0};       // unit, in the world, towards the first body
+  double distance = 0;  // m, along the normal, less the skins: negative where they overlap
+  // Which point, or which two chords, of the bodies touch: stays the same while they do.
+  uint64_t feature = 0;
+  std::array<double, 3> impulse{};  // N s, along the normal and across it, of the last tick
+};
+
+}  // namespace kerf

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "core/physics/collider.h"
+#include "core/physics/moving_body.h"
+#include "core/physics/solve_contacts.h"
+#include "core/world/delta.h"
+#include "core/world/world.h"
+
+namespace kerf {
+
+// What a tick did, for statistics and for the display.
+struct TickFigures {
+  size_t bodies = 0, awake = 0;
+  size_t pairs = 0;  // pairs of bodies whose faces were looked at
+  size_t contacts = 0;
+  size_t crossed = 0;  // pairs of sheets that intersect and do not touch
+};
+
+// Lets the bodies of a world move as rigid sheets: they fall, touch each other and the ground, slide, and
+// fall asleep.
+//
+// All state that decides what happens lies in the world: placements, motions and World::contact_memory().
+// This class only keeps colliders, which are functions of the faces; one that was made anew goes on to the
+// bit like the old one.
+class Physics {
+ public:
+  // Makes what is kept follow a change of the world. Must be called for every change but those of tick().
+  void follow(const Delta& delta);
+
+  // Advances all bodies by 1/120 s. Returns the bodies that moved. The clock of the world is left to the
+  // caller.
+  Delta tick(World& world);
+
+  const TickFigures& figures() const { return figures_; }
+  // The contacts of the last tick.
+  const std::vector<TouchingPair>& pairs() const { return pairs_; }
+
+ private:
+  const Collider& collider_of(const World& world, BodyId id);
+  std::vector<MovingBody> moving_bodies(World& world);
+
+  std::map<BodyId, Collider> colliders_;
+  std::vector<TouchingPair> pairs_;
+  TickFigures figures_;
+};
+
+}  // namespace kerf

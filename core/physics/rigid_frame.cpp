@@ -1,0 +1,53 @@
+#include "core/physics/rigid_frame.h"
+
+#include <LinearMath/btMatrix3x3.h>
+
+#include <algorithm>
+
+namespace kerf {
+
+namespace {
+
+constexpr double kLeastInertia = 1e-4;  // of the largest one
+
+struct Sums {
+  double area = 0;
+  AreaMoments moments;
+};
+
+Sums sums_of(const Body& body) {
+  Sums sums;
+  for (uint32_t p = 0; p < body.pieces.size(); ++p) {
+    sums.area += body.pieces[p].area;
+    sums.moments += body.pieces[p].moments;
+  }
+  return sums;
+}
+
+// The principal axes by Jacobi rotations.
+void diagonalise(const glm::dmat3& inertia, RigidFrame& frame) {
+  const auto& m = inertia;
+  btMatrix3x3 matrix(m[0][0], m[1][0], m[2][0], m[0][1], m[1][1], m[2][1], m[0][2], m[1][2], m[2][2]), turn;
+  const double most = std::max({m[0][0], m[1][1], m[2][2]});
+  matrix.diagonalize(turn, 1e-12 * most, 50);
+  frame.inertia = {matrix[0][0], matrix[1][1], matrix[2][2]};
+  btQuaternion q;
+  turn.getRotation(q);
+  frame.axes = glm::normalize(glm::dquat(q.w(), q.x(), q.y(), q.z()));
+  frame.inertia = glm::max(frame.inertia, Vec3(kLeastInertia * most));
+}
+
+}  // namespace
+
+RigidFrame rigid_frame(const Body& body) {
+  const Sums sums = sums_of(body);
+  const MassProperties shell =
+      shell_mass(sums.area, sums.moments, body.middle(), body.sheet.thickness, body.sheet.density);
+  RigidFrame frame;
+  frame.mass = shell.mass;
+  frame.centre = shell.centre;
+  if (shell.mass > 0) diagonalise(shell.inertia, frame);
+  return frame;
+}
+
+}  // namespace kerf

@@ -1,0 +1,84 @@
+#include "core/physics/sleep.h"
+
+#include <algorithm>
+
+#include "core/base/tick.h"
+#include "core/base/union_find.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr double kSlow = 0.4;      // m/s
+constexpr double kSlowSpin = 1.0;  // rad/s
+constexpr uint32_t kQuietTicks = kTicksPerSecond / 2;
+constexpr double kTouch = 0.001;  // m, between skins that count as touching
+
+uint32_t index_of(std::span<const MovingBody> bodies, BodyId id) {
+  const auto at = std::lower_bound(bodies.begin(), bodies.end(), id,
+                                   [](const MovingBody& b, BodyId wanted) { return b.id < wanted; });
+  const bool found = at != bodies.end() && at->id == id;
+  return found ? static_cast<uint32_t>(at - bodies.begin()) : TouchingPair::kGround;
+}
+
+Vec3 velocity_at(const MovingBody& b, const Vec3& p) {
+  if (b.fixed || b.asleep) return Vec3(0);
+  return b.body->motion.velocity_at(p, b.body->placement);
+}
+
+// Whether two bodies touch, or will before the tick is over.
+bool touch(std::span<const MovingBody> bodies, const TouchingPair& pair, double seconds) {
+  const MovingBody &a = bodies[pair.first], &b = bodies[pair.second];
+  const double near = kTouch * std::min(a.scale, b.scale);
+  return std::any_of(pair.contacts.begin(), pair.contacts.end(), [&](const Contact& c) {
+    const double closing = -glm::dot(velocity_at(a, c.at) - velocity_at(b, c.at), c.normal);
+    return c.distance - seconds * std::max(closing, 0.0) < near;
+  });
+}
+
+UnionFind islands_of(std::span<const MovingBody> bodies, std::span<const TouchingPair> pairs,
+                     const ContactMemory& memory, double seconds) {
+  UnionFind islands(bodies.size());
+  const auto unite = [&](uint32_t a, uint32_t b) {
+    if (!bodies[a].fixed && !bodies[b].fixed) islands.unite(a, b);
+  };
+  for (const TouchingPair& pair : pairs) {
+    if (pair.second != TouchingPair::kGround && touch(bodies, pair, seconds)) unite(pair.first, pair.second);
+  }
+  for (const PairMemory& m : memory) {
+    const uint32_t a = index_of(bodies, m.first), b = index_of(bodies, m.second);
+    if (!m.touching || a == TouchingPair::kGround || b == TouchingPair::kGround) continue;
+    if (bodies[a].asleep && bodies[b].asleep) unite(a, b);
+  }
+  return islands;
+}
+
+}  // namespace
+
+void update_sleep(std::span<MovingBody> bodies, std::span<const TouchingPair> pairs,
+                  const ContactMemory& memory, double seconds) {
+  UnionFind islands = islands_of(bodies, pairs, memory, seconds);
+  std::vector<bool> restless(bodies.size(), false);
+  for (uint32_t i = 0; i < bodies.size(); ++i) {
+    if (!bodies[i].fixed && bodies[i].body->motion.quiet < kQuietTicks) restless[islands.find(i)] = true;
+  }
+  for (uint32_t i = 0; i < bodies.size(); ++i) {
+    if (bodies[i].fixed) continue;
+    Motion& motion = bodies[i].body->motion;
+    motion.asleep = bodies[i].asleep = !restless[islands.find(i)];
+    if (motion.asleep) motion.velocity = motion.spin = Vec3(0);
+  }
+}
+
+void count_quiet(std::span<MovingBody> bodies) {
+  for (MovingBody& b : bodies) {
+    if (b.fixed || b.asleep) continue;
+    Motion& motion = b.body->motion;
+    const Vec3 centre = b.body->placement.to_world(b.frame.centre);
+    const bool slow = glm::length(motion.velocity_at(centre, b.body->placement)) < kSlow &&
+                      glm::length(motion.spin) < kSlowSpin;
+    motion.quiet = slow ? std::min(motion.quiet + 1, kQuietTicks) : 0;
+  }
+}
+
+}  // namespace kerf

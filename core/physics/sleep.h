@@ -1,0 +1,20 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/physics/solve_contacts.h"
+#include "core/world/contact_memory.h"
+
+namespace kerf {
+
+// Puts bodies to sleep and wakes them. Bodies that touch form an island, which sleeps as a whole once each of
+// them has been slower than the limits for half a second, and wakes as a whole. `memory` tells of bodies that
+// touched before they fell asleep.
+void update_sleep(std::span<MovingBody> bodies, std::span<const TouchingPair> pairs,
+                  const ContactMemory& memory, double seconds);
+
+// Counts the ticks for which bodies were slow, after a tick.
+void count_quiet(std::span<MovingBody> bodies);
+
+}  // namespace kerf

@@ -1,0 +1,137 @@
+#include "core/physics/solve_contacts.h"
+
+#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
+#include <BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.h>
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+
+#include <deque>
+
+namespace kerf {
+
+namespace {
+
+constexpr double kLinearDamping = 0.1, kAngularDamping = 0.5;  // 1/s
+
+btVector3 bullet(const Vec3& v) { return {v.x, v.y, v.z}; }
+Vec3 from_bullet(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
+btTransform bullet(const Placement& p) {
+  const glm::dmat3 m = glm::mat3_cast(p.orientation);
+  const btMatrix3x3 turn(m[0][0], m[1][0], m[2][0], m[0][1], m[1][1], m[2][1], m[0][2], m[1][2], m[2][2]);
+  return btTransform(turn, bullet(p.position));
+}
+Placement from_bullet(const btTransform& t) {
+  const btQuaternion q = t.getRotation();
+  return {from_bullet(t.getOrigin()), glm::normalize(glm::dquat(q.w(), q.x(), q.y(), q.z()))};
+}
+
+// Bullet's picture of the bodies and contacts of one tick.
+class BulletGroup {
+ public:
+  BulletGroup(std::span<MovingBody> bodies, const SolverSettings& settings)
+      : bodies_(bodies), settings_(settings) {
+    for (const MovingBody& b : bodies) add(b);
+  }
+
+  void add(TouchingPair& pair) {
+    btRigidBody* second = pair.second == TouchingPair::kGround ? &ground_ : &rigid_[pair.second];
+    for (size_t i = 0; i < pair.contacts.size(); ++i) {
+      if (i % MANIFOLD_CACHE_SIZE == 0) manifolds_.emplace_back(&rigid_[pair.first], second, 0, 1e30, 1e30);
+      fill(pair.contacts[i]);
+    }
+  }
+
+  void solve() {
+    btContactSolverInfo info;
+    info.m_timeStep = settings_.seconds;
+    info.m_numIterations = settings_.iterations;
+    info.m_splitImpulsePenetrationThreshold = 0;
+    info.m_solverMode = SOLVER_USE_WARMSTARTING | SOLVER_USE_2_FRICTION_DIRECTIONS;
+    std::vector<btCollisionObject*> objects;
+    for (btRigidBody& b : rigid_) objects.push_back(&b);
+    objects.push_back(&ground_);
+    std::vector<btPersistentManifold*> manifolds;
+    for (btPersistentManifold& m : manifolds_) manifolds.push_back(&m);
+    btSequentialImpulseConstraintSolver solver;
+    solver.solveGroup(objects.data(), static_cast<int>(objects.size()), manifolds.data(),
+                      static_cast<int>(manifolds.size()), nullptr, 0, info, nullptr, nullptr);
+  }
+
+  void read_back(std::span<TouchingPair> pairs) {
+    for (size_t i = 0; i < bodies_.size(); ++i) {
+      if (!bodies_[i].fixed && !bodies_[i].asleep) move_on(bodies_[i], rigid_[i]);
+    }
+    size_t manifold = 0;
+    for (TouchingPair& pair : pairs) {
+      for (size_t i = 0; i < pair.contacts.size(); ++i) {
+        const btManifoldPoint& p = manifolds_[manifold + i / MANIFOLD_CACHE_SIZE].getContactPoint(
+            static_cast<int>(i % MANIFOLD_CACHE_SIZE));
+        pair.contacts[i].impulse = {p.m_appliedImpulse, p.m_appliedImpulseLateral1,
+                                    p.m_appliedImpulseLateral2};
+      }
+      manifold += (pair.contacts.size() + MANIFOLD_CACHE_SIZE - 1) / MANIFOLD_CACHE_SIZE;
+    }
+  }
+
+ private:
+  void add(const MovingBody& b) {
+    const bool still = b.fixed || b.asleep;
+    btRigidBody::btRigidBodyConstructionInfo info(still ? 0 : b.frame.mass, nullptr, nullptr,
+                                                  still ? btVector3(0, 0, 0) : bullet(b.frame.inertia));
+    info.m_startWorldTransform = bullet(b.frame.in_world(b.body->placement));
+    btRigidBody& rigid = rigid_.emplace_back(info);
+    if (still) return;
+    const double kept = 1 - kLinearDamping * settings_.seconds;
+    const double spin_kept = 1 - kAngularDamping * settings_.seconds;
+    const Vec3 centre = from_bullet(info.m_startWorldTransform.getOrigin());
+    rigid.setLinearVelocity(bullet(kept * b.body->motion.velocity_at(centre, b.body->placement)));
+    rigid.setAngularVelocity(bullet(spin_kept * b.body->motion.spin));
+    rigid.applyCentralForce(bullet(b.frame.mass * settings_.gravity));
+  }
+
+  void fill(const Contact& c) {
+    btPersistentManifold& m = manifolds_.back();
+    const int at = m.getNumContacts();
+    m.setNumContacts(at + 1);
+    btManifoldPoint& p = m.getContactPoint(at);
+    p = btManifoldPoint();  // which leaves some members open
+    p.m_combinedRollingFriction = p.m_combinedSpinningFriction = 0;
+    p.m_positionWorldOnA = bullet(c.at);
+    p.m_positionWorldOnB = bullet(c.at - c.distance * c.normal);
+    p.m_normalWorldOnB = bullet(c.normal);
+    p.m_distance1 = c.distance;
+    p.m_combinedFriction = settings_.friction;
+    p.m_combinedRestitution = c.distance > 0 ? 0 : settings_.restitution;
+    p.m_appliedImpulse = c.impulse[0];
+  }
+
+  // The second-order step of a unit quaternion by a spin, which needs no sine.
+  void move_on(MovingBody& b, const btRigidBody& rigid) const {
+    const Vec3 velocity = from_bullet(rigid.getLinearVelocity()),
+               spin = from_bullet(rigid.getAngularVelocity());
+    Placement principal = from_bullet(rigid.getWorldTransform());  // after split impulses
+    principal.position += settings_.seconds * velocity;
+    const glm::dquat turn(0, 0.5 * settings_.seconds * spin);
+    principal.orientation = glm::normalize(principal.orientation + turn * principal.orientation);
+    b.body->placement = b.frame.body_at(principal);
+    b.body->motion.spin = spin;
+    b.body->motion.velocity = velocity + glm::cross(spin, b.body->placement.position - principal.position);
+  }
+
+  std::span<MovingBody> bodies_;
+  const SolverSettings& settings_;
+  std::deque<btRigidBody> rigid_;  // aligned, and never moved
+  btRigidBody ground_{btRigidBody::btRigidBodyConstructionInfo(0, nullptr, nullptr)};
+  std::deque<btPersistentManifold> manifolds_;
+};
+
+}  // namespace
+
+void solve_contacts(std::span<MovingBody> bodies, std::span<TouchingPair> pairs,
+                    const SolverSettings& settings) {
+  BulletGroup group(bodies, settings);
+  for (TouchingPair& pair : pairs) group.add(pair);
+  group.solve();
+  group.read_back(pairs);
+}
+
+}  // namespace kerf

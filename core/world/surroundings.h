@@ -1,0 +1,24 @@
+#pragma once
+
+#include <glm/geometric.hpp>
+#include <optional>
+
+#include "core/base/vec3.h"
+
+namespace kerf {
+
+// What acts on all bodies of a world.
+struct Surroundings {
+  Vec3 gravity{0, -9.81, 0};     // m/s^2
+  std::optional<double> ground;  // m, the height of a plane on which bodies rest, against gravity
+
+  friend bool operator==(const Surroundings&, const Surroundings&) = default;
+
+  // Unit, against gravity; +Y without gravity.
+  Vec3 up() const {
+    const double g = glm::length(gravity);
+    return g > 0 ? -gravity / g : Vec3(0, 1, 0);
+  }
+};
+
+}  // namespace kerf

@@ -1,0 +1,158 @@
+#include <gtest/gtest.h>
+
+#include "core/base/random.h"
+#include "core/base/tick.h"
+#include "core/physics/physics.h"
+#include "tests/support/sheets.h"
+
+namespace kerf {
+namespace {
+
+World world_with_ground() {
+  World world;
+  world.set_surroundings({.gravity = {0, -9.81, 0}, .ground = 0});
+  return world;
+}
+
+void run(World& world, double seconds) {
+  Physics physics;
+  for (int i = 0; i < seconds * static_cast<double>(kTicksPerSecond); ++i) physics.tick(world);
+}
+
+bool all_sleep(const World& world) {
+  for (BodyId id : world.ids()) {
+    if (!world.body(id).pinned && !world.body(id).motion.asleep) return false;
+  }
+  return true;
+}
+
+double height(const World& world, BodyId id) { return world.body(id).placement.position.y; }
+
+TEST(Fall, a_plate_falls_to_the_ground_and_sleeps_there) {
+  World world = world_with_ground();
+  const BodyId plate = test::add(world, test::rectangle(0.5, 0.3, 4), {0, 1, 0});
+  run(world, 0.25);
+  EXPECT_NEAR(height(world, plate), 1 - 0.5 * 9.81 * 0.25 * 0.25, 0.03);
+  run(world, 3);
+  EXPECT_TRUE(all_sleep(world));
+  EXPECT_NEAR(height(world, plate), 0.001, 0.0005);
+}
+
+std::vector<BodyId> add_stack(World& world, int count) {
+  std::vector<BodyId> plates;
+  for (int i = 0; i < count; ++i) {
+    plates.push_back(test::add(world, test::rectangle(0.8, 0.8, 3), {0.002 * i, 0.05 * (i + 1), 0}));
+  }
+  return plates;
+}
+
+TEST(Fall, ten_plates_come_to_rest_in_their_order) {
+  World world = world_with_ground();
+  const std::vector<BodyId> plates = add_stack(world, 10);
+  run(world, 2);
+  EXPECT_TRUE(all_sleep(world));
+  for (size_t i = 0; i + 1 < plates.size(); ++i) {
+    EXPECT_NEAR(height(world, plates[i + 1]) - height(world, plates[i]), 0.002, 0.0005) << i;
+  }
+}
+
+double energy(const World& world) {
+  double joules = 0;
+  for (BodyId id : world.ids()) {
+    const Body& body = world.body(id);
+    const RigidFrame frame = rigid_frame(body);
+    const Placement p = frame.in_world(body.placement);
+    const Vec3 velocity = body.motion.velocity_at(p.position, body.placement);
+    const Vec3 spin = glm::conjugate(p.orientation) * body.motion.spin;
+    joules += frame.mass * (9.81 * p.position.y + 0.5 * glm::dot(velocity, velocity)) +
+              0.5 * glm::dot(spin * frame.inertia, spin);
+  }
+  return joules;
+}
+
+TEST(Fall, a_stack_gains_no_energy_by_itself) {
+  World world = world_with_ground();
+  add_stack(world, 10);
+  Physics physics;
+  const double at_first = energy(world);
+  double gained = 0, before = at_first;
+  for (Ticks t = 0; t < 2 * kTicksPerSecond; ++t) {
+    physics.tick(world);
+    const double now = energy(world);
+    gained += std::max(now - before, 0.0);
+    before = now;
+  }
+  EXPECT_LT(gained, 0.01 * at_first);
+}
+
+TEST(Fall, goes_on_to_the_bit_when_its_caches_are_made_anew_at_any_tick) {
+  Random random(7);
+  World whole = world_with_ground(), torn = world_with_ground();
+  for (World* world : {&whole, &torn}) {
+    add_stack(*world, 4);
+    test::add(*world, test::rod(0.01, 0.4, 8), {0.1, 0.6, 0.05},
+              glm::normalize(glm::dquat(1, 0.7, 0.1, 0.2)));
+  }
+  Physics physics;
+  auto renewed = std::make_unique<Physics>();
+  for (Ticks t = 0; t < kTicksPerSecond; ++t) {
+    physics.tick(whole);
+    if (random.below(4) == 0) renewed = std::make_unique<Physics>();
+    renewed->tick(torn);
+    for (BodyId id : whole.ids()) {
+      ASSERT_EQ(whole.body(id).placement, torn.body(id).placement) << t;
+      ASSERT_EQ(whole.body(id).motion, torn.body(id).motion) << t;
+    }
+  }
+}
+
+TEST(Fall, halves_on_both_sides_of_a_kerf_do_not_push_each_other) {
+  World world = world_with_ground();
+  const BodyId left = test::add(world, test::rectangle(1, 1, 5), {-0.502, 0.3, 0});
+  const BodyId right = test::add(world, test::rectangle(1, 1, 5), {0.502, 0.3, 0});
+  for (BodyId id : {left, right})
+    test::add(world, test::closed_box({0.8, 0.2, 0.8}), world.body(id).placement.position - Vec3(0, 0.15, 0));
+  run(world, 1.5);
+  EXPECT_NEAR(world.body(right).placement.position.x - world.body(left).placement.position.x, 1.004, 0.0002);
+}
+
+TEST(Fall, a_rod_falls_through_a_wide_hole_and_is_held_by_a_narrow_one) {
+  for (const double hole : {0.0075, 0.004}) {
+    World world = world_with_ground();
+    const BodyId plate = test::add(world, test::plate_with_hole(0.3, hole / 2, 24), {0, 0.5, 0});
+    world.body(plate).pinned = true;
+    const BodyId rod = test::add(world, test::rod(0.0025, 0.2, 12), {0, 0.62, 0});
+    run(world, 0.4);
+    EXPECT_EQ(height(world, rod) < 0.45, hole > 0.005) << hole << " " << height(world, rod);
+  }
+}
+
+TEST(Fall, a_disc_falls_through_its_own_hole) {
+  World world = world_with_ground();
+  const BodyId plate = test::add(world, test::plate_with_hole(0.5, 0.075, 48), {0, 0.5, 0});
+  world.body(plate).pinned = true;
+  const BodyId disc = test::add(world, test::disc(0.0735, 48), {0, 0.5, 0});
+  run(world, 0.3);
+  EXPECT_LT(height(world, disc), 0.3);
+}
+
+TEST(Fall, nothing_passes_a_sheet_or_the_ground_however_fast) {
+  for (uint64_t seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    World world = world_with_ground();
+    const BodyId sheet = test::add(world, test::rectangle(6, 6, 6), {0, 1, 0});
+    world.body(sheet).pinned = true;
+    const glm::dquat turn = glm::normalize(glm::dquat(random.uniform(-1, 1), random.uniform(-1, 1),
+                                                      random.uniform(-1, 1), random.uniform(-1, 1)));
+    const BodyId fast =
+        test::add(world, test::rectangle(0.3, 0.2, 3), {random.uniform(-0.5, 0.5), 2, 0}, turn);
+    world.body(fast).motion.velocity = {0, seed % 2 ? -30 : -80, 0};
+    world.body(fast).motion.spin = {random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(-5, 5)};
+    run(world, 0.3);
+    EXPECT_GT(height(world, fast), 1);
+  }
+}
+
+}  // namespace
+}  // namespace kerf

@@ -118,7 +118,7 @@ constexpr std::array kSwitches{
                .show = "section",
                .report = "section",
                .label = "Section plane",
-               .key = 'O',
+               .key = 'Z',
                .tip =
                    "Opens the bodies at a plane to look inside; the pointer picks what is seen. What is not "
                    "drawn is there still: it casts shadows, and the beam cuts it.",

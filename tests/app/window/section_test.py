@@ -28,7 +28,7 @@ class Section(WindowTest):
     def test_the_handles_move_and_turn_it_and_nothing_is_cut(self):
         editor = self.open(SPHERE)
         editor.point_at(0.1, 0.9)
-        editor.do("o")
+        editor.do("z")
         x, y = editor.place(("section move", 0.5, 0.5))
         editor.drag_pixels([(x, y), (x - 40, y + 40)])
         x, y = editor.place(("section tilt", 0.5, 0.5))
@@ -43,7 +43,7 @@ class Section(WindowTest):
     def test_numbers_are_typed_copied_and_pasted_and_render_takes_the_text(self):
         editor = self.open_with_panel()
         editor.point_at(0.1, 0.9)
-        editor.do("o")
+        editor.do("z")
         self.type_into(editor, "Section 1", "0.25")
         self.type_into(editor, "Normal 1", "1")
         editor.click("section copy", 0.5, 0.5)
@@ -64,7 +64,7 @@ class Section(WindowTest):
     def test_the_pointer_picks_what_it_sees_and_the_beam_cuts_what_is_not_drawn(self):
         editor = self.open_with_panel()
         editor.point_at(0.1, 0.9)
-        editor.do("o")
+        editor.do("z")
         self.type_into(editor, "Section 2", "-7")  # behind the sphere: all of it is taken away
         editor.press("k")
         editor.click(0.35, 0.5)

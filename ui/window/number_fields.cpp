@@ -11,7 +11,9 @@ namespace kerf {
 
 bool NumberFields::field(double& value, const char* format, const char* meaning) {
   double shown = value;
-  if (ImGui::InputScalar("##field", ImGuiDataType_Double, &shown, nullptr, nullptr, format)) typed_ = shown;
+  const bool changed = ImGui::InputScalar("##field", ImGuiDataType_Double, &shown, nullptr, nullptr, format);
+  // Without a change the text is the value as it was, which may be typed again.
+  if (changed || ImGui::IsItemActive()) typed_ = shown;
   const bool entered = ImGui::IsItemDeactivatedAfterEdit() && std::isfinite(typed_);
   if (entered) value = typed_;
   tooltip(meaning);

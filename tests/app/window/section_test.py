@@ -22,7 +22,7 @@ class Section(WindowTest):
     def type_into(self, editor, field, text):
         editor.click(field, 0.5, 0.5)
         editor.press("ctrl", "a")
-        editor.xdotool("type", "--delay", "40", text)
+        editor.xdotool("type", "--delay", "40", "--", text)
         editor.do("Return")
 
     def test_the_handles_move_and_turn_it_and_nothing_is_cut(self):

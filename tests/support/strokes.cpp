@@ -1,6 +1,9 @@
 #include "tests/support/strokes.h"
 
+#include <gtest/gtest.h>
+
 #include "core/document/walk.h"
+#include "core/graph/separation.h"
 #include "tests/support/made_meshes.h"
 
 namespace kerf::test {
@@ -72,6 +75,15 @@ Result<StepResult> walk_all(Document& document) { return walk_moves(document, do
 World world_of(const Soup& soup) {
   World world;
   world.add(make_body("body", build(soup)));
+  return world;
+}
+
+World cut_at_random(const Soup& soup, uint64_t seed) {
+  World world = world_of(soup);
+  Random random(seed);
+  const RandomStroke stroke = random_stroke(world, random, 0.05, true);
+  EXPECT_TRUE(cut_whole(world, stroke.settings, stroke.moves).ok());
+  while (!is_settled(world)) go_on_separating(world, 100'000);
   return world;
 }
 

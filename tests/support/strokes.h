@@ -27,6 +27,8 @@ Result<StepResult> walk_all(Document& document);
 
 // A world of one body.
 World world_of(const Soup& soup);
+// A world of one body that a random stroke has cut, whose search for separated pieces is finished.
+World cut_at_random(const Soup& soup, uint64_t seed);
 Body& only_body(World& world);
 
 }  // namespace kerf::test

@@ -12,16 +12,6 @@
 namespace kerf::test {
 namespace {
 
-// A stroke without an error that cannot be avoided, such as more faces than are allowed.
-World cut_at_random(const Soup& soup, uint64_t seed) {
-  World world = world_of(soup);
-  Random random(seed);
-  const RandomStroke stroke = random_stroke(world, random, 0.05, true);
-  EXPECT_TRUE(cut_whole(world, stroke.settings, stroke.moves).ok());
-  while (!is_settled(world)) go_on_separating(world, 100'000);
-  return world;
-}
-
 TEST(Traversal, reaches_what_the_full_search_labels_alike) {
   for (const auto& [name, soup] : mesh_classes()) {
     for (uint64_t seed = 1; seed <= runs(4); ++seed) {

@@ -8,6 +8,7 @@
 #include "app/interrupt.h"
 #include "app/load_document.h"
 #include "app/progress_line.h"
+#include "core/document/piece_origins.h"
 #include "core/document/scene_text.h"
 #include "core/graph/graph_text.h"
 
@@ -23,7 +24,8 @@ struct InspectArguments {
 
 void write_graph(const InspectArguments& a, const Document& document) {
   const ComponentGraph graph = component_graph(document.world());
-  (a.dot ? write_graph_dot : write_graph_json)(graph, document.world(), std::cout);
+  const std::vector<PieceNode> pieces = piece_origins(document);
+  (a.dot ? write_graph_dot : write_graph_json)(graph, pieces, document.world(), std::cout);
 }
 
 Status write(const nlohmann::ordered_json& json) {
@@ -68,7 +70,8 @@ void add_inspect_command(CLI::App& app, Invocation& invocation) {
   command->add_option("FILE", a->file, "A scene (.json), a journal (.kerf) or a mesh")->required();
   auto* graph = command->add_flag(
       "--graph", a->graph,
-      "The component graph after the last cut: faces as nodes, and an edge for two faces that share one");
+      "The component graph after the last cut: faces as nodes, and an edge for two faces that share one; "
+      "and the pieces, with what they came off and what holds them");
   command->add_flag("--dot", a->dot, "Write the graph in the language of Graphviz instead of JSON")
       ->needs(graph);
   command->add_flag("--tree", a->tree, "The boxes of the tree after the last cut, and where the beam was");

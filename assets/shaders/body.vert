@@ -34,6 +34,10 @@ vec3 piece_colour(uint piece, bool strong) {
   return hue_colour(0.40 + 0.40 * turn_of, 0.72, 0.10 + 0.14 * shade);
 }
 
+// The sets of a separation (see piece_looks.cpp), in the colours of the component graph.
+const uint kStayed = 65536u;
+const vec3 kStayedColour = vec3(0.042, 0.22, 0.60), kCameOffColour = vec3(0.62, 0.50, 0.22);
+
 // From slate over red to yellow, for the sizes of faces.
 vec3 level_colour(float t) {
   vec3 colour = mix(vec3(0.055, 0.075, 0.11), vec3(0.36, 0.035, 0.03), smoothstep(0.0, 0.5, t));
@@ -54,7 +58,9 @@ void main() {
 
   uint number = shown_number(piece, look);
   paint = paints[traits.y];
-  if (body_look.y > 1.5) {
+  if (number >= kStayed) {
+    paint = vec4(number == kStayed ? kStayedColour : kCameOffColour, 0.25);
+  } else if (body_look.y > 1.5) {
     paint = vec4(level_colour(float(traits.x) / max(body_look.x, 1.0)), 0.25);
   } else if (body_look.y > 0.5) {
     paint = number == 0u ? vec4(0.16, 0.17, 0.18, 0.25) : vec4(piece_colour(number, true), 0.25);

@@ -14,26 +14,19 @@ PieceId at_position(const History& history, size_t step, PieceId piece) {
 
 }  // namespace
 
-std::vector<PieceOrigin> piece_origins(const Document& document) {
-  const World& world = document.world();
+std::vector<PieceNode> piece_origins(const Document& document) {
   const History& history = document.history();
-  std::map<PieceId, PieceOrigin> origins;
-  for (const BodyId id : world.ids()) {
-    const Body& body = world.body(id);
-    for (uint32_t label = 0; label < body.pieces.size(); ++label) {
-      if (body.pieces[label].faces > 0) origins[{id, label}] = {{id, label}, std::nullopt, 0};
-    }
-  }
+  std::vector<PieceNode> all = piece_nodes(document.world());
+  std::map<PieceId, PieceNode*> nodes;
+  for (PieceNode& node : all) nodes[node.piece] = &node;
   for (size_t step = 0; step < history.position(); ++step) {
     for (const auto& [piece, from] : history.step(step).came_off()) {
-      const auto found = origins.find(at_position(history, step, piece));
-      if (found == origins.end()) continue;
-      found->second.came_off = at_position(history, step, {piece.body, from});
-      found->second.step = step;
+      const auto found = nodes.find(at_position(history, step, piece));
+      if (found == nodes.end()) continue;
+      found->second->came_off = at_position(history, step, {piece.body, from});
+      found->second->step = step;
     }
   }
-  std::vector<PieceOrigin> all;
-  for (const auto& [piece, origin] : origins) all.push_back(origin);
   return all;
 }
 

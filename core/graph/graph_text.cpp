@@ -2,6 +2,7 @@
 
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 namespace kerf {
@@ -28,43 +29,105 @@ std::map<BodyId, FirstNumbers> number_bodies(const World& world) {
   return all;
 }
 
+// The numbers in the text.
+class Numbers {
+ public:
+  explicit Numbers(const World& world) : first_(number_bodies(world)) {}
+  const std::map<BodyId, FirstNumbers>& bodies() const { return first_; }
+  size_t body(BodyId id) const { return first_.at(id).body; }
+  size_t face(const GraphNode& n) const { return first_.at(n.body).face + n.face.index; }
+  size_t piece(const PieceId& p) const { return first_.at(p.body).piece + p.label; }
+  // Of what a piece came off, if its body is still there.
+  std::optional<size_t> came_off(const PieceNode& node) const {
+    if (!node.came_off || !first_.contains(node.came_off->body)) return std::nullopt;
+    return piece(*node.came_off);
+  }
+
+ private:
+  std::map<BodyId, FirstNumbers> first_;
+};
+
 const char* separator(size_t i) { return i == 0 ? "\n  " : ",\n  "; }
 
 std::string quoted(const std::string& text) {
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
+std::string or_null(std::optional<size_t> number) { return number ? std::to_string(*number) : "null"; }
+
+void write_piece_json(const PieceNode& node, const Numbers& numbers, const World& world, std::ostream& out) {
+  const Body& body = world.body(node.piece.body);
+  out << "{\"piece\": " << numbers.piece(node.piece)
+      << ", \"name\": " << quoted(body.name_of(node.piece.label))
+      << ", \"body\": " << numbers.body(node.piece.body)
+      << ", \"faces\": " << body.pieces[node.piece.label].faces
+      << ", \"came_off\": " << or_null(numbers.came_off(node))
+      << ", \"step\": " << or_null(node.came_off ? std::optional(node.step + 1) : std::nullopt)
+      << ", \"held_by\": \"" << name_of(node.held_by) << "\", \"parts\": " << node.parts << '}';
+}
+
+std::string holder_text(const PieceNode& node) {
+  if (node.held_by == Holder::kBody) return std::to_string(node.parts) + " parts, held by one body";
+  return std::string("held by ") + name_of(node.held_by);
+}
+
+void write_pieces_dot(std::span<const PieceNode> pieces, const Numbers& numbers, const World& world,
+                      std::ostream& out) {
+  out << "  subgraph pieces {\n    node [shape=box];\n";
+  for (const PieceNode& node : pieces) {
+    const size_t number = numbers.piece(node.piece);
+    const std::string name = world.body(node.piece.body).name_of(node.piece.label);
+    out << "    piece" << number << " [fillcolor=" << 1 + number % kColours
+        << ", label=" << quoted(name + "\n" + holder_text(node)) << "];\n";
+  }
+  for (const PieceNode& node : pieces) {
+    const std::optional<size_t> from = numbers.came_off(node);
+    if (!from) continue;
+    out << "    piece" << *from << " -- piece" << numbers.piece(node.piece) << " [dir=forward, label=\"step "
+        << node.step + 1 << "\"];\n";
+  }
+  out << "  }\n";
+}
+
 }  // namespace
 
-void write_graph_json(const ComponentGraph& graph, const World& world, std::ostream& out) {
-  const std::map<BodyId, FirstNumbers> first = number_bodies(world);
+void write_graph_json(const ComponentGraph& graph, std::span<const PieceNode> pieces, const World& world,
+                      std::ostream& out) {
+  const Numbers numbers(world);
   out << "{\"nodes\": [";
   for (size_t i = 0; i < graph.nodes.size(); ++i) {
     const GraphNode& n = graph.nodes[i];
-    const FirstNumbers& from = first.at(n.body);
-    out << separator(i) << "{\"face\": " << from.face + n.face.index
-        << ", \"piece\": " << from.piece + n.piece << ", \"body\": " << from.body << '}';
+    out << separator(i) << "{\"face\": " << numbers.face(n)
+        << ", \"piece\": " << numbers.piece({n.body, n.piece}) << ", \"body\": " << numbers.body(n.body)
+        << '}';
   }
   out << "],\n \"edges\": [";
   for (size_t i = 0; i < graph.edges.size(); ++i)
     out << separator(i) << '[' << graph.edges[i][0] << ", " << graph.edges[i][1] << ']';
   out << "],\n \"bodies\": [";
-  for (const auto& [id, from] : first) {
+  for (const auto& [id, from] : numbers.bodies()) {
     out << separator(from.body) << "{\"name\": " << quoted(world.body(id).own_name())
         << ", \"first_face\": " << from.face << ", \"first_piece\": " << from.piece << '}';
+  }
+  out << "],\n \"pieces\": [";
+  for (size_t i = 0; i < pieces.size(); ++i) {
+    out << separator(i);
+    write_piece_json(pieces[i], numbers, world, out);
   }
   out << "]}\n";
 }
 
-void write_graph_dot(const ComponentGraph& graph, const World& world, std::ostream& out) {
-  const std::map<BodyId, FirstNumbers> first = number_bodies(world);
-  const auto number = [&](const GraphNode& n) { return first.at(n.body).face + n.face.index; };
+void write_graph_dot(const ComponentGraph& graph, std::span<const PieceNode> pieces, const World& world,
+                     std::ostream& out) {
+  const Numbers numbers(world);
   out << "graph components {\n  node [shape=circle, style=filled, colorscheme=set312];\n";
   for (const GraphNode& n : graph.nodes) {
-    out << "  " << number(n) << " [fillcolor=" << 1 + (first.at(n.body).piece + n.piece) % kColours << "];\n";
+    out << "  " << numbers.face(n) << " [fillcolor=" << 1 + numbers.piece({n.body, n.piece}) % kColours
+        << "];\n";
   }
   for (const auto& [a, b] : graph.edges)
-    out << "  " << number(graph.nodes[a]) << " -- " << number(graph.nodes[b]) << ";\n";
+    out << "  " << numbers.face(graph.nodes[a]) << " -- " << numbers.face(graph.nodes[b]) << ";\n";
+  write_pieces_dot(pieces, numbers, world, out);
   out << "}\n";
 }
 

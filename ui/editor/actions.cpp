@@ -151,7 +151,8 @@ std::vector<UserAction> make_actions(EditorState& state, std::span<const Panel> 
 std::span<const Gesture> gestures() { return kGestures; }
 
 void escape(EditorState& state) {
-  if (cancel_stroke(state.hand, state.work.document)) return;
+  const bool fired = std::exchange(state.lasers.emitter.firing, false);
+  if (cancel_stroke(state.hand, state.work.document) || fired) return;
   if (state.hand.drag == Drag::kBox) {
     state.hand.drag = Drag::kNone;
     return;

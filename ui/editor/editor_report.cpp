@@ -82,10 +82,8 @@ nlohmann::ordered_json path_of(const PathWork& path) {
 }
 
 nlohmann::ordered_json emitter_of(const Emitter& emitter) {
-  return {{"placed", emitter.placed()},
-          {"at", list_of(emitter.at())},
-          {"target", list_of(emitter.target())},
-          {"firing", emitter.firing}};
+  return {{"placed", emitter.placed()}, {"at", list_of(emitter.at())},  {"target", list_of(emitter.target())},
+          {"firing", emitter.firing},   {"in_shots", emitter.in_shots}, {"pace", emitter.pace.per_second()}};
 }
 
 nlohmann::ordered_json memory_of(const MemoryFigures& memory) {

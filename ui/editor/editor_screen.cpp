@@ -105,8 +105,10 @@ GuiLook EditorScreen::look() const {
 }
 
 bool EditorScreen::moving() const {
-  return thread_.busy() || easing_ || stage_cut_.waits() || cut_.waits() || state_.view.picture_old ||
-         picture_.busy() || state_.opening.loader.busy() || state_.graph.playing();
+  const Emitter& emitter = state_.lasers.emitter;
+  return (emitter.firing && emitter.in_shots) || thread_.busy() || easing_ || stage_cut_.waits() ||
+         cut_.waits() || state_.view.picture_old || picture_.busy() || state_.opening.loader.busy() ||
+         state_.graph.playing();
 }
 
 // Hearing

@@ -1,5 +1,6 @@
 #include "ui/editor/laser_desk.h"
 
+#include "core/cut/cuttable.h"
 #include "ui/editor/path/surface_point.h"
 #include "ui/render/spread.h"
 
@@ -25,6 +26,20 @@ void begin_fire(EditorState& s, double now) {
   const CutSettings settings = s.hand.laser.settings(world.bounds().diagonal());
   s.hand.beam.fire(s.work.document, emitter.pose(), emitter.distance(), settings, now);
   s.hand.cut_once = true;
+}
+
+// A shot waits until the last one is cut. One that meets nothing would be an empty step of the history.
+void fire_shots(EditorState& s, double now) {
+  Emitter& emitter = s.lasers.emitter;
+  const Document& document = s.work.document;
+  if (!emitter.firing) return emitter.pace.begin();
+  if (s.hand.beam.cutting() || document.waiting() > 0 || !emitter.pace.is_due(now)) return;
+  emitter.pace.take(now);
+  const World& world = document.world();
+  const Laser laser = s.hand.laser.settings(world.bounds().diagonal()).laser;
+  if (!meets_anything(world, laser, emitter.pose())) return;
+  begin_fire(s, now);
+  s.hand.beam.release(s.work.document);
 }
 
 }  // namespace
@@ -62,14 +77,16 @@ void follow_emitter(EditorState& state, double now) {
   LaserTool& beam = state.hand.beam;
   if (emitter.drawing && !beam.cutting()) emitter.firing = emitter.drawing = false;  // it was ended elsewhere
   if (state.opening.loader.busy()) emitter.firing = false;
-  if (emitter.firing && !emitter.drawing) {
+  if (emitter.in_shots && !emitter.drawing) return fire_shots(state, now);
+  const bool on = emitter.firing && !emitter.in_shots;
+  if (on && !emitter.drawing) {
     begin_fire(state, now);
-  } else if (emitter.firing) {
+  } else if (on) {
     beam.carry_to(state.work.document, emitter.pose(), now);
   } else if (emitter.drawing) {
     beam.release(state.work.document);
   }
-  emitter.drawing = emitter.firing;
+  emitter.drawing = on;
 }
 
 }  // namespace kerf

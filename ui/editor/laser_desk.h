@@ -14,8 +14,8 @@ const char* why_no_run(const EditorState& state);
 // Places the emitter where the view looks, and moves it there if it stands elsewhere.
 void place_emitter(EditorState& state);
 
-// Begins, continues or ends the stroke of the emitter, as it is switched. `now` is the time (s) on the clock
-// of the events.
+// Begins, continues or ends the stroke of the emitter, as it is switched, or fires the shot that is due.
+// `now` is the time (s) on the clock of the events.
 void follow_emitter(EditorState& state, double now);
 
 }  // namespace kerf

@@ -26,7 +26,7 @@ namespace {
 
 void draw_laser(EditorState& s, EmitterRows& emitter) {
   const bool changed = draw_laser_panel(s.hand.laser, s.view.frame.unit);
-  emitter.draw(s.lasers.emitter, [&s] { place_emitter(s); });
+  emitter.draw(s.lasers.emitter, s.view, [&s] { place_emitter(s); });
   if (changed && s.settings.live_recut && why_no_recut(s.work.document) == nullptr)
     s.requests.recut_radius = true;
 }
@@ -39,7 +39,7 @@ void draw_resolution(EditorState& s) {
 void draw_path(EditorState& s, PathPanel& panel) {
   const World& world = s.work.document.world();
   panel.draw(
-      s.lasers, world, PathTool::beam_for(world, s.hand.laser.radius), why_no_run(s),
+      s.lasers, s.view, world, PathTool::beam_for(world, s.hand.laser.radius), why_no_run(s),
       {[&s] { s.requests.run_path = true; }, [&s] { choose_file_for(s, FileBrowser::Purpose::kOpenPath); },
        [&s] { choose_file_for(s, FileBrowser::Purpose::kSavePath); }});
 }
@@ -80,11 +80,12 @@ std::vector<Panel> make_panels(EditorState& s) {
       {PanelId::kTree, "Tree", [&s] { draw_tree(s); }},
       {PanelId::kGraph, "Graph", [&s, panel = GraphPanel()]() mutable { draw_graph(s, panel); }},
       {PanelId::kSingleStep, "Single step",
-       [&s, panel = SingleStepPanel()]() mutable { panel.draw(s.stages, s.work.document); }},
+       [&s, panel = SingleStepPanel()]() mutable { panel.draw(s.stages, s.work.document, s.view); }},
       {PanelId::kView, "View", [&s, rows = SectionRows()]() mutable { draw_view(s, rows); }},
       {PanelId::kStatistics, "Statistics", [&s] { draw_statistics_panel(s.figures.chart, s.figures.shown); }},
       {PanelId::kFile, "File", [&] { draw_file_panel(document.world(), s.work.scene, s.view, s.settings); }},
-      {PanelId::kDisplay, "Display", [&s, panel = DisplayPanel()]() mutable { panel.draw(s.settings); }},
+      {PanelId::kDisplay, "Display",
+       [&s, panel = DisplayPanel()]() mutable { panel.draw(s.settings, s.view); }},
   };
 }
 

@@ -105,7 +105,7 @@ std::vector<UserAction> path_actions(EditorState& s) {
 std::vector<UserAction> emitter_actions(EditorState& s) {
   Emitter& emitter = s.lasers.emitter;
   const auto why_none = [&emitter] {
-    return emitter.placed() ? nullptr : "There is no emitter: place one first (Shift+U).";
+    return emitter.placed() ? nullptr : "There is no emitter: place one first.";
   };
   return {
       UserAction{.menu = "Path",
@@ -115,14 +115,15 @@ std::vector<UserAction> emitter_actions(EditorState& s) {
                  .mods = kShift,
                  .tip = "A laser that stands in the scene, aimed at the middle of the picture.",
                  .run = [&s] { place_emitter(s); }},
-      UserAction{.menu = "Path",
-                 .name = "Fire the emitter",
-                 .shortcut = "U",
-                 .key = GLFW_KEY_U,
-                 .tip = "Switches it on or off. While it is on, what it is moved over is one stroke.",
-                 .run = [&emitter] { emitter.firing = !emitter.firing; },
-                 .checked = [&emitter] { return emitter.firing; },
-                 .why_not = why_none},
+      UserAction{
+          .menu = "Path",
+          .name = "Fire the emitter",
+          .shortcut = "U",
+          .key = GLFW_KEY_U,
+          .tip = "Switches it on or off. The Laser panel says whether it fires without a break or in shots.",
+          .run = [&emitter] { emitter.firing = !emitter.firing; },
+          .checked = [&emitter] { return emitter.firing; },
+          .why_not = why_none},
       UserAction{.menu = "Path",
                  .name = "Take the emitter away",
                  .tip = "Takes it out of the scene.",

@@ -1,11 +1,14 @@
 #include "ui/render/body_looks.h"
 
+#include "ui/render/stage_marks.h"
+
 namespace kerf {
 
 BodyLooks::BodyLooks(BodyId id, const ViewOptions& options) {
   for (auto i = options.pieces.lower_bound({id, 0}); i != options.pieces.end() && i->first.body == id; ++i) {
     if (!(i->second == PieceLook{})) by_group_.emplace(i->first.label, i->second);
   }
+  note_separation(id, options);
   const auto found = options.groups.find(id);
   if (found == options.groups.end() || found->second->loose.empty()) return;
   groups_ = found->second;
@@ -15,7 +18,19 @@ BodyLooks::BodyLooks(BodyId id, const ViewOptions& options) {
     look.offset = of(loose.goes_with).offset;
     look.turn = of(loose.goes_with).turn;
     if (look.number == 0) look.number = loose.piece;
+    if (const auto set = came_off_.find(loose.piece); set != came_off_.end())
+      came_off_.emplace(group, set->second);
     by_group_.emplace(group++, look);
+  }
+}
+
+void BodyLooks::note_separation(BodyId id, const ViewOptions& options) {
+  if (!options.stage) return;
+  for (const PieceId& piece : options.stage->stayed) {
+    if (piece.body == id) came_off_[piece.label] = false;
+  }
+  for (const PieceId& piece : options.stage->came_off) {
+    if (piece.body == id) came_off_[piece.label] = true;
   }
 }
 

@@ -24,11 +24,17 @@ class BodyLooks {
   uint32_t group_of(const Mesh& mesh, FaceId f) const {
     return groups_ ? groups_->of(mesh, f) : mesh.data(f).piece;
   }
+  // The groups that a stage of a cut separated (true) from others, and those others (false).
+  const std::map<uint32_t, bool>& came_off() const { return came_off_; }
+
   // Null if the group of each face is the label of its piece.
   const std::shared_ptr<const PieceGroups>& groups() const { return groups_; }
 
  private:
+  void note_separation(BodyId id, const ViewOptions& options);
+
   std::map<uint32_t, PieceLook> by_group_;
+  std::map<uint32_t, bool> came_off_;
   std::shared_ptr<const PieceGroups> groups_;
 };
 

@@ -7,6 +7,8 @@ namespace kerf {
 namespace {
 
 const glm::vec4 kNotTurned(0, 0, 0, 1);
+// Numbers beyond those of pieces, whose colours are those of the sets of a separation; body.vert knows them.
+constexpr float kStayed = 65536, kCameOff = 65537;
 constexpr int kUnit = 3;  // of the textures; no program that draws bodies uses it for another
 
 // Where the look moves the origin of the frame, which is the eye.
@@ -28,22 +30,34 @@ glm::vec4 packed(const PieceLook& look, bool numbered, const FrameSpace& space) 
 
 }  // namespace
 
+void PieceLooks::add_row(std::vector<glm::vec4>& table, size_t row) {
+  while (table.size() <= 2 * row) table.insert(table.end(), {glm::vec4(0), kNotTurned});
+}
+
 bool PieceLooks::update(const BodyLooks& looks, const FrameSpace& space) {
-  const bool changed = looks.by_group() != looks_ || up_ != space.up;
+  const bool changed = looks.by_group() != looks_ || looks.came_off() != came_off_ || up_ != space.up;
   if (!changed && !any_turned_) return false;
   up_ = space.up;
   looks_ = looks.by_group();
+  came_off_ = looks.came_off();
   any_away_ = any_turned_ = any_selected_ = false;
   std::vector<glm::vec4> table;
   const size_t pieces = looks.groups() ? looks.groups()->middles.size() : SIZE_MAX;
   for (const auto& [group, look] : looks_) {
     const size_t row = packed_piece(group);
-    while (table.size() <= 2 * row) table.insert(table.end(), {glm::vec4(0), kNotTurned});
+    add_row(table, row);
     table[2 * row] = packed(look, look.number > 0 || group >= pieces, space);
     table[2 * row + 1] = packed_turn(look, space);
     any_away_ = any_away_ || look.hidden || look.is_away();
     any_turned_ = any_turned_ || look.is_turned();
     any_selected_ = any_selected_ || (look.selected && !look.hidden);
+  }
+  for (const auto& [group, came_off] : came_off_) {
+    const size_t row = packed_piece(group);
+    add_row(table, row);
+    float& shown = table[2 * row].w;
+    const bool selected = looks.of(group).selected;
+    if (shown >= 0) shown = (selected ? 1.0f : 0.0f) + 2.0f * (1.0f + (came_off ? kCameOff : kStayed));
   }
   count_ = static_cast<int>(table.size() / 2);
   glBindBuffer(GL_TEXTURE_BUFFER, buffer_.name());

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <glm/vec4.hpp>
 #include <map>
+#include <vector>
 
 #include "ui/gl/objects.h"
 #include "ui/gl/program.h"
@@ -23,7 +25,10 @@ class PieceLooks {
   bool any_selected() const { return any_selected_; }
 
  private:
+  static void add_row(std::vector<glm::vec4>& table, size_t row);
+
   std::map<uint32_t, PieceLook> looks_;  // by group
+  std::map<uint32_t, bool> came_off_;    // by group
   UpAxis up_ = UpAxis::kY;               // of the displacements on the GPU
   gl::Buffer buffer_;
   gl::Texture table_;

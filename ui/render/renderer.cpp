@@ -160,8 +160,7 @@ void Renderer::set_up(const World& world, const CameraView& view, const ViewOpti
     const Vec3 normal = space_.turned(section->normal);
     frame.section = -glm::vec4(glm::vec3(normal), space_.length(section->height_of(space_.eye)));
   }
-  const bool pieces = options.show.pieces || (options.stage && options.stage->came_off);
-  const int colours = options.show.sizes ? 2 : pieces ? 1 : 0;
+  const int colours = options.show.sizes ? 2 : options.show.pieces ? 1 : 0;
   frame.body_look = {finest_, colours, options.two_sided ? 1 : 0, 0};
   glBindBuffer(GL_UNIFORM_BUFFER, uniforms_.name());
   glBufferData(GL_UNIFORM_BUFFER, sizeof(frame), &frame, GL_STREAM_DRAW);

@@ -39,7 +39,9 @@ struct StageMarks {
     std::vector<Line> lines;
   };
   std::vector<OfBody> bodies;
-  bool came_off = false;  // pieces came off: each piece is drawn in its own colour
+  // The sets of a separation, which are drawn in two colours: the pieces that came off, and those that they
+  // came off.
+  std::vector<PieceId> came_off, stayed;
 };
 
 }  // namespace kerf

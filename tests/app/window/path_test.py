@@ -3,6 +3,7 @@ import json
 import os
 import subprocess
 import tempfile
+import time
 import unittest
 
 from editor_window import ASSETS, KERF, SPHERE, WindowTest, pause, wait_for
@@ -169,6 +170,37 @@ class Path(WindowTest):
         self.assertGreater(len(moves), 10)
         self.assertEqual(sorted(m["t"] for m in moves), [m["t"] for m in moves])
         self.assertEqual((report["strokes"], report["undo_depth"], report["emitter"]["firing"]), (0, 0, False))
+
+    def test_the_emitter_fires_shots_at_the_pace_that_is_typed(self):
+        self.open(SPHERE).quit()
+        self.only_panel("Laser")
+        editor = self.open_again(SPHERE)
+        editor.point_at(0.1, 0.1)
+        editor.do("shift", "u")
+        editor.click("emitter fires", 0.5, 0.5)
+        editor.click("emitter fires 1", 0.5, 0.5)
+        editor.click("Pace", 0.5, 0.5)
+        editor.press("ctrl", "a")
+        editor.xdotool("type", "--delay", "60", "2")
+        editor.do("Return")
+        editor.point_at(0.9, 0.9)
+        editor.press("u")
+        began = time.monotonic()
+        x, y = editor.place(("emitter target", 0.5, 0.5))
+        editor.move_to(x, y)
+        pause(0.3)
+        editor.xdotool("mousedown", 1)
+        for i in range(1, 31):
+            editor.move_to(x + 3 * i, y)
+            pause(0.1)
+        editor.xdotool("mouseup", 1)
+        editor.do("u")
+        took = time.monotonic() - began
+        report = editor.quit()
+        self.assertEqual((report["emitter"]["in_shots"], report["emitter"]["pace"]), (True, 2))
+        self.assertFalse(report["emitter"]["firing"])
+        self.assertGreater(report["strokes"], 2)
+        self.assertLessEqual(report["strokes"], 2 * took + 1)
 
 
 if __name__ == "__main__":

@@ -167,6 +167,24 @@ class Pieces(WindowTest):
         with open(os.path.join(self.folder, "named.kerf")) as file:
             self.assertIn('"half of a ball"', file.read())
 
+    def test_f2_renames_the_chosen_piece_and_asks_for_one_where_none_is_chosen(self):
+        self.open(SPHERE).quit()
+        self.only_panel("Light")
+        editor = self.open_again(SPHERE)
+        editor.point_at(0.9, 0.9)
+        editor.do("F2")
+        self.assertNotIn("new name", editor.landmarks()["parts"])
+        editor.press("k")
+        editor.click(0.5, 0.53)
+        editor.press("F2")  # unfolds the list
+        editor.part("new name")
+        editor.xdotool("type", "--delay", "60", "ball")
+        pause(0.5)
+        editor.do("Return")
+        editor.part("piece ball")
+        report = editor.quit()
+        self.assertEqual((report["undo_depth"], report["strokes"]), (1, 0))
+
     def test_a_smaller_window_keeps_panels_and_picture_apart(self):
         editor = self.open()
         editor.xdotool("search", "--name", "Kerf", "windowsize", 800, 600)

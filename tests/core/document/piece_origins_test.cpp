@@ -30,7 +30,7 @@ void draw(Document& document, Random& random) {
 
 // The piece that a piece was part of before the stroke in which it came off, perhaps in several parts one
 // after the other; nothing if one of these has no faces any more.
-std::optional<uint32_t> piece_before(const std::map<uint32_t, PieceOrigin>& origins, uint32_t label) {
+std::optional<uint32_t> piece_before(const std::map<uint32_t, PieceNode>& origins, uint32_t label) {
   const size_t step = origins.at(label).step;
   for (;;) {
     const uint32_t from = origins.at(label).came_off->label;
@@ -57,8 +57,8 @@ TEST(PieceOrigins, are_those_that_the_labels_before_and_after_each_stroke_tell) 
         if (was != before.end() && was->second != label) expected[label] = {was->second, step};
       }
     }
-    std::map<uint32_t, PieceOrigin> origins;
-    for (const PieceOrigin& origin : piece_origins(document)) origins[origin.piece.label] = origin;
+    std::map<uint32_t, PieceNode> origins;
+    for (const PieceNode& origin : piece_origins(document)) origins[origin.piece.label] = origin;
     for (const auto& [label, origin] : origins) {
       if (label == 0) EXPECT_FALSE(origin.came_off);
       const auto found = expected.find(label);

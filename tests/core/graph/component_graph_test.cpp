@@ -119,7 +119,7 @@ TEST(ComponentGraph, numbers_faces_and_pieces_of_several_bodies_once_each) {
   world.add(make_body("a \"quoted\" name", build(sphere(6, 8, 0.5))));
   const ComponentGraph graph = component_graph(world);
   std::ostringstream text;
-  write_graph_json(graph, world, text);
+  write_graph_json(graph, piece_nodes(world), world, text);
   const auto json = nlohmann::json::parse(text.str());
   std::set<size_t> faces;
   std::map<size_t, std::set<size_t>> bodies_of_piece;
@@ -135,15 +135,46 @@ TEST(ComponentGraph, numbers_faces_and_pieces_of_several_bodies_once_each) {
   EXPECT_EQ(json["edges"].get<std::vector<ComponentGraph::Edge>>(), graph.edges);
   EXPECT_EQ(json["bodies"][1]["name"], "a \"quoted\" name");
   for (const auto& [piece, bodies] : bodies_of_piece) EXPECT_EQ(bodies.size(), 1u) << "piece " << piece;
+  std::map<size_t, std::set<size_t>> listed;
+  for (const auto& piece : json["pieces"]) listed[piece["piece"]].insert(piece["body"].get<size_t>());
+  EXPECT_EQ(listed, bodies_of_piece);
 }
 
-TEST(ComponentGraph, is_written_for_graphviz_with_a_line_for_each_node_and_edge) {
-  const World world = world_of(plate(1));
+TEST(ComponentGraph, says_of_each_piece_what_it_came_off_and_what_holds_it) {
+  const World world = world_of(both(plate(1), moved(plate(1), {3, 0, 0}, 1)));
+  std::vector<PieceNode> pieces = piece_nodes(world);
+  PieceNode piece = pieces[0];
+  piece.came_off = PieceId{{7, 0}, 2};
+  piece.step = 4;
+  pieces.push_back(piece);
   std::ostringstream text;
-  write_graph_dot(component_graph(world), world, text);
-  EXPECT_EQ(text.str(),
-            "graph components {\n  node [shape=circle, style=filled, colorscheme=set312];\n"
-            "  0 [fillcolor=1];\n  1 [fillcolor=1];\n  0 -- 1;\n}\n");
+  write_graph_json(component_graph(world), pieces, world, text);
+  const auto json = nlohmann::json::parse(text.str())["pieces"];
+  const nlohmann::json first{{"piece", 0},          {"name", world.body(world.ids()[0]).name_of(0)},
+                             {"body", 0},           {"faces", 4},
+                             {"came_off", nullptr}, {"step", nullptr},
+                             {"held_by", "body"},   {"parts", 2}};
+  EXPECT_EQ(json[0], first);
+  EXPECT_EQ(json[1]["came_off"], nullptr) << "its body does not exist any more";
+  EXPECT_EQ(json[1]["step"], 5);
+}
+
+TEST(ComponentGraph, is_written_for_graphviz_with_a_line_for_each_node_edge_and_piece) {
+  World world;
+  world.add(make_body("sheet", build(plate(1))));
+  std::vector<PieceNode> pieces = piece_nodes(world);
+  std::ostringstream text;
+  write_graph_dot(component_graph(world), pieces, world, text);
+  const std::string faces =
+      "graph components {\n  node [shape=circle, style=filled, colorscheme=set312];\n"
+      "  0 [fillcolor=1];\n  1 [fillcolor=1];\n  0 -- 1;\n"
+      "  subgraph pieces {\n    node [shape=box];\n"
+      "    piece0 [fillcolor=1, label=\"sheet\\nheld by itself\"];\n";
+  EXPECT_EQ(text.str(), faces + "  }\n}\n");
+  pieces.front().came_off = pieces.front().piece;
+  text.str("");
+  write_graph_dot(component_graph(world), pieces, world, text);
+  EXPECT_EQ(text.str(), faces + "    piece0 -- piece0 [dir=forward, label=\"step 1\"];\n  }\n}\n");
 }
 
 }  // namespace

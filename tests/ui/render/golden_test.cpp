@@ -153,6 +153,13 @@ TEST(Golden, the_stages_of_a_cut_look_as_they_did) {
   expect_golden("stage-refine", draw_stage(stage, log, Kind::kRefine));
 }
 
+TEST(Golden, the_sets_of_a_separation_look_as_they_did) {
+  test::Stage stage = test::ball_and_ring();
+  stage.begin_cut({{-1.7, 0.1, 4}, {0, 0, -1}}, {{1.7, -0.2, 4}, {0, 0, -1}}, 0.06);
+  StageLog log;
+  expect_golden("stage-separate", draw_stage(stage, log, StageRecord::Kind::kSeparate));
+}
+
 TEST(Golden, figures_8_and_9_of_the_paper_look_as_they_did) {
   const test::TemporaryFolder folder;
   for (const std::string name : {"figure-8", "figure-9"}) {

@@ -21,15 +21,15 @@ constexpr size_t kMostRows = 500, kRowsInSight = 14;
 // Depth-first, and the pieces of one parent by step.
 class TreeOrder {
  public:
-  explicit TreeOrder(const std::vector<PieceOrigin>& origins) {
-    for (const PieceOrigin& o : origins) known_[o.piece] = true;
-    for (const PieceOrigin& o : origins) {
+  explicit TreeOrder(const std::vector<PieceNode>& origins) {
+    for (const PieceNode& o : origins) known_[o.piece] = true;
+    for (const PieceNode& o : origins) {
       if (has_parent(o)) children_[*o.came_off].push_back(o);
     }
     for (auto& [parent, children] : children_)
       std::stable_sort(children.begin(), children.end(),
-                       [](const PieceOrigin& a, const PieceOrigin& b) { return a.step < b.step; });
-    for (const PieceOrigin& o : origins) {
+                       [](const PieceNode& a, const PieceNode& b) { return a.step < b.step; });
+    for (const PieceNode& o : origins) {
       if (!has_parent(o)) add(o, o.came_off ? 1 : 0);
     }
   }
@@ -37,16 +37,16 @@ class TreeOrder {
 
  private:
   // A piece of which nothing is left has no row.
-  bool has_parent(const PieceOrigin& o) const { return o.came_off && known_.contains(*o.came_off); }
-  void add(const PieceOrigin& origin, int depth) {
+  bool has_parent(const PieceNode& o) const { return o.came_off && known_.contains(*o.came_off); }
+  void add(const PieceNode& origin, int depth) {
     rows_.push_back({origin, depth});
     const auto found = children_.find(origin.piece);
     if (found == children_.end()) return;
-    for (const PieceOrigin& child : found->second) add(child, depth + 1);
+    for (const PieceNode& child : found->second) add(child, depth + 1);
   }
 
   std::map<PieceId, bool> known_;
-  std::map<PieceId, std::vector<PieceOrigin>> children_;
+  std::map<PieceId, std::vector<PieceNode>> children_;
   std::vector<PieceTreeRow> rows_;
 };
 
@@ -59,14 +59,32 @@ ImU32 colour_of_piece(const ViewState& view, const PieceId& id) {
       {static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z), 1});
 }
 
-std::string origin_text(const PieceOrigin& origin, const Document& document) {
-  if (!origin.came_off)
-    return origin.piece.label == 0 ? "what is left of the body" : "it is not known what it came off";
-  const PieceId from = *origin.came_off;
+std::string origin_words(const PieceNode& node, const Document& document) {
+  if (!node.came_off)
+    return node.piece.label == 0 ? "is what is left of its body" : "came off in a step that is not known";
+  const PieceId from = *node.came_off;
   const std::string name = document.world().contains(from.body)
                                ? document.world().body(from.body).name_of(from.label)
                                : "a piece that is deleted";
-  return "came off " + name + " in step " + std::to_string(origin.step + 1);
+  const std::string did = words(document.history().step(node.step).commands().front());
+  return "came off " + name + " in step " + std::to_string(node.step + 1) + " (" + did + ")";
+}
+
+std::string holder_words(const PieceNode& node) {
+  const std::string parts = grouped(node.parts) + " parts";
+  switch (node.held_by) {
+    case Holder::kNothing:
+      return node.beside > 0 ? "Nothing holds it: it stays until it is moved or time passes."
+                             : "Nothing holds it: it is a body of its own.";
+    case Holder::kItself:
+      return "It hangs together as one part.";
+    case Holder::kBody:
+      return "Its " + parts + " never hung together; they move as one because they are one body.";
+    case Holder::kPin:
+      return node.parts > 1 ? "Its " + parts + " are one body, which is pinned."
+                            : "Its body is pinned: it stays whatever acts on it.";
+  }
+  return "";
 }
 
 void draw_row(const PieceTreeRow& row, const Document& document, ViewState& view) {
@@ -91,18 +109,37 @@ void draw_row(const PieceTreeRow& row, const Document& document, ViewState& view
     view.picture_old = true;
   }
   mark_last_item("piece node", static_cast<int>(id.label));
-  const std::string step =
-      row.origin.came_off ? words(document.history().step(row.origin.step).commands().front()) : "";
-  tooltip((origin_text(row.origin, document) + (step.empty() ? "" : ": " + step)).c_str());
+  if (!chosen) tooltip(words_on(row.origin, document).c_str());
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(row.origin.came_off ? ("step " + std::to_string(row.origin.step + 1)).c_str() : "");
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(name_of(row.origin.held_by));
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(grouped(body.pieces[id.label].faces).c_str());
 }
 
+// What is to be known of the chosen piece.
+void draw_words(const std::vector<PieceTreeRow>& rows, const Document& document, const ViewState& view) {
+  const std::optional<PieceId> chosen = first_chosen(view.look.pieces);
+  const auto row =
+      std::find_if(rows.begin(), rows.end(), [&](const PieceTreeRow& r) { return r.origin.piece == chosen; });
+  if (row == rows.end()) return;
+  ImGui::TextWrapped("%s", words_on(row->origin, document).c_str());
+  mark_last_item("piece words");
+}
+
 }  // namespace
 
-std::vector<PieceTreeRow> piece_tree(const std::vector<PieceOrigin>& origins) {
+std::string words_on(const PieceNode& node, const Document& document) {
+  const std::string name = document.world().body(node.piece.body).name_of(node.piece.label);
+  const std::string others = node.piece.label != 0 || node.beside == 0 ? ""
+                             : node.beside == 1
+                                 ? " One piece that came off still stands with it."
+                                 : " " + grouped(node.beside) + " pieces that came off still stand with it.";
+  return name + " " + origin_words(node, document) + ". " + holder_words(node) + others;
+}
+
+std::vector<PieceTreeRow> piece_tree(const std::vector<PieceNode>& origins) {
   return TreeOrder(origins).take();
 }
 
@@ -111,9 +148,10 @@ void draw_piece_tree(const std::vector<PieceTreeRow>& rows, const Document& docu
       ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersOuter;
   const auto lines = static_cast<float>(std::clamp<size_t>(rows.size() + 1, 2, kRowsInSight));
   const float height = lines * (ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y);
-  if (!ImGui::BeginTable("piece nodes", 3, kList, {0, height})) return;
+  if (!ImGui::BeginTable("piece nodes", 4, kList, {0, height})) return;
   ImGui::TableSetupColumn("Piece", ImGuiTableColumnFlags_WidthStretch);
   ImGui::TableSetupColumn("Came off", ImGuiTableColumnFlags_WidthFixed);
+  ImGui::TableSetupColumn("Held by", ImGuiTableColumnFlags_WidthFixed);
   ImGui::TableSetupColumn("Faces", ImGuiTableColumnFlags_WidthFixed);
   ImGui::TableSetupScrollFreeze(0, 1);
   ImGui::TableHeadersRow();
@@ -125,6 +163,7 @@ void draw_piece_tree(const std::vector<PieceTreeRow>& rows, const Document& docu
   ImGui::EndTable();
   if (rows.size() > kMostRows)
     ImGui::TextDisabled("%s more are not listed.", grouped(rows.size() - kMostRows).c_str());
+  draw_words(rows, document, view);
 }
 
 }  // namespace kerf

@@ -136,7 +136,8 @@ Legend legend_of_stage(const StageMarks& marks) {
   }
   Legend legend{"Single step", {}};
   for (const StageMarks::Kind kind : kinds) legend.rows.push_back({colour_of(kind), meaning_of(kind)});
-  if (marks.came_off) legend.rows.push_back(sentence("each piece in its own colour: some came off"));
+  if (!marks.came_off.empty()) legend.rows.push_back({kApart, "what came off"});
+  if (!marks.stayed.empty()) legend.rows.push_back({kReached, "what it came off"});
   return legend;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "ui/editor/view/shortcut_text.h"
 #include "ui/window/property.h"
 
 namespace kerf {
@@ -28,13 +29,13 @@ void scale_row(Settings& settings, double& wanted) {
 
 }  // namespace
 
-void DisplayPanel::draw(Settings& settings) {
+void DisplayPanel::draw(Settings& settings, const ViewState& view) {
   if (!begin_properties("display")) return;
   property("Theme");
   int theme = settings.theme == Theme::kLight ? 1 : 0;
   if (ImGui::Combo("##theme", &theme, "Dark\0Light\0"))
     settings.theme = theme == 1 ? Theme::kLight : Theme::kDark;
-  tooltip("Colours of the panels; the picture stays as it is (F9).");
+  tooltip(with_shortcut(view, "Colours of the panels; the picture stays as it is.", "Light theme").c_str());
   scale_row(settings, wanted_scale_);
   end_properties();
 }

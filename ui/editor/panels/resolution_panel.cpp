@@ -7,6 +7,7 @@
 
 #include "ui/editor/changes/world_changes.h"
 #include "ui/editor/view/file_frames.h"
+#include "ui/editor/view/shortcut_text.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
 
@@ -112,7 +113,9 @@ void recut_row(const ResolutionParts& on, bool changed) {
   ImGui::BeginDisabled(why_not != nullptr);
   if (ImGui::Button("Cut again", {-1, 0})) on.requests.recut = true;
   ImGui::EndDisabled();
-  tooltip(why_not != nullptr ? why_not : "Takes the last stroke back and cuts it at this resolution (R).");
+  const std::string meaning = with_shortcut(
+      on.view, "Takes the last stroke back and cuts it at this resolution.", "Cut the last stroke again");
+  tooltip(why_not != nullptr ? why_not : meaning.c_str());
   property("");
   ImGui::Checkbox("as the slider moves", &on.settings.live_recut);
   tooltip(
@@ -168,7 +171,8 @@ void stroke_rows(const std::optional<ShownFigures::Stroke>& stroke, FileUnit uni
 void split_rows(const ResolutionParts& on) {
   property("Split view");
   bool shown = on.split.shown;
-  if (ImGui::Checkbox("two resolutions (S)", &shown)) on.show_split(shown);
+  if (ImGui::Checkbox((with_shortcut(on.view, "two resolutions", "Split view") + "###split").c_str(), &shown))
+    on.show_split(shown);
   tooltip("The last stroke once more beside the picture, at a resolution of its own.");
   if (!on.split.shown) return;
   ImGui::PushID("right half");

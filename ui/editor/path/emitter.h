@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "ui/editor/path/fire_pace.h"
 #include "ui/editor/path/first_picture.h"
 
 struct ImDrawList;
@@ -40,6 +41,9 @@ class Emitter {
   bool firing = false;
   // Whether its stroke is being drawn, for whoever draws it.
   bool drawing = false;
+  // Whether it fires single shots, each a stroke that stands still, and not one stroke without a break.
+  bool in_shots = false;
+  FirePace pace;
 
   // Dragging a handle. Precondition of drag(): take() was called.
   void take(const EmitterHandle& handle, Vec2 pointer);

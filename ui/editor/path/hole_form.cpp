@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "ui/editor/view/length_field.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/property.h"
 #include "ui/window/row_button.h"
@@ -11,8 +12,6 @@
 namespace kerf {
 
 namespace {
-
-constexpr const char* kLength = "%.5g";
 
 void number_row(const char* name, int& number, const char* meaning) {
   property(name);
@@ -24,24 +23,23 @@ void number_row(const char* name, int& number, const char* meaning) {
   number = std::clamp(number, 1, HolePattern::kMostInALine);
 }
 
-void length_row(NumberFields& fields, const char* name, double& length, const char* meaning) {
+void length_row(NumberFields& fields, const char* name, double& length, FileUnit unit, const char* meaning) {
   double typed = length;
-  if (fields.number(name, typed, kLength, meaning) && typed > 0) length = typed;
+  if (length_field(fields, name, typed, label_unit(length, unit), meaning) && typed > 0) length = typed;
 }
 
 }  // namespace
 
-void HoleForm::draw_grid() {
+void HoleForm::draw_grid(FileUnit unit) {
   number_row("Rows", pattern_.rows, "How many rows of holes there are.");
   number_row("Columns", pattern_.columns, "How many holes there are in each row.");
-  length_row(fields_, "Spacing", pattern_.spacing,
-             "Between the middles of neighbouring holes, in the unit of the file.");
+  length_row(fields_, "Spacing", pattern_.spacing, unit, "Between the middles of neighbouring holes.");
 }
 
-void HoleForm::draw_circle() {
+void HoleForm::draw_circle(FileUnit unit) {
   number_row("Holes", pattern_.count, "How many holes there are on the circle.");
-  length_row(fields_, "Circle radius", pattern_.circle_radius,
-             "Of the circle on which the middles of the holes lie, in the unit of the file.");
+  length_row(fields_, "Circle radius", pattern_.circle_radius, unit,
+             "Of the circle on which the middles of the holes lie.");
 }
 
 void HoleForm::fit_to(double diagonal) {
@@ -61,7 +59,7 @@ void HoleForm::add_holes(PathWork& path, const World& world, double radius, doub
   path.add_strokes(hole_strokes(pattern_, beam, radius), world, distance, speed);
 }
 
-void HoleForm::draw(PathWork& path, const World& world, double radius, double speed) {
+void HoleForm::draw(PathWork& path, const World& world, double radius, double speed, FileUnit unit) {
   fit_to(world.bounds().diagonal());
   if (!begin_properties("holes")) return;
   property("Pattern");
@@ -69,10 +67,10 @@ void HoleForm::draw(PathWork& path, const World& world, double radius, double sp
   if (ImGui::Combo("##kind", &kind, "Grid\0Circle\0")) pattern_.kind = static_cast<HolePattern::Kind>(kind);
   mark_last_item("hole pattern");
   const bool grid = pattern_.kind == HolePattern::Kind::kGrid;
-  if (grid) draw_grid();
-  if (!grid) draw_circle();
-  length_row(fields_, "Hole radius", pattern_.hole_radius,
-             "In the unit of the file. A hole that is no wider than the beam is a single burst.");
+  if (grid) draw_grid(unit);
+  if (!grid) draw_circle(unit);
+  length_row(fields_, "Hole radius", pattern_.hole_radius, unit,
+             "A hole that is no wider than the beam is a single burst.");
   end_properties();
   const int count = grid ? pattern_.rows * pattern_.columns : pattern_.count;
   const std::string label = "Add " + std::to_string(count) + (count == 1 ? " hole" : " holes");

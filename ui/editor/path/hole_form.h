@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/mesh/files/file_frame.h"
 #include "ui/editor/path/hole_pattern.h"
 #include "ui/editor/path/path_work.h"
 #include "ui/window/number_fields.h"
@@ -11,11 +12,11 @@ class HoleForm {
  public:
   // `radius` (m) is that of the beam, `speed` (m/s) that of a path that begins with the holes. The lengths
   // follow from the size of the world until they are typed; a world of quite another size sets them anew.
-  void draw(PathWork& path, const World& world, double radius, double speed);
+  void draw(PathWork& path, const World& world, double radius, double speed, FileUnit unit);
 
  private:
-  void draw_grid();
-  void draw_circle();
+  void draw_grid(FileUnit unit);
+  void draw_circle(FileUnit unit);
   void fit_to(double diagonal);
   void add_holes(PathWork& path, const World& world, double radius, double speed) const;
 

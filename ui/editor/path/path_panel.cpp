@@ -2,10 +2,10 @@
 
 #include <imgui.h>
 
-#include <cmath>
-#include <cstdio>
-
 #include "core/document/edit_path.h"
+#include "core/document/stroke_settings.h"
+#include "ui/editor/view/length_field.h"
+#include "ui/editor/view/shortcut_text.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
@@ -23,17 +23,17 @@ std::string count_text(size_t count, const char* what) {
   return grouped(count) + ' ' + what + (count == 1 ? "" : "s");
 }
 
-std::string summary(const PathWork& path) {
-  if (path.empty()) return "Click points on a surface with the tool Path (O), or load a path file.";
+std::string summary(const PathWork& path, const ViewState& view) {
+  if (path.empty())
+    return with_shortcut(view, "Click points on a surface with the tool Path,", "Path") +
+           " or load a path file.";
   double way = 0, seconds = 0;
   for (const StrokePath& stroke : path.strokes()) {
     way += way_of(stroke);
     seconds += duration_of(stroke);
   }
-  std::array<char, 96> figures{};
-  std::snprintf(figures.data(), figures.size(), ", length %.4g, %.3g s", way, seconds);
   return count_text(path.strokes().size(), "stroke") + ", " + count_text(path.points(), "point") +
-         figures.data();
+         ", length " + length_label(way, view.frame.unit) + ", " + text_of("%.3g s", seconds);
 }
 
 // The point with this number, counted over all strokes.
@@ -51,10 +51,11 @@ size_t number_of(const PathWork& path, PathPoint point) {
 
 }  // namespace
 
-void PathPanel::draw_buttons(PathWork& path, const char* why_no_run, const PathWishes& wishes) {
-  if (row_button("Run", 4, why_no_run,
-                 "Cuts along the path, as kerf cut --path does with its file (Ctrl+Enter)."))
-    wishes.run();
+void PathPanel::draw_buttons(PathWork& path, const ViewState& view, const char* why_no_run,
+                             const PathWishes& wishes) {
+  const std::string run =
+      with_shortcut(view, "Cuts along the path, as kerf cut --path does with its file.", "Run the path");
+  if (row_button("Run", 4, why_no_run, run.c_str())) wishes.run();
   ImGui::SameLine();
   if (row_button("Load", 4, nullptr, "Reads a path file (.json). It can also be dropped on the window."))
     wishes.load();
@@ -63,24 +64,42 @@ void PathPanel::draw_buttons(PathWork& path, const char* why_no_run, const PathW
   if (row_button("Save", 4, why_empty, "Writes the path to a file (.json) for kerf cut --path."))
     wishes.save();
   ImGui::SameLine();
-  if (!row_button("Clear", 4, why_empty, "Removes all points. Ctrl+Z brings them back.")) return;
+  if (!row_button("Clear", 4, why_empty, "Removes all points; undo brings them back.")) return;
   path.begin_edit();
   path.clear();
 }
 
-void PathPanel::draw_beam(PlacedLasers& lasers) {
-  PathWork& path = lasers.path;
-  if (path.empty() || !begin_properties("beam")) return;
+void PathPanel::draw_speed(PathWork& path, FileUnit unit) {
   double speed = path.speed();
   const char* meaning =
       path.has_times_of_file()
-          ? "Of the origin of the beam, per second: the mean of the times in the file. A speed that "
-            "is typed replaces these times."
-          : "Of the origin of the beam, in the unit of the file per second.";
-  if (fields_.number("Speed", speed, "%.4g /s", meaning) && speed > 0) {
-    path.begin_edit();
-    path.set_speed(speed);
-  }
+          ? "Of the origin of the beam: the mean of the times in the file. A speed that is typed replaces "
+            "these times."
+          : "Of the origin of the beam.";
+  if (!length_field(fields_, "Speed", speed, label_unit(speed, unit), meaning, "/s") || !(speed > 0)) return;
+  path.begin_edit();
+  path.set_speed(speed);
+}
+
+void PathPanel::draw_radius(PathWork& path, const World& world, FileUnit unit) {
+  const size_t stroke = path.chosen()->stroke;
+  const StrokePath& drawn = path.strokes()[stroke];
+  double radius = default_settings(drawn, world.bounds().diagonal()).laser.radius;
+  if (!length_field(fields_, "Beam radius", radius, label_unit(radius, unit),
+                    drawn.radius
+                        ? "Of the stroke of the chosen point."
+                        : "Of the stroke of the chosen point: the file gives none, so it is 1/400 of the "
+                          "diagonal of all meshes.") ||
+      !(radius > 0))
+    return;
+  path.begin_edit();
+  path.set_radius(stroke, radius);
+}
+
+void PathPanel::draw_beam(PlacedLasers& lasers, const World& world, FileUnit unit) {
+  PathWork& path = lasers.path;
+  if (path.empty() || !begin_properties("beam")) return;
+  draw_speed(path, unit);
   property("Cut");
   int cut = lasers.at_panel_resolution ? 1 : 0;
   if (ImGui::Combo("##cut", &cut, "As kerf cut does\0As in the Resolution panel\0"))
@@ -88,19 +107,8 @@ void PathPanel::draw_beam(PlacedLasers& lasers) {
   mark_last_item("path resolution");
   tooltip(
       "How fine the faces along the cut are, and which rim is left: as kerf cut --path does with the same "
-      "file, "
-      "or as strokes of the pointer are cut.");
-  if (path.chosen()) {
-    const size_t stroke = path.chosen()->stroke;
-    double radius = path.strokes()[stroke].radius.value_or(0);
-    if (fields_.number("Beam radius", radius, radius > 0 ? "%.4g" : "by size",
-                       "Of the stroke of the chosen point, in the unit of the file. Where the file gives "
-                       "none, it is 1/400 of the diagonal of all meshes.") &&
-        radius > 0) {
-      path.begin_edit();
-      path.set_radius(stroke, radius);
-    }
-  }
+      "file, or as strokes of the pointer are cut.");
+  if (path.chosen()) draw_radius(path, world, unit);
   end_properties();
 }
 
@@ -143,7 +151,7 @@ void PathPanel::draw_list(PathWork& path) {
   ImGui::EndTable();
 }
 
-void PathPanel::draw_chosen(PathWork& path) {
+void PathPanel::draw_chosen(PathWork& path, FileUnit unit) {
   if (!path.chosen() || !begin_properties("point")) return;
   const PathPoint point = *path.chosen();
   Vec3 target = path.target(point), direction = path.pose(point).direction;
@@ -155,11 +163,10 @@ void PathPanel::draw_chosen(PathWork& path) {
   edited = fields_.vector("Direction", direction, "%.4g",
                           "X, Y and Z of the direction of the beam, of any length.") ||
            edited;
-  edited =
-      fields_.number("Distance", distance, "%.5g",
-                     "From the origin of the beam to the point that it aims at. The beam cuts all that it "
-                     "meets within its range.") ||
-      edited;
+  edited = length_field(fields_, "Distance", distance, label_unit(distance, unit),
+                        "From the origin of the beam to the point that it aims at. The beam cuts all that it "
+                        "meets within its range.") ||
+           edited;
   end_properties();
   if (!edited || direction == Vec3(0) || !(distance > 0)) return;
   direction = beam_direction(direction);
@@ -167,20 +174,21 @@ void PathPanel::draw_chosen(PathWork& path) {
   path.set(point, {target - direction * distance, direction}, distance);
 }
 
-void PathPanel::draw(PlacedLasers& lasers, const World& world, const PathTool::Beam& beam,
-                     const char* why_no_run, const PathWishes& wishes) {
+void PathPanel::draw(PlacedLasers& lasers, const ViewState& view, const World& world,
+                     const PathTool::Beam& beam, const char* why_no_run, const PathWishes& wishes) {
   PathWork& path = lasers.path;
-  draw_buttons(path, why_no_run, wishes);
+  const FileUnit unit = view.frame.unit;
+  draw_buttons(path, view, why_no_run, wishes);
   ImGui::PushStyleColor(ImGuiCol_Text, colours::secondary());
-  ImGui::TextWrapped("%s", summary(path).c_str());
+  ImGui::TextWrapped("%s", summary(path, view).c_str());
   ImGui::PopStyleColor();
-  draw_beam(lasers);
+  draw_beam(lasers, world, unit);
   draw_list(path);
-  draw_chosen(path);
+  draw_chosen(path, unit);
   const bool unfolded = ImGui::TreeNodeEx("Holes", ImGuiTreeNodeFlags_NoTreePushOnOpen);
   mark_last_item("Holes header");
   tooltip("A grid or a circle of holes around the chosen point.");
-  if (unfolded) holes_.draw(path, world, beam.radius, beam.speed);
+  if (unfolded) holes_.draw(path, world, beam.radius, beam.speed, unit);
 }
 
 }  // namespace kerf

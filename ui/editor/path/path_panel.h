@@ -16,15 +16,17 @@ struct PathWishes {
 class PathPanel {
  public:
   // `beam` is what a new point gets. `why_no_run` is the reason why the path cannot be run, or null.
-  void draw(PlacedLasers& lasers, const World& world, const PathTool::Beam& beam, const char* why_no_run,
-            const PathWishes& wishes);
+  void draw(PlacedLasers& lasers, const ViewState& view, const World& world, const PathTool::Beam& beam,
+            const char* why_no_run, const PathWishes& wishes);
 
  private:
-  void draw_buttons(PathWork& path, const char* why_no_run, const PathWishes& wishes);
-  void draw_beam(PlacedLasers& lasers);
+  void draw_buttons(PathWork& path, const ViewState& view, const char* why_no_run, const PathWishes& wishes);
+  void draw_speed(PathWork& path, FileUnit unit);
+  void draw_radius(PathWork& path, const World& world, FileUnit unit);
+  void draw_beam(PlacedLasers& lasers, const World& world, FileUnit unit);
   void draw_list(PathWork& path);
   void draw_row(PathWork& path, PathPoint point, int number);
-  void draw_chosen(PathWork& path);
+  void draw_chosen(PathWork& path, FileUnit unit);
 
   NumberFields fields_;
   HoleForm holes_;

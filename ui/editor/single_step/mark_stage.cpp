@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace kerf {
 
@@ -79,7 +80,9 @@ void mark_delta(const World& world, const BodyDelta& delta, StageRecord::Kind st
   if (splits) {
     for (const FaceId f : delta.born) outline(body.mesh.triangle(f), body.label(f), Kind::kBorn, on);
   }
-  marks.came_off = marks.came_off || !delta.new_pieces.empty();
+  std::set<uint32_t> off(delta.new_pieces.begin(), delta.new_pieces.end());
+  for (const FaceId f : delta.relabelled) off.insert(body.mesh.data(f).piece);
+  for (const uint32_t label : off) marks.came_off.push_back({delta.body, label});
 }
 
 void mark_beam(const Body& body, const StageRecord& stage, OfBody& on) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "ui/editor/view/shortcut_text.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
@@ -15,13 +16,15 @@ namespace {
 
 constexpr float kRows = 9;
 
-// A button that says why it cannot be pressed at the moment. Returns whether it was pressed.
-bool button(const char* label, const char* mark, const char* tip, const char* why_not, float width) {
+// A button that tells the key of an action, or says why it cannot be pressed at the moment. Returns whether
+// it was pressed.
+bool button(const ViewState& view, const char* label, const char* mark, const char* tip, const char* action,
+            const char* why_not, float width) {
   ImGui::BeginDisabled(why_not != nullptr);
   const bool pressed = ImGui::Button(label, {width, 0});
   ImGui::EndDisabled();
   mark_last_item(mark);
-  tooltip(why_not != nullptr ? why_not : tip);
+  tooltip(why_not != nullptr ? why_not : with_shortcut(view, tip, action).c_str());
   return pressed;
 }
 
@@ -32,44 +35,45 @@ float width_of_one(int buttons) {
          static_cast<float>(buttons);
 }
 
-void draw_beginnings(StageState& stages, const Document& document) {
+void draw_beginnings(StageState& stages, const Document& document, const ViewState& view) {
   StageWishes& wishes = stages.wishes;
   bool on = wishes.on;
-  if (ImGui::Checkbox("Single steps (F8)", &on)) {
+  if (ImGui::Checkbox((with_shortcut(view, "Single steps", "Single steps") + "###on").c_str(), &on)) {
     wishes.stop();
     wishes.on = on;
   }
   mark_last_item("stages on");
   tooltip("A stroke waits when it is drawn, and is cut stage by stage. The result is the same.");
   ImGui::SameLine();
-  if (button("Start again", "stage start",
-             "Takes the last stroke back, to be cut again stage by stage (Shift+F8).",
+  if (button(view, "Start again", "stage start",
+             "Takes the last stroke back, to be cut again stage by stage.", "Step through the last stroke",
              why_not_again(document), width_of_one(1)))
     wishes.begin_again();
 }
 
-void draw_steps(StageState& stages, const Document& document) {
+void draw_steps(StageState& stages, const Document& document, const ViewState& view) {
   StageWishes& wishes = stages.wishes;
   const char* no_next = why_no_next_stage(stages, document);
   const float third = width_of_one(3);
-  if (button("Back", "stage back", "Takes the last stage back (,).", why_no_stage_back(stages, document),
-             third))
+  if (button(view, "Back", "stage back", "Takes the last stage back.", "Stage back",
+             why_no_stage_back(stages, document), third))
     wishes.go_to(stages.log.done() - 1);
   ImGui::SameLine();
   const char* no_play = no_next != nullptr && !wishes.playing ? why_not_again(document) : nullptr;
-  if (button(wishes.playing ? "Pause" : "Play", "stage play",
-             "Executes stage after stage (Space). At the end of the stroke it begins again.", no_play, third))
+  if (button(view, wishes.playing ? "Pause" : "Play", "stage play",
+             "Executes stage after stage. At the end of the stroke it begins again.", "Play the stages",
+             no_play, third))
     play_or_pause(stages, document);
   ImGui::SameLine();
-  if (button("Next", "stage next", "Executes one stage (.).", no_next, third))
+  if (button(view, "Next", "stage next", "Executes one stage.", "Next stage", no_next, third))
     wishes.go_to(stages.log.done() + 1);
   const float half = width_of_one(2);
-  if (button("Finish the move", "stage end of move",
-             "Executes stages until a move of the beam is finished (Shift+.).", no_next, half))
+  if (button(view, "Finish the move", "stage end of move",
+             "Executes stages until a move of the beam is finished.", "Finish the move", no_next, half))
     wishes.run_to_end_of_move();
   ImGui::SameLine();
-  if (button("Finish the stroke", "stage end of stroke", "Executes all stages that are left (End).", no_next,
-             half))
+  if (button(view, "Finish the stroke", "stage end of stroke", "Executes all stages that are left.",
+             "Finish the stroke", no_next, half))
     wishes.go_to(StageWishes::kAll);
 }
 
@@ -138,10 +142,10 @@ void SingleStepPanel::draw_list(StageState& stages, const Document& document) {
   ImGui::PopStyleColor();
 }
 
-void SingleStepPanel::draw(StageState& stages, const Document& document) {
-  draw_beginnings(stages, document);
+void SingleStepPanel::draw(StageState& stages, const Document& document, const ViewState& view) {
+  draw_beginnings(stages, document, view);
   if (!stages.wishes.on) return;
-  draw_steps(stages, document);
+  draw_steps(stages, document, view);
   draw_speed(stages.wishes);
   const std::string place = place_text(stages, document);
   if (place.empty()) {

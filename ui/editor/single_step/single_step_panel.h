@@ -2,13 +2,14 @@
 
 #include "core/document/document.h"
 #include "ui/editor/single_step/stage_state.h"
+#include "ui/editor/view/view_state.h"
 
 namespace kerf {
 
 // Single steps of the last stroke: the switch, the buttons that go forth and back, and what each stage did.
 class SingleStepPanel {
  public:
-  void draw(StageState& stages, const Document& document);
+  void draw(StageState& stages, const Document& document, const ViewState& view);
 
  private:
   void draw_list(StageState& stages, const Document& document);

@@ -1,5 +1,7 @@
 #include "ui/editor/single_step/stage_log.h"
 
+#include <algorithm>
+
 #include "ui/editor/single_step/mark_stage.h"
 
 namespace kerf {
@@ -12,6 +14,10 @@ void StageLog::note(const World& world, const StageRecord& stage) {
   ++done_;
   const bool found = stage.kind == StageRecord::Kind::kHit || stage.kind == StageRecord::Kind::kHitAgain;
   if (found && world.contains(stage.body)) query_.trace(world, stage);
+  if (stage.kind == StageRecord::Kind::kSweep) cut_.clear();
+  for (const BodyDelta& delta : stage.done.delta.bodies) {
+    for (const CutFace& face : delta.removed) cut_.insert({delta.body, face.piece});
+  }
   last_ = stage;
   marks_.reset();
 }
@@ -19,6 +25,7 @@ void StageLog::note(const World& world, const StageRecord& stage) {
 void StageLog::restart() {
   done_ = 0;
   last_.reset();
+  cut_.clear();
   query_.clear();
   marks_.reset();
 }
@@ -43,6 +50,11 @@ std::shared_ptr<const StageMarks> StageLog::marks(const World& world) {
   if (!last_) return nullptr;
   if (marks_) return marks_;
   StageMarks marks = mark_stage(world, *last_);
+  if (!marks.came_off.empty()) {
+    for (const PieceId& piece : cut_) {
+      if (std::count(marks.came_off.begin(), marks.came_off.end(), piece) == 0) marks.stayed.push_back(piece);
+    }
+  }
   if (query_.drawn) query_.mark(marks);
   marks_ = std::make_shared<const StageMarks>(std::move(marks));
   return marks_;

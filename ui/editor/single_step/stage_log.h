@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,7 @@ class StageLog {
   size_t done_ = 0, forgotten_ = 0;
   std::vector<std::string> told_;
   std::optional<StageRecord> last_;
+  std::set<PieceId> cut_;  // pieces that lost faces since the last sweep
   QueryWalk query_;
   std::shared_ptr<const StageMarks> marks_;
 };

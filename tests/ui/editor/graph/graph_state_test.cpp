@@ -153,15 +153,39 @@ TEST(GraphState, hands_on_the_removals_and_the_loops_that_they_closed) {
 TEST(PieceTree, lists_under_each_piece_what_came_off_it_by_step) {
   const BodyId body{0, 0};
   const auto piece = [&](uint32_t label) { return PieceId{body, label}; };
-  const std::vector<PieceOrigin> origins{{piece(0), std::nullopt, 0},
-                                         {piece(1), piece(0), 2},
-                                         {piece(2), piece(1), 3},
-                                         {piece(3), piece(0), 1},
-                                         {piece(5), piece(4), 4}};
+  const std::vector<PieceNode> origins{{piece(0), std::nullopt, 0},
+                                       {piece(1), piece(0), 2},
+                                       {piece(2), piece(1), 3},
+                                       {piece(3), piece(0), 1},
+                                       {piece(5), piece(4), 4}};
   std::vector<std::pair<uint32_t, int>> seen;
   for (const PieceTreeRow& row : piece_tree(origins)) seen.emplace_back(row.origin.piece.label, row.depth);
   const std::vector<std::pair<uint32_t, int>> expected{{0, 0}, {3, 1}, {1, 1}, {2, 2}, {5, 1}};
   EXPECT_EQ(seen, expected) << "nothing is left of piece 4, so that piece 5 stands alone";
+}
+
+TEST(PieceTree, says_what_each_piece_came_off_and_what_holds_it) {
+  Document document = sheet();
+  cut_at(document, 0.1);
+  walk(document);
+  const std::vector<PieceNode> nodes = piece_origins(document);
+  ASSERT_EQ(nodes.size(), 2u);
+  EXPECT_EQ(words_on(nodes[0], document),
+            "sheet is what is left of its body. It hangs together as one part. One piece that came off still "
+            "stands with it.");
+  EXPECT_EQ(words_on(nodes[1], document),
+            "sheet 1 came off sheet in step 1 (Stroke, radius 30 mm). Nothing holds it: it stays until it is "
+            "moved or time passes.");
+  PieceNode other = nodes[0];
+  other.parts = 5;
+  other.beside = 0;
+  other.held_by = Holder::kBody;
+  EXPECT_EQ(words_on(other, document),
+            "sheet is what is left of its body. Its 5 parts never hung together; they move as one because "
+            "they are one body.");
+  other.held_by = Holder::kPin;
+  EXPECT_EQ(words_on(other, document),
+            "sheet is what is left of its body. Its 5 parts are one body, which is pinned.");
 }
 
 }  // namespace

@@ -48,9 +48,10 @@ TEST(Legends, a_stage_of_single_steps_names_the_marks_that_are_drawn) {
   EXPECT_TRUE(legends_of(look, {}).empty());
   marks.bodies.emplace_back().lines = {{.kind = StageMarks::Kind::kHit},
                                        {.kind = StageMarks::Kind::kRemoved}};
-  marks.came_off = true;
+  marks.came_off = {{{0, 0}, 1}};
+  marks.stayed = {{{0, 0}, 0}};
   look.stage = std::make_shared<const StageMarks>(marks);
-  EXPECT_EQ(legends_of(look, {}).at(0).rows.size(), 3u);
+  EXPECT_EQ(legends_of(look, {}).at(0).rows.size(), 4u);
 }
 
 }  // namespace

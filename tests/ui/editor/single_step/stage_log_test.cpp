@@ -53,7 +53,7 @@ TEST(StageLog, marks_the_faces_that_each_stage_hit_made_and_removed) {
   StageLog log;
   EXPECT_EQ(log.marks(document.world()), nullptr);
   std::set<Kind> seen;
-  bool came_off = false;
+  std::vector<PieceId> came_off, stayed;
   while (document.waiting() > 0) {
     const Result<StageRecord> stage = single.next();
     ASSERT_TRUE(stage.ok());
@@ -67,10 +67,16 @@ TEST(StageLog, marks_the_faces_that_each_stage_hit_made_and_removed) {
     EXPECT_EQ(count(*marks, StageMarks::Kind::kRemoved), stage->done.delta.removed_faces);
     EXPECT_EQ(lines(*marks, StageMarks::Kind::kBorn), stage->kind == Kind::kRefine ? 3 * born : 0);
     EXPECT_EQ(count(*marks, StageMarks::Kind::kSwept) > 0, stage->move.has_value());
-    came_off = came_off || marks->came_off;
+    if (!marks->came_off.empty()) {
+      EXPECT_FALSE(marks->stayed.empty());
+      came_off.insert(came_off.end(), marks->came_off.begin(), marks->came_off.end());
+      stayed.insert(stayed.end(), marks->stayed.begin(), marks->stayed.end());
+    }
     seen.insert(stage->kind);
   }
-  EXPECT_TRUE(came_off);
+  const BodyId body = document.world().ids().front();
+  EXPECT_EQ(came_off, (std::vector<PieceId>{{body, 1}}));
+  EXPECT_EQ(stayed, (std::vector<PieceId>{{body, 0}}));
   for (const Kind kind : {Kind::kSweep, Kind::kHit, Kind::kRefine, Kind::kHitAgain, Kind::kRemove})
     EXPECT_TRUE(seen.contains(kind));
 }

@@ -1,0 +1,13 @@
+#include "ui/editor/view/length_field.h"
+
+namespace kerf {
+
+bool length_field(NumberFields& fields, const char* name, double& length, const LengthUnit& unit,
+                  const char* meaning, const std::string& per) {
+  double shown = length / unit.metres;
+  if (!fields.number(name, shown, ("%.4g " + (unit.name + per)).c_str(), meaning)) return false;
+  length = shown * unit.metres;
+  return true;
+}
+
+}  // namespace kerf

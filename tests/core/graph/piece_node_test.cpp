@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "core/document/document.h"
 #include "core/graph/detach.h"
 #include "core/graph/separation.h"
 #include "tests/support/made_meshes.h"
@@ -53,6 +54,20 @@ TEST(PieceNode, counts_the_parts_of_each_piece_as_a_search_of_the_mesh_does) {
   }
   EXPECT_GT(several, 0u);
   EXPECT_GT(off, 0u);
+}
+
+TEST(PieceNode, does_not_count_a_part_that_was_burnt_away) {
+  Document document(world_of(both(grid(10, 2), moved(plate(0.1), {3, 0, 0}, 1))));
+  EXPECT_EQ(piece_nodes(document.world()).front().parts, 2u);
+  CutSettings settings;
+  settings.laser.radius = 0.5;
+  document.apply(BeginStroke{settings, {{3, 1, 0}, {0, -1, 0}}});
+  document.apply(EndStroke{});
+  ASSERT_TRUE(walk_all(document).ok());
+  const std::vector<PieceNode> nodes = piece_nodes(document.world());
+  ASSERT_EQ(nodes.size(), 1u);
+  EXPECT_EQ(nodes[0].parts, 1u);
+  EXPECT_EQ(nodes[0].held_by, Holder::kItself);
 }
 
 TEST(PieceNode, is_held_by_its_body_or_its_pin_until_it_came_off) {

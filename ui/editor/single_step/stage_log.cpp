@@ -25,7 +25,6 @@ void StageLog::note(const World& world, const StageRecord& stage) {
 void StageLog::restart() {
   done_ = 0;
   last_.reset();
-  cut_.clear();
   query_.clear();
   marks_.reset();
 }

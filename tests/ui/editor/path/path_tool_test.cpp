@@ -114,5 +114,15 @@ TEST_F(PathToolTest, an_arrow_moves_the_emitter_along_its_axis_and_the_ring_aims
   EXPECT_EQ(emitter.target(), Vec3(0.5, 0.5, 0.5));
 }
 
+TEST(Emitter, never_stands_where_it_aims) {
+  Emitter emitter;
+  emitter.place({0, 1, 0}, {0, 0, 0});
+  emitter.stand_at({0, 0, 0});
+  EXPECT_EQ(emitter.at(), Vec3(0, 1, 0));
+  emitter.aim_at({0, 1, 0});
+  EXPECT_EQ(emitter.target(), Vec3(0));
+  EXPECT_EQ(emitter.pose().direction, Vec3(0, -1, 0));
+}
+
 }  // namespace
 }  // namespace kerf

@@ -31,6 +31,22 @@ TEST(PathWork, points_come_after_the_chosen_one_or_begin_another_stroke) {
   EXPECT_EQ(path.strokes()[0].times, (std::vector<double>{0, 0.25, 0.5}));
 }
 
+TEST(PathWork, a_point_that_is_moved_is_reached_at_the_speed_of_the_path) {
+  PathWork path = two_strokes();
+  path.begin_edit();
+  path.set({0, 1}, {{3, 1, 0}, kDown}, 1);
+  EXPECT_EQ(path.strokes()[0].times, (std::vector<double>{0, 1.5}));
+  EXPECT_EQ(path.strokes()[1].times, (std::vector<double>{0, 0.5}));
+}
+
+TEST(PathWork, an_edit_after_an_undo_leaves_nothing_to_redo) {
+  PathWork path = two_strokes();
+  path.undo();
+  path.begin_edit();
+  path.set_speed(5);
+  EXPECT_FALSE(path.can_redo());
+}
+
 TEST(PathWork, the_last_point_of_a_stroke_takes_the_stroke_with_it) {
   PathWork path = two_strokes();
   path.begin_edit();

@@ -144,6 +144,11 @@ TEST(StageLog, keeps_the_sentences_of_the_stages_ahead_after_going_back) {
   EXPECT_EQ(log.done(), 11u);
   EXPECT_EQ(log.told(), told);
   EXPECT_EQ(words(*log.last()), told[10]);
+  log.restart();
+  StageRecord other;
+  other.kind = Kind::kTime;
+  log.note(document.world(), other);
+  EXPECT_EQ(log.told(), (std::vector<std::string>{words(other)})) << "the queue is another one";
   log.forget();
   EXPECT_EQ(log.told().size(), 0u);
 }

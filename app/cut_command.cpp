@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 
@@ -33,6 +34,7 @@ class CutRun {
     const PiecesFolder folder{options_.out, options_.format.value_or("obj"), options_.split_all};
     if (const auto s = folder.make(); !s) return s;
     if (const auto s = cut_strokes(); !s) return s;
+    if (const auto s = settle(); !s) return s;
     if (const auto s = write_journal(); !s) return s;
     const StrokePath first = strokes_.empty() ? StrokePath{} : strokes_.front();
     const auto written = folder.write(job_, document_.world(), stroke_settings(options_, first, diagonal_));
@@ -65,13 +67,17 @@ class CutRun {
       job_.note_loaded(built->report);
       scene_.bodies.push_back(body_of_file(file));
       const Stopwatch watch(job_.build_tree_s);
-      world.add(make_body(scene_.bodies.back().name, std::move(*built)));
+      Body body = make_body(scene_.bodies.back().name, std::move(*built));
+      if (options_.thickness) body.sheet.thickness = *options_.thickness;
+      if (options_.density) body.sheet.density = *options_.density;
+      world.add(std::move(body));
     }
     if (!options_.journal.empty()) {
       if (const auto noted = note_hashes(scene_); !noted) return noted;
     }
     job_.input_min_angle = smallest_angle(world);
-    diagonal_ = world.bounds().diagonal();
+    bounds_ = world.bounds();
+    diagonal_ = bounds_.diagonal();
     document_ = Document(std::move(world));
     document_.set_window(0);  // nothing is taken back here
     return Done{};
@@ -124,6 +130,22 @@ class CutRun {
     return walked;
   }
 
+  // Lets the pieces fall.
+  Status settle() {
+    if (!options_.settle) return Done{};
+    ProgressLine line("falling");
+    const Progress falling = line.progress();
+    Surroundings around;
+    around.ground = options_.ground.value_or(bounds_.min.y);
+    document_.apply(Command(SetSurroundings{around}));
+    document_.apply(Play{});
+    document_.apply(Advance{static_cast<Ticks>(std::ceil(*options_.settle * kTicksPerSecond)), true});
+    Walk how;
+    how.progress = &falling;
+    if (const Status walked = walk(document_, how); !walked) return error_or_stopped(walked.error());
+    return Done{};
+  }
+
   Status write_journal() {
     if (options_.journal.empty()) return Done{};
     mark_state(document_, marks_, true);
@@ -141,6 +163,7 @@ class CutRun {
   SceneDescription scene_;
   Document document_;
   std::vector<StateMark> marks_;
+  World::Bounds bounds_;  // as loaded
   double diagonal_ = 0;
   CutJob job_;
 };

@@ -11,6 +11,8 @@ namespace kerf {
 
 namespace {
 
+constexpr double kLongestFall = 3600;  // s
+
 Status only(const std::optional<std::string>& value, const char* option,
             const std::vector<std::string>& offered) {
   if (!value || std::find(offered.begin(), offered.end(), *value) != offered.end()) return Done{};
@@ -23,6 +25,20 @@ Status only(const std::optional<std::string>& value, const char* option,
 Status positive(const std::optional<double>& value, const char* option) {
   if (!value || (*value > 0 && std::isfinite(*value))) return Done{};
   return bad_input(std::string(option) + ": must be a length in metres greater than zero");
+}
+
+Status positive_number(const std::optional<double>& value, const char* option, const char* unit) {
+  if (!value || (*value > 0 && std::isfinite(*value))) return Done{};
+  return bad_input(std::string(option) + ": must be a number of " + unit + " greater than zero");
+}
+
+Status check_fall(const CutOptions& o) {
+  if (o.settle && !(*o.settle > 0 && *o.settle <= kLongestFall))
+    return bad_input("--settle: must be a number of seconds greater than zero, at most 3600");
+  if (o.ground && !o.settle) return bad_input("--ground: needs --settle, without which nothing falls");
+  if (o.ground && !std::isfinite(*o.ground)) return bad_input("--ground: must be a height in metres");
+  if (const auto s = positive(o.thickness, "--thickness"); !s) return s;
+  return positive_number(o.density, "--density", "kilograms per cubic metre");
 }
 
 Status within(const std::optional<int>& value, int least, int most, const char* option) {
@@ -67,6 +83,10 @@ Status take_key(const std::string& key, const JsonValue& value, CutOptions& o) {
   if (key == "tolerance") return take(value, o.tolerance);
   if (key == "depth") return take(value, o.depth);
   if (key == "steps") return take(value, o.steps);
+  if (key == "settle") return take(value, o.settle);
+  if (key == "ground") return take(value, o.ground);
+  if (key == "thickness") return take(value, o.thickness);
+  if (key == "density") return take(value, o.density);
   if (key == "model") return take(value, o.model);
   if (key == "format") return take(value, o.format);
   if (key == "split-all") {
@@ -114,6 +134,14 @@ void add_cut_options(CLI::App& command, CutOptions& o) {
   command.add_option("--model", o.model, "What the beam does to a face: geometric");
   command.add_option("--format", o.format, "Of the pieces: obj, ply, stl or off (obj)");
   command.add_flag("--split-all", o.split_all, "Every connected component is a piece");
+  command.add_option("--settle", o.settle,
+                     "For how many seconds the pieces fall after the last stroke; they are written where "
+                     "they are then");
+  command.add_option("--ground", o.ground,
+                     "With --settle: height of the ground in metres (the lowest point of all meshes)");
+  command.add_option("--thickness", o.thickness,
+                     "Thickness of the sheets that the faces stand for, in metres (0.001)");
+  command.add_option("--density", o.density, "Density of the sheets in kg/m3 (7850, that of mild steel)");
   command.add_option("--journal", o.journal,
                      "Where to write the journal (.kerf) of the cut, for kerf replay");
   command.add_option("--settings", o.settings, "A JSON file with the same keys; the command line wins");
@@ -164,6 +192,7 @@ Status check_cut_options(const CutOptions& o) {
   }
   if (const auto s = within(o.steps, 1, 1'000'000, "--steps"); !s) return s;
   if (const auto s = only(o.model, "--model", {"geometric"}); !s) return s;
+  if (const auto s = check_fall(o); !s) return s;
   return only(o.format, "--format", {"obj", "ply", "stl", "off"});
 }
 

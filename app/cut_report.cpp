@@ -56,12 +56,19 @@ nlohmann::ordered_json timing(const CutJob& job) {
 }
 
 nlohmann::ordered_json to_json(const WrittenPiece& p) {
-  return {{"file", p.file},
-          {"faces", p.faces},
-          {"vertices", p.vertices},
-          {"area", p.area},
-          {"centroid", json_vector(p.centroid)},
-          {"boundary_edges", p.boundary_edges}};
+  const glm::dmat3& i = p.mass.inertia;
+  nlohmann::ordered_json piece = {{"file", p.file},
+                                  {"faces", p.faces},
+                                  {"vertices", p.vertices},
+                                  {"area", p.area},
+                                  {"centroid", json_vector(p.centroid)},
+                                  {"boundary_edges", p.boundary_edges},
+                                  {"mass", p.mass.mass},
+                                  {"inertia", {i[0][0], i[1][1], i[2][2], i[0][1], i[0][2], i[1][2]}}};
+  if (p.asleep) piece["asleep"] = *p.asleep;
+  const glm::dquat& q = p.placement.orientation;
+  piece["pose"] = {{"position", json_vector(p.placement.position)}, {"orientation", {q.w, q.x, q.y, q.z}}};
+  return piece;
 }
 
 }  // namespace

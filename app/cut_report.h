@@ -1,6 +1,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,8 +32,11 @@ struct CutJob {
 struct WrittenPiece {
   std::string file;
   size_t faces = 0, vertices = 0, boundary_edges = 0;
-  double area = 0;   // m^2
-  Vec3 centroid{0};  // m
+  double area = 0;             // m^2
+  Vec3 centroid{0};            // m
+  MassProperties mass;         // in world axes
+  Placement placement;         // of the body that it belongs to
+  std::optional<bool> asleep;  // nothing where no body has moved
 };
 
 // The settings of a job, i.e. of its first stroke, for the report.

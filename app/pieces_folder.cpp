@@ -29,18 +29,42 @@ std::vector<Part> parts_of(const World& world, bool split_all) {
   return parts;
 }
 
-Result<WrittenPiece> write_piece(const Part& part, size_t number, const PiecesFolder& folder) {
+// As a sheet, about the centroid and along the axes of the world.
+MassProperties mass_of(const Extract& extract, const Sheet& sheet) {
+  AreaMoments moments;
+  for (const auto& t : extract.triangles) {
+    const Triangle corners = {extract.positions[t[0]], extract.positions[t[1]], extract.positions[t[2]]};
+    moments += area_moments(corners, triangle_area(corners), extract.centroid);
+  }
+  return shell_mass(extract.area, moments, extract.centroid, sheet.thickness, sheet.density);
+}
+
+bool any_has_moved(const World& world) {
+  const std::vector<BodyId> ids = world.ids();
+  return std::any_of(ids.begin(), ids.end(), [&](BodyId id) { return world.body(id).motion != Motion{}; });
+}
+
+// Whether nothing moves the body any more. What is pinned, or has no mass, never moves.
+bool rests(const Body& body, const MassProperties& mass) {
+  return body.motion.asleep || body.pinned || !(mass.mass > 0);
+}
+
+Result<WrittenPiece> write_piece(const Part& part, size_t number, const PiecesFolder& folder, bool moved) {
   char name[40];
   std::snprintf(name, sizeof name, "piece-%04zu.%s", number, folder.format.c_str());
   const Extract& e = part.extract;
   const MeshView view{e.positions, e.triangles, e.materials, part.body->material_names};
   const auto file = std::filesystem::path(folder.path) / name;
   if (const auto s = write_mesh(view, file, *mesh_format(folder.format)); !s) return s.error();
-  return WrittenPiece{name, e.triangles.size(), e.positions.size(), e.boundary_edges, e.area, e.centroid};
+  WrittenPiece piece{name,       e.triangles.size(),           e.positions.size(),   e.boundary_edges, e.area,
+                     e.centroid, mass_of(e, part.body->sheet), part.body->placement, std::nullopt};
+  if (moved) piece.asleep = rests(*part.body, piece.mass);
+  return piece;
 }
 
 Result<std::vector<WrittenPiece>> write_pieces(const World& world, const PiecesFolder& folder) {
   const std::vector<Part> parts = parts_of(world, folder.split_all);
+  const bool moved = any_has_moved(world);
   std::vector<WrittenPiece> written;
   ProgressLine line("writing");
   for (const Part& part : parts) {
@@ -48,7 +72,7 @@ Result<std::vector<WrittenPiece>> write_pieces(const World& world, const PiecesF
       return failed("stopped; of " + std::to_string(parts.size()) + " pieces " +
                     std::to_string(written.size()) + " are written, and no report");
     }
-    auto piece = write_piece(part, written.size(), folder);
+    auto piece = write_piece(part, written.size(), folder, moved);
     if (!piece) return piece.error();
     written.push_back(std::move(*piece));
   }

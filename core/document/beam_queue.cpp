@@ -31,27 +31,41 @@ bool BeamQueue::holds(size_t step) const {
 void BeamQueue::push(Entry entry) {
   assert(empty() || (entries_.empty() ? ready_step_ : entries_.back().step) <= entry.step);
   size_ += entry.count;
-  if (entry.kind == Kind::kTicks) ticks_ += entry.count;
+  if (entry.in_time()) in_time_ += entry.count;
   entries_.push_back(std::move(entry));
+}
+
+void BeamQueue::push_in_front(Entry entry) {
+  assert(ready_.empty() && entry.in_time());
+  size_ += entry.count;
+  in_time_ += entry.count;
+  entries_.push_front(std::move(entry));
 }
 
 void BeamQueue::push_move(size_t step, std::shared_ptr<Stroke> stroke, const BeamMove& move,
                           const World& world) {
   const size_t count = subdivisions(move, stroke->settings.laser.radius, reach(world, *stroke, move.from));
-  push({step, Kind::kMove, std::move(stroke), move, count});
+  push({step, Kind::kMove, std::move(stroke), move, count, false, {}});
 }
 
 void BeamQueue::push_rim(size_t step, std::shared_ptr<Stroke> stroke) {
-  push({step, Kind::kRim, std::move(stroke), {}, 1});
+  push({step, Kind::kRim, std::move(stroke), {}, 1, false, {}});
 }
 
-void BeamQueue::push_ticks(size_t step, Ticks ticks) { push({step, Kind::kTicks, nullptr, {}, ticks}); }
+void BeamQueue::push_ticks(size_t step, Ticks ticks, bool bodies) {
+  push({step, Kind::kTicks, nullptr, {}, ticks, bodies, {}});
+}
 
-void BeamQueue::push_ticks_in_front(size_t step, Ticks ticks) {
-  assert(ready_.empty());
-  entries_.push_front({step, Kind::kTicks, nullptr, {}, ticks});
-  size_ += ticks;
-  ticks_ += ticks;
+void BeamQueue::push_spring(size_t step, const std::optional<Spring>& spring) {
+  push({step, Kind::kSpring, nullptr, {}, 1, false, spring});
+}
+
+void BeamQueue::push_ticks_in_front(size_t step, Ticks ticks, bool bodies) {
+  push_in_front({step, Kind::kTicks, nullptr, {}, ticks, bodies, {}});
+}
+
+void BeamQueue::push_spring_in_front(size_t step, const std::optional<Spring>& spring) {
+  push_in_front({step, Kind::kSpring, nullptr, {}, 1, false, spring});
 }
 
 size_t BeamQueue::front_step() const {
@@ -60,13 +74,23 @@ size_t BeamQueue::front_step() const {
 }
 
 const std::shared_ptr<Stroke>& BeamQueue::front_stroke() const {
-  assert(!empty() && front_kind() != Kind::kTicks);
+  assert(!empty() && (front_kind() == Kind::kMove || front_kind() == Kind::kRim));
   return ready_.empty() ? entries_.front().stroke : ready_stroke_;
 }
 
 Ticks BeamQueue::front_ticks() const {
   assert(!empty() && front_kind() == Kind::kTicks);
   return entries_.front().count;
+}
+
+bool BeamQueue::front_moves_bodies() const {
+  assert(!empty() && front_kind() == Kind::kTicks);
+  return entries_.front().bodies;
+}
+
+const std::optional<Spring>& BeamQueue::front_spring() const {
+  assert(!empty() && front_kind() == Kind::kSpring);
+  return entries_.front().spring;
 }
 
 std::optional<BeamMove> BeamQueue::next_move(const World& world) const {
@@ -112,8 +136,15 @@ void BeamQueue::pop_ticks(Ticks count) {
   assert(!empty() && front_kind() == Kind::kTicks && count <= entries_.front().count);
   entries_.front().count -= count;
   size_ -= count;
-  ticks_ -= count;
+  in_time_ -= count;
   if (entries_.front().count == 0) entries_.pop_front();
+}
+
+void BeamQueue::pop_spring() {
+  assert(!empty() && front_kind() == Kind::kSpring);
+  entries_.pop_front();
+  --size_;
+  --in_time_;
 }
 
 template <typename Drops>
@@ -126,7 +157,7 @@ void BeamQueue::drop_if(size_t step, Drops drops) {
   std::erase_if(entries_, [&](const Entry& e) {
     const bool gone = e.step == step && drops(e);
     size_ -= gone ? e.count : 0;
-    ticks_ -= gone && e.kind == Kind::kTicks ? e.count : 0;
+    in_time_ -= gone && e.in_time() ? e.count : 0;
     return gone;
   });
 }
@@ -136,7 +167,7 @@ void BeamQueue::drop(size_t step) {
 }
 
 void BeamQueue::drop_strokes(size_t step) {
-  drop_if(step, [](const Entry& e) { return e.kind != Kind::kTicks; });
+  drop_if(step, [](const Entry& e) { return !e.in_time(); });
 }
 
 }  // namespace kerf

@@ -12,32 +12,39 @@
 namespace kerf {
 
 // The work of a document that has not been executed yet, in order: moves of the beam, ends of strokes with a
-// smooth rim, and ticks. Each entry belongs to a step of the history. Moves are stored whole and subdivided
-// when they are begun, because the subdivision depends on where the bodies are at that moment.
+// smooth rim, ticks, and changes of the spring. Each entry belongs to a step of the history. Moves are stored
+// whole and subdivided when they are begun, because the subdivision depends on where the bodies are at that
+// moment.
 class BeamQueue {
  public:
-  enum class Kind { kMove, kRim, kTicks };
+  enum class Kind { kMove, kRim, kTicks, kSpring };
 
   bool empty() const { return ready_.empty() && entries_.empty(); }
-  // The number of moves, ends of strokes and ticks. A move counts as the number of parts into which it would
-  // have been subdivided when it was appended; once it is begun, the count is exact.
+  // The number of moves, ends of strokes, ticks and changes of the spring. A move counts as the number of
+  // parts into which it would have been subdivided when it was appended; once it is begun, the count is
+  // exact.
   size_t size() const { return size_; }
-  // Whether the queue holds anything besides ticks.
-  bool holds_beam() const { return size_ > ticks_; }
+  // Whether the queue holds moves or ends of strokes.
+  bool holds_beam() const { return size_ > in_time_; }
   // Whether the queue holds anything of a step of the history.
   bool holds(size_t step) const;
 
   void push_move(size_t step, std::shared_ptr<Stroke> stroke, const BeamMove& move, const World& world);
   void push_rim(size_t step, std::shared_ptr<Stroke> stroke);
-  void push_ticks(size_t step, Ticks ticks);
-  // Inserts ticks before everything else.
-  void push_ticks_in_front(size_t step, Ticks ticks);
+  // `bodies`: bodies move in these ticks.
+  void push_ticks(size_t step, Ticks ticks, bool bodies);
+  void push_spring(size_t step, const std::optional<Spring>& spring);
+  // The same, before everything else. Precondition: no move is unfinished.
+  void push_ticks_in_front(size_t step, Ticks ticks, bool bodies);
+  void push_spring_in_front(size_t step, const std::optional<Spring>& spring);
 
   // The front of the queue. Precondition of these: !empty().
   size_t front_step() const;
   Kind front_kind() const { return ready_.empty() ? entries_.front().kind : Kind::kMove; }
   const std::shared_ptr<Stroke>& front_stroke() const;
-  Ticks front_ticks() const;  // precondition: front_kind() is kTicks
+  Ticks front_ticks() const;                          // precondition: front_kind() is kTicks
+  bool front_moves_bodies() const;                    // the same
+  const std::optional<Spring>& front_spring() const;  // precondition: front_kind() is kSpring
 
   // The move that the next step begins or continues, or nothing if the front is no move.
   std::optional<BeamMove> next_move(const World& world) const;
@@ -53,8 +60,9 @@ class BeamQueue {
   void pop_moves(size_t count);
   void pop_rim();
   void pop_ticks(Ticks count);
+  void pop_spring();
 
-  // Remove the entries of a step of the history: all of them, or all except ticks.
+  // Remove the entries of a step of the history: all of them, or all of its strokes.
   void drop(size_t step);
   void drop_strokes(size_t step);
   void clear() { *this = BeamQueue(); }
@@ -63,11 +71,15 @@ class BeamQueue {
   struct Entry {
     size_t step = 0;
     Kind kind = Kind::kMove;
-    std::shared_ptr<Stroke> stroke;  // null: ticks
+    std::shared_ptr<Stroke> stroke;  // of kMove and kRim
     BeamMove move;                   // of a move, not subdivided
     size_t count = 1;                // its share of size(); the number of ticks
+    bool bodies = false;             // of ticks: bodies move
+    std::optional<Spring> spring;    // of kSpring
+    bool in_time() const { return kind == Kind::kTicks || kind == Kind::kSpring; }
   };
   void push(Entry entry);
+  void push_in_front(Entry entry);
   template <typename Drops>
   void drop_if(size_t step, Drops drops);
 
@@ -77,7 +89,7 @@ class BeamQueue {
   UnfinishedMove unfinished_;
   std::deque<Entry> entries_;  // after those, in the order of steps
   size_t size_ = 0;
-  size_t ticks_ = 0;  // included in size_
+  size_t in_time_ = 0;  // of these, ticks and changes of the spring
 };
 
 }  // namespace kerf

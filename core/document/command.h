@@ -12,9 +12,13 @@
 #include "core/document/commands/hide_piece.h"
 #include "core/document/commands/move_piece.h"
 #include "core/document/commands/move_stroke.h"
+#include "core/document/commands/pin_piece.h"
+#include "core/document/commands/play.h"
+#include "core/document/commands/pull.h"
 #include "core/document/commands/recut.h"
 #include "core/document/commands/redo.h"
 #include "core/document/commands/rename_piece.h"
+#include "core/document/commands/set_surroundings.h"
 #include "core/document/commands/undo.h"
 
 namespace kerf {
@@ -29,8 +33,9 @@ namespace kerf {
 //   write(), read()               its keys as text, see CommandWriter and CommandReader
 // A kind without one of these members does not compile. Kinds are always distinguished by std::visit, so that
 // a case that is missing anywhere does not compile either.
-using Command = std::variant<BeginStroke, MoveStroke, EndStroke, Recut, Advance, AddMesh, MovePiece,
-                             DuplicatePiece, HidePiece, DeletePiece, RenamePiece, Undo, Redo>;
+using Command =
+    std::variant<BeginStroke, MoveStroke, EndStroke, Recut, Advance, Pull, LetGo, Play, AddMesh, MovePiece,
+                 DuplicatePiece, HidePiece, DeletePiece, RenamePiece, PinPiece, SetSurroundings, Undo, Redo>;
 
 // A command that is executed at once, after the queue: run(world, generation, progress). It returns what
 // changed, which is empty if the command has no effect. Bodies that it creates get `generation` (see BodyId).
@@ -39,6 +44,10 @@ template <typename C>
 concept HappensAtOnce = requires(const C& command, World& world) {
   { command.run(world, uint32_t{}, nullptr) } -> std::same_as<Result<Delta>>;
 };
+
+// A command that lets time pass or acts while it passes. It is queued behind the moves before it.
+template <typename C>
+concept HappensInTime = std::same_as<C, Advance> || std::same_as<C, Pull> || std::same_as<C, LetGo>;
 
 // Function objects for std::visit, one for each kind of command or for some of them.
 template <typename... Cases>

@@ -8,14 +8,15 @@ namespace kerf {
 void append_ticks(std::vector<Command>& commands, const Advance& advance, size_t first) {
   Ticks left = advance.ticks;
   if (commands.size() > first) {
-    if (auto* last = std::get_if<Advance>(&commands.back())) {
+    auto* last = std::get_if<Advance>(&commands.back());
+    if (last && last->bodies == advance.bodies) {
       const Ticks taken = std::min(left, Advance::kMostInALine - last->ticks);
       last->ticks += taken;
       left -= taken;
     }
   }
   for (; left > 0; left -= std::min(left, Advance::kMostInALine))
-    commands.emplace_back(Advance{std::min(left, Advance::kMostInALine)});
+    commands.emplace_back(Advance{std::min(left, Advance::kMostInALine), advance.bodies});
 }
 
 void CommandLog::append(const Command& command) {

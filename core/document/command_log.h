@@ -12,8 +12,8 @@ namespace kerf {
 void append_ticks(std::vector<Command>& commands, const Advance& advance, size_t first = 0);
 
 // The commands that were applied to a document, in their order, as its journal holds them. Consecutive
-// Advance commands belong to one step of the history and are merged, a second at most to each, so that
-// whoever writes the journal down while time passes is never more than a second behind.
+// Advance commands of one kind belong to one step of the history and are merged, a second at most to each, so
+// that whoever writes the journal down while time passes is never more than a second behind.
 class CommandLog {
  public:
   const std::vector<Command>& commands() const { return commands_; }

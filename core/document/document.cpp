@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "core/document/commands/edit_piece.h"
+#include "core/physics/forget_contacts.h"
 
 namespace kerf {
 
@@ -16,7 +17,8 @@ Outcome Document::apply(const Command& command, const Progress* progress) {
                         [&](const BeginStroke& c) { return queued(c); },
                         [&](const MoveStroke& c) { return queued(c); },
                         [&](const EndStroke& c) { return queued(c); },
-                        [&](const Advance& c) { return queued(c); },
+                        [&](const HappensInTime auto& c) { return queued(c); },
+                        [&](const Play& c) { return queued(c); },
                         [&](const Recut& c) { return recut(c); },
                         [&](const Undo&) { return undo(progress); },
                         [&](const Redo&) { return redo(progress); },
@@ -29,7 +31,7 @@ Outcome Document::apply(const Command& command, const Progress* progress) {
 
 void Document::apply(const BeginStroke& command) {
   end_stroke();
-  history_.append(HistoryStep(command));
+  begin_step(command);
   ++revision_;
   in_stroke_ = true;
   queue_command(history_.position() - 1, command);
@@ -46,11 +48,32 @@ void Document::apply(const MoveStroke& command) {
 void Document::apply(const EndStroke&) { end_stroke(); }
 
 void Document::apply(const Advance& command) {
-  if (command.ticks == 0) return;
+  if (command.ticks > 0) add_in_time(command);
+}
+
+void Document::apply(const Pull& command) { add_in_time(command); }
+
+void Document::apply(const LetGo& command) { add_in_time(command); }
+
+void Document::apply(const Play& command) {
+  end_stroke();
+  begin_step(command);
+  journal_.append(command);
+}
+
+// Appends a step of which this is the first command. The bodies that it creates get the number of the command
+// in the journal as their generation, which is the same when the journal is replayed.
+void Document::begin_step(const Command& first) {
+  HistoryStep step(first);
+  step.generation = static_cast<uint32_t>(journal_.size() + 1);
+  history_.append(std::move(step));
+}
+
+void Document::add_in_time(const Command& command) {
   history_.drop_undone();
   const bool own = history_.position() == 0 || history_.last().kind() == HistoryStep::Kind::kEdit;
   if (own) {
-    history_.append(HistoryStep(command));
+    begin_step(command);
   } else {
     history_.last().add(command);
     history_.last().reopen();
@@ -87,7 +110,12 @@ void Document::queue_command(size_t step, const Command& command) {
                  [&](const EndStroke&) {
                    if (drawn_->settings.smooth()) queue_.push_rim(step, drawn_);
                  },
-                 [&](const Advance& c) { queue_.push_ticks(step, c.ticks); },
+                 [&](const Advance& c) { queue_.push_ticks(step, c.ticks, c.bodies); },
+                 [&](const Pull& c) {
+                   queue_.push_spring(step, Spring{c.piece, c.at, c.to});
+                 },
+                 [&](const LetGo&) { queue_.push_spring(step, std::nullopt); },
+                 [&](const Play&) {},
                  [&](const Recut&) { assert(!"queued by the commands of its stroke"); },
                  [&](const Undo&) { assert(!"never part of a step"); },
                  [&](const Redo&) { assert(!"never part of a step"); },
@@ -120,6 +148,7 @@ Result<Delta> Document::run(HistoryStep& step, size_t at, const Progress* progre
                                        },
                                    },
                                    step.first());
+  if (delta) forget_contacts(world_, *delta);
   std::optional<World::Change> change = recorder_.close(world_);
   if (!delta) {
     step.forget();
@@ -128,6 +157,7 @@ Result<Delta> Document::run(HistoryStep& step, size_t at, const Progress* progre
   if (change) step.add(std::move(*change));
   step.touch(*delta);
   step.finish();
+  physics_.follow(*delta);
   return delta;
 }
 

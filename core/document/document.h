@@ -12,6 +12,7 @@
 #include "core/document/history.h"
 #include "core/document/outcome.h"
 #include "core/document/recorder.h"
+#include "core/physics/physics.h"
 #include "core/world/world.h"
 
 namespace kerf {
@@ -24,9 +25,11 @@ namespace kerf {
 // once, after everything in the queue.
 //
 // Time passes only by Advance commands. A tick starts when the moves before it have been executed and the
-// search for separated pieces is finished. In the history, time belongs to the stroke before it: it is undone
+// search for separated pieces is finished. Bodies move in the ticks of Advance commands that say so: pieces
+// that came off become bodies first (see release_pieces), and what touched a body that was changed wakes (see
+// forget_contacts). In the history, time belongs to the stroke before it: it is undone
 // with the stroke, and passes again when the stroke is cut again. Without a stroke before it, it is a step of
-// its own.
+// its own, and so is what Play begins.
 //
 // Undo and redo exchange before-images of what each step of the history changed. They are exact to the bit,
 // and their cost is proportional to the change. If the before-images of a step were discarded to save memory,
@@ -41,9 +44,9 @@ class Document {
 
   const World& world() const { return world_; }
 
-  // Applies the command and appends it to the journal. Every command except those of a stroke and Advance
-  // ends a running stroke. A move without a running stroke, and a command that has no effect, are ignored and
-  // not written to the journal.
+  // Applies the command and appends it to the journal. Every command except those of a stroke, Advance,
+  // Pull and LetGo ends a running stroke. A move without a running stroke, and a command that has no effect,
+  // are ignored and not written to the journal.
   //
   // A command that is executed at once first executes the whole queue. The outcome lists all changes of both.
   // If the command fails, it has changed nothing itself, but the queue has been executed, and the outcome
@@ -58,9 +61,14 @@ class Document {
   void apply(const MoveStroke& command);
   void apply(const EndStroke& command);
   void apply(const Advance& command);
+  void apply(const Pull& command);
+  void apply(const LetGo& command);
+  // Begins a step of the history, and ends a running stroke.
+  void apply(const Play& command);
 
-  // The length of the queue: moves (including one that is partly executed), ticks, and ends of strokes with a
-  // smooth rim (see BeamQueue::size). At least 1 while a search for separated pieces is not finished.
+  // The length of the queue: moves (including one that is partly executed), ticks, changes of the spring, and
+  // ends of strokes with a smooth rim (see BeamQueue::size). At least 1 while a search for separated pieces
+  // is not finished.
   size_t waiting() const;
   // Whether the queue holds moves or ends of strokes, not only ticks and searches.
   bool beam_waits() const { return queue_.holds_beam(); }
@@ -78,7 +86,8 @@ class Document {
   //   unfinished for the next step;
   // - the end of a stroke with a smooth rim, as a whole;
   // - a part of the search for separated pieces, which must be finished before the next stroke or tick;
-  // - up to `most` ticks.
+  // - up to `most` ticks, or one tick in which bodies move;
+  // - a change of the spring.
   // Calling it while waiting() > 0 executes the whole queue.
   //
   // On failure the stroke is taken back, and whatever follows the world must read all of it again. If
@@ -132,6 +141,9 @@ class Document {
   // Goes to a position of the history by undo and redo. The outcome lists all changes, also on failure.
   Outcome travel(size_t position, const Progress* progress = nullptr);
 
+  // The physics of the bodies, with the contacts and figures of the last tick in which they moved.
+  const Physics& physics() const { return physics_; }
+
   // All commands that were applied, including Undo and Redo.
   const std::vector<Command>& journal() const { return journal_.commands(); }
   // The number of commands that do not change any more. The last one may be an Advance of less than a second,
@@ -142,6 +154,8 @@ class Document {
 
  private:
   // Appending to the queue.
+  void begin_step(const Command& first);
+  void add_in_time(const Command& command);
   void end_stroke();
   void queue_commands(size_t step);
   void queue_command(size_t step, const Command& command);
@@ -154,14 +168,19 @@ class Document {
   Result<StepResult> walk_stage(const Progress& progress);
   Result<StepResult> close_rim_of_stroke(const Progress& progress);
   StepResult pass_ticks(size_t most);
+  StepResult move_bodies(size_t step);
+  StepResult change_spring();
+  void keep_open(size_t step);
   void begin(size_t step);
   // Ends the recording of the open step, if there is one. close() does not trim the history to its window,
   // because the images of a step that is about to be taken back must be kept.
   void close();
   void close_and_trim();
+  void note(size_t step, const StepResult& some);
   StepResult noted(size_t step, StepResult some);
   bool is_over(size_t step) const;
   void finish_step(size_t step);
+  void queue_in_front(size_t step, const Command& command);
   void give_up(size_t step, bool stopped);
   Outcome finish(const Progress* progress);
 
@@ -188,6 +207,7 @@ class Document {
   History history_;
   BeamQueue queue_;
   Recorder recorder_;
+  Physics physics_;
   std::shared_ptr<Stroke> drawn_;   // the last stroke that was appended to the queue
   std::shared_ptr<Stroke> walked_;  // the last stroke that was executed
   bool in_stroke_ = false;

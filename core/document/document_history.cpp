@@ -30,7 +30,7 @@ std::optional<World> Document::before_last_stroke() {
 Outcome Document::recut(const Recut& command) {
   end_stroke();
   if (!can_recut()) return Outcome();
-  history_.append(HistoryStep(command));
+  begin_step(command);
   journal_.append(command);
   ++revision_;
   return Outcome(cut_again());
@@ -42,6 +42,7 @@ Delta Document::cut_again() {
   const size_t step = history_.position() - 1, before = step - 1;
   queue_.drop(before);
   if (recorder_.step() == before) close();
+  physics_ = Physics();
   Delta delta;
   if (!history_.step(before).done()) {
     delta = history_.step(before).take_back(world_);
@@ -77,6 +78,7 @@ Delta Document::start_again() {
   const size_t last = history_.position() - 1;
   if (recorder_.step() == last) close();
   queue_.drop(last);
+  physics_ = Physics();
   Delta delta = history_.step(last).take_back(world_);
   history_.step(last).forget();
   delta.append(walk_again());
@@ -99,6 +101,7 @@ Outcome Document::undo(const Progress* progress) {
   const bool again = last > 0 && history_.step(last - 1).waiting() && !queue_.holds(last - 1);
   if (step.images() == Images::kLetGo || (again && !can_walk_again(last - 1))) return replay(last, progress);
   queue_.drop(last);
+  physics_ = Physics();
   Delta delta = step.take_back(world_);
   if (!step.done()) step.forget();
   history_.back();
@@ -117,6 +120,7 @@ Outcome Document::redo(const Progress* progress) {
   Outcome outcome;
   if (step.images() == Images::kHeld && step.done() && queue_.empty()) {
     close();
+    physics_ = Physics();
     outcome.delta = step.bring_again(world_);
     history_.forth();
   } else if (step.kind() == Kind::kEdit) {
@@ -163,6 +167,7 @@ Outcome Document::replay(size_t position, const Progress* progress) {
   world_ = std::move(*origin);
   queue_.clear();
   recorder_.abandon();
+  physics_ = Physics();
   ++revision_;
   const size_t before = history_.position(), written = journal_.size();
   while (history_.position() > 0) history_.back();

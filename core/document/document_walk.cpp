@@ -1,11 +1,35 @@
 #include <algorithm>
 #include <cassert>
 
+#include "core/document/commands/edit_piece.h"
 #include "core/document/document.h"
 #include "core/document/walk.h"
 #include "core/graph/separation.h"
+#include "core/physics/forget_contacts.h"
+#include "core/physics/release_pieces.h"
 
 namespace kerf {
+
+namespace {
+
+// The piece that the spring holds may have become a body of its own.
+void follow_with_spring(World& world, const Delta& delta) {
+  if (!world.spring()) return;
+  Spring spring = *world.spring();
+  for (const Detached& d : delta.detached) {
+    if (spring.piece == PieceId{d.from, d.label}) spring.piece.body = d.to;
+  }
+  if (spring != *world.spring()) world.set_spring(spring);
+}
+
+// Journals may name a body by its number alone.
+void hold_by_whole_id(World& world) {
+  Spring spring = *world.spring();
+  spring.piece = whole_id(world, spring.piece);
+  world.set_spring(spring);
+}
+
+}  // namespace
 
 size_t Document::waiting() const { return queue_.empty() && !is_settled(world_) ? 1 : queue_.size(); }
 
@@ -29,6 +53,7 @@ Result<StepResult> Document::step_front(size_t most, bool one_stage, const Progr
   if (must_separate()) return separate_more();
   if (queue_.empty() || most == 0) return StepResult{};
   if (queue_.front_kind() == BeamQueue::Kind::kTicks) return pass_ticks(most);
+  if (queue_.front_kind() == BeamQueue::Kind::kSpring) return change_spring();
   const size_t step = queue_.front_step();
   bool stopped = false;
   const Progress watched{[&](double fraction) {
@@ -86,11 +111,42 @@ Result<StepResult> Document::close_rim_of_stroke(const Progress& progress) {
 StepResult Document::pass_ticks(size_t most) {
   const size_t step = queue_.front_step();
   begin(step);
+  if (queue_.front_moves_bodies()) return move_bodies(step);
   const Ticks ticks = std::min<Ticks>(most, queue_.front_ticks());
   world_.pass(ticks);
   queue_.pop_ticks(ticks);
-  if (is_over(step)) history_.step(step).finish();  // it stays open, for the ticks to come are its own
+  keep_open(step);
   return {};
+}
+
+// One tick. What came off since the last one becomes bodies first.
+StepResult Document::move_bodies(size_t step) {
+  StepResult some;
+  release_pieces(world_, history_.step(step).generation, some.delta);
+  forget_contacts(world_, some.delta);
+  physics_.follow(some.delta);
+  follow_with_spring(world_, some.delta);
+  some.delta.append(physics_.tick(world_));
+  world_.pass(1);
+  queue_.pop_ticks(1);
+  note(step, some);
+  keep_open(step);
+  return some;
+}
+
+StepResult Document::change_spring() {
+  const size_t step = queue_.front_step();
+  begin(step);
+  world_.set_spring(queue_.front_spring());
+  if (world_.spring()) hold_by_whole_id(world_);
+  queue_.pop_spring();
+  keep_open(step);
+  return {};
+}
+
+// Where a step is over, its recording still stays open, for the ticks to come are its own.
+void Document::keep_open(size_t step) {
+  if (is_over(step)) history_.step(step).finish();
 }
 
 // What changes from here on is changed by this step.
@@ -120,12 +176,31 @@ void Document::close_and_trim() {
   history_.trim();
 }
 
-StepResult Document::noted(size_t step, StepResult some) {
+void Document::note(size_t step, const StepResult& some) {
   history_.step(step).touch(some.delta);
   history_.step(step).note_new_pieces(world_, some.delta);
   history_.step(step).add(some.figures);
+}
+
+StepResult Document::noted(size_t step, StepResult some) {
+  forget_contacts(world_, some.delta);
+  physics_.follow(some.delta);
+  note(step, some);
   finish_step(step);
   return some;
+}
+
+// Queues what a command does in time before everything else.
+void Document::queue_in_front(size_t step, const Command& command) {
+  std::visit(Overloaded{
+                 [&](const Advance& c) { queue_.push_ticks_in_front(step, c.ticks, c.bodies); },
+                 [&](const Pull& c) {
+                   queue_.push_spring_in_front(step, Spring{c.piece, c.at, c.to});
+                 },
+                 [&](const LetGo&) { queue_.push_spring_in_front(step, std::nullopt); },
+                 [](const auto&) {},
+             },
+             command);
 }
 
 // Whether nothing of a step of the history waits, nor can be added by a stroke that is running.
@@ -153,16 +228,14 @@ void Document::give_up(size_t step, bool stopped) {
   queue_.drop(step);
   failed.take_back(world_);
   failed.forget();
+  physics_ = Physics();
   if (stopped) {
     for (; history_.position() > step; history_.back()) journal_.append(Undo{});
     return;
   }
   begin(step);
-  Ticks ticks = 0;
-  for (const Command& c : history_.commands_of(step)) {
-    if (const auto* advance = std::get_if<Advance>(&c)) ticks += advance->ticks;
-  }
-  if (ticks > 0) queue_.push_ticks_in_front(step, ticks);
+  const std::vector<Command> commands = history_.commands_of(step);
+  for (size_t i = commands.size(); i-- > 0;) queue_in_front(step, commands[i]);
   finish_step(step);
 }
 

@@ -17,7 +17,8 @@ struct KindOfStep {
   using Kind = HistoryStep::Kind;
   Kind operator()(const BeginStroke&) const { return Kind::kStroke; }
   Kind operator()(const Recut&) const { return Kind::kRecut; }
-  Kind operator()(const Advance&) const { return Kind::kTime; }
+  Kind operator()(const HappensInTime auto&) const { return Kind::kTime; }
+  Kind operator()(const Play&) const { return Kind::kTime; }
   Kind operator()(const HappensAtOnce auto&) const { return Kind::kEdit; }
   Kind operator()(const MoveStroke&) const { return none(); }
   Kind operator()(const EndStroke&) const { return none(); }
@@ -32,6 +33,17 @@ struct KindOfStep {
 void sort_each_once(std::vector<FaceId>& faces) {
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+}
+
+bool lists(const std::vector<BodyId>& ids, BodyId id) {
+  return std::find(ids.begin(), ids.end(), id) != ids.end();
+}
+
+PieceId piece_after(const Delta& delta, PieceId before) {
+  for (const Detached& d : delta.detached) {
+    if (d.from == before.body && d.label == before.label) before.body = d.to;
+  }
+  return before;
 }
 
 bool is_live(const Mesh& mesh, FaceId f) { return f.index < mesh.face_slots() && mesh.is_live(f); }
@@ -72,6 +84,7 @@ void HistoryStep::add(World::Change change) {
 void HistoryStep::touch(const Delta& delta) {
   removed_faces_ += delta.removed_faces;
   removed_area_ += delta.removed_area;
+  if (delta.changes_bodies()) follow_bodies(delta);
   for (const BodyDelta& b : delta.bodies) {
     Touched& touched = touched_[b.body];
     for (const auto* faces : {&b.born, &b.gone})
@@ -79,11 +92,25 @@ void HistoryStep::touch(const Delta& delta) {
     touched.labels.insert(touched.labels.end(), b.relabelled.begin(), b.relabelled.end());
     keep_cut_faces(b);
   }
-  if (!delta.changes_bodies()) return;
-  // A command that changes bodies is a step of its own.
-  assert(bodies_.empty() && touched_.size() == delta.bodies.size());
-  bodies_ = delta;
-  bodies_.bodies.clear();
+}
+
+// What was noted by the ids of bodies goes on by those that they have after this part of the step.
+void HistoryStep::follow_bodies(const Delta& delta) {
+  const auto follow = [&](auto& by_body) {
+    std::remove_reference_t<decltype(by_body)> after;
+    for (auto& [id, noted] : by_body) {
+      if (!lists(delta.went, id)) after[id_after(delta, id)] = std::move(noted);
+    }
+    by_body = std::move(after);
+  };
+  follow(touched_);
+  follow(cut_faces_);
+  std::map<PieceId, uint32_t> came_off;
+  for (const auto& [piece, from] : came_off_) came_off[piece_after(delta, piece)] = from;
+  came_off_ = std::move(came_off);
+  Delta bodies = delta;
+  bodies.bodies.clear();
+  bodies_.append(std::move(bodies));
 }
 
 void HistoryStep::keep_cut_faces(const BodyDelta& delta) {
@@ -99,12 +126,7 @@ void HistoryStep::let_go_cut_faces() {
   cut_faces_kept_ = 0;
 }
 
-PieceId HistoryStep::piece_after_step(PieceId before) const {
-  for (const Detached& d : bodies_.detached) {
-    if (d.from == before.body && d.label == before.label) before.body = d.to;
-  }
-  return before;
-}
+PieceId HistoryStep::piece_after_step(PieceId before) const { return piece_after(bodies_, before); }
 
 // The latest removals are looked at first, because the last of those that separate a piece is beside it. What
 // was beside it then may have been removed later, with the label of the new piece.
@@ -172,7 +194,8 @@ Delta HistoryStep::delta(const World& world, bool back) const {
   all.removed_area = 0;
   for (const auto& [after, touched] : touched_) {
     const BodyId id = back ? id_before(bodies_, after) : after;
-    if (!world.contains(id)) continue;
+    // A body that came in the step is looked at as a whole, or has gone.
+    if (lists(bodies_.came, after) || !world.contains(id)) continue;
     const Mesh& mesh = world.body(id).mesh;
     BodyDelta body;
     body.body = id;

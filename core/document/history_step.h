@@ -13,9 +13,9 @@ namespace kerf {
 class HistoryStep {
  public:
   enum class Kind {
-    kStroke,  // a stroke with all its moves, and the time that passes after it
+    kStroke,  // a stroke with all its moves, and the time that passes within and after it
     kRecut,   // the previous stroke cut again with other settings, and the time that passes after it
-    kTime,    // time that passes without a stroke before it
+    kTime,    // time that passes without a stroke before it, or after Play
     kEdit,    // a command that is executed at once
   };
   enum class State {
@@ -37,7 +37,7 @@ class HistoryStep {
   const std::vector<Command>& commands() const { return commands_; }
   Command& first() { return commands_.front(); }
   void add(const Command& command);
-  // The generation of bodies that the step creates (see BodyId). Only used by kEdit.
+  // The generation of bodies that the step creates (see BodyId).
   uint32_t generation = 0;
 
   // The number of live faces that the step removed, and their area (m^2).
@@ -102,6 +102,7 @@ class HistoryStep {
     std::vector<FaceId> corners, labels;
   };
   Delta delta(const World& world, bool back) const;
+  void follow_bodies(const Delta& delta);
   void keep_cut_faces(const BodyDelta& delta);
 
   Kind kind_;

@@ -99,6 +99,8 @@ void Delta::append(Delta later) {
   append_ids(moved, later.moved, later);
   append_ids(hid_or_showed, later.hid_or_showed, later);
   append_ids(renamed, later.renamed, later);
+  append_ids(pinned, later.pinned, later);
+  surroundings |= later.surroundings;
   for (const Detached& d : later.detached) {
     const bool back = !detached.empty() && detached.back() == Detached{d.to, d.label, d.from, d.carries_on};
     if (back) {
@@ -110,7 +112,7 @@ void Delta::append(Delta later) {
   // Whoever looks at a body as a whole sees all of this.
   const auto is_new = [&](BodyId id) { return has(came, id); };
   std::erase_if(bodies, [&](const BodyDelta& b) { return is_new(b.body); });
-  for (auto* ids : {&moved, &hid_or_showed, &renamed}) std::erase_if(*ids, is_new);
+  for (auto* ids : {&moved, &hid_or_showed, &renamed, &pinned}) std::erase_if(*ids, is_new);
 }
 
 Delta bodies_taken_back(const Delta& delta) {
@@ -127,6 +129,8 @@ Delta bodies_taken_back(const Delta& delta) {
   back.moved = before(delta.moved);
   back.hid_or_showed = before(delta.hid_or_showed);
   back.renamed = before(delta.renamed);
+  back.pinned = before(delta.pinned);
+  back.surroundings = delta.surroundings;
   back.anew = delta.anew;
   return back;
 }

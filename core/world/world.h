@@ -2,6 +2,7 @@
 
 #include <cassert>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,6 +20,7 @@
 #include "core/world/placement.h"
 #include "core/world/separation_state.h"
 #include "core/world/shell_mass.h"
+#include "core/world/spring.h"
 #include "core/world/surroundings.h"
 
 namespace kerf {
@@ -82,8 +84,8 @@ struct Body {
   // All members that a command may change in a body that exists before and after it.
   template <typename Self>
   static auto parts(Self& self) {
-    return std::tie(self.name, self.named, self.placement, self.hidden, self.motion, self.sheet, self.pinned, self.mesh, self.tree, self.refinement,
-                    self.pieces, self.components, self.separation);
+    return std::tie(self.name, self.named, self.placement, self.hidden, self.motion, self.sheet, self.pinned,
+                    self.mesh, self.tree, self.refinement, self.pieces, self.components, self.separation);
   }
 
   // Memory of its arrays, in bytes.
@@ -139,6 +141,10 @@ class World {
   const Surroundings& surroundings() const { return situation_.around; }
   void set_surroundings(const Surroundings& around) { situation_.around = around; }
 
+  // The spring by which somebody drags a piece. The piece need not exist any more.
+  const std::optional<Spring>& spring() const { return situation_.spring; }
+  void set_spring(const std::optional<Spring>& spring) { situation_.spring = spring; }
+
   // What core/physics knows of bodies that are near each other. It is a part of the state: what happens next
   // depends on it.
   const ContactMemory& contact_memory() const { return *situation_.contacts; }
@@ -158,8 +164,9 @@ class World {
   void begin_change();
   Change end_change();
   void exchange(Change& change);
-  // Restores the world before the change by edits that are recorded like any others. Precondition: the change
-  // added and removed no body. Can also be applied to a copy of the world.
+  // Restores the world before the change by edits that are recorded like any others. Bodies that the change
+  // added are removed, and their slots stay unused. Precondition: the change removed no body that was there
+  // before it. Can also be applied to a copy of the world.
   void restore(const Change& change);
 
  private:
@@ -172,6 +179,7 @@ class World {
   struct Situation {
     Ticks clock = 0;
     Surroundings around;
+    std::optional<Spring> spring;
     // Never null; shared with the images of changes.
     std::shared_ptr<const ContactMemory> contacts = std::make_shared<const ContactMemory>();
     friend bool operator==(const Situation&, const Situation&) = default;
@@ -200,16 +208,15 @@ class World::Change {
   // Memory of the images, in bytes.
   size_t bytes() const;
   // Whether bodies were added or removed.
-  bool bodies_differ() const { return !died_.empty() || slots_differ_; }
+  bool bodies_differ() const { return !died_.empty() || slots_end_ != slots_; }
 
  private:
   friend class World;
   void keep(uint32_t slot, Body& body);
 
   ChangeOf<Situation> situation_;
-  size_t slots_ = 0;  // before the change
-  bool slots_differ_ = false;
-  bool taken_back_ = false;  // the world is as it was before the change
+  size_t slots_ = 0, slots_end_ = 0;  // their number before and after the change
+  bool taken_back_ = false;           // the world is as it was before the change
   std::vector<BodyChange> edited_;
   std::vector<std::pair<uint32_t, uint32_t>> exchanged_;  // slots whose bodies were exchanged, in order
   std::vector<std::pair<uint32_t, Body>> removed_;        // removed bodies by slot before the change

@@ -70,7 +70,7 @@ World::Change World::end_change() {
   Change change = std::move(*remembered_);
   remembered_.reset();
   change.situation_.end(situation_);
-  change.slots_differ_ = change.slots_ != slots_.size();
+  change.slots_end_ = slots_.size();
   for (BodyChange& c : change.edited_) c.parts.end(slots_[c.slot].body);
   std::erase_if(change.edited_, [&](const BodyChange& c) { return !c.parts.any(); });
   return change;
@@ -106,9 +106,15 @@ void World::bring_again(Change& change) {
 }
 
 void World::restore(const Change& change) {
-  assert(!change.bodies_differ() && !change.taken_back_);
+  assert(change.died_.empty() && !change.taken_back_);
   change.situation_.restore(situation_);
   for (const BodyChange& c : change.edited_) c.parts.restore(slots_[c.slot].body);
+  const auto id_of = [&](uint32_t slot) { return BodyId{slot, slots_[slot].generation}; };
+  for (size_t i = change.exchanged_.size(); i-- > 0;)
+    exchange_bodies(id_of(change.exchanged_[i].first), id_of(change.exchanged_[i].second));
+  for (auto slot = static_cast<uint32_t>(change.slots_); slot < change.slots_end_; ++slot) {
+    if (slots_[slot].alive) remove(id_of(slot));
+  }
 }
 
 }  // namespace kerf

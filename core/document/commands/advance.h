@@ -13,10 +13,11 @@ namespace kerf {
 // when the moves before it are walked. All that changes in a world by itself changes here.
 struct Advance {
   Ticks ticks = 0;
+  bool bodies = false;  // bodies move (see core/physics), which Play begins
 
   static constexpr const char* kName = "advance";
   static constexpr std::array<const char*, 1> kKeys{"ticks"};
-  static constexpr std::array<const char*, 0> kOptionalKeys{};
+  static constexpr std::array<const char*, 1> kOptionalKeys{"bodies"};
   // The largest number in one line of a journal: each second of a run is a line of its own.
   static constexpr Ticks kMostInALine = kTicksPerSecond;
 

@@ -13,8 +13,8 @@
 namespace kerf {
 
 // Reads the keys of a command from its line in a journal, as CommandWriter writes them; numbers come back to
-// the bit. Precondition of each function: the line has the keys that it reads. Values that make no sense are
-// bad input with a JSON pointer.
+// the bit. Precondition of each function but has(): the line has the keys that it reads. Values that make no
+// sense are bad input with a JSON pointer.
 class CommandReader {
  public:
   // `folder` is the folder of the journal; `beam` says where the beam of the last stroke is, if there was
@@ -22,6 +22,8 @@ class CommandReader {
   CommandReader(const JsonValue& line, const std::filesystem::path& folder, const std::optional<BeamAt>& beam)
       : line_(line), folder_(folder), beam_(beam) {}
 
+  // Whether the line has an optional key.
+  bool has(const char* key) const { return line_.has(key); }
   Result<CutSettings> settings() const;
   Result<Pose> pose() const;  // with a unit direction
   // A pose that the beam can move to from where it is: its direction is not opposite.
@@ -33,6 +35,8 @@ class CommandReader {
   Result<std::filesystem::path> mesh() const;
   Result<std::string> text(const char* key) const { return line_[key].text(); }
   Result<uint64_t> whole_number(const char* key, uint64_t least, uint64_t most) const;
+  Result<double> number(const char* key) const { return line_[key].number(); }
+  Result<Vec3> point(const char* key) const { return line_[key].vector(); }
   Result<bool> flag(const char* key) const;
 
  private:

@@ -47,6 +47,8 @@ void CommandWriter::placement(const Placement& placement) {
   numbers("orientation", {q.w, q.x, q.y, q.z});
 }
 
+void CommandWriter::point(const char* name, const Vec3& point) { numbers(name, {point.x, point.y, point.z}); }
+
 void CommandWriter::mesh(const std::filesystem::path& file) { text("mesh", path_text(file, folder_)); }
 
 void CommandWriter::text(const char* name, const std::string& value) {

@@ -22,6 +22,7 @@ class CommandWriter {
   void pose(const Pose& pose);                 // "origin" and "direction"
   void piece(const PieceId& piece);            // "piece"
   void placement(const Placement& placement);  // "position" and "orientation"
+  void point(const char* key, const Vec3& point);
   void mesh(const std::filesystem::path& file);
   void text(const char* key, const std::string& value);
   void number(const char* key, double value);

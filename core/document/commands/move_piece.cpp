@@ -24,6 +24,7 @@ Result<Delta> MovePiece::run(World& world, uint32_t generation, const Progress*)
       world, piece, generation, [&](const Body& body) { return body.placement != to; },
       [&](World& edited, BodyId own) {
         edited.body(own).placement = to;
+        edited.body(own).motion = {};
         Delta change;
         change.moved = {own};
         return change;

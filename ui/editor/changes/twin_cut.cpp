@@ -43,7 +43,9 @@ bool TwinCut::follow(Document& first, const ResolutionControls& controls) {
       start->settings = first.stroke_settings();
       start->settings.resolution = resolution_;
     }
-    if (std::holds_alternative<Advance>(command)) continue;  // time stands still in the twin
+    // Time stands still in the twin.
+    const bool in_time = std::visit([]<typename C>(const C&) { return HappensInTime<C>; }, command);
+    if (in_time) continue;
     const Outcome applied = document_.apply(command);
     assert(applied.ok());
     (void)applied;

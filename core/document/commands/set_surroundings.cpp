@@ -1,0 +1,32 @@
+#include "core/document/commands/set_surroundings.h"
+
+namespace kerf {
+
+std::string SetSurroundings::words() const { return "Gravity and ground"; }
+
+void SetSurroundings::write(CommandWriter& line) const {
+  line.point("gravity", around.gravity);
+  if (around.ground) line.number("ground", *around.ground);
+}
+
+Result<SetSurroundings> SetSurroundings::read(const CommandReader& line) {
+  const auto gravity = line.point("gravity");
+  if (!gravity) return gravity.error();
+  SetSurroundings command{{*gravity, std::nullopt}};
+  if (line.has("ground")) {
+    const auto ground = line.number("ground");
+    if (!ground) return ground.error();
+    command.around.ground = *ground;
+  }
+  return command;
+}
+
+Result<Delta> SetSurroundings::run(World& world, uint32_t, const Progress*) const {
+  Delta delta;
+  if (world.surroundings() == around) return delta;
+  world.set_surroundings(around);
+  delta.surroundings = true;
+  return delta;
+}
+
+}  // namespace kerf

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "core/world/delta.h"
+#include "core/world/world.h"
+
+namespace kerf {
+
+// Makes World::contact_memory() follow a change that was made by anything but a tick: what is known of the
+// contacts of a body is forgotten if its faces changed, if it was moved, or if it came, went, was hidden or
+// shown, for its points and chords are others or elsewhere. These bodies wake, and so do the bodies that
+// touched them, from which the change may have taken the support; a change of gravity wakes all.
+// O(pairs that are near each other + bodies).
+void forget_contacts(World& world, const Delta& delta);
+
+}  // namespace kerf

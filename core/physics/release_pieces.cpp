@@ -1,0 +1,64 @@
+#include "core/physics/release_pieces.h"
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "core/graph/detach.h"
+#include "core/physics/rigid_frame.h"
+
+namespace kerf {
+
+namespace {
+
+// The labels of a body that have faces, except the lowest of them.
+std::vector<uint32_t> pieces_off(const Body& body) {
+  std::vector<uint32_t> labels;
+  bool first = true;
+  for (uint32_t p = 0; p < body.pieces.size(); ++p) {
+    if (body.pieces[p].faces == 0) continue;
+    if (!first) labels.push_back(p);
+    first = false;
+  }
+  return labels;
+}
+
+// The change of the velocity of a body by an impulse at its centre of mass.
+void push(Body& body, const Vec3& change) {
+  if (!body.pinned) body.motion.velocity += change;
+}
+
+void push_apart(Body& rest, Body& piece) {
+  const RigidFrame of_rest = rigid_frame(rest), of_piece = rigid_frame(piece);
+  const double mass = of_rest.mass + of_piece.mass;
+  const Vec3 way = piece.placement.to_world(of_piece.centre) - rest.placement.to_world(of_rest.centre);
+  const double length = glm::length(way), size = glm::length(rest.loaded.max - rest.loaded.min);
+  // Pieces around the same centre have no direction in which to part.
+  if (!(mass > 0) || !(length > 1e-3 * size)) return;
+  const Vec3 apart = kPushApart * std::min(1.0, size) / length * way;
+  push(piece, of_rest.mass / mass * apart);
+  push(rest, -of_piece.mass / mass * apart);
+}
+
+void wake(Body& body) {
+  body.motion.asleep = false;
+  body.motion.quiet = 0;
+}
+
+}  // namespace
+
+void release_pieces(World& world, uint32_t generation, Delta& delta) {
+  for (const BodyId id : world.ids()) {
+    if (world.body(id).hidden) continue;
+    for (const uint32_t label : pieces_off(world.body(id))) {
+      const BodyId own = detach(world, {id, label}, generation, delta);
+      Body &rest = world.body(id), &piece = world.body(own);
+      piece.pinned = false;
+      wake(rest);
+      wake(piece);
+      push_apart(rest, piece);
+    }
+  }
+}
+
+}  // namespace kerf

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/world/delta.h"
+#include "core/world/world.h"
+
+namespace kerf {
+
+// Makes every piece that came off a body of its own, so that it can move (see detach). In each visible body
+// the piece with the lowest label stays; the others inherit its velocity and spin, are not pinned, and are
+// pushed apart from it: with equal and opposite impulses along the line between the centres of mass, to a
+// relative speed of kPushApart. What is pinned is not pushed. New bodies get `generation` (see BodyId).
+// Appends the change to `delta`, and wakes the bodies that it changes.
+//
+// Precondition: no search for separated pieces is unfinished. O(pieces) if nothing came off.
+void release_pieces(World& world, uint32_t generation, Delta& delta);
+
+inline constexpr double kPushApart = 0.03;  // m/s, less for bodies smaller than a metre, in proportion
+
+}  // namespace kerf

@@ -6,6 +6,7 @@
 #include "core/base/tick.h"
 #include "core/physics/broad_phase.h"
 #include "core/physics/pair_contacts.h"
+#include "core/physics/pull.h"
 #include "core/physics/sleep.h"
 
 namespace kerf {
@@ -168,6 +169,7 @@ std::vector<MovingBody> Physics::moving_bodies(World& world) {
 
 Delta Physics::tick(World& world) {
   figures_ = {};
+  pull(world, kTick);
   std::vector<MovingBody> bodies = moving_bodies(world);
   figures_.bodies = bodies.size();
   const bool all_rest =

@@ -86,7 +86,26 @@ struct Bits {
     put(bits, c.pose);
     put(bits, c.time);
   }
-  void operator()(const Advance& c) { bits.push_back(c.ticks); }
+  void operator()(const Advance& c) {
+    bits.push_back(c.ticks);
+    bits.push_back(c.bodies);
+  }
+  void operator()(const Pull& c) {
+    put(bits, c.piece);
+    put(bits, c.at);
+    put(bits, c.to);
+  }
+  void operator()(const PinPiece& c) {
+    put(bits, c.piece);
+    bits.push_back(c.pinned);
+  }
+  void operator()(const SetSurroundings& c) {
+    put(bits, c.around.gravity);
+    bits.push_back(c.around.ground.has_value());
+    put(bits, c.around.ground.value_or(0));
+  }
+  void operator()(const LetGo&) {}
+  void operator()(const Play&) {}
   void operator()(const Recut& c) { put(bits, c.settings); }
   void operator()(const AddMesh& c) {
     put(bits, c.file.string());
@@ -139,7 +158,7 @@ Command random_command(Random& random, const BeamAt& beam) {
   Vec3 direction = random_direction(random);
   if (glm::length(direction + beam.pose.direction) < 1e-3) direction = beam.pose.direction;
   const Pose pose{random_point(random), direction};
-  switch (random.below(13)) {
+  switch (random.below(18)) {
     case 0:
       return BeginStroke{random_settings(random), pose};
     case 1:
@@ -161,9 +180,22 @@ Command random_command(Random& random, const BeamAt& beam) {
     case 9:
       return Redo{};
     case 10:
-      return Advance{1 + random.below(Advance::kMostInALine)};
+      return Advance{1 + random.below(Advance::kMostInALine), random.below(2) > 0};
     case 11:
       return DuplicatePiece{random_piece(random), random_placement(random)};
+    case 12:
+      return Pull{random_piece(random), random_point(random), random_point(random)};
+    case 13:
+      return LetGo{};
+    case 14:
+      return Play{};
+    case 15:
+      return PinPiece{random_piece(random), random.below(2) > 0};
+    case 16: {
+      SetSurroundings set{{random_point(random), std::nullopt}};
+      if (random.below(2) > 0) set.around.ground = random_number(random);
+      return set;
+    }
     default:
       return MoveStroke{pose, random.below(3) == 0 ? beam.time : beam.time + random.unit()};
   }

@@ -11,7 +11,8 @@ void expect_same_body(const Body& a, const Body& b);
 // The same for all bodies of two worlds, and their ids.
 void expect_same_world(const World& a, const World& b);
 
-// The same but for the generations of the bodies: for worlds that different journals led to.
+// The same but for the ids and numbers of the bodies, which need only come in the same order: for worlds that
+// different journals led to.
 void expect_same_bodies(const World& a, const World& b);
 
 }  // namespace kerf::test

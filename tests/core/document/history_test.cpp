@@ -16,6 +16,7 @@ World made_world() {
   World world;
   world.add(make_body("torus", build(torus(16, 10, 0.5, 0.2))));
   world.add(make_body("book", build(moved(book(5), {0.3, 0.1, 0}, 0.6))));
+  world.set_surroundings({.gravity = {0, -9.81, 0}, .ground = -0.5});
   return world;
 }
 
@@ -67,6 +68,21 @@ Command with_one_bite(Command command) {
   return command;
 }
 
+uint32_t place_of(const World& world, BodyId id) {
+  const std::vector<BodyId> ids = world.ids();
+  return static_cast<uint32_t>(std::find(ids.begin(), ids.end(), id) - ids.begin());
+}
+
+// The command, of which the piece names its body by its place among all.
+Command with_id(Command command, const World& world) {
+  std::visit(
+      [&](auto& c) {
+        if constexpr (requires { c.piece; }) c.piece.body = world.ids()[c.piece.body.slot];
+      },
+      command);
+  return command;
+}
+
 // A history as it should be: what was done, each with the commands that do it from scratch.
 struct Model {
   struct Step {
@@ -94,7 +110,8 @@ struct Model {
     Document fresh(made_world());
     for (size_t i = 0; i < at; ++i) {
       if (i + 1 < at && steps[i + 1].again) continue;
-      for (const Command& c : steps[i].commands) EXPECT_TRUE(fresh.apply(with_one_bite(c)).ok());
+      for (const Command& c : steps[i].commands)
+        EXPECT_TRUE(fresh.apply(with_id(with_one_bite(c), fresh.world())).ok());
       finish(fresh);
     }
     return fresh.world();
@@ -116,7 +133,11 @@ Command random_piece_command(const PieceId& piece, Random& random) {
   }
 }
 
-Advance random_time(Random& random) { return {1 + random.below(300)}; }
+// Bodies move in some of it.
+Advance random_time(Random& random) {
+  if (random.below(2) == 0) return {1 + random.below(300)};
+  return {1 + random.below(12), true};
+}
 
 // The stroke with ticks between its commands.
 std::vector<Command> with_time(const std::vector<Command>& stroke, Random& random) {
@@ -130,7 +151,7 @@ std::vector<Command> with_time(const std::vector<Command>& stroke, Random& rando
 
 // A random command, undo or redo on both; strokes may still wait afterwards.
 void act(Document& document, Model& model, Random& random) {
-  const size_t what = random.below(14);
+  const size_t what = random.below(15);
   if (what < 4) {
     const auto stroke = with_time(random_stroke_commands(random), random);
     for (const Command& c : stroke) {
@@ -155,19 +176,23 @@ void act(Document& document, Model& model, Random& random) {
   } else if (what == 10) {
     finish(document);
     if (const auto piece = random_piece(document.world(), random)) {
-      // Generations depend on the journal, and the model's is another: it names bodies by their numbers.
-      const PieceId by_number{{document.world().body(piece->body).number, BodyId::kUnknownGeneration},
-                              piece->label};
+      // Ids depend on the journal, and the model's is another: it names bodies by their places among all.
+      const PieceId by_place{{place_of(document.world(), piece->body)}, piece->label};
       Random same = random;
       const Command command = random_piece_command(*piece, random);
       const Outcome outcome = document.apply(command);
       ASSERT_TRUE(outcome.ok());
-      if (!outcome.delta.empty()) model.add({random_piece_command(by_number, same)});
+      if (!outcome.delta.empty()) model.add({random_piece_command(by_place, same)});
     }
   } else if (what == 11) {
     model.at = random.below(model.steps.size() + 1);
     ASSERT_TRUE(document.travel(model.at).ok());
-  } else if (what >= 12) {
+  } else if (what == 12) {
+    const Advance time{1 + random.below(12), true};
+    document.apply(Play{});
+    document.apply(time);
+    model.add({Play{}, time});
+  } else if (what >= 13) {
     const Advance time = random_time(random);
     document.apply(time);
     model.pass(time);

@@ -1,0 +1,201 @@
+#include <gtest/gtest.h>
+
+#include "core/document/document.h"
+#include "core/document/journal.h"
+#include "core/physics/rigid_frame.h"
+#include "core/world/state_hash.h"
+#include "tests/support/made_meshes.h"
+#include "tests/support/same_world.h"
+#include "tests/support/sheets.h"
+#include "tests/support/strokes.h"
+
+namespace kerf::test {
+namespace {
+
+constexpr double kSecond = 1.0 / static_cast<double>(kTicksPerSecond);
+
+CutSettings settings() {
+  CutSettings s;
+  s.laser.radius = 0.01;
+  s.resolution.target_edge = 0.02;
+  return s;
+}
+
+// A stroke straight down along x, at z, over everything.
+std::vector<Command> stroke_at(double z) {
+  const Vec3 down(0, -1, 0);
+  return {BeginStroke{settings(), {{-2, 3, z}, down}}, MoveStroke{{{2, 3, z}, down}}, EndStroke{}};
+}
+
+class BodiesInTime : public testing::Test {
+ protected:
+  static World made_world() {
+    World world;
+    add(world, rectangle(1, 1, 8), {0, 0.5, 0});
+    world.set_surroundings({.gravity = {0, -9.81, 0}, .ground = 0});
+    return world;
+  }
+  void apply(const Command& command) { ASSERT_TRUE(document_.apply(command).ok()); }
+  void cut(double z) {
+    for (const Command& c : stroke_at(z)) apply(c);
+  }
+  void fall(Ticks ticks) { document_.apply(Advance{ticks, true}); }
+  void walk() { ASSERT_TRUE(walk_all(document_).ok()); }
+  const World& world() const { return document_.world(); }
+  Vec3 centre(BodyId id) const {
+    const Body& body = world().body(id);
+    return body.placement.to_world(rigid_frame(body).centre);
+  }
+
+  Document document_{made_world()};
+};
+
+TEST_F(BodiesInTime, without_moving_bodies_nothing_is_detached) {
+  cut(0.1);
+  document_.apply(Advance{30});
+  walk();
+  EXPECT_EQ(world().ids().size(), 1u);
+  EXPECT_EQ(world().live_pieces(), 2u);
+}
+
+TEST_F(BodiesInTime, pieces_fall_as_far_as_free_bodies_do) {
+  cut(0.1);
+  walk();
+  apply(Play{});
+  constexpr Ticks kTicks = 24;
+  fall(kTicks);
+  walk();
+  ASSERT_EQ(world().ids().size(), 2u);
+  EXPECT_EQ(world().clock(), kTicks);
+  // Each tick adds to the velocity before it moves the body.
+  const double way = 0.5 * 9.81 * kSecond * kSecond * static_cast<double>(kTicks * (kTicks + 1));
+  for (const BodyId id : world().ids()) EXPECT_NEAR(centre(id).y, 0.5 - way, 0.01 * way);
+}
+
+TEST_F(BodiesInTime, pieces_are_pushed_apart_slowly_and_keep_their_common_centre) {
+  apply(SetSurroundings{{.gravity = Vec3(0), .ground = std::nullopt}});
+  cut(0.1);
+  walk();
+  apply(Play{});
+  fall(1);
+  walk();
+  Vec3 momentum(0);
+  std::vector<Vec3> velocities;
+  for (const BodyId id : world().ids()) {
+    velocities.push_back(world().body(id).motion.velocity);
+    momentum += rigid_frame(world().body(id)).mass * velocities.back();
+  }
+  ASSERT_EQ(velocities.size(), 2u);
+  const double apart = glm::length(velocities[1] - velocities[0]);
+  EXPECT_GT(apart, 0.01);
+  EXPECT_LT(apart, 0.05);
+  EXPECT_LT(glm::length(momentum), 1e-9);
+}
+
+TEST_F(BodiesInTime, a_pinned_plate_stays_and_what_is_cut_off_it_falls) {
+  apply(PinPiece{{world().ids().front(), 0}, true});
+  apply(Play{});
+  fall(10);
+  walk();
+  const BodyId plate = world().ids().front();
+  EXPECT_EQ(world().body(plate).placement.position.y, 0.5);
+  cut(0.3);
+  fall(60);
+  walk();
+  ASSERT_EQ(world().ids().size(), 2u);
+  EXPECT_EQ(world().body(plate).placement.position.y, 0.5);
+  EXPECT_FALSE(world().body(world().ids().back()).pinned);
+  EXPECT_LT(world().body(world().ids().back()).placement.position.y, 0.3);
+}
+
+TEST_F(BodiesInTime, what_a_cut_takes_the_support_from_wakes_and_falls) {
+  World table;
+  const BodyId top = add(table, rectangle(1, 1, 8), {0, 0.5, 0});
+  table.body(top).pinned = true;
+  const BodyId box = add(table, closed_box({0.2, 0.1, 0.2}), {0, 0.57, 0.3});
+  table.set_surroundings({.gravity = {0, -9.81, 0}, .ground = 0});
+  document_ = Document(std::move(table));
+  apply(Play{});
+  fall(240);
+  walk();
+  ASSERT_TRUE(world().body(box).motion.asleep);
+  ASSERT_GT(centre(box).y, 0.5);
+  cut(0.1);  // the smaller part, under the box, comes off
+  fall(240);
+  walk();
+  EXPECT_LT(centre(box).y, 0.3);
+}
+
+TEST_F(BodiesInTime, moving_a_body_by_hand_stops_it_and_wakes_what_lay_on_it) {
+  World pile;
+  const BodyId low = add(pile, closed_box({0.5, 0.2, 0.5}), {0, 0.1, 0});
+  const BodyId high = add(pile, closed_box({0.3, 0.2, 0.3}), {0, 0.31, 0});
+  pile.set_surroundings({.gravity = {0, -9.81, 0}, .ground = 0});
+  document_ = Document(std::move(pile));
+  apply(Play{});
+  fall(240);
+  walk();
+  ASSERT_TRUE(world().body(high).motion.asleep);
+  apply(MovePiece{{low, 0}, {{3, 0.1, 0}, {1, 0, 0, 0}}});
+  fall(120);
+  walk();
+  EXPECT_LT(centre(high).y, 0.12);
+  EXPECT_NEAR(centre(low).x, 3, 0.01);
+}
+
+TEST_F(BodiesInTime, one_step_of_the_history_goes_from_play_to_pause_and_each_stroke_within_is_one) {
+  apply(Play{});
+  fall(10);
+  fall(10);
+  cut(0.1);
+  fall(10);
+  walk();
+  EXPECT_EQ(document_.history().position(), 2u);
+  const uint64_t end = state_hash(world());
+  apply(Undo{});
+  EXPECT_EQ(world().clock(), 20u);
+  EXPECT_EQ(world().ids().size(), 1u);
+  apply(Undo{});
+  EXPECT_EQ(world().clock(), 0u);
+  EXPECT_EQ(state_hash(world()), state_hash(made_world()));
+  apply(Redo{});
+  apply(Redo{});
+  EXPECT_EQ(state_hash(world()), end);
+}
+
+TEST_F(BodiesInTime, replay_of_the_journal_goes_on_to_the_same_bits) {
+  apply(Play{});
+  fall(20);
+  cut(0.1);
+  fall(30);
+  cut(-0.2);
+  fall(100);
+  apply(Undo{});
+  cut(0.3);
+  fall(200);
+  walk();
+  Document again(made_world());
+  for (const Command& c : document_.journal()) {
+    ASSERT_TRUE(again.apply(c).ok());
+    again.seal_journal();
+    ASSERT_TRUE(walk_all(again).ok());
+  }
+  expect_same_world(again.world(), world());
+}
+
+TEST_F(BodiesInTime, a_spring_lifts_a_plate_and_lets_it_go) {
+  const BodyId plate = world().ids().front();
+  apply(Play{});
+  fall(120);
+  document_.apply(Pull{{plate, 0}, {0, 0, 0}, {0.2, 1, 0}});
+  fall(240);
+  walk();
+  EXPECT_LT(glm::distance(world().body(plate).placement.position, Vec3(0.2, 1, 0)), 0.05);
+  document_.apply(LetGo{});
+  fall(240);
+  walk();
+  EXPECT_LT(world().body(plate).placement.position.y, 0.05);
+}
+
+}  // namespace
+}  // namespace kerf::test

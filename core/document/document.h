@@ -110,6 +110,24 @@ class Document {
   bool can_start_again() const;
   Delta start_again();
 
+  // A place in the execution of the last step of the history.
+  struct Mark {
+    size_t revision = 0, position = 0;
+    HistoryStep::Mark step;
+    BeamQueue queue;
+    std::shared_ptr<Stroke> stroke;
+    size_t moves = 0;  // of its path
+  };
+  // The place that the execution has reached. Nothing if no part of the step has been executed, if a stroke
+  // is being drawn, or if before-images are not recorded. Splits the before-images of the step in two, so
+  // that its undo takes more memory.
+  std::optional<Mark> mark();
+  // Goes back to a place. The history and the journal stay as they are, and executing the queue again leads
+  // to the same world, to the bit. Returns what changed. Precondition: can_go_back_to(mark), i.e. since then
+  // the queue has only been executed. Costs as much as undoing what was executed since then.
+  bool can_go_back_to(const Mark& mark) const;
+  Delta go_back_to(const Mark& mark);
+
   // Whether the last step of the history before the position is a stroke that Recut can cut again.
   bool can_recut() const;
 

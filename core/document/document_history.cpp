@@ -86,6 +86,35 @@ Delta Document::start_again() {
   return delta;
 }
 
+std::optional<Document::Mark> Document::mark() {
+  const size_t position = history_.position();
+  if (in_stroke_ || position == 0 || recorder_.step() != position - 1) return std::nullopt;
+  const HistoryStep& last = history_.step(position - 1);
+  if (last.images() != Images::kHeld) return std::nullopt;
+  close();
+  Mark mark{revision_, position, last.mark(), queue_, walked_, walked_ ? walked_->path.size() : 0};
+  begin(position - 1);
+  return mark;
+}
+
+bool Document::can_go_back_to(const Mark& mark) const {
+  return !in_stroke_ && mark.revision == revision_ && mark.position == history_.position() &&
+         history_.step(mark.position - 1).can_go_back_to(mark.step);
+}
+
+Delta Document::go_back_to(const Mark& mark) {
+  assert(can_go_back_to(mark));
+  close();
+  Delta delta = history_.step(mark.position - 1).go_back_to(mark.step, world_);
+  queue_ = mark.queue;
+  walked_ = mark.stroke;
+  if (walked_) walked_->path.resize(mark.moves);
+  begin(mark.position - 1);
+  physics_ = Physics();
+  ++revision_;
+  return delta;
+}
+
 // Whether the world can be brought to where a step begins by before-images.
 bool Document::can_walk_again(size_t step) const {
   return history_.holds_images(history_.base_of(step), step);

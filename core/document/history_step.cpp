@@ -46,6 +46,15 @@ PieceId piece_after(const Delta& delta, PieceId before) {
   return before;
 }
 
+Ticks ticks_of_last(const std::vector<Command>& commands) {
+  const auto* advance = std::get_if<Advance>(&commands.back());
+  return advance ? advance->ticks : 0;
+}
+
+std::vector<FaceId>::const_iterator at(const std::vector<FaceId>& faces, size_t i) {
+  return faces.begin() + static_cast<std::ptrdiff_t>(i);
+}
+
 bool is_live(const Mesh& mesh, FaceId f) { return f.index < mesh.face_slots() && mesh.is_live(f); }
 
 }  // namespace
@@ -177,6 +186,51 @@ Delta HistoryStep::take_back(World& world) {
   return delta(world, true);
 }
 
+HistoryStep::Mark HistoryStep::mark() const {
+  assert(!waiting());
+  Mark mark;
+  mark.commands = commands_.size();
+  mark.ticks = ticks_of_last(commands_);
+  mark.changes = changes_.size();
+  mark.bytes = bytes_;
+  mark.removed_faces = removed_faces_;
+  mark.cut_faces_kept = cut_faces_kept_;
+  mark.removed_area = removed_area_;
+  mark.figures = figures_;
+  for (const auto& [id, touched] : touched_)
+    mark.touched[id] = {touched.corners.size(), touched.labels.size()};
+  for (const auto& [id, faces] : cut_faces_) mark.cut_faces[id] = faces.size();
+  mark.came_off = came_off_;
+  return mark;
+}
+
+bool HistoryStep::can_go_back_to(const Mark& mark) const {
+  return images_ == Images::kHeld && !waiting() && bodies_.empty() && mark.changes <= changes_.size() &&
+         mark.commands == commands_.size() && mark.ticks == ticks_of_last(commands_) &&
+         mark.cut_faces_kept <= cut_faces_kept_;
+}
+
+Delta HistoryStep::go_back_to(const Mark& mark, World& world) {
+  assert(can_go_back_to(mark));
+  for (; changes_.size() > mark.changes; changes_.pop_back()) world.exchange(changes_.back());
+  Delta back = delta(world, true, &mark);
+  bytes_ = mark.bytes;
+  removed_faces_ = mark.removed_faces;
+  cut_faces_kept_ = mark.cut_faces_kept;
+  removed_area_ = mark.removed_area;
+  figures_ = mark.figures;
+  came_off_ = mark.came_off;
+  std::erase_if(touched_, [&](const auto& touched) { return !mark.touched.contains(touched.first); });
+  for (const auto& [id, sizes] : mark.touched) {
+    touched_[id].corners.resize(sizes.first);
+    touched_[id].labels.resize(sizes.second);
+  }
+  std::erase_if(cut_faces_, [&](const auto& faces) { return !mark.cut_faces.contains(faces.first); });
+  for (const auto& [id, size] : mark.cut_faces) cut_faces_[id].resize(size);
+  state_ = State::kBegun;
+  return back;
+}
+
 Delta HistoryStep::bring_again(World& world) {
   for (World::Change& change : changes_) world.exchange(change);
   return delta(world, false);
@@ -188,7 +242,7 @@ Delta HistoryStep::restore(World& world) const {
 }
 
 // Tells what the step touched; faces are told apart by what the world has become.
-Delta HistoryStep::delta(const World& world, bool back) const {
+Delta HistoryStep::delta(const World& world, bool back, const Mark* since) const {
   Delta all = back ? bodies_taken_back(bodies_) : bodies_;
   all.removed_faces = 0;
   all.removed_area = 0;
@@ -199,7 +253,10 @@ Delta HistoryStep::delta(const World& world, bool back) const {
     const Mesh& mesh = world.body(id).mesh;
     BodyDelta body;
     body.body = id;
-    std::vector<FaceId> corners = touched.corners, labels = touched.labels;
+    std::pair<size_t, size_t> before;
+    if (since && since->touched.contains(after)) before = since->touched.at(after);
+    std::vector<FaceId> corners(at(touched.corners, before.first), touched.corners.end());
+    std::vector<FaceId> labels(at(touched.labels, before.second), touched.labels.end());
     sort_each_once(corners);
     for (const FaceId f : corners) (is_live(mesh, f) ? body.born : body.gone).push_back(f);
     sort_each_once(labels);

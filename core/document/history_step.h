@@ -92,6 +92,27 @@ class HistoryStep {
   // are held, and all later steps are undone.
   Delta take_back(World& world);
   Delta bring_again(World& world);
+  // How far the execution of the step has come. All that the step notes is appended or summed up.
+  struct Mark {
+    size_t commands = 0;
+    Ticks ticks = 0;  // of the last command, to which more may be added
+    size_t changes = 0, bytes = 0;
+    size_t removed_faces = 0, cut_faces_kept = 0;
+    double removed_area = 0;
+    StepFigures figures;
+    std::map<BodyId, std::pair<size_t, size_t>> touched;  // numbers of corners and labels
+    std::map<BodyId, size_t> cut_faces;
+    std::map<PieceId, uint32_t> came_off;
+  };
+  // Precondition: the step was begun, and no recording is open.
+  Mark mark() const;
+  // Whether the step has only been executed further since then, has left the bodies as they are but for their
+  // faces, and its images are held.
+  bool can_go_back_to(const Mark& mark) const;
+  // Goes back to there: the step is begun. Returns what changed. Preconditions: can_go_back_to(mark), no
+  // recording is open, and all later steps are undone.
+  Delta go_back_to(const Mark& mark, World& world);
+
   // Undoes the step by an edit of the world that is recorded like any other. The step is left unchanged.
   Delta restore(World& world) const;
 
@@ -101,7 +122,7 @@ class HistoryStep {
   struct Touched {
     std::vector<FaceId> corners, labels;
   };
-  Delta delta(const World& world, bool back) const;
+  Delta delta(const World& world, bool back, const Mark* since = nullptr) const;
   void follow_bodies(const Delta& delta);
   void keep_cut_faces(const BodyDelta& delta);
 

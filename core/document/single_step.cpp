@@ -124,15 +124,55 @@ Result<StageRecord> SingleStep::next(const Progress* progress) {
   if (record.kind == Kind::kRefine) record.left = after.to_split.size();
   if (record.kind == Kind::kRemove) record.left = after.hit.size() - after.removed;
   if (record.move && after.stage == UnfinishedMove::Stage::kFind) swept_ = false;
+  note_work(record);
   return record;
+}
+
+void SingleStep::note_work(const StageRecord& record) {
+  constexpr size_t kOfStage = 50;  // faces that cost as much as a stage alone
+  const StepFigures& figures = record.done.figures;
+  work_ += figures.faces_made + record.done.delta.removed_faces + kOfStage;
+  const bool after_rim = record.kind == Kind::kCloseRim;
+  const bool between_moves = record.done.moves > 0 && !swept_;
+  if (document_.waiting() == 0 || !(after_rim || (between_moves && work_ >= work_between_marks_))) return;
+  std::optional<Document::Mark> mark = document_.mark();
+  if (!mark) return;
+  places_.push_back({stages_, std::move(*mark)});
+  work_ = 0;
+}
+
+const SingleStep::Place* SingleStep::place_before(size_t stages) const {
+  for (size_t i = places_.size(); i-- > 0;) {
+    if (places_[i].stages < stages && document_.can_go_back_to(places_[i].mark)) return &places_[i];
+  }
+  return nullptr;
+}
+
+size_t SingleStep::resumes_after(size_t stages) const {
+  const Place* place = place_before(stages);
+  return place ? place->stages : 0;
+}
+
+Delta SingleStep::resume(size_t stages) {
+  work_ = 0;
+  swept_ = false;
+  const Place* place = place_before(stages);
+  stages_ = place ? place->stages : 0;
+  std::erase_if(places_, [&](const Place& p) { return p.stages > stages_; });
+  if (!place) {
+    places_.clear();
+    return document_.start_again();
+  }
+  Delta delta = document_.go_back_to(places_.back().mark);
+  for (Place& p : places_)
+    p.mark.revision = document_.revision();  // the other places are on the way to there
+  return delta;
 }
 
 Outcome SingleStep::go_back_to(size_t stages, const Told& told, const Progress* progress) {
   assert(document_.can_start_again() && stages <= stages_);
   Outcome outcome;
-  std::vector<Delta> changes{document_.start_again()};
-  stages_ = 0;
-  swept_ = false;
+  std::vector<Delta> changes{resume(stages)};
   while (outcome.ok() && stages_ < stages) {
     const double share = static_cast<double>(stages_) / static_cast<double>(stages);
     if (progress && !progress->report(share)) {

@@ -41,7 +41,10 @@ std::string words(const StageRecord& record);
 // meanwhile.
 class SingleStep {
  public:
-  explicit SingleStep(Document& document) : document_(document) {}
+  // `work` is about how many faces are split, removed and looked at between two places from which it goes on
+  // after it has gone back.
+  explicit SingleStep(Document& document, size_t work = 30'000)
+      : document_(document), work_between_marks_(work) {}
 
   // Executes the next stage. Fails like Document::step. Precondition: document.waiting() > 0.
   Result<StageRecord> next(const Progress* progress = nullptr);
@@ -51,9 +54,14 @@ class SingleStep {
   size_t stages() const { return stages_; }
 
   using Told = std::function<void(const StageRecord&)>;
-  // Starts the last step of the history again (see Document::start_again), and executes its first `stages`
-  // stages. `told` is called with each of them. The outcome lists all changes, also on failure. If `progress`
-  // stops it, fewer stages are executed. Costs as much as undoing the step and executing these stages.
+  // The number of stages after which go_back_to(stages) takes the execution up again: less than `stages`
+  // unless that is 0.
+  size_t resumes_after(size_t stages) const;
+  // Goes back to a place before (see Document::go_back_to), or to the start of the last step of the history
+  // (see Document::start_again), and executes it up to its first `stages` stages. `told` is called with each
+  // stage that is executed. The outcome lists all changes, also on failure. If `progress` stops it, fewer
+  // stages are executed. Costs as much as undoing what was executed since that place, and executing the
+  // stages from there.
   // Preconditions: document.can_start_again(), stages() counts the stages of that step alone, and `stages` is
   // at most this number.
   Outcome go_back_to(size_t stages, const Told& told = {}, const Progress* progress = nullptr);
@@ -62,7 +70,19 @@ class SingleStep {
   StageRecord describe() const;
   Result<StepResult> execute(StageRecord::Kind kind, const Progress* progress);
 
+  // A place at which a move begins, or after the rim was closed.
+  struct Place {
+    size_t stages = 0;
+    Document::Mark mark;
+  };
+  const Place* place_before(size_t stages) const;
+  void note_work(const StageRecord& record);
+  Delta resume(size_t stages);
+
   Document& document_;
+  size_t work_between_marks_;
+  std::vector<Place> places_;  // ascending by stages
+  size_t work_ = 0;            // since the last place
   size_t stages_ = 0;
   bool swept_ = false;  // the sweep of the present move through the present body was recorded
 };

@@ -76,11 +76,14 @@ void StageCut::go_back(size_t stages) {
   wishes.stage.reset();
   if (!on_.work.document.can_start_again()) return;
   stages = std::min(stages, done);
+  const double again = static_cast<double>(stages - single_->resumes_after(stages));
+  const double before = spent_;
   spent_ = done > 0 ? spent_ * static_cast<double>(stages) / static_cast<double>(done) : 0;
+  const double seconds = done > 0 ? before * again / static_cast<double>(done) : 0;
   from_its_start_ = true;
-  on_.changes.change("Going back", spent_ < kQuickSeconds,
+  on_.changes.change("Going back", seconds < kQuickSeconds,
                      [this, stages](Document&, const Progress* progress) {
-                       on_.stages.log.restart();
+                       on_.stages.log.restart(single_->resumes_after(stages));
                        Outcome gone = single_->go_back_to(
                            stages, [this](const StageRecord& stage) { note(stage); }, progress);
                        key_ = key_now();

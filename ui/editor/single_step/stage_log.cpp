@@ -1,6 +1,7 @@
 #include "ui/editor/single_step/stage_log.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "ui/editor/single_step/mark_stage.h"
 
@@ -14,7 +15,10 @@ void StageLog::note(const World& world, const StageRecord& stage) {
   ++done_;
   const bool found = stage.kind == StageRecord::Kind::kHit || stage.kind == StageRecord::Kind::kHitAgain;
   if (found && world.contains(stage.body)) query_.trace(world, stage);
-  if (stage.kind == StageRecord::Kind::kSweep) cut_.clear();
+  if (stage.kind == StageRecord::Kind::kSweep) {
+    swept_ = done_;
+    cut_.clear();
+  }
   for (const BodyDelta& delta : stage.done.delta.bodies) {
     for (const CutFace& face : delta.removed) cut_.insert({delta.body, face.piece});
   }
@@ -22,10 +26,12 @@ void StageLog::note(const World& world, const StageRecord& stage) {
   marks_.reset();
 }
 
-void StageLog::restart() {
-  done_ = 0;
+// The last query is that of the last sweep, or comes again with the stages that follow.
+void StageLog::restart(size_t stages) {
+  assert(stages <= done_);
+  done_ = stages;
   last_.reset();
-  query_.clear();
+  if (stages < swept_) query_.clear();
   marks_.reset();
 }
 

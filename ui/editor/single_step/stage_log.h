@@ -23,8 +23,9 @@ class StageLog {
 
   // Notes a stage right after it was executed.
   void note(const World& world, const StageRecord& stage);
-  // The stroke was taken back, to be executed again.
-  void restart();
+  // The stroke was taken back to where so many stages were executed, to be executed again from there.
+  // Precondition: no more than done().
+  void restart(size_t stages = 0);
   // Another stroke, or another document.
   void forget();
   // A number that increases with every forget().
@@ -43,7 +44,8 @@ class StageLog {
   size_t done_ = 0, forgotten_ = 0;
   std::vector<std::string> told_;
   std::optional<StageRecord> last_;
-  std::set<PieceId> cut_;  // pieces that lost faces since the last sweep
+  size_t swept_ = 0;       // stages up to the last sweep
+  std::set<PieceId> cut_;  // pieces that lost faces since then
   QueryWalk query_;
   std::shared_ptr<const StageMarks> marks_;
 };

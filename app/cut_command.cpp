@@ -29,6 +29,7 @@ class CutRun {
   Status run() {
     if (const auto s = merge_settings_file(options_); !s) return s;
     if (const auto s = check_cut_options(options_); !s) return s;
+    if (const auto s = read_scene_description(); !s) return s;
     if (const auto s = read_strokes(); !s) return s;
     if (const auto s = load(); !s) return s;
     const PiecesFolder folder{options_.out, options_.format.value_or("obj"), options_.split_all};
@@ -46,6 +47,23 @@ class CutRun {
  private:
   using Clock = std::chrono::steady_clock;
 
+  // A scene stands alone; its own strokes are cut unless there is a path.
+  Status read_scene_description() {
+    for (const std::string& file : options_.meshes) {
+      auto scene = read_description(file);
+      if (!scene) return scene.error();
+      if (options_.meshes.size() == 1) {
+        strokes_ = scene->strokes;
+        scene_ = std::move(*scene);
+      } else if (std::filesystem::path(file).extension() == ".json") {
+        return bad_input(file + ": a scene is cut alone: name its meshes in it");
+      } else {
+        scene_.bodies.push_back(std::move(scene->bodies.front()));
+      }
+    }
+    return Done{};
+  }
+
   Status read_strokes() {
     if (options_.path.empty()) return Done{};
     auto strokes = read_path_file(options_.path);
@@ -56,21 +74,21 @@ class CutRun {
 
   Status load() {
     World world;
-    for (const std::string& file : options_.meshes) {
+    for (const SceneBody& body : scene_.bodies) {
       if (interrupted()) return stopped();
       Result<BuiltMesh> built = [&] {
         const Stopwatch watch(job_.load_s);
-        return load_mesh(file);
+        return load_mesh(body.mesh);
       }();
       if (!built) return built.error();
       tell(built->report);
       job_.note_loaded(built->report);
-      scene_.bodies.push_back(body_of_file(file));
       const Stopwatch watch(job_.build_tree_s);
-      Body body = make_body(scene_.bodies.back().name, std::move(*built));
-      if (options_.thickness) body.sheet.thickness = *options_.thickness;
-      if (options_.density) body.sheet.density = *options_.density;
-      world.add(std::move(body));
+      SceneBody described = body;
+      if (options_.thickness) described.sheet.thickness = *options_.thickness;
+      if (options_.density) described.sheet.density = *options_.density;
+      const auto added = add_scene_body(described, make_body(body.name, std::move(*built)), world);
+      if (!added) return added.error();
     }
     if (!options_.journal.empty()) {
       if (const auto noted = note_hashes(scene_); !noted) return noted;

@@ -115,7 +115,8 @@ bool is_resolution(const std::string& key) {
 
 void add_cut_options(CLI::App& command, CutOptions& o) {
   command.footer(kPathFile);
-  command.add_option("MESH", o.meshes, "Mesh files (OBJ, STL, PLY, OFF), cut together")->required();
+  command.add_option("MESH", o.meshes, "Mesh files (OBJ, STL, PLY, OFF), cut together, or a scene (.json)")
+      ->required();
   command.add_option("--path", o.path, "The strokes of the laser (JSON); without it nothing is cut");
   command.add_option("--out", o.out, "The folder for the pieces and report.json")->required();
   command.add_option("--radius", o.radius,

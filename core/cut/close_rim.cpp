@@ -5,6 +5,7 @@
 #include "core/cut/cuttable.h"
 #include "core/cut/rim_state.h"
 #include "core/cut/stopwatch.h"
+#include "core/graph/hold_parts.h"
 
 namespace kerf {
 
@@ -103,9 +104,11 @@ Result<StepResult> close_rim(World& world, const CutSettings& settings, std::spa
     if (const Status closed = close(rim, share_of(progress, done, done + share)); !closed)
       return closed.error();
     done += share;
-    separate(step, settings.search_a_move);
+    separate(world, step, {}, settings.search_a_move);
+    ask_joints(world, world.body(id), {}, step.edit.removed_faces() > 0);
     end_step(step, result);
   }
+  hold_what_joints_hold(world, result.delta);
   return result;
 }
 

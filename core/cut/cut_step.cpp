@@ -5,6 +5,7 @@
 #include "core/cut/cuttable.h"
 #include "core/cut/step_state.h"
 #include "core/cut/stopwatch.h"
+#include "core/graph/hold_parts.h"
 
 namespace kerf {
 
@@ -27,7 +28,7 @@ namespace {
 class Bite {
  public:
   Bite(World& world, const CutSettings& settings, UnfinishedMove& unfinished, const Progress& progress)
-      : settings_(settings), move_(unfinished), progress_(progress) {
+      : world_(world), settings_(settings), move_(unfinished), progress_(progress) {
     for (const BodyId id : cuttable(world)) bodies_.emplace_back(id, world.body(id));
   }
 
@@ -40,7 +41,7 @@ class Bite {
       if (move_.stage == Stage::kFind) ++move_.bodies;
     }
     if (move_.bodies < bodies_.size()) return false;
-    move_.bodies = 0;
+    end_move();
     return true;
   }
 
@@ -56,12 +57,13 @@ class Bite {
         if (const Status done = go_on(step); !done) return done.error();
       } while (move_.stage != Stage::kFind);
     }
-    move_.bodies = 0;
+    end_move();
     return true;
   }
 
   void end(StepResult& result) {
     for (BodyStep& step : bodies_) end_step(step, result);
+    result.delta.append(std::move(held_));
   }
 
  private:
@@ -103,7 +105,7 @@ class Bite {
         if (move_.removed == move_.hit.size()) move_.stage = Stage::kSeparate;
         break;
       case Stage::kSeparate:
-        taken_ += separate(step, settings_.search_a_move);
+        taken_ += separate(world_, step, move_.hit, settings_.search_a_move);
         move_.stage = Stage::kFind;
         break;
     }
@@ -119,10 +121,17 @@ class Bite {
     move_.stage = Stage::kRefine;
   }
 
+  void end_move() {
+    move_.bodies = 0;
+    hold_what_joints_hold(world_, held_);
+  }
+
+  World& world_;
   const CutSettings& settings_;
   UnfinishedMove& move_;
   const Progress& progress_;
   std::vector<BodyStep> bodies_;
+  Delta held_;        // what joints changed
   size_t taken_ = 0;  // faces
 };
 
@@ -171,9 +180,10 @@ StepResult go_on_separating(World& world, size_t most) {
   StepResult result;
   for (const BodyId id : world.ids()) {
     BodyStep step(id, world.body(id));
-    separate(step, most);
+    separate(world, step, {}, most);
     end_step(step, result);
   }
+  hold_what_joints_hold(world, result.delta);
   return result;
 }
 
@@ -182,9 +192,15 @@ bool is_settled(const World& world) {
   return std::all_of(ids.begin(), ids.end(), [&](BodyId id) { return is_settled(world.body(id)); });
 }
 
-size_t separate(BodyStep& step, size_t most) {
+size_t separate(World& world, BodyStep& step, std::span<const FaceId> hit, size_t most) {
   const Stopwatch watch(step.figures.separate_s);
-  return step.edit.separate(most);
+  const size_t visited = step.edit.separate(most);
+  ask_joints(world, world.body(step.id), hit, visited > 0);
+  return visited;
+}
+
+void hold_what_joints_hold(World& world, Delta& delta) {
+  if (joints_asked(world) && is_settled(world)) hold_parts(world, Hold::kStill, delta);
 }
 
 void end_step(BodyStep& step, StepResult& result) {

@@ -43,8 +43,10 @@ std::span<const Replacement> split_by_scheme(BodyStep& step, Scheme scheme, Face
 // Calls BodyEdit::update_tree and measures its time.
 void update_tree(BodyStep& step);
 // Searches for separated parts, visiting about `most` faces; see kerf::settle. Returns the number of faces
-// visited and relabelled.
-size_t separate(BodyStep& step, size_t most);
+// visited and relabelled. `hit` are the faces of which some were removed since the last search.
+size_t separate(World& world, BodyStep& step, std::span<const FaceId> hit, size_t most);
+// Separates what joints do not hold any more (see hold_parts), once nothing is left to be searched.
+void hold_what_joints_hold(World& world, Delta& delta);
 // Ends the step of a body and adds its changes to the result.
 void end_step(BodyStep& step, StepResult& result);
 // The error of a cut that exceeds settings.most_faces.

@@ -19,6 +19,8 @@ Status check_hash(const SceneBody& body, const Progress& progress) {
                    ": this mesh is another one than the journal was made with: put the old file back");
 }
 
+}  // namespace
+
 Result<SceneDescription> read_description(const std::filesystem::path& file) {
   if (file.extension() != ".json") {
     SceneDescription scene;
@@ -32,7 +34,19 @@ Result<SceneDescription> read_description(const std::filesystem::path& file) {
   return parse_scene(JsonValue(*json, file.string()), file.parent_path());
 }
 
-}  // namespace
+Result<BodyId> add_scene_body(const SceneBody& description, Body body, World& world) {
+  body.placement = description.placement;
+  body.sheet = description.sheet;
+  const BodyId id = world.add(std::move(body));
+  Joints joints = world.joints();
+  for (const SceneJoint& joint : description.joints) {
+    auto made = make_joint(joint, id, world.body(id));
+    if (!made) return bad_input(description.mesh.string() + ": " + made.error().message);
+    joints.all.push_back(std::move(*made));
+  }
+  if (!description.joints.empty()) world.set_joints(std::move(joints));
+  return id;
+}
 
 SceneBody body_of_file(const std::filesystem::path& mesh) {
   SceneBody body;
@@ -53,8 +67,8 @@ Result<Scene> load_scene(SceneDescription description, const Progress* progress)
     }
     auto loaded = load_body(body.name, body.mesh, &loading);
     if (!loaded) return loaded.error();
-    loaded->placement = body.placement;
-    scene.world.add(std::move(*loaded));
+    if (const auto added = add_scene_body(body, std::move(*loaded), scene.world); !added)
+      return added.error();
   }
   return scene;
 }

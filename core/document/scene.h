@@ -11,6 +11,7 @@
 #include "core/base/result.h"
 #include "core/base/vec3.h"
 #include "core/document/path_file.h"
+#include "core/document/scene_joint.h"
 #include "core/shadow/light.h"
 #include "core/world/world.h"
 
@@ -36,15 +37,18 @@ struct SceneBody {
   std::string name;
   Placement placement;
   std::optional<uint64_t> hash;  // of the mesh file's bytes, see file_hash
-  std::string others = "{}";     // JSON: keys that this version does not know
+  Sheet sheet;
+  std::vector<SceneJoint> joints;
+  std::string others = "{}";  // JSON: keys that this version does not know
 };
 
 // The body for a single mesh file, with the name of the file and an identity placement.
 SceneBody body_of_file(const std::filesystem::path& mesh);
 
 // The content of a scene file or of the head of a journal, without the meshes: {"version": 1, "bodies":
-// [{"mesh": "../meshes/car.obj", "name": "car", "position": [..], "orientation": [w,x,y,z]}], "paints":
-// {"tyre": {"colour": "#202224", "gloss": 0.1}}, "view": {"eye": [..], "target": [..]}, "lights":
+// [{"mesh": "../meshes/car.obj", "name": "car", "position": [..], "orientation": [w,x,y,z],
+// "thickness": 0.0008, "density": 7850, "joints": [..]}], "paints": {"tyre": {"colour": "#202224", "gloss":
+// 0.1}}, "view": {"eye": [..], "target": [..]}, "lights":
 // [{"direction": [..] or "position": [..], "colour": "#fff2d8", "intensity": 2}], "show": ["silhouette"],
 // "strokes": [...]}. Only "bodies" and "mesh" are required.
 struct SceneDescription {
@@ -62,12 +66,19 @@ struct Scene : SceneDescription {
   World world;
 };
 
+// Reads the description of a scene (.json), or that of a mesh file as a scene of one body. Mesh paths in a
+// scene file are relative to the file. Fails if the file is not a valid scene; a mesh file is not read.
+Result<SceneDescription> read_description(const std::filesystem::path& file);
+
+// Adds the loaded mesh of a description to a world, with its placement, its sheet and its joints. Fails if a
+// joint cannot be made (see make_joint); then the world is not to be used. O(joints * faces).
+Result<BodyId> add_scene_body(const SceneBody& description, Body body, World& world);
+
 // Loads the meshes of a description. Fails if a mesh is missing, cannot be read, or does not match its hash;
 // fails with cancelled() when stopped. `progress` may be null. O(n log n) in the number of faces.
 Result<Scene> load_scene(SceneDescription description, const Progress* progress = nullptr);
 
-// Reads a scene (.json), or a mesh file as a scene of one body. Mesh paths in a scene file are relative to
-// the file. Fails like load_scene, or if the file is not a valid scene.
+// Reads a description with read_description and loads it with load_scene. Fails like these.
 Result<Scene> read_scene(const std::filesystem::path& file, const Progress* progress = nullptr);
 
 // Computes the hash of every mesh file that has none yet, as journals require. Fails if a file cannot be

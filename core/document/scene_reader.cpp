@@ -2,6 +2,7 @@
 #include "core/document/colour_text.h"
 #include "core/document/hash_text.h"
 #include "core/document/parse_strokes.h"
+#include "core/document/scene_joint_text.h"
 #include "core/document/scene_text.h"
 
 namespace kerf {
@@ -50,6 +51,29 @@ Status parse_placement(const JsonValue& value, Placement& placement) {
   return Done{};
 }
 
+Status parse_sheet(const JsonValue& value, Sheet& sheet) {
+  struct Part {
+    const char* key;
+    double& number;
+  };
+  for (const Part& part : {Part{"thickness", sheet.thickness}, Part{"density", sheet.density}}) {
+    if (!value.has(part.key)) continue;
+    const auto number = value[part.key].positive_number();
+    if (!number) return number.error();
+    part.number = *number;
+  }
+  return Done{};
+}
+
+Status parse_physics(const JsonValue& value, SceneBody& body) {
+  if (const auto sheet = parse_sheet(value, body.sheet); !sheet) return sheet;
+  if (!value.has("joints")) return Done{};
+  auto joints = parse_joints(value["joints"]);
+  if (!joints) return joints.error();
+  body.joints = std::move(*joints);
+  return Done{};
+}
+
 Result<SceneBody> parse_body(const JsonValue& value, const std::filesystem::path& folder) {
   if (const auto object = value.object(); !object) return object.error();
   if (!value.has("mesh")) return value.wrong("needs \"mesh\"");
@@ -70,7 +94,9 @@ Result<SceneBody> parse_body(const JsonValue& value, const std::filesystem::path
     if (!body.hash) return value["hash"].wrong("must be sixteen hexadecimal digits");
   }
   if (const auto placed = parse_placement(value, body.placement); !placed) return placed.error();
-  body.others = without(value.json(), "mesh", "name", "hash", "position", "orientation");
+  if (const auto physics = parse_physics(value, body); !physics) return physics.error();
+  body.others = without(value.json(), "mesh", "name", "hash", "position", "orientation", "thickness",
+                        "density", "joints");
   return body;
 }
 

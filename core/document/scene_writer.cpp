@@ -1,6 +1,7 @@
 #include "core/document/colour_text.h"
 #include "core/document/hash_text.h"
 #include "core/document/path_text.h"
+#include "core/document/scene_joint_text.h"
 #include "core/document/scene_text.h"
 
 namespace kerf {
@@ -19,6 +20,13 @@ Json with_others(Json json, const std::string& others) {
   return json;
 }
 
+template <typename Items, typename ToJson>
+Json list_of(const Items& items, ToJson to_json) {
+  Json all = Json::array();
+  for (const auto& item : items) all.push_back(to_json(item));
+  return all;
+}
+
 Json body_json(const SceneBody& body, const fs::path& folder) {
   Json json{{"mesh", path_text(body.mesh, folder)}, {"name", body.name}};
   const Placement none;
@@ -26,6 +34,9 @@ Json body_json(const SceneBody& body, const fs::path& folder) {
   if (body.placement.position != none.position) json["position"] = list(body.placement.position);
   if (q != none.orientation) json["orientation"] = {q.w, q.x, q.y, q.z};
   if (body.hash) json["hash"] = hash_text(*body.hash);
+  if (body.sheet.thickness != Sheet{}.thickness) json["thickness"] = body.sheet.thickness;
+  if (body.sheet.density != Sheet{}.density) json["density"] = body.sheet.density;
+  if (!body.joints.empty()) json["joints"] = list_of(body.joints, joint_json);
   return with_others(json, body.others);
 }
 
@@ -43,13 +54,6 @@ Json show_json(const std::string& show) {
     at = comma + 1;
   }
   return names;
-}
-
-template <typename Items, typename ToJson>
-Json list_of(const Items& items, ToJson to_json) {
-  Json all = Json::array();
-  for (const auto& item : items) all.push_back(to_json(item));
-  return all;
 }
 
 }  // namespace

@@ -25,6 +25,7 @@ LoadedComponents components_of(const Mesh& copy, const Body& body, std::span<con
   LoadedComponents own;
   if (body.components.left.empty()) return own;
   own.left = body.components.left;
+  own.home = body.components.home;
   own.of_base.resize(faces.size());
   for (uint32_t f = 0; f < faces.size(); ++f) {
     const FaceId base = body.mesh.data(faces[f]).base;

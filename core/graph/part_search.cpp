@@ -341,7 +341,7 @@ void PartSearch::give_label(uint32_t part, SettleResult& result) {
   }
   search_.new_label[part] = body_.pieces.size();
   result.new_pieces.push_back(search_.new_label[part]);
-  body_.pieces.push_back({{front.faces, front.area}, {}});
+  body_.pieces.push_back({{front.faces, front.area}, {}, {front.faces, front.area}});
 }
 
 void PartSearch::set_label(FaceId f, uint32_t label) {

@@ -42,7 +42,7 @@ class Builder {
       if (!part.report(0)) return cancelled();
       if (const Status done = (this->*stage.run)(part); !done) return done.error();
     }
-    return BuiltMesh{std::move(mesh_), std::move(report_), soup_.material_names};
+    return BuiltMesh{std::move(mesh_), std::move(report_), soup_.material_names, parts()};
   }
 
  private:
@@ -62,6 +62,7 @@ class Builder {
     Pace pace(&progress, soup_.triangles.size());
     for (size_t t = 0; t < soup_.triangles.size(); ++t) {
       if (!pace.step()) return cancelled();
+      if (!soup_.parts.empty()) kept_before_.push_back(static_cast<uint32_t>(triangles_.size()));
       const auto& [a, b, c] = soup_.triangles[t];
       assert(std::max({a, b, c}) < welded_.size());
       const Soup::Triangle w = {welded_[a], welded_[b], welded_[c]};
@@ -77,6 +78,19 @@ class Builder {
     }
     if (!triangles_.empty()) return Done{};
     return bad_input("no face is left: every face is degenerate, not finite or invalid");
+  }
+
+  std::vector<MeshPart> parts() const {
+    const auto face = [&](uint32_t triangle) {
+      return triangle < kept_before_.size() ? kept_before_[triangle]
+                                            : static_cast<uint32_t>(triangles_.size());
+    };
+    std::vector<MeshPart> parts;
+    for (const MeshPart& part : soup_.parts) {
+      const uint32_t first = face(part.first), last = face(part.last);
+      if (first < last) parts.push_back({part.name, first, last});
+    }
+    return parts;
   }
 
   Status group(const Progress& progress) {
@@ -290,6 +304,8 @@ class Builder {
   std::vector<uint32_t> welded_;
   std::vector<Soup::Triangle> triangles_;  // corners are welded positions
   std::vector<uint16_t> materials_;
+  std::vector<uint32_t>
+      kept_before_;  // by triangle of the soup: the kept ones before it; empty without parts
   SoupEdges edges_;
   std::vector<uint32_t> partner_;          // one per side: the opposite side, or kNone
   std::vector<uint32_t> vertex_;           // one per side: the mesh vertex at its tail

@@ -44,6 +44,7 @@ struct BuiltMesh {
   Mesh mesh;
   MeshReport report;
   std::vector<std::string> material_names;  // by FaceData::material; empty if the file names none
+  std::vector<MeshPart> parts;              // those of the soup, of faces; those without faces are left out
 };
 
 // Builds a conforming half-edge mesh from a soup: equal positions are welded, unusable faces are dropped and

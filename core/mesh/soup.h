@@ -9,6 +9,12 @@
 
 namespace kerf {
 
+// A part that a file names, as OBJ does its objects and groups: a range of triangles, or of faces.
+struct MeshPart {
+  std::string name;
+  uint32_t first = 0, last = 0;  // from the first one up to, but not including, the last one
+};
+
 // The content of a mesh file before welding and validation: its polygons cut into triangles, and positions as
 // read. All indices are in range. The corners of a triangle may be equal, and positions may be non-finite;
 // build_mesh drops and counts such faces.
@@ -19,6 +25,7 @@ struct Soup {
   std::vector<Triangle> triangles;
   std::vector<uint16_t> materials;          // one per triangle: index into material_names; empty if all are 0
   std::vector<std::string> material_names;  // as in the file ("usemtl")
+  std::vector<MeshPart> parts;  // of triangles, none empty; ranges may overlap and names may repeat
 
   std::string format;                 // "obj", "off", "stl", "ply"
   size_t faces_in_file = 0;           // polygons

@@ -65,8 +65,8 @@ struct Found {
   std::vector<size_t> memory_of_pair;
 };
 
-Found find_all(std::span<const MovingBody> bodies, const Surroundings& around, const ContactMemory& before,
-               TickFigures& figures) {
+Found find_all(std::span<const MovingBody> bodies, std::span<const BodyJoint> joints,
+               const Surroundings& around, const ContactMemory& before, TickFigures& figures) {
   Found found;
   const auto keep = [&](uint32_t first, uint32_t second, PairMemory memory, std::vector<Contact> contacts) {
     if (memory.crossed) ++figures.crossed;
@@ -79,6 +79,7 @@ Found find_all(std::span<const MovingBody> bodies, const Surroundings& around, c
     found.memory.push_back(std::move(memory));
   };
   for (const auto& [i, j] : near_pairs(bodies)) {
+    if (are_joined(joints, i, j)) continue;
     const PairMemory* old = find(before, bodies[i].id, bodies[j].id);
     PairMemory memory = old ? *old : PairMemory{bodies[i].id, bodies[j].id, {}, {}, {}, {}};
     std::vector<Contact> contacts = find_contacts(bodies[i], bodies[j], kLengths, old == nullptr, memory);
@@ -96,7 +97,8 @@ Found find_all(std::span<const MovingBody> bodies, const Surroundings& around, c
 }
 
 // Solves the pairs of which a body moves, and keeps their impulses. Returns these pairs.
-std::vector<TouchingPair> solve(const World& world, std::span<MovingBody> bodies, Found& found) {
+std::vector<TouchingPair> solve(const World& world, std::span<MovingBody> bodies,
+                                std::span<const BodyJoint> joints, Found& found) {
   const auto rests = [&](uint32_t i) {
     return i == TouchingPair::kGround || bodies[i].fixed || bodies[i].asleep;
   };
@@ -107,7 +109,7 @@ std::vector<TouchingPair> solve(const World& world, std::span<MovingBody> bodies
     pairs.push_back(std::move(found.pairs[i]));
     memory_of_pair.push_back(found.memory_of_pair[i]);
   }
-  solve_contacts(bodies, pairs, {.seconds = kTick, .gravity = world.surroundings().gravity});
+  solve_contacts(bodies, pairs, joints, {.seconds = kTick, .gravity = world.surroundings().gravity});
   for (size_t i = 0; i < pairs.size(); ++i)
     remember_impulses(pairs[i].contacts, found.memory[memory_of_pair[i]]);
   return pairs;
@@ -132,6 +134,7 @@ void carry_over(std::span<const MovingBody> bodies, const ContactMemory& before,
 
 void Physics::follow(const Delta& delta) {
   if (delta.anew) colliders_.clear();
+  if (!delta.bodies.empty() || delta.changes_bodies()) joints_.reset();
   for (const BodyDelta& b : delta.bodies) colliders_.erase(b.body);
   for (BodyId id : delta.came) colliders_.erase(id);
   for (BodyId id : delta.went) colliders_.erase(id);
@@ -176,11 +179,13 @@ Delta Physics::tick(World& world) {
       std::all_of(bodies.begin(), bodies.end(), [](const MovingBody& b) { return b.fixed || b.asleep; });
   if (all_rest) return {};
 
+  if (!joints_) joints_ = held_joints(world);
+  const std::vector<BodyJoint> joints = joints_between(bodies, *joints_, world.joints());
   const ContactMemory& before = world.contact_memory();
-  Found found = find_all(bodies, world.surroundings(), before, figures_);
-  update_sleep(bodies, found.pairs, before, kTick);
-  pairs_ = solve(world, bodies, found);
-  count_quiet(bodies);
+  Found found = find_all(bodies, joints, world.surroundings(), before, figures_);
+  update_sleep(bodies, found.pairs, joints, before, kTick);
+  pairs_ = solve(world, bodies, joints, found);
+  count_quiet(bodies, joints);
   carry_over(bodies, before, found.memory);
   world.set_contact_memory(std::move(found.memory));
 

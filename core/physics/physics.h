@@ -1,8 +1,10 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <vector>
 
+#include "core/graph/held_joints.h"
 #include "core/physics/collider.h"
 #include "core/physics/moving_body.h"
 #include "core/physics/solve_contacts.h"
@@ -22,9 +24,12 @@ struct TickFigures {
 // Lets the bodies of a world move as rigid sheets: they fall, touch each other and the ground, slide, and
 // fall asleep.
 //
+// Joints hold bodies together: those whose two parts belong to different bodies (see held_joints). Such
+// bodies do not touch each other.
+//
 // All state that decides what happens lies in the world: placements, motions and World::contact_memory().
-// This class only keeps colliders, which are functions of the faces; one that was made anew goes on to the
-// bit like the old one.
+// This class only keeps colliders and which joints hold, which are functions of the faces; one that was made
+// anew goes on to the bit like the old one.
 class Physics {
  public:
   // Makes what is kept follow a change of the world. Must be called for every change but those of tick().
@@ -43,6 +48,7 @@ class Physics {
   std::vector<MovingBody> moving_bodies(World& world);
 
   std::map<BodyId, Collider> colliders_;
+  std::optional<std::vector<HeldJoint>> joints_;  // nothing: not known
   std::vector<TouchingPair> pairs_;
   TickFigures figures_;
 };

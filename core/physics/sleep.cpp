@@ -9,8 +9,9 @@ namespace kerf {
 
 namespace {
 
-constexpr double kSlow = 0.4;      // m/s
-constexpr double kSlowSpin = 1.0;  // rad/s
+constexpr double kSlow = 0.4;         // m/s
+constexpr double kSlowSpin = 1.0;     // rad/s
+constexpr double kSlowOnJoint = 0.1;  // of these limits
 constexpr uint32_t kQuietTicks = kTicksPerSecond / 2;
 constexpr double kTouch = 0.001;  // m, between skins that count as touching
 
@@ -37,7 +38,7 @@ bool touch(std::span<const MovingBody> bodies, const TouchingPair& pair, double 
 }
 
 UnionFind islands_of(std::span<const MovingBody> bodies, std::span<const TouchingPair> pairs,
-                     const ContactMemory& memory, double seconds) {
+                     std::span<const BodyJoint> joints, const ContactMemory& memory, double seconds) {
   UnionFind islands(bodies.size());
   const auto unite = [&](uint32_t a, uint32_t b) {
     if (!bodies[a].fixed && !bodies[b].fixed) islands.unite(a, b);
@@ -45,6 +46,7 @@ UnionFind islands_of(std::span<const MovingBody> bodies, std::span<const Touchin
   for (const TouchingPair& pair : pairs) {
     if (pair.second != TouchingPair::kGround && touch(bodies, pair, seconds)) unite(pair.first, pair.second);
   }
+  for (const BodyJoint& joint : joints) unite(joint.first, joint.second);
   for (const PairMemory& m : memory) {
     const uint32_t a = index_of(bodies, m.first), b = index_of(bodies, m.second);
     if (!m.touching || a == TouchingPair::kGround || b == TouchingPair::kGround) continue;
@@ -56,8 +58,8 @@ UnionFind islands_of(std::span<const MovingBody> bodies, std::span<const Touchin
 }  // namespace
 
 void update_sleep(std::span<MovingBody> bodies, std::span<const TouchingPair> pairs,
-                  const ContactMemory& memory, double seconds) {
-  UnionFind islands = islands_of(bodies, pairs, memory, seconds);
+                  std::span<const BodyJoint> joints, const ContactMemory& memory, double seconds) {
+  UnionFind islands = islands_of(bodies, pairs, joints, memory, seconds);
   std::vector<bool> restless(bodies.size(), false);
   for (uint32_t i = 0; i < bodies.size(); ++i) {
     if (!bodies[i].fixed && bodies[i].body->motion.quiet < kQuietTicks) restless[islands.find(i)] = true;
@@ -70,13 +72,18 @@ void update_sleep(std::span<MovingBody> bodies, std::span<const TouchingPair> pa
   }
 }
 
-void count_quiet(std::span<MovingBody> bodies) {
-  for (MovingBody& b : bodies) {
+void count_quiet(std::span<MovingBody> bodies, std::span<const BodyJoint> joints) {
+  std::vector<double> limit(bodies.size(), 1);
+  for (const BodyJoint& joint : joints) {
+    if (joint.joint->kind != Joint::Kind::kWeld) limit[joint.first] = limit[joint.second] = kSlowOnJoint;
+  }
+  for (uint32_t i = 0; i < bodies.size(); ++i) {
+    MovingBody& b = bodies[i];
     if (b.fixed || b.asleep) continue;
     Motion& motion = b.body->motion;
     const Vec3 centre = b.body->placement.to_world(b.frame.centre);
-    const bool slow = glm::length(motion.velocity_at(centre, b.body->placement)) < kSlow &&
-                      glm::length(motion.spin) < kSlowSpin;
+    const bool slow = glm::length(motion.velocity_at(centre, b.body->placement)) < limit[i] * kSlow &&
+                      glm::length(motion.spin) < limit[i] * kSlowSpin;
     motion.quiet = slow ? std::min(motion.quiet + 1, kQuietTicks) : 0;
   }
 }

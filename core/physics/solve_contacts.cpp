@@ -2,6 +2,7 @@
 
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 #include <BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.h>
+#include <BulletDynamics/ConstraintSolver/btTypedConstraint.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <deque>
@@ -40,6 +41,12 @@ class BulletGroup {
     }
   }
 
+  void add(const BodyJoint& joint) {
+    constraints_.push_back(make_constraint(*joint.joint, bodies_[joint.first].frame,
+                                           bodies_[joint.second].frame, rigid_[joint.first],
+                                           rigid_[joint.second]));
+  }
+
   void solve() {
     btContactSolverInfo info;
     info.m_timeStep = settings_.seconds;
@@ -51,9 +58,12 @@ class BulletGroup {
     objects.push_back(&ground_);
     std::vector<btPersistentManifold*> manifolds;
     for (btPersistentManifold& m : manifolds_) manifolds.push_back(&m);
+    std::vector<btTypedConstraint*> constraints;
+    for (const auto& c : constraints_) constraints.push_back(c.get());
     btSequentialImpulseConstraintSolver solver;
     solver.solveGroup(objects.data(), static_cast<int>(objects.size()), manifolds.data(),
-                      static_cast<int>(manifolds.size()), nullptr, 0, info, nullptr, nullptr);
+                      static_cast<int>(manifolds.size()), constraints.data(),
+                      static_cast<int>(constraints.size()), info, nullptr, nullptr);
   }
 
   void read_back(std::span<TouchingPair> pairs) {
@@ -122,14 +132,16 @@ class BulletGroup {
   std::deque<btRigidBody> rigid_;  // aligned, and never moved
   btRigidBody ground_{btRigidBody::btRigidBodyConstructionInfo(0, nullptr, nullptr)};
   std::deque<btPersistentManifold> manifolds_;
+  std::vector<std::unique_ptr<btTypedConstraint>> constraints_;
 };
 
 }  // namespace
 
 void solve_contacts(std::span<MovingBody> bodies, std::span<TouchingPair> pairs,
-                    const SolverSettings& settings) {
+                    std::span<const BodyJoint> joints, const SolverSettings& settings) {
   BulletGroup group(bodies, settings);
   for (TouchingPair& pair : pairs) group.add(pair);
+  for (const BodyJoint& joint : joints) group.add(joint);
   group.solve();
   group.read_back(pairs);
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/physics/contact.h"
+#include "core/physics/joint_constraints.h"
 #include "core/physics/moving_body.h"
 
 namespace kerf {
@@ -23,14 +24,15 @@ struct SolverSettings {
   double restitution = 0.1;
 };
 
-// Changes the velocities of the bodies so that gravity acts on them and contacts hold, moves them on by their
-// velocities, and stores the impulses in the contacts. Bodies that are fixed or asleep stay as they are.
+// Changes the velocities of the bodies so that gravity acts on them and contacts and joints hold, moves them
+// on by their velocities, and stores the impulses in the contacts. Bodies that are fixed or asleep stay as
+// they are.
 //
 // The solver is Bullet's: projected Gauss-Seidel on velocities with warm starting (E. Catto: Iterative
 // dynamics with temporal coherence, 2005), speculative contacts for those that are still apart, and split
 // impulses for those that overlap. All its objects are made anew from the bodies, so that it keeps nothing
 // between two calls.
 void solve_contacts(std::span<MovingBody> bodies, std::span<TouchingPair> pairs,
-                    const SolverSettings& settings);
+                    std::span<const BodyJoint> joints, const SolverSettings& settings);
 
 }  // namespace kerf

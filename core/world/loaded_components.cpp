@@ -25,6 +25,7 @@ Result<LoadedComponents> count_components(const Mesh& mesh, size_t components, c
     if (first == f) {
       table.of_base[f] = table.left.size();
       table.left.push_back({});
+      table.home.push_back(0);
     }
     FaceCounts& part = table.left.edit(table.of_base[f] = table.of_base[first]);
     ++part.faces;

@@ -16,20 +16,32 @@ struct FaceCounts {
   double area = 0;  // m^2
 };
 
-// The connected components of a mesh as loaded, with the counts of their faces that still belong to piece 0.
-// Every other piece was separated from one of them and is connected itself, so that the counts of the
-// component of a face are always known, here or by its piece, without a search.
+// The connected components of a mesh as loaded. What is left of a component belongs to the piece that is its
+// home: 0, or the piece that joints hold it to. Whatever was cut off a component is connected itself and is
+// counted by its piece (Piece::cut_off), so that the counts of the connected part of a face are always known
+// without a search.
 struct LoadedComponents {
-  std::vector<uint32_t> of_base;  // by base face; both are empty if the mesh is connected
-  Records<FaceCounts> left;
+  static constexpr uint32_t kNone = 0xffffffffu;
 
-  size_t bytes() const { return of_base.capacity() * sizeof(uint32_t) + left.bytes(); }
+  std::vector<uint32_t> of_base;  // by base face; all lists are empty if the mesh is connected
+  Records<FaceCounts> left;       // by component: its faces that have the label of its home
+  Records<uint32_t> home;         // by component: a label
+
+  // The component of faces with this base face and this label, or kNone if they were cut off it. A connected
+  // mesh has none.
+  uint32_t at_home(FaceId base, uint32_t label) const {
+    if (of_base.empty()) return kNone;
+    const uint32_t component = of_base[base.index];
+    return home[component] == label ? component : kNone;
+  }
+
+  size_t bytes() const { return of_base.capacity() * sizeof(uint32_t) + left.bytes() + home.bytes(); }
 
   // What a command changes (see ChangeOf).
   class Change;
   template <typename Self>
   static auto parts(Self& self) {
-    return std::tie(self.left);
+    return std::tie(self.left, self.home);
   }
 };
 

@@ -67,6 +67,10 @@ struct SeparationState {
   bool over_rings = false;   // a removed face was connected over a ring, so that `loops` is inconclusive
   bool cannot_know = false;  // such a face had more than one neighbour
 
+  // Whether faces that carry joints were removed, or parts separated, since joints were last looked at (see
+  // hold_parts).
+  bool joints_asked = false;
+
   OpenSearch search;
 
   // Scratch.

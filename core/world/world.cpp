@@ -30,6 +30,7 @@ Result<Body> make_body(std::string name, BuiltMesh built, const Progress* progre
   if (!components) return components.error();
   body.components = std::move(*components);
   body.material_names = std::move(built.material_names);
+  body.named_parts = std::move(built.parts);
   body.loaded = std::move(built.report);
   body.pieces.push_back({{body.loaded.faces, body.loaded.area}, moments_of(body.mesh, body.middle())});
   return body;
@@ -59,15 +60,15 @@ std::string Body::own_name() const {
 }
 
 const FaceCounts& Body::whole_of(FaceId f) const {
-  const uint32_t own = label(f);
-  if (own != 0 || components.left.empty()) return pieces[own];
-  return components.left[components.of_base[mesh.data(f).base.index]];
+  const uint32_t own = label(f), component = components.at_home(mesh.data(f).base, own);
+  if (component != LoadedComponents::kNone) return components.left[component];
+  return own == 0 ? pieces[own] : pieces[own].cut_off;
 }
 
 FaceCounts& Body::edit_whole_of(FaceId f) {
-  const uint32_t own = label(f);
-  if (own != 0 || components.left.empty()) return pieces.edit(own);
-  return components.left.edit(components.of_base[mesh.data(f).base.index]);
+  const uint32_t own = label(f), component = components.at_home(mesh.data(f).base, own);
+  if (component != LoadedComponents::kNone) return components.left.edit(component);
+  return own == 0 ? pieces.edit(own) : pieces.edit(own).cut_off;
 }
 
 void Body::count(FaceId f, int faces, double area) {

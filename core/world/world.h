@@ -15,6 +15,7 @@
 #include "core/mesh/one_to_four.h"
 #include "core/tree/aabb_tree.h"
 #include "core/world/contact_memory.h"
+#include "core/world/joint.h"
 #include "core/world/loaded_components.h"
 #include "core/world/motion.h"
 #include "core/world/placement.h"
@@ -25,11 +26,13 @@
 
 namespace kerf {
 
-// A piece of a body: the faces with one label (FaceData::piece). They are connected, except that the faces
-// with label 0 may be several components that were loaded together. `moments` are relative to Body::middle();
+// A piece of a body: the faces with one label (FaceData::piece). They are connected, except that loaded
+// components may belong to the piece beside them: all that were loaded together have the label 0, and joints
+// may hold others to a piece that was cut off (see hold_parts). `moments` are relative to Body::middle();
 // unlike the counts, they only include faces that already have the label (see Body::label).
 struct Piece : FaceCounts {
   AreaMoments moments;
+  FaceCounts cut_off{};  // of these, the faces of the connected part that was cut off; none for label 0
 };
 
 // A mesh in the world with the data that are kept consistent with it.
@@ -47,11 +50,12 @@ struct Body {
   Mesh mesh;
   AabbTree tree;
   OneToFour refinement;
-  Records<Piece> pieces;        // by label; 0 is the body itself, the others were separated from it
-  LoadedComponents components;  // of piece 0
+  Records<Piece> pieces;  // by label; 0 is the body itself, the others were separated from it
+  LoadedComponents components;
   SeparationState separation;
   std::vector<std::string> material_names;
-  MeshReport loaded;  // the content of the file
+  std::vector<MeshPart> named_parts;  // of base faces; empty where the body was detached
+  MeshReport loaded;                  // the content of the file
   // The origin of the faces: the body as which they were loaded, and for each base face of this body the base
   // face there. The list is empty if both are equal, which is so unless the body was detached from another.
   BodyId loaded_as;
@@ -152,6 +156,10 @@ class World {
     situation_.contacts = std::make_shared<const ContactMemory>(std::move(memory));
   }
 
+  // The joints between parts of bodies.
+  const Joints& joints() const { return *situation_.joints; }
+  void set_joints(Joints joints) { situation_.joints = std::make_shared<const Joints>(std::move(joints)); }
+
   size_t live_faces() const;
   // The number of pieces that have faces, including those with label 0.
   size_t live_pieces() const;
@@ -182,6 +190,7 @@ class World {
     std::optional<Spring> spring;
     // Never null; shared with the images of changes.
     std::shared_ptr<const ContactMemory> contacts = std::make_shared<const ContactMemory>();
+    std::shared_ptr<const Joints> joints = std::make_shared<const Joints>();
     friend bool operator==(const Situation&, const Situation&) = default;
   };
   // A body that exists before and after a change.

@@ -44,7 +44,12 @@ void expect_same_body(const Body& a, const Body& b) {
     EXPECT_EQ(a.pieces[p].faces, b.pieces[p].faces);
     EXPECT_EQ(a.pieces[p].area, b.pieces[p].area);
     EXPECT_EQ(a.pieces[p].moments, b.pieces[p].moments);
+    EXPECT_EQ(a.pieces[p].cut_off.faces, b.pieces[p].cut_off.faces);
+    EXPECT_EQ(a.pieces[p].cut_off.area, b.pieces[p].cut_off.area);
   }
+  ASSERT_EQ(a.components.home.size(), b.components.home.size());
+  for (uint32_t c = 0; c < a.components.home.size(); ++c)
+    EXPECT_EQ(a.components.home[c], b.components.home[c]);
   EXPECT_EQ(boxes(a.tree), boxes(b.tree));
 }
 

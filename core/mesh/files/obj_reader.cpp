@@ -13,8 +13,7 @@
 namespace kerf {
 namespace {
 
-constexpr std::array<std::string_view, 10> kPassedOver{"vt", "vn", "vp",     "g",   "o",
-                                                       "s",  "mg", "mtllib", "lod", "maplib"};
+constexpr std::array<std::string_view, 8> kPassedOver{"vt", "vn", "vp", "s", "mg", "mtllib", "lod", "maplib"};
 
 // The vertex index of a corner as written in the file: 1 is the first vertex, -1 the last one so far, and 0
 // means that it is missing. Nothing if the word is no corner.
@@ -39,6 +38,7 @@ class ObjReader {
   Problem read_statement(std::string_view keyword);
   Problem read_vertex();
   Problem read_face();
+  void read_groups();
   uint16_t material();
   void count_skipped(std::string_view keyword);
   void add_warnings(Soup& soup) const;
@@ -113,10 +113,20 @@ ObjReader::Problem ObjReader::read_statement(std::string_view keyword) {
   if (keyword == "usemtl") {
     material_name_ = scanner_.rest_of_line();
     material_.reset();
+  } else if (keyword == "o") {
+    polygons_.begin_parts(PolygonList::Level::kObject, {one_line(scanner_.rest_of_line())});
+  } else if (keyword == "g") {
+    read_groups();
   } else {
     count_skipped(keyword);
   }
   return std::nullopt;
+}
+
+void ObjReader::read_groups() {
+  std::vector<std::string> names;
+  while (!scanner_.at_line_end()) names.push_back(one_line(scanner_.word()));
+  polygons_.begin_parts(PolygonList::Level::kGroup, names);
 }
 
 void ObjReader::add_warnings(Soup& soup) const {

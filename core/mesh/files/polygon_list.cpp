@@ -24,15 +24,37 @@ void PolygonList::close(uint16_t material) {
   if (material != 0 || !materials_.empty()) materials_.push_back(material);
 }
 
+void PolygonList::begin_parts(Level level, const std::vector<std::string>& names) {
+  const auto here = static_cast<uint32_t>(size());
+  std::vector<size_t>& open = open_[static_cast<size_t>(level)];
+  for (const size_t part : open) parts_[part].last = here;
+  open.clear();
+  for (const std::string& name : names) {
+    open.push_back(parts_.size());
+    parts_.push_back({name, here, kNoVertex});
+  }
+}
+
+std::vector<MeshPart> PolygonList::parts_of_triangles(const std::vector<uint32_t>& before) const {
+  std::vector<MeshPart> parts;
+  for (const MeshPart& part : parts_) {
+    const uint32_t first = before[part.first], last = before[std::min<size_t>(part.last, size())];
+    if (first < last) parts.push_back({part.name, first, last});
+  }
+  return parts;
+}
+
 Result<Soup> PolygonList::to_soup(std::vector<Vec3> positions, const std::string& file_name) const {
   Soup soup;
   soup.faces_in_file = size();
   soup.triangles.reserve(size());
   Triangulator triangulator;
+  std::vector<uint32_t> before;  // by polygon: the triangles before it
   uint32_t begin = 0;
   for (size_t i = 0; i < size(); ++i) {
     const std::span<const uint32_t> polygon(corners_.data() + begin, corners_.data() + ends_[i]);
     assert(begin <= ends_[i]);
+    if (!parts_.empty()) before.push_back(static_cast<uint32_t>(soup.triangles.size()));
     begin = ends_[i];
     if (polygon.size() < 3) continue;
     const bool valid =
@@ -45,6 +67,8 @@ Result<Soup> PolygonList::to_soup(std::vector<Vec3> positions, const std::string
     }
     if (!materials_.empty()) soup.materials.resize(soup.triangles.size(), materials_[i]);
   }
+  before.push_back(static_cast<uint32_t>(soup.triangles.size()));
+  soup.parts = parts_of_triangles(before);
   soup.positions = std::move(positions);
   if (soup.triangles.empty()) return no_face_left(soup, file_name);
   return soup;

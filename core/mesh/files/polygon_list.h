@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -21,6 +22,11 @@ class PolygonList {
   // Ends the current polygon and starts the next one.
   void close(uint16_t material = 0);
 
+  // Ends the parts of a level, and starts one for each name: the polygons from here on belong to them. Levels
+  // are independent of each other.
+  enum class Level : uint8_t { kObject, kGroup };
+  void begin_parts(Level level, const std::vector<std::string>& names);
+
   size_t size() const { return ends_.size(); }
 
   // Triangulates all valid polygons; drops and counts the invalid ones. Fails if no triangle remains.
@@ -29,9 +35,14 @@ class PolygonList {
  private:
   static constexpr uint32_t kNoVertex = 0xffffffffu;
 
+  // The parts as parts of triangles, given the number of triangles before each polygon.
+  std::vector<MeshPart> parts_of_triangles(const std::vector<uint32_t>& before) const;
+
   std::vector<uint32_t> corners_;
-  std::vector<uint32_t> ends_;       // the end of each polygon in corners_
-  std::vector<uint16_t> materials_;  // one per polygon, or empty while all are 0
+  std::vector<uint32_t> ends_;               // the end of each polygon in corners_
+  std::vector<uint16_t> materials_;          // one per polygon, or empty while all are 0
+  std::vector<MeshPart> parts_;              // of polygons; those that have not ended end at kNoVertex
+  std::array<std::vector<size_t>, 2> open_;  // by level: parts that have not ended
 };
 
 // The error for a file without a usable triangle; says why its faces were dropped. Precondition: soup has no

@@ -1,0 +1,67 @@
+#include "core/physics/joint_constraints.h"
+
+#include <BulletDynamics/ConstraintSolver/btFixedConstraint.h>
+#include <BulletDynamics/ConstraintSolver/btHingeConstraint.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/quaternion.hpp>
+
+namespace kerf {
+
+namespace {
+
+uint32_t index_of(std::span<const MovingBody> bodies, BodyId id) {
+  const auto at = std::lower_bound(bodies.begin(), bodies.end(), id,
+                                   [](const MovingBody& b, BodyId wanted) { return b.id < wanted; });
+  const bool found = at != bodies.end() && at->id == id;
+  return static_cast<uint32_t>(found ? at - bodies.begin() : std::ssize(bodies));
+}
+
+// A unit vector across a unit vector.
+Vec3 across(const Vec3& axis) {
+  const Vec3 other = std::abs(axis.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
+  return glm::normalize(glm::cross(axis, other));
+}
+
+// The frame of a joint in the principal frame of a body: its origin is the anchor, its third axis the axis.
+btTransform joint_frame(const Joint& joint, const RigidFrame& frame) {
+  const glm::dquat back = glm::conjugate(frame.axes);
+  const Vec3 at = back * (joint.anchor - frame.centre);
+  const Vec3 side = across(joint.axis);
+  const Vec3 x = back * side, y = back * glm::cross(joint.axis, side), z = back * joint.axis;
+  return btTransform(btMatrix3x3(x.x, y.x, z.x, x.y, y.y, z.y, x.z, y.z, z.z), btVector3(at.x, at.y, at.z));
+}
+
+}  // namespace
+
+std::vector<BodyJoint> joints_between(std::span<const MovingBody> bodies, std::span<const HeldJoint> held,
+                                      const Joints& joints) {
+  std::vector<BodyJoint> between;
+  for (const HeldJoint& h : held) {
+    const uint32_t first = index_of(bodies, h.parts[0].body), second = index_of(bodies, h.parts[1].body);
+    if (first == second || std::max(first, second) == bodies.size()) continue;
+    between.push_back({first, second, &joints.all[h.joint]});
+  }
+  return between;
+}
+
+bool are_joined(std::span<const BodyJoint> joints, uint32_t a, uint32_t b) {
+  return std::any_of(joints.begin(), joints.end(), [&](const BodyJoint& j) {
+    return (j.first == a && j.second == b) || (j.first == b && j.second == a);
+  });
+}
+
+std::unique_ptr<btTypedConstraint> make_constraint(const Joint& joint, const RigidFrame& first,
+                                                   const RigidFrame& second, btRigidBody& first_rigid,
+                                                   btRigidBody& second_rigid) {
+  const btTransform in_first = joint_frame(joint, first), in_second = joint_frame(joint, second);
+  if (joint.kind == Joint::Kind::kWeld)
+    return std::make_unique<btFixedConstraint>(first_rigid, second_rigid, in_first, in_second);
+  auto hinge = std::make_unique<btHingeConstraint>(first_rigid, second_rigid, in_first, in_second);
+  constexpr double kSoftness = 0.9, kBias = 0.3, kBounce = 0;
+  if (joint.limits) hinge->setLimit(joint.limits->low, joint.limits->high, kSoftness, kBias, kBounce);
+  return hinge;
+}
+
+}  // namespace kerf

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/base/ids.h"
+#include "core/base/interval.h"
+#include "core/base/vec3.h"
+
+namespace kerf {
+
+// One of the two sides of a joint: the faces that carry it. All are of one connected component.
+struct JointSide {
+  std::vector<uint32_t> faces;  // base faces of the body as loaded, ascending and not empty
+  uint32_t component = 0;       // of LoadedComponents
+};
+
+// What holds two parts of a mesh together that do not hang together, or no longer once they are cut apart.
+//
+// A joint holds as long as, of each side, faces are left and all of these hang together. That follows from
+// the faces alone (see held_joints in core/graph), so that undo and replay need no state of joints.
+struct Joint {
+  enum class Kind : uint8_t {
+    kWeld,   // the parts are one
+    kHinge,  // they turn about the axis, within limits
+    kHub,    // they turn about the axis freely, as a wheel does
+  };
+  Kind kind = Kind::kWeld;
+  BodyId body;  // as which the parts were loaded (Body::loaded_as)
+  std::array<JointSide, 2> sides;
+  Vec3 anchor{0};                  // m, a point of the axis, in the frame of the body
+  Vec3 axis{0, 1, 0};              // unit, in the frame of the body
+  std::optional<Interval> limits;  // rad, by which the second part turns about the axis against the first
+};
+
+// All joints of a world; they stay what they are while it is cut.
+struct Joints {
+  std::vector<Joint> all;
+
+  // Whether a loaded face of a body carries a joint. O(joints log faces).
+  bool carries(BodyId body, FaceId loaded) const;
+};
+
+}  // namespace kerf

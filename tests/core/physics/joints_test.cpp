@@ -1,0 +1,159 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/base/tick.h"
+#include "core/physics/physics.h"
+#include "tests/support/jointed.h"
+#include "tests/support/sheets.h"
+
+namespace kerf {
+namespace {
+
+using test::NamedSheet;
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kTick = 1.0 / kTicksPerSecond;
+const glm::dquat kUpright(std::sqrt(0.5), std::sqrt(0.5), 0, 0);  // turns y = 0 to z = 0
+
+// A frame and a door below it, hinged along x at y = 0. The door reaches down by `height`.
+World door_world(double height, std::optional<Interval> limits) {
+  const std::vector<NamedSheet> sheets{
+      {"frame", test::rectangle(2, 0.6, 4), {0, 0.31, 0}, kUpright},
+      {"door", test::rectangle(0.8, height, 4), {0, -0.01 - 0.5 * height, 0}, kUpright}};
+  SceneJoint hinge;
+  hinge.kind = Joint::Kind::kHinge;
+  hinge.parts = {"door", "frame"};
+  hinge.axis = {1, 0, 0};
+  hinge.limits = limits;
+  World world = test::jointed_world(sheets, {&hinge, 1});
+  const std::vector<BodyId> bodies = test::part_bodies(world);
+  EXPECT_EQ(bodies.size(), 2u);
+  world.body(bodies[0]).pinned = true;
+  return world;
+}
+
+// The body that is not pinned.
+Body& door_of(World& world) { return world.body(world.ids()[1]); }
+
+// Turns a body about the x axis of the world.
+void turn(Body& body, double angle) {
+  body.placement.orientation = glm::angleAxis(angle, Vec3(1, 0, 0)) * body.placement.orientation;
+}
+
+// By how much a body is turned about the x axis.
+double angle_of(const Body& body) {
+  const Vec3 down = body.placement.orientation * Vec3(0, -1, 0);
+  return std::atan2(-down.z, -down.y);
+}
+
+TEST(Joints, a_door_swings_on_its_hinge_with_the_period_of_a_pendulum) {
+  constexpr double kHeight = 0.6, kStart = 0.1;
+  World world = door_world(kHeight, std::nullopt);
+  Body& door = door_of(world);
+  turn(door, kStart);
+  Physics physics;
+  double crossed_first = 0, crossed_last = 0, before = angle_of(door);
+  int crossings = 0;
+  for (int t = 1; t <= 6 * static_cast<int>(kTicksPerSecond); ++t) {
+    physics.tick(world);
+    const double angle = angle_of(door);
+    EXPECT_LT(glm::length(door.placement.to_world({0, 0, 0})), 0.001) << "tick " << t;
+    EXPECT_LT(std::abs((door.placement.orientation * Vec3(1, 0, 0)).y), 0.001);
+    if (before > 0 && angle <= 0) {
+      const double when = kTick * (t - angle / (angle - before));
+      (crossings++ == 0 ? crossed_first : crossed_last) = when;
+    }
+    before = angle;
+    if (door.motion.asleep) break;
+  }
+  ASSERT_GE(crossings, 2);
+  // A plate that hangs with a gap of 1 cm: inertia about the axis over mass times g times arm.
+  const double arm = 0.01 + 0.5 * kHeight, inertia = kHeight * kHeight / 12 + arm * arm;
+  const double period = 2 * kPi * std::sqrt(inertia / (9.81 * arm));
+  EXPECT_NEAR((crossed_last - crossed_first) / (crossings - 1), period, 0.02 * period);
+}
+
+TEST(Joints, a_door_stops_at_the_limits_of_its_hinge) {
+  World world = door_world(0.5, Interval{-25, 15});
+  Body& door = door_of(world);
+  Physics physics;
+  for (const double sign : {1.0, -1.0}) {
+    Surroundings around = world.surroundings();
+    around.gravity = {0, -3, -sign * 9};
+    world.set_surroundings(around);
+    door.motion = {};
+    for (int t = 0; t < 240; ++t) physics.tick(world);
+    EXPECT_NEAR(180 / kPi * angle_of(door), sign > 0 ? 15 : -25, 1);
+  }
+}
+
+TEST(Joints, a_weld_between_two_bodies_keeps_them_together_as_they_fall) {
+  World world;
+  {
+    const std::vector<NamedSheet> sheets{{"plate", test::rectangle(0.5, 0.5, 4)},
+                                         {"flag", test::rectangle(0.2, 0.2, 2), {0, 0.12, 0}, kUpright}};
+    SceneJoint hinge;
+    hinge.kind = Joint::Kind::kHinge;
+    hinge.parts = {"flag", "plate"};
+    world = test::jointed_world(sheets, {&hinge, 1});
+    const auto bodies = test::part_bodies(world);
+    ASSERT_EQ(bodies.size(), 2u);
+    Joints joints = world.joints();
+    joints.all[0].kind = Joint::Kind::kWeld;
+    world.set_joints(joints);
+  }
+  const std::vector<BodyId> bodies = world.ids();
+  Body &plate = world.body(bodies[0]), &flag = world.body(bodies[1]);
+  plate.motion.spin = {1, 2, 3};
+  world.set_surroundings({.gravity = {0, -9.81, 0}, .ground = -1});
+  Physics physics;
+  for (int t = 0; t < 240; ++t) {
+    physics.tick(world);
+    const Vec3 anchor = world.joints().all[0].anchor;
+    ASSERT_LT(glm::length(plate.placement.to_world(anchor) - flag.placement.to_world(anchor)), 0.003) << t;
+    const double aligned = std::abs(glm::dot(plate.placement.orientation, flag.placement.orientation));
+    ASSERT_GT(aligned, 0.9995) << t;
+  }
+}
+
+// A cart on four wheels of 48 sides, whose hubs lie along x.
+World cart() {
+  std::vector<NamedSheet> sheets{{"cart", test::closed_box({0.6, 0.2, 1.2}), {0, 0.35, 0}}};
+  std::vector<SceneJoint> hubs;
+  const glm::dquat along_x(std::sqrt(0.5), 0, 0, std::sqrt(0.5));
+  for (int i = 0; i < 4; ++i) {
+    const Vec3 at(i & 1 ? 0.4 : -0.4, 0.201, i & 2 ? 0.4 : -0.4);
+    sheets.push_back({"wheel" + std::to_string(i), test::rod(0.2, 0.1, 48), at, along_x});
+    SceneJoint hub;
+    hub.kind = Joint::Kind::kHub;
+    hub.parts = {sheets.back().name, "cart"};
+    hub.anchor = at;
+    hub.axis = {1, 0, 0};
+    hubs.push_back(hub);
+  }
+  World world = test::jointed_world(sheets, hubs);
+  EXPECT_EQ(test::part_bodies(world).size(), 5u);
+  return world;
+}
+
+TEST(Joints, wheels_roll_on_their_hubs) {
+  World world = cart();
+  constexpr double kRadius = 0.2, kSpeed = 3, kSeconds = 1.5;
+  world.set_surroundings({.gravity = {0, -9.81, 0}, .ground = 0});
+  const std::vector<BodyId> bodies = world.ids();
+  for (const BodyId id : bodies) world.body(id).motion.velocity = {0, 0, kSpeed};
+  Physics physics;
+  for (double t = 0; t < kSeconds; t += kTick) physics.tick(world);
+  const double speed = world.body(bodies[0]).motion.velocity.z;
+  EXPECT_GT(speed, 0.5);
+  // Sliding, it would have stopped after speed^2 / (2 * friction * g).
+  EXPECT_GT(world.body(bodies[0]).placement.position.z, 2.5 * kSpeed * kSpeed / (2 * 0.6 * 9.81));
+  for (size_t i = 1; i < bodies.size(); ++i) {
+    EXPECT_NEAR(world.body(bodies[i]).motion.spin.x, speed / kRadius, 0.08 * speed / kRadius) << i;
+  }
+}
+
+}  // namespace
+}  // namespace kerf

@@ -4,6 +4,7 @@
 #include "core/document/commands/edit_piece.h"
 #include "core/document/document.h"
 #include "core/document/walk.h"
+#include "core/graph/hold_parts.h"
 #include "core/graph/separation.h"
 #include "core/physics/forget_contacts.h"
 #include "core/physics/release_pieces.h"
@@ -119,9 +120,10 @@ StepResult Document::pass_ticks(size_t most) {
   return {};
 }
 
-// One tick. What came off since the last one becomes bodies first.
+// One tick. What came off since the last one, and what turns on joints, becomes bodies first.
 StepResult Document::move_bodies(size_t step) {
   StepResult some;
+  if (!physics_.knows_joints()) hold_parts(world_, Hold::kMoving, some.delta);
   release_pieces(world_, history_.step(step).generation, some.delta);
   forget_contacts(world_, some.delta);
   physics_.follow(some.delta);

@@ -3,33 +3,13 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <iterator>
-#include <limits>
 #include <numbers>
+
+#include "core/mesh/point_to_triangle.h"
 
 namespace kerf {
 
 namespace {
-
-double distance2_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const Vec3 along = b - a;
-  const double length2 = glm::dot(along, along);
-  const double t = length2 > 0 ? std::clamp(glm::dot(p - a, along) / length2, 0.0, 1.0) : 0;
-  const Vec3 apart = p - (a + t * along);
-  return glm::dot(apart, apart);
-}
-
-double distance2_to_triangle(const Vec3& p, const Triangle& t) {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < 3; ++i) nearest = std::min(nearest, distance2_to_segment(p, t[i], t[(i + 1) % 3]));
-  const Vec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
-  const double length2 = glm::dot(normal, normal);
-  if (!(length2 > 0)) return nearest;
-  for (int i = 0; i < 3; ++i) {
-    if (glm::dot(glm::cross(t[(i + 1) % 3] - t[i], p - t[i]), normal) < 0) return nearest;
-  }
-  const double height = glm::dot(p - t[0], normal);
-  return std::min(nearest, height * height / length2);
-}
 
 // Finds the faces that carry the sides of a joint.
 class CarrierSearch {
@@ -42,7 +22,7 @@ class CarrierSearch {
     for (const MeshPart& part : body_.named_parts) {
       if (part.name != joint_.parts[i]) continue;
       for (uint32_t f = part.first; f < part.last; ++f)
-        near.push_back({distance2_to_triangle(point, body_.mesh.triangle(FaceId(f))), f});
+        near.push_back({squared_distance(point, body_.mesh.triangle(FaceId(f))), f});
     }
     if (near.empty()) return wrong("the mesh has no part named \"" + joint_.parts[i] + "\"");
     const Near& nearest = *std::min_element(near.begin(), near.end());
@@ -50,6 +30,8 @@ class CarrierSearch {
       return wrong("no face of \"" + joint_.parts[i] + "\" is within its radius");
     JointSide side;
     side.component = component(nearest.face);
+    side.point = point;
+    if (joint_.radius) side.radius = *joint_.radius;
     for (const Near& n : near) {
       if (joint_.radius && n.distance2 > *joint_.radius * *joint_.radius) continue;
       if (component(n.face) == side.component) side.faces.push_back(n.face);

@@ -4,6 +4,8 @@
 #include <optional>
 #include <utility>
 
+#include "core/mesh/point_to_triangle.h"
+
 namespace kerf {
 
 namespace {
@@ -47,10 +49,16 @@ class Carriers {
   std::vector<uint32_t> first_;  // by loaded face: its first pair
 };
 
-void look_through(BodyId id, const Body& body, const Carriers& carriers, std::vector<SideSoFar>& sides) {
+bool is_near(const JointSide& side, const Triangle& t) {
+  return squared_distance(side.point, t) <= side.radius * side.radius;
+}
+
+void look_through(BodyId id, const Body& body, const Joints& joints, const Carriers& carriers,
+                  std::vector<SideSoFar>& sides) {
   for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
     if (!body.mesh.is_live(FaceId(f))) continue;
     carriers.for_each_side(body.loaded_face(body.mesh.data(FaceId(f)).base), [&](uint32_t side) {
+      if (!is_near(joints.all[side / 2].sides[side % 2], body.mesh.triangle(FaceId(f)))) return;
       const ConnectedPart part = part_of(id, body, FaceId(f));
       if (!sides[side].part) sides[side].part = part;
       if (*sides[side].part != part) sides[side].apart = true;
@@ -72,7 +80,7 @@ std::vector<HeldJoint> held_joints(const World& world) {
   std::vector<SideSoFar> sides(2 * all.size());
   for (const BodyId id : world.ids()) {
     const Carriers carriers(world.joints(), world.body(id).loaded_as);
-    if (!carriers.empty()) look_through(id, world.body(id), carriers, sides);
+    if (!carriers.empty()) look_through(id, world.body(id), world.joints(), carriers, sides);
   }
   for (uint32_t j = 0; j < all.size(); ++j) {
     const SideSoFar &a = sides[2 * j], &b = sides[2 * j + 1];

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
+#include <utility>
 
 namespace kerf {
 
@@ -50,6 +51,21 @@ bool are_joined(std::span<const BodyJoint> joints, uint32_t a, uint32_t b) {
   return std::any_of(joints.begin(), joints.end(), [&](const BodyJoint& j) {
     return (j.first == a && j.second == b) || (j.first == b && j.second == a);
   });
+}
+
+void remember_joints(std::span<const MovingBody> bodies, std::span<const BodyJoint> joints,
+                     ContactMemory& memory) {
+  if (joints.empty()) return;
+  std::vector<std::pair<BodyId, BodyId>> joined;
+  for (const BodyJoint& j : joints) joined.push_back(std::minmax(bodies[j.first].id, bodies[j.second].id));
+  std::sort(joined.begin(), joined.end());
+  joined.erase(std::unique(joined.begin(), joined.end()), joined.end());
+  const auto key = [](const PairMemory& m) { return std::pair(m.first, m.second); };
+  std::erase_if(
+      memory, [&](const PairMemory& m) { return std::binary_search(joined.begin(), joined.end(), key(m)); });
+  for (const auto& [a, b] : joined) memory.push_back({a, b, {}, {}, {}, {}, false, true});
+  std::sort(memory.begin(), memory.end(),
+            [&](const PairMemory& a, const PairMemory& b) { return key(a) < key(b); });
 }
 
 std::unique_ptr<btTypedConstraint> make_constraint(const Joint& joint, const RigidFrame& first,

@@ -7,6 +7,7 @@
 
 #include "core/graph/held_joints.h"
 #include "core/physics/moving_body.h"
+#include "core/world/contact_memory.h"
 
 class btRigidBody;
 class btTypedConstraint;
@@ -25,6 +26,11 @@ std::vector<BodyJoint> joints_between(std::span<const MovingBody> bodies, std::s
 
 // Whether a joint connects two bodies; such bodies do not touch each other.
 bool are_joined(std::span<const BodyJoint> joints, uint32_t a, uint32_t b);
+
+// Makes pairs of bodies that joints connect known as touching, and nothing else of them: they sleep together,
+// and a change of one wakes the other. `memory` is sorted and stays so.
+void remember_joints(std::span<const MovingBody> bodies, std::span<const BodyJoint> joints,
+                     ContactMemory& memory);
 
 // The constraint of a joint between Bullet's pictures of its two bodies, whose frames are the principal ones
 // of `first` and `second`. Both bodies have the frame in which they were loaded, so that they are in their

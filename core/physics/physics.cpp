@@ -187,6 +187,7 @@ Delta Physics::tick(World& world) {
   pairs_ = solve(world, bodies, joints, found);
   count_quiet(bodies, joints);
   carry_over(bodies, before, found.memory);
+  remember_joints(bodies, joints, found.memory);
   world.set_contact_memory(std::move(found.memory));
 
   Delta delta;

@@ -39,6 +39,9 @@ class Physics {
   // caller.
   Delta tick(World& world);
 
+  // Whether the joints are known that hold, i.e. whether no change was followed since the last tick.
+  bool knows_joints() const { return joints_.has_value(); }
+
   const TickFigures& figures() const { return figures_; }
   // The contacts of the last tick.
   const std::vector<TouchingPair>& pairs() const { return pairs_; }

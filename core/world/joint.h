@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -11,10 +12,13 @@
 
 namespace kerf {
 
-// One of the two sides of a joint: the faces that carry it. All are of one connected component.
+// One of the two sides of a joint: the faces that carry it, which are those parts of some base faces that are
+// within a distance of a point. All are of one connected component.
 struct JointSide {
   std::vector<uint32_t> faces;  // base faces of the body as loaded, ascending and not empty
   uint32_t component = 0;       // of LoadedComponents
+  Vec3 point{0};                // m, in the frame of the body
+  double radius = std::numeric_limits<double>::infinity();  // m
 };
 
 // What holds two parts of a mesh together that do not hang together, or no longer once they are cut apart.

@@ -4,9 +4,13 @@
 #include <numbers>
 
 #include "core/base/tick.h"
+#include "core/document/document.h"
+#include "core/graph/held_joints.h"
 #include "core/physics/physics.h"
+#include "core/world/state_hash.h"
 #include "tests/support/jointed.h"
 #include "tests/support/sheets.h"
+#include "tests/support/strokes.h"
 
 namespace kerf {
 namespace {
@@ -153,6 +157,84 @@ TEST(Joints, wheels_roll_on_their_hubs) {
   for (size_t i = 1; i < bodies.size(); ++i) {
     EXPECT_NEAR(world.body(bodies[i]).motion.spin.x, speed / kRadius, 0.08 * speed / kRadius) << i;
   }
+}
+
+// Walks time in which bodies move.
+void play(Document& document, double seconds) {
+  document.apply(Advance{static_cast<Ticks>(seconds * static_cast<double>(kTicksPerSecond)), true});
+  ASSERT_TRUE(test::walk_all(document).ok());
+}
+
+// A pinned frame with a door on two hinges at its lower edge; each is carried by the faces around it.
+Document door_on_two_hinges() {
+  const std::vector<NamedSheet> sheets{{"frame", test::rectangle(2, 0.6, 20), {0, 0.31, 0}, kUpright},
+                                       {"door", test::rectangle(0.8, 0.5, 10), {0, -0.26, 0}, kUpright}};
+  std::vector<SceneJoint> hinges(2);
+  for (size_t i = 0; i < 2; ++i) {
+    hinges[i].kind = Joint::Kind::kHinge;
+    hinges[i].parts = {"door", "frame"};
+    hinges[i].anchor = {i == 0 ? -0.3 : 0.3, 0, 0};
+    hinges[i].axis = {1, 0, 0};
+    hinges[i].radius = 0.06;
+  }
+  Document document(test::jointed_world(sheets, hinges));
+  document.apply(Play{});
+  play(document, 1.0 / 60);
+  const World& world = document.world();
+  EXPECT_EQ(world.ids().size(), 2u);
+  EXPECT_TRUE(document.apply(Command(PinPiece{{world.ids()[0], 0}, true})).ok());
+  return document;
+}
+
+// Burns the faces of the door away that carry the hinge at x.
+void burn_hinge(Document& document, double x) {
+  CutSettings settings;
+  settings.laser = {.radius = 0.1, .range = {0, 3}};
+  settings.resolution.target_edge = 0.02;
+  document.apply(BeginStroke{settings, {{x, -0.05, 1}, {0, 0, -1}}});
+  document.apply(MoveStroke{{{x, -0.06, 1}, {0, 0, -1}}});
+  document.apply(EndStroke{});
+  ASSERT_TRUE(test::walk_all(document).ok());
+}
+
+TEST(Joints, a_door_swings_about_its_last_hinge_and_drops_without_it) {
+  Document document = door_on_two_hinges();
+  const auto depth = [&] {
+    const Body& door = document.world().body(document.world().ids()[1]);
+    return -door.placement.to_world(rigid_frame(door).centre).y;
+  };
+  document.apply(Play{});
+  play(document, 0.5);
+  EXPECT_NEAR(depth(), 0.26, 0.005);
+  burn_hinge(document, 0.3);
+  EXPECT_EQ(held_joints(document.world()).size(), 1u);
+  document.apply(Play{});
+  play(document, 1);
+  EXPECT_LT(depth(), 0.3);
+  burn_hinge(document, -0.3);
+  EXPECT_TRUE(held_joints(document.world()).empty());
+  const double before = depth();
+  document.apply(Play{});
+  play(document, 0.5);
+  EXPECT_GT(depth() - before, 0.8 * 9.81 * 0.5 * 0.5 / 2);
+}
+
+TEST(Joints, undo_hangs_a_door_up_again_and_redo_repeats_its_fall_to_the_bit) {
+  Document document = door_on_two_hinges();
+  document.apply(Play{});
+  play(document, 0.25);
+  const uint64_t hanging = state_hash(document.world());
+  burn_hinge(document, 0.3);
+  burn_hinge(document, -0.3);
+  document.apply(Play{});
+  play(document, 0.5);
+  const uint64_t fallen = state_hash(document.world());
+  const size_t steps = document.history().position();
+  ASSERT_TRUE(document.travel(steps - 3).ok());
+  EXPECT_EQ(state_hash(document.world()), hanging);
+  EXPECT_EQ(held_joints(document.world()).size(), 2u);
+  ASSERT_TRUE(document.travel(steps).ok());
+  EXPECT_EQ(state_hash(document.world()), fallen);
 }
 
 }  // namespace

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "core/mesh/mesh.h"
+
+namespace kerf {
+
+// The squared distance (m^2) of a point from the nearest point of a triangle, which may be degenerate.
+double squared_distance(const Vec3& p, const Triangle& t);
+
+}  // namespace kerf

@@ -1,0 +1,85 @@
+#include <gtest/gtest.h>
+
+#include <set>
+#include <utility>
+
+#include "core/document/document.h"
+#include "core/document/scene.h"
+#include "core/graph/held_joints.h"
+#include "core/physics/rigid_frame.h"
+#include "core/world/state_hash.h"
+#include "tests/support/checkout.h"
+#include "tests/support/strokes.h"
+
+namespace kerf {
+namespace {
+
+Document car() {
+  auto scene = read_scene(test::checkout() / "assets/scenes/car.json");
+  EXPECT_TRUE(scene.ok()) << scene.error().message;
+  return Document(std::move(scene->world));
+}
+
+void stroke(Document& document, const Vec3& from, const Vec3& to, const Vec3& direction, double radius) {
+  CutSettings settings;
+  settings.laser = {.radius = radius, .range = {0, 10}};
+  settings.resolution.target_edge = 0.03;
+  document.apply(BeginStroke{settings, {from, direction}});
+  document.apply(MoveStroke{{to, direction}});
+  document.apply(EndStroke{});
+  ASSERT_TRUE(test::walk_all(document).ok());
+}
+
+void play(Document& document, Ticks ticks) {
+  document.apply(Play{});
+  document.apply(Advance{ticks, true});
+  ASSERT_TRUE(test::walk_all(document).ok());
+}
+
+TEST(CarScene, all_parts_are_held_and_the_car_weighs_what_its_sheets_do) {
+  const Document document = car();
+  const World& world = document.world();
+  EXPECT_EQ(held_joints(world).size(), world.joints().all.size());
+  EXPECT_EQ(world.live_pieces(), 1u);
+  const Body& body = world.body(world.ids()[0]);
+  EXPECT_NEAR(rigid_frame(body).mass, 0.0008 * 7850 * body.loaded.area, 1e-6);
+}
+
+TEST(CarScene, nothing_stays_in_the_air_when_the_car_is_cut_in_two) {
+  Document document = car();
+  stroke(document, {-1.5, 3, 0.485}, {1.5, 3, 0.485}, {0, -1, 0}, 0.01);
+  const World& world = document.world();
+  EXPECT_EQ(held_joints(world).size(), world.joints().all.size());
+  // All that lies ahead of the cut belongs to one piece, with the steering wheel, and the rest to the other.
+  const Body& body = world.body(world.ids()[0]);
+  EXPECT_EQ(world.live_pieces(), 2u);
+  std::set<std::pair<bool, uint32_t>> sides;
+  for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+    if (!body.mesh.is_live(FaceId(f))) continue;
+    const double z = body.mesh.triangle(FaceId(f))[0].z;
+    if (z < 0.2 || z > 0.5) sides.emplace(z > 0.5, body.label(FaceId(f)));
+  }
+  EXPECT_EQ(sides.size(), 2u);
+}
+
+TEST(CarScene, a_standing_car_comes_to_rest_on_wheels_that_turn) {
+  Document document = car();
+  document.apply(Command(SetSurroundings{{.gravity = {0, -9.81, 0}, .ground = -0.001}}));
+  play(document, 1200);
+  const World& world = document.world();
+  EXPECT_EQ(world.ids().size(), 6u);
+  EXPECT_LT(glm::length(world.body(world.ids()[0]).placement.position), 0.2);
+  size_t turning = 0;
+  for (const HeldJoint& held : held_joints(world)) {
+    if (held.parts[0].body == held.parts[1].body) continue;
+    const Vec3 anchor = world.joints().all[held.joint].anchor;
+    const Vec3 first = world.body(held.parts[0].body).placement.to_world(anchor);
+    EXPECT_LT(glm::length(first - world.body(held.parts[1].body).placement.to_world(anchor)), 0.002);
+    ++turning;
+  }
+  EXPECT_EQ(turning, 5u);
+  for (const BodyId id : world.ids()) EXPECT_TRUE(world.body(id).motion.asleep) << id.slot;
+}
+
+}  // namespace
+}  // namespace kerf

@@ -81,5 +81,35 @@ TEST(CarScene, a_standing_car_comes_to_rest_on_wheels_that_turn) {
   for (const BodyId id : world.ids()) EXPECT_TRUE(world.body(id).motion.asleep) << id.slot;
 }
 
+TEST(CarScene, joints_do_not_change_what_a_cut_does_while_no_time_passes) {
+  Document with = car();
+  auto mesh = read_scene(test::checkout() / "assets/meshes/car.obj");
+  ASSERT_TRUE(mesh.ok());
+  Document without(std::move(mesh->world));
+  for (Document* document : {&with, &without}) {
+    stroke(*document, {-1.5, 3, 0.2}, {1.5, 3, -0.1}, {0, -1, 0}, 0.02);
+    stroke(*document, {3, 0.3, 1.2}, {3, 0.35, 1.4}, {-1, 0, 0}, 0.1);
+  }
+  EXPECT_GT(with.world().live_pieces(), 2u);
+  EXPECT_EQ(state_hash(with.world()), state_hash(without.world()));
+}
+
+TEST(CarScene, a_wheel_whose_hub_is_burnt_away_comes_off) {
+  Document document = car();
+  document.apply(Command(SetSurroundings{{.gravity = {0, -9.81, 0}, .ground = -0.001}}));
+  const auto wheels = [&] {
+    size_t held = 0;
+    for (const HeldJoint& h : held_joints(document.world()))
+      held += document.world().joints().all[h.joint].kind == Joint::Kind::kHub;
+    return held;
+  };
+  EXPECT_EQ(wheels(), 5u);
+  stroke(document, {3, 0.3185, 1.3}, {3, 0.3185, 1.301}, {-1, 0, 0}, 0.2);  // both front wheels
+  EXPECT_EQ(wheels(), 3u);
+  play(document, 240);
+  // Without its front wheels the car drops onto its nose.
+  EXPECT_LT(document.world().body(document.world().ids()[0]).placement.to_world({0, 0.3, 2}).y, 0.25);
+}
+
 }  // namespace
 }  // namespace kerf

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/random.h"
 #include "core/base/tick.h"
 #include "core/document/document.h"
 #include "core/graph/held_joints.h"
@@ -235,6 +236,22 @@ TEST(Joints, undo_hangs_a_door_up_again_and_redo_repeats_its_fall_to_the_bit) {
   EXPECT_EQ(held_joints(document.world()).size(), 2u);
   ASSERT_TRUE(document.travel(steps).ok());
   EXPECT_EQ(state_hash(document.world()), fallen);
+}
+
+TEST(Joints, physics_that_is_made_anew_at_any_tick_goes_on_to_the_bit) {
+  Random random(7);
+  World one = cart(), other = one;
+  for (World* world : {&one, &other}) {
+    world->set_surroundings({.gravity = {0, -9.81, 0}, .ground = 0});
+    for (const BodyId id : world->ids()) world->body(id).motion.velocity = {0.5, 0, 2};
+  }
+  Physics kept, made_anew;
+  for (int t = 0; t < 200; ++t) {
+    if (random.below(7) == 0) made_anew = Physics();
+    kept.tick(one);
+    made_anew.tick(other);
+    ASSERT_EQ(state_hash(one), state_hash(other)) << "tick " << t;
+  }
 }
 
 }  // namespace

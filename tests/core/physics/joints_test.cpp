@@ -220,6 +220,30 @@ TEST(Joints, a_door_swings_about_its_last_hinge_and_drops_without_it) {
   EXPECT_GT(depth() - before, 0.8 * 9.81 * 0.5 * 0.5 / 2);
 }
 
+TEST(Joints, a_sleeping_door_wakes_when_the_faces_of_the_frame_that_held_it_are_gone) {
+  Document document = door_on_two_hinges();
+  const auto door = [&]() -> const Body& { return document.world().body(document.world().ids()[1]); };
+  document.apply(Play{});
+  play(document, 3);
+  EXPECT_TRUE(door().motion.asleep);
+  const size_t faces = door().mesh.live_faces();
+  CutSettings settings;
+  settings.laser = {.radius = 0.125, .range = {0, 3}};
+  settings.resolution.target_edge = 0.02;
+  for (const double x : {-0.3, 0.3}) {
+    document.apply(BeginStroke{settings, {{x, 0.12, 1}, {0, 0, -1}}});
+    document.apply(MoveStroke{{{x, 0.121, 1}, {0, 0, -1}}});
+    document.apply(EndStroke{});
+    ASSERT_TRUE(test::walk_all(document).ok());
+  }
+  EXPECT_TRUE(held_joints(document.world()).empty());
+  EXPECT_EQ(door().mesh.live_faces(), faces);
+  const double before = door().placement.position.y;
+  document.apply(Play{});
+  play(document, 0.5);
+  EXPECT_LT(door().placement.position.y - before, -0.8 * 9.81 * 0.5 * 0.5 / 2);
+}
+
 TEST(Joints, undo_hangs_a_door_up_again_and_redo_repeats_its_fall_to_the_bit) {
   Document document = door_on_two_hinges();
   document.apply(Play{});

@@ -41,6 +41,12 @@ class CarrierSearch {
     return side;
   }
 
+  // Whether a point is within a hundred times the size of the mesh.
+  bool is_near_mesh(const Vec3& p) const {
+    const MeshReport& loaded = body_.loaded;
+    return glm::length(p - body_.middle()) <= 100 * glm::length(loaded.max - loaded.min);
+  }
+
   Error wrong(const std::string& what) const {
     return bad_input("the joint of \"" + joint_.parts[0] + "\" and \"" + joint_.parts[1] + "\" in " +
                      body_.name + ": " + what);
@@ -70,7 +76,9 @@ Result<Joint> make_joint(const SceneJoint& joint, BodyId id, const Body& body) {
   made.kind = joint.kind;
   made.body = id;
   made.anchor = joint.anchor;
-  made.axis = glm::normalize(joint.axis);
+  const Vec3 size = glm::abs(joint.axis);
+  made.axis = glm::normalize(joint.axis / std::max({size.x, size.y, size.z}));
+  if (!search.is_near_mesh(joint.anchor)) return search.wrong("its anchor is far away from the mesh");
   if (joint.limits) {
     const double radians = std::numbers::pi / 180;
     made.limits = Interval{radians * joint.limits->low, radians * joint.limits->high};

@@ -32,7 +32,8 @@ struct SceneJoint {
 };
 
 // The joint for a body as loaded, which has the id `id`. Fails if the mesh names no such part, if none of its
-// faces is within the radius, or if a face would carry both sides. O(faces of the body).
+// faces is within the radius, if a face would carry both sides, or if the anchor is more than a hundred times
+// the size of the mesh away from it. O(faces of the body).
 Result<Joint> make_joint(const SceneJoint& joint, BodyId id, const Body& body);
 
 }  // namespace kerf

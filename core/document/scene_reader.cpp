@@ -55,11 +55,16 @@ Status parse_sheet(const JsonValue& value, Sheet& sheet) {
   struct Part {
     const char* key;
     double& number;
+    Interval allowed;
+    const char* text;
   };
-  for (const Part& part : {Part{"thickness", sheet.thickness}, Part{"density", sheet.density}}) {
+  for (const Part& part : {Part{"thickness", sheet.thickness, {1e-9, 1e3}, "from 1e-9 to 1000 m"},
+                           Part{"density", sheet.density, {1e-3, 1e6}, "from 0.001 to 1000000 kg/m^3"}}) {
     if (!value.has(part.key)) continue;
     const auto number = value[part.key].positive_number();
     if (!number) return number.error();
+    if (*number < part.allowed.low || *number > part.allowed.high)
+      return value[part.key].wrong(std::string("must be ") + part.text);
     part.number = *number;
   }
   return Done{};

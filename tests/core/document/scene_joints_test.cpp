@@ -62,6 +62,8 @@ TEST(SceneJoints, joints_are_read_and_written) {
 TEST(SceneJoints, what_is_wrong_is_named) {
   const std::pair<const char*, const char*> bad[]{
       {R"("thickness": 0)", "/bodies/0/thickness: must be greater than zero"},
+      {R"("thickness": 1e300)", "/bodies/0/thickness: must be from"},
+      {R"("density": 1e-300)", "/bodies/0/density: must be from"},
       {R"("density": "steel")", "/bodies/0/density: must be"},
       {R"("joints": {})", "/bodies/0/joints: must be"},
       {R"("joints": [1])", "/bodies/0/joints/0: must be"},
@@ -100,11 +102,22 @@ TEST(SceneJoints, parts_are_objects_and_groups_of_the_mesh) {
   EXPECT_NEAR(joint.limits->high, 1.5707963267948966, 1e-15);
 }
 
+TEST(SceneJoints, the_length_of_an_axis_does_not_matter) {
+  for (const char* axis : {"[0, 1e-300, 0]", "[0, 1e300, 0]"}) {
+    const auto scene = loaded(std::string(R"("joints": [{"kind": "hub", "parts": ["door", "frame"],
+      "anchor": [0, 0, 0], "axis": )") +
+                              axis + "}]");
+    ASSERT_TRUE(scene.ok()) << scene.error().message;
+    EXPECT_EQ(scene->world.joints().all[0].axis, Vec3(0, 1, 0));
+  }
+}
+
 TEST(SceneJoints, a_joint_that_does_not_fit_the_mesh_is_an_error) {
   const std::pair<const char*, const char*> bad[]{
       {R"({"kind": "weld", "parts": ["door", "roof"], "anchor": [0,0,0]})", "no part named \"roof\""},
       {R"({"kind": "weld", "parts": ["door", "frame"], "anchor": [0,0,0.5], "radius": 0.4})",
        "within its radius"},
+      {R"({"kind": "weld", "parts": ["door", "frame"], "anchor": [1e300,0,0]})", "far away"},
       {R"({"kind": "weld", "parts": ["steel", "frame"], "anchor": [0,0,0]})", "a face carries both sides"}};
   for (const auto& [joint, message] : bad) {
     const auto scene = loaded(std::string(R"("joints": [)") + joint + "]");

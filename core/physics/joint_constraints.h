@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/graph/held_joints.h"
-#include "core/physics/moving_body.h"
+#include "core/physics/contact/moving_body.h"
 #include "core/world/contact_memory.h"
 
 class btRigidBody;

@@ -1,20 +1,25 @@
 #include "core/physics/physics.h"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 
 #include "core/base/tick.h"
-#include "core/physics/broad_phase.h"
-#include "core/physics/pair_contacts.h"
+#include "core/physics/contact/contact_search.h"
+#include "core/physics/contact/hold_back.h"
+#include "core/physics/contact/pair_contacts.h"
 #include "core/physics/pull.h"
 #include "core/physics/sleep.h"
+#include "core/physics/solve_contacts.h"
+#include "core/physics/speed_limit.h"
 
 namespace kerf {
 
 namespace {
 
 constexpr double kTick = 1.0 / kTicksPerSecond;
-constexpr double kFullLengths = 1;  // m, the diagonal from which on the lengths of contact are used unscaled
+constexpr double kFullLengths = 0.4;   // m, the diagonal from which on the lengths of contact are unscaled
+constexpr double kRollingLoss = 0.35;  // relative to the square root of gravity over the size of a body
+constexpr double kPressedOut = 0.1;    // m/s, see SpeedLimit
 constexpr ContactLengths kLengths;
 
 // Where a body will be after a tick if nothing stops it.
@@ -28,109 +33,86 @@ Placement moved_on(const MovingBody& b, const Vec3& gravity) {
   return b.frame.body_at(principal);
 }
 
-// The bounds of a box under a rigid motion.
-void add_box(const RigidMap& map, const Vec3& min, const Vec3& max, MovingBody& b) {
-  const Vec3 middle = map(0.5 * (min + max)), half = 0.5 * (max - min);
-  Vec3 extent(0);
-  for (int column = 0; column < 3; ++column) extent += glm::abs(map.turn[column]) * half[column];
-  b.min = glm::min(b.min, middle - extent);
-  b.max = glm::max(b.max, middle + extent);
-}
-
 void set_way(MovingBody& b, const Vec3& gravity) {
-  b.now = map_of(b.body->placement);
+  b.start = b.body->placement;
+  b.now = map_of(b.start);
   b.next = map_of(moved_on(b, gravity));
-  b.min = Vec3(std::numeric_limits<double>::infinity());
-  b.max = -b.min;
-  add_box(b.now, b.collider->min, b.collider->max, b);
-  add_box(b.next, b.collider->min, b.collider->max, b);
-  const double reach = kLengths.reach * b.scale;
-  b.min -= reach;
-  b.max += reach;
+  b.bounds = moved(b.now, b.collider->bounds);
+  if (b.moves()) b.bounds.add(moved(b.next, b.collider->bounds));
+  b.bounds = b.bounds.wider(kLengths.reach * b.scale);
 }
 
-bool is_before(const PairMemory& m, std::pair<BodyId, BodyId> key) {
-  return std::pair(m.first, m.second) < key;
+// Sheet metal rolls badly: what touched in the last tick loses spin, faster the smaller it is.
+void set_rolling_loss(std::span<MovingBody> bodies, const ContactMemory& before, const Vec3& gravity) {
+  const auto lose = [&](BodyId id) {
+    const auto at = std::lower_bound(bodies.begin(), bodies.end(), id,
+                                     [](const MovingBody& b, BodyId wanted) { return b.id < wanted; });
+    if (at == bodies.end() || at->id != id) return;
+    const Box& box = at->collider->bounds;
+    at->rolling_loss = kRollingLoss * std::sqrt(glm::length(gravity) / glm::length(box.max - box.min));
+  };
+  for (const PairMemory& m : before) {
+    if (!m.touching) continue;
+    lose(m.first);
+    if (m.second.valid()) lose(m.second);
+  }
 }
 
-const PairMemory* find(const ContactMemory& memory, BodyId first, BodyId second) {
-  const auto at = std::lower_bound(memory.begin(), memory.end(), std::pair(first, second), is_before);
-  return at != memory.end() && at->first == first && at->second == second ? &*at : nullptr;
+// Where the solver has moved the bodies is where they go.
+void set_solved_way(std::span<MovingBody> bodies) {
+  for (MovingBody& b : bodies) {
+    b.next = b.moves() ? map_of(b.body->placement) : b.now;
+    b.bounds = moved(b.now, b.collider->bounds);
+    if (b.moves()) b.bounds.add(moved(b.next, b.collider->bounds));
+  }
 }
 
-// The contacts of a tick, and what is known of their pairs afterwards.
-struct Found {
-  std::vector<TouchingPair> pairs;
+// Takes the pairs out of which no body moves.
+std::vector<TouchingPair> take_resting(std::span<const MovingBody> bodies, std::vector<TouchingPair>& pairs) {
+  const auto moves = [&](const TouchingPair& p) {
+    return bodies[p.first].moves() || (p.second != TouchingPair::kGround && bodies[p.second].moves());
+  };
+  const auto at = std::stable_partition(pairs.begin(), pairs.end(), moves);
+  std::vector<TouchingPair> resting(std::make_move_iterator(at), std::make_move_iterator(pairs.end()));
+  pairs.erase(at, pairs.end());
+  return resting;
+}
+
+// What is known after the tick. Pairs of sleeping bodies were not looked at; what is known of them stays.
+ContactMemory memory_after(std::span<const MovingBody> bodies, const ContactMemory& before,
+                           std::vector<TouchingPair>& pairs) {
   ContactMemory memory;
-  std::vector<size_t> memory_of_pair;
-};
-
-Found find_all(std::span<const MovingBody> bodies, std::span<const BodyJoint> joints,
-               const Surroundings& around, const ContactMemory& before, TickFigures& figures) {
-  Found found;
-  const auto keep = [&](uint32_t first, uint32_t second, PairMemory memory, std::vector<Contact> contacts) {
-    if (memory.crossed) ++figures.crossed;
-    figures.contacts += contacts.size();
-    if (contacts.empty()) remember_impulses(contacts, memory);
-    if (!contacts.empty()) {
-      found.memory_of_pair.push_back(found.memory.size());
-      found.pairs.push_back({first, second, std::move(contacts)});
-    }
-    found.memory.push_back(std::move(memory));
+  for (TouchingPair& p : pairs) {
+    remember_impulses(p.contacts, p.memory);
+    memory.push_back(std::move(p.memory));
+  }
+  const auto before_tick = [](const PairMemory& a, const PairMemory& b) {
+    return std::pair(a.first, a.second) < std::pair(b.first, b.second);
   };
-  for (const auto& [i, j] : near_pairs(bodies)) {
-    if (are_joined(joints, i, j)) continue;
-    const PairMemory* old = find(before, bodies[i].id, bodies[j].id);
-    PairMemory memory = old ? *old : PairMemory{bodies[i].id, bodies[j].id, {}, {}, {}, {}};
-    std::vector<Contact> contacts = find_contacts(bodies[i], bodies[j], kLengths, old == nullptr, memory);
-    keep(i, j, std::move(memory), std::move(contacts));
-    ++figures.pairs;
-  }
-  for (uint32_t i = 0; i < bodies.size(); ++i) {
-    if (bodies[i].fixed || bodies[i].asleep) continue;
-    const PairMemory* old = find(before, bodies[i].id, BodyId{});
-    PairMemory memory = old ? *old : PairMemory{bodies[i].id, BodyId{}, {}, {}, {}, {}};
-    std::vector<Contact> contacts = find_ground_contacts(bodies[i], around, kLengths, memory);
-    if (!contacts.empty()) keep(i, TouchingPair::kGround, std::move(memory), std::move(contacts));
-  }
-  return found;
-}
-
-// Solves the pairs of which a body moves, and keeps their impulses. Returns these pairs.
-std::vector<TouchingPair> solve(const World& world, std::span<MovingBody> bodies,
-                                std::span<const BodyJoint> joints, Found& found) {
-  const auto rests = [&](uint32_t i) {
-    return i == TouchingPair::kGround || bodies[i].fixed || bodies[i].asleep;
-  };
-  std::vector<TouchingPair> pairs;
-  std::vector<size_t> memory_of_pair;
-  for (size_t i = 0; i < found.pairs.size(); ++i) {
-    if (rests(found.pairs[i].first) && rests(found.pairs[i].second)) continue;
-    pairs.push_back(std::move(found.pairs[i]));
-    memory_of_pair.push_back(found.memory_of_pair[i]);
-  }
-  solve_contacts(bodies, pairs, joints, {.seconds = kTick, .gravity = world.surroundings().gravity});
-  for (size_t i = 0; i < pairs.size(); ++i)
-    remember_impulses(pairs[i].contacts, found.memory[memory_of_pair[i]]);
-  return pairs;
-}
-
-// Pairs of sleeping bodies were not looked at; what is known of them stays.
-void carry_over(std::span<const MovingBody> bodies, const ContactMemory& before, ContactMemory& memory) {
+  std::sort(memory.begin(), memory.end(), before_tick);
+  const size_t known = memory.size();
   const auto rests = [&](BodyId id) {
     const auto at = std::lower_bound(bodies.begin(), bodies.end(), id,
                                      [](const MovingBody& b, BodyId wanted) { return b.id < wanted; });
-    return at != bodies.end() && at->id == id && (at->fixed || at->asleep);
+    return at != bodies.end() && at->id == id && !at->moves();
   };
   for (const PairMemory& m : before) {
-    if (rests(m.first) && (!m.second.valid() || rests(m.second))) memory.push_back(m);
+    const auto end = memory.begin() + static_cast<ptrdiff_t>(known);
+    if (rests(m.first) && (!m.second.valid() || rests(m.second)) &&
+        !std::binary_search(memory.begin(), end, m, before_tick))
+      memory.push_back(m);
   }
-  std::sort(memory.begin(), memory.end(), [](const PairMemory& a, const PairMemory& b) {
-    return std::pair(a.first, a.second) < std::pair(b.first, b.second);
-  });
+  std::inplace_merge(memory.begin(), memory.begin() + static_cast<ptrdiff_t>(known), memory.end(),
+                     before_tick);
+  return memory;
 }
 
 }  // namespace
+
+Physics::Physics() : solver_(std::make_unique<SolverMemory>()) {}
+Physics::~Physics() = default;
+Physics::Physics(Physics&&) noexcept = default;
+Physics& Physics::operator=(Physics&&) noexcept = default;
 
 void Physics::follow(const Delta& delta) {
   if (delta.anew) colliders_.clear();
@@ -182,13 +164,31 @@ Delta Physics::tick(World& world) {
   if (!joints_) joints_ = held_joints(world);
   const std::vector<BodyJoint> joints = joints_between(bodies, *joints_, world.joints());
   const ContactMemory& before = world.contact_memory();
-  Found found = find_all(bodies, joints, world.surroundings(), before, figures_);
-  update_sleep(bodies, found.pairs, joints, before, kTick);
-  pairs_ = solve(world, bodies, joints, found);
+  set_rolling_loss(bodies, before, world.surroundings().gravity);
+  ContactSearch search(bodies, joints, world.surroundings(), before);
+  search.find();
+  while (update_sleep(bodies, search.pairs(), joints, before, kTick)) {
+    for (MovingBody& b : bodies) set_way(b, world.surroundings().gravity);
+    search.find();
+  }
+  std::vector<TouchingPair> resting = take_resting(bodies, search.pairs());
+  const Vec3& gravity = world.surroundings().gravity;
+  const SpeedLimit limit(bodies, search.pairs(), joints, kTick * glm::length(gravity) + kPressedOut);
+  solve_contacts(bodies, search.pairs(), joints, {.seconds = kTick, .gravity = gravity}, *solver_);
+  limit.apply(bodies);
+  set_solved_way(bodies);
+  figures_.held = hold_back(bodies, search);
   count_quiet(bodies, joints);
-  carry_over(bodies, before, found.memory);
-  remember_joints(bodies, joints, found.memory);
-  world.set_contact_memory(std::move(found.memory));
+  pairs_ = search.pairs();
+  for (const TouchingPair& p : pairs_) {
+    if (p.second != TouchingPair::kGround) ++figures_.pairs;
+    figures_.contacts += p.contacts.size();
+    figures_.crossed += p.memory.crossed;
+  }
+  search.pairs().insert(search.pairs().end(), resting.begin(), resting.end());
+  ContactMemory memory = memory_after(bodies, before, search.pairs());
+  remember_joints(bodies, joints, memory);
+  world.set_contact_memory(std::move(memory));
 
   Delta delta;
   for (const MovingBody& b : bodies) {

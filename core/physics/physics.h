@@ -1,23 +1,27 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "core/graph/held_joints.h"
-#include "core/physics/collider.h"
-#include "core/physics/moving_body.h"
-#include "core/physics/solve_contacts.h"
+#include "core/physics/collider/collider.h"
+#include "core/physics/contact/moving_body.h"
+#include "core/physics/contact/touching_pair.h"
 #include "core/world/delta.h"
 #include "core/world/world.h"
 
 namespace kerf {
+
+class SolverMemory;
 
 // What a tick did, for statistics and for the display.
 struct TickFigures {
   size_t bodies = 0, awake = 0;
   size_t pairs = 0;  // pairs of bodies whose faces were looked at
   size_t contacts = 0;
+  size_t held = 0;     // bodies that did not go all of their way, lest they intersect
   size_t crossed = 0;  // pairs of sheets that intersect and do not touch
 };
 
@@ -32,6 +36,11 @@ struct TickFigures {
 // anew goes on to the bit like the old one.
 class Physics {
  public:
+  Physics();
+  ~Physics();
+  Physics(Physics&&) noexcept;
+  Physics& operator=(Physics&&) noexcept;
+
   // Makes what is kept follow a change of the world. Must be called for every change but those of tick().
   void follow(const Delta& delta);
 
@@ -52,6 +61,7 @@ class Physics {
 
   std::map<BodyId, Collider> colliders_;
   std::optional<std::vector<HeldJoint>> joints_;  // nothing: not known
+  std::unique_ptr<SolverMemory> solver_;
   std::vector<TouchingPair> pairs_;
   TickFigures figures_;
 };

@@ -57,19 +57,23 @@ UnionFind islands_of(std::span<const MovingBody> bodies, std::span<const Touchin
 
 }  // namespace
 
-void update_sleep(std::span<MovingBody> bodies, std::span<const TouchingPair> pairs,
+bool update_sleep(std::span<MovingBody> bodies, std::span<const TouchingPair> pairs,
                   std::span<const BodyJoint> joints, const ContactMemory& memory, double seconds) {
   UnionFind islands = islands_of(bodies, pairs, joints, memory, seconds);
   std::vector<bool> restless(bodies.size(), false);
   for (uint32_t i = 0; i < bodies.size(); ++i) {
     if (!bodies[i].fixed && bodies[i].body->motion.quiet < kQuietTicks) restless[islands.find(i)] = true;
   }
+  bool woke = false;
   for (uint32_t i = 0; i < bodies.size(); ++i) {
     if (bodies[i].fixed) continue;
     Motion& motion = bodies[i].body->motion;
+    const bool slept = motion.asleep;
     motion.asleep = bodies[i].asleep = !restless[islands.find(i)];
     if (motion.asleep) motion.velocity = motion.spin = Vec3(0);
+    woke = woke || (slept && !motion.asleep);
   }
+  return woke;
 }
 
 void count_quiet(std::span<MovingBody> bodies, std::span<const BodyJoint> joints) {

@@ -5,7 +5,10 @@
 #include <BulletDynamics/ConstraintSolver/btTypedConstraint.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
+#include <algorithm>
 #include <deque>
+#include <limits>
+#include <vector>
 
 namespace kerf {
 
@@ -25,19 +28,42 @@ Placement from_bullet(const btTransform& t) {
   return {from_bullet(t.getOrigin()), glm::normalize(glm::dquat(q.w(), q.x(), q.y(), q.z()))};
 }
 
+}  // namespace
+
+struct SolverMemory::Storage {
+  // Their elements are aligned and never move. Manifolds beyond those of a tick are kept unused.
+  std::deque<btRigidBody> rigid;
+  std::deque<btPersistentManifold> manifolds;
+  std::vector<btCollisionObject*> objects;
+  std::vector<btPersistentManifold*> used;
+  btSequentialImpulseConstraintSolver solver;
+};
+
+SolverMemory::SolverMemory() : storage_(std::make_unique<Storage>()) {}
+SolverMemory::~SolverMemory() = default;
+
 // Bullet's picture of the bodies and contacts of one tick.
 class BulletGroup {
  public:
-  BulletGroup(std::span<MovingBody> bodies, const SolverSettings& settings)
-      : bodies_(bodies), settings_(settings) {
+  BulletGroup(std::span<MovingBody> bodies, const SolverSettings& settings, SolverMemory::Storage& storage)
+      : bodies_(bodies),
+        settings_(settings),
+        rigid_(storage.rigid),
+        manifolds_(storage.manifolds),
+        objects_(storage.objects),
+        used_(storage.used),
+        solver_(storage.solver) {
+    rigid_.clear();
+    used_.clear();
+    solver_.reset();
     for (const MovingBody& b : bodies) add(b);
   }
 
   void add(TouchingPair& pair) {
     btRigidBody* second = pair.second == TouchingPair::kGround ? &ground_ : &rigid_[pair.second];
     for (size_t i = 0; i < pair.contacts.size(); ++i) {
-      if (i % MANIFOLD_CACHE_SIZE == 0) manifolds_.emplace_back(&rigid_[pair.first], second, 0, 1e30, 1e30);
-      fill(pair.contacts[i]);
+      if (i % MANIFOLD_CACHE_SIZE == 0) used_.push_back(next_manifold(&rigid_[pair.first], second));
+      fill(pair.contacts[i], most_warm_impulse(pair));
     }
   }
 
@@ -52,18 +78,16 @@ class BulletGroup {
     info.m_timeStep = settings_.seconds;
     info.m_numIterations = settings_.iterations;
     info.m_splitImpulsePenetrationThreshold = 0;
+    info.m_warmstartingFactor = 0.9;
     info.m_solverMode = SOLVER_USE_WARMSTARTING | SOLVER_USE_2_FRICTION_DIRECTIONS;
-    std::vector<btCollisionObject*> objects;
-    for (btRigidBody& b : rigid_) objects.push_back(&b);
-    objects.push_back(&ground_);
-    std::vector<btPersistentManifold*> manifolds;
-    for (btPersistentManifold& m : manifolds_) manifolds.push_back(&m);
+    objects_.clear();
+    for (btRigidBody& b : rigid_) objects_.push_back(&b);
+    objects_.push_back(&ground_);
     std::vector<btTypedConstraint*> constraints;
     for (const auto& c : constraints_) constraints.push_back(c.get());
-    btSequentialImpulseConstraintSolver solver;
-    solver.solveGroup(objects.data(), static_cast<int>(objects.size()), manifolds.data(),
-                      static_cast<int>(manifolds.size()), constraints.data(),
-                      static_cast<int>(constraints.size()), info, nullptr, nullptr);
+    solver_.solveGroup(objects_.data(), static_cast<int>(objects_.size()), used_.data(),
+                       static_cast<int>(used_.size()), constraints.data(),
+                       static_cast<int>(constraints.size()), info, nullptr, nullptr);
   }
 
   void read_back(std::span<TouchingPair> pairs) {
@@ -73,7 +97,7 @@ class BulletGroup {
     size_t manifold = 0;
     for (TouchingPair& pair : pairs) {
       for (size_t i = 0; i < pair.contacts.size(); ++i) {
-        const btManifoldPoint& p = manifolds_[manifold + i / MANIFOLD_CACHE_SIZE].getContactPoint(
+        const btManifoldPoint& p = used_[manifold + i / MANIFOLD_CACHE_SIZE]->getContactPoint(
             static_cast<int>(i % MANIFOLD_CACHE_SIZE));
         pair.contacts[i].impulse = {p.m_appliedImpulse, p.m_appliedImpulseLateral1,
                                     p.m_appliedImpulseLateral2};
@@ -91,15 +115,35 @@ class BulletGroup {
     btRigidBody& rigid = rigid_.emplace_back(info);
     if (still) return;
     const double kept = 1 - kLinearDamping * settings_.seconds;
-    const double spin_kept = 1 - kAngularDamping * settings_.seconds;
+    const double spin_kept = 1 - (kAngularDamping + b.rolling_loss) * settings_.seconds;
     const Vec3 centre = from_bullet(info.m_startWorldTransform.getOrigin());
     rigid.setLinearVelocity(bullet(kept * b.body->motion.velocity_at(centre, b.body->placement)));
     rigid.setAngularVelocity(bullet(spin_kept * b.body->motion.spin));
     rigid.applyCentralForce(bullet(b.frame.mass * settings_.gravity));
   }
 
-  void fill(const Contact& c) {
-    btPersistentManifold& m = manifolds_.back();
+  btPersistentManifold* next_manifold(btRigidBody* first, btRigidBody* second) {
+    if (used_.size() == manifolds_.size()) manifolds_.emplace_back();
+    btPersistentManifold& m = manifolds_[used_.size()];
+    m.setBodies(first, second);
+    m.setNumContacts(0);
+    m.setContactBreakingThreshold(1e30);
+    m.setContactProcessingThreshold(1e30);
+    return &m;
+  }
+
+  // Of a contact, N s: what a light body was pressed with may not act on it alone when its contacts change.
+  double most_warm_impulse(const TouchingPair& pair) const {
+    constexpr double kMostChange = 1;  // m/s
+    double mass = std::numeric_limits<double>::infinity();
+    for (uint32_t i : {pair.first, pair.second}) {
+      if (i != TouchingPair::kGround && bodies_[i].moves()) mass = std::min(mass, bodies_[i].frame.mass);
+    }
+    return kMostChange * mass;
+  }
+
+  void fill(const Contact& c, double most_warm_impulse) {
+    btPersistentManifold& m = *used_.back();
     const int at = m.getNumContacts();
     m.setNumContacts(at + 1);
     btManifoldPoint& p = m.getContactPoint(at);
@@ -111,7 +155,7 @@ class BulletGroup {
     p.m_distance1 = c.distance;
     p.m_combinedFriction = settings_.friction;
     p.m_combinedRestitution = c.distance > 0 ? 0 : settings_.restitution;
-    p.m_appliedImpulse = c.impulse[0];
+    p.m_appliedImpulse = std::min(c.impulse[0], most_warm_impulse);
   }
 
   // The second-order step of a unit quaternion by a spin, which needs no sine.
@@ -129,17 +173,18 @@ class BulletGroup {
 
   std::span<MovingBody> bodies_;
   const SolverSettings& settings_;
-  std::deque<btRigidBody> rigid_;  // aligned, and never moved
+  std::deque<btRigidBody>& rigid_;
   btRigidBody ground_{btRigidBody::btRigidBodyConstructionInfo(0, nullptr, nullptr)};
-  std::deque<btPersistentManifold> manifolds_;
+  std::deque<btPersistentManifold>& manifolds_;
   std::vector<std::unique_ptr<btTypedConstraint>> constraints_;
+  std::vector<btCollisionObject*>& objects_;
+  std::vector<btPersistentManifold*>& used_;
+  btSequentialImpulseConstraintSolver& solver_;
 };
 
-}  // namespace
-
 void solve_contacts(std::span<MovingBody> bodies, std::span<TouchingPair> pairs,
-                    std::span<const BodyJoint> joints, const SolverSettings& settings) {
-  BulletGroup group(bodies, settings);
+                    std::span<const BodyJoint> joints, const SolverSettings& settings, SolverMemory& memory) {
+  BulletGroup group(bodies, settings, *memory.storage_);
   for (TouchingPair& pair : pairs) group.add(pair);
   for (const BodyJoint& joint : joints) group.add(joint);
   group.solve();

@@ -1,4 +1,4 @@
-#include "core/physics/spread_points.h"
+#include "core/physics/collider/spread_points.h"
 
 #include <algorithm>
 #include <limits>

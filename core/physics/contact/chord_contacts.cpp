@@ -1,4 +1,4 @@
-#include "core/physics/chord_contacts.h"
+#include "core/physics/contact/chord_contacts.h"
 
 #include <algorithm>
 #include <optional>
@@ -13,29 +13,26 @@ struct Segment {
   uint32_t index = 0;
   Vec3 from{0}, to{0};
   Vec3 way{0};  // of its middle within the tick
-  Vec3 min{0}, max{0};
+  Box bounds;   // of its way
 };
 
 Segment segment(uint32_t index, const Vec3& from, const Vec3& to, const Vec3& way, double margin) {
-  Segment s{index, from, to, way};
-  s.min = glm::min(glm::min(from, to), glm::min(from, to) + way) - margin;
-  s.max = glm::max(glm::max(from, to), glm::max(from, to) + way) + margin;
-  return s;
-}
-
-bool overlap(const Vec3& min, const Vec3& max, const Vec3& other_min, const Vec3& other_max) {
-  return glm::all(glm::lessThanEqual(min, other_max)) && glm::all(glm::lessThanEqual(other_min, max));
+  const Vec3 min = glm::min(from, to), max = glm::max(from, to);
+  return {index, from, to, way, Box{glm::min(min, min + way), glm::max(max, max + way)}.wider(margin)};
 }
 
 // The chords of `first`, in the frame of `second`, that come near its bounds within the tick.
 std::vector<Segment> near_chords(const MovingBody& first, const MovingBody& second, double margin) {
   const RigidMap now = into(second.now, first.now), next = into(second.next, first.next);
   std::vector<Segment> near;
-  for (uint32_t i = 0; i < first.collider->chords.size(); ++i) {
-    const Collider::Chord& c = first.collider->chords[i];
-    const Vec3 middle = 0.5 * (c.from + c.to);
-    const Segment s = segment(i, now(c.from), now(c.to), next(middle) - now(middle), margin);
-    if (overlap(s.min, s.max, second.collider->min, second.collider->max)) near.push_back(s);
+  for (const Cluster& cluster : first.collider->chord_clusters) {
+    if (!way_of(cluster, now, next).wider(margin).overlaps(second.collider->bounds)) continue;
+    for (uint32_t i = cluster.begin; i < cluster.end; ++i) {
+      const Collider::Chord& c = first.collider->chords[i];
+      const Vec3 middle = 0.5 * (c.from + c.to);
+      const Segment s = segment(i, now(c.from), now(c.to), next(middle) - now(middle), margin);
+      if (s.bounds.overlaps(second.collider->bounds)) near.push_back(s);
+    }
   }
   return near;
 }
@@ -43,15 +40,15 @@ std::vector<Segment> near_chords(const MovingBody& first, const MovingBody& seco
 std::vector<Segment> chords_within(const MovingBody& body, const std::vector<Segment>& others) {
   std::vector<Segment> near;
   if (others.empty()) return near;
-  Vec3 min = others.front().min, max = others.front().max;
-  for (const Segment& s : others) {
-    min = glm::min(min, s.min);
-    max = glm::max(max, s.max);
-  }
-  for (uint32_t i = 0; i < body.collider->chords.size(); ++i) {
-    const Collider::Chord& c = body.collider->chords[i];
-    const Segment s = segment(i, c.from, c.to, Vec3(0), 0);
-    if (overlap(s.min, s.max, min, max)) near.push_back(s);
+  Box around;
+  for (const Segment& s : others) around.add(s.bounds);
+  for (const Cluster& cluster : body.collider->chord_clusters) {
+    if (!Box{cluster.centre, cluster.centre}.wider(cluster.radius).overlaps(around)) continue;
+    for (uint32_t i = cluster.begin; i < cluster.end; ++i) {
+      const Collider::Chord& c = body.collider->chords[i];
+      const Segment s = segment(i, c.from, c.to, Vec3(0), 0);
+      if (s.bounds.overlaps(around)) near.push_back(s);
+    }
   }
   return near;
 }
@@ -84,70 +81,32 @@ std::optional<Crossing> crossing(const Segment& a, const Segment& b, double reac
   return c;
 }
 
-class Sides {
- public:
-  explicit Sides(const std::vector<ChordMemory>& memory) : memory_(memory) {}
-
-  // The normal that is remembered of a pair of chords, or of one of which either chord is a neighbour.
-  const Vec3* of(const Collider::Chord& a, uint32_t i, const Collider::Chord& b, uint32_t j) const {
-    if (const Vec3* own = find(i, j)) return own;
-    for (uint32_t n : a.next) {
-      if (const Vec3* side = find(n, j)) return side;
-    }
-    for (uint32_t n : b.next) {
-      if (const Vec3* side = find(i, n)) return side;
-    }
-    return nullptr;
-  }
-
- private:
-  const Vec3* find(uint32_t i, uint32_t j) const {
-    const auto before = [](const ChordMemory& m, std::pair<uint32_t, uint32_t> key) {
-      return std::pair(m.first, m.second) < key;
-    };
-    const auto at = std::lower_bound(memory_.begin(), memory_.end(), std::pair(i, j), before);
-    return at != memory_.end() && at->first == i && at->second == j ? &at->normal : nullptr;
-  }
-
-  const std::vector<ChordMemory>& memory_;
-};
-
 }  // namespace
 
 void find_chord_contacts(const MovingBody& first, const MovingBody& second, const ContactLengths& lengths,
-                         std::vector<ChordMemory>& memory, std::vector<Contact>& out) {
+                         std::vector<Contact>& out) {
   const double scale = std::min(first.scale, second.scale);
   const double reach = lengths.reach * scale, skin = lengths.chord_skin * scale;
-  const double far = lengths.chord_memory * scale;
-  const std::vector<Segment> ours = near_chords(first, second, far);
+  const std::vector<Segment> ours = near_chords(first, second, reach);
   const std::vector<Segment> theirs = chords_within(second, ours);
-  const Sides sides(memory);
-  std::vector<ChordMemory> known;
   for (const Segment& a : ours) {
     for (const Segment& b : theirs) {
-      if (!overlap(a.min, a.max, b.min, b.max)) continue;
+      if (!a.bounds.overlaps(b.bounds)) continue;
       std::optional<Crossing> c = crossing(a, b, reach);
       if (!c || !c->within()) continue;
-      const Vec3* side =
-          sides.of(first.collider->chords[a.index], a.index, second.collider->chords[b.index], b.index);
-      const Vec3 in_world = second.now.turn * c->normal;
-      const bool turned = side ? glm::dot(in_world, *side) < 0 : c->distance < 0;
-      if (turned) {
+      if (c->distance < 0) {
         c->normal = -c->normal;
         c->distance = -c->distance;
       }
       const double closing = std::max(-glm::dot(a.way, c->normal), 0.0);
-      if (c->distance > std::max(far, closing + reach)) continue;
-      known.push_back({a.index, b.index, second.now.turn * c->normal});
       if (c->distance > closing + reach) continue;
       Contact& contact = out.emplace_back();
       contact.at = second.now(a.from + c->s * (a.to - a.from));
-      contact.normal = known.back().normal;
+      contact.normal = second.now.turn * c->normal;
       contact.distance = c->distance - skin;
       contact.feature = (uint64_t{a.index} + 1) << 32 | b.index;
     }
   }
-  memory = std::move(known);
 }
 
 }  // namespace kerf

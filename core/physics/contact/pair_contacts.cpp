@@ -1,10 +1,10 @@
-#include "core/physics/pair_contacts.h"
+#include "core/physics/contact/pair_contacts.h"
 
 #include <algorithm>
 
-#include "core/physics/chord_contacts.h"
-#include "core/physics/point_contacts.h"
-#include "core/physics/spread_points.h"
+#include "core/physics/collider/spread_points.h"
+#include "core/physics/contact/chord_contacts.h"
+#include "core/physics/contact/point_contacts.h"
 
 namespace kerf {
 
@@ -12,20 +12,6 @@ namespace {
 
 constexpr size_t kMostContacts = 16;
 constexpr uint64_t kPointsOfSecond = uint64_t{1} << 31;  // added to the features of contacts found by them
-
-// Whether a chord of one body goes through a face of the other.
-bool pierces(const MovingBody& chords, const MovingBody& faces) {
-  const RigidMap map = into(faces.now, chords.now);
-  for (const Collider::Chord& c : chords.collider->chords) {
-    const Vec3 from = map(c.from), way = map(c.to) - from;
-    const double length = glm::length(way);
-    if (length > 0 && faces.body->tree.nearest(faces.body->mesh, Pose{from, way / length}, {0, length}))
-      return true;
-  }
-  return false;
-}
-
-bool intersect(const MovingBody& a, const MovingBody& b) { return pierces(a, b) || pierces(b, a); }
 
 // The deepest contact, and then those that lie farthest apart, in the order in which they were found.
 void reduce(std::vector<Contact>& contacts) {
@@ -67,18 +53,16 @@ void find_points_of_second(const MovingBody& first, const MovingBody& second, co
 }  // namespace
 
 std::vector<Contact> find_contacts(const MovingBody& first, const MovingBody& second,
-                                   const ContactLengths& lengths, bool is_new, PairMemory& memory) {
-  if (is_new || memory.crossed) memory.crossed = intersect(first, second);
+                                   const ContactLengths& lengths, PairMemory& memory) {
   if (memory.crossed) {
     memory.points_of_first.clear();
     memory.points_of_second.clear();
-    memory.chords.clear();
     return {};
   }
   std::vector<Contact> contacts;
   find_point_contacts(first, second, lengths, memory.points_of_first, contacts);
   find_points_of_second(first, second, lengths, memory, contacts);
-  find_chord_contacts(first, second, lengths, memory.chords, contacts);
+  find_chord_contacts(first, second, lengths, contacts);
   reduce(contacts);
   warm_up(contacts, memory);
   return contacts;

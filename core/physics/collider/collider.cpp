@@ -1,11 +1,11 @@
-#include "core/physics/collider.h"
+#include "core/physics/collider/collider.h"
 
 #include <algorithm>
 #include <tuple>
 
-#include "core/physics/feature_edges.h"
-#include "core/physics/simplify_line.h"
-#include "core/physics/spread_points.h"
+#include "core/physics/collider/feature_edges.h"
+#include "core/physics/collider/simplify_line.h"
+#include "core/physics/collider/spread_points.h"
 
 namespace kerf {
 
@@ -153,8 +153,6 @@ std::vector<Collider::Chord> chords_of(const Mesh& mesh, const std::vector<Featu
   return chords;
 }
 
-}  // namespace
-
 // The vertices at the ends of chords: a sheet gets through another with one of them first, or edge by edge.
 std::vector<VertexId> ends_of(const std::vector<Collider::Chord>& chords, const Mesh& mesh,
                               const std::vector<VertexId>& on_lines) {
@@ -170,6 +168,35 @@ std::vector<VertexId> ends_of(const std::vector<Collider::Chord>& chords, const 
   }
   return vertices;
 }
+
+void cluster_points(Collider& collider) {
+  std::vector<std::array<Vec3, 2>> places;
+  for (const Collider::Point& p : collider.points) places.push_back({p.at, p.at});
+  Clustering clustering = make_clusters(places);
+  std::vector<Collider::Point> points;
+  for (uint32_t i : clustering.order) points.push_back(collider.points[i]);
+  collider.points = std::move(points);
+  collider.point_clusters = std::move(clustering.clusters);
+}
+
+void cluster_chords(Collider& collider) {
+  std::vector<std::array<Vec3, 2>> segments;
+  for (const Collider::Chord& c : collider.chords) segments.push_back({c.from, c.to});
+  Clustering clustering = make_clusters(segments);
+  std::vector<uint32_t> place(segments.size());
+  for (uint32_t i = 0; i < place.size(); ++i) place[clustering.order[i]] = i;
+  std::vector<Collider::Chord> chords;
+  for (uint32_t i : clustering.order) {
+    chords.push_back(collider.chords[i]);
+    for (uint32_t& next : chords.back().next) {
+      if (next != Collider::Chord::kNone) next = place[next];
+    }
+  }
+  collider.chords = std::move(chords);
+  collider.chord_clusters = std::move(clustering.clusters);
+}
+
+}  // namespace
 
 Collider make_collider(const Mesh& mesh, const ColliderSettings& settings) {
   const VertexNormals normals = normals_of(mesh);
@@ -187,11 +214,9 @@ Collider make_collider(const Mesh& mesh, const ColliderSettings& settings) {
     collider.points.push_back(
         {mesh.position(v), unit_or_zero(normals.of_vertex[v.index]), unit_or_zero(outward[v.index])});
   }
-  if (!normals.used.empty()) collider.min = collider.max = mesh.position(normals.used.front());
-  for (VertexId v : normals.used) {
-    collider.min = glm::min(collider.min, mesh.position(v));
-    collider.max = glm::max(collider.max, mesh.position(v));
-  }
+  for (VertexId v : normals.used) collider.bounds.add(mesh.position(v));
+  cluster_points(collider);
+  cluster_chords(collider);
   return collider;
 }
 

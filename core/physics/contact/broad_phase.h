@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/physics/moving_body.h"
+#include "core/physics/contact/moving_body.h"
 
 namespace kerf {
 

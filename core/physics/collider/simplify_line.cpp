@@ -1,4 +1,4 @@
-#include "core/physics/simplify_line.h"
+#include "core/physics/collider/simplify_line.h"
 
 #include <algorithm>
 

@@ -1,20 +1,19 @@
 #pragma once
 
-#include "core/physics/contact.h"
-#include "core/physics/moving_body.h"
-#include "core/physics/solve_contacts.h"
+#include "core/physics/contact/contact.h"
+#include "core/physics/contact/moving_body.h"
+#include "core/physics/contact/touching_pair.h"
 #include "core/world/contact_memory.h"
 #include "core/world/surroundings.h"
 
 namespace kerf {
 
 // Finds the contacts of two bodies, at most 16: the deepest and then those that lie farthest apart. Brings
-// `memory` up to date and takes the impulses of the last tick from it. `is_new`: the bodies were not near
-// each other in the last tick.
+// `memory` up to date and takes the impulses of the last tick from it.
 //
 // Sheets that intersect when they meet do not touch until they are apart.
 std::vector<Contact> find_contacts(const MovingBody& first, const MovingBody& second,
-                                   const ContactLengths& lengths, bool is_new, PairMemory& memory);
+                                   const ContactLengths& lengths, PairMemory& memory);
 
 // The contacts of the points of a body with the ground, with the impulses that `memory` holds.
 std::vector<Contact> find_ground_contacts(const MovingBody& body, const Surroundings& around,

@@ -1,9 +1,9 @@
-#include "core/physics/collider.h"
+#include "core/physics/collider/collider.h"
 
 #include <gtest/gtest.h>
 
+#include "core/physics/collider/simplify_line.h"
 #include "core/physics/rigid_frame.h"
-#include "core/physics/simplify_line.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/sheets.h"
 #include "tests/support/strokes.h"

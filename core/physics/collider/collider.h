@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "core/mesh/mesh.h"
+#include "core/physics/collider/box.h"
+#include "core/physics/collider/cluster.h"
 
 namespace kerf {
 
@@ -25,7 +27,8 @@ struct Collider {
 
   std::vector<Point> points;
   std::vector<Chord> chords;
-  Vec3 min{0}, max{0};  // bounds of all vertices
+  std::vector<Cluster> point_clusters, chord_clusters;  // which hold all of them, each once
+  Box bounds;                                           // of all vertices
 };
 
 // How much of a sheet is looked at.
@@ -38,8 +41,8 @@ struct ColliderSettings {
 
 // The collider of all live faces of a mesh: the ends of chords, extreme vertices, and then those of rims and
 // all others as far apart as possible (T. Gonzalez: Clustering to minimize the maximum intercluster distance,
-// 1985); rims and creases of more than 40 degrees as polygons (D. Douglas, T. Peucker, 1973). Deterministic. About
-// O(faces log faces).
+// 1985); rims and creases of more than 40 degrees as polygons (D. Douglas, T. Peucker, 1973). Deterministic.
+// About O(faces log faces).
 Collider make_collider(const Mesh& mesh, const ColliderSettings& settings = {});
 
 }  // namespace kerf

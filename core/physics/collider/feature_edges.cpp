@@ -1,4 +1,4 @@
-#include "core/physics/feature_edges.h"
+#include "core/physics/collider/feature_edges.h"
 
 #include <algorithm>
 #include <span>

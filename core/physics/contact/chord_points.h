@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/physics/contact/moving_body.h"
+#include "core/world/contact_memory.h"
+
+namespace kerf {
+
+// Points within chords that are followed like those of the collider while they touch. They are made where the
+// middle of a chord met a face, as where the edge of a plate lies on a pipe. PointMemory::point says which
+// they are: kOnChord, the chord and the place along it in one number.
+inline constexpr uint32_t kOnChord = 1u << 30;
+inline bool is_on_chord(uint32_t point) { return point >= kOnChord; }
+
+// A point of the collider or within a chord of it. Of the latter, no directions are known.
+Collider::Point point_of(const Collider& collider, uint32_t point);
+
+// Adds the points within chords of one body that go through faces of the other on the way from `now` to
+// `next` to `memory`, which is that of the points of `chords` on `faces`.
+void remember_piercing_points(const MovingBody& chords, const MovingBody& faces,
+                              std::vector<PointMemory>& memory);
+
+}  // namespace kerf

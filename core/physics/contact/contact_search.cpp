@@ -1,0 +1,93 @@
+#include "core/physics/contact/contact_search.h"
+
+#include <algorithm>
+
+#include "core/physics/contact/broad_phase.h"
+#include "core/physics/contact/chord_points.h"
+#include "core/physics/contact/crossing_sheets.h"
+#include "core/physics/contact/pair_contacts.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr ContactLengths kLengths;
+
+std::pair<uint32_t, uint32_t> key(const TouchingPair& p) { return {p.first, p.second}; }
+
+bool is_before(const TouchingPair& p, const std::pair<uint32_t, uint32_t>& wanted) { return key(p) < wanted; }
+
+const PairMemory* memory_of(const ContactMemory& memory, BodyId first, BodyId second) {
+  const auto before = [](const PairMemory& m, std::pair<BodyId, BodyId> wanted) {
+    return std::pair(m.first, m.second) < wanted;
+  };
+  const auto at = std::lower_bound(memory.begin(), memory.end(), std::pair(first, second), before);
+  return at != memory.end() && at->first == first && at->second == second ? &*at : nullptr;
+}
+
+}  // namespace
+
+TouchingPair ContactSearch::start(uint32_t first, uint32_t second) const {
+  const BodyId a = bodies_[first].id, b = second == TouchingPair::kGround ? BodyId{} : bodies_[second].id;
+  const PairMemory* old = memory_of(before_, a, b);
+  TouchingPair pair{first, second, {}, old ? *old : PairMemory{a, b, {}, {}, {}, {}}};
+  if (second != TouchingPair::kGround && (!old || old->crossed))
+    pair.memory.crossed = sheets_cross(bodies_[first], bodies_[second]);
+  return pair;
+}
+
+const TouchingPair* ContactSearch::find(uint32_t first, uint32_t second) const {
+  const auto at = std::lower_bound(pairs_.begin(), pairs_.end(), std::pair(first, second), is_before);
+  return at != pairs_.end() && key(*at) == std::pair(first, second) ? &*at : nullptr;
+}
+
+TouchingPair& ContactSearch::pair_of(uint32_t first, uint32_t second) {
+  const auto at = std::lower_bound(pairs_.begin(), pairs_.end(), std::pair(first, second), is_before);
+  if (at != pairs_.end() && key(*at) == std::pair(first, second)) return *at;
+  return *pairs_.insert(at, start(first, second));
+}
+
+void ContactSearch::sort() {
+  std::sort(pairs_.begin(), pairs_.end(),
+            [](const TouchingPair& a, const TouchingPair& b) { return key(a) < key(b); });
+}
+
+void ContactSearch::find() {
+  std::vector<TouchingPair> found;
+  for (const auto& [i, j] : near_pairs(bodies_)) {
+    if (find(i, j) || are_joined(joints_, i, j)) continue;
+    TouchingPair& pair = found.emplace_back(start(i, j));
+    pair.contacts = find_contacts(bodies_[i], bodies_[j], kLengths, pair.memory);
+  }
+  for (uint32_t i = 0; i < bodies_.size(); ++i) {
+    if (!bodies_[i].moves() || find(i, TouchingPair::kGround)) continue;
+    TouchingPair pair = start(i, TouchingPair::kGround);
+    pair.contacts = find_ground_contacts(bodies_[i], around_, kLengths, pair.memory);
+    if (!pair.contacts.empty()) found.push_back(std::move(pair));
+  }
+  pairs_.insert(pairs_.end(), std::make_move_iterator(found.begin()), std::make_move_iterator(found.end()));
+  sort();
+}
+
+std::vector<std::pair<uint32_t, uint32_t>> ContactSearch::pairs_apart() const {
+  std::vector<std::pair<uint32_t, uint32_t>> pairs = near_pairs(bodies_);
+  std::erase_if(pairs, [&](const std::pair<uint32_t, uint32_t>& p) {
+    const TouchingPair* pair = find(p.first, p.second);
+    return (pair && pair->memory.crossed) || are_joined(joints_, p.first, p.second);
+  });
+  return pairs;
+}
+
+bool ContactSearch::were_apart(uint32_t first, uint32_t second) {
+  PairMemory& memory = pair_of(first, second).memory;
+  memory.crossed = sheets_cross(bodies_[first], bodies_[second]);
+  return !memory.crossed;
+}
+
+void ContactSearch::remember_piercing(uint32_t first, uint32_t second) {
+  PairMemory& memory = pair_of(first, second).memory;
+  remember_piercing_points(bodies_[first], bodies_[second], memory.points_of_first);
+  remember_piercing_points(bodies_[second], bodies_[first], memory.points_of_second);
+}
+
+}  // namespace kerf

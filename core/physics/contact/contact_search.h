@@ -1,0 +1,50 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/physics/contact/moving_body.h"
+#include "core/physics/contact/touching_pair.h"
+#include "core/physics/joint_constraints.h"
+#include "core/world/contact_memory.h"
+#include "core/world/surroundings.h"
+
+namespace kerf {
+
+// Finds the contacts of all bodies in a tick. `before` is what was known before it. Bodies that joints
+// connect do not touch. All arguments must outlive this.
+class ContactSearch {
+ public:
+  ContactSearch(std::span<const MovingBody> bodies, std::span<const BodyJoint> joints,
+                const Surroundings& around, const ContactMemory& before)
+      : bodies_(bodies), joints_(joints), around_(around), before_(before) {}
+
+  // The contacts of all pairs of which a body moves, and with the ground, sorted by their bodies. Can be
+  // called again when more bodies move: looks at the pairs that are new.
+  void find();
+
+  // The pairs that come near each other on their ways, except those that are known to have intersected at the
+  // beginning, sorted.
+  std::vector<std::pair<uint32_t, uint32_t>> pairs_apart() const;
+  // Whether two bodies were apart at the beginning; if not, this is known from now on.
+  bool were_apart(uint32_t first, uint32_t second);
+  // Remembers the points within chords at which two bodies got through each other, for the next tick.
+  void remember_piercing(uint32_t first, uint32_t second);
+
+  // All pairs that were looked at, also those without contacts.
+  std::vector<TouchingPair>& pairs() { return pairs_; }
+
+ private:
+  TouchingPair start(uint32_t first, uint32_t second) const;
+  TouchingPair& pair_of(uint32_t first, uint32_t second);
+  const TouchingPair* find(uint32_t first, uint32_t second) const;
+  void sort();
+
+  std::span<const MovingBody> bodies_;
+  std::span<const BodyJoint> joints_;
+  const Surroundings& around_;
+  const ContactMemory& before_;
+  std::vector<TouchingPair> pairs_;
+};
+
+}  // namespace kerf

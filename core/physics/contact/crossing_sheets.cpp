@@ -1,0 +1,51 @@
+#include "core/physics/contact/crossing_sheets.h"
+
+namespace kerf {
+
+namespace {
+
+bool pierces(const Vec3& from, const Vec3& to, const MovingBody& faces) {
+  if (!Box{glm::min(from, to), glm::max(from, to)}.overlaps(faces.collider->bounds)) return false;
+  const double length = glm::length(to - from);
+  return length > 0 &&
+         faces.body->tree.nearest(faces.body->mesh, Pose{from, (to - from) / length}, {0, length});
+}
+
+// Whether a chord goes through a face; `map` is from the frame of the chords to that of the faces.
+bool chords_pierce(const MovingBody& chords, const MovingBody& faces, const RigidMap& map) {
+  for (const Cluster& cluster : chords.collider->chord_clusters) {
+    if (!way_of(cluster, map, map).overlaps(faces.collider->bounds)) continue;
+    for (uint32_t i = cluster.begin; i < cluster.end; ++i) {
+      const Collider::Chord& c = chords.collider->chords[i];
+      if (pierces(map(c.from), map(c.to), faces)) return true;
+    }
+  }
+  return false;
+}
+
+// Whether a point meets a face on its way.
+bool points_pass(const MovingBody& points, const MovingBody& faces, const RigidMap& now,
+                 const RigidMap& next) {
+  for (const Cluster& cluster : points.collider->point_clusters) {
+    if (!way_of(cluster, now, next).overlaps(faces.collider->bounds)) continue;
+    for (uint32_t i = cluster.begin; i < cluster.end; ++i) {
+      const Vec3& p = points.collider->points[i].at;
+      if (pierces(now(p), next(p), faces)) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+bool sheets_cross(const MovingBody& a, const MovingBody& b) {
+  return chords_pierce(a, b, into(b.now, a.now)) || chords_pierce(b, a, into(a.now, b.now));
+}
+
+bool get_through(const MovingBody& a, const MovingBody& b) {
+  const RigidMap ab = into(b.next, a.next), ba = into(a.next, b.next);
+  return chords_pierce(a, b, ab) || chords_pierce(b, a, ba) || points_pass(a, b, into(b.now, a.now), ab) ||
+         points_pass(b, a, into(a.now, b.now), ba);
+}
+
+}  // namespace kerf

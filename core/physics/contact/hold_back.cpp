@@ -1,0 +1,87 @@
+#include "core/physics/contact/hold_back.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/physics/contact/crossing_sheets.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr std::array kShares{1.0, 0.5, 0.25, 0.0};
+
+Placement between(const MovingBody& b, double share) {
+  const Placement from = b.frame.in_world(b.start), to = b.frame.in_world(b.body->placement);
+  const double sign = glm::dot(from.orientation, to.orientation) < 0 ? -1 : 1;
+  return b.frame.body_at({glm::mix(from.position, to.position, share),
+                          glm::normalize((1 - share) * from.orientation + sign * share * to.orientation)});
+}
+
+// Puts a body somewhere else, and multiplies the velocity of its centre of mass and its spin.
+void slow(const MovingBody& b, const Placement& to, double factor) {
+  Motion& motion = b.body->motion;
+  Placement& placement = b.body->placement;
+  const Vec3 velocity = motion.velocity_at(placement.to_world(b.frame.centre), placement);
+  placement = to;
+  motion.spin *= factor;
+  motion.velocity = factor * velocity + glm::cross(motion.spin, to.position - to.to_world(b.frame.centre));
+}
+
+// The ways of all bodies and how much of them they go.
+class Ways {
+ public:
+  explicit Ways(std::span<MovingBody> bodies) : bodies_(bodies), share_(bodies.size(), 0) {}
+
+  bool cross(uint32_t i, uint32_t j) const { return get_through(bodies_[i], bodies_[j]); }
+  bool is_short(uint32_t i) const { return share_[i] > 0; }
+  bool shorten(uint32_t i) {
+    MovingBody& b = bodies_[i];
+    if (!b.moves() || share_[i] + 1 == kShares.size()) return false;
+    const double share = kShares[++share_[i]];
+    b.next = share > 0 ? map_of(between(b, share)) : b.now;
+    return true;
+  }
+  // Lets the bodies be where they got to. Returns how many did not go all of their way.
+  size_t finish() {
+    size_t held = 0;
+    for (uint32_t i = 0; i < bodies_.size(); ++i) {
+      if (share_[i] == 0) continue;
+      MovingBody& b = bodies_[i];
+      const double share = kShares[share_[i]];
+      slow(b, share > 0 ? between(b, share) : b.start, 0.25 + 0.75 * share);
+      ++held;
+    }
+    return held;
+  }
+
+ private:
+  std::span<MovingBody> bodies_;
+  std::vector<size_t> share_;
+};
+
+}  // namespace
+
+size_t hold_back(std::span<MovingBody> bodies, ContactSearch& search) {
+  Ways ways(bodies);
+  const std::vector<std::pair<uint32_t, uint32_t>> pairs = search.pairs_apart();
+  std::vector<bool> changed(bodies.size(), true);
+  while (std::find(changed.begin(), changed.end(), true) != changed.end()) {
+    std::vector<bool> shortened(bodies.size(), false);
+    for (const auto& [i, j] : pairs) {
+      if (!changed[i] && !changed[j] && !shortened[i] && !shortened[j]) continue;
+      if (!ways.cross(i, j) || !search.were_apart(i, j)) continue;
+      if (!ways.is_short(i) && !ways.is_short(j)) search.remember_piercing(i, j);
+      do {
+        const bool first = ways.shorten(i), second = ways.shorten(j);
+        if (!first && !second) break;
+        shortened[i] = shortened[i] || first;
+        shortened[j] = shortened[j] || second;
+      } while (ways.cross(i, j));
+    }
+    changed = std::move(shortened);
+  }
+  return ways.finish();
+}
+
+}  // namespace kerf

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <span>
+
+#include "core/physics/contact/contact_search.h"
+
+namespace kerf {
+
+// Shortens the ways of bodies in a tick, after the solver has moved them, until no two sheets intersect that
+// did not do so at its beginning. The motion of a body that was held back is slowed.
+//
+// Each body goes a share of its way: all of it, a half, a quarter, or none. The shares of two bodies that
+// would intersect are lowered until they do not; where nobody moves nothing new intersects, so this ends.
+// Precondition: MovingBody::next is where the bodies have gone. Returns how many bodies were held back.
+size_t hold_back(std::span<MovingBody> bodies, ContactSearch& search);
+
+}  // namespace kerf

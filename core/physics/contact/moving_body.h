@@ -1,0 +1,66 @@
+#pragma once
+
+#include <glm/mat3x3.hpp>
+
+#include "core/physics/collider/collider.h"
+#include "core/physics/rigid_frame.h"
+
+namespace kerf {
+
+// A rigid motion x -> turn * x + shift.
+struct RigidMap {
+  glm::dmat3 turn{1.0};
+  Vec3 shift{0};
+  Vec3 operator()(const Vec3& p) const { return turn * p + shift; }
+};
+
+inline RigidMap map_of(const Placement& placement) {
+  return {glm::mat3_cast(placement.orientation), placement.position};
+}
+// First `inner`, then the reverse of `outer`.
+inline RigidMap into(const RigidMap& outer, const RigidMap& inner) {
+  const glm::dmat3 back = glm::transpose(outer.turn);
+  return {back * inner.turn, back * (inner.shift - outer.shift)};
+}
+
+// A body during a tick.
+struct MovingBody {
+  BodyId id;
+  Body* body = nullptr;
+  const Collider* collider = nullptr;
+  RigidFrame frame;
+  bool fixed = false;  // it does not move
+  bool asleep = false;
+  Placement start;     // of the body at the beginning of the tick
+  RigidMap now, next;  // body to world: at the beginning of the tick, and where it goes
+  Box bounds;          // m, in the world, of its way within the tick and what else may matter
+  double scale = 1;    // of all lengths of contact, see ContactLengths
+
+  double rolling_loss = 0;  // 1/s, what its spin loses besides because it touches others
+
+  bool moves() const { return !fixed && !asleep; }
+};
+
+// The bounds of a box under a rigid motion.
+inline Box moved(const RigidMap& map, const Box& box) {
+  const Vec3 middle = map(0.5 * (box.min + box.max)), half = 0.5 * (box.max - box.min);
+  Vec3 extent(0);
+  for (int column = 0; column < 3; ++column) extent += glm::abs(map.turn[column]) * half[column];
+  return {middle - extent, middle + extent};
+}
+
+// A box around all items of a cluster at both ends of a motion.
+inline Box way_of(const Cluster& cluster, const RigidMap& now, const RigidMap& next) {
+  const Vec3 from = now(cluster.centre), to = next(cluster.centre);
+  return Box{glm::min(from, to), glm::max(from, to)}.wider(cluster.radius);
+}
+
+// Lengths of contact, for bodies of about a metre and more. Smaller bodies use smaller ones, in proportion.
+struct ContactLengths {
+  double skin = 0.002;         // m, kept between a point and a face
+  double chord_skin = 0.001;   // between two chords
+  double ground_skin = 0.001;  // between a point and the ground
+  double reach = 0.010;        // how far apart contacts are found
+};
+
+}  // namespace kerf

@@ -1,0 +1,103 @@
+#include "core/physics/contact/point_contacts.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "core/physics/contact/chord_points.h"
+#include "core/physics/contact/face_plane.h"
+
+namespace kerf {
+
+namespace {
+
+// Follows the points of one body among the faces of another.
+class PointTracker {
+ public:
+  PointTracker(const MovingBody& points, const MovingBody& faces, const ContactLengths& lengths,
+               const std::vector<PointMemory>& memory, std::vector<Contact>& out)
+      : points_(*points.collider),
+        faces_(faces),
+        reach_(lengths.reach * std::min(points.scale, faces.scale)),
+        skin_(lengths.skin * std::min(points.scale, faces.scale)),
+        now_(into(faces.now, points.now)),
+        next_(into(faces.next, points.next)),
+        around_(faces.collider->bounds.wider(reach_)),
+        memory_(memory),
+        out_(out) {}
+
+  // Returns what is to be remembered.
+  std::vector<PointMemory> track() {
+    for (const Cluster& cluster : points_.point_clusters) {
+      if (!way_of(cluster, now_, next_).overlaps(around_)) continue;
+      for (uint32_t i = cluster.begin; i < cluster.end; ++i) follow(i, remembered_normal(i));
+    }
+    while (old_ < memory_.size() && !is_on_chord(memory_[old_].point)) ++old_;
+    for (; old_ < memory_.size(); ++old_) follow(memory_[old_].point, &memory_[old_].normal);
+    return std::move(known_);
+  }
+
+ private:
+  // Precondition: points are asked for in their order.
+  const Vec3* remembered_normal(uint32_t i) {
+    while (old_ < memory_.size() && memory_[old_].point < i) ++old_;
+    return old_ < memory_.size() && memory_[old_].point == i ? &memory_[old_].normal : nullptr;
+  }
+
+  void follow(uint32_t i, const Vec3* normal) {
+    const Collider::Point own = point_of(points_, i);
+    const Vec3 is_at = now_(own.at), will_be = next_(own.at);
+    if (!Box{glm::min(is_at, will_be), glm::max(is_at, will_be)}.overlaps(around_)) return;
+    const std::optional<FacePlane> plane = nearest_plane(own, is_at, will_be, normal);
+    if (!plane) return;
+    const double distance = plane->distance_to(is_at);
+    if (is_on_chord(i) && distance > 2 * skin_) return;
+    known_.push_back({i, is_at, plane->normal});
+    out_.push_back({faces_.now(is_at), faces_.now.turn * plane->normal, distance - skin_, i, {}});
+  }
+
+  std::optional<FacePlane> nearest_plane(const Collider::Point& own, const Vec3& is_at, const Vec3& will_be,
+                                         const Vec3* normal) const {
+    std::optional<FacePlane> best;
+    const auto offer = [&](const Vec3& direction, double length) {
+      const std::optional<FacePlane> plane = along(is_at, direction, length);
+      if (plane && (!best || plane->distance_to(is_at) < best->distance_to(is_at))) best = plane;
+    };
+    if (normal) offer(-*normal, reach_);
+    const Vec3 way = will_be - is_at;
+    const double length = glm::length(way);
+    if (length > 0) offer(way / length, length + reach_);
+    if (best) return best;
+    const Vec3 own_normal = now_.turn * own.normal;
+    if (own_normal != Vec3(0)) {
+      offer(own_normal, reach_);
+      offer(-own_normal, reach_);
+    }
+    if (own.outward != Vec3(0)) offer(now_.turn * own.outward, reach_);
+    return best;
+  }
+
+  std::optional<FacePlane> along(const Vec3& from, const Vec3& direction, double length) const {
+    const Vec3 to = from + length * direction;
+    if (!Box{glm::min(from, to), glm::max(from, to)}.overlaps(faces_.collider->bounds)) return std::nullopt;
+    return face_along(*faces_.body, from, direction, length);
+  }
+
+  const Collider& points_;
+  const MovingBody& faces_;
+  const double reach_, skin_;
+  const RigidMap now_, next_;  // from the frame of the points to that of the faces
+  const Box around_;
+  const std::vector<PointMemory>& memory_;
+  size_t old_ = 0;
+  std::vector<PointMemory> known_;
+  std::vector<Contact>& out_;
+};
+
+}  // namespace
+
+void find_point_contacts(const MovingBody& points, const MovingBody& faces, const ContactLengths& lengths,
+                         std::vector<PointMemory>& memory, std::vector<Contact>& out) {
+  memory = PointTracker(points, faces, lengths, memory, out).track();
+}
+
+}  // namespace kerf

@@ -52,6 +52,8 @@ class Physics {
   bool knows_joints() const { return joints_.has_value(); }
 
   const TickFigures& figures() const { return figures_; }
+  // The colliders of the bodies, as far as ticks have needed them.
+  const std::map<BodyId, Collider>& colliders() const { return colliders_; }
   // The contacts of the last tick.
   const std::vector<TouchingPair>& pairs() const { return pairs_; }
 

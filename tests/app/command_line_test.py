@@ -362,6 +362,24 @@ class CommandLine(unittest.TestCase):
                 pictures.append(file.read())
         self.assertNotEqual(*pictures)
 
+    def test_a_film_of_a_fall_goes_on_while_bodies_move_and_contacts_are_drawn_where_they_rest(self):
+        def film(name, *args):
+            self.cut("--journal", name + ".kerf", *args)
+            done = self.run_here("replay", name + ".kerf", "--frames", name, "--fps", 4, "--size", "64x48")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            return [self.read(os.path.join(name, frame)) for frame in sorted(os.listdir(
+                os.path.join(self.folder.name, name)))]
+        still, falls = film("still"), film("falls", "--settle", "2", "--ground", "-0.4")
+        # Half a second more where the ground is set and where time begins to pass.
+        self.assertAlmostEqual(len(falls) - len(still), 4 * 2.75, delta=3)
+        self.assertGreaterEqual(len(set(falls[-4 * 4:])), 2)  # pictures of the fall differ
+        pictures = []
+        for show in ("contacts", "colliders", "centres", ","):
+            done = self.run_here("render", "falls.kerf", "--out", "a.png", "--size", "160x100", "--show", show)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            pictures.append(self.read("a.png"))
+        self.assertEqual(len(set(pictures)), 4)
+
     def test_the_editor_without_a_display_says_so(self):
         self.assert_refused(self.run_here("plate.obj"), 1, "display")
 

@@ -12,11 +12,11 @@ LAYERS = ['app', 'ui', 'core']
 CORE = ['game', 'document', 'physics', 'cut', 'graph', 'heat', 'shadow', 'world', 'laser', 'tree', 'mesh', 'debug',
         'base']
 # Of ui, first what draws a world, then what any screen needs of a window, then the editor. In the editor: what it
-# counts, how the world is looked at, what is open and saved, the section plane, the path and the emitter of the laser, what the mouse
-# does, single steps of a stroke with their panel, how the world changes, what is drawn over the picture, what is told
+# counts, how the world is looked at, what is open and saved, the section plane, the path and the emitter of the laser, how
+# time passes and pieces are pulled, what the mouse does, single steps of a stroke with their panel, how the world changes, what is drawn over the picture, what is told
 # of a face, the menus and dialogs, how actions are found and bound to keys, the panels, the panel of the component
-# graph; the files in ui/editor itself put these together and alone know all of its state.
-UI = ['editor', 'editor/graph', 'editor/panels', 'editor/keys', 'editor/frame', 'editor/marks', 'editor/inspect', 'editor/changes', 'editor/single_step', 'editor/tools', 'editor/path', 'editor/section', 'editor/work', 'editor/view',
+# graph, and that of moving bodies; the files in ui/editor itself put these together and alone know all of its state.
+UI = ['editor', 'editor/bodies', 'editor/graph', 'editor/panels', 'editor/keys', 'editor/frame', 'editor/marks', 'editor/inspect', 'editor/changes', 'editor/single_step', 'editor/tools', 'editor/play', 'editor/path', 'editor/section', 'editor/work', 'editor/view',
       'editor/figures', 'screen', 'window', 'render', 'gl']
 
 SOURCE_FOLDERS = LAYERS + ['tests']

@@ -3,6 +3,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include "ui/editor/changes/time_flow.h"
 #include "ui/editor/changes/world_changes.h"
 #include "ui/editor/view/piece_set.h"
 
@@ -15,6 +16,7 @@ constexpr std::array kGestures{
     Gesture{"Ctrl+click", "Choose a piece; with Shift one more"},
     Gesture{"Ctrl+left drag", "Choose the pieces in a box; from right to left those that it touches"},
     Gesture{"Left drag on an arrow or a ring", "Move or turn the chosen piece, with the tool that picks"},
+    Gesture{"Ctrl+left drag on a piece", "Pull it by a spring, while bodies move"},
     Gesture{"Click on a surface", "Add a point to the path, with the tool Path; Shift begins another stroke"},
     Gesture{"Left drag on a point or its knob", "Move a point of the path over the surface, turn its beam"},
     Gesture{"Left drag on the emitter", "Move it, or aim it by the ring where it aims"},
@@ -135,6 +137,7 @@ std::vector<UserAction> make_actions(EditorState& state, std::span<const Panel> 
   append(all, path_actions(state));
   append(all, emitter_actions(state));
   append(all, stage_actions(state));
+  append(all, body_actions(body_parts(state)));
   append(all, camera_actions(state));
   append(all, switch_actions(state));
   append(all, frame_actions(state, panels));
@@ -148,12 +151,18 @@ std::vector<UserAction> make_actions(EditorState& state, std::span<const Panel> 
   return all;
 }
 
+BodyParts body_parts(EditorState& s) {
+  return {s.play, s.work, s.view, s.requests, s.message, [&s] {
+            return why_time_stands_still(s.work.document.world(), s.split, s.stages.wishes, s.opening);
+          }};
+}
+
 std::span<const Gesture> gestures() { return kGestures; }
 
 void escape(EditorState& state) {
   const bool fired = std::exchange(state.lasers.emitter.firing, false);
   if (cancel_stroke(state.hand, state.work.document) || fired) return;
-  if (state.hand.drag == Drag::kBox) {
+  if (state.hand.drag == Drag::kBox || state.hand.drag == Drag::kPull) {
     state.hand.drag = Drag::kNone;
     return;
   }

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "ui/editor/bodies/body_actions.h"
 #include "ui/editor/frame/user_action.h"
 #include "ui/editor/panels/panel_column.h"
 #include "ui/editor/state.h"
@@ -35,6 +36,9 @@ std::vector<UserAction> stage_view_actions(EditorState& state);
 std::vector<UserAction> light_actions(EditorState& state);
 std::vector<UserAction> shown_actions(EditorState& state);
 std::vector<UserAction> section_actions(EditorState& state);
+
+// What the actions and the panel of moving bodies work on. The state must outlive them.
+BodyParts body_parts(EditorState& state);
 
 // Explanations of what the mouse does in the picture.
 std::span<const Gesture> gestures();

@@ -31,12 +31,18 @@ constexpr double kFigureSeconds = 0.25;
 
 double seconds_since(Clock::time_point t) { return std::chrono::duration<double>(Clock::now() - t).count(); }
 
+// Empty while time stands still.
+std::string time_text(const PlayState& play) {
+  return play.playing ? std::string("playing ") + play.speed().name : "";
+}
+
 // How the right half is looked at. What was chosen or hidden are pieces of the open document, not of its
 // twin.
 ViewOptions look_of_twin(const ViewOptions& first, double spread, const World& twin) {
   ViewOptions look = first;
   look.pieces.clear();
   look.stage.reset();
+  look.bodies.reset();
   spread_pieces(twin, spread, look);
   return look;
 }
@@ -83,7 +89,8 @@ void EditorScreen::draw_panels() {
   const Layout& layout = state_.view.layout;
   draw_menu_bar(actions_);
   draw_picture_marks({state_.work.document, state_.view, state_.hand, state_.split, state_.stages,
-                      state_.settings, state_.figures.shown, state_.figures.shadows, state_.lasers});
+                      state_.settings, state_.figures.shown, state_.figures.shadows, state_.lasers,
+                      state_.play});
   draw_panel_column(layout.side, panels_, state_.settings);
   draw_splitters(layout, state_.settings);
   if (draw_status_bar(layout.status, state_.hand, state_.message, state_.figures.shown))
@@ -136,6 +143,7 @@ void EditorScreen::update_figures() {
   const World& twin = state_.split.twin.world();
   const World* as_loaded = state_.work.as_loaded ? &*state_.work.as_loaded : nullptr;
   figures.shown.frame_ms = 1000 * picture_.seconds();
+  figures.shown.time = time_text(state_.play);
   figures.shown.memory = memory_figures(std::array{&world, &twin, as_loaded},
                                         state_.work.document.history().bytes(), picture_.memory());
   const bool depth_shown = state_.settings.shows(PanelId::kTree);

@@ -110,6 +110,7 @@ nlohmann::ordered_json placements_of(const World& world) {
   for (const BodyId id : world.ids()) {
     const auto& [at, turned] = world.body(id).placement;
     all.push_back({{"name", world.body(id).own_name()},
+                   {"pinned", world.body(id).pinned},
                    {"position", {at.x, at.y, at.z}},
                    {"orientation", {turned.w, turned.x, turned.y, turned.z}}});
   }
@@ -126,6 +127,16 @@ nlohmann::ordered_json times_of_cutting(const Figures& figures) {
           {"between_pictures_ms", times_of(figures.between_cutting_pictures)},
           {"each_frame_ms", figures.cutting_frames.each()},
           {"each_between_pictures_ms", figures.between_cutting_pictures.each()}};
+}
+
+nlohmann::ordered_json time_of(const EditorState& state) {
+  const World& world = state.work.document.world();
+  return {{"ticks", world.clock()},
+          {"playing", state.play.playing},
+          {"speed", state.play.speed().of_real_time},
+          {"gravity", list_of(world.surroundings().gravity)},
+          {"ground", world.surroundings().ground ? nlohmann::ordered_json(*world.surroundings().ground)
+                                                 : nlohmann::ordered_json(nullptr)}};
 }
 
 nlohmann::ordered_json texts_of(const std::deque<Message::Said>& log) {
@@ -187,6 +198,7 @@ Status write_editor_report(const EditorState& state, const std::filesystem::path
       {"path", path_of(state.lasers.path)},
       {"emitter", emitter_of(state.lasers.emitter)},
       {"stages", stages_of(state.stages)},
+      {"time", time_of(state)},
       {"lights", lights_of(state.view, state.settings)},
       {"pixels_that_rays_have_otherwise", figures.shadows.wrong},
       {"split", {{"shown", state.split.shown}, {"faces", state.split.twin.world().live_faces()}}},

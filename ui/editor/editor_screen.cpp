@@ -13,6 +13,7 @@
 #include "ui/editor/section/section_edits.h"
 #include "ui/editor/tools/moving.h"
 #include "ui/editor/tools/popups.h"
+#include "ui/render/body_marks.h"
 
 namespace kerf {
 
@@ -35,6 +36,8 @@ EditorScreen::EditorScreen(Window& window, LivePicture picture, LoadedSettings l
       stage_cut_({state_.work, state_.hand, state_.view, state_.figures, changes_, state_.stages}),
       cut_({state_.work, state_.view, state_.hand, state_.split, state_.figures, state_.message, changes_,
             stage_cut_, picture_}),
+      time_({state_.work, state_.view, state_.hand, state_.split, state_.stages.wishes, state_.opening,
+             state_.play, state_.message, changes_}),
       opener_({state_.work, state_.view, state_.hand, state_.split, state_.stages.log, state_.figures,
                state_.opening, state_.settings, state_.message, recovery_, picture_.first()}),
       desk_(state_, changes_, opener_, recovery_),
@@ -108,7 +111,7 @@ bool EditorScreen::moving() const {
   const Emitter& emitter = state_.lasers.emitter;
   return (emitter.firing && emitter.in_shots) || thread_.busy() || easing_ || stage_cut_.waits() ||
          cut_.waits() || state_.view.picture_old || picture_.busy() || state_.opening.loader.busy() ||
-         state_.graph.playing();
+         state_.graph.playing() || state_.play.playing || state_.play.one_tick;
 }
 
 // Hearing
@@ -121,8 +124,9 @@ void EditorScreen::hear(const Input& input) {
   }
   lay_out_window();
   bind_actions();
-  const MouseParts mouse{state_.hand,           state_.work,     state_.view,    state_.settings,
-                         state_.opening.loader, state_.requests, state_.message, state_.lasers};
+  const MouseParts mouse{state_.hand,     state_.work,           state_.view,
+                         state_.settings, state_.opening.loader, state_.requests,
+                         state_.message,  state_.lasers,         state_.play};
   std::vector<InputEvent> events = busy_.take_heard();
   events.insert(events.end(), input.events.begin(), input.events.end());
   for (const InputEvent& event : events) {
@@ -208,7 +212,9 @@ void EditorScreen::advance() {
   stage_cut_.advance(std::min<double>(ImGui::GetIO().DeltaTime, kLongestEaseStep));
   place_section(state_.view, state_.work.document.world());
   cut_.advance();
+  time_.advance(ImGui::GetIO().DeltaTime);
   follow_stages();
+  follow_bodies();
   follow_graph();
   send();
 }
@@ -226,6 +232,14 @@ void EditorScreen::follow_stages() {
   if (view.look.stage == marks) return;
   view.look.stage = std::move(marks);
   view.picture_old = true;
+}
+
+// The picture is old wherever contacts may have changed.
+void EditorScreen::follow_bodies() {
+  ViewState& view = state_.view;
+  if (changes_.is_pending() || !view.picture_old) return;
+  const Document& document = state_.work.document;
+  view.look.bodies = gather_body_marks(document.world(), document.physics(), view.look.show);
 }
 
 void EditorScreen::follow_graph() {

@@ -4,6 +4,7 @@
 
 #include "ui/editor/actions.h"
 #include "ui/editor/changes/live_cut.h"
+#include "ui/editor/changes/time_flow.h"
 #include "ui/editor/editor.h"
 #include "ui/editor/frame/busy_window.h"
 #include "ui/editor/path/kept_path.h"
@@ -56,6 +57,7 @@ class EditorScreen : public Screen {
   void keep_path(bool now);
   void open_kept_path();
   void follow_stages();
+  void follow_bodies();
   void send();
   void lay_out_window();
   void draw_panels();
@@ -80,6 +82,7 @@ class EditorScreen : public Screen {
   WorldChanges changes_;
   StageCut stage_cut_;
   LiveCut cut_;
+  TimeFlow time_;
   FileOpener opener_;
   HeldPress held_press_;
   RequestDesk desk_;

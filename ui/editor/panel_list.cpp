@@ -1,5 +1,7 @@
 #include "ui/editor/panel_list.h"
 
+#include "ui/editor/actions.h"
+#include "ui/editor/bodies/bodies_panel.h"
 #include "ui/editor/changes/world_changes.h"
 #include "ui/editor/file_choice.h"
 #include "ui/editor/graph/graph_panel.h"
@@ -73,6 +75,8 @@ std::vector<Panel> make_panels(EditorState& s) {
       {PanelId::kResolution, "Resolution", [&s] { draw_resolution(s); }},
       {PanelId::kPath, "Path", [&s, panel = PathPanel()]() mutable { draw_path(s, panel); }},
       {PanelId::kPieces, "Pieces", [&s, panel = PiecesPanel()]() mutable { draw_pieces(s, panel); }},
+      {PanelId::kBodies, "Bodies",
+       [&s, panel = BodiesPanel()]() mutable { panel.draw(body_parts(s), s.view); }},
       {PanelId::kHistory, "History",
        [&s, panel = HistoryPanel()]() mutable { panel.draw(s.work.document, s.settings, s.requests); }},
       {PanelId::kLight, "Light",

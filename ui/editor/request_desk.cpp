@@ -123,6 +123,7 @@ void RequestDesk::change_world(const Requests& wanted) {
   if (wanted.run_path && !changes_.is_pending()) run_path();
   if (wanted.hide_chosen) state_.requests.hide_chosen = changes_.hide_chosen();
   if (wanted.delete_chosen) state_.requests.delete_chosen = changes_.delete_chosen();
+  if (wanted.pin_chosen && !changes_.is_pending()) changes_.pin_chosen(*wanted.pin_chosen);
   if (wanted.duplicate_chosen && !changes_.is_pending()) changes_.duplicate_chosen();
   if (wanted.show_hidden && !changes_.is_pending()) changes_.show_hidden();
   if (wanted.isolate && !changes_.is_pending()) changes_.isolate_chosen();

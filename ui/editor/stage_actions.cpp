@@ -75,13 +75,15 @@ std::vector<UserAction> beginnings(EditorState& s) {
                  .tip = "In slow motion, or pauses. At the end of the stroke it begins again.",
                  .run = [&s] { play_or_pause(s.stages, s.work.document); },
                  .checked = [&wishes] { return wishes.playing; },
-                 .why_not = [&s] { return why_no_play(s); }},
+                 .why_not = [&s] { return why_no_play(s); },
+                 .has_key_when = [&wishes] { return wishes.on; }},
   };
 }
 
 std::vector<UserAction> steps(EditorState& s) {
   StageWishes& wishes = s.stages.wishes;
   const auto why_not = [&s] { return why_no_next_stage(s.stages, s.work.document); };
+  const auto while_on = [&wishes] { return wishes.on; };  // otherwise the key lets a tick pass
   return {
       UserAction{.menu = kMenu,
                  .name = "Next stage",
@@ -89,7 +91,8 @@ std::vector<UserAction> steps(EditorState& s) {
                  .key = GLFW_KEY_PERIOD,
                  .tip = "Executes one stage of the stroke.",
                  .run = [&s] { s.stages.wishes.go_to(s.stages.log.done() + 1); },
-                 .why_not = why_not},
+                 .why_not = why_not,
+                 .has_key_when = while_on},
       UserAction{.menu = kMenu,
                  .name = "Stage back",
                  .shortcut = ",",

@@ -7,6 +7,7 @@
 #include "ui/editor/keys/command_palette.h"
 #include "ui/editor/keys/settings_page.h"
 #include "ui/editor/path/placed_lasers.h"
+#include "ui/editor/play/play_state.h"
 #include "ui/editor/single_step/stage_state.h"
 #include "ui/editor/tools/hand.h"
 #include "ui/editor/view/settings.h"
@@ -34,6 +35,7 @@ struct EditorState {
   Figures figures;
   GraphState graph;
   PlacedLasers lasers;
+  PlayState play;
 
   Settings settings;
   Message message;

@@ -12,6 +12,15 @@ namespace {
 constexpr double kSecondsAcross = 4;
 constexpr double kRest = 0.5, kRestAtEnd = 1;  // s
 
+// Whether a body would stop in mid-air if no time passed.
+bool is_in_motion(const World& world) {
+  const std::vector<BodyId> ids = world.ids();
+  return std::any_of(ids.begin(), ids.end(), [&](BodyId id) {
+    const Motion& motion = world.body(id).motion;
+    return !motion.asleep && !motion.at_rest();
+  });
+}
+
 Vec3 at_distance(const Pose& pose, double distance) { return pose.origin + pose.direction * distance; }
 
 }  // namespace
@@ -34,6 +43,7 @@ Status Film::follow(const Document& document, const StepResult* step) {
   const World& world = document.world();
   studio_.follow(world, step);
   studio_.show_graph(document);
+  studio_.show_bodies(document);
   if (world.clock() > ticks_) return pass_ticks(document);
   ticks_ = world.clock();  // an undo turns it back
   if (step && step->last) {
@@ -43,7 +53,7 @@ Status Film::follow(const Document& document, const StepResult* step) {
     const auto beam = beam_picture(document, beam_);
     if (const Status moved = pass(seconds - shown, world, beam); !moved) return moved;
   }
-  const bool rests = document.waiting() == 0 && !document.in_stroke();
+  const bool rests = document.waiting() == 0 && !document.in_stroke() && !is_in_motion(world);
   if (!rests) return Done{};
   ahead_ = 0;
   return pass(kRest, world, std::nullopt);
@@ -52,6 +62,7 @@ Status Film::follow(const Document& document, const StepResult* step) {
 void Film::leave_out(const Document& document, const StepResult* step) {
   studio_.follow(document.world(), step);
   studio_.show_graph(document);
+  studio_.show_bodies(document);
   ticks_ = document.world().clock();
   ahead_ = 0;
 }

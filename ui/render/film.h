@@ -14,7 +14,7 @@ struct FilmOptions {
 // a pace of the film's own: the beam moves at a constant speed of one diagonal of the world in four seconds,
 // measured at its emitter or in the middle of the world, whichever is faster; a stroke during which more time
 // passed by ticks takes that time. The film rests for half a second before the first stroke and after each
-// stroke or other command except Advance, and for a second at the end.
+// stroke or other command except Advance, unless bodies are in motion, and for a second at the end.
 class Film {
  public:
   // Writes the first frames, of a scene that is not cut yet. Fails like Studio::open, or if a frame cannot be

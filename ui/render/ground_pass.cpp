@@ -11,8 +11,7 @@ namespace {
 constexpr int kContactPixels = 256;
 constexpr int kContactBlurs = 3;
 constexpr double kContactMargin = 1.5;  // of the larger side of the world seen from above
-constexpr double kGap = 5e-4;   // between the world and the ground, in diagonals: what lies flat shows
-constexpr double kRadius = 14;  // of the disc, in diagonals of the world
+constexpr double kRadius = 14;          // of the disc, in diagonals of the world
 
 }  // namespace
 
@@ -54,12 +53,12 @@ GroundPass::GroundPass(Programs programs)
   glGenerateMipmap(GL_TEXTURE_2D);
 }
 
-void GroundPass::place_under(const World::Bounds& world, UpAxis up) {
+void GroundPass::place_under(const World::Bounds& world, UpAxis up, double height) {
   const Vec3 a = to_y_up(world.min, up), b = to_y_up(world.max, up);
   const World::Bounds bounds{glm::min(a, b), glm::max(a, b)};
   const double diagonal = bounds.diagonal() > 0 ? bounds.diagonal() : 1;
   const Vec3 size = bounds.max - bounds.min;
-  height_ = bounds.min.y - kGap * diagonal;
+  height_ = height;
   tall_ = std::max(size.y, 0.05 * diagonal);
   middle_ = bounds.min + size * 0.5;
   radius_ = kRadius * diagonal;

@@ -8,14 +8,14 @@
 
 namespace kerf {
 
-// The floor: a matt disc with a grid at the height of the world's lowest point. Surfaces nearby darken it
+// The floor: a matt disc with a grid. Surfaces nearby darken it
 // softly under them, and colour the ground around.
 class GroundPass {
  public:
   static Result<GroundPass> create(const std::filesystem::path& shaders);
 
-  // Places the ground under these bounds.
-  void place_under(const World::Bounds& world, UpAxis up);
+  // Places the ground under these bounds, at this height (m) along the upward axis.
+  void place_under(const World::Bounds& world, UpAxis up, double height);
   void fill_in(FrameUniforms& frame, const FrameSpace& space) const;
 
   // Draws all bodies with the given program, for the shading of the ground only.

@@ -35,6 +35,12 @@ inline constexpr uint32_t kSwept = 0xa8d4ff, kHit = 0xffd27a, kBorn = 0x4aa3ff;
 inline constexpr uint32_t kEntered = 0xb99aff, kCulled = 0x7d8896, kMissed = 0xf2dc9a, kTouched = 0xff6a4d,
                           kLast = 0xffffff;
 
+// Contacts, from those that carry nothing to those with the largest impulse; points and chords of colliders;
+// centres of mass of bodies that are awake, that sleep, and that are pinned.
+inline constexpr uint32_t kLightContact = 0xf2dc9a, kHeavyContact = 0xff4a38, kColliderPoint = 0xb99aff,
+                          kColliderChord = 0x56d0c8, kAwake = 0x5fd38a, kAsleep = 0x4aa3ff,
+                          kPinned = 0xf4f7fb;
+
 // Loops that removed faces closed.
 inline constexpr uint32_t kLoop = 0xf4f7fb;
 

@@ -30,6 +30,7 @@ Status render_picture(OpenedFile work, const PictureOptions& options, const std:
   if (!cut) return cut.error();
   replay_all(work.journal, document, *studio);
   studio->show_graph(document);
+  studio->show_bodies_ahead(document.world());
   studio->spread(document.world(), options.spread);
   studio->draw(document.world(), std::nullopt);
   return studio->write(png);

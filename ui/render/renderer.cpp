@@ -57,10 +57,12 @@ Result<Renderer::Passes> Renderer::load_passes(const std::filesystem::path& shad
   if (!stage) return stage.error();
   auto section = SectionPass::create(shaders);
   if (!section) return section.error();
+  auto bodies = BodyPass::create(shaders);
+  if (!bodies) return bodies.error();
   return Passes{std::move(*scene),          std::move(*bloom),     std::move(*beam),    std::move(*lines),
                 std::move(*veil),           std::move(*outline),   std::move(*numbers), std::move(*probe),
                 std::move(*shadow_overlay), std::move(*reference), std::move(*graph),   std::move(*stage),
-                std::move(*section)};
+                std::move(*section),        std::move(*bodies)};
 }
 
 Result<Renderer> Renderer::create() {
@@ -129,7 +131,7 @@ void Renderer::look_from(const World& world, const CameraView& view) {
   space_.seen_from = view.eye;
   if (space_.up == view.up_axis) return;
   space_.up = view.up_axis;
-  passes_.scene.ground().place_under(world.loaded_bounds(), space_.up);
+  place_ground(world);
   contact_old_ = true;
 }
 
@@ -199,6 +201,7 @@ void Renderer::draw_overlays(const Subject& subject, const CameraView& view,
   passes_.outline.draw(subject, picture);
   passes_.graph.draw(subject, frame_);
   passes_.stage.draw(subject);
+  passes_.bodies.draw(subject, subject.world.loaded_bounds().diagonal());
   if (options.show.face_numbers) passes_.numbers.draw(subject, frame_, picture);
   if (options.show.shadow_compare) draw_comparison(subject, picture);
 }

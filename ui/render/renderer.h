@@ -12,6 +12,7 @@
 #include "core/world/world.h"
 #include "ui/render/beam_pass.h"
 #include "ui/render/bloom_pass.h"
+#include "ui/render/body_pass.h"
 #include "ui/render/body_picture.h"
 #include "ui/render/camera.h"
 #include "ui/render/face_numbers.h"
@@ -118,10 +119,12 @@ class Renderer {
     GraphPass graph;
     StagePass stage;
     SectionPass section;
+    BodyPass bodies;
   };
   static Result<Passes> load_passes(const std::filesystem::path& shaders);
   explicit Renderer(Passes passes) : passes_(std::move(passes)) {}
 
+  void place_ground(const World& world);
   void add(BodyId id, const Body& body, PreparedBodies& prepared);
   void drop(BodyId id);
   void carry_on(BodyId from, BodyId to);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/render/drawn_ground.h"
 #include "ui/render/renderer.h"
 
 namespace kerf {
@@ -28,7 +29,12 @@ void Renderer::show(const World& world, const std::map<std::string, Paint>& pain
   }
   middle_ = bounds.min + (bounds.max - bounds.min) * 0.5;
   space_.unit = diagonal > 0 && std::isfinite(diagonal) ? std::ldexp(1.0, std::ilogb(diagonal)) : 1;
-  passes_.scene.ground().place_under(bounds, space_.up);
+  place_ground(world);
+}
+
+void Renderer::place_ground(const World& world) {
+  passes_.scene.ground().place_under(world.loaded_bounds(), space_.up,
+                                     height_of_drawn_ground(world, space_.up));
 }
 
 void Renderer::add(BodyId id, const Body& body, PreparedBodies& prepared) {
@@ -69,6 +75,7 @@ void Renderer::follow(const World& world, const Delta& delta, PreparedBodies pre
     passes_.lines.forget(d.body);
   }
   passes_.scene.shadows().follow(delta);
+  if (delta.surroundings) place_ground(world);
   contact_old_ = true;
 }
 
@@ -86,6 +93,7 @@ void Renderer::resend(const World& world, PreparedBodies prepared) {
     if (ahead != prepared.end() && ahead->second.caster)
       passes_.scene.shadows().adopt(id, std::move(ahead->second.caster));
   }
+  place_ground(world);
   contact_old_ = true;
   passes_.lines.forget();
 }

@@ -24,6 +24,9 @@ struct ShowOptions {
   bool pieces = false;                 // each piece in a colour of its own
   bool sizes = false;                  // small faces warm, as the paper colours them
   bool section = false;                // only what lies under the section plane
+  bool contacts = false;               // where bodies touch, as of the last tick; see BodyMarks
+  bool colliders = false;              // points and chords by which bodies touch
+  bool centres = false;                // centres of mass, and which bodies sleep or are pinned
   bool normals = false;                // a short line from the middle of every face
   Shadows shadows = Shadows::kGround;  // `--show shadows` asks for kAll
   bool silhouette = false;             // edges of a light's silhouette, coloured by their multiplicity

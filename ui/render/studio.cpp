@@ -2,6 +2,7 @@
 
 #include "core/document/last_cut_graph.h"
 #include "ui/gl/debug_output.h"
+#include "ui/render/body_marks.h"
 #include "ui/render/png.h"
 
 namespace kerf {
@@ -64,6 +65,12 @@ void Studio::show_graph(const Document& document) {
   std::optional<DrawnGraph> graph = graph_around_last_cut(document);
   look_.graph = graph ? std::make_shared<DrawnGraph>(std::move(*graph)) : nullptr;
 }
+
+void Studio::show_bodies(const Document& document) {
+  look_.bodies = gather_body_marks(document.world(), document.physics(), look_.show);
+}
+
+void Studio::show_bodies_ahead(const World& world) { look_.bodies = body_marks_ahead(world, look_.show); }
 
 void Studio::draw(const World& world, const std::optional<BeamPicture>& beam) {
   const Target target{picture_.name(), 0, 0, picture_.shape().width, picture_.shape().height};

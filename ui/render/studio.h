@@ -23,6 +23,10 @@ class Studio {
   // Draws the component graph around the last stroke of the document from the next picture on, if the options
   // of the picture ask for it. Linear in the faces of the bodies that were cut.
   void show_graph(const Document& document);
+  // Draws what the switches for contacts, colliders and centres of mass ask for from the next picture on: of
+  // the last tick of the document, or what the next tick of a world would find.
+  void show_bodies(const Document& document);
+  void show_bodies_ahead(const World& world);
   // Draws a picture.
   void draw(const World& world, const std::optional<BeamPicture>& beam);
   // Writes the last picture as a PNG, whole or not at all.

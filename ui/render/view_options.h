@@ -49,6 +49,7 @@ struct PieceLook {
 
 struct DrawnGraph;
 struct StageMarks;
+struct BodyMarks;
 
 // A face of a body.
 struct FaceOfBody {
@@ -73,6 +74,7 @@ struct ViewOptions {
   std::shared_ptr<const DrawnGraph> graph;  // what ShowOptions::graph draws; null: nothing
   std::optional<FaceOfBody> lit_face;       // outlined, if it is live
   std::shared_ptr<const StageMarks> stage;  // what a stage of a cut did; null: nothing
+  std::shared_ptr<const BodyMarks> bodies;  // of the physics; null: nothing
   std::map<PieceId, PieceLook> pieces;      // pieces that are not drawn with the default look
   // The groups of faces of bodies whose pieces are drawn apart, for the present world; see spread_pieces().
   // Values are not null.

@@ -264,7 +264,7 @@ class WindowTest(unittest.TestCase):
     def only_panel(self, title):
         """Folds all panels but one, so that nothing pushes it out of the window."""
         os.makedirs(os.path.join(self.folder, "kerf"), exist_ok=True)
-        titles = ("Laser", "Resolution", "Path", "Pieces", "History", "Light", "Tree", "Graph", "Single step", "View", "Statistics", "File", "Display")
+        titles = ("Laser", "Resolution", "Path", "Pieces", "Bodies", "History", "Light", "Tree", "Graph", "Single step", "View", "Statistics", "File", "Display")
         with open(os.path.join(self.folder, "kerf", "settings.json"), "w") as file:
             json.dump({"panels": {t: t == title for t in titles}}, file)
 

@@ -27,10 +27,11 @@ void LiveCut::advance() {
 bool LiveCut::cut_first(Clock::time_point until) {
   const Document& document = on_.work.document;
   if (!first_waits() || on_.changes.is_pending()) return false;
+  const bool beam = on_.hand.beam.cutting() || document.beam_waits();
   while (first_waits() && Clock::now() < until) {
     if (!on_.changes.step([](Document& d) { return d.step(kMovesOfStep); })) break;
   }
-  on_.hand.beam.find_strike(document);
+  if (beam) on_.hand.beam.find_strike(document);
   return true;
 }
 

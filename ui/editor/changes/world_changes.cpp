@@ -4,15 +4,13 @@
 #include <cassert>
 
 #include "core/document/command_words.h"
+#include "ui/editor/changes/long_step.h"
 #include "ui/editor/view/piece_set.h"
 #include "ui/render/spread.h"
 
 namespace kerf {
 
 namespace {
-
-constexpr size_t kManyFaces = 40'000;  // from here on changes of bodies take longer than a part of a frame
-constexpr size_t kManyMoves = 20;      // of the queue, that take longer than a part of a frame
 
 // What pictures need of the bodies that came or, where the world was replaced, of all of them.
 PreparedBodies prepare(const World& world, const Delta& delta, const LoadedShadings& loaded) {
@@ -21,28 +19,6 @@ PreparedBodies prepare(const World& world, const Delta& delta, const LoadedShadi
     prepared.emplace(id, prepare_shading(world.body(id), loaded));
   (void)prepare_shadows(world, prepared, nullptr);  // nobody stops it
   return prepared;
-}
-
-bool is_small(const Document& document) { return document.world().live_faces() <= kManyFaces; }
-
-// Whether a command takes no longer than a part of a frame.
-bool is_quick(const Document& document, const Command& command) {
-  const bool small = is_small(document);
-  const size_t now = document.history().position();
-  return std::visit(
-      Overloaded{
-          [](const BeginStroke&) { return true; },
-          [](const MoveStroke&) { return true; },
-          [](const EndStroke&) { return true; },
-          [](const Recut&) { return true; },
-          [](const HappensInTime auto&) { return true; },
-          [](const Play&) { return true; },
-          [&](const Undo&) { return small && (now == 0 || document.remembers_way_to(now - 1)); },
-          [&](const Redo&) { return small; },
-          [](const AddMesh&) { return false; },
-          [&](const HappensAtOnce auto&) { return small && document.waiting() <= kManyMoves; },
-      },
-      command);
 }
 
 // Whether redo, or a recut that is being walked, may bring back pieces that are not there.
@@ -68,11 +44,14 @@ std::vector<BodyId> hidden_bodies(const World& world) {
   return hidden;
 }
 
-// Hides or shows pieces one after the other, because a piece may be part of another body after a command.
-Outcome hide_all(Document& document, std::vector<PieceId> pieces, bool hide, const Progress* progress) {
+// Applies a command to pieces one after the other, because a piece may be part of another body after a
+// command.
+template <typename Make>
+Outcome edit_all(Document& document, std::vector<PieceId> pieces, Make command_for,
+                 const Progress* progress) {
   Outcome all;
   for (size_t i = 0; i < pieces.size() && all.ok(); ++i) {
-    Outcome one = document.apply(HidePiece{pieces[i], hide}, progress);
+    Outcome one = document.apply(command_for(pieces[i]), progress);
     for (PieceId& piece : pieces) piece = named_after(one.delta, piece);
     all.append(std::move(one));
   }
@@ -154,6 +133,23 @@ bool WorldChanges::delete_chosen() {
   return change_chosen([](const PieceId& piece) { return Command(DeletePiece{piece}); });
 }
 
+void WorldChanges::pin_chosen(bool pinned) {
+  std::vector<PieceId> pieces;
+  for (const auto& [id, look] : on_.view.look.pieces) {
+    if (look.selected) pieces.push_back(id);
+  }
+  cancel_stroke(on_.hand, on_.work.document);
+  change(pinned ? "Pin pieces" : "Unpin pieces", is_small(on_.work.document),
+         [pieces, pinned](Document& document, const Progress* progress) {
+           return edit_all(
+               document, pieces,
+               [pinned](const PieceId& piece) {
+                 return PinPiece{piece, pinned};
+               },
+               progress);
+         });
+}
+
 void WorldChanges::duplicate_chosen() {
   const PieceId piece = *first_chosen(on_.view.look.pieces);
   const World& world = on_.work.document.world();
@@ -180,7 +176,12 @@ void WorldChanges::isolate_chosen() {
   cancel_stroke(on_.hand, on_.work.document);
   change(hide ? "Isolate pieces" : "Show the other pieces", is_small(on_.work.document),
          [pieces, hide](Document& document, const Progress* progress) {
-           return hide_all(document, pieces, hide, progress);
+           return edit_all(
+               document, pieces,
+               [hide](const PieceId& piece) {
+                 return HidePiece{piece, hide};
+               },
+               progress);
          });
 }
 
@@ -240,7 +241,7 @@ void WorldChanges::change(const std::string& title, bool quick, const Change& wh
 
 bool WorldChanges::step(const Part& part) {
   assert(!pending_);
-  if (close_rim_beside(part)) return false;
+  if (do_beside(part)) return false;
   const Result<StepResult> step = part(on_.work.document);
   if (!step) {
     show_failed_step(step.error());
@@ -250,33 +251,38 @@ bool WorldChanges::step(const Part& part) {
   return true;
 }
 
-bool WorldChanges::close_rim_beside(const Part& part) {
-  const size_t faces = on_.work.document.world().live_faces();
-  if (!on_.work.document.next_closes_rim() || faces <= kManyFaces) return false;
+bool WorldChanges::do_beside(const Part& part) {
+  const char* title = why_beside(on_.work.document);
+  if (title == nullptr) return false;
   const auto step = std::make_shared<StepResult>();
+  const auto prepared = std::make_shared<PreparedBodies>();
   LongChange change;
-  change.title = "Smoothing the rim";
-  change.run = [step, part](Document& document, const Progress&) {
+  change.title = title;
+  change.run = [step, prepared, part, loaded = on_.renderer.loaded_shadings()](Document& document,
+                                                                               const Progress&) {
     Result<StepResult> done = part(document);
     Outcome outcome;
-    if (done) *step = std::move(*done);
     if (!done) outcome.fail(done.error());
+    if (!done) return outcome;
+    *prepared = prepare(document.world(), done->delta, loaded);
+    *step = std::move(*done);
     return outcome;
   };
-  change.then = [this, step](const Outcome& done) {
+  change.then = [this, step, prepared](const Outcome& done) {
     if (!done.ok()) return show_failed_step(done.error());
-    follow_step(*step);
+    follow_step(*step, std::move(*prepared));
     on_.figures.world_changed = true;
   };
   pending_ = std::move(change);
   return true;
 }
 
-void WorldChanges::follow_step(const StepResult& step) {
+void WorldChanges::follow_step(const StepResult& step, PreparedBodies prepared) {
   if (step.last) on_.hand.beam.reach(step.last->to);
-  on_.renderer.follow(on_.work.document.world(), step.delta);
+  on_.renderer.follow(on_.work.document.world(), step.delta, std::move(prepared));
   if (on_.view.look.ghost || on_.view.look.show.face_numbers)
     on_.renderer.catch_up(on_.work.document.world());
+  follow_released(step.delta);
   const bool came = std::any_of(step.delta.bodies.begin(), step.delta.bodies.end(),
                                 [](const BodyDelta& body) { return !body.new_pieces.empty(); });
   if (came || on_.view.numbers.waits()) {
@@ -284,6 +290,16 @@ void WorldChanges::follow_step(const StepResult& step) {
                             on_.view.look.pieces);
   }
   on_.figures.chart.note_step(step);
+}
+
+// Pieces that came off become bodies when time passes.
+void WorldChanges::follow_released(const Delta& delta) {
+  if (delta.came.empty() && delta.detached.empty()) return;
+  const World& world = on_.work.document.world();
+  ViewOptions& look = on_.view.look;
+  follow_world(world, delta, look.pieces);
+  on_.view.numbers.follow(world, false, pieces_may_return(on_.work.document.history()), look.pieces);
+  if (on_.hand.spring) on_.hand.spring->piece = named_after(delta, on_.hand.spring->piece);
 }
 
 void WorldChanges::show_failed_step(const Error& error) {

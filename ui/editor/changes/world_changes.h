@@ -52,6 +52,8 @@ class WorldChanges {
   // became pending.
   bool hide_chosen();
   bool delete_chosen();
+  // Pins the selected pieces where they are, or lets them move again; they stay selected.
+  void pin_chosen(bool pinned);
   // Adds a copy of the selected piece where it stands. Precondition: a piece is selected.
   void duplicate_chosen();
   void show_hidden();
@@ -69,7 +71,8 @@ class WorldChanges {
   void run_path(std::vector<Command> commands, std::function<void()> done);
 
   // Executes a part of the queue by Document::step or SingleStep. Returns false if that failed or became
-  // pending, because it closes the rim of a stroke with many faces.
+  // pending, because it
+  // closes the rim of a stroke with many faces, or makes bodies of many faces.
   using Part = std::function<Result<StepResult>(Document&)>;
   bool step(const Part& part);
 
@@ -85,8 +88,9 @@ class WorldChanges {
  private:
   template <typename Make>
   bool change_chosen(Make command_for);
-  bool close_rim_beside(const Part& part);
-  void follow_step(const StepResult& step);
+  bool do_beside(const Part& part);
+  void follow_step(const StepResult& step, PreparedBodies prepared = {});
+  void follow_released(const Delta& delta);
   void show_failed_step(const Error& error);
   void show_outcome(const Outcome& outcome, PreparedBodies prepared = {}, const std::string& said = "");
   void show_change(const Delta& delta, PreparedBodies prepared);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "core/document/document.h"
 #include "core/mesh/files/file_frame.h"
@@ -18,6 +19,7 @@ struct ShownFigures {
   size_t faces = 0, pieces = 0;
   size_t twin_faces = 0;  // in the right half
   double frame_ms = 0;
+  std::string time;  // how fast it passes; empty: it stands still
   size_t tree_nodes = 0;
   std::optional<int> tree_depth;  // unknown until a panel shows it
   MemoryFigures memory;

@@ -9,6 +9,8 @@ namespace kerf {
 
 void StepChart::note_step(const StepResult& step) {
   const StepFigures& f = step.figures;
+  const bool cuts = step.moves > 0 || !step.delta.bodies.empty() || f.separate_s > 0;
+  if (!cuts) return;  // only time passed
   size_t born = 0, gone = 0;
   for (const BodyDelta& body : step.delta.bodies) {
     born += body.born.size();

@@ -15,7 +15,8 @@ namespace kerf {
 
 namespace {
 
-const char* left_button(const Hand& hand) {
+// What the left button does; `plays`: time passes.
+const char* left_button(const Hand& hand, bool plays) {
   switch (hand.drag) {
     case Drag::kCut:
       return "Cutting: release to end, Esc ends";
@@ -31,6 +32,8 @@ const char* left_button(const Hand& hand) {
       return "Path: the point follows the pointer over the surface";
     case Drag::kEmitter:
       return "Moving the emitter";
+    case Drag::kPull:
+      return "Pulling: release to let go";
     case Drag::kSection:
       return hand.section->kind() == SectionDrag::Kind::kMove ? "Moving the section plane"
                                                               : "Turning the section plane";
@@ -42,6 +45,7 @@ const char* left_button(const Hand& hand) {
       break;
   }
   if (hand.move) return hand.move->kind() == PieceMove::Kind::kMove ? "Moving a piece" : "Turning a piece";
+  if (hand.tool == Tool::kPick && plays) return "Pick: drag pulls a piece, a click chooses it";
   if (hand.tool == Tool::kPick)
     return "Pick: click or drag a box, Shift adds; G moves the chosen piece, R turns it";
   if (hand.tool == Tool::kInspect) return "Inspect: click two points to measure their distance";
@@ -69,6 +73,7 @@ std::vector<Figure> figures_of(const ShownFigures& shown) {
       {grouped(shown.faces) + " faces", 6.0f, colours::text()},
       {grouped(shown.pieces) + (shown.pieces == 1 ? " piece" : " pieces"), 4.4f, colours::text()},
       {frame.data(), 3.6f, colours::secondary()}};
+  if (!shown.time.empty()) figures.push_back({shown.time, 6.0f, colours::text()});
   if (shown.stroke)
     figures.push_back({"last stroke removed " + area_label(shown.stroke->removed_area, shown.unit), 12.4f,
                        colours::secondary()});
@@ -126,13 +131,14 @@ bool draw_contents(const Hand& hand, const Message& message, const ShownFigures&
   // What went wrong comes before what the button does, where there is no room for both.
   const float em = ImGui::GetFontSize(), left = ImGui::GetStyle().WindowPadding.x;
   const float end = ImGui::GetWindowWidth() - left;
-  const float hint = ImGui::CalcTextSize(left_button(hand)).x + 1.6f * em;
+  const char* button = left_button(hand, !shown.time.empty());
+  const float hint = ImGui::CalcTextSize(button).x + 1.6f * em;
   const float right = draw_figures(shown, left + hint, end);
   const float wanted = ImGui::CalcTextSize(message.text.c_str()).x + em;
   const bool crowded = message.is_error && left + hint + wanted > right;
   if (!crowded) {
     ImGui::SameLine(left);
-    ImGui::TextUnformatted(left_button(hand));
+    ImGui::TextUnformatted(button);
   }
   const float message_at = crowded ? left : left + hint;
   return !message.text.empty() && right > message_at && draw_message(message, message_at, right);

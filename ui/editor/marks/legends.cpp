@@ -90,6 +90,12 @@ Legend legend_of(SwitchId view, const ViewOptions& look, const ShadowFigures& sh
                {kApart, "what the cut separated from them"},
                {kRemoved, "removed faces"},
                {kLoop, "loops that they closed"}}};
+    case SwitchId::kContacts:
+      return {"Contacts", {{kHeavyContact, "the largest impulse"}, {kLightContact, "none"}}};
+    case SwitchId::kColliders:
+      return {"Colliders", {{kColliderPoint, "points"}, {kColliderChord, "chords"}}};
+    case SwitchId::kCentres:
+      return {"Centres of mass", {{kAwake, "awake"}, {kAsleep, "asleep"}, {kPinned, "pinned"}}};
     case SwitchId::kShadows:
     case SwitchId::kRimGlow:
     case SwitchId::kWire:

@@ -5,6 +5,7 @@
 #include "ui/editor/inspect/face_readout.h"
 #include "ui/editor/marks/hint_box.h"
 #include "ui/editor/marks/legends.h"
+#include "ui/editor/marks/play_marks.h"
 #include "ui/editor/marks/stage_caption.h"
 #include "ui/editor/path/path_marks.h"
 #include "ui/editor/section/section_handles.h"
@@ -120,6 +121,8 @@ void draw_picture_marks(const MarkParts& of) {
                  of.hand.section, list);
   if (!cutting) draw_piece_handles(of.view, of.hand, of.document.world(), list);
   draw_face_readout(of.view, of.hand, of.document.world(), list);
+  draw_spring(of.document.world(), of.view, of.hand);
+  draw_play_badge(of.play, of.document.world(), of.view);
   if (of.hand.drag == Drag::kBox) draw_rubber_band({of.hand.pressed_at, of.hand.pointer}, list);
   const Area legends = draw_legends(legends_of(of.view.look, of.shadows), under_label(of.view.layout));
   const bool steps = of.stages.wishes.on && of.stages.log.done() > 0;

@@ -3,6 +3,7 @@
 #include "ui/editor/changes/split_view.h"
 #include "ui/editor/figures/figures.h"
 #include "ui/editor/path/placed_lasers.h"
+#include "ui/editor/play/play_state.h"
 #include "ui/editor/single_step/stage_state.h"
 #include "ui/editor/tools/hand.h"
 #include "ui/editor/view/settings.h"
@@ -21,11 +22,12 @@ struct MarkParts {
   const ShownFigures& shown;
   const ShadowFigures& shadows;
   const PlacedLasers& lasers;
+  const PlayState& play;
 };
 
 // Draws over the picture: a ring as wide as the beam, what the halves of a split picture show, the handles of
 // lights and of the chosen piece, the path and the emitter, the legends of its views, what the last single
-// step did, and hints until the first cut.
+// step did, whether time passes, the spring that pulls a piece, and hints until the first cut.
 void draw_picture_marks(const MarkParts& of);
 
 }  // namespace kerf

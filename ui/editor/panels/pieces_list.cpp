@@ -16,6 +16,7 @@ namespace kerf {
 
 namespace {
 
+constexpr const char* kPinned = "pinned";
 constexpr size_t kMostRows = 8;  // that are seen at once
 
 void draw_swatch(const Vec3& c) {
@@ -147,11 +148,16 @@ void PiecesList::draw_name(ViewState& view, const PieceRow& row, const PieceLook
   if (look.selected) ImGui::PushStyleColor(ImGuiCol_Text, colours::accent());
   if (look.hidden) ImGui::PushStyleColor(ImGuiCol_Text, colours::secondary());
   const float room = ImGui::GetContentRegionAvail().x;
-  const std::string label = shortened(row.name, room) + "###name";
+  const float mark = row.pinned ? width_of(kPinned) + 0.4f * ImGui::GetFontSize() : 0;
+  const std::string label = shortened(row.name, room - mark) + "###name";
   const bool clicked =
       ImGui::Selectable(label.c_str(), look.selected, ImGuiSelectableFlags_AllowDoubleClick, {room, 0});
   if (look.hidden) ImGui::PopStyleColor();
   if (look.selected) ImGui::PopStyleColor();
+  if (row.pinned) {
+    const ImVec2 end{ImGui::GetItemRectMax().x - width_of(kPinned), ImGui::GetItemRectMin().y};
+    ImGui::GetWindowDrawList()->AddText(end, colours::secondary(), kPinned);
+  }
   tooltip(
       (row.name + ". Click chooses it, Ctrl+click or Shift+click adds it, double click renames it.").c_str());
   if (!clicked) return;

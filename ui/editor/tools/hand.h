@@ -1,7 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "core/world/spring.h"
 #include "ui/editor/section/section_drag.h"
 #include "ui/editor/tools/laser_controls.h"
 #include "ui/editor/tools/laser_tool.h"
@@ -27,7 +29,8 @@ enum class Drag {
   kMeasure,
   kPath,
   kEmitter,
-  kSection
+  kSection,
+  kPull
 };
 
 // What the user holds, and what the mouse is doing with it.
@@ -41,6 +44,7 @@ struct Hand {
   bool moves_copy = false;                   // the piece is a copy that was made for the move
   std::optional<BodyId> newest_before_copy;  // the body that was the newest when a copy was asked for
   std::optional<SectionDrag> section;        // of the section plane, by one of its handles
+  std::optional<Spring> spring;              // on what was pressed, while time passes; pulls with kPull
   std::vector<Vec3> measured;                // m, the points that were clicked to measure: at most two
   Vec2 pointer{0}, pressed_at{0};            // screen coordinates
   bool over_picture = false;                 // the pointer is

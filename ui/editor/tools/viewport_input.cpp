@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ui/editor/path/surface_point.h"
+#include "ui/editor/play/pulling.h"
 #include "ui/editor/section/section_handles.h"
 #include "ui/editor/tools/axes_gizmo.h"
 #include "ui/editor/tools/click.h"
@@ -172,13 +173,23 @@ void begin(const MouseParts& on, Drag drag, const InputEvent& event) {
     }
   }
   if (left && take_emitter(on)) return;
+  on.hand.spring.reset();
   if (drag == Drag::kPick && take_handle(on)) return;
+  if (drag == Drag::kPick && on.play.playing)
+    on.hand.spring = spring_at(on.work.document.world(), on.view, on.hand.pointer);
   if (drag == Drag::kPath) press_path(on, event.mods);
   if (drag == Drag::kCut) press_laser(on, event.seconds);
 }
 
 // Whether the pointer moved too far for a click.
 bool has_left_click(const Hand& hand) { return glm::length(hand.pointer - hand.pressed_at) > kClickReach; }
+
+// What was pressed while time passes is pulled; otherwise the pieces in a box are chosen.
+void leave_click(const MouseParts& on) {
+  const bool pulls = on.hand.spring && on.play.playing;
+  on.hand.drag = pulls ? Drag::kPull : Drag::kBox;
+  if (pulls) stretch(*on.hand.spring, on.view, on.hand.pointer);
+}
 
 void go_on(const MouseParts& on, Vec2 from, double heard) {
   const Vec2 moved = (on.hand.pointer - from) / on.view.pane().size.y;
@@ -188,7 +199,7 @@ void go_on(const MouseParts& on, Vec2 from, double heard) {
                         2 / on.view.pane().size.y, heard);
       break;
     case Drag::kPick:
-      if (has_left_click(on.hand)) on.hand.drag = Drag::kBox;
+      if (has_left_click(on.hand)) leave_click(on);
       break;
     case Drag::kAxes:
       if (has_left_click(on.hand)) on.hand.drag = Drag::kOrbit;
@@ -215,6 +226,9 @@ void go_on(const MouseParts& on, Vec2 from, double heard) {
     case Drag::kSection:
       on.view.look.section = on.hand.section->to(on.view.in_picture(on.hand.pointer));
       on.view.picture_old = true;
+      break;
+    case Drag::kPull:
+      if (on.hand.spring) stretch(*on.hand.spring, on.view, on.hand.pointer);
       break;
     case Drag::kMeasure:
     case Drag::kBox:
@@ -245,6 +259,9 @@ void end(const MouseParts& on, const InputEvent& event) {
       break;
     case Drag::kSection:
       on.hand.section.reset();
+      break;
+    case Drag::kPull:
+      on.hand.spring.reset();
       break;
     case Drag::kAxes:
       if (const auto axis = axis_end_under(on.view, on.hand.pointer))

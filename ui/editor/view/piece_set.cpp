@@ -30,7 +30,7 @@ std::vector<PieceRow> list_pieces(const World& world, const PieceMap& looks) {
       const auto look = looks.find({id, label});
       const uint32_t number = look != looks.end() && look->second.number != 0 ? look->second.number : label;
       const std::string name = label == body.named ? body.name : body.name + " " + std::to_string(number);
-      rows.push_back({{id, label}, number, name, piece.faces, piece.area});
+      rows.push_back({{id, label}, number, name, piece.faces, piece.area, body.pinned});
     }
   }
   std::stable_sort(rows.begin(), rows.end(), [](const PieceRow& a, const PieceRow& b) {

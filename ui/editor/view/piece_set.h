@@ -20,6 +20,7 @@ struct PieceRow {
   std::string name;
   size_t faces = 0;
   double area = 0;  // m^2
+  bool pinned = false;
 };
 
 // The pieces that have faces: first the bodies themselves (label 0), then separated pieces, both in

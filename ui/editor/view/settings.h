@@ -20,6 +20,7 @@ enum class PanelId {
   kResolution,
   kPath,
   kPieces,
+  kBodies,
   kHistory,
   kLight,
   kTree,

@@ -20,6 +20,7 @@ struct Requests {
   bool undo = false, redo = false;
   bool hide_chosen = false, show_hidden = false, isolate = false, delete_chosen = false;
   bool duplicate_chosen = false;
+  std::optional<bool> pin_chosen;  // pin, or let move again
   std::vector<Command> commands;
   std::filesystem::path save_path_to;  // the path of the laser; empty: nowhere
   bool run_path = false;

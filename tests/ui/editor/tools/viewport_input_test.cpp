@@ -27,7 +27,7 @@ struct Bench {
     hand.laser.radius = 0.03;
   }
   void hear(const InputEvent& event) {
-    handle_mouse({hand, work, view, settings, loader, requests, message, lasers}, event, true);
+    handle_mouse({hand, work, view, settings, loader, requests, message, lasers, play}, event, true);
   }
   void cut() {
     while (work.document.waiting() > 0) ASSERT_TRUE(work.document.step(8).ok());
@@ -42,6 +42,7 @@ struct Bench {
   Requests requests;
   Message message;
   PlacedLasers lasers;
+  PlayState play;
 };
 
 InputEvent event(Kind kind, Vec2 at, double seconds) {

@@ -1,0 +1,106 @@
+"""Bodies in time: play, pause and single ticks, pins, a spring that pulls a piece, and work that a crash leaves."""
+import json
+import os
+import subprocess
+import unittest
+
+from editor_window import KERF, SPHERE, WindowTest, pause, wait_for
+
+IN_TWO = [(0.2, 0.37), (0.8, 0.37)]
+
+
+class Bodies(WindowTest):
+    def cut_sphere(self):
+        editor = self.open(SPHERE)
+        editor.drag(IN_TWO)
+        editor.point_at(0.9, 0.9)
+        return editor
+
+    def play(self, editor):
+        """From here on the editor is never at rest."""
+        editor.press("space")
+        wait_for(lambda: "play badge" in editor.landmarks()["parts"], 20, "time does not pass")
+
+    def stop(self, editor):
+        editor.press("space")
+        editor.settle()
+
+    def test_pieces_fall_while_time_plays_and_stand_still_when_it_pauses(self):
+        editor = self.cut_sphere()
+        self.play(editor)
+        pause(2)
+        self.stop(editor)
+        report = editor.quit()
+        self.assertFalse(report["time"]["playing"])
+        self.assertGreater(report["time"]["ticks"], 0)
+        self.assertIsNotNone(report["time"]["ground"])
+        self.assertEqual(report["bodies"], report["pieces"])
+        self.assertGreater(report["bodies"], 1)
+        self.assertLess(min(body["position"][1] for body in report["placements"]), 0)
+
+    def test_each_single_tick_is_undone_alone_and_undo_pauses(self):
+        editor = self.cut_sphere()
+        for _ in range(3):
+            editor.do("period")
+        editor.do("ctrl", "z")
+        editor.press("minus")
+        self.play(editor)
+        pause(1)
+        editor.do("ctrl", "z")
+        report = editor.quit()
+        self.assertEqual(report["time"], {**report["time"], "ticks": 2, "playing": False, "speed": 0.5})
+
+    def test_a_pinned_piece_stays_while_others_fall(self):
+        editor = self.cut_sphere()
+        editor.press("k")
+        editor.click(0.5, 0.6)
+        editor.do("shift", "p")
+        self.play(editor)
+        pause(1.5)
+        self.stop(editor)
+        placements = editor.quit()["placements"]
+        self.assertEqual([body["position"] for body in placements if body["pinned"]], [[0, 0, 0]])
+        self.assertTrue(any(body["position"] != [0, 0, 0] for body in placements))
+
+    def test_a_drag_pulls_a_body_up_by_a_spring_while_time_plays(self):
+        editor = self.open(SPHERE)
+        editor.press("k")
+        editor.point_at(0.5, 0.5)
+        self.play(editor)
+        editor.xdotool("mousedown", 1)
+        for i in range(10):
+            editor.move_to(*editor.place((0.5, 0.5 - 0.03 * i)))
+            pause(0.1)
+        pause(3)
+        editor.press("space")
+        editor.xdotool("mouseup", 1)
+        editor.settle()
+        report = editor.quit()
+        self.assertGreater(report["placements"][0]["position"][1], 0.04)
+        self.assertEqual(report["pieces_chosen"], 0)
+
+    def test_a_crash_while_time_plays_leaves_all_but_the_last_second(self):
+        editor = self.cut_sphere()
+        self.play(editor)
+
+        def kept():
+            with open(self.unsaved()[0]) as file:
+                return [json.loads(line) for line in file if line.endswith("\n")]
+
+        def ticks():
+            return sum(line.get("ticks", 0) for line in kept())
+
+        wait_for(lambda: ticks() >= 120, 120, "no second of the run is kept")
+        editor.die()
+        replay = subprocess.run([KERF, "replay", self.unsaved()[0]], capture_output=True, text=True)
+        editor = self.open_again()
+        editor.press("Return")
+        wait_for(lambda: "play badge" in editor.landmarks()["parts"], 60, "the work is not recovered")
+        report = editor.quit()
+        self.assertEqual(report["time"]["ticks"] % 120, 0)
+        self.assertGreater(report["time"]["ticks"], 0)
+        self.assertEqual(report["state_hash"], replay.stdout.split()[-1])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "ui/render/body_marks.h"
+#include "ui/render/coloured_lines.h"
+#include "ui/render/subject.h"
+
+namespace kerf {
+
+// Draws the marks of ViewOptions::bodies over everything: contacts as their normals, the redder the larger
+// the impulse; colliders as chords and small crosses at their points; centres of mass as crosses, coloured by
+// whether the body moves, sleeps or is pinned.
+class BodyPass {
+ public:
+  static Result<BodyPass> create(const std::filesystem::path& shaders);
+
+  // Draws over the bound picture. Precondition: the uniform block of the frame is bound.
+  void draw(const Subject& subject, double diagonal);
+
+ private:
+  explicit BodyPass(ColouredLines lines) : lines_(std::move(lines)) {}
+
+  ColouredLines lines_;
+};
+
+}  // namespace kerf

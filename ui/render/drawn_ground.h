@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/mesh/files/file_frame.h"
+#include "core/world/world.h"
+
+namespace kerf {
+
+// The height (m, along the upward axis) of the ground that is drawn under a world: that on which its bodies
+// rest if there is one and it lies across the upward axis, else a little under the lowest point of the bodies
+// as they were loaded.
+double height_of_drawn_ground(const World& world, UpAxis up);
+
+// The surroundings with the ground where it is drawn, and gravity of the earth against the upward axis in the
+// unit of the file.
+Surroundings usual_surroundings(const World& world, const FileFrame& frame);
+
+}  // namespace kerf

@@ -19,7 +19,8 @@ const std::map<std::string, Section> kSections = {{"cut", bench_cut},
                                                   {"build", bench_build},
                                                   {"queries", bench_queries},
                                                   {"edits", bench_edits},
-                                                  {"shadows", bench_shadows}};
+                                                  {"shadows", bench_shadows},
+                                                  {"fall", bench_fall}};
 
 void run(const std::string& name, const Effort& effort, const std::vector<std::string>& sections,
          const Report& report) {
@@ -40,7 +41,7 @@ int main(int argc, char** argv) {
   CLI::App app{"The tree beside its peers: processor time of one thread, medians"};
   std::string json;
   std::vector<std::string> only;
-  std::vector<std::string> sections = {"cut", "build", "queries", "edits", "shadows"};
+  std::vector<std::string> sections = {"cut", "build", "queries", "edits", "shadows", "fall"};
   bool tiny = false;
   app.add_option("--json", json, "Write the table to this file as well");
   app.add_option("--mesh", only, "Only these meshes");
@@ -54,7 +55,7 @@ int main(int argc, char** argv) {
   std::vector<Row> rows;
   print_header();
   for (const std::string& name : only.empty() ? subject_names(tiny) : only) {
-    run(name, tiny ? Effort{50, 3, 1, 20, 20} : Effort{}, sections, [&](const Row& row) {
+    run(name, tiny ? Effort{50, 3, 1, 20, 20, 10} : Effort{}, sections, [&](const Row& row) {
       rows.push_back(row);
       print(row);
     });

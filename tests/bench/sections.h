@@ -14,6 +14,7 @@ struct Effort {
   int build_times = 5;    // builds and cuts
   int edit_steps = 5000;  // of a cut
   int slot_steps = 400;   // of a slot through the whole mesh
+  uint64_t sheets = 200;  // that rain
 };
 
 // Each section measures one thing on one mesh and hands over its rows. Rows that want a peer which this
@@ -24,5 +25,8 @@ void bench_queries(const Subject& subject, const Effort& effort, const Report& r
 void bench_edits(const Subject& subject, const Effort& effort, const Report& report);
 void bench_cut(const Subject& subject, const Effort& effort, const Report& report);
 void bench_shadows(const Subject& subject, const Effort& effort, const Report& report);
+
+// On a rain of sheets that is made here, whatever the subject.
+void bench_fall(const Subject& subject, const Effort& effort, const Report& report);
 
 }  // namespace kerf::bench

@@ -1,0 +1,87 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/base/tick.h"
+#include "core/physics/physics.h"
+#include "tests/support/piles.h"
+#include "tests/support/sheets.h"
+
+namespace kerf {
+namespace {
+
+std::set<std::pair<BodyId, BodyId>> intersecting_pairs(const World& world) {
+  std::set<std::pair<BodyId, BodyId>> pairs;
+  const std::vector<BodyId> ids = world.ids();
+  for (size_t i = 0; i < ids.size(); ++i) {
+    for (size_t j = i + 1; j < ids.size(); ++j) {
+      if (test::intersect(world.body(ids[i]), world.body(ids[j]))) pairs.insert({ids[i], ids[j]});
+    }
+  }
+  return pairs;
+}
+
+double fastest(const World& world) {
+  double most = 0;
+  for (BodyId id : world.ids()) {
+    const Body& body = world.body(id);
+    const Vec3 centre = body.placement.to_world(rigid_frame(body).centre);
+    const double speed = glm::length(body.motion.velocity_at(centre, body.placement));
+    EXPECT_TRUE(std::isfinite(speed));
+    most = std::max(most, speed);
+  }
+  return most;
+}
+
+TEST(Piles, of_falling_sheets_hardly_ever_interlock) {
+  size_t touching = 0, interlocked = 0;
+  for (uint64_t seed = 1; seed <= 3; ++seed) {
+    SCOPED_TRACE(seed);
+    World world = test::rain(25, seed, 0.3);
+    const auto at_first = intersecting_pairs(world);
+    Physics physics;
+    for (Ticks t = 0; t < 2 * kTicksPerSecond; ++t) physics.tick(world);
+    for (const PairMemory& m : world.contact_memory()) touching += m.touching && m.second.valid();
+    for (const auto& pair : intersecting_pairs(world)) interlocked += !at_first.contains(pair);
+  }
+  EXPECT_GT(touching, 60u);
+  EXPECT_LE(static_cast<double>(interlocked), 0.05 * static_cast<double>(touching));
+}
+
+double slid(double degrees) {
+  World world = test::world_with_ground();
+  const double angle = degrees * 3.141592653589793 / 180;
+  const glm::dquat tilt(std::cos(angle / 2), 0, 0, std::sin(angle / 2));
+  const BodyId slope = test::add(world, test::rectangle(6, 6, 4), {0, 3, 0}, tilt);
+  world.body(slope).pinned = true;
+  const Vec3 start = Vec3(0, 3, 0) + tilt * Vec3(0, 0.002, 0);
+  const BodyId plate = test::add(world, test::rectangle(0.5, 0.5, 3), start, tilt);
+  Physics physics;
+  for (Ticks t = 0; t < kTicksPerSecond; ++t) physics.tick(world);
+  return glm::length(world.body(plate).placement.position - start);
+}
+
+TEST(Piles, friction_holds_a_plate_at_29_degrees_and_lets_it_slide_at_33) {
+  EXPECT_LT(slid(29), 0.01);
+  EXPECT_GT(slid(33), 0.05);
+}
+
+TEST(Piles, sheets_that_intersect_from_the_beginning_are_not_shot) {
+  World world = test::world_with_ground();
+  const glm::dquat upright = glm::normalize(glm::dquat(1, 1, 0, 0)),
+                   tilted = glm::normalize(glm::dquat(1, 0, 0.3, 0.7));
+  test::add(world, test::rectangle(0.6, 0.6, 6), {0, 0.5, 0});
+  test::add(world, test::rectangle(0.6, 0.6, 6), {0.05, 0.5, 0.02}, upright);
+  test::add(world, test::rectangle(0.6, 0.6, 6), {0.1, 0.55, 0.02}, tilted);
+  Physics physics;
+  const double free_fall = std::sqrt(2 * 9.81 * 0.9);
+  for (Ticks t = 0; t < 2 * kTicksPerSecond; ++t) {
+    physics.tick(world);
+    ASSERT_LT(fastest(world), free_fall) << t;
+  }
+}
+
+}  // namespace
+}  // namespace kerf

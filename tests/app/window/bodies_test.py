@@ -2,6 +2,7 @@
 import json
 import os
 import subprocess
+import tempfile
 import unittest
 
 from editor_window import KERF, SPHERE, WindowTest, pause, wait_for
@@ -61,6 +62,24 @@ class Bodies(WindowTest):
         placements = editor.quit()["placements"]
         self.assertEqual([body["position"] for body in placements if body["pinned"]], [[0, 0, 0]])
         self.assertTrue(any(body["position"] != [0, 0, 0] for body in placements))
+
+    def test_the_panel_switches_gravity_and_takes_its_value_and_the_height_of_the_ground(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        self.only_panel("Bodies")
+        editor = self.open_again(SPHERE)
+        editor.click("gravity on", 0.5, 0.5)
+        editor.click("gravity on", 0.5, 0.5)
+        for name, value in (("Its value", "1.62"), ("Ground", "-20")):
+            editor.click(name, 0.3, 0.5)
+            editor.press("ctrl", "a")
+            editor.xdotool("type", "--delay", "60", "--", value)
+            editor.do("Return")
+        report = editor.quit()
+        self.assertEqual(report["time"]["gravity"], [0, -1.62, 0])
+        self.assertAlmostEqual(report["time"]["ground"], -0.02)
+        self.assertEqual(report["undo_depth"], 4)
 
     def test_a_drag_pulls_a_body_up_by_a_spring_while_time_plays(self):
         editor = self.open(SPHERE)

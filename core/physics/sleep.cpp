@@ -1,6 +1,7 @@
 #include "core/physics/sleep.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "core/base/tick.h"
 #include "core/base/union_find.h"
@@ -59,6 +60,7 @@ UnionFind islands_of(std::span<const MovingBody> bodies, std::span<const Touchin
 
 bool update_sleep(std::span<MovingBody> bodies, std::span<const TouchingPair> pairs,
                   std::span<const BodyJoint> joints, const ContactMemory& memory, double seconds) {
+  assert(seconds > 0);
   UnionFind islands = islands_of(bodies, pairs, joints, memory, seconds);
   std::vector<bool> restless(bodies.size(), false);
   for (uint32_t i = 0; i < bodies.size(); ++i) {

@@ -6,6 +6,7 @@
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <algorithm>
+#include <cassert>
 #include <deque>
 #include <limits>
 #include <vector>
@@ -60,6 +61,9 @@ class BulletGroup {
   }
 
   void add(TouchingPair& pair) {
+    assert(pair.first < bodies_.size());
+    assert(bodies_[pair.first].moves() ||
+           (pair.second != TouchingPair::kGround && bodies_[pair.second].moves()));
     btRigidBody* second = pair.second == TouchingPair::kGround ? &ground_ : &rigid_[pair.second];
     for (size_t i = 0; i < pair.contacts.size(); ++i) {
       if (i % MANIFOLD_CACHE_SIZE == 0) used_.push_back(next_manifold(&rigid_[pair.first], second));
@@ -184,6 +188,7 @@ class BulletGroup {
 
 void solve_contacts(std::span<MovingBody> bodies, std::span<TouchingPair> pairs,
                     std::span<const BodyJoint> joints, const SolverSettings& settings, SolverMemory& memory) {
+  assert(settings.seconds > 0 && settings.iterations > 0);
   BulletGroup group(bodies, settings, *memory.storage_);
   for (TouchingPair& pair : pairs) group.add(pair);
   for (const BodyJoint& joint : joints) group.add(joint);

@@ -1,6 +1,7 @@
 #include "core/physics/contact/pair_contacts.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "core/physics/collider/spread_points.h"
 #include "core/physics/contact/chord_contacts.h"
@@ -54,6 +55,7 @@ void find_points_of_second(const MovingBody& first, const MovingBody& second, co
 
 std::vector<Contact> find_contacts(const MovingBody& first, const MovingBody& second,
                                    const ContactLengths& lengths, PairMemory& memory) {
+  assert(first.id < second.id);
   if (memory.crossed) {
     memory.points_of_first.clear();
     memory.points_of_second.clear();

@@ -2,6 +2,7 @@
 
 #include <GLFW/glfw3.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
@@ -21,7 +22,20 @@ bool has_double_click(std::span<const InputEvent> events, double most_pixels) {
   }
   return false;
 }
+
+// Whether the last frame left out the item that the mouse holds (see keep_active_item).
+bool is_active_item_hidden() {
+  const ImGuiContext& context = *ImGui::GetCurrentContext();
+  return context.ActiveId != 0 && context.ActiveIdWindow != nullptr && !context.ActiveIdWindow->Active;
+}
 }  // namespace
+
+void keep_active_item() {
+  ImGuiContext& context = *ImGui::GetCurrentContext();
+  if (context.ActiveId == 0) return;
+  ImGui::KeepAliveID(context.ActiveId);
+  context.ActiveIdNoClearOnFocusLoss = true;
+}
 
 Gui::Gui(const Window& window) {
   IMGUI_CHECKVERSION();
@@ -51,15 +65,30 @@ void Gui::dress(const GuiLook& look) {
 void Gui::begin_frame(std::span<const InputEvent> events) {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
-  // ImGui takes the time of a click from the frame that sees it. A press, its release and the next press are seen by
-  // three frames at least, so that slow frames would keep two quick clicks apart.
+  // ImGui takes the time of a click from the frame that sees it. A press, its release and the next press are
+  // seen by three frames at least, so that slow frames would keep two quick clicks apart.
   ImGuiIO& io = ImGui::GetIO();
   io.MouseDoubleClickTime = kDoubleClickSeconds + last_frame_seconds_ + io.DeltaTime;
   last_frame_seconds_ = io.DeltaTime;
+  hold_release(events);
   ImGui::NewFrame();
   if (!has_double_click(events, io.MouseDoubleClickMaxDist)) return;
   io.MouseClickedCount[ImGuiMouseButton_Left] = 2;
   io.MouseDoubleClicked[ImGuiMouseButton_Left] = true;
+}
+
+// The first frame that draws the item again shows it where the button was released; the frame after that, the
+// release.
+void Gui::hold_release(std::span<const InputEvent> events) {
+  if (!is_active_item_hidden()) return released_.reset();
+  for (const InputEvent& event : events) {
+    if (event.kind == InputEvent::Kind::kRelease && event.button == GLFW_MOUSE_BUTTON_LEFT)
+      released_ = event.at;
+  }
+  if (!released_) return;
+  ImGuiIO& io = ImGui::GetIO();
+  io.MouseDown[ImGuiMouseButton_Left] = true;
+  io.MousePos = {static_cast<float>(released_->x), static_cast<float>(released_->y)};
 }
 
 void Gui::end_frame() {

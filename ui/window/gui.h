@@ -8,6 +8,10 @@
 
 namespace kerf {
 
+// Lets the mouse keep the slider or the button that it holds, in a frame that leaves the panels out;
+// otherwise ImGui lets go of an item that a frame does not draw. To be called within each such frame.
+void keep_active_item();
+
 // Runs ImGui in a window: its context, its fonts and colours, and its frames.
 class Gui {
  public:
@@ -25,7 +29,11 @@ class Gui {
   void end_frame();
 
  private:
+  void hold_release(std::span<const InputEvent> events);
+
   std::optional<GuiLook> look_;
+  std::optional<Vec2>
+      released_;  // where the left button was released while the item that it holds was hidden
   float last_frame_seconds_ = 0;
 };
 

@@ -111,6 +111,14 @@ class Strokes(WindowTest):
         self.assertEqual(report["last_stroke"]["faces_removed"], report["faces_removed"])
         self.assertGreater(report["last_stroke"]["faces_made"], 100)
 
+    def test_a_slider_is_held_while_the_stroke_among_many_faces_is_cut_again_in_the_background(self):
+        editor = self.open()
+        editor.drag([(0.27, 0.36), (0.8, 0.42)])
+        editor.drag([("radius", 0.5, 0.5), ("radius", 0.36, 0.5)])
+        report = editor.quit()
+        self.assertGreater(report["faces"], 40000)
+        self.assertLess(report["last_stroke"]["radius"], 0.0075)  # from 0.0122
+
     def test_a_split_view_cuts_the_stroke_at_two_resolutions(self):
         self.assert_split_view_works()
 

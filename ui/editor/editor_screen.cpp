@@ -279,6 +279,7 @@ void EditorScreen::begin_pending_change() {
 
 void EditorScreen::finish_change() {
   thread_.finish();
+  desk_.end_group();
   state_.view.picture_old = true;
 }
 

@@ -12,6 +12,7 @@
 namespace kerf {
 
 void RequestDesk::fulfil() {
+  groups_.follow(state_.work.document);
   decide();
   Requests wanted = std::exchange(state_.requests, {});
   load_paths(wanted.open);
@@ -27,8 +28,14 @@ void RequestDesk::fulfil() {
     if (may_leave(decisions, state_.work, state_.view.look.lights, wanted)) leave(wanted);
   }
   if (!wanted.save_path_to.empty()) save_path_to(wanted.save_path_to);
-  opener_.take_loaded();
+  take_loaded();
   if (!state_.opening.loader.busy()) change_world(wanted);  // otherwise what is open is about to go
+}
+
+void RequestDesk::take_loaded() {
+  if (!state_.opening.loader.busy()) return;
+  opener_.take_loaded();
+  if (!state_.opening.loader.busy()) groups_ = StepGroups();
 }
 
 void RequestDesk::decide() {
@@ -62,7 +69,11 @@ void RequestDesk::save_to(const std::filesystem::path& file) {
 // The open work is saved, or is to be discarded.
 void RequestDesk::leave(const Requests& wanted) {
   state_.opening.loader.cancel();
-  if (!wanted.quit) return opener_.open(wanted);
+  if (!wanted.quit) {
+    opener_.open(wanted);
+    groups_ = StepGroups();
+    return;
+  }
   quit_ = true;
   state_.work.saved_commands = state_.work.document.journal().size();
   state_.work.saved_lights = state_.view.look.lights;
@@ -90,27 +101,33 @@ void RequestDesk::run_path() {
   if (const auto why = why_no_cut(path.strokes())) return state_.message.say(*why, true);
   cancel_stroke(state_.hand, state_.work.document);
   const Document& document = state_.work.document;
-  const size_t from = document.history().position();
-  path.note_run(from);
+  path.note_run(document.history().position());
   std::function<Resolution(double)> resolution;
   if (state_.lasers.at_panel_resolution)
     resolution = [controls = state_.hand.laser.resolution](double radius) { return controls.of(radius); };
-  changes_.run_path(path_commands(path.strokes(), document.world().bounds().diagonal(), resolution),
-                    [this, &document, from] {
-                      run_ = Run{from, document.history().position(), document.journal().size()};
-                    });
+  begin_group("Run of the path");
+  changes_.run_path(path_commands(path.strokes(), document.world().bounds().diagonal(), resolution));
   state_.hand.cut_once = true;
 }
 
-// A step back from the end of the run goes to where it began, and a step forth from there to its end.
+void RequestDesk::begin_group(const char* name) {
+  if (!open_group_) open_group_ = {state_.work.document.history().position(), name};
+}
+
+// Not before all of the group is done.
+void RequestDesk::end_group() {
+  if (!open_group_ || changes_.is_pending() || state_.requests.hide_chosen || state_.requests.delete_chosen)
+    return;
+  groups_.add(open_group_->from, state_.work.document, open_group_->name);
+  open_group_.reset();
+}
+
 void RequestDesk::step_through_history(bool back) {
-  const Document& document = state_.work.document;
-  const size_t position = document.history().position();
-  const bool alone = run_ && document.journal().size() == run_->commands;
-  if (!alone || position != (back ? run_->to : run_->from)) return changes_.step_through_history(back);
-  run_->commands += run_->to - run_->from;
-  changes_.travel_to(back ? run_->from : run_->to,
-                     back ? "Undone: the run of the path" : "Done again: the run of the path");
+  groups_.follow(state_.work.document);
+  const StepGroups::Group* group = groups_.at(state_.work.document, back);
+  if (group == nullptr) return changes_.step_through_history(back);
+  cancel_stroke(state_.hand, state_.work.document);
+  changes_.travel_to(back ? group->from : group->to, (back ? "Undone: " : "Done again: ") + group->name);
 }
 
 void RequestDesk::change_world(const Requests& wanted) {
@@ -121,14 +138,34 @@ void RequestDesk::change_world(const Requests& wanted) {
     changes_.apply(command);
   }
   if (wanted.run_path && !changes_.is_pending()) run_path();
-  if (wanted.hide_chosen) state_.requests.hide_chosen = changes_.hide_chosen();
-  if (wanted.delete_chosen) state_.requests.delete_chosen = changes_.delete_chosen();
-  if (wanted.pin_chosen && !changes_.is_pending()) changes_.pin_chosen(*wanted.pin_chosen);
-  if (wanted.duplicate_chosen && !changes_.is_pending()) changes_.duplicate_chosen();
-  if (wanted.show_hidden && !changes_.is_pending()) changes_.show_hidden();
-  if (wanted.isolate && !changes_.is_pending()) changes_.isolate_chosen();
+  change_pieces(wanted);
   const bool recut = wanted.recut || wanted.recut_radius;
   if (recut && !changes_.is_pending()) changes_.recut_last_stroke(wanted.recut_radius);
+  end_group();
+}
+
+void RequestDesk::change_pieces(const Requests& wanted) {
+  if (wanted.hide_chosen) {
+    begin_group("Hide pieces");
+    state_.requests.hide_chosen = changes_.hide_chosen();
+  }
+  if (wanted.delete_chosen) {
+    begin_group("Delete pieces");
+    state_.requests.delete_chosen = changes_.delete_chosen();
+  }
+  if (wanted.pin_chosen && !changes_.is_pending()) {
+    begin_group(*wanted.pin_chosen ? "Pin pieces" : "Unpin pieces");
+    changes_.pin_chosen(*wanted.pin_chosen);
+  }
+  if (wanted.duplicate_chosen && !changes_.is_pending()) changes_.duplicate_chosen();
+  if (wanted.show_hidden && !changes_.is_pending()) {
+    begin_group("Show all pieces");
+    changes_.show_hidden();
+  }
+  if (wanted.isolate && !changes_.is_pending()) {
+    begin_group("Isolate pieces");
+    changes_.isolate_chosen();
+  }
 }
 
 }  // namespace kerf

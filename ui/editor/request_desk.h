@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/editor/changes/file_opener.h"
+#include "ui/editor/changes/step_groups.h"
 #include "ui/editor/changes/world_changes.h"
 #include "ui/editor/state.h"
 
@@ -15,6 +16,8 @@ class RequestDesk {
 
   // To be called between two frames. A request for a screenshot of the window is left to the caller.
   void fulfil();
+  // To be called when a change that was pending is complete.
+  void end_group();
   // Whether the editor should end.
   bool quit() const { return quit_; }
 
@@ -28,10 +31,14 @@ class RequestDesk {
   void run_path();
   void step_through_history(bool back);
 
-  // The last run of the path, which undo and redo take as one step while nothing else was done since.
-  struct Run {
-    size_t from = 0, to = 0;  // positions of the history
-    size_t commands = 0;      // in the journal, where nothing else was done
+  void take_loaded();
+  void change_pieces(const Requests& wanted);
+  void begin_group(const char* name);
+
+  // A change of several steps of the history that undo and redo take as one.
+  struct OpenGroup {
+    size_t from = 0;  // position of the history
+    const char* name = "";
   };
 
   EditorState& state_;
@@ -39,7 +46,8 @@ class RequestDesk {
   FileOpener& opener_;
   Recovery& recovery_;
   bool quit_ = false;
-  std::optional<Run> run_;
+  StepGroups groups_;
+  std::optional<OpenGroup> open_group_;
 };
 
 }  // namespace kerf

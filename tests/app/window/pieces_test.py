@@ -63,6 +63,19 @@ class Pieces(WindowTest):
         self.assertEqual((report["pieces"], report["pieces_chosen"], report["pieces_hidden"]), (2, 1, 0))
         self.assertEqual(report["undo_depth"], 3)  # the stroke, one half hidden, and shown again
 
+    def test_one_undo_takes_an_isolation_of_many_pieces_back(self):
+        editor = self.open(SPHERE)
+        for down in (0.35, 0.5, 0.65):
+            editor.drag([(0.2, down), (0.8, down)])
+        editor.press("k")
+        editor.click(0.5, 0.42)
+        editor.do("slash")
+        editor.do("ctrl", "z")
+        editor.do("ctrl", "shift", "z")
+        editor.do("ctrl", "z")
+        report = editor.quit()
+        self.assertEqual((report["pieces"], report["pieces_hidden"], report["undo_depth"]), (4, 0, 3))
+
     def picture(self, editor):
         """The colours of the picture at points of a grid, once it is smooth, while the pointer is in a corner."""
         editor.point_at(0.02, 0.04)

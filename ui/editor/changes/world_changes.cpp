@@ -202,7 +202,7 @@ void WorldChanges::recut_last_stroke(bool radius) {
   ++on_.figures.recuts;
 }
 
-void WorldChanges::run_path(std::vector<Command> commands, std::function<void()> done) {
+void WorldChanges::run_path(std::vector<Command> commands) {
   const auto run = [commands = std::move(commands)](Document& document, const Progress* progress) {
     Outcome outcome = document.run_whole(commands, progress);
     if (!outcome.ok() && outcome.error().message == cancelled().message)
@@ -210,10 +210,6 @@ void WorldChanges::run_path(std::vector<Command> commands, std::function<void()>
     return outcome;
   };
   change("Cutting the path", false, run, "The path is cut.");
-  pending_->then = [then = pending_->then, done = std::move(done)](const Outcome& outcome) {
-    then(outcome);
-    if (outcome.ok()) done();
-  };
 }
 
 // A quick change is done at once, another beside the frames.

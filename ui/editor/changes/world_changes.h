@@ -66,9 +66,8 @@ class WorldChanges {
   // gives a reason.
   void recut_last_stroke(bool radius);
 
-  // Executes commands of strokes on a thread of its own: all of them, or none if the user stops it. Calls
-  // `done` afterwards if all were executed.
-  void run_path(std::vector<Command> commands, std::function<void()> done);
+  // Executes commands of strokes on a thread of its own: all of them, or none if the user stops it.
+  void run_path(std::vector<Command> commands);
 
   // Executes a part of the queue by Document::step or SingleStep. Returns false if that failed or became
   // pending, because it

@@ -21,7 +21,7 @@ class Strokes(WindowTest):
         editor.drag([(0.53, 0.5), (0.66, 0.43)], button=2)
         editor.drag([(0.53, 0.5), (0.6, 0.57)], button=3)
         editor.press("Escape")
-        for key in ("f", "Home", "x", "space", "Delete"):
+        for key in ("f", "Home", "x", "comma", "Delete"):
             editor.press(key)
         for _ in range(3):
             editor.xdotool("click", 4)

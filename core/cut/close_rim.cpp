@@ -86,20 +86,38 @@ Status close(RimState& rim, const Progress& progress) {
   return fitted;
 }
 
+// All that the beam has swept in the body.
+void add_region(RimState& rim, std::span<const BeamMove> path, const SweptByBody& swept) {
+  BodyStep& step = rim.step;
+  const Laser& laser = rim.settings.laser;
+  const auto add = [&] {
+    for (const SweptCylinder& part : step.beam) rim.region.add(part);
+  };
+  const auto own = swept.find(step.id);
+  if (own == swept.end()) {
+    for (const BeamMove& move : path) {
+      sweep(step, laser, move);
+      add();
+    }
+    return;
+  }
+  for (const BeamMove& move : own->second) {
+    step.beam = sweep_beam(laser, move);
+    add();
+  }
+}
+
 }  // namespace
 
 Result<StepResult> close_rim(World& world, const CutSettings& settings, std::span<const BeamMove> path,
-                             const Progress* progress) {
+                             const SweptByBody& swept, const Progress* progress) {
   StepResult result;
   const std::vector<BodyId> ids = cuttable(world);
   double done = 0;
   for (const BodyId id : ids) {
     BodyStep step(id, world.body(id));
     RimState rim(step, settings);
-    for (const BeamMove& move : path) {
-      sweep(step, settings.laser, move);
-      for (const SweptCylinder& part : step.beam) rim.region.add(part);
-    }
+    add_region(rim, path, swept);
     const double share = 1 / static_cast<double>(ids.size());
     if (const Status closed = close(rim, share_of(progress, done, done + share)); !closed)
       return closed.error();

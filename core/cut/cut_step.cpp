@@ -1,6 +1,8 @@
 #include "core/cut/cut_step.h"
 
 #include <algorithm>
+#include <cassert>
+#include <limits>
 
 #include "core/cut/cuttable.h"
 #include "core/cut/step_state.h"
@@ -32,11 +34,18 @@ class Bite {
     for (const BodyId id : cuttable(world)) bodies_.emplace_back(id, world.body(id));
   }
 
+  // Goes through one body, by moves in its frame.
+  Bite(World& world, BodyId id, const CutSettings& settings, UnfinishedMove& unfinished,
+       const Progress& progress)
+      : world_(world), settings_(settings), move_(unfinished), progress_(progress), in_body_frame_(true) {
+    bodies_.emplace_back(id, world.body(id));
+  }
+
   // Executes the next part of a move. Returns whether the move is finished.
   Result<bool> take_part(const BeamMove& move) {
     if (move_.bodies < bodies_.size()) {
       BodyStep& step = bodies_[move_.bodies];
-      sweep(step, settings_.laser, move);
+      sweep_through(step, move);
       if (const Status done = go_on(step); !done) return done.error();
       if (move_.stage == Stage::kFind) ++move_.bodies;
     }
@@ -49,7 +58,7 @@ class Bite {
   Result<bool> take(const BeamMove& move) {
     for (; move_.bodies < bodies_.size(); ++move_.bodies) {
       BodyStep& step = bodies_[move_.bodies];
-      sweep(step, settings_.laser, move);
+      sweep_through(step, move);
       do {
         const size_t faces = faces_ahead();
         if (taken_ > 0 && taken_ + faces > settings_.bite) return false;
@@ -68,6 +77,14 @@ class Bite {
 
  private:
   using Stage = UnfinishedMove::Stage;
+
+  void sweep_through(BodyStep& step, const BeamMove& move) const {
+    if (in_body_frame_) {
+      step.beam = sweep_beam(settings_.laser, move);
+    } else {
+      sweep(step, settings_.laser, move);
+    }
+  }
 
   // What the next part is about; what it finds or searches besides is known and counted when it is done.
   size_t faces_ahead() const {
@@ -131,8 +148,9 @@ class Bite {
   UnfinishedMove& move_;
   const Progress& progress_;
   std::vector<BodyStep> bodies_;
-  Delta held_;        // what joints changed
-  size_t taken_ = 0;  // faces
+  bool in_body_frame_ = false;  // of the moves
+  Delta held_;                  // what joints changed
+  size_t taken_ = 0;            // faces
 };
 
 }  // namespace
@@ -169,6 +187,22 @@ Result<StepResult> cut_stage(World& world, const CutSettings& settings, const Be
   if (*through) {
     result.moves = 1;
     result.last = move;
+  }
+  bite.end(result);
+  return result;
+}
+
+Result<StepResult> cut_body(World& world, const CutSettings& settings, BodyId id,
+                            std::span<const BeamMove> moves, const Progress* progress) {
+  assert(!world.body(id).hidden);
+  StepResult result;
+  UnfinishedMove whole;
+  CutSettings at_once = settings;
+  at_once.bite = std::numeric_limits<size_t>::max();
+  const Progress asked = share_of(progress, 0, 1);
+  Bite bite(world, id, at_once, whole, asked);
+  for (const BeamMove& move : moves) {
+    if (const Result<bool> through = bite.take(move); !through) return through.error();
   }
   bite.end(result);
   return result;

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
@@ -96,17 +98,25 @@ Result<StepResult> cut_step(World& world, const CutSettings& settings, std::span
 Result<StepResult> cut_stage(World& world, const CutSettings& settings, const BeamMove& move,
                              UnfinishedMove& unfinished, const Progress* progress = nullptr);
 
+// Executes moves of the beam through one body, whole, as cut_step does: for a body that moves under the beam.
+// The moves are in the frame of the body. Fails like cut_step. Precondition: the body is not hidden.
+Result<StepResult> cut_body(World& world, const CutSettings& settings, BodyId id,
+                            std::span<const BeamMove> moves, const Progress* progress = nullptr);
+
+// The moves of a stroke in the frames of bodies, for those that moved during the stroke.
+using SweptByBody = std::map<BodyId, std::vector<BeamMove>>;
+
 // Ends a stroke with a smooth rim in all bodies that the beam may cut (see cuttable). Before that, the steps
 // of the stroke only remove faces that are wholly inside the beam. This function cuts the faces that cross
 // the boundary of the volume swept by `path` along that boundary, and removes the parts inside. `path` holds
-// all moves of the stroke, in world coordinates.
+// all moves of the stroke, in world coordinates; for the bodies that `swept` lists, their list replaces it.
 //
 // Faces in which a chord would deviate from the boundary by more than kRimChord are split by the scheme
 // first. A vertex near the boundary is moved onto it along an edge if that does not change the surface; every
 // other edge that crosses the boundary is split there, so that the rim lies on the original surface. Finally,
 // edges within one base face are flipped where that increases the smallest angle. Fails like cut_step.
 Result<StepResult> close_rim(World& world, const CutSettings& settings, std::span<const BeamMove> path,
-                             const Progress* progress = nullptr);
+                             const SweptByBody& swept = {}, const Progress* progress = nullptr);
 
 // Whether no body has an unfinished search for separated pieces.
 bool is_settled(const World& world);

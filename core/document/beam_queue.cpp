@@ -52,8 +52,9 @@ void BeamQueue::push_rim(size_t step, std::shared_ptr<Stroke> stroke) {
   push({step, Kind::kRim, std::move(stroke), {}, 1, false, {}});
 }
 
-void BeamQueue::push_ticks(size_t step, Ticks ticks, bool bodies) {
-  push({step, Kind::kTicks, nullptr, {}, ticks, bodies, {}});
+void BeamQueue::push_ticks(size_t step, Ticks ticks, bool bodies, std::shared_ptr<Stroke> stroke) {
+  const Pose beam = stroke ? stroke->beam.pose : Pose{};
+  push({step, Kind::kTicks, std::move(stroke), {beam, beam, 0}, ticks, bodies, {}});
 }
 
 void BeamQueue::push_spring(size_t step, const std::optional<Spring>& spring) {
@@ -86,6 +87,16 @@ Ticks BeamQueue::front_ticks() const {
 bool BeamQueue::front_moves_bodies() const {
   assert(!empty() && front_kind() == Kind::kTicks);
   return entries_.front().bodies;
+}
+
+const std::shared_ptr<Stroke>& BeamQueue::front_beam() const {
+  assert(!empty() && front_kind() == Kind::kTicks);
+  return entries_.front().stroke;
+}
+
+const Pose& BeamQueue::front_beam_pose() const {
+  assert(front_beam());
+  return entries_.front().move.to;
 }
 
 const std::optional<Spring>& BeamQueue::front_spring() const {
@@ -168,6 +179,9 @@ void BeamQueue::drop(size_t step) {
 
 void BeamQueue::drop_strokes(size_t step) {
   drop_if(step, [](const Entry& e) { return !e.in_time(); });
+  for (Entry& e : entries_) {
+    if (e.step == step) e.stroke = nullptr;
+  }
 }
 
 }  // namespace kerf

@@ -31,8 +31,9 @@ class BeamQueue {
 
   void push_move(size_t step, std::shared_ptr<Stroke> stroke, const BeamMove& move, const World& world);
   void push_rim(size_t step, std::shared_ptr<Stroke> stroke);
-  // `bodies`: bodies move in these ticks.
-  void push_ticks(size_t step, Ticks ticks, bool bodies);
+  // `bodies`: bodies move in these ticks, under the beam of `stroke` at the end of its moves so far, or under
+  // none if it is null.
+  void push_ticks(size_t step, Ticks ticks, bool bodies, std::shared_ptr<Stroke> stroke);
   void push_spring(size_t step, const std::optional<Spring>& spring);
   // The same, before everything else. Precondition: no move is unfinished.
   void push_ticks_in_front(size_t step, Ticks ticks, bool bodies);
@@ -42,8 +43,11 @@ class BeamQueue {
   size_t front_step() const;
   Kind front_kind() const { return ready_.empty() ? entries_.front().kind : Kind::kMove; }
   const std::shared_ptr<Stroke>& front_stroke() const;
-  Ticks front_ticks() const;                          // precondition: front_kind() is kTicks
-  bool front_moves_bodies() const;                    // the same
+  Ticks front_ticks() const;        // precondition: front_kind() is kTicks
+  bool front_moves_bodies() const;  // the same
+  // The stroke whose beam is on in the ticks at the front, or null, and where the beam is.
+  const std::shared_ptr<Stroke>& front_beam() const;  // precondition: front_kind() is kTicks
+  const Pose& front_beam_pose() const;                // precondition: front_beam()
   const std::optional<Spring>& front_spring() const;  // precondition: front_kind() is kSpring
 
   // The move that the next step begins or continues, or nothing if the front is no move.
@@ -62,7 +66,8 @@ class BeamQueue {
   void pop_ticks(Ticks count);
   void pop_spring();
 
-  // Remove the entries of a step of the history: all of them, or all of its strokes.
+  // Remove the entries of a step of the history: all of them, or all of its strokes, so that its ticks pass
+  // without a beam.
   void drop(size_t step);
   void drop_strokes(size_t step);
   void clear() { *this = BeamQueue(); }
@@ -71,8 +76,8 @@ class BeamQueue {
   struct Entry {
     size_t step = 0;
     Kind kind = Kind::kMove;
-    std::shared_ptr<Stroke> stroke;  // of kMove and kRim
-    BeamMove move;                   // of a move, not subdivided
+    std::shared_ptr<Stroke> stroke;  // of kMove and kRim; of kTicks under a beam
+    BeamMove move;                   // of a move, not subdivided; of ticks, where the beam is
     size_t count = 1;                // its share of size(); the number of ticks
     bool bodies = false;             // of ticks: bodies move
     std::optional<Spring> spring;    // of kSpring

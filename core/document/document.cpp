@@ -101,16 +101,22 @@ void Document::queue_command(size_t step, const Command& command) {
   };
   std::visit(Overloaded{
                  [&](const BeginStroke& c) {
-                   drawn_ = std::make_shared<Stroke>(Stroke{c.settings, {c.pose, 0}, {}});
+                   drawn_ = std::make_shared<Stroke>();
+                   drawn_->settings = c.settings;
+                   drawn_->beam = {c.pose, 0};
                    move_to({c.pose, 0});
                  },
                  [&](const MoveStroke& c) {
                    move_to({c.pose, c.time});
                  },
                  [&](const EndStroke&) {
+                   drawn_->ended = true;
                    if (drawn_->settings.smooth()) queue_.push_rim(step, drawn_);
                  },
-                 [&](const Advance& c) { queue_.push_ticks(step, c.ticks, c.bodies); },
+                 [&](const Advance& c) {
+                   const bool beam = c.bodies && drawn_ && !drawn_->ended;
+                   queue_.push_ticks(step, c.ticks, c.bodies, beam ? drawn_ : nullptr);
+                 },
                  [&](const Pull& c) {
                    queue_.push_spring(step, Spring{c.piece, c.at, c.to});
                  },

@@ -185,8 +185,9 @@ class Document {
   Result<StepResult> walk_moves(size_t most, const Progress& progress);
   Result<StepResult> walk_stage(const Progress& progress);
   Result<StepResult> close_rim_of_stroke(const Progress& progress);
-  StepResult pass_ticks(size_t most);
-  StepResult move_bodies(size_t step);
+  Result<StepResult> pass_ticks(size_t most, const Progress& progress);
+  Result<StepResult> move_bodies(size_t step, const Progress& progress);
+  Result<StepResult> move_under_beam(size_t step, const Progress& progress);
   StepResult change_spring();
   void keep_open(size_t step);
   void begin(size_t step);
@@ -195,6 +196,7 @@ class Document {
   void close();
   void close_and_trim();
   void note(size_t step, const StepResult& some);
+  void note_cut(size_t step, const StepResult& some);
   StepResult noted(size_t step, StepResult some);
   bool is_over(size_t step) const;
   void finish_step(size_t step);

@@ -53,7 +53,6 @@ Result<StepResult> Document::step_stage(const Progress* progress) { return step_
 Result<StepResult> Document::step_front(size_t most, bool one_stage, const Progress* progress) {
   if (must_separate()) return separate_more();
   if (queue_.empty() || most == 0) return StepResult{};
-  if (queue_.front_kind() == BeamQueue::Kind::kTicks) return pass_ticks(most);
   if (queue_.front_kind() == BeamQueue::Kind::kSpring) return change_spring();
   const size_t step = queue_.front_step();
   bool stopped = false;
@@ -61,11 +60,12 @@ Result<StepResult> Document::step_front(size_t most, bool one_stage, const Progr
     stopped = progress && !progress->report(fraction);
     return !stopped;
   }};
-  const bool moves = queue_.front_kind() == BeamQueue::Kind::kMove;
-  Result<StepResult> some = !moves      ? close_rim_of_stroke(watched)
-                            : one_stage ? walk_stage(watched)
-                                        : walk_moves(most, watched);
-  if (some) return noted(step, std::move(*some));
+  const BeamQueue::Kind kind = queue_.front_kind();
+  Result<StepResult> some = kind == BeamQueue::Kind::kTicks ? pass_ticks(most, watched)
+                            : kind == BeamQueue::Kind::kRim ? close_rim_of_stroke(watched)
+                            : one_stage                     ? walk_stage(watched)
+                                                            : walk_moves(most, watched);
+  if (some) return kind == BeamQueue::Kind::kTicks ? some : noted(step, std::move(*some));
   give_up(step, stopped);
   return some.error();
 }
@@ -88,6 +88,7 @@ Result<StepResult> Document::walk_moves(size_t most, const Progress& progress) {
   begin(queue_.front_step());
   walked_ = queue_.front_stroke();
   const std::vector<BeamMove> moves = queue_.begin_moves(world_, std::min(most, kMostAtOnce));
+  walked_->list_path(world_);
   Result<StepResult> some = cut_step(world_, walked_->settings, moves, queue_.unfinished(), &progress);
   if (some) queue_.pop_moves(some->moves);
   return some;
@@ -97,6 +98,7 @@ Result<StepResult> Document::walk_stage(const Progress& progress) {
   begin(queue_.front_step());
   walked_ = queue_.front_stroke();
   const BeamMove move = queue_.begin_moves(world_, 1).front();
+  walked_->list_path(world_);
   Result<StepResult> some = cut_stage(world_, walked_->settings, move, queue_.unfinished(), &progress);
   if (some) queue_.pop_moves(some->moves);
   return some;
@@ -106,34 +108,61 @@ Result<StepResult> Document::close_rim_of_stroke(const Progress& progress) {
   begin(queue_.front_step());
   walked_ = queue_.front_stroke();
   queue_.pop_rim();
-  return close_rim(world_, walked_->settings, walked_->path, &progress);
+  return close_rim(world_, walked_->settings, walked_->path, walked_->swept, &progress);
 }
 
-StepResult Document::pass_ticks(size_t most) {
+Result<StepResult> Document::pass_ticks(size_t most, const Progress& progress) {
   const size_t step = queue_.front_step();
   begin(step);
-  if (queue_.front_moves_bodies()) return move_bodies(step);
+  if (queue_.front_moves_bodies()) return move_bodies(step, progress);
   const Ticks ticks = std::min<Ticks>(most, queue_.front_ticks());
   world_.pass(ticks);
   queue_.pop_ticks(ticks);
   keep_open(step);
-  return {};
+  return StepResult{};
 }
 
 // One tick. What came off since the last one, and what turns on joints, becomes bodies first.
-StepResult Document::move_bodies(size_t step) {
-  StepResult some;
-  if (!physics_.knows_joints()) hold_parts(world_, Hold::kMoving, some.delta);
-  release_pieces(world_, history_.step(step).generation, some.delta);
-  forget_contacts(world_, some.delta);
-  physics_.follow(some.delta);
-  follow_with_spring(world_, some.delta);
-  some.delta.append(physics_.tick(world_));
+Result<StepResult> Document::move_bodies(size_t step, const Progress& progress) {
+  StepResult all;
+  if (!physics_.knows_joints()) hold_parts(world_, Hold::kMoving, all.delta);
+  release_pieces(world_, history_.step(step).generation, all.delta);
+  follow_with_spring(world_, all.delta);
+  note_cut(step, all);
+  if (queue_.front_beam()) queue_.front_beam()->inherit(all.delta.detached);
+  Result<StepResult> moved = move_under_beam(step, progress);
+  if (!moved) return moved;
+  all.delta.append(std::move(moved->delta));
+  all.figures.add(moved->figures);
   world_.pass(1);
   queue_.pop_ticks(1);
-  note(step, some);
   keep_open(step);
-  return some;
+  return all;
+}
+
+// Bodies move on, and the beam, where it is on, cuts what moves through it.
+Result<StepResult> Document::move_under_beam(size_t step, const Progress& progress) {
+  const std::shared_ptr<Stroke> stroke = queue_.front_beam();
+  std::map<BodyId, Placement> before;
+  if (stroke) {
+    for (const BodyId id : world_.ids()) before[id] = world_.body(id).placement;
+  }
+  StepResult all;
+  all.delta = physics_.tick(world_);
+  note(step, all);
+  if (!stroke) return all;
+  walked_ = stroke;
+  for (const BodyId id : std::vector<BodyId>(all.delta.moved)) {
+    const Body& body = world_.body(id);
+    const std::vector<BeamMove> moves = stroke->move_body(id, body, before[id], queue_.front_beam_pose());
+    if (moves.empty()) continue;
+    Result<StepResult> cut = cut_body(world_, stroke->settings, id, moves, &progress);
+    if (!cut) return cut;
+    note_cut(step, *cut);
+    all.delta.append(std::move(cut->delta));
+    all.figures.add(cut->figures);
+  }
+  return all;
 }
 
 StepResult Document::change_spring() {
@@ -184,10 +213,15 @@ void Document::note(size_t step, const StepResult& some) {
   history_.step(step).add(some.figures);
 }
 
-StepResult Document::noted(size_t step, StepResult some) {
+// What touched a body that was changed wakes.
+void Document::note_cut(size_t step, const StepResult& some) {
   forget_contacts(world_, some.delta);
   physics_.follow(some.delta);
   note(step, some);
+}
+
+StepResult Document::noted(size_t step, StepResult some) {
+  note_cut(step, some);
   finish_step(step);
   return some;
 }

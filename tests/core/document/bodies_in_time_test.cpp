@@ -197,5 +197,113 @@ TEST_F(BodiesInTime, a_spring_lifts_a_plate_and_lets_it_go) {
   EXPECT_LT(world().body(plate).placement.position.y, 0.05);
 }
 
+// A plate without weight that moves under a beam that stands still, and one that stands still under a beam
+// that moves as the other plate sees it move.
+class MovingPlate : public testing::TestWithParam<Rim> {
+ protected:
+  static World plate_in_space(const Motion& motion) {
+    World world;
+    const BodyId id = add(world, rectangle(1, 1, 6), {0, 0, 0});
+    world.body(id).motion = motion;
+    world.set_surroundings({.gravity = Vec3(0), .ground = std::nullopt});
+    return world;
+  }
+
+  static CutSettings settings_of(Rim rim) {
+    CutSettings s = settings();
+    s.laser.radius = 0.02;
+    s.resolution.rim = rim;
+    return s;
+  }
+
+  // Cuts the moving plate, and returns where the beam was in its frame after each tick.
+  static std::vector<Pose> cut_moving(Document& document, const Pose& beam, Ticks ticks) {
+    const BodyId plate = document.world().ids().front();
+    std::vector<Pose> seen;
+    document.apply(Play{});
+    document.apply(BeginStroke{settings_of(GetParam()), beam});
+    for (Ticks i = 0; i < ticks; ++i) {
+      document.apply(Advance{1, true});
+      EXPECT_TRUE(walk_all(document).ok());
+      seen.push_back(document.world().body(plate).placement.to_body(beam));
+    }
+    document.apply(EndStroke{});
+    EXPECT_TRUE(walk_all(document).ok());
+    return seen;
+  }
+
+  static void cut_still(Document& document, const Pose& beam, const std::vector<Pose>& seen) {
+    document.apply(BeginStroke{settings_of(GetParam()), beam});
+    for (const Pose& pose : seen) document.apply(MoveStroke{pose});
+    document.apply(EndStroke{});
+    EXPECT_TRUE(walk_all(document).ok());
+  }
+
+  static void expect_equal_cuts(const Motion& motion) {
+    const Pose beam{{0.3, 1, 0.1}, {0, -1, 0}};
+    Document moving(plate_in_space(motion)), still(plate_in_space({}));
+    cut_still(still, beam, cut_moving(moving, beam, 30));
+    EXPECT_GT(moving.removed_area(), 0.005);
+    EXPECT_NEAR(moving.removed_area(), still.removed_area(), 1e-9);
+    const Body &a = moving.world().body(moving.world().ids().front()),
+               &b = still.world().body(still.world().ids().front());
+    EXPECT_EQ(a.mesh.live_faces(), b.mesh.live_faces());
+    EXPECT_LT(glm::length(a.pieces[0].moments.first - b.pieces[0].moments.first), 1e-9);
+  }
+};
+
+TEST_P(MovingPlate, is_cut_by_a_still_beam_like_a_still_plate_by_the_opposite_beam) {
+  expect_equal_cuts({.velocity = {1.5, 0, 0.3}});
+}
+
+TEST_P(MovingPlate, that_spins_is_cut_so_too) {
+  expect_equal_cuts({.velocity = {0.4, 0.1, 0}, .spin = {0, 3, 0}});
+}
+
+TEST_P(MovingPlate, that_tumbles_is_cut_so_too) {
+  expect_equal_cuts({.velocity = {0.4, 0, -0.5}, .spin = {1, 0.5, 0.3}});
+}
+
+INSTANTIATE_TEST_SUITE_P(BothRims, MovingPlate, testing::Values(Rim::kFaces, Rim::kSmooth),
+                         [](const auto& rim) { return rim.param == Rim::kFaces ? "faces" : "smooth"; });
+
+TEST_F(BodiesInTime, a_still_beam_slits_a_falling_plate_and_both_halves_fall_on) {
+  apply(Play{});
+  apply(BeginStroke{settings(), {{-3, 0.25, 0.1}, {1, 0, 0}}});  // level, below the plate, across all of it
+  fall(60);
+  apply(EndStroke{});
+  fall(60);
+  walk();
+  EXPECT_EQ(world().ids().size(), 2u);
+  for (const BodyId id : world().ids()) EXPECT_LT(centre(id).y, 0.1);
+  const uint64_t end = state_hash(world());
+  apply(Undo{});
+  EXPECT_EQ(state_hash(world()), state_hash(made_world()));
+  apply(Redo{});
+  EXPECT_EQ(state_hash(world()), end);
+}
+
+TEST_F(BodiesInTime, a_smooth_rim_is_closed_in_pieces_that_came_off_and_fell_during_the_stroke) {
+  CutSettings smooth = settings();
+  smooth.laser.radius = 0.03;
+  smooth.resolution.rim = Rim::kSmooth;
+  const Vec3 down(0, -1, 0);
+  apply(PinPiece{{world().ids().front(), 0}, true});
+  apply(Play{});
+  apply(BeginStroke{smooth, {{-0.7, 3, 0.3}, down}});
+  apply(MoveStroke{{{0.7, 3, 0.3}, down}});
+  fall(20);
+  apply(EndStroke{});
+  fall(1);
+  walk();
+  ASSERT_EQ(world().ids().size(), 2u);
+  // The slit is as wide as the beam in both: what is left is the plate without it.
+  double area = 0;
+  for (const BodyId id : world().ids())
+    area += world().body(id).pieces[0].area +
+            (world().body(id).pieces.size() > 1 ? world().body(id).pieces[1].area : 0);
+  EXPECT_NEAR(area, 1 - 2 * smooth.laser.radius, 1e-6);
+}
+
 }  // namespace
 }  // namespace kerf::test

@@ -1,0 +1,110 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/document/document.h"
+#include "core/document/stroke_settings.h"
+#include "core/graph/separation.h"
+#include "core/world/load_body.h"
+#include "core/world/state_hash.h"
+#include "tests/support/checkout.h"
+#include "tests/support/mesh_numbers.h"
+#include "tests/support/same_world.h"
+#include "tests/support/strokes.h"
+
+namespace kerf::test {
+namespace {
+
+constexpr size_t kStrokes = 100;
+constexpr Ticks kTicksBetween = 6;
+
+World car_on_the_ground() {
+  auto body = load_body("car", checkout() / "assets/meshes/car.obj", nullptr);
+  EXPECT_TRUE(body);
+  World world;
+  body->sheet.thickness = 0.0008;
+  world.add(std::move(*body));
+  world.set_surroundings({.gravity = {0, -9.81, 0}, .ground = world.bounds().min.y});
+  return world;
+}
+
+// From one place beside or above the car to another, both towards somewhere in it; bodies move meanwhile.
+void draw(Document& document, Random& random) {
+  CutSettings settings;
+  settings.laser.radius = random.uniform(0.004, 0.02);
+  settings.laser.range = {0, 20};
+  settings.resolution.target_edge = random.uniform(1, 3) * settings.laser.radius;
+  settings.resolution.rim = random.below(4) == 0 ? Rim::kSmooth : Rim::kFaces;
+  const auto pose = [&](const Vec3& origin) {
+    const Vec3 to(random.uniform(-0.8, 0.8), random.uniform(0, 1), random.uniform(-1.8, 1.8));
+    return Pose{origin, glm::normalize(to - origin)};
+  };
+  Vec3 out = random_direction(random);
+  out.y = std::abs(out.y);
+  const Vec3 from = 5.0 * out;
+  document.apply(BeginStroke{settings, pose(from)});
+  for (size_t moves = 1 + random.below(2); moves > 0; --moves) {
+    document.apply(MoveStroke{pose(from)});
+    document.apply(Advance{1 + random.below(kTicksBetween), true});
+  }
+  document.apply(EndStroke{});
+  document.apply(Advance{1 + random.below(2 * kTicksBetween), true});
+}
+
+bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+void expect_sound_body(const Body& body, double ground) {
+  EXPECT_EQ(find_fault(body.mesh, true), "");
+  EXPECT_EQ(body.tree.leaf_count(), body.mesh.live_faces());
+  const glm::dquat& q = body.placement.orientation;
+  EXPECT_NEAR(glm::dot(q, q), 1, 1e-9);
+  ASSERT_TRUE(is_finite(body.placement.position) && is_finite(body.motion.velocity) &&
+              is_finite(body.motion.spin));
+  EXPECT_LT(glm::length(body.motion.velocity), 50);
+  double lowest = 0, farthest = 0;
+  for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+    if (!body.mesh.is_live(FaceId(f))) continue;
+    for (const Vec3& corner : body.mesh.triangle(FaceId(f))) {
+      const Vec3 p = body.placement.to_world(corner);
+      lowest = std::min(lowest, p.y - ground);
+      farthest = std::max(farthest, glm::length(p));
+    }
+  }
+  EXPECT_GT(lowest, -0.03);
+  EXPECT_LT(farthest, 50);
+}
+
+double area_of(const World& world) {
+  double area = 0;
+  for (const BodyId id : world.ids()) {
+    for (const Piece& piece : world.body(id).pieces) area += piece.area;
+  }
+  return area;
+}
+
+TEST(Soak, a_hundred_random_strokes_on_the_car_while_it_falls_apart_leave_a_sound_world) {
+  constexpr uint64_t kSeed = 11;
+  SCOPED_TRACE("seed " + std::to_string(kSeed));
+  Random random(kSeed);
+  Document document(car_on_the_ground());
+  const uint64_t start = state_hash(document.world());
+  const double area = area_of(document.world()), ground = *document.world().surroundings().ground;
+  document.apply(Play{});
+  for (size_t i = 0; i < kStrokes; ++i) {
+    SCOPED_TRACE("stroke " + std::to_string(i));
+    draw(document, random);
+    ASSERT_TRUE(walk_all(document).ok());
+    for (const BodyId id : document.world().ids()) expect_sound_body(document.world().body(id), ground);
+    EXPECT_NEAR(area_of(document.world()) + document.removed_area(), area, 1e-6 * area);
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(document.world().ids().size(), 20u);
+  const uint64_t end = state_hash(document.world());
+  ASSERT_TRUE(document.travel(0).ok());
+  EXPECT_EQ(state_hash(document.world()), start);
+  ASSERT_TRUE(document.travel(document.history().size()).ok());
+  EXPECT_EQ(state_hash(document.world()), end);
+}
+
+}  // namespace
+}  // namespace kerf::test

@@ -137,6 +137,10 @@ class ReplayRun {
   }
 
   Status judge(const Replay& replay, uint64_t hash) const {
+    if (!replay.other_machine().empty()) {
+      warn(arguments_.journal + ": bodies moved on another kind of machine (" + replay.other_machine() +
+           "), so they were put where they were there");
+    }
     if (const auto& d = replay.difference()) {
       return failed(arguments_.journal + ": line " + std::to_string(d->mark.line) + ": " + place_of(d->mark) +
                     " the state is " + hash_text(d->hash) + " and not " + hash_text(d->mark.hash) +

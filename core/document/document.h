@@ -13,6 +13,7 @@
 #include "core/document/outcome.h"
 #include "core/document/recorder.h"
 #include "core/physics/physics.h"
+#include "core/world/body_state.h"
 #include "core/world/world.h"
 
 namespace kerf {
@@ -80,6 +81,10 @@ class Document {
   bool next_searches() const { return must_separate(); }
   // Whether the next step ends a stroke with a smooth rim. Its cost is proportional to the whole stroke.
   bool next_closes_rim() const;
+  // The number of faces that the next step makes ready to move: those of bodies that pieces came off, and of
+  // bodies that have changed since bodies moved last. Its cost is proportional to them. 0 if bodies do not
+  // move in it.
+  size_t next_makes_ready() const;
 
   // Executes a bounded part of the queue, which is one of these:
   // - up to `most` moves of one stroke, limited to CutSettings::bite faces, so that the last move may be left
@@ -150,6 +155,11 @@ class Document {
   double removed_area() const { return history_.removed_area(); }
   // A number that increases whenever a stroke is begun, cut again, undone or redone.
   size_t revision() const { return revision_; }
+
+  // Puts bodies, as far as they exist, where another kind of machine has brought them, and lets them move on
+  // as they did there. It belongs to the last step of the history and is no command. Precondition: nothing
+  // waits, and there is such a step.
+  void take_states(std::span<const BodyState> states);
 
   // The steps that can be undone and redone.
   const History& history() const { return history_; }

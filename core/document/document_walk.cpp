@@ -38,6 +38,18 @@ bool Document::next_closes_rim() const {
   return !queue_.empty() && queue_.front_kind() == BeamQueue::Kind::kRim && !must_separate();
 }
 
+size_t Document::next_makes_ready() const {
+  const bool tick = !must_separate() && !queue_.empty() && queue_.front_kind() == BeamQueue::Kind::kTicks;
+  if (!tick || !queue_.front_moves_bodies()) return 0;
+  size_t faces = 0;
+  for (const BodyId id : world_.ids()) {
+    const Body& body = world_.body(id);
+    if (has_pieces_off(body) || (!body.hidden && !physics_.colliders().contains(id)))
+      faces += body.mesh.live_faces();
+  }
+  return faces;
+}
+
 bool Document::next_is_of_last_step() const {
   const std::optional<size_t> open = recorder_.step();
   if (must_separate()) return open && is_last(*open);
@@ -178,6 +190,23 @@ StepResult Document::change_spring() {
 // Where a step is over, its recording still stays open, for the ticks to come are its own.
 void Document::keep_open(size_t step) {
   if (is_over(step)) history_.step(step).finish();
+}
+
+void Document::take_states(std::span<const BodyState> states) {
+  assert(waiting() == 0 && history_.position() > 0);
+  const size_t step = history_.position() - 1;
+  begin(step);
+  StepResult taken;
+  for (const BodyState& state : states) {
+    if (!world_.contains(state.id)) continue;
+    Body& body = world_.body(state.id);
+    body.placement = state.placement;
+    body.motion = state.motion;
+    taken.delta.moved.push_back(state.id);
+  }
+  world_.set_contact_memory({});
+  note(step, taken);
+  keep_open(step);
 }
 
 // What changes from here on is changed by this step.

@@ -1,3 +1,4 @@
+#include "core/document/body_state_text.h"
 #include "core/document/command_text.h"
 #include "core/document/hash_text.h"
 #include "core/document/journal.h"
@@ -82,7 +83,18 @@ class JournalReader {
     const auto text = value["hash"].text();
     const auto hash = text ? parse_hash(*text) : std::nullopt;
     if (!hash) return value["hash"].wrong("must be sixteen hexadecimal digits");
-    journal_.marks.push_back({journal_.commands.size(), *hash, line_});
+    StateMark mark{journal_.commands.size(), *hash, line_, {}, {}};
+    if (value.has("machine")) {
+      const auto machine = value["machine"].text();
+      if (!machine) return machine.error();
+      mark.machine = *machine;
+    }
+    if (value.has("bodies")) {
+      auto bodies = parse_body_states(value["bodies"]);
+      if (!bodies) return bodies.error();
+      mark.bodies = std::move(*bodies);
+    }
+    journal_.marks.push_back(std::move(mark));
     return Done{};
   }
 

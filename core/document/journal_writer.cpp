@@ -1,11 +1,26 @@
+#include "core/document/body_state_text.h"
 #include "core/document/command_text.h"
 #include "core/document/document.h"
 #include "core/document/hash_text.h"
 #include "core/document/journal.h"
 #include "core/document/scene_text.h"
+#include "core/physics/machine_kind.h"
 #include "core/world/state_hash.h"
 
 namespace kerf {
+
+namespace {
+
+std::string mark_line(const StateMark& mark) {
+  nlohmann::ordered_json json{{"hash", hash_text(mark.hash)}};
+  if (!mark.bodies.empty()) {
+    json["machine"] = mark.machine;
+    json["bodies"] = body_states_json(mark.bodies);
+  }
+  return json.dump() + "\n";
+}
+
+}  // namespace
 
 Result<std::string> journal_head(const SceneDescription& scene, const std::filesystem::path& work_of,
                                  const std::filesystem::path& folder) {
@@ -28,7 +43,7 @@ Result<std::string> journal_lines(std::span<const Command> commands, std::span<c
   std::string lines;
   for (size_t i = 0;; ++i) {
     for (; !marks.empty() && marks.front().commands == i; marks = marks.subspan(1))
-      lines += "{\"hash\":\"" + hash_text(marks.front().hash) + "\"}\n";
+      lines += mark_line(marks.front());
     if (i == commands.size()) return lines;
     const auto line = command_text(commands[i], folder);
     if (!line) return line.error();
@@ -43,7 +58,10 @@ bool mark_state(Document& document, std::vector<StateMark>& marks, bool always) 
   if (document.in_stroke() || document.waiting() > 0 || marked) return false;
   if (!always && commands < last + kCommandsBetweenMarks) return false;
   document.seal_journal();
-  marks.push_back({commands, state_hash(document.world()), 0});
+  const World& world = document.world();
+  StateMark mark{commands, state_hash(world), 0, {}, moved_bodies(world)};
+  if (!mark.bodies.empty()) mark.machine = machine_kind();
+  marks.push_back(std::move(mark));
   return true;
 }
 

@@ -5,6 +5,8 @@
 #include <sstream>
 #include <system_error>
 
+#include "core/base/unit_vector.h"
+
 namespace kerf {
 
 Result<double> JsonValue::number() const {
@@ -27,6 +29,19 @@ Result<Vec3> JsonValue::vector() const {
     v[i] = *n;
   }
   return v;
+}
+
+Result<glm::dquat> JsonValue::orientation() const {
+  if (!json().is_array() || json().size() != 4) return wrong("must be four numbers");
+  glm::dquat turn;
+  size_t i = 0;
+  for (double* part : {&turn.w, &turn.x, &turn.y, &turn.z}) {
+    const auto n = (*this)[i++].number();
+    if (!n) return n.error();
+    *part = *n;
+  }
+  if (!is_unit_length2(glm::dot(turn, turn))) return wrong("must have length 1");
+  return turn;
 }
 
 Result<Interval> JsonValue::interval() const {

@@ -2,6 +2,7 @@
 
 #include <cassert>
 #include <filesystem>
+#include <glm/gtc/quaternion.hpp>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -39,8 +40,9 @@ class JsonValue {
   // The value as the given type. Each fails with wrong() if it is anything else.
   Result<double> number() const;  // finite
   Result<double> positive_number() const;
-  Result<Vec3> vector() const;        // three finite numbers
-  Result<Interval> interval() const;  // two finite numbers, 0 <= first <= second
+  Result<Vec3> vector() const;             // three finite numbers
+  Result<glm::dquat> orientation() const;  // four numbers w, x, y, z of length 1
+  Result<Interval> interval() const;       // two finite numbers, 0 <= first <= second
   Result<std::string> text() const;
   // Checks that the value is a list, or an object. `of_what` names the elements in the error.
   Status array(const char* of_what) const;

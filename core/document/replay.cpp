@@ -2,6 +2,7 @@
 
 #include <cassert>
 
+#include "core/physics/machine_kind.h"
 #include "core/world/state_hash.h"
 
 namespace kerf {
@@ -52,9 +53,18 @@ void Replay::compare() {
        ++next_mark_) {
     const StateMark& mark = journal_.marks[next_mark_];
     if (difference_ || mark.commands < next_) continue;
-    const uint64_t hash = state_hash(document_.world());
+    uint64_t hash = state_hash(document_.world());
+    if (hash != mark.hash && takes_bodies(mark)) hash = state_hash(document_.world());
     if (hash != mark.hash) difference_ = Difference{mark, hash};
   }
+}
+
+// Bodies move to other bits on another kind of machine.
+bool Replay::takes_bodies(const StateMark& mark) {
+  if (mark.bodies.empty() || mark.machine == machine_kind()) return false;
+  other_machine_ = mark.machine;
+  document_.take_states(mark.bodies);
+  return true;
 }
 
 }  // namespace kerf

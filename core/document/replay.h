@@ -35,14 +35,20 @@ class Replay {
   };
   const std::optional<Difference>& difference() const { return difference_; }
 
+  // The kind of machine on which bodies came elsewhere than here, so that their states were taken from a mark
+  // of it; empty if there was none. This is no difference.
+  const std::string& other_machine() const { return other_machine_; }
+
  private:
   Status tell(const Walk& how, Outcome at_once) const;
   void compare();
+  bool takes_bodies(const StateMark& mark);
 
   const Journal& journal_;
   Document& document_;
   size_t next_ = 0, next_mark_ = 0;
   std::optional<Difference> difference_;
+  std::string other_machine_;
 };
 
 }  // namespace kerf

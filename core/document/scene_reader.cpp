@@ -1,4 +1,3 @@
-#include "core/base/unit_vector.h"
 #include "core/document/colour_text.h"
 #include "core/document/hash_text.h"
 #include "core/document/parse_strokes.h"
@@ -17,19 +16,6 @@ Result<Vec3> colour(const JsonValue& value) {
   return *colour;
 }
 
-Result<glm::dquat> orientation(const JsonValue& value) {
-  if (!value.json().is_array() || value.json().size() != 4) return value.wrong("must be four numbers");
-  std::array<double, 4> q{};
-  for (size_t i = 0; i < q.size(); ++i) {
-    const auto n = value[i].number();
-    if (!n) return n.error();
-    q[i] = *n;
-  }
-  const glm::dquat turn(q[0], q[1], q[2], q[3]);
-  if (!is_unit_length2(glm::dot(turn, turn))) return value.wrong("must have length 1");
-  return turn;
-}
-
 // The text of a JSON object without some of its keys.
 template <typename... Keys>
 std::string without(nlohmann::json json, Keys... keys) {
@@ -44,7 +30,7 @@ Status parse_placement(const JsonValue& value, Placement& placement) {
     placement.position = *position;
   }
   if (value.has("orientation")) {
-    const auto turn = orientation(value["orientation"]);
+    const auto turn = value["orientation"].orientation();
     if (!turn) return turn.error();
     placement.orientation = *turn;
   }

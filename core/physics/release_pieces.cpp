@@ -47,6 +47,8 @@ void wake(Body& body) {
 
 }  // namespace
 
+bool has_pieces_off(const Body& body) { return !body.hidden && !pieces_off(body).empty(); }
+
 void release_pieces(World& world, uint32_t generation, Delta& delta) {
   for (const BodyId id : world.ids()) {
     if (world.body(id).hidden) continue;

@@ -16,6 +16,9 @@ namespace kerf {
 // Precondition: no search for separated pieces is unfinished. O(pieces) if nothing came off.
 void release_pieces(World& world, uint32_t generation, Delta& delta);
 
+// Whether a piece came off this body that would become a body of its own. O(pieces).
+bool has_pieces_off(const Body& body);
+
 inline constexpr double kPushApart = 0.03;  // m/s, less for bodies smaller than a metre, in proportion
 
 }  // namespace kerf

@@ -49,17 +49,9 @@ Result<PieceId> CommandReader::piece() const {
 Result<Placement> CommandReader::placement() const {
   const auto position = line_["position"].vector();
   if (!position) return position.error();
-  const JsonValue value = line_["orientation"];
-  if (!value.json().is_array() || value.json().size() != 4) return value.wrong("must be four numbers");
-  glm::dquat turn;
-  size_t i = 0;
-  for (double* part : {&turn.w, &turn.x, &turn.y, &turn.z}) {
-    const auto n = value[i++].number();
-    if (!n) return n.error();
-    *part = *n;
-  }
-  if (!is_unit_length2(glm::dot(turn, turn))) return value.wrong("must have length 1");
-  return Placement{*position, turn};
+  const auto turn = line_["orientation"].orientation();
+  if (!turn) return turn.error();
+  return Placement{*position, *turn};
 }
 
 Result<std::filesystem::path> CommandReader::mesh() const {

@@ -2,12 +2,14 @@
 
 #include "core/document/document.h"
 #include "core/document/journal.h"
+#include "core/document/replay.h"
 #include "core/physics/rigid_frame.h"
 #include "core/world/state_hash.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/same_world.h"
 #include "tests/support/sheets.h"
 #include "tests/support/strokes.h"
+#include "tests/support/temporary_folder.h"
 
 namespace kerf::test {
 namespace {
@@ -181,6 +183,59 @@ TEST_F(BodiesInTime, replay_of_the_journal_goes_on_to_the_same_bits) {
     ASSERT_TRUE(walk_all(again).ok());
   }
   expect_same_world(again.world(), world());
+}
+
+// The same commands, but a mark of a machine on which the bodies came elsewhere.
+TEST_F(BodiesInTime, a_journal_of_another_kind_of_machine_says_where_the_bodies_came) {
+  cut(0.1);
+  apply(Play{});
+  fall(50);
+  walk();
+  Journal journal;
+  journal.commands = document_.journal();
+  mark_state(document_, journal.marks, true);
+  ASSERT_EQ(journal.marks.size(), 1u);
+  ASSERT_EQ(journal.marks[0].bodies.size(), 2u);
+  World there = world();
+  for (BodyState& state : journal.marks[0].bodies) {
+    state.placement.position.x += 0.001;
+    state.motion.velocity.y *= 1.001;
+    there.body(state.id).placement = state.placement;
+    there.body(state.id).motion = state.motion;
+  }
+  journal.marks[0].hash = state_hash(there);
+  for (const bool other : {false, true}) {
+    if (other) journal.marks[0].machine = "another one";
+    Document again(made_world());
+    Replay replay(journal, again);
+    ASSERT_TRUE(replay.run({}));
+    EXPECT_EQ(replay.difference().has_value(), !other);
+    EXPECT_EQ(replay.other_machine(), other ? "another one" : "");
+    EXPECT_EQ(state_hash(again.world()), state_hash(other ? there : world()));
+    ASSERT_TRUE(again.apply(Undo{}).ok());
+    ASSERT_TRUE(again.apply(Undo{}).ok());
+    EXPECT_EQ(state_hash(again.world()), state_hash(made_world()));
+  }
+}
+
+TEST_F(BodiesInTime, a_journal_gives_marks_with_bodies_back_to_the_bit) {
+  cut(0.1);
+  apply(Play{});
+  fall(50);
+  walk();
+  std::vector<StateMark> marks;
+  mark_state(document_, marks, true);
+  const TemporaryFolder folder;
+  const auto lines = journal_lines(document_.journal(), marks, folder.path());
+  ASSERT_TRUE(lines);
+  write_text(folder / "fall.kerf",
+             std::string(R"({"kerf":"journal","version":1,"bodies":[]})") + '\n' + *lines);
+  const auto read = read_journal(folder / "fall.kerf");
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->damage, "");
+  ASSERT_EQ(read->marks.size(), 1u);
+  EXPECT_EQ(read->marks[0].machine, marks[0].machine);
+  EXPECT_EQ(read->marks[0].bodies, marks[0].bodies);
 }
 
 TEST_F(BodiesInTime, a_spring_lifts_a_plate_and_lets_it_go) {

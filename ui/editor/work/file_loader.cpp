@@ -102,6 +102,8 @@ bool replay_all(const Journal& journal, LoadedFiles& loaded, const Progress& pro
     loaded.fault =
         "Cut another way than when it was saved: another version of Kerf made this journal, or it was "
         "changed";
+  } else if (!replay.other_machine().empty()) {
+    loaded.fault = "Bodies moved on another kind of machine: they were put where they were there";
   }
   return true;
 }

@@ -1,0 +1,17 @@
+#include "core/physics/machine_kind.h"
+
+#include <gnu/libc-version.h>
+#include <LinearMath/btScalar.h>
+#include <sys/utsname.h>
+
+namespace kerf {
+
+std::string machine_kind() {
+  utsname machine{};
+  const std::string processor = uname(&machine) == 0 ? machine.machine : "unknown";
+  const int version = btGetVersion();
+  return processor + " glibc-" + gnu_get_libc_version() + " bullet-" + std::to_string(version / 100) + "." +
+         std::to_string(version % 100);
+}
+
+}  // namespace kerf

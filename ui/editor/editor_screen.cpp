@@ -37,10 +37,10 @@ EditorScreen::EditorScreen(Window& window, LivePicture picture, LoadedSettings l
       cut_({state_.work, state_.view, state_.hand, state_.split, state_.figures, state_.message, changes_,
             stage_cut_, picture_}),
       time_({state_.work, state_.view, state_.hand, state_.split, state_.stages.wishes, state_.opening,
-             state_.play, state_.message, changes_}),
+             state_.play, state_.message, changes_, groups_}),
       opener_({state_.work, state_.view, state_.hand, state_.split, state_.stages.log, state_.figures,
                state_.opening, state_.settings, state_.message, recovery_, picture_.first()}),
-      desk_(state_, changes_, opener_, recovery_),
+      desk_(state_, changes_, groups_, opener_, recovery_),
       panels_(make_panels(state_)),
       usual_actions_(make_actions(state_, panels_)),
       actions_(usual_actions_) {

@@ -82,6 +82,7 @@ class EditorScreen : public Screen {
   WorldChanges changes_;
   StageCut stage_cut_;
   LiveCut cut_;
+  StepGroups groups_;
   TimeFlow time_;
   FileOpener opener_;
   HeldPress held_press_;

@@ -11,8 +11,9 @@ namespace kerf {
 class RequestDesk {
  public:
   // All must outlive it.
-  RequestDesk(EditorState& state, WorldChanges& changes, FileOpener& opener, Recovery& recovery)
-      : state_(state), changes_(changes), opener_(opener), recovery_(recovery) {}
+  RequestDesk(EditorState& state, WorldChanges& changes, StepGroups& groups, FileOpener& opener,
+              Recovery& recovery)
+      : state_(state), changes_(changes), groups_(groups), opener_(opener), recovery_(recovery) {}
 
   // To be called between two frames. A request for a screenshot of the window is left to the caller.
   void fulfil();
@@ -43,10 +44,10 @@ class RequestDesk {
 
   EditorState& state_;
   WorldChanges& changes_;
+  StepGroups& groups_;
   FileOpener& opener_;
   Recovery& recovery_;
   bool quit_ = false;
-  StepGroups groups_;
   std::optional<OpenGroup> open_group_;
 };
 

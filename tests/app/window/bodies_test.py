@@ -39,6 +39,16 @@ class Bodies(WindowTest):
         self.assertGreater(report["bodies"], 1)
         self.assertLess(min(body["position"][1] for body in report["placements"]), 0)
 
+    def test_one_undo_takes_the_first_play_back_with_the_ground_that_it_gave_the_world(self):
+        editor = self.cut_sphere()
+        self.play(editor)
+        pause(1)
+        self.stop(editor)
+        editor.do("ctrl", "z")
+        report = editor.quit()
+        self.assertEqual(report["undo_depth"], 1)
+        self.assertIsNone(report["time"]["ground"])
+
     def test_each_single_tick_is_undone_alone_and_undo_pauses(self):
         editor = self.cut_sphere()
         for _ in range(3):

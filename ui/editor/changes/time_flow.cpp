@@ -26,6 +26,7 @@ void TimeFlow::advance(double seconds) {
   if (!may_go_on()) {
     begun_ = false;
     due_ = 0;
+    before_ground_.reset();
     return;
   }
   const Document& document = on_.work.document;
@@ -67,12 +68,16 @@ bool TimeFlow::begin() {
   }
   const Surroundings& around = document.world().surroundings();
   if (!around.ground && around.gravity != Vec3(0)) {
-    if (!document.in_stroke())
-      on_.changes.apply(SetSurroundings{usual_surroundings(document.world(), on_.view.frame)});
+    if (document.in_stroke()) return false;
+    before_ground_ = document.history().position();
+    on_.changes.apply(SetSurroundings{usual_surroundings(document.world(), on_.view.frame)});
     return false;
   }
   if (!document.in_stroke()) document.apply(Play{});
   position_ = document.history().position();
+  // The user has done nothing in between: one undo takes the ground away, too.
+  if (before_ground_ && position_ == *before_ground_ + 2) on_.groups.add(*before_ground_, document, "Play");
+  before_ground_.reset();
   return begun_ = true;
 }
 

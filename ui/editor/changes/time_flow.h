@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/editor/changes/split_view.h"
+#include "ui/editor/changes/step_groups.h"
 #include "ui/editor/changes/world_changes.h"
 #include "ui/editor/play/play_state.h"
 #include "ui/editor/single_step/stage_wishes.h"
@@ -29,6 +30,7 @@ class TimeFlow {
     PlayState& play;
     Message& message;
     WorldChanges& changes;
+    StepGroups& groups;
   };
   // The parts must outlive it.
   explicit TimeFlow(const Parts& parts) : on_(parts) {}
@@ -43,10 +45,11 @@ class TimeFlow {
   void queue_ticks(Ticks ticks);
 
   Parts on_;
-  bool begun_ = false;   // Play is in the document
-  size_t position_ = 0;  // of the history, in the last frame
-  double due_ = 0;       // ticks
-  double most_ = 1;      // ticks that are queued at once
+  bool begun_ = false;                   // Play is in the document
+  size_t position_ = 0;                  // of the history, in the last frame
+  std::optional<size_t> before_ground_;  // the position before the world got its ground, until Play follows
+  double due_ = 0;                       // ticks
+  double most_ = 1;                      // ticks that are queued at once
 };
 
 }  // namespace kerf

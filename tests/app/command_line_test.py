@@ -380,6 +380,15 @@ class CommandLine(unittest.TestCase):
             pictures.append(self.read("a.png"))
         self.assertEqual(len(set(pictures)), 4)
 
+    def test_joints_of_a_scene_are_drawn(self):
+        scene = os.path.join(ROOT, "assets", "scenes", "car.json")
+        pictures = []
+        for show in ("joints", ","):
+            done = self.run_here("render", scene, "--out", "a.png", "--size", "160x100", "--show", show)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            pictures.append(self.read("a.png"))
+        self.assertNotEqual(pictures[0], pictures[1])
+
     def test_the_editor_without_a_display_says_so(self):
         self.assert_refused(self.run_here("plate.obj"), 1, "display")
 

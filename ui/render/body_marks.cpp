@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/graph/held_joints.h"
 #include "core/physics/rigid_frame.h"
 
 namespace kerf {
@@ -46,15 +47,27 @@ void add_centres(const World& world, BodyMarks& marks) {
   }
 }
 
+// Where the first of the two parts is.
+void add_joints(const World& world, BodyMarks& marks) {
+  for (const HeldJoint& held : held_joints(world)) {
+    const Joint& joint = world.joints().all[held.joint];
+    const Body& body = world.body(held.parts[0].body);
+    if (body.hidden) continue;
+    marks.joints.push_back(
+        {joint.kind, body.placement.to_world(joint.anchor), body.placement.orientation * joint.axis});
+  }
+}
+
 }  // namespace
 
 std::shared_ptr<const BodyMarks> gather_body_marks(const World& world, const Physics& physics,
                                                    const ShowOptions& show) {
-  if (!show.contacts && !show.colliders && !show.centres) return nullptr;
+  if (!show.contacts && !show.colliders && !show.centres && !show.joints) return nullptr;
   auto marks = std::make_shared<BodyMarks>();
   if (show.contacts) add_contacts(physics.pairs(), *marks);
   if (show.colliders) add_colliders(world, physics.colliders(), *marks);
   if (show.centres) add_centres(world, *marks);
+  if (show.joints) add_joints(world, *marks);
   return marks;
 }
 

@@ -30,9 +30,16 @@ struct BodyMarks {
     State state = State::kAwake;
   };
 
+  struct JointMark {
+    Joint::Kind kind = Joint::Kind::kWeld;
+    Vec3 anchor{0};  // m, in the world
+    Vec3 axis{0};    // unit, in the world; of a weld without meaning
+  };
+
   std::vector<ContactMark> contacts;
   std::vector<ColliderMarks> colliders;
   std::vector<CentreMark> centres;
+  std::vector<JointMark> joints;
 };
 
 // Gathers what the switches ask for: contacts and colliders as of the last tick in which bodies moved. Null

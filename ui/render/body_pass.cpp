@@ -1,6 +1,7 @@
 #include "ui/render/body_pass.h"
 
 #include <cmath>
+#include <numbers>
 
 #include "ui/render/overlay_colours.h"
 
@@ -16,6 +17,9 @@ constexpr float kHalfWidth = 0.9f;  // pixels
 constexpr double kNormal = 0.02, kContactArm = 0.002, kPointArm = 0.0025, kLeastCentre = 0.006,
                  kMostCentre = 0.02;
 constexpr double kCentreOfRadius = 0.15;
+
+constexpr double kHalfAxis = 0.025, kHubCircle = 0.012, kWeldArm = 0.006;
+constexpr int kCircleSides = 16;
 
 // Appends lines between points of the world.
 class Lines {
@@ -69,6 +73,27 @@ void add_colliders(const Subject& subject, const BodyMarks& marks, double diagon
   }
 }
 
+void add_circle(const Vec3& middle, const Vec3& axis, double radius, const glm::vec4& colour, Lines& lines) {
+  const Vec3 other = std::abs(axis.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
+  const Vec3 u = glm::normalize(glm::cross(axis, other)), v = glm::cross(axis, u);
+  const auto point = [&](int i) {
+    const double angle = 2 * std::numbers::pi * i / kCircleSides;
+    return middle + radius * (std::cos(angle) * u + std::sin(angle) * v);
+  };
+  for (int i = 0; i < kCircleSides; ++i) lines.add(point(i), point(i + 1), colour);
+}
+
+void add_joint(const BodyMarks::JointMark& joint, double diagonal, Lines& lines) {
+  using namespace overlay_colours;
+  if (joint.kind == Joint::Kind::kWeld)
+    return lines.add_cross(joint.anchor, kWeldArm * diagonal, colour_from_hex(kWeld, 1));
+  const bool hub = joint.kind == Joint::Kind::kHub;
+  const glm::vec4 colour = colour_from_hex(hub ? kHub : kHinge, 1);
+  const Vec3 way = kHalfAxis * diagonal * joint.axis;
+  lines.add(joint.anchor - way, joint.anchor + way, colour);
+  if (hub) add_circle(joint.anchor, joint.axis, kHubCircle * diagonal, colour, lines);
+}
+
 }  // namespace
 
 Result<BodyPass> BodyPass::create(const std::filesystem::path& shaders) {
@@ -93,6 +118,7 @@ void BodyPass::draw(const Subject& subject, double diagonal) {
         std::clamp(kCentreOfRadius * c.radius, kLeastCentre * diagonal, kMostCentre * diagonal);
     lines.add_cross(c.centre, arm, colour_from_hex(colour_of(c.state), 1));
   }
+  for (const BodyMarks::JointMark& joint : marks->joints) add_joint(joint, diagonal, lines);
   glDisable(GL_DEPTH_TEST);
   glDepthMask(GL_FALSE);
   glEnable(GL_BLEND);

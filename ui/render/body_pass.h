@@ -8,7 +8,8 @@ namespace kerf {
 
 // Draws the marks of ViewOptions::bodies over everything: contacts as their normals, the redder the larger
 // the impulse; colliders as chords and small crosses at their points; centres of mass as crosses, coloured by
-// whether the body moves, sleeps or is pinned.
+// whether the body moves, sleeps or is pinned; joints as their axes, hubs with a circle around it, and welds
+// as crosses.
 class BodyPass {
  public:
   static Result<BodyPass> create(const std::filesystem::path& shaders);

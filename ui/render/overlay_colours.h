@@ -41,6 +41,9 @@ inline constexpr uint32_t kLightContact = 0xf2dc9a, kHeavyContact = 0xff4a38, kC
                           kColliderChord = 0x56d0c8, kAwake = 0x5fd38a, kAsleep = 0x4aa3ff,
                           kPinned = 0xf4f7fb;
 
+// Joints that hold.
+inline constexpr uint32_t kHinge = 0xffd27a, kHub = 0x56d0c8, kWeld = 0xd27aff;
+
 // Loops that removed faces closed.
 inline constexpr uint32_t kLoop = 0xf4f7fb;
 

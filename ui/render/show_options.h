@@ -27,6 +27,7 @@ struct ShowOptions {
   bool contacts = false;               // where bodies touch, as of the last tick; see BodyMarks
   bool colliders = false;              // points and chords by which bodies touch
   bool centres = false;                // centres of mass, and which bodies sleep or are pinned
+  bool joints = false;                 // the joints that hold
   bool normals = false;                // a short line from the middle of every face
   Shadows shadows = Shadows::kGround;  // `--show shadows` asks for kAll
   bool silhouette = false;             // edges of a light's silhouette, coloured by their multiplicity

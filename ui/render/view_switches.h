@@ -30,6 +30,7 @@ enum class SwitchId {
   kContacts,
   kColliders,
   kCentres,
+  kJoints,
   kGhost,
   kTwoSided,
   kCullBacks,

@@ -101,11 +101,11 @@ class Path(WindowTest):
         editor.wait_for_title("run.kerf - Kerf")
         editor.click("Speed", 0.5, 0.5)
         editor.press("ctrl", "a")
-        editor.xdotool("type", "--delay", "60", "0.6")
+        editor.xdotool("type", "--delay", "60", "600")  # the field is in mm/s
         editor.do("Return")
         report = editor.quit()
         self.assertEqual((report["strokes"], report["undo_depth"]), (2, 2))
-        self.assertEqual(report["path"]["speed"], 0.6)
+        self.assertAlmostEqual(report["path"]["speed"], 0.6)
         self.expect_same_cut(path, os.path.join(self.folder, "run.kerf"), mesh("sphere.obj"))
 
     def test_a_run_that_is_stopped_leaves_no_trace(self):
@@ -135,7 +135,7 @@ class Path(WindowTest):
         editor.do("ctrl", "z")
         editor.do("ctrl", "shift", "z")
         report = editor.quit()
-        self.assertEqual(report["messages"][-2:], ["Undone: the run of the path", "Done again: the run of the path"])
+        self.assertEqual(report["messages"][-2:], ["Undone: Run of the path", "Done again: Run of the path"])
         self.assertEqual((report["path"]["strokes"], report["strokes"]), (12, 12))
         self.assertEqual(report["pieces"], 1 + 2 * 12)  # of each hole a disc of the front and one of the back
 

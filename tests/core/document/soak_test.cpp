@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 
 #include "core/document/document.h"
 #include "core/document/stroke_settings.h"
 #include "core/graph/separation.h"
+#include "core/physics/rigid_frame.h"
 #include "core/world/load_body.h"
 #include "core/world/state_hash.h"
 #include "tests/support/checkout.h"
@@ -15,7 +17,12 @@
 namespace kerf::test {
 namespace {
 
-constexpr size_t kStrokes = 100;
+// KERF_SOAK sets another number of strokes: a hundred take some minutes.
+size_t strokes_of_the_soak() {
+  const char* number = std::getenv("KERF_SOAK");
+  return number ? std::strtoul(number, nullptr, 10) : 20;
+}
+
 constexpr Ticks kTicksBetween = 6;
 
 World car_on_the_ground() {
@@ -56,16 +63,19 @@ bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) 
 void expect_sound_body(const Body& body, double ground) {
   EXPECT_EQ(find_fault(body.mesh, true), "");
   EXPECT_EQ(body.tree.leaf_count(), body.mesh.live_faces());
+  if (body.mesh.live_faces() == 0) return;
   const glm::dquat& q = body.placement.orientation;
   EXPECT_NEAR(glm::dot(q, q), 1, 1e-9);
   ASSERT_TRUE(is_finite(body.placement.position) && is_finite(body.motion.velocity) &&
               is_finite(body.motion.spin));
-  EXPECT_LT(glm::length(body.motion.velocity), 50);
+  const Vec3 centre = body.placement.to_world(rigid_frame(body).centre);
+  EXPECT_LT(glm::length(body.motion.velocity_at(centre, body.placement)), 20);
   double lowest = 0, farthest = 0;
   for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
     if (!body.mesh.is_live(FaceId(f))) continue;
-    for (const Vec3& corner : body.mesh.triangle(FaceId(f))) {
-      const Vec3 p = body.placement.to_world(corner);
+    const Triangle t = body.mesh.triangle(FaceId(f));
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 p = body.placement.to_world(t[k]);
       lowest = std::min(lowest, p.y - ground);
       farthest = std::max(farthest, glm::length(p));
     }
@@ -77,12 +87,13 @@ void expect_sound_body(const Body& body, double ground) {
 double area_of(const World& world) {
   double area = 0;
   for (const BodyId id : world.ids()) {
-    for (const Piece& piece : world.body(id).pieces) area += piece.area;
+    const Records<Piece>& pieces = world.body(id).pieces;
+    for (uint32_t p = 0; p < pieces.size(); ++p) area += pieces[p].area;
   }
   return area;
 }
 
-TEST(Soak, a_hundred_random_strokes_on_the_car_while_it_falls_apart_leave_a_sound_world) {
+TEST(Soak, random_strokes_on_the_car_while_it_falls_apart_leave_a_sound_world) {
   constexpr uint64_t kSeed = 11;
   SCOPED_TRACE("seed " + std::to_string(kSeed));
   Random random(kSeed);
@@ -90,7 +101,7 @@ TEST(Soak, a_hundred_random_strokes_on_the_car_while_it_falls_apart_leave_a_soun
   const uint64_t start = state_hash(document.world());
   const double area = area_of(document.world()), ground = *document.world().surroundings().ground;
   document.apply(Play{});
-  for (size_t i = 0; i < kStrokes; ++i) {
+  for (size_t i = 0; i < strokes_of_the_soak(); ++i) {
     SCOPED_TRACE("stroke " + std::to_string(i));
     draw(document, random);
     ASSERT_TRUE(walk_all(document).ok());

@@ -99,7 +99,7 @@ void BodiesPanel::draw(const BodyParts& on, ViewState& view) {
     end_properties();
   }
   draw_pin(on);
-  for (const SwitchId id : {SwitchId::kContacts, SwitchId::kColliders, SwitchId::kCentres})
+  for (const SwitchId id : {SwitchId::kContacts, SwitchId::kColliders, SwitchId::kCentres, SwitchId::kJoints})
     draw_switch(view, id);
   draw_figures(on.work.document.physics().figures());
 }

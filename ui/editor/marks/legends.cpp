@@ -96,6 +96,8 @@ Legend legend_of(SwitchId view, const ViewOptions& look, const ShadowFigures& sh
       return {"Colliders", {{kColliderPoint, "points"}, {kColliderChord, "chords"}}};
     case SwitchId::kCentres:
       return {"Centres of mass", {{kAwake, "awake"}, {kAsleep, "asleep"}, {kPinned, "pinned"}}};
+    case SwitchId::kJoints:
+      return {"Joints", {{kHinge, "hinges"}, {kHub, "hubs"}, {kWeld, "welds"}}};
     case SwitchId::kShadows:
     case SwitchId::kRimGlow:
     case SwitchId::kWire:

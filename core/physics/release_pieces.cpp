@@ -58,7 +58,8 @@ void release_pieces(World& world, uint32_t generation, Delta& delta) {
       piece.pinned = false;
       wake(rest);
       wake(piece);
-      push_apart(rest, piece);
+      // What turns on a joint was not cut off.
+      if (piece.pieces[label].cut_off.faces > 0) push_apart(rest, piece);
     }
   }
 }

@@ -10,8 +10,9 @@ namespace kerf {
 // Makes every piece that came off a body of its own, so that it can move (see detach). In each visible body
 // the piece with the lowest label stays; the others inherit its velocity and spin, are not pinned, and are
 // pushed apart from it: with equal and opposite impulses along the line between the centres of mass, to a
-// relative speed of kPushApart. What is pinned is not pushed. New bodies get `generation` (see BodyId).
-// Appends the change to `delta`, and wakes the bodies that it changes.
+// relative speed of kPushApart. What is pinned is not pushed, nor are parts that were not cut off but turn on
+// joints. New bodies get `generation` (see BodyId). Appends the change to `delta`, and wakes the bodies that
+// it changes.
 //
 // Precondition: no search for separated pieces is unfinished. O(pieces) if nothing came off.
 void release_pieces(World& world, uint32_t generation, Delta& delta);

@@ -229,7 +229,7 @@ TEST_F(BodiesInTime, a_journal_gives_marks_with_bodies_back_to_the_bit) {
   const auto lines = journal_lines(document_.journal(), marks, folder.path());
   ASSERT_TRUE(lines);
   write_text(folder / "fall.kerf",
-             std::string(R"({"kerf":"journal","version":1,"bodies":[]})") + '\n' + *lines);
+             std::string(R"({"kerf":"journal","version":1,"bodies":[{"mesh":"plate.obj"}]})") + '\n' + *lines);
   const auto read = read_journal(folder / "fall.kerf");
   ASSERT_TRUE(read) << read.error().message;
   EXPECT_EQ(read->damage, "");

@@ -143,6 +143,11 @@ World cart() {
   return world;
 }
 
+TEST(Joints, parts_that_turn_on_joints_are_not_pushed_apart) {
+  const World world = cart();
+  for (const BodyId id : world.ids()) EXPECT_TRUE(world.body(id).motion.at_rest());
+}
+
 TEST(Joints, wheels_roll_on_their_hubs) {
   World world = cart();
   constexpr double kRadius = 0.2, kSpeed = 3, kSeconds = 1.5;

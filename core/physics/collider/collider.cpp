@@ -14,15 +14,17 @@ namespace {
 constexpr size_t kMostCandidates = 1024;
 
 struct VertexNormals {
-  std::vector<Vec3> of_face;    // unit, by slot
-  std::vector<Vec3> of_vertex;  // sums weighted by area, by slot
-  std::vector<VertexId> used;   // vertices of live faces, ascending
+  std::vector<Vec3> of_face;     // unit, by slot
+  std::vector<Vec3> of_vertex;   // sums weighted by area, by slot
+  std::vector<double> areas_at;  // twice the areas of the faces of a vertex, by slot
+  std::vector<VertexId> used;    // vertices of live faces, ascending
 };
 
 VertexNormals normals_of(const Mesh& mesh) {
   VertexNormals n;
   n.of_face.resize(mesh.face_slots(), Vec3(0));
   n.of_vertex.resize(mesh.vertex_slots(), Vec3(0));
+  n.areas_at.resize(mesh.vertex_slots(), 0);
   std::vector<bool> seen(mesh.vertex_slots(), false);
   for (uint32_t slot = 0; slot < mesh.face_slots(); ++slot) {
     const FaceId f(slot);
@@ -33,6 +35,7 @@ VertexNormals normals_of(const Mesh& mesh) {
     if (length > 0) n.of_face[slot] = area / length;
     for (VertexId v : mesh.corners(f)) {
       n.of_vertex[v.index] += area;
+      n.areas_at[v.index] += length;
       seen[v.index] = true;
     }
   }
@@ -169,6 +172,18 @@ std::vector<VertexId> ends_of(const std::vector<Collider::Chord>& chords, const 
   return vertices;
 }
 
+// A vertex amid flat faces lies between others. `rims` are sorted.
+std::vector<Vec3> corners_of(const Mesh& mesh, const VertexNormals& normals,
+                             const std::vector<VertexId>& rims) {
+  constexpr double kFlat = 1 - 1e-9;  // the cosine of the mean angle to the mean normal
+  std::vector<Vec3> corners;
+  for (const VertexId v : normals.used) {
+    const bool flat = glm::length(normals.of_vertex[v.index]) > kFlat * normals.areas_at[v.index];
+    if (!flat || std::binary_search(rims.begin(), rims.end(), v)) corners.push_back(mesh.position(v));
+  }
+  return corners;
+}
+
 void cluster_points(Collider& collider) {
   std::vector<std::array<Vec3, 2>> places;
   for (const Collider::Point& p : collider.points) places.push_back({p.at, p.at});
@@ -215,6 +230,7 @@ Collider make_collider(const Mesh& mesh, const ColliderSettings& settings) {
         {mesh.position(v), unit_or_zero(normals.of_vertex[v.index]), unit_or_zero(outward[v.index])});
   }
   for (VertexId v : normals.used) collider.bounds.add(mesh.position(v));
+  collider.corners = corners_of(mesh, normals, on_lines(edges, true));
   cluster_points(collider);
   cluster_chords(collider);
   return collider;

@@ -29,6 +29,8 @@ struct Collider {
   std::vector<Chord> chords;
   std::vector<Cluster> point_clusters, chord_clusters;  // which hold all of them, each once
   Box bounds;                                           // of all vertices
+  // What can touch a plane: all vertices except those amid flat faces.
+  std::vector<Vec3> corners;
 };
 
 // How much of a sheet is looked at.

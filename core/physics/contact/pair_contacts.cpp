@@ -12,6 +12,7 @@ namespace kerf {
 namespace {
 
 constexpr size_t kMostContacts = 16;
+constexpr double kNearLowest = 0.3;  // of the reach, above the lowest point: where the ground is looked at
 constexpr uint64_t kPointsOfSecond = uint64_t{1} << 31;  // added to the features of contacts found by them
 
 // The deepest contact, and then those that lie farthest apart, in the order in which they were found.
@@ -30,6 +31,23 @@ void reduce(std::vector<Contact>& contacts) {
   for (uint32_t c : chosen) kept.push_back(contacts[c]);
   contacts = std::move(kept);
 }
+
+// The height of points of a body above a plane, m.
+class Height {
+ public:
+  Height(const RigidMap& map, const Vec3& up, double level)
+      : up_(glm::transpose(map.turn) * up), offset_(glm::dot(map.shift, up) - level) {}
+
+  double operator()(const Vec3& p) const { return glm::dot(up_, p) + offset_; }
+  // That of the lowest corner of a box.
+  double least(const Box& box) const {
+    return (*this)(0.5 * (box.min + box.max)) - glm::dot(glm::abs(up_), 0.5 * (box.max - box.min));
+  }
+
+ private:
+  Vec3 up_;  // in the frame of the body
+  double offset_;
+};
 
 void warm_up(std::vector<Contact>& contacts, const PairMemory& memory) {
   for (Contact& c : contacts) {
@@ -75,14 +93,17 @@ std::vector<Contact> find_ground_contacts(const MovingBody& body, const Surround
   std::vector<Contact> contacts;
   if (!around.ground) return contacts;
   const Vec3 up = around.up();
-  const double skin = lengths.ground_skin * body.scale, reach = lengths.reach * body.scale;
-  for (uint32_t i = 0; i < body.collider->points.size(); ++i) {
-    const Vec3& p = body.collider->points[i].at;
-    const Vec3 at = body.now(p);
-    const double distance = glm::dot(at, up) - *around.ground - skin;
-    const double next = glm::dot(body.next(p), up) - *around.ground - skin;
-    if (std::min(distance, next) > reach) continue;
-    contacts.push_back({at, up, distance, i, {}});
+  const double reach = lengths.reach * body.scale;
+  const double level = *around.ground + lengths.ground_skin * body.scale;
+  const Height now(body.now, up, level), next(body.next, up, level);
+  if (std::min(now.least(body.collider->bounds), next.least(body.collider->bounds)) > reach) return contacts;
+  double lowest = reach;
+  for (const Vec3& p : body.collider->corners) lowest = std::min({lowest, now(p), next(p)});
+  const double near = std::min(reach, std::max(lowest, 0.0) + kNearLowest * reach);
+  for (uint32_t i = 0; i < body.collider->corners.size(); ++i) {
+    const Vec3& p = body.collider->corners[i];
+    const double distance = now(p);
+    if (std::min(distance, next(p)) <= near) contacts.push_back({body.now(p), up, distance, i, {}});
   }
   reduce(contacts);
   warm_up(contacts, memory);

@@ -3,6 +3,7 @@
 #include "core/base/random.h"
 #include "core/base/tick.h"
 #include "core/physics/physics.h"
+#include "tests/support/made_meshes.h"
 #include "tests/support/sheets.h"
 
 namespace kerf {
@@ -36,6 +37,24 @@ TEST(Fall, a_plate_falls_to_the_ground_and_sleeps_there) {
   run(world, 3);
   EXPECT_TRUE(all_sleep(world));
   EXPECT_NEAR(height(world, plate), 0.001, 0.0005);
+}
+
+// Many more vertices than the points by which bodies touch each other.
+TEST(Fall, a_curved_body_rests_on_its_lowest_vertices_whichever_they_are) {
+  for (uint64_t seed = 1; seed <= 4; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    World world = world_with_ground();
+    const glm::dquat turn(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1), 1);
+    const BodyId ring = test::add(world, test::torus(48, 24, 1, 0.6), {0, 2, 0}, glm::normalize(turn));
+    run(world, 6);
+    EXPECT_TRUE(all_sleep(world));
+    const Body& body = world.body(ring);
+    double lowest = 1;
+    for (uint32_t v = 0; v < body.mesh.vertex_slots(); ++v)
+      lowest = std::min(lowest, body.placement.to_world(body.mesh.position(VertexId(v))).y);
+    EXPECT_NEAR(lowest, 0.001, 0.001);
+  }
 }
 
 std::vector<BodyId> add_stack(World& world, int count) {

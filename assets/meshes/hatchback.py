@@ -1,0 +1,67 @@
+"""The hatchback: the body, the wheels and the fittings of car.obj, with an engine and a laser."""
+
+import roof_laser
+from car_body import body
+from car_cabin import DRIVER_X, fittings, seats
+from car_shape import AXLES, WHEEL_RADIUS
+from car_sheet import moved
+from car_wheels import TRACK_X, axles, wheels
+from engine_block import engine, radiator
+from vehicle import Vehicle
+
+LASER = (0.0, 1.405, -0.25)
+SEATS = {"seat_left": "seat_driver", "seat_right": "seat_passenger", "bench": "bench"}
+
+
+def hatchback():
+    car = Vehicle("hatchback", 1000, {"paint": {"colour": "#3d6f86", "gloss": 0.8}})
+    car.add(("body", body()), *wheels(), *axles())
+    car.add(*((SEATS[name], sheet) for name, sheet in seats()), *fittings())
+    car.add(("engine", moved(engine(), (0, 0.46, 1.32))),
+            ("radiator", moved(radiator(0.8, 0.36), (0, 0.44, 1.80))))
+    car.add(*roof_laser.roof_laser(*LASER))
+    hold(car)
+    describe(car)
+    return car
+
+
+def hold(car):
+    joints = car.joints
+    for end, z in zip(("front", "rear"), AXLES):
+        for side, x in (("left", 1), ("right", -1)):
+            wheel = f"wheel_{end}_{side}"
+            joints.turn("hub", wheel, f"axle_{end}", (x * (TRACK_X - 0.01), WHEEL_RADIUS, z),
+                        (1, 0, 0), radius=0.15)
+            joints.hold_together(wheel)
+        joints.hold(f"axle_{end}", "body", [(x, WHEEL_RADIUS + 0.035, z) for x in (0.5, -0.5)], 0.12)
+    for name in ("seat_driver", "seat_passenger"):
+        joints.hold(name, "body", radius=0.14)
+    joints.hold("bench", "body", [(0.5, 0.4, -0.95), (-0.5, 0.4, -0.95)], 0.1)
+    joints.hold("dashboard", "body", [(x, 0.195, 0.86) for x in (0.35, -0.35)], 0.08)
+    joints.hold("steering_wheel", "dashboard", [(DRIVER_X, 0.85, 0.5)], 0.07)
+    for side, x in (("left", 1), ("right", -1)):
+        joints.hold(f"mirror_{side}", "body", radius=0.08)
+        joints.hold(f"handles_{side}", "body", [(x * 0.86, 0.815, z) for z in (0.07, -0.45)])
+    for name in ("emblem", "plate_front", "plate_rear"):
+        joints.hold(name, "body", radius=0.08)
+    joints.hold("engine", "body", [(0.5, 0.41, 1.27), (-0.5, 0.41, 1.27), (0.1, 0.2, 1.34),
+                                   (-0.1, 0.2, 1.34)], 0.1)
+    joints.hold("radiator", "body", [(0.35, 0.25, 1.8), (-0.35, 0.25, 1.8)], 0.1)
+    x, y, z = LASER
+    joints.hold("mount", "body", [(x + dx, y, z + dz) for dx, dz in ((0.235, 0), (-0.235, 0),
+                                                                    (0, 0.235), (0, -0.235))], 0.09)
+    joints.hold("turret", "mount", [(x + dx, y + 0.07, z) for dx in (0.16, -0.16)], 0.12)
+    joints.hold("barrel", "turret", [(x + dx, y + roof_laser.TRUNNION, z) for dx in (0.075, -0.075)],
+                0.07)
+
+
+def describe(car):
+    for end, z in zip(("front", "rear"), AXLES):
+        for side, x in (("left", 1), ("right", -1)):
+            front = end == "front"
+            car.wheel(f"wheel_{end}_{side}", f"axle_{end}", (x * TRACK_X, WHEEL_RADIUS, z),
+                      WHEEL_RADIUS, front, front, 0.2)
+    car.turret = roof_laser.description(*LASER)
+    car.vital = [{"kind": "engine", "part": "engine", "mount": "body"},
+                 {"kind": "driver", "part": "seat_driver", "mount": "body"}]
+    car.driver_eye = [DRIVER_X, 1.12, -0.2]

@@ -1,0 +1,23 @@
+"""Writes the vehicles of the game: meshes beside this script, and their files in ../vehicles.
+
+    python3 assets/meshes/make_vehicles.py [NAME...]
+
+Metres, +Y up, +Z forward, the tyres on y = 0, counter-clockwise faces outwards. Every part is a
+sheet without thickness; the joints are found from the meshes. The output is the same, byte for
+byte, on each run. Needs nothing but Python's standard library.
+"""
+
+import sys
+
+from hatchback import hatchback
+
+VEHICLES = {"hatchback": hatchback}
+
+
+def main():
+    for name in sys.argv[1:] or VEHICLES:
+        VEHICLES[name]().write()
+
+
+if __name__ == "__main__":
+    main()

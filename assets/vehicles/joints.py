@@ -144,6 +144,12 @@ class Joints:
         held = self._of[to] + [c for c in mine for place in places if c is self._at(mine, place)[2]]
         self._hold_rest([c for c in mine if c not in held], held, radius)
 
+    def hold_all(self, root, radius=0.06):
+        """Welds every component to what is nearest of those that hang on the root part."""
+        first = self._of[root][:1]
+        self._hold_rest([c for own in self._of.values() for c in own if c not in first], first,
+                        radius)
+
     def hold_together(self, part, radius=0.06):
         """Welds the components of a part to the one with the most faces, or to each other."""
         mine = self._of[part]

@@ -1,6 +1,6 @@
-"""Writes the vehicles of the game: meshes beside this script, and their files in ../vehicles.
+"""Writes the vehicles of the game: their files beside this script and their meshes to ../meshes.
 
-    python3 assets/meshes/make_vehicles.py [NAME...]
+    python3 assets/vehicles/make_vehicles.py [NAME...]
 
 Metres, +Y up, +Z forward, the tyres on y = 0, counter-clockwise faces outwards. Every part is a
 sheet without thickness; the joints are found from the meshes. The output is the same, byte for
@@ -8,8 +8,11 @@ byte, on each run. Needs nothing but Python's standard library.
 """
 
 import sys
+from pathlib import Path
 
-from hatchback import hatchback
+sys.path.append(str(Path(__file__).resolve().parent.parent / "meshes"))
+
+from hatchback import hatchback  # noqa: E402
 
 VEHICLES = {"hatchback": hatchback}
 

@@ -55,14 +55,12 @@ class Vehicle:
                             "steers": steers, "driven": driven, "suspension": {"travel": travel}})
 
     def write(self):
-        meshes = Path(__file__).resolve().parent
-        target = meshes / f"{self.name}.obj"
+        folder = Path(__file__).resolve().parent
+        target = folder.parent / "meshes" / f"{self.name}.obj"
         mesh = ObjFile()
         for name, sheet in self.parts.items():
             mesh.add(name, sheet)
         target.write_text(mesh.text(f"Kerf {self.name}, made by make_vehicles.py"), newline="\n")
-        folder = meshes.parent / "vehicles"
-        folder.mkdir(exist_ok=True)
         (folder / f"{self.name}.json").write_text(self._json(), newline="\n")
         print(f"{target}: {mesh.triangle_count()} triangles, {len(self.joints.all)} joints")
 

@@ -1,0 +1,75 @@
+"""Solid shapes of the arena: prisms, columns and walls, each closed and faced outwards."""
+
+import math
+
+from car_sheet import grid, moved
+from turned import box, turned
+
+
+def prism(stations, half_width, paint, axis="x"):
+    """A solid between the planes at -half_width and +half_width across its axis.
+
+    stations: (place along the axis, lower height, upper height), places rising. paint(side) names
+    the material of "top", "bottom", "side" and "end".
+    """
+    def point(a, y, b):
+        return (a, y, b) if axis == "x" else (b, y, a)
+
+    across = (-half_width, half_width)
+    top = [[point(a, high, b) for a, _, high in stations] for b in across]
+    bottom = [[point(a, low, b) for a, low, _ in stations] for b in across]
+    sheet = grid(top, lambda r, c: paint("top"), (0, 999, 0))
+    sheet += grid(bottom, lambda r, c: paint("bottom"), (0, -999, 0))
+    for k, b in enumerate(across):
+        sheet += grid([bottom[k], top[k]], lambda r, c: paint("side"), point(0, 0, 999 * b))
+    for i, sign in ((0, -1), (-1, 1)):
+        end = [[bottom[0][i], bottom[1][i]], [top[0][i], top[1][i]]]
+        if stations[i][1] < stations[i][2]:
+            sheet += grid(end, lambda r, c: paint("end"), point(999 * sign, 0, 0))
+    return sheet
+
+
+def frustum(base, top, height, paint):
+    """A low hill with four slopes: half sizes at its foot and at its top."""
+    foot = [(-base, 0, -base), (base, 0, -base), (base, 0, base), (-base, 0, base)]
+    head = [(-top, height, -top), (top, height, -top), (top, height, top), (-top, height, top)]
+    slopes = grid([foot + foot[:1], head + head[:1]], lambda r, c: paint("side"), (0, 999, 0))
+    return slopes + grid([[head[0], head[1]], [head[3], head[2]]], lambda r, c: paint("top"),
+                         (0, 999, 0))
+
+
+def column(height):
+    """An eight-sided column on a square foot, with a hazard band at bumper height."""
+    foot = box((0, 0.2, 0), (1.5, 0.4, 1.5), "concrete_dark", top=0.86)
+    shaft = turned(((0.55, 0.4), (0.5, 0.75), (0.5, 1.25), (0.48, height - 0.5),
+                    (0.72, height - 0.2), (0.72, height), (0.0, height)), 8,
+                   lambda r, c: "band" if r == 1 else "concrete")
+    return foot + shaft
+
+
+def ring_wall(half, profile, paint, cells):
+    """A wall around the square of this half size: profile of (distance outwards, height)."""
+    sheet = []
+    for quarter in range(4):
+        rows = []
+        for out, y in profile:
+            reach = half + out
+            line = [(-reach + 2 * reach * i / cells, y, reach) for i in range(cells + 1)]
+            rows.append([_quarter_turned(p, quarter) for p in line])
+        sheet += [(paint(i), polygon) for i, strip in enumerate(zip(rows, rows[1:]))
+                  for _, polygon in grid(list(strip)[::-1], lambda r, c: "any")]
+    return sheet
+
+
+def _quarter_turned(p, times):
+    x, y, z = p
+    for _ in range(times):
+        x, z = z, -x
+    return (x, y, z)
+
+
+def turned_by(sheet, degrees, offset=(0, 0, 0)):
+    """The sheet turned about the y axis, from +z towards +x by a positive angle, and moved."""
+    s, c = math.sin(math.radians(degrees)), math.cos(math.radians(degrees))
+    return moved([(material, tuple((x * c + z * s, y, z * c - x * s) for x, y, z in polygon))
+                  for material, polygon in sheet], offset)

@@ -1,0 +1,176 @@
+"""What stands fast in the yard: concrete, matt and grey, and what is seen beyond its walls."""
+
+from car_sheet import moved
+from concrete import column, frustum, prism, ring_wall, turned_by
+from turned import box, tube, turned
+
+HALF = 40.0               # m, from the middle to the walls
+BRIDGE_WIDTH, DECK, CLEAR = 7.0, 3.4, 2.9
+# (distance from the middle of the bridge, height of the road); no slope is over 12 degrees
+ROAD = ((7.0, DECK), (8.5, DECK - 0.15), (23.6, 0.15), (25.1, 0.0))
+MASTS = [(x, z) for x in (-30.0, 30.0) for z in (-30.0, 30.0)]
+LAMP_HEIGHT = 10.4
+
+
+def walls():
+    """A wall with a sloping foot that turns wheels away, buttresses, a coping and two gates."""
+    profile = ((-0.42, 0.0), (-0.38, 0.10), (-0.16, 0.42), (0.0, 1.0), (0.0, 3.3), (-0.12, 3.3),
+               (-0.12, 3.55), (0.52, 3.55), (0.52, 3.3), (0.4, 3.3), (0.4, 0.0))
+    names = {0: "concrete_dark", 1: "concrete_dark", 2: "concrete_dark"}
+    sheet = ring_wall(HALF, profile, lambda i: names.get(i, "concrete"), 10)
+    for quarter in range(4):
+        for i in range(-4, 5):
+            gate = quarter % 2 == 0 and abs(i) < 1
+            if not gate:
+                post = box((8.0 * i, 1.85, HALF - 0.06), (0.7, 3.7, 0.5), "concrete", top=0.94)
+                sheet += turned_by(post, 90 * quarter)
+    for quarter in (0, 2):
+        sheet += turned_by(gate_leaf(), 90 * quarter)
+    return sheet
+
+
+def gate_leaf():
+    """A roller door in a frame, before the wall."""
+    z = HALF - 0.10
+    rows = []
+    for i in range(19):
+        y, bulge = 0.2 + 3.6 * i / 18, 0.05 if i % 2 else 0.0
+        rows.append([(x, y, z - bulge) for x in (-3.0, 3.0)])
+    slats = [("gate", polygon) for row in zip(rows, rows[1:])
+             for polygon in ((row[0][0], row[1][0], row[1][1], row[0][1]),)]
+    frame = [box((x, 2.1, z), (0.5, 4.2, 0.5), "concrete_dark") for x in (-3.2, 3.2)]
+    lintel = box((0, 4.1, z), (6.9, 0.6, 0.6), "concrete_dark")
+    return slats + frame[0] + frame[1] + lintel
+
+
+def bridge():
+    """Two ramps and a deck along x, to be driven over and, across them, under."""
+    deck_stations = [(-7.0, CLEAR, DECK), (0.0, CLEAR, DECK), (7.0, CLEAR, DECK)]
+    half = BRIDGE_WIDTH / 2
+
+    def paint(side):
+        return {"top": "asphalt", "bottom": "concrete_dark"}.get(side, "concrete")
+    sheet = prism(deck_stations, half, paint)
+    ramp = [(x, 0.0, y) for x, y in ROAD]
+    sheet += prism(ramp, half, paint) + prism([(-x, low, high) for x, low, high in ramp[::-1]],
+                                              half, paint)
+    road = [(-x, y) for x, y in ROAD[::-1]] + list(ROAD)
+    for side in (-1, 1):
+        parapet = prism([(x, y - 0.02 if y else 0.0, y + 0.8) for x, y in road[1:-1]], 0.14,
+                        lambda part: "band_edge" if part == "top" else "concrete")
+        sheet += moved(parapet, (0, 0, side * (half - 0.14)))
+    for z in (-2.3, 2.3):
+        sheet += moved(turned(((0.5, 0.0), (0.5, 0.5), (0.42, 0.7), (0.42, CLEAR)), 10,
+                              lambda r, c: "band" if r == 0 else "concrete"), (0, 0, z))
+    for x in (-6.7, 6.7):       # marks how high the passage is
+        for side in (-1, 1):
+            sheet += box((x, CLEAR + 0.25, side * (half + 0.03)), (0.5, 0.5, 0.06), "band")
+    return sheet
+
+
+def colonnades():
+    """Two rows of columns with the beams of a crane that is gone."""
+    sheet = []
+    for z in (-15.0, 15.0):
+        for x in (-18.0, -6.0, 6.0, 18.0):
+            sheet += moved(column(6.0), (x, 0, z))
+        for x in (-12.0, 12.0):
+            sheet += box((x, 6.35, z), (13.4, 0.7, 0.6), "concrete_dark")
+    return sheet
+
+
+def kicker():
+    """A ramp to jump from, towards +z, of ten degrees."""
+    stations = [(-4.2, 0.0, 0.0), (-3.0, 0.0, 0.11), (3.0, 0.0, 1.17), (3.7, 0.0, 0.0)]
+
+    def paint(side):
+        return "asphalt" if side == "top" else "concrete_dark"
+    edges = []
+    for x in (-1.9, 1.9):
+        strip = prism([(a, low, high + 0.03 if high else 0.0) for a, low, high in stations[:3]], 0.2,
+                      lambda side: "band_edge", "z")
+        edges += moved(strip, (x, 0, 0))
+    return prism(stations, 2.1, paint, "z") + edges
+
+
+def ramps():
+    hill = frustum(7.2, 2.8, 0.9, lambda side: "asphalt" if side == "top" else "concrete_dark")
+    return (moved(kicker(), (-32.5, 0, 8)) + turned_by(kicker(), 180, (32.5, 0, -8))
+            + moved(hill, (0, 0, -28)))
+
+
+def mast(x, z):
+    """A floodlight mast on a concrete foot; its lamps look at the middle of the yard."""
+    foot = turned(((0.75, 0.0), (0.75, 0.5), (0.55, 0.9), (0.0, 0.9)), 8,
+                  lambda r, c: "band" if r == 0 else "concrete")
+    pole = turned(((0.20, 0.9), (0.16, 4.0), (0.11, 10.2), (0.0, 10.2)), 8, lambda r, c: "mast")
+    bar = box((0, 10.0, 0.1), (3.0, 0.14, 0.14), "mast")
+    lamps = []
+    for i in (-1.2, -0.4, 0.4, 1.2):
+        case = box((i, 10.35, 0.22), (0.62, 0.5, 0.3), "mast")
+        glass = [("floodlight", ((i - 0.26, 10.15, 0.38), (i + 0.26, 10.15, 0.38),
+                                 (i + 0.26, 10.55, 0.38), (i - 0.26, 10.55, 0.38)))]
+        lamps += case + glass
+    head = turned_by(bar + lamps, {(1, 1): 225, (1, -1): 315, (-1, 1): 135, (-1, -1): 45}
+                     [1 if x > 0 else -1, 1 if z > 0 else -1])
+    return moved(foot + pole + head, (x, 0, z))
+
+
+def masts():
+    return [face for x, z in MASTS for face in mast(x, z)]
+
+
+def lamps():
+    """Where the floodlights are, a little before their glass."""
+    return [(x - 0.5 * (1 if x > 0 else -1), LAMP_HEIGHT, z - 0.5 * (1 if z > 0 else -1))
+            for x, z in MASTS]
+
+
+# ---- beyond the walls ---------------------------------------------------------------------------
+
+def hall():
+    """A long hall with a saw-tooth roof and a row of windows."""
+    sheet = box((0, 4.5, 0), (60.0, 9.0, 16.0), "hall")
+    for i in range(6):
+        x = -25.0 + 10.0 * i
+        tooth = prism([(-5.0, 9.0, 9.0), (4.6, 9.0, 12.4), (5.0, 9.0, 9.0)], 8.0, lambda s: "hall")
+        sheet += moved(tooth, (x, 0, 0))
+    for i in range(15):
+        x = -28.0 + 4.0 * i
+        y = 6.0
+        material = "window_lit" if i in (2, 3, 9, 13) else "window_dark"
+        sheet.append((material, ((x + 1.3, y, -8.05), (x - 1.3, y, -8.05), (x - 1.3, y + 1.8, -8.05),
+                                 (x + 1.3, y + 1.8, -8.05))))
+    return sheet
+
+
+def silo(radius, height):
+    return turned(((radius, 0.0), (radius, height), (radius * 0.25, height + radius * 0.55),
+                   (radius * 0.25, height + radius * 0.55 + 0.8), (0.0, height + radius * 0.6 + 0.8)),
+                  16, lambda r, c: "hall_light")
+
+
+def chimney(height):
+    return turned(((1.9, 0.0), (1.25, height - 5), (1.2, height - 3), (1.15, height), (0.9, height),
+                   (0.0, height - 0.1)), 12, lambda r, c: "band_red" if r == 1 else "hall")
+
+
+def backdrop():
+    sheet = moved(hall(), (6, 0, 54)) + turned_by(hall(), 180, (-12, 0, -56))
+    for i, (radius, height) in enumerate(((4.2, 15.0), (4.2, 15.0), (3.0, 19.0))):
+        sheet += moved(silo(radius, height), (53.0, 0, -14.0 + 10.0 * i))
+    sheet += moved(chimney(34.0), (56, 0, 26)) + moved(chimney(27.0), (-54, 0, -22))
+    sheet += moved(box((0, 5.0, 0), (14.0, 10.0, 40.0), "hall", (1, 1, 4)), (-54, 0, 12))
+    for z in (-6.0, 2.0):
+        sheet += tube([(48.8, 9.0, z), (47.0, 9.0, z), (47.0, 0.0, z)], 0.45, "hall_light", 8)
+    return sheet
+
+
+def structures():
+    """(name, sheet) of all that stands fast."""
+    yield "walls", walls()
+    yield "bridge", bridge()
+    yield "columns", colonnades()
+    yield "ramps", ramps()
+    yield "masts", masts()
+    yield "backdrop", backdrop()

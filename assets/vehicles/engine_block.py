@@ -1,4 +1,4 @@
-"""An engine with its gearbox, set across the car: closed sheets, about three hundred faces."""
+"""An engine with its gearbox, set across the car: closed sheets, about four hundred faces."""
 
 from car_sheet import moved
 from turned import box, tube, turned
@@ -10,17 +10,16 @@ def engine(reach=0.5, low=-0.24):
     sump = box((0.02, -0.165, 0.0), (0.38, 0.05, 0.20), "steel", (2, 1, 1), 1.12)
     cover = box((0.02, 0.165, -0.01), (0.42, 0.06, 0.17), "engine_cover", (3, 1, 1), 0.9)
     gearbox = turned(((0.0, -0.44), (0.075, -0.43), (0.115, -0.34), (0.125, -0.225), (0.0, -0.225)),
-                     10, lambda r, c: "steel", "x")
+                     8, lambda r, c: "steel", "x")
     pulleys = []
     for y, z, radius in ((-0.06, 0.0, 0.085), (0.09, 0.06, 0.055), (0.07, -0.09, 0.05)):
-        wheel = turned(((0.0, 0.262), (radius, 0.262), (radius * 0.8, 0.277), (radius, 0.292),
-                        (0.0, 0.292)), 10, lambda r, c: "steel", "x")
+        wheel = turned(((0.0, 0.262), (radius, 0.262), (radius, 0.292), (0.0, 0.292)), 9, lambda r, c: "steel", "x")
         pulleys += moved(wheel, (0, y, z))
     manifold = []
     for i in range(4):
         x = -0.13 + 0.1 * i
-        manifold += tube([(x, 0.10, 0.12), (x, 0.12, 0.20), (x, 0.02, 0.24)], 0.024, "steel", 5)
-    collector = tube([(-0.17, 0.02, 0.24), (0.21, 0.02, 0.24)], 0.035, "steel", 6)
+        manifold += tube([(x, 0.10, 0.12), (x, 0.12, 0.20), (x, 0.02, 0.24)], 0.024, "steel", 4, False)
+    collector = tube([(-0.17, 0.02, 0.24), (0.21, 0.02, 0.24)], 0.035, "steel", 5)
     brackets = []
     for side in (-1, 1):
         brackets += tube([(side * 0.2, -0.05, -0.05), (side * reach, -0.05, -0.05)], 0.03, "axle", 4)
@@ -32,7 +31,7 @@ def engine(reach=0.5, low=-0.24):
 
 def radiator(width, height, depth=0.05):
     """A radiator core between its two tanks, about the origin, facing forward."""
-    core = box((0, 0, 0), (width, height * 0.84, depth), "grille", (6, 3, 1))
-    tanks = [box((0, y, 0), (width, height * 0.08, depth * 1.5), "steel", (4, 1, 1))
+    core = box((0, 0, 0), (width, height * 0.84, depth), "grille", (4, 2, 1))
+    tanks = [box((0, y, 0), (width, height * 0.08, depth * 1.5), "steel", (3, 1, 1))
              for y in (height * 0.47, -height * 0.47)]
     return core + tanks[0] + tanks[1]

@@ -13,8 +13,9 @@ from pathlib import Path
 sys.path.append(str(Path(__file__).resolve().parent.parent / "meshes"))
 
 from hatchback import hatchback  # noqa: E402
+from pickup import pickup  # noqa: E402
 
-VEHICLES = {"hatchback": hatchback}
+VEHICLES = {"hatchback": hatchback, "pickup": pickup}
 
 
 def main():

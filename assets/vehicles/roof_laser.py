@@ -11,7 +11,7 @@ from turned import box, turned
 PIVOT = 0.075             # m, of the turret above the foot of the collar
 TRUNNION = 0.235          # m, axis of the barrel above the foot of the collar
 MUZZLE = 0.62             # m, of the lens ahead of the axis
-SIDES = 20
+SIDES = 18
 YAW, PITCH = [-180, 180], [-15, 35]
 
 
@@ -51,8 +51,8 @@ def barrel():
     """About the axis z through the origin, pointing forward."""
     housing = ((0.0, -0.205), (0.050, -0.200), (0.066, -0.170), (0.068, 0.06), (0.060, 0.150), (0.046, 0.165))
     fins = []
-    for i in range(4):
-        z = 0.18 + 0.042 * i
+    for i in range(3):
+        z = 0.18 + 0.05 * i
         fins += [(0.036, z), (0.058, z + 0.008), (0.058, z + 0.02), (0.036, z + 0.028)]
     tube = ((0.036, 0.36), (0.034, 0.54), (0.050, 0.555), (0.054, MUZZLE), (0.040, MUZZLE),
             (0.036, MUZZLE - 0.022), (0.0, MUZZLE - 0.012))
@@ -66,7 +66,7 @@ def barrel():
         if r < 3 or r > last_fin:
             return "laser_dark"
         return "steel" if r >= first_fin else "laser"
-    return turned(profile, 12, paint, "z")
+    return turned(profile, 10, paint, "z")
 
 
 def roof_laser(x, y, z):

@@ -7,6 +7,9 @@ vec3 nearer(vec3 at) {
   return at - way * (0.0015 * length(at) / max(length(way), 1e-6));
 }
 
+// Whether a vertex of line_vertex() is at the end of the line, not at its beginning.
+bool is_line_end(int vertex) { return vertex == 1 || vertex == 2 || vertex == 4; }
+
 // A line of some pixels' width from a to b in frame coordinates as two triangles: which of six vertices this is.
 // Pulled towards the eye a little, so that lines on a surface show. Returns pixels along the line in `along`, in a picture of usual height.
 vec4 line_vertex(vec3 a, vec3 b, int vertex, float half_width, out float along) {
@@ -18,7 +21,7 @@ vec4 line_vertex(vec3 a, vec3 b, int vertex, float half_width, out float along) 
   vec2 way = (cb.xy / cb.w - ca.xy / ca.w) * viewport.xy * 0.5;
   float far = length(way);
   vec2 side = far > 1e-6 ? vec2(-way.y, way.x) / far : vec2(0.0, 1.0);
-  bool end = vertex == 1 || vertex == 2 || vertex == 4;
+  bool end = is_line_end(vertex);
   bool left = vertex == 2 || vertex == 4 || vertex == 5;
   vec4 p = end ? cb : ca;
   p.xy += side * (left ? half_width : -half_width) * line_scale() * 2.0 * viewport.zw * p.w;

@@ -28,6 +28,7 @@ CutGraph live_graph(const World& world, std::span<const PieceId> pieces) {
   graph.live = static_cast<uint32_t>(faces.nodes.size());
   graph.nodes = std::move(faces.nodes);
   graph.edges = std::move(faces.edges);
+  for (const BodyId id : world.ids()) graph.placements[id] = world.body(id).placement;
   for (const GraphNode& n : graph.nodes) {
     const Body& body = world.body(n.body);
     graph.middles.push_back(body.placement.to_world(middle_of(body.mesh.triangle(n.face))));

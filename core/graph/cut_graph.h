@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 
 #include "core/graph/traversal.h"
@@ -13,6 +14,7 @@ struct CutGraph {
   uint32_t live = 0;                        // the number of live faces
   std::vector<ComponentGraph::Edge> edges;  // of live and removed faces, ascending, each pair once
   std::vector<Vec3> middles;                // by node: centre of the face, m, in the world
+  std::map<BodyId, Placement> placements;   // of the bodies, when the graph was made
 
   bool is_removed(uint32_t node) const { return node >= live; }
   // The links of all nodes, and those between live nodes.

@@ -180,6 +180,13 @@ bool DrawnGraph::has_clusters() const {
   return std::any_of(nodes.begin(), nodes.end(), [](const Node& n) { return n.faces > 1; });
 }
 
+Vec3 DrawnGraph::moved_with(BodyId body, const Vec3& point, const World& world) const {
+  const auto found = placements.find(body);
+  if (found == placements.end() || !world.contains(body)) return point;
+  const Placement& now = world.body(body).placement;
+  return now == found->second ? point : now.to_world(found->second.to_body(point));
+}
+
 DrawnGraph::State DrawnGraph::state(const Node& node) const {
   if (node.removed) return node.removed_at < removals ? State::kRemoved : State::kUnmarked;
   if (node.marked_at < marked) return State::kMarked;
@@ -218,6 +225,7 @@ DrawnGraph draw_graph(const CutGraph& graph, const CutTraversal& traversal, Grap
     add_face(drawn.nodes[number[cluster]], graph, traversal, node);
   }
   drawn.edges = edges_between(graph, drawn.of);
+  drawn.placements = graph.placements;
   drawn.reached = traversal.reached();
   return drawn;
 }

@@ -30,8 +30,13 @@ struct DrawnGraph {
   size_t marked = kNone;                    // the first faces of the traversal that are drawn as marked
   size_t removals = kNone;                  // the first removals that are drawn as done
   std::vector<LoopPath> loops;              // that the removals closed, in their order
+  std::map<BodyId, Placement> placements;   // of the bodies, when the graph was made
 
   bool has_clusters() const;
+
+  // Where a point on a body is, in the world (m), that was at `point` when the graph was made: bodies move. A
+  // point of a body that no longer exists stays.
+  Vec3 moved_with(BodyId body, const Vec3& point, const World& world) const;
 
   // What the traversal knows of a node after its first `marked` faces.
   enum class State {

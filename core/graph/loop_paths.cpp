@@ -88,8 +88,8 @@ class RemovedEdges {
 // Follows the removals of one body.
 class LoopFinder {
  public:
-  LoopFinder(const Body& body, const std::vector<CutFace>& faces)
-      : body_(body), faces_(faces), edges_(faces), cut_of_(body.mesh.face_slots(), kNone) {
+  LoopFinder(BodyId id, const Body& body, const std::vector<CutFace>& faces)
+      : id_(id), body_(body), faces_(faces), edges_(faces), cut_of_(body.mesh.face_slots(), kNone) {
     for (uint32_t i = 0; i < faces.size(); ++i) {
       if (faces[i].face.index < cut_of_.size()) cut_of_[faces[i].face.index] = i;
     }
@@ -168,7 +168,7 @@ class LoopFinder {
   }
 
   LoopPath path_of(std::vector<uint32_t> way, size_t removal) const {
-    LoopPath path{removal, {}, true};
+    LoopPath path{id_, removal, {}, true};
     const auto border = std::find(way.begin(), way.end(), edges_.border());
     if (border != way.end()) {
       path.runs_around = false;
@@ -179,6 +179,7 @@ class LoopFinder {
     return path;
   }
 
+  BodyId id_;
   const Body& body_;
   const std::vector<CutFace>& faces_;
   RemovedEdges edges_;
@@ -192,7 +193,7 @@ std::vector<LoopPath> loop_paths(const World& world, const CutFaces& removed, si
   std::vector<LoopPath> paths;
   size_t before = 0;
   for (const auto& [id, faces] : removed) {
-    if (world.contains(id)) LoopFinder(world.body(id), faces).find(before, most_visits, paths);
+    if (world.contains(id)) LoopFinder(id, world.body(id), faces).find(before, most_visits, paths);
     before += faces.size();
   }
   return paths;

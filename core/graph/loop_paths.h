@@ -11,6 +11,7 @@ namespace kerf {
 // A loop of removed faces that the removal of one of them closed (see CutLoops), as a line on the surface
 // along their edges.
 struct LoopPath {
+  BodyId body;               // from which the faces were removed
   size_t removal = 0;        // the one that closed it: of all removals in their order, counted from 1
   std::vector<Vec3> points;  // m, in the world
   bool runs_around = true;   // else it goes from border to border, and the border closes it

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "ui/render/overlay_colours.h"
+#include "ui/render/section_clip.h"
 
 namespace kerf {
 
@@ -123,7 +124,10 @@ void BodyPass::draw(const Subject& subject, double diagonal) {
   glDepthMask(GL_FALSE);
   glEnable(GL_BLEND);
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
-  lines_.draw(gathered, kHalfWidth);
+  {
+    const SectionClip clip(subject.options);
+    lines_.draw(gathered, kHalfWidth, ColouredLines::AtSection::kPart);
+  }
   glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);
   glEnable(GL_DEPTH_TEST);

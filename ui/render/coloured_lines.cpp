@@ -31,7 +31,7 @@ Result<ColouredLines> ColouredLines::create(const std::filesystem::path& shaders
 }
 
 // Dark ones first, a little wider.
-void ColouredLines::draw(std::span<const Line> lines, float half_width) {
+void ColouredLines::draw(std::span<const Line> lines, float half_width, AtSection section) {
   if (lines.empty()) return;
   glBindVertexArray(layout_.name());
   glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
@@ -40,6 +40,7 @@ void ColouredLines::draw(std::span<const Line> lines, float half_width) {
   attribute(1, 3, offsetof(Line, to));
   attribute(2, 4, offsetof(Line, colour));
   program_.use();
+  program_.set("in_part", section == AtSection::kPart ? 1 : 0);
   for (const bool dark : {true, false}) {
     program_.set("half_width", half_width + (dark ? kDarkAround : 0));
     program_.set("shade", dark ? glm::vec4(0.02f, 0.025f, 0.03f, 1) : glm::vec4(0));

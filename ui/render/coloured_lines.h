@@ -20,8 +20,10 @@ class ColouredLines {
     glm::vec3 from, to;  // in the coordinates of FrameSpace
     glm::vec4 colour;
   };
+  // What a section plane leaves of a line: all or nothing, by its middle, or a part of it.
+  enum class AtSection { kWhole, kPart };
   // `half_width` is in pixels of a picture of usual height; see line.glsl. Blending must be switched on.
-  void draw(std::span<const Line> lines, float half_width);
+  void draw(std::span<const Line> lines, float half_width, AtSection section = AtSection::kWhole);
 
  private:
   explicit ColouredLines(gl::Program program) : program_(std::move(program)) {}

@@ -26,13 +26,15 @@ void attribute(GLuint index, GLint numbers, size_t stride, size_t offset) {
   glVertexAttribDivisor(index, 1);
 }
 
-// Where nodes are drawn: displaced with their pieces, and not at all where these are hidden.
+// Where nodes are drawn: moved with their bodies, displaced with their pieces, and not at all where these are
+// hidden.
 class Places {
  public:
-  explicit Places(const Subject& subject) : subject_(subject) {}
+  Places(const Subject& subject, const DrawnGraph& graph) : subject_(subject), graph_(graph) {}
 
   std::optional<glm::vec3> of(const DrawnGraph::Node& node) {
-    const glm::vec3 at = subject_.space.from_world(node.middle);
+    const Vec3 middle = graph_.moved_with(node.face.body, node.middle, subject_.world);
+    const glm::vec3 at = subject_.space.from_world(middle);
     if (node.removed || !is_live(node.face)) return at;
     const BodyId id = node.face.body;
     const auto found = looks_.try_emplace(id, id, subject_.options).first;
@@ -47,6 +49,7 @@ class Places {
   }
 
   const Subject& subject_;
+  const DrawnGraph& graph_;
   std::map<BodyId, BodyLooks> looks_;
 };
 
@@ -109,7 +112,7 @@ void GraphPass::draw(const Subject& subject, const FrameUniforms& frame) {
 }
 
 void GraphPass::draw_graph(const Subject& subject, const DrawnGraph& graph, const FrameUniforms& frame) {
-  Places places(subject);
+  Places places(subject, graph);
   std::vector<std::optional<glm::vec3>> at;
   for (const DrawnGraph::Node& n : graph.nodes) at.push_back(places.of(n));
   std::vector<std::pair<glm::vec3, glm::vec3>> ends;
@@ -148,10 +151,11 @@ void GraphPass::draw_loops(const Subject& subject, const DrawnGraph& graph) {
     }
     const glm::vec4 colour = colour_from_hex(overlay_colours::kLoop, i + 1 == closed ? 1 : kEarlierLoop);
     const size_t sides = loop.points.size() - (loop.runs_around ? 0 : 1);
-    for (size_t k = 0; k < sides; ++k) {
-      links.push_back({subject.space.from_world(loop.points[k]),
-                       subject.space.from_world(loop.points[(k + 1) % loop.points.size()]), colour});
-    }
+    const auto point = [&](size_t k) {
+      const Vec3& read = loop.points[k % loop.points.size()];
+      return subject.space.from_world(graph.moved_with(loop.body, read, subject.world));
+    };
+    for (size_t k = 0; k < sides; ++k) links.push_back({point(k), point(k + 1), colour});
   }
   links_.draw(links, 1.4f * kLoopHalfWidth);
 }

@@ -2,6 +2,7 @@
 
 #include <glm/vec4.hpp>
 #include <map>
+#include <set>
 #include <vector>
 
 #include "ui/gl/objects.h"
@@ -14,8 +15,9 @@ namespace kerf {
 // The looks of one body's groups of faces on the GPU for programs that contain placed.glsl.
 class PieceLooks {
  public:
-  // Takes over the looks of the body. Returns whether that changed anything.
-  bool update(const BodyLooks& looks, const FrameSpace& space);
+  // Takes over the looks of the body. A part that no cut separated keeps its paint (see is_loaded_part).
+  // Returns whether anything changed. O(pieces).
+  bool update(const Body& body, const BodyLooks& looks, const FrameSpace& space);
 
   // Binds the looks for `program`. Precondition: it is in use.
   void bind(const gl::Program& program) const;
@@ -29,6 +31,7 @@ class PieceLooks {
 
   std::map<uint32_t, PieceLook> looks_;  // by group
   std::map<uint32_t, bool> came_off_;    // by group
+  std::set<uint32_t> parts_;             // groups that are shown as the body itself is
   UpAxis up_ = UpAxis::kY;               // of the displacements on the GPU
   gl::Buffer buffer_;
   gl::Texture table_;

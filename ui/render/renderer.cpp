@@ -120,7 +120,7 @@ void Renderer::update_looks(const World& world, const ViewOptions& options) {
   for (auto& [id, picture] : bodies_) {
     if (!world.contains(id)) continue;
     const BodyLooks looks(id, options);
-    if (picture.looks().update(looks, space_)) contact_old_ = true;
+    if (picture.looks().update(world.body(id), looks, space_)) contact_old_ = true;
     picture.faces().group(world.body(id).mesh, looks.groups());
   }
 }

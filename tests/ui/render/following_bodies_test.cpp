@@ -57,6 +57,26 @@ TEST(FollowingBodies, that_move_sends_no_face_and_rebuilds_only_their_silhouette
   EXPECT_EQ(stage.renderer().uploaded_bytes(), sent);
 }
 
+// Neither faces nor trees are touched: what the ticks changed is bodies and what is known of their contacts.
+TEST(FollowingBodies, that_fall_sends_no_face_and_edits_neither_mesh_nor_tree) {
+  std::vector<Soup> soups{test::torus(300, 301, 1.5, 0.3)};
+  for (int i = 0; i < 8; ++i)
+    soups.push_back(test::moved(test::torus(6, 8, 0.05, 0.02), {0.3 * i - 1.2, 0.6, 1.5}, 1));
+  test::Stage stage(test::world_of_all(soups));
+  stage.apply(SetSurroundings{{{0, -9.81, 0}, -1}});
+  const ViewOptions options = under_lamp();
+  stage.pass(1);
+  stage.draw(view_from_above(), options, kWidth, kHeight);
+  const size_t sent = stage.renderer().uploaded_bytes();
+  for (int frame = 0; frame < 10; ++frame) {
+    stage.pass(5);
+    stage.draw(view_from_above(), options, kWidth, kHeight);
+    EXPECT_LT(stage.document().history().last().bytes(), 100'000u);
+  }
+  EXPECT_EQ(stage.renderer().uploaded_bytes(), sent);
+  EXPECT_GT(stage.document().physics().figures().contacts, 0u);
+}
+
 // A sheet that is cut in two beside its edge, and a ball that stands by.
 test::Stage sheet_in_two() {
   test::Stage stage(

@@ -52,6 +52,17 @@ void Stage::cut(const Pose& from, const Pose& to, double radius) {
   }
 }
 
+void Stage::pass(Ticks ticks) {
+  document_.apply(Play{});
+  document_.apply(Advance{ticks, true});
+  while (document_.waiting() > 0) {
+    const auto step = document_.step(1);
+    ASSERT_TRUE(step.ok());
+    renderer_->follow(document_.world(), step->delta);
+    renderer_->catch_up(document_.world());
+  }
+}
+
 void Stage::apply(const Command& command) {
   const Outcome outcome = document_.apply(command);
   ASSERT_TRUE(outcome.ok());

@@ -19,6 +19,8 @@ class Stage {
   void begin_cut(const Pose& from, const Pose& to, double radius);
   StageRecord next_stage();
 
+  // Lets time pass in which bodies move.
+  void pass(Ticks ticks);
   // Applies a command that is no stroke's.
   void apply(const Command& command);
 

@@ -1,10 +1,27 @@
 #include "ui/editor/figures/figures.h"
 
+#include "core/graph/loaded_part.h"
+
 namespace kerf {
+
+namespace {
+
+// Without parts that no cut separated, which joints hold or held.
+size_t count_pieces(const World& world) {
+  size_t pieces = 0;
+  for (const BodyId id : world.ids()) {
+    const Body& body = world.body(id);
+    for (uint32_t label = 0; label < body.pieces.size(); ++label)
+      pieces += body.pieces[label].faces > 0 && !is_loaded_part(body, label);
+  }
+  return pieces;
+}
+
+}  // namespace
 
 void count_world(ShownFigures& shown, const World& world, bool depth_shown) {
   shown.faces = world.live_faces();
-  shown.pieces = world.live_pieces();
+  shown.pieces = count_pieces(world);
   shown.tree_nodes = 0;
   shown.tree_depth.reset();
   if (depth_shown) shown.tree_depth = 0;

@@ -30,6 +30,7 @@ GraphState::Key GraphState::key_of(const Document& document) const {
           document.history().position(),
           document.journal().size(),
           document.world().live_faces(),
+          document.world().ids().size(),
           piece_,
           true};
 }
@@ -59,9 +60,22 @@ void GraphState::show_cut() {
   piece_.reset();
 }
 
+// Commands that only let time pass leave the graph as it is.
+void GraphState::pass_over_time(const Document& document) {
+  const std::vector<Command>& journal = document.journal();
+  if (key_.commands >= journal.size()) return;
+  const auto in_time = [](const Command& c) {
+    return std::visit([]<typename C>(const C&) { return HappensInTime<C>; }, c);
+  };
+  const auto fresh = journal.begin() + static_cast<ptrdiff_t>(key_.commands);
+  if (std::all_of(fresh, journal.end(), in_time)) key_.commands = journal.size();
+}
+
 bool GraphState::follow(const Document& document, bool in_single_steps) {
+  pass_over_time(document);
   if (!is_old(document)) return false;
-  const bool cutting = key_.known && (document.in_stroke() || document.waiting() > 0);
+  const bool cuts = document.in_stroke() || document.beam_waits() || document.next_searches();
+  const bool cutting = key_.known && cuts;
   if (cutting && !in_single_steps) return false;
   if (cutting && document.world().live_faces() > kMostAtStages) return false;
   key_ = key_of(document);

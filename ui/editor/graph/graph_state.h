@@ -94,12 +94,13 @@ class GraphState {
 
  private:
   struct Key {
-    size_t revision = 0, position = 0, commands = 0, faces = 0;
+    size_t revision = 0, position = 0, commands = 0, faces = 0, bodies = 0;
     std::optional<PieceId> piece;
     bool known = false;
     friend bool operator==(const Key&, const Key&) = default;
   };
   Key key_of(const Document& document) const;
+  void pass_over_time(const Document& document);
   size_t faces_to_read(const Document& document) const;
   bool read(const Document& document, const Progress* progress);
   void read_cut(const Document& document);

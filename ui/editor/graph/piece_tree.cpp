@@ -6,6 +6,7 @@
 #include <map>
 
 #include "core/document/command_words.h"
+#include "core/graph/loaded_part.h"
 #include "ui/editor/view/piece_set.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_text.h"
@@ -50,16 +51,19 @@ class TreeOrder {
   std::vector<PieceTreeRow> rows_;
 };
 
-ImU32 colour_of_piece(const ViewState& view, const PieceId& id) {
+ImU32 colour_of_piece(const World& world, const ViewState& view, const PieceId& id) {
   const auto look = view.look.pieces.find(id);
-  const uint32_t number =
-      look != view.look.pieces.end() && look->second.number != 0 ? look->second.number : id.label;
+  const bool numbered = look != view.look.pieces.end() && look->second.number != 0;
+  const bool part = is_loaded_part(world.body(id.body), id.label);
+  const uint32_t number = part ? 0 : numbered ? look->second.number : id.label;
   const Vec3 c = piece_colour(number, true);
   return ImGui::ColorConvertFloat4ToU32(
       {static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z), 1});
 }
 
 std::string origin_words(const PieceNode& node, const Document& document) {
+  const Body& body = document.world().body(node.piece.body);
+  if (is_loaded_part(body, node.piece.label)) return "is a part that no cut separated";
   if (!node.came_off)
     return node.piece.label == 0 ? "is what is left of its body" : "came off in a step that is not known";
   const PieceId from = *node.came_off;
@@ -102,7 +106,7 @@ void draw_row(const PieceTreeRow& row, const Document& document, ViewState& view
     list.AddLine({x - em, at.y - 0.3f * line}, {x - em, y}, colours::secondary());
     list.AddLine({x - em, y}, {x - 0.4f * em, y}, colours::secondary());
   }
-  list.AddCircleFilled({x, y}, 0.32f * em, colour_of_piece(view, id));
+  list.AddCircleFilled({x, y}, 0.32f * em, colour_of_piece(document.world(), view, id));
   ImGui::SetCursorScreenPos({x + 0.8f * em, at.y});
   if (ImGui::Selectable(body.name_of(id.label).c_str(), chosen, ImGuiSelectableFlags_SpanAllColumns)) {
     choose_piece(view.look.pieces, id, ImGui::GetIO().KeyShift);

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/graph/loaded_part.h"
+
 namespace kerf {
 
 void drop_plain(PieceMap& looks) {
@@ -9,6 +11,16 @@ void drop_plain(PieceMap& looks) {
 }
 
 namespace {
+
+std::string name_of(const World& world, const PieceRow& row) {
+  const Body& body = world.body(row.id.body);
+  if (row.id.label == body.named) return body.name;
+  const std::string part = row.part ? loaded_part_name(world, row.id) : "";
+  return part.empty() ? body.name + " " + std::to_string(row.part ? row.id.label : row.number) : part;
+}
+
+// Bodies, pieces, parts.
+int kind_of(const PieceRow& row) { return row.part ? 2 : row.id.label == 0 ? 0 : 1; }
 
 double fraction(double x) { return x - std::floor(x); }
 
@@ -29,13 +41,14 @@ std::vector<PieceRow> list_pieces(const World& world, const PieceMap& looks) {
       if (piece.faces == 0) continue;
       const auto look = looks.find({id, label});
       const uint32_t number = look != looks.end() && look->second.number != 0 ? look->second.number : label;
-      const std::string name = label == body.named ? body.name : body.name + " " + std::to_string(number);
-      rows.push_back({{id, label}, number, name, piece.faces, piece.area, body.pinned});
+      const bool part = is_loaded_part(body, label);
+      PieceRow& row = rows.emplace_back();
+      row = {{id, label}, part ? 0 : number, "", piece.faces, piece.area, body.pinned, part};
+      row.name = name_of(world, row);
     }
   }
   std::stable_sort(rows.begin(), rows.end(), [](const PieceRow& a, const PieceRow& b) {
-    const bool body_a = a.id.label == 0, body_b = b.id.label == 0;
-    return body_a != body_b ? body_a : a.area > b.area;
+    return kind_of(a) != kind_of(b) ? kind_of(a) < kind_of(b) : a.area > b.area;
   });
   return rows;
 }

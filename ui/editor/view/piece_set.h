@@ -16,15 +16,16 @@ using PieceMap = std::map<PieceId, PieceLook>;
 // A piece in the list of pieces.
 struct PieceRow {
   PieceId id;
-  uint32_t number = 0;  // see PieceLook::number; 0 for a body itself
+  uint32_t number = 0;  // see PieceLook::number; 0 for a body itself, and for a part
   std::string name;
   size_t faces = 0;
   double area = 0;  // m^2
   bool pinned = false;
+  bool part = false;  // no cut separated it (see is_loaded_part)
 };
 
-// The pieces that have faces: first the bodies themselves (label 0), then separated pieces, both in
-// descending order of area.
+// The pieces that have faces: first the bodies themselves (label 0), then separated pieces, then parts that
+// no cut separated, each in descending order of area. Parts have the names that the mesh file gives them.
 std::vector<PieceRow> list_pieces(const World& world, const PieceMap& looks = {});
 
 // The largest number of faces of a crumb.

@@ -60,6 +60,51 @@ TEST(GraphState, follows_the_document_between_single_steps) {
   EXPECT_GT(changes, 10u);
 }
 
+TEST(GraphState, is_read_again_while_time_passes_only_when_pieces_become_bodies) {
+  Document document = sheet();
+  cut_at(document, 0.1);
+  walk(document);
+  GraphState graph;
+  ASSERT_TRUE(graph.follow(document));
+  ASSERT_FALSE(graph.drawn()->loops.empty());
+  document.apply(Play{});
+  document.apply(Advance{1, true});
+  walk(document);
+  EXPECT_TRUE(graph.follow(document));
+  const auto drawn = graph.drawn();
+  for (int second = 0; second < 3; ++second) {
+    document.apply(Advance{kTicksPerSecond, true});
+    EXPECT_FALSE(graph.follow(document));
+    walk(document);
+    EXPECT_FALSE(graph.follow(document));
+  }
+  EXPECT_EQ(graph.drawn(), drawn);
+  cut_at(document, -0.4);
+  walk(document);
+  EXPECT_TRUE(graph.follow(document));
+}
+
+// Along with the body: by as much as it fell and turned since.
+TEST(GraphState, loops_and_nodes_move_with_the_bodies_whose_faces_they_lie_on) {
+  Document document = sheet();
+  cut_at(document, 0.1);
+  document.apply(Play{});
+  document.apply(Advance{1, true});
+  walk(document);
+  GraphState graph;
+  graph.follow(document);
+  const DrawnGraph& drawn = *graph.drawn();
+  const LoopPath& loop = drawn.loops.back();
+  const Body& body = document.world().body(loop.body);
+  const Vec3 read = loop.points.front(), in_body = body.placement.to_body(read);
+  document.apply(Advance{60, true});
+  walk(document);
+  ASSERT_GT(glm::length(body.placement.to_world(in_body) - read), 0.5);
+  const Vec3 now = drawn.moved_with(loop.body, read, document.world());
+  EXPECT_NEAR(glm::length(now - body.placement.to_world(in_body)), 0, 1e-12);
+  EXPECT_EQ(drawn.moved_with({99, 0}, read, document.world()), read);
+}
+
 TEST(GraphState, plays_the_traversal_to_its_end) {
   Document document = sheet();
   cut_at(document, 0.1);

@@ -1,5 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <set>
+
+#include "core/document/scene.h"
+#include "tests/support/checkout.h"
 #include "tests/support/made_meshes.h"
 #include "ui/editor/changes/world_changes.h"
 #include "ui/editor/view/piece_set.h"
@@ -92,6 +96,31 @@ TEST_F(CutSphere, spreads_its_halves_apart) {
 TEST_F(CutSphere, can_be_cut_again_and_an_untouched_one_says_why_not) {
   EXPECT_EQ(why_no_recut(document), nullptr);
   EXPECT_NE(why_no_recut(Document()), nullptr);
+}
+
+TEST(PieceSet, parts_that_turn_on_joints_are_listed_behind_pieces_by_their_names_in_the_mesh_file) {
+  auto scene = read_scene(test::checkout() / "assets/scenes/car.json");
+  ASSERT_TRUE(scene.ok()) << scene.error().message;
+  Document document(std::move(scene->world));
+  CutSettings settings;
+  settings.laser = {.radius = 0.01, .range = {0, 10}};
+  document.apply(BeginStroke{settings, {{-2, 1.25, 5}, {0, 0, -1}}});
+  document.apply(MoveStroke{{{2, 1.25, 5}, {0, 0, -1}}});
+  document.apply(Play{});
+  document.apply(Advance{1, true});
+  while (document.waiting() > 0) ASSERT_TRUE(document.step(64).ok());
+  const std::vector<PieceRow> rows = list_pieces(document.world());
+  ASSERT_EQ(rows.size(), 7u);
+  EXPECT_EQ(rows[0].name, "car");
+  EXPECT_FALSE(rows[1].part) << "the roof";
+  std::set<std::string> parts;
+  for (size_t i = 2; i < rows.size(); ++i) {
+    EXPECT_TRUE(rows[i].part);
+    EXPECT_EQ(rows[i].number, 0u);
+    parts.insert(rows[i].name);
+  }
+  EXPECT_EQ(parts, std::set<std::string>({"wheel_front_left", "wheel_front_right", "wheel_rear_left",
+                                          "wheel_rear_right", "steering_wheel"}));
 }
 
 TEST(PieceSet, crumbs_are_separated_pieces_of_few_faces_and_one_alone_is_none) {

@@ -109,9 +109,10 @@ GuiLook EditorScreen::look() const {
 
 bool EditorScreen::moving() const {
   const Emitter& emitter = state_.lasers.emitter;
-  return (emitter.firing && emitter.in_shots) || thread_.busy() || easing_ || stage_cut_.waits() ||
-         cut_.waits() || state_.view.picture_old || picture_.busy() || state_.opening.loader.busy() ||
-         state_.graph.playing() || state_.play.playing || state_.play.one_tick;
+  return (emitter.firing && emitter.in_shots) || sparks_.moving() || thread_.busy() || easing_ ||
+         stage_cut_.waits() || cut_.waits() || state_.view.picture_old || picture_.busy() ||
+         state_.opening.loader.busy() || state_.graph.playing() || state_.play.playing ||
+         state_.play.one_tick;
 }
 
 // Hearing
@@ -213,6 +214,8 @@ void EditorScreen::advance() {
   place_section(state_.view, state_.work.document.world());
   cut_.advance();
   time_.advance(ImGui::GetIO().DeltaTime);
+  sparks_.advance(std::min<double>(ImGui::GetIO().DeltaTime, kLongestEaseStep), state_.hand.beam,
+                  state_.work.document, state_.view);
   follow_stages();
   follow_bodies();
   follow_graph();

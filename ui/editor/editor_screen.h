@@ -7,6 +7,7 @@
 #include "ui/editor/changes/time_flow.h"
 #include "ui/editor/editor.h"
 #include "ui/editor/frame/busy_window.h"
+#include "ui/editor/marks/beam_sparks.h"
 #include "ui/editor/path/kept_path.h"
 #include "ui/editor/request_desk.h"
 #include "ui/editor/state.h"
@@ -85,6 +86,7 @@ class EditorScreen : public Screen {
   StepGroups groups_;
   TimeFlow time_;
   FileOpener opener_;
+  BeamSparks sparks_;
   HeldPress held_press_;
   RequestDesk desk_;
   std::vector<Panel> panels_;

@@ -62,14 +62,14 @@ void BeamPass::fill_in(FrameUniforms& frame, const FrameSpace& space, const Beam
   frame.spot_colour = beam.strike ? glm::vec4(5.0f, 2.7f, 1.15f, 0) : glm::vec4(2.5f, 1.35f, 0.6f, 0);
 }
 
-void BeamPass::draw(const CameraView& view, const BeamPicture& beam, double near, int width,
-                    int height) const {
+void BeamPass::draw(const CameraView& view, const BeamPicture& beam, const FrameSpace& space, double near,
+                    int width, int height) const {
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_COLOR);
   glDepthMask(GL_FALSE);
   glBindVertexArray(no_vertices_.name());
   draw_ribbon(view, beam, near, width, height);
-  if (beam.strike) draw_spot(view, beam, height);
+  if (beam.strike) draw_spot(view, beam, space, height);
   glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);
 }
@@ -98,12 +98,14 @@ void BeamPass::draw_ribbon(const CameraView& view, const BeamPicture& beam, doub
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 8);
 }
 
-void BeamPass::draw_spot(const CameraView& view, const BeamPicture& beam, int height) const {
+void BeamPass::draw_spot(const CameraView& view, const BeamPicture& beam, const FrameSpace& space,
+                         int height) const {
   const double depth = glm::dot(*beam.strike - view.eye, view.forward);
   if (!(depth > 0)) return;
   const double pixels = pixels_at_one_metre(view, beam.radius, height) / (view.parallel ? view.focus : depth);
   glDisable(GL_DEPTH_TEST);
   spot_.use();
+  spot_.set("centre", glm::vec4(space.from_world(*beam.strike), 1));
   spot_.set("half_width", static_cast<float>(spot_half_width(pixels, height)));
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
   glEnable(GL_DEPTH_TEST);

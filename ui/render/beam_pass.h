@@ -36,12 +36,13 @@ class BeamPass {
   static void fill_in(FrameUniforms& frame, const FrameSpace& space, const BeamPicture& beam);
   // Adds the beam to a picture of width x height pixels whose opaque surfaces and depth are drawn already,
   // with the near plane at a distance of `near` (m).
-  void draw(const CameraView& view, const BeamPicture& beam, double near, int width, int height) const;
+  void draw(const CameraView& view, const BeamPicture& beam, const FrameSpace& space, double near, int width,
+            int height) const;
 
  private:
   BeamPass(gl::Program ribbon, gl::Program spot);
   void draw_ribbon(const CameraView& view, const BeamPicture& beam, double near, int width, int height) const;
-  void draw_spot(const CameraView& view, const BeamPicture& beam, int height) const;
+  void draw_spot(const CameraView& view, const BeamPicture& beam, const FrameSpace& space, int height) const;
 
   gl::Program ribbon_, spot_;
   gl::VertexArray no_vertices_;

@@ -37,6 +37,8 @@ Result<Renderer::Passes> Renderer::load_passes(const std::filesystem::path& shad
   if (!bloom) return bloom.error();
   auto beam = BeamPass::create(shaders);
   if (!beam) return beam.error();
+  auto effects = EffectsPass::create(shaders);
+  if (!effects) return effects.error();
   auto lines = LineOverlay::create(shaders);
   if (!lines) return lines.error();
   auto veil = VeilPass::create(shaders);
@@ -59,10 +61,10 @@ Result<Renderer::Passes> Renderer::load_passes(const std::filesystem::path& shad
   if (!section) return section.error();
   auto bodies = BodyPass::create(shaders);
   if (!bodies) return bodies.error();
-  return Passes{std::move(*scene),          std::move(*bloom),     std::move(*beam),    std::move(*lines),
-                std::move(*veil),           std::move(*outline),   std::move(*numbers), std::move(*probe),
-                std::move(*shadow_overlay), std::move(*reference), std::move(*graph),   std::move(*stage),
-                std::move(*section),        std::move(*bodies)};
+  return Passes{std::move(*scene), std::move(*bloom),          std::move(*beam),      std::move(*effects),
+                std::move(*lines), std::move(*veil),           std::move(*outline),   std::move(*numbers),
+                std::move(*probe), std::move(*shadow_overlay), std::move(*reference), std::move(*graph),
+                std::move(*stage), std::move(*section),        std::move(*bodies)};
 }
 
 Result<Renderer> Renderer::create() {
@@ -196,7 +198,7 @@ void Renderer::draw_overlays(const Subject& subject, const CameraView& view,
   for_each_body(subject, [&](BodyId id, const Body& body, const BodyPicture& p) {
     passes_.lines.draw(id, body, p.faces().frame(), space_, frame_.clip_from_frame, options);
   });
-  if (beam) passes_.beam.draw(view, *beam, near_, picture.shape().width, picture.shape().height);
+  draw_beams(view, options, beam);
   if (options.ghost && !options.show.face_numbers) passes_.veil.draw(subject, VeilPass::Style::kVeil);
   passes_.outline.draw(subject, picture);
   passes_.graph.draw(subject, frame_);
@@ -204,6 +206,20 @@ void Renderer::draw_overlays(const Subject& subject, const CameraView& view,
   passes_.bodies.draw(subject, subject.world.loaded_bounds().diagonal());
   if (options.show.face_numbers) passes_.numbers.draw(subject, frame_, picture);
   if (options.show.shadow_compare) draw_comparison(subject, picture);
+}
+
+void Renderer::draw_beams(const CameraView& view, const ViewOptions& options,
+                          const std::optional<BeamPicture>& beam) {
+  const gl::Framebuffer::Shape& shape = canvases_[canvas_].drawn->shape();
+  const auto draw = [&](const BeamPicture& b) {
+    passes_.beam.draw(view, b, space_, near_, shape.width, shape.height);
+  };
+  if (options.effects) {
+    passes_.effects.draw(*options.effects, space_);
+    for (const BeamPicture& other : options.effects->beams)
+      draw(ended_on_ground(other, passes_.scene.ground().height(), view.up_axis));
+  }
+  if (beam) draw(*beam);
 }
 
 // A line where the two methods meet, and beside it the number of pixels on which they differ.
@@ -311,7 +327,7 @@ void Renderer::draw(const World& world, const CameraView& view, const ViewOption
   const bool spot = beam && (beam->strike || beam->on_ground);
   passes_.scene.draw(subject, {.spot = spot, .rims = glows(options)}, *canvases_[canvas_].drawn);
   draw_overlays(subject, view, beam);
-  shining_ = beam || glows(options);
+  shining_ = beam || options.effects || glows(options);
   hand_over(target);
 }
 

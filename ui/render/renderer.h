@@ -15,6 +15,7 @@
 #include "ui/render/body_pass.h"
 #include "ui/render/body_picture.h"
 #include "ui/render/camera.h"
+#include "ui/render/effects_pass.h"
 #include "ui/render/face_numbers.h"
 #include "ui/render/graph_pass.h"
 #include "ui/render/line_overlay.h"
@@ -109,6 +110,7 @@ class Renderer {
     LitScene scene;
     BloomPass bloom;
     BeamPass beam;
+    EffectsPass effects;
     LineOverlay lines;
     VeilPass veil;
     OutlinePass outline;
@@ -139,6 +141,7 @@ class Renderer {
   void draw_comparison(const Subject& subject, const gl::Framebuffer& picture);
   void hand_over(const Target& target);
   void find_finest();
+  void draw_beams(const CameraView& view, const ViewOptions& options, const std::optional<BeamPicture>& beam);
   bool glows(const ViewOptions& options) const;
 
   Passes passes_;

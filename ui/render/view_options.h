@@ -50,6 +50,7 @@ struct PieceLook {
 struct DrawnGraph;
 struct StageMarks;
 struct BodyMarks;
+struct Effects;
 
 // A face of a body.
 struct FaceOfBody {
@@ -62,6 +63,7 @@ struct FaceOfBody {
 struct ViewOptions {
   ShowOptions show;
   bool rim_glow = true;                 // the rims of cuts glow
+  bool sparks = true;                   // sparks and smoke fly where the laser of the editor bites
   bool antialias = true;                // four samples per pixel
   bool two_sided = true;                // faces are lit on both sides; otherwise the back is black
   bool cull_backs = false;              // backs are not drawn, as the paper first had it
@@ -75,6 +77,7 @@ struct ViewOptions {
   std::optional<FaceOfBody> lit_face;       // outlined, if it is live
   std::shared_ptr<const StageMarks> stage;  // what a stage of a cut did; null: nothing
   std::shared_ptr<const BodyMarks> bodies;  // of the physics; null: nothing
+  std::shared_ptr<const Effects> effects;   // of lasers; null: nothing
   std::map<PieceId, PieceLook> pieces;      // pieces that are not drawn with the default look
   // The groups of faces of bodies whose pieces are drawn apart, for the present world; see spread_pieces().
   // Values are not null.

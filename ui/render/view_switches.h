@@ -34,6 +34,7 @@ enum class SwitchId {
   kGhost,
   kTwoSided,
   kCullBacks,
+  kSparks,
   kAntialias
 };
 

@@ -234,10 +234,14 @@ class Editor:
 
 
 class WindowTest(unittest.TestCase):
+    # Whether the pictures are anti-aliased, which takes a software renderer most of its time.
+    antialias = False
+
     def open(self, *arguments):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = folder.name
+        self.write_settings({})
         editor = Editor(folder.name, *arguments)
         self.addCleanup(editor.close)
         return editor
@@ -261,12 +265,15 @@ class WindowTest(unittest.TestCase):
         with open(self.settings_file(), "w") as file:
             json.dump(settings, file)
 
+    def write_settings(self, settings):
+        os.makedirs(os.path.join(self.folder, "kerf"), exist_ok=True)
+        with open(self.settings_file(), "w") as file:
+            json.dump({"antialias": self.antialias, **settings}, file)
+
     def only_panel(self, title):
         """Folds all panels but one, so that nothing pushes it out of the window."""
-        os.makedirs(os.path.join(self.folder, "kerf"), exist_ok=True)
         titles = ("Laser", "Resolution", "Path", "Pieces", "Bodies", "History", "Light", "Tree", "Graph", "Single step", "View", "Statistics", "File", "Display")
-        with open(os.path.join(self.folder, "kerf", "settings.json"), "w") as file:
-            json.dump({"panels": {t: t == title for t in titles}}, file)
+        self.write_settings({"panels": {t: t == title for t in titles}})
 
     def open_by_browser(self, editor, file):
         """Types a whole path, or a part of a name, into File > Open."""

@@ -106,6 +106,7 @@ Legend legend_of(SwitchId view, const ViewOptions& look, const ShadowFigures& sh
     case SwitchId::kGhost:
     case SwitchId::kTwoSided:
     case SwitchId::kCullBacks:
+    case SwitchId::kSparks:
     case SwitchId::kAntialias:
       break;
   }

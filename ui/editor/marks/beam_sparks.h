@@ -1,0 +1,21 @@
+#pragma once
+
+#include "ui/editor/tools/laser_tool.h"
+#include "ui/editor/view/view_state.h"
+#include "ui/screen/particles.h"
+
+namespace kerf {
+
+// The sparks and the smoke where the laser of the editor bites, as long as the view's switch is on.
+class BeamSparks {
+ public:
+  // Lets time pass (s) for them and shows them in the view.
+  void advance(double seconds, const LaserTool& beam, const Document& document, ViewState& view);
+  // Whether some are in the air.
+  bool moving() const { return !particles_.empty(); }
+
+ private:
+  Particles particles_;
+};
+
+}  // namespace kerf

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/base/random.h"
+#include "ui/render/effects.h"
+
+namespace kerf {
+
+// The sparks and the smoke where lasers bite. They are only seen: nothing in a world depends on them.
+class Particles {
+ public:
+  // Where a beam bites for some time.
+  struct Bite {
+    Vec3 at;             // m, world
+    Vec3 direction;      // of the beam, unit
+    double size = 1;     // of what is cut, compared with a car; lengths and speeds are multiplied by it
+    double seconds = 0;  // for how long it bites since the last call
+  };
+
+  // Sparks fly off, most of them back along the beam, and smoke rises.
+  void add(const Bite& bite, const Vec3& up);
+  // Lets time pass. Sparks bounce off the ground, a plane at a height (m) along `up`, a unit vector.
+  void advance(double seconds, const Vec3& up, double ground);
+
+  bool empty() const { return sparks_.empty() && puffs_.empty(); }
+  void clear();
+  // Adds what is to be drawn.
+  void append_to(Effects& effects) const;
+
+ private:
+  struct MovingSpark {
+    Vec3 at, velocity;
+    double size, age, life;
+  };
+  struct RisingPuff {
+    Vec3 at, velocity;
+    double size, age, life;
+  };
+
+  Vec3 direction_in_ball();
+  void throw_spark(const Bite& bite, const Vec3& up);
+  void raise_puff(const Bite& bite, const Vec3& up);
+
+  Random random_{0x5eed};
+  double owed_sparks_ = 0, owed_puffs_ = 0;  // parts of one that are to be added with the next bite
+  std::vector<MovingSpark> sparks_;
+  std::vector<RisingPuff> puffs_;
+};
+
+}  // namespace kerf

@@ -21,19 +21,21 @@ EDGE = 0.16              # m, of the faces
 
 
 class Coachwork:
-    def __init__(self, outline, half_width, axles, arch, hub_height, inner, folds=()):
+    def __init__(self, outline, half_width, axles, arch, hub_height, inner, folds=(),
+                 edge=EDGE):
         """outline: corners (z, y, dz, dy), from the side of the vehicle to its middle by (dz, dy).
 
         arch: radius of the wheel arches; inner: x of the walls of the wheel housings; folds: pairs
         of points (z, y) of the sides between which edges run.
         """
         self.outline, self.half_width, self.folds = outline, half_width, folds
+        self.edge = edge
         self.axles, self.arch, self.hub, self.inner = axles, arch, hub_height, inner
         self.reach = [0.0]
         for (z0, y0, *_), (z1, y1, *_) in zip(outline, outline[1:]):
             self.reach.append(self.reach[-1] + math.dist((z0, y0), (z1, y1)))
         self.wide = max(half_width(z, y) for z, y, *_ in outline)
-        self.upper = split([(z, y) for z, y, *_ in outline], EDGE)
+        self.upper = split([(z, y) for z, y, *_ in outline], edge)
 
     def parts(self, side, deck, power=2.6):
         """{name: sheet} of the whole body for the regions of its side and its deck."""
@@ -62,13 +64,13 @@ class Coachwork:
             drop = math.degrees(math.asin((low(axle) - self.hub) / self.arch))
             curve = arc((axle, self.hub), self.arch, 180 - drop, drop, 14)
             self.arcs.append(curve)
-            line += split([line[-1], curve[0]], EDGE)[1:] + curve[1:]
-        return line + split([line[-1], (front_z, front_y)], EDGE)[1:]
+            line += split([line[-1], curve[0]], self.edge)[1:] + curve[1:]
+        return line + split([line[-1], (front_z, front_y)], self.edge)[1:]
 
     def _side(self, regions):
         loop = self.upper + self.lower_edge()[1:-1]
         drawn = [("paint", loop[::-1])] + regions
-        return facing(panel(drawn, EDGE, self.side_lift, folds=self.folds), (99, 1, 0))
+        return facing(panel(drawn, self.edge, self.side_lift, folds=self.folds), (99, 1, 0))
 
     # ---- deck -----------------------------------------------------------------------------------
 
@@ -104,7 +106,7 @@ class Coachwork:
         drawn = [("paint", loop)] + [(material, [self.plane(*p) for p in polygon])
                                      for material, polygon in regions]
         folds = [((reach, 0.0), (reach, self.wide)) for reach in self._bends()]
-        return facing(panel(drawn, 1.15 * EDGE, lift, pinned, folds), (0, 99, 0))
+        return facing(panel(drawn, 1.15 * self.edge, lift, pinned, folds), (0, 99, 0))
 
     def _bends(self):
         """Where along the outline the deck is bent, so that edges follow the bend."""
@@ -115,7 +117,7 @@ class Coachwork:
                 yield self.reach[i]
 
     def _across(self):
-        count = math.ceil(self.wide / EDGE)
+        count = math.ceil(self.wide / self.edge)
         return [i / count for i in range(count + 1)]
 
     # ---- below ----------------------------------------------------------------------------------
@@ -129,8 +131,8 @@ class Coachwork:
             between = [(lerp(x, self.inner, 0.5), y, z) for x, y, z in lip]
             wall = [(self.inner, y, z) for _, y, z in lip]
             sheet += grid([lip, between, wall], lambda r, c: "trim", viewer)
-            chord = split([curve[-1], curve[0]], EDGE)
-            sheet += facing(panel([("trim", curve + chord[1:-1])], EDGE,
+            chord = split([curve[-1], curve[0]], self.edge)
+            sheet += facing(panel([("trim", curve + chord[1:-1])], self.edge,
                                   lambda z, y: (self.inner, y, z)), (99, middle[1], middle[0]))
         return sheet
 
@@ -143,7 +145,7 @@ class Coachwork:
         while i < len(low):
             points.append(self.side_lift(*low[i]))
             if curve := ends.get(low[i]):
-                points += [(self.inner, y, z) for z, y in split([curve[-1], curve[0]], EDGE)]
+                points += [(self.inner, y, z) for z, y in split([curve[-1], curve[0]], self.edge)]
                 i = low.index(curve[0])
                 points.append(self.side_lift(*low[i]))
             i += 1
@@ -156,5 +158,5 @@ class Coachwork:
 
         def lift(z, x):
             return (x, lerp(y0, y1, (z - z0) / (z1 - z0)), z)
-        sheet = panel([("trim", [(p[2], p[0]) for p in points])], 1.5 * EDGE, lift, pinned)
+        sheet = panel([("trim", [(p[2], p[0]) for p in points])], 1.5 * self.edge, lift, pinned)
         return facing(sheet, (0, -99, 0))

@@ -5,7 +5,7 @@ import math
 import car_cabin
 import car_wheels
 from car_sheet import facing, fan, grid, mirrored, moved
-from turned import tube, turned
+from turned import box, tube, turned
 
 SIDES = (("left", 1), ("right", -1))
 
@@ -86,7 +86,7 @@ def mirror(at, size=(0.10, 0.13)):
     rows = []
     for share, depth in case[1:]:
         loop = [(w * share * _squarish(math.cos, i), h * share * _squarish(math.sin, i), depth)
-                for i in range(12)]
+                for i in range(10)]
         rows.append(loop + loop[:1])
     shell = grid(rows[::-1], lambda r, c: "trim") + fan(rows[0], (0, 0, 0.065), "trim", (0, 0, 9))
     glass = fan(rows[-1], (0, 0, -0.03), "chrome", (0, 0, -9))
@@ -96,7 +96,7 @@ def mirror(at, size=(0.10, 0.13)):
 
 
 def _squarish(trigonometric, i):
-    t = trigonometric(2 * math.pi * (i + 0.5) / 12)
+    t = trigonometric(2 * math.pi * (i + 0.5) / 10)
     return math.copysign(abs(t) ** 0.7, t)
 
 
@@ -117,21 +117,23 @@ def plate(z, end, y, width=0.5, height=0.12):
     return grid(rows, lambda r, c: "chrome", (0, y, z + 9 * end))
 
 
-def seats(floor, z, x=car_cabin.DRIVER_X):
-    """(name, sheet) of the driver's and the passenger's seat."""
+def seats(floor, z, x=car_cabin.DRIVER_X, rise=0.0):
+    """(name, sheet) of the driver's and the passenger's seat, on boxes as high as `rise`."""
     left = dict(car_cabin.seats())["seat_left"]
-    left = moved(left, (x - car_cabin.DRIVER_X, floor - 0.19, z))
+    left = moved(left, (x - car_cabin.DRIVER_X, floor - 0.19 + rise, z))
+    if rise:
+        left += box((x, floor + (rise + 0.11) / 2 + 0.005, z), (0.40, rise + 0.09, 0.42), "trim",
+                    (2, 1, 2))
     yield "seat_driver", left
     yield "seat_passenger", mirrored(left)
 
 
 def controls(floor, z, width=1.0, height=1.0, x=car_cabin.DRIVER_X):
-    """(name, sheet) of dashboard and steering wheel."""
-    def place(sheet):
-        return moved(stretched(moved(sheet, (0, -0.19, 0)), 1, height, 1), (0, floor, z))
-    yield "dashboard", place(stretched(car_cabin.dashboard(), width, 1, 1))
-    wheel = moved(car_cabin.steering_wheel(), (x - car_cabin.DRIVER_X * (1 - 0), 0, 0))
-    yield "steering_wheel", moved(wheel, (0, floor - 0.19 + 0.70 * (height - 1), z))
+    """(name, sheet) of dashboard and steering wheel, for a floor at this height."""
+    dashboard = stretched(moved(car_cabin.dashboard(), (0, -0.19, 0)), width, height, 1)
+    yield "dashboard", moved(dashboard, (0, floor, z))
+    rise = floor - 0.19 + 0.70 * (height - 1)
+    yield "steering_wheel", moved(car_cabin.steering_wheel(), (x - car_cabin.DRIVER_X, rise, z))
 
 
 def hang_wheels(car, track, radius, axles, inner, driven, travel=0.22):

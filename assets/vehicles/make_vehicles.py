@@ -14,8 +14,9 @@ sys.path.append(str(Path(__file__).resolve().parent.parent / "meshes"))
 
 from hatchback import hatchback  # noqa: E402
 from pickup import pickup  # noqa: E402
+from van import van  # noqa: E402
 
-VEHICLES = {"hatchback": hatchback, "pickup": pickup}
+VEHICLES = {"hatchback": hatchback, "pickup": pickup, "van": van}
 
 
 def main():

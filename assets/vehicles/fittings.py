@@ -16,11 +16,11 @@ def stretched(sheet, x, y, z):
             for material, polygon in sheet]
 
 
-def wheel(radius, width, rim, spokes, window):
+def wheel(radius, width, rim, spokes, window, knobs=0.0):
     """A left wheel at the origin, its rim facing +x: tyre, rim with spokes, hub, brake disc.
 
     rim: radius of the rim; window: inner and outer radius of the openings between the spokes,
-    as shares of it. Eighteen to twenty cells go around.
+    as shares of it; knobs: depth of the tread. Eighteen to twenty cells go around.
     """
     cells, half = 2 * spokes if spokes > 6 else 4 * spokes, width / 2
     tyre = ((-half * 0.92, rim), (-half, (rim + radius) / 2 + 0.01), (-half * 0.78, radius),
@@ -29,7 +29,11 @@ def wheel(radius, width, rim, spokes, window):
 
     def rings(profile):
         return [car_wheels.ring(x, r, cells) for x, r in profile]
-    sheet = grid(rings(tyre[::-1]), lambda r, c: "tyre")
+    treads = rings(tyre[::-1])
+    for row in (2, 3):
+        treads[row] = [(x, *(v * (1 - knobs / radius * ((i + row) % cells % 2)) for v in p))
+                       for i, (x, *p) in enumerate(treads[row])]
+    sheet = grid(treads, lambda r, c: "tyre")
     share = cells // spokes
     sheet += grid(rings((tyre[-1],) + face[:2]), lambda r, c: "rim", (9, 0, 0))
     sheet += grid(rings(face[1:]), lambda r, c: "rim" if c % share < share / 2 else None, (9, 0, 0))

@@ -141,7 +141,8 @@ class Joints:
         mine = self._of[part]
         for place in places:
             self._weld(self._at(mine, place), self._at(self._of[to], place), radius)
-        held = self._of[to] + [c for c in mine for place in places if c is self._at(mine, place)[2]]
+        placed = [self._at(mine, place)[2] for place in places]
+        held = [c for c in mine if c in placed] or self._of[to]
         self._hold_rest([c for c in mine if c not in held], held, radius)
 
     def hold_all(self, root, radius=0.06):
@@ -161,12 +162,12 @@ class Joints:
         sides = (self._at(self._of[part], anchor), self._at(self._of[to], anchor))
         self._add(kind, sides, anchor, more.pop("radius", 0.08), {"axis": list(axis), **more})
 
-    def together(self, part, radius=0.06):
-        """Welds the components of one part wherever they touch, as the tubes of a frame."""
+    def together(self, part, gap, radius=0.06):
+        """Welds the components of one part wherever they touch or nearly so, as those of a cage."""
         mine = self._of[part]
         for i, a in enumerate(mine):
             for b in mine[i + 1:]:
-                if found := closest(a, b, 1e-4):
+                if found := closest(a, b, gap * gap):
                     self._weld((*found[1], a), (*found[2], b), radius)
 
     def _hold_rest(self, rest, held, radius):
@@ -196,11 +197,19 @@ class Joints:
         self._add("weld", (a, b), mix(a[0], b[0], 0.5), radius, {})
 
     def _add(self, kind, sides, anchor, radius, more):
-        """`near` lies a little inside the faces, so that no other component is as near."""
-        near = [list(_rounded(mix(point, _middle(face), 0.05))) for point, face, _ in sides]
+        near = [list(self._own_point(*side)) for side in sides]
         self.all.append({"kind": kind, "parts": [side[2].part for side in sides],
                          "anchor": list(_rounded(anchor)), **more, "near": near, "radius": radius})
 
+    def _own_point(self, point, face, component):
+        """A point of the face, near the given one, where no other component of its part is."""
+        others = [c for c in self._of[component.part] if c is not component]
+        for share in (0.05, 0.12, 0.2, 0.3, 0.4, 0.5, 0.65, 0.8, 1.0):
+            p = _rounded(mix(point, _middle(face), share))
+            if not any(c.nearest(p, 1e-6) for c in others):
+                break
+        return p
+
 
 def _rounded(p):
-    return tuple(round(x, 4) + 0.0 for x in p)
+    return tuple(round(x, 5) + 0.0 for x in p)

@@ -12,11 +12,12 @@ from pathlib import Path
 
 sys.path.append(str(Path(__file__).resolve().parent.parent / "meshes"))
 
+from buggy import buggy  # noqa: E402
 from hatchback import hatchback  # noqa: E402
 from pickup import pickup  # noqa: E402
 from van import van  # noqa: E402
 
-VEHICLES = {"hatchback": hatchback, "pickup": pickup, "van": van}
+VEHICLES = {"hatchback": hatchback, "pickup": pickup, "van": van, "buggy": buggy}
 
 
 def main():

@@ -35,8 +35,11 @@ def unit(v):
     return tuple(a / length for a in v)
 
 
-def tube(points, radius, material, sides=6, capped=True, pieces=1):
-    """A tube along a polyline, mitred at its corners, each straight run in as many pieces as told."""
+def tube(points, radius, material, sides=6, capped=True, pieces=1, waist=1.0):
+    """A tube along a polyline, mitred at its corners, each straight run in as many pieces as told.
+
+    Every second ring is narrower by the factor `waist`, as the coils of a spring.
+    """
     course = [points[0]]
     for p, q in zip(points, points[1:]):
         course += [tuple(a + (b - a) * i / pieces for a, b in zip(p, q))
@@ -53,7 +56,7 @@ def tube(points, radius, material, sides=6, capped=True, pieces=1):
         ring = []
         for k in range(sides):
             t = 2 * math.pi * (k + 0.5) / sides
-            p = tuple(radius * (math.cos(t) * s + math.sin(t) * o) for s, o in zip(side, other))
+            p = tuple(radius * (waist if i % 2 else 1) * (math.cos(t) * s + math.sin(t) * o) for s, o in zip(side, other))
             shift = dot(p, along) / dot(before, along)      # onto the plane of the mitre
             ring.append(tuple(c + a - shift * b for c, a, b in zip(point, p, before)))
         rings.append(ring + ring[:1])

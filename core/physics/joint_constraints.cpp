@@ -63,7 +63,7 @@ void remember_joints(std::span<const MovingBody> bodies, std::span<const BodyJoi
   const auto key = [](const PairMemory& m) { return std::pair(m.first, m.second); };
   std::erase_if(
       memory, [&](const PairMemory& m) { return std::binary_search(joined.begin(), joined.end(), key(m)); });
-  for (const auto& [a, b] : joined) memory.push_back({a, b, {}, {}, {}, {}, false, true});
+  for (const auto& [a, b] : joined) memory.push_back({a, b, {}, {}, {}, 0, true});
   std::sort(memory.begin(), memory.end(),
             [&](const PairMemory& a, const PairMemory& b) { return key(a) < key(b); });
 }

@@ -183,8 +183,10 @@ Delta Physics::tick(World& world) {
   for (const TouchingPair& p : pairs_) {
     if (p.second != TouchingPair::kGround) ++figures_.pairs;
     figures_.contacts += p.contacts.size();
-    figures_.crossed += p.memory.crossed;
+    figures_.crossed += p.memory.crossed > 0;
   }
+  figures_.candidates = search.candidates();
+  for (const MovingBody& b : bodies) figures_.rays += b.rays;
   search.pairs().insert(search.pairs().end(), resting.begin(), resting.end());
   ContactMemory memory = memory_after(bodies, before, search.pairs());
   remember_joints(bodies, joints, memory);

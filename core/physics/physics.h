@@ -19,7 +19,9 @@ class SolverMemory;
 // What a tick did, for statistics and for the display.
 struct TickFigures {
   size_t bodies = 0, awake = 0;
-  size_t pairs = 0;  // pairs of bodies whose faces were looked at
+  size_t candidates = 0;  // pairs of bodies whose bounds overlap
+  size_t pairs = 0;       // of these, those whose faces were looked at
+  size_t rays = 0;        // cast at faces
   size_t contacts = 0;
   size_t held = 0;     // bodies that did not go all of their way, lest they intersect
   size_t crossed = 0;  // pairs of sheets that intersect and do not touch

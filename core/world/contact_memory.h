@@ -9,17 +9,11 @@
 
 namespace kerf {
 
-// What is known of a point of one body beside the faces of another, in the frame of the other.
+// What is known of a point of one body beside the faces of another.
 struct PointMemory {
   uint32_t point = 0;
-  Vec3 free{0};    // m, where it last was on its own side
-  Vec3 normal{0};  // unit, of the face that it was last near, towards its side; zero if there was none
-};
-
-// On which side of a chord of another body a chord was.
-struct ChordMemory {
-  uint32_t first = 0, second = 0;  // chords of the first and of the second body
-  Vec3 normal{0};                  // unit, in the world, across both and towards the first body
+  // Unit, in the frame of the other body: the normal of the face that it was last near, towards its side.
+  Vec3 normal{0};
 };
 
 struct ImpulseMemory {
@@ -31,9 +25,9 @@ struct ImpulseMemory {
 struct PairMemory {
   BodyId first, second;  // first < second; the second is not valid for the ground
   std::vector<PointMemory> points_of_first, points_of_second;
-  std::vector<ChordMemory> chords;
   std::vector<ImpulseMemory> impulses;
-  bool crossed = false;   // the sheets intersected when they met: they do not touch until they are apart
+  // For how many ticks the sheets have intersected since they met; 0 while they are apart.
+  uint32_t crossed = 0;
   bool touching = false;  // they did in the last tick
 };
 

@@ -15,12 +15,9 @@ void say_what_is_skipped() {
 }
 
 using Section = void (*)(const Subject&, const Effort&, const Report&);
-const std::map<std::string, Section> kSections = {{"cut", bench_cut},
-                                                  {"build", bench_build},
-                                                  {"queries", bench_queries},
-                                                  {"edits", bench_edits},
-                                                  {"shadows", bench_shadows},
-                                                  {"fall", bench_fall}};
+const std::map<std::string, Section> kSections = {{"cut", bench_cut},         {"build", bench_build},
+                                                  {"queries", bench_queries}, {"edits", bench_edits},
+                                                  {"shadows", bench_shadows}, {"fall", bench_fall}};
 
 void run(const std::string& name, const Effort& effort, const std::vector<std::string>& sections,
          const Report& report) {
@@ -55,7 +52,7 @@ int main(int argc, char** argv) {
   std::vector<Row> rows;
   print_header();
   for (const std::string& name : only.empty() ? subject_names(tiny) : only) {
-    run(name, tiny ? Effort{50, 3, 1, 20, 20, 10} : Effort{}, sections, [&](const Row& row) {
+    run(name, tiny ? Effort{50, 3, 1, 20, 20, 10, 1} : Effort{}, sections, [&](const Row& row) {
       rows.push_back(row);
       print(row);
     });

@@ -15,6 +15,7 @@ struct Effort {
   int edit_steps = 5000;  // of a cut
   int slot_steps = 400;   // of a slot through the whole mesh
   uint64_t sheets = 200;  // that rain
+  int cuts = 5;           // along each axis, through the car that collapses
 };
 
 // Each section measures one thing on one mesh and hands over its rows. Rows that want a peer which this
@@ -26,7 +27,7 @@ void bench_edits(const Subject& subject, const Effort& effort, const Report& rep
 void bench_cut(const Subject& subject, const Effort& effort, const Report& report);
 void bench_shadows(const Subject& subject, const Effort& effort, const Report& report);
 
-// On a rain of sheets that is made here, whatever the subject.
+// On a rain of sheets that is made here and on the car cut to pieces, whatever the subject.
 void bench_fall(const Subject& subject, const Effort& effort, const Report& report);
 
 }  // namespace kerf::bench

@@ -4,6 +4,7 @@
 #include "core/cut/cut_step.h"
 #include "core/graph/detach.h"
 #include "core/graph/separation.h"
+#include "core/physics/collider/box.h"
 #include "core/world/load_body.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/sheets.h"
@@ -77,12 +78,32 @@ void detach_pieces(World& world, size_t least_faces) {
   }
 }
 
+// Whether balls around two bodies overlap.
+bool are_near(const Body& a, const Body& b) {
+  const auto middle = [](const Body& body) {
+    const AabbTree::Box box = body.tree.bounds();
+    return body.placement.to_world(0.5 * (box.min + box.max));
+  };
+  const auto radius = [](const Body& body) {
+    return 0.5 * glm::length(body.tree.bounds().max - body.tree.bounds().min);
+  };
+  return glm::length(middle(a) - middle(b)) <= radius(a) + radius(b);
+}
+
+Box box_of(const Triangle& t) {
+  Box box;
+  for (int i = 0; i < 3; ++i) box.add(t[i]);
+  return box;
+}
+
 // Whether an edge of `edges` crosses a face of `faces`.
 bool crosses(const Body& edges, const Body& faces) {
+  const AabbTree::Box box = faces.tree.bounds();
   for (uint32_t slot = 0; slot < edges.mesh.face_slots(); ++slot) {
     if (!edges.mesh.is_live(FaceId(slot))) continue;
     Triangle t = edges.mesh.triangle(FaceId(slot));
     for (int i = 0; i < 3; ++i) t[i] = faces.placement.to_body(edges.placement.to_world(t[i]));
+    if (!Box{box.min, box.max}.overlaps(box_of(t))) continue;
     for (int i = 0; i < 3; ++i) {
       const Vec3 way = t[(i + 1) % 3] - t[i];
       const double length = glm::length(way);
@@ -130,6 +151,6 @@ World cut_to_pieces(const char* file, int planes, uint64_t seed, size_t least_fa
   return world;
 }
 
-bool intersect(const Body& a, const Body& b) { return crosses(a, b) || crosses(b, a); }
+bool intersect(const Body& a, const Body& b) { return are_near(a, b) && (crosses(a, b) || crosses(b, a)); }
 
 }  // namespace kerf::test

@@ -113,20 +113,7 @@ std::vector<Collider::Chord> chords_along(const std::vector<std::vector<Vec3>>& 
   std::vector<Collider::Chord> chords;
   for (const std::vector<Vec3>& line : lines) {
     const std::vector<Vec3> kept = simplified(line, error);
-    const auto first = static_cast<uint32_t>(chords.size());
-    for (size_t i = 0; i + 1 < kept.size(); ++i) {
-      Collider::Chord chord{kept[i], kept[i + 1]};
-      const auto at = static_cast<uint32_t>(chords.size());
-      if (at > first) {
-        chord.next[0] = at - 1;
-        chords.back().next[1] = at;
-      }
-      chords.push_back(chord);
-    }
-    if (kept.size() > 3 && kept.front() == kept.back()) {
-      chords[first].next[0] = static_cast<uint32_t>(chords.size() - 1);
-      chords.back().next[1] = first;
-    }
+    for (size_t i = 0; i + 1 < kept.size(); ++i) chords.push_back({kept[i], kept[i + 1]});
   }
   return chords;
 }
@@ -151,7 +138,6 @@ std::vector<Collider::Chord> chords_of(const Mesh& mesh, const std::vector<Featu
     };
     std::stable_sort(chords.begin(), chords.end(), longer);
     chords.resize(settings.most_chords);
-    for (Collider::Chord& c : chords) c.next = {Collider::Chord::kNone, Collider::Chord::kNone};
   }
   return chords;
 }
@@ -198,15 +184,8 @@ void cluster_chords(Collider& collider) {
   std::vector<std::array<Vec3, 2>> segments;
   for (const Collider::Chord& c : collider.chords) segments.push_back({c.from, c.to});
   Clustering clustering = make_clusters(segments);
-  std::vector<uint32_t> place(segments.size());
-  for (uint32_t i = 0; i < place.size(); ++i) place[clustering.order[i]] = i;
   std::vector<Collider::Chord> chords;
-  for (uint32_t i : clustering.order) {
-    chords.push_back(collider.chords[i]);
-    for (uint32_t& next : chords.back().next) {
-      if (next != Collider::Chord::kNone) next = place[next];
-    }
-  }
+  for (uint32_t i : clustering.order) chords.push_back(collider.chords[i]);
   collider.chords = std::move(chords);
   collider.chord_clusters = std::move(clustering.clusters);
 }

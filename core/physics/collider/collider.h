@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <vector>
 
 #include "core/mesh/mesh.h"
@@ -20,9 +18,7 @@ struct Collider {
   };
   // A straight piece of a rim or a crease.
   struct Chord {
-    static constexpr uint32_t kNone = 0xffffffffu;
     Vec3 from{0}, to{0};
-    std::array<uint32_t, 2> next{kNone, kNone};  // the chords that go on at `from` and at `to`
   };
 
   std::vector<Point> points;

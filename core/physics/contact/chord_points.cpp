@@ -38,6 +38,7 @@ std::vector<double> middles(const Vec3& from, const Vec3& to, const MovingBody& 
   const double length = glm::length(to - from);
   std::vector<RayHit> hits;
   if (!(length > 0)) return {};
+  ++faces.rays;
   faces.body->tree.crossings(faces.body->mesh, Pose{from, (to - from) / length}, {0, length}, hits);
   if (hits.empty()) return {};
   std::vector<double> shares;
@@ -70,8 +71,7 @@ void remember_piercing_points(const MovingBody& chords, const MovingBody& faces,
       for (const double share : middles(next(c.from), next(c.to), faces)) {
         const uint32_t point = point_at(i, share);
         const Vec3 at = point_of(*chords.collider, point).at, free = now(at);
-        if (const auto plane = face_between(*faces.body, free, next(at)))
-          insert({point, free, plane->normal}, memory);
+        if (const auto plane = face_between(faces, free, next(at))) insert({point, plane->normal}, memory);
       }
     }
   }

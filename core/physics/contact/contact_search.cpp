@@ -30,9 +30,9 @@ const PairMemory* memory_of(const ContactMemory& memory, BodyId first, BodyId se
 TouchingPair ContactSearch::start(uint32_t first, uint32_t second) const {
   const BodyId a = bodies_[first].id, b = second == TouchingPair::kGround ? BodyId{} : bodies_[second].id;
   const PairMemory* old = memory_of(before_, a, b);
-  TouchingPair pair{first, second, {}, old ? *old : PairMemory{a, b, {}, {}, {}, {}}};
+  TouchingPair pair{first, second, {}, old ? *old : PairMemory{a, b, {}, {}, {}}};
   if (second != TouchingPair::kGround && (!old || old->crossed))
-    pair.memory.crossed = sheets_cross(bodies_[first], bodies_[second]);
+    pair.memory.crossed = sheets_cross(bodies_[first], bodies_[second]) ? pair.memory.crossed + 1 : 0;
   return pair;
 }
 
@@ -54,7 +54,9 @@ void ContactSearch::sort() {
 
 void ContactSearch::find() {
   std::vector<TouchingPair> found;
-  for (const auto& [i, j] : near_pairs(bodies_)) {
+  const std::vector<std::pair<uint32_t, uint32_t>> near = near_pairs(bodies_);
+  candidates_ += near.size();
+  for (const auto& [i, j] : near) {
     if (find(i, j) || are_joined(joints_, i, j)) continue;
     TouchingPair& pair = found.emplace_back(start(i, j));
     pair.contacts = find_contacts(bodies_[i], bodies_[j], kLengths, pair.memory);
@@ -73,15 +75,15 @@ std::vector<std::pair<uint32_t, uint32_t>> ContactSearch::pairs_apart() const {
   std::vector<std::pair<uint32_t, uint32_t>> pairs = near_pairs(bodies_);
   std::erase_if(pairs, [&](const std::pair<uint32_t, uint32_t>& p) {
     const TouchingPair* pair = find(p.first, p.second);
-    return (pair && pair->memory.crossed) || are_joined(joints_, p.first, p.second);
+    return (pair && pair->memory.crossed > 0) || are_joined(joints_, p.first, p.second);
   });
   return pairs;
 }
 
 bool ContactSearch::were_apart(uint32_t first, uint32_t second) {
   PairMemory& memory = pair_of(first, second).memory;
-  memory.crossed = sheets_cross(bodies_[first], bodies_[second]);
-  return !memory.crossed;
+  memory.crossed = sheets_cross(bodies_[first], bodies_[second]) ? 1 : 0;
+  return memory.crossed == 0;
 }
 
 void ContactSearch::remember_piercing(uint32_t first, uint32_t second) {

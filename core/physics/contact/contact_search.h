@@ -31,6 +31,8 @@ class ContactSearch {
   // Remembers the points within chords at which two bodies got through each other, for the next tick.
   void remember_piercing(uint32_t first, uint32_t second);
 
+  // How many pairs of bodies the broad phase has found near each other.
+  size_t candidates() const { return candidates_; }
   // All pairs that were looked at, also those without contacts.
   std::vector<TouchingPair>& pairs() { return pairs_; }
 
@@ -45,6 +47,7 @@ class ContactSearch {
   const Surroundings& around_;
   const ContactMemory& before_;
   std::vector<TouchingPair> pairs_;
+  size_t candidates_ = 0;
 };
 
 }  // namespace kerf

@@ -7,6 +7,7 @@ namespace {
 bool pierces(const Vec3& from, const Vec3& to, const MovingBody& faces) {
   if (!Box{glm::min(from, to), glm::max(from, to)}.overlaps(faces.collider->bounds)) return false;
   const double length = glm::length(to - from);
+  ++faces.rays;
   return length > 0 &&
          faces.body->tree.nearest(faces.body->mesh, Pose{from, (to - from) / length}, {0, length});
 }

@@ -2,8 +2,10 @@
 
 namespace kerf {
 
-std::optional<FacePlane> face_along(const Body& body, const Vec3& from, const Vec3& direction,
+std::optional<FacePlane> face_along(const MovingBody& faces, const Vec3& from, const Vec3& direction,
                                     double length) {
+  ++faces.rays;
+  const Body& body = *faces.body;
   const auto hit = body.tree.nearest(body.mesh, Pose{from, direction}, {0, length});
   if (!hit) return std::nullopt;
   const Triangle t = body.mesh.triangle(hit->face);
@@ -15,11 +17,11 @@ std::optional<FacePlane> face_along(const Body& body, const Vec3& from, const Ve
   return FacePlane{from + hit->length * direction, normal};
 }
 
-std::optional<FacePlane> face_between(const Body& body, const Vec3& from, const Vec3& to) {
+std::optional<FacePlane> face_between(const MovingBody& faces, const Vec3& from, const Vec3& to) {
   const Vec3 way = to - from;
   const double length = glm::length(way);
   if (!(length > 0)) return std::nullopt;
-  return face_along(body, from, way / length, length);
+  return face_along(faces, from, way / length, length);
 }
 
 }  // namespace kerf

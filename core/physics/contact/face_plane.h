@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "core/world/world.h"
+#include "core/physics/contact/moving_body.h"
 
 namespace kerf {
 
@@ -15,8 +15,9 @@ struct FacePlane {
 
 // The plane of the first face along a ray of this length, in the frame of the body. Nothing where the face
 // has no area. Precondition: the direction is a unit vector.
-std::optional<FacePlane> face_along(const Body& body, const Vec3& from, const Vec3& direction, double length);
+std::optional<FacePlane> face_along(const MovingBody& faces, const Vec3& from, const Vec3& direction,
+                                    double length);
 // The same between two points.
-std::optional<FacePlane> face_between(const Body& body, const Vec3& from, const Vec3& to);
+std::optional<FacePlane> face_between(const MovingBody& faces, const Vec3& from, const Vec3& to);
 
 }  // namespace kerf

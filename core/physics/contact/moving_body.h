@@ -36,6 +36,8 @@ struct MovingBody {
   Box bounds;          // m, in the world, of its way within the tick and what else may matter
   double scale = 1;    // of all lengths of contact, see ContactLengths
 
+  mutable size_t rays = 0;  // cast at its faces in this tick, for statistics
+
   double rolling_loss = 0;  // 1/s, what its spin loses besides because it touches others
 
   bool moves() const { return !fixed && !asleep; }

@@ -74,7 +74,7 @@ void find_points_of_second(const MovingBody& first, const MovingBody& second, co
 std::vector<Contact> find_contacts(const MovingBody& first, const MovingBody& second,
                                    const ContactLengths& lengths, PairMemory& memory) {
   assert(first.id < second.id);
-  if (memory.crossed) {
+  if (memory.crossed > 0) {
     memory.points_of_first.clear();
     memory.points_of_second.clear();
     return {};

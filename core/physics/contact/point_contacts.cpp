@@ -51,7 +51,7 @@ class PointTracker {
     if (!plane) return;
     const double distance = plane->distance_to(is_at);
     if (is_on_chord(i) && distance > 2 * skin_) return;
-    known_.push_back({i, is_at, plane->normal});
+    known_.push_back({i, plane->normal});
     out_.push_back({faces_.now(is_at), faces_.now.turn * plane->normal, distance - skin_, i, {}});
   }
 
@@ -79,7 +79,7 @@ class PointTracker {
   std::optional<FacePlane> along(const Vec3& from, const Vec3& direction, double length) const {
     const Vec3 to = from + length * direction;
     if (!Box{glm::min(from, to), glm::max(from, to)}.overlaps(faces_.collider->bounds)) return std::nullopt;
-    return face_along(*faces_.body, from, direction, length);
+    return face_along(faces_, from, direction, length);
   }
 
   const Collider& points_;

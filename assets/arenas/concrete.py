@@ -2,15 +2,15 @@
 
 import math
 
-from car_sheet import grid, moved
+from car_sheet import facing, grid, moved
 from turned import box, turned
 
 
 def prism(stations, half_width, paint, axis="x"):
     """A solid between the planes at -half_width and +half_width across its axis.
 
-    stations: (place along the axis, lower height, upper height), places rising. paint(side) names
-    the material of "top", "bottom", "side" and "end".
+    stations: (place along the axis, lower height, upper height), places rising; where two are at
+    one place there is a step. paint(side) names the material of "top", "bottom", "side" and "end".
     """
     def point(a, y, b):
         return (a, y, b) if axis == "x" else (b, y, a)
@@ -20,13 +20,30 @@ def prism(stations, half_width, paint, axis="x"):
     bottom = [[point(a, low, b) for a, low, _ in stations] for b in across]
     sheet = grid(top, lambda r, c: paint("top"), (0, 999, 0))
     sheet += grid(bottom, lambda r, c: paint("bottom"), (0, -999, 0))
-    for k, b in enumerate(across):
-        sheet += grid([bottom[k], top[k]], lambda r, c: paint("side"), point(0, 0, 999 * b))
+    for b in across:
+        flank = [(paint("side"), tuple(point(a, y, b) for a, y in triangle))
+                 for triangle in _flank(stations)]
+        sheet += facing(flank, point(0, 0, 999 * b))
     for i, sign in ((0, -1), (-1, 1)):
         end = [[bottom[0][i], bottom[1][i]], [top[0][i], top[1][i]]]
         if stations[i][1] < stations[i][2]:
             sheet += grid(end, lambda r, c: paint("end"), point(999 * sign, 0, 0))
     return sheet
+
+
+def _flank(stations):
+    """Triangles (place, height) of a prism's side view, with the corners of steps in them."""
+    def heights(i):
+        found = {y for place, *ends in stations if place == stations[i][0] for y in ends}
+        return sorted(y for y in found if stations[i][1] <= y <= stations[i][2])
+
+    for i, ((a, *_), (b, *_)) in enumerate(zip(stations, stations[1:])):
+        if a == b:
+            continue
+        left = [(a, y) for y in heights(i)]
+        right = [(b, y) for y in heights(i + 1)]
+        yield from ((right[0], p, q) for q, p in zip(left, left[1:]))
+        yield from ((left[-1], p, q) for p, q in zip(right, right[1:]))
 
 
 def frustum(base, top, height, paint):

@@ -1,17 +1,17 @@
 """What can be cut in the yard: thin painted sheet. Each prop stands on y = 0 about the origin."""
 
 from car_sheet import facing, grid, moved
+from panel import panel, rectangle
 from turned import box, tube, turned
 
 
 def drum():
     """A steel drum with two rolled beads and a sunken lid."""
     r = 0.29
-    profile = ((0.0, 0.02), (r - 0.02, 0.02), (r, 0.0), (r, 0.14), (r, 0.28), (r + 0.018, 0.30),
-               (r, 0.32), (r, 0.44), (r, 0.56), (r + 0.018, 0.58), (r, 0.60), (r, 0.73), (r, 0.87),
-               (r + 0.006, 0.88), (r - 0.02, 0.88), (r - 0.025, 0.86), (0.14, 0.865), (0.0, 0.865))
-    white = (7, 8)
-    yield "drum", turned(profile, 20, lambda i, c: "drum_stripe" if i in white else "drum")
+    profile = ((0.0, 0.02), (r - 0.02, 0.02), (r, 0.0), (r, 0.27), (r + 0.02, 0.295), (r, 0.32),
+               (r, 0.56), (r + 0.02, 0.585), (r, 0.61), (r, 0.88), (r - 0.025, 0.86), (0.0, 0.865))
+    white = (5,)
+    yield "drum", turned(profile, 16, lambda i, c: "drum_stripe" if i in white else "drum")
 
 
 def barrier():
@@ -27,35 +27,27 @@ def barrier():
     def paint(r, c):
         return "sheet_red" if (c + r) // 2 % 2 else "sheet_white"
     yield "panel", grid(rows, paint, (0, 0.5, 9))
-    for name, x in (("foot_left", 0.8), ("foot_right", -0.8)):
-        outline = ((-0.34, 0.0), (-0.30, 0.03), (-0.035, 0.06), (-0.03, 0.30), (-0.03, 0.6),
-                   (-0.03, 0.9))
-        sides = [[(x + dx, y, z) for z, y in outline] for dx in (-0.04, 0.04)]
-        ahead = [[(x + dx, y, -z) for z, y in outline[:3]] for dx in (-0.04, 0.04)]
-        back = grid(sides, lambda r, c: "sheet_steel", (x, 9, -9))
-        front = grid(ahead, lambda r, c: "sheet_steel", (x, 9, 9))
-        bridge = [("sheet_steel", (sides[0][2], ahead[0][2], ahead[1][2], sides[1][2]))]
-        yield name, back + front + facing(bridge, (x, 9, 0))
+    foot = ((-0.34, 0.0), (-0.30, 0.03), (-0.035, 0.06), (0.035, 0.06), (0.30, 0.03), (0.34, 0.0))
+    post = ((-0.03, 0.05), (-0.03, 0.3), (-0.03, 0.6), (-0.03, 0.9))
+    for place, x in (("left", 0.8), ("right", -0.8)):
+        for name, line in (("foot", foot), ("post", post)):
+            strip = [[(x + dx, y, z) for z, y in line] for dx in (-0.04, 0.04)]
+            yield f"{name}_{place}", grid(strip, lambda r, c: "sheet_steel", (x, 9, -9))
 
 
 def sign():
-    """A chevron board that shows the way of the circuit, on two posts with plates as feet."""
+    """A board with arrows that show the way of the circuit, on two posts with plates as feet."""
     half, low, high = 1.1, 0.75, 1.55
-    columns = [-half + 2 * half * i / 20 for i in range(21)]
-    rows = []
-    for v in range(7):
-        y = low + (high - low) * v / 6
-        lean = abs(v - 3) * 0.11            # the borders of the cells lean like arrows
-        rows.append([(x + (lean if 0 < i < 20 else 0.0) * (1 if x < half - 0.4 else 0), y, 0.0)
-                     for i, x in enumerate(columns)])
-
-    def paint(r, c):
-        return "sign_dark" if c // 3 % 2 else "sheet_yellow"
-    yield "board", grid(rows, paint, (0, 1, 9))
+    middle = (low + high) / 2
+    board = [("sheet_yellow", rectangle(-half, low, half, high))]
+    for x in (-0.85, -0.2, 0.45):
+        board.append(("sign_dark", [(x, low), (x + 0.25, low), (x + 0.6, middle), (x + 0.25, high),
+                                    (x, high), (x + 0.35, middle)]))
+    yield "board", facing(panel(board, 0.2, lambda x, y: (x, y, 0.0)), (0, 1, 9))
     for name, x in (("post_left", 0.8), ("post_right", -0.8)):
-        yield name, tube([(x, 0.02, -0.045), (x, 1.5, -0.045)], 0.035, "sheet_steel", 6, pieces=6)
+        yield name, tube([(x, 0.02, -0.045), (x, 1.5, -0.045)], 0.035, "sheet_steel", 5, pieces=4)
     for name, x in (("plate_left", 0.8), ("plate_right", -0.8)):
-        yield name, moved(turned(((0.30, 0.0), (0.28, 0.02), (0.05, 0.035), (0.0, 0.035)), 12,
+        yield name, moved(turned(((0.30, 0.0), (0.28, 0.02), (0.05, 0.035), (0.0, 0.035)), 9,
                                  lambda r, c: "sheet_steel"), (x, 0, -0.045))
 
 
@@ -75,15 +67,15 @@ def container():
     """A twenty-foot container of corrugated sheet, closed, with doors at +z."""
     length, width, height = 6.06, 2.44, 2.59
     x, z, low, high = width / 2, length / 2, 0.12, height - 0.12
-    side = corrugated(length, low, high, 11, 3, 0.04)
+    side = corrugated(length, low, high, 9, 2, 0.04)
     sheet = []
     for sign in (-1, 1):
         rows = [[(sign * (x - 0.05 + d), y, a - z) for a, y, d in line] for line in side]
         sheet += grid(rows, lambda r, c: "container", (sign * 99, 1, 0))
-    roof = corrugated(length, 0.0, width - 0.1, 11, 4, -0.02)
+    roof = corrugated(length, 0.0, width - 0.1, 9, 2, -0.02)
     roof = [[(b - x + 0.05, high + d, a - z) for a, b, d in line] for line in roof]
     sheet += grid(roof, lambda r, c: "container", (0, 99, 0))
-    end = corrugated(width - 0.1, low, high, 4, 3, 0.04)
+    end = corrugated(width - 0.1, low, high, 4, 2, 0.04)
     sheet += grid([[(a - x + 0.05, y, -z - d + 0.05) for a, y, d in line] for line in end],
                   lambda r, c: "container", (0, 1, -99))
     yield "shell", sheet
@@ -99,19 +91,19 @@ def container():
         yield name, grid(rows, lambda r, c: "container", (0, 1, 99))
         for k, a in (("inner", 0.27), ("outer", 0.8)):
             rod = tube([(sign * a, 0.16, z + 0.05), (sign * a, height - 0.16, z + 0.05)], 0.018,
-                       "sheet_steel", 5, pieces=5)
+                       "sheet_steel", 4, pieces=3)
             yield f"{name}_rod_{k}", rod
     for i in (-1, 1):
         for j in (-1, 1):
             yield f"post_{'left' if i > 0 else 'right'}_{'front' if j > 0 else 'rear'}", box(
                 (i * (x - 0.07), height / 2, j * (z - 0.07)), (0.13, height - 0.02, 0.13),
-                "container_frame", (1, 8, 1))
+                "container_frame", (1, 4, 1))
     for y in (0.07, height - 0.07):
         level = "low" if y < 1 else "high"
         for i, side_name in ((-1, "right"), (1, "left")):
             yield f"rail_{level}_{side_name}", box((i * (x - 0.07), y, 0),
                                                    (0.12, 0.13, length - 0.3), "container_frame",
-                                                   (1, 1, 16))
+                                                   (1, 1, 8))
         for j, end_name in ((-1, "rear"), (1, "front")):
             yield f"rail_{level}_{end_name}", box((0, y, j * (z - 0.07)), (width - 0.3, 0.13, 0.12),
-                                                  "container_frame", (6, 1, 1))
+                                                  "container_frame", (4, 1, 1))

@@ -45,15 +45,13 @@ def gate_leaf():
 
 def bridge():
     """Two ramps and a deck along x, to be driven over and, across them, under."""
-    deck_stations = [(-7.0, CLEAR, DECK), (0.0, CLEAR, DECK), (7.0, CLEAR, DECK)]
     half = BRIDGE_WIDTH / 2
 
     def paint(side):
         return {"top": "asphalt", "bottom": "concrete_dark"}.get(side, "concrete")
-    sheet = prism(deck_stations, half, paint)
     ramp = [(x, 0.0, y) for x, y in ROAD]
-    sheet += prism(ramp, half, paint) + prism([(-x, low, high) for x, low, high in ramp[::-1]],
-                                              half, paint)
+    deck = [(x, CLEAR, DECK) for x in (-7.0, 0.0, 7.0)]
+    sheet = prism([(-x, low, high) for x, low, high in ramp[::-1]] + deck + ramp, half, paint)
     road = [(-x, y) for x, y in ROAD[::-1]] + list(ROAD)
     for side in (-1, 1):
         parapet = prism([(x, y - 0.02 if y else 0.0, y + 0.8) for x, y in road[1:-1]], 0.14,
@@ -86,7 +84,7 @@ def kicker():
     def paint(side):
         return "asphalt" if side == "top" else "concrete_dark"
     edges = []
-    for x in (-1.9, 1.9):
+    for x in (-1.87, 1.87):
         strip = prism([(a, low, high + 0.03 if high else 0.0) for a, low, high in stations[:3]], 0.2,
                       lambda side: "band_edge", "z")
         edges += moved(strip, (x, 0, 0))
@@ -133,7 +131,7 @@ def hall():
     sheet = box((0, 4.5, 0), (60.0, 9.0, 16.0), "hall")
     for i in range(6):
         x = -25.0 + 10.0 * i
-        tooth = prism([(-5.0, 9.0, 9.0), (4.6, 9.0, 12.4), (5.0, 9.0, 9.0)], 8.0, lambda s: "hall")
+        tooth = prism([(-4.95, 9.0, 9.0), (4.6, 9.0, 12.4), (4.95, 9.0, 9.0)], 8.0, lambda s: "hall")
         sheet += moved(tooth, (x, 0, 0))
     for i in range(15):
         x = -28.0 + 4.0 * i

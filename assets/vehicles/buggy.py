@@ -49,7 +49,7 @@ def tub():
     back = [rows[-1][:3]]
     for y in (0.52, 0.72, 0.92):
         back.append([(x * 0.98, y, STATIONS[-1] - 0.02) for x, _, _ in rows[-1][:3]])
-    half += grid(back, lambda r, c: "trim", (0, 0.5, 9))
+    half += grid(back, lambda r, c: "trim", (0, 0.5, -9))
     return half + mirrored(half)
 
 

@@ -15,7 +15,7 @@ import math
 from bisect import bisect_right
 
 from car_sheet import facing, grid, lerp, mirrored
-from panel import arc, panel, pins, split
+from panel import arc, crossed, panel, pins, snapped, split
 
 EDGE = 0.16              # m, of the faces
 
@@ -35,10 +35,11 @@ class Coachwork:
         for (z0, y0, *_), (z1, y1, *_) in zip(outline, outline[1:]):
             self.reach.append(self.reach[-1] + math.dist((z0, y0), (z1, y1)))
         self.wide = max(half_width(z, y) for z, y, *_ in outline)
-        self.upper = split([(z, y) for z, y, *_ in outline], edge)
 
     def parts(self, side, deck, power=2.6):
         """{name: sheet} of the whole body for the regions of its side and its deck."""
+        deck = [(material, [self.plane(*p) for p in polygon]) for material, polygon in deck]
+        self._lay_borders(side, deck)
         half = (self._side(side) + self._deck(deck, power) + self._housings() + self._floor(power))
         parts = {}
         for sheet, name in ((half, "left"), (mirrored(half), "right")):
@@ -48,12 +49,21 @@ class Coachwork:
                 parts.setdefault(part, []).append((paint, polygon))
         return parts
 
-    # ---- side -----------------------------------------------------------------------------------
+    # ---- borders --------------------------------------------------------------------------------
 
-    def side_lift(self, z, y):
-        return (self.half_width(z, y), y, z)
+    def _lay_borders(self, side, deck):
+        """Sets the points that panels share, with those where a region meets the border."""
+        line = [self._at(reach) for reach, _ in crossed([(r, self.wide) for r in self.reach], deck)]
+        self.upper = [snapped(p) for p in split(crossed(line, side), self.edge)]
+        self.lower = [snapped(p) for p in split(crossed(self._lower_edge(), side), self.edge)]
 
-    def lower_edge(self):
+    def _at(self, reach):
+        station = self.station(reach)
+        i = int(station)
+        return tuple(lerp(a, b, station - i) for a, b in zip(self.outline[i][:2],
+                                                             self.outline[min(i + 1, len(self.outline) - 1)][:2]))
+
+    def _lower_edge(self):
         """Points (z, y) of the side's lower edge, rear to front, with the arches in it."""
         (front_z, front_y), (rear_z, rear_y) = self.outline[0][:2], self.outline[-1][:2]
 
@@ -62,13 +72,18 @@ class Coachwork:
         line, self.arcs = [(rear_z, rear_y)], []
         for axle in sorted(self.axles):
             drop = math.degrees(math.asin((low(axle) - self.hub) / self.arch))
-            curve = arc((axle, self.hub), self.arch, 180 - drop, drop, 14)
+            curve = [snapped(p) for p in arc((axle, self.hub), self.arch, 180 - drop, drop, 14)]
             self.arcs.append(curve)
-            line += split([line[-1], curve[0]], self.edge)[1:] + curve[1:]
-        return line + split([line[-1], (front_z, front_y)], self.edge)[1:]
+            line += curve
+        return line + [(front_z, front_y)]
+
+    # ---- side -----------------------------------------------------------------------------------
+
+    def side_lift(self, z, y):
+        return (self.half_width(z, y), y, z)
 
     def _side(self, regions):
-        loop = self.upper + self.lower_edge()[1:-1]
+        loop = self.upper + self.lower[1:-1]
         drawn = [("paint", loop[::-1])] + regions
         return facing(panel(drawn, self.edge, self.side_lift, folds=self.folds), (99, 1, 0))
 
@@ -101,10 +116,13 @@ class Coachwork:
         for place, (z, y) in zip(border, self.upper):
             pinned.update(pins([place], lambda a, b, z=z, y=y: self.side_lift(z, y)))
         across = self._across()
+        for end, station in ((0.0, 0), (border[-1][0], len(self.outline) - 1)):
+            for u in across[:-1]:
+                point = self.deck_point(station, u, power)
+                pinned.update(pins([(end, u * self.wide)], lambda a, b, point=point: point))
         loop = ([(0.0, u * self.wide) for u in across] + border[1:-1]
                 + [(border[-1][0], u * self.wide) for u in across[::-1]])
-        drawn = [("paint", loop)] + [(material, [self.plane(*p) for p in polygon])
-                                     for material, polygon in regions]
+        drawn = [("paint", loop)] + regions
         folds = [((reach, 0.0), (reach, self.wide)) for reach in self._bends()]
         return facing(panel(drawn, 1.15 * self.edge, lift, pinned, folds), (0, 99, 0))
 
@@ -131,21 +149,25 @@ class Coachwork:
             between = [(lerp(x, self.inner, 0.5), y, z) for x, y, z in lip]
             wall = [(self.inner, y, z) for _, y, z in lip]
             sheet += grid([lip, between, wall], lambda r, c: "trim", viewer)
-            chord = split([curve[-1], curve[0]], self.edge)
+            chord = self._chord(curve)
             sheet += facing(panel([("trim", curve + chord[1:-1])], self.edge,
                                   lambda z, y: (self.inner, y, z)), (99, middle[1], middle[0]))
         return sheet
 
+    def _chord(self, curve):
+        """The lower edge of a housing's wall, front to rear."""
+        return [snapped(p) for p in split([curve[-1], curve[0]], self.edge)]
+
     def _floor(self, power):
         last = len(self.outline) - 1
         points = [self.deck_point(0, u, power) for u in self._across()[:-1]]
-        low = self.lower_edge()[::-1]
+        low = self.lower[::-1]
         ends = {curve[-1]: curve for curve in self.arcs}
         i = 0
         while i < len(low):
             points.append(self.side_lift(*low[i]))
             if curve := ends.get(low[i]):
-                points += [(self.inner, y, z) for z, y in split([curve[-1], curve[0]], self.edge)]
+                points += [(self.inner, y, z) for z, y in self._chord(curve)]
                 i = low.index(curve[0])
                 points.append(self.side_lift(*low[i]))
             i += 1

@@ -55,32 +55,36 @@ class Component:
     def part_within(self, low, high, within):
         """The faces whose boxes are within sqrt(within) of a box."""
         near = copy.copy(self)
-        near.boxes = [box for box in self.boxes
-                      if squared([max(a - y, 0, x - b)
-                                  for a, b, x, y in zip(low, high, box[0], box[1])]) < within]
+        near.boxes = [box for box in self.boxes if _apart(low, high, box[0], box[1]) < within]
         return near
 
     def nearest(self, p, within=math.inf):
         """(squared distance, point, face) of what is nearest to p, None beyond sqrt(within)."""
         best = None
-        if squared(_outside(p, self.low, self.high)) >= within:
+        if _apart(p, p, self.low, self.high) >= within:
             return None
         for low, high, face in self.boxes:
-            if squared(_outside(p, low, high)) < within:
+            if _apart(p, p, low, high) < within:
                 q = nearest_on_triangle(p, *face)
                 if (d := squared(minus(p, q))) < within:
                     within, best = d, (d, q, face)
         return best
 
 
-def _outside(p, low, high):
-    return tuple(max(l - x, 0, x - h) for x, l, h in zip(p, low, high))
+def _apart(low, high, other_low, other_high):
+    """The squared distance of two boxes."""
+    x = max(low[0] - other_high[0], other_low[0] - high[0], 0.0)
+    y = max(low[1] - other_high[1], other_low[1] - high[1], 0.0)
+    z = max(low[2] - other_high[2], other_low[2] - high[2], 0.0)
+    return x * x + y * y + z * z
 
 
 def closest(a, b, within=math.inf):
     """(squared distance, (point, face) of a, (point, face) of b) of two components, or None."""
+    if _apart(a.low, a.high, b.low, b.high) >= within:
+        return None
     for p in a.points[::7]:
-        within = min(within, 1e-12 + min(squared(minus(p, q)) for q in b.points[::7]))
+        within = min(within, 1e-12 + min(math.dist(p, q) for q in b.points[::7]) ** 2)
     best = None
     for first, second, swap in ((a, b, False), (b, a, True)):
         near = second.part_within(first.low, first.high, within)

@@ -39,11 +39,26 @@ def leaf(material, polygon, gap=0.009):
     return [(None, polygon), (material, inset(polygon, gap))]
 
 
+def crossed(line, regions):
+    """The polyline with a point wherever the border of a region crosses it."""
+    points = line[:1]
+    for a, b in zip(line, line[1:]):
+        cuts = {}
+        for _, polygon in regions:
+            for c, d in zip(polygon, polygon[1:] + polygon[:1]):
+                cuts.update(_cuts(a, b, c, d))
+        for t in sorted(cuts):
+            if min(t, 1 - t) * math.dist(a, b) > 1e-4 and math.dist(points[-1], cuts[t]) > 1e-4:
+                points.append(cuts[t])
+        points.append(b)
+    return points
+
+
 def split(line, length):
     """The polyline with each segment in equal pieces that are no longer than `length`."""
     points = line[:1]
     for p, q in zip(line, line[1:]):
-        count = max(1, math.ceil(math.dist(p, q) / length - 1e-9))
+        count = max(1, math.ceil(math.dist(p, q) / length - 1e-5))
         points += [tuple(a + (b - a) * i / count for a, b in zip(p, q)) for i in range(1, count)]
         points.append(q)
     return points
@@ -53,7 +68,7 @@ def panel(regions, edge, lift, pinned=None, folds=()):
     """The sheet of a drawing, its edges about `edge` long.
 
     lift(u, v) is the point of space of a point of the plane; `pinned` gives points that are to be
-    met to the bit, by their points of the plane, as where the border is another panel's too. Along
+    met to the bit, by their snapped() points of the plane, as where the border is another panel's too. Along
     the segments `folds` (pairs of points) there are edges as well.
     """
     drawing = _Drawing(regions, edge, folds)
@@ -61,17 +76,18 @@ def panel(regions, edge, lift, pinned=None, folds=()):
         drawing.relax()
     place = {}
     for i, p in enumerate(drawing.points):
-        key = _key(p)
+        key = snapped(p)
         place[i] = pinned[key] if pinned and key in pinned else lift(*p)
     return [(material, tuple(place[i] for i in face)) for material, face in drawing.faces()]
 
 
 def pins(points, lift):
     """For panel(): the points of a border as `lift` places them."""
-    return {_key(p): lift(*p) for p in points}
+    return {snapped(p): lift(*p) for p in points}
 
 
-def _key(p):
+def snapped(p):
+    """A point of the plane to a tenth of a micrometre, as drawings hold them."""
     return (round(p[0], 7), round(p[1], 7))
 
 
@@ -79,17 +95,26 @@ class _Drawing:
     def __init__(self, regions, edge, folds):
         self.regions, self.edge = regions, edge
         self.points, self._index = [], {}
-        segments = _crossed([(_key(p), _key(q)) for _, polygon in regions
+        segments = _crossed([(snapped(p), snapped(q)) for _, polygon in regions
                              for p, q in zip(polygon, polygon[1:] + polygon[:1])]
-                            + [(_key(p), _key(q)) for p, q in folds])
+                            + [(snapped(p), snapped(q)) for p, q in folds])
+        self._check_outline(segments)
         self.segments = sorted({tuple(sorted((i, j))) for p, q in segments for i, j in
                                 self._pieces(p, q)})
         self.fixed = len(self.points)
         self._fill()
         self.shifted = self._shift()
 
+    def _check_outline(self, pieces):
+        """The short segments of the outline may be another panel's too: none may be cut."""
+        pieces = {frozenset(piece) for piece in pieces}
+        outline = [snapped(p) for p in self.regions[0][1]]
+        for p, q in zip(outline, outline[1:] + outline[:1]):
+            assert math.dist(p, q) > self.edge or frozenset((p, q)) in pieces, (
+                f"the border of a region cuts the outline between {p} and {q}")
+
     def _point(self, p):
-        key = _key(p)
+        key = snapped(p)
         if key not in self._index:
             self._index[key] = len(self.points)
             self.points.append(p)
@@ -217,5 +242,5 @@ def _cuts(a, b, c, d):
             (e, f), (g, h) = sorted(((a, b), (c, d)))
             r0, r1 = orientation(g, h, e), orientation(g, h, f)
             r = r0 / (r0 - r1)
-            found[t0 / (t0 - t1)] = _key((e[0] + r * (f[0] - e[0]), e[1] + r * (f[1] - e[1])))
+            found[t0 / (t0 - t1)] = snapped((e[0] + r * (f[0] - e[0]), e[1] + r * (f[1] - e[1])))
     return found

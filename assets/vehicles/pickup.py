@@ -98,17 +98,16 @@ def bed(coach):
         outer = coach.half_width(z, 1.12) * RAIL - 0.012
         step = top if over_wheel else floor
         middle = [(x, floor, z) for x in (0.0, 0.25, 0.50)]
-        ledge = [(0.50, step, z), (outer, step, z)] if over_wheel else [(0.62, floor, z),
-                                                                       (outer, floor, z)]
-        rows.append(middle + ledge + [(outer, (step + 1.11) / 2, z), (outer, 1.105, z)])
+        ledge = ((0.50, step, z) if over_wheel else (0.62, floor, z), (outer, step, z))
+        rows.append([*middle, *ledge, (outer, top, z), (outer, 1.105, z)])
     half = grid(rows, lambda r, c: "bed", (0, 9, -1.8))
-    return half + mirrored(half) + bulkhead(rows[0])
+    return half + mirrored(half) + bulkhead(rows[0], top)
 
 
-def bulkhead(row):
+def bulkhead(row, top):
     """The bed's front wall, up to the rail."""
     lines = [row[:5]]
-    for y in (0.88, 1.105):
+    for y in (top, 1.105):
         lines.append([(x, y, z) for x, _, z in lines[0]])
     half = grid(lines, lambda r, c: "bed", (0, 1, -9))
     return half + mirrored(half)

@@ -205,7 +205,7 @@ def hold(car):
                            (x * 0.4, 0.46, -2.52), (0, 1, 0), [0, 110] if x > 0 else [-110, 0])
         joints.hold(f"mirror_{name}", f"door_{name}", radius=0.07)
         joints.hold(f"handles_{name}", f"door_{name}", [(x * 0.96, 1.08, 0.3)])
-    fittings.hang_leaf(car, "bonnet", [(0.5, 1.21, 1.66), (-0.5, 1.21, 1.66)], (0.0, 1.02, 2.4),
+    fittings.hang_leaf(car, "bonnet", [(0.5, 1.235, 1.76), (-0.5, 1.235, 1.76)], (0.0, 1.02, 2.4),
                        (1, 0, 0), [-60, 0])
     corners = [(x, z) for x in (0.62, -0.62) for z in (-0.6, -1.95)]
     joints.hold("rack", "body", [(x, 1.99, z) for x, z in corners])

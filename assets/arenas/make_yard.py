@@ -27,7 +27,7 @@ PROPS = {"drum": drum, "barrier": barrier, "sign": sign, "container": container}
 PLACES = {
     "container": [(-21, 0, 24, 25), (-14.5, 0, 27.5, -60), (20, 0, 26, 85), (23, 0, -24, -20),
                   (-24, 0, -22, 50), (-20.4, 2.59, 24.4, 32)],
-    "drum": [(-17.5, 0, 22, 0), (-16.7, 0, 21.8, 40), (-17.0, 0, 22.8, 80), (18, 0, 22.5, 0),
+    "drum": [(-17.5, 0, 22, 0), (-16.7, 0, 21.8, 40), (18, 0, 22.5, 0),
              (18.8, 0, 22.2, 30), (24, 0, -18.5, 0), (24.8, 0, -18.9, 60), (23.5, 0, -19.3, 20),
              (-21, 0, -17.8, 0), (-20.2, 0, -18.3, 50), (0.4, 0, 12, 0), (-0.4, 0, 11.6, 25),
              (0.3, 0, -12, 0), (-0.5, 0, -11.7, 70)],
@@ -45,6 +45,7 @@ PAINTS = {
     "band_edge": {"colour": "#8f9091", "gloss": 0.05},
     "band_red": {"colour": "#5e4341", "gloss": 0.05},
     "gate": {"colour": "#45494e", "gloss": 0.1},
+    "marking": {"colour": "#8c8d88", "gloss": 0.05},
     "mast": {"colour": "#4c5055", "gloss": 0.1},
     "floodlight": {"colour": "#fff6e0", "gloss": 0.0},
     "hall": {"colour": "#34373b", "gloss": 0.05},
@@ -64,9 +65,9 @@ PAINTS = {
 STARTS = {"player": {"position": [-33.0, 0.0, -22.0], "heading": 0},
           "enemies": [{"position": [33.0, 0.0, 22.0], "heading": 180},
                       {"position": [22.0, 0.0, 34.0], "heading": 270},
-                      {"position": [33.0, 0.0, -30.0], "heading": 0},
+                      {"position": [34.0, 0.0, -24.0], "heading": 0},
                       {"position": [-20.0, 0.0, 34.0], "heading": 90},
-                      {"position": [12.0, 0.0, -34.0], "heading": 270}]}
+                      {"position": [18.0, 0.0, -35.0], "heading": 270}]}
 
 
 def write_mesh(name, parts):
@@ -109,7 +110,7 @@ def rows(entries):
 
 
 def main():
-    light = {"colour": "#ffe9c4", "intensity": 0.035}
+    light = {"colour": "#ffe9c4", "intensity": 0.03}
     entries = {
         "name": json.dumps("yard"), "ground": "0", "size": "[80, 80]", "bodies": rows(bodies()),
         "lamps": rows([{"position": list(p), **light} for p in lamps()]),

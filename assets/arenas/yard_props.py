@@ -51,32 +51,28 @@ def sign():
                                  lambda r, c: "sheet_steel"), (x, 0, -0.045))
 
 
-def corrugated(length, low, high, cells, rows, depth):
+def corrugated(length, low, high, waves, rows, depth):
     """Points of an upright corrugated sheet along x from 0 to length; it bulges towards +z."""
-    lines = []
-    for v in range(rows + 1):
-        line = []
-        for i in range(4 * cells + 1):
-            x = length * i / (4 * cells)
-            line.append((x, low + (high - low) * v / rows, depth if i % 4 in (1, 2) else 0.0))
-        lines.append(line)
-    return lines
+    line = [(length * (i + share) / waves, rise) for i in range(waves)
+            for share, rise in ((0.0, 0.0), (0.36, 0.0), (0.5, depth), (0.86, depth))]
+    line.append((length, 0.0))
+    return [[(x, low + (high - low) * v / rows, rise) for x, rise in line] for v in range(rows + 1)]
 
 
 def container():
     """A twenty-foot container of corrugated sheet, closed, with doors at +z."""
     length, width, height = 6.06, 2.44, 2.59
     x, z, low, high = width / 2, length / 2, 0.12, height - 0.12
-    side = corrugated(length, low, high, 9, 2, 0.04)
+    side = corrugated(length, low, high, 9, 2, 0.07)
     sheet = []
     for sign in (-1, 1):
-        rows = [[(sign * (x - 0.05 + d), y, a - z) for a, y, d in line] for line in side]
+        rows = [[(sign * (x - 0.075 + d), y, a - z) for a, y, d in line] for line in side]
         sheet += grid(rows, lambda r, c: "container", (sign * 99, 1, 0))
-    roof = corrugated(length, 0.0, width - 0.1, 9, 2, -0.02)
+    roof = corrugated(length, 0.0, width - 0.1, 9, 1, -0.03)
     roof = [[(b - x + 0.05, high + d, a - z) for a, b, d in line] for line in roof]
     sheet += grid(roof, lambda r, c: "container", (0, 99, 0))
-    end = corrugated(width - 0.1, low, high, 4, 2, 0.04)
-    sheet += grid([[(a - x + 0.05, y, -z - d + 0.05) for a, y, d in line] for line in end],
+    end = corrugated(width - 0.1, low, high, 4, 2, 0.07)
+    sheet += grid([[(a - x + 0.05, y, -z - d + 0.075) for a, y, d in line] for line in end],
                   lambda r, c: "container", (0, 1, -99))
     yield "shell", sheet
     floor = [[(b - x + 0.05, 0.14, a - z) for a in (0, 1.5, 3, 4.5, 6.0)] for b in

@@ -1,5 +1,7 @@
 """What stands fast in the yard: concrete, matt and grey, and what is seen beyond its walls."""
 
+import math
+
 from car_sheet import moved
 from concrete import column, frustum, prism, ring_wall, turned_by
 from turned import box, tube, turned
@@ -8,8 +10,8 @@ HALF = 40.0               # m, from the middle to the walls
 BRIDGE_WIDTH, DECK, CLEAR = 7.0, 3.4, 2.9
 # (distance from the middle of the bridge, height of the road); no slope is over 12 degrees
 ROAD = ((7.0, DECK), (8.5, DECK - 0.15), (23.6, 0.15), (25.1, 0.0))
-MASTS = [(x, z) for x in (-30.0, 30.0) for z in (-30.0, 30.0)]
-LAMP_HEIGHT = 10.4
+MASTS = [(x, z) for x in (-27.0, 27.0) for z in (-14.0, 14.0)]
+TALL = 13.0               # m, of the masts
 
 
 def walls():
@@ -56,7 +58,7 @@ def bridge():
     for side in (-1, 1):
         parapet = prism([(x, y - 0.02 if y else 0.0, y + 0.8) for x, y in road[1:-1]], 0.14,
                         lambda part: "band_edge" if part == "top" else "concrete")
-        sheet += moved(parapet, (0, 0, side * (half - 0.14)))
+        sheet += moved(parapet, (0, 0, side * (half - 0.16)))
     for z in (-2.3, 2.3):
         sheet += moved(turned(((0.5, 0.0), (0.5, 0.5), (0.42, 0.7), (0.42, CLEAR)), 10,
                               lambda r, c: "band" if r == 0 else "concrete"), (0, 0, z))
@@ -79,13 +81,13 @@ def colonnades():
 
 def kicker():
     """A ramp to jump from, towards +z, of ten degrees."""
-    stations = [(-4.2, 0.0, 0.0), (-3.0, 0.0, 0.11), (3.0, 0.0, 1.17), (3.7, 0.0, 0.0)]
+    stations = [(-4.2, 0.0, 0.0), (-3.0, 0.0, 0.11), (3.0, 0.0, 1.17)]
 
     def paint(side):
         return "asphalt" if side == "top" else "concrete_dark"
     edges = []
     for x in (-1.87, 1.87):
-        strip = prism([(a, low, high + 0.03 if high else 0.0) for a, low, high in stations[:3]], 0.2,
+        strip = prism([(a, low, high + 0.03 if high else 0.0) for a, low, high in stations], 0.2,
                       lambda side: "band_edge", "z")
         edges += moved(strip, (x, 0, 0))
     return prism(stations, 2.1, paint, "z") + edges
@@ -101,17 +103,14 @@ def mast(x, z):
     """A floodlight mast on a concrete foot; its lamps look at the middle of the yard."""
     foot = turned(((0.75, 0.0), (0.75, 0.5), (0.55, 0.9), (0.0, 0.9)), 8,
                   lambda r, c: "band" if r == 0 else "concrete")
-    pole = turned(((0.20, 0.9), (0.16, 4.0), (0.11, 10.2), (0.0, 10.2)), 8, lambda r, c: "mast")
-    bar = box((0, 10.0, 0.1), (3.0, 0.14, 0.14), "mast")
-    lamps = []
+    pole = turned(((0.22, 0.9), (0.17, 5.0), (0.11, TALL), (0.0, TALL)), 8, lambda r, c: "mast")
+    head = box((0, TALL - 0.2, 0.1), (3.0, 0.14, 0.14), "mast")
     for i in (-1.2, -0.4, 0.4, 1.2):
-        case = box((i, 10.35, 0.22), (0.62, 0.5, 0.3), "mast")
-        glass = [("floodlight", ((i - 0.26, 10.15, 0.38), (i + 0.26, 10.15, 0.38),
-                                 (i + 0.26, 10.55, 0.38), (i - 0.26, 10.55, 0.38)))]
-        lamps += case + glass
-    head = turned_by(bar + lamps, {(1, 1): 225, (1, -1): 315, (-1, 1): 135, (-1, -1): 45}
-                     [1 if x > 0 else -1, 1 if z > 0 else -1])
-    return moved(foot + pole + head, (x, 0, z))
+        head += box((i, TALL + 0.15, 0.22), (0.62, 0.5, 0.3), "mast")
+        low, high = TALL - 0.05, TALL + 0.35
+        head.append(("floodlight", ((i - 0.26, low, 0.38), (i + 0.26, low, 0.38),
+                                    (i + 0.26, high, 0.38), (i - 0.26, high, 0.38))))
+    return moved(foot + pole + turned_by(head, math.degrees(math.atan2(-x, -z))), (x, 0, z))
 
 
 def masts():
@@ -119,9 +118,39 @@ def masts():
 
 
 def lamps():
-    """Where the floodlights are, a little before their glass."""
-    return [(x - 0.5 * (1 if x > 0 else -1), LAMP_HEIGHT, z - 0.5 * (1 if z > 0 else -1))
-            for x, z in MASTS]
+    """Where the floodlights are: a little before their glass."""
+    return [(round(x * (1 - 0.7 / math.hypot(x, z)), 3), TALL + 0.15,
+             round(z * (1 - 0.7 / math.hypot(x, z)), 3)) for x, z in MASTS]
+
+
+# ---- on the ground ------------------------------------------------------------------------------
+
+def stripe(x, z, length, width, degrees):
+    """A painted stripe a finger's breadth above the ground, along z if not turned."""
+    a, b = width / 2, length / 2
+    flat = [("marking", ((-a, 0, -b), (-a, 0, b), (a, 0, b), (a, 0, -b)))]
+    return turned_by(flat, degrees, (x, 0.012, z))
+
+
+def markings():
+    """The dashed middle of the circuit, its corners, bays along two walls, the passage's edges."""
+    sheet = []
+    for quarter in range(4):
+        for i in range(-6, 7):
+            sheet += turned_by(stripe(32.5, 4.0 * i, 1.8, 0.16, 0), 90 * quarter)
+        for i in range(1, 6):
+            t = math.radians(90 * i / 6)
+            sheet += turned_by(stripe(26.5 + 6.0 * math.sin(t), 26.5 + 6.0 * math.cos(t), 1.2, 0.16,
+                                      90 * i / 6 + 90), 90 * quarter)
+    for side in (-1, 1):
+        for i in range(8):
+            sheet += stripe(side * (-14.0 + 4.0 * i), side * 36.6, 4.6, 0.14, 0)
+        sheet += stripe(0.0, side * 34.3, 28.0, 0.14, 90)
+        for x in (-6.2, 6.2):
+            sheet += stripe(x, side * 7.4, 6.6, 0.16, 0)
+        for i in range(5):
+            sheet += stripe(side * 26.2, -2.4 + 1.2 * i, 0.6, 0.6, 0)
+    return sheet
 
 
 # ---- beyond the walls ---------------------------------------------------------------------------
@@ -171,4 +200,5 @@ def structures():
     yield "columns", colonnades()
     yield "ramps", ramps()
     yield "masts", masts()
+    yield "markings", markings()
     yield "backdrop", backdrop()

@@ -224,6 +224,7 @@ def buggy():
     car.add(*roof_laser.roof_laser(*LASER))
     hold(car)
     car.turret = roof_laser.description(*LASER)
+    car.engine = {"force": 6500, "power": 115000, "top_speed": 27}
     car.vital = [{"kind": "engine", "part": "engine", "mount": "frame"},
                  {"kind": "driver", "part": "seat_driver", "mount": "body"}]
     car.driver_eye = [0.25, 1.26, -0.3]

@@ -62,6 +62,7 @@ def describe(car):
             car.wheel(f"wheel_{end}_{side}", f"axle_{end}", (x * TRACK_X, WHEEL_RADIUS, z),
                       WHEEL_RADIUS, front, front, 0.2)
     car.turret = roof_laser.description(*LASER)
+    car.engine = {"force": 7000, "power": 120000, "top_speed": 24}
     car.vital = [{"kind": "engine", "part": "engine", "mount": "body"},
                  {"kind": "driver", "part": "seat_driver", "mount": "body"}]
     car.driver_eye = [DRIVER_X, 1.12, -0.2]

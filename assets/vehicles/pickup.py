@@ -167,6 +167,7 @@ def pickup():
     car.add(*roof_laser.roof_laser(*LASER))
     hold(car)
     car.turret = roof_laser.description(*LASER)
+    car.engine = {"force": 9500, "power": 140000, "top_speed": 23}
     car.vital = [{"kind": "engine", "part": "engine", "mount": "body"},
                  {"kind": "driver", "part": "seat_driver", "mount": "body"}]
     car.driver_eye = [0.36, 1.36, -0.3]

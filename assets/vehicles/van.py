@@ -167,6 +167,7 @@ def van():
     car.add(*roof_laser.roof_laser(*LASER))
     hold(car)
     car.turret = roof_laser.description(*LASER)
+    car.engine = {"force": 9000, "power": 115000, "top_speed": 20}
     car.vital = [{"kind": "engine", "part": "engine", "mount": "body"},
                  {"kind": "driver", "part": "seat_driver", "mount": "body"}]
     car.driver_eye = [0.40, 1.45, 0.32]

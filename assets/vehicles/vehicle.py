@@ -35,6 +35,7 @@ class Vehicle:
         self.parts = {}
         self.wheels, self.vital = [], []
         self.turret, self.driver_eye = None, None
+        self.engine = {}      # force in N, power in W, top_speed in m/s
         self._joints = None
 
     def add(self, *parts):
@@ -69,7 +70,7 @@ class Vehicle:
         entries = {
             "name": self.name, "mesh": f"../meshes/{self.name}.obj", "thickness": 0.0008,
             "density": 7850, "mass": self.mass, "wheels": self.wheels, "turret": self.turret,
-            "vital": self.vital, "driver_eye": self.driver_eye, "joints": self.joints.all,
+            "vital": self.vital, "driver_eye": self.driver_eye, "engine": self.engine, "joints": self.joints.all,
             "paints": {name: paint for name, paint in self.paints.items() if name in used},
         }
         return "{\n" + ",\n".join(f"  {json.dumps(key)}: {_lines(value)}"

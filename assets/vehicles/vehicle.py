@@ -31,7 +31,10 @@ class Vehicle:
     """Parts in the order they were added, joints between them, and what the game has to know."""
 
     def __init__(self, name, mass, paints):
-        self.name, self.mass, self.paints = name, mass, {**paints, **PAINTS}
+        """paints: of this vehicle alone. Its name is put before theirs, as worlds hold several."""
+        self.name, self.mass = name, mass
+        self._own = {paint: f"{name}_{paint}" for paint in paints}
+        self.paints = {**{self._own[paint]: look for paint, look in paints.items()}, **PAINTS}
         self.parts = {}
         self.wheels, self.vital = [], []
         self.turret, self.driver_eye = None, None
@@ -43,7 +46,7 @@ class Vehicle:
         assert self._joints is None
         for name, sheet in parts:
             assert name not in self.parts, name
-            self.parts[name] = sheet
+            self.parts[name] = [(self._own.get(paint, paint), polygon) for paint, polygon in sheet]
 
     @property
     def joints(self):

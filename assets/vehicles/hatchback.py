@@ -10,6 +10,13 @@ from engine_block import engine, radiator
 from vehicle import Vehicle
 
 LASER = (0.0, 1.405, -0.25)
+# Hinges of doors, bonnet and tailgate: anchor, axis, limits, and a point on either side.
+DOOR_HINGES = [((0.867, 0.425, 0.600), (0.867, 0.42, 0.535), (0.867, 0.42, 0.665)),
+               ((0.864, 0.730, 0.599), (0.853, 0.755, 0.535), (0.852, 0.755, 0.665)),
+               ((0.867, 0.425, -0.110), (0.867, 0.42, -0.175), (0.867, 0.42, -0.045)),
+               ((0.864, 0.742, -0.110), (0.858, 0.757, -0.175), (0.857, 0.757, -0.045))]
+LID_HINGES = [((0.397, 0.913, 0.964), [-75, 0], (0.400, 0.904, 1.019), (0.399, 0.927, 0.929), 0.035),
+              ((0.393, 1.308, -1.453), [0, 80], (0.395, 1.279, -1.488), (0.396, 1.321, -1.415), 0.025)]
 SEATS = {"seat_left": "seat_driver", "seat_right": "seat_passenger", "bench": "bench"}
 
 
@@ -42,6 +49,12 @@ def hold(car):
     for side, x in (("left", 1), ("right", -1)):
         joints.hold(f"mirror_{side}", "body", radius=0.08)
         joints.hold(f"handles_{side}", "body", [(x * 0.86, 0.815, z) for z in (0.07, -0.45)])
+        for anchor, *near in DOOR_HINGES:
+            places = [(x * a, b, c) for a, b, c in (anchor, *near)]
+            joints.seam("body", places[0], (0, 1, 0), [-70, 0] if x > 0 else [0, 70], places[1:], 0.05)
+        for anchor, limits, *near, radius in LID_HINGES:
+            places = [(x * a, b, c) for a, b, c in (anchor, *near)]
+            joints.seam("body", places[0], (1, 0, 0), limits, places[1:], radius)
     for name in ("emblem", "plate_front", "plate_rear"):
         joints.hold(name, "body", radius=0.08)
     joints.hold("engine", "body", [(0.5, 0.41, 1.27), (-0.5, 0.41, 1.27), (0.1, 0.2, 1.34),

@@ -166,6 +166,11 @@ class Joints:
         sides = (self._at(self._of[part], anchor), self._at(self._of[to], anchor))
         self._add(kind, sides, anchor, more.pop("radius", 0.08), {"axis": list(axis), **more})
 
+    def seam(self, part, anchor, axis, limits, near, radius):
+        """A hinge across a seam of one part, which acts once what it holds was cut out."""
+        sides = [self._at(self._of[part], place) for place in near]
+        self._add("hinge", sides, anchor, radius, {"axis": list(axis), "limits": limits})
+
     def together(self, part, gap, radius=0.06):
         """Welds the components of one part wherever they touch or nearly so, as those of a cage."""
         mine = self._of[part]

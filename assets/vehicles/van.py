@@ -203,7 +203,7 @@ def hold(car):
                                                    for z in (-0.985, 0.125)])
         edge = x * 0.80
         fittings.hang_leaf(car, f"door_rear_{name}", [(edge, 0.6, -2.5), (edge, 1.5, -2.45)],
-                           (x * 0.4, 0.46, -2.52), (0, 1, 0), [0, 110] if x > 0 else [-110, 0])
+                           (x * 0.4, 0.46, -2.52), (0, 1, 0), [-110, 0] if x > 0 else [0, 110])
         joints.hold(f"mirror_{name}", f"door_{name}", radius=0.07)
         joints.hold(f"handles_{name}", f"door_{name}", [(x * 0.96, 1.08, 0.3)])
     fittings.hang_leaf(car, "bonnet", [(0.5, 1.235, 1.76), (-0.5, 1.235, 1.76)], (0.0, 1.02, 2.4),

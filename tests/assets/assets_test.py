@@ -95,7 +95,8 @@ class Vehicle(unittest.TestCase):
 
     def test_all_of_it_hangs_on_the_body_by_the_mesh_or_by_joints(self):
         links = [{component for _, component in sides} for sides in self.sides]
-        self.assertEqual([joint for joint, link in zip(self.file["joints"], links) if len(link) < 2], [])
+        for joint, link in zip(self.file["joints"], links):
+            self.assertTrue(len(link) == 2 or joint["kind"] == "hinge", joint)  # a hinge may cross a seam
         held = {self.mesh.component[self.mesh.parts["body"][0]]}
         for _ in links:
             held = held.union(*(link for link in links if held & link))

@@ -78,6 +78,11 @@ def container():
     floor = [[(b - x + 0.05, 0.14, a - z) for a in (0, 1.5, 3, 4.5, 6.0)] for b in
              (0, 0.78, 1.56, width - 0.1)]
     yield "floor", grid(floor, lambda r, c: "sheet_steel", (0, 99, 0))
+    yield from container_doors(z, low, high)
+    yield from container_frame(x, z, height)
+
+
+def container_doors(z, low, high):
     for name, sign in (("door_left", 1), ("door_right", -1)):
         rows = []
         for v in range(6):
@@ -86,9 +91,12 @@ def container():
                          for a in (0.006, 0.14, 0.4, 0.65, 0.9, 1.165)])
         yield name, grid(rows, lambda r, c: "container", (0, 1, 99))
         for k, a in (("inner", 0.27), ("outer", 0.8)):
-            rod = tube([(sign * a, 0.16, z + 0.05), (sign * a, height - 0.16, z + 0.05)], 0.018,
+            rod = tube([(sign * a, low + 0.04, z + 0.05), (sign * a, high - 0.04, z + 0.05)], 0.018,
                        "sheet_steel", 4, pieces=3)
             yield f"{name}_rod_{k}", rod
+
+
+def container_frame(x, z, height):
     for i in (-1, 1):
         for j in (-1, 1):
             yield f"post_{'left' if i > 0 else 'right'}_{'front' if j > 0 else 'rear'}", box(
@@ -98,8 +106,8 @@ def container():
         level = "low" if y < 1 else "high"
         for i, side_name in ((-1, "right"), (1, "left")):
             yield f"rail_{level}_{side_name}", box((i * (x - 0.07), y, 0),
-                                                   (0.12, 0.13, length - 0.3), "container_frame",
+                                                   (0.12, 0.13, 2 * z - 0.3), "container_frame",
                                                    (1, 1, 8))
         for j, end_name in ((-1, "rear"), (1, "front")):
-            yield f"rail_{level}_{end_name}", box((0, y, j * (z - 0.07)), (width - 0.3, 0.13, 0.12),
+            yield f"rail_{level}_{end_name}", box((0, y, j * (z - 0.07)), (2 * x - 0.3, 0.13, 0.12),
                                                   "container_frame", (4, 1, 1))

@@ -160,20 +160,22 @@ def hall():
     sheet = box((0, 4.5, 0), (60.0, 9.0, 16.0), "hall")
     for i in range(6):
         x = -25.0 + 10.0 * i
-        tooth = prism([(-4.95, 9.0, 9.0), (4.6, 9.0, 12.4), (4.95, 9.0, 9.0)], 8.0, lambda s: "hall")
+        tooth = prism([(-4.95, 9.0, 9.0), (4.6, 9.0, 12.4), (4.95, 9.0, 9.0)], 8.0,
+                      lambda side: "hall")
         sheet += moved(tooth, (x, 0, 0))
     for i in range(15):
         x = -28.0 + 4.0 * i
         y = 6.0
         material = "window_lit" if i in (2, 3, 9, 13) else "window_dark"
-        sheet.append((material, ((x + 1.3, y, -8.05), (x - 1.3, y, -8.05), (x - 1.3, y + 1.8, -8.05),
-                                 (x + 1.3, y + 1.8, -8.05))))
+        sheet.append((material, ((x + 1.3, y, -8.05), (x - 1.3, y, -8.05),
+                                 (x - 1.3, y + 1.8, -8.05), (x + 1.3, y + 1.8, -8.05))))
     return sheet
 
 
 def silo(radius, height):
     return turned(((radius, 0.0), (radius, height), (radius * 0.25, height + radius * 0.55),
-                   (radius * 0.25, height + radius * 0.55 + 0.8), (0.0, height + radius * 0.6 + 0.8)),
+                   (radius * 0.25, height + radius * 0.55 + 0.8),
+                   (0.0, height + radius * 0.6 + 0.8)),
                   16, lambda r, c: "hall_light")
 
 

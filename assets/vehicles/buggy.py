@@ -152,13 +152,14 @@ def lamps():
         row += moved(lamp(0.068), (x, 1.605, 0.30))
     yield "lamps_roof", row
     for name, side in fittings.SIDES:
-        yield f"light_rear_{name}", box((side * 0.30, 0.70, -1.60), (0.16, 0.08, 0.05), "light_rear",
-                                        (2, 1, 1))
+        yield f"light_rear_{name}", box((side * 0.30, 0.70, -1.60), (0.16, 0.08, 0.05),
+                                        "light_rear", (2, 1, 1))
 
 
 def roof():
     """The plate that carries the laser."""
-    rows = [[(x, 1.598 + 0.014 * (1 - (x / 0.46) ** 2), z) for x in (-0.46, -0.3, -0.1, 0.1, 0.3, 0.46)]
+    rows = [[(x, 1.598 + 0.014 * (1 - (x / 0.46) ** 2), z)
+             for x in (-0.46, -0.3, -0.1, 0.1, 0.3, 0.46)]
             for z in (0.22, 0.08, -0.08, -0.24, -0.38, -0.50)]
     return grid(rows, lambda r, c: "stripe" if c == 2 else "paint", (0, 9, 0))
 
@@ -167,9 +168,9 @@ def dashboard():
     rows = [[(-0.47 + 0.94 * i / 8, y, z) for i in range(9)]
             for y, z in ((0.60, 0.72), (0.74, 0.66), (0.85, 0.66), (0.87, 0.74))]
     dials = []
-    for x in (0.27, 0.36, 0.45):
+    for x in (0.19, 0.28, 0.37):
         dials += moved(turned(((0.035, 0.0), (0.035, 0.02), (0.0, 0.02)), 10,
-                              lambda r, c: "chrome" if r else "trim", "z"), (x - 0.36 + 0.28, 0.80, 0))
+                              lambda r, c: "chrome" if r else "trim", "z"), (x, 0.80, 0))
     flipped = [(m, tuple((x, y, 0.655 - z) for x, y, z in polygon[::-1])) for m, polygon in dials]
     return grid(rows, lambda r, c: "interior", (0, 0.8, -9)) + flipped
 
@@ -179,7 +180,8 @@ def door_board():
     rows = []
     for v in range(5):
         y = 0.46 + 0.30 * v / 4
-        rows.append([(0.548 + 0.062 * v / 4, y, 0.36 - 0.74 * i / 8 - 0.06 * v / 4) for i in range(9)])
+        rows.append([(0.548 + 0.062 * v / 4, y, 0.36 - 0.74 * i / 8 - 0.06 * v / 4)
+                     for i in range(9)])
     return grid(rows, lambda r, c: "plate" if 0 < r < 3 and 1 < c < 6 else "paint", (9, 0.6, 0))
 
 
@@ -187,8 +189,9 @@ def exhaust():
     left = tube([(0.15, 0.62, -1.36), (0.26, 0.66, -1.50), (0.30, 0.98, -1.62),
                  (0.30, 1.06, -1.95)], 0.035, "chrome", 6, capped=False, pieces=2)
     horn = turned(((0.05, 0.0), (0.06, 0.10), (0.075, 0.22)), 8, lambda r, c: "chrome", "z")
-    return left + moved([(m, tuple((x, y, -z) for x, y, z in polygon[::-1])) for m, polygon in horn],
-                        (0.30, 1.06, -1.90))
+    horn = [(material, tuple((x, y, -z) for x, y, z in polygon[::-1]))
+            for material, polygon in horn]
+    return left + moved(horn, (0.30, 1.06, -1.90))
 
 
 def buggy():
@@ -242,8 +245,8 @@ def hold(car):
         track, z, radius = TRACK[end], AXLES[end], RADII[end]
         for name, side in fittings.SIDES:
             wheel = f"wheel_{place}_{name}"
-            joints.turn("hub", wheel, f"axle_{place}", (side * (track - 0.01), radius, z), (1, 0, 0),
-                        radius=0.15)
+            joints.turn("hub", wheel, f"axle_{place}", (side * (track - 0.01), radius, z),
+                        (1, 0, 0), radius=0.15)
             joints.hold_together(wheel)
             car.wheel(wheel, f"axle_{place}", (side * track, radius, z), radius, end == 0, end == 1,
                       0.3)

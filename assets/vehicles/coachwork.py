@@ -59,9 +59,9 @@ class Coachwork:
 
     def _at(self, reach):
         station = self.station(reach)
-        i = int(station)
-        return tuple(lerp(a, b, station - i) for a, b in zip(self.outline[i][:2],
-                                                             self.outline[min(i + 1, len(self.outline) - 1)][:2]))
+        i = min(len(self.outline) - 2, int(station))
+        (z0, y0, *_), (z1, y1, *_) = self.outline[i:i + 2]
+        return (lerp(z0, z1, station - i), lerp(y0, y1, station - i))
 
     def _lower_edge(self):
         """Points (z, y) of the side's lower edge, rear to front, with the arches in it."""

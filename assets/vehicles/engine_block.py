@@ -13,16 +13,19 @@ def engine(reach=0.5, low=-0.24):
                      8, lambda r, c: "steel", "x")
     pulleys = []
     for y, z, radius in ((-0.06, 0.0, 0.085), (0.09, 0.06, 0.055), (0.07, -0.09, 0.05)):
-        wheel = turned(((0.0, 0.262), (radius, 0.262), (radius, 0.292), (0.0, 0.292)), 9, lambda r, c: "steel", "x")
+        wheel = turned(((0.0, 0.262), (radius, 0.262), (radius, 0.292), (0.0, 0.292)), 9,
+                       lambda r, c: "steel", "x")
         pulleys += moved(wheel, (0, y, z))
     manifold = []
     for i in range(4):
         x = -0.13 + 0.1 * i
-        manifold += tube([(x, 0.10, 0.12), (x, 0.12, 0.20), (x, 0.02, 0.24)], 0.024, "steel", 4, False)
+        manifold += tube([(x, 0.10, 0.12), (x, 0.12, 0.20), (x, 0.02, 0.24)], 0.024, "steel",
+                         4, False)
     collector = tube([(-0.17, 0.02, 0.24), (0.21, 0.02, 0.24)], 0.035, "steel", 5)
     brackets = []
     for side in (-1, 1):
-        brackets += tube([(side * 0.2, -0.05, -0.05), (side * reach, -0.05, -0.05)], 0.03, "axle", 4)
+        brackets += tube([(side * 0.2, -0.05, -0.05), (side * reach, -0.05, -0.05)], 0.03,
+                         "axle", 4)
     feet = []
     for side in (-1, 1):
         feet += tube([(side * 0.1, -0.15, 0.02), (side * 0.1, low, 0.02)], 0.03, "axle", 4)

@@ -1,4 +1,4 @@
-"""What the bodies of coachwork.py have in common: running gear, bumpers, mirrors, seats, controls."""
+"""What vehicles have in common: running gear, bumpers, mirrors, seats, controls, their joints."""
 
 import math
 
@@ -25,7 +25,8 @@ def wheel(radius, width, rim, spokes, window, knobs=0.0):
     cells, half = 2 * spokes if spokes > 6 else 4 * spokes, width / 2
     tyre = ((-half * 0.92, rim), (-half, (rim + radius) / 2 + 0.01), (-half * 0.78, radius),
             (half * 0.78, radius), (half, (rim + radius) / 2 + 0.01), (half * 0.92, rim))
-    face = ((half * 0.70, rim * 0.93), (half * 0.52, rim * window[1]), (half * 0.60, rim * window[0]))
+    face = ((half * 0.70, rim * 0.93), (half * 0.52, rim * window[1]),
+            (half * 0.60, rim * window[0]))
 
     def rings(profile):
         return [car_wheels.ring(x, r, cells) for x, r in profile]
@@ -117,7 +118,8 @@ def handle(coach, z0, z1, y):
 
 
 def plate(z, end, y, width=0.5, height=0.12):
-    rows = [[(width * (i / 4 - 0.5), y + dy, z) for i in range(5)] for dy in (-height / 2, height / 2)]
+    rows = [[(width * (i / 4 - 0.5), y + dy, z) for i in range(5)]
+            for dy in (-height / 2, height / 2)]
     return grid(rows, lambda r, c: "chrome", (0, y, z + 9 * end))
 
 
@@ -163,7 +165,7 @@ def hang_leaf(car, part, hinges, latch, axis, limits, radius=0.07):
 
 
 def hang_laser(car, x, y, z, on):
-    """The laser's joints: the collar on a part of the roof, the turret on it, the barrel on that."""
+    """The laser's joints: its collar on a part of the roof, turret on collar, barrel on turret."""
     joints = car.joints
     joints.hold("mount", on, [(x + 0.235, y, z), (x - 0.235, y, z), (x, y, z + 0.235),
                               (x, y, z - 0.235)], 0.09)

@@ -7,6 +7,7 @@ from car_shape import AXLES, WHEEL_RADIUS
 from car_sheet import moved
 from car_wheels import TRACK_X, axles, wheels
 from engine_block import engine, radiator
+from fittings import hang_laser
 from vehicle import Vehicle
 
 LASER = (0.0, 1.405, -0.25)
@@ -15,8 +16,10 @@ DOOR_HINGES = [((0.867, 0.425, 0.600), (0.867, 0.42, 0.535), (0.867, 0.42, 0.665
                ((0.864, 0.730, 0.599), (0.853, 0.755, 0.535), (0.852, 0.755, 0.665)),
                ((0.867, 0.425, -0.110), (0.867, 0.42, -0.175), (0.867, 0.42, -0.045)),
                ((0.864, 0.742, -0.110), (0.858, 0.757, -0.175), (0.857, 0.757, -0.045))]
-LID_HINGES = [((0.397, 0.913, 0.964), [-75, 0], (0.400, 0.904, 1.019), (0.399, 0.927, 0.929), 0.035),
-              ((0.393, 1.308, -1.453), [0, 80], (0.395, 1.279, -1.488), (0.396, 1.321, -1.415), 0.025)]
+LID_HINGES = [((0.397, 0.913, 0.964), [-75, 0], (0.400, 0.904, 1.019), (0.399, 0.927, 0.929),
+               0.035),
+              ((0.393, 1.308, -1.453), [0, 80], (0.395, 1.279, -1.488), (0.396, 1.321, -1.415),
+               0.025)]
 SEATS = {"seat_left": "seat_driver", "seat_right": "seat_passenger", "bench": "bench"}
 
 
@@ -40,7 +43,8 @@ def hold(car):
             joints.turn("hub", wheel, f"axle_{end}", (x * (TRACK_X - 0.01), WHEEL_RADIUS, z),
                         (1, 0, 0), radius=0.15)
             joints.hold_together(wheel)
-        joints.hold(f"axle_{end}", "body", [(x, WHEEL_RADIUS + 0.035, z) for x in (0.5, -0.5)], 0.12)
+        joints.hold(f"axle_{end}", "body", [(x, WHEEL_RADIUS + 0.035, z) for x in (0.5, -0.5)],
+                    0.12)
     for name in ("seat_driver", "seat_passenger"):
         joints.hold(name, "body", radius=0.14)
     joints.hold("bench", "body", [(0.5, 0.4, -0.95), (-0.5, 0.4, -0.95)], 0.1)
@@ -51,7 +55,8 @@ def hold(car):
         joints.hold(f"handles_{side}", "body", [(x * 0.86, 0.815, z) for z in (0.07, -0.45)])
         for anchor, *near in DOOR_HINGES:
             places = [(x * a, b, c) for a, b, c in (anchor, *near)]
-            joints.seam("body", places[0], (0, 1, 0), [-70, 0] if x > 0 else [0, 70], places[1:], 0.05)
+            limits = [-70, 0] if x > 0 else [0, 70]
+            joints.seam("body", places[0], (0, 1, 0), limits, places[1:], 0.05)
         for anchor, limits, *near, radius in LID_HINGES:
             places = [(x * a, b, c) for a, b, c in (anchor, *near)]
             joints.seam("body", places[0], (1, 0, 0), limits, places[1:], radius)
@@ -60,12 +65,7 @@ def hold(car):
     joints.hold("engine", "body", [(0.5, 0.41, 1.27), (-0.5, 0.41, 1.27), (0.1, 0.2, 1.34),
                                    (-0.1, 0.2, 1.34)], 0.1)
     joints.hold("radiator", "body", [(0.35, 0.25, 1.8), (-0.35, 0.25, 1.8)], 0.1)
-    x, y, z = LASER
-    joints.hold("mount", "body", [(x + dx, y, z + dz) for dx, dz in ((0.235, 0), (-0.235, 0),
-                                                                    (0, 0.235), (0, -0.235))], 0.09)
-    joints.hold("turret", "mount", [(x + dx, y + 0.07, z) for dx in (0.16, -0.16)], 0.12)
-    joints.hold("barrel", "turret", [(x + dx, y + roof_laser.TRUNNION, z) for dx in (0.075, -0.075)],
-                0.07)
+    hang_laser(car, *LASER, "body")
 
 
 def describe(car):

@@ -68,8 +68,8 @@ def panel(regions, edge, lift, pinned=None, folds=()):
     """The sheet of a drawing, its edges about `edge` long.
 
     lift(u, v) is the point of space of a point of the plane; `pinned` gives points that are to be
-    met to the bit, by their snapped() points of the plane, as where the border is another panel's too. Along
-    the segments `folds` (pairs of points) there are edges as well.
+    met to the bit, by their snapped() points of the plane, as where the border is another panel's
+    too. Along the segments `folds` (pairs of points) there are edges as well.
     """
     drawing = _Drawing(regions, edge, folds)
     for _ in range(2):

@@ -24,8 +24,7 @@ OUTLINE = [(2.30, 0.42, 0.10, 0.0), (2.38, 0.56, 0.12, 0.0), (2.40, 0.78, 0.13, 
            (-1.04, 1.135, -0.02, 0.0), (-2.54, 1.12, 0.0, 0.0), (-2.58, 1.08, -0.03, 0.0),
            (-2.59, 0.62, -0.04, 0.0), (-2.54, 0.46, -0.03, 0.0)]
 RAIL = 0.87               # u of the inner edge of the bed's side
-NOSE, HOOD, GLASS, ROOF, BACK, BED, TAIL = 1, 4, 8, 10, 13, 15, 16   # stations of the deck
-SCUTTLE = 7
+HOOD, SCUTTLE, GLASS, BACK, BED, TAIL = 4, 7, 8, 13, 15, 16   # stations of the deck
 
 profile = smooth_curve([(0.40, 0.955), (0.60, 0.99), (0.80, 1.0), (1.0, 0.992), (1.16, 0.955),
                         (1.30, 0.905), (1.76, 0.735)])
@@ -78,7 +77,7 @@ def deck():
     screen = [("trim", rectangle(SCUTTLE, -0.02, GLASS + 0.06, 0.93)),
               (None, rectangle(GLASS + 0.06, -0.02, GLASS + 0.93, 0.915)),
               (None, rectangle(BACK + 0.10, -0.02, BACK + 0.72, 0.80))]
-    tail = [(None, [(BED - 0.5, -0.02), (TAIL + 0.62, -0.02), (TAIL + 0.62, RAIL), (BED - 0.5, RAIL)])]
+    tail = [(None, rectangle(BED - 0.5, -0.02, TAIL + 0.62, RAIL))]
     gate = leaf("tailgate:paint", rectangle(TAIL + 0.62, -0.1, TAIL + 1.93, 0.885))
     tail += gate + [("light_rear", rectangle(TAIL + 1.2, 0.905, TAIL + 1.85, 1.0)),
                     ("trim", rectangle(TAIL + 2.1, -0.02, TAIL + 3, 1.02))]
@@ -201,10 +200,11 @@ def hold(car):
     fittings.hang_leaf(car, "tailgate", [(0.5, 0.65, -2.62), (-0.5, 0.65, -2.62)],
                        (0.8, 1.0, -2.6), (1, 0, 0), [-90, 0])
     joints.hold("tailgate", "body", [(-0.8, 1.0, -2.6)])
-    joints.hold("bed", "body", [(x, 1.11, z) for x in (0.79, -0.79) for z in (-1.1, -1.8, -2.5)], 0.09)
+    joints.hold("bed", "body", [(x, 1.11, z) for x in (0.79, -0.79) for z in (-1.1, -1.8, -2.5)],
+                0.09)
     joints.hold("roll_bar", "bed", [(x, 0.66, -1.22) for x in (0.72, -0.72)], 0.1)
-    joints.hold("frame", "body", [(x, 0.42, z) for x in (0.4, -0.4) for z in (1.9, 0.3, -0.8, -2.3)],
-                0.1)
+    joints.hold("frame", "body", [(x, 0.42, z) for x in (0.4, -0.4)
+                                  for z in (1.9, 0.3, -0.8, -2.3)], 0.1)
     joints.hold("shaft", "axle_rear")
     joints.hold("exhaust", "body", [(-0.25, 0.43, z) for z in (0.5, -0.9)], 0.1)
     for name in ("bumper_front", "bumper_rear"):

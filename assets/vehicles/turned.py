@@ -54,9 +54,10 @@ def tube(points, radius, material, sides=6, capped=True, pieces=1, waist=1.0):
         side = unit(tuple(s - dot(side, before) * b for s, b in zip(side, before)))
         other = cross(before, side)
         ring = []
+        reach = radius * (waist if i % 2 else 1)
         for k in range(sides):
             t = 2 * math.pi * (k + 0.5) / sides
-            p = tuple(radius * (waist if i % 2 else 1) * (math.cos(t) * s + math.sin(t) * o) for s, o in zip(side, other))
+            p = tuple(reach * (math.cos(t) * s + math.sin(t) * o) for s, o in zip(side, other))
             shift = dot(p, along) / dot(before, along)      # onto the plane of the mitre
             ring.append(tuple(c + a - shift * b for c, a, b in zip(point, p, before)))
         rings.append(ring + ring[:1])
@@ -92,14 +93,3 @@ def box(centre, size, material, cells=(1, 1, 1), top=1.0):
             viewer = tuple(99 * end if k == axis else 0 for k in range(3))
             sheet += grid(rows, lambda r, c: material, viewer)
     return moved(sheet, centre)
-
-
-def painted(sheet, material):
-    return [(material, polygon) for _, polygon in sheet]
-
-
-def pitched(sheet, degrees):
-    """The sheet turned about the x axis; what points forward rises by a positive angle."""
-    s, c = math.sin(math.radians(degrees)), math.cos(math.radians(degrees))
-    return [(material, tuple((x, y * c + z * s, z * c - y * s) for x, y, z in polygon))
-            for material, polygon in sheet]

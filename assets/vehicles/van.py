@@ -88,7 +88,8 @@ def _between(loop, low, high):
 def deck():
     lamps = [("trim", [(2.42, 0.50), (3.9, 0.56), (3.9, 1.02), (2.42, 1.02)]),
              ("light_front", [(2.52, 0.54), (3.78, 0.60), (3.78, 0.97), (2.52, 0.97)])]
-    nose = [("trim", rectangle(0.0, -0.02, 1.4, 1.02)), ("trim", rectangle(2.52, -0.02, 3.55, 0.47)),
+    nose = [("trim", rectangle(0.0, -0.02, 1.4, 1.02)),
+            ("trim", rectangle(2.52, -0.02, 3.55, 0.47)),
             ("chrome", rectangle(2.95, -0.02, 3.15, 0.44)),
             ("grille", rectangle(0.55, -0.02, 1.1, 0.62))] + lamps
     bonnet = leaf("bonnet:paint", rectangle(LEAD + 0.12, -0.1, COWL - 0.1, 0.86))

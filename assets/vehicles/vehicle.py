@@ -73,7 +73,8 @@ class Vehicle:
         entries = {
             "name": self.name, "mesh": f"../meshes/{self.name}.obj", "thickness": 0.0008,
             "density": 7850, "mass": self.mass, "wheels": self.wheels, "turret": self.turret,
-            "vital": self.vital, "driver_eye": self.driver_eye, "engine": self.engine, "joints": self.joints.all,
+            "vital": self.vital, "driver_eye": self.driver_eye, "engine": self.engine,
+            "joints": self.joints.all,
             "paints": {name: paint for name, paint in self.paints.items() if name in used},
         }
         return "{\n" + ",\n".join(f"  {json.dumps(key)}: {_lines(value)}"

@@ -1,4 +1,4 @@
-"""The vehicles, the arena and their programs in assets: run as `assets_test.py`."""
+"""The vehicles, the arena and their programs in assets: run as `assets_test.py KERF`, with KERF the executable."""
 import filecmp
 import json
 import math
@@ -11,6 +11,7 @@ import unittest
 
 from part_mesh import PartMesh
 
+KERF = os.path.abspath(sys.argv.pop(1))
 ASSETS = os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))), "assets")
 VEHICLES = ("buggy", "hatchback", "pickup", "van")
 PROGRAMS = ("meshes/make_car.py", "meshes/make_shapes.py", "vehicles/make_vehicles.py", "arenas/make_yard.py")
@@ -161,8 +162,29 @@ class Arena(unittest.TestCase):
             self.assertTrue(os.path.isfile(os.path.join(ASSETS, "games", path)), path)
 
 
+class Loaded(unittest.TestCase):
+    """What the executable makes of the files, each as the one body of a scene."""
+
+    def pieces(self, body):
+        with tempfile.TemporaryDirectory() as folder:
+            scene = os.path.join(folder, "scene.json")
+            with open(scene, "w") as file:
+                json.dump({"bodies": [body]}, file)
+            run = subprocess.run([KERF, "cut", scene, "--out", os.path.join(folder, "out")], capture_output=True, text=True)
+            self.assertEqual(run.returncode, 0, run.stderr)
+            with open(os.path.join(folder, "out", "report.json")) as file:
+                return len(json.load(file)["pieces"])
+
+    def test_vehicles_and_props_load_with_their_joints_and_are_of_one_piece(self):
+        files = [read_json("vehicles", name + ".json") for name in VEHICLES]
+        props = {body["mesh"]: body for body in read_json("arenas", "yard.json")["bodies"] if body["cuttable"]}
+        for body in files + list(props.values()):
+            mesh = os.path.join(ASSETS, "meshes", os.path.basename(body["mesh"]))
+            self.assertEqual(self.pieces({"mesh": mesh, "joints": body["joints"]}), 1, body["name"])
+
+
 def load_tests(loader, tests, _):
-    suite = unittest.TestSuite(loader.loadTestsFromTestCase(case) for case in (Programs, Arena))
+    suite = unittest.TestSuite(loader.loadTestsFromTestCase(case) for case in (Programs, Arena, Loaded))
     for name in VEHICLES:
         suite.addTests(loader.loadTestsFromTestCase(type(name, (Vehicle,), {"name": name})))
     return suite

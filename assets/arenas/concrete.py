@@ -64,6 +64,18 @@ def column(height):
     return foot + shaft
 
 
+def barrier_block(length):
+    """A road barrier of concrete along z, wide at its foot, on y = 0."""
+    outline = ((0.32, 0.0), (0.32, 0.10), (0.13, 0.34), (0.09, 0.90), (-0.09, 0.90), (-0.13, 0.34),
+               (-0.32, 0.10), (-0.32, 0.0))
+    rows = [[(x, y, end * length / 2) for x, y in outline] for end in (1, -1)]
+    sheet = grid(rows, lambda r, c: "band" if c in (2, 4) else "concrete", (0, 999, 0))
+    for row, end in zip(rows, (1, -1)):
+        halves = [[left, right] for left, right in zip(row[:4], row[:3:-1])]
+        sheet += grid(halves, lambda r, c: "concrete", (0, 0, 999 * end))
+    return sheet
+
+
 def ring_wall(half, profile, paint, cells):
     """A wall around the square of this half size: profile of (distance outwards, height)."""
     sheet = []

@@ -3,13 +3,17 @@
 import math
 
 from car_sheet import moved
-from concrete import column, frustum, prism, ring_wall, turned_by
+from concrete import barrier_block, column, frustum, prism, ring_wall, turned_by
 from turned import box, tube, turned
 
 HALF = 40.0               # m, from the middle to the walls
 BRIDGE_WIDTH, DECK, CLEAR = 7.0, 3.4, 2.9
 # (distance from the middle of the bridge, height of the road); no slope is over 12 degrees
 ROAD = ((7.0, DECK), (8.5, DECK - 0.15), (23.6, 0.15), (25.1, 0.0))
+# (x, z, degrees) of road barriers as cover around the middle
+BLOCKS = [(10.5, 10.0, 35), (-10.5, 10.0, -35), (10.5, -10.0, -35), (-10.5, -10.0, 35),
+          (13.5, 8.6, 80), (-13.5, -8.6, 80), (3.5, 20.5, 80), (-4.0, -19.0, 95), (21.5, 6.8, 10),
+          (-21.5, -6.8, 10)]
 MASTS = [(x, z) for x in (-27.0, 27.0) for z in (-14.0, 14.0)]
 TALL = 13.0               # m, of the masts
 
@@ -201,6 +205,8 @@ def structures():
     yield "bridge", bridge()
     yield "columns", colonnades()
     yield "ramps", ramps()
+    yield "blocks", [face for x, z, degrees in BLOCKS
+                     for face in turned_by(barrier_block(3.2), degrees, (x, 0, z))]
     yield "masts", masts()
     yield "markings", markings()
     yield "backdrop", backdrop()

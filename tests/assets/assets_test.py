@@ -154,12 +154,15 @@ class Arena(unittest.TestCase):
                 if 0.1 < py + b < 3:
                     yield math.hypot(px + a * cosine + c * sine - x, pz + c * cosine - a * sine - z)
 
-    def test_the_rules_name_files_that_are_there(self):
-        rules = read_json("games", "standard.json")
-        named = [rules["arena"], rules["player"], *(vehicle for wave in rules["waves"] for vehicle in wave)]
-        self.assertEqual([len(wave) for wave in rules["waves"]], [1, 2, 3, 4, 5])
-        for path in named:
-            self.assertTrue(os.path.isfile(os.path.join(ASSETS, "games", path)), path)
+    def test_the_rules_name_files_that_are_there_and_no_more_enemies_than_have_starts(self):
+        games = sorted(os.listdir(os.path.join(ASSETS, "games")))
+        self.assertEqual(games, ["sandbox.json", "standard.json"])
+        for game in games:
+            rules = read_json("games", game)
+            named = [rules["arena"], rules["player"], *(vehicle for wave in rules["waves"] for vehicle in wave)]
+            for path in named:
+                self.assertTrue(os.path.isfile(os.path.join(ASSETS, "games", path)), path)
+            self.assertTrue(all(1 <= len(wave) <= len(self.file["starts"]["enemies"]) for wave in rules["waves"]))
 
 
 class Loaded(unittest.TestCase):

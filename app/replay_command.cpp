@@ -9,12 +9,14 @@
 #include "app/picture_arguments.h"
 #include "app/pieces_folder.h"
 #include "app/progress_line.h"
+#include "app/replay_match.h"
 #include "app/tell.h"
 #include "core/cut/stopwatch.h"
 #include "core/document/command_words.h"
 #include "core/document/hash_text.h"
 #include "core/document/lasting_commands.h"
 #include "core/document/replay.h"
+#include "core/game/match/recording.h"
 #include "core/world/state_hash.h"
 #include "ui/render/film.h"
 
@@ -35,6 +37,7 @@ class ReplayRun {
 
   Status run() {
     if (const auto s = check_arguments(); !s) return s;
+    if (is_recording(arguments_.journal)) return run_match();
     if (const auto s = load(); !s) return s;
     const PiecesFolder folder{arguments_.out};
     if (!folder.path.empty()) {
@@ -64,6 +67,12 @@ class ReplayRun {
     if (!(fps >= 1 && fps <= 1000))
       return bad_input("--fps: must be a number of frames a second from 1 to 1000");
     return Done{};
+  }
+
+  Status run_match() const {
+    if (!arguments_.out.empty()) return bad_input("--out: a match is not written to a folder");
+    if (!arguments_.frames.empty()) return bad_input("--frames: this version does not film matches");
+    return replay_match(arguments_.journal, expected_);
   }
 
   Status load() {

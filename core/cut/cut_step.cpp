@@ -4,6 +4,7 @@
 #include <cassert>
 #include <limits>
 
+#include "core/cut/cut_apart.h"
 #include "core/cut/cuttable.h"
 #include "core/cut/step_state.h"
 #include "core/cut/stopwatch.h"
@@ -69,6 +70,8 @@ class Bite {
     end_move();
     return true;
   }
+
+  void leave_joints() { holds_parts_ = false; }
 
   void end(StepResult& result) {
     for (BodyStep& step : bodies_) end_step(step, result);
@@ -140,7 +143,7 @@ class Bite {
 
   void end_move() {
     move_.bodies = 0;
-    hold_what_joints_hold(world_, held_);
+    if (holds_parts_) hold_what_joints_hold(world_, held_);
   }
 
   World& world_;
@@ -149,8 +152,9 @@ class Bite {
   const Progress& progress_;
   std::vector<BodyStep> bodies_;
   bool in_body_frame_ = false;  // of the moves
-  Delta held_;                  // what joints changed
-  size_t taken_ = 0;            // faces
+  bool holds_parts_ = true;
+  Delta held_;        // what joints changed
+  size_t taken_ = 0;  // faces
 };
 
 }  // namespace
@@ -192,8 +196,10 @@ Result<StepResult> cut_stage(World& world, const CutSettings& settings, const Be
   return result;
 }
 
-Result<StepResult> cut_body(World& world, const CutSettings& settings, BodyId id,
-                            std::span<const BeamMove> moves, const Progress* progress) {
+namespace {
+
+Result<StepResult> cut_one(World& world, const CutSettings& settings, BodyId id,
+                           std::span<const BeamMove> moves, bool holds_parts, const Progress* progress) {
   assert(!world.body(id).hidden);
   StepResult result;
   UnfinishedMove whole;
@@ -201,11 +207,24 @@ Result<StepResult> cut_body(World& world, const CutSettings& settings, BodyId id
   at_once.bite = std::numeric_limits<size_t>::max();
   const Progress asked = share_of(progress, 0, 1);
   Bite bite(world, id, at_once, whole, asked);
+  if (!holds_parts) bite.leave_joints();
   for (const BeamMove& move : moves) {
     if (const Result<bool> through = bite.take(move); !through) return through.error();
   }
   bite.end(result);
   return result;
+}
+
+}  // namespace
+
+Result<StepResult> cut_body(World& world, const CutSettings& settings, BodyId id,
+                            std::span<const BeamMove> moves, const Progress* progress) {
+  return cut_one(world, settings, id, moves, true, progress);
+}
+
+Result<StepResult> cut_apart(World& world, const CutSettings& settings, BodyId id,
+                             std::span<const BeamMove> moves) {
+  return cut_one(world, settings, id, moves, false, nullptr);
 }
 
 // A hidden body is asked too: it may have been hidden while a search was open in it, and is_settled waits for

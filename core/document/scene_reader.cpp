@@ -65,62 +65,32 @@ Status parse_physics(const JsonValue& value, SceneBody& body) {
   return Done{};
 }
 
-Result<SceneBody> parse_body(const JsonValue& value, const std::filesystem::path& folder) {
-  if (const auto object = value.object(); !object) return object.error();
-  if (!value.has("mesh")) return value.wrong("needs \"mesh\"");
-  const auto mesh = value["mesh"].text();
-  if (!mesh) return mesh.error();
-  SceneBody body;
-  body.mesh = folder / *mesh;
-  body.name = body.mesh.stem().string();
-  if (value.has("name")) {
-    const auto given = value["name"].text();
-    if (!given) return given.error();
-    body.name = *given;
-  }
-  if (value.has("hash")) {
-    const auto text = value["hash"].text();
-    if (!text) return text.error();
-    body.hash = parse_hash(*text);
-    if (!body.hash) return value["hash"].wrong("must be sixteen hexadecimal digits");
-  }
-  if (const auto placed = parse_placement(value, body.placement); !placed) return placed.error();
-  if (const auto physics = parse_physics(value, body); !physics) return physics.error();
-  body.others = without(value.json(), "mesh", "name", "hash", "position", "orientation", "thickness",
-                        "density", "joints");
-  return body;
-}
-
 Status parse_bodies(const JsonValue& value, const std::filesystem::path& folder, SceneDescription& scene) {
   if (const auto array = value.array("bodies"); !array) return array;
   if (value.json().empty()) return value.wrong("must hold one body or more");
   for (size_t i = 0; i < value.json().size(); ++i) {
-    auto body = parse_body(value[i], folder);
+    auto body = parse_scene_body(value[i], folder);
     if (!body) return body.error();
     scene.bodies.push_back(std::move(*body));
   }
   return Done{};
 }
 
-Status parse_paints(const JsonValue& value, SceneDescription& scene) {
-  if (const auto object = value.object(); !object) return object;
-  for (const auto& [name, json] : value.json().items()) {
-    const JsonValue entry = value[name];
-    if (const auto object = entry.object(); !object) return object;
-    Paint& paint = scene.paints[name];
-    if (entry.has("colour")) {
-      const auto c = colour(entry["colour"]);
-      if (!c) return c.error();
-      paint.colour = *c;
-    }
-    if (entry.has("gloss")) {
-      const auto gloss = entry["gloss"].number();
-      if (!gloss) return gloss.error();
-      if (*gloss < 0 || *gloss > 1) return entry["gloss"].wrong("must be between 0 and 1");
-      paint.gloss = *gloss;
-    }
+Result<Paint> paint_of(const JsonValue& value) {
+  if (const auto object = value.object(); !object) return object.error();
+  Paint paint;
+  if (value.has("colour")) {
+    const auto c = colour(value["colour"]);
+    if (!c) return c.error();
+    paint.colour = *c;
   }
-  return Done{};
+  if (value.has("gloss")) {
+    const auto gloss = value["gloss"].number();
+    if (!gloss) return gloss.error();
+    if (*gloss < 0 || *gloss > 1) return value["gloss"].wrong("must be between 0 and 1");
+    paint.gloss = *gloss;
+  }
+  return paint;
 }
 
 Status parse_view(const JsonValue& value, SceneDescription& scene) {
@@ -158,13 +128,17 @@ Status parse_light(const JsonValue& value, Light& light) {
   return Done{};
 }
 
-Status parse_lights(const JsonValue& value, SceneDescription& scene) {
-  if (const auto array = value.array("lights"); !array) return array;
-  if (value.json().size() > kMostLights)
-    return value.wrong("must hold no more than " + std::to_string(kMostLights) + " lights");
-  for (size_t i = 0; i < value.json().size(); ++i) {
-    if (const auto light = parse_light(value[i], scene.lights.emplace_back()); !light) return light;
-  }
+Status parse_scene_lights(const JsonValue& value, SceneDescription& scene) {
+  auto lights = parse_lights(value);
+  if (!lights) return lights.error();
+  scene.lights = std::move(*lights);
+  return Done{};
+}
+
+Status parse_scene_paints(const JsonValue& value, SceneDescription& scene) {
+  auto paints = parse_paints(value);
+  if (!paints) return paints.error();
+  scene.paints = std::move(*paints);
   return Done{};
 }
 
@@ -192,6 +166,54 @@ Status check_version(const JsonValue& value) {
 
 }  // namespace
 
+Result<SceneBody> parse_scene_body(const JsonValue& value, const std::filesystem::path& folder) {
+  if (const auto object = value.object(); !object) return object.error();
+  if (!value.has("mesh")) return value.wrong("needs \"mesh\"");
+  const auto mesh = value["mesh"].text();
+  if (!mesh) return mesh.error();
+  SceneBody body;
+  body.mesh = folder / *mesh;
+  body.name = body.mesh.stem().string();
+  if (value.has("name")) {
+    const auto given = value["name"].text();
+    if (!given) return given.error();
+    body.name = *given;
+  }
+  if (value.has("hash")) {
+    const auto text = value["hash"].text();
+    if (!text) return text.error();
+    body.hash = parse_hash(*text);
+    if (!body.hash) return value["hash"].wrong("must be sixteen hexadecimal digits");
+  }
+  if (const auto placed = parse_placement(value, body.placement); !placed) return placed.error();
+  if (const auto physics = parse_physics(value, body); !physics) return physics.error();
+  body.others = without(value.json(), "mesh", "name", "hash", "position", "orientation", "thickness",
+                        "density", "joints");
+  return body;
+}
+
+Result<std::map<std::string, Paint>> parse_paints(const JsonValue& value) {
+  if (const auto object = value.object(); !object) return object.error();
+  std::map<std::string, Paint> paints;
+  for (const auto& [name, json] : value.json().items()) {
+    const auto paint = paint_of(value[name]);
+    if (!paint) return paint.error();
+    paints[name] = *paint;
+  }
+  return paints;
+}
+
+Result<std::vector<Light>> parse_lights(const JsonValue& value) {
+  if (const auto array = value.array("lights"); !array) return array.error();
+  if (value.json().size() > kMostLights)
+    return value.wrong("must hold no more than " + std::to_string(kMostLights) + " lights");
+  std::vector<Light> lights;
+  for (size_t i = 0; i < value.json().size(); ++i) {
+    if (const auto light = parse_light(value[i], lights.emplace_back()); !light) return light.error();
+  }
+  return lights;
+}
+
 Result<SceneDescription> parse_scene(const JsonValue& root, const std::filesystem::path& folder) {
   if (const auto object = root.object(); !object) return object.error();
   if (root.has("version")) {
@@ -205,7 +227,7 @@ Result<SceneDescription> parse_scene(const JsonValue& root, const std::filesyste
     Status (*parse)(const JsonValue&, SceneDescription&);
   };
   for (const Part& part :
-       {Part{"paints", parse_paints}, Part{"view", parse_view}, Part{"lights", parse_lights},
+       {Part{"paints", parse_scene_paints}, Part{"view", parse_view}, Part{"lights", parse_scene_lights},
         Part{"show", parse_show}, Part{"strokes", parse_scene_strokes}}) {
     if (!root.has(part.key)) continue;
     if (const auto parsed = part.parse(root[part.key], scene); !parsed) return parsed.error();

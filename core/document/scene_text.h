@@ -1,6 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
 
 #include "core/document/json_value.h"
 #include "core/document/scene.h"
@@ -13,6 +16,10 @@ inline constexpr int kSceneVersion = 1;
 // Parses the JSON of a scene file. Relative mesh paths refer to `folder`. Unknown keys are kept. The error
 // names the first wrong value by its JSON pointer.
 Result<SceneDescription> parse_scene(const JsonValue& root, const std::filesystem::path& folder);
+// The same for one element of "bodies", and for the values of "paints" and "lights".
+Result<SceneBody> parse_scene_body(const JsonValue& value, const std::filesystem::path& folder);
+Result<std::map<std::string, Paint>> parse_paints(const JsonValue& value);
+Result<std::vector<Light>> parse_lights(const JsonValue& value);
 
 // The JSON of a scene for a file in `folder`. Meshes in or below the folder or its parent are named relative
 // to it, others by their absolute path; if `folder` is empty, all paths are absolute. Texts that are not

@@ -1,6 +1,7 @@
 #include "core/graph/held_joints.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -78,9 +79,12 @@ std::vector<HeldJoint> held_joints(const World& world) {
   std::vector<HeldJoint> held;
   if (all.empty()) return held;
   std::vector<SideSoFar> sides(2 * all.size());
+  std::map<BodyId, Carriers> carriers;  // by the body as which faces were loaded
   for (const BodyId id : world.ids()) {
-    const Carriers carriers(world.joints(), world.body(id).loaded_as);
-    if (!carriers.empty()) look_through(id, world.body(id), world.joints(), carriers, sides);
+    const BodyId loaded_as = world.body(id).loaded_as;
+    auto at = carriers.find(loaded_as);
+    if (at == carriers.end()) at = carriers.emplace(loaded_as, Carriers(world.joints(), loaded_as)).first;
+    if (!at->second.empty()) look_through(id, world.body(id), world.joints(), at->second, sides);
   }
   for (uint32_t j = 0; j < all.size(); ++j) {
     const SideSoFar &a = sides[2 * j], &b = sides[2 * j + 1];

@@ -1,0 +1,139 @@
+#include <chrono>
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <iostream>
+
+#include "app/commands.h"
+#include "app/exit_status.h"
+#include "app/interrupt.h"
+#include "app/match_report.h"
+#include "app/progress_line.h"
+#include "core/base/atomic_file.h"
+#include "core/game/match/bot_player.h"
+#include "core/game/match/recording.h"
+#include "core/physics/machine_kind.h"
+#include "core/world/state_hash.h"
+#include "ui/render/assets.h"
+
+namespace kerf {
+
+namespace {
+
+struct PlayArguments {
+  std::string rules, driver = "still", difficulty = "normal", report, record;
+  uint64_t seed = 1;
+  double seconds = 0;
+  bool headless = false;
+};
+
+// One run of `kerf play --headless`.
+class PlayRun {
+ public:
+  explicit PlayRun(PlayArguments arguments) : arguments_(std::move(arguments)) {}
+
+  Status run() {
+    if (const Status s = check(); !s) return s;
+    if (const Status s = load(); !s) return s;
+    Match match(setup_);
+    if (const Status s = play(match); !s) return s;
+    if (const Status s = write_report(match); !s) return s;
+    if (const Status s = write_record(match); !s) return s;
+    const Standing& standing = match.standing();
+    std::cerr << "kerf: " << result_of(match) << " after " << seconds_of_ticks(standing.ticks) << " s with "
+              << standing.score << " points, " << standing.enemies_destroyed << " destroyed, "
+              << standing.pieces << " pieces cut off\n";
+    return Done{};
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  Status check() {
+    if (!arguments_.headless)
+      return bad_input("play: this version has no window for the game: give --headless");
+    if (arguments_.driver != "bot" && arguments_.driver != "still")
+      return bad_input("--driver: must be \"bot\" or \"still\"");
+    const auto difficulty = parse_difficulty(arguments_.difficulty);
+    if (!difficulty) return bad_input("--difficulty: must be \"easy\", \"normal\" or \"hard\"");
+    setup_.difficulty = *difficulty;
+    setup_.seed = arguments_.seed;
+    if (!std::isfinite(arguments_.seconds) || arguments_.seconds < 0 || arguments_.seconds > 36'000)
+      return bad_input("--seconds: must be from 0 to 36000");
+    if (arguments_.rules.empty()) arguments_.rules = (assets_folder() / "games" / "standard.json").string();
+    return Done{};
+  }
+
+  Status load() {
+    ProgressLine line("loading the match");
+    const Progress progress = line.progress();
+    auto rules = load_rules(arguments_.rules, &progress);
+    if (!rules) return error_or_stopped(rules.error());
+    setup_.rules = std::move(*rules);
+    return Done{};
+  }
+
+  Status play(Match& match) {
+    ProgressLine line("playing");
+    const double seconds = arguments_.seconds > 0 ? arguments_.seconds : match.seconds_left();
+    const auto ticks = static_cast<Ticks>(std::ceil(seconds * kTicksPerSecond));
+    BotPlayer bot(match);
+    for (Ticks t = 0; t < ticks && !match.standing().over(); ++t) {
+      if (interrupted()) return stopped();
+      if (t % kTicksPerSecond == 0) line.update(static_cast<double>(t) / static_cast<double>(ticks));
+      const auto began = Clock::now();
+      const Controls controls =
+          arguments_.driver == "bot" ? bot.next(match) : match.vehicles()[Match::kPlayer].controls;
+      match.tick(controls);
+      tick_s_.push_back(std::chrono::duration<double>(Clock::now() - began).count());
+      controls_.push_back(controls);
+    }
+    return Done{};
+  }
+
+  Status write_report(const Match& match) const {
+    if (arguments_.report.empty()) return Done{};
+    return write_file_atomically(arguments_.report, match_report(match, tick_s_).dump(2) + "\n");
+  }
+
+  Status write_record(const Match& match) const {
+    if (arguments_.record.empty()) return Done{};
+    const auto files = hash_of_files(arguments_.rules, match.rules().description);
+    if (!files) return files.error();
+    const Recording recording{arguments_.rules,  *files,    setup_.seed,
+                              setup_.difficulty, controls_, state_hash(match.world()),
+                              machine_kind(),    {}};
+    const std::filesystem::path file = arguments_.record;
+    const auto text = recording_text(recording, std::filesystem::absolute(file).parent_path());
+    if (!text) return text.error();
+    return write_file_atomically(file, *text);
+  }
+
+  PlayArguments arguments_;
+  MatchSetup setup_;
+  std::vector<Controls> controls_;
+  std::vector<double> tick_s_;
+};
+
+}  // namespace
+
+void add_play_command(CLI::App& app, Invocation& invocation) {
+  CLI::App* command = app.add_subcommand("play", "The game: a car with a laser on its roof against others");
+  auto a = std::make_shared<PlayArguments>();
+  command->add_option("SCENE", a->rules, "The rules of a match (.json); the standard match without it");
+  command->add_option("--driver", a->driver, "Who drives: bot, or still for a car that does nothing (still)");
+  command->add_option("--difficulty", a->difficulty, "easy, normal or hard (normal)");
+  command->add_option("--seed", a->seed, "The seed of everything that is random (1)");
+  command->add_option("--seconds", a->seconds, "Ends the match after so many seconds of its own time");
+  command->add_flag("--headless", a->headless, "Without a window, as fast as it goes");
+  command->add_option("--report", a->report, "A JSON file for what came of the match");
+  command->add_option("--record", a->record, "A file (.kerf) from which kerf replay plays the match again");
+  command->callback([a, &invocation] {
+    invocation = [a] {
+      catch_interrupts();
+      const Status status = PlayRun(*a).run();
+      return status ? 0 : report_error(status.error());
+    };
+  });
+}
+
+}  // namespace kerf

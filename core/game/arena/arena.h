@@ -1,0 +1,60 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/document/scene.h"
+#include "core/game/arena/model_body.h"
+#include "core/world/world.h"
+
+namespace kerf {
+
+// Where a vehicle starts: the origin of its frame, and the heading in which it stands.
+struct Start {
+  Vec3 position{0};    // m
+  double heading = 0;  // rad, see direction_of
+  Placement placement() const;
+};
+
+struct ArenaBody {
+  SceneBody body;
+  bool cuttable = false;  // a beam ends at what is not
+};
+
+// The content of an arena file.
+struct ArenaDescription {
+  std::string name;
+  double ground = 0;    // m, the height of the plane on which everything stands
+  Vec2 size{100, 100};  // m along x and z, around the origin; nothing leaves it
+  std::vector<ArenaBody> bodies;
+  std::map<std::string, Paint> paints;
+  std::vector<Light> lamps;
+  Start player;
+  std::vector<Start> enemies;  // not empty
+};
+
+// Reads an arena file:
+//
+//   {"name": "yard", "ground": 0, "size": [90, 70],
+//    "bodies": [{"mesh": "../meshes/ramp.obj", "name": "ramp", "position": [..], "orientation": [w,x,y,z],
+//                "cuttable": false}],
+//    "lamps": as the "lights" of scenes, "paints": as in scenes,
+//    "starts": {"player": {"position": [..], "heading": 90}, "enemies": [{..}, {..}]}}
+//
+// A body may have its placement in an object "pose", and a "heading" in degrees instead of an orientation.
+// Only "starts" is required. Bad input otherwise, with the file and the JSON pointer. Meshes are not read.
+Result<ArenaDescription> read_arena(const std::filesystem::path& file);
+
+// An arena with its meshes loaded. What is cuttable sleeps until something touches it; the rest is pinned.
+struct Arena {
+  ArenaDescription description;
+  std::vector<ModelBody> bodies;  // in the order of the description
+};
+
+// Fails like load_body, and if a joint does not fit. Each mesh is read once. `progress` may be null.
+Result<Arena> load_arena(ArenaDescription description, const Progress* progress = nullptr);
+
+}  // namespace kerf

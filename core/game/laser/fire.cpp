@@ -1,0 +1,73 @@
+#include "core/game/laser/fire.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "core/cut/cut_apart.h"
+#include "core/game/vehicle/vehicle_bodies.h"
+
+namespace kerf {
+
+namespace {
+
+// How far a removed face may reach out of the beam: in radii, and at least so many metres.
+constexpr double kTolerance = 1.2, kLeastTolerance = 0.02;
+constexpr double kStep = 6;  // radii by which a point of the beam moves at most in one of its moves
+constexpr size_t kMostFaces = 2'000'000;  // in the world
+
+CutSettings cut_settings(double radius, double length) {
+  CutSettings settings;
+  settings.laser.radius = radius;
+  settings.laser.range = {0, length};
+  settings.resolution.scheme = Scheme::kLongestEdge;
+  settings.resolution.rule = Resolution::Rule::kTolerance;
+  settings.resolution.tolerance = std::max(kTolerance * radius, kLeastTolerance);
+  settings.most_faces = kMostFaces;
+  return settings;
+}
+
+// The moves of the beam through a body, in its frame, without those that pass it by.
+std::vector<BeamMove> moves_through(const Sight::Near& near, const Pose& from, const Placement& then,
+                                    const Pose& to, const CutSettings& settings) {
+  const Placement& now = near.body->placement;
+  const BeamMove whole{then.to_body(from), now.to_body(to), 0};
+  const Vec3 centre = now.to_body(near.centre);
+  const double radius = settings.laser.radius, range = settings.laser.range.high;
+  const double reach = std::min(range, glm::distance(whole.to.origin, centre) + near.radius);
+  const auto passes_by = [&](const BeamMove& m) {
+    const double drift =
+        glm::distance(m.from.origin, m.to.origin) + reach * glm::distance(m.from.direction, m.to.direction);
+    return !comes_near(m.from, range, centre, near.radius, drift + radius);
+  };
+  if (passes_by(whole)) return {};
+  std::vector<BeamMove> moves = subdivide(whole, kStep * radius, reach);
+  std::erase_if(moves, passes_by);
+  return moves;
+}
+
+}  // namespace
+
+std::map<BodyId, StepResult> fire(World& world, Vehicle& vehicle, const Sight& sight,
+                                  const std::function<bool(BodyId)>& cuttable, const LaserRules& rules,
+                                  const PlacementsBefore& before) {
+  Gun& gun = vehicle.gun;
+  assert(gun.firing && gun.works());
+  const Pose now = muzzle_pose(world, vehicle), last = gun.last.value_or(now);
+  const auto wall = sight.nearest(now, rules.range, [&](BodyId id) { return !cuttable(id); });
+  gun.length = wall ? wall->length : rules.range;
+  const CutSettings settings = cut_settings(gun.radius, gun.length);
+  std::map<BodyId, StepResult> cut;
+  for (const Sight::Near& near : sight.bodies()) {
+    if (vehicle.has(near.id) || !cuttable(near.id)) continue;
+    const auto then = before.find(near.id);
+    const Placement& was = gun.last && then != before.end() ? then->second : near.body->placement;
+    const std::vector<BeamMove> moves = moves_through(near, last, was, now, settings);
+    if (moves.empty()) continue;
+    Result<StepResult> done = cut_apart(world, settings, near.id, moves);
+    if (done && !done->delta.empty()) cut.emplace(near.id, std::move(*done));
+  }
+  gun.last = now;
+  return cut;
+}
+
+}  // namespace kerf

@@ -1,0 +1,124 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/game/arena/sight.h"
+#include "core/game/driver/pilot.h"
+#include "core/game/laser/fire.h"
+#include "core/game/match/event.h"
+#include "core/game/match/rules.h"
+#include "core/game/vehicle/damage.h"
+#include "core/physics/physics.h"
+#include "core/world/delta.h"
+
+namespace kerf {
+
+struct MatchSetup {
+  std::shared_ptr<const Rules> rules;  // not null
+  uint64_t seed = 1;
+  Difficulty difficulty = Difficulty::kNormal;
+};
+
+// How a match stands.
+struct Standing {
+  enum class Phase {
+    kFight,
+    kPause,  // a wave is cleared, the next one comes soon
+    kWon,
+    kLost,
+  };
+  Phase phase = Phase::kFight;
+  size_t wave = 0;       // from 0
+  Ticks ticks = 0;       // since the beginning
+  Ticks pause_left = 0;  // of kPause
+  double score = 0;
+  size_t enemies_destroyed = 0;
+  size_t wheels_lost = 0;  // of the player's vehicles
+  size_t pieces = 0;       // that came off bodies
+  size_t faces_removed = 0;
+  bool over() const { return phase == Phase::kWon || phase == Phase::kLost; }
+};
+
+// A match: the player's vehicle against waves of enemies in an arena.
+//
+// It owns its world. A tick turns the controls of all drivers into forces and beams, moves the bodies, cuts,
+// makes what came off bodies of their own, and reads from the meshes what the vehicles have lost. The result
+// is a function of the setup and of the player's controls: the same ones give the same world, to the bit, on
+// one kind of machine. A wave begins with a world that is made anew, so that memory does not grow: the
+// player's vehicle is whole again where it was, and wrecks and pieces are gone.
+class Match {
+ public:
+  explicit Match(MatchSetup setup);
+
+  // Advances by 1/120 s. Does nothing once it is over.
+  void tick(const Controls& player);
+
+  const Rules& rules() const { return *setup_.rules; }
+  const MatchSetup& setup() const { return setup_; }
+  const Standing& standing() const { return standing_; }
+  // The seconds that are left to win.
+  double seconds_left() const;
+  // How often the player switched the beam on.
+  size_t strokes() const { return strokes_; }
+
+  const World& world() const { return world_; }
+  const Physics& physics() const { return physics_; }
+  // The vehicles of the wave, the player's first, then its enemies.
+  static constexpr size_t kPlayer = 0;
+  const std::vector<Vehicle>& vehicles() const { return vehicles_; }
+  // The index of the vehicle that a body is or is carried by, or Event::kNobody.
+  size_t vehicle_of(BodyId body) const;
+  // Whether a body stops a beam.
+  bool is_wall(BodyId body) const;
+
+  // What the last tick changed in the world, and what happened in it.
+  const Delta& delta() const { return delta_; }
+  const std::vector<Event>& events() const { return events_; }
+
+  // What the driver of a vehicle sees. `sight` must be of world(), as it is.
+  DriverView view(size_t vehicle, const Sight& sight) const;
+
+ private:
+  void begin_wave(size_t wave, const Placement& player);
+  void take_controls(const Controls& player, const Sight& sight);
+  void move_bodies(PlacementsBefore& before);
+  void keep_inside();
+  void note_impacts(const std::vector<Vec3>& velocities);
+  std::vector<Vec3> velocities() const;
+  void fire_beams(const PlacementsBefore& before);
+  void note_cut(size_t shooter, const std::map<BodyId, StepResult>& cut);
+  void separate();
+  void note_piece(const Detached& piece, std::vector<BodyId>& crumbs);
+  void assess();
+  void note_damage(size_t vehicle, const Damage& damage);
+  void recover();
+  void clear_debris();
+  void remove(const std::vector<BodyId>& bodies);
+  void judge();
+  void follow(Delta change);
+  // Tells of something that happened to a vehicle, with points if the player did it to an enemy.
+  void tell(Event event, double points = 0);
+
+  MatchSetup setup_;
+  Standing standing_;
+  World world_;
+  Physics physics_;
+  std::vector<BodyId> arena_;  // by index of the bodies of the arena
+  std::vector<Vehicle> vehicles_;
+  std::vector<Pilot> pilots_;    // of the enemies
+  std::vector<size_t> enemies_;  // indices of vehicles
+  // What is known of a vehicle besides its state.
+  struct Record {
+    size_t last_cut_by = Event::kNobody;
+    size_t first_stroke = 0;  // of the player that cut it, from 1; 0 if none did
+    bool changed = false;     // faces of it changed since it was last assessed
+    bool lost_piece = false;  // likewise, a piece came off
+  };
+  std::vector<Record> records_;  // by vehicle
+  size_t strokes_ = 0;           // how often the player switched the beam on
+  Delta delta_;
+  std::vector<Event> events_;
+};
+
+}  // namespace kerf

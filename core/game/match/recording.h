@@ -1,0 +1,48 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/game/match/match.h"
+
+namespace kerf {
+
+// A match as its file holds it, one JSON object a line:
+//
+//   {"kerf": "match", "version": 1, "rules": "games/standard.json", "files": "0123456789abcdef", "seed": 1,
+//    "difficulty": "normal"}
+//   {"inputs": [[ticks, throttle, steer, handbrake, fire, width, heading, pitch], ...]}
+//   {"hash": "0123456789abcdef", "machine": "..."}
+//
+// "files" is a hash of the rules and of all files that they name. Inputs are the player's controls, each for
+// so many ticks; each line holds a second. The hash is that of the world at the end.
+struct Recording {
+  std::filesystem::path rules;
+  uint64_t files = 0, seed = 1;
+  Difficulty difficulty = Difficulty::kNormal;
+  std::vector<Controls> controls;  // by tick
+  std::optional<uint64_t> hash;
+  std::string machine;  // on which it was made (see machine_kind); empty without a hash
+  std::string damage;   // one sentence on what could not be read, or empty
+};
+
+// Whether a file begins like a recording.
+bool is_recording(const std::filesystem::path& file);
+
+// Reads a recording up to its first damaged line, which `damage` tells. Bad input if the file or its first
+// line cannot be read.
+Result<Recording> read_recording(const std::filesystem::path& file);
+
+// The text of a recording for a file in `folder`. Bad input if the path of the rules is not UTF-8.
+Result<std::string> recording_text(const Recording& recording, const std::filesystem::path& folder);
+
+// The hash of the files that a match is made of. Fails if one cannot be read.
+Result<uint64_t> hash_of_files(const std::filesystem::path& rules_file, const RulesDescription& rules);
+
+const char* name_of(Difficulty difficulty);
+std::optional<Difficulty> parse_difficulty(std::string_view name);
+
+}  // namespace kerf

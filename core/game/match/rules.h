@@ -1,0 +1,82 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/game/arena/arena.h"
+#include "core/game/laser/laser_rules.h"
+#include "core/game/vehicle/vehicle_model.h"
+
+namespace kerf {
+
+enum class Difficulty { kEasy, kNormal, kHard };
+
+// How well enemies fight.
+struct EnemySkill {
+  double reaction = 0.55;   // s, by which they see later what happens
+  double aim_error = 0.06;  // rad
+  double speed = 0.85;      // share of the throttle
+  double fire = 0.6;        // share of the time for which they fire when they could
+};
+
+// Points for what the player cuts off.
+struct Scores {
+  double piece = 10, wheel = 100, turret = 250, engine = 300, driver = 300, kill = 500;
+  double in_halves = 400;    // an enemy falls in two parts of a quarter of it at least
+  double at_a_stroke = 600;  // it dies while the beam that first cut it has not been switched off
+};
+
+struct MatchTimes {
+  double match = 600;        // s, that the player has
+  double between_waves = 6;  // s
+  double righting = 3;       // s, for which a vehicle lies before it is put upright
+  double stuck = 3;          // s, for which it does not get away before it is lifted
+};
+
+// The content of a rules file.
+struct RulesDescription {
+  std::string name;
+  std::filesystem::path arena, player;
+  std::vector<std::vector<std::filesystem::path>> waves;  // the vehicles of each; none for a sandbox
+  LaserRules laser;
+  MatchTimes times;
+  std::array<EnemySkill, 3> skills;  // by Difficulty
+  Scores scores;
+};
+
+// Reads a rules file:
+//
+//   {"name": "standard", "arena": "../arenas/yard.json", "player": "../vehicles/hatchback.json",
+//    "waves": [["../vehicles/buggy.json"], ["../vehicles/van.json", "../vehicles/buggy.json"]],
+//    "laser": {"range": 60, "radius": [0.008, 0.03], "energy": 100, "energy_per_second": 18,
+//              "recharge_per_second": 12, "heat_per_second": 0.25, "cooling_per_second": 0.2},
+//    "times": {"match": 600, "between_waves": 6, "righting": 3, "stuck": 3},
+//    "difficulties": {"easy": {"reaction": 0.9, "aim_error": 6, "enemy_speed": 0.7, "enemy_fire": 0.35},
+//                     "normal": {..}, "hard": {..}},
+//    "score": {"piece": 10, "wheel": 100, "turret": 250, "engine": 300, "driver": 300, "kill": 500,
+//              "in_halves": 400, "at_a_stroke": 600}}
+//
+// Errors of aim are in degrees. Required are "arena", "player" and "waves". Bad input otherwise, with the
+// file and the JSON pointer. The other files are not read.
+Result<RulesDescription> read_rules(const std::filesystem::path& file);
+
+// Rules with all that they name loaded. It does not change during a match and may be used for many.
+struct Rules {
+  RulesDescription description;
+  Arena arena;
+  std::shared_ptr<const VehicleModel> player;
+  std::vector<std::vector<std::shared_ptr<const VehicleModel>>> waves;
+  const EnemySkill& skill(Difficulty d) const { return description.skills[static_cast<size_t>(d)]; }
+};
+
+// Reads and loads the arena and the vehicles, each file once. Fails like read_arena, load_arena, read_vehicle
+// and load_vehicle. `progress` may be null.
+Result<std::shared_ptr<const Rules>> load_rules(const std::filesystem::path& file,
+                                                const Progress* progress = nullptr);
+
+}  // namespace kerf

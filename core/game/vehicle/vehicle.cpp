@@ -1,0 +1,20 @@
+#include "core/game/vehicle/vehicle.h"
+
+#include <algorithm>
+
+namespace kerf {
+
+size_t Vehicle::wheels_attached() const {
+  return static_cast<size_t>(
+      std::count_if(wheels.begin(), wheels.end(), [](const Wheel& w) { return w.attached; }));
+}
+
+bool Vehicle::has(BodyId body) const {
+  if (body == chassis) return true;
+  if (gun.turret_attached && body == gun.turret) return true;
+  if (gun.turret_attached && gun.barrel_attached && body == gun.barrel) return true;
+  return std::any_of(wheels.begin(), wheels.end(),
+                     [&](const Wheel& w) { return w.attached && w.body == body; });
+}
+
+}  // namespace kerf

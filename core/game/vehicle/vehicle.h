@@ -1,0 +1,57 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/base/pose.h"
+#include "core/game/vehicle/controls.h"
+#include "core/game/vehicle/vehicle_model.h"
+
+namespace kerf {
+
+struct Wheel {
+  BodyId body;
+  bool attached = true;
+  double rise = 0;             // m, of the hub above its place in the mesh, along +Y of the chassis
+  double steer = 0;            // rad, positive to the left
+  double angle = 0, rate = 0;  // rad and rad/s, about +X of the chassis
+  bool grounded = false;
+  Vec3 contact{0};  // m, in the world, while it is grounded
+  double load = 0;  // N
+  double slip = 0;  // m/s, of the tyre over the ground
+};
+
+// The laser of a vehicle.
+struct Gun {
+  BodyId turret, barrel;
+  bool turret_attached = true, barrel_attached = true;
+  double yaw = 0, pitch = 0;      // rad, against the chassis
+  double energy = 1, heat = 0;    // 0 .. 1
+  bool overheated = false;        // until it has cooled
+  bool firing = false;            // the beam is on
+  double radius = 0, length = 0;  // m, of the beam while it is on
+  std::optional<Pose> last;       // of the beam, where it was on at the end of the last tick
+
+  bool works() const { return turret_attached && barrel_attached; }
+};
+
+// A vehicle in a world.
+struct Vehicle {
+  std::shared_ptr<const VehicleModel> model;
+  BodyId chassis;
+  std::vector<Wheel> wheels;
+  Gun gun;
+  bool alive = true;
+  std::vector<bool> vital_works;  // by VehicleDescription::vitals
+  Controls controls;
+  double overturned_s = 0, stuck_s = 0;  // for how long
+  double whole = 1;                      // the fraction of the area of the chassis that is left
+
+  const VehicleDescription& what() const { return model->description; }
+  size_t wheels_attached() const;
+  // Whether a body is the chassis or carried by it.
+  bool has(BodyId body) const;
+};
+
+}  // namespace kerf

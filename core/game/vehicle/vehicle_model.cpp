@@ -1,0 +1,142 @@
+#include "core/game/vehicle/vehicle_model.h"
+
+#include <limits>
+#include <utility>
+
+#include "core/game/vehicle/soup_parts.h"
+#include "core/mesh/read_mesh.h"
+
+namespace kerf {
+
+namespace {
+
+// The centre of the bounds of a part, which has faces.
+Vec3 centre_of(const Body& body, const std::string& part) {
+  Vec3 low(std::numeric_limits<double>::infinity()), high = -low;
+  for (const MeshPart& group : body.named_parts) {
+    if (!is_of_part(group.name, part)) continue;
+    for (uint32_t f = group.first; f < group.last; ++f) {
+      for (const Vec3& corner : body.mesh.triangle(FaceId(f))) {
+        low = glm::min(low, corner);
+        high = glm::max(high, corner);
+      }
+    }
+  }
+  return 0.5 * low + 0.5 * high;
+}
+
+class ModelLoader {
+ public:
+  ModelLoader(VehicleDescription description, const Progress* progress)
+      : model_(std::make_shared<VehicleModel>()), progress_(progress) {
+    model_->description = std::move(description);
+  }
+
+  Result<std::shared_ptr<const VehicleModel>> load() {
+    const auto soup = read_mesh(what().body.mesh, progress_);
+    if (!soup) return soup.error();
+    if (const Status split = split_up(*soup); !split) return split.error();
+    if (const Status joined = share_out_joints(); !joined) return joined.error();
+    if (const Status watched = watch_parts(); !watched) return watched.error();
+    set_weight();
+    return std::shared_ptr<const VehicleModel>(std::move(model_));
+  }
+
+ private:
+  const VehicleDescription& what() const { return model_->description; }
+  Error wrong(const std::string& text) const {
+    return bad_input(what().body.mesh.string() + ": " + text + " (vehicle \"" + what().name + "\")");
+  }
+
+  // The parts that become bodies of their own, in the order of `bodies`.
+  Status split_up(const Soup& soup) {
+    std::vector<std::string> names;
+    for (const WheelDescription& wheel : what().wheels) names.push_back(wheel.part);
+    names.push_back(what().turret.part);
+    names.push_back(what().turret.barrel.part);
+    const std::vector<uint32_t> part = part_of_triangles(soup, names);
+    model_->wheels.resize(what().wheels.size());
+    bodies_.clear();
+    for (VehicleBody& wheel : model_->wheels) bodies_.push_back(&wheel);
+    for (VehicleBody* body : {&model_->turret, &model_->barrel, &model_->chassis}) bodies_.push_back(body);
+    names.push_back("chassis");
+    for (uint32_t i = 0; i < bodies_.size(); ++i) {
+      auto built = build_mesh(extract_part(soup, part, i));
+      if (!built) return wrong("there are no faces of the part \"" + names[i] + "\"");
+      bodies_[i]->body = make_body(what().name + " " + names[i], std::move(*built));
+      bodies_[i]->body.sheet = what().body.sheet;
+    }
+    return Done{};
+  }
+
+  // A joint belongs to the body that has both of its parts. Those between two bodies are left out: what holds
+  // the parts that the chassis carries are the rules of damage.
+  Status share_out_joints() {
+    for (const SceneJoint& joint : what().body.joints) {
+      for (VehicleBody* body : bodies_) {
+        if (!has_group(body->body, joint.parts[0]) || !has_group(body->body, joint.parts[1])) continue;
+        if (const Status added = add_joints({&joint, 1}, *body); !added) return wrong(added.error().message);
+      }
+    }
+    return Done{};
+  }
+
+  static bool has_group(const Body& body, const std::string& name) {
+    for (const MeshPart& group : body.named_parts) {
+      if (group.name == name) return true;
+    }
+    return false;
+  }
+
+  Status watch_parts() {
+    for (VehicleBody* body : bodies_) body->watch = FaceWatch(body->body);
+    for (size_t w = 0; w < model_->wheels.size(); ++w) {
+      const WheelDescription& wheel = what().wheels[w];
+      watch_carried(model_->wheels[w], wheel.part, wheel.hub);
+      if (const Status s = watch_chassis(wheel.mount, &wheel.hub); !s) return s;
+    }
+    const TurretDescription& turret = what().turret;
+    watch_carried(model_->turret, turret.part, turret.pivot);
+    model_->turret.watch.add_part_near(model_->turret.body, turret.part, turret.barrel.pivot);
+    watch_carried(model_->barrel, turret.barrel.part, turret.barrel.pivot);
+    if (const Status s = watch_chassis(turret.mount, &turret.pivot); !s) return s;
+    for (const VitalDescription& vital : what().vitals) {
+      if (const Status s = watch_chassis(vital.part, nullptr); !s) return s;
+      model_->vital_centres.push_back(centre_of(model_->chassis.body, vital.part));
+    }
+    return Done{};
+  }
+
+  static void watch_carried(VehicleBody& body, const std::string& part, const Vec3& seat) {
+    body.watch.add(body.body, [](FaceId) { return true; });
+    body.watch.add_part_near(body.body, part, seat);
+  }
+
+  Status watch_chassis(const std::string& part, const Vec3* seat) {
+    FaceWatch& watch = model_->chassis.watch;
+    const Body& chassis = model_->chassis.body;
+    const size_t group = seat ? watch.add_part_near(chassis, part, *seat) : watch.add_part(chassis, part);
+    if (!(watch.area(group) > 0)) return wrong("the chassis has no faces of the part \"" + part + "\"");
+    return Done{};
+  }
+
+  // While they are carried, the mass of all parts is that of the chassis.
+  void set_weight() {
+    Body& chassis = model_->chassis.body;
+    model_->chassis_area = chassis.loaded.area;
+    chassis.sheet.density = what().mass / (chassis.loaded.area * chassis.sheet.thickness);
+  }
+
+  std::shared_ptr<VehicleModel> model_;
+  const Progress* progress_;
+  std::vector<VehicleBody*> bodies_;
+};
+
+}  // namespace
+
+Result<std::shared_ptr<const VehicleModel>> load_vehicle(VehicleDescription description,
+                                                         const Progress* progress) {
+  return ModelLoader(std::move(description), progress).load();
+}
+
+}  // namespace kerf

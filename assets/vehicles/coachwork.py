@@ -148,9 +148,9 @@ class Coachwork:
             lip = [self.side_lift(*p) for p in curve]
             between = [(lerp(x, self.inner, 0.5), y, z) for x, y, z in lip]
             wall = [(self.inner, y, z) for _, y, z in lip]
-            sheet += grid([lip, between, wall], lambda r, c: "trim", viewer)
+            sheet += grid([lip, between, wall], lambda r, c: "underbody", viewer)
             chord = self._chord(curve)
-            sheet += facing(panel([("trim", curve + chord[1:-1])], self.edge,
+            sheet += facing(panel([("underbody", curve + chord[1:-1])], self.edge,
                                   lambda z, y: (self.inner, y, z)), (99, middle[1], middle[0]))
         return sheet
 
@@ -180,5 +180,5 @@ class Coachwork:
 
         def lift(z, x):
             return (x, lerp(y0, y1, (z - z0) / (z1 - z0)), z)
-        sheet = panel([("trim", [(p[2], p[0]) for p in points])], 1.5 * self.edge, lift, pinned)
+        sheet = panel([("underbody", [(p[2], p[0]) for p in points])], 1.5 * self.edge, lift, pinned)
         return facing(sheet, (0, -99, 0))

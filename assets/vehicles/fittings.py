@@ -61,6 +61,13 @@ def axle(track, height, z, bulb=0.0):
     return sheet
 
 
+def exhaust(x, y, front, rear):
+    """A pipe with a box along a floor, raised over the rear axle, open at its end."""
+    pipe = tube([(x, y + 0.04, front), (x, y, front - 0.6), (x, y, -1.0), (x * 1.25, y + 0.02, -1.7),
+                 (x * 1.25, y + 0.02, rear)], 0.03, "steel", 5)
+    return pipe + box((x, y - 0.005, -0.3), (0.24, 0.11, 0.6), "steel", (2, 1, 2))
+
+
 def bumper(coach, station, end, low, high, out, wrap, material="bumper", reach=0.30):
     """A bumper bent around the nose (end +1) or the tail (-1), over `reach` of each side."""
     path = [coach.deck_point(station, i / 8) for i in range(9)]

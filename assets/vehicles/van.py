@@ -161,7 +161,7 @@ def van():
     car.add(*fittings.seats(FLOOR, 0.52, 0.40, 0.22),
             *fittings.controls(FLOOR + 0.02, 0.62, 1.17, 1.30, 0.40))
     car.add(("bulkhead", bulkhead()), *cargo(), ("rack", rack()), ("ladder", ladder()),
-            ("exhaust", exhaust()))
+            ("exhaust", fittings.exhaust(-0.3, FLOOR - 0.065, 1.5, -2.45)))
     car.add(*outside(coach))
     car.add(("engine", moved(engine(0.56, -0.33), (0, 0.63, 1.86))),
             ("radiator", moved(radiator(0.9, 0.40), (0, 0.62, 2.24))))
@@ -173,12 +173,6 @@ def van():
                  {"kind": "driver", "part": "seat_driver", "mount": "body"}]
     car.driver_eye = [0.40, 1.45, 0.32]
     return car
-
-
-def exhaust():
-    pipe = tube([(-0.3, 0.26, 1.5), (-0.3, 0.22, 0.6), (-0.3, 0.22, -1.0), (-0.45, 0.24, -1.3),
-                 (-0.45, 0.24, -2.45)], 0.032, "steel", 5)
-    return pipe + box((-0.3, 0.215, -0.3), (0.24, 0.11, 0.6), "steel", (2, 1, 2))
 
 
 def outside(coach):
@@ -216,7 +210,7 @@ def hold(car):
                 + [(x, 1.0, 0.0) for x in (0.95, -0.95)], 0.1)
     for name in ("case_1", "case_2", "case_4", "seat_driver", "seat_passenger", "dashboard"):
         joints.hold(name, "body", radius=0.14)
-    joints.hold("exhaust", "body", [(-0.3, 0.28, 0.8), (-0.45, 0.3, -2.3)], 0.1)
+    joints.hold("exhaust", "body", [(-0.3, 0.28, 0.8), (-0.3, 0.28, -2.3)], 0.1)
     joints.hold("case_3", "case_1")
     joints.hold("steering_wheel", "dashboard", radius=0.07)
     for name, sign in (("bumper_front", 1), ("bumper_rear", -1)):

@@ -8,6 +8,7 @@ from joints import Joints
 
 PAINTS = {
     "trim": {"colour": "#1c1f24", "gloss": 0.25},
+    "underbody": {"colour": "#3a3f46", "gloss": 0.2},
     "tyre": {"colour": "#17181b", "gloss": 0.1},
     "rim": {"colour": "#a9b0b8", "gloss": 0.8},
     "light_front": {"colour": "#e2e8ee", "gloss": 0.9},

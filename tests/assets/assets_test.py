@@ -117,6 +117,11 @@ class Arena(unittest.TestCase):
             self.assertEqual(mesh.faults(), [], name)
             self.assertLessEqual(mesh.materials, set(self.file["paints"]), name)
 
+    def test_the_scene_of_the_yard_knows_all_its_paints(self):
+        scene = read_json("scenes", "yard.json")
+        used = set().union(*(read_mesh(os.path.basename(body["mesh"])[:-4]).materials for body in scene["bodies"]))
+        self.assertEqual(used - set(scene["paints"]), set())
+
     def test_what_can_be_cut_is_glossy_and_what_stands_fast_is_matt(self):
         for body in self.file["bodies"]:
             for material in self.meshes[body["mesh"]].materials:

@@ -24,35 +24,37 @@ std::vector<bool> faces_of_part(const Body& loaded, const std::string& part) {
 
 }  // namespace
 
-size_t FaceWatch::add(const Body& loaded, const std::function<bool(FaceId)>& belongs) {
+double FaceWatch::area_in(size_t group, const Triangle& t) const {
+  return near_[group] ? area_within(t, *near_[group]) : triangle_area(t);
+}
+
+size_t FaceWatch::add(const Body& loaded, const std::vector<bool>& faces, const std::optional<Ball>& near) {
   assert(areas_.size() < kMostGroups && groups_of_.size() == loaded.mesh.face_slots());
   const size_t group = areas_.size();
+  near_.push_back(near);
   double area = 0;
-  for (uint32_t f = 0; f < loaded.mesh.face_slots(); ++f) {
-    if (!belongs(FaceId(f))) continue;
-    groups_of_[f] |= uint32_t{1} << group;
-    area += triangle_area(loaded.mesh.triangle(FaceId(f)));
+  for (uint32_t f = 0; f < faces.size(); ++f) {
+    const double own = faces[f] ? area_in(group, loaded.mesh.triangle(FaceId(f))) : 0;
+    if (own > 0) groups_of_[f] |= uint32_t{1} << group;
+    area += own;
   }
   areas_.push_back(area);
   return group;
 }
 
 size_t FaceWatch::add_part(const Body& loaded, const std::string& part) {
-  const std::vector<bool> of = faces_of_part(loaded, part);
-  return add(loaded, [&](FaceId f) { return of[f.index]; });
+  return add(loaded, faces_of_part(loaded, part), std::nullopt);
 }
 
 size_t FaceWatch::add_part_near(const Body& loaded, const std::string& part, const Vec3& point) {
   const std::vector<bool> of = faces_of_part(loaded, part);
-  std::vector<double> distance(of.size(), std::numeric_limits<double>::infinity());
-  double nearest = std::numeric_limits<double>::infinity();
+  double nearest2 = std::numeric_limits<double>::infinity();
   for (uint32_t f = 0; f < of.size(); ++f) {
-    if (!of[f]) continue;
-    distance[f] = std::sqrt(squared_distance(point, loaded.mesh.triangle(FaceId(f))));
-    nearest = std::min(nearest, distance[f]);
+    if (of[f]) nearest2 = std::min(nearest2, squared_distance(point, loaded.mesh.triangle(FaceId(f))));
   }
-  const double reach = std::max(1.25 * nearest, nearest + 0.1);
-  return add(loaded, [&](FaceId f) { return distance[f.index] <= reach; });
+  if (nearest2 == std::numeric_limits<double>::infinity()) return add(loaded, of, std::nullopt);
+  const double nearest = std::sqrt(nearest2);
+  return add(loaded, of, Ball{point, std::max(1.25 * nearest, nearest + 0.1)});
 }
 
 std::vector<double> FaceWatch::areas_in(const Body& body) const {
@@ -61,8 +63,11 @@ std::vector<double> FaceWatch::areas_in(const Body& body) const {
     if (!body.mesh.is_live(FaceId(f))) continue;
     uint32_t groups = groups_of_[body.loaded_face(body.mesh.data(FaceId(f)).base).index];
     if (groups == 0) continue;
-    const double area = triangle_area(body.mesh.triangle(FaceId(f)));
-    for (; groups != 0; groups &= groups - 1) areas[std::countr_zero(groups)] += area;
+    const Triangle t = body.mesh.triangle(FaceId(f));
+    for (; groups != 0; groups &= groups - 1) {
+      const auto group = static_cast<size_t>(std::countr_zero(groups));
+      areas[group] += area_in(group, t);
+    }
   }
   return areas;
 }

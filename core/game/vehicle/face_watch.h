@@ -1,10 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/game/vehicle/area_near.h"
 #include "core/world/world.h"
 
 namespace kerf {
@@ -17,13 +18,11 @@ class FaceWatch {
   FaceWatch() = default;
   explicit FaceWatch(const Body& loaded) : groups_of_(loaded.mesh.face_slots(), 0) {}
 
-  // Adds a group of loaded faces and returns its index. Groups may overlap. Precondition: `loaded` is the
-  // body of the constructor, and there are fewer than kMostGroups.
-  size_t add(const Body& loaded, const std::function<bool(FaceId)>& belongs);
-  // The same for all faces of a part (see is_of_part).
+  // Adds the faces of a part (see is_of_part) as a group and returns its index. Groups may overlap.
+  // Precondition: `loaded` is the body of the constructor, and there are fewer than kMostGroups.
   size_t add_part(const Body& loaded, const std::string& part);
-  // The same for the faces of a part that are near a point: those at most 0.1 m, or a quarter, farther away
-  // than the nearest one.
+  // The same for what lies of them near a point: at most 0.1 m, or a quarter, farther away than the nearest
+  // face.
   size_t add_part_near(const Body& loaded, const std::string& part, const Vec3& point);
 
   // The area of a group as loaded, m^2.
@@ -34,8 +33,12 @@ class FaceWatch {
   std::vector<double> areas_in(const Body& body) const;
 
  private:
+  size_t add(const Body& loaded, const std::vector<bool>& faces, const std::optional<Ball>& near);
+  double area_in(size_t group, const Triangle& t) const;
+
   std::vector<uint32_t> groups_of_;  // by loaded face: bit i is set if it belongs to group i
   std::vector<double> areas_;
+  std::vector<std::optional<Ball>> near_;  // by group, of which only what lies in the ball counts
 };
 
 }  // namespace kerf

@@ -108,7 +108,7 @@ class ModelLoader {
   }
 
   static void watch_carried(VehicleBody& body, const std::string& part, const Vec3& seat) {
-    body.watch.add(body.body, [](FaceId) { return true; });
+    body.watch.add_part(body.body, part);
     body.watch.add_part_near(body.body, part, seat);
   }
 

@@ -1,0 +1,105 @@
+#include "core/game/match/match.h"
+
+#include <cmath>
+
+#include "core/game/match/bot_player.h"
+#include "core/game/match/recording.h"
+#include "core/world/state_hash.h"
+#include "tests/support/checkout.h"
+#include "tests/support/game_files.h"
+
+namespace kerf {
+namespace {
+
+std::filesystem::path standard() { return test::checkout() / "assets/games/standard.json"; }
+
+// Lets the bot play and returns its controls.
+std::vector<Controls> play(Match& match, double seconds) {
+  BotPlayer bot(match);
+  std::vector<Controls> all;
+  for (int t = 0; t < seconds * static_cast<double>(kTicksPerSecond); ++t) {
+    all.push_back(bot.next(match));
+    match.tick(all.back());
+  }
+  return all;
+}
+
+uint64_t hash_after(uint64_t seed, double seconds) {
+  Match match({test::flat_rules(1, 1), seed, Difficulty::kNormal});
+  play(match, seconds);
+  return state_hash(match.world());
+}
+
+TEST(Match, the_same_seed_comes_to_the_same_world_and_another_one_to_another) {
+  const uint64_t hash = hash_after(1, 4);
+  EXPECT_EQ(hash_after(1, 4), hash);
+  EXPECT_NE(hash_after(2, 4), hash);
+}
+
+TEST(Match, its_recording_leads_to_the_same_world) {
+  const auto rules = load_rules(standard());
+  ASSERT_TRUE(rules) << rules.error().message;
+  Match match({*rules, 3, Difficulty::kHard});
+  const auto files = hash_of_files(standard(), (*rules)->description);
+  ASSERT_TRUE(files);
+  Recording recording{standard(), *files, 3, Difficulty::kHard, play(match, 2.5), state_hash(match.world()),
+                      "here",     {}};
+  test::TemporaryFolder folder;
+  const auto text = recording_text(recording, folder.path());
+  ASSERT_TRUE(text);
+  test::write_text(folder / "match.kerf", *text + "{\"inputs\":[[1,0");
+  ASSERT_TRUE(is_recording(folder / "match.kerf"));
+  const auto read = read_recording(folder / "match.kerf");
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_NE(read->damage, "") << "the last line is torn";
+  EXPECT_EQ(read->controls, recording.controls);
+  EXPECT_EQ(read->files, *files);
+  EXPECT_TRUE(std::filesystem::equivalent(read->rules, standard()));
+  Match again({*rules, read->seed, read->difficulty});
+  for (const Controls& controls : read->controls) again.tick(controls);
+  EXPECT_EQ(state_hash(again.world()), read->hash);
+}
+
+TEST(Match, a_bot_plays_for_a_minute_and_nothing_leaves_the_arena) {
+  const auto rules = load_rules(standard());
+  ASSERT_TRUE(rules) << rules.error().message;
+  Match match({*rules, 1, Difficulty::kEasy});
+  BotPlayer bot(match);
+  const Vec2 half = 0.5 * (*rules)->arena.description.size;
+  for (int t = 0; t < 60 * static_cast<int>(kTicksPerSecond) && !match.standing().over(); ++t) {
+    match.tick(bot.next(match));
+    for (const Vehicle& vehicle : match.vehicles()) {
+      const Vec3 p = match.world().body(vehicle.chassis).placement.position;
+      ASSERT_TRUE(std::abs(p.x) <= half.x && std::abs(p.z) <= half.y && p.y > -1 && p.y < 30) << "tick " << t;
+    }
+  }
+  EXPECT_GT(match.standing().score, 0);
+  EXPECT_GT(match.standing().pieces, 3u);
+  EXPECT_GT(match.standing().faces_removed, 100u);
+}
+
+TEST(Match, a_beam_never_cuts_the_vehicle_that_fires_it) {
+  Match match({test::flat_rules(0, 0), 1, Difficulty::kNormal});
+  Controls controls;
+  controls.fire = true;
+  controls.pitch = -10'000;
+  const size_t faces = match.world().live_faces();
+  for (int t = 0; t < 240; ++t) {
+    controls.heading = 100 * t;
+    match.tick(controls);
+  }
+  EXPECT_EQ(match.strokes(), 1u);
+  EXPECT_EQ(match.world().live_faces(), faces);
+}
+
+TEST(Match, is_lost_when_its_time_is_over) {
+  auto rules = std::make_shared<Rules>(*test::flat_rules(1, 1));
+  rules->description.times.match = 0.5;
+  Match match({rules, 1, Difficulty::kNormal});
+  for (int t = 0; t < 100; ++t) match.tick({});
+  EXPECT_EQ(match.standing().phase, Standing::Phase::kLost);
+  EXPECT_EQ(match.standing().ticks, 60u);
+}
+
+}  // namespace
+}  // namespace kerf

@@ -71,4 +71,39 @@ Result<std::vector<BodyState>> parse_body_states(const JsonValue& value) {
   return states;
 }
 
+nlohmann::ordered_json near_pairs_json(std::span<const NearPair> pairs) {
+  auto list = nlohmann::ordered_json::array();
+  for (const NearPair& p : pairs) {
+    auto& entry = list.emplace_back(nlohmann::ordered_json{p.first.slot, p.first.generation});
+    if (p.second.valid()) {
+      entry.push_back(p.second.slot);
+      entry.push_back(p.second.generation);
+    }
+    entry.push_back(p.touching ? 1 : 0);
+    entry.push_back(p.crossed);
+  }
+  return list;
+}
+
+Result<std::vector<NearPair>> parse_near_pairs(const JsonValue& value) {
+  if (!value.json().is_array()) return value.wrong("must be a list");
+  std::vector<NearPair> pairs;
+  for (size_t i = 0; i < value.json().size(); ++i) {
+    const nlohmann::json& entry = value[i].json();
+    const bool ground = holds_whole_numbers(entry, 4);
+    if (!ground && !holds_whole_numbers(entry, 6))
+      return value[i].wrong("must be four or six whole numbers: one body or two, and how they touch");
+    NearPair& pair = pairs.emplace_back();
+    pair.first = {entry[0], entry[1]};
+    if (!ground) pair.second = {entry[2], entry[3]};
+    const size_t state = ground ? 2 : 4;
+    pair.touching = entry[state] != 0;
+    pair.crossed = entry[state + 1];
+  }
+  std::sort(pairs.begin(), pairs.end(), [](const NearPair& a, const NearPair& b) {
+    return std::pair(a.first, a.second) < std::pair(b.first, b.second);
+  });
+  return pairs;
+}
+
 }  // namespace kerf

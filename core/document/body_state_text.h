@@ -16,4 +16,10 @@ namespace kerf {
 nlohmann::ordered_json body_states_json(std::span<const BodyState> states);
 Result<std::vector<BodyState>> parse_body_states(const JsonValue& value);
 
+// The pairs of bodies in such a mark, a list of [slot, generation, slot, generation, touching, crossed], for
+// the ground [slot, generation, touching, crossed]: 1 where they touch, and for how many ticks they have
+// intersected. The list is read back sorted by the bodies.
+nlohmann::ordered_json near_pairs_json(std::span<const NearPair> pairs);
+Result<std::vector<NearPair>> parse_near_pairs(const JsonValue& value);
+
 }  // namespace kerf

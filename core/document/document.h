@@ -156,10 +156,17 @@ class Document {
   // A number that increases whenever a stroke is begun, cut again, undone or redone.
   size_t revision() const { return revision_; }
 
-  // Puts bodies, as far as they exist, where another kind of machine has brought them, and lets them move on
-  // as they did there. It belongs to the last step of the history and is no command. Precondition: nothing
-  // waits, and there is such a step.
-  void take_states(std::span<const BodyState> states);
+  // Puts bodies, as far as they exist, where a journal says that they came, and lets them move on as they did
+  // there. It belongs to the last step of the history and is no command. Precondition: nothing waits, and
+  // there is such a step.
+  StepResult take_states(std::span<const BodyState> states, std::span<const NearPair> pairs);
+  // The same where ticks and changes of the spring wait, which pass without bodies being moved.
+  // Preconditions: nothing else waits, no beam is on, and the last step executed was a tick of the same step
+  // of the history.
+  StepResult skip_to(std::span<const BodyState> states, std::span<const NearPair> pairs);
+  // So often details of contacts are forgotten (see forget_details), so that a state that a journal says of
+  // a full minute is all that decides how bodies move on; they are also forgotten where a step begins.
+  static constexpr Ticks kTicksToForget = 60 * kTicksPerSecond;
 
   // The steps that can be undone and redone.
   const History& history() const { return history_; }

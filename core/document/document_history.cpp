@@ -2,6 +2,7 @@
 #include <cassert>
 
 #include "core/document/document.h"
+#include "core/physics/forget_contacts.h"
 
 namespace kerf {
 
@@ -56,6 +57,8 @@ Delta Document::cut_again() {
     history_.last().touch(back);
     delta.append(back);
   }
+  // As where the stroke itself begins.
+  if (recorder_.step() == step) forget_details(world_);
   queue_commands(step);
   history_.trim();
   return delta;

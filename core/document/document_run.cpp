@@ -35,4 +35,37 @@ Status Document::take_back_to(size_t position, size_t journal_size,
   return Done{};
 }
 
+StepResult Document::take_states(std::span<const BodyState> states, std::span<const NearPair> pairs) {
+  assert(waiting() == 0 && history_.position() > 0);
+  const size_t step = history_.position() - 1;
+  begin(step);
+  StepResult taken;
+  for (const BodyState& state : states) {
+    if (!world_.contains(state.id)) continue;
+    Body& body = world_.body(state.id);
+    body.placement = state.placement;
+    body.motion = state.motion;
+    taken.delta.moved.push_back(state.id);
+  }
+  set_known_pairs(world_, pairs);
+  note(step, taken);
+  keep_open(step);
+  return taken;
+}
+
+StepResult Document::skip_to(std::span<const BodyState> states, std::span<const NearPair> pairs) {
+  while (!queue_.empty()) {
+    if (queue_.front_kind() == BeamQueue::Kind::kSpring) {
+      change_spring();
+      continue;
+    }
+    assert(queue_.front_kind() == BeamQueue::Kind::kTicks && !queue_.front_beam());
+    begin(queue_.front_step());
+    const Ticks ticks = queue_.front_ticks();
+    world_.pass(ticks);
+    queue_.pop_ticks(ticks);
+  }
+  return take_states(states, pairs);
+}
+
 }  // namespace kerf

@@ -41,10 +41,11 @@ bool Document::next_closes_rim() const {
 size_t Document::next_makes_ready() const {
   const bool tick = !must_separate() && !queue_.empty() && queue_.front_kind() == BeamQueue::Kind::kTicks;
   if (!tick || !queue_.front_moves_bodies()) return 0;
+  const bool beam = queue_.front_beam() != nullptr;
   size_t faces = 0;
   for (const BodyId id : world_.ids()) {
     const Body& body = world_.body(id);
-    if (has_pieces_off(body) || (!body.hidden && !physics_.colliders().contains(id)))
+    if (has_pieces_off(body) || (!body.hidden && physics_.makes_collider(world_, id, beam)))
       faces += body.mesh.live_faces();
   }
   return faces;
@@ -137,6 +138,7 @@ Result<StepResult> Document::pass_ticks(size_t most, const Progress& progress) {
 // One tick. What came off since the last one, and what turns on joints, becomes bodies first.
 Result<StepResult> Document::move_bodies(size_t step, const Progress& progress) {
   StepResult all;
+  if (world_.clock() % kTicksToForget == 0) forget_details(world_);
   if (!physics_.knows_joints()) hold_parts(world_, Hold::kMoving, all.delta);
   release_pieces(world_, history_.step(step).generation, all.delta);
   follow_with_spring(world_, all.delta);
@@ -160,7 +162,7 @@ Result<StepResult> Document::move_under_beam(size_t step, const Progress& progre
     for (const BodyId id : world_.ids()) before[id] = world_.body(id).placement;
   }
   StepResult all;
-  all.delta = physics_.tick(world_);
+  all.delta = physics_.tick(world_, stroke != nullptr);
   note(step, all);
   if (!stroke) return all;
   walked_ = stroke;
@@ -192,23 +194,6 @@ void Document::keep_open(size_t step) {
   if (is_over(step)) history_.step(step).finish();
 }
 
-void Document::take_states(std::span<const BodyState> states) {
-  assert(waiting() == 0 && history_.position() > 0);
-  const size_t step = history_.position() - 1;
-  begin(step);
-  StepResult taken;
-  for (const BodyState& state : states) {
-    if (!world_.contains(state.id)) continue;
-    Body& body = world_.body(state.id);
-    body.placement = state.placement;
-    body.motion = state.motion;
-    taken.delta.moved.push_back(state.id);
-  }
-  world_.set_contact_memory({});
-  note(step, taken);
-  keep_open(step);
-}
-
 // What changes from here on is changed by this step.
 void Document::begin(size_t step) {
   if (recorder_.step() == step) return;
@@ -216,11 +201,14 @@ void Document::begin(size_t step) {
   history_.forget_behind(step);
   HistoryStep& begun = history_.step(step);
   // A step begins alike whatever way the world has come to where it begins.
-  if (begun.waiting()) {
+  const bool anew = begun.waiting();
+  if (anew) {
     for (const BodyId id : world_.ids()) forget_removals(world_.body(id));
+    physics_.begin_step();
   }
   begun.begin(history_.window() > 0);
   recorder_.open(world_, step, begun.images() == HistoryStep::Images::kHeld);
+  if (anew && !world_.contact_memory().empty()) forget_details(world_);
 }
 
 void Document::close() {

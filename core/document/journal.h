@@ -15,19 +15,22 @@ namespace kerf {
 class Document;
 
 // The state hash of the world after the first `commands` commands, taken while no move was queued; and, where
-// bodies have moved by themselves, the kind of machine on which they did (see machine_kind) and where it has
-// brought them.
+// bodies have moved by themselves, the kind of machine on which they did (see machine_kind), where it has
+// brought them, and when.
 struct StateMark {
   size_t commands = 0;
   uint64_t hash = 0;
   size_t line = 0;  // line number in the journal file, from 1; 0 if the mark was not read from a file
   std::string machine{};
   std::vector<BodyState> bodies{};
+  std::vector<NearPair> pairs{};
+  Ticks clock = 0;  // 0 where bodies did not move, and in journals that do not say it
 };
 
 // A document as its file (.kerf) holds it, one JSON object a line: first the scene, with "kerf": "journal"
 // and the hashes of its meshes, then the commands since (see command_text), and between them marks,
-// {"hash": "0123456789abcdef"}, with "machine" and "bodies" where bodies have moved (see body_state_text.h).
+// {"hash": "0123456789abcdef"}, with "machine", "bodies", "pairs" and "clock" where bodies have moved (see
+// body_state_text.h).
 struct Journal {
   SceneDescription scene;  // without strokes; the strokes of a scene are commands of the journal
   std::filesystem::path

@@ -83,7 +83,7 @@ class JournalReader {
     const auto text = value["hash"].text();
     const auto hash = text ? parse_hash(*text) : std::nullopt;
     if (!hash) return value["hash"].wrong("must be sixteen hexadecimal digits");
-    StateMark mark{journal_.commands.size(), *hash, line_, {}, {}};
+    StateMark mark{journal_.commands.size(), *hash, line_};
     if (value.has("machine")) {
       const auto machine = value["machine"].text();
       if (!machine) return machine.error();
@@ -93,6 +93,16 @@ class JournalReader {
       auto bodies = parse_body_states(value["bodies"]);
       if (!bodies) return bodies.error();
       mark.bodies = std::move(*bodies);
+    }
+    if (value.has("pairs")) {
+      auto pairs = parse_near_pairs(value["pairs"]);
+      if (!pairs) return pairs.error();
+      mark.pairs = std::move(*pairs);
+    }
+    if (value.has("clock")) {
+      const nlohmann::json& clock = value["clock"].json();
+      if (!clock.is_number_unsigned()) return value["clock"].wrong("must be a whole number of ticks");
+      mark.clock = clock;
     }
     journal_.marks.push_back(std::move(mark));
     return Done{};

@@ -15,7 +15,9 @@ std::string mark_line(const StateMark& mark) {
   nlohmann::ordered_json json{{"hash", hash_text(mark.hash)}};
   if (!mark.bodies.empty()) {
     json["machine"] = mark.machine;
+    json["clock"] = mark.clock;
     json["bodies"] = body_states_json(mark.bodies);
+    json["pairs"] = near_pairs_json(mark.pairs);
   }
   return json.dump() + "\n";
 }
@@ -60,7 +62,11 @@ bool mark_state(Document& document, std::vector<StateMark>& marks, bool always) 
   document.seal_journal();
   const World& world = document.world();
   StateMark mark{commands, state_hash(world), 0, {}, moved_bodies(world)};
-  if (!mark.bodies.empty()) mark.machine = machine_kind();
+  if (!mark.bodies.empty()) {
+    mark.machine = machine_kind();
+    mark.pairs = known_pairs(world);
+    mark.clock = world.clock();
+  }
   marks.push_back(std::move(mark));
   return true;
 }

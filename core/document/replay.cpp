@@ -25,6 +25,8 @@ Status Replay::tell(const Walk& how, Outcome at_once) const {
 Status Replay::next(const Walk& how) {
   assert(!done());
   compare();
+  while (next_skip_ < skips_.size() && skips_[next_skip_].first < next_) ++next_skip_;
+  if (next_skip_ < skips_.size() && skips_[next_skip_].first == next_) return skip(how, skips_[next_skip_]);
   if (next_ < journal_.commands.size()) {
     Outcome at_once = document_.apply(journal_.commands[next_++], how.progress);
     document_.seal_journal();  // so that it has the same commands, by number too
@@ -33,6 +35,27 @@ Status Replay::next(const Walk& how) {
   const Status walked = walk(document_, how);
   compare();
   return walked;
+}
+
+// In the first tick what came off becomes bodies; it is not skipped.
+Status Replay::skip(const Walk& how, const TimeSkip& skip) {
+  const StateMark& mark = journal_.marks[skip.mark];
+  while (next_ < mark.commands) {
+    (void)document_.apply(journal_.commands[next_++]);  // which only queues it
+    document_.seal_journal();
+  }
+  const Ticks before = document_.world().clock();
+  const auto say = [&](const Result<StepResult>& step) -> Status {
+    if (how.told) return how.told(step);
+    return step ? Status(Done{}) : Status(step.error());
+  };
+  while (document_.waiting() > 0 && document_.world().clock() == before) {
+    if (const Status told = say(document_.step(1, how.progress)); !told) return told;
+  }
+  const Status told = say(document_.skip_to(mark.bodies, mark.pairs));
+  skipped_ += skip.ticks;
+  compare();
+  return told;
 }
 
 Status Replay::run(const Walk& how) {
@@ -63,7 +86,7 @@ void Replay::compare() {
 bool Replay::takes_bodies(const StateMark& mark) {
   if (mark.bodies.empty() || mark.machine == machine_kind()) return false;
   other_machine_ = mark.machine;
-  document_.take_states(mark.bodies);
+  document_.take_states(mark.bodies, mark.pairs);
   return true;
 }
 

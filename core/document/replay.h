@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "core/document/journal.h"
+#include "core/document/time_skips.h"
 #include "core/document/walk.h"
 
 namespace kerf {
@@ -11,7 +12,12 @@ namespace kerf {
 // the world with the marks of the journal on the way. The journal and the document must outlive the replay.
 class Replay {
  public:
-  Replay(const Journal& journal, Document& document) : journal_(journal), document_(document) { compare(); }
+  Replay(const Journal& journal, Document& document) : Replay(journal, document, {}) {}
+  // With `skips`: bodies are put where marks say that time brought them.
+  Replay(const Journal& journal, Document& document, std::vector<TimeSkip> skips)
+      : journal_(journal), document_(document), skips_(std::move(skips)) {
+    compare();
+  }
 
   bool done() const { return next_ == journal_.commands.size() && document_.waiting() == 0; }
   // The number of commands applied so far. What `told` hears of is what the last of these did.
@@ -39,8 +45,12 @@ class Replay {
   // of it; empty if there was none. This is no difference.
   const std::string& other_machine() const { return other_machine_; }
 
+  // The ticks that were skipped.
+  Ticks skipped() const { return skipped_; }
+
  private:
   Status tell(const Walk& how, Outcome at_once) const;
+  Status skip(const Walk& how, const TimeSkip& skip);
   void compare();
   bool takes_bodies(const StateMark& mark);
 
@@ -49,6 +59,9 @@ class Replay {
   size_t next_ = 0, next_mark_ = 0;
   std::optional<Difference> difference_;
   std::string other_machine_;
+  std::vector<TimeSkip> skips_;  // ascending
+  size_t next_skip_ = 0;
+  Ticks skipped_ = 0;
 };
 
 }  // namespace kerf

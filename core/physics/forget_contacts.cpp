@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/world/body_state.h"
+
 namespace kerf {
 
 namespace {
@@ -30,6 +32,11 @@ void wake(World& world, BodyId id) {
 }
 
 }  // namespace
+
+void forget_details(World& world) {
+  const std::vector<NearPair> pairs = known_pairs(world);
+  set_known_pairs(world, pairs);
+}
 
 void forget_contacts(World& world, const Delta& delta) {
   const std::vector<BodyId> changed = changed_bodies(world, delta);

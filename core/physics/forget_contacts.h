@@ -12,4 +12,9 @@ namespace kerf {
 // O(pairs that are near each other + bodies).
 void forget_contacts(World& world, const Delta& delta);
 
+// Forgets of all pairs all but which bodies they are, and whether they touch or intersect: what a journal
+// says of them (see BodyStates). Bodies go on as well, but not to the bit as they would have, so that it has
+// to happen where replay does it, too.
+void forget_details(World& world);
+
 }  // namespace kerf

@@ -34,6 +34,13 @@ btTransform joint_frame(const Joint& joint, const RigidFrame& frame) {
   return btTransform(btMatrix3x3(x.x, y.x, z.x, x.y, y.y, z.y, x.z, y.z, z.z), btVector3(at.x, at.y, at.z));
 }
 
+// Far more than a solver lets its sides part.
+bool is_torn_apart(const Joint& joint, const MovingBody& a, const MovingBody& b) {
+  constexpr double kTornApart = 0.25;  // m, less for small bodies
+  const Vec3 apart = a.body->placement.to_world(joint.anchor) - b.body->placement.to_world(joint.anchor);
+  return glm::length(apart) > kTornApart * std::min(a.scale, b.scale);
+}
+
 }  // namespace
 
 std::vector<BodyJoint> joints_between(std::span<const MovingBody> bodies, std::span<const HeldJoint> held,
@@ -42,7 +49,8 @@ std::vector<BodyJoint> joints_between(std::span<const MovingBody> bodies, std::s
   for (const HeldJoint& h : held) {
     const uint32_t first = index_of(bodies, h.parts[0].body), second = index_of(bodies, h.parts[1].body);
     if (first == second || std::max(first, second) == bodies.size()) continue;
-    between.push_back({first, second, &joints.all[h.joint]});
+    const Joint& joint = joints.all[h.joint];
+    if (!is_torn_apart(joint, bodies[first], bodies[second])) between.push_back({first, second, &joint});
   }
   return between;
 }

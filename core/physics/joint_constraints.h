@@ -20,7 +20,8 @@ struct BodyJoint {
   const Joint* joint = nullptr;
 };
 
-// The joints whose parts belong to two different ones of these bodies. `bodies` are sorted by id.
+// The joints whose parts belong to two different ones of these bodies, and whose sides are not far from each
+// other: what was moved away by hand is let go. `bodies` are sorted by id.
 std::vector<BodyJoint> joints_between(std::span<const MovingBody> bodies, std::span<const HeldJoint> held,
                                       const Joints& joints);
 

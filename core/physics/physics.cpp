@@ -117,22 +117,38 @@ Physics& Physics::operator=(Physics&&) noexcept = default;
 void Physics::follow(const Delta& delta) {
   if (delta.anew) colliders_.clear();
   if (!delta.bodies.empty() || delta.changes_bodies()) joints_.reset();
-  for (const BodyDelta& b : delta.bodies) colliders_.erase(b.body);
-  for (BodyId id : delta.came) colliders_.erase(id);
-  for (BodyId id : delta.went) colliders_.erase(id);
+  for (const BodyDelta& b : delta.bodies) changed_.insert(b.body);
+  for (BodyId id : delta.came) forget_collider(id);
+  for (BodyId id : delta.went) forget_collider(id);
   for (const Detached& d : delta.detached) {
-    colliders_.erase(d.from);
-    colliders_.erase(d.to);
+    forget_collider(d.from);
+    forget_collider(d.to);
   }
 }
 
-const Collider& Physics::collider_of(const World& world, BodyId id) {
-  const auto [at, is_new] = colliders_.try_emplace(id);
-  if (is_new) at->second = make_collider(world.body(id).mesh);
-  return at->second;
+void Physics::forget_collider(BodyId id) {
+  colliders_.erase(id);
+  changed_.erase(id);
 }
 
-std::vector<MovingBody> Physics::moving_bodies(World& world) {
+void Physics::begin_step() { of_step_.clear(); }
+
+bool Physics::makes_collider(const World& world, BodyId id, bool under_beam) const {
+  if (!colliders_.contains(id)) return true;
+  if (!changed_.contains(id)) return false;
+  return !under_beam || !of_step_.contains(id) || world.body(id).mesh.live_faces() <= kMostUnderBeam;
+}
+
+const Collider& Physics::collider_of(const World& world, BodyId id, bool under_beam) {
+  if (makes_collider(world, id, under_beam)) {
+    colliders_[id] = make_collider(world.body(id).mesh);
+    changed_.erase(id);
+  }
+  of_step_.insert(id);
+  return colliders_.at(id);
+}
+
+std::vector<MovingBody> Physics::moving_bodies(World& world, bool under_beam) {
   std::vector<MovingBody> bodies;
   for (const BodyId id : world.ids()) {
     Body& body = world.body(id);
@@ -140,11 +156,12 @@ std::vector<MovingBody> Physics::moving_bodies(World& world) {
     MovingBody& b = bodies.emplace_back();
     b.id = id;
     b.body = &body;
-    b.collider = &collider_of(world, id);
+    b.collider = &collider_of(world, id, under_beam);
     b.frame = rigid_frame(body);
     b.fixed = body.pinned || !(b.frame.mass > 0);
     b.asleep = body.motion.asleep;
-    b.scale = std::min(1.0, glm::length(body.loaded.max - body.loaded.min) / kFullLengths);
+    b.metre = world.surroundings().metre;
+    b.scale = std::min(b.metre, glm::length(body.loaded.max - body.loaded.min) / kFullLengths);
     set_way(b, world.surroundings().gravity);
   }
   std::sort(bodies.begin(), bodies.end(),
@@ -152,10 +169,10 @@ std::vector<MovingBody> Physics::moving_bodies(World& world) {
   return bodies;
 }
 
-Delta Physics::tick(World& world) {
+Delta Physics::tick(World& world, bool under_beam) {
   figures_ = {};
   pull(world, kTick);
-  std::vector<MovingBody> bodies = moving_bodies(world);
+  std::vector<MovingBody> bodies = moving_bodies(world, under_beam);
   figures_.bodies = bodies.size();
   const bool all_rest =
       std::all_of(bodies.begin(), bodies.end(), [](const MovingBody& b) { return b.fixed || b.asleep; });
@@ -173,8 +190,10 @@ Delta Physics::tick(World& world) {
   }
   std::vector<TouchingPair> resting = take_resting(bodies, search.pairs());
   const Vec3& gravity = world.surroundings().gravity;
-  const SpeedLimit limit(bodies, search.pairs(), joints, kTick * glm::length(gravity) + kPressedOut);
-  solve_contacts(bodies, search.pairs(), joints, {.seconds = kTick, .gravity = gravity}, *solver_);
+  const SpeedLimit limit(bodies, search.pairs(), joints,
+                         kTick * glm::length(gravity) + kPressedOut * world.surroundings().metre);
+  solve_contacts(bodies, search.pairs(), joints,
+                 {.seconds = kTick, .gravity = gravity, .metre = world.surroundings().metre}, *solver_);
   limit.apply(bodies);
   set_solved_way(bodies);
   figures_.held = hold_back(bodies, search);

@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "core/graph/held_joints.h"
@@ -35,7 +36,10 @@ struct TickFigures {
 //
 // All state that decides what happens lies in the world: placements, motions and World::contact_memory().
 // This class only keeps colliders and which joints hold, which are functions of the faces; one that was made
-// anew goes on to the bit like the old one.
+// anew goes on to the bit like the old one. There is one exception, for making the collider of a large body
+// takes longer than a tick may: within a step of the history, a body of more than kMostUnderBeam faces keeps
+// its collider while the beam cuts it. So one that was made anew goes on like the old one from where a step
+// begins, see begin_step().
 class Physics {
  public:
   Physics();
@@ -46,9 +50,15 @@ class Physics {
   // Makes what is kept follow a change of the world. Must be called for every change but those of tick().
   void follow(const Delta& delta);
 
+  // To be called where a step of the history begins.
+  void begin_step();
+
   // Advances all bodies by 1/120 s. Returns the bodies that moved. The clock of the world is left to the
-  // caller.
-  Delta tick(World& world);
+  // caller. `under_beam`: a beam is on, and the next ticks will follow further cuts.
+  Delta tick(World& world, bool under_beam = false);
+  // Whether such a tick makes a collider of this body.
+  bool makes_collider(const World& world, BodyId id, bool under_beam) const;
+  static constexpr size_t kMostUnderBeam = 20'000;
 
   // Whether the joints are known that hold, i.e. whether no change was followed since the last tick.
   bool knows_joints() const { return joints_.has_value(); }
@@ -60,10 +70,13 @@ class Physics {
   const std::vector<TouchingPair>& pairs() const { return pairs_; }
 
  private:
-  const Collider& collider_of(const World& world, BodyId id);
-  std::vector<MovingBody> moving_bodies(World& world);
+  const Collider& collider_of(const World& world, BodyId id, bool under_beam);
+  std::vector<MovingBody> moving_bodies(World& world, bool under_beam);
+  void forget_collider(BodyId id);
 
   std::map<BodyId, Collider> colliders_;
+  std::set<BodyId> changed_;  // of these bodies, those whose faces have changed since
+  std::set<BodyId> of_step_;  // and those whose colliders a tick of the same step has used
   std::optional<std::vector<HeldJoint>> joints_;  // nothing: not known
   std::unique_ptr<SolverMemory> solver_;
   std::vector<TouchingPair> pairs_;

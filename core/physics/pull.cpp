@@ -25,13 +25,13 @@ glm::dmat3 cross_matrix(const Vec3& r) {
 }
 
 // Where the spring wants the velocity of the held point to change to, m/s^2.
-Vec3 wanted_acceleration(const Vec3& way, const Vec3& velocity) {
+Vec3 wanted_acceleration(const Vec3& way, const Vec3& velocity, double metre) {
   const Vec3 wanted = kPullFrequency * kPullFrequency * way - 2 * kPullFrequency * velocity;
   const double size = glm::length(wanted);
-  return size > kMostPull ? kMostPull / size * wanted : wanted;
+  return size > kMostPull * metre ? kMostPull * metre / size * wanted : wanted;
 }
 
-void pull(Body& body, const Spring& spring, double seconds) {
+void pull(Body& body, const Spring& spring, double metre, double seconds) {
   const RigidFrame frame = rigid_frame(body);
   if (!(frame.mass > 0)) return;
   const Vec3 centre = body.placement.to_world(frame.centre), held = body.placement.to_world(spring.at);
@@ -39,7 +39,8 @@ void pull(Body& body, const Spring& spring, double seconds) {
   const glm::dmat3 inertia = inverse_inertia(frame, body.placement), cross = cross_matrix(arm);
   const glm::dmat3 response = glm::dmat3(1 / frame.mass) - cross * inertia * cross;
   const Vec3 velocity = body.motion.velocity_at(held, body.placement);
-  const Vec3 impulse = glm::inverse(response) * (seconds * wanted_acceleration(spring.to - held, velocity));
+  const Vec3 impulse =
+      glm::inverse(response) * (seconds * wanted_acceleration(spring.to - held, velocity, metre));
   const Vec3 spin = inertia * glm::cross(arm, impulse);
   body.motion.spin += spin;
   body.motion.velocity += impulse / frame.mass + glm::cross(spin, body.placement.position - centre);
@@ -55,7 +56,7 @@ void pull(World& world, double seconds) {
   if (body.pinned || body.hidden) return;
   body.motion.asleep = false;
   body.motion.quiet = 0;
-  pull(body, *spring, seconds);
+  pull(body, *spring, world.surroundings().metre, seconds);
 }
 
 }  // namespace kerf

@@ -28,14 +28,14 @@ void push(Body& body, const Vec3& change) {
   if (!body.pinned) body.motion.velocity += change;
 }
 
-void push_apart(Body& rest, Body& piece) {
+void push_apart(Body& rest, Body& piece, double metre) {
   const RigidFrame of_rest = rigid_frame(rest), of_piece = rigid_frame(piece);
   const double mass = of_rest.mass + of_piece.mass;
   const Vec3 way = piece.placement.to_world(of_piece.centre) - rest.placement.to_world(of_rest.centre);
   const double length = glm::length(way), size = glm::length(rest.loaded.max - rest.loaded.min);
   // Pieces around the same centre have no direction in which to part.
   if (!(mass > 0) || !(length > 1e-3 * size)) return;
-  const Vec3 apart = kPushApart * std::min(1.0, size) / length * way;
+  const Vec3 apart = kPushApart * std::min(metre, size) / length * way;
   push(piece, of_rest.mass / mass * apart);
   push(rest, -of_piece.mass / mass * apart);
 }
@@ -59,7 +59,7 @@ void release_pieces(World& world, uint32_t generation, Delta& delta) {
       wake(rest);
       wake(piece);
       // What turns on a joint was not cut off.
-      if (piece.pieces[label].cut_off.faces > 0) push_apart(rest, piece);
+      if (piece.pieces[label].cut_off.faces > 0) push_apart(rest, piece, world.surroundings().metre);
     }
   }
 }

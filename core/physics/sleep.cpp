@@ -88,8 +88,9 @@ void count_quiet(std::span<MovingBody> bodies, std::span<const BodyJoint> joints
     if (b.fixed || b.asleep) continue;
     Motion& motion = b.body->motion;
     const Vec3 centre = b.body->placement.to_world(b.frame.centre);
-    const bool slow = glm::length(motion.velocity_at(centre, b.body->placement)) < limit[i] * kSlow &&
-                      glm::length(motion.spin) < limit[i] * kSlowSpin;
+    const bool slow =
+        glm::length(motion.velocity_at(centre, b.body->placement)) < limit[i] * kSlow * b.metre &&
+        glm::length(motion.spin) < limit[i] * kSlowSpin;
     motion.quiet = slow ? std::min(motion.quiet + 1, kQuietTicks) : 0;
   }
 }

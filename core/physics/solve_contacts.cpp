@@ -82,6 +82,7 @@ class BulletGroup {
     info.m_timeStep = settings_.seconds;
     info.m_numIterations = settings_.iterations;
     info.m_splitImpulsePenetrationThreshold = 0;
+    info.m_restitutionVelocityThreshold *= settings_.metre;
     info.m_warmstartingFactor = 0.9;
     info.m_solverMode = SOLVER_USE_WARMSTARTING | SOLVER_USE_2_FRICTION_DIRECTIONS;
     objects_.clear();
@@ -143,7 +144,7 @@ class BulletGroup {
     for (uint32_t i : {pair.first, pair.second}) {
       if (i != TouchingPair::kGround && bodies_[i].moves()) mass = std::min(mass, bodies_[i].frame.mass);
     }
-    return kMostChange * mass;
+    return kMostChange * settings_.metre * mass;
   }
 
   void fill(const Contact& c, double most_warm_impulse) {

@@ -13,6 +13,7 @@ namespace kerf {
 struct SolverSettings {
   double seconds = 0;  // the length of the tick
   Vec3 gravity{0};     // m/s^2
+  double metre = 1;    // in units of length, see Surroundings
   int iterations = 30;
   double friction = 0.6;  // coefficient
   double restitution = 0.1;

@@ -41,7 +41,7 @@ SpeedLimit::SpeedLimit(std::span<const MovingBody> bodies, std::span<const Touch
     if (p.second != TouchingPair::kGround && !p.contacts.empty()) meet(p.first, p.second);
   }
   for (const BodyJoint& j : joints) meet(j.first, j.second);
-  for (double& m : most_) m = std::min(m + gain, kFastest);
+  for (size_t i = 0; i < bodies.size(); ++i) most_[i] = std::min(most_[i] + gain, kFastest * bodies[i].metre);
 }
 
 void SpeedLimit::apply(std::span<MovingBody> bodies) const {

@@ -11,6 +11,10 @@ namespace kerf {
 struct Surroundings {
   Vec3 gravity{0, -9.81, 0};     // m/s^2
   std::optional<double> ground;  // m, the height of a plane on which bodies rest, against gravity
+  // How many units of length of the world are a metre: 1000 where positions are in millimetres, and gravity,
+  // the ground and all velocities with them. The lengths and speeds by which bodies touch and come to rest
+  // follow it.
+  double metre = 1;
 
   friend bool operator==(const Surroundings&, const Surroundings&) = default;
 

@@ -105,9 +105,16 @@ nlohmann::ordered_json layout_of(const Layout& l) {
           {"status", area(l.status)}};
 }
 
+// Not those of which all faces were cut away.
+std::vector<BodyId> bodies_with_faces(const World& world) {
+  std::vector<BodyId> ids = world.ids();
+  std::erase_if(ids, [&](BodyId id) { return world.body(id).mesh.live_faces() == 0; });
+  return ids;
+}
+
 nlohmann::ordered_json placements_of(const World& world) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
-  for (const BodyId id : world.ids()) {
+  for (const BodyId id : bodies_with_faces(world)) {
     const auto& [at, turned] = world.body(id).placement;
     all.push_back({{"name", world.body(id).own_name()},
                    {"pinned", world.body(id).pinned},
@@ -188,7 +195,7 @@ Status write_editor_report(const EditorState& state, const std::filesystem::path
       {"pieces_chosen", chosen_pieces(pieces)},
       {"pieces_hidden", hidden_pieces(pieces).size()},
       {"spread", state.view.spread},
-      {"bodies", document.world().ids().size()},
+      {"bodies", bodies_with_faces(document.world()).size()},
       {"placements", placements_of(document.world())},
       {"files", names_of(state.work.files)},
       {"message", state.message.text},

@@ -17,7 +17,19 @@ double height_of_drawn_ground(const World& world, UpAxis up) {
 
 Surroundings usual_surroundings(const World& world, const FileFrame& frame) {
   const Vec3 down = from_y_up({0, -1, 0}, frame.up);
-  return {kEarthGravity / metres_per_unit(frame.unit) * down, height_of_drawn_ground(world, frame.up)};
+  const double metre = 1 / metres_per_unit(frame.unit);
+  return {kEarthGravity * metre * down, height_of_drawn_ground(world, frame.up), metre};
+}
+
+Surroundings fitting_surroundings(const World& world, const FileFrame& frame) {
+  Surroundings around = world.surroundings();
+  if (around.gravity == Vec3(0)) return around;
+  if (!around.ground) return usual_surroundings(world, frame);
+  const double metre = 1 / metres_per_unit(frame.unit);
+  if (around.metre == metre) return around;
+  around.gravity *= metre / around.metre;
+  around.metre = metre;
+  return around;
 }
 
 }  // namespace kerf

@@ -14,4 +14,8 @@ double height_of_drawn_ground(const World& world, UpAxis up);
 // unit of the file.
 Surroundings usual_surroundings(const World& world, const FileFrame& frame);
 
+// The surroundings in which time passes: those of the world, with gravity in the unit of the file; the usual
+// ones where there is gravity and no ground yet.
+Surroundings fitting_surroundings(const World& world, const FileFrame& frame);
+
 }  // namespace kerf

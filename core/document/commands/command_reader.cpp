@@ -68,6 +68,12 @@ Result<uint64_t> CommandReader::whole_number(const char* key, uint64_t least, ui
                           std::to_string(most));
 }
 
+Result<double> CommandReader::positive_number(const char* key) const {
+  const auto number = line_[key].number();
+  if (number && !(*number > 0)) return line_[key].wrong("must be more than 0");
+  return number;
+}
+
 Result<bool> CommandReader::flag(const char* key) const {
   if (!line_[key].json().is_boolean()) return line_[key].wrong("must be true or false");
   return line_[key].json().get<bool>();

@@ -36,6 +36,7 @@ class CommandReader {
   Result<std::string> text(const char* key) const { return line_[key].text(); }
   Result<uint64_t> whole_number(const char* key, uint64_t least, uint64_t most) const;
   Result<double> number(const char* key) const { return line_[key].number(); }
+  Result<double> positive_number(const char* key) const;
   Result<Vec3> point(const char* key) const { return line_[key].vector(); }
   Result<bool> flag(const char* key) const;
 

@@ -17,7 +17,7 @@ struct SetSurroundings {
 
   static constexpr const char* kName = "surroundings";
   static constexpr std::array<const char*, 1> kKeys{"gravity"};
-  static constexpr std::array<const char*, 1> kOptionalKeys{"ground"};
+  static constexpr std::array<const char*, 2> kOptionalKeys{"ground", "metre"};
   std::string words() const;
   size_t weight() const { return 0; }
   void write(CommandWriter& line) const;

@@ -34,7 +34,8 @@ struct MovingBody {
   Placement start;     // of the body at the beginning of the tick
   RigidMap now, next;  // body to world: at the beginning of the tick, and where it goes
   Box bounds;          // m, in the world, of its way within the tick and what else may matter
-  double scale = 1;    // of all lengths of contact, see ContactLengths
+  double metre = 1;    // in units of length, see Surroundings
+  double scale = 1;    // of all lengths of contact, see ContactLengths; in units of length
 
   mutable size_t rays = 0;  // cast at its faces in this tick, for statistics
 

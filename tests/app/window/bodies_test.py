@@ -130,6 +130,36 @@ class Bodies(WindowTest):
         self.assertGreater(report["time"]["ticks"], 0)
         self.assertEqual(report["state_hash"], replay.stdout.split()[-1])
 
+    def test_when_time_stops_the_journal_says_where_the_bodies_are(self):
+        editor = self.cut_sphere()
+        self.play(editor)
+        pause(1)
+        self.stop(editor)
+
+        def marks():
+            with open(self.unsaved()[0]) as file:
+                return [line for line in map(json.loads, file) if "bodies" in line and "hash" in line]
+
+        wait_for(marks, 20, "the journal has no mark")
+        self.assertGreater(marks()[-1]["clock"], 0)
+        self.assertEqual(marks()[-1]["hash"], editor.quit()["state_hash"])
+
+    def test_half_a_minute_of_a_journal_is_not_played_again_and_leads_to_the_same(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        path, journal = (os.path.join(folder.name, name) for name in ("path.json", "fall.kerf"))
+        keys = [{"t": t, "origin": [x, 0.01, 1], "direction": [0, 0, -1]} for t, x in ((0, -0.2), (1, 0.2))]
+        with open(path, "w") as file:
+            json.dump({"strokes": [{"laser": {"radius": 0.002, "range": [0, 5]}, "keys": keys}]}, file)
+        subprocess.run([KERF, "cut", SPHERE, "--path", path, "--out", os.path.join(folder.name, "out"), "--settle",
+                        "30", "--journal", journal], check=True, capture_output=True)
+        replay = subprocess.run([KERF, "replay", journal], capture_output=True, text=True, check=True)
+        editor = self.open(journal)
+        editor.point_at(0.9, 0.9)
+        report = editor.quit()
+        self.assertEqual(report["time"]["ticks"], 3600)
+        self.assertEqual(report["state_hash"], replay.stdout.split()[-1])
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -228,14 +228,18 @@ TEST_F(BodiesInTime, a_journal_gives_marks_with_bodies_back_to_the_bit) {
   const TemporaryFolder folder;
   const auto lines = journal_lines(document_.journal(), marks, folder.path());
   ASSERT_TRUE(lines);
-  write_text(folder / "fall.kerf",
-             std::string(R"({"kerf":"journal","version":1,"bodies":[{"mesh":"plate.obj"}]})") + '\n' + *lines);
+  write_text(
+      folder / "fall.kerf",
+      std::string(R"({"kerf":"journal","version":1,"bodies":[{"mesh":"plate.obj"}]})") + '\n' + *lines);
   const auto read = read_journal(folder / "fall.kerf");
   ASSERT_TRUE(read) << read.error().message;
   EXPECT_EQ(read->damage, "");
   ASSERT_EQ(read->marks.size(), 1u);
   EXPECT_EQ(read->marks[0].machine, marks[0].machine);
   EXPECT_EQ(read->marks[0].bodies, marks[0].bodies);
+  EXPECT_FALSE(marks[0].pairs.empty());
+  EXPECT_EQ(read->marks[0].pairs, marks[0].pairs);
+  EXPECT_EQ(read->marks[0].clock, 50u);
 }
 
 TEST_F(BodiesInTime, a_spring_lifts_a_plate_and_lets_it_go) {

@@ -173,5 +173,35 @@ TEST(Fall, nothing_passes_a_sheet_or_the_ground_however_fast) {
   }
 }
 
+// Four plates, one over the other, that fall, slide and come to rest; in a unit of 1/1024 m they do it alike,
+// as a power of two changes no digit.
+TEST(Fall, a_world_in_another_unit_falls_and_comes_to_rest_like_one_in_metres) {
+  const auto made = [](double metre) {
+    World world;
+    world.set_surroundings({.gravity = {0, -9.81 * metre, 0}, .ground = 0, .metre = metre});
+    for (int i = 0; i < 4; ++i) {
+      const glm::dquat tilted = glm::normalize(glm::dquat(1, 0.1 * i, 0.05, -0.08 * i));
+      test::add(world, test::rectangle(0.1 * metre, 0.07 * metre, 2),
+                metre * Vec3(0.02 * i, 0.2 + 0.06 * i, 0.01 * i), tilted);
+    }
+    return world;
+  };
+  constexpr double kMetre = 1024;
+  World metres = made(1), units = made(kMetre);
+  Physics in_metres, in_units;
+  const std::vector<BodyId> ids = metres.ids();
+  for (int t = 0; t < 5 * static_cast<int>(kTicksPerSecond) && !all_sleep(metres); ++t) {
+    in_metres.tick(metres);
+    in_units.tick(units);
+    for (const BodyId id : ids) {
+      const Body &a = metres.body(id), &b = units.body(id);
+      const double apart = glm::length(kMetre * a.placement.position - b.placement.position);
+      ASSERT_LT(apart, 1e-6 * kMetre) << "tick " << t;
+      ASSERT_EQ(a.motion.asleep, b.motion.asleep) << "tick " << t;
+    }
+  }
+  EXPECT_TRUE(all_sleep(units));
+}
+
 }  // namespace
 }  // namespace kerf

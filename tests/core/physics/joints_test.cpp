@@ -165,6 +165,22 @@ TEST(Joints, wheels_roll_on_their_hubs) {
   }
 }
 
+TEST(Joints, a_part_that_was_moved_away_by_hand_is_let_go) {
+  for (const double way : {0.01, 2.0}) {
+    World world = cart();
+    world.set_surroundings({.gravity = {0, -9.81, 0}, .ground = 0});
+    const BodyId wheel = world.ids()[1];
+    world.body(wheel).placement.position.x += way;
+    const Vec3 anchor = world.joints().all[0].anchor;
+    Physics physics;
+    for (int t = 0; t < 60; ++t) physics.tick(world);
+    const auto place = [&](BodyId id) { return world.body(id).placement.to_world(anchor); };
+    const double apart = glm::length(place(wheel) - place(world.ids()[0]));
+    if (way < 1) EXPECT_LT(apart, 0.003);
+    if (way > 1) EXPECT_GT(apart, 0.9 * way);
+  }
+}
+
 // Walks time in which bodies move.
 void play(Document& document, double seconds) {
   document.apply(Advance{static_cast<Ticks>(seconds * static_cast<double>(kTicksPerSecond)), true});

@@ -74,6 +74,7 @@ void BodiesPanel::draw_surroundings(const BodyParts& on) {
   mark_last_item("gravity on");
   tooltip("Without gravity pieces float apart.");
   if (!around.ground) around = usual_surroundings(world, frame);
+  around.metre = 1 / metres;
   double value = metres * glm::length(around.gravity);
   const Vec3 down = from_y_up({0, -1, 0}, frame.up);
   if (gravity &&

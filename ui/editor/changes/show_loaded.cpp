@@ -1,6 +1,7 @@
 #include "core/mesh/files/mesh_format.h"
 #include "ui/editor/changes/file_opener.h"
 #include "ui/editor/view/file_frames.h"
+#include "ui/window/number_text.h"
 
 namespace kerf {
 
@@ -49,11 +50,17 @@ void say_what_was_refused(Message& message, const LoadedFiles& loaded) {
   message.say(loaded.order.name() + " opened, without: " + loaded.refused.front() + others, true);
 }
 
+std::string words_on_skip(Ticks skipped) {
+  return "Bodies stand where " + grouped(skipped / kTicksPerSecond) +
+         " s had brought them when it was saved; that time was not played again.";
+}
+
 void say_what_was_opened(Message& message, const LoadedFiles& loaded) {
   message.say(loaded.order.left ? "Here is the work that was left"
                                 : loaded.order.name() + (loaded.notes.empty() ? "" : ": " + loaded.notes));
   // Without hashes the work can be cut but not kept, which is said when it comes to that.
   if (loaded.cannot_be_kept) message.say(loaded.cannot_be_kept->message, true);
+  if (loaded.skipped > 0) message.say(words_on_skip(loaded.skipped));
   if (!loaded.fault.empty()) message.say(loaded.fault, true);
   if (!loaded.refused.empty()) say_what_was_refused(message, loaded);
 }

@@ -23,12 +23,7 @@ const char* why_time_stands_still(const World& world, const SplitView& split, co
 
 void TimeFlow::advance(double seconds) {
   PlayState& play = on_.play;
-  if (!may_go_on()) {
-    begun_ = false;
-    due_ = 0;
-    before_ground_.reset();
-    return;
-  }
+  if (!may_go_on()) return end();
   const Document& document = on_.work.document;
   due_ += std::min(seconds, kLongestFrame) * play.speed().of_real_time * kTicksPerSecond;
   if (on_.changes.is_pending() || document.waiting() > 0) {
@@ -43,6 +38,14 @@ void TimeFlow::advance(double seconds) {
   const auto ticks = single ? Ticks{1} : static_cast<Ticks>(due_);
   if (ticks > 0) queue_ticks(ticks);
   if (single) begun_ = false;  // each single tick is a step of the history
+}
+
+void TimeFlow::end() {
+  due_ = 0;
+  before_ground_.reset();
+  if (!begun_ || on_.changes.is_pending() || on_.work.document.waiting() > 0) return;
+  mark_state(on_.work.document, on_.work.marks, true);
+  begun_ = false;
 }
 
 // Ends playing where it has to end.
@@ -66,11 +69,11 @@ bool TimeFlow::begin() {
     on_.view.spread = 0;
     spread_pieces(document.world(), 0, on_.view.look);
   }
-  const Surroundings& around = document.world().surroundings();
-  if (!around.ground && around.gravity != Vec3(0)) {
+  const Surroundings fitting = fitting_surroundings(document.world(), on_.view.frame);
+  if (fitting != document.world().surroundings()) {
     if (document.in_stroke()) return false;
     before_ground_ = document.history().position();
-    on_.changes.apply(SetSurroundings{usual_surroundings(document.world(), on_.view.frame)});
+    on_.changes.apply(SetSurroundings{fitting});
     return false;
   }
   if (!document.in_stroke()) document.apply(Play{});
@@ -90,10 +93,15 @@ void TimeFlow::queue_spring() {
     document.apply(Pull{on_.hand.spring->piece, on_.hand.spring->at, on_.hand.spring->to});
 }
 
+// Up to a full minute at most.
 void TimeFlow::queue_ticks(Ticks ticks) {
+  OpenWork& work = on_.work;
+  const Ticks of_minute = work.document.world().clock() % Document::kTicksToForget;
+  if (of_minute == 0) mark_state(work.document, work.marks, true);
+  ticks = std::min(ticks, Document::kTicksToForget - of_minute);
   due_ -= std::min(due_, static_cast<double>(ticks));
   queue_spring();
-  on_.work.document.apply(Advance{ticks, true});
+  work.document.apply(Advance{ticks, true});
 }
 
 }  // namespace kerf

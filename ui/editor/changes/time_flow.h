@@ -17,7 +17,8 @@ const char* why_time_stands_still(const World& world, const SplitView& split, co
 //
 // Ticks are queued when all before them are done, so that the world goes on in slow motion where ticks or
 // cuts take longer than real time; how many are queued at once follows from how many the frames before could
-// do. Playing ends when a step of the history is undone.
+// do. Playing ends when a step of the history is undone. Where it ends, and at each full minute, the
+// journal gets a mark of where the bodies are, so that who opens it need not move them again.
 class TimeFlow {
  public:
   struct Parts {
@@ -41,6 +42,7 @@ class TimeFlow {
  private:
   bool may_go_on();
   bool begin();
+  void end();
   void queue_spring();
   void queue_ticks(Ticks ticks);
 

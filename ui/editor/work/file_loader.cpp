@@ -14,6 +14,9 @@ namespace {
 // any.
 constexpr double kReading = 0.48, kHashing = 0.01, kShading = 0.25, kShadows = 0.26, kCutting = 0.3;
 
+// Of bodies that move without a beam: as long a time takes no longer than a few seconds.
+constexpr Ticks kTicksToSkip = 20 * kTicksPerSecond;
+
 bool is_over(const std::future<Result<LoadedFiles>>& result, double seconds) {
   return result.wait_for(std::chrono::duration<double>(seconds)) == std::future_status::ready;
 }
@@ -33,7 +36,7 @@ void put_into(Scene& scene, Scene more) {
 // Reads several files as one scene. One that cannot be read keeps no other out: it is taken out of `files`,
 // and `refused` gets the reason. Fails if none can be read.
 Result<OpenedFile> read_together(std::vector<std::filesystem::path>& files, std::vector<std::string>& refused,
-                           const Progress* progress) {
+                                 const Progress* progress) {
   bool stopped = false;
   const Progress watched{[&](double fraction) {
     stopped = progress != nullptr && !progress->report(fraction);
@@ -89,7 +92,7 @@ Document document_of(World world, const SceneDescription& scene, size_t history_
 
 // A step that fails here failed when the journal was made too. Whether it came to its end.
 bool replay_all(const Journal& journal, LoadedFiles& loaded, const Progress& progress) {
-  Replay replay(journal, loaded.document);
+  Replay replay(journal, loaded.document, time_skips(journal, kTicksToSkip));
   Walk how;
   how.told = [](const Result<StepResult>&) -> Status { return Done{}; };
   how.progress = &progress;
@@ -104,6 +107,8 @@ bool replay_all(const Journal& journal, LoadedFiles& loaded, const Progress& pro
         "changed";
   } else if (!replay.other_machine().empty()) {
     loaded.fault = "Bodies moved on another kind of machine: they were put where they were there";
+  } else if (replay.skipped() > 0) {
+    loaded.skipped = replay.skipped();
   }
   return true;
 }

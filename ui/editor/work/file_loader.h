@@ -40,6 +40,7 @@ struct LoadedFiles {
   PreparedBodies prepared;
   std::vector<StateMark> marks;
   bool damaged = false;                 // not all of the journal could be read
+  Ticks skipped = 0;                    // for which bodies were not moved, but put where they came to be
   std::string notes;                    // what was put right in the first file that needed it
   std::string fault;                    // of the strokes or the journal, a sentence or empty
   std::optional<Error> cannot_be_kept;  // why the work cannot be saved

@@ -1,0 +1,71 @@
+#include <gtest/gtest.h>
+
+#include "core/document/document.h"
+#include "core/world/state_hash.h"
+#include "tests/support/made_meshes.h"
+#include "tests/support/sheets.h"
+#include "tests/support/strokes.h"
+
+namespace kerf::test {
+namespace {
+
+CutSettings settings() {
+  CutSettings s;
+  s.laser.radius = 0.01;
+  s.resolution.target_edge = 0.02;
+  return s;
+}
+
+// A pinned plate of many faces and one of few, while a beam moves over both.
+TEST(LargeBodies, under_a_beam_keep_their_colliders_until_it_is_off_and_come_to_the_same_in_replay) {
+  const auto made = [] {
+    World world;
+    add(world, rectangle(1, 1, 120), {0, 0.5, 0});
+    add(world, rectangle(1, 1, 8), {0, 0.8, 0});
+    world.body(world.ids()[0]).pinned = true;
+    world.set_surroundings({.gravity = {0, -9.81, 0}, .ground = 0});
+    return world;
+  };
+  Document document(made());
+  const BodyId large = document.world().ids()[0];
+  ASSERT_GT(document.world().body(large).mesh.live_faces(), Physics::kMostUnderBeam);
+  size_t large_colliders = 0;
+  const auto pass = [&](Ticks ticks) {
+    for (Ticks t = 0; t < ticks; ++t) {
+      document.apply(Advance{1, true});
+      while (document.waiting() > 0) {
+        large_colliders += document.next_makes_ready() > Physics::kMostUnderBeam;
+        ASSERT_TRUE(document.step(64).ok());
+      }
+    }
+  };
+  document.apply(Play{});
+  pass(40);
+  EXPECT_EQ(large_colliders, 1u);
+  const Vec3 down(0, -1, 0);
+  document.apply(BeginStroke{settings(), {{-0.3, 3, 0}, down}});
+  for (int i = 0; i < 10; ++i) {
+    document.apply(MoveStroke{{{-0.28 + 0.02 * i, 3, 0}, down}});
+    pass(1);
+  }
+  EXPECT_EQ(large_colliders, 2u) << "one where the step begins, none while it is cut";
+  document.apply(EndStroke{});
+  pass(30);
+  EXPECT_EQ(large_colliders, 3u);
+  const uint64_t hash = state_hash(document.world());
+  Document again(made());
+  for (const Command& c : document.journal()) {
+    ASSERT_TRUE(again.apply(c).ok());
+    again.seal_journal();
+  }
+  ASSERT_TRUE(walk_all(again).ok());
+  EXPECT_EQ(state_hash(again.world()), hash);
+  ASSERT_TRUE(document.apply(Undo{}).ok());
+  document.set_window(0);
+  ASSERT_TRUE(document.apply(Redo{}).ok());
+  ASSERT_TRUE(walk_all(document).ok());
+  EXPECT_EQ(state_hash(document.world()), hash);
+}
+
+}  // namespace
+}  // namespace kerf::test

@@ -33,10 +33,11 @@ const char* result_of(const Match& match) {
   }
 }
 
-nlohmann::ordered_json match_report(const Match& match, const std::vector<double>& tick_s) {
+nlohmann::ordered_json match_report(const Match& match, const std::vector<double>& frame_s,
+                                    const std::vector<double>& tick_s) {
   const Standing& standing = match.standing();
-  return {{"frames", 0},
-          {"frame_ms", times_of({})},
+  return {{"frames", frame_s.size()},
+          {"frame_ms", times_of(frame_s)},
           {"ticks", standing.ticks},
           {"tick_ms", times_of(tick_s)},
           {"strokes", match.strokes()},

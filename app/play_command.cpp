@@ -7,12 +7,16 @@
 #include "app/exit_status.h"
 #include "app/interrupt.h"
 #include "app/match_report.h"
+#include "app/parse_values.h"
 #include "app/progress_line.h"
 #include "core/base/atomic_file.h"
 #include "core/game/match/bot_player.h"
 #include "core/game/match/recording.h"
 #include "core/physics/machine_kind.h"
 #include "core/world/state_hash.h"
+#include "ui/editor/editor.h"
+#include "ui/editor/view/settings.h"
+#include "ui/game/game.h"
 #include "ui/render/assets.h"
 
 namespace kerf {
@@ -20,7 +24,7 @@ namespace kerf {
 namespace {
 
 struct PlayArguments {
-  std::string rules, driver = "still", difficulty = "normal", report, record;
+  std::string rules, driver, difficulty, report, record, size, landmarks;
   uint64_t seed = 1;
   double seconds = 0;
   bool headless = false;
@@ -34,6 +38,7 @@ class PlayRun {
   Status run() {
     if (const Status s = check(); !s) return s;
     if (const Status s = load(); !s) return s;
+    if (!arguments_.headless) return play_in_window();
     Match match(setup_);
     if (const Status s = play(match); !s) return s;
     if (const Status s = write_report(match); !s) return s;
@@ -49,11 +54,10 @@ class PlayRun {
   using Clock = std::chrono::steady_clock;
 
   Status check() {
-    if (!arguments_.headless)
-      return bad_input("play: this version has no window for the game: give --headless");
-    if (arguments_.driver != "bot" && arguments_.driver != "still")
+    if (!arguments_.driver.empty() && arguments_.driver != "bot" && arguments_.driver != "still")
       return bad_input("--driver: must be \"bot\" or \"still\"");
-    const auto difficulty = parse_difficulty(arguments_.difficulty);
+    const auto difficulty =
+        parse_difficulty(arguments_.difficulty.empty() ? "normal" : arguments_.difficulty);
     if (!difficulty) return bad_input("--difficulty: must be \"easy\", \"normal\" or \"hard\"");
     setup_.difficulty = *difficulty;
     setup_.seed = arguments_.seed;
@@ -70,6 +74,41 @@ class PlayRun {
     if (!rules) return error_or_stopped(rules.error());
     setup_.rules = std::move(*rules);
     return Done{};
+  }
+
+  Status play_in_window() {
+    GameOptions options;
+    options.setup = setup_;
+    options.chosen_difficulty = !arguments_.difficulty.empty();
+    const Settings settings = read_settings(settings_file()).settings;
+    options.look = {settings.theme, settings.palette, static_cast<float>(settings.ui_scale), false};
+    options.bot = arguments_.driver == "bot";
+    options.seconds = arguments_.seconds;
+    if (!arguments_.landmarks.empty()) options.landmarks = arguments_.landmarks;
+    PixelSize size{settings.width, settings.height};
+    if (!arguments_.size.empty()) {
+      const auto asked = parse_size(arguments_.size);
+      if (!asked) return asked.error();
+      size = *asked;
+    }
+    let_interrupts_end();
+    const auto outcome = kerf::play(options, size.width, size.height);
+    if (!outcome) return outcome.error();
+    setup_ = outcome->match->setup();
+    controls_ = outcome->played;
+    frame_s_ = outcome->frame_seconds;
+    if (const Status s = write_report(*outcome->match); !s) return s;
+    if (const Status s = write_record(*outcome->match); !s) return s;
+    return outcome->inspect ? inspect(*outcome->match) : Status(Done{});
+  }
+
+  static Status inspect(const Match& match) {
+    const auto scene = save_inspected(match);
+    if (!scene) return scene.error();
+    EditorOptions options;
+    options.default_scene = assets_folder() / "scenes" / "car.json";
+    options.files = {*scene};
+    return run_editor(options);
   }
 
   Status play(Match& match) {
@@ -92,7 +131,7 @@ class PlayRun {
 
   Status write_report(const Match& match) const {
     if (arguments_.report.empty()) return Done{};
-    return write_file_atomically(arguments_.report, match_report(match, tick_s_).dump(2) + "\n");
+    return write_file_atomically(arguments_.report, match_report(match, frame_s_, tick_s_).dump(2) + "\n");
   }
 
   Status write_record(const Match& match) const {
@@ -111,7 +150,7 @@ class PlayRun {
   PlayArguments arguments_;
   MatchSetup setup_;
   std::vector<Controls> controls_;
-  std::vector<double> tick_s_;
+  std::vector<double> tick_s_, frame_s_;
 };
 
 }  // namespace
@@ -120,13 +159,19 @@ void add_play_command(CLI::App& app, Invocation& invocation) {
   CLI::App* command = app.add_subcommand("play", "The game: a car with a laser on its roof against others");
   auto a = std::make_shared<PlayArguments>();
   command->add_option("SCENE", a->rules, "The rules of a match (.json); the standard match without it");
-  command->add_option("--driver", a->driver, "Who drives: bot, or still for a car that does nothing (still)");
-  command->add_option("--difficulty", a->difficulty, "easy, normal or hard (normal)");
+  command->add_option(
+      "--driver", a->driver,
+      "Who drives: bot, or still for a car that does nothing; you in a window, if it is not given");
+  command->add_option("--difficulty", a->difficulty,
+                      "easy, normal or hard (in a window as it was last set there, otherwise normal)");
   command->add_option("--seed", a->seed, "The seed of everything that is random (1)");
   command->add_option("--seconds", a->seconds, "Ends the match after so many seconds of its own time");
   command->add_flag("--headless", a->headless, "Without a window, as fast as it goes");
   command->add_option("--report", a->report, "A JSON file for what came of the match");
   command->add_option("--record", a->record, "A file (.kerf) from which kerf replay plays the match again");
+  command->add_option("--size", a->size, "Size of the window, WxH");
+  command->add_option("--landmarks", a->landmarks, "Where the game keeps the places of its widgets, as JSON")
+      ->group("");
   command->callback([a, &invocation] {
     invocation = [a] {
       catch_interrupts();

@@ -17,7 +17,7 @@ CORE = ['game', 'document', 'physics', 'cut', 'graph', 'heat', 'shadow', 'world'
 # of a face, the menus and dialogs, how actions are found and bound to keys, the panels, the panel of the component
 # graph, and that of moving bodies; the files in ui/editor itself put these together and alone know all of its state.
 UI = ['editor', 'editor/bodies', 'editor/graph', 'editor/panels', 'editor/keys', 'editor/frame', 'editor/marks', 'editor/inspect', 'editor/changes', 'editor/single_step', 'editor/tools', 'editor/play', 'editor/path', 'editor/section', 'editor/work', 'editor/view',
-      'editor/figures', 'screen', 'window', 'render', 'gl']
+      'editor/figures', 'game', 'sound', 'screen', 'window', 'render', 'gl']
 
 SOURCE_FOLDERS = LAYERS + ['tests']
 TOP_LEVEL = {'CMakeLists.txt', 'README.md', 'assets', *SOURCE_FOLDERS}

@@ -169,6 +169,8 @@ void EditorScreen::show_landmarks() {
   const ViewState& view = state_.view;
   landmarks_->mark(view.layout);
   if (is_popup_open()) landmarks_->mark("popup", {{at.x, at.y}, Vec2(1)});
+  if (state_.decisions.question.open()) landmarks_->mark("question", {{at.x, at.y}, Vec2(1)});
+  if (state_.browser.open) landmarks_->mark("browser", {{at.x, at.y}, Vec2(1)});
   for (size_t i = 0; i < view.look.lights.size() && shows_light_handles(state_.settings); ++i) {
     if (const auto handle = light_handle(view, i))
       landmarks_->mark("light " + std::to_string(i), {*handle, Vec2(0)});

@@ -1,11 +1,49 @@
 #include "ui/editor/editor.h"
 
+#include <random>
+
+#include "core/document/world_scene.h"
 #include "ui/editor/editor_report.h"
 #include "ui/editor/editor_screen.h"
+#include "ui/game/game.h"
 #include "ui/gl/debug_output.h"
+#include "ui/render/assets.h"
 #include "ui/screen/frame_loop.h"
 
 namespace kerf {
+
+namespace {
+
+// Lets the player play, and tells the editor what came of it.
+void play_game(Window& window, FrameLoop& loop, EditorScreen& screen, const EditorOptions& options) {
+  auto rules = load_rules(assets_folder() / "games" / "standard.json");
+  if (!rules) {
+    screen.come_back(screen.look(), {});
+    return screen.tell(rules.error().message);
+  }
+  GameOptions game;
+  game.setup.rules = std::move(*rules);
+  game.setup.seed = std::random_device()();
+  game.look = screen.look();
+  game.from_editor = true;
+  game.landmarks = options.landmarks;
+  auto played = play_in(window, loop, game);
+  if (!played) {
+    screen.come_back(screen.look(), {});
+    return screen.tell(played.error().message);
+  }
+  std::filesystem::path scene;
+  std::string fault;
+  if (played->inspect) {
+    auto saved = save_inspected(*played->match);
+    if (saved) scene = *saved;
+    if (!saved) fault = saved.error().message;
+  }
+  screen.come_back(played->look, scene);
+  screen.tell(fault);
+}
+
+}  // namespace
 
 Status run_editor(const EditorOptions& options) {
   LoadedSettings loaded = read_settings(settings_file());
@@ -23,7 +61,12 @@ Status run_editor(const EditorOptions& options) {
   gui.dress(screen.look());
   if (const Status opened = screen.open(); !opened) return opened;
   screen.tell(fault);
-  screen.close(loop.run(screen));
+  bool left_by_user = loop.run(screen);
+  while (left_by_user && screen.wants_game()) {
+    play_game(*window, loop, screen, options);
+    left_by_user = loop.run(screen);
+  }
+  screen.close(left_by_user);
   if (!options.report) return Done{};
   return write_editor_report(screen.state(), *options.report);
 }

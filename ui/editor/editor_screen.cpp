@@ -90,6 +90,15 @@ void EditorScreen::tell(const std::string& fault) {
   if (!fault.empty() && !state_.message.is_error) state_.message.say(fault, true);
 }
 
+void EditorScreen::come_back(const GuiLook& look, const std::filesystem::path& scene) {
+  state_.requests.play = false;
+  state_.settings.palette = look.palette;
+  state_.view.picture_old = true;
+  title_.clear();
+  if (landmarks_) keep_landmarks(&*landmarks_);
+  if (!scene.empty()) state_.requests.open = {scene};
+}
+
 void EditorScreen::close(bool left_by_user) {
   if (thread_.busy()) {
     thread_.stop();

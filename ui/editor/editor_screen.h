@@ -44,7 +44,12 @@ class EditorScreen : public Screen {
   void took(const FrameTime& time) override;
   bool moving() const override;
   void rest() override;
-  bool over() const override { return desk_.quit(); }
+  bool over() const override { return desk_.quit() || wants_game(); }
+
+  // Whether the screen is over only until the player comes back from the game.
+  bool wants_game() const { return state_.requests.play && !thread_.busy(); }
+  // To be called when the game is over, with a scene that is to be opened, or an empty path.
+  void come_back(const GuiLook& look, const std::filesystem::path& scene);
 
  private:
   using Clock = std::chrono::steady_clock;

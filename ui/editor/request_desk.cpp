@@ -17,6 +17,7 @@ void RequestDesk::fulfil() {
   Requests wanted = std::exchange(state_.requests, {});
   load_paths(wanted.open);
   state_.requests.screenshot = wanted.screenshot;  // waits for the picture
+  state_.requests.play = wanted.play;              // waits for the end of the frame
   Decisions& decisions = state_.decisions;
   if (!wanted.save_to.empty()) {
     save_to(wanted.save_to);

@@ -20,11 +20,19 @@ struct Puff {
   double opacity = 0;  // 0 to 1
 };
 
+// A burnt place of a surface that beams do not cut.
+struct Scorch {
+  Vec3 at, normal;    // m and unit, world
+  double radius = 0;  // m
+  double heat = 0;    // from 1, where it was just burnt and glows, to 0
+};
+
 // What is drawn of lasers and of what they throw off.
 struct Effects {
   std::vector<BeamPicture> beams;  // besides the one whose spot lights its surroundings
   std::vector<Spark> sparks;
   std::vector<Puff> puffs;
+  std::vector<Scorch> scorches;
 };
 
 }  // namespace kerf

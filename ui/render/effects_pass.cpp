@@ -21,13 +21,16 @@ Result<EffectsPass> EffectsPass::create(const std::filesystem::path& shaders) {
   if (!sparks) return sparks.error();
   auto smoke = gl::Program::load(shaders, {{"frame.glsl", "particle.vert"}, {"frame.glsl", "smoke.frag"}});
   if (!smoke) return smoke.error();
-  return EffectsPass(std::move(*sparks), std::move(*smoke));
+  auto scorches = gl::Program::load(shaders, {{"frame.glsl", "scorch.vert"}, {"scorch.frag"}});
+  if (!scorches) return scorches.error();
+  return EffectsPass(std::move(*sparks), std::move(*smoke), std::move(*scorches));
 }
 
-EffectsPass::EffectsPass(gl::Program sparks, gl::Program smoke)
-    : sparks_(std::move(sparks)), smoke_(std::move(smoke)) {
+EffectsPass::EffectsPass(gl::Program sparks, gl::Program smoke, gl::Program scorches)
+    : sparks_(std::move(sparks)), smoke_(std::move(smoke)), scorches_(std::move(scorches)) {
   sparks_.bind_block("Frame", kFrameBlock);
   smoke_.bind_block("Frame", kFrameBlock);
+  scorches_.bind_block("Frame", kFrameBlock);
   glBindVertexArray(layout_.name());
   glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
   attribute(0, 3, sizeof(Corner), offsetof(Corner, at));
@@ -37,10 +40,11 @@ EffectsPass::EffectsPass(gl::Program sparks, gl::Program smoke)
 }
 
 void EffectsPass::draw(const Effects& effects, const FrameSpace& space) {
-  if (effects.sparks.empty() && effects.puffs.empty()) return;
+  if (effects.sparks.empty() && effects.puffs.empty() && effects.scorches.empty()) return;
   glEnable(GL_BLEND);
   glDepthMask(GL_FALSE);
   glBindVertexArray(layout_.name());
+  draw_scorches(effects.scorches, space);
   draw_smoke(effects.puffs, space);
   draw_sparks(effects.sparks, space);
   glDepthMask(GL_TRUE);
@@ -77,6 +81,33 @@ void EffectsPass::draw_sparks(const std::vector<Spark>& sparks, const FrameSpace
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_COLOR);
   sparks_.use();
   send(corners);
+}
+
+// They darken what lies under them, and then glow.
+void EffectsPass::draw_scorches(const std::vector<Scorch>& scorches, const FrameSpace& space) {
+  if (scorches.empty()) return;
+  std::vector<Corner> corners;
+  for (const Scorch& s : scorches) {
+    const Vec3 beside = std::abs(s.normal.y) < 0.9 ? Vec3(0, 1, 0) : Vec3(1, 0, 0);
+    const Vec3 right = glm::normalize(glm::cross(beside, s.normal)) * s.radius;
+    const Vec3 up = glm::cross(s.normal, right);
+    const size_t first = corners.size();
+    add_quad(corners, {{}, {}, {}, {0, static_cast<float>(std::clamp(s.heat, 0.0, 1.0))}});
+    for (size_t i = first; i < corners.size(); ++i) {
+      const Vec3 corner = s.at + right * double{corners[i].across.x} + up * double{corners[i].across.y};
+      corners[i].at = corners[i].towards = space.from_world(corner);
+    }
+  }
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  glPolygonOffset(-2, -8);
+  scorches_.use();
+  scorches_.set("glow", 0);
+  glBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
+  send(corners);
+  scorches_.set("glow", 1);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_COLOR);
+  send(corners);
+  glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
 void EffectsPass::add_quad(std::vector<Corner>& corners, Corner corner) {

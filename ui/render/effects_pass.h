@@ -8,8 +8,8 @@
 
 namespace kerf {
 
-// Draws sparks as streaks that shine, and smoke as soft discs, over a picture whose depth buffer hides what
-// lies behind its surfaces.
+// Draws burnt places, sparks as streaks that shine, and smoke as soft discs, over a picture whose depth
+// buffer hides what lies behind its surfaces.
 class EffectsPass {
  public:
   static Result<EffectsPass> create(const std::filesystem::path& shaders);
@@ -25,13 +25,14 @@ class EffectsPass {
     glm::vec2 across;   // -1 .. 1 over the quad
     glm::vec2 look;     // half the width in the frame's unit, heat or opacity
   };
-  EffectsPass(gl::Program sparks, gl::Program smoke);
+  EffectsPass(gl::Program sparks, gl::Program smoke, gl::Program scorches);
+  void draw_scorches(const std::vector<Scorch>& scorches, const FrameSpace& space);
   void draw_sparks(const std::vector<Spark>& sparks, const FrameSpace& space);
   void draw_smoke(const std::vector<Puff>& puffs, const FrameSpace& space);
   void send(const std::vector<Corner>& corners);
   static void add_quad(std::vector<Corner>& corners, Corner corner);
 
-  gl::Program sparks_, smoke_;
+  gl::Program sparks_, smoke_, scorches_;
   gl::Buffer buffer_;
   gl::VertexArray layout_;
 };

@@ -278,7 +278,8 @@ class WindowTest(unittest.TestCase):
     def open_by_browser(self, editor, file):
         """Types a whole path, or a part of a name, into File > Open."""
         editor.press("ctrl", "o")
-        pause(1.5)
+        editor.part("browser")
+        pause(1)
         editor.xdotool("type", "--delay", "40", file)
         pause(1)
         editor.press("Return")
@@ -294,7 +295,8 @@ class WindowTest(unittest.TestCase):
 
     def type_name(self, editor, name):
         """The name that the browser offers is chosen, so that typing replaces it."""
-        pause(2)
+        editor.part("browser")
+        pause(1)
         editor.xdotool("type", "--delay", "40", os.path.join(self.folder, name))
         pause(1.5)
         editor.press("Return")

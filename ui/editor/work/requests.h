@@ -14,6 +14,7 @@ struct Requests {
   std::vector<std::filesystem::path> open;  // in place of what is open, as bodies of one scene
   bool fresh = false;                       // the default scene in place of what is open
   bool quit = false;
+  bool play = false;              // the game, until the player comes back
   std::filesystem::path save_to;  // empty: nowhere
   bool recut = false;             // at the resolution that is set now
   bool recut_radius = false;      // with the radius that is set now, too

@@ -1,0 +1,47 @@
+#include "ui/game/game_settings.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "tests/support/temporary_folder.h"
+
+namespace kerf {
+namespace {
+
+TEST(GameSettings, come_back_as_they_were_written) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.path() / "kerf" / "game.json";
+  GameSettings s;
+  s.sensitivity = 1.75;
+  s.invert = true;
+  s.field_of_view = 71;
+  s.volume = 0.25;
+  s.aim_help = s.guide = false;
+  s.difficulty = Difficulty::kHard;
+  s.preset = PicturePreset::kMedium;
+  ASSERT_TRUE(write_game_settings(s, file).ok());
+  EXPECT_EQ(read_game_settings(file), s);
+}
+
+TEST(GameSettings, that_make_no_sense_give_defaults_and_limits) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.path() / "game.json";
+  std::ofstream(file) << R"({"sensitivity": 99, "volume": "loud", "preset": "best", "invert": 1})";
+  const GameSettings s = read_game_settings(file);
+  EXPECT_EQ(s.sensitivity, GameSettings::kMostSensitivity);
+  EXPECT_EQ(s.volume, GameSettings().volume);
+  EXPECT_EQ(s.preset, PicturePreset::kAutomatic);
+  EXPECT_FALSE(s.invert);
+}
+
+TEST(GameSettings, that_are_no_json_are_set_aside) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.path() / "game.json";
+  std::ofstream(file) << "not json";
+  EXPECT_EQ(read_game_settings(file), GameSettings());
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "game.json.bad"));
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,43 @@
+#include "ui/game/high_scores.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "tests/support/temporary_folder.h"
+
+namespace kerf {
+namespace {
+
+HighScore score(double points, const char* difficulty = "easy") {
+  return {points, "standard", difficulty, points > 500, 3, 120};
+}
+
+TEST(HighScores, keep_the_best_of_each_game_in_order) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.path() / "state" / "scores.json";
+  for (int i = 1; i <= 12; ++i) EXPECT_EQ(*add_high_score(score(100.0 * i), file), 1u);
+  EXPECT_EQ(*add_high_score(score(950), file), 4u);
+  EXPECT_EQ(*add_high_score(score(1), file), 0u);
+  EXPECT_EQ(*add_high_score(score(1, "hard"), file), 1u);
+  const auto all = read_high_scores(file);
+  ASSERT_EQ(all.size(), kMostHighScores + 1);
+  EXPECT_EQ(all.front(), score(1200));
+  for (size_t i = 1; i < all.size(); ++i) EXPECT_GE(all[i - 1].score, all[i].score);
+}
+
+TEST(HighScores, that_are_damaged_are_set_aside) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.path() / "scores.json";
+  for (const char* text : {"{\"scores\": [", "[]", "{}", "{\"scores\": [7]}", ""}) {
+    std::ofstream(file) << text;
+    EXPECT_TRUE(read_high_scores(file).empty()) << text;
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "scores.json.bad")) << text;
+    EXPECT_FALSE(std::filesystem::exists(file)) << text;
+    EXPECT_EQ(*add_high_score(score(5), file), 1u) << text;
+    std::filesystem::remove(file);
+  }
+}
+
+}  // namespace
+}  // namespace kerf

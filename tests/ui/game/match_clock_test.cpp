@@ -1,0 +1,44 @@
+#include "ui/game/match_clock.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/random.h"
+
+namespace kerf {
+namespace {
+
+TEST(MatchClock, passes_as_many_ticks_as_frames_of_any_length_last) {
+  MatchClock clock;
+  Random random(41);
+  double seconds = 0;
+  int ticks = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const double frame = random.uniform(0.001, 0.06);
+    seconds += frame;
+    ticks += clock.advance(frame);
+    EXPECT_EQ(clock.dropped(), 0);
+  }
+  EXPECT_NEAR(ticks, 120 * seconds, 1.5);
+}
+
+TEST(MatchClock, drops_ticks_where_frames_are_too_long_and_does_not_make_up_for_them) {
+  MatchClock clock;
+  EXPECT_EQ(clock.advance(0.5), MatchClock::kMostTicks);
+  EXPECT_EQ(clock.dropped(), 60 - MatchClock::kMostTicks);
+  EXPECT_LE(clock.advance(1.0 / 60), 2);
+}
+
+TEST(MatchClock, runs_at_a_quarter_of_its_speed_while_it_is_slow) {
+  MatchClock clock;
+  clock.slow_down(0.5);
+  int ticks = 0;
+  for (int i = 0; i < 30; ++i) ticks += clock.advance(1.0 / 60);
+  EXPECT_NEAR(ticks, 15, 1);
+  EXPECT_FALSE(clock.slow_left() > 1e-9);
+  ticks = 0;
+  for (int i = 0; i < 30; ++i) ticks += clock.advance(1.0 / 60);
+  EXPECT_NEAR(ticks, 60, 1);
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,63 @@
+#include "ui/sound/waves.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace kerf {
+namespace {
+
+struct Sound {
+  const char* name;
+  Wave wave;
+  bool loop;
+};
+
+std::vector<Sound> all_sounds() {
+  return {{"engine", engine_loop(), true},    {"laser", laser_loop(), true},
+          {"cutting", cutting_loop(), true},  {"impact", impact_sound(), false},
+          {"sheet", sheet_sound(), false},    {"explosion", explosion_sound(), false},
+          {"good", chime_sound(true), false}, {"bad", chime_sound(false), false}};
+}
+
+double loudness(const Wave& wave) {
+  double sum = 0;
+  for (const float x : wave) sum += double{x} * x;
+  return std::sqrt(sum / static_cast<double>(wave.size()));
+}
+
+TEST(Waves, are_finite_within_bounds_and_can_be_heard) {
+  for (const Sound& s : all_sounds()) {
+    for (const float x : s.wave) ASSERT_TRUE(std::isfinite(x) && std::abs(x) <= 1) << s.name;
+    EXPECT_GT(loudness(s.wave), 0.02) << s.name;
+  }
+}
+
+TEST(Waves, loops_go_on_without_a_click_and_last_a_second) {
+  for (const Sound& s : all_sounds()) {
+    if (!s.loop) continue;
+    EXPECT_EQ(s.wave.size(), size_t{kSampleRate}) << s.name;
+    float largest = 0;
+    for (size_t i = 1; i < s.wave.size(); ++i)
+      largest = std::max(largest, std::abs(s.wave[i] - s.wave[i - 1]));
+    EXPECT_LE(std::abs(s.wave.front() - s.wave.back()), largest) << s.name;
+  }
+}
+
+TEST(Waves, sounds_that_are_played_once_begin_and_end_in_silence) {
+  for (const Sound& s : all_sounds()) {
+    if (s.loop) continue;
+    EXPECT_LT(std::abs(s.wave.front()), 0.01f) << s.name;
+    EXPECT_LT(std::abs(s.wave.back()), 0.01f) << s.name;
+  }
+}
+
+TEST(Waves, are_the_same_each_time) { EXPECT_EQ(cutting_loop(), cutting_loop()); }
+
+TEST(Waves, sixteen_bits_hold_the_largest_and_the_smallest_sample) {
+  EXPECT_EQ(to_16_bits(Wave{0, 1, -1, 2, -3}), (std::vector<int16_t>{0, 32767, -32767, 32767, -32767}));
+}
+
+}  // namespace
+}  // namespace kerf

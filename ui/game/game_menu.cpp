@@ -1,0 +1,134 @@
+#include "ui/game/game_menu.h"
+
+#include <imgui.h>
+
+#include <array>
+#include <cstdio>
+
+#include "ui/render/view_switches.h"
+#include "ui/window/centred_window.h"
+#include "ui/window/theme.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
+                                    ImGuiWindowFlags_NoResize | ImGuiWindowFlags_AlwaysAutoResize |
+                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoTitleBar;
+
+// Dims the match behind a window in the middle.
+void begin_menu(const char* name) {
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  ImGui::GetBackgroundDrawList()->AddRectFilled({0, 0}, size, IM_COL32(10, 12, 15, 140));
+  ImGui::SetNextWindowPos({0.5f * size.x, 0.5f * size.y}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSizeConstraints({22 * ImGui::GetFontSize(), 0}, {size.x, 0.94f * size.y});
+  ImGui::Begin(name, nullptr, kFixed);
+}
+
+void heading(const char* text, float scale = 1.5f) {
+  ImGui::SetWindowFontScale(scale);
+  ImGui::TextUnformatted(text);
+  ImGui::SetWindowFontScale(1);
+  ImGui::Spacing();
+}
+
+bool wide_button(const char* label) {
+  return ImGui::Button(label, {ImGui::GetContentRegionAvail().x, 1.9f * ImGui::GetFontSize()});
+}
+
+void slider(const char* label, double& value, double low, double high, const char* format) {
+  float x = static_cast<float>(value);
+  if (ImGui::SliderFloat(label, &x, static_cast<float>(low), static_cast<float>(high), format))
+    value = std::clamp(static_cast<double>(x), low, high);
+}
+
+template <typename Enum, size_t n>
+void combo(const char* label, Enum& value, const std::array<const char*, n>& names) {
+  int index = static_cast<int>(value);
+  if (ImGui::Combo(label, &index, names.data(), static_cast<int>(n))) value = static_cast<Enum>(index);
+}
+
+void draw_settings(const MenuView& view) {
+  GameSettings& s = view.settings;
+  ImGui::PushItemWidth(11 * ImGui::GetFontSize());
+  combo("Difficulty of the next match", s.difficulty, std::array{"Easy", "Normal", "Hard"});
+  slider("Sensitivity of the aim", s.sensitivity, GameSettings::kLeastSensitivity,
+         GameSettings::kMostSensitivity, "%.2f");
+  slider("Field of view", s.field_of_view, GameSettings::kLeastView, GameSettings::kMostView, "%.0f degrees");
+  double percent = 100 * s.volume;
+  slider("Volume", percent, 0, 100, "%.0f %%");
+  s.volume = percent / 100;
+  combo("Picture", s.preset, std::array{"Automatic", "Low", "Medium", "High"});
+  combo("Colours", view.look.palette, std::array{"Red and green", "Orange and blue"});
+  ImGui::PopItemWidth();
+  ImGui::Checkbox("Invert the aim", &s.invert);
+  ImGui::Checkbox("Aim help", &s.aim_help);
+  ImGui::Checkbox("Guide at the beginning", &s.guide);
+}
+
+void draw_views(ViewOptions& look) {
+  for (const ViewSwitch& s : view_switches()) {
+    if (!s.is_two_state() || s.show[0] == '\0' || s.label[0] == '\0' || s.id == SwitchId::kSection) continue;
+    bool on = s.get(look) == 1;
+    if (ImGui::Checkbox(s.label, &on)) s.set(look, on ? 1 : 0);
+    if (ImGui::IsItemHovered() && s.tip[0] != '\0') ImGui::SetTooltip("%s", s.tip);
+  }
+}
+
+std::string clock_text(double seconds) {
+  char text[32];
+  const int whole = static_cast<int>(seconds);
+  std::snprintf(text, sizeof text, "%d:%02d", whole / 60, whole % 60);
+  return text;
+}
+
+void draw_scores(const MatchResult& result) {
+  if (result.scores.empty()) return;
+  ImGui::TextDisabled("Best scores (%s, %s)", result.score.rules.c_str(), result.score.difficulty.c_str());
+  for (size_t i = 0; i < result.scores.size(); ++i) {
+    const HighScore& s = result.scores[i];
+    const bool now = i + 1 == result.rank;
+    ImGui::PushStyleColor(ImGuiCol_Text, now ? colours::accent() : colours::text());
+    ImGui::Text("%2zu  %6.0f  %s  %zu destroyed  %s%s", i + 1, s.score, s.won ? "won " : "lost",
+                s.enemies_destroyed, clock_text(s.seconds).c_str(), now ? "  this match" : "");
+    ImGui::PopStyleColor();
+  }
+}
+
+}  // namespace
+
+MenuChoice draw_pause_menu(const MenuView& view) {
+  MenuChoice choice = MenuChoice::kNone;
+  begin_menu("Pause");
+  heading("Pause");
+  if (wide_button("Resume (Esc)")) choice = MenuChoice::kResume;
+  if (wide_button("Restart (R)")) choice = MenuChoice::kRestart;
+  if (wide_button("Inspect this world in the editor")) choice = MenuChoice::kInspect;
+  if (wide_button(view.from_editor ? "Back to the editor" : "Quit")) choice = MenuChoice::kLeave;
+  ImGui::Spacing();
+  if (ImGui::CollapsingHeader("Settings", ImGuiTreeNodeFlags_DefaultOpen)) draw_settings(view);
+  if (ImGui::CollapsingHeader("Debug views")) draw_views(view.view);
+  ImGui::End();
+  return choice;
+}
+
+MenuChoice draw_result(const MatchResult& result, bool from_editor) {
+  MenuChoice choice = MenuChoice::kNone;
+  begin_menu("Result");
+  heading(result.won ? "Won" : "Lost", 2.2f);
+  ImGui::Text("Score %.0f", result.score.score);
+  ImGui::Text("%zu enemies destroyed, %zu pieces cut off, %zu wheels lost, %s",
+              result.score.enemies_destroyed, result.pieces, result.wheels_lost,
+              clock_text(result.score.seconds).c_str());
+  ImGui::Spacing();
+  draw_scores(result);
+  ImGui::Spacing();
+  if (wide_button("Play again (R)")) choice = MenuChoice::kRestart;
+  if (wide_button("Inspect this world in the editor")) choice = MenuChoice::kInspect;
+  if (wide_button(from_editor ? "Back to the editor" : "Quit")) choice = MenuChoice::kLeave;
+  ImGui::End();
+  return choice;
+}
+
+}  // namespace kerf

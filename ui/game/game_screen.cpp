@@ -1,0 +1,233 @@
+#include "ui/game/game_screen.h"
+
+#include <imgui.h>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+
+#include "core/game/angle.h"
+#include "core/game/match/recording.h"
+#include "ui/game/aim_help.h"
+#include "ui/game/hud.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr double kLongestFrame = 0.25;  // s
+constexpr double kSlowMotion = 0.5;     // s, when an enemy falls in two
+constexpr double kHardImpact = 9;       // m/s, that shakes the camera fully
+constexpr double kGuideSeconds = 14;
+
+}  // namespace
+
+GameScreen::GameScreen(Window& window, MatchPicture picture, GameOptions options)
+    : window_(window),
+      picture_(std::move(picture)),
+      options_(std::move(options)),
+      settings_(read_game_settings(game_settings_file())),
+      saved_(settings_),
+      presets_(draws_in_software()) {
+  if (options_.chosen_difficulty) settings_.difficulty = options_.setup.difficulty;
+  if (options_.landmarks) keep_landmarks(&landmarks_.emplace(*options_.landmarks));
+  start();
+}
+
+GameScreen::~GameScreen() {
+  glfwSetInputMode(window_.handle(), GLFW_CURSOR, GLFW_CURSOR_NORMAL);
+  if (landmarks_) keep_landmarks(nullptr);
+}
+
+void GameScreen::start() {
+  options_.setup.difficulty = settings_.difficulty;
+  match_ = std::make_unique<Match>(options_.setup);
+  bot_.reset();
+  if (options_.bot) bot_.emplace(*match_);
+  picture_.show(*match_);
+  input_.reset();
+  camera_.cut();
+  hud_.clear();
+  result_.reset();
+  played_.clear();
+  played_seconds_ = 0;
+  guide_ = settings_.guide;
+  follow_player();
+  enter(State::kPlaying);
+}
+
+void GameScreen::enter(State state) {
+  state_ = state;
+  const bool caught = state == State::kPlaying;
+  glfwSetInputMode(window_.handle(), GLFW_CURSOR, caught ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
+  if (!caught) sounds_.hush();
+  input_.let_go();
+  if (settings_ == saved_) return;
+  saved_ = settings_;
+  (void)write_game_settings(settings_, game_settings_file());
+}
+
+const Body& GameScreen::own_chassis() const {
+  return match_->world().body(match_->vehicles()[Match::kPlayer].chassis);
+}
+
+// The bot's is that of its last controls.
+Vec3 GameScreen::aim() const {
+  if (!bot_ || played_.empty()) return input_.direction(own_chassis().placement);
+  const Controls& c = played_.back();
+  return direction_of(c.heading * Controls::kAimStep, c.pitch * Controls::kAimStep);
+}
+
+// Hearing
+// --------------------------------------------------------------------------------------------------------
+
+void GameScreen::hear(const Input& input) {
+  if (input.close) leave_ = Leave::kAway;
+  for (const InputEvent& event : input.events) {
+    if (event.kind == InputEvent::Kind::kKey && !event.again) hear_key(event.button);
+  }
+  if (state_ != State::kPlaying) return;
+  input_.hear(input.events, settings_);
+  input_.poll(window_.handle(), ImGui::GetIO().DeltaTime, settings_);
+  if (glfwGetWindowAttrib(window_.handle(), GLFW_FOCUSED) == GLFW_FALSE) enter(State::kPaused);
+}
+
+void GameScreen::hear_key(int key) {
+  switch (key) {
+    case GLFW_KEY_ESCAPE:
+    case GLFW_KEY_P:
+      if (state_ == State::kPlaying) return enter(State::kPaused);
+      if (state_ == State::kPaused) return enter(State::kPlaying);
+      return;
+    case GLFW_KEY_R:
+      if (state_ != State::kPlaying) start();
+      return;
+    case GLFW_KEY_C:
+      camera_.viewpoint = camera_.viewpoint == Viewpoint::kRoof ? Viewpoint::kChase : Viewpoint::kRoof;
+      return camera_.cut();
+    case GLFW_KEY_H:
+      guide_ = !guide_;
+      return;
+    default:
+      return;
+  }
+}
+
+// Going on
+// --------------------------------------------------------------------------------------------------------
+
+void GameScreen::advance() {
+  const double seconds = std::min<double>(ImGui::GetIO().DeltaTime, kLongestFrame);
+  if (state_ == State::kPlaying) {
+    if (settings_.aim_help && !bot_) help_aim(*match_, input_, seconds);
+    run_ticks(seconds);
+    hud_.advance(seconds);
+    played_seconds_ += seconds;
+    if (played_seconds_ > kGuideSeconds) guide_ = false;
+    if (match_->standing().over() && state_ == State::kPlaying) finish();
+  }
+  if (state_ != State::kPaused) {
+    picture_.advance(*match_, clock_.is_slow() ? 0.25 * seconds : seconds);
+    const Vec3 aim = this->aim();
+    camera_.follow(*match_, aim, seconds);
+    if (state_ == State::kPlaying) sounds_.advance(*match_, camera_.eye(), aim, settings_.volume);
+  }
+  if (options_.seconds > 0 && played_seconds_ >= options_.seconds) leave_ = Leave::kAway;
+}
+
+void GameScreen::run_ticks(double seconds) {
+  const int ticks = clock_.advance(seconds);
+  for (int i = 0; i < ticks && !match_->standing().over(); ++i) tick();
+}
+
+void GameScreen::tick() {
+  played_.push_back(bot_ ? bot_->next(*match_) : input_.controls(own_chassis().placement));
+  match_->tick(played_.back());
+  bool anew = false;
+  for (const Event& event : match_->events()) {
+    const bool own = event.vehicle == Match::kPlayer;
+    if (event.kind == Event::Kind::kInHalves && !own) clock_.slow_down(kSlowMotion);
+    if (event.kind == Event::Kind::kImpact && own) camera_.shake(event.size / kHardImpact);
+    anew = anew || event.kind == Event::Kind::kWaveBegins;
+  }
+  hud_.hear(*match_);
+  sounds_.hear(*match_);
+  if (!anew) return picture_.follow(*match_);
+  picture_.show(*match_);
+  follow_player();
+}
+
+// The vehicle is another one, or whole again.
+void GameScreen::follow_player() {
+  const TurretDescription& turret = match_->vehicles()[Match::kPlayer].what().turret;
+  input_.limit(turret.yaw, turret.barrel.pitch);
+}
+
+void GameScreen::finish() {
+  const Standing& standing = match_->standing();
+  MatchResult result;
+  result.won = standing.phase == Standing::Phase::kWon;
+  result.wheels_lost = standing.wheels_lost;
+  result.pieces = standing.pieces;
+  result.score = {standing.score, match_->rules().description.name, name_of(match_->setup().difficulty),
+                  result.won,     standing.enemies_destroyed,       seconds_of_ticks(standing.ticks)};
+  if (const auto rank = add_high_score(result.score, high_scores_file())) result.rank = *rank;
+  for (HighScore& s : read_high_scores(high_scores_file())) {
+    if (s.rules == result.score.rules && s.difficulty == result.score.difficulty)
+      result.scores.push_back(std::move(s));
+  }
+  result_ = std::move(result);
+  enter(State::kOver);
+}
+
+void GameScreen::take(MenuChoice choice) {
+  switch (choice) {
+    case MenuChoice::kNone:
+      return;
+    case MenuChoice::kResume:
+      return enter(State::kPlaying);
+    case MenuChoice::kRestart:
+      ++options_.setup.seed;
+      return start();
+    case MenuChoice::kInspect:
+      leave_ = Leave::kInspect;
+      return enter(state_);
+    case MenuChoice::kLeave:
+      leave_ = Leave::kAway;
+      return enter(state_);
+  }
+}
+
+// Drawing
+// --------------------------------------------------------------------------------------------------------
+
+CameraView GameScreen::camera_view() const {
+  const Vec2 size = window_.size();
+  return camera_.view(size.y > 0 ? size.x / size.y : 1, settings_.field_of_view);
+}
+
+void GameScreen::draw() {
+  const CameraView view = camera_view();
+  picture_.look().tree.palette = options_.look.palette;
+  picture_.draw(*match_, view, window_, presets_.choose(settings_.preset));
+  draw_hud({*match_, hud_, view, aim(), input_, guide_ && state_ == State::kPlaying,
+            camera_.viewpoint == Viewpoint::kRoof, clock_.is_slow() ? 1.0 : 0.0});
+  if (landmarks_) landmarks_->begin_frame();
+  if (state_ == State::kPaused)
+    take(draw_pause_menu({settings_, options_.look, picture_.look(), options_.from_editor}));
+  if (state_ == State::kOver && result_) take(draw_result(*result_, options_.from_editor));
+}
+
+void GameScreen::drawn() {
+  if (!landmarks_) return;
+  const ImVec2 at = ImGui::GetIO().MousePos;
+  (void)landmarks_->write(state_ == State::kPlaying, {at.x, at.y});
+}
+
+void GameScreen::took(const FrameTime& time) {
+  presets_.took(time.whole);
+  frame_seconds_.push_back(time.whole);
+}
+
+}  // namespace kerf

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/game/match/bot_player.h"
+#include "ui/game/game_camera.h"
+#include "ui/game/game_menu.h"
+#include "ui/game/game_options.h"
+#include "ui/game/game_settings.h"
+#include "ui/game/hud_state.h"
+#include "ui/game/match_clock.h"
+#include "ui/game/match_picture.h"
+#include "ui/game/match_sounds.h"
+#include "ui/game/player_input.h"
+#include "ui/screen/screen.h"
+#include "ui/window/landmarks.h"
+
+namespace kerf {
+
+// A match in the window: the picture from the player's vehicle, the head-up display and the menus. The
+// pointer is caught while the match runs.
+class GameScreen : public Screen {
+ public:
+  // What the player wants after the screen is over.
+  enum class Leave { kStay, kAway, kInspect };
+
+  // The window must outlive it. Precondition: an ImGui context is current.
+  GameScreen(Window& window, MatchPicture picture, GameOptions options);
+  ~GameScreen() override;
+  GameScreen(const GameScreen&) = delete;
+  GameScreen& operator=(const GameScreen&) = delete;
+
+  Leave leave() const { return leave_; }
+  // Precondition: the screen is over; it is not to be used any more.
+  std::unique_ptr<Match> take_match() { return std::move(match_); }
+  // The controls of every tick since the match began.
+  const std::vector<Controls>& played() const { return played_; }
+  const std::vector<double>& frame_seconds() const { return frame_seconds_; }
+
+  GuiLook look() const override { return options_.look; }
+  void hear(const Input& input) override;
+  void advance() override;
+  void draw() override;
+  void drawn() override;
+  void took(const FrameTime& time) override;
+  bool moving() const override { return true; }
+  bool over() const override { return leave_ != Leave::kStay; }
+
+ private:
+  enum class State { kPlaying, kPaused, kOver };
+
+  void start();
+  void enter(State state);
+  void hear_key(int key);
+  void run_ticks(double seconds);
+  void tick();
+  void follow_player();
+  void finish();
+  void take(MenuChoice choice);
+  CameraView camera_view() const;
+  const Body& own_chassis() const;
+  Vec3 aim() const;
+
+  Window& window_;
+  MatchPicture picture_;
+  GameOptions options_;
+  GameSettings settings_, saved_;
+  PresetChoice presets_;
+  std::unique_ptr<Match> match_;
+  std::optional<BotPlayer> bot_;
+  MatchClock clock_;
+  PlayerInput input_;
+  GameCamera camera_;
+  HudState hud_;
+  MatchSounds sounds_;
+  std::optional<MatchResult> result_;
+  std::optional<Landmarks> landmarks_;
+  std::vector<Controls> played_;
+  std::vector<double> frame_seconds_;
+  State state_ = State::kPlaying;
+  Leave leave_ = Leave::kStay;
+  bool guide_ = true;
+  double played_seconds_ = 0;
+};
+
+}  // namespace kerf

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "core/base/result.h"
+#include "core/game/match/rules.h"
+
+namespace kerf {
+
+// How much the pictures of the game cost.
+enum class PicturePreset {
+  kAutomatic,  // the best one that is fast enough here
+  kLow,        // half the resolution, no shadows, no anti-aliasing
+  kMedium,     // shadows, no anti-aliasing
+  kHigh,       // shadows and anti-aliasing
+};
+
+// Settings that the game keeps between sessions.
+struct GameSettings {
+  double sensitivity = 1;     // of the aim, relative to the usual one
+  bool invert = false;        // moving the mouse away aims downwards
+  double field_of_view = 62;  // degrees, vertical
+  double volume = 0.7;        // 0 .. 1
+  bool aim_help = true;
+  bool guide = true;  // the guide is shown at the beginning of a match
+  Difficulty difficulty = Difficulty::kNormal;
+  PicturePreset preset = PicturePreset::kAutomatic;
+
+  static constexpr double kLeastSensitivity = 0.2, kMostSensitivity = 4;
+  static constexpr double kLeastView = 40, kMostView = 95;
+  friend bool operator==(const GameSettings&, const GameSettings&) = default;
+};
+
+const char* name_of(PicturePreset preset);
+
+// kerf/game.json beside the settings of the editor: under $XDG_CONFIG_HOME, or ~/.config.
+std::filesystem::path game_settings_file();
+
+// Reads the settings. A missing or damaged file and invalid values give defaults; a damaged file is renamed
+// with ".bad" appended.
+GameSettings read_game_settings(const std::filesystem::path& file);
+
+// Writes the settings, whole or not at all, and creates missing folders.
+Status write_game_settings(const GameSettings& settings, const std::filesystem::path& file);
+
+}  // namespace kerf

@@ -1,0 +1,211 @@
+#include "ui/game/hud.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/game/angle.h"
+#include "ui/game/hud_paint.h"
+#include "ui/game/vehicle_sketch.h"
+#include "ui/window/theme.h"
+
+namespace kerf {
+
+namespace {
+
+using Align = HudPaint::Align;
+
+constexpr ImU32 kBad = IM_COL32(0xff, 0x6a, 0x4d, 255);
+constexpr ImU32 kText = colours::kPictureText, kSecondary = colours::kPictureSecondary;
+
+std::string clock_text(double seconds) {
+  char text[32];
+  const int whole = static_cast<int>(std::max(0.0, seconds));
+  std::snprintf(text, sizeof text, "%d:%02d", whole / 60, whole % 60);
+  return text;
+}
+
+std::string number(double x) { return std::to_string(static_cast<long>(std::lround(x))); }
+
+// The place of a point of the world on the screen; nothing behind the eye.
+std::optional<ImVec2> on_screen(const HudView& view, const HudPaint& paint, const Vec3& p) {
+  const Vec3 seen = view.camera.project(p);
+  if (!(seen.z > 0)) return std::nullopt;
+  return ImVec2(paint.size().x * static_cast<float>(0.5 + 0.5 * seen.x),
+                paint.size().y * static_cast<float>(0.5 - 0.5 * seen.y));
+}
+
+bool is_inside(const HudPaint& paint, ImVec2 at, float margin) {
+  return at.x > margin && at.y > margin && at.x < paint.size().x - margin && at.y < paint.size().y - margin;
+}
+
+const Vehicle& own(const HudView& view) { return view.match.vehicles()[Match::kPlayer]; }
+
+// A ring where the player aims, and a dot where the barrel points, which follows.
+void draw_reticle(const HudView& view, const HudPaint& paint) {
+  const ImVec2 middle(0.5f * paint.size().x, 0.5f * paint.size().y);
+  const Vehicle& vehicle = own(view);
+  const auto aimed = on_screen(view, paint, view.camera.eye + view.aim * 30.0);
+  const ImVec2 at = aimed.value_or(middle);
+  const float r = paint.em() * static_cast<float>(0.55 + 0.5 * view.input.width());
+  const ImU32 colour = !vehicle.gun.works() || vehicle.gun.overheated ? kBad
+                       : view.state.biting() > 0                      ? colours::accent()
+                                                                      : kText;
+  paint.circle(at, r, colour, view.state.biting() > 0 ? 2.5f : 1.5f);
+  for (int i = 0; i < 4; ++i) {
+    const float x = i == 0 ? 1.0f : i == 1 ? -1.0f : 0.0f, y = i == 2 ? 1.0f : i == 3 ? -1.0f : 0.0f;
+    paint.line({at.x + x * r, at.y + y * r},
+               {at.x + x * (r + 0.4f * paint.em()), at.y + y * (r + 0.4f * paint.em())}, colour, 1.5f);
+  }
+  if (!vehicle.gun.works()) {
+    paint.text({at.x, at.y + 2 * r}, "no laser", kBad, 1, Align::kMiddle);
+    return;
+  }
+  const Placement& chassis = view.match.world().body(vehicle.chassis).placement;
+  const Vec3 forward = direction_of(vehicle.gun.yaw, vehicle.gun.pitch);
+  const Vec3 muzzle = chassis.to_world(vehicle.what().turret.barrel.pivot);
+  const auto points = on_screen(view, paint, muzzle + chassis.orientation * forward * 30.0);
+  if (points) paint.list().AddCircleFilled(*points, 0.16f * paint.em(), colour);
+}
+
+void draw_bars(const HudView& view, const HudPaint& paint) {
+  const Gun& gun = own(view).gun;
+  const float width = 12 * paint.em(), x = 0.5f * paint.size().x - 0.5f * width;
+  const float y = paint.size().y - 3.6f * paint.em();
+  paint.bar({x, y}, width, "energy", gun.energy, colours::kPictureText, false);
+  paint.bar({x, y + 1.2f * paint.em()}, width, "heat", gun.heat, gun.overheated ? kBad : colours::accent(),
+            true);
+  if (gun.overheated)
+    paint.text({x + width + 0.6f * paint.em(), y + 0.9f * paint.em()}, "too hot", kBad, 0.9f);
+}
+
+void draw_own_vehicle(const HudView& view, const HudPaint& paint) {
+  const float em = paint.em(), height = 7.5f * em;
+  const ImVec2 middle(4.2f * em, paint.size().y - 1.6f * em - 0.5f * height);
+  paint.shade({middle.x - 3.2f * em, middle.y - 0.5f * height - 0.7f * em},
+              {middle.x + 3.2f * em, middle.y + 0.5f * height + 0.7f * em});
+  draw_vehicle_sketch(own(view), paint, middle, height);
+  const Body& chassis = view.match.world().body(own(view).chassis);
+  const double speed = glm::length(chassis.motion.velocity) * 3.6;
+  const ImVec2 at(middle.x + 3.9f * em, paint.size().y - 3.6f * em);
+  paint.text(at, number(speed), kText, 2);
+  paint.text({at.x + paint.width_of(number(speed), 2) + 0.3f * em, at.y + 0.9f * em}, "km/h", kSecondary,
+             0.9f);
+}
+
+void draw_score(const HudView& view, const HudPaint& paint) {
+  const Standing& standing = view.match.standing();
+  const float em = paint.em();
+  paint.text({1.2f * em, 0.9f * em}, number(standing.score), kText, 2);
+  const size_t waves = view.match.rules().waves.size();
+  if (waves > 0)
+    paint.text({1.2f * em, 3.1f * em},
+               "wave " + std::to_string(standing.wave + 1) + " of " + std::to_string(waves), kSecondary,
+               0.95f);
+  const double left = view.match.seconds_left();
+  if (waves > 0)
+    paint.text({paint.size().x - 1.2f * em, 0.9f * em}, clock_text(left), left < 30 ? kBad : kText, 2,
+               Align::kRight);
+  size_t enemies = 0;
+  for (size_t i = 1; i < view.match.vehicles().size(); ++i) enemies += view.match.vehicles()[i].alive;
+  if (waves > 0)
+    paint.text({paint.size().x - 1.2f * em, 3.1f * em},
+               std::to_string(enemies) + (enemies == 1 ? " enemy" : " enemies"), kSecondary, 0.95f,
+               Align::kRight);
+}
+
+// An arrow at the rim of a circle around the middle that points to a place that is not seen.
+void draw_arrow(const HudView& view, const HudPaint& paint, const Vec3& to, ImU32 colour,
+                const std::string& text) {
+  const Vec3 way = to - view.camera.eye;
+  const double right = glm::dot(way, view.camera.right), ahead = glm::dot(way, view.camera.forward);
+  const double angle = std::atan2(right, ahead);
+  const float sine = static_cast<float>(std::sin(angle)), cosine = static_cast<float>(std::cos(angle));
+  const float radius = 0.32f * std::min(paint.size().x, paint.size().y), em = paint.em();
+  const ImVec2 middle(0.5f * paint.size().x, 0.5f * paint.size().y);
+  const ImVec2 tip(middle.x + sine * radius, middle.y - cosine * radius);
+  const ImVec2 base(middle.x + sine * (radius - 0.9f * em), middle.y - cosine * (radius - 0.9f * em));
+  const ImVec2 side(cosine * 0.45f * em, sine * 0.45f * em);
+  paint.list().AddTriangleFilled(tip, {base.x + side.x, base.y + side.y}, {base.x - side.x, base.y - side.y},
+                                 colour);
+  paint.text({base.x - sine * 1.2f * em, base.y + cosine * 1.2f * em - 0.5f * em}, text, colour, 0.8f,
+             Align::kMiddle);
+}
+
+void draw_enemies(const HudView& view, const HudPaint& paint) {
+  for (size_t i = 1; i < view.match.vehicles().size(); ++i) {
+    const Vehicle& enemy = view.match.vehicles()[i];
+    if (!enemy.alive) continue;
+    const Vec3 at = view.match.world().body(enemy.chassis).placement.to_world({0, 1, 0});
+    const double distance = glm::length(at - view.camera.eye);
+    const std::string text = number(distance) + " m";
+    const auto seen = on_screen(view, paint, at);
+    if (!seen || !is_inside(paint, *seen, 2 * paint.em())) {
+      draw_arrow(view, paint, at, kBad, text);
+      continue;
+    }
+    const auto above = on_screen(view, paint, at + Vec3(0, 1.4, 0));
+    if (!above) continue;
+    const float em = paint.em();
+    paint.list().AddTriangleFilled({above->x, above->y}, {above->x - 0.35f * em, above->y - 0.55f * em},
+                                   {above->x + 0.35f * em, above->y - 0.55f * em}, kBad);
+    paint.text({above->x, above->y - 1.7f * em}, text, kText, 0.8f, Align::kMiddle);
+  }
+}
+
+void draw_hurt(const HudView& view, const HudPaint& paint) {
+  if (!(view.state.hurt() > 0)) return;
+  const ImU32 colour = HudPaint::faded(kBad, 0.28 * view.state.hurt()), none = HudPaint::faded(kBad, 0);
+  const ImVec2 size = paint.size();
+  const float wide = 4 * paint.em();
+  paint.list().AddRectFilledMultiColor({0, 0}, {wide, size.y}, colour, none, none, colour);
+  paint.list().AddRectFilledMultiColor({size.x - wide, 0}, size, none, colour, colour, none);
+  draw_arrow(view, paint, view.state.hurt_from(), HudPaint::faded(kBad, view.state.hurt()), "hit");
+}
+
+void draw_notices(const HudView& view, const HudPaint& paint) {
+  const float em = paint.em();
+  float y = 0.62f * paint.size().y;
+  for (const Notice& n : view.state.notices()) {
+    const double opacity = std::min(1.0, 3 * (n.large ? 2.2 - n.age : 3.2 - n.age));
+    const ImU32 colour = HudPaint::faded(n.good ? kText : kBad, opacity);
+    const std::string points = n.points > 0 ? "  +" + number(n.points) : "";
+    if (n.large) {
+      paint.text({0.5f * paint.size().x, 0.2f * paint.size().y}, n.text + points, colour, 2.4f,
+                 Align::kMiddle);
+      continue;
+    }
+    paint.text({paint.size().x - 1.2f * em, y}, n.text + points, colour, 1, Align::kRight);
+    y += 1.4f * em;
+  }
+}
+
+void draw_guide(const HudPaint& paint) {
+  static constexpr std::array kLines{"W A S D  drive, Space  handbrake",
+                                     "Mouse  aim, left button  laser, wheel  width of the beam",
+                                     "Cut wheels, lasers, engines and driver's seats off the others",
+                                     "C  view from behind, Esc  pause, H  hides this"};
+  const float em = paint.em();
+  float width = 0;
+  for (const char* line : kLines) width = std::max(width, paint.width_of(line, 1));
+  const float x = 0.5f * paint.size().x, y = 0.70f * paint.size().y;
+  paint.shade({x - 0.5f * width - em, y - 0.6f * em}, {x + 0.5f * width + em, y + 6.2f * em});
+  for (size_t i = 0; i < kLines.size(); ++i)
+    paint.text({x, y + 1.45f * em * static_cast<float>(i)}, kLines[i], kText, 1, Align::kMiddle);
+}
+
+}  // namespace
+
+void draw_hud(const HudView& view) {
+  const HudPaint paint;
+  draw_hurt(view, paint);
+  draw_enemies(view, paint);
+  if (own(view).alive) draw_reticle(view, paint);
+  draw_bars(view, paint);
+  draw_own_vehicle(view, paint);
+  draw_score(view, paint);
+  draw_notices(view, paint);
+  if (view.guide) draw_guide(paint);
+}
+
+}  // namespace kerf

@@ -1,0 +1,99 @@
+#include "ui/game/hud_state.h"
+
+#include <algorithm>
+
+namespace kerf {
+
+namespace {
+
+constexpr double kNoticeSeconds = 3.2, kLargeSeconds = 2.2;
+constexpr size_t kMostNotices = 6;
+constexpr double kHurtFade = 1.6, kBiteFade = 6;  // 1/s
+
+using Kind = Event::Kind;
+
+void begin_with_capital(std::string& text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+}
+
+// "wheel_front_left" as "front left wheel".
+std::string wheel_name(const std::string& part) {
+  std::string name = part;
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name.starts_with("wheel ") ? name.substr(6) + " wheel" : name;
+}
+
+std::string vital_name(const VehicleDescription& what, size_t vital) {
+  return what.vitals[vital].kind == VitalDescription::Kind::kEngine ? "engine" : "driver's seat";
+}
+
+}  // namespace
+
+void HudState::clear() {
+  notices_.clear();
+  hurt_ = biting_ = 0;
+}
+
+void HudState::say(std::string text, double points, bool good, bool large) {
+  begin_with_capital(text);
+  notices_.push_front({std::move(text), points, 0, good, large});
+  if (notices_.size() > kMostNotices) notices_.pop_back();
+}
+
+void HudState::advance(double seconds) {
+  for (Notice& n : notices_) n.age += seconds;
+  std::erase_if(notices_, [](const Notice& n) { return n.age > (n.large ? kLargeSeconds : kNoticeSeconds); });
+  hurt_ = std::max(0.0, hurt_ - kHurtFade * seconds);
+  biting_ = std::max(0.0, biting_ - kBiteFade * seconds);
+}
+
+void HudState::hear(const Match& match) {
+  for (const Event& event : match.events()) tell(match, event);
+}
+
+void HudState::tell(const Match& match, const Event& event) {
+  const bool known = event.vehicle < match.vehicles().size();
+  const bool own = event.vehicle == Match::kPlayer;
+  const VehicleDescription* what = known ? &match.vehicles()[event.vehicle].what() : nullptr;
+  const std::string whose = own ? "your " : what ? "the " + what->name + "'s " : "";
+  switch (event.kind) {
+    case Kind::kCut:
+      if (own && event.by < match.vehicles().size()) {
+        hurt_ = 1;
+        hurt_from_ = match.world().body(match.vehicles()[event.by].chassis).placement.position;
+      } else if (event.by == Match::kPlayer && known) {
+        biting_ = 1;
+      }
+      return;
+    case Kind::kPieceOff:
+      if (event.points > 0) say("a piece is off", event.points, true);
+      return;
+    case Kind::kWheelLost:
+      return say(whose + wheel_name(what->wheels[event.part].part) + " is off", event.points, !own);
+    case Kind::kTurretLost:
+    case Kind::kBarrelLost:
+      return say(whose + "laser is off", event.points, !own);
+    case Kind::kVitalLost:
+      return say(whose + vital_name(*what, event.part) + " is gone", event.points, !own);
+    case Kind::kInHalves:
+      return say(own ? "you are cut in two" : "cut in two", event.points, !own, true);
+    case Kind::kKilled:
+      return say(own ? "you are out" : "the " + what->name + " is out", event.points, !own, true);
+    case Kind::kOverheated:
+      if (own) say("the laser is too hot", 0, false);
+      return;
+    case Kind::kRighted:
+      if (own) say("back on your wheels", 0, true);
+      return;
+    case Kind::kWaveBegins:
+      return say("wave " + std::to_string(event.part + 1), 0, true, true);
+    case Kind::kWaveCleared:
+      return say("wave cleared", event.points, true, true);
+    case Kind::kImpact:
+    case Kind::kWon:
+    case Kind::kLost:
+      return;
+  }
+}
+
+}  // namespace kerf

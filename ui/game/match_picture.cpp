@@ -1,0 +1,130 @@
+#include "ui/game/match_picture.h"
+
+#include "ui/game/match_beams.h"
+#include "ui/render/body_marks.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr double kSlowPicture = 1.0 / 24;  // s
+constexpr double kFarTooSlow = 0.15;       // s
+constexpr int kWarmUp = 3, kSlowPictures = 3;
+constexpr double kBiteSize = 1.4;  // of sparks, compared with those of a car in the editor
+constexpr double kBiteSeconds = 1.0 / 120;
+
+Paint paint_of(const Match& match, const std::string& name) {
+  for (const Vehicle& v : match.vehicles()) {
+    const auto found = v.what().paints.find(name);
+    if (found != v.what().paints.end()) return found->second;
+  }
+  return {};
+}
+
+// Vehicles and arena name their materials in one list.
+std::map<std::string, Paint> paints_of(const Match& match) {
+  std::map<std::string, Paint> paints = match.rules().arena.description.paints;
+  for (const Vehicle& v : match.vehicles()) {
+    for (const auto& [name, paint] : v.what().paints) paints.emplace(name, paint_of(match, name));
+  }
+  return paints;
+}
+
+}  // namespace
+
+// Presets
+// --------------------------------------------------------------------------------------------------------
+
+PicturePreset PresetChoice::choose(PicturePreset setting) const {
+  return setting == PicturePreset::kAutomatic ? best_ : setting;
+}
+
+void PresetChoice::took(double seconds) {
+  if (++seen_ <= kWarmUp) return;
+  if (seconds > kFarTooSlow && ++far_too_slow_ > 1) best_ = PicturePreset::kLow;
+  slow_ = seconds > kSlowPicture ? slow_ + 1 : 0;
+  if (slow_ < kSlowPictures || best_ == PicturePreset::kLow) return;
+  best_ = best_ == PicturePreset::kHigh ? PicturePreset::kMedium : PicturePreset::kLow;
+  slow_ = seen_ = 0;
+}
+
+bool draws_in_software() {
+  const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  const std::string_view renderer = name != nullptr ? name : "";
+  for (const char* software : {"llvmpipe", "softpipe", "SwiftShader", "Software Rasterizer"}) {
+    if (renderer.find(software) != std::string_view::npos) return true;
+  }
+  return false;
+}
+
+// The picture
+// --------------------------------------------------------------------------------------------------------
+
+Result<MatchPicture> MatchPicture::create() {
+  auto renderer = Renderer::create();
+  if (!renderer) return renderer.error();
+  return MatchPicture(std::move(*renderer));
+}
+
+void MatchPicture::show(const Match& match) {
+  renderer_.show(match.world(), paints_of(match));
+  particles_.clear();
+  scorches_.clear();
+  const auto& lamps = match.rules().arena.description.lamps;
+  if (!lamps.empty()) look_.lights = lamps;
+}
+
+void MatchPicture::follow(const Match& match) {
+  renderer_.follow(match.world(), match.delta());
+  for (const Event& event : match.events()) {
+    if (event.kind != Event::Kind::kCut) continue;
+    const size_t by = event.by < match.vehicles().size() ? event.by : Match::kPlayer;
+    const auto& last = match.vehicles()[by].gun.last;
+    particles_.add({event.at, last ? last->direction : Vec3(0, -1, 0), kBiteSize, kBiteSeconds}, {0, 1, 0});
+  }
+}
+
+void MatchPicture::advance(const Match& match, double seconds) {
+  const Sight sight(match.world());
+  auto effects = std::make_shared<Effects>();
+  for (size_t i = 0; i < match.vehicles().size(); ++i) {
+    const auto beam = beam_of(match, i, sight);
+    if (!beam) continue;
+    effects->beams.push_back(*beam);
+    const Vec3 along = glm::normalize(beam->to - beam->from);
+    const bool ends_on_something = match.vehicles()[i].gun.length < match.rules().description.laser.range;
+    if (!ends_on_something) continue;
+    particles_.add({beam->to, along, kBiteSize, 0.4 * seconds}, {0, 1, 0});
+    scorches_.burn(match, *beam, sight);
+  }
+  particles_.advance(seconds, {0, 1, 0}, match.rules().arena.description.ground);
+  particles_.append_to(*effects);
+  scorches_.advance(seconds);
+  scorches_.append_to(*effects);
+  look_.effects = std::move(effects);
+}
+
+void MatchPicture::dress(const Match& match, PicturePreset preset) {
+  look_.antialias = preset == PicturePreset::kHigh;
+  look_.show.shadows = preset == PicturePreset::kLow ? Shadows::kNone : Shadows::kAll;
+  look_.bodies = gather_body_marks(match.world(), match.physics(), look_.show);
+}
+
+void MatchPicture::draw(const Match& match, const CameraView& view, const Window& window,
+                        PicturePreset preset) {
+  dress(match, preset);
+  const int width = static_cast<int>(window.pixel_size().x), height = static_cast<int>(window.pixel_size().y);
+  if (preset != PicturePreset::kLow) {
+    renderer_.draw(match.world(), view, look_, std::nullopt, {0, 0, 0, width, height});
+    return;
+  }
+  const gl::Framebuffer::Shape half{std::max(1, width / 2), std::max(1, height / 2), 1, false};
+  if (!small_ || !(small_->shape() == half)) small_.emplace(half);
+  renderer_.draw(match.world(), view, look_, std::nullopt, {small_->name(), 0, 0, half.width, half.height});
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, small_->name());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  glBlitFramebuffer(0, 0, half.width, half.height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+}  // namespace kerf

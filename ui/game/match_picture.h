@@ -1,0 +1,69 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "core/game/match/match.h"
+#include "ui/game/game_settings.h"
+#include "ui/game/scorches.h"
+#include "ui/gl/framebuffer.h"
+#include "ui/render/renderer.h"
+#include "ui/screen/particles.h"
+#include "ui/window/window.h"
+
+namespace kerf {
+
+// Chooses the preset of the pictures by how long they take: it goes down where that is too slow, at once to
+// the lowest where it is far too slow.
+class PresetChoice {
+ public:
+  // `software`: pictures are computed by the processor, which can do only the lowest in time.
+  explicit PresetChoice(bool software) : best_(software ? PicturePreset::kLow : PicturePreset::kHigh) {}
+
+  // What is drawn for a setting: itself, unless it is kAutomatic.
+  PicturePreset choose(PicturePreset setting) const;
+  // The last picture took a time (s).
+  void took(double seconds);
+
+ private:
+  PicturePreset best_;
+  int slow_ = 0, seen_ = 0;  // pictures with this preset
+  int far_too_slow_ = 0;
+};
+
+// Whether the current OpenGL context draws without a graphics card.
+bool draws_in_software();
+
+// The picture of a match: its world by night under floodlights, with the beams of all lasers and with what
+// they throw off.
+class MatchPicture {
+ public:
+  // Fails if a shader is missing or does not compile.
+  static Result<MatchPicture> create();
+
+  // Shows the world of a match from now on.
+  void show(const Match& match);
+  // Follows what the last tick changed. To be called after every tick.
+  void follow(const Match& match);
+  // Lets time pass (s) for sparks and smoke.
+  void advance(const Match& match, double seconds);
+
+  // Fills the window.
+  void draw(const Match& match, const CameraView& view, const Window& window, PicturePreset preset);
+
+  // The switches of the debug views.
+  ViewOptions& look() { return look_; }
+  const Renderer& renderer() const { return renderer_; }
+
+ private:
+  explicit MatchPicture(Renderer renderer) : renderer_(std::move(renderer)) {}
+  void dress(const Match& match, PicturePreset preset);
+
+  Renderer renderer_;
+  ViewOptions look_;
+  Particles particles_;
+  Scorches scorches_;
+  std::optional<gl::Framebuffer> small_;  // a picture of a lower resolution
+};
+
+}  // namespace kerf

@@ -1,0 +1,116 @@
+#include "ui/game/player_input.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/game/angle.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr double kRadiansPerPixel = 0.0022;
+constexpr double kWidthPerNotch = 0.1;
+constexpr double kDeadZone = 0.16;    // of a stick
+constexpr double kStickSpeed = 1.8;   // rad/s, of a stick that is held to its end
+constexpr double kTriggerHeld = 0.3;  // of the way of a trigger
+
+double without_dead_zone(double x) {
+  const double over = std::abs(x) - kDeadZone;
+  return over > 0 ? std::copysign(over / (1 - kDeadZone), x) : 0;
+}
+
+}  // namespace
+
+void PlayerInput::hear(std::span<const InputEvent> events, const GameSettings& settings) {
+  for (const InputEvent& event : events) {
+    if (event.kind == InputEvent::Kind::kWheel)
+      width_ = std::clamp(width_ + kWidthPerNotch * event.wheel, 0.0, 1.0);
+    if (event.kind != InputEvent::Kind::kMove) continue;
+    if (has_pointer_) {
+      const Vec2 way = (event.at - pointer_) * (kRadiansPerPixel * settings.sensitivity);
+      turn(-way.x, settings.invert ? way.y : -way.y);
+    }
+    has_pointer_ = true;
+    pointer_ = event.at;
+  }
+}
+
+void PlayerInput::poll(GLFWwindow* window, double seconds, const GameSettings& settings) {
+  const auto held = [&](int key, int other) {
+    return glfwGetKey(window, key) == GLFW_PRESS || glfwGetKey(window, other) == GLFW_PRESS;
+  };
+  throttle_ = held(GLFW_KEY_W, GLFW_KEY_UP) - held(GLFW_KEY_S, GLFW_KEY_DOWN);
+  steer_ = held(GLFW_KEY_A, GLFW_KEY_LEFT) - held(GLFW_KEY_D, GLFW_KEY_RIGHT);
+  handbrake_ = glfwGetKey(window, GLFW_KEY_SPACE) == GLFW_PRESS;
+  fire_ = glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS ||
+          held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_F);
+  take_gamepad(seconds, settings);
+}
+
+void PlayerInput::take_gamepad(double seconds, const GameSettings& settings) {
+  GLFWgamepadstate pad;
+  for (int joystick = GLFW_JOYSTICK_1; joystick <= GLFW_JOYSTICK_LAST; ++joystick) {
+    if (!glfwJoystickIsGamepad(joystick) || !glfwGetGamepadState(joystick, &pad)) continue;
+    const auto axis = [&](int a) { return without_dead_zone(pad.axes[a]); };
+    const auto trigger = [&](int a) { return 0.5 * (pad.axes[a] + 1); };
+    const auto pressed = [&](int b) { return pad.buttons[b] == GLFW_PRESS; };
+    steer_ = std::clamp(steer_ - axis(GLFW_GAMEPAD_AXIS_LEFT_X), -1.0, 1.0);
+    throttle_ = std::clamp(throttle_ - axis(GLFW_GAMEPAD_AXIS_LEFT_Y), -1.0, 1.0);
+    const double up = -axis(GLFW_GAMEPAD_AXIS_RIGHT_Y), way = kStickSpeed * settings.sensitivity * seconds;
+    turn(-axis(GLFW_GAMEPAD_AXIS_RIGHT_X) * way, (settings.invert ? -up : up) * way);
+    fire_ = fire_ || trigger(GLFW_GAMEPAD_AXIS_RIGHT_TRIGGER) > kTriggerHeld;
+    handbrake_ = handbrake_ || pressed(GLFW_GAMEPAD_BUTTON_A);
+    return;
+  }
+}
+
+void PlayerInput::let_go() {
+  throttle_ = steer_ = 0;
+  handbrake_ = fire_ = has_pointer_ = false;
+}
+
+void PlayerInput::reset() {
+  let_go();
+  yaw_ = pitch_ = 0;
+}
+
+void PlayerInput::turn(double left, double up) {
+  yaw_ += left;
+  const bool all_around = yaw_limits_.high - yaw_limits_.low >= 2 * kPi - 1e-3;
+  yaw_ = all_around ? wrapped(yaw_) : std::clamp(yaw_, yaw_limits_.low, yaw_limits_.high);
+  pitch_ = std::clamp(pitch_ + up, pitch_limits_.low, pitch_limits_.high);
+}
+
+void PlayerInput::limit(const Interval& yaw, const Interval& pitch) {
+  yaw_limits_ = yaw;
+  pitch_limits_ = pitch;
+  turn(0, 0);
+}
+
+double PlayerInput::heading(const Placement& chassis) const {
+  return wrapped(heading_of(chassis.orientation * Vec3(0, 0, 1)) + yaw_);
+}
+
+Vec3 PlayerInput::direction(const Placement& chassis) const { return direction_of(heading(chassis), pitch_); }
+
+Controls PlayerInput::controls(const Placement& chassis) const {
+  const auto share = [](double x) { return static_cast<int8_t>(std::lround(x * Controls::kFull)); };
+  const auto steps = [](double angle) {
+    return static_cast<int32_t>(std::lround(angle / Controls::kAimStep));
+  };
+  Controls c;
+  c.throttle = share(throttle_);
+  c.steer = share(steer_);
+  c.handbrake = handbrake_;
+  c.fire = fire_;
+  c.width = static_cast<uint8_t>(std::lround(width_ * Controls::kFull));
+  c.heading = steps(heading(chassis));
+  c.pitch = steps(pitch_);
+  return c;
+}
+
+}  // namespace kerf

@@ -1,0 +1,178 @@
+#include "ui/sound/waves.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "core/base/random.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr double kTurn = 2 * std::numbers::pi;
+
+size_t samples_of(double seconds) { return static_cast<size_t>(seconds * kSampleRate); }
+double time_of(size_t sample) { return static_cast<double>(sample) / kSampleRate; }
+
+Wave noise(size_t samples, uint64_t seed) {
+  Random random(seed);
+  Wave wave(samples);
+  for (float& x : wave) x = static_cast<float>(random.uniform(-1, 1));
+  return wave;
+}
+
+// A two-pole band-pass around a frequency (Hz) of a width (Hz). A loop is filtered twice in a row, so that
+// its end leads to its beginning.
+Wave band(const Wave& in, double frequency, double width, bool loop) {
+  const double r = std::exp(-std::numbers::pi * width / kSampleRate);
+  const double a1 = 2 * r * std::cos(kTurn * frequency / kSampleRate), a2 = -r * r, gain = (1 - r * r) * 0.5;
+  Wave out(in.size());
+  double y1 = 0, y2 = 0, x2 = 0, x1 = 0;
+  for (int turn = loop ? 0 : 1; turn < 2; ++turn) {
+    for (size_t i = 0; i < in.size(); ++i) {
+      const double y = gain * (in[i] - x2) + a1 * y1 + a2 * y2;
+      x2 = x1;
+      x1 = in[i];
+      y2 = y1;
+      y1 = y;
+      out[i] = static_cast<float>(y);
+    }
+  }
+  return out;
+}
+
+void add(Wave& to, const Wave& what, double gain) {
+  for (size_t i = 0; i < std::min(to.size(), what.size()); ++i) to[i] += static_cast<float>(gain * what[i]);
+}
+
+// A sine that dies away: frequency (Hz), loudness, and the time (s) in which it falls to 1/e.
+struct Mode {
+  double frequency, gain, decay;
+};
+
+void ring(Wave& wave, const Mode& mode, double phase = 0) {
+  for (size_t i = 0; i < wave.size(); ++i) {
+    const double t = time_of(i);
+    wave[i] += static_cast<float>(mode.gain * std::sin(kTurn * mode.frequency * t + phase) *
+                                  std::exp(-t / mode.decay));
+  }
+}
+
+// To a largest value of `peak`, with the first and last milliseconds faded unless it is a loop.
+Wave finished(Wave wave, double peak, bool loop) {
+  float most = 1e-9f;
+  for (const float x : wave) most = std::max(most, std::abs(x));
+  const size_t edge = samples_of(0.004);
+  for (size_t i = 0; i < wave.size(); ++i) {
+    const size_t from_end = std::min(i, wave.size() - 1 - i);
+    const double fade = loop ? 1 : std::min(1.0, static_cast<double>(from_end) / static_cast<double>(edge));
+    wave[i] = static_cast<float>(wave[i] / most * peak * fade);
+  }
+  return wave;
+}
+
+}  // namespace
+
+Wave engine_loop() {
+  Wave wave(samples_of(1));
+  for (int harmonic = 1; harmonic <= 14; ++harmonic) {
+    const double gain = (harmonic % 2 == 0 ? 1.0 : 0.55) / std::pow(harmonic, 1.15);
+    for (size_t i = 0; i < wave.size(); ++i) {
+      const double t = time_of(i), uneven = 1 + 0.18 * std::sin(kTurn * 14 * t + harmonic);
+      wave[i] +=
+          static_cast<float>(gain * uneven * std::sin(kTurn * 28 * harmonic * t + 0.7 * harmonic * harmonic));
+    }
+  }
+  add(wave, band(noise(wave.size(), 3), 240, 180, true), 1.6);
+  return finished(std::move(wave), 0.7, true);
+}
+
+Wave laser_loop() {
+  Wave wave(samples_of(1));
+  constexpr std::array<std::array<double, 2>, 6> kPartials{
+      {{96, 0.9}, {97, 0.6}, {192, 0.5}, {289, 0.35}, {577, 0.22}, {1154, 0.12}}};
+  for (const auto& [frequency, gain] : kPartials) {
+    for (size_t i = 0; i < wave.size(); ++i) {
+      const double t = time_of(i), tremble = 1 + 0.3 * std::sin(kTurn * 31 * t);
+      wave[i] += static_cast<float>(gain * tremble * std::sin(kTurn * frequency * t));
+    }
+  }
+  add(wave, band(noise(wave.size(), 5), 3100, 1400, true), 0.5);
+  return finished(std::move(wave), 0.5, true);
+}
+
+Wave cutting_loop() {
+  Random random(7);
+  Wave clicks(samples_of(1));
+  for (int i = 0; i < 420; ++i)
+    clicks[random.below(clicks.size())] = static_cast<float>(random.uniform(-1, 1) * random.unit());
+  Wave wave = band(clicks, 4200, 1600, true);
+  add(wave, band(clicks, 1700, 700, true), 0.8);
+  add(wave, band(noise(wave.size(), 11), 6000, 3000, true), 0.05);
+  return finished(std::move(wave), 0.7, true);
+}
+
+Wave impact_sound() {
+  Wave wave(samples_of(0.6));
+  for (const Mode& mode : {Mode{62, 1.2, 0.09}, Mode{104, 0.7, 0.07}, Mode{233, 0.3, 0.11},
+                           Mode{411, 0.2, 0.13}, Mode{890, 0.12, 0.1}})
+    ring(wave, mode);
+  Wave crash = band(noise(wave.size(), 13), 900, 900, false);
+  for (size_t i = 0; i < crash.size(); ++i) crash[i] *= static_cast<float>(std::exp(-time_of(i) / 0.07));
+  add(wave, crash, 2.5);
+  return finished(std::move(wave), 0.9, false);
+}
+
+Wave sheet_sound() {
+  Wave wave(samples_of(1.1));
+  constexpr std::array kModes{Mode{317, 0.6, 0.20},  Mode{523, 0.8, 0.26},  Mode{861, 0.7, 0.22},
+                              Mode{1297, 0.6, 0.20}, Mode{1733, 0.5, 0.16}, Mode{2411, 0.4, 0.12},
+                              Mode{3299, 0.3, 0.09}, Mode{4817, 0.2, 0.05}};
+  constexpr std::array kBounces{0.0, 0.16, 0.27, 0.34};
+  for (size_t bounce = 0; bounce < kBounces.size(); ++bounce) {
+    Wave hit(wave.size() - samples_of(kBounces[bounce]));
+    for (size_t m = 0; m < kModes.size(); ++m)
+      ring(hit,
+           {kModes[m].frequency * (1 + 0.004 * static_cast<double>(bounce)), kModes[m].gain, kModes[m].decay},
+           0.9 * static_cast<double>(m * (bounce + 1)));
+    const double gain = 1 / static_cast<double>(1 + bounce);
+    const size_t from = samples_of(kBounces[bounce]);
+    for (size_t i = 0; i < hit.size(); ++i) wave[from + i] += static_cast<float>(gain * hit[i]);
+  }
+  return finished(std::move(wave), 0.7, false);
+}
+
+Wave explosion_sound() {
+  Wave wave = band(noise(samples_of(1.4), 17), 90, 120, false);
+  add(wave, band(noise(wave.size(), 19), 500, 600, false), 0.5);
+  for (size_t i = 0; i < wave.size(); ++i) wave[i] *= static_cast<float>(std::exp(-time_of(i) / 0.35));
+  Wave thud(wave.size());
+  ring(thud, {44, 1, 0.3});
+  return add(wave, thud, 0.6), finished(std::move(wave), 0.9, false);
+}
+
+Wave chime_sound(bool good) {
+  Wave wave(samples_of(0.9));
+  const std::array<double, 3> tones =
+      good ? std::array{392.0, 493.9, 587.3} : std::array{392.0, 311.1, 233.1};
+  for (size_t k = 0; k < tones.size(); ++k) {
+    Wave tone(wave.size() - samples_of(0.13 * static_cast<double>(k)));
+    ring(tone, {tones[k], 0.8, 0.22});
+    ring(tone, {2 * tones[k], 0.25, 0.12});
+    const size_t from = wave.size() - tone.size();
+    for (size_t i = 0; i < tone.size(); ++i) wave[from + i] += tone[i];
+  }
+  return finished(std::move(wave), 0.5, false);
+}
+
+std::vector<int16_t> to_16_bits(std::span<const float> wave) {
+  std::vector<int16_t> samples;
+  samples.reserve(wave.size());
+  for (const float x : wave)
+    samples.push_back(static_cast<int16_t>(std::lround(32767 * std::clamp(x, -1.0f, 1.0f))));
+  return samples;
+}
+
+}  // namespace kerf

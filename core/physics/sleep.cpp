@@ -14,6 +14,7 @@ constexpr double kSlow = 0.4;         // m/s
 constexpr double kSlowSpin = 1.0;     // rad/s
 constexpr double kSlowOnJoint = 0.1;  // of these limits
 constexpr uint32_t kQuietTicks = kTicksPerSecond / 2;
+constexpr int kWakeSteps = 2;     // how far restlessness goes, from body to touching body
 constexpr double kTouch = 0.001;  // m, between skins that count as touching
 
 uint32_t index_of(std::span<const MovingBody> bodies, BodyId id) {
@@ -38,40 +39,68 @@ bool touch(std::span<const MovingBody> bodies, const TouchingPair& pair, double 
   });
 }
 
-UnionFind islands_of(std::span<const MovingBody> bodies, std::span<const TouchingPair> pairs,
-                     std::span<const BodyJoint> joints, const ContactMemory& memory, double seconds) {
-  UnionFind islands(bodies.size());
-  const auto unite = [&](uint32_t a, uint32_t b) {
-    if (!bodies[a].fixed && !bodies[b].fixed) islands.unite(a, b);
+using Edges = std::vector<std::pair<uint32_t, uint32_t>>;
+
+// The pairs of bodies that can move and touch each other.
+Edges touching(std::span<const MovingBody> bodies, std::span<const TouchingPair> pairs,
+               const ContactMemory& memory, double seconds) {
+  Edges edges;
+  const auto add = [&](uint32_t a, uint32_t b) {
+    if (!bodies[a].fixed && !bodies[b].fixed) edges.emplace_back(a, b);
   };
   for (const TouchingPair& pair : pairs) {
-    if (pair.second != TouchingPair::kGround && touch(bodies, pair, seconds)) unite(pair.first, pair.second);
+    if (pair.second != TouchingPair::kGround && touch(bodies, pair, seconds)) add(pair.first, pair.second);
   }
-  for (const BodyJoint& joint : joints) unite(joint.first, joint.second);
   for (const PairMemory& m : memory) {
     const uint32_t a = index_of(bodies, m.first), b = index_of(bodies, m.second);
     if (!m.touching || a == TouchingPair::kGround || b == TouchingPair::kGround) continue;
-    if (bodies[a].asleep && bodies[b].asleep) unite(a, b);
+    if (bodies[a].asleep && bodies[b].asleep) add(a, b);
   }
-  return islands;
+  return edges;
 }
+
+// Which of the bodies that joints connect into groups are awake: those in whose group one is.
+class AwakeGroups {
+ public:
+  AwakeGroups(std::span<const MovingBody> bodies, std::span<const BodyJoint> joints)
+      : groups_(bodies.size()), awake_(bodies.size(), false) {
+    for (const BodyJoint& j : joints) {
+      if (!bodies[j.first].fixed && !bodies[j.second].fixed) groups_.unite(j.first, j.second);
+    }
+  }
+  void wake(uint32_t i) { awake_[groups_.find(i)] = true; }
+  bool is_awake(uint32_t i) { return awake_[groups_.find(i)]; }
+
+  void wake_neighbours(const Edges& edges) {
+    std::vector<uint32_t> woken;
+    for (const auto& [a, b] : edges) {
+      if (is_awake(a) != is_awake(b)) woken.push_back(is_awake(a) ? b : a);
+    }
+    for (const uint32_t i : woken) wake(i);
+  }
+
+ private:
+  UnionFind groups_;
+  std::vector<bool> awake_;  // by the representative of the group
+};
 
 }  // namespace
 
 bool update_sleep(std::span<MovingBody> bodies, std::span<const TouchingPair> pairs,
                   std::span<const BodyJoint> joints, const ContactMemory& memory, double seconds) {
   assert(seconds > 0);
-  UnionFind islands = islands_of(bodies, pairs, joints, memory, seconds);
-  std::vector<bool> restless(bodies.size(), false);
+  AwakeGroups groups(bodies, joints);
   for (uint32_t i = 0; i < bodies.size(); ++i) {
-    if (!bodies[i].fixed && bodies[i].body->motion.quiet < kQuietTicks) restless[islands.find(i)] = true;
+    if (!bodies[i].fixed && bodies[i].body->motion.quiet < kQuietTicks) groups.wake(i);
   }
+  const Edges edges = touching(bodies, pairs, memory, seconds);
+  for (int step = 0; step < kWakeSteps; ++step) groups.wake_neighbours(edges);
   bool woke = false;
   for (uint32_t i = 0; i < bodies.size(); ++i) {
     if (bodies[i].fixed) continue;
     Motion& motion = bodies[i].body->motion;
     const bool slept = motion.asleep;
-    motion.asleep = bodies[i].asleep = !restless[islands.find(i)];
+    motion.asleep = bodies[i].asleep = !groups.is_awake(i);
     if (motion.asleep) motion.velocity = motion.spin = Vec3(0);
     woke = woke || (slept && !motion.asleep);
   }

@@ -9,9 +9,10 @@
 
 namespace kerf {
 
-// Puts bodies to sleep and wakes them. Bodies that touch or that joints connect form an island, which sleeps
-// as a whole once each of them has been slower than the limits for half a second, and wakes as a whole.
-// `memory` tells of bodies that touched before they fell asleep. Returns whether a body woke.
+// Puts bodies to sleep and wakes them. A body is restless until it has been slower than the limits for half a
+// second. It keeps awake what it touches, and what touches that, together with what joints connect to these;
+// all others sleep, so that a piece which rattles does not keep a whole pile awake. `memory` tells of bodies
+// that touched before they fell asleep. Returns whether a body woke.
 bool update_sleep(std::span<MovingBody> bodies, std::span<const TouchingPair> pairs,
                   std::span<const BodyJoint> joints, const ContactMemory& memory, double seconds);
 

@@ -170,6 +170,18 @@ std::vector<Vec3> corners_of(const Mesh& mesh, const VertexNormals& normals,
   return corners;
 }
 
+Occupancy space_of(const Mesh& mesh, const Collider& collider) {
+  Occupancy space(collider.bounds);
+  for (uint32_t slot = 0; slot < mesh.face_slots(); ++slot) {
+    if (!mesh.is_live(FaceId(slot))) continue;
+    const Triangle t = mesh.triangle(FaceId(slot));
+    space.add({glm::min(glm::min(t[0], t[1]), t[2]), glm::max(glm::max(t[0], t[1]), t[2])});
+  }
+  for (const Collider::Chord& c : collider.chords)
+    space.add({glm::min(c.from, c.to), glm::max(c.from, c.to)});
+  return space;
+}
+
 void cluster_points(Collider& collider) {
   std::vector<std::array<Vec3, 2>> places;
   for (const Collider::Point& p : collider.points) places.push_back({p.at, p.at});
@@ -209,6 +221,7 @@ Collider make_collider(const Mesh& mesh, const ColliderSettings& settings) {
         {mesh.position(v), unit_or_zero(normals.of_vertex[v.index]), unit_or_zero(outward[v.index])});
   }
   for (VertexId v : normals.used) collider.bounds.add(mesh.position(v));
+  if (!normals.used.empty()) collider.space = space_of(mesh, collider);
   collider.corners = corners_of(mesh, normals, on_lines(edges, true));
   cluster_points(collider);
   cluster_chords(collider);

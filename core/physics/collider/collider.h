@@ -5,6 +5,7 @@
 #include "core/mesh/mesh.h"
 #include "core/physics/collider/box.h"
 #include "core/physics/collider/cluster.h"
+#include "core/physics/collider/occupancy.h"
 
 namespace kerf {
 
@@ -25,6 +26,7 @@ struct Collider {
   std::vector<Chord> chords;
   std::vector<Cluster> point_clusters, chord_clusters;  // which hold all of them, each once
   Box bounds;                                           // of all vertices
+  Occupancy space;                                      // where faces and chords are
   // What can touch a plane: all vertices except those amid flat faces.
   std::vector<Vec3> corners;
 };
@@ -32,7 +34,7 @@ struct Collider {
 // How much of a sheet is looked at.
 struct ColliderSettings {
   size_t most_points = 96;
-  size_t most_chords = 96;
+  size_t most_chords = 192;
   // m, how far a chord may lie from its rim; larger where there would be too many chords.
   double chord_error = 0.001;
 };

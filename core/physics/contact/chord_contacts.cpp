@@ -26,7 +26,7 @@ std::vector<Segment> near_chords(const MovingBody& first, const MovingBody& seco
   const RigidMap now = into(second.now, first.now), next = into(second.next, first.next);
   std::vector<Segment> near;
   for (const Cluster& cluster : first.collider->chord_clusters) {
-    if (!way_of(cluster, now, next).wider(margin).overlaps(second.collider->bounds)) continue;
+    if (!second.collider->space.meets(way_of(cluster, now, next).wider(margin))) continue;
     for (uint32_t i = cluster.begin; i < cluster.end; ++i) {
       const Collider::Chord& c = first.collider->chords[i];
       const Vec3 middle = 0.5 * (c.from + c.to);

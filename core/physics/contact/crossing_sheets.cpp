@@ -15,7 +15,7 @@ bool pierces(const Vec3& from, const Vec3& to, const MovingBody& faces) {
 // Whether a chord goes through a face; `map` is from the frame of the chords to that of the faces.
 bool chords_pierce(const MovingBody& chords, const MovingBody& faces, const RigidMap& map) {
   for (const Cluster& cluster : chords.collider->chord_clusters) {
-    if (!way_of(cluster, map, map).overlaps(faces.collider->bounds)) continue;
+    if (!faces.collider->space.meets(way_of(cluster, map, map))) continue;
     for (uint32_t i = cluster.begin; i < cluster.end; ++i) {
       const Collider::Chord& c = chords.collider->chords[i];
       if (pierces(map(c.from), map(c.to), faces)) return true;
@@ -28,7 +28,7 @@ bool chords_pierce(const MovingBody& chords, const MovingBody& faces, const Rigi
 bool points_pass(const MovingBody& points, const MovingBody& faces, const RigidMap& now,
                  const RigidMap& next) {
   for (const Cluster& cluster : points.collider->point_clusters) {
-    if (!way_of(cluster, now, next).overlaps(faces.collider->bounds)) continue;
+    if (!faces.collider->space.meets(way_of(cluster, now, next))) continue;
     for (uint32_t i = cluster.begin; i < cluster.end; ++i) {
       const Vec3& p = points.collider->points[i].at;
       if (pierces(now(p), next(p), faces)) return true;

@@ -28,7 +28,8 @@ class PointTracker {
   // Returns what is to be remembered.
   std::vector<PointMemory> track() {
     for (const Cluster& cluster : points_.point_clusters) {
-      if (!way_of(cluster, now_, next_).overlaps(around_)) continue;
+      const Box way = way_of(cluster, now_, next_);
+      if (!way.overlaps(around_) || !faces_.collider->space.meets(way.wider(reach_))) continue;
       for (uint32_t i = cluster.begin; i < cluster.end; ++i) follow(i, remembered_normal(i));
     }
     while (old_ < memory_.size() && !is_on_chord(memory_[old_].point)) ++old_;

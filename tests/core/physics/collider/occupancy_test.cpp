@@ -1,0 +1,47 @@
+#include "core/physics/collider/occupancy.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/base/random.h"
+
+namespace kerf {
+namespace {
+
+Box random_box(Random& random, double size) {
+  Box box;
+  const Vec3 at(random.uniform(-1, 3), random.uniform(0, 1), random.uniform(-0.2, 0.2));
+  box.add(at);
+  box.add(at + Vec3(random.uniform(0, size), random.uniform(0, size), random.uniform(0, size)));
+  return box;
+}
+
+TEST(Occupancy, meets_all_boxes_that_meet_one_that_was_added) {
+  for (uint64_t seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    std::vector<Box> added;
+    Box bounds;
+    for (int i = 0; i < 10; ++i) bounds.add(added.emplace_back(random_box(random, 0.3)));
+    Occupancy space(bounds);
+    for (const Box& box : added) space.add(box);
+    size_t nowhere = 0;
+    for (int i = 0; i < 1000; ++i) {
+      const Box box = random_box(random, 0.2);
+      const bool meets =
+          std::any_of(added.begin(), added.end(), [&](const Box& b) { return b.overlaps(box); });
+      if (meets) EXPECT_TRUE(space.meets(box));
+      nowhere += !space.meets(box);
+    }
+    EXPECT_GT(nowhere, 300u);
+  }
+}
+
+TEST(Occupancy, of_nothing_meets_nothing) {
+  EXPECT_FALSE(Occupancy().meets({Vec3(-1), Vec3(1)}));
+  EXPECT_FALSE(Occupancy({Vec3(0), Vec3(1)}).meets({Vec3(-1), Vec3(1)}));
+}
+
+}  // namespace
+}  // namespace kerf

@@ -16,7 +16,6 @@ constexpr int kSecond = static_cast<int>(kTicksPerSecond);
 constexpr double kErrorTime = 0.7;   // s, in which the error of aim changes
 constexpr double kSlashReach = 0.6;  // m
 constexpr double kSlashSpeed = 2.5;  // rad/s
-constexpr double kFiringRange = 32;  // m, at most
 constexpr double kOnTarget = 0.12;   // rad, between where the barrel points and where it should
 
 int ticks_of(double seconds) { return static_cast<int>(seconds * kSecond); }
@@ -67,7 +66,7 @@ bool Aiming::pulls_trigger(const DriverView& view, const Pose& wanted, double le
     const auto hit = view.sight.nearest(wanted, std::max(length - 2, 0.1), view.is_wall);
     walled_ = hit && hit->body.valid();
   }
-  if (!bursting_ || walled_ || length > std::min(view.range, kFiringRange) || !view.own().gun.works())
+  if (!bursting_ || walled_ || length > std::min(view.range, skill_.range) || !view.own().gun.works())
     return false;
   return glm::dot(muzzle_pose(view.world, view.own()).direction, wanted.direction) > sin_cos(kOnTarget).cos;
 }
@@ -82,7 +81,7 @@ void Aiming::aim(const DriverView& view, size_t opponent, const Placement& seen,
   const double heading = wrapped(heading_of(way) + error_.x), pitch = pitch_of(way) + error_.y;
   controls.heading = static_cast<int32_t>(heading / Controls::kAimStep);
   controls.pitch = static_cast<int32_t>(pitch / Controls::kAimStep);
-  controls.width = 30;
+  controls.width = skill_.width;
   controls.fire = pulls_trigger(view, {from, direction_of(heading, pitch)}, length);
 }
 

@@ -12,6 +12,8 @@ struct AimingSkill {
   double error = 0.03;              // rad, standard deviation
   double burst = 1.2, pause = 1.5;  // s, for which it fires and then does not
   double vital = 0.5;               // the share of aims at vital parts and the turret
+  uint8_t width = 30;               // of the beam (see Controls)
+  double range = 24;                // m, from which on it does not fire
 };
 
 // Aims at a part of an opponent and slashes across it.

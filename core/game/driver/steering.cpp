@@ -16,6 +16,8 @@ namespace {
 constexpr int kSecond = static_cast<int>(kTicksPerSecond);
 constexpr int kLookEvery = 6;                                                        // ticks
 constexpr std::array kOffsets{0.0, 0.3, -0.3, 0.6, -0.6, 0.95, -0.95, 1.35, -1.35};  // rad
+constexpr double kEyeHeight = 0.13, kHalfWidth = 0.9;                                // m, of rays ahead
+constexpr int kDetour = 2 * kSecond;                                                 // ticks
 constexpr double kMargin = 3;  // m, to the edge of the arena
 
 // How far it is from p along a direction to the edge of the arena, less a margin.
@@ -44,11 +46,16 @@ double Steering::wanted_heading(const DriverView& view, const Vec3& at, double d
 double Steering::clear_length(const DriverView& view, double heading, double length) const {
   const Vehicle& own = view.own();
   const Body& chassis = view.chassis(view.self);
-  const Vec3 direction = direction_of(heading, 0);
-  const Vec3 from = chassis.placement.to_world({0, 0.65, 0});
-  const auto hit = view.sight.nearest({from, direction}, length, [&](BodyId id) { return !own.has(id); });
-  const bool slope = hit && hit->normal.y > 0.7;
-  return std::min(hit && !slope ? hit->length : length, to_edge(from, direction, view.arena_size));
+  const Vec3 direction = direction_of(heading, 0), across(direction.z, 0, -direction.x);
+  const Vec3 middle = chassis.placement.to_world({0, kEyeHeight, 0});
+  double clear = std::min(length, to_edge(middle, direction, view.arena_size));
+  for (const double side : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
+    const Pose ray{middle + side * kHalfWidth * across, direction};
+    const auto hit = view.sight.nearest(ray, clear, [&](BodyId id) { return !own.has(id); });
+    const bool slope = hit && hit->normal.y > 0.7;
+    if (hit && !slope) clear = hit->length;
+  }
+  return clear;
 }
 
 double Steering::choose_heading(const DriverView& view, double wanted, double reach) {
@@ -76,6 +83,7 @@ bool Steering::back_out(double speed, Controls& controls) {
   }
   --reverse_;
   look_in_ = 0;
+  detour_ = kDetour;
   controls.throttle = -80;
   controls.steer = static_cast<int8_t>(side_ > 0 ? -70 : 70);
   return true;
@@ -92,9 +100,12 @@ void Steering::drive(const DriverView& view, const Vec3& at, double distance, do
     if (random_.unit() < 0.4) side_ = -side_;
   }
   if (back_out(speed, controls)) return;
+  if (detour_ > 0) --detour_;
   if (--look_in_ <= 0) {
     look_in_ = kLookEvery;
-    heading_ = choose_heading(view, wanted_heading(view, at, distance), 7 + 1.1 * std::abs(speed));
+    const double aside = detour_ > 0 ? 1.2 * side_ : 0;
+    const double wanted = wanted_heading(view, at, distance) + aside;
+    heading_ = choose_heading(view, wanted, 7 + 1.1 * std::abs(speed));
   }
   const double off = wrapped(heading_ - heading_of(ahead));
   controls.steer = share_of_full(off / full_lock(std::abs(speed)));

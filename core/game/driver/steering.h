@@ -32,6 +32,7 @@ class Steering {
   double clear_ = 0;    // m, in that direction
   int blocked_ = 0;     // ticks for which it did not get away
   int reverse_ = 0;     // ticks for which it still backs out
+  int detour_ = 0;      // ticks for which it tries another way after that
 };
 
 }  // namespace kerf

@@ -6,7 +6,7 @@ namespace kerf {
 
 namespace {
 
-PilotSkill skill() { return {{0.012, 3.5, 1.2, 0.7}, 0.15, 11, 0.9}; }
+PilotSkill skill() { return {{0.005, 4, 0.4, 0.9, 60, 55}, 0.05, 22, 0.9}; }
 
 }  // namespace
 

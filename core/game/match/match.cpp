@@ -19,8 +19,9 @@ constexpr double kFightingDistance = 13;  // m
 constexpr double kImpact = 1.5;           // m/s, from which on a change of velocity is told
 
 PilotSkill pilot_skill(const EnemySkill& skill) {
-  const double burst = 0.5 + 1.5 * skill.fire, pause = burst * (1 - skill.fire) / std::max(skill.fire, 0.01);
-  return {{skill.aim_error, burst, pause, 0.4}, skill.reaction, kFightingDistance, skill.speed};
+  const double burst = 0.25 + 1.25 * skill.fire * skill.fire, pause = 0.5 + 3 * (1 - skill.fire);
+  const double vital = 0.1 + 0.5 * skill.fire * skill.fire, range = 14 + 14 * skill.fire;
+  return {{skill.aim_error, burst, pause, vital, 0, range}, skill.reaction, kFightingDistance, skill.speed};
 }
 
 // The starts of the enemies, those farthest from a place first.

@@ -19,11 +19,12 @@ constexpr double kBumpStop = 8;                        // times the stiffness, b
 constexpr double kMostLoad = 40;                       // m/s^2, times the mass
 constexpr double kGrip = 1.15;                         // coefficient of friction of a tyre
 constexpr double kLockedGrip = 0.55;                   // across a wheel that the handbrake locks
-constexpr double kRollingResistance = 0.018;           // of the load
-constexpr double kBrake = 8;                           // m/s^2, times the share of a wheel in the mass
-constexpr double kLeanLess = 0.75;                     // of the height of the centre over the ground
-constexpr double kSteeringSpeed = 2.4;                 // rad/s
-constexpr double kStandstill = 0.6;                    // m/s, below which throttle backwards reverses
+constexpr double kStump = 0.5, kStumpGrip = 0.3;  // where a wheel is gone: of its radius, and of its load
+constexpr double kRollingResistance = 0.018;      // of the load
+constexpr double kBrake = 8;                      // m/s^2, times the share of a wheel in the mass
+constexpr double kLeanLess = 0.75;                // of the height of the centre over the ground
+constexpr double kSteeringSpeed = 2.4;            // rad/s
+constexpr double kStandstill = 0.6;               // m/s, below which throttle backwards reverses
 constexpr int kSweeps = 3;
 
 double towards(double from, double to, double most) { return from + std::clamp(to - from, -most, most); }
@@ -56,7 +57,7 @@ class Drive {
     steer();
     const double mass = vehicle_.what().mass;
     for (size_t i = 0; i < vehicle_.wheels.size(); ++i) {
-      if (vehicle_.wheels[i].attached) suspend(i, mass);
+      suspend(i, mass);
     }
     share_out_drive();
     for (int sweep = 0; sweep < kSweeps; ++sweep) {
@@ -90,17 +91,17 @@ class Drive {
   void suspend(size_t i, double mass) {
     Wheel& wheel = vehicle_.wheels[i];
     const WheelDescription& w = what().wheels[i];
-    const double half = 0.5 * w.travel;
+    const double half = 0.5 * w.travel, radius = wheel.attached ? w.radius : kStump * w.radius;
     const Pose ray{chassis_.placement.to_world(w.hub + Vec3(0, half + kAbove, 0)), -up_};
     const auto hit =
-        sight_.nearest(ray, kAbove + w.travel + w.radius, [&](BodyId id) { return !vehicle_.has(id); });
+        sight_.nearest(ray, kAbove + w.travel + radius, [&](BodyId id) { return !vehicle_.has(id); });
     wheel.grounded = hit && glm::dot(hit->normal, up_) > 0.2;
     wheel.load = wheel.slip = 0;
     if (!wheel.grounded) {
       wheel.rise = towards(wheel.rise, -half, 1.5 * kTick);
       return;
     }
-    const double rise = half + kAbove + w.radius - hit->length;
+    const double rise = half + kAbove + radius - hit->length;
     wheel.rise = std::min(rise, half);
     wheel.contact = ray.origin - hit->length * up_;
     stand(wheel, w, *hit, rise, mass);
@@ -127,7 +128,7 @@ class Drive {
     if (!(length > 0.1)) return;
     s.forward = forward / length;
     s.side = glm::cross(s.normal, s.forward);
-    s.grip_across = s.grip_along = kGrip * s.load;
+    s.grip_across = s.grip_along = (wheel.attached ? kGrip : kStumpGrip) * s.load;
     standing_.push_back(s);
   }
 
@@ -147,6 +148,7 @@ class Drive {
       const double coasting = vehicle_.alive ? (wanted == 0 ? 0.4 : 0) : 1.5;  // m/s^2
       s.brake = std::max(s.brake, coasting * share);
       s.brake += kRollingResistance * s.load;
+      if (!s.wheel->attached) s.brake = s.load;
       if (handbrake() && !steers(s)) {
         s.brake = kBrake * share + s.load;
         s.grip_across = kLockedGrip * s.load;
@@ -155,7 +157,7 @@ class Drive {
   }
 
   size_t index_of(const Standing& s) const { return static_cast<size_t>(s.wheel - vehicle_.wheels.data()); }
-  bool is_driven(const Standing& s) const { return what().wheels[index_of(s)].driven; }
+  bool is_driven(const Standing& s) const { return s.wheel->attached && what().wheels[index_of(s)].driven; }
   bool steers(const Standing& s) const { return what().wheels[index_of(s)].steers; }
 
   double force() const {

@@ -10,6 +10,8 @@ namespace kerf {
 // brakes until it falls asleep. Changes the motion of the chassis and the state of the wheels; `sight` shows
 // the world as it is.
 //
+// Where a wheel is gone, what is left of its suspension drags over the ground, lower and without drive.
+//
 // Each wheel is one ray against the ground and all bodies but the vehicle itself. A spring with a damper acts
 // along the normal of what it meets; the tyre takes away the velocity across the wheel and, as far as the
 // brakes do, along it, by impulses within a friction circle that follow each other over all wheels

@@ -45,8 +45,10 @@ struct Vehicle {
   bool alive = true;
   std::vector<bool> vital_works;  // by VehicleDescription::vitals
   Controls controls;
-  double overturned_s = 0, stuck_s = 0;  // for how long
-  double whole = 1;                      // the fraction of the area of the chassis that is left
+  double overturned_s = 0, stuck_s = 0;          // for how long
+  bool tried_ahead = false, tried_back = false;  // while it is stuck
+  std::optional<Placement> free_place;           // where it last drove freely
+  double whole = 1;                              // the fraction of the area of the chassis that is left
 
   const VehicleDescription& what() const { return model->description; }
   size_t wheels_attached() const;

@@ -71,8 +71,15 @@ class ReplayRun {
 
   Status run_match() const {
     if (!arguments_.out.empty()) return bad_input("--out: a match is not written to a folder");
-    if (!arguments_.frames.empty()) return bad_input("--frames: this version does not film matches");
-    return replay_match(arguments_.journal, expected_);
+    std::optional<MatchFilm::Options> film;
+    if (!arguments_.frames.empty()) {
+      const auto picture = arguments_.picture.parse();
+      if (!picture) return picture.error();
+      if (const auto s = PiecesFolder{arguments_.frames}.make(); !s) return s;
+      film = {arguments_.frames, picture->width, picture->height, arguments_.frames_per_second,
+              picture->eye,      picture->target};
+    }
+    return replay_match(arguments_.journal, expected_, film);
   }
 
   Status load() {

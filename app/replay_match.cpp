@@ -14,13 +14,21 @@ namespace kerf {
 
 namespace {
 
-Status play(Match& match, const Recording& recording) {
-  ProgressLine line("replaying");
+Status play(Match& match, const Recording& recording, const std::optional<MatchFilm::Options>& filmed) {
+  std::optional<MatchFilm> film;
+  if (filmed) {
+    auto begun = MatchFilm::begin(match, *filmed);
+    if (!begun) return begun.error();
+    film.emplace(std::move(*begun));
+  }
+  ProgressLine line(film ? "filming" : "replaying");
   const double all = static_cast<double>(recording.controls.size());
   for (size_t t = 0; t < recording.controls.size(); ++t) {
     if (interrupted()) return stopped();
     if (t % kTicksPerSecond == 0) line.update(static_cast<double>(t) / all);
     match.tick(recording.controls[t]);
+    if (!film) continue;
+    if (const Status followed = film->follow(match, recording.controls[t]); !followed) return followed;
   }
   return Done{};
 }
@@ -42,7 +50,8 @@ Status judge(const std::string& file, uint64_t hash, const Recording& recording,
 
 }  // namespace
 
-Status replay_match(const std::filesystem::path& file, const std::optional<uint64_t>& expected) {
+Status replay_match(const std::filesystem::path& file, const std::optional<uint64_t>& expected,
+                    const std::optional<MatchFilm::Options>& film) {
   const auto recording = read_recording(file);
   if (!recording) return recording.error();
   if (!recording->damage.empty()) warn(recording->damage);
@@ -55,7 +64,7 @@ Status replay_match(const std::filesystem::path& file, const std::optional<uint6
         file.string() + ": the rules " + recording->rules.string() +
         " or files that they name are others than the match was played with: put the old ones back");
   Match match({*rules, recording->seed, recording->difficulty});
-  if (const Status played = play(match, *recording); !played) return played;
+  if (const Status played = play(match, *recording, film); !played) return played;
   const uint64_t hash = state_hash(match.world());
   std::cout << hash_text(hash) << '\n';
   return judge(file.string(), hash, *recording, expected);

@@ -6,7 +6,7 @@
 #include <cstdio>
 
 #include "ui/render/view_switches.h"
-#include "ui/window/centred_window.h"
+#include "ui/window/landmarks.h"
 #include "ui/window/theme.h"
 
 namespace kerf {
@@ -33,8 +33,11 @@ void heading(const char* text, float scale = 1.5f) {
   ImGui::Spacing();
 }
 
-bool wide_button(const char* label) {
-  return ImGui::Button(label, {ImGui::GetContentRegionAvail().x, 1.9f * ImGui::GetFontSize()});
+// Its name among the landmarks is `landmark`.
+bool wide_button(const char* label, const char* landmark) {
+  const bool pressed = ImGui::Button(label, {ImGui::GetContentRegionAvail().x, 1.9f * ImGui::GetFontSize()});
+  mark_last_item(landmark);
+  return pressed;
 }
 
 void slider(const char* label, double& value, double low, double high, const char* format) {
@@ -102,10 +105,10 @@ MenuChoice draw_pause_menu(const MenuView& view) {
   MenuChoice choice = MenuChoice::kNone;
   begin_menu("Pause");
   heading("Pause");
-  if (wide_button("Resume (Esc)")) choice = MenuChoice::kResume;
-  if (wide_button("Restart (R)")) choice = MenuChoice::kRestart;
-  if (wide_button("Inspect this world in the editor")) choice = MenuChoice::kInspect;
-  if (wide_button(view.from_editor ? "Back to the editor" : "Quit")) choice = MenuChoice::kLeave;
+  if (wide_button("Resume (Esc)", "resume")) choice = MenuChoice::kResume;
+  if (wide_button("Restart (R)", "restart")) choice = MenuChoice::kRestart;
+  if (wide_button("Inspect this world in the editor", "inspect")) choice = MenuChoice::kInspect;
+  if (wide_button(view.from_editor ? "Back to the editor" : "Quit", "leave")) choice = MenuChoice::kLeave;
   ImGui::Spacing();
   if (ImGui::CollapsingHeader("Settings", ImGuiTreeNodeFlags_DefaultOpen)) draw_settings(view);
   if (ImGui::CollapsingHeader("Debug views")) draw_views(view.view);
@@ -124,9 +127,9 @@ MenuChoice draw_result(const MatchResult& result, bool from_editor) {
   ImGui::Spacing();
   draw_scores(result);
   ImGui::Spacing();
-  if (wide_button("Play again (R)")) choice = MenuChoice::kRestart;
-  if (wide_button("Inspect this world in the editor")) choice = MenuChoice::kInspect;
-  if (wide_button(from_editor ? "Back to the editor" : "Quit")) choice = MenuChoice::kLeave;
+  if (wide_button("Play again (R)", "restart")) choice = MenuChoice::kRestart;
+  if (wide_button("Inspect this world in the editor", "inspect")) choice = MenuChoice::kInspect;
+  if (wide_button(from_editor ? "Back to the editor" : "Quit", "leave")) choice = MenuChoice::kLeave;
   ImGui::End();
   return choice;
 }

@@ -209,11 +209,13 @@ CameraView GameScreen::camera_view() const {
 
 void GameScreen::draw() {
   const CameraView view = camera_view();
+  if (landmarks_) landmarks_->begin_frame();
   picture_.look().tree.palette = options_.look.palette;
-  picture_.draw(*match_, view, window_, presets_.choose(settings_.preset));
+  const Vec2 pixels = window_.pixel_size();
+  const Target whole{0, 0, 0, static_cast<int>(pixels.x), static_cast<int>(pixels.y)};
+  picture_.draw(*match_, view, whole, presets_.choose(settings_.preset));
   draw_hud({*match_, hud_, view, aim(), input_, guide_ && state_ == State::kPlaying,
             camera_.viewpoint == Viewpoint::kRoof, clock_.is_slow() ? 1.0 : 0.0});
-  if (landmarks_) landmarks_->begin_frame();
   if (state_ == State::kPaused)
     take(draw_pause_menu({settings_, options_.look, picture_.look(), options_.from_editor}));
   if (state_ == State::kOver && result_) take(draw_result(*result_, options_.from_editor));

@@ -1,5 +1,7 @@
 #include "ui/game/match_picture.h"
 
+#include <cassert>
+
 #include "ui/game/match_beams.h"
 #include "ui/render/body_marks.h"
 
@@ -110,21 +112,19 @@ void MatchPicture::dress(const Match& match, PicturePreset preset) {
   look_.bodies = gather_body_marks(match.world(), match.physics(), look_.show);
 }
 
-void MatchPicture::draw(const Match& match, const CameraView& view, const Window& window,
+void MatchPicture::draw(const Match& match, const CameraView& view, const Target& target,
                         PicturePreset preset) {
+  assert(preset != PicturePreset::kAutomatic);
   dress(match, preset);
-  const int width = static_cast<int>(window.pixel_size().x), height = static_cast<int>(window.pixel_size().y);
-  if (preset != PicturePreset::kLow) {
-    renderer_.draw(match.world(), view, look_, std::nullopt, {0, 0, 0, width, height});
-    return;
-  }
-  const gl::Framebuffer::Shape half{std::max(1, width / 2), std::max(1, height / 2), 1, false};
+  if (preset != PicturePreset::kLow) return renderer_.draw(match.world(), view, look_, std::nullopt, target);
+  const gl::Framebuffer::Shape half{std::max(1, target.width / 2), std::max(1, target.height / 2), 1, false};
   if (!small_ || !(small_->shape() == half)) small_.emplace(half);
   renderer_.draw(match.world(), view, look_, std::nullopt, {small_->name(), 0, 0, half.width, half.height});
   glBindFramebuffer(GL_READ_FRAMEBUFFER, small_->name());
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-  glBlitFramebuffer(0, 0, half.width, half.height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.framebuffer);
+  glBlitFramebuffer(0, 0, half.width, half.height, target.x, target.y, target.x + target.width,
+                    target.y + target.height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+  glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
 }
 
 }  // namespace kerf

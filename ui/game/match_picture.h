@@ -9,7 +9,6 @@
 #include "ui/gl/framebuffer.h"
 #include "ui/render/renderer.h"
 #include "ui/screen/particles.h"
-#include "ui/window/window.h"
 
 namespace kerf {
 
@@ -48,8 +47,8 @@ class MatchPicture {
   // Lets time pass (s) for sparks and smoke.
   void advance(const Match& match, double seconds);
 
-  // Fills the window.
-  void draw(const Match& match, const CameraView& view, const Window& window, PicturePreset preset);
+  // Draws a picture. `preset` is not kAutomatic.
+  void draw(const Match& match, const CameraView& view, const Target& target, PicturePreset preset);
 
   // The switches of the debug views.
   ViewOptions& look() { return look_; }

@@ -1,0 +1,74 @@
+"""The game: a match that is played with keys and mouse, the pause menu, and the way there from the editor."""
+import json
+import os
+import subprocess
+import tempfile
+import unittest
+
+from editor_window import ASSETS, KERF, SPHERE, WindowTest, pause, wait_for
+
+RULES = {"name": "duel", "player": os.path.join(ASSETS, "vehicles", "hatchback.json"),
+         "waves": [[os.path.join(ASSETS, "vehicles", "van.json")]], "laser": {"range": 60}}
+ARENA = {"name": "duel", "ground": 0, "size": [60, 60],
+         "starts": {"player": {"position": [0, 0, -5], "heading": 0},
+                    "enemies": [{"position": [0, 0, 4], "heading": 90}]}}
+
+
+class Game(WindowTest):
+    def write_rules(self, **changes):
+        """A match in which the enemy stands across, before the player."""
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        arena, rules = (os.path.join(folder.name, name) for name in ("arena.json", "rules.json"))
+        with open(arena, "w") as file:
+            json.dump(ARENA, file)
+        with open(rules, "w") as file:
+            json.dump({**RULES, "arena": arena, **changes}, file)
+        return rules
+
+    def playing(self, editor):
+        return editor.landmarks()["busy"]
+
+    def test_keys_and_mouse_drive_and_cut_and_the_match_can_be_replayed(self):
+        rules = self.write_rules()
+        record = os.path.join(os.path.dirname(rules), "match.kerf")
+        game = self.open("play", rules, "--difficulty", "easy", "--record", record)
+        wait_for(lambda: self.playing(game), 60, "the match never began")
+        game.xdotool("mousedown", 1)
+        for way in (60, -120, 60) * 3:
+            for _ in range(12):
+                game.xdotool("mousemove_relative", "--", round(way / 12), 0)
+                pause(0.08)
+        game.xdotool("mouseup", 1)
+        game.xdotool("keydown", "s")
+        pause(2)
+        game.xdotool("keyup", "s")
+        game.press("Escape")
+        wait_for(lambda: not self.playing(game), 30, "Esc never paused the match")
+        game.click("leave", 0.5, 0.5)
+        report = game.report()
+        self.assertGreater(report["faces_removed"], 100)
+        self.assertGreaterEqual(report["strokes"], 1)
+        self.assertGreater(report["frames"], 10)
+        subprocess.run([KERF, "replay", record, "--expect", report["state_hash"]], check=True,
+                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+    def test_the_editor_is_as_it_was_after_the_game_and_opens_its_world(self):
+        editor = self.open(SPHERE)
+        editor.press("F5")
+        wait_for(lambda: self.playing(editor) and "viewport" not in editor.landmarks()["parts"], 60,
+                 "the game never began")
+        editor.press("Escape")
+        editor.click("leave", 0.5, 0.5)
+        wait_for(lambda: "viewport" in editor.landmarks()["parts"], 60, "the editor never came back")
+        editor.wait_for_title("sphere.json - Kerf")
+        editor.press("F5")
+        wait_for(lambda: "viewport" not in editor.landmarks()["parts"], 60, "the game never began")
+        editor.press("Escape")
+        editor.click("inspect", 0.5, 0.5)
+        editor.wait_for_title("scene.json - Kerf")
+        self.assertGreater(editor.quit()["bodies"], 5)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -33,48 +33,93 @@ void insert(const PointMemory& point, std::vector<PointMemory>& memory) {
   memory.insert(at, point);
 }
 
-// The middles between the places where a chord goes through faces at the end of its way, as shares of it.
-std::vector<double> middles(const Vec3& from, const Vec3& to, const MovingBody& faces) {
+// Small pieces that meet edge on in a heap are left to those that they lie on.
+bool is_large(const MovingBody& b) {
+  constexpr double kLarge = 1;  // m, the diagonal of its bounds
+  return glm::length(b.collider->bounds.max - b.collider->bounds.min) > kLarge * b.metre;
+}
+
+// Adds a point at a rim. If there is one near it on the chord, that one has a normal between the two instead.
+// Returns whether the point is new.
+bool insert_at_rim(const PointMemory& point, std::vector<PointMemory>& memory) {
+  for (PointMemory& m : memory) {
+    if (!is_at_rim(m.point) || m.point >> kPlaceBits != point.point >> kPlaceBits) continue;
+    const Vec3 sum = m.normal + point.normal;
+    m.normal = glm::length(sum) > 0.1 ? glm::normalize(sum) : point.normal;
+    return false;
+  }
+  const auto before = [](const PointMemory& m, uint32_t wanted) { return m.point < wanted; };
+  memory.insert(std::lower_bound(memory.begin(), memory.end(), point.point, before), point);
+  return true;
+}
+
+// The places where a chord goes through faces at the end of its way, as shares of it.
+std::vector<double> places(const Vec3& from, const Vec3& to, const MovingBody& faces) {
   const double length = glm::length(to - from);
-  std::vector<RayHit> hits;
   if (!(length > 0)) return {};
+  std::vector<RayHit> hits;
   ++faces.rays;
   faces.body->tree.crossings(faces.body->mesh, Pose{from, (to - from) / length}, {0, length}, hits);
-  if (hits.empty()) return {};
+  std::vector<double> shares;
+  for (const RayHit& hit : hits) shares.push_back(hit.length / length);
+  return shares;
+}
+
+// The middles between these places and the ends of the chord.
+std::vector<double> middles(const std::vector<double>& places) {
   std::vector<double> shares;
   double last = 0;
-  for (const RayHit& hit : hits) {
-    shares.push_back(0.5 * (last + hit.length) / length);
-    last = hit.length;
+  for (const double place : places) {
+    shares.push_back(0.5 * (last + place));
+    last = place;
   }
-  shares.push_back(0.5 * (last + length) / length);
+  shares.push_back(0.5 * (last + 1));
   return shares;
 }
 
 }  // namespace
 
-Collider::Point point_of(const Collider& collider, uint32_t point) {
-  if (!is_on_chord(point)) return collider.points[point];
-  const uint32_t chord = (point & ~kOnChord) >> kPlaceBits;
-  assert(chord < collider.chords.size());
-  const double share = (point & (kPlaces - 1)) / static_cast<double>(kPlaces);
-  return {glm::mix(collider.chords[chord].from, collider.chords[chord].to, share), Vec3(0), Vec3(0)};
+const Collider::Chord& chord_of(const Collider& collider, uint32_t point) {
+  const uint32_t chord = (point & ~(kOnChord | kAtRim)) >> kPlaceBits;
+  assert(is_on_chord(point) && chord < collider.chords.size());
+  return collider.chords[chord];
 }
 
-void remember_piercing_points(const MovingBody& chords, const MovingBody& faces,
+Collider::Point point_of(const Collider& collider, uint32_t point) {
+  if (!is_on_chord(point)) return collider.points[point];
+  const Collider::Chord& chord = chord_of(collider, point);
+  const double share = (point & (kPlaces - 1)) / static_cast<double>(kPlaces);
+  return {glm::mix(chord.from, chord.to, share), Vec3(0), Vec3(0)};
+}
+
+bool remember_piercing_points(const MovingBody& chords, const MovingBody& faces,
                               std::vector<PointMemory>& memory) {
   const RigidMap now = into(faces.now, chords.now), next = into(faces.next, chords.next);
+  const bool rims = is_large(chords) && is_large(faces);
+  bool any_new = false;
   for (const Cluster& cluster : chords.collider->chord_clusters) {
     if (!way_of(cluster, next, next).overlaps(faces.collider->bounds)) continue;
     for (uint32_t i = cluster.begin; i < cluster.end; ++i) {
       const Collider::Chord& c = chords.collider->chords[i];
-      for (const double share : middles(next(c.from), next(c.to), faces)) {
+      const std::vector<double> through = places(next(c.from), next(c.to), faces);
+      if (through.empty()) continue;
+      bool met_face = false;
+      for (const double share : middles(through)) {
         const uint32_t point = point_at(i, share);
         const Vec3 at = point_of(*chords.collider, point).at, free = now(at);
-        if (const auto plane = face_between(faces, free, next(at))) insert({point, plane->normal}, memory);
+        if (const auto plane = face_between(faces, free, next(at))) {
+          insert({point, plane->normal}, memory);
+          met_face = true;
+        }
       }
+      if (met_face || !rims) continue;
+      const uint32_t point = point_at(i, through[0]) | kAtRim;
+      const Vec3 at = point_of(*chords.collider, point).at, back = now(at) - next(at);
+      if (const double way = glm::length(back); way > 0)
+        any_new |= insert_at_rim({point, back / way}, memory);
     }
   }
+  return any_new;
 }
 
 }  // namespace kerf

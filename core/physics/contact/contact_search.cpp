@@ -86,10 +86,11 @@ bool ContactSearch::were_apart(uint32_t first, uint32_t second) {
   return memory.crossed == 0;
 }
 
-void ContactSearch::remember_piercing(uint32_t first, uint32_t second) {
+bool ContactSearch::remember_piercing(uint32_t first, uint32_t second) {
   PairMemory& memory = pair_of(first, second).memory;
-  remember_piercing_points(bodies_[first], bodies_[second], memory.points_of_first);
-  remember_piercing_points(bodies_[second], bodies_[first], memory.points_of_second);
+  const bool of_first = remember_piercing_points(bodies_[first], bodies_[second], memory.points_of_first);
+  const bool of_second = remember_piercing_points(bodies_[second], bodies_[first], memory.points_of_second);
+  return of_first || of_second;
 }
 
 }  // namespace kerf

@@ -28,8 +28,9 @@ class ContactSearch {
   std::vector<std::pair<uint32_t, uint32_t>> pairs_apart() const;
   // Whether two bodies were apart at the beginning; if not, this is known from now on.
   bool were_apart(uint32_t first, uint32_t second);
-  // Remembers the points within chords at which two bodies got through each other, for the next tick.
-  void remember_piercing(uint32_t first, uint32_t second);
+  // Remembers the points within chords at which two bodies got through each other, for the next tick. Returns
+  // whether points at rims are among those that are new.
+  bool remember_piercing(uint32_t first, uint32_t second);
 
   // How many pairs of bodies the broad phase has found near each other.
   size_t candidates() const { return candidates_; }

@@ -31,7 +31,8 @@ void slow(const MovingBody& b, const Placement& to, double factor) {
 // The ways of all bodies and how much of them they go.
 class Ways {
  public:
-  explicit Ways(std::span<MovingBody> bodies) : bodies_(bodies), share_(bodies.size(), 0) {}
+  explicit Ways(std::span<MovingBody> bodies)
+      : bodies_(bodies), share_(bodies.size(), 0), keeps_speed_(bodies.size(), false) {}
 
   bool cross(uint32_t i, uint32_t j) const { return get_through(bodies_[i], bodies_[j]); }
   bool is_short(uint32_t i) const { return share_[i] > 0; }
@@ -42,6 +43,8 @@ class Ways {
     b.next = share > 0 ? map_of(between(b, share)) : b.now;
     return true;
   }
+  // Leaves the velocity of a body to the next tick, which knows what stops it.
+  void keep_speed(uint32_t i) { keeps_speed_[i] = true; }
   // Lets the bodies be where they got to. Returns how many did not go all of their way.
   size_t finish() {
     size_t held = 0;
@@ -49,7 +52,7 @@ class Ways {
       if (share_[i] == 0) continue;
       MovingBody& b = bodies_[i];
       const double share = kShares[share_[i]];
-      slow(b, share > 0 ? between(b, share) : b.start, 0.25 + 0.75 * share);
+      slow(b, share > 0 ? between(b, share) : b.start, keeps_speed_[i] ? 1 : 0.25 + 0.75 * share);
       ++held;
     }
     return held;
@@ -58,6 +61,7 @@ class Ways {
  private:
   std::span<MovingBody> bodies_;
   std::vector<size_t> share_;
+  std::vector<bool> keeps_speed_;
 };
 
 }  // namespace
@@ -71,7 +75,10 @@ size_t hold_back(std::span<MovingBody> bodies, ContactSearch& search) {
     for (const auto& [i, j] : pairs) {
       if (!changed[i] && !changed[j] && !shortened[i] && !shortened[j]) continue;
       if (!ways.cross(i, j) || !search.were_apart(i, j)) continue;
-      if (!ways.is_short(i) && !ways.is_short(j)) search.remember_piercing(i, j);
+      if (!ways.is_short(i) && !ways.is_short(j) && search.remember_piercing(i, j)) {
+        ways.keep_speed(i);
+        ways.keep_speed(j);
+      }
       do {
         const bool first = ways.shorten(i), second = ways.shorten(j);
         if (!first && !second) break;

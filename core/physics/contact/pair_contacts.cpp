@@ -5,6 +5,7 @@
 
 #include "core/physics/collider/spread_points.h"
 #include "core/physics/contact/chord_contacts.h"
+#include "core/physics/contact/chord_points.h"
 #include "core/physics/contact/point_contacts.h"
 
 namespace kerf {
@@ -110,11 +111,28 @@ std::vector<Contact> find_ground_contacts(const MovingBody& body, const Surround
   return contacts;
 }
 
+namespace {
+
+// Forgets the point at a rim that made a contact, if one did.
+void forget_at_rim(uint64_t feature, PairMemory& memory) {
+  if (feature >> 32 != 0) return;
+  const bool of_second = (feature & kPointsOfSecond) != 0;
+  const auto point = static_cast<uint32_t>(of_second ? feature - kPointsOfSecond : feature);
+  if (!is_at_rim(point)) return;
+  std::erase_if(of_second ? memory.points_of_second : memory.points_of_first,
+                [&](const PointMemory& m) { return m.point == point; });
+}
+
+}  // namespace
+
 void remember_impulses(const std::vector<Contact>& contacts, PairMemory& memory) {
   memory.impulses.clear();
   memory.touching = false;
   for (const Contact& c : contacts) {
-    if (c.impulse[0] == 0) continue;
+    if (c.impulse[0] == 0) {
+      forget_at_rim(c.feature, memory);
+      continue;
+    }
     memory.impulses.push_back({c.feature, c.impulse});
     memory.touching = true;
   }

@@ -19,7 +19,7 @@ std::vector<Contact> find_contacts(const MovingBody& first, const MovingBody& se
 std::vector<Contact> find_ground_contacts(const MovingBody& body, const Surroundings& around,
                                           const ContactLengths& lengths, const PairMemory& memory);
 
-// Keeps the impulses of contacts for the next tick.
+// Keeps the impulses of contacts for the next tick. Forgets the points at rims that were not pressed.
 void remember_impulses(const std::vector<Contact>& contacts, PairMemory& memory);
 
 }  // namespace kerf

@@ -48,12 +48,25 @@ class PointTracker {
     const Collider::Point own = point_of(points_, i);
     const Vec3 is_at = now_(own.at), will_be = next_(own.at);
     if (!Box{glm::min(is_at, will_be), glm::max(is_at, will_be)}.overlaps(around_)) return;
+    if (is_at_rim(i)) return follow_at_rim(i, *normal);
     const std::optional<FacePlane> plane = nearest_plane(own, is_at, will_be, normal);
     if (!plane) return;
     const double distance = plane->distance_to(is_at);
     if (is_on_chord(i) && distance > 2 * skin_) return;
     known_.push_back({i, plane->normal});
     out_.push_back({faces_.now(is_at), faces_.now.turn * plane->normal, distance - skin_, i, {}});
+  }
+
+  // Such a contact lasts while the chord would go through a face if it went on against the normal.
+  void follow_at_rim(uint32_t i, const Vec3& normal) {
+    const Collider::Chord& chord = chord_of(points_, i);
+    const Vec3 from = now_(chord.from), to = now_(chord.to);
+    for (const double shift : {0.25 * skin_, skin_, 0.5 * reach_, reach_}) {
+      if (!face_between(faces_, from - shift * normal, to - shift * normal)) continue;
+      known_.push_back({i, normal});
+      out_.push_back({faces_.now(now_(point_of(points_, i).at)), faces_.now.turn * normal, 0, i, {}});
+      return;
+    }
   }
 
   std::optional<FacePlane> nearest_plane(const Collider::Point& own, const Vec3& is_at, const Vec3& will_be,

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 #include <utility>
 
@@ -20,10 +21,11 @@ Document car() {
   return Document(std::move(scene->world));
 }
 
-void stroke(Document& document, const Vec3& from, const Vec3& to, const Vec3& direction, double radius) {
+void stroke(Document& document, const Vec3& from, const Vec3& to, const Vec3& direction, double radius,
+            double target_edge = 0.03) {
   CutSettings settings;
   settings.laser = {.radius = radius, .range = {0, 10}};
-  settings.resolution.target_edge = 0.03;
+  settings.resolution.target_edge = target_edge;
   document.apply(BeginStroke{settings, {from, direction}});
   document.apply(MoveStroke{{to, direction}});
   document.apply(EndStroke{});
@@ -109,6 +111,38 @@ TEST(CarScene, a_wheel_whose_hub_is_burnt_away_comes_off) {
   play(document, 240);
   // Without its front wheels the car drops onto its nose.
   EXPECT_LT(document.world().body(document.world().ids()[0]).placement.to_world({0, 0.3, 2}).y, 0.25);
+}
+
+// The height of the lowest point of the half of a car that lies ahead of or behind z in its own frame.
+double lowest_point(const World& world, bool ahead, double z) {
+  constexpr double kWide = 1;  // m, unlike a wheel
+  for (const BodyId id : world.ids()) {
+    const Body& body = world.body(id);
+    Interval width{10, -10};
+    double lowest = 10;
+    for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+      if (!body.mesh.is_live(FaceId(f))) continue;
+      for (const Vec3& p : body.mesh.triangle(FaceId(f))) {
+        width = {std::min(width.low, p.x), std::max(width.high, p.x)};
+        lowest = std::min(lowest, body.placement.to_world(p).y);
+      }
+    }
+    if (width.high - width.low > kWide && (rigid_frame(body).centre.z > z) == ahead) return lowest;
+  }
+  ADD_FAILURE() << "no such half";
+  return 0;
+}
+
+TEST(CarScene, the_halves_of_a_car_that_lean_on_each_other_roll_apart_and_drop_to_the_ground) {
+  for (const double z : {-0.3, 0.2}) {
+    Document document = car();
+    document.apply(Command(SetSurroundings{{.gravity = {0, -9.81, 0}, .ground = 0}}));
+    stroke(document, {-1.5, 3, z}, {1.5, 3, z}, {0, -1, 0}, 0.006, 0.0015);
+    play(document, 360);
+    for (const bool ahead : {false, true})
+      EXPECT_NEAR(lowest_point(document.world(), ahead, z), 0, 0.01)
+          << (ahead ? "ahead of " : "behind ") << z;
+  }
 }
 
 }  // namespace

@@ -118,7 +118,7 @@ class CommandLine(unittest.TestCase):
                            (["inspect", "plate.obj", "--dot"], "--graph"),
                            (["inspect", "plate.obj", "--tree", "--graph"], "--step"),
                            (["inspect", "plate.obj", "--step", "0"], "--step"), (["inspect", "plate.obj", "--step", "1"], "moves"),
-                           (["play"], "play"),
+                           (["play", "--headless", "--driver", "nobody"], "driver"),
                            (["cut", "plate.obj", "--out", "o", "--depth", "x"], "depth"),
                            (["cut", "plate.obj", "--out", "o", "--depth", "-1"], "--depth"),
                            (["cut", "plate.obj", "--out", "o", "--radius", "0"], "--radius"),
@@ -391,6 +391,7 @@ class CommandLine(unittest.TestCase):
 
     def test_the_editor_without_a_display_says_so(self):
         self.assert_refused(self.run_here("plate.obj"), 1, "display")
+        self.assert_refused(self.run_here("play"), 1, "display")
 
 if __name__ == "__main__":
     unittest.main()

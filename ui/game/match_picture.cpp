@@ -43,8 +43,8 @@ PicturePreset PresetChoice::choose(PicturePreset setting) const {
 
 void PresetChoice::took(double seconds) {
   if (++seen_ <= kWarmUp) return;
-  if (seconds > kFarTooSlow && ++far_too_slow_ > 1) best_ = PicturePreset::kLow;
   slow_ = seconds > kSlowPicture ? slow_ + 1 : 0;
+  if (slow_ > 1 && seconds > kFarTooSlow) best_ = PicturePreset::kLow;
   if (slow_ < kSlowPictures || best_ == PicturePreset::kLow) return;
   best_ = best_ == PicturePreset::kHigh ? PicturePreset::kMedium : PicturePreset::kLow;
   slow_ = seen_ = 0;

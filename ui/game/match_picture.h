@@ -27,7 +27,6 @@ class PresetChoice {
  private:
   PicturePreset best_;
   int slow_ = 0, seen_ = 0;  // pictures with this preset
-  int far_too_slow_ = 0;
 };
 
 // Whether the current OpenGL context draws without a graphics card.

@@ -61,7 +61,7 @@ struct Window::Callbacks {
 
 Result<Window> Window::open(int width, int height, const std::string& title) {
   glfwSetErrorCallback(nullptr);
-  if (!glfwInit()) return failed("the editor needs a display; `kerf render` draws without one");
+  if (!glfwInit()) return failed("a window needs a display; `kerf render` draws without one, and `kerf play --headless` plays");
   auto inner = std::make_unique<Inner>();
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);

@@ -6,7 +6,7 @@
 
 namespace kerf {
 
-// The sparks and the smoke where the laser of the editor bites, as long as the view's switch is on.
+// The sparks and the smoke where the laser of the editor removes faces, as long as the view's switch is on.
 class BeamSparks {
  public:
   // Lets time pass (s) for them and shows them in the view.
@@ -15,7 +15,11 @@ class BeamSparks {
   bool moving() const { return !particles_.empty(); }
 
  private:
+  bool bites(double seconds, const Document& document);
+
   Particles particles_;
+  size_t removed_ = 0;  // faces, when it was last looked
+  double biting_ = 0;   // s, for which it counts as biting still
 };
 
 }  // namespace kerf

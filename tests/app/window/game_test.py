@@ -29,6 +29,13 @@ class Game(WindowTest):
     def playing(self, editor):
         return editor.landmarks()["busy"]
 
+    def open_menu(self, editor):
+        """The menu is not in the middle before its size is known, a frame later."""
+        editor.press("Escape")
+        wait_for(lambda: not self.playing(editor) and "leave" in editor.landmarks()["parts"], 30,
+                 "Esc never paused the match")
+        pause(1.5)
+
     def test_keys_and_mouse_drive_and_cut_and_the_match_can_be_replayed(self):
         rules = self.write_rules()
         record = os.path.join(os.path.dirname(rules), "match.kerf")
@@ -43,8 +50,7 @@ class Game(WindowTest):
         game.xdotool("keydown", "s")
         pause(2)
         game.xdotool("keyup", "s")
-        game.press("Escape")
-        wait_for(lambda: not self.playing(game), 30, "Esc never paused the match")
+        self.open_menu(game)
         game.point_at("leave", 0.5, 0.5)
         game.xdotool("mousedown", 1)
         pause(0.5)
@@ -61,13 +67,14 @@ class Game(WindowTest):
         editor.press("F5")
         wait_for(lambda: self.playing(editor) and "viewport" not in editor.landmarks()["parts"], 60,
                  "the game never began")
-        editor.press("Escape")
+        self.open_menu(editor)
         editor.click("leave", 0.5, 0.5)
         wait_for(lambda: "viewport" in editor.landmarks()["parts"], 60, "the editor never came back")
         editor.wait_for_title("sphere.json - Kerf")
         editor.press("F5")
-        wait_for(lambda: "viewport" not in editor.landmarks()["parts"], 60, "the game never began")
-        editor.press("Escape")
+        wait_for(lambda: self.playing(editor) and "viewport" not in editor.landmarks()["parts"], 60,
+                 "the game never began")
+        self.open_menu(editor)
         editor.click("inspect", 0.5, 0.5)
         editor.wait_for_title("scene.json - Kerf")
         self.assertGreater(editor.quit()["bodies"], 5)

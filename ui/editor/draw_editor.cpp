@@ -181,7 +181,7 @@ void EditorScreen::show_landmarks() {
   for (const SectionHandle& handle : section_handles(view))
     landmarks_->mark(name_of(handle), {grip_of(handle), Vec2(0)});
   for (const AxisEnd& end : axis_ends(view)) landmarks_->mark(name_of(end), {end.at, Vec2(0)});
-  if (const Status written = landmarks_->write(working(), {at.x, at.y}); !written)
+  if (const Status written = landmarks_->write(moving(), {at.x, at.y}); !written)
     state_.message.say(written.error().message, true);
 }
 

@@ -116,13 +116,12 @@ GuiLook EditorScreen::look() const {
   return {s.theme, s.palette, window_.scale() * static_cast<float>(s.ui_scale), options_.own_font};
 }
 
-bool EditorScreen::moving() const { return working() || sparks_.moving(); }
-
-bool EditorScreen::working() const {
+bool EditorScreen::moving() const {
   const Emitter& emitter = state_.lasers.emitter;
-  return (emitter.firing && emitter.in_shots) || thread_.busy() || easing_ || stage_cut_.waits() ||
-         cut_.waits() || state_.view.picture_old || picture_.busy() || state_.opening.loader.busy() ||
-         state_.graph.playing() || state_.play.playing || state_.play.one_tick;
+  return (emitter.firing && emitter.in_shots) || sparks_.moving() || thread_.busy() || easing_ ||
+         stage_cut_.waits() || cut_.waits() || state_.view.picture_old || picture_.busy() ||
+         state_.opening.loader.busy() || state_.graph.playing() || state_.play.playing ||
+         state_.play.one_tick;
 }
 
 // Hearing

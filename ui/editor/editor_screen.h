@@ -54,8 +54,6 @@ class EditorScreen : public Screen {
  private:
   using Clock = std::chrono::steady_clock;
 
-  // Whether something other than sparks and smoke moves.
-  bool working() const;
   void hear_mouse(const MouseParts& mouse, const InputEvent& event);
   bool hear_move(const InputEvent& event, bool in_picture);
   void bind_actions();

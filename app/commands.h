@@ -19,7 +19,9 @@ void add_cut_command(CLI::App& app, Invocation& invocation);
 void add_inspect_command(CLI::App& app, Invocation& invocation);
 void add_render_command(CLI::App& app, Invocation& invocation);
 void add_replay_command(CLI::App& app, Invocation& invocation);
+void add_figures_command(CLI::App& app, Invocation& invocation);
 void add_play_command(CLI::App& app, Invocation& invocation);
+void add_materials_command(CLI::App& app, Invocation& invocation);
 
 // Adds the editor, which runs when no subcommand is given.
 void add_editor(CLI::App& app, Invocation& invocation);

@@ -13,9 +13,12 @@
 #include "app/tell.h"
 #include "core/base/atomic_file.h"
 #include "core/cut/stopwatch.h"
+#include "core/cut/thermal_step.h"
 #include "core/document/journal.h"
+#include "core/document/material_reader.h"
 #include "core/document/stroke_settings.h"
 #include "core/document/walk.h"
+#include "ui/render/assets.h"
 
 namespace kerf {
 
@@ -31,6 +34,7 @@ class CutRun {
     if (const auto s = check_cut_options(options_); !s) return s;
     if (const auto s = read_scene_description(); !s) return s;
     if (const auto s = read_strokes(); !s) return s;
+    if (const auto s = read_material(); !s) return s;
     if (const auto s = load(); !s) return s;
     const PiecesFolder folder{options_.out, options_.format.value_or("obj"), options_.split_all};
     if (const auto s = folder.make(); !s) return s;
@@ -72,9 +76,22 @@ class CutRun {
     return Done{};
   }
 
+  Status read_material() {
+    if (!options_.material) return Done{};
+    const auto materials = load_materials(assets_folder() / "materials.json");
+    if (!materials) return materials.error();
+    if (const Material* material = find_material(*materials, *options_.material)) {
+      substance_ = material->substance;
+      return Done{};
+    }
+    std::string names;
+    for (const Material& material : *materials) names += (names.empty() ? "" : ", ") + material.name;
+    return bad_input("--material: \"" + *options_.material + "\" is unknown; there is: " + names);
+  }
+
   Status load() {
     World world;
-    for (const SceneBody& body : scene_.bodies) {
+    for (SceneBody& body : scene_.bodies) {
       if (interrupted()) return stopped();
       Result<BuiltMesh> built = [&] {
         const Stopwatch watch(job_.load_s);
@@ -84,10 +101,11 @@ class CutRun {
       tell(built->report);
       job_.note_loaded(built->report);
       const Stopwatch watch(job_.build_tree_s);
-      SceneBody described = body;
-      if (options_.thickness) described.sheet.thickness = *options_.thickness;
-      if (options_.density) described.sheet.density = *options_.density;
-      const auto added = add_scene_body(described, make_body(body.name, std::move(*built)), world);
+      if (substance_) body.sheet.substance = *substance_;
+      if (substance_) body.sheet.density = substance_->density;
+      if (options_.thickness) body.sheet.thickness = *options_.thickness;
+      if (options_.density) body.sheet.density = *options_.density;
+      const auto added = add_scene_body(body, make_body(body.name, std::move(*built)), world);
       if (!added) return added.error();
     }
     if (!options_.journal.empty()) {
@@ -117,6 +135,13 @@ class CutRun {
 
   Status cut(const StrokePath& stroke, const Progress& progress) {
     const CutSettings settings = stroke_settings(options_, stroke, diagonal_);
+    job_.thermal = settings.model == Model::kThermal;
+    if (job_.thermal && scales_removal(settings) && !told_scaled_) {
+      told_scaled_ = true;
+      std::cerr
+          << "kerf: faces may stay wider than the kerf (two radii) at this resolution: they are removed for "
+             "the energy of a strip of them as wide as the kerf\n";
+    }
     for (const Command& command : stroke_commands(stroke, settings)) document_.apply(command);
     const size_t moves = document_.waiting();
     const size_t steps = options_.steps ? static_cast<size_t>(*options_.steps) : moves;
@@ -179,11 +204,13 @@ class CutRun {
   CutOptions options_;
   std::vector<StrokePath> strokes_;
   SceneDescription scene_;
+  std::optional<Substance> substance_;  // of all bodies
   Document document_;
   std::vector<StateMark> marks_;
   World::Bounds bounds_;  // as loaded
   double diagonal_ = 0;
   CutJob job_;
+  bool told_scaled_ = false;
 };
 
 }  // namespace

@@ -88,6 +88,8 @@ Status take_key(const std::string& key, const JsonValue& value, CutOptions& o) {
   if (key == "thickness") return take(value, o.thickness);
   if (key == "density") return take(value, o.density);
   if (key == "model") return take(value, o.model);
+  if (key == "material") return take(value, o.material);
+  if (key == "power") return take(value, o.power);
   if (key == "format") return take(value, o.format);
   if (key == "split-all") {
     if (!value.json().is_boolean()) return value.wrong("must be true or false");
@@ -100,9 +102,11 @@ Status take_key(const std::string& key, const JsonValue& value, CutOptions& o) {
 constexpr const char* kPathFile =
     R"(The path file holds strokes. Between the keys of a stroke the origin of the beam
 moves on a straight line and its direction along the shorter arc; the beam is on
-for the whole of the stroke. Lengths are in metres, and "t" is in seconds and only
-gives the order of the keys. "laser" and what it holds may be left out.
-  {"strokes": [{"laser": {"radius": 0.01, "range": [0, 10]},
+for the whole of the stroke. Lengths are in metres, and "t" is in seconds: it
+gives the order of the keys and, for the thermal model, the speed. "laser" and
+what it holds may be left out; it may also hold "wavelength" and "focus" (metres),
+"pulse_rate" (Hz) and "duty" (0 to 1).
+  {"strokes": [{"laser": {"radius": 0.01, "range": [0, 10], "power": 2000},
                 "keys": [{"t": 0, "origin": [-1.5, 3, 0.4], "direction": [0, -1, 0]},
                          {"t": 1, "origin": [1.5, 3, 0.4], "direction": [0, -1, 0]}]}]}
 One key is a beam that stands still. Directions need not have unit length.)";
@@ -126,13 +130,20 @@ void add_cut_options(CLI::App& command, CutOptions& o) {
   command.add_option("--pattern", o.pattern, "volume or rays4 (volume)");
   command.add_option("--scheme", o.scheme, "How faces are split: one-to-four or longest-edge (longest-edge)");
   command.add_option("--rim", o.rim, "How the rim is left: faces or smooth (faces)");
-  command.add_option("--target-edge", o.target_edge, "Longest edge under the beam in metres (radius/4)");
+  command.add_option("--target-edge", o.target_edge,
+                     "Longest edge under the beam in metres (radius/4; thermal: radius)");
   command.add_option("--tolerance", o.tolerance,
                      "Instead: how far what is removed may overshoot the beam, in metres");
   command.add_option("--depth", o.depth, "Instead: levels under the base face");
   command.add_option("--steps", o.steps,
                      "How many steps each stroke is walked in (as many as the sweep needs)");
-  command.add_option("--model", o.model, "What the beam does to a face: geometric");
+  command.add_option(
+      "--model", o.model,
+      "What the beam does to a face: geometric removes it at once, thermal heats it until it has "
+      "the energy that its material needs (geometric)");
+  command.add_option("--material", o.material,
+                     "What the sheets are made of (mild-steel); kerf materials lists what there is");
+  command.add_option("--power", o.power, "Of the beam in watts (2000, or what the path file says)");
   command.add_option("--format", o.format, "Of the pieces: obj, ply, stl or off (obj)");
   command.add_flag("--split-all", o.split_all, "Every connected component is a piece");
   command.add_option("--settle", o.settle,
@@ -192,7 +203,8 @@ Status check_cut_options(const CutOptions& o) {
     return bad_input("--target-edge, --tolerance and --depth: choose one of them");
   }
   if (const auto s = within(o.steps, 1, 1'000'000, "--steps"); !s) return s;
-  if (const auto s = only(o.model, "--model", {"geometric"}); !s) return s;
+  if (const auto s = only(o.model, "--model", {"geometric", "thermal"}); !s) return s;
+  if (const auto s = positive_number(o.power, "--power", "watts"); !s) return s;
   if (const auto s = check_fall(o); !s) return s;
   return only(o.format, "--format", {"obj", "ply", "stl", "off"});
 }
@@ -201,11 +213,14 @@ CutSettings stroke_settings(const CutOptions& o, const StrokePath& stroke, doubl
   CutSettings settings = default_settings(stroke, diagonal);
   if (o.radius) settings.laser.radius = *o.radius;
   if (o.range) settings.laser.range = *parse_range(*o.range);
+  if (o.power) settings.laser.power = *o.power;
+  if (o.model == "thermal") settings.model = Model::kThermal;
   if (o.pattern == "rays4") settings.laser.pattern = Pattern::kRays4;
   Resolution& resolution = settings.resolution;
   if (o.rim == "smooth") resolution.rim = Rim::kSmooth;
   if (o.scheme) resolution.scheme = o.scheme == "one-to-four" ? Scheme::kOneToFour : Scheme::kLongestEdge;
-  resolution.target_edge = o.target_edge.value_or(settings.laser.radius / 4);
+  const double finest = settings.model == Model::kThermal ? settings.laser.radius : settings.laser.radius / 4;
+  resolution.target_edge = o.target_edge.value_or(finest);
   resolution.tolerance = o.tolerance.value_or(settings.laser.radius / 8);
   resolution.depth = o.depth.value_or(resolution.depth);
   if (o.tolerance) resolution.rule = Resolution::Rule::kTolerance;

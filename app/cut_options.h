@@ -19,9 +19,9 @@ namespace kerf {
 struct CutOptions {
   std::vector<std::string> meshes;
   std::string path, out, settings, journal;
-  std::optional<double> radius, target_edge, tolerance;
+  std::optional<double> radius, target_edge, tolerance, power;
   std::optional<double> settle, ground, thickness, density;
-  std::optional<std::string> range, pattern, scheme, rim, model, format;
+  std::optional<std::string> range, pattern, scheme, rim, model, material, format;
   std::optional<int> depth;
   std::optional<int> steps;
   bool split_all = false;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/cut/thermal_step.h"
 #include "core/document/hash_text.h"
 #include "core/world/state_hash.h"
 #include "ui/window/number_text.h"
@@ -106,11 +107,37 @@ nlohmann::ordered_json settings_json(const CutSettings& s, const std::string& fo
       json["depth"] = resolution.depth;
       break;
   }
-  json["model"] = "geometric";
+  json["model"] = s.model == Model::kThermal ? "thermal" : "geometric";
+  if (s.model == Model::kThermal) {
+    json["power"] = s.laser.power;
+    if (scales_removal(s)) json["energy_of_removal_scaled"] = true;
+  }
   json["format"] = format;
   json["split-all"] = split_all;
   return json;
 }
+
+namespace {
+
+nlohmann::ordered_json energy_json(const World& world) {
+  const EnergyLedger& ledger = world.energy();
+  double stored = 0, ejected = 0;
+  for (const BodyId id : world.ids()) {
+    const Body& body = world.body(id);
+    stored += body.heat.stored(body.mesh);
+    ejected += body.ejected;
+  }
+  return {{"emitted", ledger.emitted}, {"absorbed", ledger.absorbed}, {"ejected", ejected},
+          {"stored", stored},          {"lost", ledger.lost},         {"escaped", ledger.escaped}};
+}
+
+void add_energy(nlohmann::ordered_json& report, const CutJob& job, const World& world) {
+  if (!job.thermal) return;
+  report["energy_j"] = energy_json(world);
+  report["depth_fraction"] = job.figures.met_s > 0 ? job.figures.depth_s / job.figures.met_s : 0.0;
+}
+
+}  // namespace
 
 double smallest_angle(const World& world) {
   double cosine = -1;
@@ -147,21 +174,24 @@ nlohmann::ordered_json cut_report(const CutJob& job, const World& world,
     area += p.area;
     list.push_back(to_json(p));
   }
-  return {{"input",
-           {{"faces", job.input_faces},
-            {"vertices", job.input_vertices},
-            {"area", job.input_area},
-            {"components", job.input_components}}},
-          {"settings", settings},
-          {"removed", {{"faces", job.removed_faces}, {"area", job.removed_area}}},
-          {"output", {{"faces", faces}, {"vertices", vertices}, {"area", area}}},
-          {"pieces", list},
-          {"min_angle_deg",
-           {{"input", job.input_min_angle}, {"output", faces > 0 ? smallest_angle(world) : 0.0}}},
-          {"max_level", deepest_level(world)},
-          {"steps", job.steps},
-          {"timing_ms", timing(job)},
-          {"state_hash", hash_text(state_hash(world))}};
+  nlohmann::ordered_json report = {
+      {"input",
+       {{"faces", job.input_faces},
+        {"vertices", job.input_vertices},
+        {"area", job.input_area},
+        {"components", job.input_components}}},
+      {"settings", settings},
+      {"removed", {{"faces", job.removed_faces}, {"area", job.removed_area}}},
+      {"output", {{"faces", faces}, {"vertices", vertices}, {"area", area}}},
+      {"pieces", list},
+      {"min_angle_deg",
+       {{"input", job.input_min_angle}, {"output", faces > 0 ? smallest_angle(world) : 0.0}}},
+      {"max_level", deepest_level(world)},
+      {"steps", job.steps}};
+  add_energy(report, job, world);
+  report["timing_ms"] = timing(job);
+  report["state_hash"] = hash_text(state_hash(world));
+  return report;
 }
 
 }  // namespace kerf

@@ -19,7 +19,9 @@ int parse_and_run(int argc, char** argv) {
   kerf::add_inspect_command(app, invocation);
   kerf::add_render_command(app, invocation);
   kerf::add_replay_command(app, invocation);
+  kerf::add_figures_command(app, invocation);
   kerf::add_play_command(app, invocation);
+  kerf::add_materials_command(app, invocation);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {  // --help, --version

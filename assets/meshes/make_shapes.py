@@ -197,7 +197,7 @@ SHAPES = {
     "sphere": ("porcelain", lambda: sphere(40, 64, 0.25)),
     "plate": ("steel", lambda: plate(1.0, 0.7, 0.003, 40, 28)),
     "knot": ("copper", lambda: knot(2, 3, 0.32, 0.14, 0.07, 20, 260)),
-    "sheet": ("paint", lambda: sheet(1.2, 0.75, 9, 6, 0.28)),
+    "sheet": ("paint", lambda: sheet(1.2, 0.75, 5, 3, 0.25)),
     "bracket": ("zinc", lambda: bracket(0.09, 0.006, 0.05, 0.012, 48)),
 }
 

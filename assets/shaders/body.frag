@@ -8,11 +8,22 @@ in vec3 corner;
 flat in vec4 paint;
 #ifdef RIM
 centroid in float rim;  // samples outside a face must not extrapolate it
+centroid in vec2 heat;  // K: the temperature, and the highest that was
+
+uniform int heated;  // 1 where the body has temperatures
+uniform sampler2D heat_ramps;  // see heat_ramps.h
 #endif
 
 uniform float terminator;  // sine of the angle between smooth normals and facets
 
 out vec4 pixel;  // linear light; alpha: how much of it may bloom
+
+// What heat makes of a surface.
+struct Hot {
+  vec3 light;   // that it emits
+  vec3 tint;    // the colour of what is burnt of its paint
+  float burnt;  // the share that is
+};
 
 #ifdef RIM
 // From dark red over orange to yellow-white, as steel glows.
@@ -22,54 +33,69 @@ vec3 ember(float t) {
   return mix(colour, vec3(4.4, 3.0, 1.45), smoothstep(0.75, 1.0, t));
 }
 
-// rgb; how much of the paint is burnt away.
-vec4 glow_of_rim() {
-  if (rim >= 1.0) return vec4(0.0);
+// A row of the table at a fraction of its width.
+vec4 ramp(int row, float at) { return texture(heat_ramps, vec2(at, (float(row) + 0.5) / 3.0)); }
+const float kHottestOfRows = 4096.0;  // K
+const float kAmbient = 293.0;
+
+// Where a body has no temperatures, its rims glow by the distance from them.
+Hot heat_of_surface() {
+  if (heated != 0) {
+    vec4 tint = ramp(1, heat.y / kHottestOfRows);
+    return Hot(ramp(0, heat.x / kHottestOfRows).rgb, tint.rgb, tint.a);
+  }
+  if (rim >= 1.0) return Hot(vec3(0.0), vec3(0.0), 0.0);
   float hot = 1.0 - max(rim, 0.0);
-  return vec4(ember(hot) * smoothstep(0.0, 0.5, hot), smoothstep(0.0, 0.6, hot));
+  return Hot(ember(hot) * smoothstep(0.0, 0.5, hot), vec3(0.0), 0.75 * smoothstep(0.0, 0.6, hot));
+}
+
+// The temperature view: the colour of the scale up to body_look.w, a little darker where a face is averted.
+vec3 scale_colour(vec3 n, vec3 v) {
+  float t = clamp((heat.x - kAmbient) / (body_look.w - kAmbient), 0.0, 1.0);
+  return ramp(2, (t * 511.0 + 0.5) / 512.0).rgb * (0.75 + 0.25 * abs(dot(n, v)));
 }
 #else
-vec4 glow_of_rim() { return vec4(0.0); }
+Hot heat_of_surface() { return Hot(vec3(0.0), vec3(0.0), 0.0); }
 #endif
 
-float gloss_left(vec4 glow) { return paint.a * (1.0 - 0.8 * glow.a); }
-vec3 skin_left(vec4 glow) { return paint.rgb * (1.0 - 0.75 * glow.a); }
+float gloss_left(Hot hot) { return paint.a * (1.0 - 1.067 * hot.burnt); }
+vec3 skin_left(Hot hot) { return mix(paint.rgb, hot.tint, hot.burnt); }
 // The back of a sheet is primed in a grey that has a little of the paint.
-vec3 primer(vec4 glow) { return mix(vec3(0.15), paint.rgb, 0.25) * (1.0 - 0.75 * glow.a); }
+vec3 primer(Hot hot) { return mix(mix(vec3(0.15), paint.rgb, 0.25), hot.tint, hot.burnt); }
 
 // How light that falls on a surface fades out where the smooth normal turns away from it, before the facets do.
 float lit(float facing) { return max(facing, 0.0) * smoothstep(terminator, 2.5 * terminator + 1e-4, facing); }
 
 #ifdef DIRECT
 
-vec3 outside(vec3 n, vec3 v, vec4 glow) {
+vec3 outside(vec3 n, vec3 v, Hot hot) {
   vec3 l = to_light(at);
-  float gloss = gloss_left(glow), facing = lit(dot(n, l)), sharp = exp2(3.0 + 6.5 * gloss);
+  float gloss = gloss_left(hot), facing = lit(dot(n, l)), sharp = exp2(3.0 + 6.5 * gloss);
   float shine = pow(max(dot(n, normalize(l + v)), 0.0), sharp) * (sharp + 8.0) * 0.010 * gloss * smoothstep(0.0, 0.1, facing);
-  return (skin_left(glow) * facing * 0.62 + shine) * arriving(at);
+  return (skin_left(hot) * facing * 0.62 + shine) * arriving(at);
 }
 
-vec3 inside(vec3 n, vec4 glow) { return primer(glow) * lit(dot(n, to_light(at))) * 0.62 * arriving(at); }
+vec3 inside(vec3 n, Hot hot) { return primer(hot) * lit(dot(n, to_light(at))) * 0.62 * arriving(at); }
 
 #else
 
-vec3 outside(vec3 n, vec3 v, vec4 glow) {
+vec3 outside(vec3 n, vec3 v, Hot hot) {
   float height = clamp((at.y - ground.x) / max(grid.w, 1e-6), 0.0, 1.0);
   float open = 0.42 + 0.58 * smoothstep(0.0, 0.55, height + 0.5 * max(n.y, 0.0));
   vec3 sky = mix(ground_light.rgb * open, sky_light.rgb, 0.5 + 0.5 * n.y) * mix(open, 1.0, 0.5);
-  float gloss = gloss_left(glow);
+  float gloss = gloss_left(hot);
   float edge = 1.0 - clamp(dot(n, v), 0.0, 1.0);
   float fresnel = mix(0.035, 0.05, gloss) + (0.25 + 0.55 * gloss) * gloss * edge * edge * edge * edge;
   vec3 mirrored = surroundings(reflect(-v, n)) * fresnel * (0.25 + 1.9 * gloss) * open;
   vec3 rim = kRimColour * edge * edge * edge * max(dot(n, normalize(kRimDirection)), 0.0) * (0.25 + 0.75 * gloss);
-  return skin_left(glow) * sky + mirrored + rim;
+  return skin_left(hot) * sky + mirrored + rim;
 }
 
-vec3 inside(vec3 n, vec4 glow) { return primer(glow) * mix(ground_light.rgb, sky_light.rgb, 0.5 + 0.5 * n.y); }
+vec3 inside(vec3 n, Hot hot) { return primer(hot) * mix(ground_light.rgb, sky_light.rgb, 0.5 + 0.5 * n.y); }
 
-vec3 own_light(vec3 n, vec4 glow) {
-  vec3 skin = gl_FrontFacing ? paint.rgb : primer(glow);
-  return (0.25 * skin + 0.05) * spot_light(at, n) + glow.rgb * (gl_FrontFacing ? 1.0 : 0.8);
+vec3 own_light(vec3 n, Hot hot) {
+  vec3 skin = gl_FrontFacing ? paint.rgb : primer(hot);
+  return (0.25 * skin + 0.05) * spot_light(at, n) + hot.light * (gl_FrontFacing ? 1.0 : 0.8);
 }
 
 #endif
@@ -77,13 +103,23 @@ vec3 own_light(vec3 n, vec4 glow) {
 void main() {
   vec3 v = -normalize(at);
   vec3 n = normalize(gl_FrontFacing ? normal : -normal);
-  vec4 glow = glow_of_rim();
-#ifdef GLOW
-  vec3 colour = glow.rgb * (gl_FrontFacing ? 1.0 : 0.8);
+#ifdef RIM
+  if (body_look.w > 0.0) {
+#if defined(DIRECT) || defined(GLOW)
+    pixel = vec4(0.0);
 #else
-  vec3 colour = gl_FrontFacing ? outside(n, v, glow) : inside(n, glow);
+    pixel = vec4(scale_colour(n, v), 0.0);
+#endif
+    return;
+  }
+#endif
+  Hot hot = heat_of_surface();
+#ifdef GLOW
+  vec3 colour = hot.light * (gl_FrontFacing ? 1.0 : 0.8);
+#else
+  vec3 colour = gl_FrontFacing ? outside(n, v, hot) : inside(n, hot);
 #ifndef DIRECT
-  colour += own_light(n, glow);
+  colour += own_light(n, hot);
 #endif
 #endif
   if (!gl_FrontFacing) colour *= body_look.z;
@@ -99,6 +135,6 @@ void main() {
 #if defined(DIRECT) || defined(GLOW)
   pixel = vec4(colour * clear_air(at), 0.0);
 #else
-  pixel = vec4(haze(colour, at), clamp(max(glow.r - 0.55, 0.0) * 0.32, 0.0, 1.0));
+  pixel = vec4(haze(colour, at), clamp(max(hot.light.r - 0.55, 0.0) * 0.32, 0.0, 1.0));
 #endif
 }

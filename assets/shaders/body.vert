@@ -3,6 +3,7 @@ layout(location = 1) in vec4 corner_normal;
 layout(location = 2) in uint piece;
 layout(location = 3) in float from_rim;  // distance from the nearest rim of a cut, in widths of the glow
 layout(location = 4) in uvec2 traits;    // halvings, material
+layout(location = 5) in vec2 warmth;     // the temperature and the highest that was, in units of kWarmest
 
 layout(std140) uniform Paints { vec4 paints[256]; };  // linear rgb, gloss
 
@@ -18,6 +19,8 @@ invariant gl_Position;
 flat out vec4 paint;
 #ifdef RIM
 centroid out float rim;  // 0 at a rim that glows, 1 and more where nothing does
+centroid out vec2 heat;  // K: the temperature, and the highest that was
+const float kWarmest = 65535.0 / 16.0;
 #endif
 
 vec3 hue_colour(float hue, float saturation, float value) {
@@ -69,5 +72,6 @@ void main() {
   }
 #ifdef RIM
   rim = from_rim;
+  heat = warmth * kWarmest;
 #endif
 }

@@ -22,5 +22,6 @@ layout(std140) uniform Frame {
   vec4 ground_matt;     // rgb, the share of light that the ground reflects
   vec4 ground_line;     // rgb, what the lines of its grid add; less than 0 by day
   vec4 section;         // a place p is drawn where dot(section, vec4(p, 1)) >= 0: everywhere without a section plane
-  vec4 body_look;       // x: most halvings of a face, y: 1 strong piece colours, 2 levels, z: backs are lit
+  vec4 body_look;       // x: most halvings of a face, y: 1 strong piece colours, 2 levels, z: backs are lit, w: K that the temperature
+                        // view ends at, 0 without it
 };

@@ -6,8 +6,10 @@
 
 #include "core/cut/cut_apart.h"
 #include "core/cut/cuttable.h"
+#include "core/cut/deposit_heat.h"
 #include "core/cut/step_state.h"
 #include "core/cut/stopwatch.h"
+#include "core/cut/thermal_step.h"
 #include "core/graph/hold_parts.h"
 
 namespace kerf {
@@ -18,6 +20,8 @@ void StepFigures::add(const StepFigures& other) {
   tested.faces += other.tested.faces;
   faces_made += other.faces_made;
   largest_cosine = std::max(largest_cosine, other.largest_cosine);
+  met_s += other.met_s;
+  depth_s += other.depth_s;
   query_s += other.query_s;
   refine_s += other.refine_s;
   remove_s += other.remove_s;
@@ -121,10 +125,11 @@ class Bite {
         move_.stage = Stage::kRemove;
         break;
       case Stage::kRemove:
-        remove(step, move_, settings_.smooth());
+        remove(step, move_, settings_.smooth(), settings_.heat_width > 0);
         if (move_.removed == move_.hit.size()) move_.stage = Stage::kSeparate;
         break;
       case Stage::kSeparate:
+        leave_heat(step);
         taken_ += separate(world_, step, move_.hit, settings_.search_a_move);
         move_.stage = Stage::kFind;
         break;
@@ -139,6 +144,14 @@ class Bite {
     move_.has_split = false;
     move_.removed = 0;
     move_.stage = Stage::kRefine;
+  }
+
+  void leave_heat(BodyStep& step) {
+    if (settings_.heat_width <= 0 || move_.hit.empty()) return;
+    move_.beside.insert(move_.beside.end(), move_.hit.begin(), move_.hit.end());
+    taken_ += move_.beside.size();
+    deposit_heat(world_, step, settings_, move_.beside);
+    move_.beside.clear();
   }
 
   void end_move() {
@@ -161,6 +174,7 @@ class Bite {
 
 Result<StepResult> cut_step(World& world, const CutSettings& settings, std::span<const BeamMove> moves,
                             UnfinishedMove& unfinished, const Progress* progress) {
+  if (settings.model == Model::kThermal) return thermal_step(world, settings, moves, progress);
   StepResult result;
   const Progress asked = share_of(progress, 0, 1);
   Bite bite(world, settings, unfinished, asked);
@@ -180,6 +194,7 @@ Result<StepResult> cut_step(World& world, const CutSettings& settings, std::span
 
 Result<StepResult> cut_stage(World& world, const CutSettings& settings, const BeamMove& move,
                              UnfinishedMove& unfinished, const Progress* progress) {
+  if (settings.model == Model::kThermal) return thermal_step(world, settings, {&move, 1}, progress);
   StepResult result;
   const Progress asked = share_of(progress, 0, 1);
   Bite bite(world, settings, unfinished, asked);

@@ -26,6 +26,12 @@ enum class Rim {
   kSmooth,  // faces across the boundary of the beam are cut along it when the stroke ends (see close_rim)
 };
 
+// What the beam does to a face.
+enum class Model {
+  kGeometric,  // removes it at once where the beam touches it
+  kThermal,    // heats it, and removes it when it has taken what its material needs (see thermal_step.h)
+};
+
 // How finely faces are split where the beam touches them before they are removed, and which rim is left.
 struct Resolution {
   enum class Rule {
@@ -47,7 +53,14 @@ struct Resolution {
 struct CutSettings {
   Laser laser;
   Resolution resolution;
-  bool smooth() const { return resolution.rim == Rim::kSmooth && laser.pattern == Pattern::kVolume; }
+  Model model = Model::kGeometric;
+  // The geometric model leaves heat beside what it removes, from the melting point at the rim to nothing at
+  // this distance (m, >= 0) from it; none if it is 0. See deposit_heat.
+  double heat_width = 0;
+  // A smooth rim needs a beam that has a volume and removes all that is within.
+  bool smooth() const {
+    return resolution.rim == Rim::kSmooth && laser.pattern == Pattern::kVolume && model == Model::kGeometric;
+  }
   size_t most_faces = 20'000'000;  // a cut fails before there are more live faces than this
   // The number of faces that a move visits in a search for separated pieces; the following moves continue the
   // search. The limit is per move and not per step, so that labels do not depend on the division into steps.
@@ -63,6 +76,9 @@ struct StepFigures {
   QueryCounts tested;  // the sum over these queries
   size_t faces_made = 0;
   double largest_cosine = -1;  // of the smallest angle of the faces that were created and not removed
+  // Of the moves of the thermal model whose beam met a face: their duration (s), and the integral over it of
+  // the share of its energy of removal that the hottest face under the beam reached, 1 where one was removed.
+  double met_s = 0, depth_s = 0;
   double query_s = 0, refine_s = 0, remove_s = 0, update_tree_s = 0, separate_s = 0;
 
   void add(const StepFigures& other);

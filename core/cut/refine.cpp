@@ -8,7 +8,8 @@ namespace kerf {
 
 namespace {
 
-// Looks at faces that the beam may touch, and splits those that are too coarse.
+// Looks at faces that the beam may touch, and splits those that are too coarse. A face that lies within the
+// beam is removed whole by the geometric model, and needs no splitting.
 class Refinement {
  public:
   Refinement(BodyStep& step, const CutSettings& settings, std::vector<FaceId>& to_split)
@@ -38,7 +39,7 @@ class Refinement {
     const auto touched = [&](const SweptCylinder& part) { return part.touches(face); };
     const auto within = [&](const SweptCylinder& part) { return part.contains(element); };
     return std::any_of(step_.beam.begin(), step_.beam.end(), touched) &&
-           std::none_of(step_.beam.begin(), step_.beam.end(), within);
+           (settings_.model == Model::kThermal || std::none_of(step_.beam.begin(), step_.beam.end(), within));
   }
 
   bool fine_enough(FaceId f, const Triangle& element) const {

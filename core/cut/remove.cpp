@@ -17,7 +17,7 @@ bool within_beam(const BodyStep& step, FaceId f) {
 
 // A green pair goes as a whole: when the beam touches either half, or holds both where the rim is to be
 // smooth.
-void remove(BodyStep& step, UnfinishedMove& move, bool only_within) {
+void remove(BodyStep& step, UnfinishedMove& move, bool only_within, bool keeps_beside) {
   std::vector<FaceId> going;
   const size_t end = std::min(move.hit.size(), move.removed + kFacesTogether);
   for (; move.removed < end; ++move.removed) {
@@ -26,6 +26,9 @@ void remove(BodyStep& step, UnfinishedMove& move, bool only_within) {
     if (only_within && !within_beam(step, f)) continue;
     const OneToFour::Element element = step.body().refinement.element(step.mesh(), f);
     going.insert(going.end(), element.faces.begin(), element.faces.begin() + element.face_count);
+  }
+  if (keeps_beside) {
+    for (const FaceId f : going) step.mesh().append_neighbours(f, move.beside);
   }
   remove_faces(step, going);
 }

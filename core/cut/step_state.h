@@ -33,8 +33,8 @@ void hit(BodyStep& step, std::vector<FaceId>& faces);
 // `progress` stops it.
 Status refine(BodyStep& step, UnfinishedMove& move, const CutSettings& settings, const Progress& progress);
 // Removes the next kFacesTogether faces of move.hit; with `only_within` only those that lie entirely within
-// the beam of the move.
-void remove(BodyStep& step, UnfinishedMove& move, bool only_within);
+// the beam of the move. With `keeps_beside` their neighbours are listed in move.beside.
+void remove(BodyStep& step, UnfinishedMove& move, bool only_within, bool keeps_beside);
 // Removes faces. If only one half of a green pair is removed, the other one becomes an ordinary face.
 void remove_faces(BodyStep& step, std::span<const FaceId> faces);
 // Splits a face and those that have to follow it; does nothing if the face is too small for midpoints.

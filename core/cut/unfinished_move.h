@@ -18,6 +18,7 @@ struct UnfinishedMove {
   Stage stage = Stage::kFind;    // of the next body
   std::vector<FaceId> hit;       // faces that the beam touches, each once
   std::vector<FaceId> to_split;  // faces and parts of faces still to be refined; the next one is last
+  std::vector<FaceId> beside;    // neighbours of faces that were removed; only where heat is left beside them
   size_t removed = 0;            // number of faces of `hit` that are processed
   bool has_split = false;        // a face was split, so that `hit` has to be found again
 };

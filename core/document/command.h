@@ -18,6 +18,7 @@
 #include "core/document/commands/recut.h"
 #include "core/document/commands/redo.h"
 #include "core/document/commands/rename_piece.h"
+#include "core/document/commands/set_sheet.h"
 #include "core/document/commands/set_surroundings.h"
 #include "core/document/commands/undo.h"
 
@@ -35,7 +36,7 @@ namespace kerf {
 // a case that is missing anywhere does not compile either.
 using Command =
     std::variant<BeginStroke, MoveStroke, EndStroke, Recut, Advance, Pull, LetGo, Play, AddMesh, MovePiece,
-                 DuplicatePiece, HidePiece, DeletePiece, RenamePiece, PinPiece, SetSurroundings, Undo, Redo>;
+                 DuplicatePiece, HidePiece, DeletePiece, RenamePiece, PinPiece, SetSheet, SetSurroundings, Undo, Redo>;
 
 // A command that is executed at once, after the queue: run(world, generation, progress). It returns what
 // changed, which is empty if the command has no effect. Bodies that it creates get `generation` (see BodyId).

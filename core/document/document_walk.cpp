@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "core/cut/heat_flow.h"
 #include "core/document/commands/edit_piece.h"
 #include "core/document/document.h"
 #include "core/document/walk.h"
@@ -130,6 +131,7 @@ Result<StepResult> Document::pass_ticks(size_t most, const Progress& progress) {
   if (queue_.front_moves_bodies()) return move_bodies(step, progress);
   const Ticks ticks = std::min<Ticks>(most, queue_.front_ticks());
   world_.pass(ticks);
+  cool_for_ticks(world_, ticks);
   queue_.pop_ticks(ticks);
   keep_open(step);
   return StepResult{};
@@ -149,12 +151,14 @@ Result<StepResult> Document::move_bodies(size_t step, const Progress& progress) 
   all.delta.append(std::move(moved->delta));
   all.figures.add(moved->figures);
   world_.pass(1);
+  cool_for_ticks(world_, 1);
   queue_.pop_ticks(1);
   keep_open(step);
   return all;
 }
 
-// Bodies move on, and the beam, where it is on, cuts what moves through it.
+// Bodies move on, and the beam, where it is on, cuts what moves through it. By the thermal model it only does
+// while its own moves are walked: the energy of a tick is theirs.
 Result<StepResult> Document::move_under_beam(size_t step, const Progress& progress) {
   const std::shared_ptr<Stroke> stroke = queue_.front_beam();
   std::map<BodyId, Placement> before;
@@ -169,7 +173,7 @@ Result<StepResult> Document::move_under_beam(size_t step, const Progress& progre
   for (const BodyId id : std::vector<BodyId>(all.delta.moved)) {
     const Body& body = world_.body(id);
     const std::vector<BeamMove> moves = stroke->move_body(id, body, before[id], queue_.front_beam_pose());
-    if (moves.empty()) continue;
+    if (moves.empty() || stroke->settings.model == Model::kThermal) continue;
     Result<StepResult> cut = cut_body(world_, stroke->settings, id, moves, &progress);
     if (!cut) return cut;
     note_cut(step, *cut);

@@ -54,11 +54,19 @@ Status parse_laser(const JsonValue& laser, StrokePath& stroke) {
     if (!range) return range.error();
     stroke.range = *range;
   }
-  if (laser.has("power")) {
-    const auto power = laser["power"].positive_number();
-    if (!power) return power.error();
-    stroke.power = *power;
+  struct Key {
+    const char* name;
+    std::optional<double>& number;
+  };
+  for (const Key& key :
+       {Key{"power", stroke.power}, Key{"wavelength", stroke.wavelength}, Key{"focus", stroke.focus},
+        Key{"pulse_rate", stroke.pulse_rate}, Key{"duty", stroke.duty}}) {
+    if (!laser.has(key.name)) continue;
+    const auto number = laser[key.name].positive_number();
+    if (!number) return number.error();
+    key.number = *number;
   }
+  if (stroke.duty && *stroke.duty > 1) return laser["duty"].wrong("must be at most 1");
   return Done{};
 }
 

@@ -14,9 +14,12 @@ namespace kerf {
 // A stroke as read from a file: the settings of the laser that the file gives, and the keys in the order of
 // time. Directions are unit vectors.
 struct StrokePath {
-  std::optional<double> radius;   // m
-  std::optional<Interval> range;  // m
-  std::optional<double> power;    // W
+  std::optional<double> radius;             // m
+  std::optional<Interval> range;            // m
+  std::optional<double> power;              // W
+  std::optional<double> wavelength, focus;  // m
+  std::optional<double> pulse_rate;         // Hz
+  std::optional<double> duty;               // 0 .. 1
   std::vector<Pose> keys;
   std::vector<double> times;  // s, one a key, ascending
 };

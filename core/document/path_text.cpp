@@ -32,6 +32,10 @@ Json laser_json(const StrokePath& stroke) {
   if (stroke.radius) laser["radius"] = *stroke.radius;
   if (stroke.range) laser["range"] = {stroke.range->low, stroke.range->high};
   if (stroke.power) laser["power"] = *stroke.power;
+  if (stroke.wavelength) laser["wavelength"] = *stroke.wavelength;
+  if (stroke.focus) laser["focus"] = *stroke.focus;
+  if (stroke.pulse_rate) laser["pulse_rate"] = *stroke.pulse_rate;
+  if (stroke.duty) laser["duty"] = *stroke.duty;
   return laser;
 }
 

@@ -1,8 +1,10 @@
 #include "core/document/colour_text.h"
+#include "core/document/exact_number.h"
 #include "core/document/hash_text.h"
 #include "core/document/parse_strokes.h"
 #include "core/document/scene_joint_text.h"
 #include "core/document/scene_text.h"
+#include "core/document/substance_numbers.h"
 
 namespace kerf {
 
@@ -56,8 +58,29 @@ Status parse_sheet(const JsonValue& value, Sheet& sheet) {
   return Done{};
 }
 
+// Constants that are not given are those of mild steel.
+Status parse_substance(const JsonValue& value, Substance& substance) {
+  if (const auto object = value.object(); !object) return object;
+  for (const SubstanceNumber& constant : substance_numbers(substance)) {
+    if (!value.has(constant.key)) continue;
+    const auto number = value[constant.key].number();
+    if (!number) return number.error();
+    if (*number < constant.least || *number > constant.most) {
+      std::string range = "must be from ";
+      append_number(range, constant.least);
+      append_number(range += " to ", constant.most);
+      return value[constant.key].wrong(range);
+    }
+    constant.number = *number;
+  }
+  return Done{};
+}
+
 Status parse_physics(const JsonValue& value, SceneBody& body) {
   if (const auto sheet = parse_sheet(value, body.sheet); !sheet) return sheet;
+  if (value.has("substance")) {
+    if (const auto s = parse_substance(value["substance"], body.sheet.substance); !s) return s;
+  }
   if (!value.has("joints")) return Done{};
   auto joints = parse_joints(value["joints"]);
   if (!joints) return joints.error();
@@ -188,7 +211,7 @@ Result<SceneBody> parse_scene_body(const JsonValue& value, const std::filesystem
   if (const auto placed = parse_placement(value, body.placement); !placed) return placed.error();
   if (const auto physics = parse_physics(value, body); !physics) return physics.error();
   body.others = without(value.json(), "mesh", "name", "hash", "position", "orientation", "thickness",
-                        "density", "joints");
+                        "density", "substance", "joints");
   return body;
 }
 

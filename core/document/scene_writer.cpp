@@ -3,6 +3,7 @@
 #include "core/document/path_text.h"
 #include "core/document/scene_joint_text.h"
 #include "core/document/scene_text.h"
+#include "core/document/substance_numbers.h"
 
 namespace kerf {
 
@@ -27,6 +28,12 @@ Json list_of(const Items& items, ToJson to_json) {
   return all;
 }
 
+Json substance_json(Substance substance) {
+  Json json;
+  for (const SubstanceNumber& constant : substance_numbers(substance)) json[constant.key] = constant.number;
+  return json;
+}
+
 Json body_json(const SceneBody& body, const fs::path& folder) {
   Json json{{"mesh", path_text(body.mesh, folder)}, {"name", body.name}};
   const Placement none;
@@ -36,6 +43,7 @@ Json body_json(const SceneBody& body, const fs::path& folder) {
   if (body.hash) json["hash"] = hash_text(*body.hash);
   if (body.sheet.thickness != Sheet{}.thickness) json["thickness"] = body.sheet.thickness;
   if (body.sheet.density != Sheet{}.density) json["density"] = body.sheet.density;
+  if (body.sheet.substance != Substance{}) json["substance"] = substance_json(body.sheet.substance);
   if (!body.joints.empty()) json["joints"] = list_of(body.joints, joint_json);
   return with_others(json, body.others);
 }

@@ -12,6 +12,7 @@ constexpr std::array kPatterns{"volume", "rays4"};
 constexpr std::array kSchemes{"one-to-four", "longest-edge"};
 constexpr std::array kRules{"target-edge", "tolerance", "depth"};
 constexpr std::array kRims{"faces", "smooth"};
+constexpr std::array kModels{"geometric", "thermal"};
 
 void add_number(std::string& text, const char* key, double x) {
   text += std::string(",\"") + key + "\":";
@@ -27,6 +28,11 @@ Status take_number(const JsonValue& value, double& number) {
   if (!n) return n.error();
   number = *n;
   return Done{};
+}
+
+Status take_share(const JsonValue& value, double& share) {
+  if (const Status taken = take_number(value, share); !taken) return taken;
+  return share <= 1 ? Status(Done{}) : value.wrong("must be at most 1");
 }
 
 template <typename Choice>
@@ -63,6 +69,12 @@ Status take_key(const std::string& key, const JsonValue& value, CutSettings& s) 
   }
   if (key == "pattern") return take_name(value, kPatterns, s.laser.pattern);
   if (key == "power") return take_number(value, s.laser.power);
+  if (key == "model") return take_name(value, kModels, s.model);
+  if (key == "heat-width") return take_number(value, s.heat_width);
+  if (key == "wavelength") return take_number(value, s.laser.wavelength);
+  if (key == "focus") return take_number(value, s.laser.focus.emplace());
+  if (key == "pulse-rate") return take_number(value, s.laser.pulse_rate);
+  if (key == "duty") return take_share(value, s.laser.duty);
   if (key == "scheme") return take_name(value, kSchemes, s.resolution.scheme);
   if (key == "rule") return take_name(value, kRules, s.resolution.rule);
   if (key == "target-edge") return take_number(value, s.resolution.target_edge);
@@ -71,6 +83,16 @@ Status take_key(const std::string& key, const JsonValue& value, CutSettings& s) 
   if (key == "rim") return take_name(value, kRims, s.resolution.rim);
   if (key == "most-faces") return take_whole(value, 1, int64_t{1} << 32, s.most_faces);
   return value.wrong("is not a setting that this version has");
+}
+
+// What differs from the defaults.
+void add_heat(std::string& text, const CutSettings& s) {
+  if (s.model != Model::kGeometric) add_name(text, "model", kModels[static_cast<size_t>(s.model)]);
+  if (s.heat_width > 0) add_number(text, "heat-width", s.heat_width);
+  if (s.laser.wavelength > 0) add_number(text, "wavelength", s.laser.wavelength);
+  if (s.laser.focus) add_number(text, "focus", *s.laser.focus);
+  if (s.laser.pulse_rate > 0) add_number(text, "pulse-rate", s.laser.pulse_rate);
+  if (s.laser.duty < 1) add_number(text, "duty", s.laser.duty);
 }
 
 }  // namespace
@@ -91,6 +113,7 @@ std::string settings_text(const CutSettings& s) {
   add_number(text, "tolerance", s.resolution.tolerance);
   text += ",\"depth\":" + std::to_string(s.resolution.depth);
   add_name(text, "rim", kRims[static_cast<size_t>(s.resolution.rim)]);
+  add_heat(text, s);
   if (s.most_faces != CutSettings().most_faces) text += ",\"most-faces\":" + std::to_string(s.most_faces);
   return text + '}';
 }

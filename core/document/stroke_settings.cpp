@@ -1,6 +1,8 @@
 #include "core/document/stroke_settings.h"
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace kerf {
 
@@ -9,9 +11,18 @@ CutSettings default_settings(const StrokePath& stroke, double diagonal) {
   settings.laser.radius = stroke.radius.value_or(diagonal / 400);
   settings.laser.range = stroke.range.value_or(Interval{0, 10 * diagonal});
   settings.laser.power = stroke.power.value_or(settings.laser.power);
+  settings.laser.wavelength = stroke.wavelength.value_or(0);
+  settings.laser.focus = stroke.focus;
+  settings.laser.pulse_rate = stroke.pulse_rate.value_or(0);
+  settings.laser.duty = stroke.duty.value_or(1);
   settings.resolution.target_edge = settings.laser.radius / 4;
   settings.resolution.tolerance = settings.laser.radius / 8;
   return settings;
+}
+
+double default_heat_width(double radius) {
+  constexpr double kGlowsForSeconds = 0.006;  // m, of steel
+  return std::min(8 * radius, 2 * std::sqrt(kGlowsForSeconds * radius));
 }
 
 std::vector<Command> stroke_commands(const StrokePath& stroke, const CutSettings& settings) {
@@ -39,6 +50,7 @@ std::vector<Command> scene_stroke_commands(const StrokePath& stroke, double diag
   if (stroke.keys.empty()) return {};
   CutSettings settings = default_settings(stroke, diagonal);
   settings.resolution.rim = Rim::kSmooth;
+  settings.heat_width = default_heat_width(settings.laser.radius);
   return stroke_commands(stroke, settings);
 }
 

@@ -14,6 +14,12 @@ namespace kerf {
 // the radius.
 CutSettings default_settings(const StrokePath& stroke, double diagonal);
 
+// The width over which a geometric cut leaves heat in the editor (m; see CutSettings::heat_width), for a beam
+// of this radius (m): twice the geometric mean of the radius and 6 mm, over which steel glows for a few
+// seconds, but at most eight radii. So the rim of a wide beam is seen to glow from where the whole of what it
+// cuts is seen.
+double default_heat_width(double radius);
+
 // The commands that draw a stroke: its keys with their times, counted from the first key. Precondition: it
 // has a key.
 std::vector<Command> stroke_commands(const StrokePath& stroke, const CutSettings& settings);
@@ -24,8 +30,8 @@ std::vector<Command> stroke_commands(const StrokePath& stroke, const CutSettings
 std::vector<Command> path_commands(std::span<const StrokePath> strokes, double diagonal,
                                    const std::function<Resolution(double)>& resolution = {});
 
-// The commands that draw a stroke of a scene: those of its default settings with a smooth rim, as in the
-// editor. None if it has no key.
+// The commands that draw a stroke of a scene: those of its default settings with a smooth rim that
+// is hot, as in the editor. None if it has no key.
 std::vector<Command> scene_stroke_commands(const StrokePath& stroke, double diagonal);
 
 }  // namespace kerf

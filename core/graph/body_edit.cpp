@@ -117,6 +117,7 @@ void BodyEdit::remove_face(FaceId f) {
   count(f, -1, -area);
   body_->edit_piece_of(f).moments -= area_moments(t, area, body_->middle());
   ++removed_faces_;
+  body_->ejected += body_->heat.energy_of(mesh(), f);
   body_->mesh.remove_face(f);
   removed_.push_back(f);
   edited_.push_back(f);

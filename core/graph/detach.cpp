@@ -52,6 +52,7 @@ Body copy_out(const Body& body, std::span<const FaceId> faces, uint32_t label, b
   copy.sheet = body.sheet;
   copy.pinned = body.pinned;
   copy.mesh = extract_mesh(body.mesh, faces);
+  copy.heat = body.heat;
   copy.tree = AabbTree(copy.mesh);
   for (uint32_t p = 0; p < body.pieces.size(); ++p)
     copy.pieces.push_back((p == label) == of_piece ? body.pieces[p] : Piece{});

@@ -1,9 +1,9 @@
 #include "core/graph/held_joints.h"
 
-#include <algorithm>
 #include <map>
+#include <numeric>
 #include <optional>
-#include <utility>
+#include <span>
 
 #include "core/mesh/point_to_triangle.h"
 
@@ -16,54 +16,71 @@ struct SideSoFar {
   std::optional<ConnectedPart> part;
   bool apart = false;
   bool holds() const { return part && !apart; }
+  // Whether a face of this part may change what is known.
+  bool is_open(const ConnectedPart& other) const { return !part || (!apart && *part != other); }
+  void add(const ConnectedPart& other) {
+    apart = part && *part != other;
+    if (!part) part = other;
+  }
 };
 
-// Pairs of a loaded face of a body and a side of a joint (its number times two, plus the side).
+// By loaded face of a body, the sides of joints that it carries (the number of a joint times two, plus the
+// side).
 class Carriers {
  public:
   Carriers(const Joints& joints, BodyId loaded_as) {
-    for (uint32_t j = 0; j < joints.all.size(); ++j) {
-      if (joints.all[j].body != loaded_as) continue;
-      for (uint32_t s = 0; s < 2; ++s) {
-        for (const uint32_t f : joints.all[j].sides[s].faces) pairs_.emplace_back(f, 2 * j + s);
-      }
-    }
-    std::sort(pairs_.begin(), pairs_.end());
-    for (uint32_t i = 0; i < pairs_.size(); ++i) {
-      if (first_.size() <= pairs_[i].first) first_.resize(pairs_[i].first + 1, kNone);
-      first_[pairs_[i].first] = std::min(first_[pairs_[i].first], i);
-    }
+    for_each_pair(joints, loaded_as, [&](uint32_t face, uint32_t) {
+      if (first_.size() <= face + 1) first_.resize(size_t{face} + 2, 0);
+      ++first_[face];
+    });
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    if (!first_.empty()) sides_.resize(first_.back());
+    for_each_pair(joints, loaded_as, [&](uint32_t face, uint32_t side) { sides_[--first_[face]] = side; });
   }
 
-  bool empty() const { return pairs_.empty(); }
+  bool empty() const { return sides_.empty(); }
 
-  template <typename Visit>
-  void for_each_side(FaceId loaded, Visit visit) const {
-    if (loaded.index >= first_.size() || first_[loaded.index] == kNone) return;
-    for (size_t i = first_[loaded.index]; i < pairs_.size() && pairs_[i].first == loaded.index; ++i)
-      visit(pairs_[i].second);
+  std::span<const uint32_t> sides_of(FaceId loaded) const {
+    if (loaded.index + 1 >= first_.size()) return {};
+    const uint32_t first = first_[loaded.index];
+    return std::span(sides_).subspan(first, first_[loaded.index + 1] - first);
   }
 
  private:
-  static constexpr uint32_t kNone = 0xffffffffu;
-  std::vector<std::pair<uint32_t, uint32_t>> pairs_;
-  std::vector<uint32_t> first_;  // by loaded face: its first pair
+  template <typename Visit>
+  static void for_each_pair(const Joints& joints, BodyId loaded_as, Visit visit) {
+    for (uint32_t j = 0; j < joints.all.size(); ++j) {
+      if (joints.all[j].body != loaded_as) continue;
+      for (uint32_t s = 0; s < 2; ++s) {
+        for (const uint32_t f : joints.all[j].sides[s].faces) visit(f, 2 * j + s);
+      }
+    }
+  }
+
+  std::vector<uint32_t> sides_;
+  std::vector<uint32_t> first_;  // by loaded face, of sides_
 };
 
 bool is_near(const JointSide& side, const Triangle& t) {
+  const Vec3 low = glm::min(glm::min(t[0], t[1]), t[2]), high = glm::max(glm::max(t[0], t[1]), t[2]);
+  for (int k = 0; k < 3; ++k) {
+    if (low[k] - side.point[k] > side.radius || side.point[k] - high[k] > side.radius) return false;
+  }
   return squared_distance(side.point, t) <= side.radius * side.radius;
 }
 
 void look_through(BodyId id, const Body& body, const Joints& joints, const Carriers& carriers,
                   std::vector<SideSoFar>& sides) {
-  for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
-    if (!body.mesh.is_live(FaceId(f))) continue;
-    carriers.for_each_side(body.loaded_face(body.mesh.data(FaceId(f)).base), [&](uint32_t side) {
-      if (!is_near(joints.all[side / 2].sides[side % 2], body.mesh.triangle(FaceId(f)))) return;
-      const ConnectedPart part = part_of(id, body, FaceId(f));
-      if (!sides[side].part) sides[side].part = part;
-      if (*sides[side].part != part) sides[side].apart = true;
-    });
+  for (uint32_t slot = 0; slot < body.mesh.face_slots(); ++slot) {
+    const FaceId f(slot);
+    if (!body.mesh.is_live(f)) continue;
+    const std::span<const uint32_t> carried = carriers.sides_of(body.loaded_face(body.mesh.data(f).base));
+    if (carried.empty()) continue;
+    const ConnectedPart part = part_of(id, body, f);
+    for (const uint32_t side : carried) {
+      if (!sides[side].is_open(part)) continue;
+      if (is_near(joints.all[side / 2].sides[side % 2], body.mesh.triangle(f))) sides[side].add(part);
+    }
   }
 }
 

@@ -8,15 +8,6 @@ namespace kerf {
 
 namespace {
 
-// A unit vector across d, the same for equal d: from the axis of the world that d leans on least.
-Vec3 across(const Vec3& d) {
-  const Vec3 size = glm::abs(d);
-  const Vec3 e = size.x <= size.y && size.x <= size.z ? Vec3(1, 0, 0)
-                 : size.y <= size.z                   ? Vec3(0, 1, 0)
-                                                      : Vec3(0, 0, 1);
-  return glm::normalize(glm::cross(d, e));
-}
-
 Pose halfway(const Pose& a, const Pose& b) {
   const Vec3 direction = a.direction == b.direction ? a.direction : glm::normalize(a.direction + b.direction);
   return {0.5 * a.origin + 0.5 * b.origin, direction};
@@ -32,7 +23,28 @@ void bisect(const BeamMove& move, size_t parts, std::vector<BeamMove>& out) {
   bisect({middle, move.to, 0.5 * move.seconds}, parts / 2, out);
 }
 
+// The seconds for which a pulsed beam has been on after `t` seconds.
+double seconds_on(const Laser& laser, double t) {
+  const double period = 1 / laser.pulse_rate, whole = std::floor(t / period);
+  return laser.duty * period * whole + std::min(t - whole * period, laser.duty * period);
+}
+
 }  // namespace
+
+double emitted_energy(const Laser& laser, double from, double to) {
+  assert(0 <= from && from <= to && laser.power > 0 && laser.duty > 0 && laser.duty <= 1);
+  if (laser.pulse_rate <= 0 || laser.duty >= 1) return laser.power * (to - from);
+  return laser.power * (seconds_on(laser, to) - seconds_on(laser, from));
+}
+
+// From the axis of the world that d leans on least.
+Vec3 across(const Vec3& d) {
+  const Vec3 size = glm::abs(d);
+  const Vec3 e = size.x <= size.y && size.x <= size.z ? Vec3(1, 0, 0)
+                 : size.y <= size.z                   ? Vec3(0, 1, 0)
+                                                      : Vec3(0, 0, 1);
+  return glm::normalize(glm::cross(d, e));
+}
 
 std::vector<SweptCylinder> sweep_beam(const Laser& laser, const BeamMove& move) {
   if (laser.pattern == Pattern::kVolume)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/base/interval.h"
@@ -18,8 +19,20 @@ struct Laser {
   double radius = 0.01;   // m, > 0
   Interval range{0, 10};  // m along the beam from its origin
   Pattern pattern = Pattern::kVolume;
-  double power = 2000;  // W; the geometric model ignores it
+
+  // What follows is for the thermal model (see Model); the geometric model ignores it. The intensity falls
+  // from the axis as exp(-2 r^2 / radius^2); kRays4 shares the power among its rays.
+  double power = 2000;          // W, > 0, while the beam is on
+  double wavelength = 0;        // m; 0 stands for that with which the material is usually cut
+  std::optional<double> focus;  // m along the beam from its origin to its waist, where it has its radius;
+                                // without it the radius is the same everywhere
+  double pulse_rate = 0;        // Hz; 0 is a continuous beam
+  double duty = 1;              // 0 < duty <= 1, the part of each pulse period in which the beam is on
 };
+
+// The energy (J) that the beam emits from `from` to `to` seconds after it was switched on, 0 <= from <= to. A
+// pulse begins each period.
+double emitted_energy(const Laser& laser, double from, double to);
 
 // A move of the switched-on beam from one pose to another: its origin moves along the straight line, its
 // direction along the shorter arc.
@@ -27,6 +40,9 @@ struct BeamMove {
   Pose from, to;
   double seconds = 0;  // duration, >= 0; 0 if it is unknown
 };
+
+// A unit vector across the unit vector d, the same for equal d.
+Vec3 across(const Vec3& d);
 
 // The volumes that the beam sweeps in a move: one volume, or one strip for each ray of the pattern.
 std::vector<SweptCylinder> sweep_beam(const Laser& laser, const BeamMove& move);

@@ -5,9 +5,13 @@
 namespace kerf {
 
 void FaceColumns::Column::set(FaceId f, uint64_t cell) {
-  if (get(f) == cell) return;
+  const uint64_t before = get(f);
+  if (before == cell) return;
   cells.grow_to(f.index + 1);
+  filled.grow_to(f.index / kBlock + 1);
   cells.edit(f.index) = cell;
+  if (before == 0) ++filled.edit(f.index / kBlock);
+  if (cell == 0) --filled.edit(f.index / kBlock);
 }
 
 void FaceColumns::Column::share_sum(FaceId a, FaceId b, double share) {
@@ -18,7 +22,7 @@ void FaceColumns::Column::share_sum(FaceId a, FaceId b, double share) {
 }
 
 uint32_t FaceColumns::attach(Rule rule) {
-  columns_.push_back({rule, {}});
+  columns_.push_back({rule, {}, {}});
   return static_cast<uint32_t>(columns_.size() - 1);
 }
 
@@ -45,15 +49,19 @@ void FaceColumns::note_removed(FaceId f) {
 FaceColumns FaceColumns::extract(std::span<const FaceId> faces) const {
   FaceColumns extracted;
   for (const Column& column : columns_) {
-    Column& own = extracted.columns_.emplace_back(Column{column.rule, {}});
+    Column& own = extracted.columns_.emplace_back(Column{column.rule, {}, {}});
     for (uint32_t f = 0; f < faces.size(); ++f) own.set(FaceId(f), column.get(faces[f]));
   }
   return extracted;
 }
 
+bool FaceColumns::blank() const {
+  return std::all_of(columns_.begin(), columns_.end(), [](const Column& c) { return c.cells.empty(); });
+}
+
 size_t FaceColumns::bytes() const {
   size_t bytes = 0;
-  for (const Column& column : columns_) bytes += column.cells.bytes();
+  for (const Column& column : columns_) bytes += ChangeOfParts<Column>::bytes_of(column);
   return bytes;
 }
 
@@ -61,12 +69,12 @@ size_t FaceColumns::bytes() const {
 
 void FaceColumns::Change::begin(FaceColumns& columns) {
   changes_.resize(columns.columns_.size());
-  for (size_t i = 0; i < changes_.size(); ++i) changes_[i].begin(columns.columns_[i].cells);
+  for (size_t i = 0; i < changes_.size(); ++i) changes_[i].begin(columns.columns_[i]);
 }
 
 void FaceColumns::Change::end(FaceColumns& columns) {
   assert(changes_.size() == columns.columns_.size() && "a column was attached within a command");
-  for (size_t i = 0; i < changes_.size(); ++i) changes_[i].end(columns.columns_[i].cells);
+  for (size_t i = 0; i < changes_.size(); ++i) changes_[i].end(columns.columns_[i]);
 }
 
 bool FaceColumns::Change::any() const {
@@ -75,12 +83,12 @@ bool FaceColumns::Change::any() const {
 
 void FaceColumns::Change::exchange(FaceColumns& columns) {
   assert(changes_.size() == columns.columns_.size());
-  for (size_t i = 0; i < changes_.size(); ++i) changes_[i].exchange(columns.columns_[i].cells);
+  for (size_t i = 0; i < changes_.size(); ++i) changes_[i].exchange(columns.columns_[i]);
 }
 
 void FaceColumns::Change::restore(FaceColumns& columns) const {
   assert(changes_.size() == columns.columns_.size());
-  for (size_t i = 0; i < changes_.size(); ++i) changes_[i].restore(columns.columns_[i].cells);
+  for (size_t i = 0; i < changes_.size(); ++i) changes_[i].restore(columns.columns_[i]);
 }
 
 size_t FaceColumns::Change::bytes() const {

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <cassert>
 #include <cstdint>
 #include <cstring>
 #include <span>
+#include <tuple>
 #include <type_traits>
 #include <vector>
 
@@ -39,8 +41,8 @@ class FaceColumn {
 //   copy     extract_mesh and copies of the mesh have the same columns with the same values;
 //   undo     the columns are a part of Mesh::Change.
 //
-// A value is T(), all bits zero, until it is set. A mesh without columns pays nothing, and a column takes
-// memory up to the last face whose value was ever set.
+// A value is T(), all bits zero, until it is set. A mesh in which no value was ever set pays nothing, and a
+// column takes memory up to the last face whose value was set.
 class FaceColumns {
  public:
   // Attaches a column whose values are copied to the parts of a split face. Precondition: no change of the
@@ -52,7 +54,8 @@ class FaceColumns {
   // The same for a quantity that the parts of a face share by area, such as an energy in joules.
   FaceColumn<double> attach_shared_by_area() { return FaceColumn<double>(attach(Rule::kShareByArea)); }
 
-  bool empty() const { return columns_.empty(); }
+  // Whether no value of any column was ever set.
+  bool blank() const;
 
   template <typename T>
   T get(FaceColumn<T> column, FaceId f) const {
@@ -63,6 +66,32 @@ class FaceColumns {
   void set(FaceColumn<T> column, FaceId f, const T& value) {
     assert(column.index_ < columns_.size() && f.valid());
     columns_[column.index_].set(f, to_cell(value));
+  }
+
+  // Calls visit(f) for the faces whose value in the column is not T(), ascending; `visit` may set their
+  // values. O(these faces + faces / kBlock), but up to kBlock times the faces found where they are scattered.
+  template <typename T, typename Visit>
+  void for_each_set(FaceColumn<T> column, Visit visit) const {
+    assert(column.index_ < columns_.size());
+    const Column& own = columns_[column.index_];
+    for (uint32_t block = 0; block < own.filled.size(); ++block) {
+      if (own.filled[block] == 0) continue;
+      const uint32_t end = std::min(own.cells.size(), (block + 1) * kBlock);
+      for (uint32_t f = block * kBlock; f < end; ++f) {
+        if (own.cells[f] != 0) visit(FaceId(f));
+      }
+    }
+  }
+
+  // Whether any face has a value that is not T(). O(faces / kBlock).
+  template <typename T>
+  bool any_set(FaceColumn<T> column) const {
+    assert(column.index_ < columns_.size());
+    const Records<uint32_t>& filled = columns_[column.index_].filled;
+    for (uint32_t block = 0; block < filled.size(); ++block) {
+      if (filled[block] != 0) return true;
+    }
+    return false;
   }
 
   // The columns for a mesh that consists of these faces, in their order.
@@ -77,15 +106,23 @@ class FaceColumns {
   friend class Mesh;
   enum class Rule : uint8_t { kCopy, kShareByArea };
 
+  static constexpr uint32_t kBlock = 1024;  // faces
+
   // The bits of the values, whatever their type; zero beyond the last one.
   struct Column {
     Rule rule;
     Records<uint64_t> cells;
+    Records<uint32_t> filled;  // by block of kBlock faces: how many of their cells are not zero
 
     uint64_t get(FaceId f) const { return f.index < cells.size() ? cells[f.index] : 0; }
     void set(FaceId f, uint64_t cell);
     // Divides the sum of the values of two faces between them; `share` is the fraction of the first one.
     void share_sum(FaceId a, FaceId b, double share);
+
+    template <typename Self>
+    static auto parts(Self& self) {
+      return std::tie(self.cells, self.filled);
+    }
   };
 
   template <typename T>
@@ -121,7 +158,7 @@ class FaceColumns::Change {
   size_t bytes() const;
 
  private:
-  std::vector<ChangeOf<Records<uint64_t>>> changes_;  // by column
+  std::vector<ChangeOfParts<Column>> changes_;  // by column
 };
 
 }  // namespace kerf

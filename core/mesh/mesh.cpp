@@ -262,7 +262,7 @@ void Mesh::split_edge_at(FaceId f, VertexId from, VertexId to, const Vec3& at, s
     link_ring(k, near_to);
     link_bisectors(k, {out.data() + first, out.size() - first});
   }
-  if (k.columns.empty()) return;
+  if (k.columns.blank()) return;
   for (size_t i = first; i < out.size(); ++i)
     k.columns.note_split(out[i].kept, out[i].added, area_share(*this, out[i].kept, out[i].added));
 }
@@ -284,7 +284,7 @@ void Mesh::flip_edge(FaceId f, VertexId from, VertexId to) {
   m.close(fa, a0, a2, b1);
   m.close(fb, b0, b2, a1);
   link_to_copy(*kernel_, a0);
-  if (!kernel_->columns.empty()) kernel_->columns.note_turned(fa, fb, area_share(*this, fa, fb));
+  if (!kernel_->columns.blank()) kernel_->columns.note_turned(fa, fb, area_share(*this, fa, fb));
 }
 
 bool Mesh::can_flip_edge(FaceId f, VertexId from, VertexId to) const {
@@ -309,7 +309,7 @@ void Mesh::remove_face(FaceId f) {
   }
   m.remove(f);
   --kernel_->live_faces;
-  if (!kernel_->columns.empty()) kernel_->columns.note_removed(f);
+  if (!kernel_->columns.blank()) kernel_->columns.note_removed(f);
 }
 
 size_t Mesh::bytes() const { return ChangeOfParts<Kernel>::bytes_of(*kernel_); }

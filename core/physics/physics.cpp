@@ -1,6 +1,7 @@
 #include "core/physics/physics.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "core/base/tick.h"
@@ -19,6 +20,7 @@ namespace {
 constexpr double kTick = 1.0 / kTicksPerSecond;
 constexpr double kFullLengths = 0.4;   // m, the diagonal from which on the lengths of contact are unscaled
 constexpr double kRollingLoss = 0.35;  // relative to the square root of gravity over the size of a body
+constexpr double kRollingBrake = 0.7;  // relative to gravity over the size of a body
 constexpr double kPressedOut = 0.1;    // m/s, see SpeedLimit
 constexpr ContactLengths kLengths;
 
@@ -39,31 +41,48 @@ void set_way(MovingBody& b, const Vec3& gravity) {
   b.next = map_of(moved_on(b, gravity));
   b.bounds = moved(b.now, b.collider->bounds);
   if (b.moves()) b.bounds.add(moved(b.next, b.collider->bounds));
-  b.bounds = b.bounds.wider(kLengths.reach * b.scale);
+  b.margin = kLengths.reach * b.scale;
+  b.bounds = b.bounds.wider(b.margin);
 }
 
-// Sheet metal rolls badly: what touched in the last tick loses spin, faster the smaller it is.
-void set_rolling_loss(std::span<MovingBody> bodies, const ContactMemory& before, const Vec3& gravity) {
+// Sheet metal rolls badly: what touched in the last tick loses spin, faster the smaller it is, and comes to a
+// stop unless it turns on a joint.
+void set_rolling_loss(std::span<MovingBody> bodies, std::span<const BodyJoint> joints,
+                      const ContactMemory& before, const Vec3& gravity) {
   const auto lose = [&](BodyId id) {
     const auto at = std::lower_bound(bodies.begin(), bodies.end(), id,
                                      [](const MovingBody& b, BodyId wanted) { return b.id < wanted; });
     if (at == bodies.end() || at->id != id) return;
     const Box& box = at->collider->bounds;
-    at->rolling_loss = kRollingLoss * std::sqrt(glm::length(gravity) / glm::length(box.max - box.min));
+    const double per_second2 = glm::length(gravity) / glm::length(box.max - box.min);
+    at->rolling_loss = kRollingLoss * std::sqrt(per_second2);
+    at->rolling_brake = kRollingBrake * per_second2;
   };
   for (const PairMemory& m : before) {
     if (!m.touching) continue;
     lose(m.first);
     if (m.second.valid()) lose(m.second);
   }
+  for (const BodyJoint& j : joints) bodies[j.first].rolling_brake = bodies[j.second].rolling_brake = 0;
 }
 
 // Where the solver has moved the bodies is where they go.
 void set_solved_way(std::span<MovingBody> bodies) {
   for (MovingBody& b : bodies) {
     b.next = b.moves() ? map_of(b.body->placement) : b.now;
+    b.margin = 0;
     b.bounds = moved(b.now, b.collider->bounds);
     if (b.moves()) b.bounds.add(moved(b.next, b.collider->bounds));
+  }
+}
+
+void guide(std::span<MovingBody> bodies, std::span<const Guided> guided) {
+  for (const Guided& g : guided) {
+    const auto at = std::lower_bound(bodies.begin(), bodies.end(), g.body,
+                                     [](const MovingBody& b, BodyId wanted) { return b.id < wanted; });
+    if (at == bodies.end() || at->id != g.body) continue;
+    at->glides = g.glides;
+    at->sweeps_aside = g.sweeps_aside;
   }
 }
 
@@ -78,18 +97,27 @@ std::vector<TouchingPair> take_resting(std::span<const MovingBody> bodies, std::
   return resting;
 }
 
-// What is known after the tick. Pairs of sleeping bodies were not looked at; what is known of them stays.
-ContactMemory memory_after(std::span<const MovingBody> bodies, const ContactMemory& before,
-                           std::vector<TouchingPair>& pairs) {
-  ContactMemory memory;
+// Moves what is known of pairs to the end of `memory`.
+void take_memory(std::vector<TouchingPair>& pairs, ContactMemory& memory) {
   for (TouchingPair& p : pairs) {
     remember_impulses(p.contacts, p.memory);
     memory.push_back(std::move(p.memory));
   }
+}
+
+// What is known after the tick. Pairs of sleeping bodies were not looked at; what is known of them stays.
+// Precondition: both lists are sorted.
+ContactMemory memory_after(std::span<const MovingBody> bodies, const ContactMemory& before,
+                           std::vector<TouchingPair>& pairs, std::vector<TouchingPair>& resting) {
   const auto before_tick = [](const PairMemory& a, const PairMemory& b) {
     return std::pair(a.first, a.second) < std::pair(b.first, b.second);
   };
-  std::sort(memory.begin(), memory.end(), before_tick);
+  ContactMemory memory;
+  take_memory(pairs, memory);
+  take_memory(resting, memory);
+  std::inplace_merge(memory.begin(), memory.begin() + static_cast<ptrdiff_t>(pairs.size()), memory.end(),
+                     before_tick);
+  assert(std::is_sorted(memory.begin(), memory.end(), before_tick));
   const size_t known = memory.size();
   const auto rests = [&](BodyId id) {
     const auto at = std::lower_bound(bodies.begin(), bodies.end(), id,
@@ -107,6 +135,20 @@ ContactMemory memory_after(std::span<const MovingBody> bodies, const ContactMemo
   return memory;
 }
 
+bool is_shown(const Body& b) { return !b.hidden && b.mesh.live_faces() > 0; }
+
+// The bodies that can be touched, and those of them that could move, judged without their masses.
+TickFigures count_bodies(const World& world) {
+  TickFigures count;
+  for (const BodyId id : world.ids()) {
+    const Body& b = world.body(id);
+    if (!is_shown(b)) continue;
+    ++count.bodies;
+    if (!b.pinned && !b.motion.asleep) ++count.awake;
+  }
+  return count;
+}
+
 }  // namespace
 
 Physics::Physics() : solver_(std::make_unique<SolverMemory>()) {}
@@ -116,7 +158,11 @@ Physics& Physics::operator=(Physics&&) noexcept = default;
 
 void Physics::follow(const Delta& delta) {
   if (delta.anew) colliders_.clear();
-  if (!delta.bodies.empty() || delta.changes_bodies()) joints_.reset();
+  const auto changes_faces = [](const BodyDelta& b) {
+    return !b.born.empty() || !b.gone.empty() || !b.relabelled.empty();
+  };
+  const bool faces_changed = std::any_of(delta.bodies.begin(), delta.bodies.end(), changes_faces);
+  if (faces_changed || delta.changes_bodies()) joints_.reset();
   for (const BodyDelta& b : delta.bodies) changed_.insert(b.body);
   for (BodyId id : delta.came) forget_collider(id);
   for (BodyId id : delta.went) forget_collider(id);
@@ -152,7 +198,7 @@ std::vector<MovingBody> Physics::moving_bodies(World& world, bool under_beam) {
   std::vector<MovingBody> bodies;
   for (const BodyId id : world.ids()) {
     Body& body = world.body(id);
-    if (body.hidden || body.mesh.live_faces() == 0) continue;
+    if (!is_shown(body)) continue;
     MovingBody& b = bodies.emplace_back();
     b.id = id;
     b.body = &body;
@@ -169,11 +215,13 @@ std::vector<MovingBody> Physics::moving_bodies(World& world, bool under_beam) {
   return bodies;
 }
 
-Delta Physics::tick(World& world, bool under_beam) {
-  figures_ = {};
+Delta Physics::tick(World& world, bool under_beam, std::span<const Guided> guided) {
   pull(world, kTick);
+  figures_ = count_bodies(world);
+  if (figures_.awake == 0) return {};
+  figures_.awake = 0;
   std::vector<MovingBody> bodies = moving_bodies(world, under_beam);
-  figures_.bodies = bodies.size();
+  guide(bodies, guided);
   const bool all_rest =
       std::all_of(bodies.begin(), bodies.end(), [](const MovingBody& b) { return b.fixed || b.asleep; });
   if (all_rest) return {};
@@ -181,7 +229,7 @@ Delta Physics::tick(World& world, bool under_beam) {
   if (!joints_) joints_ = held_joints(world);
   const std::vector<BodyJoint> joints = joints_between(bodies, *joints_, world.joints());
   const ContactMemory& before = world.contact_memory();
-  set_rolling_loss(bodies, before, world.surroundings().gravity);
+  set_rolling_loss(bodies, joints, before, world.surroundings().gravity);
   ContactSearch search(bodies, joints, world.surroundings(), before);
   search.find();
   while (update_sleep(bodies, search.pairs(), joints, before, kTick)) {
@@ -197,17 +245,16 @@ Delta Physics::tick(World& world, bool under_beam) {
   limit.apply(bodies);
   set_solved_way(bodies);
   figures_.held = hold_back(bodies, search);
-  count_quiet(bodies, joints);
-  pairs_ = search.pairs();
-  for (const TouchingPair& p : pairs_) {
+  count_quiet(bodies, search.pairs(), joints);
+  for (const TouchingPair& p : search.pairs()) {
     if (p.second != TouchingPair::kGround) ++figures_.pairs;
     figures_.contacts += p.contacts.size();
     figures_.crossed += p.memory.crossed > 0;
   }
   figures_.candidates = search.candidates();
   for (const MovingBody& b : bodies) figures_.rays += b.rays;
-  search.pairs().insert(search.pairs().end(), resting.begin(), resting.end());
-  ContactMemory memory = memory_after(bodies, before, search.pairs());
+  ContactMemory memory = memory_after(bodies, before, search.pairs(), resting);
+  pairs_ = std::move(search.pairs());
   remember_joints(bodies, joints, memory);
   world.set_contact_memory(std::move(memory));
 

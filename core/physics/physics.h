@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <vector>
 
 #include "core/graph/held_joints.h"
@@ -26,6 +27,13 @@ struct TickFigures {
   size_t contacts = 0;
   size_t held = 0;     // bodies that did not go all of their way, lest they intersect
   size_t crossed = 0;  // pairs of sheets that intersect and do not touch
+};
+
+// A body that something besides the physics steers.
+struct Guided {
+  BodyId body;
+  bool glides = false;      // it does not touch fixed bodies
+  double sweeps_aside = 0;  // kg: lighter bodies do not stop it, and may intersect it until they are apart
 };
 
 // Lets the bodies of a world move as rigid sheets: they fall, touch each other and the ground, slide, and
@@ -54,8 +62,9 @@ class Physics {
   void begin_step();
 
   // Advances all bodies by 1/120 s. Returns the bodies that moved. The clock of the world is left to the
-  // caller. `under_beam`: a beam is on, and the next ticks will follow further cuts.
-  Delta tick(World& world, bool under_beam = false);
+  // caller. `under_beam`: a beam is on, and the next ticks will follow further cuts. `guided`: bodies that
+  // are treated in another way than all others, in any order, each once.
+  Delta tick(World& world, bool under_beam = false, std::span<const Guided> guided = {});
   // Whether such a tick makes a collider of this body.
   bool makes_collider(const World& world, BodyId id, bool under_beam) const;
   static constexpr size_t kMostUnderBeam = 20'000;

@@ -26,6 +26,7 @@ glm::dmat3 cross_matrix(const Vec3& r) {
 
 // Where the spring wants the velocity of the held point to change to, m/s^2.
 Vec3 wanted_acceleration(const Vec3& way, const Vec3& velocity, double metre) {
+  assert(metre > 0);
   const Vec3 wanted = kPullFrequency * kPullFrequency * way - 2 * kPullFrequency * velocity;
   const double size = glm::length(wanted);
   return size > kMostPull * metre ? kMostPull * metre / size * wanted : wanted;

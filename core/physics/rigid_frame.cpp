@@ -3,6 +3,7 @@
 #include <LinearMath/btMatrix3x3.h>
 
 #include <algorithm>
+#include <cassert>
 
 namespace kerf {
 
@@ -47,6 +48,7 @@ RigidFrame rigid_frame(const Body& body) {
   frame.mass = shell.mass;
   frame.centre = shell.centre;
   if (shell.mass > 0) diagonalise(shell.inertia, frame);
+  assert(!(shell.mass > 0) || (frame.inertia.x > 0 && frame.inertia.y > 0 && frame.inertia.z > 0));
   return frame;
 }
 

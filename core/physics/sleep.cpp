@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kSlow = 0.4;         // m/s
 constexpr double kSlowSpin = 1.0;     // rad/s
+constexpr double kSlowRim = 0.4;      // m/s, that the spin of a small body may give its points
 constexpr double kSlowOnJoint = 0.1;  // of these limits
 constexpr uint32_t kQuietTicks = kTicksPerSecond / 2;
 constexpr int kWakeSteps = 2;     // how far restlessness goes, from body to touching body
@@ -107,19 +108,26 @@ bool update_sleep(std::span<MovingBody> bodies, std::span<const TouchingPair> pa
   return woke;
 }
 
-void count_quiet(std::span<MovingBody> bodies, std::span<const BodyJoint> joints) {
-  std::vector<double> limit(bodies.size(), 1);
+void count_quiet(std::span<MovingBody> bodies, std::span<const TouchingPair> pairs,
+                 std::span<const BodyJoint> joints) {
+  std::vector<double> limit(bodies.size(), 1);  // of the speeds that are slow
   for (const BodyJoint& joint : joints) {
     if (joint.joint->kind != Joint::Kind::kWeld) limit[joint.first] = limit[joint.second] = kSlowOnJoint;
+  }
+  for (const TouchingPair& pair : pairs) {
+    if (pair.memory.crossed > 0 && !pair.contacts.empty()) limit[pair.first] = limit[pair.second] = 0;
   }
   for (uint32_t i = 0; i < bodies.size(); ++i) {
     MovingBody& b = bodies[i];
     if (b.fixed || b.asleep) continue;
     Motion& motion = b.body->motion;
     const Vec3 centre = b.body->placement.to_world(b.frame.centre);
+    assert(b.metre > 0);
+    const double radius = 0.5 * glm::length(b.collider->bounds.max - b.collider->bounds.min);
+    const double slow_spin = std::max(kSlowSpin, kSlowRim * b.metre / radius);
     const bool slow =
         glm::length(motion.velocity_at(centre, b.body->placement)) < limit[i] * kSlow * b.metre &&
-        glm::length(motion.spin) < limit[i] * kSlowSpin;
+        glm::length(motion.spin) < limit[i] * slow_spin;
     motion.quiet = slow ? std::min(motion.quiet + 1, kQuietTicks) : 0;
   }
 }

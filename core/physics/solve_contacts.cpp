@@ -7,9 +7,12 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <deque>
 #include <limits>
 #include <vector>
+
+#include "core/physics/contact/push_out.h"
 
 namespace kerf {
 
@@ -72,6 +75,7 @@ class BulletGroup {
   }
 
   void add(const BodyJoint& joint) {
+    assert(joint.first != joint.second && std::max(joint.first, joint.second) < bodies_.size());
     constraints_.push_back(make_constraint(*joint.joint, bodies_[joint.first].frame,
                                            bodies_[joint.second].frame, rigid_[joint.first],
                                            rigid_[joint.second]));
@@ -82,6 +86,7 @@ class BulletGroup {
     info.m_timeStep = settings_.seconds;
     info.m_numIterations = settings_.iterations;
     info.m_splitImpulsePenetrationThreshold = 0;
+    info.m_erp2 = kSolvedShare;
     info.m_restitutionVelocityThreshold *= settings_.metre;
     info.m_warmstartingFactor = 0.9;
     info.m_solverMode = SOLVER_USE_WARMSTARTING | SOLVER_USE_2_FRICTION_DIRECTIONS;
@@ -109,6 +114,7 @@ class BulletGroup {
       }
       manifold += (pair.contacts.size() + MANIFOLD_CACHE_SIZE - 1) / MANIFOLD_CACHE_SIZE;
     }
+    assert(manifold == used_.size());
   }
 
  private:
@@ -119,8 +125,11 @@ class BulletGroup {
     info.m_startWorldTransform = bullet(b.frame.in_world(b.body->placement));
     btRigidBody& rigid = rigid_.emplace_back(info);
     if (still) return;
+    assert(b.frame.mass > 0 && b.rolling_loss >= 0 && b.rolling_brake >= 0);
     const double kept = 1 - kLinearDamping * settings_.seconds;
-    const double spin_kept = 1 - (kAngularDamping + b.rolling_loss) * settings_.seconds;
+    const double spin = glm::length(b.body->motion.spin);
+    const double braked = spin > 0 ? 1 - std::min(b.rolling_brake * settings_.seconds / spin, 1.0) : 1;
+    const double spin_kept = braked * (1 - (kAngularDamping + b.rolling_loss) * settings_.seconds);
     const Vec3 centre = from_bullet(info.m_startWorldTransform.getOrigin());
     rigid.setLinearVelocity(bullet(kept * b.body->motion.velocity_at(centre, b.body->placement)));
     rigid.setAngularVelocity(bullet(spin_kept * b.body->motion.spin));
@@ -148,6 +157,7 @@ class BulletGroup {
   }
 
   void fill(const Contact& c, double most_warm_impulse) {
+    assert(std::abs(glm::dot(c.normal, c.normal) - 1) < 1e-9);
     btPersistentManifold& m = *used_.back();
     const int at = m.getNumContacts();
     m.setNumContacts(at + 1);
@@ -158,7 +168,7 @@ class BulletGroup {
     p.m_positionWorldOnB = bullet(c.at - c.distance * c.normal);
     p.m_normalWorldOnB = bullet(c.normal);
     p.m_distance1 = c.distance;
-    p.m_combinedFriction = settings_.friction;
+    p.m_combinedFriction = c.on_edge ? settings_.edge_friction : settings_.friction;
     p.m_combinedRestitution = c.distance > 0 ? 0 : settings_.restitution;
     p.m_appliedImpulse = std::min(c.impulse[0], most_warm_impulse);
   }

@@ -1,6 +1,7 @@
 #include "core/physics/speed_limit.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace kerf {
 
@@ -30,6 +31,7 @@ double share_of(double value, double most) { return value > most ? most / value 
 
 SpeedLimit::SpeedLimit(std::span<const MovingBody> bodies, std::span<const TouchingPair> pairs,
                        std::span<const BodyJoint> joints, double gain) {
+  assert(gain >= 0);
   std::vector<double> before;
   for (const MovingBody& b : bodies) before.push_back(speed(b));
   most_ = before;
@@ -45,6 +47,7 @@ SpeedLimit::SpeedLimit(std::span<const MovingBody> bodies, std::span<const Touch
 }
 
 void SpeedLimit::apply(std::span<MovingBody> bodies) const {
+  assert(bodies.size() == most_.size());
   for (size_t i = 0; i < bodies.size(); ++i) {
     const MovingBody& b = bodies[i];
     if (!b.moves()) continue;

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/vec3.h"
+#include "core/heat/substance.h"
 #include "core/world/placement.h"
 
 namespace kerf {
@@ -26,10 +27,12 @@ struct Motion {
   }
 };
 
-// The sheet that the faces of a body stand for. Precondition of its use: both are positive.
+// The sheet that the faces of a body stand for. Precondition of its use: thickness and density are positive.
 struct Sheet {
   double thickness = 0.001;  // m
-  double density = 7850;     // kg/m^3, of mild steel
+  double density =
+      7850;             // kg/m^3, of mild steel; what the body weighs (vehicles are given their weight by it)
+  Substance substance;  // what it takes to heat and to cut it
   friend bool operator==(const Sheet&, const Sheet&) = default;
 };
 

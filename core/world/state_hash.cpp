@@ -9,7 +9,8 @@ namespace kerf {
 
 namespace {
 
-constexpr uint64_t kClockSeed = 0x9d5c'b07a'63e1'42f8u, kMotionSeed = 0x3c81'6f2e'b9d4'0a57u;
+constexpr uint64_t kClockSeed = 0x9d5c'b07a'63e1'42f8u, kMotionSeed = 0x3c81'6f2e'b9d4'0a57u,
+                   kHeatSeed = 0x51f3'8ad9'2e67'c40bu;
 
 bool less(const Vec3& a, const Vec3& b) {
   if (a.x != b.x) return a.x < b.x;
@@ -29,7 +30,8 @@ uint64_t face_hash(const Body& body, uint64_t seed, FaceId f) {
   }
   uint64_t h = hash_combine(seed, body.mesh.data(f).halvings);
   for (int i = 0; i < 3; ++i) h = hash_of(h, t[(least + i) % 3]);
-  return h;
+  const double energy = body.heat.energy_of(body.mesh, f);
+  return energy == 0 ? h : hash_combine(hash_combine(h, kHeatSeed), number_bits(energy));
 }
 
 // Of a body that moves or has moved.

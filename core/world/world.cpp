@@ -23,6 +23,7 @@ Result<Body> make_body(std::string name, BuiltMesh built, const Progress* progre
   Body body;
   body.name = std::move(name);
   body.mesh = std::move(built.mesh);
+  body.heat = FaceHeat::attach(body.mesh);
   Result<AabbTree> tree = AabbTree::build(body.mesh, &building);
   if (!tree) return tree.error();
   body.tree = std::move(*tree);

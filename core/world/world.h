@@ -10,11 +10,13 @@
 #include "core/base/change_of_parts.h"
 #include "core/base/ids.h"
 #include "core/base/tick.h"
+#include "core/heat/face_heat.h"
 #include "core/mesh/build_mesh.h"
 #include "core/mesh/mesh.h"
 #include "core/mesh/one_to_four.h"
 #include "core/tree/aabb_tree.h"
 #include "core/world/contact_memory.h"
+#include "core/world/energy_ledger.h"
 #include "core/world/joint.h"
 #include "core/world/loaded_components.h"
 #include "core/world/motion.h"
@@ -50,6 +52,8 @@ struct Body {
   Mesh mesh;
   AabbTree tree;
   OneToFour refinement;
+  FaceHeat heat;
+  double ejected = 0;     // J that faces had when they were removed
   Records<Piece> pieces;  // by label; 0 is the body itself, the others were separated from it
   LoadedComponents components;
   SeparationState separation;
@@ -89,7 +93,8 @@ struct Body {
   template <typename Self>
   static auto parts(Self& self) {
     return std::tie(self.name, self.named, self.placement, self.hidden, self.motion, self.sheet, self.pinned,
-                    self.mesh, self.tree, self.refinement, self.pieces, self.components, self.separation);
+                    self.mesh, self.tree, self.refinement, self.ejected, self.pieces, self.components,
+                    self.separation);
   }
 
   // Memory of its arrays, in bytes.
@@ -145,6 +150,10 @@ class World {
   const Surroundings& surroundings() const { return situation_.around; }
   void set_surroundings(const Surroundings& around) { situation_.around = around; }
 
+  // Where the energy of the beams has gone; see EnergyLedger.
+  const EnergyLedger& energy() const { return situation_.energy; }
+  EnergyLedger& edit_energy() { return situation_.energy; }
+
   // The spring by which somebody drags a piece. The piece need not exist any more.
   const std::optional<Spring>& spring() const { return situation_.spring; }
   void set_spring(const std::optional<Spring>& spring) { situation_.spring = spring; }
@@ -187,6 +196,7 @@ class World {
   struct Situation {
     Ticks clock = 0;
     Surroundings around;
+    EnergyLedger energy;
     std::optional<Spring> spring;
     // Never null; shared with the images of changes.
     std::shared_ptr<const ContactMemory> contacts = std::make_shared<const ContactMemory>();

@@ -2,8 +2,8 @@
 import json
 import os
 import re
-import re
 import signal
+import struct
 import subprocess
 import sys
 import tempfile
@@ -124,13 +124,14 @@ class CommandLine(unittest.TestCase):
                            (["cut", "plate.obj", "--out", "o", "--radius", "0"], "--radius"),
                            (["cut", "plate.obj", "--out", "o", "--range", "3,1"], "--range"),
                            (["cut", "plate.obj", "--out", "o", "--scheme", "red"], "one-to-four"),
-                           (["cut", "plate.obj", "--out", "o", "--model", "thermal"], "geometric"),
+                           (["cut", "plate.obj", "--out", "o", "--model", "magic"], "thermal"),
+                           (["cut", "plate.obj", "--out", "o", "--power", "0"], "--power"),
                            (["cut", "plate.obj", "--out", "o", "--target-edge", "nan"], "--target-edge"),
                            (["cut", "plate.obj", "--out", "o", "--format", "fbx"], "--format"),
                            (["cut", "plate.obj", "--out", "o", "--path", "missing.json"], "missing.json"),
                            (["render", "plate.obj", "--out", "p.png", "--size", "0x5"], "--size"),
                            (["render", "plate.obj", "--out", "p.png", "--eye", "1,2"], "--eye"),
-                           (["render", "plate.obj", "--out", "p.png", "--show", "heat"], "heat"),
+                           (["render", "plate.obj", "--out", "p.png", "--show", "hot"], "hot"),
                            (["--report"], "report")):
             self.assert_refused(self.run_here(*args), 2, word)
 
@@ -176,6 +177,38 @@ class CommandLine(unittest.TestCase):
 
     def test_depth_0_takes_whole_base_faces(self):
         self.assertEqual(self.cut("--depth", "0")["removed"]["faces"], 2)
+
+    def thermal(self, speed, *options):
+        """Crosses a sheet of 2 mm at a speed in m/s with 2 kW; the report."""
+        self.write("sheet.obj", "v -.03 0 -.01\nv .03 0 -.01\nv .03 0 .01\nv -.03 0 .01\nf 1 4 3\nf 1 3 2\n")
+        key = '{"t": %g, "origin": [0, 0.1, %g], "direction": [0, -1, 0]}'
+        self.write("beam.json", '{"strokes": [{"laser": {"radius": 0.0001, "power": 2000}, "keys": [%s, %s]}]}' % (
+            key % (0, -.012), key % (.024 / speed, .012)))
+        done = self.run_here("cut", "sheet.obj", "--path", "beam.json", "--out", "out", "--model", "thermal",
+                             "--material", "stainless-304", "--thickness", "0.002", *options)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads(self.read("out/report.json"))
+
+    def test_a_beam_with_power_cuts_what_it_has_the_energy_for_and_says_where_the_energy_went(self):
+        slow, fast = self.thermal(.1), self.thermal(.5)
+        self.assertEqual(len([p for p in slow["pieces"] if p["area"] > 4e-4]), 2)
+        self.assertEqual(len(fast["pieces"]), 1)
+        self.assertTrue(0 < fast["depth_fraction"] < 1, fast["depth_fraction"])
+        for report, speed in ((slow, .1), (fast, .5)):
+            e = report["energy_j"]
+            self.assertAlmostEqual(e["emitted"], 2000 * .024 / speed, delta=1e-6 * e["emitted"])
+            self.assertAlmostEqual(e["emitted"], e["absorbed"] + e["escaped"], delta=1e-6 * e["emitted"])
+            self.assertAlmostEqual(e["absorbed"], e["ejected"] + e["stored"] + e["lost"], delta=1e-6 * e["emitted"])
+
+    def test_a_journal_of_a_cut_with_power_knows_material_and_thickness(self):
+        report = self.thermal(.2, "--journal", "cut.kerf")
+        done = self.run_here("replay", "cut.kerf")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn(report["state_hash"], done.stdout)
+
+    def test_an_unknown_material_is_refused_with_those_that_there_are(self):
+        self.assert_refused(self.run_here("cut", "plate.obj", "--out", "o", "--material", "butter"), 2, "butter",
+                            "mild-steel", "pmma")
 
     def test_ctrl_c_stops_a_long_cut_and_leaves_no_pieces(self):
         process = subprocess.Popen([KERF, "cut", "plate.obj", "--path", "across.json", "--out", "out", "--target-edge",
@@ -265,6 +298,40 @@ class CommandLine(unittest.TestCase):
         for share in ("wide", "-1", "nan"):
             self.assert_refused(self.run_here("render", "cut.json", "--out", "no.png", "--spread", share), 2,
                                 "--spread", share)
+
+    def write_figures(self, scene="plate.json"):
+        self.write("plate.json", json.dumps({"bodies": [{"mesh": "plate.obj"}], "lights": [{"direction": [0.3, 1, 1]}]}))
+        self.write("figures.json", json.dumps({
+            "figures": [{"number": 3, "caption": "A plate.", "scene": scene},
+                        {"number": 12, "caption": "A split.", "diagram": "one-to-four"}],
+            "films": {"shadow": "plate.json"}}))
+
+    def test_figures_are_drawn_from_a_list_twice_the_same(self):
+        self.write_figures()
+        seen = []
+        for folder in ("a", "b"):
+            done = self.run_here("figures", "--out", folder, "--size", "320x200", "--list", "figures.json")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            names = sorted(os.listdir(os.path.join(self.folder.name, folder)))
+            self.assertEqual(names, ["fig03.png", "fig12.png"])
+            seen.append([self.read(os.path.join(folder, name)) for name in names])
+        self.assertEqual(seen[0], seen[1])
+        self.assertEqual(struct.unpack(">2I", seen[0][0][16:24]), (320, 200))
+
+    def test_figures_make_a_film_of_a_light_that_turns(self):
+        self.write_figures()
+        done = self.run_here("figures", "--film", "films", "--size", "64x64", "--list", "figures.json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        frames = sorted(os.listdir(os.path.join(self.folder.name, "films", "shadow")))
+        self.assertEqual((frames[0], frames[-1]), ("frame-00000.png", f"frame-{len(frames) - 1:05}.png"))
+        self.assertEqual(os.listdir(os.path.join(self.folder.name, "films")), ["shadow"])
+
+    def test_figures_refuse_what_makes_no_sense(self):
+        self.write_figures(scene="missing.json")
+        self.assert_refused(self.run_here("figures"), 2, "--out or --film")
+        self.assert_refused(self.run_here("figures", "--out", "o", "--size", "40x40"), 2, "64x64")
+        self.assert_refused(self.run_here("figures", "--out", "o", "--list", "figures.json"), 2, "missing.json")
+        self.assert_refused(self.run_here("figures", "--out", "o", "--list", "nothing.json"), 2, "nothing.json")
 
     def test_render_refuses_the_ending_of_another_format(self):
         for name in ("plate.jpg", "plate.JPEG", "plate.obj"):

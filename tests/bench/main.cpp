@@ -15,9 +15,10 @@ void say_what_is_skipped() {
 }
 
 using Section = void (*)(const Subject&, const Effort&, const Report&);
-const std::map<std::string, Section> kSections = {{"cut", bench_cut},         {"build", bench_build},
-                                                  {"queries", bench_queries}, {"edits", bench_edits},
-                                                  {"shadows", bench_shadows}, {"fall", bench_fall}};
+const std::map<std::string, Section> kSections = {
+    {"cut", bench_cut},     {"build", bench_build},     {"queries", bench_queries},
+    {"edits", bench_edits}, {"shadows", bench_shadows}, {"heat", bench_heat},
+    {"fall", bench_fall},   {"game", bench_game},       {"laser", bench_laser}};
 
 void run(const std::string& name, const Effort& effort, const std::vector<std::string>& sections,
          const Report& report) {
@@ -38,7 +39,8 @@ int main(int argc, char** argv) {
   CLI::App app{"The tree beside its peers: processor time of one thread, medians"};
   std::string json;
   std::vector<std::string> only;
-  std::vector<std::string> sections = {"cut", "build", "queries", "edits", "shadows", "fall"};
+  std::vector<std::string> sections = {"cut",  "build", "queries", "edits", "shadows",
+                                       "heat", "fall",  "game",    "laser"};
   bool tiny = false;
   app.add_option("--json", json, "Write the table to this file as well");
   app.add_option("--mesh", only, "Only these meshes");
@@ -52,7 +54,7 @@ int main(int argc, char** argv) {
   std::vector<Row> rows;
   print_header();
   for (const std::string& name : only.empty() ? subject_names(tiny) : only) {
-    run(name, tiny ? Effort{50, 3, 1, 20, 20, 10, 1} : Effort{}, sections, [&](const Row& row) {
+    run(name, tiny ? Effort{50, 3, 1, 20, 20, 10, 1, 60, 3, 1} : Effort{}, sections, [&](const Row& row) {
       rows.push_back(row);
       print(row);
     });

@@ -16,6 +16,9 @@ struct Effort {
   int slot_steps = 400;   // of a slot through the whole mesh
   uint64_t sheets = 200;  // that rain
   int cuts = 5;           // along each axis, through the car that collapses
+  size_t match_ticks = 2400;
+  int heat_ticks = 31;
+  size_t published_cuts = 34;
 };
 
 // Each section measures one thing on one mesh and hands over its rows. Rows that want a peer which this
@@ -26,8 +29,15 @@ void bench_queries(const Subject& subject, const Effort& effort, const Report& r
 void bench_edits(const Subject& subject, const Effort& effort, const Report& report);
 void bench_cut(const Subject& subject, const Effort& effort, const Report& report);
 void bench_shadows(const Subject& subject, const Effort& effort, const Report& report);
+void bench_heat(const Subject& subject, const Effort& effort, const Report& report);
 
 // On a rain of sheets that is made here and on the car cut to pieces, whatever the subject.
 void bench_fall(const Subject& subject, const Effort& effort, const Report& report);
+
+// On the standard match, whatever the subject: all five enemies of its last wave are alive.
+void bench_game(const Subject& subject, const Effort& effort, const Report& report);
+
+// Published speeds of laser cuts beside those of the thermal model, whatever the subject: no times.
+void bench_laser(const Subject& subject, const Effort& effort, const Report& report);
 
 }  // namespace kerf::bench

@@ -16,6 +16,8 @@ struct Kind {
   Pattern pattern;
   Rim rim;
   Resolution::Rule rule;
+  bool hot = false;  // heat is left, and flows for 16 ticks
+  Model model = Model::kGeometric;
 };
 constexpr Kind kKinds[] = {
     {"longest-edge", Scheme::kLongestEdge, Pattern::kVolume, Rim::kFaces, Resolution::Rule::kTargetEdge},
@@ -23,7 +25,18 @@ constexpr Kind kKinds[] = {
     {"smooth", Scheme::kLongestEdge, Pattern::kVolume, Rim::kSmooth, Resolution::Rule::kTargetEdge},
     {"smooth one-to-four", Scheme::kOneToFour, Pattern::kVolume, Rim::kSmooth, Resolution::Rule::kTargetEdge},
     {"rays4", Scheme::kLongestEdge, Pattern::kRays4, Rim::kFaces, Resolution::Rule::kDepth},
+    {"hot", Scheme::kLongestEdge, Pattern::kVolume, Rim::kSmooth, Resolution::Rule::kTargetEdge, true},
+    {"thermal", Scheme::kLongestEdge, Pattern::kVolume, Rim::kFaces, Resolution::Rule::kTargetEdge, true,
+     Model::kThermal},
 };
+
+// Of the sheet that all bodies are made of, for a kerf of two radii and all of the way in a second, twice
+// what is needed.
+double power_for(double radius, double way) {
+  const Sheet sheet;
+  return 4 * radius * way * sheet.thickness * sheet.substance.density * enthalpy_of_removal(sheet.substance) /
+         sheet.substance.absorptivity_fibre;
+}
 
 CutSettings settings_of(const Kind& kind, double diagonal) {
   CutSettings settings;
@@ -36,6 +49,10 @@ CutSettings settings_of(const Kind& kind, double diagonal) {
   settings.resolution.target_edge = settings.laser.radius / 2;
   settings.resolution.tolerance = settings.laser.radius / 4;
   settings.resolution.depth = 3;
+  settings.model = kind.model;
+  if (kind.model == Model::kThermal) settings.resolution.target_edge = 2 * settings.laser.radius;
+  if (kind.hot && kind.model == Model::kGeometric) settings.heat_width = settings.laser.radius;
+  settings.laser.power = power_for(settings.laser.radius, 1.2 * diagonal);
   return settings;
 }
 
@@ -46,12 +63,13 @@ void draw(Document& document, const Kind& kind) {
   const Vec3 above = 0.5 * (bounds.min + bounds.max) + Vec3(0, d, 0);
   const CutSettings settings = settings_of(kind, d);
   document.apply(BeginStroke{settings, {above + Vec3(-0.6, 0, 0.05) * d, {0, -1, 0}}});
-  document.apply(MoveStroke{{above + Vec3(0.6, 0, -0.04) * d, glm::normalize(Vec3(0.1, -1, 0.2))}});
+  document.apply(MoveStroke{{above + Vec3(0.6, 0, -0.04) * d, glm::normalize(Vec3(0.1, -1, 0.2))}, 1});
   document.apply(EndStroke{});
   document.apply(BeginStroke{settings, {above + Vec3(0.07, 0, -0.6) * d, glm::normalize(Vec3(0, -1, 0.3))}});
-  document.apply(MoveStroke{{above + Vec3(-0.02, 0, 0.3) * d, {0, -1, 0}}});
-  document.apply(MoveStroke{{above + Vec3(0.3, 0, 0.3) * d, glm::normalize(Vec3(0.3, -1, 0))}});
+  document.apply(MoveStroke{{above + Vec3(-0.02, 0, 0.3) * d, {0, -1, 0}}, 1});
+  document.apply(MoveStroke{{above + Vec3(0.3, 0, 0.3) * d, glm::normalize(Vec3(0.3, -1, 0))}, 1.5});
   document.apply(EndStroke{});
+  if (kind.hot) document.apply(Advance{16, false});
 }
 
 Status print_cuts(const char* mesh) {

@@ -35,6 +35,17 @@ PieceId random_piece(Random& random) {
       random.below(4) == 0 ? BodyId::kUnknownGeneration : static_cast<uint32_t>(random.below(BodyId::kNone));
   return {{slot, generation}, static_cast<uint32_t>(random.below(9))};
 }
+Sheet random_sheet(Random& random) {
+  Sheet sheet{random.uniform(1e-4, 0.1), random.uniform(1, 1e4), {}};
+  Substance& s = sheet.substance;
+  for (double* x : {&s.density, &s.heat_solid, &s.heat_liquid, &s.conductivity, &s.transition, &s.latent})
+    *x = random.uniform(300, 1e4);
+  for (double* x : {&s.emissivity, &s.absorptivity_fibre, &s.absorptivity_co2, &s.wavelength})
+    *x = random.unit() + 1e-9;
+  for (double* x : {&s.emissivity, &s.absorptivity_fibre, &s.absorptivity_co2}) *x = std::min(1.0, *x);
+  return sheet;
+}
+
 std::string random_name(Random& random) {
   constexpr std::array kNames{"plain", "", "with \"quotes\" and \\", "\xc3\xa4\xe2\x82\xac",
                               "line\nend\ttab"};
@@ -65,8 +76,9 @@ void put(std::vector<uint64_t>& bits, const std::string& text) {
 }
 void put(std::vector<uint64_t>& bits, const CutSettings& s) {
   const Resolution& r = s.resolution;
-  for (const double x :
-       {s.laser.radius, s.laser.range.low, s.laser.range.high, s.laser.power, r.target_edge, r.tolerance}) {
+  for (const double x : {s.laser.radius, s.laser.range.low, s.laser.range.high, s.laser.power, r.target_edge,
+                         r.tolerance, s.heat_width, s.laser.wavelength, s.laser.focus.value_or(-1),
+                         s.laser.pulse_rate, s.laser.duty, s.model == Model::kThermal ? 1.0 : 0.0}) {
     put(bits, x);
   }
   for (const auto n : {static_cast<int>(s.laser.pattern), static_cast<int>(r.scheme),
@@ -98,6 +110,14 @@ struct Bits {
   void operator()(const PinPiece& c) {
     put(bits, c.piece);
     bits.push_back(c.pinned);
+  }
+  void operator()(const SetSheet& c) {
+    put(bits, c.piece);
+    const Substance& s = c.sheet.substance;
+    for (const double x :
+         {c.sheet.thickness, c.sheet.density, s.density, s.heat_solid, s.heat_liquid, s.conductivity,
+          s.transition, s.latent, s.emissivity, s.absorptivity_fibre, s.absorptivity_co2, s.wavelength})
+      put(bits, x);
   }
   void operator()(const SetSurroundings& c) {
     put(bits, c.around.gravity);
@@ -150,6 +170,14 @@ CutSettings random_settings(Random& random) {
   s.resolution.tolerance = random_positive(random);
   s.resolution.depth = static_cast<int>(random.below(Resolution::kLargestDepth + 1));
   s.resolution.rim = random.below(2) > 0 ? Rim::kSmooth : Rim::kFaces;
+  if (random.below(2) == 0) {
+    s.model = Model::kThermal;
+    s.heat_width = random_positive(random);
+    s.laser.wavelength = random_positive(random);
+    s.laser.focus = random_positive(random);
+    s.laser.pulse_rate = random_positive(random);
+    s.laser.duty = random.uniform(0.01, 1);
+  }
   if (random.below(3) == 0) s.most_faces = 1 + random.below(1u << 30);
   return s;
 }
@@ -158,7 +186,7 @@ Command random_command(Random& random, const BeamAt& beam) {
   Vec3 direction = random_direction(random);
   if (glm::length(direction + beam.pose.direction) < 1e-3) direction = beam.pose.direction;
   const Pose pose{random_point(random), direction};
-  switch (random.below(18)) {
+  switch (random.below(19)) {
     case 0:
       return BeginStroke{random_settings(random), pose};
     case 1:
@@ -196,6 +224,8 @@ Command random_command(Random& random, const BeamAt& beam) {
       if (random.below(2) > 0) set.around.ground = random_number(random);
       return set;
     }
+    case 17:
+      return SetSheet{random_piece(random), random_sheet(random)};
     default:
       return MoveStroke{pose, random.below(3) == 0 ? beam.time : beam.time + random.unit()};
   }

@@ -90,7 +90,7 @@ void EditorScreen::draw_panels() {
   draw_menu_bar(actions_);
   draw_picture_marks({state_.work.document, state_.view, state_.hand, state_.split, state_.stages,
                       state_.settings, state_.figures.shown, state_.figures.shadows, state_.lasers,
-                      state_.play});
+                      state_.play, state_.probe});
   draw_panel_column(layout.side, panels_, state_.settings);
   draw_splitters(layout, state_.settings);
   if (draw_status_bar(layout.status, state_.hand, state_.message, state_.figures.shown))

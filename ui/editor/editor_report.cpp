@@ -146,6 +146,18 @@ nlohmann::ordered_json time_of(const EditorState& state) {
                                                  : nlohmann::ordered_json(nullptr)}};
 }
 
+nlohmann::ordered_json heat_of(const World& world) {
+  double hottest = kAmbient;
+  for (const BodyId id : world.ids()) {
+    const Body& body = world.body(id);
+    body.mesh.columns().for_each_set(body.heat.energy, [&](FaceId f) {
+      const Sheet& sheet = body.sheet;
+      hottest = std::max(hottest, body.heat.temperature(body.mesh, f, sheet.substance, sheet.thickness));
+    });
+  }
+  return {{"hottest", hottest}, {"emitted", world.energy().emitted}, {"absorbed", world.energy().absorbed}};
+}
+
 nlohmann::ordered_json texts_of(const std::deque<Message::Said>& log) {
   nlohmann::ordered_json texts = nlohmann::ordered_json::array();
   for (const Message::Said& said : log) texts.push_back(said.text);
@@ -206,6 +218,7 @@ Status write_editor_report(const EditorState& state, const std::filesystem::path
       {"emitter", emitter_of(state.lasers.emitter)},
       {"stages", stages_of(state.stages)},
       {"time", time_of(state)},
+      {"heat", heat_of(document.world())},
       {"lights", lights_of(state.view, state.settings)},
       {"pixels_that_rays_have_otherwise", figures.shadows.wrong},
       {"split", {{"shown", state.split.shown}, {"faces", state.split.twin.world().live_faces()}}},

@@ -38,6 +38,8 @@ EditorScreen::EditorScreen(Window& window, LivePicture picture, LoadedSettings l
             stage_cut_, picture_}),
       time_({state_.work, state_.view, state_.hand, state_.split, state_.stages.wishes, state_.opening,
              state_.play, state_.message, changes_, groups_}),
+      cooling_({state_.work, state_.view, state_.settings, state_.split, state_.stages.wishes, state_.opening,
+                state_.play, changes_, picture_.first()}),
       opener_({state_.work, state_.view, state_.hand, state_.split, state_.stages.log, state_.figures,
                state_.opening, state_.settings, state_.message, recovery_, picture_.first()}),
       desk_(state_, changes_, groups_, opener_, recovery_),
@@ -120,8 +122,8 @@ bool EditorScreen::moving() const {
   const Emitter& emitter = state_.lasers.emitter;
   return (emitter.firing && emitter.in_shots) || sparks_.moving() || thread_.busy() || easing_ ||
          stage_cut_.waits() || cut_.waits() || state_.view.picture_old || picture_.busy() ||
-         state_.opening.loader.busy() || state_.graph.playing() || state_.play.playing ||
-         state_.play.one_tick;
+         cooling_.moving() || state_.hand.beam.emits() || state_.opening.loader.busy() ||
+         state_.graph.playing() || state_.play.playing || state_.play.one_tick;
 }
 
 // Hearing
@@ -221,14 +223,24 @@ void EditorScreen::advance() {
   move_camera();
   stage_cut_.advance(std::min<double>(ImGui::GetIO().DeltaTime, kLongestEaseStep));
   place_section(state_.view, state_.work.document.world());
-  cut_.advance();
-  time_.advance(ImGui::GetIO().DeltaTime);
+  pass_time(ImGui::GetIO().DeltaTime);
   sparks_.advance(std::min<double>(ImGui::GetIO().DeltaTime, kLongestEaseStep), state_.hand.beam,
                   state_.work.document, state_.view);
   follow_stages();
   follow_bodies();
+  if (!changes_.is_pending()) state_.probe.follow(state_.work.document.world(), state_.view, state_.hand);
   follow_graph();
   send();
+}
+
+// Works on the queue of the document and lets time pass.
+void EditorScreen::pass_time(double seconds) {
+  if (!changes_.is_pending()) state_.hand.beam.go_on(state_.work.document, glfwGetTime());
+  const bool old = state_.view.picture_old, unseen = cooling_.passes_unseen();
+  cut_.advance();
+  if (unseen) state_.view.picture_old = old;
+  time_.advance(seconds);
+  cooling_.advance(seconds);
 }
 
 void EditorScreen::move_camera() {

@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "ui/editor/actions.h"
+#include "ui/editor/changes/cooling.h"
 #include "ui/editor/changes/live_cut.h"
 #include "ui/editor/changes/time_flow.h"
 #include "ui/editor/editor.h"
@@ -62,6 +63,7 @@ class EditorScreen : public Screen {
   void follow_graph();
   void keep_path(bool now);
   void open_kept_path();
+  void pass_time(double seconds);
   void follow_stages();
   void follow_bodies();
   void send();
@@ -90,6 +92,7 @@ class EditorScreen : public Screen {
   LiveCut cut_;
   StepGroups groups_;
   TimeFlow time_;
+  Cooling cooling_;
   FileOpener opener_;
   BeamSparks sparks_;
   HeldPress held_press_;

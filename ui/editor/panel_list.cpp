@@ -6,6 +6,8 @@
 #include "ui/editor/file_choice.h"
 #include "ui/editor/graph/graph_panel.h"
 #include "ui/editor/laser_desk.h"
+#include "ui/editor/material/laser_heat_rows.h"
+#include "ui/editor/material/material_panel.h"
 #include "ui/editor/panels/display_panel.h"
 #include "ui/editor/panels/file_panel.h"
 #include "ui/editor/panels/history_panel.h"
@@ -26,8 +28,12 @@ namespace kerf {
 
 namespace {
 
-void draw_laser(EditorState& s, EmitterRows& emitter) {
+void draw_laser(EditorState& s, EmitterRows& emitter, LaserHeatRows& heat) {
   const bool changed = draw_laser_panel(s.hand.laser, s.view.frame.unit);
+  const World& world = s.work.document.world();
+  const auto piece = piece_of_sheet(world, s.view);
+  heat.draw({s.hand.laser, s.settings.heat_held, world, piece ? world.body(piece->body).sheet : Sheet(),
+             s.lasers.path.speed(), s.figures.shown.stroke, s.view.frame.unit});
   emitter.draw(s.lasers.emitter, s.view, [&s] { place_emitter(s); });
   if (changed && s.settings.live_recut && why_no_recut(s.work.document) == nullptr)
     s.requests.recut_radius = true;
@@ -71,7 +77,10 @@ void draw_view(EditorState& s, SectionRows& rows) {
 std::vector<Panel> make_panels(EditorState& s) {
   const Document& document = s.work.document;
   return {
-      {PanelId::kLaser, "Laser", [&s, emitter = EmitterRows()]() mutable { draw_laser(s, emitter); }},
+      {PanelId::kLaser, "Laser",
+       [&s, emitter = EmitterRows(), heat = LaserHeatRows()]() mutable { draw_laser(s, emitter, heat); }},
+      {PanelId::kMaterial, "Material",
+       [&s, panel = MaterialPanel()]() mutable { panel.draw(s.work.document.world(), s.view, s.requests); }},
       {PanelId::kResolution, "Resolution", [&s] { draw_resolution(s); }},
       {PanelId::kPath, "Path", [&s, panel = PathPanel()]() mutable { draw_path(s, panel); }},
       {PanelId::kPieces, "Pieces", [&s, panel = PiecesPanel()]() mutable { draw_pieces(s, panel); }},

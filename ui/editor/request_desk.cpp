@@ -158,6 +158,10 @@ void RequestDesk::change_pieces(const Requests& wanted) {
     begin_group(*wanted.pin_chosen ? "Pin pieces" : "Unpin pieces");
     changes_.pin_chosen(*wanted.pin_chosen);
   }
+  if (wanted.sheet && !changes_.is_pending()) {
+    begin_group("Set the material");
+    changes_.set_sheet(*wanted.sheet);
+  }
   if (wanted.duplicate_chosen && !changes_.is_pending()) changes_.duplicate_chosen();
   if (wanted.show_hidden && !changes_.is_pending()) {
     begin_group("Show all pieces");

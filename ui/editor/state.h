@@ -4,6 +4,7 @@
 #include "ui/editor/figures/figures.h"
 #include "ui/editor/frame/file_browser.h"
 #include "ui/editor/graph/graph_state.h"
+#include "ui/editor/inspect/heat_probe.h"
 #include "ui/editor/keys/command_palette.h"
 #include "ui/editor/keys/settings_page.h"
 #include "ui/editor/path/placed_lasers.h"
@@ -36,6 +37,7 @@ struct EditorState {
   GraphState graph;
   PlacedLasers lasers;
   PlayState play;
+  HeatProbe probe;
 
   Settings settings;
   Message message;

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstdio>
 
+#include "ui/game/debug_keys.h"
+#include "ui/game/hud_paint.h"
 #include "ui/render/view_switches.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/theme.h"
@@ -17,11 +19,15 @@ constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoCollapse | ImGuiWindowFla
                                     ImGuiWindowFlags_NoResize | ImGuiWindowFlags_AlwaysAutoResize |
                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoTitleBar;
 
-// Dims the match behind a window in the middle.
-void begin_menu(const char* name) {
+void dim_match() {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::GetBackgroundDrawList()->AddRectFilled({0, 0}, size, IM_COL32(10, 12, 15, 140));
-  ImGui::SetNextWindowPos({0.5f * size.x, 0.5f * size.y}, ImGuiCond_Always, {0.5f, 0.5f});
+}
+
+// Begins a window at a share of the width, in the middle of the height.
+void begin_menu(const char* name, float across) {
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({across * size.x, 0.5f * size.y}, ImGuiCond_Always, {across, 0.5f});
   ImGui::SetNextWindowSizeConstraints({22 * ImGui::GetFontSize(), 0}, {size.x, 0.94f * size.y});
   ImGui::Begin(name, nullptr, kFixed);
 }
@@ -72,9 +78,11 @@ void draw_settings(const MenuView& view) {
 
 void draw_views(ViewOptions& look) {
   for (const ViewSwitch& s : view_switches()) {
-    if (!s.is_two_state() || s.show[0] == '\0' || s.label[0] == '\0' || s.id == SwitchId::kSection) continue;
+    if (!is_debug_view(s)) continue;
     bool on = s.get(look) == 1;
-    if (ImGui::Checkbox(s.label, &on)) s.set(look, on ? 1 : 0);
+    const auto digit = digit_of(s.id);
+    const std::string label = digit ? std::string(s.label) + " (" + *digit + ")" : s.label;
+    if (ImGui::Checkbox(label.c_str(), &on)) s.set(look, on ? 1 : 0);
     if (ImGui::IsItemHovered() && s.tip[0] != '\0') ImGui::SetTooltip("%s", s.tip);
   }
 }
@@ -99,11 +107,18 @@ void draw_scores(const MatchResult& result) {
   }
 }
 
+void draw_caption(const char* text) {
+  const HudPaint paint;
+  paint.text({0.62f * paint.size().x, 0.9f * paint.size().y}, text, colours::kPictureText, 1.6f,
+             HudPaint::Align::kMiddle);
+}
+
 }  // namespace
 
 MenuChoice draw_pause_menu(const MenuView& view) {
   MenuChoice choice = MenuChoice::kNone;
-  begin_menu("Pause");
+  dim_match();
+  begin_menu("Pause", 0.5f);
   heading("Pause");
   if (wide_button("Resume (Esc)", "resume")) choice = MenuChoice::kResume;
   if (wide_button("Restart (R)", "restart")) choice = MenuChoice::kRestart;
@@ -116,10 +131,12 @@ MenuChoice draw_pause_menu(const MenuView& view) {
   return choice;
 }
 
-MenuChoice draw_result(const MatchResult& result, bool from_editor) {
+MenuChoice draw_result(const MatchResult& result, MatchReplay::State replay, bool from_editor) {
+  using Replay = MatchReplay::State;
   MenuChoice choice = MenuChoice::kNone;
-  begin_menu("Result");
-  heading(result.won ? "Won" : "Lost", 2.2f);
+  if (replay == Replay::kPlaying) draw_caption("The best ten seconds");
+  begin_menu("Result", 0.04f);
+  heading(result.won ? "Won" : result.ended ? "Time is over" : "Lost", 2.2f);
   ImGui::Text("Score %.0f", result.score.score);
   ImGui::Text("%zu enemies destroyed, %zu pieces cut off, %zu wheels lost, %s",
               result.score.enemies_destroyed, result.pieces, result.wheels_lost,
@@ -128,6 +145,12 @@ MenuChoice draw_result(const MatchResult& result, bool from_editor) {
   draw_scores(result);
   ImGui::Spacing();
   if (wide_button("Play again (R)", "restart")) choice = MenuChoice::kRestart;
+  ImGui::BeginDisabled(replay != Replay::kOver);
+  const char* label = replay == Replay::kPreparing ? "The best ten seconds are prepared ..."
+                      : replay == Replay::kPlaying ? "The best ten seconds"
+                                                   : "The best ten seconds again (B)";
+  if (wide_button(label, "replay")) choice = MenuChoice::kReplay;
+  ImGui::EndDisabled();
   if (wide_button("Inspect this world in the editor", "inspect")) choice = MenuChoice::kInspect;
   if (wide_button(from_editor ? "Back to the editor" : "Quit", "leave")) choice = MenuChoice::kLeave;
   ImGui::End();

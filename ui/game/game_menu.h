@@ -6,13 +6,14 @@
 #include "core/game/match/match.h"
 #include "ui/game/game_settings.h"
 #include "ui/game/high_scores.h"
+#include "ui/game/match_replay.h"
 #include "ui/render/view_options.h"
 #include "ui/window/gui_look.h"
 
 namespace kerf {
 
 // What the player chose in a menu.
-enum class MenuChoice { kNone, kResume, kRestart, kInspect, kLeave };
+enum class MenuChoice { kNone, kResume, kRestart, kReplay, kInspect, kLeave };
 
 // What the pause menu shows and changes.
 struct MenuView {
@@ -28,14 +29,14 @@ MenuChoice draw_pause_menu(const MenuView& view);
 // How a match ended.
 struct MatchResult {
   bool won = false;
+  bool ended = false;  // neither won nor lost: nobody was there to fight
   HighScore score;
   size_t rank = 0;                // see add_high_score
   std::vector<HighScore> scores;  // of the same rules and difficulty, best first
   size_t wheels_lost = 0, pieces = 0;
-  bool has_replay = false;
 };
 
-// Draws the result of a match over the window.
-MenuChoice draw_result(const MatchResult& result, bool from_editor);
+// Draws the result of a match at the left of the window, beside the replay of its best moment.
+MenuChoice draw_result(const MatchResult& result, MatchReplay::State replay, bool from_editor);
 
 }  // namespace kerf

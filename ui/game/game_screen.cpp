@@ -10,6 +10,7 @@
 #include "core/game/angle.h"
 #include "core/game/match/recording.h"
 #include "ui/game/aim_help.h"
+#include "ui/game/debug_keys.h"
 #include "ui/game/hud.h"
 
 namespace kerf {
@@ -20,6 +21,7 @@ constexpr double kLongestFrame = 0.25;  // s
 constexpr double kSlowMotion = 0.5;     // s, when an enemy falls in two
 constexpr double kHardImpact = 9;       // m/s, that shakes the camera fully
 constexpr double kGuideSeconds = 14;
+constexpr double kReplayView = 50;  // degrees
 
 }  // namespace
 
@@ -50,6 +52,9 @@ void GameScreen::start() {
   camera_.cut();
   hud_.clear();
   result_.reset();
+  replay_.reset();
+  replay_shown_ = false;
+  score_log_ = ScoreLog();
   played_.clear();
   played_seconds_ = 0;
   guide_ = settings_.guide;
@@ -103,6 +108,9 @@ void GameScreen::hear_key(int key) {
     case GLFW_KEY_R:
       if (state_ != State::kPlaying) start();
       return;
+    case GLFW_KEY_B:
+      if (state_ == State::kOver) begin_replay();
+      return;
     case GLFW_KEY_C:
       camera_.viewpoint = camera_.viewpoint == Viewpoint::kRoof ? Viewpoint::kChase : Viewpoint::kRoof;
       return camera_.cut();
@@ -110,7 +118,9 @@ void GameScreen::hear_key(int key) {
       guide_ = !guide_;
       return;
     default:
-      return;
+      if (key < GLFW_KEY_0 || key > GLFW_KEY_9 || state_ == State::kOver) return;
+      const std::string done = press_digit(static_cast<char>('0' + (key - GLFW_KEY_0)), picture_.look());
+      if (!done.empty()) hud_.note(done);
   }
 }
 
@@ -127,7 +137,9 @@ void GameScreen::advance() {
     if (played_seconds_ > kGuideSeconds) guide_ = false;
     if (match_->standing().over() && state_ == State::kPlaying) finish();
   }
-  if (state_ != State::kPaused) {
+  if (state_ == State::kOver && replay_) {
+    advance_replay(seconds);
+  } else if (state_ != State::kPaused) {
     picture_.advance(*match_, clock_.is_slow() ? 0.25 * seconds : seconds);
     const Vec3 aim = this->aim();
     camera_.follow(*match_, aim, seconds);
@@ -151,6 +163,7 @@ void GameScreen::tick() {
     if (event.kind == Event::Kind::kImpact && own) camera_.shake(event.size / kHardImpact);
     anew = anew || event.kind == Event::Kind::kWaveBegins;
   }
+  score_log_.hear(*match_);
   hud_.hear(*match_);
   sounds_.hear(*match_);
   if (!anew) return picture_.follow(*match_);
@@ -172,14 +185,48 @@ void GameScreen::finish() {
   result.pieces = standing.pieces;
   result.score = {standing.score, match_->rules().description.name, name_of(match_->setup().difficulty),
                   result.won,     standing.enemies_destroyed,       seconds_of_ticks(standing.ticks)};
-  if (const auto rank = add_high_score(result.score, high_scores_file())) result.rank = *rank;
+  result.ended = standing.phase == Standing::Phase::kEnded;
+  if (!result.ended) {
+    if (const auto rank = add_high_score(result.score, high_scores_file())) result.rank = *rank;
+  }
   for (HighScore& s : read_high_scores(high_scores_file())) {
     if (s.rules == result.score.rules && s.difficulty == result.score.difficulty)
       result.scores.push_back(std::move(s));
   }
   result_ = std::move(result);
   enter(State::kOver);
+  begin_replay();
 }
+
+// The best ten seconds once more
+// --------------------------------------------------------------------------------------------------------
+
+void GameScreen::begin_replay() {
+  const auto moment = score_log_.best();
+  if (!moment) return;
+  replay_ = std::make_unique<MatchReplay>(match_->setup(), *moment, played_);
+  if (replay_shown_) picture_.show(*match_);
+  replay_shown_ = false;
+}
+
+void GameScreen::advance_replay(double seconds) {
+  if (replay_->state() == MatchReplay::State::kPreparing) return picture_.advance(*match_, seconds);
+  if (!replay_shown_) picture_.show(replay_->match());
+  replay_shown_ = true;
+  const int due = replay_->due(seconds);
+  for (int i = 0; i < due && replay_->state() == MatchReplay::State::kPlaying; ++i) {
+    replay_->tick();
+    picture_.follow(replay_->match());
+    sounds_.hear(replay_->match());
+  }
+  if (replay_->state() == MatchReplay::State::kOver) return sounds_.hush();
+  picture_.advance(replay_->match(), replay_->is_slow() ? 0.25 * seconds : seconds);
+  replay_->move_camera(seconds);
+  const Vec3 ahead = replay_->camera().view(1, settings_.field_of_view).forward;
+  sounds_.advance(replay_->match(), replay_->camera().eye(), ahead, settings_.volume);
+}
+
+const Match& GameScreen::shown() const { return replay_shown_ ? replay_->match() : *match_; }
 
 void GameScreen::take(MenuChoice choice) {
   switch (choice) {
@@ -190,6 +237,8 @@ void GameScreen::take(MenuChoice choice) {
     case MenuChoice::kRestart:
       ++options_.setup.seed;
       return start();
+    case MenuChoice::kReplay:
+      return begin_replay();
     case MenuChoice::kInspect:
       leave_ = Leave::kInspect;
       return enter(state_);
@@ -204,7 +253,9 @@ void GameScreen::take(MenuChoice choice) {
 
 CameraView GameScreen::camera_view() const {
   const Vec2 size = window_.size();
-  return camera_.view(size.y > 0 ? size.x / size.y : 1, settings_.field_of_view);
+  const double aspect = size.y > 0 ? size.x / size.y : 1;
+  if (replay_shown_) return replay_->camera().view(aspect, kReplayView);
+  return camera_.view(aspect, settings_.field_of_view);
 }
 
 void GameScreen::draw() {
@@ -213,12 +264,13 @@ void GameScreen::draw() {
   picture_.look().tree.palette = options_.look.palette;
   const Vec2 pixels = window_.pixel_size();
   const Target whole{0, 0, 0, static_cast<int>(pixels.x), static_cast<int>(pixels.y)};
-  picture_.draw(*match_, view, whole, presets_.choose(settings_.preset));
-  draw_hud({*match_, hud_, view, aim(), input_, guide_ && state_ == State::kPlaying,
-            camera_.viewpoint == Viewpoint::kRoof, clock_.is_slow() ? 1.0 : 0.0});
+  picture_.draw(shown(), view, whole, presets_.choose(settings_.preset));
+  if (state_ != State::kOver)
+    draw_hud({*match_, hud_, view, aim(), input_.width(), guide_ && state_ == State::kPlaying});
   if (state_ == State::kPaused)
     take(draw_pause_menu({settings_, options_.look, picture_.look(), options_.from_editor}));
-  if (state_ == State::kOver && result_) take(draw_result(*result_, options_.from_editor));
+  if (state_ == State::kOver && result_)
+    take(draw_result(*result_, replay_ ? replay_->state() : MatchReplay::State::kOver, options_.from_editor));
 }
 
 void GameScreen::drawn() {

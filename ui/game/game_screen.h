@@ -14,6 +14,7 @@
 #include "ui/game/hud_state.h"
 #include "ui/game/match_clock.h"
 #include "ui/game/match_picture.h"
+#include "ui/game/match_replay.h"
 #include "ui/game/match_sounds.h"
 #include "ui/game/player_input.h"
 #include "ui/screen/screen.h"
@@ -60,6 +61,10 @@ class GameScreen : public Screen {
   void tick();
   void follow_player();
   void finish();
+  void begin_replay();
+  void advance_replay(double seconds);
+  // The match that is on the screen: it, or the replay of its best moment.
+  const Match& shown() const;
   void take(MenuChoice choice);
   CameraView camera_view() const;
   const Body& own_chassis() const;
@@ -71,6 +76,9 @@ class GameScreen : public Screen {
   GameSettings settings_, saved_;
   PresetChoice presets_;
   std::unique_ptr<Match> match_;
+  ScoreLog score_log_;
+  std::unique_ptr<MatchReplay> replay_;  // null: there is none
+  bool replay_shown_ = false;
   std::optional<BotPlayer> bot_;
   MatchClock clock_;
   PlayerInput input_;

@@ -47,7 +47,7 @@ void draw_reticle(const HudView& view, const HudPaint& paint) {
   const Vehicle& vehicle = own(view);
   const auto aimed = on_screen(view, paint, view.camera.eye + view.aim * 30.0);
   const ImVec2 at = aimed.value_or(middle);
-  const float r = paint.em() * static_cast<float>(0.55 + 0.5 * view.input.width());
+  const float r = paint.em() * static_cast<float>(0.55 + 0.5 * view.width);
   const ImU32 colour = !vehicle.gun.works() || vehicle.gun.overheated ? kBad
                        : view.state.biting() > 0                      ? colours::accent()
                                                                       : kText;
@@ -165,14 +165,15 @@ void draw_hurt(const HudView& view, const HudPaint& paint) {
 
 void draw_notices(const HudView& view, const HudPaint& paint) {
   const float em = paint.em();
-  float y = 0.62f * paint.size().y;
+  float y = 0.62f * paint.size().y, y_large = 0.3f * paint.size().y;
   for (const Notice& n : view.state.notices()) {
     const double opacity = std::min(1.0, 3 * (n.large ? 2.2 - n.age : 3.2 - n.age));
     const ImU32 colour = HudPaint::faded(n.good ? kText : kBad, opacity);
-    const std::string points = n.points > 0 ? "  +" + number(n.points) : "";
+    const std::string times = n.times > 1 ? "  x" + std::to_string(n.times) : "";
+    const std::string points = times + (n.points > 0 ? "  +" + number(n.points) : "");
     if (n.large) {
-      paint.text({0.5f * paint.size().x, 0.2f * paint.size().y}, n.text + points, colour, 2.4f,
-                 Align::kMiddle);
+      paint.text({0.5f * paint.size().x, y_large}, n.text + points, colour, 2.4f, Align::kMiddle);
+      y_large += 3 * em;
       continue;
     }
     paint.text({paint.size().x - 1.2f * em, y}, n.text + points, colour, 1, Align::kRight);
@@ -181,17 +182,19 @@ void draw_notices(const HudView& view, const HudPaint& paint) {
 }
 
 void draw_guide(const HudPaint& paint) {
+  static constexpr float kLine = 1.45f;  // em
   static constexpr std::array kLines{"W A S D  drive, Space  handbrake",
                                      "Mouse  aim, left button  laser, wheel  width of the beam",
                                      "Cut wheels, lasers, engines and driver's seats off the others",
-                                     "C  view from behind, Esc  pause, H  hides this"};
+                                     "C  view from behind, 1-9  debug views", "Esc  pause, H  hides this"};
   const float em = paint.em();
   float width = 0;
   for (const char* line : kLines) width = std::max(width, paint.width_of(line, 1));
-  const float x = 0.5f * paint.size().x, y = 0.70f * paint.size().y;
-  paint.shade({x - 0.5f * width - em, y - 0.6f * em}, {x + 0.5f * width + em, y + 6.2f * em});
+  const float x = 0.5f * paint.size().x, y = 1.5f * em;
+  paint.shade({x - 0.5f * width - em, y - 0.6f * em},
+              {x + 0.5f * width + em, y + (kLine * static_cast<float>(kLines.size()) + 0.2f) * em});
   for (size_t i = 0; i < kLines.size(); ++i)
-    paint.text({x, y + 1.45f * em * static_cast<float>(i)}, kLines[i], kText, 1, Align::kMiddle);
+    paint.text({x, y + kLine * em * static_cast<float>(i)}, kLines[i], kText, 1, Align::kMiddle);
 }
 
 }  // namespace

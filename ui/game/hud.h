@@ -1,7 +1,6 @@
 #pragma once
 
 #include "ui/game/hud_state.h"
-#include "ui/game/player_input.h"
 #include "ui/render/camera.h"
 #include "ui/window/gui_look.h"
 
@@ -12,11 +11,9 @@ struct HudView {
   const Match& match;
   const HudState& state;
   const CameraView& camera;
-  Vec3 aim;  // where the player aims, unit
-  const PlayerInput& input;
+  Vec3 aim;            // where the player aims, unit
+  double width = 0;    // of the beam, 0 .. 1
   bool guide = false;  // the keys are shown
-  bool roof_view = true;
-  double slow = 0;  // the match runs in slow motion
 };
 
 // Draws the head-up display of a match over the window with ImGui: reticle, energy and heat, speed, the

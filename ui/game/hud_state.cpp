@@ -7,6 +7,7 @@ namespace kerf {
 namespace {
 
 constexpr double kNoticeSeconds = 3.2, kLargeSeconds = 2.2;
+constexpr double kAgain = 1.5;  // s, within which what happens again is told in the same line
 constexpr size_t kMostNotices = 6;
 constexpr double kHurtFade = 1.6, kBiteFade = 6;  // 1/s
 
@@ -36,7 +37,14 @@ void HudState::clear() {
 
 void HudState::say(std::string text, double points, bool good, bool large) {
   begin_with_capital(text);
-  notices_.push_front({std::move(text), points, 0, good, large});
+  if (!notices_.empty() && notices_.front().text == text && notices_.front().age < kAgain) {
+    Notice& same = notices_.front();
+    ++same.times;
+    same.points += points;
+    same.age = 0;
+    return;
+  }
+  notices_.push_front({std::move(text), points, 1, 0, good, large});
   if (notices_.size() > kMostNotices) notices_.pop_back();
 }
 

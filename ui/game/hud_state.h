@@ -12,6 +12,7 @@ namespace kerf {
 struct Notice {
   std::string text;
   double points = 0;   // that the player got; 0: none are shown
+  int times = 1;       // how often it happened shortly one after the other
   double age = 0;      // s
   bool good = true;    // for the player
   bool large = false;  // in the middle of the picture
@@ -22,6 +23,8 @@ class HudState {
  public:
   // Takes the events of the last tick.
   void hear(const Match& match);
+  // Shows a line that has nothing to do with the match.
+  void note(std::string text) { say(std::move(text), 0, true); }
   void advance(double seconds);
   void clear();
 

@@ -1,10 +1,9 @@
 #include "ui/game/match_film.h"
 
-#include <cstdio>
-
 #include "core/game/angle.h"
 #include "ui/game/match_picture.h"
 #include "ui/gl/offscreen_context.h"
+#include "ui/render/frame_file.h"
 #include "ui/render/png.h"
 
 namespace kerf {
@@ -69,9 +68,8 @@ Status MatchFilm::take_picture(const Match& match) {
   CameraView view = parts_->camera.view(aspect, kFieldOfView);
   if (o.eye && o.target) view = look_at(*o.eye, *o.target, aspect);
   parts_->picture.draw(match, view, {parts_->frame.name(), 0, 0, o.width, o.height}, PicturePreset::kHigh);
-  char name[40];
-  std::snprintf(name, sizeof name, "frame-%05zu.png", parts_->frames++);
-  return write_png(read_pixels(parts_->frame.name(), o.width, o.height), o.folder / name);
+  return write_png(read_pixels(parts_->frame.name(), o.width, o.height),
+                   frame_file(o.folder, parts_->frames++));
 }
 
 }  // namespace kerf

@@ -72,12 +72,14 @@ void MatchPicture::show(const Match& match) {
   renderer_.show(match.world(), paints_of(match));
   particles_.clear();
   scorches_.clear();
+  graph_.clear();
   const auto& lamps = match.rules().arena.description.lamps;
   if (!lamps.empty()) look_.lights = lamps;
 }
 
 void MatchPicture::follow(const Match& match) {
   renderer_.follow(match.world(), match.delta());
+  graph_.follow(match);
   for (const Event& event : match.events()) {
     if (event.kind != Event::Kind::kCut) continue;
     const size_t by = event.by < match.vehicles().size() ? event.by : Match::kPlayer;
@@ -109,6 +111,7 @@ void MatchPicture::advance(const Match& match, double seconds) {
 void MatchPicture::dress(const Match& match, PicturePreset preset) {
   look_.antialias = preset == PicturePreset::kHigh;
   look_.show.shadows = preset == PicturePreset::kLow ? Shadows::kNone : Shadows::kAll;
+  look_.graph = look_.show.graph ? graph_.drawn(match) : nullptr;
   look_.bodies = gather_body_marks(match.world(), match.physics(), look_.show);
 }
 

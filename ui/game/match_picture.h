@@ -5,6 +5,7 @@
 
 #include "core/game/match/match.h"
 #include "ui/game/game_settings.h"
+#include "ui/game/match_graph.h"
 #include "ui/game/scorches.h"
 #include "ui/gl/framebuffer.h"
 #include "ui/render/renderer.h"
@@ -61,6 +62,7 @@ class MatchPicture {
   ViewOptions look_;
   Particles particles_;
   Scorches scorches_;
+  MatchGraph graph_;
   std::optional<gl::Framebuffer> small_;  // a picture of a lower resolution
 };
 

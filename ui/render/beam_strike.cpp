@@ -47,4 +47,16 @@ std::optional<double> find_strike(const World& world, const Pose& beam, double r
   return strike;
 }
 
+BeamPicture picture_of_beam(const World& world, const CutSettings& settings, const Pose& beam,
+                            double length) {
+  const double radius = settings.laser.radius, reach = settings.laser.range.high;
+  const Vec3 end = beam.origin + beam.direction * std::min(reach, length);
+  BeamPicture picture{beam.origin, end, std::nullopt, radius};
+  const bool by_edge = settings.resolution.rule == Resolution::Rule::kTargetEdge;
+  const double overshoot = by_edge ? settings.resolution.target_edge : 0.5 * radius;
+  if (const auto strike = find_strike(world, beam, radius, overshoot, reach))
+    picture.strike = beam.origin + beam.direction * *strike;
+  return picture;
+}
+
 }  // namespace kerf

@@ -2,7 +2,9 @@
 
 #include <optional>
 
+#include "core/cut/cut_step.h"
 #include "core/world/world.h"
+#include "ui/render/beam_pass.h"
 
 namespace kerf {
 
@@ -15,5 +17,8 @@ std::optional<double> first_hit(const World& world, const Pose& ray);
 // hits within `reach` metres.
 std::optional<double> find_strike(const World& world, const Pose& beam, double radius, double overshoot,
                                   double reach);
+
+// A beam as it is drawn over at most a length (m), with the place where it first meets a body.
+BeamPicture picture_of_beam(const World& world, const CutSettings& settings, const Pose& beam, double length);
 
 }  // namespace kerf

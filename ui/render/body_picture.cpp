@@ -31,6 +31,7 @@ void BodyPicture::bind(const gl::Program& program, const FrameSpace& space,
   program.set("frame_from_body", space.from_body(placement, faces_.frame()));
   program.set("turn", glm::mat3(space.turn_from(placement.orientation)));
   program.set("terminator", faces_.deviation());
+  program.set("heated", faces_.heat().any() ? 1 : 0);
   glBindBufferBase(GL_UNIFORM_BUFFER, kPaintBlock, paints_.name());
   looks_.bind(program);
 }

@@ -53,6 +53,20 @@ FaceBuffer::Chunk::Chunk() {
   glBindVertexArray(0);
 }
 
+// Corners that were never sent are cold. Without the buffer all are.
+void FaceBuffer::Chunk::make_heat() {
+  if (heat) return;
+  heat.emplace();
+  const std::vector<Heat> cold(kChunkFaces);
+  glBindVertexArray(layout.name());
+  glBindBuffer(GL_ARRAY_BUFFER, heat->name());
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(cold.size() * sizeof(Heat)), cold.data(),
+               GL_DYNAMIC_DRAW);
+  glEnableVertexAttribArray(5);
+  glVertexAttribPointer(5, 2, GL_UNSIGNED_SHORT, GL_TRUE, sizeof(HeatMark), nullptr);
+  glBindVertexArray(0);
+}
+
 FaceBuffer::FaceBuffer(const Mesh& mesh, const FloatFrame& frame, std::shared_ptr<const BaseFaces> bases,
                        double glow_width)
     : frame_(frame), bases_(std::move(bases)), rims_(static_cast<float>(glow_width * frame.scale)) {
@@ -77,7 +91,8 @@ PictureMemory FaceBuffer::memory() const {
   memory.graphics = chunks_.size() * kChunkFaces * (sizeof(FaceVertices) + sizeof(Labels) + sizeof(Indices)) +
                     halvings_.capacity() + corners_.capacity() * sizeof(Corners) +
                     staging_.capacity() * sizeof(FaceVertices) + staged_labels_.capacity() * sizeof(Labels);
-  for (const Chunk& chunk : chunks_) memory.graphics += chunk.live.bytes();
+  for (const Chunk& chunk : chunks_)
+    memory.graphics += chunk.live.bytes() + (chunk.heat ? kChunkFaces * sizeof(Heat) : 0);
   return memory;
 }
 
@@ -114,6 +129,7 @@ DirtySlots FaceBuffer::take_born(const Mesh& mesh, uint32_t most) {
       count(mesh, f);
       note_corners(mesh, f);
       if (lives) born.mark(f);
+      if (lives && heat_.any()) reheated_.mark(f);
     }
   }
   return born;
@@ -130,6 +146,7 @@ void FaceBuffer::note_corners(const Mesh& mesh, uint32_t slot) {
 // Adds the faces that are drawn otherwise because a rim came or went near them. A mesh as loaded has no rim.
 void FaceBuffer::find_rims(const Mesh& mesh, DirtySlots& born) {
   std::vector<VertexId> changed = std::exchange(moved_corners_, {});
+  if (heat_.any()) reheated_corners_.insert(reheated_corners_.end(), changed.begin(), changed.end());
   if (bases_->are_whole(mesh) && !rims_.any()) return;
   std::sort(changed.begin(), changed.end());
   changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
@@ -195,6 +212,30 @@ size_t FaceBuffer::update_labels(const Mesh& mesh, const SlotRange& range) {
   }
   put(GL_ARRAY_BUFFER, chunk_of(range).labels.name(), range.begin % kChunkFaces, staged_labels_);
   return staged_labels_.size() * sizeof(Labels);
+}
+
+size_t FaceBuffer::update_heat(const Body& body, bool time_passed) {
+  if (body.mesh.columns().blank() && !heat_.any()) return 0;
+  if (time_passed || !reheated_corners_.empty() || body.sheet != sheet_) {
+    sheet_ = body.sheet;
+    std::vector<FaceId> affected;
+    heat_.update(body, std::exchange(reheated_corners_, {}), affected);
+    reheated_.mark(affected);
+  }
+  size_t bytes = 0;
+  if (!heat_.any() || reheated_.empty()) return bytes;
+  for (const SlotRange range : reheated_.take(kGap, kChunkFaces)) bytes += update_heat_of(body.mesh, range);
+  return bytes;
+}
+
+size_t FaceBuffer::update_heat_of(const Mesh& mesh, const SlotRange& range) {
+  std::vector<Heat> marks;
+  for (uint32_t f = range.begin; f < range.end; ++f)
+    marks.push_back(mesh.is_live(FaceId(f)) ? heat_.of(mesh, FaceId(f)) : Heat{});
+  Chunk& chunk = chunk_of(range);
+  chunk.make_heat();
+  put(GL_ARRAY_BUFFER, chunk.heat->name(), range.begin % kChunkFaces, marks);
+  return marks.size() * sizeof(Heat);
 }
 
 size_t FaceBuffer::update_list(Chunk& chunk) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/graph/piece_groups.h"
@@ -10,6 +11,7 @@
 #include "core/world/world.h"
 #include "ui/gl/objects.h"
 #include "ui/gl/program.h"
+#include "ui/render/corner_heat.h"
 #include "ui/render/face_slots.h"
 #include "ui/render/live_list.h"
 #include "ui/render/picture_memory.h"
@@ -37,11 +39,16 @@ class FaceBuffer {
   void forget_all(const Mesh& mesh) {
     dirty_.mark_all(std::max(mesh.face_slots(), static_cast<uint32_t>(halvings_.size())));
     removed_.forget();
+    if (heat_.any()) reheated_.mark_all(mesh.face_slots());
   }
 
   // Uploads what changed from the current mesh. If every slot changed, uploads at most `most` of them; later
   // calls upload the others. Returns the number of bytes sent.
   size_t update(const Mesh& mesh, uint32_t most = DirtySlots::kAll);
+  // Uploads what is new of the heat of the body, whose mesh is that of the last update. `time_passed`:
+  // whether heat may have flowed since the last call. Returns the number of bytes sent.
+  size_t update_heat(const Body& body, bool time_passed);
+  const CornerHeat& heat() const { return heat_; }
   // Whether slots are left for later calls.
   bool is_sending() const { return dirty_.has_all(); }
   // The number of slots, and how many of them are left for later calls.
@@ -85,12 +92,15 @@ class FaceBuffer {
   static constexpr uint8_t kDead = 0xff;
   using Corners = std::array<VertexId, 3>;
   using Labels = std::array<uint16_t, 3>;  // of a face, once for each corner
+  using Heat = std::array<HeatMark, 3>;
 
   struct Chunk {
     gl::Buffer vertices, labels, indices;
     gl::VertexArray layout;
     LiveList live{kChunkFaces};
+    std::optional<gl::Buffer> heat;  // of chunks in which anything was ever hot
     Chunk();
+    void make_heat();
     void draw() const;
   };
   Chunk& chunk_of(const SlotRange& range);  // creates it if necessary
@@ -102,20 +112,24 @@ class FaceBuffer {
   std::array<float, 3> rim_of(const Mesh& mesh, FaceId f) const;
   size_t update_slots(const Mesh& mesh, const SlotRange& range);
   size_t update_labels(const Mesh& mesh, const SlotRange& range);
+  size_t update_heat_of(const Mesh& mesh, const SlotRange& range);
   size_t update_list(Chunk& chunk);
 
   FloatFrame frame_;
   std::shared_ptr<const BaseFaces> bases_;
   RemovedFaces removed_;
   RimDistance rims_;
+  CornerHeat heat_;
+  Sheet sheet_;  // of the temperatures
   std::shared_ptr<const PieceGroups> groups_;
-  DirtySlots dirty_, relabelled_;
+  DirtySlots dirty_, relabelled_, reheated_;
   std::vector<Chunk> chunks_;
   std::vector<FaceVertices> staging_;
   std::vector<Labels> staged_labels_;
-  std::vector<VertexId> moved_corners_;  // of faces that changed since the rims were found
-  std::vector<Corners> corners_;         // by slot, as last drawn
-  std::vector<uint8_t> halvings_;        // by slot; kDead without a live face
+  std::vector<VertexId> moved_corners_;     // of faces that changed since the rims were found
+  std::vector<VertexId> reheated_corners_;  // the same since the heat was followed
+  std::vector<Corners> corners_;            // by slot, as last drawn
+  std::vector<uint8_t> halvings_;           // by slot; kDead without a live face
   Halvings faces_of_{};
 };
 

@@ -134,7 +134,8 @@ std::vector<uint8_t> FaceNumbers::look_which(const Subject& subject, int width, 
 void FaceNumbers::draw(const Subject& subject, const FrameUniforms& frame, const gl::Framebuffer& picture) {
   const int w = picture.shape().width, h = picture.shape().height;
   const std::vector<uint8_t> which = look_which(subject, w, h);
-  const int zoom = 1 + h / kHeightOfOneZoom;
+  const double of_screen = 1 + h / kHeightOfOneZoom;
+  const int zoom = static_cast<int>(std::lround(subject.options.mark_scale * of_screen));
   const auto scaled = [&](int pixels) { return static_cast<float>(pixels * zoom); };
   const std::vector<FaceLabel> labels =
       place_labels(Candidates(subject, frame).take(), {w, h}, {scaled(kAdvance), scaled(kDigitHeight)},

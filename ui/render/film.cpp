@@ -1,9 +1,9 @@
 #include "ui/render/film.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "ui/render/beam_strike.h"
+#include "ui/render/frame_file.h"
 
 namespace kerf {
 
@@ -85,15 +85,8 @@ double Film::seconds_of(const BeamMove& move) const {
 }
 
 std::optional<BeamPicture> Film::beam_picture(const Document& document, const Pose& beam) const {
-  const CutSettings& settings = document.stroke_settings();
-  const double radius = settings.laser.radius, reach = settings.laser.range.high;
   const double far = glm::length(middle_ - beam.origin) + kSecondsAcross * speed_;
-  BeamPicture picture{beam.origin, at_distance(beam, std::min(reach, far)), std::nullopt, radius};
-  const bool by_edge = settings.resolution.rule == Resolution::Rule::kTargetEdge;
-  const double overshoot = by_edge ? settings.resolution.target_edge : 0.5 * radius;
-  if (const auto strike = find_strike(document.world(), beam, radius, overshoot, reach))
-    picture.strike = at_distance(beam, *strike);
-  return picture;
+  return picture_of_beam(document.world(), document.stroke_settings(), beam, far);
 }
 
 // Lets time go by and takes the frames that are due in it.
@@ -103,9 +96,7 @@ Status Film::pass(double seconds, const World& world, const std::optional<BeamPi
   for (; static_cast<double>(frames_) < clock_ * options_.frames_per_second; ++frames_) {
     if (!drawn) studio_.draw(world, beam);
     drawn = true;
-    char name[40];
-    std::snprintf(name, sizeof name, "frame-%05zu.png", frames_);
-    if (const Status written = studio_.write(options_.folder / name); !written) return written;
+    if (const Status written = studio_.write(frame_file(options_.folder, frames_)); !written) return written;
   }
   return Done{};
 }

@@ -59,12 +59,12 @@ void instance_attribute(GLuint index, GLint numbers, size_t stride, size_t offse
 
 // The same lines twice: wide and dark, then thin in their colours.
 void draw_twice(const gl::Program& program, const glm::mat4& from_body, int vertices, GLsizei instances,
-                GLsizei most_dark, const glm::vec4& first, const glm::vec4& second) {
+                GLsizei most_dark, const glm::vec4& first, const glm::vec4& second, double scale) {
   if (instances == 0) return;
   program.use();
   program.set("frame_from_body", from_body);
   for (const bool dark : {true, false}) {
-    program.set("half_width", dark ? kDarkHalfWidth : kColourHalfWidth);
+    program.set("half_width", static_cast<float>(scale) * (dark ? kDarkHalfWidth : kColourHalfWidth));
     program.set("hit_colour", dark ? glm::vec4(0.02f, 0.025f, 0.03f, 0.55f) : first);
     program.set("other_colour", dark ? glm::vec4(0.02f, 0.025f, 0.03f, 0.30f) : second);
     glDrawArraysInstanced(GL_TRIANGLES, 0, vertices, dark ? std::min(instances, most_dark) : instances);
@@ -153,13 +153,13 @@ void LineOverlay::draw(BodyId id, const Body& body, const FloatFrame& frame, con
     glBindVertexArray(lines.boxes.layout.name());
     const BoxColours colours = colours_of(options.tree.palette);
     draw_twice(box_, from_body, kVerticesOfBox, lines.boxes.count, kMostDark, srgb(colours.hit, 1),
-               srgb(colours.untouched, 1));
+               srgb(colours.untouched, 1), options.mark_scale);
   }
   if (show.normals) {
     const SectionClip clip(options);
     glBindVertexArray(lines.sticks.layout.name());
     draw_twice(stick_, from_body, kVerticesOfLine, lines.sticks.count, lines.sticks.count,
-               srgb(0x4aa3ff, 0.9f), glm::vec4(0));
+               srgb(0x4aa3ff, 0.9f), glm::vec4(0), options.mark_scale);
   }
   glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);

@@ -110,6 +110,7 @@ void LitScene::draw_without_lights(const Subject& subject) const {
   if (subject.options.cull_backs) glEnable(GL_CULL_FACE);
   const gl::Program& body = body_.ambient[variant_ + (spot_ ? kSpot : 0)];
   body.use();
+  ramps_.bind(body);
   draw_section(subject, body);
   glDisable(GL_CULL_FACE);
   ground_.draw(subject.space, spot_);
@@ -128,6 +129,7 @@ void LitScene::add_direct(const Subject& subject, size_t light) const {
   if (subject.options.cull_backs) glEnable(GL_CULL_FACE);
   const gl::Program& body = body_.direct[variant_];
   body.use();
+  ramps_.bind(body);
   body.set("light", place);
   body.set("light_colour", colour);
   draw_section(subject, body);
@@ -163,6 +165,7 @@ void LitScene::restore_glow(const Subject& subject) const {
   glBlendFunc(GL_CONSTANT_COLOR, GL_ONE);
   const gl::Program& glow = body_.glow[variant_ & kWire];
   glow.use();
+  ramps_.bind(glow);
   if (subject.options.cull_backs) glEnable(GL_CULL_FACE);
   draw_section(subject, glow);
   glDisable(GL_CULL_FACE);

@@ -5,6 +5,7 @@
 
 #include "ui/gl/framebuffer.h"
 #include "ui/render/ground_pass.h"
+#include "ui/render/heat_ramps.h"
 #include "ui/render/shadow_pass.h"
 #include "ui/render/tone_pass.h"
 
@@ -23,7 +24,7 @@ class LitScene {
   // What shines in a picture by itself.
   struct Shining {
     bool spot = false;  // the spot of the beam, which lights its surroundings
-    bool rims = false;  // the rims of cuts
+    bool rims = false;  // the rims of cuts, and what is or was hot
   };
 
   // Draws into the colour and depth of `canvas`. Precondition: the uniform block of the frame is bound.
@@ -54,6 +55,7 @@ class LitScene {
   GroundPass ground_;
   ShadowPass shadows_;
   TonePass tone_;
+  HeatRamps ramps_;
   gl::VertexArray no_vertices_;
   size_t variant_ = 0;  // that the picture needs, without the spot
   bool spot_ = false;

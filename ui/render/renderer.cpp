@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "core/heat/black_body.h"
 #include "ui/render/assets.h"
+#include "ui/render/heat_bar.h"
 #include "ui/render/seen_light.h"
 
 namespace kerf {
@@ -80,6 +82,22 @@ void Renderer::catch_up(const World& world) {
     uploaded_ += picture.faces().update(world.body(id).mesh, most_faces_sent_);
   }
   find_finest();
+  follow_heat(world);
+}
+
+void Renderer::follow_heat(const World& world) {
+  const HeatMoment now{world.clock(), world.energy()};
+  const bool passed = heat_of_ != now;
+  heat_of_ = now;
+  for (auto& [id, picture] : bodies_) {
+    if (world.contains(id)) uploaded_ += picture.faces().update_heat(world.body(id), passed);
+  }
+}
+
+double Renderer::warmest() const {
+  double warmest = kAmbient;
+  for (const auto& [id, picture] : bodies_) warmest = std::max(warmest, picture.faces().heat().warmest());
+  return warmest;
 }
 
 bool Renderer::is_sending() const {
@@ -112,10 +130,22 @@ void Renderer::find_finest() {
   }
 }
 
-bool Renderer::glows(const ViewOptions& options) const {
+// Whether any surface is drawn otherwise because it is at a rim, or is or was hot.
+bool Renderer::has_rims(const ViewOptions& options) const {
+  if (options.show.heat) return true;
   return options.rim_glow && !options.show.sizes &&
-         std::any_of(bodies_.begin(), bodies_.end(),
-                     [](const auto& body) { return body.second.faces().has_rim(); });
+         std::any_of(bodies_.begin(), bodies_.end(), [](const auto& body) {
+           return body.second.faces().has_rim() || body.second.faces().heat().any();
+         });
+}
+
+// Whether anything on a body shines, so that the picture needs bloom.
+bool Renderer::glows(const ViewOptions& options) const {
+  return !options.show.heat && has_rims(options) &&
+         std::any_of(bodies_.begin(), bodies_.end(), [](const auto& body) {
+           const FaceBuffer& faces = body.second.faces();
+           return faces.heat().any() ? faces.heat().warmest() > kGlowFrom : faces.has_rim();
+         });
 }
 
 void Renderer::update_looks(const World& world, const ViewOptions& options) {
@@ -165,7 +195,8 @@ void Renderer::set_up(const World& world, const CameraView& view, const ViewOpti
     frame.section = -glm::vec4(glm::vec3(normal), space_.length(section->height_of(space_.eye)));
   }
   const int colours = options.show.sizes ? 2 : options.show.pieces ? 1 : 0;
-  frame.body_look = {finest_, colours, options.two_sided ? 1 : 0, 0};
+  frame.body_look = {finest_, colours, options.two_sided ? 1 : 0,
+                     options.show.heat ? end_of_heat_scale(world) : 0};
   glBindBuffer(GL_UNIFORM_BUFFER, uniforms_.name());
   glBufferData(GL_UNIFORM_BUFFER, sizeof(frame), &frame, GL_STREAM_DRAW);
   glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBlock, uniforms_.name());
@@ -205,6 +236,8 @@ void Renderer::draw_overlays(const Subject& subject, const CameraView& view,
   passes_.stage.draw(subject);
   passes_.bodies.draw(subject, subject.world.loaded_bounds().diagonal());
   if (options.show.face_numbers) passes_.numbers.draw(subject, frame_, picture);
+  if (options.show.heat)
+    draw_heat_bar(end_of_heat_scale(subject.world), passes_.numbers, picture.shape().height);
   if (options.show.shadow_compare) draw_comparison(subject, picture);
 }
 
@@ -325,7 +358,7 @@ void Renderer::draw(const World& world, const CameraView& view, const ViewOption
   }
   const Subject subject{world, bodies_, space_, options};
   const bool spot = beam && (beam->strike || beam->on_ground);
-  passes_.scene.draw(subject, {.spot = spot, .rims = glows(options)}, *canvases_[canvas_].drawn);
+  passes_.scene.draw(subject, {.spot = spot, .rims = has_rims(options)}, *canvases_[canvas_].drawn);
   draw_overlays(subject, view, beam);
   shining_ = beam || options.effects || glows(options);
   hand_over(target);

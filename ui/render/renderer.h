@@ -101,6 +101,9 @@ class Renderer {
   // Memory that grows with the number of faces.
   PictureMemory memory() const;
 
+  // The temperature of the hottest face as of the last picture (K).
+  double warmest() const;
+
   // The number of bytes of faces sent to the GPU since the renderer was created.
   size_t uploaded_bytes() const { return uploaded_; }
 
@@ -141,7 +144,9 @@ class Renderer {
   void draw_comparison(const Subject& subject, const gl::Framebuffer& picture);
   void hand_over(const Target& target);
   void find_finest();
+  void follow_heat(const World& world);
   void draw_beams(const CameraView& view, const ViewOptions& options, const std::optional<BeamPicture>& beam);
+  bool has_rims(const ViewOptions& options) const;
   bool glows(const ViewOptions& options) const;
 
   Passes passes_;
@@ -161,7 +166,14 @@ class Renderer {
   FrameUniforms frame_;
   double near_ = 0;        // m, of the last picture
   double glow_width_ = 0;  // m
-  uint32_t finest_ = 0;    // most halvings of a face
+  // The state of time and energy of which the GPU has the temperatures.
+  struct HeatMoment {
+    Ticks clock = 0;
+    EnergyLedger energy;
+    friend bool operator==(const HeatMoment&, const HeatMoment&) = default;
+  };
+  std::optional<HeatMoment> heat_of_;
+  uint32_t finest_ = 0;  // most halvings of a face
   bool contact_old_ = true;
   bool shining_ = false;  // the last picture has something that glows
   size_t uploaded_ = 0;

@@ -12,6 +12,7 @@ constexpr double kGlowWidth = 1.0 / 220;  // of the diagonal of the world as loa
 
 void Renderer::show(const World& world, const std::map<std::string, Paint>& paints, PreparedBodies prepared) {
   bodies_.clear();
+  heat_of_.reset();
   paints_ = paints;
   passes_.lines.forget();
   passes_.scene.shadows().forget();
@@ -80,6 +81,7 @@ void Renderer::follow(const World& world, const Delta& delta, PreparedBodies pre
 }
 
 void Renderer::resend(const World& world, PreparedBodies prepared) {
+  heat_of_.reset();
   std::erase_if(bodies_, [&](const auto& body) { return !world.contains(body.first); });
   passes_.scene.shadows().forget();
   for (const BodyId id : world.ids()) {

@@ -152,14 +152,15 @@ void ShadowOverlay::draw_counts(const Inspected& seen, const FaceNumbers& number
   glDepthFunc(GL_LESS);
   std::vector<glm::vec4> colours{srgb(kLit)};
   for (const uint32_t c : kCounts) colours.push_back(srgb(c));
-  draw_legend(colours, 0, 0, numbers, seen.height);
+  if (seen.subject.options.legends) draw_legend(colours, 0, 0, numbers, seen.height);
 }
 
 void ShadowOverlay::draw_lines(const Inspected& seen, float half_width, float reach,
                                std::span<const glm::vec4> colours) const {
   line_.use();
   line_.set("light", seen.in_frame);
-  line_.set("half_width", half_width * static_cast<float>(1 + seen.height / 1400));
+  line_.set("half_width",
+            half_width * static_cast<float>(seen.subject.options.mark_scale * (1 + seen.height / 1400)));
   line_.set("reach", reach);
   line_.set("single_colour", colours[0]);
   line_.set("double_colour", colours[1]);
@@ -201,6 +202,7 @@ void ShadowOverlay::draw_silhouette(const Inspected& seen, const FaceNumbers& nu
   glDepthFunc(GL_LESS);
   draw_lines(seen, 2.2f, 0, all_of(srgb(0x05070a, 0.6f)));
   draw_lines(seen, 1.3f, 0, silhouette_colours(1));
+  if (!seen.subject.options.legends) return;
   draw_legend(silhouette_colours(1), 1, seen.subject.options.show.shadow_stencil ? 1 : 0, numbers,
               seen.height);
 }

@@ -8,9 +8,6 @@ namespace kerf {
 
 namespace {
 
-// Names of the interface that this version cannot draw.
-constexpr std::array<std::string_view, 2> kLater{"graph", "heat"};
-
 std::string_view trimmed(std::string_view word) {
   const size_t first = word.find_first_not_of(" \t");
   if (first == std::string_view::npos) return {};
@@ -46,10 +43,8 @@ Result<ShowOptions> parse_show_list(std::string_view list) {
       known->set(look, known->states.size() - 1);
       continue;
     }
-    const bool later = std::find(kLater.begin(), kLater.end(), word) != kLater.end();
     return bad_input("--show: '" + std::string(word) +
-                     (later ? "' is not offered yet" : "' is not the name of an overlay") +
-                     "; there is: " + offered_show_names());
+                     "' is not the name of an overlay; there is: " + offered_show_names());
   }
   return look.show;
 }

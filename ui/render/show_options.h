@@ -23,6 +23,7 @@ struct ShowOptions {
   bool graph = false;                  // nodes and links of ViewOptions::graph
   bool pieces = false;                 // each piece in a colour of its own
   bool sizes = false;                  // small faces warm, as the paper colours them
+  bool heat = false;                   // temperatures by a scale, with a bar
   bool section = false;                // only what lies under the section plane
   bool contacts = false;               // where bodies touch, as of the last tick; see BodyMarks
   bool colliders = false;              // points and chords by which bodies touch

@@ -50,6 +50,8 @@ Result<Studio> Studio::open(const Scene& scene, const PictureOptions& options) {
   studio.look_.section =
       options.section.value_or(section_through(scene.world.bounds(), -studio.view_.forward));
   studio.look_.antialias = options.antialias;
+  studio.look_.mark_scale = options.mark_scale;
+  studio.look_.legends = options.legends;
   if (!scene.lights.empty()) studio.look_.lights = scene.lights;
   return studio;
 }

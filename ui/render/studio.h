@@ -27,6 +27,10 @@ class Studio {
   // the last tick of the document, or what the next tick of a world would find.
   void show_bodies(const Document& document);
   void show_bodies_ahead(const World& world);
+  const CameraView& view() const { return view_; }
+  ViewOptions& look() { return look_; }
+  // What the last picture was drawn on.
+  const gl::Framebuffer& framebuffer() const { return picture_; }
   // Draws a picture.
   void draw(const World& world, const std::optional<BeamPicture>& beam);
   // Writes the last picture as a PNG, whole or not at all.

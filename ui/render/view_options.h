@@ -68,6 +68,8 @@ struct ViewOptions {
   bool two_sided = true;                // faces are lit on both sides; otherwise the back is black
   bool cull_backs = false;              // backs are not drawn, as the paper first had it
   bool ghost = false;                   // removed faces are drawn as a faint veil
+  bool legends = true;                  // colours of overlays are explained in the picture
+  double mark_scale = 1;                // of numbers and lines over the picture; 1 is for a screen
   bool by_day = false;                  // the surroundings are bright, otherwise dark
   std::optional<SectionPlane> section;  // where ShowOptions::section cuts; see shown_section()
   TreeOverlay tree;

@@ -103,7 +103,9 @@ constexpr std::array kSwitches{
     ViewSwitch{.id = SwitchId::kRimGlow,
                .report = "rim_glow",
                .label = "Glow of rims",
-               .tip = "The rims of cuts glow, the hotter the nearer to the cut.",
+               .tip =
+                   "What is hot glows as hot metal does, and what was hot stays tinted. Where a cut left no "
+                   "heat, its rims glow, the more the nearer to the cut.",
                .get = get<&ViewOptions::rim_glow>,
                .set = set<&ViewOptions::rim_glow>},
     ViewSwitch{.id = SwitchId::kWire,
@@ -158,6 +160,15 @@ constexpr std::array kSwitches{
         .tip = "The paper's colours: the smaller a face against the one it was split from, the hotter.",
         .get = get<&ShowOptions::sizes>,
         .set = set<&ShowOptions::sizes>},
+    ViewSwitch{
+        .id = SwitchId::kHeat,
+        .show = "heat",
+        .report = "heat",
+        .label = "Temperature",
+        .tip = "The temperature of every face by the scale in the corner, up to where the material melts. "
+               "Inspect shows it in numbers, and a click there keeps a curve of it.",
+        .get = get<&ShowOptions::heat>,
+        .set = set<&ShowOptions::heat>},
     ViewSwitch{.id = SwitchId::kNormals,
                .show = "normals",
                .report = "normals",

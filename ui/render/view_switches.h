@@ -24,6 +24,7 @@ enum class SwitchId {
   kBoxesHit,
   kPieces,
   kSizes,
+  kHeat,
   kNormals,
   kFaceNumbers,
   kGraph,

@@ -1,5 +1,7 @@
 #include "core/document/commands/command_reader.h"
 
+#include <cstdio>
+
 #include "core/base/unit_vector.h"
 #include "core/document/settings_text.h"
 
@@ -72,6 +74,14 @@ Result<double> CommandReader::positive_number(const char* key) const {
   const auto number = line_[key].number();
   if (number && !(*number > 0)) return line_[key].wrong("must be more than 0");
   return number;
+}
+
+Result<double> CommandReader::number_within(const char* key, double least, double most) const {
+  const auto number = line_[key].number();
+  if (!number || (*number >= least && *number <= most)) return number;
+  char range[64];
+  std::snprintf(range, sizeof range, "must be from %g to %g", least, most);
+  return line_[key].wrong(range);
 }
 
 Result<bool> CommandReader::flag(const char* key) const {

@@ -37,6 +37,7 @@ class CommandReader {
   Result<uint64_t> whole_number(const char* key, uint64_t least, uint64_t most) const;
   Result<double> number(const char* key) const { return line_[key].number(); }
   Result<double> positive_number(const char* key) const;
+  Result<double> number_within(const char* key, double least, double most) const;
   Result<Vec3> point(const char* key) const { return line_[key].vector(); }
   Result<bool> flag(const char* key) const;
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kTick = 1.0 / kTicksPerSecond;
 constexpr int kSecond = static_cast<int>(kTicksPerSecond);
-constexpr double kErrorTime = 0.7;   // s, in which the error of aim changes
+constexpr double kErrorTime = 2.5;   // s, in which the error of aim changes
 constexpr double kSlashReach = 0.6;  // m
 constexpr double kSlashSpeed = 2.5;  // rad/s
 constexpr double kOnTarget = 0.12;   // rad, between where the barrel points and where it should

@@ -3,7 +3,9 @@
 #include <functional>
 #include <span>
 
+#include "core/game/arena/free_space.h"
 #include "core/game/arena/sight.h"
+#include "core/game/driver/traffic.h"
 #include "core/game/vehicle/vehicle.h"
 #include "core/world/world.h"
 
@@ -19,6 +21,8 @@ struct DriverView {
   std::function<bool(BodyId)> is_wall;  // whether a body stops a beam
   Vec2 arena_size{0};                   // m
   double range = 0;                     // m, of lasers
+  const FreeSpace& space;
+  std::span<const Disc> traffic;  // see find_traffic
 
   const Vehicle& own() const { return vehicles[self]; }
   const Body& chassis(size_t vehicle) const { return world.body(vehicles[vehicle].chassis); }

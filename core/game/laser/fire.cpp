@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 #include "core/cut/cut_apart.h"
 #include "core/game/vehicle/vehicle_bodies.h"
@@ -12,8 +13,8 @@ namespace {
 
 // How far a removed face may reach out of the beam: in radii, and at least so many metres.
 constexpr double kTolerance = 1.2, kLeastTolerance = 0.02;
-constexpr double kStep = 6;  // radii by which a point of the beam moves at most in one of its moves
-constexpr size_t kMostFaces = 2'000'000;  // in the world
+constexpr double kHeatWidth = 0.025;  // m, beside a cut; a few faces
+constexpr double kStep = 6;           // radii by which a point of the beam moves at most in one of its moves
 
 CutSettings cut_settings(double radius, double length) {
   CutSettings settings;
@@ -22,8 +23,21 @@ CutSettings cut_settings(double radius, double length) {
   settings.resolution.scheme = Scheme::kLongestEdge;
   settings.resolution.rule = Resolution::Rule::kTolerance;
   settings.resolution.tolerance = std::max(kTolerance * radius, kLeastTolerance);
-  settings.most_faces = kMostFaces;
+  settings.most_faces = kMostFacesOfTarget;
+  settings.heat_width = kHeatWidth;
   return settings;
+}
+
+// The same beams, with the origin in front slid back along its beam until it lies beside the other one. The
+// ends of a beam that moves along itself and aside at once are wider for what it touches than for what it
+// removes (see SweptCylinder): faces there would be split without end. So the beam ends a little before a
+// wall.
+BeamMove without_advance(BeamMove move) {
+  const Vec3 axis = glm::normalize(move.from.direction + move.to.direction);
+  const double advance = glm::dot(move.to.origin - move.from.origin, axis);
+  Pose& front = advance > 0 ? move.to : move.from;
+  front.origin -= std::abs(advance) / glm::dot(front.direction, axis) * front.direction;
+  return move;
 }
 
 // The moves of the beam through a body, in its frame, without those that pass it by.
@@ -42,7 +56,16 @@ std::vector<BeamMove> moves_through(const Sight::Near& near, const Pose& from, c
   if (passes_by(whole)) return {};
   std::vector<BeamMove> moves = subdivide(whole, kStep * radius, reach);
   std::erase_if(moves, passes_by);
+  for (BeamMove& move : moves) move = without_advance(move);
   return moves;
+}
+
+// What a cut that failed leaves: its delta is lost, so that all must read the world again.
+StepResult unknown_change(BodyId id) {
+  StepResult result;
+  result.delta.anew = true;
+  result.delta.bodies.emplace_back().body = id;
+  return result;
 }
 
 }  // namespace
@@ -58,13 +81,15 @@ std::map<BodyId, StepResult> fire(World& world, Vehicle& vehicle, const Sight& s
   const CutSettings settings = cut_settings(gun.radius, gun.length);
   std::map<BodyId, StepResult> cut;
   for (const Sight::Near& near : sight.bodies()) {
-    if (vehicle.has(near.id) || !cuttable(near.id)) continue;
+    if (vehicle.has(near.id) || !cuttable(near.id) || near.body->mesh.live_faces() > kMostFacesOfTarget)
+      continue;
     const auto then = before.find(near.id);
     const Placement& was = gun.last && then != before.end() ? then->second : near.body->placement;
     const std::vector<BeamMove> moves = moves_through(near, last, was, now, settings);
     if (moves.empty()) continue;
     Result<StepResult> done = cut_apart(world, settings, near.id, moves);
-    if (done && !done->delta.empty()) cut.emplace(near.id, std::move(*done));
+    if (!done) done = unknown_change(near.id);
+    if (!done->delta.empty()) cut.emplace(near.id, std::move(*done));
   }
   gun.last = now;
   return cut;

@@ -1,12 +1,16 @@
 #include "core/game/match/match.h"
+#include "core/cut/thermal_step.h"
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "core/base/hash.h"
+#include "core/cut/heat_flow.h"
 #include "core/game/angle.h"
 #include "core/game/laser/gun.h"
 #include "core/game/vehicle/drive.h"
+#include "core/game/vehicle/glide.h"
 #include "core/game/vehicle/vehicle_bodies.h"
 #include "core/physics/forget_contacts.h"
 
@@ -14,14 +18,16 @@ namespace kerf {
 
 namespace {
 
-constexpr uint32_t kGeneration = 0;       // slots are never used again within a wave
-constexpr double kFightingDistance = 13;  // m
-constexpr double kImpact = 1.5;           // m/s, from which on a change of velocity is told
+constexpr uint32_t kGeneration = 0;        // slots are never used again within a wave
+constexpr Ticks kLookForJointsEvery = 15;  // where faces that carry some are gone
+constexpr Ticks kLookAround = 6;           // after which drivers look where others are
+constexpr double kLight = 0.3;             // of the mass of a vehicle, what does not stop it
+constexpr double kImpact = 1.5;            // m/s, from which on a change of velocity is told
 
 PilotSkill pilot_skill(const EnemySkill& skill) {
   const double burst = 0.25 + 1.25 * skill.fire * skill.fire, pause = 0.5 + 3 * (1 - skill.fire);
   const double vital = 0.1 + 0.5 * skill.fire * skill.fire, range = 14 + 14 * skill.fire;
-  return {{skill.aim_error, burst, pause, vital, 0, range}, skill.reaction, kFightingDistance, skill.speed};
+  return {{skill.aim_error, burst, pause, vital, 0, range}, skill.reaction, skill.distance, skill.speed};
 }
 
 // The starts of the enemies, those farthest from a place first.
@@ -55,11 +61,22 @@ class CarriedAside {
   std::vector<BodyId> ids_;
 };
 
+WaveStart first_wave(const MatchSetup& setup) {
+  assert(setup.rules);
+  return {{}, setup.rules->arena.description.player.placement(), 0};
+}
+
 }  // namespace
 
-Match::Match(MatchSetup setup) : setup_(std::move(setup)) {
+Match::Match(MatchSetup setup) : Match(setup, first_wave(setup)) {}
+
+Match::Match(MatchSetup setup, const WaveStart& start) : setup_(std::move(setup)), strokes_(start.strokes) {
   assert(setup_.rules);
-  begin_wave(0, rules().arena.description.player.placement());
+  assert(start.standing.wave < std::max<size_t>(1, rules().waves.size()));
+  obstacles_ = Obstacles(rules().arena);
+  space_ = FreeSpace(rules().arena);
+  standing_ = start.standing;
+  begin_wave(start.standing.wave, start.player);
 }
 
 double Match::seconds_left() const {
@@ -70,6 +87,7 @@ void Match::begin_wave(size_t wave, const Placement& player) {
   const ArenaDescription& arena = rules().arena.description;
   world_ = World();
   physics_ = Physics();
+  stale_colliders_ = StaleColliders();
   Surroundings around;
   around.ground = arena.ground;
   world_.set_surroundings(around);
@@ -91,12 +109,24 @@ void Match::begin_wave(size_t wave, const Placement& player) {
                            pilot_skill(rules().skill(setup_.difficulty)));
     }
   }
+  joint_faces_ = JointFaces(world_.joints());
+  lost_joint_faces_.clear();
   records_.assign(vehicles_.size(), Record{});
+  traffic_ = find_traffic(world_, vehicles_);
   standing_.wave = wave;
   standing_.phase = Standing::Phase::kFight;
+  wave_start_ = {standing_, player, strokes_};
   delta_ = Delta{};
   delta_.anew = true;
   tell({Event::Kind::kWaveBegins, Event::kNobody, Event::kNobody, wave});
+  make_colliders();
+}
+
+// All of them take as long as twenty ticks, so that a match begins with those that a tick of a copy makes.
+void Match::make_colliders() {
+  World copy = world_;
+  const CarriedAside aside(copy, vehicles_);
+  physics_.tick(copy, false, guided());
 }
 
 size_t Match::vehicle_of(BodyId body) const {
@@ -123,7 +153,9 @@ DriverView Match::view(size_t vehicle, const Sight& sight) const {
           opponents,
           [this](BodyId id) { return is_wall(id); },
           rules().arena.description.size,
-          rules().description.laser.range};
+          rules().description.laser.range,
+          space_,
+          traffic_};
 }
 
 void Match::tick(const Controls& player) {
@@ -132,12 +164,14 @@ void Match::tick(const Controls& player) {
   if (standing_.over()) return;
   {
     const Sight sight(world_);
+    if (standing_.ticks % kLookAround == 0) traffic_ = find_traffic(world_, vehicles_);
     take_controls(player, sight);
     for (Vehicle& vehicle : vehicles_) {
       aim(world_, vehicle);
       drive(world_, vehicle, sight);
     }
   }
+  renew_colliders();
   PlacementsBefore before;
   move_bodies(before);
   fire_beams(before);
@@ -145,9 +179,19 @@ void Match::tick(const Controls& player) {
   assess();
   recover();
   clear_debris();
+  cool_bodies();
   world_.pass(1);
   ++standing_.ticks;
   judge();
+}
+
+// Heat flows in each body for some ticks at once, and not in all bodies in the same tick.
+void Match::cool_bodies() {
+  constexpr Ticks kEvery = 30;
+  for (const BodyId id : world_.ids()) {
+    if ((id.slot + world_.clock()) % kEvery == 0)
+      let_heat_flow(world_, id, static_cast<double>(kEvery) / kTicksPerSecond);
+  }
 }
 
 void Match::take_controls(const Controls& player, const Sight& sight) {
@@ -155,6 +199,23 @@ void Match::take_controls(const Controls& player, const Sight& sight) {
   for (size_t i = 0; i < enemies_.size(); ++i) {
     Vehicle& enemy = vehicles_[enemies_[i]];
     if (enemy.alive) enemy.controls = pilots_[i].drive(view(enemies_[i], sight));
+  }
+  take_turns();
+}
+
+// Only so many enemies fire at the same time: those that fire already, and then the first ones.
+void Match::take_turns() {
+  size_t left = rules().skill(setup_.difficulty).at_once;
+  for (const bool firing : {true, false}) {
+    for (const size_t v : enemies_) {
+      Vehicle& enemy = vehicles_[v];
+      if (!enemy.alive || !enemy.controls.fire || enemy.gun.firing != firing) continue;
+      if (left > 0) {
+        --left;
+      } else {
+        enemy.controls.fire = false;
+      }
+    }
   }
 }
 
@@ -164,13 +225,24 @@ std::vector<Vec3> Match::velocities() const {
   return all;
 }
 
+// The vehicles as the physics shall treat them: only what is heavy stops one that drives.
+std::vector<Guided> Match::guided() const {
+  std::vector<Guided> all;
+  for (const Vehicle& vehicle : vehicles_) {
+    const double light = vehicle.alive ? kLight * vehicle.what().mass : 0;
+    all.push_back({vehicle.chassis, is_upright(world_, vehicle), light});
+  }
+  return all;
+}
+
 void Match::move_bodies(PlacementsBefore& before) {
   for (const BodyId id : world_.ids()) before[id] = world_.body(id).placement;
   const std::vector<Vec3> velocities_before = velocities();
   {
     const CarriedAside aside(world_, vehicles_);
-    delta_.append(physics_.tick(world_));
+    delta_.append(physics_.tick(world_, false, guided()));
   }
+  for (const Vehicle& vehicle : vehicles_) glide_along(world_, vehicle, obstacles_);
   keep_inside();
   note_impacts(velocities_before);
   for (const Vehicle& vehicle : vehicles_) {
@@ -215,10 +287,41 @@ void Match::keep_inside() {
   }
 }
 
+// A delta without faces makes a collider anew, and leaves what is known of joints. Contacts are known by the
+// numbers of points and chords of a collider.
+void Match::renew_colliders() {
+  Delta stale, renewed;
+  for (const BodyId id : stale_colliders_.take_due(world_, standing_.ticks)) {
+    stale.bodies.emplace_back().body = id;
+    renewed.moved.push_back(id);
+  }
+  forget_contacts(world_, renewed);
+  if (standing_.ticks % kLookForJointsEvery == 0) stale.moved = std::exchange(lost_joint_faces_, {});
+  physics_.follow(stale);
+}
+
+// Which bodies came and went. Of their faces the physics is told later, and of pieces without joints not at
+// all: it makes the colliders of bodies that it does not know, and need not look for the joints that hold.
+Delta Match::news_for_physics(const Delta& change) const {
+  Delta news = change;
+  if (news.anew) return news;
+  news.bodies.clear();
+  std::erase_if(news.detached, [](const Detached& d) { return !d.carries_on; });
+  const auto is_unknown = [&](BodyId id) { return !physics_.colliders().contains(id); };
+  std::erase_if(news.went, is_unknown);
+  std::erase_if(news.came,
+                [&](BodyId id) { return is_unknown(id) && !joint_faces_.any_in(world_.body(id)); });
+  return news;
+}
+
 void Match::follow(Delta change) {
   if (change.empty()) return;
   forget_contacts(world_, change);
-  physics_.follow(change);
+  stale_colliders_.note(change, standing_.ticks);
+  for (const BodyDelta& b : change.bodies) {
+    if (joint_faces_.any_of(world_.body(b.body), b.gone)) lost_joint_faces_.push_back(b.body);
+  }
+  physics_.follow(news_for_physics(change));
   delta_.append(std::move(change));
 }
 

@@ -3,11 +3,15 @@
 #include <memory>
 #include <vector>
 
+#include "core/game/arena/free_space.h"
+#include "core/game/arena/obstacles.h"
 #include "core/game/arena/sight.h"
 #include "core/game/driver/pilot.h"
 #include "core/game/laser/fire.h"
 #include "core/game/match/event.h"
+#include "core/game/match/joint_faces.h"
 #include "core/game/match/rules.h"
+#include "core/game/match/stale_colliders.h"
 #include "core/game/vehicle/damage.h"
 #include "core/physics/physics.h"
 #include "core/world/delta.h"
@@ -27,6 +31,7 @@ struct Standing {
     kPause,  // a wave is cleared, the next one comes soon
     kWon,
     kLost,
+    kEnded,  // neither: the time of a sandbox is over
   };
   Phase phase = Phase::kFight;
   size_t wave = 0;       // from 0
@@ -37,7 +42,14 @@ struct Standing {
   size_t wheels_lost = 0;  // of the player's vehicles
   size_t pieces = 0;       // that came off bodies
   size_t faces_removed = 0;
-  bool over() const { return phase == Phase::kWon || phase == Phase::kLost; }
+  bool over() const { return phase != Phase::kFight && phase != Phase::kPause; }
+};
+
+// How a match stands where a wave begins: all that a wave depends on besides the setup of the match.
+struct WaveStart {
+  Standing standing;
+  Placement player;    // of the player's vehicle
+  size_t strokes = 0;  // of the player before
 };
 
 // A match: the player's vehicle against waves of enemies in an arena.
@@ -50,6 +62,8 @@ struct Standing {
 class Match {
  public:
   explicit Match(MatchSetup setup);
+  // Goes on where a wave of a match with the same setup began. Precondition: the wave exists.
+  Match(MatchSetup setup, const WaveStart& start);
 
   // Advances by 1/120 s. Does nothing once it is over.
   void tick(const Controls& player);
@@ -57,6 +71,8 @@ class Match {
   const Rules& rules() const { return *setup_.rules; }
   const MatchSetup& setup() const { return setup_; }
   const Standing& standing() const { return standing_; }
+  // Where the present wave began.
+  const WaveStart& wave_start() const { return wave_start_; }
   // The seconds that are left to win.
   double seconds_left() const;
   // How often the player switched the beam on.
@@ -82,6 +98,8 @@ class Match {
  private:
   void begin_wave(size_t wave, const Placement& player);
   void take_controls(const Controls& player, const Sight& sight);
+  void take_turns();
+  std::vector<Guided> guided() const;
   void move_bodies(PlacementsBefore& before);
   void keep_inside();
   void note_impacts(const std::vector<Vec3>& velocities);
@@ -93,19 +111,30 @@ class Match {
   void assess();
   void note_damage(size_t vehicle, const Damage& damage);
   void recover();
+  void cool_bodies();
   void clear_debris();
   void remove(const std::vector<BodyId>& bodies);
   void judge();
   void follow(Delta change);
+  void make_colliders();
+  void renew_colliders();
+  Delta news_for_physics(const Delta& change) const;
   // Tells of something that happened to a vehicle, with points if the player did it to an enemy.
   void tell(Event event, double points = 0);
 
   MatchSetup setup_;
+  Obstacles obstacles_;
+  FreeSpace space_;
   Standing standing_;
+  WaveStart wave_start_;
   World world_;
   Physics physics_;
-  std::vector<BodyId> arena_;  // by index of the bodies of the arena
+  StaleColliders stale_colliders_;
+  JointFaces joint_faces_;
+  std::vector<BodyId> lost_joint_faces_;  // which the physics does not know yet
+  std::vector<BodyId> arena_;             // by index of the bodies of the arena
   std::vector<Vehicle> vehicles_;
+  std::vector<Disc> traffic_;    // as it was when drivers last looked around
   std::vector<Pilot> pilots_;    // of the enemies
   std::vector<size_t> enemies_;  // indices of vehicles
   // What is known of a vehicle besides its state.

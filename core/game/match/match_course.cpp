@@ -9,14 +9,14 @@ namespace kerf {
 
 namespace {
 
-constexpr size_t kMostDebris = 160;  // free bodies
+constexpr size_t kMostLoose = 200;  // bodies, those of the arena among them
 constexpr Ticks kClearEvery = kTicksPerSecond / 10;
 
 }  // namespace
 
 void Match::recover() {
   for (size_t v = 0; v < vehicles_.size(); ++v) {
-    if (!recover_vehicle(world_, vehicles_[v], rules().description.times)) continue;
+    if (!recover_vehicle(world_, vehicles_[v], space_, rules().description.times)) continue;
     Delta moved;
     moved.moved = all_bodies(vehicles_[v]);
     follow(std::move(moved));
@@ -25,7 +25,7 @@ void Match::recover() {
   }
 }
 
-// Where there is too much of it, the smallest pieces that lie still go.
+// Where too much lies about, the smallest pieces that lie still go, but nothing of the arena.
 void Match::clear_debris() {
   if (standing_.ticks % kClearEvery != 0) return;
   struct Resting {
@@ -36,14 +36,14 @@ void Match::clear_debris() {
   size_t all = 0;
   for (const BodyId id : world_.ids()) {
     const Body& body = world_.body(id);
-    const bool of_arena = std::find(arena_.begin(), arena_.end(), id) != arena_.end();
-    if (of_arena || vehicle_of(id) != Event::kNobody) continue;
+    if (body.pinned || vehicle_of(id) != Event::kNobody) continue;
     ++all;
+    if (std::find(arena_.begin(), arena_.end(), id) != arena_.end()) continue;
     const AabbTree::Box box = body.tree.bounds();
     if (body.motion.asleep) resting.push_back({glm::length(box.max - box.min), id});
   }
-  if (all <= kMostDebris) return;
-  const size_t going = std::min(all - kMostDebris, resting.size());
+  if (all <= kMostLoose) return;
+  const size_t going = std::min(all - kMostLoose, resting.size());
   std::stable_sort(resting.begin(), resting.end(),
                    [](const Resting& a, const Resting& b) { return a.size < b.size; });
   std::vector<BodyId> ids;
@@ -68,8 +68,9 @@ void Match::judge() {
   }
   if (!vehicles_[kPlayer].alive || seconds_left() <= 0) {
     const bool sandbox = rules().waves.empty() && vehicles_[kPlayer].alive;
-    standing_.phase = sandbox ? Phase::kWon : Phase::kLost;
-    return tell({sandbox ? Event::Kind::kWon : Event::Kind::kLost});
+    standing_.phase = sandbox ? Phase::kEnded : Phase::kLost;
+    if (!sandbox) tell({Event::Kind::kLost});
+    return;
   }
   const auto lives = [&](size_t v) { return vehicles_[v].alive; };
   if (enemies_.empty() || std::any_of(enemies_.begin(), enemies_.end(), lives)) return;

@@ -12,13 +12,18 @@ namespace kerf {
 namespace {
 
 constexpr double kTick = 1.0 / kTicksPerSecond;
-constexpr double kLeaning = 0.35;     // the cosine of the lean from which on a vehicle is overturned
-constexpr double kRoom = 2.5;         // m, around a vehicle
-constexpr double kFreeSpeed = 3;      // m/s
-constexpr double kStuckSpeed = 0.35;  // m/s
-constexpr double kLift = 0.35;        // m
+constexpr double kLeaning = 0.35;  // the cosine of the lean from which on a vehicle is overturned
+constexpr double kRoom = 2.5;      // m, around a vehicle
+constexpr double kFreeSpeed = 3;   // m/s
+constexpr double kAway = 0.5;      // m
+constexpr double kGetAway = 1.2;   // s, that a vehicle which was put upright has to get away
+constexpr double kLift = 0.35;     // m
 
-bool wants_away(const Vehicle& vehicle) { return std::abs(vehicle.controls.throttle) > Controls::kFull / 4; }
+bool wants_away(const Vehicle& vehicle) { return std::abs(vehicle.controls.throttle) > Controls::kFull / 5; }
+
+bool is_overturned(const Body& chassis) {
+  return (chassis.placement.orientation * Vec3(0, 1, 0)).y < kLeaning;
+}
 
 // A vehicle that stands on all its wheels and has not tried both ways is only in front of something.
 bool is_caught(const Vehicle& vehicle) {
@@ -27,15 +32,22 @@ bool is_caught(const Vehicle& vehicle) {
                      [](const Wheel& w) { return w.attached && !w.grounded; });
 }
 
+void begin_to_count(const Body& chassis, Vehicle& vehicle) {
+  vehicle.stuck_at = chassis.placement.position;
+  vehicle.stuck_s = 0;
+  vehicle.tried_ahead = vehicle.tried_back = false;
+}
+
 void count(const Body& chassis, Vehicle& vehicle) {
-  const double speed = glm::length(chassis.motion.velocity);
-  const bool overturned = (chassis.placement.orientation * Vec3(0, 1, 0)).y < kLeaning;
-  const bool stands = !overturned && wants_away(vehicle) && speed < kStuckSpeed;
+  const bool overturned = is_overturned(chassis), wants = wants_away(vehicle);
+  const Vec3& place = chassis.placement.position;
+  if (!vehicle.stuck_at || glm::distance(place, *vehicle.stuck_at) > kAway) begin_to_count(chassis, vehicle);
   vehicle.overturned_s = overturned ? vehicle.overturned_s + kTick : 0;
-  vehicle.stuck_s = stands ? vehicle.stuck_s + kTick : 0;
-  vehicle.tried_ahead = stands && (vehicle.tried_ahead || vehicle.controls.throttle > 0);
-  vehicle.tried_back = stands && (vehicle.tried_back || vehicle.controls.throttle < 0);
-  if (!overturned && speed > kFreeSpeed) vehicle.free_place = chassis.placement;
+  vehicle.stuck_s = std::max(0.0, vehicle.stuck_s + (overturned || wants ? kTick : -kTick));
+  vehicle.tried_ahead |= wants && vehicle.controls.throttle > 0;
+  vehicle.tried_back |= wants && vehicle.controls.throttle < 0;
+  if (!overturned && glm::length(chassis.motion.velocity) > kFreeSpeed)
+    vehicle.free_place = chassis.placement;
 }
 
 // Whether no other body that moves is near a place.
@@ -48,6 +60,27 @@ bool is_free(const World& world, const Vehicle& vehicle, const Vec3& place) {
   return true;
 }
 
+// Where a vehicle can drive on: where it last did, or the nearest place with room.
+std::optional<Placement> way_out(const World& world, const Vehicle& vehicle, const FreeSpace& space,
+                                 const Placement& from) {
+  const auto serves = [&](const Vec3& place) {
+    return glm::distance(place, from.position) > kAway && is_free(world, vehicle, place);
+  };
+  if (vehicle.free_place && serves(vehicle.free_place->position)) return vehicle.free_place;
+  if (space.spots() == 0) return std::nullopt;
+  constexpr double kFarthest = 20, kApart = 2;  // m
+  constexpr int kDirections = 12;
+  for (double reach = kApart; reach <= kFarthest; reach += kApart) {
+    for (int i = 0; i < kDirections; ++i) {
+      const Vec3 there = from.position + reach * direction_of(2 * kPi * i / kDirections, 0);
+      const FreeSpace::Spot spot = space.spot_at(there);
+      if (space.has_room(spot) && serves(space.place_of(spot)))
+        return Placement{space.place_of(spot), from.orientation};
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Placement upright(const Placement& placement, double ground) {
@@ -57,25 +90,26 @@ Placement upright(const Placement& placement, double ground) {
   return {position, turn_about({0, 1, 0}, heading)};
 }
 
-bool recover_vehicle(World& world, Vehicle& vehicle, const MatchTimes& times) {
+bool recover_vehicle(World& world, Vehicle& vehicle, const FreeSpace& space, const MatchTimes& times) {
   if (!vehicle.alive || vehicle.wheels_attached() == 0) return false;
   Body& chassis = world.body(vehicle.chassis);
   count(chassis, vehicle);
   const bool overturned = vehicle.overturned_s >= times.righting;
-  const bool stuck = vehicle.stuck_s >= times.stuck && is_caught(vehicle);
+  const bool stuck = vehicle.stuck_s >= times.stuck && vehicle.can_drive() && is_caught(vehicle);
   if (!overturned && !stuck) return false;
-  vehicle.overturned_s = vehicle.stuck_s = 0;
-  vehicle.tried_ahead = vehicle.tried_back = false;
   const double ground = world.surroundings().ground.value_or(chassis.placement.position.y);
   // The middle of a vehicle on its roof is not where its origin is.
   const Vec3 middle = chassis.placement.to_world(chassis.middle());
-  const bool goes_back = stuck && vehicle.free_place && is_free(world, vehicle, vehicle.free_place->position);
-  chassis.placement =
-      goes_back ? upright(*vehicle.free_place, ground)
-                : upright({{middle.x, overturned ? middle.y : chassis.placement.position.y, middle.z},
-                           chassis.placement.orientation},
-                          ground);
+  const Placement here = upright({{middle.x, overturned ? middle.y : chassis.placement.position.y, middle.z},
+                                  chassis.placement.orientation},
+                                 ground);
+  const std::optional<Placement> out = overturned ? std::nullopt : way_out(world, vehicle, space, here);
+  chassis.placement = out ? upright(*out, ground) : here;
   chassis.motion = Motion{};
+  vehicle.overturned_s = 0;
+  begin_to_count(chassis, vehicle);
+  if (!out) vehicle.stuck_s = std::max(0.0, times.stuck - kGetAway);
+  vehicle.gun.last.reset();  // lest the beam sweeps through all that lies between
   place_carried(world, vehicle);
   return true;
 }

@@ -22,6 +22,8 @@ struct EnemySkill {
   double aim_error = 0.06;  // rad
   double speed = 0.85;      // share of the throttle
   double fire = 0.6;        // share of the time for which they fire when they could
+  double distance = 13;     // m, that they keep from their opponent
+  size_t at_once = 12;      // how many of them fire at the same time
 };
 
 // Points for what the player cuts off.
@@ -56,7 +58,8 @@ struct RulesDescription {
 //    "laser": {"range": 60, "radius": [0.008, 0.03], "energy": 100, "energy_per_second": 18,
 //              "recharge_per_second": 12, "heat_per_second": 0.25, "cooling_per_second": 0.2},
 //    "times": {"match": 600, "between_waves": 6, "righting": 3, "stuck": 3},
-//    "difficulties": {"easy": {"reaction": 0.9, "aim_error": 6, "enemy_speed": 0.7, "enemy_fire": 0.35},
+//    "difficulties": {"easy": {"reaction": 0.9, "aim_error": 6, "enemy_speed": 0.7, "enemy_fire": 0.35,
+//                              "enemy_distance": 16, "enemies_at_once": 1},
 //                     "normal": {..}, "hard": {..}},
 //    "score": {"piece": 10, "wheel": 100, "turret": 250, "engine": 300, "driver": 300, "kill": 500,
 //              "in_halves": 400, "at_a_stroke": 600}}

@@ -42,6 +42,8 @@ Status parse_skill(const JsonValue& value, EnemySkill& skill) {
   JsonFields fields(value);
   fields.number("reaction", skill.reaction, {0, 2}).number("aim_error", error, {0, 45});
   fields.number("enemy_speed", skill.speed, {0, 1}).number("enemy_fire", skill.fire, {0, 1});
+  fields.number("enemy_distance", skill.distance, {4, 60})
+      .count("enemies_at_once", skill.at_once, 1, kMostEnemies);
   skill.aim_error = radians_of(error);
   return fields.status();
 }

@@ -9,6 +9,13 @@ size_t Vehicle::wheels_attached() const {
       std::count_if(wheels.begin(), wheels.end(), [](const Wheel& w) { return w.attached; }));
 }
 
+bool Vehicle::can_drive() const {
+  for (size_t i = 0; i < wheels.size(); ++i) {
+    if (wheels[i].attached && what().wheels[i].driven) return true;
+  }
+  return false;
+}
+
 bool Vehicle::has(BodyId body) const {
   if (body == chassis) return true;
   if (gun.turret_attached && body == gun.turret) return true;

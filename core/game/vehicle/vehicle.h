@@ -45,13 +45,17 @@ struct Vehicle {
   bool alive = true;
   std::vector<bool> vital_works;  // by VehicleDescription::vitals
   Controls controls;
-  double overturned_s = 0, stuck_s = 0;          // for how long
-  bool tried_ahead = false, tried_back = false;  // while it is stuck
+  double overturned_s = 0;                       // for how long
+  double stuck_s = 0;                            // for how long it has not got away from `stuck_at`
+  std::optional<Vec3> stuck_at;                  // m, its position
+  bool tried_ahead = false, tried_back = false;  // meanwhile
   std::optional<Placement> free_place;           // where it last drove freely
   double whole = 1;                              // the fraction of the area of the chassis that is left
 
   const VehicleDescription& what() const { return model->description; }
   size_t wheels_attached() const;
+  // Whether a wheel is left that the engine drives.
+  bool can_drive() const;
   // Whether a body is the chassis or carried by it.
   bool has(BodyId body) const;
 };

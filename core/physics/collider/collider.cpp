@@ -1,6 +1,7 @@
 #include "core/physics/collider/collider.h"
 
 #include <algorithm>
+#include <cassert>
 #include <tuple>
 
 #include "core/physics/collider/feature_edges.h"
@@ -26,14 +27,15 @@ VertexNormals normals_of(const Mesh& mesh) {
   n.of_vertex.resize(mesh.vertex_slots(), Vec3(0));
   n.areas_at.resize(mesh.vertex_slots(), 0);
   std::vector<bool> seen(mesh.vertex_slots(), false);
+  const Positions at = mesh.positions();
   for (uint32_t slot = 0; slot < mesh.face_slots(); ++slot) {
     const FaceId f(slot);
     if (!mesh.is_live(f)) continue;
-    const Triangle t = mesh.triangle(f);
-    const Vec3 area = glm::cross(t[1] - t[0], t[2] - t[0]);
+    const std::array<VertexId, 3> corners = mesh.corners(f);
+    const Vec3 area = glm::cross(at[corners[1]] - at[corners[0]], at[corners[2]] - at[corners[0]]);
     const double length = glm::length(area);
     if (length > 0) n.of_face[slot] = area / length;
-    for (VertexId v : mesh.corners(f)) {
+    for (VertexId v : corners) {
       n.of_vertex[v.index] += area;
       n.areas_at[v.index] += length;
       seen[v.index] = true;
@@ -72,22 +74,29 @@ Vec3 unit_or_zero(const Vec3& v) {
   return length > 0 ? v / length : Vec3(0);
 }
 
-std::vector<VertexId> on_lines(const std::vector<FeatureEdge>& edges, bool rims_only = false) {
-  std::vector<VertexId> vertices;
+// Some vertices of a mesh.
+struct Vertices {
+  std::vector<bool> has;       // by slot
+  std::vector<VertexId> list;  // ascending
+};
+
+Vertices on_lines(const Mesh& mesh, const std::vector<FeatureEdge>& edges, bool rims_only) {
+  Vertices vertices{std::vector<bool>(mesh.vertex_slots(), false), {}};
   for (const FeatureEdge& e : edges) {
-    if (e.rim || !rims_only) vertices.insert(vertices.end(), {e.from, e.to});
+    if (e.rim || !rims_only) vertices.has[e.from.index] = vertices.has[e.to.index] = true;
   }
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  for (uint32_t v = 0; v < vertices.has.size(); ++v) {
+    if (vertices.has[v]) vertices.list.push_back(VertexId(v));
+  }
   return vertices;
 }
 
-std::vector<VertexId> chosen_vertices(const Mesh& mesh, const std::vector<VertexId>& rims,
+std::vector<VertexId> chosen_vertices(const Mesh& mesh, const Vertices& rims,
                                       const std::vector<VertexId>& all, size_t most) {
-  std::vector<VertexId> candidates = thinned(rims);
+  std::vector<VertexId> candidates = thinned(rims.list);
   const size_t on_rim = candidates.size();
   for (VertexId v : thinned(all)) {
-    if (!std::binary_search(rims.begin(), rims.end(), v)) candidates.push_back(v);
+    if (!rims.has[v.index]) candidates.push_back(v);
   }
   std::vector<Vec3> places;
   for (VertexId v : candidates) places.push_back(mesh.position(v));
@@ -109,29 +118,54 @@ std::vector<VertexId> chosen_vertices(const Mesh& mesh, const std::vector<Vertex
   return vertices;
 }
 
-std::vector<Collider::Chord> chords_along(const std::vector<std::vector<Vec3>>& lines, double error) {
-  std::vector<Collider::Chord> chords;
-  for (const std::vector<Vec3>& line : lines) {
-    const std::vector<Vec3> kept = simplified(line, error);
-    for (size_t i = 0; i + 1 < kept.size(); ++i) chords.push_back({kept[i], kept[i + 1]});
+// The feature lines of a mesh, which may be simplified by larger and larger errors.
+class Lines {
+ public:
+  Lines(const Mesh& mesh, const std::vector<FeatureEdge>& edges, double least_error) {
+    const Positions at = mesh.positions();
+    for (const FeatureLine& line : joined(edges)) {
+      Line& own = lines_.emplace_back();
+      for (VertexId v : line) own.places.push_back(at[v]);
+      own.left_out_from = left_out_from(own.places, least_error);
+    }
   }
-  return chords;
-}
+
+  size_t count_chords(double error) const {
+    size_t count = 0;
+    for (const Line& line : lines_) {
+      for (const double from : line.left_out_from) count += from > error * error;
+    }
+    return count - lines_.size();
+  }
+
+  std::vector<Collider::Chord> chords(double error) const {
+    std::vector<Collider::Chord> chords;
+    for (const Line& line : lines_) {
+      Vec3 from = line.places.front();
+      for (size_t i = 1; i < line.places.size(); ++i) {
+        if (!(line.left_out_from[i] > error * error)) continue;
+        chords.push_back({from, line.places[i]});
+        from = line.places[i];
+      }
+    }
+    return chords;
+  }
+
+ private:
+  struct Line {
+    std::vector<Vec3> places;
+    std::vector<double> left_out_from;
+  };
+  std::vector<Line> lines_;
+};
 
 std::vector<Collider::Chord> chords_of(const Mesh& mesh, const std::vector<FeatureEdge>& edges,
                                        const ColliderSettings& settings) {
-  std::vector<std::vector<Vec3>> lines;
-  for (const FeatureLine& line : joined(edges)) {
-    std::vector<Vec3>& places = lines.emplace_back();
-    for (VertexId v : line) places.push_back(mesh.position(v));
-  }
   double error = settings.chord_error;
-  std::vector<Collider::Chord> chords = chords_along(lines, error);
-  // Two chords remain of the smallest closed line, so that lines alone may be too many.
-  for (int i = 0; i < 16 && chords.size() > settings.most_chords; ++i) {
-    error *= 2;
-    chords = chords_along(lines, error);
-  }
+  const Lines lines(mesh, edges, error);
+  // One chord remains of an open line, two of a closed one, so that lines alone may be too many.
+  for (int i = 0; i < 16 && lines.count_chords(error) > settings.most_chords; ++i) error *= 2;
+  std::vector<Collider::Chord> chords = lines.chords(error);
   if (chords.size() > settings.most_chords) {
     const auto longer = [](const Collider::Chord& a, const Collider::Chord& b) {
       return glm::length(a.to - a.from) > glm::length(b.to - b.from);
@@ -158,24 +192,24 @@ std::vector<VertexId> ends_of(const std::vector<Collider::Chord>& chords, const 
   return vertices;
 }
 
-// A vertex amid flat faces lies between others. `rims` are sorted.
-std::vector<Vec3> corners_of(const Mesh& mesh, const VertexNormals& normals,
-                             const std::vector<VertexId>& rims) {
+// A vertex amid flat faces lies between others.
+std::vector<Vec3> corners_of(const Mesh& mesh, const VertexNormals& normals, const Vertices& rims) {
   constexpr double kFlat = 1 - 1e-9;  // the cosine of the mean angle to the mean normal
   std::vector<Vec3> corners;
   for (const VertexId v : normals.used) {
     const bool flat = glm::length(normals.of_vertex[v.index]) > kFlat * normals.areas_at[v.index];
-    if (!flat || std::binary_search(rims.begin(), rims.end(), v)) corners.push_back(mesh.position(v));
+    if (!flat || rims.has[v.index]) corners.push_back(mesh.position(v));
   }
   return corners;
 }
 
 Occupancy space_of(const Mesh& mesh, const Collider& collider) {
   Occupancy space(collider.bounds);
+  const Positions at = mesh.positions();
   for (uint32_t slot = 0; slot < mesh.face_slots(); ++slot) {
     if (!mesh.is_live(FaceId(slot))) continue;
-    const Triangle t = mesh.triangle(FaceId(slot));
-    space.add({glm::min(glm::min(t[0], t[1]), t[2]), glm::max(glm::max(t[0], t[1]), t[2])});
+    const auto [a, b, c] = mesh.corners(FaceId(slot));
+    space.add({glm::min(glm::min(at[a], at[b]), at[c]), glm::max(glm::max(at[a], at[b]), at[c])});
   }
   for (const Collider::Chord& c : collider.chords)
     space.add({glm::min(c.from, c.to), glm::max(c.from, c.to)});
@@ -205,15 +239,17 @@ void cluster_chords(Collider& collider) {
 }  // namespace
 
 Collider make_collider(const Mesh& mesh, const ColliderSettings& settings) {
+  assert(settings.most_points > 0 && settings.chord_error > 0);
   const VertexNormals normals = normals_of(mesh);
   const std::vector<FeatureEdge> edges = feature_edges(mesh, normals.of_face);
   const std::vector<Vec3> outward = outward_at_rims(mesh, edges, normals);
+  const Vertices rims = on_lines(mesh, edges, true);
   Collider collider;
   collider.chords = chords_of(mesh, edges, settings);
-  std::vector<VertexId> vertices = ends_of(collider.chords, mesh, on_lines(edges));
+  std::vector<VertexId> vertices = ends_of(collider.chords, mesh, on_lines(mesh, edges, false).list);
   if (vertices.size() > settings.most_points) vertices.resize(settings.most_points);
   const size_t more = settings.most_points - vertices.size();
-  for (VertexId v : chosen_vertices(mesh, on_lines(edges, true), normals.used, more)) {
+  for (VertexId v : chosen_vertices(mesh, rims, normals.used, more)) {
     if (std::find(vertices.begin(), vertices.end(), v) == vertices.end()) vertices.push_back(v);
   }
   for (VertexId v : vertices) {
@@ -222,7 +258,7 @@ Collider make_collider(const Mesh& mesh, const ColliderSettings& settings) {
   }
   for (VertexId v : normals.used) collider.bounds.add(mesh.position(v));
   if (!normals.used.empty()) collider.space = space_of(mesh, collider);
-  collider.corners = corners_of(mesh, normals, on_lines(edges, true));
+  collider.corners = corners_of(mesh, normals, rims);
   cluster_points(collider);
   cluster_chords(collider);
   return collider;

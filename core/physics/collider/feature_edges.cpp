@@ -1,8 +1,9 @@
 #include "core/physics/collider/feature_edges.h"
 
 #include <algorithm>
+#include <cassert>
+#include <numeric>
 #include <span>
-#include <tuple>
 
 namespace kerf {
 
@@ -10,44 +11,46 @@ namespace {
 
 constexpr double kCreaseCosine = 0.766;  // of 40 degrees
 
-// The ends of edges, sorted by vertex.
-struct End {
-  VertexId at;
-  uint32_t edge;
-};
-
+// The edges by the vertices at their ends.
 class Ends {
  public:
   explicit Ends(const std::vector<FeatureEdge>& edges) {
-    ends_.reserve(2 * edges.size());
-    for (uint32_t e = 0; e < edges.size(); ++e) {
-      ends_.push_back({edges[e].from, e});
-      ends_.push_back({edges[e].to, e});
+    uint32_t vertices = 0;
+    for (const FeatureEdge& e : edges) vertices = std::max({vertices, e.from.index + 1, e.to.index + 1});
+    first_.resize(size_t{vertices} + 1, 0);
+    for (const FeatureEdge& e : edges) {
+      ++first_[e.from.index];
+      ++first_[e.to.index];
     }
-    std::sort(ends_.begin(), ends_.end(),
-              [](const End& a, const End& b) { return std::tie(a.at, a.edge) < std::tie(b.at, b.edge); });
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    edges_.resize(2 * edges.size());
+    for (auto e = static_cast<uint32_t>(edges.size()); e-- > 0;) {
+      edges_[--first_[edges[e].to.index]] = e;
+      edges_[--first_[edges[e].from.index]] = e;
+    }
   }
-  std::span<const End> at(VertexId v) const {
-    const auto [low, high] = std::equal_range(ends_.begin(), ends_.end(), End{v, 0},
-                                              [](const End& a, const End& b) { return a.at < b.at; });
-    return {low, high};
+  // Ascending. Precondition: an edge ends there.
+  std::span<const uint32_t> at(VertexId v) const {
+    return std::span(edges_).subspan(first_[v.index], first_[v.index + 1] - first_[v.index]);
   }
 
  private:
-  std::vector<End> ends_;
+  std::vector<uint32_t> edges_;
+  std::vector<uint32_t> first_;  // by vertex, of edges_
 };
 
 // Follows edges from one end until the line branches, ends or closes.
 FeatureLine follow(const std::vector<FeatureEdge>& edges, const Ends& ends, uint32_t edge, VertexId start,
                    std::vector<bool>& used) {
+  assert(!used[edge] && (edges[edge].from == start || edges[edge].to == start));
   FeatureLine line{start};
   while (true) {
     used[edge] = true;
     const VertexId next = edges[edge].from == line.back() ? edges[edge].to : edges[edge].from;
     line.push_back(next);
-    const std::span<const End> there = ends.at(next);
+    const std::span<const uint32_t> there = ends.at(next);
     if (there.size() != 2) return line;
-    edge = there[0].edge == edge ? there[1].edge : there[0].edge;
+    edge = there[0] == edge ? there[1] : there[0];
     if (used[edge]) return line;
   }
 }
@@ -55,6 +58,7 @@ FeatureLine follow(const std::vector<FeatureEdge>& edges, const Ends& ends, uint
 }  // namespace
 
 std::vector<FeatureEdge> feature_edges(const Mesh& mesh, const std::vector<Vec3>& normals) {
+  assert(normals.size() == mesh.face_slots());
   std::vector<FeatureEdge> edges;
   std::vector<Mesh::Side> sides;
   for (uint32_t slot = 0; slot < mesh.face_slots(); ++slot) {
@@ -71,10 +75,11 @@ std::vector<FeatureEdge> feature_edges(const Mesh& mesh, const std::vector<Vec3>
       }
       const bool first =
           std::all_of(sides.begin(), sides.end(), [&](const Mesh::Side& s) { return f < s.face; });
+      if (!first) continue;
       const bool bends = std::any_of(sides.begin(), sides.end(), [&](const Mesh::Side& s) {
         return glm::dot(normals[slot], normals[s.face.index]) < kCreaseCosine;
       });
-      if (first && bends) edges.push_back({from, to, f, false});
+      if (bends) edges.push_back({from, to, f, false});
     }
   }
   return edges;

@@ -21,7 +21,7 @@ std::vector<FeatureEdge> feature_edges(const Mesh& mesh, const std::vector<Vec3>
 // A sequence of vertices along feature edges; closed if the first and the last are the same.
 using FeatureLine = std::vector<VertexId>;
 
-// Joins edges that meet in vertices of exactly two of them. O(n log n).
+// Joins edges that meet in vertices of exactly two of them. O(n + highest vertex).
 std::vector<FeatureLine> joined(const std::vector<FeatureEdge>& edges);
 
 }  // namespace kerf

@@ -14,23 +14,6 @@ Occupancy::Occupancy(const Box& bounds) : bounds_(bounds) {
   rows_.resize(static_cast<size_t>(count_[1]) * static_cast<size_t>(count_[2]), 0);
 }
 
-bool Occupancy::cells_of(const Box& box, Range& range) const {
-  if (rows_.empty() || !box.overlaps(bounds_)) return false;
-  for (int k = 0; k < 3; ++k) {
-    // Both are computed alike for what is added and what is asked for, so that rounding loses nothing.
-    const double low = (std::max(box.min[k], bounds_.min[k]) - bounds_.min[k]) * per_metre_,
-                 high = (std::min(box.max[k], bounds_.max[k]) - bounds_.min[k]) * per_metre_;
-    range.first[k] = std::min(static_cast<int>(low), count_[k] - 1);
-    range.last[k] = std::min(static_cast<int>(high), count_[k] - 1);
-  }
-  return true;
-}
-
-uint64_t Occupancy::row_bits(const Range& range) const {
-  const int count = range.last[0] - range.first[0] + 1;
-  return ((uint64_t{1} << count) - 1) << range.first[0];
-}
-
 void Occupancy::add(const Box& box) {
   Range range;
   if (!cells_of(box, range)) return;
@@ -39,18 +22,6 @@ void Occupancy::add(const Box& box) {
     for (int y = range.first[1]; y <= range.last[1]; ++y)
       rows_[static_cast<size_t>(y + z * count_[1])] |= bits;
   }
-}
-
-bool Occupancy::meets(const Box& box) const {
-  Range range;
-  if (!cells_of(box, range)) return false;
-  const uint64_t bits = row_bits(range);
-  for (int z = range.first[2]; z <= range.last[2]; ++z) {
-    for (int y = range.first[1]; y <= range.last[1]; ++y) {
-      if (rows_[static_cast<size_t>(y + z * count_[1])] & bits) return true;
-    }
-  }
-  return false;
 }
 
 }  // namespace kerf

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstdint>
 #include <vector>
 
@@ -31,10 +33,43 @@ class Occupancy {
   bool cells_of(const Box& box, Range& range) const;
   uint64_t row_bits(const Range& range) const;
 
+  int cell_of(double place, int axis) const {
+    const double cell = (place - bounds_.min[axis]) * per_metre_;
+    return cell > 0 ? std::min(static_cast<int>(cell), count_[axis] - 1) : 0;
+  }
+
   Box bounds_;
   double per_metre_ = 0;
   std::array<int, 3> count_{};
   std::vector<uint64_t> rows_;  // along the first axis, by y + z * count_[1]
 };
+
+// Both ends are computed alike for what is added and what is asked for, so that rounding loses nothing.
+inline bool Occupancy::cells_of(const Box& box, Range& range) const {
+  if (rows_.empty() || !box.overlaps(bounds_)) return false;
+  for (int k = 0; k < 3; ++k) {
+    range.first[k] = cell_of(box.min[k], k);
+    range.last[k] = cell_of(std::min(box.max[k], bounds_.max[k]), k);
+  }
+  return true;
+}
+
+inline uint64_t Occupancy::row_bits(const Range& range) const {
+  const int count = range.last[0] - range.first[0] + 1;
+  return ((uint64_t{1} << count) - 1) << range.first[0];
+}
+
+inline bool Occupancy::meets(const Box& box) const {
+  assert(box.min.x <= box.max.x && box.min.y <= box.max.y && box.min.z <= box.max.z);
+  Range range;
+  if (!cells_of(box, range)) return false;
+  const uint64_t bits = row_bits(range);
+  for (int z = range.first[2]; z <= range.last[2]; ++z) {
+    for (int y = range.first[1]; y <= range.last[1]; ++y) {
+      if (rows_[static_cast<size_t>(y + z * count_[1])] & bits) return true;
+    }
+  }
+  return false;
+}
 
 }  // namespace kerf

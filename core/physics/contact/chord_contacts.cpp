@@ -1,7 +1,9 @@
 #include "core/physics/contact/chord_contacts.h"
 
 #include <algorithm>
+#include <cassert>
 #include <optional>
+#include <span>
 
 namespace kerf {
 
@@ -31,7 +33,7 @@ std::vector<Segment> near_chords(const MovingBody& first, const MovingBody& seco
       const Collider::Chord& c = first.collider->chords[i];
       const Vec3 middle = 0.5 * (c.from + c.to);
       const Segment s = segment(i, now(c.from), now(c.to), next(middle) - now(middle), margin);
-      if (s.bounds.overlaps(second.collider->bounds)) near.push_back(s);
+      if (second.collider->space.meets(s.bounds)) near.push_back(s);
     }
   }
   return near;
@@ -51,6 +53,23 @@ std::vector<Segment> chords_within(const MovingBody& body, const std::vector<Seg
     }
   }
   return near;
+}
+
+// Chords that follow each other in a list, and lie beside each other because those of clusters do.
+struct Run {
+  std::span<const Segment> segments;
+  Box bounds;
+};
+
+std::vector<Run> runs_of(std::span<const Segment> segments) {
+  constexpr size_t kMost = 8;
+  std::vector<Run> runs;
+  for (; !segments.empty(); segments = segments.subspan(runs.back().segments.size())) {
+    Run& run = runs.emplace_back();
+    run.segments = segments.first(std::min(kMost, segments.size()));
+    for (const Segment& s : run.segments) run.bounds.add(s.bounds);
+  }
+  return runs;
 }
 
 // Where two lines come nearest.
@@ -85,26 +104,32 @@ std::optional<Crossing> crossing(const Segment& a, const Segment& b, double reac
 
 void find_chord_contacts(const MovingBody& first, const MovingBody& second, const ContactLengths& lengths,
                          std::vector<Contact>& out) {
+  assert(first.scale > 0 && second.scale > 0);
   const double scale = std::min(first.scale, second.scale);
   const double reach = lengths.reach * scale, skin = lengths.chord_skin * scale;
   const std::vector<Segment> ours = near_chords(first, second, reach);
   const std::vector<Segment> theirs = chords_within(second, ours);
+  const auto meet = [&](const Segment& a, const Segment& b) {
+    if (!a.bounds.overlaps(b.bounds)) return;
+    std::optional<Crossing> c = crossing(a, b, reach);
+    if (!c || !c->within()) return;
+    if (c->distance < 0) {
+      c->normal = -c->normal;
+      c->distance = -c->distance;
+    }
+    const double closing = std::max(-glm::dot(a.way, c->normal), 0.0);
+    if (c->distance > closing + reach) return;
+    Contact& contact = out.emplace_back();
+    contact.at = second.now(a.from + c->s * (a.to - a.from));
+    contact.normal = second.now.turn * c->normal;
+    contact.distance = c->distance - skin;
+    contact.feature = (uint64_t{a.index} + 1) << 32 | b.index;
+  };
+  const std::vector<Run> runs = runs_of(theirs);
   for (const Segment& a : ours) {
-    for (const Segment& b : theirs) {
-      if (!a.bounds.overlaps(b.bounds)) continue;
-      std::optional<Crossing> c = crossing(a, b, reach);
-      if (!c || !c->within()) continue;
-      if (c->distance < 0) {
-        c->normal = -c->normal;
-        c->distance = -c->distance;
-      }
-      const double closing = std::max(-glm::dot(a.way, c->normal), 0.0);
-      if (c->distance > closing + reach) continue;
-      Contact& contact = out.emplace_back();
-      contact.at = second.now(a.from + c->s * (a.to - a.from));
-      contact.normal = second.now.turn * c->normal;
-      contact.distance = c->distance - skin;
-      contact.feature = (uint64_t{a.index} + 1) << 32 | b.index;
+    for (const Run& run : runs) {
+      if (!a.bounds.overlaps(run.bounds)) continue;
+      for (const Segment& b : run.segments) meet(a, b);
     }
   }
 }

@@ -13,6 +13,7 @@ constexpr uint32_t kPlaceBits = 12;
 constexpr uint32_t kPlaces = 1u << kPlaceBits;  // along a chord
 
 uint32_t point_at(uint32_t chord, double share) {
+  assert(share >= 0 && share <= 1 + 1e-9 && chord < kAtRim >> kPlaceBits);
   const auto place = static_cast<uint32_t>(share * kPlaces);
   return kOnChord | chord << kPlaceBits | std::min(place, kPlaces - 1);
 }
@@ -31,12 +32,6 @@ void insert(const PointMemory& point, std::vector<PointMemory>& memory) {
   if (at != memory.end() && near(*at)) return;
   if (at != memory.begin() && near(*std::prev(at))) return;
   memory.insert(at, point);
-}
-
-// Small pieces that meet edge on in a heap are left to those that they lie on.
-bool is_large(const MovingBody& b) {
-  constexpr double kLarge = 1;  // m, the diagonal of its bounds
-  return glm::length(b.collider->bounds.max - b.collider->bounds.min) > kLarge * b.metre;
 }
 
 // Adds a point at a rim. If there is one near it on the chord, that one has a normal between the two instead.
@@ -86,6 +81,7 @@ const Collider::Chord& chord_of(const Collider& collider, uint32_t point) {
 }
 
 Collider::Point point_of(const Collider& collider, uint32_t point) {
+  assert(is_on_chord(point) || point < collider.points.size());
   if (!is_on_chord(point)) return collider.points[point];
   const Collider::Chord& chord = chord_of(collider, point);
   const double share = (point & (kPlaces - 1)) / static_cast<double>(kPlaces);
@@ -95,7 +91,6 @@ Collider::Point point_of(const Collider& collider, uint32_t point) {
 bool remember_piercing_points(const MovingBody& chords, const MovingBody& faces,
                               std::vector<PointMemory>& memory) {
   const RigidMap now = into(faces.now, chords.now), next = into(faces.next, chords.next);
-  const bool rims = is_large(chords) && is_large(faces);
   bool any_new = false;
   for (const Cluster& cluster : chords.collider->chord_clusters) {
     if (!way_of(cluster, next, next).overlaps(faces.collider->bounds)) continue;
@@ -112,13 +107,15 @@ bool remember_piercing_points(const MovingBody& chords, const MovingBody& faces,
           met_face = true;
         }
       }
-      if (met_face || !rims) continue;
+      if (met_face) continue;
       const uint32_t point = point_at(i, through[0]) | kAtRim;
       const Vec3 at = point_of(*chords.collider, point).at, back = now(at) - next(at);
       if (const double way = glm::length(back); way > 0)
         any_new |= insert_at_rim({point, back / way}, memory);
     }
   }
+  assert(std::is_sorted(memory.begin(), memory.end(),
+                        [](const PointMemory& a, const PointMemory& b) { return a.point < b.point; }));
   return any_new;
 }
 

@@ -16,6 +16,8 @@ struct Contact {
   // Which point, or which two chords, of the bodies touch: stays the same while they do.
   uint64_t feature = 0;
   std::array<double, 3> impulse{};  // N s, along the normal and across it, of the last tick
+  // Within an edge of a sheet, which slides more easily than a corner: what was cut apart is to come apart.
+  bool on_edge = false;
 };
 
 }  // namespace kerf

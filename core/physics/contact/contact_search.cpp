@@ -1,6 +1,7 @@
 #include "core/physics/contact/contact_search.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "core/physics/contact/broad_phase.h"
 #include "core/physics/contact/chord_points.h"
@@ -28,6 +29,8 @@ const PairMemory* memory_of(const ContactMemory& memory, BodyId first, BodyId se
 }  // namespace
 
 TouchingPair ContactSearch::start(uint32_t first, uint32_t second) const {
+  assert(first < second && first < bodies_.size());
+  assert(second < bodies_.size() || second == TouchingPair::kGround);
   const BodyId a = bodies_[first].id, b = second == TouchingPair::kGround ? BodyId{} : bodies_[second].id;
   const PairMemory* old = memory_of(before_, a, b);
   TouchingPair pair{first, second, {}, old ? *old : PairMemory{a, b, {}, {}, {}}};
@@ -42,33 +45,40 @@ const TouchingPair* ContactSearch::find(uint32_t first, uint32_t second) const {
 }
 
 TouchingPair& ContactSearch::pair_of(uint32_t first, uint32_t second) {
+  assert(first < second && second < bodies_.size());
   const auto at = std::lower_bound(pairs_.begin(), pairs_.end(), std::pair(first, second), is_before);
   if (at != pairs_.end() && key(*at) == std::pair(first, second)) return *at;
   return *pairs_.insert(at, start(first, second));
 }
 
-void ContactSearch::sort() {
-  std::sort(pairs_.begin(), pairs_.end(),
-            [](const TouchingPair& a, const TouchingPair& b) { return key(a) < key(b); });
-}
-
 void ContactSearch::find() {
-  std::vector<TouchingPair> found;
+  assert(std::is_sorted(bodies_.begin(), bodies_.end(),
+                        [](const MovingBody& a, const MovingBody& b) { return a.id < b.id; }));
   const std::vector<std::pair<uint32_t, uint32_t>> near = near_pairs(bodies_);
   candidates_ += near.size();
-  for (const auto& [i, j] : near) {
-    if (find(i, j) || are_joined(joints_, i, j)) continue;
-    TouchingPair& pair = found.emplace_back(start(i, j));
-    pair.contacts = find_contacts(bodies_[i], bodies_[j], kLengths, pair.memory);
-  }
+  std::vector<TouchingPair> found;  // sorted like `pairs_`: the ground comes after all bodies
+  auto next = near.begin();
   for (uint32_t i = 0; i < bodies_.size(); ++i) {
-    if (!bodies_[i].moves() || find(i, TouchingPair::kGround)) continue;
-    TouchingPair pair = start(i, TouchingPair::kGround);
-    pair.contacts = find_ground_contacts(bodies_[i], around_, kLengths, pair.memory);
-    if (!pair.contacts.empty()) found.push_back(std::move(pair));
+    for (; next != near.end() && next->first == i; ++next) find_between(i, next->second, found);
+    find_on_ground(i, found);
   }
+  const auto known = static_cast<ptrdiff_t>(pairs_.size());
   pairs_.insert(pairs_.end(), std::make_move_iterator(found.begin()), std::make_move_iterator(found.end()));
-  sort();
+  std::inplace_merge(pairs_.begin(), pairs_.begin() + known, pairs_.end(),
+                     [](const TouchingPair& a, const TouchingPair& b) { return key(a) < key(b); });
+}
+
+void ContactSearch::find_between(uint32_t first, uint32_t second, std::vector<TouchingPair>& found) const {
+  if (find(first, second) || are_joined(joints_, first, second)) return;
+  TouchingPair& pair = found.emplace_back(start(first, second));
+  pair.contacts = find_contacts(bodies_[first], bodies_[second], kLengths, pair.memory);
+}
+
+void ContactSearch::find_on_ground(uint32_t i, std::vector<TouchingPair>& found) const {
+  if (!bodies_[i].moves() || find(i, TouchingPair::kGround)) return;
+  TouchingPair pair = start(i, TouchingPair::kGround);
+  pair.contacts = find_ground_contacts(bodies_[i], around_, kLengths, pair.memory);
+  if (!pair.contacts.empty()) found.push_back(std::move(pair));
 }
 
 std::vector<std::pair<uint32_t, uint32_t>> ContactSearch::pairs_apart() const {

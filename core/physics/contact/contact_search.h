@@ -28,6 +28,8 @@ class ContactSearch {
   std::vector<std::pair<uint32_t, uint32_t>> pairs_apart() const;
   // Whether two bodies were apart at the beginning; if not, this is known from now on.
   bool were_apart(uint32_t first, uint32_t second);
+  // Lets two bodies intersect: they do not touch until they are apart.
+  void let_cross(uint32_t first, uint32_t second) { pair_of(first, second).memory.crossed = 1; }
   // Remembers the points within chords at which two bodies got through each other, for the next tick. Returns
   // whether points at rims are among those that are new.
   bool remember_piercing(uint32_t first, uint32_t second);
@@ -41,7 +43,9 @@ class ContactSearch {
   TouchingPair start(uint32_t first, uint32_t second) const;
   TouchingPair& pair_of(uint32_t first, uint32_t second);
   const TouchingPair* find(uint32_t first, uint32_t second) const;
-  void sort();
+  // Look at a pair, unless it is known already.
+  void find_between(uint32_t first, uint32_t second, std::vector<TouchingPair>& found) const;
+  void find_on_ground(uint32_t i, std::vector<TouchingPair>& found) const;
 
   std::span<const MovingBody> bodies_;
   std::span<const BodyJoint> joints_;

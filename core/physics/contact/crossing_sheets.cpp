@@ -5,7 +5,7 @@ namespace kerf {
 namespace {
 
 bool pierces(const Vec3& from, const Vec3& to, const MovingBody& faces) {
-  if (!Box{glm::min(from, to), glm::max(from, to)}.overlaps(faces.collider->bounds)) return false;
+  if (!faces.collider->space.meets({glm::min(from, to), glm::max(from, to)})) return false;
   const double length = glm::length(to - from);
   ++faces.rays;
   return length > 0 &&

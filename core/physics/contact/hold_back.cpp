@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
+#include <utility>
 
 #include "core/physics/contact/crossing_sheets.h"
 
@@ -10,8 +12,10 @@ namespace kerf {
 namespace {
 
 constexpr std::array kShares{1.0, 0.5, 0.25, 0.0};
+constexpr double kMuchHeavier = 4;  // times as heavy
 
 Placement between(const MovingBody& b, double share) {
+  assert(share > 0 && share < 1);
   const Placement from = b.frame.in_world(b.start), to = b.frame.in_world(b.body->placement);
   const double sign = glm::dot(from.orientation, to.orientation) < 0 ? -1 : 1;
   return b.frame.body_at({glm::mix(from.position, to.position, share),
@@ -40,8 +44,27 @@ class Ways {
     MovingBody& b = bodies_[i];
     if (!b.moves() || share_[i] + 1 == kShares.size()) return false;
     const double share = kShares[++share_[i]];
+    assert(share < kShares[share_[i] - 1]);
     b.next = share > 0 ? map_of(between(b, share)) : b.now;
     return true;
+  }
+  // Which of two bodies that cross is to go less far: both, or only one that is much lighter while it goes at
+  // all, so that a seat does not hold a car.
+  std::vector<uint32_t> to_shorten(uint32_t i, uint32_t j) const {
+    assert(bodies_[i].moves() || bodies_[j].moves());
+    for (const auto& [light, heavy] : {std::pair(i, j), std::pair(j, i)}) {
+      const MovingBody &a = bodies_[light], &b = bodies_[heavy];
+      if (a.moves() && b.moves() && kMuchHeavier * a.frame.mass < b.frame.mass && kShares[share_[light]] > 0)
+        return {light};
+    }
+    return {i, j};
+  }
+  // Whether one of two bodies is too light to stop the other one.
+  bool sweeps_aside(uint32_t i, uint32_t j) const {
+    const auto yields = [](const MovingBody& light, const MovingBody& heavy) {
+      return !light.fixed && light.frame.mass < heavy.sweeps_aside;
+    };
+    return yields(bodies_[i], bodies_[j]) || yields(bodies_[j], bodies_[i]);
   }
   // Leaves the velocity of a body to the next tick, which knows what stops it.
   void keep_speed(uint32_t i) { keeps_speed_[i] = true; }
@@ -75,16 +98,23 @@ size_t hold_back(std::span<MovingBody> bodies, ContactSearch& search) {
     for (const auto& [i, j] : pairs) {
       if (!changed[i] && !changed[j] && !shortened[i] && !shortened[j]) continue;
       if (!ways.cross(i, j) || !search.were_apart(i, j)) continue;
+      if (ways.sweeps_aside(i, j)) {
+        search.let_cross(i, j);
+        continue;
+      }
       if (!ways.is_short(i) && !ways.is_short(j) && search.remember_piercing(i, j)) {
         ways.keep_speed(i);
         ways.keep_speed(j);
       }
-      do {
-        const bool first = ways.shorten(i), second = ways.shorten(j);
-        if (!first && !second) break;
-        shortened[i] = shortened[i] || first;
-        shortened[j] = shortened[j] || second;
-      } while (ways.cross(i, j));
+      bool goes_on = true;
+      while (goes_on && ways.cross(i, j)) {
+        goes_on = false;
+        for (const uint32_t body : ways.to_shorten(i, j)) {
+          if (!ways.shorten(body)) continue;
+          shortened[body] = true;
+          goes_on = true;
+        }
+      }
     }
     changed = std::move(shortened);
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <glm/mat3x3.hpp>
 
 #include "core/physics/collider/collider.h"
@@ -33,19 +34,25 @@ struct MovingBody {
   bool asleep = false;
   Placement start;     // of the body at the beginning of the tick
   RigidMap now, next;  // body to world: at the beginning of the tick, and where it goes
-  Box bounds;          // m, in the world, of its way within the tick and what else may matter
+  double margin = 0;   // in units of length: what is nearer than this beside its way matters, too
+  Box bounds;          // in the world, of its way within the tick and the margin
   double metre = 1;    // in units of length, see Surroundings
   double scale = 1;    // of all lengths of contact, see ContactLengths; in units of length
 
   mutable size_t rays = 0;  // cast at its faces in this tick, for statistics
 
-  double rolling_loss = 0;  // 1/s, what its spin loses besides because it touches others
+  bool glides = false;      // see Guided
+  double sweeps_aside = 0;  // kg, likewise
+
+  // What its spin loses besides because it touches others: a share of it, 1/s, and a constant part, rad/s^2.
+  double rolling_loss = 0, rolling_brake = 0;
 
   bool moves() const { return !fixed && !asleep; }
 };
 
 // The bounds of a box under a rigid motion.
 inline Box moved(const RigidMap& map, const Box& box) {
+  assert(box.min.x <= box.max.x && box.min.y <= box.max.y && box.min.z <= box.max.z);
   const Vec3 middle = map(0.5 * (box.min + box.max)), half = 0.5 * (box.max - box.min);
   Vec3 extent(0);
   for (int column = 0; column < 3; ++column) extent += glm::abs(map.turn[column]) * half[column];
@@ -54,6 +61,7 @@ inline Box moved(const RigidMap& map, const Box& box) {
 
 // A box around all items of a cluster at both ends of a motion.
 inline Box way_of(const Cluster& cluster, const RigidMap& now, const RigidMap& next) {
+  assert(cluster.begin < cluster.end && cluster.radius >= 0);
   const Vec3 from = now(cluster.centre), to = next(cluster.centre);
   return Box{glm::min(from, to), glm::max(from, to)}.wider(cluster.radius);
 }

@@ -2,17 +2,19 @@
 
 #include <algorithm>
 #include <cassert>
+#include <optional>
 
 #include "core/physics/collider/spread_points.h"
 #include "core/physics/contact/chord_contacts.h"
 #include "core/physics/contact/chord_points.h"
 #include "core/physics/contact/point_contacts.h"
+#include "core/physics/contact/push_out.h"
 
 namespace kerf {
 
 namespace {
 
-constexpr size_t kMostContacts = 16;
+constexpr size_t kMostContacts = 8;
 constexpr double kNearLowest = 0.3;  // of the reach, above the lowest point: where the ground is looked at
 constexpr uint64_t kPointsOfSecond = uint64_t{1} << 31;  // added to the features of contacts found by them
 
@@ -78,7 +80,8 @@ std::vector<Contact> find_contacts(const MovingBody& first, const MovingBody& se
   if (memory.crossed > 0) {
     memory.points_of_first.clear();
     memory.points_of_second.clear();
-    return {};
+    const std::optional<Contact> push = push_out(first, second, memory.crossed);
+    return push ? std::vector{*push} : std::vector<Contact>{};
   }
   std::vector<Contact> contacts;
   find_point_contacts(first, second, lengths, memory.points_of_first, contacts);
@@ -93,6 +96,7 @@ std::vector<Contact> find_ground_contacts(const MovingBody& body, const Surround
                                           const ContactLengths& lengths, const PairMemory& memory) {
   std::vector<Contact> contacts;
   if (!around.ground) return contacts;
+  assert(body.moves() && body.scale > 0);
   const Vec3 up = around.up();
   const double reach = lengths.reach * body.scale;
   const double level = *around.ground + lengths.ground_skin * body.scale;

@@ -1,6 +1,8 @@
 #include "core/physics/contact/point_contacts.h"
 
 #include <algorithm>
+#include <cassert>
+#include <cmath>
 #include <optional>
 
 #include "core/physics/contact/chord_points.h"
@@ -47,24 +49,28 @@ class PointTracker {
   void follow(uint32_t i, const Vec3* normal) {
     const Collider::Point own = point_of(points_, i);
     const Vec3 is_at = now_(own.at), will_be = next_(own.at);
-    if (!Box{glm::min(is_at, will_be), glm::max(is_at, will_be)}.overlaps(around_)) return;
+    const Box way{glm::min(is_at, will_be), glm::max(is_at, will_be)};
+    if (!way.overlaps(around_)) return;
     if (is_at_rim(i)) return follow_at_rim(i, *normal);
+    if (!faces_.collider->space.meets(way.wider(reach_))) return;
     const std::optional<FacePlane> plane = nearest_plane(own, is_at, will_be, normal);
     if (!plane) return;
     const double distance = plane->distance_to(is_at);
     if (is_on_chord(i) && distance > 2 * skin_) return;
     known_.push_back({i, plane->normal});
-    out_.push_back({faces_.now(is_at), faces_.now.turn * plane->normal, distance - skin_, i, {}});
+    out_.push_back(
+        {faces_.now(is_at), faces_.now.turn * plane->normal, distance - skin_, i, {}, is_on_chord(i)});
   }
 
   // Such a contact lasts while the chord would go through a face if it went on against the normal.
   void follow_at_rim(uint32_t i, const Vec3& normal) {
+    assert(std::abs(glm::dot(normal, normal) - 1) < 1e-9);
     const Collider::Chord& chord = chord_of(points_, i);
     const Vec3 from = now_(chord.from), to = now_(chord.to);
     for (const double shift : {0.25 * skin_, skin_, 0.5 * reach_, reach_}) {
       if (!face_between(faces_, from - shift * normal, to - shift * normal)) continue;
       known_.push_back({i, normal});
-      out_.push_back({faces_.now(now_(point_of(points_, i).at)), faces_.now.turn * normal, 0, i, {}});
+      out_.push_back({faces_.now(now_(point_of(points_, i).at)), faces_.now.turn * normal, 0, i, {}, true});
       return;
     }
   }
@@ -92,7 +98,7 @@ class PointTracker {
 
   std::optional<FacePlane> along(const Vec3& from, const Vec3& direction, double length) const {
     const Vec3 to = from + length * direction;
-    if (!Box{glm::min(from, to), glm::max(from, to)}.overlaps(faces_.collider->bounds)) return std::nullopt;
+    if (!faces_.collider->space.meets({glm::min(from, to), glm::max(from, to)})) return std::nullopt;
     return face_along(faces_, from, direction, length);
   }
 
@@ -111,6 +117,9 @@ class PointTracker {
 
 void find_point_contacts(const MovingBody& points, const MovingBody& faces, const ContactLengths& lengths,
                          std::vector<PointMemory>& memory, std::vector<Contact>& out) {
+  assert(points.scale > 0 && faces.scale > 0);
+  assert(std::is_sorted(memory.begin(), memory.end(),
+                        [](const PointMemory& a, const PointMemory& b) { return a.point < b.point; }));
   memory = PointTracker(points, faces, lengths, memory, out).track();
 }
 

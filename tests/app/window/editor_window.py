@@ -236,6 +236,8 @@ class Editor:
 class WindowTest(unittest.TestCase):
     # Whether the pictures are anti-aliased, which takes a software renderer most of its time.
     antialias = False
+    # Whether what is hot stays so; a picture that cools down does not come to rest for seconds.
+    heat_held = True
 
     def open(self, *arguments):
         folder = tempfile.TemporaryDirectory()
@@ -268,11 +270,11 @@ class WindowTest(unittest.TestCase):
     def write_settings(self, settings):
         os.makedirs(os.path.join(self.folder, "kerf"), exist_ok=True)
         with open(self.settings_file(), "w") as file:
-            json.dump({"antialias": self.antialias, **settings}, file)
+            json.dump({"antialias": self.antialias, "heat_held": self.heat_held, **settings}, file)
 
     def only_panel(self, title):
         """Folds all panels but one, so that nothing pushes it out of the window."""
-        titles = ("Laser", "Resolution", "Path", "Pieces", "Bodies", "History", "Light", "Tree", "Graph", "Single step", "View", "Statistics", "File", "Display")
+        titles = ("Laser", "Material", "Resolution", "Path", "Pieces", "Bodies", "History", "Light", "Tree", "Graph", "Single step", "View", "Statistics", "File", "Display")
         self.write_settings({"panels": {t: t == title for t in titles}})
 
     def open_by_browser(self, editor, file):

@@ -62,6 +62,25 @@ class Game(WindowTest):
         subprocess.run([KERF, "replay", record, "--expect", report["state_hash"]], check=True,
                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
+    def kept(self, name):
+        with open(os.path.join(self.folder, "kerf", name)) as file:
+            return json.load(file)
+
+    def test_a_match_that_is_over_is_kept_and_one_that_is_killed_leaves_settings_and_scores_whole(self):
+        game = self.open("play", self.write_rules(times={"match": 2}), "--difficulty", "hard")
+        wait_for(lambda: "replay" in game.landmarks()["parts"], 60, "the match was never over")
+        pause(1.5)
+        game.die()
+        kept = {name: self.kept(name) for name in ("game.json", "scores.json")}
+        self.assertEqual(kept["game.json"]["difficulty"], "hard")
+        self.assertEqual([s["rules"] for s in kept["scores.json"]["scores"]], ["duel"])
+        game = self.open_again("play", self.write_rules())
+        wait_for(lambda: self.playing(game), 60, "the match never began")
+        game.xdotool("mousedown", 1)
+        pause(1)
+        game.die()
+        self.assertEqual({name: self.kept(name) for name in kept}, kept)
+
     def test_the_editor_is_as_it_was_after_the_game_and_opens_its_world(self):
         editor = self.open(SPHERE)
         editor.press("F5")

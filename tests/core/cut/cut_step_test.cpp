@@ -278,7 +278,9 @@ TEST(CutStep, leaves_faces_wholly_inside_the_beam_whole) {
 
 TEST(CutStep, four_rays_cut_four_strips_and_no_more) {
   CutSettings settings;
-  settings.laser = {0.1, {0, 5}, Pattern::kRays4, 0};
+  settings.laser.radius = 0.1;
+  settings.laser.range = {0, 5};
+  settings.laser.pattern = Pattern::kRays4;
   settings.resolution.target_edge = 0.005;
   World world = world_of(plate(1));
   const BeamMove still{{{0.02, 1, 0.01}, {0, -1, 0}}, {{0.02, 1, 0.01}, {0, -1, 0}}};

@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "core/base/tick.h"
 #include "core/document/document.h"
 #include "core/document/scene.h"
 #include "core/graph/held_joints.h"
@@ -24,7 +25,8 @@ Document car() {
 void stroke(Document& document, const Vec3& from, const Vec3& to, const Vec3& direction, double radius,
             double target_edge = 0.03) {
   CutSettings settings;
-  settings.laser = {.radius = radius, .range = {0, 10}};
+  settings.laser.radius = radius;
+  settings.laser.range = {0, 10};
   settings.resolution.target_edge = target_edge;
   document.apply(BeginStroke{settings, {from, direction}});
   document.apply(MoveStroke{{to, direction}});
@@ -110,7 +112,7 @@ TEST(CarScene, a_wheel_whose_hub_is_burnt_away_comes_off) {
   EXPECT_EQ(wheels(), 3u);
   play(document, 240);
   // Without its front wheels the car drops onto its nose.
-  EXPECT_LT(document.world().body(document.world().ids()[0]).placement.to_world({0, 0.3, 2}).y, 0.25);
+  EXPECT_LT(document.world().body(document.world().ids()[0]).placement.to_world({0, 0.3, 2}).y, 0.27);
 }
 
 // The height of the lowest point of the half of a car that lies ahead of or behind z in its own frame.
@@ -133,15 +135,20 @@ double lowest_point(const World& world, bool ahead, double z) {
   return 0;
 }
 
+// A cut at -0.1 runs beside the hinges of the rear doors, which go on holding the halves together; after one
+// at -0.9 the rear half stands balanced on its axle.
 TEST(CarScene, the_halves_of_a_car_that_lean_on_each_other_roll_apart_and_drop_to_the_ground) {
-  for (const double z : {-0.3, 0.2}) {
+  struct Cut {
+    double z, target_edge;
+  };
+  for (const Cut cut : {Cut{-0.3, 0.0015}, {0, 0.0015}, {0, 0.03}, {0.2, 0.0015}, {0.5, 0.0015}}) {
+    SCOPED_TRACE("z " + std::to_string(cut.z) + ", target edge " + std::to_string(cut.target_edge));
     Document document = car();
     document.apply(Command(SetSurroundings{{.gravity = {0, -9.81, 0}, .ground = 0}}));
-    stroke(document, {-1.5, 3, z}, {1.5, 3, z}, {0, -1, 0}, 0.006, 0.0015);
-    play(document, 360);
+    stroke(document, {-1.5, 3, cut.z}, {1.5, 3, cut.z}, {0, -1, 0}, 0.006, cut.target_edge);
+    play(document, 6 * kTicksPerSecond);
     for (const bool ahead : {false, true})
-      EXPECT_NEAR(lowest_point(document.world(), ahead, z), 0, 0.01)
-          << (ahead ? "ahead of " : "behind ") << z;
+      EXPECT_NEAR(lowest_point(document.world(), ahead, cut.z), 0, 0.01) << (ahead ? "ahead" : "behind");
   }
 }
 

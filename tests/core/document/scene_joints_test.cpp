@@ -20,9 +20,9 @@ Result<SceneDescription> described(const std::string& members) {
 }
 
 // The same, with the mesh loaded.
-Result<Scene> loaded(const std::string& members) {
+Result<Scene> loaded(const std::string& members, const char* mesh = kMesh) {
   const test::TemporaryFolder folder;
-  test::write_text(folder / "mesh.obj", kMesh);
+  test::write_text(folder / "mesh.obj", mesh);
   test::write_text(folder / "scene.json", R"({"bodies": [{"mesh": "mesh.obj", )" + members + "}]}");
   return read_scene(folder / "scene.json");
 }
@@ -34,11 +34,11 @@ constexpr const char* kHinge =
 TEST(SceneJoints, thickness_and_density_of_a_body_are_read_and_written) {
   const auto scene = described(R"("thickness": 0.0008, "density": 2700)");
   ASSERT_TRUE(scene.ok()) << scene.error().message;
-  EXPECT_EQ(scene->bodies[0].sheet, (Sheet{0.0008, 2700}));
+  EXPECT_EQ(scene->bodies[0].sheet, (Sheet{0.0008, 2700, {}}));
   const nlohmann::ordered_json written = scene_json(*scene, "folder");
   EXPECT_EQ(written["bodies"][0]["thickness"], 0.0008);
   EXPECT_EQ(written["bodies"][0]["density"], 2700);
-  EXPECT_EQ(loaded(R"("thickness": 0.003)")->world.body({0, 0}).sheet, (Sheet{0.003, Sheet{}.density}));
+  EXPECT_EQ(loaded(R"("thickness": 0.003)")->world.body({0, 0}).sheet, (Sheet{0.003, Sheet{}.density, {}}));
 }
 
 TEST(SceneJoints, a_scene_without_thickness_and_joints_is_written_without_them) {
@@ -73,6 +73,8 @@ TEST(SceneJoints, what_is_wrong_is_named) {
       {R"("joints": [{"kind": "hub", "parts": ["a", "b"], "anchor": [0,0,0]}])", "/joints/0: needs \"axis\""},
       {R"("joints": [{"kind": "hub", "parts": ["a", "b"], "anchor": [0,0,0], "axis": [0,0,0]}])",
        "/axis: must"},
+      {R"("joints": [{"kind": "weld", "parts": ["a", "b"], "anchor": [0,0,0], "axis": [1,0,0]}])",
+       "/axis: a weld has no axis"},
       {R"("joints": [{"kind": "weld", "parts": ["a", "b"], "anchor": [0,0,0], "limits": [0,1]}])",
        "/limits: only"},
       {R"("joints": [{"kind": "hinge", "parts": ["a", "b"], "anchor": [0,0,0], "axis": [1,0,0],
@@ -99,6 +101,7 @@ TEST(SceneJoints, parts_are_objects_and_groups_of_the_mesh) {
   EXPECT_EQ(joint.sides[0].faces, std::vector<uint32_t>{0});
   EXPECT_EQ(joint.sides[1].faces, std::vector<uint32_t>{1});
   EXPECT_EQ(joint.axis, Vec3(0, 1, 0));
+  EXPECT_NEAR(joint.limits->low, -0.17453292519943295, 1e-15);
   EXPECT_NEAR(joint.limits->high, 1.5707963267948966, 1e-15);
 }
 
@@ -109,6 +112,29 @@ TEST(SceneJoints, the_length_of_an_axis_does_not_matter) {
                               axis + "}]");
     ASSERT_TRUE(scene.ok()) << scene.error().message;
     EXPECT_EQ(scene->world.joints().all[0].axis, Vec3(0, 1, 0));
+  }
+}
+
+// A strip of two triangles that hang together and a third one above them, and a post.
+TEST(SceneJoints, the_faces_around_the_nearest_one_that_hang_together_with_it_carry_a_joint) {
+  constexpr const char* kStrip =
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nv 5 0 0\nv 6 0 0\nv 5 1 0\n"
+      "o strip\nf 1 2 3\nf 2 4 3\nf 5 6 7\no post\nf 8 9 10\n";
+  struct Case {
+    const char* members;
+    std::vector<uint32_t> carry;
+  };
+  for (const auto& [members, carry] : {Case{"", {0, 1}}, Case{R"(, "near": [[0, 0, 1], [5, 0, 0]])", {2}},
+                                       Case{R"(, "near": [[0, 0, 0], [5, 0, 0]], "radius": 0.5)", {0}},
+                                       Case{R"(, "near": [[1, 1, 0.4], [5, 0, 0]], "radius": 0.7)", {1}}}) {
+    const auto scene =
+        loaded(std::string(R"("joints": [{"kind": "weld", "parts": ["strip", "post"], "anchor": [0, 0, 0])") +
+                   members + "}]",
+               kStrip);
+    ASSERT_TRUE(scene.ok()) << scene.error().message;
+    const Joint& joint = scene->world.joints().all[0];
+    EXPECT_EQ(joint.sides[0].faces, carry) << members;
+    EXPECT_EQ(joint.sides[1].faces, std::vector<uint32_t>{3}) << members;
   }
 }
 

@@ -69,7 +69,7 @@ TEST(Recovery, a_vehicle_on_its_roof_is_put_upright_after_a_while) {
   Body& chassis = lone.world.body(lone.vehicle.chassis);
   chassis.placement = {{3, 1.6, 4}, turn_about({0, 0, 1}, kPi)};
   int ticks = 0;
-  while (!recover_vehicle(lone.world, lone.vehicle, MatchTimes{}) && ticks < 1000) ++ticks;
+  while (!recover_vehicle(lone.world, lone.vehicle, FreeSpace(), MatchTimes{}) && ticks < 1000) ++ticks;
   EXPECT_NEAR(ticks, 360, 2);
   EXPECT_GT((chassis.placement.orientation * Vec3(0, 1, 0)).y, 0.999);
   EXPECT_NEAR(chassis.placement.position.x, 3, 0.1);
@@ -79,7 +79,8 @@ TEST(Recovery, a_vehicle_without_wheels_stays_on_its_roof) {
   test::LoneVehicle lone;
   lone.world.body(lone.vehicle.chassis).placement = {{0, 1.6, 0}, turn_about({0, 0, 1}, kPi)};
   for (Wheel& wheel : lone.vehicle.wheels) wheel.attached = false;
-  for (int t = 0; t < 1000; ++t) ASSERT_FALSE(recover_vehicle(lone.world, lone.vehicle, MatchTimes{}));
+  for (int t = 0; t < 1000; ++t)
+    ASSERT_FALSE(recover_vehicle(lone.world, lone.vehicle, FreeSpace(), MatchTimes{}));
 }
 
 }  // namespace

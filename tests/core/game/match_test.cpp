@@ -101,5 +101,67 @@ TEST(Match, is_lost_when_its_time_is_over) {
   EXPECT_EQ(match.standing().ticks, 60u);
 }
 
+// Ten waves of one enemy that neither drives nor fires.
+std::shared_ptr<const Rules> ten_easy_waves() {
+  auto rules = std::make_shared<Rules>(*test::flat_rules(10, 1));
+  rules->description.times.match = 1000;
+  rules->description.times.between_waves = 0;
+  rules->description.laser.radius = {0.03, 0.06};
+  rules->description.laser.drain = rules->description.laser.heating = 0;
+  for (EnemySkill& skill : rules->description.skills) {
+    skill.speed = 0;
+    skill.at_once = 0;
+  }
+  return rules;
+}
+
+// What a world holds; the highest slot tells how many bodies it has ever had.
+struct Held {
+  size_t bodies = 0, slots = 0, bytes = 0, joints = 0, contacts = 0, colliders = 0;
+  friend bool operator==(const Held&, const Held&) = default;
+};
+
+Held held_by(const Match& match) {
+  const World& world = match.world();
+  Held held;
+  for (const BodyId id : world.ids()) {
+    ++held.bodies;
+    held.slots = std::max<size_t>(held.slots, id.slot + 1);
+    held.bytes += world.body(id).bytes();
+  }
+  held.joints = world.joints().all.size();
+  held.contacts = world.contact_memory().size();
+  held.colliders = match.physics().colliders().size();
+  return held;
+}
+
+TEST(Match, holds_no_more_after_ten_waves_than_after_one) {
+  Match match({ten_easy_waves(), 1, Difficulty::kEasy});
+  BotPlayer bot(match);
+  const Held first = held_by(match);
+  EXPECT_EQ(first.bodies, first.slots);
+  size_t waves = 1, most_slots = 0;
+  for (Ticks t = 0; t < 200 * kTicksPerSecond && !match.standing().over(); ++t) {
+    match.tick(bot.next(match));
+    most_slots = std::max(most_slots, held_by(match).slots);
+    if (!match.delta().anew) continue;
+    ++waves;
+    EXPECT_EQ(held_by(match), first) << "wave " << waves;
+  }
+  EXPECT_EQ(match.standing().phase, Standing::Phase::kWon);
+  EXPECT_EQ(waves, 10u);
+  EXPECT_GT(most_slots, first.slots + 20) << "pieces come off in a wave";
+}
+
+TEST(Match, without_enemies_ends_neither_won_nor_lost) {
+  auto rules = std::make_shared<Rules>(*test::flat_rules(0, 0));
+  rules->description.times.match = 0.5;
+  Match match({rules, 1, Difficulty::kNormal});
+  for (int t = 0; t < 100; ++t) match.tick({});
+  EXPECT_TRUE(match.standing().over());
+  EXPECT_EQ(match.standing().phase, Standing::Phase::kEnded);
+  EXPECT_EQ(match.standing().ticks, 60u);
+}
+
 }  // namespace
 }  // namespace kerf

@@ -46,7 +46,8 @@ World car_of_sheets() {
 // Cuts from one point of the sheet to another, downwards, and from above the sheet by `above`.
 StepResult cut(World& world, const Vec3& from, const Vec3& to, double radius, double above = 0.01) {
   CutSettings settings;
-  settings.laser = {.radius = radius, .range = {0, 0.5}};
+  settings.laser.radius = radius;
+  settings.laser.range = {0, 0.5};
   settings.resolution.target_edge = 0.01;
   const Vec3 up(0, above, 0), down(0, -1, 0);
   std::vector<BeamMove> moves;
@@ -151,7 +152,8 @@ TEST(HoldParts, undo_and_redo_of_a_stroke_take_what_joints_did_with_them) {
   const World before = document.world();
   const Vec3 down(0, -1, 0);
   CutSettings settings;
-  settings.laser = {.radius = 0.08, .range = {0, 0.5}};
+  settings.laser.radius = 0.08;
+  settings.laser.range = {0, 0.5};
   settings.resolution.target_edge = 0.01;
   document.apply(BeginStroke{settings, {{0.3, 0.01, -0.02}, down}});
   document.apply(MoveStroke{{{0.3, 0.01, 0.02}, down}});

@@ -54,7 +54,10 @@ TEST(Subdivide, keeps_the_bits_of_a_direction_that_does_not_change) {
 }
 
 TEST(SweepBeam, puts_four_rays_on_a_circle_of_the_radius) {
-  const Laser laser{0.3, {0, 9}, Pattern::kRays4, 0};
+  Laser laser;
+  laser.radius = 0.3;
+  laser.range = {0, 9};
+  laser.pattern = Pattern::kRays4;
   const Pose pose{{0, 0, 5}, {0, 0, -1}};
   const auto rays = sweep_beam(laser, {pose, pose});
   ASSERT_EQ(rays.size(), 4u);

@@ -65,10 +65,10 @@ std::vector<BodyId> add_stack(World& world, int count) {
   return plates;
 }
 
-TEST(Fall, ten_plates_come_to_rest_in_their_order) {
+TEST(Fall, ten_plates_come_to_rest_in_their_order_within_a_second) {
   World world = world_with_ground();
   const std::vector<BodyId> plates = add_stack(world, 10);
-  run(world, 2);
+  run(world, 1);
   EXPECT_TRUE(all_sleep(world));
   for (size_t i = 0; i + 1 < plates.size(); ++i) {
     EXPECT_NEAR(height(world, plates[i + 1]) - height(world, plates[i]), 0.002, 0.0005) << i;
@@ -155,21 +155,26 @@ TEST(Fall, a_disc_falls_through_its_own_hole) {
   EXPECT_LT(height(world, disc), 0.3);
 }
 
-TEST(Fall, nothing_passes_a_sheet_or_the_ground_however_fast) {
+TEST(Fall, nothing_passes_a_sheet_that_is_pinned_however_fast) {
   for (uint64_t seed = 1; seed <= 60; ++seed) {
-    SCOPED_TRACE(seed);
-    Random random(seed);
-    World world = world_with_ground();
-    const BodyId sheet = test::add(world, test::rectangle(6, 6, 6), {0, 1, 0});
-    world.body(sheet).pinned = true;
-    const glm::dquat turn = glm::normalize(glm::dquat(random.uniform(-1, 1), random.uniform(-1, 1),
-                                                      random.uniform(-1, 1), random.uniform(-1, 1)));
-    const BodyId fast =
-        test::add(world, test::rectangle(0.3, 0.2, 3), {random.uniform(-0.5, 0.5), 2, 0}, turn);
-    world.body(fast).motion.velocity = {0, seed % 2 ? -30 : -80, 0};
-    world.body(fast).motion.spin = {random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(-5, 5)};
-    run(world, 0.3);
-    EXPECT_GT(height(world, fast), 1);
+    for (const double speed : {30.0, 80.0}) {
+      SCOPED_TRACE("seed " + std::to_string(seed) + " at " + std::to_string(speed) + " m/s");
+      Random random(seed);
+      World world = world_with_ground();
+      const BodyId sheet = test::add(world, test::rectangle(6, 6, 6), {0, 1, 0});
+      world.body(sheet).pinned = true;
+      const glm::dquat turn = glm::normalize(glm::dquat(random.uniform(-1, 1), random.uniform(-1, 1),
+                                                        random.uniform(-1, 1), random.uniform(-1, 1)));
+      const BodyId fast =
+          test::add(world, test::rectangle(0.3, 0.2, 3), {random.uniform(-0.5, 0.5), 2, 0}, turn);
+      world.body(fast).motion.velocity = {0, -speed, 0};
+      world.body(fast).motion.spin = {random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(-5, 5)};
+      Physics physics;
+      for (int t = 0; t < 36; ++t) {
+        physics.tick(world);
+        ASSERT_GT(height(world, fast), 1) << t;
+      }
+    }
   }
 }
 

@@ -211,7 +211,8 @@ Document door_on_two_hinges() {
 // Burns the faces of the door away that carry the hinge at x.
 void burn_hinge(Document& document, double x) {
   CutSettings settings;
-  settings.laser = {.radius = 0.1, .range = {0, 3}};
+  settings.laser.radius = 0.1;
+  settings.laser.range = {0, 3};
   settings.resolution.target_edge = 0.02;
   document.apply(BeginStroke{settings, {{x, -0.05, 1}, {0, 0, -1}}});
   document.apply(MoveStroke{{{x, -0.06, 1}, {0, 0, -1}}});
@@ -249,7 +250,8 @@ TEST(Joints, a_sleeping_door_wakes_when_the_faces_of_the_frame_that_held_it_are_
   EXPECT_TRUE(door().motion.asleep);
   const size_t faces = door().mesh.live_faces();
   CutSettings settings;
-  settings.laser = {.radius = 0.125, .range = {0, 3}};
+  settings.laser.radius = 0.125;
+  settings.laser.range = {0, 3};
   settings.resolution.target_edge = 0.02;
   for (const double x : {-0.3, 0.3}) {
     document.apply(BeginStroke{settings, {{x, 0.12, 1}, {0, 0, -1}}});
@@ -297,6 +299,23 @@ TEST(Joints, physics_that_is_made_anew_at_any_tick_goes_on_to_the_bit) {
     made_anew.tick(other);
     ASSERT_EQ(state_hash(one), state_hash(other)) << "tick " << t;
   }
+}
+
+TEST(Physics, makes_a_collider_anew_and_leaves_the_joints_known_after_a_change_without_faces) {
+  World world;
+  const BodyId id = test::add(world, test::rectangle(1, 1, 4), Vec3(0));
+  Physics physics;
+  physics.tick(world);
+  ASSERT_TRUE(physics.knows_joints());
+  ASSERT_FALSE(physics.makes_collider(world, id, false));
+  Delta delta;
+  delta.bodies.emplace_back().body = id;
+  physics.follow(delta);
+  EXPECT_TRUE(physics.knows_joints());
+  EXPECT_TRUE(physics.makes_collider(world, id, false));
+  delta.bodies[0].gone = {FaceId(0)};
+  physics.follow(delta);
+  EXPECT_FALSE(physics.knows_joints());
 }
 
 }  // namespace

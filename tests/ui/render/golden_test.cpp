@@ -1,23 +1,15 @@
 #include <gtest/gtest.h>
-#include <stb_image.h>
-
-#include <cstdlib>
-#include <filesystem>
 
 #include "core/document/last_cut_graph.h"
 #include "tests/support/checkout.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/ui/golden.h"
 #include "tests/ui/render/stage.h"
 #include "ui/editor/single_step/stage_log.h"
-#include "ui/render/picture.h"
 
 namespace kerf {
 namespace {
 
 constexpr int kWidth = 320, kHeight = 200;
-// Versions of the software renderer round differently, so pictures only have to be alike.
-constexpr double kMeanTolerance = 2;      // of 255
-constexpr double kPixelTolerance = 0.01;  // of the pixels may be off by more than 24 of 255
 
 struct Golden {
   const char* name;
@@ -93,31 +85,8 @@ std::vector<Golden> goldens(const test::Stage& stage) {
   return all;
 }
 
-Pixels read(const std::filesystem::path& png) {
-  Pixels pixels;
-  int channels = 0;
-  if (uint8_t* data = stbi_load(png.c_str(), &pixels.width, &pixels.height, &channels, 3)) {
-    pixels.rgb.assign(data,
-                      data + 3 * static_cast<size_t>(pixels.width) * static_cast<size_t>(pixels.height));
-    stbi_image_free(data);
-  }
-  return pixels;
-}
-
-// Compares a picture with the golden one of this name. KERF_MAKE_GOLDEN=1 makes that anew; look at it then.
 void expect_golden(const std::string& name, const Pixels& drawn) {
-  const auto file = test::checkout() / "tests/golden" / (name + ".png");
-  if (std::getenv("KERF_MAKE_GOLDEN") != nullptr) {
-    EXPECT_TRUE(write_png(drawn, file).ok());
-    return;
-  }
-  const test::PictureDifference off = test::difference(read(file), drawn);
-  EXPECT_LE(off.mean, kMeanTolerance) << name;
-  EXPECT_LE(off.changed, kPixelTolerance) << name;
-  if (off.mean > kMeanTolerance || off.changed > kPixelTolerance) {
-    const auto here = std::filesystem::temp_directory_path() / (name + ".png");
-    if (write_png(drawn, here).ok()) std::printf("as drawn now: %s\n", here.c_str());
-  }
+  test::expect_golden(test::checkout() / "tests/golden" / (name + ".png"), drawn);
 }
 
 TEST(Golden, every_overlay_looks_as_it_did) {
@@ -125,6 +94,14 @@ TEST(Golden, every_overlay_looks_as_it_did) {
   const CameraView view = test::view_of_ball_and_ring(static_cast<double>(kWidth) / kHeight);
   for (const Golden& golden : goldens(stage))
     expect_golden(golden.name, stage.draw(view, golden.options, kWidth, kHeight));
+}
+
+TEST(Golden, a_hot_rim_glows_and_the_scale_of_temperatures_shows_it) {
+  test::Stage stage = test::ball_and_ring();
+  stage.cut({{-0.4, -0.4, 4}, {0, 0, -1}}, {{0.5, -0.1, 4}, {0, 0, -1}}, 0.04, 0.25);
+  const CameraView view = test::view_of_ball_and_ring(static_cast<double>(kWidth) / kHeight);
+  expect_golden("heat-glow", stage.draw(view, showing("shadows"), kWidth, kHeight));
+  expect_golden("heat", stage.draw(view, showing("heat"), kWidth, kHeight));
 }
 
 // The picture of the next stage of this kind that removed, made or hit anything.
@@ -158,21 +135,6 @@ TEST(Golden, the_sets_of_a_separation_look_as_they_did) {
   stage.begin_cut({{-1.7, 0.1, 4}, {0, 0, -1}}, {{1.7, -0.2, 4}, {0, 0, -1}}, 0.06);
   StageLog log;
   expect_golden("stage-separate", draw_stage(stage, log, StageRecord::Kind::kSeparate));
-}
-
-TEST(Golden, figures_8_and_9_of_the_paper_look_as_they_did) {
-  const test::TemporaryFolder folder;
-  for (const std::string name : {"figure-8", "figure-9"}) {
-    auto work = open_file(test::checkout() / "assets/scenes" / (name + ".kerf"));
-    ASSERT_TRUE(work.ok());
-    PictureOptions options;
-    options.width = 480;
-    options.height = 300;
-    options.show = *parse_show_list(work->scene.show);
-    const auto png = folder.path() / "figure.png";
-    ASSERT_TRUE(render_picture(std::move(*work), options, png).ok());
-    expect_golden(name, read(png));
-  }
 }
 
 }  // namespace

@@ -27,11 +27,5 @@ TEST(ShowList, an_unknown_name_is_named_and_what_there_is_is_listed) {
   EXPECT_NE(show.error().message.find(offered_show_names()), std::string::npos);
 }
 
-TEST(ShowList, a_name_of_the_interface_that_is_not_there_yet_says_so) {
-  const auto show = parse_show_list("heat");
-  ASSERT_FALSE(show.ok());
-  EXPECT_NE(show.error().message.find("not offered yet"), std::string::npos);
-}
-
 }  // namespace
 }  // namespace kerf

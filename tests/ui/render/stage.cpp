@@ -23,11 +23,12 @@ Stage::Stage(World world) : context_(make_context()), document_(std::move(world)
   renderer_->show(document_.world(), {});
 }
 
-void Stage::begin_cut(const Pose& from, const Pose& to, double radius) {
+void Stage::begin_cut(const Pose& from, const Pose& to, double radius, double heat_width) {
   CutSettings settings;
   settings.laser.radius = radius;
   settings.laser.range = {0, 20};
   settings.resolution.target_edge = radius;
+  settings.heat_width = heat_width;
   document_.apply(BeginStroke{settings, from});
   document_.apply(MoveStroke{to});
   document_.apply(EndStroke{});
@@ -42,8 +43,8 @@ StageRecord Stage::next_stage() {
   return *stage;
 }
 
-void Stage::cut(const Pose& from, const Pose& to, double radius) {
-  begin_cut(from, to, radius);
+void Stage::cut(const Pose& from, const Pose& to, double radius, double heat_width) {
+  begin_cut(from, to, radius, heat_width);
   while (document_.waiting() > 0) {
     const auto step = document_.step(16);
     ASSERT_TRUE(step.ok());

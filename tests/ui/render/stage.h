@@ -12,11 +12,12 @@ class Stage {
  public:
   explicit Stage(World world);
 
-  // Cuts with a beam that moves from one pose to another, into faces of about its radius.
-  void cut(const Pose& from, const Pose& to, double radius);
+  // Cuts with a beam that moves from one pose to another, into faces of about its radius, and leaves heat
+  // beside the rim (see CutSettings).
+  void cut(const Pose& from, const Pose& to, double radius, double heat_width = 0);
 
   // The same stroke waits, and is executed stage by stage; the stage may not be moved meanwhile.
-  void begin_cut(const Pose& from, const Pose& to, double radius);
+  void begin_cut(const Pose& from, const Pose& to, double radius, double heat_width = 0);
   StageRecord next_stage();
 
   // Lets time pass in which bodies move.

@@ -6,16 +6,16 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "tests/support/temporary_folder.h"
+
 namespace kerf {
 namespace {
 
 class LandmarksFile : public testing::Test {
  protected:
-  std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) / "kerf_landmarks";
+  test::TemporaryFolder folder_;
   std::filesystem::path file_ = folder_ / "landmarks.json";
 
-  void SetUp() override { std::filesystem::create_directories(folder_); }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
   nlohmann::json read() const { return nlohmann::json::parse(std::ifstream(file_)); }
 };
 

@@ -150,6 +150,26 @@ void WorldChanges::pin_chosen(bool pinned) {
          });
 }
 
+void WorldChanges::set_sheet(const Sheet& sheet) {
+  std::vector<PieceId> pieces;
+  const bool all = chosen_pieces(on_.view.look.pieces) == 0;
+  for (const PieceRow& row : list_pieces(on_.work.document.world(), on_.view.look.pieces)) {
+    const auto look = on_.view.look.pieces.find(row.id);
+    const bool chosen = look != on_.view.look.pieces.end() && look->second.selected;
+    if (!row.part && (all || chosen)) pieces.push_back(row.id);
+  }
+  cancel_stroke(on_.hand, on_.work.document);
+  change("Set the material", is_small(on_.work.document),
+         [pieces, sheet](Document& document, const Progress* progress) {
+           return edit_all(
+               document, pieces,
+               [sheet](const PieceId& piece) {
+                 return SetSheet{piece, sheet};
+               },
+               progress);
+         });
+}
+
 void WorldChanges::duplicate_chosen() {
   const PieceId piece = *first_chosen(on_.view.look.pieces);
   const World& world = on_.work.document.world();

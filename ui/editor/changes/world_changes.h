@@ -54,6 +54,8 @@ class WorldChanges {
   bool delete_chosen();
   // Pins the selected pieces where they are, or lets them move again; they stay selected.
   void pin_chosen(bool pinned);
+  // Gives the selected pieces this sheet, or all pieces if none is selected.
+  void set_sheet(const Sheet& sheet);
   // Adds a copy of the selected piece where it stands. Precondition: a piece is selected.
   void duplicate_chosen();
   void show_hidden();

@@ -8,12 +8,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Those of the figures of the paper are many, and few of them are good to begin with.
 std::vector<fs::path> example_scenes() {
   std::vector<fs::path> scenes;
   std::error_code error;
   fs::directory_iterator at(assets_folder() / "scenes", error);
   for (; !error && at != fs::directory_iterator(); at.increment(error)) {
-    if (at->path().extension() == ".json") scenes.push_back(at->path());
+    const bool of_figures = at->path().stem().string().starts_with("figure-");
+    if (at->path().extension() == ".json" && !of_figures) scenes.push_back(at->path());
   }
   std::sort(scenes.begin(), scenes.end());
   return scenes;

@@ -28,6 +28,11 @@ std::string across(const std::vector<FaceId>& faces) {
   return text;
 }
 
+std::string temperature_text(const FaceFacts& facts) {
+  const std::string now = text_of("Temperature   %.0f K", facts.temperature);
+  return facts.hottest > facts.temperature + 1 ? now + text_of(", once %.0f K", facts.hottest) : now;
+}
+
 }  // namespace
 
 FaceFacts face_facts(const Body& body, FaceId face) {
@@ -36,6 +41,8 @@ FaceFacts face_facts(const Body& body, FaceId face) {
   const std::array<VertexId, 3> corners = body.mesh.corners(face);
   FaceFacts facts{
       face, body.loaded_face(data.base), data.halvings, body.label(face), triangle_area(t), {}, {}, {}, {}};
+  facts.temperature = body.heat.temperature(body.mesh, face, body.sheet.substance, body.sheet.thickness);
+  facts.hottest = body.heat.hottest_of(body.mesh, face);
   facts.slot = tree_slot(body.tree, face).value_or(TreeSlot());
   for (size_t i = 0; i < 3; ++i) {
     const size_t next = (i + 1) % 3, last = (i + 2) % 3;
@@ -62,6 +69,7 @@ std::vector<std::string> lines_of(const FaceFacts& facts, const Body& body, File
           "Angles   " + joined(facts.angles, ", ", angle) + " degrees",
           "Across   " + across(facts.neighbours[0]) + ", " + across(facts.neighbours[1]) + ", " +
               across(facts.neighbours[2]),
+          temperature_text(facts),
           "Tree   block " + std::to_string(facts.slot.block) + ", place " +
               std::to_string(facts.slot.place + 1) + " of up to 4" +
               (facts.slot.hit ? "; the beam was in its box" : "")};

@@ -21,6 +21,8 @@ struct FaceFacts {
   std::array<double, 3> angles{};                 // degrees, at the corners; 0 where an edge has no length
   TreeSlot slot;                                  // in the tree
   std::array<std::vector<FaceId>, 3> neighbours;  // the other faces on each edge: none on a border
+  double temperature = kAmbient;                  // K
+  double hottest = kAmbient;                      // K, that it ever was, as far as it was noted
 };
 
 // Precondition: the face is live. Constant time but for the degrees of the rings around it.

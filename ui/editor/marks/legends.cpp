@@ -75,6 +75,9 @@ Legend legend_of(SwitchId view, const ViewOptions& look, const ShadowFigures& sh
                {0xee8f2e, "split less"},
                {0xa23a36, "split least"},
                {0x48535f, "as loaded"}}};
+    case SwitchId::kHeat:
+      return {"Temperature in K",
+              {sentence("by the bar at the lower left,"), sentence("which ends where it melts")}};
     case SwitchId::kBoxes:
       return legend_of_boxes(look);
     case SwitchId::kBoxesHit:

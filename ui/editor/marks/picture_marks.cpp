@@ -121,6 +121,7 @@ void draw_picture_marks(const MarkParts& of) {
                  of.hand.section, list);
   if (!cutting) draw_piece_handles(of.view, of.hand, of.document.world(), list);
   draw_face_readout(of.view, of.hand, of.document.world(), list);
+  draw_heat_probe(of.probe, of.view.layout.first);
   draw_spring(of.document.world(), of.view, of.hand);
   draw_play_badge(of.play, of.document.world(), of.view);
   if (of.hand.drag == Drag::kBox) draw_rubber_band({of.hand.pressed_at, of.hand.pointer}, list);

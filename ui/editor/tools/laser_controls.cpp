@@ -1,6 +1,8 @@
 #include "ui/editor/tools/laser_controls.h"
 
+#include <algorithm>
 #include <cmath>
+
 
 namespace kerf {
 
@@ -35,6 +37,9 @@ CutSettings LaserControls::settings(double diagonal) const {
   settings.laser.radius = radius;
   settings.laser.range = {0, 10 * diagonal};
   settings.laser.pattern = pattern;
+  settings.laser.power = power;
+  settings.model = model;
+  if (model == Model::kGeometric) settings.heat_width = width_of_heat();
   settings.resolution = resolution.of(radius);
   return settings;
 }

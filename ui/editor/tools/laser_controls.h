@@ -1,6 +1,9 @@
 #pragma once
 
+#include <optional>
+
 #include "core/cut/cut_step.h"
+#include "core/document/stroke_settings.h"
 
 namespace kerf {
 
@@ -29,6 +32,13 @@ struct LaserControls {
   double default_radius = 0.01;  // m, D/400 of what was opened
   ResolutionControls resolution;
   Pattern pattern = Pattern::kVolume;
+  Model model = Model::kGeometric;
+  double power = 2000;               // W, of the thermal model
+  std::optional<double> heat_width;  // m, that was chosen (see CutSettings); none: default_heat_width
+
+  static constexpr double kLeastPower = 1, kMostPower = 20'000;
+
+  double width_of_heat() const { return heat_width.value_or(default_heat_width(radius)); }
 
   // The settings of a cut in a world with this diagonal (m); the range of the beam is ten diagonals.
   CutSettings settings(double diagonal) const;

@@ -113,7 +113,14 @@ void LaserTool::move(Document& document, const CameraView& view, Vec2 pointer, d
   pose_ = aim(view, pointer);
   assert(heard >= began_);
   begin_held(document);
-  document.apply(MoveStroke{pose_, heard - began_});
+  told_ = std::max(told_, heard - began_);
+  document.apply(MoveStroke{pose_, told_});
+}
+
+void LaserTool::go_on(Document& document, double heard) {
+  if (!emits() || document.waiting() > 0 || heard - began_ <= told_) return;
+  told_ = heard - began_;
+  document.apply(MoveStroke{pose_, told_});
 }
 
 void LaserTool::release(Document& document) {

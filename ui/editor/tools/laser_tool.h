@@ -29,9 +29,14 @@ class LaserTool {
   // while no stroke is drawn, and directions are unit vectors.
   void fire(Document& document, const Pose& pose, double distance, const CutSettings& settings, double heard);
   void carry_to(Document& document, const Pose& pose, double heard);
+  // A beam of the thermal model that is held still goes on emitting: to be called once a frame with the
+  // present time. Does nothing while moves wait; the next call makes up for the time.
+  void go_on(Document& document, double heard);
   void release(Document& document);
 
   bool cutting() const { return cutting_; }
+  // Whether the beam heats what it is held on.
+  bool emits() const { return cutting_ && !held_ && settings_.model == Model::kThermal; }
 
   // A stroke that was drawn earlier, or elsewhere, is cut again: the beam is drawn as its settings say, from
   // about `emitter` metres away. Does nothing while a stroke is drawn.
@@ -52,7 +57,7 @@ class LaserTool {
   bool cutting_ = false;
   std::optional<BeginStroke> held_;  // the beginning that the document does not know of yet
   double began_ = 0;                 // s of that clock, when the stroke began
-  double told_ = 0;                  // s from there to the last pose that carry_to() was told
+  double told_ = 0;                  // s from there to the last pose that the document was told
   double focus_ = 1;                 // m along the pointer's ray
   double emitter_ = 1;               // m from there back to the emitter
   double reach_ = 1;                 // m along the beam

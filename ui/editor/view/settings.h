@@ -17,6 +17,7 @@ namespace kerf {
 // The panels of the column, from top to bottom.
 enum class PanelId {
   kLaser,
+  kMaterial,
   kResolution,
   kPath,
   kPieces,
@@ -44,6 +45,7 @@ struct Settings {
   double split_share = 0.5;                // fraction of the width for the left half of a split picture
   int history_megabytes = 1024;            // of undo data
   bool live_recut = true;                  // sliders of the resolution cut the last stroke again
+  bool heat_held = false;                  // what is hot stays as it is while the user does not play
   double drag_speed = 1, wheel_speed = 1;  // of orbits and zooms by the mouse, relative to the usual speed
   std::map<std::string, std::string> bindings;  // keys by the names of actions, where they are not the usual
   std::map<PanelId, bool> panels = panels_at_first();  // which are unfolded

@@ -22,6 +22,7 @@ struct Requests {
   bool hide_chosen = false, show_hidden = false, isolate = false, delete_chosen = false;
   bool duplicate_chosen = false;
   std::optional<bool> pin_chosen;  // pin, or let move again
+  std::optional<Sheet> sheet;      // of the chosen pieces, or of all if none is chosen
   std::vector<Command> commands;
   std::filesystem::path save_path_to;  // the path of the laser; empty: nowhere
   bool run_path = false;

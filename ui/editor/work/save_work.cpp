@@ -21,8 +21,15 @@ Status write_all(OpenWork& work, const ViewState& view, const fs::path& file) {
 
 }  // namespace
 
+// Since it was saved, nothing but what is hot may have cooled down, which nobody misses.
 bool is_unsaved(const OpenWork& work, const std::vector<Light>& lights) {
-  return work.document.journal().size() != work.saved_commands || lights != work.saved_lights;
+  const std::vector<Command>& journal = work.document.journal();
+  if (work.saved_commands > journal.size() || lights != work.saved_lights) return true;
+  return !std::all_of(journal.begin() + static_cast<std::ptrdiff_t>(work.saved_commands), journal.end(),
+                      [](const Command& command) {
+                        const Advance* time = std::get_if<Advance>(&command);
+                        return time != nullptr && !time->bodies;
+                      });
 }
 
 std::string name_of_work(const OpenWork& work) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/random.h"
 #include "core/physics/collider/simplify_line.h"
 #include "core/physics/rigid_frame.h"
 #include "tests/support/made_meshes.h"
@@ -55,6 +56,23 @@ TEST(SimplifiedLine, stays_within_its_error) {
       nearest = std::min(nearest, glm::length(p - few[i] - t * way));
     }
     EXPECT_LE(nearest, 0.01);
+  }
+}
+
+TEST(SimplifiedLine, of_every_error_follows_from_those_of_the_least) {
+  for (uint64_t seed = 1; seed <= 20; ++seed) {
+    Random random(seed);
+    std::vector<Vec3> line(2 + random.below(60));
+    for (Vec3& p : line) p = {random.unit(), random.unit(), random.unit()};
+    if (seed % 2 == 0) line.back() = line.front();
+    const std::vector<double> from = left_out_from(line, 0.01);
+    for (const double error : {0.01, 0.05, 0.2, 0.4, 2.0}) {
+      std::vector<Vec3> kept;
+      for (size_t i = 0; i < line.size(); ++i) {
+        if (from[i] > error * error) kept.push_back(line[i]);
+      }
+      EXPECT_EQ(kept, simplified(line, error)) << "seed " << seed << ", error " << error;
+    }
   }
 }
 

@@ -74,5 +74,16 @@ TEST_F(StepGroupsTest, a_group_ends_when_another_step_takes_the_place_of_one_tha
   EXPECT_EQ(at(true), nullptr);
 }
 
+TEST_F(StepGroupsTest, a_group_stays_when_its_last_step_is_undone_and_redone_and_another_follows) {
+  hide_all_at_once(true);
+  ASSERT_TRUE(document.apply(Undo{}).ok());
+  groups.follow(document);
+  ASSERT_TRUE(document.apply(Redo{}).ok());
+  hide(false, 0, 1);
+  groups.follow(document);
+  ASSERT_TRUE(document.apply(Undo{}).ok());
+  EXPECT_NE(at(true), nullptr);
+}
+
 }  // namespace
 }  // namespace kerf

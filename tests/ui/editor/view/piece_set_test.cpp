@@ -103,7 +103,8 @@ TEST(PieceSet, parts_that_turn_on_joints_are_listed_behind_pieces_by_their_names
   ASSERT_TRUE(scene.ok()) << scene.error().message;
   Document document(std::move(scene->world));
   CutSettings settings;
-  settings.laser = {.radius = 0.01, .range = {0, 10}};
+  settings.laser.radius = 0.01;
+  settings.laser.range = {0, 10};
   document.apply(BeginStroke{settings, {{-2, 1.25, 5}, {0, 0, -1}}});
   document.apply(MoveStroke{{{2, 1.25, 5}, {0, 0, -1}}});
   document.apply(Play{});

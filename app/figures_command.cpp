@@ -1,0 +1,96 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "app/commands.h"
+#include "app/exit_status.h"
+#include "app/interrupt.h"
+#include "app/parse_values.h"
+#include "app/pieces_folder.h"
+#include "app/progress_line.h"
+#include "ui/figures/draw_figure.h"
+#include "ui/figures/figure_films.h"
+#include "ui/render/assets.h"
+
+namespace kerf {
+
+namespace {
+
+struct FiguresArguments {
+  std::string out, film, list, size = "1280x720";
+};
+
+constexpr int kLeastSide = 64;
+
+Status make_figures(const FiguresArguments& a, const std::vector<Figure>& figures, const PixelSize& size) {
+  if (const Status made = PiecesFolder{a.out}.make(); !made) return made;
+  ProgressLine line("drawing the figures");
+  for (size_t i = 0; i < figures.size(); ++i) {
+    if (interrupted()) return stopped();
+    line.update(static_cast<double>(i) / static_cast<double>(figures.size()));
+    char name[16];
+    std::snprintf(name, sizeof name, "fig%02zu.png", figures[i].number);
+    const Status drawn =
+        draw_figure(figures[i], {size.width, size.height}, std::filesystem::path(a.out) / name);
+    if (!drawn) return drawn;
+  }
+  return Done{};
+}
+
+using MakeFilm = Status(const std::filesystem::path& file, const FilmFormat& format,
+                        const Progress& progress);
+
+Status make_film(const std::filesystem::path& frames, const std::filesystem::path& file,
+                 const PixelSize& size, MakeFilm* film) {
+  if (file.empty()) return Done{};
+  if (const Status made = PiecesFolder{frames.string()}.make(); !made) return made;
+  ProgressLine line("filming " + file.filename().string());
+  const Status filmed = film(file, {frames, size.width, size.height}, line.progress());
+  return filmed ? filmed : Status(error_or_stopped(filmed.error()));
+}
+
+Status make_films(const std::filesystem::path& folder, const FigureFilms& films, const PixelSize& size) {
+  if (const Status made = make_film(folder / "cut", films.cut, size, film_cut); !made) return made;
+  if (const Status made = make_film(folder / "fight", films.fight, size, film_fight); !made) return made;
+  if (const Status made = make_film(folder / "graph", films.graph, size, film_graph); !made) return made;
+  return make_film(folder / "shadow", films.shadow, size, film_shadow);
+}
+
+Status run(const FiguresArguments& a) {
+  if (a.out.empty() && a.film.empty())
+    return bad_input("--out or --film: name a folder for the figures or for the films");
+  const auto size = parse_size(a.size);
+  if (!size) return size.error();
+  if (std::min(size->width, size->height) < kLeastSide)
+    return bad_input("--size: a figure with its caption needs at least 64x64 pixels");
+  const std::filesystem::path own = assets_folder() / "figures.json";
+  const auto list = read_figures(a.list.empty() ? own : std::filesystem::path(a.list));
+  if (!list) return list.error();
+  catch_interrupts();
+  if (!a.out.empty()) {
+    if (const Status made = make_figures(a, list->figures, *size); !made) return made;
+  }
+  return a.film.empty() ? Status(Done{}) : make_films(a.film, list->films, *size);
+}
+
+}  // namespace
+
+void add_figures_command(CLI::App& app, Invocation& invocation) {
+  CLI::App* command = app.add_subcommand(
+      "figures", "Draw the figures of the paper as fig01.png and so on, without a display");
+  auto a = std::make_shared<FiguresArguments>();
+  command->add_option("--out", a->out, "The folder for the figures");
+  command->add_option(
+      "--film", a->film,
+      "A folder for the films: the car cut in two, a fight, the traversal of the graph and the "
+      "shadow volume, each as numbered pictures in a folder of its own");
+  command->add_option("--size", a->size, "Size of each picture, of figures with the caption, WxH (1280x720)");
+  command->add_option("--list", a->list, "A file (.json) that describes the figures (assets/figures.json)");
+  command->callback([a, &invocation] {
+    invocation = [a] {
+      const Status status = run(*a);
+      return status ? 0 : report_error(status.error());
+    };
+  });
+}
+
+}  // namespace kerf

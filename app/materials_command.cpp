@@ -1,0 +1,45 @@
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "app/exit_status.h"
+#include "core/document/material_reader.h"
+#include "ui/render/assets.h"
+
+namespace kerf {
+
+namespace {
+
+nlohmann::ordered_json to_json(const Material& material) {
+  nlohmann::ordered_json json{{"name", material.name},
+                              {"title", material.title},
+                              {"removed_by", material.removed_by},
+                              {"wavelength", material.substance.wavelength}};
+  for (const MaterialNumber& number : material.numbers) {
+    json[number.key] = {
+        {"value", number.value}, {"range", {number.range.low, number.range.high}}, {"source", number.source}};
+  }
+  json["enthalpy_of_removal"] = enthalpy_of_removal(material.substance);
+  return json;
+}
+
+int run_materials() {
+  const auto materials = load_materials(assets_folder() / "materials.json");
+  if (!materials) return report_error(materials.error());
+  nlohmann::ordered_json json{{"units", "SI: kg/m3, J/(kg K), W/(m K), K, J/kg, m"}};
+  json["materials"] = nlohmann::ordered_json::array();
+  for (const Material& material : *materials) json["materials"].push_back(to_json(material));
+  std::cout << json.dump(2) << '\n';
+  return std::cout.flush() ? 0 : report_error(failed("standard output cannot be written"));
+}
+
+}  // namespace
+
+void add_materials_command(CLI::App& app, Invocation& invocation) {
+  CLI::App* command =
+      app.add_subcommand("materials", "The table of materials with sources, as JSON on standard output");
+  command->callback([&invocation] { invocation = [] { return run_materials(); }; });
+}
+
+}  // namespace kerf

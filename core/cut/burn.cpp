@@ -1,0 +1,88 @@
+#include "core/cut/burn.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <tuple>
+
+namespace kerf {
+
+Burn::Burn(World& world, const CutSettings& settings, std::vector<BurnedBody>& bodies, double face)
+    : world_(world),
+      settings_(settings),
+      bodies_(bodies),
+      bundle_(ray_bundle(settings.laser.pattern, face)) {}
+
+void Burn::emit(const Pose& pose, double joules) {
+  assert(joules >= 0);
+  EnergyLedger& ledger = world_.edit_energy();
+  ledger.emitted += joules;
+  double absorbed = 0;
+  for (const BundleRay& ray : turned_bundle(bundle_, ledger.poses++)) {
+    double left = joules * ray.share;
+    find_meetings(ray_at(settings_.laser, ray, pose));
+    for (size_t i = 0; i < meetings_.size() && left > 0; ++i) {
+      const Meeting& at = meetings_[i];
+      if (bodies_[at.body].gone_slots.contains(at.face.index)) continue;
+      const Body& body = world_.body(bodies_[at.body].id);
+      const double share = absorptivity(body.sheet.substance, settings_.laser.wavelength);
+      if (share <= 0) break;
+      const double taken = spend(at, left * share);
+      absorbed += taken;
+      left = bodies_[at.body].gone_slots.contains(at.face.index) ? std::max(0.0, left - taken / share) : 0;
+    }
+  }
+  ledger.absorbed += absorbed;
+  ledger.escaped += joules - absorbed;
+}
+
+std::optional<double> Burn::reach(const Pose& pose) {
+  std::optional<double> farthest;
+  for (const BundleRay& ray : bundle_) {
+    find_meetings(ray_at(settings_.laser, ray, pose));
+    if (!meetings_.empty()) farthest = std::max(farthest.value_or(0), meetings_.front().length);
+  }
+  return farthest;
+}
+
+void Burn::find_meetings(const Pose& ray) {
+  meetings_.clear();
+  for (size_t b = 0; b < bodies_.size(); ++b) {
+    const Body& body = world_.body(bodies_[b].id);
+    hits_.clear();
+    body.tree.crossings(body.mesh, body.placement.to_body(ray), settings_.laser.range, hits_);
+    for (const RayHit& hit : hits_) meetings_.push_back({hit.length, b, hit.face});
+  }
+  std::sort(meetings_.begin(), meetings_.end(), [](const Meeting& a, const Meeting& b) {
+    return std::tie(a.length, a.body, a.face) < std::tie(b.length, b.body, b.face);
+  });
+}
+
+// Heats a face by as much of the energy as it takes until it is gone; returns how much that is.
+double Burn::spend(const Meeting& at, double joules) {
+  BurnedBody& burned = bodies_[at.body];
+  Body& body = world_.body(burned.id);
+  const double before = body.heat.energy_of(body.mesh, at.face), whole = removal_energy(body, at.face);
+  const double needed = std::max(0.0, whole - before);
+  if (joules < needed) {
+    body.heat.set_energy(body.mesh, at.face, before + joules);
+    burned.deepest = std::max(burned.deepest, (before + joules) / whole);
+    return joules;
+  }
+  body.heat.set_energy(body.mesh, at.face, before + needed);
+  burned.gone.push_back(at.face);
+  burned.gone_slots.insert(at.face.index);
+  return needed;
+}
+
+double Burn::removal_energy(const Body& body, FaceId f) const {
+  const Sheet& sheet = body.sheet;
+  const Triangle t = body.mesh.triangle(f);
+  const double area = triangle_area(t), kerf = 2 * settings_.laser.radius;
+  const double whole =
+      area * sheet.thickness * sheet.substance.density * enthalpy_of_removal(sheet.substance);
+  const double width2 = 2 * area;  // a square of this area is about as wide as the face is
+  return width2 > kerf * kerf ? whole * kerf / std::sqrt(width2) : whole;
+}
+
+}  // namespace kerf

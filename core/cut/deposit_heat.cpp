@@ -1,0 +1,99 @@
+#include "core/cut/deposit_heat.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <unordered_set>
+
+namespace kerf {
+
+namespace {
+
+constexpr int kFinestSample = 5;  // halvings of a face in samples
+
+class Deposit {
+ public:
+  Deposit(const BodyStep& step, const CutSettings& settings)
+      : step_(step), sheet_(step.body().sheet), width_(settings.heat_width) {}
+
+  // The energy that a face should have at least (J); 0 where it is too far away.
+  double energy(const Triangle& t) const { return mass_of_area() * integral(t, kFinestSample); }
+  // Whether no point of the face is nearer than the width.
+  bool is_beyond(const Triangle& t) const {
+    const Vec3 middle = (t[0] + t[1] + t[2]) / 3.0;
+    const double size =
+        std::sqrt(std::max({glm::dot(t[0] - middle, t[0] - middle), glm::dot(t[1] - middle, t[1] - middle),
+                            glm::dot(t[2] - middle, t[2] - middle)}));
+    return distance(middle) > width_ + size;
+  }
+
+ private:
+  double mass_of_area() const { return sheet_.thickness * sheet_.substance.density; }
+
+  double distance(const Vec3& p) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const SweptCylinder& part : step_.beam) least = std::min(least, part.signed_distance(p));
+    return std::max(0.0, least);
+  }
+
+  double enthalpy(const Vec3& p) const {
+    const double share = std::max(0.0, 1 - distance(p) / width_);
+    return share * enthalpy_before_transition(sheet_.substance);
+  }
+
+  // Of the enthalpy over the area, by the midpoint rule on parts that are small compared with the width.
+  double integral(const Triangle& t, int halvings) const {
+    if (halvings == 0 || longest_edge2(t) <= 0.25 * width_ * width_)
+      return triangle_area(t) * enthalpy((t[0] + t[1] + t[2]) / 3.0);
+    if (is_beyond(t)) return 0;
+    const Vec3 a = 0.5 * t[0] + 0.5 * t[1], b = 0.5 * t[1] + 0.5 * t[2], c = 0.5 * t[2] + 0.5 * t[0];
+    return integral({t[0], a, c}, halvings - 1) + integral({a, t[1], b}, halvings - 1) +
+           integral({c, b, t[2]}, halvings - 1) + integral({a, b, c}, halvings - 1);
+  }
+
+  const BodyStep& step_;
+  const Sheet& sheet_;
+  double width_;
+};
+
+// The live faces within the width that hang together with `beside`, in the order in which they are found.
+std::vector<FaceId> faces_within(const BodyStep& step, const Deposit& deposit,
+                                 std::span<const FaceId> beside) {
+  std::unordered_set<uint32_t> seen;  // asked, never iterated
+  std::vector<FaceId> found;
+  const auto add = [&](FaceId f) {
+    if (!step.mesh().is_live(f) || !seen.insert(f.index).second) return;
+    if (!deposit.is_beyond(step.mesh().triangle(f))) found.push_back(f);
+  };
+  for (const FaceId f : beside) add(f);
+  std::vector<FaceId> neighbours;
+  for (size_t i = 0; i < found.size(); ++i) {
+    neighbours.clear();
+    step.mesh().append_neighbours(found[i], neighbours);
+    for (const FaceId f : neighbours) add(f);
+  }
+  return found;
+}
+
+}  // namespace
+
+void deposit_heat(World& world, BodyStep& step, const CutSettings& settings, std::span<const FaceId> beside) {
+  assert(settings.heat_width > 0);
+  Body& body = world.body(step.id);
+  const Deposit deposit(step, settings);
+  double added = 0;
+  for (const FaceId f : faces_within(step, deposit, beside)) {
+    const double before = body.heat.energy_of(body.mesh, f), now = deposit.energy(body.mesh.triangle(f));
+    if (now <= before) continue;
+    body.heat.set_energy(body.mesh, f, now);
+    body.heat.note_hottest(body.mesh, f,
+                           body.heat.temperature(body.mesh, f, body.sheet.substance, body.sheet.thickness));
+    added += now - before;
+  }
+  EnergyLedger& ledger = world.edit_energy();
+  ledger.emitted += added;
+  ledger.absorbed += added;
+}
+
+}  // namespace kerf

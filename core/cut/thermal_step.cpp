@@ -1,0 +1,198 @@
+#include "core/cut/thermal_step.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "core/cut/burn.h"
+#include "core/cut/cuttable.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr double kRefinedRadii = 1.5;  // faces are fine as far from the axis, in radii of the beam
+// Poses from which rays are sent are as far apart, in spacings of the bundle, while the beam moves.
+constexpr double kSpacingsASample = 0.8;
+// The parts of a move of one radius, and of one that takes the time radius^2 / diffusivity.
+constexpr double kPartsARadius = 4, kPartsADiffusionTime = 16;
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kMostParts = 4096;  // of a move
+
+Pose between(const BeamMove& move, double t) {
+  if (t <= 0) return move.from;
+  const Vec3 origin = (1 - t) * move.from.origin + t * move.to.origin;
+  if (move.from.direction == move.to.direction) return {origin, move.from.direction};
+  return {origin, glm::normalize((1 - t) * move.from.direction + t * move.to.direction)};
+}
+
+// The size of the faces that the resolution makes under the beam, in radii.
+double size_of_faces(const CutSettings& settings) {
+  const Resolution& r = settings.resolution;
+  return r.rule == Resolution::Rule::kTargetEdge ? r.target_edge / settings.laser.radius : 1;
+}
+
+class ThermalMoves {
+ public:
+  ThermalMoves(World& world, const CutSettings& settings, const Progress& progress)
+      : world_(world),
+        settings_(settings),
+        progress_(progress),
+        face_(size_of_faces(settings)),
+        burn_(world, settings, burned_, face_) {
+    for (const BodyId id : cuttable(world)) {
+      burned_.push_back({id, {}, {}, 0});
+      steps_.emplace_back(id, world.body(id));
+    }
+  }
+
+  Status take(const BeamMove& move) {
+    const double parts = parts_of(move);
+    for (double i = 0; i < parts; ++i) {
+      const BeamMove part{between(move, i / parts), between(move, (i + 1) / parts), move.seconds / parts};
+      if (const Status done = take_part(part, 1 / (kSpacingsASample * bundle_spacing(face_) * parts)); !done)
+        return done;
+    }
+    hold_what_joints_hold(world_, held_);
+    return Done{};
+  }
+
+  size_t taken() const { return taken_; }
+
+  void end(StepResult& result) {
+    for (BodyStep& step : steps_) end_step(step, result);
+    result.delta.append(std::move(held_));
+    result.figures.met_s += met_s_;
+    result.figures.depth_s += depth_s_;
+  }
+
+ private:
+  // So many that in each the beam goes on by a fraction of its radius, heat spreads by no more than that, and
+  // what the beam covers does not take more than what removes it.
+  double parts_of(const BeamMove& move) const {
+    const double w = settings_.laser.radius, joules = emitted_energy(settings_.laser, 0, move.seconds);
+    double most = moves(move) ? kPartsARadius : 1;
+    for (const BurnedBody& burned : burned_) {
+      const Sheet& sheet = world_.body(burned.id).sheet;
+      const Substance& s = sheet.substance;
+      const double spot = 0.5 * kPi * w * w * sheet.thickness * s.density * enthalpy_of_removal(s);
+      const double diffusivity = s.conductivity / (s.density * s.heat_solid);
+      most = std::max(most, absorptivity(s, settings_.laser.wavelength) * joules / spot);
+      most = std::max(most, kPartsADiffusionTime * diffusivity * move.seconds / (w * w));
+    }
+    return std::min(std::ceil(most), kMostParts);
+  }
+
+  static bool moves(const BeamMove& move) {
+    return move.from.origin != move.to.origin || move.from.direction != move.to.direction;
+  }
+
+  Status take_part(const BeamMove& part, double most_samples) {
+    ++taken_;
+    const bool meets = find_reach(part);
+    if (meets) {
+      if (const Status refined = refine_reached(part); !refined) return refined;
+    }
+    emit(part, most_samples);
+    const double depth = remove_gone();
+    if (meets) {
+      met_s_ += part.seconds;
+      depth_s_ += depth * part.seconds;
+    }
+    let_heat_flow(world_, part.seconds);
+    return progress_.report(0) ? Status(Done{}) : Status(cancelled());
+  }
+
+  // Whether the beam meets anything; sets how far it reaches.
+  bool find_reach(const BeamMove& part) {
+    std::optional<double> reach = burn_.reach(part.from);
+    const std::optional<double> end = burn_.reach(part.to);
+    if (end) reach = std::max(reach.value_or(0), *end);
+    reach_ = reach.value_or(0);
+    return reach.has_value();
+  }
+
+  Status refine_reached(const BeamMove& part) {
+    Laser wide = settings_.laser;
+    wide.radius *= kRefinedRadii;
+    for (BodyStep& step : steps_) {
+      sweep(step, wide, part);
+      UnfinishedMove move;
+      hit(step, move.hit);
+      const Pose seen = step.body().placement.to_body(part.from);
+      std::erase_if(move.hit, [&](FaceId f) { return is_behind_reach(step.mesh().triangle(f), seen); });
+      taken_ += move.hit.size();
+      move.to_split.assign(move.hit.rbegin(), move.hit.rend());
+      while (!move.to_split.empty()) {
+        if (const Status refined = refine(step, move, settings_, progress_); !refined) return refined;
+      }
+    }
+    return Done{};
+  }
+
+  bool is_behind_reach(const Triangle& t, const Pose& beam) const {
+    const auto depth = [&](const Vec3& p) { return glm::dot(p - beam.origin, beam.direction); };
+    return std::min({depth(t[0]), depth(t[1]), depth(t[2])}) > reach_ + settings_.laser.radius;
+  }
+
+  void emit(const BeamMove& part, double most_samples) {
+    const EnergyLedger& ledger = world_.energy();
+    const double joules = emitted_energy(settings_.laser, ledger.beam_on, ledger.beam_on + part.seconds);
+    world_.edit_energy().beam_on += part.seconds;
+    const double samples = moves(part) ? std::max(1.0, std::ceil(most_samples)) : 1;
+    for (double i = 0; i < samples; ++i) burn_.emit(between(part, (i + 0.5) / samples), joules / samples);
+  }
+
+  // Returns how deep the beam got: 1 if a face went.
+  double remove_gone() {
+    double depth = 0;
+    for (size_t b = 0; b < burned_.size(); ++b) {
+      BurnedBody& burned = burned_[b];
+      depth = std::max(depth, burned.gone.empty() ? burned.deepest : 1.0);
+      std::sort(burned.gone.begin(), burned.gone.end());
+      if (!burned.gone.empty()) remove_faces(steps_[b], burned.gone);
+      taken_ += separate(world_, steps_[b], burned.gone, settings_.search_a_move);
+      burned.gone.clear();
+      burned.gone_slots.clear();
+      burned.deepest = 0;
+    }
+    return std::min(depth, 1.0);
+  }
+
+  World& world_;
+  const CutSettings& settings_;
+  const Progress& progress_;
+  std::vector<BurnedBody> burned_;
+  std::vector<BodyStep> steps_;  // of the same bodies
+  double face_;                  // the size of the faces under the beam, in radii
+  Burn burn_;
+  double reach_ = 0;  // m, along the beam
+  Delta held_;        // what joints changed
+  size_t taken_ = 0;  // faces and parts of moves
+  double met_s_ = 0, depth_s_ = 0;
+};
+
+}  // namespace
+
+Result<StepResult> thermal_step(World& world, const CutSettings& settings, std::span<const BeamMove> moves,
+                                const Progress* progress) {
+  assert(settings.model == Model::kThermal);
+  StepResult result;
+  const Progress asked = share_of(progress, 0, 1);
+  ThermalMoves thermal(world, settings, asked);
+  for (const BeamMove& move : moves) {
+    if (result.moves > 0 && thermal.taken() >= settings.bite) break;
+    if (const Status done = thermal.take(move); !done) return done.error();
+    ++result.moves;
+    result.last = move;
+  }
+  thermal.end(result);
+  return result;
+}
+
+bool scales_removal(const CutSettings& settings) {
+  const Resolution& r = settings.resolution;
+  return r.rule != Resolution::Rule::kTargetEdge || r.target_edge > 2 * settings.laser.radius;
+}
+
+}  // namespace kerf

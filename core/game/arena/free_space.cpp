@@ -1,0 +1,180 @@
+#include "core/game/arena/free_space.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/game/arena/fixed_faces.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr double kBump = 0.25;       // m, over which a vehicle drives
+constexpr double kRoof = 2.2;        // m, the height of a vehicle
+constexpr double kHigh = 1;          // m, above the ground: an upper floor that is not mistaken for it
+constexpr double kBelow = 0.6;       // m, by which a place on a floor may lie below it
+constexpr double kStep = 0.3;        // m, between spots beside each other
+constexpr double kMargin = 3;        // m, at the edge of the arena
+constexpr double kSampling = 0.25;   // m, between points of faces
+constexpr double kFloorless = 0.02;  // m, above the ground: lower faces are painted on it
+
+// Calls visit(point) for points of a triangle that lie near each other.
+template <typename Visit>
+void sample(const Triangle& t, Visit visit) {
+  const double longest =
+      std::max({glm::distance(t[0], t[1]), glm::distance(t[1], t[2]), glm::distance(t[2], t[0])});
+  const int n = 1 + static_cast<int>(longest / kSampling);
+  for (int i = 0; i <= n; ++i) {
+    for (int j = 0; i + j <= n; ++j)
+      visit(t[0] + (static_cast<double>(i) / n) * (t[1] - t[0]) +
+            (static_cast<double>(j) / n) * (t[2] - t[0]));
+  }
+}
+
+// Whether some of a triangle lies above a rectangle around the origin.
+bool is_over(const Triangle& t, const Vec2& half) {
+  const Vec3 low = glm::min(glm::min(t[0], t[1]), t[2]), high = glm::max(glm::max(t[0], t[1]), t[2]);
+  return high.x > -half.x && low.x < half.x && high.z > -half.y && low.z < half.y;
+}
+
+}  // namespace
+
+FreeSpace::FreeSpace(const Arena& arena)
+    : ground_(arena.description.ground), half_(0.5 * arena.description.size) {
+  columns_ = static_cast<int>(arena.description.size.x / kCell) + 1;
+  rows_ = static_cast<int>(arena.description.size.y / kCell) + 1;
+  std::vector<Triangle> faces = fixed_faces(arena);
+  std::erase_if(faces, [&](const Triangle& t) { return !is_over(t, half_); });
+  find_upper_floor(faces);
+  std::vector<bool> blocked(spots(), false);
+  find_blocked(faces, blocked);
+  measure(blocked);
+  forget_unreachable(arena.description.player.position);
+}
+
+int FreeSpace::column(double x) const {
+  return std::clamp(static_cast<int>((x + half_.x) / kCell), 0, columns_ - 1);
+}
+
+int FreeSpace::row(double z) const {
+  return std::clamp(static_cast<int>((z + half_.y) / kCell), 0, rows_ - 1);
+}
+
+void FreeSpace::find_upper_floor(const std::vector<Triangle>& faces) {
+  heights_.assign(cells(), ground_);
+  for (const Triangle& t : faces) {
+    if (!is_drivable(t)) continue;
+    sample(t, [&](const Vec3& p) {
+      if (p.y > ground_ + kHighest || p.y < ground_ + kFloorless) return;
+      double& height = heights_[spot_of(column(p.x), row(p.z), false)];
+      height = std::max(height, p.y);
+    });
+  }
+}
+
+void FreeSpace::find_blocked(const std::vector<Triangle>& faces, std::vector<bool>& blocked) const {
+  for (const Triangle& t : faces) {
+    sample(t, [&](const Vec3& p) {
+      if (std::abs(p.x) > half_.x || std::abs(p.z) > half_.y) return;
+      const Spot lower = spot_of(column(p.x), row(p.z), false), upper = lower + cells();
+      const auto in_the_way = [&](double floor) { return p.y > floor + kBump && p.y < floor + kRoof; };
+      if (in_the_way(ground_)) blocked[lower] = true;
+      if (in_the_way(heights_[lower])) blocked[upper] = true;
+    });
+  }
+  for (Spot spot = 0; spot < spots(); ++spot) {
+    const Vec3 p = glm::abs(place_of(spot));
+    if (p.x > half_.x - kMargin || p.z > half_.y - kMargin || !has_floor(spot)) blocked[spot] = true;
+  }
+}
+
+bool FreeSpace::has_floor(Spot spot) const { return spot < cells() || heights_[spot - cells()] > ground_; }
+
+// Whether the upper floor ends here at a height.
+bool FreeSpace::is_at_drop(int x, int z) const {
+  if (has_floor(spot_of(x, z, true))) return false;
+  for (int dz = -1; dz <= 1; ++dz) {
+    for (int dx = -1; dx <= 1; ++dx) {
+      if (is_inside(x + dx, z + dz) && heights_[spot_of(x + dx, z + dz, false)] > ground_ + kStep)
+        return true;
+    }
+  }
+  return false;
+}
+
+void FreeSpace::measure(const std::vector<bool>& blocked) {
+  clearance_.assign(spots(), static_cast<float>(kFar));
+  constexpr int kReach = static_cast<int>(kFar / kCell) + 1;
+  for (Spot spot = 0; spot < spots(); ++spot) {
+    if (!blocked[spot]) continue;
+    clearance_[spot] = 0;
+    const bool upper = spot >= cells();
+    const int x = static_cast<int>(spot % cells()) % columns_,
+              z = static_cast<int>(spot % cells()) / columns_;
+    if (upper && !has_floor(spot) && !is_at_drop(x, z)) continue;
+    for (int dz = -kReach; dz <= kReach; ++dz) {
+      for (int dx = -kReach; dx <= kReach; ++dx) {
+        if (!is_inside(x + dx, z + dz)) continue;
+        float& near = clearance_[spot_of(x + dx, z + dz, upper)];
+        near = std::min(near, static_cast<float>(kCell * std::sqrt(static_cast<double>(dx * dx + dz * dz))));
+      }
+    }
+  }
+}
+
+void FreeSpace::forget_unreachable(const Vec3& start) {
+  std::vector<bool> reached(spots(), false);
+  std::vector<Spot> open{with_room_near(start, kFar)};
+  while (!open.empty()) {
+    const Spot spot = open.back();
+    open.pop_back();
+    if (spot == spots() || reached[spot]) continue;
+    reached[spot] = true;
+    for_each_beside(spot, [&](Spot beside, double) {
+      if (has_room(beside)) open.push_back(beside);
+    });
+  }
+  for (Spot spot = 0; spot < spots(); ++spot) {
+    if (has_room(spot) && !reached[spot]) clearance_[spot] = 0;
+  }
+}
+
+bool FreeSpace::is_step(Spot from, Spot to) const {
+  return has_floor(from) && has_floor(to) && std::abs(place_of(from).y - place_of(to).y) < kStep;
+}
+
+FreeSpace::Spot FreeSpace::spot_at(const Vec3& p) const {
+  const Spot lower = spot_of(column(p.x), row(p.z), false);
+  const double height = heights_[lower];
+  const bool roomier = clearance_[lower + cells()] > clearance_[lower] || height > ground_ + kHigh;
+  const bool on_upper = has_floor(lower + cells()) && roomier && p.y > height - kBelow;
+  return on_upper ? lower + cells() : lower;
+}
+
+Vec3 FreeSpace::place_of(Spot spot) const {
+  const uint32_t cell = spot % cells();
+  const double x = (static_cast<int>(cell) % columns_ + 0.5) * kCell - half_.x;
+  const double z = (static_cast<int>(cell) / columns_ + 0.5) * kCell - half_.y;
+  return {x, spot >= cells() ? heights_[cell] : ground_, z};
+}
+
+FreeSpace::Spot FreeSpace::with_room_near(const Vec3& p, double reach) const {
+  Spot best = spots();
+  double nearest = reach;
+  const int most = static_cast<int>(reach / kCell) + 1, x = column(p.x), z = row(p.z);
+  for (int dz = -most; dz <= most; ++dz) {
+    for (int dx = -most; dx <= most; ++dx) {
+      if (!is_inside(x + dx, z + dz)) continue;
+      for (const bool upper : {false, true}) {
+        const Spot spot = spot_of(x + dx, z + dz, upper);
+        const double distance = glm::distance(place_of(spot), p);
+        if (!has_room(spot) || distance > nearest || (distance == nearest && best != spots())) continue;
+        nearest = distance;
+        best = spot;
+      }
+    }
+  }
+  return best;
+}
+
+}  // namespace kerf

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/game/arena/arena.h"
+
+namespace kerf {
+
+// Where vehicles can drive in an arena: a grid of spots on two floors. The lower floor is the ground; the
+// upper one is the highest slope below kHighest, such as ramps and bridges. A spot is blocked where a body
+// that stands fast leaves no room for a vehicle above it, or where no way leads from the start of the player.
+class FreeSpace {
+ public:
+  static constexpr double kCell = 0.75;    // m
+  static constexpr double kFar = 3;        // m, the largest clearance
+  static constexpr double kHighest = 5;    // m, above the ground
+  static constexpr double kVehicle = 1.0;  // m, the clearance that a vehicle needs
+
+  FreeSpace() = default;
+  // O(area of the faces + spots).
+  explicit FreeSpace(const Arena& arena);
+
+  // By floor and place in the grid; all are below spots().
+  using Spot = uint32_t;
+  uint32_t spots() const { return 2 * cells(); }
+  // The spot at a place, or the nearest one of the grid: on the upper floor, unless the place lies below it.
+  Spot spot_at(const Vec3& p) const;
+  // The middle of a spot, at the height of its floor.
+  Vec3 place_of(Spot spot) const;
+  // The distance to what is blocked and to drops, at most kFar; 0 on blocked spots. m
+  double clearance(Spot spot) const { return clearance_[spot]; }
+  bool has_room(Spot spot) const { return clearance_[spot] >= kVehicle; }
+  // The spot with room that is nearest to a place, at most `reach` (m) away; spots() if there is none.
+  Spot with_room_near(const Vec3& p, double reach) const;
+
+  // Calls visit(spot, metres) for each spot beside this one to which one could drive if there were room.
+  template <typename Visit>
+  void for_each_beside(Spot spot, Visit visit) const {
+    const bool upper = spot >= cells();
+    const int x = static_cast<int>(spot % cells()) % columns_,
+              z = static_cast<int>(spot % cells()) / columns_;
+    for (int dz = -1; dz <= 1; ++dz) {
+      for (int dx = -1; dx <= 1; ++dx) {
+        if ((dx == 0 && dz == 0) || !is_inside(x + dx, z + dz)) continue;
+        const double metres = dx != 0 && dz != 0 ? kDiagonal : kCell;
+        for (const bool to_upper : {false, true}) {
+          const Spot to = spot_of(x + dx, z + dz, to_upper);
+          if ((upper || to_upper) && !is_step(spot, to)) continue;
+          visit(to, metres);
+        }
+      }
+    }
+  }
+
+ private:
+  static constexpr double kDiagonal = 1.0606601717798212;  // m, of a cell
+  uint32_t cells() const { return static_cast<uint32_t>(columns_ * rows_); }
+  bool is_inside(int x, int z) const { return x >= 0 && x < columns_ && z >= 0 && z < rows_; }
+  Spot spot_of(int x, int z, bool upper) const {
+    return static_cast<Spot>(z * columns_ + x) + (upper ? cells() : 0);
+  }
+  // Whether the floors of two spots beside each other are at nearly the same height.
+  bool is_step(Spot from, Spot to) const;
+  bool has_floor(Spot spot) const;
+  int column(double x) const;
+  int row(double z) const;
+
+  void find_upper_floor(const std::vector<Triangle>& faces);
+  void find_blocked(const std::vector<Triangle>& faces, std::vector<bool>& blocked) const;
+  bool is_at_drop(int x, int z) const;
+  void measure(const std::vector<bool>& blocked);
+  void forget_unreachable(const Vec3& start);
+
+  double ground_ = 0;
+  Vec2 half_{0};
+  int columns_ = 0, rows_ = 0;
+  std::vector<double> heights_;   // m, by cell, of the upper floor; the ground where there is none
+  std::vector<float> clearance_;  // by spot
+};
+
+}  // namespace kerf

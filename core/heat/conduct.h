@@ -1,0 +1,27 @@
+#pragma once
+
+#include "core/heat/face_heat.h"
+#include "core/heat/heat_loss.h"
+
+namespace kerf {
+
+// Lets heat flow between the faces of a mesh, and from them to the surroundings, for a time (s, >= 0).
+// Changes the energies of `heat`, and records the hottest temperatures where they are above 500 K. Returns
+// the energy that was lost (J): what the faces had before less what they have after.
+//
+// Discretisation: one temperature a face, two-point flux over each shared edge (see HeatRegion). Backward
+// Euler, solved by conjugate gradients for the faces that are more than 0.5 K above the ambient and those
+// around them, and further faces as the heat gets there. What the tolerance of the solver leaves of the sum
+// of the energies is shared out in proportion to them, so that conservation is exact. Losses are taken in the
+// middle of the step (second order), and a time is divided into up to 64 steps so that they stay accurate.
+// The transition is implicit in the enthalpy: a face that is in it keeps its temperature and takes or gives
+// the flux (semismooth Newton iteration). No face gets colder than the ambient, or hotter than the hottest
+// was; stable for every time step. A face that is at most 0.5 K above the ambient and has no neighbour that
+// is more takes no part and goes to the ambient at 0.5 K/s, so that a plate ends cold and its column blank.
+//
+// Preconditions: thickness (m) > 0, the substance as it demands, no loss is negative. The result is the same
+// to the bit on every machine. O(hot faces), whatever the size of the mesh.
+double conduct(Mesh& mesh, const FaceHeat& heat, const Substance& substance, double thickness,
+               const HeatLoss& loss, double seconds);
+
+}  // namespace kerf

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <vector>
+
+#include "core/base/key_table.h"
+#include "core/heat/face_heat.h"
+
+namespace kerf {
+
+// The faces of a mesh between which heat flows during a step, and how well each pair of neighbours conducts.
+//
+// Neighbours conduct k h L / d (k conductivity, h thickness, L common edge, d distance of the centroids when
+// one face is turned about the edge into the plane of the other). Around an edge of n > 2 faces each conducts
+// to the next by index, with (n - 1) / n of that, so that one face against all others sees what it would if
+// they all met in the edge.
+class HeatRegion {
+ public:
+  struct Node {
+    FaceId face;
+    Vec3 centroid;
+    double area;    // m^2
+    double mass;    // kg
+    double joules;  // relative to the ambient
+  };
+  struct Link {
+    uint32_t a, b;       // indices of nodes
+    double conductance;  // W/K
+  };
+
+  // The region is empty at first. The thickness is in m, and `faces` how many it will about have.
+  HeatRegion(const Mesh& mesh, const FaceHeat& heat, const Substance& substance, double thickness,
+             size_t faces);
+
+  // Adds a face with the energy that it has in the mesh, and its links to the faces that are there; nothing
+  // happens if it is there. Precondition: it is live. Expected constant time, linear in the degrees of rings.
+  void add(FaceId f);
+  // Adds all neighbours of a node; nothing happens if that was done before.
+  void surround(uint32_t node);
+  bool contains(FaceId f) const;
+
+  std::vector<Node>& nodes() { return nodes_; }
+  const std::vector<Node>& nodes() const { return nodes_; }
+  const std::vector<Link>& links() const { return links_; }
+  uint32_t size() const { return static_cast<uint32_t>(nodes_.size()); }
+
+ private:
+  struct Edge {
+    Vec3 from, to;
+  };
+  void add_edge(uint32_t node, const Edge& edge);
+  void join(uint32_t node, FaceId neighbour, const Edge& edge, double share);
+  double conductance(const Node& a, const Node& b, const Edge& edge) const;
+  uint32_t find(FaceId f) const;
+
+  const Mesh& mesh_;
+  FaceHeat heat_;
+  double mass_per_area_;
+  double sheet_conductivity_;  // k h, W/K
+
+  std::vector<Node> nodes_;
+  std::vector<Link> links_;
+  std::vector<FaceId> neighbours_;       // of all nodes, one after the other
+  std::vector<uint32_t> neighbour_end_;  // by node: where its neighbours end
+  std::vector<uint8_t> surrounded_;      // by node
+  KeyTable index_;
+  std::vector<Mesh::Side> sides_;  // working memory
+  std::vector<FaceId> around_;     // working memory
+};
+
+}  // namespace kerf

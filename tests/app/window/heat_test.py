@@ -1,0 +1,62 @@
+"""What is hot cools down, is undone with its stroke, and can be held."""
+import unittest
+
+from editor_window import ACROSS, SPHERE, WindowTest, pause
+
+
+class Heat(WindowTest):
+    heat_held = False
+
+    def cut(self):
+        """Cuts the sphere, and does not wait until all is cold."""
+        editor = self.open(SPHERE)
+        begin, end = editor.place(ACROSS[0]), editor.place(ACROSS[1])
+        editor.move_to(*begin)
+        editor.settle()
+        editor.xdotool("mousedown", 1)
+        for share in (0.25, 0.5, 0.75, 1):
+            editor.move_to(*(round(a + share * (b - a)) for a, b in zip(begin, end)))
+            pause(0.1)
+        editor.xdotool("mouseup", 1)
+        pause(3)
+        return editor
+
+    def test_a_rim_cools_down_in_the_step_of_its_stroke(self):
+        report = self.cut().quit()
+        self.assertGreater(report["time"]["ticks"], 30)
+        self.assertLess(report["heat"]["hottest"], 1700)
+        self.assertGreater(report["heat"]["emitted"], 0)
+        self.assertEqual((report["undo_depth"], report["time"]["playing"]), (1, False))
+
+    def test_one_undo_takes_the_stroke_and_the_time_in_which_it_cooled_down(self):
+        editor = self.cut()
+        editor.press("ctrl", "z")
+        pause(1)
+        report = editor.quit()
+        self.assertEqual((report["undo_depth"], report["time"]["ticks"], report["faces_removed"]), (0, 0, 0))
+        self.assertLess(report["heat"]["hottest"], 294)
+
+    def test_held_heat_stays(self):
+        self.heat_held = True
+        editor = self.cut()
+        report = editor.quit()
+        self.assertGreater(report["heat"]["hottest"], 1000)
+        self.assertEqual(report["time"]["ticks"], 0)
+
+    def test_a_beam_of_the_thermal_model_that_is_held_still_goes_on_heating(self):
+        editor = self.open(SPHERE)
+        editor.click("laser model", 0.5, 0.5)
+        editor.click("laser model 1", 0.5, 0.5)
+        editor.move_to(*editor.place((0.5, 0.5)))
+        editor.settle()
+        editor.xdotool("mousedown", 1)
+        pause(1)
+        editor.xdotool("mouseup", 1)
+        report = editor.quit()
+        self.assertEqual(report["strokes"], 1)
+        self.assertGreater(report["heat"]["emitted"], 40)  # far more than in the tick of the click
+        self.assertGreater(report["heat"]["absorbed"], 0)
+
+
+if __name__ == "__main__":
+    unittest.main()

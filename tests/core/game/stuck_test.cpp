@@ -1,0 +1,143 @@
+#include <algorithm>
+
+#include "core/game/angle.h"
+#include "core/game/match/bot_player.h"
+#include "core/game/match/recover.h"
+#include "tests/support/checkout.h"
+#include "tests/support/game_files.h"
+
+namespace kerf {
+namespace {
+
+// For how long vehicles that can drive have wanted to, or lain on their side, and not got away.
+class HeldVehicles {
+ public:
+  struct Times {
+    double unhelped = 0;  // s, the longest of any vehicle since it was helped
+    double all = 0;       // s, likewise with the time before that
+  };
+  // To be called after each tick.
+  Times after(const Match& match) {
+    if (match.delta().anew) held_.clear();
+    held_.resize(match.vehicles().size());
+    for (const Event& e : match.events()) {
+      if (e.kind == Event::Kind::kRighted) held_[e.vehicle].unhelped = 0;
+    }
+    Times longest;
+    for (size_t v = 0; v < held_.size(); ++v) {
+      const Held& held = count(match, v);
+      longest.unhelped = std::max(longest.unhelped, seconds_of_ticks(held.unhelped));
+      longest.all = std::max(longest.all, seconds_of_ticks(held.all));
+    }
+    return longest;
+  }
+
+ private:
+  struct Held {
+    Vec3 at{0};
+    Ticks unhelped = 0, all = 0;
+  };
+
+  const Held& count(const Match& match, size_t v) {
+    const Vehicle& vehicle = match.vehicles()[v];
+    const Placement& placement = match.world().body(vehicle.chassis).placement;
+    const bool lies = (placement.orientation * Vec3(0, 1, 0)).y < 0.3;
+    const bool wants = lies || std::abs(vehicle.controls.throttle) > Controls::kFull / 5;
+    const bool can = vehicle.alive && vehicle.can_drive();
+    Held& held = held_[v];
+    if (!can || glm::distance(placement.position, held.at) > 0.5) held = {placement.position};
+    held.unhelped += wants;
+    held.all += wants;
+    return held;
+  }
+
+  std::vector<Held> held_;
+};
+
+// Five enemies at once, which get into each other's way, and seeds with which vehicles get stuck.
+TEST(Match, lets_no_vehicle_be_stuck_for_more_than_three_seconds) {
+  const auto loaded = load_rules(test::checkout() / "assets/games/standard.json");
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  auto rules = std::make_shared<Rules>(**loaded);
+  rules->waves = {rules->waves.back()};
+  size_t helped = 0;
+  for (const uint64_t seed : {5, 6, 13}) {
+    Match match({rules, seed, Difficulty::kNormal});
+    BotPlayer bot(match);
+    HeldVehicles held;
+    for (int t = 0; t < 12 * static_cast<int>(kTicksPerSecond) && !match.standing().over(); ++t) {
+      match.tick(bot.next(match));
+      const HeldVehicles::Times times = held.after(match);
+      ASSERT_LT(times.unhelped, 3.1) << "seed " << seed << ", tick " << t;
+      ASSERT_LT(times.all, 4.5) << "seed " << seed << ", tick " << t;
+      helped +=
+          static_cast<size_t>(std::count_if(match.events().begin(), match.events().end(),
+                                            [](const Event& e) { return e.kind == Event::Kind::kRighted; }));
+    }
+  }
+  EXPECT_GT(helped, 0u);
+}
+
+// A vehicle that nothing moves but its recovery.
+class Stuck : public testing::Test {
+ protected:
+  // Calls `each` before each tick of at most ten seconds. Returns the seconds until it is helped, or 10.
+  template <typename Each>
+  double seconds_until_helped(Each each) {
+    for (Ticks t = 1; t < 10 * kTicksPerSecond; ++t) {
+      each(t);
+      if (recover_vehicle(lone_.world, lone_.vehicle, FreeSpace(), MatchTimes{})) return seconds_of_ticks(t);
+    }
+    return 10;
+  }
+  Body& chassis() { return lone_.world.body(lone_.vehicle.chassis); }
+  void stand_on_wheels(bool all) {
+    for (Wheel& wheel : lone_.vehicle.wheels) wheel.grounded = all;
+  }
+  void push(int throttle) { lone_.vehicle.controls.throttle = static_cast<int8_t>(throttle); }
+
+  test::LoneVehicle lone_;
+};
+
+TEST_F(Stuck, a_vehicle_goes_back_to_where_it_last_drove_freely) {
+  lone_.vehicle.free_place = Placement{{20, 0, 5}, {1, 0, 0, 0}};
+  EXPECT_NEAR(seconds_until_helped([&](Ticks) { push(100); }), 3, 0.02);
+  EXPECT_NEAR(glm::distance(chassis().placement.position, Vec3(20, 0, 5)), 0, 0.5);
+}
+
+TEST_F(Stuck, a_vehicle_that_trembles_and_changes_its_gear_is_not_free) {
+  const auto tremble = [&](Ticks t) {
+    push(t / 60 % 2 == 0 ? 100 : -100);
+    chassis().motion.velocity = Vec3(t % 7 == 0 ? 2 : -2, 0, 0);
+    chassis().placement.position.x = t % 2 == 0 ? 0.2 : -0.2;
+  };
+  EXPECT_NEAR(seconds_until_helped(tremble), 3, 0.02);
+}
+
+TEST_F(Stuck, a_vehicle_on_all_its_wheels_in_front_of_a_wall_is_not_helped) {
+  stand_on_wheels(true);
+  EXPECT_EQ(seconds_until_helped([&](Ticks) { push(100); }), 10);
+}
+
+TEST_F(Stuck, a_vehicle_whose_driver_waits_is_not_helped) {
+  EXPECT_EQ(seconds_until_helped([&](Ticks) { push(0); }), 10);
+}
+
+TEST_F(Stuck, a_vehicle_without_driven_wheels_is_not_helped) {
+  for (size_t i = 0; i < lone_.vehicle.wheels.size(); ++i)
+    lone_.vehicle.wheels[i].attached = !lone_.vehicle.what().wheels[i].driven;
+  EXPECT_EQ(seconds_until_helped([&](Ticks) { push(100); }), 10);
+}
+
+TEST_F(Stuck, a_vehicle_that_does_not_get_away_after_it_was_put_upright_is_moved_soon) {
+  lone_.vehicle.free_place = Placement{{20, 0, 5}, {1, 0, 0, 0}};
+  chassis().placement = {{3, 1.6, 4}, turn_about({0, 0, 1}, kPi)};
+  push(100);
+  EXPECT_NEAR(seconds_until_helped([&](Ticks) {}), 3, 0.02);
+  EXPECT_LT(chassis().placement.position.x, 4);
+  EXPECT_NEAR(seconds_until_helped([&](Ticks) {}), 1.2, 0.02);
+  EXPECT_GT(chassis().placement.position.x, 19);
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,72 @@
+#include "ui/screen/particles.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace kerf {
+namespace {
+
+const Vec3 kUp(0, 1, 0);
+
+Effects effects_of(const Particles& particles) {
+  Effects effects;
+  particles.append_to(effects);
+  return effects;
+}
+
+// A beam that points at the ground, 1 m above it, and bites for some time.
+Particles bitten(double seconds, double size = 1) {
+  Particles particles;
+  particles.add({{0, 1, 0}, {0, -1, 0}, size, seconds}, kUp);
+  return particles;
+}
+
+TEST(Particles, are_as_many_for_one_long_bite_as_for_many_short_ones) {
+  Particles short_ones;
+  for (int i = 0; i < 1000; ++i) short_ones.add({{0, 1, 0}, {0, -1, 0}, 1, 0.001}, kUp);
+  const Effects once = effects_of(bitten(1)), often = effects_of(short_ones);
+  EXPECT_NEAR(static_cast<double>(once.sparks.size()), static_cast<double>(often.sparks.size()), 1);
+  EXPECT_NEAR(static_cast<double>(once.puffs.size()), static_cast<double>(often.puffs.size()), 1);
+  EXPECT_GT(once.sparks.size(), once.puffs.size());
+}
+
+TEST(Particles, are_bounded_in_number_however_long_a_beam_bites) {
+  const Effects effects = effects_of(bitten(1000));
+  EXPECT_LE(effects.sparks.size(), 1200u);
+  EXPECT_LE(effects.puffs.size(), 160u);
+}
+
+TEST(Particles, sparks_stay_above_the_ground_and_cool_while_smoke_thins_out) {
+  Particles particles = bitten(1);
+  for (int frame = 0; frame < 30; ++frame) {
+    particles.advance(1 / 60.0, kUp, 0.5);
+    for (const Spark& s : effects_of(particles).sparks) EXPECT_GE(glm::dot(s.at, kUp), 0.5 - 1e-12);
+  }
+  const Effects later = effects_of(particles);
+  ASSERT_FALSE(later.sparks.empty());
+  EXPECT_TRUE(std::all_of(later.sparks.begin(), later.sparks.end(),
+                          [](const Spark& s) { return s.heat > 0 && s.heat < 0.5; }));
+}
+
+TEST(Particles, are_gone_two_seconds_after_the_last_bite) {
+  Particles particles = bitten(1);
+  EXPECT_FALSE(particles.empty());
+  for (int frame = 0; frame < 120; ++frame) particles.advance(1 / 60.0, kUp, 0);
+  EXPECT_TRUE(particles.empty());
+}
+
+TEST(Particles, of_a_small_thing_stay_near_it) {
+  const auto farthest = [](double size) {
+    Particles particles = bitten(0.5, size);
+    for (int frame = 0; frame < 12; ++frame) particles.advance(1 / 60.0, kUp, -10);
+    double most = 0;
+    for (const Spark& s : effects_of(particles).sparks)
+      most = std::max(most, glm::length(s.at - Vec3(0, 1, 0)));
+    return most;
+  };
+  EXPECT_NEAR(farthest(0.01), 0.01 * farthest(1), 1e-9);
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <chrono>
+
+#include "ui/editor/changes/split_view.h"
+#include "ui/editor/changes/world_changes.h"
+#include "ui/editor/play/play_state.h"
+#include "ui/editor/single_step/stage_wishes.h"
+#include "ui/editor/work/opening.h"
+
+namespace kerf {
+
+// Lets what is hot in the open document cool down in real time while the user does not play: queues ticks in
+// which bodies stand still. They belong to the stroke before them, so that one undo takes both.
+//
+// Like the ticks of TimeFlow they are queued when all before them are done. While anything in the picture
+// changes by them, they are queued in every frame; after that time passes once a second, and the picture is
+// not drawn again. Time waits while heat is held, and while steps of the history are undone: a tick would
+// make it impossible to redo them.
+class Cooling {
+ public:
+  struct Parts {
+    OpenWork& work;
+    const ViewState& view;
+    const Settings& settings;
+    const SplitView& split;
+    const StageWishes& stages;
+    const Opening& opening;
+    const PlayState& play;
+    const WorldChanges& changes;
+    const Renderer& renderer;  // of the open document
+  };
+  // The parts must outlive it.
+  explicit Cooling(const Parts& parts) : on_(parts) {}
+
+  // To be called once a frame after the queue was worked on; `seconds` have passed since the last frame.
+  void advance(double seconds);
+  // Whether a frame is due although nothing else moves.
+  bool moving() const;
+  // Whether only ticks wait that change nothing in the picture.
+  bool passes_unseen() const { return unseen_ && !on_.work.document.beam_waits(); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  bool flows() const;
+  bool is_seen() const;
+
+  Parts on_;
+  double due_ = 0;   // ticks
+  double most_ = 1;  // ticks that are queued at once
+  bool unseen_ = false;
+  Clock::time_point passed_at_{};  // when ticks were queued last
+};
+
+}  // namespace kerf

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "core/mesh/files/file_frame.h"
+#include "ui/editor/figures/figures.h"
+#include "ui/editor/tools/laser_controls.h"
+#include "ui/window/number_fields.h"
+
+namespace kerf {
+
+// The rows of the Laser panel that are about heat: the model, what the beam leaves or emits, whether heat is
+// held, a forecast from the heat balance of a cut (see LumpedCut), and what the last stroke did.
+class LaserHeatRows {
+ public:
+  struct Parts {
+    LaserControls& laser;
+    bool& heat_held;
+    const World& world;
+    Sheet sheet;       // that the forecast is for
+    double speed = 0;  // m/s of the path; 0: there is none
+    const std::optional<ShownFigures::Stroke>& stroke;
+    FileUnit unit;
+  };
+  void draw(const Parts& on);
+
+ private:
+  void draw_geometric(LaserControls& laser, FileUnit unit);
+  void draw_thermal(LaserControls& laser);
+
+  NumberFields fields_;
+};
+
+// "2000 W cuts this sheet of 1 mm at up to 52 mm/s", and with a speed what it cuts at that.
+std::string forecast_text(const LaserControls& laser, const Sheet& sheet, double speed, FileUnit unit);
+
+// Where the energy of all beams went: "Emitted 1.2 kJ: 310 J absorbed, 220 J of it ejected".
+std::string energy_text(const World& world);
+
+}  // namespace kerf

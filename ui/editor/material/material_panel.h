@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/document/material_reader.h"
+#include "ui/editor/view/view_state.h"
+#include "ui/editor/work/requests.h"
+#include "ui/window/number_fields.h"
+
+namespace kerf {
+
+// The piece whose sheet the panel shows: the first chosen one, else the first body. Nothing in an empty
+// world.
+std::optional<PieceId> piece_of_sheet(const World& world, const ViewState& view);
+
+// The sheet of the chosen pieces, or of all pieces if none is chosen: its material, from
+// assets/materials.json, its thickness, and the constants of the material, each of which can be typed. Every
+// change is one step of the history.
+class MaterialPanel {
+ public:
+  void draw(const World& world, const ViewState& view, Requests& requests);
+
+ private:
+  bool draw_presets(Sheet& sheet);
+  bool draw_numbers(Sheet& sheet);
+  bool draw_thermal_numbers(Substance& substance);
+  struct Limits {
+    double least, most;
+  };
+  bool number(const char* name, double& value, double unit, const Limits& within, const char* format,
+              const char* meaning);
+
+  NumberFields fields_;
+  std::optional<Result<std::vector<Material>>> materials_;  // once the panel was drawn
+};
+
+}  // namespace kerf

@@ -1,0 +1,43 @@
+#include "ui/game/match_replay.h"
+
+#include <cassert>
+
+namespace kerf {
+
+namespace {
+
+constexpr double kSlowMotion = 1.2;  // s
+
+}  // namespace
+
+MatchReplay::MatchReplay(const MatchSetup& setup, const MatchMoment& moment, std::vector<Controls> controls)
+    : controls_(std::move(controls)), to_(moment.to), camera_(moment.vehicle) {
+  prepared_ = std::async(std::launch::async, [this, setup, moment] {
+    return match_at(setup, moment.start, controls_, moment.from, [this] { return stopped_.load(); });
+  });
+}
+
+MatchReplay::~MatchReplay() { stopped_ = true; }
+
+MatchReplay::State MatchReplay::state() {
+  if (!match_) {
+    if (prepared_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return State::kPreparing;
+    match_ = prepared_.get();
+  }
+  const bool over = match_->standing().ticks >= to_ || match_->standing().over();
+  return over ? State::kOver : State::kPlaying;
+}
+
+int MatchReplay::due(double seconds) { return clock_.advance(seconds); }
+
+void MatchReplay::tick() {
+  assert(match_);
+  if (state() == State::kOver) return;
+  match_->tick(controls_[static_cast<size_t>(match_->standing().ticks)]);
+  for (const Event& event : match_->events()) {
+    const bool enemy = event.vehicle != Match::kPlayer;
+    if (event.kind == Event::Kind::kInHalves && enemy) clock_.slow_down(kSlowMotion);
+  }
+}
+
+}  // namespace kerf

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <atomic>
+#include <future>
+#include <memory>
+#include <vector>
+
+#include "core/game/match/score_log.h"
+#include "ui/game/match_clock.h"
+#include "ui/game/replay_camera.h"
+
+namespace kerf {
+
+// A moment of a match that is played again. A thread of its own plays the wave up to where the moment begins,
+// beside the frames.
+class MatchReplay {
+ public:
+  // `controls` are those of the whole match.
+  MatchReplay(const MatchSetup& setup, const MatchMoment& moment, std::vector<Controls> controls);
+  ~MatchReplay();
+  MatchReplay(const MatchReplay&) = delete;
+  MatchReplay& operator=(const MatchReplay&) = delete;
+
+  enum class State { kPreparing, kPlaying, kOver };
+  // Looks whether it can begin. Does not wait.
+  State state();
+
+  // The match where the replay is. Precondition of this and of what follows: it is not in preparation.
+  const Match& match() const { return *match_; }
+  const ReplayCamera& camera() const { return camera_; }
+  // The ticks that are due after a frame of a duration (s); they are in slow motion where a vehicle falls in
+  // two.
+  int due(double seconds);
+  bool is_slow() const { return clock_.is_slow(); }
+  // Advances by a tick. Does nothing once it is over.
+  void tick();
+  void move_camera(double seconds) { camera_.follow(*match_, seconds); }
+
+ private:
+  std::vector<Controls> controls_;
+  Ticks to_;
+  std::atomic<bool> stopped_ = false;
+  std::future<std::unique_ptr<Match>> prepared_;
+  std::unique_ptr<Match> match_;  // null while it is prepared
+  MatchClock clock_;
+  ReplayCamera camera_;
+};
+
+}  // namespace kerf

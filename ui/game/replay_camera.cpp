@@ -1,0 +1,105 @@
+#include "ui/game/replay_camera.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+#include "core/game/angle.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr double kNearest = 8, kFarthest = 13;  // m
+constexpr double kFarApart = 12;                // m, between vehicles that do not fit into one picture
+constexpr double kChassisMiddle = 0.8;          // m, above the ground
+constexpr double kTurn = 0.16;                  // rad/s
+constexpr double kMiddleRate = 3;               // 1/s, at which the middle is followed
+constexpr double kPatience = 0.5;               // s that a vehicle may be hidden
+constexpr int kAngles = 24;
+
+Vec3 middle_of(const Match& match, size_t vehicle) {
+  return match.world().body(match.vehicles()[vehicle].chassis).placement.to_world({0, kChassisMiddle, 0});
+}
+
+}  // namespace
+
+ReplayCamera::Aim ReplayCamera::aim(const Match& match) const {
+  const Vec3 own = middle_of(match, Match::kPlayer), other = middle_of(match, other_);
+  const double apart = glm::length(other - own);
+  // What happens is at the other vehicle. It is kept nearer to the middle of the picture, and where the
+  // player's is too far away it is shown alone.
+  if (apart > kFarApart) return {other, kNearest};
+  return {glm::mix(own, other, 0.6), std::clamp(3 + 0.85 * apart, kNearest, kFarthest)};
+}
+
+Vec3 ReplayCamera::eye_at(const Aim& aim, const Stand& stand) {
+  return aim.middle +
+         aim.distance * stand.nearness * (direction_of(stand.angle, 0) + Vec3(0, stand.height, 0));
+}
+
+// The vehicle to which it happens matters more than the player's.
+int ReplayCamera::hidden_from(const Match& match, const Sight& sight, const Vec3& eye) const {
+  const auto hides = [&](size_t vehicle) {
+    const Vec3 way = middle_of(match, vehicle) - eye;
+    const double length = glm::length(way);
+    if (!(length > 0)) return false;
+    const auto wall = [&](BodyId id) { return match.is_wall(id); };
+    return sight.nearest({eye, way / length}, length, wall).has_value();
+  };
+  return (hides(other_) ? 2 : 0) + (hides(Match::kPlayer) ? 1 : 0);
+}
+
+ReplayCamera::Stand ReplayCamera::best_stand(const Match& match, const Sight& sight, const Aim& aim) const {
+  const Vec3 own = middle_of(match, Match::kPlayer), other = middle_of(match, other_);
+  // From beside the line between the vehicles both are seen whole.
+  const double beside = heading_of(other - own) + 0.5 * kPi;
+  Stand best{beside};
+  int least = hidden_from(match, sight, eye_at(aim, best));
+  for (const auto& [height, nearness] :
+       {std::pair{0.34, 1.0}, {0.12, 1.0}, {0.12, 0.6}, {0.8, 1.0}, {0.3, 0.4}}) {
+    for (int i = 0; i < kAngles && least > 0; ++i) {
+      const int step = i % 2 == 0 ? i / 2 : -(i + 1) / 2;
+      const Stand stand{beside + step * (2 * kPi / kAngles), height, nearness};
+      const int hidden = hidden_from(match, sight, eye_at(aim, stand));
+      if (hidden >= least) continue;
+      least = hidden;
+      best = stand;
+    }
+  }
+  return best;
+}
+
+void ReplayCamera::stand_at_best(const Match& match, const Sight& sight, const Aim& aim) {
+  stand_ = best_stand(match, sight, aim);
+  middle_ = aim.middle;
+  eye_ = eye_at(aim, stand_);
+}
+
+void ReplayCamera::follow(const Match& match, double seconds) {
+  assert(other_ < match.vehicles().size());
+  const Aim aim = this->aim(match);
+  const Sight sight(match.world());
+  if (!placed_) stand_at_best(match, sight, aim);
+  placed_ = true;
+  const double share = 1 - std::exp(-kMiddleRate * seconds);
+  stand_.angle += kTurn * seconds;
+  middle_ += (aim.middle - middle_) * share;
+  eye_ = glm::mix(eye_, eye_at({middle_, aim.distance}, stand_), share);
+  const int hidden = hidden_from(match, sight, eye_);
+  hidden_s_ = hidden > 0 ? hidden_s_ + seconds : 0;
+  if (hidden_s_ < kPatience) return;
+  hidden_s_ = 0;
+  const Stand better = best_stand(match, sight, aim);
+  if (hidden_from(match, sight, eye_at(aim, better)) < hidden) stand_at_best(match, sight, aim);
+}
+
+CameraView ReplayCamera::view(double aspect, double field_of_view) const {
+  const Vec3 right = look_at(eye_, middle_, aspect).right;
+  CameraView view = look_at(eye_, middle_ - right * (aside_ * glm::length(middle_ - eye_)), aspect);
+  view.tan_half_fov = std::tan(0.5 * field_of_view * std::numbers::pi / 180);
+  return view;
+}
+
+}  // namespace kerf

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "ui/gl/objects.h"
+#include "ui/gl/program.h"
+
+namespace kerf {
+
+// Linear light of what glows at a temperature (K), as bright as a camera shows it that is exposed for the
+// workshop: nothing below kGlowFrom, then the colour of a black body. Luminance spans eight
+// decades from there to molten steel; here its fourth root, so that one exposure shows all of them, and what
+// is brightest runs to white as it does on film.
+glm::vec3 shown_glow(double temperature);
+
+// The tint of a surface that was as hot as this (K), in linear light, and its opacity: the colours of
+// tempered steel from straw over brown to blue-grey, and dark scale where it glowed.
+glm::vec4 tint_of(double hottest);
+
+// A colour of the temperature view in sRGB, t = 0 .. 1 from the coldest to the hottest: from dark blue-violet
+// over red and orange to pale yellow. Equal steps of t are equal steps in OKLab (B. Ottosson: A perceptual
+// color space for image processing, 2020).
+glm::vec3 heat_colour(double t);
+
+// The three of them as a texture for body.frag.
+class HeatRamps {
+ public:
+  HeatRamps();
+  // For a program that is in use.
+  void bind(const gl::Program& program) const;
+
+ private:
+  gl::Texture table_;
+};
+
+}  // namespace kerf

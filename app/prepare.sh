@@ -5,7 +5,8 @@
 # Whoever configures first needs GoogleTest; what else the tests need, tests/run adds. GLFW opens the last line's
 # libraries by itself and its package does not ask for them. The panels are written in Roboto.
 packages=(cmake ninja-build g++ pkg-config ccache libgl1 libegl1 libgl1-mesa-dri libegl-mesa0 libglfw3-dev
-  libimgui-dev libglm-dev nlohmann-json3-dev libepoxy-dev libstb-dev libcli11-dev libbullet-dev libopenal-dev libgtest-dev fonts-roboto-unhinted
+  libimgui-dev libglm-dev nlohmann-json3-dev libepoxy-dev libstb-dev libcli11-dev libbullet-dev libopenal-dev
+  libtbb-dev libopenmesh-dev libgtest-dev fonts-roboto-unhinted
   libxrandr2 libxcursor1 libxi6)
 
 say() { printf 'kerf: %s\n' "$*" >&2; }

@@ -18,16 +18,13 @@ constexpr double kRadii = 500, kEdges = 1000;     // the longest side of the mes
 constexpr uint32_t kHole = 20000, kOneStep = 50;  // faces
 
 Body body_of(const Subject& s) {
-  Body body;
-  body.name = s.name;
-  body.mesh = s.mesh;
-  body.tree = AabbTree(body.mesh);
-  double area = 0;
-  for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) area += triangle_area(body.mesh.triangle(FaceId(f)));
-  body.pieces.push_back({{body.mesh.live_faces(), area}, {}});
+  BuiltMesh built{.mesh = s.mesh, .report = {}, .material_names = {}, .parts = {}};
   std::vector<uint32_t> component;
-  body.components = std::move(*count_components(body.mesh, label_components(body.mesh, component), nullptr));
-  return body;
+  built.report.faces = s.mesh.live_faces();
+  built.report.components = label_components(s.mesh, component);
+  for (uint32_t f = 0; f < s.mesh.face_slots(); ++f)
+    built.report.area += triangle_area(s.mesh.triangle(FaceId(f)));
+  return make_body(s.name, std::move(built));
 }
 
 // A straight slot through the middle, across the longest side, the beam along the shortest.

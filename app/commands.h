@@ -21,6 +21,7 @@ void add_render_command(CLI::App& app, Invocation& invocation);
 void add_replay_command(CLI::App& app, Invocation& invocation);
 void add_figures_command(CLI::App& app, Invocation& invocation);
 void add_play_command(CLI::App& app, Invocation& invocation);
+void add_prepare_command(CLI::App& app, Invocation& invocation);
 void add_materials_command(CLI::App& app, Invocation& invocation);
 
 // Adds the editor, which runs when no subcommand is given.

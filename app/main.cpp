@@ -21,6 +21,7 @@ int parse_and_run(int argc, char** argv) {
   kerf::add_replay_command(app, invocation);
   kerf::add_figures_command(app, invocation);
   kerf::add_play_command(app, invocation);
+  kerf::add_prepare_command(app, invocation);
   kerf::add_materials_command(app, invocation);
   try {
     app.parse(argc, argv);

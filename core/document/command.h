@@ -20,6 +20,9 @@
 #include "core/document/commands/rename_piece.h"
 #include "core/document/commands/set_sheet.h"
 #include "core/document/commands/set_surroundings.h"
+#include "core/document/commands/simplify_piece.h"
+#include "core/document/commands/smooth_piece.h"
+#include "core/document/commands/subdivide_piece.h"
 #include "core/document/commands/undo.h"
 
 namespace kerf {
@@ -36,7 +39,8 @@ namespace kerf {
 // a case that is missing anywhere does not compile either.
 using Command =
     std::variant<BeginStroke, MoveStroke, EndStroke, Recut, Advance, Pull, LetGo, Play, AddMesh, MovePiece,
-                 DuplicatePiece, HidePiece, DeletePiece, RenamePiece, PinPiece, SetSheet, SetSurroundings, Undo, Redo>;
+                 DuplicatePiece, HidePiece, DeletePiece, RenamePiece, PinPiece, SetSheet, SimplifyPiece,
+                 SubdividePiece, SmoothPiece, SetSurroundings, Undo, Redo>;
 
 // A command that is executed at once, after the queue: run(world, generation, progress). It returns what
 // changed, which is empty if the command has no effect. Bodies that it creates get `generation` (see BodyId).

@@ -119,6 +119,19 @@ struct Bits {
           s.transition, s.latent, s.emissivity, s.absorptivity_fibre, s.absorptivity_co2, s.wavelength})
       put(bits, x);
   }
+  void operator()(const SimplifyPiece& c) {
+    put(bits, c.piece);
+    bits.push_back(c.target.faces);
+    put(bits, c.target.error);
+  }
+  void operator()(const SubdividePiece& c) {
+    put(bits, c.piece);
+    bits.push_back(static_cast<uint64_t>(c.scheme));
+  }
+  void operator()(const SmoothPiece& c) {
+    put(bits, c.piece);
+    bits.push_back(c.times);
+  }
   void operator()(const SetSurroundings& c) {
     put(bits, c.around.gravity);
     bits.push_back(c.around.ground.has_value());
@@ -186,7 +199,7 @@ Command random_command(Random& random, const BeamAt& beam) {
   Vec3 direction = random_direction(random);
   if (glm::length(direction + beam.pose.direction) < 1e-3) direction = beam.pose.direction;
   const Pose pose{random_point(random), direction};
-  switch (random.below(19)) {
+  switch (random.below(22)) {
     case 0:
       return BeginStroke{random_settings(random), pose};
     case 1:
@@ -226,6 +239,13 @@ Command random_command(Random& random, const BeamAt& beam) {
     }
     case 17:
       return SetSheet{random_piece(random), random_sheet(random)};
+    case 18:
+      return random.below(2) > 0 ? SimplifyPiece{random_piece(random), {1 + random.below(1u << 30)}}
+                                 : SimplifyPiece{random_piece(random), {.error = random_positive(random)}};
+    case 19:
+      return SubdividePiece{random_piece(random), static_cast<Subdivision>(random.below(3))};
+    case 20:
+      return SmoothPiece{random_piece(random), 1 + random.below(kMostSmoothing)};
     default:
       return MoveStroke{pose, random.below(3) == 0 ? beam.time : beam.time + random.unit()};
   }

@@ -89,4 +89,15 @@ Result<bool> CommandReader::flag(const char* key) const {
   return line_[key].json().get<bool>();
 }
 
+Result<size_t> CommandReader::choice(const char* key, std::span<const char* const> names) const {
+  const auto name = text(key);
+  if (!name) return name.error();
+  std::string all;
+  for (size_t i = 0; i < names.size(); ++i) {
+    if (*name == names[i]) return i;
+    all += (all.empty() ? "" : ", ") + std::string(names[i]);
+  }
+  return line_[key].wrong("must be one of " + all);
+}
+
 }  // namespace kerf

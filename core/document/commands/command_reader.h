@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "core/base/ids.h"
@@ -40,6 +41,8 @@ class CommandReader {
   Result<double> number_within(const char* key, double least, double most) const;
   Result<Vec3> point(const char* key) const { return line_[key].vector(); }
   Result<bool> flag(const char* key) const;
+  // Which of these names the text is.
+  Result<size_t> choice(const char* key, std::span<const char* const> names) const;
 
  private:
   const JsonValue& line_;

@@ -1,0 +1,162 @@
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+
+#include "app/commands.h"
+#include "app/exit_status.h"
+#include "app/interrupt.h"
+#include "app/load_mesh.h"
+#include "app/progress_line.h"
+#include "app/tell.h"
+#include "core/mesh/openmesh/simplify.h"
+#include "core/mesh/openmesh/smooth.h"
+#include "core/mesh/openmesh/subdivide.h"
+#include "core/mesh/write_mesh.h"
+
+namespace kerf {
+
+namespace {
+
+struct PrepareOptions {
+  std::string mesh, out;
+  std::optional<int64_t> faces;
+  std::optional<double> error;
+  std::optional<std::string> subdivide;
+  std::optional<int> smooth;
+};
+
+std::optional<Subdivision> subdivision_named(const std::string& name) {
+  for (size_t i = 0; i < kSubdivisionNames.size(); ++i) {
+    if (name == kSubdivisionNames[i]) return static_cast<Subdivision>(i);
+  }
+  return std::nullopt;
+}
+
+Status check(const PrepareOptions& o) {
+  if (o.faces && o.error) return bad_input("--simplify-error: cannot be given together with --simplify");
+  if (!o.faces && !o.error && !o.subdivide && !o.smooth)
+    return bad_input("nothing is to be done: give --simplify, --simplify-error, --subdivide or --smooth");
+  if (o.faces && *o.faces < 1) return bad_input("--simplify: must be a number of faces, at least 1");
+  if (o.error && !(*o.error > 0 && std::isfinite(*o.error)))
+    return bad_input("--simplify-error: must be a length in metres greater than zero");
+  if (o.subdivide && !subdivision_named(*o.subdivide)) {
+    return bad_input("--subdivide: \"" + *o.subdivide +
+                     "\" is not offered by this version; there is: loop, sqrt3, midpoint");
+  }
+  if (o.smooth && !(*o.smooth >= 1 && *o.smooth <= int{kMostSmoothing}))
+    return bad_input("--smooth: must be a whole number from 1 to " + std::to_string(kMostSmoothing));
+  if (!mesh_format(std::filesystem::path(o.out).extension().string()))
+    return bad_input("--out: " + o.out + " must end in .obj, .ply, .stl or .off");
+  return Done{};
+}
+
+// One run of `kerf prepare`, from file to file.
+class PrepareRun {
+ public:
+  explicit PrepareRun(PrepareOptions options) : options_(std::move(options)) {}
+
+  Status run() {
+    if (const auto s = check(options_); !s) return s;
+    auto built = load_mesh(options_.mesh);
+    if (!built) return built.error();
+    tell(built->report);
+    names_ = std::move(built->material_names);
+    mesh_ = std::move(built->mesh);
+    const size_t before = mesh_.live_faces();
+    if (const auto s = prepare(); !s) return error_or_stopped(s.error());
+    if (const auto s = write(); !s) return s;
+    std::cerr << "kerf: " << before << " faces -> " << made_.triangles.size() << " in " << options_.out << '\n';
+    return Done{};
+  }
+
+ private:
+  Status prepare() {
+    if (options_.faces || options_.error) {
+      SimplifyTarget target;
+      if (options_.faces) target.faces = static_cast<size_t>(*options_.faces);
+      if (options_.error) target.error = *options_.error;
+      const auto s = step("simplifying", [&](const Progress* p) { return simplify(mesh_, target, {}, p); });
+      if (!s) return s;
+      tell_what_stayed(target.faces);
+    }
+    if (options_.subdivide) {
+      const Subdivision scheme = *subdivision_named(*options_.subdivide);
+      if (mesh_.live_faces() > kMostToSubdivide) return bad_input("--subdivide: the mesh has too many faces");
+      const auto s = step("subdividing", [&](const Progress* p) { return subdivide(mesh_, scheme, {}, p); });
+      if (!s) return s;
+    }
+    if (!options_.smooth) return Done{};
+    const auto times = static_cast<size_t>(*options_.smooth);
+    return step("smoothing", [&](const Progress* p) { return smooth(mesh_, times, {}, p); });
+  }
+
+  // Lets a tool make a new mesh, which the next one gets.
+  template <typename Tool>
+  Status step(const char* work, Tool tool) {
+    ProgressLine line(work);
+    const Progress all = line.progress();
+    Stages stages(&all);
+    const Progress working = stages.next(0.7), building = stages.next(0.3);
+    Result<Remeshed> made = tool(&working);
+    if (!made) return made.error();
+    if (made->triangles.empty()) return failed(options_.mesh + ": no face is left");
+    made_ = std::move(*made);
+    materials_ = materials_of(made_, mesh_);
+    auto built = build_remeshed(made_, mesh_, &building);
+    if (!built) return built.error();
+    mesh_ = std::move(built->mesh);
+    return Done{};
+  }
+
+  void tell_what_stayed(size_t target) const {
+    if (target == 0 || made_.triangles.size() <= target) return;
+    std::cerr << "kerf: note: " << made_.triangles.size()
+              << " faces are left, because no more can go without moving boundaries or features or turning a "
+                 "face over\n";
+  }
+
+  Status write() const {
+    if (interrupted()) return stopped();
+    const MeshView view{made_.positions, made_.triangles,
+                        names_.empty() ? std::span<const uint16_t>() : std::span(materials_), names_};
+    return write_mesh(view, options_.out,
+                      *mesh_format(std::filesystem::path(options_.out).extension().string()));
+  }
+
+  PrepareOptions options_;
+  std::vector<std::string> names_;
+  Mesh mesh_;
+  Remeshed made_;
+  std::vector<uint16_t> materials_;  // of made_
+};
+
+}  // namespace
+
+void add_prepare_command(CLI::App& app, Invocation& invocation) {
+  CLI::App* command =
+      app.add_subcommand("prepare", "Simplify, subdivide or smooth a mesh, in this order, with OpenMesh");
+  auto o = std::make_shared<PrepareOptions>();
+  command->footer(
+      "Boundaries, edges of three faces or more and edges between materials are features: they stay where they "
+      "are.");
+  command->add_option("MESH", o->mesh, "An OBJ, STL, PLY or OFF file")->required();
+  command->add_option("--out", o->out, "The file to write; its ending says the format: obj, ply, stl or off")
+      ->required();
+  command->add_option("--simplify", o->faces, "To at most so many faces");
+  command->add_option("--simplify-error", o->error,
+                      "Instead: as long as no removed vertex is farther than this from the new surface, in metres");
+  command->add_option("--subdivide", o->subdivide,
+                      "loop and sqrt3 round the surface, midpoint keeps it; a face becomes four, three or four");
+  command->add_option("--smooth", o->smooth, "How often vertices move half the way to their neighbours' middle");
+  command->callback([o, &invocation] {
+    invocation = [o] {
+      catch_interrupts();
+      const Status status = PrepareRun(*o).run();
+      return status ? 0 : report_error(status.error());
+    };
+  });
+}
+
+}  // namespace kerf

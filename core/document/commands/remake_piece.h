@@ -1,0 +1,29 @@
+#pragma once
+
+#include <functional>
+#include <span>
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/mesh/openmesh/remeshed.h"
+#include "core/world/delta.h"
+#include "core/world/world.h"
+
+namespace kerf {
+
+// Makes a new mesh of one; the faces in `kept` must stay.
+using Remake =
+    std::function<Result<Remeshed>(const Mesh& mesh, std::span<const FaceId> kept, const Progress* progress)>;
+
+// Replaces a piece by a new body of this generation with the mesh that `remake` makes of it. The body has the
+// label, the name, the placement and all else of the piece; its faces are as loaded, with the materials, the
+// energy and the names of parts of those from which they stem. Faces that carry joints stay, and so do the
+// joints. The delta is empty where the mesh stays what it is.
+//
+// Bad input where there is no such piece, or where joints hold it to another one that moves by itself: the
+// joint could not name both. Fails like `remake`, where no face would be left, and with cancelled() when
+// stopped; `progress` may be null. On failure the world is unchanged. O(n log n) besides `remake`.
+Result<Delta> remake_piece(World& world, const PieceId& piece, uint32_t generation, const Remake& remake,
+                           const Progress* progress);
+
+}  // namespace kerf

@@ -1,0 +1,34 @@
+#include "core/document/commands/subdivide_piece.h"
+
+#include "core/document/commands/edit_piece.h"
+#include "core/document/commands/remake_piece.h"
+
+namespace kerf {
+
+std::string SubdividePiece::words() const { return "Subdivide " + piece_words(piece); }
+
+void SubdividePiece::write(CommandWriter& line) const {
+  line.piece(piece);
+  line.text("scheme", subdivision_name(scheme));
+}
+
+Result<SubdividePiece> SubdividePiece::read(const CommandReader& line) {
+  const auto piece = line.piece();
+  if (!piece) return piece.error();
+  const auto scheme = line.choice("scheme", kSubdivisionNames);
+  if (!scheme) return scheme.error();
+  return SubdividePiece{*piece, static_cast<Subdivision>(*scheme)};
+}
+
+Result<Delta> SubdividePiece::run(World& world, uint32_t generation, const Progress* progress) const {
+  if (has_faces(world, piece) && world.body(piece.body).pieces[piece.label].faces > kMostToSubdivide)
+    return bad_input(piece_words(piece) + " has too many faces to be subdivided");
+  return remake_piece(
+      world, piece, generation,
+      [&](const Mesh& mesh, std::span<const FaceId> kept, const Progress* working) {
+        return subdivide(mesh, scheme, kept, working);
+      },
+      progress);
+}
+
+}  // namespace kerf

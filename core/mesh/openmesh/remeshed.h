@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/mesh/build_mesh.h"
+#include "core/mesh/mesh.h"
+
+namespace kerf {
+
+// What a tool made of a mesh: triangles over welded positions, none of which has two corners at the same
+// position.
+struct Remeshed {
+  std::vector<Vec3> positions;  // metres, in the frame of the mesh; those of vertices that stayed are bit-equal
+  std::vector<std::array<uint32_t, 3>> triangles;  // indices of positions
+  // The face of the mesh from which each triangle stems and takes its data, ascending.
+  std::vector<FaceId> origins;
+  // Faces that were removed, each with the face beside it that took its place, in the order of removal. The
+  // latter may be removed later.
+  std::vector<std::pair<FaceId, FaceId>> merged;
+};
+
+// The materials of the triangles, those of the faces from which they stem. Precondition: `remeshed` was made of
+// `mesh`.
+std::vector<uint16_t> materials_of(const Remeshed& remeshed, const Mesh& mesh);
+
+// Builds the mesh of the triangles with build_mesh; its face slots have their order. Names and parts are left
+// empty. Same precondition. Fails with cancelled() when stopped; `progress` may be null. O(n log n).
+Result<BuiltMesh> build_remeshed(const Remeshed& remeshed, const Mesh& mesh, const Progress* progress);
+
+}  // namespace kerf

@@ -1,0 +1,45 @@
+#pragma once
+
+// Private to core/mesh/openmesh and its tests.
+#include <span>
+#include <vector>
+
+#include "core/base/float_frame.h"
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/mesh/mesh.h"
+#include "core/mesh/openmesh/kernel_types.h"
+#include "core/mesh/openmesh/remeshed.h"
+
+namespace kerf {
+
+// The live faces of a mesh as a mesh of OpenMesh. Vertices belong to sheets and each has one fan of faces (see
+// Mesh), so that it is manifold. Positions are scaled to about [-1, 1] around the middle of the mesh, because
+// OpenMesh compares with absolute bounds.
+//
+// An edge is a feature if it is on a boundary or in a ring, or if the materials of its faces differ. Features,
+// the ends of features, and vertices at whose position there is another vertex are locked.
+struct Sheets {
+  using Kernel = OpenMeshKernel;
+
+  Kernel mesh;
+  FloatFrame frame;
+  std::vector<VertexId> vertices;  // by vertex handle
+  std::vector<FaceId> faces;       // by face handle, ascending
+  std::vector<bool> shared;        // by vertex handle: another vertex has the same position
+
+  Kernel::VertexHandle vertex(size_t i) const { return Kernel::VertexHandle(static_cast<int>(i)); }
+  Kernel::FaceHandle face(size_t i) const { return Kernel::FaceHandle(static_cast<int>(i)); }
+};
+
+// Copies the live faces of a mesh. The vertices of the faces in `kept` are locked too. A face that OpenMesh
+// cannot connect, because its sheet cannot be oriented, gets vertices of its own, which are locked. Fails with
+// cancelled() when stopped; `progress` may be null. Precondition: `kept` are live. O(n).
+Result<Sheets> to_sheets(const Mesh& mesh, std::span<const FaceId> kept, const Progress* progress);
+
+// Copies a mesh of OpenMesh back: the faces that are not deleted, in the order of `origin`, which has the face
+// of `mesh` from which each face handle stems. Vertices that still have the position that to_sheets gave them
+// get their position in `mesh`. Triangles with two corners at the same position are left out.
+Remeshed from_sheets(const Sheets& sheets, std::span<const FaceId> origin, const Mesh& mesh);
+
+}  // namespace kerf

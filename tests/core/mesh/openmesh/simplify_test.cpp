@@ -1,0 +1,228 @@
+#include "core/mesh/openmesh/simplify.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "core/mesh/load_mesh.h"
+#include "tests/support/made_meshes.h"
+#include "tests/support/mesh_numbers.h"
+#include "tests/support/real_meshes.h"
+#include "tests/support/surface_distance.h"
+
+namespace kerf::test {
+namespace {
+
+Remeshed simplified(const Mesh& mesh, const SimplifyTarget& target, std::span<const FaceId> kept = {}) {
+  auto made = simplify(mesh, target, kept, nullptr);
+  EXPECT_TRUE(made.ok());
+  return std::move(*made);
+}
+
+Mesh mesh_of(const Remeshed& remeshed, const Mesh& from) {
+  return std::move(build_remeshed(remeshed, from, nullptr)->mesh);
+}
+
+using Place = std::array<double, 3>;
+using Segment = std::pair<Place, Place>;
+Place place(const Vec3& p) { return {p.x, p.y, p.z}; }
+
+// The edges that are no inner edges of one material: on boundaries, in rings, between materials.
+std::set<Segment> features(const Mesh& mesh) {
+  std::set<Segment> all;
+  std::vector<Mesh::Side> sides;
+  for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
+    if (!mesh.is_live(FaceId(f))) continue;
+    const auto c = mesh.corners(FaceId(f));
+    for (size_t i = 0; i < 3; ++i) {
+      sides.clear();
+      mesh.append_edge_sides(FaceId(f), c[i], c[(i + 1) % 3], sides);
+      const bool inner = sides.size() == 1 &&
+                         mesh.data(sides[0].face).material == mesh.data(FaceId(f)).material;
+      if (inner) continue;
+      Segment s{place(mesh.position(c[i])), place(mesh.position(c[(i + 1) % 3]))};
+      if (s.second < s.first) std::swap(s.first, s.second);
+      all.insert(s);
+    }
+  }
+  return all;
+}
+
+// Two materials in stripes across the faces.
+Soup in_two_materials(Soup soup) {
+  for (size_t t = 0; t < soup.triangles.size(); ++t)
+    soup.materials.push_back(soup.positions[soup.triangles[t][0]].x > 0.05);
+  soup.material_names = {"red", "blue"};
+  return soup;
+}
+
+void expect_same_topology(const Mesh& before, const Mesh& after) {
+  const MeshNumbers a = count_numbers(before), b = count_numbers(after);
+  EXPECT_EQ(a.components, b.components);
+  EXPECT_EQ(a.boundary_loops, b.boundary_loops);
+  EXPECT_EQ(a.euler, b.euler);
+  EXPECT_NEAR(a.boundary_length, b.boundary_length, 1e-9 * (1 + a.boundary_length));
+}
+
+TEST(Simplify, reaches_the_number_of_faces_of_a_smooth_surface) {
+  for (const auto& [soup, faces] : {std::pair(sphere(30, 40, 1), 500), std::pair(torus(60, 40, 1, 0.3), 800),
+                                    std::pair(moved(torus(60, 40, 1, 0.3), Vec3(1e6), 1e-3), 800)}) {
+    const Mesh mesh = build(soup).mesh;
+    const Mesh made = mesh_of(simplified(mesh, {.faces = static_cast<size_t>(faces)}), mesh);
+    EXPECT_LE(made.live_faces(), static_cast<size_t>(faces));
+    EXPECT_GE(made.live_faces(), static_cast<size_t>(faces) - 1);
+    expect_same_topology(mesh, made);
+  }
+}
+
+// Where all errors are 0 or, by rounding, less.
+TEST(Simplify, leaves_little_of_a_flat_sheet) {
+  const Mesh mesh = build(moved(grid(20, 1), {0.1, 0.7, 0.3}, 1 / 3.0)).mesh;
+  const Mesh made = mesh_of(simplified(mesh, {.faces = 1}), mesh);
+  EXPECT_LE(made.live_faces(), 80u);  // 80 edges on the boundary, which has no vertex inside
+  EXPECT_NEAR(count_numbers(made).area, count_numbers(mesh).area, 1e-12);
+}
+
+TEST(Simplify, features_components_and_boundaries_of_every_class_of_mesh_stay) {
+  for (const auto& [name, soup] : mesh_classes()) {
+    for (const Soup& some : {soup, in_two_materials(soup)}) {
+      SCOPED_TRACE(name);
+      const Mesh mesh = build(some).mesh;
+      for (const size_t divisor : {2, 5, 100}) {
+        const Mesh made = mesh_of(simplified(mesh, {.faces = mesh.live_faces() / divisor + 1}), mesh);
+        EXPECT_EQ(find_fault(made), "");
+        EXPECT_EQ(features(mesh), features(made));
+        expect_same_topology(mesh, made);
+      }
+    }
+  }
+}
+
+TEST(Simplify, features_and_components_of_random_soups_stay) {
+  for (uint64_t seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const Mesh mesh = build(random_soup(30 + static_cast<int>(random.below(200)), random)).mesh;
+    const Mesh made = mesh_of(simplified(mesh, {.faces = 1}), mesh);
+    EXPECT_EQ(features(mesh), features(made));
+    EXPECT_EQ(count_numbers(mesh).components, count_numbers(made).components);
+  }
+}
+
+TEST(Simplify, every_triangle_has_the_material_of_the_face_from_which_it_stems) {
+  const Mesh mesh = build(in_two_materials(sphere(30, 40, 1))).mesh;
+  const Remeshed made = simplified(mesh, {.faces = 600});
+  const std::vector<uint16_t> materials = materials_of(made, mesh);
+  EXPECT_TRUE(std::is_sorted(made.origins.begin(), made.origins.end()));
+  for (size_t t = 0; t < made.triangles.size(); ++t) {
+    for (const uint32_t v : made.triangles[t])
+      EXPECT_TRUE(materials[t] == 1 ? made.positions[v].x > -0.1 : made.positions[v].x < 0.2);
+  }
+}
+
+TEST(Simplify, faces_that_must_stay_do) {
+  const Mesh mesh = build(sphere(30, 40, 1)).mesh;
+  std::vector<FaceId> kept;
+  for (uint32_t f = 100; f < 200; ++f) kept.emplace_back(f);
+  const Remeshed made = simplified(mesh, {.faces = 300}, kept);
+  for (const FaceId f : kept) {
+    const auto at = std::lower_bound(made.origins.begin(), made.origins.end(), f);
+    ASSERT_TRUE(at != made.origins.end() && *at == f);
+    const auto& corners = made.triangles[static_cast<size_t>(at - made.origins.begin())];
+    const Triangle t = mesh.triangle(f);
+    for (const uint32_t v : corners) EXPECT_NE(std::find(t.begin(), t.end(), made.positions[v]), t.end());
+  }
+}
+
+// Each removed face is followed, by the faces that took its place, to one that is left.
+TEST(Simplify, what_takes_the_place_of_a_removed_face_is_left) {
+  const Mesh mesh = build(torus(40, 30, 1, 0.3)).mesh;
+  const Remeshed made = simplified(mesh, {.faces = 300});
+  std::vector<bool> left(mesh.face_slots(), true);
+  for (auto m = made.merged.rbegin(); m != made.merged.rend(); ++m) EXPECT_NE(m->first, m->second);
+  for (const auto& [gone, heir] : made.merged) {
+    EXPECT_TRUE(left[gone.index] && left[heir.index]);
+    left[gone.index] = false;
+  }
+  size_t count = 0;
+  for (const bool is_left : left) count += is_left;
+  EXPECT_EQ(count, made.triangles.size());
+  for (const FaceId f : made.origins) EXPECT_TRUE(left[f.index]);
+}
+
+TEST(Simplify, the_same_mesh_gives_the_same_triangles) {
+  const Mesh mesh = build(torus(40, 30, 1, 0.3)).mesh;
+  const Remeshed first = simplified(mesh, {.faces = 400}), second = simplified(mesh, {.faces = 400});
+  EXPECT_EQ(first.positions, second.positions);
+  EXPECT_EQ(first.triangles, second.triangles);
+  EXPECT_EQ(first.origins, second.origins);
+}
+
+TEST(Simplify, stops_when_it_is_told_to) {
+  const Mesh mesh = build(sphere(60, 80, 1)).mesh;
+  int reports = 0;
+  const Progress counted{[&](double) { return ++reports > 0; }};
+  ASSERT_TRUE(simplify(mesh, {.faces = 100}, {}, &counted).ok());
+  EXPECT_GT(reports, 5);
+  for (int most = 0; most < reports; ++most) {
+    int asked = 0;
+    const Progress stop{[&](double) { return asked++ < most; }};
+    EXPECT_FALSE(simplify(mesh, {.faces = 100}, {}, &stop).ok());
+    EXPECT_EQ(asked, most + 1);
+  }
+}
+
+TEST(Simplify, stays_within_the_error_both_ways) {
+  Random random(5);
+  for (const auto& soup : {sphere(60, 80, 1), torus(80, 60, 1, 0.3), moved(sphere(60, 80, 1), {5, 5, 5}, 100)}) {
+    const BuiltMesh built = build(soup);
+    const double size = glm::length(built.report.max - built.report.min);
+    size_t before = built.mesh.live_faces() + 1;
+    for (const double share : {0.0005, 0.002, 0.01}) {
+      const Mesh made = mesh_of(simplified(built.mesh, {.error = share * size}), built.mesh);
+      EXPECT_LT(made.live_faces(), before);
+      before = made.live_faces();
+      EXPECT_LE(SurfaceDistance(built.mesh).of(made, 4, random), share * size);
+      EXPECT_LE(SurfaceDistance(made).of(built.mesh, 2, random), share * size);
+    }
+  }
+}
+
+std::optional<BuiltMesh> bunny_of_70k() {
+  for (const auto& file : real_meshes(80'000)) {
+    if (file.stem() != "bunny") continue;
+    auto built = load_mesh(file, nullptr);
+    if (built && built->mesh.live_faces() > 60'000) return std::move(*built);
+  }
+  return std::nullopt;
+}
+
+TEST(Simplify, the_bunny_with_a_tenth_of_its_faces_is_within_three_thousandths_of_its_size) {
+  const auto bunny = bunny_of_70k();
+  if (!bunny) GTEST_SKIP() << kNoRealMeshes;
+  const double size = glm::length(bunny->report.max - bunny->report.min);
+  const Mesh made = mesh_of(simplified(bunny->mesh, {.faces = 7000}), bunny->mesh);
+  EXPECT_LE(made.live_faces(), 7000u);
+  Random random(7);
+  const double out = SurfaceDistance(bunny->mesh).of(made, 20, random) / size;
+  const double in = SurfaceDistance(made).of(bunny->mesh, 2, random) / size;
+  RecordProperty("new_from_old", std::to_string(out));
+  RecordProperty("old_from_new", std::to_string(in));
+  EXPECT_LE(out, 0.003);
+  EXPECT_LE(in, 0.003);
+}
+
+TEST(Simplify, the_bunny_stays_within_the_error_both_ways) {
+  const auto bunny = bunny_of_70k();
+  if (!bunny) GTEST_SKIP() << kNoRealMeshes;
+  const double size = glm::length(bunny->report.max - bunny->report.min), error = 0.002 * size;
+  const Mesh made = mesh_of(simplified(bunny->mesh, {.error = error}), bunny->mesh);
+  EXPECT_LT(made.live_faces(), 7000u);
+  Random random(9);
+  EXPECT_LE(SurfaceDistance(bunny->mesh).of(made, 20, random), error);
+  EXPECT_LE(SurfaceDistance(made).of(bunny->mesh, 2, random), error);
+}
+
+}  // namespace
+}  // namespace kerf::test

@@ -27,6 +27,9 @@ SOURCE = re.compile(r'\.(h|hh|hpp|hxx|inl|ipp|c|cc|cpp|cxx)$')
 INCLUDE = re.compile(r'\s*#\s*include(?:_next)?\b\s*(.*)')
 TARGET = re.compile(r'"([^"]+)"|<([^>]+)>')
 PRIVATE_TO_MESH = {'core/mesh/half_edges.h', 'core/mesh/kernel.h', 'core/mesh/rings.h'}
+# OpenMesh's headers are slow to compile and their types belong to one folder; the benchmark compares with its kernel.
+OPENMESH_USERS = ('core/mesh/openmesh/', 'tests/bench/')
+PRIVATE_TO_OPENMESH = {'core/mesh/openmesh/kernel_types.h', 'core/mesh/openmesh/sheets.h'}
 GRAPHICS = re.compile(r'imgui|imconfig|imstb_|backends/imgui_|GLFW/|epoxy/|GL/|GLES\d*/|EGL/|KHR/|X11/|vulkan/')
 
 
@@ -68,11 +71,15 @@ def objection(path, operand):
             return f'{name} is a file of the project: write its plain path from the root, in quotes'
         if name in PRIVATE_TO_MESH and not path.startswith('core/mesh/'):
             return f'{name} outside core/mesh'
+        if name in PRIVATE_TO_OPENMESH and not path.removeprefix('tests/').startswith('core/mesh/openmesh/'):
+            return f'{name} outside core/mesh/openmesh and its tests'
         return against_the_arrows(path, name)
     if quoted:
         return f'"{name}" is not written from the root (or is not of the project and belongs in angle brackets)'
     if GRAPHICS.match(name) and path.startswith('core/'):
         return f'<{name}>: core draws nothing and has no window'
+    if name.startswith('OpenMesh/') and not path.startswith(OPENMESH_USERS):
+        return f'<{name}>: only core/mesh/openmesh knows OpenMesh'
     return None
 
 

@@ -13,6 +13,9 @@ GOOD = {
     'ui/window/window.cpp': '#include <GLFW/glfw3.h>\n#include "ui/window/window.h"\n#include "core/base/result.h"\n',
     'core/cut/step.cpp': '#include <glm/vec3.hpp>\n#include "core/cut/step.h"\n#include "core/graph/pieces.h"\n',
     'core/mesh/kernel.h': '#include "core/mesh/half_edges.h"\n#include "core/base/result.h"\n',
+    'core/mesh/openmesh/sheets.h': '#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>\n',
+    'tests/bench/openmesh_peer.cpp': '#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>\n',
+    'tests/core/mesh/openmesh/sheets_test.cpp': '#include "core/mesh/openmesh/sheets.h"\n',
     'tests/core/cut/step_test.cpp': '#include "tests/support/plate.h"\n#include "core/cut/step.h"\n',
 }
 
@@ -73,6 +76,13 @@ class Layering(unittest.TestCase):
     def test_refuses_half_edges_outside_core_mesh(self):
         for path in ('core/cut/bad.cpp', 'ui/gl/bad.cpp', 'tests/core/mesh/bad.cpp'):
             self.refuses(path, '#include "core/mesh/half_edges.h"\n', 1, 'outside core/mesh')
+
+    def test_refuses_openmesh_outside_its_folder(self):
+        for path in ('core/mesh/bad.cpp', 'core/document/bad.h', 'ui/gl/bad.cpp', 'tests/core/mesh/openmesh/bad.cpp'):
+            self.refuses(path, '#include <OpenMesh/Tools/Decimater/DecimaterT.hh>\n', 1,
+                         'only core/mesh/openmesh knows OpenMesh')
+        for path in ('core/mesh/bad.cpp', 'core/world/bad.cpp', 'tests/bench/bad.cpp'):
+            self.refuses(path, '#include "core/mesh/openmesh/sheets.h"\n', 1, 'outside core/mesh/openmesh')
 
     def test_refuses_graphics_in_core(self):
         for header in ('imgui.h', 'imgui_internal.h', 'backends/imgui_impl_glfw.h', 'GLFW/glfw3.h', 'epoxy/gl.h',

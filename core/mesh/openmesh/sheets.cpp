@@ -4,6 +4,7 @@
 #include <cassert>
 #include <numeric>
 
+#include "core/base/union_find.h"
 #include "core/mesh/weld.h"
 
 namespace kerf {
@@ -21,67 +22,107 @@ OpenMesh::Vec3d scaled(const FloatFrame& frame, const Vec3& p) {
 class Copier {
  public:
   Copier(const Mesh& mesh, const Progress* progress)
-      : mesh_(mesh), pace_(progress, 2 * size_t{mesh.face_slots()}), handle_(mesh.vertex_slots(), kNone) {}
+      : mesh_(mesh), pace_(progress, 3 * size_t{mesh.live_faces()}), fans_(3 * size_t{mesh.live_faces()}) {}
 
   Result<Sheets> copy(std::span<const FaceId> kept) {
-    add_vertices();
-    for (uint32_t f = 0; f < mesh_.face_slots(); ++f) {
+    number_faces();
+    for (uint32_t f = 0; f < out_.faces.size(); ++f) {
       if (!pace_.step()) return cancelled();
-      if (mesh_.is_live(FaceId(f))) add_face(FaceId(f));
+      for (uint32_t i = 0; i < 3; ++i) look_at_side(f, i);
     }
-    for (size_t i = 0; i < out_.faces.size(); ++i) {
+    add_vertices();
+    for (uint32_t f = 0; f < out_.faces.size(); ++f) {
       if (!pace_.step()) return cancelled();
-      mark_features(i);
+      add_face(f);
+    }
+    for (uint32_t f = 0; f < out_.faces.size(); ++f) {
+      if (!pace_.step()) return cancelled();
+      mark_features(f);
     }
     for (const FaceId f : kept) {
-      for (const VertexId v : mesh_.corners(f)) lock(vertex_of(v));
+      for (const auto v : out_.mesh.fv_range(out_.face(number_[f.index]))) lock(v);
     }
     lock_shared_positions();
     return std::move(out_);
   }
 
  private:
-  Kernel::VertexHandle vertex_of(VertexId v) const { return out_.vertex(handle_[v.index]); }
+  // Side 3 f + i of face number f runs from corner i to the next one.
+  static uint32_t next(uint32_t i) { return i == 2 ? 0 : i + 1; }
+
   void lock(Kernel::VertexHandle v) { out_.mesh.status(v).set_locked(true); }
 
-  // The vertices of live faces, in the order of their slots.
-  void add_vertices() {
+  void number_faces() {
+    number_.assign(mesh_.face_slots(), kNone);
     for (uint32_t f = 0; f < mesh_.face_slots(); ++f) {
       if (!mesh_.is_live(FaceId(f))) continue;
-      for (const VertexId v : mesh_.corners(FaceId(f))) handle_[v.index] = 0;
+      number_[f] = static_cast<uint32_t>(out_.faces.size());
+      out_.faces.emplace_back(f);
+      corners_.push_back(mesh_.corners(FaceId(f)));
     }
-    Vec3 min(0), max(0);
-    for (uint32_t v = 0; v < handle_.size(); ++v) {
-      if (handle_[v] == kNone) continue;
-      handle_[v] = static_cast<uint32_t>(out_.vertices.size());
-      const Vec3 p = mesh_.position(VertexId(v));
-      min = out_.vertices.empty() ? p : glm::min(min, p);
-      max = out_.vertices.empty() ? p : glm::max(max, p);
-      out_.vertices.push_back(VertexId(v));
+    feature_.assign(3 * out_.faces.size(), false);
+  }
+
+  // Joins the fans at both ends with those of the face on the other side, if there is one on the same sheet.
+  void look_at_side(uint32_t f, uint32_t i) {
+    const VertexId from = corners_[f][i], to = corners_[f][next(i)];
+    sides_.clear();
+    mesh_.append_edge_sides(out_.faces[f], from, to, sides_);
+    const auto beside = std::find_if(sides_.begin(), sides_.end(),
+                                     [&](const Mesh::Side& s) { return s.from == to && s.to == from; });
+    feature_[3 * size_t{f} + i] = sides_.size() != 1 || beside == sides_.end() ||
+                                  mesh_.data(beside->face).material != mesh_.data(out_.faces[f]).material;
+    if (beside == sides_.end()) return;
+    const uint32_t other = number_[beside->face.index];
+    const auto& c = corners_[other];
+    const auto at = [&](VertexId v) {
+      return 3 * other + static_cast<uint32_t>(std::find(c.begin(), c.end(), v) - c.begin());
+    };
+    fans_.unite(3 * f + i, at(from));
+    fans_.unite(3 * f + next(i), at(to));
+  }
+
+  // One a fan, in the order of the slots of vertices and, at one of them, of the faces.
+  void add_vertices() {
+    std::vector<std::pair<VertexId, uint32_t>> fans;  // with the first corner
+    for (uint32_t f = 0; f < out_.faces.size(); ++f) {
+      for (uint32_t i = 0; i < 3; ++i) {
+        if (fans_.find(3 * f + i) == 3 * f + i) fans.emplace_back(corners_[f][i], 3 * f + i);
+      }
+    }
+    std::sort(fans.begin(), fans.end());
+    Vec3 min = fans.empty() ? Vec3(0) : mesh_.position(fans[0].first), max = min;
+    vertex_of_.resize(3 * out_.faces.size());
+    for (const auto& [v, corner] : fans) {
+      vertex_of_[corner] = static_cast<uint32_t>(out_.vertices.size());
+      out_.vertices.push_back(v);
+      min = glm::min(min, mesh_.position(v));
+      max = glm::max(max, mesh_.position(v));
     }
     out_.frame = FloatFrame::around(min, max);
-    out_.mesh.reserve(out_.vertices.size(), out_.vertices.size() + mesh_.live_faces(), mesh_.live_faces());
+    out_.mesh.reserve(fans.size(), fans.size() + out_.faces.size(), out_.faces.size());
     for (const VertexId v : out_.vertices) out_.mesh.new_vertex(scaled(out_.frame, mesh_.position(v)));
   }
 
-  void add_face(FaceId f) {
-    const auto c = mesh_.corners(f);
-    std::array<Kernel::VertexHandle, 3> corners{vertex_of(c[0]), vertex_of(c[1]), vertex_of(c[2])};
+  void add_face(uint32_t f) {
+    std::array<Kernel::VertexHandle, 3> corners;
+    for (uint32_t i = 0; i < 3; ++i) corners[i] = out_.vertex(vertex_of_[fans_.find(3 * f + i)]);
     Kernel::FaceHandle added;
     if (fits(corners)) added = out_.mesh.add_face(corners[0], corners[1], corners[2]);
     if (!added.is_valid()) {
-      for (size_t i = 0; i < 3; ++i) corners[i] = add_own_vertex(c[i]);
+      ++out_.detached;
+      for (uint32_t i = 0; i < 3; ++i) corners[i] = add_own_vertex(corners_[f][i]);
       added = out_.mesh.add_face(corners[0], corners[1], corners[2]);
     }
-    assert(added.is_valid() && static_cast<size_t>(added.idx()) == out_.faces.size());
-    out_.faces.push_back(f);
+    assert(added == out_.face(f));
+    (void)added;
   }
 
   // Whether OpenMesh can connect the face; otherwise it would also say so on standard error.
   bool fits(const std::array<Kernel::VertexHandle, 3>& corners) const {
-    for (size_t i = 0; i < 3; ++i) {
+    for (uint32_t i = 0; i < 3; ++i) {
       if (!out_.mesh.is_boundary(corners[i])) return false;
-      const auto h = out_.mesh.find_halfedge(corners[i], corners[(i + 1) % 3]);
+      const auto h = out_.mesh.find_halfedge(corners[i], corners[next(i)]);
       if (h.is_valid() && !out_.mesh.is_boundary(h)) return false;
     }
     return true;
@@ -94,29 +135,16 @@ class Copier {
     return own;
   }
 
-  void mark_features(size_t face) {
-    const FaceId f = out_.faces[face];
-    const auto c = mesh_.corners(f);
-    // The half-edges of a face start with the one that ends at its first corner.
-    for (const auto h : out_.mesh.fh_range(out_.face(face))) {
-      const VertexId from = out_.vertices[static_cast<size_t>(out_.mesh.from_vertex_handle(h).idx())];
-      const VertexId to = out_.vertices[static_cast<size_t>(out_.mesh.to_vertex_handle(h).idx())];
-      assert(std::find(c.begin(), c.end(), from) != c.end());
-      if (!is_feature(f, from, to)) continue;
+  void mark_features(uint32_t f) {
+    for (const auto h : out_.mesh.fh_range(out_.face(f))) {
+      const auto from = out_.mesh.from_vertex_handle(h), to = out_.mesh.to_vertex_handle(h);
+      const VertexId start = out_.vertices[static_cast<size_t>(from.idx())];
+      const auto& c = corners_[f];
+      if (!feature_[3 * f + static_cast<size_t>(std::find(c.begin(), c.end(), start) - c.begin())]) continue;
       out_.mesh.status(out_.mesh.edge_handle(h)).set_feature(true);
-      lock(out_.mesh.from_vertex_handle(h));
-      lock(out_.mesh.to_vertex_handle(h));
+      lock(from);
+      lock(to);
     }
-    (void)c;
-  }
-
-  bool is_feature(FaceId f, VertexId from, VertexId to) {
-    sides_.clear();
-    mesh_.append_edge_sides(f, from, to, sides_);
-    if (sides_.size() != 1) return true;
-    const Mesh::Side& other = sides_.front();
-    const bool joined = other.from == to && other.to == from;  // not over a ring
-    return !joined || mesh_.data(other.face).material != mesh_.data(f).material;
   }
 
   void lock_shared_positions() {
@@ -136,7 +164,11 @@ class Copier {
 
   const Mesh& mesh_;
   Pace pace_;
-  std::vector<uint32_t> handle_;  // by vertex slot
+  UnionFind fans_;  // of corners
+  std::vector<uint32_t> number_;  // by face slot
+  std::vector<std::array<VertexId, 3>> corners_;  // by face number
+  std::vector<bool> feature_;                     // by side
+  std::vector<uint32_t> vertex_of_;               // by the first corner of a fan
   std::vector<Mesh::Side> sides_;
   Sheets out_;
 };

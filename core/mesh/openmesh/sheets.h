@@ -13,8 +13,8 @@
 
 namespace kerf {
 
-// The live faces of a mesh as a mesh of OpenMesh. Vertices belong to sheets and each has one fan of faces (see
-// Mesh), so that it is manifold. Positions are scaled to about [-1, 1] around the middle of the mesh, because
+// The live faces of a mesh as a mesh of OpenMesh, with one vertex for each fan of faces on a sheet (see Mesh), so
+// that it is manifold. Positions are scaled to about [-1, 1] around the middle of the mesh, because
 // OpenMesh compares with absolute bounds.
 //
 // An edge is a feature if it is on a boundary or in a ring, or if the materials of its faces differ. Features,
@@ -24,17 +24,18 @@ struct Sheets {
 
   Kernel mesh;
   FloatFrame frame;
-  std::vector<VertexId> vertices;  // by vertex handle
+  std::vector<VertexId> vertices;  // by vertex handle; a vertex with several fans comes several times
   std::vector<FaceId> faces;       // by face handle, ascending
   std::vector<bool> shared;        // by vertex handle: another vertex has the same position
+  size_t detached = 0;             // faces that OpenMesh could not connect
 
   Kernel::VertexHandle vertex(size_t i) const { return Kernel::VertexHandle(static_cast<int>(i)); }
   Kernel::FaceHandle face(size_t i) const { return Kernel::FaceHandle(static_cast<int>(i)); }
 };
 
-// Copies the live faces of a mesh. The vertices of the faces in `kept` are locked too. A face that OpenMesh
-// cannot connect, because its sheet cannot be oriented, gets vertices of its own, which are locked. Fails with
-// cancelled() when stopped; `progress` may be null. Precondition: `kept` are live. O(n).
+// Copies the live faces of a mesh. The vertices of the faces in `kept` are locked too. OpenMesh has at most one
+// edge between two vertices, and two faces on it; a sheet that touches itself along a ring may need more, and a
+// face for which there is none left gets vertices of its own, which are locked. Fails with cancelled() when stopped; `progress` may be null. Precondition: `kept` are live. O(n).
 Result<Sheets> to_sheets(const Mesh& mesh, std::span<const FaceId> kept, const Progress* progress);
 
 // Copies a mesh of OpenMesh back: the faces that are not deleted, in the order of `origin`, which has the face

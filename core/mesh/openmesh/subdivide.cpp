@@ -109,7 +109,10 @@ void split_in_three(Kernel& mesh) {
   OpenMesh::Subdivider::Uniform::Sqrt3T<Kernel> sqrt3;
   sqrt3.init_weights(most + 1);  // it looks them up without a bound
   sqrt3(mesh, 1);
-  for (const auto e : stay) mesh.flip(e);  // back, as features are not turned
+  // Features are not turned: after four turns an edge and both its faces are where they were.
+  for (const auto e : stay) {
+    for (int turn = 1; turn < 4; ++turn) mesh.flip(e);
+  }
   set_points(mesh, points);
 }
 

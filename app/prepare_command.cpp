@@ -146,7 +146,7 @@ void add_prepare_command(CLI::App& app, Invocation& invocation) {
       ->required();
   command->add_option("--simplify", o->faces, "To at most so many faces");
   command->add_option("--simplify-error", o->error,
-                      "Instead: as long as no removed vertex is farther than this from the new surface, in metres");
+                      "Instead: as few as keep the old and the new surface within about this distance of each other, in metres");
   command->add_option("--subdivide", o->subdivide,
                       "loop and sqrt3 round the surface, midpoint keeps it; a face becomes four, three or four");
   command->add_option("--smooth", o->smooth, "How often vertices move half the way to their neighbours' middle");

@@ -15,8 +15,8 @@ CORE = ['game', 'document', 'physics', 'cut', 'graph', 'shadow', 'world', 'heat'
 # counts, how the world is looked at, what is open and saved, the section plane, the path and the emitter of the laser, how
 # time passes and pieces are pulled, what the mouse does, single steps of a stroke with their panel, how the world changes, what is drawn over the picture, what is told
 # of a face, the menus and dialogs, how actions are found and bound to keys, the panels, the panel of the component
-# graph, those of heat, and that of moving bodies; the files in ui/editor itself put these together and alone know all of its state.
-UI = ['editor', 'editor/bodies', 'editor/graph', 'editor/material', 'editor/panels', 'editor/keys', 'editor/frame', 'editor/marks', 'editor/inspect', 'editor/changes', 'editor/single_step', 'editor/tools', 'editor/play', 'editor/path', 'editor/section', 'editor/work', 'editor/view',
+# graph, that of preparing meshes, those of heat, and that of moving bodies; the files in ui/editor itself put these together and alone know all of its state.
+UI = ['editor', 'editor/bodies', 'editor/graph', 'editor/material', 'editor/prepare', 'editor/panels', 'editor/keys', 'editor/frame', 'editor/marks', 'editor/inspect', 'editor/changes', 'editor/single_step', 'editor/tools', 'editor/play', 'editor/path', 'editor/section', 'editor/work', 'editor/view',
       'editor/figures', 'figures', 'game', 'sound', 'screen', 'window', 'render', 'gl']
 
 SOURCE_FOLDERS = LAYERS + ['tests']

@@ -138,6 +138,7 @@ std::vector<UserAction> make_actions(EditorState& state, std::span<const Panel> 
   append(all, emitter_actions(state));
   append(all, stage_actions(state));
   append(all, body_actions(body_parts(state)));
+  append(all, prepare_actions(state));
   append(all, camera_actions(state));
   append(all, switch_actions(state));
   append(all, frame_actions(state, panels));

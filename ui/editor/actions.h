@@ -25,6 +25,7 @@ std::vector<UserAction> tool_actions(EditorState& state);
 std::vector<UserAction> path_actions(EditorState& state);
 std::vector<UserAction> emitter_actions(EditorState& state);
 std::vector<UserAction> stage_actions(EditorState& state);
+std::vector<UserAction> prepare_actions(EditorState& state);
 std::vector<UserAction> camera_actions(EditorState& state);
 std::vector<UserAction> switch_actions(EditorState& state);
 std::vector<UserAction> frame_actions(EditorState& state, std::span<const Panel> panels);

@@ -20,6 +20,7 @@
 #include "ui/editor/panels/view_panel.h"
 #include "ui/editor/path/emitter_rows.h"
 #include "ui/editor/path/path_panel.h"
+#include "ui/editor/prepare/prepare_panel.h"
 #include "ui/editor/section/section_rows.h"
 #include "ui/editor/single_step/query_walk_rows.h"
 #include "ui/editor/single_step/single_step_panel.h"
@@ -81,6 +82,10 @@ std::vector<Panel> make_panels(EditorState& s) {
        [&s, emitter = EmitterRows(), heat = LaserHeatRows()]() mutable { draw_laser(s, emitter, heat); }},
       {PanelId::kMaterial, "Material",
        [&s, panel = MaterialPanel()]() mutable { panel.draw(s.work.document.world(), s.view, s.requests); }},
+      {PanelId::kPrepare, "Prepare",
+       [&s, panel = PreparePanel()]() mutable {
+         panel.draw(s.work.document.world(), s.view, s.preparation, s.requests);
+       }},
       {PanelId::kResolution, "Resolution", [&s] { draw_resolution(s); }},
       {PanelId::kPath, "Path", [&s, panel = PathPanel()]() mutable { draw_path(s, panel); }},
       {PanelId::kPieces, "Pieces", [&s, panel = PiecesPanel()]() mutable { draw_pieces(s, panel); }},

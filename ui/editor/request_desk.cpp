@@ -5,6 +5,7 @@
 #include "core/document/edit_path.h"
 #include "core/document/save.h"
 #include "core/document/stroke_settings.h"
+#include "ui/editor/changes/prepare_pieces.h"
 #include "ui/editor/file_choice.h"
 #include "ui/editor/laser_desk.h"
 #include "ui/editor/work/save_work.h"
@@ -161,6 +162,10 @@ void RequestDesk::change_pieces(const Requests& wanted) {
   if (wanted.sheet && !changes_.is_pending()) {
     begin_group("Set the material");
     changes_.set_sheet(*wanted.sheet);
+  }
+  if (wanted.preparation && !changes_.is_pending()) {
+    begin_group(preparation_title(wanted.preparation->tool));
+    changes_.prepare_chosen(*wanted.preparation);
   }
   if (wanted.duplicate_chosen && !changes_.is_pending()) changes_.duplicate_chosen();
   if (wanted.show_hidden && !changes_.is_pending()) {

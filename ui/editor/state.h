@@ -15,6 +15,7 @@
 #include "ui/editor/view/view_state.h"
 #include "ui/editor/work/open_work.h"
 #include "ui/editor/work/opening.h"
+#include "ui/editor/work/preparation.h"
 #include "ui/editor/work/requests.h"
 #include "ui/editor/work/unsaved_work.h"
 #include "ui/window/message.h"
@@ -38,6 +39,7 @@ struct EditorState {
   PlacedLasers lasers;
   PlayState play;
   HeatProbe probe;
+  Preparation preparation;
 
   Settings settings;
   Message message;

@@ -274,7 +274,7 @@ class WindowTest(unittest.TestCase):
 
     def only_panel(self, title):
         """Folds all panels but one, so that nothing pushes it out of the window."""
-        titles = ("Laser", "Material", "Resolution", "Path", "Pieces", "Bodies", "History", "Light", "Tree", "Graph", "Single step", "View", "Statistics", "File", "Display")
+        titles = ("Laser", "Material", "Prepare", "Resolution", "Path", "Pieces", "Bodies", "History", "Light", "Tree", "Graph", "Single step", "View", "Statistics", "File", "Display")
         self.write_settings({"panels": {t: t == title for t in titles}})
 
     def open_by_browser(self, editor, file):

@@ -119,7 +119,7 @@ struct Model {
 };
 
 Command random_piece_command(const PieceId& piece, Random& random) {
-  switch (random.below(5)) {
+  switch (random.below(8)) {
     case 0:
       return MovePiece{piece, {{random.uniform(-0.2, 0.2), 0.1, 0}, {1, 0, 0, 0}}};
     case 1:
@@ -128,6 +128,12 @@ Command random_piece_command(const PieceId& piece, Random& random) {
       return DeletePiece{piece};
     case 3:
       return DuplicatePiece{piece, {{0, random.uniform(-0.2, 0.2), 0.1}, {1, 0, 0, 0}}};
+    case 4:
+      return SimplifyPiece{piece, {.faces = 1 + random.below(300)}};
+    case 5:
+      return SubdividePiece{piece, random.below(2) == 0 ? Subdivision::kSqrt3 : Subdivision::kMidpoint};
+    case 6:
+      return SmoothPiece{piece, 1 + random.below(3)};
     default:
       return RenamePiece{piece, "part " + std::to_string(random.below(100))};
   }

@@ -5,6 +5,7 @@
 
 #include "core/document/command_words.h"
 #include "ui/editor/changes/long_step.h"
+#include "ui/editor/changes/prepare_pieces.h"
 #include "ui/editor/view/piece_set.h"
 #include "ui/render/spread.h"
 
@@ -168,6 +169,16 @@ void WorldChanges::set_sheet(const Sheet& sheet) {
                },
                progress);
          });
+}
+
+void WorldChanges::prepare_chosen(const Preparation& preparation) {
+  const std::vector<PieceRow> pieces = pieces_to_prepare(on_.work.document.world(), on_.view.look.pieces);
+  cancel_stroke(on_.hand, on_.work.document);
+  const FaceForecast faces = forecast(pieces, preparation);
+  const bool quick = std::max(faces.before, faces.after.value_or(0)) <= kQuickToPrepare;
+  change(preparation_title(preparation.tool), quick, [pieces, preparation](Document& d, const Progress* progress) {
+    return prepare_pieces(d, pieces, preparation, progress);
+  });
 }
 
 void WorldChanges::duplicate_chosen() {

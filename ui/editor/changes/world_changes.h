@@ -10,6 +10,7 @@
 #include "ui/editor/tools/hand.h"
 #include "ui/editor/view/view_state.h"
 #include "ui/editor/work/open_work.h"
+#include "ui/editor/work/preparation.h"
 #include "ui/render/renderer.h"
 #include "ui/window/message.h"
 
@@ -56,6 +57,9 @@ class WorldChanges {
   void pin_chosen(bool pinned);
   // Gives the selected pieces this sheet, or all pieces if none is selected.
   void set_sheet(const Sheet& sheet);
+  // Simplifies, subdivides or smooths the selected pieces, or all pieces if none is selected: all of them, or
+  // none if one fails or the user stops it. Precondition: why_no_preparation() gives no reason.
+  void prepare_chosen(const Preparation& preparation);
   // Adds a copy of the selected piece where it stands. Precondition: a piece is selected.
   void duplicate_chosen();
   void show_hidden();

@@ -24,6 +24,7 @@ struct PanelEntry {
 constexpr std::array kPanelEntries{
     PanelEntry{PanelId::kLaser, "Laser", true},
     PanelEntry{PanelId::kMaterial, "Material", false},
+    PanelEntry{PanelId::kPrepare, "Prepare", false},
     PanelEntry{PanelId::kResolution, "Resolution", true},
     PanelEntry{PanelId::kPath, "Path", false},
     PanelEntry{PanelId::kPieces, "Pieces", true},

@@ -18,6 +18,7 @@ namespace kerf {
 enum class PanelId {
   kLaser,
   kMaterial,
+  kPrepare,
   kResolution,
   kPath,
   kPieces,

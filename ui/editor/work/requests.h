@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/document/command.h"
+#include "ui/editor/work/preparation.h"
 
 namespace kerf {
 
@@ -23,6 +24,7 @@ struct Requests {
   bool duplicate_chosen = false;
   std::optional<bool> pin_chosen;  // pin, or let move again
   std::optional<Sheet> sheet;      // of the chosen pieces, or of all if none is chosen
+  std::optional<Preparation> preparation;  // of the chosen pieces, or of all if none is chosen
   std::vector<Command> commands;
   std::filesystem::path save_path_to;  // the path of the laser; empty: nowhere
   bool run_path = false;

@@ -1,0 +1,136 @@
+#include "ui/editor/prepare/prepare_panel.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/mesh/openmesh/smooth.h"
+#include "ui/editor/view/length_field.h"
+#include "ui/window/landmarks.h"
+#include "ui/window/number_text.h"
+#include "ui/window/property.h"
+#include "ui/window/row_button.h"
+
+namespace kerf {
+
+namespace {
+
+using Tool = Preparation::Tool;
+
+constexpr size_t kMostSubdivisions = 4;
+constexpr double kUsualError = 0.001;  // of the size of the world
+constexpr double kMostFacesTyped = 1e9;
+
+// In the order of the tools and of the schemes.
+constexpr std::array kTools{"Simplify to faces", "Simplify to an error", "Subdivide", "Smooth"};
+constexpr std::array kSchemes{"Loop", "Square root of 3", "Midpoints"};
+
+// A row with a choice among names. Returns whether it changed.
+template <typename Choice>
+bool choose(const char* label, const char* landmark, std::span<const char* const> names, const char* meaning,
+            Choice& chosen) {
+  property(label);
+  bool changed = false;
+  if (ImGui::BeginCombo((std::string("##") + landmark).c_str(), names[static_cast<size_t>(chosen)])) {
+    for (size_t i = 0; i < names.size(); ++i) {
+      if (!ImGui::Selectable(names[i], i == static_cast<size_t>(chosen))) continue;
+      chosen = static_cast<Choice>(i);
+      changed = true;
+    }
+    ImGui::EndCombo();
+  } else {
+    mark_last_item(landmark);
+    tooltip(meaning);
+  }
+  return changed;
+}
+
+const char* button_name(Tool tool) {
+  if (tool == Tool::kSubdivide) return "Subdivide###prepare";
+  return tool == Tool::kSmooth ? "Smooth###prepare" : "Simplify###prepare";
+}
+
+}  // namespace
+
+std::string prepared_text(std::span<const PieceRow> pieces, const PieceMap& looks) {
+  if (chosen_pieces(looks) == 0) return "All pieces";
+  return pieces.size() == 1 ? pieces[0].name : std::to_string(pieces.size()) + " chosen pieces";
+}
+
+std::string forecast_text(std::span<const PieceRow> pieces, const Preparation& preparation, FileUnit unit) {
+  const FaceForecast faces = forecast(pieces, preparation);
+  const std::string now = grouped(faces.before) + (faces.before == 1 ? " face" : " faces");
+  if (!faces.after) return now + " -> as few as stay within " + length_label(preparation.error, unit);
+  if (*faces.after == faces.before) return now + ", as many as before";
+  return now + " -> about " + grouped(*faces.after);
+}
+
+Preparation with_numbers(const Preparation& preparation, std::span<const PieceRow> pieces, const World& world) {
+  Preparation p = preparation;
+  size_t faces = 0;
+  for (const PieceRow& row : pieces) faces += row.faces;
+  if (p.faces == 0) p.faces = std::max<size_t>(1, faces / 2);
+  if (!(p.error > 0)) p.error = kUsualError * world.loaded_bounds().diagonal();
+  return p;
+}
+
+void PreparePanel::draw_times(Preparation& preparation, const char* meaning, size_t most) {
+  double times = static_cast<double>(std::min(preparation.times, most));
+  if (!fields_.number("Times", times, "%.0f", meaning)) return;
+  preparation.times = static_cast<size_t>(std::clamp(std::round(times), 1.0, static_cast<double>(most)));
+}
+
+void PreparePanel::draw_numbers(Preparation& preparation, const Preparation& shown, const World& world,
+                                FileUnit unit) {
+  switch (shown.tool) {
+    case Tool::kSimplifyToFaces: {
+      auto faces = static_cast<double>(shown.faces);
+      if (fields_.number("Faces", faces, "%.0f", "How many faces are left, of all these pieces together."))
+        preparation.faces = static_cast<size_t>(std::clamp(std::round(faces), 1.0, kMostFacesTyped));
+      break;
+    }
+    case Tool::kSimplifyToError: {
+      double error = shown.error;
+      const LengthUnit shown_unit = label_unit(kUsualError * world.loaded_bounds().diagonal(), unit);
+      const char* meaning = "How far the new surface and the old one may be from each other.";
+      if (length_field(fields_, "Error", error, shown_unit, meaning) && error > 0) preparation.error = error;
+      break;
+    }
+    case Tool::kSubdivide:
+      choose("Scheme", "scheme", kSchemes,
+             "Loop and the square root of 3 round the surface; midpoints leave it as it is. A face becomes four "
+             "or three.",
+             preparation.scheme);
+      draw_times(preparation, "How often every face is divided.", kMostSubdivisions);
+      break;
+    case Tool::kSmooth:
+      draw_times(preparation, "How often vertices move half the way to the middle of their neighbours.",
+                 kMostSmoothing);
+      break;
+  }
+}
+
+void PreparePanel::draw(const World& world, const ViewState& view, Preparation& preparation,
+                        Requests& requests) {
+  const std::vector<PieceRow> pieces = pieces_to_prepare(world, view.look.pieces);
+  if (pieces.empty()) return ImGui::TextDisabled("Nothing is open.");
+  ImGui::TextDisabled("%s", prepared_text(pieces, view.look.pieces).c_str());
+  tooltip("It is for the chosen pieces, or for all of them if none is chosen.");
+  if (begin_properties("preparation")) {
+    const char* meaning =
+        "What is done to the mesh. Boundaries, edges of three faces or more and edges between materials stay.";
+    if (choose("Tool", "preparation", kTools, meaning, preparation.tool)) preparation.times = 1;
+    draw_numbers(preparation, with_numbers(preparation, pieces, world), world, view.frame.unit);
+    end_properties();
+  }
+  const Preparation wanted = with_numbers(preparation, pieces, world);
+  ImGui::TextWrapped("%s", forecast_text(pieces, wanted, view.frame.unit).c_str());
+  if (row_button(button_name(wanted.tool), 1, why_no_preparation(pieces, wanted),
+                 "Makes a new mesh of each piece. One undo takes it back."))
+    requests.preparation = wanted;
+  mark_last_item("prepare");
+}
+
+}  // namespace kerf

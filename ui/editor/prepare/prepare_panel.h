@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/mesh/files/file_frame.h"
+#include "ui/editor/changes/prepare_pieces.h"
+#include "ui/editor/view/view_state.h"
+#include "ui/editor/work/requests.h"
+#include "ui/window/number_fields.h"
+
+namespace kerf {
+
+// What the preparation is of: "All pieces", "3 chosen pieces", or the name of one.
+std::string prepared_text(std::span<const PieceRow> pieces, const PieceMap& looks);
+
+// What it leads to: "69 666 faces -> 7 000", or where only the error is given, "... -> as few as stay within
+// 0.2 mm of the surface".
+std::string forecast_text(std::span<const PieceRow> pieces, const Preparation& preparation, FileUnit unit);
+
+// The preparation with the numbers that were not chosen yet: half of the faces, a thousandth of the size of
+// the world.
+Preparation with_numbers(const Preparation& preparation, std::span<const PieceRow> pieces, const World& world);
+
+// Simplifies, subdivides or smooths the chosen pieces, or all of them if none is chosen, after it has told what
+// the numbers will be.
+class PreparePanel {
+ public:
+  void draw(const World& world, const ViewState& view, Preparation& preparation, Requests& requests);
+
+ private:
+  void draw_numbers(Preparation& preparation, const Preparation& shown, const World& world, FileUnit unit);
+  void draw_times(Preparation& preparation, const char* meaning, size_t most);
+
+  NumberFields fields_;
+};
+
+}  // namespace kerf

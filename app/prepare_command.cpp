@@ -67,7 +67,8 @@ class PrepareRun {
     const size_t before = mesh_.live_faces();
     if (const auto s = prepare(); !s) return error_or_stopped(s.error());
     if (const auto s = write(); !s) return s;
-    std::cerr << "kerf: " << before << " faces -> " << made_.triangles.size() << " in " << options_.out << '\n';
+    std::cerr << "kerf: " << before << " faces -> " << made_.triangles.size() << " in " << options_.out
+              << '\n';
     return Done{};
   }
 
@@ -139,17 +140,21 @@ void add_prepare_command(CLI::App& app, Invocation& invocation) {
       app.add_subcommand("prepare", "Simplify, subdivide or smooth a mesh, in this order, with OpenMesh");
   auto o = std::make_shared<PrepareOptions>();
   command->footer(
-      "Boundaries, edges of three faces or more and edges between materials are features: they stay where they "
+      "Boundaries, edges of three faces or more and edges between materials are features: they stay where "
+      "they "
       "are.");
   command->add_option("MESH", o->mesh, "An OBJ, STL, PLY or OFF file")->required();
   command->add_option("--out", o->out, "The file to write; its ending says the format: obj, ply, stl or off")
       ->required();
   command->add_option("--simplify", o->faces, "To at most so many faces");
   command->add_option("--simplify-error", o->error,
-                      "Instead: as few as keep the old and the new surface within about this distance of each other, in metres");
-  command->add_option("--subdivide", o->subdivide,
-                      "loop and sqrt3 round the surface, midpoint keeps it; a face becomes four, three or four");
-  command->add_option("--smooth", o->smooth, "How often vertices move half the way to their neighbours' middle");
+                      "Instead: as few as keep the old and the new surface within about this distance of "
+                      "each other, in metres");
+  command->add_option(
+      "--subdivide", o->subdivide,
+      "loop and sqrt3 round the surface, midpoint keeps it; a face becomes four, three or four");
+  command->add_option("--smooth", o->smooth,
+                      "How often vertices move half the way to their neighbours' middle");
   command->callback([o, &invocation] {
     invocation = [o] {
       catch_interrupts();

@@ -52,8 +52,7 @@ void label_faces(Body& made, const Body& body, const PieceCopy& copy, const Reme
     made.mesh.edit_data(FaceId(f)).piece = copy.label;
     const uint32_t component = components.at_home(FaceId(f), copy.label);
     if (component == LoadedComponents::kNone && copy.label == 0) continue;
-    FaceCounts& part =
-        component != LoadedComponents::kNone ? components.left.edit(component) : whole.cut_off;
+    FaceCounts& part = component != LoadedComponents::kNone ? components.left.edit(component) : whole.cut_off;
     ++part.faces;
     part.area += triangle_area(made.mesh.triangle(FaceId(f)));
   }
@@ -68,9 +67,10 @@ void hand_down_heat(Body& made, const Body& body, const PieceCopy& copy, const R
   std::vector<double> joules;
   for (uint32_t f = 0; f < copy.faces.size(); ++f)
     joules.push_back(body.heat.energy_of(copy.mesh, FaceId(f)));
-  for (const auto& [gone, heir] : r.merged)
-    joules[heir.index] += std::exchange(joules[gone.index], 0);
-  const auto area = [&](size_t t) { return triangle_area(made.mesh.triangle(FaceId(static_cast<uint32_t>(t)))); };
+  for (const auto& [gone, heir] : r.merged) joules[heir.index] += std::exchange(joules[gone.index], 0);
+  const auto area = [&](size_t t) {
+    return triangle_area(made.mesh.triangle(FaceId(static_cast<uint32_t>(t))));
+  };
   const auto add = [&](size_t t, double energy) {
     const FaceId f(static_cast<uint32_t>(t));
     if (energy != 0) made.heat.set_energy(made.mesh, f, made.heat.energy_of(made.mesh, f) + energy);

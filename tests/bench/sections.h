@@ -27,6 +27,8 @@ using Report = std::function<void(const Row&)>;
 void bench_build(const Subject& subject, const Effort& effort, const Report& report);
 void bench_queries(const Subject& subject, const Effort& effort, const Report& report);
 void bench_edits(const Subject& subject, const Effort& effort, const Report& report);
+// The half-edges alone, beside OpenMesh's.
+void bench_kernel(const Subject& subject, const Effort& effort, const Report& report);
 void bench_cut(const Subject& subject, const Effort& effort, const Report& report);
 void bench_shadows(const Subject& subject, const Effort& effort, const Report& report);
 void bench_heat(const Subject& subject, const Effort& effort, const Report& report);

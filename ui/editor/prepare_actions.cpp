@@ -28,15 +28,15 @@ Preparation wanted(const EditorState& s) {
 }  // namespace
 
 std::vector<UserAction> prepare_actions(EditorState& s) {
-  using Tool = Preparation::Tool;
+  using Kind = Preparation::Tool;
   return {
       tool_action(s, "Simplify to faces", "Fewer faces: the panel Prepare says how many.",
-                  Tool::kSimplifyToFaces, false),
+                  Kind::kSimplifyToFaces, false),
       tool_action(s, "Simplify to an error", "As few faces as an error in the unit of the file allows.",
-                  Tool::kSimplifyToError, false),
-      tool_action(s, "Subdivide", "Three or four faces of each, rounder or where they are.", Tool::kSubdivide,
+                  Kind::kSimplifyToError, false),
+      tool_action(s, "Subdivide", "Three or four faces of each, rounder or where they are.", Kind::kSubdivide,
                   false),
-      tool_action(s, "Smooth", "Vertices move to the middle of their neighbours.", Tool::kSmooth, true),
+      tool_action(s, "Smooth", "Vertices move to the middle of their neighbours.", Kind::kSmooth, true),
       UserAction{.menu = "Prepare",
                  .name = "Prepare the mesh",
                  .tip = "Does what the panel Prepare says, to the chosen pieces, or to all.",

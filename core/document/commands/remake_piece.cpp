@@ -109,8 +109,7 @@ Result<Delta> remake_piece(World& world, const PieceId& piece, uint32_t generati
   take_away(world, piece, copy.faces, delta);
   const BodyId own = world.add(std::move(*made), generation);
   if (alone) world.body(own).number = number;
-  if (!within->empty())
-    world.set_joints(carried_on(world.joints(), *within, own, copy, *remeshed));
+  if (!within->empty()) world.set_joints(carried_on(world.joints(), *within, own, copy, *remeshed));
   delta.came = {own};
   delta.detached = {{piece.body, piece.label, own, false}};
   return delta;

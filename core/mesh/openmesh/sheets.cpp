@@ -164,8 +164,8 @@ class Copier {
 
   const Mesh& mesh_;
   Pace pace_;
-  UnionFind fans_;  // of corners
-  std::vector<uint32_t> number_;  // by face slot
+  UnionFind fans_;                                // of corners
+  std::vector<uint32_t> number_;                  // by face slot
   std::vector<std::array<VertexId, 3>> corners_;  // by face number
   std::vector<bool> feature_;                     // by side
   std::vector<uint32_t> vertex_of_;               // by the first corner of a fan

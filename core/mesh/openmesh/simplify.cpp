@@ -115,7 +115,8 @@ class SurfaceDistance : public decimater::ModBaseT<Kernel> {
     return nearest;
   }
 
-  std::vector<std::vector<Vec3>> samples_;  // by face handle: those of the surface that was that it stands for
+  std::vector<std::vector<Vec3>>
+      samples_;  // by face handle: those of the surface that was that it stands for
   std::vector<ChangedFace> changed_;
   std::vector<Vec3> moved_;
 };
@@ -198,8 +199,8 @@ class Watch : public decimater::Observer {
 // whenever that is not enough. Small turns keep the surface from folding and halve the largest error.
 constexpr std::array kMostTurn = {15.0, 30.0, 60.0, 90.0};
 
-// The part of the error that samples may take, because between them the surface was up to 1.6 times as far away,
-// measured both ways.
+// The part of the error that samples may take, because between them the surface was up to 1.6 times as far
+// away, measured both ways.
 constexpr double kShareForSamples = 0.6;
 
 // With the error, or without a bound where it is infinite.

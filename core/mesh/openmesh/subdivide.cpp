@@ -16,7 +16,8 @@ namespace {
 using Kernel = OpenMeshKernel;
 using Point = Kernel::Point;
 
-// cos(2 pi / n) by the power series, whose terms beyond the 30th are below the rounding. Precondition: n >= 2.
+// cos(2 pi / n) by the power series, whose terms beyond the 30th are below the rounding. Precondition: n
+// >= 2.
 double cosine_of_nth_turn(size_t n) {
   constexpr double kTurn = 6.283185307179586476925;
   const double x2 = (kTurn / static_cast<double>(n)) * (kTurn / static_cast<double>(n));

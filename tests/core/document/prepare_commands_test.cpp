@@ -28,8 +28,8 @@ namespace {
 
 // The three commands, for a piece with this many faces.
 std::vector<Command> preparations(const PieceId& piece, size_t faces) {
-  return {SimplifyPiece{piece, {.faces = faces / 3}}, SimplifyPiece{piece, {.error = 0.1}},
-          SubdividePiece{piece, Subdivision::kLoop}, SubdividePiece{piece, Subdivision::kSqrt3},
+  return {SimplifyPiece{piece, {.faces = faces / 3}},    SimplifyPiece{piece, {.error = 0.1}},
+          SubdividePiece{piece, Subdivision::kLoop},     SubdividePiece{piece, Subdivision::kSqrt3},
           SubdividePiece{piece, Subdivision::kMidpoint}, SmoothPiece{piece, 3}};
 }
 
@@ -52,7 +52,9 @@ World cut_torus() {
   settings.laser.radius = 0.05;
   settings.laser.range = {0, 5};
   settings.resolution.target_edge = 0.05;
-  EXPECT_TRUE(cut_whole(world, settings, subdivide({{{-2, 3, 0}, {0, -1, 0}}, {{2, 3, 0}, {0, -1, 0}}}, 0.05, 5)).ok());
+  EXPECT_TRUE(
+      cut_whole(world, settings, subdivide({{{-2, 3, 0}, {0, -1, 0}}, {{2, 3, 0}, {0, -1, 0}}}, 0.05, 5))
+          .ok());
   while (!is_settled(world)) go_on_separating(world, 100'000);
   EXPECT_GE(world.live_pieces(), 2u);
   return world;
@@ -111,7 +113,11 @@ TEST(PrepareCommands, what_they_make_can_be_cut) {
     for (const Command& command : preparations(only_piece(document.world()), 1000)) {
       const PieceId piece{document.world().ids().back(), 0};
       Command own = command;
-      std::visit([&](auto& c) { if constexpr (requires { c.piece; }) c.piece = piece; }, own);
+      std::visit(
+          [&](auto& c) {
+            if constexpr (requires { c.piece; }) c.piece = piece;
+          },
+          own);
       if (document.world().live_faces() < 20'000 && has_faces(document.world(), piece))
         ASSERT_TRUE(document.apply(own).ok());
       World world = document.world();
@@ -212,7 +218,8 @@ World door() {
   hinge.anchor = {0.5, 0, 0};
   hinge.axis = {0, 0, 1};
   hinge.radius = 0.2;
-  const std::vector<NamedSheet> sheets{{"frame", rectangle(1, 1, 20)}, {"door", rectangle(1, 1, 20), {1.02, 0, 0}}};
+  const std::vector<NamedSheet> sheets{{"frame", rectangle(1, 1, 20)},
+                                       {"door", rectangle(1, 1, 20), {1.02, 0, 0}}};
   return jointed_world(sheets, {&hinge, 1});
 }
 

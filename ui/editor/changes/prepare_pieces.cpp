@@ -63,7 +63,8 @@ FaceForecast forecast(std::span<const PieceRow> pieces, const Preparation& p) {
       break;
     case Preparation::Tool::kSubdivide:
       faces.after = faces.before;
-      for (size_t i = 0; i < p.times && *faces.after <= kMostFaces; ++i) *faces.after *= parts_of_face(p.scheme);
+      for (size_t i = 0; i < p.times && *faces.after <= kMostFaces; ++i)
+        *faces.after *= parts_of_face(p.scheme);
       break;
     case Preparation::Tool::kSmooth:
       faces.after = faces.before;

@@ -35,7 +35,9 @@ bool choose(const char* label, const char* landmark, std::span<const char* const
   bool changed = false;
   if (ImGui::BeginCombo((std::string("##") + landmark).c_str(), names[static_cast<size_t>(chosen)])) {
     for (size_t i = 0; i < names.size(); ++i) {
-      if (!ImGui::Selectable(names[i], i == static_cast<size_t>(chosen))) continue;
+      const bool taken = ImGui::Selectable(names[i], i == static_cast<size_t>(chosen));
+      mark_last_item(landmark, static_cast<int>(i));
+      if (!taken) continue;
       chosen = static_cast<Choice>(i);
       changed = true;
     }
@@ -67,7 +69,8 @@ std::string forecast_text(std::span<const PieceRow> pieces, const Preparation& p
   return now + " -> about " + grouped(*faces.after);
 }
 
-Preparation with_numbers(const Preparation& preparation, std::span<const PieceRow> pieces, const World& world) {
+Preparation with_numbers(const Preparation& preparation, std::span<const PieceRow> pieces,
+                         const World& world) {
   Preparation p = preparation;
   size_t faces = 0;
   for (const PieceRow& row : pieces) faces += row.faces;
@@ -99,10 +102,11 @@ void PreparePanel::draw_numbers(Preparation& preparation, const Preparation& sho
       break;
     }
     case Tool::kSubdivide:
-      choose("Scheme", "scheme", kSchemes,
-             "Loop and the square root of 3 round the surface; midpoints leave it as it is. A face becomes four "
-             "or three.",
-             preparation.scheme);
+      choose(
+          "Scheme", "scheme", kSchemes,
+          "Loop and the square root of 3 round the surface; midpoints leave it as it is. A face becomes four "
+          "or three.",
+          preparation.scheme);
       draw_times(preparation, "How often every face is divided.", kMostSubdivisions);
       break;
     case Tool::kSmooth:
@@ -120,7 +124,8 @@ void PreparePanel::draw(const World& world, const ViewState& view, Preparation& 
   tooltip("It is for the chosen pieces, or for all of them if none is chosen.");
   if (begin_properties("preparation")) {
     const char* meaning =
-        "What is done to the mesh. Boundaries, edges of three faces or more and edges between materials stay.";
+        "What is done to the mesh. Boundaries, edges of three faces or more and edges between materials "
+        "stay.";
     if (choose("Tool", "preparation", kTools, meaning, preparation.tool)) preparation.times = 1;
     draw_numbers(preparation, with_numbers(preparation, pieces, world), world, view.frame.unit);
     end_properties();

@@ -31,13 +31,15 @@ bool is_rim(const Mesh& mesh, VertexId from, VertexId to) {
   return std::find(star.rim.begin(), star.rim.end(), to) != star.rim.end();
 }
 
-// Whether the two faces on an inner edge of OpenMesh are on two edges of Kerf. A ring that ends inside a sheet is
-// a slit in it; where the slit is one edge long, its two sides have the same ends, between which OpenMesh has
-// only one edge.
+// Whether the two faces on an inner edge of OpenMesh are on two edges of Kerf. A ring that ends inside a
+// sheet is a slit in it; where the slit is one edge long, its two sides have the same ends, between which
+// OpenMesh has only one edge.
 bool is_glued(const Sheets& sheets, const Mesh& mesh, OpenMeshKernel::EdgeHandle e) {
   const OpenMeshKernel& m = sheets.mesh;
   const auto h = m.halfedge_handle(e, 0);
-  const auto vertex = [&](OpenMeshKernel::VertexHandle v) { return sheets.vertices[static_cast<size_t>(v.idx())]; };
+  const auto vertex = [&](OpenMeshKernel::VertexHandle v) {
+    return sheets.vertices[static_cast<size_t>(v.idx())];
+  };
   return is_rim(mesh, vertex(m.from_vertex_handle(h)), vertex(m.to_vertex_handle(h)));
 }
 
@@ -61,11 +63,13 @@ Counts circulated(const Sheets& sheets, const Mesh& mesh) {
     for (auto on = h; !seen[static_cast<size_t>(on.idx())]; on = m.next_halfedge_handle(on))
       seen[static_cast<size_t>(on.idx())] = true;
   }
-  n.euler = static_cast<long>(m.n_vertices()) - static_cast<long>(m.n_edges()) + static_cast<long>(m.n_faces());
+  n.euler =
+      static_cast<long>(m.n_vertices()) - static_cast<long>(m.n_edges()) + static_cast<long>(m.n_faces());
   for (const auto e : m.edges()) {
     if (m.is_boundary(e) || !is_glued(sheets, mesh, e)) continue;
     ++n.glued;
-    for (const auto v : {m.to_vertex_handle(m.halfedge_handle(e, 0)), m.to_vertex_handle(m.halfedge_handle(e, 1))}) {
+    for (const auto v :
+         {m.to_vertex_handle(m.halfedge_handle(e, 0)), m.to_vertex_handle(m.halfedge_handle(e, 1))}) {
       n.valences[sheets.vertices[static_cast<size_t>(v.idx())].index][0] += 1;
       n.valences[sheets.vertices[static_cast<size_t>(v.idx())].index][2] += 2;
     }
@@ -75,12 +79,14 @@ Counts circulated(const Sheets& sheets, const Mesh& mesh) {
   std::map<std::pair<Place, Place>, uint32_t> face_on;  // where sheets meet
   for (const auto f : m.faces()) {
     const auto own = static_cast<uint32_t>(f.idx());
-    for (const auto other : m.ff_range(f)) n.components -= together.unite(own, static_cast<uint32_t>(other.idx()));
+    for (const auto other : m.ff_range(f))
+      n.components -= together.unite(own, static_cast<uint32_t>(other.idx()));
     for (const auto h : m.fh_range(f)) {
       const auto at = [&](OpenMeshKernel::VertexHandle v) {
         return place(mesh.position(sheets.vertices[static_cast<size_t>(v.idx())]));
       };
-      const std::pair<Place, Place> ends = std::minmax(at(m.from_vertex_handle(h)), at(m.to_vertex_handle(h)));
+      const std::pair<Place, Place> ends =
+          std::minmax(at(m.from_vertex_handle(h)), at(m.to_vertex_handle(h)));
       n.components -= together.unite(face_on.try_emplace(ends, own).first->second, own);
     }
   }

@@ -20,9 +20,8 @@ Sheets sheets_of(const Mesh& mesh) {
 
 // The corners from the least one on, which may be another one in a copy.
 Triangle from_least(Triangle t) {
-  const auto least = std::min_element(t.begin(), t.end(), [](const Vec3& a, const Vec3& b) {
-    return place(a) < place(b);
-  });
+  const auto least =
+      std::min_element(t.begin(), t.end(), [](const Vec3& a, const Vec3& b) { return place(a) < place(b); });
   std::rotate(t.begin(), least, t.end());
   return t;
 }

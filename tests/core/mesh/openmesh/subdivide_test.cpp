@@ -64,7 +64,8 @@ TEST(Subdivide, makes_three_or_four_faces_of_one_and_leaves_the_topology) {
 // Otherwise sheets that meet would come apart.
 TEST(Subdivide, features_are_split_at_their_midpoints_or_not_at_all) {
   for (const auto& [name, soup] : mesh_classes()) {
-    // Which edges close the strip depends on the order of its faces; inner edges of copies of a face coincide.
+    // Which edges close the strip depends on the order of its faces; inner edges of copies of a face
+    // coincide.
     if (name == "moebius" || name == "pillow") continue;
     SCOPED_TRACE(name);
     const Mesh mesh = build(in_two_materials(soup)).mesh;

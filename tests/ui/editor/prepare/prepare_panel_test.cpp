@@ -1,0 +1,41 @@
+#include "ui/editor/prepare/prepare_panel.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/made_meshes.h"
+
+namespace kerf::test {
+namespace {
+
+using Tool = Preparation::Tool;
+
+TEST(PreparePanel, tells_the_numbers_in_the_unit_of_the_file) {
+  const std::vector<PieceRow> pieces{{.id = {}, .name = "bunny", .faces = 69'666}};
+  EXPECT_EQ(forecast_text(pieces, {.faces = 7000}, FileUnit::kMetre), "69 666 faces -> about 7 000");
+  EXPECT_EQ(forecast_text(pieces, {.tool = Tool::kSimplifyToError, .error = 0.25}, FileUnit::kMillimetre),
+            "69 666 faces -> as few as stay within " + length_label(0.25, FileUnit::kMillimetre));
+  EXPECT_EQ(forecast_text(pieces, {.tool = Tool::kSubdivide}, FileUnit::kMetre),
+            "69 666 faces -> about 278 664");
+  EXPECT_EQ(forecast_text(pieces, {.tool = Tool::kSmooth}, FileUnit::kMetre),
+            "69 666 faces, as many as before");
+}
+
+TEST(PreparePanel, says_what_it_is_for) {
+  World world;
+  const BodyId id = world.add(make_body("ball", build(sphere(6, 8, 1))));
+  PieceMap looks;
+  EXPECT_EQ(prepared_text(pieces_to_prepare(world, looks), looks), "All pieces");
+  looks[{id, 0}].selected = true;
+  EXPECT_EQ(prepared_text(pieces_to_prepare(world, looks), looks), "ball");
+}
+
+TEST(PreparePanel, proposes_half_of_the_faces_and_a_thousandth_of_the_size) {
+  World world;
+  world.add(make_body("plate", build(grid(10, 1))));
+  const Preparation p = with_numbers({}, pieces_to_prepare(world, {}), world);
+  EXPECT_EQ(p.faces, 100u);
+  EXPECT_NEAR(p.error, std::sqrt(2.0) / 1000, 1e-6);
+}
+
+}  // namespace
+}  // namespace kerf::test

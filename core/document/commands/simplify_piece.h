@@ -12,8 +12,8 @@
 
 namespace kerf {
 
-// Simplifies a piece to a number of faces or to an error in metres (see simplify). It becomes a body of its own
-// (see remake_piece).
+// Simplifies a piece to a number of faces or to an error in metres (see simplify). It becomes a body of its
+// own (see remake_piece).
 struct SimplifyPiece {
   PieceId piece;
   SimplifyTarget target;

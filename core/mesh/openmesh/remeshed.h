@@ -17,7 +17,8 @@ namespace kerf {
 // What a tool made of a mesh: triangles over welded positions, none of which has two corners at the same
 // position.
 struct Remeshed {
-  std::vector<Vec3> positions;  // metres, in the frame of the mesh; those of vertices that stayed are bit-equal
+  std::vector<Vec3>
+      positions;  // metres, in the frame of the mesh; those of vertices that stayed are bit-equal
   std::vector<std::array<uint32_t, 3>> triangles;  // indices of positions
   // The face of the mesh from which each triangle stems and takes its data, ascending.
   std::vector<FaceId> origins;
@@ -26,8 +27,8 @@ struct Remeshed {
   std::vector<std::pair<FaceId, FaceId>> merged;
 };
 
-// The materials of the triangles, those of the faces from which they stem. Precondition: `remeshed` was made of
-// `mesh`.
+// The materials of the triangles, those of the faces from which they stem. Precondition: `remeshed` was made
+// of `mesh`.
 std::vector<uint16_t> materials_of(const Remeshed& remeshed, const Mesh& mesh);
 
 // Builds the mesh of the triangles with build_mesh; its face slots have their order. Names and parts are left

@@ -13,12 +13,12 @@
 
 namespace kerf {
 
-// The live faces of a mesh as a mesh of OpenMesh, with one vertex for each fan of faces on a sheet (see Mesh), so
-// that it is manifold. Positions are scaled to about [-1, 1] around the middle of the mesh, because
+// The live faces of a mesh as a mesh of OpenMesh, with one vertex for each fan of faces on a sheet (see
+// Mesh), so that it is manifold. Positions are scaled to about [-1, 1] around the middle of the mesh, because
 // OpenMesh compares with absolute bounds.
 //
-// An edge is a feature if it is on a boundary or in a ring, or if the materials of its faces differ. Features,
-// the ends of features, and vertices at whose position there is another vertex are locked.
+// An edge is a feature if it is on a boundary or in a ring, or if the materials of its faces differ.
+// Features, the ends of features, and vertices at whose position there is another vertex are locked.
 struct Sheets {
   using Kernel = OpenMeshKernel;
 
@@ -33,14 +33,15 @@ struct Sheets {
   Kernel::FaceHandle face(size_t i) const { return Kernel::FaceHandle(static_cast<int>(i)); }
 };
 
-// Copies the live faces of a mesh. The vertices of the faces in `kept` are locked too. OpenMesh has at most one
-// edge between two vertices, and two faces on it; a sheet that touches itself along a ring may need more, and a
-// face for which there is none left gets vertices of its own, which are locked. Fails with cancelled() when stopped; `progress` may be null. Precondition: `kept` are live. O(n).
+// Copies the live faces of a mesh. The vertices of the faces in `kept` are locked too. OpenMesh has at most
+// one edge between two vertices, and two faces on it; a sheet that touches itself along a ring may need more,
+// and a face for which there is none left gets vertices of its own, which are locked. Fails with cancelled()
+// when stopped; `progress` may be null. Precondition: `kept` are live. O(n).
 Result<Sheets> to_sheets(const Mesh& mesh, std::span<const FaceId> kept, const Progress* progress);
 
-// Copies a mesh of OpenMesh back: the faces that are not deleted, in the order of `origin`, which has the face
-// of `mesh` from which each face handle stems. Vertices that still have the position that to_sheets gave them
-// get their position in `mesh`. Triangles with two corners at the same position are left out.
+// Copies a mesh of OpenMesh back: the faces that are not deleted, in the order of `origin`, which has the
+// face of `mesh` from which each face handle stems. Vertices that still have the position that to_sheets gave
+// them get their position in `mesh`. Triangles with two corners at the same position are left out.
 Remeshed from_sheets(const Sheets& sheets, std::span<const FaceId> origin, const Mesh& mesh);
 
 }  // namespace kerf

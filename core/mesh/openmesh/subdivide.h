@@ -9,7 +9,7 @@ namespace kerf {
 
 // How faces are subdivided.
 enum class Subdivision {
-  kLoop,      // each into four, and vertices move (C. Loop: Smooth subdivision surfaces based on triangles, 1987)
+  kLoop,  // each into four, and vertices move (C. Loop: Smooth subdivision surfaces based on triangles, 1987)
   kSqrt3,     // each into three, edges are turned, and vertices move (L. Kobbelt: Sqrt(3) subdivision, 2000)
   kMidpoint,  // each into four, at the midpoints of its edges; the surface stays
 };
@@ -23,10 +23,10 @@ inline const char* subdivision_name(Subdivision scheme) {
 // The number of parts of a face.
 constexpr size_t parts_of_face(Subdivision scheme) { return scheme == Subdivision::kSqrt3 ? 3 : 4; }
 
-// Subdivides every face once, as OpenMesh's subdividers connect them. Features (see Sheets) and the vertices of
-// the faces in `kept` stay where they are: a feature edge is split at its midpoint, or not at all by kSqrt3.
-// Vertices move by the stencils of the papers, which OpenMesh computes without regard to features and with a
-// cosine that differs from machine to machine.
+// Subdivides every face once, as OpenMesh's subdividers connect them. Features (see Sheets) and the vertices
+// of the faces in `kept` stay where they are: a feature edge is split at its midpoint, or not at all by
+// kSqrt3. Vertices move by the stencils of the papers, which OpenMesh computes without regard to features and
+// with a cosine that differs from machine to machine.
 //
 // Fails with cancelled() when stopped; `progress` may be null. The result depends on the mesh and the scheme
 // alone. Preconditions: the mesh has live faces, at most kMostToSubdivide, and `kept` are live. O(n log n).

@@ -30,8 +30,8 @@ const char* preparation_title(Preparation::Tool tool);
 // Why these pieces cannot be prepared so, in one sentence, or null if they can.
 const char* why_no_preparation(std::span<const PieceRow> pieces, const Preparation& preparation);
 
-// Applies the commands of a preparation to the pieces, one after the other; of a number of faces each gets its
-// share. Where one fails or is stopped, those before it are undone. `progress` may be null. Precondition:
+// Applies the commands of a preparation to the pieces, one after the other; of a number of faces each gets
+// its share. Where one fails or is stopped, those before it are undone. `progress` may be null. Precondition:
 // why_no_preparation() gives no reason.
 Outcome prepare_pieces(Document& document, std::span<const PieceRow> pieces, const Preparation& preparation,
                        const Progress* progress);

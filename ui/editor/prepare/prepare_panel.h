@@ -17,10 +17,11 @@ std::string forecast_text(std::span<const PieceRow> pieces, const Preparation& p
 
 // The preparation with the numbers that were not chosen yet: half of the faces, a thousandth of the size of
 // the world.
-Preparation with_numbers(const Preparation& preparation, std::span<const PieceRow> pieces, const World& world);
+Preparation with_numbers(const Preparation& preparation, std::span<const PieceRow> pieces,
+                         const World& world);
 
-// Simplifies, subdivides or smooths the chosen pieces, or all of them if none is chosen, after it has told what
-// the numbers will be.
+// Simplifies, subdivides or smooths the chosen pieces, or all of them if none is chosen, after it has told
+// what the numbers will be.
 class PreparePanel {
  public:
   void draw(const World& world, const ViewState& view, Preparation& preparation, Requests& requests);

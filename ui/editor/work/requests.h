@@ -22,8 +22,8 @@ struct Requests {
   bool undo = false, redo = false;
   bool hide_chosen = false, show_hidden = false, isolate = false, delete_chosen = false;
   bool duplicate_chosen = false;
-  std::optional<bool> pin_chosen;  // pin, or let move again
-  std::optional<Sheet> sheet;      // of the chosen pieces, or of all if none is chosen
+  std::optional<bool> pin_chosen;          // pin, or let move again
+  std::optional<Sheet> sheet;              // of the chosen pieces, or of all if none is chosen
   std::optional<Preparation> preparation;  // of the chosen pieces, or of all if none is chosen
   std::vector<Command> commands;
   std::filesystem::path save_path_to;  // the path of the laser; empty: nowhere

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/parallel.h"
 #include "core/cut/thermal_step.h"
 #include "core/document/hash_text.h"
 #include "core/world/state_hash.h"
@@ -14,22 +15,38 @@ namespace kerf {
 
 namespace {
 
-template <typename Visit>
-void for_each_live_face(const World& world, Visit visit) {
-  for (const BodyId id : world.ids()) {
-    const Mesh& mesh = world.body(id).mesh;
-    for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
-      if (mesh.is_live(FaceId(f))) visit(mesh, FaceId(f));
-    }
+// What is looked up in all faces.
+struct Extremes {
+  double largest_cosine = -1;  // of an angle
+  int deepest_level = 0;
+
+  void add(const Extremes& other) {
+    largest_cosine = std::max(largest_cosine, other.largest_cosine);
+    deepest_level = std::max(deepest_level, other.deepest_level);
   }
+};
+
+void add_faces(const Mesh& mesh, Extremes& extremes) {
+  constexpr size_t kSlots = 1 << 14;  // a range
+  std::vector<Extremes> parts(range_count(mesh.face_slots(), kSlots));
+  for_each_range(mesh.face_slots(), kSlots, [&](size_t first, size_t end) {
+    Extremes part;
+    for (auto i = static_cast<uint32_t>(first); i < end; ++i) {
+      const FaceId f(i);
+      if (mesh.is_live(f)) part.add({largest_cosine(mesh.triangle(f)), (mesh.data(f).halvings + 1) / 2});
+    }
+    parts[first / kSlots] = part;
+  });
+  for (const Extremes& part : parts) extremes.add(part);
 }
 
-int deepest_level(const World& world) {
-  int level = 0;
-  for_each_live_face(world,
-                     [&](const Mesh& m, FaceId f) { level = std::max(level, (m.data(f).halvings + 1) / 2); });
-  return level;
+Extremes extremes_of(const World& world) {
+  Extremes extremes;
+  for (const BodyId id : world.ids()) add_faces(world.body(id).mesh, extremes);
+  return extremes;
 }
+
+double degrees(double cosine) { return std::acos(cosine) * 180 / 3.14159265358979323846; }
 
 // The quantile of sorted values: the value that this fraction of them does not exceed.
 double percentile(const std::vector<double>& sorted, double share) {
@@ -139,12 +156,7 @@ void add_energy(nlohmann::ordered_json& report, const CutJob& job, const World& 
 
 }  // namespace
 
-double smallest_angle(const World& world) {
-  double cosine = -1;
-  for_each_live_face(
-      world, [&](const Mesh& m, FaceId f) { cosine = std::max(cosine, largest_cosine(m.triangle(f))); });
-  return std::acos(cosine) * 180 / 3.14159265358979323846;
-}
+double smallest_angle(const World& world) { return degrees(extremes_of(world).largest_cosine); }
 
 std::string cut_summary(const CutJob& job, size_t strokes, size_t pieces, const std::string& folder) {
   const auto count = [](size_t number, const char* noun) {
@@ -165,6 +177,7 @@ std::string cut_summary(const CutJob& job, size_t strokes, size_t pieces, const 
 nlohmann::ordered_json cut_report(const CutJob& job, const World& world,
                                   const nlohmann::ordered_json& settings,
                                   const std::vector<WrittenPiece>& pieces) {
+  const Extremes extremes = extremes_of(world);
   size_t faces = 0, vertices = 0;
   double area = 0;
   auto list = nlohmann::ordered_json::array();
@@ -185,8 +198,8 @@ nlohmann::ordered_json cut_report(const CutJob& job, const World& world,
       {"output", {{"faces", faces}, {"vertices", vertices}, {"area", area}}},
       {"pieces", list},
       {"min_angle_deg",
-       {{"input", job.input_min_angle}, {"output", faces > 0 ? smallest_angle(world) : 0.0}}},
-      {"max_level", deepest_level(world)},
+       {{"input", job.input_min_angle}, {"output", faces > 0 ? degrees(extremes.largest_cosine) : 0.0}}},
+      {"max_level", extremes.deepest_level},
       {"steps", job.steps}};
   add_energy(report, job, world);
   report["timing_ms"] = timing(job);

@@ -5,6 +5,7 @@
 
 #include "app/commands.h"
 #include "app/exit_status.h"
+#include "app/threads.h"
 
 namespace {
 
@@ -30,6 +31,8 @@ int parse_and_run(int argc, char** argv) {
   } catch (const CLI::ParseError& wrong) {
     return kerf::report_error(kerf::bad_input(std::string(wrong.what()) + " (see kerf --help)"));
   }
+  const auto threads = kerf::threads_of_environment();
+  if (!threads) return kerf::report_error(threads.error());
   return invocation();
 }
 

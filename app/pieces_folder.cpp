@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 
 #include "app/progress_line.h"
 #include "core/base/atomic_file.h"
+#include "core/base/parallel.h"
 #include "core/cut/stopwatch.h"
 #include "core/mesh/write_mesh.h"
 
@@ -14,16 +16,24 @@ namespace {
 
 struct Part {
   Extract extract;
-  const Body* body;
+  const Body* body = nullptr;
 };
 
+// Largest area first. Pieces are copied on several threads.
 std::vector<Part> parts_of(const World& world, bool split_all) {
-  std::vector<Part> parts;
+  struct Group {
+    const Body* body;
+    std::vector<FaceId> faces;
+  };
+  std::vector<Group> groups;
   for (const BodyId id : world.ids()) {
     const Body& body = world.body(id);
-    for (const auto& faces : faces_by_piece(body, split_all))
-      parts.push_back({extract_faces(body, faces), &body});
+    for (auto& faces : faces_by_piece(body, split_all)) groups.push_back({&body, std::move(faces)});
   }
+  std::vector<Part> parts(groups.size());
+  for_each_range(groups.size(), 1, [&](size_t i, size_t) {
+    parts[i] = {extract_faces(*groups[i].body, groups[i].faces), groups[i].body};
+  });
   std::stable_sort(parts.begin(), parts.end(),
                    [](const Part& a, const Part& b) { return a.extract.area > b.extract.area; });
   return parts;
@@ -62,21 +72,23 @@ Result<WrittenPiece> write_piece(const Part& part, size_t number, const PiecesFo
   return piece;
 }
 
+// Several at a time.
 Result<std::vector<WrittenPiece>> write_pieces(const World& world, const PiecesFolder& folder) {
   const std::vector<Part> parts = parts_of(world, folder.split_all);
   const bool moved = any_has_moved(world);
-  std::vector<WrittenPiece> written;
+  std::vector<std::optional<Result<WrittenPiece>>> results(parts.size());
   ProgressLine line("writing");
-  for (const Part& part : parts) {
-    if (!line.update(static_cast<double>(written.size()) / static_cast<double>(parts.size()))) {
-      return failed("stopped; of " + std::to_string(parts.size()) + " pieces " +
-                    std::to_string(written.size()) + " are written, and no report");
-    }
-    auto piece = write_piece(part, written.size(), folder, moved);
-    if (!piece) return piece.error();
-    written.push_back(std::move(*piece));
+  const Progress progress = line.progress();
+  for_each_range(parts.size(), 1, &progress,
+                 [&](size_t i, size_t) { results[i] = write_piece(parts[i], i, folder, moved); });
+  std::vector<WrittenPiece> written;
+  for (const auto& result : results) {
+    if (result && !*result) return result->error();
+    if (result) written.push_back(**result);
   }
-  return written;
+  if (written.size() == parts.size()) return written;
+  return failed("stopped; of " + std::to_string(parts.size()) + " pieces " + std::to_string(written.size()) +
+                " are written, and no report");
 }
 
 }  // namespace

@@ -3,22 +3,23 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <cmath>
 
-#include "core/base/union_find.h"
+#include "core/base/parallel.h"
+#include "core/mesh/fill_half_edges.h"
 #include "core/mesh/kernel.h"
 #include "core/mesh/orient.h"
+#include "core/mesh/patches.h"
 #include "core/mesh/rings.h"
 #include "core/mesh/soup_edges.h"
+#include "core/mesh/usable_triangles.h"
+#include "core/mesh/vertex_fans.h"
 #include "core/mesh/weld.h"
 
 namespace kerf {
 
 namespace {
 
-constexpr uint32_t kNone = 0xffffffffu;
-
-bool is_finite(const Vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+constexpr size_t kItems = 1 << 16;  // triangles, edges or vertices a range
 
 class Builder {
  public:
@@ -32,17 +33,17 @@ class Builder {
     report_.warnings = soup_.warnings;
     report_.repairs.invalid_faces_dropped = soup_.invalid_faces_dropped;
     constexpr std::array kStages = {
-        Stage{&Builder::weld, 0.07},          Stage{&Builder::keep_usable_triangles, 0.04},
-        Stage{&Builder::group, 0.11},         Stage{&Builder::orient, 0.18},
-        Stage{&Builder::find_partners, 0.09}, Stage{&Builder::name_vertices, 0.13},
-        Stage{&Builder::measure, 0.06},       Stage{&Builder::fill_half_edges, 0.32}};
+        Stage{&Builder::weld, 0.13},          Stage{&Builder::choose_triangles, 0.08},
+        Stage{&Builder::group, 0.17},         Stage{&Builder::orient, 0.23},
+        Stage{&Builder::find_partners, 0.08}, Stage{&Builder::find_vertices, 0.13},
+        Stage{&Builder::fill_mesh, 0.13},     Stage{&Builder::measure, 0.05}};
     Stages stages(progress_);
     for (const Stage& stage : kStages) {
       const Progress part = stages.next(stage.share);
       if (!part.report(0)) return cancelled();
       if (const Status done = (this->*stage.run)(part); !done) return done.error();
     }
-    return BuiltMesh{std::move(mesh_), std::move(report_), soup_.material_names, parts()};
+    return BuiltMesh{std::move(mesh_), std::move(report_), soup_.material_names, std::move(parts_)};
   }
 
  private:
@@ -58,39 +59,16 @@ class Builder {
     return Done{};
   }
 
-  Status keep_usable_triangles(const Progress& progress) {
-    Pace pace(&progress, soup_.triangles.size());
-    for (size_t t = 0; t < soup_.triangles.size(); ++t) {
-      if (!pace.step()) return cancelled();
-      if (!soup_.parts.empty()) kept_before_.push_back(static_cast<uint32_t>(triangles_.size()));
-      const auto& [a, b, c] = soup_.triangles[t];
-      assert(std::max({a, b, c}) < welded_.size());
-      const Soup::Triangle w = {welded_[a], welded_[b], welded_[c]};
-      if (!is_finite(soup_.positions[a]) || !is_finite(soup_.positions[b]) ||
-          !is_finite(soup_.positions[c])) {
-        ++report_.repairs.non_finite_faces_dropped;
-      } else if (w[0] == w[1] || w[1] == w[2] || w[2] == w[0]) {
-        ++report_.repairs.degenerate_faces_dropped;
-      } else {
-        triangles_.push_back(w);
-        materials_.push_back(soup_.materials.empty() ? uint16_t{0} : soup_.materials[t]);
-      }
-    }
+  Status choose_triangles(const Progress& progress) {
+    auto usable = usable_triangles(soup_, welded_, &progress);
+    if (!usable) return usable.error();
+    report_.repairs.degenerate_faces_dropped = usable->degenerate;
+    report_.repairs.non_finite_faces_dropped = usable->non_finite;
+    triangles_ = std::move(usable->triangles);
+    materials_ = std::move(usable->materials);
+    parts_ = std::move(usable->parts);
     if (!triangles_.empty()) return Done{};
     return bad_input("no face is left: every face is degenerate, not finite or invalid");
-  }
-
-  std::vector<MeshPart> parts() const {
-    const auto face = [&](uint32_t triangle) {
-      return triangle < kept_before_.size() ? kept_before_[triangle]
-                                            : static_cast<uint32_t>(triangles_.size());
-    };
-    std::vector<MeshPart> parts;
-    for (const MeshPart& part : soup_.parts) {
-      const uint32_t first = face(part.first), last = face(part.last);
-      if (first < last) parts.push_back({part.name, first, last});
-    }
-    return parts;
   }
 
   Status group(const Progress& progress) {
@@ -102,28 +80,30 @@ class Builder {
 
   Status orient(const Progress& progress) {
     Stages stages(&progress);
-    const Progress agreeing = stages.next(0.6), facing = stages.next(0.4);
+    const Progress agreeing = stages.next(0.2), finding = stages.next(0.8);
     const auto disagreeing = triangles_to_turn(triangles_, edges_, &agreeing);
     if (!disagreeing) return disagreeing.error();
     turn(*disagreeing);
-    const auto inward = inward_triangles(soup_.positions, triangles_, edges_, &facing);
-    if (!inward) return inward.error();
-    turn(*inward);
+    const auto patches = find_patches(triangles_, edges_, &finding);
+    if (!patches) return patches.error();
+    report_.components = count_components(*patches, edges_);
+    const std::vector<bool> inward = inward_triangles(soup_.positions, triangles_, *patches);
+    turn(inward);
     for (size_t t = 0; t < triangles_.size(); ++t)
-      report_.repairs.reoriented_faces += (*disagreeing)[t] != (*inward)[t];
+      report_.repairs.reoriented_faces += (*disagreeing)[t] != inward[t];
     return Done{};
   }
 
   void turn(const std::vector<bool>& chosen) {
+    if (std::find(chosen.begin(), chosen.end(), true) == chosen.end()) return;
+    std::vector<uint32_t> edge_of = edges_of_sides(edges_);
     for (size_t t = 0; t < triangles_.size(); ++t) {
       if (!chosen[t]) continue;
       // Swapping the ends of side 0 turns the triangle and exchanges sides 1 and 2.
       std::swap(triangles_[t][0], triangles_[t][1]);
       const uint32_t s1 = static_cast<uint32_t>(3 * t + 1), s2 = s1 + 1;
-      const uint32_t e1 = edges_.edge_of[s1], e2 = edges_.edge_of[s2];
-      replace_side(e1, s1, s2);
-      replace_side(e2, s2, s1);
-      std::swap(edges_.edge_of[s1], edges_.edge_of[s2]);
+      replace_side(edge_of[s1], s1, s2);
+      replace_side(edge_of[s2], s2, s1);
     }
   }
 
@@ -134,9 +114,8 @@ class Builder {
         new_side;
   }
 
+  // The corner at which a side starts: a position until find_vertices(), then a vertex.
   uint32_t tail(uint32_t side) const { return triangles_[side / 3][side % 3]; }
-  uint32_t head(uint32_t side) const { return triangles_[side / 3][(side % 3 + 1) % 3]; }
-  static uint32_t next_side(uint32_t side) { return side % 3 == 2 ? side - 2 : side + 1; }
   static uint32_t previous_side(uint32_t side) { return side % 3 == 0 ? side + 2 : side - 1; }
 
   // Whether two triangles on one edge have the third corner in common too. They are linked as rings, so that
@@ -145,172 +124,130 @@ class Builder {
     return tail(previous_side(side)) == tail(previous_side(other));
   }
 
-  // partner_[side] = the one other side of its edge, walked the other way; kNone at boundaries and in rings.
+  // partner_[side] = the one other side of its edge, in the other direction; kNoSide at boundaries and in
+  // rings.
   Status find_partners(const Progress& progress) {
-    partner_.assign(3 * triangles_.size(), kNone);
-    Pace pace(&progress, edges_.count());
-    for (uint32_t e = 0; e < edges_.count(); ++e) {
-      if (!pace.step()) return cancelled();
-      const auto sides = edges_.sides_of(e);
-      report_.boundary_edges += sides.size() == 1;
-      report_.non_manifold_edges += sides.size() > 2;
-      if (sides.size() != 2 || tail(sides[0]) == tail(sides[1]) || are_copies(sides[0], sides[1])) continue;
-      partner_[sides[0]] = sides[1];
-      partner_[sides[1]] = sides[0];
-    }
-    report_.components = count_components(edges_);
-    return Done{};
-  }
-
-  // Makes one vertex per fan of triangles around a position, in the order of the positions in the file. The
-  // fan of side s is the one around its tail.
-  Status name_vertices(const Progress& progress) {
-    UnionFind fans(partner_.size());
-    Pace pace(&progress, 3 * partner_.size());
-    for (uint32_t s = 0; s < partner_.size(); ++s) {
-      if (!pace.step()) return cancelled();
-      if (partner_[s] != kNone) fans.unite(s, next_side(partner_[s]));
-    }
-    std::vector<uint32_t> fan_of_first(partner_.size(), kNone);
-    std::vector<std::pair<uint32_t, uint32_t>> named;  // position, representative of the fan
-    for (uint32_t s = 0; s < partner_.size(); ++s) {
-      if (!pace.step()) return cancelled();
-      if (fans.find(s) == s) named.emplace_back(tail(s), s);
-    }
-    std::sort(named.begin(), named.end());
-    for (uint32_t v = 0; v < named.size(); ++v) {
-      fan_of_first[named[v].second] = v;
-      vertex_position_.push_back(named[v].first);
-    }
-    vertex_.resize(partner_.size());
-    for (uint32_t s = 0; s < partner_.size(); ++s) {
-      if (!pace.step()) return cancelled();
-      vertex_[s] = fan_of_first[fans.find(s)];
-      assert(vertex_[s] != kNone);
+    struct Found {
+      size_t boundary = 0, non_manifold = 0;
+      std::vector<uint32_t> rings;
+    };
+    std::vector<Found> found(range_count(edges_.count(), kItems));
+    partner_.assign(3 * triangles_.size(), kNoSide);
+    const auto pair = [&](size_t first, size_t end) {
+      Found& here = found[first / kItems];
+      for (auto e = static_cast<uint32_t>(first); e < end; ++e) {
+        const auto sides = edges_.sides_of(e);
+        here.boundary += sides.size() == 1;
+        here.non_manifold += sides.size() > 2;
+        if (sides.size() == 2 && tail(sides[0]) != tail(sides[1]) && !are_copies(sides[0], sides[1])) {
+          partner_[sides[0]] = sides[1];
+          partner_[sides[1]] = sides[0];
+        } else if (sides.size() > 1) {
+          here.rings.push_back(e);
+        }
+      }
+    };
+    if (!for_each_range(edges_.count(), kItems, &progress, pair)) return cancelled();
+    for (const Found& f : found) {
+      report_.boundary_edges += f.boundary;
+      report_.non_manifold_edges += f.non_manifold;
+      rings_.insert(rings_.end(), f.rings.begin(), f.rings.end());
     }
     return Done{};
   }
 
-  Status measure(const Progress& progress) {
+  Status find_vertices(const Progress& progress) {
+    auto fans = name_vertices(triangles_, soup_.positions.size(), partner_, &progress);
+    if (!fans) return fans.error();
+    fans_ = std::move(*fans);
+    count_vertices();
+    return Done{};
+  }
+
+  void count_vertices() {
     std::vector<bool> used(soup_.positions.size());
-    for (const auto& t : triangles_) {
-      for (const uint32_t v : t) used[v] = true;
-    }
-    size_t welded_in_use = 0, isolated = 0;
+    for (const uint32_t p : fans_.position) used[p] = true;
     for (size_t p = 0; p < soup_.positions.size(); ++p) {
       if (!used[welded_[p]])
-        ++isolated;
+        ++report_.repairs.isolated_vertices_dropped;
       else if (welded_[p] != p)
-        ++welded_in_use;
+        ++report_.repairs.welded_vertices;
       else
         ++report_.vertices;
     }
-    report_.faces = triangles_.size();
-    report_.repairs.welded_vertices = welded_in_use;
-    report_.repairs.isolated_vertices_dropped = isolated;
-    report_.repairs.duplicated_vertices = vertex_position_.size() - report_.vertices;
-    report_.min = report_.max = soup_.positions[triangles_[0][0]];
-    Pace pace(&progress, triangles_.size());
-    for (const auto& [a, b, c] : triangles_) {
-      if (!pace.step()) return cancelled();
-      const Triangle t = {soup_.positions[a], soup_.positions[b], soup_.positions[c]};
-      const double area = triangle_area(t);
-      report_.area += area;
-      report_.repairs.zero_area_faces += area == 0;
-      for (const Vec3& p : t) {
-        report_.min = glm::min(report_.min, p);
-        report_.max = glm::max(report_.max, p);
-      }
-    }
-    return Done{};
+    report_.repairs.duplicated_vertices = fans_.count() - report_.vertices;
   }
 
-  Status fill_half_edges(const Progress& progress) {
+  Status fill_mesh(const Progress& progress) {
     HalfEdges& m = mesh_.kernel().half_edges;
-    const auto faces = static_cast<uint32_t>(triangles_.size());
-    m.reserve(static_cast<uint32_t>(vertex_position_.size()), static_cast<uint32_t>(edges_.count()), faces);
-    for (const uint32_t p : vertex_position_) m.add_vertex(soup_.positions[p]);
-    Pace pace(&progress, 3 * partner_.size() + triangles_.size() + edges_.count());
-    const bool filled =
-        make_edges(m, pace) && make_faces(m, pace) && close_boundaries(m, pace) && link_rings(pace);
-    if (!filled) return cancelled();
+    auto half_edges = fill_half_edges(m, triangles_, partner_, fans_.last_side, &progress);
+    if (!half_edges) return half_edges.error();
+    for_each_range(fans_.count(), kItems, [&](size_t first, size_t end) {
+      for (auto v = static_cast<uint32_t>(first); v < end; ++v)
+        m.set_position(VertexId(v), soup_.positions[fans_.position[v]]);
+    });
+    auto& data = mesh_.kernel().faces;
+    data.grow_to(static_cast<uint32_t>(triangles_.size()));
+    for_each_range(triangles_.size(), kItems, [&](size_t first, size_t end) {
+      for (auto t = static_cast<uint32_t>(first); t < end; ++t)
+        data.edit(t) = {.base = FaceId(t), .material = materials_.empty() ? uint16_t{0} : materials_[t]};
+    });
+    mesh_.kernel().live_faces = static_cast<uint32_t>(triangles_.size());
+    link_rings(*half_edges);
     return Done{};
   }
 
-  // This and the following functions return false if building was stopped.
-  bool make_edges(HalfEdges& m, Pace& pace) {
-    half_edge_.resize(partner_.size());
-    for (uint32_t s = 0; s < partner_.size(); ++s) {
-      if (!pace.step()) return false;
-      if (partner_[s] != kNone && partner_[s] < s) continue;
-      half_edge_[s] = m.add_edge(vertex(s), vertex(next_side(s)));
-      if (partner_[s] != kNone) half_edge_[partner_[s]] = opposite(half_edge_[s]);
-    }
-    return true;
-  }
-
-  bool make_faces(HalfEdges& m, Pace& pace) {
-    auto& data = mesh_.kernel().faces;
-    data.reserve(static_cast<uint32_t>(triangles_.size()));
-    for (uint32_t t = 0; t < triangles_.size(); ++t) {
-      if (!pace.step()) return false;
-      const std::span sides(&half_edge_[3 * size_t{t}], 3);
-      m.close(m.add_face(sides[0]), sides[0], sides[1], sides[2]);
-      for (uint32_t i = 0; i < 3; ++i) m.set_outgoing(vertex(3 * t + i), sides[i]);
-      data.push_back({.base = FaceId(t), .material = materials_[t]});
-    }
-    mesh_.kernel().live_faces = static_cast<uint32_t>(triangles_.size());
-    return true;
-  }
-
-  // A vertex has one fan, so that at most one boundary half-edge starts there; it continues the boundary.
-  bool close_boundaries(HalfEdges& m, Pace& pace) {
-    std::vector<HalfEdgeId> starts(vertex_position_.size());
-    for (uint32_t s = 0; s < partner_.size(); ++s) {
-      if (!pace.step()) return false;
-      if (partner_[s] != kNone) continue;
-      const HalfEdgeId outer = opposite(half_edge_[s]);
-      starts[m.from(outer).index] = outer;
-    }
-    for (uint32_t s = 0; s < partner_.size(); ++s) {
-      if (!pace.step()) return false;
-      if (partner_[s] != kNone) continue;
-      const HalfEdgeId outer = opposite(half_edge_[s]);
-      assert(starts[m.to(outer).index].valid());
-      m.link(outer, starts[m.to(outer).index]);
-    }
-    return true;
-  }
-
-  bool link_rings(Pace& pace) {
-    for (uint32_t e = 0; e < edges_.count(); ++e) {
-      if (!pace.step()) return false;
+  void link_rings(const std::vector<HalfEdgeId>& half_edge) {
+    for (const uint32_t e : rings_) {
       const auto sides = edges_.sides_of(e);
-      if (sides.size() < 2 || partner_[sides[0]] != kNone) continue;
+      const auto start = [&](uint32_t side) { return fans_.position[tail(side)]; };
       std::vector<HalfEdgeId> members;
-      for (const uint32_t s : sides) {
-        const bool same_way = tail(s) == tail(sides[0]);
-        members.push_back(same_way ? half_edge_[s] : opposite(half_edge_[s]));
-      }
+      for (const uint32_t s : sides)
+        members.push_back(start(s) == start(sides[0]) ? half_edge[s] : opposite(half_edge[s]));
       link_ring(mesh_.kernel(), members);
     }
-    return true;
   }
 
-  VertexId vertex(uint32_t side) const { return VertexId(vertex_[side]); }
+  Status measure(const Progress& progress) {
+    struct Sum {
+      double area = 0;
+      size_t without_area = 0;
+    };
+    std::vector<Sum> sums(range_count(triangles_.size(), kItems));
+    const Positions at = mesh_.positions();
+    const auto add = [&](size_t t, size_t end) {
+      Sum& sum = sums[t / kItems];
+      for (; t < end; ++t) {
+        const auto& [a, b, c] = triangles_[t];
+        const double area = triangle_area({at[a], at[b], at[c]});
+        sum.area += area;
+        sum.without_area += area == 0;
+      }
+    };
+    if (!for_each_range(triangles_.size(), kItems, &progress, add)) return cancelled();
+    for (const Sum& sum : sums) {
+      report_.area += sum.area;
+      report_.repairs.zero_area_faces += sum.without_area;
+    }
+    report_.faces = triangles_.size();
+    report_.min = report_.max = at[0];
+    for (uint32_t v = 1; v < fans_.count(); ++v) {
+      report_.min = glm::min(report_.min, at[v]);
+      report_.max = glm::max(report_.max, at[v]);
+    }
+    return Done{};
+  }
 
   const Soup& soup_;
   const Progress* progress_;
   std::vector<uint32_t> welded_;
-  std::vector<Soup::Triangle> triangles_;  // corners are welded positions
-  std::vector<uint16_t> materials_;
-  std::vector<uint32_t>
-      kept_before_;  // by triangle of the soup: the kept ones before it; empty without parts
+  std::vector<Soup::Triangle> triangles_;  // corners are welded positions, and vertices after find_vertices()
+  std::vector<uint16_t> materials_;        // by triangle, or empty if all are 0
+  std::vector<MeshPart> parts_;            // of triangles_
   SoupEdges edges_;
-  std::vector<uint32_t> partner_;          // one per side: the opposite side, or kNone
-  std::vector<uint32_t> vertex_;           // one per side: the mesh vertex at its tail
-  std::vector<uint32_t> vertex_position_;  // one per mesh vertex
-  std::vector<HalfEdgeId> half_edge_;      // one per side
+  std::vector<uint32_t> partner_;  // by side: the side that its edge links it with, or kNoSide
+  std::vector<uint32_t> rings_;    // the edges that become rings, ascending
+  VertexFans fans_;
   Mesh mesh_;
   MeshReport report_;
 };

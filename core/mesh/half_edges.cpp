@@ -33,6 +33,22 @@ void HalfEdges::close(FaceId f, HalfEdgeId a, HalfEdgeId b, HalfEdgeId c) {
   first_.edit(f.index) = a;
 }
 
+void HalfEdges::grow_to(uint32_t vertices, uint32_t edges, uint32_t faces) {
+  links_.grow_to(2 * edges);
+  positions_.grow_to(vertices);
+  outgoing_.grow_to(vertices);
+  first_.grow_to(faces);
+}
+
+void HalfEdges::set_face_sides(FaceId f, const std::array<HalfEdgeId, 3>& sides,
+                               const std::array<VertexId, 3>& corners) {
+  const auto [a, b, c] = sides;
+  links_.edit(a.index) = {corners[1], b, c, f};
+  links_.edit(b.index) = {corners[2], c, a, f};
+  links_.edit(c.index) = {corners[0], a, b, f};
+  first_.edit(f.index) = a;
+}
+
 VertexId HalfEdges::split(EdgeId e, const Vec3& at) {
   const HalfEdgeId h = half_edge(e, 0), o = half_edge(e, 1);
   assert(face(h).valid() || face(o).valid());

@@ -1,6 +1,7 @@
 #pragma once
 
 // Private to core/mesh.
+#include <array>
 #include <cstdint>
 
 #include "core/base/change_of_parts.h"
@@ -47,6 +48,15 @@ class HalfEdges {
   // Adds an edge and returns its half-edge from `from` to `to`.
   HalfEdgeId add_edge(VertexId from, VertexId to);
   FaceId add_face(HalfEdgeId first);
+
+  // Grows the arrays for a mesh that is about to be filled in: every new record must be set. Several threads
+  // may then set different records at the same time.
+  void grow_to(uint32_t vertices, uint32_t edges, uint32_t faces);
+  // Sets the sides of a new face, in the order of its corners, and what they link to.
+  void set_face_sides(FaceId f, const std::array<HalfEdgeId, 3>& sides,
+                      const std::array<VertexId, 3>& corners);
+  // Sets a new half-edge without a face; it must be linked.
+  void set_open(HalfEdgeId h, VertexId to) { links_.edit(h.index) = {to, {}, {}, {}}; }
 
   void set_position(VertexId v, const Vec3& p) { positions_.edit(v.index) = p; }
   void set_to(HalfEdgeId h, VertexId v) { links_.edit(h.index).to = v; }

@@ -1,21 +1,39 @@
 #include "core/mesh/orient.h"
 
+#include <algorithm>
 #include <cassert>
 
+#include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 #include "core/mesh/enclosed_patches.h"
-#include "core/mesh/patches.h"
 
 namespace kerf {
 
 namespace {
 
+using Triangles = std::vector<std::array<uint32_t, 3>>;
+
+// Whether the two triangles on every edge of exactly two traverse it in opposite directions.
+bool is_consistent(const Triangles& triangles, const SoupEdges& edges) {
+  constexpr size_t kEdges = 1 << 16;  // a range
+  std::vector<uint8_t> differs(range_count(edges.count(), kEdges));
+  const auto tail = [&](uint32_t side) { return triangles[side / 3][side % 3]; };
+  for_each_range(edges.count(), kEdges, [&](size_t e, size_t end) {
+    uint8_t& found = differs[e / kEdges];
+    for (; e < end && !found; ++e) {
+      const auto sides = edges.sides_of(static_cast<uint32_t>(e));
+      found = sides.size() == 2 && tail(sides[0]) == tail(sides[1]);
+    }
+  });
+  return std::none_of(differs.begin(), differs.end(), [](uint8_t found) { return found != 0; });
+}
+
 class Orienter {
  public:
-  Orienter(const std::vector<std::array<uint32_t, 3>>& triangles, const SoupEdges& edges,
-           const Progress* progress)
+  Orienter(const Triangles& triangles, const SoupEdges& edges, const Progress* progress)
       : triangles_(triangles),
         edges_(edges),
+        edge_of_(edges_of_sides(edges)),
         pace_(progress, triangles.size()),
         turned_(triangles.size()),
         seen_(triangles.size()) {}
@@ -46,7 +64,7 @@ class Orienter {
   }
 
   void visit_across(uint32_t side) {
-    const auto sides = edges_.sides_of(edges_.edge_of[side]);
+    const auto sides = edges_.sides_of(edge_of_[side]);
     if (sides.size() != 2) return;
     const uint32_t other = sides[0] == side ? sides[1] : sides[0];
     const uint32_t t = side / 3, n = other / 3;
@@ -57,52 +75,67 @@ class Orienter {
     front_.push_back(n);
   }
 
-  const std::vector<std::array<uint32_t, 3>>& triangles_;
+  const Triangles& triangles_;
   const SoupEdges& edges_;
+  const std::vector<uint32_t> edge_of_;
   Pace pace_;
   std::vector<bool> turned_;
   std::vector<bool> seen_;
   std::vector<uint32_t> front_;
 };
 
-// Whether the signed volume of a closed patch is negative. The terms are bounded by the edges that enter, so
-// that a patch without volume, whose sum is nothing but rounding, does not count.
-bool faces_inward(std::span<const Vec3> positions, const std::vector<std::array<uint32_t, 3>>& triangles,
-                  std::span<const uint32_t> patch) {
-  const Vec3& apex = positions[triangles[patch[0]][0]];
-  double volume = 0, bound = 0;  // both times six
-  for (const uint32_t t : patch) {
-    const auto& [a, b, c] = triangles[t];
-    const Vec3 ab = positions[b] - positions[a], ac = positions[c] - positions[a], up = positions[a] - apex;
-    volume += glm::dot(up, glm::cross(ab, ac));
+// Six times the signed volume of the tetrahedra over some triangles of a patch, and a bound of its terms.
+struct Volume {
+  double sum = 0, bound = 0;
+
+  void add(const Vec3& apex, const Vec3& a, const Vec3& b, const Vec3& c) {
+    const Vec3 ab = b - a, ac = c - a, up = a - apex;
+    sum += glm::dot(up, glm::cross(ab, ac));
     bound += glm::length(up) * glm::length(ab) * glm::length(ac);
   }
-  return volume < -kLeastVolume * bound;
+};
+
+// Whether the signed volume of a closed patch is negative. The terms are bounded by the edges that enter, so
+// that a patch without volume, whose sum is nothing but rounding, does not count.
+bool faces_inward(std::span<const Vec3> positions, const Triangles& triangles,
+                  std::span<const uint32_t> patch) {
+  constexpr size_t kTriangles = 1 << 16;  // a range
+  const Vec3& apex = positions[triangles[patch[0]][0]];
+  std::vector<Volume> parts(range_count(patch.size(), kTriangles));
+  for_each_range(patch.size(), kTriangles, [&](size_t i, size_t end) {
+    Volume volume;
+    for (const uint32_t t : patch.subspan(i, end - i)) {
+      const auto& [a, b, c] = triangles[t];
+      volume.add(apex, positions[a], positions[b], positions[c]);
+    }
+    parts[i / kTriangles] = volume;
+  });
+  Volume whole;
+  for (const Volume& part : parts) whole = {whole.sum + part.sum, whole.bound + part.bound};
+  return whole.sum < -kLeastVolume * whole.bound;
 }
 
 }  // namespace
 
-Result<std::vector<bool>> triangles_to_turn(const std::vector<std::array<uint32_t, 3>>& triangles,
-                                            const SoupEdges& edges, const Progress* progress) {
-  assert(edges.edge_of.size() == 3 * triangles.size());
+Result<std::vector<bool>> triangles_to_turn(const Triangles& triangles, const SoupEdges& edges,
+                                            const Progress* progress) {
+  assert(edges.triangles() == triangles.size());
+  if (is_consistent(triangles, edges)) return std::vector<bool>(triangles.size());
   return Orienter(triangles, edges, progress).run();
 }
 
-Result<std::vector<bool>> inward_triangles(std::span<const Vec3> positions,
-                                           const std::vector<std::array<uint32_t, 3>>& triangles,
-                                           const SoupEdges& edges, const Progress* progress) {
-  const auto patches = find_patches(triangles, edges, progress);
-  if (!patches) return patches.error();
+std::vector<bool> inward_triangles(std::span<const Vec3> positions, const Triangles& triangles,
+                                   const Patches& patches) {
   std::vector<uint32_t> inward;
-  for (uint32_t p = 0; p < patches->count(); ++p) {
-    if (patches->closed[p] && faces_inward(positions, triangles, patches->triangles_of(p)))
-      inward.push_back(p);
+  for (uint32_t p = 0; p < patches.count(); ++p) {
+    if (patches.closed[p] && faces_inward(positions, triangles, patches.triangles_of(p))) inward.push_back(p);
   }
-  const std::vector<bool> enclosed = find_enclosed(positions, triangles, *patches, inward);
   std::vector<bool> found(triangles.size());
+  if (inward.empty()) return found;
+  const std::vector<bool> enclosed = find_enclosed(positions, triangles, patches, inward);
   for (size_t i = 0; i < inward.size(); ++i) {
     if (enclosed[i]) continue;
-    for (const uint32_t t : patches->triangles_of(inward[i])) found[t] = true;
+    for (const uint32_t t : patches.triangles_of(inward[i])) found[t] = true;
   }
   return found;
 }

@@ -8,6 +8,7 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/base/vec3.h"
+#include "core/mesh/patches.h"
 #include "core/mesh/soup_edges.h"
 
 namespace kerf {
@@ -17,18 +18,18 @@ namespace kerf {
 // edges the smaller part is reversed; of two equal parts the one without the lowest triangle. On a surface
 // that cannot be oriented (a Moebius strip) some edges stay inconsistent. Returns one flag per triangle, or
 // fails with cancelled() when stopped. `progress` may be null. Precondition: `edges` are those of
-// `triangles`. Linear time.
+// `triangles`. Linear time; on several threads where nothing is to be reversed.
 Result<std::vector<bool>> triangles_to_turn(const std::vector<std::array<uint32_t, 3>>& triangles,
                                             const SoupEdges& edges, const Progress* progress);
 
 // Finds the triangles of closed patches that face inward, i.e. whose signed volume (the sum of those of the
 // tetrahedra over their triangles) is negative by more than rounding. The apex of the tetrahedra is a vertex
 // of the patch, so that the distance from the origin does not matter. A closed patch that lies inside another
-// one may be a cavity and is left out (see find_enclosed). Returns one flag per triangle, or fails with
-// cancelled() when stopped. `progress` may be null. Preconditions: `edges` are those of `triangles`, whose
-// orientation is consistent, and all corners are finite. O(n log n) except as said at find_enclosed.
-Result<std::vector<bool>> inward_triangles(std::span<const Vec3> positions,
-                                           const std::vector<std::array<uint32_t, 3>>& triangles,
-                                           const SoupEdges& edges, const Progress* progress);
+// one may be a cavity and is left out (see find_enclosed). Returns one flag per triangle. Preconditions:
+// `patches` are those of `triangles`, whose orientation is consistent, and all corners are finite. Linear
+// time except as said at find_enclosed.
+std::vector<bool> inward_triangles(std::span<const Vec3> positions,
+                                   const std::vector<std::array<uint32_t, 3>>& triangles,
+                                   const Patches& patches);
 
 }  // namespace kerf

@@ -16,6 +16,7 @@ namespace kerf {
 struct Patches {
   std::vector<uint32_t> first;  // patch p is triangles[first[p]] .. triangles[first[p + 1] - 1], ascending
   std::vector<uint32_t> triangles;  // the patches in the order of their lowest triangles
+  std::vector<uint32_t> patch_of;   // by triangle
   // Whether the patch is the boundary of a volume: on each of its edges it has as many triangles that
   // traverse the edge one way as triangles that traverse it the other way.
   std::vector<bool> closed;
@@ -30,5 +31,9 @@ struct Patches {
 // `edges` are those of `triangles`. O(n log n).
 Result<Patches> find_patches(const std::vector<std::array<uint32_t, 3>>& triangles, const SoupEdges& edges,
                              const Progress* progress);
+
+// The number of sets of triangles that are connected over edges with any number of triangles. Preconditions
+// as above. O(n log n), less where every edge has two triangles at most.
+size_t count_components(const Patches& patches, const SoupEdges& edges);
 
 }  // namespace kerf

@@ -16,9 +16,9 @@ namespace kerf {
 struct SoupEdges {
   std::vector<uint32_t> first;  // group g is sides[first[g]] .. sides[first[g + 1] - 1], ascending
   std::vector<uint32_t> sides;
-  std::vector<uint32_t> edge_of;  // the group of each side
 
   size_t count() const { return first.size() - 1; }
+  size_t triangles() const { return sides.size() / 3; }
   // The sides on an edge. Precondition: edge < count().
   std::span<const uint32_t> sides_of(uint32_t edge) const {
     assert(edge < count());
@@ -27,13 +27,13 @@ struct SoupEdges {
 };
 
 // Groups the sides of triangles. Precondition: the corners are vertex numbers below `vertices`, and the three
-// corners of a triangle differ. O(n log d) for vertices with at most d edges.
+// corners of a triangle differ. O(n log d) for vertices with at most d edges, on several threads.
 SoupEdges group_sides(std::span<const std::array<uint32_t, 3>> triangles, size_t vertices);
 // The same, or fails with cancelled() when stopped. `progress` may be null.
 Result<SoupEdges> group_sides(std::span<const std::array<uint32_t, 3>> triangles, size_t vertices,
                               const Progress* progress);
 
-// The number of sets of triangles that are connected over edges with any number of triangles. O(n log n).
-size_t count_components(const SoupEdges& edges);
+// The group of each side. Linear time.
+std::vector<uint32_t> edges_of_sides(const SoupEdges& edges);
 
 }  // namespace kerf

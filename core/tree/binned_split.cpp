@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cassert>
 #include <limits>
+#include <vector>
 
+#include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 
 namespace kerf {
@@ -46,18 +48,54 @@ struct Plane {
   float cost = std::numeric_limits<float>::infinity();
 };
 
+// The primitives of a range by bin, along each axis.
+struct Bins {
+  Bin bin[3][kMostBins];
+
+  void put(std::span<const Primitive> items, const Binning& binning) {
+    for (const Primitive& p : items) {
+      const __m128i at = binning.bins_of(p);
+      put(bin[0][_mm_extract_epi32(at, 0)], p);
+      put(bin[1][_mm_extract_epi32(at, 1)], p);
+      put(bin[2][_mm_extract_epi32(at, 2)], p);
+    }
+  }
+  void add(const Bins& other, int count) {
+    for (int axis = 0; axis < 3; ++axis) {
+      for (int i = 0; i < count; ++i) {
+        bin[axis][i].box.add(other.bin[axis][i].box);
+        bin[axis][i].count += other.bin[axis][i].count;
+      }
+    }
+  }
+
+ private:
+  static void put(Bin& bin, const Primitive& p) {
+    bin.box.add(p.low, p.high);
+    ++bin.count;
+  }
+};
+
+// Large ranges are sorted into bins on several threads.
+Bins sort_into_bins(std::span<const Primitive> items, const Binning& binning) {
+  constexpr size_t kItems = 1 << 16;  // a range
+  if (items.size() <= kItems) {
+    Bins bins;
+    bins.put(items, binning);
+    return bins;
+  }
+  std::vector<Bins> parts(range_count(items.size(), kItems));
+  for_each_range(items.size(), kItems, [&](size_t first, size_t end) {
+    parts[first / kItems].put(items.subspan(first, end - first), binning);
+  });
+  for (size_t i = 1; i < parts.size(); ++i) parts[0].add(parts[i], binning.count);
+  return parts[0];
+}
+
 class BinSweep {
  public:
   BinSweep(const PrimitiveRange& range, const Binning& binning, uint32_t block)
-      : binning_(binning), block_(block) {
-    for (auto& axis : bins_) std::fill_n(axis, binning.count, Bin{});
-    for (const Primitive& p : range.items) {
-      const __m128i bin = binning.bins_of(p);
-      put(bins_[0][_mm_extract_epi32(bin, 0)], p);
-      put(bins_[1][_mm_extract_epi32(bin, 1)], p);
-      put(bins_[2][_mm_extract_epi32(bin, 2)], p);
-    }
-  }
+      : binning_(binning), block_(block), bins_(sort_into_bins(range.items, binning)) {}
 
   Plane best() const {
     Plane best;
@@ -68,16 +106,12 @@ class BinSweep {
   }
 
  private:
-  static void put(Bin& bin, const Primitive& p) {
-    bin.box.add(p.low, p.high);
-    ++bin.count;
-  }
   float cost(const FloatBox& box, uint32_t count) const {
     return count == 0 ? 0 : box.area() * static_cast<float>((count + block_ - 1) / block_);
   }
 
   void sweep(int axis, Plane& best) const {
-    const Bin* bins = bins_[axis];
+    const Bin* bins = bins_.bin[axis];
     float right_cost[kMostBins];
     Bin right, left;
     for (int i = binning_.count - 1; i > 0; --i) {
@@ -97,7 +131,7 @@ class BinSweep {
 
   const Binning& binning_;
   uint32_t block_;
-  Bin bins_[3][kMostBins];
+  Bins bins_;
 };
 
 // Reorders the items so that those for which `is_left` holds come first.

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <cmath>
 #include <vector>
 
+#include "core/base/parallel.h"
 #include "core/tree/binned_split.h"
+#include "core/tree/node_boxes.h"
+#include "core/tree/sort_progress.h"
 
 namespace kerf {
 
@@ -15,73 +17,84 @@ namespace {
 // Average number of faces in a block.
 constexpr size_t kFacesABlock = 3;
 
+constexpr size_t kGathered = 1 << 14;  // face slots a range
+// Ranges of more faces than this are divided among threads; each smaller one is the work of one thread.
+constexpr size_t kOneThread = 1 << 14;
 // Ranges of at least this many faces report progress at each split, smaller ones when they are finished.
 constexpr size_t kSmallRange = 4096;
-constexpr double kFraming = 0.12, kGathering = 0.12;  // fractions of the time; the rest is sorting
+constexpr double kFraming = 0.02, kGathering = 0.13, kSorting = 0.65;  // of the time; the rest is writing
 
-// Progress of sorting. Sorting a range of n faces takes time in proportion to n log2 n, so a split accounts
-// for the difference between the range and its two parts.
-class SortProgress {
- public:
-  SortProgress(const Progress* progress, size_t faces) : progress_(progress), all_(need(faces)) {}
+// A block of the tree that is still a range of the sorted faces.
+struct PlannedBlock {
+  uint32_t first, count;  // primitives
+  uint32_t parent, slot;  // parent among the nodes of the same part
+};
 
-  void note_split(size_t whole, size_t left, size_t right) { note(need(whole) - need(left) - need(right)); }
-  void note_done(size_t faces) { note(need(faces)); }
-  bool stopped() const { return stopped_; }
+// A part of the tree in the making, whose records will be consecutive. A large one is a single node over
+// smaller parts. A small one holds its nodes and blocks, in depth-first order and numbered from 0; one of a
+// few faces is just a block.
+struct Part {
+  PrimitiveRange range;
+  std::vector<Part> children;
+  std::vector<WideNode> nodes;
+  std::vector<PlannedBlock> blocks;
+  uint32_t first_node = 0, first_block = 0;  // in the store
 
- private:
-  static double need(size_t faces) {
-    return faces < 2 ? 0 : static_cast<double>(faces) * std::log2(static_cast<double>(faces));
-  }
-  void note(double done) {
-    done_ += done;
-    if (!progress_ || stopped_ || done_ < next_) return;
-    stopped_ = !progress_->report(std::min(1.0, done_ / all_));
-    next_ = done_ + all_ / kReports;
-  }
-
-  static constexpr double kReports = 100;  // at most
-  const Progress* progress_;
-  double all_, done_ = 0, next_ = 0;
-  bool stopped_ = false;
+  bool is_block() const { return children.empty() && nodes.empty(); }
+  Child child() const { return is_block() ? Child::block(first_block) : Child::node(first_node); }
 };
 
 class TreeBuilder {
  public:
   TreeBuilder(TreeStore& store, const Mesh& mesh, const Progress* progress)
       : store_(store),
+        mesh_(mesh),
         gathering_(share_of(progress, kFraming, kFraming + kGathering)),
-        sorting_(share_of(progress, kFraming + kGathering, 1)),
+        sorting_(share_of(progress, kFraming + kGathering, kFraming + kGathering + kSorting)),
+        writing_(share_of(progress, kFraming + kGathering + kSorting, 1)),
         sorted_(&sorting_, mesh.live_faces()) {}
 
   // Returns false if it was stopped.
-  bool run(const Mesh& mesh) {
-    if (!gather(mesh)) return false;
-    if (faces_.empty()) return true;
-    PrimitiveRange all;
-    all.items = primitives_;
-    for (const Primitive& p : primitives_) all.add(p);
-    store_.root = build_node(all);
+  bool run() {
+    if (!gather()) return false;
+    if (primitives_.empty()) return true;
+    Part whole;
+    whole.range.items = primitives_;
+    for (const Primitive& p : primitives_) whole.range.add(p);
+    if (primitives_.size() > kOneThread)
+      divide(whole);
+    else
+      build_node(whole, whole.range);
+    if (sorted_.stopped()) return false;
+    number(whole);
+    store_.nodes.grow_to(nodes_);
+    store_.blocks.grow_to(blocks_);
+    store_.root = whole.first_node;
+    if (!write(whole)) return false;
+    for (const uint32_t b : singles_) store_.set_count(b, 1);
     store_.set_root_box(store_.node_box(store_.nodes[store_.root]));
-    return !sorted_.stopped();
+    return true;
   }
 
  private:
-  bool gather(const Mesh& mesh) {
-    faces_.reserve(mesh.live_faces());
-    primitives_.reserve(mesh.live_faces());
-    Pace pace(&gathering_, mesh.face_slots());
-    for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
-      if (mesh.is_live(FaceId(f))) gather(mesh, FaceId(f));
-      if (!pace.step()) return false;
-    }
-    return true;
+  bool gather() {
+    std::vector<uint32_t> before(range_count(mesh_.face_slots(), kGathered) + 1);
+    const auto live = [&](size_t f) { return mesh_.is_live(FaceId(static_cast<uint32_t>(f))); };
+    for_each_range(mesh_.face_slots(), kGathered, [&](size_t f, size_t end) {
+      uint32_t& count = before[f / kGathered + 1];
+      for (; f < end; ++f) count += live(f);
+    });
+    for (size_t r = 1; r < before.size(); ++r) before[r] += before[r - 1];
+    primitives_.resize(before.back());
+    return for_each_range(mesh_.face_slots(), kGathered, &gathering_, [&](size_t f, size_t end) {
+      uint32_t to = before[f / kGathered];
+      for (; f < end; ++f) {
+        if (live(f))
+          primitives_[to++] = Primitive::make(face(static_cast<uint32_t>(f)).box(), static_cast<uint32_t>(f));
+      }
+    });
   }
-  void gather(const Mesh& mesh, FaceId f) {
-    const TreeFace face(store_.frame, mesh, f);
-    primitives_.push_back(Primitive::make(face.box(), static_cast<uint32_t>(faces_.size())));
-    faces_.push_back(face);
-  }
+  TreeFace face(uint32_t f) const { return TreeFace(store_.frame, mesh_, positions_, FaceId(f)); }
 
   struct Children {
     std::array<PrimitiveRange, kNodeWidth> range;
@@ -132,35 +145,135 @@ class TreeBuilder {
     sorted_.note_split(whole, left, whole - left);
   }
 
-  uint32_t build_node(const PrimitiveRange& range) {
-    const uint32_t n = store_.add_node();
+  void divide(Part& part) {
+    const Children c = open(part.range);
+    part.children.resize(c.count);
+    for (uint32_t i = 0; i < c.count; ++i) part.children[i].range = c.range[i];
+    for_each_range(c.count, 1, [&](size_t i, size_t) { plan(part.children[i]); });
+  }
+
+  void plan(Part& part) {
+    const size_t faces = part.range.items.size();
+    if (sorted_.stopped()) return;
+    if (faces > kOneThread) return divide(part);
+    part.nodes.reserve(faces / 14 + 2);
+    part.blocks.reserve(faces / 3 + 2);
+    if (faces <= kBlockWidth)
+      add_block(part, part.range, kNoIndex, 0);
+    else
+      build_node(part, part.range);
+    if (faces < kSmallRange) sorted_.note_done(faces);
+  }
+
+  uint32_t build_node(Part& part, const PrimitiveRange& range) {
+    const auto n = static_cast<uint32_t>(part.nodes.size());
+    make_empty(part.nodes.emplace_back());
     const Children c = open(range);
     const bool large = range.items.size() >= kSmallRange;
     for (uint32_t i = 0; i < c.count; ++i) {
       if (sorted_.stopped()) break;
       const size_t faces = c.range[i].items.size();
-      const bool fits = faces <= kBlockWidth;
-      const Child child = fits ? Child::block(build_block(c.range[i])) : Child::node(build_node(c.range[i]));
-      store_.hang(n, i, child, c.range[i].bounds);
+      const Child child = faces <= kBlockWidth ? Child::block(add_block(part, c.range[i], n, i))
+                                               : Child::node(build_node(part, c.range[i]));
+      if (!child.is_block()) {
+        part.nodes[child.index()].parent = n;
+        part.nodes[child.index()].slot = static_cast<uint8_t>(i);
+      }
+      part.nodes[n].child[i] = child;
+      set_slot_box(part.nodes[n], i, c.range[i].bounds);
       if (large && faces < kSmallRange) sorted_.note_done(faces);
     }
     return n;
   }
 
-  uint32_t build_block(const PrimitiveRange& range) {
-    assert(!range.items.empty() && range.items.size() <= kBlockWidth);
-    const uint32_t b = store_.add_block();
-    uint32_t lane = 0;
-    for (const Primitive& p : range.items) store_.put(faces_[p.number()], b, lane++);
-    store_.set_count(b, lane);
-    return b;
+  uint32_t add_block(Part& part, const PrimitiveRange& range, uint32_t parent, uint32_t slot) {
+    part.blocks.push_back({static_cast<uint32_t>(range.items.data() - primitives_.data()),
+                           static_cast<uint32_t>(range.items.size()), parent, slot});
+    return static_cast<uint32_t>(part.blocks.size() - 1);
+  }
+
+  // Gives the records of all parts their places in the store, in depth-first order.
+  void number(Part& part) {
+    part.first_node = nodes_;
+    part.first_block = blocks_;
+    nodes_ += static_cast<uint32_t>(part.children.empty() ? part.nodes.size() : 1);
+    blocks_ += static_cast<uint32_t>(part.blocks.size());
+    for (uint32_t b = 0; b < part.blocks.size(); ++b) {
+      if (part.blocks[b].count == 1) singles_.push_back(part.first_block + b);
+    }
+    if (part.children.empty()) whole_parts_.push_back({&part, kNoIndex, 0});
+    for (uint32_t i = 0; i < part.children.size(); ++i) {
+      number(part.children[i]);
+      if (part.children[i].children.empty()) {
+        whole_parts_.back().parent = part.first_node;
+        whole_parts_.back().slot = i;
+      }
+    }
+  }
+
+  bool write(const Part& whole) {
+    write_dividing_nodes(whole, kNoIndex, 0);
+    return for_each_range(whole_parts_.size(), 1, &writing_,
+                          [&](size_t i, size_t) { write(whole_parts_[i]); });
+  }
+
+  void write_dividing_nodes(const Part& part, uint32_t parent, uint32_t slot) {
+    if (part.children.empty()) return;
+    WideNode& node = store_.nodes.edit(part.first_node);
+    make_empty(node);
+    node.parent = parent;
+    node.slot = static_cast<uint8_t>(slot);
+    for (uint32_t i = 0; i < part.children.size(); ++i) {
+      node.child[i] = part.children[i].child();
+      set_slot_box(node, i, part.children[i].range.bounds);
+      write_dividing_nodes(part.children[i], part.first_node, i);
+    }
+  }
+
+  // A part without children, and the node that it hangs on.
+  struct WholePart {
+    const Part* part;
+    uint32_t parent, slot;
+  };
+
+  void write(const WholePart& whole) {
+    const Part& part = *whole.part;
+    for (uint32_t n = 0; n < part.nodes.size(); ++n) {
+      WideNode& node = store_.nodes.edit(part.first_node + n) = part.nodes[n];
+      node.parent = n == 0 ? whole.parent : part.first_node + node.parent;
+      if (n == 0) node.slot = static_cast<uint8_t>(whole.slot);
+      for (Child& child : node.child) {
+        if (!child.none()) child.bits += child.is_block() ? part.first_block : part.first_node;
+      }
+    }
+    for (uint32_t b = 0; b < part.blocks.size(); ++b) {
+      const PlannedBlock& block = part.blocks[b];
+      const bool alone = block.parent == kNoIndex;
+      put_block(part.first_block + b, alone ? whole.parent : part.first_node + block.parent,
+                alone ? whole.slot : block.slot, block);
+    }
+  }
+
+  // Blocks of one face stay without a count, because the store counts them (see run()).
+  void put_block(uint32_t b, uint32_t node, uint32_t slot, const PlannedBlock& planned) {
+    FaceBlock& block = store_.blocks.edit(b);
+    block.parent = node;
+    block.slot = static_cast<uint8_t>(slot);
+    block.hit = 0;
+    block.count = static_cast<uint8_t>(planned.count == 1 ? 0 : planned.count);
+    for (uint32_t i = 0; i < planned.count; ++i)
+      store_.put(face(primitives_[planned.first + i].number()), b, i);
   }
 
   TreeStore& store_;
-  Progress gathering_, sorting_;
+  const Mesh& mesh_;
+  const Positions positions_ = mesh_.positions();
+  Progress gathering_, sorting_, writing_;
   SortProgress sorted_;
-  std::vector<TreeFace> faces_;
-  std::vector<Primitive> primitives_;
+  std::vector<Primitive> primitives_;   // numbered by face
+  std::vector<WholePart> whole_parts_;  // in the order of their records
+  std::vector<uint32_t> singles_;       // blocks of one face
+  uint32_t nodes_ = 0, blocks_ = 0;     // numbered so far
 };
 
 }  // namespace
@@ -172,7 +285,7 @@ bool build_tree(TreeStore& store, const Mesh& mesh, const Progress* progress) {
   if (!frame) return false;
   store.frame = *frame;
   store.reserve(mesh.live_faces(), mesh.face_slots());
-  if (!TreeBuilder(store, mesh, progress).run(mesh)) return false;
+  if (!TreeBuilder(store, mesh, progress).run()) return false;
   store.nodes.touch_reserved();
   store.blocks.touch_reserved();
   return true;

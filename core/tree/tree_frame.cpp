@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
+
+#include "core/mesh/mesh_bounds.h"
 
 namespace kerf {
 
@@ -21,16 +22,9 @@ double power_of_two_over(double x) {
 }  // namespace
 
 Result<TreeFrame> TreeFrame::around(const Mesh& mesh, const Progress* progress) {
-  Vec3 low{std::numeric_limits<double>::max()}, high{std::numeric_limits<double>::lowest()};
-  Pace pace(progress, mesh.face_slots());
-  for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
-    if (!pace.step()) return cancelled();
-    if (!mesh.is_live(FaceId(f))) continue;
-    for (const Vec3& p : mesh.triangle(FaceId(f))) {
-      low = glm::min(low, p);
-      high = glm::max(high, p);
-    }
-  }
+  const auto bounds = bounds_of(mesh, progress);
+  if (!bounds) return bounds.error();
+  const auto& [low, high] = *bounds;
   TreeFrame frame;
   if (low.x > high.x) return frame;
   frame.origin = 0.5 * low + 0.5 * high;

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/tree/node_boxes.h"
+
 namespace kerf {
 
 namespace {
@@ -25,17 +27,7 @@ uint32_t take(Records<T>& pool, uint32_t& free, uint32_t& free_count) {
 
 uint32_t TreeStore::add_node() {
   const uint32_t n = take(nodes, TreeCounts::free_node, TreeCounts::free_node_count);
-  WideNode& node = nodes.edit(n);
-  node.parent = kNoIndex;
-  node.slot = 0;
-  node.hit = 0;
-  const FloatBox none;
-  for (int k = 0; k < 6; ++k) {
-    const __m128 plane = k < 3 ? none.low : none.high;
-    _mm_store_ps(node.plane[k], plane);
-    _mm_store_ps(node.plane[k] + 4, plane);
-  }
-  for (Child& child : node.child) child = Child{};
+  make_empty(nodes.edit(n));
   return n;
 }
 
@@ -135,15 +127,7 @@ FloatBox TreeStore::slot_box(uint32_t node, uint32_t slot) const {
 }
 
 void TreeStore::set_slot_box(uint32_t node, uint32_t slot, const FloatBox& box) {
-  assert(slot < kNodeWidth);
-  alignas(16) float low[4], high[4];
-  _mm_store_ps(low, box.low);
-  _mm_store_ps(high, box.high);
-  auto& plane = nodes.edit(node).plane;
-  for (int k = 0; k < 3; ++k) {
-    plane[k][slot] = low[k];
-    plane[k + 3][slot] = high[k];
-  }
+  kerf::set_slot_box(nodes.edit(node), slot, box);
 }
 
 void TreeStore::hang(uint32_t node, uint32_t slot, Child child, const FloatBox& box) {

@@ -1,9 +1,11 @@
 #include "core/world/state_hash.h"
 
 #include <algorithm>
+#include <numeric>
 #include <vector>
 
 #include "core/base/hash.h"
+#include "core/base/parallel.h"
 
 namespace kerf {
 
@@ -34,6 +36,19 @@ uint64_t face_hash(const Body& body, uint64_t seed, FaceId f) {
   return energy == 0 ? h : hash_combine(hash_combine(h, kHeatSeed), number_bits(energy));
 }
 
+uint64_t sum_of_face_hashes(const Body& body, uint64_t seed) {
+  constexpr size_t kSlots = 1 << 14;  // a range
+  std::vector<uint64_t> sums(range_count(body.mesh.face_slots(), kSlots));
+  for_each_range(body.mesh.face_slots(), kSlots, [&](size_t first, size_t end) {
+    uint64_t sum = 0;
+    for (auto f = static_cast<uint32_t>(first); f < end; ++f) {
+      if (body.mesh.is_live(FaceId(f))) sum += face_hash(body, seed, FaceId(f));
+    }
+    sums[first / kSlots] = sum;
+  });
+  return std::accumulate(sums.begin(), sums.end(), uint64_t{0});
+}
+
 // Of a body that moves or has moved.
 uint64_t motion_hash(uint64_t seed, const Motion& motion) {
   const uint64_t h = hash_of(hash_of(hash_combine(seed, kMotionSeed), motion.velocity), motion.spin);
@@ -50,9 +65,7 @@ uint64_t state_hash(const World& world) {
   for (const BodyId id : ids) {
     const Body& body = world.body(id);
     const uint64_t seed = mix64(++place_of_body);
-    for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
-      if (body.mesh.is_live(FaceId(f))) sum += face_hash(body, seed, FaceId(f));
-    }
+    sum += sum_of_face_hashes(body, seed);
     const auto& q = body.placement.orientation;
     uint64_t place = hash_of(seed, body.placement.position);
     for (const double x : {q.w, q.x, q.y, q.z}) place = hash_combine(place, number_bits(x));

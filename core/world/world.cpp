@@ -1,17 +1,26 @@
 #include "core/world/world.h"
 
+#include "core/base/parallel.h"
+
 namespace kerf {
 
 namespace {
 
 AreaMoments moments_of(const Mesh& mesh, const Vec3& origin) {
-  AreaMoments sum;
-  for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
-    if (!mesh.is_live(FaceId(f))) continue;
-    const Triangle t = mesh.triangle(FaceId(f));
-    sum += area_moments(t, triangle_area(t), origin);
-  }
-  return sum;
+  constexpr size_t kSlots = 1 << 16;  // a range
+  std::vector<AreaMoments> sums(range_count(mesh.face_slots(), kSlots));
+  for_each_range(mesh.face_slots(), kSlots, [&](size_t first, size_t end) {
+    AreaMoments sum;
+    for (auto f = static_cast<uint32_t>(first); f < end; ++f) {
+      if (!mesh.is_live(FaceId(f))) continue;
+      const Triangle t = mesh.triangle(FaceId(f));
+      sum += area_moments(t, triangle_area(t), origin);
+    }
+    sums[first / kSlots] = sum;
+  });
+  AreaMoments whole;
+  for (const AreaMoments& sum : sums) whole += sum;
+  return whole;
 }
 
 }  // namespace

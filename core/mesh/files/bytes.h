@@ -21,11 +21,21 @@ T load(const char* bytes, std::endian order) {
   return std::bit_cast<T>(raw);
 }
 
+// Stores a number in little-endian order and returns the address after it. Precondition: sizeof(T) bytes can
+// be written there.
+template <typename T>
+char* store_little(T value, char* to) {
+  auto raw = std::bit_cast<std::array<char, sizeof(T)>>(value);
+  if (std::endian::native != std::endian::little) std::reverse(raw.begin(), raw.end());
+  std::memcpy(to, raw.data(), raw.size());
+  return to + raw.size();
+}
+
 // Appends the bytes of a number in little-endian order.
 template <typename T>
 void append_little(T value, std::string& bytes) {
-  auto raw = std::bit_cast<std::array<char, sizeof(T)>>(value);
-  if (std::endian::native != std::endian::little) std::reverse(raw.begin(), raw.end());
+  std::array<char, sizeof(T)> raw;
+  store_little(value, raw.data());
   bytes.append(raw.data(), raw.size());
 }
 

@@ -1,11 +1,14 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/base/parallel.h"
 #include "core/mesh/files/bytes.h"
 #include "core/mesh/files/encode.h"
 
 namespace kerf {
 namespace {
+
+constexpr size_t kRows = 1 << 14;  // a range
 
 void append_floats(const Vec3& v, std::string& bytes) {
   for (int i = 0; i < 3; ++i) append_little(static_cast<float>(v[i]), bytes);
@@ -32,17 +35,22 @@ std::string encode_ply(const MeshView& mesh) {
       "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(mesh.positions.size()) +
       "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
       std::to_string(mesh.triangles.size()) + "\nproperty list uchar int vertex_indices\nend_header\n";
-  bytes.reserve(bytes.size() + kVertexBytes * mesh.positions.size() + kFaceBytes * mesh.triangles.size());
-  for (const Vec3& p : mesh.positions) {
-    for (int i = 0; i < 3; ++i) append_little(p[i], bytes);
-  }
-  for (const auto& triangle : mesh.triangles) {
-    append_little(uint8_t{3}, bytes);
-    for (const uint32_t v : triangle) {
-      assert(v < mesh.positions.size());
-      append_little(v, bytes);
+  const size_t vertices_at = bytes.size(), faces_at = vertices_at + kVertexBytes * mesh.positions.size();
+  bytes.resize(faces_at + kFaceBytes * mesh.triangles.size());
+  for_each_range(mesh.positions.size(), kRows, [&](size_t i, size_t end) {
+    for (char* to = bytes.data() + vertices_at + kVertexBytes * i; i < end; ++i) {
+      for (int k = 0; k < 3; ++k) to = store_little(mesh.positions[i][k], to);
     }
-  }
+  });
+  for_each_range(mesh.triangles.size(), kRows, [&](size_t i, size_t end) {
+    for (char* to = bytes.data() + faces_at + kFaceBytes * i; i < end; ++i) {
+      to = store_little(uint8_t{3}, to);
+      for (const uint32_t v : mesh.triangles[i]) {
+        assert(v < mesh.positions.size());
+        to = store_little(v, to);
+      }
+    }
+  });
   return bytes;
 }
 

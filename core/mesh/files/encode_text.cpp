@@ -2,8 +2,9 @@
 #include <array>
 #include <cassert>
 #include <charconv>
-#include <optional>
+#include <vector>
 
+#include "core/base/parallel.h"
 #include "core/mesh/files/encode.h"
 #include "core/mesh/files/encode_mtl.h"
 
@@ -28,10 +29,26 @@ void append_three(const Three& numbers, std::string& text) {
   text += '\n';
 }
 
-// An estimate of the size of the text, so that memory is allocated once.
-size_t likely_size(const MeshView& mesh) {
-  return 64 * mesh.positions.size() + 28 * mesh.triangles.size() + 128;
+// Appends lines that are written on several threads: line(i, text) appends the one of item i, about `likely`
+// bytes long.
+template <typename Line>
+void append_lines(size_t items, size_t likely, std::string& text, Line line) {
+  constexpr size_t kLines = 1 << 14;  // a range
+  std::vector<std::string> parts(range_count(items, kLines));
+  for_each_range(items, kLines, [&](size_t i, size_t end) {
+    std::string& part = parts[i / kLines];
+    part.reserve((end - i) * likely);
+    for (; i < end; ++i) line(i, part);
+  });
+  size_t size = text.size();
+  for (const std::string& part : parts) size += part.size();
+  text.reserve(size);
+  for (std::string& part : parts) {
+    text += part;
+    part = std::string();
+  }
 }
+constexpr size_t kPositionLine = 64, kTriangleLine = 28;
 
 // OBJ cannot return to the unnamed material, so that it is given a name.
 void append_material(const char* keyword, const std::string& name, std::string& text) {
@@ -45,24 +62,21 @@ void append_material(const char* keyword, const std::string& name, std::string& 
 std::string encode_obj(const MeshView& mesh) {
   assert(mesh.materials.empty() || mesh.materials.size() == mesh.triangles.size());
   std::string text;
-  text.reserve(likely_size(mesh));
   if (!mesh.library.empty()) (text += "mtllib ").append(mesh.library) += '\n';
-  for (const Vec3& p : mesh.positions) {
-    text += "v ";
-    append_three(p, text);
-  }
-  std::optional<uint16_t> material;
-  for (size_t i = 0; i < mesh.triangles.size(); ++i) {
-    if (!mesh.materials.empty() && material != mesh.materials[i]) {
-      material = mesh.materials[i];
-      assert(*material < mesh.material_names.size());
-      append_material("usemtl ", mesh.material_names[*material], text);
+  append_lines(mesh.positions.size(), kPositionLine, text, [&](size_t i, std::string& part) {
+    part += "v ";
+    append_three(mesh.positions[i], part);
+  });
+  append_lines(mesh.triangles.size(), kTriangleLine, text, [&](size_t i, std::string& part) {
+    if (!mesh.materials.empty() && (i == 0 || mesh.materials[i] != mesh.materials[i - 1])) {
+      assert(mesh.materials[i] < mesh.material_names.size());
+      append_material("usemtl ", mesh.material_names[mesh.materials[i]], part);
     }
     const auto& [a, b, c] = mesh.triangles[i];
     assert(std::max({a, b, c}) < mesh.positions.size());
-    text += "f ";
-    append_three(std::array<uint64_t, 3>{uint64_t{a} + 1, uint64_t{b} + 1, uint64_t{c} + 1}, text);
-  }
+    part += "f ";
+    append_three(std::array<uint64_t, 3>{uint64_t{a} + 1, uint64_t{b} + 1, uint64_t{c} + 1}, part);
+  });
   return text;
 }
 
@@ -83,15 +97,14 @@ std::string encode_mtl(std::span<const MaterialLook> materials) {
 }
 
 std::string encode_off(const MeshView& mesh) {
-  std::string text;
-  text.reserve(likely_size(mesh));
-  text += "OFF\n";
+  std::string text = "OFF\n";
   append_three(std::array<size_t, 3>{mesh.positions.size(), mesh.triangles.size(), 0}, text);
-  for (const Vec3& p : mesh.positions) append_three(p, text);
-  for (const auto& triangle : mesh.triangles) {
-    text += "3 ";
-    append_three(triangle, text);
-  }
+  append_lines(mesh.positions.size(), kPositionLine, text,
+               [&](size_t i, std::string& part) { append_three(mesh.positions[i], part); });
+  append_lines(mesh.triangles.size(), kTriangleLine, text, [&](size_t i, std::string& part) {
+    part += "3 ";
+    append_three(mesh.triangles[i], part);
+  });
   return text;
 }
 

@@ -71,6 +71,7 @@ class BodyReader {
 
  private:
   Problem read_elements(const PlyElement& element, const ElementPlan& plan);
+  bool read_rows(const PlyElement& element, const ElementPlan& plan);
   Problem read_properties(const PlyElement& element, const ElementPlan& plan);
   Problem read_list(const PlyProperty& property, Role role);
   Error missing(const PlyProperty& property) const;
@@ -150,9 +151,24 @@ Problem BodyReader<Values>::read_properties(const PlyElement& element, const Ele
   return std::nullopt;
 }
 
+// Reads a whole element at once if its rows are of the usual kind. Returns whether it did.
+template <typename Values>
+bool BodyReader<Values>::read_rows(const PlyElement& element, const ElementPlan& plan) {
+  if (plan.positions) {
+    auto rows = values_.positions(element);
+    if (rows) positions = std::move(*rows);
+    return rows.has_value();
+  }
+  if (!plan.faces) return false;
+  auto rows = values_.triangles(element);
+  if (rows) polygons.add_triangles(std::move(*rows));
+  return rows.has_value();
+}
+
 template <typename Values>
 Problem BodyReader<Values>::read_elements(const PlyElement& element, const ElementPlan& plan) {
   element_ = &element;
+  if (read_rows(element, plan)) return std::nullopt;
   if (plan.positions) positions.reserve(element.count);
   if (plan.faces) polygons.reserve(element.count);
   for (number_ = 0; number_ < element.count; ++number_) {

@@ -83,6 +83,24 @@ bool PlyBinaryValues::skip(PlyType type, uint64_t count) {
   return true;
 }
 
+std::optional<std::vector<Vec3>> PlyBinaryValues::positions(const PlyElement& element) {
+  if (order_ != std::endian::little) return std::nullopt;
+  auto rows = read_position_rows(
+      element, scanner_.between(scanner_.position(), scanner_.position() + scanner_.left()));
+  if (!rows) return std::nullopt;
+  scanner_.take(rows->bytes);
+  return std::move(rows->values);
+}
+
+std::optional<std::vector<Soup::Triangle>> PlyBinaryValues::triangles(const PlyElement& element) {
+  if (order_ != std::endian::little) return std::nullopt;
+  auto rows = read_triangle_rows(
+      element, scanner_.between(scanner_.position(), scanner_.position() + scanner_.left()));
+  if (!rows) return std::nullopt;
+  scanner_.take(rows->bytes);
+  return std::move(rows->values);
+}
+
 Error PlyBinaryValues::missing(const std::string& what) const {
   return scanner_.byte_error("the file ends where " + what + " must be; it is cut short");
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <span>
+#include <utility>
 
 #include "core/mesh/files/scanner.h"
 #include "core/mesh/files/triangulate.h"
@@ -14,17 +15,39 @@ void PolygonList::reserve(size_t polygons) {
   corners_.reserve(corners_.size() + 3 * polygons);
 }
 
+void PolygonList::add_triangles(std::vector<Soup::Triangle> triangles) {
+  if (size() == 0 && parts_.empty()) {
+    triangles_ = std::move(triangles);
+    return;
+  }
+  for (const Soup::Triangle& triangle : triangles) {
+    for (const uint32_t corner : triangle) add_corner(corner);
+    close();
+  }
+}
+
+void PolygonList::put_triangles_in_list() {
+  const std::vector<Soup::Triangle> triangles = std::exchange(triangles_, {});
+  for (const Soup::Triangle& triangle : triangles) {
+    corners_.insert(corners_.end(), triangle.begin(), triangle.end());
+    close();
+  }
+}
+
 void PolygonList::add_corner(int64_t vertex) {
+  if (!triangles_.empty()) put_triangles_in_list();
   corners_.push_back(vertex >= 0 && vertex < kNoVertex ? static_cast<uint32_t>(vertex) : kNoVertex);
 }
 
 void PolygonList::close(uint16_t material) {
+  if (!triangles_.empty()) put_triangles_in_list();
   if (material != 0 && materials_.empty()) materials_.resize(ends_.size());
   ends_.push_back(static_cast<uint32_t>(corners_.size()));
   if (material != 0 || !materials_.empty()) materials_.push_back(material);
 }
 
 void PolygonList::begin_parts(Level level, const std::vector<std::string>& names) {
+  if (!triangles_.empty()) put_triangles_in_list();
   const auto here = static_cast<uint32_t>(size());
   std::vector<size_t>& open = open_[static_cast<size_t>(level)];
   for (const size_t part : open) parts_[part].last = here;
@@ -44,9 +67,19 @@ std::vector<MeshPart> PolygonList::parts_of_triangles(const std::vector<uint32_t
   return parts;
 }
 
-Result<Soup> PolygonList::to_soup(std::vector<Vec3> positions, const std::string& file_name) const {
-  Soup soup;
-  soup.faces_in_file = size();
+namespace {
+
+// Removes the triangles that name missing vertices, and counts them.
+void drop_invalid(Soup& soup) {
+  const auto invalid = [&](const Soup::Triangle& t) {
+    return std::max({t[0], t[1], t[2]}) >= soup.positions.size();
+  };
+  soup.invalid_faces_dropped += std::erase_if(soup.triangles, invalid);
+}
+
+}  // namespace
+
+void PolygonList::triangulate(std::span<const Vec3> positions, Soup& soup) const {
   soup.triangles.reserve(size());
   Triangulator triangulator;
   std::vector<uint32_t> before;  // by polygon: the triangles before it
@@ -69,7 +102,20 @@ Result<Soup> PolygonList::to_soup(std::vector<Vec3> positions, const std::string
   }
   before.push_back(static_cast<uint32_t>(soup.triangles.size()));
   soup.parts = parts_of_triangles(before);
-  soup.positions = std::move(positions);
+}
+
+Result<Soup> PolygonList::to_soup(std::vector<Vec3> positions, const std::string& file_name) {
+  Soup soup;
+  soup.faces_in_file = size();
+  if (triangles_.empty()) {
+    triangulate(positions, soup);
+    soup.positions = std::move(positions);
+  } else {
+    soup.triangles_in_file = size();
+    soup.triangles = std::exchange(triangles_, {});
+    soup.positions = std::move(positions);
+    drop_invalid(soup);
+  }
   if (soup.triangles.empty()) return no_face_left(soup, file_name);
   return soup;
 }

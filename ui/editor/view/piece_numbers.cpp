@@ -14,7 +14,7 @@ namespace {
 // in terms of their area, plus the squared share of area that one has more. From kOther on they are others.
 constexpr double kOther = 0.25;
 
-bool is_settled(const World& world) {
+bool all_settled(const World& world) {
   const std::vector<BodyId> ids = world.ids();
   return std::all_of(ids.begin(), ids.end(), [&](BodyId id) { return kerf::is_settled(world.body(id)); });
 }
@@ -37,7 +37,7 @@ std::vector<PieceNumbers::Known> PieceNumbers::pieces_of(const World& world) {
 
 void PieceNumbers::follow(const World& world, bool anew, bool may_return, PieceMap& looks) {
   anew_ = anew_ || anew;
-  waits_ = !is_settled(world);
+  waits_ = !all_settled(world);
   if (waits_) return;
   std::map<PieceId, Known*> present;
   for (Known& known : known_) {

@@ -1,0 +1,67 @@
+#include "core/base/parallel.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+
+#include <algorithm>
+#include <cassert>
+
+namespace kerf {
+
+namespace {
+
+// Ranges `first` to `last` (exclusive) of for_each_range().
+void work_on(size_t first, size_t last, size_t items, size_t grain, const RangeWork& work) {
+  tbb::parallel_for(
+      tbb::blocked_range<size_t>(first, last, 1),
+      [&](const tbb::blocked_range<size_t>& part) {
+        for (size_t r = part.begin(); r < part.end(); ++r) work(r * grain, std::min(items, (r + 1) * grain));
+      },
+      tbb::simple_partitioner());
+}
+
+}  // namespace
+
+void for_each_range(size_t items, size_t grain, const RangeWork& work) {
+  assert(grain > 0);
+  const size_t ranges = range_count(items, grain);
+  if (ranges == 1) return work(0, items);
+  work_on(0, ranges, items, grain, work);
+}
+
+bool for_each_range(size_t items, size_t grain, const Progress* progress, const RangeWork& work) {
+  assert(grain > 0);
+  constexpr size_t kReports = 16;  // at most
+  const size_t ranges = range_count(items, grain);
+  const size_t group = std::max(range_count(ranges, kReports), 2 * thread_count());
+  for (size_t first = 0; first < ranges; first += group) {
+    const size_t last = std::min(ranges, first + group);
+    work_on(first, last, items, grain, work);
+    if (progress && !progress->report(static_cast<double>(last) / static_cast<double>(ranges))) return false;
+  }
+  return true;
+}
+
+void do_both(const std::function<void()>& first, const std::function<void()>& second) {
+  tbb::parallel_invoke(first, second);
+}
+
+size_t thread_count() {
+  return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+}
+
+struct ThreadLimit::Control {
+  tbb::global_control limit;
+};
+
+ThreadLimit::ThreadLimit(size_t threads)
+    : control_(new Control{{tbb::global_control::max_allowed_parallelism, threads}}) {
+  assert(threads > 0);
+}
+ThreadLimit::~ThreadLimit() = default;
+ThreadLimit::ThreadLimit(ThreadLimit&&) noexcept = default;
+ThreadLimit& ThreadLimit::operator=(ThreadLimit&&) noexcept = default;
+
+}  // namespace kerf

@@ -18,7 +18,7 @@ using Section = void (*)(const Subject&, const Effort&, const Report&);
 const std::map<std::string, Section> kSections = {
     {"cut", bench_cut},       {"build", bench_build},     {"queries", bench_queries}, {"edits", bench_edits},
     {"kernel", bench_kernel}, {"shadows", bench_shadows}, {"heat", bench_heat},       {"fall", bench_fall},
-    {"game", bench_game},     {"laser", bench_laser}};
+    {"game", bench_game},     {"laser", bench_laser},     {"files", bench_files}};
 
 void run(const std::string& name, const Effort& effort, const std::vector<std::string>& sections,
          const Report& report) {
@@ -39,8 +39,8 @@ int main(int argc, char** argv) {
   CLI::App app{"The tree beside its peers: processor time of one thread, medians"};
   std::string json;
   std::vector<std::string> only;
-  std::vector<std::string> sections = {"cut",     "build", "queries", "edits", "kernel",
-                                       "shadows", "heat",  "fall",    "game",  "laser"};
+  std::vector<std::string> sections = {"cut",  "build", "queries", "edits", "kernel", "shadows",
+                                       "heat", "fall",  "game",    "laser", "files"};
   bool tiny = false;
   app.add_option("--json", json, "Write the table to this file as well");
   app.add_option("--mesh", only, "Only these meshes");

@@ -33,6 +33,9 @@ void bench_cut(const Subject& subject, const Effort& effort, const Report& repor
 void bench_shadows(const Subject& subject, const Effort& effort, const Report& report);
 void bench_heat(const Subject& subject, const Effort& effort, const Report& report);
 
+// Loading, building the tree and saving, in elapsed time with all threads.
+void bench_files(const Subject& subject, const Effort& effort, const Report& report);
+
 // On a rain of sheets that is made here and on the car cut to pieces, whatever the subject.
 void bench_fall(const Subject& subject, const Effort& effort, const Report& report);
 

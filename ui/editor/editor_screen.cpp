@@ -47,6 +47,7 @@ EditorScreen::EditorScreen(Window& window, LivePicture picture, LoadedSettings l
       usual_actions_(make_actions(state_, panels_)),
       actions_(usual_actions_) {
   state_.settings = std::move(loaded.settings);
+  threads_.follow(state_.settings.threads);
   state_.view.look.antialias = state_.settings.antialias;
   state_.view.look.show = default_show();
   if (options.landmarks) keep_landmarks(&landmarks_.emplace(*options.landmarks));
@@ -212,6 +213,7 @@ void EditorScreen::hear_key(const InputEvent& event) {
 // --------------------------------------------------------------------------------------------------------
 
 void EditorScreen::advance() {
+  threads_.follow(state_.settings.threads);
   if (thread_.busy() && !thread_.is_over(0)) return;
   if (thread_.busy()) finish_change();
   desk_.fulfil();

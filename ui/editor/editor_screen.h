@@ -14,6 +14,7 @@
 #include "ui/editor/state.h"
 #include "ui/editor/tools/held_press.h"
 #include "ui/editor/tools/viewport_input.h"
+#include "ui/editor/work/thread_setting.h"
 #include "ui/screen/screen.h"
 #include "ui/window/landmarks.h"
 
@@ -85,6 +86,7 @@ class EditorScreen : public Screen {
   LivePicture picture_;
   EditorState state_;
   Settings saved_;  // as they are in the file
+  ThreadSetting threads_;
   Recovery recovery_;
   KeptPath kept_path_;
   WorldChanges changes_;

@@ -6,6 +6,7 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <thread>
 #include <utility>
 
 #include "ui/editor/keys/bindings.h"
@@ -85,6 +86,18 @@ void draw_mouse(Settings& settings) {
   end_properties();
 }
 
+void draw_machine(Settings& settings) {
+  if (!begin_properties("machine")) return;
+  property("Threads");
+  const int most =
+      std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, Settings::kMostThreads);
+  ImGui::SliderInt("##Threads", &settings.threads, 0, most, settings.threads == 0 ? "all" : "%d",
+                   ImGuiSliderFlags_AlwaysClamp);
+  mark_last_item("Threads");
+  tooltip("How many threads load, measure and save at the same time at most. Cutting always takes one.");
+  end_properties();
+}
+
 // What the page waits for, or the clash that it asks about.
 void draw_prompt(SettingsPage& page, Settings& settings, std::span<const UserAction> usual,
                  std::span<const UserAction> actions) {
@@ -158,6 +171,7 @@ void draw_settings_page(SettingsPage& page, Settings& settings, std::span<const 
   if (begin_centred_window("Settings", "settings", page.shown, kWidthEms, kHeightEms)) {
     const std::vector<UserAction> actions = bindable(usual, settings.bindings);
     draw_mouse(settings);
+    draw_machine(settings);
     draw_prompt(page, settings, usual, actions);
     draw_list(page, actions);
   }

@@ -22,22 +22,14 @@ struct PanelEntry {
   bool unfolded;
 };
 constexpr std::array kPanelEntries{
-    PanelEntry{PanelId::kLaser, "Laser", true},
-    PanelEntry{PanelId::kMaterial, "Material", false},
-    PanelEntry{PanelId::kPrepare, "Prepare", false},
-    PanelEntry{PanelId::kResolution, "Resolution", true},
-    PanelEntry{PanelId::kPath, "Path", false},
-    PanelEntry{PanelId::kPieces, "Pieces", true},
-    PanelEntry{PanelId::kBodies, "Bodies", false},
-    PanelEntry{PanelId::kHistory, "History", true},
-    PanelEntry{PanelId::kLight, "Light", false},
-    PanelEntry{PanelId::kTree, "Tree", false},
-    PanelEntry{PanelId::kGraph, "Graph", false},
-    PanelEntry{PanelId::kSingleStep, "Single step", false},
-    PanelEntry{PanelId::kView, "View", false},
-    PanelEntry{PanelId::kStatistics, "Statistics", false},
-    PanelEntry{PanelId::kFile, "File", false},
-    PanelEntry{PanelId::kDisplay, "Display", false},
+    PanelEntry{PanelId::kLaser, "Laser", true},      PanelEntry{PanelId::kMaterial, "Material", false},
+    PanelEntry{PanelId::kPrepare, "Prepare", false}, PanelEntry{PanelId::kResolution, "Resolution", true},
+    PanelEntry{PanelId::kPath, "Path", false},       PanelEntry{PanelId::kPieces, "Pieces", true},
+    PanelEntry{PanelId::kBodies, "Bodies", false},   PanelEntry{PanelId::kHistory, "History", true},
+    PanelEntry{PanelId::kLight, "Light", false},     PanelEntry{PanelId::kTree, "Tree", false},
+    PanelEntry{PanelId::kGraph, "Graph", false},     PanelEntry{PanelId::kSingleStep, "Single step", false},
+    PanelEntry{PanelId::kView, "View", false},       PanelEntry{PanelId::kStatistics, "Statistics", false},
+    PanelEntry{PanelId::kFile, "File", false},       PanelEntry{PanelId::kDisplay, "Display", false},
 };
 
 // Takes a key out of the object; null where it is missing.
@@ -75,6 +67,7 @@ Settings from_json(Json json) {
   take_flag(json, "live_recut", s.live_recut);
   take_flag(json, "heat_held", s.heat_held);
   take_number(json, "history_mb", s.history_megabytes, Settings::kLeastHistory, Settings::kMostHistory);
+  take_number(json, "threads", s.threads, 0, Settings::kMostThreads);
   take_number(json, "drag_speed", s.drag_speed, Settings::kLeastSpeed, Settings::kMostSpeed);
   take_number(json, "wheel_speed", s.wheel_speed, Settings::kLeastSpeed, Settings::kMostSpeed);
   const Json bindings = take(json, "bindings");
@@ -129,6 +122,7 @@ Json to_json(const Settings& s) {
   json["live_recut"] = s.live_recut;
   json["heat_held"] = s.heat_held;
   json["history_mb"] = s.history_megabytes;
+  json["threads"] = s.threads;
   json["drag_speed"] = s.drag_speed;
   json["wheel_speed"] = s.wheel_speed;
   json["bindings"] = s.bindings;

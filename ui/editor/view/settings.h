@@ -45,6 +45,7 @@ struct Settings {
   bool antialias = true;
   double split_share = 0.5;                // fraction of the width for the left half of a split picture
   int history_megabytes = 1024;            // of undo data
+  int threads = 0;                         // that load, measure and save at most; 0: as many as there are
   bool live_recut = true;                  // sliders of the resolution cut the last stroke again
   bool heat_held = false;                  // what is hot stays as it is while the user does not play
   double drag_speed = 1, wheel_speed = 1;  // of orbits and zooms by the mouse, relative to the usual speed
@@ -61,6 +62,7 @@ struct Settings {
   static constexpr double kLeastSide = 13, kMostSide = 42;
   static constexpr double kLeastSpeed = 0.25, kMostSpeed = 4;
   static constexpr size_t kMostRecent = 10;
+  static constexpr int kMostThreads = 64;
   static constexpr int kLeastHistory = 16, kMostHistory = 16384;
   static std::map<PanelId, bool> panels_at_first();
 

@@ -39,6 +39,7 @@ TEST_F(SettingsTest, come_back_as_they_were_written) {
   settings.folder = "/a";
   settings.drag_speed = 2;
   settings.wheel_speed = 0.5;
+  settings.threads = 3;
   settings.bindings = {{"Undo", "Ctrl+U"}, {"Wire", ""}};
   settings.frames["stl"] = FileFrame{FileUnit::kInch, UpAxis::kZ};
   settings.frames["obj"] = std::nullopt;

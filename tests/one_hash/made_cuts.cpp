@@ -1,6 +1,7 @@
 // Cuts each mesh in several ways and prints a line with the state hash for each: `made_cuts MESH...`.
 #include <cstdio>
 
+#include "core/document/command_words.h"
 #include "core/document/document.h"
 #include "core/document/hash_text.h"
 #include "core/document/scene.h"
@@ -72,6 +73,40 @@ void draw(Document& document, const Kind& kind) {
   if (kind.hot) document.apply(Advance{16, false});
 }
 
+void print(const char* mesh, const char* kind, const World& world) {
+  std::printf("%s, %s: %zu faces, %zu pieces, %s\n", mesh, kind, world.live_faces(), world.live_pieces(),
+              hash_text(state_hash(world)).c_str());
+}
+
+// Prepares every body with each tool, one after the other.
+Status print_preparation(const char* mesh) {
+  auto scene = read_scene(mesh);
+  if (!scene) return scene.error();
+  Document document(std::move(scene->world));
+  const World::Bounds bounds = document.world().bounds();
+  for (const BodyId first : document.world().ids()) {
+    PieceId piece{first, 0};
+    const size_t faces = document.world().body(first).mesh.live_faces();
+    for (const Command& command :
+         {Command(SubdividePiece{piece, Subdivision::kLoop}), Command(SmoothPiece{piece, 2}),
+          Command(SimplifyPiece{piece, {.faces = faces}}),
+          Command(SubdividePiece{piece, Subdivision::kSqrt3}),
+          Command(SimplifyPiece{piece, {.error = bounds.diagonal() / 500}})}) {
+      Command own = command;
+      std::visit(
+          [&](auto& c) {
+            if constexpr (requires { c.piece; }) c.piece = piece;
+          },
+          own);
+      const Outcome outcome = document.apply(own);
+      if (!outcome.ok()) return outcome.error();
+      if (!outcome.delta.came.empty()) piece.body = outcome.delta.came.front();
+      print(mesh, words(own).c_str(), document.world());
+    }
+  }
+  return Done{};
+}
+
 Status print_cuts(const char* mesh) {
   for (const Kind& kind : kKinds) {
     auto scene = read_scene(mesh);
@@ -81,11 +116,9 @@ Status print_cuts(const char* mesh) {
     while (document.waiting() > 0) {
       if (const auto step = document.step(16); !step) return step.error();
     }
-    const World& world = document.world();
-    std::printf("%s, %s: %zu faces, %zu pieces, %s\n", mesh, kind.name, world.live_faces(),
-                world.live_pieces(), hash_text(state_hash(world)).c_str());
+    print(mesh, kind.name, document.world());
   }
-  return Done{};
+  return print_preparation(mesh);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <tuple>
 
 #include "core/mesh/load_mesh.h"
 #include "tests/support/features.h"
@@ -76,6 +77,26 @@ TEST(Simplify, features_and_components_of_random_soups_stay) {
     EXPECT_TRUE(feature_edges(mesh) == feature_edges(made));
     EXPECT_EQ(count_numbers(mesh).components, count_numbers(made).components);
   }
+}
+
+// Two roofs that meet at the ends of their ridges alone. Without the vertices on the ridges, these would
+// coincide.
+TEST(Simplify, sheets_that_touch_at_corners_are_not_joined) {
+  Soup roofs;
+  roofs.positions = {{-0.1, 0, 0}, {0.1, 0, 0}};
+  for (const auto& [along, low, side] : {std::tuple(-0.02, Vec3(0, -0.3, 0), Vec3(0, 0, 1)),
+                                         std::tuple(0.02, Vec3(0, 0.3, 0), Vec3(0, 0, 0.8))}) {
+    const auto top = static_cast<uint32_t>(roofs.positions.size());
+    roofs.positions.insert(roofs.positions.end(), {Vec3(along, 0, 0), low + side, low - side});
+    for (const uint32_t end : {0u, 1u}) {
+      roofs.triangles.push_back({top, end, top + 1});
+      roofs.triangles.push_back({top, end, top + 2});
+    }
+  }
+  const Mesh mesh = build(roofs).mesh;
+  ASSERT_EQ(count_numbers(mesh).components, 2u);
+  const Mesh made = mesh_of(simplified(mesh, {.faces = 1}), mesh);
+  EXPECT_EQ(count_numbers(made).components, 2u);
 }
 
 TEST(Simplify, every_triangle_has_the_material_of_the_face_from_which_it_stems) {

@@ -62,7 +62,7 @@ TEST(Sheets, random_soups_are_the_same_after_a_copy_there_and_back) {
 }
 
 TEST(Sheets, a_mesh_of_any_size_anywhere_is_the_same_after_a_copy_there_and_back) {
-  for (const double scale : {1e-30, 1e-6, 1.0, 1e6, 1e39, 1e100}) {
+  for (const double scale : {1e-30, 1e-6, 1.0, 1e6, 1e39, 1e60}) {
     SCOPED_TRACE(scale);
     expect_same_after_a_copy_there_and_back(moved(torus(12, 8, 1, 0.3), Vec3(0), scale));
     expect_same_after_a_copy_there_and_back(moved(torus(12, 8, 1, 0.3), Vec3(1e4 * scale), scale));

@@ -178,6 +178,51 @@ class CommandLine(unittest.TestCase):
     def test_depth_0_takes_whole_base_faces(self):
         self.assertEqual(self.cut("--depth", "0")["removed"]["faces"], 2)
 
+    def test_prepare_subdivides_smooths_and_simplifies_and_keeps_materials(self):
+        self.write("two.obj", PLATE.replace("f 1 4 3", "usemtl red\nf 1 4 3").replace("f 1 3 2", "usemtl blue\nf 1 3 2"))
+        done = self.run_here("prepare", "two.obj", "--subdivide", "midpoint", "--smooth", "2", "--out", "eight.obj")
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", "kerf: 2 faces -> 8 in eight.obj\n"))
+        text = self.read("eight.obj").decode()
+        self.assertEqual((text.count("\nf "), text.count("red"), text.count("blue")), (8, 1, 1))
+        for ending in ("obj", "ply", "stl", "off"):
+            self.assertEqual(self.run_here("prepare", "eight.obj", "--subdivide", "sqrt3", "--out", f"a.{ending}").returncode, 0)
+            self.assertEqual(json.loads(self.run_here("info", f"a.{ending}").stdout)["faces"], 24)
+        self.run_here("prepare", "a.ply", "--subdivide", "midpoint", "--out", "b.ply")
+        done = self.run_here("prepare", "b.ply", "--simplify-error", "0.001", "--out", "c.ply")
+        self.assertRegex(done.stderr, "^kerf: 96 faces -> [0-9]+ in c.ply\n$")
+
+    def test_prepare_says_when_boundaries_keep_more_faces_than_asked_for(self):
+        done = self.run_here("prepare", "plate.obj", "--subdivide", "midpoint", "--simplify", "1", "--out", "a.obj")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("note: 2 faces are left", done.stderr)
+
+    def test_prepare_refuses_what_makes_no_sense(self):
+        for options, word in ((["--out", "a.obj"], "nothing is to be done"), (["--out", "a.txt", "--smooth", "1"], "--out"),
+                              (["--out", "a.obj", "--simplify", "0"], "--simplify"),
+                              (["--out", "a.obj", "--simplify-error", "nan"], "--simplify-error"),
+                              (["--out", "a.obj", "--simplify", "9", "--simplify-error", "1"], "together"),
+                              (["--out", "a.obj", "--subdivide", "twice"], "midpoint"),
+                              (["--out", "a.obj", "--smooth", "100000"], "--smooth")):
+            self.assert_refused(self.run_here("prepare", "plate.obj", *options), 2, word)
+        self.assert_refused(self.run_here("prepare", "none.obj", "--smooth", "1", "--out", "a.obj"), 2, "none.obj")
+        self.assert_refused(self.run_here("prepare", "plate.obj", "--simplify", "2", "--out", "none/a.obj"), 1, "none")
+        self.assertFalse(os.path.exists(os.path.join(self.folder.name, "a.obj")))
+
+    def test_ctrl_c_stops_a_preparation_and_leaves_no_file(self):
+        rows = 300
+        corners = "".join(f"v {x} {(x * y) % 7 / 10} {y}\n" for y in range(rows) for x in range(rows))
+        faces = "".join(f"f {a} {a + 1} {a + rows + 1} {a + rows}\n" for y in range(rows - 1)
+                        for a in range(y * rows + 1, y * rows + rows))
+        self.write("rough.obj", corners + faces)
+        process = subprocess.Popen([KERF, "prepare", "rough.obj", "--simplify", "9", "--out", "a.obj"], cwd=self.folder.name,
+                                   stderr=subprocess.PIPE, text=True)
+        time.sleep(1)
+        process.send_signal(signal.SIGINT)
+        message = process.communicate(timeout=60)[1]
+        self.assertEqual(process.returncode, 1, message)
+        self.assertIn("stopped", message)
+        self.assertEqual([name for name in os.listdir(self.folder.name) if name.startswith("a.")], [])
+
     def thermal(self, speed, *options):
         """Crosses a sheet of 2 mm at a speed in m/s with 2 kW; the report."""
         self.write("sheet.obj", "v -.03 0 -.01\nv .03 0 -.01\nv .03 0 .01\nv -.03 0 .01\nf 1 4 3\nf 1 3 2\n")

@@ -42,8 +42,12 @@ class PagedArray {
 
   // An upper bound of the indices written so far, exclusive.
   uint32_t end() const { return static_cast<uint32_t>(pages_.size()) * kPage; }
-  // Whether any item on the page of item i was written.
-  bool has_page(uint32_t i) const { return page_of(i) != nullptr; }
+  // The items of the page with item i, the one with index i - i % kPage first; null if none of them was
+  // written.
+  const T* page(uint32_t i) const {
+    const Page* page = page_of(i);
+    return page ? page->data() : nullptr;
+  }
 
   void clear() { pages_.clear(); }
   // Memory allocated, in bytes.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <numeric>
+#include <utility>
 
 #include "core/base/tolerances.h"
 #include "core/graph/tie_clusters.h"
@@ -44,21 +45,26 @@ void PartSearch::start(Scope scope) {
   std::iota(search_.group_parent.begin(), search_.group_parent.end(), 0u);
   search_.front_parent = search_.group_parent;
   search_.fronts.resize(seeds);
-  for (uint32_t i = 0; i < seeds; ++i) reach(i, search_.seed[i]);  // no two fronts meet: the seeds differ
+  for (uint32_t i = 0; i < seeds; ++i) reach(i, {search_.seed[i]});  // no two fronts meet: the seeds differ
 }
 
-// Starts a front at each live face of a tie; the group of a cluster has the number of its first front.
+// Starts a front at each live face of a tie, in the order of their slots; the group of a cluster has the
+// number of its first front.
 void PartSearch::seed_clusters() {
-  TieClusters clusters(state_.ties);
+  TieClusters clusters(state_.ties, state_.tie_place);
   const auto faces = clusters.faces();
+  std::vector<std::pair<FaceId, uint32_t>> seeds;  // with their clusters
+  for (uint32_t i = 0; i < faces.size(); ++i) {
+    if (body_.mesh.is_live(faces[i])) seeds.emplace_back(faces[i], clusters.cluster(i));
+  }
+  std::sort(seeds.begin(), seeds.end());
   std::vector<uint32_t> group_of(faces.size(), kNone);
   search_.seed.clear();
   search_.group.clear();
-  for (uint32_t i = 0; i < faces.size(); ++i) {
-    if (!body_.mesh.is_live(faces[i])) continue;
-    uint32_t& group = group_of[clusters.cluster(i)];
+  for (const auto& [face, cluster] : seeds) {
+    uint32_t& group = group_of[cluster];
     if (group == kNone) group = static_cast<uint32_t>(search_.seed.size());
-    search_.seed.push_back(faces[i]);
+    search_.seed.push_back(face);
     search_.group.push_back(group);
   }
 }
@@ -132,7 +138,7 @@ void PartSearch::note_removal(FaceId f) {
     if (!(beside & OpenSearch::kLookedAt)) mark = beside;
   }
   if (mark == 0) return;
-  for (const FaceId n : state_.neighbours) reach(mark - 1, n);
+  for (const FaceId n : state_.neighbours) reach(mark - 1, {n});
 }
 
 void PartSearch::note_turned(FaceId f, double area_gained) {
@@ -143,20 +149,24 @@ void PartSearch::note_turned(FaceId f, double area_gained) {
 
 void PartSearch::look_again(FaceId f) {
   if (search_.stage != OpenSearch::Stage::kGrow) return;
-  if (SearchFront* front = search_.front_of(f)) front->frontier.push_back(f);
+  if (SearchFront* front = search_.front_of(f)) front->frontier.push_back({f});
 }
 
 // Growing ---------------------------------------------------------------------------------------------------
 
-void PartSearch::reach(uint32_t front, FaceId f) {
-  uint32_t& mark = search_.mark.at(f.index);
-  if (mark != 0) return merge((mark & ~OpenSearch::kLookedAt) - 1, front);
-  front = root(search_.front_parent, front);
-  assert(body_.mesh.is_live(f));
-  mark = front + 1;
+void PartSearch::reach(uint32_t front, const ReachedFace& reached) {
+  const uint32_t mark = search_.mark.get(reached.face.index) & ~OpenSearch::kLookedAt;
+  if (mark == 0) return come_to(root(search_.front_parent, front), reached);
+  if (mark != front + 1) merge(mark - 1, front);
+}
+
+// Precondition: `front` was not merged into another one, and no front has reached the face.
+void PartSearch::come_to(uint32_t front, const ReachedFace& reached) {
+  assert(body_.mesh.is_live(reached.face));
+  search_.mark.at(reached.face.index) = front + 1;
   SearchFront& own = search_.fronts[front];
-  own.frontier.push_back(f);
-  own.lowest = std::min(own.lowest, f.index);
+  own.frontier.push_back(reached);
+  own.lowest = std::min(own.lowest, reached.face.index);
 }
 
 // Merges two fronts that met, with their faces and groups. Linear in the smaller frontier.
@@ -248,27 +258,27 @@ bool PartSearch::grow(size_t most, SettleResult& result) {
   return true;
 }
 
-// Collects the neighbours of all faces of the turn before reaching any of them, so that memory accesses
-// overlap.
+// Finds the neighbours of all faces of the turn before it reaches any of them, and prefetches what the next
+// turn needs, so that memory accesses overlap.
 size_t PartSearch::take_turn(uint32_t front, size_t faces) {
-  SearchFront& own = search_.fronts[front];
-  take_from(own, faces);
-  neighbours_.clear();
+  take_from(search_.fronts[front], faces);
+  walk_.visit(turn_);
+  const auto neighbours = walk_.neighbours();
+  for (const ReachedFace& n : neighbours) search_.mark.prefetch(n.face.index);
   for (size_t at = 0; at < turn_.size(); ++at) {
-    body_.mesh.prefetch_neighbours(turn_, at);
-    const FaceId f = turn_[at];
-    if (!body_.mesh.is_live(f)) continue;
-    const size_t first = neighbours_.size();
-    body_.mesh.append_nearest_neighbours(f, neighbours_);
-    for (size_t i = first; i < neighbours_.size(); ++i) search_.mark.prefetch(neighbours_[i].index);
+    if (!walk_.is_live(at)) continue;
+    const FaceId f = turn_[at].face;
     const uint32_t mark = search_.mark.get(f.index);
-    if (!(mark & OpenSearch::kLookedAt)) note_looked_at(f, mark, triangle_area(body_.mesh.triangle(f)));
+    if (!(mark & OpenSearch::kLookedAt)) note_looked_at(f, mark, walk_.area(at));
   }
-  own.looked_at += turn_.size();
-  for (const FaceId n : neighbours_) reach(front, n);
+  search_.fronts[front].looked_at += turn_.size();
+  for (const ReachedFace& n : neighbours) reach(front, n);
   front = root(search_.front_parent, front);
-  if (!search_.fronts[front].exhausted()) {
-    turns_.push({search_.fronts[front].looked_at, front});
+  const SearchFront& own = search_.fronts[front];
+  if (!own.exhausted()) {
+    const std::span<const ReachedFace> ahead(own.frontier);
+    walk_.prefetch(ahead.last(std::min(ahead.size() - own.next, kLongestTurn)));
+    turns_.push({own.looked_at, front});
   } else {
     --open_[root(search_.group_parent, search_.group[front])];
     note_exhausted(front);
@@ -310,7 +320,9 @@ void PartSearch::hand_out_labels(SettleResult& result) {
   search_.new_label.assign(search_.fronts.size(), 0);
   for (const uint32_t part : came_off) give_label(part, result);
   search_.stage = came_off.empty() ? OpenSearch::Stage::kNone : OpenSearch::Stage::kRelabel;
-  if (came_off.empty()) reset(search_);
+  if (came_off.empty()) return reset(search_);
+  for (uint32_t i = 0; i < search_.fronts.size(); ++i)
+    search_.new_label[i] = search_.new_label[root(search_.front_parent, i)];
 }
 
 void PartSearch::leave_out_largest(std::vector<uint32_t>& parts) const {
@@ -344,47 +356,67 @@ void PartSearch::give_label(uint32_t part, SettleResult& result) {
   body_.pieces.push_back({{front.faces, front.area}, {}, {front.faces, front.area}});
 }
 
-void PartSearch::set_label(FaceId f, uint32_t label) {
-  const Triangle t = body_.mesh.triangle(f);
-  const AreaMoments moments = area_moments(t, triangle_area(t), body_.middle());
-  body_.edit_piece_of(f).moments -= moments;
-  body_.mesh.edit_data(f).piece = label;
-  body_.edit_piece_of(f).moments += moments;
-}
-
 // Relabels faces in the order of their slots. Returns whether all have their labels.
 bool PartSearch::relabel(size_t most, SettleResult& result) {
   const bool complete = find_unlabelled(most - std::min(most, result.relabelled.size()));
-  for (size_t at = 0; at < turn_.size(); ++at) {
-    body_.mesh.prefetch_neighbours(turn_, at);
-    const uint32_t label = search_.label_to_be(turn_[at]);
-    if (body_.mesh.data(turn_[at]).piece == label) continue;  // labelled with the other half of its pair
-    // Both halves of a green pair at once: the faces that replace the pair take area from both.
-    const OneToFour::Element element = body_.refinement.element(body_.mesh, turn_[at]);
-    for (int i = 0; i < element.face_count; ++i) {
-      set_label(element.faces[i], label);
-      result.relabelled.push_back(element.faces[i]);
+  moved_from_.clear();
+  const size_t first = result.relabelled.size();
+  for (const FaceId f : unlabelled_) {
+    const uint32_t label = search_.label_to_be(f);
+    if (body_.mesh.data(f).piece == label) continue;  // labelled with the other half of its pair
+    if (body_.mesh.data(f).element == FaceData::kNoElement) {
+      take_label(f, label, result);
+      continue;
     }
+    // Both halves of a green pair at once: the faces that replace the pair take area from both.
+    const OneToFour::Element pair = body_.refinement.element(body_.mesh, f);
+    for (int i = 0; i < pair.face_count; ++i) take_label(pair.faces[i], label, result);
   }
+  move_moments(std::span(result.relabelled).subspan(first));
   if (!complete) return false;
   search_.stage = OpenSearch::Stage::kNone;
   reset(search_);
   return true;
 }
 
-// Makes `turn_` the next faces that lack their label, `most` at most. Returns whether these are the last.
+void PartSearch::take_label(FaceId f, uint32_t label, SettleResult& result) {
+  moved_from_.push_back(std::exchange(body_.mesh.edit_data(f).piece, label));
+  result.relabelled.push_back(f);
+}
+
+// Moves the moments of faces that have their labels already from the pieces that they were moved from.
+void PartSearch::move_moments(std::span<const FaceId> faces) {
+  const std::span<const Triangle> triangles = walk_.triangles(faces);
+  const Vec3 origin = body_.middle();
+  AreaMoments *left = nullptr, *gained = nullptr;
+  uint32_t from = kNone, to = kNone;
+  for (size_t i = 0; i < faces.size(); ++i) {
+    const uint32_t label = body_.mesh.data(faces[i]).piece;
+    if (moved_from_[i] != from) left = &body_.pieces.edit(from = moved_from_[i]).moments;
+    if (label != to) gained = &body_.pieces.edit(to = label).moments;
+    const AreaMoments moments = area_moments(triangles[i], triangle_area(triangles[i]), origin);
+    *left -= moments;
+    *gained += moments;
+  }
+}
+
+// Makes `unlabelled_` the next faces that lack their label, `most` at most. Returns whether these are the
+// last.
 bool PartSearch::find_unlabelled(size_t most) {
-  turn_.clear();
-  for (; search_.next_slot < search_.mark.end(); ++search_.next_slot) {
-    if (!search_.mark.has_page(search_.next_slot)) {
-      search_.next_slot |= PagedArray<uint32_t>::kPage - 1;
-      continue;
+  constexpr uint32_t kPage = PagedArray<uint32_t>::kPage;
+  unlabelled_.clear();
+  for (uint32_t& next = search_.next_slot; next < search_.mark.end();) {
+    const uint32_t* marks = search_.mark.page(next);
+    const uint32_t page_end = next - next % kPage + kPage;
+    if (marks == nullptr) next = page_end;
+    for (; next < page_end; ++next) {
+      const uint32_t label = search_.label_of(marks[next % kPage]);
+      if (label == 0) continue;
+      const FaceId f(next);
+      if (!body_.mesh.is_live(f) || body_.mesh.data(f).piece == label) continue;
+      if (unlabelled_.size() >= most) return false;
+      unlabelled_.push_back(f);
     }
-    const FaceId f(search_.next_slot);
-    const uint32_t label = search_.label_to_be(f);
-    if (label == 0 || !body_.mesh.is_live(f) || body_.mesh.data(f).piece == label) continue;
-    if (turn_.size() >= most) return false;
-    turn_.push_back(f);
   }
   return true;
 }

@@ -5,6 +5,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/graph/separation.h"
+#include "core/mesh/face_walk.h"
 
 namespace kerf {
 
@@ -18,7 +19,8 @@ namespace kerf {
 // later step. Private to core/graph.
 class PartSearch {
  public:
-  explicit PartSearch(Body& body) : body_(body), state_(body.separation), search_(body.separation.search) {}
+  explicit PartSearch(Body& body)
+      : body_(body), state_(body.separation), search_(body.separation.search), walk_(body.mesh) {}
 
   // Which fronts may belong to the same component. kClusters: those whose seeds were connected over removed
   // faces, which suffices for the removals of one step. kComponents: all fronts whose faces have the same
@@ -64,7 +66,8 @@ class PartSearch {
   void note_looked_at(FaceId f, uint32_t mark, double area);
   void look_again(FaceId f);
   double half_of(const Replacement& replaced) const;
-  void reach(uint32_t front, FaceId f);
+  void reach(uint32_t front, const ReachedFace& reached);
+  void come_to(uint32_t front, const ReachedFace& reached);
   void merge(uint32_t a, uint32_t b);
   void unite_groups(uint32_t a, uint32_t b);
 
@@ -79,9 +82,10 @@ class PartSearch {
   void hand_out_labels(SettleResult& result);
   void leave_out_largest(std::vector<uint32_t>& parts) const;
   void give_label(uint32_t part, SettleResult& result);
-  void set_label(FaceId f, uint32_t label);
   bool relabel(size_t most, SettleResult& result);
   bool find_unlabelled(size_t most);
+  void take_label(FaceId f, uint32_t label, SettleResult& result);
+  void move_moments(std::span<const FaceId> faces);
 
   Body& body_;
   SeparationState& state_;
@@ -89,7 +93,11 @@ class PartSearch {
   std::vector<uint32_t> open_;  // by group: the number of its fronts that are not exhausted
   std::vector<Found> found_;
   std::priority_queue<Turn> turns_;
-  std::vector<FaceId> turn_, neighbours_;  // scratch
+  FaceWalk walk_;
+  // Scratch.
+  std::vector<ReachedFace> turn_;
+  std::vector<FaceId> unlabelled_;
+  std::vector<uint32_t> moved_from_;  // the former pieces of faces that were relabelled
 };
 
 }  // namespace kerf

@@ -14,8 +14,8 @@ namespace kerf {
 namespace {
 
 // The number of components that were removed entirely: clusters of removed faces without a live face.
-int64_t vanished_components(const Mesh& mesh, const SeparationState& state) {
-  TieClusters clusters(std::span(state.ties).subspan(state.first_tie));
+int64_t vanished_components(const Mesh& mesh, SeparationState& state) {
+  TieClusters clusters(std::span(state.ties).subspan(state.first_tie), state.tie_place);
   const auto faces = clusters.faces();
   std::vector<bool> lives(faces.size());
   for (uint32_t i = 0; i < faces.size(); ++i) {
@@ -26,7 +26,7 @@ int64_t vanished_components(const Mesh& mesh, const SeparationState& state) {
   return vanished;
 }
 
-bool may_have_come_apart(const Mesh& mesh, const SeparationState& state) {
+bool may_have_come_apart(const Mesh& mesh, SeparationState& state) {
   if (state.cannot_know || (state.over_rings && state.any_closed)) return true;
   // A face without neighbours was the last one of a component, or of a few faces that the removals had
   // enclosed before; that loop is included in the sum.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/ids.h"
+#include "core/base/paged_array.h"
 #include "core/base/union_find.h"
 
 namespace kerf {
@@ -14,10 +15,10 @@ namespace kerf {
 // one of its former neighbours.
 class TieClusters {
  public:
-  // O(n log n).
-  explicit TieClusters(std::span<const std::pair<FaceId, FaceId>> ties);
+  // Linear time. All items of `scratch` must be 0, and are 0 afterwards.
+  TieClusters(std::span<const std::pair<FaceId, FaceId>> ties, PagedArray<uint32_t>& scratch);
 
-  // The faces of all ties, ascending, each once.
+  // The faces of all ties, each once, in the order in which they first appear.
   std::span<const FaceId> faces() const { return faces_; }
   // The cluster of faces()[place], named by the place of its first face. Precondition: place <
   // faces().size().
@@ -27,8 +28,6 @@ class TieClusters {
   }
 
  private:
-  uint32_t place(FaceId f) const;
-
   std::vector<FaceId> faces_;
   UnionFind together_;
 };

@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "core/base/paged_array.h"
-#include "core/mesh/mesh.h"
+#include "core/mesh/face_walk.h"
 
 namespace kerf {
 
 // A breadth-first search over faces that started from one or more seeds.
 struct SearchFront {
-  std::vector<FaceId> frontier;  // faces from index `next` on are still to be visited
+  std::vector<ReachedFace> frontier;  // faces from index `next` on are still to be visited
   size_t next = 0;
   size_t looked_at = 0;           // faces visited
   size_t faces = 0;               // live faces among them
@@ -34,19 +34,23 @@ struct OpenSearch {
   std::vector<FaceId> seed;            // by front
   std::vector<uint32_t> group;         // by front: the component of its seed before the removals
   std::vector<uint32_t> group_parent;  // by group: union-find of groups that were connected
-  std::vector<uint32_t> new_label;     // by front, while faces are relabelled; 0 if they keep their label
-  uint32_t next_slot = 0;              // the first face slot that is not relabelled yet
+  // By front, also by those that were merged into others, while faces are relabelled; 0 if they keep their
+  // label.
+  std::vector<uint32_t> new_label;
+  uint32_t next_slot = 0;  // the first face slot that is not relabelled yet
 
   // The front that has reached the face, or null.
   SearchFront* front_of(FaceId f);
   // The label that relabelling will give to the face; 0 if it keeps its own.
-  uint32_t label_to_be(FaceId f) const;
+  uint32_t label_to_be(FaceId f) const { return stage == Stage::kRelabel ? label_of(mark.get(f.index)) : 0; }
+  // The same by the face's mark. Precondition: faces are being relabelled.
+  uint32_t label_of(uint32_t marked) const {
+    const uint32_t front = marked & ~kLookedAt;
+    return front == 0 ? 0 : new_label[front - 1];
+  }
 
   // Memory of what grows with the mesh.
   size_t bytes() const;
-
- private:
-  uint32_t root_of(FaceId f) const;
 };
 
 // What core/graph records about the faces that were removed from a body. It may be discarded at any time
@@ -58,6 +62,7 @@ struct SeparationState {
   // Pairs of a removed face and a former neighbour, since the last call of settle() or since an open search
   // began.
   std::vector<std::pair<FaceId, FaceId>> ties;
+  PagedArray<uint32_t> tie_place;  // scratch of TieClusters
 
   // About the removals since the last call of settle().
   size_t first_tie = 0;
@@ -79,7 +84,9 @@ struct SeparationState {
   Mesh::Star star;
 
   // Memory of what grows with the mesh.
-  size_t bytes() const { return joined.bytes() + ties.capacity() * sizeof(ties[0]) + search.bytes(); }
+  size_t bytes() const {
+    return joined.bytes() + ties.capacity() * sizeof(ties[0]) + tie_place.bytes() + search.bytes();
+  }
 
   // Undo records none of it: it is discarded when the faces are exchanged (see ChangeOf).
   struct Change {

@@ -49,20 +49,26 @@ void split_at(RimState& rim, FaceId f, const Crossing& edge) {
 
 }  // namespace
 
-void clip_at_rim(RimState& rim) {
-  for (size_t i = 0; i < rim.faces.size(); ++i) {
-    const FaceId f = rim.faces[i];
+bool clip_at_rim(RimState& rim) {
+  return visit_next(rim, rim.faces, [&](FaceId f) {
     for (Crossing edge = longest_crossing(rim, f); edge.found(); edge = longest_crossing(rim, f))
       split_at(rim, f, edge);
-  }
+  });
 }
 
-void remove_within_rim(RimState& rim) {
+bool choose_within_rim(RimState& rim) {
+  return visit_next(rim, rim.faces, [&](FaceId f) {
+    if (rim.inside(f)) rim.work.waiting.push_back(f);
+  });
+}
+
+bool remove_within_rim(RimState& rim) {
   std::vector<FaceId> going;
-  for (const FaceId f : rim.faces) {
-    if (rim.inside(f)) going.push_back(f);
-  }
+  const bool over = visit_next(rim, rim.work.waiting, [&](FaceId f) { going.push_back(f); });
+  rim.work.removed |= !going.empty();
   remove_faces(rim.step, going);
+  if (over) rim.work.waiting.clear();
+  return over;
 }
 
 }  // namespace kerf

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 
 #include "core/base/tolerances.h"
 #include "core/cut/cuttable.h"
@@ -9,13 +11,281 @@
 
 namespace kerf {
 
+namespace {
+
+using Stage = UnfinishedRim::Stage;
+
+// What a part of a stage costs, in faces of a bite.
+constexpr size_t kLightPart = 200, kHeavyPart = 2000;
+
+// The moves that swept the body: those of the stroke, or where the body has moved those in its own frame.
+struct Sweep {
+  std::span<const BeamMove> moves;
+  bool in_body_frame = false;
+};
+
+Sweep sweep_of(BodyId id, std::span<const BeamMove> path, const SweptByBody& swept) {
+  const auto own = swept.find(id);
+  if (own == swept.end()) return {path, false};
+  return {own->second, true};
+}
+
+void add_to_region(RimState& rim, const BeamMove& move, bool in_body_frame) {
+  BodyStep& step = rim.step;
+  if (in_body_frame) {
+    step.beam = sweep_beam(rim.settings.laser, move);
+  } else {
+    sweep(step, rim.settings.laser, move);
+  }
+  for (const SweptCylinder& part : step.beam) rim.region.add(part);
+}
+
+// The faces that meet the boundary of part `i` of the region, or lie so near that a vertex could be on it.
+// Returns their number.
+size_t find_near(RimState& rim, uint32_t i) {
+  std::vector<FaceId> found;
+  const SweptCylinder& part = rim.region.part(i);
+  const QueryCounts counts = rim.step.edit.touched(part.with_radius(part.radius() * (1 + 2 * kRimOn)), found);
+  rim.step.figures.tested.boxes += counts.boxes;
+  rim.step.figures.tested.faces += counts.faces;
+  std::vector<FaceId>& heap = rim.work.waiting;
+  for (const FaceId f : found) {
+    if (!rim.region.is_near(f)) {
+      heap.push_back(f);
+      std::push_heap(heap.begin(), heap.end(), std::greater<>());
+    }
+    rim.region.note_near(f, i);
+  }
+  return found.size();
+}
+
+// Moves the next faces from the heap to the list. Returns whether none is left.
+bool sort_near(RimState& rim) {
+  constexpr size_t kAtOnce = 8 * kFacesTogether;
+  std::vector<FaceId>& heap = rim.work.waiting;
+  for (size_t i = 0; i < kAtOnce && !heap.empty(); ++i) {
+    std::pop_heap(heap.begin(), heap.end(), std::greater<>());
+    rim.faces.push_back(heap.back());
+    heap.pop_back();
+  }
+  return heap.empty();
+}
+
+bool measure(RimState& rim) {
+  double& largest = rim.step.figures.largest_cosine;
+  return visit_next(rim, rim.work.changed, [&](FaceId f) {
+    if (rim.mesh().is_live(f)) largest = std::max(largest, largest_cosine(rim.mesh().triangle(f)));
+  });
+}
+
+// One step, which ends after about settings.bite faces.
+class RimBite {
+ public:
+  RimBite(World& world, const CutSettings& settings, UnfinishedRim& unfinished, const Progress& progress)
+      : world_(world), settings_(settings), work_(unfinished), progress_(progress) {}
+
+  // Returns whether the rim is closed in all bodies.
+  Result<bool> take(std::span<const BeamMove> path, const SweptByBody& swept, StepResult& result) {
+    const std::vector<BodyId> ids = cuttable(world_);
+    while (work_.bodies < ids.size()) {
+      const BodyId id = ids[work_.bodies];
+      BodyStep step(id, world_.body(id));
+      RimState rim(step, settings_, work_);
+      const Result<Reached> reached = go_through(rim, sweep_of(id, path, swept));
+      if (!reached) return reached.error();
+      if (const BodyDelta* changes = take_changes(step, result))
+        work_.changed.insert(work_.changed.end(), changes->born.begin(), changes->born.end());
+      result.figures.add(step.figures);
+      if (*reached == Reached::kEndOfBody) {
+        const size_t bodies = work_.bodies + 1;
+        work_ = UnfinishedRim{};
+        work_.bodies = bodies;
+      }
+      if (taken_ >= settings_.bite && work_.bodies < ids.size()) return false;
+    }
+    hold_what_joints_hold(world_, result.delta);
+    return true;
+  }
+
+ private:
+  enum class Reached { kEndOfBite, kEndOfEdits, kEndOfBody };
+
+  Result<Reached> go_through(RimState& rim, const Sweep& sweep) {
+    do {
+      if (!progress_.report(0)) return cancelled();
+      const Stage before = work_.stage;
+      const Result<bool> over = go_on(rim, sweep);
+      if (!over) return over.error();
+      if (*over) return Reached::kEndOfBody;
+      follow_with_tree(rim);
+      if (work_.stage == Stage::kMeasure && before != Stage::kMeasure) return Reached::kEndOfEdits;
+    } while (taken_ < settings_.bite);
+    return Reached::kEndOfBite;
+  }
+
+  void follow_with_tree(RimState& rim) const {
+    update_tree(rim.step);
+    const Stopwatch watch(rim.step.figures.update_tree_s);
+    rim.step.edit.refit_tree();
+  }
+
+  // Does the next part of a stage. Returns whether the body is completed.
+  Result<bool> go_on(RimState& rim, const Sweep& sweep) {
+    switch (work_.stage) {
+      case Stage::kSweep:
+      case Stage::kFindNear:
+      case Stage::kSort:
+        find(rim, sweep);
+        return false;
+      case Stage::kClip:
+      case Stage::kChoose:
+      case Stage::kRemove:
+        cut(rim);
+        return false;
+      case Stage::kChooseBesideRim:
+      case Stage::kFlip:
+        flip(rim);
+        return false;
+      case Stage::kSeparate:
+        separate_pieces(rim.step);
+        if (work_.changed.empty() && !rim.step.edit.any()) return true;
+        go_to(Stage::kMeasure);
+        return false;
+      case Stage::kMeasure:
+        taken_ += kLightPart;
+        return measure(rim);
+      default:
+        if (const Status fitted = fit(rim); !fitted) return fitted.error();
+        return false;
+    }
+  }
+
+  void find(RimState& rim, const Sweep& sweep) {
+    const Stopwatch watch(rim.step.figures.query_s);
+    size_t& next = work_.next;
+    if (work_.stage == Stage::kSweep) {
+      const size_t end = std::min(sweep.moves.size(), next + kFacesTogether);
+      for (; next < end; ++next) add_to_region(rim, sweep.moves[next], sweep.in_body_frame);
+      taken_ += kLightPart;
+      if (next == sweep.moves.size()) go_to(Stage::kFindNear);
+    } else if (work_.stage == Stage::kFindNear) {
+      if (next < rim.region.parts()) taken_ += 1 + find_near(rim, static_cast<uint32_t>(next++));
+      if (next == rim.region.parts()) go_to(work_.waiting.empty() ? Stage::kSeparate : Stage::kSort);
+    } else {
+      taken_ += kLightPart;
+      if (!sort_near(rim)) return;
+      work_.waiting = rim.faces;
+      go_to(Stage::kRefine);
+    }
+  }
+
+  // Refines and moves vertices, in turn, for the one may ask for the other.
+  Status fit(RimState& rim) {
+    const Stopwatch watch(rim.step.figures.refine_s);
+    const auto then = [&](bool over, Stage stage) {
+      if (over) go_to(stage);
+    };
+    taken_ += kHeavyPart;
+    switch (work_.stage) {
+      case Stage::kRefine:
+        if (const Status refined = refine_rim(rim); !refined) return refined;
+        then(work_.waiting.empty(), Stage::kListInPlane);
+        break;
+      case Stage::kListInPlane:
+        then(list_moves_in_plane(rim), Stage::kMoveInPlane);
+        break;
+      case Stage::kMoveInPlane:
+        then(move_onto_rim(rim), Stage::kListAlongEdges);
+        break;
+      case Stage::kListAlongEdges:
+        then(list_moves_along_edges(rim), Stage::kMoveAlongEdges);
+        break;
+      case Stage::kMoveAlongEdges:
+        then(move_onto_rim(rim), Stage::kSplitInTheWay);
+        break;
+      case Stage::kSplitInTheWay:
+        if (split_in_the_way(rim)) fit_again_or_settle();
+        break;
+      case Stage::kListNear:
+        then(list_near_rim(rim), Stage::kSettle);
+        break;
+      default:
+        then(settle_on_rim(rim), Stage::kClip);
+        break;
+    }
+    return Done{};
+  }
+
+  void fit_again_or_settle() {
+    constexpr int kMostRounds = 4;
+    if (++work_.rounds < kMostRounds && !work_.waiting.empty()) return go_to(Stage::kRefine);
+    work_.waiting.clear();
+    work_.rounds = 0;
+    go_to(Stage::kListNear);
+  }
+
+  void cut(RimState& rim) {
+    taken_ += kHeavyPart;
+    if (work_.stage == Stage::kRemove) {
+      if (remove_within_rim(rim)) go_to(Stage::kChooseBesideRim);
+      return;
+    }
+    const Stopwatch watch(rim.step.figures.refine_s);
+    if (work_.stage == Stage::kClip) {
+      if (clip_at_rim(rim)) go_to(Stage::kChoose);
+    } else if (choose_within_rim(rim)) {
+      go_to(Stage::kRemove);
+    }
+  }
+
+  void flip(RimState& rim) {
+    constexpr int kMostRounds = 4;
+    const Stopwatch watch(rim.step.figures.refine_s);
+    taken_ += kHeavyPart;
+    if (work_.stage == Stage::kChooseBesideRim) {
+      if (choose_beside_rim(rim)) go_to(Stage::kFlip);
+      return;
+    }
+    if (!flip_near_rim(rim)) return;
+    const bool again = std::exchange(work_.flipped, false) && ++work_.rounds < kMostRounds;
+    if (!again) go_to(Stage::kSeparate);
+  }
+
+  void separate_pieces(BodyStep& step) {
+    taken_ += separate(world_, step, {}, settings_.search_a_move);
+    ask_joints(world_, world_.body(step.id), {}, work_.removed);
+  }
+
+  void go_to(Stage stage) {
+    work_.stage = stage;
+    work_.next = 0;
+  }
+
+  World& world_;
+  const CutSettings& settings_;
+  UnfinishedRim& work_;
+  const Progress& progress_;
+  size_t taken_ = 0;  // faces
+};
+
+}  // namespace
+
 double RimState::distance(VertexId v, FaceId face) {
-  const auto known = distances.find(v.index);
-  if (known != distances.end()) return known->second;
+  const uint32_t known = work.distance_of.get(v.index);
+  if (known != 0) return work.distances[known - 1];
   double d = region.signed_distance(face, mesh().position(v));
   if (std::abs(d) <= kRimOn * radius()) d = 0;
-  distances.emplace(v.index, d);
+  note_distance(v, d);
   return d;
+}
+
+void RimState::note_distance(VertexId v, double d) {
+  uint32_t& known = work.distance_of.at(v.index);
+  if (known == 0) {
+    work.distances.push_back(d);
+    known = static_cast<uint32_t>(work.distances.size());
+  }
+  work.distances[known - 1] = d;
 }
 
 std::array<double, 3> RimState::distances_of(FaceId face) {
@@ -31,103 +301,22 @@ bool RimState::inside(FaceId face) {
   return region.signed_distance(face, (t[0] + t[1] + t[2]) / 3.0) < 0;
 }
 
-namespace {
-
-// The faces that meet the boundary, or lie so near that a vertex could be on it.
-void find_near(RimState& rim) {
-  const Stopwatch watch(rim.step.figures.query_s);
-  std::vector<FaceId> found;
-  for (uint32_t i = 0; i < rim.region.parts(); ++i) {
-    const SweptCylinder& part = rim.region.part(i);
-    found.clear();
-    const QueryCounts counts =
-        rim.step.edit.touched(part.with_radius(part.radius() * (1 + 2 * kRimOn)), found);
-    rim.step.figures.tested.boxes += counts.boxes;
-    rim.step.figures.tested.faces += counts.faces;
-    for (const FaceId f : found) {
-      if (!rim.region.is_near(f)) rim.faces.push_back(f);
-      rim.region.note_near(f, i);
-    }
-  }
-  std::sort(rim.faces.begin(), rim.faces.end());
+Result<StepResult> rim_step(World& world, const CutSettings& settings, std::span<const BeamMove> path,
+                            const SweptByBody& swept, UnfinishedRim& unfinished, const Progress* progress) {
+  StepResult result;
+  const Progress asked = share_of(progress, 0, 1);
+  const Result<bool> closed = RimBite(world, settings, unfinished, asked).take(path, swept, result);
+  if (!closed || *closed) unfinished = UnfinishedRim{};
+  if (!closed) return closed.error();
+  return result;
 }
-
-// Refines and moves vertices, in turn, for the one may ask for the other.
-Status fit_to_boundary(RimState& rim, const Progress& progress) {
-  const Stopwatch watch(rim.step.figures.refine_s);
-  constexpr int kMostRounds = 4;
-  std::vector<FaceId> waiting = rim.faces;
-  for (int round = 0; round < kMostRounds && !waiting.empty(); ++round) {
-    if (const Status refined = refine_rim(rim, std::move(waiting), progress); !refined) return refined;
-    waiting.clear();
-    for (const FaceId f : snap_to_rim(rim)) split_near_rim(rim, f, waiting);
-  }
-  settle_on_rim(rim);
-  return Done{};
-}
-
-void refit_tree(RimState& rim) {
-  const Stopwatch watch(rim.step.figures.update_tree_s);
-  rim.step.edit.refit_tree();
-}
-
-// The tree follows also where the work is stopped half-way.
-Status close(RimState& rim, const Progress& progress) {
-  find_near(rim);
-  if (rim.faces.empty()) return Done{};
-  const Status fitted = fit_to_boundary(rim, progress);
-  if (fitted) clip_at_rim(rim);
-  update_tree(rim.step);
-  if (fitted) {
-    remove_within_rim(rim);
-    flip_near_rim(rim);
-  }
-  refit_tree(rim);
-  return fitted;
-}
-
-// All that the beam has swept in the body.
-void add_region(RimState& rim, std::span<const BeamMove> path, const SweptByBody& swept) {
-  BodyStep& step = rim.step;
-  const Laser& laser = rim.settings.laser;
-  const auto add = [&] {
-    for (const SweptCylinder& part : step.beam) rim.region.add(part);
-  };
-  const auto own = swept.find(step.id);
-  if (own == swept.end()) {
-    for (const BeamMove& move : path) {
-      sweep(step, laser, move);
-      add();
-    }
-    return;
-  }
-  for (const BeamMove& move : own->second) {
-    step.beam = sweep_beam(laser, move);
-    add();
-  }
-}
-
-}  // namespace
 
 Result<StepResult> close_rim(World& world, const CutSettings& settings, std::span<const BeamMove> path,
                              const SweptByBody& swept, const Progress* progress) {
-  StepResult result;
-  const std::vector<BodyId> ids = cuttable(world);
-  double done = 0;
-  for (const BodyId id : ids) {
-    BodyStep step(id, world.body(id));
-    RimState rim(step, settings);
-    add_region(rim, path, swept);
-    const double share = 1 / static_cast<double>(ids.size());
-    if (const Status closed = close(rim, share_of(progress, done, done + share)); !closed)
-      return closed.error();
-    done += share;
-    separate(world, step, {}, settings.search_a_move);
-    ask_joints(world, world.body(id), {}, step.edit.removed_faces() > 0);
-    end_step(step, result);
-  }
-  hold_what_joints_hold(world, result.delta);
-  return result;
+  CutSettings at_once = settings;
+  at_once.bite = std::numeric_limits<size_t>::max();
+  UnfinishedRim whole;
+  return rim_step(world, at_once, path, swept, whole, progress);
 }
 
 }  // namespace kerf

@@ -271,13 +271,18 @@ void hold_what_joints_hold(World& world, Delta& delta) {
   if (joints_asked(world) && is_settled(world)) hold_parts(world, Hold::kStill, delta);
 }
 
-void end_step(BodyStep& step, StepResult& result) {
+const BodyDelta* take_changes(BodyStep& step, StepResult& result) {
   step.figures.faces_made = step.edit.faces_made();
-  if (step.edit.any()) {
-    result.delta.removed_faces += step.edit.removed_faces();
-    result.delta.removed_area += step.edit.removed_area();
-    result.delta.bodies.push_back(step.edit.take_delta(step.id));
-    for (const FaceId f : result.delta.bodies.back().born) {
+  if (!step.edit.any()) return nullptr;
+  result.delta.removed_faces += step.edit.removed_faces();
+  result.delta.removed_area += step.edit.removed_area();
+  result.delta.bodies.push_back(step.edit.take_delta(step.id));
+  return &result.delta.bodies.back();
+}
+
+void end_step(BodyStep& step, StepResult& result) {
+  if (const BodyDelta* changes = take_changes(step, result)) {
+    for (const FaceId f : changes->born) {
       step.figures.largest_cosine =
           std::max(step.figures.largest_cosine, largest_cosine(step.mesh().triangle(f)));
     }

@@ -8,6 +8,7 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/cut/unfinished_move.h"
+#include "core/cut/unfinished_rim.h"
 #include "core/laser/laser.h"
 #include "core/world/delta.h"
 #include "core/world/world.h"
@@ -122,15 +123,26 @@ Result<StepResult> cut_body(World& world, const CutSettings& settings, BodyId id
 // The moves of a stroke in the frames of bodies, for those that moved during the stroke.
 using SweptByBody = std::map<BodyId, std::vector<BeamMove>>;
 
-// Ends a stroke with a smooth rim in all bodies that the beam may cut (see cuttable). Before that, the steps
-// of the stroke only remove faces that are wholly inside the beam. This function cuts the faces that cross
-// the boundary of the volume swept by `path` along that boundary, and removes the parts inside. `path` holds
-// all moves of the stroke, in world coordinates; for the bodies that `swept` lists, their list replaces it.
+// Executes one step of ending a stroke with a smooth rim, in all bodies that the beam may cut (see cuttable).
+// Before that, the steps of the stroke only remove faces that are wholly inside the beam. This function cuts
+// the faces that cross the boundary of the volume swept by `path` along that boundary, and removes the parts
+// inside. `path` holds all moves of the stroke, in world coordinates; for the bodies that `swept` lists,
+// their list replaces it.
+//
+// The step goes on where `unfinished` says, and ends after an amount of work of about settings.bite faces.
+// The rim is closed once unfinished.begun() is false afterwards; until then nothing else may change the
+// world, and the next step must be given the same arguments. The result does not depend on the division into
+// steps. The world is consistent between them; pieces are looked for in the last ones.
 //
 // Faces in which a chord would deviate from the boundary by more than kRimChord are split by the scheme
 // first. A vertex near the boundary is moved onto it along an edge if that does not change the surface; every
 // other edge that crosses the boundary is split there, so that the rim lies on the original surface. Finally,
 // edges within one base face are flipped where that increases the smallest angle. Fails like cut_step.
+Result<StepResult> rim_step(World& world, const CutSettings& settings, std::span<const BeamMove> path,
+                            const SweptByBody& swept, UnfinishedRim& unfinished,
+                            const Progress* progress = nullptr);
+
+// The same in one step.
 Result<StepResult> close_rim(World& world, const CutSettings& settings, std::span<const BeamMove> path,
                              const SweptByBody& swept = {}, const Progress* progress = nullptr);
 

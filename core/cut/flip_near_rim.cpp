@@ -3,13 +3,10 @@
 
 #include "core/base/tolerances.h"
 #include "core/cut/rim_state.h"
-#include "core/cut/stopwatch.h"
 
 namespace kerf {
 
 namespace {
-
-constexpr int kMostPasses = 4;
 
 Vec3 area_vector(const Triangle& t) { return glm::cross(t[1] - t[0], t[2] - t[0]); }
 
@@ -78,17 +75,15 @@ bool on_rim(RimState& rim, FaceId f) {
 
 }  // namespace
 
-void flip_near_rim(RimState& rim) {
-  const Stopwatch watch(rim.step.figures.refine_s);
-  std::vector<FaceId> beside;
-  for (const FaceId f : rim.faces) {
-    if (rim.mesh().is_live(f) && on_rim(rim, f)) beside.push_back(f);
-  }
-  bool flipped = true;
-  for (int pass = 0; flipped && pass < kMostPasses; ++pass) {
-    flipped = false;
-    for (const FaceId f : beside) flipped = flip_around(rim, f) || flipped;
-  }
+bool choose_beside_rim(RimState& rim) {
+  return visit_next(rim, rim.faces, [&](FaceId f) {
+    if (rim.mesh().is_live(f) && on_rim(rim, f)) rim.work.waiting.push_back(f);
+  });
+}
+
+bool flip_near_rim(RimState& rim) {
+  return visit_next(rim, rim.work.waiting,
+                    [&](FaceId f) { rim.work.flipped = flip_around(rim, f) || rim.work.flipped; });
 }
 
 }  // namespace kerf

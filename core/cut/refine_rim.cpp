@@ -35,15 +35,13 @@ void split_near_rim(RimState& rim, FaceId f, std::vector<FaceId>& parts) {
   }
 }
 
-Status refine_rim(RimState& rim, std::vector<FaceId> waiting, const Progress& progress) {
-  constexpr size_t kTestsToAsk = 1000;
-  for (size_t tests = 0; !waiting.empty(); ++tests) {
-    if (tests % kTestsToAsk == 0 && !progress.report(0)) return cancelled();
+Status refine_rim(RimState& rim) {
+  std::vector<FaceId>& waiting = rim.work.waiting;
+  for (size_t tests = 0; tests < kFacesTogether && !waiting.empty(); ++tests) {
     if (rim.mesh().live_faces() > rim.settings.most_faces) return too_many_faces(rim.settings);
     const FaceId f = waiting.back();
     waiting.pop_back();
-    if (!may_split(rim, f) || !fails(rim, f)) continue;
-    split_near_rim(rim, f, waiting);
+    if (may_split(rim, f) && fails(rim, f)) split_near_rim(rim, f, waiting);
   }
   return Done{};
 }

@@ -1,23 +1,27 @@
 #pragma once
 
-#include <span>
-#include <unordered_map>
+#include <array>
 #include <vector>
 
 #include "core/cut/step_state.h"
-#include "core/cut/stroke_region.h"
+#include "core/cut/unfinished_rim.h"
 
 namespace kerf {
 
-// The state that the stages of closing a rim share, for one body. Private to core/cut.
+// The state that the stages of closing a rim share, for one body and one step. Private to core/cut.
 struct RimState {
   BodyStep& step;
   const CutSettings& settings;
-  StrokeRegion region;
-  std::vector<FaceId> faces;  // on or near the boundary of the region, followed by the parts of split ones
-  std::unordered_map<uint32_t, double> distances;  // by vertex, cached; never iterated
+  UnfinishedRim& work;
+  StrokeRegion& region;
+  std::vector<FaceId>& faces;
 
-  RimState(BodyStep& body_step, const CutSettings& cut_settings) : step(body_step), settings(cut_settings) {}
+  RimState(BodyStep& body_step, const CutSettings& cut_settings, UnfinishedRim& unfinished)
+      : step(body_step),
+        settings(cut_settings),
+        work(unfinished),
+        region(unfinished.region),
+        faces(unfinished.faces) {}
 
   const Mesh& mesh() const { return step.mesh(); }
   double radius() const { return settings.laser.radius; }
@@ -27,27 +31,49 @@ struct RimState {
   std::array<double, 3> distances_of(FaceId face);
 
   // Records that a vertex lies on the boundary.
-  void note_on_boundary(VertexId v) { distances[v.index] = 0; }
+  void note_on_boundary(VertexId v) { note_distance(v, 0); }
 
   // Whether the face lies inside the region: no corner is outside, and at least one corner, or the centroid
   // if all corners are on the boundary, is inside.
   bool inside(FaceId face);
+
+ private:
+  void note_distance(VertexId v, double d);
 };
 
-// The stages, in their order.
+// What the stages do with the next items, in their order. Each looks at no more than kFacesTogether of them,
+// and most return whether the stage is over: the boxes of the tree are brought up to date after each call and
+// therefore depend on this number, as in the steps of a stroke. The order of the stages is in close_rim.cpp.
 
 // Splits these faces and their parts until each can be cut along one chord. Fails like cut_step.
-Status refine_rim(RimState& rim, std::vector<FaceId> faces, const Progress& progress);
-// Moves vertices onto the boundary. Returns the faces that have to be split first because a vertex very near
-// the boundary cannot be moved.
-std::vector<FaceId> snap_to_rim(RimState& rim);
-// Treats vertices that cannot be moved but lie very near the boundary as lying on it, if the chords permit.
-void settle_on_rim(RimState& rim);
+Status refine_rim(RimState& rim);
+// Lists vertices that may move onto the boundary, and moves them unless that spoils a face. Lists the faces
+// that have to be split first because a vertex very near the boundary cannot be moved.
+bool list_moves_in_plane(RimState& rim);
+bool list_moves_along_edges(RimState& rim);
+bool move_onto_rim(RimState& rim);
+bool split_in_the_way(RimState& rim);
+// Treat vertices that cannot be moved but lie very near the boundary as lying on it, if the chords permit.
+bool list_near_rim(RimState& rim);
+bool settle_on_rim(RimState& rim);
 // Splits a face by the scheme. Appends its parts and those of other faces near the boundary that had to
 // follow.
 void split_near_rim(RimState& rim, FaceId f, std::vector<FaceId>& parts);
-void clip_at_rim(RimState& rim);
-void remove_within_rim(RimState& rim);
-void flip_near_rim(RimState& rim);
+bool clip_at_rim(RimState& rim);
+bool choose_within_rim(RimState& rim);
+bool remove_within_rim(RimState& rim);
+bool choose_beside_rim(RimState& rim);
+bool flip_near_rim(RimState& rim);
+
+// Calls visit(item) for the next kFacesTogether items of a list that may grow meanwhile. Returns whether none
+// is left, and if so, lets the next list begin at its start.
+template <typename Item, typename Visit>
+bool visit_next(RimState& rim, const std::vector<Item>& list, Visit visit) {
+  size_t& next = rim.work.next;
+  for (size_t i = 0; i < kFacesTogether && next < list.size(); ++i) visit(Item(list[next++]));
+  if (next < list.size()) return false;
+  next = 0;
+  return true;
+}
 
 }  // namespace kerf

@@ -10,18 +10,29 @@ namespace kerf {
 
 namespace {
 
-// A vertex near the boundary and a point of the boundary for it. `other` is the end of the edge along which
-// it would move, invalid where it would move within the plane of its faces.
-struct Snap {
-  VertexId vertex, other;
-  FaceId face;
-  Vec3 to;
-  double share = 0;  // of the edges at hand that lies between
-};
+// Whether b is to be processed before a. Entries that are equal by this are equal.
+bool comes_later(const RimSnap& a, const RimSnap& b) {
+  const auto key = [](const RimSnap& s) { return std::tie(s.share, s.vertex, s.other, s.face); };
+  return key(b) < key(a);
+}
 
-void sort(std::vector<Snap>& snaps) {
-  const auto key = [](const Snap& s) { return std::tie(s.share, s.vertex, s.other, s.face); };
-  std::sort(snaps.begin(), snaps.end(), [&](const Snap& a, const Snap& b) { return key(a) < key(b); });
+void push(std::vector<RimSnap>& snaps, const RimSnap& snap) {
+  snaps.push_back(snap);
+  std::push_heap(snaps.begin(), snaps.end(), comes_later);
+}
+
+RimSnap pop(std::vector<RimSnap>& snaps) {
+  std::pop_heap(snaps.begin(), snaps.end(), comes_later);
+  const RimSnap nearest = snaps.back();
+  snaps.pop_back();
+  return nearest;
+}
+
+// Calls visit(snap) for the next kFacesTogether entries, nearest first. Returns whether none is left.
+template <typename Visit>
+bool visit_nearest(std::vector<RimSnap>& snaps, Visit visit) {
+  for (size_t i = 0; i < kFacesTogether && !snaps.empty(); ++i) visit(pop(snaps));
+  return snaps.empty();
 }
 
 // The direction in the plane of the face in which the distance grows fastest; zero where there is none.
@@ -39,7 +50,7 @@ Vec3 in_plane_gradient(const RimState& rim, FaceId f, const Triangle& t, const V
 }
 
 // Vertices that lie nearer to the boundary than their edges are long may move straight to it.
-void add_moves_in_plane(RimState& rim, FaceId f, std::vector<Snap>& snaps) {
+void add_moves_in_plane(RimState& rim, FaceId f, std::vector<RimSnap>& snaps) {
   const auto c = rim.mesh().corners(f);
   const auto d = rim.distances_of(f);
   const Triangle t = rim.mesh().triangle(f);
@@ -49,11 +60,11 @@ void add_moves_in_plane(RimState& rim, FaceId f, std::vector<Snap>& snaps) {
     const Vec3 way = in_plane_gradient(rim, f, t, t[i]), beyond = t[i] - 2 * d[i] * way;
     if (!((rim.region.signed_distance(f, beyond) > 0) == (d[i] < 0))) continue;
     const Vec3 to = d[i] < 0 ? rim.region.crossing(f, t[i], beyond) : rim.region.crossing(f, beyond, t[i]);
-    snaps.push_back({c[i], VertexId(), f, to, std::abs(d[i]) / edge});
+    push(snaps, {c[i], VertexId(), f, to, std::abs(d[i]) / edge});
   }
 }
 
-void add_moves_along_edges(RimState& rim, FaceId f, std::vector<Snap>& snaps) {
+void add_moves_along_edges(RimState& rim, FaceId f, std::vector<RimSnap>& snaps) {
   const auto c = rim.mesh().corners(f);
   const auto d = rim.distances_of(f);
   for (int i = 0; i < 3; ++i) {
@@ -64,8 +75,8 @@ void add_moves_along_edges(RimState& rim, FaceId f, std::vector<Snap>& snaps) {
     const Vec3 a = rim.mesh().position(c[in]), b = rim.mesh().position(c[out]);
     const Vec3 at = rim.region.crossing(f, a, b);
     const double share = glm::length(at - a) / glm::length(b - a);
-    if (share < kRimSnap) snaps.push_back({c[in], c[out], f, at, share});
-    if (1 - share < kRimSnap) snaps.push_back({c[out], c[in], f, at, 1 - share});
+    if (share < kRimSnap) push(snaps, {c[in], c[out], f, at, share});
+    if (1 - share < kRimSnap) push(snaps, {c[out], c[in], f, at, 1 - share});
   }
 }
 
@@ -78,7 +89,7 @@ double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
 
 // A vertex of an edge of one face may only slide along that edge, and hardly change its line; but where the
 // stroke itself has taken what was on the other side, there is no line to keep.
-bool keeps_old_rim(RimState& rim, const Mesh& mesh, const Mesh::Star& star, const Snap& s) {
+bool keeps_old_rim(RimState& rim, const Mesh& mesh, const Mesh::Star& star, const RimSnap& s) {
   if (rim.distance(s.vertex, s.face) < 0 && std::none_of(star.rim.begin(), star.rim.end(), [&](VertexId v) {
         return rim.distance(v, s.face) > 0;
       })) {
@@ -109,7 +120,7 @@ bool turns_too_far(const Triangle& before, const Triangle& after) {
 }
 
 // Without the snap the smallest angle beside the vertex would be about the share of the edge that is cut off.
-bool keeps_faces_well(const Mesh& mesh, const Mesh::Star& star, const Snap& s) {
+bool keeps_faces_well(const Mesh& mesh, const Mesh::Star& star, const RimSnap& s) {
   double worst = -1;
   for (const FaceId f : star.faces) {
     const Triangle after = with_corner_moved(mesh, f, s.vertex, s.to);
@@ -120,7 +131,7 @@ bool keeps_faces_well(const Mesh& mesh, const Mesh::Star& star, const Snap& s) {
 }
 
 // A face around the vertex that could not be cut along one chord any more; none where all could.
-FaceId without_chord(RimState& rim, const Mesh::Star& star, const Snap& s) {
+FaceId without_chord(RimState& rim, const Mesh::Star& star, const RimSnap& s) {
   const double chord = kRimMovedChord * rim.radius(), graze = 2 * kRimGraze * rim.radius();
   for (const FaceId f : star.faces) {
     if (!rim.region.is_near(f)) continue;
@@ -135,56 +146,67 @@ FaceId without_chord(RimState& rim, const Mesh::Star& star, const Snap& s) {
   return FaceId();
 }
 
-template <typename Add>
-void snap(RimState& rim, Add add, std::vector<FaceId>& in_the_way) {
-  std::vector<Snap> snaps;
-  for (const FaceId f : rim.faces) add(rim, f, snaps);
-  sort(snaps);
-  Mesh::Star star;
-  for (const Snap& s : snaps) {
-    if (rim.distance(s.vertex, s.face) == 0) continue;
-    if (s.other.valid() && rim.distance(s.other, s.face) == 0) continue;
-    rim.mesh().star(s.vertex, star);
-    if (!star.alone || !keeps_old_rim(rim, rim.mesh(), star, s)) continue;
-    if (!keeps_faces_well(rim.mesh(), star, s)) continue;
-    if (const FaceId f = without_chord(rim, star, s); f.valid()) {
-      if (s.share < kRimSliver) in_the_way.push_back(f);
-    } else {
-      rim.step.edit.move_vertex(s.vertex, s.to, star);
-      rim.note_on_boundary(s.vertex);
-    }
+void move(RimState& rim, const RimSnap& s, Mesh::Star& star) {
+  if (rim.distance(s.vertex, s.face) == 0) return;
+  if (s.other.valid() && rim.distance(s.other, s.face) == 0) return;
+  rim.mesh().star(s.vertex, star);
+  if (!star.alone || !keeps_old_rim(rim, rim.mesh(), star, s)) return;
+  if (!keeps_faces_well(rim.mesh(), star, s)) return;
+  if (const FaceId f = without_chord(rim, star, s); f.valid()) {
+    if (s.share < kRimSliver) rim.work.in_the_way.push_back(f);
+    return;
+  }
+  rim.step.edit.move_vertex(s.vertex, s.to, star);
+  rim.note_on_boundary(s.vertex);
+}
+
+void add_very_near(RimState& rim, FaceId f, std::vector<RimSnap>& near) {
+  const auto c = rim.mesh().corners(f);
+  const auto d = rim.distances_of(f);
+  const Triangle t = rim.mesh().triangle(f);
+  for (int i = 0; i < 3; ++i) {
+    const double off = std::abs(d[i]) / rim.radius();
+    if (d[i] != 0 && off < kRimNear) push(near, {c[i], VertexId(), f, t[i], off});
   }
 }
 
 }  // namespace
 
-void settle_on_rim(RimState& rim) {
-  std::vector<Snap> near;
-  for (const FaceId f : rim.faces) {
-    const auto c = rim.mesh().corners(f);
-    const auto d = rim.distances_of(f);
-    const Triangle t = rim.mesh().triangle(f);
-    for (int i = 0; i < 3; ++i) {
-      const double off = std::abs(d[i]) / rim.radius();
-      if (d[i] != 0 && off < kRimNear) near.push_back({c[i], VertexId(), f, t[i], off});
-    }
-  }
-  sort(near);
-  Mesh::Star star;
-  for (const Snap& s : near) {
-    if (rim.distance(s.vertex, s.face) == 0) continue;
-    rim.mesh().star(s.vertex, star);
-    if (star.alone && !without_chord(rim, star, s).valid()) rim.note_on_boundary(s.vertex);
-  }
+bool list_moves_in_plane(RimState& rim) {
+  return visit_next(rim, rim.faces, [&](FaceId f) { add_moves_in_plane(rim, f, rim.work.snaps); });
 }
 
-std::vector<FaceId> snap_to_rim(RimState& rim) {
-  std::vector<FaceId> in_the_way;
-  snap(rim, add_moves_in_plane, in_the_way);
-  snap(rim, add_moves_along_edges, in_the_way);
-  std::sort(in_the_way.begin(), in_the_way.end());
-  in_the_way.erase(std::unique(in_the_way.begin(), in_the_way.end()), in_the_way.end());
-  return in_the_way;
+bool list_moves_along_edges(RimState& rim) {
+  return visit_next(rim, rim.faces, [&](FaceId f) { add_moves_along_edges(rim, f, rim.work.snaps); });
+}
+
+bool move_onto_rim(RimState& rim) {
+  Mesh::Star star;
+  return visit_nearest(rim.work.snaps, [&](const RimSnap& s) { move(rim, s, star); });
+}
+
+bool split_in_the_way(RimState& rim) {
+  std::vector<FaceId>& faces = rim.work.in_the_way;
+  if (rim.work.next == 0) {
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  }
+  const bool over = visit_next(rim, faces, [&](FaceId f) { split_near_rim(rim, f, rim.work.waiting); });
+  if (over) faces.clear();
+  return over;
+}
+
+bool list_near_rim(RimState& rim) {
+  return visit_next(rim, rim.faces, [&](FaceId f) { add_very_near(rim, f, rim.work.snaps); });
+}
+
+bool settle_on_rim(RimState& rim) {
+  Mesh::Star star;
+  return visit_nearest(rim.work.snaps, [&](const RimSnap& s) {
+    if (rim.distance(s.vertex, s.face) == 0) return;
+    rim.mesh().star(s.vertex, star);
+    if (star.alone && !without_chord(rim, star, s).valid()) rim.note_on_boundary(s.vertex);
+  });
 }
 
 }  // namespace kerf

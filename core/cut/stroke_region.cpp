@@ -2,52 +2,70 @@
 
 #include <algorithm>
 #include <cassert>
-#include <iterator>
 #include <limits>
-#include <optional>
 
 namespace kerf {
 
-void StrokeRegion::note_near(FaceId f, uint32_t part) {
-  const auto [at, fresh] = list_of_.try_emplace(f.index, static_cast<uint32_t>(lists_.size()));
-  if (fresh) lists_.emplace_back();
-  std::vector<uint32_t>& list = lists_[at->second];
-  assert(list.empty() || list.back() < part);
-  list.push_back(part);
+template <typename Visit>
+void StrokeRegion::for_each_part_near(FaceId f, Visit visit) const {
+  const uint32_t list = list_of_.get(f.index);
+  if (list == 0) return;
+  for (uint32_t at = lists_[list - 1].first; at != kNone; at = entries_[at].next) visit(entries_[at].part);
 }
 
-// The number of a list with the parts of two. Children share the lists of their parents, so that a list is
-// never changed once it was inherited.
+void StrokeRegion::append(List& list, uint32_t part) {
+  const auto added = static_cast<uint32_t>(entries_.size());
+  entries_.push_back({part, kNone});
+  (list.first == kNone ? list.first : entries_[list.last].next) = added;
+  list.last = added;
+}
+
+void StrokeRegion::note_near(FaceId f, uint32_t part) {
+  uint32_t& list = list_of_.at(f.index);
+  if (list == 0) {
+    lists_.emplace_back();
+    list = static_cast<uint32_t>(lists_.size());
+  }
+  assert(lists_[list - 1].first == kNone || entries_[lists_[list - 1].last].part < part);
+  append(lists_[list - 1], part);
+}
+
+// The number of a list with the parts of two, plus one like theirs. Children share the lists of their
+// parents, so that a list is never changed once it was inherited.
 uint32_t StrokeRegion::list_of_both(uint32_t a, uint32_t b) {
   if (a == b) return a;
-  std::vector<uint32_t> both;
-  std::set_union(lists_[a].begin(), lists_[a].end(), lists_[b].begin(), lists_[b].end(),
-                 std::back_inserter(both));
-  if (both.size() == lists_[a].size()) return a;
-  if (both.size() == lists_[b].size()) return b;
-  lists_.push_back(std::move(both));
-  return static_cast<uint32_t>(lists_.size() - 1);
+  List both;
+  uint32_t i = lists_[a - 1].first, k = lists_[b - 1].first;
+  bool more_than_a = false, more_than_b = false;
+  while (i != kNone || k != kNone) {
+    const uint32_t of_a = i != kNone ? entries_[i].part : kNone, of_b = k != kNone ? entries_[k].part : kNone;
+    more_than_a |= of_b < of_a;
+    more_than_b |= of_a < of_b;
+    append(both, std::min(of_a, of_b));
+    if (of_a <= of_b) i = entries_[i].next;
+    if (of_b <= of_a) k = entries_[k].next;
+  }
+  if (!more_than_a || !more_than_b) {
+    entries_.resize(both.first);
+    return more_than_a ? b : a;
+  }
+  lists_.push_back(both);
+  return static_cast<uint32_t>(lists_.size());
 }
 
 void StrokeRegion::inherit(std::span<const FaceId> children, std::span<const FaceId> parents) {
-  std::optional<uint32_t> list;
+  uint32_t list = 0;
   for (const FaceId parent : parents) {
-    const auto at = list_of_.find(parent.index);
-    if (at != list_of_.end()) list = list ? list_of_both(*list, at->second) : at->second;
+    const uint32_t own = list_of_.get(parent.index);
+    if (own != 0) list = list != 0 ? list_of_both(list, own) : own;
   }
-  assert(list && "no parent is near");
-  for (const FaceId child : children) list_of_[child.index] = *list;
-}
-
-std::span<const uint32_t> StrokeRegion::parts_near(FaceId f) const {
-  const auto at = list_of_.find(f.index);
-  if (at == list_of_.end()) return {};
-  return lists_[at->second];
+  assert(list != 0 && "no parent is near");
+  for (const FaceId child : children) list_of_.at(child.index) = list;
 }
 
 double StrokeRegion::signed_distance(FaceId near, const Vec3& p) const {
   double least = std::numeric_limits<double>::infinity();
-  for (const uint32_t i : parts_near(near)) least = std::min(least, parts_[i].signed_distance(p));
+  for_each_part_near(near, [&](uint32_t i) { least = std::min(least, parts_[i].signed_distance(p)); });
   return least;
 }
 
@@ -69,13 +87,14 @@ bool has_point_within(const SweptCylinder& part, const Triangle& t, double depth
 }  // namespace
 
 bool StrokeRegion::reaches_into(FaceId near, const Triangle& t, double graze) const {
-  const auto parts = parts_near(near);
-  return std::any_of(parts.begin(), parts.end(), [&](uint32_t i) {
+  bool any = false;
+  for_each_part_near(near, [&](uint32_t i) {
     const SweptCylinder& part = parts_[i];
-    if (!part.with_radius(part.radius() - graze).touches(t)) return false;
-    return !part.tilts() || longest_edge2(t) > part.radius() * part.radius() ||
-           has_point_within(part, t, graze);
+    if (any || !part.with_radius(part.radius() - graze).touches(t)) return;
+    any =
+        !part.tilts() || longest_edge2(t) > part.radius() * part.radius() || has_point_within(part, t, graze);
   });
+  return any;
 }
 
 Vec3 StrokeRegion::crossing(FaceId near, const Vec3& inside, const Vec3& outside) const {

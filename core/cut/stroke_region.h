@@ -1,9 +1,9 @@
 #pragma once
 
 #include <span>
-#include <unordered_map>
 #include <vector>
 
+#include "core/base/paged_array.h"
 #include "core/laser/laser.h"
 #include "core/mesh/mesh.h"
 #include "core/tree/swept_cylinder.h"
@@ -26,7 +26,7 @@ class StrokeRegion {
   // may lie where only that parent lay. Slots are reused, so parents may be among the children. Precondition:
   // a parent is near the region. Constant time where the parents have one list, else linear in their lists.
   void inherit(std::span<const FaceId> children, std::span<const FaceId> parents);
-  bool is_near(FaceId f) const { return list_of_.count(f.index) != 0; }
+  bool is_near(FaceId f) const { return list_of_.get(f.index) != 0; }
 
   // The signed distance of a point in or near the face from the boundary of the union: negative inside,
   // positive outside.
@@ -39,12 +39,26 @@ class StrokeRegion {
   Vec3 crossing(FaceId near, const Vec3& inside, const Vec3& outside) const;
 
  private:
-  std::span<const uint32_t> parts_near(FaceId f) const;
+  static constexpr uint32_t kNone = 0xffffffffu;
+
+  // A list is a chain of entries in one array, so that thousands of lists grow and go without a pause.
+  struct Entry {
+    uint32_t part;
+    uint32_t next;  // index of an entry, or kNone
+  };
+  struct List {
+    uint32_t first = kNone, last = kNone;
+  };
+
+  template <typename Visit>
+  void for_each_part_near(FaceId f, Visit visit) const;
+  void append(List& list, uint32_t part);
   uint32_t list_of_both(uint32_t a, uint32_t b);
 
   std::vector<SweptCylinder> parts_;
-  std::vector<std::vector<uint32_t>> lists_;
-  std::unordered_map<uint32_t, uint32_t> list_of_;  // face slot -> list; never iterated
+  std::vector<Entry> entries_;
+  std::vector<List> lists_;
+  PagedArray<uint32_t> list_of_;  // by face slot: the number of its list plus one, or 0
 };
 
 }  // namespace kerf

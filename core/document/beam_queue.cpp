@@ -36,7 +36,7 @@ void BeamQueue::push(Entry entry) {
 }
 
 void BeamQueue::push_in_front(Entry entry) {
-  assert(ready_.empty() && entry.in_time());
+  assert(ready_.empty() && !unfinished_rim_.begun() && entry.in_time());
   size_ += entry.count;
   in_time_ += entry.count;
   entries_.push_front(std::move(entry));
@@ -138,7 +138,7 @@ void BeamQueue::pop_moves(size_t count) {
 }
 
 void BeamQueue::pop_rim() {
-  assert(!empty() && front_kind() == Kind::kRim);
+  assert(!empty() && front_kind() == Kind::kRim && !unfinished_rim_.begun());
   entries_.pop_front();
   --size_;
 }
@@ -165,6 +165,7 @@ void BeamQueue::drop_if(size_t step, Drops drops) {
     ready_.clear();
     unfinished_ = UnfinishedMove{};
   }
+  if (!empty() && front_step() == step) unfinished_rim_ = UnfinishedRim{};
   std::erase_if(entries_, [&](const Entry& e) {
     const bool gone = e.step == step && drops(e);
     size_ -= gone ? e.count : 0;

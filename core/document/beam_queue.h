@@ -35,7 +35,7 @@ class BeamQueue {
   // none if it is null.
   void push_ticks(size_t step, Ticks ticks, bool bodies, std::shared_ptr<Stroke> stroke);
   void push_spring(size_t step, const std::optional<Spring>& spring);
-  // The same, before everything else. Precondition: no move is unfinished.
+  // The same, before everything else. Precondition: no move and no end of a stroke is unfinished.
   void push_ticks_in_front(size_t step, Ticks ticks, bool bodies);
   void push_spring_in_front(size_t step, const std::optional<Spring>& spring);
 
@@ -59,6 +59,9 @@ class BeamQueue {
   // How far the last step executed the first move.
   UnfinishedMove& unfinished() { return unfinished_; }
   const UnfinishedMove& unfinished() const { return unfinished_; }
+  // The same of the end of a stroke at the front.
+  UnfinishedRim& unfinished_rim() { return unfinished_rim_; }
+  const UnfinishedRim& unfinished_rim() const { return unfinished_rim_; }
 
   // Remove what has been executed from the front.
   void pop_moves(size_t count);
@@ -92,6 +95,7 @@ class BeamQueue {
   size_t ready_step_ = 0;
   std::shared_ptr<Stroke> ready_stroke_;
   UnfinishedMove unfinished_;
+  UnfinishedRim unfinished_rim_;
   std::deque<Entry> entries_;  // after those, in the order of steps
   size_t size_ = 0;
   size_t in_time_ = 0;  // of these, ticks and changes of the spring

@@ -79,8 +79,10 @@ class Document {
   const CutSettings& next_settings() const { return queue_.front_stroke()->settings; }
   // Whether the next step is a part of the search for separated pieces.
   bool next_searches() const { return must_separate(); }
-  // Whether the next step ends a stroke with a smooth rim. Its cost is proportional to the whole stroke.
+  // Whether the next step ends a stroke with a smooth rim, or goes on with that.
   bool next_closes_rim() const;
+  // Whether the last step left the end of a stroke unfinished.
+  bool rim_is_unfinished() const { return queue_.unfinished_rim().begun(); }
   // The number of faces that the next step makes ready to move: those of bodies that pieces came off, and of
   // bodies that have changed since bodies moved last. Its cost is proportional to them. 0 if bodies do not
   // move in it.
@@ -89,7 +91,7 @@ class Document {
   // Executes a bounded part of the queue, which is one of these:
   // - up to `most` moves of one stroke, limited to CutSettings::bite faces, so that the last move may be left
   //   unfinished for the next step;
-  // - the end of a stroke with a smooth rim, as a whole;
+  // - a part of the end of a stroke with a smooth rim, limited in the same way;
   // - a part of the search for separated pieces, which must be finished before the next stroke or tick;
   // - up to `most` ticks, or one tick in which bodies move;
   // - a change of the spring.
@@ -100,8 +102,8 @@ class Document {
   // If no before-images are recorded (see set_window), the stroke ends where it was stopped instead.
   Result<StepResult> step(size_t most, const Progress* progress = nullptr);
 
-  // The same, but executes only the next stage of a move through one body (see cut_stage), the end of a
-  // stroke, a part of the search, or one tick. The result of the stroke is the same.
+  // The same, but executes only the next stage of a move through one body (see cut_stage), a part of the end
+  // of a stroke or of the search, or one tick. The result of the stroke is the same.
   Result<StepResult> step_stage(const Progress* progress = nullptr);
   // How far the first move of the queue has been executed.
   const UnfinishedMove& unfinished_move() const { return queue_.unfinished(); }

@@ -91,7 +91,8 @@ Delta Document::start_again() {
 
 std::optional<Document::Mark> Document::mark() {
   const size_t position = history_.position();
-  if (in_stroke_ || position == 0 || recorder_.step() != position - 1) return std::nullopt;
+  if (in_stroke_ || position == 0 || recorder_.step() != position - 1 || rim_is_unfinished())
+    return std::nullopt;
   const HistoryStep& last = history_.step(position - 1);
   if (last.images() != Images::kHeld) return std::nullopt;
   close();

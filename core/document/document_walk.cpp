@@ -121,8 +121,10 @@ Result<StepResult> Document::walk_stage(const Progress& progress) {
 Result<StepResult> Document::close_rim_of_stroke(const Progress& progress) {
   begin(queue_.front_step());
   walked_ = queue_.front_stroke();
-  queue_.pop_rim();
-  return close_rim(world_, walked_->settings, walked_->path, walked_->swept, &progress);
+  Result<StepResult> some =
+      rim_step(world_, walked_->settings, walked_->path, walked_->swept, queue_.unfinished_rim(), &progress);
+  if (some && !rim_is_unfinished()) queue_.pop_rim();
+  return some;
 }
 
 Result<StepResult> Document::pass_ticks(size_t most, const Progress& progress) {

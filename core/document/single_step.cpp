@@ -91,6 +91,7 @@ Result<StepResult> SingleStep::execute(Kind kind, const Progress* progress) {
   constexpr size_t kMostParts = 64;
   Result<StepResult> all = document_.step_stage(progress);
   const auto goes_on = [&] {
+    if (kind == Kind::kCloseRim) return document_.rim_is_unfinished();
     return (kind == Kind::kRefine || kind == Kind::kRemove) && all->moves == 0 &&
            kind_of(document_.unfinished_move().stage) == kind;
   };
@@ -132,7 +133,7 @@ void SingleStep::note_work(const StageRecord& record) {
   constexpr size_t kOfStage = 50;  // faces that cost as much as a stage alone
   const StepFigures& figures = record.done.figures;
   work_ += figures.faces_made + record.done.delta.removed_faces + kOfStage;
-  const bool after_rim = record.kind == Kind::kCloseRim;
+  const bool after_rim = record.kind == Kind::kCloseRim && !document_.rim_is_unfinished();
   const bool between_moves = record.done.moves > 0 && !swept_;
   if (document_.waiting() == 0 || !(after_rim || (between_moves && work_ >= work_between_marks_))) return;
   std::optional<Document::Mark> mark = document_.mark();

@@ -19,7 +19,7 @@ struct StageRecord {
     kHitAgain,  // the same query after the splits
     kRemove,    // faces are removed
     kSeparate,  // the search for separated pieces
-    kCloseRim,  // the end of a stroke with a smooth rim
+    kCloseRim,  // the end of a stroke with a smooth rim, or a part of it
     kTime,      // a tick passes
   };
   Kind kind = Kind::kSweep;

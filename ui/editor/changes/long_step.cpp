@@ -31,8 +31,6 @@ bool is_quick(const Document& document, const Command& command) {
 }
 
 const char* why_beside(const Document& document) {
-  if (document.next_closes_rim())
-    return document.world().live_faces() > kManyFaces ? "Smoothing the rim" : nullptr;
   return document.next_makes_ready() > kManyFaces ? "Making bodies of the pieces" : nullptr;
 }
 

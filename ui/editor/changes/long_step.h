@@ -11,8 +11,7 @@ bool is_small(const Document& document);
 bool is_quick(const Document& document, const Command& command);
 
 // What the next step of the document does, in a few words, if it takes so long that it has to run beside the
-// frames: it closes the rim of a stroke in a large world, or makes bodies or colliders of many faces. Null
-// for any other step. O(pieces).
+// frames because it makes bodies or colliders of many faces. Null for any other step. O(pieces).
 const char* why_beside(const Document& document);
 
 }  // namespace kerf

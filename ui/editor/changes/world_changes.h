@@ -75,9 +75,8 @@ class WorldChanges {
   // Executes commands of strokes on a thread of its own: all of them, or none if the user stops it.
   void run_path(std::vector<Command> commands);
 
-  // Executes a part of the queue by Document::step or SingleStep. Returns false if that failed or became
-  // pending, because it
-  // closes the rim of a stroke with many faces, or makes bodies of many faces.
+  // Executes a part of the queue by Document::step or SingleStep. Returns false if that failed, or became
+  // pending because it makes bodies of many faces.
   using Part = std::function<Result<StepResult>(Document&)>;
   bool step(const Part& part);
 

@@ -59,6 +59,11 @@ struct Slot {
     settings.resolution.target_edge = length() / kEdges;
     return settings;
   }
+  CutSettings smooth_settings() const {
+    CutSettings smooth = settings();
+    smooth.resolution.rim = Rim::kSmooth;
+    return smooth;
+  }
   // As a user would who wants the piece: what goes may overshoot the beam by half of its width.
   CutSettings quick_settings() const {
     CutSettings quick = settings();
@@ -84,12 +89,23 @@ Walked walk_slot(World& world, const Slot& slot, const CutSettings& settings, in
     walked.turned += 2 * result.delta.removed_faces + result.figures.faces_made;
     if (result.delta.removed_faces > 0) walked.steps.push_back(seconds);
   };
+  const auto move_at = [&](int i) {
+    return BeamMove{slot.pose(double(i) / moves), slot.pose(double(i + 1) / moves)};
+  };
   for (int i = 0; i < moves;) {
-    const BeamMove move{slot.pose(double(i) / moves), slot.pose(double(i + 1) / moves)};
+    const BeamMove move = move_at(i);
     Result<StepResult> result = failed("");
     const double seconds = seconds_of([&] { result = cut_step(world, settings, {&move, 1}, unfinished); });
     note(*result, seconds);
     i += static_cast<int>(result->moves);
+  }
+  UnfinishedRim rim;
+  std::vector<BeamMove> path;
+  for (int i = 0; i < moves; ++i) path.push_back(move_at(i));
+  for (bool closed = !settings.smooth(); !closed; closed = !rim.begun()) {
+    Result<StepResult> result = failed("");
+    const double seconds = seconds_of([&] { result = rim_step(world, settings, path, {}, rim); });
+    note(*result, seconds);
   }
   while (!is_settled(world)) {
     StepResult result;
@@ -157,6 +173,17 @@ void bench_job(const Subject& s, const Effort& effort, const Report& report) {
           std::nullopt});
 }
 
+// Of a slot whose rim is smoothed in the end; the steps of that count as well.
+void bench_rim(const Subject& s, const Effort& effort, const Report& report) {
+  World world;
+  const BodyId id = world.add(body_of(s));
+  const Slot slot(world.body(id).tree.bounds());
+  const Walked walked = walk_slot(world, slot, slot.smooth_settings(), effort.slot_steps);
+  if (walked.steps.empty()) return;
+  report({"slot with a smooth rim, longest / median step", s.name, "us", 1e6 * walked.longest,
+          1e6 * median(walked.steps), kLongestBar});
+}
+
 void bench_steps(const Subject& s, const Effort& effort, const Report& report) {
   World world;
   const BodyId id = world.add(body_of(s));
@@ -173,6 +200,7 @@ void bench_steps(const Subject& s, const Effort& effort, const Report& report) {
 
 void bench_cut(const Subject& s, const Effort& effort, const Report& report) {
   bench_steps(s, effort, report);
+  bench_rim(s, effort, report);
   bench_job(s, effort, report);
   bench_separation(s, effort, report);
 }

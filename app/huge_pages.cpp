@@ -21,7 +21,8 @@ void* allocate(size_t bytes) {
 
 }  // namespace
 
-void* operator new(size_t bytes) {
+// Not inlined, because the compiler would see malloc there and take the matching operator delete for a mistake.
+[[gnu::noinline]] void* operator new(size_t bytes) {
   for (;;) {
     if (void* memory = allocate(bytes)) return memory;
     const std::new_handler handler = std::get_new_handler();
@@ -30,5 +31,5 @@ void* operator new(size_t bytes) {
   }
 }
 
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, size_t) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, size_t) noexcept { std::free(memory); }

@@ -11,6 +11,7 @@ class Graph(WindowTest):
         self.addCleanup(folder.cleanup)
         self.folder = folder.name
         self.only_panel("Graph")
+        self.set(ui_scale=0.85)  # the panel is nearly as high as the window
         return self.open_again(SPHERE)
 
     def test_the_slider_plays_the_traversal_of_a_cut_that_separated_something(self):

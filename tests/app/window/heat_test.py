@@ -7,8 +7,8 @@ from editor_window import ACROSS, SPHERE, WindowTest, pause
 class Heat(WindowTest):
     heat_held = False
 
-    def cut(self):
-        """Cuts the sphere, and does not wait until all is cold."""
+    def cut(self, seconds=3):
+        """Cuts the sphere and waits a while, but not until all is cold."""
         editor = self.open(SPHERE)
         begin, end = editor.place(ACROSS[0]), editor.place(ACROSS[1])
         editor.move_to(*begin)
@@ -18,11 +18,11 @@ class Heat(WindowTest):
             editor.move_to(*(round(a + share * (b - a)) for a, b in zip(begin, end)))
             pause(0.1)
         editor.xdotool("mouseup", 1)
-        pause(3)
+        pause(seconds)
         return editor
 
     def test_a_rim_cools_down_in_the_step_of_its_stroke(self):
-        report = self.cut().quit()
+        report = self.cut(seconds=10).quit()  # a slow machine lets less time pass in them
         self.assertGreater(report["time"]["ticks"], 30)
         self.assertLess(report["heat"]["hottest"], 1700)
         self.assertGreater(report["heat"]["emitted"], 0)

@@ -166,7 +166,7 @@ TEST(CutStep, cuts_on_where_older_cuts_left_their_rims) {
 // The search for what came apart falls behind, so that splits, removals and further cuts come in between.
 TEST(CutStep, finds_the_pieces_of_the_full_search_when_the_search_goes_on_over_many_steps) {
   for (const auto& [name, soup] : mesh_classes()) {
-    for (uint64_t seed = 11; seed < 11 + runs(30); ++seed) {
+    for (uint64_t seed = 11; seed < 11 + runs(8); ++seed) {
       SCOPED_TRACE(name + ", seed " + std::to_string(seed));
       World world = world_of(soup);
       Random random(seed);

@@ -8,6 +8,7 @@
 #include "core/base/parallel.h"
 #include "core/cut/thermal_step.h"
 #include "core/document/hash_text.h"
+#include "core/mesh/triangle_batch.h"
 #include "core/world/state_hash.h"
 #include "ui/window/number_text.h"
 
@@ -31,10 +32,9 @@ void add_faces(const Mesh& mesh, Extremes& extremes) {
   std::vector<Extremes> parts(range_count(mesh.face_slots(), kSlots));
   for_each_range(mesh.face_slots(), kSlots, [&](size_t first, size_t end) {
     Extremes part;
-    for (auto i = static_cast<uint32_t>(first); i < end; ++i) {
-      const FaceId f(i);
-      if (mesh.is_live(f)) part.add({largest_cosine(mesh.triangle(f)), (mesh.data(f).halvings + 1) / 2});
-    }
+    for_each_triangle(mesh, first, end, [&](FaceId f, const Triangle& t) {
+      part.add({largest_cosine(t), (mesh.data(f).halvings + 1) / 2});
+    });
     parts[first / kSlots] = part;
   });
   for (const Extremes& part : parts) extremes.add(part);

@@ -6,6 +6,7 @@
 
 #include "core/graph/separation.h"
 #include "core/mesh/soup_edges.h"
+#include "core/mesh/triangle_batch.h"
 #include "core/mesh/weld.h"
 
 namespace kerf {
@@ -17,9 +18,9 @@ namespace {
 class VertexSet {
  public:
   VertexSet(const Mesh& mesh, std::span<const FaceId> faces) : words_(mesh.vertex_slots() / 64 + 1) {
-    for (const FaceId f : faces) {
-      for (const VertexId v : mesh.corners(f)) words_[v.index / 64].bits |= uint64_t{1} << v.index % 64;
-    }
+    for_each_corners(mesh, faces, [&](FaceId, const std::array<VertexId, 3>& corners) {
+      for (const VertexId v : corners) words_[v.index / 64].bits |= uint64_t{1} << v.index % 64;
+    });
     for (Word& word : words_) {
       word.before = count_;
       count_ += static_cast<uint32_t>(std::popcount(word.bits));
@@ -87,11 +88,10 @@ Extract extract_faces(const Body& body, std::span<const FaceId> faces) {
   }
   const auto number_of = [&](VertexId v) { return number[vertices.rank(v)]; };
   out.triangles.reserve(faces.size());
-  for (const FaceId f : faces) {
-    const auto c = body.mesh.corners(f);
+  for_each_corners(body.mesh, faces, [&](FaceId f, const std::array<VertexId, 3>& c) {
     out.triangles.push_back({number_of(c[0]), number_of(c[1]), number_of(c[2])});
     if (!body.material_names.empty()) out.materials.push_back(body.mesh.data(f).material);
-  }
+  });
   measure(out);
   return out;
 }

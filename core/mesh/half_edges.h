@@ -83,8 +83,12 @@ class HalfEdges {
   // prefetched.
   static constexpr int kTurns = 4;
   void prefetch(FaceId f, int turn) const;
-  // The same at once for a face with a side that is known and cached; none is allowed. GCC drops calls of
-  // functions that only prefetch, because they have no effect, unless they are inlined early.
+  // Prefetch one record each. GCC drops calls of functions that only prefetch, because they have no effect,
+  // unless they are inlined early.
+  [[gnu::always_inline]] void prefetch_first(FaceId f) const { first_.prefetch(f.index); }
+  [[gnu::always_inline]] void prefetch_links(HalfEdgeId h) const { links_.prefetch(h.index); }
+  [[gnu::always_inline]] void prefetch_position(VertexId v) const { positions_.prefetch(v.index); }
+  // The face and its other sides, for a face with a side that is known and cached; none is allowed.
   [[gnu::always_inline]] void prefetch_around(FaceId f, HalfEdgeId side) const {
     first_.prefetch(f.index);
     if (!side.valid()) return;

@@ -88,13 +88,12 @@ class TreeBuilder {
     primitives_.resize(before.back());
     return for_each_range(mesh_.face_slots(), kGathered, &gathering_, [&](size_t f, size_t end) {
       uint32_t to = before[f / kGathered];
-      for (; f < end; ++f) {
-        if (live(f))
-          primitives_[to++] = Primitive::make(face(static_cast<uint32_t>(f)).box(), static_cast<uint32_t>(f));
-      }
+      for_each_batch(mesh_, f, end, [&](const TriangleBatch& batch) {
+        for (uint32_t i = 0; i < batch.count(); ++i)
+          primitives_[to++] = Primitive::make(TreeFace(store_.frame, batch, i).box(), batch.face(i).index);
+      });
     });
   }
-  TreeFace face(uint32_t f) const { return TreeFace(store_.frame, mesh_, positions_, FaceId(f)); }
 
   struct Children {
     std::array<PrimitiveRange, kNodeWidth> range;
@@ -250,24 +249,40 @@ class TreeBuilder {
       const PlannedBlock& block = part.blocks[b];
       const bool alone = block.parent == kNoIndex;
       put_block(part.first_block + b, alone ? whole.parent : part.first_node + block.parent,
-                alone ? whole.slot : block.slot, block);
+                alone ? whole.slot : block.slot, block.count);
     }
+    put_faces(part);
   }
 
   // Blocks of one face stay without a count, because the store counts them (see run()).
-  void put_block(uint32_t b, uint32_t node, uint32_t slot, const PlannedBlock& planned) {
+  void put_block(uint32_t b, uint32_t node, uint32_t slot, uint32_t count) {
     FaceBlock& block = store_.blocks.edit(b);
     block.parent = node;
     block.slot = static_cast<uint8_t>(slot);
     block.hit = 0;
-    block.count = static_cast<uint8_t>(planned.count == 1 ? 0 : planned.count);
-    for (uint32_t i = 0; i < planned.count; ++i)
-      store_.put(face(primitives_[planned.first + i].number()), b, i);
+    block.count = static_cast<uint8_t>(count == 1 ? 0 : count);
+  }
+
+  void put_faces(const Part& part) {
+    TriangleBatch batch;
+    for (uint32_t first = 0, b = 0; first < part.blocks.size(); first = b) {
+      batch.clear();
+      for (; b < part.blocks.size() && batch.room() >= kBlockWidth; ++b) {
+        for (const Primitive& p : faces_of(part.blocks[b])) batch.add(FaceId(p.number()));
+      }
+      batch.read(mesh_);
+      for (uint32_t i = 0; first < b; ++first) {
+        for (uint32_t lane = 0; lane < part.blocks[first].count; ++lane, ++i)
+          store_.put(TreeFace(store_.frame, batch, i), part.first_block + first, lane);
+      }
+    }
+  }
+  std::span<const Primitive> faces_of(const PlannedBlock& block) const {
+    return std::span(primitives_).subspan(block.first, block.count);
   }
 
   TreeStore& store_;
   const Mesh& mesh_;
-  const Positions positions_ = mesh_.positions();
   Progress gathering_, sorting_, writing_;
   SortProgress sorted_;
   std::vector<Primitive> primitives_;   // numbered by face

@@ -3,6 +3,7 @@
 #include "core/base/change_of_parts.h"
 #include "core/base/ids.h"
 #include "core/base/records.h"
+#include "core/mesh/triangle_batch.h"
 #include "core/tree/float_box.h"
 #include "core/tree/tree_frame.h"
 #include "core/tree/tree_nodes.h"
@@ -17,6 +18,11 @@ struct TreeFace {
   TreeFace(const TreeFrame& frame, const Mesh& mesh, Positions positions, FaceId f)
       : vertex(mesh.corners(f)), face(f) {
     for (int i = 0; i < 3; ++i) corner[i] = frame.to_floats(positions[vertex[i]]);
+  }
+  // Face i of a batch that was read.
+  TreeFace(const TreeFrame& frame, const TriangleBatch& batch, uint32_t i)
+      : vertex(batch.corners(i)), face(batch.face(i)) {
+    for (int k = 0; k < 3; ++k) corner[k] = frame.to_floats(batch.triangle(i)[k]);
   }
   // The bounding box, rounded outward.
   FloatBox box() const {

@@ -6,6 +6,7 @@
 
 #include "core/base/hash.h"
 #include "core/base/parallel.h"
+#include "core/mesh/triangle_batch.h"
 
 namespace kerf {
 
@@ -24,8 +25,7 @@ uint64_t hash_of(uint64_t seed, const Vec3& p) {
   return seed;
 }
 
-uint64_t face_hash(const Body& body, uint64_t seed, FaceId f) {
-  const Triangle t = body.mesh.triangle(f);
+uint64_t face_hash(const Body& body, uint64_t seed, FaceId f, const Triangle& t) {
   int least = 0;
   for (int i = 1; i < 3; ++i) {
     if (less(t[i], t[least])) least = i;
@@ -41,9 +41,8 @@ uint64_t sum_of_face_hashes(const Body& body, uint64_t seed) {
   std::vector<uint64_t> sums(range_count(body.mesh.face_slots(), kSlots));
   for_each_range(body.mesh.face_slots(), kSlots, [&](size_t first, size_t end) {
     uint64_t sum = 0;
-    for (auto f = static_cast<uint32_t>(first); f < end; ++f) {
-      if (body.mesh.is_live(FaceId(f))) sum += face_hash(body, seed, FaceId(f));
-    }
+    for_each_triangle(body.mesh, first, end,
+                      [&](FaceId f, const Triangle& t) { sum += face_hash(body, seed, f, t); });
     sums[first / kSlots] = sum;
   });
   return std::accumulate(sums.begin(), sums.end(), uint64_t{0});

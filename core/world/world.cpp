@@ -1,6 +1,7 @@
 #include "core/world/world.h"
 
 #include "core/base/parallel.h"
+#include "core/mesh/triangle_batch.h"
 
 namespace kerf {
 
@@ -11,11 +12,8 @@ AreaMoments moments_of(const Mesh& mesh, const Vec3& origin) {
   std::vector<AreaMoments> sums(range_count(mesh.face_slots(), kSlots));
   for_each_range(mesh.face_slots(), kSlots, [&](size_t first, size_t end) {
     AreaMoments sum;
-    for (auto f = static_cast<uint32_t>(first); f < end; ++f) {
-      if (!mesh.is_live(FaceId(f))) continue;
-      const Triangle t = mesh.triangle(FaceId(f));
-      sum += area_moments(t, triangle_area(t), origin);
-    }
+    for_each_triangle(mesh, first, end,
+                      [&](FaceId, const Triangle& t) { sum += area_moments(t, triangle_area(t), origin); });
     sums[first / kSlots] = sum;
   });
   AreaMoments whole;

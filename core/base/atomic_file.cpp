@@ -10,6 +10,7 @@
 #include <string>
 #include <system_error>
 #include <tuple>
+#include <utility>
 
 namespace kerf {
 namespace {
@@ -33,28 +34,47 @@ int write_all(int file, std::string_view bytes) {
 // Not every file system can flush; one that says so has nothing to lose.
 int flush(int file) { return ::fsync(file) == 0 || errno == EINVAL || errno == ENOTSUP ? 0 : errno; }
 
-// The error number, or 0. The file is closed either way.
-int write_and_close(int file, std::string_view bytes) {
-  int code = write_all(file, bytes);
-  if (code == 0) code = flush(file);
-  if (::close(file) != 0 && code == 0) code = errno;
-  return code;
+using Produce = std::function<void(const ByteSink&)>;
+
+// An open file, closed at the latest with its scope.
+class OpenFile {
+ public:
+  explicit OpenFile(int descriptor) : descriptor_(descriptor) {}
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+  ~OpenFile() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+
+  int descriptor() const { return descriptor_; }
+  // The error number, or 0.
+  int fill(const Produce& produce) const {
+    int code = 0;
+    produce([&](std::string_view bytes) { return (code = write_all(descriptor_, bytes)) == 0; });
+    return code != 0 ? code : flush(descriptor_);
+  }
+  int close() { return ::close(std::exchange(descriptor_, -1)) == 0 ? 0 : errno; }
+
+ private:
+  int descriptor_;
+};
+
+// Fills and closes a file. The error number, or 0.
+int write_and_close(OpenFile& file, const Produce& produce) {
+  const int code = file.fill(produce), closing = file.close();
+  return code != 0 ? code : closing;
 }
 
-Status write_in_place(const std::filesystem::path& path, std::string_view bytes) {
-  const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-  const int code = file < 0 ? errno : write_and_close(file, bytes);
+Status write_in_place(const std::filesystem::path& path, const Produce& produce) {
+  OpenFile file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+  const int code = file.descriptor() < 0 ? errno : write_and_close(file, produce);
   if (code != 0) return write_error(path, code);
   return Done{};
 }
 
-struct TemporaryFile {
-  std::filesystem::path path;
-  int descriptor = -1;  // negative: errno says why there is none
-};
-
-// A new hidden file beside the target, with the permissions that the user's mask gives to new files.
-TemporaryFile open_beside(const std::filesystem::path& target) {
+// The path of a new hidden file beside the target, and its descriptor; the file has the permissions that the
+// user's mask gives to new files. A negative descriptor: errno says why there is none.
+std::pair<std::filesystem::path, int> open_beside(const std::filesystem::path& target) {
   constexpr size_t kLongestStem = 200;  // of the 255 bytes that a file name may have
   const std::string stem =
       "." + target.filename().string().substr(0, kLongestStem) + "." + std::to_string(::getpid());
@@ -65,30 +85,52 @@ TemporaryFile open_beside(const std::filesystem::path& target) {
   }
 }
 
-Status replace(const std::filesystem::path& path, std::string_view bytes, std::optional<mode_t> mode) {
-  const TemporaryFile temporary = open_beside(path);
-  if (temporary.descriptor < 0) return write_error(path, errno);
+// Removes a file with its scope, unless it was kept.
+class Removal {
+ public:
+  explicit Removal(std::filesystem::path path) : path_(std::move(path)) {}
+  Removal(const Removal&) = delete;
+  Removal& operator=(const Removal&) = delete;
+  ~Removal() {
+    if (!kept_) ::unlink(path_.c_str());
+  }
+  void keep() { kept_ = true; }
+
+ private:
+  std::filesystem::path path_;
+  bool kept_ = false;
+};
+
+Status replace(const std::filesystem::path& path, const Produce& produce, std::optional<mode_t> mode) {
+  const auto [beside, descriptor] = open_beside(path);
+  if (descriptor < 0) return write_error(path, errno);
+  OpenFile file(descriptor);
+  Removal removal(beside);
   // Who may write a file but does not own it cannot give its permissions to another; that is no reason to
   // fail.
-  if (mode) std::ignore = ::fchmod(temporary.descriptor, *mode);
-  int code = write_and_close(temporary.descriptor, bytes);
-  if (code == 0 && ::rename(temporary.path.c_str(), path.c_str()) != 0) code = errno;
-  if (code == 0) return Done{};
-  ::unlink(temporary.path.c_str());
-  return write_error(path, code);
+  if (mode) std::ignore = ::fchmod(descriptor, *mode);
+  int code = write_and_close(file, produce);
+  if (code == 0 && ::rename(beside.c_str(), path.c_str()) != 0) code = errno;
+  if (code != 0) return write_error(path, code);
+  removal.keep();
+  return Done{};
 }
 
 }  // namespace
 
 Status write_file_atomically(const std::filesystem::path& path, std::string_view bytes) {
+  return write_file_atomically(path, [&](const ByteSink& sink) { sink(bytes); });
+}
+
+Status write_file_atomically(const std::filesystem::path& path, const Produce& produce) {
   if (!path.has_filename()) return write_error(path, path.empty() ? ENOENT : EISDIR);
   struct stat there {};
-  if (::stat(path.c_str(), &there) != 0) return replace(path, bytes, std::nullopt);
+  if (::stat(path.c_str(), &there) != 0) return replace(path, produce, std::nullopt);
   if (S_ISDIR(there.st_mode)) return write_error(path, EISDIR);
-  if (!S_ISREG(there.st_mode)) return write_in_place(path, bytes);
+  if (!S_ISREG(there.st_mode)) return write_in_place(path, produce);
   std::error_code unresolved;
   const std::filesystem::path target = std::filesystem::canonical(path, unresolved);
-  return replace(unresolved ? path : target, bytes, there.st_mode & 07777);
+  return replace(unresolved ? path : target, produce, there.st_mode & 07777);
 }
 
 }  // namespace kerf

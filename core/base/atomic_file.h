@@ -1,8 +1,10 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string_view>
 
+#include "core/base/byte_sink.h"
 #include "core/base/result.h"
 
 namespace kerf {
@@ -12,5 +14,10 @@ namespace kerf {
 // and a replaced file keeps its permissions. A device or a pipe (/dev/stdout) is written to directly. On
 // failure the temporary file is removed, and the error is one sentence that names the target.
 Status write_file_atomically(const std::filesystem::path& path, std::string_view bytes);
+
+// The same with bytes that come in parts. `produce` hands them to the sink and returns early where that
+// returns false. What it throws is passed on, and leaves no temporary file.
+Status write_file_atomically(const std::filesystem::path& path,
+                             const std::function<void(const ByteSink&)>& produce);
 
 }  // namespace kerf

@@ -31,20 +31,6 @@ std::string obstacle(const MeshView& mesh, MeshFormat format) {
   return {};
 }
 
-std::string encode(const MeshView& mesh, MeshFormat format) {
-  switch (format) {
-    case MeshFormat::kObj:
-      return encode_obj(mesh);
-    case MeshFormat::kPly:
-      return encode_ply(mesh);
-    case MeshFormat::kStl:
-      return encode_stl(mesh);
-    case MeshFormat::kOff:
-      break;
-  }
-  return encode_off(mesh);
-}
-
 }  // namespace
 
 Status write_mesh(const MeshView& mesh, const std::filesystem::path& path, MeshFormat format) {
@@ -52,7 +38,7 @@ Status write_mesh(const MeshView& mesh, const std::filesystem::path& path, MeshF
   if (!reason.empty())
     return failed("cannot write " + path.string() + ": " + reason + "; choose another format.");
   try {
-    return write_file_atomically(path, encode(mesh, format));
+    return write_file_atomically(path, [&](const ByteSink& sink) { encode(mesh, format, sink); });
   } catch (const std::bad_alloc&) {
     return failed("cannot write " + path.string() + ": there is not enough memory.");
   }

@@ -113,20 +113,6 @@ Written written_form(const BuiltMesh& built) {
   return w;
 }
 
-std::string encode(const MeshView& view, MeshFormat format) {
-  switch (format) {
-    case MeshFormat::kObj:
-      return encode_obj(view);
-    case MeshFormat::kPly:
-      return encode_ply(view);
-    case MeshFormat::kStl:
-      return encode_stl(view);
-    case MeshFormat::kOff:
-      break;
-  }
-  return encode_off(view);
-}
-
 bool fits_float(const Vec3& p) {
   constexpr double kLargest = std::numeric_limits<float>::max();
   return std::abs(p.x) <= kLargest && std::abs(p.y) <= kLargest && std::abs(p.z) <= kLargest;
@@ -167,7 +153,7 @@ void check_round_trip(Reader read, MeshFormat format, const BuiltMesh& built) {
   const Written w = written_form(built);
   const bool stl = format == MeshFormat::kStl;
   if (stl && !std::all_of(w.positions.begin(), w.positions.end(), fits_float)) return;
-  const std::string bytes = encode({w.positions, w.triangles, w.materials, built.material_names}, format);
+  const std::string bytes = encoded({w.positions, w.triangles, w.materials, built.material_names}, format);
   const Result<Soup> back = read(bytes, kName, nullptr);
   require(back.ok(), "what was written is refused: " + (back ? "" : back.error().message));
   check_soup(*back);

@@ -1,14 +1,13 @@
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
-#include "core/base/parallel.h"
 #include "core/mesh/files/bytes.h"
+#include "core/mesh/files/emit_ranges.h"
 #include "core/mesh/files/encode.h"
 
 namespace kerf {
 namespace {
-
-constexpr size_t kRows = 1 << 14;  // a range
 
 void append_floats(const Vec3& v, std::string& bytes) {
   for (int i = 0; i < 3; ++i) append_little(static_cast<float>(v[i]), bytes);
@@ -28,47 +27,50 @@ Vec3 unit_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 }  // namespace
 
-std::string encode_ply(const MeshView& mesh) {
+void encode_ply(const MeshView& mesh, const ByteSink& sink) {
   assert(mesh.positions.size() <= size_t{1} << 31);
-  constexpr size_t kVertexBytes = 3 * sizeof(double), kFaceBytes = 1 + 3 * sizeof(int32_t);
-  std::string bytes =
+  const std::string head =
       "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(mesh.positions.size()) +
       "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
       std::to_string(mesh.triangles.size()) + "\nproperty list uchar int vertex_indices\nend_header\n";
-  const size_t vertices_at = bytes.size(), faces_at = vertices_at + kVertexBytes * mesh.positions.size();
-  bytes.resize(faces_at + kFaceBytes * mesh.triangles.size());
-  for_each_range(mesh.positions.size(), kRows, [&](size_t i, size_t end) {
-    for (char* to = bytes.data() + vertices_at + kVertexBytes * i; i < end; ++i) {
+  const auto append_vertices = [&](size_t i, size_t end, std::string& part) {
+    part.resize((end - i) * 3 * sizeof(double));
+    for (char* to = part.data(); i < end; ++i) {
       for (int k = 0; k < 3; ++k) to = store_little(mesh.positions[i][k], to);
     }
-  });
-  for_each_range(mesh.triangles.size(), kRows, [&](size_t i, size_t end) {
-    for (char* to = bytes.data() + faces_at + kFaceBytes * i; i < end; ++i) {
+  };
+  const auto append_faces = [&](size_t i, size_t end, std::string& part) {
+    part.resize((end - i) * (1 + 3 * sizeof(int32_t)));
+    for (char* to = part.data(); i < end; ++i) {
       to = store_little(uint8_t{3}, to);
       for (const uint32_t v : mesh.triangles[i]) {
         assert(v < mesh.positions.size());
         to = store_little(v, to);
       }
     }
-  });
-  return bytes;
+  };
+  if (sink(head) && emit_ranges(mesh.positions.size(), sink, append_vertices))
+    emit_ranges(mesh.triangles.size(), sink, append_faces);
 }
 
-std::string encode_stl(const MeshView& mesh) {
+void encode_stl(const MeshView& mesh, const ByteSink& sink) {
   constexpr size_t kHeaderBytes = 80, kTriangleBytes = 50;
   assert(mesh.triangles.size() < size_t{1} << 32);
-  std::string bytes = "binary STL written by Kerf";
-  bytes.reserve(kHeaderBytes + sizeof(uint32_t) + kTriangleBytes * mesh.triangles.size());
-  bytes.resize(kHeaderBytes, ' ');
-  append_little(static_cast<uint32_t>(mesh.triangles.size()), bytes);
-  for (const auto& [a, b, c] : mesh.triangles) {
-    assert(std::max({a, b, c}) < mesh.positions.size());
-    const Vec3 &pa = mesh.positions[a], &pb = mesh.positions[b], &pc = mesh.positions[c];
-    append_floats(unit_normal(pa, pb, pc), bytes);
-    for (const Vec3* corner : {&pa, &pb, &pc}) append_floats(*corner, bytes);
-    append_little(uint16_t{0}, bytes);
-  }
-  return bytes;
+  std::string head = "binary STL written by Kerf";
+  head.resize(kHeaderBytes, ' ');
+  append_little(static_cast<uint32_t>(mesh.triangles.size()), head);
+  const auto append_triangles = [&](size_t i, size_t end, std::string& part) {
+    part.reserve((end - i) * kTriangleBytes);
+    for (; i < end; ++i) {
+      const auto& [a, b, c] = mesh.triangles[i];
+      assert(std::max({a, b, c}) < mesh.positions.size());
+      const Vec3 &pa = mesh.positions[a], &pb = mesh.positions[b], &pc = mesh.positions[c];
+      append_floats(unit_normal(pa, pb, pc), part);
+      for (const Vec3* corner : {&pa, &pb, &pc}) append_floats(*corner, part);
+      append_little(uint16_t{0}, part);
+    }
+  };
+  if (sink(head)) emit_ranges(mesh.triangles.size(), sink, append_triangles);
 }
 
 }  // namespace kerf

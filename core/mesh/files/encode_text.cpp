@@ -2,9 +2,8 @@
 #include <array>
 #include <cassert>
 #include <charconv>
-#include <vector>
 
-#include "core/base/parallel.h"
+#include "core/mesh/files/emit_ranges.h"
 #include "core/mesh/files/encode.h"
 #include "core/mesh/files/encode_mtl.h"
 
@@ -29,24 +28,13 @@ void append_three(const Three& numbers, std::string& text) {
   text += '\n';
 }
 
-// Appends lines that are written on several threads: line(i, text) appends the one of item i, about `likely`
-// bytes long.
+// Hands the lines of items to the sink; line(i, text) appends that of item i, about `likely` bytes long.
 template <typename Line>
-void append_lines(size_t items, size_t likely, std::string& text, Line line) {
-  constexpr size_t kLines = 1 << 14;  // a range
-  std::vector<std::string> parts(range_count(items, kLines));
-  for_each_range(items, kLines, [&](size_t i, size_t end) {
-    std::string& part = parts[i / kLines];
+bool emit_lines(size_t items, size_t likely, const ByteSink& sink, Line line) {
+  return emit_ranges(items, sink, [&](size_t i, size_t end, std::string& part) {
     part.reserve((end - i) * likely);
     for (; i < end; ++i) line(i, part);
   });
-  size_t size = text.size();
-  for (const std::string& part : parts) size += part.size();
-  text.reserve(size);
-  for (std::string& part : parts) {
-    text += part;
-    part = std::string();
-  }
 }
 constexpr size_t kPositionLine = 64, kTriangleLine = 28;
 
@@ -59,25 +47,25 @@ void append_material(const char* keyword, const std::string& name, std::string& 
 
 }  // namespace
 
-std::string encode_obj(const MeshView& mesh) {
+void encode_obj(const MeshView& mesh, const ByteSink& sink) {
   assert(mesh.materials.empty() || mesh.materials.size() == mesh.triangles.size());
-  std::string text;
-  if (!mesh.library.empty()) (text += "mtllib ").append(mesh.library) += '\n';
-  append_lines(mesh.positions.size(), kPositionLine, text, [&](size_t i, std::string& part) {
-    part += "v ";
-    append_three(mesh.positions[i], part);
-  });
-  append_lines(mesh.triangles.size(), kTriangleLine, text, [&](size_t i, std::string& part) {
+  const auto append_position = [&](size_t i, std::string& text) {
+    text += "v ";
+    append_three(mesh.positions[i], text);
+  };
+  const auto append_triangle = [&](size_t i, std::string& text) {
     if (!mesh.materials.empty() && (i == 0 || mesh.materials[i] != mesh.materials[i - 1])) {
       assert(mesh.materials[i] < mesh.material_names.size());
-      append_material("usemtl ", mesh.material_names[mesh.materials[i]], part);
+      append_material("usemtl ", mesh.material_names[mesh.materials[i]], text);
     }
     const auto& [a, b, c] = mesh.triangles[i];
     assert(std::max({a, b, c}) < mesh.positions.size());
-    part += "f ";
-    append_three(std::array<uint64_t, 3>{uint64_t{a} + 1, uint64_t{b} + 1, uint64_t{c} + 1}, part);
-  });
-  return text;
+    text += "f ";
+    append_three(std::array<uint64_t, 3>{uint64_t{a} + 1, uint64_t{b} + 1, uint64_t{c} + 1}, text);
+  };
+  if (!mesh.library.empty() && !sink("mtllib " + std::string(mesh.library) + '\n')) return;
+  if (emit_lines(mesh.positions.size(), kPositionLine, sink, append_position))
+    emit_lines(mesh.triangles.size(), kTriangleLine, sink, append_triangle);
 }
 
 std::string encode_mtl(std::span<const MaterialLook> materials) {
@@ -96,16 +84,16 @@ std::string encode_mtl(std::span<const MaterialLook> materials) {
   return text;
 }
 
-std::string encode_off(const MeshView& mesh) {
-  std::string text = "OFF\n";
-  append_three(std::array<size_t, 3>{mesh.positions.size(), mesh.triangles.size(), 0}, text);
-  append_lines(mesh.positions.size(), kPositionLine, text,
-               [&](size_t i, std::string& part) { append_three(mesh.positions[i], part); });
-  append_lines(mesh.triangles.size(), kTriangleLine, text, [&](size_t i, std::string& part) {
-    part += "3 ";
-    append_three(mesh.triangles[i], part);
-  });
-  return text;
+void encode_off(const MeshView& mesh, const ByteSink& sink) {
+  std::string head = "OFF\n";
+  append_three(std::array<size_t, 3>{mesh.positions.size(), mesh.triangles.size(), 0}, head);
+  const auto append_position = [&](size_t i, std::string& text) { append_three(mesh.positions[i], text); };
+  const auto append_triangle = [&](size_t i, std::string& text) {
+    text += "3 ";
+    append_three(mesh.triangles[i], text);
+  };
+  if (sink(head) && emit_lines(mesh.positions.size(), kPositionLine, sink, append_position))
+    emit_lines(mesh.triangles.size(), kTriangleLine, sink, append_triangle);
 }
 
 }  // namespace kerf

@@ -85,10 +85,10 @@ TEST(ThreadCount, files_have_the_same_bytes_with_1_2_and_16_threads) {
   for (size_t i = 0; i < soup.triangles.size(); ++i) materials.push_back(random.below(3) == 0);
   const std::vector<std::string> names = {"steel", "glass"};
   const MeshView view{soup.positions, soup.triangles, materials, names};
-  for (const auto encode : {encode_obj, encode_ply, encode_stl, encode_off}) {
+  for (const MeshFormat format : {MeshFormat::kObj, MeshFormat::kPly, MeshFormat::kStl, MeshFormat::kOff}) {
     const auto with = [&](size_t threads) {
       const ThreadLimit limit(threads);
-      return encode(view);
+      return encoded(view, format);
     };
     const std::string one = with(1);
     EXPECT_TRUE(one == with(2));

@@ -54,10 +54,10 @@ std::vector<Sample> sample_files() {
   return {{"square.obj", MeshFormat::kObj, kObj},
           {"square.off", MeshFormat::kOff, kOff},
           {"square_text.ply", MeshFormat::kPly, kPly},
-          {"square_little.ply", MeshFormat::kPly, encode_ply(square)},
+          {"square_little.ply", MeshFormat::kPly, encoded(square, MeshFormat::kPly)},
           {"square_big.ply", MeshFormat::kPly, big_endian_ply()},
           {"square_text.stl", MeshFormat::kStl, kStl},
-          {"square_binary.stl", MeshFormat::kStl, encode_stl(square)}};
+          {"square_binary.stl", MeshFormat::kStl, encoded(square, MeshFormat::kStl)}};
 }
 
 double area(const Soup& soup) {

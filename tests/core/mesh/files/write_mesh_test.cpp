@@ -8,6 +8,8 @@
 #include <bit>
 #include <cmath>
 #include <csignal>
+#include <new>
+#include <tuple>
 
 #include "core/base/atomic_file.h"
 #include "core/base/random.h"
@@ -82,7 +84,7 @@ TEST(WriteMesh, names_the_library_of_an_obj_file_and_describes_every_material_in
   const RandomMesh mesh = random_mesh(random);
   MeshView view = mesh.view();
   view.library = "part one.mtl";
-  const std::string obj = encode_obj(view);
+  const std::string obj = encoded(view, MeshFormat::kObj);
   EXPECT_TRUE(obj.starts_with("mtllib part one.mtl\nv "));
   const Result<Soup> soup = read_obj(obj, "part.obj", nullptr);
   ASSERT_TRUE(soup);
@@ -167,6 +169,37 @@ TEST(WriteFileAtomically, leaves_what_was_there_when_the_disk_is_full) {
   ::setrlimit(RLIMIT_FSIZE, &before);
   std::signal(SIGXFSZ, handler);
   ASSERT_FALSE(status);
+  EXPECT_EQ(test::read_text(folder / "a"), "old");
+  EXPECT_EQ(files_in(folder.path()), 1u);
+}
+
+TEST(WriteFileAtomically, writes_parts_in_their_order) {
+  const test::TemporaryFolder folder;
+  ASSERT_TRUE(write_file_atomically(folder / "a", [](const ByteSink& sink) {
+    for (const char* part : {"one, ", "", "two, ", "three"}) EXPECT_TRUE(sink(part));
+  }));
+  EXPECT_EQ(test::read_text(folder / "a"), "one, two, three");
+  EXPECT_EQ(files_in(folder.path()), 1u);
+}
+
+TEST(WriteFileAtomically, tells_the_source_of_parts_that_no_more_are_wanted) {
+  int parts = 0;
+  const Status status = write_file_atomically("/dev/full", [&](const ByteSink& sink) {
+    while (++parts < 10 && sink("bytes")) {
+    }
+  });
+  EXPECT_EQ(parts, 1);
+  EXPECT_FALSE(status);
+}
+
+TEST(WriteFileAtomically, leaves_what_was_there_where_making_the_parts_throws) {
+  const test::TemporaryFolder folder;
+  test::write_text(folder / "a", "old");
+  const auto produce = [](const ByteSink& sink) {
+    sink("new");
+    throw std::bad_alloc();
+  };
+  EXPECT_THROW(std::ignore = write_file_atomically(folder / "a", produce), std::bad_alloc);
   EXPECT_EQ(test::read_text(folder / "a"), "old");
   EXPECT_EQ(files_in(folder.path()), 1u);
 }

@@ -3,6 +3,7 @@
 #include "core/cut/cut_step.h"
 #include "core/document/extract.h"
 #include "core/graph/separation.h"
+#include "core/mesh/build_mesh.h"
 #include "tests/bench/sections.h"
 #include "tests/bench/timing.h"
 
@@ -27,6 +28,15 @@ Body body_of(const Subject& s) {
   return make_body(s.name, std::move(built));
 }
 
+Soup soup_of(const TriangleArrays& arrays) {
+  Soup soup;
+  for (size_t i = 0; i < arrays.positions.size(); i += 3)
+    soup.positions.push_back({arrays.positions[i], arrays.positions[i + 1], arrays.positions[i + 2]});
+  for (size_t i = 0; i < arrays.corners.size(); i += 3)
+    soup.triangles.push_back({arrays.corners[i], arrays.corners[i + 1], arrays.corners[i + 2]});
+  return soup;
+}
+
 // A straight slot through the middle, across the longest side, the beam along the shortest.
 struct Slot {
   Vec3 low, high, middle;
@@ -43,6 +53,7 @@ struct Slot {
   }
   double length() const { return high[across] - low[across]; }
   double radius() const { return length() / kRadii; }
+  SlotBox box() const { return {low, high, middle, across, radius()}; }
 
   Pose pose(double share) const {
     Pose p{middle, Vec3(0)};
@@ -160,8 +171,7 @@ void bench_job(const Subject& s, const Effort& effort, const Report& report) {
   const BodyId id = world.add(body_of(s));
   const Slot slot(world.body(id).tree.bounds());
   const Walked walked = walk_slot(world, slot, slot.quick_settings(), effort.slot_steps);
-  const SlotBox box{slot.low, slot.high, slot.middle, slot.across, slot.radius()};
-  if (const auto peer = cgal_slot_seconds(s.arrays, box))
+  if (const auto peer = cgal_slot_seconds(s.arrays, slot.box()))
     report({"slot into pieces / CGAL difference + split", s.name, "ms", 1e3 * walked.seconds, 1e3 * *peer,
             kJobBar});
   const auto pieces = faces_by_piece(world.body(id), false);
@@ -171,6 +181,26 @@ void bench_job(const Subject& s, const Effort& effort, const Report& report) {
   const double seconds = seconds_of([&] { extract_faces(world.body(id), copied); });
   report({"copying the largest separated piece / slot", s.name, "ms", 1e3 * seconds, 1e3 * walked.seconds,
           std::nullopt});
+}
+
+// From triangles in memory to triangles of the pieces, on all threads.
+void bench_pieces(const Subject& s, const Effort& effort, const Report& report) {
+  if (!has_manifold()) return;
+  std::vector<double> ours, theirs;
+  for (int i = 0; i < effort.build_times; ++i) {
+    World world;
+    const auto start = passed_seconds();
+    const BodyId id = world.add(make_body(s.name, std::move(*build_mesh(soup_of(s.arrays)))));
+    const Slot slot(world.body(id).tree.bounds());
+    walk_slot(world, slot, slot.quick_settings(), effort.slot_steps);
+    for (const auto& faces : faces_by_piece(world.body(id), false)) extract_faces(world.body(id), faces);
+    ours.push_back(passed_seconds() - start);
+    const auto peer = manifold_slot_seconds(s.arrays, slot.box());
+    if (!peer) return;
+    theirs.push_back(*peer);
+  }
+  report({"triangles to pieces / Manifold import, difference, decompose", s.name, "ms", 1e3 * median(ours),
+          1e3 * median(theirs), std::nullopt});
 }
 
 // Of a slot whose rim is smoothed in the end; the steps of that count as well.
@@ -202,6 +232,7 @@ void bench_cut(const Subject& s, const Effort& effort, const Report& report) {
   bench_steps(s, effort, report);
   bench_rim(s, effort, report);
   bench_job(s, effort, report);
+  bench_pieces(s, effort, report);
   bench_separation(s, effort, report);
 }
 

@@ -2,7 +2,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -27,23 +26,6 @@ namespace fs = std::filesystem;
 
 constexpr double kMilli = 1e3, kNano = 1e9;
 constexpr double kFlatBar = 1.5;  // time per face, relative to the smallest mesh
-
-// Elapsed time: this work is done on several threads.
-template <typename Work>
-double elapsed(Work&& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-template <typename Ours, typename Peer>
-Pair elapsed_in_turn(int times, Ours&& ours, Peer&& peer) {
-  std::vector<double> a, b;
-  for (int i = 0; i < times; ++i) {
-    a.push_back(elapsed(ours));
-    b.push_back(elapsed(peer));
-  }
-  return {median(a), median(b)};
-}
 
 class TemporaryFile {
  public:
@@ -100,8 +82,9 @@ std::vector<uint64_t> random_keys(size_t count) {
 }
 
 void load_rows(const Subject& s, const fs::path& file, int times, const Report& report) {
-  const Pair load = elapsed_in_turn(
-      times, [&] { std::ignore = load_mesh(file, nullptr); }, [&] { std::ignore = read_through(file); });
+  const Pair load = in_turn(
+      times, [&] { std::ignore = load_mesh(file, nullptr); }, [&] { std::ignore = read_through(file); },
+      passed_seconds);
   report(
       {"load PLY / reading its bytes", s.name, "ms", load.ours * kMilli, load.peer * kMilli, std::nullopt});
   const std::vector<uint64_t> keys = random_keys(s.mesh.live_faces());
@@ -109,8 +92,8 @@ void load_rows(const Subject& s, const fs::path& file, int times, const Report& 
     std::vector<uint64_t> sorted = keys;
     std::sort(sorted.begin(), sorted.end());
   };
-  const Pair tree = elapsed_in_turn(
-      times, [&] { const AabbTree built(s.mesh); }, sort);
+  const Pair tree = in_turn(
+      times, [&] { const AabbTree built(s.mesh); }, sort, passed_seconds);
   report(
       {"tree / sorting one key a face", s.name, "ms", tree.ours * kMilli, tree.peer * kMilli, std::nullopt});
 }
@@ -121,9 +104,9 @@ void save_row(const Subject& s, const Body& body, MeshFormat format, const std::
   save(body, file.path, format);
   const std::vector<char> bytes = bytes_of(file.path);
   std::vector<char> copied(bytes.size());
-  const Pair saved = elapsed_in_turn(
+  const Pair saved = in_turn(
       times, [&] { save(body, file.path, format); },
-      [&] { std::memcpy(copied.data(), bytes.data(), bytes.size()); });
+      [&] { std::memcpy(copied.data(), bytes.data(), bytes.size()); }, passed_seconds);
   report({"save " + name + ", flushed / memcpy of it", s.name, "ms", saved.ours * kMilli, saved.peer * kMilli,
           std::nullopt});
 }
@@ -163,7 +146,8 @@ double whole_per_face(const Soup& soup, int times) {
   if (!write_mesh({soup.positions, soup.triangles, {}, {}}, in.path, MeshFormat::kPly)) std::abort();
   std::vector<double> seconds;
   for (int i = 0; i < times; ++i)
-    seconds.push_back(elapsed([&] { save(loaded_body(in.path), out.path, MeshFormat::kObj); }));
+    seconds.push_back(
+        seconds_of([&] { save(loaded_body(in.path), out.path, MeshFormat::kObj); }, passed_seconds));
   return median(seconds) * kNano / static_cast<double>(soup.triangles.size());
 }
 

@@ -12,6 +12,8 @@ namespace {
 void say_what_is_skipped() {
   if (!has_embree()) std::printf("built without Embree 3 (libembree-dev): the rows beside it are skipped\n");
   if (!has_cgal()) std::printf("built without CGAL (libcgal-dev): the rows beside it are skipped\n");
+  if (!has_manifold())
+    std::printf("KERF_MANIFOLD named no build of Manifold: the rows beside it are skipped\n");
 }
 
 using Section = void (*)(const Subject&, const Effort&, const Report&);

@@ -43,7 +43,11 @@ struct SlotBox {
 // Nothing without the library, and where the mesh bounds no volume.
 std::optional<double> cgal_slot_seconds(const TriangleArrays& arrays, const SlotBox& slot);
 
+// How long Manifold takes, on all threads, from the arrays to the components of the difference with that box.
+std::optional<double> manifold_slot_seconds(const TriangleArrays& arrays, const SlotBox& slot);
+
 bool has_embree();
 bool has_cgal();
+bool has_manifold();
 
 }  // namespace kerf::bench

@@ -13,11 +13,20 @@ inline double cpu_seconds() {
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
+// Seconds that have passed, for work that is done on several threads.
+inline double passed_seconds() {
+  timespec t{};
+  clock_gettime(CLOCK_MONOTONIC, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+using Clock = double (*)();
+
 template <typename Work>
-double seconds_of(Work&& work) {
-  const double start = cpu_seconds();
+double seconds_of(Work&& work, Clock clock = cpu_seconds) {
+  const double start = clock();
   work();
-  return cpu_seconds() - start;
+  return clock() - start;
 }
 
 inline double median(std::vector<double> values) {
@@ -30,11 +39,11 @@ struct Pair {
   double ours = 0, peer = 0;
 };
 template <typename Ours, typename Peer>
-Pair in_turn(int times, Ours&& ours, Peer&& peer) {
+Pair in_turn(int times, Ours&& ours, Peer&& peer, Clock clock = cpu_seconds) {
   std::vector<double> a, b;
   for (int i = 0; i < times; ++i) {
-    a.push_back(seconds_of(ours));
-    b.push_back(seconds_of(peer));
+    a.push_back(seconds_of(ours, clock));
+    b.push_back(seconds_of(peer, clock));
   }
   return {median(a), median(b)};
 }

@@ -1,0 +1,44 @@
+#include <manifold/manifold.h>
+
+#include "tests/bench/peer.h"
+#include "tests/bench/timing.h"
+
+namespace kerf::bench {
+
+namespace {
+
+using manifold::Manifold, manifold::vec3;
+
+// As thick as the slot, and larger than the mesh to all sides.
+Manifold box_of(const SlotBox& slot) {
+  Vec3 low = slot.low - 0.1 * (slot.high - slot.low), high = slot.high + 0.1 * (slot.high - slot.low);
+  low[slot.across] = slot.middle[slot.across] - slot.radius;
+  high[slot.across] = slot.middle[slot.across] + slot.radius;
+  const Vec3 size = high - low;
+  return Manifold::Cube(vec3(size.x, size.y, size.z)).Translate(vec3(low.x, low.y, low.z));
+}
+
+manifold::MeshGL mesh_of(const TriangleArrays& arrays) {
+  manifold::MeshGL mesh;
+  mesh.numProp = 3;
+  mesh.vertProperties = arrays.positions;
+  mesh.triVerts = arrays.corners;
+  return mesh;
+}
+
+}  // namespace
+
+bool has_manifold() { return true; }
+
+std::optional<double> manifold_slot_seconds(const TriangleArrays& arrays, const SlotBox& slot) {
+  const manifold::MeshGL mesh = mesh_of(arrays);
+  size_t parts = 0;
+  const double seconds = seconds_of(
+      [&] {
+        for (const Manifold& part : (Manifold(mesh) - box_of(slot)).Decompose()) parts += part.NumTri() > 0;
+      },
+      passed_seconds);
+  return parts > 0 ? std::optional(seconds) : std::nullopt;
+}
+
+}  // namespace kerf::bench

@@ -41,7 +41,7 @@ double power_for(double radius, double way) {
 
 CutSettings settings_of(const Kind& kind, double diagonal) {
   CutSettings settings;
-  settings.laser.radius = diagonal / 40;
+  settings.laser.radius = diagonal / 25;
   settings.laser.range = {0, 10 * diagonal};
   settings.laser.pattern = kind.pattern;
   settings.resolution.scheme = kind.scheme;

@@ -9,7 +9,8 @@ namespace kerf::test {
 
 namespace {
 
-// A facet of a text STL with all digits, the longest of any format. Longer files need not be read to be left out.
+// A facet of a text STL with all digits, the longest of any format. Longer files need not be read to be left
+// out.
 constexpr size_t kMostBytesAFace = 400;
 
 }  // namespace

@@ -7,6 +7,8 @@
 
 #include "core/base/hash.h"
 #include "core/base/key_table.h"
+#include "core/base/parallel.h"
+#include "core/mesh/triangle_batch.h"
 
 namespace kerf {
 
@@ -67,7 +69,7 @@ glm::vec3 unpack_normal(uint32_t packed) {
 }
 
 // Gathers the corners of faces around each position, in the order of their slots, and sums over each of these
-// fans.
+// fans. A corner is named by its side: three times its face, plus which of the corners it is.
 class BaseFaces::Builder {
  public:
   Builder(const Mesh& mesh, const FloatFrame& frame, BaseFaces& out)
@@ -75,22 +77,20 @@ class BaseFaces::Builder {
         frame_(frame),
         out_(out),
         planes_(mesh.face_slots(), glm::dvec3(0)),
-        areas_(mesh.face_slots(), 0) {}
+        areas_(mesh.face_slots(), 0),
+        angles_(3 * size_t{mesh.face_slots()}),
+        position_(3 * size_t{mesh.face_slots()}, kNone) {}
 
   // Whether it was not stopped.
   bool run(const Progress* progress) {
     Stages stages(progress);
-    const Progress grouping = stages.next(0.2), gathering = stages.next(0.4), smoothing = stages.next(0.4);
-    if (!group_vertices(&grouping) || !gather(&gathering) || !smooth(&smoothing)) return false;
-    find_deviation();
-    return true;
+    const Progress grouping = stages.next(0.3), measuring = stages.next(0.3), gathering = stages.next(0.1),
+                   smoothing = stages.next(0.3);
+    return group_vertices(&grouping) && measure(&measuring) && gather(&gathering) && smooth(&smoothing);
   }
 
  private:
-  struct FanCorner {
-    uint32_t side;  // three times the face, and which of its corners
-    double angle;
-  };
+  static constexpr size_t kItems = 1 << 14;  // a range
 
   bool group_vertices(const Progress* progress) {
     const Positions at = mesh_.positions();
@@ -108,100 +108,110 @@ class BaseFaces::Builder {
     return true;
   }
 
-  // A counting sort of all corners by their position.
-  bool gather(const Progress* progress) {
-    Pace pace(progress, 2 * planes_.size());
-    fan_end_.assign(first_.size() + 1, 0);
-    for (uint32_t f = 0; f < planes_.size(); ++f) {
-      if (!pace.step()) return false;
-      if (!mesh_.is_live(FaceId(f))) continue;
-      for (const VertexId v : mesh_.corners(FaceId(f))) ++fan_end_[first_[v.index] + 1];
-    }
-    for (size_t v = 1; v < fan_end_.size(); ++v) fan_end_[v] += fan_end_[v - 1];
-    fans_ = std::make_unique_for_overwrite<FanCorner[]>(fan_end_.back());
+  bool measure(const Progress* progress) {
     out_.faces_.assign(planes_.size(), {kNone, kNone, kNone});
     out_.open_.assign(planes_.size(), 0);
     out_.live_ = mesh_.live_faces();
-    for (uint32_t f = 0; f < planes_.size(); ++f) {
-      if (!pace.step()) return false;
-      if (mesh_.is_live(FaceId(f))) gather_face(f);
-    }
-    return true;
+    return for_each_range(planes_.size(), kItems, progress, [&](size_t first, size_t end) {
+      std::vector<Mesh::Side> others;
+      for_each_batch(mesh_, first, end, [&](const TriangleBatch& batch) {
+        for (uint32_t i = 0; i < batch.count(); ++i)
+          measure_face(batch.face(i), batch.corners(i), batch.triangle(i), others);
+      });
+    });
   }
 
-  // Afterwards the fan of v ends at fan_end_[v], and begins where the one before it ends.
-  void gather_face(uint32_t f) {
-    const auto corners = mesh_.corners(FaceId(f));
-    const Triangle t = mesh_.triangle(FaceId(f));
+  void measure_face(FaceId face, const std::array<VertexId, 3>& corners, const Triangle& t,
+                    std::vector<Mesh::Side>& others) {
+    const uint32_t f = face.index;
     const std::array<glm::dvec3, 3> s{frame_.scaled(t[0]), frame_.scaled(t[1]), frame_.scaled(t[2])};
     const glm::dvec3 across = glm::cross(s[1] - s[0], s[2] - s[0]);
     planes_[f] = unit_or_zero(across);
     areas_[f] = static_cast<float>(glm::length(across));
     for (uint32_t c = 0; c < 3; ++c) {
-      sides_.clear();
-      mesh_.append_edge_sides(FaceId(f), corners[c], corners[(c + 1) % 3], sides_);
-      if (sides_.empty()) out_.open_[f] |= static_cast<uint8_t>(1u << c);
-      fans_[fan_end_[first_[corners[c].index]]++] = {
-          3 * f + c, angle_between(s[(c + 1) % 3] - s[c], s[(c + 2) % 3] - s[c])};
+      others.clear();
+      mesh_.append_edge_sides(face, corners[c], corners[(c + 1) % 3], others);
+      if (others.empty()) out_.open_[f] |= static_cast<uint8_t>(1u << c);
+      position_[3 * f + c] = first_[corners[c].index];
+      angles_[3 * f + c] = angle_between(s[(c + 1) % 3] - s[c], s[(c + 2) % 3] - s[c]);
     }
   }
 
-  bool smooth(const Progress* progress) {
-    out_.corners_.reserve(first_.size());
-    Pace pace(progress, first_.size());
-    uint32_t begin = 0;
-    for (uint32_t v = 0; v < first_.size(); ++v) {
-      smooth_fan(frame_.to_float(mesh_.position(VertexId(v))), {fans_.get() + begin, fan_end_[v] - begin});
-      begin = fan_end_[v];
-      if (!pace.step()) return false;
+  // A counting sort of all corners by their position.
+  bool gather(const Progress* progress) {
+    Pace pace(progress, position_.size());
+    fan_end_.assign(first_.size() + 1, 0);
+    for (const uint32_t v : position_) {
+      if (v != kNone) ++fan_end_[v + 1];
     }
-    out_.corners_.shrink_to_fit();
+    for (size_t v = 1; v < fan_end_.size(); ++v) fan_end_[v] += fan_end_[v - 1];
+    fans_ = std::make_unique_for_overwrite<uint32_t[]>(fan_end_.back());
+    for (uint32_t side = 0; side < position_.size(); ++side) {
+      if (!pace.step()) return false;
+      if (position_[side] != kNone) fans_[fan_end_[position_[side]]++] = side;
+    }
     return true;
   }
 
-  void smooth_fan(const glm::vec3& at, std::span<const FanCorner> fan) {
-    const size_t first = out_.corners_.size();
-    for (const FanCorner& c : fan) {
-      const FaceId face(c.side / 3);
+  // After gather().
+  std::span<const uint32_t> fan(size_t v) const {
+    const size_t begin = v > 0 ? fan_end_[v - 1] : 0;
+    return {fans_.get() + begin, fan_end_[v] - begin};
+  }
+
+  // What comes of a range of positions: the corners have indices from `first` on.
+  struct Smoothed {
+    std::vector<Corner> corners;
+    std::array<double, kDeviationSteps> curved_area{};  // by the sine of the deviation
+    uint32_t first = 0;
+  };
+
+  bool smooth(const Progress* progress) {
+    std::vector<Smoothed> parts(range_count(first_.size(), kItems));
+    const bool done = for_each_range(first_.size(), kItems, progress, [&](size_t v, size_t end) {
+      Smoothed& part = parts[v / kItems];
+      for (; v < end; ++v)
+        smooth_fan(frame_.to_float(mesh_.position(VertexId(static_cast<uint32_t>(v)))), fan(v), part);
+    });
+    if (!done) return false;
+    put_together(parts);
+    find_deviation(parts);
+    return true;
+  }
+
+  void smooth_fan(const glm::vec3& at, std::span<const uint32_t> fan, Smoothed& part) {
+    const size_t first = part.corners.size();
+    for (const uint32_t side : fan) {
+      const FaceId face(side / 3);
       const FaceData& data = mesh_.data(face);
       if (data.halvings != 0 || data.base != face) continue;
-      const glm::dvec3 smooth = normal(c, fan);
-      out_.faces_[face.index][c.side % 3] = corner(first, {at, pack_normal(glm::vec3(smooth))});
-      note_deviation(face, glm::length(glm::cross(smooth, planes_[face.index])));
+      const glm::dvec3 smooth = normal(side, fan);
+      out_.faces_[face.index][side % 3] = corner(part.corners, first, {at, pack_normal(glm::vec3(smooth))});
+      note_deviation(face, glm::length(glm::cross(smooth, planes_[face.index])), part);
     }
   }
 
   // The corner gathers the normals of those that are smooth to it.
-  glm::dvec3 normal(const FanCorner& c, std::span<const FanCorner> fan) const {
-    const glm::dvec3 own = planes_[c.side / 3];
+  glm::dvec3 normal(uint32_t side, std::span<const uint32_t> fan) const {
+    const glm::dvec3 own = planes_[side / 3];
     glm::dvec3 sum(0);
     if (fan.size() <= kLargestFan) {
-      for (const FanCorner& other : fan) {
-        const glm::dvec3& plane = planes_[other.side / 3];
-        if (own == glm::dvec3(0) || glm::dot(own, plane) >= kCreaseCosine) sum += other.angle * plane;
+      for (const uint32_t other : fan) {
+        const glm::dvec3& plane = planes_[other / 3];
+        if (own == glm::dvec3(0) || glm::dot(own, plane) >= kCreaseCosine) sum += angles_[other] * plane;
       }
     }
     return sum == glm::dvec3(0) ? own : unit_or_zero(sum);
   }
 
-  void note_deviation(FaceId face, double sine) {
+  void note_deviation(FaceId face, double sine, Smoothed& part) const {
     if (sine < kFlat) return;
     const auto step = static_cast<size_t>(sine * kDeviationSteps);
-    curved_area_[std::min(step, kDeviationSteps - 1)] += areas_[face.index];
+    part.curved_area[std::min(step, kDeviationSteps - 1)] += areas_[face.index];
   }
 
-  void find_deviation() {
-    double all = 0, below = 0;
-    for (const double area : curved_area_) all += area;
-    for (size_t i = 0; i < kDeviationSteps && below < kCurvedShare * all; ++i) {
-      below += curved_area_[i];
-      out_.deviation_ = static_cast<float>(i + 1) / kDeviationSteps;
-    }
-  }
-
-  // Its index; one of the last few from `first` on, where that is the same.
-  uint32_t corner(size_t first, const Corner& wanted) {
-    std::vector<Corner>& all = out_.corners_;
+  // The index among `all`; one of the last few from `first` on, where that is the same.
+  static uint32_t corner(std::vector<Corner>& all, size_t first, const Corner& wanted) {
     const size_t from = std::max(first, all.size() - std::min(all.size(), kAlike));
     for (size_t i = from; i < all.size(); ++i) {
       if (all[i].normal == wanted.normal) return static_cast<uint32_t>(i);
@@ -210,16 +220,48 @@ class BaseFaces::Builder {
     return static_cast<uint32_t>(all.size() - 1);
   }
 
+  void put_together(std::vector<Smoothed>& parts) {
+    size_t count = 0;
+    for (Smoothed& part : parts) {
+      part.first = static_cast<uint32_t>(count);
+      count += part.corners.size();
+    }
+    out_.corners_.resize(count);
+    for_each_range(first_.size(), kItems, [&](size_t v, size_t end) {
+      const Smoothed& part = parts[v / kItems];
+      std::copy(part.corners.begin(), part.corners.end(), out_.corners_.begin() + part.first);
+      for (; v < end; ++v) {
+        for (const uint32_t side : fan(v)) {
+          uint32_t& index = out_.faces_[side / 3][side % 3];
+          if (index != kNone) index += part.first;
+        }
+      }
+    });
+  }
+
+  void find_deviation(const std::vector<Smoothed>& parts) {
+    std::array<double, kDeviationSteps> curved_area{};
+    for (const Smoothed& part : parts) {
+      for (size_t i = 0; i < kDeviationSteps; ++i) curved_area[i] += part.curved_area[i];
+    }
+    double all = 0, below = 0;
+    for (const double area : curved_area) all += area;
+    for (size_t i = 0; i < kDeviationSteps && below < kCurvedShare * all; ++i) {
+      below += curved_area[i];
+      out_.deviation_ = static_cast<float>(i + 1) / kDeviationSteps;
+    }
+  }
+
   const Mesh& mesh_;
   const FloatFrame& frame_;
   BaseFaces& out_;
-  std::vector<Mesh::Side> sides_;
-  std::vector<glm::dvec3> planes_;                     // by face: its unit normal
-  std::vector<float> areas_;                           // by face: twice its area
-  std::array<double, kDeviationSteps> curved_area_{};  // by the sine of the deviation
-  std::vector<uint32_t> first_;                        // by vertex: the lowest at the same position
-  std::vector<uint32_t> fan_end_;  // by vertex, in fans_; empty fans where another is the first
-  std::unique_ptr<FanCorner[]> fans_;
+  std::vector<glm::dvec3> planes_;    // by face: its unit normal
+  std::vector<float> areas_;          // by face: twice its area
+  std::vector<double> angles_;        // by side: at its corner
+  std::vector<uint32_t> position_;    // by side: the first vertex at its corner; kNone where there is no face
+  std::vector<uint32_t> first_;       // by vertex: the lowest at the same position
+  std::vector<uint32_t> fan_end_;     // by vertex, in fans_; empty fans where another is the first
+  std::unique_ptr<uint32_t[]> fans_;  // sides, by position
 };
 
 BaseFaces::BaseFaces(const Mesh& mesh, const FloatFrame& frame) { Builder(mesh, frame, *this).run(nullptr); }

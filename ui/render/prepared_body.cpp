@@ -1,5 +1,10 @@
 #include "ui/render/prepared_body.h"
 
+#include <array>
+#include <mutex>
+
+#include "core/base/parallel.h"
+
 namespace kerf {
 
 namespace {
@@ -20,6 +25,26 @@ Status for_each_body(const World& world, const Progress* progress, What what) {
   }
   return Done{};
 }
+
+// The progress of two computations at the same time, each of which is half of the work.
+class JointProgress {
+ public:
+  explicit JointProgress(const Progress* whole) : whole_(whole) {}
+  Progress of(size_t computation) {
+    return {[this, computation](double fraction) {
+      const std::lock_guard lock(mutex_);
+      done_[computation] = fraction;
+      stopped_ = stopped_ || (whole_ && !whole_->report(0.5 * (done_[0] + done_[1])));
+      return !stopped_;
+    }};
+  }
+
+ private:
+  const Progress* whole_;
+  std::mutex mutex_;
+  std::array<double, 2> done_{};
+  bool stopped_ = false;
+};
 
 }  // namespace
 
@@ -56,6 +81,25 @@ Status prepare_shadows(const World& world, PreparedBodies& prepared, const Progr
     found->second.caster = std::make_unique<ShadowCaster>(std::move(*caster));
     return Status(Done{});
   });
+}
+
+Result<PreparedBodies> prepare_drawing(const World& world, const Progress* progress) {
+  PreparedBodies prepared;
+  const Status done = for_each_body(world, progress, [&](BodyId id, const Body& body, const Progress* own) {
+    const FloatFrame frame = picture_frame(body);
+    JointProgress joint(own);
+    const Progress shading = joint.of(0), casting = joint.of(1);
+    Result<BaseFaces> bases = cancelled();
+    Result<ShadowCaster> caster = cancelled();
+    do_both([&] { bases = BaseFaces::build(body.mesh, frame, &shading); },
+            [&] { caster = ShadowCaster::build(body.mesh, frame, &casting); });
+    if (!bases || !caster) return Status(cancelled());
+    prepared.emplace(id, PreparedBody{frame, std::make_shared<const BaseFaces>(std::move(*bases)),
+                                      std::make_unique<ShadowCaster>(std::move(*caster))});
+    return Status(Done{});
+  });
+  if (!done) return done.error();
+  return prepared;
 }
 
 }  // namespace kerf

@@ -36,5 +36,7 @@ Result<PreparedBodies> prepare_shading(const World& world, const Progress* progr
 // Adds the shadow casters of prepared bodies, in their current state, or fails with cancelled() when stopped.
 // Expected linear time.
 Status prepare_shadows(const World& world, PreparedBodies& prepared, const Progress* progress);
+// Both at the same time, for a world as loaded in which nothing is cut.
+Result<PreparedBodies> prepare_drawing(const World& world, const Progress* progress);
 
 }  // namespace kerf

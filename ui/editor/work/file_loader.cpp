@@ -152,7 +152,9 @@ Result<LoadedFiles> load_files(LoadOrder order, const Progress* progress) {
   const double cutting = journal ? kCutting : 0, rest = 1 - cutting;
   const Progress reading = stages.next(rest * kReading), hashing = stages.next(rest * kHashing),
                  shading = stages.next(rest * kShading), deeds = stages.next(cutting),
-                 shadows = stages.next(rest * kShadows);
+                 shadows = stages.next(rest * kShadows),
+                 drawing = share_of(progress, rest * (kReading + kHashing), rest),
+                 afterwards = share_of(progress, rest, 1);
   LoadedFiles loaded;
   Result<OpenedFile> work = read_order(order, loaded.refused, &reading);
   if (!work) return work.error();
@@ -161,12 +163,15 @@ Result<LoadedFiles> load_files(LoadOrder order, const Progress* progress) {
   loaded.notes = notes_of(scene.world);
   loaded.scene = scene;
   if (const Status hashed = hash_all(loaded, hashing); !hashed) return hashed.error();
-  Result<PreparedBodies> prepared = prepare_shading(scene.world, &shading);
+  const bool uncut = loaded.scene.strokes.empty() && work->journal.commands.empty();
+  Result<PreparedBodies> prepared =
+      uncut ? prepare_drawing(scene.world, &drawing) : prepare_shading(scene.world, &shading);
   if (!prepared) return prepared.error();
   loaded.prepared = std::move(*prepared);
   if (scene.world.live_faces() <= Document::kMostFacesToCopy) loaded.as_loaded = scene.world;
   loaded.document = document_of(std::move(scene.world), loaded.scene, loaded.order.history_bytes);
-  if (const Status cut = cut_all(work->journal, loaded, deeds); !cut) return cut.error();
+  if (const Status cut = cut_all(work->journal, loaded, uncut ? afterwards : deeds); !cut) return cut.error();
+  if (uncut) return loaded;
   const Status cast = prepare_shadows(loaded.document.world(), loaded.prepared, &shadows);
   if (!cast) return cast.error();
   return loaded;

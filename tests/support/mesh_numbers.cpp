@@ -23,7 +23,7 @@ struct Less {
 // The live faces by position.
 struct Picture {
   std::map<Vec3, uint32_t, Less> vertices;
-  std::map<std::pair<uint32_t, uint32_t>, std::vector<FaceId>> edges;
+  std::map<std::pair<uint32_t, uint32_t>, std::vector<FaceId>> edges;  // ascending
   std::vector<FaceId> faces;
   std::set<std::array<uint32_t, 3>> different;  // faces by their corners, so that copies count once
 
@@ -51,11 +51,11 @@ std::string wrong_neighbours(const Mesh& mesh, Picture& p, FaceId f, bool chance
   const auto corners = mesh.corners(f);
   for (int i = 0; i < 3; ++i) {
     std::vector<Mesh::Side> sides;
-    std::vector<FaceId> said{f}, true_ones = p.edges[std::minmax(p.number(t[i]), p.number(t[(i + 1) % 3]))];
+    std::vector<FaceId> said{f};
+    const std::vector<FaceId>& true_ones = p.edges[std::minmax(p.number(t[i]), p.number(t[(i + 1) % 3]))];
     mesh.append_edge_sides(f, corners[i], corners[(i + 1) % 3], sides);
     for (const Mesh::Side& side : sides) said.push_back(side.face);
     std::sort(said.begin(), said.end());
-    std::sort(true_ones.begin(), true_ones.end());
     const bool right = chance_allowed
                            ? std::includes(true_ones.begin(), true_ones.end(), said.begin(), said.end())
                            : said == true_ones;

@@ -1,6 +1,5 @@
 #include "app/cut_report.h"
 
-#include "app/json_vector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +7,7 @@
 #include "core/base/parallel.h"
 #include "core/cut/thermal_step.h"
 #include "core/document/hash_text.h"
+#include "core/document/json_value.h"
 #include "core/mesh/triangle_batch.h"
 #include "core/world/state_hash.h"
 #include "ui/window/number_text.h"
@@ -79,13 +79,13 @@ nlohmann::ordered_json to_json(const WrittenPiece& p) {
                                   {"faces", p.faces},
                                   {"vertices", p.vertices},
                                   {"area", p.area},
-                                  {"centroid", json_vector(p.centroid)},
+                                  {"centroid", vector_json(p.centroid)},
                                   {"boundary_edges", p.boundary_edges},
                                   {"mass", p.mass.mass},
                                   {"inertia", {i[0][0], i[1][1], i[2][2], i[0][1], i[0][2], i[1][2]}}};
   if (p.asleep) piece["asleep"] = *p.asleep;
   const glm::dquat& q = p.placement.orientation;
-  piece["pose"] = {{"position", json_vector(p.placement.position)}, {"orientation", {q.w, q.x, q.y, q.z}}};
+  piece["pose"] = {{"position", vector_json(p.placement.position)}, {"orientation", {q.w, q.x, q.y, q.z}}};
   return piece;
 }
 

@@ -5,8 +5,8 @@
 #include "app/commands.h"
 #include "app/exit_status.h"
 #include "app/interrupt.h"
-#include "app/json_vector.h"
 #include "app/load_mesh.h"
+#include "core/document/json_value.h"
 #include "core/mesh/load_notes.h"
 
 namespace kerf {
@@ -35,7 +35,7 @@ nlohmann::ordered_json to_json(const std::string& file, const MeshReport& m) {
           {"non_manifold_edges", m.non_manifold_edges},
           {"components", m.components},
           {"area", m.area},
-          {"bounds", {{"min", json_vector(m.min)}, {"max", json_vector(m.max)}}},
+          {"bounds", {{"min", vector_json(m.min)}, {"max", vector_json(m.max)}}},
           {"repairs", to_json(m.repairs)},
           {"notes", load_notes(m)}};
 }

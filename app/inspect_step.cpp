@@ -2,8 +2,8 @@
 
 #include <cassert>
 
-#include "app/json_vector.h"
 #include "core/document/hash_text.h"
+#include "core/document/json_value.h"
 #include "core/document/single_step.h"
 #include "core/document/stroke_settings.h"
 #include "core/tree/touched_walk.h"
@@ -73,14 +73,14 @@ Json to_json(const std::vector<FaceId>& faces) {
 }
 
 Json to_json(const Pose& pose) {
-  return {{"origin", json_vector(pose.origin)}, {"direction", json_vector(pose.direction)}};
+  return {{"origin", vector_json(pose.origin)}, {"direction", vector_json(pose.direction)}};
 }
 
 Json to_json(const TouchedWalk& walk) {
   Json boxes = Json::array();
   for (const TouchedWalk::Visit& v : walk.visits) {
-    Json box = {{"min", json_vector(v.box.min)},
-                {"max", json_vector(v.box.max)},
+    Json box = {{"min", vector_json(v.box.min)},
+                {"max", vector_json(v.box.max)},
                 {"depth", v.box.depth},
                 {"outcome", name(v.outcome)}};
     if (v.parent != TouchedWalk::kNoParent) box["parent"] = v.parent;

@@ -1,6 +1,7 @@
 #include "app/inspect_tree.h"
 
-#include "app/json_vector.h"
+#include "core/document/json_value.h"
+
 
 namespace kerf {
 
@@ -10,8 +11,8 @@ nlohmann::ordered_json tree_json(const World& world) {
     const Body& body = world.body(id);
     auto boxes = nlohmann::ordered_json::array();
     body.tree.for_each_box([&](const AabbTree::Box& box) {
-      boxes.push_back({{"min", json_vector(box.min)},
-                       {"max", json_vector(box.max)},
+      boxes.push_back({{"min", vector_json(box.min)},
+                       {"max", vector_json(box.max)},
                        {"depth", box.depth},
                        {"leaf", box.leaf},
                        {"hit", box.hit}});

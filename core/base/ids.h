@@ -5,12 +5,15 @@
 
 namespace kerf {
 
+// The index or label of no element.
+inline constexpr uint32_t kNoIndex = 0xffffffffu;
+
 // The index of a slot in an array that holds things of one kind. Such an array only grows while a document is
 // open: the slot of a thing that died is not used again, unless undo takes the slot itself back. Tag keeps
 // ids of different kinds apart.
 template <typename Tag>
 struct Id {
-  static constexpr uint32_t kNone = 0xffffffffu;
+  static constexpr uint32_t kNone = kNoIndex;
   uint32_t index = kNone;
 
   constexpr Id() = default;
@@ -28,7 +31,7 @@ using FaceId = Id<struct FaceTag>;
 // is 0 for the bodies that a document begins with, and 1 + n for a body that the n-th command (from 0) of the
 // journal made; redo and replay of that command give the body the same id again.
 struct BodyId {
-  static constexpr uint32_t kNone = 0xffffffffu;
+  static constexpr uint32_t kNone = kNoIndex;
   // In commands of journals that name a body by its number alone (Body::number), until they are applied.
   static constexpr uint32_t kUnknownGeneration = 0xffffffffu;
   uint32_t slot = kNone;

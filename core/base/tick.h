@@ -9,6 +9,7 @@ namespace kerf {
 using Ticks = uint64_t;
 
 inline constexpr Ticks kTicksPerSecond = 120;
+inline constexpr double kTick = 1.0 / kTicksPerSecond;  // s
 
 // The time in seconds after a number of ticks, correctly rounded up to 2^53 ticks, i.e. more than two million
 // years.

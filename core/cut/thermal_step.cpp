@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numbers>
 
 #include "core/cut/burn.h"
 #include "core/cut/cuttable.h"
@@ -16,7 +17,6 @@ constexpr double kRefinedRadii = 1.5;  // faces are fine as far from the axis, i
 constexpr double kSpacingsASample = 0.8;
 // The parts of a move of one radius, and of one that takes the time radius^2 / diffusivity.
 constexpr double kPartsARadius = 4, kPartsADiffusionTime = 16;
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kMostParts = 4096;  // of a move
 
 Pose between(const BeamMove& move, double t) {
@@ -75,7 +75,7 @@ class ThermalMoves {
     for (const BurnedBody& burned : burned_) {
       const Sheet& sheet = world_.body(burned.id).sheet;
       const Substance& s = sheet.substance;
-      const double spot = 0.5 * kPi * w * w * sheet.thickness * s.density * enthalpy_of_removal(s);
+      const double spot = 0.5 * std::numbers::pi * w * w * sheet.thickness * s.density * enthalpy_of_removal(s);
       const double diffusivity = s.conductivity / (s.density * s.heat_solid);
       most = std::max(most, absorptivity(s, settings_.laser.wavelength) * joules / spot);
       most = std::max(most, kPartsADiffusionTime * diffusivity * move.seconds / (w * w));

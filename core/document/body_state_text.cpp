@@ -6,8 +6,6 @@ namespace kerf {
 
 namespace {
 
-nlohmann::ordered_json vector_json(const Vec3& v) { return {v.x, v.y, v.z}; }
-
 // A list of whole numbers without sign.
 bool holds_whole_numbers(const nlohmann::json& json, size_t count) {
   if (!json.is_array() || json.size() != count) return false;

@@ -12,6 +12,9 @@
 
 namespace kerf {
 
+// The coordinates as a list.
+inline nlohmann::ordered_json vector_json(const Vec3& v) { return {v.x, v.y, v.z}; }
+
 // A value in a JSON file together with its position, so that an error can name it in one sentence:
 // "scene.json: /strokes/0/keys/2/direction: must be three numbers". The root value must outlive it.
 class JsonValue {

@@ -2,13 +2,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/document/json_value.h"
+
 namespace kerf {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json list(const Vec3& v) { return {v.x, v.y, v.z}; }
 
 // Numbers that are read back as this unit vector to the bit. To make a unit vector unit again may change its
 // last bits; for one of its multiples it does not.
@@ -23,8 +23,8 @@ Vec3 readable_direction(const Vec3& unit) {
 
 Json key_json(const StrokePath& stroke, size_t k) {
   return {{"t", stroke.times[k]},
-          {"origin", list(stroke.keys[k].origin)},
-          {"direction", list(readable_direction(stroke.keys[k].direction))}};
+          {"origin", vector_json(stroke.keys[k].origin)},
+          {"direction", vector_json(readable_direction(stroke.keys[k].direction))}};
 }
 
 Json laser_json(const StrokePath& stroke) {

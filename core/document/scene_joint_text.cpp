@@ -16,8 +16,6 @@ struct KindName {
 constexpr std::array<KindName, 3> kKinds{
     {{Joint::Kind::kWeld, "weld"}, {Joint::Kind::kHinge, "hinge"}, {Joint::Kind::kHub, "hub"}}};
 
-Json list(const Vec3& v) { return {v.x, v.y, v.z}; }
-
 Result<Joint::Kind> parse_kind(const JsonValue& value) {
   const auto text = value.text();
   if (!text) return text.error();
@@ -132,10 +130,10 @@ Json joint_json(const SceneJoint& joint) {
     if (k.kind == joint.kind) json["kind"] = k.name;
   }
   json["parts"] = joint.parts;
-  json["anchor"] = list(joint.anchor);
-  if (joint.kind != Joint::Kind::kWeld) json["axis"] = list(joint.axis);
+  json["anchor"] = vector_json(joint.anchor);
+  if (joint.kind != Joint::Kind::kWeld) json["axis"] = vector_json(joint.axis);
   if (joint.limits) json["limits"] = {joint.limits->low, joint.limits->high};
-  if (joint.near) json["near"] = {list((*joint.near)[0]), list((*joint.near)[1])};
+  if (joint.near) json["near"] = {vector_json((*joint.near)[0]), vector_json((*joint.near)[1])};
   if (joint.radius) json["radius"] = *joint.radius;
   const Json kept = Json::parse(joint.others, nullptr, false);
   if (kept.is_object()) json.update(kept);

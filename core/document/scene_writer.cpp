@@ -1,5 +1,6 @@
 #include "core/document/colour_text.h"
 #include "core/document/hash_text.h"
+#include "core/document/json_value.h"
 #include "core/document/path_text.h"
 #include "core/document/scene_joint_text.h"
 #include "core/document/scene_text.h"
@@ -11,8 +12,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
-
-Json list(const Vec3& v) { return {v.x, v.y, v.z}; }
 
 // Appends the unknown keys that were kept to `json`.
 Json with_others(Json json, const std::string& others) {
@@ -38,7 +37,7 @@ Json body_json(const SceneBody& body, const fs::path& folder) {
   Json json{{"mesh", path_text(body.mesh, folder)}, {"name", body.name}};
   const Placement none;
   const glm::dquat& q = body.placement.orientation;
-  if (body.placement.position != none.position) json["position"] = list(body.placement.position);
+  if (body.placement.position != none.position) json["position"] = vector_json(body.placement.position);
   if (q != none.orientation) json["orientation"] = {q.w, q.x, q.y, q.z};
   if (body.hash) json["hash"] = hash_text(*body.hash);
   if (body.sheet.thickness != Sheet{}.thickness) json["thickness"] = body.sheet.thickness;
@@ -49,7 +48,7 @@ Json body_json(const SceneBody& body, const fs::path& folder) {
 }
 
 Json light_json(const Light& light) {
-  return {{light.kind == Light::Kind::kPoint ? "position" : "direction", list(light.at)},
+  return {{light.kind == Light::Kind::kPoint ? "position" : "direction", vector_json(light.at)},
           {"colour", colour_text(light.colour)},
           {"intensity", light.intensity}};
 }
@@ -83,7 +82,7 @@ Json scene_json(const SceneDescription& scene, const fs::path& folder) {
   json["bodies"] = list_of(scene.bodies, [&](const SceneBody& body) { return body_json(body, folder); });
   for (const auto& [name, paint] : scene.paints)
     json["paints"][name] = {{"colour", colour_text(paint.colour)}, {"gloss", paint.gloss}};
-  if (scene.view) json["view"] = {{"eye", list(scene.view->eye)}, {"target", list(scene.view->target)}};
+  if (scene.view) json["view"] = {{"eye", vector_json(scene.view->eye)}, {"target", vector_json(scene.view->target)}};
   if (!scene.lights.empty()) json["lights"] = list_of(scene.lights, light_json);
   if (!scene.show.empty()) json["show"] = show_json(scene.show);
   if (!scene.strokes.empty()) json["strokes"] = list_of(scene.strokes, stroke_json);

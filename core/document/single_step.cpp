@@ -9,22 +9,22 @@ namespace kerf {
 
 namespace {
 
-using Kind = StageRecord::Kind;
+using StageKind = StageRecord::Kind;
 
-Kind kind_of(UnfinishedMove::Stage stage) {
+StageKind kind_of(UnfinishedMove::Stage stage) {
   switch (stage) {
     case UnfinishedMove::Stage::kFind:
-      return Kind::kHit;
+      return StageKind::kHit;
     case UnfinishedMove::Stage::kRefine:
-      return Kind::kRefine;
+      return StageKind::kRefine;
     case UnfinishedMove::Stage::kFindAgain:
-      return Kind::kHitAgain;
+      return StageKind::kHitAgain;
     case UnfinishedMove::Stage::kRemove:
-      return Kind::kRemove;
+      return StageKind::kRemove;
     case UnfinishedMove::Stage::kSeparate:
-      return Kind::kSeparate;
+      return StageKind::kSeparate;
   }
-  return Kind::kHit;
+  return StageKind::kHit;
 }
 
 std::string number(size_t count, const char* noun) {
@@ -67,12 +67,12 @@ Delta joined(std::vector<Delta> changes) {
 StageRecord SingleStep::describe() const {
   StageRecord record;
   if (document_.next_searches()) {
-    record.kind = Kind::kSeparate;
+    record.kind = StageKind::kSeparate;
     return record;
   }
   record.move = document_.next_move();
   if (!record.move) {
-    record.kind = document_.next_closes_rim() ? Kind::kCloseRim : Kind::kTime;
+    record.kind = document_.next_closes_rim() ? StageKind::kCloseRim : StageKind::kTime;
     return record;
   }
   const UnfinishedMove& unfinished = document_.unfinished_move();
@@ -87,12 +87,12 @@ StageRecord SingleStep::describe() const {
 }
 
 // A stage of many faces, with its parts. Very many parts are several stages.
-Result<StepResult> SingleStep::execute(Kind kind, const Progress* progress) {
+Result<StepResult> SingleStep::execute(StageKind kind, const Progress* progress) {
   constexpr size_t kMostParts = 64;
   Result<StepResult> all = document_.step_stage(progress);
   const auto goes_on = [&] {
-    if (kind == Kind::kCloseRim) return document_.rim_is_unfinished();
-    return (kind == Kind::kRefine || kind == Kind::kRemove) && all->moves == 0 &&
+    if (kind == StageKind::kCloseRim) return document_.rim_is_unfinished();
+    return (kind == StageKind::kRefine || kind == StageKind::kRemove) && all->moves == 0 &&
            kind_of(document_.unfinished_move().stage) == kind;
   };
   for (size_t parts = 1; all && parts < kMostParts && goes_on(); ++parts) {
@@ -107,10 +107,10 @@ Result<StepResult> SingleStep::execute(Kind kind, const Progress* progress) {
 Result<StageRecord> SingleStep::next(const Progress* progress) {
   assert(document_.waiting() > 0);
   StageRecord record = describe();
-  if (record.kind == Kind::kHit && !record.beam.empty() && !swept_) {
+  if (record.kind == StageKind::kHit && !record.beam.empty() && !swept_) {
     swept_ = true;
     ++stages_;
-    record.kind = Kind::kSweep;
+    record.kind = StageKind::kSweep;
     return record;
   }
   Result<StepResult> done = execute(record.kind, progress);
@@ -121,9 +121,9 @@ Result<StageRecord> SingleStep::next(const Progress* progress) {
   ++stages_;
   record.done = std::move(*done);
   const UnfinishedMove& after = document_.unfinished_move();
-  if (record.kind == Kind::kHit || record.kind == Kind::kHitAgain) record.hit = after.hit;
-  if (record.kind == Kind::kRefine) record.left = after.to_split.size();
-  if (record.kind == Kind::kRemove) record.left = after.hit.size() - after.removed;
+  if (record.kind == StageKind::kHit || record.kind == StageKind::kHitAgain) record.hit = after.hit;
+  if (record.kind == StageKind::kRefine) record.left = after.to_split.size();
+  if (record.kind == StageKind::kRemove) record.left = after.hit.size() - after.removed;
   if (record.move && after.stage == UnfinishedMove::Stage::kFind) swept_ = false;
   note_work(record);
   return record;
@@ -133,7 +133,7 @@ void SingleStep::note_work(const StageRecord& record) {
   constexpr size_t kOfStage = 50;  // faces that cost as much as a stage alone
   const StepFigures& figures = record.done.figures;
   work_ += figures.faces_made + record.done.delta.removed_faces + kOfStage;
-  const bool after_rim = record.kind == Kind::kCloseRim && !document_.rim_is_unfinished();
+  const bool after_rim = record.kind == StageKind::kCloseRim && !document_.rim_is_unfinished();
   const bool between_moves = record.done.moves > 0 && !swept_;
   if (document_.waiting() == 0 || !(after_rim || (between_moves && work_ >= work_between_marks_))) return;
   std::optional<Document::Mark> mark = document_.mark();
@@ -193,24 +193,24 @@ Outcome SingleStep::go_back_to(size_t stages, const Told& told, const Progress* 
 std::string words(const StageRecord& record) {
   const StepFigures& figures = record.done.figures;
   switch (record.kind) {
-    case Kind::kSweep:
+    case StageKind::kSweep:
       return sweep_words(record);
-    case Kind::kHit:
-    case Kind::kHitAgain:
-      return std::string(record.kind == Kind::kHit ? "Hit" : "Hit again, after the splits") +
+    case StageKind::kHit:
+    case StageKind::kHitAgain:
+      return std::string(record.kind == StageKind::kHit ? "Hit" : "Hit again, after the splits") +
              ": the beam touches " + number(record.hit.size(), "face") + "; the tree tested " +
              number(figures.tested.boxes, "box slot") + " and " + number(figures.tested.faces, "face") + ".";
-    case Kind::kRefine:
+    case StageKind::kRefine:
       return "Refine: " + number(figures.faces_made, "face") + " were made by splits." + left_words(record);
-    case Kind::kRemove:
+    case StageKind::kRemove:
       return "Remove: " + number(record.done.delta.removed_faces, "face") + " were removed." +
              left_words(record);
-    case Kind::kSeparate:
+    case StageKind::kSeparate:
       return separate_words(new_pieces(record.done.delta));
-    case Kind::kCloseRim:
+    case StageKind::kCloseRim:
       return "Close the rim: " + number(record.done.delta.removed_faces, "face") +
              " inside the boundary of the stroke were removed.";
-    case Kind::kTime:
+    case StageKind::kTime:
       return "Time: a tick passed.";
   }
   return {};

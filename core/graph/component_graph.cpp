@@ -7,12 +7,10 @@ namespace kerf {
 
 namespace {
 
-constexpr uint32_t kNone = 0xffffffffu;
-
 // Appends the faces of a body for which `wanted` is true, and their edges.
 template <typename Wanted>
 void add_body(ComponentGraph& graph, BodyId id, const Mesh& mesh, const Wanted& wanted) {
-  std::vector<uint32_t> node_of(mesh.face_slots(), kNone);
+  std::vector<uint32_t> node_of(mesh.face_slots(), kNoIndex);
   const size_t first = graph.nodes.size();
   for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
     if (!mesh.is_live(FaceId(f)) || !wanted(mesh.data(FaceId(f)).piece)) continue;
@@ -28,7 +26,7 @@ void add_body(ComponentGraph& graph, BodyId id, const Mesh& mesh, const Wanted& 
     const auto end = std::unique(neighbours.begin(), neighbours.end());
     for (auto n = std::upper_bound(neighbours.begin(), end, f); n != end; ++n) {
       const uint32_t other = node_of[n->index];
-      if (other != kNone) graph.edges.push_back({static_cast<uint32_t>(node), other});
+      if (other != kNoIndex) graph.edges.push_back({static_cast<uint32_t>(node), other});
     }
   }
 }

@@ -7,8 +7,6 @@ namespace kerf {
 
 namespace {
 
-constexpr uint32_t kNone = CutTraversal::kNone;
-
 using Edges = std::vector<ComponentGraph::Edge>;
 
 Vec3 middle_of(const Triangle& t) { return t[0] / 3.0 + t[1] / 3.0 + t[2] / 3.0; }
@@ -38,7 +36,7 @@ CutGraph live_graph(const World& world, std::span<const PieceId> pieces) {
 
 // Adds removed faces of one body to a graph that holds its live ones.
 void add_removed(CutGraph& graph, BodyId id, const Body& body, const std::vector<CutFace>& removed) {
-  std::vector<uint32_t> node_of(body.mesh.face_slots(), kNone);
+  std::vector<uint32_t> node_of(body.mesh.face_slots(), kNoIndex);
   for (uint32_t node = 0; node < graph.live; ++node) {
     if (graph.nodes[node].body == id) node_of[graph.nodes[node].face.index] = node;
   }
@@ -50,8 +48,8 @@ void add_removed(CutGraph& graph, BodyId id, const Body& body, const std::vector
   auto node = static_cast<uint32_t>(graph.nodes.size() - removed.size());
   for (const CutFace& cut : removed) {
     for (const FaceId n : cut.neighbours) {
-      const uint32_t other = n.index < node_of.size() ? node_of[n.index] : kNone;
-      if (other != kNone && other != node)
+      const uint32_t other = n.index < node_of.size() ? node_of[n.index] : kNoIndex;
+      if (other != kNoIndex && other != node)
         graph.edges.push_back({std::min(node, other), std::max(node, other)});
     }
     ++node;
@@ -90,14 +88,14 @@ CutTraversal traverse_cut(const CutGraph& graph, uint32_t start) {
   result.traversal = traverse(live, start);
   const Traversal before = traverse(graph.links(), start);
   const GraphComponents parts = find_components(live);
-  std::vector<uint32_t> number(parts.size.size(), kNone);
+  std::vector<uint32_t> number(parts.size.size(), kNoIndex);
   number[parts.of[start]] = 0;
   result.sets = 1;
-  result.set.assign(graph.live, kNone);
+  result.set.assign(graph.live, kNoIndex);
   for (uint32_t node = 0; node < graph.live; ++node) {
     if (before.rank[node] == Traversal::kNone) continue;
     uint32_t& set = number[parts.of[node]];
-    if (set == kNone) set = static_cast<uint32_t>(result.sets++);
+    if (set == kNoIndex) set = static_cast<uint32_t>(result.sets++);
     result.set[node] = set;
     ++result.total;
   }

@@ -10,19 +10,18 @@ namespace kerf {
 
 namespace {
 
-constexpr uint32_t kNone = DrawnGraph::kNone;
-constexpr uint32_t kRemovedKind = kNone - 1;
+constexpr uint32_t kRemovedKind = kNoIndex - 1;
 
 // Nodes of a graph that are clustered by themselves.
 class Selection {
  public:
   Selection(const CutGraph& graph, std::vector<uint32_t> nodes) : nodes_(std::move(nodes)) {
     std::sort(nodes_.begin(), nodes_.end());
-    std::vector<uint32_t> local(graph.nodes.size(), kNone);
+    std::vector<uint32_t> local(graph.nodes.size(), kNoIndex);
     for (size_t i = 0; i < nodes_.size(); ++i) local[nodes_[i]] = static_cast<uint32_t>(i);
     std::vector<ComponentGraph::Edge> edges;
     for (const auto& [a, b] : graph.edges) {
-      if (local[a] != kNone && local[b] != kNone) edges.push_back({local[a], local[b]});
+      if (local[a] != kNoIndex && local[b] != kNoIndex) edges.push_back({local[a], local[b]});
     }
     links_ = GraphLinks(nodes_.size(), edges);
   }
@@ -77,7 +76,7 @@ std::vector<uint32_t> around_cut(const CutGraph& graph) {
 class Clustering {
  public:
   Clustering(const CutGraph& graph, std::vector<uint32_t> kind)
-      : graph_(graph), kind_(std::move(kind)), of_(graph.nodes.size(), kNone) {}
+      : graph_(graph), kind_(std::move(kind)), of_(graph.nodes.size(), kNoIndex) {}
 
   void divide(const std::vector<uint32_t>& nodes, size_t most) {
     const Selection selection(graph_, nodes);
@@ -91,7 +90,7 @@ class Clustering {
   }
 
   void open(uint32_t node) {
-    if (node >= of_.size() || of_[node] == kNone || count_ > DrawnGraph::kMost) return;
+    if (node >= of_.size() || of_[node] == kNoIndex || count_ > DrawnGraph::kMost) return;
     std::vector<uint32_t> members;
     for (uint32_t other = 0; other < of_.size(); ++other) {
       if (of_[other] == of_[node]) members.push_back(other);
@@ -115,7 +114,7 @@ class Clustering {
 std::vector<bool> largest(const Clustering& clustering) {
   std::vector<uint32_t> size(clustering.numbers(), 0), order(clustering.numbers());
   for (const uint32_t cluster : clustering.of()) {
-    if (cluster != kNone) ++size[cluster];
+    if (cluster != kNoIndex) ++size[cluster];
   }
   std::iota(order.begin(), order.end(), 0u);
   std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return size[a] > size[b]; });
@@ -139,7 +138,7 @@ void add_face(DrawnGraph::Node& drawn, const CutGraph& graph, const CutTraversal
 std::vector<ComponentGraph::Edge> edges_between(const CutGraph& graph, const std::vector<uint32_t>& of) {
   std::vector<ComponentGraph::Edge> edges;
   for (const auto& [a, b] : graph.edges) {
-    if (of[a] == kNone || of[b] == kNone || of[a] == of[b]) continue;
+    if (of[a] == kNoIndex || of[b] == kNoIndex || of[a] == of[b]) continue;
     edges.push_back({std::min(of[a], of[b]), std::max(of[a], of[b])});
   }
   std::sort(edges.begin(), edges.end());
@@ -191,7 +190,7 @@ DrawnGraph::State DrawnGraph::state(const Node& node) const {
   if (node.removed) return node.removed_at < removals ? State::kRemoved : State::kUnmarked;
   if (node.marked_at < marked) return State::kMarked;
   const bool over = marked >= reached;
-  return over && node.set != kNone ? State::kApart : State::kUnmarked;
+  return over && node.set != kNoIndex ? State::kApart : State::kUnmarked;
 }
 
 bool DrawnGraph::is_cut(const ComponentGraph::Edge& edge) const {
@@ -210,12 +209,12 @@ DrawnGraph draw_graph(const CutGraph& graph, const CutTraversal& traversal, Grap
   for (const uint32_t node : opened) clustering.open(node);
   const std::vector<bool> is_drawn = largest(clustering);
   DrawnGraph drawn;
-  drawn.of.assign(graph.nodes.size(), kNone);
-  std::vector<uint32_t> number(clustering.numbers(), kNone);
+  drawn.of.assign(graph.nodes.size(), kNoIndex);
+  std::vector<uint32_t> number(clustering.numbers(), kNoIndex);
   for (uint32_t node = 0; node < graph.nodes.size(); ++node) {
     const uint32_t cluster = clustering.of()[node];
-    if (cluster == kNone || !is_drawn[cluster]) continue;
-    if (number[cluster] == kNone) {
+    if (cluster == kNoIndex || !is_drawn[cluster]) continue;
+    if (number[cluster] == kNoIndex) {
       number[cluster] = static_cast<uint32_t>(drawn.nodes.size());
       drawn.nodes.emplace_back();
       drawn.nodes.back().lowest = node;

@@ -10,8 +10,6 @@ namespace kerf {
 
 namespace {
 
-constexpr uint32_t kNone = 0xffffffffu;
-
 // The clusters of one round, numbered in the order of their lowest nodes.
 struct Round {
   std::vector<uint32_t> of, size, kind;
@@ -30,13 +28,13 @@ std::vector<ComponentGraph::Edge> edges_between(const GraphLinks& links, const s
   return edges;
 }
 
-// The linked cluster of the same kind to join: the smallest one, kNone if there is none.
+// The linked cluster of the same kind to join: the smallest one, kNoIndex if there is none.
 uint32_t best_partner(const Round& round, UnionFind& joined, std::span<const uint32_t> size,
                       uint32_t cluster) {
-  uint32_t best = kNone;
+  uint32_t best = kNoIndex;
   for (const uint32_t other : round.links.of(cluster)) {
     if (round.kind[other] != round.kind[cluster] || joined.find(other) == joined.find(cluster)) continue;
-    if (best == kNone || size[joined.find(other)] < size[joined.find(best)]) best = other;
+    if (best == kNoIndex || size[joined.find(other)] < size[joined.find(best)]) best = other;
   }
   return best;
 }
@@ -53,7 +51,7 @@ size_t join_pairs(const Round& round, UnionFind& joined, size_t most) {
     const uint32_t cluster = order[i];
     if (size[joined.find(cluster)] > round.size[cluster]) continue;  // was joined in this round
     const uint32_t other = best_partner(round, joined, size, cluster);
-    if (other == kNone) continue;
+    if (other == kNoIndex) continue;
     const uint32_t both = size[joined.find(cluster)] + size[joined.find(other)];
     joined.unite(cluster, other);
     size[joined.find(cluster)] = both;
@@ -65,12 +63,12 @@ size_t join_pairs(const Round& round, UnionFind& joined, size_t most) {
 // The round after one in which clusters were joined.
 Round next_round(const GraphLinks& links, const Round& round, UnionFind& joined) {
   Round next;
-  std::vector<uint32_t> number(round.size.size(), kNone);
+  std::vector<uint32_t> number(round.size.size(), kNoIndex);
   next.of.resize(round.of.size());
   for (size_t node = 0; node < round.of.size(); ++node) {
     const uint32_t before = round.of[node];
     uint32_t& after = number[joined.find(before)];
-    if (after == kNone) {
+    if (after == kNoIndex) {
       after = static_cast<uint32_t>(next.size.size());
       next.size.push_back(0);
       next.kind.push_back(round.kind[before]);

@@ -7,8 +7,6 @@ namespace kerf {
 
 namespace {
 
-constexpr uint32_t kNone = 0xffffffffu;
-
 bool less(const Vec3& a, const Vec3& b) {
   return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
 }
@@ -30,7 +28,7 @@ class RemovedEdges {
 
   uint32_t vertex_at(const Vec3& p) const {
     const auto found = std::lower_bound(places_.begin(), places_.end(), p, less);
-    return found != places_.end() && *found == p ? static_cast<uint32_t>(found - places_.begin()) : kNone;
+    return found != places_.end() && *found == p ? static_cast<uint32_t>(found - places_.begin()) : kNoIndex;
   }
 
   void clear() {
@@ -51,7 +49,7 @@ class RemovedEdges {
   void add(uint32_t a, uint32_t b) {
     link(a, b);
     const uint32_t middle = vertex_at(0.5 * places_[a] + 0.5 * places_[b]);
-    if (middle == kNone || middle == a || middle == b) return;
+    if (middle == kNoIndex || middle == a || middle == b) return;
     add(a, middle);
     add(middle, b);
   }
@@ -61,7 +59,7 @@ class RemovedEdges {
     ++search_;
     std::vector<uint32_t> queue{from};
     seen_in_[from] = search_;
-    reached_from_[from] = kNone;
+    reached_from_[from] = kNoIndex;
     for (size_t i = 0; i < queue.size() && seen_in_[to] != search_; ++i) {
       if (visits == 0) return {};
       --visits;
@@ -74,7 +72,7 @@ class RemovedEdges {
     }
     if (seen_in_[to] != search_) return {};
     std::vector<uint32_t> vertices;
-    for (uint32_t v = to; v != kNone; v = reached_from_[v]) vertices.push_back(v);
+    for (uint32_t v = to; v != kNoIndex; v = reached_from_[v]) vertices.push_back(v);
     return vertices;
   }
 
@@ -89,7 +87,7 @@ class RemovedEdges {
 class LoopFinder {
  public:
   LoopFinder(BodyId id, const Body& body, const std::vector<CutFace>& faces)
-      : id_(id), body_(body), faces_(faces), edges_(faces), cut_of_(body.mesh.face_slots(), kNone) {
+      : id_(id), body_(body), faces_(faces), edges_(faces), cut_of_(body.mesh.face_slots(), kNoIndex) {
     for (uint32_t i = 0; i < faces.size(); ++i) {
       if (faces[i].face.index < cut_of_.size()) cut_of_[faces[i].face.index] = i;
     }
@@ -126,9 +124,9 @@ class LoopFinder {
 
   // Whether a neighbour that was live then has both ends of an edge as corners, as far as is known.
   bool is_beside(FaceId neighbour, const Vec3& a, const Vec3& b) const {
-    const uint32_t cut = neighbour.index < cut_of_.size() ? cut_of_[neighbour.index] : kNone;
-    if (cut == kNone && !body_.mesh.is_live(neighbour)) return false;
-    const Triangle t = cut != kNone ? faces_[cut].corners : body_.mesh.triangle(neighbour);
+    const uint32_t cut = neighbour.index < cut_of_.size() ? cut_of_[neighbour.index] : kNoIndex;
+    if (cut == kNoIndex && !body_.mesh.is_live(neighbour)) return false;
+    const Triangle t = cut != kNoIndex ? faces_[cut].corners : body_.mesh.triangle(neighbour);
     return std::find(t.begin(), t.end(), a) != t.end() && std::find(t.begin(), t.end(), b) != t.end();
   }
 

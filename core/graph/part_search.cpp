@@ -12,7 +12,6 @@ namespace kerf {
 
 namespace {
 
-constexpr uint32_t kNone = 0xffffffffu;
 constexpr size_t kLongestTurn = 128;  // faces visited in one turn at most
 constexpr size_t kLarge = 4096;       // number of faces visited from which on a front is large
 
@@ -58,12 +57,12 @@ void PartSearch::seed_clusters() {
     if (body_.mesh.is_live(faces[i])) seeds.emplace_back(faces[i], clusters.cluster(i));
   }
   std::sort(seeds.begin(), seeds.end());
-  std::vector<uint32_t> group_of(faces.size(), kNone);
+  std::vector<uint32_t> group_of(faces.size(), kNoIndex);
   search_.seed.clear();
   search_.group.clear();
   for (const auto& [face, cluster] : seeds) {
     uint32_t& group = group_of[cluster];
-    if (group == kNone) group = static_cast<uint32_t>(search_.seed.size());
+    if (group == kNoIndex) group = static_cast<uint32_t>(search_.seed.size());
     search_.seed.push_back(face);
     search_.group.push_back(group);
   }
@@ -389,7 +388,7 @@ void PartSearch::move_moments(std::span<const FaceId> faces) {
   const std::span<const Triangle> triangles = walk_.triangles(faces);
   const Vec3 origin = body_.middle();
   AreaMoments *left = nullptr, *gained = nullptr;
-  uint32_t from = kNone, to = kNone;
+  uint32_t from = kNoIndex, to = kNoIndex;
   for (size_t i = 0; i < faces.size(); ++i) {
     const uint32_t label = body_.mesh.data(faces[i]).piece;
     if (moved_from_[i] != from) left = &body_.pieces.edit(from = moved_from_[i]).moments;

@@ -11,7 +11,6 @@ namespace kerf {
 
 namespace {
 
-constexpr uint32_t kNone = 0xffffffffu;
 constexpr double kCells = 64;  // along the longest side of the bounds
 
 // A grid over the bounds of a body whose cells know which of some labelled points is nearest, as far as the
@@ -23,13 +22,13 @@ class LabelGrid {
     cell_ = std::max({extent.x, extent.y, extent.z}) / kCells;
     for (int axis = 0; axis < 3; ++axis)
       size_[axis] = cell_ > 0 ? static_cast<uint32_t>(extent[axis] / cell_) + 1 : 1;
-    label_.resize(size_t{size_[0]} * size_[1] * size_[2], kNone);
+    label_.resize(size_t{size_[0]} * size_[1] * size_[2], kNoIndex);
   }
   double cell() const { return cell_; }
 
   void add(const Vec3& point, uint32_t label) {
     const uint32_t cell = cell_of(point);
-    if (label_[cell] != kNone) return;
+    if (label_[cell] != kNoIndex) return;
     label_[cell] = label;
     reached_.push_back(cell);
   }
@@ -59,7 +58,7 @@ class LabelGrid {
     return (at[2] * size_[1] + at[1]) * size_[0] + at[0];
   }
   void reach(uint32_t cell, uint32_t label) {
-    if (label_[cell] != kNone) return;
+    if (label_[cell] != kNoIndex) return;
     label_[cell] = label;
     reached_.push_back(cell);
   }
@@ -72,7 +71,7 @@ class LabelGrid {
 
 // A component of the mesh.
 struct Component {
-  uint32_t piece = kNone;
+  uint32_t piece = kNoIndex;
   double area = 0;  // m^2
   Vec3 moment{0};   // m^3
   bool largest = false;
@@ -211,7 +210,7 @@ void find_loose(const Body& body, PieceGroups& groups, Centres& centres) {
   };
   std::vector<uint32_t> group(count);
   for (size_t i = 0; i < count; ++i) group[i] = group_of(i);
-  groups.of_face.resize(body.mesh.face_slots(), kNone);
+  groups.of_face.resize(body.mesh.face_slots(), kNoIndex);
   for_each_live(body.mesh, [&](FaceId f) { groups.of_face[f.index] = group[component[f.index]]; });
 }
 

@@ -92,19 +92,18 @@ bool is_settled(const Body& body) { return body.separation.search.stage == OpenS
 void forget_removals(Body& body) { body.separation = SeparationState{}; }
 
 uint32_t label_components(const Mesh& mesh, std::vector<uint32_t>& label) {
-  constexpr uint32_t kNone = 0xffffffffu;
-  label.assign(mesh.face_slots(), kNone);
+  label.assign(mesh.face_slots(), kNoIndex);
   uint32_t components = 0;
   std::vector<FaceId> queue, neighbours;
   for (uint32_t seed = 0; seed < mesh.face_slots(); ++seed) {
-    if (!mesh.is_live(FaceId(seed)) || label[seed] != kNone) continue;
+    if (!mesh.is_live(FaceId(seed)) || label[seed] != kNoIndex) continue;
     label[seed] = components;
     queue.assign(1, FaceId(seed));
     for (size_t i = 0; i < queue.size(); ++i) {
       neighbours.clear();
       mesh.append_nearest_neighbours(queue[i], neighbours);
       for (const FaceId n : neighbours) {
-        if (label[n.index] != kNone) continue;
+        if (label[n.index] != kNoIndex) continue;
         label[n.index] = components;
         queue.push_back(n);
       }

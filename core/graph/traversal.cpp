@@ -24,18 +24,17 @@ Traversal traverse(const GraphLinks& links, uint32_t start) {
 }
 
 GraphComponents find_components(const GraphLinks& links) {
-  constexpr uint32_t kNone = 0xffffffffu;
   GraphComponents found;
-  found.of.assign(links.nodes(), kNone);
+  found.of.assign(links.nodes(), kNoIndex);
   std::vector<uint32_t> queue;
   for (uint32_t start = 0; start < links.nodes(); ++start) {
-    if (found.of[start] != kNone) continue;
+    if (found.of[start] != kNoIndex) continue;
     const auto component = static_cast<uint32_t>(found.size.size());
     queue.assign(1, start);
     found.of[start] = component;
     for (size_t i = 0; i < queue.size(); ++i) {
       for (const uint32_t other : links.of(queue[i])) {
-        if (found.of[other] != kNone) continue;
+        if (found.of[other] != kNoIndex) continue;
         found.of[other] = component;
         queue.push_back(other);
       }

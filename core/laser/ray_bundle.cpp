@@ -1,12 +1,12 @@
 #include "core/laser/ray_bundle.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace kerf {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kFibreWavelength = 1.07e-6;  // m
 
 // exp(-2 kBundleSpacing^2). The square of the distance of a point from the axis is a whole multiple of that
@@ -80,7 +80,7 @@ Pose ray_at(const Laser& laser, const BundleRay& ray, const Pose& pose) {
   const Vec3 offset = laser.radius * (ray.offset.x * u + ray.offset.y * w);
   if (!laser.focus) return {pose.origin + offset, pose.direction};
   const double wavelength = laser.wavelength > 0 ? laser.wavelength : kFibreWavelength;
-  const double rayleigh = kPi * laser.radius * laser.radius / wavelength;
+  const double rayleigh = std::numbers::pi * laser.radius * laser.radius / wavelength;
   const Vec3 slope = glm::cross(pose.direction, offset) / rayleigh;
   const Vec3 waist = pose.origin + offset + *laser.focus * pose.direction;
   const Vec3 way = pose.direction + slope;

@@ -13,13 +13,6 @@ namespace kerf {
 
 namespace {
 
-uint32_t index_of(std::span<const MovingBody> bodies, BodyId id) {
-  const auto at = std::lower_bound(bodies.begin(), bodies.end(), id,
-                                   [](const MovingBody& b, BodyId wanted) { return b.id < wanted; });
-  const bool found = at != bodies.end() && at->id == id;
-  return static_cast<uint32_t>(found ? at - bodies.begin() : std::ssize(bodies));
-}
-
 // A unit vector across a unit vector.
 Vec3 across(const Vec3& axis) {
   const Vec3 other = std::abs(axis.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);

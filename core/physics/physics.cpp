@@ -17,7 +17,6 @@ namespace kerf {
 
 namespace {
 
-constexpr double kTick = 1.0 / kTicksPerSecond;
 constexpr double kFullLengths = 0.4;   // m, the diagonal from which on the lengths of contact are unscaled
 constexpr double kRollingLoss = 0.35;  // relative to the square root of gravity over the size of a body
 constexpr double kRollingBrake = 0.7;  // relative to gravity over the size of a body
@@ -50,13 +49,13 @@ void set_way(MovingBody& b, const Vec3& gravity) {
 void set_rolling_loss(std::span<MovingBody> bodies, std::span<const BodyJoint> joints,
                       const ContactMemory& before, const Vec3& gravity) {
   const auto lose = [&](BodyId id) {
-    const auto at = std::lower_bound(bodies.begin(), bodies.end(), id,
-                                     [](const MovingBody& b, BodyId wanted) { return b.id < wanted; });
-    if (at == bodies.end() || at->id != id) return;
-    const Box& box = at->collider->bounds;
+    const uint32_t index = index_of(bodies, id);
+    if (index == bodies.size()) return;
+    MovingBody& body = bodies[index];
+    const Box& box = body.collider->bounds;
     const double per_second2 = glm::length(gravity) / glm::length(box.max - box.min);
-    at->rolling_loss = kRollingLoss * std::sqrt(per_second2);
-    at->rolling_brake = kRollingBrake * per_second2;
+    body.rolling_loss = kRollingLoss * std::sqrt(per_second2);
+    body.rolling_brake = kRollingBrake * per_second2;
   };
   for (const PairMemory& m : before) {
     if (!m.touching) continue;
@@ -78,11 +77,10 @@ void set_solved_way(std::span<MovingBody> bodies) {
 
 void guide(std::span<MovingBody> bodies, std::span<const Guided> guided) {
   for (const Guided& g : guided) {
-    const auto at = std::lower_bound(bodies.begin(), bodies.end(), g.body,
-                                     [](const MovingBody& b, BodyId wanted) { return b.id < wanted; });
-    if (at == bodies.end() || at->id != g.body) continue;
-    at->glides = g.glides;
-    at->sweeps_aside = g.sweeps_aside;
+    const uint32_t index = index_of(bodies, g.body);
+    if (index == bodies.size()) continue;
+    bodies[index].glides = g.glides;
+    bodies[index].sweeps_aside = g.sweeps_aside;
   }
 }
 
@@ -120,9 +118,8 @@ ContactMemory memory_after(std::span<const MovingBody> bodies, const ContactMemo
   assert(std::is_sorted(memory.begin(), memory.end(), before_tick));
   const size_t known = memory.size();
   const auto rests = [&](BodyId id) {
-    const auto at = std::lower_bound(bodies.begin(), bodies.end(), id,
-                                     [](const MovingBody& b, BodyId wanted) { return b.id < wanted; });
-    return at != bodies.end() && at->id == id && !at->moves();
+    const uint32_t index = index_of(bodies, id);
+    return index < bodies.size() && !bodies[index].moves();
   };
   for (const PairMemory& m : before) {
     const auto end = memory.begin() + static_cast<ptrdiff_t>(known);

@@ -18,13 +18,6 @@ constexpr uint32_t kQuietTicks = kTicksPerSecond / 2;
 constexpr int kWakeSteps = 2;     // how far restlessness goes, from body to touching body
 constexpr double kTouch = 0.001;  // m, between skins that count as touching
 
-uint32_t index_of(std::span<const MovingBody> bodies, BodyId id) {
-  const auto at = std::lower_bound(bodies.begin(), bodies.end(), id,
-                                   [](const MovingBody& b, BodyId wanted) { return b.id < wanted; });
-  const bool found = at != bodies.end() && at->id == id;
-  return found ? static_cast<uint32_t>(at - bodies.begin()) : TouchingPair::kGround;
-}
-
 Vec3 velocity_at(const MovingBody& b, const Vec3& p) {
   if (b.fixed || b.asleep) return Vec3(0);
   return b.body->motion.velocity_at(p, b.body->placement);
@@ -54,7 +47,7 @@ Edges touching(std::span<const MovingBody> bodies, std::span<const TouchingPair>
   }
   for (const PairMemory& m : memory) {
     const uint32_t a = index_of(bodies, m.first), b = index_of(bodies, m.second);
-    if (!m.touching || a == TouchingPair::kGround || b == TouchingPair::kGround) continue;
+    if (!m.touching || std::max(a, b) == bodies.size()) continue;
     if (bodies[a].asleep && bodies[b].asleep) add(a, b);
   }
   return edges;

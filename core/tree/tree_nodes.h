@@ -2,11 +2,12 @@
 
 #include <cstdint>
 
+#include "core/base/ids.h"
+
 namespace kerf {
 
 // The two kinds of record of a tree.
 
-inline constexpr uint32_t kNoIndex = 0xffffffffu;
 inline constexpr uint32_t kNodeWidth = 8;
 inline constexpr uint32_t kBlockWidth = 4;
 

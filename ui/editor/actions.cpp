@@ -1,6 +1,5 @@
 #include "ui/editor/actions.h"
 
-#define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
 #include "ui/editor/changes/time_flow.h"

@@ -2,10 +2,10 @@
 
 #include <imgui.h>
 
-#define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
 #include "ui/editor/changes/world_changes.h"
+#include "ui/editor/key_modifiers.h"
 #include "ui/editor/tools/moving.h"
 #include "ui/editor/view/camera_text.h"
 #include "ui/editor/view/piece_set.h"
@@ -13,8 +13,6 @@
 namespace kerf {
 
 namespace {
-
-constexpr int kCtrl = GLFW_MOD_CONTROL, kShift = GLFW_MOD_SHIFT;
 
 void copy_view(EditorState& state) {
   ImGui::SetClipboardText(view_text({state.view.seen().near().eye, state.view.camera.pivot()}).c_str());

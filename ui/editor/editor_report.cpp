@@ -4,6 +4,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/document/hash_text.h"
+#include "core/document/json_value.h"
 #include "core/world/state_hash.h"
 #include "ui/editor/tools/light_handle.h"
 #include "ui/editor/view/piece_set.h"
@@ -67,13 +68,11 @@ nlohmann::ordered_json lights_of(const ViewState& view, const Settings& settings
   return all;
 }
 
-nlohmann::ordered_json list_of(const Vec3& v) { return {v.x, v.y, v.z}; }
-
 nlohmann::ordered_json path_of(const PathWork& path) {
   nlohmann::ordered_json targets = nlohmann::ordered_json::array();
   for (size_t i = 0; i < path.strokes().size(); ++i) {
     for (size_t k = 0; k < path.strokes()[i].keys.size(); ++k)
-      targets.push_back(list_of(path.target({i, k})));
+      targets.push_back(vector_json(path.target({i, k})));
   }
   return {{"strokes", path.strokes().size()},
           {"targets", targets},
@@ -82,7 +81,7 @@ nlohmann::ordered_json path_of(const PathWork& path) {
 }
 
 nlohmann::ordered_json emitter_of(const Emitter& emitter) {
-  return {{"placed", emitter.placed()}, {"at", list_of(emitter.at())},  {"target", list_of(emitter.target())},
+  return {{"placed", emitter.placed()}, {"at", vector_json(emitter.at())},  {"target", vector_json(emitter.target())},
           {"firing", emitter.firing},   {"in_shots", emitter.in_shots}, {"pace", emitter.pace.per_second()}};
 }
 
@@ -141,7 +140,7 @@ nlohmann::ordered_json time_of(const EditorState& state) {
   return {{"ticks", world.clock()},
           {"playing", state.play.playing},
           {"speed", state.play.speed().of_real_time},
-          {"gravity", list_of(world.surroundings().gravity)},
+          {"gravity", vector_json(world.surroundings().gravity)},
           {"ground", world.surroundings().ground ? nlohmann::ordered_json(*world.surroundings().ground)
                                                  : nlohmann::ordered_json(nullptr)}};
 }

@@ -2,7 +2,6 @@
 
 #include <imgui.h>
 
-#define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
 #include "ui/editor/file_choice.h"

@@ -1,17 +1,15 @@
 #include "ui/editor/actions.h"
 
-#define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
 #include "ui/editor/file_choice.h"
 #include "ui/editor/frame/file_menus.h"
+#include "ui/editor/key_modifiers.h"
 #include "ui/editor/view/piece_set.h"
 
 namespace kerf {
 
 namespace {
-
-constexpr int kCtrl = GLFW_MOD_CONTROL, kShift = GLFW_MOD_SHIFT;
 
 void save(EditorState& state) {
   if (state.work.file.empty()) return choose_file_for(state, FileBrowser::Purpose::kSave);

@@ -1,6 +1,6 @@
+#include "ui/editor/key_modifiers.h"
 #include "ui/editor/laser_desk.h"
 
-#define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
 #include "ui/editor/actions.h"
@@ -10,7 +10,6 @@ namespace kerf {
 
 namespace {
 
-constexpr int kCtrl = GLFW_MOD_CONTROL, kShift = GLFW_MOD_SHIFT;
 constexpr const char* kEmpty = "The path has no points.";
 
 // The keys of undo and redo belong to the path while it is in hand, until it is run.

@@ -2,7 +2,6 @@
 
 #include "ui/editor/actions.h"
 
-#define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
 namespace kerf {

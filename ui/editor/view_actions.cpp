@@ -1,8 +1,8 @@
 #include "ui/editor/actions.h"
 
-#define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include "ui/editor/key_modifiers.h"
 #include "ui/editor/view/standard_view.h"
 #include "ui/render/view_switches.h"
 
@@ -10,7 +10,6 @@ namespace kerf {
 
 namespace {
 
-constexpr int kCtrl = GLFW_MOD_CONTROL, kShift = GLFW_MOD_SHIFT;
 constexpr double kScaleStep = 0.125;
 
 void frame_all(EditorState& state) {

@@ -1,3 +1,4 @@
+#include "core/base/tick.h"
 #include "core/game/match/recording.h"
 #include "core/game/match/score_log.h"
 #include "ui/figures/figure_films.h"
@@ -11,8 +12,7 @@ namespace kerf {
 
 namespace {
 
-constexpr double kFieldOfView = 45;  // degrees
-constexpr double kTick = 1.0 / static_cast<double>(kTicksPerSecond);
+constexpr double kFilmFieldOfView = 45;  // degrees
 
 // The best moment of a match; nothing if `progress` stopped the search.
 std::optional<MatchMoment> best_moment(const MatchSetup& setup, const std::vector<Controls>& controls,
@@ -42,7 +42,7 @@ struct FightStudio {
   }
   Status take(const Match& match) {
     const double aspect = static_cast<double>(format.width) / format.height;
-    picture.draw(match, camera.view(aspect, kFieldOfView), {frame.name(), 0, 0, format.width, format.height},
+    picture.draw(match, camera.view(aspect, kFilmFieldOfView), {frame.name(), 0, 0, format.width, format.height},
                  PicturePreset::kHigh);
     return write_png(read_pixels(frame.name(), format.width, format.height),
                      frame_file(format.folder, frames++));

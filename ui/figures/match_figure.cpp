@@ -1,5 +1,6 @@
 #include "ui/figures/match_figure.h"
 
+#include "core/base/tick.h"
 #include "core/game/angle.h"
 #include "ui/game/game_camera.h"
 #include "ui/game/hud.h"
@@ -11,7 +12,6 @@ namespace {
 
 constexpr double kFieldOfView = 62;                 // degrees
 constexpr Ticks kRemembered = 4 * kTicksPerSecond;  // of sparks, scorches and lines of the display
-constexpr double kTick = 1.0 / static_cast<double>(kTicksPerSecond);
 
 Vec3 aim_of(const Controls& c) {
   return direction_of(c.heading * Controls::kAimStep, c.pitch * Controls::kAimStep);

@@ -16,7 +16,7 @@ namespace {
 constexpr double kSqrt3 = 1.7320508075688772;
 constexpr size_t kSplits = 2;
 
-constexpr ImU32 kPaper = IM_COL32(0xf4, 0xf5, 0xf7, 255), kInk = IM_COL32(0x1b, 0x1f, 0x26, 255);
+constexpr ImU32 kBackground = IM_COL32(0xf4, 0xf5, 0xf7, 255), kStroke = IM_COL32(0x1b, 0x1f, 0x26, 255);
 constexpr ImU32 kFace = IM_COL32(0xb9, 0xc9, 0xda, 255), kHit = IM_COL32(0xff, 0x9d, 0x2e, 255);
 constexpr ImU32 kLine = IM_COL32(0x33, 0x41, 0x55, 255), kBeam = IM_COL32(0xd4, 0x2a, 0x1c, 255);
 
@@ -128,15 +128,15 @@ void draw_panel(ImDrawList& list, const Panel& panel, const std::vector<DiagramT
   }
   list.AddCircle(panel.at(beam), panel.scale * static_cast<float>(radius), kBeam, 48, 1.6f * width);
   const ImVec2 size = ImGui::CalcTextSize(label);
-  list.AddText({panel.centre.x - 0.5f * size.x, panel.centre.y + 0.72f * panel.scale}, kInk, label);
+  list.AddText({panel.centre.x - 0.5f * size.x, panel.centre.y + 0.72f * panel.scale}, kStroke, label);
 }
 
 // An arrow from one panel to the next.
 void draw_arrow(ImDrawList& list, ImVec2 at) {
   const float em = ImGui::GetFontSize();
-  list.AddLine({at.x - em, at.y}, {at.x + 0.6f * em, at.y}, kInk, 0.14f * em);
+  list.AddLine({at.x - em, at.y}, {at.x + 0.6f * em, at.y}, kStroke, 0.14f * em);
   list.AddTriangleFilled({at.x + em, at.y}, {at.x + 0.4f * em, at.y - 0.4f * em},
-                         {at.x + 0.4f * em, at.y + 0.4f * em}, kInk);
+                         {at.x + 0.4f * em, at.y + 0.4f * em}, kStroke);
 }
 
 }  // namespace
@@ -164,7 +164,7 @@ void draw_split_diagram() {
   const double radius = 0.13;
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const ImVec2 size = ImGui::GetIO().DisplaySize;
-  list.AddRectFilled({0, 0}, size, kPaper);
+  list.AddRectFilled({0, 0}, size, kBackground);
   const auto stages = split_stages(beam, radius);
   const auto count = static_cast<float>(stages.size());
   const float scale = std::min(0.42f * size.x / count, 0.42f * size.y);

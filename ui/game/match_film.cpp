@@ -1,5 +1,6 @@
 #include "ui/game/match_film.h"
 
+#include "core/base/tick.h"
 #include "core/game/angle.h"
 #include "ui/game/match_picture.h"
 #include "ui/gl/offscreen_context.h"
@@ -11,7 +12,6 @@ namespace kerf {
 namespace {
 
 constexpr double kFieldOfView = 55;  // degrees
-constexpr double kTick = 1.0 / static_cast<double>(kTicksPerSecond);
 
 }  // namespace
 

@@ -7,7 +7,7 @@ namespace kerf {
 
 namespace {
 
-constexpr double kSoftImpact = 1.2, kHardImpact = 9;  // m/s
+constexpr double kSoftImpact = 1.2, kLoudImpact = 9;  // m/s
 constexpr double kLargeSheet = 1.5;                   // m^2
 constexpr double kCuttingFade = 0.8;                  // of the gain that is left after a frame
 constexpr double kFullSpeed = 24;                     // m/s
@@ -31,7 +31,7 @@ void MatchSounds::hear(const Match& match) {
         sounds_.play(Shot::kSheet, e.at, 0.9, 1.3 - 0.5 * std::min(1.0, e.size / kLargeSheet));
         break;
       case Kind::kImpact:
-        if (e.size > kSoftImpact) sounds_.play(Shot::kImpact, e.at, std::min(1.0, e.size / kHardImpact));
+        if (e.size > kSoftImpact) sounds_.play(Shot::kImpact, e.at, std::min(1.0, e.size / kLoudImpact));
         break;
       case Kind::kKilled:
         sounds_.play(Shot::kExplosion, e.at, 1);

@@ -1,5 +1,6 @@
 #include "ui/gl/program.h"
 
+#include <array>
 #include <fstream>
 #include <glm/gtc/type_ptr.hpp>
 #include <optional>

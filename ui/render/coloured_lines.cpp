@@ -1,13 +1,13 @@
 #include "ui/render/coloured_lines.h"
 
 #include "ui/render/body_picture.h"
+#include "ui/render/overlay_colour.h"
 
 namespace kerf {
 
 namespace {
 
 constexpr float kDarkAround = 0.8f;  // pixels
-constexpr int kVerticesOfLine = 6;
 
 void attribute(GLuint index, GLint numbers, size_t offset) {
   glEnableVertexAttribArray(index);

@@ -5,6 +5,7 @@
 
 #include "ui/render/body_picture.h"
 #include "ui/render/box_palette.h"
+#include "ui/render/overlay_colour.h"
 #include "ui/render/section_clip.h"
 
 namespace kerf {
@@ -22,12 +23,6 @@ constexpr float kColourHalfWidth = 0.6f;  // pixels
 constexpr size_t kMostBoxes = 3500;       // those that are seen largest are drawn
 constexpr GLsizei kMostDark = 200;        // lines beyond these are too many for a dark one under each
 constexpr int kVerticesOfBox = 12 * 6;
-constexpr int kVerticesOfLine = 6;
-
-glm::vec4 srgb(uint32_t hex, float opacity) {
-  const auto part = [&](int shift) { return static_cast<float>(hex >> shift & 0xffu) / 255.0f; };
-  return {part(16), part(8), part(0), opacity};
-}
 
 struct Stick {
   glm::vec3 from, to;

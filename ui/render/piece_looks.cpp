@@ -10,7 +10,7 @@ namespace {
 const glm::vec4 kNotTurned(0, 0, 0, 1);
 // Numbers beyond those of pieces, whose colours are those of the sets of a separation; body.vert knows them.
 constexpr float kStayed = 65536, kCameOff = 65537;
-constexpr int kUnit = 3;  // of the textures; no program that draws bodies uses it for another
+constexpr int kTextureUnit = 3;  // of the textures; no program that draws bodies uses it for another
 
 // Where the look moves the origin of the frame, which is the eye.
 Vec3 moved_origin(const PieceLook& look, const FrameSpace& space) {
@@ -95,9 +95,9 @@ bool PieceLooks::update(const Body& body, const BodyLooks& looks, const FrameSpa
 
 void PieceLooks::bind(const gl::Program& program) const {
   program.set("looks", count_);
-  program.set("piece_looks", kUnit);
+  program.set("piece_looks", kTextureUnit);
   if (count_ == 0) return;
-  glActiveTexture(GL_TEXTURE0 + kUnit);
+  glActiveTexture(GL_TEXTURE0 + kTextureUnit);
   glBindTexture(GL_TEXTURE_BUFFER, table_.name());
   glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, buffer_.name());
   glActiveTexture(GL_TEXTURE0);

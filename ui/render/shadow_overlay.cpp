@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ui/render/overlay_colour.h"
 #include "ui/render/overlay_colours.h"
 #include "ui/render/section_clip.h"
 #include "ui/render/seen_light.h"
@@ -12,13 +13,7 @@ using namespace overlay_colours;
 
 namespace {
 
-constexpr int kVerticesOfLine = 6;
 constexpr float kSheetReach = 0.9f;  // diagonals of the world that sheets are drawn long
-
-glm::vec4 srgb(uint32_t hex, float opacity = 1) {
-  const auto part = [&](int shift) { return static_cast<float>(hex >> shift & 0xffu) / 255.0f; };
-  return {part(16), part(8), part(0), opacity};
-}
 
 // Of edges with one, two and more sides.
 std::array<glm::vec4, 3> silhouette_colours(float opacity) {

@@ -42,4 +42,11 @@ void tooltip(const char* text) {
   ImGui::PopStyleVar();
 }
 
+void figure_row(const char* name, const std::string& value, const char* meaning) {
+  property(name);
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(value.c_str());
+  tooltip(meaning);
+}
+
 }  // namespace kerf

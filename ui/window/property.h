@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 namespace kerf {
 
 // Rows of a panel with labels at the left and widgets in a column at the right. Between begin_properties(),
@@ -11,5 +13,8 @@ void end_properties();
 
 // Shows a text when the pointer rests on the last item, even a disabled one, for half a second.
 void tooltip(const char* text);
+
+// A row that shows a text, explained by a tooltip.
+void figure_row(const char* name, const std::string& value, const char* meaning);
 
 }  // namespace kerf

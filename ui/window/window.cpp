@@ -1,7 +1,6 @@
 #include "ui/window/window.h"
 
 #include <epoxy/gl.h>
-#define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
 #include <algorithm>

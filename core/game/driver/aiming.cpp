@@ -11,14 +11,12 @@ namespace kerf {
 
 namespace {
 
-constexpr double kTick = 1.0 / kTicksPerSecond;
-constexpr int kSecond = static_cast<int>(kTicksPerSecond);
 constexpr double kErrorTime = 2.5;   // s, in which the error of aim changes
 constexpr double kSlashReach = 0.6;  // m
 constexpr double kSlashSpeed = 2.5;  // rad/s
 constexpr double kOnTarget = 0.12;   // rad, between where the barrel points and where it should
 
-int ticks_of(double seconds) { return static_cast<int>(seconds * kSecond); }
+int ticks_of(double seconds) { return static_cast<int>(seconds * double{kTicksPerSecond}); }
 
 // Roughly normal, with a standard deviation of 1.
 double normal(Random& random) { return 2 * (random.unit() + random.unit() + random.unit() - 1.5); }
@@ -62,7 +60,7 @@ bool Aiming::pulls_trigger(const DriverView& view, const Pose& wanted, double le
     switch_in_ = std::max(1, ticks_of((bursting_ ? skill_.burst : skill_.pause) * random_.uniform(0.7, 1.3)));
   }
   if (--look_in_ <= 0) {
-    look_in_ = kSecond / 10;
+    look_in_ = kTicksPerSecond / 10;
     const auto hit = view.sight.nearest(wanted, std::max(length - 2, 0.1), view.is_wall);
     walled_ = hit && hit->body.valid();
   }

@@ -9,7 +9,6 @@ namespace kerf {
 
 namespace {
 
-constexpr double kTick = 1.0 / kTicksPerSecond;
 constexpr double kYawSpeed = 4.5, kPitchSpeed = 3;  // rad/s
 constexpr double kLeastEnergy = 0.05;               // to switch the beam on
 

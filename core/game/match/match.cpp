@@ -18,7 +18,6 @@ namespace kerf {
 
 namespace {
 
-constexpr uint32_t kGeneration = 0;        // slots are never used again within a wave
 constexpr Ticks kLookForJointsEvery = 15;  // where faces that carry some are gone
 constexpr Ticks kLookAround = 6;           // after which drivers look where others are
 constexpr double kLight = 0.3;             // of the mass of a vehicle, what does not stop it

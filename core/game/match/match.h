@@ -122,6 +122,8 @@ class Match {
   // Tells of something that happened to a vehicle, with points if the player did it to an enemy.
   void tell(Event event, double points = 0);
 
+  static constexpr uint32_t kGeneration = 0;  // of all bodies, for slots are never used again within a wave
+
   MatchSetup setup_;
   Obstacles obstacles_;
   FreeSpace space_;

@@ -10,7 +10,6 @@ namespace kerf {
 
 namespace {
 
-constexpr uint32_t kGeneration = 0;
 constexpr size_t kSearch = 20'000;  // faces that the search for separated pieces visits in a tick
 constexpr double kCrumb = 0.0015;   // m^2; smaller pieces burn up
 constexpr double kHalf = 0.25;      // of the area of a chassis

@@ -11,7 +11,6 @@ namespace kerf {
 
 namespace {
 
-constexpr double kTick = 1.0 / kTicksPerSecond;
 constexpr double kLeaning = 0.35;  // the cosine of the lean from which on a vehicle is overturned
 constexpr double kRoom = 2.5;      // m, around a vehicle
 constexpr double kFreeSpeed = 3;   // m/s

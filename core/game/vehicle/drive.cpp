@@ -11,7 +11,6 @@ namespace kerf {
 
 namespace {
 
-constexpr double kTick = 1.0 / kTicksPerSecond;
 // Of the suspension, for each kilogram of the vehicle and each wheel (see bodies.md of the Bullet vehicle).
 constexpr double kStiffness = 25;                      // 1/s^2
 constexpr double kCompression = 3, kRelaxation = 4.5;  // 1/s, of the damper

@@ -16,7 +16,7 @@ constexpr double kApart = 0.8;         // m, between balls
 constexpr double kFriction = 0.2;
 constexpr double kRebound = 0.15;
 constexpr double kSlop = 0.005;  // m, by which balls may reach into faces
-constexpr int kSweeps = 2;
+constexpr int kPasses = 2;
 
 struct Extent {
   double left, right, low, back, front;  // m, in the frame of the vehicle
@@ -73,7 +73,7 @@ void glide_along(World& world, const Vehicle& vehicle, const Obstacles& obstacle
   Body& chassis = world.body(vehicle.chassis);
   if (chassis.mesh.live_faces() == 0 || chassis.motion.asleep || !is_upright(world, vehicle)) return;
   const std::vector<Vec3> balls = balls_of(extent_of(chassis, vehicle));
-  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+  for (int sweep = 0; sweep < kPasses; ++sweep) {
     for (const Vec3& ball : balls) {
       const Vec3 centre = chassis.placement.to_world(ball);
       const auto touch = obstacles.touched_by(centre, kBall);

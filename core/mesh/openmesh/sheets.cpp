@@ -12,8 +12,6 @@ namespace kerf {
 namespace {
 
 using Kernel = OpenMeshKernel;
-constexpr uint32_t kNone = 0xffffffffu;
-
 OpenMesh::Vec3d scaled(const FloatFrame& frame, const Vec3& p) {
   const glm::dvec3 q = frame.scaled(p);
   return {q.x, q.y, q.z};
@@ -53,7 +51,7 @@ class Copier {
   void lock(Kernel::VertexHandle v) { out_.mesh.status(v).set_locked(true); }
 
   void number_faces() {
-    number_.assign(mesh_.face_slots(), kNone);
+    number_.assign(mesh_.face_slots(), kNoIndex);
     for (uint32_t f = 0; f < mesh_.face_slots(); ++f) {
       if (!mesh_.is_live(FaceId(f))) continue;
       number_[f] = static_cast<uint32_t>(out_.faces.size());
@@ -201,7 +199,7 @@ Remeshed from_sheets(const Sheets& sheets, std::span<const FaceId> origin, const
   std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return origin[a] < origin[b]; });
 
   Remeshed out;
-  std::vector<uint32_t> number(positions.size(), kNone);
+  std::vector<uint32_t> number(positions.size(), kNoIndex);
   for (const uint32_t f : order) {
     if (sheets.mesh.status(sheets.face(f)).deleted()) continue;
     std::array<uint32_t, 3> corners;
@@ -210,7 +208,7 @@ Remeshed from_sheets(const Sheets& sheets, std::span<const FaceId> origin, const
       corners[i++] = first[static_cast<size_t>(v.idx())];
     if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) continue;
     for (uint32_t& v : corners) {
-      if (number[v] == kNone) {
+      if (number[v] == kNoIndex) {
         number[v] = static_cast<uint32_t>(out.positions.size());
         out.positions.push_back(positions[v]);
       }

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cassert>
 #include <glm/mat3x3.hpp>
+#include <span>
 
 #include "core/physics/collider/collider.h"
 #include "core/physics/rigid_frame.h"
@@ -49,6 +51,13 @@ struct MovingBody {
 
   bool moves() const { return !fixed && !asleep; }
 };
+
+// The position of a body in a list that is sorted by ids, or the length of the list if the body is not in it.
+inline uint32_t index_of(std::span<const MovingBody> bodies, BodyId id) {
+  const auto at = std::ranges::lower_bound(bodies, id, {}, &MovingBody::id);
+  const bool found = at != bodies.end() && at->id == id;
+  return static_cast<uint32_t>(found ? at - bodies.begin() : std::ssize(bodies));
+}
 
 // The bounds of a box under a rigid motion.
 inline Box moved(const RigidMap& map, const Box& box) {

@@ -1,6 +1,5 @@
 #include "ui/editor/bodies/body_actions.h"
 
-#define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
 #include "ui/editor/view/piece_set.h"

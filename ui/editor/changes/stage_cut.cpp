@@ -6,7 +6,7 @@
 namespace kerf {
 
 namespace {
-constexpr double kStepSeconds = 0.020;   // of executing stages in one frame, or as long as a picture takes
+constexpr double kStageSeconds = 0.020;   // of executing stages in one frame, or as long as a picture takes
 constexpr double kQuickSeconds = 0.100;  // going back that takes longer runs beside the frames
 }  // namespace
 
@@ -95,7 +95,7 @@ void StageCut::go_back(size_t stages) {
 void StageCut::go_on() {
   const Clock::time_point began = Clock::now();
   const auto spent = [&] { return std::chrono::duration<double>(Clock::now() - began).count(); };
-  const double budget = std::max(kStepSeconds, on_.figures.shown.frame_ms / 1000);
+  const double budget = std::max(kStageSeconds, on_.figures.shown.frame_ms / 1000);
   const size_t before = on_.stages.log.done();
   while (holds_back() && wants_more() && due_ >= 1 && spent() < budget) {
     if (!next()) break;

@@ -9,8 +9,8 @@
 namespace kerf {
 
 namespace {
-constexpr double kLongestFrame = 0.1;  // s, that are made up for
-constexpr double kMostTicks = kLongestFrame * kTicksPerSecond;
+constexpr double kLongestLag = 0.1;  // s, that are made up for
+constexpr double kMostTicks = kLongestLag * kTicksPerSecond;
 }  // namespace
 
 const char* why_time_stands_still(const World& world, const SplitView& split, const StageWishes& stages,
@@ -25,7 +25,7 @@ void TimeFlow::advance(double seconds) {
   PlayState& play = on_.play;
   if (!may_go_on()) return end();
   const Document& document = on_.work.document;
-  due_ += std::min(seconds, kLongestFrame) * play.speed().of_real_time * kTicksPerSecond;
+  due_ += std::min(seconds, kLongestLag) * play.speed().of_real_time * kTicksPerSecond;
   if (on_.changes.is_pending() || document.waiting() > 0) {
     most_ = std::max(1.0, 0.5 * most_);
     due_ = std::min(due_, most_);

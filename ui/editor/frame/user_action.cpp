@@ -1,6 +1,5 @@
 #include "ui/editor/frame/user_action.h"
 
-#define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
 namespace kerf {

@@ -5,14 +5,13 @@
 #include "ui/editor/inspect/face_facts.h"
 #include "ui/editor/view/file_frames.h"
 #include "ui/render/pick.h"
+#include "ui/window/imgui_vector.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/theme.h"
 
 namespace kerf {
 
 namespace {
-
-ImVec2 to_im(Vec2 p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
 
 // The place of a point of the world in the window; nothing behind the eye.
 std::optional<Vec2> place_of(const ViewState& view, const Vec3& p) {

@@ -24,16 +24,9 @@ const std::array<BindingPreset, 2> kPresets{{
       {"Wire", "Shift+Z"}}},
 }};
 
-const UserAction* named(std::span<const UserAction> actions, const std::string& name) {
-  for (const UserAction& action : actions) {
-    if (action.name == name) return &action;
-  }
-  return nullptr;
-}
-
 void set_binding(Bindings& bindings, std::span<const UserAction> usual, const std::string& name,
                  const std::string& key) {
-  const UserAction* action = named(usual, name);
+  const UserAction* action = find_action(usual, name);
   if (action != nullptr && action->shortcut == key) {
     bindings.erase(name);
   } else {
@@ -42,6 +35,13 @@ void set_binding(Bindings& bindings, std::span<const UserAction> usual, const st
 }
 
 }  // namespace
+
+const UserAction* find_action(std::span<const UserAction> actions, const std::string& name) {
+  for (const UserAction& action : actions) {
+    if (action.name == name) return &action;
+  }
+  return nullptr;
+}
 
 std::vector<UserAction> bind_keys(std::vector<UserAction> actions, const Bindings& bindings) {
   for (UserAction& action : actions) {
@@ -70,7 +70,7 @@ const UserAction* clash_of(std::span<const UserAction> actions, const UserAction
 void rebind(Bindings& bindings, std::span<const UserAction> usual, const std::string& action,
             const KeyChord& chord) {
   const std::vector<UserAction> bound = bind_keys({usual.begin(), usual.end()}, bindings);
-  const UserAction* changed = named(bound, action);
+  const UserAction* changed = find_action(bound, action);
   if (changed == nullptr) return;
   if (const UserAction* other = clash_of(bound, *changed, chord))
     set_binding(bindings, usual, other->name, "");

@@ -14,6 +14,9 @@ namespace kerf {
 // actions; an empty text takes the key from an action.
 using Bindings = std::map<std::string, std::string>;
 
+// The action of this name; null if there is none.
+const UserAction* find_action(std::span<const UserAction> actions, const std::string& name);
+
 // The actions with these keys. Bindings of unknown actions and texts that name no key change nothing.
 std::vector<UserAction> bind_keys(std::vector<UserAction> actions, const Bindings& bindings);
 

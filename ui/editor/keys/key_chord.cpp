@@ -1,6 +1,5 @@
 #include "ui/editor/keys/key_chord.h"
 
-#define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
 #include <array>

@@ -2,7 +2,6 @@
 
 #include <imgui.h>
 
-#define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
@@ -19,19 +18,13 @@ namespace kerf {
 
 namespace {
 
-constexpr float kWidthEms = 40, kHeightEms = 36, kKeyEms = 9;
+constexpr float kPageWidthEms = 40, kPageHeightEms = 36, kKeyEms = 9;
 
 // The actions that can have a key, with those that they have.
 std::vector<UserAction> bindable(std::span<const UserAction> usual, const Bindings& bindings) {
   std::vector<UserAction> actions = bind_keys({usual.begin(), usual.end()}, bindings);
   std::erase_if(actions, [](const UserAction& action) { return action.items != nullptr; });
   return actions;
-}
-
-const UserAction* named(std::span<const UserAction> actions, const std::string& name) {
-  const auto found = std::find_if(actions.begin(), actions.end(),
-                                  [&](const UserAction& action) { return action.name == name; });
-  return found != actions.end() ? &*found : nullptr;
 }
 
 bool is_modifier(int key) { return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER; }
@@ -53,7 +46,7 @@ void bind_pressed(SettingsPage& page, Settings& settings, std::span<const UserAc
   const KeyChord chord{key, mods & kCounted};
   if (is_modifier(key) || chord_text(chord).empty()) return;
   const std::vector<UserAction> actions = bindable(usual, settings.bindings);
-  const UserAction* action = named(actions, page.waits_for);
+  const UserAction* action = find_action(actions, page.waits_for);
   if (action != nullptr && clash_of(actions, *action, chord) != nullptr) {
     page.clashes = chord;
     return;
@@ -101,7 +94,7 @@ void draw_machine(Settings& settings) {
 // What the page waits for, or the clash that it asks about.
 void draw_prompt(SettingsPage& page, Settings& settings, std::span<const UserAction> usual,
                  std::span<const UserAction> actions) {
-  const UserAction* action = named(actions, page.waits_for);
+  const UserAction* action = find_action(actions, page.waits_for);
   if (action == nullptr)
     return ImGui::TextDisabled("Up and Down choose, Enter or a click rebinds, Del takes the key away.");
   if (!page.clashes)
@@ -168,7 +161,7 @@ void settings_page_key(SettingsPage& page, Settings& settings, std::span<const U
 
 void draw_settings_page(SettingsPage& page, Settings& settings, std::span<const UserAction> usual) {
   if (!page.shown) return;
-  if (begin_centred_window("Settings", "settings", page.shown, kWidthEms, kHeightEms)) {
+  if (begin_centred_window("Settings", "settings", page.shown, kPageWidthEms, kPageHeightEms)) {
     const std::vector<UserAction> actions = bindable(usual, settings.bindings);
     draw_mouse(settings);
     draw_machine(settings);

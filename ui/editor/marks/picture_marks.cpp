@@ -15,6 +15,7 @@
 #include "ui/editor/tools/rubber_band.h"
 #include "ui/editor/view/file_frames.h"
 #include "ui/render/pick.h"
+#include "ui/window/imgui_vector.h"
 #include "ui/window/number_text.h"
 #include "ui/window/theme.h"
 
@@ -23,8 +24,6 @@ namespace kerf {
 namespace {
 
 constexpr double kLeastRing = 3, kMostRing = 400;  // pixels
-
-ImVec2 to_im(Vec2 p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
 
 // As large as the cut would be where the pointer is.
 void draw_ring(const MarkParts& of, ImDrawList& list) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "ui/editor/path/first_picture.h"
+#include "ui/window/imgui_vector.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/theme.h"
 
@@ -15,8 +16,6 @@ namespace {
 
 constexpr int kCoils = 9;
 constexpr float kLeastCoiled = 2;  // sizes of the text; a shorter spring is a line
-
-ImVec2 to_im(Vec2 p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
 
 // The words of the badge; empty: no badge.
 std::string words_of(const PlayState& play, const World& world) {

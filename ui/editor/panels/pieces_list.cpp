@@ -17,7 +17,7 @@ namespace kerf {
 namespace {
 
 constexpr const char* kPinned = "pinned";
-constexpr size_t kMostRows = 8;  // that are seen at once
+constexpr size_t kRowsInSight = 8;  // that are seen at once
 
 void draw_swatch(const Vec3& c) {
   const float side = 0.8f * ImGui::GetFontSize();
@@ -244,7 +244,7 @@ void PiecesList::draw(ViewState& view, Requests& requests, const std::vector<Pie
   const SortedPieces sorted = set_crumbs_apart(rows);
   begin_asked_rename(view, sorted);
   const size_t count = rows_to_list(sorted, crumbs_unfolded_).size();
-  const auto lines = static_cast<float>(std::min(count, kMostRows) + 1);
+  const auto lines = static_cast<float>(std::min(count, kRowsInSight) + 1);
   const float line = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
   if (!ImGui::BeginTable("pieces", 4, kList, {0, lines * line + 0.2f * ImGui::GetFontSize()})) return;
   set_up_columns(rows, view.frame.unit);

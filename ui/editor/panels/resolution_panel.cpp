@@ -142,13 +142,6 @@ bool resolution_rows(ResolutionControls& to, const ShownRadius& radius) {
   return rim_row(to) || changed;
 }
 
-void figure_row(const char* name, const std::string& value, const char* meaning) {
-  property(name);
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(value.c_str());
-  tooltip(meaning);
-}
-
 void faces_row(size_t faces, const char* meaning) { figure_row("Faces", grouped(faces), meaning); }
 
 std::string smallest_angle_text(double largest_cosine) {

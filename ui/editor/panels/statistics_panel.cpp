@@ -16,21 +16,21 @@ namespace {
 constexpr size_t kManyFaces = 100'000;  // among which what the program itself takes is no matter
 constexpr float kPlotHeight = 1.7f, kNumberWidth = 5.2f;  // sizes of the text
 
-struct Row {
+struct ChartRow {
   StepChart::Line line;
   const char* name;
   const char* meaning;
 };
 
 constexpr std::array kStages{
-    Row{StepChart::kFind, "Find", "Asking the tree for the faces under the beam."},
-    Row{StepChart::kRefine, "Refine", "Splitting them until they are fine enough."},
-    Row{StepChart::kRemove, "Remove", "Taking them out of the mesh."},
-    Row{StepChart::kTree, "Tree", "Following with the tree."},
-    Row{StepChart::kSeparate, "Separate", "Finding what came apart, and telling what changed."}};
+    ChartRow{StepChart::kFind, "Find", "Asking the tree for the faces under the beam."},
+    ChartRow{StepChart::kRefine, "Refine", "Splitting them until they are fine enough."},
+    ChartRow{StepChart::kRemove, "Remove", "Taking them out of the mesh."},
+    ChartRow{StepChart::kTree, "Tree", "Following with the tree."},
+    ChartRow{StepChart::kSeparate, "Separate", "Finding what came apart, and telling what changed."}};
 
 // The line of a row up to `top`, and its last number beside it.
-void plot_row(const StepChart& chart, const Row& row, float top, const std::string& last) {
+void plot_row(const StepChart& chart, const ChartRow& row, float top, const std::string& last) {
   property(row.name);
   const float em = ImGui::GetFontSize();
   const std::span<const float> values = chart.line(row.line);
@@ -51,8 +51,8 @@ void plot_row(const StepChart& chart, const Row& row, float top, const std::stri
 
 void stage_rows(const StepChart& chart) {
   float top = 0;  // one scale, so that the stages can be compared
-  for (const Row& row : kStages) top = std::max(top, chart.largest(row.line));
-  for (const Row& row : kStages) plot_row(chart, row, top, text_of("%.2f ms", chart.last(row.line)));
+  for (const ChartRow& row : kStages) top = std::max(top, chart.largest(row.line));
+  for (const ChartRow& row : kStages) plot_row(chart, row, top, text_of("%.2f ms", chart.last(row.line)));
 }
 
 void change_rows(const StepChart& chart) {

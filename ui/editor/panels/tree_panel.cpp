@@ -71,13 +71,6 @@ void palette_row(ViewState& view, Settings& settings) {
       "Orange and blue can be told apart by the colour-blind; the accent of the panels turns blue with it.");
 }
 
-void figure_row(const char* name, const std::string& value, const char* meaning) {
-  property(name);
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(value.c_str());
-  tooltip(meaning);
-}
-
 // A stroke asks the tree once or a few times for each move of the beam.
 void query_rows(const ShownFigures& shown) {
   std::string per_query = "nothing is cut", per_stroke = per_query;

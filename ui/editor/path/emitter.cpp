@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include "core/document/path_file.h"
+#include "ui/window/imgui_vector.h"
 #include "ui/window/theme.h"
 
 namespace kerf {
@@ -14,8 +15,6 @@ using Part = EmitterHandle::Part;
 constexpr double kArrowEms = 4, kReach = 8;  // the reach in screen coordinates
 constexpr float kBody = 7, kTarget = 7;      // radii in screen coordinates
 constexpr ImU32 kShade = IM_COL32(10, 12, 16, 150);
-
-ImVec2 to_im(Vec2 p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
 
 Vec3 axis_of(Part part) {
   Vec3 axis(0);

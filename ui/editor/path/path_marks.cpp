@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ui/render/beam_strike.h"
+#include "ui/window/imgui_vector.h"
 #include "ui/window/theme.h"
 
 namespace kerf {
@@ -12,18 +13,16 @@ namespace kerf {
 namespace {
 
 constexpr float kDot = 4.5f, kKnob = 6;  // screen coordinates
-constexpr double kReach = 9;             // the same
+constexpr double kMarkReach = 9;             // the same
 constexpr double kLeastApart = 14;       // of dots, screen coordinates
-constexpr double kArrowEms = 3, kKnobEms = 5.5;
+constexpr double kMarkArrowEms = 3, kKnobEms = 5.5;
 constexpr double kNearEnough = 0.998;   // of the depth of a point: a surface there does not hide it
 constexpr size_t kMostLookedFor = 600;  // points beyond which no surface is asked whether it hides them
 constexpr size_t kMostNumbered = 40;
 constexpr size_t kMostFollowed = 64;  // segments beyond which lines do not follow the surface
 constexpr int kParts = 12;            // of a segment that follows the surface
 
-constexpr ImU32 kShade = IM_COL32(10, 12, 16, 150);
-
-ImVec2 to_im(Vec2 p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
+constexpr ImU32 kMarkShade = IM_COL32(10, 12, 16, 150);
 
 ImU32 faded(ImU32 colour, bool hidden) {
   return hidden ? (colour & ~IM_COL32_A_MASK) | (IM_COL32_A_MASK & IM_COL32(0, 0, 0, 80)) : colour;
@@ -50,7 +49,7 @@ Vec3 target_between(const PathWork& path, const World& world, PathPoint a, PathP
 }
 
 void line_twice(ImDrawList& list, Vec2 from, Vec2 to, ImU32 colour, float width) {
-  list.AddLine(to_im(from), to_im(to), kShade, width + 2.2f);
+  list.AddLine(to_im(from), to_im(to), kMarkShade, width + 2.2f);
   list.AddLine(to_im(from), to_im(to), colour, width);
 }
 
@@ -66,7 +65,7 @@ void draw_segment(const PathWork& path, const World& world, PathPoint a, PathPoi
     if (const auto place = picture.place_of(p)) line.push_back(to_im(*place));
   }
   const auto count = static_cast<int>(line.size());
-  list.AddPolyline(line.data(), count, kShade, 0, 3.8f);
+  list.AddPolyline(line.data(), count, kMarkShade, 0, 3.8f);
   list.AddPolyline(line.data(), count, colour, 0, 1.6f);
 }
 
@@ -99,19 +98,19 @@ void draw_arrows(const PathWork& path, const std::vector<PathMark>& marks, const
   for (const PathMark& mark : marks) {
     const bool chosen = path.chosen() == mark.point;
     const bool close = before != nullptr && before->point.stroke == mark.point.stroke &&
-                       glm::length(before->target - mark.target) < kArrowEms * picture.em() &&
+                       glm::length(before->target - mark.target) < kMarkArrowEms * picture.em() &&
                        path.pose(before->point).direction == path.pose(mark.point).direction;
     if (close && !chosen) continue;
     before = &mark;
     const ImU32 colour = chosen ? colours::accent() : colours::kPictureSecondary;
-    draw_arrow(path, mark, picture, chosen ? kKnobEms : kArrowEms, faded(colour, mark.hidden && !chosen),
+    draw_arrow(path, mark, picture, chosen ? kKnobEms : kMarkArrowEms, faded(colour, mark.hidden && !chosen),
                list);
   }
 }
 
 void draw_dot(const PathMark& mark, bool chosen, bool numbered, ImDrawList& list) {
   const ImU32 colour = faded(chosen ? colours::accent() : colours::kPictureText, mark.hidden && !chosen);
-  list.AddCircleFilled(to_im(mark.target), kDot + 1.8f, kShade);
+  list.AddCircleFilled(to_im(mark.target), kDot + 1.8f, kMarkShade);
   list.AddCircleFilled(to_im(mark.target), kDot, colour);
   if (!numbered) return;
   const std::string number = std::to_string(mark.point.key + 1);
@@ -121,7 +120,7 @@ void draw_dot(const PathMark& mark, bool chosen, bool numbered, ImDrawList& list
 }
 
 void draw_knob(const PathKnob& knob, ImDrawList& list) {
-  list.AddCircleFilled(to_im(knob.place), kKnob + 1.8f, kShade);
+  list.AddCircleFilled(to_im(knob.place), kKnob + 1.8f, kMarkShade);
   list.AddCircleFilled(to_im(knob.place), kKnob, IM_COL32(0x1b, 0x1f, 0x26, 255));
   list.AddCircle(to_im(knob.place), kKnob, colours::accent(), 0, 2);
 }
@@ -160,7 +159,7 @@ std::optional<PathKnob> path_knob(const PathWork& path, const FirstPicture& pict
 std::optional<PathGrip> path_grip(const PathWork& path, const World& world, const FirstPicture& picture,
                                   Vec2 at) {
   std::optional<PathGrip> found;
-  double least = kReach;
+  double least = kMarkReach;
   for (const PathMark& mark : path_marks(path, world, picture)) {
     const double distance = glm::length(mark.target - at);
     if (distance > least) continue;

@@ -17,7 +17,7 @@ namespace kerf {
 
 namespace {
 
-using Tool = Preparation::Tool;
+using PrepareTool = Preparation::Tool;
 
 constexpr size_t kMostSubdivisions = 4;
 constexpr double kUsualError = 0.001;  // of the size of the world
@@ -49,9 +49,9 @@ bool choose(const char* label, const char* landmark, std::span<const char* const
   return changed;
 }
 
-const char* button_name(Tool tool) {
-  if (tool == Tool::kSubdivide) return "Subdivide###prepare";
-  return tool == Tool::kSmooth ? "Smooth###prepare" : "Simplify###prepare";
+const char* button_name(PrepareTool tool) {
+  if (tool == PrepareTool::kSubdivide) return "Subdivide###prepare";
+  return tool == PrepareTool::kSmooth ? "Smooth###prepare" : "Simplify###prepare";
 }
 
 }  // namespace
@@ -88,20 +88,20 @@ void PreparePanel::draw_times(Preparation& preparation, const char* meaning, siz
 void PreparePanel::draw_numbers(Preparation& preparation, const Preparation& shown, const World& world,
                                 FileUnit unit) {
   switch (shown.tool) {
-    case Tool::kSimplifyToFaces: {
+    case PrepareTool::kSimplifyToFaces: {
       auto faces = static_cast<double>(shown.faces);
       if (fields_.number("Faces", faces, "%.0f", "How many faces are left, of all these pieces together."))
         preparation.faces = static_cast<size_t>(std::clamp(std::round(faces), 1.0, kMostFacesTyped));
       break;
     }
-    case Tool::kSimplifyToError: {
+    case PrepareTool::kSimplifyToError: {
       double error = shown.error;
       const LengthUnit shown_unit = label_unit(kUsualError * world.loaded_bounds().diagonal(), unit);
       const char* meaning = "How far the new surface and the old one may be from each other.";
       if (length_field(fields_, "Error", error, shown_unit, meaning) && error > 0) preparation.error = error;
       break;
     }
-    case Tool::kSubdivide:
+    case PrepareTool::kSubdivide:
       choose(
           "Scheme", "scheme", kSchemes,
           "Loop and the square root of 3 round the surface; midpoints leave it as it is. A face becomes four "
@@ -109,7 +109,7 @@ void PreparePanel::draw_numbers(Preparation& preparation, const Preparation& sho
           preparation.scheme);
       draw_times(preparation, "How often every face is divided.", kMostSubdivisions);
       break;
-    case Tool::kSmooth:
+    case PrepareTool::kSmooth:
       draw_times(preparation, "How often vertices move half the way to the middle of their neighbours.",
                  kMostSmoothing);
       break;

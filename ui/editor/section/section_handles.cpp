@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "ui/window/imgui_vector.h"
 #include "ui/window/theme.h"
 
 namespace kerf {
@@ -18,8 +19,6 @@ constexpr double kMargin = 1.06;  // of the frame around the world
 constexpr double kHalfTurn = 3.14159265358979323846;
 constexpr ImU32 kColour = IM_COL32(0xbc, 0xdd, 0xff, 255), kFaint = IM_COL32(0xbc, 0xdd, 0xff, 90);
 constexpr ImU32 kDark = IM_COL32(10, 12, 16, 150);
-
-ImVec2 to_im(Vec2 p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
 
 // A point of the world in the window; nothing behind the eye.
 std::optional<Vec2> place_of(const CameraView& camera, const Area& area, const Vec3& p) {

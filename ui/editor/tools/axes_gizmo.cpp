@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "ui/window/imgui_vector.h"
 #include "ui/window/theme.h"
 
 namespace kerf {
@@ -16,8 +17,6 @@ constexpr double kEnd = 0.62;    // of the disc at a positive end
 constexpr double kOppositeEnd = 0.45;
 constexpr double kMargin = 0.9;       // around all that
 constexpr double kLeastPicture = 14;  // width and height of a picture that has room for it
-
-ImVec2 to_im(Vec2 p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
 
 double whole_radius(const ViewState& view) { return (kRadius + kEnd + 0.25) * view.layout.em; }
 

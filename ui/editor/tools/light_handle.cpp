@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "ui/window/imgui_vector.h"
 #include "ui/window/theme.h"
 
 namespace kerf {
@@ -38,8 +39,6 @@ Vec3 on_sphere(const Sphere& sphere, const Pose& ray, bool far_side) {
   if (inside <= 0) return glm::normalize(nearest);
   return glm::normalize(nearest + ray.direction * (far_side ? 1.0 : -1.0) * std::sqrt(inside));
 }
-
-ImVec2 to_im(Vec2 p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
 
 }  // namespace
 

@@ -6,6 +6,7 @@
 
 #include "ui/editor/tools/moving.h"
 #include "ui/editor/view/piece_set.h"
+#include "ui/window/imgui_vector.h"
 #include "ui/window/theme.h"
 
 namespace kerf {
@@ -13,12 +14,10 @@ namespace kerf {
 namespace {
 
 constexpr double kArrowEms = 5.5, kRingEms = 4.2;  // length and radius
-constexpr double kReach = 7;                       // screen coordinates around a handle that belong to it
+constexpr double kHandleReach = 7;                       // screen coordinates around a handle that belong to it
 constexpr double kFreeFromEms = 1.2;  // around the pivot arrows are not taken: a click there picks
 constexpr size_t kRingPoints = 64;
 constexpr std::array kAxes{PieceMove::Axis::kX, PieceMove::Axis::kY, PieceMove::Axis::kZ};
-
-ImVec2 to_im(Vec2 p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
 
 // The picture with the pivot in it.
 struct Stage {
@@ -143,7 +142,7 @@ std::vector<PieceHandle> piece_handles(const ViewState& view, const Hand& hand, 
 
 std::optional<PieceHandle> handle_under(const std::vector<PieceHandle>& handles, Vec2 at) {
   std::optional<PieceHandle> found;
-  double least = kReach;
+  double least = kHandleReach;
   for (const PieceHandle& handle : handles) {
     const bool is_arrow = handle.kind == PieceMove::Kind::kMove;
     const Vec2 way = handle.line.back() - handle.line.front();

@@ -1,6 +1,5 @@
 #include "ui/editor/tools/piece_move.h"
 
-#define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
 #include <array>

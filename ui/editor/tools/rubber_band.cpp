@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "ui/render/body_looks.h"
+#include "ui/window/imgui_vector.h"
 #include "ui/window/theme.h"
 
 namespace kerf {
@@ -88,8 +89,6 @@ class PiecesOfBody {
   BodyLooks looks_;
   std::vector<char> decided_, chosen_;  // by label
 };
-
-ImVec2 to_im(Vec2 p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
 
 void draw_dashes(Vec2 from, Vec2 to, ImU32 colour, ImDrawList& list) {
   const double length = glm::length(to - from);

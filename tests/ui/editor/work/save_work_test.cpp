@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
 #include "core/document/opened_file.h"

@@ -1,0 +1,76 @@
+# group_sources(OUT FILE...): the sources to compile in place of the given ones, which are absolute paths.
+#
+# Without KERF_SINGLE the files of a folder are compiled in groups of at most about sixteen: a group is a generated
+# source that includes its members by their paths from the root, which takes a third of the compiler's time. A file's
+# group follows from a hash of its name, so that a new file changes one group only; the number of groups is a power of
+# two and doubles as a folder grows. A folder of fewer than six files joins those of the folder above it. Names in the
+# anonymous namespaces of files that can share a group have to differ.
+# With KERF_SINGLE each file is compiled by itself, for whoever changes them.
+#
+# precompile_singly(TARGET HEADER...): precompiles headers for a target with KERF_SINGLE. Headers of Kerf are not among
+# them, or each change of one would compile the whole target anew.
+function(precompile_singly target)
+  if(KERF_SINGLE)
+    target_precompile_headers(${target} PRIVATE ${ARGN})
+  endif()
+endfunction()
+
+function(group_sources OUT)
+  if(KERF_SINGLE)
+    set(${OUT} ${ARGN} PARENT_SCOPE)
+    return()
+  endif()
+  set(folders)
+  set(found)
+  foreach(file IN LISTS ARGN)
+    cmake_path(RELATIVE_PATH file BASE_DIRECTORY ${CMAKE_SOURCE_DIR} OUTPUT_VARIABLE path)
+    cmake_path(GET path PARENT_PATH folder)
+    list(APPEND found ${folder})
+    list(APPEND members_of_${folder} ${path})
+  endforeach()
+  list(REMOVE_DUPLICATES found)
+  foreach(folder IN LISTS found)
+    set(members ${members_of_${folder}})
+    list(LENGTH members count)
+    if(count LESS 6)
+      cmake_path(GET folder PARENT_PATH folder)
+    endif()
+    list(APPEND folders ${folder})
+    list(APPEND files_of_${folder} ${members})
+  endforeach()
+  list(REMOVE_DUPLICATES folders)
+  set(groups)
+  foreach(folder IN LISTS folders)
+    group_folder(groups_of_folder ${folder} ${files_of_${folder}})
+    list(APPEND groups ${groups_of_folder})
+  endforeach()
+  set(${OUT} ${groups} PARENT_SCOPE)
+endfunction()
+
+# group_folder(OUT FOLDER PATH...): writes the groups of one folder.
+function(group_folder OUT folder)
+  list(LENGTH ARGN files)
+  set(count 1)
+  set(capacity 16)
+  while(files GREATER capacity)
+    math(EXPR count "2 * ${count}")
+    math(EXPR capacity "2 * ${capacity}")
+  endwhile()
+  foreach(path IN LISTS ARGN)
+    string(MD5 hash ${path})
+    string(SUBSTRING ${hash} 0 4 hash)
+    math(EXPR group "0x${hash} % ${count}")
+    string(APPEND group_${group} "#include \"${path}\"\n")
+  endforeach()
+  string(MAKE_C_IDENTIFIER ${folder} name)
+  math(EXPR last "${count} - 1")
+  set(groups)
+  foreach(group RANGE ${last})
+    if(DEFINED group_${group})
+      set(source ${CMAKE_CURRENT_BINARY_DIR}/groups/${name}_${group}.cpp)
+      file(CONFIGURE OUTPUT ${source} CONTENT "${group_${group}}" @ONLY)
+      list(APPEND groups ${source})
+    endif()
+  endforeach()
+  set(${OUT} ${groups} PARENT_SCOPE)
+endfunction()

@@ -82,19 +82,69 @@ apt_get() {
 # when clang++, which builds the fuzzers, or the libraries that only benchmarks use have come or gone since.
 configure() {
   local stamp=$folder/.configured wanted
-  wanted="$root ${options[*]} $(command -v clang++ || true) $(ls -d /usr/include/embree3 /usr/include/CGAL 2>/dev/null || true)"
+  wanted="$root ${options[*]} $(single_option) $(command -v clang++ || true)"
+  wanted+=" $(ls -d /usr/include/embree3 /usr/include/CGAL 2>/dev/null || true)"
   [[ -f $folder/build.ninja && -f $stamp && $(<"$stamp") == "$wanted" ]] && return
+  options+=("$(single_option)")
   say "configuring $folder"
   rm -f "$stamp"
   cmake --fresh -S "$root" -B "$folder" -G Ninja "${options[@]}" || fail "could not configure $folder"
   printf '%s\n' "$wanted" >"$stamp"
 }
 
-# ccache takes paths below the checkout as relative ones, so a fresh clone finds what another has compiled.
-# The filter outlives an interrupt, or ninja would die on the broken pipe before it ends its compilers.
+# Sources are compiled in groups, or each by itself with KERF_SINGLE=1. A folder stays as it is until KERF_SINGLE
+# is 0 or 1.
+single_option() {
+  local single=${KERF_SINGLE:-}
+  [[ -n $single ]] || single=$(sed -n 's/^KERF_SINGLE:BOOL=//p' "$folder/CMakeCache.txt" 2>/dev/null) || true
+  case $single in
+    1 | ON) echo -DKERF_SINGLE=ON ;;
+    *) echo -DKERF_SINGLE=OFF ;;
+  esac
+}
+
+# ccache takes paths below the checkout as relative ones, so a fresh clone finds what another has compiled, and learns
+# from the compiler which headers a source includes.
 compile() {
-  CCACHE_BASEDIR=$root CCACHE_SLOPPINESS=pch_defines,time_macros ninja -C "$folder" "$target" 2>&1 | (
-    trap '' INT
-    exec sed -u -e '/^ninja: Entering directory/d' -e '/^ninja: no work to do/d' -e '/Re-checking globbed/d'
-  ) || fail "could not build $target in $folder"
+  CCACHE_BASEDIR=$root CCACHE_DEPEND=1 CCACHE_SLOPPINESS=pch_defines,time_macros \
+    NINJA_STATUS='[%f/%t %e] ' ninja -C "$folder" "$target" 2>&1 | show_progress ||
+    fail "could not build $target in $folder"
+}
+
+# show_progress: what ninja prints, without the names of what it builds. On a terminal a line says how far the build is
+# and about how long it still takes; in a log such a line is written every 15 seconds. The filter outlives an interrupt,
+# or ninja would die on the broken pipe before it ends its compilers.
+show_progress() {
+  trap '' INT
+  local line next_line=0
+  while IFS= read -r line; do
+    case $line in
+      'ninja: Entering directory'* | 'ninja: no work to do'* | *'Re-checking globbed'*) continue ;;
+    esac
+    if [[ $line =~ ^\[([0-9]+)/([0-9]+)\ ([0-9]+) ]]; then
+      show_step "${BASH_REMATCH[@]:1}"
+    else
+      [[ ! -t 2 ]] || printf '\r\033[K' >&2
+      printf '%s\n' "$line" >&2
+    fi
+  done
+  [[ ! -t 2 ]] || printf '\r\033[K' >&2
+}
+
+# show_step DONE ALL SECONDS: the time left is that of as many steps as were done so far.
+show_step() {
+  local ended=$1 all=$2 seconds=$3 text bar left
+  [[ -t 2 ]] || ((seconds >= next_line)) || return 0
+  next_line=$((seconds + 15))
+  text="building, $ended of $all steps"
+  if ((ended > 0 && ended < all && seconds >= 5)); then
+    left=$((seconds * (all - ended) / ended))
+    text+=$(printf ', about %d:%02d left' $((left / 60)) $((left % 60)))
+  fi
+  if [[ -t 2 ]]; then
+    printf -v bar '%*s' $((30 * ended / all)) ''
+    printf '\r\033[K[%-30s] %s' "${bar// /#}" "$text" >&2
+  else
+    say "$text"
+  fi
 }

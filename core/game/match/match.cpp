@@ -18,7 +18,7 @@ namespace kerf {
 
 namespace {
 
-constexpr Ticks kLookForJointsEvery = 15;  // where faces that carry some are gone
+constexpr Ticks kLookForJointsEvery = 10;  // where faces that carry some are gone
 constexpr Ticks kLookAround = 6;           // after which drivers look where others are
 constexpr double kLight = 0.3;             // of the mass of a vehicle, what does not stop it
 constexpr double kImpact = 1.5;            // m/s, from which on a change of velocity is told

@@ -4,6 +4,7 @@
 #include "core/game/match/match.h"
 #include "core/game/vehicle/damage.h"
 #include "core/game/vehicle/vehicle_bodies.h"
+#include "core/graph/hold_parts.h"
 #include "core/physics/release_pieces.h"
 
 namespace kerf {
@@ -70,9 +71,10 @@ void Match::note_cut(size_t shooter, const std::map<BodyId, StepResult>& cut) {
   }
 }
 
-// What came apart becomes bodies, once the search for it is finished.
+// What came apart becomes bodies, once the search for it is finished and it is known what joints still hold,
+// which the cuts of the beams leave to this function.
 void Match::separate() {
-  if (!is_settled(world_)) follow(go_on_separating(world_, kSearch).delta);
+  if (!is_settled(world_) || joints_asked(world_)) follow(go_on_separating(world_, kSearch).delta);
   if (!is_settled(world_)) return;
   Delta released;
   release_pieces(world_, kGeneration, released);

@@ -20,7 +20,6 @@ namespace {
 
 constexpr Ticks kLookForJointsEvery = 10;  // where faces that carry some are gone
 constexpr Ticks kLookAround = 6;           // after which drivers look where others are
-constexpr double kLight = 0.3;             // of the mass of a vehicle, what does not stop it
 constexpr double kImpact = 1.5;            // m/s, from which on a change of velocity is told
 
 PilotSkill pilot_skill(const EnemySkill& skill) {
@@ -228,7 +227,7 @@ std::vector<Vec3> Match::velocities() const {
 std::vector<Guided> Match::guided() const {
   std::vector<Guided> all;
   for (const Vehicle& vehicle : vehicles_) {
-    const double light = vehicle.alive ? kLight * vehicle.what().mass : 0;
+    const double light = vehicle.alive ? kLightBody * vehicle.what().mass : 0;
     all.push_back({vehicle.chassis, is_upright(world_, vehicle), light});
   }
   return all;

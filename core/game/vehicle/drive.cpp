@@ -6,6 +6,7 @@
 #include "core/base/tick.h"
 #include "core/game/angle.h"
 #include "core/game/vehicle/rigid_motion.h"
+#include "core/physics/rigid_frame.h"
 
 namespace kerf {
 
@@ -32,6 +33,7 @@ double towards(double from, double to, double most) { return from + std::clamp(t
 struct Standing {
   Wheel* wheel;
   Vec3 at, normal, forward, side;
+  Body* below = nullptr;  // on which it stands, if that can move
   Vec3 ground_velocity{0};
   double load = 0;                            // N s in the tick
   double drive = 0;                           // N s, wanted along `forward`
@@ -62,6 +64,7 @@ class Drive {
     for (int sweep = 0; sweep < kSweeps; ++sweep) {
       for (Standing& s : standing_) grip(s);
     }
+    for (const Standing& s : standing_) push_back(s);
     roll();
     resist_air();
     motion_.store(chassis_);
@@ -87,13 +90,20 @@ class Drive {
   // Where the ray of a wheel starts, above its hub.
   static constexpr double kAbove = 0.35;  // m
 
+  // Whether a wheel stands on a body. The ray of a wheel begins above it, within the vehicle, where what came
+  // off the vehicle may still be; and what the vehicle sweeps aside gets between wheel and chassis.
+  bool carries(BodyId id) const {
+    const Body& body = world_.body(id);
+    if (vehicle_.is_made_of(body)) return false;
+    return body.pinned || rigid_frame(body).mass >= kLightBody * what().mass;
+  }
+
   void suspend(size_t i, double mass) {
     Wheel& wheel = vehicle_.wheels[i];
     const WheelDescription& w = what().wheels[i];
     const double half = 0.5 * w.travel, radius = wheel.attached ? w.radius : kStump * w.radius;
     const Pose ray{chassis_.placement.to_world(w.hub + Vec3(0, half + kAbove, 0)), -up_};
-    const auto hit =
-        sight_.nearest(ray, kAbove + w.travel + radius, [&](BodyId id) { return !vehicle_.has(id); });
+    const auto hit = sight_.nearest(ray, kAbove + w.travel + radius, [&](BodyId id) { return carries(id); });
     wheel.grounded = hit && glm::dot(hit->normal, up_) > 0.2;
     wheel.load = wheel.slip = 0;
     if (!wheel.grounded) {
@@ -110,8 +120,8 @@ class Drive {
     const double wheels = static_cast<double>(vehicle_.wheels.size());
     Standing s{&wheel, wheel.contact, hit.normal, {}, {}};
     if (hit.body.valid() && !world_.body(hit.body).pinned) {
-      const Body& below = world_.body(hit.body);
-      s.ground_velocity = below.motion.velocity_at(s.at, below.placement);
+      s.below = &world_.body(hit.body);
+      s.ground_velocity = s.below->motion.velocity_at(s.at, s.below->placement);
     }
     const double sinking = -glm::dot(motion_.velocity_at(s.at) - s.ground_velocity, s.normal);
     const double at_rest = glm::length(world_.surroundings().gravity) / (kStiffness * wheels);
@@ -124,7 +134,7 @@ class Drive {
     const Vec3 axis = turn_about(up_, wheel.steer) * (chassis_.placement.orientation * Vec3(1, 0, 0));
     const Vec3 forward = glm::cross(axis, s.normal);
     const double length = glm::length(forward);
-    if (!(length > 0.1)) return;
+    if (!(length > 0.1)) return push_back(s);
     s.forward = forward / length;
     s.side = glm::cross(s.normal, s.forward);
     s.grip_across = s.grip_along = (wheel.attached ? kGrip : kStumpGrip) * s.load;
@@ -186,6 +196,16 @@ class Drive {
     motion_.push(s.at, (along - s.along) * s.forward);
     s.across = across;
     s.along = along;
+  }
+
+  // What a wheel stands on gets the opposite impulse.
+  void push_back(const Standing& s) const {
+    if (!s.below) return;
+    s.below->motion.asleep = false;
+    s.below->motion.quiet = 0;
+    RigidMotion motion(*s.below);
+    motion.push(s.at, -(s.load * s.normal + s.across * s.side + s.along * s.forward));
+    motion.store(*s.below);
   }
 
   void roll() {

@@ -24,4 +24,10 @@ bool Vehicle::has(BodyId body) const {
                      [&](const Wheel& w) { return w.attached && w.body == body; });
 }
 
+bool Vehicle::is_made_of(const Body& body) const {
+  const BodyId id = body.loaded_as;
+  return id == chassis || id == gun.turret || id == gun.barrel ||
+         std::any_of(wheels.begin(), wheels.end(), [&](const Wheel& w) { return w.body == id; });
+}
+
 }  // namespace kerf

@@ -58,6 +58,13 @@ struct Vehicle {
   bool can_drive() const;
   // Whether a body is the chassis or carried by it.
   bool has(BodyId body) const;
+  // Whether a body is made of faces with which the vehicle was loaded, whether it still belongs to it or came
+  // off it.
+  bool is_made_of(const Body& body) const;
 };
+
+// The share of the mass of a vehicle below which a loose body is light: it does not stop the vehicle, and
+// carries none of its wheels.
+inline constexpr double kLightBody = 0.3;
 
 }  // namespace kerf

@@ -1,8 +1,16 @@
 #include "core/game/vehicle/drive.h"
 
+#include <algorithm>
+
+#include "core/base/tick.h"
 #include "core/game/angle.h"
 #include "core/game/match/recover.h"
+#include "core/game/vehicle/damage.h"
+#include "core/game/vehicle/rigid_motion.h"
+#include "core/game/vehicle/vehicle_bodies.h"
+#include "core/physics/physics.h"
 #include "tests/support/game_files.h"
+#include "tests/support/sheets.h"
 
 namespace kerf {
 namespace {
@@ -62,6 +70,103 @@ TEST_F(Driving, steering_to_the_left_turns_it_to_the_left_without_rolling_over) 
 TEST_F(Driving, it_does_not_leave_the_arena) {
   drive(100, 0, 12);
   EXPECT_LT(position().z, 100);
+}
+
+constexpr double kGravity = 9.81;  // m/s^2
+
+// A vehicle on its wheels, as they carry its weight.
+class Wheels : public testing::Test {
+ protected:
+  double weight() const { return lone_.vehicle.what().mass * kGravity; }
+  Vec3 momentum(BodyId id) const {
+    const RigidMotion motion(lone_.world.body(id));
+    return motion.mass() * motion.velocity();
+  }
+  // The bodies that move by themselves.
+  std::vector<BodyId> free_bodies() const {
+    const std::vector<BodyId> carried = carried_bodies(lone_.vehicle);
+    std::vector<BodyId> ids = lone_.world.ids();
+    std::erase_if(ids, [&](BodyId id) { return std::count(carried.begin(), carried.end(), id) > 0; });
+    return ids;
+  }
+  Vec3 momentum() const {
+    Vec3 sum(0);
+    for (const BodyId id : free_bodies()) sum += momentum(id);
+    return sum;
+  }
+  double mass() const {
+    double sum = 0;
+    for (const BodyId id : free_bodies()) sum += RigidMotion(lone_.world.body(id)).mass();
+    return sum;
+  }
+  // The force upwards that its wheels put on it, N.
+  double lift() {
+    const double before = momentum(lone_.vehicle.chassis).y;
+    drive(lone_.world, lone_.vehicle, Sight(lone_.world));
+    return (momentum(lone_.vehicle.chassis).y - before) / kTick;
+  }
+  // Cuts a wheel off its axle, and leaves it where it is.
+  void lose_wheel(size_t wheel) {
+    const Vec3 hub = lone_.vehicle.what().wheels[wheel].hub;
+    const double x = hub.x > 0 ? hub.x - 0.083 : hub.x + 0.083;
+    const Vec3 down(0, -1, 0);
+    lone_.cut({{x, 0.8, hub.z - 0.5}, down}, {{x, 0.8, hub.z + 0.5}, down}, 0.01, 1);
+    ASSERT_EQ(assess_damage(lone_.world, lone_.vehicle).wheels, std::vector<size_t>{wheel});
+  }
+  void lift_all(double height) {
+    for (const BodyId id : lone_.world.ids()) lone_.world.body(id).placement.position.y += height;
+  }
+  // A sheet of a mass, level at a place.
+  BodyId add_sheet(double mass, double size, const Vec3& place) {
+    const BodyId id = test::add(lone_.world, test::rectangle(size, size, 2), place);
+    Body& body = lone_.world.body(id);
+    body.sheet.density = mass / (size * size * body.sheet.thickness);
+    return id;
+  }
+
+  test::LoneVehicle lone_;
+};
+
+TEST_F(Wheels, carry_the_weight_at_rest) { EXPECT_NEAR(lift(), weight(), 0.01 * weight()); }
+
+TEST_F(Wheels, that_are_lost_and_stand_in_the_arch_still_lift_nothing) {
+  for (size_t wheel = 0; wheel < 4; ++wheel) {
+    lone_ = test::LoneVehicle();
+    lose_wheel(wheel);
+    EXPECT_LE(lift(), 0.76 * weight()) << "wheel " << wheel;
+  }
+}
+
+TEST_F(Wheels, are_not_lifted_by_what_is_light_and_got_between_them_and_the_chassis) {
+  add_sheet(40, 0.4, lone_.vehicle.what().wheels[1].hub + Vec3(0, 0.2, 0));
+  EXPECT_NEAR(lift(), weight(), 0.01 * weight());
+}
+
+TEST_F(Wheels, push_what_carries_them_as_it_pushes_them) {
+  const BodyId plate = add_sheet(800, 8, {0, 20 - 0.02, 0});
+  lift_all(20);
+  lone_.world.body(plate).placement.position.y -= 20;
+  lone_.vehicle.controls.throttle = 100;
+  drive(lone_.world, lone_.vehicle, Sight(lone_.world));
+  const Vec3 vehicle = momentum(lone_.vehicle.chassis), pushed = momentum(plate);
+  EXPECT_GT(vehicle.y, 0.1 * weight() * kTick);
+  EXPECT_GT(vehicle.z, 1);
+  EXPECT_LT(glm::length(vehicle + pushed), 1e-6 * glm::length(vehicle));
+}
+
+TEST_F(Wheels, that_are_lost_in_the_air_leave_all_momentum_to_gravity) {
+  for (size_t wheel = 0; wheel < 4; ++wheel) {
+    SCOPED_TRACE(wheel);
+    lone_ = test::LoneVehicle();
+    lose_wheel(wheel);
+    lift_all(50);
+    const Vec3 before = momentum();
+    drive(lone_.world, lone_.vehicle, Sight(lone_.world));
+    for (const BodyId id : carried_bodies(lone_.vehicle)) lone_.world.body(id).hidden = true;
+    Physics().tick(lone_.world);
+    const Vec3 change = momentum() - before, gained = mass() * kTick * Vec3(0, -kGravity, 0);
+    EXPECT_LT(glm::length(change - gained), 0.01 * glm::length(gained));
+  }
 }
 
 TEST(Recovery, a_vehicle_on_its_roof_is_put_upright_after_a_while) {

@@ -2,12 +2,16 @@
 
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
+#include "core/base/random.h"
+#include "core/game/angle.h"
 #include "core/game/match/bot_player.h"
 #include "core/game/match/recording.h"
 #include "core/game/vehicle/vehicle_bodies.h"
+#include "core/physics/rigid_frame.h"
 #include "core/world/state_hash.h"
 #include "tests/support/checkout.h"
 #include "tests/support/free_parts.h"
@@ -250,6 +254,86 @@ TEST(Match, holds_no_more_after_ten_waves_than_after_one) {
   EXPECT_EQ(match.standing().phase, Standing::Phase::kWon);
   EXPECT_EQ(waves, 10u);
   EXPECT_GT(most_slots, first.slots + 20) << "pieces come off in a wave";
+}
+
+// How far the centre of mass of a vehicle has risen by its motion since it was lowest.
+class Rise {
+ public:
+  void follow(const World& world, const Vehicle& vehicle) {
+    const Body& chassis = world.body(vehicle.chassis);
+    const Vec3 centre = rigid_frame(chassis).centre;
+    if (before_) height_ += chassis.placement.to_world(centre).y - before_->to_world(centre).y;
+    lowest_ = std::min(lowest_, height_);
+    before_ = chassis.placement;
+  }
+  double metres() const { return height_ - lowest_; }
+
+ private:
+  std::optional<Placement> before_;
+  double height_ = 0, lowest_ = 0;
+};
+
+constexpr double kAway = 20;  // m
+
+// An enemy that neither drives nor fires stands before the player.
+std::shared_ptr<const Rules> target_practice(double heading) {
+  auto rules = std::make_shared<Rules>(*ten_easy_waves());
+  rules->waves.resize(1);
+  rules->description.laser.radius = {0.01, 0.03};
+  rules->arena.description.enemies = {{{0, 0, kAway}, heading}};
+  return rules;
+}
+
+// The controls that aim from one place at another.
+Controls aimed(const Vec3& from, const Vec3& at) {
+  const Vec3 way = glm::normalize(at - from);
+  Controls controls;
+  controls.heading = static_cast<int32_t>(std::lround(heading_of(way) / Controls::kAimStep));
+  controls.pitch = static_cast<int32_t>(std::lround(std::asin(way.y) / Controls::kAimStep));
+  return controls;
+}
+
+// Two points in the plane of the middle of the enemy between which a beam cuts.
+std::pair<Vec3, Vec3> random_stroke(Random& random, bool at_wheels) {
+  if (at_wheels) {
+    const double x = (random.below(2) ? 1 : -1) * random.uniform(0.6, 0.7);
+    return {{x, 0.05, kAway}, {x, random.uniform(0.5, 0.9), kAway}};
+  }
+  const auto somewhere = [&] { return Vec3(random.uniform(-2, 2), random.uniform(0.1, 1.2), kAway); };
+  const Vec3 from = somewhere();
+  return {from, somewhere()};
+}
+
+TEST(Match, a_vehicle_that_is_cut_at_rest_does_not_rise) {
+  size_t wheels = 0, pieces = 0;
+  for (uint64_t seed = 1; seed <= runs(12); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const bool along = seed % 2 == 1;
+    Match match({target_practice(along ? 0 : 0.5 * kPi), seed, Difficulty::kEasy});
+    Rise rise;
+    bool righted = false;
+    for (int stroke = 0; stroke < 8; ++stroke) {
+      const auto [from, to] = random_stroke(random, along && stroke % 2 == 0);
+      const int aiming = 120, cutting = 20 + static_cast<int>(random.below(60));
+      for (int t = 0; t < aiming + cutting && !righted; ++t) {
+        const double share = std::max(0.0, static_cast<double>(t - aiming) / cutting);
+        Controls controls =
+            aimed(in_world(match.world(), match.vehicles()[0], {0, 1.6, 0}), from + share * (to - from));
+        controls.fire = t >= aiming;
+        match.tick(controls);
+        for (const Event& event : match.events()) {
+          righted = righted || event.kind == Event::Kind::kRighted;
+          wheels += event.kind == Event::Kind::kWheelLost;
+        }
+        rise.follow(match.world(), match.vehicles()[1]);
+        ASSERT_LT(rise.metres(), 0.2) << "stroke " << stroke << ", tick " << t;
+      }
+    }
+    pieces += match.standing().pieces;
+  }
+  EXPECT_GE(wheels, runs(4));
+  EXPECT_GE(pieces, runs(24));
 }
 
 TEST(Match, without_enemies_ends_neither_won_nor_lost) {

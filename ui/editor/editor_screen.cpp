@@ -322,8 +322,10 @@ void EditorScreen::lay_out_window() {
 void EditorScreen::save_settings() {
   Settings& now = state_.settings;
   now.antialias = state_.view.look.antialias;
-  now.width = static_cast<int>(window_.size().x);
-  now.height = static_cast<int>(window_.size().y);
+  if (options_.width == 0) {  // a size that was asked for this session alone is not kept
+    now.width = static_cast<int>(window_.size().x);
+    now.height = static_cast<int>(window_.size().y);
+  }
   if (now == saved_) return;
   saved_ = now;
   if (const Status written = write_settings(now, settings_file()); !written)

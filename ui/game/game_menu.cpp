@@ -74,6 +74,7 @@ void draw_settings(const MenuView& view) {
   ImGui::Checkbox("Invert the aim", &s.invert);
   ImGui::Checkbox("Aim help", &s.aim_help);
   ImGui::Checkbox("Guide at the beginning", &s.guide);
+  mark_last_item("guide");
 }
 
 void draw_views(ViewOptions& look) {

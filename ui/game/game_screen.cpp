@@ -31,7 +31,7 @@ GameScreen::GameScreen(Window& window, MatchPicture picture, GameOptions options
       settings_(read_game_settings(game_settings_file())),
       saved_(settings_),
       presets_(draws_in_software()) {
-  if (options_.chosen_difficulty) settings_.difficulty = options_.setup.difficulty;
+  if (options_.chosen_difficulty) asked_difficulty_ = settings_.difficulty = options_.setup.difficulty;
   if (options_.landmarks) keep_landmarks(&landmarks_.emplace(*options_.landmarks));
   start();
 }
@@ -67,9 +67,10 @@ void GameScreen::enter(State state) {
   glfwSetInputMode(window_.handle(), GLFW_CURSOR, caught ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
   if (!caught) sounds_.hush();
   input_.let_go();
-  if (settings_ == saved_) return;
-  saved_ = settings_;
-  (void)write_game_settings(settings_, game_settings_file());
+  const GameSettings keep = settings_to_keep(settings_, saved_, asked_difficulty_);
+  if (keep == saved_) return;
+  saved_ = keep;
+  (void)write_game_settings(saved_, game_settings_file());
 }
 
 const Body& GameScreen::own_chassis() const {

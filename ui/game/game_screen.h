@@ -74,6 +74,7 @@ class GameScreen : public Screen {
   MatchPicture picture_;
   GameOptions options_;
   GameSettings settings_, saved_;
+  std::optional<Difficulty> asked_difficulty_;  // see settings_to_keep
   PresetChoice presets_;
   std::unique_ptr<Match> match_;
   ScoreLog score_log_;

@@ -72,6 +72,14 @@ GameSettings read_game_settings(const fs::path& file) {
   return s;
 }
 
+GameSettings settings_to_keep(const GameSettings& now, const GameSettings& kept,
+                              std::optional<Difficulty>& asked) {
+  GameSettings keep = now;
+  if (asked != now.difficulty) asked.reset();
+  if (asked) keep.difficulty = kept.difficulty;
+  return keep;
+}
+
 Status write_game_settings(const GameSettings& s, const fs::path& file) {
   std::error_code error;
   fs::create_directories(file.parent_path(), error);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "core/base/result.h"
@@ -40,6 +41,11 @@ std::filesystem::path game_settings_file();
 // Reads the settings. A missing or damaged file and invalid values give defaults; a damaged file is renamed
 // with ".bad" appended.
 GameSettings read_game_settings(const std::filesystem::path& file);
+
+// Returns what to keep of the settings of a session. A difficulty that was asked for this session alone is
+// not kept: the difficulty in `kept` stays until the player chooses another one, which empties `asked`.
+GameSettings settings_to_keep(const GameSettings& now, const GameSettings& kept,
+                              std::optional<Difficulty>& asked);
 
 // Writes the settings, whole or not at all, and creates missing folders.
 Status write_game_settings(const GameSettings& settings, const std::filesystem::path& file);

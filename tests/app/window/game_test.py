@@ -66,13 +66,31 @@ class Game(WindowTest):
         with open(os.path.join(self.folder, "kerf", name)) as file:
             return json.load(file)
 
+    def test_what_the_command_line_chose_is_not_kept_as_a_setting(self):
+        game = self.open("play", self.write_rules(), "--difficulty", "hard")
+        wait_for(lambda: self.playing(game), 60, "the match never began")
+        self.open_menu(game)
+        game.click("guide", 0.5, 0.5)
+        game.press("Escape")
+        wait_for(lambda: self.playing(game), 30, "Esc never resumed the match")
+        pause(1)
+        game.die()
+        kept = self.kept("game.json")
+        self.assertFalse(kept["guide"], "what the player set is kept")
+        self.assertEqual(kept["difficulty"], "normal")
+        self.write_settings({"width": 900, "height": 700})
+        self.open_again(SPHERE).quit()
+        self.assertEqual([self.settings()[key] for key in ("width", "height")], [900, 700])
+
     def test_a_match_that_is_over_is_kept_and_one_that_is_killed_leaves_settings_and_scores_whole(self):
         game = self.open("play", self.write_rules(times={"match": 2}), "--difficulty", "hard")
         wait_for(lambda: "replay" in game.landmarks()["parts"], 60, "the match was never over")
         pause(1.5)
         game.die()
+        with open(os.path.join(self.folder, "kerf", "game.json"), "w") as file:
+            json.dump({"difficulty": "easy", "guide": False}, file)
         kept = {name: self.kept(name) for name in ("game.json", "scores.json")}
-        self.assertEqual(kept["game.json"]["difficulty"], "hard")
+        self.assertEqual([s["difficulty"] for s in kept["scores.json"]["scores"]], ["hard"])
         self.assertEqual([s["rules"] for s in kept["scores.json"]["scores"]], ["duel"])
         game = self.open_again("play", self.write_rules())
         wait_for(lambda: self.playing(game), 60, "the match never began")

@@ -43,5 +43,21 @@ TEST(GameSettings, that_are_no_json_are_set_aside) {
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "game.json.bad"));
 }
 
+TEST(GameSettings, keep_no_difficulty_that_was_asked_for_one_session_until_the_player_chooses_another) {
+  GameSettings kept, now;
+  kept.difficulty = Difficulty::kEasy;
+  now.difficulty = Difficulty::kHard;
+  now.volume = 0.25;
+  std::optional<Difficulty> asked = Difficulty::kHard;
+  kept = settings_to_keep(now, kept, asked);
+  EXPECT_EQ(kept.difficulty, Difficulty::kEasy);
+  EXPECT_EQ(kept.volume, 0.25);
+  now.difficulty = Difficulty::kNormal;
+  kept = settings_to_keep(now, kept, asked);
+  EXPECT_EQ(kept, now);
+  now.difficulty = Difficulty::kHard;
+  EXPECT_EQ(settings_to_keep(now, kept, asked), now);
+}
+
 }  // namespace
 }  // namespace kerf

@@ -41,8 +41,11 @@ Status judge(const std::string& file, uint64_t hash, const Recording& recording,
   };
   if (expected && *expected != hash) return differs(*expected, ", as --expect says");
   if (!recording.hash || *recording.hash == hash) return Done{};
+  if (recording.version != kMatchVersion)
+    return differs(*recording.hash,
+                   ": an earlier version of Kerf made this recording, and matches go otherwise since");
   if (recording.machine == machine_kind())
-    return differs(*recording.hash, ": another version of Kerf made this recording, or it was changed");
+    return differs(*recording.hash, ": the match went otherwise than when it was recorded");
   warn(file + ": bodies moved on another kind of machine (" + recording.machine +
        "), so the match ended otherwise here");
   return Done{};

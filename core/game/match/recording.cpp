@@ -45,7 +45,7 @@ std::optional<Difficulty> parse_difficulty(std::string_view name) {
 
 Result<std::string> recording_text(const Recording& recording, const std::filesystem::path& folder) {
   const nlohmann::ordered_json head{{"kerf", "match"},
-                                    {"version", 1},
+                                    {"version", recording.version},
                                     {"rules", path_text(std::filesystem::absolute(recording.rules), folder)},
                                     {"files", hash_text(recording.files)},
                                     {"seed", recording.seed},

@@ -10,15 +10,20 @@
 
 namespace kerf {
 
+// The version of the matches: raised whenever the same inputs lead to another world than before. Recordings
+// of earlier versions are read, and end otherwise than they say.
+inline constexpr size_t kMatchVersion = 2;
+
 // A match as its file holds it, one JSON object a line:
 //
-//   {"kerf": "match", "version": 1, "rules": "games/standard.json", "files": "0123456789abcdef", "seed": 1,
+//   {"kerf": "match", "version": 2, "rules": "games/standard.json", "files": "0123456789abcdef", "seed": 1,
 //    "difficulty": "normal"}
 //   {"inputs": [[ticks, throttle, steer, handbrake, fire, width, heading, pitch], ...]}
 //   {"hash": "0123456789abcdef", "machine": "..."}
 //
-// "files" is a hash of the rules and of all files that they name. Inputs are the player's controls, each for
-// so many ticks; each line holds a second. The hash is that of the world at the end.
+// "version" is kMatchVersion as it was when the match was played. "files" is a hash of the rules and of all
+// files that they name. Inputs are the player's controls, each for so many ticks; each line holds a second.
+// The hash is that of the world at the end.
 struct Recording {
   std::filesystem::path rules;
   uint64_t files = 0, seed = 1;
@@ -27,6 +32,7 @@ struct Recording {
   std::optional<uint64_t> hash;
   std::string machine;  // on which it was made (see machine_kind); empty without a hash
   std::string damage;   // one sentence on what could not be read, or empty
+  size_t version = kMatchVersion;
 };
 
 // Whether a file begins like a recording.

@@ -13,10 +13,11 @@ constexpr size_t kMostTicks = 36'000 * kTicksPerSecond;
 
 Status parse_head(const JsonValue& head, const std::filesystem::path& folder, Recording& recording) {
   std::string kind, rules, files, difficulty;
-  size_t version = 0;
   double seed = 0;
   JsonFields fields(head);
-  fields.text("kerf", kind, true).count("version", version, 1, 1, true).text("rules", rules, true);
+  fields.text("kerf", kind, true)
+      .count("version", recording.version, 1, kMatchVersion, true)
+      .text("rules", rules, true);
   fields.text("files", files, true).number("seed", seed, {0, 1e18}, true);
   fields.text("difficulty", difficulty, true);
   if (!fields.status()) return fields.status();

@@ -61,33 +61,75 @@ void label_faces(Body& made, const Body& body, const PieceCopy& copy, const Reme
   for (uint32_t p = 0; p < body.pieces.size(); ++p) made.pieces.push_back(p == copy.label ? whole : Piece{});
 }
 
-// The triangles that stem from one face share its energy by area.
-void hand_down_heat(Body& made, const Body& body, const PieceCopy& copy, const Remeshed& r) {
-  if (copy.mesh.columns().blank()) return;
-  std::vector<double> joules;
-  for (uint32_t f = 0; f < copy.faces.size(); ++f)
-    joules.push_back(body.heat.energy_of(copy.mesh, FaceId(f)));
-  for (const auto& [gone, heir] : r.merged) joules[heir.index] += std::exchange(joules[gone.index], 0);
-  const auto area = [&](size_t t) {
-    return triangle_area(made.mesh.triangle(FaceId(static_cast<uint32_t>(t))));
-  };
-  const auto add = [&](size_t t, double energy) {
-    const FaceId f(static_cast<uint32_t>(t));
-    if (energy != 0) made.heat.set_energy(made.mesh, f, made.heat.energy_of(made.mesh, f) + energy);
-  };
+double area_of(const Body& body, size_t face) {
+  return triangle_area(body.mesh.triangle(FaceId(static_cast<uint32_t>(face))));
+}
+
+void add_energy(Body& made, size_t face, double joules) {
+  const FaceId f(static_cast<uint32_t>(face));
+  if (joules != 0) made.heat.set_energy(made.mesh, f, made.heat.energy_of(made.mesh, f) + joules);
+}
+
+// The triangles that stem from one face share its energy by area, and were as hot as it was.
+void share_heat(Body& made, const Body& body, const PieceCopy& copy, const Remeshed& r) {
+  std::vector<bool> left(copy.faces.size(), false);
   for (size_t first = 0, last = 0; first < r.origins.size(); first = last) {
     const FaceId origin = r.origins[first];
+    left[origin.index] = true;
     double all = 0;
-    for (last = first; last < r.origins.size() && r.origins[last] == origin; ++last) all += area(last);
-    const double energy = std::exchange(joules[origin.index], 0);
+    for (last = first; last < r.origins.size() && r.origins[last] == origin; ++last)
+      all += area_of(made, last);
+    const double energy = body.heat.energy_of(copy.mesh, origin);
+    const double hottest = body.heat.hottest_of(copy.mesh, origin);
     for (size_t t = first; t < last; ++t) {
-      add(t, all > 0 ? energy * (area(t) / all) : energy / static_cast<double>(last - first));
-      const double hottest = body.heat.hottest_of(copy.mesh, origin);
+      add_energy(made, t,
+                 all > 0 ? energy * (area_of(made, t) / all) : energy / static_cast<double>(last - first));
       if (hottest > kAmbient) made.heat.note_hottest(made.mesh, FaceId(static_cast<uint32_t>(t)), hottest);
     }
   }
-  // Of faces of which nothing is left.
-  add(0, std::accumulate(joules.begin(), joules.end(), 0.0));
+  for (uint32_t f = 0; f < left.size(); ++f) {
+    if (!left[f]) add_energy(made, 0, body.heat.energy_of(copy.mesh, FaceId(f)));
+  }
+}
+
+// What lies on a triangle of the heat of faces that were followed.
+struct Covered {
+  double joules = 0;
+  double area = 0;  // of the quarters that lie on it (m^2)
+  double rise = 0;  // of the highest temperatures over the ambient, integrated over this area (K m^2)
+};
+
+// Each triangle takes the energy of the quarters that lie on it. The highest temperature that it ever had is
+// taken to be the mean over its area of theirs, where it was cold between them: a large triangle that covers
+// little that was hot was not hot.
+void collect_heat(Body& made, const Body& body, const PieceCopy& copy, const Remeshed& r) {
+  std::vector<Covered> covered(copy.faces.size());  // by the face from which the triangle stems
+  for (const FollowedFace& followed : r.followed) {
+    const double area = 0.25 * triangle_area(copy.mesh.triangle(followed.face));
+    for (const FaceId on : followed.quarters) {
+      Covered& all = covered[on.index];
+      all.joules += 0.25 * body.heat.energy_of(copy.mesh, followed.face);
+      all.area += area;
+      all.rise += area * (body.heat.hottest_of(copy.mesh, followed.face) - kAmbient);
+    }
+  }
+  for (size_t t = 0; t < r.origins.size(); ++t) {
+    const Covered all = std::exchange(covered[r.origins[t].index], {});
+    const double area = std::max(all.area, area_of(made, t));
+    add_energy(made, t, all.joules);
+    if (all.rise > 0)
+      made.heat.note_hottest(made.mesh, FaceId(static_cast<uint32_t>(t)), kAmbient + all.rise / area);
+  }
+  for (const Covered& all : covered) add_energy(made, 0, all.joules);
+}
+
+void hand_down_heat(Body& made, const Body& body, const PieceCopy& copy, const Remeshed& r) {
+  if (copy.mesh.columns().blank()) return;
+  if (r.followed.empty()) {
+    share_heat(made, body, copy, r);
+  } else {
+    collect_heat(made, body, copy, r);
+  }
 }
 
 }  // namespace

@@ -41,6 +41,15 @@ std::vector<FaceId> carrying_faces(const Joints& joints, std::span<const uint32_
   return faces;
 }
 
+std::vector<FaceId> warm_faces(const FaceHeat& heat, const Mesh& mesh) {
+  std::vector<FaceId> faces;
+  mesh.columns().for_each_set(heat.energy, [&](FaceId f) { faces.push_back(f); });
+  mesh.columns().for_each_set(heat.hottest, [&](FaceId f) { faces.push_back(f); });
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  return faces;
+}
+
 // The joints, of which those within the piece are carried by its new faces.
 Joints carried_on(const Joints& joints, std::span<const uint32_t> within, BodyId own, const PieceCopy& copy,
                   const Remeshed& remeshed) {
@@ -93,7 +102,8 @@ Result<Delta> remake_piece(World& world, const PieceId& piece, uint32_t generati
   Stages stages(progress);
   const Progress working = stages.next(0.6), making = stages.next(0.4);
   const PieceCopy copy = copy_piece(body, piece.label);
-  auto remeshed = remake(copy.mesh, carrying_faces(world.joints(), *within, copy), &working);
+  const HeededFaces heeded{carrying_faces(world.joints(), *within, copy), warm_faces(body.heat, copy.mesh)};
+  auto remeshed = remake(copy.mesh, heeded, &working);
   if (!remeshed) return remeshed.error();
   if (remeshed->triangles.empty()) return failed(piece_words(piece) + " would have no face left");
   Delta delta;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <functional>
-#include <span>
+#include <vector>
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
@@ -11,9 +11,15 @@
 
 namespace kerf {
 
-// Makes a new mesh of one; the faces in `kept` must stay.
+// The faces of a mesh that a tool has to heed, each list ascending.
+struct HeededFaces {
+  std::vector<FaceId> kept;  // that must stay
+  std::vector<FaceId> warm;  // that have energy or were hot
+};
+
+// Makes a new mesh of one.
 using Remake =
-    std::function<Result<Remeshed>(const Mesh& mesh, std::span<const FaceId> kept, const Progress* progress)>;
+    std::function<Result<Remeshed>(const Mesh& mesh, const HeededFaces& heeded, const Progress* progress)>;
 
 // Replaces a piece by a new body of this generation with the mesh that `remake` makes of it. The body has the
 // label, the name, the placement and all else of the piece; its faces are as loaded, with the materials, the

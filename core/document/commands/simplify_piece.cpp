@@ -37,8 +37,8 @@ Result<SimplifyPiece> SimplifyPiece::read(const CommandReader& line) {
 Result<Delta> SimplifyPiece::run(World& world, uint32_t generation, const Progress* progress) const {
   return remake_piece(
       world, piece, generation,
-      [&](const Mesh& mesh, std::span<const FaceId> kept, const Progress* working) {
-        return simplify(mesh, target, kept, working);
+      [&](const Mesh& mesh, const HeededFaces& heeded, const Progress* working) {
+        return simplify(mesh, target, heeded.kept, working, heeded.warm);
       },
       progress);
 }

@@ -25,8 +25,8 @@ Result<SmoothPiece> SmoothPiece::read(const CommandReader& line) {
 Result<Delta> SmoothPiece::run(World& world, uint32_t generation, const Progress* progress) const {
   return remake_piece(
       world, piece, generation,
-      [&](const Mesh& mesh, std::span<const FaceId> kept, const Progress* working) {
-        return smooth(mesh, times, kept, working);
+      [&](const Mesh& mesh, const HeededFaces& heeded, const Progress* working) {
+        return smooth(mesh, times, heeded.kept, working);
       },
       progress);
 }

@@ -25,8 +25,8 @@ Result<Delta> SubdividePiece::run(World& world, uint32_t generation, const Progr
     return bad_input(piece_words(piece) + " has too many faces to be subdivided");
   return remake_piece(
       world, piece, generation,
-      [&](const Mesh& mesh, std::span<const FaceId> kept, const Progress* working) {
-        return subdivide(mesh, scheme, kept, working);
+      [&](const Mesh& mesh, const HeededFaces& heeded, const Progress* working) {
+        return subdivide(mesh, scheme, heeded.kept, working);
       },
       progress);
 }

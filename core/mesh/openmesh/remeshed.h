@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "core/base/progress.h"
@@ -14,6 +13,13 @@
 
 namespace kerf {
 
+// Where a face of the mesh went: for each of its quarters the face from which the triangle stems on which it
+// lies now.
+struct FollowedFace {
+  FaceId face;
+  std::array<FaceId, 4> quarters;
+};
+
 // What a tool made of a mesh: triangles over welded positions, none of which has two corners at the same
 // position.
 struct Remeshed {
@@ -22,9 +28,9 @@ struct Remeshed {
   std::vector<std::array<uint32_t, 3>> triangles;  // indices of positions
   // The face of the mesh from which each triangle stems and takes its data, ascending.
   std::vector<FaceId> origins;
-  // Faces that were removed, each with the face beside it that took its place, in the order of removal. The
-  // latter may be removed later.
-  std::vector<std::pair<FaceId, FaceId>> merged;
+  // The faces that were to be followed, where triangles do not just lie where the faces did from which they
+  // stem.
+  std::vector<FollowedFace> followed;
 };
 
 // The materials of the triangles, those of the faces from which they stem. Precondition: `remeshed` was made

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/mesh/openmesh/followed_faces.h"
 #include "core/mesh/openmesh/sheets.h"
 #include "core/mesh/point_to_triangle.h"
 
@@ -19,6 +20,21 @@ namespace {
 namespace decimater = OpenMesh::Decimater;
 using Kernel = OpenMeshKernel;
 using Collapse = decimater::CollapseInfoT<Kernel>;
+using ChangedFace = FollowedFaces::Changed;
+
+Vec3 to_vec3(const Kernel::Point& p) { return {p[0], p[1], p[2]}; }
+
+// The faces that the collapse changes, as they will be, in the order around the vertex that goes.
+void find_changed(const Kernel& mesh, const Collapse& collapse, std::vector<ChangedFace>& changed) {
+  changed.clear();
+  for (const auto f : mesh.vf_range(collapse.v0)) {
+    if (f == collapse.fl || f == collapse.fr) continue;
+    ChangedFace& face = changed.emplace_back(ChangedFace{f, {}});
+    size_t i = 0;
+    for (const auto v : mesh.fv_range(f))
+      face.corners[i++] = to_vec3(v == collapse.v0 ? collapse.p1 : mesh.point(v));
+  }
+}
 
 // The quadric error as the priority of a collapse. Where the surface is flat, rounding makes errors negative,
 // which OpenMesh takes for an illegal collapse.
@@ -54,7 +70,7 @@ class SurfaceDistance : public decimater::ModBaseT<Kernel> {
   }
 
   float collapse_priority(const Collapse& collapse) override {
-    find_changed(collapse);
+    find_changed(mesh(), collapse, changed_);
     bool near = is_near(to_vec3(collapse.p0), 0);
     size_t own = 0;
     for (const auto f : mesh().vf_range(collapse.v0)) {
@@ -68,7 +84,7 @@ class SurfaceDistance : public decimater::ModBaseT<Kernel> {
 
   // Hands the samples on among the faces that change. The priorities of no others depend on them.
   void preprocess_collapse(const Collapse& collapse) override {
-    find_changed(collapse);
+    find_changed(mesh(), collapse, changed_);
     moved_.assign(1, to_vec3(collapse.p0));
     for (const auto f : mesh().vf_range(collapse.v0)) {
       moved_.insert(moved_.end(), samples_of(f).begin(), samples_of(f).end());
@@ -78,24 +94,7 @@ class SurfaceDistance : public decimater::ModBaseT<Kernel> {
   }
 
  private:
-  struct ChangedFace {
-    Kernel::FaceHandle face;
-    Triangle corners;  // after the collapse
-  };
-
-  static Vec3 to_vec3(const Kernel::Point& p) { return {p[0], p[1], p[2]}; }
   std::vector<Vec3>& samples_of(Kernel::FaceHandle f) { return samples_[static_cast<size_t>(f.idx())]; }
-
-  void find_changed(const Collapse& collapse) {
-    changed_.clear();
-    for (const auto f : mesh().vf_range(collapse.v0)) {
-      if (f == collapse.fl || f == collapse.fr) continue;
-      ChangedFace& changed = changed_.emplace_back(ChangedFace{f, {}});
-      size_t i = 0;
-      for (const auto v : mesh().fv_range(f))
-        changed.corners[i++] = to_vec3(v == collapse.v0 ? collapse.p1 : mesh().point(v));
-    }
-  }
 
   // Tries the face first to which the sample belongs, or one beside it.
   bool is_near(const Vec3& p, size_t first) const {
@@ -121,12 +120,12 @@ class SurfaceDistance : public decimater::ModBaseT<Kernel> {
   std::vector<Vec3> moved_;
 };
 
-// The work on one mesh: what is left, what the collapses merged, and whether to go on.
+// The work on one mesh: what is left, where the followed faces are, and whether to go on.
 struct Work {
   Sheets sheets;
+  FollowedFaces followed;
   const Progress* progress = nullptr;
   size_t begin = 0, target = 0, left = 0;  // faces
-  std::vector<std::pair<FaceId, FaceId>> merged;
   bool stopped = false;
 
   bool done() const { return stopped || left <= target; }
@@ -150,8 +149,16 @@ class Bookkeeping : public decimater::ModBaseT<Kernel> {
   }
 
   void preprocess_collapse(const Collapse& collapse) override {
-    merge(collapse.fl, collapse.v0vl, collapse.vlv1);
-    merge(collapse.fr, collapse.vrv0, collapse.v1vr);
+    for (const auto f : {collapse.fl, collapse.fr}) work->left -= f.is_valid();
+    around_.clear();
+    bool any = false;
+    for (const auto f : mesh().vf_range(collapse.v0)) {
+      around_.push_back(f);
+      any |= work->followed.lie_on(f);
+    }
+    if (!any) return;
+    find_changed(mesh(), collapse, changed_);
+    work->followed.hand_on(around_, changed_);
   }
 
  private:
@@ -167,16 +174,8 @@ class Bookkeeping : public decimater::ModBaseT<Kernel> {
     return false;
   }
 
-  // The face goes, and the one beyond one of these two outer half-edges takes its place.
-  void merge(Kernel::FaceHandle face, Kernel::HalfedgeHandle beside, Kernel::HalfedgeHandle other) {
-    if (!face.is_valid()) return;
-    --work->left;
-    Kernel::FaceHandle heir = mesh().face_handle(beside);
-    if (!heir.is_valid()) heir = mesh().face_handle(other);
-    if (!heir.is_valid()) return;
-    const auto at = [&](Kernel::FaceHandle f) { return work->sheets.faces[static_cast<size_t>(f.idx())]; };
-    work->merged.emplace_back(at(face), at(heir));
-  }
+  std::vector<Kernel::FaceHandle> around_;
+  std::vector<ChangedFace> changed_;
 };
 
 // Stops the decimater when its work is done.
@@ -234,20 +233,19 @@ void decimate(Work& work, double error) {
 }  // namespace
 
 Result<Remeshed> simplify(const Mesh& mesh, const SimplifyTarget& target, std::span<const FaceId> kept,
-                          const Progress* progress) {
+                          const Progress* progress, std::span<const FaceId> followed) {
   Stages stages(progress);
   const Progress copying = stages.next(0.15), decimating = stages.next(0.8), back = stages.next(0.05);
   auto sheets = to_sheets(mesh, kept, &copying);
   if (!sheets) return sheets.error();
-  Work work;
-  work.sheets = std::move(*sheets);
-  work.progress = &decimating;
+  FollowedFaces places(mesh, *sheets, followed);
+  Work work{.sheets = std::move(*sheets), .followed = std::move(places), .progress = &decimating};
   work.begin = work.left = work.sheets.faces.size();
   work.target = std::min(target.faces, work.begin);
   if (!work.done()) decimate(work, target.error);
   if (work.stopped || !back.report(0)) return cancelled();
   Remeshed out = from_sheets(work.sheets, work.sheets.faces, mesh);
-  out.merged = std::move(work.merged);
+  out.followed = work.followed.places(work.sheets);
   return out;
 }
 

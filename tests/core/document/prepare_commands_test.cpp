@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numeric>
 
 #include "core/document/commands/edit_piece.h"
@@ -12,6 +13,7 @@
 #include "core/graph/hold_parts.h"
 #include "core/graph/loaded_part.h"
 #include "core/graph/separation.h"
+#include "core/mesh/point_to_triangle.h"
 #include "core/world/state_hash.h"
 #include "tests/support/features.h"
 #include "tests/support/jointed.h"
@@ -207,6 +209,61 @@ TEST(PrepareCommands, keep_the_energy_of_the_faces) {
     Document document(before);
     ASSERT_TRUE(document.apply(command).ok());
     EXPECT_NEAR(stored(document.world()), joules, 1e-9 * joules);
+  }
+}
+
+// What was hot on a sheet from (-0.5, 0, -0.5) to (0.5, 0, 0.5): within `width` of its middle, or of the side
+// on which x is least.
+struct OnceHot {
+  bool at_side;
+  double width, hottest;
+
+  double distance(const Triangle& t) const {
+    if (!at_side) return std::sqrt(squared_distance(Vec3(0), t));
+    return std::min({t[0].x, t[1].x, t[2].x}) + 0.5;
+  }
+  World world() const {
+    World world = world_of(grid(40, 1));
+    Body& body = world.body(world.ids()[0]);
+    for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+      const Triangle t = body.mesh.triangle(FaceId(f));
+      const Vec3 middle = (t[0] + t[1] + t[2]) / 3.0;
+      if (distance({middle, middle, middle}) < width) body.heat.note_hottest(body.mesh, FaceId(f), hottest);
+    }
+    return world;
+  }
+};
+
+// The highest temperatures over the ambient, integrated over the area (K m^2).
+double tint_of(const World& world) {
+  const Body& body = world.body(world.ids()[0]);
+  double sum = 0;
+  for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+    const double rise = body.heat.hottest_of(body.mesh, FaceId(f)) - kAmbient;
+    sum += rise * triangle_area(body.mesh.triangle(FaceId(f)));
+  }
+  return sum;
+}
+
+TEST(PrepareCommands, spread_no_trace_of_heat_over_what_was_cold) {
+  for (const OnceHot& hot : {OnceHot{false, 0.08, 1200}, OnceHot{false, 0.15, 1200}, OnceHot{false, 0.3, 700},
+                             OnceHot{true, 0.03, 1200}, OnceHot{true, 0.1, 1200}}) {
+    const World before = hot.world();
+    for (const Command& command : preparations(only_piece(before), 3200)) {
+      SCOPED_TRACE((hot.at_side ? "side, " : "middle, ") + std::to_string(hot.width) + ", command " +
+                   std::to_string(command.index()));
+      Document document(before);
+      ASSERT_TRUE(document.apply(command).ok());
+      const Body& body = document.world().body(document.world().ids()[0]);
+      EXPECT_LE(tint_of(document.world()), tint_of(before) * (1 + 1e-6));
+      EXPECT_GE(tint_of(document.world()), tint_of(before) * 0.5);
+      for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+        const double hottest = body.heat.hottest_of(body.mesh, FaceId(f));
+        ASSERT_LE(hottest, hot.hottest + 1e-3) << f;
+        if (hot.distance(body.mesh.triangle(FaceId(f))) > hot.width + 0.05)
+          ASSERT_LT(hottest, kAmbient + 1e-3) << f;
+      }
+    }
   }
 }
 

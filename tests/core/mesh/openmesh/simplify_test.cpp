@@ -7,6 +7,8 @@
 #include <tuple>
 
 #include "core/mesh/load_mesh.h"
+#include "core/mesh/longest_edge.h"
+#include "core/mesh/point_to_triangle.h"
 #include "tests/support/features.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/mesh_numbers.h"
@@ -124,20 +126,44 @@ TEST(Simplify, faces_that_must_stay_do) {
   }
 }
 
-// Each removed face is followed, by the faces that took its place, to one that is left.
-TEST(Simplify, what_takes_the_place_of_a_removed_face_is_left) {
-  const Mesh mesh = build(torus(40, 30, 1, 0.3)).mesh;
-  const Remeshed made = simplified(mesh, {.faces = 300});
-  std::vector<bool> left(mesh.face_slots(), true);
-  for (auto m = made.merged.rbegin(); m != made.merged.rend(); ++m) EXPECT_NE(m->first, m->second);
-  for (const auto& [gone, heir] : made.merged) {
-    EXPECT_TRUE(left[gone.index] && left[heir.index]);
-    left[gone.index] = false;
+std::vector<FaceId> all_faces(const Mesh& mesh) {
+  std::vector<FaceId> faces;
+  for (uint32_t f = 0; f < mesh.face_slots(); ++f) faces.emplace_back(f);
+  return faces;
+}
+
+// On a sheet that stays flat the parts of the area lie where they lay, but for the size of the quarters.
+TEST(Simplify, says_which_triangles_lie_where_the_followed_faces_did) {
+  const Mesh mesh = build(grid(24, 1)).mesh;
+  const std::vector<FaceId> all = all_faces(mesh);
+  const auto made = simplify(mesh, {.faces = 300}, {}, nullptr, all);
+  ASSERT_TRUE(made.ok());
+  EXPECT_LT(made->triangles.size(), 400u);
+  ASSERT_EQ(made->followed.size(), all.size());
+  for (const FollowedFace& followed : made->followed) {
+    const Triangle from = mesh.triangle(followed.face);
+    for (const FaceId origin : followed.quarters) {
+      const auto at = std::lower_bound(made->origins.begin(), made->origins.end(), origin);
+      ASSERT_TRUE(at != made->origins.end() && *at == origin) << origin.index;
+      Triangle on;
+      for (size_t i = 0; i < 3; ++i)
+        on[i] = made->positions[made->triangles[static_cast<size_t>(at - made->origins.begin())][i]];
+      const double size = std::sqrt(longest_edge2(from));
+      EXPECT_LT(squared_distance((from[0] + from[1] + from[2]) / 3.0, on), size * size);
+    }
   }
-  size_t count = 0;
-  for (const bool is_left : left) count += is_left;
-  EXPECT_EQ(count, made.triangles.size());
-  for (const FaceId f : made.origins) EXPECT_TRUE(left[f.index]);
+}
+
+// Two sheets that are nearer to each other than their faces are large.
+TEST(Simplify, never_hands_on_a_followed_face_to_another_sheet) {
+  const Soup low = grid(24, 1);
+  const Mesh mesh = build(both(low, moved(low, {0, 0.002, 0}, 1))).mesh;
+  const auto made = simplify(mesh, {.faces = 500}, {}, nullptr, all_faces(mesh));
+  ASSERT_TRUE(made.ok());
+  for (const FollowedFace& followed : made->followed) {
+    for (const FaceId origin : followed.quarters)
+      EXPECT_EQ(mesh.triangle(origin)[0].y, mesh.triangle(followed.face)[0].y);
+  }
 }
 
 TEST(Simplify, the_same_mesh_gives_the_same_triangles) {

@@ -1,9 +1,10 @@
 #include <malloc.h>
 
+#include <algorithm>
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <map>
 
+#include "tests/bench/run_progress.h"
 #include "tests/bench/sections.h"
 
 namespace kerf::bench {
@@ -16,21 +17,90 @@ void say_what_is_skipped() {
     std::printf("KERF_MANIFOLD named no build of Manifold: the rows beside it are skipped\n");
 }
 
-using Section = void (*)(const Subject&, const Effort&, const Report&);
-const std::map<std::string, Section> kSections = {
-    {"cut", bench_cut},       {"build", bench_build},     {"queries", bench_queries}, {"edits", bench_edits},
-    {"kernel", bench_kernel}, {"shadows", bench_shadows}, {"heat", bench_heat},       {"fall", bench_fall},
-    {"game", bench_game},     {"laser", bench_laser},     {"files", bench_files}};
+const Effort kTiny{50, 3, 1, 20, 20, 10, 1, 60, 3, 1};
+const Effort kLong{.published_cuts = 34};
 
-void run(const std::string& name, const Effort& effort, const std::vector<std::string>& sections,
-         const Report& report) {
-  const Subject subject = make_subject(name);
-  if (subject.mesh.live_faces() == 0) {
-    std::printf("%s could not be read: its rows are skipped\n", name.c_str());
-    return;
-  }
-  for (const std::string& section : sections) kSections.at(section)(subject, effort, report);
+struct Section {
+  std::string name;
+  void (*run)(const Subject&, const Effort&, const Report&);
+  bool of_mesh;  // runs on each mesh; otherwise once, whatever the mesh
+  size_t rows;   // at most
+};
+
+std::vector<Section> all_sections(const Effort& effort) {
+  return {{"cut", bench_cut, true, 7},
+          {"build", bench_build, true, 5},
+          {"queries", bench_queries, true, 16},
+          {"edits", bench_edits, true, 4},
+          {"kernel", bench_kernel, true, 4},
+          {"shadows", bench_shadows, true, 2},
+          {"heat", bench_heat, true, 1},
+          {"files", bench_files, true, 7},
+          {"fall", bench_fall, false, 18},
+          {"game", bench_game, false, 14},
+          {"laser", bench_laser, false, 2 * effort.published_cuts}};
 }
+
+std::vector<std::string> names_of(const std::vector<Section>& sections) {
+  std::vector<std::string> names;
+  for (const Section& s : sections) names.push_back(s.name);
+  return names;
+}
+
+// The chosen sections, on the chosen meshes where they are of a mesh.
+class Run {
+ public:
+  Run(const Effort& effort, std::vector<Section> sections, std::vector<std::string> meshes)
+      : effort_(effort),
+        sections_(std::move(sections)),
+        meshes_(std::move(meshes)),
+        progress_(count_sections()) {}
+
+  std::vector<Row> all() {
+    print_header();
+    for (const std::string& mesh : meshes_) run_on(mesh);
+    for (const Section& section : sections_) {
+      if (!section.of_mesh) run(section, {}, section.name);
+    }
+    progress_.end();
+    return std::move(rows_);
+  }
+
+ private:
+  size_t count_sections() const {
+    const auto of_mesh = static_cast<size_t>(
+        std::count_if(sections_.begin(), sections_.end(), [](const Section& s) { return s.of_mesh; }));
+    return of_mesh * meshes_.size() + sections_.size() - of_mesh;
+  }
+
+  void run_on(const std::string& mesh) {
+    if (std::none_of(sections_.begin(), sections_.end(), [](const Section& s) { return s.of_mesh; })) return;
+    const Subject subject = make_subject(mesh);
+    if (subject.mesh.live_faces() == 0) {
+      std::printf("%s could not be read: its rows are skipped\n", mesh.c_str());
+      return;
+    }
+    for (const Section& section : sections_) {
+      if (section.of_mesh) run(section, subject, section.name + " of " + mesh);
+    }
+  }
+
+  void run(const Section& section, const Subject& subject, const std::string& what) {
+    progress_.begin_section(what, section.rows);
+    section.run(subject, effort_, [&](const Row& row) {
+      rows_.push_back(row);
+      progress_.clear();
+      print(row);
+      progress_.next_row();
+    });
+  }
+
+  Effort effort_;
+  std::vector<Section> sections_;
+  std::vector<std::string> meshes_;
+  RunProgress progress_;
+  std::vector<Row> rows_;
+};
 
 }  // namespace
 }  // namespace kerf::bench
@@ -41,26 +111,25 @@ int main(int argc, char** argv) {
   CLI::App app{"The tree beside its peers: processor time of one thread, medians"};
   std::string json;
   std::vector<std::string> only;
-  std::vector<std::string> sections = {"cut",  "build", "queries", "edits", "kernel", "shadows",
-                                       "heat", "fall",  "game",    "laser", "files"};
-  bool tiny = false;
+  std::vector<std::string> sections = names_of(all_sections({}));
+  bool tiny = false, everything = false;
   app.add_option("--json", json, "Write the table to this file as well");
   app.add_option("--mesh", only, "Only these meshes");
   app.add_flag("--tiny", tiny, "Small inputs, to see that it runs");
-  app.add_option("--section", sections, "Only these sections")->check(CLI::IsMember(kSections));
+  app.add_flag("--long", everything, "Also what takes longer than ten minutes")->excludes("--tiny");
+  app.add_option("--section", sections, "Only these sections")->check(CLI::IsMember(sections));
   CLI11_PARSE(app, argc, argv);
 
   say_what_is_skipped();
   if (!tiny && subject_names(false).size() == 1)
     std::printf("KERF_TEST_MESHES names no folder with real meshes: their rows are skipped\n");
-  std::vector<Row> rows;
-  print_header();
-  for (const std::string& name : only.empty() ? subject_names(tiny) : only) {
-    run(name, tiny ? Effort{50, 3, 1, 20, 20, 10, 1, 60, 3, 1} : Effort{}, sections, [&](const Row& row) {
-      rows.push_back(row);
-      print(row);
-    });
-  }
+  const Effort effort = tiny ? kTiny : everything ? kLong : Effort{};
+  std::vector<Section> chosen = all_sections(effort);
+  std::erase_if(chosen, [&](const Section& s) {
+    return std::find(sections.begin(), sections.end(), s.name) == sections.end();
+  });
+  const std::vector<Row> rows =
+      Run(effort, std::move(chosen), only.empty() ? subject_names(tiny) : only).all();
   if (json.empty() || write_json(rows, json)) return 0;
   std::fprintf(stderr, "kerf: could not write %s\n", json.c_str());
   return 1;

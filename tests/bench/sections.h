@@ -7,7 +7,7 @@
 
 namespace kerf::bench {
 
-// How much work a run does.
+// How much work a run does: the usual one, which takes at most ten minutes on two cores.
 struct Effort {
   int steps = 10000;      // of four rays, a pass
   int times = 9;          // passes, of which the median counts
@@ -18,7 +18,7 @@ struct Effort {
   int cuts = 5;           // along each axis, through the car that collapses
   size_t match_ticks = 2400;
   int heat_ticks = 31;
-  size_t published_cuts = 34;
+  size_t published_cuts = 6;  // 34 in a long run
 };
 
 // Each section measures one thing on one mesh and hands over its rows. Rows that want a peer which this

@@ -8,7 +8,9 @@ in vec3 corner;
 flat in vec4 paint;
 #ifdef RIM
 centroid in float rim;  // samples outside a face must not extrapolate it
-centroid in vec2 heat;  // K: the temperature, and the highest that was
+centroid in vec4 now, once;  // see body.vert
+centroid in vec2 at_corner;
+centroid in vec3 place;
 
 uniform int heated;  // 1 where the body has temperatures
 uniform sampler2D heat_ramps;  // see heat_ramps.h
@@ -38,11 +40,17 @@ vec4 ramp(int row, float at) { return texture(heat_ramps, vec2(at, (float(row) +
 const float kHottestOfRows = 4096.0;  // K
 const float kAmbient = 293.0;
 
+// K, where the surface is. Away from what is hot, heat falls off less and less steeply, so that it is nowhere
+// above the straight line between the corners.
+float temperature_of(vec4 extrapolated, float straight) {
+  return max(min(dot(extrapolated.xyz, place) + extrapolated.w, straight), kAmbient);
+}
+
 // Where a body has no temperatures, its rims glow by the distance from them.
 Hot heat_of_surface() {
   if (heated != 0) {
-    vec4 tint = ramp(1, heat.y / kHottestOfRows);
-    return Hot(ramp(0, heat.x / kHottestOfRows).rgb, tint.rgb, tint.a);
+    vec4 tint = ramp(1, temperature_of(once, at_corner.y) / kHottestOfRows);
+    return Hot(ramp(0, temperature_of(now, at_corner.x) / kHottestOfRows).rgb, tint.rgb, tint.a);
   }
   if (rim >= 1.0) return Hot(vec3(0.0), vec3(0.0), 0.0);
   float hot = 1.0 - max(rim, 0.0);
@@ -51,7 +59,7 @@ Hot heat_of_surface() {
 
 // The temperature view: the colour of the scale up to body_look.w, a little darker where a face is averted.
 vec3 scale_colour(vec3 n, vec3 v) {
-  float t = clamp((heat.x - kAmbient) / (body_look.w - kAmbient), 0.0, 1.0);
+  float t = clamp((temperature_of(now, at_corner.x) - kAmbient) / (body_look.w - kAmbient), 0.0, 1.0);
   return ramp(2, (t * 511.0 + 0.5) / 512.0).rgb * (0.75 + 0.25 * abs(dot(n, v)));
 }
 #else

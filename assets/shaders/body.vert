@@ -3,7 +3,10 @@ layout(location = 1) in vec4 corner_normal;
 layout(location = 2) in uint piece;
 layout(location = 3) in float from_rim;  // distance from the nearest rim of a cut, in widths of the glow
 layout(location = 4) in uvec2 traits;    // halvings, material
-layout(location = 5) in vec2 warmth;     // the temperature and the highest that was, in units of kWarmest
+layout(location = 5) in float warmth;    // the temperature at the corner, in units of kWarmest
+layout(location = 6) in vec3 warming;    // its gradient, in units of kGradientUnit
+layout(location = 7) in float hottest;   // the same of the highest temperature that was
+layout(location = 8) in vec3 heating;
 
 layout(std140) uniform Paints { vec4 paints[256]; };  // linear rgb, gloss
 
@@ -19,8 +22,19 @@ invariant gl_Position;
 flat out vec4 paint;
 #ifdef RIM
 centroid out float rim;  // 0 at a rim that glows, 1 and more where nothing does
-centroid out vec2 heat;  // K: the temperature, and the highest that was
-const float kWarmest = 65535.0 / 16.0;
+// Two temperatures (K), that of now and the highest that was: what the corner extrapolates to, as the gradient
+// and the value where the position is 0, and its own.
+centroid out vec4 now, once;
+centroid out vec2 at_corner;
+centroid out vec3 place;
+const float kWarmest = 65535.0 / 16.0, kGradientUnit = 256.0, kAmbient = 293.0;
+#endif
+
+#ifdef RIM
+vec4 extrapolated(float temperature, vec3 gradient) {
+  vec3 slope = gradient * kGradientUnit;
+  return vec4(slope, temperature - dot(slope, position));
+}
 #endif
 
 vec3 hue_colour(float hue, float saturation, float value) {
@@ -72,6 +86,9 @@ void main() {
   }
 #ifdef RIM
   rim = from_rim;
-  heat = warmth * kWarmest;
+  place = position;
+  at_corner = max(vec2(warmth, hottest) * kWarmest, kAmbient);
+  now = extrapolated(at_corner.x, warming);
+  once = extrapolated(at_corner.y, heating);
 #endif
 }

@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/packing.hpp>
 #include <utility>
+
+#include "core/mesh/longest_edge.h"
+#include "ui/render/heat_fit.h"
 
 namespace kerf {
 
@@ -10,9 +14,37 @@ namespace {
 
 constexpr double kColdWithin = 0.5;  // K, which nobody sees
 
-uint16_t packed(double temperature) {
-  if (temperature < kAmbient + kColdWithin) return 0;
-  return static_cast<uint16_t>(std::min(65535.0, std::round(temperature / kHeatUnit)));
+// A half float; none is infinite.
+uint16_t packed_half(double x) {
+  constexpr double kLargest = 65504;
+  return glm::packHalf1x16(static_cast<float>(std::clamp(x, -kLargest, kLargest)));
+}
+
+CornerTemperature packed(const LocalHeat& heat, double scale) {
+  CornerTemperature corner;
+  const Vec3 gradient = heat.gradient / (scale * kHeatGradientUnit);
+  for (int i = 0; i < 3; ++i) corner.gradient[static_cast<size_t>(i)] = packed_half(gradient[i]);
+  if (heat.at >= kAmbient + kColdWithin)
+    corner.at = static_cast<uint16_t>(std::min(65535.0, std::round(heat.at / kHeatUnit)));
+  return corner;
+}
+
+HeatMark mark_at(const Body& body, VertexId v, const std::vector<FaceId>& faces, double scale) {
+  std::vector<FaceSample> samples;
+  samples.reserve(faces.size());
+  double most = 0;
+  for (const FaceId f : faces) {
+    const Triangle t = body.mesh.triangle(f);
+    const double size2 = longest_edge2(t);
+    if (size2 == 0) continue;
+    const double now = body.heat.temperature(body.mesh, f, body.sheet.substance, body.sheet.thickness);
+    const double hottest = body.heat.hottest_of(body.mesh, f);
+    samples.push_back({(t[0] + t[1] + t[2]) / 3.0, std::sqrt(size2), {now, hottest}});
+    most = std::max({most, now, hottest});
+  }
+  if (most < kAmbient + kColdWithin) return {};
+  const auto [now, hottest] = fit_heat(body.mesh.position(v), samples);
+  return {packed(now, scale), packed(hottest, scale)};
 }
 
 void make_unique(std::vector<VertexId>& corners) {
@@ -57,18 +89,8 @@ void CornerHeat::find_tinted(const Body& body, std::vector<VertexId>& corners) {
   });
 }
 
-HeatMark CornerHeat::mean_around(const Body& body, const std::vector<FaceId>& faces) const {
-  if (faces.empty()) return {};
-  double now = 0, hottest = 0;
-  for (const FaceId f : faces) {
-    now += body.heat.temperature(body.mesh, f, body.sheet.substance, body.sheet.thickness);
-    hottest += body.heat.hottest_of(body.mesh, f);
-  }
-  const auto count = static_cast<double>(faces.size());
-  return {packed(now / count), packed(hottest / count)};
-}
-
-void CornerHeat::update(const Body& body, std::vector<VertexId> changed, std::vector<FaceId>& affected) {
+void CornerHeat::update(const Body& body, double scale, std::vector<VertexId> changed,
+                        std::vector<FaceId>& affected) {
   find_hot(body, changed);
   find_tinted(body, changed);
   make_unique(changed);
@@ -76,7 +98,7 @@ void CornerHeat::update(const Body& body, std::vector<VertexId> changed, std::ve
   for (const VertexId v : changed) {
     if (v.index >= body.mesh.vertex_slots()) continue;
     body.mesh.star(v, star);
-    const HeatMark mark = mean_around(body, star.faces);
+    const HeatMark mark = mark_at(body, v, star.faces, scale);
     if (marks_.size() <= v.index && mark == HeatMark{}) continue;
     if (marks_.size() <= v.index) marks_.resize(v.index + 1);
     if (std::exchange(marks_[v.index], mark) == mark) continue;

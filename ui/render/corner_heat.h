@@ -8,18 +8,31 @@
 
 namespace kerf {
 
-// What a corner of a face shows of heat, in the format of the GPU: temperatures in units of kHeatUnit.
-struct HeatMark {
-  uint16_t now = 0;      // 0: at the ambient
-  uint16_t hottest = 0;  // that it ever was; 0: it was never hot
-  friend bool operator==(const HeatMark&, const HeatMark&) = default;
+// A temperature at a corner of a face in the format of the GPU: in units of kHeatUnit, 0 where it is the
+// ambient, and its gradient as half floats, in units of kHeatGradientUnit over the unit of the float frame.
+struct CornerTemperature {
+  uint16_t at = 0;
+  std::array<uint16_t, 3> gradient{};
+  friend bool operator==(const CornerTemperature&, const CornerTemperature&) = default;
 };
 
-inline constexpr double kHeatUnit = 1.0 / 16;  // K
+// What a corner of a face shows of heat.
+struct HeatMark {
+  CornerTemperature now;
+  CornerTemperature hottest;  // that it ever was
+  friend bool operator==(const HeatMark&, const HeatMark&) = default;
+};
+static_assert(sizeof(HeatMark) == 16);
 
-// The temperatures of the corners of faces: the mean of the faces around each corner on its sheet, so that
-// heat that is known a face shows no facets. Only corners of faces that are or were hot are looked at; a body
-// that was never hot costs nothing.
+inline constexpr double kHeatUnit = 1.0 / 16;     // K
+inline constexpr double kHeatGradientUnit = 256;  // K
+
+// The temperatures of the corners of faces with their gradients, fitted to the faces around each corner on
+// its sheet (see fit_heat), so that heat that is known a face shows no facets, and a large face that touches
+// what is hot is drawn hot near there alone: the temperature of a point is the mean, by barycentric
+// coordinates, of those to which its three corners extrapolate; it lies between the ambient and the same mean
+// of the temperatures of the corners. It is the same from both sides of an edge. Only corners of faces that
+// are or were hot are looked at; a body that was never hot costs nothing.
 class CornerHeat {
  public:
   // Whether any corner is or was hot.
@@ -27,10 +40,11 @@ class CornerHeat {
   // The temperature of the hottest face at the last update (K).
   double warmest() const { return warmest_; }
 
-  // Follows the heat of the body. `changed` are corners of faces that came, went or have new corners; those
-  // that the mesh does not have are passed over. Appends the faces whose corners have new marks to
-  // `affected`. O(faces that are hot, plus a compare for each that ever was).
-  void update(const Body& body, std::vector<VertexId> changed, std::vector<FaceId>& affected);
+  // Follows the heat of the body, whose float frame has this scale, at each update the same. `changed` are
+  // corners of faces that came, went or have new corners; those that the mesh does not have are passed over.
+  // Appends the faces whose corners have new marks to `affected`. O(faces that are hot, plus a compare for
+  // each that ever was).
+  void update(const Body& body, double scale, std::vector<VertexId> changed, std::vector<FaceId>& affected);
 
   // Precondition: f is live.
   std::array<HeatMark, 3> of(const Mesh& mesh, FaceId f) const;
@@ -39,8 +53,6 @@ class CornerHeat {
   void add_corners(const Mesh& mesh, FaceId f, std::vector<VertexId>& corners) const;
   void find_hot(const Body& body, std::vector<VertexId>& corners);
   void find_tinted(const Body& body, std::vector<VertexId>& corners);
-  HeatMark mean_around(const Body& body, const std::vector<FaceId>& faces) const;
-
   std::vector<HeatMark> marks_;  // by vertex
   std::vector<float> seen_;      // by face: the highest temperature as of the last update
   std::vector<FaceId> tinted_;   // the faces for which it is not 0

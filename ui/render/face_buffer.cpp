@@ -62,8 +62,16 @@ void FaceBuffer::Chunk::make_heat() {
   glBindBuffer(GL_ARRAY_BUFFER, heat->name());
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(cold.size() * sizeof(Heat)), cold.data(),
                GL_DYNAMIC_DRAW);
-  glEnableVertexAttribArray(5);
-  glVertexAttribPointer(5, 2, GL_UNSIGNED_SHORT, GL_TRUE, sizeof(HeatMark), nullptr);
+  for (const auto& [attribute, start] :
+       {std::pair(5u, offsetof(HeatMark, now)), std::pair(7u, offsetof(HeatMark, hottest))}) {
+    const auto at = [&](size_t member) { return reinterpret_cast<const void*>(start + member); };
+    glEnableVertexAttribArray(attribute);
+    glVertexAttribPointer(attribute, 1, GL_UNSIGNED_SHORT, GL_TRUE, sizeof(HeatMark),
+                          at(offsetof(CornerTemperature, at)));
+    glEnableVertexAttribArray(attribute + 1);
+    glVertexAttribPointer(attribute + 1, 3, GL_HALF_FLOAT, GL_FALSE, sizeof(HeatMark),
+                          at(offsetof(CornerTemperature, gradient)));
+  }
   glBindVertexArray(0);
 }
 
@@ -219,7 +227,7 @@ size_t FaceBuffer::update_heat(const Body& body, bool time_passed) {
   if (time_passed || !reheated_corners_.empty() || body.sheet != sheet_) {
     sheet_ = body.sheet;
     std::vector<FaceId> affected;
-    heat_.update(body, std::exchange(reheated_corners_, {}), affected);
+    heat_.update(body, frame_.scale, std::exchange(reheated_corners_, {}), affected);
     reheated_.mark(affected);
   }
   size_t bytes = 0;

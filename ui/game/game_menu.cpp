@@ -9,6 +9,7 @@
 #include "ui/game/hud_paint.h"
 #include "ui/render/view_switches.h"
 #include "ui/window/landmarks.h"
+#include "ui/window/number_format.h"
 #include "ui/window/theme.h"
 
 namespace kerf {
@@ -46,9 +47,9 @@ bool wide_button(const char* label, const char* landmark) {
   return pressed;
 }
 
-void slider(const char* label, double& value, double low, double high, const char* format) {
+void slider(const char* label, double& value, double low, double high, const RealFormat& format) {
   float x = static_cast<float>(value);
-  if (ImGui::SliderFloat(label, &x, static_cast<float>(low), static_cast<float>(high), format))
+  if (ImGui::SliderFloat(label, &x, static_cast<float>(low), static_cast<float>(high), format.c_str()))
     value = std::clamp(static_cast<double>(x), low, high);
 }
 

@@ -9,9 +9,10 @@
 
 namespace kerf {
 
-bool NumberFields::field(double& value, const char* format, const char* meaning) {
+bool NumberFields::field(double& value, const std::string& format, const char* meaning) {
   double shown = value;
-  const bool changed = ImGui::InputScalar("##field", ImGuiDataType_Double, &shown, nullptr, nullptr, format);
+  const bool changed =
+      ImGui::InputScalar("##field", ImGuiDataType_Double, &shown, nullptr, nullptr, format.c_str());
   // Without a change the text is the value as it was, which may be typed again.
   if (changed || ImGui::IsItemActive()) typed_ = shown;
   const bool entered = ImGui::IsItemDeactivatedAfterEdit() && std::isfinite(typed_);
@@ -20,7 +21,7 @@ bool NumberFields::field(double& value, const char* format, const char* meaning)
   return entered;
 }
 
-bool NumberFields::vector(const char* name, Vec3& values, const char* format, const char* meaning) {
+bool NumberFields::vector(const char* name, Vec3& values, const RealFormat& format, const char* meaning) {
   property(name);
   bool entered = false;
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
@@ -30,7 +31,7 @@ bool NumberFields::vector(const char* name, Vec3& values, const char* format, co
     if (i > 0) ImGui::SameLine(0, gap);
     ImGui::SetNextItemWidth(width);
     ImGui::PushID(i);
-    entered = field(values[i], format, meaning) || entered;
+    entered = field(values[i], format.c_str(), meaning) || entered;
     mark_last_item(name, i);
     ImGui::PopID();
   }
@@ -38,10 +39,11 @@ bool NumberFields::vector(const char* name, Vec3& values, const char* format, co
   return entered;
 }
 
-bool NumberFields::number(const char* name, double& value, const char* format, const char* meaning) {
+bool NumberFields::number(const char* name, double& value, const RealFormat& format, const char* meaning,
+                          std::string_view unit) {
   property(name);
   ImGui::PushID(name);
-  const bool entered = field(value, format, meaning);
+  const bool entered = field(value, format.with(unit), meaning);
   mark_last_item(name);
   ImGui::PopID();
   return entered;

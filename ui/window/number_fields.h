@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/vec3.h"
+#include "ui/window/number_format.h"
 
 namespace kerf {
 
@@ -9,12 +10,13 @@ class NumberFields {
  public:
   // A row of a panel (see property.h) with three fields, as landmarks "NAME 0" to "NAME 2". Returns whether a
   // finite number was entered, which `values` then holds.
-  bool vector(const char* name, Vec3& values, const char* format, const char* meaning);
-  // The same with one field, as landmark "NAME".
-  bool number(const char* name, double& value, const char* format, const char* meaning);
+  bool vector(const char* name, Vec3& values, const RealFormat& format, const char* meaning);
+  // The same with one field, as landmark "NAME"; `unit` follows the number.
+  bool number(const char* name, double& value, const RealFormat& format, const char* meaning,
+              std::string_view unit = "");
 
  private:
-  bool field(double& value, const char* format, const char* meaning);
+  bool field(double& value, const std::string& format, const char* meaning);
 
   double typed_ = 0;  // in the field that is being edited
 };

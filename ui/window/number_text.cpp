@@ -1,6 +1,7 @@
 #include "ui/window/number_text.h"
 
 #include <array>
+#include <cstdarg>
 #include <cstdio>
 
 namespace kerf {
@@ -30,9 +31,12 @@ std::string area_text(double square_metres) {
   return text.data();
 }
 
-std::string text_of(const char* format, double value) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), format, value);
+std::string text_of(const char* format, ...) {
+  std::array<char, 256> text{};
+  std::va_list values;
+  va_start(values, format);
+  std::vsnprintf(text.data(), text.size(), format, values);
+  va_end(values);
   return text.data();
 }
 

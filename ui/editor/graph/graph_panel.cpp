@@ -9,6 +9,7 @@
 #include "ui/render/pick.h"
 #include "ui/render/view_switches.h"
 #include "ui/window/landmarks.h"
+#include "ui/window/number_format.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
 #include "ui/window/theme.h"
@@ -43,7 +44,8 @@ void traversal_row(GraphState& graph) {
   ImGui::SameLine();
   int marked = static_cast<int>(graph.marked());
   ImGui::SetNextItemWidth(-1);
-  const std::string shown = grouped(graph.marked()) + (graph.marked() == 1 ? " face" : " faces");
+  const std::string shown =
+      format_of_text(grouped(graph.marked()) + (graph.marked() == 1 ? " face" : " faces"));
   if (ImGui::SliderInt("##marked", &marked, 0, static_cast<int>(graph.reached()), shown.c_str(),
                        ImGuiSliderFlags_AlwaysClamp)) {
     graph.play(false);
@@ -72,8 +74,9 @@ void removals_row(GraphState& graph, const ViewState& view) {
   ImGui::SetNextItemWidth(-1);
   const auto& closings = graph.closings();
   const auto closed = std::upper_bound(closings.begin(), closings.end(), graph.removals()) - closings.begin();
-  const std::string shown = grouped(graph.removals()) + ", " + grouped(static_cast<size_t>(closed)) +
-                            (closed == 1 ? " loop closed" : " loops closed");
+  const std::string shown =
+      format_of_text(grouped(graph.removals()) + ", " + grouped(static_cast<size_t>(closed)) +
+                     (closed == 1 ? " loop closed" : " loops closed"));
   if (ImGui::SliderInt("##removals", &removals, 0, static_cast<int>(graph.removed()), shown.c_str(),
                        ImGuiSliderFlags_AlwaysClamp))
     graph.set_removals(static_cast<size_t>(removals));

@@ -11,6 +11,7 @@
 #include "ui/editor/keys/bindings.h"
 #include "ui/window/centred_window.h"
 #include "ui/window/landmarks.h"
+#include "ui/window/number_format.h"
 #include "ui/window/property.h"
 #include "ui/window/theme.h"
 
@@ -58,7 +59,8 @@ void bind_pressed(SettingsPage& page, Settings& settings, std::span<const UserAc
 void speed_row(const char* name, double& speed, const char* meaning) {
   property(name);
   const double low = Settings::kLeastSpeed, high = Settings::kMostSpeed;
-  ImGui::SliderScalar((std::string("##") + name).c_str(), ImGuiDataType_Double, &speed, &low, &high, "%.2f x",
+  ImGui::SliderScalar((std::string("##") + name).c_str(), ImGuiDataType_Double, &speed, &low, &high,
+                      RealFormat("%.2f x").c_str(),
                       ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
   mark_last_item(name);
   tooltip(meaning);
@@ -84,7 +86,8 @@ void draw_machine(Settings& settings) {
   property("Threads");
   const int most =
       std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, Settings::kMostThreads);
-  ImGui::SliderInt("##Threads", &settings.threads, 0, most, settings.threads == 0 ? "all" : "%d",
+  ImGui::SliderInt("##Threads", &settings.threads, 0, most,
+                   (settings.threads == 0 ? WholeFormat("all") : WholeFormat("%d")).c_str(),
                    ImGuiSliderFlags_AlwaysClamp);
   mark_last_item("Threads");
   tooltip("How many threads load, measure and save at the same time at most. Cutting always takes one.");

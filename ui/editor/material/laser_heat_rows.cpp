@@ -10,6 +10,7 @@
 #include "ui/editor/view/file_frames.h"
 #include "ui/editor/view/length_field.h"
 #include "ui/window/landmarks.h"
+#include "ui/window/number_format.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
 
@@ -50,13 +51,12 @@ void hold_row(bool& held) {
   tooltip("What is hot stays as hot as it is. Otherwise it cools in real time, and the bodies stand still.");
 }
 
-// How deep the last stroke got where it was on a surface.
+}  // namespace
+
 std::string depth_text(const StepFigures& figures) {
   if (figures.met_s <= 0) return "";
-  return text_of("The last stroke got %.0f % of the way through", 100 * figures.depth_s / figures.met_s);
+  return text_of("The last stroke got %.0f %% of the way through", 100 * figures.depth_s / figures.met_s);
 }
-
-}  // namespace
 
 std::string forecast_text(const LaserControls& laser, const Sheet& sheet, double speed, FileUnit unit) {
   const std::string watts = text_of("%.4g W", laser.power);
@@ -90,7 +90,7 @@ void LaserHeatRows::draw_geometric(LaserControls& laser, FileUnit unit) {
 void LaserHeatRows::draw_thermal(LaserControls& laser) {
   property("Power");
   ImGui::SliderScalar("##power", ImGuiDataType_Double, &laser.power, &LaserControls::kLeastPower,
-                      &LaserControls::kMostPower, "%.4g W", kLogarithmic);
+                      &LaserControls::kMostPower, RealFormat("%.4g W").c_str(), kLogarithmic);
   mark_last_item("laser power");
   tooltip("Of the beam while it is on. Ctrl+click to type a number.");
 }

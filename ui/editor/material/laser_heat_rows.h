@@ -35,4 +35,8 @@ std::string forecast_text(const LaserControls& laser, const Sheet& sheet, double
 // Where the energy of all beams went: "Emitted 1.2 kJ: 310 J absorbed, 220 J of it ejected".
 std::string energy_text(const World& world);
 
+// How deep the last stroke got where it was on a surface, or empty where it met none: "The last stroke got 40
+// % of the way through".
+std::string depth_text(const StepFigures& figures);
+
 }  // namespace kerf

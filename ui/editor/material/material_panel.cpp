@@ -22,7 +22,7 @@ std::optional<PieceId> piece_of_sheet(const World& world, const ViewState& view)
 // A number of the sheet that is shown in another unit, which has this size. What is typed is limited to what
 // a journal can hold (see SetSheet).
 bool MaterialPanel::number(const char* name, double& value, double unit, const Limits& within,
-                           const char* format, const char* meaning) {
+                           const RealFormat& format, const char* meaning) {
   double shown = value / unit;
   if (!fields_.number(name, shown, format, meaning)) return false;
   value = std::clamp(shown * unit, within.least, within.most);

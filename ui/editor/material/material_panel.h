@@ -25,7 +25,7 @@ class MaterialPanel {
   struct Limits {
     double least, most;
   };
-  bool number(const char* name, double& value, double unit, const Limits& within, const char* format,
+  bool number(const char* name, double& value, double unit, const Limits& within, const RealFormat& format,
               const char* meaning);
 
   NumberFields fields_;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ui/editor/view/shortcut_text.h"
+#include "ui/window/number_format.h"
 #include "ui/window/property.h"
 
 namespace kerf {
@@ -16,8 +17,8 @@ void scale_row(Settings& settings, double& wanted) {
   property("Text size");
   constexpr double kLow = Settings::kLeastScale * 100, kHigh = Settings::kMostScale * 100;
   double percent = wanted > 0 ? 100 * wanted : 100 * settings.ui_scale;
-  if (ImGui::SliderScalar("##scale", ImGuiDataType_Double, &percent, &kLow, &kHigh, "%.0f %%",
-                          ImGuiSliderFlags_AlwaysClamp)) {
+  if (ImGui::SliderScalar("##scale", ImGuiDataType_Double, &percent, &kLow, &kHigh,
+                          RealFormat("%.0f %%").c_str(), ImGuiSliderFlags_AlwaysClamp)) {
     wanted = std::round(percent / 5) * 0.05;
   }
   if (ImGui::IsItemDeactivated() && wanted > 0) {

@@ -6,6 +6,7 @@
 
 #include "core/document/command_words.h"
 #include "ui/window/landmarks.h"
+#include "ui/window/number_format.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
 #include "ui/window/theme.h"
@@ -85,7 +86,8 @@ void draw_window(Document& document, Settings& settings) {
   if (!begin_properties("window")) return;
   property("Memory");
   int megabytes = settings.history_megabytes;
-  if (ImGui::SliderInt("##window", &megabytes, Settings::kLeastHistory, Settings::kMostHistory, "%d MB",
+  if (ImGui::SliderInt("##window", &megabytes, Settings::kLeastHistory, Settings::kMostHistory,
+                       WholeFormat("%d MB").c_str(),
                        ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic)) {
     settings.history_megabytes = megabytes;
     document.set_window(settings.history_bytes());

@@ -6,6 +6,7 @@
 
 #include "ui/editor/view/file_frames.h"
 #include "ui/window/landmarks.h"
+#include "ui/window/number_format.h"
 #include "ui/window/property.h"
 
 namespace kerf {
@@ -28,7 +29,7 @@ bool radius_row(LaserControls& laser, FileUnit file_unit) {
   double shown = laser.radius / unit.metres;
   const double low = laser.default_radius / kRadiusSpan / unit.metres;
   const double high = laser.default_radius * kRadiusSpan / unit.metres;
-  const std::string format = std::string("%.3g ") + unit.name;
+  const std::string format = RealFormat("%.3g ").with(unit.name);
   if (ImGui::SliderScalar("##radius", ImGuiDataType_Double, &shown, &low, &high, format.c_str(),
                           kLogarithmic)) {
     laser.radius = shown * unit.metres;

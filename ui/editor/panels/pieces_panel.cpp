@@ -5,6 +5,7 @@
 #include "ui/editor/view/piece_set.h"
 #include "ui/editor/view/shortcut_text.h"
 #include "ui/render/spread.h"
+#include "ui/window/number_format.h"
 #include "ui/window/property.h"
 #include "ui/window/row_button.h"
 
@@ -41,7 +42,7 @@ void draw_spread(const World& world, ViewState& view, bool one_piece) {
   property("Spread");
   constexpr double kNone = 0;
   ImGui::BeginDisabled(one_piece);
-  const std::string format = view.spread == 0 ? "together" : "%.2f";
+  const RealFormat format = view.spread == 0 ? RealFormat("together") : RealFormat("%.2f");
   if (ImGui::SliderScalar("##spread", ImGuiDataType_Double, &view.spread, &kNone, &kMostSpread,
                           format.c_str(), ImGuiSliderFlags_AlwaysClamp)) {
     spread_further(world, view.spread, view.look);

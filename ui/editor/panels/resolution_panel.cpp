@@ -8,6 +8,7 @@
 #include "ui/editor/changes/world_changes.h"
 #include "ui/editor/view/file_frames.h"
 #include "ui/editor/view/shortcut_text.h"
+#include "ui/window/number_format.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
 
@@ -70,7 +71,7 @@ bool fraction_row(const char* name, double& fraction, double standard, const Sho
   double halvings = -std::log2(fraction);
   const double low = -std::log2(ResolutionControls::kMostFraction),
                high = -std::log2(ResolutionControls::kLeastFraction);
-  const std::string text = length_label(radius.length * fraction, radius.unit);
+  const std::string text = format_of_text(length_label(radius.length * fraction, radius.unit));
   const double before = fraction;
   if (ImGui::SliderScalar("##fraction", ImGuiDataType_Double, &halvings, &low, &high, text.c_str(),
                           ImGuiSliderFlags_NoInput)) {
@@ -98,8 +99,10 @@ bool tolerance_row(ResolutionControls& to, const ShownRadius& radius) {
 bool depth_row(ResolutionControls& to) {
   property("Depth");
   const int before = to.depth;
-  const char* format = to.depth == 0 ? "0: faces go whole" : to.depth == 1 ? "%d split" : "%d splits";
-  ImGui::SliderInt("##depth", &to.depth, 0, ResolutionControls::kLargestDepth, format,
+  const WholeFormat format = to.depth == 0   ? WholeFormat("0: faces go whole")
+                             : to.depth == 1 ? WholeFormat("%d split")
+                                             : WholeFormat("%d splits");
+  ImGui::SliderInt("##depth", &to.depth, 0, ResolutionControls::kLargestDepth, format.c_str(),
                    ImGuiSliderFlags_AlwaysClamp);
   tooltip(
       "How often a face under the beam is split in four. 0 turns refinement off: faces are removed whole, "

@@ -4,6 +4,7 @@
 
 #include "ui/editor/panels/switch_row.h"
 #include "ui/editor/view/shortcut_text.h"
+#include "ui/window/number_format.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
 
@@ -25,8 +26,8 @@ void depth_row(ViewState& view, int tree_depth) {
   TreeOverlay& tree = view.look.tree;
   const int deepest = std::max(1, tree_depth);
   int depth = std::min(tree.deepest, deepest);
-  const char* format = depth == deepest ? "%d: all levels" : "level %d";
-  if (ImGui::SliderInt("##depth", &depth, 0, deepest, format, ImGuiSliderFlags_AlwaysClamp)) {
+  const WholeFormat format = depth == deepest ? WholeFormat("%d: all levels") : WholeFormat("level %d");
+  if (ImGui::SliderInt("##depth", &depth, 0, deepest, format.c_str(), ImGuiSliderFlags_AlwaysClamp)) {
     tree.deepest = depth == deepest ? kAllLevels : depth;
     view.picture_old = true;
   }

@@ -4,6 +4,7 @@
 
 #include "ui/render/stage_pass.h"
 #include "ui/window/landmarks.h"
+#include "ui/window/number_format.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
 #include "ui/window/theme.h"
@@ -19,7 +20,8 @@ void visited_row(StageLog& stages) {
   const QueryWalk& query = stages.query();
   property("Tested");
   int visited = static_cast<int>(query.visited());
-  const std::string shown = grouped(query.visited()) + " of " + grouped(query.size()) + " boxes";
+  const std::string shown =
+      format_of_text(grouped(query.visited()) + " of " + grouped(query.size()) + " boxes");
   if (ImGui::SliderInt("##visited", &visited, 1, static_cast<int>(query.size()), shown.c_str(),
                        ImGuiSliderFlags_AlwaysClamp))
     stages.visit(static_cast<size_t>(visited));

@@ -6,6 +6,7 @@
 
 #include "ui/editor/view/shortcut_text.h"
 #include "ui/window/landmarks.h"
+#include "ui/window/number_format.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
 #include "ui/window/theme.h"
@@ -82,7 +83,8 @@ void draw_speed(StageWishes& wishes) {
   property("Speed");
   auto speed = static_cast<float>(wishes.per_second);
   if (ImGui::SliderFloat("##speed", &speed, static_cast<float>(StageWishes::kSlowest),
-                         static_cast<float>(StageWishes::kFastest), "%.1f stages a second",
+                         static_cast<float>(StageWishes::kFastest),
+                         RealFormat("%.1f stages a second").c_str(),
                          ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic))
     wishes.per_second = speed;
   mark_last_item("stage speed");

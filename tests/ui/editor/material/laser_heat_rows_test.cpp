@@ -23,5 +23,15 @@ TEST(Forecast, says_where_the_power_does_not_do_at_any_speed) {
   EXPECT_NE(forecast_text(laser, Sheet(), 0, FileUnit::kMetre).find("does not cut"), std::string::npos);
 }
 
+TEST(DepthOfTheStroke, is_told_in_per_cent_where_the_beam_met_something) {
+  StepFigures figures;
+  EXPECT_EQ(depth_text(figures), "");
+  figures.met_s = 2;
+  figures.depth_s = 2;
+  EXPECT_EQ(depth_text(figures), "The last stroke got 100 % of the way through");
+  figures.depth_s = 0.75;
+  EXPECT_EQ(depth_text(figures), "The last stroke got 38 % of the way through");
+}
+
 }  // namespace
 }  // namespace kerf

@@ -119,18 +119,21 @@ void EditorScreen::draw_picture() {
   std::optional<BeamPicture> beam;  // its glare would hide what a stage did
   if (!view.look.stage) beam = state_.hand.beam.picture(document);
   const Shot first{document.world(), view.seen_first(), view.look, beam, layout.first};
-  bool& old = view.picture_old;
+  const PictureChange change = view.picture_old ? PictureChange::kAll
+                               : view.heat_old  ? PictureChange::kHeat
+                                                : PictureChange::kNothing;
   ShadowFigures& shadows = state_.figures.shadows;
   if (layout.split()) {
     const World& twin = state_.split.twin.world();
     const ViewOptions look = look_of_twin(view.look, view.spread, twin);
     const double aspect = layout.second.size.x / layout.second.size.y;
     const Shot second{twin, view.camera.view(aspect), look, beam, layout.second};
-    new_picture_ = picture_.draw(first, &second, old, window_, shadows);
+    new_picture_ = picture_.draw(first, &second, change, window_, shadows);
   } else {
-    new_picture_ = picture_.draw(first, nullptr, old, window_, shadows);
+    new_picture_ = picture_.draw(first, nullptr, change, window_, shadows);
   }
-  old = picture_.shows_dead_beam();
+  view.picture_old = picture_.shows_dead_beam();
+  view.heat_old = false;
 }
 
 void EditorScreen::update_figures() {

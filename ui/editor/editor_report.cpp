@@ -219,7 +219,8 @@ Status write_editor_report(const EditorState& state, const std::filesystem::path
       {"time", time_of(state)},
       {"heat", heat_of(document.world())},
       {"lights", lights_of(state.view, state.settings)},
-      {"pixels_that_rays_have_otherwise", figures.shadows.wrong},
+      {"pixels_that_rays_have_otherwise",
+       figures.shadows.wrong ? nlohmann::ordered_json(*figures.shadows.wrong) : nlohmann::ordered_json()},
       {"split", {{"shown", state.split.shown}, {"faces", state.split.twin.world().live_faces()}}},
       {"layout", layout_of(state.view.layout)},
   };

@@ -121,8 +121,8 @@ GuiLook EditorScreen::look() const {
 bool EditorScreen::moving() const {
   const Emitter& emitter = state_.lasers.emitter;
   return (emitter.firing && emitter.in_shots) || sparks_.moving() || thread_.busy() || easing_ ||
-         stage_cut_.waits() || cut_.waits() || state_.view.picture_old || picture_.busy() ||
-         cooling_.moving() || state_.hand.beam.emits() || state_.opening.loader.busy() ||
+         stage_cut_.waits() || cut_.waits() || state_.view.picture_old || state_.view.heat_old ||
+         picture_.busy() || cooling_.moving() || state_.hand.beam.emits() || state_.opening.loader.busy() ||
          state_.graph.playing() || state_.play.playing || state_.play.one_tick;
 }
 
@@ -237,9 +237,14 @@ void EditorScreen::advance() {
 // Works on the queue of the document and lets time pass.
 void EditorScreen::pass_time(double seconds) {
   if (!changes_.is_pending()) state_.hand.beam.go_on(state_.work.document, glfwGetTime());
-  const bool old = state_.view.picture_old, unseen = cooling_.passes_unseen();
+  const bool old = state_.view.heat_old, unseen = cooling_.passes_unseen();
   cut_.advance();
-  if (unseen) state_.view.picture_old = old;
+  if (unseen) state_.view.heat_old = old;
+  if (!changes_.is_pending()) {
+    state_.cutting.follow(state_.work.document, stage_cut_.holds_back(), seconds);
+    state_.figures.shown.work = state_.cutting.text();
+    changes_.tell_done();
+  }
   time_.advance(seconds);
   cooling_.advance(seconds);
 }
@@ -284,7 +289,7 @@ void EditorScreen::follow_graph() {
 
 // To the graphics card.
 void EditorScreen::send() {
-  if (!state_.view.picture_old) return;
+  if (!state_.view.picture_old && !state_.view.heat_old) return;
   Renderer& renderer = picture_.first();
   const size_t before = renderer.uploaded_bytes();
   renderer.catch_up(state_.work.document.world());

@@ -8,7 +8,6 @@ namespace {
 
 constexpr double kSamplesCost = 4;        // by which several samples are slower at most
 constexpr double kLongestGathered = 0.4;  // s; of one of the pictures that are gathered
-constexpr double kStillSeconds = 0.15;
 
 Target target_of(const Area& area, const Window& window) {
   const Area pixels = pixels_of(area, window);
@@ -58,27 +57,41 @@ PictureMemory LivePicture::memory() const {
   return memory;
 }
 
-bool LivePicture::draw(const Shot& first, const Shot* second, bool old, const Window& window,
+bool LivePicture::draw(const Shot& first, const Shot* second, PictureChange change, const Window& window,
                        ShadowFigures& figures) {
+  const ShadowFigures before = figures;
+  const bool drawn = draw_shots(first, second, change, window, figures);
+  figures_new_ = figures != before;
+  return drawn;
+}
+
+bool LivePicture::draw_shots(const Shot& first, const Shot* second, PictureChange change,
+                             const Window& window, ShadowFigures& figures) {
   if (!second_) second = nullptr;
   const Target target = target_of(first.area, window);
   if (first_.renderer.is_sending()) {
     if (!show_again(first_, target)) clear(target);
     return false;
   }
-  if (old) moved_at_ = Clock::now();
-  const bool still = std::chrono::duration<double>(Clock::now() - moved_at_).count() > kStillSeconds;
-  const bool more = !old && still && (is_gathering() || (quality_ == Quality::kRough && may_gather()));
+  rest_.follow(change, std::chrono::duration<double>(Clock::now().time_since_epoch()).count());
+  const bool old = change != PictureChange::kNothing;
+  const bool more =
+      !old && rest_.rests() && (is_gathering() || (quality_ == Quality::kRough && may_gather()));
   const bool anew =
       old || (!more && (!show_again(first_, target) ||
                         (second != nullptr && !show_again(*second_, target_of(second->area, window)))));
   if (anew) draw_anew(first, second, window);
   if (more) gather(first, second, window);
-  if (anew && first.look.show.shadow_compare) figures.differing = first_.renderer.differing_pixels();
-  traced_.work(first.world, first.look, first_.renderer, first.view, target, anew || more,
-               still && !is_gathering(), figures);
+  if (anew) figures.differing = differing_pixels(first);
+  traced_.work(first.world, first.look, first_.renderer, first.view, target,
+               anew && change != PictureChange::kHeat, rest_.shapes_rest() && !is_gathering(), figures);
   dead_beam_ = beam_shown_ && !first.beam;
   return anew || more;
+}
+
+std::optional<size_t> LivePicture::differing_pixels(const Shot& shot) const {
+  if (!shot.look.show.shadow_compare) return std::nullopt;
+  return first_.renderer.differing_pixels();
 }
 
 bool LivePicture::may_gather() const { return rough_seconds() <= kLongestGathered; }

@@ -7,6 +7,7 @@
 
 #include "ui/render/gathered_picture.h"
 #include "ui/render/renderer.h"
+#include "ui/screen/picture_rest.h"
 #include "ui/screen/shadow_figures.h"
 #include "ui/screen/traced_shadows.h"
 #include "ui/window/layout.h"
@@ -42,13 +43,13 @@ class LivePicture {
   // The memory of both renderers.
   PictureMemory memory() const;
 
-  // Draws one picture, or two if `second` is not null and second() was called before. `old` says that
-  // something in them has changed. Returns whether anything was redrawn; then took() has to be called with
-  // the duration of the frame (s).
-  bool draw(const Shot& first, const Shot* second, bool old, const Window& window, ShadowFigures& figures);
+  // Draws one picture, or two if `second` is not null and second() was called before. Returns whether
+  // anything was redrawn; then took() has to be called with the duration of the frame (s).
+  bool draw(const Shot& first, const Shot* second, PictureChange change, const Window& window,
+            ShadowFigures& figures);
   void took(double seconds);
   // Whether another frame is needed although nothing moves.
-  bool busy() const { return traced_.busy() || is_gathering(); }
+  bool busy() const { return traced_.busy() || is_gathering() || figures_new_; }
   // The duration of the last frame with a new picture; 0 before the second one, because the first one
   // includes warming up.
   double seconds() const { return seconds_; }
@@ -82,6 +83,9 @@ class LivePicture {
   bool is_gathering() const {
     return quality_ == Quality::kGathered && !first_.gathered.complete() && may_gather();
   }
+  bool draw_shots(const Shot& first, const Shot* second, PictureChange change, const Window& window,
+                  ShadowFigures& figures);
+  std::optional<size_t> differing_pixels(const Shot& shot) const;
   void draw_anew(const Shot& first, const Shot* second, const Window& window);
   void gather(const Shot& first, const Shot* second, const Window& window);
   bool show_again(Drawn& drawn, const Target& target) const;
@@ -98,7 +102,8 @@ class LivePicture {
   // The same of the last two with one sample; a change may have made one of them slow by itself.
   std::array<double, 2> rough_seconds_{kSlowFrame, kSlowFrame};
   double seconds_ = 0;
-  Clock::time_point moved_at_{};
+  bool figures_new_ = false;  // of the last picture, so that panels drawn before it do not show them
+  PictureRest rest_;
 };
 
 }  // namespace kerf

@@ -9,19 +9,22 @@ constexpr size_t kPixelsOfFrame = 6000;
 void TracedShadows::work(const World& world, const ViewOptions& look, Renderer& renderer,
                          const CameraView& view, const Target& target, bool fresh, bool still,
                          ShadowFigures& figures) {
-  const bool wanted = look.show.shadow_reference && still && look.shadow.inspected < look.lights.size();
+  const bool wanted = look.show.shadow_reference && look.shadow.inspected < look.lights.size();
   if (!wanted || fresh) traced_.reset();
-  if (!wanted) return;
-  if (!traced_) {
+  if (wanted && still && !traced_) {
     traced_ = renderer.shadow_reference(world, view, look, look.shadow.inspected, true, target.width,
                                         target.height);
     drawn_ = renderer.shadow_counts(world, view, look, look.shadow.inspected, look.shadow.method, true,
                                     target.width, target.height);
   }
-  traced_->trace(kPixelsOfFrame);
+  waits_ = wanted && !traced_;
+  figures.traced = 0;
+  figures.wrong.reset();
+  if (!traced_) return;
+  if (still) traced_->trace(kPixelsOfFrame);
   renderer.draw_reference(*traced_, drawn_, target);
   figures.traced = traced_->share_done();
-  figures.wrong = differing_pixels(drawn_, *traced_);
+  if (traced_->done()) figures.wrong = differing_pixels(drawn_, *traced_);
 }
 
 }  // namespace kerf

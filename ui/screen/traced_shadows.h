@@ -11,18 +11,19 @@ namespace kerf {
 // picture stays the same.
 class TracedShadows {
  public:
-  // To be called after a picture of the world was drawn to `target`. Starts if `still` says that the picture
-  // will not change, continues if it has not changed, and starts over for a `fresh` one. Draws over the
-  // target and records its progress in `figures`.
+  // To be called after a picture of the world was drawn to `target`. Starts or continues while the picture is
+  // `still`, which says that its shadows will not change, and starts over for a `fresh` one, which may have
+  // others. Draws over the target and records its progress in `figures`.
   void work(const World& world, const ViewOptions& look, Renderer& renderer, const CameraView& view,
             const Target& target, bool fresh, bool still, ShadowFigures& figures);
 
-  // Whether tracing is incomplete.
-  bool busy() const { return traced_ && !traced_->done(); }
+  // Whether tracing is incomplete, or has not begun because the picture was not still.
+  bool busy() const { return waits_ || (traced_ && !traced_->done()); }
 
  private:
   std::optional<ShadowReference> traced_;
   ShadowCounts drawn_;
+  bool waits_ = false;  // for a picture that is still
 };
 
 }  // namespace kerf

@@ -16,12 +16,14 @@ void LiveCut::advance() {
   const std::chrono::duration<double> budget(std::max(kStepSeconds, on_.picture.seconds()));
   const Clock::time_point until = began + std::chrono::duration_cast<Clock::duration>(budget);
   seconds_ = 0;
+  const bool cools = on_.work.document.only_cools();
   const bool first = cut_first(until), twin = cut_twin(until);
   if (!first && !twin) return;
   ViewState& view = on_.view;
   if (first && view.spread > 0) spread_pieces(on_.work.document.world(), view.spread, view.look);
   seconds_ = std::chrono::duration<double>(Clock::now() - began).count();
-  view.picture_old = on_.figures.world_changed = true;
+  (cools && !twin ? view.heat_old : view.picture_old) = true;
+  on_.figures.world_changed = true;
 }
 
 bool LiveCut::cut_first(Clock::time_point until) {

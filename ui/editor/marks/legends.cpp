@@ -43,7 +43,8 @@ Legend legend_of_comparison(const ViewOptions& look, const ShadowFigures& shadow
   return {"Two shadow methods",
           {sentence("left: " + std::string(method_name(look.shadow.method))),
            sentence("right: " + std::string(method_name(look.shadow.beside))),
-           sentence(grouped(shadows.differing) + " pixels are in shadow with"),
+           sentence((shadows.differing ? grouped(*shadows.differing) + " pixels" : "counting pixels that") +
+                    " are in shadow with"),
            sentence("one of them and lit with the other")}};
 }
 
@@ -51,7 +52,8 @@ Legend legend_of_rays(const ShadowFigures& shadows) {
   return {"Shadow rays",
           {{kTracedLit, "lit"},
            {kTracedShadow, "in shadow"},
-           {kWrong, "the picture has it otherwise: " + grouped(shadows.wrong) + " pixels"}}};
+           {kWrong, "the picture has it otherwise: " +
+                        (shadows.wrong ? grouped(*shadows.wrong) + " pixels" : tracing_text(shadows))}}};
 }
 
 // Empty for a view without colours of its own.

@@ -8,6 +8,8 @@
 #include "ui/editor/panels/switch_row.h"
 #include "ui/editor/view/light_presets.h"
 #include "ui/editor/view/shadow_methods.h"
+#include "ui/window/number_format.h"
+#include "ui/window/number_text.h"
 #include "ui/window/property.h"
 
 namespace kerf {
@@ -38,10 +40,10 @@ bool method_row(const char* label, const char* id, ShadowMethod& method) {
   return changed;
 }
 
-bool slider(const char* label, const char* id, double& value, double low, double high, const char* format,
-            const char* meaning, ImGuiSliderFlags flags) {
+bool slider(const char* label, const char* id, double& value, double low, double high,
+            const RealFormat& format, const char* meaning, ImGuiSliderFlags flags) {
   property(label);
-  const bool changed = ImGui::SliderScalar(id, ImGuiDataType_Double, &value, &low, &high, format,
+  const bool changed = ImGui::SliderScalar(id, ImGuiDataType_Double, &value, &low, &high, format.c_str(),
                                            flags | ImGuiSliderFlags_AlwaysClamp);
   tooltip(meaning);
   return changed;
@@ -76,7 +78,8 @@ bool compare_rows(ViewState& view, const ShadowFigures& figures) {
   bool changed = method_row("with", "##beside", shadow.beside);
   changed |= slider("Split", "##split", shadow.split, 0, 1, "%.2f", "Where the two meet.", 0);
   property("");
-  ImGui::Text("%zu pixels differ", figures.differing);
+  ImGui::TextUnformatted(figures.differing ? text_of("%zu pixels differ", *figures.differing).c_str()
+                                           : "counting the pixels that differ");
   tooltip("Pixels of the whole picture that are in shadow with one method and lit with the other.");
   return changed;
 }
@@ -86,7 +89,8 @@ void trace_rows(ViewState& view, const ShadowFigures& figures) {
   draw_switch(view, SwitchId::kTrace, "trace");
   if (!view.look.show.shadow_reference) return;
   property("");
-  ImGui::Text("%.0f %%, %zu wrong", 100 * figures.traced, figures.wrong);
+  ImGui::TextUnformatted(
+      (figures.wrong ? text_of("%zu wrong", *figures.wrong) : tracing_text(figures)).c_str());
 }
 
 void choose_kind(Light& light, Light::Kind kind, const World::Bounds& bounds) {

@@ -28,6 +28,7 @@ struct ViewState {
   std::vector<BodyId> isolated_from;  // bodies that are hidden because others were isolated
   bool in_second = false;   // the pointer is in the right half of a split picture, or its drag began there
   bool picture_old = true;  // the picture has to be redrawn
+  bool heat_old = false;    // the same, but only because something has cooled down
 
   // The half of the picture under the pointer, or all of it if it is not split.
   const Area& pane() const { return in_second ? layout.second : layout.first; }

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "core/base/tick.h"
+#include "core/document/commands/stop_stroke.h"
 #include "core/document/stroke.h"
 #include "core/world/world.h"
 
@@ -26,6 +27,9 @@ class BeamQueue {
   size_t size() const { return size_; }
   // Whether the queue holds moves or ends of strokes.
   bool holds_beam() const { return size_ > in_time_; }
+  bool holds_moves() const { return !ready_.empty() || rims_ + in_time_ < size_; }
+  // Whether it is not empty, and holds only ticks in which bodies stand still.
+  bool only_cools() const;
   // Whether the queue holds anything of a step of the history.
   bool holds(size_t step) const;
 
@@ -63,6 +67,15 @@ class BeamQueue {
   UnfinishedRim& unfinished_rim() { return unfinished_rim_; }
   const UnfinishedRim& unfinished_rim() const { return unfinished_rim_; }
 
+  // How far the beam of the stroke of a step of the history has been executed, counted as StopStroke does. A
+  // part of a move that is unfinished counts as executed.
+  StopStroke reached(size_t step) const;
+  // Whether moves of the stroke wait behind that.
+  bool holds_moves(size_t step) const;
+  // Switches the beam of a stroke off at a place: drops its moves from there on, and lets its ticks pass
+  // without a beam. The first move is kept. Precondition: the place is not before reached(step).
+  void stop(size_t step, StopStroke at, const World& world);
+
   // Remove what has been executed from the front.
   void pop_moves(size_t count);
   void pop_rim();
@@ -79,26 +92,50 @@ class BeamQueue {
   struct Entry {
     size_t step = 0;
     Kind kind = Kind::kMove;
-    std::shared_ptr<Stroke> stroke;  // of kMove and kRim; of kTicks under a beam
-    BeamMove move;                   // of a move, not subdivided; of ticks, where the beam is
-    size_t count = 1;                // its share of size(); the number of ticks
-    bool bodies = false;             // of ticks: bodies move
-    std::optional<Spring> spring;    // of kSpring
+    std::shared_ptr<Stroke> stroke = {};  // of kMove and kRim; of kTicks under a beam
+    BeamMove move = {};                   // of a move, not subdivided; of ticks, where the beam is
+    size_t number = 0;                    // of a move: that of the moves of its stroke before it
+    size_t count = 1;                     // its share of size(); the number of ticks
+    bool bodies = false;                  // of ticks: bodies move
+    std::optional<Spring> spring = {};    // of kSpring
+    double share = 1;                     // of a move, > 0: the part of it that is executed
     bool in_time() const { return kind == Kind::kTicks || kind == Kind::kSpring; }
+  };
+  // A move that was begun, and a part of it.
+  struct Begun {
+    BeamMove move;
+    size_t number = 0;   // see Entry
+    size_t parts = 1;    // into which it was subdivided
+    size_t in_path = 1;  // moves of the path of its stroke that it became
+  };
+  struct Part {
+    BeamMove move;
+    std::shared_ptr<const Begun> of;
+    size_t number = 0;     // of the parts before it
+    double begin() const;  // as StopStroke::moves
+    double end() const;
   };
   void push(Entry entry);
   void push_in_front(Entry entry);
   template <typename Drops>
   void drop_if(size_t step, Drops drops);
 
-  std::deque<BeamMove> ready_;  // begun moves, all of one stroke; the first may be unfinished
+  void begin_move(const Entry& entry, std::span<const BeamMove> parts);
+  void stop_begun(const StopStroke& at, const World& world);
+  bool stop_move(Entry& move, double moves, std::deque<Entry>& kept);
+  static void stop_ticks(Entry ticks, Ticks on, std::deque<Entry>& kept);
+
+  std::deque<Part> ready_;  // of begun moves, all of one stroke; the first may be unfinished
   size_t ready_step_ = 0;
+  StopStroke reached_;  // by the stroke of this step of the history
+  size_t reached_step_ = 0;
   std::shared_ptr<Stroke> ready_stroke_;
   UnfinishedMove unfinished_;
   UnfinishedRim unfinished_rim_;
   std::deque<Entry> entries_;  // after those, in the order of steps
   size_t size_ = 0;
   size_t in_time_ = 0;  // of these, ticks and changes of the spring
+  size_t rims_ = 0;     // of these, ends of strokes with a smooth rim
 };
 
 }  // namespace kerf

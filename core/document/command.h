@@ -22,6 +22,7 @@
 #include "core/document/commands/set_surroundings.h"
 #include "core/document/commands/simplify_piece.h"
 #include "core/document/commands/smooth_piece.h"
+#include "core/document/commands/stop_stroke.h"
 #include "core/document/commands/subdivide_piece.h"
 #include "core/document/commands/undo.h"
 
@@ -38,9 +39,9 @@ namespace kerf {
 // A kind without one of these members does not compile. Kinds are always distinguished by std::visit, so that
 // a case that is missing anywhere does not compile either.
 using Command =
-    std::variant<BeginStroke, MoveStroke, EndStroke, Recut, Advance, Pull, LetGo, Play, AddMesh, MovePiece,
-                 DuplicatePiece, HidePiece, DeletePiece, RenamePiece, PinPiece, SetSheet, SimplifyPiece,
-                 SubdividePiece, SmoothPiece, SetSurroundings, Undo, Redo>;
+    std::variant<BeginStroke, MoveStroke, EndStroke, StopStroke, Recut, Advance, Pull, LetGo, Play, AddMesh,
+                 MovePiece, DuplicatePiece, HidePiece, DeletePiece, RenamePiece, PinPiece, SetSheet,
+                 SimplifyPiece, SubdividePiece, SmoothPiece, SetSurroundings, Undo, Redo>;
 
 // A command that is executed at once, after the queue: run(world, generation, progress). It returns what
 // changed, which is empty if the command has no effect. Bodies that it creates get `generation` (see BodyId).

@@ -9,14 +9,14 @@ void append_ticks(std::vector<Command>& commands, const Advance& advance, size_t
   Ticks left = advance.ticks;
   if (commands.size() > first) {
     auto* last = std::get_if<Advance>(&commands.back());
-    if (last && last->bodies == advance.bodies) {
+    if (last && last->bodies == advance.bodies && last->joins == advance.joins) {
       const Ticks taken = std::min(left, Advance::kMostInALine - last->ticks);
       last->ticks += taken;
       left -= taken;
     }
   }
   for (; left > 0; left -= std::min(left, Advance::kMostInALine))
-    commands.emplace_back(Advance{std::min(left, Advance::kMostInALine), advance.bodies});
+    commands.emplace_back(Advance{std::min(left, Advance::kMostInALine), advance.bodies, advance.joins});
 }
 
 void CommandLog::append(const Command& command) {

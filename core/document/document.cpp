@@ -17,6 +17,7 @@ Outcome Document::apply(const Command& command, const Progress* progress) {
                         [&](const BeginStroke& c) { return queued(c); },
                         [&](const MoveStroke& c) { return queued(c); },
                         [&](const EndStroke& c) { return queued(c); },
+                        [&](const StopStroke& c) { return stop(c, progress); },
                         [&](const HappensInTime auto& c) { return queued(c); },
                         [&](const Play& c) { return queued(c); },
                         [&](const Recut& c) { return recut(c); },
@@ -71,8 +72,7 @@ void Document::begin_step(const Command& first) {
 
 void Document::add_in_time(const Command& command) {
   history_.drop_undone();
-  const bool own = history_.position() == 0 || history_.last().kind() == HistoryStep::Kind::kEdit;
-  if (own) {
+  if (history_.position() == 0 || !belongs_to(history_.last().kind(), command)) {
     begin_step(command);
   } else {
     history_.last().add(command);
@@ -113,6 +113,7 @@ void Document::queue_command(size_t step, const Command& command) {
                    drawn_->ended = true;
                    if (drawn_->settings.smooth()) queue_.push_rim(step, drawn_);
                  },
+                 [&](const StopStroke& c) { queue_.stop(step, c, world_); },
                  [&](const Advance& c) {
                    const bool beam = c.bodies && drawn_ && !drawn_->ended;
                    queue_.push_ticks(step, c.ticks, c.bodies, beam ? drawn_ : nullptr);
@@ -132,6 +133,14 @@ void Document::queue_command(size_t step, const Command& command) {
 
 void Document::queue_commands(size_t step) {
   for (const Command& c : history_.commands_of(step)) queue_command(step, c);
+}
+
+// Queues the time that belongs to an edit.
+void Document::queue_time_of_edit(size_t at) {
+  HistoryStep& edit = history_.step(at);
+  if (edit.commands().size() == 1) return;
+  for (size_t i = 1; i < edit.commands().size(); ++i) queue_command(at, edit.commands()[i]);
+  edit.reopen();
 }
 
 // Commands that happen at once ------------------------------------------------------------------------------
@@ -194,6 +203,7 @@ Outcome Document::redo_at_once(size_t at, const Progress* progress) {
   Result<Delta> own = run(step, at, progress);
   if (own) {
     history_.forth();
+    queue_time_of_edit(at);
     all.delta.append(std::move(*own));
   } else {
     all.fail(own.error());

@@ -28,9 +28,9 @@ namespace kerf {
 // Time passes only by Advance commands. A tick starts when the moves before it have been executed and the
 // search for separated pieces is finished. Bodies move in the ticks of Advance commands that say so: pieces
 // that came off become bodies first (see release_pieces), and what touched a body that was changed wakes (see
-// forget_contacts). In the history, time belongs to the stroke before it: it is undone
-// with the stroke, and passes again when the stroke is cut again. Without a stroke before it, it is a step of
-// its own, and so is what Play begins.
+// forget_contacts). In the history, time belongs to the stroke before it: it is undone with the stroke, and
+// passes again when the stroke is cut again. After an edit it is a step of its own unless it says that it
+// joins the edit (see Advance), and so are time with nothing before it and what Play begins.
 //
 // Undo and redo exchange before-images of what each step of the history changed. They are exact to the bit,
 // and their cost is proportional to the change. If the before-images of a step were discarded to save memory,
@@ -73,6 +73,12 @@ class Document {
   size_t waiting() const;
   // Whether the queue holds moves or ends of strokes, not only ticks and searches.
   bool beam_waits() const { return queue_.holds_beam(); }
+  // Whether the queue holds moves.
+  bool moves_wait() const { return queue_.holds_moves(); }
+  // Whether the queue holds only ticks in which bodies stand still, so that nothing changes but heat.
+  bool only_cools() const { return queue_.only_cools() && !must_separate(); }
+  // The command that ends the last stroke where it is. Nothing if no moves of it wait.
+  std::optional<StopStroke> stop_here() const;
   // The first move that the next step executes, or nothing if it executes none.
   std::optional<BeamMove> next_move() const { return queue_.next_move(world_); }
   // The settings of the stroke of that move. Precondition: there is one.
@@ -155,7 +161,7 @@ class Document {
   // The number of faces that these strokes removed so far, and their area (m^2).
   size_t removed_faces() const { return history_.removed_faces(); }
   double removed_area() const { return history_.removed_area(); }
-  // A number that increases whenever a stroke is begun, cut again, undone or redone.
+  // A number that increases whenever a stroke is begun, stopped, cut again, undone or redone.
   size_t revision() const { return revision_; }
 
   // Puts bodies, as far as they exist, where a journal says that they came, and lets them move on as they did
@@ -195,6 +201,7 @@ class Document {
   void add_in_time(const Command& command);
   void end_stroke();
   void queue_commands(size_t step);
+  void queue_time_of_edit(size_t at);
   void queue_command(size_t step, const Command& command);
 
   // Executing the front of the queue.
@@ -229,11 +236,13 @@ class Document {
   Outcome redo_at_once(size_t step, const Progress* progress);
 
   // History.
+  Outcome stop(const StopStroke& command, const Progress* progress);
   Outcome recut(const Recut& command);
   Delta cut_again();
   bool can_walk_again(size_t step) const;
   Delta walk_again();
   Outcome undo(const Progress* progress);
+  Outcome pass_last_ticks();
   Outcome redo(const Progress* progress);
   Outcome replay(size_t position, const Progress* progress);
   Status take_back_to(size_t position, size_t journal_size, std::vector<std::unique_ptr<HistoryStep>> undone);

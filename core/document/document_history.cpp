@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cassert>
+#include <tuple>
 
 #include "core/document/document.h"
 #include "core/physics/forget_contacts.h"
@@ -13,6 +14,34 @@ bool Document::can_recut() const {
   const auto last = history_.last_cut();
   return !in_stroke_ && last && is_last(*last) &&
          history_.holds_images(history_.base_of(*last), history_.position());
+}
+
+std::optional<StopStroke> Document::stop_here() const {
+  const size_t now = history_.position();
+  if (now == 0 || !history_.cuts(now - 1) || !queue_.holds_moves(now - 1)) return std::nullopt;
+  return queue_.reached(now - 1);
+}
+
+// Where the beam has come further than to there, as in a replay, the stroke is cut again up to there.
+Outcome Document::stop(const StopStroke& command, const Progress* progress) {
+  end_stroke();
+  Outcome outcome;
+  const size_t now = history_.position();
+  if (now == 0 || !history_.cuts(now - 1)) return outcome;
+  const std::optional<StopStroke> here = stop_here();
+  history_.last().add(command);
+  if (here && std::tie(here->moves, here->ticks) <= std::tie(command.moves, command.ticks)) {
+    queue_.stop(now - 1, command, world_);
+    if (!history_.last().waiting()) finish_step(now - 1);
+  } else if (can_start_again()) {
+    outcome.delta = start_again();
+  } else if (outcome = replay(now, progress); !outcome.ok()) {
+    history_.last().take_out_last();
+    return outcome;
+  }
+  journal_.append(command);
+  ++revision_;
+  return outcome;
 }
 
 std::optional<World> Document::before_last_stroke() {
@@ -124,8 +153,17 @@ bool Document::can_walk_again(size_t step) const {
   return history_.holds_images(history_.base_of(step), step);
 }
 
+// Executes what waits if that is only a little time. A step that is done when it is undone can be done again
+// by its images.
+Outcome Document::pass_last_ticks() {
+  constexpr size_t kFewTicks = 24;
+  const bool few = only_cools() || (!queue_.holds_beam() && queue_.size() <= kFewTicks && !must_separate());
+  return few ? finish(nullptr) : Outcome();
+}
+
 Outcome Document::undo(const Progress* progress) {
   end_stroke();
+  Outcome passed = pass_last_ticks();
   if (history_.position() == 0) return Outcome();
   const size_t last = history_.position() - 1;
   if (recorder_.step() == last) close();
@@ -135,7 +173,8 @@ Outcome Document::undo(const Progress* progress) {
   if (step.images() == Images::kLetGo || (again && !can_walk_again(last - 1))) return replay(last, progress);
   queue_.drop(last);
   physics_ = Physics();
-  Delta delta = step.take_back(world_);
+  Delta delta = std::move(passed.delta);
+  delta.append(step.take_back(world_));
   if (!step.done()) step.forget();
   history_.back();
   if (again) delta.append(walk_again());
@@ -222,6 +261,7 @@ Status Document::replay_steps(size_t position, const Progress* progress) {
     Outcome done;
     if (history_.step(step).kind() == Kind::kEdit) {
       done = redo_at_once(step, &walking);
+      if (done.ok()) done = finish(&walking);
     } else {
       history_.forth();
       if (step + 1 < position && history_.step(step + 1).kind() == Kind::kRecut) continue;

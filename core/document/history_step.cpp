@@ -22,6 +22,7 @@ struct KindOfStep {
   Kind operator()(const HappensAtOnce auto&) const { return Kind::kEdit; }
   Kind operator()(const MoveStroke&) const { return none(); }
   Kind operator()(const EndStroke&) const { return none(); }
+  Kind operator()(const StopStroke&) const { return none(); }
   Kind operator()(const Undo&) const { return none(); }
   Kind operator()(const Redo&) const { return none(); }
   static Kind none() {
@@ -265,6 +266,13 @@ Delta HistoryStep::delta(const World& world, bool back, const Mark* since) const
     all.bodies.push_back(std::move(body));
   }
   return all;
+}
+
+// Bodies move in steps that are begun for it (see Document::begin), or in those of strokes.
+bool belongs_to(HistoryStep::Kind last, const Command& in_time) {
+  if (last != HistoryStep::Kind::kEdit) return true;
+  const auto* time = std::get_if<Advance>(&in_time);
+  return time != nullptr && time->joins && !time->bodies;
 }
 
 }  // namespace kerf

@@ -16,7 +16,7 @@ class HistoryStep {
     kStroke,  // a stroke with all its moves, and the time that passes within and after it
     kRecut,   // the previous stroke cut again with other settings, and the time that passes after it
     kTime,    // time that passes without a stroke before it, or after Play
-    kEdit,    // a command that is executed at once
+    kEdit,    // a command that is executed at once, and the time that joins it
   };
   enum class State {
     kWaiting,  // nothing has been executed yet
@@ -37,6 +37,7 @@ class HistoryStep {
   const std::vector<Command>& commands() const { return commands_; }
   Command& first() { return commands_.front(); }
   void add(const Command& command);
+  void take_out_last() { commands_.pop_back(); }
   // The generation of bodies that the step creates (see BodyId).
   uint32_t generation = 0;
 
@@ -141,5 +142,9 @@ class HistoryStep {
   size_t cut_faces_kept_ = 0;
   std::map<PieceId, uint32_t> came_off_;
 };
+
+// Whether a command that happens in time belongs to a step of this kind that is the last one. Otherwise it
+// begins a step.
+bool belongs_to(HistoryStep::Kind last, const Command& in_time);
 
 }  // namespace kerf

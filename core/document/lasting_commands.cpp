@@ -1,5 +1,7 @@
 #include "core/document/lasting_commands.h"
 
+#include "core/document/history_step.h"
+
 namespace kerf {
 
 namespace {
@@ -12,8 +14,9 @@ class Timeline {
                    [&](const BeginStroke&) { begin(Kind::kStroke, command); },
                    [&](const MoveStroke&) { append(command); },
                    [&](const EndStroke&) { append(command); },
+                   [&](const StopStroke&) { append(command); },
                    [&](const Recut&) { begin(Kind::kRecut, command); },
-                   [&](const HappensInTime auto&) { pass_time(command); },
+                   [&](const HappensInTime auto&) { pass_time(command, c); },
                    [&](const Play&) { begin(Kind::kTime, command); },
                    [&](const HappensAtOnce auto&) { begin(Kind::kEdit, command); },
                    [&](const Undo&) { position_ -= position_ > 0; },
@@ -30,7 +33,7 @@ class Timeline {
   }
 
  private:
-  enum class Kind { kStroke, kRecut, kTime, kEdit };
+  using Kind = HistoryStep::Kind;
   struct Step {
     Kind kind;
     std::vector<size_t> commands;
@@ -44,9 +47,8 @@ class Timeline {
   void append(size_t command) {
     if (position_ > 0) steps_[position_ - 1].commands.push_back(command);
   }
-  // Time belongs to the stroke before it (see Document).
-  void pass_time(size_t command) {
-    if (position_ == 0 || steps_[position_ - 1].kind == Kind::kEdit) return begin(Kind::kTime, command);
+  void pass_time(size_t command, const Command& c) {
+    if (position_ == 0 || !belongs_to(steps_[position_ - 1].kind, c)) return begin(Kind::kTime, command);
     steps_.resize(position_, Step{});
     append(command);
   }

@@ -12,6 +12,25 @@ double Replay::fraction() const {
   return all > 0 ? static_cast<double>(next_) / static_cast<double>(all) : 1;
 }
 
+// A stroke that was stopped is not walked until it is known where: behind its StopStroke, where one follows
+// with nothing but its moves, its end and time before it.
+size_t Replay::end_of_stopped() const {
+  const auto goes_on = [](const Command& command) {
+    return std::visit(Overloaded{
+                          [](const MoveStroke&) { return true; },
+                          [](const EndStroke&) { return true; },
+                          [](const HappensInTime auto&) { return true; },
+                          [](const auto&) { return false; },
+                      },
+                      command);
+  };
+  size_t end = next_ + 1;
+  while (end < journal_.commands.size() && goes_on(journal_.commands[end])) ++end;
+  const bool stopped =
+      end < journal_.commands.size() && std::holds_alternative<StopStroke>(journal_.commands[end]);
+  return stopped ? end + 1 : next_ + 1;
+}
+
 // Tells of what a command did at once; of one that only queued, its steps tell.
 Status Replay::tell(const Walk& how, Outcome at_once) const {
   if (!how.told) return at_once.ok() ? Status(Done{}) : Status(at_once.error());
@@ -27,7 +46,8 @@ Status Replay::next(const Walk& how) {
   compare();
   while (next_skip_ < skips_.size() && skips_[next_skip_].first < next_) ++next_skip_;
   if (next_skip_ < skips_.size() && skips_[next_skip_].first == next_) return skip(how, skips_[next_skip_]);
-  if (next_ < journal_.commands.size()) {
+  const size_t end = next_ < journal_.commands.size() ? end_of_stopped() : next_;
+  while (next_ < end) {
     Outcome at_once = document_.apply(journal_.commands[next_++], how.progress);
     document_.seal_journal();  // so that it has the same commands, by number too
     if (const Status heard = tell(how, std::move(at_once)); !heard) return heard;

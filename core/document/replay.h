@@ -49,6 +49,7 @@ class Replay {
   Ticks skipped() const { return skipped_; }
 
  private:
+  size_t end_of_stopped() const;
   Status tell(const Walk& how, Outcome at_once) const;
   Status skip(const Walk& how, const TimeSkip& skip);
   void compare();

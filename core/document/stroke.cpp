@@ -29,6 +29,17 @@ void Stroke::list_path(const World& world) {
   listed_ = path.size();
 }
 
+void Stroke::cut_back(const World& world, size_t moves, const std::optional<BeamMove>& instead) {
+  assert(listed_ == path.size() && moves <= path.size());
+  for (auto& [id, listed] : swept) {
+    if (world.contains(id)) listed.resize(listed.size() - moves);
+  }
+  path.resize(path.size() - moves);
+  listed_ = path.size();
+  if (instead) path.push_back(*instead);
+  list_path(world);
+}
+
 void Stroke::inherit(std::span<const Detached> detached) {
   for (const Detached& d : detached) {
     const auto at = swept.find(d.from);

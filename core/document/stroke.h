@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct Stroke {
   CutSettings settings;
   BeamAt beam;                 // the pose and time at the end of the last queued move
   bool ended = false;          // its end is queued
+  size_t queued = 0;           // moves that were queued
   std::vector<BeamMove> path;  // the moves that were begun; moves that rotate the beam are subdivided
   // For each body that has moved since the stroke began, all that the beam has swept, in the frame of the
   // body: moves of the beam and moves of the body under it. Bodies that are not listed have stood still.
@@ -24,6 +26,11 @@ struct Stroke {
   // Lists what was appended to the path since the last call for the bodies that have moved. To be called
   // before a body moves again. O(appended moves * listed bodies).
   void list_path(const World& world);
+
+  // Shortens the path by this many moves, and appends one to it if it is given: the moves were begun, but the
+  // stroke was stopped before them. Precondition: list_path() was called since they were begun, and no body
+  // has moved since.
+  void cut_back(const World& world, size_t moves, const std::optional<BeamMove>& instead);
 
   // Pieces that were detached have been swept like the body that they were detached from.
   void inherit(std::span<const Detached> detached);

@@ -101,6 +101,7 @@ struct Bits {
   void operator()(const Advance& c) {
     bits.push_back(c.ticks);
     bits.push_back(c.bodies);
+    bits.push_back(c.joins);
   }
   void operator()(const Pull& c) {
     put(bits, c.piece);
@@ -136,6 +137,10 @@ struct Bits {
     put(bits, c.around.gravity);
     bits.push_back(c.around.ground.has_value());
     put(bits, c.around.ground.value_or(0));
+  }
+  void operator()(const StopStroke& c) {
+    put(bits, c.moves);
+    bits.push_back(c.ticks);
   }
   void operator()(const LetGo&) {}
   void operator()(const Play&) {}
@@ -199,7 +204,7 @@ Command random_command(Random& random, const BeamAt& beam) {
   Vec3 direction = random_direction(random);
   if (glm::length(direction + beam.pose.direction) < 1e-3) direction = beam.pose.direction;
   const Pose pose{random_point(random), direction};
-  switch (random.below(22)) {
+  switch (random.below(23)) {
     case 0:
       return BeginStroke{random_settings(random), pose};
     case 1:
@@ -221,7 +226,7 @@ Command random_command(Random& random, const BeamAt& beam) {
     case 9:
       return Redo{};
     case 10:
-      return Advance{1 + random.below(Advance::kMostInALine), random.below(2) > 0};
+      return Advance{1 + random.below(Advance::kMostInALine), random.below(2) > 0, random.below(2) > 0};
     case 11:
       return DuplicatePiece{random_piece(random), random_placement(random)};
     case 12:
@@ -246,6 +251,8 @@ Command random_command(Random& random, const BeamAt& beam) {
       return SubdividePiece{random_piece(random), static_cast<Subdivision>(random.below(3))};
     case 20:
       return SmoothPiece{random_piece(random), 1 + random.below(kMostSmoothing)};
+    case 21:
+      return StopStroke{random.uniform(0, 1000), random.below(100)};
     default:
       return MoveStroke{pose, random.below(3) == 0 ? beam.time : beam.time + random.unit()};
   }

@@ -26,7 +26,9 @@ constexpr std::array kGestures{
     Gesture{"Left drag on a light", "Move it, while the Light panel is open"},
     Gesture{"Wheel", "Zoom to the pointer"},
     Gesture{"Click on the axes in the corner", "Look along that axis; a drag there orbits"},
-    Gesture{"Esc", "Close a menu; end the cut; stop opening a file; let go of the chosen pieces"},
+    Gesture{"Esc",
+            "Close a menu; end the cut, also one that is still at work; stop opening a file; let go of the "
+            "chosen pieces"},
 };
 
 void take_tool(EditorState& state, Tool tool) {
@@ -161,7 +163,8 @@ std::span<const Gesture> gestures() { return kGestures; }
 
 void escape(EditorState& state) {
   const bool fired = std::exchange(state.lasers.emitter.firing, false);
-  if (cancel_stroke(state.hand, state.work.document) || fired) return;
+  state.requests.stop = state.cutting.can_stop();
+  if (cancel_stroke(state.hand, state.work.document) || fired || state.requests.stop) return;
   if (state.hand.drag == Drag::kBox || state.hand.drag == Drag::kPull) {
     state.hand.drag = Drag::kNone;
     return;

@@ -133,6 +133,7 @@ void RequestDesk::step_through_history(bool back) {
 }
 
 void RequestDesk::change_world(const Requests& wanted) {
+  if (wanted.stop) changes_.stop_cutting();
   if (wanted.undo || wanted.redo) step_through_history(wanted.undo);
   if (wanted.travel && !changes_.is_pending()) changes_.travel_to(*wanted.travel);
   for (const Command& command : wanted.commands) {

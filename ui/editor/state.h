@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/editor/changes/cut_progress.h"
 #include "ui/editor/changes/split_view.h"
 #include "ui/editor/figures/figures.h"
 #include "ui/editor/frame/file_browser.h"
@@ -35,6 +36,7 @@ struct EditorState {
   SplitView split;
   StageState stages;
   Figures figures;
+  CutProgress cutting;
   GraphState graph;
   PlacedLasers lasers;
   PlayState play;

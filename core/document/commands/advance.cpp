@@ -7,16 +7,18 @@ std::string Advance::words() const { return bodies ? "Time with moving bodies" :
 void Advance::write(CommandWriter& line) const {
   line.whole_number("ticks", ticks);
   if (bodies) line.flag("bodies", true);
+  if (joins) line.flag("joins", true);
 }
 
 Result<Advance> Advance::read(const CommandReader& line) {
   const auto ticks = line.whole_number("ticks", 1, kMostInALine);
   if (!ticks) return ticks.error();
   Advance advance{*ticks};
-  if (line.has("bodies")) {
-    const auto bodies = line.flag("bodies");
-    if (!bodies) return bodies.error();
-    advance.bodies = *bodies;
+  for (const auto& [key, set] : {std::pair("bodies", &advance.bodies), std::pair("joins", &advance.joins)}) {
+    if (!line.has(key)) continue;
+    const auto flag = line.flag(key);
+    if (!flag) return flag.error();
+    *set = *flag;
   }
   return advance;
 }

@@ -14,10 +14,13 @@ namespace kerf {
 struct Advance {
   Ticks ticks = 0;
   bool bodies = false;  // bodies move (see core/physics), which Play begins
+  // Belongs to the step of the history before it whatever that is, and is undone with it. Time that does not
+  // is a step of its own after an edit (see Document).
+  bool joins = false;
 
   static constexpr const char* kName = "advance";
   static constexpr std::array<const char*, 1> kKeys{"ticks"};
-  static constexpr std::array<const char*, 1> kOptionalKeys{"bodies"};
+  static constexpr std::array<const char*, 2> kOptionalKeys{"bodies", "joins"};
   // The largest number in one line of a journal: each second of a run is a line of its own.
   static constexpr Ticks kMostInALine = kTicksPerSecond;
 

@@ -36,6 +36,17 @@ class Heat(WindowTest):
         self.assertEqual((report["undo_depth"], report["time"]["ticks"], report["faces_removed"]), (0, 0, 0))
         self.assertLess(report["heat"]["hottest"], 294)
 
+    def test_one_undo_takes_a_command_and_the_time_in_which_it_cooled_down(self):
+        editor = self.cut()
+        editor.press("ctrl", "a")
+        editor.press("h")
+        pause(2)
+        editor.press("ctrl", "z")
+        pause(1)
+        report = editor.quit()
+        self.assertEqual((report["undo_depth"], report["pieces_hidden"]), (1, 0))
+        self.assertEqual(report["messages"][-1], "Undone: Hide pieces" if report["pieces"] > 1 else "Undone: Hide a piece")
+
     def test_held_heat_stays(self):
         self.heat_held = True
         editor = self.cut()

@@ -97,11 +97,15 @@ struct Model {
     steps.push_back({std::move(commands), again});
     ++at;
   }
-  // Time belongs to the stroke before it, cut again or not, and to other time.
+  // Time belongs to the stroke before it, cut again or not, and to other time; to an edit where it joins it.
   void pass(const Advance& time) {
-    const bool own = at == 0 || std::visit(Overloaded{[](const HappensAtOnce auto&) { return true; },
-                                                      [](const auto&) { return false; }},
-                                           steps[at - 1].commands.front());
+    const bool joins = time.joins && !time.bodies;
+    const auto is_edit = [](const Command& first) {
+      return std::visit(
+          Overloaded{[](const HappensAtOnce auto&) { return true; }, [](const auto&) { return false; }},
+          first);
+    };
+    const bool own = at == 0 || (!joins && is_edit(steps[at - 1].commands.front()));
     if (own) return add({time});
     steps.resize(at);
     steps.back().commands.emplace_back(time);
@@ -141,7 +145,7 @@ Command random_piece_command(const PieceId& piece, Random& random) {
 
 // Bodies move in some of it.
 Advance random_time(Random& random) {
-  if (random.below(2) == 0) return {1 + random.below(300)};
+  if (random.below(2) == 0) return {1 + random.below(300), false, random.below(2) == 0};
   return {1 + random.below(12), true};
 }
 

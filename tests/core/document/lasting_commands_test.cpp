@@ -32,7 +32,7 @@ Pose random_pose(Random& random) {
 
 // Does something at random.
 void act(Document& document, Random& random) {
-  switch (random.below(5)) {
+  switch (random.below(8)) {
     case 0:
       document.apply(Undo{});
       break;
@@ -41,6 +41,18 @@ void act(Document& document, Random& random) {
       break;
     case 2:
       document.apply(Recut{some_settings(random)});
+      break;
+    case 3:
+      ASSERT_TRUE(
+          document.apply(RenamePiece{{document.world().ids()[0], 0}, std::to_string(random.below(1000))})
+              .ok());
+      break;
+    case 4:
+      document.apply(Advance{1 + random.below(200), false, random.below(2) == 0});
+      document.seal_journal();
+      break;
+    case 5:
+      document.apply(StopStroke{random.uniform(0, 2)});
       break;
     default:
       document.apply(BeginStroke{some_settings(random), random_pose(random)});
@@ -75,6 +87,12 @@ TEST(LastingCommands, takes_the_last_recut_for_the_stroke) {
   const Command begin = BeginStroke{}, end = EndStroke{}, recut = Recut{}, undo = Undo{}, tick = Advance{1};
   EXPECT_EQ(lasting_commands(std::vector{begin, end, recut, recut}), (Flags{0, 0, 0, 1}));
   EXPECT_EQ(lasting_commands(std::vector{begin, end, tick, recut, undo}), (Flags{1, 1, 1, 0, 0}));
+}
+
+TEST(LastingCommands, time_that_joins_an_edit_is_undone_with_it) {
+  const Command edit = RenamePiece{}, own = Advance{1}, joins = Advance{1, false, true}, undo = Undo{};
+  EXPECT_EQ(lasting_commands(std::vector{edit, own, undo}), (Flags{1, 0, 0}));
+  EXPECT_EQ(lasting_commands(std::vector{edit, joins, undo}), (Flags{0, 0, 0}));
 }
 
 TEST(LastingCommands, are_those_of_the_history) {

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
+#include "core/document/command_text.h"
 #include "core/document/document.h"
 #include "core/document/journal.h"
 #include "core/document/replay.h"
@@ -153,6 +156,82 @@ TEST_F(Time, is_a_step_of_its_own_where_no_stroke_is_before_it) {
   EXPECT_EQ(clock(), 25u);
 }
 
+TEST_F(Time, that_joins_an_edit_is_undone_and_done_again_with_it) {
+  for (const size_t window : {size_t{1} << 30, size_t{0}}) {
+    SCOPED_TRACE("window " + std::to_string(window));
+    document_ =
+        Document(world_of(plate(1)), [](const Progress*) { return Result<World>(world_of(plate(1))); });
+    document_.set_window(window);
+    draw();
+    pass(7);
+    walk();
+    const uint64_t cut = state_hash(document_.world());
+    apply(RenamePiece{{document_.world().ids()[0], 0}, "plate"});
+    document_.apply(Advance{10, false, true});
+    walk();
+    document_.apply(Advance{20, false, true});
+    walk();
+    const uint64_t later = state_hash(document_.world());
+    EXPECT_EQ(clock(), 37u);
+    ASSERT_EQ(document_.history().size(), 2u);
+    EXPECT_EQ(document_.history().step(1).kind(), Kind::kEdit);
+    apply(Undo{});
+    walk();
+    EXPECT_EQ(state_hash(document_.world()), cut);
+    apply(Redo{});
+    walk();
+    EXPECT_EQ(state_hash(document_.world()), later);
+    EXPECT_EQ(document_.history().size(), 2u);
+    apply(RenamePiece{{document_.world().ids()[0], 0}, "sheet"});
+    ASSERT_TRUE(document_.travel(0).ok());
+    ASSERT_TRUE(document_.travel(2).ok());
+    walk();
+    EXPECT_EQ(state_hash(document_.world()), later);
+  }
+}
+
+TEST_F(Time, that_joins_an_edit_does_so_only_while_bodies_stand_still) {
+  draw();
+  apply(RenamePiece{{document_.world().ids()[0], 0}, "plate"});
+  document_.apply(Advance{2, true, true});
+  walk();
+  ASSERT_EQ(document_.history().size(), 3u);
+  EXPECT_EQ(document_.history().step(2).kind(), Kind::kTime);
+}
+
+// As the editor leaves it: the ticks of a frame wait until the next one.
+TEST_F(Time, that_waits_when_its_step_is_undone_does_not_make_the_step_be_executed_again_by_redo) {
+  draw();
+  pass(5);
+  walk();
+  pass(3);
+  Document walked(world_of(plate(1)));
+  for (const Command& c : document_.journal()) ASSERT_TRUE(walked.apply(c).ok());
+  ASSERT_TRUE(walk_all(walked).ok());
+  apply(Undo{});
+  EXPECT_EQ(clock(), 0u);
+  apply(Redo{});
+  EXPECT_EQ(document_.waiting(), 0u);
+  expect_same_world(document_.world(), walked.world());
+}
+
+TEST_F(Time, in_which_bodies_move_and_that_waits_when_its_step_is_undone_does_not_pass_again_by_redo) {
+  draw();
+  walk();
+  document_.apply(Play{});
+  document_.apply(Advance{30, true});
+  walk();
+  document_.apply(Advance{12, true});
+  Document walked(world_of(plate(1)));
+  for (const Command& c : document_.journal()) ASSERT_TRUE(walked.apply(c).ok());
+  ASSERT_TRUE(walk_all(walked).ok());
+  apply(Undo{});
+  EXPECT_EQ(clock(), 0u);
+  apply(Redo{});
+  EXPECT_EQ(document_.waiting(), 0u);
+  EXPECT_EQ(state_hash(document_.world()), state_hash(walked.world()));
+}
+
 TEST_F(Time, makes_what_was_undone_gone) {
   draw();
   draw();
@@ -288,6 +367,26 @@ TEST_F(Time, of_the_keys_of_a_path_file_counts_from_the_first_and_is_not_rounded
   ASSERT_EQ(commands.size(), 4u);
   EXPECT_EQ(std::get<MoveStroke>(commands[1]).time, -0.9 - -1.0);
   EXPECT_EQ(std::get<MoveStroke>(commands[2]).time, 1.2);
+}
+
+TEST(JournalTime, after_an_edit_that_does_not_say_that_it_joins_it_is_a_step_of_its_own) {
+  const auto parse = [](const char* line) {
+    const nlohmann::json json = nlohmann::json::parse(line);
+    return *parse_command(JsonValue(json, "line 1"), {}, std::nullopt);
+  };
+  const Command own = parse(R"({"do": "advance", "ticks": 7})");
+  const Command joins = parse(R"({"do": "advance", "ticks": 7, "joins": true})");
+  for (const bool joined : {false, true}) {
+    Document document(world_of(plate(1)));
+    const BodyId id = document.world().ids()[0];
+    for (const Command& c :
+         std::vector<Command>{RenamePiece{{id, 0}, "plate"}, joined ? joins : own, Undo{}}) {
+      ASSERT_TRUE(document.apply(c).ok());
+      ASSERT_TRUE(walk_all(document).ok());
+    }
+    EXPECT_EQ(document.history().position(), joined ? 0u : 1u);
+    EXPECT_EQ(document.world().clock(), 0u);
+  }
 }
 
 TEST(JournalTime, of_a_journal_without_times_is_none) {

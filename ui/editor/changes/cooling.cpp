@@ -51,7 +51,7 @@ void Cooling::advance(double seconds) {
   const auto ticks = static_cast<Ticks>(due_);
   if (ticks == 0) return;
   due_ -= static_cast<double>(ticks);
-  document.apply(Advance{ticks, false});
+  document.apply(Advance{ticks, false, true});
   unseen_ = !seen;
   passed_at_ = Clock::now();
 }

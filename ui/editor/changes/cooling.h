@@ -11,7 +11,7 @@
 namespace kerf {
 
 // Lets what is hot in the open document cool down in real time while the user does not play: queues ticks in
-// which bodies stand still. They belong to the stroke before them, so that one undo takes both.
+// which bodies stand still. They belong to the step of the history before them, so that one undo takes both.
 //
 // Like the ticks of TimeFlow they are queued when all before them are done. While anything in the picture
 // changes by them, they are queued in every frame; after that time passes once a second, and the picture is

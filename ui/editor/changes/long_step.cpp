@@ -19,6 +19,7 @@ bool is_quick(const Document& document, const Command& command) {
           [](const BeginStroke&) { return true; },
           [](const MoveStroke&) { return true; },
           [](const EndStroke&) { return true; },
+          [&](const StopStroke&) { return document.stop_here().has_value(); },
           [](const Recut&) { return true; },
           [](const HappensInTime auto&) { return true; },
           [](const Play&) { return true; },

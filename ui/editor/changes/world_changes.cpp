@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "core/document/command_words.h"
+#include "core/document/stop_strokes.h"
 #include "ui/editor/changes/long_step.h"
 #include "ui/editor/changes/prepare_pieces.h"
 #include "ui/editor/view/piece_set.h"
@@ -176,9 +177,10 @@ void WorldChanges::prepare_chosen(const Preparation& preparation) {
   cancel_stroke(on_.hand, on_.work.document);
   const FaceForecast faces = forecast(pieces, preparation);
   const bool quick = std::max(faces.before, faces.after.value_or(0)) <= kQuickToPrepare;
-  change(preparation_title(preparation.tool), quick, [pieces, preparation](Document& d, const Progress* progress) {
-    return prepare_pieces(d, pieces, preparation, progress);
-  });
+  change(preparation_title(preparation.tool), quick,
+         [pieces, preparation](Document& d, const Progress* progress) {
+           return prepare_pieces(d, pieces, preparation, progress);
+         });
 }
 
 void WorldChanges::duplicate_chosen() {
@@ -233,6 +235,13 @@ void WorldChanges::recut_last_stroke(bool radius) {
   ++on_.figures.recuts;
 }
 
+void WorldChanges::stop_cutting() {
+  cancel_stroke(on_.hand, on_.work.document);
+  change(
+      "Stop cutting", true, [](Document& document, const Progress*) { return stop_strokes(document); },
+      "Stopped: the stroke ends here. Undo takes it back.");
+}
+
 void WorldChanges::run_path(std::vector<Command> commands) {
   const auto run = [commands = std::move(commands)](Document& document, const Progress* progress) {
     Outcome outcome = document.run_whole(commands, progress);
@@ -247,6 +256,7 @@ void WorldChanges::run_path(std::vector<Command> commands) {
 void WorldChanges::change(const std::string& title, bool quick, const Change& what, const std::string& said) {
   assert(!pending_);
   on_.message.say("");
+  said_later_.clear();
   if (quick) return show_outcome(what(on_.work.document, nullptr), {}, said);
   const auto prepared = std::make_shared<PreparedBodies>();
   LongChange change;
@@ -342,9 +352,15 @@ void WorldChanges::show_outcome(const Outcome& outcome, PreparedBodies prepared,
   show_change(outcome.delta, std::move(prepared));
   if (!outcome.ok()) {
     on_.message.say(outcome.error().message, true);
-  } else if (!said.empty()) {
-    on_.message.say(said);
+  } else {
+    said_later_ = said;
+    tell_done();
   }
+}
+
+void WorldChanges::tell_done() {
+  if (said_later_.empty() || on_.work.document.beam_waits()) return;
+  on_.message.say(std::exchange(said_later_, ""));
 }
 
 void WorldChanges::show_change(const Delta& delta, PreparedBodies prepared) {

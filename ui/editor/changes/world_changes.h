@@ -72,6 +72,9 @@ class WorldChanges {
   // gives a reason.
   void recut_last_stroke(bool radius);
 
+  // Ends the stroke that is being cut where it is, and takes back those that wait behind it.
+  void stop_cutting();
+
   // Executes commands of strokes on a thread of its own: all of them, or none if the user stops it.
   void run_path(std::vector<Command> commands);
 
@@ -81,9 +84,13 @@ class WorldChanges {
   bool step(const Part& part);
 
   // Changes the document by `what`, which may report no progress if it is called with null. A change that is
-  // not `quick` becomes pending, and is called by the title. Says `said` once it is done.
+  // not `quick` becomes pending, and is called by the title. Says `said` once it is done, and all strokes
+  // that it queued are cut (see tell_done).
   using Change = std::function<Outcome(Document&, const Progress*)>;
   void change(const std::string& title, bool quick, const Change& what, const std::string& said = "");
+
+  // To be called once a frame: says what is done by now.
+  void tell_done();
 
   // Makes a renderer show a world derived from the open document. Smooth normals are those of the faces as
   // loaded, however they were cut since.
@@ -101,6 +108,7 @@ class WorldChanges {
 
   Parts on_;
   std::optional<LongChange> pending_;
+  std::string said_later_;                            // once nothing is left to be cut
   std::optional<std::vector<BodyId>> hidden_before_;  // an isolation that is going on
 };
 

@@ -20,6 +20,7 @@ struct ShownFigures {
   size_t twin_faces = 0;  // in the right half
   double frame_ms = 0;
   std::string time;  // how fast it passes; empty: it stands still
+  std::string work;  // what the beam still does after the user has let go; may be empty
   size_t tree_nodes = 0;
   std::optional<int> tree_depth;  // unknown until a panel shows it
   MemoryFigures memory;

@@ -131,7 +131,8 @@ bool draw_contents(const Hand& hand, const Message& message, const ShownFigures&
   // What went wrong comes before what the button does, where there is no room for both.
   const float em = ImGui::GetFontSize(), left = ImGui::GetStyle().WindowPadding.x;
   const float end = ImGui::GetWindowWidth() - left;
-  const char* button = left_button(hand, !shown.time.empty());
+  const bool idle = hand.drag == Drag::kNone && !shown.work.empty();
+  const char* button = idle ? shown.work.c_str() : left_button(hand, !shown.time.empty());
   const float hint = ImGui::CalcTextSize(button).x + 1.6f * em;
   const float right = draw_figures(shown, left + hint, end);
   const float wanted = ImGui::CalcTextSize(message.text.c_str()).x + em;

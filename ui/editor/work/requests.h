@@ -20,6 +20,7 @@ struct Requests {
   bool recut = false;             // at the resolution that is set now
   bool recut_radius = false;      // with the radius that is set now, too
   bool undo = false, redo = false;
+  bool stop = false;  // what the beam is at
   bool hide_chosen = false, show_hidden = false, isolate = false, delete_chosen = false;
   bool duplicate_chosen = false;
   std::optional<bool> pin_chosen;          // pin, or let move again

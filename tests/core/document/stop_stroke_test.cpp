@@ -1,0 +1,245 @@
+#include <gtest/gtest.h>
+
+#include "core/document/document.h"
+#include "core/document/journal.h"
+#include "core/document/replay.h"
+#include "core/document/stop_strokes.h"
+#include "core/world/state_hash.h"
+#include "tests/support/made_meshes.h"
+#include "tests/support/same_world.h"
+#include "tests/support/sheets.h"
+#include "tests/support/strokes.h"
+
+namespace kerf::test {
+namespace {
+
+World made_world() { return world_of(torus(24, 16, 0.5, 0.2)); }
+
+Document made_document() {
+  return Document(made_world(), [](const Progress*) { return Result<World>(made_world()); });
+}
+
+CutSettings random_settings(Random& random) {
+  CutSettings s;
+  s.laser.radius = random.uniform(0.01, 0.04);
+  s.laser.range = {0, 5};
+  s.resolution.rim = random.below(2) == 0 ? Rim::kSmooth : Rim::kFaces;
+  s.resolution.target_edge = s.laser.radius * random.uniform(0.7, 2);
+  s.bite = 1 + random.below(200);
+  return s;
+}
+
+// A stroke of moves that are straight and of such that turn.
+std::vector<Command> random_stroke(Random& random) {
+  Vec3 direction(0, -1, 0);
+  const auto pose = [&] {
+    if (random.below(2) == 0)
+      direction = glm::normalize(Vec3(random.uniform(-0.2, 0.2), -1, random.uniform(-0.2, 0.2)));
+    return Pose{Vec3(random.uniform(-0.8, 0.8), 0, random.uniform(-0.8, 0.8)) - 2.0 * direction, direction};
+  };
+  double time = 0;
+  std::vector<Command> commands{BeginStroke{random_settings(random), pose()}};
+  for (size_t n = 1 + random.below(4); n > 0; --n)
+    commands.emplace_back(MoveStroke{pose(), time += random.unit()});
+  commands.emplace_back(EndStroke{});
+  return commands;
+}
+
+void draw(Document& document, const std::vector<Command>& stroke) {
+  for (const Command& c : stroke) ASSERT_TRUE(document.apply(c).ok());
+}
+
+void finish(Document& document) { ASSERT_TRUE(walk_all(document).ok()); }
+
+// Executes so many steps of the queue, or all.
+void step(Document& document, size_t steps) {
+  for (size_t i = 0; i < steps && document.waiting() > 0; ++i) ASSERT_TRUE(document.step(1 + i % 3).ok());
+}
+
+// With each command executed to the end before the next one.
+void expect_replays(const Document& document, size_t window) {
+  SCOPED_TRACE("window " + std::to_string(window));
+  Document again = made_document();
+  again.set_window(window);
+  for (const Command& c : document.journal()) {
+    ASSERT_TRUE(again.apply(c).ok());
+    finish(again);
+    again.seal_journal();
+  }
+  expect_same_world(document.world(), again.world());
+  EXPECT_EQ(again.journal().size(), document.journal().size());
+  EXPECT_EQ(again.history().position(), document.history().position());
+}
+
+TEST(StopStroke, ends_the_stroke_where_it_is_and_one_undo_takes_it_back) {
+  for (uint64_t seed = 1; seed <= 30; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    Document document = made_document();
+    draw(document, random_stroke(random));
+    finish(document);
+    const World before = document.world();
+    draw(document, random_stroke(random));
+    step(document, 1 + random.below(40));
+    const auto here = document.stop_here();
+    if (!here) continue;
+    const size_t removed = document.removed_faces(), waited = document.waiting();
+    ASSERT_TRUE(document.apply(*here).ok());
+    EXPECT_FALSE(document.stop_here().has_value());
+    EXPECT_LT(document.waiting(), waited);
+    finish(document);
+    EXPECT_GE(document.removed_faces(), removed);
+    EXPECT_TRUE(document.history().last().done());
+    expect_replays(document, size_t{1} << 30);
+    expect_replays(document, 0);
+    const uint64_t stopped = state_hash(document.world());
+    ASSERT_TRUE(document.apply(Undo{}).ok());
+    expect_same_world(document.world(), before);
+    ASSERT_TRUE(document.apply(Redo{}).ok());
+    EXPECT_EQ(document.waiting(), 0u);
+    EXPECT_EQ(state_hash(document.world()), stopped);
+    if (testing::Test::HasFailure()) return;
+  }
+}
+
+TEST(StopStroke, cuts_no_further_than_a_part_of_a_move) {
+  Document document(world_of(rectangle(2, 2, 4)));
+  CutSettings settings;
+  settings.laser.radius = 0.05;
+  settings.resolution.target_edge = 0.05;
+  document.apply(BeginStroke{settings, {{-0.8, 1, 0.02}, {0, -1, 0}}});
+  document.apply(MoveStroke{{{0.8, 1, 0.02}, {0, -1, 0}}, 1});
+  document.apply(EndStroke{});
+  double reached = -0.8;
+  while (reached < 0) {
+    const auto some = document.step(1);
+    ASSERT_TRUE(some.ok());
+    if (some->last) reached = some->last->to.origin.x;
+  }
+  ASSERT_TRUE(document.apply(*document.stop_here()).ok());
+  while (document.waiting() > 0) {
+    const auto some = document.step(1);
+    ASSERT_TRUE(some.ok());
+    if (some->last) EXPECT_LE(some->last->to.origin.x, reached + settings.laser.radius);
+  }
+}
+
+TEST(StopStroke, of_a_stroke_that_is_done_cuts_it_again_up_to_there) {
+  for (uint64_t seed = 41; seed <= 50; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const std::vector<Command> stroke = random_stroke(random);
+    const StopStroke stop{random.uniform(0.1, 4)};
+    Document at_once = made_document(), late = made_document();
+    draw(at_once, stroke);
+    ASSERT_TRUE(at_once.apply(stop).ok());
+    finish(at_once);
+    draw(late, stroke);
+    finish(late);
+    ASSERT_TRUE(late.apply(stop).ok());
+    finish(late);
+    expect_same_world(at_once.world(), late.world());
+    EXPECT_EQ(late.history().size(), 1u);
+  }
+}
+
+TEST(StopStroke, of_a_stroke_lasts_when_it_is_cut_again_with_another_radius) {
+  Random random(5);
+  const std::vector<Command> stroke = random_stroke(random);
+  Document whole = made_document(), stopped = made_document();
+  const CutSettings settings = random_settings(random);
+  for (Document* document : {&whole, &stopped}) {
+    draw(*document, stroke);
+    if (document == &stopped) ASSERT_TRUE(document->apply(StopStroke{1.25}).ok());
+    ASSERT_TRUE(document->apply(Recut{settings}).ok());
+    finish(*document);
+  }
+  EXPECT_LT(stopped.removed_area(), whole.removed_area());
+  EXPECT_GT(stopped.removed_area(), 0);
+}
+
+// The beam stands still in some of the ticks, over what falls.
+TEST(StopStroke, of_a_stroke_that_is_drawn_while_bodies_move_replays) {
+  for (uint64_t seed = 61; seed <= 75; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    Document document = made_document();
+    document.apply(SetSurroundings{{.gravity = {0, -9.81, 0}, .ground = -2}});
+    document.apply(Play{});
+    for (const Command& c : random_stroke(random)) {
+      ASSERT_TRUE(document.apply(c).ok());
+      if (random.below(2) == 0) document.apply(Advance{1 + random.below(9), true});
+    }
+    step(document, 1 + random.below(60));
+    const auto here = document.stop_here();
+    if (!here) continue;
+    ASSERT_TRUE(document.apply(*here).ok());
+    finish(document);
+    expect_replays(document, size_t{1} << 30);
+    if (testing::Test::HasFailure()) return;
+  }
+}
+
+TEST(StopStroke, is_executed_once_by_a_replay_of_its_journal) {
+  Random random(3);
+  Document document = made_document();
+  draw(document, random_stroke(random));
+  ASSERT_TRUE(document.apply(StopStroke{1.5}).ok());
+  Journal journal;
+  finish(document);
+  mark_state(document, journal.marks, true);
+  journal.commands = document.journal();
+  Document again = made_document();
+  Replay replay(journal, again);
+  size_t moves = 0, whole = 0;
+  Walk how;
+  how.told = [&](const Result<StepResult>& some) -> Status {
+    if (some) moves += some->moves;
+    return Done{};
+  };
+  ASSERT_TRUE(replay.run(how).ok());
+  EXPECT_FALSE(replay.difference().has_value());
+  Document other = made_document();
+  draw(other, {journal.commands.begin(), journal.commands.end() - 1});
+  ASSERT_TRUE(other.apply(journal.commands.back()).ok());
+  while (other.waiting() > 0) whole += other.step(8)->moves;
+  EXPECT_EQ(moves, whole);
+}
+
+TEST(StopStroke, without_a_stroke_does_nothing) {
+  Document document = made_document();
+  EXPECT_FALSE(document.stop_here().has_value());
+  EXPECT_TRUE(document.apply(StopStroke{1}).ok());
+  EXPECT_TRUE(document.journal().empty());
+}
+
+TEST(StopStrokes, takes_back_the_strokes_that_wait_behind_the_one_at_work) {
+  Random random(9);
+  const auto first = random_stroke(random), second = random_stroke(random);
+  Document document = made_document();
+  draw(document, first);
+  draw(document, second);
+  ASSERT_TRUE(document.step(1).ok());
+  ASSERT_TRUE(stop_strokes(document).ok());
+  EXPECT_EQ(document.history().position(), 1u);
+  EXPECT_EQ(document.history().size(), 2u);
+  EXPECT_FALSE(document.stop_here().has_value());
+  finish(document);
+  expect_replays(document, size_t{1} << 30);
+  ASSERT_TRUE(document.apply(Redo{}).ok());
+  finish(document);
+  EXPECT_EQ(document.strokes(), 2u);
+  expect_replays(document, size_t{1} << 30);
+}
+
+TEST(StopStrokes, takes_a_stroke_back_of_which_nothing_was_executed) {
+  Random random(10);
+  Document document = made_document();
+  draw(document, random_stroke(random));
+  ASSERT_TRUE(stop_strokes(document).ok());
+  EXPECT_EQ(document.history().position(), 0u);
+  EXPECT_EQ(document.waiting(), 0u);
+}
+
+}  // namespace
+}  // namespace kerf::test

@@ -163,12 +163,17 @@ std::vector<Command> with_time(const std::vector<Command>& stroke, Random& rando
 void act(Document& document, Model& model, Random& random) {
   const size_t what = random.below(15);
   if (what < 4) {
-    const auto stroke = with_time(random_stroke_commands(random), random);
+    auto stroke = with_time(random_stroke_commands(random), random);
     for (const Command& c : stroke) {
       ASSERT_TRUE(document.apply(c).ok());
       if (random.below(2) == 0) {
         ASSERT_TRUE(document.step(random.below(8)).ok());
       }
+    }
+    const auto here = document.stop_here();
+    if (here && random.below(3) == 0) {
+      ASSERT_TRUE(document.apply(*here).ok());
+      stroke.emplace_back(*here);
     }
     model.add(stroke);
   } else if (what < 7) {

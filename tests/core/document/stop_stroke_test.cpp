@@ -13,7 +13,7 @@
 namespace kerf::test {
 namespace {
 
-World made_world() { return world_of(torus(24, 16, 0.5, 0.2)); }
+World made_world() { return world_of(torus(16, 10, 0.5, 0.2)); }
 
 Document made_document() {
   return Document(made_world(), [](const Progress*) { return Result<World>(made_world()); });
@@ -72,7 +72,7 @@ void expect_replays(const Document& document, size_t window) {
 }
 
 TEST(StopStroke, ends_the_stroke_where_it_is_and_one_undo_takes_it_back) {
-  for (uint64_t seed = 1; seed <= 30; ++seed) {
+  for (uint64_t seed = 1; seed <= 12; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     Document document = made_document();
@@ -145,22 +145,25 @@ TEST(StopStroke, of_a_stroke_that_is_done_cuts_it_again_up_to_there) {
 
 TEST(StopStroke, of_a_stroke_lasts_when_it_is_cut_again_with_another_radius) {
   Random random(5);
-  const std::vector<Command> stroke = random_stroke(random);
-  Document whole = made_document(), stopped = made_document();
   const CutSettings settings = random_settings(random);
-  for (Document* document : {&whole, &stopped}) {
-    draw(*document, stroke);
-    if (document == &stopped) ASSERT_TRUE(document->apply(StopStroke{1.25}).ok());
-    ASSERT_TRUE(document->apply(Recut{settings}).ok());
+  CutSettings finer = settings;
+  finer.laser.radius *= 0.4;
+  const Vec3 down(0, -1, 0);
+  Document stopped = made_document(), shorter = made_document();
+  draw(stopped, {BeginStroke{settings, {{-0.8, 1, 0}, down}}, MoveStroke{{{0.8, 1, 0}, down}}, EndStroke{}});
+  draw(shorter, {BeginStroke{settings, {{-0.8, 1, 0}, down}}, MoveStroke{{{0, 1, 0}, down}}, EndStroke{}});
+  ASSERT_TRUE(stopped.apply(StopStroke{1.5}).ok());
+  for (Document* document : {&stopped, &shorter}) {
+    ASSERT_TRUE(document->apply(Recut{finer}).ok());
     finish(*document);
+    EXPECT_GT(document->removed_area(), 0);
   }
-  EXPECT_LT(stopped.removed_area(), whole.removed_area());
-  EXPECT_GT(stopped.removed_area(), 0);
+  EXPECT_NEAR(stopped.removed_area(), shorter.removed_area(), 0.05 * shorter.removed_area());
 }
 
 // The beam stands still in some of the ticks, over what falls.
 TEST(StopStroke, of_a_stroke_that_is_drawn_while_bodies_move_replays) {
-  for (uint64_t seed = 61; seed <= 75; ++seed) {
+  for (uint64_t seed = 61; seed <= 68; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     Document document = made_document();

@@ -182,7 +182,7 @@ TEST_F(Time, that_joins_an_edit_is_undone_and_done_again_with_it) {
     walk();
     EXPECT_EQ(state_hash(document_.world()), later);
     EXPECT_EQ(document_.history().size(), 2u);
-    apply(RenamePiece{{document_.world().ids()[0], 0}, "sheet"});
+    apply(SetSurroundings{{.gravity = {0, -1, 0}, .ground = std::nullopt}});
     ASSERT_TRUE(document_.travel(0).ok());
     ASSERT_TRUE(document_.travel(2).ok());
     walk();

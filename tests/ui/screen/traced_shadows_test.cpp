@@ -8,7 +8,7 @@
 namespace kerf {
 namespace {
 
-constexpr int kWidth = 240, kHeight = 160;
+constexpr int kWidth = 120, kHeight = 80;
 
 // A ball beside a ring with a warm rim, of which the picture is drawn again in every frame.
 class TracedShadowsTest : public testing::Test {

@@ -20,10 +20,10 @@ namespace kerf {
 
 // A world and the commands that led to it.
 //
-// The commands of a stroke, and Advance, only append work to a queue: moves of the beam and ticks of time.
-// step() executes a bounded part of the queue. The result does not depend on how the queue is divided into
-// steps: the same faces are removed and the same pieces are separated. All other commands are executed at
-// once, after everything in the queue.
+// The commands of a stroke, and Advance, only append moves of the beam and ticks of time to a queue, of which
+// step() executes a bounded part. The result depends neither on the division into steps nor on when the queue
+// runs empty: the same faces are removed, and the same pieces are separated, with the same labels. All other
+// commands are executed at once, after everything in the queue.
 //
 // Time passes only by Advance commands. A tick starts when the moves before it have been executed and the
 // search for separated pieces is finished. Bodies move in the ticks of Advance commands that say so: pieces
@@ -68,8 +68,8 @@ class Document {
   void apply(const Play& command);
 
   // The length of the queue: moves (including one that is partly executed), ticks, changes of the spring, and
-  // ends of strokes with a smooth rim (see BeamQueue::size). At least 1 while a search for separated pieces
-  // is not finished.
+  // ends of strokes with a smooth rim (see BeamQueue::size). At least 1 while no stroke is running and a
+  // search for separated pieces is not finished.
   size_t waiting() const;
   // Whether the queue holds moves or ends of strokes, not only ticks and searches.
   bool beam_waits() const { return queue_.holds_beam(); }

@@ -33,7 +33,7 @@ void hold_by_whole_id(World& world) {
 
 }  // namespace
 
-size_t Document::waiting() const { return queue_.empty() && !is_settled(world_) ? 1 : queue_.size(); }
+size_t Document::waiting() const { return queue_.empty() && must_separate() ? 1 : queue_.size(); }
 
 bool Document::next_closes_rim() const {
   return !queue_.empty() && queue_.front_kind() == BeamQueue::Kind::kRim && !must_separate();
@@ -84,11 +84,13 @@ Result<StepResult> Document::step_front(size_t most, bool one_stage, const Progr
   return some.error();
 }
 
-// What came apart in one stroke is known before the next one, or a tick, begins.
+// What came apart in one stroke is known before the next one, or a tick, begins. While a stroke runs whose
+// moves so far are all executed, the search waits for what comes next: which part keeps its label depends on
+// when a search ends, and when the queue is empty depends on how fast it is executed.
 bool Document::must_separate() const {
   if (is_settled(world_)) return false;
-  return queue_.empty() || queue_.front_kind() == BeamQueue::Kind::kTicks ||
-         recorder_.step() != queue_.front_step();
+  if (queue_.empty()) return !in_stroke_;
+  return queue_.front_kind() == BeamQueue::Kind::kTicks || recorder_.step() != queue_.front_step();
 }
 
 StepResult Document::separate_more() {

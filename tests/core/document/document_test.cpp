@@ -10,6 +10,7 @@
 #include "core/world/state_hash.h"
 #include "tests/support/checkout.h"
 #include "tests/support/made_meshes.h"
+#include "tests/support/same_world.h"
 #include "tests/support/strokes.h"
 
 namespace kerf::test {
@@ -120,6 +121,39 @@ TEST(Document, a_move_is_walked_alike_however_far_the_cut_had_come_when_it_was_a
   // At 75 the world gets so much smaller that moves cut up by its size would be others.
   for (uint64_t seed = 73; seed <= 78; ++seed)
     EXPECT_EQ(hash_of_wide_strokes(seed, true), hash_of_wide_strokes(seed, false)) << "seed " << seed;
+}
+
+// The search for what came apart goes on from move to move, and takes longer than one: a user who draws
+// slowly and one whose moves wait get the same pieces under the same labels, and so does whoever replays the
+// journal.
+TEST(Document, labels_do_not_depend_on_when_the_queue_is_executed) {
+  for (uint64_t seed = 1; seed <= 6; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    CutSettings settings = settings_of(0.03);
+    settings.search_a_move = 1 + random.below(40);
+    settings.resolution.rim = random.below(2) == 0 ? Rim::kSmooth : Rim::kFaces;
+    std::vector<Document> documents;
+    for (int i = 0; i < 3; ++i) documents.emplace_back(world_of(torus(32, 20, 0.5, 0.2)));
+    const auto apply = [&](const Command& command) {
+      for (Document& document : documents) ASSERT_TRUE(document.apply(command).ok());
+      ASSERT_TRUE(walk_all(documents[1]).ok());
+      ASSERT_TRUE(documents[2].step(random.below(4)).ok());
+    };
+    // To and fro, so that what came off is cut again while the search for it goes on.
+    const auto pose = [&](int i) {
+      const double x = 0.4 * (i % 4) - 0.6 + random.uniform(-0.02, 0.02);
+      return Pose{{x, 1, i / 2 % 2 == 0 ? 0.8 : -0.8}, {0, -1, 0}};
+    };
+    apply(BeginStroke{settings, pose(0)});
+    for (int i = 1; i < 16; ++i) apply(MoveStroke{pose(i)});
+    apply(EndStroke{});
+    for (Document& document : documents) ASSERT_TRUE(walk_all(document).ok());
+    EXPECT_GT(documents[0].world().live_pieces(), 3u);
+    expect_same_world(documents[0].world(), documents[1].world());
+    expect_same_world(documents[0].world(), documents[2].world());
+    if (HasFailure()) return;
+  }
 }
 
 TEST(Document, a_stroke_that_fails_leaves_the_next_one_alone) {

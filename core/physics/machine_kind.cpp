@@ -6,12 +6,19 @@
 
 namespace kerf {
 
+namespace {
+
+// Of Kerf's own part in how bodies move. It increases when bodies begin to move to other bits.
+constexpr int kRevision = 2;
+
+}  // namespace
+
 std::string machine_kind() {
   utsname machine{};
   const std::string processor = uname(&machine) == 0 ? machine.machine : "unknown";
   const int version = btGetVersion();
   return processor + " glibc-" + gnu_get_libc_version() + " bullet-" + std::to_string(version / 100) + "." +
-         std::to_string(version % 100);
+         std::to_string(version % 100) + " motion-" + std::to_string(kRevision);
 }
 
 }  // namespace kerf

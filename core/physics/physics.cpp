@@ -12,6 +12,7 @@
 #include "core/physics/sleep.h"
 #include "core/physics/solve_contacts.h"
 #include "core/physics/speed_limit.h"
+#include "core/world/weigh.h"
 
 namespace kerf {
 
@@ -146,6 +147,13 @@ TickFigures count_bodies(const World& world) {
   return count;
 }
 
+// Weighs the bodies that such a tick makes colliders of: both are functions of the faces.
+void weigh_changed(const Physics& physics, World& world, bool under_beam) {
+  for (const BodyId id : world.ids()) {
+    if (is_shown(world.body(id)) && physics.makes_collider(world, id, under_beam)) weigh(world.body(id));
+  }
+}
+
 }  // namespace
 
 Physics::Physics() : solver_(std::make_unique<SolverMemory>()) {}
@@ -213,6 +221,7 @@ std::vector<MovingBody> Physics::moving_bodies(World& world, bool under_beam) {
 }
 
 Delta Physics::tick(World& world, bool under_beam, std::span<const Guided> guided) {
+  if (world.spring() || count_bodies(world).awake > 0) weigh_changed(*this, world, under_beam);
   pull(world, kTick);
   figures_ = count_bodies(world);
   if (figures_.awake == 0) return {};

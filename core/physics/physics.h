@@ -65,7 +65,7 @@ class Physics {
   // caller. `under_beam`: a beam is on, and the next ticks will follow further cuts. `guided`: bodies that
   // are treated in another way than all others, in any order, each once.
   Delta tick(World& world, bool under_beam = false, std::span<const Guided> guided = {});
-  // Whether such a tick makes a collider of this body.
+  // Whether such a tick makes a collider of this body, if any is awake, and weighs the body (see weigh).
   bool makes_collider(const World& world, BodyId id, bool under_beam) const;
   static constexpr size_t kMostUnderBeam = 20'000;
 

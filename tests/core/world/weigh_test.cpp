@@ -1,0 +1,135 @@
+#include "core/world/weigh.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/graph/detach.h"
+#include "core/graph/separation.h"
+#include "tests/support/made_meshes.h"
+#include "tests/support/piece_sums.h"
+#include "tests/support/strokes.h"
+
+namespace kerf::test {
+namespace {
+
+// The same triangles in another order, each from another corner.
+Soup shuffled(Soup soup, Random& random) {
+  for (size_t i = soup.triangles.size(); i > 1; --i)
+    std::swap(soup.triangles[i - 1], soup.triangles[random.below(i)]);
+  for (auto& t : soup.triangles)
+    std::rotate(t.begin(), t.begin() + static_cast<std::ptrdiff_t>(random.below(3)), t.end());
+  return soup;
+}
+
+// The live faces of a body as a soup.
+Soup faces_of(const Body& body) {
+  Soup soup;
+  for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+    if (!body.mesh.is_live(FaceId(f))) continue;
+    const auto first = static_cast<uint32_t>(soup.positions.size());
+    for (const Vec3& corner : body.mesh.triangle(FaceId(f))) soup.positions.push_back(corner);
+    soup.triangles.push_back({first, first + 1, first + 2});
+  }
+  return soup;
+}
+
+void expect_same_sums(const Piece& a, const Piece& b) {
+  EXPECT_EQ(a.area, b.area);
+  EXPECT_EQ(a.moments, b.moments);
+}
+
+TEST(Weigh, finds_what_edits_have_kept_up) {
+  for (uint64_t seed = 1; seed <= 6; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    World world = cut_at_random(torus(24, 16, 0.5, 0.2), seed);
+    weigh(only_body(world));
+    expect_piece_sums(only_body(world));
+  }
+}
+
+TEST(Weigh, depends_neither_on_slots_nor_on_the_order_of_corners_nor_on_the_edits_before) {
+  bool kept_up_differ = false;
+  for (uint64_t seed = 1; seed <= 6; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    World world = cut_at_random(sphere(24, 32, 0.5), seed);
+    Body& cut = only_body(world);
+    Body made = make_body("made", build(shuffled(faces_of(cut), random)));
+    made.loaded.min = cut.loaded.min;
+    made.loaded.max = cut.loaded.max;
+    for (uint32_t f = 0; f < cut.mesh.face_slots(); ++f) {
+      if (cut.mesh.is_live(FaceId(f))) cut.mesh.edit_data(FaceId(f)).piece = 0;
+    }
+    kept_up_differ |= cut.pieces[0].moments != made.pieces[0].moments;
+    weigh(cut);
+    weigh(made);
+    expect_same_sums(cut.pieces[0], made.pieces[0]);
+  }
+  EXPECT_TRUE(kept_up_differ) << "or there is nothing to show here";
+}
+
+TEST(Weigh, changes_nothing_of_pieces_that_were_detached_from_a_weighed_body) {
+  for (uint64_t seed = 1; seed <= 6; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    World world = cut_at_random(torus(24, 16, 0.5, 0.2), seed);
+    weigh(only_body(world));
+    const BodyId whole = world.ids().front();
+    const auto pieces = world.body(whole).pieces.size();
+    Delta delta;
+    for (uint32_t label = 1; label < pieces; ++label) {
+      if (world.body(whole).pieces[label].faces > 0) detach(world, {whole, label}, 1, delta);
+    }
+    for (const BodyId id : world.ids()) {
+      Body again = world.body(id);
+      weigh(again);
+      for (uint32_t p = 0; p < pieces; ++p) expect_same_sums(again.pieces[p], world.body(id).pieces[p]);
+    }
+  }
+}
+
+// The areas of faces that a search is about to relabel count for their new pieces already, their moments not.
+TEST(Weigh, leaves_a_search_that_is_open_alone) {
+  for (uint64_t seed = 1; seed <= 8; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    World world = world_of(torus(24, 16, 0.5, 0.2));
+    RandomStroke stroke = random_stroke(world, random, 0.03, true);
+    stroke.settings.search_a_move = 1;
+    ASSERT_TRUE(cut_whole(world, stroke.settings, stroke.moves).ok());
+    Body& body = only_body(world);
+    while (!is_settled(body)) {
+      weigh(body);
+      go_on_separating(world, 1 + random.below(40));
+    }
+    expect_piece_sums(body);
+  }
+}
+
+// Lengths that are multiplied by a power of two multiply areas and moments by powers of two.
+TEST(Weigh, of_any_size_and_place_is_as_exact) {
+  const auto weighed = [](const Soup& soup) {
+    Body body = make_body("sphere", build(soup));
+    weigh(body);
+    return body.pieces[0];
+  };
+  const Soup soup = sphere(12, 16, 0.5);
+  const Piece one = weighed(soup);
+  EXPECT_NEAR(one.area, 3.0, 0.2);
+  for (const int power : {-120, -20, 20, 120}) {
+    SCOPED_TRACE("2^" + std::to_string(power));
+    const Piece scaled = weighed(moved(soup, Vec3(0), std::ldexp(1.0, power)));
+    EXPECT_EQ(scaled.area, std::ldexp(one.area, 2 * power));
+    for (int k = 0; k < 3; ++k)
+      EXPECT_EQ(scaled.moments.first[k], std::ldexp(one.moments.first[k], 3 * power));
+    for (size_t i = 0; i < one.moments.second.size(); ++i)
+      EXPECT_EQ(scaled.moments.second[i], std::ldexp(one.moments.second[i], 4 * power));
+  }
+  const Piece far = weighed(moved(soup, {1e6, 0, -1e6}, 1));
+  EXPECT_NEAR(far.area, one.area, 1e-8);
+  for (size_t i = 0; i < 3; ++i) EXPECT_NEAR(far.moments.second[i], one.moments.second[i], 1e-8);
+}
+
+}  // namespace
+}  // namespace kerf::test

@@ -1,5 +1,6 @@
 #include <cassert>
 
+#include "core/cut/heat_flow.h"
 #include "core/document/document.h"
 
 namespace kerf {
@@ -63,6 +64,7 @@ StepResult Document::skip_to(std::span<const BodyState> states, std::span<const 
     begin(queue_.front_step());
     const Ticks ticks = queue_.front_ticks();
     world_.pass(ticks);
+    cool_for_ticks(world_, ticks);
     queue_.pop_ticks(ticks);
   }
   return take_states(states, pairs);

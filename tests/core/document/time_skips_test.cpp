@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/cut/heat_flow.h"
 #include "core/document/document.h"
 #include "core/document/replay.h"
 #include "core/world/state_hash.h"
@@ -26,10 +27,11 @@ World made_world() {
 // A document whose journal is recorded with marks.
 class Recorded {
  public:
-  void stroke(double z) {
+  void stroke(double z, double heat_width = 0) {
     CutSettings settings;
     settings.laser.radius = 0.01;
     settings.resolution.target_edge = 0.02;
+    settings.heat_width = heat_width;
     const Vec3 down(0, -1, 0);
     document.apply(BeginStroke{settings, {{-2, 3, z}, down}});
     document.apply(MoveStroke{{{2, 3, z}, down}});
@@ -104,6 +106,24 @@ TEST(TimeSkips, a_replay_that_skips_time_goes_on_to_the_bit_and_is_undone_and_re
     EXPECT_EQ(state_hash(b.world()), state_hash(a.document.world()));
     expect_same_way_back(a.document, b);
   }
+}
+
+// Heat flows on while bodies are put where they came.
+TEST(TimeSkips, what_is_hot_cools_in_time_that_is_skipped) {
+  Recorded a;
+  a.stroke(0.1, 0.05);
+  a.play(30);
+  a.mark();
+  a.stroke(-0.2, 0.05);
+  a.pass(7);
+  ASSERT_TRUE(is_hot(a.document.world()));
+  const Journal journal = a.journal();
+  Document b = fresh();
+  Replay replay(journal, b, time_skips(journal, 5));
+  ASSERT_TRUE(replay.run({}));
+  EXPECT_EQ(replay.skipped(), 37u);
+  EXPECT_FALSE(replay.difference());
+  EXPECT_EQ(state_hash(b.world()), state_hash(a.document.world()));
 }
 
 // A plate hangs on a spring, so that it never sleeps.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cassert>
+#include <limits>
 #include <tuple>
 
 #include "core/document/document.h"
@@ -9,6 +10,19 @@ namespace kerf {
 
 using Images = HistoryStep::Images;
 using Kind = HistoryStep::Kind;
+
+namespace {
+
+// Whether bodies move in these commands of a step, so that pieces become bodies and take slots of the world.
+// Slots are not used again, and ids name them: they must not depend on how far a step was executed.
+bool bodies_move_in(const std::vector<Command>& commands) {
+  return std::any_of(commands.begin(), commands.end(), [](const Command& command) {
+    const auto* advance = std::get_if<Advance>(&command);
+    return advance != nullptr && advance->bodies;
+  });
+}
+
+}  // namespace
 
 bool Document::can_recut() const {
   const auto last = history_.last_cut();
@@ -59,15 +73,19 @@ std::optional<World> Document::before_last_stroke() {
 
 Outcome Document::recut(const Recut& command) {
   end_stroke();
-  if (!can_recut()) return Outcome();
+  Outcome all;
+  if (can_recut() && bodies_move_in(history_.commands_of(history_.position() - 1))) all = finish(nullptr);
+  if (!all.ok() || !can_recut()) return all;
   begin_step(command);
   journal_.append(command);
   ++revision_;
-  return Outcome(cut_again());
+  all.delta.append(cut_again());
+  return all;
 }
 
 // Of the last step: the world goes back to before the stroke as an edit of its own. A stroke of which moves
-// wait is taken back for good: whoever undoes the recut has it walked again.
+// wait, and under which bodies do not move, is taken back for good: whoever undoes the recut has it walked
+// again.
 Delta Document::cut_again() {
   const size_t step = history_.position() - 1, before = step - 1;
   queue_.drop(before);
@@ -252,8 +270,10 @@ Outcome Document::replay(size_t position, const Progress* progress) {
   return outcome;
 }
 
-// A stroke that is cut again right away need not be cut first.
+// A stroke that is cut again right away need not be cut first, unless bodies move under it. Then it is cut,
+// and its before-images are kept until it has been cut again.
 Status Document::replay_steps(size_t position, const Progress* progress) {
+  const size_t window = history_.window();
   while (history_.position() < position) {
     const size_t step = history_.position();
     const double share = 1 / static_cast<double>(position), from = share * static_cast<double>(step);
@@ -264,9 +284,12 @@ Status Document::replay_steps(size_t position, const Progress* progress) {
       if (done.ok()) done = finish(&walking);
     } else {
       history_.forth();
-      if (step + 1 < position && history_.step(step + 1).kind() == Kind::kRecut) continue;
+      const bool again = step + 1 < position && history_.step(step + 1).kind() == Kind::kRecut;
+      if (again && !bodies_move_in(history_.commands_of(step))) continue;
+      if (again) history_.set_window(std::numeric_limits<size_t>::max());
       walk_again();
       done = finish(&walking);
+      if (!again || !done.ok()) history_.set_window(window);
     }
     if (!done.ok()) return done.error();
   }

@@ -329,6 +329,39 @@ TEST(History, asking_what_was_before_a_stroke_leaves_the_stroke_alone) {
   }
 }
 
+// Pieces that came off while bodies moved take ids, which commands name: also where the stroke is cut again
+// before it is walked, and where the history is replayed from its origin.
+TEST(History, ids_of_bodies_do_not_depend_on_how_far_a_stroke_was_walked_when_it_was_cut_again) {
+  CutSettings settings;
+  settings.laser.radius = 0.02;
+  settings.resolution.target_edge = 0.05;
+  CutSettings wider = settings;
+  wider.laser.radius = 0.03;
+  const auto origin = [](const Progress*) { return Result<World>(made_world()); };
+  const auto draw = [&](Document& document, bool walks) {
+    const auto apply = [&](const Command& command) {
+      ASSERT_TRUE(document.apply(command).ok());
+      if (walks) finish(document);
+    };
+    apply(BeginStroke{settings, {{0.05, 2, -0.9}, {0, -1, 0}}});
+    apply(MoveStroke{{{0.05, 2, 0.9}, {0, -1, 0}}});
+    apply(EndStroke{});
+    apply(Advance{3, true});
+    apply(Recut{wider});
+    finish(document);
+  };
+  Document walked(made_world(), origin), waiting(made_world(), origin);
+  draw(walked, true);
+  draw(waiting, false);
+  ASSERT_GT(walked.world().ids().size(), made_world().ids().size());
+  expect_same_world(walked.world(), waiting.world());
+  const std::vector<BodyId> ids = walked.world().ids();
+  walked.set_window(0);  // lets all images go
+  ASSERT_TRUE(walked.travel(1).ok());
+  ASSERT_TRUE(walked.travel(2).ok());
+  EXPECT_EQ(walked.world().ids(), ids);
+}
+
 // At every step of the first, in the middle of its moves too; it cuts the plate in two.
 TEST(History, a_stroke_cut_again_before_it_is_walked_leaves_the_one_before_it_alone) {
   CutSettings settings;

@@ -160,7 +160,7 @@ class ReplayRun {
     if (const auto& d = replay.difference()) {
       return failed(arguments_.journal + ": line " + std::to_string(d->mark.line) + ": " + place_of(d->mark) +
                     " the state is " + hash_text(d->hash) + " and not " + hash_text(d->mark.hash) +
-                    ": another version of Kerf made this journal, or it was changed");
+                    ": it differs from the one that the journal recorded");
     }
     if (expected_ && *expected_ != hash) {
       return failed(arguments_.journal + ": the state at the end is " + hash_text(hash) + " and not " +

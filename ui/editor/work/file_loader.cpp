@@ -102,9 +102,7 @@ bool replay_all(const Journal& journal, LoadedFiles& loaded, const Progress& pro
   if (loaded.damaged) {
     loaded.fault = journal.damage;
   } else if (replay.difference()) {
-    loaded.fault =
-        "Cut another way than when it was saved: another version of Kerf made this journal, or it was "
-        "changed";
+    loaded.fault = "The state differs from the one that the journal recorded";
   } else if (!replay.other_machine().empty()) {
     loaded.fault = "Bodies moved on another kind of machine: they were put where they were there";
   } else if (replay.skipped() > 0) {

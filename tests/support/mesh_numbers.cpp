@@ -166,6 +166,14 @@ void expect_same(const MeshNumbers& before, const MeshNumbers& after) {
   EXPECT_EQ(after.components, before.components);
 }
 
+double live_area(const Mesh& mesh) {
+  double area = 0;
+  for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
+    if (mesh.is_live(FaceId(f))) area += triangle_area(mesh.triangle(FaceId(f)));
+  }
+  return area;
+}
+
 FaceId random_live_face(const Mesh& mesh, Random& random) {
   for (;;) {
     const FaceId f(static_cast<uint32_t>(random.below(mesh.face_slots())));

@@ -26,6 +26,7 @@ MeshNumbers count_connected_numbers(const Mesh& mesh);
 // Expects what splitting must leave to be as it was, to the rounding of sums.
 void expect_same(const MeshNumbers& before, const MeshNumbers& after);
 
+double live_area(const Mesh& mesh);
 FaceId random_live_face(const Mesh& mesh, Random& random);
 
 // The first thing that is wrong with the half-edges, or nothing: neighbours that are not the faces on the

@@ -13,7 +13,7 @@ namespace kerf::test {
 
 namespace {
 
-Soup random_sheet(Random& random) {
+Soup random_scrap(Random& random) {
   switch (random.below(4)) {
     case 0: {
       const double width = random.uniform(0.2, 0.6);
@@ -125,7 +125,7 @@ World rain(uint64_t count, uint64_t seed, double half_width) {
   Random random(seed);
   World world = world_with_ground();
   for (uint64_t i = 0; i < count; ++i) {
-    const Soup soup = random_sheet(random);
+    const Soup soup = random_scrap(random);
     const glm::dquat turn = random_turn(random);
     const double x = random.uniform(-half_width, half_width), z = random.uniform(-half_width, half_width);
     add(world, soup, {x, 0.5 + 0.12 * static_cast<double>(i), z}, turn);

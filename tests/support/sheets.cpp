@@ -9,7 +9,7 @@ namespace kerf::test {
 
 namespace {
 
-constexpr double kTurn = 6.283185307179586;
+constexpr double kFullTurn = 6.283185307179586;
 
 uint32_t add_point(Soup& soup, const Vec3& p) {
   soup.positions.push_back(p);
@@ -22,7 +22,7 @@ void add_quad(Soup& soup, uint32_t a, uint32_t b, uint32_t c, uint32_t d) {
 }
 
 void add_ring_point(Soup& soup, double radius, double y, int i, int sectors) {
-  const double angle = kTurn * i / sectors;
+  const double angle = kFullTurn * i / sectors;
   add_point(soup, {radius * std::sin(angle), y, radius * std::cos(angle)});
 }
 
@@ -47,7 +47,7 @@ Soup disc(double radius, int sectors) {
 Soup plate_with_hole(double size, double hole_radius, int sectors) {
   Soup soup;
   for (int i = 0; i < sectors; ++i) {
-    const double angle = kTurn * i / sectors, x = std::sin(angle), z = std::cos(angle);
+    const double angle = kFullTurn * i / sectors, x = std::sin(angle), z = std::cos(angle);
     add_point(soup, {hole_radius * x, 0, hole_radius * z});
     const double far = 0.5 * size / std::max(std::abs(x), std::abs(z));
     add_point(soup, {far * x, 0, far * z});

@@ -48,14 +48,6 @@ void expect_pieces_equal_full_search(const Body& body, const std::vector<uint32_
     EXPECT_EQ(faces[p], body.pieces[p].faces) << "faces of piece " << p;
 }
 
-double live_area(const Mesh& mesh) {
-  double area = 0;
-  for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
-    if (mesh.is_live(FaceId(f))) area += triangle_area(mesh.triangle(FaceId(f)));
-  }
-  return area;
-}
-
 void expect_nothing_left_under(const Body& body, const CutSettings& settings, const BeamMove& move) {
   for (const SweptCylinder& part : sweep_beam(settings.laser, move)) {
     for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kShare = 1e-9;  // of the area as loaded; the report promises 1e-6
 
-double live_area(const World& world) {
+double area_of_world(const World& world) {
   double area = 0;
   for (const BodyId id : world.ids()) {
     const Mesh& mesh = world.body(id).mesh;
@@ -50,14 +50,14 @@ double draw(Document& document, const RandomStroke& stroke, const CutSettings& s
 // Removed and left, by the history, by the faces that live and by the counts of pieces, are what was loaded.
 void expect_balanced(const Document& document, double loaded, const char* when) {
   SCOPED_TRACE(when);
-  const double left = live_area(document.world());
+  const double left = area_of_world(document.world());
   EXPECT_NEAR(document.removed_area() + left, loaded, kShare * loaded);
   EXPECT_NEAR(counted_area(document.world()), left, kShare * loaded);
 }
 
 void expect_area_balanced(const Soup& soup, Random& random, Rim rim, Scheme scheme) {
   Document document(world_of(soup));
-  const double loaded = live_area(document.world());
+  const double loaded = area_of_world(document.world());
   double removed = 0;
   for (const double radius_share : {0.02, 0.03}) {
     const RandomStroke stroke = random_stroke(document.world(), random, radius_share, random.below(2) == 0);

@@ -12,7 +12,7 @@
 namespace kerf::test {
 namespace {
 
-constexpr double kRadius = 0.02;
+constexpr double kBeamRadius = 0.02;
 
 struct Cut {
   World world;
@@ -37,7 +37,7 @@ Cut cut(const Soup& soup, const Resolution& resolution, uint64_t seed, bool tilt
     return Pose{Vec3(random.uniform(-0.3, 0.3), 0, random.uniform(-0.3, 0.3)) - direction, direction};
   };
   CutSettings settings;
-  settings.laser.radius = kRadius;
+  settings.laser.radius = kBeamRadius;
   settings.laser.range = {0, 5};
   settings.resolution = resolution;
   const Pose from = pose(), to = pose();
@@ -50,8 +50,8 @@ Cut cut(const Soup& soup, const Resolution& resolution, uint64_t seed, bool tilt
   EXPECT_TRUE(stepped.ok());
   result.faces_made = stepped->figures.faces_made;
   result.world = document.world();
-  for (const BeamMove& m : subdivide({from, to}, kRadius / 8, 2))
-    result.swept.emplace_back(m.from, m.to, kRadius, settings.laser.range);
+  for (const BeamMove& m : subdivide({from, to}, kBeamRadius / 8, 2))
+    result.swept.emplace_back(m.from, m.to, kBeamRadius, settings.laser.range);
   return result;
 }
 
@@ -81,7 +81,7 @@ TEST(Tolerance, bounds_how_far_what_is_removed_overshoots_the_beam) {
   for (const Scheme scheme : {Scheme::kOneToFour, Scheme::kLongestEdge}) {
     for (uint64_t seed = 1; seed <= 10; ++seed) {
       SCOPED_TRACE("seed " + std::to_string(seed));
-      const double tolerance = kRadius / (seed % 2 == 0 ? 8 : 3);
+      const double tolerance = kBeamRadius / (seed % 2 == 0 ? 8 : 3);
       Cut c = cut(plate(1), tolerance_of(scheme, tolerance), seed, seed > 5);
       double farthest = 0;
       for (const Vec3& p : rim_of_plate(c.mesh())) farthest = std::max(farthest, c.distance(p));
@@ -95,7 +95,7 @@ TEST(Tolerance, bounds_how_far_what_is_removed_overshoots_the_beam) {
 TEST(Tolerance, makes_at_most_half_of_the_faces_that_the_length_rule_makes_at_the_same_number) {
   for (const Scheme scheme : {Scheme::kOneToFour, Scheme::kLongestEdge}) {
     for (uint64_t seed = 1; seed <= 6; ++seed) {
-      for (const double length : {kRadius / 4, kRadius / 8}) {
+      for (const double length : {kBeamRadius / 4, kBeamRadius / 8}) {
         SCOPED_TRACE("seed " + std::to_string(seed) + ", length " + std::to_string(length));
         const Resolution edges{
             .scheme = scheme, .rule = Resolution::Rule::kTargetEdge, .target_edge = length};
@@ -108,7 +108,7 @@ TEST(Tolerance, makes_at_most_half_of_the_faces_that_the_length_rule_makes_at_th
 
 TEST(Tolerance, leaves_what_the_beam_does_not_touch_as_it_is) {
   for (const Scheme scheme : {Scheme::kOneToFour, Scheme::kLongestEdge}) {
-    Cut c = cut(grid(40, 1), tolerance_of(scheme, kRadius / 8), 3, false);
+    Cut c = cut(grid(40, 1), tolerance_of(scheme, kBeamRadius / 8), 3, false);
     const double reach = 2 * std::sqrt(2.0) / 40;  // two faces
     size_t split = 0;
     for (uint32_t f = 0; f < c.mesh().face_slots(); ++f) {

@@ -37,14 +37,6 @@ void draw(Document& document, const CutSettings& settings, const std::vector<Pos
   while (document.waiting() > 0) ASSERT_TRUE(document.step(1).ok());
 }
 
-double live_area(const Mesh& mesh) {
-  double area = 0;
-  for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
-    if (mesh.is_live(FaceId(f))) area += triangle_area(mesh.triangle(FaceId(f)));
-  }
-  return area;
-}
-
 Vec3 unit_normal(const Triangle& t) { return glm::normalize(glm::cross(t[1] - t[0], t[2] - t[0])); }
 
 // What beams have swept, asked the slow way: every part for every point.

@@ -216,12 +216,12 @@ TEST_F(JournalFile, is_not_written_with_a_name_that_json_cannot_hold) {
 }
 
 // What `commands` come to, and the marks on the way.
-struct Outcome {
+struct EndState {
   std::vector<StateMark> marks;
   uint64_t hash = 0;
 };
-Outcome run(std::span<const Command> commands, size_t moves_a_step) {
-  Outcome outcome;
+EndState run(std::span<const Command> commands, size_t moves_a_step) {
+  EndState outcome;
   Document document(world_of(plate(1)));
   for (const Command& command : commands) {
     EXPECT_TRUE(document.apply(command).ok());
@@ -239,7 +239,7 @@ TEST_F(JournalFile, replays_to_the_hashes_that_were_recorded_and_finds_the_first
     const auto more = stroke(-0.4 + 0.02 * i);
     commands.insert(commands.end(), more.begin(), more.end());
   }
-  const Outcome recorded = run(commands, 7);
+  const EndState recorded = run(commands, 7);
   ASSERT_EQ(recorded.marks.size(), 3u);  // after 51, 102 and all 120
   EXPECT_EQ(recorded.marks[1].commands, 102u);
   for (const size_t broken : {3u, 0u, 1u, 2u}) {

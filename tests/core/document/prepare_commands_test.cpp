@@ -37,7 +37,7 @@ std::vector<Command> preparations(const PieceId& piece, size_t faces) {
 
 PieceId only_piece(const World& world) { return {world.ids().front(), 0}; }
 
-void expect_whole(const World& world) {
+void expect_sound(const World& world) {
   for (const BodyId id : world.ids()) {
     const Body& body = world.body(id);
     EXPECT_EQ(find_fault(body.mesh, true), "");
@@ -72,7 +72,7 @@ TEST(PrepareCommands, are_undone_and_done_again_to_the_bit) {
     EXPECT_EQ(outcome.delta.went, before.ids());
     EXPECT_EQ(outcome.delta.came, document.world().ids());
     const World after = document.world();
-    expect_whole(after);
+    expect_sound(after);
     EXPECT_NE(state_hash(after), state_hash(before));
     ASSERT_TRUE(document.apply(Undo{}).ok());
     expect_same_world(document.world(), before);
@@ -94,7 +94,7 @@ TEST(PrepareCommands, make_the_piece_that_was_cut_off_a_body_and_leave_the_other
       ASSERT_TRUE(outcome.ok()) << outcome.error().message;
       if (outcome.delta.empty()) continue;
       const World& world = document.world();
-      expect_whole(world);
+      expect_sound(world);
       ASSERT_EQ(world.ids().size(), 2u);
       const Body &rest = world.body(world.ids()[0]), &own = world.body(world.ids()[1]);
       EXPECT_EQ(rest.mesh.live_faces() + faces, before.live_faces());
@@ -126,7 +126,7 @@ TEST(PrepareCommands, what_they_make_can_be_cut) {
       const RandomStroke stroke = random_stroke(world, random, 0.03, true);
       ASSERT_TRUE(cut_whole(world, stroke.settings, stroke.moves).ok());
       while (!is_settled(world)) go_on_separating(world, 100'000);
-      expect_whole(world);
+      expect_sound(world);
     }
   }
 }

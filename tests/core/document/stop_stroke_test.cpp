@@ -13,13 +13,13 @@
 namespace kerf::test {
 namespace {
 
-World made_world() { return world_of(torus(16, 10, 0.5, 0.2)); }
+World torus_world() { return world_of(torus(16, 10, 0.5, 0.2)); }
 
-Document made_document() {
-  return Document(made_world(), [](const Progress*) { return Result<World>(made_world()); });
+Document stopped_document() {
+  return Document(torus_world(), [](const Progress*) { return Result<World>(torus_world()); });
 }
 
-CutSettings random_settings(Random& random) {
+CutSettings random_cut_settings(Random& random) {
   CutSettings s;
   s.laser.radius = random.uniform(0.01, 0.04);
   s.laser.range = {0, 5};
@@ -38,18 +38,18 @@ std::vector<Command> random_stroke(Random& random) {
     return Pose{Vec3(random.uniform(-0.8, 0.8), 0, random.uniform(-0.8, 0.8)) - 2.0 * direction, direction};
   };
   double time = 0;
-  std::vector<Command> commands{BeginStroke{random_settings(random), pose()}};
+  std::vector<Command> commands{BeginStroke{random_cut_settings(random), pose()}};
   for (size_t n = 1 + random.below(4); n > 0; --n)
     commands.emplace_back(MoveStroke{pose(), time += random.unit()});
   commands.emplace_back(EndStroke{});
   return commands;
 }
 
-void draw(Document& document, const std::vector<Command>& stroke) {
+void draw_stroke(Document& document, const std::vector<Command>& stroke) {
   for (const Command& c : stroke) ASSERT_TRUE(document.apply(c).ok());
 }
 
-void finish(Document& document) { ASSERT_TRUE(walk_all(document).ok()); }
+void finish_all(Document& document) { ASSERT_TRUE(walk_all(document).ok()); }
 
 // Executes so many steps of the queue, or all.
 void step(Document& document, size_t steps) {
@@ -59,11 +59,11 @@ void step(Document& document, size_t steps) {
 // With each command executed to the end before the next one.
 void expect_replays(const Document& document, size_t window) {
   SCOPED_TRACE("window " + std::to_string(window));
-  Document again = made_document();
+  Document again = stopped_document();
   again.set_window(window);
   for (const Command& c : document.journal()) {
     ASSERT_TRUE(again.apply(c).ok());
-    finish(again);
+    finish_all(again);
     again.seal_journal();
   }
   expect_same_world(document.world(), again.world());
@@ -75,11 +75,11 @@ TEST(StopStroke, ends_the_stroke_where_it_is_and_one_undo_takes_it_back) {
   for (uint64_t seed = 1; seed <= 12; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
-    Document document = made_document();
-    draw(document, random_stroke(random));
-    finish(document);
+    Document document = stopped_document();
+    draw_stroke(document, random_stroke(random));
+    finish_all(document);
     const World before = document.world();
-    draw(document, random_stroke(random));
+    draw_stroke(document, random_stroke(random));
     step(document, 1 + random.below(40));
     const auto here = document.stop_here();
     if (!here) continue;
@@ -87,7 +87,7 @@ TEST(StopStroke, ends_the_stroke_where_it_is_and_one_undo_takes_it_back) {
     ASSERT_TRUE(document.apply(*here).ok());
     EXPECT_FALSE(document.stop_here().has_value());
     EXPECT_LT(document.waiting(), waited);
-    finish(document);
+    finish_all(document);
     EXPECT_GE(document.removed_faces(), removed);
     EXPECT_TRUE(document.history().last().done());
     expect_replays(document, size_t{1} << 30);
@@ -130,14 +130,14 @@ TEST(StopStroke, of_a_stroke_that_is_done_cuts_it_again_up_to_there) {
     Random random(seed);
     const std::vector<Command> stroke = random_stroke(random);
     const StopStroke stop{random.uniform(0.1, 4)};
-    Document at_once = made_document(), late = made_document();
-    draw(at_once, stroke);
+    Document at_once = stopped_document(), late = stopped_document();
+    draw_stroke(at_once, stroke);
     ASSERT_TRUE(at_once.apply(stop).ok());
-    finish(at_once);
-    draw(late, stroke);
-    finish(late);
+    finish_all(at_once);
+    draw_stroke(late, stroke);
+    finish_all(late);
     ASSERT_TRUE(late.apply(stop).ok());
-    finish(late);
+    finish_all(late);
     expect_same_world(at_once.world(), late.world());
     EXPECT_EQ(late.history().size(), 1u);
   }
@@ -145,17 +145,17 @@ TEST(StopStroke, of_a_stroke_that_is_done_cuts_it_again_up_to_there) {
 
 TEST(StopStroke, of_a_stroke_lasts_when_it_is_cut_again_with_another_radius) {
   Random random(5);
-  const CutSettings settings = random_settings(random);
+  const CutSettings settings = random_cut_settings(random);
   CutSettings finer = settings;
   finer.laser.radius *= 0.4;
   const Vec3 down(0, -1, 0);
-  Document stopped = made_document(), shorter = made_document();
-  draw(stopped, {BeginStroke{settings, {{-0.8, 1, 0}, down}}, MoveStroke{{{0.8, 1, 0}, down}}, EndStroke{}});
-  draw(shorter, {BeginStroke{settings, {{-0.8, 1, 0}, down}}, MoveStroke{{{0, 1, 0}, down}}, EndStroke{}});
+  Document stopped = stopped_document(), shorter = stopped_document();
+  draw_stroke(stopped, {BeginStroke{settings, {{-0.8, 1, 0}, down}}, MoveStroke{{{0.8, 1, 0}, down}}, EndStroke{}});
+  draw_stroke(shorter, {BeginStroke{settings, {{-0.8, 1, 0}, down}}, MoveStroke{{{0, 1, 0}, down}}, EndStroke{}});
   ASSERT_TRUE(stopped.apply(StopStroke{1.5}).ok());
   for (Document* document : {&stopped, &shorter}) {
     ASSERT_TRUE(document->apply(Recut{finer}).ok());
-    finish(*document);
+    finish_all(*document);
     EXPECT_GT(document->removed_area(), 0);
   }
   EXPECT_NEAR(stopped.removed_area(), shorter.removed_area(), 0.05 * shorter.removed_area());
@@ -166,7 +166,7 @@ TEST(StopStroke, of_a_stroke_that_is_drawn_while_bodies_move_replays) {
   for (uint64_t seed = 61; seed <= 68; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
-    Document document = made_document();
+    Document document = stopped_document();
     document.apply(SetSurroundings{{.gravity = {0, -9.81, 0}, .ground = -2}});
     document.apply(Play{});
     for (const Command& c : random_stroke(random)) {
@@ -177,7 +177,7 @@ TEST(StopStroke, of_a_stroke_that_is_drawn_while_bodies_move_replays) {
     const auto here = document.stop_here();
     if (!here) continue;
     ASSERT_TRUE(document.apply(*here).ok());
-    finish(document);
+    finish_all(document);
     expect_replays(document, size_t{1} << 30);
     if (testing::Test::HasFailure()) return;
   }
@@ -185,14 +185,14 @@ TEST(StopStroke, of_a_stroke_that_is_drawn_while_bodies_move_replays) {
 
 TEST(StopStroke, is_executed_once_by_a_replay_of_its_journal) {
   Random random(3);
-  Document document = made_document();
-  draw(document, random_stroke(random));
+  Document document = stopped_document();
+  draw_stroke(document, random_stroke(random));
   ASSERT_TRUE(document.apply(StopStroke{1.5}).ok());
   Journal journal;
-  finish(document);
+  finish_all(document);
   mark_state(document, journal.marks, true);
   journal.commands = document.journal();
-  Document again = made_document();
+  Document again = stopped_document();
   Replay replay(journal, again);
   size_t moves = 0, whole = 0;
   Walk how;
@@ -202,15 +202,15 @@ TEST(StopStroke, is_executed_once_by_a_replay_of_its_journal) {
   };
   ASSERT_TRUE(replay.run(how).ok());
   EXPECT_FALSE(replay.difference().has_value());
-  Document other = made_document();
-  draw(other, {journal.commands.begin(), journal.commands.end() - 1});
+  Document other = stopped_document();
+  draw_stroke(other, {journal.commands.begin(), journal.commands.end() - 1});
   ASSERT_TRUE(other.apply(journal.commands.back()).ok());
   while (other.waiting() > 0) whole += other.step(8)->moves;
   EXPECT_EQ(moves, whole);
 }
 
 TEST(StopStroke, without_a_stroke_does_nothing) {
-  Document document = made_document();
+  Document document = stopped_document();
   EXPECT_FALSE(document.stop_here().has_value());
   EXPECT_TRUE(document.apply(StopStroke{1}).ok());
   EXPECT_TRUE(document.journal().empty());
@@ -219,26 +219,26 @@ TEST(StopStroke, without_a_stroke_does_nothing) {
 TEST(StopStrokes, takes_back_the_strokes_that_wait_behind_the_one_at_work) {
   Random random(9);
   const auto first = random_stroke(random), second = random_stroke(random);
-  Document document = made_document();
-  draw(document, first);
-  draw(document, second);
+  Document document = stopped_document();
+  draw_stroke(document, first);
+  draw_stroke(document, second);
   ASSERT_TRUE(document.step(1).ok());
   ASSERT_TRUE(stop_strokes(document).ok());
   EXPECT_EQ(document.history().position(), 1u);
   EXPECT_EQ(document.history().size(), 2u);
   EXPECT_FALSE(document.stop_here().has_value());
-  finish(document);
+  finish_all(document);
   expect_replays(document, size_t{1} << 30);
   ASSERT_TRUE(document.apply(Redo{}).ok());
-  finish(document);
+  finish_all(document);
   EXPECT_EQ(document.strokes(), 2u);
   expect_replays(document, size_t{1} << 30);
 }
 
 TEST(StopStrokes, takes_a_stroke_back_of_which_nothing_was_executed) {
   Random random(10);
-  Document document = made_document();
-  draw(document, random_stroke(random));
+  Document document = stopped_document();
+  draw_stroke(document, random_stroke(random));
   ASSERT_TRUE(stop_strokes(document).ok());
   EXPECT_EQ(document.history().position(), 0u);
   EXPECT_EQ(document.waiting(), 0u);

@@ -17,7 +17,7 @@ namespace {
 constexpr Ticks kMinute = Document::kTicksToForget;
 
 // Three plates above each other and the ground.
-World made_world() {
+World falling_world() {
   World world;
   for (const double height : {0.3, 0.5, 0.8}) add(world, rectangle(1, 1, 8), {0.1 * height, height, 0});
   world.set_surroundings({.gravity = {0, -9.81, 0}, .ground = 0});
@@ -56,12 +56,12 @@ class Recorded {
     return journal;
   }
 
-  Document document{made_world()};
+  Document document{falling_world()};
   std::vector<StateMark> marks;
 };
 
 Document fresh() {
-  return Document(made_world(), [](const Progress*) -> Result<World> { return made_world(); });
+  return Document(falling_world(), [](const Progress*) -> Result<World> { return falling_world(); });
 }
 
 void expect_same_way_back(Document& a, Document& b) {

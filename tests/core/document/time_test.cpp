@@ -19,7 +19,7 @@ namespace {
 
 using Kind = HistoryStep::Kind;
 
-CutSettings settings_of(double radius) {
+CutSettings settings_with_radius(double radius) {
   CutSettings s;
   s.laser.radius = radius;
   s.resolution.target_edge = radius;
@@ -31,7 +31,7 @@ const Pose kFrom{{-0.7, 1, 0.1}, {0, -1, 0}}, kTo{{0.7, 1, 0.12}, {0, -1, 0}};
 // A plate, and a stroke across it.
 class Time : public testing::Test {
  protected:
-  void begin() { document_.apply(BeginStroke{settings_of(0.05), kFrom}); }
+  void begin() { document_.apply(BeginStroke{settings_with_radius(0.05), kFrom}); }
   void move() { document_.apply(MoveStroke{kTo, 0.5}); }
   void end() { document_.apply(EndStroke{}); }
   void draw() {
@@ -56,7 +56,7 @@ class Time : public testing::Test {
 
 TEST_F(Time, changes_nothing_but_the_clock) {
   Document without(world_of(plate(1)));
-  without.apply(BeginStroke{settings_of(0.05), kFrom});
+  without.apply(BeginStroke{settings_with_radius(0.05), kFrom});
   without.apply(MoveStroke{kTo});
   without.apply(EndStroke{});
   ASSERT_TRUE(walk_all(without).ok());
@@ -90,7 +90,7 @@ TEST_F(Time, waits_behind_the_moves_of_a_stroke_that_runs_and_does_not_end_it) {
 }
 
 TEST_F(Time, begins_when_what_came_apart_is_known) {
-  CutSettings settings = settings_of(0.05);
+  CutSettings settings = settings_with_radius(0.05);
   settings.search_a_move = 1;
   document_ = Document(world_of(torus(64, 40, 0.5, 0.2)));
   document_.apply(BeginStroke{settings, {{-0.8, 1, 0}, {0, -1, 0}}});
@@ -250,7 +250,7 @@ TEST_F(Time, passes_again_where_the_stroke_before_it_is_cut_again) {
   const uint64_t coarse = state_hash(document_.world());
   for (const double radius : {0.03, 0.02}) {
     ASSERT_TRUE(document_.can_recut());
-    apply(Recut{settings_of(radius)});
+    apply(Recut{settings_with_radius(radius)});
     EXPECT_EQ(clock(), 0u);
     walk();
     EXPECT_EQ(clock(), radius > 0.025 ? 10u : 17u);
@@ -284,14 +284,14 @@ TEST_F(Time, in_a_stroke_keeps_its_place_between_the_moves_when_the_stroke_is_cu
   const auto drawn = clocks();
   pass(2);
   walk();
-  apply(Recut{settings_of(0.05)});
+  apply(Recut{settings_with_radius(0.05)});
   EXPECT_EQ(clocks(), drawn);
   EXPECT_EQ(clock(), 9u);
 }
 
 TEST_F(Time, passes_once_in_a_stroke_that_cannot_be_cut_to_its_end) {
   for (const bool step_between : {true, false}) {
-    CutSettings too_fine = settings_of(0.02);
+    CutSettings too_fine = settings_with_radius(0.02);
     too_fine.most_faces = 40;
     document_ = Document(world_of(plate(1)));
     bool failed = false;
@@ -363,7 +363,7 @@ TEST_F(Time, of_the_keys_of_a_path_file_counts_from_the_first_and_is_not_rounded
   StrokePath path;
   path.keys = {kFrom, kTo, kFrom};
   path.times = {-1.0, -0.9, 0.2};
-  const std::vector<Command> commands = stroke_commands(path, settings_of(0.05));
+  const std::vector<Command> commands = stroke_commands(path, settings_with_radius(0.05));
   ASSERT_EQ(commands.size(), 4u);
   EXPECT_EQ(std::get<MoveStroke>(commands[1]).time, -0.9 - -1.0);
   EXPECT_EQ(std::get<MoveStroke>(commands[2]).time, 1.2);
@@ -396,7 +396,7 @@ TEST(JournalTime, of_a_journal_without_times_is_none) {
   SceneDescription scene;
   scene.bodies.push_back(body_of_file(folder / "plate.obj"));
   ASSERT_TRUE(note_hashes(scene).ok());
-  const std::vector<Command> commands{BeginStroke{settings_of(0.05), kFrom}, MoveStroke{kTo}, EndStroke{}};
+  const std::vector<Command> commands{BeginStroke{settings_with_radius(0.05), kFrom}, MoveStroke{kTo}, EndStroke{}};
   ASSERT_TRUE(save_journal(folder / "old.kerf", scene, commands, {}).ok());
   EXPECT_EQ(read_text(folder / "old.kerf").find("\"t\":"), std::string::npos);
   const auto journal = read_journal(folder / "old.kerf");
@@ -418,13 +418,13 @@ TEST(JournalTime, a_journal_with_time_replays_to_the_same_world_command_by_comma
       switch (random.below(8)) {
         case 0:
           time = 0;
-          document.apply(BeginStroke{settings_of(random.uniform(0.02, 0.05)), pose});
+          document.apply(BeginStroke{settings_with_radius(random.uniform(0.02, 0.05)), pose});
           break;
         case 1:
           ASSERT_TRUE(document.apply(Undo{}).ok());
           break;
         case 2:
-          if (document.can_recut()) ASSERT_TRUE(document.apply(Recut{settings_of(0.03)}).ok());
+          if (document.can_recut()) ASSERT_TRUE(document.apply(Recut{settings_with_radius(0.03)}).ok());
           break;
         case 3:
           document.apply(MoveStroke{pose, time += random.unit()});

@@ -1,5 +1,7 @@
 #include "core/game/vehicle/damage.h"
 
+#include <gtest/gtest.h>
+
 #include "tests/support/game_files.h"
 
 namespace kerf {

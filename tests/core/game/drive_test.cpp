@@ -1,5 +1,7 @@
 #include "core/game/vehicle/drive.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 
 #include "core/base/tick.h"

@@ -1,5 +1,7 @@
 #include "core/game/laser/fire.h"
 
+#include <gtest/gtest.h>
+
 #include "core/game/laser/gun.h"
 #include "core/game/vehicle/vehicle_bodies.h"
 #include "tests/support/game_files.h"

@@ -1,5 +1,7 @@
 #include "core/game/match/joint_faces.h"
 
+#include <gtest/gtest.h>
+
 #include "tests/support/game_files.h"
 #include "tests/support/sheets.h"
 

@@ -1,5 +1,7 @@
 #include "core/game/match/match.h"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <map>
 #include <optional>

@@ -1,5 +1,7 @@
 #include "core/game/driver/route.h"
 
+#include <gtest/gtest.h>
+
 #include "core/base/random.h"
 #include "core/game/match/rules.h"
 #include "tests/support/checkout.h"

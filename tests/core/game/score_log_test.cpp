@@ -1,5 +1,7 @@
 #include "core/game/match/score_log.h"
 
+#include <gtest/gtest.h>
+
 #include <map>
 
 #include "core/game/match/bot_player.h"
@@ -15,7 +17,11 @@ struct Played {
   std::unique_ptr<Match> match;
   std::vector<Controls> controls;
   ScoreLog log;
-  std::map<Ticks, double> points;  // by tick
+  struct Points {
+    double sum;
+    size_t wave;
+  };
+  std::map<Ticks, Points> points;  // by tick
 };
 
 Played play(const MatchSetup& setup, double seconds) {
@@ -26,15 +32,18 @@ Played play(const MatchSetup& setup, double seconds) {
     played.match->tick(played.controls.back());
     played.log.hear(*played.match);
     for (const Event& e : played.match->events()) {
-      if (e.points > 0) played.points[played.match->standing().ticks] += e.points;
+      if (e.points <= 0) continue;
+      Played::Points& points = played.points[played.match->standing().ticks];
+      points = {points.sum + e.points, played.match->standing().wave};
     }
   }
   return played;
 }
 
-double points_between(const Played& played, Ticks from, Ticks to) {
+double points_between(const Played& played, Ticks from, Ticks to, size_t wave) {
   double sum = 0;
-  for (const auto& [tick, points] : played.points) sum += tick > from && tick <= to ? points : 0;
+  for (const auto& [tick, points] : played.points)
+    sum += tick > from && tick <= to && points.wave == wave ? points.sum : 0;
   return sum;
 }
 
@@ -47,12 +56,10 @@ TEST(ScoreLog, finds_the_ten_seconds_with_the_most_points_and_they_can_be_played
   const auto best = played.log.best();
   ASSERT_TRUE(best);
   EXPECT_LE(best->to - best->from, ScoreLog::kMoment);
-  EXPECT_EQ(points_between(played, best->from, best->to), best->points);
-  for (const auto& [tick, points] : played.points) {
-    const Ticks to = tick + ScoreLog::kAfterwards, from = to - std::min(to, ScoreLog::kMoment);
-    if (from >= best->start.standing.ticks) {
-      EXPECT_LE(points_between(played, from, to), best->points);
-    }
+  EXPECT_EQ(points_between(played, best->from, best->to, best->start.standing.wave), best->points);
+  for (const auto& [last, points] : played.points) {
+    const Ticks to = last + ScoreLog::kAfterwards, from = to - std::min(to, ScoreLog::kMoment);
+    EXPECT_LE(points_between(played, from, last, points.wave), best->points);
   }
   const auto before = match_at(setup, best->start, played.controls, best->from);
   const auto after = match_at(setup, best->start, played.controls, best->to);

@@ -22,7 +22,7 @@ struct RandomCut {
   uint32_t components_before = 0;
 };
 
-RandomCut cut_at_random(const Soup& soup, uint64_t seed) {
+RandomCut graph_of_random_cut(const Soup& soup, uint64_t seed) {
   RandomCut cut{world_of(soup), {}, {}, {}, 0};
   cut.components_before = label_components(only_body(cut.world).mesh, cut.component_before);
   Random random(seed);
@@ -42,7 +42,7 @@ void for_random_cuts(uint64_t seeds, const Check& check) {
   for (const auto& [name, soup] : mesh_classes()) {
     for (uint64_t seed = 1; seed <= runs(seeds); ++seed) {
       SCOPED_TRACE(name + ", seed " + std::to_string(seed));
-      check(cut_at_random(soup, seed));
+      check(graph_of_random_cut(soup, seed));
       if (::testing::Test::HasFatalFailure()) return;
     }
   }
@@ -115,7 +115,7 @@ TEST(CutGraph, knows_a_removed_face_that_closed_a_loop_where_something_came_apar
   size_t separated = 0;
   for (uint64_t seed = 1; seed <= runs(40); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const RandomCut cut = cut_at_random(sphere(12, 16, 1), seed);
+    const RandomCut cut = graph_of_random_cut(sphere(12, 16, 1), seed);
     bool came_apart = false, closed = false;
     for (const BodyDelta& b : cut.done.delta.bodies) came_apart |= !b.new_pieces.empty();
     for (const auto& [id, faces] : cut.removed) {
@@ -128,7 +128,7 @@ TEST(CutGraph, knows_a_removed_face_that_closed_a_loop_where_something_came_apar
 }
 
 TEST(CutGraph, starts_beside_the_cut) {
-  const RandomCut cut = cut_at_random(grid(12, 2), 3);
+  const RandomCut cut = graph_of_random_cut(grid(12, 2), 3);
   const CutGraph graph = cut_graph(cut.world, cut.removed);
   const auto start = start_beside_cut(graph);
   ASSERT_TRUE(start);

@@ -7,7 +7,7 @@
 namespace kerf {
 namespace {
 
-constexpr int kWidth = 120, kHeight = 90;
+constexpr int kFollowingWidth = 120, kFollowingHeight = 90;
 // Corners of a face with its place in the list of live ones, twice, for slots that are sent along.
 constexpr size_t kMostBytesOfFace = 2 * (60 + 12);
 
@@ -19,7 +19,7 @@ ViewOptions under_lamp() {
   return options;
 }
 
-CameraView view_from_above() { return look_at({2.4, 2.6, 3.6}, {0, 0, 0}, double{kWidth} / kHeight); }
+CameraView view_from_above() { return look_at({2.4, 2.6, 3.6}, {0, 0, 0}, double{kFollowingWidth} / kFollowingHeight); }
 
 size_t faces_of(const World& world, std::span<const BodyId> bodies) {
   size_t faces = 0;
@@ -38,7 +38,7 @@ TEST(FollowingBodies, that_move_sends_no_face_and_rebuilds_only_their_silhouette
   std::vector<BodyId> pieces = stage.world().ids();
   pieces.erase(pieces.begin());
   const ViewOptions options = under_lamp();
-  stage.draw(view_from_above(), options, kWidth, kHeight);
+  stage.draw(view_from_above(), options, kFollowingWidth, kFollowingHeight);
   const size_t sent = stage.renderer().uploaded_bytes();
   ShadowWork before = stage.renderer().shadow_work();
   const uint64_t faces = faces_of(stage.world(), pieces);
@@ -46,7 +46,7 @@ TEST(FollowingBodies, that_move_sends_no_face_and_rebuilds_only_their_silhouette
     for (const BodyId id : pieces) stage.apply(MovePiece{{id, 0}, {{0, -0.004 * tick, 0}, {1, 0, 0, 0}}});
     ASSERT_EQ(stage.renderer().uploaded_bytes(), sent);
     if (tick % (kTicks / 2) != 0) continue;
-    stage.draw(view_from_above(), options, kWidth, kHeight);
+    stage.draw(view_from_above(), options, kFollowingWidth, kFollowingHeight);
     const ShadowWork after = stage.renderer().shadow_work();
     EXPECT_EQ(after.casters, before.casters);
     EXPECT_EQ(after.rebuilt, before.rebuilt + kPieces);
@@ -66,11 +66,11 @@ TEST(FollowingBodies, that_fall_sends_no_face_and_edits_neither_mesh_nor_tree) {
   stage.apply(SetSurroundings{{{0, -9.81, 0}, -1}});
   const ViewOptions options = under_lamp();
   stage.pass(1);
-  stage.draw(view_from_above(), options, kWidth, kHeight);
+  stage.draw(view_from_above(), options, kFollowingWidth, kFollowingHeight);
   const size_t sent = stage.renderer().uploaded_bytes();
   for (int frame = 0; frame < 10; ++frame) {
     stage.pass(5);
-    stage.draw(view_from_above(), options, kWidth, kHeight);
+    stage.draw(view_from_above(), options, kFollowingWidth, kFollowingHeight);
     EXPECT_LT(stage.document().history().last().bytes(), 100'000u);
   }
   EXPECT_EQ(stage.renderer().uploaded_bytes(), sent);
@@ -93,11 +93,11 @@ struct Seen {
 Seen see(Renderer& renderer, const World& world) {
   ViewOptions look = under_lamp();
   look.rim_glow = false;
-  const gl::Framebuffer canvas({kWidth, kHeight, 1, false});
+  const gl::Framebuffer canvas({kFollowingWidth, kFollowingHeight, 1, false});
   const CameraView view = view_from_above();
-  renderer.draw(world, view, look, std::nullopt, {canvas.name(), 0, 0, kWidth, kHeight});
-  return {read_pixels(canvas.name(), kWidth, kHeight),
-          renderer.shadow_counts(world, view, look, 0, ShadowMethod::kRobust, true, kWidth, kHeight)};
+  renderer.draw(world, view, look, std::nullopt, {canvas.name(), 0, 0, kFollowingWidth, kFollowingHeight});
+  return {read_pixels(canvas.name(), kFollowingWidth, kFollowingHeight),
+          renderer.shadow_counts(world, view, look, 0, ShadowMethod::kRobust, true, kFollowingWidth, kFollowingHeight)};
 }
 
 // The sheet is flat, so that a renderer that sees it cut for the first time shades it alike.

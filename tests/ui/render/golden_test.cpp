@@ -9,7 +9,7 @@
 namespace kerf {
 namespace {
 
-constexpr int kWidth = 320, kHeight = 200;
+constexpr int kGoldenWidth = 320, kGoldenHeight = 200;
 
 struct Golden {
   const char* name;
@@ -91,17 +91,17 @@ void expect_golden(const std::string& name, const Pixels& drawn) {
 
 TEST(Golden, every_overlay_looks_as_it_did) {
   test::Stage stage = test::ball_and_ring();
-  const CameraView view = test::view_of_ball_and_ring(static_cast<double>(kWidth) / kHeight);
+  const CameraView view = test::view_of_ball_and_ring(static_cast<double>(kGoldenWidth) / kGoldenHeight);
   for (const Golden& golden : goldens(stage))
-    expect_golden(golden.name, stage.draw(view, golden.options, kWidth, kHeight));
+    expect_golden(golden.name, stage.draw(view, golden.options, kGoldenWidth, kGoldenHeight));
 }
 
 TEST(Golden, a_hot_rim_glows_and_the_scale_of_temperatures_shows_it) {
   test::Stage stage = test::ball_and_ring();
   stage.cut({{-0.4, -0.4, 4}, {0, 0, -1}}, {{0.5, -0.1, 4}, {0, 0, -1}}, 0.04, 0.25);
-  const CameraView view = test::view_of_ball_and_ring(static_cast<double>(kWidth) / kHeight);
-  expect_golden("heat-glow", stage.draw(view, showing("shadows"), kWidth, kHeight));
-  expect_golden("heat", stage.draw(view, showing("heat"), kWidth, kHeight));
+  const CameraView view = test::view_of_ball_and_ring(static_cast<double>(kGoldenWidth) / kGoldenHeight);
+  expect_golden("heat-glow", stage.draw(view, showing("shadows"), kGoldenWidth, kGoldenHeight));
+  expect_golden("heat", stage.draw(view, showing("heat"), kGoldenWidth, kGoldenHeight));
 }
 
 // The picture of the next stage of this kind that removed, made or hit anything.
@@ -113,8 +113,8 @@ Pixels draw_stage(test::Stage& stage, StageLog& log, StageRecord::Kind kind) {
   }
   ViewOptions options = showing("shadows");
   options.stage = log.marks(stage.world());
-  return stage.draw(test::view_of_ball_and_ring(static_cast<double>(kWidth) / kHeight), options, kWidth,
-                    kHeight);
+  return stage.draw(test::view_of_ball_and_ring(static_cast<double>(kGoldenWidth) / kGoldenHeight), options, kGoldenWidth,
+                    kGoldenHeight);
 }
 
 TEST(Golden, the_stages_of_a_cut_look_as_they_did) {

@@ -35,7 +35,7 @@ struct Image {
   }
 };
 
-constexpr int kWidth = 480, kHeight = 320;
+constexpr int kPictureWidth = 480, kPictureHeight = 320;
 
 Scene scene_of(const Soup& soup) {
   Scene scene;
@@ -44,8 +44,8 @@ Scene scene_of(const Soup& soup) {
 }
 
 Image render(Scene scene, PictureOptions options = {}) {
-  options.width = kWidth;
-  options.height = kHeight;
+  options.width = kPictureWidth;
+  options.height = kPictureHeight;
   const auto file =
       std::filesystem::temp_directory_path() / ("kerf_picture_" + std::to_string(getpid()) + ".png");
   const Status drawn = render_picture({std::move(scene), {}}, options, file);
@@ -57,8 +57,8 @@ Image render(Scene scene, PictureOptions options = {}) {
     stbi_image_free(data);
   }
   std::filesystem::remove(file);
-  EXPECT_EQ(image.width, kWidth);
-  EXPECT_EQ(image.height, kHeight);
+  EXPECT_EQ(image.width, kPictureWidth);
+  EXPECT_EQ(image.height, kPictureHeight);
   return image;
 }
 
@@ -86,8 +86,8 @@ double mean_difference(const Image& a, const Image& b) {
 
 size_t changed_pixels(const Image& a, const Image& b) {
   size_t changed = 0;
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) changed += difference(a.at(x, y), b.at(x, y)) > 24;
+  for (int y = 0; y < kPictureHeight; ++y) {
+    for (int x = 0; x < kPictureWidth; ++x) changed += difference(a.at(x, y), b.at(x, y)) > 24;
   }
   return changed;
 }
@@ -109,8 +109,8 @@ TEST(Picture, a_hole_lets_the_background_through) {
 TEST(Picture, the_rim_of_a_cut_is_brighter_and_warmer_than_paint) {
   const auto warmest = [](const Image& image) {
     int most = -255;
-    for (int y = 0; y < kHeight; ++y) {
-      for (int x = 0; x < kWidth; ++x) most = std::max(most, image.at(x, y).r - image.at(x, y).b);
+    for (int y = 0; y < kPictureHeight; ++y) {
+      for (int x = 0; x < kPictureWidth; ++x) most = std::max(most, image.at(x, y).r - image.at(x, y).b);
     }
     return most;
   };
@@ -164,7 +164,7 @@ TEST(Picture, a_flat_plate_lies_clearly_on_the_ground) {
   // The plate's colour all over its middle, no speckles of ground.
   const Pixel middle = image.at_part(0.5, 0.5);
   for (int dx = -20; dx <= 20; dx += 4)
-    EXPECT_LT(difference(image.at(kWidth / 2 + dx, kHeight / 2), middle), 30);
+    EXPECT_LT(difference(image.at(kPictureWidth / 2 + dx, kPictureHeight / 2), middle), 30);
 }
 
 TEST(Picture, a_size_out_of_range_is_bad_input) {

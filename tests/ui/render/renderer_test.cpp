@@ -8,7 +8,7 @@
 namespace kerf {
 namespace {
 
-constexpr int kWidth = 240, kHeight = 200;
+constexpr int kRenderWidth = 240, kRenderHeight = 200;
 
 Pixels part_of(const Pixels& whole, int left, int width) {
   Pixels part{width, whole.height, {}};
@@ -32,32 +32,32 @@ TEST(Renderer, two_draw_side_by_side_without_touching_each_other) {
   auto second = Renderer::create();
   ASSERT_TRUE(second.ok());
   second->show(other, {});
-  const CameraView view = test::view_of_ball_and_ring(static_cast<double>(kWidth) / kHeight);
+  const CameraView view = test::view_of_ball_and_ring(static_cast<double>(kRenderWidth) / kRenderHeight);
   ViewOptions options;
   options.show = *parse_show_list("aabb-hit,face-numbers");
   options.ghost = true;
-  constexpr int kGap = 10, kWhole = 2 * kWidth + kGap;
+  constexpr int kGap = 10, kWhole = 2 * kRenderWidth + kGap;
   for (const bool antialias : {false, true}) {
     options.antialias = antialias;
-    const Pixels left = stage.draw(view, options, kWidth, kHeight);
-    const gl::Framebuffer picture({kWhole, kHeight, 1, false});
+    const Pixels left = stage.draw(view, options, kRenderWidth, kRenderHeight);
+    const gl::Framebuffer picture({kWhole, kRenderHeight, 1, false});
     picture.bind();
     glClearColor(1, 0, 1, 1);
     glClear(GL_COLOR_BUFFER_BIT);
     for (int frame = 0; frame < 2; ++frame) {
       stage.renderer().draw(stage.world(), view, options, std::nullopt,
-                            {picture.name(), 0, 0, kWidth, kHeight});
-      second->draw(other, view, options, std::nullopt, {picture.name(), kWidth + kGap, 0, kWidth, kHeight});
+                            {picture.name(), 0, 0, kRenderWidth, kRenderHeight});
+      second->draw(other, view, options, std::nullopt, {picture.name(), kRenderWidth + kGap, 0, kRenderWidth, kRenderHeight});
     }
-    const Pixels both = read_pixels(picture.name(), kWhole, kHeight);
-    EXPECT_EQ(part_of(both, 0, kWidth).rgb, left.rgb);
-    const Pixels gap = part_of(both, kWidth, kGap);
+    const Pixels both = read_pixels(picture.name(), kWhole, kRenderHeight);
+    EXPECT_EQ(part_of(both, 0, kRenderWidth).rgb, left.rgb);
+    const Pixels gap = part_of(both, kRenderWidth, kGap);
     for (size_t i = 0; i < gap.rgb.size(); i += 3) {
       ASSERT_TRUE(gap.rgb[i] == 255 && gap.rgb[i + 1] == 0 && gap.rgb[i + 2] == 255);
     }
-    const gl::Framebuffer alone({kWidth, kHeight, 1, false});
-    second->draw(other, view, options, std::nullopt, {alone.name(), 0, 0, kWidth, kHeight});
-    EXPECT_EQ(part_of(both, kWidth + kGap, kWidth).rgb, read_pixels(alone.name(), kWidth, kHeight).rgb);
+    const gl::Framebuffer alone({kRenderWidth, kRenderHeight, 1, false});
+    second->draw(other, view, options, std::nullopt, {alone.name(), 0, 0, kRenderWidth, kRenderHeight});
+    EXPECT_EQ(part_of(both, kRenderWidth + kGap, kRenderWidth).rgb, read_pixels(alone.name(), kRenderWidth, kRenderHeight).rgb);
   }
 }
 
@@ -68,41 +68,41 @@ TEST(Renderer, a_piece_that_was_detached_looks_as_before) {
     world.add(make_body("ball", test::build(test::sphere(16, 24, 1))));
     test::Stage stage(std::move(world));
     stage.cut({{-1.5, 0.3, 5}, {0, 0, -1}}, {{1.5, 0.3, 5}, {0, 0, -1}}, 0.05);
-    const CameraView view = look_at({1.5, 2, 3.5}, {0, 0, 0}, static_cast<double>(kWidth) / kHeight);
+    const CameraView view = look_at({1.5, 2, 3.5}, {0, 0, 0}, static_cast<double>(kRenderWidth) / kRenderHeight);
     ASSERT_EQ(stage.world().live_pieces(), 2u);
-    const Pixels before = stage.draw(view, {}, kWidth, kHeight);
+    const Pixels before = stage.draw(view, {}, kRenderWidth, kRenderHeight);
     stage.apply(HidePiece{{stage.world().ids().front(), label}, true});
     for (const BodyId id : stage.world().ids()) {
       if (stage.world().body(id).hidden) stage.apply(HidePiece{{id, label}, false});
     }
     ASSERT_EQ(stage.world().ids().size(), 2u);
-    EXPECT_EQ(test::difference(before, stage.draw(view, {}, kWidth, kHeight)).changed, 0) << label;
+    EXPECT_EQ(test::difference(before, stage.draw(view, {}, kRenderWidth, kRenderHeight)).changed, 0) << label;
   }
 }
 
 TEST(Renderer, a_hidden_piece_and_its_shadow_are_gone_and_come_back) {
   test::Stage stage = test::ball_and_ring();
-  const CameraView view = test::view_of_ball_and_ring(static_cast<double>(kWidth) / kHeight);
-  const Pixels plain = stage.draw(view, {}, kWidth, kHeight);
+  const CameraView view = test::view_of_ball_and_ring(static_cast<double>(kRenderWidth) / kRenderHeight);
+  const Pixels plain = stage.draw(view, {}, kRenderWidth, kRenderHeight);
   ViewOptions options;
   const BodyId ring = stage.world().ids().back();
   options.pieces[{ring, 0}].hidden = true;
-  const Pixels hidden = stage.draw(view, options, kWidth, kHeight);
+  const Pixels hidden = stage.draw(view, options, kRenderWidth, kRenderHeight);
   EXPECT_GT(test::difference(plain, hidden).changed, 0.05);
-  EXPECT_EQ(stage.draw(view, {}, kWidth, kHeight).rgb, plain.rgb);
+  EXPECT_EQ(stage.draw(view, {}, kRenderWidth, kRenderHeight).rgb, plain.rgb);
 }
 
 TEST(Renderer, the_ghost_shows_only_where_something_is_gone) {
   test::Stage stage = test::ball_and_ring();
-  const CameraView view = test::view_of_ball_and_ring(static_cast<double>(kWidth) / kHeight);
+  const CameraView view = test::view_of_ball_and_ring(static_cast<double>(kRenderWidth) / kRenderHeight);
   ViewOptions options;
-  const Pixels plain = stage.draw(view, options, kWidth, kHeight);
+  const Pixels plain = stage.draw(view, options, kRenderWidth, kRenderHeight);
   options.ghost = true;
-  const Pixels ghost = stage.draw(view, options, kWidth, kHeight);
+  const Pixels ghost = stage.draw(view, options, kRenderWidth, kRenderHeight);
   size_t off = 0;
   for (size_t i = 0; i < ghost.rgb.size(); i += 3) off += std::abs(ghost.rgb[i] - plain.rgb[i]) > 4;
   EXPECT_GT(off, 100u);
-  EXPECT_LT(off, static_cast<size_t>(kWidth * kHeight) / 20);
+  EXPECT_LT(off, static_cast<size_t>(kRenderWidth * kRenderHeight) / 20);
 }
 
 }  // namespace

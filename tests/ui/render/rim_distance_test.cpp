@@ -11,7 +11,7 @@
 namespace kerf {
 namespace {
 
-constexpr float kWidth = 0.2f;
+constexpr float kWidthOfHeat = 0.2f;
 
 float distance_from_segment(const glm::vec3& p, const glm::vec3& a, const glm::vec3& b) {
   const glm::vec3 along = b - a;
@@ -43,7 +43,7 @@ class CutPlate {
       : mesh_(square(n)),
         frame_(FloatFrame::around({0, 0, 0}, {1, 0, 1})),
         bases_(mesh_, frame_),
-        rims_(kWidth) {}
+        rims_(kWidthOfHeat) {}
 
   void remove(FaceId f) {
     for (const VertexId v : mesh_.corners(f)) changed_.push_back(v);
@@ -143,11 +143,11 @@ TEST(RimDistance, is_that_of_a_search_of_all_sides_after_any_splits_and_removals
     }
     for (const VertexId v : plate.vertices()) {
       const float expected = plate.searched(v);
-      if (expected > 0.8f * kWidth) {
-        EXPECT_GT(plate.of(v), 0.79f * kWidth);
+      if (expected > 0.8f * kWidthOfHeat) {
+        EXPECT_GT(plate.of(v), 0.79f * kWidthOfHeat);
       } else {
         EXPECT_GE(plate.of(v), expected * 0.999f);
-        EXPECT_LE(plate.of(v), expected + 0.2f * kWidth);
+        EXPECT_LE(plate.of(v), expected + 0.2f * kWidthOfHeat);
       }
     }
   }

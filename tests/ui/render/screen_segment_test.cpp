@@ -8,22 +8,22 @@
 namespace kerf {
 namespace {
 
-constexpr int kWidth = 640, kHeight = 360;
+constexpr int kScreenWidth = 640, kScreenHeight = 360;
 constexpr double kMargin = 40;
 
 CameraView some_view(Random& random) {
   const auto point = [&](double size) {
     return Vec3(random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size));
   };
-  return look_at(point(5), point(2), double{kWidth} / kHeight);
+  return look_at(point(5), point(2), double{kScreenWidth} / kScreenHeight);
 }
 
 Vec2 pixel_of(const CameraView& view, const Vec3& p) {
   const Vec3 seen = view.project(p);
-  return Vec2((seen.x + 1) * 0.5 * kWidth, (seen.y + 1) * 0.5 * kHeight);
+  return Vec2((seen.x + 1) * 0.5 * kScreenWidth, (seen.y + 1) * 0.5 * kScreenHeight);
 }
 
-bool in_picture(const Vec2& p) { return p.x >= 0 && p.y >= 0 && p.x <= kWidth && p.y <= kHeight; }
+bool in_picture(const Vec2& p) { return p.x >= 0 && p.y >= 0 && p.x <= kScreenWidth && p.y <= kScreenHeight; }
 
 double distance_to_line(const Vec2& p, const ScreenSegment& s) {
   const Vec2 way = s.to - s.from;
@@ -44,7 +44,7 @@ TEST(ScreenSegment,
       return close.eye + size * Vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
     };
     const Vec3 from = point(), to = point();
-    const auto seen = on_screen(view, from, to, kWidth, kHeight, kMargin);
+    const auto seen = on_screen(view, from, to, kScreenWidth, kScreenHeight, kMargin);
     for (int i = 0; i <= 200; ++i) {
       const double share = i / 200.0;
       const Vec3 p = from + share * (to - from);
@@ -57,8 +57,8 @@ TEST(ScreenSegment,
     }
     if (!seen) continue;
     for (const Vec2& end : {seen->from, seen->to}) {
-      EXPECT_LE(std::abs(end.x - 0.5 * kWidth), 0.5 * kWidth + kMargin + 1e-6);
-      EXPECT_LE(std::abs(end.y - 0.5 * kHeight), 0.5 * kHeight + kMargin + 1e-6);
+      EXPECT_LE(std::abs(end.x - 0.5 * kScreenWidth), 0.5 * kScreenWidth + kMargin + 1e-6);
+      EXPECT_LE(std::abs(end.y - 0.5 * kScreenHeight), 0.5 * kScreenHeight + kMargin + 1e-6);
     }
   }
 }

@@ -6,29 +6,29 @@
 namespace kerf {
 namespace {
 
-constexpr int kWidth = 240, kHeight = 180;
+constexpr int kLightingWidth = 240, kLightingHeight = 180;
 
 class Lit {
  public:
   Lit()
       : stage_(test::world_of_all({test::box({0, 1, 0}, {1, 1, 1}), test::floor_at(0, 40)})),
-        view_(look_at({2.6, 2.0, 4.2}, {0, 1.3, 0}, static_cast<double>(kWidth) / kHeight)) {
+        view_(look_at({2.6, 2.0, 4.2}, {0, 1.3, 0}, static_cast<double>(kLightingWidth) / kLightingHeight)) {
     options_.antialias = false;
     options_.show.shadows = Shadows::kAll;
     options_.lights = {test::sun_from({0.4, 1, 0.5})};
     counts_ = stage_.renderer().shadow_counts(stage_.world(), view_, options_, 0, ShadowMethod::kRobust, true,
-                                              kWidth, kHeight);
+                                              kLightingWidth, kLightingHeight);
   }
-  Pixels draw() { return stage_.draw(view_, options_, kWidth, kHeight); }
+  Pixels draw() { return stage_.draw(view_, options_, kLightingWidth, kLightingHeight); }
   ViewOptions& options() { return options_; }
 
   // Calls visit(byte of the first channel, face, shadow) for every pixel.
   template <typename Visit>
   void for_each_pixel(const Visit& visit) const {
-    for (int y = 0; y < kHeight; ++y) {
-      for (int x = 0; x < kWidth; ++x) {
-        const auto i = static_cast<size_t>(y * kWidth + x);
-        visit(3 * static_cast<size_t>((kHeight - 1 - y) * kWidth + x), counts_.faces[i],
+    for (int y = 0; y < kLightingHeight; ++y) {
+      for (int x = 0; x < kLightingWidth; ++x) {
+        const auto i = static_cast<size_t>(y * kLightingWidth + x);
+        visit(3 * static_cast<size_t>((kLightingHeight - 1 - y) * kLightingWidth + x), counts_.faces[i],
               counts_.stencil[i] != 0);
       }
     }
@@ -39,10 +39,10 @@ class Lit {
   template <typename Visit>
   void for_each_inner_pixel(const Visit& visit) const {
     for_each_pixel([&](size_t at, uint32_t face, bool shadow) {
-      const int i = static_cast<int>(at / 3), x = i % kWidth, y = kHeight - 1 - i / kWidth;
-      if (face == 0 || x == 0 || y == 0 || x == kWidth - 1 || y == kHeight - 1) return;
+      const int i = static_cast<int>(at / 3), x = i % kLightingWidth, y = kLightingHeight - 1 - i / kLightingWidth;
+      if (face == 0 || x == 0 || y == 0 || x == kLightingWidth - 1 || y == kLightingHeight - 1) return;
       for (int n = 0; n < 9; ++n) {
-        const auto beside = static_cast<size_t>((y + n / 3 - 1) * kWidth + x + n % 3 - 1);
+        const auto beside = static_cast<size_t>((y + n / 3 - 1) * kLightingWidth + x + n % 3 - 1);
         if (counts_.faces[beside] == 0 || (counts_.stencil[beside] != 0) != shadow) return;
       }
       visit(at, shadow);
@@ -104,7 +104,7 @@ TEST(ShadowLighting, the_light_is_added_where_the_stencil_is_zero_and_nowhere_el
 int darkest_around(const Pixels& picture, size_t at) {
   int darkest = 255;
   for (int n = 0; n < 9; ++n) {
-    const int beside = static_cast<int>(at) + 3 * ((n / 3 - 1) * kWidth + n % 3 - 1);
+    const int beside = static_cast<int>(at) + 3 * ((n / 3 - 1) * kLightingWidth + n % 3 - 1);
     darkest = std::min<int>(darkest, picture.rgb[static_cast<size_t>(beside)]);
   }
   return darkest;
@@ -150,21 +150,21 @@ TEST(ShadowLighting, four_lights_add_up_and_each_casts_its_shadow) {
 // Without shadows, with those on the ground and with all, each state darkens what it names and nothing else.
 TEST(ShadowLighting, none_ground_and_all_differ_on_the_surfaces_that_they_name) {
   test::Stage stage(test::world_of_all({test::box({0, 0, 0}, {1, 1, 1}), test::box({0, 2.2, 0}, {1, 1, 1})}));
-  const CameraView view = look_at({6, 7, -9}, {-1, 1, 0}, static_cast<double>(kWidth) / kHeight);
+  const CameraView view = look_at({6, 7, -9}, {-1, 1, 0}, static_cast<double>(kLightingWidth) / kLightingHeight);
   ViewOptions options;
   options.antialias = false;
   options.lights = {test::sun_from({0.4, 1, 0.2})};
   const auto draw = [&](Shadows shadows) {
     options.show.shadows = shadows;
-    return stage.draw(view, options, kWidth, kHeight);
+    return stage.draw(view, options, kLightingWidth, kLightingHeight);
   };
   const Pixels none = draw(Shadows::kNone), ground = draw(Shadows::kGround), all = draw(Shadows::kAll);
   const ShadowCounts counts = stage.renderer().shadow_counts(stage.world(), view, options, 0,
-                                                             ShadowMethod::kRobust, false, kWidth, kHeight);
+                                                             ShadowMethod::kRobust, false, kLightingWidth, kLightingHeight);
   const auto darker = [&](const Pixels& picture, bool on_bodies) {
     size_t count = 0;
     for (size_t i = 0; i < counts.faces.size(); ++i) {
-      const size_t x = i % kWidth, y = kHeight - 1 - i / kWidth, at = 3 * (y * kWidth + x);
+      const size_t x = i % kLightingWidth, y = kLightingHeight - 1 - i / kLightingWidth, at = 3 * (y * kLightingWidth + x);
       count += (counts.faces[i] != 0) == on_bodies && picture.rgb[at] + 10 < none.rgb[at];
     }
     return count;
@@ -182,15 +182,15 @@ TEST(ShadowLighting, what_glows_is_not_darkened) {
   options.antialias = false;
   options.show.shadows = Shadows::kAll;
   options.lights = {test::sun_from({0.2, 1, -1.2})};  // the side that is seen lies in shadow
-  const CameraView view = test::view_of_ball_and_ring(static_cast<double>(kWidth) / kHeight);
+  const CameraView view = test::view_of_ball_and_ring(static_cast<double>(kLightingWidth) / kLightingHeight);
   const auto hot = [&](const Pixels& p) {
     size_t count = 0;
     for (size_t i = 0; i < p.rgb.size(); i += 3) count += p.rgb[i] > 200 && p.rgb[i + 2] < p.rgb[i] - 40;
     return count;
   };
-  const size_t bright = hot(stage.draw(view, options, kWidth, kHeight));
+  const size_t bright = hot(stage.draw(view, options, kLightingWidth, kLightingHeight));
   options.shadow.paper_look = true;
-  const size_t under_black = hot(stage.draw(view, options, kWidth, kHeight));
+  const size_t under_black = hot(stage.draw(view, options, kLightingWidth, kLightingHeight));
   EXPECT_GT(bright, 20u);
   EXPECT_GE(under_black, bright * 9 / 10);
 }

@@ -9,7 +9,7 @@
 namespace kerf {
 namespace {
 
-constexpr int kWidth = 200, kHeight = 150;
+constexpr int kLiveWidth = 200, kLiveHeight = 150;
 
 ViewOptions under(const Light& light) {
   ViewOptions options;
@@ -19,7 +19,7 @@ ViewOptions under(const Light& light) {
 }
 
 CameraView view_from(const Vec3& eye) {
-  return look_at(eye, {0, 0, 0}, static_cast<double>(kWidth) / kHeight);
+  return look_at(eye, {0, 0, 0}, static_cast<double>(kLiveWidth) / kLiveHeight);
 }
 
 test::Stage torus_over_floor() {
@@ -31,11 +31,11 @@ const Light kLamp = test::lamp_at({1, 4, 1.5});
 
 TEST(ShadowsLive, moving_the_camera_computes_nothing) {
   test::Stage stage = torus_over_floor();
-  stage.draw(view_from({3, 2, 4}), under(kLamp), kWidth, kHeight);
+  stage.draw(view_from({3, 2, 4}), under(kLamp), kLiveWidth, kLiveHeight);
   const ShadowWork before = stage.renderer().shadow_work();
   EXPECT_EQ(before.casters, 2u);
   EXPECT_EQ(before.rebuilt, 2u);
-  for (int i = 0; i < 5; ++i) stage.draw(view_from({3.0 - i, 2.0 + i, 4}), under(kLamp), kWidth, kHeight);
+  for (int i = 0; i < 5; ++i) stage.draw(view_from({3.0 - i, 2.0 + i, 4}), under(kLamp), kLiveWidth, kLiveHeight);
   const ShadowWork after = stage.renderer().shadow_work();
   EXPECT_EQ(after.casters, before.casters);
   EXPECT_EQ(after.rebuilt, before.rebuilt);
@@ -47,10 +47,10 @@ TEST(ShadowsLive, moving_a_light_computes_the_volumes_of_that_light_alone) {
   test::Stage stage = torus_over_floor();
   ViewOptions options = under(kLamp);
   options.lights.push_back(test::sun_from({0.3, 1, 0.1}));
-  stage.draw(view_from({3, 2, 4}), options, kWidth, kHeight);
+  stage.draw(view_from({3, 2, 4}), options, kLiveWidth, kLiveHeight);
   const ShadowWork before = stage.renderer().shadow_work();
   options.lights[1].at.x = -0.2;
-  stage.draw(view_from({3, 2, 4}), options, kWidth, kHeight);
+  stage.draw(view_from({3, 2, 4}), options, kLiveWidth, kLiveHeight);
   EXPECT_EQ(stage.renderer().shadow_work().rebuilt, before.rebuilt + 2);
   EXPECT_EQ(stage.renderer().shadow_work().casters, before.casters);
 }
@@ -58,16 +58,16 @@ TEST(ShadowsLive, moving_a_light_computes_the_volumes_of_that_light_alone) {
 TEST(ShadowsLive, a_bite_costs_what_it_touches_and_the_shadow_stays_right) {
   test::Stage stage = torus_over_floor();
   const CameraView view = view_from({2.4, 2.6, 3.6});
-  stage.draw(view, under(kLamp), kWidth, kHeight);
+  stage.draw(view, under(kLamp), kLiveWidth, kLiveHeight);
   const ShadowWork before = stage.renderer().shadow_work();
   const size_t faces = stage.world().live_faces();
   stage.cut({{1.0, 3, 0.05}, {0, -1, 0}}, {{1.02, 3, 0.05}, {0, -1, 0}}, 0.03);
-  stage.draw(view, under(kLamp), kWidth, kHeight);
+  stage.draw(view, under(kLamp), kLiveWidth, kLiveHeight);
   const ShadowWork after = stage.renderer().shadow_work();
   EXPECT_EQ(after.rebuilt, before.rebuilt);
   EXPECT_GT(after.faces, before.faces);
   EXPECT_LT(after.faces - before.faces, faces / 5);
-  const test::ShadowVerdict v = test::ShadowTrial(stage, kLamp, view, kWidth, kHeight).robust();
+  const test::ShadowVerdict v = test::ShadowTrial(stage, kLamp, view, kLiveWidth, kLiveHeight).robust();
   SCOPED_TRACE(v.summary());
   EXPECT_EQ(v.wrong, 0u);
   EXPECT_EQ(v.miscounted, 0u);
@@ -80,7 +80,7 @@ constexpr ShadowMethod kMethods[] = {ShadowMethod::kPaperOneVolume, ShadowMethod
 // Pixels that are in shadow with a method.
 size_t shadowed_pixels(test::Stage& stage, const CameraView& view, ShadowMethod method) {
   const ShadowCounts counts =
-      stage.renderer().shadow_counts(stage.world(), view, under(kLamp), 0, method, true, kWidth, kHeight);
+      stage.renderer().shadow_counts(stage.world(), view, under(kLamp), 0, method, true, kLiveWidth, kLiveHeight);
   return counts.stencil.size() -
          static_cast<size_t>(std::count(counts.stencil.begin(), counts.stencil.end(), uint8_t{0}));
 }
@@ -88,7 +88,7 @@ size_t shadowed_pixels(test::Stage& stage, const CameraView& view, ShadowMethod 
 TEST(ShadowsLive, a_world_without_bodies_has_no_shadow) {
   test::Stage stage{World()};
   const CameraView view = view_from({2.4, 2.6, 3.6});
-  stage.draw(view, under(kLamp), kWidth, kHeight);
+  stage.draw(view, under(kLamp), kLiveWidth, kLiveHeight);
   for (const ShadowMethod method : kMethods) EXPECT_EQ(shadowed_pixels(stage, view, method), 0u);
 }
 
@@ -160,13 +160,13 @@ TEST(ShadowsLive, two_hundred_pieces_cast_shadows_where_they_are_drawn) {
     look.hidden = piece % 11 == 0;
   }
   const CameraView view = view_from({2.4, 2.6, 3.6});
-  stage.draw(view, options, kWidth, kHeight);
+  stage.draw(view, options, kLiveWidth, kLiveHeight);
   ShadowReference traced =
-      stage.renderer().shadow_reference(stage.world(), view, options, 0, false, kWidth, kHeight);
-  traced.trace(static_cast<size_t>(kWidth) * kHeight);
+      stage.renderer().shadow_reference(stage.world(), view, options, 0, false, kLiveWidth, kLiveHeight);
+  traced.trace(static_cast<size_t>(kLiveWidth) * kLiveHeight);
   const test::ShadowVerdict v =
       test::judge(stage.renderer().shadow_counts(stage.world(), view, options, 0, ShadowMethod::kRobust,
-                                                 false, kWidth, kHeight),
+                                                 false, kLiveWidth, kLiveHeight),
                   traced);
   SCOPED_TRACE(v.summary());
   EXPECT_EQ(v.wrong, 0u);

@@ -10,7 +10,7 @@ namespace {
 
 using test::lamp_at, test::sun_from;
 
-constexpr int kWidth = 200, kHeight = 150;
+constexpr int kCarWidth = 200, kCarHeight = 150;
 constexpr double kMostLeftOut = 0.25;  // the car is full of thin parts
 
 // A beam that moves from one pose to another.
@@ -49,7 +49,7 @@ test::Stage cut_car(const CarCut& cut) {
 
 CameraView eye_at(const Vec3& eye, const Vec3& target, double near) {
   CameraView view = test::shadow_view(eye, target, near);
-  view.aspect = static_cast<double>(kWidth) / kHeight;
+  view.aspect = static_cast<double>(kCarWidth) / kCarHeight;
   return view;
 }
 
@@ -70,7 +70,7 @@ TEST(ShadowOfCar, is_right_however_it_is_cut_and_wherever_eye_and_light_are) {
     test::Stage stage = cut_car(cut);
     for (const Light& light : {sun_from({-0.42, 1.0, 0.62}), lamp_at({1.3, 2.6, 1.9})}) {
       for (const Eye& eye : eyes()) {
-        const test::ShadowVerdict v = test::ShadowTrial(stage, light, eye.view, kWidth, kHeight).robust();
+        const test::ShadowVerdict v = test::ShadowTrial(stage, light, eye.view, kCarWidth, kCarHeight).robust();
         SCOPED_TRACE(std::string("cut ") + cut.name + ", eye " + eye.where + ": " + v.summary());
         EXPECT_GT(v.hit, 15'000u);
         EXPECT_GE(static_cast<double>(v.same_face), 0.995 * static_cast<double>(v.hit));

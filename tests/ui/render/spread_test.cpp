@@ -10,10 +10,10 @@
 namespace kerf {
 namespace {
 
-constexpr int kWidth = 160, kHeight = 120;
+constexpr int kSpreadWidth = 160, kSpreadHeight = 120;
 constexpr double kSpread = 0.6;
 
-CameraView view_from_above() { return look_at({2.4, 2.6, 3.6}, {0, 0, 0}, double{kWidth} / kHeight); }
+CameraView view_from_above() { return look_at({2.4, 2.6, 3.6}, {0, 0, 0}, double{kSpreadWidth} / kSpreadHeight); }
 
 ViewOptions under_lamp() {
   ViewOptions options;
@@ -53,10 +53,10 @@ struct Drawn {
 
 Drawn draw(test::Stage& stage, const ViewOptions& apart, const ViewOptions& together) {
   Drawn drawn;
-  drawn.apart = stage.draw(view_from_above(), apart, kWidth, kHeight);
+  drawn.apart = stage.draw(view_from_above(), apart, kSpreadWidth, kSpreadHeight);
   drawn.shadow = stage.renderer().shadow_counts(stage.world(), view_from_above(), apart, 0,
-                                                ShadowMethod::kRobust, true, kWidth, kHeight);
-  drawn.together = stage.draw(view_from_above(), together, kWidth, kHeight);
+                                                ShadowMethod::kRobust, true, kSpreadWidth, kSpreadHeight);
+  drawn.together = stage.draw(view_from_above(), together, kSpreadWidth, kSpreadHeight);
   return drawn;
 }
 
@@ -110,10 +110,10 @@ TEST(Spread, shadows_of_loose_parts_are_those_that_rays_find) {
   ViewOptions options = under_lamp();
   spread_pieces(stage.world(), kSpread, options);
   const ShadowCounts drawn = stage.renderer().shadow_counts(stage.world(), view_from_above(), options, 0,
-                                                            ShadowMethod::kRobust, true, kWidth, kHeight);
+                                                            ShadowMethod::kRobust, true, kSpreadWidth, kSpreadHeight);
   ShadowReference traced =
-      stage.renderer().shadow_reference(stage.world(), view_from_above(), options, 0, true, kWidth, kHeight);
-  traced.trace(size_t{kWidth} * kHeight);
+      stage.renderer().shadow_reference(stage.world(), view_from_above(), options, 0, true, kSpreadWidth, kSpreadHeight);
+  traced.trace(size_t{kSpreadWidth} * kSpreadHeight);
   const test::ShadowVerdict verdict = test::judge(drawn, traced);
   EXPECT_EQ(verdict.wrong, 0u) << verdict.summary();
   EXPECT_GT(verdict.in_shadow, 50u);

@@ -9,9 +9,9 @@
 namespace kerf {
 namespace {
 
-constexpr int kWidth = 240, kHeight = 180;
+constexpr int kTurnedWidth = 240, kTurnedHeight = 180;
 
-ViewOptions under(const Light& light) {
+ViewOptions plainly_under(const Light& light) {
   ViewOptions options;
   options.show.shadows = Shadows::kAll;
   options.antialias = options.rim_glow = false;
@@ -23,7 +23,7 @@ ViewOptions under(const Light& light) {
 // there.
 TEST(TurnedPieces, look_as_they_do_once_they_stand_there) {
   Random random(11);
-  const CameraView view = test::view_of_ball_and_ring(double{kWidth} / kHeight);
+  const CameraView view = test::view_of_ball_and_ring(double{kTurnedWidth} / kTurnedHeight);
   for (const Light& light : {Light{}, test::lamp_at({1, 4, 1.5})}) {
     test::Stage stage = test::ball_and_ring();
     for (const BodyId id : stage.world().ids()) {
@@ -34,13 +34,13 @@ TEST(TurnedPieces, look_as_they_do_once_they_stand_there) {
         const Vec3 axis(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
         const glm::dquat turn = glm::angleAxis(random.uniform(0.2, 3), glm::normalize(axis));
         const Vec3 offset(random.uniform(-0.2, 0.2), 0.3, random.uniform(-0.2, 0.2));
-        ViewOptions options = under(light);
+        ViewOptions options = plainly_under(light);
         options.pieces[{id, label}].turn = turn;
         options.pieces[{id, label}].offset = offset;
-        const Pixels shown = stage.draw(view, options, kWidth, kHeight);
-        const Pixels before = stage.draw(view, under(light), kWidth, kHeight);
+        const Pixels shown = stage.draw(view, options, kTurnedWidth, kTurnedHeight);
+        const Pixels before = stage.draw(view, plainly_under(light), kTurnedWidth, kTurnedHeight);
         stage.apply(MovePiece{{id, label}, {turn * body.placement.position + offset, turn}});
-        const Pixels stands = stage.draw(view, under(light), kWidth, kHeight);
+        const Pixels stands = stage.draw(view, plainly_under(light), kTurnedWidth, kTurnedHeight);
         EXPECT_LT(test::difference(shown, stands).changed, 0.003);
         EXPECT_GT(test::difference(shown, before).changed, 0.003);
         stage.apply(Undo{});

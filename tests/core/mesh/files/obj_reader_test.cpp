@@ -17,7 +17,7 @@ Soup read(const std::string& text) {
   return soup ? *soup : Soup{};
 }
 
-std::string refusal(const std::string& text) {
+std::string obj_refusal(const std::string& text) {
   const Result<Soup> soup = read_obj(text, "t.obj");
   return soup ? "" : soup.error().message;
 }
@@ -89,25 +89,25 @@ TEST(ObjReader, keeps_materials_beside_the_triangles_when_polygons_are_dropped) 
 }
 
 TEST(ObjReader, names_the_line_and_the_word_of_what_is_wrong) {
-  EXPECT_EQ(refusal("v 0 0 0\nv 1 zero 0\n"), "t.obj, line 2: expected the y coordinate, found 'zero'.");
-  EXPECT_EQ(refusal("v 0 0 0\r\nv 1 0\r\n"), "t.obj, line 2: the line ends where the z coordinate must be.");
-  EXPECT_EQ(refusal("v 0,5 0 0\n"),
+  EXPECT_EQ(obj_refusal("v 0 0 0\nv 1 zero 0\n"), "t.obj, line 2: expected the y coordinate, found 'zero'.");
+  EXPECT_EQ(obj_refusal("v 0 0 0\r\nv 1 0\r\n"), "t.obj, line 2: the line ends where the z coordinate must be.");
+  EXPECT_EQ(obj_refusal("v 0,5 0 0\n"),
             "t.obj, line 1: expected the x coordinate, found '0,5'; write decimal points, not commas.");
-  EXPECT_EQ(refusal(kTriangle + "f 1 2 3f 1 2 3\n"),
+  EXPECT_EQ(obj_refusal(kTriangle + "f 1 2 3f 1 2 3\n"),
             "t.obj, line 4: expected a corner of a face, like 7 or 7/7/7, found '3f'.");
-  EXPECT_EQ(refusal("v 0 0"),
+  EXPECT_EQ(obj_refusal("v 0 0"),
             "t.obj, line 1: the file ends where the z coordinate must be; it is cut short.");
 }
 
 TEST(ObjReader, refuses_a_file_of_which_no_face_is_left) {
-  EXPECT_EQ(refusal(kTriangle), "t.obj: there is no face in it, so there is nothing to cut.");
-  EXPECT_EQ(refusal(kTriangle + "f 7 8 9\n"),
+  EXPECT_EQ(obj_refusal(kTriangle), "t.obj: there is no face in it, so there is nothing to cut.");
+  EXPECT_EQ(obj_refusal(kTriangle + "f 7 8 9\n"),
             "t.obj: no face is left, all 1 name vertices that are not there.");
 }
 
 TEST(ObjReader, refuses_binary_bytes_and_other_encodings) {
-  EXPECT_EQ(refusal(std::string("v 0 0 0\0", 8)), "t.obj, byte 7: a zero byte, so this is not OBJ text.");
-  EXPECT_EQ(refusal(std::string("\xff\xfev\0 \0", 6)), "t.obj: this is UTF-16 text; save it as UTF-8.");
+  EXPECT_EQ(obj_refusal(std::string("v 0 0 0\0", 8)), "t.obj, byte 7: a zero byte, so this is not OBJ text.");
+  EXPECT_EQ(obj_refusal(std::string("\xff\xfev\0 \0", 6)), "t.obj: this is UTF-16 text; save it as UTF-8.");
 }
 
 TEST(ObjReader, says_what_it_passed_over) {

@@ -17,7 +17,7 @@ std::string file(const std::string& elements, const std::string& data, const std
   return "ply\nformat " + format + " 1.0\n" + elements + "end_header\n" + data;
 }
 
-std::string refusal(const std::string& bytes) {
+std::string ply_refusal(const std::string& bytes) {
   const Result<Soup> soup = read_ply(bytes, "t.ply");
   return soup ? "" : soup.error().message;
 }
@@ -27,7 +27,7 @@ TEST(PlyReader, takes_every_integer_type_of_list_counts) {
                            "uint16", "int32", "uint32", "int64", "uint64"}) {
     const std::string faces =
         std::string("element face 1\nproperty list ") + type + " " + type + " vertex_index\n";
-    EXPECT_EQ(refusal(file(kVertices + faces, kData)), "") << type;
+    EXPECT_EQ(ply_refusal(file(kVertices + faces, kData)), "") << type;
   }
 }
 
@@ -61,42 +61,42 @@ TEST(PlyReader, does_not_take_a_line_feed_of_the_data_for_the_end_of_the_header)
 
 TEST(PlyReader, finds_a_line_of_text_that_lacks_a_value_or_has_one_too_many) {
   EXPECT_EQ(
-      refusal(file(kVertices + kFaces, "0 0 0\n1 0\n0 1 0\n3 0 1 2\n")),
+      ply_refusal(file(kVertices + kFaces, "0 0 0\n1 0\n0 1 0\n3 0 1 2\n")),
       "t.ply, line 12: the line goes on after the properties of 'vertex' 1; one before it may be missing.");
-  EXPECT_NE(refusal(file(kVertices + kFaces, "0 0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")), "");
+  EXPECT_NE(ply_refusal(file(kVertices + kFaces, "0 0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")), "");
 }
 
 TEST(PlyReader, refuses_counts_that_the_file_cannot_hold) {
   for (const char* format : {"ascii", "binary_little_endian", "binary_big_endian"}) {
     const std::string huge =
         "element vertex 4294967295\nproperty float x\nproperty float y\nproperty float z\n";
-    EXPECT_NE(refusal(file(huge + kFaces, kData, format)).find("announces 4294967295 times 'vertex'"),
+    EXPECT_NE(ply_refusal(file(huge + kFaces, kData, format)).find("announces 4294967295 times 'vertex'"),
               std::string::npos);
   }
-  EXPECT_NE(refusal(file(kVertices + kFaces, "0 0 0\n1 0 0\n0 1 0\n4000000000 0 1 2\n")), "");
-  EXPECT_NE(refusal(file(kVertices + kFaces, "0 0 0\n1 0 0\n0 1 0\n-3 0 1 2\n")), "");
-  EXPECT_EQ(refusal(file("element vertex -3\n", "")), "t.ply, line 3: announces -3 elements.");
+  EXPECT_NE(ply_refusal(file(kVertices + kFaces, "0 0 0\n1 0 0\n0 1 0\n4000000000 0 1 2\n")), "");
+  EXPECT_NE(ply_refusal(file(kVertices + kFaces, "0 0 0\n1 0 0\n0 1 0\n-3 0 1 2\n")), "");
+  EXPECT_EQ(ply_refusal(file("element vertex -3\n", "")), "t.ply, line 3: announces -3 elements.");
 }
 
 TEST(PlyReader, is_not_held_up_by_countless_elements_without_properties) {
-  EXPECT_EQ(refusal(file("element nothing 9000000000000000000\n" + kVertices + kFaces, kData)), "");
+  EXPECT_EQ(ply_refusal(file("element nothing 9000000000000000000\n" + kVertices + kFaces, kData)), "");
 }
 
 TEST(PlyReader, refuses_a_header_that_is_none) {
-  EXPECT_EQ(refusal("ply\nformat ascii 1.0\n"),
+  EXPECT_EQ(ply_refusal("ply\nformat ascii 1.0\n"),
             "t.ply: the header has no 'end_header'; the file is cut short.");
-  EXPECT_EQ(refusal(file("property float x\n", "")),
+  EXPECT_EQ(ply_refusal(file("property float x\n", "")),
             "t.ply, line 3: a property comes before the first element.");
-  EXPECT_EQ(refusal(file("element vertex 1\nproperty list float int x\n", "")),
+  EXPECT_EQ(ply_refusal(file("element vertex 1\nproperty list float int x\n", "")),
             "t.ply, line 4: expected an integer type, found 'float'.");
-  EXPECT_EQ(refusal(file("element vertex 1\nproperty quad x\n", "")),
+  EXPECT_EQ(ply_refusal(file("element vertex 1\nproperty quad x\n", "")),
             "t.ply, line 4: expected a type, found 'quad'.");
-  EXPECT_EQ(refusal(file(kVertices + kVertices, "")),
+  EXPECT_EQ(ply_refusal(file(kVertices + kVertices, "")),
             "t.ply, line 7: announces the element 'vertex' a second time.");
   EXPECT_EQ(
-      refusal(file("element vertex 1\nproperty float x\nproperty float y\n" + kFaces, "0 0\n3 0 1 2\n")),
+      ply_refusal(file("element vertex 1\nproperty float x\nproperty float y\n" + kFaces, "0 0\n3 0 1 2\n")),
       "t.ply: the element 'vertex' must have one property 'z'.");
-  EXPECT_EQ(refusal("ply\nend_header\n"), "t.ply, line 2: the header has no 'format'.");
+  EXPECT_EQ(ply_refusal("ply\nend_header\n"), "t.ply, line 2: the header has no 'format'.");
 }
 
 TEST(PlyReader, passes_over_stray_lines_before_the_first_element_and_notes_them) {
@@ -123,13 +123,13 @@ TEST(PlyReader, passes_over_stray_lines_before_the_first_element_and_notes_them)
 TEST(PlyReader, refuses_stray_lines_where_no_element_follows_or_one_came_before) {
   const std::string stray = "Created by hand\n";
   const std::string why = "expected 'element', 'property' or 'end_header', found 'Created'.";
-  EXPECT_EQ(refusal(file(stray, "")), "t.ply, line 3: " + why);
-  EXPECT_EQ(refusal("ply\n" + stray), "t.ply, line 2: " + why);
-  EXPECT_EQ(refusal(file(stray + "property float x\n" + kVertices + kFaces, kData)), "t.ply, line 3: " + why);
-  EXPECT_EQ(refusal(file(kVertices + stray + kFaces, kData)), "t.ply, line 7: " + why);
-  EXPECT_EQ(refusal(file(kVertices + kFaces + stray, kData)), "t.ply, line 9: " + why);
+  EXPECT_EQ(ply_refusal(file(stray, "")), "t.ply, line 3: " + why);
+  EXPECT_EQ(ply_refusal("ply\n" + stray), "t.ply, line 2: " + why);
+  EXPECT_EQ(ply_refusal(file(stray + "property float x\n" + kVertices + kFaces, kData)), "t.ply, line 3: " + why);
+  EXPECT_EQ(ply_refusal(file(kVertices + stray + kFaces, kData)), "t.ply, line 7: " + why);
+  EXPECT_EQ(ply_refusal(file(kVertices + kFaces + stray, kData)), "t.ply, line 9: " + why);
   const std::string bytes = "Created\x01\n";
-  EXPECT_EQ(refusal(file(bytes + kVertices + kFaces, kData)), "t.ply, line 3: " + why);
+  EXPECT_EQ(ply_refusal(file(bytes + kVertices + kFaces, kData)), "t.ply, line 3: " + why);
 }
 
 TEST(PlyReader, keeps_double_precision) {

@@ -9,7 +9,7 @@ namespace {
 
 std::string binary_sample() { return test::sample_files().back().bytes; }
 
-std::string refusal(const std::string& bytes) {
+std::string stl_refusal(const std::string& bytes) {
   const Result<Soup> soup = read_stl(bytes, "t.stl");
   return soup ? "" : soup.error().message;
 }
@@ -24,7 +24,7 @@ TEST(StlReader, warns_of_bytes_after_the_last_triangle) {
 TEST(StlReader, refuses_a_binary_file_that_is_cut_short) {
   std::string bytes = binary_sample();
   bytes.pop_back();
-  EXPECT_EQ(refusal(bytes),
+  EXPECT_EQ(stl_refusal(bytes),
             "t.stl, byte 80: announces 2 triangles, but the file holds only 1; it is cut short or no STL.");
 }
 
@@ -45,11 +45,11 @@ TEST(StlReader, reads_several_solids_of_text) {
 
 TEST(StlReader, names_the_line_where_text_is_wrong) {
   const std::string start = "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n";
-  EXPECT_EQ(refusal(start + "endloop\n"), "t.stl, line 5: expected 'vertex', found 'endloop'.");
-  EXPECT_EQ(refusal(start + "vertex 0 one 0\n"), "t.stl, line 5: expected a number, found 'one'.");
-  EXPECT_EQ(refusal(start + "vertex 0 1"),
+  EXPECT_EQ(stl_refusal(start + "endloop\n"), "t.stl, line 5: expected 'vertex', found 'endloop'.");
+  EXPECT_EQ(stl_refusal(start + "vertex 0 one 0\n"), "t.stl, line 5: expected a number, found 'one'.");
+  EXPECT_EQ(stl_refusal(start + "vertex 0 1"),
             "t.stl, line 5: the file ends where a number must be; it is cut short.");
-  EXPECT_EQ(refusal("solid x\nendsolid"), "t.stl: there is no face in it, so there is nothing to cut.");
+  EXPECT_EQ(stl_refusal("solid x\nendsolid"), "t.stl: there is no face in it, so there is nothing to cut.");
 }
 
 }  // namespace

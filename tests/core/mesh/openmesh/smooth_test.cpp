@@ -18,7 +18,7 @@ Remeshed smoothed(const Mesh& mesh, size_t times, std::span<const FaceId> kept =
   return std::move(*made);
 }
 
-Mesh mesh_of(const Remeshed& remeshed, const Mesh& from) {
+Mesh smoothed_mesh(const Remeshed& remeshed, const Mesh& from) {
   return std::move(build_remeshed(remeshed, from, nullptr)->mesh);
 }
 
@@ -35,7 +35,7 @@ TEST(Smooth, features_and_topology_of_every_class_of_mesh_stay) {
   for (const auto& [name, soup] : mesh_classes()) {
     SCOPED_TRACE(name);
     const Mesh mesh = build(in_two_materials(soup)).mesh;
-    const Mesh made = mesh_of(smoothed(mesh, 5), mesh);
+    const Mesh made = smoothed_mesh(smoothed(mesh, 5), mesh);
     EXPECT_EQ(made.live_faces(), mesh.live_faces());
     EXPECT_TRUE(feature_edges(made) == feature_edges(mesh));
     const MeshNumbers a = count_numbers(mesh), b = count_numbers(made);
@@ -50,7 +50,7 @@ TEST(Smooth, a_rough_sheet_becomes_flatter_each_time) {
   const Mesh mesh = build(rough_sheet(random)).mesh;
   double before = count_numbers(mesh).area;
   for (const size_t times : {1, 2, 4, 16, 400}) {
-    const double area = count_numbers(mesh_of(smoothed(mesh, times), mesh)).area;
+    const double area = count_numbers(smoothed_mesh(smoothed(mesh, times), mesh)).area;
     EXPECT_LT(area, before);
     before = area;
   }
@@ -83,7 +83,7 @@ TEST(Smooth, vertices_move_half_the_way_to_the_mean_of_their_neighbours) {
 TEST(Smooth, twice_once_is_once_twice) {
   Random random(4);
   const Mesh mesh = build(rough_sheet(random)).mesh;
-  const Mesh once = mesh_of(smoothed(mesh, 1), mesh);
+  const Mesh once = smoothed_mesh(smoothed(mesh, 1), mesh);
   const std::vector<Vec3> twice = smoothed(mesh, 2).positions, again = smoothed(once, 1).positions;
   ASSERT_EQ(twice.size(), again.size());
   for (size_t i = 0; i < twice.size(); ++i) EXPECT_LT(glm::length(twice[i] - again[i]), 1e-15);

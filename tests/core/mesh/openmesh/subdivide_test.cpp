@@ -20,7 +20,7 @@ Remeshed subdivided(const Mesh& mesh, Subdivision scheme, std::span<const FaceId
   return std::move(*made);
 }
 
-Mesh mesh_of(const Remeshed& remeshed, const Mesh& from) {
+Mesh subdivided_mesh(const Remeshed& remeshed, const Mesh& from) {
   return std::move(build_remeshed(remeshed, from, nullptr)->mesh);
 }
 
@@ -49,7 +49,7 @@ TEST(Subdivide, makes_three_or_four_faces_of_one_and_leaves_the_topology) {
     for (const Subdivision scheme : kSchemes) {
       SCOPED_TRACE(name + ", " + subdivision_name(scheme));
       const Mesh mesh = build(soup).mesh;
-      const Mesh made = mesh_of(subdivided(mesh, scheme), mesh);
+      const Mesh made = subdivided_mesh(subdivided(mesh, scheme), mesh);
       EXPECT_EQ(made.live_faces(), parts_of_face(scheme) * mesh.live_faces());
       EXPECT_EQ(find_fault(made, true), "");
       const MeshNumbers a = count_connected_numbers(mesh), b = count_connected_numbers(made);
@@ -70,9 +70,9 @@ TEST(Subdivide, features_are_split_at_their_midpoints_or_not_at_all) {
     SCOPED_TRACE(name);
     const Mesh mesh = build(in_two_materials(soup)).mesh;
     const auto before = feature_edges(mesh);
-    EXPECT_TRUE(feature_edges(mesh_of(subdivided(mesh, Subdivision::kSqrt3), mesh)) == before);
-    const auto loop = feature_edges(mesh_of(subdivided(mesh, Subdivision::kLoop), mesh));
-    EXPECT_TRUE(loop == feature_edges(mesh_of(subdivided(mesh, Subdivision::kMidpoint), mesh)));
+    EXPECT_TRUE(feature_edges(subdivided_mesh(subdivided(mesh, Subdivision::kSqrt3), mesh)) == before);
+    const auto loop = feature_edges(subdivided_mesh(subdivided(mesh, Subdivision::kLoop), mesh));
+    EXPECT_TRUE(loop == feature_edges(subdivided_mesh(subdivided(mesh, Subdivision::kMidpoint), mesh)));
     if (name.find("far") == std::string::npos && name.find("tiny") == std::string::npos)
       EXPECT_EQ(loop.size(), halved(before).size());
   }
@@ -84,7 +84,7 @@ TEST(Subdivide, sheets_of_random_soups_stay_together) {
     const Mesh mesh = build(random_soup(20 + static_cast<int>(random.below(100)), random)).mesh;
     for (const Subdivision scheme : kSchemes) {
       SCOPED_TRACE("seed " + std::to_string(seed) + ", " + subdivision_name(scheme));
-      const Mesh made = mesh_of(subdivided(mesh, scheme), mesh);
+      const Mesh made = subdivided_mesh(subdivided(mesh, scheme), mesh);
       // By chance, edges to the middles of two faces may coincide.
       EXPECT_GE(count_connected_numbers(mesh).components, count_connected_numbers(made).components);
       EXPECT_NEAR(count_numbers(mesh).boundary_length, count_numbers(made).boundary_length, 1e-9);

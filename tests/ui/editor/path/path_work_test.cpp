@@ -7,14 +7,14 @@
 namespace kerf {
 namespace {
 
-constexpr Vec3 kDown(0, -1, 0);
+constexpr Vec3 kDownwards(0, -1, 0);
 
 // Four points in two strokes.
 PathWork two_strokes() {
   PathWork path;
   for (int i = 0; i < 4; ++i) {
     path.begin_edit();
-    path.add({{i, 1, 0}, kDown}, 1, i == 2, 0.01, 2);
+    path.add({{i, 1, 0}, kDownwards}, 1, i == 2, 0.01, 2);
   }
   return path;
 }
@@ -24,7 +24,7 @@ TEST(PathWork, points_come_after_the_chosen_one_or_begin_another_stroke) {
   ASSERT_EQ(path.strokes().size(), 2u);
   path.choose(PathPoint{0, 0});
   path.begin_edit();
-  path.add({{0.5, 1, 0}, kDown}, 1, false, 0.01, 2);
+  path.add({{0.5, 1, 0}, kDownwards}, 1, false, 0.01, 2);
   EXPECT_EQ(path.chosen(), (PathPoint{0, 1}));
   EXPECT_EQ(path.strokes()[0].keys.size(), 3u);
   EXPECT_EQ(path.target({0, 1}), Vec3(0.5, 0, 0));
@@ -34,7 +34,7 @@ TEST(PathWork, points_come_after_the_chosen_one_or_begin_another_stroke) {
 TEST(PathWork, a_point_that_is_moved_is_reached_at_the_speed_of_the_path) {
   PathWork path = two_strokes();
   path.begin_edit();
-  path.set({0, 1}, {{3, 1, 0}, kDown}, 1);
+  path.set({0, 1}, {{3, 1, 0}, kDownwards}, 1);
   EXPECT_EQ(path.strokes()[0].times, (std::vector<double>{0, 1.5}));
   EXPECT_EQ(path.strokes()[1].times, (std::vector<double>{0, 0.5}));
 }
@@ -100,7 +100,7 @@ TEST(PathWork, points_of_a_file_lie_on_the_surface_and_keep_their_times_until_a_
   World world;
   world.add(make_body("sphere", test::build(test::sphere(24, 32, 1))));
   StrokePath stroke;
-  stroke.keys = {{{0, 3, 0}, kDown}, {{5, 3, 0}, kDown}};
+  stroke.keys = {{{0, 3, 0}, kDownwards}, {{5, 3, 0}, kDownwards}};
   stroke.times = {1, 11};
   PathWork path;
   path.begin_edit();
@@ -110,7 +110,7 @@ TEST(PathWork, points_of_a_file_lie_on_the_surface_and_keep_their_times_until_a_
   EXPECT_TRUE(path.has_times_of_file());
   EXPECT_EQ(path.speed(), 0.5);
   path.begin_edit();
-  path.set({0, 1}, {{4, 3, 0}, kDown}, 3);
+  path.set({0, 1}, {{4, 3, 0}, kDownwards}, 3);
   EXPECT_EQ(path.strokes()[0].times, stroke.times);
   path.set_speed(2);
   EXPECT_EQ(path.strokes()[0].times, (std::vector<double>{0, 2}));

@@ -12,11 +12,11 @@
 namespace kerf {
 namespace {
 
-using Kind = InputEvent::Kind;
+using EventKind = InputEvent::Kind;
 
 // The parts of an editor that the mouse works on, with a sphere before the eye.
-struct Bench {
-  Bench() {
+struct MouseBench {
+  MouseBench() {
     World world;
     world.add(make_body("sphere", test::build(test::sphere(24, 32, 1))));
     work.document = Document(std::move(world));
@@ -44,7 +44,7 @@ struct Bench {
   PlayState play;
 };
 
-InputEvent event(Kind kind, Vec2 at, double seconds) {
+InputEvent event(EventKind kind, Vec2 at, double seconds) {
   InputEvent e{kind, at, GLFW_MOUSE_BUTTON_LEFT};
   e.seconds = seconds;
   return e;
@@ -54,17 +54,17 @@ InputEvent event(Kind kind, Vec2 at, double seconds) {
 std::vector<InputEvent> arc() {
   constexpr int kMoves = 40;
   const auto at = [](double share) { return Vec2(250 + 200 * share, 380 - 90 * std::sin(3.14 * share)); };
-  std::vector<InputEvent> events{event(Kind::kPress, at(0), 3)};
+  std::vector<InputEvent> events{event(EventKind::kPress, at(0), 3)};
   for (int i = 1; i <= kMoves; ++i) {
     const double share = static_cast<double>(i) / kMoves;
-    events.push_back(event(Kind::kMove, at(share), 3 + share));
+    events.push_back(event(EventKind::kMove, at(share), 3 + share));
   }
-  events.push_back(event(Kind::kRelease, at(1), 4));
+  events.push_back(event(EventKind::kRelease, at(1), 4));
   return events;
 }
 
 TEST(ViewportInput, events_that_came_in_one_slow_frame_cut_what_they_cut_in_many_frames) {
-  Bench slow, fast;
+  MouseBench slow, fast;
   for (const InputEvent& e : arc()) slow.hear(e);
   slow.cut();
   for (const InputEvent& e : arc()) {
@@ -76,7 +76,7 @@ TEST(ViewportInput, events_that_came_in_one_slow_frame_cut_what_they_cut_in_many
 }
 
 TEST(ViewportInput, every_move_of_the_pointer_is_a_pose_of_the_stroke_with_its_time) {
-  Bench bench;
+  MouseBench bench;
   for (const InputEvent& e : arc()) bench.hear(e);
   std::vector<double> times;
   for (const Command& c : bench.work.document.journal()) {
@@ -88,16 +88,16 @@ TEST(ViewportInput, every_move_of_the_pointer_is_a_pose_of_the_stroke_with_its_t
 
 TEST(ViewportInput, the_settings_say_how_far_a_drag_turns_the_view_and_a_notch_comes_closer) {
   const auto seen = [](double speed) {
-    Bench bench;
+    MouseBench bench;
     bench.settings.drag_speed = bench.settings.wheel_speed = speed;
-    InputEvent wheel{Kind::kWheel, {400, 300}};
+    InputEvent wheel{EventKind::kWheel, {400, 300}};
     wheel.wheel = 1;
     bench.hear(wheel);
     bench.view.camera.finish();
     const double distance = bench.view.seen().focus;
-    InputEvent press{Kind::kPress, {400, 300}, GLFW_MOUSE_BUTTON_MIDDLE};
+    InputEvent press{EventKind::kPress, {400, 300}, GLFW_MOUSE_BUTTON_MIDDLE};
     bench.hear(press);
-    bench.hear({Kind::kMove, {430, 300}});
+    bench.hear({EventKind::kMove, {430, 300}});
     bench.view.camera.finish();
     return std::pair(std::asin(bench.view.seen().forward.x), std::log(distance / 5));
   };

@@ -92,43 +92,43 @@ void share_heat(Body& made, const Body& body, const PieceCopy& copy, const Remes
   }
 }
 
-// Whether triangle t has the corners of the face from which it stems.
-bool is_as_before(const Remeshed& r, size_t t, const Mesh& mesh) {
-  const Triangle before = mesh.triangle(r.origins[t]);
-  return std::all_of(r.triangles[t].begin(), r.triangles[t].end(), [&](uint32_t v) {
-    return std::find(before.begin(), before.end(), r.positions[v]) != before.end();
-  });
-}
+// What lies on a triangle of the heat of faces that were followed.
+struct Covered {
+  double joules = 0;
+  double area = 0;  // of the quarters that lie on it (m^2)
+  double rise = 0;  // of the highest temperatures over the ambient, integrated over this area (K m^2)
+};
 
-// Each triangle is as hot as the face where its middle lies, and was. Triangles that are other ones than the
-// faces were take the energy that these had, so that theirs are multiplied by one number near 1.
-void take_heat(Body& made, const Body& body, const PieceCopy& copy, const Remeshed& r) {
-  const double before = body.heat.stored(copy.mesh);
-  std::vector<double> joules(r.triangles.size(), 0);
-  double kept = 0, taken = 0;
-  std::vector<bool> changed(r.triangles.size(), false);
-  for (size_t t = 0; t < joules.size(); ++t) {
-    const FaceId face = r.middles[t];
-    if (!face.valid()) continue;
-    const double hottest = body.heat.hottest_of(copy.mesh, face),
-                 energy = body.heat.energy_of(copy.mesh, face);
-    if (hottest > kAmbient) made.heat.note_hottest(made.mesh, FaceId(static_cast<uint32_t>(t)), hottest);
-    changed[t] = face != r.origins[t] || !is_as_before(r, t, copy.mesh);
-    const double area = triangle_area(copy.mesh.triangle(face));
-    joules[t] = !changed[t] ? energy : area > 0 ? energy * (area_of(made, t) / area) : 0;
-    (changed[t] ? taken : kept) += joules[t];
+// Each triangle takes the energy of the quarters that lie on it. The highest temperature that it ever had is
+// taken to be the mean over its area of theirs, where it was cold between them: a large triangle that covers
+// little that was hot was not hot.
+void collect_heat(Body& made, const Body& body, const PieceCopy& copy, const Remeshed& r) {
+  std::vector<Covered> covered(copy.faces.size());  // by the face from which the triangle stems
+  for (const FollowedFace& followed : r.followed) {
+    const double area = 0.25 * triangle_area(copy.mesh.triangle(followed.face));
+    for (const FaceId on : followed.quarters) {
+      Covered& all = covered[on.index];
+      all.joules += 0.25 * body.heat.energy_of(copy.mesh, followed.face);
+      all.area += area;
+      all.rise += area * (body.heat.hottest_of(copy.mesh, followed.face) - kAmbient);
+    }
   }
-  const double factor = taken > 0 ? std::max(0.0, before - kept) / taken : 0;
-  for (size_t t = 0; t < joules.size(); ++t) add_energy(made, t, changed[t] ? factor * joules[t] : joules[t]);
-  if (taken == 0) add_energy(made, 0, before - kept);
+  for (size_t t = 0; t < r.origins.size(); ++t) {
+    const Covered all = std::exchange(covered[r.origins[t].index], {});
+    const double area = std::max(all.area, area_of(made, t));
+    add_energy(made, t, all.joules);
+    if (all.rise > 0)
+      made.heat.note_hottest(made.mesh, FaceId(static_cast<uint32_t>(t)), kAmbient + all.rise / area);
+  }
+  for (const Covered& all : covered) add_energy(made, 0, all.joules);
 }
 
 void hand_down_heat(Body& made, const Body& body, const PieceCopy& copy, const Remeshed& r) {
   if (copy.mesh.columns().blank()) return;
-  if (r.middles.empty()) {
+  if (r.followed.empty()) {
     share_heat(made, body, copy, r);
   } else {
-    take_heat(made, body, copy, r);
+    collect_heat(made, body, copy, r);
   }
 }
 

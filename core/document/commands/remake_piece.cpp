@@ -41,20 +41,13 @@ std::vector<FaceId> carrying_faces(const Joints& joints, std::span<const uint32_
   return faces;
 }
 
-// The highest temperatures (K) below which no tint is seen, from which on it is the darkest, and which look
-// about the same.
-constexpr double kFaintestTint = 440, kDarkestTint = 1000, kSameTint = 120;
-
-Followed warm_faces(const FaceHeat& heat, const Mesh& mesh) {
+std::vector<FaceId> warm_faces(const FaceHeat& heat, const Mesh& mesh) {
   std::vector<FaceId> faces;
   mesh.columns().for_each_set(heat.energy, [&](FaceId f) { faces.push_back(f); });
   mesh.columns().for_each_set(heat.hottest, [&](FaceId f) { faces.push_back(f); });
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-  Followed warm{.faces = {}, .elsewhere = kFaintestTint, .most_mixed = kSameTint};
-  for (const FaceId f : faces)
-    warm.faces.push_back({f, std::clamp(heat.hottest_of(mesh, f), kFaintestTint, kDarkestTint)});
-  return warm;
+  return faces;
 }
 
 // The joints, of which those within the piece are carried by its new faces.

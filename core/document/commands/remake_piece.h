@@ -14,7 +14,7 @@ namespace kerf {
 // The faces of a mesh that a tool has to heed, each list ascending.
 struct HeededFaces {
   std::vector<FaceId> kept;  // that must stay
-  Followed warm;             // that have energy or were hot, with the tint that this left
+  std::vector<FaceId> warm;  // that have energy or were hot
 };
 
 // Makes a new mesh of one.

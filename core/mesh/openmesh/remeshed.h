@@ -13,16 +13,11 @@
 
 namespace kerf {
 
-// Faces that are to be followed, each with a value that the triangles cannot keep apart where one lies over
-// several faces, such as a temperature.
-struct Followed {
-  struct Face {
-    FaceId face;
-    double value;
-  };
-  std::vector<Face> faces;
-  double elsewhere = 0;   // the value of all other faces
-  double most_mixed = 0;  // by how much the values may differ of faces over which one triangle comes to lie
+// Where a face of the mesh went: for each of its quarters the face from which the triangle stems on which it
+// lies now.
+struct FollowedFace {
+  FaceId face;
+  std::array<FaceId, 4> quarters;
 };
 
 // What a tool made of a mesh: triangles over welded positions, none of which has two corners at the same
@@ -33,9 +28,9 @@ struct Remeshed {
   std::vector<std::array<uint32_t, 3>> triangles;  // indices of positions
   // The face of the mesh from which each triangle stems and takes its data, ascending.
   std::vector<FaceId> origins;
-  // By triangle the followed face where its middle lies, invalid where there is none. Empty where no face was
-  // followed, and where triangles lie where the faces did from which they stem.
-  std::vector<FaceId> middles;
+  // The faces that were to be followed, where triangles do not just lie where the faces did from which they
+  // stem.
+  std::vector<FollowedFace> followed;
 };
 
 // The materials of the triangles, those of the faces from which they stem. Precondition: `remeshed` was made

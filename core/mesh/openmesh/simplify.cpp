@@ -20,7 +20,7 @@ namespace {
 namespace decimater = OpenMesh::Decimater;
 using Kernel = OpenMeshKernel;
 using Collapse = decimater::CollapseInfoT<Kernel>;
-using ChangedFace = FollowedFaces::Around::Face;
+using ChangedFace = FollowedFaces::Changed;
 
 Vec3 to_vec3(const Kernel::Point& p) { return {p[0], p[1], p[2]}; }
 
@@ -144,13 +144,21 @@ class Bookkeeping : public decimater::ModBaseT<Kernel> {
   Work* work = nullptr;
 
   float collapse_priority(const Collapse& collapse) override {
-    const bool legal = !work->stopped && !joins_sheets(collapse) && stay_apart(collapse);
+    const bool legal = !work->stopped && !joins_sheets(collapse);
     return static_cast<float>(legal ? LEGAL_COLLAPSE : ILLEGAL_COLLAPSE);
   }
 
   void preprocess_collapse(const Collapse& collapse) override {
     for (const auto f : {collapse.fl, collapse.fr}) work->left -= f.is_valid();
-    if (look_around(collapse)) work->followed.hand_on(around_);
+    around_.clear();
+    bool any = false;
+    for (const auto f : mesh().vf_range(collapse.v0)) {
+      around_.push_back(f);
+      any |= work->followed.lie_on(f);
+    }
+    if (!any) return;
+    find_changed(mesh(), collapse, changed_);
+    work->followed.hand_on(around_, changed_);
   }
 
  private:
@@ -166,26 +174,8 @@ class Bookkeeping : public decimater::ModBaseT<Kernel> {
     return false;
   }
 
-  // Whether a followed face lies around the vertex that goes; if so, finds the faces there and what becomes
-  // of them.
-  bool look_around(const Collapse& collapse) {
-    around_.before.clear();
-    bool any = false;
-    for (const auto f : mesh().vf_range(collapse.v0)) {
-      Triangle corners;
-      size_t i = 0;
-      for (const auto v : mesh().fv_range(f)) corners[i++] = to_vec3(mesh().point(v));
-      around_.before.push_back({f, corners});
-      any |= work->followed.lie_on(f);
-    }
-    if (any) find_changed(mesh(), collapse, around_.after);
-    return any;
-  }
-  bool stay_apart(const Collapse& collapse) {
-    return !look_around(collapse) || work->followed.stay_apart(around_);
-  }
-
-  FollowedFaces::Around around_;
+  std::vector<Kernel::FaceHandle> around_;
+  std::vector<ChangedFace> changed_;
 };
 
 // Stops the decimater when its work is done.
@@ -243,7 +233,7 @@ void decimate(Work& work, double error) {
 }  // namespace
 
 Result<Remeshed> simplify(const Mesh& mesh, const SimplifyTarget& target, std::span<const FaceId> kept,
-                          const Progress* progress, const Followed& followed) {
+                          const Progress* progress, std::span<const FaceId> followed) {
   Stages stages(progress);
   const Progress copying = stages.next(0.15), decimating = stages.next(0.8), back = stages.next(0.05);
   auto sheets = to_sheets(mesh, kept, &copying);
@@ -255,7 +245,7 @@ Result<Remeshed> simplify(const Mesh& mesh, const SimplifyTarget& target, std::s
   if (!work.done()) decimate(work, target.error);
   if (work.stopped || !back.report(0)) return cancelled();
   Remeshed out = from_sheets(work.sheets, work.sheets.faces, mesh);
-  out.middles = work.followed.middles(work.sheets, out.origins);
+  out.followed = work.followed.places(work.sheets);
   return out;
 }
 

@@ -20,14 +20,13 @@ struct SimplifyTarget {
 // P. S. Heckbert: Surface simplification using quadric error metrics, 1997), with OpenMesh's Decimater and
 // its modules for quadrics and for flipped normals. Vertices keep their positions. Features (see Sheets) and
 // the faces in `kept` stay, and so do components: sheets that touch are never joined. More faces than the
-// target may be left therefore. Faces in `followed` are followed (Remeshed::middles), and no collapse
-// mixes their values by more than it says.
+// target may be left therefore. The faces in `followed` are told where they went (Remeshed::followed).
 //
 // Fails with cancelled() when stopped; `progress` may be null. The result depends on the mesh and the target
 // alone: OpenMesh keeps its vertices in a heap by priority and, among equals, by the order of insertion.
-// Preconditions: the mesh has live faces, `kept` and the followed faces are live, and the error is positive.
+// Preconditions: the mesh has live faces, `kept` and `followed` are live, and the error is positive.
 // O(n log n).
 Result<Remeshed> simplify(const Mesh& mesh, const SimplifyTarget& target, std::span<const FaceId> kept,
-                          const Progress* progress, const Followed& followed = {});
+                          const Progress* progress, std::span<const FaceId> followed = {});
 
 }  // namespace kerf

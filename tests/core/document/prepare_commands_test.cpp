@@ -255,8 +255,8 @@ TEST(PrepareCommands, spread_no_trace_of_heat_over_what_was_cold) {
       Document document(before);
       ASSERT_TRUE(document.apply(command).ok());
       const Body& body = document.world().body(document.world().ids()[0]);
-      EXPECT_LE(tint_of(document.world()), tint_of(before) * 1.2);
-      EXPECT_GE(tint_of(document.world()), tint_of(before) * 0.8);
+      EXPECT_LE(tint_of(document.world()), tint_of(before) * (1 + 1e-6));
+      EXPECT_GE(tint_of(document.world()), tint_of(before) * 0.5);
       for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
         const double hottest = body.heat.hottest_of(body.mesh, FaceId(f));
         ASSERT_LE(hottest, hot.hottest + 1e-3) << f;

@@ -126,33 +126,31 @@ TEST(Simplify, faces_that_must_stay_do) {
   }
 }
 
-// All faces with the value 0.
-Followed all_faces(const Mesh& mesh) {
-  Followed all;
-  for (uint32_t f = 0; f < mesh.face_slots(); ++f) all.faces.push_back({FaceId(f), 0});
-  return all;
+std::vector<FaceId> all_faces(const Mesh& mesh) {
+  std::vector<FaceId> faces;
+  for (uint32_t f = 0; f < mesh.face_slots(); ++f) faces.emplace_back(f);
+  return faces;
 }
 
-Triangle triangle_of(const Remeshed& made, size_t t) {
-  Triangle corners;
-  for (size_t i = 0; i < 3; ++i) corners[i] = made.positions[made.triangles[t][i]];
-  return corners;
-}
-
-Vec3 middle_of(const Triangle& t) { return (t[0] + t[1] + t[2]) / 3.0; }
-
-// On a sheet that stays flat, within the size of a triangle: faces are handed on from triangle to triangle.
-TEST(Simplify, says_which_followed_faces_lie_in_the_middles_of_triangles) {
+// On a sheet that stays flat the parts of the area lie where they lay, but for the size of the quarters.
+TEST(Simplify, says_which_triangles_lie_where_the_followed_faces_did) {
   const Mesh mesh = build(grid(24, 1)).mesh;
-  const auto made = simplify(mesh, {.faces = 300}, {}, nullptr, all_faces(mesh));
+  const std::vector<FaceId> all = all_faces(mesh);
+  const auto made = simplify(mesh, {.faces = 300}, {}, nullptr, all);
   ASSERT_TRUE(made.ok());
   EXPECT_LT(made->triangles.size(), 400u);
-  ASSERT_EQ(made->middles.size(), made->triangles.size());
-  for (size_t t = 0; t < made->triangles.size(); ++t) {
-    ASSERT_TRUE(made->middles[t].valid());
-    const Triangle own = triangle_of(*made, t);
-    const double off = glm::length(middle_of(own) - middle_of(mesh.triangle(made->middles[t])));
-    EXPECT_LT(off, 0.5 * std::sqrt(longest_edge2(own)) + 0.05);
+  ASSERT_EQ(made->followed.size(), all.size());
+  for (const FollowedFace& followed : made->followed) {
+    const Triangle from = mesh.triangle(followed.face);
+    for (const FaceId origin : followed.quarters) {
+      const auto at = std::lower_bound(made->origins.begin(), made->origins.end(), origin);
+      ASSERT_TRUE(at != made->origins.end() && *at == origin) << origin.index;
+      Triangle on;
+      for (size_t i = 0; i < 3; ++i)
+        on[i] = made->positions[made->triangles[static_cast<size_t>(at - made->origins.begin())][i]];
+      const double size = std::sqrt(longest_edge2(from));
+      EXPECT_LT(squared_distance((from[0] + from[1] + from[2]) / 3.0, on), size * size);
+    }
   }
 }
 
@@ -162,31 +160,10 @@ TEST(Simplify, never_hands_on_a_followed_face_to_another_sheet) {
   const Mesh mesh = build(both(low, moved(low, {0, 0.002, 0}, 1))).mesh;
   const auto made = simplify(mesh, {.faces = 500}, {}, nullptr, all_faces(mesh));
   ASSERT_TRUE(made.ok());
-  for (size_t t = 0; t < made->triangles.size(); ++t)
-    EXPECT_EQ(mesh.triangle(made->middles[t])[0].y, triangle_of(*made, t)[0].y);
-}
-
-// A disc in the middle has another value than the rest: each triangle lies over the one or the other.
-TEST(Simplify, keeps_the_values_of_followed_faces_apart) {
-  constexpr double kRadius = 0.25;
-  const Mesh mesh = build(grid(40, 1)).mesh;
-  Followed disc{.faces = {}, .elsewhere = 0, .most_mixed = 50};
-  double area = 0, area_after = 0;
-  for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
-    if (glm::length(middle_of(mesh.triangle(FaceId(f)))) > kRadius) continue;
-    disc.faces.push_back({FaceId(f), 100});
-    area += triangle_area(mesh.triangle(FaceId(f)));
+  for (const FollowedFace& followed : made->followed) {
+    for (const FaceId origin : followed.quarters)
+      EXPECT_EQ(mesh.triangle(origin)[0].y, mesh.triangle(followed.face)[0].y);
   }
-  const auto made = simplify(mesh, {.faces = 300}, {}, nullptr, disc);
-  ASSERT_TRUE(made.ok());
-  EXPECT_LT(made->triangles.size(), 800u);
-  for (size_t t = 0; t < made->triangles.size(); ++t) {
-    const Triangle own = triangle_of(*made, t);
-    if (!made->middles[t].valid()) continue;
-    area_after += triangle_area(own);
-    for (const Vec3& p : own) EXPECT_LT(glm::length(p), kRadius + 0.06);
-  }
-  EXPECT_NEAR(area_after, area, 0.1 * area);
 }
 
 TEST(Simplify, the_same_mesh_gives_the_same_triangles) {

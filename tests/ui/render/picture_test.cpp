@@ -103,7 +103,7 @@ TEST(Picture, a_hole_lets_the_background_through) {
   Scene scene = scene_of(test::sphere(24, 32, 1));
   scene.strokes = {stroke_at_the_middle(0.3)};
   const Image image = render(std::move(scene), from_the_front());
-  EXPECT_LT(difference(image.at_part(0.5, 0.5), image.at_part(0.02, 0.5)), 16);
+  EXPECT_LT(difference(image.at_part(0.5, 0.5), image.at_part(0.02, 0.5)), 20);  // the rim glows into it
 }
 
 TEST(Picture, the_rim_of_a_cut_is_brighter_and_warmer_than_paint) {

@@ -21,6 +21,10 @@ class Heat(WindowTest):
         pause(seconds)
         return editor
 
+    def choose_thermal_model(self, editor):
+        editor.click("laser model", 0.5, 0.5)
+        editor.click("laser model 1", 0.5, 0.5)
+
     def test_a_rim_cools_down_in_the_step_of_its_stroke(self):
         report = self.cut(seconds=10).quit()  # a slow machine lets less time pass in them
         self.assertGreater(report["time"]["ticks"], 30)
@@ -39,13 +43,35 @@ class Heat(WindowTest):
     def test_one_undo_takes_a_command_and_the_time_in_which_it_cooled_down(self):
         editor = self.cut()
         editor.press("ctrl", "a")
-        editor.press("h")
+        editor.press("shift", "p")
         pause(2)
         editor.press("ctrl", "z")
         pause(1)
         report = editor.quit()
-        self.assertEqual((report["undo_depth"], report["pieces_hidden"]), (1, 0))
-        self.assertEqual(report["messages"][-1], "Undone: Hide pieces" if report["pieces"] > 1 else "Undone: Hide a piece")
+        self.assertEqual(report["undo_depth"], 1)
+        self.assertTrue(report["messages"][-1].startswith("Undone: Pin"), report["messages"])
+
+    def test_escape_ends_a_slow_stroke_where_the_beam_is_and_undo_takes_it_back(self):
+        self.heat_held = True
+        editor = self.open(SPHERE)
+        self.choose_thermal_model(editor)
+        begin, end = editor.place(ACROSS[0]), editor.place(ACROSS[1])
+        editor.move_to(*begin)
+        editor.settle()
+        editor.xdotool("mousedown", 1)
+        for share in (0, 0.25, 0.5, 0.75, 1):
+            editor.move_to(*(round(a + share * (b - a)) for a, b in zip(begin, end)))
+            pause(0.1)
+        editor.xdotool("mouseup", 1)
+        pause(2)
+        self.assertTrue(editor.landmarks()["busy"])
+        editor.do("Escape")
+        editor.do("ctrl", "z")
+        editor.do("ctrl", "shift", "z")
+        report = editor.quit()
+        said = [text.split(":")[0] for text in report["messages"][-3:]]
+        self.assertEqual(said, ["Stopped", "Undone", "Done again"])
+        self.assertEqual((report["undo_depth"], report["strokes"]), (1, 1))
 
     def test_held_heat_stays(self):
         self.heat_held = True
@@ -56,8 +82,7 @@ class Heat(WindowTest):
 
     def test_a_beam_of_the_thermal_model_that_is_held_still_goes_on_heating(self):
         editor = self.open(SPHERE)
-        editor.click("laser model", 0.5, 0.5)
-        editor.click("laser model 1", 0.5, 0.5)
+        self.choose_thermal_model(editor)
         editor.move_to(*editor.place((0.5, 0.5)))
         editor.settle()
         editor.xdotool("mousedown", 1)

@@ -150,8 +150,10 @@ TEST(StopStroke, of_a_stroke_lasts_when_it_is_cut_again_with_another_radius) {
   finer.laser.radius *= 0.4;
   const Vec3 down(0, -1, 0);
   Document stopped = stopped_document(), shorter = stopped_document();
-  draw_stroke(stopped, {BeginStroke{settings, {{-0.8, 1, 0}, down}}, MoveStroke{{{0.8, 1, 0}, down}}, EndStroke{}});
-  draw_stroke(shorter, {BeginStroke{settings, {{-0.8, 1, 0}, down}}, MoveStroke{{{0, 1, 0}, down}}, EndStroke{}});
+  draw_stroke(stopped,
+              {BeginStroke{settings, {{-0.8, 1, 0}, down}}, MoveStroke{{{0.8, 1, 0}, down}}, EndStroke{}});
+  draw_stroke(shorter,
+              {BeginStroke{settings, {{-0.8, 1, 0}, down}}, MoveStroke{{{0, 1, 0}, down}}, EndStroke{}});
   ASSERT_TRUE(stopped.apply(StopStroke{1.5}).ok());
   for (Document* document : {&stopped, &shorter}) {
     ASSERT_TRUE(document->apply(Recut{finer}).ok());

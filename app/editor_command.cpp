@@ -12,7 +12,7 @@ namespace {
 
 struct EditorArguments {
   std::vector<std::string> files;
-  std::string report, size, landmarks;
+  std::string report, size, landmarks, events;
   bool own_font = false;
 };
 
@@ -27,6 +27,7 @@ Status edit(const EditorArguments& a) {
   }
   if (!a.report.empty()) options.report = a.report;
   if (!a.landmarks.empty()) options.landmarks = a.landmarks;
+  if (!a.events.empty()) options.events = a.events;
   options.own_font = a.own_font;
   if (!a.size.empty()) {
     const auto size = parse_size(a.size);
@@ -47,6 +48,8 @@ void add_editor(CLI::App& app, Invocation& invocation) {
   app.add_option("--size", a->size, "Size of the editor's window, WxH");
   constexpr auto kHidden = "";  // from the help: these are for the tests of the window
   app.add_option("--landmarks", a->landmarks, "Where the editor keeps the places of its widgets, as JSON")
+      ->group(kHidden);
+  app.add_option("--events", a->events, "A script of input that drives the editor without a screen")
       ->group(kHidden);
   app.add_flag("--own-font", a->own_font, "Draw the panels as where no font is installed")->group(kHidden);
   invocation = [a] {

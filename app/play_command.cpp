@@ -18,13 +18,14 @@
 #include "ui/editor/view/settings.h"
 #include "ui/game/game.h"
 #include "ui/render/assets.h"
+#include "ui/window/open_window.h"
 
 namespace kerf {
 
 namespace {
 
 struct PlayArguments {
-  std::string rules, driver, difficulty, report, record, size, landmarks;
+  std::string rules, driver, difficulty, report, record, size, landmarks, events;
   uint64_t seed = 1;
   double seconds = 0;
   bool headless = false;
@@ -92,7 +93,9 @@ class PlayRun {
       size = *asked;
     }
     let_interrupts_end();
-    const auto outcome = kerf::play(options, size.width, size.height);
+    WindowOptions window{size.width, size.height, {}};
+    if (!arguments_.events.empty()) window.events = arguments_.events;
+    const auto outcome = kerf::play(options, window);
     if (!outcome) return outcome.error();
     setup_ = outcome->match->setup();
     controls_ = outcome->played;
@@ -171,6 +174,8 @@ void add_play_command(CLI::App& app, Invocation& invocation) {
   command->add_option("--record", a->record, "A file (.kerf) from which kerf replay plays the match again");
   command->add_option("--size", a->size, "Size of the window, WxH");
   command->add_option("--landmarks", a->landmarks, "Where the game keeps the places of its widgets, as JSON")
+      ->group("");
+  command->add_option("--events", a->events, "A script of input that drives the game without a screen")
       ->group("");
   command->callback([a, &invocation] {
     invocation = [a] {

@@ -25,11 +25,7 @@ namespace kerf {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr double kFigureSeconds = 0.25;
-
-double seconds_since(Clock::time_point t) { return std::chrono::duration<double>(Clock::now() - t).count(); }
 
 // Empty while time stands still.
 std::string time_text(const PlayState& play) {
@@ -55,9 +51,9 @@ void EditorScreen::draw() {
   update_figures();
   if (landmarks_) landmarks_->begin_frame();
   draw_panels();
-  const Clock::time_point began = Clock::now();
+  const double began = window_.clock().seconds();
   draw_picture();
-  picture_seconds_ = seconds_since(began);
+  picture_seconds_ = window_.clock().seconds() - began;
   if (state_.requests.screenshot != Requests::Screenshot::kPicture) return;
   take_picture(std::exchange(state_.requests.screenshot, Requests::Screenshot::kNone));
 }
@@ -137,8 +133,9 @@ void EditorScreen::draw_picture() {
 }
 
 void EditorScreen::update_figures() {
-  if (seconds_since(figures_at_) < kFigureSeconds) return;
-  figures_at_ = Clock::now();
+  const double now = window_.clock().seconds();
+  if (now - figures_at_ < kFigureSeconds) return;
+  figures_at_ = now;
   save_settings();
   Figures& figures = state_.figures;
   figures.shown.unit = state_.view.frame.unit;
@@ -184,7 +181,7 @@ void EditorScreen::show_landmarks() {
   for (const SectionHandle& handle : section_handles(view))
     landmarks_->mark(name_of(handle), {grip_of(handle), Vec2(0)});
   for (const AxisEnd& end : axis_ends(view)) landmarks_->mark(name_of(end), {end.at, Vec2(0)});
-  if (const Status written = landmarks_->write(moving(), {at.x, at.y}); !written)
+  if (const Status written = landmarks_->finish(moving(), {at.x, at.y}); !written)
     state_.message.say(written.error().message, true);
 }
 

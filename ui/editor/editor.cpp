@@ -9,6 +9,7 @@
 #include "ui/gl/debug_output.h"
 #include "ui/render/assets.h"
 #include "ui/screen/frame_loop.h"
+#include "ui/window/open_window.h"
 
 namespace kerf {
 
@@ -48,25 +49,27 @@ void play_game(Window& window, FrameLoop& loop, EditorScreen& screen, const Edit
 Status run_editor(const EditorOptions& options) {
   LoadedSettings loaded = read_settings(settings_file());
   const std::string fault = loaded.fault;
-  const int width = options.width > 0 ? options.width : loaded.settings.width;
-  const int height = options.height > 0 ? options.height : loaded.settings.height;
-  auto window = Window::open(width, height, "Kerf");
-  if (!window) return window.error();
+  WindowOptions wanted{options.width, options.height, options.events};
+  if (wanted.width == 0) wanted = {loaded.settings.width, loaded.settings.height, options.events};
+  auto opened = open_window(wanted);
+  if (!opened) return opened.error();
+  Window& window = **opened;
   gl::report_gl_errors();
   auto picture = LivePicture::create();
   if (!picture) return picture.error();
-  Gui gui(*window);
-  FrameLoop loop(*window, gui);
-  EditorScreen screen(*window, std::move(*picture), std::move(loaded), options);
+  Gui gui(window);
+  FrameLoop loop(window, gui);
+  EditorScreen screen(window, std::move(*picture), std::move(loaded), options);
   gui.dress(screen.look());
-  if (const Status opened = screen.open(); !opened) return opened;
+  if (const Status shown = screen.open(); !shown) return shown;
   screen.tell(fault);
   bool left_by_user = loop.run(screen);
   while (left_by_user && screen.wants_game()) {
-    play_game(*window, loop, screen, options);
+    play_game(window, loop, screen, options);
     left_by_user = loop.run(screen);
   }
   screen.close(left_by_user);
+  if (!loop.fault().empty()) return bad_input(loop.fault());
   if (!options.report) return Done{};
   return write_editor_report(screen.state(), *options.report);
 }

@@ -182,11 +182,11 @@ nlohmann::ordered_json names_of(const std::vector<std::filesystem::path>& files)
 
 }  // namespace
 
-Status write_editor_report(const EditorState& state, const std::filesystem::path& file) {
+nlohmann::ordered_json editor_report(const EditorState& state) {
   const Document& document = state.work.document;
   const Figures& figures = state.figures;
   const PieceMap& pieces = state.view.look.pieces;
-  const nlohmann::ordered_json report{
+  return {
       {"frames", figures.frames.frames()},
       {"frame_ms", times_of(figures.frames)},
       {"between_pictures_ms", times_of(figures.between_pictures)},
@@ -224,8 +224,11 @@ Status write_editor_report(const EditorState& state, const std::filesystem::path
       {"split", {{"shown", state.split.shown}, {"faces", state.split.twin.world().live_faces()}}},
       {"layout", layout_of(state.view.layout)},
   };
+}
+
+Status write_editor_report(const EditorState& state, const std::filesystem::path& file) {
   return write_file_atomically(
-      file, report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+      file, editor_report(state).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace kerf

@@ -4,6 +4,9 @@
 
 #include <GLFW/glfw3.h>
 
+#include <nlohmann/json.hpp>
+
+#include "ui/editor/editor_report.h"
 #include "ui/editor/file_choice.h"
 #include "ui/editor/graph/graph_reading.h"
 #include "ui/editor/keys/bindings.h"
@@ -21,6 +24,7 @@ namespace {
 constexpr uint32_t kFacesSent = 50'000;  // of a scene that is shown anew, in one frame
 constexpr double kLongestEaseStep = 0.05;
 constexpr double kMissable = 0.05;  // s; for so long nobody misses a frame
+constexpr double kLongest = 1e6;    // s; a script waits for what works in the background
 
 }  // namespace
 
@@ -32,13 +36,13 @@ EditorScreen::EditorScreen(Window& window, LivePicture picture, LoadedSettings l
       saved_(loaded.settings),
       kept_path_(state_folder()),
       changes_({state_.work, state_.view, state_.hand, state_.figures, state_.message, picture_.first()}),
-      stage_cut_({state_.work, state_.hand, state_.view, state_.figures, changes_, state_.stages}),
+      stage_cut_({state_.work, state_.hand, state_.view, state_.figures, changes_, state_.stages, window.clock()}),
       cut_({state_.work, state_.view, state_.hand, state_.split, state_.figures, state_.message, changes_,
-            stage_cut_, picture_}),
+            stage_cut_, picture_, window.clock()}),
       time_({state_.work, state_.view, state_.hand, state_.split, state_.stages.wishes, state_.opening,
              state_.play, state_.message, changes_, groups_}),
       cooling_({state_.work, state_.view, state_.settings, state_.split, state_.stages.wishes, state_.opening,
-                state_.play, changes_, picture_.first()}),
+                state_.play, changes_, picture_.first(), window.clock()}),
       opener_({state_.work, state_.view, state_.hand, state_.split, state_.stages.log, state_.figures,
                state_.opening, state_.settings, state_.message, recovery_, picture_.first()}),
       desk_(state_, changes_, groups_, opener_, recovery_),
@@ -49,7 +53,8 @@ EditorScreen::EditorScreen(Window& window, LivePicture picture, LoadedSettings l
   threads_.follow(state_.settings.threads);
   state_.view.look.antialias = state_.settings.antialias;
   state_.view.look.show = default_show();
-  if (options.landmarks) keep_landmarks(&landmarks_.emplace(*options.landmarks));
+  if (options.landmarks || window.script() != nullptr)
+    keep_landmarks(&landmarks_.emplace(options.landmarks));
 }
 
 Status EditorScreen::open() {
@@ -213,12 +218,13 @@ void EditorScreen::hear_key(const InputEvent& event) {
 
 void EditorScreen::advance() {
   threads_.follow(state_.settings.threads);
+  if (window_.script() != nullptr && state_.opening.loader.busy()) state_.opening.loader.is_over(kLongest);
   if (thread_.busy() && !thread_.is_over(0)) return;
   if (thread_.busy()) finish_change();
   desk_.fulfil();
   drop_lost_move(state_.hand, state_.view, state_.work.document.world());
   if (!changes_.is_pending()) grab_copy(state_.hand, state_.view, state_.work.document.world());
-  if (!changes_.is_pending()) follow_emitter(state_, glfwGetTime());
+  if (!changes_.is_pending()) follow_emitter(state_, window_.clock().seconds());
   recovery_.follow(state_.work, state_.view, state_.hand.drag == Drag::kLight, state_.message);
   keep_path(false);
   move_camera();
@@ -236,7 +242,7 @@ void EditorScreen::advance() {
 
 // Works on the queue of the document and lets time pass.
 void EditorScreen::pass_time(double seconds) {
-  if (!changes_.is_pending()) state_.hand.beam.go_on(state_.work.document, glfwGetTime());
+  if (!changes_.is_pending()) state_.hand.beam.go_on(state_.work.document, window_.clock().seconds());
   const bool old = state_.view.heat_old, unseen = cooling_.passes_unseen();
   cut_.advance();
   if (unseen) state_.view.heat_old = old;
@@ -247,6 +253,13 @@ void EditorScreen::pass_time(double seconds) {
   }
   time_.advance(seconds);
   cooling_.advance(seconds);
+}
+
+std::optional<std::string> EditorScreen::answer(const std::string& what) const {
+  if (what == "landmarks" && landmarks_) return landmarks_->text();
+  if (what == "report")
+    return editor_report(state_).dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  return std::nullopt;
 }
 
 void EditorScreen::move_camera() {
@@ -304,7 +317,7 @@ void EditorScreen::begin_pending_change() {
   busy_.keep(window_.pixel_size());
   thread_.start(state_.work.document,
                 changes_.is_pending() ? *changes_.take_pending() : graph_reading(state_.graph));
-  if (thread_.is_over(kMissable)) finish_change();
+  if (thread_.is_over(window_.script() != nullptr ? kLongest : kMissable)) finish_change();
 }
 
 void EditorScreen::finish_change() {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <chrono>
-
 #include "ui/editor/actions.h"
 #include "ui/editor/changes/cooling.h"
 #include "ui/editor/changes/live_cut.h"
@@ -47,6 +45,7 @@ class EditorScreen : public Screen {
   bool moving() const override;
   void rest() override;
   bool over() const override { return desk_.quit() || wants_game(); }
+  std::optional<std::string> answer(const std::string& what) const override;
 
   // Whether the screen is over only until the player comes back from the game.
   bool wants_game() const { return state_.requests.play && !thread_.busy(); }
@@ -54,8 +53,6 @@ class EditorScreen : public Screen {
   void come_back(const GuiLook& look, const std::filesystem::path& scene);
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   void hear_mouse(const MouseParts& mouse, const InputEvent& event);
   bool hear_move(const InputEvent& event, bool in_picture);
   void bind_actions();
@@ -106,7 +103,7 @@ class EditorScreen : public Screen {
   ChangeThread thread_;  // while it is busy the document is not touched
   BusyWindow busy_;
   std::string title_;  // of the window
-  Clock::time_point figures_at_{};
+  double figures_at_ = -1;      // s, when the figures were brought up to date
   bool easing_ = false;         // the camera
   bool busy_frame_ = false;     // the last frame showed the busy window
   bool new_picture_ = false;    // the last frame

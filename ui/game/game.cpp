@@ -6,6 +6,7 @@
 #include "ui/gl/debug_output.h"
 #include "ui/screen/frame_loop.h"
 #include "ui/window/gui.h"
+#include "ui/window/open_window.h"
 
 namespace kerf {
 
@@ -33,13 +34,16 @@ Result<GameOutcome> play_in(Window& window, FrameLoop& loop, const GameOptions& 
   return outcome;
 }
 
-Result<GameOutcome> play(const GameOptions& options, int width, int height) {
-  auto window = Window::open(width, height, "Kerf");
-  if (!window) return window.error();
+Result<GameOutcome> play(const GameOptions& options, const WindowOptions& wanted) {
+  auto opened = open_window(wanted);
+  if (!opened) return opened.error();
+  Window& window = **opened;
   gl::report_gl_errors();
-  Gui gui(*window);
-  FrameLoop loop(*window, gui);
-  return play_in(*window, loop, options);
+  Gui gui(window);
+  FrameLoop loop(window, gui);
+  auto played = play_in(window, loop, options);
+  if (!loop.fault().empty()) return bad_input(loop.fault());
+  return played;
 }
 
 }  // namespace kerf

@@ -9,6 +9,7 @@ namespace kerf {
 
 class FrameLoop;
 class Window;
+struct WindowOptions;
 
 // What is left of a game that was played in a window.
 struct GameOutcome {
@@ -27,8 +28,7 @@ Result<std::filesystem::path> save_inspected(const Match& match);
 // compile.
 Result<GameOutcome> play_in(Window& window, FrameLoop& loop, const GameOptions& options);
 
-// The same in a window of its own, of a size in screen coordinates. Fails if there is no display or no OpenGL
-// 3.3, too.
-Result<GameOutcome> play(const GameOptions& options, int width, int height);
+// The same in a window of its own. Fails like open_window(), too, and at a line of its script that is wrong.
+Result<GameOutcome> play(const GameOptions& options, const WindowOptions& window);
 
 }  // namespace kerf

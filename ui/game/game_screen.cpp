@@ -32,12 +32,13 @@ GameScreen::GameScreen(Window& window, MatchPicture picture, GameOptions options
       saved_(settings_),
       presets_(draws_in_software()) {
   if (options_.chosen_difficulty) asked_difficulty_ = settings_.difficulty = options_.setup.difficulty;
-  if (options_.landmarks) keep_landmarks(&landmarks_.emplace(*options_.landmarks));
+  if (options_.landmarks || window.script() != nullptr)
+    keep_landmarks(&landmarks_.emplace(options_.landmarks));
   start();
 }
 
 GameScreen::~GameScreen() {
-  glfwSetInputMode(window_.handle(), GLFW_CURSOR, GLFW_CURSOR_NORMAL);
+  window_.catch_pointer(false);
   if (landmarks_) keep_landmarks(nullptr);
 }
 
@@ -64,7 +65,7 @@ void GameScreen::start() {
 void GameScreen::enter(State state) {
   state_ = state;
   const bool caught = state == State::kPlaying;
-  glfwSetInputMode(window_.handle(), GLFW_CURSOR, caught ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
+  window_.catch_pointer(caught);
   if (!caught) sounds_.hush();
   input_.let_go();
   const GameSettings keep = settings_to_keep(settings_, saved_, asked_difficulty_);
@@ -94,8 +95,8 @@ void GameScreen::hear(const Input& input) {
   }
   if (state_ != State::kPlaying) return;
   input_.hear(input.events, settings_);
-  input_.poll(window_.handle(), ImGui::GetIO().DeltaTime, settings_);
-  if (glfwGetWindowAttrib(window_.handle(), GLFW_FOCUSED) == GLFW_FALSE) enter(State::kPaused);
+  input_.poll(window_, ImGui::GetIO().DeltaTime, settings_);
+  if (!window_.has_focus()) enter(State::kPaused);
 }
 
 void GameScreen::hear_key(int key) {
@@ -276,7 +277,12 @@ void GameScreen::draw() {
 void GameScreen::drawn() {
   if (!landmarks_) return;
   const ImVec2 at = ImGui::GetIO().MousePos;
-  (void)landmarks_->write(state_ == State::kPlaying, {at.x, at.y});
+  (void)landmarks_->finish(state_ == State::kPlaying, {at.x, at.y});
+}
+
+std::optional<std::string> GameScreen::answer(const std::string& what) const {
+  if (what != "landmarks" || !landmarks_) return std::nullopt;
+  return landmarks_->text();
 }
 
 void GameScreen::took(const FrameTime& time) {

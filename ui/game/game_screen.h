@@ -50,6 +50,7 @@ class GameScreen : public Screen {
   void took(const FrameTime& time) override;
   bool moving() const override { return true; }
   bool over() const override { return leave_ != Leave::kStay; }
+  std::optional<std::string> answer(const std::string& what) const override;
 
  private:
   enum class State { kPlaying, kPaused, kOver };

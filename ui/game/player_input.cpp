@@ -38,14 +38,14 @@ void PlayerInput::hear(std::span<const InputEvent> events, const GameSettings& s
   }
 }
 
-void PlayerInput::poll(GLFWwindow* window, double seconds, const GameSettings& settings) {
+void PlayerInput::poll(const Window& window, double seconds, const GameSettings& settings) {
   const auto held = [&](int key, int other) {
-    return glfwGetKey(window, key) == GLFW_PRESS || glfwGetKey(window, other) == GLFW_PRESS;
+    return window.is_key_held(key) || window.is_key_held(other);
   };
   throttle_ = held(GLFW_KEY_W, GLFW_KEY_UP) - held(GLFW_KEY_S, GLFW_KEY_DOWN);
   steer_ = held(GLFW_KEY_A, GLFW_KEY_LEFT) - held(GLFW_KEY_D, GLFW_KEY_RIGHT);
-  handbrake_ = glfwGetKey(window, GLFW_KEY_SPACE) == GLFW_PRESS;
-  fire_ = glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS ||
+  handbrake_ = window.is_key_held(GLFW_KEY_SPACE);
+  fire_ = window.is_button_held(GLFW_MOUSE_BUTTON_LEFT) ||
           held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_F);
   take_gamepad(seconds, settings);
 }

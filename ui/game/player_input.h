@@ -16,7 +16,7 @@ class PlayerInput {
   // Takes the aim and the width of the beam from the events. `settings` scales the motion of the mouse.
   void hear(std::span<const InputEvent> events, const GameSettings& settings);
   // Looks which keys, buttons and sticks are held, and lets a held stick turn the aim for a time (s).
-  void poll(GLFWwindow* window, double seconds, const GameSettings& settings);
+  void poll(const Window& window, double seconds, const GameSettings& settings);
   // Nothing is held any more, and the next motion of the mouse begins where it is then.
   void let_go();
   // Aims straight ahead.

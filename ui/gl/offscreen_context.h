@@ -8,11 +8,15 @@
 namespace kerf::gl {
 
 // An OpenGL 3.3 core context without a window, a screen or an X server. It is current on this thread while
-// the object exists. It has no default framebuffer.
+// the object exists. It has a default framebuffer only where it was created with a surface.
 class OffscreenContext {
  public:
   // Tries EGL's surfaceless platform and then its first device. The error says why each of them failed.
   static Result<OffscreenContext> create();
+  // The same with a surface in memory of a size in pixels, which is the default framebuffer.
+  static Result<OffscreenContext> create_with_surface(int width, int height);
+  // Replaces the surface by one of another size, with undefined content. Precondition: there is a surface.
+  void resize_surface(int width, int height);
 
   ~OffscreenContext();
   OffscreenContext(OffscreenContext&&) noexcept;
@@ -21,6 +25,8 @@ class OffscreenContext {
  private:
   struct Handles;
   explicit OffscreenContext(std::unique_ptr<Handles> handles);
+  static Result<std::unique_ptr<Handles>> open(bool with_surface);
+  bool put_surface(int width, int height);
   std::unique_ptr<Handles> handles_;
 };
 

@@ -17,15 +17,14 @@ double seconds_since(Clock::time_point t) { return std::chrono::duration<double>
 }  // namespace
 
 bool FrameLoop::run(Screen& screen) {
-  while (!screen.over() && !stop_.came()) {
-    wait(screen);
-    frame(screen);
-  }
-  return !stop_.came();
+  while (!screen.over() && wait(screen)) frame(screen);
+  return screen.over();
 }
 
-// Returns at once while something moves, at an event otherwise.
-void FrameLoop::wait(Screen& screen) {
+// Returns at once while something moves, at an event otherwise; false where there is no next frame.
+bool FrameLoop::wait(Screen& screen) {
+  if (stop_.came()) return false;
+  if (EventScript* script = window_.script()) return follow(*script, screen);
   const double left = kFrameSeconds - seconds_since(frame_began_);
   if (left > 0) std::this_thread::sleep_for(std::chrono::duration<double>(left));
   window_.wait(0);
@@ -35,11 +34,20 @@ void FrameLoop::wait(Screen& screen) {
     window_.wait(settling ? kSettleWait : kIdleWait);
     if (settling) {
       frame_began_ = Clock::now();
-      return;
+      return true;
     }
   }
   last_event_ = Clock::now();
   frame_began_ = Clock::now();
+  return !stop_.came();
+}
+
+bool FrameLoop::follow(EventScript& script, Screen& screen) {
+  const bool moving = screen.moving();
+  if (!moving) screen.rest();
+  const auto next = script.begin_frame(moving, [&](const std::string& what) { return screen.answer(what); });
+  if (!next) fault_ = next.error().message;
+  return next && *next;
 }
 
 void FrameLoop::frame(Screen& screen) {
@@ -54,7 +62,11 @@ void FrameLoop::frame(Screen& screen) {
   screen.drawn();
   const double before = seconds_since(began);
   window_.swap();
-  screen.took({seconds_since(began), before});
+  if (const EventScript* script = window_.script()) {
+    screen.took({script->frame_seconds(), script->frame_seconds()});
+  } else {
+    screen.took({seconds_since(began), before});
+  }
 }
 
 Input FrameLoop::take_input() {

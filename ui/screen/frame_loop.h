@@ -3,31 +3,37 @@
 #include <chrono>
 
 #include "ui/screen/screen.h"
+#include "ui/window/event_script.h"
 #include "ui/window/gui.h"
 #include "ui/window/stop_signals.h"
 
 namespace kerf {
 
 // Runs screens in a window: waits until there is something to draw, passes user input on, and shows frames,
-// at most sixty per second.
+// at most sixty per second, or those that a script asks for.
 class FrameLoop {
  public:
   // Both must outlive it.
   FrameLoop(Window& window, Gui& gui) : window_(window), gui_(gui) {}
 
-  // Runs until the screen is over or SIGINT or SIGTERM arrives. Returns false if a signal ended it.
+  // Runs until the screen is over, SIGINT or SIGTERM arrives, or the script that drives the window ends. Returns
+  // whether the screen is over.
   bool run(Screen& screen);
+  // What was wrong with the script, or empty.
+  const std::string& fault() const { return fault_; }
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  void wait(Screen& screen);
+  bool wait(Screen& screen);
+  bool follow(EventScript& script, Screen& screen);
   void frame(Screen& screen);
   Input take_input();
 
   Window& window_;
   Gui& gui_;
   StopSignals stop_;
+  std::string fault_;
   Clock::time_point frame_began_ = Clock::now(), last_event_ = Clock::now();
 };
 

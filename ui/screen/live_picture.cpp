@@ -73,7 +73,7 @@ bool LivePicture::draw_shots(const Shot& first, const Shot* second, PictureChang
     if (!show_again(first_, target)) clear(target);
     return false;
   }
-  rest_.follow(change, std::chrono::duration<double>(Clock::now().time_since_epoch()).count());
+  rest_.follow(change, window.clock().seconds());
   const bool old = change != PictureChange::kNothing;
   const bool more =
       !old && rest_.rests() && (is_gathering() || (quality_ == Quality::kRough && may_gather()));

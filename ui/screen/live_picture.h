@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <optional>
 
 #include "ui/render/gathered_picture.h"
@@ -57,7 +56,6 @@ class LivePicture {
   bool shows_dead_beam() const { return dead_beam_; }
 
  private:
-  using Clock = std::chrono::steady_clock;
   // s; pictures with several samples that take longer are gathered.
   static constexpr double kSlowFrame = 0.030;
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "ui/window/gui_look.h"
@@ -45,6 +47,10 @@ class Screen {
   virtual void rest() {}
   // Whether the screen is to be left.
   virtual bool over() const = 0;
+
+  // What the screen tells the script that drives the window, as JSON; nothing where it knows no such word (see
+  // EventScript::Answer).
+  virtual std::optional<std::string> answer(const std::string&) const { return std::nullopt; }
 };
 
 }  // namespace kerf

@@ -4,7 +4,6 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
-#include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 
 namespace kerf {
@@ -37,17 +36,17 @@ void keep_active_item() {
   context.ActiveIdNoClearOnFocusLoss = true;
 }
 
-Gui::Gui(const Window& window) {
+Gui::Gui(Window& window) : window_(window) {
   IMGUI_CHECKVERSION();
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;
-  ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
+  window_.attach_gui();
   ImGui_ImplOpenGL3_Init("#version 330 core");
 }
 
 Gui::~Gui() {
   ImGui_ImplOpenGL3_Shutdown();
-  ImGui_ImplGlfw_Shutdown();
+  window_.detach_gui();
   ImGui::DestroyContext();
 }
 
@@ -64,7 +63,7 @@ void Gui::dress(const GuiLook& look) {
 
 void Gui::begin_frame(std::span<const InputEvent> events) {
   ImGui_ImplOpenGL3_NewFrame();
-  ImGui_ImplGlfw_NewFrame();
+  window_.begin_gui_frame();
   // ImGui takes the time of a click from the frame that sees it. A press, its release and the next press are
   // seen by three frames at least, so that slow frames would keep two quick clicks apart.
   ImGuiIO& io = ImGui::GetIO();

@@ -15,7 +15,8 @@ void keep_active_item();
 // Runs ImGui in a window: its context, its fonts and colours, and its frames.
 class Gui {
  public:
-  explicit Gui(const Window& window);
+  // The window must outlive it.
+  explicit Gui(Window& window);
   ~Gui();
   Gui(const Gui&) = delete;
   Gui& operator=(const Gui&) = delete;
@@ -31,6 +32,7 @@ class Gui {
  private:
   void hold_release(std::span<const InputEvent> events);
 
+  Window& window_;
   std::optional<GuiLook> look_;
   std::optional<Vec2>
       released_;  // where the left button was released while the item that it holds was hidden

@@ -27,13 +27,20 @@ void Landmarks::mark(const Layout& layout) {
   mark("second", layout.second);
 }
 
-Status Landmarks::write(bool busy, Vec2 pointer) {
+std::string Landmarks::text() const {
   nlohmann::ordered_json parts = nlohmann::ordered_json::object();
   for (const auto& [name, area] : areas_) parts[name] = {area.at.x, area.at.y, area.size.x, area.size.y};
-  const nlohmann::ordered_json all{{"busy", busy}, {"pointer", {pointer.x, pointer.y}}, {"parts", parts}};
-  const std::string text = all.dump(1) + "\n";
+  const nlohmann::ordered_json all{{"busy", busy_}, {"pointer", {pointer_.x, pointer_.y}}, {"parts", parts}};
+  return all.dump();
+}
+
+Status Landmarks::finish(bool busy, Vec2 pointer) {
+  busy_ = busy;
+  pointer_ = pointer;
+  if (!file_) return Done{};
+  const std::string text = this->text() + "\n";
   if (text == written_) return Done{};
-  if (const Status written = write_file_atomically(file_, text); !written) return written;
+  if (const Status written = write_file_atomically(*file_, text); !written) return written;
   written_ = text;
   return Done{};
 }

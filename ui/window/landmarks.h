@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "core/base/result.h"
@@ -16,8 +17,8 @@ namespace kerf {
 //   {"busy": false, "pointer": [x, y], "parts": {"NAME": [x, y, width, height]}}
 class Landmarks {
  public:
-  // `file` is replaced atomically by write(); its folder must exist.
-  explicit Landmarks(std::filesystem::path file) : file_(std::move(file)) {}
+  // `file` is replaced atomically by finish(); its folder must exist. Without one only text() tells of them.
+  explicit Landmarks(std::optional<std::filesystem::path> file) : file_(std::move(file)) {}
 
   // Forgets the landmarks of the last frame.
   void begin_frame() { areas_.clear(); }
@@ -25,14 +26,18 @@ class Landmarks {
   void mark(std::string name, const Area& area) { areas_.insert_or_assign(std::move(name), area); }
   // The five areas of the layout, under the names of the members of Layout.
   void mark(const Layout& layout);
-  // Writes the landmarks of this frame where they differ from those in the file. `busy`: more frames follow
+  // Ends the frame and writes its landmarks where they differ from those in the file. `busy`: more frames follow
   // without further input. `pointer`: where this frame saw the pointer; a test that finds it where it last
   // moved it knows that all input up to then was heard. On failure the file is as it was.
-  Status write(bool busy, Vec2 pointer);
+  Status finish(bool busy, Vec2 pointer);
+  // What the file holds after finish(), in one line.
+  std::string text() const;
 
  private:
-  std::filesystem::path file_;
+  std::optional<std::filesystem::path> file_;
   std::map<std::string, Area> areas_;
+  bool busy_ = false;
+  Vec2 pointer_{0};
   std::string written_;  // what the file holds
 };
 

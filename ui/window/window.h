@@ -1,73 +1,60 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
-#include <span>
 #include <string>
 #include <vector>
 
-#include "core/base/result.h"
-#include "core/base/vec3.h"
+#include "ui/window/input_event.h"
 #include "ui/window/layout.h"
-
-struct GLFWwindow;
+#include "ui/window/window_clock.h"
 
 namespace kerf {
 
-// An input event. Positions are in screen coordinates of the window, from its upper left corner.
-struct InputEvent {
-  enum class Kind { kMove, kPress, kRelease, kWheel, kKey };
-  Kind kind = Kind::kMove;
-  Vec2 at{0};          // of the pointer
-  int button = 0;      // GLFW_MOUSE_BUTTON_*, or the key (GLFW_KEY_*)
-  int mods = 0;        // GLFW_MOD_*
-  double wheel = 0;    // notches, positive away from the user
-  bool again = false;  // a repetition while the key is held
-  double seconds = 0;  // when it happened, on a clock that never runs backwards
-};
+class EventScript;
 
-// Spreads the times of events whose order alone is known evenly over an interval (seconds); the last event
-// gets its end. Precondition: from <= to.
-void spread_times(std::span<InputEvent> events, double from, double to);
-
-// The window with an OpenGL 3.3 context, which is current while the object exists, and its queue of events.
+// A window with an OpenGL 3.3 context, which is current while the object exists, and its queue of events: one on the
+// desktop (DesktopWindow), or one without a screen that a script drives (ScriptedWindow).
 class Window {
  public:
-  // Opens a window of a size in screen coordinates. Fails if there is no display or no OpenGL 3.3.
-  static Result<Window> open(int width, int height, const std::string& title);
+  Window() = default;
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+  virtual ~Window() = default;
 
-  GLFWwindow* handle() const { return inner_->window; }
-  // Whether the user has asked to close the window since the last call. It stays open.
-  bool take_close();
-  Vec2 size() const;        // screen coordinates
-  Vec2 pixel_size() const;  // of the framebuffer
-  float scale() const;      // of text, as the display suggests
-  void set_title(const std::string& title);
-  void swap();
+  virtual Vec2 size() const = 0;        // screen coordinates
+  virtual Vec2 pixel_size() const = 0;  // of the framebuffer
+  virtual float scale() const = 0;      // of text, as the display suggests
+  virtual void set_title(const std::string& title) = 0;
+  // Shows what was drawn.
+  virtual void swap() = 0;
 
-  // Waits for events up to a time in seconds; 0 only polls. GLFW does not tell when an event happened: the
-  // times of events that came between two calls are spread evenly over the time between these calls.
-  void wait(double seconds);
+  // Waits for events up to a time in seconds; 0 only polls.
+  virtual void wait(double seconds) = 0;
   // The events since the last call, in the order in which they happened.
-  std::vector<InputEvent> take_events();
+  virtual std::vector<InputEvent> take_events() = 0;
   // The files that were dropped on the window since the last call.
-  std::vector<std::filesystem::path> take_drops();
+  virtual std::vector<std::filesystem::path> take_drops() = 0;
+  // Whether the user has asked to close the window since the last call. It stays open.
+  virtual bool take_close() = 0;
   // Whether the window received anything since the last call: events, resizing or exposure.
-  bool take_activity();
+  virtual bool take_activity() = 0;
 
- private:
-  struct Inner {
-    GLFWwindow* window = nullptr;
-    std::vector<InputEvent> events;
-    std::vector<std::filesystem::path> drops;
-    bool activity = true;
-    Vec2 pointer{0};      // where the last event saw it
-    double listened = 0;  // s, when the last call of wait() ended
-    ~Inner();
-  };
-  struct Callbacks;
-  explicit Window(std::unique_ptr<Inner> inner) : inner_(std::move(inner)) {}
-  std::unique_ptr<Inner> inner_;
+  virtual bool is_key_held(int key) const = 0;        // GLFW_KEY_*
+  virtual bool is_button_held(int button) const = 0;  // GLFW_MOUSE_BUTTON_*
+  virtual bool has_focus() const = 0;
+  // Hides the pointer and lets it move without end, or gives it back.
+  virtual void catch_pointer(bool caught) = 0;
+
+  virtual const WindowClock& clock() const = 0;
+  // What drives the window instead of a user, or null. A script decides when a frame begins, and whatever works in the
+  // background is waited for between two frames.
+  virtual EventScript* script() { return nullptr; }
+
+  // Connects the current ImGui context with the window's input and clock, and ends that.
+  virtual void attach_gui() = 0;
+  virtual void detach_gui() = 0;
+  // Tells ImGui the size of the window, the time since the last frame, and the input that came since.
+  virtual void begin_gui_frame() = 0;
 };
 
 // Converts a rectangle of the window to whole pixels of its framebuffer, from the upper left corner.

@@ -5,7 +5,7 @@ import subprocess
 import tempfile
 import unittest
 
-from editor_window import KERF, SPHERE, WindowTest, pause, wait_for
+from editor_window import KERF, SPHERE, WindowTest, real_input
 
 IN_TWO = [(0.2, 0.37), (0.8, 0.37)]
 
@@ -20,16 +20,17 @@ class Bodies(WindowTest):
     def play(self, editor):
         """From here on the editor is never at rest."""
         editor.press("space")
-        wait_for(lambda: "play badge" in editor.landmarks()["parts"], 20, "time does not pass")
+        editor.wait_for(lambda: "play badge" in editor.landmarks()["parts"], 20, "time does not pass")
 
     def stop(self, editor):
         editor.press("space")
         editor.settle()
 
+    @real_input
     def test_pieces_fall_while_time_plays_and_stand_still_when_it_pauses(self):
         editor = self.cut_sphere()
         self.play(editor)
-        pause(2)
+        editor.pause(2)
         self.stop(editor)
         report = editor.quit()
         self.assertFalse(report["time"]["playing"])
@@ -42,7 +43,7 @@ class Bodies(WindowTest):
     def test_one_undo_takes_the_first_play_back_with_the_ground_that_it_gave_the_world(self):
         editor = self.cut_sphere()
         self.play(editor)
-        pause(1)
+        editor.pause(1)
         self.stop(editor)
         editor.do("ctrl", "z")
         report = editor.quit()
@@ -56,7 +57,7 @@ class Bodies(WindowTest):
         editor.do("ctrl", "z")
         editor.press("minus")
         self.play(editor)
-        pause(1)
+        editor.pause(1)
         editor.do("ctrl", "z")
         report = editor.quit()
         self.assertEqual(report["time"], {**report["time"], "ticks": 2, "playing": False, "speed": 0.5})
@@ -67,7 +68,7 @@ class Bodies(WindowTest):
         editor.click(0.5, 0.6)
         editor.do("shift", "p")
         self.play(editor)
-        pause(1.5)
+        editor.pause(1.5)
         self.stop(editor)
         placements = editor.quit()["placements"]
         self.assertEqual([body["position"] for body in placements if body["pinned"]], [[0, 0, 0]])
@@ -84,7 +85,7 @@ class Bodies(WindowTest):
         for name, value in (("Its value", "1.62"), ("Ground", "-20")):
             editor.click(name, 0.3, 0.5)
             editor.press("ctrl", "a")
-            editor.xdotool("type", "--delay", "60", "--", value)
+            editor.type(value)
             editor.do("Return")
         report = editor.quit()
         self.assertEqual(report["time"]["gravity"], [0, -1.62, 0])
@@ -96,13 +97,13 @@ class Bodies(WindowTest):
         editor.press("k")
         editor.point_at(0.5, 0.5)
         self.play(editor)
-        editor.xdotool("mousedown", 1)
+        editor.hold(1)
         for i in range(10):
             editor.move_to(*editor.place((0.5, 0.5 - 0.03 * i)))
-            pause(0.1)
-        pause(3)
+            editor.pause(0.1)
+        editor.pause(3)
         editor.press("space")
-        editor.xdotool("mouseup", 1)
+        editor.release(1)
         editor.settle()
         report = editor.quit()
         self.assertGreater(report["placements"][0]["position"][1], 0.04)
@@ -119,12 +120,12 @@ class Bodies(WindowTest):
         def ticks():
             return sum(line.get("ticks", 0) for line in kept())
 
-        wait_for(lambda: ticks() >= 120, 120, "no second of the run is kept")
+        editor.wait_for(lambda: ticks() >= 120, 120, "no second of the run is kept")
         editor.die()
         replay = subprocess.run([KERF, "replay", self.unsaved()[0]], capture_output=True, text=True)
         editor = self.open_again()
         editor.press("Return")
-        wait_for(lambda: "play badge" in editor.landmarks()["parts"], 60, "the work is not recovered")
+        editor.wait_for(lambda: "play badge" in editor.landmarks()["parts"], 60, "the work is not recovered")
         report = editor.quit()
         self.assertEqual(report["time"]["ticks"] % 120, 0)
         self.assertGreater(report["time"]["ticks"], 0)
@@ -133,14 +134,14 @@ class Bodies(WindowTest):
     def test_when_time_stops_the_journal_says_where_the_bodies_are(self):
         editor = self.cut_sphere()
         self.play(editor)
-        pause(1)
+        editor.pause(1)
         self.stop(editor)
 
         def marks():
             with open(self.unsaved()[0]) as file:
                 return [line for line in map(json.loads, file) if "bodies" in line and "hash" in line]
 
-        wait_for(marks, 20, "the journal has no mark")
+        editor.wait_for(marks, 20, "the journal has no mark")
         self.assertGreater(marks()[-1]["clock"], 0)
         self.assertEqual(marks()[-1]["hash"], editor.quit()["state_hash"])
 

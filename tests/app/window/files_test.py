@@ -6,7 +6,7 @@ import subprocess
 import tempfile
 import unittest
 
-from editor_window import ACROSS, ACROSS_ABOVE, ASSETS, KERF, SPHERE, Editor, WindowTest, pause
+from editor_window import ACROSS, ACROSS_ABOVE, ASSETS, KERF, SPHERE, WindowTest, real_input
 
 
 class Files(WindowTest):
@@ -47,6 +47,7 @@ class Files(WindowTest):
         self.assertIn("broken.obj", report["message"])
         self.assertEqual(self.settings()["recent"], [os.path.realpath(SPHERE)])
 
+    @real_input
     def test_dropped_files_open_together_and_a_broken_one_neither_changes_anything_nor_keeps_others_out(self):
         editor = self.open()
         bracket, plate = (os.path.join(ASSETS, "meshes", name) for name in ("bracket.obj", "plate.obj"))
@@ -75,8 +76,8 @@ class Files(WindowTest):
         with open(os.path.join(folder.name, "kerf", "settings.json"), "w") as file:
             file.write("{broken")
         meshes = os.path.join(ASSETS, "meshes")
-        editor = Editor(folder.name, os.path.join(meshes, "knot.obj"), os.path.join(meshes, "bracket.obj"))
-        self.addCleanup(editor.close)
+        self.folder = folder.name
+        editor = self.open_again(os.path.join(meshes, "knot.obj"), os.path.join(meshes, "bracket.obj"))
         report = editor.quit()
         self.assertEqual(report["bodies"], 2)
         self.assertTrue(os.path.exists(os.path.join(folder.name, "kerf", "settings.json.bad")))
@@ -143,13 +144,13 @@ class Files(WindowTest):
             editor.press(*leave)
             editor.part("question")
             editor.press("Escape")
-            pause(0.5)
+            editor.pause(0.5)
             editor.wait_for_title("sphere.json* - Kerf")
         editor.press("ctrl", "n")
         editor.part("question")
         editor.press("d")
         editor.wait_for_title("car.json - Kerf")
-        pause(1)
+        editor.pause(1)
         editor.drag([(0.53, 0.14), (0.53, 0.5)])
         editor.wait_for_title("car.json* - Kerf")
         editor.press("ctrl", "q")
@@ -160,6 +161,7 @@ class Files(WindowTest):
         self.assertTrue(os.path.exists(os.path.join(self.folder, "car.kerf")))
         self.assertEqual(self.unsaved(), [])
 
+    @real_input
     def test_a_killed_editor_loses_nothing_and_the_next_one_goes_on(self):
         editor = self.open(SPHERE)
         editor.drag(ACROSS)
@@ -203,6 +205,7 @@ class Files(WindowTest):
         self.assertEqual(one.quit()["strokes"], 1)
         self.assertEqual(len(self.unsaved()), 1)
 
+    @real_input
     def test_sigterm_leaves_unsaved_work_for_the_next_start(self):
         editor = self.open(SPHERE)
         editor.drag(ACROSS)
@@ -210,6 +213,7 @@ class Files(WindowTest):
         self.assertEqual(editor.report()["strokes"], 1)
         self.assertEqual(len(self.unsaved()), 1)
 
+    @real_input
     def test_sigterm_ends_it_with_its_report(self):
         editor = self.open()
         editor.kerf.send_signal(signal.SIGTERM)

@@ -5,7 +5,7 @@ import subprocess
 import tempfile
 import unittest
 
-from editor_window import ASSETS, KERF, SPHERE, WindowTest, pause, wait_for
+from editor_window import ASSETS, KERF, SPHERE, WindowTest, real_input
 
 RULES = {"name": "duel", "player": os.path.join(ASSETS, "vehicles", "hatchback.json"),
          "waves": [[os.path.join(ASSETS, "vehicles", "van.json")]], "laser": {"range": 60}}
@@ -32,29 +32,30 @@ class Game(WindowTest):
     def open_menu(self, editor):
         """The menu is not in the middle before its size is known, a frame later."""
         editor.press("Escape")
-        wait_for(lambda: not self.playing(editor) and "leave" in editor.landmarks()["parts"], 30,
-                 "Esc never paused the match")
-        pause(1.5)
+        editor.wait_for(lambda: not self.playing(editor) and "leave" in editor.landmarks()["parts"], 30,
+                        "Esc never paused the match")
+        editor.pause(1.5)
 
+    @real_input
     def test_keys_and_mouse_drive_and_cut_and_the_match_can_be_replayed(self):
         rules = self.write_rules()
         record = os.path.join(os.path.dirname(rules), "match.kerf")
         game = self.open("play", rules, "--difficulty", "easy", "--record", record)
-        wait_for(lambda: self.playing(game), 60, "the match never began")
-        game.xdotool("mousedown", 1)
+        game.wait_for(lambda: self.playing(game), 60, "the match never began")
+        game.hold(1)
         for way in (60, -120, 60) * 3:
             for _ in range(12):
                 game.xdotool("mousemove_relative", "--", round(way / 12), 0)
-                pause(0.08)
-        game.xdotool("mouseup", 1)
-        game.xdotool("keydown", "s")
-        pause(2)
-        game.xdotool("keyup", "s")
+                game.pause(0.08)
+        game.release(1)
+        game.key_down("s")
+        game.pause(2)
+        game.key_up("s")
         self.open_menu(game)
         game.point_at("leave", 0.5, 0.5)
-        game.xdotool("mousedown", 1)
-        pause(0.5)
-        game.xdotool("mouseup", 1)
+        game.hold(1)
+        game.pause(0.5)
+        game.release(1)
         report = game.report()
         self.assertGreater(report["faces_removed"], 100)
         self.assertGreaterEqual(report["strokes"], 1)
@@ -68,12 +69,12 @@ class Game(WindowTest):
 
     def test_what_the_command_line_chose_is_not_kept_as_a_setting(self):
         game = self.open("play", self.write_rules(), "--difficulty", "hard")
-        wait_for(lambda: self.playing(game), 60, "the match never began")
+        game.wait_for(lambda: self.playing(game), 60, "the match never began")
         self.open_menu(game)
         game.click("guide", 0.5, 0.5)
         game.press("Escape")
-        wait_for(lambda: self.playing(game), 30, "Esc never resumed the match")
-        pause(1)
+        game.wait_for(lambda: self.playing(game), 30, "Esc never resumed the match")
+        game.pause(1)
         game.die()
         kept = self.kept("game.json")
         self.assertFalse(kept["guide"], "what the player set is kept")
@@ -84,8 +85,8 @@ class Game(WindowTest):
 
     def test_a_match_that_is_over_is_kept_and_one_that_is_killed_leaves_settings_and_scores_whole(self):
         game = self.open("play", self.write_rules(times={"match": 2}), "--difficulty", "hard")
-        wait_for(lambda: "replay" in game.landmarks()["parts"], 60, "the match was never over")
-        pause(1.5)
+        game.wait_for(lambda: "replay" in game.landmarks()["parts"], 60, "the match was never over")
+        game.pause(1.5)
         game.die()
         with open(os.path.join(self.folder, "kerf", "game.json"), "w") as file:
             json.dump({"difficulty": "easy", "guide": False}, file)
@@ -93,24 +94,24 @@ class Game(WindowTest):
         self.assertEqual([s["difficulty"] for s in kept["scores.json"]["scores"]], ["hard"])
         self.assertEqual([s["rules"] for s in kept["scores.json"]["scores"]], ["duel"])
         game = self.open_again("play", self.write_rules())
-        wait_for(lambda: self.playing(game), 60, "the match never began")
-        game.xdotool("mousedown", 1)
-        pause(1)
+        game.wait_for(lambda: self.playing(game), 60, "the match never began")
+        game.hold(1)
+        game.pause(1)
         game.die()
         self.assertEqual({name: self.kept(name) for name in kept}, kept)
 
     def test_the_editor_is_as_it_was_after_the_game_and_opens_its_world(self):
         editor = self.open(SPHERE)
         editor.press("F5")
-        wait_for(lambda: self.playing(editor) and "viewport" not in editor.landmarks()["parts"], 60,
-                 "the game never began")
+        editor.wait_for(lambda: self.playing(editor) and "viewport" not in editor.landmarks()["parts"], 60,
+                        "the game never began")
         self.open_menu(editor)
         editor.click("leave", 0.5, 0.5)
-        wait_for(lambda: "viewport" in editor.landmarks()["parts"], 60, "the editor never came back")
+        editor.wait_for(lambda: "viewport" in editor.landmarks()["parts"], 60, "the editor never came back")
         editor.wait_for_title("sphere.json - Kerf")
         editor.press("F5")
-        wait_for(lambda: self.playing(editor) and "viewport" not in editor.landmarks()["parts"], 60,
-                 "the game never began")
+        editor.wait_for(lambda: self.playing(editor) and "viewport" not in editor.landmarks()["parts"], 60,
+                        "the game never began")
         self.open_menu(editor)
         editor.click("inspect", 0.5, 0.5)
         editor.wait_for_title("scene.json - Kerf")

@@ -11,7 +11,7 @@ class Graph(WindowTest):
         self.addCleanup(folder.cleanup)
         self.folder = folder.name
         self.only_panel("Graph")
-        self.set(ui_scale=0.85)  # the panel is nearly as high as the window
+        self.set(ui_scale=0.6)  # the panel is nearly as high as the window
         return self.open_again(SPHERE)
 
     def test_the_slider_plays_the_traversal_of_a_cut_that_separated_something(self):
@@ -41,8 +41,7 @@ class Graph(WindowTest):
         editor = self.open_graph()
         editor.point_at("graph canvas", 0.5, 0.5)
         pointer, before = editor.pointer, self.middle_of(editor, "graph start")
-        for _ in range(3):
-            editor.xdotool("click", 4)
+        editor.wheel(3)
         editor.do("Shift_L")
         zoomed = self.middle_of(editor, "graph start")
         for i in (0, 1):

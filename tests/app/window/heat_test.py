@@ -1,7 +1,7 @@
 """What is hot cools down, is undone with its stroke, and can be held."""
 import unittest
 
-from editor_window import ACROSS, SPHERE, WindowTest, pause
+from editor_window import ACROSS, SPHERE, WindowTest
 
 
 class Heat(WindowTest):
@@ -13,12 +13,12 @@ class Heat(WindowTest):
         begin, end = editor.place(ACROSS[0]), editor.place(ACROSS[1])
         editor.move_to(*begin)
         editor.settle()
-        editor.xdotool("mousedown", 1)
+        editor.hold(1)
         for share in (0.25, 0.5, 0.75, 1):
             editor.move_to(*(round(a + share * (b - a)) for a, b in zip(begin, end)))
-            pause(0.1)
-        editor.xdotool("mouseup", 1)
-        pause(seconds)
+            editor.pause(0.1)
+        editor.release(1)
+        editor.pause(seconds)
         return editor
 
     def choose_thermal_model(self, editor):
@@ -35,7 +35,7 @@ class Heat(WindowTest):
     def test_one_undo_takes_the_stroke_and_the_time_in_which_it_cooled_down(self):
         editor = self.cut()
         editor.press("ctrl", "z")
-        pause(1)
+        editor.pause(1)
         report = editor.quit()
         self.assertEqual((report["undo_depth"], report["time"]["ticks"], report["faces_removed"]), (0, 0, 0))
         self.assertLess(report["heat"]["hottest"], 294)
@@ -44,9 +44,9 @@ class Heat(WindowTest):
         editor = self.cut()
         editor.press("ctrl", "a")
         editor.press("shift", "p")
-        pause(2)
+        editor.pause(2)
         editor.press("ctrl", "z")
-        pause(1)
+        editor.pause(1)
         report = editor.quit()
         self.assertEqual(report["undo_depth"], 1)
         self.assertTrue(report["messages"][-1].startswith("Undone: Pin"), report["messages"])
@@ -58,12 +58,12 @@ class Heat(WindowTest):
         begin, end = editor.place(ACROSS[0]), editor.place(ACROSS[1])
         editor.move_to(*begin)
         editor.settle()
-        editor.xdotool("mousedown", 1)
+        editor.hold(1)
         for share in (0, 0.25, 0.5, 0.75, 1):
             editor.move_to(*(round(a + share * (b - a)) for a, b in zip(begin, end)))
-            pause(0.1)
-        editor.xdotool("mouseup", 1)
-        pause(2)
+            editor.pause(0.1)
+        editor.release(1)
+        editor.pause(2)
         self.assertTrue(editor.landmarks()["busy"])
         editor.do("Escape")
         editor.do("ctrl", "z")
@@ -85,9 +85,9 @@ class Heat(WindowTest):
         self.choose_thermal_model(editor)
         editor.move_to(*editor.place((0.5, 0.5)))
         editor.settle()
-        editor.xdotool("mousedown", 1)
-        pause(1)
-        editor.xdotool("mouseup", 1)
+        editor.hold(1)
+        editor.pause(1)
+        editor.release(1)
         report = editor.quit()
         self.assertEqual(report["strokes"], 1)
         self.assertGreater(report["heat"]["emitted"], 40)  # far more than in the tick of the click

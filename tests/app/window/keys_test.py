@@ -2,18 +2,18 @@
 """The command palette, by the keyboard alone."""
 import unittest
 
-from editor_window import SPHERE, WindowTest, pause, wait_for
+from editor_window import SPHERE, WindowTest, real_input
 
 
 class PaletteTest(WindowTest):
     def find(self, editor, typed):
         editor.press("ctrl", "p")
         editor.part("palette")
-        editor.xdotool("type", "--delay", "40", typed)
-        pause(0.5)
+        editor.type(typed)
+        editor.pause(0.5)
 
     def wait_until_closed(self, editor):
-        wait_for(lambda: "palette" not in editor.landmarks()["parts"], 20, "the palette stays open")
+        editor.wait_for(lambda: "palette" not in editor.landmarks()["parts"], 20, "the palette stays open")
 
     def test_it_runs_what_was_typed_and_closes(self):
         editor = self.open(SPHERE)
@@ -36,12 +36,12 @@ class PaletteTest(WindowTest):
         editor.point_at(0.5, 0.5)
         self.find(editor, "undo")
         editor.press("Return")
-        pause(0.5)
+        editor.pause(0.5)
         self.assertIn("palette", editor.landmarks()["parts"])
         for _ in range(4):
             editor.press("BackSpace")
-        editor.xdotool("type", "--delay", "40", "boxes")
-        pause(0.5)
+        editor.type("boxes")
+        editor.pause(0.5)
         editor.press("Down")
         editor.press("Up")
         editor.press("Return")
@@ -62,6 +62,7 @@ class PaletteTest(WindowTest):
 
 
 class SettingsTest(WindowTest):
+    @real_input
     def test_a_key_is_rebound_after_its_clash_was_named_and_stays_so(self):
         editor = self.open(SPHERE)
         editor.point_at(0.05, 0.95)

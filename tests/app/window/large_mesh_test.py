@@ -4,7 +4,7 @@ import os
 import subprocess
 import unittest
 
-from editor_window import KERF, SPHERE, WindowTest, pause
+from editor_window import KERF, SPHERE, WindowTest, real_input
 
 
 class LargeMesh(WindowTest):
@@ -14,6 +14,7 @@ class LargeMesh(WindowTest):
             self.skipTest("KERF_TEST_MESHES names no folder with the large mesh")
         return mesh
 
+    @real_input
     def test_a_million_faces_open_beside_the_frames(self):
         editor = self.open(self.large_mesh())
         editor.wait_for_title("big_bunny_x16.ply - Kerf")
@@ -24,6 +25,7 @@ class LargeMesh(WindowTest):
         print(f"1.1 M faces: the longest frame took {longest:.0f} ms beside drawing, "
               f"{report['process_bytes'] / report['faces']:.0f} bytes a face in the process")
 
+    @real_input
     def test_a_million_faces_are_cut_live(self):
         editor = self.open(self.large_mesh())
         editor.wait_for_title("big_bunny_x16.ply - Kerf")
@@ -49,6 +51,7 @@ class LargeMesh(WindowTest):
                         "--target-edge", "0.00015", "--steps", "400", "--journal", journal], check=True)
         return journal
 
+    @real_input
     def test_a_large_piece_is_copied_out_and_a_stroke_taken_back_by_replay_beside_the_frames(self):
         mesh = self.large_mesh()
         self.open(SPHERE).quit()
@@ -62,19 +65,20 @@ class LargeMesh(WindowTest):
         editor.wait_for_title("slot.kerf* - Kerf")
         editor.do("ctrl", "z")
         editor.press("ctrl", "z")
-        pause(25)
+        editor.pause(25)
         report = editor.quit()
         self.assertEqual((report["undo_depth"], report["strokes"], report["bodies"], report["pieces"]), (0, 0, 1, 1))
         self.assertEqual(report["faces"], 1114656)
         print(f"1.1 M faces: the longest frame took {report['between_pictures_ms']['max']:.0f} ms beside drawing")
 
+    @real_input
     def test_opening_is_cancelled_and_changes_nothing(self):
         editor = self.open()
         before = editor.quit()["faces"]
         editor = self.open()
         editor.drop(self.large_mesh())
         editor.press("Escape")
-        pause(6)
+        editor.pause(6)
         report = editor.quit()
         self.assertEqual(report["faces"], before)
         self.assertIn("cancelled", report["message"])

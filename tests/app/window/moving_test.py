@@ -2,7 +2,7 @@
 """Moving, turning and duplicating the chosen piece, by keys, by numbers and by handles."""
 import unittest
 
-from editor_window import SPHERE, WindowTest, pause
+from editor_window import SPHERE, WindowTest
 
 
 class Moving(WindowTest):
@@ -79,7 +79,7 @@ class Moving(WindowTest):
         for key in ("y", "1"):
             editor.press(key)
         editor.do("Return")
-        pause(0.5)
+        editor.pause(0.5)
         editor.do("ctrl", "z")
         editor.do("ctrl", "shift", "z")
         report = editor.quit()
@@ -107,7 +107,7 @@ class Inspecting(WindowTest):
         editor.click(0.5, 0.53)
         editor.click("Centre 0", 0.5, 0.5)
         editor.press("ctrl", "a")
-        editor.xdotool("type", "--delay", "40", "1.5")
+        editor.type("1.5")
         editor.do("Return")
         report = editor.quit()
         self.assertEqual(report["undo_depth"], 1)

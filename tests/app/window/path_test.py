@@ -6,7 +6,7 @@ import tempfile
 import time
 import unittest
 
-from editor_window import ASSETS, KERF, SPHERE, WindowTest, pause, wait_for
+from editor_window import ASSETS, KERF, SPHERE, WindowTest, real_input
 
 PLATE = os.path.join(ASSETS, "scenes", "thin-plate.json")
 
@@ -53,9 +53,9 @@ class Path(WindowTest):
         editor.press("o")
         editor.click(0.44, 0.5)
         editor.click(0.56, 0.5)
-        editor.xdotool("keydown", "shift")
+        editor.key_down("shift")
         editor.click(0.5, 0.62)
-        editor.xdotool("keyup", "shift")
+        editor.key_up("shift")
         before = editor.landmarks()["parts"]
         x, y = editor.place(("path point 0", 0.5, 0.5))
         editor.drag_pixels([(x, y), (x, y - 50)])
@@ -82,7 +82,7 @@ class Path(WindowTest):
         editor.click("Save", 0.5, 0.5)
         self.type_name(editor, "clicked")
         path, journal = (os.path.join(self.folder, name) for name in ("clicked.json", "run.kerf"))
-        wait_for(lambda: os.path.exists(path), 20, "the path was not saved")
+        editor.wait_for(lambda: os.path.exists(path), 20, "the path was not saved")
         editor.do("ctrl", "Return")
         self.save_as(editor, "run")
         editor.wait_for_title("run.kerf - Kerf")
@@ -101,13 +101,14 @@ class Path(WindowTest):
         editor.wait_for_title("run.kerf - Kerf")
         editor.click("Speed", 0.5, 0.5)
         editor.press("ctrl", "a")
-        editor.xdotool("type", "--delay", "60", "600")  # the field is in mm/s
+        editor.type("600")  # the field is in mm/s
         editor.do("Return")
         report = editor.quit()
         self.assertEqual((report["strokes"], report["undo_depth"]), (2, 2))
         self.assertAlmostEqual(report["path"]["speed"], 0.6)
         self.expect_same_cut(path, os.path.join(self.folder, "run.kerf"), mesh("sphere.obj"))
 
+    @real_input
     def test_a_run_that_is_stopped_leaves_no_trace(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
@@ -117,7 +118,7 @@ class Path(WindowTest):
         editor = self.open_again(SPHERE, path)
         editor.point_at(0.1, 0.1)
         editor.press("ctrl", "Return")
-        pause(2)
+        editor.pause(2)
         editor.press("Escape")
         editor.settle()
         report = editor.quit()
@@ -144,7 +145,7 @@ class Path(WindowTest):
         editor.press("o")
         editor.click(0.45, 0.5)
         editor.click(0.55, 0.5)
-        pause(1.5)
+        editor.pause(1.5)
         editor.die()
         editor = self.open_again(SPHERE)
         editor.part("path point 1")
@@ -171,6 +172,7 @@ class Path(WindowTest):
         self.assertEqual(sorted(m["t"] for m in moves), [m["t"] for m in moves])
         self.assertEqual((report["strokes"], report["undo_depth"], report["emitter"]["firing"]), (0, 0, False))
 
+    @real_input
     def test_the_emitter_fires_shots_at_the_pace_that_is_typed(self):
         self.open(SPHERE).quit()
         self.only_panel("Laser")
@@ -181,19 +183,19 @@ class Path(WindowTest):
         editor.click("emitter fires 1", 0.5, 0.5)
         editor.click("Pace", 0.5, 0.5)
         editor.press("ctrl", "a")
-        editor.xdotool("type", "--delay", "60", "2")
+        editor.type("2")
         editor.do("Return")
         editor.point_at(0.9, 0.9)
         editor.press("u")
         began = time.monotonic()
         x, y = editor.place(("emitter target", 0.5, 0.5))
         editor.move_to(x, y)
-        pause(0.3)
-        editor.xdotool("mousedown", 1)
+        editor.pause(0.3)
+        editor.hold(1)
         for i in range(1, 31):
             editor.move_to(x + 3 * i, y)
-            pause(0.1)
-        editor.xdotool("mouseup", 1)
+            editor.pause(0.1)
+        editor.release(1)
         editor.do("u")
         took = time.monotonic() - began
         report = editor.quit()

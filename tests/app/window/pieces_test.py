@@ -4,7 +4,7 @@ import os
 import subprocess
 import unittest
 
-from editor_window import KERF, SPHERE, WindowTest, pause, wait_for
+from editor_window import KERF, SPHERE, WindowTest, real_input
 
 
 class Pieces(WindowTest):
@@ -13,7 +13,7 @@ class Pieces(WindowTest):
         for key in ("b", "w", "g"):
             editor.press(key)
         editor.press("F9")
-        pause(1)
+        editor.pause(1)
         view = editor.quit()["view"]
         self.assertEqual([view[name] for name in ("boxes", "wire", "ghost", "normals")], [True, True, True, False])
         self.assertEqual(self.settings()["theme"], "light")
@@ -22,7 +22,7 @@ class Pieces(WindowTest):
         editor = self.open(SPHERE)
         for key in ("d", "e", "v", "c", "t", "x"):
             editor.press(key)
-        pause(1)
+        editor.pause(1)
         view = editor.quit()["view"]
         names = ("silhouette", "shadow_volumes", "shadow_counts", "shadow_facing", "shadow_compare")
         self.assertEqual(view["shadows"], "none")  # after all
@@ -54,9 +54,9 @@ class Pieces(WindowTest):
     def test_pieces_are_chosen_by_a_box_and_isolated(self):
         editor = self.open(SPHERE)
         editor.drag([(0.2, 0.5), (0.8, 0.5)])
-        editor.xdotool("keydown", "ctrl")
+        editor.key_down("ctrl")
         editor.drag([(0.9, 0.2), (0.1, 0.3)])  # from right to left, over the upper half alone
-        editor.xdotool("keyup", "ctrl")
+        editor.key_up("ctrl")
         editor.do("slash")
         editor.do("slash")
         report = editor.quit()
@@ -88,13 +88,14 @@ class Pieces(WindowTest):
             if now == last:
                 break
             last = now
-            pause(1.5)
+            editor.pause(1.5)
         return now
 
     def changed(self, before, after):
         """The share of the points whose colour is another."""
         return sum(max(abs(a - b) for a, b in zip(p, q)) > 24 for p, q in zip(before, after)) / len(before)
 
+    @real_input
     def test_a_piece_looks_as_before_when_it_was_hidden_and_shown_again(self):
         self.open(SPHERE).quit()
         self.set(antialias=False)  # how edges are smoothed depends on how long pictures take
@@ -118,7 +119,7 @@ class Pieces(WindowTest):
         editor.do("ctrl", "e")
         editor.click("format PLY", 0.3, 0.5)
         editor.press("Return")
-        wait_for(lambda: os.path.exists(os.path.join(self.folder, "sphere.ply")), 20, "no file was written")
+        editor.wait_for(lambda: os.path.exists(os.path.join(self.folder, "sphere.ply")), 20, "no file was written")
         editor.quit()
 
     def comb_without_teeth(self):
@@ -147,15 +148,14 @@ class Pieces(WindowTest):
         teeth = lambda: [name for name in editor.landmarks()["parts"] if name.startswith("piece comb ")]
         self.assertEqual(teeth(), [])
         editor.click("crumbs", 0.5, 0.5)
-        wait_for(teeth, 20, "no crumb is listed")
+        editor.wait_for(teeth, 20, "no crumb is listed")
         self.assertEqual(editor.quit()["pieces"], 13)
 
     def double_click_for(self, editor, part, *point):
         """Double clicks until the part is there. On a busy machine two clicks may come too far apart to be one."""
         editor.point_at(*point)
         for _ in range(6):
-            editor.xdotool("click", "--repeat", 2, "--delay", 120, 1)
-            pause(3)
+            editor.double_click()
             if part in editor.landmarks()["parts"]:
                 return
         editor.part(part)
@@ -167,8 +167,8 @@ class Pieces(WindowTest):
         for name, end in (("half of a ball", "Return"), ("nothing", "Escape")):
             where = "piece sphere" if end == "Return" else "piece half of a ball"
             self.double_click_for(editor, "new name", where, 0.2, 0.5)
-            editor.xdotool("type", "--delay", "60", name)
-            pause(0.5)
+            editor.type(name)
+            editor.pause(0.5)
             editor.do(end)
             editor.part("piece half of a ball")
         editor.do("ctrl", "z")
@@ -191,8 +191,8 @@ class Pieces(WindowTest):
         editor.click(0.5, 0.53)
         editor.press("F2")  # unfolds the list
         editor.part("new name")
-        editor.xdotool("type", "--delay", "60", "ball")
-        pause(0.5)
+        editor.type("ball")
+        editor.pause(0.5)
         editor.do("Return")
         editor.part("piece ball")
         report = editor.quit()
@@ -200,8 +200,7 @@ class Pieces(WindowTest):
 
     def test_a_smaller_window_keeps_panels_and_picture_apart(self):
         editor = self.open()
-        editor.xdotool("search", "--name", "Kerf", "windowsize", 800, 600)
-        pause(1.5)
+        editor.resize(800, 600)
         layout = editor.quit()["layout"]
         self.assertEqual(layout["viewport"][2] + layout["side"][2], 800)
         self.assertGreaterEqual(layout["viewport"][2], 320)

@@ -1,7 +1,7 @@
 """The Prepare panel: numbers before, fewer or more faces afterwards, one undo, and Esc."""
 import unittest
 
-from editor_window import SPHERE, WindowTest, pause
+from editor_window import SPHERE, WindowTest
 
 
 class Prepare(WindowTest):
@@ -20,8 +20,8 @@ class Prepare(WindowTest):
     def type_number(self, editor, field, text):
         editor.click(field, 0.5, 0.5)
         editor.press("ctrl", "a")
-        editor.xdotool("type", "--delay", "40", text)
-        pause(0.5)
+        editor.type(text)
+        editor.pause(0.5)
         editor.do("Return")
 
     def test_simplifying_leaves_the_number_of_faces_that_was_typed_and_is_undone(self):

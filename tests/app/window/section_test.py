@@ -4,7 +4,7 @@ import os
 import subprocess
 import unittest
 
-from editor_window import KERF, SPHERE, WindowTest
+from editor_window import KERF, SPHERE, WindowTest, real_input
 
 
 def numbers(report):
@@ -22,7 +22,7 @@ class Section(WindowTest):
     def type_into(self, editor, field, text):
         editor.click(field, 0.5, 0.5)
         editor.press("ctrl", "a")
-        editor.xdotool("type", "--delay", "40", "--", text)
+        editor.type(text)
         editor.do("Return")
 
     def test_the_handles_move_and_turn_it_and_nothing_is_cut(self):
@@ -40,6 +40,7 @@ class Section(WindowTest):
         self.assertNotEqual(normal[1], 0)
         self.assertEqual(normal[0], 0)
 
+    @real_input
     def test_numbers_are_typed_copied_and_pasted_and_render_takes_the_text(self):
         editor = self.open_with_panel()
         editor.point_at(0.1, 0.9)

@@ -2,10 +2,11 @@
 import math
 import unittest
 
-from editor_window import ACROSS, ACROSS_ABOVE, SPHERE, WindowTest
+from editor_window import ACROSS, ACROSS_ABOVE, SPHERE, WindowTest, real_input
 
 
 class Strokes(WindowTest):
+    @real_input
     def test_a_drag_across_the_car_cuts_it_in_two(self):
         editor = self.open()
         editor.drag([(0.53, 0.14), (0.53, 0.93)])
@@ -23,14 +24,15 @@ class Strokes(WindowTest):
         editor.press("Escape")
         for key in ("f", "Home", "x", "comma", "Delete"):
             editor.press(key)
-        for _ in range(3):
-            editor.xdotool("click", 4)
+        editor.wheel(3)
         report = editor.quit()
         self.assertEqual((report["strokes"], report["faces_removed"], report["pieces"]), (0, 0, 1))
 
+    @real_input
     def test_a_slit_follows_the_pointer_also_where_it_moves_within_a_slow_frame(self):
         self.assert_slit_follows_pointer(self.open())
 
+    @real_input
     def test_standard_views_come_by_keys_and_by_the_axes_and_a_slit_follows_the_pointer_in_an_orthographic_view(self):
         editor = self.open()
         editor.point_at(0.05, 0.05)
@@ -53,9 +55,9 @@ class Strokes(WindowTest):
         editor.move_to(*path[0])
         editor.settle()
         before = editor.pixels()
-        editor.xdotool("mousedown", 1)
+        editor.hold(1)
         editor.xdotool(*(word for place in path for word in ("mousemove", *place)))
-        editor.xdotool("mouseup", 1)
+        editor.release(1)
         editor.move_to(*editor.place((0.05, 0.05)))
         editor.settle()
         after = editor.pixels()
@@ -111,6 +113,7 @@ class Strokes(WindowTest):
         self.assertEqual(report["last_stroke"]["faces_removed"], report["faces_removed"])
         self.assertGreater(report["last_stroke"]["faces_made"], 100)
 
+    @real_input
     def test_a_slider_is_held_while_the_stroke_among_many_faces_is_cut_again_in_the_background(self):
         editor = self.open()
         editor.drag([(0.27, 0.36), (0.8, 0.42)])

@@ -22,12 +22,12 @@ class LandmarksFile : public testing::Test {
 TEST_F(LandmarksFile, holds_the_rectangles_of_the_last_frame_alone) {
   Landmarks landmarks(file_);
   landmarks.mark("gone in the next frame", {{1, 2}, {3, 4}});
-  ASSERT_TRUE(landmarks.write(false, Vec2(0)));
+  ASSERT_TRUE(landmarks.finish(false, Vec2(0)));
   EXPECT_EQ(read().at("parts").size(), 1u);
 
   landmarks.begin_frame();
   landmarks.mark(lay_out({800, 600}, 16, 26, 26));
-  ASSERT_TRUE(landmarks.write(false, Vec2(0)));
+  ASSERT_TRUE(landmarks.finish(false, Vec2(0)));
   EXPECT_EQ(read().at("parts").at("status"), nlohmann::json::array({0.0, 574.0, 800.0, 26.0}));
   EXPECT_FALSE(read().at("parts").contains("gone in the next frame"));
 }
@@ -35,18 +35,18 @@ TEST_F(LandmarksFile, holds_the_rectangles_of_the_last_frame_alone) {
 TEST_F(LandmarksFile, is_not_written_while_nothing_moves) {
   Landmarks landmarks(file_);
   landmarks.mark("a", {{1, 2}, {3, 4}});
-  ASSERT_TRUE(landmarks.write(false, Vec2(0)));
+  ASSERT_TRUE(landmarks.finish(false, Vec2(0)));
   std::filesystem::remove(file_);
   landmarks.begin_frame();
   landmarks.mark("a", {{1, 2}, {3, 4}});
-  ASSERT_TRUE(landmarks.write(false, Vec2(0)));
+  ASSERT_TRUE(landmarks.finish(false, Vec2(0)));
   EXPECT_FALSE(std::filesystem::exists(file_));
 }
 
 TEST_F(LandmarksFile, says_where_the_pointer_was_seen_and_whether_there_is_more_to_draw) {
   Landmarks landmarks(file_);
   for (const bool busy : {true, false}) {
-    ASSERT_TRUE(landmarks.write(busy, {3, 4}));
+    ASSERT_TRUE(landmarks.finish(busy, {3, 4}));
     EXPECT_EQ(read().at("busy"), busy);
     EXPECT_EQ(read().at("pointer"), nlohmann::json::array({3.0, 4.0}));
   }
@@ -71,14 +71,14 @@ TEST_F(LandmarksFile, holds_widgets_where_they_are_drawn) {
     ImGui::Render();
   }
   ImGui::DestroyContext();
-  ASSERT_TRUE(landmarks.write(false, Vec2(0)));
+  ASSERT_TRUE(landmarks.finish(false, Vec2(0)));
   EXPECT_EQ(read().at("parts"), nlohmann::json({{"button 7", {120.0, 70.0, 30.0, 20.0}}}));
 }
 
 TEST(Landmarks, say_why_they_cannot_be_written) {
   Landmarks landmarks("/no such folder/landmarks.json");
   landmarks.mark("a", {});
-  const Status written = landmarks.write(false, Vec2(0));
+  const Status written = landmarks.finish(false, Vec2(0));
   ASSERT_FALSE(written);
   EXPECT_NE(written.error().message.find("landmarks.json"), std::string::npos);
 }

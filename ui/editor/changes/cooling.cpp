@@ -27,7 +27,7 @@ bool Cooling::is_seen() const {
 }
 
 bool Cooling::moving() const {
-  return flows() && (is_seen() || Clock::now() - passed_at_ >= std::chrono::duration<double>(kRest));
+  return flows() && (is_seen() || on_.clock.seconds() - passed_at_ >= kRest);
 }
 
 void Cooling::advance(double seconds) {
@@ -53,7 +53,7 @@ void Cooling::advance(double seconds) {
   due_ -= static_cast<double>(ticks);
   document.apply(Advance{ticks, false, true});
   unseen_ = !seen;
-  passed_at_ = Clock::now();
+  passed_at_ = on_.clock.seconds();
 }
 
 }  // namespace kerf

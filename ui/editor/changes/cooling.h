@@ -1,12 +1,11 @@
 #pragma once
 
-#include <chrono>
-
 #include "ui/editor/changes/split_view.h"
 #include "ui/editor/changes/world_changes.h"
 #include "ui/editor/play/play_state.h"
 #include "ui/editor/single_step/stage_wishes.h"
 #include "ui/editor/work/opening.h"
+#include "ui/window/window_clock.h"
 
 namespace kerf {
 
@@ -29,6 +28,7 @@ class Cooling {
     const PlayState& play;
     const WorldChanges& changes;
     const Renderer& renderer;  // of the open document
+    const WindowClock& clock;
   };
   // The parts must outlive it.
   explicit Cooling(const Parts& parts) : on_(parts) {}
@@ -41,8 +41,6 @@ class Cooling {
   bool passes_unseen() const { return unseen_ && !on_.work.document.beam_waits(); }
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   bool flows() const;
   bool is_seen() const;
 
@@ -50,7 +48,7 @@ class Cooling {
   double due_ = 0;   // ticks
   double most_ = 1;  // ticks that are queued at once
   bool unseen_ = false;
-  Clock::time_point passed_at_{};  // when ticks were queued last
+  double passed_at_ = 0;  // s, when ticks were queued last
 };
 
 }  // namespace kerf

@@ -1,10 +1,9 @@
 #pragma once
 
-#include <chrono>
-
 #include "ui/editor/changes/split_view.h"
 #include "ui/editor/changes/stage_cut.h"
 #include "ui/screen/live_picture.h"
+#include "ui/window/window_clock.h"
 
 namespace kerf {
 
@@ -22,6 +21,7 @@ class LiveCut {
     WorldChanges& changes;
     const StageCut& stages;  // what it holds back is left to it
     LivePicture& picture;
+    const WindowClock& clock;
   };
   // The parts must outlive it.
   explicit LiveCut(const Parts& parts) : on_(parts) {}
@@ -34,12 +34,10 @@ class LiveCut {
   bool waits() const { return first_waits() || on_.split.twin.waiting() > 0; }
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   bool first_waits() const { return on_.work.document.waiting() > 0 && !on_.stages.holds_back(); }
-  // Both return whether anything was queued.
-  bool cut_first(Clock::time_point until);
-  bool cut_twin(Clock::time_point until);
+  // Both cut until a time (s) and return whether anything was queued.
+  bool cut_first(double until);
+  bool cut_twin(double until);
 
   Parts on_;
   double seconds_ = 0;

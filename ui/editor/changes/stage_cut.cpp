@@ -93,8 +93,8 @@ void StageCut::go_back(size_t stages) {
 }
 
 void StageCut::go_on() {
-  const Clock::time_point began = Clock::now();
-  const auto spent = [&] { return std::chrono::duration<double>(Clock::now() - began).count(); };
+  const double began = on_.clock.seconds();
+  const auto spent = [&] { return on_.clock.seconds() - began; };
   const double budget = std::max(kStageSeconds, on_.figures.shown.frame_ms / 1000);
   const size_t before = on_.stages.log.done();
   while (holds_back() && wants_more() && due_ >= 1 && spent() < budget) {

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <chrono>
 #include <optional>
 
 #include "core/document/single_step.h"
 #include "ui/editor/changes/world_changes.h"
 #include "ui/editor/single_step/stage_state.h"
+#include "ui/window/window_clock.h"
 
 namespace kerf {
 
@@ -20,6 +20,7 @@ class StageCut {
     Figures& figures;
     WorldChanges& changes;
     StageState& stages;
+    const WindowClock& clock;
   };
   // The parts must outlive it.
   explicit StageCut(const Parts& parts) : on_(parts) {}
@@ -33,7 +34,6 @@ class StageCut {
   bool waits() const;
 
  private:
-  using Clock = std::chrono::steady_clock;
   // What the stages in the log belong to.
   struct Key {
     size_t revision = 0, position = 0, forgotten = 0;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ui/editor/frame/user_action.h"
-#include "ui/editor/keys/key_chord.h"
+#include "ui/window/key_chord.h"
 
 namespace kerf {
 

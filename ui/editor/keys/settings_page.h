@@ -6,7 +6,7 @@
 #include <string>
 
 #include "ui/editor/frame/user_action.h"
-#include "ui/editor/keys/key_chord.h"
+#include "ui/window/key_chord.h"
 #include "ui/editor/view/settings.h"
 
 namespace kerf {

@@ -1,4 +1,4 @@
-#include "ui/editor/keys/key_chord.h"
+#include "ui/window/key_chord.h"
 
 #include <GLFW/glfw3.h>
 

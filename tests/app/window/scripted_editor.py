@@ -1,0 +1,138 @@
+"""The editor without a screen, driven by a script of events (ui/window/event_script.h): nothing sleeps, and a run is
+repeated to the bit."""
+import json
+import os
+import subprocess
+
+from editor_driver import KERF, PATIENCE, EditorDriver
+
+# A small window, in which panels and text are small, too, takes a software renderer half the time.
+WIDTH, HEIGHT, UI_SCALE = 896, 560, 0.7
+FRAME = 0.05  # s between two frames
+KEYS = {"ctrl": "Ctrl", "shift": "Shift", "alt": "Alt", "Shift_L": "Shift", "Return": "Enter", "Escape": "Esc",
+        "BackSpace": "Backspace", "Delete": "Del", "space": "Space", "comma": ",", "period": ".", "minus": "-",
+        "bracketright": "]", "bracketleft": "[", "KP_5": "Num 5"}
+
+
+class ScriptedEditor(EditorDriver):
+    def __init__(self, folder, *arguments):
+        self.report_file = os.path.join(folder, "report.json")
+        environment = dict(os.environ, XDG_CONFIG_HOME=folder, XDG_STATE_HOME=folder)
+        self.kerf = subprocess.Popen([KERF, *arguments, "--report", self.report_file, "--size", f"{WIDTH}x{HEIGHT}",
+                                      "--events", "-"], env=environment, stdin=subprocess.PIPE,
+                                     stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, bufsize=1)
+        self.pointer = [0, 0]
+        self.held = set()
+        self.send({"frame": FRAME})
+        if arguments[:1] != ("play",):  # a match never settles
+            self.settle()
+
+    def send(self, step):
+        """Fails where the editor has ended before it read the step."""
+        try:
+            self.kerf.stdin.write(json.dumps(step) + "\n")
+        except BrokenPipeError:
+            self.kerf.wait(timeout=30 * PATIENCE)
+
+    def ask(self, what):
+        self.send({"answer": what})
+        line = self.kerf.stdout.readline()
+        if not line:
+            self.kerf.wait(timeout=30 * PATIENCE)
+            self.expect_running()
+        return json.loads(line)
+
+    def pause(self, seconds):
+        self.send({"wait": seconds})
+
+    def landmarks(self):
+        return self.ask("landmarks")
+
+    def title(self):
+        return self.ask("title")
+
+    def wait_until_heard(self, of_what):
+        pass  # each step is heard by the frame after it
+
+    def settle(self):
+        self.send({"settle": 60})
+
+    def move_to(self, x, y):
+        self.send({"move": [x, y]})
+        self.pointer = [x, y]
+
+    def hold(self, button):
+        self.send({"press": ["left", "middle", "right"][button - 1]})
+
+    def release(self, button):
+        self.send({"release": ["left", "middle", "right"][button - 1]})
+
+    def wheel(self, notches):
+        self.send({"wheel": notches})
+
+    def key_down(self, key):
+        name = KEYS.get(key, key.upper() if len(key) == 1 else key)
+        steps = [{"key_down": name}]
+        if len(name) == 1 and not self.held:
+            steps.append({"type": name.lower()})
+        if name in ("Ctrl", "Alt"):
+            self.held.add(name)
+        self.send({"together": steps})
+
+    def key_up(self, key):
+        name = KEYS.get(key, key.upper() if len(key) == 1 else key)
+        self.held.discard(name)
+        self.send({"key_up": name})
+
+    def type(self, text):
+        self.send({"type": text})
+        self.pause(0.2)
+
+    def double_click(self):
+        for step in ("press", "release") * 2:
+            self.send({step: "left"})
+        self.settle()
+
+    def drop(self, *files):
+        self.send({"drop": list(files)})
+        self.pause(0.2)
+        self.settle()
+
+    def resize(self, width, height):
+        self.send({"size": [width, height]})
+        self.settle()
+
+    def has_ended(self, _):
+        self.send({"answer": "title"})
+        if self.kerf.stdout.readline():
+            return False
+        self.kerf.wait(timeout=30 * PATIENCE)
+        return True
+
+    def die(self):
+        """By a signal, after all that was sent was heard."""
+        self.title()
+        self.kerf.kill()
+        self.close()
+
+    def report(self):
+        try:
+            self.kerf.stdin.close()
+        except BrokenPipeError:
+            pass
+        status = self.kerf.wait(timeout=120 * PATIENCE)
+        errors = self.kerf.stderr.read()
+        if status != 0:
+            raise AssertionError(f"the editor ended with {status}: {errors}")
+        with open(self.report_file) as file:
+            return json.load(file)
+
+    def close(self):
+        if self.kerf.poll() is None:
+            self.kerf.kill()
+        self.kerf.wait()
+        for stream in (self.kerf.stdin, self.kerf.stdout, self.kerf.stderr):
+            try:
+                stream.close()
+            except BrokenPipeError:
+                pass

@@ -1,0 +1,156 @@
+#include "ui/window/desktop_window.h"
+
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <span>
+#include <utility>
+
+#include <backends/imgui_impl_glfw.h>
+
+namespace kerf {
+
+// What GLFW calls; set before ImGui's, which call on to these.
+struct DesktopWindow::Callbacks {
+  static DesktopWindow& of(GLFWwindow* w) { return *static_cast<DesktopWindow*>(glfwGetWindowUserPointer(w)); }
+  // GLFW asks the display where the pointer is at the moment; when a slow frame hears of a press, it has gone
+  // on.
+  static Vec2 pointer(GLFWwindow* w) { return of(w).pointer_; }
+  static void put(GLFWwindow* w, InputEvent event) {
+    event.seconds = glfwGetTime();
+    of(w).events_.push_back(event);
+    of(w).activity_ = true;
+  }
+  static void cursor(GLFWwindow* w, double x, double y) {
+    of(w).pointer_ = {x, y};
+    put(w, {InputEvent::Kind::kMove, {x, y}});
+  }
+  static void button(GLFWwindow* w, int button, int action, int mods) {
+    const auto kind = action == GLFW_PRESS ? InputEvent::Kind::kPress : InputEvent::Kind::kRelease;
+    put(w, {kind, pointer(w), button, mods});
+  }
+  static void scroll(GLFWwindow* w, double, double y) {
+    put(w, {InputEvent::Kind::kWheel, pointer(w), 0, 0, y});
+  }
+  static void key(GLFWwindow* w, int key, int, int action, int mods) {
+    if (action != GLFW_RELEASE)
+      put(w, {InputEvent::Kind::kKey, pointer(w), key, mods, 0, action == GLFW_REPEAT});
+    of(w).activity_ = true;
+  }
+  static void drop(GLFWwindow* w, int count, const char** files) {
+    of(w).drops_.assign(files, files + count);
+    of(w).activity_ = true;
+  }
+  static void refresh(GLFWwindow* w) { of(w).activity_ = true; }
+  static void close(GLFWwindow* w) { of(w).activity_ = true; }
+  static void resize(GLFWwindow* w, int, int) { of(w).activity_ = true; }
+  static void focus(GLFWwindow* w, int) { of(w).activity_ = true; }
+};
+
+DesktopWindow::DesktopWindow(GLFWwindow* window) : window_(window) {
+  glfwSetWindowUserPointer(window, this);
+  glfwGetCursorPos(window, &pointer_.x, &pointer_.y);
+  glfwSetCursorPosCallback(window, Callbacks::cursor);
+  glfwSetMouseButtonCallback(window, Callbacks::button);
+  glfwSetScrollCallback(window, Callbacks::scroll);
+  glfwSetKeyCallback(window, Callbacks::key);
+  glfwSetDropCallback(window, Callbacks::drop);
+  glfwSetWindowRefreshCallback(window, Callbacks::refresh);
+  glfwSetFramebufferSizeCallback(window, Callbacks::resize);
+  glfwSetWindowCloseCallback(window, Callbacks::close);
+  glfwSetWindowFocusCallback(window, Callbacks::focus);
+}
+
+DesktopWindow::~DesktopWindow() {
+  glfwDestroyWindow(window_);
+  glfwTerminate();
+}
+
+Result<std::unique_ptr<DesktopWindow>> DesktopWindow::open(int width, int height, const std::string& title) {
+  glfwSetErrorCallback(nullptr);
+  if (!glfwInit()) return failed("a window needs a display; `kerf render` draws without one, and `kerf play --headless` plays");
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+  GLFWwindow* window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+  if (window == nullptr) {
+    glfwTerminate();
+    return failed("this display offers no OpenGL 3.3; `kerf render` draws without it");
+  }
+  glfwSetWindowSizeLimits(window, 480, 360, GLFW_DONT_CARE, GLFW_DONT_CARE);
+  glfwMakeContextCurrent(window);
+  glfwSwapInterval(1);
+  return std::unique_ptr<DesktopWindow>(new DesktopWindow(window));
+}
+
+Vec2 DesktopWindow::size() const {
+  int w = 0, h = 0;
+  glfwGetWindowSize(window_, &w, &h);
+  return {w, h};
+}
+
+Vec2 DesktopWindow::pixel_size() const {
+  int w = 0, h = 0;
+  glfwGetFramebufferSize(window_, &w, &h);
+  return {w, h};
+}
+
+float DesktopWindow::scale() const {
+  float x = 1, y = 1;
+  glfwGetWindowContentScale(window_, &x, &y);
+  return std::clamp(x, 0.75f, 4.0f);
+}
+
+void DesktopWindow::set_title(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
+
+void DesktopWindow::swap() { glfwSwapBuffers(window_); }
+
+// Input
+// --------------------------------------------------------------------------------------------------------
+
+void DesktopWindow::wait(double seconds) {
+  const size_t heard = events_.size();
+  glfwPollEvents();
+  const double now = glfwGetTime();
+  spread_times(std::span(events_).subspan(heard), listened_, now);
+  if (seconds > 0 && !activity_) glfwWaitEventsTimeout(seconds);
+  listened_ = glfwGetTime();
+}
+
+std::vector<InputEvent> DesktopWindow::take_events() { return std::exchange(events_, {}); }
+
+std::vector<std::filesystem::path> DesktopWindow::take_drops() { return std::exchange(drops_, {}); }
+
+bool DesktopWindow::take_close() {
+  const bool wanted = glfwWindowShouldClose(window_) != 0;
+  glfwSetWindowShouldClose(window_, 0);
+  return wanted;
+}
+
+bool DesktopWindow::take_activity() { return std::exchange(activity_, false); }
+
+bool DesktopWindow::is_key_held(int key) const { return glfwGetKey(window_, key) == GLFW_PRESS; }
+
+bool DesktopWindow::is_button_held(int button) const {
+  return glfwGetMouseButton(window_, button) == GLFW_PRESS;
+}
+
+bool DesktopWindow::has_focus() const { return glfwGetWindowAttrib(window_, GLFW_FOCUSED) == GLFW_TRUE; }
+
+void DesktopWindow::catch_pointer(bool caught) {
+  glfwSetInputMode(window_, GLFW_CURSOR, caught ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
+}
+
+double DesktopWindow::Clock::seconds() const { return glfwGetTime(); }
+
+// ImGui
+// --------------------------------------------------------------------------------------------------------
+
+void DesktopWindow::attach_gui() { ImGui_ImplGlfw_InitForOpenGL(window_, true); }
+
+void DesktopWindow::detach_gui() { ImGui_ImplGlfw_Shutdown(); }
+
+void DesktopWindow::begin_gui_frame() { ImGui_ImplGlfw_NewFrame(); }
+
+}  // namespace kerf

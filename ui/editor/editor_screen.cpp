@@ -84,8 +84,9 @@ void EditorScreen::open_kept_path() {
 }
 
 void EditorScreen::keep_path(bool now) {
-  if (const Status kept = kept_path_.follow(state_.lasers.path, now); !kept)
-    state_.message.say("The path cannot be kept: " + kept.error().message, true);
+  const PathWork& path = state_.lasers.path;
+  const Status kept = now ? kept_path_.follow(path) : kept_path_.follow(path, window_.clock().seconds());
+  if (!kept) state_.message.say("The path cannot be kept: " + kept.error().message, true);
 }
 
 void EditorScreen::rest() {

@@ -48,7 +48,7 @@ class GameScreen : public Screen {
   void draw() override;
   void drawn() override;
   void took(const FrameTime& time) override;
-  bool moving() const override { return true; }
+  bool moving() const override { return state_ != State::kPaused; }
   bool over() const override { return leave_ != Leave::kStay; }
   std::optional<std::string> answer(const std::string& what) const override;
 

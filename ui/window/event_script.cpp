@@ -80,6 +80,11 @@ Result<EventScript::Next> EventScript::take(const std::string& name, const JsonV
     frame_seconds_ = *seconds;
     return Next::kStep;
   }
+  if (name == "draws") {
+    if (!value.json().is_boolean()) return value.wrong("must be true or false");
+    draws_ = value.json();
+    return Next::kStep;
+  }
   return then(Next::kFrame, input_.hear(name, value));
 }
 

@@ -33,6 +33,8 @@ namespace kerf {
 //   {"settle": SECONDS}           frames until nothing moves or works, for so long at most
 //
 //   {"frame": SECONDS}            between two frames from now on; a sixtieth before
+//   {"draws": false}              whether the frames from now on fill pixels, which takes a software renderer nearly
+//                                 all of their time; all else happens as ever
 //   {"picture": "FILE"}           writes what the window shows as a PNG
 //   {"answer": "WHAT"}            prints what the screen knows, a line of JSON, to standard output: "landmarks" (see
 //                                 landmarks.h), "report" or "title"
@@ -57,6 +59,7 @@ class EventScript {
   double frame_seconds() const { return frame_seconds_; }
   // The time at which the frame began (s).
   double seconds() const { return seconds_; }
+  bool draws() const { return draws_; }
   void set_title(const std::string& title) { title_ = title; }
 
  private:
@@ -78,6 +81,7 @@ class EventScript {
   std::string title_;
   double frame_seconds_ = 1.0 / 60, seconds_ = 0;
   double wait_until_ = 0;    // s
+  bool draws_ = true;
   bool until_rest_ = false;  // the wait ends where nothing moves
   int still_ = 0;            // frames of this wait
 };

@@ -1,6 +1,7 @@
 #include "ui/window/scripted_window.h"
 
 #include <GLFW/glfw3.h>
+#include <epoxy/gl.h>
 #include <imgui.h>
 
 #include <utility>
@@ -62,6 +63,7 @@ bool ScriptedWindow::take_close() { return std::exchange(script_.input().heard()
 void ScriptedWindow::attach_gui() { name_keys(ImGui::GetIO()); }
 
 void ScriptedWindow::begin_gui_frame() {
+  (script_.draws() ? glDisable : glEnable)(GL_RASTERIZER_DISCARD);
   VirtualInput& input = script_.input();
   if (std::exchange(surface_, size()) != size())
     context_.resize_surface(static_cast<int>(size().x), static_cast<int>(size().y));

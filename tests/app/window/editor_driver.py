@@ -26,7 +26,10 @@ class EditorDriver:
         while not met():
             if time.monotonic() > until:
                 raise AssertionError(what() if callable(what) else what)
-            self.pause(0.1)
+            self.pass_time()
+
+    def pass_time(self):
+        self.pause(0.1)
 
     def expect_running(self):
         if self.kerf.poll() is not None:

@@ -200,6 +200,7 @@ class Files(WindowTest):
         one.drag(ACROSS)
         two = self.open_again(SPHERE)
         two.drag(ACROSS_ABOVE)
+        two.wait_for_title(one.title())
         self.assertEqual(len(self.unsaved()), 2)
         two.die()
         self.assertEqual(one.quit()["strokes"], 1)

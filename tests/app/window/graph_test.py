@@ -11,8 +11,9 @@ class Graph(WindowTest):
         self.addCleanup(folder.cleanup)
         self.folder = folder.name
         self.only_panel("Graph")
-        self.set(ui_scale=0.6)  # the panel is nearly as high as the window
-        return self.open_again(SPHERE)
+        editor = self.open_again(SPHERE)
+        editor.resize(900, 720)  # the panel is high
+        return editor
 
     def test_the_slider_plays_the_traversal_of_a_cut_that_separated_something(self):
         editor = self.open_graph()

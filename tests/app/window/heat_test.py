@@ -1,7 +1,7 @@
 """What is hot cools down, is undone with its stroke, and can be held."""
 import unittest
 
-from editor_window import ACROSS, SPHERE, WindowTest
+from editor_window import ACROSS, SPHERE, WindowTest, real_input
 
 
 class Heat(WindowTest):
@@ -51,6 +51,7 @@ class Heat(WindowTest):
         self.assertEqual(report["undo_depth"], 1)
         self.assertTrue(report["messages"][-1].startswith("Undone: Pin"), report["messages"])
 
+    @real_input
     def test_escape_ends_a_slow_stroke_where_the_beam_is_and_undo_takes_it_back(self):
         self.heat_held = True
         editor = self.open(SPHERE)

@@ -8,10 +8,10 @@ from editor_driver import KERF, PATIENCE, EditorDriver
 
 # A small window, in which panels and text are small, too, takes a software renderer half the time.
 WIDTH, HEIGHT, UI_SCALE = 896, 560, 0.7
-FRAME = 0.05  # s between two frames
+FRAME, RESTING_FRAME = 0.05, 0.25  # s between two frames, and where a test only waits for sparks to die down
 KEYS = {"ctrl": "Ctrl", "shift": "Shift", "alt": "Alt", "Shift_L": "Shift", "Return": "Enter", "Escape": "Esc",
         "BackSpace": "Backspace", "Delete": "Del", "space": "Space", "comma": ",", "period": ".", "minus": "-",
-        "bracketright": "]", "bracketleft": "[", "KP_5": "Num 5"}
+        "slash": "/", "bracketright": "]", "bracketleft": "[", "KP_5": "Num 5"}
 
 
 class ScriptedEditor(EditorDriver):
@@ -23,6 +23,7 @@ class ScriptedEditor(EditorDriver):
                                      stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, bufsize=1)
         self.pointer = [0, 0]
         self.held = set()
+        self.send({"draws": False})
         self.send({"frame": FRAME})
         if arguments[:1] != ("play",):  # a match never settles
             self.settle()
@@ -45,6 +46,11 @@ class ScriptedEditor(EditorDriver):
     def pause(self, seconds):
         self.send({"wait": seconds})
 
+    def pass_time(self):
+        """Until the editor is there, too."""
+        self.pause(0.1)
+        self.title()
+
     def landmarks(self):
         return self.ask("landmarks")
 
@@ -55,7 +61,9 @@ class ScriptedEditor(EditorDriver):
         pass  # each step is heard by the frame after it
 
     def settle(self):
+        self.send({"frame": RESTING_FRAME})
         self.send({"settle": 60})
+        self.send({"frame": FRAME})
 
     def move_to(self, x, y):
         self.send({"move": [x, y]})

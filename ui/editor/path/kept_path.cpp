@@ -10,8 +10,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::chrono::milliseconds kBetweenFiles{500};
-
 bool is_kept_path(const fs::path& file) {
   return file.filename().string().starts_with("path-") && file.extension() == ".json";
 }
@@ -38,14 +36,14 @@ std::optional<std::vector<StrokePath>> KeptPath::adopt() {
   return left;
 }
 
-Status KeptPath::follow(const PathWork& path, bool now) {
+Status KeptPath::follow(const PathWork& path, double time) {
   if (path.changes() == written_) {
     if (file_) file_->flush();
     return Done{};
   }
-  if (!now && Clock::now() < written_at_ + kBetweenFiles) return Done{};
+  if (time < written_at_ + kBetweenFiles) return Done{};
   written_ = path.changes();
-  written_at_ = Clock::now();
+  written_at_ = time;
   if (path.is_unsaved()) return write(path.strokes());
   if (file_) file_->remove();
   file_.reset();

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <filesystem>
 #include <optional>
 #include <vector>
@@ -21,13 +20,15 @@ class KeptPath {
   // running editors and files that cannot be read are left alone.
   std::optional<std::vector<StrokePath>> adopt();
 
-  // Writes the path when it has changed and is not saved, at most twice a second, or at once with `now`;
-  // drops the file when the path is saved or empty. Call it once a frame, and while the editor waits. On
-  // failure what was kept before stays, and the next change tries again.
-  Status follow(const PathWork& path, bool now = false);
+  // Writes the path when it has changed and is not saved, at most twice a second; drops the file when the path is
+  // saved or empty. `time` is that of a clock (s). Call it once a frame, and while the editor waits. On failure what
+  // was kept before stays, and the next change tries again.
+  Status follow(const PathWork& path, double time);
+  // The same at once.
+  Status follow(const PathWork& path) { return follow(path, written_at_ + kBetweenFiles); }
 
  private:
-  using Clock = std::chrono::steady_clock;
+  static constexpr double kBetweenFiles = 0.5;  // s
 
   Status write(const std::vector<StrokePath>& strokes);
 
@@ -35,7 +36,7 @@ class KeptPath {
   std::optional<LockedFile> file_;
   size_t written_ = 0;  // the number of changes of the path that the file holds
   size_t number_ = 0;   // of the last file
-  Clock::time_point written_at_;
+  double written_at_ = -kBetweenFiles;
 };
 
 }  // namespace kerf

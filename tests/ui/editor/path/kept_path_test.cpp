@@ -28,7 +28,7 @@ TEST_F(KeptPathTest, what_is_not_saved_is_found_by_the_next_editor_and_not_by_on
     KeptPath kept(folder.path());
     add_point(0);
     add_point(1);
-    ASSERT_TRUE(kept.follow(path, true).ok());
+    ASSERT_TRUE(kept.follow(path).ok());
     EXPECT_FALSE(KeptPath(folder.path()).adopt().has_value());
   }
   KeptPath next(folder.path());
@@ -43,11 +43,11 @@ TEST_F(KeptPathTest, one_file_follows_the_edits_and_goes_when_the_path_is_saved)
   KeptPath kept(folder.path());
   for (int i = 0; i < 3; ++i) {
     add_point(i);
-    ASSERT_TRUE(kept.follow(path, true).ok());
+    ASSERT_TRUE(kept.follow(path).ok());
     EXPECT_EQ(files(), 1u);
   }
   path.note_saved("path.json");
-  ASSERT_TRUE(kept.follow(path, true).ok());
+  ASSERT_TRUE(kept.follow(path).ok());
   EXPECT_EQ(files(), 0u);
 }
 

@@ -1,6 +1,5 @@
 #include "app/cut_report.h"
 
-
 #include <algorithm>
 #include <cmath>
 

@@ -21,7 +21,8 @@ void* allocate(size_t bytes) {
 
 }  // namespace
 
-// Not inlined, because the compiler would see malloc there and take the matching operator delete for a mistake.
+// Not inlined, because the compiler would see malloc there and take the matching operator delete for a
+// mistake.
 [[gnu::noinline]] void* operator new(size_t bytes) {
   for (;;) {
     if (void* memory = allocate(bytes)) return memory;

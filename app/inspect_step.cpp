@@ -1,7 +1,6 @@
 #include "app/inspect_step.h"
 
-#include <cassert>
-
+#include "core/base/assert.h"
 #include "core/document/hash_text.h"
 #include "core/document/json_value.h"
 #include "core/document/single_step.h"
@@ -172,7 +171,7 @@ class MoveSearch {
 }  // namespace
 
 Result<nlohmann::ordered_json> step_json(OpenedFile file, size_t number, const Progress* progress) {
-  assert(number > 0);
+  KERF_ASSERT(number > 0);
   const double diagonal = file.scene.world.bounds().diagonal();
   Document document(std::move(file.scene.world));
   MoveSearch moves(document, number);

@@ -2,7 +2,6 @@
 
 #include "core/document/json_value.h"
 
-
 namespace kerf {
 
 nlohmann::ordered_json tree_json(const World& world) {

@@ -2,14 +2,15 @@
 
 #include <sys/mman.h>
 
-#include <cassert>
 #include <cstdint>
 #include <new>
+
+#include "core/base/assert.h"
 
 namespace kerf {
 
 void* take_chunk(size_t bytes) {
-  assert(bytes > 0 && bytes % kHugePage == 0);
+  KERF_ASSERT(bytes > 0 && bytes % kHugePage == 0);
   // One huge page more than requested is mapped; both ends are unmapped again, so that the rest is aligned.
   const size_t taken = bytes + kHugePage;
   void* start =
@@ -24,7 +25,7 @@ void* take_chunk(size_t bytes) {
 }
 
 void give_chunk(void* chunk, size_t bytes) {
-  assert(reinterpret_cast<uintptr_t>(chunk) % kHugePage == 0 && bytes % kHugePage == 0);
+  KERF_ASSERT(reinterpret_cast<uintptr_t>(chunk) % kHugePage == 0 && bytes % kHugePage == 0);
   munmap(chunk, bytes);
 }
 

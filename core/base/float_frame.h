@@ -1,10 +1,10 @@
 #pragma once
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <glm/glm.hpp>
 
+#include "core/base/assert.h"
 #include "core/base/vec3.h"
 
 namespace kerf {
@@ -19,7 +19,7 @@ struct FloatFrame {
   // The frame for points between the corners of a box; a box without extent keeps scale 1. Precondition: min
   // <= max by component.
   static FloatFrame around(const Vec3& min, const Vec3& max) {
-    assert(min.x <= max.x && min.y <= max.y && min.z <= max.z);
+    KERF_ASSERT(min.x <= max.x && min.y <= max.y && min.z <= max.z);
     const Vec3 half = (max - min) * 0.5;
     const double largest = std::max({half.x, half.y, half.z});
     FloatFrame frame{min + half, 1};

@@ -6,7 +6,8 @@
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
-#include <cassert>
+
+#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -25,14 +26,14 @@ void work_on(size_t first, size_t last, size_t items, size_t grain, const RangeW
 }  // namespace
 
 void for_each_range(size_t items, size_t grain, const RangeWork& work) {
-  assert(grain > 0);
+  KERF_ASSERT(grain > 0);
   const size_t ranges = range_count(items, grain);
   if (ranges == 1) return work(0, items);
   work_on(0, ranges, items, grain, work);
 }
 
 bool for_each_range(size_t items, size_t grain, const Progress* progress, const RangeWork& work) {
-  assert(grain > 0);
+  KERF_ASSERT(grain > 0);
   constexpr size_t kReports = 16;  // at most
   const size_t ranges = range_count(items, grain);
   const size_t group = std::max(range_count(ranges, kReports), 2 * thread_count());
@@ -58,7 +59,7 @@ struct ThreadLimit::Control {
 
 ThreadLimit::ThreadLimit(size_t threads)
     : control_(new Control{{tbb::global_control::max_allowed_parallelism, threads}}) {
-  assert(threads > 0);
+  KERF_ASSERT(threads > 0);
 }
 ThreadLimit::~ThreadLimit() = default;
 ThreadLimit::ThreadLimit(ThreadLimit&&) noexcept = default;

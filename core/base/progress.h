@@ -1,11 +1,11 @@
 #pragma once
 
 #include <algorithm>
-#include <cassert>
 #include <cstddef>
 #include <functional>
 #include <utility>
 
+#include "core/base/assert.h"
 #include "core/base/result.h"
 
 namespace kerf {
@@ -21,7 +21,7 @@ struct Progress {
 // The progress of a part of the work, mapped to the fractions `low` to `high` of the whole. `whole` must
 // outlive the result; it may be null, in which case nothing is reported. Precondition: 0 <= low <= high.
 inline Progress share_of(const Progress* whole, double low, double high) {
-  assert(0 <= low && low <= high);
+  KERF_ASSERT(0 <= low && low <= high);
   return {
       [whole, low, high](double fraction) { return !whole || whole->report(low + (high - low) * fraction); }};
 }
@@ -62,7 +62,7 @@ class Stages {
 
   // The progress of the next stage. `share` is its fraction of the whole; all shares add up to 1.
   Progress next(double share) {
-    assert(share >= 0);
+    KERF_ASSERT(share >= 0);
     const double low = std::exchange(done_, std::min(1.0, done_ + share));
     return share_of(progress_, low, done_);
   }

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <cassert>
 #include <string>
 #include <utility>
 #include <variant>
+
+#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -32,11 +33,11 @@ class [[nodiscard]] Result {
   bool ok() const { return state_.index() == 0; }
   explicit operator bool() const { return ok(); }
   T& value() {
-    assert(ok());
+    KERF_ASSERT(ok());
     return *std::get_if<0>(&state_);
   }
   const T& value() const {
-    assert(ok());
+    KERF_ASSERT(ok());
     return *std::get_if<0>(&state_);
   }
   T& operator*() { return value(); }
@@ -44,7 +45,7 @@ class [[nodiscard]] Result {
   T* operator->() { return &value(); }
   const T* operator->() const { return &value(); }
   const Error& error() const {
-    assert(!ok());
+    KERF_ASSERT(!ok());
     return *std::get_if<1>(&state_);
   }
 

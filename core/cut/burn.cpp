@@ -1,9 +1,10 @@
 #include "core/cut/burn.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <tuple>
+
+#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -14,7 +15,7 @@ Burn::Burn(World& world, const CutSettings& settings, std::vector<BurnedBody>& b
       bundle_(ray_bundle(settings.laser.pattern, face)) {}
 
 void Burn::emit(const Pose& pose, double joules) {
-  assert(joules >= 0);
+  KERF_ASSERT(joules >= 0);
   EnergyLedger& ledger = world_.edit_energy();
   ledger.emitted += joules;
   double absorbed = 0;

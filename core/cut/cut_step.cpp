@@ -1,9 +1,9 @@
 #include "core/cut/cut_step.h"
 
 #include <algorithm>
-#include <cassert>
 #include <limits>
 
+#include "core/base/assert.h"
 #include "core/cut/cut_apart.h"
 #include "core/cut/cuttable.h"
 #include "core/cut/deposit_heat.h"
@@ -215,7 +215,7 @@ namespace {
 
 Result<StepResult> cut_one(World& world, const CutSettings& settings, BodyId id,
                            std::span<const BeamMove> moves, bool holds_parts, const Progress* progress) {
-  assert(!world.body(id).hidden);
+  KERF_ASSERT(!world.body(id).hidden);
   StepResult result;
   UnfinishedMove whole;
   CutSettings at_once = settings;

@@ -1,10 +1,11 @@
 #include "core/cut/deposit_heat.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <unordered_set>
+
+#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -79,7 +80,7 @@ std::vector<FaceId> faces_within(const BodyStep& step, const Deposit& deposit,
 }  // namespace
 
 void deposit_heat(World& world, BodyStep& step, const CutSettings& settings, std::span<const FaceId> beside) {
-  assert(settings.heat_width > 0);
+  KERF_ASSERT(settings.heat_width > 0);
   Body& body = world.body(step.id);
   const Deposit deposit(step, settings);
   double added = 0;

@@ -1,14 +1,14 @@
 #include "core/cut/heat_flow.h"
 
 #include <algorithm>
-#include <cassert>
 
+#include "core/base/assert.h"
 #include "core/heat/conduct.h"
 
 namespace kerf {
 
 void let_heat_flow(World& world, BodyId id, double seconds) {
-  assert(seconds >= 0);
+  KERF_ASSERT(seconds >= 0);
   Body& body = world.body(id);
   if (seconds <= 0 || body.mesh.columns().blank()) return;
   world.edit_energy().lost +=
@@ -35,7 +35,7 @@ void cool(World& world, double seconds) {
 }
 
 void cool_for_ticks(World& world, Ticks passed) {
-  assert(passed <= world.clock());
+  KERF_ASSERT(passed <= world.clock());
   const Ticks flows = world.clock() / kTicksOfFlow - (world.clock() - passed) / kTicksOfFlow;
   for (Ticks i = 0; i < flows; ++i) cool(world, static_cast<double>(kTicksOfFlow) / kTicksPerSecond);
 }

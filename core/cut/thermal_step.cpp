@@ -1,10 +1,10 @@
 #include "core/cut/thermal_step.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <numbers>
 
+#include "core/base/assert.h"
 #include "core/cut/burn.h"
 #include "core/cut/cuttable.h"
 
@@ -75,7 +75,8 @@ class ThermalMoves {
     for (const BurnedBody& burned : burned_) {
       const Sheet& sheet = world_.body(burned.id).sheet;
       const Substance& s = sheet.substance;
-      const double spot = 0.5 * std::numbers::pi * w * w * sheet.thickness * s.density * enthalpy_of_removal(s);
+      const double spot =
+          0.5 * std::numbers::pi * w * w * sheet.thickness * s.density * enthalpy_of_removal(s);
       const double diffusivity = s.conductivity / (s.density * s.heat_solid);
       most = std::max(most, absorptivity(s, settings_.laser.wavelength) * joules / spot);
       most = std::max(most, kPartsADiffusionTime * diffusivity * move.seconds / (w * w));
@@ -176,7 +177,7 @@ class ThermalMoves {
 
 Result<StepResult> thermal_step(World& world, const CutSettings& settings, std::span<const BeamMove> moves,
                                 const Progress* progress) {
-  assert(settings.model == Model::kThermal);
+  KERF_ASSERT(settings.model == Model::kThermal);
   StepResult result;
   const Progress asked = share_of(progress, 0, 1);
   ThermalMoves thermal(world, settings, asked);

@@ -3,8 +3,9 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cstdlib>
+
+#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -51,7 +52,7 @@ Status Autosave::follow(const Document& document, std::span<const StateMark> mar
     flush();
     return Done{};
   }
-  assert(commands.size() >= commands_ && marks.size() >= marks_);
+  KERF_ASSERT(commands.size() >= commands_ && marks.size() >= marks_);
   // Marks count commands from the start of the document.
   std::vector<StateMark> fresh(marks.begin() + static_cast<std::ptrdiff_t>(marks_), marks.end());
   for (StateMark& mark : fresh) mark.commands -= commands_;

@@ -1,9 +1,10 @@
 #include "core/document/beam_queue.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <utility>
+
+#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -59,7 +60,7 @@ bool BeamQueue::holds(size_t step) const {
 }
 
 void BeamQueue::push(Entry entry) {
-  assert(empty() || (entries_.empty() ? ready_step_ : entries_.back().step) <= entry.step);
+  KERF_ASSERT(empty() || (entries_.empty() ? ready_step_ : entries_.back().step) <= entry.step);
   size_ += entry.count;
   if (entry.in_time()) in_time_ += entry.count;
   if (entry.kind == Kind::kRim) ++rims_;
@@ -67,7 +68,7 @@ void BeamQueue::push(Entry entry) {
 }
 
 void BeamQueue::push_in_front(Entry entry) {
-  assert(ready_.empty() && !unfinished_rim_.begun() && entry.in_time());
+  KERF_ASSERT(ready_.empty() && !unfinished_rim_.begun() && entry.in_time());
   size_ += entry.count;
   in_time_ += entry.count;
   entries_.push_front(std::move(entry));
@@ -107,37 +108,37 @@ void BeamQueue::push_spring_in_front(size_t step, const std::optional<Spring>& s
 }
 
 size_t BeamQueue::front_step() const {
-  assert(!empty());
+  KERF_ASSERT(!empty());
   return ready_.empty() ? entries_.front().step : ready_step_;
 }
 
 const std::shared_ptr<Stroke>& BeamQueue::front_stroke() const {
-  assert(!empty() && (front_kind() == Kind::kMove || front_kind() == Kind::kRim));
+  KERF_ASSERT(!empty() && (front_kind() == Kind::kMove || front_kind() == Kind::kRim));
   return ready_.empty() ? entries_.front().stroke : ready_stroke_;
 }
 
 Ticks BeamQueue::front_ticks() const {
-  assert(!empty() && front_kind() == Kind::kTicks);
+  KERF_ASSERT(!empty() && front_kind() == Kind::kTicks);
   return entries_.front().count;
 }
 
 bool BeamQueue::front_moves_bodies() const {
-  assert(!empty() && front_kind() == Kind::kTicks);
+  KERF_ASSERT(!empty() && front_kind() == Kind::kTicks);
   return entries_.front().bodies;
 }
 
 const std::shared_ptr<Stroke>& BeamQueue::front_beam() const {
-  assert(!empty() && front_kind() == Kind::kTicks);
+  KERF_ASSERT(!empty() && front_kind() == Kind::kTicks);
   return entries_.front().stroke;
 }
 
 const Pose& BeamQueue::front_beam_pose() const {
-  assert(front_beam());
+  KERF_ASSERT(front_beam());
   return entries_.front().move.to;
 }
 
 const std::optional<Spring>& BeamQueue::front_spring() const {
-  assert(!empty() && front_kind() == Kind::kSpring);
+  KERF_ASSERT(!empty() && front_kind() == Kind::kSpring);
   return entries_.front().spring;
 }
 
@@ -148,7 +149,7 @@ std::optional<BeamMove> BeamQueue::next_move(const World& world) const {
 }
 
 std::vector<BeamMove> BeamQueue::begin_moves(const World& world, size_t most) {
-  assert(most > 0 && front_kind() == Kind::kMove);
+  KERF_ASSERT(most > 0 && front_kind() == Kind::kMove);
   const size_t step = front_step();
   while (ready_.size() < most && !entries_.empty() && entries_.front().kind == Kind::kMove &&
          entries_.front().step == step) {
@@ -263,7 +264,7 @@ void BeamQueue::stop(size_t step, StopStroke at, const World& world) {
 }
 
 void BeamQueue::pop_moves(size_t count) {
-  assert(count <= ready_.size());
+  KERF_ASSERT(count <= ready_.size());
   if (count == 0) return;
   reached_ = {ready_[count - 1].end()};
   reached_step_ = ready_step_;
@@ -272,14 +273,14 @@ void BeamQueue::pop_moves(size_t count) {
 }
 
 void BeamQueue::pop_rim() {
-  assert(!empty() && front_kind() == Kind::kRim && !unfinished_rim_.begun());
+  KERF_ASSERT(!empty() && front_kind() == Kind::kRim && !unfinished_rim_.begun());
   entries_.pop_front();
   --size_;
   --rims_;
 }
 
 void BeamQueue::pop_ticks(Ticks count) {
-  assert(!empty() && front_kind() == Kind::kTicks && count <= entries_.front().count);
+  KERF_ASSERT(!empty() && front_kind() == Kind::kTicks && count <= entries_.front().count);
   if (entries_.front().stroke) {
     if (reached_step_ != entries_.front().step) reached_ = {};
     reached_step_ = entries_.front().step;
@@ -292,7 +293,7 @@ void BeamQueue::pop_ticks(Ticks count) {
 }
 
 void BeamQueue::pop_spring() {
-  assert(!empty() && front_kind() == Kind::kSpring);
+  KERF_ASSERT(!empty() && front_kind() == Kind::kSpring);
   entries_.pop_front();
   --size_;
   --in_time_;

@@ -1,9 +1,10 @@
 #include "core/document/colour_text.h"
 
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <cstdio>
+
+#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -12,7 +13,7 @@ namespace {
 // The linear value of one of the 256 steps of sRGB (IEC 61966-2-1). Colours do not enter any hash, so that
 // pow(), whose results differ between machines, is acceptable.
 double linear_of(int step) {
-  assert(step >= 0 && step <= 255);
+  KERF_ASSERT(step >= 0 && step <= 255);
   const double s = step / 255.0;
   return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
 }

@@ -1,7 +1,8 @@
 #include "core/document/command_log.h"
 
 #include <algorithm>
-#include <cassert>
+
+#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -28,7 +29,7 @@ void CommandLog::append(const Command& command) {
 }
 
 void CommandLog::shrink(size_t size) {
-  assert(size <= commands_.size());
+  KERF_ASSERT(size <= commands_.size());
   commands_.erase(commands_.begin() + static_cast<std::ptrdiff_t>(size), commands_.end());
   sealed_ = std::min(sealed_, size);
 }

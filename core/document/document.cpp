@@ -1,8 +1,8 @@
 #include "core/document/document.h"
 
 #include <algorithm>
-#include <cassert>
 
+#include "core/base/assert.h"
 #include "core/document/commands/edit_piece.h"
 #include "core/physics/forget_contacts.h"
 
@@ -123,10 +123,10 @@ void Document::queue_command(size_t step, const Command& command) {
                  },
                  [&](const LetGo&) { queue_.push_spring(step, std::nullopt); },
                  [&](const Play&) {},
-                 [&](const Recut&) { assert(!"queued by the commands of its stroke"); },
-                 [&](const Undo&) { assert(!"never part of a step"); },
-                 [&](const Redo&) { assert(!"never part of a step"); },
-                 [&](const HappensAtOnce auto&) { assert(!"happens at once"); },
+                 [&](const Recut&) { KERF_ASSERT(!"queued by the commands of its stroke"); },
+                 [&](const Undo&) { KERF_ASSERT(!"never part of a step"); },
+                 [&](const Redo&) { KERF_ASSERT(!"never part of a step"); },
+                 [&](const HappensAtOnce auto&) { KERF_ASSERT(!"happens at once"); },
              },
              command);
 }
@@ -158,7 +158,7 @@ Result<Delta> Document::run(HistoryStep& step, size_t at, const Progress* progre
                                          return c.run(world_, step.generation, progress);
                                        },
                                        [&](const auto&) -> Result<Delta> {
-                                         assert(!"this command does not happen at once");
+                                         KERF_ASSERT(!"this command does not happen at once");
                                          return Delta{};
                                        },
                                    },

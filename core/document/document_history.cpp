@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <cassert>
 #include <limits>
 #include <tuple>
 
+#include "core/base/assert.h"
 #include "core/document/document.h"
 #include "core/physics/forget_contacts.h"
 
@@ -67,7 +67,8 @@ std::optional<World> Document::before_last_stroke() {
   if (open) begin(*open);
   const size_t base = history_.base_of(*last);
   if (!history_.holds_images(base, history_.position())) return std::nullopt;
-  for (size_t i = history_.position(); i-- > base;) history_.step(i).restore(before);
+  const size_t end = history_.position(), slots = history_.slots_before(base, end);
+  for (size_t i = end; i-- > base;) history_.step(i).restore(before, slots);
   return before;
 }
 
@@ -99,8 +100,9 @@ Delta Document::cut_again() {
   // Where the world shows nothing of the stroke, an earlier one may wait, half-way through a move.
   const size_t base = history_.base_of(step);
   if (history_.any_begun(base, step)) begin(step);
+  const size_t slots = history_.slots_before(base, step);
   for (size_t i = step; i-- > base;) {
-    const Delta back = history_.step(i).restore(world_);
+    const Delta back = history_.step(i).restore(world_, slots);
     history_.last().touch(back);
     delta.append(back);
   }
@@ -124,7 +126,7 @@ bool Document::can_start_again() const {
 }
 
 Delta Document::start_again() {
-  assert(can_start_again());
+  KERF_ASSERT(can_start_again());
   const size_t last = history_.position() - 1;
   if (recorder_.step() == last) close();
   queue_.drop(last);
@@ -154,7 +156,7 @@ bool Document::can_go_back_to(const Mark& mark) const {
 }
 
 Delta Document::go_back_to(const Mark& mark) {
-  assert(can_go_back_to(mark));
+  KERF_ASSERT(can_go_back_to(mark));
   close();
   Delta delta = history_.step(mark.position - 1).go_back_to(mark.step, world_);
   queue_ = mark.queue;

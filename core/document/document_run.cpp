@@ -1,5 +1,5 @@
-#include <cassert>
 
+#include "core/base/assert.h"
 #include "core/cut/heat_flow.h"
 #include "core/document/document.h"
 
@@ -37,7 +37,7 @@ Status Document::take_back_to(size_t position, size_t journal_size,
 }
 
 StepResult Document::take_states(std::span<const BodyState> states, std::span<const NearPair> pairs) {
-  assert(waiting() == 0 && history_.position() > 0);
+  KERF_ASSERT(waiting() == 0 && history_.position() > 0);
   const size_t step = history_.position() - 1;
   begin(step);
   StepResult taken;
@@ -60,7 +60,7 @@ StepResult Document::skip_to(std::span<const BodyState> states, std::span<const 
       change_spring();
       continue;
     }
-    assert(queue_.front_kind() == BeamQueue::Kind::kTicks && !queue_.front_beam());
+    KERF_ASSERT(queue_.front_kind() == BeamQueue::Kind::kTicks && !queue_.front_beam());
     begin(queue_.front_step());
     const Ticks ticks = queue_.front_ticks();
     world_.pass(ticks);

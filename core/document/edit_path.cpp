@@ -1,8 +1,8 @@
 #include "core/document/edit_path.h"
 
 #include <algorithm>
-#include <cassert>
 
+#include "core/base/assert.h"
 #include "core/base/tick.h"
 #include "core/base/unit_vector.h"
 
@@ -49,14 +49,14 @@ double duration_of(const StrokePath& stroke) {
 }
 
 void retime(StrokePath& stroke, double speed) {
-  assert(speed > 0);
+  KERF_ASSERT(speed > 0);
   stroke.times.assign(stroke.keys.size(), 0);
   for (size_t k = 1; k < stroke.keys.size(); ++k)
     stroke.times[k] = stroke.times[k - 1] + seconds_between(stroke.keys[k - 1], stroke.keys[k], speed);
 }
 
 void insert_key(StrokePath& stroke, size_t at, const Pose& pose) {
-  assert(at <= stroke.keys.size() && is_unit(pose.direction));
+  KERF_ASSERT(at <= stroke.keys.size() && is_unit(pose.direction));
   const double speed = mean_speed(stroke);
   stroke.times.insert(stroke.times.begin() + static_cast<std::ptrdiff_t>(at), time_at(stroke, at, pose));
   stroke.keys.insert(stroke.keys.begin() + static_cast<std::ptrdiff_t>(at), pose);
@@ -64,7 +64,7 @@ void insert_key(StrokePath& stroke, size_t at, const Pose& pose) {
 }
 
 void erase_key(StrokePath& stroke, size_t at) {
-  assert(at < stroke.keys.size());
+  KERF_ASSERT(at < stroke.keys.size());
   stroke.keys.erase(stroke.keys.begin() + static_cast<std::ptrdiff_t>(at));
   stroke.times.erase(stroke.times.begin() + static_cast<std::ptrdiff_t>(at));
 }

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <bit>
-#include <cassert>
 
+#include "core/base/assert.h"
 #include "core/graph/separation.h"
 #include "core/mesh/soup_edges.h"
 #include "core/mesh/triangle_batch.h"
@@ -32,7 +32,7 @@ class VertexSet {
   uint32_t rank(VertexId v) const {
     const Word& word = words_[v.index / 64];
     const uint64_t bit = uint64_t{1} << v.index % 64;
-    assert((word.bits & bit) != 0);
+    KERF_ASSERT((word.bits & bit) != 0);
     return word.before + static_cast<uint32_t>(std::popcount(word.bits & (bit - 1)));
   }
   template <typename Visit>
@@ -75,7 +75,7 @@ void measure(Extract& out) {
 Extract extract_faces(const Body& body, std::span<const FaceId> faces) {
   Extract out;
   if (faces.empty()) return out;
-  assert(std::is_sorted(faces.begin(), faces.end()));
+  KERF_ASSERT(std::is_sorted(faces.begin(), faces.end()));
   const VertexSet vertices(body.mesh, faces);
   std::vector<Vec3> positions;
   positions.reserve(vertices.count());

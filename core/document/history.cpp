@@ -1,7 +1,8 @@
 #include "core/document/history.h"
 
-#include <cassert>
 #include <iterator>
+
+#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -47,7 +48,7 @@ std::optional<size_t> History::last_cut() const {
 }
 
 const CutSettings& History::settings_of(size_t i) const {
-  assert(cuts(i));
+  KERF_ASSERT(cuts(i));
   const Command& first = step(i).commands().front();
   if (step(i).kind() == Kind::kRecut) return std::get<Recut>(first).settings;
   return std::get<BeginStroke>(first).settings;
@@ -96,6 +97,13 @@ bool History::any_begun(size_t first, size_t end) const {
     if (!step(i).waiting()) return true;
   }
   return false;
+}
+
+size_t History::slots_before(size_t first, size_t end) const {
+  for (size_t i = first; i < end; ++i) {
+    if (const auto slots = step(i).slots_before()) return *slots;
+  }
+  return 0;
 }
 
 void History::set_window(size_t bytes) {

@@ -57,6 +57,10 @@ class History {
   // Whether any of the steps first .. end - 1 has been begun, i.e. may have changed the world.
   bool any_begun(size_t first, size_t end) const;
 
+  // The slots of bodies that the world had before the first of the steps first .. end - 1 of which images are
+  // held; 0 without one.
+  size_t slots_before(size_t first, size_t end) const;
+
   // The limit for the before-images, in bytes; with 0 none are recorded.
   size_t window() const { return window_; }
   void set_window(size_t bytes);

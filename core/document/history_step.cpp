@@ -1,11 +1,11 @@
 #include "core/document/history_step.h"
 
 #include <algorithm>
-#include <cassert>
 #include <iterator>
 #include <set>
 #include <unordered_map>
 
+#include "core/base/assert.h"
 #include "core/document/command_log.h"
 
 namespace kerf {
@@ -26,7 +26,7 @@ struct KindOfStep {
   Kind operator()(const Undo&) const { return none(); }
   Kind operator()(const Redo&) const { return none(); }
   static Kind none() {
-    assert(!"a step begins with this command");
+    KERF_ASSERT(!"a step begins with this command");
     return Kind::kEdit;
   }
 };
@@ -77,7 +77,7 @@ void HistoryStep::begin(bool record) {
 }
 
 void HistoryStep::finish() {
-  assert(!waiting());
+  KERF_ASSERT(!waiting());
   state_ = State::kDone;
 }
 
@@ -188,7 +188,7 @@ Delta HistoryStep::take_back(World& world) {
 }
 
 HistoryStep::Mark HistoryStep::mark() const {
-  assert(!waiting());
+  KERF_ASSERT(!waiting());
   Mark mark;
   mark.commands = commands_.size();
   mark.ticks = ticks_of_last(commands_);
@@ -212,7 +212,7 @@ bool HistoryStep::can_go_back_to(const Mark& mark) const {
 }
 
 Delta HistoryStep::go_back_to(const Mark& mark, World& world) {
-  assert(can_go_back_to(mark));
+  KERF_ASSERT(can_go_back_to(mark));
   for (; changes_.size() > mark.changes; changes_.pop_back()) world.exchange(changes_.back());
   Delta back = delta(world, true, &mark);
   bytes_ = mark.bytes;
@@ -237,9 +237,14 @@ Delta HistoryStep::bring_again(World& world) {
   return delta(world, false);
 }
 
-Delta HistoryStep::restore(World& world) const {
-  for (size_t i = changes_.size(); i-- > 0;) world.restore(changes_[i]);
+Delta HistoryStep::restore(World& world, size_t slots) const {
+  for (size_t i = changes_.size(); i-- > 0;) world.restore(changes_[i], slots);
   return delta(world, true);
+}
+
+std::optional<size_t> HistoryStep::slots_before() const {
+  if (changes_.empty()) return std::nullopt;
+  return changes_.front().slots_before();
 }
 
 // Tells what the step touched; faces are told apart by what the world has become.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "core/document/command.h"
@@ -115,7 +116,10 @@ class HistoryStep {
   Delta go_back_to(const Mark& mark, World& world);
 
   // Undoes the step by an edit of the world that is recorded like any other. The step is left unchanged.
-  Delta restore(World& world) const;
+  // Several in a row are undone the latest first; `slots` is that of the earliest (see World::restore).
+  Delta restore(World& world, size_t slots) const;
+  // The slots of bodies that the world had before the step; none where the step holds no images.
+  std::optional<size_t> slots_before() const;
 
  private:
   // Slots of faces, possibly repeated: faces that were added, removed or had corners moved, and faces whose

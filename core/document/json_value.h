@@ -1,11 +1,11 @@
 #pragma once
 
-#include <cassert>
 #include <filesystem>
 #include <glm/gtc/quaternion.hpp>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "core/base/assert.h"
 #include "core/base/interval.h"
 #include "core/base/result.h"
 #include "core/base/vec3.h"
@@ -27,11 +27,11 @@ class JsonValue {
   bool has(const std::string& key) const { return value_->is_object() && value_->contains(key); }
   // The member or element. Precondition: it exists.
   JsonValue operator[](const std::string& key) const {
-    assert(has(key));
+    KERF_ASSERT(has(key));
     return {(*value_)[key], file_, pointer_ + "/" + key};
   }
   JsonValue operator[](size_t i) const {
-    assert(i < value_->size());
+    KERF_ASSERT(i < value_->size());
     return {(*value_)[i], file_, pointer_ + "/" + std::to_string(i)};
   }
 

@@ -6,12 +6,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <cassert>
 #include <cerrno>
 #include <memory>
 #include <system_error>
 #include <tuple>
 #include <utility>
+
+#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -115,7 +116,7 @@ Result<LockedFile> LockedFile::open(const std::filesystem::path& path) {
 }
 
 Status LockedFile::append(std::string_view bytes) {
-  assert(handle_);
+  KERF_ASSERT(handle_);
   const int code = write_all(handle_->descriptor, bytes);
   if (code != 0) {
     std::ignore = ::ftruncate(handle_->descriptor, handle_->size);
@@ -127,7 +128,7 @@ Status LockedFile::append(std::string_view bytes) {
 }
 
 bool LockedFile::flush() {
-  assert(handle_);
+  KERF_ASSERT(handle_);
   Handle& h = *handle_;
   if (h.flushing && ::aio_error(h.request.get()) == EINPROGRESS) return true;
   if (h.flushing) ::aio_return(h.request.get());

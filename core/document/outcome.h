@@ -1,9 +1,9 @@
 #pragma once
 
-#include <cassert>
 #include <optional>
 #include <utility>
 
+#include "core/base/assert.h"
 #include "core/base/result.h"
 #include "core/world/delta.h"
 
@@ -22,14 +22,14 @@ class Outcome {
   explicit operator bool() const { return ok(); }
   // Precondition: !ok().
   const Error& error() const {
-    assert(error_);
+    KERF_ASSERT(error_);
     return *error_;
   }
   void fail(Error error) { error_ = std::move(error); }
 
   // Makes this the outcome of this command and the next one together. Precondition: ok().
   void append(Outcome later) {
-    assert(ok());
+    KERF_ASSERT(ok());
     delta.append(std::move(later.delta));
     error_ = std::move(later.error_);
   }

@@ -1,8 +1,8 @@
 #include "core/document/path_file.h"
 
-#include <cassert>
 #include <cmath>
 
+#include "core/base/assert.h"
 #include "core/base/unit_vector.h"
 #include "core/document/json_value.h"
 #include "core/document/parse_strokes.h"
@@ -90,7 +90,7 @@ Result<StrokePath> parse_stroke(const JsonValue& value) {
 
 Vec3 beam_direction(const Vec3& v) {
   const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  assert(largest > 0);
+  KERF_ASSERT(largest > 0);
   return glm::normalize(v / largest);
 }
 

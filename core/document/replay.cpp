@@ -1,7 +1,6 @@
 #include "core/document/replay.h"
 
-#include <cassert>
-
+#include "core/base/assert.h"
 #include "core/physics/machine_kind.h"
 #include "core/world/state_hash.h"
 
@@ -42,7 +41,7 @@ Status Replay::tell(const Walk& how, Outcome at_once) const {
 }
 
 Status Replay::next(const Walk& how) {
-  assert(!done());
+  KERF_ASSERT(!done());
   compare();
   while (next_skip_ < skips_.size() && skips_[next_skip_].first < next_) ++next_skip_;
   if (next_skip_ < skips_.size() && skips_[next_skip_].first == next_) return skip(how, skips_[next_skip_]);

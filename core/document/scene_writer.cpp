@@ -82,7 +82,8 @@ Json scene_json(const SceneDescription& scene, const fs::path& folder) {
   json["bodies"] = list_of(scene.bodies, [&](const SceneBody& body) { return body_json(body, folder); });
   for (const auto& [name, paint] : scene.paints)
     json["paints"][name] = {{"colour", colour_text(paint.colour)}, {"gloss", paint.gloss}};
-  if (scene.view) json["view"] = {{"eye", vector_json(scene.view->eye)}, {"target", vector_json(scene.view->target)}};
+  if (scene.view)
+    json["view"] = {{"eye", vector_json(scene.view->eye)}, {"target", vector_json(scene.view->target)}};
   if (!scene.lights.empty()) json["lights"] = list_of(scene.lights, light_json);
   if (!scene.show.empty()) json["show"] = show_json(scene.show);
   if (!scene.strokes.empty()) json["strokes"] = list_of(scene.strokes, stroke_json);

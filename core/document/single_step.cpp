@@ -1,7 +1,6 @@
 #include "core/document/single_step.h"
 
-#include <cassert>
-
+#include "core/base/assert.h"
 #include "core/base/length_text.h"
 #include "core/cut/cuttable.h"
 
@@ -105,7 +104,7 @@ Result<StepResult> SingleStep::execute(StageKind kind, const Progress* progress)
 }
 
 Result<StageRecord> SingleStep::next(const Progress* progress) {
-  assert(document_.waiting() > 0);
+  KERF_ASSERT(document_.waiting() > 0);
   StageRecord record = describe();
   if (record.kind == StageKind::kHit && !record.beam.empty() && !swept_) {
     swept_ = true;
@@ -171,7 +170,7 @@ Delta SingleStep::resume(size_t stages) {
 }
 
 Outcome SingleStep::go_back_to(size_t stages, const Told& told, const Progress* progress) {
-  assert(document_.can_start_again() && stages <= stages_);
+  KERF_ASSERT(document_.can_start_again() && stages <= stages_);
   Outcome outcome;
   std::vector<Delta> changes{resume(stages)};
   while (outcome.ok() && stages_ < stages) {

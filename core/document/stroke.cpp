@@ -1,7 +1,8 @@
 #include "core/document/stroke.h"
 
 #include <algorithm>
-#include <cassert>
+
+#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -30,7 +31,7 @@ void Stroke::list_path(const World& world) {
 }
 
 void Stroke::cut_back(const World& world, size_t moves, const std::optional<BeamMove>& instead) {
-  assert(listed_ == path.size() && moves <= path.size());
+  KERF_ASSERT(listed_ == path.size() && moves <= path.size());
   for (auto& [id, listed] : swept) {
     if (world.contains(id)) listed.resize(listed.size() - moves);
   }
@@ -49,7 +50,7 @@ void Stroke::inherit(std::span<const Detached> detached) {
 
 std::vector<BeamMove> Stroke::move_body(BodyId id, const Body& body, const Placement& from,
                                         const Pose& still) {
-  assert(listed_ == path.size());
+  KERF_ASSERT(listed_ == path.size());
   const auto [at, first] = swept.try_emplace(id);
   if (first) {
     for (const BeamMove& move : path) at->second.push_back(in_body(from, move));

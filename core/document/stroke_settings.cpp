@@ -1,8 +1,9 @@
 #include "core/document/stroke_settings.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
+
+#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -26,7 +27,7 @@ double default_heat_width(double radius) {
 }
 
 std::vector<Command> stroke_commands(const StrokePath& stroke, const CutSettings& settings) {
-  assert(!stroke.keys.empty() && stroke.keys.size() == stroke.times.size());
+  KERF_ASSERT(!stroke.keys.empty() && stroke.keys.size() == stroke.times.size());
   std::vector<Command> commands{BeginStroke{settings, stroke.keys.front()}};
   for (size_t k = 1; k < stroke.keys.size(); ++k)
     commands.emplace_back(MoveStroke{stroke.keys[k], stroke.times[k] - stroke.times.front()});

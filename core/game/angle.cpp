@@ -1,9 +1,10 @@
 #include "core/game/angle.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <cstdint>
+
+#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -69,7 +70,7 @@ double arc_tangent(double y, double x) {
 }
 
 double wrapped(double radians) {
-  assert(std::abs(radians) < 1e9);
+  KERF_ASSERT(std::abs(radians) < 1e9);
   return radians - static_cast<double>(rounded(radians / (2 * kPi))) * (2 * kPi);
 }
 

@@ -1,10 +1,10 @@
 #include "core/graph/body_edit.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <utility>
 
+#include "core/base/assert.h"
 #include "core/mesh/longest_edge.h"
 
 namespace kerf {
@@ -51,7 +51,7 @@ AreaMoments BodyEdit::moments_of(FaceId f) const {
 // Splitting -------------------------------------------------------------------------------------------------
 
 void BodyEdit::split_in_four(FaceId f) {
-  assert(mesh().is_live(f));
+  KERF_ASSERT(mesh().is_live(f));
   if (!body_->refinement.can_split(mesh(), f)) return;
   const size_t first = splits_.size();
   body_->refinement.split(body_->mesh, f, splits_);
@@ -59,7 +59,7 @@ void BodyEdit::split_in_four(FaceId f) {
 }
 
 void BodyEdit::bisect_at_longest_edge(FaceId f) {
-  assert(mesh().is_live(f));
+  KERF_ASSERT(mesh().is_live(f));
   const size_t first = splits_.size();
   bisect_longest_edge(body_->mesh, body_->refinement, f, splits_);
   note_splits(first);
@@ -67,7 +67,7 @@ void BodyEdit::bisect_at_longest_edge(FaceId f) {
 
 void BodyEdit::split_edge_at(FaceId f, VertexId from, VertexId to, const Vec3& at,
                              std::vector<Mesh::FaceSplit>& out) {
-  assert(at != mesh().position(from) && at != mesh().position(to));
+  KERF_ASSERT(at != mesh().position(from) && at != mesh().position(to));
   std::vector<Mesh::Side> sides;
   mesh().append_edge_sides(f, from, to, sides);
   forget_pair(f);
@@ -100,7 +100,7 @@ void BodyEdit::note_splits(size_t first) {
 // Removing --------------------------------------------------------------------------------------------------
 
 void BodyEdit::remove(std::span<const FaceId> faces) {
-  assert(splits_.empty());
+  KERF_ASSERT(splits_.empty());
   for (const FaceId f : faces) {
     if (!mesh().is_live(f)) continue;
     forget_pair(f);
@@ -133,13 +133,13 @@ void BodyEdit::record_removal(FaceId f, const Triangle& corners, int64_t loops_b
   cut.corners = corners;
   cut.closed_loop = body_->separation.loops > loops_before;
   const std::vector<FaceId>& neighbours = body_->separation.neighbours;
-  assert(neighbours.size() <= cut.neighbours.size());
+  KERF_ASSERT(neighbours.size() <= cut.neighbours.size());
   std::copy(neighbours.begin(), neighbours.end(), cut.neighbours.begin());
   cut_faces_.push_back(cut);
 }
 
 void BodyEdit::take_out(std::span<const FaceId> faces) {
-  assert(is_settled(*body_) && splits_.empty());
+  KERF_ASSERT(is_settled(*body_) && splits_.empty());
   for (const FaceId f : faces) {
     forget_pair(f);
     body_->edit_piece_of(f) = Piece{};
@@ -151,10 +151,10 @@ void BodyEdit::take_out(std::span<const FaceId> faces) {
 // Turning and moving ----------------------------------------------------------------------------------------
 
 void BodyEdit::flip_edge(FaceId f, VertexId from, VertexId to) {
-  assert(mesh().can_flip_edge(f, from, to));
+  KERF_ASSERT(mesh().can_flip_edge(f, from, to));
   std::vector<Mesh::Side> sides;
   mesh().append_edge_sides(f, from, to, sides);
-  assert(sides.size() == 1);
+  KERF_ASSERT(sides.size() == 1);
   const std::array<FaceId, 2> faces{f, sides[0].face};
   // While pieces get their labels, the two may belong to different ones.
   const bool one_piece = mesh().data(faces[0]).piece == mesh().data(faces[1]).piece;
@@ -176,7 +176,7 @@ void BodyEdit::flip_edge(FaceId f, VertexId from, VertexId to) {
 }
 
 void BodyEdit::move_vertex(VertexId v, const Vec3& to, const Mesh::Star& around) {
-  assert(around.alone);
+  KERF_ASSERT(around.alone);
   const Vec3 origin = body_->middle();
   std::vector<Triangle> before;
   for (const FaceId f : around.faces) {
@@ -201,7 +201,7 @@ void BodyEdit::move_vertex(VertexId v, const Vec3& to, const Mesh::Star& around)
 // What follows ----------------------------------------------------------------------------------------------
 
 void BodyEdit::update_tree() {
-  assert(splits_.empty() || removed_.empty());
+  KERF_ASSERT(splits_.empty() || removed_.empty());
   if (!splits_.empty()) body_->tree.replace(mesh(), splits_);
   splits_.clear();
   for (const FaceId f : removed_) body_->tree.remove(f);
@@ -209,14 +209,14 @@ void BodyEdit::update_tree() {
 }
 
 void BodyEdit::refit_tree() {
-  assert(splits_.empty() && removed_.empty());
+  KERF_ASSERT(splits_.empty() && removed_.empty());
   std::erase_if(moved_, [&](FaceId f) { return !mesh().is_live(f); });
   body_->tree.refit(mesh(), moved_);
   moved_.clear();
 }
 
 QueryCounts BodyEdit::touched(const SweptCylinder& beam, std::vector<FaceId>& out) {
-  assert(splits_.empty() && removed_.empty());
+  KERF_ASSERT(splits_.empty() && removed_.empty());
   return body_->tree.touched(mesh(), beam, out);
 }
 

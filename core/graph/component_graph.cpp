@@ -1,7 +1,8 @@
 #include "core/graph/component_graph.h"
 
 #include <algorithm>
-#include <cassert>
+
+#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -46,7 +47,7 @@ ComponentGraph component_graph(const World& world, std::span<const PieceId> piec
   ComponentGraph graph;
   for (auto at = sorted.begin(); at != sorted.end();) {
     const BodyId id = at->body;
-    assert(world.contains(id));
+    KERF_ASSERT(world.contains(id));
     const auto end = std::find_if(at, sorted.end(), [&](const PieceId& p) { return p.body != id; });
     const auto wanted = [&](uint32_t label) { return std::binary_search(at, end, PieceId{id, label}); };
     add_body(graph, id, world.body(id).mesh, wanted);

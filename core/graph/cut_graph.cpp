@@ -1,7 +1,8 @@
 #include "core/graph/cut_graph.h"
 
 #include <algorithm>
-#include <cassert>
+
+#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -82,7 +83,7 @@ CutGraph cut_graph(const World& world, const CutFaces& removed) {
 CutGraph piece_graph(const World& world, const PieceId& piece) { return live_graph(world, {&piece, 1}); }
 
 CutTraversal traverse_cut(const CutGraph& graph, uint32_t start) {
-  assert(start < graph.live);
+  KERF_ASSERT(start < graph.live);
   const GraphLinks live = graph.live_links();
   CutTraversal result;
   result.traversal = traverse(live, start);

@@ -1,8 +1,8 @@
 #include "core/graph/detach.h"
 
-#include <cassert>
 #include <vector>
 
+#include "core/base/assert.h"
 #include "core/graph/body_edit.h"
 #include "core/mesh/extract_mesh.h"
 
@@ -76,7 +76,7 @@ bool stands_alone(const World& world, const PieceId& piece) {
 
 BodyId detach(World& world, const PieceId& piece, uint32_t generation, Delta& delta) {
   const Body& body = world.body(piece.body);
-  assert(piece.label < body.pieces.size() && body.pieces[piece.label].faces > 0);
+  KERF_ASSERT(piece.label < body.pieces.size() && body.pieces[piece.label].faces > 0);
   if (stands_alone(world, piece)) return piece.body;
   const bool piece_goes = 2 * body.pieces[piece.label].faces <= body.mesh.live_faces();
   const std::vector<FaceId> going = faces_of(body, piece.label, piece_goes);
@@ -93,7 +93,7 @@ BodyId detach(World& world, const PieceId& piece, uint32_t generation, Delta& de
 
 BodyId duplicate(World& world, const PieceId& piece, uint32_t generation, Delta& delta) {
   const Body& body = world.body(piece.body);
-  assert(piece.label < body.pieces.size() && body.pieces[piece.label].faces > 0);
+  KERF_ASSERT(piece.label < body.pieces.size() && body.pieces[piece.label].faces > 0);
   const std::vector<FaceId> faces = faces_of(body, piece.label, true);
   Body copy = copy_out(body, faces, piece.label, true);
   copy.name = body.name_of(piece.label) + " copy";

@@ -1,9 +1,9 @@
 #include "core/graph/graph_clusters.h"
 
 #include <algorithm>
-#include <cassert>
 #include <numeric>
 
+#include "core/base/assert.h"
 #include "core/base/union_find.h"
 
 namespace kerf {
@@ -83,7 +83,7 @@ Round next_round(const GraphLinks& links, const Round& round, UnionFind& joined)
 }  // namespace
 
 GraphClusters cluster_nodes(const GraphLinks& links, std::span<const uint32_t> kind, size_t most) {
-  assert(kind.size() == links.nodes());
+  KERF_ASSERT(kind.size() == links.nodes());
   Round round;
   round.of.resize(links.nodes());
   std::iota(round.of.begin(), round.of.end(), 0u);

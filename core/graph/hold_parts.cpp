@@ -1,12 +1,12 @@
 #include "core/graph/hold_parts.h"
 
 #include <algorithm>
-#include <cassert>
 #include <map>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "core/base/assert.h"
 #include "core/base/union_find.h"
 #include "core/graph/held_joints.h"
 #include "core/graph/separation.h"
@@ -106,7 +106,7 @@ class Groups {
 
   uint32_t index_of(const ConnectedPart& part) const {
     const auto at = std::find_if(parts_.begin(), parts_.end(), [&](const Part& p) { return p.part == part; });
-    assert(at != parts_.end());
+    KERF_ASSERT(at != parts_.end());
     return static_cast<uint32_t>(at - parts_.begin());
   }
 
@@ -169,7 +169,7 @@ void hold_parts(World& world, Hold hold, Delta& delta) {
   for (const auto& [id, label_of] : Groups(world, hold).changes())
     step.bodies.push_back(relabel(id, world.body(id), label_of));
   for (const BodyId id : world.ids()) {
-    assert(is_settled(world.body(id)));
+    KERF_ASSERT(is_settled(world.body(id)));
     world.body(id).separation.joints_asked = false;
   }
   delta.append(std::move(step));

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/base/assert.h"
 #include "core/base/tolerances.h"
 #include "core/graph/tie_clusters.h"
 
@@ -32,7 +33,7 @@ void reset(OpenSearch& search) {
 // Beginning -------------------------------------------------------------------------------------------------
 
 void PartSearch::start(Scope scope) {
-  assert(search_.stage == OpenSearch::Stage::kNone && search_.fronts.empty());
+  KERF_ASSERT(search_.stage == OpenSearch::Stage::kNone && search_.fronts.empty());
   search_.stage = OpenSearch::Stage::kGrow;
   if (scope == Scope::kClusters) {
     seed_clusters();
@@ -112,7 +113,7 @@ void PartSearch::note_replaced(const Replacement& replaced) {
 // The area that each half of a green pair had before four faces of equal areas replaced the pair, of which
 // some may have been bisected already, but not all.
 double PartSearch::half_of(const Replacement& replaced) const {
-  assert(replaced.gone_count == 2 && replaced.born_count == 4);
+  KERF_ASSERT(replaced.gone_count == 2 && replaced.born_count == 4);
   double quarter = 0;
   for (const FaceId f : replaced.born) quarter = std::max(quarter, triangle_area(body_.mesh.triangle(f)));
   return 2 * quarter;
@@ -345,7 +346,7 @@ void PartSearch::give_label(uint32_t part, SettleResult& result) {
   const FaceId seed = search_.seed[part];
   FaceCounts &old = body_.edit_piece_of(seed), &whole = body_.edit_whole_of(seed);
   for (FaceCounts* counts : {&old, &whole}) {
-    assert(counts->faces >= front.faces);
+    KERF_ASSERT(counts->faces >= front.faces);
     counts->faces -= front.faces;
     counts->area -= front.area;
     if (&old == &whole) break;

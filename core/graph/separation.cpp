@@ -1,10 +1,10 @@
 #include "core/graph/separation.h"
 
 #include <algorithm>
-#include <cassert>
 #include <utility>
 #include <vector>
 
+#include "core/base/assert.h"
 #include "core/graph/cut_loops.h"
 #include "core/graph/part_search.h"
 #include "core/graph/tie_clusters.h"
@@ -43,7 +43,7 @@ void start_step(SeparationState& state) {
 }  // namespace
 
 void note_removal(Body& body, FaceId f) {
-  assert(body.mesh.is_live(f));
+  KERF_ASSERT(body.mesh.is_live(f));
   SeparationState& state = body.separation;
   state.neighbours.clear();
   body.mesh.append_nearest_neighbours(f, state.neighbours);
@@ -61,7 +61,7 @@ void note_replaced(Body& body, const Replacement& replaced) {
 }
 
 void note_turned(Body& body, FaceId f, double area_gained) {
-  assert(body.mesh.is_live(f));
+  KERF_ASSERT(body.mesh.is_live(f));
   if (!is_settled(body)) PartSearch(body).note_turned(f, area_gained);
 }
 

@@ -1,11 +1,11 @@
 #include "core/graph/traversal.h"
 
-#include <cassert>
+#include "core/base/assert.h"
 
 namespace kerf {
 
 Traversal traverse(const GraphLinks& links, uint32_t start) {
-  assert(start < links.nodes());
+  KERF_ASSERT(start < links.nodes());
   Traversal t;
   t.rank.assign(links.nodes(), Traversal::kNone);
   const auto mark = [&](uint32_t node, uint32_t from) {

@@ -1,8 +1,8 @@
 #include "core/heat/black_body.h"
 
 #include <algorithm>
-#include <cassert>
 
+#include "core/base/assert.h"
 #include "core/base/exponential.h"
 #include "core/heat/colour_matching.h"
 
@@ -52,7 +52,7 @@ Glow glow_at(double temperature) {
 }
 
 std::vector<Glow> glow_table(size_t entries) {
-  assert(entries > 1);
+  KERF_ASSERT(entries > 1);
   std::vector<Glow> table;
   table.reserve(entries);
   for (size_t i = 0; i < entries; ++i) {

@@ -1,8 +1,8 @@
 #include "core/heat/conduct.h"
 
 #include <algorithm>
-#include <cassert>
 
+#include "core/base/assert.h"
 #include "core/heat/heat_step.h"
 
 namespace kerf {
@@ -83,7 +83,7 @@ double store(const HotBody& body, const HeatRegion& region) {
 
 double conduct(Mesh& mesh, const FaceHeat& heat, const Substance& substance, double thickness,
                const HeatLoss& loss, double seconds) {
-  assert(thickness > 0 && seconds >= 0);
+  KERF_ASSERT(thickness > 0 && seconds >= 0);
   std::vector<FaceId> warm;
   mesh.columns().for_each_set(heat.energy, [&](FaceId f) { warm.push_back(f); });
   if (warm.empty() || seconds == 0) return 0;

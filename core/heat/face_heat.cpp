@@ -1,7 +1,8 @@
 #include "core/heat/face_heat.h"
 
 #include <algorithm>
-#include <cassert>
+
+#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -10,7 +11,7 @@ FaceHeat FaceHeat::attach(Mesh& mesh) {
 }
 
 double FaceHeat::temperature(const Mesh& mesh, FaceId f, const Substance& substance, double thickness) const {
-  assert(thickness > 0 && substance.density > 0);
+  KERF_ASSERT(thickness > 0 && substance.density > 0);
   const double joules = energy_of(mesh, f);
   if (joules == 0) return kAmbient;
   const double mass = triangle_area(mesh.triangle(f)) * thickness * substance.density;

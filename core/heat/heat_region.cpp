@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/base/assert.h"
+
 namespace kerf {
 namespace {
 

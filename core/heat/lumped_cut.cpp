@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 
+#include "core/base/assert.h"
 #include "core/base/exponential.h"
 #include "core/base/logarithm.h"
 
@@ -45,7 +45,7 @@ double power_per_thickness(const LumpedCut& cut, double speed) {
 }  // namespace
 
 double conduction_loss(double peclet) {
-  assert(peclet >= 0);
+  KERF_ASSERT(peclet >= 0);
   if (peclet <= kLosses.front().peclet) return kLosses.front().loss;
   if (peclet >= kLosses.back().peclet)
     return kLosses.back().loss * exponential(kFastExponent * logarithm(peclet / kLosses.back().peclet));
@@ -57,7 +57,7 @@ double conduction_loss(double peclet) {
 }
 
 double cutting_speed(const LumpedCut& cut, double thickness) {
-  assert(thickness > 0 && cut.kerf > 0);
+  KERF_ASSERT(thickness > 0 && cut.kerf > 0);
   const double available = absorbed(cut) / thickness;
   const Substance& s = cut.substance;
   double low = s.conductivity == 0 ? 0 : kLosses.front().peclet / peclet_per_speed(cut);
@@ -72,7 +72,7 @@ double cutting_speed(const LumpedCut& cut, double thickness) {
 }
 
 double cut_thickness(const LumpedCut& cut, double speed) {
-  assert(speed > 0 && cut.kerf > 0);
+  KERF_ASSERT(speed > 0 && cut.kerf > 0);
   return absorbed(cut) / power_per_thickness(cut, speed);
 }
 

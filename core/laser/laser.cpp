@@ -1,8 +1,9 @@
 #include "core/laser/laser.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
+
+#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -32,7 +33,7 @@ double seconds_on(const Laser& laser, double t) {
 }  // namespace
 
 double emitted_energy(const Laser& laser, double from, double to) {
-  assert(0 <= from && from <= to && laser.power > 0 && laser.duty > 0 && laser.duty <= 1);
+  KERF_ASSERT(0 <= from && from <= to && laser.power > 0 && laser.duty > 0 && laser.duty <= 1);
   if (laser.pulse_rate <= 0 || laser.duty >= 1) return laser.power * (to - from);
   return laser.power * (seconds_on(laser, to) - seconds_on(laser, from));
 }
@@ -65,7 +66,7 @@ size_t subdivisions(const BeamMove& move, double radius, double reach) {
   constexpr double kArcOverChord = 1.5707963267948966;  // at most, for arcs up to half a turn
   constexpr double kLargestTurn = 0.05;                 // rad in one move
   constexpr size_t kMost = size_t{1} << 17;
-  assert(radius > 0 && reach >= 0);
+  KERF_ASSERT(radius > 0 && reach >= 0);
   const Vec3 turn = move.to.direction - move.from.direction;
   const double arc = kArcOverChord * glm::length(turn);
   const double way = glm::length(move.to.origin - move.from.origin) + arc * reach;
@@ -75,7 +76,7 @@ size_t subdivisions(const BeamMove& move, double radius, double reach) {
 }
 
 std::vector<BeamMove> subdivide(const BeamMove& move, double radius, double reach) {
-  assert(move.seconds >= 0);
+  KERF_ASSERT(move.seconds >= 0);
   const size_t moves = subdivisions(move, radius, reach);
   std::vector<BeamMove> out;
   out.reserve(moves);

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 
+#include "core/base/assert.h"
 #include "core/base/parallel.h"
 #include "core/mesh/fill_half_edges.h"
 #include "core/mesh/kernel.h"
@@ -26,7 +26,7 @@ class Builder {
   Builder(const Soup& soup, const Progress* progress) : soup_(soup), progress_(progress) {}
 
   Result<BuiltMesh> build() {
-    assert(soup_.materials.empty() || soup_.materials.size() == soup_.triangles.size());
+    KERF_ASSERT(soup_.materials.empty() || soup_.materials.size() == soup_.triangles.size());
     report_.format = soup_.format;
     report_.faces_in_file = soup_.faces_in_file;
     report_.triangles_in_file = soup_.triangles_in_file;

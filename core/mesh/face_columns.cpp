@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/assert.h"
+
 namespace kerf {
 
 void FaceColumns::Column::set(FaceId f, uint64_t cell) {
@@ -73,7 +75,7 @@ void FaceColumns::Change::begin(FaceColumns& columns) {
 }
 
 void FaceColumns::Change::end(FaceColumns& columns) {
-  assert(changes_.size() == columns.columns_.size() && "a column was attached within a command");
+  KERF_ASSERT(changes_.size() == columns.columns_.size() && "a column was attached within a command");
   for (size_t i = 0; i < changes_.size(); ++i) changes_[i].end(columns.columns_[i]);
 }
 
@@ -82,12 +84,12 @@ bool FaceColumns::Change::any() const {
 }
 
 void FaceColumns::Change::exchange(FaceColumns& columns) {
-  assert(changes_.size() == columns.columns_.size());
+  KERF_ASSERT(changes_.size() == columns.columns_.size());
   for (size_t i = 0; i < changes_.size(); ++i) changes_[i].exchange(columns.columns_[i]);
 }
 
 void FaceColumns::Change::restore(FaceColumns& columns) const {
-  assert(changes_.size() == columns.columns_.size());
+  KERF_ASSERT(changes_.size() == columns.columns_.size());
   for (size_t i = 0; i < changes_.size(); ++i) changes_[i].restore(columns.columns_[i]);
 }
 

@@ -2,6 +2,7 @@
 
 #include <cassert>
 
+#include "core/base/assert.h"
 #include "core/mesh/kernel.h"
 #include "core/mesh/rings.h"
 

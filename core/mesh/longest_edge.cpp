@@ -1,9 +1,10 @@
 #include "core/mesh/longest_edge.h"
 
 #include <algorithm>
-#include <cassert>
 #include <limits>
 #include <tuple>
+
+#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -47,14 +48,6 @@ LongestEdge longest_edge(const Mesh& mesh, FaceId f) {
   return longest;
 }
 
-bool has_side(const Mesh& mesh, FaceId f, VertexId from, VertexId to) {
-  const auto c = mesh.corners(f);
-  for (int i = 0; i < 3; ++i) {
-    if (c[i] == from && c[(i + 1) % 3] == to) return true;
-  }
-  return false;
-}
-
 // Follows a propagation path from its first face to its end, and bisects on the way back.
 class Propagation {
  public:
@@ -62,7 +55,7 @@ class Propagation {
       : mesh_(mesh), greens_(greens), out_(out) {}
 
   bool bisect(FaceId f) {
-    assert(mesh_.is_live(f));
+    KERF_ASSERT(mesh_.is_live(f));
     path_.clear();
     step_onto(f);
     while (!path_.empty()) {
@@ -100,9 +93,9 @@ class Propagation {
   // in the meantime, one of the latest replacements contains the part that has the edge.
   EdgeRank rank_at(Step& step) {
     Mesh::Side& side = step.sides[step.looked_at];
-    const auto has_edge = [&](FaceId f) { return f.valid() && has_side(mesh_, f, side.from, side.to); };
+    const auto has_edge = [&](FaceId f) { return f.valid() && mesh_.has_side(f, side.from, side.to); };
     for (size_t i = out_.size(); !has_edge(side.face); --i) {
-      assert(i > 0);
+      KERF_ASSERT(i > 0);
       const auto& born = out_[i - 1].born;
       const auto part = std::find_if(born.begin(), born.begin() + 2, has_edge);
       if (part != born.begin() + 2) side.face = *part;

@@ -2,6 +2,7 @@
 
 #include <cassert>
 
+#include "core/base/assert.h"
 #include "core/mesh/kernel.h"
 #include "core/mesh/rings.h"
 #include "core/mesh/weld.h"
@@ -33,6 +34,11 @@ std::array<VertexId, 3> Mesh::corners(FaceId f) const {
   return {m.from(h), m.to(h), m.to(n)};
 }
 
+bool Mesh::has_side(FaceId f, VertexId from, VertexId to) const {
+  const auto c = corners(f);
+  return (c[0] == from && c[1] == to) || (c[1] == from && c[2] == to) || (c[2] == from && c[0] == to);
+}
+
 Triangle Mesh::triangle(FaceId f) const {
   const auto c = corners(f);
   return {position(c[0]), position(c[1]), position(c[2])};
@@ -52,7 +58,7 @@ namespace {
 HalfEdgeId half_edge_from(const HalfEdges& m, FaceId f, VertexId from) {
   HalfEdgeId h = m.first(f);
   for (int i = 0; i < 2 && m.from(h) != from; ++i) h = m.next(h);
-  assert(m.from(h) == from);
+  KERF_ASSERT(m.from(h) == from);
   return h;
 }
 
@@ -214,7 +220,7 @@ void Mesh::prefetch_neighbours(std::span<const FaceId> faces, size_t at) const {
 void Mesh::append_edge_sides(FaceId f, VertexId from, VertexId to, std::vector<Side>& out) const {
   const HalfEdges& m = kernel_->half_edges;
   const HalfEdgeId h = half_edge_from(m, f, from);
-  assert(m.to(h) == to);
+  KERF_ASSERT(m.to(h) == to);
   (void)to;
   for_each_side(*kernel_, h, [&](HalfEdgeId side) {
     if (side == h) return;
@@ -245,7 +251,7 @@ void Mesh::split_edge_at(FaceId f, VertexId from, VertexId to, const Vec3& at, s
   Kernel& k = *kernel_;
   HalfEdges& m = k.half_edges;
   const HalfEdgeId start = half_edge_from(m, f, from);
-  assert(m.to(start) == to);
+  KERF_ASSERT(m.to(start) == to);
   (void)to;
 
   const size_t first = out.size();
@@ -270,11 +276,11 @@ void Mesh::split_edge_at(FaceId f, VertexId from, VertexId to, const Vec3& at, s
 void Mesh::flip_edge(FaceId f, VertexId from, VertexId to) {
   HalfEdges& m = kernel_->half_edges;
   const HalfEdgeId a0 = half_edge_from(m, f, from), b0 = opposite(a0);
-  assert(m.to(a0) == to);
+  KERF_ASSERT(m.to(a0) == to);
   const HalfEdgeId a1 = m.next(a0), a2 = m.next(a1);
   const HalfEdgeId b1 = m.next(b0), b2 = m.next(b1);
   const auto fa = m.face(a0), fb = m.face(b0);
-  assert(fa.valid() && fb.valid());
+  KERF_ASSERT(fa.valid() && fb.valid());
   leave_ring(*kernel_, edge_of(a0));
 
   if (m.outgoing(from) == a0) m.set_outgoing(from, b1);
@@ -290,7 +296,7 @@ void Mesh::flip_edge(FaceId f, VertexId from, VertexId to) {
 bool Mesh::can_flip_edge(FaceId f, VertexId from, VertexId to) const {
   const HalfEdges& m = kernel_->half_edges;
   const HalfEdgeId h = half_edge_from(m, f, from), o = opposite(h);
-  assert(m.to(h) == to);
+  KERF_ASSERT(m.to(h) == to);
   (void)to;
   if (!m.face(o).valid() || next_in_ring(*kernel_, h) != h) return false;
   const auto left = m.to(m.next(h));

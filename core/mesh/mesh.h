@@ -75,8 +75,9 @@ class Mesh {
 
   Vec3 position(VertexId v) const;
   // The corners of a face, counter-clockwise; edits nearby may change which corner comes first. Precondition
-  // of this, triangle, data and edit_data: the face is live.
+  // of this, has_side, triangle, data and edit_data: the face is live.
   std::array<VertexId, 3> corners(FaceId f) const;
+  bool has_side(FaceId f, VertexId from, VertexId to) const;  // counter-clockwise
   Triangle triangle(FaceId f) const;
   // All positions, for callers that need many of them. Valid until the mesh is edited.
   Positions positions() const;

@@ -1,6 +1,6 @@
 #include "core/mesh/one_to_four.h"
 
-#include <cassert>
+#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -18,22 +18,14 @@ bool has_corner(const Mesh& mesh, FaceId f, VertexId v) {
   return c[0] == v || c[1] == v || c[2] == v;
 }
 
-bool has_side(const Mesh& mesh, FaceId f, VertexId from, VertexId to) {
-  const auto c = mesh.corners(f);
-  for (int i = 0; i < 3; ++i) {
-    if (c[i] == from && c[next(i)] == to) return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 OneToFour::Element OneToFour::element(const Mesh& mesh, FaceId f) const {
-  assert(mesh.is_live(f));
+  KERF_ASSERT(mesh.is_live(f));
   const uint32_t index = mesh.data(f).element;
   if (index == FaceData::kNoElement) return {mesh.corners(f), {f, FaceId()}, 1};
   const Split& e = elements_[index];
-  assert(e.face_count == 2 && (e.faces[0] == f || e.faces[1] == f));
+  KERF_ASSERT(e.face_count == 2 && (e.faces[0] == f || e.faces[1] == f));
   return {e.corners, {e.faces[0], e.faces[1]}, 2};
 }
 
@@ -52,7 +44,7 @@ bool OneToFour::can_split(const Mesh& mesh, FaceId f) const {
 }
 
 void OneToFour::split(Mesh& mesh, FaceId f, std::vector<Replacement>& out) {
-  assert(can_split(mesh, f) && pending_.empty() && changed_.empty());
+  KERF_ASSERT(can_split(mesh, f) && pending_.empty() && changed_.empty());
   make_red(mesh, f, out);
   while (!pending_.empty()) {
     const FaceId next_face = pending_.back();
@@ -66,7 +58,7 @@ void OneToFour::split(Mesh& mesh, FaceId f, std::vector<Replacement>& out) {
 void OneToFour::forget(Mesh& mesh, FaceId f) {
   const uint32_t index = mesh.data(f).element;
   if (index == FaceData::kNoElement) return;
-  assert(elements_[index].face_count == 2);
+  KERF_ASSERT(elements_[index].face_count == 2);
   for (int i = 0; i < 2; ++i) mesh.edit_data(elements_[index].faces[i]).element = FaceData::kNoElement;
   close_element(index);
 }
@@ -90,7 +82,7 @@ uint32_t OneToFour::open_element(const Mesh& mesh, FaceId f) {
 
 void OneToFour::close_element(uint32_t index) {
   Split& e = elements_.edit(index);
-  assert(e.face_count > 0);
+  KERF_ASSERT(e.face_count > 0);
   e.face_count = 0;
   e.faces[0] = FaceId(free_);
   free_ = index;
@@ -125,7 +117,7 @@ bool OneToFour::refine_coarser_across(Mesh& mesh, uint32_t index, int edge, std:
   bool found = false;
   for (const Mesh::Side& side : across) {
     const uint32_t other = mesh.data(side.face).element;
-    const bool coarser = other != FaceData::kNoElement && has_side(mesh, side.face, side.from, side.to) &&
+    const bool coarser = other != FaceData::kNoElement && mesh.has_side(side.face, side.from, side.to) &&
                          edge_of(elements_[other], side.from, side.to) == 3;
     if (!coarser) continue;
     make_red(mesh, side.face, out);
@@ -154,9 +146,9 @@ void OneToFour::note_split(Mesh& mesh, const Mesh::FaceSplit& s) {
   }
   Split& e = elements_.edit(index);
   const int edge = edge_of(e, s.from, s.to);
-  assert(edge < 3 && !e.midpoints[edge].valid());
+  KERF_ASSERT(edge < 3 && !e.midpoints[edge].valid());
   e.midpoints[edge] = s.midpoint;
-  assert(e.face_count < e.faces.size());
+  KERF_ASSERT(e.face_count < e.faces.size());
   e.faces[e.face_count++] = s.added;
   const int bisected = bisected_edges(e.midpoints);
   if (bisected == 1) {
@@ -172,7 +164,7 @@ void OneToFour::note_split(Mesh& mesh, const Mesh::FaceSplit& s) {
 
 void OneToFour::finish_red(Mesh& mesh, uint32_t index, std::vector<Replacement>& out) {
   const Split e = elements_[index];
-  assert(bisected_edges(e.midpoints) == 3 && e.face_count == 4);
+  KERF_ASSERT(bisected_edges(e.midpoints) == 3 && e.face_count == 4);
   const VertexId middle = e.midpoints[e.first_edge], opposite = e.corners[after_next(e.first_edge)];
   mesh.flip_edge(face_at(mesh, e, middle, opposite), middle, opposite);
 
@@ -182,7 +174,7 @@ void OneToFour::finish_red(Mesh& mesh, uint32_t index, std::vector<Replacement>&
   for (const FaceId f : e.faces) {
     int corner = 0;
     while (corner < 3 && !has_corner(mesh, f, e.corners[corner])) ++corner;
-    assert(!r.born[corner].valid());
+    KERF_ASSERT(!r.born[corner].valid());
     r.born[corner] = f;  // the face at each corner, then the one in the middle
     FaceData& data = mesh.edit_data(f);
     data.element = FaceData::kNoElement;
@@ -216,7 +208,7 @@ FaceId OneToFour::face_at(const Mesh& mesh, const Split& e, VertexId from, Verte
       if (c[k] == from && c[next(k)] == to) return e.faces[i];
     }
   }
-  assert(false && "no face of the element walks this edge");
+  KERF_ASSERT(false && "no face of the element walks this edge");
   return FaceId();
 }
 

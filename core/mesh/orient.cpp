@@ -1,8 +1,8 @@
 #include "core/mesh/orient.h"
 
 #include <algorithm>
-#include <cassert>
 
+#include "core/base/assert.h"
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 #include "core/mesh/enclosed_patches.h"
@@ -119,7 +119,7 @@ bool faces_inward(std::span<const Vec3> positions, const Triangles& triangles,
 
 Result<std::vector<bool>> triangles_to_turn(const Triangles& triangles, const SoupEdges& edges,
                                             const Progress* progress) {
-  assert(edges.triangles() == triangles.size());
+  KERF_ASSERT(edges.triangles() == triangles.size());
   if (is_consistent(triangles, edges)) return std::vector<bool>(triangles.size());
   return Orienter(triangles, edges, progress).run();
 }

@@ -1,8 +1,8 @@
 #include "core/mesh/patches.h"
 
 #include <algorithm>
-#include <cassert>
 
+#include "core/base/assert.h"
 #include "core/base/parallel.h"
 #include "core/base/union_find.h"
 
@@ -107,7 +107,7 @@ class PatchFinder {
 
 Result<Patches> find_patches(const std::vector<std::array<uint32_t, 3>>& triangles, const SoupEdges& edges,
                              const Progress* progress) {
-  assert(edges.triangles() == triangles.size());
+  KERF_ASSERT(edges.triangles() == triangles.size());
   return PatchFinder(triangles, edges, progress).run();
 }
 

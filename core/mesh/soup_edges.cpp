@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "core/base/assert.h"
 #include "core/base/parallel.h"
 
 namespace kerf {

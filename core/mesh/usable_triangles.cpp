@@ -10,7 +10,7 @@ namespace kerf {
 
 namespace {
 
-constexpr size_t kTriangles = 1 << 12;  // a range
+constexpr size_t kTrianglesOfRange = 1 << 12;
 
 bool is_finite(const Vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
@@ -24,9 +24,11 @@ class Choice {
   Result<UsableTriangles> run(const Progress* progress) {
     Stages stages(progress);
     const Progress counting = stages.next(0.5), copying = stages.next(0.5);
-    counts_.resize(range_count(soup_.triangles.size(), kTriangles) + 1);
-    const auto count = [&](size_t t, size_t end) { count_usable(t, end, counts_[t / kTriangles + 1]); };
-    if (!for_each_range(soup_.triangles.size(), kTriangles, &counting, count)) return cancelled();
+    counts_.resize(range_count(soup_.triangles.size(), kTrianglesOfRange) + 1);
+    const auto count = [&](size_t t, size_t end) {
+      count_usable(t, end, counts_[t / kTrianglesOfRange + 1]);
+    };
+    if (!for_each_range(soup_.triangles.size(), kTrianglesOfRange, &counting, count)) return cancelled();
     for (size_t r = 1; r < counts_.size(); ++r) {
       counts_[r].usable += counts_[r - 1].usable;
       usable_.degenerate += counts_[r].degenerate;
@@ -34,8 +36,10 @@ class Choice {
     }
     usable_.triangles.resize(counts_.back().usable);
     if (!soup_.materials.empty()) usable_.materials.resize(counts_.back().usable);
-    const auto copy = [&](size_t t, size_t end) { copy_usable(t, end, counts_[t / kTriangles].usable); };
-    if (!for_each_range(soup_.triangles.size(), kTriangles, &copying, copy)) return cancelled();
+    const auto copy = [&](size_t t, size_t end) {
+      copy_usable(t, end, counts_[t / kTrianglesOfRange].usable);
+    };
+    if (!for_each_range(soup_.triangles.size(), kTrianglesOfRange, &copying, copy)) return cancelled();
     copy_parts();
     return std::move(usable_);
   }
@@ -86,9 +90,9 @@ class Choice {
   // The number of usable triangles before triangle t of the soup.
   uint32_t usable_before(uint32_t t) const {
     if (counts_.back().usable == soup_.triangles.size()) return t;
-    const size_t range = t / kTriangles;
+    const size_t range = t / kTrianglesOfRange;
     size_t count = counts_[range].usable;
-    for (size_t i = range * kTriangles; i < t; ++i) count += is_usable(i);
+    for (size_t i = range * kTrianglesOfRange; i < t; ++i) count += is_usable(i);
     return static_cast<uint32_t>(count);
   }
 

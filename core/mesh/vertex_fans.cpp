@@ -9,7 +9,7 @@ namespace kerf {
 
 namespace {
 
-constexpr size_t kItems = 1 << 14;  // positions or triangles a range
+constexpr size_t kPositionsOfRange = 1 << 14;  // or triangles
 
 uint32_t next_side(uint32_t side) { return side % 3 == 2 ? side - 2 : side + 1; }
 uint32_t previous_side(uint32_t side) { return side % 3 == 0 ? side + 2 : side - 1; }
@@ -28,13 +28,13 @@ class FanFinder {
     const auto walk = [&](size_t p, size_t end) {
       for (; p < end; ++p) at_[p].fans = fans_at(static_cast<uint32_t>(p));
     };
-    if (!for_each_range(at_.size(), kItems, &walking, walk)) return cancelled();
+    if (!for_each_range(at_.size(), kPositionsOfRange, &walking, walk)) return cancelled();
     number_fans_of_shared_positions();
     number_vertices();
     const auto rename = [&](size_t t, size_t end) {
       for (; t < end; ++t) rename_corners(t);
     };
-    if (!for_each_range(triangles_.size(), kItems, &naming, rename)) return cancelled();
+    if (!for_each_range(triangles_.size(), kPositionsOfRange, &naming, rename)) return cancelled();
     return std::move(vertices_);
   }
 
@@ -116,7 +116,7 @@ class FanFinder {
     }
     vertices_.position.resize(vertices);
     vertices_.last_side.resize(vertices);
-    for_each_range(at_.size(), kItems, [&](size_t p, size_t end) {
+    for_each_range(at_.size(), kPositionsOfRange, [&](size_t p, size_t end) {
       for (; p < end; ++p) {
         for (uint32_t v = 0; v < at_[p].fans; ++v) {
           vertices_.position[at_[p].first_vertex + v] = static_cast<uint32_t>(p);

@@ -1,9 +1,9 @@
 #include "core/physics/forget_contacts.h"
 
 #include <algorithm>
-#include <cassert>
 #include <vector>
 
+#include "core/base/assert.h"
 #include "core/world/body_state.h"
 
 namespace kerf {
@@ -20,7 +20,7 @@ std::vector<BodyId> changed_bodies(const World& world, const Delta& delta) {
   for (const auto* list : {&delta.came, &delta.went, &delta.moved, &delta.hid_or_showed, &delta.pinned})
     ids.insert(ids.end(), list->begin(), list->end());
   for (const Detached& d : delta.detached) ids.insert(ids.end(), {d.from, d.to});
-  assert(std::all_of(ids.begin(), ids.end(), [](BodyId id) { return id.valid(); }));
+  KERF_ASSERT(std::all_of(ids.begin(), ids.end(), [](BodyId id) { return id.valid(); }));
   std::sort(ids.begin(), ids.end());
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   return ids;

@@ -4,10 +4,11 @@
 #include <BulletDynamics/ConstraintSolver/btHingeConstraint.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 #include <utility>
+
+#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -21,7 +22,7 @@ Vec3 across(const Vec3& axis) {
 
 // The frame of a joint in the principal frame of a body: its origin is the anchor, its third axis the axis.
 btTransform joint_frame(const Joint& joint, const RigidFrame& frame) {
-  assert(joint.kind == Joint::Kind::kWeld || std::abs(glm::dot(joint.axis, joint.axis) - 1) < 1e-9);
+  KERF_ASSERT(joint.kind == Joint::Kind::kWeld || std::abs(glm::dot(joint.axis, joint.axis) - 1) < 1e-9);
   const glm::dquat back = glm::conjugate(frame.axes);
   const Vec3 at = back * (joint.anchor - frame.centre);
   const Vec3 side = across(joint.axis);
@@ -40,13 +41,13 @@ bool is_torn_apart(const Joint& joint, const MovingBody& a, const MovingBody& b)
 
 std::vector<BodyJoint> joints_between(std::span<const MovingBody> bodies, std::span<const HeldJoint> held,
                                       const Joints& joints) {
-  assert(std::is_sorted(bodies.begin(), bodies.end(),
-                        [](const MovingBody& a, const MovingBody& b) { return a.id < b.id; }));
+  KERF_ASSERT(std::is_sorted(bodies.begin(), bodies.end(),
+                             [](const MovingBody& a, const MovingBody& b) { return a.id < b.id; }));
   std::vector<BodyJoint> between;
   for (const HeldJoint& h : held) {
     const uint32_t first = index_of(bodies, h.parts[0].body), second = index_of(bodies, h.parts[1].body);
     if (first == second || std::max(first, second) == bodies.size()) continue;
-    assert(h.joint < joints.all.size());
+    KERF_ASSERT(h.joint < joints.all.size());
     const Joint& joint = joints.all[h.joint];
     if (!is_torn_apart(joint, bodies[first], bodies[second])) between.push_back({first, second, &joint});
   }
@@ -82,7 +83,7 @@ std::unique_ptr<btTypedConstraint> make_constraint(const Joint& joint, const Rig
     return std::make_unique<btFixedConstraint>(first_rigid, second_rigid, in_first, in_second);
   auto hinge = std::make_unique<btHingeConstraint>(first_rigid, second_rigid, in_first, in_second);
   constexpr double kSoftness = 0.9, kBias = 0.3, kBounce = 0;
-  assert(!joint.limits || joint.limits->low <= joint.limits->high);
+  KERF_ASSERT(!joint.limits || joint.limits->low <= joint.limits->high);
   if (joint.limits) hinge->setLimit(joint.limits->low, joint.limits->high, kSoftness, kBias, kBounce);
   return hinge;
 }

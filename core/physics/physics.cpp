@@ -1,9 +1,9 @@
 #include "core/physics/physics.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
+#include "core/base/assert.h"
 #include "core/base/tick.h"
 #include "core/physics/contact/contact_search.h"
 #include "core/physics/contact/hold_back.h"
@@ -116,7 +116,7 @@ ContactMemory memory_after(std::span<const MovingBody> bodies, const ContactMemo
   take_memory(resting, memory);
   std::inplace_merge(memory.begin(), memory.begin() + static_cast<ptrdiff_t>(pairs.size()), memory.end(),
                      before_tick);
-  assert(std::is_sorted(memory.begin(), memory.end(), before_tick));
+  KERF_ASSERT(std::is_sorted(memory.begin(), memory.end(), before_tick));
   const size_t known = memory.size();
   const auto rests = [&](BodyId id) {
     const uint32_t index = index_of(bodies, id);

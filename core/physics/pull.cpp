@@ -1,10 +1,10 @@
 #include "core/physics/pull.h"
 
-#include <cassert>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
+#include "core/base/assert.h"
 #include "core/physics/rigid_frame.h"
 
 namespace kerf {
@@ -26,7 +26,7 @@ glm::dmat3 cross_matrix(const Vec3& r) {
 
 // Where the spring wants the velocity of the held point to change to, m/s^2.
 Vec3 wanted_acceleration(const Vec3& way, const Vec3& velocity, double metre) {
-  assert(metre > 0);
+  KERF_ASSERT(metre > 0);
   const Vec3 wanted = kPullFrequency * kPullFrequency * way - 2 * kPullFrequency * velocity;
   const double size = glm::length(wanted);
   return size > kMostPull * metre ? kMostPull * metre / size * wanted : wanted;
@@ -50,7 +50,7 @@ void pull(Body& body, const Spring& spring, double metre, double seconds) {
 }  // namespace
 
 void pull(World& world, double seconds) {
-  assert(seconds > 0);
+  KERF_ASSERT(seconds > 0);
   const std::optional<Spring>& spring = world.spring();
   if (!spring || !world.contains(spring->piece.body)) return;
   Body& body = world.body(spring->piece.body);

@@ -1,10 +1,10 @@
 #include "core/physics/release_pieces.h"
 
 #include <algorithm>
-#include <cassert>
 #include <optional>
 #include <vector>
 
+#include "core/base/assert.h"
 #include "core/graph/detach.h"
 #include "core/physics/rigid_frame.h"
 #include "core/world/weigh.h"
@@ -32,7 +32,7 @@ void push(Body& body, const Vec3& change) {
 
 void push_apart(Body& rest, Body& piece, double metre) {
   const RigidFrame of_rest = rigid_frame(rest), of_piece = rigid_frame(piece);
-  assert(metre > 0);
+  KERF_ASSERT(metre > 0);
   const double mass = of_rest.mass + of_piece.mass;
   const Vec3 way = piece.placement.to_world(of_piece.centre) - rest.placement.to_world(of_rest.centre);
   const double length = glm::length(way), size = glm::length(rest.loaded.max - rest.loaded.min);

@@ -3,7 +3,8 @@
 #include <LinearMath/btMatrix3x3.h>
 
 #include <algorithm>
-#include <cassert>
+
+#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -48,7 +49,7 @@ RigidFrame rigid_frame(const Body& body) {
   frame.mass = shell.mass;
   frame.centre = shell.centre;
   if (shell.mass > 0) diagonalise(shell.inertia, frame);
-  assert(!(shell.mass > 0) || (frame.inertia.x > 0 && frame.inertia.y > 0 && frame.inertia.z > 0));
+  KERF_ASSERT(!(shell.mass > 0) || (frame.inertia.x > 0 && frame.inertia.y > 0 && frame.inertia.z > 0));
   return frame;
 }
 

@@ -1,8 +1,8 @@
 #include "core/physics/sleep.h"
 
 #include <algorithm>
-#include <cassert>
 
+#include "core/base/assert.h"
 #include "core/base/tick.h"
 #include "core/base/union_find.h"
 
@@ -82,7 +82,7 @@ class AwakeGroups {
 
 bool update_sleep(std::span<MovingBody> bodies, std::span<const TouchingPair> pairs,
                   std::span<const BodyJoint> joints, const ContactMemory& memory, double seconds) {
-  assert(seconds > 0);
+  KERF_ASSERT(seconds > 0);
   AwakeGroups groups(bodies, joints);
   for (uint32_t i = 0; i < bodies.size(); ++i) {
     if (!bodies[i].fixed && bodies[i].body->motion.quiet < kQuietTicks) groups.wake(i);
@@ -115,7 +115,7 @@ void count_quiet(std::span<MovingBody> bodies, std::span<const TouchingPair> pai
     if (b.fixed || b.asleep) continue;
     Motion& motion = b.body->motion;
     const Vec3 centre = b.body->placement.to_world(b.frame.centre);
-    assert(b.metre > 0);
+    KERF_ASSERT(b.metre > 0);
     const double radius = 0.5 * glm::length(b.collider->bounds.max - b.collider->bounds.min);
     const double slow_spin = std::max(kSlowSpin, kSlowRim * b.metre / radius);
     const bool slow =

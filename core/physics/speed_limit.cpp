@@ -1,7 +1,8 @@
 #include "core/physics/speed_limit.h"
 
 #include <algorithm>
-#include <cassert>
+
+#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -31,7 +32,7 @@ double share_of(double value, double most) { return value > most ? most / value 
 
 SpeedLimit::SpeedLimit(std::span<const MovingBody> bodies, std::span<const TouchingPair> pairs,
                        std::span<const BodyJoint> joints, double gain) {
-  assert(gain >= 0);
+  KERF_ASSERT(gain >= 0);
   std::vector<double> before;
   for (const MovingBody& b : bodies) before.push_back(speed(b));
   most_ = before;
@@ -47,7 +48,7 @@ SpeedLimit::SpeedLimit(std::span<const MovingBody> bodies, std::span<const Touch
 }
 
 void SpeedLimit::apply(std::span<MovingBody> bodies) const {
-  assert(bodies.size() == most_.size());
+  KERF_ASSERT(bodies.size() == most_.size());
   for (size_t i = 0; i < bodies.size(); ++i) {
     const MovingBody& b = bodies[i];
     if (!b.moves()) continue;

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cassert>
 
+#include "core/base/assert.h"
 #include "core/base/hash.h"
 
 namespace kerf {
@@ -299,7 +300,7 @@ void ShadowCaster::unlink(uint32_t side) {
   Edge& edge = edges_[sides_[side].edge >> 1];
   uint32_t* link = &edge.first;
   while (*link != side) {
-    assert(*link != kNone);
+    KERF_ASSERT(*link != kNone);
     link = &sides_[*link].next;
   }
   *link = sides_[side].next;

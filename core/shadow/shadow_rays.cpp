@@ -4,6 +4,7 @@
 #include <cassert>
 #include <limits>
 
+#include "core/base/assert.h"
 #include "core/base/unit_vector.h"
 #include "core/mesh/build_mesh.h"
 #include "core/shadow/shadow_caster.h"
@@ -43,7 +44,7 @@ Pose ShadowRays::to_copy(const Copy& copy, const Pose& ray) const {
 }
 
 std::optional<ShadowRays::Seen> ShadowRays::look(const Pose& ray, double nearest) const {
-  assert(is_unit(ray.direction));
+  KERF_ASSERT(is_unit(ray.direction));
   std::optional<Seen> first;
   for (uint32_t i = 0; i < copies_.size(); ++i) {
     const Copy& copy = copies_[i];

@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <utility>
 
+#include "core/base/assert.h"
+
 namespace kerf {
 
 int light_side(const std::array<glm::vec3, 3>& triangle, const LightPoint& light) {
@@ -66,7 +68,7 @@ void ShadowVolume::put(uint32_t edge, int multiplicity) {
 
 void ShadowVolume::rebuild(const ShadowCaster& caster, LightOnBody light) {
   light_ = std::move(light);
-  assert(light_.light.w == 1 || (light_.light.w == 0 && light_.light.xyz != Vec3(0)));
+  KERF_ASSERT(light_.light.w == 1 || (light_.light.w == 0 && light_.light.xyz != Vec3(0)));
   const uint32_t faces = caster.face_slots(), edges = caster.edge_slots();
   signs_.resize(faces);
   for (uint32_t f = 0; f < faces; ++f) signs_[f] = facing(caster, f);
@@ -84,7 +86,7 @@ void ShadowVolume::rebuild(const ShadowCaster& caster, LightOnBody light) {
 }
 
 void ShadowVolume::follow(const ShadowCaster& caster, const ShadowCaster::Change& change) {
-  assert(signs_.size() <= caster.face_slots() && place_.size() <= caster.edge_slots());
+  KERF_ASSERT(signs_.size() <= caster.face_slots() && place_.size() <= caster.edge_slots());
   signs_.resize(caster.face_slots(), 0);
   place_.resize(caster.edge_slots(), kNone);
   for (const uint32_t f : change.faces) signs_[f] = facing(caster, f);

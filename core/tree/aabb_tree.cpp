@@ -1,7 +1,6 @@
 #include "core/tree/aabb_tree.h"
 
-#include <cassert>
-
+#include "core/base/assert.h"
 #include "core/tree/build_tree.h"
 #include "core/tree/edit_tree.h"
 
@@ -19,7 +18,7 @@ Result<AabbTree> AabbTree::build(const Mesh& mesh, const Progress* progress) {
 }
 
 void AabbTree::replace(const Mesh& mesh, std::span<const FaceId> gone, std::span<const FaceId> born) {
-  assert(!gone.empty() && !born.empty());
+  KERF_ASSERT(!gone.empty() && !born.empty());
   replace_faces(store_, mesh, gone, born);
   leaf_count_ += born.size() - gone.size();
 }
@@ -30,7 +29,7 @@ void AabbTree::replace(const Mesh& mesh, std::span<const Replacement> all) {
 }
 
 void AabbTree::remove(FaceId f) {
-  assert(leaf_count_ > 0);
+  KERF_ASSERT(leaf_count_ > 0);
   remove_face(store_, f);
   --leaf_count_;
 }

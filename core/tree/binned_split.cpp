@@ -1,10 +1,10 @@
 #include "core/tree/binned_split.h"
 
 #include <algorithm>
-#include <cassert>
 #include <limits>
 #include <vector>
 
+#include "core/base/assert.h"
 #include "core/base/parallel.h"
 #include "core/base/tolerances.h"
 
@@ -166,7 +166,7 @@ RangePair halve(const PrimitiveRange& range) {
 }  // namespace
 
 RangePair split_binned(const PrimitiveRange& range, uint32_t block) {
-  assert(range.items.size() >= 2 && block > 0);
+  KERF_ASSERT(range.items.size() >= 2 && block > 0);
   const Binning binning(range);
   const Plane plane = BinSweep(range, binning, block).best();
   if (plane.axis < 0) return halve(range);

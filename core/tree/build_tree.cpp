@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <vector>
 
+#include "core/base/assert.h"
 #include "core/base/parallel.h"
 #include "core/tree/binned_split.h"
 #include "core/tree/node_boxes.h"
@@ -294,7 +294,7 @@ class TreeBuilder {
 }  // namespace
 
 bool build_tree(TreeStore& store, const Mesh& mesh, const Progress* progress) {
-  assert(store.root == kNoIndex && store.nodes.empty());
+  KERF_ASSERT(store.root == kNoIndex && store.nodes.empty());
   const Progress framing = share_of(progress, 0, kFraming);
   const Result<TreeFrame> frame = TreeFrame::around(mesh, &framing);
   if (!frame) return false;

@@ -1,6 +1,6 @@
 #include <algorithm>
-#include <cassert>
 
+#include "core/base/assert.h"
 #include "core/base/unit_vector.h"
 #include "core/tree/aabb_tree.h"
 #include "core/tree/sheared_ray.h"
@@ -39,7 +39,7 @@ void sort_from(std::vector<RayHit>& hits, size_t first) {
 }  // namespace
 
 void AabbTree::crossings(const Mesh& mesh, const Pose& ray, Interval range, std::vector<RayHit>& out) const {
-  assert(is_unit(ray.direction));
+  KERF_ASSERT(is_unit(ray.direction));
   if (store_.root == kNoIndex) return;
   RayQuery query;
   query.positions = reinterpret_cast<const char* const*>(mesh.positions().chunks());
@@ -57,7 +57,7 @@ void AabbTree::crossings(const Mesh& mesh, const Pose& ray, Interval range, std:
 
 void AabbTree::crossings(const Mesh& mesh, std::span<const Pose> rays, Interval range,
                          std::span<std::vector<RayHit>> out) const {
-  assert(out.size() == rays.size());
+  KERF_ASSERT(out.size() == rays.size());
   const auto parallel = [&](const Pose& ray) { return ray.direction == rays[0].direction; };
   if (store_.root == kNoIndex || rays.empty()) return;
   if (rays.size() > kBlockWidth || !std::all_of(rays.begin(), rays.end(), parallel)) {
@@ -83,7 +83,7 @@ void AabbTree::crossings(const Mesh& mesh, std::span<const Pose> rays, Interval 
 }
 
 std::optional<RayHit> AabbTree::nearest(const Mesh& mesh, const Pose& ray, Interval range) const {
-  assert(is_unit(ray.direction));
+  KERF_ASSERT(is_unit(ray.direction));
   if (store_.root == kNoIndex) return std::nullopt;
   RayQuery query;
   query.positions = reinterpret_cast<const char* const*>(mesh.positions().chunks());

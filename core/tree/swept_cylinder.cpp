@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/base/assert.h"
 #include "core/base/unit_vector.h"
 
 namespace kerf {
@@ -94,10 +95,10 @@ Interval around(std::initializer_list<double> values, double margin) {
 
 SweptCylinder::SweptCylinder(const Pose& from, const Pose& to, double radius, Interval range)
     : from_origin_(from.origin), to_origin_(to.origin), radius_(radius), range_(range) {
-  assert(is_unit(from.direction) && is_unit(to.direction));
-  assert(radius >= 0);
+  KERF_ASSERT(is_unit(from.direction) && is_unit(to.direction));
+  KERF_ASSERT(radius >= 0);
   tilts_ = from.direction != to.direction;
-  assert(!are_opposite(from.direction, to.direction));
+  KERF_ASSERT(!are_opposite(from.direction, to.direction));
   axis_ = tilts_ ? glm::normalize(from.direction + to.direction) : from.direction;
   const Vec3 motion = to.origin - from.origin;
   shift_ = glm::dot(motion, axis_);

@@ -1,5 +1,6 @@
 #include <cassert>
 
+#include "core/base/assert.h"
 #include "core/tree/aabb_tree.h"
 #include "core/tree/beam_slab.h"
 #include "core/tree/walk_scratch.h"

@@ -1,9 +1,9 @@
 #include "core/tree/tree_frame.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
+#include "core/base/assert.h"
 #include "core/mesh/mesh_bounds.h"
 
 namespace kerf {
@@ -13,7 +13,7 @@ namespace {
 // The reciprocal of the largest power of two not above x, limited so that it stays finite. Precondition: x is
 // positive and finite.
 double power_of_two_over(double x) {
-  assert(x > 0 && std::isfinite(x));
+  KERF_ASSERT(x > 0 && std::isfinite(x));
   int exponent = 0;
   std::frexp(x, &exponent);
   return std::ldexp(1.0, std::min(1 - exponent, 1000));

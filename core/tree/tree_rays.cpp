@@ -3,9 +3,9 @@
 #include <smmintrin.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
+#include "core/base/assert.h"
 #include "core/base/tolerances.h"
 
 namespace kerf {
@@ -68,7 +68,7 @@ struct Passing {
 }  // namespace
 
 bool prepare_rays(const TreeStore& tree, std::span<const Pose> rays, Interval range, RayQuery& q) {
-  assert(!rays.empty() && rays.size() <= kBlockWidth);
+  KERF_ASSERT(!rays.empty() && rays.size() <= kBlockWidth);
   const __m128 direction = to_floats(rays[0].direction);
   _mm_store_ps(q.direction, direction);
   const Passing own(tree.frame, rays[0]);
@@ -76,7 +76,7 @@ bool prepare_rays(const TreeStore& tree, std::span<const Pose> rays, Interval ra
   __m128 low = own.point, high = own.point;
   double far = own.far, earliest = own.at, latest = own.at, nearest = own.distance2();
   for (size_t i = 1; i < rays.size(); ++i) {
-    assert(rays[i].direction == rays[0].direction);
+    KERF_ASSERT(rays[i].direction == rays[0].direction);
     const Passing other(tree.frame, rays[i]);
     _mm_store_ps(q.passing[i], other.point);
     low = _mm_min_ps(low, other.point);

@@ -1,9 +1,9 @@
 #include "core/world/remade_body.h"
 
 #include <algorithm>
-#include <cassert>
 #include <numeric>
 
+#include "core/base/assert.h"
 #include "core/mesh/extract_mesh.h"
 
 namespace kerf {
@@ -152,7 +152,7 @@ PieceCopy copy_piece(const Body& body, uint32_t label) {
 
 Result<Body> remade_body(const Body& body, const PieceCopy& copy, Remeshed& remeshed,
                          std::span<const MeshPart> parts, const Progress* progress) {
-  assert(!remeshed.triangles.empty());
+  KERF_ASSERT(!remeshed.triangles.empty());
   Stages stages(progress);
   const Progress building = stages.next(0.5), making = stages.next(0.5);
   sort_by_loaded_face(remeshed, copy);

@@ -1,6 +1,6 @@
 #include "core/world/shell_mass.h"
 
-#include <cassert>
+#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -36,7 +36,7 @@ AreaMoments area_moments(const Triangle& t, double area, const Vec3& origin) {
 
 MassProperties shell_mass(double area, const AreaMoments& moments, const Vec3& origin, double thickness,
                           double density) {
-  assert(thickness > 0 && density > 0);
+  KERF_ASSERT(thickness > 0 && density > 0);
   MassProperties shell{0, origin, glm::dmat3(0.0)};
   if (!(area > 0)) return shell;
   const double sigma = thickness * density;  // kg/m^2

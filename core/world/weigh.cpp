@@ -1,10 +1,10 @@
 #include "core/world/weigh.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <utility>
 
+#include "core/base/assert.h"
 #include "core/mesh/triangle_batch.h"
 
 namespace kerf {
@@ -18,7 +18,7 @@ __extension__ using Wide = __int128;
 class FixedSum {
  public:
   void add(double x) {
-    assert(-16 < x && x < 16);
+    KERF_ASSERT(-16 < x && x < 16);
     const double high = x * 0x1p58;  // below 2^62
     const auto whole = static_cast<int64_t>(high);
     const auto rest = static_cast<int64_t>((high - static_cast<double>(whole)) * 0x1p32);

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <cassert>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "core/base/assert.h"
 #include "core/base/change_of_parts.h"
 #include "core/base/ids.h"
 #include "core/base/tick.h"
@@ -182,9 +182,10 @@ class World {
   Change end_change();
   void exchange(Change& change);
   // Restores the world before the change by edits that are recorded like any others. Bodies that the change
-  // added are removed, and their slots stay unused. Precondition: the change removed no body that was there
-  // before it. Can also be applied to a copy of the world.
-  void restore(const Change& change);
+  // added are removed, and their slots stay unused. Several changes in a row are restored one by one, the
+  // latest first; `slots` is what slots_before says of the earliest of them. Precondition: the change removed
+  // no body that was there before the earliest one. Can also be applied to a copy of the world.
+  void restore(const Change& change, size_t slots);
 
  private:
   struct Slot {
@@ -211,9 +212,10 @@ class World {
   };
 
   uint32_t checked(BodyId id) const {
-    assert(contains(id));
+    KERF_ASSERT(contains(id));
     return id.slot;
   }
+  void swap_slots(uint32_t a, uint32_t b);
   void take_back(Change& change);
   void bring_again(Change& change);
 
@@ -228,6 +230,8 @@ class World::Change {
   size_t bytes() const;
   // Whether bodies were added or removed.
   bool bodies_differ() const { return !died_.empty() || slots_end_ != slots_; }
+  // The slots of bodies, alive or not, that the world had before the change.
+  size_t slots_before() const { return slots_; }
 
  private:
   friend class World;

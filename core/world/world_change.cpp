@@ -2,6 +2,7 @@
 #include <iterator>
 #include <utility>
 
+#include "core/base/assert.h"
 #include "core/world/world.h"
 
 namespace kerf {
@@ -57,12 +58,16 @@ void World::remove(BodyId id) {
 }
 
 void World::exchange_bodies(BodyId a, BodyId b) {
-  assert(contains(a) && contains(b) && a != b);
-  std::swap(slots_[a.slot].body, slots_[b.slot].body);
+  KERF_ASSERT(contains(a) && contains(b) && a != b);
+  swap_slots(a.slot, b.slot);
+}
+
+void World::swap_slots(uint32_t a, uint32_t b) {
+  std::swap(slots_[a].body, slots_[b].body);
   if (!remembered_) return;
-  remembered_->exchanged_.emplace_back(a.slot, b.slot);
+  remembered_->exchanged_.emplace_back(a, b);
   for (BodyChange& c : remembered_->edited_) {
-    if (c.slot == a.slot || c.slot == b.slot) c.slot = a.slot + b.slot - c.slot;
+    if (c.slot == a || c.slot == b) c.slot = a + b - c.slot;
   }
 }
 
@@ -95,7 +100,7 @@ void World::take_back(Change& change) {
 
 // The same steps in the opposite order.
 void World::bring_again(Change& change) {
-  assert(slots_.size() == change.slots_);
+  KERF_ASSERT(slots_.size() == change.slots_);
   slots_.insert(slots_.end(), std::make_move_iterator(change.added_.begin()),
                 std::make_move_iterator(change.added_.end()));
   change.added_.clear();
@@ -105,15 +110,16 @@ void World::bring_again(Change& change) {
   for (BodyChange& c : change.edited_) c.parts.exchange(slots_[c.slot].body);
 }
 
-void World::restore(const Change& change) {
-  assert(change.died_.empty() && !change.taken_back_);
+// A slot whose body the change removed holds the image of another for a while, if the two were exchanged.
+void World::restore(const Change& change, size_t slots) {
+  KERF_ASSERT(!change.taken_back_ && slots <= change.slots_);
+  KERF_ASSERT(change.died_.empty() || *std::min_element(change.died_.begin(), change.died_.end()) >= slots);
   change.situation_.restore(situation_);
   for (const BodyChange& c : change.edited_) c.parts.restore(slots_[c.slot].body);
-  const auto id_of = [&](uint32_t slot) { return BodyId{slot, slots_[slot].generation}; };
   for (size_t i = change.exchanged_.size(); i-- > 0;)
-    exchange_bodies(id_of(change.exchanged_[i].first), id_of(change.exchanged_[i].second));
+    swap_slots(change.exchanged_[i].first, change.exchanged_[i].second);
   for (auto slot = static_cast<uint32_t>(change.slots_); slot < change.slots_end_; ++slot) {
-    if (slots_[slot].alive) remove(id_of(slot));
+    if (slots_[slot].alive) remove({slot, slots_[slot].generation});
   }
 }
 

@@ -1,10 +1,12 @@
 #include "tests/support/piles.h"
 
 #include "core/base/random.h"
+#include "core/base/tick.h"
 #include "core/cut/cut_step.h"
 #include "core/graph/detach.h"
 #include "core/graph/separation.h"
 #include "core/physics/collider/box.h"
+#include "core/physics/physics.h"
 #include "core/world/load_body.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/sheets.h"
@@ -119,6 +121,11 @@ World world_with_ground() {
   World world;
   world.set_surroundings({.gravity = {0, -9.81, 0}, .ground = 0});
   return world;
+}
+
+void let_move(World& world, double seconds) {
+  Physics physics;
+  for (int i = 0; i < seconds * static_cast<double>(kTicksPerSecond); ++i) physics.tick(world);
 }
 
 World rain(uint64_t count, uint64_t seed, double half_width) {

@@ -7,6 +7,9 @@ namespace kerf::test {
 // A world with gravity along -Y and the ground at y = 0.
 World world_with_ground();
 
+// Lets the bodies move for so many seconds.
+void let_move(World& world, double seconds);
+
 // So many random sheets (plates, discs, tubes and plates with a hole, all of a few hundred faces) above each
 // other over a square of this half width (m), turned at random.
 World rain(uint64_t count, uint64_t seed, double half_width);

@@ -2,6 +2,7 @@
 
 #include <GLFW/glfw3.h>
 
+#include "core/base/assert.h"
 #include "ui/editor/changes/time_flow.h"
 #include "ui/editor/changes/world_changes.h"
 #include "ui/editor/view/piece_set.h"
@@ -170,6 +171,7 @@ void escape(EditorState& state) {
     return;
   }
   if (state.hand.drag == Drag::kSection) {
+    KERF_ASSERT(state.hand.section);
     state.view.look.section = std::exchange(state.hand.section, {})->from();
     state.view.picture_old = true;
     state.hand.drag = Drag::kNone;

@@ -4,6 +4,7 @@
 
 #include <GLFW/glfw3.h>
 
+#include "core/base/assert.h"
 #include "ui/editor/changes/world_changes.h"
 #include "ui/editor/key_modifiers.h"
 #include "ui/editor/tools/moving.h"
@@ -52,6 +53,7 @@ const char* why_no_rename(const PieceMap& looks) {
 }
 
 void rename_chosen(EditorState& state) {
+  KERF_ASSERT(chosen_pieces(state.view.look.pieces) == 1);
   state.settings.side_shown = true;
   state.settings.panels[PanelId::kPieces] = true;
   state.view.renaming = first_chosen(state.view.look.pieces);

@@ -6,7 +6,6 @@
 #include "ui/editor/editor_report.h"
 #include "ui/editor/editor_screen.h"
 #include "ui/game/game.h"
-#include "ui/gl/debug_output.h"
 #include "ui/render/assets.h"
 #include "ui/screen/frame_loop.h"
 #include "ui/window/open_window.h"
@@ -54,7 +53,6 @@ Status run_editor(const EditorOptions& options) {
   auto opened = open_window(wanted);
   if (!opened) return opened.error();
   Window& window = **opened;
-  gl::report_gl_errors();
   auto picture = LivePicture::create();
   if (!picture) return picture.error();
   Gui gui(window);

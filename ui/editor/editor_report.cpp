@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/base/assert.h"
 #include "core/base/atomic_file.h"
 #include "core/document/hash_text.h"
 #include "core/document/json_value.h"
@@ -19,6 +20,7 @@ nlohmann::ordered_json view_of(const ViewState& view) {
   nlohmann::ordered_json all;
   for (const ViewSwitch& s : view_switches()) {
     const size_t state = s.get(view.look);
+    KERF_ASSERT(state < s.states.size());
     all[s.report] = s.is_two_state() ? nlohmann::ordered_json(state == 1) : s.states[state];
   }
   all["section_plane"] = nullptr;
@@ -81,8 +83,12 @@ nlohmann::ordered_json path_of(const PathWork& path) {
 }
 
 nlohmann::ordered_json emitter_of(const Emitter& emitter) {
-  return {{"placed", emitter.placed()}, {"at", vector_json(emitter.at())},  {"target", vector_json(emitter.target())},
-          {"firing", emitter.firing},   {"in_shots", emitter.in_shots}, {"pace", emitter.pace.per_second()}};
+  return {{"placed", emitter.placed()},
+          {"at", vector_json(emitter.at())},
+          {"target", vector_json(emitter.target())},
+          {"firing", emitter.firing},
+          {"in_shots", emitter.in_shots},
+          {"pace", emitter.pace.per_second()}};
 }
 
 nlohmann::ordered_json memory_of(const MemoryFigures& memory) {
@@ -228,7 +234,8 @@ nlohmann::ordered_json editor_report(const EditorState& state) {
 
 Status write_editor_report(const EditorState& state, const std::filesystem::path& file) {
   return write_file_atomically(
-      file, editor_report(state).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+      file,
+      editor_report(state).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace kerf

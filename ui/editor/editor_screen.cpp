@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/base/assert.h"
 #include "ui/editor/editor_report.h"
 #include "ui/editor/file_choice.h"
 #include "ui/editor/graph/graph_reading.h"
@@ -36,7 +37,8 @@ EditorScreen::EditorScreen(Window& window, LivePicture picture, LoadedSettings l
       saved_(loaded.settings),
       kept_path_(state_folder()),
       changes_({state_.work, state_.view, state_.hand, state_.figures, state_.message, picture_.first()}),
-      stage_cut_({state_.work, state_.hand, state_.view, state_.figures, changes_, state_.stages, window.clock()}),
+      stage_cut_(
+          {state_.work, state_.hand, state_.view, state_.figures, changes_, state_.stages, window.clock()}),
       cut_({state_.work, state_.view, state_.hand, state_.split, state_.figures, state_.message, changes_,
             stage_cut_, picture_, window.clock()}),
       time_({state_.work, state_.view, state_.hand, state_.split, state_.stages.wishes, state_.opening,
@@ -53,8 +55,7 @@ EditorScreen::EditorScreen(Window& window, LivePicture picture, LoadedSettings l
   threads_.follow(state_.settings.threads);
   state_.view.look.antialias = state_.settings.antialias;
   state_.view.look.show = default_show();
-  if (options.landmarks || window.script() != nullptr)
-    keep_landmarks(&landmarks_.emplace(options.landmarks));
+  if (options.landmarks || window.script() != nullptr) keep_landmarks(&landmarks_.emplace(options.landmarks));
 }
 
 Status EditorScreen::open() {
@@ -99,6 +100,7 @@ void EditorScreen::tell(const std::string& fault) {
 }
 
 void EditorScreen::come_back(const GuiLook& look, const std::filesystem::path& scene) {
+  KERF_ASSERT(wants_game());
   state_.requests.play = false;
   state_.settings.palette = look.palette;
   state_.view.picture_old = true;

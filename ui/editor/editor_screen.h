@@ -102,7 +102,7 @@ class EditorScreen : public Screen {
   std::map<std::string, std::string> bound_;
   ChangeThread thread_;  // while it is busy the document is not touched
   BusyWindow busy_;
-  std::string title_;  // of the window
+  std::string title_;           // of the window
   double figures_at_ = -1;      // s, when the figures were brought up to date
   bool easing_ = false;         // the camera
   bool busy_frame_ = false;     // the last frame showed the busy window

@@ -1,5 +1,6 @@
 #include "ui/editor/laser_desk.h"
 
+#include "core/base/assert.h"
 #include "core/cut/cuttable.h"
 #include "ui/editor/path/surface_point.h"
 #include "ui/render/spread.h"
@@ -23,6 +24,7 @@ void begin_fire(EditorState& s, double now) {
     spread_pieces(world, 0, s.view.look);
   }
   const Emitter& emitter = s.lasers.emitter;
+  KERF_ASSERT(emitter.placed());
   const CutSettings settings = s.hand.laser.settings(world.bounds().diagonal());
   s.hand.beam.fire(s.work.document, emitter.pose(), emitter.distance(), settings, now);
   s.hand.cut_once = true;

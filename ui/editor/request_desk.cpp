@@ -2,12 +2,14 @@
 
 #include <algorithm>
 
+#include "core/base/assert.h"
 #include "core/document/edit_path.h"
 #include "core/document/save.h"
 #include "core/document/stroke_settings.h"
 #include "ui/editor/changes/prepare_pieces.h"
 #include "ui/editor/file_choice.h"
 #include "ui/editor/laser_desk.h"
+#include "ui/editor/view/piece_set.h"
 #include "ui/editor/work/save_work.h"
 
 namespace kerf {
@@ -45,6 +47,7 @@ void RequestDesk::decide() {
     case Decision::kNone:
       break;
     case Decision::kLeave:
+      KERF_ASSERT(state_.decisions.leaving);
       leave(*std::exchange(state_.decisions.leaving, {}));
       break;
     case Decision::kSaveFirst:
@@ -168,7 +171,9 @@ void RequestDesk::change_pieces(const Requests& wanted) {
     begin_group(preparation_title(wanted.preparation->tool));
     changes_.prepare_chosen(*wanted.preparation);
   }
-  if (wanted.duplicate_chosen && !changes_.is_pending()) changes_.duplicate_chosen();
+  // A piece that was hidden in the same frame is not chosen any more.
+  if (wanted.duplicate_chosen && !changes_.is_pending() && chosen_pieces(state_.view.look.pieces) > 0)
+    changes_.duplicate_chosen();
   if (wanted.show_hidden && !changes_.is_pending()) {
     begin_group("Show all pieces");
     changes_.show_hidden();

@@ -1,3 +1,4 @@
+#include "core/base/assert.h"
 #include "ui/editor/actions.h"
 #include "ui/editor/view/file_frames.h"
 #include "ui/editor/view/light_presets.h"
@@ -132,6 +133,7 @@ std::vector<UserAction> light_actions(EditorState& s) {
                  .tip = "Chooses the light whose values the Light panel shows.",
                  .run =
                      [&s, &look] {
+                       KERF_ASSERT(!look.lights.empty());
                        look.shadow.inspected = (look.shadow.inspected + 1) % look.lights.size();
                        s.view.picture_old = true;
                      },

@@ -1,9 +1,9 @@
 #include "ui/figures/draw_figure.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
+#include "core/base/assert.h"
 #include "core/document/opened_file.h"
 #include "ui/figures/marks.h"
 #include "ui/figures/match_figure.h"
@@ -79,7 +79,8 @@ Status draw_without_scene(const Figure& figure, const FigureSize& size, const st
 }  // namespace
 
 Status draw_figure(const Figure& figure, const FigureSize& size, const std::filesystem::path& png) {
-  assert(std::min(size.width, size.height) >= 64);
+  KERF_ASSERT(std::min(size.width, size.height) >= 64);
+  KERF_ASSERT((!figure.scene.empty() + !figure.match.empty() + !figure.diagram.empty()) == 1);
   return figure.scene.empty() ? draw_without_scene(figure, size, png) : draw_scene(figure, size, png);
 }
 

@@ -1,3 +1,4 @@
+#include "core/base/assert.h"
 #include "core/base/tick.h"
 #include "core/game/match/recording.h"
 #include "core/game/match/score_log.h"
@@ -42,8 +43,8 @@ struct FightStudio {
   }
   Status take(const Match& match) {
     const double aspect = static_cast<double>(format.width) / format.height;
-    picture.draw(match, camera.view(aspect, kFilmFieldOfView), {frame.name(), 0, 0, format.width, format.height},
-                 PicturePreset::kHigh);
+    picture.draw(match, camera.view(aspect, kFilmFieldOfView),
+                 {frame.name(), 0, 0, format.width, format.height}, PicturePreset::kHigh);
     return write_png(read_pixels(frame.name(), format.width, format.height),
                      frame_file(format.folder, frames++));
   }
@@ -61,6 +62,7 @@ Status film_fight(const std::filesystem::path& file, const FilmFormat& format, c
   const MatchSetup setup{*rules, recording->seed, recording->difficulty};
   const auto moment = best_moment(setup, recording->controls, progress);
   if (!moment) return cancelled();
+  KERF_ASSERT(moment->from <= moment->to && moment->to <= recording->controls.size());
   const auto context = gl::OffscreenContext::create();
   if (!context) return context.error();
   auto picture = MatchPicture::create();

@@ -9,7 +9,7 @@ namespace kerf {
 struct FilmFormat {
   std::filesystem::path folder;
   int width = 1280, height = 720;
-  double frames_per_second = 30;
+  double frames_per_second = 30;  // > 0
 };
 
 // Each makes one film without a screen. They fail if a file cannot be read, a picture cannot be written or

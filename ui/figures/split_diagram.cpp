@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/assert.h"
 #include "core/mesh/build_mesh.h"
 #include "core/mesh/one_to_four.h"
 #include "core/mesh/point_to_triangle.h"
@@ -166,6 +167,7 @@ void draw_split_diagram() {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   list.AddRectFilled({0, 0}, size, kBackground);
   const auto stages = split_stages(beam, radius);
+  KERF_ASSERT(stages.size() == kLabels.size());
   const auto count = static_cast<float>(stages.size());
   const float scale = std::min(0.42f * size.x / count, 0.42f * size.y);
   for (size_t i = 0; i < stages.size(); ++i) {

@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
+#include "core/base/assert.h"
 #include "core/document/last_cut_graph.h"
 #include "core/document/opened_file.h"
 #include "core/game/angle.h"
@@ -20,6 +20,7 @@ constexpr double kTurnOfLight = 8;                       // s
 // Films a world in which nothing moves. `draw` is called with the share of the film that has passed, 0 to 1.
 Status film_still(const FilmFormat& format, double seconds, const Progress& progress, const Studio& studio,
                   const std::function<void(double)>& draw) {
+  KERF_ASSERT(format.frames_per_second > 0);
   const auto frames = static_cast<size_t>(std::lround(seconds * format.frames_per_second));
   for (size_t i = 0; i < frames; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(frames);
@@ -59,7 +60,7 @@ Status film_shadow(const std::filesystem::path& scene, const FilmFormat& format,
   const auto picture = draw_first(scene, format);
   if (!picture) return picture.error();
   Studio& studio = *picture->studio;
-  assert(!studio.look().lights.empty());
+  KERF_ASSERT(!studio.look().lights.empty());
   const Vec3 first = studio.look().lights[0].at;
   return film_still(format, kTurnOfLight, progress, studio, [&](double share) {
     studio.look().lights[0].at = turn_about({0, 1, 0}, share * 2 * kPi) * first;

@@ -3,7 +3,6 @@
 #include "core/document/world_scene.h"
 #include "ui/game/game_screen.h"
 #include "ui/game/high_scores.h"
-#include "ui/gl/debug_output.h"
 #include "ui/screen/frame_loop.h"
 #include "ui/window/gui.h"
 #include "ui/window/open_window.h"
@@ -38,7 +37,6 @@ Result<GameOutcome> play(const GameOptions& options, const WindowOptions& wanted
   auto opened = open_window(wanted);
   if (!opened) return opened.error();
   Window& window = **opened;
-  gl::report_gl_errors();
   Gui gui(window);
   FrameLoop loop(window, gui);
   auto played = play_in(window, loop, options);

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/assert.h"
+#include "core/base/unit_vector.h"
+
 namespace kerf {
 
 namespace {
@@ -41,6 +44,7 @@ Vec3 GameCamera::wanted_eye(const Match& match, const Vec3& aim) const {
 }
 
 void GameCamera::follow(const Match& match, const Vec3& aim, double seconds) {
+  KERF_ASSERT(is_unit(aim) && seconds >= 0);
   const Vec3 wanted = wanted_eye(match, aim);
   const double share = placed_ ? 1 - std::exp(-kHeightRate * seconds) : 1;
   height_ += (wanted.y - height_) * share;
@@ -55,6 +59,7 @@ void GameCamera::follow(const Match& match, const Vec3& aim, double seconds) {
 void GameCamera::shake(double strength) { shake_ = std::min(1.0, std::max(shake_, strength)); }
 
 CameraView GameCamera::view(double aspect, double field_of_view) const {
+  KERF_ASSERT(aspect > 0 && field_of_view > 0 && field_of_view < 180);
   const Vec3 jolt(0.6 * std::sin(1.7 * phase_), std::sin(phase_), 0);
   CameraView view = look_at(eye_ + jolt * (kShakeSize * shake_), target_, aspect);
   view.tan_half_fov = std::tan(0.5 * field_of_view * std::numbers::pi / 180);

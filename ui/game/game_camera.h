@@ -16,15 +16,15 @@ class GameCamera {
  public:
   Viewpoint viewpoint = Viewpoint::kRoof;
 
-  // Lets time pass (s). `aim` is the direction in which the player aims, a unit vector. Nothing but arena
-  // bodies pushes the camera of the chase view nearer to the vehicle.
+  // Lets time pass (s, >= 0). `aim` is the direction in which the player aims, a unit vector. Nothing but
+  // arena bodies pushes the camera of the chase view nearer to the vehicle.
   void follow(const Match& match, const Vec3& aim, double seconds);
   // Is where it wants to be at the next follow().
   void cut() { placed_ = false; }
   // Jolts the camera; 1 is a hard crash.
   void shake(double strength);
 
-  // `field_of_view` is vertical, in degrees.
+  // `field_of_view` is vertical, in degrees, from 0 to 180; `aspect` is positive.
   CameraView view(double aspect, double field_of_view) const;
   const Vec3& eye() const { return eye_; }
 

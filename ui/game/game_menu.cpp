@@ -5,6 +5,8 @@
 #include <array>
 #include <cstdio>
 
+#include "core/base/assert.h"
+#include "ui/game/clock_text.h"
 #include "ui/game/debug_keys.h"
 #include "ui/game/hud_paint.h"
 #include "ui/render/view_switches.h"
@@ -55,6 +57,7 @@ void slider(const char* label, double& value, double low, double high, const Rea
 
 template <typename Enum, size_t n>
 void combo(const char* label, Enum& value, const std::array<const char*, n>& names) {
+  KERF_ASSERT(static_cast<size_t>(value) < n);
   int index = static_cast<int>(value);
   if (ImGui::Combo(label, &index, names.data(), static_cast<int>(n))) value = static_cast<Enum>(index);
 }
@@ -87,13 +90,6 @@ void draw_views(ViewOptions& look) {
     if (ImGui::Checkbox(label.c_str(), &on)) s.set(look, on ? 1 : 0);
     if (ImGui::IsItemHovered() && s.tip[0] != '\0') ImGui::SetTooltip("%s", s.tip);
   }
-}
-
-std::string clock_text(double seconds) {
-  char text[32];
-  const int whole = static_cast<int>(seconds);
-  std::snprintf(text, sizeof text, "%d:%02d", whole / 60, whole % 60);
-  return text;
 }
 
 void draw_scores(const MatchResult& result) {

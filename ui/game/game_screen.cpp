@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "core/base/assert.h"
 #include "core/game/angle.h"
 #include "core/game/match/recording.h"
 #include "ui/game/aim_help.h"
@@ -63,6 +64,7 @@ void GameScreen::start() {
 }
 
 void GameScreen::enter(State state) {
+  KERF_ASSERT(state != State::kOver || result_);
   state_ = state;
   const bool caught = state == State::kPlaying;
   window_.catch_pointer(caught);

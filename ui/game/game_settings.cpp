@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "core/base/assert.h"
 #include "core/base/atomic_file.h"
 #include "core/document/json_value.h"
 #include "core/game/match/recording.h"
@@ -40,7 +41,10 @@ void take_name(const nlohmann::json& json, const char* key, const std::array<con
 
 }  // namespace
 
-const char* name_of(PicturePreset preset) { return kPresets[static_cast<size_t>(preset)]; }
+const char* name_of(PicturePreset preset) {
+  KERF_ASSERT(static_cast<size_t>(preset) < kPresets.size());
+  return kPresets[static_cast<size_t>(preset)];
+}
 
 fs::path game_settings_file() {
   const char* config = std::getenv("XDG_CONFIG_HOME");

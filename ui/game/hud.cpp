@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "core/game/angle.h"
+#include "ui/game/clock_text.h"
 #include "ui/game/hud_paint.h"
 #include "ui/game/vehicle_sketch.h"
 #include "ui/window/theme.h"
@@ -17,13 +18,6 @@ using Align = HudPaint::Align;
 
 constexpr ImU32 kBad = IM_COL32(0xff, 0x6a, 0x4d, 255);
 constexpr ImU32 kText = colours::kPictureText, kSecondary = colours::kPictureSecondary;
-
-std::string clock_text(double seconds) {
-  char text[32];
-  const int whole = static_cast<int>(std::max(0.0, seconds));
-  std::snprintf(text, sizeof text, "%d:%02d", whole / 60, whole % 60);
-  return text;
-}
 
 std::string number(double x) { return std::to_string(static_cast<long>(std::lround(x))); }
 

@@ -60,6 +60,7 @@ void HudState::hear(const Match& match) {
 }
 
 void HudState::tell(const Match& match, const Event& event) {
+  // A wave that begins in the tick of the event puts other vehicles in the place of the last ones.
   const bool known = event.vehicle < match.vehicles().size();
   const bool own = event.vehicle == Match::kPlayer;
   const VehicleDescription* what = known ? &match.vehicles()[event.vehicle].what() : nullptr;
@@ -77,16 +78,19 @@ void HudState::tell(const Match& match, const Event& event) {
       if (event.points > 0) say("a piece is off", event.points, true);
       return;
     case Kind::kWheelLost:
+      if (!what || event.part >= what->wheels.size()) return say("a wheel is off", event.points, !own);
       return say(whose + wheel_name(what->wheels[event.part].part) + " is off", event.points, !own);
     case Kind::kTurretLost:
     case Kind::kBarrelLost:
       return say(whose + "laser is off", event.points, !own);
     case Kind::kVitalLost:
+      if (!what || event.part >= what->vitals.size()) return say("a part is gone", event.points, !own);
       return say(whose + vital_name(*what, event.part) + " is gone", event.points, !own);
     case Kind::kInHalves:
       return say(own ? "you are cut in two" : "cut in two", event.points, !own, true);
     case Kind::kKilled:
-      return say(own ? "you are out" : "the " + what->name + " is out", event.points, !own, true);
+      return say(own ? "you are out" : "the " + (what ? what->name : "enemy") + " is out", event.points, !own,
+                 true);
     case Kind::kOverheated:
       if (own) say("the laser is too hot", 0, false);
       return;

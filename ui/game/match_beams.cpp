@@ -1,8 +1,11 @@
 #include "ui/game/match_beams.h"
 
+#include "core/base/assert.h"
+
 namespace kerf {
 
 std::optional<BeamPicture> beam_of(const Match& match, size_t vehicle, const Sight& sight) {
+  KERF_ASSERT(vehicle < match.vehicles().size());
   const Vehicle& v = match.vehicles()[vehicle];
   if (!v.gun.firing || !v.gun.last) return std::nullopt;
   const Pose& pose = *v.gun.last;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/assert.h"
+
 namespace kerf {
 
 namespace {
@@ -12,6 +14,7 @@ constexpr double kSlow = 0.25;
 }  // namespace
 
 int MatchClock::advance(double seconds) {
+  KERF_ASSERT(seconds >= 0);
   const double slow = std::min(seconds, slow_s_);
   slow_s_ -= slow;
   owed_ += (seconds - slow * (1 - kSlow)) * kTicksPerSecond;

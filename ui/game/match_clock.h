@@ -10,7 +10,7 @@ class MatchClock {
  public:
   static constexpr int kMostTicks = 8;
 
-  // The ticks that are due after a frame of a duration (s).
+  // The ticks that are due after a frame of a duration (s, >= 0).
   int advance(double seconds);
   // For some time (s) of the player the match runs at a quarter of its speed.
   void slow_down(double seconds) { slow_s_ = seconds; }

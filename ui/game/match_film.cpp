@@ -1,5 +1,6 @@
 #include "ui/game/match_film.h"
 
+#include "core/base/assert.h"
 #include "core/base/tick.h"
 #include "core/game/angle.h"
 #include "ui/game/match_picture.h"
@@ -29,6 +30,7 @@ MatchFilm::~MatchFilm() = default;
 MatchFilm::MatchFilm(MatchFilm&&) noexcept = default;
 
 Result<MatchFilm> MatchFilm::begin(const Match& match, const Options& options) {
+  KERF_ASSERT(options.frames_per_second > 0);
   auto context = gl::OffscreenContext::create();
   if (!context) return context.error();
   auto picture = MatchPicture::create();

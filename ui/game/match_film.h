@@ -16,7 +16,7 @@ class MatchFilm {
   struct Options {
     std::filesystem::path folder;  // exists
     int width = 1280, height = 720;
-    double frames_per_second = 30;
+    double frames_per_second = 30;    // > 0
     std::optional<Vec3> eye, target;  // m; a camera that stands still, if both are given
   };
 

@@ -1,5 +1,7 @@
 #include "ui/game/match_graph.h"
 
+#include "core/base/assert.h"
+
 namespace kerf {
 
 void MatchGraph::clear() { *this = MatchGraph(); }
@@ -29,6 +31,7 @@ void MatchGraph::follow(const Match& match) {
 
 const std::shared_ptr<const DrawnGraph>& MatchGraph::drawn(const Match& match) {
   const Ticks now = match.standing().ticks;
+  KERF_ASSERT(!drawn_ || now >= made_);
   const bool waits = drawn_ && seconds_of_ticks(now - made_) < kPause;
   if (!changed_ || waits || !match.world().contains(body_)) return drawn_;
   const CutGraph graph = cut_graph(match.world(), removed_);

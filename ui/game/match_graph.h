@@ -15,7 +15,8 @@ class MatchGraph {
   void clear();
 
   // The graph, made anew at most every kPause seconds of the match while it changes; null before the first
-  // cut. Linear in the faces of the body when it is made.
+  // cut. Linear in the faces of the body when it is made. Precondition: the match is the one that was
+  // followed since clear().
   const std::shared_ptr<const DrawnGraph>& drawn(const Match& match);
   static constexpr double kPause = 0.25;
 

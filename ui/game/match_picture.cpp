@@ -1,7 +1,6 @@
 #include "ui/game/match_picture.h"
 
-#include <cassert>
-
+#include "core/base/assert.h"
 #include "ui/game/match_beams.h"
 #include "ui/render/body_marks.h"
 
@@ -117,7 +116,7 @@ void MatchPicture::dress(const Match& match, PicturePreset preset) {
 
 void MatchPicture::draw(const Match& match, const CameraView& view, const Target& target,
                         PicturePreset preset) {
-  assert(preset != PicturePreset::kAutomatic);
+  KERF_ASSERT(preset != PicturePreset::kAutomatic);
   dress(match, preset);
   if (preset != PicturePreset::kLow) return renderer_.draw(match.world(), view, look_, std::nullopt, target);
   const gl::Framebuffer::Shape half{std::max(1, target.width / 2), std::max(1, target.height / 2), 1, false};

@@ -1,17 +1,18 @@
 #include "ui/game/match_replay.h"
 
-#include <cassert>
+#include "core/base/assert.h"
 
 namespace kerf {
 
 namespace {
 
-constexpr double kSlowMotion = 1.2;  // s
+constexpr double kSlowMotionInReplay = 1.2;  // s
 
 }  // namespace
 
 MatchReplay::MatchReplay(const MatchSetup& setup, const MatchMoment& moment, std::vector<Controls> controls)
     : controls_(std::move(controls)), to_(moment.to), camera_(moment.vehicle) {
+  KERF_ASSERT(moment.from <= moment.to && moment.to <= controls_.size());
   prepared_ = std::async(std::launch::async, [this, setup, moment] {
     return match_at(setup, moment.start, controls_, moment.from, [this] { return stopped_.load(); });
   });
@@ -31,12 +32,12 @@ MatchReplay::State MatchReplay::state() {
 int MatchReplay::due(double seconds) { return clock_.advance(seconds); }
 
 void MatchReplay::tick() {
-  assert(match_);
+  KERF_ASSERT(match_);
   if (state() == State::kOver) return;
   match_->tick(controls_[static_cast<size_t>(match_->standing().ticks)]);
   for (const Event& event : match_->events()) {
     const bool enemy = event.vehicle != Match::kPlayer;
-    if (event.kind == Event::Kind::kInHalves && enemy) clock_.slow_down(kSlowMotion);
+    if (event.kind == Event::Kind::kInHalves && enemy) clock_.slow_down(kSlowMotionInReplay);
   }
 }
 

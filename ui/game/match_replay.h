@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/base/assert.h"
 #include "core/game/match/score_log.h"
 #include "ui/game/match_clock.h"
 #include "ui/game/replay_camera.h"
@@ -15,7 +16,7 @@ namespace kerf {
 // beside the frames.
 class MatchReplay {
  public:
-  // `controls` are those of the whole match.
+  // `controls` are those of the whole match. Precondition: they reach to the end of the moment.
   MatchReplay(const MatchSetup& setup, const MatchMoment& moment, std::vector<Controls> controls);
   ~MatchReplay();
   MatchReplay(const MatchReplay&) = delete;
@@ -26,7 +27,10 @@ class MatchReplay {
   State state();
 
   // The match where the replay is. Precondition of this and of what follows: it is not in preparation.
-  const Match& match() const { return *match_; }
+  const Match& match() const {
+    KERF_ASSERT(match_ != nullptr);
+    return *match_;
+  }
   const ReplayCamera& camera() const { return camera_; }
   // The ticks that are due after a frame of a duration (s); they are in slow motion where a vehicle falls in
   // two.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/assert.h"
 #include "core/game/angle.h"
 
 namespace kerf {
@@ -39,14 +40,11 @@ void PlayerInput::hear(std::span<const InputEvent> events, const GameSettings& s
 }
 
 void PlayerInput::poll(const Window& window, double seconds, const GameSettings& settings) {
-  const auto held = [&](int key, int other) {
-    return window.is_key_held(key) || window.is_key_held(other);
-  };
+  const auto held = [&](int key, int other) { return window.is_key_held(key) || window.is_key_held(other); };
   throttle_ = held(GLFW_KEY_W, GLFW_KEY_UP) - held(GLFW_KEY_S, GLFW_KEY_DOWN);
   steer_ = held(GLFW_KEY_A, GLFW_KEY_LEFT) - held(GLFW_KEY_D, GLFW_KEY_RIGHT);
   handbrake_ = window.is_key_held(GLFW_KEY_SPACE);
-  fire_ = window.is_button_held(GLFW_MOUSE_BUTTON_LEFT) ||
-          held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_F);
+  fire_ = window.is_button_held(GLFW_MOUSE_BUTTON_LEFT) || held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_F);
   take_gamepad(seconds, settings);
 }
 
@@ -85,6 +83,7 @@ void PlayerInput::turn(double left, double up) {
 }
 
 void PlayerInput::limit(const Interval& yaw, const Interval& pitch) {
+  KERF_ASSERT(yaw.low <= yaw.high && pitch.low <= pitch.high);
   yaw_limits_ = yaw;
   pitch_limits_ = pitch;
   turn(0, 0);

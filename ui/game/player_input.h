@@ -24,7 +24,8 @@ class PlayerInput {
   // Turns the aim by these angles (rad), within the limits of the vehicle.
   void turn(double left, double up);
 
-  // The limits of the turret and the barrel of the vehicle that is aimed with (rad).
+  // The limits of the turret and the barrel of the vehicle that is aimed with (rad), each the lower one
+  // first.
   void limit(const Interval& yaw, const Interval& pitch);
 
   Controls controls(const Placement& chassis) const;

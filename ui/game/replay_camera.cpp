@@ -1,10 +1,10 @@
 #include "ui/game/replay_camera.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <numbers>
 
+#include "core/base/assert.h"
 #include "core/game/angle.h"
 
 namespace kerf {
@@ -78,7 +78,7 @@ void ReplayCamera::stand_at_best(const Match& match, const Sight& sight, const A
 }
 
 void ReplayCamera::follow(const Match& match, double seconds) {
-  assert(other_ < match.vehicles().size());
+  KERF_ASSERT(other_ < match.vehicles().size());
   const Aim aim = this->aim(match);
   const Sight sight(match.world());
   if (!placed_) stand_at_best(match, sight, aim);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/assert.h"
 #include "ui/window/theme.h"
 
 namespace kerf {
@@ -49,13 +50,16 @@ void draw_vehicle_sketch(const Vehicle& vehicle, const HudPaint& paint, ImVec2 m
   paint.list().AddRect(plan(half.x * 0.9, half.y), plan(-half.x * 0.9, -half.y), outline, height * 0.09f, 0,
                        2);
   const auto& wheels = vehicle.what().wheels;
+  KERF_ASSERT(vehicle.wheels.size() == wheels.size());
   for (size_t i = 0; i < wheels.size(); ++i) {
     const Vec3& hub = wheels[i].hub;
     const double r = wheels[i].radius;
     box(paint, plan(hub.x - 0.11, hub.z - r), plan(hub.x + 0.11, hub.z + r), works,
         vehicle.wheels[i].attached);
   }
-  for (size_t i = 0; i < vehicle.what().vitals.size(); ++i) {
+  const size_t vitals = vehicle.what().vitals.size();
+  KERF_ASSERT(vehicle.vital_works.size() == vitals && vehicle.model->vital_centres.size() == vitals);
+  for (size_t i = 0; i < vitals; ++i) {
     const Vec3& at = vehicle.model->vital_centres[i];
     const bool engine = vehicle.what().vitals[i].kind == VitalDescription::Kind::kEngine;
     const double w = engine ? 0.34 : 0.2, l = engine ? 0.24 : 0.22;

@@ -2,8 +2,9 @@
 
 namespace kerf::gl {
 
-// In debug builds, prints errors that the driver reports to standard error. Does nothing in other builds, or
-// if the context does not support debug output.
+// Where assertions are fatal (core/base/assert.h), so is each error that the driver reports for the context
+// that is current: it is printed on standard error, and the program ends by a signal. Does nothing elsewhere,
+// or where the context has no debug output.
 void report_gl_errors();
 
 }  // namespace kerf::gl

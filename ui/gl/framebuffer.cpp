@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/assert.h"
+
 namespace kerf::gl {
 
 namespace {
@@ -27,6 +29,8 @@ Framebuffer::Framebuffer(const Shape& shape) : shape_(shape) {
 }
 
 Framebuffer::Framebuffer(const Shape& shape, const Framebuffer& depth_of) : shape_(shape) {
+  KERF_ASSERT(depth_of.depth_ && shape.width == depth_of.shape().width &&
+              shape.height == depth_of.shape().height);
   shape_.samples = depth_of.shape().samples;
   add_colour();
   add_depth(depth_of.depth_->name());
@@ -62,6 +66,7 @@ void Framebuffer::bind() const {
 }
 
 void blit(const Framebuffer& from, GLuint to, int x, int y) {
+  KERF_ASSERT(to != from.name());
   const int w = from.shape().width, h = from.shape().height;
   glBindFramebuffer(GL_READ_FRAMEBUFFER, from.name());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to);

@@ -19,8 +19,8 @@ class Framebuffer {
   };
 
   explicit Framebuffer(const Shape& shape);
-  // Shares the depth and stencil of another framebuffer, which must have the same size and number of samples
-  // and outlive this one.
+  // Shares the depth and stencil of another framebuffer, and takes its number of samples. Precondition: that
+  // one has a depth buffer of its own and the same size, and outlives this one.
   Framebuffer(const Shape& shape, const Framebuffer& depth_of);
 
   const Shape& shape() const { return shape_; }
@@ -43,6 +43,7 @@ class Framebuffer {
 };
 
 // Copies the colour of `from` into `to` (0: the window) at the lower left corner x, y, and resolves samples.
+// Precondition: `to` is another framebuffer.
 void blit(const Framebuffer& from, GLuint to, int x, int y);
 
 }  // namespace kerf::gl

@@ -3,7 +3,8 @@
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
-#include <cassert>
+#include "core/base/assert.h"
+#include "ui/gl/debug_output.h"
 
 namespace kerf::gl {
 
@@ -41,10 +42,11 @@ const char* open_context(EGLDisplay display, bool with_surface, EGLConfig& confi
   if (display == EGL_NO_DISPLAY) return "not offered";
   if (!eglInitialize(display, nullptr, nullptr)) return "does not initialise";
   if (!eglBindAPI(EGL_OPENGL_API)) return "has no desktop OpenGL";
-  const EGLint wanted[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
-                           EGL_RED_SIZE, with_surface ? 8 : 0, EGL_GREEN_SIZE, with_surface ? 8 : 0,
-                           EGL_BLUE_SIZE, with_surface ? 8 : 0, EGL_DEPTH_SIZE, with_surface ? 24 : 0,
-                           EGL_STENCIL_SIZE, with_surface ? 8 : 0, EGL_NONE};
+  const EGLint wanted[] = {EGL_SURFACE_TYPE,     EGL_PBUFFER_BIT,      EGL_RENDERABLE_TYPE,
+                           EGL_OPENGL_BIT,       EGL_RED_SIZE,         with_surface ? 8 : 0,
+                           EGL_GREEN_SIZE,       with_surface ? 8 : 0, EGL_BLUE_SIZE,
+                           with_surface ? 8 : 0, EGL_DEPTH_SIZE,       with_surface ? 24 : 0,
+                           EGL_STENCIL_SIZE,     with_surface ? 8 : 0, EGL_NONE};
   EGLint configs = 0;
   if (!eglChooseConfig(display, wanted, &config, 1, &configs) || configs == 0) return "has no configuration";
   const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION,
@@ -82,6 +84,7 @@ Result<std::unique_ptr<OffscreenContext::Handles>> OffscreenContext::open(bool w
 Result<OffscreenContext> OffscreenContext::create() {
   auto handles = open(false);
   if (!handles) return handles.error();
+  report_gl_errors();
   return OffscreenContext(std::move(*handles));
 }
 
@@ -89,17 +92,20 @@ Result<OffscreenContext> OffscreenContext::create_with_surface(int width, int he
   auto handles = open(true);
   if (!handles) return handles.error();
   OffscreenContext context(std::move(*handles));
-  if (!context.put_surface(width, height)) return failed("OpenGL without a screen offers no surface to draw on");
+  if (!context.put_surface(width, height))
+    return failed("OpenGL without a screen offers no surface to draw on");
+  report_gl_errors();
   return context;
 }
 
 void OffscreenContext::resize_surface(int width, int height) {
-  assert(handles_->surface != EGL_NO_SURFACE);
-  [[maybe_unused]] const bool there = put_surface(width, height);
-  assert(there);
+  KERF_ASSERT(handles_->surface != EGL_NO_SURFACE);
+  const bool there = put_surface(width, height);
+  KERF_ASSERT(there);
 }
 
 bool OffscreenContext::put_surface(int width, int height) {
+  KERF_ASSERT(width > 0 && height > 0);
   const EGLint size[] = {EGL_WIDTH, width, EGL_HEIGHT, height, EGL_NONE};
   EGLSurface surface = eglCreatePbufferSurface(handles_->display, handles_->config, size);
   if (surface == EGL_NO_SURFACE || !eglMakeCurrent(handles_->display, surface, surface, handles_->context))

@@ -7,6 +7,8 @@
 #include <sstream>
 #include <utility>
 
+#include "core/base/assert.h"
+
 namespace kerf::gl {
 
 namespace {
@@ -25,6 +27,12 @@ std::string joined(const std::vector<std::string>& names) {
     all += (i ? ", " : "") + std::to_string(i) + " = " + names[i];
   }
   return all;
+}
+
+bool is_current_program(GLuint name) {
+  GLint current = 0;
+  glGetIntegerv(GL_CURRENT_PROGRAM, &current);
+  return static_cast<GLuint>(current) == name;
 }
 
 // One stage of a program; the object lives until it is attached and linked.
@@ -63,7 +71,11 @@ class Shader {
 }  // namespace
 
 Program::~Program() {
-  if (name_ != 0) glDeleteProgram(name_);
+  if (name_ == 0) return;
+  // Whoever saves the program in use and sets it again, as Dear ImGui does, must not find the name of a
+  // deleted one.
+  if (is_current_program(name_)) glUseProgram(0);
+  glDeleteProgram(name_);
 }
 
 Program::Program(Program&& other) noexcept : name_(std::exchange(other.name_, 0)) {}
@@ -92,19 +104,22 @@ Result<Program> Program::load(const std::filesystem::path& folder, const Program
                 " do not link: " + log.data());
 }
 
+GLint Program::place_of(const char* uniform) const {
+  KERF_ASSERT(is_current_program(name_));
+  return glGetUniformLocation(name_, uniform);
+}
+
 void Program::set(const char* uniform, const glm::mat4& m) const {
-  glUniformMatrix4fv(glGetUniformLocation(name_, uniform), 1, GL_FALSE, glm::value_ptr(m));
+  glUniformMatrix4fv(place_of(uniform), 1, GL_FALSE, glm::value_ptr(m));
 }
 void Program::set(const char* uniform, const glm::mat3& m) const {
-  glUniformMatrix3fv(glGetUniformLocation(name_, uniform), 1, GL_FALSE, glm::value_ptr(m));
+  glUniformMatrix3fv(place_of(uniform), 1, GL_FALSE, glm::value_ptr(m));
 }
 void Program::set(const char* uniform, const glm::vec4& v) const {
-  glUniform4fv(glGetUniformLocation(name_, uniform), 1, glm::value_ptr(v));
+  glUniform4fv(place_of(uniform), 1, glm::value_ptr(v));
 }
-void Program::set(const char* uniform, float x) const {
-  glUniform1f(glGetUniformLocation(name_, uniform), x);
-}
-void Program::set(const char* uniform, int x) const { glUniform1i(glGetUniformLocation(name_, uniform), x); }
+void Program::set(const char* uniform, float x) const { glUniform1f(place_of(uniform), x); }
+void Program::set(const char* uniform, int x) const { glUniform1i(place_of(uniform), x); }
 
 void Program::bind_block(const char* block, GLuint binding) const {
   const GLuint index = glGetUniformBlockIndex(name_, block);

@@ -46,6 +46,7 @@ class Program {
 
  private:
   explicit Program(GLuint name) : name_(name) {}
+  GLint place_of(const char* uniform) const;
   GLuint name_ = 0;
 };
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/assert.h"
+
 namespace kerf {
 
 namespace {
@@ -65,6 +67,7 @@ void BloomPass::fill(Level& level, GLuint from, int width, int height) {
 }
 
 void BloomPass::draw(const gl::Framebuffer& picture, GLuint target, int x, int y) {
+  KERF_ASSERT(picture.shape().samples == 1);
   const int w = picture.shape().width, h = picture.shape().height;
   const gl::Framebuffer::Shape quarter{std::max(1, w / 4), std::max(1, h / 4), 1, false};
   if (!near_ || !(near_->glow.shape() == quarter)) {

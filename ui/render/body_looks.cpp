@@ -1,5 +1,6 @@
 #include "ui/render/body_looks.h"
 
+#include "core/base/assert.h"
 #include "ui/render/stage_marks.h"
 
 namespace kerf {
@@ -10,7 +11,9 @@ BodyLooks::BodyLooks(BodyId id, const ViewOptions& options) {
   }
   note_separation(id, options);
   const auto found = options.groups.find(id);
-  if (found == options.groups.end() || found->second->loose.empty()) return;
+  if (found == options.groups.end()) return;
+  KERF_ASSERT(found->second != nullptr);
+  if (found->second->loose.empty()) return;
   groups_ = found->second;
   auto group = static_cast<uint32_t>(groups_->middles.size());
   for (const PieceGroups::Loose& loose : groups_->loose) {

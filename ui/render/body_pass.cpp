@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/assert.h"
 #include "ui/render/overlay_colours.h"
 #include "ui/render/section_clip.h"
 
@@ -106,6 +107,7 @@ Result<BodyPass> BodyPass::create(const std::filesystem::path& shaders) {
 void BodyPass::draw(const Subject& subject, double diagonal) {
   const BodyMarks* marks = subject.options.bodies.get();
   if (marks == nullptr) return;
+  KERF_ASSERT(is_frame_bound());
   std::vector<Line> gathered;
   Lines lines(subject.space, gathered);
   add_colliders(subject, *marks, diagonal, lines);

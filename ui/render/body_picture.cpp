@@ -6,6 +6,12 @@ namespace {
 constexpr size_t kPaints = 256;
 }
 
+bool is_frame_bound() {
+  GLint buffer = 0;
+  glGetIntegeri_v(GL_UNIFORM_BUFFER_BINDING, kFrameBlock, &buffer);
+  return buffer != 0;
+}
+
 std::vector<glm::vec4> paint_table(const std::vector<std::string>& materials,
                                    const std::map<std::string, Paint>& paints) {
   const Paint plain;

@@ -18,6 +18,9 @@ namespace kerf {
 inline constexpr GLuint kFrameBlock = 0;
 inline constexpr GLuint kPaintBlock = 1;
 
+// Whether a buffer is bound as the uniform block of the frame, as a precondition.
+bool is_frame_bound();
+
 // One body on the GPU: its faces, its paints and the looks of its pieces.
 class BodyPicture {
  public:

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/assert.h"
+
 namespace kerf {
 
 namespace {
@@ -52,6 +54,7 @@ Vec3 CameraView::project(const Vec3& p) const {
 CameraView CameraView::near() const { return pulled(1); }
 
 CameraView CameraView::pulled(double times) const {
+  KERF_ASSERT(times > 0 && pull > 0);
   const double more = times / pull;
   CameraView view = *this;
   view.eye += forward * (focus - focus * more);
@@ -63,6 +66,7 @@ CameraView CameraView::pulled(double times) const {
 }
 
 CameraView look_at(const Vec3& eye, const Vec3& target, double aspect) {
+  KERF_ASSERT(aspect > 0);
   CameraView view;
   view.eye = eye;
   view.aspect = aspect;
@@ -101,6 +105,7 @@ CameraView Camera::view_of(const State& s, double aspect) {
 // The distance at which the larger of the two spans fits, found by halving; then the pivot is moved so that
 // the box stands in the middle.
 void Camera::fit(State& state, const World::Bounds& bounds, double aspect, double fill) {
+  KERF_ASSERT(aspect > 0 && fill > 0);
   const double diagonal = bounds.diagonal();
   state.pivot = bounds.min + (bounds.max - bounds.min) * 0.5;
   if (!(diagonal > 0) || !std::isfinite(diagonal)) {

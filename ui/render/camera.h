@@ -39,11 +39,12 @@ struct CameraView {
   // The perspective view, with the usual field of view, that shows lengths at the distance `focus` as large.
   CameraView near() const;
   // The view whose eye is so many times as far away as that of near(), orthographic from kFarAway on.
+  // Precondition: times > 0.
   CameraView pulled(double times) const;
 };
 
 // The view from an eye to a target. If the target coincides with the eye or lies vertically above or below
-// it, the nearest possible view is taken.
+// it, the nearest possible view is taken. Precondition: aspect > 0.
 CameraView look_at(const Vec3& eye, const Vec3& target, double aspect);
 
 // A turntable camera: the eye moves on a sphere around a pivot and stops before the poles. Movements set a
@@ -51,7 +52,7 @@ CameraView look_at(const Vec3& eye, const Vec3& target, double aspect);
 class Camera {
  public:
   // Looks from the front (+Z), from one side and from above, so that the box fills the fraction `fill` of the
-  // picture's height.
+  // picture's height. Precondition: aspect and fill are positive.
   void frame_default(const World::Bounds& bounds, double aspect, double fill = 0.64);
   // The same without a change of direction.
   void frame(const World::Bounds& bounds, double aspect, double fill = 0.72);

@@ -1,5 +1,7 @@
 #include "ui/render/coloured_lines.h"
 
+#include "core/base/assert.h"
+#include "ui/gl/float_attribute.h"
 #include "ui/render/body_picture.h"
 #include "ui/render/overlay_colour.h"
 
@@ -8,13 +10,6 @@ namespace kerf {
 namespace {
 
 constexpr float kDarkAround = 0.8f;  // pixels
-
-void attribute(GLuint index, GLint numbers, size_t offset) {
-  glEnableVertexAttribArray(index);
-  glVertexAttribPointer(index, numbers, GL_FLOAT, GL_FALSE, sizeof(ColouredLines::Line),
-                        reinterpret_cast<const void*>(offset));
-  glVertexAttribDivisor(index, 1);
-}
 
 }  // namespace
 
@@ -33,12 +28,13 @@ Result<ColouredLines> ColouredLines::create(const std::filesystem::path& shaders
 // Dark ones first, a little wider.
 void ColouredLines::draw(std::span<const Line> lines, float half_width, AtSection section) {
   if (lines.empty()) return;
+  KERF_ASSERT(glIsEnabled(GL_BLEND));
   glBindVertexArray(layout_.name());
   glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(lines.size_bytes()), lines.data(), GL_STREAM_DRAW);
-  attribute(0, 3, offsetof(Line, from));
-  attribute(1, 3, offsetof(Line, to));
-  attribute(2, 4, offsetof(Line, colour));
+  gl::set_float_attribute(0, 3, sizeof(Line), offsetof(Line, from), 1);
+  gl::set_float_attribute(1, 3, sizeof(Line), offsetof(Line, to), 1);
+  gl::set_float_attribute(2, 4, sizeof(Line), offsetof(Line, colour), 1);
   program_.use();
   program_.set("in_part", section == AtSection::kPart ? 1 : 0);
   for (const bool dark : {true, false}) {

@@ -22,7 +22,8 @@ class ColouredLines {
   };
   // What a section plane leaves of a line: all or nothing, by its middle, or a part of it.
   enum class AtSection { kWhole, kPart };
-  // `half_width` is in pixels of a picture of usual height; see line.glsl. Blending must be switched on.
+  // `half_width` is in pixels of a picture of usual height; see line.glsl. Precondition: blending
+  // is switched on.
   void draw(std::span<const Line> lines, float half_width, AtSection section = AtSection::kWhole);
 
  private:

@@ -5,6 +5,7 @@
 #include <glm/gtc/packing.hpp>
 #include <utility>
 
+#include "core/base/assert.h"
 #include "core/mesh/longest_edge.h"
 #include "ui/render/heat_fit.h"
 
@@ -91,6 +92,7 @@ void CornerHeat::find_tinted(const Body& body, std::vector<VertexId>& corners) {
 
 void CornerHeat::update(const Body& body, double scale, std::vector<VertexId> changed,
                         std::vector<FaceId>& affected) {
+  KERF_ASSERT(scale > 0);
   find_hot(body, changed);
   find_tinted(body, changed);
   make_unique(changed);

@@ -40,10 +40,10 @@ class CornerHeat {
   // The temperature of the hottest face at the last update (K).
   double warmest() const { return warmest_; }
 
-  // Follows the heat of the body, whose float frame has this scale, at each update the same. `changed` are
-  // corners of faces that came, went or have new corners; those that the mesh does not have are passed over.
-  // Appends the faces whose corners have new marks to `affected`. O(faces that are hot, plus a compare for
-  // each that ever was).
+  // Follows the heat of the body, whose float frame has this scale (> 0), at each update the same. `changed`
+  // are corners of faces that came, went or have new corners; those that the mesh does not have are passed
+  // over. Appends the faces whose corners have new marks to `affected`. O(faces that are hot, plus a compare
+  // for each that ever was).
   void update(const Body& body, double scale, std::vector<VertexId> changed, std::vector<FaceId>& affected);
 
   // Precondition: f is live.

@@ -3,7 +3,8 @@
 namespace kerf {
 
 namespace {
-constexpr double kGap = 5e-4;  // between the bodies and the ground, in diagonals: what lies flat shows
+constexpr double kGapToGround =
+    5e-4;  // between the bodies and the ground, in diagonals: what lies flat shows
 constexpr double kEarthGravity = 9.81;  // m/s^2
 }  // namespace
 
@@ -12,7 +13,7 @@ double height_of_drawn_ground(const World& world, UpAxis up) {
   if (around.ground && around.up() == from_y_up({0, 1, 0}, up)) return *around.ground;
   const World::Bounds bounds = world.loaded_bounds();
   const double diagonal = bounds.diagonal() > 0 ? bounds.diagonal() : 1;
-  return height_of(bounds.min, up) - kGap * diagonal;
+  return height_of(bounds.min, up) - kGapToGround * diagonal;
 }
 
 Surroundings usual_surroundings(const World& world, const FileFrame& frame) {

@@ -2,19 +2,10 @@
 
 #include <algorithm>
 
+#include "ui/gl/float_attribute.h"
 #include "ui/render/body_picture.h"
 
 namespace kerf {
-
-namespace {
-
-void attribute(GLuint index, GLint numbers, size_t stride, size_t offset) {
-  glEnableVertexAttribArray(index);
-  glVertexAttribPointer(index, numbers, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
-                        reinterpret_cast<const void*>(offset));
-}
-
-}  // namespace
 
 Result<EffectsPass> EffectsPass::create(const std::filesystem::path& shaders) {
   auto sparks = gl::Program::load(shaders, {{"frame.glsl", "particle.vert"}, {"frame.glsl", "spark.frag"}});
@@ -33,10 +24,10 @@ EffectsPass::EffectsPass(gl::Program sparks, gl::Program smoke, gl::Program scor
   scorches_.bind_block("Frame", kFrameBlock);
   glBindVertexArray(layout_.name());
   glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
-  attribute(0, 3, sizeof(Corner), offsetof(Corner, at));
-  attribute(1, 3, sizeof(Corner), offsetof(Corner, towards));
-  attribute(2, 2, sizeof(Corner), offsetof(Corner, across));
-  attribute(3, 2, sizeof(Corner), offsetof(Corner, look));
+  gl::set_float_attribute(0, 3, sizeof(Corner), offsetof(Corner, at));
+  gl::set_float_attribute(1, 3, sizeof(Corner), offsetof(Corner, towards));
+  gl::set_float_attribute(2, 2, sizeof(Corner), offsetof(Corner, across));
+  gl::set_float_attribute(3, 2, sizeof(Corner), offsetof(Corner, look));
 }
 
 void EffectsPass::draw(const Effects& effects, const FrameSpace& space) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/assert.h"
+
 namespace kerf {
 
 namespace {
@@ -78,6 +80,7 @@ void FaceBuffer::Chunk::make_heat() {
 FaceBuffer::FaceBuffer(const Mesh& mesh, const FloatFrame& frame, std::shared_ptr<const BaseFaces> bases,
                        double glow_width)
     : frame_(frame), bases_(std::move(bases)), rims_(static_cast<float>(glow_width * frame.scale)) {
+  KERF_ASSERT(bases_ != nullptr);
   dirty_.mark_all(mesh.face_slots());
 }
 
@@ -186,6 +189,7 @@ void FaceBuffer::note_change(const Mesh& mesh, FaceId f, bool lives) {
 }
 
 FaceBuffer::Chunk& FaceBuffer::chunk_of(const SlotRange& range) {
+  KERF_ASSERT(range.begin < range.end && (range.end - 1) / kChunkFaces == range.begin / kChunkFaces);
   const size_t chunk = range.begin / kChunkFaces;
   while (chunks_.size() <= chunk) chunks_.emplace_back();
   return chunks_[chunk];
@@ -224,6 +228,7 @@ size_t FaceBuffer::update_labels(const Mesh& mesh, const SlotRange& range) {
 
 size_t FaceBuffer::update_heat(const Body& body, bool time_passed) {
   if (body.mesh.columns().blank() && !heat_.any()) return 0;
+  KERF_ASSERT(halvings_.size() >= body.mesh.face_slots());
   if (time_passed || !reheated_corners_.empty() || body.sheet != sheet_) {
     sheet_ = body.sheet;
     std::vector<FaceId> affected;

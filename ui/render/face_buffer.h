@@ -45,8 +45,8 @@ class FaceBuffer {
   // Uploads what changed from the current mesh. If every slot changed, uploads at most `most` of them; later
   // calls upload the others. Returns the number of bytes sent.
   size_t update(const Mesh& mesh, uint32_t most = DirtySlots::kAll);
-  // Uploads what is new of the heat of the body, whose mesh is that of the last update. `time_passed`:
-  // whether heat may have flowed since the last call. Returns the number of bytes sent.
+  // Uploads what is new of the heat of the body. Precondition: its mesh is that of the last update.
+  // `time_passed`: whether heat may have flowed since the last call. Returns the number of bytes sent.
   size_t update_heat(const Body& body, bool time_passed);
   const CornerHeat& heat() const { return heat_; }
   // Whether slots are left for later calls.
@@ -66,6 +66,7 @@ class FaceBuffer {
   template <typename Before>
   void draw_chunks(const Before& before_chunk) const {
     for (size_t i = 0; i < chunks_.size(); ++i) {
+      if (chunks_[i].live.slots().empty()) continue;
       before_chunk(i);
       chunks_[i].draw();
     }
@@ -103,7 +104,8 @@ class FaceBuffer {
     void make_heat();
     void draw() const;
   };
-  Chunk& chunk_of(const SlotRange& range);  // creates it if necessary
+  // The one that has the slots of a range, which lies in one chunk; creates it if necessary.
+  Chunk& chunk_of(const SlotRange& range);
   void count(const Mesh& mesh, uint32_t slot);
   void note_change(const Mesh& mesh, FaceId f, bool lives);
   DirtySlots take_born(const Mesh& mesh, uint32_t most);

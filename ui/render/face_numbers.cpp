@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "core/base/assert.h"
 #include "ui/render/body_looks.h"
 #include "ui/render/digits.h"
 #include "ui/render/marked_faces.h"
@@ -72,11 +73,12 @@ class Candidates {
   std::vector<LabelCandidate> all_;
 };
 
-// Whether the picture of marks shows this face at its middle.
+// Whether the picture of marks shows this face at its middle, which lies in the picture.
 bool shows(const std::vector<uint8_t>& which, int width, const LabelCandidate& c) {
   const glm::ivec2 p(c.middle());
-  const uint8_t* mark =
-      &which[4 * (static_cast<size_t>(p.y) * static_cast<size_t>(width) + static_cast<size_t>(p.x))];
+  const size_t at = 4 * (static_cast<size_t>(p.y) * static_cast<size_t>(width) + static_cast<size_t>(p.x));
+  KERF_ASSERT(p.x >= 0 && p.x < width && p.y >= 0 && at + 3 < which.size());
+  const uint8_t* mark = &which[at];
   const uint32_t slot = mark[0] | static_cast<uint32_t>(mark[1]) << 8 | static_cast<uint32_t>(mark[2]) << 16;
   return slot == ((c.removed ? c.base : c.face).index & 0xffffffu) &&
          mark[3] == (c.body | (c.removed ? 128 : 0));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/assert.h"
 #include "ui/render/beam_strike.h"
 #include "ui/render/frame_file.h"
 
@@ -32,6 +33,7 @@ Film::Film(Studio studio, FilmOptions options, const World::Bounds& bounds)
       speed_(bounds.diagonal() / kSecondsAcross) {}
 
 Result<Film> Film::begin(const Scene& scene, FilmOptions options) {
+  KERF_ASSERT(options.frames_per_second > 0);
   auto studio = Studio::open(scene, options.picture);
   if (!studio) return studio.error();
   Film film(std::move(*studio), std::move(options), scene.world.bounds());
@@ -91,6 +93,7 @@ std::optional<BeamPicture> Film::beam_picture(const Document& document, const Po
 
 // Lets time go by and takes the frames that are due in it.
 Status Film::pass(double seconds, const World& world, const std::optional<BeamPicture>& beam) {
+  KERF_ASSERT(seconds >= 0);
   clock_ += seconds;
   bool drawn = false;
   for (; static_cast<double>(frames_) < clock_ * options_.frames_per_second; ++frames_) {

@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "core/base/assert.h"
+
 namespace kerf {
 
 namespace {
@@ -61,11 +63,13 @@ double near_plane(const CameraView& view, const World::Bounds& drawn, double gro
 }
 
 double window_depth(const CameraView& view, double near, double depth) {
+  KERF_ASSERT(view.parallel || depth > 0);
   return view.parallel ? 0.5 * (depth - near) / (view.focus - near) : 1 - near / depth;
 }
 
 FrameUniforms uniforms_of(const CameraView& view, double near, const FrameSpace& space, int width,
                           int height) {
+  KERF_ASSERT(space.unit > 0 && (view.parallel ? near < view.focus : near > 0));
   const CameraView close = view.near();
   FrameUniforms u;
   u.clip_from_frame = projection(view, near, space) * rotation(view, space);

@@ -64,10 +64,12 @@ struct FrameUniforms {
 double near_plane(const CameraView& view, const World::Bounds& drawn, double ground);
 
 // Where the depth buffer has a point at a depth along the forward axis (m), from 0 at the near plane to 1.
+// Precondition: in a perspective view the depth is positive.
 double window_depth(const CameraView& view, double near, double depth);
 
 // The members that depend on the view: the matrix (near plane at `near` metres; no far plane, but in an
 // orthographic view one as far behind the focus), the axes and the viewport.
+// Precondition: the near plane is that of near_plane.
 FrameUniforms uniforms_of(const CameraView& view, double near, const FrameSpace& space, int width,
                           int height);
 

@@ -1,8 +1,8 @@
 #include "ui/render/gathered_picture.h"
 
 #include <array>
-#include <cassert>
 
+#include "core/base/assert.h"
 #include "ui/render/assets.h"
 
 namespace kerf {
@@ -24,7 +24,7 @@ Result<GatheredPicture> GatheredPicture::create() {
 }
 
 void GatheredPicture::begin(int width, int height) {
-  assert(width > 0 && height > 0);
+  KERF_ASSERT(width > 0 && height > 0);
   const gl::Framebuffer::Shape next{width, height, 1, false}, sum{width, height, 1, false, GL_RGBA16F};
   if (!next_ || !(next_->shape() == next)) next_.emplace(next);
   if (!sum_ || !(sum_->shape() == sum)) sum_.emplace(sum);
@@ -39,7 +39,7 @@ bool GatheredPicture::can_show(const Target& target) const {
 }
 
 void GatheredPicture::add(const std::function<void(const Target&)>& draw) {
-  assert(sum_ && !complete());
+  KERF_ASSERT(sum_ && !complete());
   const auto [width, height] = std::pair(next_->shape().width, next_->shape().height);
   draw({next_->name(), 0, 0, width, height, kShifts[static_cast<size_t>(count_)]});
   sum_->bind();
@@ -51,7 +51,7 @@ void GatheredPicture::add(const std::function<void(const Target&)>& draw) {
 }
 
 void GatheredPicture::show(const Target& target) const {
-  assert(can_show(target));
+  KERF_ASSERT(can_show(target));
   glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
   glViewport(target.x, target.y, target.width, target.height);
   glDisable(GL_BLEND);

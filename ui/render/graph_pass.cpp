@@ -4,9 +4,12 @@
 #include <cmath>
 #include <map>
 
+#include "core/base/assert.h"
+#include "ui/gl/float_attribute.h"
 #include "ui/render/body_looks.h"
 #include "ui/render/box_palette.h"
 #include "ui/render/overlay_colours.h"
+#include "ui/render/scaled_width.h"
 #include "ui/render/section_clip.h"
 
 namespace kerf {
@@ -17,14 +20,6 @@ constexpr float kLinkHalfWidth = 0.7f;                        // pixels
 constexpr float kLoopHalfWidth = 1.1f, kEarlierLoop = 0.45f;  // pixels; opacity
 constexpr float kLeastRadius = 1.6f, kMostRadius = 7;         // of a disc, pixels
 constexpr float kRadiusOfLink = 0.22f;                        // of the usual length of a link
-constexpr float kUsualHeight = 900;                           // of a picture, see line.glsl
-
-void attribute(GLuint index, GLint numbers, size_t stride, size_t offset) {
-  glEnableVertexAttribArray(index);
-  glVertexAttribPointer(index, numbers, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
-                        reinterpret_cast<const void*>(offset));
-  glVertexAttribDivisor(index, 1);
-}
 
 // Where nodes are drawn: moved with their bodies, displaced with their pieces, and not at all where these are
 // hidden.
@@ -140,11 +135,14 @@ void GraphPass::draw_graph(const Subject& subject, const DrawnGraph& graph, cons
 
 // The last one that is closed by then over the others.
 void GraphPass::draw_loops(const Subject& subject, const DrawnGraph& graph) {
+  KERF_ASSERT(std::is_sorted(graph.loops.begin(), graph.loops.end(),
+                             [](const auto& a, const auto& b) { return a.removal < b.removal; }));
   size_t closed = 0;
   while (closed < graph.loops.size() && graph.loops[closed].removal <= graph.removals) ++closed;
   std::vector<ColouredLines::Line> links;
   for (size_t i = 0; i < closed; ++i) {
     const LoopPath& loop = graph.loops[i];
+    KERF_ASSERT(!loop.points.empty());
     if (i + 1 == closed) {
       links_.draw(links, kLoopHalfWidth);
       links.clear();
@@ -185,9 +183,9 @@ void GraphPass::draw_discs(const std::vector<Disc>& discs) {
   glBindBuffer(GL_ARRAY_BUFFER, node_buffer_.name());
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(discs.size() * sizeof(Disc)), discs.data(),
                GL_STREAM_DRAW);
-  attribute(0, 3, sizeof(Disc), offsetof(Disc, middle));
-  attribute(1, 1, sizeof(Disc), offsetof(Disc, radius));
-  attribute(2, 4, sizeof(Disc), offsetof(Disc, colour));
+  gl::set_float_attribute(0, 3, sizeof(Disc), offsetof(Disc, middle), 1);
+  gl::set_float_attribute(1, 1, sizeof(Disc), offsetof(Disc, radius), 1);
+  gl::set_float_attribute(2, 4, sizeof(Disc), offsetof(Disc, colour), 1);
   nodes_.use();
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(discs.size()));
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/assert.h"
 #include "ui/render/heat_ramps.h"
 
 namespace kerf {
@@ -36,6 +37,7 @@ double end_of_heat_scale(const World& world) {
 }
 
 void draw_heat_bar(double end, const FaceNumbers& numbers, int height) {
+  KERF_ASSERT(end > kAmbient);
   const int zoom = 1 + height / 700, wide = 14 * zoom, tall = std::min(200 * zoom, height / 2);
   const int x = 12 * zoom, y = 12 * zoom;
   glEnable(GL_SCISSOR_TEST);

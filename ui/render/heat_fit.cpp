@@ -1,8 +1,9 @@
 #include "ui/render/heat_fit.h"
 
 #include <algorithm>
-#include <cassert>
 #include <glm/glm.hpp>
+
+#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -40,7 +41,8 @@ Mean mean_of(const Vec3& vertex, std::span<const FaceSample> samples) {
 }  // namespace
 
 std::array<LocalHeat, 2> fit_heat(const Vec3& vertex, std::span<const FaceSample> samples) {
-  assert(!samples.empty());
+  KERF_ASSERT(!samples.empty() && std::all_of(samples.begin(), samples.end(),
+                                              [](const FaceSample& sample) { return sample.size > 0; }));
   const Mean mean = mean_of(vertex, samples);
   glm::dmat3 spread(0);
   std::array<Vec3, 2> moments{Vec3(0), Vec3(0)};

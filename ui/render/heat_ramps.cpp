@@ -12,7 +12,7 @@ namespace kerf {
 
 namespace {
 
-constexpr int kUnit = 7;
+constexpr int kRampsUnit = 7;
 constexpr int kSteps = 512;                      // of the table
 constexpr double kHottest = 4096;                // K, of its rows of temperatures
 constexpr double kBrightest = 12;                // of shown_glow
@@ -126,8 +126,8 @@ HeatRamps::HeatRamps() {
 }
 
 void HeatRamps::bind(const gl::Program& program) const {
-  program.set("heat_ramps", kUnit);
-  glActiveTexture(GL_TEXTURE0 + kUnit);
+  program.set("heat_ramps", kRampsUnit);
+  glActiveTexture(GL_TEXTURE0 + kRampsUnit);
   glBindTexture(GL_TEXTURE_2D, table_.name());
   glActiveTexture(GL_TEXTURE0);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/gl/float_attribute.h"
 #include "ui/render/body_picture.h"
 #include "ui/render/box_palette.h"
 #include "ui/render/overlay_colour.h"
@@ -43,13 +44,6 @@ void upload(GLuint layout, GLuint buffer, const void* data, size_t bytes) {
   glBindVertexArray(layout);
   glBindBuffer(GL_ARRAY_BUFFER, buffer);
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), data, GL_DYNAMIC_DRAW);
-}
-
-void instance_attribute(GLuint index, GLint numbers, size_t stride, size_t offset) {
-  glEnableVertexAttribArray(index);
-  glVertexAttribPointer(index, numbers, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
-                        reinterpret_cast<const void*>(offset));
-  glVertexAttribDivisor(index, 1);
 }
 
 // The same lines twice: wide and dark, then thin in their colours.
@@ -106,9 +100,9 @@ std::vector<BoxLine> LineOverlay::gather_boxes(const Body& body, const FloatFram
 
 void LineOverlay::send_boxes(Lines& lines, const std::vector<BoxLine>& boxes) const {
   upload(lines.layout.name(), lines.buffer.name(), boxes.data(), boxes.size() * sizeof(BoxLine));
-  instance_attribute(0, 3, sizeof(BoxLine), offsetof(BoxLine, low));
-  instance_attribute(1, 3, sizeof(BoxLine), offsetof(BoxLine, high));
-  instance_attribute(2, 2, sizeof(BoxLine), offsetof(BoxLine, style));
+  gl::set_float_attribute(0, 3, sizeof(BoxLine), offsetof(BoxLine, low), 1);
+  gl::set_float_attribute(1, 3, sizeof(BoxLine), offsetof(BoxLine, high), 1);
+  gl::set_float_attribute(2, 2, sizeof(BoxLine), offsetof(BoxLine, style), 1);
   lines.count = static_cast<GLsizei>(boxes.size());
 }
 
@@ -126,8 +120,8 @@ void LineOverlay::gather_normals(Lines& lines, const Body& body, const FloatFram
     sticks.push_back({glm::vec3(middle), glm::vec3(middle + normal * (length / twice_area))});
   }
   upload(lines.layout.name(), lines.buffer.name(), sticks.data(), sticks.size() * sizeof(Stick));
-  instance_attribute(0, 3, sizeof(Stick), offsetof(Stick, from));
-  instance_attribute(1, 3, sizeof(Stick), offsetof(Stick, to));
+  gl::set_float_attribute(0, 3, sizeof(Stick), offsetof(Stick, from), 1);
+  gl::set_float_attribute(1, 3, sizeof(Stick), offsetof(Stick, to), 1);
   lines.count = static_cast<GLsizei>(sticks.size());
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/assert.h"
 #include "ui/render/section_clip.h"
 #include "ui/render/seen_light.h"
 
@@ -196,6 +197,7 @@ void LitScene::add_light(const Subject& subject, size_t light) {
 }
 
 void LitScene::draw(const Subject& subject, const Shining& shining, const gl::Framebuffer& canvas) {
+  KERF_ASSERT(is_frame_bound());
   variant_ = (shows_edges(subject.options) ? kWire : 0) + (shining.rims ? kRim : 0);
   spot_ = shining.spot;
   gl::Framebuffer::Shape shape = canvas.shape();

@@ -3,14 +3,14 @@
 #include <algorithm>
 
 #include "ui/render/box_palette.h"
+#include "ui/render/scaled_width.h"
 #include "ui/render/section_clip.h"
 
 namespace kerf {
 
 namespace {
 
-constexpr float kWide = 1.6f;          // pixels, in a picture
-constexpr float kPictureHeight = 900;  // of this height or less
+constexpr float kOutlineWidth = 1.6f;  // see scaled_width
 
 glm::vec4 screen_colour(uint32_t hex) {
   return glm::vec4(hex >> 16 & 255u, hex >> 8 & 255u, hex & 255u, 255u) / 255.0f;
@@ -62,7 +62,7 @@ void OutlinePass::draw(const Subject& subject, const gl::Framebuffer& picture) {
   glBindTexture(GL_TEXTURE_2D, mask_->colour_texture());
   outline_.set("mask", 0);
   outline_.set("colour", screen_colour(selection_colour(subject.options.tree.palette)));
-  outline_.set("wide", kWide * std::max(1.0f, static_cast<float>(shape.height) / kPictureHeight));
+  outline_.set("wide", scaled_width(kOutlineWidth, shape.height));
   glBindVertexArray(no_vertices_.name());
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glDisable(GL_BLEND);

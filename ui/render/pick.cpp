@@ -4,6 +4,8 @@
 #include <limits>
 #include <vector>
 
+#include "core/base/assert.h"
+#include "core/base/unit_vector.h"
 #include "ui/render/body_looks.h"
 
 namespace kerf {
@@ -30,6 +32,7 @@ bool shows_front(const Body& body, FaceId f, const Vec3& direction) {
 }  // namespace
 
 std::optional<Pick> pick(const World& world, const ViewOptions& options, const Pose& ray) {
+  KERF_ASSERT(is_unit(ray.direction));
   std::optional<Pick> nearest;
   const SectionPlane* section = shown_section(options);
   const Interval seen = section != nullptr ? section->kept_along(ray) : Interval{0, kEndless};

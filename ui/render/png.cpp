@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 
+#include "core/base/assert.h"
 #include "core/base/atomic_file.h"
 
 #define STBI_WRITE_NO_STDIO
@@ -33,6 +34,8 @@ Pixels read_pixels(unsigned framebuffer, int width, int height) {
 }
 
 Status write_png(const Pixels& pixels, const std::filesystem::path& file) {
+  KERF_ASSERT(pixels.rgb.size() ==
+              3 * static_cast<size_t>(pixels.width) * static_cast<size_t>(pixels.height));
   std::string bytes;
   const auto append = [](void* to, void* data, int size) {
     static_cast<std::string*>(to)->append(static_cast<const char*>(data), static_cast<size_t>(size));

@@ -17,7 +17,7 @@ struct Pixels {
 // Reads a framebuffer (0: the window) from its lower left corner.
 Pixels read_pixels(unsigned framebuffer, int width, int height);
 
-// Writes a PNG, whole or not at all.
+// Writes a PNG, whole or not at all. Precondition: there are as many bytes as the size says.
 Status write_png(const Pixels& pixels, const std::filesystem::path& file);
 
 }  // namespace kerf

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "core/base/assert.h"
 #include "ui/render/overlay_colours.h"
 
 namespace kerf {
@@ -13,7 +14,7 @@ constexpr Pixel pixel_of(uint32_t hex, uint8_t opacity) {
   return {static_cast<uint8_t>(hex >> 16 & 0xffu), static_cast<uint8_t>(hex >> 8 & 0xffu),
           static_cast<uint8_t>(hex & 0xffu), opacity};
 }
-constexpr Pixel kClear{0, 0, 0, 0}, kLit = pixel_of(overlay_colours::kTracedLit, 80),
+constexpr Pixel kClear{0, 0, 0, 0}, kLitPixel = pixel_of(overlay_colours::kTracedLit, 80),
                                     kShadow = pixel_of(overlay_colours::kTracedShadow, 190),
                                     kWrong = pixel_of(overlay_colours::kWrong, 255);
 
@@ -21,7 +22,7 @@ Pixel colour(const ShadowReference& traced, const ShadowCounts& drawn, size_t i)
   if (traced.faces()[i] == 0) return kClear;
   const bool shadow = traced.occluders()[i] > 0;
   const bool wrong = traced.faces()[i] == drawn.faces[i] && shadow != (drawn.stencil[i] != 0);
-  return wrong ? kWrong : shadow ? kShadow : kLit;
+  return wrong ? kWrong : shadow ? kShadow : kLitPixel;
 }
 
 }  // namespace
@@ -33,6 +34,7 @@ Result<ReferencePass> ReferencePass::create(const std::filesystem::path& shaders
 }
 
 void ReferencePass::draw(const ShadowReference& traced, const ShadowCounts& drawn) const {
+  KERF_ASSERT(drawn.width == traced.width() && drawn.height == traced.height());
   std::vector<Pixel> pixels(traced.faces().size());
   for (size_t i = 0; i < pixels.size(); ++i) pixels[i] = colour(traced, drawn, i);
   glActiveTexture(GL_TEXTURE0);

@@ -13,7 +13,7 @@ class ReferencePass {
  public:
   static Result<ReferencePass> create(const std::filesystem::path& shaders);
 
-  // Draws over the whole bound framebuffer.
+  // Draws over the whole bound framebuffer. Precondition: both are of pictures of the same size.
   void draw(const ShadowReference& traced, const ShadowCounts& drawn) const;
 
  private:

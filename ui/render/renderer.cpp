@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/assert.h"
+#include "core/base/unit_vector.h"
 #include "core/heat/black_body.h"
 #include "ui/render/assets.h"
 #include "ui/render/heat_bar.h"
@@ -192,6 +194,7 @@ void Renderer::set_up(const World& world, const CameraView& view, const ViewOpti
   frame.stage = stage_colours(options.by_day);
   if (const SectionPlane* section = shown_section(options)) {
     const Vec3 normal = space_.turned(section->normal);
+    KERF_ASSERT(is_unit(normal));
     frame.section = -glm::vec4(glm::vec3(normal), space_.length(section->height_of(space_.eye)));
   }
   const int colours = options.show.sizes ? 2 : options.show.pieces ? 1 : 0;
@@ -312,6 +315,7 @@ ShadowCounts Renderer::shadow_counts(const World& world, const CameraView& view,
 ShadowReference Renderer::shadow_reference(const World& world, const CameraView& view,
                                            const ViewOptions& options, size_t light, bool ground, int width,
                                            int height) {
+  KERF_ASSERT(light < options.lights.size());
   const std::optional<double> floor = ground ? std::optional(passes_.scene.ground().height()) : std::nullopt;
   const SectionPlane* section = shown_section(options);
   return {rays_through({world, bodies_, space_, options}),
@@ -326,6 +330,7 @@ ShadowReference Renderer::shadow_reference(const World& world, const CameraView&
 
 void Renderer::draw_reference(const ShadowReference& traced, const ShadowCounts& drawn,
                               const Target& target) const {
+  KERF_ASSERT(target.width == traced.width() && target.height == traced.height());
   glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
   glViewport(target.x, target.y, target.width, target.height);
   passes_.reference.draw(traced, drawn);

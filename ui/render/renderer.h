@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "core/base/assert.h"
 #include "core/base/result.h"
 #include "core/document/scene.h"
 #include "core/world/delta.h"
@@ -68,15 +69,16 @@ class Renderer {
   bool draw_again(const Target& target);
 
   // The stencil counts of the shadow of one of the options' lights for a view, with one sample per pixel,
-  // with or without the ground.
+  // with or without the ground. Preconditions: the options have this light, and the size is positive.
   ShadowCounts shadow_counts(const World& world, const CameraView& view, const ViewOptions& options,
                              size_t light, ShadowMethod method, bool ground, int width, int height);
 
-  // The same by ray tracing; no ray is traced yet.
+  // The same by ray tracing, with the same preconditions; no ray is traced yet.
   ShadowReference shadow_reference(const World& world, const CameraView& view, const ViewOptions& options,
                                    size_t light, bool ground, int width, int height);
 
-  // Draws the traced shadows over a picture of the same size that was just drawn to `target`.
+  // Draws the traced shadows over a picture that was just drawn to `target`. Precondition: it, the counts and
+  // the target have the same size.
   void draw_reference(const ShadowReference& traced, const ShadowCounts& drawn, const Target& target) const;
 
   // Traces the shadows of the inspected light for a whole picture that was just drawn to `target`, and draws
@@ -91,8 +93,11 @@ class Renderer {
   ShadowWork shadow_work() const { return passes_.scene.shadows().work(); }
 
   // Limits the number of faces of a newly shown body that one picture sends; later pictures send the rest.
-  // Without a limit every picture is complete.
-  void limit_sending(uint32_t faces) { most_faces_sent_ = faces; }
+  // Without a limit every picture is complete. Precondition: faces > 0.
+  void limit_sending(uint32_t faces) {
+    KERF_ASSERT(faces > 0);
+    most_faces_sent_ = faces;
+  }
   // Whether faces are left to be sent by later pictures.
   bool is_sending() const;
   // The share of the faces that were sent, from 0 to 1.

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/assert.h"
 #include "ui/render/drawn_ground.h"
 #include "ui/render/renderer.h"
 
@@ -39,6 +40,7 @@ void Renderer::place_ground(const World& world) {
 }
 
 void Renderer::add(BodyId id, const Body& body, PreparedBodies& prepared) {
+  KERF_ASSERT(!bodies_.contains(id));
   const auto found = prepared.find(id);
   PreparedBody ahead = found != prepared.end() ? std::move(found->second) : prepare_shading(body, loaded_);
   if (body.loaded_faces.empty()) loaded_.try_emplace(body.loaded_as, LoadedShading{ahead.frame, ahead.bases});

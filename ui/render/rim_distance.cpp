@@ -30,6 +30,16 @@ class RimDistance::Search {
   Search(RimDistance& out, const Mesh& mesh, const BaseFaces& bases, const FloatFrame& frame)
       : out_(out), mesh_(mesh), bases_(bases), frame_(frame) {}
 
+  // Whether a change at the vertex can affect distances: it or a neighbour knows a rim, or it lies on one. Most
+  // vertices of a mesh that is shown for the first time are far from all rims.
+  bool matters(VertexId v) {
+    if (v.index >= mesh_.vertex_slots()) return false;
+    if (out_.near_.contains(v.index)) return true;
+    bool known = false;
+    for_each_neighbour(v, [&](VertexId next) { known = known || out_.near_.contains(next.index); });
+    return known || is_on_rim(v);
+  }
+
   // The vertices that a change at `changed` can affect, with the next ones beyond them.
   std::vector<VertexId> reach(std::span<const VertexId> changed) {
     std::unordered_map<uint32_t, float> path;
@@ -42,7 +52,7 @@ class RimDistance::Search {
       queue_.push({length, v});
     };
     for (const VertexId v : changed) {
-      if (v.index < mesh_.vertex_slots()) offer(v, 0);
+      if (matters(v)) offer(v, 0);
     }
     while (!queue_.empty()) {
       const Entry nearest = queue_.top();
@@ -95,15 +105,26 @@ class RimDistance::Search {
     return sides_.empty() && !bases_.was_open(mesh_.data(f).base, at(from), at(to));
   }
 
-  void offer_rims(VertexId v) {
+  template <typename Visit>
+  void for_each_rim(VertexId v, const Visit& visit) {
     mesh_.star(v, star_);
     for (const FaceId f : star_.faces) {
       const std::array<VertexId, 3> c = mesh_.corners(f);
       for (size_t i = 0; i < 3; ++i) {
         const VertexId from = c[i], to = c[(i + 1) % 3];
-        if ((from == v || to == v) && is_rim(f, from, to)) offer(v, {kFar, at(from), at(to)});
+        if ((from == v || to == v) && is_rim(f, from, to)) visit(from, to);
       }
     }
+  }
+
+  bool is_on_rim(VertexId v) {
+    bool on = false;
+    for_each_rim(v, [&](VertexId, VertexId) { on = true; });
+    return on;
+  }
+
+  void offer_rims(VertexId v) {
+    for_each_rim(v, [&](VertexId from, VertexId to) { offer(v, {kFar, at(from), at(to)}); });
   }
 
   // Whether the side is the nearest that the vertex knows.

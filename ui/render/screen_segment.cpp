@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
+
+#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -32,7 +33,7 @@ void keep_positive(double at_from, double at_to, Vec2& share) {
 
 std::optional<ScreenSegment> on_screen(const CameraView& view, const Vec3& from, const Vec3& to, int width,
                                        int height, double margin) {
-  assert(width > 0 && height > 0);
+  KERF_ASSERT(width > 0 && height > 0);
   const ClipPoint a = clip_point(view, from), b = clip_point(view, to);
   const Vec2 half(0.5 * width, 0.5 * height), limit = (half + margin) / half;
   const double least = kLeastDepth * view.focus;

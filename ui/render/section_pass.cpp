@@ -2,14 +2,15 @@
 
 #include <algorithm>
 
+#include "core/base/assert.h"
+#include "ui/render/scaled_width.h"
 #include "ui/render/section_clip.h"
 
 namespace kerf {
 
 namespace {
 
-constexpr float kWide = 1.5f;          // pixels, in a picture
-constexpr float kPictureHeight = 900;  // of this height or less
+constexpr float kSectionWidth = 1.5f;  // see scaled_width
 
 }  // namespace
 
@@ -25,6 +26,7 @@ SectionPass::SectionPass(gl::Program line) : line_(std::move(line)) {
 
 void SectionPass::draw(const Subject& subject, int height) const {
   if (shown_section(subject.options) == nullptr) return;
+  KERF_ASSERT(is_frame_bound());
   const SectionClip clip(subject.options);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_EQUAL);
@@ -33,7 +35,7 @@ void SectionPass::draw(const Subject& subject, int height) const {
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
   if (subject.options.cull_backs) glEnable(GL_CULL_FACE);
   line_.use();
-  line_.set("wide", kWide * std::max(1.0f, static_cast<float>(height) / kPictureHeight));
+  line_.set("wide", scaled_width(kSectionWidth, height));
   for_each_body(subject, [&](BodyId, const Body& body, const BodyPicture& picture) {
     picture.draw(line_, subject.space, body.placement);
   });

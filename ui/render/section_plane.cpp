@@ -1,10 +1,10 @@
 #include "ui/render/section_plane.h"
 
-#include <cassert>
 #include <charconv>
 #include <cmath>
 #include <limits>
 
+#include "core/base/assert.h"
 #include "core/document/exact_number.h"
 #include "ui/render/view_options.h"
 
@@ -13,7 +13,7 @@ namespace kerf {
 namespace {
 
 constexpr std::string_view kBlanks = " \t\r\n";
-constexpr double kUnit = 1e-12;  // by which the length of a unit vector may be off
+constexpr double kUnitLengthError = 1e-12;  // by which the length of a unit vector may be off
 
 std::string_view trimmed(std::string_view text, std::string_view what) {
   const size_t first = text.find_first_not_of(what);
@@ -53,9 +53,9 @@ void append(std::string& text, const Vec3& v) {
 
 SectionPlane SectionPlane::facing(const Vec3& point, const Vec3& way) {
   const double largest = std::max({std::abs(way.x), std::abs(way.y), std::abs(way.z)});
-  assert(largest > 0);
+  KERF_ASSERT(largest > 0);
   const bool unit =
-      std::abs(glm::length(way) - 1) < kUnit;  // so that a plane that is read back stays the same
+      std::abs(glm::length(way) - 1) < kUnitLengthError;  // so that a plane that is read back stays the same
   return {point, unit ? way : glm::normalize(way / largest)};
 }
 

@@ -1,5 +1,7 @@
 #include "ui/render/seen_light.h"
 
+#include "core/base/assert.h"
+
 namespace kerf {
 
 LightOnBody light_on_body(const Light& light, const Placement& placement, const FloatFrame& frame,
@@ -22,6 +24,7 @@ LightOnBody light_on_body(const Light& light, const Placement& placement, const 
 }
 
 glm::vec4 light_in_frame(const Light& light, const FrameSpace& space) {
+  KERF_ASSERT(light.kind != Light::Kind::kDirectional || light.at != Vec3(0));
   if (light.kind == Light::Kind::kDirectional) return {glm::vec3(glm::normalize(space.turned(light.at))), 0};
   return {space.from_world(light.at), 1};
 }

@@ -12,7 +12,8 @@ namespace kerf {
 LightOnBody light_on_body(const Light& light, const Placement& placement, const FloatFrame& frame,
                           const BodyLooks& looks);
 
-// The uniform "light" of the shaders: the light in frame coordinates.
+// The uniform "light" of the shaders: the light in frame coordinates. Precondition: the direction of a
+// directional light is not zero.
 glm::vec4 light_in_frame(const Light& light, const FrameSpace& space);
 
 // The uniform "light_colour". `diagonal` of the world, m.

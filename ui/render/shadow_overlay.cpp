@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/assert.h"
 #include "ui/render/overlay_colour.h"
 #include "ui/render/overlay_colours.h"
 #include "ui/render/section_clip.h"
@@ -67,7 +68,9 @@ struct ShadowOverlay::Inspected {
   template <typename Visit>
   void for_each_volume(const Visit& visit) const {
     for_each_body(subject, [&](BodyId id, const Body& body, const BodyPicture& picture) {
-      visit(*shadows.volume(subject, id, light, method), body, picture);
+      const VolumeBuffer* volume = shadows.volume(subject, id, light, method);
+      KERF_ASSERT(volume != nullptr);
+      visit(*volume, body, picture);
     });
   }
 };

@@ -1,5 +1,6 @@
 #include "ui/render/shadow_pass.h"
 
+#include "core/base/assert.h"
 #include "ui/render/section_clip.h"
 #include "ui/render/seen_light.h"
 
@@ -208,6 +209,7 @@ void ShadowPass::count_as_the_paper(const Subject& subject, VolumeKey key, const
 }
 
 void ShadowPass::count(const Subject& subject, size_t light, ShadowMethod method) {
+  KERF_ASSERT(light < subject.options.lights.size());
   const VolumeKey key{light, method};
   for_each_body(subject, [&](BodyId id, const Body& body, const BodyPicture& picture) {
     bring_up_to_date(subject, id, body, picture, key);

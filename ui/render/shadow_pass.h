@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 
+#include "core/base/assert.h"
 #include "core/world/delta.h"
 #include "ui/gl/program.h"
 #include "ui/render/picture_memory.h"
@@ -38,8 +39,11 @@ class ShadowPass {
   void carry_on(BodyId from, BodyId to);
   // Faces that changed; bodies that came or went are forgotten or adopted.
   void follow(const Delta& delta);
-  // What casts the shadow of a body in its picture frame, made ahead.
-  void adopt(BodyId id, std::unique_ptr<ShadowCaster> caster) { bodies_[id].caster = std::move(caster); }
+  // What casts the shadow of a body in its picture frame, made ahead. Precondition: it is not null.
+  void adopt(BodyId id, std::unique_ptr<ShadowCaster> caster) {
+    KERF_ASSERT(caster != nullptr);
+    bodies_[id].caster = std::move(caster);
+  }
 
   // Counts into the stencil of what is bound, where the scissor lets it, the shadow of a light of
   // subject.options. What casts must be in the depth, drawn with `clip_from_frame * vec4(placed(...), 1.0)`

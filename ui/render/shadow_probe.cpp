@@ -1,5 +1,6 @@
 #include "ui/render/shadow_probe.h"
 
+#include "core/base/assert.h"
 #include "ui/render/marked_faces.h"
 
 namespace kerf {
@@ -28,6 +29,8 @@ void ShadowProbe::draw_marks(const Subject& subject, const GroundPass* ground) c
 
 ShadowCounts ShadowProbe::look(const Subject& subject, ShadowPass& shadows, size_t light, ShadowMethod method,
                                const GroundPass* ground, int width, int height) {
+  KERF_ASSERT(is_frame_bound());
+  KERF_ASSERT(width > 0 && height > 0);
   const gl::Framebuffer::Shape shape{width, height, 1, true};
   if (!picture_ || !(picture_->shape() == shape)) picture_.emplace(shape);
   picture_->bind();
@@ -49,6 +52,7 @@ ShadowCounts ShadowProbe::look(const Subject& subject, ShadowPass& shadows, size
 }
 
 size_t differing_pixels(const ShadowCounts& a, const ShadowCounts& b) {
+  KERF_ASSERT(a.width == b.width && a.height == b.height);
   size_t off = 0;
   for (size_t i = 0; i < a.stencil.size(); ++i) {
     off += a.faces[i] != 0 && (a.stencil[i] == 0) != (b.stencil[i] == 0);

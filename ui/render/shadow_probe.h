@@ -25,7 +25,7 @@ class ShadowProbe {
   static Result<ShadowProbe> create(const std::filesystem::path& shaders);
 
   // If `ground` is null, only bodies are visible. Changes the bound framebuffer. Precondition: the uniform
-  // block of the frame is bound and matches the size.
+  // block of the frame is bound and matches the size, which is positive.
   ShadowCounts look(const Subject& subject, ShadowPass& shadows, size_t light, ShadowMethod method,
                     const GroundPass* ground, int width, int height);
 

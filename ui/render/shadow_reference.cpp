@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/assert.h"
 #include "ui/render/body_looks.h"
 
 namespace kerf {
@@ -29,6 +30,7 @@ ShadowReference::ShadowReference(ShadowRays rays, const CameraView& view, double
       ground_(ground),
       width_(width),
       height_(height) {
+  KERF_ASSERT(width > 0 && height > 0);
   const size_t pixels = static_cast<size_t>(width) * static_cast<size_t>(height);
   faces_.resize(pixels, 0);
   occluders_.resize(pixels, 0);
@@ -68,6 +70,7 @@ void ShadowReference::trace_pixel(int x, int y) {
 }
 
 size_t differing_pixels(const ShadowCounts& drawn, const ShadowReference& traced) {
+  KERF_ASSERT(drawn.width == traced.width() && drawn.height == traced.height());
   size_t off = 0;
   for (size_t i = 0; i < drawn.faces.size(); ++i) {
     off += drawn.faces[i] != 0 && drawn.faces[i] == traced.faces()[i] &&

@@ -15,6 +15,7 @@ class ShadowReference {
  public:
   // `near`: distance of the near plane along the view's forward axis, m; `ground`: its height (m) if it is
   // visible and receives shadows. What `section` takes away is not seen and casts shadows.
+  // Precondition: the size is positive.
   ShadowReference(ShadowRays rays, const CameraView& view, double near,
                   const std::optional<SectionPlane>& section, const Light& light,
                   std::optional<double> ground, int width, int height);
@@ -47,7 +48,7 @@ class ShadowReference {
 };
 
 // The number of pixels that show the same face in both and are lit in only one. Rows that are not traced yet
-// do not count.
+// do not count. Precondition: the pictures have the same size.
 size_t differing_pixels(const ShadowCounts& drawn, const ShadowReference& traced);
 
 }  // namespace kerf

@@ -1,5 +1,7 @@
 #include "ui/render/spread.h"
 
+#include "core/base/assert.h"
+
 namespace kerf {
 
 namespace {
@@ -18,6 +20,7 @@ void spread_pieces(const World& world, double spread, ViewOptions& look) {
 }
 
 void spread_further(const World& world, double spread, ViewOptions& look) {
+  KERF_ASSERT(spread >= 0);
   for (auto& [id, piece] : look.pieces) piece.offset = Vec3(0);
   if (spread > 0) {
     const World::Bounds bounds = world.bounds();
@@ -25,6 +28,7 @@ void spread_further(const World& world, double spread, ViewOptions& look) {
     for (const BodyId id : world.ids()) {
       const Body& body = world.body(id);
       const PieceGroups& groups = groups_of(world, id, look);
+      KERF_ASSERT(groups.middles.size() == body.pieces.size());
       for (uint32_t label = 0; label < body.pieces.size(); ++label) {
         if (body.pieces[label].faces == 0) continue;
         look.pieces[{id, label}].offset = spread * (body.placement.to_world(groups.middles[label]) - middle);

@@ -1,5 +1,6 @@
 #include "ui/render/stage_pass.h"
 
+#include "ui/gl/float_attribute.h"
 #include "ui/render/body_looks.h"
 #include "ui/render/overlay_colours.h"
 
@@ -9,7 +10,7 @@ namespace {
 
 using Kind = StageMarks::Kind;
 
-constexpr float kHalfWidth = 0.7f, kLastHalfWidth = 1.6f;  // pixels
+constexpr float kEdgeHalfWidth = 0.7f, kLastHalfWidth = 1.6f;  // pixels
 
 float opacity_of_fill(Kind kind) {
   switch (kind) {
@@ -52,12 +53,6 @@ class DrawnAt {
   const Placement& placement_;
   BodyLooks looks_;
 };
-
-void attribute(GLuint index, GLint numbers, size_t stride, size_t offset) {
-  glEnableVertexAttribArray(index);
-  glVertexAttribPointer(index, numbers, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
-                        reinterpret_cast<const void*>(offset));
-}
 
 }  // namespace
 
@@ -119,7 +114,7 @@ void StagePass::draw(const Subject& subject) {
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
   draw_fills(corners);
-  lines_.draw(lines, kHalfWidth);
+  lines_.draw(lines, kEdgeHalfWidth);
   glDisable(GL_DEPTH_TEST);
   lines_.draw(last, kLastHalfWidth);
   glEnable(GL_DEPTH_TEST);
@@ -133,8 +128,8 @@ void StagePass::draw_fills(const std::vector<Corner>& corners) {
   glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners.size() * sizeof(Corner)), corners.data(),
                GL_STREAM_DRAW);
-  attribute(0, 3, sizeof(Corner), offsetof(Corner, at));
-  attribute(1, 4, sizeof(Corner), offsetof(Corner, colour));
+  gl::set_float_attribute(0, 3, sizeof(Corner), offsetof(Corner, at));
+  gl::set_float_attribute(1, 4, sizeof(Corner), offsetof(Corner, colour));
   fills_.use();
   glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners.size()));
 }

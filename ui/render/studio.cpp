@@ -1,7 +1,6 @@
 #include "ui/render/studio.h"
 
 #include "core/document/last_cut_graph.h"
-#include "ui/gl/debug_output.h"
 #include "ui/render/body_marks.h"
 #include "ui/render/png.h"
 
@@ -36,7 +35,6 @@ Result<Studio> Studio::open(const Scene& scene, const PictureOptions& options) {
   }
   auto context = gl::OffscreenContext::create();
   if (!context) return context.error();
-  gl::report_gl_errors();
   gl::Framebuffer picture({options.width, options.height, 1, false});
   if (!picture.complete())
     return failed("OpenGL has no room for a picture of this size; choose a smaller one");

@@ -1,5 +1,6 @@
 #include "ui/render/tone_pass.h"
 
+#include "core/base/assert.h"
 #include "ui/render/body_picture.h"
 
 namespace kerf {
@@ -20,6 +21,8 @@ TonePass::TonePass(gl::Program one_sample, gl::Program samples)
 }
 
 void TonePass::draw(const gl::Framebuffer& scene, const gl::Framebuffer& to) const {
+  KERF_ASSERT(scene.shape().width == to.shape().width && scene.shape().height == to.shape().height &&
+              scene.shape().samples == to.shape().samples);
   const int count = scene.shape().samples;
   const gl::Program& program = count > 1 ? samples_ : one_sample_;
   to.bind();

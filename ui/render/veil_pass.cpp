@@ -6,7 +6,7 @@ namespace kerf {
 
 namespace {
 
-constexpr float kBehindPerSlope = 1.5f, kBehind = 24;  // as glPolygonOffset counts
+constexpr float kBehindPerSlope = 1.5f, kBehindSurfaces = 24;  // as glPolygonOffset counts
 
 struct Look {
   glm::vec4 fill, edge;
@@ -20,7 +20,7 @@ Look look_of(VeilPass::Style style) {
 
 void draw_removed(const Subject& subject, const gl::Program& program) {
   glEnable(GL_POLYGON_OFFSET_FILL);
-  glPolygonOffset(kBehindPerSlope, kBehind);
+  glPolygonOffset(kBehindPerSlope, kBehindSurfaces);
   const SectionClip clip(subject.options);
   int number = 0;
   for_each_body(subject, [&](BodyId, const Body& body, BodyPicture& picture) {

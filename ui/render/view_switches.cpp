@@ -1,6 +1,6 @@
 #include "ui/render/view_switches.h"
 
-#include <cassert>
+#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -279,7 +279,7 @@ std::span<const ViewSwitch> view_switches() { return kSwitches; }
 
 const ViewSwitch& view_switch(SwitchId id) {
   const ViewSwitch& found = kSwitches.at(static_cast<size_t>(id));
-  assert(found.id == id);
+  KERF_ASSERT(found.id == id);
   return found;
 }
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "core/base/assert.h"
 #include "ui/render/view_options.h"
 
 namespace kerf {
@@ -60,7 +61,10 @@ struct ViewSwitch {
 
   bool is_two_state() const { return states.size() == 2; }
   // Goes to the state after the present one, and from the last to the first.
-  void flip(ViewOptions& look) const { set(look, (get(look) + 1) % states.size()); }
+  void flip(ViewOptions& look) const {
+    KERF_ASSERT(get(look) < states.size());
+    set(look, (get(look) + 1) % states.size());
+  }
 };
 
 // The name of the action that flips it: "Shadows: none, ground, all", and its label where the states are off

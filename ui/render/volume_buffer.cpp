@@ -3,15 +3,16 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "core/base/assert.h"
 #include "ui/render/face_slots.h"
 
 namespace kerf {
 
 namespace {
 
-constexpr int kSignsUnit = 4;  // of the textures; no program of shadow_cap.vert uses it for another
-constexpr int kCopies = 2;     // of a side that are drawn at once
-constexpr uint32_t kGap = 16;  // clean items worth sending to save a call
+constexpr int kSignsUnit = 4;         // of the textures; no program of shadow_cap.vert uses it for another
+constexpr int kCopies = 2;            // of a side that are drawn at once
+constexpr uint32_t kGapOfItems = 16;  // clean items worth sending to save a call
 constexpr uint32_t kNoChunks = 0x80000000u;
 
 }  // namespace
@@ -49,6 +50,7 @@ size_t VolumeBuffer::bytes() const {
 }
 
 void VolumeBuffer::update(const ShadowCaster& caster) {
+  KERF_ASSERT(volume_.signs().size() == caster.face_slots());
   const ShadowVolume::Touched touched = volume_.take_touched();
   if (!touched.all && touched.faces.empty() && touched.places.empty()) return;
   send_signs(touched);
@@ -66,7 +68,7 @@ void VolumeBuffer::send_signs(const ShadowVolume::Touched& touched) {
   DirtySlots dirty;
   if (touched.all) dirty.mark_all(faces);
   for (const uint32_t f : touched.faces) dirty.mark(f);
-  for (const SlotRange range : dirty.take(kGap, kChunk)) {
+  for (const SlotRange range : dirty.take(kGapOfItems, kChunk)) {
     glBindBuffer(GL_TEXTURE_BUFFER, signs_[range.begin / kChunk].buffer.name());
     glBufferSubData(GL_TEXTURE_BUFFER, range.begin % kChunk, range.end - range.begin,
                     &volume_.signs()[range.begin]);
@@ -85,7 +87,7 @@ void VolumeBuffer::send_sides(const ShadowCaster& caster, const ShadowVolume::To
     if (place < edges.size()) dirty.mark(place);
   }
   glBindBuffer(GL_ARRAY_BUFFER, sides_.buffer.name());
-  for (const SlotRange range : dirty.take(kGap, kNoChunks)) {
+  for (const SlotRange range : dirty.take(kGapOfItems, kNoChunks)) {
     sides.clear();
     const uint32_t end = std::min<uint32_t>(range.end, static_cast<uint32_t>(edges.size()));
     for (uint32_t i = range.begin; i < end; ++i) sides.push_back(side(caster, edges[i]));

@@ -21,7 +21,7 @@ class VolumeBuffer {
   // Memory of the buffers on the GPU, in bytes.
   size_t bytes() const;
 
-  // Sends the changes of the volume since the last call.
+  // Sends the changes of the volume since the last call. Precondition: the volume has followed the caster.
   void update(const ShadowCaster& caster);
 
   // Binds the signs of a chunk for `program`, which contains shadow_cap.vert and is in use.

@@ -16,8 +16,8 @@ class FrameLoop {
   // Both must outlive it.
   FrameLoop(Window& window, Gui& gui) : window_(window), gui_(gui) {}
 
-  // Runs until the screen is over, SIGINT or SIGTERM arrives, or the script that drives the window ends. Returns
-  // whether the screen is over.
+  // Runs until the screen is over, SIGINT or SIGTERM arrives, or the script that drives the window ends.
+  // Returns whether the screen is over.
   bool run(Screen& screen);
   // What was wrong with the script, or empty.
   const std::string& fault() const { return fault_; }

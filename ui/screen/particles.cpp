@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "core/base/assert.h"
+#include "core/base/unit_vector.h"
+
 namespace kerf {
 
 namespace {
@@ -36,6 +39,7 @@ Vec3 Particles::direction_in_ball() {
 }
 
 void Particles::add(const Bite& bite, const Vec3& up) {
+  KERF_ASSERT(bite.seconds >= 0 && bite.size > 0 && is_unit(up));
   for (owed_sparks_ += kSparksPerSecond * bite.seconds; owed_sparks_ >= 1; --owed_sparks_)
     throw_spark(bite, up);
   for (owed_puffs_ += kPuffsPerSecond * bite.seconds; owed_puffs_ >= 1; --owed_puffs_) raise_puff(bite, up);
@@ -56,6 +60,7 @@ void Particles::raise_puff(const Bite& bite, const Vec3& up) {
 }
 
 void Particles::advance(double seconds, const Vec3& up, double ground) {
+  KERF_ASSERT(seconds >= 0 && is_unit(up));
   for (MovingSpark& s : sparks_) {
     s.velocity -= up * (kGravity * s.size * seconds);
     s.at += s.velocity * seconds;

@@ -15,13 +15,14 @@ class Particles {
   struct Bite {
     Vec3 at;             // m, world
     Vec3 direction;      // of the beam, unit
-    double size = 1;     // of what is cut, compared with a car; lengths and speeds are multiplied by it
-    double seconds = 0;  // for how long it bites since the last call
+    double size = 1;     // of what is cut, compared with a car (> 0); lengths and speeds are multiplied by it
+    double seconds = 0;  // for how long it bites since the last call (>= 0)
   };
 
-  // Sparks fly off, most of them back along the beam, and smoke rises.
+  // Sparks fly off, most of them back along the beam, and smoke rises along `up`, a unit vector.
   void add(const Bite& bite, const Vec3& up);
-  // Lets time pass. Sparks bounce off the ground, a plane at a height (m) along `up`, a unit vector.
+  // Lets time pass (s, >= 0). Sparks bounce off the ground, a plane at a height (m) along `up`, a unit
+  // vector.
   void advance(double seconds, const Vec3& up, double ground);
 
   bool empty() const { return sparks_.empty() && puffs_.empty(); }

@@ -48,8 +48,8 @@ class Screen {
   // Whether the screen is to be left.
   virtual bool over() const = 0;
 
-  // What the screen tells the script that drives the window, as JSON; nothing where it knows no such word (see
-  // EventScript::Answer).
+  // What the screen tells the script that drives the window, as JSON; nothing where it knows no such word
+  // (see EventScript::Answer).
   virtual std::optional<std::string> answer(const std::string&) const { return std::nullopt; }
 };
 

@@ -7,8 +7,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 
+#include "core/base/assert.h"
+#include "core/base/unit_vector.h"
 #include "ui/sound/waves.h"
 
 namespace kerf {
@@ -112,6 +113,7 @@ void Sounds::set_volume(double volume) {
 }
 
 void Sounds::listen(const Vec3& at, const Vec3& forward) {
+  KERF_ASSERT(is_unit(forward));
   if (!on()) return;
   alListener3f(AL_POSITION, static_cast<float>(at.x), static_cast<float>(at.y), static_cast<float>(at.z));
   const std::array<float, 6> ears{
@@ -120,7 +122,7 @@ void Sounds::listen(const Vec3& at, const Vec3& forward) {
 }
 
 void Sounds::set(Loop loop, size_t voice, const Vec3& at, double gain, double pitch) {
-  assert(voice < kVoices && loop != Loop::kCount);
+  KERF_ASSERT(voice < kVoices && loop != Loop::kCount && pitch > 0);
   if (!on()) return;
   const ALuint source = device_->loops[static_cast<size_t>(loop) * kVoices + voice];
   ALint state = 0;
@@ -136,7 +138,7 @@ void Sounds::set(Loop loop, size_t voice, const Vec3& at, double gain, double pi
 }
 
 void Sounds::play(Shot shot, const Vec3& at, double gain, double pitch) {
-  assert(shot != Shot::kCount);
+  KERF_ASSERT(shot != Shot::kCount && pitch > 0);
   if (!on() || !(gain > 0)) return;
   const ALuint source = device_->shots[device_->next_shot++ % kShotSources];
   alSourceStop(source);

@@ -27,7 +27,7 @@ class Sounds {
   // Where the ears are (world, m), and which way they look (unit).
   void listen(const Vec3& at, const Vec3& forward);
   // A loop that comes from a place, one for each `voice` (0 .. kVoices - 1); silent at a gain of 0. A pitch
-  // of 2 plays it twice as fast.
+  // (> 0) of 2 plays it twice as fast.
   static constexpr size_t kVoices = 6;
   void set(Loop loop, size_t voice, const Vec3& at, double gain, double pitch = 1);
   // Plays a sound once at a place.

@@ -8,11 +8,16 @@
 
 #include <backends/imgui_impl_glfw.h>
 
+#include "core/base/assert.h"
+#include "ui/gl/debug_output.h"
+
 namespace kerf {
 
 // What GLFW calls; set before ImGui's, which call on to these.
 struct DesktopWindow::Callbacks {
-  static DesktopWindow& of(GLFWwindow* w) { return *static_cast<DesktopWindow*>(glfwGetWindowUserPointer(w)); }
+  static DesktopWindow& of(GLFWwindow* w) {
+    return *static_cast<DesktopWindow*>(glfwGetWindowUserPointer(w));
+  }
   // GLFW asks the display where the pointer is at the moment; when a slow frame hears of a press, it has gone
   // on.
   static Vec2 pointer(GLFWwindow* w) { return of(w).pointer_; }
@@ -68,7 +73,9 @@ DesktopWindow::~DesktopWindow() {
 
 Result<std::unique_ptr<DesktopWindow>> DesktopWindow::open(int width, int height, const std::string& title) {
   glfwSetErrorCallback(nullptr);
-  if (!glfwInit()) return failed("a window needs a display; `kerf render` draws without one, and `kerf play --headless` plays");
+  if (!glfwInit())
+    return failed(
+        "a window needs a display; `kerf render` draws without one, and `kerf play --headless` plays");
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
@@ -81,6 +88,7 @@ Result<std::unique_ptr<DesktopWindow>> DesktopWindow::open(int width, int height
   glfwSetWindowSizeLimits(window, 480, 360, GLFW_DONT_CARE, GLFW_DONT_CARE);
   glfwMakeContextCurrent(window);
   glfwSwapInterval(1);
+  gl::report_gl_errors();
   return std::unique_ptr<DesktopWindow>(new DesktopWindow(window));
 }
 
@@ -110,6 +118,7 @@ void DesktopWindow::swap() { glfwSwapBuffers(window_); }
 // --------------------------------------------------------------------------------------------------------
 
 void DesktopWindow::wait(double seconds) {
+  KERF_ASSERT(seconds >= 0);
   const size_t heard = events_.size();
   glfwPollEvents();
   const double now = glfwGetTime();

@@ -22,8 +22,8 @@ class DesktopWindow final : public Window {
   float scale() const override;
   void set_title(const std::string& title) override;
   void swap() override;
-  // GLFW does not tell when an event happened: the times of events that came between two calls are spread evenly over
-  // the time between these calls.
+  // GLFW does not tell when an event happened: the times of events that came between two calls are spread
+  // evenly over the time between these calls.
   void wait(double seconds) override;
   std::vector<InputEvent> take_events() override;
   std::vector<std::filesystem::path> take_drops() override;

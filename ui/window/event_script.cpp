@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <iostream>
 
+#include "core/base/assert.h"
 #include "ui/render/png.h"
 
 namespace kerf {
@@ -35,6 +36,7 @@ std::optional<std::string> EventScript::next_line() {
 }
 
 Result<bool> EventScript::begin_frame(bool moving, const Answer& answer) {
+  KERF_ASSERT(answer);
   if (goes_on_waiting(moving)) {
     draw_frame();
     return true;
@@ -101,7 +103,8 @@ Status EventScript::hear_together(const JsonValue& steps) {
   if (const Status list = steps.array("steps"); !list) return list;
   for (size_t i = 0; i < steps.json().size(); ++i) {
     const JsonValue step = steps[i];
-    if (!step.json().is_object() || step.json().size() != 1) return step.wrong("must be an object with one key");
+    if (!step.json().is_object() || step.json().size() != 1)
+      return step.wrong("must be an object with one key");
     const std::string name = step.json().begin().key();
     if (const Status heard = input_.hear(name, step[name]); !heard) return heard;
   }

@@ -6,6 +6,8 @@
 
 #include <backends/imgui_impl_opengl3.h>
 
+#include "core/base/assert.h"
+
 namespace kerf {
 
 namespace {
@@ -31,12 +33,14 @@ bool is_active_item_hidden() {
 
 void keep_active_item() {
   ImGuiContext& context = *ImGui::GetCurrentContext();
+  KERF_ASSERT(context.WithinFrameScope);
   if (context.ActiveId == 0) return;
   ImGui::KeepAliveID(context.ActiveId);
   context.ActiveIdNoClearOnFocusLoss = true;
 }
 
 Gui::Gui(Window& window) : window_(window) {
+  KERF_ASSERT(ImGui::GetCurrentContext() == nullptr);
   IMGUI_CHECKVERSION();
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;
@@ -51,6 +55,7 @@ Gui::~Gui() {
 }
 
 void Gui::dress(const GuiLook& look) {
+  KERF_ASSERT(!ImGui::GetCurrentContext()->WithinFrameScope);
   if (look_ == look) return;
   apply_theme(look);
   // Before the first frame the backend has no texture yet, and makes it by itself.
@@ -62,6 +67,7 @@ void Gui::dress(const GuiLook& look) {
 }
 
 void Gui::begin_frame(std::span<const InputEvent> events) {
+  KERF_ASSERT(!ImGui::GetCurrentContext()->WithinFrameScope);
   ImGui_ImplOpenGL3_NewFrame();
   window_.begin_gui_frame();
   // ImGui takes the time of a click from the frame that sees it. A press, its release and the next press are
@@ -91,6 +97,7 @@ void Gui::hold_release(std::span<const InputEvent> events) {
 }
 
 void Gui::end_frame() {
+  KERF_ASSERT(ImGui::GetCurrentContext()->WithinFrameScope);
   ImGui::Render();
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }

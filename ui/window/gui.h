@@ -15,7 +15,7 @@ void keep_active_item();
 // Runs ImGui in a window: its context, its fonts and colours, and its frames.
 class Gui {
  public:
-  // The window must outlive it.
+  // The window must outlive it. Precondition: there is no other ImGui context.
   explicit Gui(Window& window);
   ~Gui();
   Gui(const Gui&) = delete;
@@ -24,7 +24,8 @@ class Gui {
   // Changes the look; costs nothing if it is the current one. Precondition: called between frames.
   void dress(const GuiLook& look);
 
-  // `events` are those that the window received since the last frame.
+  // `events` are those that the window received since the last frame. Each frame that begins ends before the
+  // next one.
   void begin_frame(std::span<const InputEvent> events);
   // Draws the panels over the content of the window.
   void end_frame();

@@ -26,9 +26,9 @@ class Landmarks {
   void mark(std::string name, const Area& area) { areas_.insert_or_assign(std::move(name), area); }
   // The five areas of the layout, under the names of the members of Layout.
   void mark(const Layout& layout);
-  // Ends the frame and writes its landmarks where they differ from those in the file. `busy`: more frames follow
-  // without further input. `pointer`: where this frame saw the pointer; a test that finds it where it last
-  // moved it knows that all input up to then was heard. On failure the file is as it was.
+  // Ends the frame and writes its landmarks where they differ from those in the file. `busy`: more frames
+  // follow without further input. `pointer`: where this frame saw the pointer; a test that finds it where it
+  // last moved it knows that all input up to then was heard. On failure the file is as it was.
   Status finish(bool busy, Vec2 pointer);
   // What the file holds after finish(), in one line.
   std::string text() const;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/assert.h"
+
 namespace kerf {
 
 namespace {
@@ -25,6 +27,7 @@ Layout lay_out(Vec2 window, double em, double menu, double status, double side_e
 }
 
 Layout split_in_two(Layout whole, double share) {
+  KERF_ASSERT(!whole.split() && share >= 0 && share <= 1);
   const Area& all = whole.viewport;
   const double least = std::min(kLeastHalf, std::floor(0.5 * all.size.x));
   const double left = std::clamp(std::round(share * all.size.x), least, all.size.x - least);

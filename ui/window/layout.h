@@ -28,7 +28,7 @@ struct Layout {
 Layout lay_out(Vec2 window, double em, double menu, double status, double side_ems = 21);
 
 // Splits the viewport in two. The left half takes this fraction of its width, limited so that both halves
-// stay usable.
+// stay usable. Preconditions: it is whole, and the fraction is from 0 to 1.
 Layout split_in_two(Layout whole, double share);
 
 }  // namespace kerf

@@ -1,17 +1,17 @@
 #include "ui/window/offscreen_gui.h"
 
 #include <imgui.h>
-
-#include <cassert>
+#include <imgui_internal.h>
 
 #include <backends/imgui_impl_opengl3.h>
 
+#include "core/base/assert.h"
 #include "ui/window/theme.h"
 
 namespace kerf {
 
 OffscreenGui::OffscreenGui(const GuiLook& look) {
-  assert(ImGui::GetCurrentContext() == nullptr);
+  KERF_ASSERT(ImGui::GetCurrentContext() == nullptr);
   IMGUI_CHECKVERSION();
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;
@@ -25,6 +25,7 @@ OffscreenGui::~OffscreenGui() {
 }
 
 void OffscreenGui::draw(const gl::Framebuffer& over, const std::function<void()>& paint) {
+  KERF_ASSERT(!ImGui::GetCurrentContext()->WithinFrameScope);
   const gl::Framebuffer::Shape& shape = over.shape();
   ImGui::GetIO().DisplaySize = {static_cast<float>(shape.width), static_cast<float>(shape.height)};
   ImGui_ImplOpenGL3_NewFrame();

@@ -17,6 +17,7 @@ class OffscreenGui {
   OffscreenGui& operator=(const OffscreenGui&) = delete;
 
   // Draws over a picture what `paint` adds to ImGui's background list, in pixels from the upper left corner.
+  // Precondition: it does not call this itself.
   void draw(const gl::Framebuffer& over, const std::function<void()>& paint);
 };
 

@@ -3,6 +3,8 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include "core/base/assert.h"
+
 namespace kerf {
 
 namespace {
@@ -17,6 +19,7 @@ bool begin_properties(const char* id) {
 }
 
 void property(const char* label) {
+  KERF_ASSERT(ImGui::GetCurrentContext()->CurrentTable != nullptr);
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::AlignTextToFramePadding();
@@ -25,7 +28,10 @@ void property(const char* label) {
   ImGui::SetNextItemWidth(-1);
 }
 
-void end_properties() { ImGui::EndTable(); }
+void end_properties() {
+  KERF_ASSERT(ImGui::GetCurrentContext()->CurrentTable != nullptr);
+  ImGui::EndTable();
+}
 
 void tooltip(const char* text) {
   if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;

@@ -10,11 +10,13 @@
 
 namespace kerf {
 
-// A window without a screen: a script is its user (see event_script.h), and a drawing surface in memory its picture.
+// A window without a screen: a script is its user (see event_script.h), and a drawing surface in memory its
+// picture.
 class ScriptedWindow final : public Window {
  public:
   // Fails if the file cannot be read, or OpenGL 3.3 cannot be had without a screen.
-  static Result<std::unique_ptr<ScriptedWindow>> open(const std::filesystem::path& events, int width, int height);
+  static Result<std::unique_ptr<ScriptedWindow>> open(const std::filesystem::path& events, int width,
+                                                      int height);
 
   Vec2 size() const override { return script_.input().size(); }
   Vec2 pixel_size() const override { return size(); }
@@ -47,6 +49,7 @@ class ScriptedWindow final : public Window {
     const EventScript& script_;
     mutable double frame_ = 0;     // s, the beginning of the frame of the last reading
     mutable double readings_ = 0;  // in this frame
+    mutable double latest_ = 0;    // s, what was read last
   };
 
   ScriptedWindow(EventScript script, gl::OffscreenContext context);

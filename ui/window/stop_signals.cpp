@@ -2,6 +2,8 @@
 
 #include <csignal>
 
+#include "core/base/assert.h"
+
 namespace kerf {
 
 namespace {
@@ -11,6 +13,7 @@ void remember(int) { stop_came = 1; }
 
 StopSignals::StopSignals()
     : old_interrupt_(std::signal(SIGINT, remember)), old_terminate_(std::signal(SIGTERM, remember)) {
+  KERF_ASSERT(old_interrupt_ != remember && old_terminate_ != remember);
   stop_came = 0;
 }
 

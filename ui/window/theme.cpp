@@ -4,6 +4,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "core/base/assert.h"
+
 namespace kerf {
 
 namespace {
@@ -99,6 +101,7 @@ void set_colours(ImGuiStyle& style, const GuiLook& look) {
 }  // namespace
 
 void apply_theme(const GuiLook& look) {
+  KERF_ASSERT(look.scale > 0);
   ImGuiStyle& style = ImGui::GetStyle();
   style = ImGuiStyle();
   set_colours(style, look);

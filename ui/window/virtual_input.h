@@ -25,8 +25,8 @@ class VirtualInput {
 
   explicit VirtualInput(Vec2 size) : size_(size) {}
 
-  // Hears a step of the script, an object with one key (see event_script.h). Fails, and changes nothing, if there is
-  // no such step or its value is wrong.
+  // Hears a step of the script, an object with one key (see event_script.h). Fails, and changes nothing, if
+  // there is no such step or its value is wrong.
   Status hear(const std::string& name, const JsonValue& value);
 
   Heard& heard() { return heard_; }

@@ -12,8 +12,8 @@ namespace kerf {
 
 class EventScript;
 
-// A window with an OpenGL 3.3 context, which is current while the object exists, and its queue of events: one on the
-// desktop (DesktopWindow), or one without a screen that a script drives (ScriptedWindow).
+// A window with an OpenGL 3.3 context, which is current while the object exists, and its queue of events: one
+// on the desktop (DesktopWindow), or one without a screen that a script drives (ScriptedWindow).
 class Window {
  public:
   Window() = default;
@@ -46,8 +46,8 @@ class Window {
   virtual void catch_pointer(bool caught) = 0;
 
   virtual const WindowClock& clock() const = 0;
-  // What drives the window instead of a user, or null. A script decides when a frame begins, and whatever works in the
-  // background is waited for between two frames.
+  // What drives the window instead of a user, or null. A script decides when a frame begins, and whatever
+  // works in the background is waited for between two frames.
   virtual EventScript* script() { return nullptr; }
 
   // Connects the current ImGui context with the window's input and clock, and ends that.

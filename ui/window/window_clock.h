@@ -2,8 +2,8 @@
 
 namespace kerf {
 
-// A clock in seconds that never runs backwards. What a screen does for a part of a frame, or once in a while, is timed
-// by the clock of its window, so that a window that a script drives shows the same in every run.
+// A clock in seconds that never runs backwards. What a screen does for a part of a frame, or once in a while,
+// is timed by the clock of its window, so that a window that a script drives shows the same in every run.
 class WindowClock {
  public:
   virtual ~WindowClock() = default;

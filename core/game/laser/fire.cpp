@@ -1,9 +1,9 @@
 #include "core/game/laser/fire.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
+#include "core/base/assert.h"
 #include "core/cut/cut_apart.h"
 #include "core/game/vehicle/vehicle_bodies.h"
 
@@ -74,7 +74,7 @@ std::map<BodyId, StepResult> fire(World& world, Vehicle& vehicle, const Sight& s
                                   const std::function<bool(BodyId)>& cuttable, const LaserRules& rules,
                                   const PlacementsBefore& before) {
   Gun& gun = vehicle.gun;
-  assert(gun.firing && gun.works());
+  KERF_ASSERT(gun.firing && gun.works());
   const Pose now = muzzle_pose(world, vehicle), last = gun.last.value_or(now);
   const auto wall = sight.nearest(now, rules.range, [&](BodyId id) { return !cuttable(id); });
   gun.length = wall ? wall->length : rules.range;

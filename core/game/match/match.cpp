@@ -1,8 +1,8 @@
 #include "core/game/match/match.h"
+#include "core/base/assert.h"
 #include "core/cut/thermal_step.h"
 
 #include <algorithm>
-#include <cassert>
 #include <utility>
 
 #include "core/base/hash.h"
@@ -60,7 +60,7 @@ class CarriedAside {
 };
 
 WaveStart first_wave(const MatchSetup& setup) {
-  assert(setup.rules);
+  KERF_ASSERT(setup.rules);
   return {{}, setup.rules->arena.description.player.placement(), 0};
 }
 
@@ -69,8 +69,8 @@ WaveStart first_wave(const MatchSetup& setup) {
 Match::Match(MatchSetup setup) : Match(setup, first_wave(setup)) {}
 
 Match::Match(MatchSetup setup, const WaveStart& start) : setup_(std::move(setup)), strokes_(start.strokes) {
-  assert(setup_.rules);
-  assert(start.standing.wave < std::max<size_t>(1, rules().waves.size()));
+  KERF_ASSERT(setup_.rules);
+  KERF_ASSERT(start.standing.wave < std::max<size_t>(1, rules().waves.size()));
   obstacles_ = Obstacles(rules().arena);
   space_ = FreeSpace(rules().arena);
   standing_ = start.standing;

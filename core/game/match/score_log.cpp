@@ -1,8 +1,9 @@
 #include "core/game/match/score_log.h"
 
 #include <algorithm>
-#include <cassert>
 #include <map>
+
+#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -50,7 +51,7 @@ std::optional<MatchMoment> ScoreLog::best() const {
 std::unique_ptr<Match> match_at(const MatchSetup& setup, const WaveStart& start,
                                 std::span<const Controls> controls, Ticks ticks,
                                 const std::function<bool()>& stop) {
-  assert(start.standing.ticks <= ticks && static_cast<size_t>(ticks) <= controls.size());
+  KERF_ASSERT(start.standing.ticks <= ticks && static_cast<size_t>(ticks) <= controls.size());
   auto match = std::make_unique<Match>(setup, start);
   while (match->standing().ticks < ticks && !match->standing().over()) {
     if (stop()) return nullptr;

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <bit>
-#include <cassert>
 #include <cmath>
 #include <limits>
 
+#include "core/base/assert.h"
 #include "core/game/vehicle/soup_parts.h"
 #include "core/mesh/point_to_triangle.h"
 
@@ -29,7 +29,7 @@ double FaceWatch::area_in(size_t group, const Triangle& t) const {
 }
 
 size_t FaceWatch::add(const Body& loaded, const std::vector<bool>& faces, const std::optional<Ball>& near) {
-  assert(areas_.size() < kMostGroups && groups_of_.size() == loaded.mesh.face_slots());
+  KERF_ASSERT(areas_.size() < kMostGroups && groups_of_.size() == loaded.mesh.face_slots());
   const size_t group = areas_.size();
   near_.push_back(near);
   double area = 0;

@@ -1,16 +1,16 @@
 #include "core/game/vehicle/rigid_motion.h"
 
-#include <cassert>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/matrix.hpp>
 
+#include "core/base/assert.h"
 #include "core/physics/rigid_frame.h"
 
 namespace kerf {
 
 RigidMotion::RigidMotion(const Body& body) {
   const RigidFrame frame = rigid_frame(body);
-  assert(frame.mass > 0);
+  KERF_ASSERT(frame.mass > 0);
   mass_ = frame.mass;
   const glm::dmat3 axes = glm::mat3_cast(body.placement.orientation * frame.axes);
   glm::dmat3 inverse(0.0);

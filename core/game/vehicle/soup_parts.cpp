@@ -1,6 +1,6 @@
 #include "core/game/vehicle/soup_parts.h"
 
-#include <cassert>
+#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -28,7 +28,7 @@ std::vector<uint32_t> part_of_triangles(const Soup& soup, const std::vector<std:
 }
 
 Soup extract_part(const Soup& soup, const std::vector<uint32_t>& part, uint32_t wanted) {
-  assert(part.size() == soup.triangles.size());
+  KERF_ASSERT(part.size() == soup.triangles.size());
   Soup own;
   own.positions = soup.positions;
   own.material_names = soup.material_names;

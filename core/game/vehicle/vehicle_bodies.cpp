@@ -1,8 +1,8 @@
 #include "core/game/vehicle/vehicle_bodies.h"
 
-#include <cassert>
 #include <utility>
 
+#include "core/base/assert.h"
 #include "core/game/angle.h"
 
 namespace kerf {
@@ -106,7 +106,7 @@ void place_carried(World& world, const Vehicle& vehicle) {
 }
 
 Pose muzzle_pose(const World& world, const Vehicle& vehicle) {
-  assert(vehicle.gun.works());
+  KERF_ASSERT(vehicle.gun.works());
   const Placement& placement = world.body(vehicle.gun.barrel).placement;
   return {placement.to_world(vehicle.what().turret.barrel.muzzle),
           glm::normalize(placement.orientation * Vec3(0, 0, 1))};

@@ -1,7 +1,8 @@
 #include "core/mesh/files/file_frame.h"
 
 #include <algorithm>
-#include <cassert>
+
+#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -35,7 +36,7 @@ UpAxis guess_up(MeshFormat format, const Vec3& min, const Vec3& max) {
 }  // namespace
 
 FileFrame guess_frame(MeshFormat format, const Vec3& min, const Vec3& max) {
-  assert(min.x <= max.x && min.y <= max.y && min.z <= max.z);
+  KERF_ASSERT(min.x <= max.x && min.y <= max.y && min.z <= max.z);
   const Vec3 size = max - min;
   return {guess_unit(format, std::max({size.x, size.y, size.z})), guess_up(format, min, max)};
 }

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <string>
 
+#include "core/base/assert.h"
 #include "core/mesh/files/off_reader.h"
 #include "core/mesh/files/scanner.h"
 #include "core/mesh/files/stl_reader.h"
@@ -49,7 +49,7 @@ std::optional<MeshFormat> mesh_format(std::string_view name) {
 }
 
 std::string_view format_name(MeshFormat format) {
-  assert(static_cast<size_t>(format) < kNames.size());
+  KERF_ASSERT(static_cast<size_t>(format) < kNames.size());
   return kNames[static_cast<size_t>(format)];
 }
 

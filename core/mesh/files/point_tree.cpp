@@ -1,19 +1,20 @@
 #include "core/mesh/files/point_tree.h"
 
 #include <algorithm>
-#include <cassert>
+
+#include "core/base/assert.h"
 
 namespace kerf {
 
 void PointTree::build(std::span<const Vec2> points, std::span<const uint32_t> chosen) {
-  assert(std::all_of(chosen.begin(), chosen.end(), [&](uint32_t i) { return i < points.size(); }));
+  KERF_ASSERT(std::all_of(chosen.begin(), chosen.end(), [&](uint32_t i) { return i < points.size(); }));
   items_.assign(chosen.begin(), chosen.end());
   nodes_.clear();
   if (!items_.empty()) build_node(0, {0, static_cast<uint32_t>(items_.size())}, points);
 }
 
 void PointTree::build_node(size_t node, Range range, std::span<const Vec2> points) {
-  assert(range.begin < range.end);
+  KERF_ASSERT(range.begin < range.end);
   if (node >= nodes_.size()) nodes_.resize(node + 1);
   Vec2 low = points[items_[range.begin]], high = low;
   for (uint32_t i = range.begin; i < range.end; ++i) {

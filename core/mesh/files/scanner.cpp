@@ -1,10 +1,10 @@
 #include "core/mesh/files/scanner.h"
 
 #include <algorithm>
-#include <cassert>
 #include <charconv>
 #include <cmath>
 
+#include "core/base/assert.h"
 #include "core/mesh/files/number.h"
 
 namespace kerf {
@@ -129,7 +129,7 @@ std::optional<double> Scanner::number() {
 std::optional<int64_t> Scanner::integer() { return parse_integer(word()); }
 
 const char* Scanner::take(size_t n) {
-  assert(n <= left());
+  KERF_ASSERT(n <= left());
   last_ = position_;
   position_ += n;
   return bytes_.data() + last_;
@@ -142,7 +142,7 @@ bool Scanner::cancelled() {
 }
 
 std::string Scanner::garbled_numbers_warning() const {
-  assert(garbled_numbers_ > 0);
+  KERF_ASSERT(garbled_numbers_ > 0);
   const std::string line = std::to_string(line_of(first_garbled_));
   if (garbled_numbers_ == 1) return "1 garbled number, in line " + line + ", counts as not finite.";
   return std::to_string(garbled_numbers_) + " garbled numbers, the first in line " + line +

@@ -1,9 +1,9 @@
 #include "core/mesh/files/stl_reader.h"
 
 #include <algorithm>
-#include <cassert>
 #include <optional>
 
+#include "core/base/assert.h"
 #include "core/mesh/files/bytes.h"
 #include "core/mesh/files/polygon_list.h"
 #include "core/mesh/files/scanner.h"
@@ -17,7 +17,7 @@ constexpr size_t kNormalBytes = 12;
 constexpr size_t kTriangleBytes = 50;
 
 uint32_t binary_count(std::string_view bytes) {
-  assert(bytes.size() >= kHeaderBytes);
+  KERF_ASSERT(bytes.size() >= kHeaderBytes);
   return load<uint32_t>(bytes.data() + kCountAt, std::endian::little);
 }
 

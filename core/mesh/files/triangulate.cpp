@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/base/assert.h"
+
 namespace kerf {
 namespace {
 
@@ -76,7 +78,7 @@ void append_fan(std::span<const uint32_t> polygon, std::vector<Soup::Triangle>& 
 
 void Triangulator::append_quadrangle(std::span<const uint32_t> q,
                                      std::vector<Soup::Triangle>& triangles) const {
-  assert(q.size() == 4 && flat_.size() == 4);
+  KERF_ASSERT(q.size() == 4 && flat_.size() == 4);
   const double from_first = std::min(turn_at(flat_, 1), turn_at(flat_, 3));
   const double from_second = std::min(turn_at(flat_, 0), turn_at(flat_, 2));
   if (from_first > 0 || from_first >= from_second) return append_fan(q, triangles);

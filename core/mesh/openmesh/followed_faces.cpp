@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 
+#include "core/base/assert.h"
 #include "core/mesh/point_to_triangle.h"
 
 namespace kerf {
@@ -37,7 +37,7 @@ FollowedFaces::FollowedFaces(const Mesh& mesh, const Sheets& sheets, std::span<c
   lying_.assign(sheets.faces.size(), kNone);
   for (const FaceId f : faces_) {
     const auto handle = std::lower_bound(sheets.faces.begin(), sheets.faces.end(), f) - sheets.faces.begin();
-    assert(sheets.faces[static_cast<size_t>(handle)] == f);
+    KERF_ASSERT(sheets.faces[static_cast<size_t>(handle)] == f);
     Triangle corners = mesh.triangle(f);
     for (Vec3& p : corners) p = sheets.frame.scaled(p);
     for (const Vec3& middle : middles_of_quarters(corners)) {
@@ -49,7 +49,7 @@ FollowedFaces::FollowedFaces(const Mesh& mesh, const Sheets& sheets, std::span<c
 }
 
 void FollowedFaces::hand_on(std::span<const Face> before, std::span<const Changed> changed) {
-  assert(!before.empty() && !changed.empty());
+  KERF_ASSERT(!before.empty() && !changed.empty());
   std::vector<uint32_t> quarters;
   for (const Face f : before) {
     for (uint32_t q = std::exchange(lying_[static_cast<size_t>(f.idx())], kNone); q != kNone; q = next_[q])

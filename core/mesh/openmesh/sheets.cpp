@@ -1,9 +1,9 @@
 #include "core/mesh/openmesh/sheets.h"
 
 #include <algorithm>
-#include <cassert>
 #include <numeric>
 
+#include "core/base/assert.h"
 #include "core/base/union_find.h"
 #include "core/mesh/weld.h"
 
@@ -112,7 +112,7 @@ class Copier {
       for (uint32_t i = 0; i < 3; ++i) corners[i] = add_own_vertex(corners_[f][i]);
       added = out_.mesh.add_face(corners[0], corners[1], corners[2]);
     }
-    assert(added == out_.face(f));
+    KERF_ASSERT(added == out_.face(f));
     (void)added;
   }
 
@@ -188,7 +188,7 @@ Result<Sheets> to_sheets(const Mesh& mesh, std::span<const FaceId> kept, const P
 }
 
 Remeshed from_sheets(const Sheets& sheets, std::span<const FaceId> origin, const Mesh& mesh) {
-  assert(origin.size() == sheets.mesh.n_faces());
+  KERF_ASSERT(origin.size() == sheets.mesh.n_faces());
   std::vector<Vec3> positions;
   positions.reserve(sheets.mesh.n_vertices());
   for (size_t v = 0; v < sheets.mesh.n_vertices(); ++v)

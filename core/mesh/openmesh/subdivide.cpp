@@ -1,9 +1,9 @@
 #include "core/mesh/openmesh/subdivide.h"
 
 #include <algorithm>
-#include <cassert>
 #include <vector>
 
+#include "core/base/assert.h"
 #include "core/mesh/openmesh/sheets.h"
 
 #include <OpenMesh/Tools/Subdivider/Uniform/LoopT.hh>
@@ -82,7 +82,7 @@ void append_face_points(const Kernel& mesh, std::vector<Point>& points) {
 }
 
 void set_points(Kernel& mesh, const std::vector<Point>& points) {
-  assert(points.size() == mesh.n_vertices());
+  KERF_ASSERT(points.size() == mesh.n_vertices());
   for (size_t v = 0; v < points.size(); ++v)
     mesh.set_point(Kernel::VertexHandle(static_cast<int>(v)), points[v]);
 }
@@ -120,7 +120,7 @@ void split_in_three(Kernel& mesh) {
 // Both subdividers keep a face as one of its parts and append the others, face by face.
 std::vector<FaceId> origins_of(const Sheets& sheets, size_t added_a_face) {
   const size_t before = sheets.faces.size();
-  assert(sheets.mesh.n_faces() == (1 + added_a_face) * before);
+  KERF_ASSERT(sheets.mesh.n_faces() == (1 + added_a_face) * before);
   std::vector<FaceId> origins = sheets.faces;
   for (size_t f = before; f < sheets.mesh.n_faces(); ++f)
     origins.push_back(sheets.faces[(f - before) / added_a_face]);
@@ -131,7 +131,7 @@ std::vector<FaceId> origins_of(const Sheets& sheets, size_t added_a_face) {
 
 Result<Remeshed> subdivide(const Mesh& mesh, Subdivision scheme, std::span<const FaceId> kept,
                            const Progress* progress) {
-  assert(mesh.live_faces() <= kMostToSubdivide);
+  KERF_ASSERT(mesh.live_faces() <= kMostToSubdivide);
   Stages stages(progress);
   const Progress copying = stages.next(0.4), dividing = stages.next(0.3), back = stages.next(0.3);
   auto sheets = to_sheets(mesh, kept, &copying);

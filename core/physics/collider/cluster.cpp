@@ -1,9 +1,9 @@
 #include "core/physics/collider/cluster.h"
 
 #include <algorithm>
-#include <cassert>
 #include <numeric>
 
+#include "core/base/assert.h"
 #include "core/physics/collider/box.h"
 
 namespace kerf {
@@ -42,7 +42,7 @@ class Divider {
   }
 
   void finish(uint32_t begin, uint32_t end) {
-    assert(begin < end && end <= out_.order.size());
+    KERF_ASSERT(begin < end && end <= out_.order.size());
     Box box;
     for (uint32_t i = begin; i < end; ++i) {
       for (const Vec3& p : segments_[out_.order[i]]) box.add(p);

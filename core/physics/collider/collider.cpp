@@ -1,9 +1,9 @@
 #include "core/physics/collider/collider.h"
 
 #include <algorithm>
-#include <cassert>
 #include <tuple>
 
+#include "core/base/assert.h"
 #include "core/physics/collider/feature_edges.h"
 #include "core/physics/collider/simplify_line.h"
 #include "core/physics/collider/spread_points.h"
@@ -239,7 +239,7 @@ void cluster_chords(Collider& collider) {
 }  // namespace
 
 Collider make_collider(const Mesh& mesh, const ColliderSettings& settings) {
-  assert(settings.most_points > 0 && settings.chord_error > 0);
+  KERF_ASSERT(settings.most_points > 0 && settings.chord_error > 0);
   const VertexNormals normals = normals_of(mesh);
   const std::vector<FeatureEdge> edges = feature_edges(mesh, normals.of_face);
   const std::vector<Vec3> outward = outward_at_rims(mesh, edges, normals);

@@ -1,9 +1,10 @@
 #include "core/physics/collider/feature_edges.h"
 
 #include <algorithm>
-#include <cassert>
 #include <numeric>
 #include <span>
+
+#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -42,7 +43,7 @@ class Ends {
 // Follows edges from one end until the line branches, ends or closes.
 FeatureLine follow(const std::vector<FeatureEdge>& edges, const Ends& ends, uint32_t edge, VertexId start,
                    std::vector<bool>& used) {
-  assert(!used[edge] && (edges[edge].from == start || edges[edge].to == start));
+  KERF_ASSERT(!used[edge] && (edges[edge].from == start || edges[edge].to == start));
   FeatureLine line{start};
   while (true) {
     used[edge] = true;
@@ -58,7 +59,7 @@ FeatureLine follow(const std::vector<FeatureEdge>& edges, const Ends& ends, uint
 }  // namespace
 
 std::vector<FeatureEdge> feature_edges(const Mesh& mesh, const std::vector<Vec3>& normals) {
-  assert(normals.size() == mesh.face_slots());
+  KERF_ASSERT(normals.size() == mesh.face_slots());
   std::vector<FeatureEdge> edges;
   std::vector<Mesh::Side> sides;
   for (uint32_t slot = 0; slot < mesh.face_slots(); ++slot) {

@@ -1,12 +1,13 @@
 #include "core/physics/collider/occupancy.h"
 
 #include <algorithm>
-#include <cassert>
+
+#include "core/base/assert.h"
 
 namespace kerf {
 
 Occupancy::Occupancy(const Box& bounds) : bounds_(bounds) {
-  assert(bounds.min.x <= bounds.max.x && bounds.min.y <= bounds.max.y && bounds.min.z <= bounds.max.z);
+  KERF_ASSERT(bounds.min.x <= bounds.max.x && bounds.min.y <= bounds.max.y && bounds.min.z <= bounds.max.z);
   const Vec3 extent = bounds.max - bounds.min;
   const double longest = std::max({extent.x, extent.y, extent.z});
   per_metre_ = longest > 0 ? kMostCells / longest : 0;

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cstdint>
 #include <vector>
 
+#include "core/base/assert.h"
 #include "core/physics/collider/box.h"
 
 namespace kerf {
@@ -60,7 +60,7 @@ inline uint64_t Occupancy::row_bits(const Range& range) const {
 }
 
 inline bool Occupancy::meets(const Box& box) const {
-  assert(box.min.x <= box.max.x && box.min.y <= box.max.y && box.min.z <= box.max.z);
+  KERF_ASSERT(box.min.x <= box.max.x && box.min.y <= box.max.y && box.min.z <= box.max.z);
   Range range;
   if (!cells_of(box, range)) return false;
   const uint64_t bits = row_bits(range);

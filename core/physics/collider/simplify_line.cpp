@@ -1,8 +1,9 @@
 #include "core/physics/collider/simplify_line.h"
 
 #include <algorithm>
-#include <cassert>
 #include <limits>
+
+#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -19,7 +20,7 @@ double squared_distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) 
 }  // namespace
 
 std::vector<double> left_out_from(const std::vector<Vec3>& line, double least_error) {
-  assert(least_error >= 0);
+  KERF_ASSERT(least_error >= 0);
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   if (line.size() < 3) return std::vector<double>(line.size(), kInfinity);
   std::vector<double> from(line.size(), 0);

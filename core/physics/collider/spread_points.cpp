@@ -1,8 +1,9 @@
 #include "core/physics/collider/spread_points.h"
 
 #include <algorithm>
-#include <cassert>
 #include <limits>
+
+#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -10,7 +11,7 @@ void choose_spread(const std::vector<Vec3>& points, size_t most, std::vector<uin
   if (points.empty()) return;
   std::vector<double> apart(points.size(), std::numeric_limits<double>::infinity());
   const auto measure_from = [&](uint32_t c) {
-    assert(c < points.size());
+    KERF_ASSERT(c < points.size());
     for (size_t i = 0; i < points.size(); ++i) {
       const Vec3 d = points[i] - points[c];
       apart[i] = std::min(apart[i], glm::dot(d, d));

@@ -1,8 +1,9 @@
 #include "core/physics/contact/broad_phase.h"
 
 #include <algorithm>
-#include <cassert>
 #include <numeric>
+
+#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -19,7 +20,7 @@ int widest_axis(std::span<const MovingBody> bodies) {
 // Whether the bounds of one body on its way overlap those of another in the frame of the other: tilted sheets
 // have small bounds in their own frames and large ones in the world. Either may go its way or stay.
 bool meets_in_frame_of(const MovingBody& other, const MovingBody& b) {
-  assert(other.margin >= 0 && b.margin >= 0);
+  KERF_ASSERT(other.margin >= 0 && b.margin >= 0);
   Box way;
   for (const RigidMap* to : {&other.now, &other.next}) {
     for (const RigidMap* from : {&b.now, &b.next}) way.add(moved(into(*to, *from), b.collider->bounds));

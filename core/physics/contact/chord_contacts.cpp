@@ -1,9 +1,10 @@
 #include "core/physics/contact/chord_contacts.h"
 
 #include <algorithm>
-#include <cassert>
 #include <optional>
 #include <span>
+
+#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -104,7 +105,7 @@ std::optional<Crossing> crossing(const Segment& a, const Segment& b, double reac
 
 void find_chord_contacts(const MovingBody& first, const MovingBody& second, const ContactLengths& lengths,
                          std::vector<Contact>& out) {
-  assert(first.scale > 0 && second.scale > 0);
+  KERF_ASSERT(first.scale > 0 && second.scale > 0);
   const double scale = std::min(first.scale, second.scale);
   const double reach = lengths.reach * scale, skin = lengths.chord_skin * scale;
   const std::vector<Segment> ours = near_chords(first, second, reach);

@@ -1,8 +1,8 @@
 #include "core/physics/contact/contact_search.h"
 
 #include <algorithm>
-#include <cassert>
 
+#include "core/base/assert.h"
 #include "core/physics/contact/broad_phase.h"
 #include "core/physics/contact/chord_points.h"
 #include "core/physics/contact/crossing_sheets.h"
@@ -29,8 +29,8 @@ const PairMemory* memory_of(const ContactMemory& memory, BodyId first, BodyId se
 }  // namespace
 
 TouchingPair ContactSearch::start(uint32_t first, uint32_t second) const {
-  assert(first < second && first < bodies_.size());
-  assert(second < bodies_.size() || second == TouchingPair::kGround);
+  KERF_ASSERT(first < second && first < bodies_.size());
+  KERF_ASSERT(second < bodies_.size() || second == TouchingPair::kGround);
   const BodyId a = bodies_[first].id, b = second == TouchingPair::kGround ? BodyId{} : bodies_[second].id;
   const PairMemory* old = memory_of(before_, a, b);
   TouchingPair pair{first, second, {}, old ? *old : PairMemory{a, b, {}, {}, {}}};
@@ -45,15 +45,15 @@ const TouchingPair* ContactSearch::find(uint32_t first, uint32_t second) const {
 }
 
 TouchingPair& ContactSearch::pair_of(uint32_t first, uint32_t second) {
-  assert(first < second && second < bodies_.size());
+  KERF_ASSERT(first < second && second < bodies_.size());
   const auto at = std::lower_bound(pairs_.begin(), pairs_.end(), std::pair(first, second), is_before);
   if (at != pairs_.end() && key(*at) == std::pair(first, second)) return *at;
   return *pairs_.insert(at, start(first, second));
 }
 
 void ContactSearch::find() {
-  assert(std::is_sorted(bodies_.begin(), bodies_.end(),
-                        [](const MovingBody& a, const MovingBody& b) { return a.id < b.id; }));
+  KERF_ASSERT(std::is_sorted(bodies_.begin(), bodies_.end(),
+                             [](const MovingBody& a, const MovingBody& b) { return a.id < b.id; }));
   const std::vector<std::pair<uint32_t, uint32_t>> near = near_pairs(bodies_);
   candidates_ += near.size();
   std::vector<TouchingPair> found;  // sorted like `pairs_`: the ground comes after all bodies

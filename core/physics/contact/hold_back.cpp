@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <utility>
 
+#include "core/base/assert.h"
 #include "core/physics/contact/crossing_sheets.h"
 
 namespace kerf {
@@ -15,7 +15,7 @@ constexpr std::array kShares{1.0, 0.5, 0.25, 0.0};
 constexpr double kMuchHeavier = 4;  // times as heavy
 
 Placement between(const MovingBody& b, double share) {
-  assert(share > 0 && share < 1);
+  KERF_ASSERT(share > 0 && share < 1);
   const Placement from = b.frame.in_world(b.start), to = b.frame.in_world(b.body->placement);
   const double sign = glm::dot(from.orientation, to.orientation) < 0 ? -1 : 1;
   return b.frame.body_at({glm::mix(from.position, to.position, share),
@@ -44,14 +44,14 @@ class Ways {
     MovingBody& b = bodies_[i];
     if (!b.moves() || share_[i] + 1 == kShares.size()) return false;
     const double share = kShares[++share_[i]];
-    assert(share < kShares[share_[i] - 1]);
+    KERF_ASSERT(share < kShares[share_[i] - 1]);
     b.next = share > 0 ? map_of(between(b, share)) : b.now;
     return true;
   }
   // Which of two bodies that cross is to go less far: both, or only one that is much lighter while it goes at
   // all, so that a seat does not hold a car.
   std::vector<uint32_t> to_shorten(uint32_t i, uint32_t j) const {
-    assert(bodies_[i].moves() || bodies_[j].moves());
+    KERF_ASSERT(bodies_[i].moves() || bodies_[j].moves());
     for (const auto& [light, heavy] : {std::pair(i, j), std::pair(j, i)}) {
       const MovingBody &a = bodies_[light], &b = bodies_[heavy];
       if (a.moves() && b.moves() && kMuchHeavier * a.frame.mass < b.frame.mass && kShares[share_[light]] > 0)

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <algorithm>
-#include <cassert>
 #include <glm/mat3x3.hpp>
 #include <span>
 
+#include "core/base/assert.h"
 #include "core/physics/collider/collider.h"
 #include "core/physics/rigid_frame.h"
 
@@ -61,7 +61,7 @@ inline uint32_t index_of(std::span<const MovingBody> bodies, BodyId id) {
 
 // The bounds of a box under a rigid motion.
 inline Box moved(const RigidMap& map, const Box& box) {
-  assert(box.min.x <= box.max.x && box.min.y <= box.max.y && box.min.z <= box.max.z);
+  KERF_ASSERT(box.min.x <= box.max.x && box.min.y <= box.max.y && box.min.z <= box.max.z);
   const Vec3 middle = map(0.5 * (box.min + box.max)), half = 0.5 * (box.max - box.min);
   Vec3 extent(0);
   for (int column = 0; column < 3; ++column) extent += glm::abs(map.turn[column]) * half[column];
@@ -70,7 +70,7 @@ inline Box moved(const RigidMap& map, const Box& box) {
 
 // A box around all items of a cluster at both ends of a motion.
 inline Box way_of(const Cluster& cluster, const RigidMap& now, const RigidMap& next) {
-  assert(cluster.begin < cluster.end && cluster.radius >= 0);
+  KERF_ASSERT(cluster.begin < cluster.end && cluster.radius >= 0);
   const Vec3 from = now(cluster.centre), to = next(cluster.centre);
   return Box{glm::min(from, to), glm::max(from, to)}.wider(cluster.radius);
 }

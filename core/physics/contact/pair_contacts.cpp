@@ -1,9 +1,9 @@
 #include "core/physics/contact/pair_contacts.h"
 
 #include <algorithm>
-#include <cassert>
 #include <optional>
 
+#include "core/base/assert.h"
 #include "core/physics/collider/spread_points.h"
 #include "core/physics/contact/chord_contacts.h"
 #include "core/physics/contact/chord_points.h"
@@ -76,7 +76,7 @@ void find_points_of_second(const MovingBody& first, const MovingBody& second, co
 
 std::vector<Contact> find_contacts(const MovingBody& first, const MovingBody& second,
                                    const ContactLengths& lengths, PairMemory& memory) {
-  assert(first.id < second.id);
+  KERF_ASSERT(first.id < second.id);
   if (memory.crossed > 0) {
     memory.points_of_first.clear();
     memory.points_of_second.clear();
@@ -96,7 +96,7 @@ std::vector<Contact> find_ground_contacts(const MovingBody& body, const Surround
                                           const ContactLengths& lengths, const PairMemory& memory) {
   std::vector<Contact> contacts;
   if (!around.ground) return contacts;
-  assert(body.moves() && body.scale > 0);
+  KERF_ASSERT(body.moves() && body.scale > 0);
   const Vec3 up = around.up();
   const double reach = lengths.reach * body.scale;
   const double level = *around.ground + lengths.ground_skin * body.scale;

@@ -1,10 +1,10 @@
 #include "core/physics/contact/point_contacts.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <optional>
 
+#include "core/base/assert.h"
 #include "core/physics/contact/chord_points.h"
 #include "core/physics/contact/face_plane.h"
 
@@ -64,7 +64,7 @@ class PointTracker {
 
   // Such a contact lasts while the chord would go through a face if it went on against the normal.
   void follow_at_rim(uint32_t i, const Vec3& normal) {
-    assert(std::abs(glm::dot(normal, normal) - 1) < 1e-9);
+    KERF_ASSERT(std::abs(glm::dot(normal, normal) - 1) < 1e-9);
     const Collider::Chord& chord = chord_of(points_, i);
     const Vec3 from = now_(chord.from), to = now_(chord.to);
     for (const double shift : {0.25 * skin_, skin_, 0.5 * reach_, reach_}) {
@@ -117,9 +117,9 @@ class PointTracker {
 
 void find_point_contacts(const MovingBody& points, const MovingBody& faces, const ContactLengths& lengths,
                          std::vector<PointMemory>& memory, std::vector<Contact>& out) {
-  assert(points.scale > 0 && faces.scale > 0);
-  assert(std::is_sorted(memory.begin(), memory.end(),
-                        [](const PointMemory& a, const PointMemory& b) { return a.point < b.point; }));
+  KERF_ASSERT(points.scale > 0 && faces.scale > 0);
+  KERF_ASSERT(std::is_sorted(memory.begin(), memory.end(),
+                             [](const PointMemory& a, const PointMemory& b) { return a.point < b.point; }));
   memory = PointTracker(points, faces, lengths, memory, out).track();
 }
 

@@ -1,10 +1,10 @@
 #include "core/physics/contact/push_out.h"
 
 #include <algorithm>
-#include <cassert>
 #include <limits>
 #include <vector>
 
+#include "core/base/assert.h"
 #include "core/base/tick.h"
 #include "core/physics/contact/face_plane.h"
 
@@ -52,7 +52,7 @@ Exit shortest_exit(const MovingBody& chords, const MovingBody& faces, const std:
 
 Vec3 middle_of(const MovingBody& first, const MovingBody& second, const std::vector<FacePlane>& on_first,
                const std::vector<FacePlane>& on_second) {
-  assert(!on_first.empty() || !on_second.empty());
+  KERF_ASSERT(!on_first.empty() || !on_second.empty());
   Vec3 sum(0);
   for (const FacePlane& plane : on_first) sum += first.now(plane.at);
   for (const FacePlane& plane : on_second) sum += second.now(plane.at);
@@ -62,7 +62,7 @@ Vec3 middle_of(const MovingBody& first, const MovingBody& second, const std::vec
 }  // namespace
 
 std::optional<Contact> push_out(const MovingBody& first, const MovingBody& second, uint32_t ticks) {
-  assert(first.id < second.id && ticks > 0);
+  KERF_ASSERT(first.id < second.id && ticks > 0);
   const double left = kLongestPush - seconds_of_ticks(ticks), speed = kPushOut * first.metre;
   if (left <= 0) return std::nullopt;
   const std::vector<FacePlane> on_second = places(first, second), on_first = places(second, first);

@@ -14,7 +14,6 @@ class LargeMesh(WindowTest):
             self.skipTest("KERF_TEST_MESHES names no folder with the large mesh")
         return mesh
 
-    @real_input
     def test_a_million_faces_open_beside_the_frames(self):
         editor = self.open(self.large_mesh())
         editor.wait_for_title("big_bunny_x16.ply - Kerf")
@@ -25,7 +24,6 @@ class LargeMesh(WindowTest):
         print(f"1.1 M faces: the longest frame took {longest:.0f} ms beside drawing, "
               f"{report['process_bytes'] / report['faces']:.0f} bytes a face in the process")
 
-    @real_input
     def test_a_million_faces_are_cut_live(self):
         editor = self.open(self.large_mesh())
         editor.wait_for_title("big_bunny_x16.ply - Kerf")
@@ -51,7 +49,6 @@ class LargeMesh(WindowTest):
                         "--target-edge", "0.00015", "--steps", "400", "--journal", journal], check=True)
         return journal
 
-    @real_input
     def test_a_large_piece_is_copied_out_and_a_stroke_taken_back_by_replay_beside_the_frames(self):
         mesh = self.large_mesh()
         self.open(SPHERE).quit()
@@ -59,13 +56,13 @@ class LargeMesh(WindowTest):
             json.dump({"history_mb": 16}, file)
         editor = self.open_again(self.slot_journal(mesh))
         editor.wait_for_title("slot.kerf - Kerf")
-        editor.point_at(0.64, 0.63)
-        editor.xdotool("keydown", "ctrl", "click", 1, "keyup", "ctrl")
+        editor.key_down("ctrl")
+        editor.click(0.64, 0.63)
+        editor.key_up("ctrl")
         editor.do("h")
         editor.wait_for_title("slot.kerf* - Kerf")
         editor.do("ctrl", "z")
-        editor.press("ctrl", "z")
-        editor.pause(25)
+        editor.do("ctrl", "z")
         report = editor.quit()
         self.assertEqual((report["undo_depth"], report["strokes"], report["bodies"], report["pieces"]), (0, 0, 1, 1))
         self.assertEqual(report["faces"], 1114656)

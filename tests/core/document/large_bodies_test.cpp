@@ -9,7 +9,7 @@
 namespace kerf::test {
 namespace {
 
-CutSettings settings() {
+CutSettings narrow_beam() {
   CutSettings s;
   s.laser.radius = 0.01;
   s.resolution.target_edge = 0.02;
@@ -43,7 +43,7 @@ TEST(LargeBodies, under_a_beam_keep_their_colliders_until_it_is_off_and_come_to_
   pass(40);
   EXPECT_EQ(large_colliders, 1u);
   const Vec3 down(0, -1, 0);
-  document.apply(BeginStroke{settings(), {{-0.3, 3, 0}, down}});
+  document.apply(BeginStroke{narrow_beam(), {{-0.3, 3, 0}, down}});
   for (int i = 0; i < 10; ++i) {
     document.apply(MoveStroke{{{-0.28 + 0.02 * i, 3, 0}, down}});
     pass(1);

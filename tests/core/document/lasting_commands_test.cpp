@@ -13,7 +13,7 @@ namespace {
 
 using Flags = std::vector<bool>;
 
-World made_world() {
+World small_world() {
   World world;
   world.add(make_body("grid", build(grid(6, 1))));
   return world;
@@ -110,7 +110,7 @@ TEST(LastingCommands, are_those_of_the_history) {
   for (uint64_t seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);
-    Document document(made_world());
+    Document document(small_world());
     for (int i = 0; i < 12; ++i) act(document, random);
     const Flags lasting = lasting_commands(document.journal());
     std::vector<Command> left;

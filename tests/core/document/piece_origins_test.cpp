@@ -20,7 +20,7 @@ std::map<uint32_t, uint32_t> labels_of(const Mesh& mesh) {
   return labels;
 }
 
-void draw(Document& document, Random& random) {
+void draw_one_stroke(Document& document, Random& random) {
   const RandomStroke stroke = random_stroke(document.world(), random, 0.03, true);
   document.apply(BeginStroke{stroke.settings, stroke.moves.front().from});
   document.apply(MoveStroke{stroke.moves.back().to});
@@ -51,7 +51,7 @@ TEST(PieceOrigins, are_those_that_the_labels_before_and_after_each_stroke_tell) 
     std::map<uint32_t, std::pair<uint32_t, size_t>> expected;
     for (size_t step = 0; step < 4; ++step) {
       const auto before = labels_of(document.world().body(document.world().ids()[0]).mesh);
-      draw(document, random);
+      draw_one_stroke(document, random);
       for (const auto& [slot, label] : labels_of(document.world().body(document.world().ids()[0]).mesh)) {
         const auto was = before.find(slot);
         if (was != before.end() && was->second != label) expected[label] = {was->second, step};
@@ -76,7 +76,7 @@ TEST(PieceOrigins, follow_undo) {
   Document document(world_of(grid(12, 2)));
   Random random(3);
   EXPECT_EQ(piece_origins(document).size(), 1u);
-  draw(document, random);
+  draw_one_stroke(document, random);
   const size_t pieces = document.world().live_pieces();
   EXPECT_EQ(piece_origins(document).size(), pieces);
   document.apply(Undo{});

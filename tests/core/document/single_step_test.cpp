@@ -12,7 +12,7 @@
 namespace kerf::test {
 namespace {
 
-using Kind = StageRecord::Kind;
+using StageKind = StageRecord::Kind;
 
 void draw(Document& document, const RandomStroke& stroke) {
   document.apply(BeginStroke{stroke.settings, stroke.moves.front().from});
@@ -21,20 +21,20 @@ void draw(Document& document, const RandomStroke& stroke) {
 }
 
 // Whether one stage of a move may follow another in the same body or the next one.
-bool may_follow(Kind before, Kind next) {
+bool may_follow(StageKind before, StageKind next) {
   switch (before) {
-    case Kind::kSweep:
-      return next == Kind::kHit;
-    case Kind::kHit:
-      return next == Kind::kRefine;
-    case Kind::kRefine:
-      return next == Kind::kRefine || next == Kind::kHitAgain || next == Kind::kRemove;
-    case Kind::kHitAgain:
-      return next == Kind::kRemove;
-    case Kind::kRemove:
-      return next == Kind::kRemove || next == Kind::kSeparate;
+    case StageKind::kSweep:
+      return next == StageKind::kHit;
+    case StageKind::kHit:
+      return next == StageKind::kRefine;
+    case StageKind::kRefine:
+      return next == StageKind::kRefine || next == StageKind::kHitAgain || next == StageKind::kRemove;
+    case StageKind::kHitAgain:
+      return next == StageKind::kRemove;
+    case StageKind::kRemove:
+      return next == StageKind::kRemove || next == StageKind::kSeparate;
     default:
-      return next == Kind::kSweep || next == Kind::kCloseRim || next == Kind::kSeparate;
+      return next == StageKind::kSweep || next == StageKind::kCloseRim || next == StageKind::kSeparate;
   }
 }
 
@@ -48,7 +48,7 @@ void expect_same_as_steps(const Soup& soup, Random& random) {
   ASSERT_TRUE(all.ok());
   SingleStep single(stepped);
   StepResult sum;
-  Kind last = Kind::kSeparate;
+  StageKind last = StageKind::kSeparate;
   while (stepped.waiting() > 0) {
     const auto stage = single.next();
     ASSERT_TRUE(stage.ok());
@@ -200,7 +200,7 @@ Document sheet_with_stroke() {
   return document;
 }
 
-std::vector<uint32_t> live_faces(const World& world) {
+std::vector<uint32_t> live_slots(const World& world) {
   const Mesh& mesh = world.body(world.ids().front()).mesh;
   std::vector<uint32_t> faces;
   for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
@@ -213,9 +213,9 @@ TEST(SingleStep, tells_what_changed_when_it_goes_back) {
   Document document = sheet_with_stroke();
   SingleStep single(document);
   while (single.stages() < 20) ASSERT_TRUE(single.next().ok());
-  const std::vector<uint32_t> live = live_faces(document.world());
+  const std::vector<uint32_t> live = live_slots(document.world());
   while (document.waiting() > 0) ASSERT_TRUE(single.next().ok());
-  std::vector<uint32_t> told = live_faces(document.world());
+  std::vector<uint32_t> told = live_slots(document.world());
   const Outcome back = single.go_back_to(20);
   ASSERT_EQ(back.delta.bodies.size(), 1u);
   const BodyDelta& delta = back.delta.bodies.front();
@@ -263,8 +263,8 @@ TEST(SingleStep, tells_of_every_face_that_a_move_hits_and_removes) {
   while (document.waiting() > 0) {
     const auto stage = single.next();
     ASSERT_TRUE(stage.ok());
-    if (stage->kind == Kind::kHit || stage->kind == Kind::kHitAgain) hit = stage->hit;
-    if (stage->kind != Kind::kRemove) continue;
+    if (stage->kind == StageKind::kHit || stage->kind == StageKind::kHitAgain) hit = stage->hit;
+    if (stage->kind != StageKind::kRemove) continue;
     for (const BodyDelta& body : stage->done.delta.bodies)
       gone.insert(gone.end(), body.gone.begin(), body.gone.end());
   }

@@ -36,7 +36,7 @@ World car_on_the_ground() {
 }
 
 // From one place beside or above the car to another, both towards somewhere in it; bodies move meanwhile.
-void draw(Document& document, Random& random) {
+void draw_at_random(Document& document, Random& random) {
   CutSettings settings;
   settings.laser.radius = random.uniform(0.004, 0.02);
   settings.laser.range = {0, 20};
@@ -103,7 +103,7 @@ TEST(Soak, random_strokes_on_the_car_while_it_falls_apart_leave_a_sound_world) {
   document.apply(Play{});
   for (size_t i = 0; i < strokes_of_the_soak(); ++i) {
     SCOPED_TRACE("stroke " + std::to_string(i));
-    draw(document, random);
+    draw_at_random(document, random);
     ASSERT_TRUE(walk_all(document).ok());
     for (const BodyId id : document.world().ids()) expect_sound_body(document.world().body(id), ground);
     EXPECT_NEAR(area_of(document.world()) + document.removed_area(), area, 1e-6 * area);

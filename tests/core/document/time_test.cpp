@@ -396,7 +396,8 @@ TEST(JournalTime, of_a_journal_without_times_is_none) {
   SceneDescription scene;
   scene.bodies.push_back(body_of_file(folder / "plate.obj"));
   ASSERT_TRUE(note_hashes(scene).ok());
-  const std::vector<Command> commands{BeginStroke{settings_with_radius(0.05), kFrom}, MoveStroke{kTo}, EndStroke{}};
+  const std::vector<Command> commands{BeginStroke{settings_with_radius(0.05), kFrom}, MoveStroke{kTo},
+                                      EndStroke{}};
   ASSERT_TRUE(save_journal(folder / "old.kerf", scene, commands, {}).ok());
   EXPECT_EQ(read_text(folder / "old.kerf").find("\"t\":"), std::string::npos);
   const auto journal = read_journal(folder / "old.kerf");

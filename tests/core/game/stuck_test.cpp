@@ -56,7 +56,8 @@ class HeldVehicles {
   std::vector<Held> held_;
 };
 
-// Five enemies at once, which get into each other's way. That a stuck vehicle is helped is what the tests below say.
+// Five enemies at once, which get into each other's way. That a stuck vehicle is helped is what the tests
+// below say.
 TEST(Match, lets_no_vehicle_be_stuck_for_more_than_three_seconds) {
   const auto loaded = load_rules(test::checkout() / "assets/games/standard.json");
   ASSERT_TRUE(loaded) << loaded.error().message;

@@ -4,21 +4,14 @@
 #include "core/base/tick.h"
 #include "core/physics/physics.h"
 #include "tests/support/made_meshes.h"
+#include "tests/support/piles.h"
 #include "tests/support/sheets.h"
 
 namespace kerf {
 namespace {
 
-World world_with_ground() {
-  World world;
-  world.set_surroundings({.gravity = {0, -9.81, 0}, .ground = 0});
-  return world;
-}
-
-void run(World& world, double seconds) {
-  Physics physics;
-  for (int i = 0; i < seconds * static_cast<double>(kTicksPerSecond); ++i) physics.tick(world);
-}
+using test::let_move;
+using test::world_with_ground;
 
 bool all_sleep(const World& world) {
   for (BodyId id : world.ids()) {
@@ -32,9 +25,9 @@ double height(const World& world, BodyId id) { return world.body(id).placement.p
 TEST(Fall, a_plate_falls_to_the_ground_and_sleeps_there) {
   World world = world_with_ground();
   const BodyId plate = test::add(world, test::rectangle(0.5, 0.3, 4), {0, 1, 0});
-  run(world, 0.25);
+  let_move(world, 0.25);
   EXPECT_NEAR(height(world, plate), 1 - 0.5 * 9.81 * 0.25 * 0.25, 0.03);
-  run(world, 3);
+  let_move(world, 3);
   EXPECT_TRUE(all_sleep(world));
   EXPECT_NEAR(height(world, plate), 0.001, 0.0005);
 }
@@ -47,7 +40,7 @@ TEST(Fall, a_curved_body_rests_on_its_lowest_vertices_whichever_they_are) {
     World world = world_with_ground();
     const glm::dquat turn(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1), 1);
     const BodyId ring = test::add(world, test::torus(48, 24, 1, 0.6), {0, 2, 0}, glm::normalize(turn));
-    run(world, 6);
+    let_move(world, 6);
     EXPECT_TRUE(all_sleep(world));
     const Body& body = world.body(ring);
     double lowest = 1;
@@ -68,7 +61,7 @@ std::vector<BodyId> add_stack(World& world, int count) {
 TEST(Fall, ten_plates_come_to_rest_in_their_order_within_a_second) {
   World world = world_with_ground();
   const std::vector<BodyId> plates = add_stack(world, 10);
-  run(world, 1);
+  let_move(world, 1);
   EXPECT_TRUE(all_sleep(world));
   for (size_t i = 0; i + 1 < plates.size(); ++i) {
     EXPECT_NEAR(height(world, plates[i + 1]) - height(world, plates[i]), 0.002, 0.0005) << i;
@@ -131,7 +124,7 @@ TEST(Fall, halves_on_both_sides_of_a_kerf_do_not_push_each_other) {
   const BodyId right = test::add(world, test::rectangle(1, 1, 5), {0.502, 0.3, 0});
   for (BodyId id : {left, right})
     test::add(world, test::closed_box({0.8, 0.2, 0.8}), world.body(id).placement.position - Vec3(0, 0.15, 0));
-  run(world, 1.5);
+  let_move(world, 1.5);
   EXPECT_NEAR(world.body(right).placement.position.x - world.body(left).placement.position.x, 1.004, 0.0002);
 }
 
@@ -141,7 +134,7 @@ TEST(Fall, a_rod_falls_through_a_wide_hole_and_is_held_by_a_narrow_one) {
     const BodyId plate = test::add(world, test::plate_with_hole(0.3, hole / 2, 24), {0, 0.5, 0});
     world.body(plate).pinned = true;
     const BodyId rod = test::add(world, test::rod(0.0025, 0.2, 12), {0, 0.62, 0});
-    run(world, 0.4);
+    let_move(world, 0.4);
     EXPECT_EQ(height(world, rod) < 0.45, hole > 0.005) << hole << " " << height(world, rod);
   }
 }
@@ -151,7 +144,7 @@ TEST(Fall, a_disc_falls_through_its_own_hole) {
   const BodyId plate = test::add(world, test::plate_with_hole(0.5, 0.075, 48), {0, 0.5, 0});
   world.body(plate).pinned = true;
   const BodyId disc = test::add(world, test::disc(0.0735, 48), {0, 0.5, 0});
-  run(world, 0.3);
+  let_move(world, 0.3);
   EXPECT_LT(height(world, disc), 0.3);
 }
 

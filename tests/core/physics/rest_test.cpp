@@ -11,12 +11,8 @@
 namespace kerf {
 namespace {
 
+using test::let_move;
 using test::world_with_ground;
-
-void run(World& world, double seconds) {
-  Physics physics;
-  for (int i = 0; i < seconds * static_cast<double>(kTicksPerSecond); ++i) physics.tick(world);
-}
 
 glm::dquat random_turn(Random& random) {
   double c[4];
@@ -41,7 +37,7 @@ TEST(Rest, a_leaning_plate_stays) {
   const glm::dquat tilted(std::cos(0.785398163 - lean / 2), std::sin(0.785398163 - lean / 2), 0, 0);
   const Vec3 middle(0, 0.25 * std::cos(lean) + 0.002, 0.25 * std::sin(lean) + 0.004);
   const BodyId plate = test::add(world, test::rectangle(0.5, 0.5, 4), middle, tilted);
-  run(world, 3);
+  let_move(world, 3);
   EXPECT_TRUE(world.body(plate).motion.asleep);
   EXPECT_LT(glm::length(world.body(plate).placement.position - middle), 0.03);
 }

@@ -19,7 +19,9 @@ ViewOptions under_lamp() {
   return options;
 }
 
-CameraView view_from_above() { return look_at({2.4, 2.6, 3.6}, {0, 0, 0}, double{kFollowingWidth} / kFollowingHeight); }
+CameraView view_from_above() {
+  return look_at({2.4, 2.6, 3.6}, {0, 0, 0}, double{kFollowingWidth} / kFollowingHeight);
+}
 
 size_t faces_of(const World& world, std::span<const BodyId> bodies) {
   size_t faces = 0;
@@ -97,7 +99,8 @@ Seen see(Renderer& renderer, const World& world) {
   const CameraView view = view_from_above();
   renderer.draw(world, view, look, std::nullopt, {canvas.name(), 0, 0, kFollowingWidth, kFollowingHeight});
   return {read_pixels(canvas.name(), kFollowingWidth, kFollowingHeight),
-          renderer.shadow_counts(world, view, look, 0, ShadowMethod::kRobust, true, kFollowingWidth, kFollowingHeight)};
+          renderer.shadow_counts(world, view, look, 0, ShadowMethod::kRobust, true, kFollowingWidth,
+                                 kFollowingHeight)};
 }
 
 // The sheet is flat, so that a renderer that sees it cut for the first time shades it alike.

@@ -113,8 +113,8 @@ Pixels draw_stage(test::Stage& stage, StageLog& log, StageRecord::Kind kind) {
   }
   ViewOptions options = showing("shadows");
   options.stage = log.marks(stage.world());
-  return stage.draw(test::view_of_ball_and_ring(static_cast<double>(kGoldenWidth) / kGoldenHeight), options, kGoldenWidth,
-                    kGoldenHeight);
+  return stage.draw(test::view_of_ball_and_ring(static_cast<double>(kGoldenWidth) / kGoldenHeight), options,
+                    kGoldenWidth, kGoldenHeight);
 }
 
 TEST(Golden, the_stages_of_a_cut_look_as_they_did) {

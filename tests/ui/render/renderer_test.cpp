@@ -47,7 +47,8 @@ TEST(Renderer, two_draw_side_by_side_without_touching_each_other) {
     for (int frame = 0; frame < 2; ++frame) {
       stage.renderer().draw(stage.world(), view, options, std::nullopt,
                             {picture.name(), 0, 0, kRenderWidth, kRenderHeight});
-      second->draw(other, view, options, std::nullopt, {picture.name(), kRenderWidth + kGap, 0, kRenderWidth, kRenderHeight});
+      second->draw(other, view, options, std::nullopt,
+                   {picture.name(), kRenderWidth + kGap, 0, kRenderWidth, kRenderHeight});
     }
     const Pixels both = read_pixels(picture.name(), kWhole, kRenderHeight);
     EXPECT_EQ(part_of(both, 0, kRenderWidth).rgb, left.rgb);
@@ -57,7 +58,8 @@ TEST(Renderer, two_draw_side_by_side_without_touching_each_other) {
     }
     const gl::Framebuffer alone({kRenderWidth, kRenderHeight, 1, false});
     second->draw(other, view, options, std::nullopt, {alone.name(), 0, 0, kRenderWidth, kRenderHeight});
-    EXPECT_EQ(part_of(both, kRenderWidth + kGap, kRenderWidth).rgb, read_pixels(alone.name(), kRenderWidth, kRenderHeight).rgb);
+    EXPECT_EQ(part_of(both, kRenderWidth + kGap, kRenderWidth).rgb,
+              read_pixels(alone.name(), kRenderWidth, kRenderHeight).rgb);
   }
 }
 
@@ -68,7 +70,8 @@ TEST(Renderer, a_piece_that_was_detached_looks_as_before) {
     world.add(make_body("ball", test::build(test::sphere(16, 24, 1))));
     test::Stage stage(std::move(world));
     stage.cut({{-1.5, 0.3, 5}, {0, 0, -1}}, {{1.5, 0.3, 5}, {0, 0, -1}}, 0.05);
-    const CameraView view = look_at({1.5, 2, 3.5}, {0, 0, 0}, static_cast<double>(kRenderWidth) / kRenderHeight);
+    const CameraView view =
+        look_at({1.5, 2, 3.5}, {0, 0, 0}, static_cast<double>(kRenderWidth) / kRenderHeight);
     ASSERT_EQ(stage.world().live_pieces(), 2u);
     const Pixels before = stage.draw(view, {}, kRenderWidth, kRenderHeight);
     stage.apply(HidePiece{{stage.world().ids().front(), label}, true});
@@ -76,7 +79,8 @@ TEST(Renderer, a_piece_that_was_detached_looks_as_before) {
       if (stage.world().body(id).hidden) stage.apply(HidePiece{{id, label}, false});
     }
     ASSERT_EQ(stage.world().ids().size(), 2u);
-    EXPECT_EQ(test::difference(before, stage.draw(view, {}, kRenderWidth, kRenderHeight)).changed, 0) << label;
+    EXPECT_EQ(test::difference(before, stage.draw(view, {}, kRenderWidth, kRenderHeight)).changed, 0)
+        << label;
   }
 }
 

@@ -39,7 +39,8 @@ class Lit {
   template <typename Visit>
   void for_each_inner_pixel(const Visit& visit) const {
     for_each_pixel([&](size_t at, uint32_t face, bool shadow) {
-      const int i = static_cast<int>(at / 3), x = i % kLightingWidth, y = kLightingHeight - 1 - i / kLightingWidth;
+      const int i = static_cast<int>(at / 3), x = i % kLightingWidth,
+                y = kLightingHeight - 1 - i / kLightingWidth;
       if (face == 0 || x == 0 || y == 0 || x == kLightingWidth - 1 || y == kLightingHeight - 1) return;
       for (int n = 0; n < 9; ++n) {
         const auto beside = static_cast<size_t>((y + n / 3 - 1) * kLightingWidth + x + n % 3 - 1);
@@ -150,7 +151,8 @@ TEST(ShadowLighting, four_lights_add_up_and_each_casts_its_shadow) {
 // Without shadows, with those on the ground and with all, each state darkens what it names and nothing else.
 TEST(ShadowLighting, none_ground_and_all_differ_on_the_surfaces_that_they_name) {
   test::Stage stage(test::world_of_all({test::box({0, 0, 0}, {1, 1, 1}), test::box({0, 2.2, 0}, {1, 1, 1})}));
-  const CameraView view = look_at({6, 7, -9}, {-1, 1, 0}, static_cast<double>(kLightingWidth) / kLightingHeight);
+  const CameraView view =
+      look_at({6, 7, -9}, {-1, 1, 0}, static_cast<double>(kLightingWidth) / kLightingHeight);
   ViewOptions options;
   options.antialias = false;
   options.lights = {test::sun_from({0.4, 1, 0.2})};
@@ -159,12 +161,13 @@ TEST(ShadowLighting, none_ground_and_all_differ_on_the_surfaces_that_they_name) 
     return stage.draw(view, options, kLightingWidth, kLightingHeight);
   };
   const Pixels none = draw(Shadows::kNone), ground = draw(Shadows::kGround), all = draw(Shadows::kAll);
-  const ShadowCounts counts = stage.renderer().shadow_counts(stage.world(), view, options, 0,
-                                                             ShadowMethod::kRobust, false, kLightingWidth, kLightingHeight);
+  const ShadowCounts counts = stage.renderer().shadow_counts(
+      stage.world(), view, options, 0, ShadowMethod::kRobust, false, kLightingWidth, kLightingHeight);
   const auto darker = [&](const Pixels& picture, bool on_bodies) {
     size_t count = 0;
     for (size_t i = 0; i < counts.faces.size(); ++i) {
-      const size_t x = i % kLightingWidth, y = kLightingHeight - 1 - i / kLightingWidth, at = 3 * (y * kLightingWidth + x);
+      const size_t x = i % kLightingWidth, y = kLightingHeight - 1 - i / kLightingWidth,
+                   at = 3 * (y * kLightingWidth + x);
       count += (counts.faces[i] != 0) == on_bodies && picture.rgb[at] + 10 < none.rgb[at];
     }
     return count;

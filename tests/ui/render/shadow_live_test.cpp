@@ -35,7 +35,8 @@ TEST(ShadowsLive, moving_the_camera_computes_nothing) {
   const ShadowWork before = stage.renderer().shadow_work();
   EXPECT_EQ(before.casters, 2u);
   EXPECT_EQ(before.rebuilt, 2u);
-  for (int i = 0; i < 5; ++i) stage.draw(view_from({3.0 - i, 2.0 + i, 4}), under(kLamp), kLiveWidth, kLiveHeight);
+  for (int i = 0; i < 5; ++i)
+    stage.draw(view_from({3.0 - i, 2.0 + i, 4}), under(kLamp), kLiveWidth, kLiveHeight);
   const ShadowWork after = stage.renderer().shadow_work();
   EXPECT_EQ(after.casters, before.casters);
   EXPECT_EQ(after.rebuilt, before.rebuilt);
@@ -79,8 +80,8 @@ constexpr ShadowMethod kMethods[] = {ShadowMethod::kPaperOneVolume, ShadowMethod
 
 // Pixels that are in shadow with a method.
 size_t shadowed_pixels(test::Stage& stage, const CameraView& view, ShadowMethod method) {
-  const ShadowCounts counts =
-      stage.renderer().shadow_counts(stage.world(), view, under(kLamp), 0, method, true, kLiveWidth, kLiveHeight);
+  const ShadowCounts counts = stage.renderer().shadow_counts(stage.world(), view, under(kLamp), 0, method,
+                                                             true, kLiveWidth, kLiveHeight);
   return counts.stencil.size() -
          static_cast<size_t>(std::count(counts.stencil.begin(), counts.stencil.end(), uint8_t{0}));
 }

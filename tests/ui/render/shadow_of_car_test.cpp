@@ -70,7 +70,8 @@ TEST(ShadowOfCar, is_right_however_it_is_cut_and_wherever_eye_and_light_are) {
     test::Stage stage = cut_car(cut);
     for (const Light& light : {sun_from({-0.42, 1.0, 0.62}), lamp_at({1.3, 2.6, 1.9})}) {
       for (const Eye& eye : eyes()) {
-        const test::ShadowVerdict v = test::ShadowTrial(stage, light, eye.view, kCarWidth, kCarHeight).robust();
+        const test::ShadowVerdict v =
+            test::ShadowTrial(stage, light, eye.view, kCarWidth, kCarHeight).robust();
         SCOPED_TRACE(std::string("cut ") + cut.name + ", eye " + eye.where + ": " + v.summary());
         EXPECT_GT(v.hit, 15'000u);
         EXPECT_GE(static_cast<double>(v.same_face), 0.995 * static_cast<double>(v.hit));

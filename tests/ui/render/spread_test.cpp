@@ -13,9 +13,9 @@ namespace {
 constexpr int kSpreadWidth = 160, kSpreadHeight = 120;
 constexpr double kSpread = 0.6;
 
-CameraView view_from_above() { return look_at({2.4, 2.6, 3.6}, {0, 0, 0}, double{kSpreadWidth} / kSpreadHeight); }
+CameraView spread_view() { return look_at({2.4, 2.6, 3.6}, {0, 0, 0}, double{kSpreadWidth} / kSpreadHeight); }
 
-ViewOptions under_lamp() {
+ViewOptions spread_under_lamp() {
   ViewOptions options;
   options.show.shadows = Shadows::kAll;
   options.antialias = false;
@@ -53,10 +53,10 @@ struct Drawn {
 
 Drawn draw(test::Stage& stage, const ViewOptions& apart, const ViewOptions& together) {
   Drawn drawn;
-  drawn.apart = stage.draw(view_from_above(), apart, kSpreadWidth, kSpreadHeight);
-  drawn.shadow = stage.renderer().shadow_counts(stage.world(), view_from_above(), apart, 0,
-                                                ShadowMethod::kRobust, true, kSpreadWidth, kSpreadHeight);
-  drawn.together = stage.draw(view_from_above(), together, kSpreadWidth, kSpreadHeight);
+  drawn.apart = stage.draw(spread_view(), apart, kSpreadWidth, kSpreadHeight);
+  drawn.shadow = stage.renderer().shadow_counts(stage.world(), spread_view(), apart, 0, ShadowMethod::kRobust,
+                                                true, kSpreadWidth, kSpreadHeight);
+  drawn.together = stage.draw(spread_view(), together, kSpreadWidth, kSpreadHeight);
   return drawn;
 }
 
@@ -70,7 +70,7 @@ struct Halves {
 Drawn draw_loose(Halves& halves) {
   test::Stage stage(test::world_of_all({test::both(test::both(kSheet, kLeft), kRight)}));
   cut_in_two(stage);
-  ViewOptions look = under_lamp();
+  ViewOptions look = spread_under_lamp();
   spread_pieces(stage.world(), kSpread, look);
   for (const auto& [id, piece] : look.pieces) halves.looks[id.label] = piece;
   halves.left = offset_at(stage.world(), look, -1);
@@ -84,12 +84,12 @@ Drawn draw_loose(Halves& halves) {
 Drawn draw_bodies(const Halves& halves) {
   test::Stage stage(test::world_of_all({kSheet, kLeft, kRight}));
   cut_in_two(stage);
-  ViewOptions look = under_lamp();
+  ViewOptions look = spread_under_lamp();
   const std::vector<BodyId> ids = stage.world().ids();
   for (const auto& [label, piece] : halves.looks) look.pieces[{ids[0], label}] = piece;
   look.pieces[{ids[1], 0}].offset = halves.left;
   look.pieces[{ids[2], 0}].offset = halves.right;
-  return draw(stage, look, under_lamp());
+  return draw(stage, look, spread_under_lamp());
 }
 
 TEST(Spread, loose_parts_are_drawn_and_shaded_like_bodies_that_moved_with_the_nearer_half) {
@@ -107,12 +107,12 @@ TEST(Spread, loose_parts_are_drawn_and_shaded_like_bodies_that_moved_with_the_ne
 TEST(Spread, shadows_of_loose_parts_are_those_that_rays_find) {
   test::Stage stage(test::world_of_all({test::both(test::both(kSheet, kLeft), kRight)}));
   cut_in_two(stage);
-  ViewOptions options = under_lamp();
+  ViewOptions options = spread_under_lamp();
   spread_pieces(stage.world(), kSpread, options);
-  const ShadowCounts drawn = stage.renderer().shadow_counts(stage.world(), view_from_above(), options, 0,
-                                                            ShadowMethod::kRobust, true, kSpreadWidth, kSpreadHeight);
-  ShadowReference traced =
-      stage.renderer().shadow_reference(stage.world(), view_from_above(), options, 0, true, kSpreadWidth, kSpreadHeight);
+  const ShadowCounts drawn = stage.renderer().shadow_counts(
+      stage.world(), spread_view(), options, 0, ShadowMethod::kRobust, true, kSpreadWidth, kSpreadHeight);
+  ShadowReference traced = stage.renderer().shadow_reference(stage.world(), spread_view(), options, 0, true,
+                                                             kSpreadWidth, kSpreadHeight);
   traced.trace(size_t{kSpreadWidth} * kSpreadHeight);
   const test::ShadowVerdict verdict = test::judge(drawn, traced);
   EXPECT_EQ(verdict.wrong, 0u) << verdict.summary();

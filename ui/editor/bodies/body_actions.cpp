@@ -2,6 +2,7 @@
 
 #include <GLFW/glfw3.h>
 
+#include "core/base/assert.h"
 #include "ui/editor/view/piece_set.h"
 #include "ui/render/drawn_ground.h"
 
@@ -9,11 +10,11 @@ namespace kerf {
 
 namespace {
 
-constexpr const char* kMenu = "Bodies";
+constexpr const char* kBodiesMenu = "Bodies";
 
 UserAction speed_action(const BodyParts& on, bool faster) {
   PlayState& play = on.play;
-  return {.menu = kMenu,
+  return {.menu = kBodiesMenu,
           .name = faster ? "Time: faster" : "Time: slower",
           .shortcut = faster ? "=" : "-",
           .key = faster ? GLFW_KEY_EQUAL : GLFW_KEY_MINUS,
@@ -21,6 +22,7 @@ UserAction speed_action(const BodyParts& on, bool faster) {
           .tip = "From an eighth of real time to real time.",
           .run =
               [&play, &message = on.message, faster] {
+                KERF_ASSERT(faster ? play.can_go_faster() : play.can_go_slower());
                 faster ? ++play.speed_index : --play.speed_index;
                 message.say(std::string("Time passes at ") + play.speed().name);
               },
@@ -35,7 +37,7 @@ std::vector<UserAction> time_actions(const BodyParts& on) {
   PlayState& play = on.play;
   return {
       UserAction{
-          .menu = kMenu,
+          .menu = kBodiesMenu,
           .name = "Play",
           .shortcut = "Space",
           .key = GLFW_KEY_SPACE,
@@ -43,7 +45,7 @@ std::vector<UserAction> time_actions(const BodyParts& on) {
           .run = [&play] { play.play_or_pause(); },
           .checked = [&play] { return play.playing; },
           .why_not = [&play, why = on.why_no_play] { return play.playing ? nullptr : why(); }},
-      UserAction{.menu = kMenu,
+      UserAction{.menu = kBodiesMenu,
                  .name = "One tick",
                  .shortcut = ".",
                  .key = GLFW_KEY_PERIOD,
@@ -82,7 +84,7 @@ std::vector<UserAction> body_actions(const BodyParts& on) {
   const ViewState& view = on.view;
   Requests& requests = on.requests;
   const auto has_gravity = [&work] { return work.document.world().surroundings().gravity != Vec3(0); };
-  actions.push_back({.menu = kMenu,
+  actions.push_back({.menu = kBodiesMenu,
                      .name = "Gravity",
                      .tip = "Without it pieces float apart. The Bodies panel sets its value.",
                      .run =
@@ -92,7 +94,7 @@ std::vector<UserAction> body_actions(const BodyParts& on) {
                          },
                      .checked = has_gravity});
   actions.push_back(
-      {.menu = kMenu,
+      {.menu = kBodiesMenu,
        .name = "Pin the chosen",
        .shortcut = "Shift+P",
        .key = GLFW_KEY_P,

@@ -26,9 +26,7 @@ bool Cooling::is_seen() const {
   return on_.renderer.warmest() > least;
 }
 
-bool Cooling::moving() const {
-  return flows() && (is_seen() || on_.clock.seconds() - passed_at_ >= kRest);
-}
+bool Cooling::moving() const { return flows() && (is_seen() || on_.clock.seconds() - passed_at_ >= kRest); }
 
 void Cooling::advance(double seconds) {
   Document& document = on_.work.document;

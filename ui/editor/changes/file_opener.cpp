@@ -1,5 +1,7 @@
 #include "ui/editor/changes/file_opener.h"
 
+#include "core/base/assert.h"
+
 namespace kerf {
 
 namespace {
@@ -40,6 +42,7 @@ void FileOpener::show(LoadedFiles loaded) {
 }
 
 void FileOpener::open(const Requests& wanted) {
+  KERF_ASSERT(wanted.fresh || !wanted.open.empty());
   if (!wanted.fresh) {
     on_.opening.loader.start(order_of(wanted.open));
   } else if (const Status opened = open_default_scene(); !opened) {
@@ -48,6 +51,7 @@ void FileOpener::open(const Requests& wanted) {
 }
 
 void FileOpener::open_left_work() {
+  KERF_ASSERT(!on_.opening.left_work.empty());
   LoadOrder order = order_of({});
   order.left = on_.opening.left_work.front().journal;
   on_.opening.loader.start(std::move(order));
@@ -56,6 +60,7 @@ void FileOpener::open_left_work() {
 void FileOpener::take_loaded() {
   if (!on_.opening.loader.busy()) return;
   const bool left = on_.opening.loader.order().left.has_value();
+  KERF_ASSERT(!left || !on_.opening.left_work.empty());
   std::optional<Result<LoadedFiles>> loaded = on_.opening.loader.take();
   if (!loaded) return;
   const bool opened = loaded->ok();

@@ -39,7 +39,8 @@ class FileOpener {
   // Opens scenes and meshes, or none, at startup. The default scene is shown while they are read and if they
   // cannot be read; fails if the default scene cannot be read.
   Status open_first(std::filesystem::path default_scene, const std::vector<std::filesystem::path>& files);
-  // Opens what was requested. Precondition: the open work is saved or may be discarded.
+  // Opens what was requested. Preconditions: files or the default scene were, and the open work is saved or
+  // may be discarded.
   void open(const Requests& wanted);
   // Opens the first recovered work. Precondition: there is one.
   void open_left_work();

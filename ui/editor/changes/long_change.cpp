@@ -2,6 +2,8 @@
 
 #include <chrono>
 
+#include "core/base/assert.h"
+
 namespace kerf {
 
 ChangeThread::~ChangeThread() {
@@ -9,6 +11,7 @@ ChangeThread::~ChangeThread() {
 }
 
 void ChangeThread::start(Document& document, LongChange change) {
+  KERF_ASSERT(!busy() && change.run && change.then);
   job_ = std::make_unique<Job>();
   job_->change = std::move(change);
   job_->result = std::async(std::launch::async, [job = job_.get(), &document] {
@@ -22,10 +25,12 @@ void ChangeThread::start(Document& document, LongChange change) {
 }
 
 bool ChangeThread::is_over(double seconds) const {
+  KERF_ASSERT(busy());
   return job_->result.wait_for(std::chrono::duration<double>(seconds)) == std::future_status::ready;
 }
 
 void ChangeThread::finish() {
+  KERF_ASSERT(busy());
   const std::unique_ptr<Job> job = std::move(job_);
   const Outcome result = job->result.get();
   job->change.then(result);

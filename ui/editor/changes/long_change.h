@@ -26,11 +26,12 @@ class ChangeThread {
   ChangeThread& operator=(ChangeThread&&) = default;
   ~ChangeThread();
 
-  // Starts a change. Preconditions: none is running, and the document outlives it.
+  // Starts a change. Preconditions: none is running, the document outlives it, and both of its functions are
+  // set.
   void start(Document& document, LongChange change);
   bool busy() const { return job_ != nullptr; }
 
-  // The title of the running change. Precondition: busy().
+  // The title of the running change. Precondition of this and of what follows: busy().
   const std::string& title() const { return job_->change.title; }
   // Whether the change has reported progress, so that it can be stopped.
   bool can_stop() const { return job_->told && !job_->stopped; }

@@ -1,8 +1,9 @@
 #include "ui/editor/changes/prepare_pieces.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
+
+#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -90,7 +91,7 @@ const char* why_no_preparation(std::span<const PieceRow> pieces, const Preparati
 
 Outcome prepare_pieces(Document& document, std::span<const PieceRow> pieces, const Preparation& preparation,
                        const Progress* progress) {
-  assert(why_no_preparation(pieces, preparation) == nullptr);
+  KERF_ASSERT(why_no_preparation(pieces, preparation) == nullptr);
   const FaceForecast faces = forecast(pieces, preparation);
   std::vector<Command> commands;
   std::vector<double> shares;  // of the time

@@ -1,3 +1,4 @@
+#include "core/base/assert.h"
 #include "core/mesh/files/mesh_format.h"
 #include "ui/editor/changes/file_opener.h"
 #include "ui/editor/view/file_frames.h"
@@ -68,6 +69,7 @@ void say_what_was_opened(Message& message, const LoadedFiles& loaded) {
 // How much of the open work is saved, and where.
 void note_what_is_saved(OpenWork& work, const LoadedFiles& loaded, const std::vector<Light>& lights) {
   const LoadOrder& order = loaded.order;
+  KERF_ASSERT(order.left || !order.files.empty());
   work.files = order.files;
   work.file.clear();
   if (order.left) {

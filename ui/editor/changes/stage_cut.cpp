@@ -6,7 +6,7 @@
 namespace kerf {
 
 namespace {
-constexpr double kStageSeconds = 0.020;   // of executing stages in one frame, or as long as a picture takes
+constexpr double kStageSeconds = 0.020;  // of executing stages in one frame, or as long as a picture takes
 constexpr double kQuickSeconds = 0.100;  // going back that takes longer runs beside the frames
 }  // namespace
 

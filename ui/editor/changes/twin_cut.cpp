@@ -1,6 +1,6 @@
 #include "ui/editor/changes/twin_cut.h"
 
-#include <cassert>
+#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -47,7 +47,7 @@ bool TwinCut::follow(Document& first, const ResolutionControls& controls) {
     const bool in_time = std::visit([]<typename C>(const C&) { return HappensInTime<C>; }, command);
     if (in_time) continue;
     const Outcome applied = document_.apply(command);
-    assert(applied.ok());
+    KERF_ASSERT(applied.ok());
     (void)applied;
   }
   return anew;

@@ -1,8 +1,8 @@
 #include "ui/editor/changes/world_changes.h"
 
 #include <algorithm>
-#include <cassert>
 
+#include "core/base/assert.h"
 #include "core/document/command_words.h"
 #include "core/document/stop_strokes.h"
 #include "ui/editor/changes/long_step.h"
@@ -184,6 +184,7 @@ void WorldChanges::prepare_chosen(const Preparation& preparation) {
 }
 
 void WorldChanges::duplicate_chosen() {
+  KERF_ASSERT(chosen_pieces(on_.view.look.pieces) > 0);
   const PieceId piece = *first_chosen(on_.view.look.pieces);
   const World& world = on_.work.document.world();
   on_.hand.newest_before_copy = world.ids().back();
@@ -254,7 +255,7 @@ void WorldChanges::run_path(std::vector<Command> commands) {
 
 // A quick change is done at once, another beside the frames.
 void WorldChanges::change(const std::string& title, bool quick, const Change& what, const std::string& said) {
-  assert(!pending_);
+  KERF_ASSERT(!pending_);
   on_.message.say("");
   said_later_.clear();
   if (quick) return show_outcome(what(on_.work.document, nullptr), {}, said);
@@ -277,7 +278,7 @@ void WorldChanges::change(const std::string& title, bool quick, const Change& wh
 // --------------------------------------------------------------------------------------------------------
 
 bool WorldChanges::step(const Part& part) {
-  assert(!pending_);
+  KERF_ASSERT(!pending_);
   if (do_beside(part)) return false;
   const Result<StepResult> step = part(on_.work.document);
   if (!step) {

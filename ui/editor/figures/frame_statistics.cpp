@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/assert.h"
+
 namespace kerf {
 
 namespace {
@@ -21,6 +23,7 @@ void FrameStatistics::add(double milliseconds) {
 }
 
 double FrameStatistics::percentile(double share) const {
+  KERF_ASSERT(share >= 0 && share <= 1);
   if (kept_.empty()) return 0;
   std::vector<float> sorted = kept_;
   const double rank = std::ceil(share * static_cast<double>(sorted.size())) - 1;

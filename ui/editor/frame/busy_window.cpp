@@ -6,6 +6,7 @@
 
 #include <utility>
 
+#include "core/base/assert.h"
 #include "ui/window/gui.h"
 #include "ui/window/progress_bar.h"
 
@@ -28,6 +29,7 @@ void BusyWindow::keep(const Vec2& pixels) {
 }
 
 bool BusyWindow::hear(const Input& input, ChangeThread& change) {
+  KERF_ASSERT(change.busy());
   for (const InputEvent& event : input.events) {
     if (event.kind == InputEvent::Kind::kKey && event.button == GLFW_KEY_ESCAPE) {
       change.stop();

@@ -17,7 +17,7 @@ class BusyWindow {
   // What was drawn to the window and is not swapped yet is shown from this call on; its size in pixels.
   void keep(const Vec2& pixels);
   // Escape and closing the window stop the change; what else the user does waits. Returns whether the window
-  // is to be closed.
+  // is to be closed. Precondition of this and of draw(): a change is running.
   bool hear(const Input& input, ChangeThread& change);
   // Draws a frame over a window of this size; the bar is there when the change lasts, and its button stops
   // the change.

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <utility>
 
+#include "core/base/assert.h"
 #include "ui/editor/frame/mesh_formats.h"
 #include "ui/window/property.h"
 
@@ -318,6 +319,7 @@ void browser_key(FileBrowser& browser, int key) {
 
 void draw_file_browser(FileBrowser& b) {
   if (!b.open) return;
+  KERF_ASSERT(b.take && (b.purpose != Purpose::kExport || b.writes));
   const char* title = wording(b.purpose).title;
   if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
   const float em = ImGui::GetFontSize();

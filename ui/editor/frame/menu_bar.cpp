@@ -4,6 +4,7 @@
 
 #include <string_view>
 
+#include "core/base/assert.h"
 #include "ui/window/property.h"
 
 namespace kerf {
@@ -19,6 +20,7 @@ void draw_action(const UserAction& action) {
     ImGui::EndMenu();
     return;
   }
+  KERF_ASSERT(action.run);
   const bool checked = action.checked && action.checked();
   const char* why_not = action.objection();
   if (ImGui::MenuItem(action.name.c_str(), action.shortcut.c_str(), checked, why_not == nullptr))

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/assert.h"
 #include "ui/editor/view/file_frames.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_text.h"
@@ -35,6 +36,7 @@ const char* left_button(const Hand& hand, bool plays) {
     case Drag::kPull:
       return "Pulling: release to let go";
     case Drag::kSection:
+      KERF_ASSERT(hand.section);
       return hand.section->kind() == SectionDrag::Kind::kMove ? "Moving the section plane"
                                                               : "Turning the section plane";
     case Drag::kPick:

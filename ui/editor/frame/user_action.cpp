@@ -2,6 +2,8 @@
 
 #include <GLFW/glfw3.h>
 
+#include "core/base/assert.h"
+
 namespace kerf {
 
 namespace {
@@ -23,6 +25,7 @@ bool run_shortcut(std::span<const UserAction> actions, int key, int mods, Messag
   constexpr int kCounted = GLFW_MOD_CONTROL | GLFW_MOD_SHIFT | GLFW_MOD_ALT | GLFW_MOD_SUPER;
   const UserAction* action = action_of(actions, key, mods & kCounted);
   if (action == nullptr) return false;
+  KERF_ASSERT(action->run);
   if (const char* why = action->objection()) {
     message.say(why, true);
   } else {

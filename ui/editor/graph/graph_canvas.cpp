@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/assert.h"
 #include "ui/render/graph_pass.h"
 #include "ui/render/overlay_colours.h"
 #include "ui/window/landmarks.h"
@@ -94,6 +95,8 @@ void GraphCanvas::draw_ring(const DrawnGraph& graph, const GraphLayout& places, 
 
 GraphCanvas::Pointer GraphCanvas::draw(const DrawnGraph& graph, const GraphLayout& places, float height,
                                        std::optional<uint32_t> lit, std::optional<uint32_t> start) {
+  KERF_ASSERT(places.size() == graph.nodes.size());
+  KERF_ASSERT((!lit || *lit < graph.nodes.size()) && (!start || *start < graph.nodes.size()));
   Pointer pointer;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   ImGui::PushStyleColor(ImGuiCol_ChildBg, ImGui::GetColorU32(ImGuiCol_FrameBg));

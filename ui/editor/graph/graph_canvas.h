@@ -15,7 +15,7 @@ class GraphCanvas {
   };
 
   // Draws the graph in the full width of the panel, `height` pixels high, with a ring around the nodes `lit`
-  // and `start`. Precondition: one place for each node.
+  // and `start`. Preconditions: there is one place for each node, and these are nodes.
   Pointer draw(const DrawnGraph& graph, const GraphLayout& places, float height, std::optional<uint32_t> lit,
                std::optional<uint32_t> start);
 

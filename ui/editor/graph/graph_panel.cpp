@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/base/assert.h"
 #include "ui/editor/view/piece_set.h"
 #include "ui/editor/view/shortcut_text.h"
 #include "ui/render/pick.h"
@@ -192,6 +193,7 @@ void GraphPanel::draw_canvas(GraphState& graph, const Document& document, ViewSt
   const DrawnGraph& drawn = *graph.drawn();
   const std::optional<FaceOfBody> face = face_under(document, view, pointer);
   const std::optional<uint32_t> lit = face ? graph.node_of(*face) : std::nullopt;
+  KERF_ASSERT(graph.start() < drawn.of.size());
   const uint32_t start = drawn.of[graph.start()];
   const GraphCanvas::Pointer on_canvas =
       canvas_.draw(drawn, graph.layout(), kHeightOfWidth * ImGui::GetContentRegionAvail().x, lit,

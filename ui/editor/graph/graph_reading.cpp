@@ -1,13 +1,12 @@
 #include "ui/editor/graph/graph_reading.h"
 
-#include <cassert>
-
+#include "core/base/assert.h"
 #include "ui/window/number_text.h"
 
 namespace kerf {
 
 LongChange graph_reading(GraphState& graph) {
-  assert(graph.is_asked_for());
+  KERF_ASSERT(graph.is_asked_for());
   graph.no_longer_ask();
   struct Reading {
     GraphState graph;

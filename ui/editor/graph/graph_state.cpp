@@ -1,8 +1,8 @@
 #include "ui/editor/graph/graph_state.h"
 
 #include <algorithm>
-#include <cassert>
 
+#include "core/base/assert.h"
 #include "core/document/commands/edit_piece.h"
 
 namespace kerf {
@@ -91,7 +91,7 @@ bool GraphState::follow(const Document& document, bool in_single_steps) {
 }
 
 bool GraphState::read_left_out(const Document& document, const Progress& progress) {
-  assert(is_left_out());
+  KERF_ASSERT(is_left_out());
   asked_ = false;
   if (!read(document, &progress)) {
     clear();
@@ -143,6 +143,7 @@ void GraphState::read_cut(const Document& document) {
 }
 
 void GraphState::traverse_from(uint32_t node) {
+  KERF_ASSERT(node < graph_.nodes.size());
   start_ = node;
   traversal_ = traverse_cut(graph_, node);
   marked_ = traversal_.reached();
@@ -160,6 +161,7 @@ void GraphState::draw_again() {
   layout_ = unrolled_                     ? std::move(*unrolled)
             : placing_ == Placing::kForce ? lay_out_by_force(*drawn)
                                           : lay_out_by_position(*drawn);
+  KERF_ASSERT(layout_.size() == drawn->nodes.size());
   drawn_ = std::move(drawn);
 }
 
@@ -175,7 +177,7 @@ void GraphState::place(Placing placing) {
 }
 
 void GraphState::open(uint32_t drawn_node) {
-  assert(drawn_ && drawn_node < drawn_->nodes.size());
+  KERF_ASSERT(drawn_ && drawn_node < drawn_->nodes.size());
   opened_.push_back(drawn_->nodes[drawn_node].lowest);
   draw_again();
 }
@@ -186,7 +188,7 @@ void GraphState::close_all() {
 }
 
 void GraphState::start_from(uint32_t drawn_node) {
-  assert(drawn_ && drawn_node < drawn_->nodes.size() && !drawn_->nodes[drawn_node].removed);
+  KERF_ASSERT(drawn_ && drawn_node < drawn_->nodes.size() && !drawn_->nodes[drawn_node].removed);
   traverse_from(drawn_->nodes[drawn_node].lowest);
   draw_again();
 }
@@ -224,6 +226,7 @@ bool GraphState::advance(double seconds) {
 }
 
 std::optional<FaceOfBody> GraphState::face_of(uint32_t drawn_node) const {
+  KERF_ASSERT(drawn_ && drawn_node < drawn_->nodes.size());
   const DrawnGraph::Node& n = drawn_->nodes[drawn_node];
   if (n.removed || n.faces != 1) return std::nullopt;
   return FaceOfBody{n.face.body, n.face.face};

@@ -88,7 +88,7 @@ class GraphState {
   const std::vector<size_t>& closings() const { return closings_; }
   bool complete() const { return complete_; }
 
-  // The live face of a node if it is a single one, and the drawn node of a face.
+  // The live face of a node, which is drawn, if it is a single one; the drawn node of a face.
   std::optional<FaceOfBody> face_of(uint32_t drawn_node) const;
   std::optional<uint32_t> node_of(const FaceOfBody& face) const;
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/base/assert.h"
 #include "ui/editor/view/file_frames.h"
 #include "ui/window/number_text.h"
 
@@ -36,6 +37,7 @@ std::string temperature_text(const FaceFacts& facts) {
 }  // namespace
 
 FaceFacts face_facts(const Body& body, FaceId face) {
+  KERF_ASSERT(body.mesh.is_live(face));
   const FaceData& data = body.mesh.data(face);
   const Triangle t = body.mesh.triangle(face);
   const std::array<VertexId, 3> corners = body.mesh.corners(face);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/base/assert.h"
 #include "core/base/tick.h"
 #include "ui/render/pick.h"
 #include "ui/window/landmarks.h"
@@ -37,6 +38,7 @@ struct Plot {
 };
 
 Plot plot_of(const std::vector<HeatProbe::Sample>& samples, ImVec2 at, ImVec2 size) {
+  KERF_ASSERT(samples.front().seconds < samples.back().seconds);
   Plot plot{at, size, samples.front().seconds, samples.back().seconds};
   for (const HeatProbe::Sample& s : samples) plot.most = std::max(plot.most, s.temperature);
   plot.most = std::max(plot.most, kAmbient + kLeastSpan);

@@ -17,7 +17,7 @@ namespace kerf {
 namespace {
 
 constexpr const char* kTitle = "##palette";
-constexpr float kWidthEms = 42, kMostRows = 12;
+constexpr float kWidthEms = 42, kMostRowsShown = 12;
 constexpr int kPage = 10;
 constexpr int kOfName = 4;  // times as much as a match that needs the name of the menu
 
@@ -112,7 +112,7 @@ std::optional<size_t> draw_matches(CommandPalette& palette, std::span<const User
                                    const std::vector<size_t>& found) {
   std::optional<size_t> clicked;
   const float row = ImGui::GetTextLineHeightWithSpacing();
-  const float rows = std::clamp(static_cast<float>(found.size()), 1.0f, kMostRows);
+  const float rows = std::clamp(static_cast<float>(found.size()), 1.0f, kMostRowsShown);
   if (ImGui::BeginChild("matches", {0, rows * row})) {
     if (found.empty()) ImGui::TextDisabled("No action has such a name");
     for (size_t place = 0; place < found.size(); ++place) {

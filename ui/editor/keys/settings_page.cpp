@@ -8,6 +8,7 @@
 #include <thread>
 #include <utility>
 
+#include "core/base/assert.h"
 #include "ui/editor/keys/bindings.h"
 #include "ui/window/centred_window.h"
 #include "ui/window/landmarks.h"
@@ -36,6 +37,7 @@ void stop_waiting(SettingsPage& page) {
 }
 
 void take_clashing_key(SettingsPage& page, Settings& settings, std::span<const UserAction> usual) {
+  KERF_ASSERT(page.clashes && !page.waits_for.empty());
   rebind(settings.bindings, usual, page.waits_for, *page.clashes);
   stop_waiting(page);
 }
@@ -158,6 +160,7 @@ void settings_page_key(SettingsPage& page, Settings& settings, std::span<const U
   if (key == GLFW_KEY_UP && page.cursor > 0) --page.cursor;
   if (key == GLFW_KEY_DOWN && page.cursor + 1 < actions.size()) ++page.cursor;
   page.show_cursor = true;
+  KERF_ASSERT(page.cursor < actions.size());
   if (enter) page.waits_for = actions[page.cursor].name;
   if (key == GLFW_KEY_DELETE) rebind(settings.bindings, usual, actions[page.cursor].name, {});
 }

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "ui/editor/frame/user_action.h"
-#include "ui/window/key_chord.h"
 #include "ui/editor/view/settings.h"
+#include "ui/window/key_chord.h"
 
 namespace kerf {
 

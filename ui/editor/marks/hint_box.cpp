@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include "core/base/assert.h"
 #include "ui/editor/tools/axes_gizmo.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/theme.h"
@@ -70,6 +71,7 @@ std::optional<std::array<Vec2, 8>> seen_corners(const World::Bounds& bounds, con
 }
 
 bool meets_hull(const Area& area, std::span<const Vec2> points) {
+  KERF_ASSERT(!points.empty());
   const std::array<Vec2, 4> corners = corners_of(area);
   if (apart_along({1, 0}, corners, points) || apart_along({0, 1}, corners, points)) return false;
   for (const Vec2& p : points) {

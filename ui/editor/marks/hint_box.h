@@ -17,7 +17,7 @@ std::optional<std::array<Vec2, 8>> seen_corners(const World::Bounds& bounds, con
                                                 const Area& picture);
 
 // Whether an area meets the convex hull of some points, by the separating axis theorem: two convex sets that
-// are disjoint are disjoint along a normal of an edge of one of them.
+// are disjoint are disjoint along a normal of an edge of one of them. Precondition: there is a point.
 bool meets_hull(const Area& area, std::span<const Vec2> points);
 
 // A place for a box of this size along the edges of a picture where `is_free`: at the bottom if possible,

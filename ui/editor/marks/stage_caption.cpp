@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/base/assert.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_text.h"
 #include "ui/window/theme.h"
@@ -16,6 +17,7 @@ constexpr float kMostEms = 44;
 
 void draw_stage_caption(const StageLog& stages, const Area& picture) {
   if (stages.done() == 0) return;
+  KERF_ASSERT(stages.done() <= stages.told().size());
   const std::string text = "Stage " + grouped(stages.done()) + ". " + stages.told()[stages.done() - 1];
   const float em = ImGui::GetFontSize();
   const float room = std::min(kMostEms * em, static_cast<float>(picture.size.x) - 4 * em);

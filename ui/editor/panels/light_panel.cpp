@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/base/assert.h"
 #include "ui/editor/panels/switch_row.h"
 #include "ui/editor/view/light_presets.h"
 #include "ui/editor/view/shadow_methods.h"
@@ -24,7 +25,9 @@ bool method_row(const char* label, const char* id, ShadowMethod& method) {
   bool changed = false;
   const auto is = [&](const MethodWords& m) { return m.method == method; };
   const std::span<const MethodWords> all = shadow_methods();
-  const MethodWords& now = *std::find_if(all.begin(), all.end(), is);
+  const auto found = std::find_if(all.begin(), all.end(), is);
+  KERF_ASSERT(found != all.end());
+  const MethodWords& now = *found;
   if (ImGui::BeginCombo(id, now.name)) {
     for (const MethodWords& m : all) {
       if (ImGui::Selectable(m.name, m.method == method)) {

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include "core/base/assert.h"
 #include "core/document/path_file.h"
 #include "ui/window/imgui_vector.h"
 #include "ui/window/theme.h"
@@ -61,6 +62,7 @@ void draw_target(Vec2 at, bool pointed_at, ImDrawList& list) {
 }  // namespace
 
 void Emitter::place(const Vec3& at, const Vec3& target) {
+  KERF_ASSERT(at != target);
   placed_ = true;
   at_ = at;
   target_ = target;
@@ -96,6 +98,7 @@ void Emitter::drag(const FirstPicture& picture, Vec2 pointer, const std::optiona
 }
 
 void place_in_view(Emitter& emitter, const CameraView& view, const Vec3& target, double distance) {
+  KERF_ASSERT(distance > 0);
   const Vec3 towards = glm::normalize(0.4 * view.right + 0.7 * view.up - 0.6 * view.forward);
   emitter.place(target + towards * distance, target);
 }

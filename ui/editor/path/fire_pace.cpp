@@ -1,8 +1,9 @@
 #include "ui/editor/path/fire_pace.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
+
+#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -11,7 +12,7 @@ void FirePace::set(double per_second) { per_second_ = std::clamp(per_second, kSl
 bool FirePace::is_due(double now) const { return !last_ || (now - *last_) * per_second_ >= 1; }
 
 void FirePace::take(double now) {
-  assert(is_due(now));
+  KERF_ASSERT(is_due(now));
   last_ = last_ ? *last_ + std::floor((now - *last_) * per_second_) / per_second_ : now;
 }
 

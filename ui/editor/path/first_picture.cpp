@@ -2,6 +2,9 @@
 
 #include <cmath>
 
+#include "core/base/assert.h"
+#include "core/base/unit_vector.h"
+
 namespace kerf {
 
 std::optional<Vec2> FirstPicture::place_of(const Vec3& p) const {
@@ -28,6 +31,7 @@ Vec3 FirstPicture::at_depth_of(const Vec3& p, Vec2 place) const {
 
 Vec3 dragged_around(const FirstPicture& picture, const Vec3& pivot, double distance, const Vec3& now,
                     Vec2 place) {
+  KERF_ASSERT(distance > 0);
   const Pose ray = picture.ray(place);
   const bool away = glm::dot(now - pivot, ray.direction) > 0;
   const Vec3 from = ray.origin - pivot;
@@ -39,6 +43,7 @@ Vec3 dragged_around(const FirstPicture& picture, const Vec3& pivot, double dista
 
 double dragged_along(const FirstPicture& picture, const Vec3& pivot, const Vec3& direction, Vec2 from,
                      Vec2 to) {
+  KERF_ASSERT(is_unit(direction));
   const auto begin = picture.place_of(pivot);
   const auto end = picture.place_of(pivot + direction * picture.metres_of_em(pivot));
   if (!begin || !end) return 0;

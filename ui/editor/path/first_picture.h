@@ -31,9 +31,9 @@ class FirstPicture {
   double em_;
 };
 
-// A handle at the end of a line from `pivot` that is dragged around it: the point at this distance (m) from
-// the pivot that is seen at `place`, or nearest to it, on the side of the pivot, towards the eye or away from
-// it, on which `now` is.
+// A handle at the end of a line from `pivot` that is dragged around it: the point at this distance (m, > 0)
+// from the pivot that is seen at `place`, or nearest to it, on the side of the pivot, towards the eye or away
+// from it, on which `now` is.
 Vec3 dragged_around(const FirstPicture& picture, const Vec3& pivot, double distance, const Vec3& now,
                     Vec2 place);
 

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "core/base/assert.h"
 #include "ui/editor/view/length_field.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/property.h"
@@ -52,6 +53,7 @@ void HoleForm::fit_to(double diagonal) {
 }
 
 void HoleForm::add_holes(PathWork& path, const World& world, double radius, double speed) const {
+  KERF_ASSERT(path.chosen());
   const PathPoint point = *path.chosen();
   const Pose beam = path.pose(point);
   const double distance = path.distance(point);

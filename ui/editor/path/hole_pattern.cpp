@@ -1,8 +1,9 @@
 #include "ui/editor/path/hole_pattern.h"
 
-#include <cassert>
 #include <cmath>
 
+#include "core/base/assert.h"
+#include "core/base/unit_vector.h"
 #include "core/document/edit_path.h"
 
 namespace kerf {
@@ -76,7 +77,8 @@ StrokePath hole(const Pose& middle, const Plane& plane, double hole_radius, doub
 }  // namespace
 
 std::vector<StrokePath> hole_strokes(const HolePattern& pattern, const Pose& beam, double radius) {
-  assert(pattern.hole_radius > 0 && radius > 0);
+  KERF_ASSERT(pattern.hole_radius > 0 && radius > 0);
+  KERF_ASSERT(is_unit(beam.direction));
   const Plane plane = plane_across(beam.direction);
   std::vector<StrokePath> strokes;
   for (const Vec3& middle : middles(pattern, plane))

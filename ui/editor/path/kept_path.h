@@ -20,9 +20,9 @@ class KeptPath {
   // running editors and files that cannot be read are left alone.
   std::optional<std::vector<StrokePath>> adopt();
 
-  // Writes the path when it has changed and is not saved, at most twice a second; drops the file when the path is
-  // saved or empty. `time` is that of a clock (s). Call it once a frame, and while the editor waits. On failure what
-  // was kept before stays, and the next change tries again.
+  // Writes the path when it has changed and is not saved, at most twice a second; drops the file when the
+  // path is saved or empty. `time` is that of a clock (s). Call it once a frame, and while the editor waits.
+  // On failure what was kept before stays, and the next change tries again.
   Status follow(const PathWork& path, double time);
   // The same at once.
   Status follow(const PathWork& path) { return follow(path, written_at_ + kBetweenFiles); }

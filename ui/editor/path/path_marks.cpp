@@ -13,7 +13,7 @@ namespace kerf {
 namespace {
 
 constexpr float kDot = 4.5f, kKnob = 6;  // screen coordinates
-constexpr double kMarkReach = 9;             // the same
+constexpr double kMarkReach = 9;         // the same
 constexpr double kLeastApart = 14;       // of dots, screen coordinates
 constexpr double kMarkArrowEms = 3, kKnobEms = 5.5;
 constexpr double kNearEnough = 0.998;   // of the depth of a point: a surface there does not hide it

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include "core/base/assert.h"
 #include "core/document/edit_path.h"
 #include "core/document/stroke_settings.h"
 #include "ui/editor/view/length_field.h"
@@ -38,6 +39,7 @@ std::string summary(const PathWork& path, const ViewState& view) {
 
 // The point with this number, counted over all strokes.
 PathPoint numbered(const PathWork& path, size_t number) {
+  KERF_ASSERT(number < path.points());
   size_t stroke = 0;
   for (; number >= path.strokes()[stroke].keys.size(); ++stroke) number -= path.strokes()[stroke].keys.size();
   return {stroke, number};

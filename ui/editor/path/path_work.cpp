@@ -1,7 +1,7 @@
 #include "ui/editor/path/path_work.h"
 
-#include <cassert>
-
+#include "core/base/assert.h"
+#include "core/base/unit_vector.h"
 #include "core/document/edit_path.h"
 #include "ui/render/beam_strike.h"
 
@@ -68,6 +68,7 @@ void PathWork::add(const Pose& pose, double distance, bool new_stroke, double ra
 }
 
 void PathWork::set(PathPoint p, const Pose& pose, double distance) {
+  KERF_ASSERT(has(p) && is_unit(pose.direction));
   now_.strokes[p.stroke].keys[p.key] = pose;
   now_.distances[p.stroke][p.key] = distance;
   ++changes_;
@@ -75,6 +76,7 @@ void PathWork::set(PathPoint p, const Pose& pose, double distance) {
 }
 
 void PathWork::remove(PathPoint p) {
+  KERF_ASSERT(has(p));
   StrokePath& stroke = now_.strokes[p.stroke];
   std::vector<double>& distances = now_.distances[p.stroke];
   erase_key(stroke, p.key);
@@ -92,7 +94,10 @@ void PathWork::remove(PathPoint p) {
   chosen_ = PathPoint{before, now_.strokes[before].keys.size() - 1};
 }
 
-void PathWork::set_radius(size_t stroke, double radius) { now_.strokes[stroke].radius = radius; }
+void PathWork::set_radius(size_t stroke, double radius) {
+  KERF_ASSERT(stroke < now_.strokes.size() && radius > 0);
+  now_.strokes[stroke].radius = radius;
+}
 
 void PathWork::set_speed(double speed) {
   now_.speed = speed;
@@ -129,7 +134,7 @@ void PathWork::replace(Version version) {
 }
 
 void PathWork::undo() {
-  assert(can_undo());
+  KERF_ASSERT(can_undo());
   ++changes_;
   redone_to_.push_back(std::exchange(now_, std::move(undone_to_.back())));
   undone_to_.pop_back();
@@ -137,7 +142,7 @@ void PathWork::undo() {
 }
 
 void PathWork::redo() {
-  assert(can_redo());
+  KERF_ASSERT(can_redo());
   ++changes_;
   undone_to_.push_back(std::exchange(now_, std::move(redone_to_.back())));
   redone_to_.pop_back();

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/assert.h"
 #include "core/document/path_file.h"
 #include "core/world/world.h"
 
@@ -22,8 +23,15 @@ class PathWork {
   const std::vector<StrokePath>& strokes() const { return now_.strokes; }
   bool empty() const { return now_.strokes.empty(); }
   size_t points() const;
-  const Pose& pose(PathPoint p) const { return now_.strokes[p.stroke].keys[p.key]; }
-  double distance(PathPoint p) const { return now_.distances[p.stroke][p.key]; }
+  // Precondition of all that take a point: the path has it.
+  const Pose& pose(PathPoint p) const {
+    KERF_ASSERT(has(p));
+    return now_.strokes[p.stroke].keys[p.key];
+  }
+  double distance(PathPoint p) const {
+    KERF_ASSERT(p.stroke < now_.distances.size() && p.key < now_.distances[p.stroke].size());
+    return now_.distances[p.stroke][p.key];
+  }
   Vec3 target(PathPoint p) const { return pose(p).origin + pose(p).direction * distance(p); }
 
   // The speed of the beam's origin (m/s): the one that was set, else the mean speed of the path, or 0 if it
@@ -33,7 +41,10 @@ class PathWork {
   bool has_times_of_file() const { return !empty() && !now_.speed; }
 
   const std::optional<PathPoint>& chosen() const { return chosen_; }
-  void choose(std::optional<PathPoint> point) { chosen_ = point; }
+  void choose(std::optional<PathPoint> point) {
+    KERF_ASSERT(!point || has(*point));
+    chosen_ = point;
+  }
 
   // Begins a step of the undo: the edits until the next call belong to it.
   void begin_edit();
@@ -81,6 +92,9 @@ class PathWork {
     std::optional<double> speed;                 // m/s, that was set
     size_t number = 0;
   };
+  bool has(PathPoint p) const {
+    return p.stroke < now_.strokes.size() && p.key < now_.strokes[p.stroke].keys.size();
+  }
   void replace(Version version);
   void keep_speed(size_t stroke);
 

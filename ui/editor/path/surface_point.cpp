@@ -1,5 +1,7 @@
 #include "ui/editor/path/surface_point.h"
 
+#include "core/base/assert.h"
+#include "core/base/unit_vector.h"
 #include "ui/render/pick.h"
 
 namespace kerf {
@@ -17,6 +19,7 @@ std::optional<SurfacePoint> surface_point(const World& world, const ViewOptions&
 }
 
 Vec3 turned_with(const Vec3& direction, const Vec3& from, const Vec3& to) {
+  KERF_ASSERT(is_unit(from) && is_unit(to));
   const double w = 1 + glm::dot(from, to);
   if (w < 1e-6) return -to;  // no rotation is the shortest
   const glm::dquat turn = glm::normalize(glm::dquat(w, glm::cross(from, to)));

@@ -16,7 +16,7 @@ struct SurfacePoint {
 // unit vector.
 std::optional<SurfacePoint> surface_point(const World& world, const ViewOptions& look, const Pose& ray);
 
-// The direction after the shortest rotation that turns the unit vector `from` into `to`.
+// The direction after the shortest rotation that turns the unit vector `from` into `to`, another one.
 Vec3 turned_with(const Vec3& direction, const Vec3& from, const Vec3& to);
 
 }  // namespace kerf

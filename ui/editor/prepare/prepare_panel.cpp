@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/assert.h"
 #include "core/mesh/openmesh/smooth.h"
 #include "ui/editor/view/length_field.h"
 #include "ui/window/landmarks.h"
@@ -31,6 +32,7 @@ constexpr std::array kSchemes{"Loop", "Square root of 3", "Midpoints"};
 template <typename Choice>
 bool choose(const char* label, const char* landmark, std::span<const char* const> names, const char* meaning,
             Choice& chosen) {
+  KERF_ASSERT(static_cast<size_t>(chosen) < names.size());
   property(label);
   bool changed = false;
   if (ImGui::BeginCombo((std::string("##") + landmark).c_str(), names[static_cast<size_t>(chosen)])) {

@@ -2,6 +2,8 @@
 
 #include <glm/gtc/quaternion.hpp>
 
+#include "core/base/assert.h"
+#include "core/base/unit_vector.h"
 #include "ui/editor/view/along_axis.h"
 
 namespace kerf {
@@ -20,6 +22,7 @@ Vec2 on_screen(const CameraView& view, const Vec3& seen) { return {seen.x * view
 }  // namespace
 
 PlaneAxes axes_of(const SectionPlane& plane, UpAxis up) {
+  KERF_ASSERT(is_unit(plane.normal));
   const Vec3 level = glm::cross(upwards(up), plane.normal);
   const double sine = glm::length(level);
   const Vec3 unit = sine > kLeastLevel ? level / sine : Vec3(1, 0, 0);

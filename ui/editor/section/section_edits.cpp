@@ -2,7 +2,7 @@
 
 #include <imgui.h>
 
-#include <cassert>
+#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -22,24 +22,24 @@ void place_section(ViewState& view, const World& world) {
 }
 
 void flip_section(ViewState& view) {
-  assert(view.look.section);
+  KERF_ASSERT(view.look.section);
   show(view, {view.look.section->point, -view.look.section->normal});
 }
 
 void turn_section_across(ViewState& view, int axis) {
-  assert(view.look.section && axis >= 0 && axis < 3);
+  KERF_ASSERT(view.look.section && axis >= 0 && axis < 3);
   Vec3 normal(0);
   normal[axis] = view.seen_first().forward[axis] > 0 ? -1 : 1;
   show(view, {view.look.section->point, normal});
 }
 
 void turn_section_to_view(ViewState& view) {
-  assert(view.look.section);
+  KERF_ASSERT(view.look.section);
   show(view, {view.look.section->point, -view.seen_first().forward});
 }
 
 void copy_section(const ViewState& view, Message& message) {
-  assert(view.look.section);
+  KERF_ASSERT(view.look.section);
   ImGui::SetClipboardText(section_text(*view.look.section).c_str());
   message.say("The section plane is in the clipboard as text, as kerf render --section takes it");
 }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/assert.h"
 #include "ui/window/imgui_vector.h"
 #include "ui/window/theme.h"
 
@@ -13,7 +14,7 @@ namespace kerf {
 namespace {
 
 constexpr double kArrowEms = 6.5, kRingEms = 4.4;  // length and radius
-constexpr double kReach = 7;                       // screen coordinates around a handle that belong to it
+constexpr double kReachOfHandle = 7;               // screen coordinates around a handle that belong to it
 constexpr size_t kRingPoints = 48;
 constexpr double kMargin = 1.06;  // of the frame around the world
 constexpr double kHalfTurn = 3.14159265358979323846;
@@ -55,6 +56,7 @@ struct Nearest {
   Vec3 point{0};
 };
 Nearest nearest_of(const SectionHandle& handle, Vec2 at) {
+  KERF_ASSERT(handle.places.size() == handle.points.size());
   Nearest nearest;
   for (size_t i = 0; i + 1 < handle.places.size(); ++i) {
     const Vec2 a = handle.places[i], along = handle.places[i + 1] - a;
@@ -73,7 +75,7 @@ struct Grip {
 };
 std::optional<Grip> grip_under(const std::vector<SectionHandle>& handles, Vec2 at) {
   std::optional<Grip> found;
-  double least = kReach;
+  double least = kReachOfHandle;
   for (const SectionHandle& handle : handles) {
     const Nearest nearest = nearest_of(handle, at);
     if (nearest.distance > least) continue;
@@ -165,6 +167,7 @@ std::string name_of(const SectionHandle& handle) {
 }
 
 Vec2 grip_of(const SectionHandle& handle) {
+  KERF_ASSERT(!handle.places.empty());
   const bool is_arrow = handle.kind == SectionDrag::Kind::kMove;
   return is_arrow ? handle.places.back() : handle.places[handle.places.size() / 4];
 }

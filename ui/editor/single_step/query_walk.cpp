@@ -1,7 +1,8 @@
 #include "ui/editor/single_step/query_walk.h"
 
 #include <algorithm>
-#include <cassert>
+
+#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -72,10 +73,13 @@ void QueryWalk::clear() {
   visited_ = 0;
 }
 
-void QueryWalk::visit(size_t boxes) { visited_ = std::min(boxes, visits_.size()); }
+void QueryWalk::visit(size_t boxes) {
+  KERF_ASSERT(boxes > 0);
+  visited_ = std::min(boxes, visits_.size());
+}
 
 std::string QueryWalk::words() const {
-  assert(visited_ > 0);
+  KERF_ASSERT(visited_ > 0);
   const TouchedWalk::Visit& visit = visits_[visited_ - 1];
   const std::string face = visit.face.valid() ? std::to_string(visit.face.index) : "";
   const std::string box =

@@ -22,7 +22,7 @@ class QueryWalk {
 
   bool empty() const { return visits_.empty(); }
   size_t size() const { return visits_.size(); }
-  // The number of boxes that the display has visited: all, until it is set.
+  // The number of boxes that the display has visited: all, until it is set by visit(), to one at least.
   size_t visited() const { return visited_; }
   void visit(size_t boxes);
 

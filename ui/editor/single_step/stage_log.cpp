@@ -1,8 +1,8 @@
 #include "ui/editor/single_step/stage_log.h"
 
 #include <algorithm>
-#include <cassert>
 
+#include "core/base/assert.h"
 #include "ui/editor/single_step/mark_stage.h"
 
 namespace kerf {
@@ -28,7 +28,7 @@ void StageLog::note(const World& world, const StageRecord& stage) {
 
 // The last query is that of the last sweep, or comes again with the stages that follow.
 void StageLog::restart(size_t stages) {
-  assert(stages <= done_);
+  KERF_ASSERT(stages <= done_);
   done_ = stages;
   last_.reset();
   if (stages < swept_) query_.clear();

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/assert.h"
 
 namespace kerf {
 
 Resolution ResolutionControls::of(double radius) const {
+  KERF_ASSERT(radius > 0);
   Resolution resolution;
   resolution.rule = rule;
   resolution.scheme = scheme;

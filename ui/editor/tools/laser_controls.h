@@ -19,7 +19,7 @@ struct ResolutionControls {
   static constexpr double kLeastFraction = 1.0 / 32, kMostFraction = 2;
   static constexpr int kLargestDepth = 10;
 
-  // The resolution for a beam of this radius (m).
+  // The resolution for a beam of this radius (m, > 0).
   Resolution of(double radius) const;
 };
 

@@ -1,8 +1,8 @@
 #include "ui/editor/tools/laser_tool.h"
 
-#include <cassert>
 #include <utility>
 
+#include "core/base/assert.h"
 #include "core/base/unit_vector.h"
 #include "core/cut/cuttable.h"
 #include "ui/editor/tools/click.h"
@@ -82,7 +82,7 @@ void LaserTool::begin(const Document& document, const CutSettings& settings, dou
 
 void LaserTool::fire(Document& document, const Pose& pose, double distance, const CutSettings& settings,
                      double heard) {
-  assert(!cutting_);
+  KERF_ASSERT(!cutting_ && distance > 0 && is_unit(pose.direction));
   emitter_ = distance;
   pose_ = pose;
   begin(document, settings, heard);
@@ -111,7 +111,7 @@ void LaserTool::move(Document& document, const CameraView& view, Vec2 pointer, d
   if (glm::length(moved) < (held_ ? kClickReach : kLeastMove)) return;
   pointer_ = pointer;
   pose_ = aim(view, pointer);
-  assert(heard >= began_);
+  KERF_ASSERT(heard >= began_);
   begin_held(document);
   told_ = std::max(told_, heard - began_);
   document.apply(MoveStroke{pose_, told_});

@@ -26,7 +26,7 @@ class LaserTool {
   void move(Document& document, const CameraView& view, Vec2 pointer, double pixel, double heard);
   // The same with poses that are given: of a beam that comes from `distance` (m) away from what it aims at.
   // A turn to the opposite direction ends the stroke and begins another. Preconditions: fire() is called
-  // while no stroke is drawn, and directions are unit vectors.
+  // while no stroke is drawn, the distance is positive, and directions are unit vectors.
   void fire(Document& document, const Pose& pose, double distance, const CutSettings& settings, double heard);
   void carry_to(Document& document, const Pose& pose, double heard);
   // A beam of the thermal model that is held still goes on emitting: to be called once a frame with the

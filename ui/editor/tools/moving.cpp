@@ -2,8 +2,7 @@
 
 #include <GLFW/glfw3.h>
 
-#include <cassert>
-
+#include "core/base/assert.h"
 #include "core/document/commands/edit_piece.h"
 #include "ui/editor/view/piece_set.h"
 #include "ui/render/spread.h"
@@ -41,7 +40,7 @@ const char* why_no_move(const PieceMap& looks) {
 }
 
 void begin_move(Hand& hand, ViewState& view, const World& world, PieceMove::Kind kind) {
-  assert(why_no_move(view.look.pieces) == nullptr);
+  KERF_ASSERT(why_no_move(view.look.pieces) == nullptr);
   const PieceId piece = *first_chosen(view.look.pieces);
   if (view.spread != 0) {
     view.spread = 0;
@@ -53,7 +52,7 @@ void begin_move(Hand& hand, ViewState& view, const World& world, PieceMove::Kind
 }
 
 void follow_move(Hand& hand, ViewState& view) {
-  assert(hand.move);
+  KERF_ASSERT(hand.move);
   hand.move->point(view.seen_first(), in_first(view, hand.pointer));
   show_at(view, hand.move->piece(), hand.move->look());
 }
@@ -66,7 +65,7 @@ bool cancel_move(Hand& hand, ViewState& view, Requests& requests) {
 }
 
 void confirm_move(Hand& hand, ViewState& view, Requests& requests) {
-  assert(hand.move);
+  KERF_ASSERT(hand.move);
   if (hand.move->moves())
     requests.commands.emplace_back(MovePiece{hand.move->piece(), hand.move->placement()});
   end_move(hand, view);
@@ -77,7 +76,7 @@ void drop_lost_move(Hand& hand, ViewState& view, const World& world) {
 }
 
 void move_key(Hand& hand, ViewState& view, const World& world, Requests& requests, int key) {
-  assert(hand.move);
+  KERF_ASSERT(hand.move);
   switch (key) {
     case GLFW_KEY_ENTER:
     case GLFW_KEY_KP_ENTER:

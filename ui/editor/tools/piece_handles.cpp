@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/base/assert.h"
 #include "ui/editor/tools/moving.h"
 #include "ui/editor/view/piece_set.h"
 #include "ui/window/imgui_vector.h"
@@ -14,7 +15,7 @@ namespace kerf {
 namespace {
 
 constexpr double kArrowEms = 5.5, kRingEms = 4.2;  // length and radius
-constexpr double kHandleReach = 7;                       // screen coordinates around a handle that belong to it
+constexpr double kHandleReach = 7;                 // screen coordinates around a handle that belong to it
 constexpr double kFreeFromEms = 1.2;  // around the pivot arrows are not taken: a click there picks
 constexpr size_t kRingPoints = 64;
 constexpr std::array kAxes{PieceMove::Axis::kX, PieceMove::Axis::kY, PieceMove::Axis::kZ};
@@ -162,6 +163,7 @@ std::string name_of(const PieceHandle& handle) {
 }
 
 Vec2 grip_of(const PieceHandle& handle) {
+  KERF_ASSERT(!handle.line.empty());
   if (handle.kind == PieceMove::Kind::kMove) return handle.line.back();
   return handle.line[handle.line.size() / 2];
 }

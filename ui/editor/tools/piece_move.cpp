@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "core/base/assert.h"
 #include "ui/editor/view/along_axis.h"
 
 namespace kerf {
@@ -75,6 +76,7 @@ Vec3 direction_of(PieceMove::Axis axis) {
 }
 
 Vec3 pivot_of(const Body& body, uint32_t label) {
+  KERF_ASSERT(label < body.pieces.size());
   const Piece& piece = body.pieces[label];
   const Vec3 centre = piece.area > 0 ? piece.moments.first / piece.area : Vec3(0);
   return body.placement.to_world(body.middle() + centre);

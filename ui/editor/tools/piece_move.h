@@ -71,7 +71,7 @@ class PieceMove {
 // The unit vector of an axis.
 Vec3 direction_of(PieceMove::Axis axis);
 
-// The centre of area of a piece in the world, about which it turns.
+// The centre of area of a piece in the world, about which it turns. Precondition: the body has this label.
 Vec3 pivot_of(const Body& body, uint32_t label);
 
 }  // namespace kerf

@@ -3,6 +3,8 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include "core/base/assert.h"
+
 namespace kerf {
 
 bool is_popup_open() {
@@ -10,9 +12,13 @@ bool is_popup_open() {
   return ImGui::IsPopupOpen(nullptr, kAny) && ImGui::GetTopMostPopupModal() == nullptr;
 }
 
-void close_popups() { ImGui::ClosePopupToLevel(0, true); }
+void close_popups() {
+  KERF_ASSERT(ImGui::GetCurrentContext()->WithinFrameScope);
+  ImGui::ClosePopupToLevel(0, true);
+}
 
 bool pointer_is_over_panel() {
+  KERF_ASSERT(ImGui::GetCurrentContext()->WithinFrameScope);
   return ImGui::IsWindowHovered(ImGuiHoveredFlags_AnyWindow | ImGuiHoveredFlags_AllowWhenBlockedByPopup |
                                 ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
 }

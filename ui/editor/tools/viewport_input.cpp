@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/base/assert.h"
 #include "ui/editor/path/surface_point.h"
 #include "ui/editor/play/pulling.h"
 #include "ui/editor/section/section_handles.h"
@@ -223,6 +224,7 @@ void go_on(const MouseParts& on, Vec2 from, double heard) {
       drag_emitter(on, heard);
       break;
     case Drag::kSection:
+      KERF_ASSERT(on.hand.section);
       on.view.look.section = on.hand.section->to(on.view.in_picture(on.hand.pointer));
       on.view.picture_old = true;
       break;

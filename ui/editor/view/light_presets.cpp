@@ -1,7 +1,8 @@
 #include "ui/editor/view/light_presets.h"
 
 #include <array>
-#include <cassert>
+
+#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -60,7 +61,7 @@ std::vector<Light> lights_of(const LightPreset& preset, const World::Bounds& bou
 }
 
 void add_light(ViewOptions& look, UpAxis up) {
-  assert(look.lights.size() < kMostLights);
+  KERF_ASSERT(look.lights.size() < kMostLights);
   Light another;
   another.at = from_y_up({0.7, 0.8, -0.4}, up);
   another.intensity = 1;
@@ -69,7 +70,7 @@ void add_light(ViewOptions& look, UpAxis up) {
 }
 
 void remove_light(ViewOptions& look) {
-  assert(!look.lights.empty());
+  KERF_ASSERT(!look.lights.empty());
   const size_t chosen = std::min(look.shadow.inspected, look.lights.size() - 1);
   look.lights.erase(look.lights.begin() + static_cast<std::ptrdiff_t>(chosen));
   look.shadow.inspected = 0;

@@ -22,22 +22,14 @@ struct PanelEntry {
   bool unfolded;
 };
 constexpr std::array kPanelEntries{
-    PanelEntry{PanelId::kLaser, "Laser", true},
-    PanelEntry{PanelId::kMaterial, "Material", false},
-    PanelEntry{PanelId::kPrepare, "Prepare", false},
-    PanelEntry{PanelId::kResolution, "Resolution", true},
-    PanelEntry{PanelId::kPath, "Path", false},
-    PanelEntry{PanelId::kPieces, "Pieces", true},
-    PanelEntry{PanelId::kBodies, "Bodies", false},
-    PanelEntry{PanelId::kHistory, "History", true},
-    PanelEntry{PanelId::kLight, "Light", false},
-    PanelEntry{PanelId::kTree, "Tree", false},
-    PanelEntry{PanelId::kGraph, "Graph", false},
-    PanelEntry{PanelId::kSingleStep, "Single step", false},
-    PanelEntry{PanelId::kView, "View", false},
-    PanelEntry{PanelId::kStatistics, "Statistics", false},
-    PanelEntry{PanelId::kFile, "File", false},
-    PanelEntry{PanelId::kDisplay, "Display", false},
+    PanelEntry{PanelId::kLaser, "Laser", true},      PanelEntry{PanelId::kMaterial, "Material", false},
+    PanelEntry{PanelId::kPrepare, "Prepare", false}, PanelEntry{PanelId::kResolution, "Resolution", true},
+    PanelEntry{PanelId::kPath, "Path", false},       PanelEntry{PanelId::kPieces, "Pieces", true},
+    PanelEntry{PanelId::kBodies, "Bodies", false},   PanelEntry{PanelId::kHistory, "History", true},
+    PanelEntry{PanelId::kLight, "Light", false},     PanelEntry{PanelId::kTree, "Tree", false},
+    PanelEntry{PanelId::kGraph, "Graph", false},     PanelEntry{PanelId::kSingleStep, "Single step", false},
+    PanelEntry{PanelId::kView, "View", false},       PanelEntry{PanelId::kStatistics, "Statistics", false},
+    PanelEntry{PanelId::kFile, "File", false},       PanelEntry{PanelId::kDisplay, "Display", false},
 };
 
 // Takes a key out of the object; null where it is missing.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/assert.h"
+
 namespace kerf {
 
 namespace {
@@ -25,8 +27,10 @@ constexpr std::array kMethods{
 std::span<const MethodWords> shadow_methods() { return kMethods; }
 
 const char* method_name(ShadowMethod method) {
-  return std::find_if(kMethods.begin(), kMethods.end(), [&](const auto& m) { return m.method == method; })
-      ->name;
+  const auto found =
+      std::find_if(kMethods.begin(), kMethods.end(), [&](const auto& m) { return m.method == method; });
+  KERF_ASSERT(found != kMethods.end());
+  return found->name;
 }
 
 }  // namespace kerf

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/base/assert.h"
 #include "core/base/atomic_file.h"
 #include "core/document/extract.h"
 #include "core/mesh/files/encode_mtl.h"
@@ -44,6 +45,7 @@ std::string library_of(const Extract& extract, const std::vector<std::string>& n
   std::set<uint16_t> used(extract.materials.begin(), extract.materials.end());
   std::vector<MaterialLook> looks;
   for (const uint16_t material : used) {
+    KERF_ASSERT(material < names.size());
     const auto found = paints.find(names[material]);
     const Paint paint = found != paints.end() ? found->second : Paint();
     const Vec3& c = paint.colour;

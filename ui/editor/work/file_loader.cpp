@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "core/base/assert.h"
 #include "core/document/replay.h"
 #include "core/mesh/load_notes.h"
 #include "ui/render/scene_strokes.h"
@@ -145,6 +146,7 @@ std::string LoadOrder::name() const {
 }
 
 Result<LoadedFiles> load_files(LoadOrder order, const Progress* progress) {
+  KERF_ASSERT(order.left || !order.files.empty());
   const bool journal = order.left || (order.files.size() == 1 && is_journal(order.files.front()));
   Stages stages(progress);
   const double cutting = journal ? kCutting : 0, rest = 1 - cutting;
@@ -194,7 +196,10 @@ void FileLoader::cancel() {
   given_up_.push_back(std::move(job_));
 }
 
-bool FileLoader::is_over(double seconds) const { return kerf::is_over(job_->result, seconds); }
+bool FileLoader::is_over(double seconds) const {
+  KERF_ASSERT(busy());
+  return kerf::is_over(job_->result, seconds);
+}
 
 std::optional<Result<LoadedFiles>> FileLoader::take() {
   std::erase_if(given_up_, [](const auto& job) { return kerf::is_over(job->result, 0); });

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/assert.h"
 #include "core/base/result.h"
 #include "core/document/document.h"
 #include "core/document/journal.h"
@@ -47,7 +48,7 @@ struct LoadedFiles {
 };
 
 // Reads the files and applies their strokes or commands. The view of a single file is kept. Fails if none of
-// the files can be read. `progress` may be null.
+// the files can be read. `progress` may be null. Precondition: there are files or left work.
 Result<LoadedFiles> load_files(LoadOrder order, const Progress* progress);
 
 // Reads files on a background thread into a separate world while the editor goes on.
@@ -58,11 +59,14 @@ class FileLoader {
   // Cancels the current job; its thread ends at its next report of progress.
   void cancel();
   bool busy() const { return job_ != nullptr; }
-  // Waits for the end for at most the given time (s). Returns whether it has ended.
+  // Waits for the end for at most the given time (s). Returns whether it has ended. Precondition: busy().
   bool is_over(double seconds) const;
 
   // What is being read. Precondition: busy().
-  const LoadOrder& order() const { return job_->order; }
+  const LoadOrder& order() const {
+    KERF_ASSERT(busy());
+    return job_->order;
+  }
   // The progress from 0 to 1. Precondition: busy().
   double fraction() const { return job_->fraction; }
 

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "core/base/assert.h"
 #include "core/base/parallel.h"
 
 namespace kerf {
@@ -11,6 +12,7 @@ class ThreadSetting {
  public:
   // 0 is as many as the machine has. Precondition: threads >= 0.
   void follow(int threads) {
+    KERF_ASSERT(threads >= 0);
     if (threads == threads_) return;
     threads_ = threads;
     limit_.reset();

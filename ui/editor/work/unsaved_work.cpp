@@ -3,6 +3,7 @@
 #include <chrono>
 #include <ctime>
 
+#include "core/base/assert.h"
 #include "ui/editor/work/save_work.h"
 
 namespace kerf {
@@ -48,6 +49,7 @@ Decision decide_on_unsaved(Decisions& decisions, size_t answer) {
 }
 
 Decision decide_on_left(Decisions& decisions, std::vector<LeftWork>& left_work, size_t answer) {
+  KERF_ASSERT(!left_work.empty());
   if (answer == 0) return Decision::kGoOn;
   if (answer == 2) {
     left_work.clear();
@@ -64,6 +66,7 @@ Decision decide_on_left(Decisions& decisions, std::vector<LeftWork>& left_work, 
 bool may_leave(Decisions& decisions, const OpenWork& work, const std::vector<Light>& lights,
                const Requests& wanted) {
   if (!is_unsaved(work, lights)) return true;
+  KERF_ASSERT(!decisions.question.open());
   decisions.leaving = wanted;
   ask_what_becomes(decisions, work);
   return false;
@@ -86,6 +89,7 @@ void ask_about_left_work(Decisions& decisions, const std::vector<LeftWork>& left
 
 Decision take_decision(Decisions& decisions, std::vector<LeftWork>& left_work) {
   if (!decisions.question.answer) return Decision::kNone;
+  KERF_ASSERT(*decisions.question.answer < decisions.question.choices.size());
   const size_t answer = *std::exchange(decisions.question, {}).answer;
   return decisions.about == Decisions::About::kUnsaved ? decide_on_unsaved(decisions, answer)
                                                        : decide_on_left(decisions, left_work, answer);

@@ -21,7 +21,7 @@ struct Decisions {
 };
 
 // Takes requests that would close the open work: where it is unsaved they wait in `leaving` and the user is
-// asked. Returns whether they can be done at once.
+// asked. Returns whether they can be done at once. Precondition: no other question is open.
 bool may_leave(Decisions& decisions, const OpenWork& work, const std::vector<Light>& lights,
                const Requests& wanted);
 

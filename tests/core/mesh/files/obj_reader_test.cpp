@@ -90,7 +90,8 @@ TEST(ObjReader, keeps_materials_beside_the_triangles_when_polygons_are_dropped) 
 
 TEST(ObjReader, names_the_line_and_the_word_of_what_is_wrong) {
   EXPECT_EQ(obj_refusal("v 0 0 0\nv 1 zero 0\n"), "t.obj, line 2: expected the y coordinate, found 'zero'.");
-  EXPECT_EQ(obj_refusal("v 0 0 0\r\nv 1 0\r\n"), "t.obj, line 2: the line ends where the z coordinate must be.");
+  EXPECT_EQ(obj_refusal("v 0 0 0\r\nv 1 0\r\n"),
+            "t.obj, line 2: the line ends where the z coordinate must be.");
   EXPECT_EQ(obj_refusal("v 0,5 0 0\n"),
             "t.obj, line 1: expected the x coordinate, found '0,5'; write decimal points, not commas.");
   EXPECT_EQ(obj_refusal(kTriangle + "f 1 2 3f 1 2 3\n"),

@@ -55,7 +55,8 @@ TEST(OffReader, refuses_data_that_end_early) {
 }
 
 TEST(OffReader, refuses_binary_and_other_dimensions) {
-  EXPECT_EQ(off_refusal("OFF BINARY\n"), "t.off, line 1: binary OFF is not read; save it as text, or as PLY.");
+  EXPECT_EQ(off_refusal("OFF BINARY\n"),
+            "t.off, line 1: binary OFF is not read; save it as text, or as PLY.");
   EXPECT_EQ(off_refusal("4OFF\n"), "t.off, line 1: OFF with other than three coordinates is not read.");
   EXPECT_EQ(off_refusal("OFFICE\n"), "t.off, line 1: expected the keyword OFF, found 'OFFICE'.");
 }

@@ -125,7 +125,8 @@ TEST(PlyReader, refuses_stray_lines_where_no_element_follows_or_one_came_before)
   const std::string why = "expected 'element', 'property' or 'end_header', found 'Created'.";
   EXPECT_EQ(ply_refusal(file(stray, "")), "t.ply, line 3: " + why);
   EXPECT_EQ(ply_refusal("ply\n" + stray), "t.ply, line 2: " + why);
-  EXPECT_EQ(ply_refusal(file(stray + "property float x\n" + kVertices + kFaces, kData)), "t.ply, line 3: " + why);
+  EXPECT_EQ(ply_refusal(file(stray + "property float x\n" + kVertices + kFaces, kData)),
+            "t.ply, line 3: " + why);
   EXPECT_EQ(ply_refusal(file(kVertices + stray + kFaces, kData)), "t.ply, line 7: " + why);
   EXPECT_EQ(ply_refusal(file(kVertices + kFaces + stray, kData)), "t.ply, line 9: " + why);
   const std::string bytes = "Created\x01\n";

@@ -8,7 +8,7 @@
 namespace kerf {
 namespace {
 
-Document sheet() {
+Document sheet_to_cut() {
   World world;
   world.add(make_body("sheet", test::build(test::grid(10, 2))));
   return Document(std::move(world));
@@ -30,7 +30,7 @@ void walk(Document& document) {
 }
 
 TEST(GraphState, follows_the_document_when_no_stroke_is_being_cut) {
-  Document document = sheet();
+  Document document = sheet_to_cut();
   GraphState graph;
   EXPECT_TRUE(graph.follow(document));
   EXPECT_FALSE(graph.follow(document));
@@ -46,7 +46,7 @@ TEST(GraphState, follows_the_document_when_no_stroke_is_being_cut) {
 }
 
 TEST(GraphState, follows_the_document_between_single_steps) {
-  Document document = sheet();
+  Document document = sheet_to_cut();
   GraphState graph;
   graph.follow(document);
   cut_at(document, 0.1);
@@ -61,7 +61,7 @@ TEST(GraphState, follows_the_document_between_single_steps) {
 }
 
 TEST(GraphState, is_read_again_while_time_passes_only_when_pieces_become_bodies) {
-  Document document = sheet();
+  Document document = sheet_to_cut();
   cut_at(document, 0.1);
   walk(document);
   GraphState graph;
@@ -86,7 +86,7 @@ TEST(GraphState, is_read_again_while_time_passes_only_when_pieces_become_bodies)
 
 // Along with the body: by as much as it fell and turned since.
 TEST(GraphState, loops_and_nodes_move_with_the_bodies_whose_faces_they_lie_on) {
-  Document document = sheet();
+  Document document = sheet_to_cut();
   cut_at(document, 0.1);
   document.apply(Play{});
   document.apply(Advance{1, true});
@@ -106,7 +106,7 @@ TEST(GraphState, loops_and_nodes_move_with_the_bodies_whose_faces_they_lie_on) {
 }
 
 TEST(GraphState, plays_the_traversal_to_its_end) {
-  Document document = sheet();
+  Document document = sheet_to_cut();
   cut_at(document, 0.1);
   walk(document);
   GraphState graph;
@@ -125,7 +125,7 @@ TEST(GraphState, plays_the_traversal_to_its_end) {
 }
 
 TEST(GraphState, starts_from_the_other_side_at_a_node_there) {
-  Document document = sheet();
+  Document document = sheet_to_cut();
   cut_at(document, 0.1);
   walk(document);
   GraphState graph;
@@ -140,7 +140,7 @@ TEST(GraphState, starts_from_the_other_side_at_a_node_there) {
 }
 
 TEST(GraphState, finds_the_node_of_a_face_and_the_face_of_a_node) {
-  Document document = sheet();
+  Document document = sheet_to_cut();
   cut_at(document, 0.1);
   walk(document);
   GraphState graph;
@@ -157,7 +157,7 @@ TEST(GraphState, finds_the_node_of_a_face_and_the_face_of_a_node) {
 }
 
 TEST(GraphState, shows_a_piece_alone_and_the_cut_again) {
-  Document document = sheet();
+  Document document = sheet_to_cut();
   cut_at(document, 0.1);
   walk(document);
   GraphState graph;
@@ -180,7 +180,7 @@ TEST(GraphState, shows_a_piece_alone_and_the_cut_again) {
 }
 
 TEST(GraphState, hands_on_the_removals_and_the_loops_that_they_closed) {
-  Document document = sheet();
+  Document document = sheet_to_cut();
   cut_at(document, 0.1);
   walk(document);
   GraphState graph;
@@ -210,7 +210,7 @@ TEST(PieceTree, lists_under_each_piece_what_came_off_it_by_step) {
 }
 
 TEST(PieceTree, says_what_each_piece_came_off_and_what_holds_it) {
-  Document document = sheet();
+  Document document = sheet_to_cut();
   cut_at(document, 0.1);
   walk(document);
   const std::vector<PieceNode> nodes = piece_origins(document);

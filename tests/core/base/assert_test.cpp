@@ -1,0 +1,38 @@
+#include "core/base/assert.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "tests/support/environment.h"
+
+namespace kerf::test {
+namespace {
+
+TEST(Assert, evaluates_its_condition_once_and_is_silent_where_it_holds) {
+  int evaluated = 0;
+  testing::internal::CaptureStderr();
+  KERF_ASSERT(++evaluated == 1);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_EQ(evaluated, 1);
+}
+
+TEST(Assert, says_one_line_for_each_place_and_goes_on_where_it_is_not_fatal) {
+  const EnvironmentVariable asserts("KERF_ASSERTS", nullptr);
+  testing::internal::CaptureStderr();
+  for (int i = 0; i < 3; ++i) KERF_ASSERT(i < 0);
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1);
+  EXPECT_NE(said.find("i < 0"), std::string::npos);
+  EXPECT_NE(said.find("assert_test.cpp:"), std::string::npos);
+}
+
+TEST(AssertDeathTest, ends_the_program_where_the_environment_asks_for_it) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const EnvironmentVariable asserts("KERF_ASSERTS", "fatal");
+  EXPECT_DEATH(KERF_ASSERT(1 + 1 == 3), "assertion failed: 1 \\+ 1 == 3");
+}
+
+}  // namespace
+}  // namespace kerf::test

@@ -74,7 +74,8 @@ bool LivePicture::draw_shots(const Shot& first, const Shot* second, PictureChang
     return false;
   }
   rest_.follow(change, window.clock().seconds());
-  const bool old = change != PictureChange::kNothing;
+  if (!window.draws() && !first.look.show.shadow_compare) return pass_over(first, change);
+  const bool old = change != PictureChange::kNothing || std::exchange(passed_over_, false);
   const bool more =
       !old && rest_.rests() && (is_gathering() || (quality_ == Quality::kRough && may_gather()));
   const bool anew =
@@ -87,6 +88,14 @@ bool LivePicture::draw_shots(const Shot& first, const Shot* second, PictureChang
                anew && change != PictureChange::kHeat, rest_.shapes_rest() && !is_gathering(), figures);
   dead_beam_ = beam_shown_ && !first.beam;
   return anew || more;
+}
+
+bool LivePicture::pass_over(const Shot& first, PictureChange change) {
+  const bool changed = change != PictureChange::kNothing;
+  passed_over_ = passed_over_ || changed;
+  if (changed) beam_shown_ = first.beam.has_value();
+  dead_beam_ = beam_shown_ && !first.beam;
+  return changed;
 }
 
 std::optional<size_t> LivePicture::differing_pixels(const Shot& shot) const {

@@ -83,6 +83,7 @@ class LivePicture {
   }
   bool draw_shots(const Shot& first, const Shot* second, PictureChange change, const Window& window,
                   ShadowFigures& figures);
+  bool pass_over(const Shot& first, PictureChange change);
   std::optional<size_t> differing_pixels(const Shot& shot) const;
   void draw_anew(const Shot& first, const Shot* second, const Window& window);
   void gather(const Shot& first, const Shot* second, const Window& window);
@@ -91,7 +92,8 @@ class LivePicture {
   Drawn first_;
   std::optional<Drawn> second_;
   TracedShadows traced_;
-  bool beam_shown_ = false;  // in the last picture
+  bool beam_shown_ = false;   // in the last picture
+  bool passed_over_ = false;  // changes of frames that nobody saw are missing in it
   bool dead_beam_ = false;
   bool warm_ = false;
   Quality quality_ = Quality::kFinished;

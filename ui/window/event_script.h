@@ -21,8 +21,7 @@ namespace kerf {
 //   {"press": "left"}             a button of the mouse: left, right or middle
 //   {"release": "left"}
 //   {"wheel": 1}                  notches, positive away from the user
-//   {"key_down": "Ctrl"}          a key: Ctrl, Shift, Alt, Esc, or as menus write it ("Z", "Space", "F8",
-//   "Num 5")
+//   {"key_down": "Ctrl"}          a key: Ctrl, Shift, Alt, Esc, or as menus write it ("Z", "Space", "F8")
 //   {"key_up": "Ctrl"}
 //   {"type": "text"}              characters, as a keyboard sends them to a text field
 //   {"drop": ["FILE", ...]}       files from another program
@@ -34,13 +33,12 @@ namespace kerf {
 //   {"settle": SECONDS}           frames until nothing moves or works, for so long at most
 //
 //   {"frame": SECONDS}            between two frames from now on; a sixtieth before
-//   {"draws": false}              whether the frames from now on fill pixels, which takes a software renderer
+//   {"draws": false}              whether frames are drawn from now on, which takes a software renderer
 //   nearly
 //                                 all of their time; all else happens as ever
 //   {"picture": "FILE"}           writes what the window shows as a PNG
-//   {"answer": "WHAT"}            prints what the screen knows, a line of JSON, to standard output:
-//   "landmarks" (see
-//                                 landmarks.h), "report" or "title"
+//   {"answer": "WHAT"}            prints what the screen knows as a line of JSON: "landmarks" (landmarks.h),
+//                                 "report" or "title"
 //
 // At the end of the file the program ends as by SIGTERM. A line that is wrong ends it with a sentence.
 class EventScript {

@@ -34,6 +34,7 @@ class ScriptedWindow final : public Window {
   void catch_pointer(bool) override {}
   const WindowClock& clock() const override { return clock_; }
   EventScript* script() override { return &script_; }
+  bool draws() const override { return script_.draws(); }
   void attach_gui() override;
   void detach_gui() override {}
   void begin_gui_frame() override;

@@ -49,6 +49,8 @@ class Window {
   // What drives the window instead of a user, or null. A script decides when a frame begins, and whatever
   // works in the background is waited for between two frames.
   virtual EventScript* script() { return nullptr; }
+  // Whether what is drawn in this frame is seen by anyone.
+  virtual bool draws() const { return true; }
 
   // Connects the current ImGui context with the window's input and clock, and ends that.
   virtual void attach_gui() = 0;

@@ -140,7 +140,7 @@ TEST(CutStep, takes_green_pairs_away_whole) {
 }
 
 TEST(CutStep, cuts_on_where_older_cuts_left_their_rims) {
-  for (uint64_t seed = 1; seed <= 4; ++seed) {
+  for (uint64_t seed = 1; seed <= runs(4); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     World world = world_of(torus(14, 10, 0.5, 0.2));
     Random random(seed);

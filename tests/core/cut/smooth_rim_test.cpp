@@ -9,6 +9,7 @@
 #include "tests/support/made_meshes.h"
 #include "tests/support/mesh_numbers.h"
 #include "tests/support/real_meshes.h"
+#include "tests/support/runs.h"
 #include "tests/support/strokes.h"
 
 namespace kerf::test {
@@ -172,7 +173,7 @@ CutSettings settings_for(uint64_t seed, Random& random) {
 }
 
 TEST(SmoothRim, of_straight_strokes_and_points_on_plates_is_the_boundary_of_the_beam) {
-  for (uint64_t seed = 1; seed <= 24; ++seed) {
+  for (uint64_t seed = 1; seed <= runs(24); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const double size = random.uniform(0.8, 2);
@@ -188,7 +189,7 @@ TEST(SmoothRim, of_straight_strokes_and_points_on_plates_is_the_boundary_of_the_
 }
 
 TEST(SmoothRim, of_tilting_and_bent_strokes_and_across_older_slits_stays_on_the_boundary) {
-  for (uint64_t seed = 1; seed <= 16; ++seed) {
+  for (uint64_t seed = 1; seed <= runs(16); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const CutSettings settings = settings_for(seed, random);
@@ -259,7 +260,7 @@ double distance_to_surface(const Vec3& p, const Mesh& mesh) {
 
 TEST(SmoothRim, lies_on_the_original_surface_of_curved_meshes) {
   for (const Soup& soup : {sphere(12, 16, 0.5), sphere(40, 50, 0.5), torus(24, 16, 0.4, 0.15)}) {
-    for (uint64_t seed = 1; seed <= 4; ++seed) {
+    for (uint64_t seed = 1; seed <= runs(4); ++seed) {
       SCOPED_TRACE("seed " + std::to_string(seed));
       Random random(seed);
       const CutSettings settings = settings_for(seed, random);
@@ -306,7 +307,7 @@ void expect_tree_finds_every_face(const Body& cut) {
 
 // The work asks whether to go on, and is stopped once at each of those places.
 TEST(SmoothRim, stopped_half_way_leaves_a_sound_mesh_in_a_tree_that_finds_every_face) {
-  for (uint64_t seed = 1; seed <= 24; ++seed) {
+  for (uint64_t seed = 1; seed <= runs(24); ++seed) {
     for (int answers = 1;; ++answers) {
       SCOPED_TRACE("seed " + std::to_string(seed) + ", answers " + std::to_string(answers));
       Random random(seed);
@@ -328,7 +329,7 @@ TEST(SmoothRim, stopped_half_way_leaves_a_sound_mesh_in_a_tree_that_finds_every_
 }
 
 TEST(SmoothRim, is_the_same_in_1_10_and_1000_steps) {
-  for (uint64_t seed = 1; seed <= 4; ++seed) {
+  for (uint64_t seed = 1; seed <= runs(4); ++seed) {
     uint64_t hash = 0;
     for (const size_t steps : {size_t{1}, size_t{10}, size_t{1000}}) {
       Random random(seed);

@@ -6,6 +6,7 @@
 #include "tests/support/made_meshes.h"
 #include "tests/support/mesh_numbers.h"
 #include "tests/support/random_edits.h"
+#include "tests/support/runs.h"
 #include "tests/support/same_world.h"
 #include "tests/support/strokes.h"
 
@@ -234,21 +235,21 @@ void run_at_random(uint64_t seed, size_t window) {
 }
 
 TEST(History, random_commands_undos_and_redos_end_where_a_fresh_replay_ends) {
-  for (uint64_t seed = 1; seed <= 12; ++seed) {
+  for (uint64_t seed = 1; seed <= runs(12); ++seed) {
     run_at_random(seed, size_t{1} << 30);
     if (HasFailure()) return;
   }
 }
 
 TEST(History, states_beyond_the_window_come_back_by_replay) {
-  for (uint64_t seed = 101; seed <= 106; ++seed) {
+  for (uint64_t seed = 101; seed <= 100 + runs(6); ++seed) {
     run_at_random(seed, 200'000);
     if (HasFailure()) return;
   }
 }
 
 TEST(History, a_journal_with_undos_and_recuts_replays_to_the_same_world) {
-  for (uint64_t seed = 201; seed <= 204; ++seed) {
+  for (uint64_t seed = 201; seed <= 200 + runs(4); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     Document document(made_world());

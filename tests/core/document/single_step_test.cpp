@@ -6,6 +6,7 @@
 
 #include "core/world/state_hash.h"
 #include "tests/support/made_meshes.h"
+#include "tests/support/runs.h"
 #include "tests/support/same_world.h"
 #include "tests/support/strokes.h"
 
@@ -141,7 +142,7 @@ void expect_same_after_going_back(const Soup& soup, Random& random) {
 }
 
 TEST(SingleStep, comes_to_the_same_world_by_going_forth_and_back) {
-  for (uint64_t seed = 1; seed <= 2; ++seed) {
+  for (uint64_t seed = 1; seed <= runs(2); ++seed) {
     Random random(seed);
     for (const auto& [name, soup] : mesh_classes()) {
       SCOPED_TRACE(name + ", seed " + std::to_string(seed));
@@ -151,7 +152,7 @@ TEST(SingleStep, comes_to_the_same_world_by_going_forth_and_back) {
 }
 
 TEST(SingleStep, leaves_a_stroke_that_can_be_undone_and_done_again_at_any_stage) {
-  for (uint64_t seed = 1; seed <= 5; ++seed) {
+  for (uint64_t seed = 1; seed <= runs(5); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     Document stepped(world_of(torus(16, 10, 0.5, 0.2))), walked(world_of(torus(16, 10, 0.5, 0.2)));
@@ -243,7 +244,7 @@ TEST(SingleStep, can_be_stopped_while_it_goes_back) {
 }
 
 TEST(SingleStep, cuts_what_steps_cut_to_the_bit) {
-  for (uint64_t seed = 1; seed <= 4; ++seed) {
+  for (uint64_t seed = 1; seed <= runs(4); ++seed) {
     Random random(seed);
     for (const auto& [name, soup] : mesh_classes()) {
       SCOPED_TRACE(name + ", seed " + std::to_string(seed));

@@ -6,6 +6,7 @@
 #include "core/document/stop_strokes.h"
 #include "core/world/state_hash.h"
 #include "tests/support/made_meshes.h"
+#include "tests/support/runs.h"
 #include "tests/support/same_world.h"
 #include "tests/support/sheets.h"
 #include "tests/support/strokes.h"
@@ -72,7 +73,7 @@ void expect_replays(const Document& document, size_t window) {
 }
 
 TEST(StopStroke, ends_the_stroke_where_it_is_and_one_undo_takes_it_back) {
-  for (uint64_t seed = 1; seed <= 12; ++seed) {
+  for (uint64_t seed = 1; seed <= runs(12); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     Document document = stopped_document();
@@ -125,7 +126,7 @@ TEST(StopStroke, cuts_no_further_than_a_part_of_a_move) {
 }
 
 TEST(StopStroke, of_a_stroke_that_is_done_cuts_it_again_up_to_there) {
-  for (uint64_t seed = 41; seed <= 50; ++seed) {
+  for (uint64_t seed = 41; seed <= 40 + runs(10); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const std::vector<Command> stroke = random_stroke(random);
@@ -165,7 +166,7 @@ TEST(StopStroke, of_a_stroke_lasts_when_it_is_cut_again_with_another_radius) {
 
 // The beam stands still in some of the ticks, over what falls.
 TEST(StopStroke, of_a_stroke_that_is_drawn_while_bodies_move_replays) {
-  for (uint64_t seed = 61; seed <= 68; ++seed) {
+  for (uint64_t seed = 61; seed <= 60 + runs(8); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     Document document = stopped_document();

@@ -1,12 +1,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 #include "core/game/angle.h"
 #include "core/game/match/bot_player.h"
 #include "core/game/match/recover.h"
 #include "tests/support/checkout.h"
 #include "tests/support/game_files.h"
+#include "tests/support/runs.h"
 
 namespace kerf {
 namespace {
@@ -63,7 +65,9 @@ TEST(Match, lets_no_vehicle_be_stuck_for_more_than_three_seconds) {
   ASSERT_TRUE(loaded) << loaded.error().message;
   auto rules = std::make_shared<Rules>(**loaded);
   rules->waves = {rules->waves.back()};
-  for (const uint64_t seed : {5, 6, 13}) {
+  constexpr std::array<uint64_t, 3> kSeeds{5, 6, 13};
+  for (size_t i = 0; i < runs(kSeeds.size()); ++i) {
+    const uint64_t seed = kSeeds[i];
     Match match({rules, seed, Difficulty::kNormal});
     BotPlayer bot(match);
     HeldVehicles held;

@@ -11,6 +11,7 @@
 #include "tests/support/features.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/real_meshes.h"
+#include "tests/support/runs.h"
 #include "tests/support/strokes.h"
 
 namespace kerf::test {
@@ -196,7 +197,7 @@ void cut_and_count(World world, uint64_t seed, bool chance_allowed) {
 
 TEST(OpenMeshCounts, are_those_of_every_class_of_mesh_after_random_strokes) {
   for (const auto& [name, soup] : mesh_classes()) {
-    for (uint64_t seed = 1; seed <= 4; ++seed) {
+    for (uint64_t seed = 1; seed <= runs(4); ++seed) {
       SCOPED_TRACE(name + ", seed " + std::to_string(seed));
       expect_same_counts(build(soup).mesh);
       cut_and_count(world_of(soup), seed, false);
@@ -205,7 +206,7 @@ TEST(OpenMeshCounts, are_those_of_every_class_of_mesh_after_random_strokes) {
 }
 
 TEST(OpenMeshCounts, are_those_of_random_soups_after_random_strokes) {
-  for (uint64_t seed = 1; seed <= 30; ++seed) {
+  for (uint64_t seed = 1; seed <= runs(30); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     cut_and_count(world_of(random_soup(10 + static_cast<int>(random.below(200)), random)), seed, true);

@@ -8,6 +8,7 @@
 #include "tests/support/features.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/mesh_numbers.h"
+#include "tests/support/runs.h"
 
 namespace kerf::test {
 namespace {
@@ -54,7 +55,7 @@ TEST(Sheets, every_class_of_mesh_is_the_same_after_a_copy_there_and_back) {
 }
 
 TEST(Sheets, random_soups_are_the_same_after_a_copy_there_and_back) {
-  for (uint64_t seed = 1; seed <= 200; ++seed) {
+  for (uint64_t seed = 1; seed <= runs(200); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     expect_same_after_a_copy_there_and_back(random_soup(5 + static_cast<int>(random.below(300)), random));

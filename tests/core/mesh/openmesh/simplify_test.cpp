@@ -13,6 +13,7 @@
 #include "tests/support/made_meshes.h"
 #include "tests/support/mesh_numbers.h"
 #include "tests/support/real_meshes.h"
+#include "tests/support/runs.h"
 #include "tests/support/surface_distance.h"
 
 namespace kerf::test {
@@ -71,7 +72,7 @@ TEST(Simplify, features_components_and_boundaries_of_every_class_of_mesh_stay) {
 }
 
 TEST(Simplify, features_and_components_of_random_soups_stay) {
-  for (uint64_t seed = 1; seed <= 60; ++seed) {
+  for (uint64_t seed = 1; seed <= runs(60); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const Mesh mesh = build(random_soup(30 + static_cast<int>(random.below(200)), random)).mesh;

@@ -8,6 +8,7 @@
 #include "tests/support/features.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/mesh_numbers.h"
+#include "tests/support/runs.h"
 
 namespace kerf::test {
 namespace {
@@ -79,7 +80,7 @@ TEST(Subdivide, features_are_split_at_their_midpoints_or_not_at_all) {
 }
 
 TEST(Subdivide, sheets_of_random_soups_stay_together) {
-  for (uint64_t seed = 1; seed <= 40; ++seed) {
+  for (uint64_t seed = 1; seed <= runs(40); ++seed) {
     Random random(seed);
     const Mesh mesh = build(random_soup(20 + static_cast<int>(random.below(100)), random)).mesh;
     for (const Subdivision scheme : kSchemes) {

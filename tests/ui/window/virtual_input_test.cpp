@@ -1,0 +1,88 @@
+#include "ui/window/virtual_input.h"
+
+#include <GLFW/glfw3.h>
+#include <gtest/gtest.h>
+
+namespace kerf {
+namespace {
+
+// Hears a step that a script could hold.
+Status hear(VirtualInput& input, const std::string& text) {
+  const auto step = nlohmann::json::parse(text);
+  return input.hear(step.begin().key(), JsonValue(step, "step")[step.begin().key()]);
+}
+
+TEST(VirtualInput, keeps_what_is_held_down_and_gives_it_to_later_events) {
+  VirtualInput input({640, 480});
+  for (const char* step : {R"({"key_down": "Ctrl"})", R"({"key_down": "Shift"})", R"({"move": [5, 6]})",
+                           R"({"press": "right"})", R"({"key_down": "Z"})"})
+    ASSERT_TRUE(hear(input, step)) << step;
+  EXPECT_EQ(input.keys(), (std::set<int>{GLFW_KEY_LEFT_CONTROL, GLFW_KEY_LEFT_SHIFT, GLFW_KEY_Z}));
+  EXPECT_EQ(input.buttons(), std::set<int>{GLFW_MOUSE_BUTTON_RIGHT});
+  EXPECT_EQ(input.mods(), GLFW_MOD_CONTROL | GLFW_MOD_SHIFT);
+  EXPECT_EQ(input.pointer(), Vec2(5, 6));
+  const InputEvent& press = input.heard().events[3];
+  EXPECT_EQ(press.kind, InputEvent::Kind::kPress);
+  EXPECT_EQ(press.button, GLFW_MOUSE_BUTTON_RIGHT);
+  EXPECT_EQ(press.at, Vec2(5, 6));
+  EXPECT_EQ(press.mods, GLFW_MOD_CONTROL | GLFW_MOD_SHIFT);
+
+  ASSERT_TRUE(hear(input, R"({"key_up": "Ctrl"})"));
+  ASSERT_TRUE(hear(input, R"({"release": "right"})"));
+  EXPECT_EQ(input.mods(), GLFW_MOD_SHIFT);
+  EXPECT_TRUE(input.buttons().empty());
+  EXPECT_EQ(input.heard().events.back().kind, InputEvent::Kind::kRelease);
+}
+
+TEST(VirtualInput, says_that_a_button_was_pressed_though_it_was_released_at_once) {
+  VirtualInput input({640, 480});
+  ASSERT_TRUE(hear(input, R"({"press": "left"})"));
+  ASSERT_TRUE(hear(input, R"({"press": "left"})"));  // is down already
+  ASSERT_TRUE(hear(input, R"({"release": "left"})"));
+  ASSERT_TRUE(hear(input, R"({"release": "left"})"));
+  EXPECT_EQ(input.heard().pressed, std::set<int>{GLFW_MOUSE_BUTTON_LEFT});
+  EXPECT_EQ(input.heard().events.size(), 2u);
+  EXPECT_TRUE(input.buttons().empty());
+}
+
+TEST(VirtualInput, names_keys_as_menus_write_them) {
+  const std::pair<const char*, int> names[] = {{"Z", GLFW_KEY_Z},          {"Space", GLFW_KEY_SPACE},
+                                               {"F8", GLFW_KEY_F8},        {"Esc", GLFW_KEY_ESCAPE},
+                                               {"Alt", GLFW_KEY_LEFT_ALT}, {"Num 7", GLFW_KEY_KP_7},
+                                               {"Del", GLFW_KEY_DELETE},   {"Num Enter", GLFW_KEY_KP_ENTER}};
+  for (const auto& [name, key] : names) {
+    VirtualInput input({640, 480});
+    ASSERT_TRUE(hear(input, nlohmann::json{{"key_down", name}}.dump())) << name;
+    EXPECT_EQ(input.keys(), std::set<int>{key}) << name;
+  }
+}
+
+TEST(VirtualInput, adds_up_the_wheel_and_the_text_of_a_frame) {
+  VirtualInput input({640, 480});
+  for (const char* step : {R"({"wheel": 2})", R"({"wheel": -0.5})", R"({"type": "ab"})", R"({"type": "c"})",
+                           R"({"drop": ["one.obj", "two.stl"]})", R"({"close": true})"})
+    ASSERT_TRUE(hear(input, step)) << step;
+  EXPECT_EQ(input.heard().wheel, 1.5);
+  EXPECT_EQ(input.heard().events.size(), 2u);
+  EXPECT_EQ(input.heard().text, "abc");
+  EXPECT_EQ(input.heard().drops.size(), 2u);
+  EXPECT_TRUE(input.heard().close);
+}
+
+TEST(VirtualInput, changes_nothing_where_a_value_is_wrong) {
+  VirtualInput input({640, 480});
+  for (const char* step : {R"({"move": [1]})", R"({"press": "thumb"})", R"({"key_down": "Ctrl+S"})",
+                           R"({"size": [0, 5]})", R"({"drop": ["a", 1]})", R"({"focus": "no"})"}) {
+    EXPECT_FALSE(hear(input, step)) << step;
+    EXPECT_TRUE(input.heard().events.empty() && input.heard().drops.empty()) << step;
+    EXPECT_EQ(input.size(), Vec2(640, 480)) << step;
+    EXPECT_TRUE(input.has_focus()) << step;
+  }
+  ASSERT_TRUE(hear(input, R"({"size": [300.7, 200]})"));
+  ASSERT_TRUE(hear(input, R"({"focus": false})"));
+  EXPECT_EQ(input.size(), Vec2(300, 200));
+  EXPECT_FALSE(input.has_focus());
+}
+
+}  // namespace
+}  // namespace kerf

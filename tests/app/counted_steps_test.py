@@ -12,7 +12,7 @@ import tempfile
 import unittest
 
 KERF = os.path.abspath(sys.argv.pop(1))
-SIZE = 4000
+SIZE = 2500
 LARGEST_GROWTH = 2.7  # n log n grows by 2.2
 
 

@@ -8,6 +8,7 @@
 #include "core/document/document.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/mesh_numbers.h"
+#include "tests/support/runs.h"
 #include "tests/support/same_world.h"
 #include "tests/support/strokes.h"
 
@@ -85,7 +86,7 @@ Walked walk_with_bite(const std::vector<Drawn>& strokes, size_t bite, uint64_t s
 }
 
 TEST(Bite, leaves_the_same_world_to_the_bit_however_large_it_is) {
-  for (uint64_t seed = 1; seed <= 10; ++seed) {
+  for (uint64_t seed = 1; seed <= runs(10); ++seed) {
     const auto strokes = random_strokes(seed);
     const Walked whole = walk_with_bite(strokes, kUnbounded, seed);
     EXPECT_GT(whole.world.live_pieces(), 4u);

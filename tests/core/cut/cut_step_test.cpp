@@ -162,7 +162,7 @@ TEST(CutStep, finds_the_pieces_of_the_full_search_when_the_search_goes_on_over_m
       SCOPED_TRACE(name + ", seed " + std::to_string(seed));
       World world = world_of(soup);
       Random random(seed);
-      RandomStroke stroke = random_stroke(world, random, 0.02, seed >= 13);
+      RandomStroke stroke = random_stroke(world, random, 0.02, seed >= 12);
       stroke.settings.search_a_move = 1 + random.below(40);
       stroke.settings.resolution.scheme = seed == 12 ? Scheme::kOneToFour : Scheme::kLongestEdge;
       cut_and_check(world, stroke, true);

@@ -6,6 +6,7 @@
 #include "core/document/document.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/mesh_numbers.h"
+#include "tests/support/runs.h"
 #include "tests/support/same_world.h"
 #include "tests/support/strokes.h"
 
@@ -130,7 +131,7 @@ void expect_clean_slits(uint64_t seed, Scheme scheme) {
 }
 
 TEST(SmoothRim, leaves_no_face_standing_in_a_slit_through_loaded_moved_and_hidden_bodies) {
-  for (uint64_t seed = 1; seed <= 30; ++seed) {
+  for (uint64_t seed = 1; seed <= runs(30); ++seed) {
     for (const Scheme scheme : {Scheme::kOneToFour, Scheme::kLongestEdge}) expect_clean_slits(seed, scheme);
   }
 }

@@ -6,6 +6,7 @@
 #include "tests/support/made_meshes.h"
 #include "tests/support/mesh_numbers.h"
 #include "tests/support/piece_sums.h"
+#include "tests/support/runs.h"
 #include "tests/support/strokes.h"
 
 namespace kerf::test {
@@ -30,7 +31,7 @@ void detach_all(World& world) {
 
 TEST(BodyEdit, keeps_faces_areas_and_moments_of_all_pieces_through_strokes_and_detaching) {
   for (const auto& [name, soup] : mesh_classes()) {
-    for (uint64_t seed = 1; seed <= 8; ++seed) {
+    for (uint64_t seed = 1; seed <= runs(8); ++seed) {
       SCOPED_TRACE(name + ", seed " + std::to_string(seed));
       World world = world_of(soup);
       Random random(seed);

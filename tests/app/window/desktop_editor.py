@@ -76,6 +76,13 @@ class DesktopEditor(EditorDriver):
         self.xdotool("mousemove", x, y)
         self.pointer = [x, y]
 
+    def draw_at_once(self, path):
+        """Presses the left button, moves through places in pixels and releases it within a frame or two."""
+        self.move_to(*path[0])
+        self.hold(1)
+        self.xdotool(*(word for place in path for word in ("mousemove", *place)))
+        self.release(1)
+
     def has_heard(self):
         return self.landmarks()["pointer"] == self.pointer
 

@@ -17,7 +17,7 @@ class EditorDriver:
 
     A driver has these, too: kerf, the process; pause(seconds); landmarks(); settle(); title(); move_to(x, y), in pixels;
     hold(button) and release(button), 1 the left, 2 the middle, 3 the right one; wheel(notches); key_down(key) and
-    key_up(key); type(text); drop(file, ...); resize(width, height).
+    key_up(key); type(text); drop(file, ...); resize(width, height); draw_at_once(path); pixels().
     """
 
     def wait_for(self, met, seconds, what):

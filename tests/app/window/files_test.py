@@ -161,7 +161,6 @@ class Files(WindowTest):
         self.assertTrue(os.path.exists(os.path.join(self.folder, "car.kerf")))
         self.assertEqual(self.unsaved(), [])
 
-    @real_input
     def test_a_killed_editor_loses_nothing_and_the_next_one_goes_on(self):
         editor = self.open(SPHERE)
         editor.drag(ACROSS)

@@ -95,7 +95,6 @@ class Pieces(WindowTest):
         """The share of the points whose colour is another."""
         return sum(max(abs(a - b) for a, b in zip(p, q)) > 24 for p, q in zip(before, after)) / len(before)
 
-    @real_input
     def test_a_piece_looks_as_before_when_it_was_hidden_and_shown_again(self):
         self.open(SPHERE).quit()
         self.set(antialias=False)  # how edges are smoothed depends on how long pictures take

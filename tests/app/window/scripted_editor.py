@@ -5,6 +5,7 @@ import os
 import subprocess
 
 from editor_driver import KERF, PATIENCE, EditorDriver
+from png_pixels import pixels_of
 
 # A small window, in which panels and text are small, too, takes a software renderer half the time.
 WIDTH, HEIGHT, UI_SCALE = 896, 560, 0.7
@@ -17,6 +18,7 @@ KEYS = {"ctrl": "Ctrl", "shift": "Shift", "alt": "Alt", "Shift_L": "Shift", "Ret
 class ScriptedEditor(EditorDriver):
     def __init__(self, folder, *arguments):
         self.report_file = os.path.join(folder, "report.json")
+        self.picture_file = os.path.join(folder, "picture.png")
         environment = dict(os.environ, XDG_CONFIG_HOME=folder, XDG_STATE_HOME=folder)
         self.kerf = subprocess.Popen([KERF, *arguments, "--report", self.report_file, "--size", f"{WIDTH}x{HEIGHT}",
                                       "--events", "-"], env=environment, stdin=subprocess.PIPE,
@@ -56,6 +58,21 @@ class ScriptedEditor(EditorDriver):
 
     def title(self):
         return self.ask("title")
+
+    def pixels(self):
+        """What the window shows in a frame that is drawn now, as a function from a place to red, green and blue."""
+        self.send({"draws": True})
+        self.settle()
+        self.send({"picture": self.picture_file})
+        self.send({"draws": False})
+        self.title()  # the steps before it were taken
+        return pixels_of(self.picture_file)
+
+    def draw_at_once(self, path):
+        """Presses the left button, moves through places in pixels and releases it within a frame."""
+        self.move_to(*path[0])
+        self.send({"together": [{"press": "left"}, *({"move": place} for place in path), {"release": "left"}]})
+        self.pointer = list(path[-1])
 
     def wait_until_heard(self, of_what):
         pass  # each step is heard by the frame after it

@@ -303,10 +303,11 @@ void EditorScreen::follow_graph() {
   if (view.look.show.graph) view.picture_old = true;
 }
 
-// To the graphics card.
+// To the graphics card. Where a script leaves frames undrawn, changes are sent with the next one that is drawn.
 void EditorScreen::send() {
   if (!state_.view.picture_old && !state_.view.heat_old) return;
   Renderer& renderer = picture_.first();
+  if (!window_.draws() && !renderer.is_sending() && !cooling_.flows()) return;
   const size_t before = renderer.uploaded_bytes();
   renderer.catch_up(state_.work.document.world());
   if (renderer.uploaded_bytes() > before) state_.figures.chart.note_sent(renderer.uploaded_bytes() - before);

@@ -39,9 +39,10 @@ class Cooling {
   bool moving() const;
   // Whether only ticks wait that change nothing in the picture.
   bool passes_unseen() const { return unseen_ && !on_.work.document.beam_waits(); }
+  // Whether something hot cools down as time passes. How long that is seen, the renderer tells.
+  bool flows() const;
 
  private:
-  bool flows() const;
   bool is_seen() const;
 
   Parts on_;

@@ -131,14 +131,16 @@ show_progress() {
   [[ ! -t 2 ]] || printf '\r\033[K' >&2
 }
 
-# show_step DONE ALL SECONDS: the time left is that of as many steps as were done so far.
+# show_step DONE ALL SECONDS: the time left is that of as many steps as were done so far. One step for each processor is
+# under way, and half done.
 show_step() {
-  local ended=$1 all=$2 seconds=$3 text bar left
+  local ended=$1 all=$2 seconds=$3 halves text bar left
   [[ -t 2 ]] || ((seconds >= next_line)) || return 0
   next_line=$((seconds + 15))
   text="building, $ended of $all steps"
   if ((ended > 0 && ended < all && seconds >= 5)); then
-    left=$((seconds * (all - ended) / ended))
+    halves=$((2 * ended + $(nproc)))
+    left=$((halves < 2 * all ? seconds * (2 * all - halves) / halves : 0))
     text+=$(printf ', about %d:%02d left' $((left / 60)) $((left % 60)))
   fi
   if [[ -t 2 ]]; then

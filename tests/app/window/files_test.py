@@ -178,6 +178,7 @@ class Files(WindowTest):
         self.assertEqual(self.unsaved(), [left])
 
         editor = self.open_again(SPHERE)
+        editor.title()  # it has found the lost work
         other = self.open_again(SPHERE)  # is not offered what another looks at
         self.assertEqual(other.quit()["strokes"], 0)
         editor.press("Return")

@@ -274,8 +274,8 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(done.stderr, "kerf: nothing was cut, because there is no stroke; "
                                       "1 piece and report.json are in whole\n")
 
-    def test_the_example_of_a_path_file_in_the_readme_and_in_the_help_cuts_the_car_in_two(self):
-        with open(os.path.join(ROOT, "README.md")) as file:
+    def test_the_example_of_a_path_file_in_the_readme_of_app_and_in_the_help_cuts_the_car_in_two(self):
+        with open(os.path.join(ROOT, "app", "README.md")) as file:
             readme = file.read()
         example = re.search(r"```json\n(\{\"strokes\".*?)```", readme, re.S).group(1)
         self.write("path.json", example)

@@ -32,7 +32,7 @@ class Actions : public testing::Test {
 };
 
 std::vector<std::string> rows_of_readme() {
-  std::ifstream readme(test::checkout() / "README.md");
+  std::ifstream readme(test::checkout() / "ui/editor/README.md");
   std::vector<std::string> rows;
   std::string line;
   while (std::getline(readme, line) && line != "| key or gesture | what it does |") {

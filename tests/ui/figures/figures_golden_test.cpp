@@ -15,7 +15,7 @@ std::string name_of(const Figure& figure) {
   return "fig" + std::string(digits.size() < 2 ? "0" : "") + digits + ".png";
 }
 
-// The pictures of the README are the goldens. They are made with KERF_MAKE_GOLDEN=1.
+// The pictures of assets/README.md are the goldens. They are made with KERF_MAKE_GOLDEN=1.
 TEST(FiguresGolden, the_figures_of_the_paper_look_as_in_the_readme) {
   const auto list = read_figures(test::checkout() / "assets/figures.json");
   ASSERT_TRUE(list) << list.error().message;

@@ -22,7 +22,6 @@ constexpr double kFullLengths = 0.4;   // m, the diagonal from which on the leng
 constexpr double kRollingLoss = 0.35;  // relative to the square root of gravity over the size of a body
 constexpr double kRollingBrake = 0.7;  // relative to gravity over the size of a body
 constexpr double kPressedOut = 0.1;    // m/s, see SpeedLimit
-constexpr ContactLengths kLengths;
 
 // Where a body will be after a tick if nothing stops it.
 Placement moved_on(const MovingBody& b, const Vec3& gravity) {
@@ -41,7 +40,7 @@ void set_way(MovingBody& b, const Vec3& gravity) {
   b.next = map_of(moved_on(b, gravity));
   b.bounds = moved(b.now, b.collider->bounds);
   if (b.moves()) b.bounds.add(moved(b.next, b.collider->bounds));
-  b.margin = kLengths.reach * b.scale;
+  b.margin = kContactLengths.reach * b.scale;
   b.bounds = b.bounds.wider(b.margin);
 }
 

@@ -12,8 +12,6 @@ namespace kerf {
 
 namespace {
 
-constexpr ContactLengths kLengths;
-
 std::pair<uint32_t, uint32_t> key(const TouchingPair& p) { return {p.first, p.second}; }
 
 bool is_before(const TouchingPair& p, const std::pair<uint32_t, uint32_t>& wanted) { return key(p) < wanted; }
@@ -71,13 +69,13 @@ void ContactSearch::find() {
 void ContactSearch::find_between(uint32_t first, uint32_t second, std::vector<TouchingPair>& found) const {
   if (find(first, second) || are_joined(joints_, first, second)) return;
   TouchingPair& pair = found.emplace_back(start(first, second));
-  pair.contacts = find_contacts(bodies_[first], bodies_[second], kLengths, pair.memory);
+  pair.contacts = find_contacts(bodies_[first], bodies_[second], kContactLengths, pair.memory);
 }
 
 void ContactSearch::find_on_ground(uint32_t i, std::vector<TouchingPair>& found) const {
   if (!bodies_[i].moves() || find(i, TouchingPair::kGround)) return;
   TouchingPair pair = start(i, TouchingPair::kGround);
-  pair.contacts = find_ground_contacts(bodies_[i], around_, kLengths, pair.memory);
+  pair.contacts = find_ground_contacts(bodies_[i], around_, kContactLengths, pair.memory);
   if (!pair.contacts.empty()) found.push_back(std::move(pair));
 }
 

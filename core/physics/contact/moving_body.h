@@ -82,5 +82,6 @@ struct ContactLengths {
   double ground_skin = 0.001;  // between a point and the ground
   double reach = 0.010;        // how far apart contacts are found
 };
+inline constexpr ContactLengths kContactLengths;
 
 }  // namespace kerf

@@ -5,8 +5,8 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/mesh/files/soup.h"
 #include "core/mesh/mesh.h"
-#include "core/mesh/soup.h"
 
 namespace kerf {
 

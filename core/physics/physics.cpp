@@ -5,9 +5,9 @@
 
 #include "core/base/assert.h"
 #include "core/base/tick.h"
-#include "core/physics/contact/contact_search.h"
-#include "core/physics/contact/hold_back.h"
 #include "core/physics/contact/pair_contacts.h"
+#include "core/physics/contact_search.h"
+#include "core/physics/hold_back.h"
 #include "core/physics/pull.h"
 #include "core/physics/sleep.h"
 #include "core/physics/solve_contacts.h"

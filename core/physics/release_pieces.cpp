@@ -6,7 +6,7 @@
 
 #include "core/base/assert.h"
 #include "core/graph/detach.h"
-#include "core/physics/rigid_frame.h"
+#include "core/physics/contact/rigid_frame.h"
 #include "core/world/weigh.h"
 
 namespace kerf {

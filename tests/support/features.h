@@ -4,8 +4,8 @@
 #include <set>
 #include <utility>
 
+#include "core/mesh/files/soup.h"
 #include "core/mesh/mesh.h"
-#include "core/mesh/soup.h"
 
 namespace kerf::test {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/mesh/soup.h"
+#include "core/mesh/files/soup.h"
 #include "core/world/world.h"
 
 namespace kerf::test {

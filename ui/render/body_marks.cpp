@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "core/graph/held_joints.h"
-#include "core/physics/rigid_frame.h"
+#include "core/physics/contact/rigid_frame.h"
 
 namespace kerf {
 

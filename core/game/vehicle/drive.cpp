@@ -6,7 +6,7 @@
 #include "core/base/tick.h"
 #include "core/game/angle.h"
 #include "core/game/vehicle/rigid_motion.h"
-#include "core/physics/rigid_frame.h"
+#include "core/physics/contact/rigid_frame.h"
 
 namespace kerf {
 

@@ -4,7 +4,7 @@
 #include <glm/matrix.hpp>
 
 #include "core/base/assert.h"
-#include "core/physics/rigid_frame.h"
+#include "core/physics/contact/rigid_frame.h"
 
 namespace kerf {
 

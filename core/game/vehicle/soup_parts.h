@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/mesh/soup.h"
+#include "core/mesh/files/soup.h"
 
 namespace kerf {
 

@@ -5,7 +5,7 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
-#include "core/mesh/soup.h"
+#include "core/mesh/files/soup.h"
 
 namespace kerf {
 

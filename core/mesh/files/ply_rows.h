@@ -6,7 +6,7 @@
 
 #include "core/base/vec3.h"
 #include "core/mesh/files/ply_header.h"
-#include "core/mesh/soup.h"
+#include "core/mesh/files/soup.h"
 
 namespace kerf {
 

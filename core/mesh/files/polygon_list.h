@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/mesh/soup.h"
+#include "core/mesh/files/soup.h"
 
 namespace kerf {
 

@@ -6,7 +6,7 @@
 
 #include "core/base/vec3.h"
 #include "core/mesh/files/ear_clipping.h"
-#include "core/mesh/soup.h"
+#include "core/mesh/files/soup.h"
 
 namespace kerf {
 

@@ -3,7 +3,7 @@
 #include "core/document/document.h"
 #include "core/document/journal.h"
 #include "core/document/replay.h"
-#include "core/physics/rigid_frame.h"
+#include "core/physics/contact/rigid_frame.h"
 #include "core/world/state_hash.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/same_world.h"

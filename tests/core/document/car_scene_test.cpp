@@ -8,7 +8,7 @@
 #include "core/document/document.h"
 #include "core/document/scene.h"
 #include "core/graph/held_joints.h"
-#include "core/physics/rigid_frame.h"
+#include "core/physics/contact/rigid_frame.h"
 #include "core/world/state_hash.h"
 #include "tests/support/checkout.h"
 #include "tests/support/strokes.h"

@@ -6,7 +6,7 @@
 #include "core/document/document.h"
 #include "core/document/stroke_settings.h"
 #include "core/graph/separation.h"
-#include "core/physics/rigid_frame.h"
+#include "core/physics/contact/rigid_frame.h"
 #include "core/world/load_body.h"
 #include "core/world/state_hash.h"
 #include "tests/support/checkout.h"

@@ -13,7 +13,7 @@
 #include "core/game/match/bot_player.h"
 #include "core/game/match/recording.h"
 #include "core/game/vehicle/vehicle_bodies.h"
-#include "core/physics/rigid_frame.h"
+#include "core/physics/contact/rigid_frame.h"
 #include "core/world/state_hash.h"
 #include "tests/support/checkout.h"
 #include "tests/support/free_parts.h"

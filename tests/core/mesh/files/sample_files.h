@@ -9,7 +9,7 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/mesh/files/mesh_format.h"
-#include "core/mesh/soup.h"
+#include "core/mesh/files/soup.h"
 #include "tests/support/temporary_folder.h"
 
 namespace kerf::test {

@@ -4,7 +4,7 @@
 
 #include "core/base/random.h"
 #include "core/physics/collider/simplify_line.h"
-#include "core/physics/rigid_frame.h"
+#include "core/physics/contact/rigid_frame.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/sheets.h"
 #include "tests/support/strokes.h"

@@ -1,4 +1,4 @@
-#include "core/physics/contact/hold_back.h"
+#include "core/physics/hold_back.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "core/physics/contact/contact_search.h"
+#include "core/physics/contact_search.h"
 
 namespace kerf {
 

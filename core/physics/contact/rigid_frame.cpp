@@ -1,4 +1,4 @@
-#include "core/physics/rigid_frame.h"
+#include "core/physics/contact/rigid_frame.h"
 
 #include <LinearMath/btMatrix3x3.h>
 

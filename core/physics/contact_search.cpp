@@ -1,4 +1,4 @@
-#include "core/physics/contact/contact_search.h"
+#include "core/physics/contact_search.h"
 
 #include <algorithm>
 

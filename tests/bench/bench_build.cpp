@@ -8,7 +8,6 @@ namespace {
 
 constexpr double kBuildBar = 1.5;  // of Embree's medium quality
 constexpr double kBytesBar = 90;   // a face
-constexpr double kNano = 1e9;
 
 struct Builds {
   std::vector<double> ours, medium, robust, cgal;

@@ -16,7 +16,6 @@ constexpr double kRebuildBar = 1.0 / 5000;  // of Embree's low quality
 constexpr uint32_t kManyFaces = 1000000;    // from which that is asked
 constexpr double kSlitBar = 1.15, kElsewhereBar = 1.05;
 constexpr int kDeepest = 4;  // splits in four
-constexpr double kNano = 1e9;
 
 // A cut by four rays a step: the faces that they cross are split until they are fine, and the finest go. The
 // tree hears of a step's splits together, then of its removals.

@@ -24,7 +24,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kMilli = 1e3, kNano = 1e9;
 constexpr double kFlatBar = 1.5;  // time per face, relative to the smallest mesh
 
 class TemporaryFile {

@@ -14,7 +14,6 @@ constexpr double kThickness = 1e-3;  // m
 constexpr double kTick = 1.0 / 120;  // s
 constexpr size_t kHotFaces = 5000;
 constexpr double kLimit = 4;  // ms, of one tick
-constexpr double kMilli = 1e3;
 
 // Scales the mesh about the origin so that its faces have edges of kEdge in the mean.
 void scale_to_edge(Mesh& mesh) {

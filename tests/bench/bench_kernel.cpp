@@ -9,8 +9,6 @@ namespace kerf::bench {
 
 namespace {
 
-constexpr double kNano = 1e9, kMicro = 1e6;
-
 // Edges and faces at random places.
 KernelEdits random_edits(const Mesh& mesh, size_t count) {
   Random random(22);

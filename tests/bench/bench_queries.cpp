@@ -12,8 +12,7 @@ namespace {
 
 constexpr double kSweepBar = 1.0, kChordBar = 1.1, kNearestBar = 1.2;
 constexpr double kStepBar = 0.6, kStepBarManyFaces = 0.8;
-constexpr uint32_t kManyFaces = 200000;
-constexpr double kNano = 1e9;
+constexpr uint32_t kStepManyFaces = 200000;
 
 // Our tree asked the way a peer is.
 class Queries {
@@ -98,7 +97,7 @@ class QueryBench {
     compare(
         "nearest hit, random rays", name, chords_, bar(kNearestBar),
         [&] { return queries_.nearest_hits(chords_); }, [&] { return peer.nearest_hits(chords_, reach); });
-    const bool many = subject_.mesh.live_faces() > kManyFaces;
+    const bool many = subject_.mesh.live_faces() > kStepManyFaces;
     compare(
         "four parallel rays in one traversal", name, sweep_, bar(many ? kStepBarManyFaces : kStepBar),
         [&] { return queries_.all_hits_of_steps(sweep_); }, [&] { return peer.all_hits(sweep_, reach); });

@@ -9,11 +9,10 @@ namespace kerf::bench {
 
 namespace {
 
-constexpr double kRebuildBar = 1.5;       // of a plain pass
-constexpr double kBiteBar = 1.0 / 100;    // of a volume made from nothing
-constexpr uint32_t kManyFaces = 1000000;  // from which that is asked
-constexpr uint32_t kBite = 50;            // faces
-constexpr double kMilli = 1e3;
+constexpr double kRebuildBar = 1.5;           // of a plain pass
+constexpr double kBiteBar = 1.0 / 100;        // of a volume made from nothing
+constexpr uint32_t kBiteManyFaces = 1000000;  // from which that is asked
+constexpr uint32_t kBite = 50;                // faces
 
 // The signs of all faces, and for every edge their sum with its directions; nothing else is kept.
 void plain_pass(const ShadowCaster& caster, const LightPoint& light, std::vector<int8_t>& signs,
@@ -34,7 +33,7 @@ void bench_shadows(const Subject& subject, const Effort& effort, const Report& r
   const AabbTree::Box box = AabbTree(mesh).bounds();
   ShadowCaster caster(mesh, FloatFrame::around(box.min, box.max));
   const LightPoint light{{1.3, 3, 2.1}, 1};
-  const bool many = mesh.live_faces() >= kManyFaces;
+  const bool many = mesh.live_faces() >= kBiteManyFaces;
 
   ShadowVolume volume;
   std::vector<int8_t> signs(caster.face_slots());

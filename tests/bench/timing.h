@@ -6,6 +6,9 @@
 
 namespace kerf::bench {
 
+// How many of a smaller unit a second has.
+inline constexpr double kMilli = 1e3, kMicro = 1e6, kNano = 1e9;
+
 // Seconds of processor time that this process has used.
 inline double cpu_seconds() {
   timespec t{};

@@ -1,11 +1,18 @@
 #pragma once
 
-// What core's precompiled header brings.
+// The headers from outside that most files of core include.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
-#include <glm/vec3.hpp>
+#include <functional>
+#include <glm/glm.hpp>
+#include <map>
+#include <memory>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <string>
+#include <unordered_map>
+#include <variant>
 #include <vector>

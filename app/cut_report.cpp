@@ -147,10 +147,15 @@ nlohmann::ordered_json energy_json(const World& world) {
           {"stored", stored},          {"lost", ledger.lost},         {"escaped", ledger.escaped}};
 }
 
+// How much of the thickness the beam got through where it did not cut, from 0 to 1.
+double depth_fraction(const CutJob& job) {
+  return job.figures.met_s > 0 ? job.figures.depth_s / job.figures.met_s : 0.0;
+}
+
 void add_energy(nlohmann::ordered_json& report, const CutJob& job, const World& world) {
   if (!job.thermal) return;
   report["energy_j"] = energy_json(world);
-  report["depth_fraction"] = job.figures.met_s > 0 ? job.figures.depth_s / job.figures.met_s : 0.0;
+  report["depth_fraction"] = depth_fraction(job);
 }
 
 }  // namespace
@@ -164,6 +169,9 @@ std::string cut_summary(const CutJob& job, size_t strokes, size_t pieces, const 
   std::string text;
   if (strokes == 0) {
     text = "nothing was cut, because there is no stroke";
+  } else if (job.removed_faces == 0 && job.thermal && job.figures.met_s > 0) {
+    text = count(strokes, "stroke") + " removed nothing, because the beam got through " +
+           std::to_string(std::lround(100 * depth_fraction(job))) + " % of the thickness";
   } else if (job.removed_faces == 0) {
     text = count(strokes, "stroke") + " met nothing";
   } else {

@@ -232,7 +232,14 @@ class CommandLine(unittest.TestCase):
         done = self.run_here("cut", "sheet.obj", "--path", "beam.json", "--out", "out", "--model", "thermal",
                              "--material", "stainless-304", "--thickness", "0.002", *options)
         self.assertEqual(done.returncode, 0, done.stderr)
+        self.said = done.stderr
         return json.loads(self.read("out/report.json"))
+
+    def test_a_beam_that_gets_part_of_the_way_through_is_not_said_to_have_met_nothing(self):
+        report = self.thermal(5)
+        self.assertEqual(report["removed"]["faces"], 0)
+        depth = f"{100 * report['depth_fraction']:.0f} %"
+        self.assertIn(f"1 stroke removed nothing, because the beam got through {depth} of the thickness", self.said)
 
     def test_a_beam_with_power_cuts_what_it_has_the_energy_for_and_says_where_the_energy_went(self):
         slow, fast = self.thermal(.1), self.thermal(.5)

@@ -49,6 +49,7 @@ class LargeMesh(WindowTest):
                         "--target-edge", "0.00015", "--steps", "400", "--journal", journal], check=True)
         return journal
 
+    @unittest.skipUnless("KERF_LONG" in os.environ, "one of the tests of ./tests/run --long")
     def test_a_large_piece_is_copied_out_and_a_stroke_taken_back_by_replay_beside_the_frames(self):
         mesh = self.large_mesh()
         self.open(SPHERE).quit()

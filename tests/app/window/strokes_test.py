@@ -115,7 +115,13 @@ class Strokes(WindowTest):
     def test_a_slider_is_held_while_the_stroke_among_many_faces_is_cut_again_in_the_background(self):
         editor = self.open()
         editor.drag([(0.27, 0.36), (0.8, 0.42)])
-        editor.drag([("radius", 0.5, 0.5), ("radius", 0.36, 0.5)])
+        editor.move_to(*editor.place(("radius", 0.5, 0.5)))
+        editor.hold(1)
+        for along in (0.46, 0.4, 0.36):
+            editor.move_to(*editor.place(("radius", along, 0.5)))
+            editor.pause(0.05)
+        editor.release(1)
+        editor.settle()
         report = editor.quit()
         self.assertGreater(report["faces"], 40000)
         self.assertLess(report["last_stroke"]["radius"], 0.0075)  # from 0.0122

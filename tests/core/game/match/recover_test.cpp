@@ -1,3 +1,5 @@
+#include "core/game/match/recover.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -5,7 +7,6 @@
 
 #include "core/game/angle.h"
 #include "core/game/match/bot_player.h"
-#include "core/game/match/recover.h"
 #include "tests/support/checkout.h"
 #include "tests/support/game_files.h"
 #include "tests/support/runs.h"
@@ -139,6 +140,25 @@ TEST_F(Stuck, a_vehicle_that_does_not_get_away_after_it_was_put_upright_is_moved
   EXPECT_LT(chassis().placement.position.x, 4);
   EXPECT_NEAR(seconds_until_helped([&](Ticks) {}), 1.2, 0.02);
   EXPECT_GT(chassis().placement.position.x, 19);
+}
+
+TEST(Recovery, a_vehicle_on_its_roof_is_put_upright_after_a_while) {
+  test::LoneVehicle lone;
+  Body& chassis = lone.world.body(lone.vehicle.chassis);
+  chassis.placement = {{3, 1.6, 4}, turn_about({0, 0, 1}, kPi)};
+  int ticks = 0;
+  while (!recover_vehicle(lone.world, lone.vehicle, FreeSpace(), MatchTimes{}) && ticks < 1000) ++ticks;
+  EXPECT_NEAR(ticks, 360, 2);
+  EXPECT_GT((chassis.placement.orientation * Vec3(0, 1, 0)).y, 0.999);
+  EXPECT_NEAR(chassis.placement.position.x, 3, 0.1);
+}
+
+TEST(Recovery, a_vehicle_without_wheels_stays_on_its_roof) {
+  test::LoneVehicle lone;
+  lone.world.body(lone.vehicle.chassis).placement = {{0, 1.6, 0}, turn_about({0, 0, 1}, kPi)};
+  for (Wheel& wheel : lone.vehicle.wheels) wheel.attached = false;
+  for (int t = 0; t < 1000; ++t)
+    ASSERT_FALSE(recover_vehicle(lone.world, lone.vehicle, FreeSpace(), MatchTimes{}));
 }
 
 }  // namespace

@@ -3,9 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <map>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include "core/base/random.h"
@@ -16,7 +14,6 @@
 #include "core/physics/contact/rigid_frame.h"
 #include "core/world/state_hash.h"
 #include "tests/support/checkout.h"
-#include "tests/support/free_parts.h"
 #include "tests/support/game_files.h"
 #include "tests/support/runs.h"
 
@@ -104,122 +101,6 @@ TEST(Match, a_bot_plays_for_a_minute_and_nothing_leaves_the_arena) {
   EXPECT_GT(match.standing().score, 0);
   EXPECT_GT(match.standing().pieces, 3u);
   EXPECT_GT(match.standing().faces_removed, 100u);
-}
-
-TEST(Match, a_beam_never_cuts_the_vehicle_that_fires_it) {
-  Match match({test::flat_rules(0, 0), 1, Difficulty::kNormal});
-  Controls controls;
-  controls.fire = true;
-  controls.pitch = -10'000;
-  const size_t faces = match.world().live_faces();
-  for (int t = 0; t < 240; ++t) {
-    controls.heading = 100 * t;
-    match.tick(controls);
-  }
-  EXPECT_EQ(match.strokes(), 1u);
-  EXPECT_EQ(match.world().live_faces(), faces);
-}
-
-TEST(Match, is_lost_when_its_time_is_over) {
-  auto rules = std::make_shared<Rules>(*test::flat_rules(1, 1));
-  rules->description.times.match = 0.5;
-  Match match({rules, 1, Difficulty::kNormal});
-  for (int t = 0; t < 100; ++t) match.tick({});
-  EXPECT_EQ(match.standing().phase, Standing::Phase::kLost);
-  EXPECT_EQ(match.standing().ticks, 60u);
-}
-
-// For how long parts that are free stay with the rest of their bodies in a match, and for how long nobody has
-// noticed what a vehicle has lost. It looks every few ticks, because a search of all faces takes as long as a
-// tick.
-class Lateness {
- public:
-  // To be called after every tick.
-  void follow(const Match& match) {
-    if (match.delta().anew) *this = Lateness();
-    unnoticed_.resize(match.vehicles().size(), 0);
-    note_changes(match);
-    if (match.standing().ticks % kEvery == 0) look(match, std::exchange(changed_, {}));
-  }
-  // Ticks that the first free part has been late.
-  Ticks of_parts() const {
-    Ticks longest = 0;
-    for (const auto& [id, ticks] : free_) longest = std::max(longest, ticks);
-    return longest;
-  }
-  Ticks of_losses() const { return *std::max_element(unnoticed_.begin(), unnoticed_.end()); }
-
- private:
-  static constexpr Ticks kEvery = 3;
-
-  void look(const Match& match, const std::set<BodyId>& changed) {
-    follow_parts(match.world(), changed);
-    for (size_t v = 0; v < match.vehicles().size(); ++v) {
-      const std::vector<BodyId> bodies = all_bodies(match.vehicles()[v]);
-      const auto changes = [&](BodyId id) { return changed.contains(id); };
-      if (unnoticed_[v] > 0 || std::any_of(bodies.begin(), bodies.end(), changes))
-        unnoticed_[v] = lost_more(match, v) ? unnoticed_[v] + kEvery : 0;
-    }
-  }
-
-  // Notes of the bodies whose faces changed as which they were loaded.
-  void note_changes(const Match& match) {
-    const World& world = match.world();
-    const auto add = [&](BodyId id) {
-      if (world.contains(id)) changed_.insert(world.body(id).loaded_as);
-    };
-    for (const BodyDelta& b : match.delta().bodies) add(b.body);
-    for (const Detached& d : match.delta().detached) {
-      add(d.from);
-      add(d.to);
-    }
-  }
-
-  void follow_parts(const World& world, const std::set<BodyId>& changed) {
-    std::map<BodyId, Ticks> now;
-    for (const auto& [id, ticks] : free_) {
-      if (world.contains(id) && !changed.contains(world.body(id).loaded_as)) now[id] = ticks + kEvery;
-    }
-    for (const BodyId family : changed) {
-      for (const BodyId id : test::bodies_with_free_parts(world, family)) now[id] = free_[id] + kEvery;
-    }
-    free_ = std::move(now);
-  }
-
-  static bool lost_more(const Match& match, size_t v) {
-    Vehicle copy = match.vehicles()[v];
-    const Damage damage = assess_damage(match.world(), copy);
-    return !damage.wheels.empty() || !damage.vitals.empty() || damage.turret || damage.barrel || damage.died;
-  }
-
-  std::set<BodyId> changed_;  // see note_changes, since it looked
-  std::map<BodyId, Ticks> free_;
-  std::vector<Ticks> unnoticed_;  // by vehicle
-};
-
-TEST(Match, what_is_cut_free_comes_off_and_who_lost_what_is_vital_dies_within_a_tenth_of_a_second) {
-  const auto rules = load_rules(standard());
-  ASSERT_TRUE(rules) << rules.error().message;
-  constexpr Ticks kLatest = kTicksPerSecond / 10;
-  Ticks parts = 0, losses = 0;
-  size_t pieces = 0, deaths = 0;
-  for (uint64_t seed = 1; seed <= runs(10); ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Match match({*rules, seed, Difficulty::kNormal});
-    BotPlayer bot(match);
-    Lateness late;
-    for (Ticks t = 0; t < 12 * kTicksPerSecond && !match.standing().over(); ++t) {
-      match.tick(bot.next(match));
-      late.follow(match);
-      parts = std::max(parts, late.of_parts());
-      losses = std::max(losses, late.of_losses());
-      ASSERT_LE(parts + losses, kLatest) << "tick " << t;
-    }
-    pieces += match.standing().pieces;
-    deaths += match.standing().enemies_destroyed;
-  }
-  EXPECT_GT(pieces, 10 * runs(10));
-  EXPECT_GT(deaths, 0u);
 }
 
 // Ten waves of one enemy that neither drives nor fires.
@@ -352,16 +233,6 @@ TEST(Match, a_vehicle_that_is_cut_at_rest_does_not_rise) {
   }
   EXPECT_GE(wheels, runs(4));
   EXPECT_GE(pieces, runs(24));
-}
-
-TEST(Match, without_enemies_ends_neither_won_nor_lost) {
-  auto rules = std::make_shared<Rules>(*test::flat_rules(0, 0));
-  rules->description.times.match = 0.5;
-  Match match({rules, 1, Difficulty::kNormal});
-  for (int t = 0; t < 100; ++t) match.tick({});
-  EXPECT_TRUE(match.standing().over());
-  EXPECT_EQ(match.standing().phase, Standing::Phase::kEnded);
-  EXPECT_EQ(match.standing().ticks, 60u);
 }
 
 }  // namespace

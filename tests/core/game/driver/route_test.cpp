@@ -24,16 +24,6 @@ std::vector<FreeSpace::Spot> spots_with_room(const FreeSpace& space) {
   return spots;
 }
 
-TEST(FreeSpace, knows_columns_ramps_and_the_passage_under_the_bridge) {
-  const FreeSpace space(yard());
-  EXPECT_EQ(space.clearance(space.spot_at({6, 0, 15})), 0) << "a column";
-  EXPECT_TRUE(space.has_room(space.spot_at({12, 0, 15}))) << "between two columns";
-  EXPECT_TRUE(space.has_room(space.spot_at({3, 0, 0}))) << "below the bridge";
-  EXPECT_NEAR(space.place_of(space.spot_at({3, 3.4, 0})).y, 3.4, 0.05) << "on the bridge";
-  EXPECT_TRUE(space.has_room(space.spot_at({3, 3.4, 0})));
-  EXPECT_EQ(space.clearance(space.spot_at({15, 0, 0})), 0) << "inside of a ramp";
-}
-
 TEST(Route, leads_from_any_place_with_room_to_any_other_and_has_room_all_the_way) {
   const FreeSpace space(yard());
   const std::vector<FreeSpace::Spot> spots = spots_with_room(space);

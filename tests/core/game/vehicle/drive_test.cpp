@@ -6,7 +6,7 @@
 
 #include "core/base/tick.h"
 #include "core/game/angle.h"
-#include "core/game/match/recover.h"
+#include "core/game/match/match.h"
 #include "core/game/vehicle/damage.h"
 #include "core/game/vehicle/rigid_motion.h"
 #include "core/game/vehicle/vehicle_bodies.h"
@@ -169,25 +169,6 @@ TEST_F(Wheels, that_are_lost_in_the_air_leave_all_momentum_to_gravity) {
     const Vec3 change = momentum() - before, gained = mass() * kTick * Vec3(0, -kGravity, 0);
     EXPECT_LT(glm::length(change - gained), 0.01 * glm::length(gained));
   }
-}
-
-TEST(Recovery, a_vehicle_on_its_roof_is_put_upright_after_a_while) {
-  test::LoneVehicle lone;
-  Body& chassis = lone.world.body(lone.vehicle.chassis);
-  chassis.placement = {{3, 1.6, 4}, turn_about({0, 0, 1}, kPi)};
-  int ticks = 0;
-  while (!recover_vehicle(lone.world, lone.vehicle, FreeSpace(), MatchTimes{}) && ticks < 1000) ++ticks;
-  EXPECT_NEAR(ticks, 360, 2);
-  EXPECT_GT((chassis.placement.orientation * Vec3(0, 1, 0)).y, 0.999);
-  EXPECT_NEAR(chassis.placement.position.x, 3, 0.1);
-}
-
-TEST(Recovery, a_vehicle_without_wheels_stays_on_its_roof) {
-  test::LoneVehicle lone;
-  lone.world.body(lone.vehicle.chassis).placement = {{0, 1.6, 0}, turn_about({0, 0, 1}, kPi)};
-  for (Wheel& wheel : lone.vehicle.wheels) wheel.attached = false;
-  for (int t = 0; t < 1000; ++t)
-    ASSERT_FALSE(recover_vehicle(lone.world, lone.vehicle, FreeSpace(), MatchTimes{}));
 }
 
 }  // namespace

@@ -1,0 +1,54 @@
+#include "core/game/arena/model_body.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "tests/support/jointed.h"
+#include "tests/support/made_meshes.h"
+#include "tests/support/sheets.h"
+
+namespace kerf {
+namespace {
+
+// A door beside a frame, and a joint between them.
+ModelBody door_in_frame() {
+  const std::array sheets{test::NamedSheet{"door", test::rectangle(1, 1, 2)},
+                          test::NamedSheet{"frame", test::rectangle(1, 1, 2), {1.1, 0, 0}}};
+  return {make_body("gate", test::build(test::assembled(sheets))), {}};
+}
+
+SceneJoint hinge() {
+  SceneJoint joint;
+  joint.kind = Joint::Kind::kHinge;
+  joint.parts = {"door", "frame"};
+  joint.anchor = {0.55, 0, 0};
+  return joint;
+}
+
+TEST(ModelBody, takes_its_joints_into_each_world_to_which_it_is_added) {
+  ModelBody model = door_in_frame();
+  ASSERT_TRUE(add_joints(std::array{hinge()}, model));
+  ASSERT_EQ(model.joints.size(), 1u);
+  World world;
+  const BodyId first = add_body(world, model, 3), second = add_body(world, model, 4);
+  EXPECT_EQ(first.generation, 3u);
+  EXPECT_EQ(second.generation, 4u);
+  ASSERT_EQ(world.joints().all.size(), 2u);
+  EXPECT_EQ(world.joints().all[0].body, first);
+  EXPECT_EQ(world.joints().all[1].body, second);
+  EXPECT_EQ(world.joints().all[1].anchor, hinge().anchor);
+  EXPECT_EQ(world.body(second).mesh.live_faces(), model.body.mesh.live_faces());
+}
+
+TEST(ModelBody, refuses_a_joint_of_a_part_that_it_does_not_have) {
+  ModelBody model = door_in_frame();
+  SceneJoint wrong = hinge();
+  wrong.parts[1] = "wall";
+  const Status added = add_joints(std::array{wrong}, model);
+  ASSERT_FALSE(added);
+  EXPECT_NE(added.error().message.find("wall"), std::string::npos) << added.error().message;
+}
+
+}  // namespace
+}  // namespace kerf

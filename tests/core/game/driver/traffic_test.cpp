@@ -1,0 +1,69 @@
+#include "core/game/driver/traffic.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/game/angle.h"
+#include "tests/support/game_files.h"
+#include "tests/support/sheets.h"
+
+namespace kerf {
+namespace {
+
+TEST(Traffic, leaves_out_what_is_pinned_hidden_small_or_flat) {
+  World world;
+  const Soup box = test::closed_box({1, 1, 1});
+  world.body(test::add(world, box, Vec3(0))).pinned = true;
+  world.body(test::add(world, box, Vec3(5, 0, 0))).hidden = true;
+  test::add(world, test::closed_box({0.3, 0.3, 0.3}), {10, 0, 0});
+  test::add(world, test::rectangle(3, 3, 2), {15, 0, 0});
+  EXPECT_TRUE(find_traffic(world, {}).empty());
+  const BodyId upright =
+      test::add(world, test::rectangle(3, 3, 2), {20, 0, 0}, turn_about({1, 0, 0}, kPi / 2));
+  const std::vector<Disc> discs = find_traffic(world, {});
+  ASSERT_FALSE(discs.empty());
+  for (const Disc& disc : discs) EXPECT_EQ(disc.body, upright);
+}
+
+// How far a point lies from the discs that cover it, seen from above; at most 0 within one.
+double outside(const std::vector<Disc>& discs, const Vec3& p) {
+  double least = 1e9;
+  for (const Disc& disc : discs) {
+    const Vec3 way = p - disc.centre;
+    least = std::min(least, glm::length(Vec2(way.x, way.z)) - disc.radius);
+  }
+  return least;
+}
+
+TEST(Traffic, covers_a_long_body_by_several_discs_and_not_much_more) {
+  World world;
+  const BodyId beam =
+      test::add(world, test::closed_box({0.6, 0.6, 4}), {2, 0.3, 1}, turn_about({0, 1, 0}, 0.7));
+  world.body(beam).motion.velocity = {1, 0, 2};
+  const std::vector<Disc> discs = find_traffic(world, {});
+  EXPECT_GE(discs.size(), 4u);
+  for (const double along : {-2.0, -1.0, 0.0, 0.5, 2.0})
+    EXPECT_LT(outside(discs, world.body(beam).placement.to_world({0, 0, along})), 0.01) << along;
+  for (const Disc& disc : discs) {
+    EXPECT_EQ(disc.velocity, Vec3(1, 0, 2));
+    EXPECT_NEAR(disc.radius, 0.3, 1e-6);
+  }
+  EXPECT_GT(outside(discs, world.body(beam).placement.to_world({0, 0, 2.5})), 0.3);
+}
+
+TEST(Traffic, of_a_vehicle_is_its_chassis_alone) {
+  test::LoneVehicle lone;
+  const std::vector<Disc> discs = find_traffic(lone.world, {&lone.vehicle, 1});
+  ASSERT_FALSE(discs.empty());
+  for (const Disc& disc : discs) EXPECT_EQ(disc.body, lone.vehicle.chassis);
+  lone.vehicle.wheels[0].attached = false;
+  const std::vector<Disc> with_wheel = find_traffic(lone.world, {&lone.vehicle, 1});
+  ASSERT_GT(with_wheel.size(), discs.size()) << "a wheel that came off lies on the way";
+  EXPECT_TRUE(std::any_of(with_wheel.begin(), with_wheel.end(), [&](const Disc& disc) {
+    return disc.body == lone.vehicle.wheels[0].body;
+  }));
+}
+
+}  // namespace
+}  // namespace kerf

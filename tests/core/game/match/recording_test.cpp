@@ -1,0 +1,93 @@
+#include "core/game/match/recording.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/support/checkout.h"
+#include "tests/support/temporary_folder.h"
+
+namespace kerf {
+namespace {
+
+size_t lines_of(const std::string& text) {
+  return static_cast<size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+TEST(Recording, knows_the_difficulties_by_their_names) {
+  for (const Difficulty d : {Difficulty::kEasy, Difficulty::kNormal, Difficulty::kHard})
+    EXPECT_EQ(parse_difficulty(name_of(d)), d);
+  EXPECT_FALSE(parse_difficulty("lethal"));
+}
+
+TEST(Recording, holds_a_second_a_line_and_equal_ticks_once) {
+  Recording recording;
+  recording.rules = "games/rules.json";
+  recording.controls.resize(2 * kTicksPerSecond + 10);
+  recording.controls[5].throttle = -100;
+  const auto text = recording_text(recording, "");
+  ASSERT_TRUE(text) << text.error().message;
+  EXPECT_EQ(lines_of(*text), 4u) << *text;
+  const std::string runs = R"({"inputs":[[5,0,0,0,0,0,0,0],[1,-100,0,0,0,0,0,0],[114,0,0,0,0,0,0,0]]})";
+  EXPECT_NE(text->find(runs), std::string::npos) << *text;
+  EXPECT_NE(text->find(R"({"inputs":[[10,0,0,0,0,0,0,0]]})"), std::string::npos) << *text;
+  recording.hash = 0x123;
+  recording.machine = "here";
+  EXPECT_EQ(lines_of(*recording_text(recording, "")), 5u);
+}
+
+TEST(Recording, names_its_rules_beside_it) {
+  test::TemporaryFolder folder;
+  Recording recording;
+  recording.rules = folder / "rules.json";
+  EXPECT_NE(recording_text(recording, folder.path())->find(R"("rules":"rules.json")"), std::string::npos);
+}
+
+// The rules, and all files that they name, in a folder.
+class FilesOfMatch : public testing::Test {
+ protected:
+  FilesOfMatch() {
+    const std::string car = R"({"mesh": "car.obj",
+      "wheels": [{"part": "wheel", "mount": "axle", "hub": [0, 0.3, 1], "radius": 0.3}],
+      "turret": {"part": "turret", "mount": "body", "pivot": [0, 1, 0],
+                 "barrel": {"part": "barrel", "pivot": [0, 1, 0], "muzzle": [0, 1, 1]}}})";
+    write("rules.json",
+          R"({"arena": "arena.json", "player": "car.json", "waves": [["car.json", "van.json"]]})");
+    write("arena.json", R"({"bodies": [{"mesh": "wall.obj", "name": "wall"}],
+      "starts": {"player": {"position": [0, 0, 0]}, "enemies": [{"position": [0, 0, 9]}]}})");
+    write("car.json", car);
+    write("van.json", car);
+    for (const char* mesh : {"car.obj", "wall.obj"}) write(mesh, "a mesh is not read\n");
+  }
+  void write(const std::string& name, const std::string& text) { test::write_text(folder_ / name, text); }
+  Result<uint64_t> hash() const {
+    const auto rules = read_rules(folder_ / "rules.json");
+    if (!rules) return rules.error();
+    return hash_of_files(folder_ / "rules.json", *rules);
+  }
+
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(FilesOfMatch, have_a_hash_that_changes_with_each_of_them) {
+  const auto before = hash();
+  ASSERT_TRUE(before) << before.error().message;
+  EXPECT_EQ(*hash(), *before);
+  for (const char* name : {"rules.json", "arena.json", "car.json", "van.json", "car.obj", "wall.obj"}) {
+    const std::string text = test::read_text(folder_ / name);
+    write(name, text + "\n");
+    EXPECT_NE(*hash(), *before) << name;
+    write(name, text);
+  }
+  EXPECT_EQ(*hash(), *before);
+}
+
+TEST_F(FilesOfMatch, that_are_not_all_there_have_no_hash) {
+  std::filesystem::remove(folder_ / "wall.obj");
+  const auto missing = hash();
+  ASSERT_FALSE(missing);
+  EXPECT_NE(missing.error().message.find("wall.obj"), std::string::npos) << missing.error().message;
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,63 @@
+#include "core/game/match/rules.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/checkout.h"
+#include "tests/support/temporary_folder.h"
+
+namespace kerf {
+namespace {
+
+// Rules that name vehicles of the assets and an arena beside them.
+class RulesOfAssets : public testing::Test {
+ protected:
+  RulesOfAssets() {
+    test::write_text(folder_ / "arena.json", R"({"starts": {"player": {"position": [0, 0, 0]},
+      "enemies": [{"position": [0, 0, 20]}]}})");
+  }
+  static std::string vehicle(const std::string& name) {
+    return "\"" + (test::checkout() / "assets/vehicles" / (name + ".json")).string() + "\"";
+  }
+  Result<std::shared_ptr<const Rules>> load(const std::string& player, const std::string& waves,
+                                            const Progress* progress = nullptr) {
+    test::write_text(folder_ / "rules.json",
+                     R"({"arena": "arena.json", "player": )" + player + R"(, "waves": )" + waves + "}");
+    return load_rules(folder_ / "rules.json", progress);
+  }
+
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(RulesOfAssets, load_each_vehicle_once_and_keep_the_order_of_the_waves) {
+  const std::string buggy = vehicle("buggy"), van = vehicle("van");
+  const auto rules = load(buggy, "[[" + van + "], [" + buggy + ", " + van + "]]");
+  ASSERT_TRUE(rules) << rules.error().message;
+  const Rules& r = **rules;
+  EXPECT_EQ(r.player->description.name, "buggy");
+  ASSERT_EQ(r.waves.size(), 2u);
+  ASSERT_EQ(r.waves[1].size(), 2u);
+  EXPECT_EQ(r.waves[0][0]->description.name, "van");
+  EXPECT_EQ(r.waves[1][0], r.player);
+  EXPECT_EQ(r.waves[1][1], r.waves[0][0]);
+  EXPECT_EQ(r.skill(Difficulty::kHard).at_once, r.description.skills[2].at_once);
+}
+
+TEST_F(RulesOfAssets, name_a_vehicle_or_an_arena_that_is_missing) {
+  const auto without_vehicle = load("\"gone.json\"", "[]");
+  ASSERT_FALSE(without_vehicle);
+  EXPECT_NE(without_vehicle.error().message.find("gone.json"), std::string::npos);
+  std::filesystem::remove(folder_ / "arena.json");
+  const auto without_arena = load(vehicle("buggy"), "[]");
+  ASSERT_FALSE(without_arena);
+  EXPECT_NE(without_arena.error().message.find("arena.json"), std::string::npos);
+}
+
+TEST_F(RulesOfAssets, are_not_loaded_to_the_end_where_that_is_stopped) {
+  const Progress stopped{[](double) { return false; }};
+  const auto rules = load(vehicle("buggy"), "[]", &stopped);
+  ASSERT_FALSE(rules);
+  EXPECT_EQ(rules.error().message, cancelled().message);
+}
+
+}  // namespace
+}  // namespace kerf

@@ -19,7 +19,6 @@ namespace {
 using test::NamedSheet;
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kTick = 1.0 / kTicksPerSecond;
 const glm::dquat kUpright(std::sqrt(0.5), std::sqrt(0.5), 0, 0);  // turns y = 0 to z = 0
 
 // A frame and a door below it, hinged along x at y = 0. The door reaches down by `height`.

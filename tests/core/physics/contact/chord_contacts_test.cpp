@@ -1,0 +1,59 @@
+#include "core/physics/contact/chord_contacts.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/core/physics/moving_sheets.h"
+#include "tests/support/sheets.h"
+
+namespace kerf {
+namespace {
+
+const glm::dquat kUpright(std::sqrt(0.5), std::sqrt(0.5), 0, 0);  // about x: a level sheet stands
+
+// A sheet stands on its edge above the edge of another one that is turned by a right angle.
+class CrossedEdges : public testing::Test {
+ protected:
+  std::vector<Contact> find(double gap, double sinking = 0) {
+    sheets_ = test::MovingSheets();
+    const glm::dquat across = glm::dquat(std::sqrt(0.5), 0, std::sqrt(0.5), 0) * kUpright;
+    sheets_.add(test::rectangle(1, 1, 1), {0.1, 0.5 + gap, 0.2}, kUpright);
+    sheets_.add(test::rectangle(1, 1, 1), {0, -0.5, 0}, across);
+    sheets_.body(0).motion.velocity = {0, -sinking, 0};
+    std::vector<Contact> found;
+    const std::vector<MovingBody>& bodies = sheets_.bodies();
+    find_chord_contacts(bodies[0], bodies[1], kContactLengths, found);
+    return found;
+  }
+
+  test::MovingSheets sheets_;
+};
+
+TEST_F(CrossedEdges, touch_where_they_cross) {
+  const auto found = find(0.004);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found[0].normal.y, 1, 1e-9) << "towards the first body";
+  EXPECT_NEAR(found[0].distance, 0.004 - kContactLengths.chord_skin, 1e-9);
+  EXPECT_NEAR(glm::distance(found[0].at, Vec3(0, 0.004, 0.2)), 0, 1e-9);
+  EXPECT_GE(found[0].feature, uint64_t{1} << 32);
+}
+
+TEST_F(CrossedEdges, are_found_within_their_reach_and_farther_where_they_come_near) {
+  EXPECT_TRUE(find(kContactLengths.reach * 1.1).empty());
+  EXPECT_EQ(find(0.05, 0.06 * 120).size(), 1u);
+  EXPECT_TRUE(find(0.05, 0.03 * 120).empty());
+}
+
+TEST(ChordContacts, of_parallel_edges_are_left_to_points_and_faces) {
+  test::MovingSheets sheets;
+  sheets.add(test::rectangle(1, 1, 1), {0, 0.504, 0}, kUpright);
+  sheets.add(test::rectangle(1, 1, 1), {0, -0.5, 0}, kUpright);
+  const std::vector<MovingBody>& bodies = sheets.bodies();
+  std::vector<Contact> found;
+  find_chord_contacts(bodies[0], bodies[1], kContactLengths, found);
+  EXPECT_TRUE(found.empty());
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,68 @@
+#include "core/physics/contact/chord_points.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/base/tick.h"
+#include "tests/core/physics/moving_sheets.h"
+#include "tests/support/sheets.h"
+
+namespace kerf {
+namespace {
+
+// The edge of a plate that falls across a narrow bar: its corners pass the bar by.
+class PlateAcrossBar : public testing::Test {
+ protected:
+  PlateAcrossBar() {
+    sheets_.add(test::rectangle(1, 1, 1), {0, 0.05, 0});
+    sheets_.add(test::rectangle(0.1, 4, 1), Vec3(0));
+    sheets_.body(0).motion.velocity = {0, -0.05 / kTick, 0};
+  }
+
+  test::MovingSheets sheets_;
+  std::vector<PointMemory> memory_;
+};
+
+TEST_F(PlateAcrossBar, gets_points_within_its_chords_that_go_through) {
+  sheets_.body(1).placement.orientation = glm::angleAxis(0.3, Vec3(0, 0, 1));
+  const std::vector<MovingBody>& bodies = sheets_.bodies();
+  remember_piercing_points(bodies[0], bodies[1], memory_);
+  ASSERT_FALSE(memory_.empty());
+  for (const PointMemory& m : memory_) {
+    EXPECT_TRUE(is_on_chord(m.point));
+    const Collider::Chord& chord = chord_of(*bodies[0].collider, m.point);
+    const Vec3 at = point_of(*bodies[0].collider, m.point).at, way = chord.to - chord.from;
+    EXPECT_LT(glm::length(glm::cross(at - chord.from, way)), 1e-9) << "the point lies on its chord";
+    EXPECT_NEAR(glm::length(m.normal), 1, 1e-9);
+  }
+}
+
+TEST_F(PlateAcrossBar, that_does_not_come_so_far_gets_none) {
+  sheets_.body(0).motion.velocity = {0, -0.01 / kTick, 0};
+  const std::vector<MovingBody>& bodies = sheets_.bodies();
+  EXPECT_FALSE(remember_piercing_points(bodies[0], bodies[1], memory_));
+  EXPECT_TRUE(memory_.empty());
+}
+
+TEST_F(PlateAcrossBar, remembers_each_place_once_and_in_order) {
+  sheets_.body(1).placement.orientation = glm::angleAxis(0.3, Vec3(0, 0, 1));
+  const std::vector<MovingBody>& bodies = sheets_.bodies();
+  remember_piercing_points(bodies[0], bodies[1], memory_);
+  const size_t once = memory_.size();
+  EXPECT_FALSE(remember_piercing_points(bodies[0], bodies[1], memory_));
+  EXPECT_EQ(memory_.size(), once);
+  EXPECT_TRUE(std::is_sorted(memory_.begin(), memory_.end(),
+                             [](const PointMemory& a, const PointMemory& b) { return a.point < b.point; }));
+}
+
+TEST(ChordPoints, are_told_from_those_of_the_collider) {
+  EXPECT_FALSE(is_on_chord(5));
+  EXPECT_TRUE(is_on_chord(kOnChord | 5));
+  EXPECT_FALSE(is_at_rim(kOnChord | 5));
+  EXPECT_TRUE(is_at_rim(kOnChord | kAtRim | 5));
+  EXPECT_FALSE(is_at_rim(kAtRim | 5));
+}
+
+}  // namespace
+}  // namespace kerf

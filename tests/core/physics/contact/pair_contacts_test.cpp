@@ -1,0 +1,84 @@
+#include "core/physics/contact/pair_contacts.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/core/physics/moving_sheets.h"
+#include "tests/support/sheets.h"
+
+namespace kerf {
+namespace {
+
+TEST(PairContacts, are_no_more_than_eight_and_the_deepest_is_among_them) {
+  test::MovingSheets sheets;
+  const glm::dquat tilted = glm::normalize(glm::dquat(1, 0, 0, 0.001));
+  sheets.add(test::disc(0.5, 64), {0, 0.005, 0}, tilted);
+  sheets.add(test::rectangle(4, 4, 1), Vec3(0));
+  const std::vector<MovingBody>& bodies = sheets.bodies();
+  PairMemory memory{bodies[0].id, bodies[1].id, {}, {}, {}};
+  const auto found = find_contacts(bodies[0], bodies[1], kContactLengths, memory);
+  EXPECT_EQ(found.size(), 8u);
+  double deepest = 1;
+  for (const Contact& c : found) deepest = std::min(deepest, c.distance);
+  double lowest = 1;
+  for (const Vec3& p : bodies[0].collider->corners) lowest = std::min(lowest, bodies[0].now(p).y);
+  EXPECT_NEAR(deepest, lowest - kContactLengths.skin, 1e-4);
+}
+
+TEST(PairContacts, found_by_points_of_the_second_body_lie_on_the_first_and_push_it) {
+  test::MovingSheets sheets;
+  sheets.add(test::rectangle(4, 4, 1), {0, 0.006, 0});
+  sheets.add(test::rectangle(0.4, 0.4, 1), Vec3(0));
+  const std::vector<MovingBody>& bodies = sheets.bodies();
+  PairMemory memory{bodies[0].id, bodies[1].id, {}, {}, {}};
+  const auto found = find_contacts(bodies[0], bodies[1], kContactLengths, memory);
+  ASSERT_EQ(found.size(), 4u);
+  for (const Contact& c : found) EXPECT_NEAR(c.normal.y, 1, 1e-9);
+  EXPECT_TRUE(memory.points_of_first.empty());
+  EXPECT_EQ(memory.points_of_second.size(), 4u);
+}
+
+TEST(PairContacts, take_up_the_impulses_of_the_last_tick_by_their_features) {
+  test::MovingSheets sheets;
+  sheets.add(test::rectangle(0.4, 0.4, 1), {0, 0.006, 0});
+  sheets.add(test::rectangle(4, 4, 1), Vec3(0));
+  const std::vector<MovingBody>& bodies = sheets.bodies();
+  PairMemory memory{bodies[0].id, bodies[1].id, {}, {}, {}};
+  auto found = find_contacts(bodies[0], bodies[1], kContactLengths, memory);
+  ASSERT_EQ(found.size(), 4u);
+  found[2].impulse = {3, 1, 2};
+  remember_impulses(found, memory);
+  EXPECT_TRUE(memory.touching);
+  EXPECT_EQ(memory.impulses.size(), 1u) << "of those that were pressed";
+  const auto again = find_contacts(bodies[0], bodies[1], kContactLengths, memory);
+  EXPECT_EQ(again[2].impulse, found[2].impulse);
+  EXPECT_EQ(again[1].impulse[0], 0);
+  for (Contact& c : found) c.impulse = {};
+  remember_impulses(found, memory);
+  EXPECT_FALSE(memory.touching);
+}
+
+TEST(GroundContacts, are_where_the_lowest_corners_are) {
+  test::MovingSheets sheets;
+  sheets.add(test::closed_box({0.4, 0.4, 0.4}), {0, 0.205, 0});
+  Surroundings around;
+  const PairMemory memory{};
+  EXPECT_TRUE(find_ground_contacts(sheets.bodies()[0], around, kContactLengths, memory).empty())
+      << "no ground";
+  around.ground = 0;
+  const auto found = find_ground_contacts(sheets.bodies()[0], around, kContactLengths, memory);
+  ASSERT_EQ(found.size(), 4u);
+  for (const Contact& c : found) {
+    EXPECT_EQ(c.normal, Vec3(0, 1, 0));
+    EXPECT_NEAR(c.distance, 0.005 - kContactLengths.ground_skin, 1e-9);
+  }
+  around.ground = -0.02;
+  EXPECT_TRUE(find_ground_contacts(sheets.bodies()[0], around, kContactLengths, memory).empty());
+  sheets.body(0).motion.velocity = {0, -0.03 * 120, 0};
+  EXPECT_EQ(find_ground_contacts(sheets.bodies()[0], around, kContactLengths, memory).size(), 4u)
+      << "on its way";
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,55 @@
+#include "core/physics/contact/push_out.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/base/tick.h"
+#include "tests/core/physics/moving_sheets.h"
+#include "tests/support/sheets.h"
+
+namespace kerf {
+namespace {
+
+const glm::dquat kStanding(std::sqrt(0.5), std::sqrt(0.5), 0, 0);  // about x
+
+// A standing plate of half a metre that reaches through a level one by so much.
+class PlateThroughPlate : public testing::Test {
+ protected:
+  std::optional<Contact> push(double depth, uint32_t ticks) {
+    test::MovingSheets sheets;
+    sheets.add(test::rectangle(0.5, 0.5, 4), {0.05, 0.25 - depth, 0}, kStanding);
+    sheets.add(test::rectangle(4, 4, 2), {0, 0, 0.01});
+    const std::vector<MovingBody>& bodies = sheets.bodies();
+    return push_out(bodies[0], bodies[1], ticks);
+  }
+};
+
+TEST_F(PlateThroughPlate, is_pushed_out_on_the_shortest_way) {
+  const auto up = push(0.02, 1), down = push(0.48, 1);
+  ASSERT_TRUE(up && down);
+  EXPECT_NEAR(up->normal.y, 1, 1e-9);
+  EXPECT_NEAR(down->normal.y, -1, 1e-9);
+  EXPECT_NEAR(up->at.y, 0, 0.03);
+  EXPECT_NEAR(-up->distance * kSolvedShare / kTick, kPushOut, 1e-12);
+}
+
+TEST_F(PlateThroughPlate, is_not_pushed_where_that_would_take_too_long) {
+  EXPECT_TRUE(push(0.1, 1));
+  EXPECT_FALSE(push(0.13, 1)) << "deeper than four seconds of the push";
+  const auto late = static_cast<uint32_t>(2 * kTicksPerSecond);
+  EXPECT_TRUE(push(0.05, late));
+  EXPECT_FALSE(push(0.07, late));
+  EXPECT_FALSE(push(0.001, static_cast<uint32_t>(kLongestPush * kTicksPerSecond)));
+}
+
+TEST(PushOut, of_sheets_that_do_not_intersect_is_none) {
+  test::MovingSheets sheets;
+  sheets.add(test::rectangle(0.5, 0.5, 4), {0, 0.3, 0}, kStanding);
+  sheets.add(test::rectangle(4, 4, 2), Vec3(0));
+  const std::vector<MovingBody>& bodies = sheets.bodies();
+  EXPECT_FALSE(push_out(bodies[0], bodies[1], 1));
+}
+
+}  // namespace
+}  // namespace kerf

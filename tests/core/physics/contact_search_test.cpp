@@ -1,0 +1,76 @@
+#include "core/physics/contact_search.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/physics/moving_sheets.h"
+#include "tests/support/sheets.h"
+
+namespace kerf {
+namespace {
+
+// Two plates above each other near the ground, and a third one elsewhere.
+class SearchOfPlates : public testing::Test {
+ protected:
+  SearchOfPlates() {
+    around_.ground = 0;
+    sheets_.add(test::rectangle(1, 1, 1), {0, 0.003, 0});
+    sheets_.add(test::rectangle(1, 1, 1), {0, 0.008, 0});
+    sheets_.add(test::rectangle(1, 1, 1), {9, 5, 0});
+  }
+  ContactSearch found() {
+    ContactSearch search(sheets_.bodies(), joints_, around_, before_);
+    search.find();
+    return search;
+  }
+
+  test::MovingSheets sheets_;
+  Surroundings around_;
+  ContactMemory before_;
+  std::vector<BodyJoint> joints_;
+};
+
+TEST_F(SearchOfPlates, finds_the_contacts_of_pairs_and_with_the_ground_in_order) {
+  ContactSearch search = found();
+  ASSERT_EQ(search.pairs().size(), 2u + 1u);
+  const auto is = [&](size_t i, uint32_t first, uint32_t second) {
+    return search.pairs()[i].first == first && search.pairs()[i].second == second;
+  };
+  EXPECT_TRUE(is(0, 0, 1) && is(1, 0, TouchingPair::kGround) && is(2, 1, TouchingPair::kGround));
+  for (const TouchingPair& pair : search.pairs()) EXPECT_FALSE(pair.contacts.empty());
+  EXPECT_EQ(search.candidates(), 1u);
+}
+
+TEST_F(SearchOfPlates, looks_at_no_pair_that_a_joint_connects) {
+  const Joint joint{};
+  joints_ = {{0, 1, &joint}};
+  ContactSearch search = found();
+  for (const TouchingPair& pair : search.pairs()) EXPECT_EQ(pair.second, TouchingPair::kGround);
+}
+
+TEST_F(SearchOfPlates, leaves_what_sleeps_alone) {
+  for (uint32_t i = 0; i < 3; ++i) sheets_.body(i).motion.asleep = true;
+  EXPECT_TRUE(found().pairs().empty());
+}
+
+TEST_F(SearchOfPlates, counts_for_how_long_a_pair_has_intersected_since_it_met) {
+  sheets_.body(1).placement.orientation = glm::angleAxis(1.57, Vec3(1, 0, 0));
+  ContactSearch first = found();
+  EXPECT_EQ(first.pairs()[0].memory.crossed, 1u);
+  EXPECT_FALSE(first.were_apart(0, 1));
+  before_ = {first.pairs()[0].memory};
+  EXPECT_EQ(found().pairs()[0].memory.crossed, 2u);
+  before_[0].crossed = 0;
+  EXPECT_EQ(found().pairs()[0].memory.crossed, 0u) << "a pair that was apart is not judged anew";
+}
+
+TEST_F(SearchOfPlates, lets_a_pair_cross_that_is_told_so) {
+  using Pairs = std::vector<std::pair<uint32_t, uint32_t>>;
+  ContactSearch search = found();
+  EXPECT_EQ(search.pairs_apart(), (Pairs{{0, 1}}));
+  search.let_cross(0, 1);
+  EXPECT_TRUE(search.pairs_apart().empty());
+  EXPECT_EQ(search.pairs()[0].memory.crossed, 1u);
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,71 @@
+#include "core/physics/hold_back.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/tick.h"
+#include "core/physics/contact/crossing_sheets.h"
+#include "tests/core/physics/moving_sheets.h"
+#include "tests/support/sheets.h"
+
+namespace kerf {
+namespace {
+
+// A plate that goes down by so many metres in a tick, 0.1 m above a sheet.
+class PlateOverSheet : public testing::Test {
+ protected:
+  PlateOverSheet() {
+    sheets_.add(test::rectangle(0.4, 0.4, 2), {0, 0.1, 0});
+    sheets_.add(test::rectangle(4, 4, 2), Vec3(0));
+    sheets_.body(1).pinned = true;
+  }
+  // Moves the bodies and holds them back. Returns how many were.
+  size_t go(double way, double sweeps_aside = 0) {
+    sheets_.body(0).motion.velocity = {0, -way / kTick, 0};
+    std::vector<MovingBody>& bodies = sheets_.bodies();
+    bodies[0].sweeps_aside = sweeps_aside;
+    ContactSearch search(bodies, {}, around_, before_);
+    search.find();
+    sheets_.move_on();
+    const size_t held = hold_back(bodies, search);
+    if (sweeps_aside == 0) EXPECT_FALSE(get_through(bodies[0], bodies[1]));
+    return held;
+  }
+  double height() { return sheets_.body(0).placement.position.y; }
+  double speed() { return -sheets_.body(0).motion.velocity.y * kTick; }
+
+  test::MovingSheets sheets_;
+  Surroundings around_;
+  ContactMemory before_;
+};
+
+TEST_F(PlateOverSheet, goes_all_of_its_way_where_nothing_is) {
+  EXPECT_EQ(go(0.09), 0u);
+  EXPECT_NEAR(height(), 0.01, 1e-12);
+  EXPECT_NEAR(speed(), 0.09, 1e-12);
+}
+
+TEST_F(PlateOverSheet, goes_the_largest_share_of_its_way_that_leaves_it_on_its_side) {
+  for (const auto& [way, share] : {std::pair{0.15, 0.5}, {0.3, 0.25}, {0.9, 0.0}}) {
+    sheets_.body(0).placement.position = {0, 0.1, 0};
+    EXPECT_EQ(go(way), 1u);
+    EXPECT_NEAR(height(), 0.1 - share * way, 1e-9) << way;
+    EXPECT_LT(speed(), way) << "its motion is slowed";
+  }
+}
+
+TEST_F(PlateOverSheet, that_is_much_lighter_does_not_hold_what_it_meets) {
+  sheets_.body(1).pinned = false;
+  sheets_.body(1).motion.velocity = {0, 0.01 / kTick, 0};
+  EXPECT_EQ(go(0.15), 1u);
+  EXPECT_NEAR(sheets_.body(1).placement.position.y, 0.01, 1e-9);
+  EXPECT_LT(0.1 - height(), 0.15);
+}
+
+TEST_F(PlateOverSheet, sweeps_aside_what_is_too_light_to_stop_it) {
+  sheets_.body(1).pinned = false;
+  EXPECT_EQ(go(0.15, 1e6), 0u);
+  EXPECT_NEAR(height(), 0.1 - 0.15, 1e-9);
+}
+
+}  // namespace
+}  // namespace kerf

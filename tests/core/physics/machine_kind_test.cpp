@@ -1,0 +1,17 @@
+#include "core/physics/machine_kind.h"
+
+#include <gtest/gtest.h>
+
+#include <regex>
+
+namespace kerf {
+namespace {
+
+TEST(MachineKind, names_the_processor_the_c_library_the_solver_and_the_revision) {
+  const std::regex form(R"([A-Za-z0-9_]+ glibc-\d+\.\d+ bullet-[23]\.\d+ motion-\d+)");
+  EXPECT_TRUE(std::regex_match(machine_kind(), form)) << machine_kind();
+  EXPECT_EQ(machine_kind(), machine_kind());
+}
+
+}  // namespace
+}  // namespace kerf

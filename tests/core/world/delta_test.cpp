@@ -24,29 +24,30 @@ Delta with(std::vector<BodyId> Delta::*list, BodyId id) {
   return delta;
 }
 
-Delta both(Delta a, const Delta& b) {
+Delta chained(Delta a, const Delta& b) {
   a.append(b);
   return a;
 }
 
 TEST(Delta, what_came_and_went_is_nothing) {
-  EXPECT_TRUE(both(with(&Delta::came, kB), with(&Delta::went, kB)).empty());
-  const Delta moved = both(both(with(&Delta::came, kB), with(&Delta::moved, kB)), with(&Delta::went, kB));
+  EXPECT_TRUE(chained(with(&Delta::came, kB), with(&Delta::went, kB)).empty());
+  const Delta moved =
+      chained(chained(with(&Delta::came, kB), with(&Delta::moved, kB)), with(&Delta::went, kB));
   EXPECT_TRUE(moved.empty());
 }
 
 TEST(Delta, what_went_and_came_is_another_body) {
-  const Delta delta = both(with(&Delta::went, kA), with(&Delta::came, kA));
+  const Delta delta = chained(with(&Delta::went, kA), with(&Delta::came, kA));
   EXPECT_EQ(delta.went, std::vector{kA});
   EXPECT_EQ(delta.came, std::vector{kA});
-  EXPECT_EQ(both(delta, with(&Delta::went, kA)).went, std::vector{kA});
-  EXPECT_TRUE(both(delta, with(&Delta::went, kA)).came.empty());
+  EXPECT_EQ(chained(delta, with(&Delta::went, kA)).went, std::vector{kA});
+  EXPECT_TRUE(chained(delta, with(&Delta::went, kA)).came.empty());
 }
 
 TEST(Delta, lists_what_moved_once_and_not_where_it_came_or_went) {
-  EXPECT_EQ(both(with(&Delta::moved, kA), with(&Delta::moved, kA)).moved, std::vector{kA});
-  EXPECT_TRUE(both(with(&Delta::came, kA), with(&Delta::moved, kA)).moved.empty());
-  EXPECT_TRUE(both(with(&Delta::moved, kA), with(&Delta::went, kA)).moved.empty());
+  EXPECT_EQ(chained(with(&Delta::moved, kA), with(&Delta::moved, kA)).moved, std::vector{kA});
+  EXPECT_TRUE(chained(with(&Delta::came, kA), with(&Delta::moved, kA)).moved.empty());
+  EXPECT_TRUE(chained(with(&Delta::moved, kA), with(&Delta::went, kA)).moved.empty());
 }
 
 TEST(Delta, edits_of_a_body_that_carries_on_go_by_its_last_id) {
@@ -56,14 +57,14 @@ TEST(Delta, edits_of_a_body_that_carries_on_go_by_its_last_id) {
   detached.detached = {{kA, 2, kB, true}};
   detached.came = {kA};
   detached.bodies.push_back({kB, {}, {FaceId(3), FaceId(4)}, {}, {}, {}});
-  const Delta delta = both(edited, detached);
+  const Delta delta = chained(edited, detached);
   ASSERT_EQ(delta.bodies.size(), 1u);
   EXPECT_EQ(delta.bodies[0].body, kB);
   EXPECT_TRUE(delta.bodies[0].born.empty());
   EXPECT_EQ(delta.bodies[0].gone, (std::vector{FaceId(3), FaceId(4)}));
   EXPECT_EQ(delta.moved, std::vector{kB});
   // And the body that goes is the one that was there before.
-  const Delta removed = both(delta, with(&Delta::went, kB));
+  const Delta removed = chained(delta, with(&Delta::went, kB));
   EXPECT_EQ(removed.went, std::vector{kA});
   EXPECT_EQ(removed.came, std::vector{kA});
   EXPECT_TRUE(removed.bodies.empty() && removed.moved.empty());
@@ -77,7 +78,7 @@ TEST(Delta, taken_back_and_done_again_leaves_no_trace_but_faces) {
   const Delta back = bodies_taken_back(detached);
   EXPECT_EQ(back.went, std::vector{kA});
   EXPECT_EQ(back.moved, std::vector{kA});
-  const Delta none = both(detached, back);
+  const Delta none = chained(detached, back);
   EXPECT_TRUE(none.came.empty() && none.went.empty() && none.detached.empty());
 }
 

@@ -1,0 +1,68 @@
+#include "core/base/atomic_file.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <stdexcept>
+
+#include "tests/support/temporary_folder.h"
+
+namespace kerf {
+namespace {
+
+namespace fs = std::filesystem;
+
+class AtomicFile : public testing::Test {
+ protected:
+  fs::path file() const { return folder_ / "file.txt"; }
+  size_t files() const {
+    return static_cast<size_t>(
+        std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator()));
+  }
+
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(AtomicFile, is_written_whole_and_replaces_what_was_there) {
+  ASSERT_TRUE(write_file_atomically(file(), "first\n"));
+  EXPECT_EQ(test::read_text(file()), "first\n");
+  ASSERT_TRUE(write_file_atomically(file(), std::string(3 << 20, 'x')));
+  EXPECT_EQ(test::read_text(file()).size(), size_t{3} << 20);
+  EXPECT_EQ(files(), 1u) << "no temporary file is left";
+}
+
+TEST_F(AtomicFile, keeps_its_permissions) {
+  ASSERT_TRUE(write_file_atomically(file(), "first\n"));
+  fs::permissions(file(), fs::perms::owner_read | fs::perms::owner_write | fs::perms::owner_exec);
+  ASSERT_TRUE(write_file_atomically(file(), "second\n"));
+  EXPECT_EQ(fs::status(file()).permissions(), fs::perms::owner_all);
+}
+
+TEST_F(AtomicFile, is_written_through_a_link) {
+  ASSERT_TRUE(write_file_atomically(file(), "first\n"));
+  fs::create_symlink(file(), folder_ / "link.txt");
+  ASSERT_TRUE(write_file_atomically(folder_ / "link.txt", "linked\n"));
+  EXPECT_TRUE(fs::is_symlink(folder_ / "link.txt"));
+  EXPECT_EQ(test::read_text(file()), "linked\n");
+}
+
+TEST_F(AtomicFile, is_left_as_it_was_where_its_bytes_cannot_be_made) {
+  ASSERT_TRUE(write_file_atomically(file(), "first\n"));
+  const auto fails = [](const ByteSink& sink) {
+    sink("half");
+    throw std::runtime_error("no more");
+  };
+  EXPECT_THROW((void)write_file_atomically(file(), fails), std::runtime_error);
+  EXPECT_EQ(test::read_text(file()), "first\n");
+  EXPECT_EQ(files(), 1u);
+}
+
+TEST_F(AtomicFile, of_which_the_folder_is_missing_is_named) {
+  const Status written = write_file_atomically(folder_ / "gone" / "file.txt", "text");
+  ASSERT_FALSE(written);
+  EXPECT_NE(written.error().message.find("file.txt"), std::string::npos) << written.error().message;
+  EXPECT_EQ(written.error().message.find('\n'), std::string::npos);
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,66 @@
+#include "core/cut/stroke_region.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/random.h"
+
+namespace kerf {
+namespace {
+
+// A beam straight down that moves along x, in pieces of 1 m.
+class RegionAlongX : public testing::Test {
+ protected:
+  RegionAlongX() {
+    for (int i = 0; i < 4; ++i) {
+      const Vec3 down(0, -1, 0);
+      region_.add(SweptCylinder({Vec3(i, 5, 0), down}, {Vec3(i + 1, 5, 0), down}, 0.5, {0, 10}));
+    }
+  }
+  void note(FaceId f, std::initializer_list<uint32_t> parts) {
+    for (const uint32_t part : parts) region_.note_near(f, part);
+  }
+
+  StrokeRegion region_;
+};
+
+TEST_F(RegionAlongX, asks_the_parts_that_are_listed_for_a_face) {
+  EXPECT_FALSE(region_.is_near(FaceId(7)));
+  note(FaceId(7), {0, 1});
+  EXPECT_TRUE(region_.is_near(FaceId(7)));
+  EXPECT_NEAR(region_.signed_distance(FaceId(7), {1.2, 0, 0.8}), 0.3, 1e-9);
+  EXPECT_NEAR(region_.signed_distance(FaceId(7), {1.2, 0, 0.1}), -0.4, 1e-9);
+  EXPECT_GT(region_.signed_distance(FaceId(7), {3.9, 0, 0}), 1) << "the other parts are not asked";
+}
+
+TEST_F(RegionAlongX, of_children_is_that_of_all_their_parents) {
+  note(FaceId(1), {0});
+  note(FaceId(2), {3});
+  const std::vector<FaceId> children{FaceId(1), FaceId(2), FaceId(9)}, parents{FaceId(1), FaceId(2)};
+  region_.inherit(children, parents);
+  for (const FaceId f : children) {
+    EXPECT_LT(region_.signed_distance(f, {0.5, 0, 0}), 0);
+    EXPECT_LT(region_.signed_distance(f, {3.5, 0, 0}), 0);
+  }
+}
+
+TEST_F(RegionAlongX, reaches_into_a_triangle_by_more_than_the_graze) {
+  note(FaceId(0), {0, 1, 2, 3});
+  const Triangle beside{Vec3(1, 0, 0.45), Vec3(2, 0, 0.45), Vec3(1.5, 0, 2)};
+  EXPECT_TRUE(region_.reaches_into(FaceId(0), beside, 0.01));
+  EXPECT_FALSE(region_.reaches_into(FaceId(0), beside, 0.1));
+}
+
+TEST_F(RegionAlongX, is_crossed_where_the_distance_is_zero) {
+  note(FaceId(0), {0, 1, 2, 3});
+  Random random(4);
+  for (int i = 0; i < 50; ++i) {
+    const Vec3 inside(random.uniform(0, 4), 0, random.uniform(-0.4, 0.4));
+    const Vec3 outside(random.uniform(0, 4), 0, random.uniform(0.6, 3));
+    const Vec3 at = region_.crossing(FaceId(0), inside, outside);
+    EXPECT_NEAR(region_.signed_distance(FaceId(0), at), 0, 1e-6);
+    EXPECT_NEAR(glm::length(glm::cross(at - inside, outside - inside)), 0, 1e-9) << "on the segment";
+  }
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,48 @@
+#include "core/mesh/enclosed_patches.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "core/mesh/weld.h"
+#include "tests/support/made_meshes.h"
+
+namespace kerf::test {
+namespace {
+
+// Whether each of the patches of a soup lies in another one.
+std::vector<bool> enclosed(const Soup& soup) {
+  const std::vector<uint32_t> first = weld_positions(soup.positions);
+  std::vector<Soup::Triangle> triangles;
+  for (auto t : soup.triangles) triangles.push_back({first[t[0]], first[t[1]], first[t[2]]});
+  const auto patches = find_patches(triangles, group_sides(triangles, soup.positions.size()), nullptr);
+  std::vector<uint32_t> asked(patches->count());
+  std::iota(asked.begin(), asked.end(), 0u);
+  return find_enclosed(soup.positions, triangles, *patches, asked);
+}
+
+using Flags = std::vector<bool>;
+
+TEST(EnclosedPatches, are_those_within_a_closed_one) {
+  const Soup ball = sphere(8, 12, 1);
+  EXPECT_EQ(enclosed(both(ball, moved(ball, {0.1, 0.05, 0}, 0.5))), (Flags{false, true}));
+  EXPECT_EQ(enclosed(both(ball, moved(ball, {2.2, 0.05, 0}, 0.5))), (Flags{false, false}));
+  EXPECT_EQ(enclosed(both(ball, moved(grid(2, 0.5), {0.1, 0.05, 0}, 1))), (Flags{false, true}))
+      << "open ones, too";
+}
+
+TEST(EnclosedPatches, are_not_in_the_hole_of_a_ring_nor_in_a_tube) {
+  const Soup ball = sphere(8, 12, 1);
+  EXPECT_EQ(enclosed(both(torus(24, 16, 1, 0.3), moved(ball, {0.02, 0.01, 0.03}, 0.2))),
+            (Flags{false, false}));
+  EXPECT_EQ(enclosed(both(tube(8, 24, 1, 4), moved(ball, {0.02, 0.01, 0.03}, 0.2))), (Flags{false, false}));
+}
+
+TEST(EnclosedPatches, may_lie_in_each_other) {
+  const Soup ball = sphere(8, 12, 1);
+  const Soup three = both(ball, both(moved(ball, {0.1, 0.05, 0}, 0.7), moved(ball, {0.12, 0.04, 0}, 0.3)));
+  EXPECT_EQ(enclosed(three), (Flags{false, true, true}));
+}
+
+}  // namespace
+}  // namespace kerf::test

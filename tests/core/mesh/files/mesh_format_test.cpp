@@ -1,0 +1,36 @@
+#include "core/mesh/files/mesh_format.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/mesh/files/sample_files.h"
+
+namespace kerf {
+namespace {
+
+TEST(MeshFormat, is_named_by_the_extension_in_upper_and_lower_case) {
+  EXPECT_EQ(mesh_format("obj"), MeshFormat::kObj);
+  EXPECT_EQ(mesh_format(".PLY"), MeshFormat::kPly);
+  EXPECT_EQ(mesh_format("Stl"), MeshFormat::kStl);
+  EXPECT_FALSE(mesh_format("objx"));
+  EXPECT_FALSE(mesh_format(""));
+  EXPECT_FALSE(mesh_format("..obj"));
+  for (const MeshFormat format : {MeshFormat::kObj, MeshFormat::kPly, MeshFormat::kStl, MeshFormat::kOff})
+    EXPECT_EQ(mesh_format(format_name(format)), format);
+}
+
+TEST(MeshFormat, of_a_file_is_recognised_by_its_bytes_whatever_its_name) {
+  for (const test::Sample& sample : test::sample_files())
+    for (const char* ending : {"obj", "ply", "stl", "off", "txt", ""})
+      EXPECT_EQ(recognise_format(sample.bytes, ending), sample.format) << sample.name << " as ." << ending;
+}
+
+TEST(MeshFormat, of_damaged_bytes_is_that_of_the_name) {
+  EXPECT_EQ(recognise_format("\x01\x02\x03", "off"), MeshFormat::kOff);
+  EXPECT_FALSE(recognise_format("\x01\x02\x03", "txt"));
+  EXPECT_EQ(recognise_format("", "ply"), MeshFormat::kPly);
+  EXPECT_EQ(recognise_format("# a comment\n\n  v 0 0 0\n", "stl"), MeshFormat::kObj)
+      << "after comments and blanks";
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,40 @@
+#include "core/mesh/mesh_bounds.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/random.h"
+#include "tests/support/made_meshes.h"
+
+namespace kerf::test {
+namespace {
+
+TEST(MeshBounds, are_those_of_the_corners_of_live_faces_whatever_was_removed) {
+  Random random(1);
+  Mesh mesh = build(grid(12, 3)).mesh;
+  while (mesh.live_faces() > 0) {
+    MeshBounds expected;
+    for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
+      if (!mesh.is_live(FaceId(f))) continue;
+      for (const Vec3& p : mesh.triangle(FaceId(f))) expected.add(p, p);
+    }
+    const auto found = bounds_of(mesh, nullptr);
+    ASSERT_TRUE(found);
+    ASSERT_EQ(found->low, expected.low) << mesh.live_faces() << " faces are left";
+    ASSERT_EQ(found->high, expected.high);
+    for (int i = 0; i < 20; ++i) {
+      const FaceId f(static_cast<uint32_t>(random.below(mesh.face_slots())));
+      if (mesh.is_live(f)) mesh.remove_face(f);
+    }
+  }
+  EXPECT_GT(bounds_of(mesh, nullptr)->low.x, bounds_of(mesh, nullptr)->high.x)
+      << "those of nothing are empty";
+}
+
+TEST(MeshBounds, are_not_found_where_that_is_stopped) {
+  const Progress stopped{[](double) { return false; }};
+  const auto found = bounds_of(build(grid(4, 1)).mesh, &stopped);
+  EXPECT_FALSE(found);
+}
+
+}  // namespace
+}  // namespace kerf::test

@@ -1,0 +1,44 @@
+#include "core/tree/sort_progress.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace kerf {
+namespace {
+
+// Halves a range until nothing is left of it, as a sort does.
+void sort(SortProgress& progress, size_t faces) {
+  if (faces <= 3) return progress.note_done(faces);
+  progress.note_split(faces, faces / 2, faces - faces / 2);
+  sort(progress, faces / 2);
+  sort(progress, faces - faces / 2);
+}
+
+TEST(SortProgress, rises_to_all_of_the_work_in_a_hundred_reports_at_most) {
+  std::vector<double> told;
+  const Progress progress{[&](double done) {
+    if (!told.empty()) EXPECT_GE(done, told.back());
+    told.push_back(done);
+    return true;
+  }};
+  SortProgress sorting(&progress, 100'000);
+  sort(sorting, 100'000);
+  EXPECT_LE(told.size(), 102u);
+  EXPECT_GT(told.size(), 50u);
+  EXPECT_GT(told.back(), 0.98);
+  EXPECT_LE(told.back(), 1);
+  EXPECT_FALSE(sorting.stopped());
+}
+
+TEST(SortProgress, is_stopped_once_and_reports_no_more) {
+  size_t reports = 0;
+  const Progress progress{[&](double) { return ++reports < 3; }};
+  SortProgress sorting(&progress, 10'000);
+  sort(sorting, 10'000);
+  EXPECT_TRUE(sorting.stopped());
+  EXPECT_EQ(reports, 3u);
+}
+
+}  // namespace
+}  // namespace kerf

@@ -2,11 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <set>
 
-#include "core/document/extract.h"
-#include "core/document/scene.h"
 #include "core/world/state_hash.h"
 #include "tests/support/checkout.h"
 #include "tests/support/made_meshes.h"
@@ -257,94 +254,6 @@ TEST(Document, cuts_through_all_bodies) {
   document.apply(MoveStroke{{{0.7, 1, 0.12}, {0, -1, 0}}});
   ASSERT_TRUE(walk_all(document).ok());
   EXPECT_EQ(document.world().live_pieces(), 4u);
-}
-
-TEST(Extract, gives_each_piece_its_faces_area_and_rim) {
-  Document document(world_of(plate(1)));
-  document.apply(BeginStroke{settings_of(0.02), {{-0.7, 1, 0.1}, {0, -1, 0}}});
-  document.apply(MoveStroke{{{0.7, 1, 0.1}, {0, -1, 0}}});
-  ASSERT_TRUE(walk_all(document).ok());
-  const Body& body = document.world().body(document.world().ids()[0]);
-  const auto groups = faces_by_piece(body, false);
-  ASSERT_EQ(groups.size(), 2u);
-  double area = 0;
-  for (const auto& faces : groups) {
-    const Extract e = extract_faces(body, faces);
-    EXPECT_EQ(e.triangles.size(), faces.size());
-    EXPECT_GT(e.boundary_edges, 4u);
-    EXPECT_NEAR(e.centroid.y, 0, 1e-15);
-    area += e.area;
-  }
-  EXPECT_NEAR(area, 1 - 0.04, 0.005);
-  EXPECT_EQ(faces_by_piece(body, true).size(), 2u);
-}
-
-TEST(Scene, reads_the_default_scene) {
-  const auto scene = read_scene(checkout() / "assets/scenes/car.json");
-  ASSERT_TRUE(scene.ok()) << scene.error().message;
-  EXPECT_GE(scene->world.live_faces(), 3000u);
-  EXPECT_LE(scene->world.live_faces(), 6000u);
-  const Body& car = scene->world.body(scene->world.ids()[0]);
-  for (const std::string& material : car.material_names)
-    EXPECT_TRUE(scene->paints.count(material)) << material;
-  EXPECT_EQ(car.loaded.non_manifold_edges, 0u);
-  EXPECT_EQ(car.loaded.repairs.degenerate_faces_dropped, 0u);
-}
-
-TEST(StateHash, does_not_depend_on_the_order_of_faces_or_corners) {
-  const Soup soup = torus(9, 7, 1, 0.3);
-  Soup other = soup;
-  Random random(2);
-  for (size_t i = other.triangles.size(); i > 1; --i)
-    std::swap(other.triangles[i - 1], other.triangles[random.below(i)]);
-  for (auto& t : other.triangles) t = {t[1], t[2], t[0]};
-  EXPECT_EQ(state_hash(world_of(soup)), state_hash(world_of(other)));
-  other.positions[3].x += 1e-15;
-  EXPECT_NE(state_hash(world_of(soup)), state_hash(world_of(other)));
-}
-
-// A scene of the sphere and this member beside it.
-Result<Scene> scene_with(const std::string& name, const std::string& member) {
-  const auto file = std::filesystem::temp_directory_path() / ("kerf-scene-" + name + ".json");
-  std::ofstream(file) << R"({"bodies": [{"mesh": ")" << checkout().string()
-                      << R"(/assets/meshes/sphere.obj"}], )" << member << "}";
-  Result<Scene> scene = read_scene(file);
-  std::filesystem::remove(file);
-  return scene;
-}
-
-TEST(Scene, reads_lights_and_what_to_show) {
-  const auto scene = scene_with("lights", R"("lights": [{"direction": [0, 2, 0]},
-    {"position": [1, 2, 3], "colour": "#ff0000", "intensity": 0.5}], "show": ["shadows", "wire"])");
-  ASSERT_TRUE(scene.ok()) << scene.error().message;
-  ASSERT_EQ(scene->lights.size(), 2u);
-  EXPECT_EQ(scene->lights[0].point(), (LightPoint{{0, 2, 0}, 0}));
-  EXPECT_EQ(scene->lights[1].point(), (LightPoint{{1, 2, 3}, 1}));
-  EXPECT_EQ(scene->lights[1].colour, Vec3(1, 0, 0));
-  EXPECT_EQ(scene->lights[1].intensity, 0.5);
-  EXPECT_EQ(scene->show, "shadows,wire");
-}
-
-TEST(Scene, says_what_is_wrong_with_a_light) {
-  const std::pair<const char*, const char*> bad[]{
-      {R"("lights": 1)", "/lights"},
-      {R"("lights": [{}])", "/lights/0"},
-      {R"("lights": [{"direction": [0,1,0], "position": [0,1,0]}])", "/lights/0"},
-      {R"("lights": [{"direction": [0,0,0]}])", "/lights/0/direction"},
-      {R"("lights": [{"direction": [0,1,0], "intensity": -1}])", "/lights/0/intensity"},
-      {R"("lights": [{"direction": [0,1,0], "colour": "red"}])", "/lights/0/colour"},
-      {R"("lights": [{"direction": [0,1,0]},{"direction": [0,1,0]},{"direction": [0,1,0]},{"direction": [0,1,0]},
-        {"direction": [0,1,0]}])",
-       "/lights"},
-      {R"("show": "wire")", "/show"},
-  };
-  for (const auto& [member, where] : bad) {
-    const auto scene = scene_with("bad", member);
-    ASSERT_FALSE(scene.ok()) << member;
-    EXPECT_EQ(scene.error().code, ErrorCode::kBadInput);
-    EXPECT_NE(scene.error().message.find(std::string(where) + ": "), std::string::npos)
-        << scene.error().message;
-  }
 }
 
 }  // namespace

@@ -38,6 +38,13 @@ TEST(EnclosedPatches, are_not_in_the_hole_of_a_ring_nor_in_a_tube) {
   EXPECT_EQ(enclosed(both(tube(8, 24, 1, 4), moved(ball, {0.02, 0.01, 0.03}, 0.2))), (Flags{false, false}));
 }
 
+// With a third part far along the axis of the ring, rays go along the ring's plane and meet it twice.
+TEST(EnclosedPatches, are_not_between_what_a_ray_enters_and_leaves) {
+  const Soup ball = sphere(8, 12, 1), ring = torus(24, 16, 1, 0.3);
+  const Soup beside = both(moved(ball, {0.02, 0.01, 0.03}, 0.2), moved(ball, {0, 50, 0}, 1));
+  EXPECT_EQ(enclosed(both(ring, beside)), (Flags{false, false, false}));
+}
+
 TEST(EnclosedPatches, may_lie_in_each_other) {
   const Soup ball = sphere(8, 12, 1);
   const Soup three = both(ball, both(moved(ball, {0.1, 0.05, 0}, 0.7), moved(ball, {0.12, 0.04, 0}, 0.3)));

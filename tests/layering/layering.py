@@ -9,8 +9,30 @@ import sys
 
 # Each may include itself and what comes after it, never what comes before.
 LAYERS = ['app', 'ui', 'core']
-CORE = ['game', 'document', 'physics', 'cut', 'graph', 'shadow', 'world', 'heat', 'laser', 'tree', 'mesh', 'debug',
-        'base']
+# All folders of core that hold sources.
+CORE = [
+    'game/match',
+    'game/driver',
+    'game/laser',
+    'game/vehicle',
+    'game/arena',
+    'game',
+    'document',
+    'physics',
+    'physics/contact',
+    'physics/collider',
+    'cut',
+    'graph',
+    'shadow',
+    'world',
+    'heat',
+    'laser',
+    'tree',
+    'mesh/openmesh',
+    'mesh',
+    'mesh/files',
+    'base',
+]
 # Of ui, first what draws a world, then what any screen needs of a window, then the editor. In the editor: what it
 # counts, how the world is looked at, what is open and saved, the section plane, the path and the emitter of the laser, how
 # time passes and pieces are pulled, what the mouse does, single steps of a stroke with their panel, how the world changes, what is drawn over the picture, what is told
@@ -18,6 +40,11 @@ CORE = ['game', 'document', 'physics', 'cut', 'graph', 'shadow', 'world', 'heat'
 # graph, that of preparing meshes, those of heat, and that of moving bodies; the files in ui/editor itself put these together and alone know all of its state.
 UI = ['editor', 'editor/bodies', 'editor/graph', 'editor/material', 'editor/prepare', 'editor/panels', 'editor/keys', 'editor/frame', 'editor/marks', 'editor/inspect', 'editor/changes', 'editor/single_step', 'editor/tools', 'editor/play', 'editor/path', 'editor/section', 'editor/work', 'editor/view',
       'editor/figures', 'figures', 'game', 'sound', 'screen', 'window', 'render', 'gl']
+
+ORDERS = {'core': CORE, 'ui': UI}
+# Two folders that know each other, and so have the place of the first: commands are read and written by values of scenes
+# and settings, and documents are made of commands.
+ONE_PLACE = {'document/commands': 'document'}
 
 SOURCE_FOLDERS = LAYERS + ['tests']
 TOP_LEVEL = {'CMakeLists.txt', 'README.md', 'assets', *SOURCE_FOLDERS}
@@ -36,6 +63,8 @@ GRAPHICS = re.compile(r'imgui|imconfig|imstb_|backends/imgui_|GLFW/|epoxy/|GL/|G
 def breaches(root):
     """Every breach below root, as (file, line, why); file is relative to root, line 0 means the entry itself."""
     found = [(name, 0, 'is not one of the entries that the top level holds') for name in stray_entries(root)]
+    found += [(folder, 0, 'has no place in the order of folders: give it one in tests/layering/layering.py')
+              for folder in unnamed_folders(root)]
     for path in sources(root):
         with open(os.path.join(root, path), encoding='utf-8', errors='replace') as lines:
             for number, line in enumerate(lines, 1):
@@ -49,6 +78,21 @@ def breaches(root):
 def stray_entries(root):
     return sorted(name for name in os.listdir(root)
                   if name not in TOP_LEVEL and not name.startswith('.') and not BUILD_FOLDER.match(name))
+
+
+def unnamed_folders(root):
+    folders = {os.path.dirname(path) for path in sources(root)}
+    return sorted(folder for folder in folders - places() if folder.split('/')[0] in ORDERS)
+
+
+def names_without_folder(root):
+    """What the orders name and is not there."""
+    return sorted(folder for folder in places() if not os.path.isdir(os.path.join(root, folder)))
+
+
+def places():
+    """All folders that have one: 'core/mesh/files'."""
+    return {f'{layer}/{folder}' for layer, order in ORDERS.items() for folder in order} | {f'core/{folder}' for folder in ONE_PLACE}
 
 
 def sources(root):
@@ -91,30 +135,25 @@ def against_the_arrows(path, name):
         return f'{name}: only tests include tests'
     if LAYERS.index(there) < LAYERS.index(here):
         return f'{name}: the arrows go {" -> ".join(LAYERS)}, and {here} does not know {there}'
-    if here == there == 'core':
-        return inside('core', CORE, path.split('/')[1], name.split('/')[1], name)
-    if here == there == 'ui':
-        return inside('ui', UI, room_of(path), room_of(name), name)
-    return None
+    return inside(here, room_of(path), room_of(name), name) if here == there and here in ORDERS else None
 
 
 def room_of(path):
-    """The folder of a file below ui: 'editor/panels' for ui/editor/panels/panel.h."""
-    return os.path.dirname(path)[len('ui/'):]
+    """The folder of a file below its layer: 'editor/panels' for ui/editor/panels/panel.h."""
+    return os.path.dirname(path).partition('/')[2]
 
 
-def inside(layer, order, here, there, name):
-    for folder in (here, there):
-        if folder not in order:
-            return (f'{layer}/{folder} has no place in the order of {layer}: give it one in '
-                    'tests/layering/layering.py')
-    if order.index(there) < order.index(here):
+# Folders that have no place are reported by themselves, see unnamed_folders.
+def inside(layer, here, there, name):
+    order, here, there = ORDERS[layer], ONE_PLACE.get(here, here), ONE_PLACE.get(there, there)
+    if here in order and there in order and order.index(there) < order.index(here):
         return f'{name}: {layer}/{here} comes after {layer}/{there} in the order and does not know it'
     return None
 
 
 def main(root):
     found = breaches(root)
+    found += [(folder, 0, 'has a place in the order of folders and is not there') for folder in names_without_folder(root)]
     for path, line, why in found:
         print(f'{path}:{line}: {why}' if line else f'{path}: {why}')
     return 1 if found else 0

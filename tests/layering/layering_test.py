@@ -55,8 +55,13 @@ class Layering(unittest.TestCase):
                              f'core/{later} comes after core/{earlier}')
 
     def test_refuses_a_folder_of_core_without_a_place(self):
-        self.refuses('core/misc/bad.h', '#include "core/base/result.h"\n', 1, 'core/misc has no place')
-        self.refuses('core/bad.h', '#include "core/base/result.h"\n', 1, 'has no place')
+        for folder in ('core', 'core/misc', 'core/mesh/misc', 'core/debug'):
+            self.refuses(f'{folder}/bad.h', '#pragma once\n', 0, 'has no place', reported=folder)
+
+    def test_lets_each_folder_of_core_know_what_comes_after_it(self):
+        for i, here in enumerate(layering.CORE):
+            includes = ''.join(f'#include "core/{there}/x.h"\n' for there in layering.CORE[i:])
+            self.assertEqual([], breaches_of({**GOOD, f'core/{here}/good.cpp': includes}), here)
 
     def test_refuses_every_step_back_inside_ui(self):
         for earlier, later in zip(layering.UI, layering.UI[1:]):
@@ -71,7 +76,14 @@ class Layering(unittest.TestCase):
 
     def test_refuses_a_room_of_ui_without_a_place(self):
         for room in ('ui', 'ui/misc', 'ui/editor/misc'):
-            self.refuses(f'{room}/bad.h', '#include "ui/gl/objects.h"\n', 1, 'has no place in the order of ui')
+            self.refuses(f'{room}/bad.h', '#include "ui/gl/objects.h"\n', 0, 'has no place', reported=room)
+
+    def test_names_what_has_a_place_and_is_not_there(self):
+        with tempfile.TemporaryDirectory() as root:
+            os.makedirs(os.path.join(root, 'core/mesh/files'))
+            missing = layering.names_without_folder(root)
+            self.assertEqual(len(layering.places()) - 2, len(missing))
+            self.assertTrue({'core/mesh', 'core/mesh/files'}.isdisjoint(missing))
 
     def test_refuses_half_edges_outside_core_mesh(self):
         for path in ('core/cut/bad.cpp', 'ui/gl/bad.cpp', 'tests/core/mesh/bad.cpp'):
@@ -87,7 +99,7 @@ class Layering(unittest.TestCase):
     def test_refuses_graphics_in_core(self):
         for header in ('imgui.h', 'imgui_internal.h', 'backends/imgui_impl_glfw.h', 'GLFW/glfw3.h', 'epoxy/gl.h',
                        'GL/gl.h', 'EGL/egl.h'):
-            self.refuses('core/debug/bad.h', f'#include <{header}>\n', 1, 'core draws nothing')
+            self.refuses('core/cut/bad.h', f'#include <{header}>\n', 1, 'core draws nothing')
 
     def test_refuses_paths_that_do_not_start_at_the_root(self):
         for text in ('"step.h"', '"../mesh/mesh.h"', '"imgui.h"'):

@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
+#include <nlohmann/json.hpp>
 
 #include "app/commands.h"
 #include "app/exit_status.h"
@@ -8,8 +9,8 @@
 #include "app/interrupt.h"
 #include "app/load_document.h"
 #include "app/progress_line.h"
+#include "core/document/json_text.h"
 #include "core/document/piece_origins.h"
-#include "core/document/scene_text.h"
 #include "core/graph/graph_text.h"
 
 namespace kerf {

@@ -4,6 +4,7 @@
 
 #include "app/commands.h"
 #include "app/exit_status.h"
+#include "core/document/fields.h"
 #include "core/document/material_reader.h"
 #include "ui/render/assets.h"
 
@@ -11,25 +12,15 @@ namespace kerf {
 
 namespace {
 
-nlohmann::ordered_json to_json(const Material& material) {
-  nlohmann::ordered_json json{{"name", material.name},
-                              {"title", material.title},
-                              {"removed_by", material.removed_by},
-                              {"wavelength", material.substance.wavelength}};
-  for (const MaterialNumber& number : material.numbers) {
-    json[number.key] = {
-        {"value", number.value}, {"range", {number.range.low, number.range.high}}, {"source", number.source}};
-  }
-  json["enthalpy_of_removal"] = enthalpy_of_removal(material.substance);
-  return json;
-}
-
 int run_materials() {
   const auto materials = load_materials(assets_folder() / "materials.json");
   if (!materials) return report_error(materials.error());
   nlohmann::ordered_json json{{"units", "SI: kg/m3, J/(kg K), W/(m K), K, J/kg, m"}};
   json["materials"] = nlohmann::ordered_json::array();
-  for (const Material& material : *materials) json["materials"].push_back(to_json(material));
+  for (const Material& material : *materials) {
+    auto& entry = json["materials"].emplace_back(fields_json(material, {}));
+    entry["enthalpy_of_removal"] = enthalpy_of_removal(material.substance);
+  }
   std::cout << json.dump(2) << '\n';
   return std::cout.flush() ? 0 : report_error(failed("standard output cannot be written"));
 }

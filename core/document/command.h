@@ -32,11 +32,11 @@ namespace kerf {
 // end; it contains no pixels, so that a journal of commands gives the same world wherever it is replayed.
 //
 // Each kind of command is one pair of files in core/document/commands. Its struct has, beside its data:
-//   kName, kKeys, kOptionalKeys   its name and its keys in a journal
-//   words()                       a description for the user: "Stroke, radius 4 mm"
-//   weight()                      the memory that it owns besides its own size, in bytes
-//   write(), read()               its keys as text, see CommandWriter and CommandReader
-// A kind without one of these members does not compile. Kinds are always distinguished by std::visit, so that
+//   kName      its name in a journal
+//   words()    a description for the user: "Stroke, radius 4 mm"
+//   weight()   the memory that it owns besides its own size, in bytes
+// and describe() beside it, the table of its keys in a journal (see Fields). A kind without one of these does
+// not compile. Kinds are always distinguished by std::visit, so that
 // a case that is missing anywhere does not compile either.
 using Command =
     std::variant<BeginStroke, MoveStroke, EndStroke, StopStroke, Recut, Advance, Pull, LetGo, Play, AddMesh,

@@ -1,45 +1,47 @@
 #include "core/document/command_text.h"
 
-#include <algorithm>
+#include "core/base/unit_vector.h"
+#include "core/document/fields.h"
+#include "core/document/json_text.h"
 
 namespace kerf {
 
 namespace {
 
+// A move goes on from where the beam is, if it is anywhere.
+void check_follows(Fields& f, const MoveStroke& move, const std::optional<BeamAt>& beam) {
+  const BeamAt before = beam.value_or(BeamAt{move.pose, 0});
+  f.check(!are_opposite(before.pose.direction, move.pose.direction), "direction",
+          "is opposite to the one before");
+  f.check(!f.present("t", false) || move.time >= before.time, "t", "must not be before the pose before");
+}
+
+// The fields of a command with its name, which was read.
 template <typename C>
-Status check_keys(const JsonValue& line) {
-  const auto is_key = [](const std::string& key) {
-    const auto same = [&](const char* k) { return key == k; };
-    return key == "do" || std::any_of(C::kKeys.begin(), C::kKeys.end(), same) ||
-           std::any_of(C::kOptionalKeys.begin(), C::kOptionalKeys.end(), same);
-  };
-  for (const char* key : C::kKeys) {
-    if (!line.has(key)) return line.wrong(std::string("needs \"") + key + "\"");
-  }
-  for (const auto& item : line.json().items()) {
-    if (!is_key(item.key()))
-      return line[item.key()].wrong(std::string("\"") + C::kName + "\" has no such key");
-  }
-  return Done{};
+void fields_of(Fields& f, C& command, const std::optional<BeamAt>& beam) {
+  std::string name = C::kName;
+  f.text("do", name);
+  describe(f, command);
+  if constexpr (std::is_same_v<C, MoveStroke>) check_follows(f, command, beam);
+  f.no_others(std::string("\"") + C::kName + "\" has no such key in this version of Kerf");
 }
 
 template <typename C>
-Result<Command> read_command(const JsonValue& line, const CommandReader& reader) {
-  if (const auto keys = check_keys<C>(line); !keys) return keys.error();
-  Result<C> command = C::read(reader);
-  if (!command) return command.error();
-  return Command(std::move(*command));
+Result<Command> read_command(const JsonValue& line, const std::filesystem::path& folder,
+                             const std::optional<BeamAt>& beam) {
+  C command;
+  Fields::Pass pass{folder};
+  Fields fields(line, pass);
+  fields_of(fields, command, beam);
+  if (!pass.status) return pass.status.error();
+  return Command(std::move(command));
 }
 
-// The command of the kind with this name; none where no kind of the variant has it.
+// The reader of the kind of command with this name; null where no kind of the variant has it.
 template <typename... Kinds>
-std::optional<Result<Command>> read_named(std::variant<Kinds...>*, const std::string& name,
-                                          const JsonValue& line, const CommandReader& reader) {
-  std::optional<Result<Command>> found;
-  const auto try_kind = [&]<typename C>(std::type_identity<C>) {
-    if (name == C::kName) found = read_command<C>(line, reader);
-  };
-  (try_kind(std::type_identity<Kinds>()), ...);
+auto reader_of(std::variant<Kinds...>*, const std::string& name) {
+  decltype(&read_command<Undo>) found = nullptr;
+  ((name == Kinds::kName ? void(found = read_command<Kinds>) : void()), ...);
   return found;
 }
 
@@ -47,10 +49,8 @@ std::optional<Result<Command>> read_named(std::variant<Kinds...>*, const std::st
 
 Result<std::string> command_text(const Command& command, const std::filesystem::path& folder) {
   return std::visit(
-      [&](const auto& c) {
-        CommandWriter line(c.kName, folder);
-        c.write(line);
-        return line.end();
+      [&](auto c) {
+        return exact_text(visited_json(folder, [&](Fields& f) { fields_of(f, c, std::nullopt); }));
       },
       command);
 }
@@ -60,10 +60,9 @@ Result<Command> parse_command(const JsonValue& value, const std::filesystem::pat
   if (!value.has("do")) return value.wrong("needs \"do\"");
   const auto name = value["do"].text();
   if (!name) return name.error();
-  const CommandReader reader(value, folder, beam);
-  auto found = read_named(static_cast<Command*>(nullptr), *name, value, reader);
-  if (!found) return value["do"].wrong("is no command that this version has");
-  return std::move(*found);
+  const auto read = reader_of(static_cast<Command*>(nullptr), *name);
+  if (read == nullptr) return value["do"].wrong("is no command that this version has");
+  return read(value, folder, beam);
 }
 
 }  // namespace kerf

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "core/document/beam_at.h"
 #include "core/document/command.h"
 #include "core/document/json_value.h"
 

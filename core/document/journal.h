@@ -30,7 +30,7 @@ struct StateMark {
 // A document as its file (.kerf) holds it, one JSON object a line: first the scene, with "kerf": "journal"
 // and the hashes of its meshes, then the commands since (see command_text), and between them marks,
 // {"hash": "0123456789abcdef"}, with "machine", "bodies", "pairs" and "clock" where bodies have moved (see
-// body_state_text.h).
+// mark_fields.h).
 struct Journal {
   SceneDescription scene;  // without strokes; the strokes of a scene are commands of the journal
   std::filesystem::path

@@ -1,7 +1,6 @@
-#include "core/document/body_state_text.h"
 #include "core/document/command_text.h"
-#include "core/document/hash_text.h"
-#include "core/document/journal.h"
+#include "core/document/fields.h"
+#include "core/document/mark_fields.h"
 #include "core/document/scene_text.h"
 
 namespace kerf {
@@ -80,30 +79,8 @@ class JournalReader {
   }
 
   Status take_mark(const JsonValue& value) {
-    const auto text = value["hash"].text();
-    const auto hash = text ? parse_hash(*text) : std::nullopt;
-    if (!hash) return value["hash"].wrong("must be sixteen hexadecimal digits");
-    StateMark mark{journal_.commands.size(), *hash, line_};
-    if (value.has("machine")) {
-      const auto machine = value["machine"].text();
-      if (!machine) return machine.error();
-      mark.machine = *machine;
-    }
-    if (value.has("bodies")) {
-      auto bodies = parse_body_states(value["bodies"]);
-      if (!bodies) return bodies.error();
-      mark.bodies = std::move(*bodies);
-    }
-    if (value.has("pairs")) {
-      auto pairs = parse_near_pairs(value["pairs"]);
-      if (!pairs) return pairs.error();
-      mark.pairs = std::move(*pairs);
-    }
-    if (value.has("clock")) {
-      const nlohmann::json& clock = value["clock"].json();
-      if (!clock.is_number_unsigned()) return value["clock"].wrong("must be a whole number of ticks");
-      mark.clock = clock;
-    }
+    StateMark mark{journal_.commands.size(), 0, line_};
+    if (const Status read = read_fields(value, folder_, mark); !read) return read;
     journal_.marks.push_back(std::move(mark));
     return Done{};
   }

@@ -1,28 +1,13 @@
-#include "core/document/body_state_text.h"
 #include "core/document/command_text.h"
 #include "core/document/document.h"
-#include "core/document/hash_text.h"
-#include "core/document/journal.h"
+#include "core/document/fields.h"
+#include "core/document/json_text.h"
+#include "core/document/mark_fields.h"
 #include "core/document/scene_text.h"
 #include "core/physics/machine_kind.h"
 #include "core/world/state_hash.h"
 
 namespace kerf {
-
-namespace {
-
-std::string mark_line(const StateMark& mark) {
-  nlohmann::ordered_json json{{"hash", hash_text(mark.hash)}};
-  if (!mark.bodies.empty()) {
-    json["machine"] = mark.machine;
-    json["clock"] = mark.clock;
-    json["bodies"] = body_states_json(mark.bodies);
-    json["pairs"] = near_pairs_json(mark.pairs);
-  }
-  return json.dump() + "\n";
-}
-
-}  // namespace
 
 Result<std::string> journal_head(const SceneDescription& scene, const std::filesystem::path& work_of,
                                  const std::filesystem::path& folder) {
@@ -45,7 +30,7 @@ Result<std::string> journal_lines(std::span<const Command> commands, std::span<c
   std::string lines;
   for (size_t i = 0;; ++i) {
     for (; !marks.empty() && marks.front().commands == i; marks = marks.subspan(1))
-      lines += mark_line(marks.front());
+      lines += fields_json(marks.front(), folder).dump() + '\n';
     if (i == commands.size()) return lines;
     const auto line = command_text(commands[i], folder);
     if (!line) return line.error();

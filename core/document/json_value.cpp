@@ -1,10 +1,12 @@
 #include "core/document/json_value.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <sstream>
 #include <system_error>
 
+#include "core/base/ids.h"
 #include "core/base/unit_vector.h"
 
 namespace kerf {
@@ -44,18 +46,40 @@ Result<glm::dquat> JsonValue::orientation() const {
   return turn;
 }
 
-Result<Interval> JsonValue::interval() const {
+Result<Interval> JsonValue::pair() const {
   if (!value_->is_array() || value_->size() != 2) return wrong("must be two numbers");
-  const auto low = (*this)[size_t{0}].number(), high = (*this)[size_t{1}].number();
-  if (!low) return low.error();
-  if (!high) return high.error();
-  if (*low > *high || *low < 0) return wrong("must be a range from small to large that starts at 0 or above");
-  return Interval{*low, *high};
+  const auto first = (*this)[size_t{0}].number(), second = (*this)[size_t{1}].number();
+  if (!first) return first.error();
+  if (!second) return second.error();
+  return Interval{*first, *second};
+}
+
+Result<Interval> JsonValue::interval() const {
+  const auto range = pair();
+  if (range && (range->low > range->high || range->low < 0))
+    return wrong("must be a range from small to large that starts at 0 or above");
+  return range;
 }
 
 Result<std::string> JsonValue::text() const {
   if (!value_->is_string()) return wrong("must be a text");
   return value_->get<std::string>();
+}
+
+Result<bool> JsonValue::flag() const {
+  if (!value_->is_boolean()) return wrong("must be true or false");
+  return value_->get<bool>();
+}
+
+std::optional<std::vector<uint32_t>> JsonValue::whole_numbers(std::initializer_list<size_t> lengths) const {
+  if (!value_->is_array() || std::find(lengths.begin(), lengths.end(), value_->size()) == lengths.end())
+    return std::nullopt;
+  std::vector<uint32_t> numbers;
+  for (const nlohmann::json& n : *value_) {
+    if (!n.is_number_unsigned() || n.get<uint64_t>() >= kNoIndex) return std::nullopt;
+    numbers.push_back(n.get<uint32_t>());
+  }
+  return numbers;
 }
 
 Status JsonValue::array(const char* of_what) const {

@@ -3,7 +3,9 @@
 #include <filesystem>
 #include <glm/gtc/quaternion.hpp>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "core/base/assert.h"
 #include "core/base/interval.h"
@@ -45,8 +47,13 @@ class JsonValue {
   Result<double> positive_number() const;
   Result<Vec3> vector() const;             // three finite numbers
   Result<glm::dquat> orientation() const;  // four numbers w, x, y, z of length 1
+  Result<Interval> pair() const;           // two finite numbers
   Result<Interval> interval() const;       // two finite numbers, 0 <= first <= second
   Result<std::string> text() const;
+  Result<bool> flag() const;
+  // A list of whole numbers that are indices (see kNoIndex), of one of these lengths; nothing if it is
+  // anything else.
+  std::optional<std::vector<uint32_t>> whole_numbers(std::initializer_list<size_t> lengths) const;
   // Checks that the value is a list, or an object. `of_what` names the elements in the error.
   Status array(const char* of_what) const;
   Status object() const;
@@ -55,6 +62,14 @@ class JsonValue {
   const nlohmann::json* value_;
   std::string file_, pointer_;
 };
+
+// Takes the value of a result, or fails like it.
+template <typename T, typename Target>
+Status assign(const Result<T>& result, Target& target) {
+  if (!result) return result.error();
+  target = *result;
+  return Done{};
+}
 
 // Parses a text. The error names `file` and the line.
 Result<nlohmann::json> parse_json(std::string_view text, const std::string& file);

@@ -9,6 +9,8 @@
 
 namespace kerf {
 
+class Fields;
+
 // Reads a table of materials (assets/materials.json), in its order:
 //
 //   {"materials": [{"name", "title", "removed_by": "melting" or "ablation", "wavelength", "density",
@@ -22,5 +24,7 @@ namespace kerf {
 Result<std::vector<Material>> load_materials(const std::filesystem::path& file);
 // The same from a text; `file` is its name in errors.
 Result<std::vector<Material>> parse_materials(std::string_view text, const std::string& file);
+// The table of the fields of a material.
+void describe(Fields& f, Material& material);
 
 }  // namespace kerf

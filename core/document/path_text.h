@@ -1,6 +1,5 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 
@@ -8,8 +7,10 @@
 
 namespace kerf {
 
-// A stroke as the JSON object that path files and scenes hold. It is read back as the same stroke to the bit.
-nlohmann::ordered_json stroke_json(const StrokePath& stroke);
+class Fields;
+
+// The fields of a stroke in path files and scenes. A stroke that is written is read back to the bit.
+void describe(Fields& f, StrokePath& stroke);
 
 // The text of a path file, with one line for each key.
 std::string path_file_text(std::span<const StrokePath> strokes);

@@ -1,6 +1,7 @@
 #include "core/document/save.h"
 
 #include "core/base/atomic_file.h"
+#include "core/document/json_text.h"
 #include "core/document/path_text.h"
 #include "core/document/scene_text.h"
 

@@ -1,7 +1,7 @@
 #include "core/document/scene.h"
 
+#include "core/document/fields.h"
 #include "core/document/file_hash.h"
-#include "core/document/json_value.h"
 #include "core/document/scene_text.h"
 #include "core/world/load_body.h"
 
@@ -27,11 +27,7 @@ Result<SceneDescription> read_description(const std::filesystem::path& file) {
     scene.bodies.push_back(body_of_file(file));
     return scene;
   }
-  const auto text = read_text_file(file);
-  if (!text) return text.error();
-  const auto json = parse_json(*text, file.string());
-  if (!json) return json.error();
-  return parse_scene(JsonValue(*json, file.string()), file.parent_path());
+  return read_described<SceneDescription>(file);
 }
 
 Result<BodyId> add_scene_body(const SceneBody& description, Body body, World& world) {

@@ -1,9 +1,38 @@
 #pragma once
 
+#include "core/base/number_range.h"
+
 namespace kerf {
 
 // The temperature of everything that was never heated, and of the surroundings (K).
 inline constexpr double kAmbient = 293;
+
+// The constants of a material, one row each. A row is all that a constant needs: its member of Substance, its
+// key and limits in scenes, journals and assets/materials.json, and its row in the Material panel. Columns:
+//   member, key in scenes and journals, default (mild steel), what a missing key stands for, least, most,
+//   unit, and for the panel: label (null: not shown), size of the unit that is shown, format, meaning
+// A missing key of a constant that is new stands for what Kerf did before it existed: added_later(X).
+#define KERF_SUBSTANCE(ROW)                                                                                  \
+  ROW(density, "material-density", 7850, always_written(7850), 1e-3, 1e6, "kg/m^3", "Density", 1,            \
+      "%.5g kg/m\xc2\xb3", "Of the material.")                                                               \
+  ROW(heat_solid, "heat-solid", 620, always_written(620), 1e-3, 1e6, "J/(kg K)", "Heat, solid", 1,           \
+      "%.4g J/(kg K)", "What it takes to heat it by a kelvin.")                                              \
+  ROW(heat_liquid, "heat-liquid", 820, always_written(820), 1e-3, 1e6, "J/(kg K)", "Heat, liquid", 1,        \
+      "%.4g J/(kg K)", "The same once it is molten.")                                                        \
+  ROW(conductivity, "conductivity", 45, always_written(45), 0, 1e6, "W/(m K)", "Conductivity", 1,            \
+      "%.4g W/(m K)", "How well it conducts heat.")                                                          \
+  ROW(transition, "transition", 1800, always_written(1800), kAmbient + 1, 1e5, "K", "Melts at", 1, "%.4g K", \
+      "Where it melts, or decomposes. With the latent heat on top it is gone.")                              \
+  ROW(latent, "latent", 270e3, always_written(270e3), 0, 1e9, "J/kg", "Latent heat", 1000, "%.4g kJ/kg",     \
+      "What melting takes, or decomposing.")                                                                 \
+  ROW(emissivity, "emissivity", 0.8, always_written(0.8), 0, 1, "", "Emissivity", 1, "%.3g",                 \
+      "0 to 1: how well it radiates, from both sides.")                                                      \
+  ROW(absorptivity_fibre, "absorptivity-fibre", 0.33, always_written(0.33), 0, 1, "", "Absorbs, fibre", 1,   \
+      "%.3g", "0 to 1: the share of a beam of 1.07 \xc2\xb5m that stays in it.")                             \
+  ROW(absorptivity_co2, "absorptivity-co2", 0.1, always_written(0.1), 0, 1, "", "Absorbs, CO2", 1, "%.3g",   \
+      "0 to 1: the share of a beam of 10.6 \xc2\xb5m that stays in it.")                                     \
+  ROW(wavelength, "wavelength", 1.07e-6, always_written(1.07e-6), 1e-9, 1, "m", nullptr, 1, "",              \
+      "Of the beam with which the material is usually cut.")
 
 // What it takes to heat a material and to remove it, with constants that are means over the range of
 // temperatures. By default mild steel. Precondition of its use: density, heat_solid, heat_liquid are
@@ -11,22 +40,33 @@ inline constexpr double kAmbient = 293;
 //
 // A metal melts at `transition`, and what is molten is blown out: it is gone when it has taken the heat of
 // fusion. What decomposes instead of melting (plastics, wood) does so at `transition`, where it takes the
-// rest of its heat of ablation, which is measured as a whole from the ambient on.
+// rest of its heat of ablation (`latent`), which is measured as a whole from the ambient on. The specific
+// heats are those below and above the transition. `wavelength` is the one of the two of the absorptivities
+// with which the material is usually cut.
 struct Substance {
-  double density = 7850;     // kg/m^3
-  double heat_solid = 620;   // J/(kg K), specific heat below the transition
-  double heat_liquid = 820;  // J/(kg K), above it
-  double conductivity = 45;  // W/(m K)
-  double transition = 1800;  // K, melting or decomposition
-  double latent = 270e3;     // J/kg, taken at the transition
-  double emissivity = 0.8;   // 0 .. 1, of both sides
-  // The share of the power of a beam that stays in a face, 0 .. 1, at 1.07 um (fibre lasers) and at 10.6 um
-  // (CO2), and the one of these wavelengths (m) with which the material is usually cut.
-  double absorptivity_fibre = 0.33;
-  double absorptivity_co2 = 0.1;
-  double wavelength = 1.07e-6;
+#define KERF_MEMBER(member, key, initial, ...) double member = initial;
+  KERF_SUBSTANCE(KERF_MEMBER)
+#undef KERF_MEMBER
   friend bool operator==(const Substance&, const Substance&) = default;
 };
+
+// The rows of the table, in its order.
+#define KERF_FIELD(member, key, initial, missing, least, most, unit, ...) \
+  {#member, key, &Substance::member, {least, most, unit}, missing, __VA_ARGS__},
+inline constexpr NumberField<Substance> kSubstanceFields[] = {KERF_SUBSTANCE(KERF_FIELD)};
+#undef KERF_FIELD
+constexpr const NumberField<Substance>& substance_field(double Substance::*member) {
+  const NumberField<Substance>* field = kSubstanceFields;
+  while (field->member != member) ++field;
+  return *field;
+}
+
+// The substance that a scene stands for that gives no constant.
+constexpr Substance substance_without_keys() {
+  Substance s;
+  for (const NumberField<Substance>& field : kSubstanceFields) s.*field.member = field.missing.value;
+  return s;
+}
 
 // The absorptivity at a wavelength (m), that of the nearer of the two; 0 stands for the usual wavelength.
 constexpr double absorptivity(const Substance& s, double wavelength) {

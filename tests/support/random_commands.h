@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/base/random.h"
+#include "core/document/beam_at.h"
 #include "core/document/command.h"
 
 namespace kerf::test {

@@ -76,17 +76,8 @@ Result<EventScript::Next> EventScript::take(const std::string& name, const JsonV
   if (name == "picture") return then(Next::kStep, take_picture(value));
   if (name == "answer") return then(Next::kStep, print_answer(value, answer));
   if (name == "together") return then(Next::kFrame, hear_together(value));
-  if (name == "frame") {
-    const auto seconds = value.positive_number();
-    if (!seconds) return seconds.error();
-    frame_seconds_ = *seconds;
-    return Next::kStep;
-  }
-  if (name == "draws") {
-    if (!value.json().is_boolean()) return value.wrong("must be true or false");
-    draws_ = value.json();
-    return Next::kStep;
-  }
+  if (name == "frame") return then(Next::kStep, assign(value.positive_number(), frame_seconds_));
+  if (name == "draws") return then(Next::kStep, assign(value.flag(), draws_));
   return then(Next::kFrame, input_.hear(name, value));
 }
 

@@ -42,15 +42,6 @@ std::optional<int> button_named(const std::string& name) {
   return std::nullopt;
 }
 
-Result<Vec2> two_numbers(const JsonValue& value) {
-  if (!value.json().is_array() || value.json().size() != 2) return value.wrong("must be two numbers");
-  const auto x = value[0].number();
-  if (!x) return x.error();
-  const auto y = value[1].number();
-  if (!y) return y.error();
-  return Vec2{*x, *y};
-}
-
 }  // namespace
 
 Status VirtualInput::hear(const std::string& name, const JsonValue& value) {
@@ -83,9 +74,9 @@ void VirtualInput::put(InputEvent::Kind kind, int button, double wheel) {
 }
 
 Status VirtualInput::move(const JsonValue& value) {
-  const auto at = two_numbers(value);
+  const auto at = value.pair();
   if (!at) return at.error();
-  pointer_ = *at;
+  pointer_ = {at->low, at->high};
   put(InputEvent::Kind::kMove);
   return Done{};
 }
@@ -148,24 +139,17 @@ Status VirtualInput::drop(const JsonValue& value) {
 }
 
 Status VirtualInput::resize(const JsonValue& value) {
-  const auto size = two_numbers(value);
-  if (!size) return size.error();
-  if (!(size->x >= 1 && size->y >= 1 && size->x <= kLargestWindow && size->y <= kLargestWindow))
+  const auto read = value.pair();
+  if (!read) return read.error();
+  const Vec2 size{read->low, read->high};
+  if (!(size.x >= 1 && size.y >= 1 && size.x <= kLargestWindow && size.y <= kLargestWindow))
     return value.wrong("must be from 1 to 8192 pixels");
-  size_ = glm::floor(*size);
+  size_ = glm::floor(size);
   return Done{};
 }
 
-Status VirtualInput::focus(const JsonValue& value) {
-  if (!value.json().is_boolean()) return value.wrong("must be true or false");
-  focus_ = value.json().get<bool>();
-  return Done{};
-}
+Status VirtualInput::focus(const JsonValue& value) { return assign(value.flag(), focus_); }
 
-Status VirtualInput::close(const JsonValue& value) {
-  if (!value.json().is_boolean()) return value.wrong("must be true or false");
-  heard_.close = value.json().get<bool>();
-  return Done{};
-}
+Status VirtualInput::close(const JsonValue& value) { return assign(value.flag(), heard_.close); }
 
 }  // namespace kerf

@@ -1,13 +1,12 @@
 #pragma once
 
-#include <array>
 #include <string>
 
 #include "core/base/tick.h"
-#include "core/document/commands/command_reader.h"
-#include "core/document/commands/command_writer.h"
 
 namespace kerf {
+
+class Fields;
 
 // Lets time pass: so many ticks (see core/base/tick.h). It does not end a running stroke; it takes effect
 // when the moves before it are walked. All that changes in a world by itself changes here.
@@ -19,15 +18,12 @@ struct Advance {
   bool joins = false;
 
   static constexpr const char* kName = "advance";
-  static constexpr std::array<const char*, 1> kKeys{"ticks"};
-  static constexpr std::array<const char*, 2> kOptionalKeys{"bodies", "joins"};
   // The largest number in one line of a journal: each second of a run is a line of its own.
   static constexpr Ticks kMostInALine = kTicksPerSecond;
 
   std::string words() const;
   size_t weight() const { return 0; }
-  void write(CommandWriter& line) const;
-  static Result<Advance> read(const CommandReader& line);
 };
+void describe(Fields& f, Advance& c);
 
 }  // namespace kerf

@@ -1,6 +1,9 @@
 #include "core/document/commands/begin_stroke.h"
 
 #include "core/base/length_text.h"
+#include "core/document/fields.h"
+#include "core/document/pose_fields.h"
+#include "core/document/settings_fields.h"
 
 namespace kerf {
 
@@ -9,17 +12,9 @@ std::string BeginStroke::words() const {
          (settings.laser.pattern == Pattern::kRays4 ? ", four rays" : "");
 }
 
-void BeginStroke::write(CommandWriter& line) const {
-  line.settings(settings);
-  line.pose(pose);
-}
-
-Result<BeginStroke> BeginStroke::read(const CommandReader& line) {
-  const auto settings = line.settings();
-  if (!settings) return settings.error();
-  const auto pose = line.pose();
-  if (!pose) return pose.error();
-  return BeginStroke{*settings, *pose};
+void describe(Fields& f, BeginStroke& c) {
+  f.object("settings", c.settings);
+  describe(f, c.pose);
 }
 
 }  // namespace kerf

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <array>
 #include <string>
 
-#include "core/document/commands/command_reader.h"
-#include "core/document/commands/command_writer.h"
+#include "core/cut/cut_step.h"
 
 namespace kerf {
+
+class Fields;
 
 // Begins a stroke: the beam is on from here, at this pose (world coordinates), at time 0 of the stroke.
 struct BeginStroke {
@@ -14,12 +14,9 @@ struct BeginStroke {
   Pose pose;
 
   static constexpr const char* kName = "begin";
-  static constexpr std::array<const char*, 3> kKeys{"settings", "origin", "direction"};
-  static constexpr std::array<const char*, 0> kOptionalKeys{};
   std::string words() const;
   size_t weight() const { return 0; }
-  void write(CommandWriter& line) const;
-  static Result<BeginStroke> read(const CommandReader& line);
 };
+void describe(Fields& f, BeginStroke& c);
 
 }  // namespace kerf

@@ -1,29 +1,25 @@
 #pragma once
 
-#include <array>
 #include <string>
 
 #include "core/base/progress.h"
-#include "core/document/commands/command_reader.h"
-#include "core/document/commands/command_writer.h"
 #include "core/world/delta.h"
 #include "core/world/world.h"
 
 namespace kerf {
+
+class Fields;
 
 // Removes a piece from the world.
 struct DeletePiece {
   PieceId piece;
 
   static constexpr const char* kName = "delete-piece";
-  static constexpr std::array<const char*, 1> kKeys{"piece"};
-  static constexpr std::array<const char*, 0> kOptionalKeys{};
   std::string words() const;
   size_t weight() const { return 0; }
-  void write(CommandWriter& line) const;
-  static Result<DeletePiece> read(const CommandReader& line);
   // Does it (see HappensAtOnce).
   Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
 };
+void describe(Fields& f, DeletePiece& c);
 
 }  // namespace kerf

@@ -1,22 +1,16 @@
 #include "core/document/commands/hide_piece.h"
 
 #include "core/document/commands/edit_piece.h"
+#include "core/document/fields.h"
+#include "core/document/pose_fields.h"
 
 namespace kerf {
 
 std::string HidePiece::words() const { return (hidden ? "Hide " : "Show ") + piece_words(piece); }
 
-void HidePiece::write(CommandWriter& line) const {
-  line.piece(piece);
-  line.flag("hidden", hidden);
-}
-
-Result<HidePiece> HidePiece::read(const CommandReader& line) {
-  const auto piece = line.piece();
-  if (!piece) return piece.error();
-  const auto hidden = line.flag("hidden");
-  if (!hidden) return hidden.error();
-  return HidePiece{*piece, *hidden};
+void describe(Fields& f, HidePiece& c) {
+  piece_field(f, c.piece);
+  f.flag("hidden", c.hidden);
 }
 
 Result<Delta> HidePiece::run(World& world, uint32_t generation, const Progress*) const {

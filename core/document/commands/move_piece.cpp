@@ -1,22 +1,16 @@
 #include "core/document/commands/move_piece.h"
 
 #include "core/document/commands/edit_piece.h"
+#include "core/document/fields.h"
+#include "core/document/pose_fields.h"
 
 namespace kerf {
 
 std::string MovePiece::words() const { return "Move " + piece_words(piece); }
 
-void MovePiece::write(CommandWriter& line) const {
-  line.piece(piece);
-  line.placement(to);
-}
-
-Result<MovePiece> MovePiece::read(const CommandReader& line) {
-  const auto piece = line.piece();
-  if (!piece) return piece.error();
-  const auto to = line.placement();
-  if (!to) return to.error();
-  return MovePiece{*piece, *to};
+void describe(Fields& f, MovePiece& c) {
+  piece_field(f, c.piece);
+  describe(f, c.to);
 }
 
 Result<Delta> MovePiece::run(World& world, uint32_t generation, const Progress*) const {

@@ -1,22 +1,16 @@
 #include "core/document/commands/pin_piece.h"
 
 #include "core/document/commands/edit_piece.h"
+#include "core/document/fields.h"
+#include "core/document/pose_fields.h"
 
 namespace kerf {
 
 std::string PinPiece::words() const { return (pinned ? "Pin " : "Unpin ") + piece_words(piece); }
 
-void PinPiece::write(CommandWriter& line) const {
-  line.piece(piece);
-  line.flag("pinned", pinned);
-}
-
-Result<PinPiece> PinPiece::read(const CommandReader& line) {
-  const auto piece = line.piece();
-  if (!piece) return piece.error();
-  const auto pinned = line.flag("pinned");
-  if (!pinned) return pinned.error();
-  return PinPiece{*piece, *pinned};
+void describe(Fields& f, PinPiece& c) {
+  piece_field(f, c.piece);
+  f.flag("pinned", c.pinned);
 }
 
 Result<Delta> PinPiece::run(World& world, uint32_t generation, const Progress*) const {

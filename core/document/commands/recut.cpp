@@ -1,6 +1,8 @@
 #include "core/document/commands/recut.h"
 
 #include "core/base/length_text.h"
+#include "core/document/fields.h"
+#include "core/document/settings_fields.h"
 
 namespace kerf {
 
@@ -22,12 +24,6 @@ std::string fineness(const Resolution& r) {
 
 std::string Recut::words() const { return "Cut the stroke again, " + fineness(settings.resolution); }
 
-void Recut::write(CommandWriter& line) const { line.settings(settings); }
-
-Result<Recut> Recut::read(const CommandReader& line) {
-  const auto settings = line.settings();
-  if (!settings) return settings.error();
-  return Recut{*settings};
-}
+void describe(Fields& f, Recut& c) { f.object("settings", c.settings); }
 
 }  // namespace kerf

@@ -1,22 +1,16 @@
 #include "core/document/commands/rename_piece.h"
 
 #include "core/document/commands/edit_piece.h"
+#include "core/document/fields.h"
+#include "core/document/pose_fields.h"
 
 namespace kerf {
 
 std::string RenamePiece::words() const { return "Name " + piece_words(piece) + " " + name; }
 
-void RenamePiece::write(CommandWriter& line) const {
-  line.piece(piece);
-  line.text("name", name);
-}
-
-Result<RenamePiece> RenamePiece::read(const CommandReader& line) {
-  const auto piece = line.piece();
-  if (!piece) return piece.error();
-  const auto name = line.text("name");
-  if (!name) return name.error();
-  return RenamePiece{*piece, *name};
+void describe(Fields& f, RenamePiece& c) {
+  piece_field(f, c.piece);
+  f.text("name", c.name);
 }
 
 Result<Delta> RenamePiece::run(World& world, uint32_t generation, const Progress*) const {

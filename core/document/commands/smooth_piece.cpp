@@ -2,6 +2,8 @@
 
 #include "core/document/commands/edit_piece.h"
 #include "core/document/commands/remake_piece.h"
+#include "core/document/fields.h"
+#include "core/document/pose_fields.h"
 
 namespace kerf {
 
@@ -9,17 +11,9 @@ std::string SmoothPiece::words() const {
   return "Smooth " + piece_words(piece) + (times == 1 ? "" : ", " + std::to_string(times) + " times");
 }
 
-void SmoothPiece::write(CommandWriter& line) const {
-  line.piece(piece);
-  line.whole_number("times", times);
-}
-
-Result<SmoothPiece> SmoothPiece::read(const CommandReader& line) {
-  const auto piece = line.piece();
-  if (!piece) return piece.error();
-  const auto times = line.whole_number("times", 1, kMostSmoothing);
-  if (!times) return times.error();
-  return SmoothPiece{*piece, *times};
+void describe(Fields& f, SmoothPiece& c) {
+  piece_field(f, c.piece);
+  f.whole("times", c.times, 1, kMostSmoothing);
 }
 
 Result<Delta> SmoothPiece::run(World& world, uint32_t generation, const Progress* progress) const {

@@ -1,5 +1,7 @@
 #include "core/document/commands/stop_stroke.h"
 
+#include "core/document/fields.h"
+
 namespace kerf {
 
 namespace {
@@ -7,21 +9,9 @@ constexpr double kMostMoves = 1e9;
 constexpr Ticks kMostTicks = Ticks{1} << 40;
 }  // namespace
 
-void StopStroke::write(CommandWriter& line) const {
-  line.number("moves", moves);
-  if (ticks > 0) line.whole_number("ticks", ticks);
-}
-
-Result<StopStroke> StopStroke::read(const CommandReader& line) {
-  const auto moves = line.number_within("moves", 0, kMostMoves);
-  if (!moves) return moves.error();
-  StopStroke stop{*moves};
-  if (line.has("ticks")) {
-    const auto ticks = line.whole_number("ticks", 0, kMostTicks);
-    if (!ticks) return ticks.error();
-    stop.ticks = *ticks;
-  }
-  return stop;
+void describe(Fields& f, StopStroke& c) {
+  f.number("moves", c.moves, {0, kMostMoves});
+  f.whole("ticks", c.ticks, 0, kMostTicks, 0);
 }
 
 }  // namespace kerf

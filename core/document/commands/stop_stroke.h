@@ -1,13 +1,12 @@
 #pragma once
 
-#include <array>
 #include <string>
 
 #include "core/base/tick.h"
-#include "core/document/commands/command_reader.h"
-#include "core/document/commands/command_writer.h"
 
 namespace kerf {
+
+class Fields;
 
 // Ends the last stroke earlier than it was drawn: the beam goes off at a place of its path. It is for strokes
 // that take long to cut, and belongs to the step of the stroke.
@@ -18,12 +17,9 @@ struct StopStroke {
   Ticks ticks = 0;  // after those, for which the beam stays on while bodies move
 
   static constexpr const char* kName = "stop";
-  static constexpr std::array<const char*, 1> kKeys{"moves"};
-  static constexpr std::array<const char*, 1> kOptionalKeys{"ticks"};
   std::string words() const { return "Stop the stroke"; }
   size_t weight() const { return 0; }
-  void write(CommandWriter& line) const;
-  static Result<StopStroke> read(const CommandReader& line);
 };
+void describe(Fields& f, StopStroke& c);
 
 }  // namespace kerf

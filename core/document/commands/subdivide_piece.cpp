@@ -2,22 +2,16 @@
 
 #include "core/document/commands/edit_piece.h"
 #include "core/document/commands/remake_piece.h"
+#include "core/document/fields.h"
+#include "core/document/pose_fields.h"
 
 namespace kerf {
 
 std::string SubdividePiece::words() const { return "Subdivide " + piece_words(piece); }
 
-void SubdividePiece::write(CommandWriter& line) const {
-  line.piece(piece);
-  line.text("scheme", subdivision_name(scheme));
-}
-
-Result<SubdividePiece> SubdividePiece::read(const CommandReader& line) {
-  const auto piece = line.piece();
-  if (!piece) return piece.error();
-  const auto scheme = line.choice("scheme", kSubdivisionNames);
-  if (!scheme) return scheme.error();
-  return SubdividePiece{*piece, static_cast<Subdivision>(*scheme)};
+void describe(Fields& f, SubdividePiece& c) {
+  piece_field(f, c.piece);
+  f.choice("scheme", c.scheme, kSubdivisionNames);
 }
 
 Result<Delta> SubdividePiece::run(World& world, uint32_t generation, const Progress* progress) const {

@@ -24,7 +24,7 @@ struct ArenaBody {
   bool cuttable = false;  // a beam ends at what is not
 };
 
-// The content of an arena file.
+// The content of an arena file; the initial values are those of keys that a file does not have.
 struct ArenaDescription {
   std::string name;
   double ground = 0;    // m, the height of the plane on which everything stands

@@ -1,12 +1,13 @@
 #include "core/game/match/recording.h"
 
 #include <algorithm>
-#include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "core/base/hash.h"
+#include "core/document/fields.h"
 #include "core/document/file_hash.h"
 #include "core/document/hash_text.h"
-#include "core/document/scene_text.h"
+#include "core/document/json_text.h"
 #include "core/game/vehicle/vehicle_file.h"
 
 namespace kerf {
@@ -14,6 +15,7 @@ namespace kerf {
 namespace {
 
 constexpr const char* kNames[] = {"easy", "normal", "hard"};
+constexpr uint64_t kMostSeed = 1'000'000'000'000'000'000;
 
 // The controls of `ticks` equal ticks.
 nlohmann::ordered_json run_json(const Controls& c, size_t ticks) {
@@ -43,23 +45,34 @@ std::optional<Difficulty> parse_difficulty(std::string_view name) {
   return std::nullopt;
 }
 
+void describe_head(Fields& f, Recording& recording) {
+  std::string kind = "match";
+  f.text("kerf", kind);
+  f.check(kind == "match", "kerf", "this is no recording of a match");
+  f.version("version", recording.version, kMatchVersion);
+  f.path("rules", recording.rules);
+  f.coded("files", recording.files, parse_hash, hash_text, kHashRule);
+  f.whole("seed", recording.seed, 0, kMostSeed);
+  f.choice("difficulty", recording.difficulty, kNames);
+}
+
+void describe_end(Fields& f, Recording& recording) {
+  uint64_t hash = recording.hash.value_or(0);
+  f.coded("hash", hash, parse_hash, hash_text, kHashRule);
+  f.text("machine", recording.machine, kOptional);
+  if (f.good()) recording.hash = hash;
+}
+
 Result<std::string> recording_text(const Recording& recording, const std::filesystem::path& folder) {
-  const nlohmann::ordered_json head{{"kerf", "match"},
-                                    {"version", recording.version},
-                                    {"rules", path_text(std::filesystem::absolute(recording.rules), folder)},
-                                    {"files", hash_text(recording.files)},
-                                    {"seed", recording.seed},
-                                    {"difficulty", name_of(recording.difficulty)}};
-  auto text = dump_json(head);
+  Recording written = recording;
+  auto text = dump_json(visited_json(folder, [&](Fields& f) { describe_head(f, written); }));
   if (!text) return text.error();
   *text += "\n";
   const std::span<const Controls> all(recording.controls);
   for (size_t i = 0; i < all.size(); i += kTicksPerSecond)
     *text += inputs_line(all.subspan(i, std::min<size_t>(kTicksPerSecond, all.size() - i)));
-  if (recording.hash) {
-    const nlohmann::ordered_json end{{"hash", hash_text(*recording.hash)}, {"machine", recording.machine}};
-    *text += end.dump() + "\n";
-  }
+  if (recording.hash)
+    *text += visited_json(folder, [&](Fields& f) { describe_end(f, written); }).dump() + "\n";
   return text;
 }
 

@@ -1,8 +1,7 @@
 #include <fstream>
 
-#include "core/document/hash_text.h"
+#include "core/document/fields.h"
 #include "core/document/json_value.h"
-#include "core/game/json_fields.h"
 #include "core/game/match/recording.h"
 
 namespace kerf {
@@ -10,29 +9,6 @@ namespace kerf {
 namespace {
 
 constexpr size_t kMostTicks = 36'000 * kTicksPerSecond;
-
-Status parse_head(const JsonValue& head, const std::filesystem::path& folder, Recording& recording) {
-  std::string kind, rules, files, difficulty;
-  double seed = 0;
-  JsonFields fields(head);
-  fields.text("kerf", kind, true)
-      .count("version", recording.version, 1, kMatchVersion, true)
-      .text("rules", rules, true);
-  fields.text("files", files, true).number("seed", seed, {0, 1e18}, true);
-  fields.text("difficulty", difficulty, true);
-  if (!fields.status()) return fields.status();
-  if (kind != "match") return head["kerf"].wrong("this is no recording of a match");
-  const auto hash = parse_hash(files);
-  if (!hash) return head["files"].wrong("must be sixteen hexadecimal digits");
-  const auto named = parse_difficulty(difficulty);
-  if (!named) return head["difficulty"].wrong("must be \"easy\", \"normal\" or \"hard\"");
-  if (!head["seed"].json().is_number_unsigned()) return head["seed"].wrong("must be a whole number");
-  recording.rules = folder / rules;
-  recording.files = *hash;
-  recording.seed = head["seed"].json().get<uint64_t>();
-  recording.difficulty = *named;
-  return Done{};
-}
 
 // A whole number within limits, of an element of a run.
 template <typename T>
@@ -59,19 +35,20 @@ Status parse_run(const JsonValue& value, std::vector<Controls>& controls) {
   return Done{};
 }
 
-Status parse_line(const JsonValue& line, Recording& recording) {
-  if (const Status object = line.object(); !object) return object;
-  if (!line.has("hash")) {
-    return JsonFields(line)
-        .list(
-            "inputs", "runs", [&](const JsonValue& run) { return parse_run(run, recording.controls); }, true)
-        .status();
+Status parse_runs(const JsonValue& value, Recording& recording) {
+  if (const Status list = value.array("runs"); !list) return list;
+  for (size_t i = 0; i < value.json().size(); ++i) {
+    if (const Status run = parse_run(value[i], recording.controls); !run) return run;
   }
-  std::string hash;
-  const Status parsed = JsonFields(line).text("hash", hash).text("machine", recording.machine).status();
-  recording.hash = parse_hash(hash);
-  if (parsed && !recording.hash) return line["hash"].wrong("must be sixteen hexadecimal digits");
-  return parsed;
+  return Done{};
+}
+
+// Line `number`, from 1, which is the head.
+void describe_line(Fields& f, size_t number, Recording& recording) {
+  if (number == 1) return describe_head(f, recording);
+  if (f.present("hash", false)) return describe_end(f, recording);
+  f.value(
+      "inputs", [&](const JsonValue& runs) { return parse_runs(runs, recording); }, nullptr);
 }
 
 }  // namespace
@@ -91,10 +68,9 @@ Result<Recording> read_recording(const std::filesystem::path& file) {
   for (size_t at = 0; at < text->size();) {
     const size_t end = text->find('\n', at);
     const std::string where = file.string() + ": line " + std::to_string(++number);
-    const auto json = parse_json(std::string_view(*text).substr(at, end - at), where);
-    const Status parsed = !json         ? Status(json.error())
-                          : number == 1 ? parse_head(JsonValue(*json, where), file.parent_path(), recording)
-                                        : parse_line(JsonValue(*json, where), recording);
+    const std::string_view line = std::string_view(*text).substr(at, end - at);
+    const Status parsed = read_text_fields(line, where, file.parent_path(),
+                                           [&](Fields& f) { describe_line(f, number, recording); });
     if (!parsed && number == 1) return parsed.error();
     if (!parsed || end == std::string::npos) {
       recording.damage = where + " is damaged, and the match is read up to there";

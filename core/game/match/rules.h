@@ -40,7 +40,7 @@ struct MatchTimes {
   double stuck = 3;          // s, for which it does not get away before it is lifted
 };
 
-// The content of a rules file.
+// The content of a rules file. The initial values are those of keys that a file does not have.
 struct RulesDescription {
   std::string name;
   std::filesystem::path arena, player;

@@ -12,7 +12,8 @@
 namespace kerf {
 
 // Lengths in the frame of the mesh of a vehicle: +Y up, +Z forward, +X to the left, the origin on the ground
-// below its middle. A part is all groups of the mesh whose names begin with the name of the part.
+// below its middle. A part is all groups of the mesh whose names begin with the name of the part. The initial
+// values are those of keys that a file does not have.
 
 struct WheelDescription {
   std::string part, mount;  // the mount is a part of the chassis

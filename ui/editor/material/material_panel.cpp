@@ -3,7 +3,9 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <utility>
 
+#include "core/document/sheet_fields.h"
 #include "ui/editor/view/piece_set.h"
 #include "ui/render/assets.h"
 #include "ui/window/landmarks.h"
@@ -19,13 +21,12 @@ std::optional<PieceId> piece_of_sheet(const World& world, const ViewState& view)
   return PieceId{bodies.front(), 0};
 }
 
-// A number of the sheet that is shown in another unit, which has this size. What is typed is limited to what
-// a journal can hold (see SetSheet).
-bool MaterialPanel::number(const char* name, double& value, double unit, const Limits& within,
-                           const RealFormat& format, const char* meaning) {
-  double shown = value / unit;
-  if (!fields_.number(name, shown, format, meaning)) return false;
-  value = std::clamp(shown * unit, within.least, within.most);
+// What is typed is limited to what a journal can hold.
+template <typename Owner>
+bool MaterialPanel::number(const NumberField<Owner>& field, const RealFormat& format, Owner& owner) {
+  double shown = owner.*field.member / field.scale;
+  if (!fields_.number(field.label, shown, format, field.meaning)) return false;
+  owner.*field.member = std::clamp(shown * field.scale, field.range.least, field.range.most);
   return true;
 }
 
@@ -55,37 +56,28 @@ bool MaterialPanel::draw_presets(Sheet& sheet) {
   return changed;
 }
 
-bool MaterialPanel::draw_thermal_numbers(Substance& s) {
-  constexpr Limits kShare{0, 1};
-  bool changed = number("Heat, solid", s.heat_solid, 1, {1e-3, 1e6}, "%.4g J/(kg K)",
-                        "What it takes to heat it by a kelvin.");
-  changed |=
-      number("Heat, liquid", s.heat_liquid, 1, {1e-3, 1e6}, "%.4g J/(kg K)", "The same once it is molten.");
-  changed |=
-      number("Conductivity", s.conductivity, 1, {0, 1e6}, "%.4g W/(m K)", "How well it conducts heat.");
-  changed |= number("Melts at", s.transition, 1, {kAmbient + 1, 1e5}, "%.4g K",
-                    "Where it melts, or decomposes. With the latent heat on top it is gone.");
-  changed |=
-      number("Latent heat", s.latent, 1000, {0, 1e9}, "%.4g kJ/kg", "What melting takes, or decomposing.");
-  changed |=
-      number("Emissivity", s.emissivity, 1, kShare, "%.3g", "0 to 1: how well it radiates, from both sides.");
-  changed |= number("Absorbs, fibre", s.absorptivity_fibre, 1, kShare, "%.3g",
-                    "0 to 1: the share of a beam of 1.07 \xc2\xb5m that stays in it.");
-  changed |= number("Absorbs, CO2", s.absorptivity_co2, 1, kShare, "%.3g",
-                    "0 to 1: the share of a beam of 10.6 \xc2\xb5m that stays in it.");
+// The compiler checks the formats, so that the rows are unrolled.
+bool MaterialPanel::draw_constants(Substance& substance) {
+  bool changed = false;
+  const auto row = [&](const NumberField<Substance>& field, const RealFormat& format) {
+    if (field.label == nullptr || field.member == &Substance::density) return;
+    changed |= number(field, format, substance);
+  };
+  [&]<size_t... i>(std::index_sequence<i...>) { (row(kSubstanceFields[i], kSubstanceFields[i].format), ...); }
+  (std::make_index_sequence<std::size(kSubstanceFields)>());
   return changed;
 }
 
 bool MaterialPanel::draw_numbers(Sheet& sheet) {
-  bool changed =
-      number("Thickness", sheet.thickness, 0.001, {1e-9, 1e3}, "%.4g mm", "Of the sheet that the faces are.");
-  if (number("Density", sheet.substance.density, 1, {1e-3, 1e6}, "%.5g kg/m\xc2\xb3", "Of the material.")) {
+  bool changed = number(kThickness, kThickness.format, sheet);
+  constexpr const NumberField<Substance>& kDensityOfMaterial = substance_field(&Substance::density);
+  if (number(kDensityOfMaterial, kDensityOfMaterial.format, sheet.substance)) {
     sheet.density = sheet.substance.density;
     changed = true;
   }
   if (ImGui::TreeNode("Constants of the material")) {
     if (begin_properties("constants")) {
-      changed |= draw_thermal_numbers(sheet.substance);
+      changed |= draw_constants(sheet.substance);
       end_properties();
     }
     ImGui::TreePop();

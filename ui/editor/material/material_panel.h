@@ -21,12 +21,9 @@ class MaterialPanel {
  private:
   bool draw_presets(Sheet& sheet);
   bool draw_numbers(Sheet& sheet);
-  bool draw_thermal_numbers(Substance& substance);
-  struct Limits {
-    double least, most;
-  };
-  bool number(const char* name, double& value, double unit, const Limits& within, const RealFormat& format,
-              const char* meaning);
+  bool draw_constants(Substance& substance);
+  template <typename Owner>
+  bool number(const NumberField<Owner>& field, const RealFormat& format, Owner& owner);
 
   NumberFields fields_;
   std::optional<Result<std::vector<Material>>> materials_;  // once the panel was drawn

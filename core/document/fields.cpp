@@ -1,0 +1,342 @@
+#include "core/document/fields.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "core/base/unit_vector.h"
+#include "core/document/json_text.h"
+#include "core/document/json_value.h"
+
+namespace kerf {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kFarthest = 1e5;  // m
+constexpr double kRadians = std::numbers::pi / 180, kDegrees = 180 / std::numbers::pi;
+
+std::string number_text(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.10g", x);
+  return text;
+}
+
+std::string span_text(const NumberRange& range) {
+  return "from " + number_text(range.least) + " to " + number_text(range.most) + (*range.unit ? " " : "") +
+         range.unit;
+}
+
+Result<double> number_within(const JsonValue& value, const NumberRange& range) {
+  const auto number = value.number();
+  if (!number || range.contains(*number)) return number;
+  if (range.positive && *number <= 0) return value.wrong("must be greater than zero");
+  if (range.least == kPositiveShare.least) return value.wrong("must be at most " + number_text(range.most));
+  return value.wrong("must be " + span_text(range));
+}
+
+Result<uint64_t> whole_within(const JsonValue& value, uint64_t least, uint64_t most) {
+  const nlohmann::json& json = value.json();
+  const double number = json.is_number_float() ? json.get<double>() : -1;
+  const bool whole = number >= 0 && number <= 1e15 && std::floor(number) == number;
+  if (json.is_number_unsigned() || whole) {
+    const uint64_t n = whole ? static_cast<uint64_t>(number) : json.get<uint64_t>();
+    if (n >= least && n <= most) return n;
+  }
+  return value.wrong("must be a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+}
+
+Result<Vec3> vector_by(const JsonValue& value, VectorRule rule) {
+  const auto v = value.vector();
+  if (!v) return v;
+  if (rule == VectorRule::kUnit && !is_unit_length2(glm::dot(*v, *v)))
+    return value.wrong("must have length 1");
+  if (rule == VectorRule::kNotZero && *v == Vec3(0)) return value.wrong("must not be zero");
+  if (rule == VectorRule::kNearby && !(glm::length(*v) < kFarthest))
+    return value.wrong("is farther than 100000 m away");
+  return v;
+}
+
+Result<Interval> ascending_angles(const JsonValue& value, const NumberRange& degrees) {
+  const auto two = value.pair();
+  if (!two) return two.error();
+  if (two->low > two->high || !degrees.contains(two->low) || !degrees.contains(two->high))
+    return value.wrong("must be two angles in degrees, ascending, " + span_text(degrees));
+  return Interval{two->low * kRadians, two->high * kRadians};
+}
+
+// "a", "b" or "c"
+std::string list_text(std::span<const char* const> names) {
+  std::string all;
+  for (size_t i = 0; i < names.size(); ++i)
+    all += (i == 0 ? "\"" : i + 1 == names.size() ? " or \"" : ", \"") + std::string(names[i]) + '"';
+  return all;
+}
+
+Result<uint64_t> index_of(const JsonValue& value, std::span<const char* const> names) {
+  const auto text = value.text();
+  if (!text) return text.error();
+  const auto found = std::find(names.begin(), names.end(), *text);
+  if (found == names.end()) return value.wrong("must be " + list_text(names));
+  return static_cast<uint64_t>(found - names.begin());
+}
+
+constexpr auto kAsItIs = [](const auto& x) { return x; };
+
+}  // namespace
+
+Fields::Fields(const JsonValue& in, Pass& pass) : in_(&in), pass_(pass) { note(in.object()); }
+
+bool Fields::has(const char* key) const { return in_->has(key); }
+
+// Whether the key is there to be read.
+bool Fields::take(const char* key, bool needed) {
+  keys_.push_back(key);
+  if (!good()) return false;
+  const bool there = has(key);
+  if (!there && needed) note(in_->wrong("needs \"" + std::string(key) + "\""));
+  return there;
+}
+
+bool Fields::present(const char* key, bool written) { return reading() ? take(key, false) : written; }
+
+template <typename T, typename Read, typename Write>
+Fields& Fields::field(const char* key, T& x, const Missing<T>& missing, Read read, Write write) {
+  if (!reading()) {
+    if (missing.is_written(x)) (*out_)[key] = write(x);
+  } else if (take(key, missing.needed())) {
+    note(assign(read((*in_)[key]), x));
+  } else if (missing.value()) {
+    x = *missing.value();
+  }
+  return *this;
+}
+
+Fields& Fields::number(const char* key, double& x, const NumberRange& range, const Missing<double>& missing) {
+  return field(
+      key, x, missing, [&](const JsonValue& value) { return number_within(value, range); }, kAsItIs);
+}
+
+Fields& Fields::number(const char* key, std::optional<double>& x, const NumberRange& range) {
+  if (!present(key, x.has_value())) return *this;
+  return number(key, reading() ? x.emplace() : *x, range);
+}
+
+void Fields::whole_number(const char* key, uint64_t& n, uint64_t least, uint64_t most,
+                          const Missing<uint64_t>& missing) {
+  field(
+      key, n, missing, [&](const JsonValue& value) { return whole_within(value, least, most); }, kAsItIs);
+}
+
+void Fields::one_of(const char* key, uint64_t& number, std::span<const char* const> names,
+                    const Missing<uint64_t>& missing) {
+  field(
+      key, number, missing, [&](const JsonValue& value) { return index_of(value, names); },
+      [&](uint64_t i) { return names[i]; });
+}
+
+Fields& Fields::flag(const char* key, bool& flag, const Missing<bool>& missing) {
+  return field(
+      key, flag, missing, [](const JsonValue& value) { return value.flag(); }, kAsItIs);
+}
+
+Fields& Fields::text(const char* key, std::string& text, const Missing<std::string>& missing) {
+  return field(
+      key, text, missing, [](const JsonValue& value) { return value.text(); }, kAsItIs);
+}
+
+Fields& Fields::filled_text(const char* key, std::string& text, const Missing<std::string>& missing) {
+  this->text(key, text, missing);
+  return check(!text.empty() || !reading() || !has(key), key, "must not be empty");
+}
+
+Fields& Fields::path(const char* key, std::filesystem::path& path, Presence presence) {
+  std::string name = reading() ? "" : path_text(path, pass_.folder);
+  filled_text(key, name, presence);
+  if (reading() && !name.empty()) path = pass_.folder / name;
+  return *this;
+}
+
+Fields& Fields::vector(const char* key, Vec3& v, VectorRule rule, const Missing<Vec3>& missing) {
+  return field(
+      key, v, missing, [&](const JsonValue& value) { return vector_by(value, rule); }, vector_json);
+}
+
+Fields& Fields::orientation(const char* key, glm::dquat& turn, const Missing<glm::dquat>& missing) {
+  return field(
+      key, turn, missing, [](const JsonValue& value) { return value.orientation(); },
+      [](const glm::dquat& q) {
+        return Json{q.w, q.x, q.y, q.z};
+      });
+}
+
+Fields& Fields::interval(const char* key, Interval& range, const NumberRange& within, Presence presence) {
+  return value(
+      key,
+      [&](const JsonValue& value) -> Status {
+        if (const Status read = assign(value.interval(), range); !read) return read;
+        const bool inside = within.contains(range.low) && within.contains(range.high);
+        return inside ? Status(Done{}) : value.wrong("must be " + span_text(within));
+      },
+      [&] {
+        return Json{range.low, range.high};
+      },
+      presence);
+}
+
+Fields& Fields::interval(const char* key, std::optional<Interval>& range) {
+  if (!present(key, range.has_value())) return *this;
+  return interval(key, reading() ? range.emplace() : *range);
+}
+
+Fields& Fields::angle(const char* key, double& radians, const NumberRange& degrees, Presence presence) {
+  double angle = radians * kDegrees;
+  number(key, angle, degrees, presence);
+  if (reading()) radians = angle * kRadians;
+  return *this;
+}
+
+Fields& Fields::angles(const char* key, Interval& radians, const NumberRange& degrees, Presence presence) {
+  return value(
+      key, [&](const JsonValue& value) { return assign(ascending_angles(value, degrees), radians); },
+      [&] {
+        return Json{radians.low * kDegrees, radians.high * kDegrees};
+      },
+      presence);
+}
+
+Fields& Fields::value(const char* key, const std::function<Status(const JsonValue&)>& read,
+                      const std::function<Json()>& write, Presence presence) {
+  if (!reading()) {
+    (*out_)[key] = write();
+  } else if (take(key, presence == kNeeded)) {
+    note(read((*in_)[key]));
+  }
+  return *this;
+}
+
+Fields& Fields::member(const char* key, Presence presence, const std::function<void(Fields&)>& visit) {
+  if (!reading()) {
+    Json& out = (*out_)[key] = Json::object();
+    Fields fields(out, pass_);
+    visit(fields);
+  } else if (take(key, presence == kNeeded)) {
+    const JsonValue value = (*in_)[key];
+    Fields fields(value, pass_);
+    visit(fields);
+  }
+  return *this;
+}
+
+Fields& Fields::each(const char* key, const char* of_what, Presence presence, size_t size,
+                     const std::function<void(size_t)>& resize,
+                     const std::function<void(size_t, Fields&)>& visit) {
+  if (!reading()) {
+    if (size == 0 && presence == kOptional) return *this;
+    Json& list = (*out_)[key] = Json::array();
+    for (size_t i = 0; i < size; ++i) {
+      Fields fields(list.emplace_back(Json::object()), pass_);
+      visit(i, fields);
+    }
+  } else if (take(key, presence == kNeeded)) {
+    const JsonValue list = (*in_)[key];
+    note(list.array(of_what));
+    if (good()) resize(list.json().size());
+    for (size_t i = 0; good() && i < list.json().size(); ++i) {
+      const JsonValue element = list[i];
+      Fields fields(element, pass_);
+      visit(i, fields);
+    }
+  }
+  return *this;
+}
+
+Fields& Fields::named(const char* key, const std::vector<std::string>& names,
+                      const std::function<void(const std::string&, Fields&)>& visit) {
+  if (!reading()) {
+    for (const std::string& name : names) {
+      Fields fields((*out_)[key][name] = Json::object(), pass_);
+      visit(name, fields);
+    }
+  } else if (take(key, false)) {
+    const JsonValue objects = (*in_)[key];
+    note(objects.object());
+    if (!good()) return *this;
+    for (const auto& item : objects.json().items()) {
+      const JsonValue object = objects[item.key()];
+      Fields fields(object, pass_);
+      if (good()) visit(item.key(), fields);
+    }
+  }
+  return *this;
+}
+
+Fields& Fields::version(const char* key, uint64_t& version, uint64_t newest, Presence presence) {
+  return value(
+      key,
+      [&](const JsonValue& value) -> Status {
+        if (value.json().is_number_unsigned() && value.json() > newest)
+          return value.wrong("the file is of a newer version of Kerf: this one reads version " +
+                             std::to_string(newest));
+        return assign(whole_within(value, 1, newest), version);
+      },
+      [&] { return Json(version); }, presence);
+}
+
+Fields& Fields::check(bool holds, const char* key, const std::string& wrong) {
+  if (!reading() || !good() || holds) return *this;
+  note((key != nullptr && has(key) ? (*in_)[key] : *in_).wrong(wrong));
+  return *this;
+}
+
+nlohmann::json Fields::unknown() const {
+  nlohmann::json rest = nlohmann::json::object();
+  for (const auto& item : in_->json().items()) {
+    if (std::find(keys_.begin(), keys_.end(), item.key()) == keys_.end()) rest[item.key()] = item.value();
+  }
+  return rest;
+}
+
+Fields& Fields::others(std::string& json) {
+  if (!reading()) {
+    const Json kept = Json::parse(json, nullptr, false);
+    if (kept.is_object()) out_->update(kept);
+  } else if (good()) {
+    json = unknown().dump();
+  }
+  return *this;
+}
+
+Fields& Fields::no_others(const std::string& wrong) {
+  if (!reading() || !good()) return *this;
+  const nlohmann::json rest = unknown();
+  return check(rest.empty(), rest.empty() ? nullptr : rest.begin().key().c_str(), wrong);
+}
+
+Status read_text_fields(std::string_view text, const std::string& where, const std::filesystem::path& folder,
+                        const std::function<void(Fields&)>& visit) {
+  const auto json = parse_json(text, where);
+  if (!json) return json.error();
+  const JsonValue root(*json, where);
+  Fields::Pass pass{folder};
+  Fields fields(root, pass);
+  visit(fields);
+  return pass.status;
+}
+
+Status read_file_fields(const std::filesystem::path& file, const std::function<void(Fields&)>& visit) {
+  const auto text = read_text_file(file);
+  return text ? read_text_fields(*text, file.string(), file.parent_path(), visit) : Status(text.error());
+}
+
+Json visited_json(const std::filesystem::path& folder, const std::function<void(Fields&)>& visit) {
+  Json json = Json::object();
+  Fields::Pass pass{folder};
+  Fields fields(json, pass);
+  visit(fields);
+  return json;
+}
+
+}  // namespace kerf

@@ -1,0 +1,237 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <glm/gtc/quaternion.hpp>
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "core/base/interval.h"
+#include "core/base/number_range.h"
+#include "core/base/result.h"
+#include "core/base/vec3.h"
+
+namespace kerf {
+
+class JsonValue;
+
+// What it means that the key of a field is missing.
+enum class Presence {
+  kNeeded,    // an error; the key is always written
+  kOptional,  // the member keeps its value; the key is always written, except that of an empty list
+};
+inline constexpr Presence kNeeded = Presence::kNeeded, kOptional = Presence::kOptional;
+
+// The same of a field whose missing key may stand for a value: for what Kerf did before the key existed, for
+// ever, whatever the default of new work is. The key is written where the member has another value, or, of
+// keys that were always written, in any case.
+template <typename T>
+class Missing {
+ public:
+  Missing(Presence presence) : needed_(presence == kNeeded) {}     // NOLINT: reads as a word of a table
+  Missing(T value) : value_(std::move(value)), written_(false) {}  // NOLINT
+  Missing(T value, Presence) : value_(std::move(value)) {}         // and the key is always written
+
+  bool needed() const { return needed_; }
+  const std::optional<T>& value() const { return value_; }
+  // Whether the key of a member with this value is written.
+  bool is_written(const T& x) const { return written_ || x != *value_; }
+
+ private:
+  bool needed_ = false;
+  std::optional<T> value_;
+  bool written_ = true;
+};
+
+// Which vectors a field may have; all are finite.
+enum class VectorRule { kAny, kUnit, kNotZero, kNearby };  // nearby: within 100 km of the origin
+
+// The JSON object of a value while the fields of the value are visited, in order to read or to write them.
+// Each saved type has one table of its fields, which both directions go through:
+//
+//   void describe(Fields& f, Paint& paint) {
+//     f.coded("colour", paint.colour, parse_colour, colour_text, "must be a colour", kOptional);
+//     f.number("gloss", paint.gloss, kShare, kOptional);
+//   }
+//
+// A line has the key, the member, what is allowed, and what a missing key means. The table of a type that one
+// file alone knows is static and not in an unnamed namespace, where it would not be found by its argument.
+// After the first error nothing more is read; read_fields() returns it, with the file and the JSON pointer of
+// the wrong value. On writing, the keys are in the order of the table.
+class Fields {
+ public:
+  // What the fields of a file share.
+  struct Pass {
+    const std::filesystem::path& folder;  // of the file, to which its paths are relative
+    Status status = Done{};
+  };
+  // To read from `in`, which must outlive the fields; fails where it is no object.
+  Fields(const JsonValue& in, Pass& pass);
+  // To write to `out`.
+  Fields(nlohmann::ordered_json& out, Pass& pass) : out_(&out), pass_(pass) {}
+
+  bool reading() const { return in_ != nullptr; }
+  const std::filesystem::path& folder() const { return pass_.folder; }
+  // Whether the key is in the file, or on writing, whether it is to be: for fields that depend on others.
+  bool present(const char* key, bool written);
+
+  Fields& number(const char* key, double& x, const NumberRange& range,
+                 const Missing<double>& missing = kNeeded);
+  Fields& number(const char* key, std::optional<double>& x, const NumberRange& range);
+  template <typename Whole>
+  Fields& whole(const char* key, Whole& n, uint64_t least, uint64_t most,
+                const Missing<uint64_t>& missing = kNeeded) {
+    uint64_t number = static_cast<uint64_t>(n);
+    whole_number(key, number, least, most, missing);
+    n = static_cast<Whole>(number);
+    return *this;
+  }
+  Fields& flag(const char* key, bool& flag, const Missing<bool>& missing = kNeeded);
+  // The value whose number in `names` is that of the name in the file.
+  template <typename Enum>
+  Fields& choice(const char* key, Enum& x, std::span<const char* const> names,
+                 const std::type_identity_t<std::optional<Enum>>& missing = std::nullopt) {
+    uint64_t number = static_cast<uint64_t>(x);
+    one_of(key, number, names, missing ? Missing(static_cast<uint64_t>(*missing)) : kNeeded);
+    x = static_cast<Enum>(number);
+    return *this;
+  }
+  Fields& text(const char* key, std::string& text, const Missing<std::string>& missing = kNeeded);
+  Fields& filled_text(const char* key, std::string& text, const Missing<std::string>& missing = kNeeded);
+  // A file, as path_text() names it; not empty.
+  Fields& path(const char* key, std::filesystem::path& path, Presence presence = kNeeded);
+  Fields& vector(const char* key, Vec3& v, VectorRule rule = VectorRule::kAny,
+                 const Missing<Vec3>& missing = kNeeded);
+  Fields& orientation(const char* key, glm::dquat& turn, const Missing<glm::dquat>& missing = kNeeded);
+  // Two numbers, 0 <= first <= second.
+  Fields& interval(const char* key, Interval& range, const NumberRange& within = kFinite,
+                   Presence presence = kNeeded);
+  Fields& interval(const char* key, std::optional<Interval>& range);
+  // An angle, or two ascending ones, that are degrees in the file and radians in memory.
+  Fields& angle(const char* key, double& radians, const NumberRange& degrees, Presence presence);
+  Fields& angles(const char* key, Interval& radians, const NumberRange& degrees, Presence presence);
+
+  // A value that is a text in the file; `wrong` says what a text must be that is not parsed.
+  template <typename T, typename Text>
+  Fields& coded(const char* key, T& x, std::optional<T> (*parse)(std::string_view), Text to_text,
+                const char* wrong, const Missing<T>& missing = kNeeded) {
+    if (!reading() && !missing.is_written(x)) return *this;
+    std::string code = reading() ? "" : std::string(to_text(x));
+    text(key, code, missing.needed() ? kNeeded : kOptional);
+    if (!reading() || !good()) return *this;
+    const std::optional<T> parsed = has(key) ? parse(code) : missing.value();
+    if (parsed) x = *parsed;
+    return check(parsed || !has(key), key, wrong);
+  }
+  template <typename T, typename Text>
+  Fields& coded(const char* key, std::optional<T>& x, std::optional<T> (*parse)(std::string_view),
+                Text to_text, const char* wrong) {
+    if (!present(key, x.has_value())) return *this;
+    return coded(key, reading() ? x.emplace() : *x, parse, to_text, wrong);
+  }
+  // A value of any other form.
+  Fields& value(const char* key, const std::function<Status(const JsonValue&)>& read,
+                const std::function<nlohmann::ordered_json()>& write, Presence presence = kNeeded);
+
+  // An object whose fields `visit` visits, and one with a table of its own.
+  Fields& member(const char* key, Presence presence, const std::function<void(Fields&)>& visit);
+  template <typename T>
+  Fields& object(const char* key, T& x, Presence presence = kNeeded) {
+    return member(key, presence, [&](Fields& f) { describe(f, x); });
+  }
+  template <typename T>
+  Fields& object(const char* key, std::optional<T>& x) {
+    if (!present(key, x.has_value())) return *this;
+    return object(key, reading() ? x.emplace() : *x);
+  }
+  // A list of such objects, named `of_what` in errors.
+  template <typename T>
+  Fields& list(const char* key, const char* of_what, std::vector<T>& all, Presence presence = kNeeded) {
+    return elements(key, of_what, presence, all, [&](size_t i, Fields& f) { describe(f, all[i]); });
+  }
+  // The same with the visit of element i, which can look at the elements before.
+  template <typename T>
+  Fields& elements(const char* key, const char* of_what, Presence presence, std::vector<T>& all,
+                   const std::function<void(size_t, Fields&)>& visit) {
+    return each(
+        key, of_what, presence, all.size(), [&](size_t size) { all.resize(size); }, visit);
+  }
+  // Objects by name.
+  template <typename T>
+  Fields& by_name(const char* key, std::map<std::string, T>& all) {
+    std::vector<std::string> names;
+    for (const auto& entry : all) names.push_back(entry.first);
+    return named(key, names, [&](const std::string& name, Fields& f) { describe(f, all[name]); });
+  }
+
+  // The version of the format of a file, from 1 to the newest one. A file of a newer version is refused as
+  // such.
+  Fields& version(const char* key, uint64_t& version, uint64_t newest, Presence presence = kNeeded);
+  // Refuses the value of a key while reading, or the object where the key is null or missing.
+  Fields& check(bool holds, const char* key, const std::string& wrong);
+  // At the end of a table: keeps the keys that it does not have, as JSON; or refuses them.
+  Fields& others(std::string& json);
+  Fields& no_others(const std::string& wrong);
+
+  bool good() const { return pass_.status.ok(); }
+
+ private:
+  bool has(const char* key) const;
+  bool take(const char* key, bool needed);
+  nlohmann::json unknown() const;
+  void note(const Status& status) {
+    if (good() && !status) pass_.status = status;
+  }
+  template <typename T, typename Read, typename Write>
+  Fields& field(const char* key, T& x, const Missing<T>& missing, Read read, Write write);
+  void whole_number(const char* key, uint64_t& n, uint64_t least, uint64_t most,
+                    const Missing<uint64_t>& missing);
+  void one_of(const char* key, uint64_t& number, std::span<const char* const> names,
+              const Missing<uint64_t>& missing);
+  Fields& each(const char* key, const char* of_what, Presence presence, size_t size,
+               const std::function<void(size_t)>& resize, const std::function<void(size_t, Fields&)>& visit);
+  Fields& named(const char* key, const std::vector<std::string>& names,
+                const std::function<void(const std::string&, Fields&)>& visit);
+
+  const JsonValue* in_ = nullptr;
+  nlohmann::ordered_json* out_ = nullptr;
+  Pass& pass_;
+  std::vector<std::string> keys_;  // that were visited, while reading
+};
+
+// Reads the fields of a value. `folder` is the folder of the file.
+template <typename T>
+Status read_fields(const JsonValue& value, const std::filesystem::path& folder, T& x) {
+  Fields::Pass pass{folder};
+  Fields fields(value, pass);
+  describe(fields, x);
+  return pass.status;
+}
+
+// Reads a text of JSON, or a file. `where` is the name of the text in errors.
+Status read_text_fields(std::string_view text, const std::string& where, const std::filesystem::path& folder,
+                        const std::function<void(Fields&)>& visit);
+Status read_file_fields(const std::filesystem::path& file, const std::function<void(Fields&)>& visit);
+template <typename T>
+Result<T> read_described(const std::filesystem::path& file, T x = {}) {
+  const Status status = read_file_fields(file, [&](Fields& f) { describe(f, x); });
+  if (!status) return status.error();
+  return x;
+}
+
+// The JSON of a value for a file in `folder`.
+nlohmann::ordered_json visited_json(const std::filesystem::path& folder,
+                                    const std::function<void(Fields&)>& visit);
+template <typename T, typename Json = nlohmann::ordered_json>
+Json fields_json(T x, const std::filesystem::path& folder) {
+  return visited_json(folder, [&](Fields& f) { describe(f, x); });
+}
+
+}  // namespace kerf

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "core/world/motion.h"
+
+namespace kerf {
+
+class Fields;
+
+inline constexpr NumberField<Sheet> kThickness{"thickness",
+                                               "thickness",
+                                               &Sheet::thickness,
+                                               {1e-9, 1e3, "m", true},
+                                               always_written(0.001),
+                                               "Thickness",
+                                               0.001,
+                                               "%.4g mm",
+                                               "Of the sheet that the faces are."};
+inline constexpr NumberField<Sheet> kDensity{
+    "density", "density", &Sheet::density, {1e-3, 1e6, "kg/m^3", true}, always_written(7850)};
+
+// The sheet in a command, with the constants of its material beside the others.
+void describe(Fields& f, Sheet& sheet);
+
+// The sheet in a scene, with the constants in "substance".
+void scene_sheet_fields(Fields& f, Sheet& sheet);
+
+}  // namespace kerf

@@ -1,0 +1,124 @@
+#include "core/document/fields.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "core/document/json_value.h"
+
+namespace kerf {
+
+// A saved type with a field of each sort.
+struct Lamp {
+  double power = 5, age = 1;
+  std::optional<double> height;
+  size_t count = 3;
+  bool on = false;
+  int shade = 0;
+  std::string name = "lamp";
+  Vec3 at{0};
+  std::vector<Lamp> parts;
+  std::string others = "{}";
+};
+
+static void describe(Fields& f, Lamp& lamp) {
+  constexpr std::array kShades{"clear", "matt", "dark"};
+  f.number("power", lamp.power, {1, 1000, "W"});
+  f.number("age", lamp.age, {0, 100, "years"}, 7);
+  f.number("height", lamp.height, kPositive);
+  f.whole("count", lamp.count, 1, 9, kOptional);
+  f.flag("on", lamp.on, false);
+  f.choice("shade", lamp.shade, kShades, 0);
+  f.filled_text("name", lamp.name, kOptional);
+  f.vector("at", lamp.at, VectorRule::kNearby, kOptional);
+  f.list("parts", "lamps", lamp.parts, kOptional);
+  f.others(lamp.others);
+}
+
+namespace test {
+namespace {
+
+Status read(const std::string& text, Lamp& lamp) {
+  return read_text_fields(text, "lamp.json", {}, [&](Fields& f) { describe(f, lamp); });
+}
+
+std::string error_of(const std::string& text) {
+  Lamp lamp;
+  const Status status = read(text, lamp);
+  return status ? "" : status.error().message;
+}
+
+TEST(Fields, what_is_missing_is_what_the_table_says_and_not_what_new_work_has) {
+  Lamp lamp;
+  ASSERT_TRUE(read(R"({"power": 60})", lamp).ok());
+  EXPECT_EQ(lamp.power, 60);
+  EXPECT_EQ(lamp.age, 7);
+  EXPECT_FALSE(lamp.height);
+  EXPECT_EQ(lamp.count, 3u);
+}
+
+TEST(Fields, are_written_in_the_order_of_the_table_and_without_what_missing_keys_stand_for) {
+  Lamp lamp;
+  lamp.age = 7;
+  EXPECT_EQ(fields_json(lamp, {}).dump(), R"({"power":5.0,"count":3,"name":"lamp","at":[0.0,0.0,0.0]})");
+  lamp.age = 8;
+  lamp.height = 2;
+  lamp.shade = 2;
+  lamp.parts.resize(1);
+  EXPECT_EQ(
+      fields_json(lamp, {}).dump(),
+      R"({"power":5.0,"age":8.0,"height":2.0,"count":3,"shade":"dark","name":"lamp","at":[0.0,0.0,0.0],)"
+      R"("parts":[{"power":5.0,"age":1.0,"count":3,"name":"lamp","at":[0.0,0.0,0.0]}]})");
+}
+
+TEST(Fields, that_are_not_known_are_kept) {
+  Lamp lamp;
+  ASSERT_TRUE(read(R"({"power": 60, "weight": [1, 2], "age": 3})", lamp).ok());
+  EXPECT_EQ(lamp.others, R"({"weight":[1,2]})");
+  EXPECT_EQ(fields_json(lamp, {})["weight"].dump(), "[1,2]");
+}
+
+TEST(Fields, say_the_file_the_place_and_what_was_expected) {
+  EXPECT_EQ(error_of("{\n\"power\": }"), "lamp.json: line 2: this is not JSON");
+  EXPECT_EQ(error_of("[]"), "lamp.json: must be an object");
+  EXPECT_EQ(error_of("{}"), "lamp.json: needs \"power\"");
+  EXPECT_EQ(error_of(R"({"power": "much"})"), "lamp.json: /power: must be a finite number");
+  EXPECT_EQ(error_of(R"({"power": 0.5})"), "lamp.json: /power: must be from 1 to 1000 W");
+  EXPECT_EQ(error_of(R"({"power": 5, "height": 0})"), "lamp.json: /height: must be greater than zero");
+  EXPECT_EQ(error_of(R"({"power": 5, "count": 1.5})"),
+            "lamp.json: /count: must be a whole number from 1 to 9");
+  EXPECT_EQ(error_of(R"({"power": 5, "count": -1})"),
+            "lamp.json: /count: must be a whole number from 1 to 9");
+  EXPECT_EQ(error_of(R"({"power": 5, "on": 1})"), "lamp.json: /on: must be true or false");
+  EXPECT_EQ(error_of(R"({"power": 5, "shade": "red"})"),
+            R"(lamp.json: /shade: must be "clear", "matt" or "dark")");
+  EXPECT_EQ(error_of(R"({"power": 5, "name": ""})"), "lamp.json: /name: must not be empty");
+  EXPECT_EQ(error_of(R"({"power": 5, "at": [1, 2]})"), "lamp.json: /at: must be three numbers");
+  EXPECT_EQ(error_of(R"({"power": 5, "at": [1, 2, 1e6]})"), "lamp.json: /at: is farther than 100000 m away");
+  EXPECT_EQ(error_of(R"({"power": 5, "parts": {}})"), "lamp.json: /parts: must be a list of lamps");
+  EXPECT_EQ(error_of(R"({"power": 5, "parts": [{"power": 5}, 7]})"),
+            "lamp.json: /parts/1: must be an object");
+  EXPECT_EQ(error_of(R"({"power": 5, "parts": [{"power": 0}, 7]})"),
+            "lamp.json: /parts/0/power: must be from 1 to 1000 W");
+}
+
+TEST(Fields, of_a_newer_version_are_refused_as_such) {
+  const auto error_of_version = [](const std::string& text) {
+    uint64_t version = 0;
+    const Status status =
+        read_text_fields(text, "x", {}, [&](Fields& f) { f.version("version", version, 2); });
+    return status ? std::to_string(version) : status.error().message;
+  };
+  EXPECT_EQ(error_of_version(R"({"version": 1})"), "1");
+  EXPECT_EQ(error_of_version(R"({"version": 2})"), "2");
+  EXPECT_EQ(error_of_version(R"({"version": 3})"),
+            "x: /version: the file is of a newer version of Kerf: this one reads version 2");
+  for (const char* wrong : {"0", "\"2\"", "null", "-1", "1.5"})
+    EXPECT_EQ(error_of_version(std::string(R"({"version": )") + wrong + "}"),
+              "x: /version: must be a whole number from 1 to 2");
+}
+
+}  // namespace
+}  // namespace test
+}  // namespace kerf

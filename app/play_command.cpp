@@ -15,7 +15,7 @@
 #include "core/physics/machine_kind.h"
 #include "core/world/state_hash.h"
 #include "ui/editor/editor.h"
-#include "ui/editor/view/settings.h"
+#include "ui/editor/shared/settings.h"
 #include "ui/game/game.h"
 #include "ui/render/assets.h"
 #include "ui/window/open_window.h"

@@ -33,13 +33,11 @@ CORE = [
     'mesh/files',
     'base',
 ]
-# Of ui, first what draws a world, then what any screen needs of a window, then the editor. In the editor: what it
-# counts, how the world is looked at, what is open and saved, the section plane, the path and the emitter of the laser, how
-# time passes and pieces are pulled, what the mouse does, single steps of a stroke with their panel, how the world changes, what is drawn over the picture, what is told
-# of a face, the menus and dialogs, how actions are found and bound to keys, the panels, the panel of the component
-# graph, that of preparing meshes, those of heat, and that of moving bodies; the files in ui/editor itself put these together and alone know all of its state.
-UI = ['editor', 'editor/bodies', 'editor/graph', 'editor/material', 'editor/prepare', 'editor/panels', 'editor/keys', 'editor/frame', 'editor/marks', 'editor/inspect', 'editor/changes', 'editor/single_step', 'editor/tools', 'editor/play', 'editor/path', 'editor/section', 'editor/work', 'editor/view',
-      'editor/figures', 'figures', 'game', 'sound', 'screen', 'window', 'render', 'gl']
+# Of ui, first what draws a world, then what any screen needs of a window, then the editor. In the editor: what every
+# feature may know, the frame of the window that shows them, and the features; the files in ui/editor itself put these
+# together. Each folder below ui/editor that is not named here is a feature and has the place of editor/FEATURE.
+FEATURE = 'editor/FEATURE'
+UI = ['editor', FEATURE, 'editor/shell', 'editor/shared', 'figures', 'game', 'sound', 'screen', 'window', 'render', 'gl']
 
 ORDERS = {'core': CORE, 'ui': UI}
 # Two folders that know each other, and so have the place of the first: commands are read and written by values of scenes
@@ -82,7 +80,12 @@ def stray_entries(root):
 
 def unnamed_folders(root):
     folders = {os.path.dirname(path) for path in sources(root)}
-    return sorted(folder for folder in folders - places() if folder.split('/')[0] in ORDERS)
+    return sorted(folder for folder in folders if folder.split('/')[0] in ORDERS and not has_place(folder))
+
+
+def has_place(folder):
+    layer, _, room = folder.partition('/')
+    return folder in places() or place_of(layer, room) == FEATURE
 
 
 def names_without_folder(root):
@@ -91,8 +94,8 @@ def names_without_folder(root):
 
 
 def places():
-    """All folders that have one: 'core/mesh/files'."""
-    return {f'{layer}/{folder}' for layer, order in ORDERS.items() for folder in order} | {f'core/{folder}' for folder in ONE_PLACE}
+    """All folders that have one by name: 'core/mesh/files'."""
+    return {f'{layer}/{folder}' for layer, order in ORDERS.items() for folder in order if folder != FEATURE} | {f'core/{folder}' for folder in ONE_PLACE}
 
 
 def sources(root):
@@ -143,10 +146,18 @@ def room_of(path):
     return os.path.dirname(path).partition('/')[2]
 
 
+def place_of(layer, room):
+    """The entry of the order for a folder of the layer: features of the editor share one."""
+    is_feature = layer == 'ui' and room.startswith('editor/') and room.count('/') == 1 and room not in UI
+    return FEATURE if is_feature else ONE_PLACE.get(room, room)
+
+
 # Folders that have no place are reported by themselves, see unnamed_folders.
 def inside(layer, here, there, name):
-    order, here, there = ORDERS[layer], ONE_PLACE.get(here, here), ONE_PLACE.get(there, there)
-    if here in order and there in order and order.index(there) < order.index(here):
+    order, here_place, there_place = ORDERS[layer], place_of(layer, here), place_of(layer, there)
+    if here_place == there_place == FEATURE and here != there:
+        return f'{name}: ui/{here} and ui/{there} are features of the editor, which do not know each other'
+    if here_place in order and there_place in order and order.index(there_place) < order.index(here_place):
         return f'{name}: {layer}/{here} comes after {layer}/{there} in the order and does not know it'
     return None
 

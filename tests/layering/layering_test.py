@@ -75,7 +75,7 @@ class Layering(unittest.TestCase):
             self.assertEqual([], breaches_of({**GOOD, f'ui/{here}/good.cpp': includes}), here)
 
     def test_refuses_a_room_of_ui_without_a_place(self):
-        for room in ('ui', 'ui/misc', 'ui/editor/misc'):
+        for room in ('ui', 'ui/misc', 'ui/editor/light/misc'):
             self.refuses(f'{room}/bad.h', '#include "ui/gl/objects.h"\n', 0, 'has no place', reported=room)
 
     def test_names_what_has_a_place_and_is_not_there(self):
@@ -84,6 +84,12 @@ class Layering(unittest.TestCase):
             missing = layering.names_without_folder(root)
             self.assertEqual(len(layering.places()) - 2, len(missing))
             self.assertTrue({'core/mesh', 'core/mesh/files'}.isdisjoint(missing))
+
+    def test_refuses_a_feature_of_the_editor_that_knows_another_one(self):
+        self.refuses('ui/editor/light/bad.h', '#include "ui/editor/path/x.h"\n', 1, 'do not know each other')
+        self.refuses('ui/editor/shell/bad.h', '#include "ui/editor/path/x.h"\n', 1, 'comes after')
+        self.assertEqual([], breaches_of({**GOOD, 'ui/editor/light/good.h': '#include "ui/editor/light/x.h"\n',
+                                          'ui/editor/features.cpp': '#include "ui/editor/light/x.h"\n'}))
 
     def test_refuses_half_edges_outside_core_mesh(self):
         for path in ('core/cut/bad.cpp', 'ui/gl/bad.cpp', 'tests/core/mesh/bad.cpp'):

@@ -1,10 +1,12 @@
 #include "ui/editor/editor.h"
 
+#include <nlohmann/json.hpp>
 #include <random>
 
+#include "core/base/atomic_file.h"
 #include "core/document/world_scene.h"
-#include "ui/editor/editor_report.h"
-#include "ui/editor/editor_screen.h"
+#include "ui/editor/features.h"
+#include "ui/editor/shell/editor_screen.h"
 #include "ui/game/game.h"
 #include "ui/render/assets.h"
 #include "ui/screen/frame_loop.h"
@@ -57,7 +59,7 @@ Status run_editor(const EditorOptions& options) {
   if (!picture) return picture.error();
   Gui gui(window);
   FrameLoop loop(window, gui);
-  EditorScreen screen(window, std::move(*picture), std::move(loaded), options);
+  EditorScreen screen(window, std::move(*picture), std::move(loaded), options, make_features);
   gui.dress(screen.look());
   if (const Status shown = screen.open(); !shown) return shown;
   screen.tell(fault);
@@ -69,7 +71,9 @@ Status run_editor(const EditorOptions& options) {
   screen.close(left_by_user);
   if (!loop.fault().empty()) return bad_input(loop.fault());
   if (!options.report) return Done{};
-  return write_editor_report(screen.state(), *options.report);
+  return write_file_atomically(
+      *options.report,
+      screen.report().dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace kerf

@@ -1,26 +1,9 @@
 #pragma once
 
-#include <filesystem>
-#include <optional>
-#include <vector>
-
 #include "core/base/result.h"
+#include "ui/editor/shared/editor_options.h"
 
 namespace kerf {
-
-struct EditorOptions {
-  // Scenes and meshes that are opened together. Those that cannot be read are left out with an error message;
-  // if none can be read, the default scene is shown.
-  std::vector<std::filesystem::path> files;
-  std::optional<std::filesystem::path> report;  // JSON written at exit, also after SIGINT and SIGTERM
-  // JSON of where the named parts of the window are, kept up frame by frame (see landmarks.h), for tests.
-  std::optional<std::filesystem::path> landmarks;
-  // A script of input that drives the editor without a screen (see event_script.h).
-  std::optional<std::filesystem::path> events;
-  bool own_font = false;      // ImGui's own font, as where none is installed
-  int width = 0, height = 0;  // of the window, in screen coordinates; 0: as in the last session
-  std::filesystem::path default_scene;
-};
 
 // Runs the editor until its window is closed or its script ends. Fails if there is no display or no
 // OpenGL 3.3, if not even the default scene can be read, at a line of the script that is wrong, or if the

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "core/base/assert.h"
-#include "ui/editor/view/piece_set.h"
-#include "ui/editor/view/shortcut_text.h"
+#include "ui/editor/shared/piece_set.h"
+#include "ui/editor/shared/shortcut_text.h"
 #include "ui/render/pick.h"
 #include "ui/render/view_switches.h"
 #include "ui/window/landmarks.h"

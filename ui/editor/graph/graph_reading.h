@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ui/editor/changes/long_change.h"
 #include "ui/editor/graph/graph_state.h"
+#include "ui/editor/shared/long_change.h"
 
 namespace kerf {
 

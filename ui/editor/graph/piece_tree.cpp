@@ -7,7 +7,7 @@
 
 #include "core/document/command_words.h"
 #include "core/graph/loaded_part.h"
-#include "ui/editor/view/piece_set.h"
+#include "ui/editor/shared/piece_set.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"

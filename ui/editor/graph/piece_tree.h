@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/document/piece_origins.h"
-#include "ui/editor/view/view_state.h"
+#include "ui/editor/shared/view_state.h"
 
 namespace kerf {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "core/base/assert.h"
-#include "ui/editor/view/file_frames.h"
+#include "ui/editor/shared/file_frames.h"
 #include "ui/window/number_text.h"
 
 namespace kerf {

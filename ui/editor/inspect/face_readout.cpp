@@ -3,7 +3,7 @@
 #include <imgui.h>
 
 #include "ui/editor/inspect/face_facts.h"
-#include "ui/editor/view/file_frames.h"
+#include "ui/editor/shared/file_frames.h"
 #include "ui/render/pick.h"
 #include "ui/window/imgui_vector.h"
 #include "ui/window/landmarks.h"
@@ -55,6 +55,8 @@ void draw_box(const ViewState& view, Vec2 pointer, const std::vector<std::string
   mark_area("face readout", {at, size});
 }
 
+}  // namespace
+
 void draw_measure(const ViewState& view, const std::vector<Vec3>& points, ImDrawList& list) {
   std::vector<Vec2> places;
   for (const Vec3& p : points) {
@@ -78,18 +80,15 @@ void draw_measure(const ViewState& view, const std::vector<Vec3>& points, ImDraw
   list.AddText(at, colours::kPictureText, text.c_str());
 }
 
-}  // namespace
-
-void draw_face_readout(const ViewState& view, const Hand& hand, const World& world, ImDrawList& list) {
-  if (hand.tool != Tool::kInspect) return;
-  draw_measure(view, hand.measured, list);
-  if (!hand.over_picture || view.in_second || hand.drag != Drag::kNone) return;
-  const Vec2 p = view.in_picture(hand.pointer);
-  const auto seen = pick(world, view.look, view.seen().ray(p.x, p.y));
+void draw_face_readout(const Workspace& on, ImDrawList& list) {
+  const ViewState& view = on.view;
+  if (!on.points() || view.in_second) return;
+  const Vec2 p = view.in_picture(on.pointer);
+  const auto seen = pick(on.world(), view.look, view.seen().ray(p.x, p.y));
   if (!seen) return;
-  const Body& body = world.body(seen->body);
+  const Body& body = on.world().body(seen->body);
   draw_edges(view, body, *seen, list);
-  draw_box(view, hand.pointer, lines_of(face_facts(body, seen->face), body, view.frame.unit), list);
+  draw_box(view, on.pointer, lines_of(face_facts(body, seen->face), body, view.frame.unit), list);
 }
 
 }  // namespace kerf

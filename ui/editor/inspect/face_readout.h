@@ -2,16 +2,17 @@
 
 #include <optional>
 
-#include "ui/editor/tools/hand.h"
-#include "ui/editor/view/view_state.h"
+#include "ui/editor/shared/workspace.h"
 
 struct ImDrawList;
 
 namespace kerf {
 
 // Draws over the picture what there is to know about the face under the pointer, in a box beside it, and the
-// face's edges; and the points that were clicked to measure, with their distance. Only with the tool that
-// inspects.
-void draw_face_readout(const ViewState& view, const Hand& hand, const World& world, ImDrawList& list);
+// face's edges.
+void draw_face_readout(const Workspace& on, ImDrawList& list);
+
+// Draws points that were clicked to measure, and the distance of two.
+void draw_measure(const ViewState& view, const std::vector<Vec3>& points, ImDrawList& list);
 
 }  // namespace kerf

@@ -47,9 +47,8 @@ Plot plot_of(const std::vector<HeatProbe::Sample>& samples, ImVec2 at, ImVec2 si
 
 }  // namespace
 
-void HeatProbe::follow(const World& world, const ViewState& view, const Hand& hand) {
-  const std::optional<Vec3> clicked =
-      hand.measured.empty() ? std::nullopt : std::optional(hand.measured.back());
+void HeatProbe::follow(const World& world, const ViewState& view, const std::optional<Vec3>& clicked,
+                       bool inspects) {
   if (clicked != at_) {
     at_ = clicked;
     samples_.clear();
@@ -57,7 +56,7 @@ void HeatProbe::follow(const World& world, const ViewState& view, const Hand& ha
     const Vec3 eye = view.seen_first().eye, way = glm::normalize(*at_ - eye);
     ray_ = {*at_ - kBefore * world.loaded_bounds().diagonal() * way, way};
   }
-  if (!at_ || (hand.tool != Tool::kInspect && !view.look.show.heat)) return;
+  if (!at_ || (!inspects && !view.look.show.heat)) return;
   const double seconds = static_cast<double>(world.clock()) / kTicksPerSecond;
   if (!samples_.empty() && seconds < samples_.back().seconds) samples_.clear();
   if (!samples_.empty() && seconds == samples_.back().seconds) return;

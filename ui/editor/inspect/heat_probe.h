@@ -3,8 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "ui/editor/tools/hand.h"
-#include "ui/editor/view/view_state.h"
+#include "ui/editor/shared/view_state.h"
 
 namespace kerf {
 
@@ -18,8 +17,9 @@ class HeatProbe {
     double temperature = kAmbient;
   };
 
-  // To be called once a frame, at a time at which the world does not change.
-  void follow(const World& world, const ViewState& view, const Hand& hand);
+  // To be called once a frame, at a time at which the world does not change, with the point that was clicked
+  // last. `inspects`: the tool is in hand.
+  void follow(const World& world, const ViewState& view, const std::optional<Vec3>& clicked, bool inspects);
 
   const std::vector<Sample>& samples() const { return samples_; }
   const std::optional<Vec3>& at() const { return at_; }

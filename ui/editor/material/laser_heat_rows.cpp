@@ -7,8 +7,8 @@
 
 #include "core/heat/lumped_cut.h"
 
-#include "ui/editor/view/file_frames.h"
-#include "ui/editor/view/length_field.h"
+#include "ui/editor/shared/file_frames.h"
+#include "ui/editor/shared/length_field.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_format.h"
 #include "ui/window/number_text.h"
@@ -19,7 +19,7 @@ namespace kerf {
 namespace {
 
 constexpr double kMostRadii = 100;  // that heat can be wide
-constexpr ImGuiSliderFlags kLogarithmic = ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp;
+constexpr ImGuiSliderFlags kPowerSlider = ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp;
 
 std::string energy_label(double joules) {
   return joules >= 1000 ? text_of("%.3g kJ", joules / 1000) : text_of("%.3g J", joules);
@@ -90,28 +90,30 @@ void LaserHeatRows::draw_geometric(LaserControls& laser, FileUnit unit) {
 void LaserHeatRows::draw_thermal(LaserControls& laser) {
   property("Power");
   ImGui::SliderScalar("##power", ImGuiDataType_Double, &laser.power, &LaserControls::kLeastPower,
-                      &LaserControls::kMostPower, RealFormat("%.4g W").c_str(), kLogarithmic);
+                      &LaserControls::kMostPower, RealFormat("%.4g W").c_str(), kPowerSlider);
   mark_last_item("laser power");
   tooltip("Of the beam while it is on. Ctrl+click to type a number.");
 }
 
-void LaserHeatRows::draw(const Parts& on) {
+void LaserHeatRows::draw(Workspace& on, const Sheet& sheet) {
   const bool thermal = on.laser.model == Model::kThermal;
+  const FileUnit unit = on.view.frame.unit;
   if (begin_properties("laser heat")) {
     model_row(on.laser);
     if (thermal) draw_thermal(on.laser);
-    if (!thermal) draw_geometric(on.laser, on.unit);
-    hold_row(on.heat_held);
+    if (!thermal) draw_geometric(on.laser, unit);
+    hold_row(on.settings.heat_held);
     end_properties();
   }
   if (!thermal) return;
   ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
-  ImGui::TextWrapped("%s", forecast_text(on.laser, on.sheet, on.speed, on.unit).c_str());
+  ImGui::TextWrapped("%s", forecast_text(on.laser, sheet, on.laser.planned_speed, unit).c_str());
   mark_last_item("laser forecast");
   tooltip("From the heat balance of the cut, with what is conducted into the sheet beside it.");
-  const std::string depth = on.stroke ? depth_text(on.stroke->figures) : "";
+  const auto& stroke = on.figures.shown.stroke;
+  const std::string depth = stroke ? depth_text(stroke->figures) : "";
   if (!depth.empty()) ImGui::TextWrapped("%s", depth.c_str());
-  if (on.world.energy().emitted > 0) ImGui::TextWrapped("%s", energy_text(on.world).c_str());
+  if (on.world().energy().emitted > 0) ImGui::TextWrapped("%s", energy_text(on.world()).c_str());
   ImGui::PopStyleColor();
 }
 

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "core/mesh/files/file_frame.h"
-#include "ui/editor/figures/figures.h"
-#include "ui/editor/tools/laser_controls.h"
+#include "ui/editor/shared/workspace.h"
 #include "ui/window/number_fields.h"
 
 namespace kerf {
@@ -11,16 +10,8 @@ namespace kerf {
 // held, a forecast from the heat balance of a cut (see LumpedCut), and what the last stroke did.
 class LaserHeatRows {
  public:
-  struct Parts {
-    LaserControls& laser;
-    bool& heat_held;
-    const World& world;
-    Sheet sheet;       // that the forecast is for
-    double speed = 0;  // m/s of the path; 0: there is none
-    const std::optional<ShownFigures::Stroke>& stroke;
-    FileUnit unit;
-  };
-  void draw(const Parts& on);
+  // `sheet` is the one that the forecast is for.
+  void draw(Workspace& on, const Sheet& sheet);
 
  private:
   void draw_geometric(LaserControls& laser, FileUnit unit);

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/document/sheet_fields.h"
-#include "ui/editor/view/piece_set.h"
+#include "ui/editor/shared/piece_set.h"
 #include "ui/render/assets.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/property.h"
@@ -85,9 +85,12 @@ bool MaterialPanel::draw_numbers(Sheet& sheet) {
   return changed;
 }
 
-void MaterialPanel::draw(const World& world, const ViewState& view, Requests& requests) {
+std::optional<Sheet> MaterialPanel::draw(const World& world, const ViewState& view) {
   const auto piece = piece_of_sheet(world, view);
-  if (!piece) return ImGui::TextDisabled("Nothing is open.");
+  if (!piece) {
+    ImGui::TextDisabled("Nothing is open.");
+    return std::nullopt;
+  }
   const Body& body = world.body(piece->body);
   const size_t chosen = chosen_pieces(view.look.pieces);
   const std::string of = chosen == 0   ? std::string("All pieces")
@@ -102,7 +105,7 @@ void MaterialPanel::draw(const World& world, const ViewState& view, Requests& re
     changed |= draw_numbers(sheet);
     end_properties();
   }
-  if (changed) requests.sheet = sheet;
+  return changed ? std::optional(sheet) : std::nullopt;
 }
 
 }  // namespace kerf

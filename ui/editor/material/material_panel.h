@@ -1,8 +1,7 @@
 #pragma once
 
 #include "core/document/material_reader.h"
-#include "ui/editor/view/view_state.h"
-#include "ui/editor/work/requests.h"
+#include "ui/editor/shared/view_state.h"
 #include "ui/window/number_fields.h"
 
 namespace kerf {
@@ -16,7 +15,8 @@ std::optional<PieceId> piece_of_sheet(const World& world, const ViewState& view)
 // change is one step of the history.
 class MaterialPanel {
  public:
-  void draw(const World& world, const ViewState& view, Requests& requests);
+  // Returns the sheet that the user has chosen or typed, if any.
+  std::optional<Sheet> draw(const World& world, const ViewState& view);
 
  private:
   bool draw_presets(Sheet& sheet);

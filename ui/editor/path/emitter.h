@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ui/editor/path/fire_pace.h"
-#include "ui/editor/path/first_picture.h"
+#include "ui/editor/shared/first_picture.h"
 
 struct ImDrawList;
 

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "ui/editor/view/shortcut_text.h"
+#include "ui/editor/shared/shortcut_text.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/property.h"
 #include "ui/window/row_button.h"

@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "ui/editor/path/emitter.h"
-#include "ui/editor/view/view_state.h"
+#include "ui/editor/shared/view_state.h"
 #include "ui/window/number_fields.h"
 
 namespace kerf {

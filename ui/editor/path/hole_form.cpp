@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/base/assert.h"
-#include "ui/editor/view/length_field.h"
+#include "ui/editor/shared/length_field.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/property.h"
 #include "ui/window/row_button.h"

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "ui/editor/path/first_picture.h"
 #include "ui/editor/path/path_work.h"
+#include "ui/editor/shared/first_picture.h"
 
 struct ImDrawList;
 

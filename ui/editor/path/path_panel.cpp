@@ -5,8 +5,8 @@
 #include "core/base/assert.h"
 #include "core/document/edit_path.h"
 #include "core/document/stroke_settings.h"
-#include "ui/editor/view/length_field.h"
-#include "ui/editor/view/shortcut_text.h"
+#include "ui/editor/shared/length_field.h"
+#include "ui/editor/shared/shortcut_text.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
@@ -98,14 +98,13 @@ void PathPanel::draw_radius(PathWork& path, const World& world, FileUnit unit) {
   path.set_radius(stroke, radius);
 }
 
-void PathPanel::draw_beam(PlacedLasers& lasers, const World& world, FileUnit unit) {
-  PathWork& path = lasers.path;
+void PathPanel::draw_beam(PathWork& path, bool& at_panel_resolution, const World& world, FileUnit unit) {
   if (path.empty() || !begin_properties("beam")) return;
   draw_speed(path, unit);
   property("Cut");
-  int cut = lasers.at_panel_resolution ? 1 : 0;
+  int cut = at_panel_resolution ? 1 : 0;
   if (ImGui::Combo("##cut", &cut, "As kerf cut does\0As in the Resolution panel\0"))
-    lasers.at_panel_resolution = cut == 1;
+    at_panel_resolution = cut == 1;
   mark_last_item("path resolution");
   tooltip(
       "How fine the faces along the cut are, and which rim is left: as kerf cut --path does with the same "
@@ -176,15 +175,14 @@ void PathPanel::draw_chosen(PathWork& path, FileUnit unit) {
   path.set(point, {target - direction * distance, direction}, distance);
 }
 
-void PathPanel::draw(PlacedLasers& lasers, const ViewState& view, const World& world,
+void PathPanel::draw(PathWork& path, bool& at_panel_resolution, const ViewState& view, const World& world,
                      const PathTool::Beam& beam, const char* why_no_run, const PathWishes& wishes) {
-  PathWork& path = lasers.path;
   const FileUnit unit = view.frame.unit;
   draw_buttons(path, view, why_no_run, wishes);
   ImGui::PushStyleColor(ImGuiCol_Text, colours::secondary());
   ImGui::TextWrapped("%s", summary(path, view).c_str());
   ImGui::PopStyleColor();
-  draw_beam(lasers, world, unit);
+  draw_beam(path, at_panel_resolution, world, unit);
   draw_list(path);
   draw_chosen(path, unit);
   const bool unfolded = ImGui::TreeNodeEx("Holes", ImGuiTreeNodeFlags_NoTreePushOnOpen);

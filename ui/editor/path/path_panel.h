@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "ui/editor/path/hole_form.h"
-#include "ui/editor/path/placed_lasers.h"
+#include "ui/editor/path/path_tool.h"
 
 namespace kerf {
 
@@ -15,15 +15,16 @@ struct PathWishes {
 // The path as numbers: its speed and beam, its points, the chosen point, and holes in a pattern.
 class PathPanel {
  public:
-  // `beam` is what a new point gets. `why_no_run` is the reason why the path cannot be run, or null.
-  void draw(PlacedLasers& lasers, const ViewState& view, const World& world, const PathTool::Beam& beam,
-            const char* why_no_run, const PathWishes& wishes);
+  // `at_panel_resolution`: the path is run so, and not as kerf cut --path does. `beam` is what a new point
+  // gets. `why_no_run` is the reason why the path cannot be run, or null.
+  void draw(PathWork& path, bool& at_panel_resolution, const ViewState& view, const World& world,
+            const PathTool::Beam& beam, const char* why_no_run, const PathWishes& wishes);
 
  private:
   void draw_buttons(PathWork& path, const ViewState& view, const char* why_no_run, const PathWishes& wishes);
   void draw_speed(PathWork& path, FileUnit unit);
   void draw_radius(PathWork& path, const World& world, FileUnit unit);
-  void draw_beam(PlacedLasers& lasers, const World& world, FileUnit unit);
+  void draw_beam(PathWork& path, bool& at_panel_resolution, const World& world, FileUnit unit);
   void draw_list(PathWork& path);
   void draw_row(PathWork& path, PathPoint point, int number);
   void draw_chosen(PathWork& path, FileUnit unit);

@@ -8,7 +8,7 @@
 
 #include "core/base/assert.h"
 #include "core/mesh/openmesh/smooth.h"
-#include "ui/editor/view/length_field.h"
+#include "ui/editor/shared/length_field.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
@@ -118,10 +118,12 @@ void PreparePanel::draw_numbers(Preparation& preparation, const Preparation& sho
   }
 }
 
-void PreparePanel::draw(const World& world, const ViewState& view, Preparation& preparation,
-                        Requests& requests) {
+bool PreparePanel::draw(const World& world, const ViewState& view, Preparation& preparation) {
   const std::vector<PieceRow> pieces = pieces_to_prepare(world, view.look.pieces);
-  if (pieces.empty()) return ImGui::TextDisabled("Nothing is open.");
+  if (pieces.empty()) {
+    ImGui::TextDisabled("Nothing is open.");
+    return false;
+  }
   ImGui::TextDisabled("%s", prepared_text(pieces, view.look.pieces).c_str());
   tooltip("It is for the chosen pieces, or for all of them if none is chosen.");
   if (begin_properties("preparation")) {
@@ -134,10 +136,10 @@ void PreparePanel::draw(const World& world, const ViewState& view, Preparation& 
   }
   const Preparation wanted = with_numbers(preparation, pieces, world);
   ImGui::TextWrapped("%s", forecast_text(pieces, wanted, view.frame.unit).c_str());
-  if (row_button(button_name(wanted.tool), 1, why_no_preparation(pieces, wanted),
-                 "Makes a new mesh of each piece. One undo takes it back."))
-    requests.preparation = wanted;
+  const bool pressed = row_button(button_name(wanted.tool), 1, why_no_preparation(pieces, wanted),
+                                  "Makes a new mesh of each piece. One undo takes it back.");
   mark_last_item("prepare");
+  return pressed;
 }
 
 }  // namespace kerf

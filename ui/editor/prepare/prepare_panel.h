@@ -1,9 +1,8 @@
 #pragma once
 
 #include "core/mesh/files/file_frame.h"
-#include "ui/editor/changes/prepare_pieces.h"
-#include "ui/editor/view/view_state.h"
-#include "ui/editor/work/requests.h"
+#include "ui/editor/prepare/prepare_pieces.h"
+#include "ui/editor/shared/view_state.h"
 #include "ui/window/number_fields.h"
 
 namespace kerf {
@@ -24,7 +23,8 @@ Preparation with_numbers(const Preparation& preparation, std::span<const PieceRo
 // what the numbers will be.
 class PreparePanel {
  public:
-  void draw(const World& world, const ViewState& view, Preparation& preparation, Requests& requests);
+  // Returns whether it is to be done now.
+  bool draw(const World& world, const ViewState& view, Preparation& preparation);
 
  private:
   void draw_numbers(Preparation& preparation, const Preparation& shown, const World& world, FileUnit unit);

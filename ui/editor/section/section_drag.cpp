@@ -4,7 +4,7 @@
 
 #include "core/base/assert.h"
 #include "core/base/unit_vector.h"
-#include "ui/editor/view/along_axis.h"
+#include "ui/editor/shared/along_axis.h"
 
 namespace kerf {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/editor/view/view_state.h"
+#include "ui/editor/shared/view_state.h"
 #include "ui/window/message.h"
 
 namespace kerf {

@@ -13,9 +13,9 @@ namespace kerf {
 
 namespace {
 
-constexpr double kArrowEms = 6.5, kRingEms = 4.4;  // length and radius
-constexpr double kReachOfHandle = 7;               // screen coordinates around a handle that belong to it
-constexpr size_t kRingPoints = 48;
+constexpr double kNormalEms = 6.5, kTiltEms = 4.4;  // length and radius
+constexpr double kReachOfHandle = 7;                // screen coordinates around a handle that belong to it
+constexpr size_t kTiltPoints = 48;
 constexpr double kMargin = 1.06;  // of the frame around the world
 constexpr double kHalfTurn = 3.14159265358979323846;
 constexpr ImU32 kColour = IM_COL32(0xbc, 0xdd, 0xff, 255), kFaint = IM_COL32(0xbc, 0xdd, 0xff, 90);
@@ -34,17 +34,17 @@ double em_at(const ViewState& view, const CameraView& camera, const Vec3& p) {
 }
 
 std::vector<Vec3> arrow_of(const SectionPlane& plane, double em) {
-  return {plane.point, plane.point + plane.normal * (kArrowEms * em)};
+  return {plane.point, plane.point + plane.normal * (kNormalEms * em)};
 }
 
 // The half in front, one run of points.
 std::vector<Vec3> ring_of(const SectionPlane& plane, const Vec3& axis, const Vec3& eye, double em) {
-  const Vec3 u = plane.normal * (kRingEms * em), v = glm::cross(axis, plane.normal) * (kRingEms * em);
+  const Vec3 u = plane.normal * (kTiltEms * em), v = glm::cross(axis, plane.normal) * (kTiltEms * em);
   const Vec3 towards = glm::normalize(eye - plane.point);
   const double middle = std::atan2(glm::dot(v, towards), glm::dot(u, towards));
   std::vector<Vec3> points;
-  for (size_t k = 0; k <= kRingPoints; ++k) {
-    const double angle = middle + kHalfTurn * (static_cast<double>(k) / kRingPoints - 0.5);
+  for (size_t k = 0; k <= kTiltPoints; ++k) {
+    const double angle = middle + kHalfTurn * (static_cast<double>(k) / kTiltPoints - 0.5);
     points.push_back(plane.point + u * std::cos(angle) + v * std::sin(angle));
   }
   return points;
@@ -83,12 +83,6 @@ std::optional<Grip> grip_under(const std::vector<SectionHandle>& handles, Vec2 a
     found = Grip{handle.kind, nearest.point};
   }
   return found;
-}
-
-// The pointer as CameraView::ray takes it, in the half that shows the open document.
-Vec2 in_first(const ViewState& view, Vec2 at) {
-  const Vec2 p = (at - view.layout.first.at) / view.layout.first.size;
-  return {2 * p.x - 1, 1 - 2 * p.y};
 }
 
 void draw_handle(const SectionHandle& handle, double em, ImU32 colour, ImDrawList& list) {
@@ -158,7 +152,7 @@ std::optional<SectionDrag> section_drag_at(const ViewState& view, Vec2 at) {
   if (!view.layout.first.contains(at)) return std::nullopt;
   const auto grip = grip_under(section_handles(view), at);
   if (!grip) return std::nullopt;
-  return SectionDrag(grip->kind, *view.look.section, view.seen_first(), in_first(view, at), grip->point);
+  return SectionDrag(grip->kind, *view.look.section, view.seen_first(), view.in_first(at), grip->point);
 }
 
 std::string name_of(const SectionHandle& handle) {

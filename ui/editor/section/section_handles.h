@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ui/editor/section/section_drag.h"
-#include "ui/editor/view/view_state.h"
+#include "ui/editor/shared/view_state.h"
 
 struct ImDrawList;
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "ui/editor/view/shortcut_text.h"
+#include "ui/editor/shared/shortcut_text.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_format.h"
 #include "ui/window/number_text.h"

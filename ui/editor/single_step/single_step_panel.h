@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/document/document.h"
+#include "ui/editor/shared/view_state.h"
 #include "ui/editor/single_step/stage_state.h"
-#include "ui/editor/view/view_state.h"
 
 namespace kerf {
 

@@ -7,7 +7,7 @@
 
 #include "core/base/random.h"
 #include "tests/support/made_meshes.h"
-#include "ui/editor/inspect/placement_rows.h"
+#include "ui/editor/moving/placement_rows.h"
 
 namespace kerf {
 namespace {

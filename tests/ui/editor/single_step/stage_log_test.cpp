@@ -12,7 +12,7 @@
 namespace kerf {
 namespace {
 
-using Kind = StageRecord::Kind;
+using StageKind = StageRecord::Kind;
 
 // A sheet, with a stroke from edge to edge that waits.
 Document sheet(bool turns = false) {
@@ -52,7 +52,7 @@ TEST(StageLog, marks_the_faces_that_each_stage_hit_made_and_removed) {
   SingleStep single(document);
   StageLog log;
   EXPECT_EQ(log.marks(document.world()), nullptr);
-  std::set<Kind> seen;
+  std::set<StageKind> seen;
   std::vector<PieceId> came_off, stayed;
   while (document.waiting() > 0) {
     const Result<StageRecord> stage = single.next();
@@ -65,7 +65,7 @@ TEST(StageLog, marks_the_faces_that_each_stage_hit_made_and_removed) {
     for (const BodyDelta& b : stage->done.delta.bodies) born += b.born.size();
     EXPECT_EQ(count(*marks, StageMarks::Kind::kHit), stage->hit.size());
     EXPECT_EQ(count(*marks, StageMarks::Kind::kRemoved), stage->done.delta.removed_faces);
-    EXPECT_EQ(lines(*marks, StageMarks::Kind::kBorn), stage->kind == Kind::kRefine ? 3 * born : 0);
+    EXPECT_EQ(lines(*marks, StageMarks::Kind::kBorn), stage->kind == StageKind::kRefine ? 3 * born : 0);
     EXPECT_EQ(count(*marks, StageMarks::Kind::kSwept) > 0, stage->move.has_value());
     if (!marks->came_off.empty()) {
       EXPECT_FALSE(marks->stayed.empty());
@@ -77,7 +77,8 @@ TEST(StageLog, marks_the_faces_that_each_stage_hit_made_and_removed) {
   const BodyId body = document.world().ids().front();
   EXPECT_EQ(came_off, (std::vector<PieceId>{{body, 1}}));
   EXPECT_EQ(stayed, (std::vector<PieceId>{{body, 0}}));
-  for (const Kind kind : {Kind::kSweep, Kind::kHit, Kind::kRefine, Kind::kHitAgain, Kind::kRemove})
+  for (const StageKind kind :
+       {StageKind::kSweep, StageKind::kHit, StageKind::kRefine, StageKind::kHitAgain, StageKind::kRemove})
     EXPECT_TRUE(seen.contains(kind));
 }
 
@@ -90,7 +91,7 @@ TEST(StageLog, walks_through_the_last_query_of_the_tree) {
       const Result<StageRecord> stage = single.next();
       ASSERT_TRUE(stage.ok());
       log.note(document.world(), *stage);
-      if (stage->kind != Kind::kHit && stage->kind != Kind::kHitAgain) continue;
+      if (stage->kind != StageKind::kHit && stage->kind != StageKind::kHitAgain) continue;
       const QueryWalk& query = log.query();
       ASSERT_EQ(query.visited(), query.size());
       std::set<uint32_t> touched;
@@ -146,7 +147,7 @@ TEST(StageLog, keeps_the_sentences_of_the_stages_ahead_after_going_back) {
   EXPECT_EQ(words(*log.last()), told[10]);
   log.restart();
   StageRecord other;
-  other.kind = Kind::kTime;
+  other.kind = StageKind::kTime;
   log.note(document.world(), other);
   EXPECT_EQ(log.told(), (std::vector<std::string>{words(other)})) << "the queue is another one";
   log.forget();

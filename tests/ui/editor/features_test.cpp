@@ -1,0 +1,82 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tests/support/checkout.h"
+#include "tests/support/editor_features.h"
+#include "ui/render/view_switches.h"
+
+namespace kerf {
+namespace {
+
+class Actions : public testing::Test {
+ protected:
+  test::EditorFeatures editor;
+  Workspace& on = editor.on;
+  const std::vector<UserAction>& actions = editor.catalogue.actions;
+
+  // "| Ctrl+O | Open... |" for every row of the sheet that F1 shows, in its order.
+  std::vector<std::string> rows_of_sheet() const {
+    std::vector<std::string> rows;
+    for (const Gesture& g : editor.catalogue.gestures)
+      rows.push_back(std::string("| ") + g.gesture + " | " + g.meaning + " |");
+    for (const UserAction& a : actions) {
+      if (!a.shortcut.empty()) rows.push_back("| " + a.shortcut + " | " + a.name + " |");
+    }
+    return rows;
+  }
+};
+
+std::vector<std::string> rows_of_readme() {
+  std::ifstream readme(test::checkout() / "ui/editor/README.md");
+  std::vector<std::string> rows;
+  std::string line;
+  while (std::getline(readme, line) && line != "| key or gesture | what it does |") {
+  }
+  std::getline(readme, line);  // the line under the head
+  while (std::getline(readme, line) && line.starts_with("|")) rows.push_back(line);
+  return rows;
+}
+
+TEST_F(Actions, the_readme_lists_what_the_sheet_lists) { EXPECT_EQ(rows_of_readme(), rows_of_sheet()); }
+
+TEST_F(Actions, no_two_actions_share_a_key) {
+  std::set<std::pair<int, int>> taken;
+  for (const UserAction& a : actions) {
+    if (a.key == 0 || a.has_key_when) continue;
+    EXPECT_TRUE(taken.emplace(a.key, a.mods).second) << a.name;
+  }
+}
+
+TEST_F(Actions, what_is_written_in_the_menu_is_what_is_pressed) {
+  for (const UserAction& a : actions) EXPECT_EQ(!a.shortcut.empty(), a.key != 0) << a.name;
+}
+
+TEST_F(Actions, either_do_something_or_open_a_menu) {
+  for (const UserAction& a : actions) EXPECT_TRUE((a.run != nullptr) != (a.items != nullptr)) << a.name;
+}
+
+TEST_F(Actions, every_action_of_a_menu_says_what_it_does) {
+  for (const UserAction& a : actions) {
+    EXPECT_TRUE(a.items != nullptr || !a.tip.empty()) << a.name;
+  }
+}
+
+TEST_F(Actions, a_key_flips_a_switch_of_the_view_and_one_that_cannot_be_done_says_why) {
+  for (const ViewSwitch& s : view_switches()) {
+    if (s.key == 0) continue;
+    const size_t before = s.get(on.view.look);
+    EXPECT_TRUE(run_shortcut(actions, s.key, 0, on.message)) << s.label;
+    EXPECT_NE(s.get(on.view.look), before) << s.label;
+  }
+  EXPECT_FALSE(on.message.is_error);
+  EXPECT_TRUE(run_shortcut(actions, 'H', 0, on.message));
+  EXPECT_TRUE(on.message.is_error);
+  EXPECT_FALSE(run_shortcut(actions, 'Q', 0, on.message));
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,146 @@
+#include "ui/editor/files/save_work.h"
+
+#include <gtest/gtest.h>
+
+#include <GLFW/glfw3.h>
+
+#include "core/document/opened_file.h"
+#include "core/document/save.h"
+#include "tests/support/temporary_folder.h"
+#include "ui/editor/files/unsaved_work.h"
+
+namespace kerf {
+namespace {
+
+using test::read_text;
+using test::TemporaryFolder;
+using test::write_text;
+
+// An editor with a plate open, and a folder for what it saves.
+class SaveWork : public testing::Test {
+ protected:
+  void SetUp() override {
+    write_text(folder_ / "plate.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 3 2\n");
+    auto work = open_file(folder_ / "plate.obj");
+    ASSERT_TRUE(work.ok());
+    work_.document = Document(std::move(work->scene.world));
+    work_.scene = std::move(work->scene);
+    work_.saved_lights = view_.look.lights;
+    work_.files = {folder_ / "plate.obj"};
+  }
+  void cut() {
+    CutSettings settings;
+    settings.laser.radius = 0.05;
+    work_.document.apply(BeginStroke{settings, {{0.2, 1, 0.2}, {0, -1, 0}}});
+    work_.document.apply(EndStroke{});
+    while (work_.document.waiting() > 0) ASSERT_TRUE(work_.document.step(1).ok());
+  }
+
+  TemporaryFolder folder_;
+  std::string title() const { return window_title(work_, view_.look.lights); }
+  bool unsaved() const { return is_unsaved(work_, view_.look.lights); }
+  bool save(const std::filesystem::path& file) { return save_work(work_, view_, file, settings_, message_); }
+  bool may_go() {
+    return may_leave(decisions_, work_, view_.look.lights, [] {});
+  }
+
+  OpenWork work_;
+  ViewState view_;
+  Settings settings_;
+  Message message_;
+  Decisions decisions_;
+  std::vector<LeftWork> left_work_;
+};
+
+TEST_F(SaveWork, a_star_in_the_title_says_that_something_is_not_saved) {
+  EXPECT_EQ(title(), "plate.obj - Kerf");
+  cut();
+  EXPECT_EQ(title(), "plate.obj* - Kerf");
+  EXPECT_EQ(suggested_name(work_), "plate.kerf");
+  ASSERT_TRUE(save(folder_ / "mine"));
+  EXPECT_EQ(title(), "mine.kerf - Kerf");
+  view_.look.lights.front().intensity *= 2;
+  EXPECT_EQ(title(), "mine.kerf* - Kerf");
+}
+
+TEST_F(SaveWork, what_was_saved_opens_with_its_lights_and_its_view) {
+  cut();
+  view_.look.lights.front().at = {0, 7, 0};
+  ASSERT_TRUE(save(folder_ / "mine.kerf"));
+  const auto work = open_file(folder_ / "mine.kerf");
+  ASSERT_TRUE(work.ok()) << work.error().message;
+  EXPECT_EQ(work->journal.commands.size(), 2u);
+  EXPECT_EQ(work->journal.marks.size(), 1u);
+  ASSERT_EQ(work->scene.lights.size(), 1u);
+  EXPECT_EQ(work->scene.lights.front().at, Vec3(0, 7, 0));
+  EXPECT_TRUE(work->scene.view.has_value());
+}
+
+TEST_F(SaveWork, a_scene_holds_all_but_the_cuts_and_says_so) {
+  ASSERT_TRUE(save(folder_ / "mine.json"));
+  cut();
+  EXPECT_FALSE(save(folder_ / "mine.json"));
+  EXPECT_TRUE(unsaved());
+  EXPECT_NE(message_.text.find("without what was cut"), std::string::npos);
+  EXPECT_TRUE(open_file(folder_ / "mine.json").ok());
+}
+
+TEST_F(SaveWork, a_file_that_cannot_be_written_leaves_the_work_unsaved) {
+  cut();
+  EXPECT_FALSE(save(folder_.path() / "no" / "mine.kerf"));
+  EXPECT_TRUE(message_.is_error);
+  EXPECT_TRUE(unsaved());
+  EXPECT_TRUE(work_.file.empty());
+}
+
+TEST_F(SaveWork, unsaved_work_is_asked_about_before_it_goes) {
+  EXPECT_TRUE(may_go());
+  cut();
+  const struct {
+    int key;
+    Decision decision;
+    bool waits;
+  } answers[] = {{GLFW_KEY_ESCAPE, Decision::kNone, false},
+                 {GLFW_KEY_C, Decision::kNone, false},
+                 {GLFW_KEY_D, Decision::kLeave, true},
+                 {GLFW_KEY_S, Decision::kSaveFirst, true},
+                 {GLFW_KEY_ENTER, Decision::kSaveFirst, true}};
+  for (const auto& answer : answers) {
+    EXPECT_FALSE(may_go());
+    question_key(decisions_.question, GLFW_KEY_X);
+    EXPECT_EQ(take_decision(decisions_, left_work_), Decision::kNone);
+    EXPECT_TRUE(decisions_.question.open());
+    question_key(decisions_.question, answer.key);
+    EXPECT_EQ(take_decision(decisions_, left_work_), answer.decision);
+    EXPECT_FALSE(decisions_.question.open());
+    EXPECT_EQ(decisions_.leaving != nullptr, answer.waits);
+  }
+}
+
+TEST_F(SaveWork, no_letter_that_is_pressed_by_chance_discards_what_a_dead_editor_left) {
+  cut();
+  ASSERT_TRUE(note_hashes(work_.scene).ok());
+  {
+    Autosave dead(folder_ / "state");
+    dead.begin(work_.scene, {});
+    ASSERT_TRUE(dead.follow(work_.document, {}).ok());
+  }
+  std::vector<std::string> faults;
+  left_work_ = find_left_work(folder_ / "state", faults);
+  ASSERT_EQ(left_work_.size(), 1u);
+  ask_about_left_work(decisions_, left_work_);
+  EXPECT_NE(decisions_.question.text.find("plate.obj, with 1 stroke,"), std::string::npos)
+      << decisions_.question.text;
+  question_key(decisions_.question, GLFW_KEY_D);
+  EXPECT_FALSE(decisions_.question.answer.has_value());
+  question_key(decisions_.question, GLFW_KEY_G);
+  EXPECT_EQ(take_decision(decisions_, left_work_), Decision::kGoOn);
+  ask_about_left_work(decisions_, left_work_);
+  decisions_.question.answer = 1;
+  EXPECT_EQ(take_decision(decisions_, left_work_), Decision::kNone);
+  EXPECT_TRUE(left_work_.empty());
+  EXPECT_TRUE(std::filesystem::is_empty(folder_ / "state"));
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,103 @@
+#include "ui/editor/laser/cut_progress.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "core/document/stop_strokes.h"
+#include "tests/support/made_meshes.h"
+
+namespace kerf {
+namespace {
+
+class CutProgressTest : public testing::Test {
+ protected:
+  CutProgressTest() {
+    World world;
+    world.add(make_body("grid", test::build(test::grid(12, 1))));
+    document = Document(std::move(world));
+  }
+  void draw(Rim rim = Rim::kFaces) {
+    CutSettings settings;
+    settings.laser.radius = 0.02;
+    settings.resolution.target_edge = 0.02;
+    settings.resolution.rim = rim;
+    document.apply(BeginStroke{settings, {{-0.6, 1, 0.01}, {0, -1, 0}}});
+    document.apply(MoveStroke{{{0.6, 1, 0.01}, {0, -1, 0}}, 1});
+    document.apply(EndStroke{});
+  }
+  std::string follow(double seconds, bool held_back = false) {
+    progress.follow(document, held_back, seconds);
+    return progress.text();
+  }
+  void finish() {
+    while (document.waiting() > 0) ASSERT_TRUE(document.step(1).ok());
+  }
+  Document document;
+  CutProgress progress;
+};
+
+TEST_F(CutProgressTest, tells_what_lasts_and_how_much_of_it_is_done) {
+  EXPECT_EQ(follow(1), "");
+  draw();
+  const size_t moves = document.waiting();
+  EXPECT_EQ(follow(0.1), "");
+  EXPECT_FALSE(progress.can_stop());
+  EXPECT_EQ(follow(0.5), "Cutting, 0 %, Esc stops");
+  EXPECT_TRUE(progress.can_stop());
+  while (document.waiting() > moves / 2) ASSERT_TRUE(document.step(1).ok());
+  int share = 0;
+  ASSERT_EQ(std::sscanf(follow(0.1).c_str(), "Cutting, %d %%, Esc stops", &share), 1);
+  EXPECT_NEAR(share, 50, 2);
+  finish();
+  EXPECT_EQ(follow(0.1), "");
+  EXPECT_FALSE(progress.can_stop());
+}
+
+TEST_F(CutProgressTest, never_goes_back_after_the_last_move_is_queued) {
+  draw();
+  follow(0.1);
+  draw();
+  int before = 0;
+  while (document.waiting() > 0) {
+    ASSERT_TRUE(document.step(1).ok());
+    int share = 0;
+    if (std::sscanf(follow(1).c_str(), "Cutting, %d %%", &share) != 1) continue;
+    EXPECT_GE(share, before);
+    before = share;
+  }
+  EXPECT_GT(before, 90);
+}
+
+TEST_F(CutProgressTest, what_is_stopped_is_no_longer_at_work) {
+  draw();
+  ASSERT_TRUE(document.step(4).ok());
+  follow(0);
+  follow(1);
+  ASSERT_TRUE(progress.can_stop());
+  ASSERT_TRUE(stop_strokes(document).ok());
+  finish();
+  EXPECT_EQ(follow(1), "");
+}
+
+TEST_F(CutProgressTest, the_end_of_a_stroke_with_a_smooth_rim_is_told_and_not_stopped) {
+  draw(Rim::kSmooth);
+  follow(0);
+  while (document.moves_wait()) ASSERT_TRUE(document.step(1).ok());
+  ASSERT_GT(document.waiting(), 0u);
+  EXPECT_EQ(follow(1), "Smoothing the rim");
+  EXPECT_FALSE(progress.can_stop());
+}
+
+TEST_F(CutProgressTest, time_and_what_is_held_back_are_no_work) {
+  document.apply(Advance{100, false, true});
+  follow(0);
+  EXPECT_EQ(follow(1), "");
+  draw();
+  follow(0, true);
+  EXPECT_EQ(follow(1, true), "");
+  EXPECT_FALSE(progress.can_stop());
+}
+
+}  // namespace
+}  // namespace kerf

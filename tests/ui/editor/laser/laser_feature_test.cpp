@@ -1,0 +1,36 @@
+#include "ui/editor/laser/laser_feature.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/made_meshes.h"
+
+namespace kerf {
+namespace {
+
+const char* why_no_recut(Feature& laser) {
+  for (const ActionGroup& group : laser.actions()) {
+    for (const UserAction& action : group.actions) {
+      if (action.name == "Cut the last stroke again") return action.objection();
+    }
+  }
+  return "There is no such action.";
+}
+
+TEST(LaserFeature, the_last_stroke_can_be_cut_again_and_where_there_is_none_it_says_so) {
+  Workspace on;
+  World world;
+  world.add(make_body("sphere", test::build(test::sphere(12, 16, 1))));
+  on.work.document = Document(std::move(world));
+  const auto laser = laser_feature(on);
+  EXPECT_NE(why_no_recut(*laser), nullptr);
+  CutSettings settings;
+  settings.laser.radius = 0.1;
+  on.work.document.apply(BeginStroke{settings, {{0, 0, 5}, {0, 0, -1}}});
+  EXPECT_NE(why_no_recut(*laser), nullptr);
+  on.work.document.apply(EndStroke{});
+  while (on.work.document.waiting() > 0) ASSERT_TRUE(on.work.document.step(8).ok());
+  EXPECT_EQ(why_no_recut(*laser), nullptr);
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,224 @@
+#include "ui/editor/moving/piece_move.h"
+
+#include <GLFW/glfw3.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "core/base/random.h"
+#include "tests/support/made_meshes.h"
+#include "ui/editor/moving/moving.h"
+#include "ui/editor/moving/moving_feature.h"
+#include "ui/editor/moving/piece_handles.h"
+#include "ui/editor/shared/piece_set.h"
+#include "ui/editor/shared/selection.h"
+
+namespace kerf {
+namespace {
+
+using Kind = PieceMove::Kind;
+using Axis = PieceMove::Axis;
+
+CameraView from_the_front() { return look_at({0, 0, 5}, {0, 0, 0}, 1.5); }
+
+PieceMove begin(Kind kind, const Vec3& pivot = Vec3(0), const Placement& from = {}) {
+  return PieceMove(kind, {}, from, pivot, from_the_front(), {0, 0});
+}
+
+void type(PieceMove& move, const std::string& keys) {
+  for (const char c : keys)
+    EXPECT_TRUE(move.key(c == '<' ? GLFW_KEY_BACKSPACE : c))
+        << c;  // GLFW's keys of these are their characters
+}
+
+TEST(PieceMove, typed_metres_go_along_the_axis_that_was_chosen) {
+  PieceMove move = begin(Kind::kMove);
+  type(move, "Y0.25");
+  EXPECT_EQ(move.placement().position, Vec3(0, 0.25, 0));
+  type(move, "-");  // the sign changes wherever it is typed
+  EXPECT_EQ(move.placement().position, Vec3(0, -0.25, 0));
+  type(move, "Z");
+  EXPECT_EQ(move.placement().position, Vec3(0, 0, -0.25));
+  type(move, "<<<<<5");
+  EXPECT_EQ(move.placement().position, Vec3(0, 0, 5));
+  EXPECT_EQ(move.words("mm"), "Move along Z: 5 mm");
+  type(move, "Z");  // free again: a number alone goes along X
+  EXPECT_EQ(move.placement().position, Vec3(5, 0, 0));
+  EXPECT_FALSE(move.key(GLFW_KEY_Q));
+}
+
+TEST(PieceMove, typed_degrees_turn_about_the_axis_and_leave_the_pivot_where_it_is) {
+  const Vec3 pivot(1, 2, 3);
+  PieceMove move = begin(Kind::kTurn, pivot, {{5, 0, 0}, {1, 0, 0, 0}});
+  type(move, "Z90");
+  const Placement to = move.placement();
+  const Vec3 corner(-4, 2, 3);  // of the body: at the pivot in the world
+  EXPECT_LT(glm::length(to.to_world(corner) - pivot), 1e-12);
+  EXPECT_LT(glm::length(to.to_world(corner + Vec3(1, 0, 0)) - (pivot + Vec3(0, 1, 0))), 1e-12);
+  EXPECT_NEAR(glm::length(to.orientation), 1, 1e-15);
+}
+
+TEST(PieceMove, what_the_picture_shows_is_where_the_piece_comes_to_stand) {
+  Random random(5);
+  const auto vector = [&] {
+    return Vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+  };
+  for (int round = 0; round < 200; ++round) {
+    const Kind kind = round % 2 == 0 ? Kind::kMove : Kind::kTurn;
+    const Placement from{vector(), glm::normalize(glm::dquat(random.uniform(-1, 1), vector()))};
+    const CameraView view = look_at(5.0 * vector(), vector(), 1.3);
+    PieceMove move(kind, {}, from, vector(), view, {random.uniform(-1, 1), 0});
+    if (round % 3 != 0) move.constrain(static_cast<Axis>(random.below(3)));
+    move.point(view, {random.uniform(-1, 1), random.uniform(-1, 1)});
+    const Vec3 p = vector();
+    const PieceMove::Look look = move.look();
+    EXPECT_LT(glm::length(look.turn * from.to_world(p) + look.offset - move.placement().to_world(p)), 1e-9);
+  }
+}
+
+TEST(PieceMove, the_pivot_follows_the_pointer_in_the_plane_of_the_picture_and_along_an_axis) {
+  const CameraView view = from_the_front();
+  PieceMove move = begin(Kind::kMove);
+  move.point(view, {0.4, -0.3});
+  const Vec3 seen = view.project(move.placement().position);
+  EXPECT_NEAR(seen.x, 0.4, 1e-9);
+  EXPECT_NEAR(seen.y, -0.3, 1e-9);
+  EXPECT_NEAR(move.placement().position.z, 0, 1e-12);
+  move.point(view, {0.4, 0});
+  move.constrain(Axis::kX);
+  EXPECT_NEAR(view.project(move.placement().position).x, 0.4, 1e-9);
+  EXPECT_EQ(move.placement().position.y, 0);
+  move.constrain(Axis::kZ);  // it points at the eye: the pointer says nothing about it
+  EXPECT_EQ(move.placement().position, Vec3(0));
+}
+
+TEST(PieceMove, stays_where_it_is_while_the_view_changes_and_follows_the_pointer_from_there) {
+  const CameraView front = from_the_front(), aside = look_at({4, 1, 3}, {0, 0, 0}, 1.5);
+  PieceMove move = begin(Kind::kMove);
+  move.point(front, {0.4, -0.3});
+  const Vec3 before = move.placement().position;
+  move.point(aside, {0.7, 0.1});
+  EXPECT_LT(glm::length(move.placement().position - before), 1e-12);
+  move.point(aside, {0.75, 0.2});
+  const Vec3 from = aside.project(before), to = aside.project(move.placement().position);
+  EXPECT_NEAR(to.x - from.x, 0.05, 1e-9);
+  EXPECT_NEAR(to.y - from.y, 0.1, 1e-9);
+  PieceMove turn = begin(Kind::kTurn);
+  turn.point(front, {0.4, -0.3});
+  turn.point(front, {0.1, 0.4});
+  const std::string words = turn.words("m");
+  turn.point(aside, {-0.8, 0.6});
+  EXPECT_EQ(turn.words("m"), words);
+}
+
+TEST(PieceMove, a_turn_follows_the_pointer_round_the_pivot_and_counts_whole_turns) {
+  const CameraView view = from_the_front();
+  PieceMove move(Kind::kTurn, {}, {}, Vec3(0), view, {0.5, 0});
+  for (int i = 1; i <= 40; ++i) {  // one and a quarter turns, counterclockwise
+    const double angle = 1.25 * 2 * 3.14159265358979 * i / 40;
+    move.point(view, {0.5 * std::cos(angle), 0.5 * view.aspect * std::sin(angle)});
+  }
+  EXPECT_EQ(move.words("m"), "Rotate: 450 degrees");
+  const Vec3 turned = move.placement().to_world({1, 0, 0});
+  EXPECT_LT(glm::length(turned - Vec3(0, 1, 0)), 1e-9);
+}
+
+// An editor with a chosen sphere before the eye, and the tool that picks.
+struct Bench {
+  Bench() {
+    World world;
+    id = world.add(make_body("sphere", test::build(test::sphere(12, 16, 1))));
+    on.work.document = Document(std::move(world));
+    on.view.layout = lay_out({1000, 700}, 16, 26, 26);
+    on.view.camera.look({0, 0, 5}, {0, 0, 0});
+    on.view.camera.finish();
+    on.view.look.pieces[{id, 0}].selected = true;
+    on.tool = kPickTool;
+    const Area& area = on.view.layout.first;
+    on.pointer = area.at + 0.5 * area.size;
+  }
+  void run(const std::string& action) {
+    for (const ActionGroup& group : feature->actions()) {
+      for (const UserAction& a : group.actions) {
+        if (a.name == action) a.run();
+      }
+    }
+  }
+  bool key(int key) { return feature->takes({InputEvent::Kind::kKey, {}, key}, false); }
+  void keys(const std::string& typed) {
+    for (const char c : typed) EXPECT_TRUE(key(c));
+  }
+  const PieceLook& look() { return on.view.look.pieces[{id, 0}]; }
+  std::vector<PieceHandle> handles() const {
+    return piece_handles(handle_stage(on.view, std::nullopt, on.tool == kPickTool, on.world()));
+  }
+
+  Workspace on;
+  BodyId id;
+  std::unique_ptr<Feature> feature = moving_feature(on);
+};
+
+TEST(Moving, shows_the_piece_on_its_way_and_asks_for_one_change_at_the_end) {
+  Bench b;
+  b.run("Move the chosen");
+  b.keys("Y2");
+  EXPECT_EQ(b.look().offset, Vec3(0, 2, 0));
+  EXPECT_FALSE(b.on.changes.is_asked());
+  EXPECT_TRUE(b.key(GLFW_KEY_ENTER));
+  EXPECT_FALSE(b.look().is_away());
+  EXPECT_TRUE(b.on.changes.is_asked());
+  EXPECT_FALSE(b.key(GLFW_KEY_X));
+}
+
+TEST(Moving, ends_with_the_command_that_moves_the_piece) {
+  Bench b;
+  Moving moving(b.on.view);
+  moving.begin(b.on.world(), Kind::kMove, b.on.pointer);
+  EXPECT_TRUE(moving.key(GLFW_KEY_Y) && moving.key(GLFW_KEY_2));
+  const auto command = moving.confirm();
+  ASSERT_TRUE(command);
+  EXPECT_EQ(std::get<MovePiece>(*command).to.position, Vec3(0, 2, 0));
+}
+
+TEST(Moving, asks_for_nothing_when_it_is_cancelled_or_goes_nowhere) {
+  Bench b;
+  b.run("Rotate the chosen");
+  b.keys("X90");
+  EXPECT_TRUE(b.look().is_turned());
+  EXPECT_TRUE(b.key(GLFW_KEY_ESCAPE));
+  EXPECT_FALSE(b.look().is_away());
+  b.run("Move the chosen");
+  EXPECT_TRUE(b.key(GLFW_KEY_ENTER));
+  EXPECT_FALSE(b.on.changes.is_asked());
+}
+
+TEST(Moving, needs_exactly_one_chosen_piece) {
+  Bench b;
+  PieceMap& looks = b.on.view.look.pieces;
+  EXPECT_EQ(why_no_move(looks), nullptr);
+  looks[{b.id, 7}].selected = true;
+  EXPECT_NE(why_no_move(looks), nullptr);
+  looks.clear();
+  EXPECT_NE(why_no_move(looks), nullptr);
+}
+
+TEST(PieceHandles, are_found_where_they_are_drawn_and_only_with_the_tool_that_picks) {
+  Bench b;
+  const std::vector<PieceHandle> handles = b.handles();
+  ASSERT_EQ(handles.size(), 6u);
+  for (const PieceHandle& handle : handles) {
+    if (name_of(handle) == "move Z" || name_of(handle) == "turn Z") continue;  // seen from their ends
+    const auto found = handle_under(handles, grip_of(handle));
+    ASSERT_TRUE(found) << name_of(handle);
+    if (handle.kind == Kind::kMove) {
+      EXPECT_EQ(name_of(*found), name_of(handle));
+    }
+  }
+  const Area& area = b.on.view.layout.first;
+  EXPECT_FALSE(handle_under(handles, area.at + Vec2(5)));
+  b.on.tool = "Laser";
+  EXPECT_TRUE(b.handles().empty());
+}
+
+}  // namespace
+}  // namespace kerf

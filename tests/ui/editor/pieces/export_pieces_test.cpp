@@ -1,0 +1,89 @@
+#include "ui/editor/pieces/export_pieces.h"
+
+#include <gtest/gtest.h>
+
+#include "core/mesh/read_mesh.h"
+#include "tests/support/made_meshes.h"
+#include "tests/support/temporary_folder.h"
+
+namespace kerf {
+namespace {
+
+using Names = std::vector<std::string>;
+
+World world_of(const Names& bodies) {
+  World world;
+  for (const std::string& name : bodies) {
+    Soup soup = test::grid(2, 1);
+    soup.material_names = {"paint", "tyre", "chrome"};
+    soup.materials.assign(soup.triangles.size(), 0);
+    soup.materials.back() = 2;
+    world.add(make_body(name, test::build(soup)));
+  }
+  return world;
+}
+
+PieceMap all_chosen(const World& world) {
+  PieceMap looks;
+  for (const BodyId id : world.ids()) looks[{id, 0}].selected = true;
+  return looks;
+}
+
+Names names(const std::vector<PieceFile>& files) {
+  Names all;
+  for (const PieceFile& f : files) all.push_back(f.mesh.string());
+  return all;
+}
+
+TEST(ExportPieces, makes_names_that_every_file_system_takes) {
+  EXPECT_EQ(file_name_of("car 9"), "car-9");
+  EXPECT_EQ(file_name_of("../a\\b:c*d\"<e>|\n"), "-.-a-b-c-d--e---");
+  EXPECT_EQ(file_name_of(""), "piece");
+  EXPECT_EQ(file_name_of("T\xc3\xbcr"), "T\xc3\xbcr");
+}
+
+TEST(ExportPieces, names_files_after_their_pieces_and_no_two_alike) {
+  const World world = world_of({"car", "door left", "car"});
+  EXPECT_EQ(names(files_to_export(world, all_chosen(world), "/x/*.ply")),
+            (Names{"/x/car.ply", "/x/door-left.ply", "/x/car-2.ply"}));
+  EXPECT_EQ(names(files_to_export(world, all_chosen(world), "/x/old *.stl")),
+            (Names{"/x/old car.stl", "/x/old door-left.stl", "/x/old car-2.stl"}));
+  EXPECT_EQ(names(files_to_export(world, all_chosen(world), "/x/part.off")),
+            (Names{"/x/part-1.off", "/x/part-2.off", "/x/part-3.off"}));
+  PieceMap one;
+  one[{world.ids()[1], 0}].selected = true;
+  EXPECT_EQ(names(files_to_export(world, one, "/x/part.off")), Names{"/x/part.off"});
+  EXPECT_EQ(names(files_to_export(world, one, "/x/*.off")), Names{"/x/door-left.off"});
+  EXPECT_TRUE(files_to_export(world, {}, "/x/*.off").empty());
+}
+
+TEST(ExportPieces, writes_the_paints_of_the_materials_that_a_piece_has_beside_an_obj_file) {
+  const test::TemporaryFolder folder;
+  const World world = world_of({"car"});
+  const std::map<std::string, Paint> paints = {{"paint", {{1, 0, 0.5}, 1}}, {"tyre", {{0, 0, 0}, 0}}};
+  const auto written = export_chosen(world, all_chosen(world), paints, folder / "*.obj");
+  ASSERT_TRUE(written.ok()) << written.error().message;
+  ASSERT_EQ(written->size(), 1u);
+  EXPECT_EQ(written->front().library, folder / "car.mtl");
+  EXPECT_TRUE(test::read_text(folder / "car.obj").starts_with("mtllib car.mtl\n"));
+  const std::string library = test::read_text(folder / "car.mtl");
+  EXPECT_TRUE(library.starts_with("newmtl paint\nKd 1 0 0.7")) << library;
+  EXPECT_NE(library.find("newmtl chrome\n"), std::string::npos);
+  EXPECT_EQ(library.find("tyre"), std::string::npos) << "no face has it";
+  const auto soup = read_mesh(folder / "car.obj");
+  ASSERT_TRUE(soup.ok());
+  EXPECT_EQ(soup->material_names, (Names{"paint", "chrome"}));
+  ASSERT_TRUE(export_chosen(world, all_chosen(world), paints, folder / "*.stl").ok());
+  EXPECT_TRUE(std::filesystem::exists(folder / "car.stl"));
+}
+
+TEST(ExportPieces, refuses_other_endings_and_an_empty_choice) {
+  const test::TemporaryFolder folder;
+  const World world = world_of({"car"});
+  EXPECT_FALSE(export_chosen(world, all_chosen(world), {}, folder / "car.txt").ok());
+  EXPECT_FALSE(export_chosen(world, {}, {}, folder / "car.obj").ok());
+  EXPECT_TRUE(std::filesystem::is_empty(folder / "."));
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,76 @@
+#include "ui/editor/shared/long_change.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+namespace kerf::test {
+namespace {
+
+// A change that goes on until it is told to stop, or lets itself be told.
+struct Waiting {
+  std::atomic<bool> may_end = false;
+  bool told = false, stopped = false;
+
+  LongChange change() {
+    LongChange change;
+    change.title = "Waiting";
+    change.run = [this](Document&, const Progress& progress) -> Outcome {
+      while (!may_end) {
+        if (!progress.report(0.5)) {
+          Outcome outcome;
+          outcome.fail(cancelled());
+          return outcome;
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      }
+      return Outcome();
+    };
+    change.then = [this](const Outcome& outcome) {
+      told = true;
+      stopped = !outcome.ok();
+    };
+    return change;
+  }
+};
+
+TEST(ChangeThread, goes_on_beside_and_is_finished_where_it_is_asked_to) {
+  Document document;
+  Waiting waiting;
+  ChangeThread thread;
+  thread.start(document, waiting.change());
+  EXPECT_TRUE(thread.busy());
+  EXPECT_EQ(thread.title(), "Waiting");
+  EXPECT_FALSE(thread.is_over(0.01));
+  while (!thread.can_stop()) std::this_thread::yield();
+  EXPECT_EQ(thread.fraction(), 0.5);
+  EXPECT_FALSE(waiting.told);
+  waiting.may_end = true;
+  thread.finish();
+  EXPECT_FALSE(thread.busy());
+  EXPECT_TRUE(waiting.told);
+  EXPECT_FALSE(waiting.stopped);
+}
+
+TEST(ChangeThread, stops_when_it_is_asked_to) {
+  Document document;
+  Waiting waiting;
+  ChangeThread thread;
+  thread.start(document, waiting.change());
+  thread.stop();
+  thread.finish();
+  EXPECT_TRUE(waiting.stopped);
+}
+
+TEST(ChangeThread, does_not_outlive_its_owner) {
+  Document document;
+  Waiting waiting;
+  {
+    ChangeThread thread;
+    thread.start(document, waiting.change());
+  }
+  EXPECT_FALSE(waiting.told);
+}
+
+}  // namespace
+}  // namespace kerf::test

@@ -1,0 +1,110 @@
+#include "ui/editor/shell/bindings.h"
+
+#include <GLFW/glfw3.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/editor_features.h"
+#include "ui/editor/shell/settings_page.h"
+
+namespace kerf {
+namespace {
+
+class BindingsOfActions : public testing::Test {
+ protected:
+  test::EditorFeatures editor;
+  Workspace& on = editor.on;
+  const std::vector<UserAction>& usual = editor.catalogue.usual;
+
+  const UserAction& action(const std::vector<UserAction>& of, const std::string& name) const {
+    for (const UserAction& a : of) {
+      if (a.name == name) return a;
+    }
+    ADD_FAILURE() << name;
+    return of.front();
+  }
+  void expect_no_clash(const std::vector<UserAction>& actions) const {
+    for (const UserAction& a : actions) {
+      const UserAction* other = clash_of(actions, a, {a.key, a.mods});
+      EXPECT_EQ(other, nullptr) << a.name << " and " << other->name;
+    }
+  }
+};
+
+TEST_F(BindingsOfActions, what_is_written_is_the_key_that_is_pressed_and_can_be_read_back) {
+  for (const UserAction& a : usual) {
+    EXPECT_EQ(chord_text({a.key, a.mods}), a.shortcut) << a.name;
+    if (a.shortcut.empty()) continue;
+    EXPECT_EQ(parse_chord(a.shortcut), (KeyChord{a.key, a.mods})) << a.name;
+  }
+}
+
+TEST_F(BindingsOfActions, every_key_with_a_name_is_read_back) {
+  for (int key = 0; key <= GLFW_KEY_LAST; ++key) {
+    for (const int mods : {0, GLFW_MOD_CONTROL, GLFW_MOD_CONTROL | GLFW_MOD_SHIFT | GLFW_MOD_ALT}) {
+      const std::string text = chord_text({key, mods});
+      if (text.empty()) continue;
+      EXPECT_EQ(parse_chord(text), (KeyChord{key, mods})) << text;
+    }
+  }
+  for (const char* wrong : {"", "Ctrl+", "Ctr+Z", "Shift+Ctrl+Z", "F99", "z", "Ctrl"})
+    EXPECT_FALSE(parse_chord(wrong)) << wrong;
+}
+
+TEST_F(BindingsOfActions, presets_name_actions_and_clash_nowhere) {
+  for (const BindingPreset& preset : binding_presets()) {
+    SCOPED_TRACE(preset.name);
+    for (const auto& [name, key] : preset.bindings) {
+      EXPECT_EQ(action(usual, name).name, name);
+      EXPECT_TRUE(key.empty() || parse_chord(key)) << key;
+    }
+    expect_no_clash(bind_keys(usual, preset.bindings));
+  }
+}
+
+TEST_F(BindingsOfActions, a_key_is_taken_from_the_action_that_had_it_and_usual_keys_are_not_noted) {
+  Bindings bindings;
+  rebind(bindings, usual, "Wire", {'B', 0});
+  const std::vector<UserAction> bound = bind_keys(usual, bindings);
+  EXPECT_EQ(action(bound, "Wire").shortcut, "B");
+  EXPECT_EQ(action(bound, "Boxes of the tree").key, 0);
+  expect_no_clash(bound);
+  EXPECT_EQ(bindings.size(), 2u);
+  rebind(bindings, usual, "Wire", {'W', 0});
+  rebind(bindings, usual, "Boxes of the tree", {'B', 0});
+  EXPECT_TRUE(bindings.empty());
+}
+
+TEST_F(BindingsOfActions, the_key_of_an_action_that_has_it_only_at_times_does_not_clash_with_the_usual_one) {
+  EXPECT_EQ(clash_of(usual, action(usual, "Move the chosen"), {'G', 0}), nullptr);
+  const UserAction* other = clash_of(usual, action(usual, "Move the chosen"), {'R', 0});
+  ASSERT_NE(other, nullptr);
+  EXPECT_EQ(other->name, "Rotate the chosen");
+}
+
+TEST_F(BindingsOfActions, what_the_settings_name_wrongly_changes_nothing) {
+  const std::vector<UserAction> bound = bind_keys(usual, {{"No such action", "A"}, {"Wire", "Hyper+W"}});
+  for (size_t i = 0; i < usual.size(); ++i) EXPECT_EQ(bound[i].shortcut, usual[i].shortcut);
+}
+
+TEST_F(BindingsOfActions, the_page_names_a_clash_before_it_takes_a_key) {
+  SettingsPage page{.shown = true, .waits_for = "Wire"};
+  Settings settings;
+  const auto press = [&](int key, int mods = 0) { settings_page_key(page, settings, usual, key, mods); };
+  press(GLFW_KEY_LEFT_CONTROL, GLFW_MOD_CONTROL);
+  EXPECT_FALSE(page.clashes);
+  press('B');
+  EXPECT_EQ(page.clashes, (KeyChord{'B', 0}));
+  EXPECT_TRUE(settings.bindings.empty());
+  press(GLFW_KEY_ESCAPE);
+  EXPECT_TRUE(page.shown && settings.bindings.empty() && page.waits_for.empty());
+  page.waits_for = "Wire";
+  press('B');
+  press(GLFW_KEY_ENTER);
+  EXPECT_EQ(settings.bindings.at("Wire"), "B");
+  EXPECT_EQ(settings.bindings.at("Boxes of the tree"), "");
+  press(GLFW_KEY_ESCAPE);
+  EXPECT_FALSE(page.shown);
+}
+
+}  // namespace
+}  // namespace kerf

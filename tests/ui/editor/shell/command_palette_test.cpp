@@ -1,0 +1,81 @@
+#include "ui/editor/shell/command_palette.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "tests/support/editor_features.h"
+#include "ui/render/view_switches.h"
+
+namespace kerf {
+namespace {
+
+class Palette : public testing::Test {
+ protected:
+  test::EditorFeatures editor;
+  Workspace& on = editor.on;
+  const std::vector<UserAction>& actions = editor.catalogue.usual;
+  const std::vector<UserAction> all = nameable_actions(actions);
+
+  std::string best(const char* typed) const {
+    const std::vector<size_t> found = find_actions(all, typed);
+    return found.empty() ? "" : all[found.front()].name;
+  }
+};
+
+TEST_F(Palette, finds_an_action_by_parts_of_its_name) {
+  EXPECT_EQ(best("undo"), "Undo");
+  EXPECT_EQ(best("hide"), "Hide the chosen");
+  EXPECT_EQ(best("wire"), "Wire");
+  EXPECT_EQ(best("shvol"), "Shadow volumes");
+  EXPECT_EQ(best("panel light"), "Panels: Light");
+  EXPECT_EQ(best("preset noon"), "Light preset: Noon");
+  EXPECT_EQ(best("cull"), "Cull backs");
+  EXPECT_EQ(best("qqqq"), "");
+}
+
+TEST_F(Palette, lists_every_action_in_the_order_of_the_menus_while_nothing_is_typed) {
+  const std::vector<size_t> found = find_actions(all, "");
+  ASSERT_EQ(found.size(), all.size());
+  for (size_t i = 0; i < found.size(); ++i) EXPECT_EQ(found[i], i);
+}
+
+TEST_F(Palette, every_action_has_a_name_of_its_own_and_does_something) {
+  std::set<std::string> names;
+  for (const UserAction& action : all) {
+    EXPECT_TRUE(names.insert(action.name).second) << action.name;
+    EXPECT_TRUE(action.run != nullptr) << action.name;
+    EXPECT_TRUE(action.items == nullptr) << action.name;
+  }
+}
+
+TEST_F(Palette, every_switch_of_the_view_and_every_panel_is_found_by_its_name) {
+  for (const ViewSwitch& s : view_switches()) {
+    if (s.label[0] == '\0') continue;
+    EXPECT_EQ(best(s.label).rfind(s.label, 0), 0u) << s.label << " found " << best(s.label);
+  }
+  for (const Panel& panel : editor.catalogue.panels)
+    EXPECT_EQ(best((std::string("panels ") + panel.title).c_str()), std::string("Panels: ") + panel.title);
+}
+
+TEST_F(Palette, the_actions_of_panels_change_what_the_panels_show) {
+  const auto run = [&](const char* typed) { all[find_actions(all, typed).front()].run(); };
+  const double before = on.laser.radius;
+  run("wider beam");
+  EXPECT_GT(on.laser.radius, before);
+  run("split to depth");
+  EXPECT_EQ(on.laser.resolution.rule, Resolution::Rule::kDepth);
+  const int depth = on.laser.resolution.depth;
+  run("finer cut");
+  EXPECT_EQ(on.laser.resolution.depth, depth + 1);
+  run("add a light");
+  EXPECT_EQ(on.view.look.lights.size(), 2u);
+  run("remove light");
+  EXPECT_EQ(on.view.look.lights.size(), 1u);
+  const bool shown = on.settings.shows("Tree");
+  run("panels tree");
+  EXPECT_NE(on.settings.shows("Tree"), shown);
+}
+
+}  // namespace
+}  // namespace kerf

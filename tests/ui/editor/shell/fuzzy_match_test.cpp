@@ -1,0 +1,54 @@
+#include "ui/editor/shell/fuzzy_match.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "core/base/random.h"
+
+namespace kerf {
+namespace {
+
+TEST(FuzzyScore, finds_the_letters_of_a_word_in_their_order_in_either_case) {
+  EXPECT_TRUE(fuzzy_score("wre", "Wire").has_value());
+  EXPECT_TRUE(fuzzy_score("WIRE", "Wire").has_value());
+  EXPECT_FALSE(fuzzy_score("erw", "Wire").has_value());
+  EXPECT_FALSE(fuzzy_score("wirewire", "Wire").has_value());
+  EXPECT_FALSE(fuzzy_score("a", "").has_value());
+}
+
+TEST(FuzzyScore, takes_words_in_any_order_and_an_empty_query_for_every_text) {
+  EXPECT_TRUE(fuzzy_score("chosen hide", "Hide the chosen").has_value());
+  EXPECT_FALSE(fuzzy_score("chosen show", "Hide the chosen").has_value());
+  EXPECT_EQ(fuzzy_score("", "anything"), 0);
+  EXPECT_EQ(fuzzy_score("   ", ""), 0);
+}
+
+TEST(FuzzyScore, prefers_beginnings_of_words_and_letters_in_a_row) {
+  EXPECT_GT(fuzzy_score("sv", "Shadow volumes"), fuzzy_score("sv", "Dissolves"));
+  EXPECT_GT(fuzzy_score("wire", "Wire"), fuzzy_score("wire", "Wider eaves"));
+  EXPECT_GT(fuzzy_score("un", "Undo"), fuzzy_score("un", "Save as a new one"));
+}
+
+// The definition of a subsequence, letter by letter.
+bool is_subsequence(const std::string& word, const std::string& text) {
+  size_t next = 0;
+  for (const char c : text) next += next < word.size() && word[next] == c ? 1 : 0;
+  return next == word.size();
+}
+
+TEST(FuzzyScore, matches_exactly_the_subsequences) {
+  Random random(17);
+  const auto random_word = [&](size_t most) {
+    std::string word;
+    for (size_t n = random.below(most + 1); n > 0; --n) word += static_cast<char>('a' + random.below(3));
+    return word;
+  };
+  for (int round = 0; round < 2000; ++round) {
+    const std::string word = random_word(4), text = random_word(10);
+    EXPECT_EQ(fuzzy_score(word, text).has_value(), is_subsequence(word, text)) << word << " in " << text;
+  }
+}
+
+}  // namespace
+}  // namespace kerf

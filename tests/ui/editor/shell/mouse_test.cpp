@@ -1,0 +1,123 @@
+#include "ui/editor/shell/mouse.h"
+
+#include <GLFW/glfw3.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/document/walk.h"
+#include "core/world/state_hash.h"
+#include "tests/support/editor_features.h"
+#include "tests/support/made_meshes.h"
+
+namespace kerf {
+namespace {
+
+using EventKind = InputEvent::Kind;
+
+// An editor with a sphere before the eye.
+struct MouseBench {
+  MouseBench() {
+    World world;
+    world.add(make_body("sphere", test::build(test::sphere(24, 32, 1))));
+    on.work.document = Document(std::move(world));
+    on.view.layout = lay_out({1000, 700}, 16, 26, 26);
+    on.view.camera.look({0, 0, 5}, {0, 0, 0});
+    on.view.camera.finish();
+    on.laser.radius = 0.03;
+  }
+  void hear(const InputEvent& event) { hear_mouse(on, editor.features, event, true); }
+  void cut() {
+    while (on.work.document.waiting() > 0) ASSERT_TRUE(on.work.document.step(8).ok());
+  }
+  uint64_t hash() const { return state_hash(on.world()); }
+
+  test::EditorFeatures editor;
+  Workspace& on = editor.on;
+};
+
+InputEvent event(EventKind kind, Vec2 at, double seconds) {
+  InputEvent e{kind, at, GLFW_MOUSE_BUTTON_LEFT};
+  e.seconds = seconds;
+  return e;
+}
+
+// A press, moves along an arc, and a release, with their times.
+std::vector<InputEvent> arc() {
+  constexpr int kMoves = 40;
+  const auto at = [](double share) { return Vec2(250 + 200 * share, 380 - 90 * std::sin(3.14 * share)); };
+  std::vector<InputEvent> events{event(EventKind::kPress, at(0), 3)};
+  for (int i = 1; i <= kMoves; ++i) {
+    const double share = static_cast<double>(i) / kMoves;
+    events.push_back(event(EventKind::kMove, at(share), 3 + share));
+  }
+  events.push_back(event(EventKind::kRelease, at(1), 4));
+  return events;
+}
+
+TEST(Mouse, events_that_came_in_one_slow_frame_cut_what_they_cut_in_many_frames) {
+  MouseBench slow, fast;
+  for (const InputEvent& e : arc()) slow.hear(e);
+  slow.cut();
+  for (const InputEvent& e : arc()) {
+    fast.hear(e);
+    fast.cut();
+  }
+  EXPECT_GT(slow.on.work.document.removed_faces(), 100u);
+  EXPECT_EQ(slow.hash(), fast.hash());
+}
+
+TEST(Mouse, every_move_of_the_pointer_is_a_pose_of_the_stroke_with_its_time) {
+  MouseBench bench;
+  for (const InputEvent& e : arc()) bench.hear(e);
+  std::vector<double> times;
+  for (const Command& c : bench.on.work.document.journal()) {
+    if (const auto* move = std::get_if<MoveStroke>(&c)) times.push_back(move->time);
+  }
+  ASSERT_EQ(times.size(), 40u);
+  for (size_t i = 0; i < times.size(); ++i) EXPECT_NEAR(times[i], static_cast<double>(i + 1) / 40, 1e-12);
+}
+
+TEST(Mouse, the_settings_say_how_far_a_drag_turns_the_view_and_a_notch_comes_closer) {
+  const auto seen = [](double speed) {
+    MouseBench bench;
+    bench.on.settings.drag_speed = bench.on.settings.wheel_speed = speed;
+    InputEvent wheel{EventKind::kWheel, {400, 300}};
+    wheel.wheel = 1;
+    bench.hear(wheel);
+    bench.on.view.camera.finish();
+    const double distance = bench.on.view.seen().focus;
+    InputEvent press{EventKind::kPress, {400, 300}, GLFW_MOUSE_BUTTON_MIDDLE};
+    bench.hear(press);
+    bench.hear({EventKind::kMove, {430, 300}});
+    bench.on.view.camera.finish();
+    return std::pair(std::asin(bench.on.view.seen().forward.x), std::log(distance / 5));
+  };
+  const auto [turned, nearer] = seen(1);
+  const auto [turned_twice, nearer_twice] = seen(2);
+  EXPECT_NE(turned, 0);
+  EXPECT_NEAR(turned_twice, 2 * turned, 1e-6);
+  EXPECT_NEAR(nearer_twice, 2 * nearer, 1e-6);
+}
+
+TEST(Mouse, a_press_with_a_tool_that_is_not_the_laser_cuts_nothing) {
+  MouseBench bench;
+  bench.on.tool = "Pick pieces";
+  for (const InputEvent& e : arc()) bench.hear(e);
+  EXPECT_EQ(bench.on.work.document.strokes(), 0u);
+  EXPECT_EQ(bench.on.held, nullptr);
+}
+
+TEST(Mouse, a_stroke_that_is_cancelled_lets_go_of_the_mouse) {
+  MouseBench bench;
+  bench.hear(arc()[0]);
+  bench.hear(arc()[1]);
+  ASSERT_NE(bench.on.held, nullptr);
+  EXPECT_TRUE(cancel_stroke(bench.on));
+  bench.hear(arc()[2]);
+  EXPECT_EQ(bench.on.held, nullptr);
+  EXPECT_FALSE(bench.on.beam.cutting());
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,69 @@
+#include "ui/editor/view/legends.h"
+
+#include <gtest/gtest.h>
+
+#include "ui/render/stage_marks.h"
+#include "ui/render/view_switches.h"
+
+namespace kerf {
+namespace {
+
+TEST(Legends, every_view_with_colours_of_its_own_has_a_title_and_says_what_they_mean) {
+  EXPECT_TRUE(legends_of(ViewOptions(), {}).empty());
+  for (const SwitchId id :
+       {SwitchId::kSilhouette, SwitchId::kShadowVolumes, SwitchId::kShadowCounts, SwitchId::kFacing,
+        SwitchId::kCompare, SwitchId::kTrace, SwitchId::kSizes, SwitchId::kBoxes, SwitchId::kBoxesHit,
+        SwitchId::kPieces, SwitchId::kFaceNumbers}) {
+    ViewOptions look;
+    view_switch(id).set(look, 1);
+    const std::vector<Legend> legends = legends_of(look, {});
+    ASSERT_EQ(legends.size(), 1u) << view_switch(id).report;
+    EXPECT_FALSE(legends[0].title.empty());
+    EXPECT_FALSE(legends[0].rows.empty());
+  }
+}
+
+TEST(Legends, the_boxes_say_which_of_them_are_drawn) {
+  ViewOptions look;
+  look.show.aabb = true;
+  look.tree.deepest = 3;
+  EXPECT_EQ(legends_of(look, {}).at(0).rows.size(), 3u);
+  look.tree.hit_only = true;
+  EXPECT_EQ(legends_of(look, {}).at(0).rows.size(), 2u);
+}
+
+TEST(Legends, the_comparison_says_what_it_counts) {
+  ViewOptions look;
+  look.show.shadow_compare = true;
+  ShadowFigures figures;
+  EXPECT_EQ(legends_of(look, figures).at(0).rows[2].meaning, "counting pixels that are in shadow with");
+  figures.differing = 1234;
+  EXPECT_EQ(legends_of(look, figures).at(0).rows[2].meaning, "1 234 pixels are in shadow with");
+}
+
+TEST(Legends, the_shadow_rays_say_how_far_they_are_until_their_result_is_there) {
+  ViewOptions look;
+  look.show.shadow_reference = true;
+  ShadowFigures figures;
+  figures.traced = 0.4;
+  EXPECT_EQ(legends_of(look, figures).at(0).rows[2].meaning, "the picture has it otherwise: tracing 40 %");
+  figures.traced = 1;
+  figures.wrong = 0;
+  EXPECT_EQ(legends_of(look, figures).at(0).rows[2].meaning, "the picture has it otherwise: 0 pixels");
+}
+
+TEST(Legends, a_stage_of_single_steps_names_the_marks_that_are_drawn) {
+  ViewOptions look;
+  StageMarks marks;
+  look.stage = std::make_shared<const StageMarks>(marks);
+  EXPECT_TRUE(legends_of(look, {}).empty());
+  marks.bodies.emplace_back().lines = {{.kind = StageMarks::Kind::kHit},
+                                       {.kind = StageMarks::Kind::kRemoved}};
+  marks.came_off = {{{0, 0}, 1}};
+  marks.stayed = {{{0, 0}, 0}};
+  look.stage = std::make_shared<const StageMarks>(marks);
+  EXPECT_EQ(legends_of(look, {}).at(0).rows.size(), 4u);
+}
+
+}  // namespace
+}  // namespace kerf

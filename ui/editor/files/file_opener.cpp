@@ -1,0 +1,82 @@
+#include "ui/editor/files/file_opener.h"
+
+#include "core/base/assert.h"
+
+namespace kerf {
+
+namespace {
+constexpr double kPatience = 0.4;  // s, at the start, until the window shows something
+}  // namespace
+
+// What is read in a moment is there at once; what takes longer finds the default scene in its place.
+Status FileOpener::open_first(std::filesystem::path default_scene,
+                              const std::vector<std::filesystem::path>& files) {
+  default_scene_ = std::move(default_scene);
+  if (files.empty()) return open_default_scene();
+  on_.opening.loader.start(order_of(files));
+  const bool soon = on_.opening.loader.is_over(kPatience);
+  if (soon) take_loaded();
+  if (soon && !on_.work.files.empty()) return Done{};
+  const std::string fault = std::exchange(on_.message.text, {});
+  const Status opened = open_default_scene();
+  if (opened && !fault.empty()) on_.message.say(fault, true);
+  return opened;
+}
+
+LoadOrder FileOpener::order_of(std::vector<std::filesystem::path> files) const {
+  return {std::move(files), {}, on_.settings.history_bytes()};
+}
+
+Status FileOpener::open_default_scene() {
+  Result<LoadedFiles> loaded = load_files(order_of({default_scene_}), nullptr);
+  if (!loaded) return loaded.error();
+  show(std::move(*loaded));
+  return Done{};
+}
+
+// What was open until then is kept no longer.
+void FileOpener::show(LoadedFiles loaded) {
+  show_loaded(on_, std::move(loaded));
+  recovery_.drop();
+  recovery_.begin(on_.work, on_.view);
+}
+
+void FileOpener::open(std::vector<std::filesystem::path> files) {
+  KERF_ASSERT(!files.empty());
+  on_.opening.loader.start(order_of(std::move(files)));
+}
+
+void FileOpener::open_fresh() {
+  if (const Status opened = open_default_scene(); !opened) on_.message.say(opened.error().message, true);
+}
+
+void FileOpener::open_left_work() {
+  KERF_ASSERT(!on_.opening.left_work.empty());
+  LoadOrder order = order_of({});
+  order.left = on_.opening.left_work.front().journal;
+  on_.opening.loader.start(std::move(order));
+}
+
+void FileOpener::take_loaded() {
+  if (!on_.opening.loader.busy()) return;
+  const bool left = on_.opening.loader.order().left.has_value();
+  KERF_ASSERT(!left || !on_.opening.left_work.empty());
+  std::optional<Result<LoadedFiles>> loaded = on_.opening.loader.take();
+  if (!loaded) return;
+  const bool opened = loaded->ok();
+  if (opened) {
+    cancel_stroke(on_);
+    show(std::move(**loaded));
+  } else {
+    on_.message.say((left ? "It stays where it is: " : "") + loaded->error().message, true);
+  }
+  if (left) {
+    if (opened && recovery_.follow(on_.work, on_.view, false, on_.message))
+      on_.opening.left_work.front().file.remove();
+    on_.opening.left_work.clear();  // what else was left is offered the next time
+  } else if (opened) {
+    for (const std::filesystem::path& file : on_.work.files) remember_recent(on_.settings, file);
+  }
+}
+
+}  // namespace kerf

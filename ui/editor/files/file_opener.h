@@ -1,0 +1,40 @@
+#pragma once
+
+#include "ui/editor/files/recovery.h"
+#include "ui/editor/shared/workspace.h"
+
+namespace kerf {
+
+// Replaces the open work by files that were read, and frames it with the camera.
+void show_loaded(Workspace& on, LoadedFiles loaded);
+
+// Opens files in place of the open work. All files but the default scene, which is small, are read in the
+// background.
+class FileOpener {
+ public:
+  // Both must outlive it.
+  FileOpener(Workspace& on, Recovery& recovery) : on_(on), recovery_(recovery) {}
+
+  // Opens scenes and meshes, or none, at startup. The default scene is shown while they are read and if they
+  // cannot be read; fails if the default scene cannot be read.
+  Status open_first(std::filesystem::path default_scene, const std::vector<std::filesystem::path>& files);
+  // Opens files, or the default scene. Precondition: the open work is saved or may be discarded.
+  void open(std::vector<std::filesystem::path> files);
+  void open_fresh();
+  // Opens the first recovered work. Precondition: there is one.
+  void open_left_work();
+
+  // To be called between two frames: shows files that have been read.
+  void take_loaded();
+
+ private:
+  LoadOrder order_of(std::vector<std::filesystem::path> files) const;
+  Status open_default_scene();
+  void show(LoadedFiles loaded);
+
+  Workspace& on_;
+  Recovery& recovery_;
+  std::filesystem::path default_scene_;
+};
+
+}  // namespace kerf

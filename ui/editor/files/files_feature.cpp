@@ -1,0 +1,404 @@
+#include "ui/editor/files/files_feature.h"
+
+#include <imgui.h>
+
+#include <nlohmann/json.hpp>
+
+#include "core/base/assert.h"
+#include "core/document/autosave.h"
+#include "core/mesh/load_notes.h"
+#include "ui/editor/files/file_menus.h"
+#include "ui/editor/files/file_opener.h"
+#include "ui/editor/files/frame_question.h"
+#include "ui/editor/files/recovery.h"
+#include "ui/editor/files/save_work.h"
+#include "ui/editor/files/unsaved_work.h"
+#include "ui/editor/shared/editor_options.h"
+#include "ui/editor/shared/file_frames.h"
+#include "ui/window/frame_combos.h"
+#include "ui/window/number_text.h"
+#include "ui/window/progress_bar.h"
+#include "ui/window/property.h"
+#include "ui/window/screenshot.h"
+#include "ui/window/theme.h"
+
+namespace kerf {
+
+namespace {
+
+void row(const char* name, const std::string& value, const char* meaning) {
+  property(name);
+  ImGui::TextWrapped("%s", value.c_str());
+  tooltip(meaning);
+}
+
+std::string counted(size_t count, const char* what) { return grouped(count) + " " + what; }
+
+void draw_body(const Body& body, FileUnit unit) {
+  const MeshReport& r = body.loaded;
+  row("Format", r.format, "What the content of the file is.");
+  row("Faces",
+      counted(r.faces, "triangles") + (r.components > 1 ? " in " + counted(r.components, "parts") : ""),
+      "Triangles that were loaded, and how many sets of them hang together over edges.");
+  row("Vertices", grouped(r.vertices), "Different positions.");
+  row("Border", counted(r.boundary_edges, r.boundary_edges == 1 ? "edge" : "edges"),
+      "Edges with one face: none where the surface is closed.");
+  row("Area", area_label(r.area, unit), "Of all faces, on one side.");
+  const std::vector<std::string> notes = load_notes(r);
+  for (size_t i = 0; i < notes.size(); ++i) {
+    row(i == 0 ? "Notes" : "", notes[i], "What was found in the file and put right when it was loaded.");
+  }
+}
+
+void draw_frame(const SceneDescription& scene, ViewState& view, Settings& settings) {
+  FileFrame frame = view.frame;
+  property("Up");
+  bool changed = up_axis_combo(frame.up);
+  property("Unit");
+  changed = unit_combo(frame.unit) || changed;
+  if (changed) set_frame(frame, scene, view, settings);
+}
+
+// The unit and the upward axis in which the world is shown, which are remembered for mesh files of this kind;
+// what is in the files of the bodies, and what was put right when they were read.
+void draw_file_panel(const World& world, const SceneDescription& scene, ViewState& view, Settings& settings) {
+  if (begin_properties("frame")) {
+    draw_frame(scene, view, settings);
+    end_properties();
+  }
+  const std::vector<BodyId> ids = world.ids();
+  for (const BodyId id : ids) {
+    const Body& body = world.body(id);
+    ImGui::PushID(static_cast<int>(id.slot));
+    ImGui::TextUnformatted(body.own_name().c_str());
+    if (begin_properties("body")) {
+      draw_body(body, view.frame.unit);
+      end_properties();
+    }
+    ImGui::PopID();
+  }
+}
+
+namespace fs = std::filesystem;
+
+class FilesFeature : public Feature {
+ public:
+  explicit FilesFeature(Workspace& on) : on_(on) {
+    on.open = [this](std::vector<fs::path> files) { open(std::move(files)); };
+    on.quit = [this] { quit(); };
+  }
+
+  std::vector<Panel> panels() override {
+    return {{"File", 1500, false,
+             [this] { draw_file_panel(on_.world(), on_.work.scene, on_.view, on_.settings); }}};
+  }
+  std::vector<ActionGroup> actions() override {
+    return {
+        {100, "File", open_actions()},
+        {110, "File", save_actions()},
+        {121, "File", picture_actions()},
+        {122, "File", leave_actions()},
+        {1401,
+         "File",
+         {UserAction{.name = "Shown in", .items = [this] { return frame_actions(); }, .in_menu = false}}}};
+  }
+
+  Status start(const EditorOptions& options) override;
+  void rest() override { recovery_.flush(); }
+  void close(bool left_by_user) override {
+    recovery_.follow(on_.work, on_.view, on_.held != nullptr, on_.message);
+    if (left_by_user) recovery_.drop();
+  }
+
+  bool takes(const InputEvent& event, bool) override {
+    if (event.kind != InputEvent::Kind::kKey || !decisions_.question.open()) return false;
+    if (!event.again) question_key(decisions_.question, event.button);
+    return true;
+  }
+  bool stop() override {
+    const bool opens = on_.opening.loader.busy();
+    if (opens) cancel_opening(on_.opening, on_.message);
+    return opens;
+  }
+
+  void advance(double) override;
+  bool moving() const override { return on_.opening.loader.busy(); }
+
+  void draw_windows() override;
+  void drawn(Drawn what) override {
+    if (screenshot_ != what) return;
+    screenshot_.reset();
+    take_picture(what);
+  }
+  void mark(Landmarks& landmarks) const override {
+    if (decisions_.question.open()) landmarks.mark("question", {on_.pointer, Vec2(1)});
+  }
+  void report(nlohmann::ordered_json& report) const override {
+    nlohmann::ordered_json& names = report["files"] = nlohmann::ordered_json::array();
+    for (const fs::path& file : on_.work.files) names.push_back(file.filename().string());
+  }
+
+ private:
+  std::vector<UserAction> open_actions();
+  std::vector<UserAction> save_actions();
+  std::vector<UserAction> picture_actions();
+  std::vector<UserAction> leave_actions();
+  std::vector<UserAction> frame_actions();
+  UserAction frame_action(const std::string& name, const FileFrame& frame, const char* tip);
+
+  void open(std::vector<fs::path> files);
+  void quit();
+  void leave_for(std::function<void()> then);
+  void go(const std::function<void()>& then);
+  void decide();
+  void save();
+  void save_to(const fs::path& file);
+  void choose_file_to_open();
+  void choose_file_to_save();
+  void take_picture(Drawn what);
+
+  Workspace& on_;
+  Decisions decisions_;
+  Recovery recovery_;
+  FileOpener opener_{on_, recovery_};
+  std::optional<Drawn> screenshot_;  // that waits until this is drawn
+};
+
+// Actions
+// --------------------------------------------------------------------------------------------------------
+
+std::vector<UserAction> FilesFeature::open_actions() {
+  const auto open_one = [this](const fs::path& file) { on_.open({file}); };
+  return {
+      UserAction{.name = "New",
+                 .shortcut = "Ctrl+N",
+                 .tip = "The first scene again, uncut.",
+                 .run = [this] { leave_for([this] { opener_.open_fresh(); }); }},
+      UserAction{.name = "Open...",
+                 .shortcut = "Ctrl+O",
+                 .tip =
+                     "A scene (.json), a journal (.kerf) or a mesh (.obj .stl .ply .off). Files can also be "
+                     "dropped on "
+                     "the window.",
+                 .run = [this] { choose_file_to_open(); }},
+      UserAction{.name = "Open recent",
+                 .items = [this, open_one] { return recent_actions(on_.settings, open_one); }},
+      UserAction{
+          .name = "Examples", .items = [open_one] { return example_actions(open_one); }, .ends_group = true},
+  };
+}
+
+std::vector<UserAction> FilesFeature::save_actions() {
+  return {
+      UserAction{
+          .name = "Save",
+          .shortcut = "Ctrl+S",
+          .tip = "Everything that was done, as a journal (.kerf). The version before is kept as .kerf~.",
+          .run = [this] { save(); }},
+      UserAction{.name = "Save as...",
+                 .shortcut = "Ctrl+Shift+S",
+                 .tip = "To another journal (.kerf), or as a scene (.json) without what was cut.",
+                 .run = [this] { choose_file_to_save(); },
+                 .ends_group = true},
+  };
+}
+
+std::vector<UserAction> FilesFeature::picture_actions() {
+  return {
+      UserAction{.name = "Save the picture",
+                 .shortcut = "F12",
+                 .tip = "A PNG of the picture without panels, named by date, in the current folder.",
+                 .run = [this] { screenshot_ = Drawn::kPicture; }},
+      UserAction{.name = "Save the window",
+                 .shortcut = "Shift+F12",
+                 .tip = "A PNG of the window with its panels.",
+                 .run = [this] { screenshot_ = Drawn::kWindow; },
+                 .ends_group = true},
+  };
+}
+
+std::vector<UserAction> FilesFeature::leave_actions() {
+  return {
+      UserAction{.name = "Play the game",
+                 .shortcut = "F5",
+                 .tip = "A car with a laser on its roof against others. What is open here stays as it is.",
+                 .run = [this] { on_.leaves = Workspace::Leaves::kForTheGame; },
+                 .ends_group = true},
+      UserAction{.name = "Quit",
+                 .shortcut = "Ctrl+Q",
+                 .tip = "Ends the editor. The settings are kept.",
+                 .run = [this] { quit(); }},
+  };
+}
+
+UserAction FilesFeature::frame_action(const std::string& name, const FileFrame& frame, const char* tip) {
+  return {.name = name,
+          .tip = tip,
+          .run = [this, frame] { set_frame(frame, on_.work.scene, on_.view, on_.settings); },
+          .in_menu = false};
+}
+
+// The frame is that of the moment at which they are listed.
+std::vector<UserAction> FilesFeature::frame_actions() {
+  std::vector<UserAction> actions;
+  const FileFrame& frame = on_.view.frame;
+  for (const FileUnit unit :
+       {FileUnit::kMillimetre, FileUnit::kCentimetre, FileUnit::kMetre, FileUnit::kInch}) {
+    actions.push_back(frame_action("unit " + std::string(unit_symbol(unit)), {unit, frame.up},
+                                   "What one unit of the file is."));
+  }
+  for (const UpAxis up : {UpAxis::kY, UpAxis::kZ}) {
+    actions.push_back(frame_action(up == UpAxis::kY ? "+Y upwards" : "+Z upwards", {frame.unit, up},
+                                   "Which axis of the file points upwards."));
+  }
+  return actions;
+}
+
+// Opening
+// --------------------------------------------------------------------------------------------------------
+
+Status FilesFeature::start(const EditorOptions& options) {
+  std::vector<std::string> faults;
+  on_.opening.left_work = find_left_work(state_folder(), faults);
+  ask_about_left_work(decisions_, on_.opening.left_work);
+  const Status opened = opener_.open_first(options.default_scene, on_.not_taken(options.files));
+  if (opened && !faults.empty() && !on_.message.is_error)
+    on_.message.say("Work was left that cannot be read: " + faults.front(), true);
+  return opened;
+}
+
+void FilesFeature::open(std::vector<fs::path> files) {
+  files = on_.not_taken(std::move(files));
+  if (!files.empty()) leave_for([this, files] { opener_.open(files); });
+}
+
+void FilesFeature::choose_file_to_open() {
+  browse(on_.browser,
+         {.title = "Open a scene, a journal or a mesh",
+          .verb = "Open",
+          .hint = "Type a part of a name, or a whole path",
+          .take =
+              [this](const fs::path& file) {
+                on_.open({file});
+                return "";
+              }},
+         on_.settings.folder, "");
+}
+
+// Leaving
+// --------------------------------------------------------------------------------------------------------
+
+void FilesFeature::quit() {
+  leave_for([this] {
+    on_.leaves = Workspace::Leaves::kForGood;
+    on_.work.saved_commands = on_.work.document.journal().size();
+    on_.work.saved_lights = on_.view.look.lights;
+    on_.work.saved_head = on_.work.scene.others;
+  });
+}
+
+// Does what closes the open work once it is saved or may be discarded.
+void FilesFeature::leave_for(std::function<void()> then) {
+  on_.changes.ask({.name = "Leave",
+                   .run =
+                       [this, then = std::move(then)] {
+                         if (decisions_.question.open()) return true;
+                         cancel_stroke(on_);
+                         if (may_leave(decisions_, on_.work, on_.view.look.lights, then)) go(then);
+                         return true;
+                       },
+                   .always = true});
+}
+
+void FilesFeature::go(const std::function<void()>& then) {
+  on_.opening.loader.cancel();
+  on_.changes.forget();
+  then();
+}
+
+void FilesFeature::decide() {
+  switch (take_decision(decisions_, on_.opening.left_work)) {
+    case Decision::kNone:
+      break;
+    case Decision::kLeave:
+      KERF_ASSERT(decisions_.leaving);
+      go(std::exchange(decisions_.leaving, nullptr));
+      break;
+    case Decision::kSaveFirst:
+      if (on_.work.file.empty()) {
+        choose_file_to_save();
+      } else {
+        save_to(on_.work.file);
+      }
+      break;
+    case Decision::kGoOn:
+      opener_.open_left_work();
+      break;
+  }
+}
+
+void FilesFeature::advance(double) {
+  decide();
+  const bool asks = decisions_.question.open() || on_.browser.open || on_.changes.is_asked();
+  if (!asks) decisions_.leaving = nullptr;  // the user did not choose where to save
+  opener_.take_loaded();
+  recovery_.follow(on_.work, on_.view, on_.held != nullptr, on_.message);
+  on_.title = window_title(on_.work, on_.view.look.lights);
+}
+
+// Saving
+// --------------------------------------------------------------------------------------------------------
+
+void FilesFeature::save() {
+  if (on_.work.file.empty()) return choose_file_to_save();
+  on_.changes.ask({.name = "Save", .run = [this] { return save_to(on_.work.file), true; }, .always = true});
+}
+
+void FilesFeature::choose_file_to_save() {
+  browse(on_.browser,
+         {.title = "Save the work",
+          .verb = "Save",
+          .hint = "Name; .kerf keeps everything, .json the scene without what was cut",
+          .endings = {".kerf", ".json"},
+          .take =
+              [this](const fs::path& file) {
+                on_.changes.ask(
+                    {.name = "Save", .run = [this, file] { return save_to(file), true; }, .always = true});
+                return "";
+              }},
+         on_.settings.folder, suggested_name(on_.work));
+}
+
+void FilesFeature::save_to(const fs::path& file) {
+  cancel_stroke(on_);
+  const bool saved = save_work(on_.work, on_.view, file, on_.settings, on_.message);
+  recovery_.begin(on_.work, on_.view);
+  if (saved && decisions_.leaving) go(std::exchange(decisions_.leaving, nullptr));
+}
+
+// Windows
+// --------------------------------------------------------------------------------------------------------
+
+void FilesFeature::draw_windows() {
+  draw_frame_question(on_.view, on_.settings, on_.cut_once);
+  const FileLoader& loader = on_.opening.loader;
+  const Area& picture = on_.view.layout.viewport;
+  if (loader.busy() && draw_progress(picture, "Opening " + loader.order().name(), loader.fraction(), true))
+    cancel_opening(on_.opening, on_.message);
+  draw_question(decisions_.question);
+}
+
+void FilesFeature::take_picture(Drawn what) {
+  const Window& window = *on_.window;
+  const Vec2 pixels = window.pixel_size();
+  const Area part =
+      what == Drawn::kWindow ? Area{Vec2(0), pixels} : pixels_of(on_.view.layout.viewport, window);
+  const auto file = take_screenshot(pixels, part);
+  on_.message.say(file ? "Saved: " + file->string() : file.error().message, !file.ok());
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> files_feature(Workspace& on) { return std::make_unique<FilesFeature>(on); }
+
+}  // namespace kerf

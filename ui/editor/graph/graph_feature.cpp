@@ -1,0 +1,71 @@
+#include "ui/editor/graph/graph_feature.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "ui/editor/graph/graph_panel.h"
+#include "ui/editor/graph/graph_reading.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr const char* kGraphPanel = "Graph";
+
+class GraphFeature : public Feature {
+ public:
+  explicit GraphFeature(Workspace& on) : on_(on) {}
+
+  std::vector<Panel> panels() override {
+    return {{kGraphPanel, 1100, false, [this] {
+               const bool seen = on_.points() && !on_.view.in_second;
+               panel_.draw(graph_, on_.work.document, on_.view,
+                           seen ? std::optional(on_.pointer) : std::nullopt);
+             }}};
+  }
+
+  void follow_queue(double seconds) override;
+  bool moving() const override { return graph_.playing(); }
+  void report(nlohmann::ordered_json& report) const override {
+    report["graph"] = {{"nodes", graph_.drawn() ? graph_.drawn()->nodes.size() : 0},
+                       {"marked", graph_.marked()},
+                       {"reached", graph_.reached()},
+                       {"total", graph_.total()},
+                       {"removed", graph_.removed()},
+                       {"removals", graph_.removals()},
+                       {"closings", graph_.closings().size()},
+                       {"loops", graph_.drawn() ? graph_.drawn()->loops.size() : 0},
+                       {"of_piece", graph_.shows_piece()},
+                       {"any_open", graph_.any_open()},
+                       {"face_lit", on_.view.look.lit_face.has_value()}};
+  }
+
+ private:
+  Workspace& on_;
+  GraphState graph_;
+  GraphPanel panel_;
+};
+
+void GraphFeature::follow_queue(double seconds) {
+  ViewState& view = on_.view;
+  const Document& document = on_.work.document;
+  const bool panel = on_.settings.shows(kGraphPanel);
+  if (!panel && view.look.lit_face) {
+    view.look.lit_face.reset();
+    view.picture_old = true;
+  }
+  if (!panel && !view.look.show.graph) return graph_.play(false);
+  graph_.follow(document, on_.holds_back());
+  graph_.advance(std::min(seconds, Workspace::kLongestStep));
+  if (graph_.is_asked_for() && !on_.changes.is_pending() && !document.in_stroke() && document.waiting() == 0)
+    on_.changes.begin(graph_reading(graph_));
+  if (view.look.graph == graph_.drawn()) return;
+  view.look.graph = graph_.drawn();
+  if (view.look.show.graph) view.picture_old = true;
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> graph_feature(Workspace& on) { return std::make_unique<GraphFeature>(on); }
+
+}  // namespace kerf

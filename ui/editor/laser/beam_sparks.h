@@ -1,0 +1,25 @@
+#pragma once
+
+#include "ui/editor/shared/laser_tool.h"
+#include "ui/editor/shared/view_state.h"
+#include "ui/screen/particles.h"
+
+namespace kerf {
+
+// The sparks and the smoke where the laser of the editor removes faces, as long as the view's switch is on.
+class BeamSparks {
+ public:
+  // Lets time pass (s) for them and shows them in the view.
+  void advance(double seconds, const LaserTool& beam, const Document& document, ViewState& view);
+  // Whether some are in the air.
+  bool moving() const { return !particles_.empty(); }
+
+ private:
+  bool bites(double seconds, const Document& document);
+
+  Particles particles_;
+  size_t removed_ = 0;  // faces, when it was last looked
+  double biting_ = 0;   // s, for which it counts as biting still
+};
+
+}  // namespace kerf

@@ -1,0 +1,318 @@
+#include "ui/editor/light/light_feature.h"
+
+#include <imgui.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "core/base/assert.h"
+#include "ui/editor/light/light_handle.h"
+#include "ui/editor/light/light_presets.h"
+#include "ui/editor/shared/shadow_methods.h"
+#include "ui/editor/shared/switch_row.h"
+#include "ui/screen/shadow_figures.h"
+#include "ui/window/number_format.h"
+#include "ui/window/number_text.h"
+#include "ui/window/property.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr double kLeastIntensity = 0.02, kMostIntensity = 50;
+constexpr double kLeastReach = 0.25, kMostReach = 50;  // diagonals
+
+bool method_row(const char* label, const char* id, ShadowMethod& method) {
+  property(label);
+  bool changed = false;
+  const auto is = [&](const MethodWords& m) { return m.method == method; };
+  const std::span<const MethodWords> all = shadow_methods();
+  const auto found = std::find_if(all.begin(), all.end(), is);
+  KERF_ASSERT(found != all.end());
+  const MethodWords& now = *found;
+  if (ImGui::BeginCombo(id, now.name)) {
+    for (const MethodWords& m : all) {
+      if (ImGui::Selectable(m.name, m.method == method)) {
+        changed = m.method != method;
+        method = m.method;
+      }
+      tooltip(m.meaning);
+    }
+    ImGui::EndCombo();
+  } else {
+    tooltip(now.meaning);
+  }
+  return changed;
+}
+
+bool slider(const char* label, const char* id, double& value, double low, double high,
+            const RealFormat& format, const char* meaning, ImGuiSliderFlags flags) {
+  property(label);
+  const bool changed = ImGui::SliderScalar(id, ImGuiDataType_Double, &value, &low, &high, format.c_str(),
+                                           flags | ImGuiSliderFlags_AlwaysClamp);
+  tooltip(meaning);
+  return changed;
+}
+
+bool shadow_rows(ViewState& view) {
+  ViewOptions& look = view.look;
+  ShadowOptions& shadow = look.shadow;
+  bool changed = false;
+  property("Shadows");
+  draw_switch(view, SwitchId::kShadows, "");
+  changed |= method_row("Method", "##method", shadow.method);
+  if (shadow.method != ShadowMethod::kRobust) {
+    changed |=
+        slider("Reach", "##reach", shadow.extrusion, kLeastReach, kMostReach, "%.2g sizes of the world",
+               "How far the paper's volumes are extruded; what lies beyond gets no shadow.",
+               ImGuiSliderFlags_Logarithmic);
+  }
+  property("");
+  changed |= ImGui::Checkbox("Paper look", &shadow.paper_look);
+  tooltip("Transparent black over what is in shadow, as in the paper, in place of leaving the light out.");
+  property("");
+  draw_switch(view, SwitchId::kCullBacks);
+  return changed;
+}
+
+bool compare_rows(ViewState& view, const ShadowFigures& figures) {
+  ShadowOptions& shadow = view.look.shadow;
+  property("Compare");
+  draw_switch(view, SwitchId::kCompare, "two methods");
+  if (!view.look.show.shadow_compare) return false;
+  bool changed = method_row("with", "##beside", shadow.beside);
+  changed |= slider("Split", "##split", shadow.split, 0, 1, "%.2f", "Where the two meet.", 0);
+  property("");
+  ImGui::TextUnformatted(figures.differing ? text_of("%zu pixels differ", *figures.differing).c_str()
+                                           : "counting the pixels that differ");
+  tooltip("Pixels of the whole picture that are in shadow with one method and lit with the other.");
+  return changed;
+}
+
+void trace_rows(ViewState& view, const ShadowFigures& figures) {
+  property("Rays");
+  draw_switch(view, SwitchId::kTrace, "trace");
+  if (!view.look.show.shadow_reference) return;
+  property("");
+  ImGui::TextUnformatted(
+      (figures.wrong ? text_of("%zu wrong", *figures.wrong) : tracing_text(figures)).c_str());
+}
+
+void choose_kind(Light& light, Light::Kind kind, const World::Bounds& bounds) {
+  if (light.kind == kind) return;
+  const Vec3 middle = (bounds.min + bounds.max) * 0.5;
+  const Vec3 way = light.kind == Light::Kind::kPoint ? light.at - middle : light.at;
+  const double length = glm::length(way);
+  const Vec3 direction = length > 0 ? way / length : Vec3(0, 1, 0);
+  light.at = kind == Light::Kind::kPoint ? middle + direction * bounds.diagonal() : direction;
+  light.kind = kind;
+}
+
+bool light_rows(Light& light, const World::Bounds& bounds) {
+  bool changed = false;
+  property("Kind");
+  int kind = light.kind == Light::Kind::kPoint ? 1 : 0;
+  if (ImGui::Combo("##kind", &kind, "Directional\0Point\0")) {
+    choose_kind(light, kind == 1 ? Light::Kind::kPoint : Light::Kind::kDirectional, bounds);
+    changed = true;
+  }
+  tooltip("Drag its handle in the picture to move it.");
+  property("Colour");
+  glm::vec3 shown = glm::sqrt(glm::clamp(glm::vec3(light.colour), 0.0f, 1.0f));
+  if (ImGui::ColorEdit3("##colour", &shown.x, ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoInputs)) {
+    light.colour = Vec3(shown * shown);
+    changed = true;
+  }
+  changed |=
+      slider("Intensity", "##intensity", light.intensity, kLeastIntensity, kMostIntensity, "%.3g",
+             "What arrives on a surface that faces it; of a lamp at a distance of one size of the world.",
+             ImGuiSliderFlags_Logarithmic);
+  return changed;
+}
+
+bool preset_row(ViewOptions& look, const World::Bounds& bounds, UpAxis up) {
+  property("Preset");
+  bool changed = false;
+  if (ImGui::BeginCombo("##preset", "Choose")) {
+    for (const LightPreset& preset : light_presets()) {
+      if (ImGui::Selectable(preset.name)) {
+        look.lights = lights_of(preset, bounds, up);
+        look.shadow.inspected = 0;
+        changed = true;
+      }
+      tooltip(preset.meaning);
+    }
+    ImGui::EndCombo();
+  }
+  return changed;
+}
+
+// Buttons to choose a light, to add one and to take the chosen one away.
+bool choose_light(ViewOptions& look, UpAxis up) {
+  std::vector<Light>& lights = look.lights;
+  size_t& chosen = look.shadow.inspected;
+  bool changed = false;
+  for (size_t i = 0; i < lights.size(); ++i) {
+    const std::string label = " " + std::to_string(i + 1) + " ";
+    if (i > 0) ImGui::SameLine();
+    ImGui::PushStyleColor(ImGuiCol_Button,
+                          ImGui::GetStyleColorVec4(i == chosen ? ImGuiCol_ButtonActive : ImGuiCol_Button));
+    if (ImGui::Button(label.c_str())) {
+      changed = chosen != i;
+      chosen = i;
+    }
+    ImGui::PopStyleColor();
+  }
+  if (!lights.empty()) ImGui::SameLine();
+  ImGui::BeginDisabled(lights.size() >= kMostLights);
+  if (ImGui::Button("Add")) {
+    add_light(look, up);
+    changed = true;
+  }
+  tooltip("Up to four.");
+  ImGui::EndDisabled();
+  ImGui::SameLine();
+  ImGui::BeginDisabled(lights.empty());
+  if (ImGui::Button("Remove")) {
+    remove_light(look);
+    changed = true;
+  }
+  ImGui::EndDisabled();
+  return changed;
+}
+
+// The lights and how their shadows are cast. `bounds` are those of the world.
+void draw_light_panel(ViewState& view, const World::Bounds& bounds, const ShadowFigures& figures) {
+  ViewOptions& look = view.look;
+  bool changed = choose_light(look, view.camera.up_axis());
+  if (begin_properties("light")) {
+    changed |= preset_row(look, bounds, view.camera.up_axis());
+    if (look.shadow.inspected < look.lights.size())
+      changed |= light_rows(look.lights[look.shadow.inspected], bounds);
+    changed |= shadow_rows(view);
+    changed |= compare_rows(view, figures);
+    trace_rows(view, figures);
+    end_properties();
+  }
+  if (changed) view.picture_old = true;
+}
+
+constexpr const char* kLightPanel = "Light";
+
+class DragOfLight : public Interaction {
+ public:
+  DragOfLight(Workspace& on, size_t light) : on_(on), light_(light) {}
+  void move(const InputEvent&) override { drag_light(on_.view, light_, on_.pointer); }
+  const char* words() const override { return "Moving a light"; }
+
+ private:
+  Workspace& on_;
+  size_t light_;
+};
+
+class LightFeature : public Feature {
+ public:
+  explicit LightFeature(Workspace& on) : on_(on) {}
+
+  std::vector<Panel> panels() override {
+    return {{kLightPanel, 900, false,
+             [this] { draw_light_panel(on_.view, on_.world().bounds(), on_.figures.shadows); }}};
+  }
+  std::vector<ActionGroup> actions() override { return {{1300, "Light", light_actions()}}; }
+  std::vector<Gesture> gestures() const override {
+    return {{130, "Left drag on a light", "Move it, while the Light panel is open"}};
+  }
+
+  std::unique_ptr<Interaction> claim(const Press&) override {
+    const auto light = light_under(on_.view, on_.pointer);
+    return light && shows_handles() ? std::make_unique<DragOfLight>(on_, *light) : nullptr;
+  }
+
+  void forget() override { on_.view.look.shadow.inspected = 0; }
+
+  void draw_marks(ImDrawList& list) override {
+    if (shows_handles() && !on_.cutting()) draw_light_handles(on_.view, list);
+  }
+  void mark(Landmarks& landmarks) const override {
+    for (size_t i = 0; i < on_.view.look.lights.size() && shows_handles(); ++i) {
+      if (const auto handle = light_handle(on_.view, i))
+        landmarks.mark("light " + std::to_string(i), {*handle, Vec2(0)});
+    }
+  }
+  // Where each light is, and its handle in the window where that is shown.
+  void report(nlohmann::ordered_json& report) const override {
+    nlohmann::ordered_json& all = report["lights"] = nlohmann::ordered_json::array();
+    for (size_t i = 0; i < on_.view.look.lights.size(); ++i) {
+      const Vec3& at = on_.view.look.lights[i].at;
+      nlohmann::ordered_json light{{"at", {at.x, at.y, at.z}}};
+      const auto handle = light_handle(on_.view, i);
+      if (handle && shows_handles()) light["handle"] = {handle->x, handle->y};
+      all.push_back(light);
+    }
+    const auto& wrong = on_.figures.shadows.wrong;
+    report["pixels_that_rays_have_otherwise"] =
+        wrong ? nlohmann::ordered_json(*wrong) : nlohmann::ordered_json();
+  }
+
+ private:
+  bool shows_handles() const { return on_.settings.shows(kLightPanel); }
+  std::vector<UserAction> light_actions();
+  std::vector<UserAction> presets();
+
+  Workspace& on_;
+};
+
+std::vector<UserAction> LightFeature::presets() {
+  std::vector<UserAction> actions;
+  for (const LightPreset& preset : light_presets()) {
+    actions.push_back({.name = preset.name, .tip = preset.meaning});
+    actions.back().run = [&on = on_, &preset] {
+      ViewOptions& look = on.view.look;
+      look.lights = lights_of(preset, on.world().bounds(), on.view.camera.up_axis());
+      look.shadow.inspected = 0;
+      on.view.picture_old = true;
+    };
+  }
+  return actions;
+}
+
+std::vector<UserAction> LightFeature::light_actions() {
+  ViewState& view = on_.view;
+  return {
+      UserAction{.name = "Light preset", .items = [this] { return presets(); }, .in_menu = false},
+      UserAction{.name = "Add a light",
+                 .tip = "A directional light; its handle is dragged while the Light panel is open.",
+                 .run = [&view] { add_light(view.look, view.camera.up_axis()), view.picture_old = true; },
+                 .why_not =
+                     [&view] {
+                       return view.look.lights.size() < kMostLights ? nullptr
+                                                                    : "There are four lights already.";
+                     },
+                 .in_menu = false},
+      UserAction{.name = "Remove the chosen light",
+                 .tip = "The one that the Light panel shows.",
+                 .run = [&view] { remove_light(view.look), view.picture_old = true; },
+                 .why_not = [&view] { return view.look.lights.empty() ? "There is no light." : nullptr; },
+                 .in_menu = false},
+      UserAction{
+          .name = "Next light",
+          .tip = "Chooses the light whose values the Light panel shows.",
+          .run =
+              [&view] {
+                KERF_ASSERT(!view.look.lights.empty());
+                view.look.shadow.inspected = (view.look.shadow.inspected + 1) % view.look.lights.size();
+                view.picture_old = true;
+              },
+          .why_not = [&view] { return view.look.lights.size() < 2 ? "There is no other light." : nullptr; },
+          .in_menu = false},
+      flag_action(view, "Shadows: paper look", view.look.shadow.paper_look,
+                  "Transparent black over what is in shadow, in place of leaving the light out."),
+  };
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> light_feature(Workspace& on) { return std::make_unique<LightFeature>(on); }
+
+}  // namespace kerf

@@ -1,0 +1,166 @@
+#include "ui/editor/moving/piece_move.h"
+
+#include <GLFW/glfw3.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include "core/base/assert.h"
+#include "ui/editor/shared/along_axis.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr double kTurn = 2 * 3.14159265358979323846, kDegree = kTurn / 360;
+constexpr size_t kMostTyped = 18;
+
+// Where a ray meets the plane through `at` that is parallel to the picture.
+Vec3 on_picture_plane(const CameraView& view, const Pose& ray, const Vec3& at) {
+  const double depth = glm::dot(at - ray.origin, view.forward);
+  return ray.origin + ray.direction * (depth / glm::dot(ray.direction, view.forward));
+}
+
+// The direction from the pivot to the pointer in the picture, radians, counterclockwise.
+double direction_in_picture(const CameraView& view, const Vec3& pivot, Vec2 pointer) {
+  const Vec3 seen = view.project(pivot);
+  const Vec2 way = (pointer - Vec2(seen)) * Vec2(view.aspect, 1);
+  return std::atan2(way.y, way.x);
+}
+
+// Digits of the keys above the letters and of the number pad.
+std::optional<char> digit_of(int key) {
+  if (key >= GLFW_KEY_0 && key <= GLFW_KEY_9) return static_cast<char>('0' + key - GLFW_KEY_0);
+  if (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_9) return static_cast<char>('0' + key - GLFW_KEY_KP_0);
+  return std::nullopt;
+}
+
+// An amount is edited as people expect: minus changes the sign wherever it is typed.
+bool edit_amount(std::string& typed, int key) {
+  const bool minus = key == GLFW_KEY_MINUS || key == GLFW_KEY_KP_SUBTRACT;
+  const bool point = key == GLFW_KEY_PERIOD || key == GLFW_KEY_COMMA || key == GLFW_KEY_KP_DECIMAL;
+  const auto digit = digit_of(key);
+  if (minus) {
+    typed = typed.starts_with('-') ? typed.substr(1) : "-" + typed;
+  } else if (key == GLFW_KEY_BACKSPACE) {
+    if (!typed.empty()) typed.pop_back();
+  } else if (point) {
+    if (typed.find('.') == std::string::npos) typed += '.';
+  } else if (digit) {
+    if (typed.size() < kMostTyped) typed += *digit;
+  } else {
+    return false;
+  }
+  return true;
+}
+
+std::optional<PieceMove::Axis> axis_of(int key) {
+  if (key < GLFW_KEY_X || key > GLFW_KEY_Z) return std::nullopt;
+  return static_cast<PieceMove::Axis>(key - GLFW_KEY_X);
+}
+
+std::string number_text(double number) {
+  std::array<char, 48> text{};
+  std::snprintf(text.data(), text.size(), "%.4g", number);
+  return text.data();
+}
+
+}  // namespace
+
+Vec3 direction_of(PieceMove::Axis axis) {
+  Vec3 direction(0);
+  direction[static_cast<int>(axis)] = 1;
+  return direction;
+}
+
+Vec3 pivot_of(const Body& body, uint32_t label) {
+  KERF_ASSERT(label < body.pieces.size());
+  const Piece& piece = body.pieces[label];
+  const Vec3 centre = piece.area > 0 ? piece.moments.first / piece.area : Vec3(0);
+  return body.placement.to_world(body.middle() + centre);
+}
+
+PieceMove::PieceMove(Kind kind, const PieceId& piece, const Placement& from, const Vec3& pivot,
+                     const CameraView& view, Vec2 pointer)
+    : kind_(kind), piece_(piece), from_(from), pivot_(pivot), view_(view), began_(pointer), now_(pointer) {}
+
+void PieceMove::go_on_from(const CameraView& view, Vec2 pointer) {
+  carried_ = pointed_shift();
+  view_ = view;
+  began_ = now_ = pointer;
+}
+
+void PieceMove::point(const CameraView& view, Vec2 pointer) {
+  if (!(view == view_)) return go_on_from(view, pointer);
+  const double before = direction_in_picture(view_, pivot_, now_);
+  turned_ += std::remainder(direction_in_picture(view, pivot_, pointer) - before, kTurn);
+  now_ = pointer;
+}
+
+bool PieceMove::key(int key) {
+  if (const auto axis = axis_of(key)) {
+    axis_ = axis_ == axis ? std::nullopt : axis;
+    return true;
+  }
+  return edit_amount(typed_, key);
+}
+
+std::optional<double> PieceMove::typed_amount() const {
+  if (typed_.find_first_of("0123456789") == std::string::npos) return std::nullopt;
+  return std::strtod(typed_.c_str(), nullptr);
+}
+
+Vec3 PieceMove::pointed_shift() const {
+  const Pose from = view_.ray(began_.x, began_.y), to = view_.ray(now_.x, now_.y);
+  const Vec3 at = pivot_ + carried_;
+  if (!axis_) return carried_ + on_picture_plane(view_, to, at) - on_picture_plane(view_, from, at);
+  const Vec3 axis = direction_of(*axis_);
+  const auto a = along_axis(from, at, axis), b = along_axis(to, at, axis);
+  return axis * (glm::dot(carried_, axis) + (a && b ? *b - *a : 0));
+}
+
+Vec3 PieceMove::shift() const {
+  if (const auto amount = typed_amount()) return direction_of(axis_.value_or(Axis::kX)) * *amount;
+  return pointed_shift();
+}
+
+// Towards the eye, so that what follows the pointer turns as it does in the picture.
+Vec3 PieceMove::turning_axis() const { return axis_ ? direction_of(*axis_) : -view_.forward; }
+
+double PieceMove::angle() const {
+  if (const auto amount = typed_amount()) return *amount * kDegree;
+  return glm::dot(turning_axis(), view_.forward) > 0 ? -turned_ : turned_;
+}
+
+PieceMove::Look PieceMove::look() const {
+  if (kind_ == Kind::kMove) return {{1, 0, 0, 0}, shift()};
+  const double radians = angle();
+  if (radians == 0) return {{1, 0, 0, 0}, Vec3(0)};
+  const glm::dquat turn = glm::angleAxis(radians, turning_axis());
+  return {turn, pivot_ - turn * pivot_};
+}
+
+Placement PieceMove::placement() const {
+  const Look look = this->look();
+  if (kind_ == Kind::kMove) return {from_.position + look.offset, from_.orientation};
+  if (look.turn == glm::dquat(1, 0, 0, 0)) return from_;
+  return {pivot_ + look.turn * (from_.position - pivot_), glm::normalize(look.turn * from_.orientation)};
+}
+
+std::string PieceMove::words(const char* unit) const {
+  constexpr std::array kNames{" X", " Y", " Z"};
+  const std::string axis = axis_ ? kNames[static_cast<size_t>(*axis_)] : "";
+  const bool moves = kind_ == Kind::kMove;
+  std::string text = (moves ? "Move" : "Rotate");
+  if (!axis.empty()) text += (moves ? " along" : " about") + axis;
+  text += ": ";
+  if (!typed_.empty()) return text + typed_ + (moves ? std::string(" ") + unit : " degrees");
+  if (!moves) return text + number_text(angle() / kDegree) + " degrees";
+  const Vec3 by = shift();
+  if (axis_) return text + number_text(by[static_cast<int>(*axis_)]) + " " + unit;
+  return text + number_text(by.x) + ", " + number_text(by.y) + ", " + number_text(by.z) + " " + unit;
+}
+
+}  // namespace kerf

@@ -1,0 +1,50 @@
+#include "ui/editor/moving/placement_rows.h"
+
+#include <cmath>
+
+#include "ui/editor/moving/moving.h"
+#include "ui/editor/shared/piece_set.h"
+#include "ui/window/property.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr double kRadiansOfDegree = 3.14159265358979323846 / 180;
+
+// Angles are shown without the rounding of sines and cosines, and without a sign at zero.
+double tidy(double degrees) { return std::round(degrees * 1e9) / 1e9 + 0.0; }
+
+}  // namespace
+
+Vec3 angles_of(const glm::dquat& orientation) {
+  const glm::dvec3 radians = glm::eulerAngles(orientation);
+  return {tidy(radians.x / kRadiansOfDegree), tidy(radians.y / kRadiansOfDegree),
+          tidy(radians.z / kRadiansOfDegree)};
+}
+
+glm::dquat orientation_of(const Vec3& angles) {
+  return glm::normalize(glm::dquat(angles * kRadiansOfDegree));
+}
+
+std::optional<Command> PlacementRows::draw(const World& world, const ViewState& view) {
+  if (why_no_move(view.look.pieces) != nullptr) return std::nullopt;
+  const PieceId piece = *first_chosen(view.look.pieces);
+  const Body& body = world.body(piece.body);
+  Placement to = body.placement;
+  const Vec3 before = pivot_of(body, piece.label), centre_in_body = to.to_body(before);
+  Vec3 centre = before, angles = angles_of(to.orientation);
+  if (!begin_properties("placement")) return std::nullopt;
+  if (fields_.vector("Centre", centre, "%.5g",
+                     "X, Y and Z of the chosen piece's centre of area, in the unit of the file."))
+    to.position += centre - before;
+  if (fields_.vector("Rotation", angles, "%.4g",
+                     "Degrees about X, then Y, then Z, about its centre: 0 is as it was loaded.")) {
+    to.orientation = orientation_of(angles);
+    to.position = before - to.orientation * centre_in_body;
+  }
+  end_properties();
+  return to != body.placement ? std::optional<Command>(MovePiece{piece, to}) : std::nullopt;
+}
+
+}  // namespace kerf

@@ -1,0 +1,472 @@
+#include "ui/editor/path/path_feature.h"
+
+#include <imgui.h>
+
+#include <GLFW/glfw3.h>
+
+#include <nlohmann/json.hpp>
+
+#include "core/base/assert.h"
+#include "core/cut/cuttable.h"
+#include "core/document/autosave.h"
+#include "core/document/edit_path.h"
+#include "core/document/json_value.h"
+#include "core/document/save.h"
+#include "core/document/stroke_settings.h"
+#include "ui/editor/path/emitter_rows.h"
+#include "ui/editor/path/kept_path.h"
+#include "ui/editor/path/path_marks.h"
+#include "ui/editor/path/path_panel.h"
+#include "ui/editor/path/path_tool.h"
+#include "ui/editor/shared/surface_point.h"
+#include "ui/window/imgui_vector.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr const char* kPath = "Path";  // the tool and the panel
+constexpr const char* kNoPoints = "The path has no points.";
+constexpr double kEmitterAway = 0.35;  // diagonals of the world
+
+std::string counted(size_t count, const char* what) {
+  return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
+}
+
+// Adds a point or takes one, and moves it.
+class DragOfPoint : public Interaction {
+ public:
+  DragOfPoint(Workspace& on, PathWork& path) : on_(on), path_(path) {}
+
+  // Returns why nothing happened, or an empty text.
+  std::string press(bool new_stroke) {
+    return tool_.press(path_, on_.world(), on_.view, on_.pointer, new_stroke,
+                       PathTool::beam_for(on_.world(), on_.laser.radius));
+  }
+  void move(const InputEvent&) override { tool_.move(path_, on_.world(), on_.view, on_.pointer); }
+  const char* words() const override { return "Path: the point follows the pointer over the surface"; }
+
+ private:
+  Workspace& on_;
+  PathWork& path_;
+  PathTool tool_;
+};
+
+// Moves or aims the emitter. The beam of one that fires follows each move of the pointer, as that of the
+// pointer itself does.
+class DragOfEmitter : public Interaction {
+ public:
+  DragOfEmitter(Workspace& on, Emitter& emitter) : on_(on), emitter_(emitter) {}
+
+  void move(const InputEvent& event) override {
+    const FirstPicture picture(on_.view);
+    const auto surface = surface_point(on_.world(), on_.view.look, picture.ray(on_.pointer));
+    emitter_.drag(picture, on_.pointer, surface ? std::optional(surface->at) : std::nullopt);
+    if (emitter_.drawing) on_.beam.carry_to(on_.work.document, emitter_.pose(), event.seconds);
+  }
+  const char* words() const override { return "Moving the emitter"; }
+
+ private:
+  Workspace& on_;
+  Emitter& emitter_;
+};
+
+class PathFeature : public Feature {
+ public:
+  explicit PathFeature(Workspace& on) : on_(on), kept_(state_folder()) {
+    on.file_takers.push_back([this](const std::filesystem::path& file) { return take_file(file); });
+  }
+
+  std::vector<Panel> panels() override {
+    return {
+        {"Laser", 120, true, [this] { emitter_rows_.draw(emitter_, on_.view, [this] { place_emitter(); }); }},
+        {kPath, 500, false, [this] { draw_panel(); }}};
+  }
+  std::vector<ActionGroup> actions() override {
+    return {
+        {303, "Tool", {take_tool_action()}}, {400, "Path", path_actions()}, {410, "Path", emitter_actions()}};
+  }
+  std::vector<Gesture> gestures() const override {
+    return {
+        {60, "Click on a surface",
+         "Add a point to the path, with the tool Path; Shift begins another stroke"},
+        {70, "Left drag on a point or its knob", "Move a point of the path over the surface, turn its beam"},
+        {80, "Left drag on the emitter", "Move it, or aim it by the ring where it aims"}};
+  }
+
+  Status start(const EditorOptions&) override {
+    on_.changes.ask({.name = "kept path", .run = [this] { return open_kept_path(), true; }, .always = true});
+    return Done{};
+  }
+  void rest() override { keep(on_.clock->seconds()); }
+  void close(bool) override { keep(std::nullopt); }
+
+  std::unique_ptr<Interaction> claim(const Press& press) override;
+  const char* hint() const override {
+    return in_hand() ? "Path: click adds a point, Shift begins another stroke, Ctrl+Enter runs it" : nullptr;
+  }
+  bool stop() override { return std::exchange(emitter_.firing, false); }
+
+  void advance(double) override {
+    if (!on_.changes.is_pending()) follow_emitter(on_.clock->seconds());
+    keep(on_.clock->seconds());
+    on_.laser.planned_speed = path_.speed();
+  }
+  bool moving() const override { return emitter_.firing && emitter_.in_shots; }
+
+  void draw_marks(ImDrawList& list) override;
+  void mark(Landmarks& landmarks) const override;
+  void report(nlohmann::ordered_json& report) const override;
+
+ private:
+  bool in_hand() const { return on_.tool == kPath; }
+  bool shows_path() const { return in_hand() || on_.settings.shows(kPath); }
+  const char* why_no_run() const;
+  UserAction take_tool_action();
+  std::vector<UserAction> path_actions();
+  std::vector<UserAction> emitter_actions();
+  void draw_panel();
+
+  bool take_file(const std::filesystem::path& file);
+  std::string load(const std::filesystem::path& file);
+  void choose_file_to_load();
+  void choose_file_to_save();
+  void save(const std::filesystem::path& file);
+  void open_kept_path();
+  void keep(std::optional<double> now);
+
+  void ask_for_run();
+  void run();
+  void place_emitter();
+  void follow_emitter(double now);
+  void begin_fire(double now);
+  void fire_shots(double now);
+
+  Workspace& on_;
+  PathWork path_;
+  bool at_panel_resolution_ = false;  // the path is run so, and not as kerf cut --path does
+  PathPanel panel_;
+  KeptPath kept_;
+  Emitter emitter_;
+  EmitterRows emitter_rows_;
+};
+
+// Input
+// --------------------------------------------------------------------------------------------------------
+
+std::unique_ptr<Interaction> PathFeature::claim(const Press& press) {
+  const auto handles = emitter_handles(emitter_, FirstPicture(on_.view));
+  if (const auto handle = emitter_handle_under(handles, on_.pointer); handle && !on_.view.in_second) {
+    emitter_.take(*handle, on_.pointer);
+    return std::make_unique<DragOfEmitter>(on_, emitter_);
+  }
+  if (!in_hand() || press.control) return nullptr;
+  auto drag = std::make_unique<DragOfPoint>(on_, path_);
+  if (on_.view.in_second) {
+    on_.message.say("The path is drawn in the left half.", true);
+    return drag;
+  }
+  stand_together(on_);
+  on_.message.say("");
+  const std::string why = drag->press(press.shift);
+  if (!why.empty()) on_.message.say(why, true);
+  return drag;
+}
+
+const char* PathFeature::why_no_run() const {
+  if (path_.empty()) return "The path has no points: click on a surface with the tool Path.";
+  return on_.opening.loader.busy() ? "A file is being opened." : nullptr;
+}
+
+UserAction PathFeature::take_tool_action() {
+  UserAction action = tool_action(on_, kPath, "O",
+                                  "A click on a surface adds a point to the path of the laser, with Shift "
+                                  "the first of another stroke; points "
+                                  "and their beams are dragged.");
+  action.run = [this, take = action.run] {
+    take();
+    on_.settings.unfold(kPath);
+  };
+  action.ends_group = true;
+  return action;
+}
+
+std::vector<UserAction> PathFeature::path_actions() {
+  // The keys of undo and redo belong to the path while it is in hand, until it is run.
+  const auto takes_undo = [this] {
+    return in_hand() && path_.is_newer_than(on_.work.document.history().position());
+  };
+  const auto why_empty = [this] { return path_.empty() ? kNoPoints : nullptr; };
+  return {
+      UserAction{.name = "Run the path",
+                 .shortcut = "Ctrl+Enter",
+                 .pad_key = GLFW_KEY_KP_ENTER,
+                 .tip = "Cuts along the path, as kerf cut --path does with its file.",
+                 .run = [this] { ask_for_run(); },
+                 .why_not = [this] { return why_no_run(); },
+                 .ends_group = true},
+      UserAction{.name = "Load a path...",
+                 .tip = "A path file (.json). It can also be dropped on the window.",
+                 .run = [this] { choose_file_to_load(); }},
+      UserAction{.name = "Save the path...",
+                 .tip = "As a file (.json) for kerf cut --path.",
+                 .run = [this] { choose_file_to_save(); },
+                 .why_not = why_empty},
+      UserAction{.name = "Clear the path",
+                 .tip = "Removes all points.",
+                 .run = [this] { path_.begin_edit(), path_.clear(); },
+                 .why_not = why_empty},
+      UserAction{.name = "Remove the point",
+                 .shortcut = "Del",
+                 .pad_key = GLFW_KEY_BACKSPACE,
+                 .tip = "The chosen point of the path; Backspace does the same.",
+                 .run = [this] { path_.begin_edit(), path_.remove(*path_.chosen()); },
+                 .why_not = [this] { return path_.chosen() ? nullptr : "No point of the path is chosen."; },
+                 .has_key_when = [this] { return in_hand() && path_.chosen(); },
+                 .ends_group = true},
+      UserAction{.name = "Undo the edit of the path",
+                 .shortcut = "Ctrl+Z",
+                 .tip = "The key does it with the path in hand, until the path is run.",
+                 .run = [this] { path_.undo(); },
+                 .why_not = [this] { return path_.can_undo() ? nullptr : "The path was not edited yet."; },
+                 .has_key_when = [this, takes_undo] { return takes_undo() && path_.can_undo(); }},
+      UserAction{.name = "Redo the edit of the path",
+                 .shortcut = "Ctrl+Shift+Z",
+                 .tip = "Edits the path again as before the undo.",
+                 .run = [this] { path_.redo(); },
+                 .why_not = [this] { return path_.can_redo() ? nullptr : "No edit of the path was undone."; },
+                 .has_key_when = [this, takes_undo] { return takes_undo() && path_.can_redo(); },
+                 .ends_group = true},
+  };
+}
+
+std::vector<UserAction> PathFeature::emitter_actions() {
+  const auto why_none = [this] {
+    return emitter_.placed() ? nullptr : "There is no emitter: place one first.";
+  };
+  return {
+      UserAction{.name = "Place the emitter",
+                 .shortcut = "Shift+U",
+                 .tip = "A laser that stands in the scene, aimed at the middle of the picture.",
+                 .run = [this] { place_emitter(); }},
+      UserAction{
+          .name = "Fire the emitter",
+          .shortcut = "U",
+          .tip = "Switches it on or off. The Laser panel says whether it fires without a break or in shots.",
+          .run = [this] { emitter_.firing = !emitter_.firing; },
+          .checked = [this] { return emitter_.firing; },
+          .why_not = why_none},
+      UserAction{.name = "Take the emitter away",
+                 .tip = "Takes it out of the scene.",
+                 .run = [this] { emitter_.remove(); },
+                 .why_not = why_none},
+  };
+}
+
+void PathFeature::draw_panel() {
+  panel_.draw(
+      path_, at_panel_resolution_, on_.view, on_.world(), PathTool::beam_for(on_.world(), on_.laser.radius),
+      why_no_run(),
+      {[this] { ask_for_run(); }, [this] { choose_file_to_load(); }, [this] { choose_file_to_save(); }});
+}
+
+// Files
+// --------------------------------------------------------------------------------------------------------
+
+// Path files that are dropped on the window, opened by the menu or named on the command line.
+bool PathFeature::take_file(const std::filesystem::path& file) {
+  if (!is_path_file(file)) return false;
+  on_.changes.ask({.name = file.string(),
+                   .run =
+                       [this, file] {
+                         if (const std::string why = load(file); !why.empty()) on_.message.say(why, true);
+                         return true;
+                       },
+                   .always = true});
+  return true;
+}
+
+// Loads a file in place of the path, which comes back by undo, and takes the path in hand. Returns the reason
+// if that is impossible, else an empty text.
+std::string PathFeature::load(const std::filesystem::path& file) {
+  auto strokes = read_path_file(file);
+  if (!strokes) return strokes.error().message;
+  path_.begin_edit();
+  path_.load(std::move(*strokes), on_.world());
+  path_.note_saved(file);
+  on_.tool = kPath;
+  on_.settings.unfold(kPath);
+  on_.message.say("Loaded: " + file.string() + ", " + counted(path_.strokes().size(), "stroke") + ", " +
+                  counted(path_.points(), "point"));
+  return "";
+}
+
+void PathFeature::choose_file_to_load() {
+  browse(on_.browser,
+         {.title = "Load a path of the laser",
+          .verb = "Load",
+          .hint = "Type a part of a name, or a whole path",
+          .listed = ".json",
+          .take = [this](const std::filesystem::path& file) { return load(file); }},
+         on_.settings.folder, "");
+}
+
+void PathFeature::choose_file_to_save() {
+  const std::string name = path_.file().filename().string();
+  browse(on_.browser,
+         {.title = "Save the path of the laser",
+          .verb = "Save",
+          .hint = "Name; the ending is .json",
+          .listed = ".json",
+          .endings = {".json"},
+          .take =
+              [this](const std::filesystem::path& file) {
+                save(file);
+                return "";
+              }},
+         on_.settings.folder, name.empty() ? "path.json" : name);
+}
+
+void PathFeature::save(const std::filesystem::path& file) {
+  const Status saved = save_path(file, path_.strokes());
+  if (saved) path_.note_saved(file);
+  on_.message.say(saved ? "Saved: " + file.string() : saved.error().message, !saved.ok());
+}
+
+// A path that was not saved is there again, unless another one was asked for.
+void PathFeature::open_kept_path() {
+  if (!path_.empty()) return;
+  auto left = kept_.adopt();
+  if (!left) return;
+  path_.begin_edit();
+  path_.load(std::move(*left), on_.world());
+  on_.message.say("The path that was not saved is in the Path panel again.");
+}
+
+// Without a time at once.
+void PathFeature::keep(std::optional<double> now) {
+  const Status kept = now ? kept_.follow(path_, *now) : kept_.follow(path_);
+  if (!kept) on_.message.say("The path cannot be kept: " + kept.error().message, true);
+}
+
+// Cutting
+// --------------------------------------------------------------------------------------------------------
+
+void PathFeature::ask_for_run() {
+  on_.changes.ask({.name = "Run of the path", .run = [this] { return run(), true; }, .is_one = true});
+}
+
+// All strokes are cut on a thread of their own, or none if the user stops it.
+void PathFeature::run() {
+  if (const auto why = why_no_cut(path_.strokes())) return on_.message.say(*why, true);
+  cancel_stroke(on_);
+  path_.note_run(on_.work.document.history().position());
+  std::function<Resolution(double)> resolution;
+  if (at_panel_resolution_)
+    resolution = [controls = on_.laser.resolution](double radius) { return controls.of(radius); };
+  const auto cut = [commands = path_commands(path_.strokes(), on_.world().bounds().diagonal(), resolution)](
+                       Document& document, const Progress* progress) {
+    Outcome outcome = document.run_whole(commands, progress);
+    if (!outcome.ok() && outcome.error().message == cancelled().message)
+      outcome.fail(failed("The path was stopped: nothing was cut."));
+    return outcome;
+  };
+  on_.changes.change("Cutting the path", false, cut, "The path is cut.");
+  on_.cut_once = true;
+}
+
+// Where the view looks.
+void PathFeature::place_emitter() {
+  const double diagonal = on_.world().bounds().diagonal();
+  const CameraView view = on_.view.seen_first();
+  const auto surface = surface_point(on_.world(), on_.view.look, view.ray(0, 0));
+  place_in_view(emitter_, view, surface ? surface->at : on_.view.camera.pivot(),
+                diagonal > 0 ? kEmitterAway * diagonal : 1);
+}
+
+// Begins, continues or ends the stroke of the emitter, as it is switched, or fires the shot that is due.
+void PathFeature::follow_emitter(double now) {
+  LaserTool& beam = on_.beam;
+  const bool ended_elsewhere = (emitter_.drawing && !beam.cutting()) || (on_.held && on_.held->cuts());
+  if (ended_elsewhere) emitter_.firing = emitter_.drawing = false;
+  if (on_.opening.loader.busy()) emitter_.firing = false;
+  if (emitter_.in_shots && !emitter_.drawing) return fire_shots(now);
+  const bool on = emitter_.firing && !emitter_.in_shots;
+  if (on && !emitter_.drawing) {
+    begin_fire(now);
+  } else if (on) {
+    beam.carry_to(on_.work.document, emitter_.pose(), now);
+  } else if (emitter_.drawing) {
+    beam.release(on_.work.document);
+  }
+  emitter_.drawing = on;
+}
+
+void PathFeature::begin_fire(double now) {
+  cancel_stroke(on_);
+  stand_together(on_);
+  KERF_ASSERT(emitter_.placed());
+  on_.beam.fire(on_.work.document, emitter_.pose(), emitter_.distance(),
+                on_.laser.settings(on_.world().bounds().diagonal()), now);
+  on_.cut_once = true;
+}
+
+// A shot waits until the last one is cut. One that meets nothing would be an empty step of the history.
+void PathFeature::fire_shots(double now) {
+  const Document& document = on_.work.document;
+  if (!emitter_.firing) return emitter_.pace.begin();
+  if (on_.beam.cutting() || document.waiting() > 0 || !emitter_.pace.is_due(now)) return;
+  emitter_.pace.take(now);
+  const Laser laser = on_.laser.settings(on_.world().bounds().diagonal()).laser;
+  if (!meets_anything(on_.world(), laser, emitter_.pose())) return;
+  begin_fire(now);
+  on_.beam.release(on_.work.document);
+}
+
+// Telling
+// --------------------------------------------------------------------------------------------------------
+
+// The path while it is in hand or its panel is unfolded, and the emitter.
+void PathFeature::draw_marks(ImDrawList& list) {
+  const FirstPicture picture(on_.view);
+  const Area& first = on_.view.layout.first;
+  list.PushClipRect(to_im(first.at), to_im(first.at + first.size), true);
+  if (shows_path() && !on_.cutting()) draw_path(path_, on_.world(), picture, list);
+  draw_emitter(emitter_, picture, on_.pointer_over_picture(), list);
+  list.PopClipRect();
+}
+
+void PathFeature::mark(Landmarks& landmarks) const {
+  const FirstPicture picture(on_.view);
+  if (shows_path()) {
+    for (const PathMark& mark : path_marks(path_, on_.world(), picture))
+      landmarks.mark("path point " + std::to_string(mark.number), {mark.target, Vec2(0)});
+    if (const auto knob = path_knob(path_, picture)) landmarks.mark("path knob", {knob->place, Vec2(0)});
+  }
+  for (const EmitterHandle& handle : emitter_handles(emitter_, picture))
+    landmarks.mark(name_of(handle), {handle.to, Vec2(0)});
+}
+
+void PathFeature::report(nlohmann::ordered_json& report) const {
+  nlohmann::ordered_json targets = nlohmann::ordered_json::array();
+  for (size_t i = 0; i < path_.strokes().size(); ++i) {
+    for (size_t k = 0; k < path_.strokes()[i].keys.size(); ++k)
+      targets.push_back(vector_json(path_.target({i, k})));
+  }
+  report["path"] = {{"strokes", path_.strokes().size()},
+                    {"targets", targets},
+                    {"speed", path_.speed()},
+                    {"unsaved", path_.is_unsaved()}};
+  report["emitter"] = {{"placed", emitter_.placed()},
+                       {"at", vector_json(emitter_.at())},
+                       {"target", vector_json(emitter_.target())},
+                       {"firing", emitter_.firing},
+                       {"in_shots", emitter_.in_shots},
+                       {"pace", emitter_.pace.per_second()}};
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> path_feature(Workspace& on) { return std::make_unique<PathFeature>(on); }
+
+}  // namespace kerf

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/document/scene.h"
+#include "ui/editor/shared/piece_set.h"
+
+namespace kerf {
+
+// What an export of the chosen pieces writes.
+struct PieceFile {
+  PieceId piece;
+  std::filesystem::path mesh;
+  std::filesystem::path library;  // the MTL file beside an OBJ file whose faces have materials; else empty
+};
+
+// The name of a piece as the name of a file without its ending: characters that file systems do not take, and
+// blanks, become "-". Never empty.
+std::string file_name_of(const std::string& piece);
+
+// The files for the chosen pieces of a world, in the order of list_pieces. In the name of `file` each "*"
+// stands for the name of the piece; without it several pieces get numbers, "part-1.obj" and so on. No two
+// files have the same name. The ending says the format.
+std::vector<PieceFile> files_to_export(const World& world, const PieceMap& looks,
+                                       const std::filesystem::path& file);
+
+// Writes the chosen pieces where they stand to the files of files_to_export; the libraries hold the paints.
+// Returns these files. Bad input if no piece is chosen or the ending is not that of a mesh; what was written
+// before a failure stays.
+Result<std::vector<PieceFile>> export_chosen(const World& world, const PieceMap& looks,
+                                             const std::map<std::string, Paint>& paints,
+                                             const std::filesystem::path& file);
+
+}  // namespace kerf

@@ -1,0 +1,455 @@
+#include "ui/editor/pieces/pieces_feature.h"
+
+#include <imgui.h>
+
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "core/base/assert.h"
+#include "ui/editor/pieces/export_pieces.h"
+#include "ui/editor/pieces/pieces_list.h"
+#include "ui/editor/pieces/rubber_band.h"
+#include "ui/editor/shared/click.h"
+#include "ui/editor/shared/long_step.h"
+#include "ui/editor/shared/piece_set.h"
+#include "ui/editor/shared/selection.h"
+#include "ui/editor/shared/shortcut_text.h"
+#include "ui/render/spread.h"
+#include "ui/window/number_format.h"
+#include "ui/window/property.h"
+#include "ui/window/row_button.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr double kSpreadStep = 0.25, kMostSpread = 1.5;
+constexpr size_t kMostNamed = 100;  // pieces
+constexpr const char* kPiecesPanel = "Pieces";
+
+// A click chooses the piece under the pointer, a drag those in a box.
+class PressOnPieces : public Interaction {
+ public:
+  explicit PressOnPieces(Workspace& on) : on_(on), pressed_at_(on.pointer) {}
+
+  void move(const InputEvent&) override {
+    boxes_ = boxes_ || glm::length(on_.pointer - pressed_at_) > kClickReach;
+  }
+  void release(const InputEvent& event) override {
+    const bool add = (event.mods & GLFW_MOD_SHIFT) != 0;
+    if (boxes_) {
+      choose_in_box(add);
+    } else {
+      choose_under_pointer(on_, add);
+    }
+  }
+  bool cancel() override { return boxes_; }
+  const char* words() const override {
+    return boxes_ ? "Choosing what lies wholly in the box; from right to left: what it touches" : nullptr;
+  }
+  void draw(ImDrawList& list) const override {
+    if (boxes_) draw_rubber_band({pressed_at_, on_.pointer}, list);
+  }
+
+ private:
+  void choose_in_box(bool add) {
+    if (on_.view.in_second) return on_.message.say("Pieces are chosen in the left half.", true);
+    PieceMap& looks = on_.view.look.pieces;
+    if (!add) choose_none(looks);
+    const RubberBand band{on_.view.in_picture(pressed_at_), on_.view.in_picture(on_.pointer)};
+    for (const PieceId& id : pieces_in(band, on_.world(), on_.view.look, on_.view.seen()))
+      looks[id].selected = true;
+    on_.view.picture_old = true;
+  }
+
+  Workspace& on_;
+  Vec2 pressed_at_;
+  bool boxes_ = false;
+};
+
+std::vector<BodyId> hidden_bodies(const World& world) {
+  std::vector<BodyId> hidden;
+  for (const BodyId id : world.ids()) {
+    if (world.body(id).hidden) hidden.push_back(id);
+  }
+  return hidden;
+}
+
+class PiecesFeature : public Feature {
+ public:
+  explicit PiecesFeature(Workspace& on) : on_(on) {}
+
+  std::vector<Panel> panels() override {
+    return {{kPiecesPanel, 600, true, [this] { draw_list(); }},
+            {kPiecesPanel, 602, true, [this] { draw_spread(list_pieces(on_.world()).size() < 2); }}};
+  }
+  std::vector<ActionGroup> actions() override {
+    return {
+        {120, "File", {export_action()}},
+        {230, "Edit", piece_actions()},
+        {301,
+         "Tool",
+         {tool_action(on_, kPickTool, "K",
+                      "A click chooses a piece, a drag the pieces in a box; with Shift they are added. With "
+                      "the laser in hand, Ctrl does the same.")}},
+        {1400, "Pieces", shown_actions()}};
+  }
+  std::vector<Gesture> gestures() const override {
+    return {{20, "Ctrl+click", "Choose a piece; with Shift one more"},
+            {30, "Ctrl+left drag", "Choose the pieces in a box; from right to left those that it touches"},
+            {90, "Double click on a name in the list", "Rename the piece"}};
+  }
+
+  std::unique_ptr<Interaction> claim(const Press& press) override {
+    return picks(on_, press) ? std::make_unique<PressOnPieces>(on_) : nullptr;
+  }
+  bool let_go() override {
+    choose_none(on_.view.look.pieces);
+    on_.view.picture_old = true;
+    return true;
+  }
+  const char* hint() const override {
+    return on_.tool == kPickTool
+               ? "Pick: click or drag a box, Shift adds; G moves the chosen piece, R turns it"
+               : nullptr;
+  }
+
+  void follow(const Delta&) override;
+  void forget() override {
+    on_.view.look.pieces.clear();
+    on_.view.numbers = PieceNumbers();
+    on_.view.spread = 0;
+    isolated_from_.clear();
+  }
+  void report(nlohmann::ordered_json& report) const override {
+    report["pieces_chosen"] = chosen_pieces(on_.view.look.pieces);
+    report["pieces_hidden"] = hidden_pieces(on_.view.look.pieces).size();
+    report["spread"] = on_.view.spread;
+  }
+
+ private:
+  std::vector<UserAction> piece_actions();
+  std::vector<UserAction> shown_actions();
+  std::vector<UserAction> pieces_to_choose();
+  UserAction spread_action(const char* name, double by);
+  UserAction export_action();
+
+  void draw_list();
+  void draw_buttons();
+  void draw_spread(bool one_piece);
+
+  void choose_all();
+  void ask_to_hide();
+  void ask_to_show();
+  void rename_chosen();
+  bool change_chosen(const std::function<Command(const PieceId&)>& command_for);
+  void show_hidden();
+  void isolate_chosen();
+  std::vector<PieceId> to_show_again() const;
+  const char* why_no_isolation() const;
+  const char* why_none_hidden() const {
+    return hidden_pieces(on_.view.look.pieces).empty() ? "No piece is hidden." : nullptr;
+  }
+
+  void choose_file_to_export();
+  std::string name_to_export() const;
+  std::string export_to(const std::filesystem::path& file);
+
+  Workspace& on_;
+  PiecesList list_;
+  std::vector<BodyId> isolated_from_;                 // bodies that are hidden because others were isolated
+  std::optional<std::vector<BodyId>> hidden_before_;  // an isolation that is going on
+};
+
+// Actions
+// --------------------------------------------------------------------------------------------------------
+
+std::vector<UserAction> PiecesFeature::piece_actions() {
+  const auto why_none = [this] { return why_none_chosen(on_.view.look.pieces); };
+  const auto why_no_rename = [this]() -> const char* {
+    if (const char* why = why_none_chosen(on_.view.look.pieces)) return why;
+    return chosen_pieces(on_.view.look.pieces) > 1
+               ? "Several pieces are chosen: choose one alone to rename it."
+               : nullptr;
+  };
+  return {
+      UserAction{.name = "Choose all pieces",
+                 .shortcut = "Ctrl+A",
+                 .tip = "All that are not hidden.",
+                 .run = [this] { choose_all(); }},
+      UserAction{.name = "Hide the chosen",
+                 .shortcut = "H",
+                 .tip = "Leaves the chosen pieces out of the picture; the beam passes them by.",
+                 .run = [this] { ask_to_hide(); },
+                 .why_not = why_none},
+      UserAction{.name = "Show all pieces",
+                 .shortcut = "Shift+H",
+                 .tip = "Draws the hidden pieces again.",
+                 .run = [this] { ask_to_show(); },
+                 .why_not = [this] { return why_none_hidden(); }},
+      UserAction{.name = "Isolate the chosen",
+                 .shortcut = "/",
+                 .pad_key = GLFW_KEY_KP_DIVIDE,
+                 .tip = "Hides all other pieces; the same again shows them as they were.",
+                 .run =
+                     [this] {
+                       on_.changes.ask({.name = "Isolate pieces",
+                                        .run = [this] { return isolate_chosen(), true; },
+                                        .is_one = true});
+                     },
+                 .why_not = [this] { return why_no_isolation(); }},
+      UserAction{
+          .name = "Rename the chosen",
+          .shortcut = "F2",
+          .tip = "Edits the name of the chosen piece in the Pieces panel: Enter takes it, Esc does not.",
+          .run = [this] { rename_chosen(); },
+          .why_not = why_no_rename},
+      UserAction{
+          .name = "Delete the chosen",
+          .shortcut = "Del",
+          .tip = "Takes the chosen pieces out of the world.",
+          .run =
+              [this] {
+                on_.changes.ask(
+                    {.name = "Delete pieces",
+                     .run = [this] { return change_chosen([](const PieceId& p) { return DeletePiece{p}; }); },
+                     .is_one = true});
+              },
+          .why_not = why_none,
+          .ends_group = true},
+  };
+}
+
+UserAction PiecesFeature::export_action() {
+  return {.name = "Export chosen pieces...",
+          .shortcut = "Ctrl+E",
+          .tip = "As meshes, where they stand; several go to numbered files.",
+          .run = [this] { choose_file_to_export(); },
+          .why_not = [this] { return why_none_chosen(on_.view.look.pieces); }};
+}
+
+std::vector<UserAction> PiecesFeature::pieces_to_choose() {
+  std::vector<UserAction> actions;
+  PieceMap& looks = on_.view.look.pieces;
+  for (const PieceRow& row : list_pieces(on_.world(), looks)) {
+    if (actions.size() >= kMostNamed) break;
+    actions.push_back({.name = row.name, .tip = "Chooses this piece, and no other."});
+    actions.back().run = [this, &looks, id = row.id] {
+      choose_none(looks);
+      looks[id].selected = true;
+      on_.view.picture_old = true;
+    };
+    actions.back().why_not = [&looks, id = row.id] {
+      const auto look = looks.find(id);
+      return look != looks.end() && look->second.hidden ? "It is hidden." : nullptr;
+    };
+  }
+  return actions;
+}
+
+UserAction PiecesFeature::spread_action(const char* name, double by) {
+  return {.name = name,
+          .tip = "Draws the pieces away from the middle, or back. They stay where they are.",
+          .run =
+              [this, by] {
+                on_.view.spread = std::clamp(on_.view.spread + by, 0.0, kMostSpread);
+                spread_pieces(on_.world(), on_.view.spread, on_.view.look);
+                on_.view.picture_old = true;
+              },
+          .in_menu = false};
+}
+
+std::vector<UserAction> PiecesFeature::shown_actions() {
+  return {
+      UserAction{.name = "Choose", .items = [this] { return pieces_to_choose(); }, .in_menu = false},
+      spread_action("Pieces further apart", kSpreadStep),
+      spread_action("Pieces nearer together", -kSpreadStep),
+  };
+}
+
+// The panel
+// --------------------------------------------------------------------------------------------------------
+
+void PiecesFeature::draw_list() {
+  list_.draw(on_, list_pieces(on_.world(), on_.view.look.pieces), [this] { ask_to_hide(); });
+  draw_buttons();
+}
+
+void PiecesFeature::draw_buttons() {
+  const char* why_none = chosen_pieces(on_.view.look.pieces) > 0
+                             ? nullptr
+                             : "No piece is chosen: Ctrl+click one in the picture, or click it in the list.";
+  const auto told = [&](const char* meaning, const char* action) {
+    return with_shortcut(on_.view, meaning, action);
+  };
+  if (row_button("Hide", 3, why_none,
+                 told("Leaves the chosen pieces out of the picture.", "Hide the chosen").c_str()))
+    ask_to_hide();
+  ImGui::SameLine();
+  if (row_button("Show all", 3, why_none_hidden(),
+                 told("Draws the hidden pieces again.", "Show all pieces").c_str()))
+    ask_to_show();
+  ImGui::SameLine();
+  if (row_button("Export", 3, why_none,
+                 told("Writes the chosen pieces to mesh files.", "Export chosen pieces...").c_str()))
+    choose_file_to_export();
+}
+
+void PiecesFeature::draw_spread(bool one_piece) {
+  if (!begin_properties("spread")) return;
+  property("Spread");
+  constexpr double kNone = 0;
+  double& spread = on_.view.spread;
+  ImGui::BeginDisabled(one_piece);
+  const RealFormat format = spread == 0 ? RealFormat("together") : RealFormat("%.2f");
+  if (ImGui::SliderScalar("##spread", ImGuiDataType_Double, &spread, &kNone, &kMostSpread, format.c_str(),
+                          ImGuiSliderFlags_AlwaysClamp)) {
+    spread_further(on_.world(), spread, on_.view.look);
+    on_.view.picture_old = true;
+  }
+  ImGui::EndDisabled();
+  tooltip(one_piece ? "There is only one piece: cut something off first."
+                    : "Draws the pieces apart, away from the middle. They stay where they are: the next cut "
+                      "draws them together again.");
+  end_properties();
+}
+
+// Changes
+// --------------------------------------------------------------------------------------------------------
+
+void PiecesFeature::choose_all() {
+  for (const PieceRow& row : list_pieces(on_.world())) {
+    PieceLook& look = on_.view.look.pieces[row.id];
+    look.selected = !look.hidden;
+  }
+  on_.view.picture_old = true;
+}
+
+void PiecesFeature::ask_to_hide() {
+  on_.changes.ask(
+      {.name = "Hide pieces",
+       .run = [this] { return change_chosen([](const PieceId& piece) {
+                         return HidePiece{piece, true};
+                       }); },
+       .is_one = true});
+}
+
+void PiecesFeature::ask_to_show() {
+  on_.changes.ask({.name = "Show all pieces", .run = [this] { return show_hidden(), true; }, .is_one = true});
+}
+
+void PiecesFeature::rename_chosen() {
+  KERF_ASSERT(chosen_pieces(on_.view.look.pieces) == 1);
+  on_.settings.unfold(kPiecesPanel);
+  list_.rename(*first_chosen(on_.view.look.pieces));
+}
+
+// One after the other, because a piece may be part of another body after a command. Returns false where some
+// are left because one became pending.
+bool PiecesFeature::change_chosen(const std::function<Command(const PieceId&)>& command_for) {
+  while (const auto piece = first_chosen(on_.view.look.pieces)) {
+    if (on_.changes.is_pending()) return false;
+    on_.view.look.pieces[*piece].selected = false;
+    on_.changes.apply(command_for(*piece));
+  }
+  return true;
+}
+
+// Hidden pieces are bodies of their own, so that no id changes when one of them is shown.
+void PiecesFeature::show_hidden() {
+  std::vector<Command> commands;
+  for (const PieceId& piece : hidden_pieces(on_.view.look.pieces))
+    commands.emplace_back(HidePiece{piece, false});
+  on_.changes.change("Show all pieces", is_small(on_.work.document), apply_all(std::move(commands)));
+}
+
+// The pieces that were hidden because others were isolated, and still are.
+std::vector<PieceId> PiecesFeature::to_show_again() const {
+  std::vector<PieceId> pieces;
+  for (const PieceId& piece : hidden_pieces(on_.view.look.pieces)) {
+    const auto found = std::find(isolated_from_.begin(), isolated_from_.end(), piece.body);
+    if (on_.world().contains(piece.body) && found != isolated_from_.end()) pieces.push_back(piece);
+  }
+  return pieces;
+}
+
+const char* PiecesFeature::why_no_isolation() const {
+  if (!to_show_again().empty()) return nullptr;
+  if (const char* why = why_none_chosen(on_.view.look.pieces)) return why;
+  return other_pieces(on_.world(), on_.view.look.pieces).empty() ? "All pieces are chosen." : nullptr;
+}
+
+// Hides all pieces but the chosen ones; the next call shows again those that were hidden by it, and no
+// others.
+void PiecesFeature::isolate_chosen() {
+  std::vector<PieceId> pieces = to_show_again();
+  const bool hide = pieces.empty();
+  if (hide) {
+    pieces = other_pieces(on_.world(), on_.view.look.pieces);
+    hidden_before_ = hidden_bodies(on_.world());
+  }
+  cancel_stroke(on_);
+  on_.changes.change(hide ? "Isolate pieces" : "Show the other pieces", is_small(on_.work.document),
+                     edit_all(std::move(pieces), [hide](const PieceId& piece) {
+                       return HidePiece{piece, hide};
+                     }));
+}
+
+void PiecesFeature::follow(const Delta&) {
+  if (!hidden_before_) return;
+  isolated_from_ = hidden_bodies(on_.world());
+  std::erase_if(isolated_from_, [&](const BodyId& id) {
+    return std::find(hidden_before_->begin(), hidden_before_->end(), id) != hidden_before_->end();
+  });
+  hidden_before_.reset();
+}
+
+// Exporting
+// --------------------------------------------------------------------------------------------------------
+
+// The chosen piece, or a "*" for the names of several.
+std::string PiecesFeature::name_to_export() const {
+  const PieceMap& looks = on_.view.look.pieces;
+  const std::string ending = "." + std::string(format_name(on_.browser.format));
+  if (chosen_pieces(looks) != 1) return "*" + ending;
+  for (const PieceRow& row : list_pieces(on_.world(), looks)) {
+    if (row.id == first_chosen(looks)) return file_name_of(row.name) + ending;
+  }
+  return "piece" + ending;
+}
+
+void PiecesFeature::choose_file_to_export() {
+  browse(on_.browser,
+         {.title = "Export the chosen pieces",
+          .verb = "Export",
+          .hint = "Name; a * stands for the name of each piece",
+          .take = [this](const std::filesystem::path& file) { return export_to(file); },
+          .writes =
+              [this](const std::filesystem::path& file) {
+                std::vector<std::filesystem::path> files;
+                for (const PieceFile& f : files_to_export(on_.world(), on_.view.look.pieces, file)) {
+                  files.push_back(f.mesh);
+                  if (!f.library.empty()) files.push_back(f.library);
+                }
+                return files;
+              }},
+         on_.settings.folder, name_to_export());
+}
+
+std::string PiecesFeature::export_to(const std::filesystem::path& file) {
+  const auto written = export_chosen(on_.world(), on_.view.look.pieces, on_.work.paints, file);
+  if (!written) return written.error().message;
+  const std::string first = written->front().mesh.string();
+  on_.message.say(written->size() == 1
+                      ? "Written: " + first
+                      : std::to_string(written->size()) + " pieces written, the first: " + first);
+  return "";
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> pieces_feature(Workspace& on) { return std::make_unique<PiecesFeature>(on); }
+
+}  // namespace kerf

@@ -1,0 +1,257 @@
+#include "ui/editor/pieces/pieces_list.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+#include "ui/editor/shared/file_frames.h"
+#include "ui/window/landmarks.h"
+#include "ui/window/number_text.h"
+#include "ui/window/property.h"
+#include "ui/window/theme.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr const char* kPinnedWord = "pinned";
+constexpr size_t kRowsInSight = 8;  // that are seen at once
+
+void draw_swatch(const Vec3& c) {
+  const float side = 0.8f * ImGui::GetFontSize();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float y = at.y + 0.5f * (ImGui::GetTextLineHeight() - side);
+  const ImU32 colour = ImGui::ColorConvertFloat4ToU32(
+      {static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z), 1});
+  ImGui::GetWindowDrawList()->AddRectFilled({at.x, y}, {at.x + side, y + side}, colour, 2);
+  ImGui::Dummy({side, ImGui::GetTextLineHeight()});
+  ImGui::SameLine();
+}
+
+// A button without a frame, as wide as its column.
+bool plain_button(const char* label, bool faint, const char* meaning) {
+  ImGui::PushStyleColor(ImGuiCol_Text, faint ? colours::secondary() : colours::text());
+  ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(0, 0, 0, 0));
+  ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 0);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, 0));
+  const bool pressed = ImGui::SmallButton(label);
+  ImGui::PopStyleVar(2);
+  ImGui::PopStyleColor(2);
+  tooltip(meaning);
+  return pressed;
+}
+
+float width_of(const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; }
+
+// The text, or its beginning with three dots where it is wider than `room`.
+std::string shortened(std::string text, float room) {
+  if (width_of(text) <= room) return text;
+  while (!text.empty() && width_of(text + "...") > room) {
+    while (text.size() > 1 && (static_cast<unsigned char>(text.back()) & 0xc0) == 0x80) text.pop_back();
+    text.pop_back();
+  }
+  return text + "...";
+}
+
+// The columns of figures are as wide as the widest figure, and the names get what is left.
+void set_up_columns(const std::vector<PieceRow>& rows, FileUnit unit) {
+  float faces = width_of("Faces"), area = width_of("Area");
+  size_t all_faces = 0;
+  for (const PieceRow& row : rows) {
+    all_faces += row.faces;
+    area = std::max(area, width_of(area_label(row.area, unit)));
+  }
+  faces = std::max(faces, width_of(grouped(all_faces)));
+  ImGui::TableSetupScrollFreeze(0, 1);
+  ImGui::TableSetupColumn("Piece", ImGuiTableColumnFlags_WidthStretch);
+  ImGui::TableSetupColumn("Faces", ImGuiTableColumnFlags_WidthFixed, faces);
+  ImGui::TableSetupColumn("Area", ImGuiTableColumnFlags_WidthFixed, area);
+  ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, std::max(width_of("show"), width_of("hide")));
+  ImGui::TableHeadersRow();
+}
+
+void draw_figures(size_t faces, double area, FileUnit unit) {
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(grouped(faces).c_str());
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(area_label(area, unit).c_str());
+  ImGui::TableNextColumn();
+}
+
+PieceLook look_of(const ViewState& view, const PieceId& id) {
+  const auto found = view.look.pieces.find(id);
+  return found != view.look.pieces.end() ? found->second : PieceLook();
+}
+
+struct Listed {
+  const PieceRow* row = nullptr;  // null: the row that stands for all crumbs
+  bool is_crumb = false;
+};
+
+std::vector<Listed> rows_to_list(const SortedPieces& sorted, bool crumbs_unfolded) {
+  std::vector<Listed> listed;
+  for (const PieceRow& row : sorted.rest) listed.push_back({&row, false});
+  if (!sorted.crumbs.empty()) listed.push_back({});
+  for (size_t i = 0; crumbs_unfolded && i < sorted.crumbs.size(); ++i)
+    listed.push_back({&sorted.crumbs[i], true});
+  return listed;
+}
+
+void choose_only(ViewState& view, const std::vector<PieceRow>& rows) {
+  choose_none(view.look.pieces);
+  for (const PieceRow& row : rows) choose_piece(view.look.pieces, row.id, true);
+  view.picture_old = true;
+}
+
+}  // namespace
+
+void PiecesList::begin_rename(const PieceRow& row) {
+  renamed_ = row.id;
+  take_focus_ = true;
+  new_name_.fill('\0');
+  std::memcpy(new_name_.data(), row.name.data(), std::min(row.name.size(), new_name_.size() - 1));
+}
+
+void PiecesList::begin_asked_rename(const SortedPieces& sorted) {
+  const std::optional<PieceId> asked = std::exchange(asked_, {});
+  if (!asked) return;
+  for (const std::vector<PieceRow>* rows : {&sorted.rest, &sorted.crumbs}) {
+    for (const PieceRow& row : *rows) {
+      if (row.id != *asked) continue;
+      crumbs_unfolded_ = crumbs_unfolded_ || rows == &sorted.crumbs;
+      begin_rename(row);
+    }
+  }
+}
+
+// The field of the name, in place of the name. Whatever ends the edit but Esc renames the piece.
+void PiecesList::edit_name(WorldChanges& changes, const PieceRow& row) {
+  if (take_focus_) ImGui::SetKeyboardFocusHere();
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(2, 0));
+  ImGui::SetNextItemWidth(-1);
+  const bool entered =
+      ImGui::InputText("##name", new_name_.data(), new_name_.size(),
+                       ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  ImGui::PopStyleVar();
+  if (ImGui::IsItemActive()) mark_last_item("new name");
+  const bool over = entered || (!take_focus_ && !ImGui::IsItemActive());
+  take_focus_ = take_focus_ && !ImGui::IsItemActive();
+  if (!over) return;
+  renamed_.reset();
+  const std::string name = new_name_.data();
+  if (!name.empty() && name != row.name) changes.ask(RenamePiece{row.id, name});
+}
+
+void PiecesList::draw_name(ViewState& view, const PieceRow& row, const PieceLook& look) {
+  if (look.selected) ImGui::PushStyleColor(ImGuiCol_Text, colours::accent());
+  if (look.hidden) ImGui::PushStyleColor(ImGuiCol_Text, colours::secondary());
+  const float room = ImGui::GetContentRegionAvail().x;
+  const float mark = row.pinned ? width_of(kPinnedWord) + 0.4f * ImGui::GetFontSize() : 0;
+  const std::string label = shortened(row.name, room - mark) + "###name";
+  const bool clicked =
+      ImGui::Selectable(label.c_str(), look.selected, ImGuiSelectableFlags_AllowDoubleClick, {room, 0});
+  if (look.hidden) ImGui::PopStyleColor();
+  if (look.selected) ImGui::PopStyleColor();
+  if (row.pinned) {
+    const ImVec2 end{ImGui::GetItemRectMax().x - width_of(kPinnedWord), ImGui::GetItemRectMin().y};
+    ImGui::GetWindowDrawList()->AddText(end, colours::secondary(), kPinnedWord);
+  }
+  tooltip(
+      (row.name + ". Click chooses it, Ctrl+click or Shift+click adds it, double click renames it.").c_str());
+  if (!clicked) return;
+  if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+    begin_rename(row);
+  }
+  if (look.hidden || renamed_) return;
+  const ImGuiIO& io = ImGui::GetIO();
+  choose_piece(view.look.pieces, row.id, io.KeyCtrl || io.KeyShift);
+  view.picture_old = true;
+}
+
+void PiecesList::draw_row(Workspace& on, const PieceRow& row, bool is_crumb) {
+  ViewState& view = on.view;
+  const PieceLook look = look_of(view, row.id);
+  ImGui::PushID(static_cast<int>(row.id.body.slot));
+  ImGui::PushID(static_cast<int>(row.id.label));
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  if (is_crumb) ImGui::Indent();
+  draw_swatch(piece_colour(row.number, view.look.show.pieces));
+  if (renamed_ == row.id) {
+    edit_name(on.changes, row);
+  } else {
+    draw_name(view, row, look);
+  }
+  mark_last_item(("piece " + row.name).c_str());
+  if (is_crumb) ImGui::Unindent();
+  draw_figures(row.faces, row.area, view.frame.unit);
+  if (plain_button(look.hidden ? "show" : "hide", look.hidden,
+                   look.hidden ? "Draws this piece again."
+                               : "Leaves this piece out of the picture; the beam passes it by."))
+    on.changes.ask(HidePiece{row.id, !look.hidden});
+  ImGui::PopID();
+  ImGui::PopID();
+}
+
+void PiecesList::draw_crumbs(ViewState& view, const std::vector<PieceRow>& crumbs,
+                             const HideChosen& hide_chosen) {
+  size_t faces = 0;
+  double area = 0;
+  bool chosen = false;
+  for (const PieceRow& row : crumbs) {
+    faces += row.faces;
+    area += row.area;
+    chosen = chosen || look_of(view, row.id).selected;
+  }
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::SetNextItemOpen(crumbs_unfolded_, ImGuiCond_Always);
+  if (chosen) ImGui::PushStyleColor(ImGuiCol_Text, colours::accent());
+  const std::string label = grouped(crumbs.size()) + " crumbs###crumbs";
+  crumbs_unfolded_ = ImGui::TreeNodeEx(
+      label.c_str(), ImGuiTreeNodeFlags_NoTreePushOnOpen | ImGuiTreeNodeFlags_SpanAvailWidth);
+  if (chosen) ImGui::PopStyleColor();
+  mark_last_item("crumbs");
+  tooltip(("Pieces of at most " + std::to_string(kFacesOfCrumb) + " faces. A click lists them.").c_str());
+  draw_figures(faces, area, view.frame.unit);
+  if (plain_button("hide##crumbs", false, "Leaves all crumbs out of the picture; the beam passes them by.")) {
+    choose_only(view, crumbs);
+    hide_chosen();
+  }
+}
+
+void PiecesList::draw_rows(Workspace& on, const SortedPieces& sorted, const HideChosen& hide_chosen) {
+  const std::vector<Listed> listed = rows_to_list(sorted, crumbs_unfolded_);
+  const auto draw_one = [&](const Listed& each) {
+    if (each.row == nullptr) return draw_crumbs(on.view, sorted.crumbs, hide_chosen);
+    draw_row(on, *each.row, each.is_crumb);
+  };
+  // A field that is to take the focus has to be drawn, also where it is scrolled away.
+  if (take_focus_) {
+    std::for_each(listed.begin(), listed.end(), draw_one);
+    return;
+  }
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(listed.size()));
+  while (clipper.Step()) {
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) draw_one(listed[static_cast<size_t>(i)]);
+  }
+}
+
+void PiecesList::draw(Workspace& on, const std::vector<PieceRow>& rows, const HideChosen& hide_chosen) {
+  constexpr ImGuiTableFlags kList =
+      ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_NoPadOuterX;
+  const SortedPieces sorted = set_crumbs_apart(rows);
+  begin_asked_rename(sorted);
+  const size_t count = rows_to_list(sorted, crumbs_unfolded_).size();
+  const auto lines = static_cast<float>(std::min(count, kRowsInSight) + 1);
+  const float line = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
+  if (!ImGui::BeginTable("pieces", 4, kList, {0, lines * line + 0.2f * ImGui::GetFontSize()})) return;
+  set_up_columns(rows, on.view.frame.unit);
+  draw_rows(on, sorted, hide_chosen);
+  ImGui::EndTable();
+}
+
+}  // namespace kerf

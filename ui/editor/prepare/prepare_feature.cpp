@@ -1,0 +1,86 @@
+#include "ui/editor/prepare/prepare_feature.h"
+
+#include <algorithm>
+
+#include "ui/editor/prepare/prepare_panel.h"
+#include "ui/editor/prepare/prepare_pieces.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr const char* kPreparePanel = "Prepare";
+
+class PrepareFeature : public Feature {
+ public:
+  explicit PrepareFeature(Workspace& on) : on_(on) {}
+
+  std::vector<Panel> panels() override {
+    return {{kPreparePanel, 300, false, [this] {
+               if (panel_.draw(on_.world(), on_.view, preparation_)) ask();
+             }}};
+  }
+  std::vector<ActionGroup> actions() override {
+    using Kind = Preparation::Tool;
+    return {{540,
+             "Prepare",
+             {tool_action("Simplify to faces", "Fewer faces: the panel Prepare says how many.",
+                          Kind::kSimplifyToFaces),
+              tool_action("Simplify to an error", "As few faces as an error in the unit of the file allows.",
+                          Kind::kSimplifyToError),
+              tool_action("Subdivide", "Three or four faces of each, rounder or where they are.",
+                          Kind::kSubdivide),
+              tool_action("Smooth", "Vertices move to the middle of their neighbours.", Kind::kSmooth),
+              UserAction{.name = "Prepare the mesh",
+                         .tip = "Does what the panel Prepare says, to the chosen pieces, or to all.",
+                         .run = [this] { ask(); },
+                         .why_not = [this] { return why_no_preparation(pieces(), wanted()); }}}}};
+  }
+
+ private:
+  // Unfolds the panel with this tool.
+  UserAction tool_action(const char* name, const char* tip, Preparation::Tool tool) {
+    return {
+        .name = name,
+        .tip = tip,
+        .run =
+            [this, tool] {
+              on_.settings.unfold(kPreparePanel);
+              preparation_.tool = tool;
+              preparation_.times = 1;
+            },
+        .checked = [this, tool] { return on_.settings.shows(kPreparePanel) && preparation_.tool == tool; },
+        .ends_group = tool == Preparation::Tool::kSmooth};
+  }
+
+  std::vector<PieceRow> pieces() const { return pieces_to_prepare(on_.world(), on_.view.look.pieces); }
+  Preparation wanted() const { return with_numbers(preparation_, pieces(), on_.world()); }
+
+  void ask() {
+    on_.changes.ask({.name = preparation_title(preparation_.tool),
+                     .run = [this, wanted = wanted()] { return prepare(wanted), true; },
+                     .is_one = true});
+  }
+  // All of them, or none if one fails or the user stops it.
+  void prepare(const Preparation& wanted) {
+    const std::vector<PieceRow> pieces = this->pieces();
+    if (why_no_preparation(pieces, wanted) != nullptr) return;  // other pieces are chosen by now
+    cancel_stroke(on_);
+    const FaceForecast faces = forecast(pieces, wanted);
+    const bool quick = std::max(faces.before, faces.after.value_or(0)) <= kQuickToPrepare;
+    on_.changes.change(preparation_title(wanted.tool), quick,
+                       [pieces, wanted](Document& d, const Progress* progress) {
+                         return prepare_pieces(d, pieces, wanted, progress);
+                       });
+  }
+
+  Workspace& on_;
+  Preparation preparation_;
+  PreparePanel panel_;
+};
+
+}  // namespace
+
+std::unique_ptr<Feature> prepare_feature(Workspace& on) { return std::make_unique<PrepareFeature>(on); }
+
+}  // namespace kerf

@@ -1,0 +1,46 @@
+#include "ui/editor/shared/figures.h"
+
+#include "core/graph/loaded_part.h"
+
+namespace kerf {
+
+namespace {
+
+// Without parts that no cut separated, which joints hold or held.
+size_t count_pieces(const World& world) {
+  size_t pieces = 0;
+  for (const BodyId id : world.ids()) {
+    const Body& body = world.body(id);
+    for (uint32_t label = 0; label < body.pieces.size(); ++label)
+      pieces += body.pieces[label].faces > 0 && !is_loaded_part(body, label);
+  }
+  return pieces;
+}
+
+}  // namespace
+
+void count_world(ShownFigures& shown, const World& world, bool depth_shown) {
+  shown.faces = world.live_faces();
+  shown.pieces = count_pieces(world);
+  shown.tree_nodes = 0;
+  shown.tree_depth.reset();
+  if (depth_shown) shown.tree_depth = 0;
+  for (const BodyId id : world.ids()) {
+    const AabbTree& tree = world.body(id).tree;
+    shown.tree_nodes += tree.box_count();
+    if (!depth_shown) continue;
+    tree.for_each_box(
+        [&](const AabbTree::Box& box) { shown.tree_depth = std::max(*shown.tree_depth, box.depth); });
+  }
+}
+
+void note_stroke(ShownFigures& shown, const Document& document) {
+  shown.stroke.reset();
+  const History& history = document.history();
+  if (const auto last = history.last_cut()) {
+    const HistoryStep& step = history.step(*last);
+    shown.stroke = ShownFigures::Stroke{step.figures(), step.removed_area()};
+  }
+}
+
+}  // namespace kerf

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/document/document.h"
+#include "core/mesh/files/file_frame.h"
+#include "ui/editor/shared/frame_statistics.h"
+#include "ui/editor/shared/memory_figures.h"
+#include "ui/editor/shared/step_chart.h"
+#include "ui/screen/shadow_figures.h"
+
+namespace kerf {
+
+// The figures in the panels and the status bar. They are updated four times per second, so that they are
+// legible.
+struct ShownFigures {
+  FileUnit unit = FileUnit::kMetre;  // that areas are shown in
+  size_t faces = 0, pieces = 0;
+  size_t twin_faces = 0;  // in the right half
+  double frame_ms = 0;
+  std::string time;  // how fast it passes; empty: it stands still
+  std::string work;  // what the beam still does after the user has let go; may be empty
+  size_t tree_nodes = 0;
+  std::optional<int> tree_depth;  // unknown until a panel shows it
+  MemoryFigures memory;
+  // Of the last stroke that was not undone, however it came into the world; nothing where there is none.
+  struct Stroke {
+    StepFigures figures;
+    double removed_area = 0;  // m^2
+  };
+  std::optional<Stroke> stroke;
+};
+
+// Everything that the editor counts and measures.
+struct Figures {
+  ShownFigures shown;
+  bool world_changed = true;  // since `shown` was taken
+  bool depth_wanted = false;  // of the trees
+  ShadowFigures shadows;
+  FrameStatistics frames;
+  FrameStatistics between_pictures;  // durations of frames without drawing
+  // The same for frames in which something was cut.
+  FrameStatistics cutting_frames, between_cutting_pictures;
+  StepChart chart;
+  size_t recuts = 0;
+};
+
+// Updates the counts of a world for the panels. Depths of trees are computed only if they are shown, because
+// that takes O(n).
+void count_world(ShownFigures& shown, const World& world, bool depth_shown);
+
+// Updates the figures of the last stroke.
+void note_stroke(ShownFigures& shown, const Document& document);
+
+}  // namespace kerf

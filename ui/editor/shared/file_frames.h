@@ -1,0 +1,45 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "core/base/length_text.h"
+#include "core/document/scene.h"
+#include "core/mesh/files/file_frame.h"
+#include "ui/editor/shared/settings.h"
+#include "ui/editor/shared/view_state.h"
+
+namespace kerf {
+
+// The unit and the upward axis in which the open work is shown. Positions stay as they were read.
+
+// The format by which choices are remembered: "stl", of the mesh file that a scene consists of; empty for a
+// scene of several bodies or of a file in no known format.
+std::string mesh_kind(const SceneDescription& scene);
+
+// How a scene is shown that was just opened, and whether the user is to be asked about it.
+struct FrameChoice {
+  FileFrame frame;
+  bool ask = false;
+};
+// What was saved with the scene; else what the user chose for files of this kind; else, for a mesh file, what
+// its size and kind suggest, about which the user is asked once a kind. Scenes have metres and +Y upwards.
+FrameChoice choose_frame(const SceneDescription& scene, bool is_mesh_file, const World::Bounds& bounds,
+                         const Settings& settings);
+
+// Notes the frame in a scene that is to be saved; nothing where it is Kerf's own and was not noted before.
+void note_frame(SceneDescription& scene, const FileFrame& frame);
+
+// Shows the world in this frame. The lights turn with the ground, and the camera keeps its direction to it.
+void show_in_frame(ViewState& view, const FileFrame& frame);
+
+// The same as the choice of the user: it is remembered for files of this kind, and no question is left.
+void set_frame(const FileFrame& frame, const SceneDescription& scene, ViewState& view, Settings& settings);
+
+// A length or an area in the numbers of the file as a label: "2.75 mm", "0.3 in".
+std::string length_label(double length, FileUnit unit);
+std::string area_label(double area, FileUnit unit);
+// The unit of such a label, with its size in the numbers of the file.
+LengthUnit label_unit(double length, FileUnit unit);
+
+}  // namespace kerf

@@ -1,0 +1,123 @@
+#include "ui/editor/shared/resolution_rows.h"
+
+#include <imgui.h>
+
+#include <cmath>
+
+#include "ui/editor/shared/file_frames.h"
+#include "ui/window/number_format.h"
+#include "ui/window/number_text.h"
+#include "ui/window/property.h"
+
+namespace kerf {
+
+namespace {
+
+bool rule_row(ResolutionControls& to) {
+  property("Split to");
+  int rule = static_cast<int>(to.rule);
+  const bool changed = ImGui::Combo("##rule", &rule, "Edge length\0Tolerance\0Depth\0");
+  if (changed) to.rule = static_cast<Resolution::Rule>(rule);
+  tooltip(
+      "What says when faces under the beam are small enough: the length of their edges, how far what is "
+      "removed may overshoot the beam, or how often they were split.");
+  return changed;
+}
+
+bool scheme_row(ResolutionControls& to) {
+  property("Scheme");
+  int scheme = static_cast<int>(to.scheme);
+  const bool changed = ImGui::Combo("##scheme", &scheme, "One to four\0Longest edge\0");
+  if (changed) to.scheme = static_cast<Scheme>(scheme);
+  tooltip(
+      "How a face is split: in four, as in the paper, or in two at its longest edge, which makes far fewer "
+      "faces of thin ones.");
+  return changed;
+}
+
+bool rim_row(ResolutionControls& to) {
+  property("Rim");
+  int rim = static_cast<int>(to.rim);
+  const bool changed = ImGui::Combo("##rim", &rim, "Faces\0Smooth\0");
+  if (changed) to.rim = static_cast<Rim>(rim);
+  tooltip(
+      "Faces: all that the beam touches goes, so the rim is a saw. Smooth: when the stroke ends, faces "
+      "across "
+      "the boundary of the beam are cut along it.");
+  return changed;
+}
+
+bool reset_item(double& value, double standard) {
+  if (!ImGui::BeginPopupContextItem()) return false;
+  const bool reset = ImGui::MenuItem("Reset to default");
+  if (reset) value = standard;
+  ImGui::EndPopup();
+  return reset;
+}
+
+// A share of the radius, from twice the radius to a 32nd of it; finer to the right, as with depth.
+bool fraction_row(const char* name, double& fraction, double standard, const ShownRadius& radius,
+                  const char* meaning) {
+  property(name);
+  double halvings = -std::log2(fraction);
+  const double low = -std::log2(ResolutionControls::kMostFraction),
+               high = -std::log2(ResolutionControls::kLeastFraction);
+  const std::string text = format_of_text(length_label(radius.length * fraction, radius.unit));
+  const double before = fraction;
+  if (ImGui::SliderScalar("##fraction", ImGuiDataType_Double, &halvings, &low, &high, text.c_str(),
+                          ImGuiSliderFlags_NoInput)) {
+    fraction = std::exp2(-std::round(4 * halvings) / 4);
+  }
+  tooltip(meaning);
+  const bool reset = reset_item(fraction, standard);
+  return reset || fraction != before;
+}
+
+bool edge_row(ResolutionControls& to, const ShownRadius& radius) {
+  return fraction_row(
+      "Edge", to.edge_fraction, ResolutionControls().edge_fraction, radius,
+      "Longest edge under the beam, from twice the radius to a 32nd of it. Finer to the right. "
+      "Right click for the default.");
+}
+
+bool tolerance_row(ResolutionControls& to, const ShownRadius& radius) {
+  return fraction_row(
+      "Tolerance", to.tolerance_fraction, ResolutionControls().tolerance_fraction, radius,
+      "How far what is removed may overshoot the beam, from twice the radius to a 32nd of it. "
+      "Finer to the right. Right click for the default.");
+}
+
+bool depth_row(ResolutionControls& to) {
+  property("Depth");
+  const int before = to.depth;
+  const WholeFormat format = to.depth == 0   ? WholeFormat("0: faces go whole")
+                             : to.depth == 1 ? WholeFormat("%d split")
+                                             : WholeFormat("%d splits");
+  ImGui::SliderInt("##depth", &to.depth, 0, ResolutionControls::kLargestDepth, format.c_str(),
+                   ImGuiSliderFlags_AlwaysClamp);
+  tooltip(
+      "How often a face under the beam is split in four. 0 turns refinement off: faces are removed whole, "
+      "as in the paper's figure 3.");
+  return to.depth != before;
+}
+
+}  // namespace
+
+bool resolution_rows(ResolutionControls& to, const ShownRadius& radius) {
+  bool changed = rule_row(to);
+  switch (to.rule) {
+    case Resolution::Rule::kTargetEdge:
+      changed = edge_row(to, radius) || changed;
+      break;
+    case Resolution::Rule::kTolerance:
+      changed = tolerance_row(to, radius) || changed;
+      break;
+    case Resolution::Rule::kDepth:
+      changed = depth_row(to) || changed;
+      break;
+  }
+  changed = scheme_row(to) || changed;
+  return rim_row(to) || changed;
+}
+
+}  // namespace kerf

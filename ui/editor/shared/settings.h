@@ -1,0 +1,81 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/mesh/files/file_frame.h"
+#include "ui/render/view_options.h"
+#include "ui/window/gui_look.h"
+
+namespace kerf {
+
+// Settings that the editor keeps between sessions.
+struct Settings {
+  Theme theme = Theme::kDark;
+  double ui_scale = 1;  // relative to the scale of the display
+  bool side_shown = true;
+  double side_ems = 21;            // width of the column of panels, in sizes of the text
+  int width = 1280, height = 800;  // of the window, screen coordinates
+  BoxPalette palette = BoxPalette::kRedAndGreen;
+  bool antialias = true;
+  double split_share = 0.5;                // fraction of the width for the left half of a split picture
+  int history_megabytes = 1024;            // of undo data
+  int threads = 0;                         // that load, measure and save at most; 0: as many as there are
+  bool live_recut = true;                  // sliders of the resolution cut the last stroke again
+  bool heat_held = false;                  // what is hot stays as it is while the user does not play
+  double drag_speed = 1, wheel_speed = 1;  // of orbits and zooms by the mouse, relative to the usual speed
+  std::map<std::string, std::string> bindings;  // keys by the names of actions, where they are not the usual
+  std::map<std::string, bool> panels;           // whether they are unfolded, by their titles
+  std::vector<std::filesystem::path> recent;    // latest first, absolute
+  // How mesh files of a kind ("stl") are shown; none where the user wants a guess for each file. Kinds that
+  // are not here were not asked about yet.
+  std::map<std::string, std::optional<FileFrame>> frames;
+  std::filesystem::path folder;  // the folder that the file browser showed last
+  std::string others = "{}";     // JSON: keys of the file that this version does not know
+
+  static constexpr double kLeastScale = 0.75, kMostScale = 2;
+  static constexpr double kLeastSide = 13, kMostSide = 42;
+  static constexpr double kLeastSpeed = 0.25, kMostSpeed = 4;
+  static constexpr size_t kMostRecent = 10;
+  static constexpr int kMostThreads = 64;
+  static constexpr int kLeastHistory = 16, kMostHistory = 16384;
+
+  size_t history_bytes() const { return static_cast<size_t>(history_megabytes) << 20; }
+
+  // Whether a panel is visible and unfolded.
+  bool shows(const std::string& panel) const {
+    const auto found = panels.find(panel);
+    return side_shown && found != panels.end() && found->second;
+  }
+  void unfold(const std::string& panel) { side_shown = panels[panel] = true; }
+  friend bool operator==(const Settings&, const Settings&) = default;
+};
+
+// A frame as {"unit": "mm", "up": "z"}, and back; nothing where it is not one.
+nlohmann::json frame_to_json(const FileFrame& frame);
+std::optional<FileFrame> frame_from_json(const nlohmann::json& json);
+
+// Moves a file to the front of the recent files.
+void remember_recent(Settings& settings, const std::filesystem::path& file);
+
+// kerf/settings.json under $XDG_CONFIG_HOME or, if that is not set, under ~/.config.
+std::filesystem::path settings_file();
+
+struct LoadedSettings {
+  Settings settings;
+  std::string fault;  // one sentence, or empty
+};
+
+// Reads the settings. A missing file and invalid values give defaults. A file that is not JSON is renamed
+// with ".bad" appended, so that it is not lost when the settings are written.
+LoadedSettings read_settings(const std::filesystem::path& file);
+
+// Writes the settings, whole or not at all, and creates missing folders.
+Status write_settings(const Settings& settings, const std::filesystem::path& file);
+
+}  // namespace kerf

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "ui/window/message.h"
+
+namespace kerf {
+
+// Something that the user can ask for by menu, by key and by name. The menus, the keys, the command palette
+// and the sheet of shortcuts are all made from one list of these.
+struct UserAction {
+  const char* menu = nullptr;  // null: that of its group
+  std::string name;
+  std::string shortcut = {};  // as parse_chord() reads it; empty: none
+  int pad_key = 0;            // GLFW_KEY_KP_* that does the same; 0: none
+  std::string tip = {};
+  std::function<void()> run = {};
+  std::function<bool()> checked = {};         // empty: not a switch
+  std::function<const char*()> why_not = {};  // a sentence where it cannot be done at the moment, or null
+  // Where it is set, the key belongs to the action only while this holds, and then to no other action.
+  std::function<bool()> has_key_when = {};
+  // The actions of a submenu, as they are at the moment, in place of `run`. They have neither keys nor
+  // submenus.
+  std::function<std::vector<UserAction>()> items = {};
+  bool in_menu = true;      // false: the command palette alone offers it, beside a panel
+  bool ends_group = false;  // a line under it in the menu
+  int key = 0, mods = 0;    // GLFW_KEY_* and GLFW_MOD_*, of `shortcut` (see set_shortcut); 0: none
+
+  // Why it cannot be done at the moment; null where it can.
+  const char* objection() const { return why_not ? why_not() : nullptr; }
+  // Gives it the key that a text names; a text that names none takes its key.
+  void set_shortcut(const std::string& text);
+};
+
+// What the mouse does in the picture, for the sheet of shortcuts.
+struct Gesture {
+  int place;  // in the sheet
+  const char* gesture;
+  const char* meaning;
+};
+
+// Runs the action of a key. One that cannot be done at the moment says why in the status bar. Returns whether
+// the key has an action.
+bool run_shortcut(std::span<const UserAction> actions, int key, int mods, Message& message);
+
+}  // namespace kerf

@@ -1,0 +1,306 @@
+#include "ui/editor/shared/world_changes.h"
+
+#include <algorithm>
+
+#include "core/base/assert.h"
+#include "core/document/command_words.h"
+#include "ui/editor/shared/long_step.h"
+#include "ui/editor/shared/piece_set.h"
+#include "ui/editor/shared/workspace.h"
+#include "ui/render/spread.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr size_t kMovesOfStep = 16;
+
+// What pictures need of the bodies that came or, where the world was replaced, of all of them.
+PreparedBodies prepare(const World& world, const Delta& delta, const LoadedShadings& loaded) {
+  PreparedBodies prepared;
+  for (const BodyId id : delta.anew ? world.ids() : delta.came)
+    prepared.emplace(id, prepare_shading(world.body(id), loaded));
+  (void)prepare_shadows(world, prepared, nullptr);  // nobody stops it
+  return prepared;
+}
+
+// Whether redo, or a recut that is being walked, may bring back pieces that are not there.
+bool pieces_may_return(const History& history) {
+  if (history.size() > history.position()) return true;
+  return history.position() > 0 && history.last().kind() == HistoryStep::Kind::kRecut;
+}
+
+}  // namespace
+
+WorldChanges::Change apply_all(std::vector<Command> commands) {
+  return [commands = std::move(commands)](Document& document, const Progress* progress) {
+    Outcome all;
+    for (size_t i = 0; i < commands.size() && all.ok(); ++i)
+      all.append(document.apply(commands[i], progress));
+    return all;
+  };
+}
+
+WorldChanges::Change edit_all(std::vector<PieceId> pieces,
+                              std::function<Command(const PieceId&)> command_for) {
+  return [pieces = std::move(pieces), command_for = std::move(command_for)](
+             Document& document, const Progress* progress) mutable {
+    Outcome all;
+    for (size_t i = 0; i < pieces.size() && all.ok(); ++i) {
+      Outcome one = document.apply(command_for(pieces[i]), progress);
+      for (PieceId& piece : pieces) piece = named_after(one.delta, piece);
+      all.append(std::move(one));
+    }
+    return all;
+  };
+}
+
+Renderer& WorldChanges::renderer() const {
+  KERF_ASSERT(on_.picture != nullptr);
+  return on_.picture->first();
+}
+
+// The queue
+// --------------------------------------------------------------------------------------------------------
+
+void WorldChanges::ask(Asked change) {
+  KERF_ASSERT(change.run);
+  std::erase_if(asked_, [&](const Asked& a) { return !change.name.empty() && a.name == change.name; });
+  asked_.push_back(std::move(change));
+}
+
+void WorldChanges::ask(std::string name, const std::function<void()>& run) {
+  ask({std::move(name), [run] {
+         run();
+         return true;
+       }});
+}
+
+void WorldChanges::ask(const Command& command) {
+  ask("", [this, command] { apply(command); });
+}
+
+void WorldChanges::fulfil() {
+  groups_.follow(on_.work.document);
+  for (size_t left = asked_.size(); left > 0 && !asked_.empty() && !pending_; --left) {
+    Asked next = std::move(asked_.front());
+    asked_.pop_front();
+    if (!next.always && on_.opening.loader.busy()) continue;  // what is open is about to go
+    if (next.is_one && !group_) group_ = {on_.work.document.history().position(), next.name};
+    if (!next.run()) {
+      asked_.push_front(std::move(next));
+      return;
+    }
+    end_group();
+  }
+}
+
+// Nothing is left of the change that opened the group.
+void WorldChanges::end_group() {
+  if (!group_ || pending_) return;
+  groups_.add(group_->from, on_.work.document, group_->name);
+  group_.reset();
+}
+
+void WorldChanges::end_pending() {
+  const bool goes_on = group_ && !asked_.empty() && asked_.front().name == group_->name;
+  if (!goes_on) end_group();
+  on_.view.picture_old = true;
+}
+
+void WorldChanges::begin(LongChange reading) {
+  KERF_ASSERT(!pending_);
+  pending_ = std::move(reading);
+}
+
+void WorldChanges::forget() {
+  groups_ = StepGroups();
+  group_.reset();
+  pending_.reset();
+  std::erase_if(asked_, [](const Asked& a) { return !a.always; });
+}
+
+// Commands
+// --------------------------------------------------------------------------------------------------------
+
+void WorldChanges::apply(const Command& command) {
+  change(words(command), is_quick(on_.work.document, command),
+         [command](Document& d, const Progress* progress) { return d.apply(command, progress); });
+}
+
+void WorldChanges::travel_to(size_t position, const std::string& said) {
+  const Document& document = on_.work.document;
+  change(
+      "Through the history", is_small(document) && document.remembers_way_to(position),
+      [position](Document& d, const Progress* progress) { return d.travel(position, progress); }, said);
+}
+
+void WorldChanges::step_through_history(bool back) {
+  const Document& document = on_.work.document;
+  const std::string did = back ? "Undone: " : "Done again: ";
+  groups_.follow(document);
+  const StepGroups::Group* group = groups_.at(document, back);
+  cancel_stroke(on_);
+  if (group != nullptr) return travel_to(back ? group->from : group->to, did + group->name);
+  const History& history = document.history();
+  const bool there_is_one = back ? history.position() > 0 : history.position() < history.size();
+  std::string said;
+  if (there_is_one) {
+    const HistoryStep& step = back ? history.last() : history.step(history.position());
+    said = did + words(step.commands().front());
+  }
+  const Command command = back ? Command(Undo{}) : Command(Redo{});
+  change(
+      words(command), is_quick(document, command),
+      [command](Document& d, const Progress* progress) { return d.apply(command, progress); }, said);
+}
+
+// A quick change is done at once, another beside the frames.
+void WorldChanges::change(const std::string& title, bool quick, const Change& what, const std::string& said) {
+  KERF_ASSERT(!pending_);
+  on_.message.say("");
+  said_later_.clear();
+  if (quick) return show_outcome(what(on_.work.document, nullptr), {}, said);
+  const auto prepared = std::make_shared<PreparedBodies>();
+  LongChange change;
+  change.title = title;
+  change.run = [what, prepared, loaded = renderer().loaded_shadings()](Document& document,
+                                                                       const Progress& progress) {
+    Outcome outcome = what(document, &progress);
+    *prepared = prepare(document.world(), outcome.delta, loaded);
+    return outcome;
+  };
+  change.then = [this, prepared, said](const Outcome& outcome) {
+    show_outcome(outcome, std::move(*prepared), said);
+  };
+  pending_ = std::move(change);
+}
+
+// Steps of a cut
+// --------------------------------------------------------------------------------------------------------
+
+bool WorldChanges::step(const Part& part) {
+  KERF_ASSERT(!pending_);
+  if (do_beside(part)) return false;
+  const Result<StepResult> step = part(on_.work.document);
+  if (!step) {
+    show_failed_step(step.error());
+    return false;
+  }
+  follow_step(*step);
+  return true;
+}
+
+bool WorldChanges::can_cut() const { return on_.work.document.waiting() > 0 && !on_.holds_back(); }
+
+void WorldChanges::cut() {
+  const Document& document = on_.work.document;
+  if (!can_cut() || pending_) return;
+  const double began = on_.clock->seconds();
+  const bool cools = document.only_cools(), beam = on_.beam.cutting() || document.beam_waits();
+  while (can_cut() && on_.clock->seconds() < on_.cut_until) {
+    if (!step([](Document& d) { return d.step(kMovesOfStep); })) break;
+  }
+  if (beam) on_.beam.find_strike(document);
+  if (on_.view.spread > 0) spread_pieces(document.world(), on_.view.spread, on_.view.look);
+  on_.cut_seconds += on_.clock->seconds() - began;
+  if (!cools) on_.view.picture_old = true;
+  if (cools && !on_.cools_unseen) on_.view.heat_old = true;
+  on_.figures.world_changed = true;
+}
+
+bool WorldChanges::do_beside(const Part& part) {
+  const char* title = why_beside(on_.work.document);
+  if (title == nullptr) return false;
+  const auto step = std::make_shared<StepResult>();
+  const auto prepared = std::make_shared<PreparedBodies>();
+  LongChange change;
+  change.title = title;
+  change.run = [step, prepared, part, loaded = renderer().loaded_shadings()](Document& document,
+                                                                             const Progress&) {
+    Result<StepResult> done = part(document);
+    Outcome outcome;
+    if (!done) outcome.fail(done.error());
+    if (!done) return outcome;
+    *prepared = prepare(document.world(), done->delta, loaded);
+    *step = std::move(*done);
+    return outcome;
+  };
+  change.then = [this, step, prepared](const Outcome& done) {
+    if (!done.ok()) return show_failed_step(done.error());
+    follow_step(*step, std::move(*prepared));
+    on_.figures.world_changed = true;
+  };
+  pending_ = std::move(change);
+  return true;
+}
+
+void WorldChanges::follow_step(const StepResult& step, PreparedBodies prepared) {
+  if (step.last) on_.beam.reach(step.last->to);
+  renderer().follow(on_.work.document.world(), step.delta, std::move(prepared));
+  if (on_.view.look.ghost || on_.view.look.show.face_numbers) renderer().catch_up(on_.work.document.world());
+  follow_released(step.delta);
+  const bool came = std::any_of(step.delta.bodies.begin(), step.delta.bodies.end(),
+                                [](const BodyDelta& body) { return !body.new_pieces.empty(); });
+  if (came || on_.view.numbers.waits()) {
+    on_.view.numbers.follow(on_.work.document.world(), false, pieces_may_return(on_.work.document.history()),
+                            on_.view.look.pieces);
+  }
+  on_.figures.chart.note_step(step);
+}
+
+// Pieces that came off become bodies when time passes.
+void WorldChanges::follow_released(const Delta& delta) {
+  if (delta.came.empty() && delta.detached.empty()) return;
+  const World& world = on_.work.document.world();
+  ViewOptions& look = on_.view.look;
+  follow_world(world, delta, look.pieces);
+  on_.view.numbers.follow(world, false, pieces_may_return(on_.work.document.history()), look.pieces);
+  followed(delta);
+}
+
+void WorldChanges::show_failed_step(const Error& error) {
+  cancel_stroke(on_);
+  renderer().resend(on_.work.document.world());
+  on_.message.say(error.message, true);
+}
+
+// The picture
+// --------------------------------------------------------------------------------------------------------
+
+void WorldChanges::show_outcome(const Outcome& outcome, PreparedBodies prepared, const std::string& said) {
+  show_change(outcome.delta, std::move(prepared));
+  if (!outcome.ok()) {
+    on_.message.say(outcome.error().message, true);
+  } else {
+    said_later_ = said;
+    tell_done();
+  }
+}
+
+void WorldChanges::tell_done() {
+  if (said_later_.empty() || on_.work.document.beam_waits()) return;
+  on_.message.say(std::exchange(said_later_, ""));
+}
+
+void WorldChanges::show_change(const Delta& delta, PreparedBodies prepared) {
+  const World& world = on_.work.document.world();
+  renderer().follow(world, delta, std::move(prepared));
+  ViewOptions& look = on_.view.look;
+  follow_world(world, delta, look.pieces);
+  on_.view.numbers.follow(world, true, pieces_may_return(on_.work.document.history()), look.pieces);
+  if (on_.view.spread > 0) spread_pieces(world, on_.view.spread, look);
+  followed(delta);
+  on_.view.picture_old = on_.figures.world_changed = true;
+}
+
+void WorldChanges::show_world(const World& world, Renderer& renderer) const {
+  if (on_.work.as_loaded) {
+    renderer.show(*on_.work.as_loaded, on_.work.paints);
+    renderer.resend(world);
+  } else {
+    renderer.show(world, on_.work.paints);
+  }
+}
+
+}  // namespace kerf

@@ -1,0 +1,128 @@
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ui/editor/shared/long_change.h"
+#include "ui/editor/shared/step_groups.h"
+#include "ui/render/prepared_body.h"
+
+namespace kerf {
+
+class Renderer;
+struct Workspace;
+
+// Changes the open document and updates the picture, the pieces and the figures. Errors are shown in the
+// status bar. A change that takes too long for a frame becomes pending; no function that changes the world
+// may be called until the pending change was taken and completed.
+class WorldChanges {
+ public:
+  // The workspace must outlive it and the changes that it leaves pending.
+  explicit WorldChanges(Workspace& on) : on_(on) {}
+  WorldChanges(const WorldChanges&) = delete;
+  WorldChanges& operator=(const WorldChanges&) = delete;
+
+  // The queue
+  // ------------------------------------------------------------------------------------------------------
+
+  // What menus, keys and panels ask for; it is done between two frames, in the order in which it was asked
+  // for.
+  struct Asked {
+    std::string name;  // one of the same name that waits already is replaced
+    std::function<bool()>
+        run;              // returns false where it is to be called again when what it left pending is done
+    bool is_one = false;  // its steps of the history are undone as one, under this name
+    bool always = false;  // also while a file is being opened; what changes the open world is dropped then
+  };
+  void ask(Asked change);
+  // Asks for a change that is done by one call.
+  void ask(std::string name, const std::function<void()>& run);
+  // Asks for a command. It does not replace others.
+  void ask(const Command& command);
+  bool is_asked() const { return !asked_.empty(); }
+  // To be called once a frame: does what was asked for, until a change becomes pending.
+  void fulfil();
+
+  bool is_pending() const { return pending_.has_value(); }
+  std::optional<LongChange> take_pending() { return std::exchange(pending_, std::nullopt); }
+  // To be called when the pending change is complete.
+  void end_pending();
+  // Begins a change on a thread of its own that leaves the document as it is. Precondition: none is pending.
+  void begin(LongChange reading);
+
+  // Steps of the history that undo and redo take as one.
+  StepGroups& groups() { return groups_; }
+  // Reports that another document is open, or about to be: what waits for the last one is dropped.
+  void forget();
+
+  // Changes
+  // ------------------------------------------------------------------------------------------------------
+
+  // Applies a command.
+  void apply(const Command& command);
+  // Goes to a position of the history, and says `said` then. Strokes that have to be cut again are cut during
+  // the next frames.
+  void travel_to(size_t position, const std::string& said = "");
+  // Undoes or redoes one step of the history, or a group of steps, and says which. Ends a stroke in progress.
+  void step_through_history(bool back);
+  // Changes the document by `what`, which may report no progress if it is called with null. A change that is
+  // not `quick` becomes pending, and is called by the title. Says `said` once it is done, and all strokes
+  // that it queued are cut (see tell_done).
+  using Change = std::function<Outcome(Document&, const Progress*)>;
+  void change(const std::string& title, bool quick, const Change& what, const std::string& said = "");
+
+  // Executes a part of the queue by Document::step or SingleStep. Returns false if that failed, or became
+  // pending because it makes bodies of many faces.
+  using Part = std::function<Result<StepResult>(Document&)>;
+  bool step(const Part& part);
+  // Executes queued moves until Workspace::cut_until, unless they wait for the user.
+  void cut();
+  // Whether moves are queued that it may cut.
+  bool can_cut() const;
+
+  // To be called once a frame: says what is done by now.
+  void tell_done();
+
+  // Makes a renderer show a world derived from the open document. Smooth normals are those of the faces as
+  // loaded, however they were cut since.
+  void show_world(const World& world, Renderer& renderer) const;
+
+  // Called after every change of the world.
+  std::function<void(const Delta&)> followed = [](const Delta&) {};
+
+ private:
+  // A change of several steps of the history that undo and redo take as one.
+  struct OpenGroup {
+    size_t from = 0;  // position of the history
+    std::string name;
+  };
+
+  Renderer& renderer() const;
+  void end_group();
+  bool do_beside(const Part& part);
+  void follow_step(const StepResult& step, PreparedBodies prepared = {});
+  void follow_released(const Delta& delta);
+  void show_failed_step(const Error& error);
+  void show_outcome(const Outcome& outcome, PreparedBodies prepared = {}, const std::string& said = "");
+  void show_change(const Delta& delta, PreparedBodies prepared);
+
+  Workspace& on_;
+  std::deque<Asked> asked_;
+  std::optional<OpenGroup> group_;
+  StepGroups groups_;
+  std::optional<LongChange> pending_;
+  std::string said_later_;  // once nothing is left to be cut
+};
+
+// Applies commands one after the other, for WorldChanges::change.
+WorldChanges::Change apply_all(std::vector<Command> commands);
+
+// Applies a command to pieces one after the other, because a piece may be part of another body after a
+// command.
+WorldChanges::Change edit_all(std::vector<PieceId> pieces,
+                              std::function<Command(const PieceId&)> command_for);
+
+}  // namespace kerf

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "ui/editor/shared/user_action.h"
+
+namespace kerf {
+
+// The window in which any action is found by typing parts of its name.
+struct CommandPalette {
+  bool open = false;
+  std::array<char, 96> typed{};
+  size_t cursor = 0;  // in the list of matches
+
+  // Keys that came since the window was drawn last.
+  struct Keys {
+    int steps = 0;  // of the cursor
+    bool enter = false, escape = false;
+  } keys;
+  bool begins = false;       // it was opened since it was drawn last
+  bool show_cursor = false;  // the list scrolls to the cursor
+};
+
+// Opens the palette with nothing typed.
+void open_palette(CommandPalette& palette);
+
+// Processes a key (GLFW_KEY_*) while the palette is open.
+void palette_key(CommandPalette& palette, int key);
+
+// All actions that can be named: those with submenus are replaced by what these hold, as "Examples: Car".
+std::vector<UserAction> nameable_actions(std::span<const UserAction> actions);
+
+// The actions that match what was typed, the best first, as indices; equally good ones keep their order. The
+// name of an action counts more than its menu.
+std::vector<size_t> find_actions(std::span<const UserAction> actions, const char* typed);
+
+// Draws the palette where it is open, around (x, y), the middle of its upper edge in screen coordinates.
+// Enter and a click run an action and close it; an action that cannot be done says why in its row instead.
+void draw_palette(CommandPalette& palette, std::span<const UserAction> actions, float x, float y);
+
+}  // namespace kerf

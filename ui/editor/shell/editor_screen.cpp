@@ -1,0 +1,345 @@
+#include "ui/editor/shell/editor_screen.h"
+
+#include <imgui.h>
+
+#include <GLFW/glfw3.h>
+
+#include <nlohmann/json.hpp>
+
+#include "core/base/assert.h"
+#include "ui/editor/shell/menu_bar.h"
+#include "ui/editor/shell/mouse.h"
+#include "ui/editor/shell/panel_column.h"
+#include "ui/editor/shell/popups.h"
+#include "ui/editor/shell/session_figures.h"
+#include "ui/editor/shell/status_bar.h"
+#include "ui/render/spread.h"
+#include "ui/window/imgui_vector.h"
+#include "ui/window/progress_bar.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr uint32_t kFacesSent = 50'000;  // of a scene that is shown anew, in one frame
+constexpr double kMissable = 0.05;       // s; for so long nobody misses a frame
+constexpr double kLongest = 1e6;         // s; a script waits for what works in the background
+constexpr double kCutSeconds = 0.020;  // of cutting in one frame, or as long as drawing takes if that is more
+constexpr double kFigureSeconds = 0.25;
+
+// How the right half is looked at. What was chosen or hidden are pieces of the open document, not of its
+// twin.
+ViewOptions look_of_second(const ViewOptions& first, double spread, const World& second) {
+  ViewOptions look = first;
+  look.pieces.clear();
+  look.stage.reset();
+  look.bodies.reset();
+  spread_pieces(second, spread, look);
+  return look;
+}
+
+// To the graphics card. Where a script leaves frames undrawn, changes are sent with the next one that is
+// drawn.
+void send(Workspace& on) {
+  if (!on.view.picture_old && !on.view.heat_old) return;
+  Renderer& renderer = on.picture->first();
+  if (!on.window->draws() && !renderer.is_sending() && !on.cools) return;
+  const size_t before = renderer.uploaded_bytes();
+  renderer.catch_up(on.world());
+  if (renderer.uploaded_bytes() > before) on.figures.chart.note_sent(renderer.uploaded_bytes() - before);
+}
+
+}  // namespace
+
+EditorScreen::EditorScreen(Window& window, LivePicture picture, LoadedSettings loaded,
+                           const EditorOptions& options, MakeFeatures make_features)
+    : window_(window), options_(options), picture_(std::move(picture)) {
+  on_.picture = &picture_;
+  on_.window = &window;
+  on_.clock = &window.clock();
+  on_.settings = std::move(loaded.settings);
+  on_.view.look.antialias = on_.settings.antialias;
+  on_.view.look.show = default_show();
+  threads_.follow(on_.settings.threads);
+  features_ = make_features(on_, catalogue_);
+  saved_ = on_.settings;
+  catalogue_.gather(features_, on_.settings);
+  on_.changes.followed = [this](const Delta& delta) {
+    for (const auto& feature : features_) feature->follow(delta);
+  };
+  on_.replaced = [this] {
+    on_.held.reset();
+    for (const auto& feature : features_) feature->forget();
+  };
+  if (options.landmarks || window.script() != nullptr) keep_landmarks(&landmarks_.emplace(options.landmarks));
+}
+
+Status EditorScreen::open() {
+  lay_out_window();
+  picture_.first().limit_sending(kFacesSent);
+  for (const auto& feature : features_) {
+    if (Status started = feature->start(options_); !started) return started;
+  }
+  return Done{};
+}
+
+void EditorScreen::rest() {
+  for (const auto& feature : features_) feature->rest();
+}
+
+void EditorScreen::tell(const std::string& fault) {
+  if (!fault.empty() && !on_.message.is_error) on_.message.say(fault, true);
+}
+
+void EditorScreen::come_back(const GuiLook& look, const std::filesystem::path& scene) {
+  KERF_ASSERT(wants_game());
+  on_.leaves = Workspace::Leaves::kNot;
+  on_.settings.palette = look.palette;
+  on_.view.picture_old = true;
+  title_.clear();
+  if (landmarks_) keep_landmarks(&*landmarks_);
+  if (!scene.empty()) on_.open({scene});
+}
+
+void EditorScreen::close(bool left_by_user) {
+  if (thread_.busy()) {
+    thread_.stop();
+    finish_change();
+  }
+  on_.beam.release(on_.work.document);
+  on_.held.reset();
+  for (const auto& feature : features_) feature->close(left_by_user);
+  save_settings();
+}
+
+GuiLook EditorScreen::look() const {
+  const Settings& s = on_.settings;
+  return {s.theme, s.palette, window_.scale() * static_cast<float>(s.ui_scale), options_.own_font};
+}
+
+bool EditorScreen::moving() const {
+  if (thread_.busy() || easing_ || on_.view.picture_old || on_.view.heat_old || picture_.busy()) return true;
+  if (on_.changes.is_asked()) return true;
+  return std::any_of(features_.begin(), features_.end(),
+                     [](const auto& feature) { return feature->moving(); });
+}
+
+// Hearing
+// --------------------------------------------------------------------------------------------------------
+
+void EditorScreen::hear(const Input& input) {
+  if (thread_.busy()) {
+    if (busy_.hear(input, thread_)) on_.quit();
+    return;
+  }
+  lay_out_window();
+  catalogue_.bind(on_.settings, on_.view.shortcuts);
+  std::vector<InputEvent> events = busy_.take_heard();
+  events.insert(events.end(), input.events.begin(), input.events.end());
+  for (const InputEvent& event : events) {
+    if (event.kind != InputEvent::Kind::kKey) {
+      hear_pointer(event);
+    } else {
+      hear_key(event);
+    }
+  }
+  if (!input.drops.empty()) on_.open(input.drops);
+  if (input.close) on_.quit();
+}
+
+void EditorScreen::hear_pointer(const InputEvent& event) {
+  const bool in_picture = on_.view.layout.viewport.contains(event.at) && !pointer_is_over_panel();
+  if (event.kind == InputEvent::Kind::kPress && is_popup_open() && in_picture) {
+    close_popups();
+    return held_press_.hold(event);
+  }
+  if (const auto press = held_press_.begun_by(event)) hear_mouse(on_, features_, *press, true);
+  const bool taken = std::any_of(features_.begin(), features_.end(),
+                                 [&](const auto& feature) { return feature->takes(event, in_picture); });
+  if (!taken) hear_mouse(on_, features_, event, !ImGui::GetIO().WantCaptureMouse && !is_popup_open());
+}
+
+void EditorScreen::hear_key(const InputEvent& event) {
+  const bool taken = std::any_of(features_.begin(), features_.end(),
+                                 [&](const auto& feature) { return feature->takes(event, false); });
+  if (taken || ImGui::GetIO().WantTextInput || event.again) return;
+  if (event.button == GLFW_KEY_ESCAPE) return is_popup_open() ? close_popups() : escape();
+  run_shortcut(catalogue_.actions, event.button, event.mods, on_.message);
+}
+
+void EditorScreen::escape() {
+  bool stopped = false;
+  for (const auto& feature : features_) stopped = feature->stop() || stopped;
+  if (on_.held && on_.held->over()) on_.held.reset();
+  if (stopped) return;
+  if (on_.held && on_.held->cancel()) return on_.held.reset();
+  for (const auto& feature : features_) {
+    if (feature->let_go()) return;
+  }
+}
+
+// Going on
+// --------------------------------------------------------------------------------------------------------
+
+void EditorScreen::advance() {
+  threads_.follow(on_.settings.threads);
+  if (window_.script() != nullptr && on_.opening.loader.busy()) on_.opening.loader.is_over(kLongest);
+  if (thread_.busy() && !thread_.is_over(0)) return;
+  if (thread_.busy()) finish_change();
+  const double seconds = ImGui::GetIO().DeltaTime;
+  on_.changes.fulfil();
+  easing_ = on_.view.camera.advance(std::min(seconds, Workspace::kLongestStep));
+  if (easing_) on_.view.picture_old = true;
+  on_.cut_until = window_.clock().seconds() + std::max(kCutSeconds, picture_.seconds());
+  on_.cut_seconds = 0;
+  for (const auto& feature : features_) feature->advance(seconds);
+  on_.changes.cut();
+  if (!on_.changes.is_pending()) on_.changes.tell_done();
+  for (const auto& feature : features_) feature->follow_queue(seconds);
+  if (on_.held && on_.held->over()) on_.held.reset();
+  send(on_);
+}
+
+void EditorScreen::finish_change() {
+  thread_.finish();
+  on_.changes.end_pending();
+}
+
+void EditorScreen::lay_out_window() {
+  const double em = ImGui::GetFontSize(), bar = ImGui::GetFrameHeight();
+  const Settings& settings = on_.settings;
+  Layout layout = lay_out(window_.size(), em, bar, bar, settings.side_shown ? settings.side_ems : 0);
+  if (on_.second != nullptr) layout = split_in_two(layout, settings.split_share);
+  ViewState& view = on_.view;
+  if (layout.first.size != view.layout.first.size || layout.second.size != view.layout.second.size)
+    view.picture_old = true;
+  view.layout = layout;
+}
+
+void EditorScreen::save_settings() {
+  Settings& now = on_.settings;
+  now.antialias = on_.view.look.antialias;
+  if (options_.width == 0) {  // a size that was asked for this session alone is not kept
+    now.width = static_cast<int>(window_.size().x);
+    now.height = static_cast<int>(window_.size().y);
+  }
+  if (now == saved_) return;
+  saved_ = now;
+  if (const Status written = write_settings(now, settings_file()); !written)
+    on_.message.say(written.error().message, true);
+}
+
+// Drawing
+// --------------------------------------------------------------------------------------------------------
+
+void EditorScreen::draw() {
+  busy_frame_ = thread_.busy();
+  if (busy_frame_) return busy_.draw(window_.size(), on_.view.layout.viewport, thread_);
+  const double began = window_.clock().seconds();
+  if (began - figures_at_ >= kFigureSeconds) {
+    figures_at_ = began;
+    save_settings();
+    bring_up_to_date(on_);
+  }
+  if (landmarks_) landmarks_->begin_frame();
+  draw_panels();
+  const double picture_began = window_.clock().seconds();
+  draw_picture();
+  picture_seconds_ = window_.clock().seconds() - picture_began;
+  for (const auto& feature : features_) feature->drawn(Feature::Drawn::kPicture);
+}
+
+void EditorScreen::draw_panels() {
+  const Layout& layout = on_.view.layout;
+  draw_menu_bar(catalogue_.actions);
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  list.PushClipRect(to_im(layout.viewport.at), to_im(layout.viewport.at + layout.viewport.size));
+  for (const auto& feature : features_) feature->draw_marks(list);
+  if (on_.held) on_.held->draw(list);
+  list.PopClipRect();
+  draw_panel_column(layout.side, catalogue_.panels, on_.settings);
+  draw_splitters(layout, on_.settings);
+  const char* hint = on_.held ? on_.held->words() : nullptr;
+  for (size_t i = 0; hint == nullptr && i < features_.size(); ++i) hint = features_[i]->hint();
+  if (!on_.held && !on_.figures.shown.work.empty()) hint = on_.figures.shown.work.c_str();
+  if (draw_status_bar(layout.status, hint, on_.message, on_.figures.shown)) on_.messages_shown = true;
+  if (picture_.first().is_sending() && !on_.opening.loader.busy())
+    draw_progress(layout.viewport, "Sending faces to the graphics card", picture_.first().sent_share(),
+                  false);
+  for (const auto& feature : features_) feature->draw_windows();
+}
+
+void EditorScreen::draw_picture() {
+  ViewState& view = on_.view;
+  const Layout& layout = view.layout;
+  view.look.tree.palette = on_.settings.palette;
+  view.look.by_day = on_.settings.theme == Theme::kLight;
+  std::optional<BeamPicture> beam;  // its glare would hide what a stage did
+  if (!view.look.stage) beam = on_.beam.picture(on_.work.document);
+  const Shot first{on_.world(), view.seen_first(), view.look, beam, layout.first};
+  const PictureChange change = view.picture_old ? PictureChange::kAll
+                               : view.heat_old  ? PictureChange::kHeat
+                                                : PictureChange::kNothing;
+  ShadowFigures& shadows = on_.figures.shadows;
+  if (layout.split() && on_.second != nullptr) {
+    const ViewOptions look = look_of_second(view.look, view.spread, *on_.second);
+    const double aspect = layout.second.size.x / layout.second.size.y;
+    const Shot second{*on_.second, view.camera.view(aspect), look, beam, layout.second};
+    new_picture_ = picture_.draw(first, &second, change, window_, shadows);
+  } else {
+    new_picture_ = picture_.draw(first, nullptr, change, window_, shadows);
+  }
+  view.picture_old = picture_.shows_dead_beam();
+  view.heat_old = false;
+}
+
+// The last of a frame, for what the window shows is seen until the pending change is done.
+void EditorScreen::drawn() {
+  if (busy_frame_) return;
+  for (const auto& feature : features_) feature->drawn(Feature::Drawn::kWindow);
+  if (on_.title != title_) window_.set_title(title_ = on_.title);
+  if (!on_.changes.is_pending()) return;
+  busy_.keep(window_.pixel_size());
+  thread_.start(on_.work.document, *on_.changes.take_pending());
+  if (thread_.is_over(window_.script() != nullptr ? kLongest : kMissable)) finish_change();
+}
+
+// Landmarks are told of after the frame, when it is known whether another one follows without input.
+void EditorScreen::took(const FrameTime& time) {
+  Figures& figures = on_.figures;
+  const double beside = busy_frame_ ? time.whole : time.before - picture_seconds_;
+  figures.frames.add(1000 * time.whole);
+  figures.between_pictures.add(1000 * beside);
+  if (busy_frame_) return;
+  if (picture_.first().is_sending()) on_.view.picture_old = true;
+  if (on_.cut_seconds > 0) {
+    figures.cutting_frames.add(1000 * time.whole);
+    figures.between_cutting_pictures.add(1000 * beside);
+  }
+  if (new_picture_) picture_.took(time.whole - on_.cut_seconds);
+  if (!landmarks_) return;
+  const ImVec2 at = ImGui::GetIO().MousePos;
+  landmarks_->mark(on_.view.layout);
+  if (is_popup_open()) landmarks_->mark("popup", {{at.x, at.y}, Vec2(1)});
+  for (const auto& feature : features_) feature->mark(*landmarks_);
+  if (const Status written = landmarks_->finish(moving(), {at.x, at.y}); !written)
+    on_.message.say(written.error().message, true);
+}
+
+// Telling
+// --------------------------------------------------------------------------------------------------------
+
+std::optional<std::string> EditorScreen::answer(const std::string& what) const {
+  if (what == "landmarks" && landmarks_) return landmarks_->text();
+  if (what == "report")
+    return report().dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  return std::nullopt;
+}
+
+nlohmann::ordered_json EditorScreen::report() const {
+  nlohmann::ordered_json report = session_report(on_);
+  for (const auto& feature : features_) feature->report(report);
+  return report;
+}
+
+}  // namespace kerf

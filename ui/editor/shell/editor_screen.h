@@ -1,0 +1,85 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "ui/editor/shared/editor_options.h"
+#include "ui/editor/shared/workspace.h"
+#include "ui/editor/shell/busy_window.h"
+#include "ui/editor/shell/catalogue.h"
+#include "ui/editor/shell/held_press.h"
+#include "ui/editor/shell/thread_setting.h"
+#include "ui/screen/screen.h"
+
+namespace kerf {
+
+// The editor as a screen: the picture of the open world with menus, panels and dialogs, all of which come
+// from its features. While a change runs on a background thread, it shows the last picture with a progress
+// bar.
+class EditorScreen : public Screen {
+ public:
+  // Makes the features of an editor; the catalogue of all of them is complete later.
+  using MakeFeatures = Features (*)(Workspace&, const Catalogue&);
+
+  // The window and the options must outlive it. Precondition: an ImGui context is current.
+  EditorScreen(Window& window, LivePicture picture, LoadedSettings loaded, const EditorOptions& options,
+               MakeFeatures make_features);
+  EditorScreen(const EditorScreen&) = delete;
+  EditorScreen& operator=(const EditorScreen&) = delete;
+
+  // Opens the files of the options. Fails if not even the default scene can be read.
+  Status open();
+  // Shows an error in the status bar unless a more important one is shown.
+  void tell(const std::string& fault);
+  // Ends background work and writes the settings. Unsaved work is kept for the next start unless the user has
+  // closed the editor.
+  void close(bool left_by_user);
+  // A report of the session. Tests of the window read it.
+  nlohmann::ordered_json report() const;
+
+  GuiLook look() const override;
+  void hear(const Input& input) override;
+  void advance() override;
+  void draw() override;
+  void drawn() override;
+  void took(const FrameTime& time) override;
+  bool moving() const override;
+  void rest() override;
+  bool over() const override { return on_.leaves == Workspace::Leaves::kForGood || wants_game(); }
+  std::optional<std::string> answer(const std::string& what) const override;
+
+  // Whether the screen is over only until the player comes back from the game.
+  bool wants_game() const { return on_.leaves == Workspace::Leaves::kForTheGame && !thread_.busy(); }
+  // To be called when the game is over, with a scene that is to be opened, or an empty path.
+  void come_back(const GuiLook& look, const std::filesystem::path& scene);
+
+ private:
+  void hear_pointer(const InputEvent& event);
+  void hear_key(const InputEvent& event);
+  void escape();
+  void lay_out_window();
+  void draw_panels();
+  void draw_picture();
+  void save_settings();
+  void finish_change();
+
+  Window& window_;
+  const EditorOptions& options_;
+  std::optional<Landmarks> landmarks_;
+  LivePicture picture_;
+  Workspace on_;
+  Catalogue catalogue_;
+  Features features_;
+  Settings saved_;  // as they are in the file
+  ThreadSetting threads_;
+  HeldPress held_press_;
+  ChangeThread thread_;  // while it is busy the document is not touched
+  BusyWindow busy_;
+  std::string title_;           // of the window
+  double figures_at_ = -1;      // s, when the figures were brought up to date
+  bool easing_ = false;         // the camera
+  bool busy_frame_ = false;     // the last frame showed the busy window
+  bool new_picture_ = false;    // the last frame
+  double picture_seconds_ = 0;  // of the last frame
+};
+
+}  // namespace kerf

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "ui/editor/shared/workspace.h"
+
+namespace kerf {
+
+// Updates the figures of the panels and the status bar.
+void bring_up_to_date(Workspace& on);
+
+// A report of the session: frame times (frames, frame_ms, between_pictures_ms, while_cutting), memory
+// (process_bytes, memory_bytes as the Statistics panel shows it), the work (strokes, faces, faces_removed,
+// removed_area, last_stroke, pieces, recuts, bodies, placements), and the message, messages and layout of the
+// window. Features add what they know.
+nlohmann::ordered_json session_report(const Workspace& on);
+
+}  // namespace kerf

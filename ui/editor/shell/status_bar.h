@@ -1,0 +1,13 @@
+#pragma once
+
+#include "ui/editor/shared/figures.h"
+#include "ui/window/layout.h"
+#include "ui/window/message.h"
+
+namespace kerf {
+
+// Draws what the left button does (`button`), the message and the figures of the world into the status bar. A
+// message that does not fit can be read in its tooltip. Returns whether the message was clicked.
+bool draw_status_bar(const Area& area, const char* button, const Message& message, const ShownFigures& shown);
+
+}  // namespace kerf

@@ -1,0 +1,179 @@
+#include "ui/editor/single_step/single_step_feature.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "ui/editor/single_step/query_walk_rows.h"
+#include "ui/editor/single_step/single_step_panel.h"
+#include "ui/editor/single_step/stage_caption.h"
+#include "ui/editor/single_step/stage_cut.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr double kSpeedStep = 2;
+
+class SingleStepFeature : public Feature {
+ public:
+  explicit SingleStepFeature(Workspace& on) : on_(on) {
+    on.holds_back = [this] { return cut_.holds_back(); };
+    on.time_holds.push_back(
+        [this] { return stages_.wishes.on ? "Bodies stand still during single steps." : nullptr; });
+  }
+
+  std::vector<Panel> panels() override {
+    return {{"Tree", 1001, false,
+             [this] {
+               if (stages_.wishes.on) draw_query_walk(stages_.log);
+             }},
+            {"Single step", 1200, false, [this] { panel_.draw(stages_, on_.work.document, on_.view); }}};
+  }
+  std::vector<ActionGroup> actions() override {
+    return {{500, "Tool", beginnings()}, {501, "Tool", steps()}, {1100, "Tree", view_actions()}};
+  }
+
+  void advance(double seconds) override { cut_.advance(std::min(seconds, Workspace::kLongestStep)); }
+  void follow_queue(double) override {
+    if (on_.changes.is_pending()) return;
+    std::shared_ptr<const StageMarks> marks;
+    if (stages_.wishes.on) marks = stages_.log.marks(on_.world());
+    if (on_.view.look.stage == marks) return;
+    on_.view.look.stage = std::move(marks);
+    on_.view.picture_old = true;
+  }
+  bool moving() const override { return cut_.waits(); }
+  void forget() override { stages_.log.forget(); }
+
+  void draw_marks(ImDrawList&) override {
+    if (stages_.wishes.on && stages_.log.done() > 0) draw_stage_caption(stages_.log, on_.view.layout.first);
+  }
+  void report(nlohmann::ordered_json& report) const override {
+    const QueryWalk& query = stages_.log.query();
+    report["stages"] = {
+        {"on", stages_.wishes.on},
+        {"playing", stages_.wishes.playing},
+        {"done", stages_.log.done()},
+        {"told", stages_.log.told()},
+        {"query", {{"drawn", query.drawn}, {"visited", query.visited()}, {"boxes", query.size()}}}};
+  }
+
+ private:
+  const char* why_no_next() const { return why_no_next_stage(stages_, on_.work.document); }
+  std::vector<UserAction> beginnings();
+  std::vector<UserAction> steps();
+  std::vector<UserAction> view_actions();
+  UserAction speed_action(const char* name, double factor);
+  UserAction visit_action(const char* name, const char* shortcut, int by);
+
+  Workspace& on_;
+  StageState stages_;
+  StageCut cut_{on_, stages_};
+  SingleStepPanel panel_;
+};
+
+std::vector<UserAction> SingleStepFeature::beginnings() {
+  StageWishes& wishes = stages_.wishes;
+  const auto why_not_start = [this] { return why_not_again(on_.work.document); };
+  const auto why_no_play = [this, why_not_start]() -> const char* {
+    return stages_.wishes.playing || why_no_next() == nullptr ? nullptr : why_not_start();
+  };
+  return {
+      UserAction{.name = "Single steps",
+                 .shortcut = "F8",
+                 .tip = "A stroke waits, and is cut stage by stage: sweep, hit, refine, remove, separate.",
+                 .run = [&wishes] { wishes.stop(), wishes.on = !wishes.on; },
+                 .checked = [&wishes] { return wishes.on; }},
+      UserAction{.name = "Step through the last stroke",
+                 .shortcut = "Shift+F8",
+                 .tip = "Takes the last stroke back, to be cut again stage by stage.",
+                 .run = [&wishes] { wishes.begin_again(); },
+                 .why_not = why_not_start},
+      UserAction{.name = "Play the stages",
+                 .shortcut = "Space",
+                 .tip = "In slow motion, or pauses. At the end of the stroke it begins again.",
+                 .run = [this] { play_or_pause(stages_, on_.work.document); },
+                 .checked = [&wishes] { return wishes.playing; },
+                 .why_not = why_no_play,
+                 .has_key_when = [&wishes] { return wishes.on; }},
+  };
+}
+
+std::vector<UserAction> SingleStepFeature::steps() {
+  StageWishes& wishes = stages_.wishes;
+  const auto why_not = [this] { return why_no_next(); };
+  const auto while_on = [&wishes] { return wishes.on; };  // otherwise the key lets a tick pass
+  return {
+      UserAction{.name = "Next stage",
+                 .shortcut = ".",
+                 .tip = "Executes one stage of the stroke.",
+                 .run = [this] { stages_.wishes.go_to(stages_.log.done() + 1); },
+                 .why_not = why_not,
+                 .has_key_when = while_on},
+      UserAction{.name = "Stage back",
+                 .shortcut = ",",
+                 .tip = "Takes the last stage back, exactly.",
+                 .run = [this] { stages_.wishes.go_to(stages_.log.done() - 1); },
+                 .why_not = [this] { return why_no_stage_back(stages_, on_.work.document); }},
+      UserAction{.name = "Finish the move",
+                 .shortcut = "Shift+.",
+                 .tip = "Executes stages until a move of the beam is finished.",
+                 .run = [&wishes] { wishes.run_to_end_of_move(); },
+                 .why_not = why_not},
+      UserAction{.name = "Finish the stroke",
+                 .shortcut = "End",
+                 .tip = "Executes all stages that are left.",
+                 .run = [&wishes] { wishes.go_to(StageWishes::kAll); },
+                 .why_not = why_not},
+  };
+}
+
+UserAction SingleStepFeature::speed_action(const char* name, double factor) {
+  return {.menu = "Single step",
+          .name = name,
+          .tip = "How many stages a second are played.",
+          .run =
+              [this, factor] {
+                double& speed = stages_.wishes.per_second;
+                speed = std::clamp(speed * factor, StageWishes::kSlowest, StageWishes::kFastest);
+              },
+          .in_menu = false};
+}
+
+// With the boxes of the last query, one box more or less.
+UserAction SingleStepFeature::visit_action(const char* name, const char* shortcut, int by) {
+  return {.name = name,
+          .shortcut = shortcut,
+          .tip = "Of the last query of the tree in single steps: the boxes in the order of their tests.",
+          .run =
+              [this, by] {
+                const auto visited = static_cast<std::ptrdiff_t>(stages_.log.query().visited());
+                stages_.log.visit(static_cast<size_t>(std::max<std::ptrdiff_t>(1, visited + by)));
+              },
+          .why_not =
+              [this] {
+                return stages_.log.query().empty() ? "No stage of single steps has asked the tree." : nullptr;
+              },
+          .in_menu = false};
+}
+
+std::vector<UserAction> SingleStepFeature::view_actions() {
+  return {
+      speed_action("Stages: faster", kSpeedStep),
+      speed_action("Stages: slower", 1 / kSpeedStep),
+      visit_action("Query: next box", "]", 1),
+      visit_action("Query: box before", "[", -1),
+      {.name = "Query: show the boxes",
+       .tip = "Draws the boxes that the last query of the tree has tested, coloured by what became of them.",
+       .run = [this] { stages_.log.draw_query(!stages_.log.query().drawn); },
+       .checked = [this] { return stages_.log.query().drawn; },
+       .in_menu = false}};
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> single_step_feature(Workspace& on) {
+  return std::make_unique<SingleStepFeature>(on);
+}
+
+}  // namespace kerf

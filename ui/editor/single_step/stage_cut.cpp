@@ -1,0 +1,143 @@
+#include "ui/editor/single_step/stage_cut.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace kerf {
+
+namespace {
+constexpr double kStageSeconds = 0.020;  // of executing stages in one frame, or as long as a picture takes
+constexpr double kQuickSeconds = 0.100;  // going back that takes longer runs beside the frames
+}  // namespace
+
+StageCut::Key StageCut::key_now() const {
+  const Document& document = on_.work.document;
+  return {document.revision(), document.history().position(), stages_.log.forgotten()};
+}
+
+bool StageCut::can_go_on() const {
+  const Document& document = on_.work.document;
+  return document.waiting() > 0 && document.next_is_of_last_step();
+}
+
+bool StageCut::holds_back() const { return stages_.wishes.on && from_its_start_ && can_go_on(); }
+
+bool StageCut::must_go_back() const {
+  const StageWishes& wishes = stages_.wishes;
+  return wishes.start_again || (wishes.stage && *wishes.stage < stages_.log.done());
+}
+
+bool StageCut::wants_more() const {
+  const StageWishes& wishes = stages_.wishes;
+  if (wishes.stage) return stages_.log.done() < *wishes.stage;
+  return wishes.to_end_of_move || wishes.playing;
+}
+
+bool StageCut::waits() const {
+  return stages_.wishes.on && !on_.changes.is_pending() && (must_go_back() || (wants_more() && can_go_on()));
+}
+
+void StageCut::advance(double seconds) {
+  if (on_.changes.is_pending()) return;
+  StageWishes& wishes = stages_.wishes;
+  if (!wishes.on) return key_.reset();
+  if (std::exchange(went_back_, false)) show();
+  follow();
+  if (must_go_back()) return go_back(wishes.stage.value_or(0));
+  due_ = wishes.playing ? std::min(due_ + seconds * wishes.per_second, 1 + wishes.per_second) : 1;
+  go_on();
+  drop_fulfilled();
+}
+
+// Whether the stages in the log are those of the last stroke.
+void StageCut::follow() {
+  if (key_ == key_now()) return;
+  stages_.log.forget();
+  key_ = key_now();
+  begin();
+}
+
+// A stroke of which a part was executed otherwise starts again, where it can.
+void StageCut::begin() {
+  single_.emplace(on_.work.document);
+  spent_ = 0;
+  StageWishes& wishes = stages_.wishes;
+  if (!wishes.start_again) wishes.stop();
+  const Document& document = on_.work.document;
+  from_its_start_ = !can_go_on() || document.history().last().waiting();
+  if (!from_its_start_ && document.can_start_again()) wishes.start_again = true;
+}
+
+void StageCut::go_back(size_t stages) {
+  StageWishes& wishes = stages_.wishes;
+  const size_t done = stages_.log.done();
+  wishes.start_again = false;
+  wishes.stage.reset();
+  if (!on_.work.document.can_start_again()) return;
+  stages = std::min(stages, done);
+  const double again = static_cast<double>(stages - single_->resumes_after(stages));
+  const double before = spent_;
+  spent_ = done > 0 ? spent_ * static_cast<double>(stages) / static_cast<double>(done) : 0;
+  const double seconds = done > 0 ? before * again / static_cast<double>(done) : 0;
+  from_its_start_ = true;
+  on_.changes.change("Going back", seconds < kQuickSeconds,
+                     [this, stages](Document&, const Progress* progress) {
+                       stages_.log.restart(single_->resumes_after(stages));
+                       Outcome gone = single_->go_back_to(
+                           stages, [this](const StageRecord& stage) { note(stage); }, progress);
+                       key_ = key_now();
+                       went_back_ = true;
+                       return gone;
+                     });
+}
+
+void StageCut::go_on() {
+  const double began = on_.clock->seconds();
+  const auto spent = [&] { return on_.clock->seconds() - began; };
+  const double budget = std::max(kStageSeconds, on_.figures.shown.frame_ms / 1000);
+  const size_t before = stages_.log.done();
+  while (holds_back() && wants_more() && due_ >= 1 && spent() < budget) {
+    if (!next()) break;
+    if (stages_.wishes.playing) due_ -= 1;
+  }
+  if (stages_.log.done() == before) return;
+  spent_ += spent();
+  show();
+}
+
+void StageCut::drop_fulfilled() {
+  StageWishes& wishes = stages_.wishes;
+  const bool over = !can_go_on() && !on_.work.document.in_stroke();
+  if (over || (wishes.stage && *wishes.stage <= stages_.log.done())) {
+    const bool playing = wishes.playing && !over;
+    wishes.stop();
+    wishes.playing = playing;
+  }
+}
+
+bool StageCut::next() {
+  return on_.changes.step([this](Document&) -> Result<StepResult> {
+    Result<StageRecord> stage = single_->next();
+    if (!stage) return stage.error();
+    note(*stage);
+    if (stage->done.moves > 0) stages_.wishes.to_end_of_move = false;
+    return std::move(stage->done);
+  });
+}
+
+void StageCut::note(const StageRecord& stage) { stages_.log.note(on_.work.document.world(), stage); }
+
+void StageCut::show() {
+  const StageRecord* last = stages_.log.last();
+  if (last != nullptr && last->move) {
+    const World::Bounds bounds = on_.work.document.world().bounds();
+    const Pose& pose = last->move->to;
+    on_.beam.take_over(on_.work.document.stroke_settings(),
+                       glm::length(0.5 * (bounds.min + bounds.max) - pose.origin));
+    on_.beam.reach(pose);
+  }
+  on_.beam.find_strike(on_.work.document);
+  on_.view.picture_old = on_.figures.world_changed = true;
+}
+
+}  // namespace kerf

@@ -1,0 +1,95 @@
+#include "ui/editor/time/play_marks.h"
+
+#include <imgui.h>
+
+#include <cstdio>
+#include <string>
+
+#include "ui/editor/shared/first_picture.h"
+#include "ui/window/imgui_vector.h"
+#include "ui/window/landmarks.h"
+#include "ui/window/theme.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr int kCoils = 9;
+constexpr float kLeastCoiled = 2;  // sizes of the text; a shorter spring is a line
+
+// The words of the badge; empty: no badge.
+std::string words_of(const PlayState& play, const World& world) {
+  if (!play.playing && world.clock() == 0) return "";
+  std::array<char, 64> text{};
+  const double seconds = seconds_of_ticks(world.clock());
+  if (play.playing) {
+    std::snprintf(text.data(), text.size(), "Playing %s  %.1f s", play.speed().name, seconds);
+  } else {
+    std::snprintf(text.data(), text.size(), "Paused  %.2f s", seconds);
+  }
+  return text.data();
+}
+
+// A triangle while time passes, else two bars, in a square of this side.
+void draw_sign(bool playing, ImVec2 at, float side, ImDrawList& list) {
+  if (playing)
+    return list.AddTriangleFilled(at, {at.x, at.y + side}, {at.x + 0.9f * side, at.y + 0.5f * side},
+                                  colours::kPictureText);
+  const float bar = 0.3f * side;
+  for (const float x : {at.x, at.x + side - bar})
+    list.AddRectFilled({x, at.y}, {x + bar, at.y + side}, colours::kPictureText);
+}
+
+// A zigzag between two places, with a dark line under it.
+void draw_coil(Vec2 from, Vec2 to, float em, ImDrawList& list) {
+  const Vec2 way = to - from;
+  const double length = glm::length(way);
+  const Vec2 aside = length > 0 ? Vec2(-way.y, way.x) / length * (0.3 * em) : Vec2(0);
+  std::vector<ImVec2> points{to_im(from)};
+  const int coils = length > kLeastCoiled * em ? kCoils : 0;
+  for (int i = 0; i < coils; ++i) {
+    const double along = 0.12 + 0.76 * (i + 0.5) / coils;
+    points.push_back(to_im(from + along * way + (i % 2 == 0 ? aside : -aside)));
+  }
+  points.push_back(to_im(to));
+  const int count = static_cast<int>(points.size());
+  list.AddPolyline(points.data(), count, IM_COL32(10, 12, 16, 170), 0, 4);
+  list.AddPolyline(points.data(), count, colours::accent(), 0, 1.8f);
+}
+
+}  // namespace
+
+void draw_play_badge(const PlayState& play, const World& world, const ViewState& view) {
+  const std::string text = words_of(play, world);
+  if (text.empty()) return;
+  const Area& picture = view.layout.first;
+  const float em = ImGui::GetFontSize(), side = 0.62f * em, gap = 0.5f * em;
+  // As wide as the longest time to come, so that it stands still.
+  const float width = side + gap + std::max(ImGui::CalcTextSize(text.c_str()).x, 9.5f * em);
+  const float left = static_cast<float>(picture.at.x + 0.5 * picture.size.x) - 0.5f * width;
+  const float top = static_cast<float>(picture.at.y) + em;
+  const ImVec2 low{left - 0.7f * em, top - 0.4f * em}, high{left + width + 0.7f * em, top + 1.4f * em};
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  list.AddRectFilled(low, high, colours::kPictureShade, 3);
+  draw_sign(play.playing, {left, top + 0.5f * (ImGui::GetTextLineHeight() - side)}, side, list);
+  list.AddText({left + side + gap, top}, colours::kPictureText, text.c_str());
+  mark_area("play badge", {{low.x, low.y}, {high.x - low.x, high.y - low.y}});
+}
+
+void draw_spring(const Spring& spring, const World& world, const ViewState& view) {
+  if (!world.contains(spring.piece.body)) return;
+  const Placement& placement = world.body(spring.piece.body).placement;
+  const FirstPicture picture(view);
+  const auto from = picture.place_of(placement.to_world(spring.at));
+  const auto to = picture.place_of(spring.to);
+  if (!from || !to) return;
+  const float em = ImGui::GetFontSize();
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  draw_coil(*from, *to, em, list);
+  for (const Vec2& end : {*from, *to}) {
+    list.AddCircleFilled(to_im(end), 0.32f * em, IM_COL32(10, 12, 16, 170));
+    list.AddCircleFilled(to_im(end), 0.22f * em, colours::accent());
+  }
+}
+
+}  // namespace kerf

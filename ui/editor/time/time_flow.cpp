@@ -1,0 +1,93 @@
+#include "ui/editor/time/time_flow.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/render/drawn_ground.h"
+
+namespace kerf {
+
+namespace {
+constexpr double kLongestLag = 0.1;  // s, that are made up for
+constexpr double kMostTicks = kLongestLag * kTicksPerSecond;
+}  // namespace
+
+void TimeFlow::advance(double seconds) {
+  if (!may_go_on()) return end();
+  const Document& document = on_.work.document;
+  due_ += std::min(seconds, kLongestLag) * play_.speed().of_real_time * kTicksPerSecond;
+  if (on_.changes.is_pending() || document.waiting() > 0) {
+    most_ = std::max(1.0, 0.5 * most_);
+    due_ = std::min(due_, most_);
+    return;
+  }
+  most_ = std::min(most_ + 1, kMostTicks);
+  due_ = std::min(due_, most_);
+  if (!begin()) return;
+  const bool single = std::exchange(play_.one_tick, false);
+  const auto ticks = single ? Ticks{1} : static_cast<Ticks>(due_);
+  if (ticks > 0) queue_ticks(ticks);
+  if (single) begun_ = false;  // each single tick is a step of the history
+}
+
+void TimeFlow::end() {
+  due_ = 0;
+  before_ground_.reset();
+  if (!begun_ || on_.changes.is_pending() || on_.work.document.waiting() > 0) return;
+  mark_state(on_.work.document, on_.work.marks, true);
+  begun_ = false;
+}
+
+// Ends playing where it has to end.
+bool TimeFlow::may_go_on() {
+  const size_t position = on_.work.document.history().position();
+  const bool undone = position < std::exchange(position_, position);
+  if (!play_.playing && !play_.one_tick) return false;
+  if (on_.changes.is_pending()) return true;
+  const char* why_not = on_.why_time_stands_still();
+  if (why_not != nullptr) on_.message.say(why_not);
+  if (why_not != nullptr || (undone && begun_)) play_.stop();
+  return play_.playing || play_.one_tick;
+}
+
+// Returns false while something else has to be done first.
+bool TimeFlow::begin() {
+  if (begun_) return true;
+  Document& document = on_.work.document;
+  stand_together(on_);
+  const Surroundings fitting = fitting_surroundings(document.world(), on_.view.frame);
+  if (fitting != document.world().surroundings()) {
+    if (document.in_stroke()) return false;
+    before_ground_ = document.history().position();
+    on_.changes.apply(SetSurroundings{fitting});
+    return false;
+  }
+  if (!document.in_stroke()) document.apply(Play{});
+  position_ = document.history().position();
+  // The user has done nothing in between: one undo takes the ground away, too.
+  if (before_ground_ && position_ == *before_ground_ + 2)
+    on_.changes.groups().add(*before_ground_, document, "Play");
+  before_ground_.reset();
+  return begun_ = true;
+}
+
+// The spring of the document becomes the one that the user pulls.
+void TimeFlow::queue_spring() {
+  Document& document = on_.work.document;
+  if (!spring_ && document.world().spring()) document.apply(LetGo{});
+  if (spring_ && document.world().spring() != spring_)
+    document.apply(Pull{spring_->piece, spring_->at, spring_->to});
+}
+
+// Up to a full minute at most.
+void TimeFlow::queue_ticks(Ticks ticks) {
+  OpenWork& work = on_.work;
+  const Ticks of_minute = work.document.world().clock() % Document::kTicksToForget;
+  if (of_minute == 0) mark_state(work.document, work.marks, true);
+  ticks = std::min(ticks, Document::kTicksToForget - of_minute);
+  due_ -= std::min(due_, static_cast<double>(ticks));
+  queue_spring();
+  work.document.apply(Advance{ticks, true});
+}
+
+}  // namespace kerf

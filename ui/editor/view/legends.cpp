@@ -1,0 +1,228 @@
+#include "ui/editor/view/legends.h"
+
+#include <imgui.h>
+
+#include <set>
+
+#include "ui/editor/shared/shadow_methods.h"
+#include "ui/render/box_palette.h"
+#include "ui/render/overlay_colours.h"
+#include "ui/render/stage_pass.h"
+#include "ui/render/view_switches.h"
+#include "ui/window/landmarks.h"
+#include "ui/window/number_text.h"
+#include "ui/window/theme.h"
+
+namespace kerf {
+
+namespace {
+
+using namespace overlay_colours;
+using Rows = std::vector<Legend::Row>;
+
+Legend::Row sentence(std::string text) { return {0, std::move(text), false, false}; }
+
+Legend legend_of_boxes(const ViewOptions& look) {
+  const BoxColours colours = colours_of(look.tree.palette);
+  const bool hit_only = look.show.aabb_hit || look.tree.hit_only;
+  Legend legend;
+  legend.title = look.tree.leaves_only ? "Boxes of single faces" : "Boxes of the tree";
+  legend.rows.push_back({colours.hit, "the beam is or was in it"});
+  if (!hit_only) legend.rows.push_back({colours.untouched, "the beam never came there", true, true});
+  if (!look.tree.leaves_only && look.tree.deepest < TreeOverlay().deepest)
+    legend.rows.push_back(sentence("down to level " + std::to_string(look.tree.deepest) + " under the root"));
+  return legend;
+}
+
+// The strip itself is part of the picture.
+Legend legend_by_strip(const char* title, const char* last) {
+  return {title, {sentence("by the strip at the lower left"), sentence(last)}};
+}
+
+Legend legend_of_comparison(const ViewOptions& look, const ShadowFigures& shadows) {
+  return {"Two shadow methods",
+          {sentence("left: " + std::string(method_name(look.shadow.method))),
+           sentence("right: " + std::string(method_name(look.shadow.beside))),
+           sentence((shadows.differing ? grouped(*shadows.differing) + " pixels" : "counting pixels that") +
+                    " are in shadow with"),
+           sentence("one of them and lit with the other")}};
+}
+
+Legend legend_of_rays(const ShadowFigures& shadows) {
+  return {"Shadow rays",
+          {{kTracedLit, "lit"},
+           {kTracedShadow, "in shadow"},
+           {kWrong, "the picture has it otherwise: " +
+                        (shadows.wrong ? grouped(*shadows.wrong) + " pixels" : tracing_text(shadows))}}};
+}
+
+// Empty for a view without colours of its own.
+Legend legend_of(SwitchId view, const ViewOptions& look, const ShadowFigures& shadows) {
+  switch (view) {
+    case SwitchId::kSilhouette:
+      return legend_by_strip("Silhouette: sides of the volume on an edge", "3: three or more");
+    case SwitchId::kShadowVolumes:
+      return {"Shadow volumes", {{kVolumeFront, "seen from outside"}, {kVolumeBack, "seen from within"}}};
+    case SwitchId::kShadowCounts:
+      return legend_by_strip("Surfaces that keep the light away", "9: nine or more");
+    case SwitchId::kFacing:
+      return {"Facing the light", {{kFacing, "facing it"}, {kAverted, "averted"}, {kEdgeOn, "edge-on"}}};
+    case SwitchId::kCompare:
+      return legend_of_comparison(look, shadows);
+    case SwitchId::kTrace:
+      return legend_of_rays(shadows);
+    case SwitchId::kSizes:
+      return {"Size of faces",
+              {{0xf5e3a0, "split most often"},
+               {0xee8f2e, "split less"},
+               {0xa23a36, "split least"},
+               {0x48535f, "as loaded"}}};
+    case SwitchId::kHeat:
+      return {"Temperature in K",
+              {sentence("by the bar at the lower left,"), sentence("which ends where it melts")}};
+    case SwitchId::kBoxes:
+      return legend_of_boxes(look);
+    case SwitchId::kBoxesHit:
+      return look.show.aabb || !look.show.aabb_hit ? Legend() : legend_of_boxes(look);
+    case SwitchId::kPieces:
+      return {"Pieces",
+              {{0x6f7174, "stays with its body"}, sentence("each other colour: one piece that came off")}};
+    case SwitchId::kFaceNumbers:
+      return {"Numbers of faces", {{0xf2f5f7, "there"}, {0xff8a78, "removed"}}};
+    case SwitchId::kGraph:
+      return {"Component graph around the last cut",
+              {{kReached, "faces that hang together"},
+               {kApart, "what the cut separated from them"},
+               {kRemoved, "removed faces"},
+               {kLoop, "loops that they closed"}}};
+    case SwitchId::kContacts:
+      return {"Contacts", {{kHeavyContact, "the largest impulse"}, {kLightContact, "none"}}};
+    case SwitchId::kColliders:
+      return {"Colliders", {{kColliderPoint, "points"}, {kColliderChord, "chords"}}};
+    case SwitchId::kCentres:
+      return {"Centres of mass", {{kAwake, "awake"}, {kAsleep, "asleep"}, {kPinned, "pinned"}}};
+    case SwitchId::kJoints:
+      return {"Joints", {{kHinge, "hinges"}, {kHub, "hubs"}, {kWeld, "welds"}}};
+    case SwitchId::kShadows:
+    case SwitchId::kRimGlow:
+    case SwitchId::kWire:
+    case SwitchId::kSection:
+    case SwitchId::kNormals:
+    case SwitchId::kGhost:
+    case SwitchId::kTwoSided:
+    case SwitchId::kCullBacks:
+    case SwitchId::kSparks:
+    case SwitchId::kAntialias:
+      break;
+  }
+  return {};
+}
+
+const char* meaning_of(StageMarks::Kind kind) {
+  using Kind = StageMarks::Kind;
+  switch (kind) {
+    case Kind::kSwept:
+      return "what the beam sweeps";
+    case Kind::kHit:
+      return "faces that it hits";
+    case Kind::kBorn:
+      return "faces that splits made";
+    case Kind::kRemoved:
+      return "removed faces";
+    case Kind::kEntered:
+      return "boxes that the query entered";
+    case Kind::kCulled:
+      return "boxes that it culled";
+    case Kind::kMissed:
+      return "boxes of faces that the beam misses";
+    case Kind::kTouched:
+      return "boxes of faces that it hits";
+    case Kind::kLast:
+      break;
+  }
+  return "the box that was tested last";
+}
+
+Legend legend_of_stage(const StageMarks& marks) {
+  std::set<StageMarks::Kind> kinds;
+  for (const StageMarks::OfBody& body : marks.bodies) {
+    for (const StageMarks::Line& line : body.lines) kinds.insert(line.kind);
+  }
+  Legend legend{"Single step", {}};
+  for (const StageMarks::Kind kind : kinds) legend.rows.push_back({colour_of(kind), meaning_of(kind)});
+  if (!marks.came_off.empty()) legend.rows.push_back({kApart, "what came off"});
+  if (!marks.stayed.empty()) legend.rows.push_back({kReached, "what it came off"});
+  return legend;
+}
+
+ImU32 opaque(uint32_t hex) { return IM_COL32(hex >> 16 & 0xffu, hex >> 8 & 0xffu, hex & 0xffu, 255); }
+
+void draw_swatch(const Legend::Row& row, ImVec2 at, float side, ImDrawList& list) {
+  const ImU32 colour = opaque(row.colour);
+  if (!row.dotted) {
+    list.AddRectFilled(at, {at.x + side, at.y + side}, colour, 2);
+    list.AddRect(at, {at.x + side, at.y + side}, IM_COL32(255, 255, 255, 70), 2);
+    return;
+  }
+  const float gap = side / 5;
+  for (float x = 0; x < side; x += 2 * gap)
+    list.AddRectFilled({at.x + x, at.y + 2 * gap}, {at.x + x + gap, at.y + 3 * gap}, colour);
+}
+
+float width_of(const Legend& legend, float swatch) {
+  float width = ImGui::CalcTextSize(legend.title.c_str()).x;
+  for (const Legend::Row& row : legend.rows)
+    width = std::max(width, ImGui::CalcTextSize(row.meaning.c_str()).x + (row.swatch ? swatch : 0));
+  return width;
+}
+
+void draw_legend(const Legend& legend, ImVec2 at, ImVec2 size, ImDrawList& list) {
+  const float em = ImGui::GetFontSize(), line = 1.2f * em, side = 0.8f * em;
+  list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, colours::kPictureShade, 3);
+  ImVec2 pen{at.x + 0.6f * em, at.y + 0.5f * em};
+  list.AddText(pen, colours::kPictureText, legend.title.c_str());
+  for (const Legend::Row& row : legend.rows) {
+    pen.y += line;
+    if (row.swatch) draw_swatch(row, {pen.x, pen.y + 0.5f * (ImGui::GetTextLineHeight() - side)}, side, list);
+    list.AddText({pen.x + (row.swatch ? 1.4f * em : 0), pen.y}, colours::kPictureSecondary,
+                 row.meaning.c_str());
+  }
+}
+
+}  // namespace
+
+std::vector<Legend> legends_of(const ViewOptions& look, const ShadowFigures& shadows) {
+  std::vector<Legend> legends;
+  for (const ViewSwitch& s : view_switches()) {
+    if (s.get(look) == 0) continue;
+    if (Legend legend = legend_of(s.id, look, shadows); !legend.title.empty())
+      legends.push_back(std::move(legend));
+  }
+  if (look.stage) {
+    if (Legend legend = legend_of_stage(*look.stage); !legend.rows.empty())
+      legends.push_back(std::move(legend));
+  }
+  return legends;
+}
+
+Area draw_legends(const std::vector<Legend>& legends, const Area& picture) {
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const float em = ImGui::GetFontSize();
+  const auto x = static_cast<float>(picture.at.x) + em,
+             bottom = static_cast<float>(picture.at.y + picture.size.y) - em;
+  auto y = static_cast<float>(picture.at.y) + em;
+  Area taken{picture.at + Vec2(em), Vec2(0)};
+  for (size_t i = 0; i < legends.size(); ++i) {
+    const ImVec2 size{width_of(legends[i], 1.4f * em) + 1.2f * em,
+                      (1.2f * static_cast<float>(legends[i].rows.size() + 1) + 0.8f) * em};
+    if (y + size.y > bottom) break;
+    draw_legend(legends[i], {x, y}, size, list);
+    mark_area(("legend " + legends[i].title).c_str(), {{x, y}, {size.x, size.y}});
+    taken.size.x = std::max<double>(taken.size.x, size.x);
+    taken.size.y = y + size.y - taken.at.y;
+    y += size.y + 0.5f * em;
+  }
+  return taken;
+}
+
+}  // namespace kerf

@@ -1,0 +1,286 @@
+#include "ui/editor/view/view_feature.h"
+
+#include <imgui.h>
+
+#include <GLFW/glfw3.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/base/assert.h"
+#include "ui/editor/shared/axes_gizmo.h"
+#include "ui/editor/shared/click.h"
+#include "ui/editor/shared/look_round.h"
+#include "ui/editor/shared/shortcut_text.h"
+#include "ui/editor/shared/standard_view.h"
+#include "ui/editor/shared/switch_row.h"
+#include "ui/editor/view/camera_text.h"
+#include "ui/editor/view/legends.h"
+#include "ui/render/view_switches.h"
+#include "ui/window/number_format.h"
+#include "ui/window/property.h"
+
+namespace kerf {
+
+namespace {
+
+// Theme and size of the text.
+class DisplayPanel {
+ public:
+  void draw(Settings& settings, const ViewState& view);
+
+ private:
+  double wanted_scale_ = 0;  // of the text, while its slider moves
+};
+
+// The size changes when the slider is let go, for the slider itself changes with it.
+void scale_row(Settings& settings, double& wanted) {
+  property("Text size");
+  constexpr double kLow = Settings::kLeastScale * 100, kHigh = Settings::kMostScale * 100;
+  double percent = wanted > 0 ? 100 * wanted : 100 * settings.ui_scale;
+  if (ImGui::SliderScalar("##scale", ImGuiDataType_Double, &percent, &kLow, &kHigh,
+                          RealFormat("%.0f %%").c_str(), ImGuiSliderFlags_AlwaysClamp)) {
+    wanted = std::round(percent / 5) * 0.05;
+  }
+  if (ImGui::IsItemDeactivated() && wanted > 0) {
+    settings.ui_scale = wanted;
+    wanted = 0;
+  }
+  tooltip("Of the panels and menus, on top of what the display asks for.");
+}
+
+void DisplayPanel::draw(Settings& settings, const ViewState& view) {
+  if (!begin_properties("display")) return;
+  property("Theme");
+  int theme = settings.theme == Theme::kLight ? 1 : 0;
+  if (ImGui::Combo("##theme", &theme, "Dark\0Light\0"))
+    settings.theme = theme == 1 ? Theme::kLight : Theme::kDark;
+  tooltip(with_shortcut(view, "Colours of the panels; the picture stays as it is.", "Light theme").c_str());
+  scale_row(settings, wanted_scale_);
+  end_properties();
+}
+
+constexpr double kScaleStep = 0.125;
+
+// A press on the axes: a click looks along one of them, a drag orbits.
+class PressOnAxes : public Interaction {
+ public:
+  explicit PressOnAxes(Workspace& on) : on_(on), pressed_at_(on.pointer) {}
+
+  void move(const InputEvent& event) override {
+    if (orbit_) {
+      orbit_->move(event);
+    } else if (glm::length(on_.pointer - pressed_at_) > kClickReach) {
+      orbit_.emplace(on_);
+    }
+  }
+  void release(const InputEvent&) override {
+    const auto axis = orbit_ ? std::nullopt : axis_end_under(on_.view, on_.pointer);
+    if (axis) on_.view.camera.turn_to(axis->view.yaw, axis->view.pitch);
+  }
+  const char* words() const override { return orbit_ ? orbit_->words() : nullptr; }
+
+ private:
+  Workspace& on_;
+  Vec2 pressed_at_;
+  std::optional<Orbit> orbit_;
+};
+
+void copy_view(Workspace& on) {
+  ImGui::SetClipboardText(view_text({on.view.seen().near().eye, on.view.camera.pivot()}).c_str());
+  on.message.say("The view is in the clipboard as text");
+}
+
+void paste_view(Workspace& on) {
+  const char* text = ImGui::GetClipboardText();
+  const Result<View> view = parse_view_text(text != nullptr ? text : "");
+  if (!view) return on.message.say(view.error().message, true);
+  on.view.camera.look(view->eye, view->target);
+  on.message.say("");
+}
+
+void change_scale(Settings& settings, double by) {
+  settings.ui_scale = std::clamp(settings.ui_scale + by, Settings::kLeastScale, Settings::kMostScale);
+}
+
+// Of a standard view. Each pair has a key, and the second of the pair needs Ctrl.
+UserAction look_action(ViewState& view, size_t which) {
+  constexpr std::array kKeys{"1", "3", "7"};
+  constexpr std::array kPadKeys{GLFW_KEY_KP_1, GLFW_KEY_KP_3, GLFW_KEY_KP_7};
+  const StandardView& looked = kStandardViews.at(which);
+  const bool opposite = which % 2 == 1;
+  UserAction action{.name = looked.name,
+                    .shortcut = std::string(opposite ? "Ctrl+" : "") + kKeys.at(which / 2),
+                    .pad_key = kPadKeys.at(which / 2),
+                    .tip = "Also on the number pad, and by a click on the axes in the corner.",
+                    .ends_group = which + 1 == kStandardViews.size()};
+  action.run = [&view, &looked] { view.camera.turn_to(looked.yaw, looked.pitch); };
+  return action;
+}
+
+UserAction switch_action(Workspace& on, const ViewSwitch& s) {
+  UserAction action{.name = action_name(s), .tip = s.tip, .in_menu = s.in_menu, .ends_group = s.ends_group};
+  if (s.key != 0) action.shortcut = std::string(1, s.key);
+  action.run = [&view = on.view, &message = on.message, &s] {
+    s.flip(view.look);
+    view.picture_old = true;
+    if (!s.is_two_state()) message.say(std::string(s.label) + ": " + s.states[s.get(view.look)]);
+  };
+  action.checked = [&view = on.view, &s] { return s.get(view.look) != 0; };
+  return action;
+}
+
+// The first half without the label in its corner.
+Area under_label(const Layout& l) {
+  const Vec2 label(0, l.split() ? 2.2 * ImGui::GetTextLineHeight() + ImGui::GetFontSize() : 0);
+  return {l.first.at + label, l.first.size - label};
+}
+
+class ViewFeature : public Feature {
+ public:
+  explicit ViewFeature(Workspace& on) : on_(on) {}
+
+  std::vector<Panel> panels() override {
+    return {{"View", 1301, false, [this] { draw_switches(); }},
+            {"Display", 1600, false, [this] { display_.draw(on_.settings, on_.view); }}};
+  }
+  std::vector<ActionGroup> actions() override {
+    return {{220, "Edit", text_of_view_actions()},
+            {700, "Camera", camera_actions()},
+            {710, "View", switch_actions()},
+            {722, "View", {theme_action()}},
+            {730, "View", scale_actions()}};
+  }
+  std::vector<Gesture> gestures() const override {
+    return {{150, "Click on the axes in the corner", "Look along that axis; a drag there orbits"}};
+  }
+
+  std::unique_ptr<Interaction> claim(const Press&) override {
+    return is_on_axes(on_.view, on_.pointer) ? std::make_unique<PressOnAxes>(on_) : nullptr;
+  }
+
+  void draw_marks(ImDrawList& list) override {
+    draw_axes_gizmo(on_.view, on_.pointer_over_picture(), list);
+    on_.view.legends =
+        draw_legends(legends_of(on_.view.look, on_.figures.shadows), under_label(on_.view.layout));
+  }
+  void mark(Landmarks& landmarks) const override {
+    for (const AxisEnd& end : axis_ends(on_.view)) landmarks.mark(name_of(end), {end.at, Vec2(0)});
+  }
+  void report(nlohmann::ordered_json& report) const override;
+
+ private:
+  void draw_switches() {
+    for (const ViewSwitch& s : view_switches()) {
+      if (s.in_view_panel) draw_switch(on_.view, s.id);
+    }
+  }
+  std::vector<UserAction> text_of_view_actions();
+  std::vector<UserAction> camera_actions();
+  std::vector<UserAction> switch_actions();
+  UserAction theme_action();
+  std::vector<UserAction> scale_actions();
+
+  Workspace& on_;
+  DisplayPanel display_;
+};
+
+std::vector<UserAction> ViewFeature::text_of_view_actions() {
+  return {
+      UserAction{.name = "Copy the view",
+                 .shortcut = "Ctrl+C",
+                 .tip = "Where the eye stands, as text.",
+                 .run = [this] { copy_view(on_); }},
+      UserAction{.name = "Paste the view",
+                 .shortcut = "Ctrl+V",
+                 .tip = "Looks from where the text in the clipboard says.",
+                 .run = [this] { paste_view(on_); },
+                 .ends_group = true},
+  };
+}
+
+std::vector<UserAction> ViewFeature::camera_actions() {
+  std::vector<UserAction> actions{
+      UserAction{.name = "Frame all",
+                 .shortcut = "F",
+                 .tip = "Everything in the picture, seen from the side where the eye is.",
+                 .run = [this] { on_.view.camera.frame(on_.world().bounds(), on_.view.aspect()); }},
+      UserAction{.name = "First view",
+                 .shortcut = "Home",
+                 .tip = "As it was when the file was opened.",
+                 .run = [this] { go_home(on_.view, on_.world().bounds()); },
+                 .ends_group = true},
+  };
+  for (size_t i = 0; i < kStandardViews.size(); ++i) actions.push_back(look_action(on_.view, i));
+  actions.push_back(UserAction{.name = "Orthographic",
+                               .shortcut = "5",
+                               .pad_key = GLFW_KEY_KP_5,
+                               .tip = "Without perspective: lengths are drawn alike at all distances.",
+                               .run = [this] { on_.view.camera.set_parallel(!on_.view.camera.parallel()); },
+                               .checked = [this] { return on_.view.camera.parallel(); }});
+  return actions;
+}
+
+std::vector<UserAction> ViewFeature::switch_actions() {
+  std::vector<UserAction> actions;
+  for (const ViewSwitch& each : view_switches()) {
+    if (each.label[0] != '\0') actions.push_back(switch_action(on_, each));
+  }
+  return actions;
+}
+
+UserAction ViewFeature::theme_action() {
+  Theme& theme = on_.settings.theme;
+  return {.name = "Light theme",
+          .shortcut = "F9",
+          .tip = "Bright panels and menus; the picture stays as it is.",
+          .run = [&theme] { theme = theme == Theme::kLight ? Theme::kDark : Theme::kLight; },
+          .checked = [&theme] { return theme == Theme::kLight; }};
+}
+
+std::vector<UserAction> ViewFeature::scale_actions() {
+  Settings& settings = on_.settings;
+  return {
+      UserAction{.name = "Larger text",
+                 .shortcut = "Ctrl+=",
+                 .tip = "Of panels and menus.",
+                 .run = [&settings] { change_scale(settings, kScaleStep); },
+                 .why_not =
+                     [&settings] {
+                       return settings.ui_scale >= Settings::kMostScale ? "It is as large as it can be."
+                                                                        : nullptr;
+                     }},
+      UserAction{.name = "Smaller text",
+                 .shortcut = "Ctrl+-",
+                 .tip = "Of panels and menus.",
+                 .run = [&settings] { change_scale(settings, -kScaleStep); },
+                 .why_not =
+                     [&settings] {
+                       return settings.ui_scale <= Settings::kLeastScale ? "It is as small as it can be."
+                                                                         : nullptr;
+                     }},
+  };
+}
+
+void ViewFeature::report(nlohmann::ordered_json& report) const {
+  nlohmann::ordered_json& all = report["view"];
+  for (const ViewSwitch& s : view_switches()) {
+    const size_t state = s.get(on_.view.look);
+    KERF_ASSERT(state < s.states.size());
+    all[s.report] = s.is_two_state() ? nlohmann::ordered_json(state == 1) : s.states[state];
+  }
+  all["section_plane"] = nullptr;
+  if (const SectionPlane* plane = shown_section(on_.view.look)) all["section_plane"] = section_text(*plane);
+  all["boxes_deepest"] = on_.view.look.tree.deepest;
+  all["boxes_leaves_only"] = on_.view.look.tree.leaves_only;
+  const Vec3 eye = on_.view.seen().near().eye;
+  all["eye"] = {eye.x, eye.y, eye.z};
+  all["orthographic"] = on_.view.camera.parallel();
+  all["frame"] = frame_to_json(on_.view.frame);
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> view_feature(Workspace& on) { return std::make_unique<ViewFeature>(on); }
+
+}  // namespace kerf

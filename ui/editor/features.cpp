@@ -11,6 +11,7 @@
 #include "ui/editor/path/path_feature.h"
 #include "ui/editor/pieces/pieces_feature.h"
 #include "ui/editor/prepare/prepare_feature.h"
+#include "ui/editor/ruler/ruler_feature.h"
 #include "ui/editor/section/section_feature.h"
 #include "ui/editor/shell/dialogs.h"
 #include "ui/editor/single_step/single_step_feature.h"
@@ -33,6 +34,7 @@ Features make_features(Workspace& on, const Catalogue& catalogue) {
   features.push_back(moving_feature(on));
   features.push_back(time_feature(on));
   features.push_back(inspect_feature(on));
+  features.push_back(ruler_feature(on));
   features.push_back(pieces_feature(on));
   features.push_back(history_feature(on));
   features.push_back(material_feature(on));

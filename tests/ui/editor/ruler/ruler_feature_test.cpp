@@ -1,0 +1,89 @@
+#include "ui/editor/ruler/ruler_feature.h"
+
+#include <GLFW/glfw3.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/support/editor_features.h"
+#include "tests/support/made_meshes.h"
+#include "ui/editor/shared/first_picture.h"
+#include "ui/editor/shell/mouse.h"
+
+namespace kerf {
+namespace {
+
+// An editor with a sphere of radius 1 before the eye, and the ruler in hand.
+struct RulerBench {
+  RulerBench() {
+    World world;
+    world.add(make_body("sphere", test::build(test::sphere(24, 32, 1))));
+    on.work.document = Document(std::move(world));
+    on.view.layout = lay_out({1000, 700}, 16, 26, 26);
+    on.view.camera.look({0, 0, 5}, {0, 0, 0});
+    on.view.camera.finish();
+    on.tool = "Ruler";
+  }
+  Vec2 seen(const Vec3& p) const { return FirstPicture(on.view).place_of(p).value(); }
+  void hear(InputEvent::Kind kind, Vec2 at) {
+    hear_mouse(on, editor.features, {kind, at, GLFW_MOUSE_BUTTON_LEFT}, true);
+  }
+  void drag(Vec2 from, Vec2 to) {
+    hear(InputEvent::Kind::kPress, from);
+    if (from != to) hear(InputEvent::Kind::kMove, to);
+    hear(InputEvent::Kind::kRelease, to);
+  }
+  void click(const Vec3& p) { drag(seen(p), seen(p)); }
+  void run(const std::string& name) {
+    for (const UserAction& a : editor.catalogue.actions) {
+      if (a.name == name) a.run();
+    }
+  }
+  nlohmann::json kept() const {
+    return nlohmann::json::parse(on.work.scene.others).value("rulers", nlohmann::json());
+  }
+
+  test::EditorFeatures editor;
+  Workspace& on = editor.on;
+};
+
+TEST(RulerFeature, two_clicks_keep_a_distance_in_the_head_of_the_document_and_cut_nothing) {
+  RulerBench bench;
+  bench.click({-0.5, 0, 0.8});
+  EXPECT_TRUE(bench.kept().is_null());
+  bench.click({0.5, 0, 0.8});
+  ASSERT_EQ(bench.kept().size(), 1u);
+  EXPECT_LT(bench.kept()[0]["from"][0], 0);
+  EXPECT_GT(bench.kept()[0]["to"][0], 0);
+  EXPECT_EQ(bench.on.work.document.strokes(), 0u);
+  bench.run("Undo the edit of distances");
+  EXPECT_TRUE(bench.kept().is_null());
+}
+
+TEST(RulerFeature, a_drag_of_an_end_moves_it_and_is_one_step_of_the_undo) {
+  RulerBench bench;
+  bench.click({-0.5, 0, 0.8});
+  bench.click({0.5, 0, 0.8});
+  const nlohmann::json before = bench.kept();
+  const nlohmann::json& to = before[0]["to"];
+  const Vec2 end = bench.seen({to[0].get<double>(), to[1].get<double>(), to[2].get<double>()});
+  bench.drag(end, end + Vec2(0, -60));
+  ASSERT_EQ(bench.kept().size(), 1u);
+  EXPECT_GT(bench.kept()[0]["to"][1], 0.1);
+  EXPECT_EQ(bench.kept()[0]["from"], before[0]["from"]);
+  bench.run("Undo the edit of distances");
+  EXPECT_EQ(bench.kept(), before);
+}
+
+TEST(RulerFeature, shows_what_the_head_of_an_opened_document_holds) {
+  RulerBench bench;
+  bench.on.work.scene.others = R"({"rulers": [{"name": "axle", "from": [0, 0, 1], "to": [0, 1, 0]}]})";
+  for (const auto& feature : bench.editor.features) feature->forget();
+  nlohmann::ordered_json report;
+  for (const auto& feature : bench.editor.features) feature->report(report);
+  ASSERT_EQ(report["rulers"].size(), 1u);
+  EXPECT_EQ(report["rulers"][0]["name"], "axle");
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,84 @@
+#include "ui/editor/ruler/ruler_list.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+namespace kerf {
+namespace {
+
+RulerList two_marks() {
+  RulerList list;
+  list.begin_edit();
+  list.add({0, 0, 0}, {3, 4, 0});
+  list.begin_edit();
+  list.add({1, 0, 0}, {1, 0, 2});
+  return list;
+}
+
+TEST(RulerList, each_edit_is_undone_and_done_again) {
+  RulerList list = two_marks();
+  list.begin_edit();
+  list.rename(0, "height");
+  list.begin_edit();
+  list.move(0, true, {0, 0, 7});
+  const std::vector<RulerMark> all = list.marks();
+  EXPECT_EQ(all[0], (RulerMark{"height", {0, 0, 0}, {0, 0, 7}}));
+  for (int i = 0; i < 4; ++i) list.undo();
+  EXPECT_TRUE(list.marks().empty());
+  EXPECT_FALSE(list.can_undo());
+  for (int i = 0; i < 4; ++i) list.redo();
+  EXPECT_EQ(list.marks(), all);
+  EXPECT_FALSE(list.can_redo());
+}
+
+TEST(RulerList, a_new_edit_ends_what_could_be_done_again) {
+  RulerList list = two_marks();
+  list.undo();
+  list.begin_edit();
+  list.remove(0);
+  EXPECT_FALSE(list.can_redo());
+  EXPECT_TRUE(list.marks().empty());
+}
+
+TEST(RulerList, names_differ_also_after_one_was_removed) {
+  RulerList list = two_marks();
+  list.begin_edit();
+  list.remove(0);
+  list.begin_edit();
+  list.add({0, 0, 0}, {1, 1, 1});
+  EXPECT_EQ(list.marks()[0].name, "Distance 2");
+  EXPECT_EQ(list.marks()[1].name, "Distance 3");
+}
+
+TEST(RulerList, comes_back_from_the_head_of_a_document) {
+  const RulerList list = two_marks();
+  RulerList read;
+  read.read(list.to_json());
+  EXPECT_EQ(read.marks(), list.marks());
+  EXPECT_FALSE(read.can_undo());
+  EXPECT_TRUE(RulerList().to_json().is_null());
+}
+
+TEST(RulerList, leaves_out_entries_that_it_cannot_read) {
+  RulerList list;
+  list.read(nlohmann::json::parse(
+      R"([{"name": "a", "from": [0, 0, 0], "to": [1, 0, 0]}, {"name": "b", "from": [0, 0]}, 7])"));
+  ASSERT_EQ(list.marks().size(), 1u);
+  EXPECT_EQ(list.marks()[0].name, "a");
+  list.read(nlohmann::json::parse(R"({"not": "a list"})"));
+  EXPECT_TRUE(list.marks().empty());
+}
+
+TEST(RulerList, is_a_table_with_names_in_quotes) {
+  RulerList list = two_marks();
+  list.begin_edit();
+  list.rename(1, "a \"b\", c");
+  EXPECT_EQ(list.to_csv(),
+            "name,from x,from y,from z,to x,to y,to z,length\n"
+            "\"Distance 1\",0,0,0,3,4,0,5\n"
+            "\"a \"\"b\"\", c\",1,0,0,1,0,2,2\n");
+}
+
+}  // namespace
+}  // namespace kerf

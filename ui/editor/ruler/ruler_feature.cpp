@@ -1,0 +1,316 @@
+#include "ui/editor/ruler/ruler_feature.h"
+
+#include <imgui.h>
+
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "core/base/assert.h"
+#include "core/base/atomic_file.h"
+#include "ui/editor/ruler/ruler_list.h"
+#include "ui/editor/shared/document_head.h"
+#include "ui/editor/shared/file_frames.h"
+#include "ui/editor/shared/first_picture.h"
+#include "ui/editor/shared/surface_point.h"
+#include "ui/window/imgui_vector.h"
+#include "ui/window/row_button.h"
+#include "ui/window/theme.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr const char* kRuler = "Ruler";      // the tool and the panel
+constexpr const char* kRulerKey = "rulers";  // in the head of a document
+constexpr double kReachOfEnd = 8;            // screen coordinates
+
+struct EndOfMark {
+  size_t mark = 0;
+  bool to = false;
+};
+
+class RulerFeature : public Feature {
+ public:
+  explicit RulerFeature(Workspace& on) : on_(on) {}
+
+  std::vector<Panel> panels() override {
+    return {{kRuler, 1250, false, [this] { draw_panel(); }}};
+  }
+  std::vector<ActionGroup> actions() override;
+
+  std::unique_ptr<Interaction> claim(const Press& press) override;
+  bool let_go() override { return std::exchange(first_, std::nullopt).has_value(); }
+  const char* hint() const override {
+    return in_hand() ? "Ruler: two clicks keep a distance; its ends are dragged" : nullptr;
+  }
+
+  void forget() override {
+    first_.reset();
+    list_.read(head_entry(on_.work.scene, kRulerKey));
+  }
+
+  void draw_marks(ImDrawList& list) override;
+  void mark(Landmarks& landmarks) const override;
+  void report(nlohmann::ordered_json& report) const override { report[kRulerKey] = list_.to_json(); }
+
+ private:
+  // A click measures, from the last click or to the next one.
+  class Click : public Interaction {
+   public:
+    explicit Click(RulerFeature& feature) : feature_(feature) {}
+    void release(const InputEvent&) override { feature_.measure(); }
+
+   private:
+    RulerFeature& feature_;
+  };
+
+  // Moves an end over the surfaces.
+  class DragOfEnd : public Interaction {
+   public:
+    DragOfEnd(RulerFeature& feature, EndOfMark end) : feature_(feature), end_(end) {}
+    void move(const InputEvent&) override {
+      const auto surface = feature_.under_pointer();
+      if (!surface || end_.mark >= feature_.list_.marks().size()) return;
+      if (!std::exchange(edits_, true)) feature_.list_.begin_edit();
+      feature_.list_.move(end_.mark, end_.to, *surface);
+      feature_.keep();
+    }
+    const char* words() const override { return "Ruler: the end follows the pointer over the surface"; }
+
+   private:
+    RulerFeature& feature_;
+    EndOfMark end_;
+    bool edits_ = false;
+  };
+
+  bool in_hand() const { return on_.tool == kRuler; }
+  bool shown() const { return in_hand() || on_.settings.shows(kRuler); }
+  void keep() { set_head_entry(on_.work.scene, kRulerKey, list_.to_json()); }
+  std::optional<Vec3> under_pointer() const;
+  std::optional<EndOfMark> end_under_pointer() const;
+  void measure();
+  void step(bool back);
+
+  void draw_panel();
+  void draw_row(size_t mark);
+  void edit_name(size_t mark);
+  void choose_file_to_export();
+  std::string export_to(const std::filesystem::path& file);
+
+  Workspace& on_;
+  RulerList list_;
+  std::optional<Vec3> first_;      // m, the end that was clicked, of a distance that waits for the other
+  std::optional<size_t> renamed_;  // the mark whose name is being edited
+  std::array<char, 96> new_name_{};
+};
+
+// Input
+// --------------------------------------------------------------------------------------------------------
+
+std::vector<ActionGroup> RulerFeature::actions() {
+  UserAction take =
+      tool_action(on_, kRuler, "",
+                  "Two clicks on surfaces keep the distance between them, which is named, moved, "
+                  "saved and exported.");
+  take.run = [this, run = take.run] {
+    run();
+    on_.settings.unfold(kRuler);
+  };
+  const auto action = [](const char* name, const char* tip, std::function<void()> run,
+                         std::function<const char*()> why_not) {
+    return UserAction{
+        .name = name, .tip = tip, .run = std::move(run), .why_not = std::move(why_not), .in_menu = false};
+  };
+  return {
+      {302, "Tool", {take}},
+      {1410,
+       "Ruler",
+       {action(
+            "Undo the edit of distances", "Of the distances that the ruler keeps.", [this] { step(true); },
+            [this] { return list_.can_undo() ? nullptr : "No distance was edited yet."; }),
+        action(
+            "Redo the edit of distances", "Edits them again as before the undo.", [this] { step(false); },
+            [this] { return list_.can_redo() ? nullptr : "No edit of distances was undone."; }),
+        action(
+            "Export the distances...", "As a table (.csv) with the ends and the length of each.",
+            [this] { choose_file_to_export(); },
+            [this] { return list_.marks().empty() ? "No distance is kept." : nullptr; })}}};
+}
+
+std::optional<Vec3> RulerFeature::under_pointer() const {
+  const auto surface = surface_point(on_.world(), on_.view.look, FirstPicture(on_.view).ray(on_.pointer));
+  return surface ? std::optional(surface->at) : std::nullopt;
+}
+
+std::optional<EndOfMark> RulerFeature::end_under_pointer() const {
+  const FirstPicture picture(on_.view);
+  for (size_t i = 0; i < list_.marks().size(); ++i) {
+    for (const bool to : {false, true}) {
+      const auto place = picture.place_of(to ? list_.marks()[i].to : list_.marks()[i].from);
+      if (place && glm::length(*place - on_.pointer) < kReachOfEnd) return EndOfMark{i, to};
+    }
+  }
+  return std::nullopt;
+}
+
+std::unique_ptr<Interaction> RulerFeature::claim(const Press& press) {
+  if (!in_hand() || press.control || on_.view.in_second) return nullptr;
+  if (const auto end = end_under_pointer(); end && !first_) return std::make_unique<DragOfEnd>(*this, *end);
+  return std::make_unique<Click>(*this);
+}
+
+void RulerFeature::measure() {
+  const auto surface = under_pointer();
+  if (!surface) return on_.message.say("There is no surface under the pointer.", true);
+  if (!first_) {
+    first_ = *surface;
+    return on_.message.say("Click a second point to keep its distance from this one.");
+  }
+  list_.begin_edit();
+  list_.add(*std::exchange(first_, std::nullopt), *surface);
+  keep();
+  const RulerMark& mark = list_.marks().back();
+  on_.message.say(mark.name + ": " + length_label(mark.length(), on_.view.frame.unit));
+}
+
+void RulerFeature::step(bool back) {
+  if (back) {
+    list_.undo();
+  } else {
+    list_.redo();
+  }
+  renamed_.reset();
+  keep();
+}
+
+// The panel
+// --------------------------------------------------------------------------------------------------------
+
+void RulerFeature::draw_panel() {
+  if (list_.marks().empty()) ImGui::TextWrapped("Take the tool Ruler and click two points on surfaces.");
+  if (!list_.marks().empty() && ImGui::BeginTable("distances", 3, ImGuiTableFlags_RowBg)) {
+    const float em = ImGui::GetFontSize();
+    ImGui::TableSetupColumn("Name", ImGuiTableColumnFlags_WidthStretch);
+    ImGui::TableSetupColumn("Length", ImGuiTableColumnFlags_WidthFixed, 5 * em);
+    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, 4 * em);
+    for (size_t i = 0; i < list_.marks().size(); ++i) draw_row(i);
+    ImGui::EndTable();
+  }
+  if (row_button("Undo", 3, list_.can_undo() ? nullptr : "No distance was edited yet.",
+                 "Takes the last edit of a distance back."))
+    step(true);
+  ImGui::SameLine();
+  if (row_button("Redo", 3, list_.can_redo() ? nullptr : "No edit was undone.", "Edits it again."))
+    step(false);
+  ImGui::SameLine();
+  if (row_button("Export", 3, list_.marks().empty() ? "No distance is kept." : nullptr,
+                 "Writes the distances to a table (.csv)."))
+    choose_file_to_export();
+}
+
+void RulerFeature::draw_row(size_t mark) {
+  ImGui::PushID(static_cast<int>(mark));
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  const std::string name = list_.marks()[mark].name;
+  if (renamed_ == mark) {
+    edit_name(mark);
+  } else if (ImGui::Selectable((name + "###name").c_str())) {
+    renamed_ = mark;
+    new_name_.fill('\0');
+    std::memcpy(new_name_.data(), name.data(), std::min(name.size(), new_name_.size() - 1));
+  }
+  mark_last_item("ruler name", static_cast<int>(mark));
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(length_label(list_.marks()[mark].length(), on_.view.frame.unit).c_str());
+  ImGui::TableNextColumn();
+  const bool removed = ImGui::SmallButton("remove");
+  mark_last_item("ruler remove", static_cast<int>(mark));
+  ImGui::PopID();
+  if (!removed) return;
+  list_.begin_edit();
+  list_.remove(mark);
+  renamed_.reset();
+  keep();
+}
+
+// Enter takes the name; whatever else ends the edit leaves it as it was.
+void RulerFeature::edit_name(size_t mark) {
+  ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(-1);
+  const bool entered =
+      ImGui::InputText("##name", new_name_.data(), new_name_.size(),
+                       ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  if (!entered && !ImGui::IsItemDeactivated()) return;
+  renamed_.reset();
+  const std::string name = new_name_.data();
+  if (!entered || name.empty() || name == list_.marks()[mark].name) return;
+  list_.begin_edit();
+  list_.rename(mark, name);
+  keep();
+}
+
+void RulerFeature::choose_file_to_export() {
+  browse(on_.browser,
+         {.title = "Export the distances",
+          .verb = "Export",
+          .hint = "Name; the ending is .csv",
+          .endings = {".csv"},
+          .take = [this](const std::filesystem::path& file) { return export_to(file); }},
+         on_.settings.folder, "distances.csv");
+}
+
+std::string RulerFeature::export_to(const std::filesystem::path& file) {
+  const Status written = write_file_atomically(file, list_.to_csv());
+  if (!written) return written.error().message;
+  on_.message.say("Written: " + file.string());
+  return "";
+}
+
+// The picture
+// --------------------------------------------------------------------------------------------------------
+
+void draw_distance(Vec2 from, Vec2 to, const std::string& text, ImDrawList& list) {
+  list.AddLine(to_im(from), to_im(to), IM_COL32(10, 12, 16, 190), 4);
+  list.AddLine(to_im(from), to_im(to), colours::accent(), 1.6f);
+  for (const Vec2& end : {from, to}) {
+    list.AddCircleFilled(to_im(end), 5, IM_COL32(10, 12, 16, 190));
+    list.AddCircleFilled(to_im(end), 3.2f, colours::accent());
+  }
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  const float em = ImGui::GetFontSize();
+  const Vec2 middle = 0.5 * (from + to);
+  const ImVec2 at(static_cast<float>(middle.x) - 0.5f * size.x, static_cast<float>(middle.y) - 1.8f * em);
+  list.AddRectFilled({at.x - 0.5f * em, at.y - 0.25f * em}, {at.x + size.x + 0.5f * em, at.y + 1.3f * em},
+                     IM_COL32(0x1b, 0x1f, 0x26, 230), 3);
+  list.AddText(at, colours::kPictureText, text.c_str());
+}
+
+void RulerFeature::draw_marks(ImDrawList& list) {
+  if (!shown()) return;
+  const FirstPicture picture(on_.view);
+  for (const RulerMark& m : list_.marks()) {
+    const auto from = picture.place_of(m.from), to = picture.place_of(m.to);
+    if (from && to)
+      draw_distance(*from, *to, m.name + ": " + length_label(m.length(), on_.view.frame.unit), list);
+  }
+  const auto first = first_ ? picture.place_of(*first_) : std::nullopt;
+  if (first && in_hand()) list.AddCircleFilled(to_im(*first), 3.2f, colours::accent());
+}
+
+void RulerFeature::mark(Landmarks& landmarks) const {
+  const FirstPicture picture(on_.view);
+  for (size_t i = 0; i < list_.marks().size() && shown(); ++i) {
+    const RulerMark& m = list_.marks()[i];
+    if (const auto at = picture.place_of(m.from))
+      landmarks.mark("ruler from " + std::to_string(i), {*at, Vec2(0)});
+    if (const auto at = picture.place_of(m.to))
+      landmarks.mark("ruler to " + std::to_string(i), {*at, Vec2(0)});
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> ruler_feature(Workspace& on) { return std::make_unique<RulerFeature>(on); }
+
+}  // namespace kerf

@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "core/document/document.h"
 #include "core/document/scene.h"
 #include "tests/support/checkout.h"
 #include "tests/support/made_meshes.h"

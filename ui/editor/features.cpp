@@ -8,6 +8,7 @@
 #include "ui/editor/light/light_feature.h"
 #include "ui/editor/material/material_feature.h"
 #include "ui/editor/moving/moving_feature.h"
+#include "ui/editor/path/emitter_feature.h"
 #include "ui/editor/path/path_feature.h"
 #include "ui/editor/pieces/pieces_feature.h"
 #include "ui/editor/prepare/prepare_feature.h"
@@ -30,6 +31,7 @@ Features make_features(Workspace& on, const Catalogue& catalogue) {
   features.push_back(view_feature(on));
   features.push_back(light_feature(on));
   features.push_back(section_feature(on));
+  features.push_back(emitter_feature(on));
   features.push_back(path_feature(on));
   features.push_back(moving_feature(on));
   features.push_back(time_feature(on));

@@ -6,19 +6,15 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/base/assert.h"
-#include "core/cut/cuttable.h"
 #include "core/document/autosave.h"
 #include "core/document/edit_path.h"
 #include "core/document/json_value.h"
 #include "core/document/save.h"
 #include "core/document/stroke_settings.h"
-#include "ui/editor/path/emitter_rows.h"
 #include "ui/editor/path/kept_path.h"
 #include "ui/editor/path/path_marks.h"
 #include "ui/editor/path/path_panel.h"
 #include "ui/editor/path/path_tool.h"
-#include "ui/editor/shared/surface_point.h"
 #include "ui/window/imgui_vector.h"
 
 namespace kerf {
@@ -27,7 +23,6 @@ namespace {
 
 constexpr const char* kPath = "Path";  // the tool and the panel
 constexpr const char* kNoPoints = "The path has no points.";
-constexpr double kEmitterAway = 0.35;  // diagonals of the world
 
 std::string counted(size_t count, const char* what) {
   return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
@@ -52,25 +47,6 @@ class DragOfPoint : public Interaction {
   PathTool tool_;
 };
 
-// Moves or aims the emitter. The beam of one that fires follows each move of the pointer, as that of the
-// pointer itself does.
-class DragOfEmitter : public Interaction {
- public:
-  DragOfEmitter(Workspace& on, Emitter& emitter) : on_(on), emitter_(emitter) {}
-
-  void move(const InputEvent& event) override {
-    const FirstPicture picture(on_.view);
-    const auto surface = surface_point(on_.world(), on_.view.look, picture.ray(on_.pointer));
-    emitter_.drag(picture, on_.pointer, surface ? std::optional(surface->at) : std::nullopt);
-    if (emitter_.drawing) on_.beam.carry_to(on_.work.document, emitter_.pose(), event.seconds);
-  }
-  const char* words() const override { return "Moving the emitter"; }
-
- private:
-  Workspace& on_;
-  Emitter& emitter_;
-};
-
 class PathFeature : public Feature {
  public:
   explicit PathFeature(Workspace& on) : on_(on), kept_(state_folder()) {
@@ -78,20 +54,16 @@ class PathFeature : public Feature {
   }
 
   std::vector<Panel> panels() override {
-    return {
-        {"Laser", 120, true, [this] { emitter_rows_.draw(emitter_, on_.view, [this] { place_emitter(); }); }},
-        {kPath, 500, false, [this] { draw_panel(); }}};
+    return {{kPath, 500, false, [this] { draw_panel(); }}};
   }
   std::vector<ActionGroup> actions() override {
-    return {
-        {303, "Tool", {take_tool_action()}}, {400, "Path", path_actions()}, {410, "Path", emitter_actions()}};
+    return {{303, "Tool", {take_tool_action()}}, {400, "Path", path_actions()}};
   }
   std::vector<Gesture> gestures() const override {
     return {
         {60, "Click on a surface",
          "Add a point to the path, with the tool Path; Shift begins another stroke"},
-        {70, "Left drag on a point or its knob", "Move a point of the path over the surface, turn its beam"},
-        {80, "Left drag on the emitter", "Move it, or aim it by the ring where it aims"}};
+        {70, "Left drag on a point or its knob", "Move a point of the path over the surface, turn its beam"}};
   }
 
   Status start(const EditorOptions&) override {
@@ -105,14 +77,11 @@ class PathFeature : public Feature {
   const char* hint() const override {
     return in_hand() ? "Path: click adds a point, Shift begins another stroke, Ctrl+Enter runs it" : nullptr;
   }
-  bool stop() override { return std::exchange(emitter_.firing, false); }
 
   void advance(double) override {
-    if (!on_.changes.is_pending()) follow_emitter(on_.clock->seconds());
     keep(on_.clock->seconds());
     on_.laser.planned_speed = path_.speed();
   }
-  bool moving() const override { return emitter_.firing && emitter_.in_shots; }
 
   void draw_marks(ImDrawList& list) override;
   void mark(Landmarks& landmarks) const override;
@@ -124,7 +93,6 @@ class PathFeature : public Feature {
   const char* why_no_run() const;
   UserAction take_tool_action();
   std::vector<UserAction> path_actions();
-  std::vector<UserAction> emitter_actions();
   void draw_panel();
 
   bool take_file(const std::filesystem::path& file);
@@ -137,29 +105,18 @@ class PathFeature : public Feature {
 
   void ask_for_run();
   void run();
-  void place_emitter();
-  void follow_emitter(double now);
-  void begin_fire(double now);
-  void fire_shots(double now);
 
   Workspace& on_;
   PathWork path_;
   bool at_panel_resolution_ = false;  // the path is run so, and not as kerf cut --path does
   PathPanel panel_;
   KeptPath kept_;
-  Emitter emitter_;
-  EmitterRows emitter_rows_;
 };
 
 // Input
 // --------------------------------------------------------------------------------------------------------
 
 std::unique_ptr<Interaction> PathFeature::claim(const Press& press) {
-  const auto handles = emitter_handles(emitter_, FirstPicture(on_.view));
-  if (const auto handle = emitter_handle_under(handles, on_.pointer); handle && !on_.view.in_second) {
-    emitter_.take(*handle, on_.pointer);
-    return std::make_unique<DragOfEmitter>(on_, emitter_);
-  }
   if (!in_hand() || press.control) return nullptr;
   auto drag = std::make_unique<DragOfPoint>(on_, path_);
   if (on_.view.in_second) {
@@ -237,29 +194,6 @@ std::vector<UserAction> PathFeature::path_actions() {
                  .why_not = [this] { return path_.can_redo() ? nullptr : "No edit of the path was undone."; },
                  .has_key_when = [this, takes_undo] { return takes_undo() && path_.can_redo(); },
                  .ends_group = true},
-  };
-}
-
-std::vector<UserAction> PathFeature::emitter_actions() {
-  const auto why_none = [this] {
-    return emitter_.placed() ? nullptr : "There is no emitter: place one first.";
-  };
-  return {
-      UserAction{.name = "Place the emitter",
-                 .shortcut = "Shift+U",
-                 .tip = "A laser that stands in the scene, aimed at the middle of the picture.",
-                 .run = [this] { place_emitter(); }},
-      UserAction{
-          .name = "Fire the emitter",
-          .shortcut = "U",
-          .tip = "Switches it on or off. The Laser panel says whether it fires without a break or in shots.",
-          .run = [this] { emitter_.firing = !emitter_.firing; },
-          .checked = [this] { return emitter_.firing; },
-          .why_not = why_none},
-      UserAction{.name = "Take the emitter away",
-                 .tip = "Takes it out of the scene.",
-                 .run = [this] { emitter_.remove(); },
-                 .why_not = why_none},
   };
 }
 
@@ -375,76 +309,25 @@ void PathFeature::run() {
   on_.cut_once = true;
 }
 
-// Where the view looks.
-void PathFeature::place_emitter() {
-  const double diagonal = on_.world().bounds().diagonal();
-  const CameraView view = on_.view.seen_first();
-  const auto surface = surface_point(on_.world(), on_.view.look, view.ray(0, 0));
-  place_in_view(emitter_, view, surface ? surface->at : on_.view.camera.pivot(),
-                diagonal > 0 ? kEmitterAway * diagonal : 1);
-}
-
-// Begins, continues or ends the stroke of the emitter, as it is switched, or fires the shot that is due.
-void PathFeature::follow_emitter(double now) {
-  LaserTool& beam = on_.beam;
-  const bool ended_elsewhere = (emitter_.drawing && !beam.cutting()) || (on_.held && on_.held->cuts());
-  if (ended_elsewhere) emitter_.firing = emitter_.drawing = false;
-  if (on_.opening.loader.busy()) emitter_.firing = false;
-  if (emitter_.in_shots && !emitter_.drawing) return fire_shots(now);
-  const bool on = emitter_.firing && !emitter_.in_shots;
-  if (on && !emitter_.drawing) {
-    begin_fire(now);
-  } else if (on) {
-    beam.carry_to(on_.work.document, emitter_.pose(), now);
-  } else if (emitter_.drawing) {
-    beam.release(on_.work.document);
-  }
-  emitter_.drawing = on;
-}
-
-void PathFeature::begin_fire(double now) {
-  cancel_stroke(on_);
-  stand_together(on_);
-  KERF_ASSERT(emitter_.placed());
-  on_.beam.fire(on_.work.document, emitter_.pose(), emitter_.distance(),
-                on_.laser.settings(on_.world().bounds().diagonal()), now);
-  on_.cut_once = true;
-}
-
-// A shot waits until the last one is cut. One that meets nothing would be an empty step of the history.
-void PathFeature::fire_shots(double now) {
-  const Document& document = on_.work.document;
-  if (!emitter_.firing) return emitter_.pace.begin();
-  if (on_.beam.cutting() || document.waiting() > 0 || !emitter_.pace.is_due(now)) return;
-  emitter_.pace.take(now);
-  const Laser laser = on_.laser.settings(on_.world().bounds().diagonal()).laser;
-  if (!meets_anything(on_.world(), laser, emitter_.pose())) return;
-  begin_fire(now);
-  on_.beam.release(on_.work.document);
-}
-
 // Telling
 // --------------------------------------------------------------------------------------------------------
 
-// The path while it is in hand or its panel is unfolded, and the emitter.
+// The path while it is in hand or its panel is unfolded.
 void PathFeature::draw_marks(ImDrawList& list) {
+  if (!shows_path() || on_.cutting()) return;
   const FirstPicture picture(on_.view);
   const Area& first = on_.view.layout.first;
   list.PushClipRect(to_im(first.at), to_im(first.at + first.size), true);
-  if (shows_path() && !on_.cutting()) draw_path(path_, on_.world(), picture, list);
-  draw_emitter(emitter_, picture, on_.pointer_over_picture(), list);
+  draw_path(path_, on_.world(), picture, list);
   list.PopClipRect();
 }
 
 void PathFeature::mark(Landmarks& landmarks) const {
+  if (!shows_path()) return;
   const FirstPicture picture(on_.view);
-  if (shows_path()) {
-    for (const PathMark& mark : path_marks(path_, on_.world(), picture))
-      landmarks.mark("path point " + std::to_string(mark.number), {mark.target, Vec2(0)});
-    if (const auto knob = path_knob(path_, picture)) landmarks.mark("path knob", {knob->place, Vec2(0)});
-  }
-  for (const EmitterHandle& handle : emitter_handles(emitter_, picture))
-    landmarks.mark(name_of(handle), {handle.to, Vec2(0)});
+  for (const PathMark& mark : path_marks(path_, on_.world(), picture))
+    landmarks.mark("path point " + std::to_string(mark.number), {mark.target, Vec2(0)});
+  if (const auto knob = path_knob(path_, picture)) landmarks.mark("path knob", {knob->place, Vec2(0)});
 }
 
 void PathFeature::report(nlohmann::ordered_json& report) const {
@@ -457,12 +340,6 @@ void PathFeature::report(nlohmann::ordered_json& report) const {
                     {"targets", targets},
                     {"speed", path_.speed()},
                     {"unsaved", path_.is_unsaved()}};
-  report["emitter"] = {{"placed", emitter_.placed()},
-                       {"at", vector_json(emitter_.at())},
-                       {"target", vector_json(emitter_.target())},
-                       {"firing", emitter_.firing},
-                       {"in_shots", emitter_.in_shots},
-                       {"pace", emitter_.pace.per_second()}};
 }
 
 }  // namespace

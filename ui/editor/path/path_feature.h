@@ -5,8 +5,7 @@
 
 namespace kerf {
 
-// The lasers that are set up in the scene, beside the one that the pointer holds: the path, which is drawn
-// point by point and run, and the emitter, which fires while it is switched on.
+// The path of the laser, which is drawn point by point over the surface and then run.
 std::unique_ptr<Feature> path_feature(Workspace& on);
 
 }  // namespace kerf

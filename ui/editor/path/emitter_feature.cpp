@@ -1,0 +1,178 @@
+#include "ui/editor/path/emitter_feature.h"
+
+#include <imgui.h>
+
+#include <nlohmann/json.hpp>
+
+#include "core/base/assert.h"
+#include "core/cut/cuttable.h"
+#include "core/document/json_value.h"
+#include "ui/editor/path/emitter_rows.h"
+#include "ui/editor/shared/surface_point.h"
+#include "ui/window/imgui_vector.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr double kEmitterAway = 0.35;  // diagonals of the world
+
+// Moves or aims the emitter. The beam of one that fires follows each move of the pointer, as that of the
+// pointer itself does.
+class DragOfEmitter : public Interaction {
+ public:
+  DragOfEmitter(Workspace& on, Emitter& emitter) : on_(on), emitter_(emitter) {}
+
+  void move(const InputEvent& event) override {
+    const FirstPicture picture(on_.view);
+    const auto surface = surface_point(on_.world(), on_.view.look, picture.ray(on_.pointer));
+    emitter_.drag(picture, on_.pointer, surface ? std::optional(surface->at) : std::nullopt);
+    if (emitter_.drawing) on_.beam.carry_to(on_.work.document, emitter_.pose(), event.seconds);
+  }
+  const char* words() const override { return "Moving the emitter"; }
+
+ private:
+  Workspace& on_;
+  Emitter& emitter_;
+};
+
+class EmitterFeature : public Feature {
+ public:
+  explicit EmitterFeature(Workspace& on) : on_(on) {}
+
+  std::vector<Panel> panels() override {
+    return {{"Laser", 120, true, [this] { rows_.draw(emitter_, on_.view, [this] { place(); }); }}};
+  }
+  std::vector<ActionGroup> actions() override { return {{410, "Path", emitter_actions()}}; }
+  std::vector<Gesture> gestures() const override {
+    return {{80, "Left drag on the emitter", "Move it, or aim it by the ring where it aims"}};
+  }
+
+  std::unique_ptr<Interaction> claim(const Press& press) override;
+  bool stop() override { return std::exchange(emitter_.firing, false); }
+  void advance(double) override {
+    if (!on_.changes.is_pending()) follow_switch(on_.clock->seconds());
+  }
+  bool moving() const override { return emitter_.firing && emitter_.in_shots; }
+
+  void draw_marks(ImDrawList& list) override;
+  void mark(Landmarks& landmarks) const override;
+  void report(nlohmann::ordered_json& report) const override;
+
+ private:
+  std::vector<UserAction> emitter_actions();
+  void place();
+  void follow_switch(double now);
+  void begin_fire(double now);
+  void fire_shots(double now);
+
+  Workspace& on_;
+  Emitter emitter_;
+  EmitterRows rows_;
+};
+
+std::unique_ptr<Interaction> EmitterFeature::claim(const Press&) {
+  const auto handles = emitter_handles(emitter_, FirstPicture(on_.view));
+  const auto handle = emitter_handle_under(handles, on_.pointer);
+  if (!handle || on_.view.in_second) return nullptr;
+  emitter_.take(*handle, on_.pointer);
+  return std::make_unique<DragOfEmitter>(on_, emitter_);
+}
+
+std::vector<UserAction> EmitterFeature::emitter_actions() {
+  const auto why_none = [this] {
+    return emitter_.placed() ? nullptr : "There is no emitter: place one first.";
+  };
+  return {
+      UserAction{.name = "Place the emitter",
+                 .shortcut = "Shift+U",
+                 .tip = "A laser that stands in the scene, aimed at the middle of the picture.",
+                 .run = [this] { place(); }},
+      UserAction{
+          .name = "Fire the emitter",
+          .shortcut = "U",
+          .tip = "Switches it on or off. The Laser panel says whether it fires without a break or in shots.",
+          .run = [this] { emitter_.firing = !emitter_.firing; },
+          .checked = [this] { return emitter_.firing; },
+          .why_not = why_none},
+      UserAction{.name = "Take the emitter away",
+                 .tip = "Takes it out of the scene.",
+                 .run = [this] { emitter_.remove(); },
+                 .why_not = why_none},
+  };
+}
+
+// Where the view looks.
+void EmitterFeature::place() {
+  const double diagonal = on_.world().bounds().diagonal();
+  const CameraView view = on_.view.seen_first();
+  const auto surface = surface_point(on_.world(), on_.view.look, view.ray(0, 0));
+  place_in_view(emitter_, view, surface ? surface->at : on_.view.camera.pivot(),
+                diagonal > 0 ? kEmitterAway * diagonal : 1);
+}
+
+// Begins, continues or ends the stroke of the emitter, as it is switched, or fires the shot that is due.
+void EmitterFeature::follow_switch(double now) {
+  LaserTool& beam = on_.beam;
+  const bool ended_elsewhere = (emitter_.drawing && !beam.cutting()) || (on_.held && on_.held->cuts());
+  if (ended_elsewhere) emitter_.firing = emitter_.drawing = false;
+  if (on_.opening.loader.busy()) emitter_.firing = false;
+  if (emitter_.in_shots && !emitter_.drawing) return fire_shots(now);
+  const bool on = emitter_.firing && !emitter_.in_shots;
+  if (on && !emitter_.drawing) {
+    begin_fire(now);
+  } else if (on) {
+    beam.carry_to(on_.work.document, emitter_.pose(), now);
+  } else if (emitter_.drawing) {
+    beam.release(on_.work.document);
+  }
+  emitter_.drawing = on;
+}
+
+void EmitterFeature::begin_fire(double now) {
+  cancel_stroke(on_);
+  stand_together(on_);
+  KERF_ASSERT(emitter_.placed());
+  on_.beam.fire(on_.work.document, emitter_.pose(), emitter_.distance(),
+                on_.laser.settings(on_.world().bounds().diagonal()), now);
+  on_.cut_once = true;
+}
+
+// A shot waits until the last one is cut. One that meets nothing would be an empty step of the history.
+void EmitterFeature::fire_shots(double now) {
+  const Document& document = on_.work.document;
+  if (!emitter_.firing) return emitter_.pace.begin();
+  if (on_.beam.cutting() || document.waiting() > 0 || !emitter_.pace.is_due(now)) return;
+  emitter_.pace.take(now);
+  const Laser laser = on_.laser.settings(on_.world().bounds().diagonal()).laser;
+  if (!meets_anything(on_.world(), laser, emitter_.pose())) return;
+  begin_fire(now);
+  on_.beam.release(on_.work.document);
+}
+
+void EmitterFeature::draw_marks(ImDrawList& list) {
+  const Area& first = on_.view.layout.first;
+  list.PushClipRect(to_im(first.at), to_im(first.at + first.size), true);
+  draw_emitter(emitter_, FirstPicture(on_.view), on_.pointer_over_picture(), list);
+  list.PopClipRect();
+}
+
+void EmitterFeature::mark(Landmarks& landmarks) const {
+  for (const EmitterHandle& handle : emitter_handles(emitter_, FirstPicture(on_.view)))
+    landmarks.mark(name_of(handle), {handle.to, Vec2(0)});
+}
+
+void EmitterFeature::report(nlohmann::ordered_json& report) const {
+  report["emitter"] = {{"placed", emitter_.placed()},
+                       {"at", vector_json(emitter_.at())},
+                       {"target", vector_json(emitter_.target())},
+                       {"firing", emitter_.firing},
+                       {"in_shots", emitter_.in_shots},
+                       {"pace", emitter_.pace.per_second()}};
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> emitter_feature(Workspace& on) { return std::make_unique<EmitterFeature>(on); }
+
+}  // namespace kerf

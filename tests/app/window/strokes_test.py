@@ -115,11 +115,14 @@ class Strokes(WindowTest):
     def test_a_slider_is_held_while_the_stroke_among_many_faces_is_cut_again_in_the_background(self):
         editor = self.open()
         editor.drag([(0.27, 0.36), (0.8, 0.42)])
-        editor.move_to(*editor.place(("radius", 0.5, 0.5)))
-        editor.hold(1)
+        x, y = editor.place(("radius", 0.5, 0.5))
+        editor.move_to(x, y)
+        editor.settle()
+        editor.press_button(1, x, y)
         for along in (0.46, 0.4, 0.36):
             editor.move_to(*editor.place(("radius", along, 0.5)))
             editor.pause(0.05)
+        editor.wait_until_heard("the last move")
         editor.release(1)
         editor.settle()
         report = editor.quit()

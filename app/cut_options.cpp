@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "app/parse_values.h"
-#include "core/document/json_value.h"
 #include "core/document/stroke_settings.h"
+#include "core/document/text/json_value.h"
 
 namespace kerf {
 

@@ -6,7 +6,7 @@
 #include "app/exit_status.h"
 #include "app/interrupt.h"
 #include "app/load_mesh.h"
-#include "core/document/json_value.h"
+#include "core/document/text/json_value.h"
 #include "core/mesh/load_notes.h"
 
 namespace kerf {

@@ -2,9 +2,9 @@
 
 #include "core/base/assert.h"
 #include "core/document/hash_text.h"
-#include "core/document/json_value.h"
 #include "core/document/single_step.h"
 #include "core/document/stroke_settings.h"
+#include "core/document/text/json_value.h"
 #include "core/tree/touched_walk.h"
 #include "core/world/state_hash.h"
 

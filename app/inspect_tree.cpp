@@ -1,6 +1,6 @@
 #include "app/inspect_tree.h"
 
-#include "core/document/json_value.h"
+#include "core/document/text/json_value.h"
 
 namespace kerf {
 

@@ -4,8 +4,8 @@
 
 #include "app/commands.h"
 #include "app/exit_status.h"
-#include "core/document/fields.h"
 #include "core/document/material_reader.h"
+#include "core/document/text/fields.h"
 #include "ui/render/assets.h"
 
 namespace kerf {

@@ -1,8 +1,8 @@
 #include "core/document/command_text.h"
 
 #include "core/base/unit_vector.h"
-#include "core/document/fields.h"
-#include "core/document/json_text.h"
+#include "core/document/text/fields.h"
+#include "core/document/text/json_text.h"
 
 namespace kerf {
 

@@ -6,7 +6,7 @@
 
 #include "core/document/beam_at.h"
 #include "core/document/command.h"
-#include "core/document/json_value.h"
+#include "core/document/text/json_value.h"
 
 namespace kerf {
 

@@ -1,7 +1,7 @@
 #include "core/document/command_text.h"
-#include "core/document/fields.h"
 #include "core/document/mark_fields.h"
 #include "core/document/scene_text.h"
+#include "core/document/text/fields.h"
 
 namespace kerf {
 

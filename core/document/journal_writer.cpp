@@ -1,9 +1,9 @@
 #include "core/document/command_text.h"
 #include "core/document/document.h"
-#include "core/document/fields.h"
-#include "core/document/json_text.h"
 #include "core/document/mark_fields.h"
 #include "core/document/scene_text.h"
+#include "core/document/text/fields.h"
+#include "core/document/text/json_text.h"
 #include "core/physics/machine_kind.h"
 #include "core/world/state_hash.h"
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "core/document/fields.h"
 #include "core/document/hash_text.h"
-#include "core/document/json_value.h"
-#include "core/document/pose_fields.h"
+#include "core/document/text/fields.h"
+#include "core/document/text/json_value.h"
+#include "core/document/text/pose_fields.h"
 
 namespace kerf {
 

@@ -1,7 +1,7 @@
 #include "core/document/material_reader.h"
 
-#include "core/document/fields.h"
-#include "core/document/json_value.h"
+#include "core/document/text/fields.h"
+#include "core/document/text/json_value.h"
 
 namespace kerf {
 

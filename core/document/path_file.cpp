@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "core/base/assert.h"
-#include "core/document/fields.h"
-#include "core/document/json_value.h"
 #include "core/document/path_text.h"
+#include "core/document/text/fields.h"
+#include "core/document/text/json_value.h"
 
 namespace kerf {
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/unit_vector.h"
-#include "core/document/fields.h"
+#include "core/document/text/fields.h"
 
 namespace kerf {
 

@@ -1,9 +1,9 @@
 #include "core/document/save.h"
 
 #include "core/base/atomic_file.h"
-#include "core/document/json_text.h"
 #include "core/document/path_text.h"
 #include "core/document/scene_text.h"
+#include "core/document/text/json_text.h"
 
 namespace kerf {
 

@@ -1,8 +1,8 @@
 #include "core/document/scene.h"
 
-#include "core/document/fields.h"
 #include "core/document/file_hash.h"
 #include "core/document/scene_text.h"
+#include "core/document/text/fields.h"
 #include "core/world/load_body.h"
 
 namespace kerf {

@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "core/document/colour_text.h"
-#include "core/document/fields.h"
 #include "core/document/hash_text.h"
 #include "core/document/path_text.h"
-#include "core/document/sheet_fields.h"
+#include "core/document/text/fields.h"
+#include "core/document/text/sheet_fields.h"
 
 namespace kerf {
 

@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
-#include "core/document/json_value.h"
 #include "core/document/scene.h"
+#include "core/document/text/json_value.h"
 
 namespace kerf {
 

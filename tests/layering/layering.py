@@ -18,6 +18,8 @@ CORE = [
     'game/arena',
     'game',
     'document',
+    'document/commands',
+    'document/text',
     'physics',
     'physics/contact',
     'physics/collider',
@@ -40,9 +42,6 @@ FEATURE = 'editor/FEATURE'
 UI = ['editor', FEATURE, 'editor/shell', 'editor/shared', 'figures', 'game', 'sound', 'screen', 'window', 'render', 'gl']
 
 ORDERS = {'core': CORE, 'ui': UI}
-# Two folders that know each other, and so have the place of the first: commands are read and written by values of scenes
-# and settings, and documents are made of commands.
-ONE_PLACE = {'document/commands': 'document'}
 
 SOURCE_FOLDERS = LAYERS + ['tests']
 TOP_LEVEL = {'CMakeLists.txt', 'README.md', 'assets', *SOURCE_FOLDERS}
@@ -95,7 +94,7 @@ def names_without_folder(root):
 
 def places():
     """All folders that have one by name: 'core/mesh/files'."""
-    return {f'{layer}/{folder}' for layer, order in ORDERS.items() for folder in order if folder != FEATURE} | {f'core/{folder}' for folder in ONE_PLACE}
+    return {f'{layer}/{folder}' for layer, order in ORDERS.items() for folder in order if folder != FEATURE}
 
 
 def sources(root):
@@ -149,7 +148,7 @@ def room_of(path):
 def place_of(layer, room):
     """The entry of the order for a folder of the layer: features of the editor share one."""
     is_feature = layer == 'ui' and room.startswith('editor/') and room.count('/') == 1 and room not in UI
-    return FEATURE if is_feature else ONE_PLACE.get(room, room)
+    return FEATURE if is_feature else room
 
 
 # Folders that have no place are reported by themselves, see unnamed_folders.

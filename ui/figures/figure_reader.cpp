@@ -1,4 +1,4 @@
-#include "core/document/fields.h"
+#include "core/document/text/fields.h"
 #include "ui/figures/figure.h"
 
 namespace kerf {

@@ -7,7 +7,7 @@
 
 #include "core/base/assert.h"
 #include "core/base/atomic_file.h"
-#include "core/document/json_value.h"
+#include "core/document/text/json_value.h"
 #include "core/game/match/recording.h"
 
 namespace kerf {

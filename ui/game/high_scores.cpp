@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/atomic_file.h"
-#include "core/document/json_value.h"
+#include "core/document/text/json_value.h"
 
 namespace kerf {
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "core/base/assert.h"
-#include "core/document/exact_number.h"
+#include "core/document/text/exact_number.h"
 #include "ui/render/view_options.h"
 
 namespace kerf {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/document/json_value.h"
+#include "core/document/text/json_value.h"
 #include "ui/window/input_event.h"
 
 namespace kerf {

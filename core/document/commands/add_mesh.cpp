@@ -1,6 +1,6 @@
 #include "core/document/commands/add_mesh.h"
 
-#include "core/document/fields.h"
+#include "core/document/text/fields.h"
 #include "core/world/load_body.h"
 
 namespace kerf {

@@ -1,9 +1,9 @@
 #include "core/document/commands/begin_stroke.h"
 
 #include "core/base/length_text.h"
-#include "core/document/fields.h"
-#include "core/document/pose_fields.h"
-#include "core/document/settings_fields.h"
+#include "core/document/text/fields.h"
+#include "core/document/text/pose_fields.h"
+#include "core/document/text/settings_fields.h"
 
 namespace kerf {
 

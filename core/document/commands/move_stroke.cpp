@@ -1,7 +1,7 @@
 #include "core/document/commands/move_stroke.h"
 
-#include "core/document/fields.h"
-#include "core/document/pose_fields.h"
+#include "core/document/text/fields.h"
+#include "core/document/text/pose_fields.h"
 
 namespace kerf {
 

@@ -1,8 +1,8 @@
 #include "core/document/commands/recut.h"
 
 #include "core/base/length_text.h"
-#include "core/document/fields.h"
-#include "core/document/settings_fields.h"
+#include "core/document/text/fields.h"
+#include "core/document/text/settings_fields.h"
 
 namespace kerf {
 

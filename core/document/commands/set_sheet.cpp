@@ -1,9 +1,9 @@
 #include "core/document/commands/set_sheet.h"
 
 #include "core/document/commands/edit_piece.h"
-#include "core/document/fields.h"
-#include "core/document/pose_fields.h"
-#include "core/document/sheet_fields.h"
+#include "core/document/text/fields.h"
+#include "core/document/text/pose_fields.h"
+#include "core/document/text/sheet_fields.h"
 
 namespace kerf {
 

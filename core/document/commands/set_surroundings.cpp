@@ -1,6 +1,6 @@
 #include "core/document/commands/set_surroundings.h"
 
-#include "core/document/fields.h"
+#include "core/document/text/fields.h"
 
 namespace kerf {
 

@@ -4,8 +4,8 @@
 
 #include "core/document/commands/edit_piece.h"
 #include "core/document/commands/remake_piece.h"
-#include "core/document/fields.h"
-#include "core/document/pose_fields.h"
+#include "core/document/text/fields.h"
+#include "core/document/text/pose_fields.h"
 
 namespace kerf {
 

@@ -1,6 +1,6 @@
 #include "core/document/commands/stop_stroke.h"
 
-#include "core/document/fields.h"
+#include "core/document/text/fields.h"
 
 namespace kerf {
 

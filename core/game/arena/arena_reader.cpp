@@ -1,8 +1,8 @@
 #include <algorithm>
 
-#include "core/document/fields.h"
-#include "core/document/json_value.h"
 #include "core/document/scene_text.h"
+#include "core/document/text/fields.h"
+#include "core/document/text/json_value.h"
 #include "core/game/angle.h"
 #include "core/game/arena/arena.h"
 

@@ -1,5 +1,5 @@
-#include "core/document/fields.h"
-#include "core/document/json_value.h"
+#include "core/document/text/fields.h"
+#include "core/document/text/json_value.h"
 #include "core/game/match/rules.h"
 
 namespace kerf {

@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "core/document/fields.h"
 #include "core/document/scene_text.h"
+#include "core/document/text/fields.h"
 
 namespace kerf {
 

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/document/json_value.h"
+#include "core/document/text/json_value.h"
 #include "tests/support/checkout.h"
 
 namespace kerf::test {

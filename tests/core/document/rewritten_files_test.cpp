@@ -5,13 +5,13 @@
 #include <set>
 
 #include "core/document/command_text.h"
-#include "core/document/fields.h"
 #include "core/document/journal.h"
-#include "core/document/json_text.h"
-#include "core/document/json_value.h"
 #include "core/document/mark_fields.h"
 #include "core/document/path_text.h"
 #include "core/document/scene_text.h"
+#include "core/document/text/fields.h"
+#include "core/document/text/json_text.h"
+#include "core/document/text/json_value.h"
 #include "core/game/match/recording.h"
 #include "tests/support/checkout.h"
 #include "tests/support/temporary_folder.h"

@@ -6,7 +6,7 @@
 
 #include "core/base/assert.h"
 #include "core/cut/cuttable.h"
-#include "core/document/json_value.h"
+#include "core/document/text/json_value.h"
 #include "ui/editor/path/emitter_rows.h"
 #include "ui/editor/shared/surface_point.h"
 #include "ui/window/imgui_vector.h"

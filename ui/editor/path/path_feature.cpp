@@ -8,9 +8,9 @@
 
 #include "core/document/autosave.h"
 #include "core/document/edit_path.h"
-#include "core/document/json_value.h"
 #include "core/document/save.h"
 #include "core/document/stroke_settings.h"
+#include "core/document/text/json_value.h"
 #include "ui/editor/path/kept_path.h"
 #include "ui/editor/path/path_marks.h"
 #include "ui/editor/path/path_panel.h"

@@ -3,7 +3,7 @@
 #include <cstdlib>
 
 #include "core/base/atomic_file.h"
-#include "core/document/json_value.h"
+#include "core/document/text/json_value.h"
 
 namespace kerf {
 

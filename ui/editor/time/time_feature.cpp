@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/document/json_value.h"
+#include "core/document/text/json_value.h"
 #include "ui/editor/shared/click.h"
 #include "ui/editor/shared/piece_set.h"
 #include "ui/editor/shared/selection.h"

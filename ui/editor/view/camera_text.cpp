@@ -1,6 +1,6 @@
 #include "ui/editor/view/camera_text.h"
 
-#include "core/document/json_value.h"
+#include "core/document/text/json_value.h"
 
 namespace kerf {
 

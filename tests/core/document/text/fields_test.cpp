@@ -1,11 +1,11 @@
-#include "core/document/fields.h"
+#include "core/document/text/fields.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "core/document/json_value.h"
+#include "core/document/text/json_value.h"
 
 namespace kerf {
 

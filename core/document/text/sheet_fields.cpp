@@ -1,6 +1,6 @@
-#include "core/document/sheet_fields.h"
+#include "core/document/text/sheet_fields.h"
 
-#include "core/document/fields.h"
+#include "core/document/text/fields.h"
 
 namespace kerf {
 

@@ -1,8 +1,8 @@
-#include "core/document/settings_fields.h"
+#include "core/document/text/settings_fields.h"
 
 #include <array>
 
-#include "core/document/fields.h"
+#include "core/document/text/fields.h"
 
 namespace kerf {
 

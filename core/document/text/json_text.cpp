@@ -1,9 +1,9 @@
-#include "core/document/json_text.h"
+#include "core/document/text/json_text.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "core/document/exact_number.h"
+#include "core/document/text/exact_number.h"
 
 namespace kerf {
 

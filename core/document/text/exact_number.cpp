@@ -1,4 +1,4 @@
-#include "core/document/exact_number.h"
+#include "core/document/text/exact_number.h"
 
 #include <array>
 #include <charconv>

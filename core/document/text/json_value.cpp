@@ -1,4 +1,4 @@
-#include "core/document/json_value.h"
+#include "core/document/text/json_value.h"
 
 #include <algorithm>
 #include <cmath>

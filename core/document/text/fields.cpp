@@ -1,4 +1,4 @@
-#include "core/document/fields.h"
+#include "core/document/text/fields.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "core/base/unit_vector.h"
-#include "core/document/json_text.h"
-#include "core/document/json_value.h"
+#include "core/document/text/json_text.h"
+#include "core/document/text/json_value.h"
 
 namespace kerf {
 

@@ -14,11 +14,11 @@
 #include "core/base/atomic_file.h"
 #include "core/cut/stopwatch.h"
 #include "core/cut/thermal_step.h"
-#include "core/document/journal.h"
-#include "core/document/material_reader.h"
-#include "core/document/stroke_settings.h"
-#include "core/document/walk.h"
-#include "ui/render/assets.h"
+#include "core/document/files/material_reader.h"
+#include "core/document/files/stroke_settings.h"
+#include "core/document/history/walk.h"
+#include "core/document/journal/journal.h"
+#include "ui/render/passes/assets.h"
 
 namespace kerf {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "app/parse_values.h"
-#include "core/document/stroke_settings.h"
+#include "core/document/files/stroke_settings.h"
 #include "core/document/text/json_value.h"
 
 namespace kerf {

@@ -6,7 +6,7 @@
 
 #include "core/base/result.h"
 #include "core/cut/cut_step.h"
-#include "core/document/path_file.h"
+#include "core/document/files/path_file.h"
 #include "core/mesh/write_mesh.h"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): the library's name

@@ -5,7 +5,7 @@
 
 #include "core/base/parallel.h"
 #include "core/cut/thermal_step.h"
-#include "core/document/hash_text.h"
+#include "core/document/text/hash_text.h"
 #include "core/document/text/json_value.h"
 #include "core/mesh/triangle_batch.h"
 #include "core/world/state_hash.h"

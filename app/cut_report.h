@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/cut/cut_step.h"
-#include "core/document/extract.h"
+#include "core/document/files/extract.h"
 #include "core/world/world.h"
 
 namespace kerf {

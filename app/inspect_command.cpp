@@ -9,7 +9,7 @@
 #include "app/interrupt.h"
 #include "app/load_document.h"
 #include "app/progress_line.h"
-#include "core/document/piece_origins.h"
+#include "core/document/history/piece_origins.h"
 #include "core/document/text/json_text.h"
 #include "core/graph/graph_text.h"
 

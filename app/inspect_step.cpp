@@ -1,9 +1,9 @@
 #include "app/inspect_step.h"
 
 #include "core/base/assert.h"
-#include "core/document/hash_text.h"
-#include "core/document/single_step.h"
-#include "core/document/stroke_settings.h"
+#include "core/document/files/stroke_settings.h"
+#include "core/document/history/single_step.h"
+#include "core/document/text/hash_text.h"
 #include "core/document/text/json_value.h"
 #include "core/tree/touched_walk.h"
 #include "core/world/state_hash.h"

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/progress.h"
-#include "core/document/opened_file.h"
+#include "core/document/journal/opened_file.h"
 
 namespace kerf {
 

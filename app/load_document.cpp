@@ -3,9 +3,9 @@
 #include "app/interrupt.h"
 #include "app/progress_line.h"
 #include "app/tell.h"
-#include "core/document/opened_file.h"
-#include "core/document/replay.h"
-#include "ui/render/scene_strokes.h"
+#include "core/document/journal/opened_file.h"
+#include "core/document/journal/replay.h"
+#include "ui/render/picture/scene_strokes.h"
 
 namespace kerf {
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "core/base/result.h"
-#include "core/document/document.h"
+#include "core/document/history/document.h"
 
 namespace kerf {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/document/hash_text.h"
+#include "core/document/text/hash_text.h"
 #include "core/game/match/recording.h"
 #include "core/world/state_hash.h"
 

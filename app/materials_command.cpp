@@ -4,9 +4,9 @@
 
 #include "app/commands.h"
 #include "app/exit_status.h"
-#include "core/document/material_reader.h"
+#include "core/document/files/material_reader.h"
 #include "core/document/text/fields.h"
-#include "ui/render/assets.h"
+#include "ui/render/passes/assets.h"
 
 namespace kerf {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "ui/render/picture.h"
+#include "ui/render/picture/picture.h"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
 class App;

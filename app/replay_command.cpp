@@ -12,13 +12,13 @@
 #include "app/replay_match.h"
 #include "app/tell.h"
 #include "core/cut/stopwatch.h"
-#include "core/document/command_words.h"
-#include "core/document/hash_text.h"
-#include "core/document/lasting_commands.h"
-#include "core/document/replay.h"
+#include "core/document/commands/command_words.h"
+#include "core/document/history/lasting_commands.h"
+#include "core/document/journal/replay.h"
+#include "core/document/text/hash_text.h"
 #include "core/game/match/recording.h"
 #include "core/world/state_hash.h"
-#include "ui/render/film.h"
+#include "ui/render/picture/film.h"
 
 namespace kerf {
 

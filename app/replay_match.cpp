@@ -5,7 +5,7 @@
 #include "app/interrupt.h"
 #include "app/progress_line.h"
 #include "app/tell.h"
-#include "core/document/hash_text.h"
+#include "core/document/text/hash_text.h"
 #include "core/game/match/recording.h"
 #include "core/physics/machine_kind.h"
 #include "core/world/state_hash.h"

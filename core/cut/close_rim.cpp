@@ -7,7 +7,7 @@
 #include "core/cut/cuttable.h"
 #include "core/cut/rim_state.h"
 #include "core/cut/stopwatch.h"
-#include "core/graph/hold_parts.h"
+#include "core/joints/hold_parts.h"
 
 namespace kerf {
 

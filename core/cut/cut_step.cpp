@@ -10,7 +10,7 @@
 #include "core/cut/step_state.h"
 #include "core/cut/stopwatch.h"
 #include "core/cut/thermal_step.h"
-#include "core/graph/hold_parts.h"
+#include "core/joints/hold_parts.h"
 
 namespace kerf {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/cut/cut_step.h"
-#include "core/graph/body_edit.h"
+#include "core/edit/body_edit.h"
 
 namespace kerf {
 

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "core/cut/cut_step.h"
-#include "core/cut/heat_flow.h"
+#include "core/world/heat_flow.h"
 
 namespace kerf {
 

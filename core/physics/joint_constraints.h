@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/graph/held_joints.h"
+#include "core/joints/held_joints.h"
 #include "core/physics/contact/moving_body.h"
 #include "core/world/contact_memory.h"
 

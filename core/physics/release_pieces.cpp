@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/assert.h"
-#include "core/graph/detach.h"
+#include "core/edit/detach.h"
 #include "core/physics/contact/rigid_frame.h"
 #include "core/world/weigh.h"
 

@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include "core/cut/cut_step.h"
-#include "core/document/extract.h"
-#include "core/graph/separation.h"
+#include "core/document/files/extract.h"
+#include "core/edit/separation.h"
 #include "core/mesh/build_mesh.h"
 #include "tests/bench/sections.h"
 #include "tests/bench/timing.h"

@@ -11,7 +11,7 @@
 #include <unordered_map>
 
 #include "core/base/random.h"
-#include "core/document/extract.h"
+#include "core/document/files/extract.h"
 #include "core/mesh/load_mesh.h"
 #include "core/mesh/write_mesh.h"
 #include "core/world/world.h"

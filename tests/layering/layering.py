@@ -16,14 +16,17 @@ CORE = [
     'game/laser',
     'game/vehicle',
     'game/arena',
-    'game',
-    'document',
+    'document/journal',
+    'document/history',
+    'document/files',
     'document/commands',
     'document/text',
     'physics',
     'physics/contact',
     'physics/collider',
     'cut',
+    'joints',
+    'edit',
     'graph',
     'shadow',
     'world',
@@ -39,7 +42,24 @@ CORE = [
 # feature may know, the frame of the window that shows them, and the features; the files in ui/editor itself put these
 # together. Each folder below ui/editor that is not named here is a feature and has the place of editor/FEATURE.
 FEATURE = 'editor/FEATURE'
-UI = ['editor', FEATURE, 'editor/shell', 'editor/shared', 'figures', 'game', 'sound', 'screen', 'window', 'render', 'gl']
+UI = [
+    'editor',
+    FEATURE,
+    'editor/shell',
+    'editor/shared',
+    'figures',
+    'game',
+    'sound',
+    'screen',
+    'window',
+    'render/picture',
+    'render',
+    'render/shadow',
+    'render/passes',
+    'render/bodies',
+    'render/view',
+    'gl',
+]
 
 ORDERS = {'core': CORE, 'ui': UI}
 

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "core/base/union_find.h"
-#include "core/graph/separation.h"
+#include "core/edit/separation.h"
 #include "core/mesh/point_to_triangle.h"
 
 namespace kerf::test {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/graph/detach.h"
-#include "core/graph/hold_parts.h"
+#include "core/edit/detach.h"
+#include "core/joints/hold_parts.h"
 #include "tests/support/made_meshes.h"
 
 namespace kerf::test {

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "core/base/union_find.h"
-#include "core/graph/separation.h"
+#include "core/edit/separation.h"
 
 namespace kerf::test {
 

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "core/base/random.h"
-#include "core/document/beam_at.h"
-#include "core/document/command.h"
+#include "core/document/commands/beam_at.h"
+#include "core/document/commands/command.h"
 
 namespace kerf::test {
 

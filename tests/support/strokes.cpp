@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/document/walk.h"
-#include "core/graph/separation.h"
+#include "core/document/history/walk.h"
+#include "core/edit/separation.h"
 #include "tests/support/made_meshes.h"
 
 namespace kerf::test {

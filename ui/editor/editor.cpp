@@ -4,11 +4,11 @@
 #include <random>
 
 #include "core/base/atomic_file.h"
-#include "core/document/world_scene.h"
+#include "core/document/journal/world_scene.h"
 #include "ui/editor/features.h"
 #include "ui/editor/shell/editor_screen.h"
 #include "ui/game/game.h"
-#include "ui/render/assets.h"
+#include "ui/render/passes/assets.h"
 #include "ui/screen/frame_loop.h"
 #include "ui/window/open_window.h"
 

@@ -1,8 +1,8 @@
-#include "core/document/opened_file.h"
-#include "core/document/replay.h"
+#include "core/document/journal/opened_file.h"
+#include "core/document/journal/replay.h"
 #include "ui/figures/figure_films.h"
 #include "ui/figures/scene_options.h"
-#include "ui/render/film.h"
+#include "ui/render/picture/film.h"
 
 namespace kerf {
 

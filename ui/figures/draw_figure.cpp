@@ -4,15 +4,15 @@
 #include <cmath>
 
 #include "core/base/assert.h"
-#include "core/document/opened_file.h"
+#include "core/document/journal/opened_file.h"
 #include "ui/figures/marks.h"
 #include "ui/figures/match_figure.h"
 #include "ui/figures/scene_options.h"
 #include "ui/figures/split_diagram.h"
 #include "ui/gl/offscreen_context.h"
-#include "ui/render/picture.h"
-#include "ui/render/png.h"
-#include "ui/render/studio.h"
+#include "ui/render/picture/picture.h"
+#include "ui/render/picture/png.h"
+#include "ui/render/picture/studio.h"
 #include "ui/window/offscreen_gui.h"
 
 namespace kerf {

@@ -6,8 +6,8 @@
 #include "ui/game/match_picture.h"
 #include "ui/game/replay_camera.h"
 #include "ui/gl/offscreen_context.h"
-#include "ui/render/frame_file.h"
-#include "ui/render/png.h"
+#include "ui/render/picture/frame_file.h"
+#include "ui/render/picture/png.h"
 
 namespace kerf {
 

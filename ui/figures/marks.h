@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ui/figures/figure.h"
-#include "ui/render/camera.h"
+#include "ui/render/view/camera.h"
 
 namespace kerf {
 

@@ -1,7 +1,7 @@
 #include "ui/figures/match_figure.h"
 
+#include "core/base/angle.h"
 #include "core/base/tick.h"
-#include "core/game/angle.h"
 #include "ui/game/game_camera.h"
 #include "ui/game/hud.h"
 #include "ui/game/match_picture.h"

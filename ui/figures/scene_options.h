@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/document/scene.h"
-#include "ui/render/picture.h"
+#include "core/document/files/scene.h"
+#include "ui/render/picture/picture.h"
 
 namespace kerf {
 

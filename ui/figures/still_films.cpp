@@ -1,14 +1,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/angle.h"
 #include "core/base/assert.h"
-#include "core/document/last_cut_graph.h"
-#include "core/document/opened_file.h"
-#include "core/game/angle.h"
+#include "core/document/history/last_cut_graph.h"
+#include "core/document/journal/opened_file.h"
 #include "ui/figures/figure_films.h"
 #include "ui/figures/scene_options.h"
-#include "ui/render/frame_file.h"
-#include "ui/render/studio.h"
+#include "ui/render/picture/frame_file.h"
+#include "ui/render/picture/studio.h"
 
 namespace kerf {
 

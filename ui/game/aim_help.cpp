@@ -1,6 +1,6 @@
 #include "ui/game/aim_help.h"
 
-#include "core/game/angle.h"
+#include "core/base/angle.h"
 
 namespace kerf {
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "ui/render/view_switches.h"
+#include "ui/render/view/view_switches.h"
 
 namespace kerf {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/game/match/match.h"
-#include "ui/render/camera.h"
+#include "ui/render/view/camera.h"
 
 namespace kerf {
 

@@ -9,7 +9,7 @@
 #include "ui/game/clock_text.h"
 #include "ui/game/debug_keys.h"
 #include "ui/game/hud_paint.h"
-#include "ui/render/view_switches.h"
+#include "ui/render/view/view_switches.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_format.h"
 #include "ui/window/theme.h"

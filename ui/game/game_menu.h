@@ -7,7 +7,7 @@
 #include "ui/game/game_settings.h"
 #include "ui/game/high_scores.h"
 #include "ui/game/match_replay.h"
-#include "ui/render/view_options.h"
+#include "ui/render/view/view_options.h"
 #include "ui/window/gui_look.h"
 
 namespace kerf {

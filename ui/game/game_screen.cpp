@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
+#include "core/base/angle.h"
 #include "core/base/assert.h"
-#include "core/game/angle.h"
 #include "core/game/match/recording.h"
 #include "ui/game/aim_help.h"
 #include "ui/game/debug_keys.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/game/angle.h"
+#include "core/base/angle.h"
 #include "ui/game/clock_text.h"
 #include "ui/game/hud_paint.h"
 #include "ui/game/vehicle_sketch.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/game/hud_state.h"
-#include "ui/render/camera.h"
+#include "ui/render/view/camera.h"
 #include "ui/window/gui_look.h"
 
 namespace kerf {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/game/match/match.h"
-#include "ui/render/effects.h"
+#include "ui/render/passes/effects.h"
 
 namespace kerf {
 

@@ -1,12 +1,12 @@
 #include "ui/game/match_film.h"
 
+#include "core/base/angle.h"
 #include "core/base/assert.h"
 #include "core/base/tick.h"
-#include "core/game/angle.h"
 #include "ui/game/match_picture.h"
 #include "ui/gl/offscreen_context.h"
-#include "ui/render/frame_file.h"
-#include "ui/render/png.h"
+#include "ui/render/picture/frame_file.h"
+#include "ui/render/picture/png.h"
 
 namespace kerf {
 

@@ -2,7 +2,7 @@
 
 #include "core/base/assert.h"
 #include "ui/game/match_beams.h"
-#include "ui/render/body_marks.h"
+#include "ui/render/bodies/body_marks.h"
 
 namespace kerf {
 

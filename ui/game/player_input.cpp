@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/angle.h"
 #include "core/base/assert.h"
-#include "core/game/angle.h"
 
 namespace kerf {
 

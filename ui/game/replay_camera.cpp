@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/angle.h"
 #include "core/base/assert.h"
-#include "core/game/angle.h"
 
 namespace kerf {
 

@@ -3,7 +3,7 @@
 #include <deque>
 
 #include "core/game/match/match.h"
-#include "ui/render/effects.h"
+#include "ui/render/passes/effects.h"
 
 namespace kerf {
 

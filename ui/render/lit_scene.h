@@ -4,10 +4,10 @@
 #include <optional>
 
 #include "ui/gl/framebuffer.h"
-#include "ui/render/ground_pass.h"
-#include "ui/render/heat_ramps.h"
-#include "ui/render/shadow_pass.h"
-#include "ui/render/tone_pass.h"
+#include "ui/render/passes/ground_pass.h"
+#include "ui/render/passes/heat_ramps.h"
+#include "ui/render/passes/tone_pass.h"
+#include "ui/render/shadow/shadow_pass.h"
 
 namespace kerf {
 

@@ -5,9 +5,9 @@
 #include "core/base/assert.h"
 #include "core/base/unit_vector.h"
 #include "core/heat/black_body.h"
-#include "ui/render/assets.h"
-#include "ui/render/heat_bar.h"
-#include "ui/render/seen_light.h"
+#include "ui/render/passes/assets.h"
+#include "ui/render/passes/heat_bar.h"
+#include "ui/render/shadow/seen_light.h"
 
 namespace kerf {
 

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "core/base/assert.h"
-#include "ui/render/drawn_ground.h"
 #include "ui/render/renderer.h"
+#include "ui/render/view/drawn_ground.h"
 
 namespace kerf {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "ui/render/gathered_picture.h"
+#include "ui/render/passes/gathered_picture.h"
 #include "ui/render/renderer.h"
 #include "ui/screen/picture_rest.h"
 #include "ui/screen/shadow_figures.h"

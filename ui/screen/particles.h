@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/base/random.h"
-#include "ui/render/effects.h"
+#include "ui/render/passes/effects.h"
 
 namespace kerf {
 

@@ -4,7 +4,7 @@
 #include <iostream>
 
 #include "core/base/assert.h"
-#include "ui/render/png.h"
+#include "ui/render/picture/png.h"
 
 namespace kerf {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/render/view_options.h"
+#include "ui/render/view/view_options.h"
 
 namespace kerf {
 

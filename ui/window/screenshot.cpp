@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <ctime>
 
-#include "ui/render/png.h"
+#include "ui/render/picture/png.h"
 
 namespace kerf {
 

@@ -3,7 +3,7 @@
 #include "core/document/commands/edit_piece.h"
 #include "core/document/text/fields.h"
 #include "core/document/text/pose_fields.h"
-#include "core/graph/detach.h"
+#include "core/edit/detach.h"
 
 namespace kerf {
 

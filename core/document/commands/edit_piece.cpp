@@ -1,6 +1,6 @@
 #include "core/document/commands/edit_piece.h"
 
-#include "core/graph/detach.h"
+#include "core/edit/detach.h"
 
 namespace kerf {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "core/document/commands/edit_piece.h"
-#include "core/graph/body_edit.h"
-#include "core/graph/detach.h"
-#include "core/graph/held_joints.h"
+#include "core/edit/body_edit.h"
+#include "core/edit/detach.h"
+#include "core/joints/held_joints.h"
 #include "core/world/remade_body.h"
 
 namespace kerf {

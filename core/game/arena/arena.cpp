@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "core/game/angle.h"
+#include "core/base/angle.h"
 #include "core/world/load_body.h"
 
 namespace kerf {

@@ -6,7 +6,7 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
-#include "core/document/scene.h"
+#include "core/document/files/scene.h"
 #include "core/game/arena/model_body.h"
 #include "core/world/world.h"
 

@@ -1,9 +1,9 @@
 #include <algorithm>
 
-#include "core/document/scene_text.h"
+#include "core/base/angle.h"
+#include "core/document/files/scene_text.h"
 #include "core/document/text/fields.h"
 #include "core/document/text/json_value.h"
-#include "core/game/angle.h"
 #include "core/game/arena/arena.h"
 
 namespace kerf {

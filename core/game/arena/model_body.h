@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/document/scene_joint.h"
+#include "core/document/files/scene_joint.h"
 #include "core/world/world.h"
 
 namespace kerf {

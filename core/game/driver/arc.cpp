@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/game/angle.h"
+#include "core/base/angle.h"
 #include "core/game/vehicle/drive.h"
 
 namespace kerf {

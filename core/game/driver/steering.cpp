@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/angle.h"
 #include "core/base/tick.h"
-#include "core/game/angle.h"
 #include "core/game/driver/route.h"
 #include "core/game/vehicle/drive.h"
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/angle.h"
 #include "core/base/tick.h"
-#include "core/game/angle.h"
 
 namespace kerf {
 

@@ -1,18 +1,18 @@
-#include "core/game/match/match.h"
 #include "core/base/assert.h"
 #include "core/cut/thermal_step.h"
+#include "core/game/match/match.h"
 
 #include <algorithm>
 #include <utility>
 
+#include "core/base/angle.h"
 #include "core/base/hash.h"
-#include "core/cut/heat_flow.h"
-#include "core/game/angle.h"
 #include "core/game/laser/gun.h"
 #include "core/game/vehicle/drive.h"
 #include "core/game/vehicle/glide.h"
 #include "core/game/vehicle/vehicle_bodies.h"
 #include "core/physics/forget_contacts.h"
+#include "core/world/heat_flow.h"
 
 namespace kerf {
 

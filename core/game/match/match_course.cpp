@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "core/game/angle.h"
+#include "core/base/angle.h"
 #include "core/game/match/match.h"
 #include "core/game/match/recover.h"
 #include "core/game/vehicle/vehicle_bodies.h"

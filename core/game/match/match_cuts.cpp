@@ -4,7 +4,7 @@
 #include "core/game/match/match.h"
 #include "core/game/vehicle/damage.h"
 #include "core/game/vehicle/vehicle_bodies.h"
-#include "core/graph/hold_parts.h"
+#include "core/joints/hold_parts.h"
 #include "core/physics/release_pieces.h"
 
 namespace kerf {

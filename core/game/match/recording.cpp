@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/hash.h"
-#include "core/document/file_hash.h"
-#include "core/document/hash_text.h"
+#include "core/document/files/file_hash.h"
 #include "core/document/text/fields.h"
+#include "core/document/text/hash_text.h"
 #include "core/document/text/json_text.h"
 #include "core/game/vehicle/vehicle_file.h"
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/angle.h"
 #include "core/base/tick.h"
-#include "core/game/angle.h"
 #include "core/game/arena/sight.h"
 #include "core/game/vehicle/vehicle_bodies.h"
 

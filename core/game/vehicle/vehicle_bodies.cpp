@@ -2,8 +2,8 @@
 
 #include <utility>
 
+#include "core/base/angle.h"
 #include "core/base/assert.h"
-#include "core/game/angle.h"
 
 namespace kerf {
 

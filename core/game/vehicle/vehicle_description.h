@@ -7,7 +7,7 @@
 
 #include "core/base/interval.h"
 #include "core/base/vec3.h"
-#include "core/document/scene.h"
+#include "core/document/files/scene.h"
 
 namespace kerf {
 

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "core/document/scene_text.h"
+#include "core/document/files/scene_text.h"
 #include "core/document/text/fields.h"
 
 namespace kerf {

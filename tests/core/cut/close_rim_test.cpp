@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "core/document/document.h"
+#include "core/document/history/document.h"
 #include "core/world/state_hash.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/mesh_numbers.h"

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/document/document.h"
-#include "core/graph/separation.h"
+#include "core/document/history/document.h"
+#include "core/edit/separation.h"
 #include "core/world/state_hash.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/mesh_numbers.h"

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "core/cut/cuttable.h"
-#include "core/document/document.h"
-#include "core/graph/separation.h"
+#include "core/document/history/document.h"
+#include "core/edit/separation.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/mesh_numbers.h"
 #include "tests/support/same_world.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/cut/thermal_step.h"
-#include "core/document/document.h"
+#include "core/document/history/document.h"
 #include "core/world/state_hash.h"
 #include "tests/support/energy.h"
 #include "tests/support/sheets.h"

@@ -4,7 +4,7 @@
 
 #include "core/base/random.h"
 #include "core/cut/cut_step.h"
-#include "core/graph/separation.h"
+#include "core/edit/separation.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/mesh_numbers.h"
 #include "tests/support/strokes.h"

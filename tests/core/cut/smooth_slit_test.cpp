@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/cut/cuttable.h"
-#include "core/document/document.h"
+#include "core/document/history/document.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/mesh_numbers.h"
 #include "tests/support/runs.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/base/random.h"
-#include "core/document/material_reader.h"
+#include "core/document/files/material_reader.h"
 #include "core/heat/lumped_cut.h"
 #include "core/world/state_hash.h"
 #include "tests/support/checkout.h"

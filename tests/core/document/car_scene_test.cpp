@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "core/base/tick.h"
-#include "core/document/document.h"
-#include "core/document/scene.h"
-#include "core/graph/held_joints.h"
+#include "core/document/files/scene.h"
+#include "core/document/history/document.h"
+#include "core/joints/held_joints.h"
 #include "core/physics/contact/rigid_frame.h"
 #include "core/world/state_hash.h"
 #include "tests/support/checkout.h"

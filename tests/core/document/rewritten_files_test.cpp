@@ -4,11 +4,11 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "core/document/command_text.h"
-#include "core/document/journal.h"
-#include "core/document/mark_fields.h"
-#include "core/document/path_text.h"
-#include "core/document/scene_text.h"
+#include "core/document/commands/command_text.h"
+#include "core/document/files/path_text.h"
+#include "core/document/files/scene_text.h"
+#include "core/document/journal/journal.h"
+#include "core/document/journal/mark_fields.h"
 #include "core/document/text/fields.h"
 #include "core/document/text/json_text.h"
 #include "core/document/text/json_value.h"

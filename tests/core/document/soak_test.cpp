@@ -3,9 +3,9 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "core/document/document.h"
-#include "core/document/stroke_settings.h"
-#include "core/graph/separation.h"
+#include "core/document/files/stroke_settings.h"
+#include "core/document/history/document.h"
+#include "core/edit/separation.h"
 #include "core/physics/contact/rigid_frame.h"
 #include "core/world/load_body.h"
 #include "core/world/state_hash.h"

@@ -2,12 +2,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/document/command_text.h"
-#include "core/document/document.h"
-#include "core/document/journal.h"
-#include "core/document/replay.h"
-#include "core/document/save.h"
-#include "core/document/stroke_settings.h"
+#include "core/document/commands/command_text.h"
+#include "core/document/files/stroke_settings.h"
+#include "core/document/history/document.h"
+#include "core/document/journal/journal.h"
+#include "core/document/journal/replay.h"
+#include "core/document/journal/save.h"
 #include "core/world/state_hash.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/same_world.h"

@@ -7,8 +7,8 @@
 #include <set>
 #include <sstream>
 
+#include "core/edit/separation.h"
 #include "core/graph/graph_text.h"
-#include "core/graph/separation.h"
 #include "core/graph/traversal.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/runs.h"

@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "core/graph/separation.h"
+#include "core/edit/separation.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/runs.h"
 #include "tests/support/strokes.h"

@@ -4,9 +4,9 @@
 
 #include <set>
 
+#include "core/edit/separation.h"
 #include "core/graph/graph_clusters.h"
 #include "core/graph/graph_layout.h"
-#include "core/graph/separation.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/strokes.h"
 

@@ -5,9 +5,9 @@
 #include <map>
 #include <set>
 
-#include "core/document/document.h"
-#include "core/graph/detach.h"
-#include "core/graph/separation.h"
+#include "core/document/history/document.h"
+#include "core/edit/detach.h"
+#include "core/edit/separation.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/runs.h"
 #include "tests/support/strokes.h"

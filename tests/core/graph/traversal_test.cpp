@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/graph/separation.h"
+#include "core/edit/separation.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/runs.h"
 #include "tests/support/strokes.h"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/document/material_reader.h"
+#include "core/document/files/material_reader.h"
 #include "tests/support/checkout.h"
 
 namespace kerf::test {

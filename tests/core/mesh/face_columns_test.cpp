@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/graph/detach.h"
+#include "core/edit/detach.h"
 #include "core/mesh/extract_mesh.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/mesh_numbers.h"

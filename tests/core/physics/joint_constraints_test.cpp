@@ -5,8 +5,8 @@
 
 #include "core/base/random.h"
 #include "core/base/tick.h"
-#include "core/document/document.h"
-#include "core/graph/held_joints.h"
+#include "core/document/history/document.h"
+#include "core/joints/held_joints.h"
 #include "core/physics/physics.h"
 #include "core/world/state_hash.h"
 #include "tests/support/jointed.h"

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/graph/separation.h"
+#include "core/edit/separation.h"
 #include "core/physics/contact/rigid_frame.h"
 #include "tests/support/sheets.h"
 #include "tests/support/strokes.h"

@@ -6,8 +6,8 @@
 #include <map>
 #include <optional>
 
-#include "core/document/document.h"
-#include "core/document/scene.h"
+#include "core/document/files/scene.h"
+#include "core/document/history/document.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/random_edits.h"
 #include "tests/support/strokes.h"

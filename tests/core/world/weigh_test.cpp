@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/graph/detach.h"
-#include "core/graph/separation.h"
+#include "core/edit/detach.h"
+#include "core/edit/separation.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/piece_sums.h"
 #include "tests/support/strokes.h"

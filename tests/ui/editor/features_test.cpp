@@ -7,7 +7,7 @@
 
 #include "tests/support/checkout.h"
 #include "tests/support/editor_features.h"
-#include "ui/render/view_switches.h"
+#include "ui/render/view/view_switches.h"
 
 namespace kerf {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/game/angle.h"
+#include "core/base/angle.h"
 
 namespace kerf {
 namespace {

@@ -6,7 +6,7 @@
 #include "core/shadow/light.h"
 #include "core/world/world.h"
 #include "tests/support/made_meshes.h"
-#include "ui/render/camera.h"
+#include "ui/render/view/camera.h"
 
 namespace kerf::test {
 

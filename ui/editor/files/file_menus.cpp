@@ -1,6 +1,6 @@
 #include "ui/editor/files/file_menus.h"
 
-#include "ui/render/assets.h"
+#include "ui/render/passes/assets.h"
 
 namespace kerf {
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/assert.h"
-#include "core/document/autosave.h"
+#include "core/document/journal/autosave.h"
 #include "core/mesh/load_notes.h"
 #include "ui/editor/files/file_menus.h"
 #include "ui/editor/files/file_opener.h"

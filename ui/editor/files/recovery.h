@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-#include "core/document/autosave.h"
+#include "core/document/journal/autosave.h"
 #include "ui/editor/shared/open_work.h"
 #include "ui/editor/shared/view_state.h"
 #include "ui/window/message.h"

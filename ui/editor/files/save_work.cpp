@@ -1,6 +1,6 @@
 #include "ui/editor/files/save_work.h"
 
-#include "core/document/save.h"
+#include "core/document/journal/save.h"
 #include "ui/editor/shared/file_frames.h"
 
 namespace kerf {

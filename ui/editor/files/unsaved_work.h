@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "core/document/autosave.h"
+#include "core/document/journal/autosave.h"
 #include "ui/editor/shared/open_work.h"
 #include "ui/window/question.h"
 

@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "core/base/assert.h"
-#include "ui/render/graph_pass.h"
-#include "ui/render/overlay_colours.h"
+#include "ui/render/passes/graph_pass.h"
+#include "ui/render/view/overlay_colours.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/theme.h"
 

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/document/document.h"
+#include "core/document/history/document.h"
 #include "core/graph/drawn_graph.h"
 #include "core/graph/graph_layout.h"
-#include "ui/render/view_options.h"
+#include "ui/render/view/view_options.h"
 
 namespace kerf {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <map>
 
-#include "core/document/command_words.h"
-#include "core/graph/loaded_part.h"
+#include "core/document/commands/command_words.h"
+#include "core/joints/loaded_part.h"
 #include "ui/editor/shared/piece_set.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_text.h"

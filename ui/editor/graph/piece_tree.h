@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/document/piece_origins.h"
+#include "core/document/history/piece_origins.h"
 #include "ui/editor/shared/view_state.h"
 
 namespace kerf {

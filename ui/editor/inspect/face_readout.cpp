@@ -4,7 +4,7 @@
 
 #include "ui/editor/inspect/face_facts.h"
 #include "ui/editor/shared/file_frames.h"
-#include "ui/render/pick.h"
+#include "ui/render/bodies/pick.h"
 #include "ui/window/imgui_vector.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/theme.h"

@@ -6,7 +6,7 @@
 
 #include "core/base/assert.h"
 #include "core/base/tick.h"
-#include "ui/render/pick.h"
+#include "ui/render/bodies/pick.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_text.h"
 #include "ui/window/theme.h"

@@ -3,7 +3,7 @@
 #include "ui/editor/inspect/face_readout.h"
 #include "ui/editor/inspect/heat_probe.h"
 #include "ui/editor/shared/file_frames.h"
-#include "ui/render/pick.h"
+#include "ui/render/bodies/pick.h"
 
 namespace kerf {
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "ui/render/drawn_ground.h"
+#include "ui/render/view/drawn_ground.h"
 
 namespace kerf {
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "core/document/document.h"
+#include "core/document/history/document.h"
 
 namespace kerf {
 

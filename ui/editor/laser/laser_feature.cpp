@@ -8,7 +8,7 @@
 #include <cmath>
 #include <string>
 
-#include "core/document/stop_strokes.h"
+#include "core/document/history/stop_strokes.h"
 #include "core/mesh/files/file_frame.h"
 #include "ui/editor/laser/beam_sparks.h"
 #include "ui/editor/laser/cut_progress.h"
@@ -18,7 +18,7 @@
 #include "ui/editor/shared/laser_controls.h"
 #include "ui/editor/shared/resolution_rows.h"
 #include "ui/editor/shared/shortcut_text.h"
-#include "ui/render/pick.h"
+#include "ui/render/bodies/pick.h"
 #include "ui/window/imgui_vector.h"
 #include "ui/window/number_format.h"
 #include "ui/window/number_text.h"

@@ -6,7 +6,7 @@
 #include "core/mesh/files/file_frame.h"
 #include "core/shadow/light.h"
 #include "core/world/world.h"
-#include "ui/render/view_options.h"
+#include "ui/render/view/view_options.h"
 
 namespace kerf {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/document/material_reader.h"
+#include "core/document/files/material_reader.h"
 #include "ui/editor/shared/view_state.h"
 #include "ui/window/number_fields.h"
 

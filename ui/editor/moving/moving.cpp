@@ -3,7 +3,7 @@
 #include "core/base/assert.h"
 #include "core/document/commands/edit_piece.h"
 #include "ui/editor/shared/piece_set.h"
-#include "ui/render/spread.h"
+#include "ui/render/view/spread.h"
 
 namespace kerf {
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "core/document/command.h"
+#include "core/document/commands/command.h"
 #include "ui/editor/moving/piece_move.h"
 #include "ui/editor/shared/view_state.h"
 

@@ -5,7 +5,7 @@
 
 #include "core/world/placement.h"
 #include "core/world/world.h"
-#include "ui/render/camera.h"
+#include "ui/render/view/camera.h"
 
 namespace kerf {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/document/command.h"
+#include "core/document/commands/command.h"
 #include "ui/editor/shared/view_state.h"
 #include "ui/window/number_fields.h"
 

@@ -3,7 +3,7 @@
 #include <imgui.h>
 
 #include "core/base/assert.h"
-#include "core/document/path_file.h"
+#include "core/document/files/path_file.h"
 #include "ui/window/imgui_vector.h"
 #include "ui/window/theme.h"
 

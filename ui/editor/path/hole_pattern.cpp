@@ -4,7 +4,7 @@
 
 #include "core/base/assert.h"
 #include "core/base/unit_vector.h"
-#include "core/document/edit_path.h"
+#include "core/document/files/edit_path.h"
 
 namespace kerf {
 

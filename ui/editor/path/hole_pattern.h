@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/document/path_file.h"
+#include "core/document/files/path_file.h"
 
 namespace kerf {
 

@@ -2,7 +2,7 @@
 
 #include <unistd.h>
 
-#include "core/document/path_text.h"
+#include "core/document/files/path_text.h"
 
 namespace kerf {
 

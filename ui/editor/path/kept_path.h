@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/document/locked_file.h"
+#include "core/document/files/locked_file.h"
 #include "ui/editor/path/path_work.h"
 
 namespace kerf {

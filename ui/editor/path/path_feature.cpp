@@ -6,10 +6,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/document/autosave.h"
-#include "core/document/edit_path.h"
-#include "core/document/save.h"
-#include "core/document/stroke_settings.h"
+#include "core/document/files/edit_path.h"
+#include "core/document/files/stroke_settings.h"
+#include "core/document/journal/autosave.h"
+#include "core/document/journal/save.h"
 #include "core/document/text/json_value.h"
 #include "ui/editor/path/kept_path.h"
 #include "ui/editor/path/path_marks.h"

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "ui/render/beam_strike.h"
+#include "ui/render/picture/beam_strike.h"
 #include "ui/window/imgui_vector.h"
 #include "ui/window/theme.h"
 

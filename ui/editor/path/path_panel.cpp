@@ -3,8 +3,8 @@
 #include <imgui.h>
 
 #include "core/base/assert.h"
-#include "core/document/edit_path.h"
-#include "core/document/stroke_settings.h"
+#include "core/document/files/edit_path.h"
+#include "core/document/files/stroke_settings.h"
 #include "ui/editor/shared/length_field.h"
 #include "ui/editor/shared/shortcut_text.h"
 #include "ui/window/landmarks.h"

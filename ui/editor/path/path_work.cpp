@@ -2,8 +2,8 @@
 
 #include "core/base/assert.h"
 #include "core/base/unit_vector.h"
-#include "core/document/edit_path.h"
-#include "ui/render/beam_strike.h"
+#include "core/document/files/edit_path.h"
+#include "ui/render/picture/beam_strike.h"
 
 namespace kerf {
 

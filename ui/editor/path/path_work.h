@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/assert.h"
-#include "core/document/path_file.h"
+#include "core/document/files/path_file.h"
 #include "core/world/world.h"
 
 namespace kerf {

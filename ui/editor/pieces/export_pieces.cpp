@@ -6,7 +6,7 @@
 
 #include "core/base/assert.h"
 #include "core/base/atomic_file.h"
-#include "core/document/extract.h"
+#include "core/document/files/extract.h"
 #include "core/mesh/files/encode_mtl.h"
 #include "core/mesh/write_mesh.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/document/scene.h"
+#include "core/document/files/scene.h"
 #include "ui/editor/shared/piece_set.h"
 
 namespace kerf {

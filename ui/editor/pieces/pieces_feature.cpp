@@ -16,7 +16,7 @@
 #include "ui/editor/shared/piece_set.h"
 #include "ui/editor/shared/selection.h"
 #include "ui/editor/shared/shortcut_text.h"
-#include "ui/render/spread.h"
+#include "ui/render/view/spread.h"
 #include "ui/window/number_format.h"
 #include "ui/window/property.h"
 #include "ui/window/row_button.h"

@@ -6,7 +6,7 @@
 #include <array>
 #include <optional>
 
-#include "ui/render/body_looks.h"
+#include "ui/render/bodies/body_looks.h"
 #include "ui/window/imgui_vector.h"
 #include "ui/window/theme.h"
 

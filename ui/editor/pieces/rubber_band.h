@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "core/world/world.h"
-#include "ui/render/camera.h"
-#include "ui/render/view_options.h"
+#include "ui/render/view/camera.h"
+#include "ui/render/view/view_options.h"
 
 struct ImDrawList;
 

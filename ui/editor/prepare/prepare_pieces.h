@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/document/document.h"
+#include "core/document/history/document.h"
 #include "ui/editor/prepare/preparation.h"
 #include "ui/editor/shared/piece_set.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ui/render/camera.h"
-#include "ui/render/section_plane.h"
+#include "ui/render/view/camera.h"
+#include "ui/render/view/section_plane.h"
 
 namespace kerf {
 

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "core/document/scene.h"
+#include "core/document/files/scene.h"
 
 namespace kerf {
 

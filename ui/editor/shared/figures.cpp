@@ -1,6 +1,6 @@
 #include "ui/editor/shared/figures.h"
 
-#include "core/graph/loaded_part.h"
+#include "core/joints/loaded_part.h"
 
 namespace kerf {
 

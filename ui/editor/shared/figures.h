@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "core/document/document.h"
+#include "core/document/history/document.h"
 #include "core/mesh/files/file_frame.h"
 #include "ui/editor/shared/frame_statistics.h"
 #include "ui/editor/shared/memory_figures.h"

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/base/length_text.h"
-#include "core/document/scene.h"
+#include "core/document/files/scene.h"
 #include "core/mesh/files/file_frame.h"
 #include "ui/editor/shared/settings.h"
 #include "ui/editor/shared/view_state.h"

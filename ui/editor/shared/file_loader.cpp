@@ -3,9 +3,9 @@
 #include <chrono>
 
 #include "core/base/assert.h"
-#include "core/document/replay.h"
+#include "core/document/journal/replay.h"
 #include "core/mesh/load_notes.h"
-#include "ui/render/scene_strokes.h"
+#include "ui/render/picture/scene_strokes.h"
 
 namespace kerf {
 

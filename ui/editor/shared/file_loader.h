@@ -11,10 +11,10 @@
 
 #include "core/base/assert.h"
 #include "core/base/result.h"
-#include "core/document/document.h"
-#include "core/document/journal.h"
-#include "core/document/opened_file.h"
-#include "ui/render/prepared_body.h"
+#include "core/document/history/document.h"
+#include "core/document/journal/journal.h"
+#include "core/document/journal/opened_file.h"
+#include "ui/render/bodies/prepared_body.h"
 
 namespace kerf {
 

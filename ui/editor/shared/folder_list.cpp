@@ -2,7 +2,7 @@
 
 #include <cctype>
 
-#include "core/document/opened_file.h"
+#include "core/document/journal/opened_file.h"
 #include "core/mesh/files/mesh_format.h"
 
 namespace kerf {

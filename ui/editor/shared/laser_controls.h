@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "core/cut/cut_step.h"
-#include "core/document/stroke_settings.h"
+#include "core/document/files/stroke_settings.h"
 
 namespace kerf {
 

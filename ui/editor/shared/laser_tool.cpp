@@ -6,7 +6,7 @@
 #include "core/base/unit_vector.h"
 #include "core/cut/cuttable.h"
 #include "ui/editor/shared/click.h"
-#include "ui/render/beam_strike.h"
+#include "ui/render/picture/beam_strike.h"
 
 namespace kerf {
 

@@ -2,10 +2,10 @@
 
 #include <optional>
 
-#include "core/document/document.h"
+#include "core/document/history/document.h"
 #include "ui/editor/shared/laser_controls.h"
-#include "ui/render/beam_pass.h"
-#include "ui/render/camera.h"
+#include "ui/render/passes/beam_pass.h"
+#include "ui/render/view/camera.h"
 
 namespace kerf {
 

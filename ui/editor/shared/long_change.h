@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/base/progress.h"
-#include "core/document/document.h"
+#include "core/document/history/document.h"
 
 namespace kerf {
 

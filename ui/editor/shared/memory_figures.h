@@ -4,7 +4,7 @@
 #include <span>
 
 #include "core/world/world.h"
-#include "ui/render/picture_memory.h"
+#include "ui/render/bodies/picture_memory.h"
 
 namespace kerf {
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "core/document/document.h"
-#include "core/document/journal.h"
-#include "core/document/scene.h"
+#include "core/document/files/scene.h"
+#include "core/document/history/document.h"
+#include "core/document/journal/journal.h"
 
 namespace kerf {
 

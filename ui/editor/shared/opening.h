@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/document/autosave.h"
+#include "core/document/journal/autosave.h"
 #include "ui/editor/shared/file_loader.h"
 #include "ui/window/message.h"
 

@@ -4,7 +4,7 @@
 #include <map>
 #include <tuple>
 
-#include "core/graph/separation.h"
+#include "core/edit/separation.h"
 
 namespace kerf {
 

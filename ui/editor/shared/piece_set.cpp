@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/graph/loaded_part.h"
+#include "core/joints/loaded_part.h"
 
 namespace kerf {
 

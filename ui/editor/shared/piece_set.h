@@ -7,7 +7,7 @@
 
 #include "core/world/delta.h"
 #include "core/world/world.h"
-#include "ui/render/view_options.h"
+#include "ui/render/view/view_options.h"
 
 namespace kerf {
 

@@ -1,7 +1,7 @@
 #include "ui/editor/shared/selection.h"
 
 #include "ui/editor/shared/piece_set.h"
-#include "ui/render/pick.h"
+#include "ui/render/bodies/pick.h"
 
 namespace kerf {
 

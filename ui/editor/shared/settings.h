@@ -9,7 +9,7 @@
 
 #include "core/base/result.h"
 #include "core/mesh/files/file_frame.h"
-#include "ui/render/view_options.h"
+#include "ui/render/view/view_options.h"
 #include "ui/window/gui_look.h"
 
 namespace kerf {

@@ -3,7 +3,7 @@
 #include <array>
 #include <optional>
 
-#include "ui/render/camera.h"
+#include "ui/render/view/camera.h"
 
 namespace kerf {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/document/document.h"
+#include "core/document/history/document.h"
 
 namespace kerf {
 

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "core/world/world.h"
-#include "ui/render/view_options.h"
+#include "ui/render/view/view_options.h"
 
 namespace kerf {
 

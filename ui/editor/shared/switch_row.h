@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/editor/shared/view_state.h"
-#include "ui/render/view_switches.h"
+#include "ui/render/view/view_switches.h"
 
 namespace kerf {
 

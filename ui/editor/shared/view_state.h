@@ -4,10 +4,10 @@
 #include <optional>
 #include <string>
 
-#include "core/document/scene.h"
+#include "core/document/files/scene.h"
 #include "ui/editor/shared/piece_numbers.h"
-#include "ui/render/camera.h"
-#include "ui/render/view_options.h"
+#include "ui/render/view/camera.h"
+#include "ui/render/view/view_options.h"
 #include "ui/window/layout.h"
 
 namespace kerf {

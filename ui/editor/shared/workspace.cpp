@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ui/render/spread.h"
+#include "ui/render/view/spread.h"
 
 namespace kerf {
 

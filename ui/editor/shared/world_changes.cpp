@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include "core/base/assert.h"
-#include "core/document/command_words.h"
+#include "core/document/commands/command_words.h"
 #include "ui/editor/shared/long_step.h"
 #include "ui/editor/shared/piece_set.h"
 #include "ui/editor/shared/workspace.h"
-#include "ui/render/spread.h"
+#include "ui/render/view/spread.h"
 
 namespace kerf {
 

@@ -8,7 +8,7 @@
 
 #include "ui/editor/shared/long_change.h"
 #include "ui/editor/shared/step_groups.h"
-#include "ui/render/prepared_body.h"
+#include "ui/render/bodies/prepared_body.h"
 
 namespace kerf {
 

@@ -13,7 +13,7 @@
 #include "ui/editor/shell/popups.h"
 #include "ui/editor/shell/session_figures.h"
 #include "ui/editor/shell/status_bar.h"
-#include "ui/render/spread.h"
+#include "ui/render/view/spread.h"
 #include "ui/window/imgui_vector.h"
 #include "ui/window/progress_bar.h"
 

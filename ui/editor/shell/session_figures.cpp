@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/assert.h"
-#include "core/document/hash_text.h"
+#include "core/document/text/hash_text.h"
 #include "core/world/state_hash.h"
 
 namespace kerf {

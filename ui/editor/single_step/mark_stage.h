@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/document/single_step.h"
-#include "ui/render/stage_marks.h"
+#include "core/document/history/single_step.h"
+#include "ui/render/bodies/stage_marks.h"
 
 namespace kerf {
 

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "core/document/single_step.h"
+#include "core/document/history/single_step.h"
 #include "core/tree/touched_walk.h"
-#include "ui/render/stage_marks.h"
+#include "ui/render/bodies/stage_marks.h"
 
 namespace kerf {
 

@@ -2,7 +2,7 @@
 
 #include <imgui.h>
 
-#include "ui/render/stage_pass.h"
+#include "ui/render/passes/stage_pass.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_format.h"
 #include "ui/window/number_text.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/document/document.h"
+#include "core/document/history/document.h"
 #include "ui/editor/shared/view_state.h"
 #include "ui/editor/single_step/stage_state.h"
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "core/document/single_step.h"
+#include "core/document/history/single_step.h"
 #include "ui/editor/shared/workspace.h"
 #include "ui/editor/single_step/stage_state.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/document/document.h"
+#include "core/document/history/document.h"
 #include "ui/editor/single_step/stage_log.h"
 #include "ui/editor/single_step/stage_wishes.h"
 

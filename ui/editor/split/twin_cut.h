@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "core/document/document.h"
+#include "core/document/history/document.h"
 #include "ui/editor/shared/laser_controls.h"
 
 namespace kerf {

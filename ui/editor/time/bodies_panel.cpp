@@ -5,7 +5,7 @@
 #include "ui/editor/shared/length_field.h"
 #include "ui/editor/shared/shortcut_text.h"
 #include "ui/editor/shared/switch_row.h"
-#include "ui/render/drawn_ground.h"
+#include "ui/render/view/drawn_ground.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"

@@ -6,7 +6,7 @@
 #include "ui/editor/shared/long_step.h"
 #include "ui/editor/shared/piece_set.h"
 #include "ui/editor/shared/selection.h"
-#include "ui/render/drawn_ground.h"
+#include "ui/render/view/drawn_ground.h"
 
 namespace kerf {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/cut/heat_flow.h"
+#include "core/world/heat_flow.h"
 
 namespace kerf {
 

@@ -1,7 +1,7 @@
 #include "ui/editor/time/pulling.h"
 
 #include "ui/editor/shared/first_picture.h"
-#include "ui/render/pick.h"
+#include "ui/render/bodies/pick.h"
 
 namespace kerf {
 

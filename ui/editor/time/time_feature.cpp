@@ -14,7 +14,7 @@
 #include "ui/editor/time/play_marks.h"
 #include "ui/editor/time/pulling.h"
 #include "ui/editor/time/time_flow.h"
-#include "ui/render/body_marks.h"
+#include "ui/render/bodies/body_marks.h"
 
 namespace kerf {
 

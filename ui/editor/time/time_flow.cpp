@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/render/drawn_ground.h"
+#include "ui/render/view/drawn_ground.h"
 
 namespace kerf {
 

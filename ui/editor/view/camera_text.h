@@ -3,7 +3,7 @@
 #include <string>
 
 #include "core/base/result.h"
-#include "core/document/scene.h"
+#include "core/document/files/scene.h"
 
 namespace kerf {
 

@@ -5,10 +5,10 @@
 #include <set>
 
 #include "ui/editor/shared/shadow_methods.h"
-#include "ui/render/box_palette.h"
-#include "ui/render/overlay_colours.h"
-#include "ui/render/stage_pass.h"
-#include "ui/render/view_switches.h"
+#include "ui/render/passes/stage_pass.h"
+#include "ui/render/view/box_palette.h"
+#include "ui/render/view/overlay_colours.h"
+#include "ui/render/view/view_switches.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_text.h"
 #include "ui/window/theme.h"

@@ -16,7 +16,7 @@
 #include "ui/editor/shared/switch_row.h"
 #include "ui/editor/view/camera_text.h"
 #include "ui/editor/view/legends.h"
-#include "ui/render/view_switches.h"
+#include "ui/render/view/view_switches.h"
 #include "ui/window/number_format.h"
 #include "ui/window/property.h"
 

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "core/base/angle.h"
 #include "core/base/random.h"
-#include "core/game/angle.h"
 #include "core/game/match/match.h"
 #include "tests/support/checkout.h"
 #include "tests/support/game_files.h"

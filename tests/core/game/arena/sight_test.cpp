@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/game/angle.h"
+#include "core/base/angle.h"
 #include "tests/support/sheets.h"
 
 namespace kerf {

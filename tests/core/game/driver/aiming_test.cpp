@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/game/angle.h"
+#include "core/base/angle.h"
 #include "core/game/vehicle/vehicle_bodies.h"
 #include "tests/core/game/driver/duel.h"
 #include "tests/support/sheets.h"

@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/angle.h"
 #include "core/base/tick.h"
-#include "core/game/angle.h"
 #include "core/game/vehicle/vehicle_bodies.h"
 #include "tests/core/game/driver/duel.h"
 

@@ -4,8 +4,8 @@
 
 #include <array>
 
+#include "core/base/angle.h"
 #include "core/base/tick.h"
-#include "core/game/angle.h"
 #include "tests/core/game/driver/duel.h"
 
 namespace kerf {

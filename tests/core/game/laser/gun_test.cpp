@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/angle.h"
 #include "core/base/tick.h"
-#include "core/game/angle.h"
 #include "tests/support/game_files.h"
 
 namespace kerf {

@@ -6,8 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/angle.h"
 #include "core/base/random.h"
-#include "core/game/angle.h"
 #include "core/game/match/bot_player.h"
 #include "core/game/match/recording.h"
 #include "core/game/vehicle/vehicle_bodies.h"

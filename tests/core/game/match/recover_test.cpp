@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/game/angle.h"
+#include "core/base/angle.h"
 #include "core/game/match/bot_player.h"
 #include "tests/support/checkout.h"
 #include "tests/support/game_files.h"

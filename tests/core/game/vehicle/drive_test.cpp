@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "core/base/angle.h"
 #include "core/base/tick.h"
-#include "core/game/angle.h"
 #include "core/game/match/match.h"
 #include "core/game/vehicle/damage.h"
 #include "core/game/vehicle/rigid_motion.h"

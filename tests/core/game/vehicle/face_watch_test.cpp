@@ -4,8 +4,8 @@
 
 #include <array>
 
-#include "core/game/angle.h"
-#include "core/graph/body_edit.h"
+#include "core/base/angle.h"
+#include "core/edit/body_edit.h"
 #include "tests/support/jointed.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/sheets.h"

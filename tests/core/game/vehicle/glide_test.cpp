@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/game/angle.h"
+#include "core/base/angle.h"
 #include "tests/support/game_files.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/sheets.h"

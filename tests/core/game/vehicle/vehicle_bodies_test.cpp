@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/game/angle.h"
+#include "core/base/angle.h"
 #include "tests/support/game_files.h"
 
 namespace kerf {

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "core/base/union_find.h"
-#include "core/graph/separation.h"
+#include "core/edit/separation.h"
 #include "core/mesh/openmesh/sheets.h"
 #include "tests/support/features.h"
 #include "tests/support/made_meshes.h"

@@ -4,8 +4,8 @@
 
 #include <GLFW/glfw3.h>
 
-#include "core/document/opened_file.h"
-#include "core/document/save.h"
+#include "core/document/journal/opened_file.h"
+#include "core/document/journal/save.h"
 #include "tests/support/temporary_folder.h"
 #include "ui/editor/files/unsaved_work.h"
 

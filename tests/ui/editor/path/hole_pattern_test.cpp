@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/document/document.h"
-#include "core/document/stroke_settings.h"
+#include "core/document/files/stroke_settings.h"
+#include "core/document/history/document.h"
 #include "tests/support/made_meshes.h"
 
 namespace kerf {

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "core/document/document.h"
+#include "core/document/history/document.h"
 #include "tests/support/made_meshes.h"
 #include "ui/editor/shared/laser_tool.h"
-#include "ui/render/beam_strike.h"
+#include "ui/render/picture/beam_strike.h"
 
 namespace kerf {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "core/document/document.h"
+#include "core/document/history/document.h"
 #include "tests/support/made_meshes.h"
 
 namespace kerf {

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "tests/support/editor_features.h"
-#include "ui/render/view_switches.h"
+#include "ui/render/view/view_switches.h"
 
 namespace kerf {
 namespace {

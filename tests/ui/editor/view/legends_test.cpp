@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "ui/render/stage_marks.h"
-#include "ui/render/view_switches.h"
+#include "ui/render/bodies/stage_marks.h"
+#include "ui/render/view/view_switches.h"
 
 namespace kerf {
 namespace {

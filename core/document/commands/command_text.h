@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "core/document/commands/beam_at.h"
+#include "core/document/commands/command.h"
+#include "core/document/text/json_value.h"
+
+namespace kerf {
+
+// A command as one line of a journal, without the line's end: {"do": "move", "origin": [..], "direction":
+// [..]}. Numbers are exact. `folder` is the folder of the journal; mesh files are named as path_text does.
+// Bad input where a name or a path is not UTF-8.
+Result<std::string> command_text(const Command& command, const std::filesystem::path& folder);
+
+// Reads that line. `beam` says where the beam of the last stroke is, if there was one: a move must not turn
+// it straight round. Numbers come back to the bit. Numbers out of range, keys that are missing and keys that
+// the command does not have are bad input with a JSON pointer.
+Result<Command> parse_command(const JsonValue& value, const std::filesystem::path& folder,
+                              const std::optional<BeamAt>& beam);
+
+}  // namespace kerf

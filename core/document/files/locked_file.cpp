@@ -1,0 +1,147 @@
+#include "core/document/files/locked_file.h"
+
+#include <aio.h>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <memory>
+#include <system_error>
+#include <tuple>
+#include <utility>
+
+#include "core/base/assert.h"
+
+namespace kerf {
+
+// The C library flushes on a thread of its own, so that the request must not move.
+struct LockedFile::Handle {
+  int descriptor = -1;
+  off_t size = 0;
+  bool flushing = false, appended = false;  // appended: since the last flush began
+  std::unique_ptr<aiocb> request = std::make_unique<aiocb>();
+
+  ~Handle() {
+    if (flushing) {
+      const aiocb* const wait_for = request.get();
+      ::aio_suspend(&wait_for, 1, nullptr);
+      ::aio_return(request.get());
+    }
+    ::close(descriptor);  // this releases the lock
+  }
+};
+
+namespace {
+
+Error file_error(const std::filesystem::path& path, const char* what, int code) {
+  return failed(path.string() + ": " + what + ": " + std::generic_category().message(code));
+}
+
+// Returns the error number, or 0.
+int write_all(int file, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(file, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return errno;
+    bytes.remove_prefix(static_cast<size_t>(written));
+  }
+  return 0;
+}
+
+// Creates a file under a temporary name and locks it. Returns the error number, or 0. A temporary file that a
+// crashed program left behind is not touched.
+int open_new(const std::filesystem::path& path, std::filesystem::path& nameless, int& descriptor) {
+  for (int attempt = 0;; ++attempt) {
+    nameless = path.parent_path() / ("." + path.filename().string() + "." + std::to_string(attempt) + ".new");
+    descriptor = ::open(nameless.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0600);
+    if (descriptor >= 0) return ::flock(descriptor, LOCK_EX | LOCK_NB) == 0 ? 0 : errno;
+    if (errno != EEXIST || attempt == 1000) return errno;
+  }
+}
+
+// Moves a file to its name if no such file exists; if the file system does not support links, in any case.
+// Returns the error number, or 0.
+int give_name(const std::filesystem::path& nameless, const std::filesystem::path& path) {
+  if (::link(nameless.c_str(), path.c_str()) == 0) return 0;
+  if (errno != EPERM && errno != ENOTSUP && errno != ENOSYS) return errno;
+  return ::rename(nameless.c_str(), path.c_str()) == 0 ? 0 : errno;
+}
+
+}  // namespace
+
+LockedFile::LockedFile(std::filesystem::path path, Handle* handle)
+    : path_(std::move(path)), handle_(handle) {}
+
+LockedFile::LockedFile(LockedFile&& other) noexcept
+    : path_(std::move(other.path_)), handle_(std::exchange(other.handle_, nullptr)) {}
+
+LockedFile& LockedFile::operator=(LockedFile&& other) noexcept {
+  path_.swap(other.path_);
+  std::swap(handle_, other.handle_);
+  return *this;
+}
+
+LockedFile::~LockedFile() { delete handle_; }
+
+Result<LockedFile> LockedFile::create(const std::filesystem::path& path, std::string_view bytes) {
+  // The file gets its name when it is locked and complete, so that no other program takes it for an abandoned
+  // one.
+  std::filesystem::path nameless;
+  int descriptor = -1;
+  int code = open_new(path, nameless, descriptor);
+  if (descriptor < 0) return file_error(path, "cannot be made", code);
+  LockedFile file(path, new Handle{descriptor});
+  if (code == 0) code = write_all(descriptor, bytes);
+  if (code == 0) code = give_name(nameless, path);
+  ::unlink(nameless.c_str());
+  if (code != 0) return file_error(path, "cannot be written", code);
+  file.handle_->size = static_cast<off_t>(bytes.size());
+  file.handle_->appended = true;
+  return file;
+}
+
+Result<LockedFile> LockedFile::open(const std::filesystem::path& path) {
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+  if (descriptor < 0) return file_error(path, "cannot be opened", errno);
+  LockedFile file(path, new Handle{descriptor});
+  if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) return file_error(path, "cannot be locked", errno);
+  struct stat there {};
+  if (::fstat(descriptor, &there) != 0) return file_error(path, "cannot be looked at", errno);
+  if (there.st_nlink == 0)
+    return file_error(path, "cannot be opened", ENOENT);  // removed by the program that had locked it
+  file.handle_->size = there.st_size;
+  return file;
+}
+
+Status LockedFile::append(std::string_view bytes) {
+  KERF_ASSERT(handle_);
+  const int code = write_all(handle_->descriptor, bytes);
+  if (code != 0) {
+    std::ignore = ::ftruncate(handle_->descriptor, handle_->size);
+    return file_error(path_, "cannot be written", code);
+  }
+  handle_->size += static_cast<off_t>(bytes.size());
+  handle_->appended = handle_->appended || !bytes.empty();
+  return Done{};
+}
+
+bool LockedFile::flush() {
+  KERF_ASSERT(handle_);
+  Handle& h = *handle_;
+  if (h.flushing && ::aio_error(h.request.get()) == EINPROGRESS) return true;
+  if (h.flushing) ::aio_return(h.request.get());
+  h.flushing = false;
+  if (!h.appended) return false;
+  *h.request = {};
+  h.request->aio_fildes = h.descriptor;
+  h.request->aio_sigevent.sigev_notify = SIGEV_NONE;
+  h.flushing = ::aio_fsync(O_DSYNC, h.request.get()) == 0;
+  h.appended = !h.flushing;
+  return h.flushing;
+}
+
+void LockedFile::remove() { ::unlink(path_.c_str()); }
+
+}  // namespace kerf

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/base/vec3.h"
+#include "core/document/files/path_file.h"
+#include "core/document/files/scene_joint.h"
+#include "core/shadow/light.h"
+#include "core/world/world.h"
+
+namespace kerf {
+
+// The appearance of a material.
+struct Paint {
+  Vec3 colour{0.20, 0.27, 0.33};  // linear RGB; "#rrggbb" (sRGB) in the file
+  double gloss = 0.5;             // 0 matt .. 1 polished
+};
+
+// The largest number of lights of a scene.
+inline constexpr size_t kMostLights = 4;
+
+// A view of a scene.
+struct View {
+  Vec3 eye{0}, target{0};  // m
+};
+
+// A body in a scene file.
+struct SceneBody {
+  std::filesystem::path mesh;  // as it can be opened from the current folder
+  std::string name;
+  Placement placement;
+  std::optional<uint64_t> hash;  // of the mesh file's bytes, see file_hash
+  Sheet sheet;
+  std::vector<SceneJoint> joints;
+  std::string others = "{}";  // JSON: keys that this version does not know
+};
+
+// The body for a single mesh file, with the name of the file and an identity placement.
+SceneBody body_of_file(const std::filesystem::path& mesh);
+
+// The content of a scene file or of the head of a journal, without the meshes: {"version": 1, "bodies":
+// [{"mesh": "../meshes/car.obj", "name": "car", "position": [..], "orientation": [w,x,y,z],
+// "thickness": 0.0008, "density": 7850, "joints": [..]}], "paints": {"tyre": {"colour": "#202224", "gloss":
+// 0.1}}, "view": {"eye": [..], "target": [..]}, "lights":
+// [{"direction": [..] or "position": [..], "colour": "#fff2d8", "intensity": 2}], "show": ["silhouette"],
+// "strokes": [...]}. Only "bodies" and "mesh" are required.
+struct SceneDescription {
+  std::vector<SceneBody> bodies;
+  std::map<std::string, Paint> paints;  // by material name
+  std::optional<View> view;
+  std::vector<Light> lights;        // up to kMostLights; if empty, the default key light
+  std::string show;                 // default of `render --show`, in its syntax
+  std::vector<StrokePath> strokes;  // cut when the scene is opened
+  std::string others = "{}";        // JSON: keys that this version does not know
+};
+
+// A scene with its meshes loaded: the world has one body for each body of the description, in the same order.
+struct Scene : SceneDescription {
+  World world;
+};
+
+// Reads the description of a scene (.json), or that of a mesh file as a scene of one body. Mesh paths in a
+// scene file are relative to the file. Fails if the file is not a valid scene; a mesh file is not read.
+Result<SceneDescription> read_description(const std::filesystem::path& file);
+
+// Adds the loaded mesh of a description to a world, with its placement, its sheet and its joints. Fails if a
+// joint cannot be made (see make_joint); then the world is not to be used. O(joints * faces).
+Result<BodyId> add_scene_body(const SceneBody& description, Body body, World& world);
+
+// Loads the meshes of a description. Fails if a mesh is missing, cannot be read, or does not match its hash;
+// fails with cancelled() when stopped. `progress` may be null. O(n log n) in the number of faces.
+Result<Scene> load_scene(SceneDescription description, const Progress* progress = nullptr);
+
+// Reads a description with read_description and loads it with load_scene. Fails like these.
+Result<Scene> read_scene(const std::filesystem::path& file, const Progress* progress = nullptr);
+
+// Computes the hash of every mesh file that has none yet, as journals require. Fails if a file cannot be
+// read.
+Status note_hashes(SceneDescription& description, const Progress* progress = nullptr);
+
+}  // namespace kerf

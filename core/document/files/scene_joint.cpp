@@ -1,0 +1,99 @@
+#include "core/document/files/scene_joint.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <iterator>
+#include <numbers>
+
+#include "core/mesh/point_to_triangle.h"
+
+namespace kerf {
+
+namespace {
+
+// Finds the faces that carry the sides of a joint.
+class CarrierSearch {
+ public:
+  CarrierSearch(const SceneJoint& joint, const Body& body) : joint_(joint), body_(body) {}
+
+  Result<JointSide> side(size_t i) const {
+    const Vec3 point = joint_.near ? (*joint_.near)[i] : joint_.anchor;
+    std::vector<Near> near;
+    for (const MeshPart& part : body_.named_parts) {
+      if (part.name != joint_.parts[i]) continue;
+      for (uint32_t f = part.first; f < part.last; ++f)
+        near.push_back({squared_distance(point, body_.mesh.triangle(FaceId(f))), f});
+    }
+    if (near.empty()) return wrong("the mesh has no part named \"" + joint_.parts[i] + "\"");
+    const Near& nearest = *std::min_element(near.begin(), near.end());
+    if (joint_.radius && nearest.distance2 > *joint_.radius * *joint_.radius)
+      return wrong("no face of \"" + joint_.parts[i] + "\" is within its radius");
+    JointSide side;
+    side.component = component(nearest.face);
+    side.point = point;
+    if (joint_.radius) side.radius = *joint_.radius;
+    for (const Near& n : near) {
+      if (joint_.radius && n.distance2 > *joint_.radius * *joint_.radius) continue;
+      if (component(n.face) == side.component) side.faces.push_back(n.face);
+    }
+    std::sort(side.faces.begin(), side.faces.end());
+    side.faces.erase(std::unique(side.faces.begin(), side.faces.end()), side.faces.end());
+    return side;
+  }
+
+  // Whether a point is within a hundred times the size of the mesh.
+  bool is_near_mesh(const Vec3& p) const {
+    const MeshReport& loaded = body_.loaded;
+    return glm::length(p - body_.middle()) <= 100 * glm::length(loaded.max - loaded.min);
+  }
+
+  Error wrong(const std::string& what) const {
+    return bad_input("the joint of \"" + joint_.parts[0] + "\" and \"" + joint_.parts[1] + "\" in " +
+                     body_.name + ": " + what);
+  }
+
+ private:
+  struct Near {
+    double distance2;
+    uint32_t face;
+    auto operator<=>(const Near&) const = default;
+  };
+
+  uint32_t component(uint32_t face) const {
+    const std::vector<uint32_t>& of_base = body_.components.of_base;
+    return of_base.empty() ? 0 : of_base[face];
+  }
+
+  const SceneJoint& joint_;
+  const Body& body_;
+};
+
+}  // namespace
+
+Result<Joint> make_joint(const SceneJoint& joint, BodyId id, const Body& body) {
+  const CarrierSearch search(joint, body);
+  Joint made;
+  made.kind = joint.kind;
+  made.body = id;
+  made.anchor = joint.anchor;
+  const Vec3 size = glm::abs(joint.axis);
+  made.axis = glm::normalize(joint.axis / std::max({size.x, size.y, size.z}));
+  if (!search.is_near_mesh(joint.anchor)) return search.wrong("its anchor is far away from the mesh");
+  if (joint.limits) {
+    const double radians = std::numbers::pi / 180;
+    made.limits = Interval{radians * joint.limits->low, radians * joint.limits->high};
+  }
+  for (size_t i = 0; i < 2; ++i) {
+    auto side = search.side(i);
+    if (!side) return side.error();
+    made.sides[i] = std::move(*side);
+  }
+  std::vector<uint32_t> both;
+  std::set_intersection(made.sides[0].faces.begin(), made.sides[0].faces.end(), made.sides[1].faces.begin(),
+                        made.sides[1].faces.end(), std::back_inserter(both));
+  if (!both.empty())
+    return search.wrong("a face carries both sides: move \"near\" apart or lessen \"radius\"");
+  return made;
+}
+
+}  // namespace kerf

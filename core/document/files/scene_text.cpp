@@ -1,0 +1,106 @@
+#include "core/document/files/scene_text.h"
+
+#include <algorithm>
+
+#include "core/document/files/path_text.h"
+#include "core/document/text/colour_text.h"
+#include "core/document/text/fields.h"
+#include "core/document/text/hash_text.h"
+#include "core/document/text/sheet_fields.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr const char* kColour = "must be a colour like \"#3a6f8f\"";
+
+// The names are joined by commas in memory.
+Status read_names(const JsonValue& value, std::string& names) {
+  if (const Status list = value.array("names"); !list) return list;
+  for (size_t i = 0; i < value.json().size(); ++i) {
+    const auto name = value[i].text();
+    if (!name) return name.error();
+    names += (i > 0 ? "," : "") + *name;
+  }
+  return Done{};
+}
+
+nlohmann::ordered_json names_json(const std::string& joined) {
+  auto names = nlohmann::ordered_json::array();
+  for (size_t at = 0; at < joined.size();) {
+    const size_t comma = std::min(joined.find(',', at), joined.size());
+    names.push_back(joined.substr(at, comma - at));
+    at = comma + 1;
+  }
+  return names;
+}
+
+}  // namespace
+
+void describe(Fields& f, Paint& paint) {
+  f.coded("colour", paint.colour, parse_colour, colour_text, kColour, {Vec3(0.20, 0.27, 0.33), kOptional});
+  f.number("gloss", paint.gloss, kShare, {0.5, kOptional});
+}
+
+void describe(Fields& f, View& view) {
+  f.vector("eye", view.eye);
+  f.vector("target", view.target);
+  f.check(view.eye != view.target, nullptr, "eye and target must differ");
+}
+
+void describe(Fields& f, Light& light) {
+  const bool point = f.present("position", light.kind == Light::Kind::kPoint);
+  f.check(point != f.present("direction", !point), nullptr,
+          "needs \"direction\" or \"position\", and not both");
+  light.kind = point ? Light::Kind::kPoint : Light::Kind::kDirectional;
+  f.vector(point ? "position" : "direction", light.at, point ? VectorRule::kAny : VectorRule::kNotZero);
+  f.coded("colour", light.colour, parse_colour, colour_text, kColour, {Vec3(1.0, 0.938, 0.848), kOptional});
+  f.number("intensity", light.intensity, kPositive, {2.1, kOptional});
+}
+
+void lights_field(Fields& f, const char* key, std::vector<Light>& lights) {
+  f.list(key, "lights", lights, kOptional);
+  f.check(lights.size() <= kMostLights, key,
+          "must hold no more than " + std::to_string(kMostLights) + " lights");
+}
+
+void describe(Fields& f, SceneBody& body) {
+  f.path("mesh", body.mesh);
+  if (f.reading()) body.name = body.mesh.stem().string();
+  f.text("name", body.name, kOptional);
+  f.vector("position", body.placement.position, VectorRule::kAny, Vec3(0));
+  f.orientation("orientation", body.placement.orientation, glm::dquat(1, 0, 0, 0));
+  f.coded("hash", body.hash, parse_hash, hash_text, kHashRule);
+  scene_sheet_fields(f, body.sheet);
+  f.list("joints", "joints", body.joints, kOptional);
+  f.others(body.others);
+}
+
+void describe(Fields& f, SceneDescription& scene) {
+  uint64_t version = kSceneVersion;
+  f.version("version", version, kSceneVersion, kOptional);
+  f.list("bodies", "bodies", scene.bodies);
+  f.check(!scene.bodies.empty(), "bodies", "must hold one body or more");
+  f.by_name("paints", scene.paints);
+  f.object("view", scene.view);
+  lights_field(f, "lights", scene.lights);
+  if (f.present("show", !scene.show.empty()))
+    f.value(
+        "show", [&](const JsonValue& value) { return read_names(value, scene.show); },
+        [&] { return names_json(scene.show); });
+  f.list("strokes", "strokes", scene.strokes, kOptional);
+  f.others(scene.others);
+}
+
+Result<SceneDescription> parse_scene(const JsonValue& root, const std::filesystem::path& folder) {
+  SceneDescription scene;
+  const Status read = read_fields(root, folder, scene);
+  if (!read) return read.error();
+  return scene;
+}
+
+nlohmann::ordered_json scene_json(const SceneDescription& scene, const std::filesystem::path& folder) {
+  return fields_json(scene, folder);
+}
+
+}  // namespace kerf

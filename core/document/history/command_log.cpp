@@ -1,0 +1,43 @@
+#include "core/document/history/command_log.h"
+
+#include <algorithm>
+
+#include "core/base/assert.h"
+
+namespace kerf {
+
+void append_ticks(std::vector<Command>& commands, const Advance& advance, size_t first) {
+  Ticks left = advance.ticks;
+  if (commands.size() > first) {
+    auto* last = std::get_if<Advance>(&commands.back());
+    if (last && last->bodies == advance.bodies && last->joins == advance.joins) {
+      const Ticks taken = std::min(left, Advance::kMostInALine - last->ticks);
+      last->ticks += taken;
+      left -= taken;
+    }
+  }
+  for (; left > 0; left -= std::min(left, Advance::kMostInALine))
+    commands.emplace_back(Advance{std::min(left, Advance::kMostInALine), advance.bodies, advance.joins});
+}
+
+void CommandLog::append(const Command& command) {
+  if (const auto* advance = std::get_if<Advance>(&command)) {
+    append_ticks(commands_, *advance, sealed_);
+  } else {
+    commands_.push_back(command);
+  }
+}
+
+void CommandLog::shrink(size_t size) {
+  KERF_ASSERT(size <= commands_.size());
+  commands_.erase(commands_.begin() + static_cast<std::ptrdiff_t>(size), commands_.end());
+  sealed_ = std::min(sealed_, size);
+}
+
+size_t CommandLog::final_size() const {
+  if (commands_.size() <= sealed_) return commands_.size();
+  const auto* last = std::get_if<Advance>(&commands_.back());
+  return commands_.size() - (last && last->ticks < Advance::kMostInALine ? 1 : 0);
+}
+
+}  // namespace kerf

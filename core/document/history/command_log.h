@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "core/document/commands/command.h"
+
+namespace kerf {
+
+// Appends an Advance to commands of one step of the history. It is merged with the Advance commands at the
+// end of the list, from number `first` on, so that each but the last of them is a whole line of a journal
+// (Advance::kMostInALine).
+void append_ticks(std::vector<Command>& commands, const Advance& advance, size_t first = 0);
+
+// The commands that were applied to a document, in their order, as its journal holds them. Consecutive
+// Advance commands of one kind belong to one step of the history and are merged, a second at most to each, so
+// that whoever writes the journal down while time passes is never more than a second behind.
+class CommandLog {
+ public:
+  const std::vector<Command>& commands() const { return commands_; }
+  size_t size() const { return commands_.size(); }
+
+  void append(const Command& command);
+  // Removes all but the first `size` commands. Precondition: size <= size().
+  void shrink(size_t size);
+
+  // How many of the commands are final: all, or all but the last, which is time that may grow.
+  size_t final_size() const;
+  // Makes all of them final: time that passes from here on is a command of its own.
+  void seal() { sealed_ = commands_.size(); }
+
+ private:
+  std::vector<Command> commands_;
+  size_t sealed_ = 0;
+};
+
+}  // namespace kerf

@@ -1,0 +1,319 @@
+#include <algorithm>
+#include <cassert>
+
+#include "core/document/commands/edit_piece.h"
+#include "core/document/history/document.h"
+#include "core/document/history/walk.h"
+#include "core/edit/separation.h"
+#include "core/joints/hold_parts.h"
+#include "core/physics/forget_contacts.h"
+#include "core/physics/release_pieces.h"
+#include "core/world/heat_flow.h"
+
+namespace kerf {
+
+namespace {
+
+// The piece that the spring holds may have become a body of its own.
+void follow_with_spring(World& world, const Delta& delta) {
+  if (!world.spring()) return;
+  Spring spring = *world.spring();
+  for (const Detached& d : delta.detached) {
+    if (spring.piece == PieceId{d.from, d.label}) spring.piece.body = d.to;
+  }
+  if (spring != *world.spring()) world.set_spring(spring);
+}
+
+// Journals may name a body by its number alone.
+void hold_by_whole_id(World& world) {
+  Spring spring = *world.spring();
+  spring.piece = whole_id(world, spring.piece);
+  world.set_spring(spring);
+}
+
+}  // namespace
+
+size_t Document::waiting() const { return queue_.empty() && must_separate() ? 1 : queue_.size(); }
+
+bool Document::next_closes_rim() const {
+  return !queue_.empty() && queue_.front_kind() == BeamQueue::Kind::kRim && !must_separate();
+}
+
+size_t Document::next_makes_ready() const {
+  const bool tick = !must_separate() && !queue_.empty() && queue_.front_kind() == BeamQueue::Kind::kTicks;
+  if (!tick || !queue_.front_moves_bodies()) return 0;
+  const bool beam = queue_.front_beam() != nullptr;
+  size_t faces = 0;
+  for (const BodyId id : world_.ids()) {
+    const Body& body = world_.body(id);
+    if (has_pieces_off(body) || (!body.hidden && physics_.makes_collider(world_, id, beam)))
+      faces += body.mesh.live_faces();
+  }
+  return faces;
+}
+
+bool Document::next_is_of_last_step() const {
+  const std::optional<size_t> open = recorder_.step();
+  if (must_separate()) return open && is_last(*open);
+  return !queue_.empty() && is_last(queue_.front_step());
+}
+
+Result<StepResult> Document::step(size_t most, const Progress* progress) {
+  return step_front(most, false, progress);
+}
+
+Result<StepResult> Document::step_stage(const Progress* progress) { return step_front(1, true, progress); }
+
+Result<StepResult> Document::step_front(size_t most, bool one_stage, const Progress* progress) {
+  if (must_separate()) return separate_more();
+  if (queue_.empty() || most == 0) return StepResult{};
+  if (queue_.front_kind() == BeamQueue::Kind::kSpring) return change_spring();
+  const size_t step = queue_.front_step();
+  bool stopped = false;
+  const Progress watched{[&](double fraction) {
+    stopped = progress && !progress->report(fraction);
+    return !stopped;
+  }};
+  const BeamQueue::Kind kind = queue_.front_kind();
+  Result<StepResult> some = kind == BeamQueue::Kind::kTicks ? pass_ticks(most, watched)
+                            : kind == BeamQueue::Kind::kRim ? close_rim_of_stroke(watched)
+                            : one_stage                     ? walk_stage(watched)
+                                                            : walk_moves(most, watched);
+  if (some) return kind == BeamQueue::Kind::kTicks ? some : noted(step, std::move(*some));
+  give_up(step, stopped);
+  return some.error();
+}
+
+// What came apart in one stroke is known before the next one, or a tick, begins. While a stroke runs whose
+// moves so far are all executed, the search waits for what comes next: which part keeps its label depends on
+// when a search ends, and when the queue is empty depends on how fast it is executed.
+bool Document::must_separate() const {
+  if (is_settled(world_)) return false;
+  if (queue_.empty()) return !in_stroke_;
+  return queue_.front_kind() == BeamQueue::Kind::kTicks || recorder_.step() != queue_.front_step();
+}
+
+StepResult Document::separate_more() {
+  const size_t most = walked_ ? walked_->settings.search_a_move : CutSettings{}.search_a_move;
+  StepResult some = go_on_separating(world_, most);
+  return recorder_.step() ? noted(*recorder_.step(), std::move(some)) : some;
+}
+
+Result<StepResult> Document::walk_moves(size_t most, const Progress& progress) {
+  constexpr size_t kMostAtOnce = 64;  // of a queue that may be long: a bite holds a few of them
+  begin(queue_.front_step());
+  walked_ = queue_.front_stroke();
+  const std::vector<BeamMove> moves = queue_.begin_moves(world_, std::min(most, kMostAtOnce));
+  walked_->list_path(world_);
+  Result<StepResult> some = cut_step(world_, walked_->settings, moves, queue_.unfinished(), &progress);
+  if (some) queue_.pop_moves(some->moves);
+  return some;
+}
+
+Result<StepResult> Document::walk_stage(const Progress& progress) {
+  begin(queue_.front_step());
+  walked_ = queue_.front_stroke();
+  const BeamMove move = queue_.begin_moves(world_, 1).front();
+  walked_->list_path(world_);
+  Result<StepResult> some = cut_stage(world_, walked_->settings, move, queue_.unfinished(), &progress);
+  if (some) queue_.pop_moves(some->moves);
+  return some;
+}
+
+Result<StepResult> Document::close_rim_of_stroke(const Progress& progress) {
+  begin(queue_.front_step());
+  walked_ = queue_.front_stroke();
+  Result<StepResult> some =
+      rim_step(world_, walked_->settings, walked_->path, walked_->swept, queue_.unfinished_rim(), &progress);
+  if (some && !rim_is_unfinished()) queue_.pop_rim();
+  return some;
+}
+
+Result<StepResult> Document::pass_ticks(size_t most, const Progress& progress) {
+  const size_t step = queue_.front_step();
+  begin(step);
+  if (queue_.front_moves_bodies()) return move_bodies(step, progress);
+  const Ticks ticks = std::min<Ticks>(most, queue_.front_ticks());
+  world_.pass(ticks);
+  cool_for_ticks(world_, ticks);
+  queue_.pop_ticks(ticks);
+  keep_open(step);
+  return StepResult{};
+}
+
+// One tick. What came off since the last one, and what turns on joints, becomes bodies first.
+Result<StepResult> Document::move_bodies(size_t step, const Progress& progress) {
+  StepResult all;
+  if (world_.clock() % kTicksToForget == 0) forget_details(world_);
+  if (!physics_.knows_joints()) hold_parts(world_, Hold::kMoving, all.delta);
+  release_pieces(world_, history_.step(step).generation, all.delta);
+  follow_with_spring(world_, all.delta);
+  note_cut(step, all);
+  if (queue_.front_beam()) queue_.front_beam()->inherit(all.delta.detached);
+  Result<StepResult> moved = move_under_beam(step, progress);
+  if (!moved) return moved;
+  all.delta.append(std::move(moved->delta));
+  all.figures.add(moved->figures);
+  world_.pass(1);
+  cool_for_ticks(world_, 1);
+  queue_.pop_ticks(1);
+  keep_open(step);
+  return all;
+}
+
+// Bodies move on, and the beam, where it is on, cuts what moves through it. By the thermal model it only does
+// while its own moves are walked: the energy of a tick is theirs.
+Result<StepResult> Document::move_under_beam(size_t step, const Progress& progress) {
+  const std::shared_ptr<Stroke> stroke = queue_.front_beam();
+  std::map<BodyId, Placement> before;
+  if (stroke) {
+    for (const BodyId id : world_.ids()) before[id] = world_.body(id).placement;
+  }
+  StepResult all;
+  all.delta = physics_.tick(world_, stroke != nullptr);
+  note(step, all);
+  if (!stroke) return all;
+  walked_ = stroke;
+  for (const BodyId id : std::vector<BodyId>(all.delta.moved)) {
+    const Body& body = world_.body(id);
+    const std::vector<BeamMove> moves = stroke->move_body(id, body, before[id], queue_.front_beam_pose());
+    if (moves.empty() || stroke->settings.model == Model::kThermal) continue;
+    Result<StepResult> cut = cut_body(world_, stroke->settings, id, moves, &progress);
+    if (!cut) return cut;
+    note_cut(step, *cut);
+    all.delta.append(std::move(cut->delta));
+    all.figures.add(cut->figures);
+  }
+  return all;
+}
+
+StepResult Document::change_spring() {
+  const size_t step = queue_.front_step();
+  begin(step);
+  world_.set_spring(queue_.front_spring());
+  if (world_.spring()) hold_by_whole_id(world_);
+  queue_.pop_spring();
+  keep_open(step);
+  return {};
+}
+
+// Where a step is over, its recording still stays open, for the ticks to come are its own.
+void Document::keep_open(size_t step) {
+  if (is_over(step)) history_.step(step).finish();
+}
+
+// What changes from here on is changed by this step.
+void Document::begin(size_t step) {
+  if (recorder_.step() == step) return;
+  close_and_trim();
+  history_.forget_behind(step);
+  HistoryStep& begun = history_.step(step);
+  // A step begins alike whatever way the world has come to where it begins.
+  const bool anew = begun.waiting();
+  if (anew) {
+    for (const BodyId id : world_.ids()) forget_removals(world_.body(id));
+    physics_.begin_step();
+  }
+  begun.begin(history_.window() > 0);
+  recorder_.open(world_, step, begun.images() == HistoryStep::Images::kHeld);
+  if (anew && !world_.contact_memory().empty()) forget_details(world_);
+}
+
+void Document::close() {
+  const std::optional<size_t> step = recorder_.step();
+  if (!step) return;
+  if (std::optional<World::Change> change = recorder_.close(world_))
+    history_.step(*step).add(std::move(*change));
+}
+
+void Document::close_and_trim() {
+  if (!recorder_.step()) return;
+  close();
+  history_.trim();
+}
+
+void Document::note(size_t step, const StepResult& some) {
+  history_.step(step).touch(some.delta);
+  history_.step(step).note_new_pieces(world_, some.delta);
+  history_.step(step).add(some.figures);
+}
+
+// What touched a body that was changed wakes.
+void Document::note_cut(size_t step, const StepResult& some) {
+  forget_contacts(world_, some.delta);
+  physics_.follow(some.delta);
+  note(step, some);
+}
+
+StepResult Document::noted(size_t step, StepResult some) {
+  note_cut(step, some);
+  finish_step(step);
+  return some;
+}
+
+// Queues what a command does in time before everything else.
+void Document::queue_in_front(size_t step, const Command& command) {
+  std::visit(Overloaded{
+                 [&](const Advance& c) { queue_.push_ticks_in_front(step, c.ticks, c.bodies); },
+                 [&](const Pull& c) {
+                   queue_.push_spring_in_front(step, Spring{c.piece, c.at, c.to});
+                 },
+                 [&](const LetGo&) { queue_.push_spring_in_front(step, std::nullopt); },
+                 [](const auto&) {},
+             },
+             command);
+}
+
+// Whether nothing of a step of the history waits, nor can be added by a stroke that is running.
+bool Document::is_over(size_t step) const {
+  const bool running = in_stroke_ && is_last(step);
+  return !running && !queue_.holds(step) && is_settled(world_);
+}
+
+void Document::finish_step(size_t step) {
+  if (!is_over(step)) return;
+  history_.step(step).finish();
+  if (recorder_.step() == step) close_and_trim();
+}
+
+// A stroke that cannot be cut to its end has cut nothing; only its time passes. It stays in the history, for
+// whoever replays it comes to the same. One that was stopped is undone, with all that waits behind it.
+void Document::give_up(size_t step, bool stopped) {
+  if (in_stroke_ && (stopped || is_last(step))) end_stroke();
+  queue_.drop_strokes(step);
+  if (stopped) queue_.clear();
+  if (recorder_.step() == step) close();
+  ++revision_;
+  HistoryStep& failed = history_.step(step);
+  if (failed.images() != HistoryStep::Images::kHeld) return finish_step(step);
+  queue_.drop(step);
+  failed.take_back(world_);
+  failed.forget();
+  physics_ = Physics();
+  if (stopped) {
+    for (; history_.position() > step; history_.back()) journal_.append(Undo{});
+    return;
+  }
+  begin(step);
+  const std::vector<Command> commands = history_.commands_of(step);
+  for (size_t i = commands.size(); i-- > 0;) queue_in_front(step, commands[i]);
+  finish_step(step);
+}
+
+Outcome Document::finish(const Progress* progress) {
+  Outcome all;
+  Walk how;
+  how.progress = progress;
+  how.told = [&](const Result<StepResult>& some) -> Status {
+    if (!some) return some.error();
+    all.delta.append(some->delta);
+    return Done{};
+  };
+  if (const Status walked = walk(*this, how); !walked) {
+    all.delta.anew = true;
+    all.fail(walked.error());
+  }
+  return all;
+}
+
+}  // namespace kerf

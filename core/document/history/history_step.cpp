@@ -1,0 +1,283 @@
+#include "core/document/history/history_step.h"
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+#include <unordered_map>
+
+#include "core/base/assert.h"
+#include "core/document/history/command_log.h"
+
+namespace kerf {
+
+namespace {
+
+// The kind of the step that a command begins.
+struct KindOfStep {
+  using Kind = HistoryStep::Kind;
+  Kind operator()(const BeginStroke&) const { return Kind::kStroke; }
+  Kind operator()(const Recut&) const { return Kind::kRecut; }
+  Kind operator()(const HappensInTime auto&) const { return Kind::kTime; }
+  Kind operator()(const Play&) const { return Kind::kTime; }
+  Kind operator()(const HappensAtOnce auto&) const { return Kind::kEdit; }
+  Kind operator()(const MoveStroke&) const { return none(); }
+  Kind operator()(const EndStroke&) const { return none(); }
+  Kind operator()(const StopStroke&) const { return none(); }
+  Kind operator()(const Undo&) const { return none(); }
+  Kind operator()(const Redo&) const { return none(); }
+  static Kind none() {
+    KERF_ASSERT(!"a step begins with this command");
+    return Kind::kEdit;
+  }
+};
+
+void sort_each_once(std::vector<FaceId>& faces) {
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+}
+
+bool lists(const std::vector<BodyId>& ids, BodyId id) {
+  return std::find(ids.begin(), ids.end(), id) != ids.end();
+}
+
+PieceId piece_after(const Delta& delta, PieceId before) {
+  for (const Detached& d : delta.detached) {
+    if (d.from == before.body && d.label == before.label) before.body = d.to;
+  }
+  return before;
+}
+
+Ticks ticks_of_last(const std::vector<Command>& commands) {
+  const auto* advance = std::get_if<Advance>(&commands.back());
+  return advance ? advance->ticks : 0;
+}
+
+std::vector<FaceId>::const_iterator at(const std::vector<FaceId>& faces, size_t i) {
+  return faces.begin() + static_cast<std::ptrdiff_t>(i);
+}
+
+bool is_live(const Mesh& mesh, FaceId f) { return f.index < mesh.face_slots() && mesh.is_live(f); }
+
+}  // namespace
+
+HistoryStep::HistoryStep(const Command& first) : kind_(std::visit(KindOfStep{}, first)) { add(first); }
+
+void HistoryStep::add(const Command& command) {
+  if (const auto* advance = std::get_if<Advance>(&command)) {
+    append_ticks(commands_, *advance);
+  } else {
+    commands_.push_back(command);
+  }
+}
+
+void HistoryStep::begin(bool record) {
+  if (!waiting()) return;
+  state_ = State::kBegun;
+  images_ = record ? Images::kHeld : Images::kLetGo;
+}
+
+void HistoryStep::finish() {
+  KERF_ASSERT(!waiting());
+  state_ = State::kDone;
+}
+
+void HistoryStep::reopen() {
+  if (done()) state_ = State::kBegun;
+}
+
+void HistoryStep::add(World::Change change) {
+  if (images_ != Images::kHeld) return;
+  bytes_ += change.bytes();
+  changes_.push_back(std::move(change));
+}
+
+void HistoryStep::touch(const Delta& delta) {
+  removed_faces_ += delta.removed_faces;
+  removed_area_ += delta.removed_area;
+  if (delta.changes_bodies()) follow_bodies(delta);
+  for (const BodyDelta& b : delta.bodies) {
+    Touched& touched = touched_[b.body];
+    for (const auto* faces : {&b.born, &b.gone})
+      touched.corners.insert(touched.corners.end(), faces->begin(), faces->end());
+    touched.labels.insert(touched.labels.end(), b.relabelled.begin(), b.relabelled.end());
+    keep_cut_faces(b);
+  }
+}
+
+// What was noted by the ids of bodies goes on by those that they have after this part of the step.
+void HistoryStep::follow_bodies(const Delta& delta) {
+  const auto follow = [&](auto& by_body) {
+    std::remove_reference_t<decltype(by_body)> after;
+    for (auto& [id, noted] : by_body) {
+      if (!lists(delta.went, id)) after[id_after(delta, id)] = std::move(noted);
+    }
+    by_body = std::move(after);
+  };
+  follow(touched_);
+  follow(cut_faces_);
+  std::map<PieceId, uint32_t> came_off;
+  for (const auto& [piece, from] : came_off_) came_off[piece_after(delta, piece)] = from;
+  came_off_ = std::move(came_off);
+  Delta bodies = delta;
+  bodies.bodies.clear();
+  bodies_.append(std::move(bodies));
+}
+
+void HistoryStep::keep_cut_faces(const BodyDelta& delta) {
+  const size_t count = std::min(delta.removed.size(), kMostCutFaces - cut_faces_kept_);
+  if (count == 0) return;
+  std::vector<CutFace>& kept = cut_faces_[delta.body];
+  kept.insert(kept.end(), delta.removed.begin(), delta.removed.begin() + static_cast<std::ptrdiff_t>(count));
+  cut_faces_kept_ += count;
+}
+
+void HistoryStep::let_go_cut_faces() {
+  cut_faces_.clear();
+  cut_faces_kept_ = 0;
+}
+
+PieceId HistoryStep::piece_after_step(PieceId before) const { return piece_after(bodies_, before); }
+
+// The latest removals are looked at first, because the last of those that separate a piece is beside it. What
+// was beside it then may have been removed later, with the label of the new piece.
+void HistoryStep::note_new_pieces(const World& world, const Delta& delta) {
+  constexpr size_t kMostLookedAt = 20'000;
+  for (const BodyDelta& b : delta.bodies) {
+    const auto cut = cut_faces_.find(b.body);
+    if (b.new_pieces.empty() || cut == cut_faces_.end()) continue;
+    const Body& body = world.body(b.body);
+    const std::vector<CutFace>& faces = cut->second;
+    std::set<uint32_t> unknown(b.new_pieces.begin(), b.new_pieces.end());
+    std::unordered_map<uint32_t, uint32_t> label_then;  // of faces that were removed later; never iterated
+    const size_t end = faces.size() - std::min(faces.size(), kMostLookedAt);
+    for (size_t i = faces.size(); i-- > end && !unknown.empty();) {
+      label_then[faces[i].face.index] = faces[i].piece;
+      for (const FaceId n : faces[i].neighbours) {
+        const auto later = label_then.find(n.index);
+        if (!body.mesh.is_live(n) && later == label_then.end()) continue;
+        const uint32_t label = body.mesh.is_live(n) ? body.label(n) : later->second;
+        if (label != faces[i].piece && unknown.erase(label) > 0) came_off_[{b.body, label}] = faces[i].piece;
+      }
+    }
+  }
+}
+
+void HistoryStep::forget() {
+  came_off_.clear();
+  let_go_cut_faces();
+  changes_.clear();
+  bytes_ = 0;
+  touched_.clear();
+  bodies_ = Delta{};
+  removed_faces_ = 0;
+  removed_area_ = 0;
+  figures_ = {};
+  state_ = State::kWaiting;
+  images_ = Images::kNone;
+}
+
+void HistoryStep::let_go() {
+  if (images_ == Images::kHeld) images_ = Images::kLetGo;
+  changes_.clear();
+  bytes_ = 0;
+}
+
+Delta HistoryStep::take_back(World& world) {
+  for (size_t i = changes_.size(); i-- > 0;) world.exchange(changes_[i]);
+  return delta(world, true);
+}
+
+HistoryStep::Mark HistoryStep::mark() const {
+  KERF_ASSERT(!waiting());
+  Mark mark;
+  mark.commands = commands_.size();
+  mark.ticks = ticks_of_last(commands_);
+  mark.changes = changes_.size();
+  mark.bytes = bytes_;
+  mark.removed_faces = removed_faces_;
+  mark.cut_faces_kept = cut_faces_kept_;
+  mark.removed_area = removed_area_;
+  mark.figures = figures_;
+  for (const auto& [id, touched] : touched_)
+    mark.touched[id] = {touched.corners.size(), touched.labels.size()};
+  for (const auto& [id, faces] : cut_faces_) mark.cut_faces[id] = faces.size();
+  mark.came_off = came_off_;
+  return mark;
+}
+
+bool HistoryStep::can_go_back_to(const Mark& mark) const {
+  return images_ == Images::kHeld && !waiting() && bodies_.empty() && mark.changes <= changes_.size() &&
+         mark.commands == commands_.size() && mark.ticks == ticks_of_last(commands_) &&
+         mark.cut_faces_kept <= cut_faces_kept_;
+}
+
+Delta HistoryStep::go_back_to(const Mark& mark, World& world) {
+  KERF_ASSERT(can_go_back_to(mark));
+  for (; changes_.size() > mark.changes; changes_.pop_back()) world.exchange(changes_.back());
+  Delta back = delta(world, true, &mark);
+  bytes_ = mark.bytes;
+  removed_faces_ = mark.removed_faces;
+  cut_faces_kept_ = mark.cut_faces_kept;
+  removed_area_ = mark.removed_area;
+  figures_ = mark.figures;
+  came_off_ = mark.came_off;
+  std::erase_if(touched_, [&](const auto& touched) { return !mark.touched.contains(touched.first); });
+  for (const auto& [id, sizes] : mark.touched) {
+    touched_[id].corners.resize(sizes.first);
+    touched_[id].labels.resize(sizes.second);
+  }
+  std::erase_if(cut_faces_, [&](const auto& faces) { return !mark.cut_faces.contains(faces.first); });
+  for (const auto& [id, size] : mark.cut_faces) cut_faces_[id].resize(size);
+  state_ = State::kBegun;
+  return back;
+}
+
+Delta HistoryStep::bring_again(World& world) {
+  for (World::Change& change : changes_) world.exchange(change);
+  return delta(world, false);
+}
+
+Delta HistoryStep::restore(World& world, size_t slots) const {
+  for (size_t i = changes_.size(); i-- > 0;) world.restore(changes_[i], slots);
+  return delta(world, true);
+}
+
+std::optional<size_t> HistoryStep::slots_before() const {
+  if (changes_.empty()) return std::nullopt;
+  return changes_.front().slots_before();
+}
+
+// Tells what the step touched; faces are told apart by what the world has become.
+Delta HistoryStep::delta(const World& world, bool back, const Mark* since) const {
+  Delta all = back ? bodies_taken_back(bodies_) : bodies_;
+  all.removed_faces = 0;
+  all.removed_area = 0;
+  for (const auto& [after, touched] : touched_) {
+    const BodyId id = back ? id_before(bodies_, after) : after;
+    // A body that came in the step is looked at as a whole, or has gone.
+    if (lists(bodies_.came, after) || !world.contains(id)) continue;
+    const Mesh& mesh = world.body(id).mesh;
+    BodyDelta body;
+    body.body = id;
+    std::pair<size_t, size_t> before;
+    if (since && since->touched.contains(after)) before = since->touched.at(after);
+    std::vector<FaceId> corners(at(touched.corners, before.first), touched.corners.end());
+    std::vector<FaceId> labels(at(touched.labels, before.second), touched.labels.end());
+    sort_each_once(corners);
+    for (const FaceId f : corners) (is_live(mesh, f) ? body.born : body.gone).push_back(f);
+    sort_each_once(labels);
+    std::set_difference(labels.begin(), labels.end(), corners.begin(), corners.end(),
+                        std::back_inserter(body.relabelled));
+    all.bodies.push_back(std::move(body));
+  }
+  return all;
+}
+
+// Bodies move in steps that are begun for it (see Document::begin), or in those of strokes.
+bool belongs_to(HistoryStep::Kind last, const Command& in_time) {
+  if (last != HistoryStep::Kind::kEdit) return true;
+  const auto* time = std::get_if<Advance>(&in_time);
+  return time != nullptr && time->joins && !time->bodies;
+}
+
+}  // namespace kerf

@@ -1,0 +1,154 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "core/document/commands/command.h"
+#include "core/world/delta.h"
+#include "core/world/world.h"
+
+namespace kerf {
+
+// A step of the history: its commands, how far they have been executed, and what they changed.
+class HistoryStep {
+ public:
+  enum class Kind {
+    kStroke,  // a stroke with all its moves, and the time that passes within and after it
+    kRecut,   // the previous stroke cut again with other settings, and the time that passes after it
+    kTime,    // time that passes without a stroke before it, or after Play
+    kEdit,    // a command that is executed at once, and the time that joins it
+  };
+  enum class State {
+    kWaiting,  // nothing has been executed yet
+    kBegun,    // a part is still in the queue, or more commands may follow
+    kDone,
+  };
+  // The before-images of what the step changed.
+  enum class Images {
+    kNone,   // the step is waiting
+    kHeld,   // all are kept, or are being recorded
+    kLetGo,  // some were discarded, so that the step can only be undone by a replay
+  };
+
+  // Precondition: the command is one that can begin a step.
+  explicit HistoryStep(const Command& first);
+
+  Kind kind() const { return kind_; }
+  const std::vector<Command>& commands() const { return commands_; }
+  Command& first() { return commands_.front(); }
+  void add(const Command& command);
+  void take_out_last() { commands_.pop_back(); }
+  // The generation of bodies that the step creates (see BodyId).
+  uint32_t generation = 0;
+
+  // The number of live faces that the step removed, and their area (m^2).
+  size_t removed_faces() const { return removed_faces_; }
+  double removed_area() const { return removed_area_; }  // see Delta
+  // The sum of the figures of all cut steps that executed it.
+  const StepFigures& figures() const { return figures_; }
+
+  State state() const { return state_; }
+  bool waiting() const { return state_ == State::kWaiting; }
+  bool done() const { return state_ == State::kDone; }
+  // Begins the step if it is waiting. `record`: the before-images of all its changes will be added.
+  void begin(bool record);
+  // Precondition: it was begun.
+  void finish();
+  // Makes a finished step begun again, because commands were added to it.
+  void reopen();
+
+  Images images() const { return images_; }
+  size_t bytes() const { return bytes_; }  // memory of its before-images
+  void add(World::Change change);
+  // Notes what the step changed, from which the delta is made when the step is undone or redone.
+  void touch(const Delta& delta);
+  void add(const StepFigures& figures) { figures_.add(figures); }
+  // Makes the step waiting again, after its changes were taken out of the world. Drops all records of them.
+  void forget();
+  // Discards the before-images. The changes stay in the world.
+  void let_go();
+
+  // The id after the step of a body that has the id `before` ahead of it and was not removed by it.
+  BodyId id_after_step(BodyId before) const { return id_after(bodies_, before); }
+
+  // The same of a piece, which another body has if the step detached it.
+  PieceId piece_after_step(PieceId before) const;
+
+  // The pieces that came off in the step, by the ids of the bodies after the step, and the label of the piece
+  // that each came off. note_new_pieces() is told of each part of the step right after it: what came off what
+  // is found from the faces that were removed beside a new piece.
+  const std::map<PieceId, uint32_t>& came_off() const { return came_off_; }
+  void note_new_pieces(const World& world, const Delta& delta);
+
+  // The faces that the beam removed in the step, by the id of the body after the step, for views of the cut.
+  // They are kept while the step is undone, and when its before-images are discarded. Beyond
+  // kMostCutFaces, and after let_go_cut_faces(), some are missing.
+  static constexpr size_t kMostCutFaces = 200'000;
+  const CutFaces& cut_faces() const { return cut_faces_; }
+  size_t cut_faces_kept() const { return cut_faces_kept_; }
+  bool has_all_cut_faces() const { return cut_faces_kept_ == removed_faces_; }
+  void let_go_cut_faces();
+
+  // Undoes or redoes the step by exchanging what it changed with its before-images. Preconditions: the images
+  // are held, and all later steps are undone.
+  Delta take_back(World& world);
+  Delta bring_again(World& world);
+  // How far the execution of the step has come. All that the step notes is appended or summed up.
+  struct Mark {
+    size_t commands = 0;
+    Ticks ticks = 0;  // of the last command, to which more may be added
+    size_t changes = 0, bytes = 0;
+    size_t removed_faces = 0, cut_faces_kept = 0;
+    double removed_area = 0;
+    StepFigures figures;
+    std::map<BodyId, std::pair<size_t, size_t>> touched;  // numbers of corners and labels
+    std::map<BodyId, size_t> cut_faces;
+    std::map<PieceId, uint32_t> came_off;
+  };
+  // Precondition: the step was begun, and no recording is open.
+  Mark mark() const;
+  // Whether the step has only been executed further since then, has left the bodies as they are but for their
+  // faces, and its images are held.
+  bool can_go_back_to(const Mark& mark) const;
+  // Goes back to there: the step is begun. Returns what changed. Preconditions: can_go_back_to(mark), no
+  // recording is open, and all later steps are undone.
+  Delta go_back_to(const Mark& mark, World& world);
+
+  // Undoes the step by an edit of the world that is recorded like any other. The step is left unchanged.
+  // Several in a row are undone the latest first; `slots` is that of the earliest (see World::restore).
+  Delta restore(World& world, size_t slots) const;
+  // The slots of bodies that the world had before the step; none where the step holds no images.
+  std::optional<size_t> slots_before() const;
+
+ private:
+  // Slots of faces, possibly repeated: faces that were added, removed or had corners moved, and faces whose
+  // label changed.
+  struct Touched {
+    std::vector<FaceId> corners, labels;
+  };
+  Delta delta(const World& world, bool back, const Mark* since = nullptr) const;
+  void follow_bodies(const Delta& delta);
+  void keep_cut_faces(const BodyDelta& delta);
+
+  Kind kind_;
+  State state_ = State::kWaiting;
+  Images images_ = Images::kNone;
+  std::vector<Command> commands_;
+  size_t removed_faces_ = 0;
+  double removed_area_ = 0;
+  StepFigures figures_;
+  std::vector<World::Change> changes_;  // in the order in which they were made
+  std::map<BodyId, Touched> touched_;   // by the id of the body after the step
+  Delta bodies_;                        // all changes except those of faces
+  size_t bytes_ = 0;
+  CutFaces cut_faces_;
+  size_t cut_faces_kept_ = 0;
+  std::map<PieceId, uint32_t> came_off_;
+};
+
+// Whether a command that happens in time belongs to a step of this kind that is the last one. Otherwise it
+// begins a step.
+bool belongs_to(HistoryStep::Kind last, const Command& in_time);
+
+}  // namespace kerf

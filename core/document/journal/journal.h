@@ -1,0 +1,62 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/document/commands/command.h"
+#include "core/document/files/scene.h"
+#include "core/world/body_state.h"
+
+namespace kerf {
+
+class Document;
+
+// The state hash of the world after the first `commands` commands, taken while no move was queued; and, where
+// bodies have moved by themselves, the kind of machine on which they did (see machine_kind), where it has
+// brought them, and when.
+struct StateMark {
+  size_t commands = 0;
+  uint64_t hash = 0;
+  size_t line = 0;  // line number in the journal file, from 1; 0 if the mark was not read from a file
+  std::string machine{};
+  std::vector<BodyState> bodies{};
+  std::vector<NearPair> pairs{};
+  Ticks clock = 0;  // 0 where bodies did not move, and in journals that do not say it
+};
+
+// A document as its file (.kerf) holds it, one JSON object a line: first the scene, with "kerf": "journal"
+// and the hashes of its meshes, then the commands since (see command_text), and between them marks,
+// {"hash": "0123456789abcdef"}, with "machine", "bodies", "pairs" and "clock" where bodies have moved (see
+// mark_fields.h).
+struct Journal {
+  SceneDescription scene;  // without strokes; the strokes of a scene are commands of the journal
+  std::filesystem::path
+      work_of;  // of an autosaved journal: the file that the document was saved to; or empty
+  std::vector<Command> commands;
+  std::vector<StateMark> marks;  // ascending
+  std::string damage;            // one sentence on what could not be read, or empty
+};
+
+// Reads a journal up to its first damaged line. An incomplete last line, and everything from the first
+// invalid line on, is left out, and `damage` says which line and why. Bad input if the file or its first line
+// cannot be read. The mesh files are not read.
+Result<Journal> read_journal(const std::filesystem::path& file);
+
+// The text of a journal. `folder` is the folder of the journal file; if it is empty, meshes are named by
+// their absolute paths. Bad input if a mesh has no hash (see note_hashes) or a name is not UTF-8.
+Result<std::string> journal_head(const SceneDescription& scene, const std::filesystem::path& work_of,
+                                 const std::filesystem::path& folder);
+Result<std::string> journal_lines(std::span<const Command> commands, std::span<const StateMark> marks,
+                                  const std::filesystem::path& folder);
+
+// A mark is due when the document has applied this many commands since the last mark and no move is queued.
+inline constexpr size_t kCommandsBetweenMarks = 50;
+// Appends a mark of the current state if one is due; with `always`, if no move is queued and the state is not
+// marked yet. Returns whether it did. A mark seals the journal (see Document::seal_journal). O(faces) if a
+// mark is appended.
+bool mark_state(Document& document, std::vector<StateMark>& marks, bool always = false);
+
+}  // namespace kerf

@@ -1,0 +1,112 @@
+#include "core/document/commands/command_text.h"
+#include "core/document/files/scene_text.h"
+#include "core/document/journal/mark_fields.h"
+#include "core/document/text/fields.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr const char* kKind = "journal";
+
+// Where the beam is after a command that places it; none after others.
+std::optional<BeamAt> beam_after(const Command& command) {
+  using At = std::optional<BeamAt>;
+  return std::visit(Overloaded{
+                        [](const BeginStroke& c) -> At {
+                          return BeamAt{c.pose, 0};
+                        },
+                        [](const MoveStroke& c) -> At {
+                          return BeamAt{c.pose, c.time};
+                        },
+                        [](const auto&) -> At { return std::nullopt; },
+                    },
+                    command);
+}
+
+// Takes the lines of a journal one after the other.
+class JournalReader {
+ public:
+  JournalReader(const std::filesystem::path& file, std::string_view text)
+      : file_(file), folder_(file.parent_path()), rest_(text) {}
+
+  Result<Journal> read() {
+    if (const auto head = read_head(); !head) return head.error();
+    while (!rest_.empty()) {
+      const bool torn = rest_.find('\n') == std::string_view::npos;
+      const auto taken = take_line(next_line());
+      if (taken) continue;
+      journal_.damage = torn ? where() + ": the last line is torn and was left out"
+                             : taken.error().message + "; from this line on the journal was left out";
+      break;
+    }
+    return std::move(journal_);
+  }
+
+ private:
+  std::string where() const { return file_.string() + ": line " + std::to_string(line_); }
+
+  std::string_view next_line() {
+    ++line_;
+    const size_t end = std::min(rest_.find('\n'), rest_.size());
+    const std::string_view line = rest_.substr(0, end);
+    rest_.remove_prefix(std::min(end + 1, rest_.size()));
+    return line;
+  }
+
+  Status read_head() {
+    nlohmann::json json = nlohmann::json::parse(next_line(), nullptr, false);
+    if (!json.is_object() || json.value("kerf", nlohmann::json()) != kKind)
+      return bad_input(where() + ": this is not how a journal begins");
+    json.erase("kerf");
+    if (json.contains("work_of") && json["work_of"].is_string()) {
+      journal_.work_of = json["work_of"].get<std::string>();
+      json.erase("work_of");
+    }
+    if (!json.contains("version")) return bad_input(where() + ": needs \"version\"");
+    auto scene = parse_scene(JsonValue(json, where()), folder_);
+    if (!scene) return scene.error();
+    journal_.scene = std::move(*scene);
+    return Done{};
+  }
+
+  Status take_line(std::string_view line) {
+    if (line.empty()) return Done{};
+    const nlohmann::json json = nlohmann::json::parse(line, nullptr, false);
+    const JsonValue value(json, where());
+    if (!json.is_object()) return value.wrong("this is not a JSON object");
+    return value.has("hash") ? take_mark(value) : take_command(value);
+  }
+
+  Status take_mark(const JsonValue& value) {
+    StateMark mark{journal_.commands.size(), 0, line_};
+    if (const Status read = read_fields(value, folder_, mark); !read) return read;
+    journal_.marks.push_back(std::move(mark));
+    return Done{};
+  }
+
+  Status take_command(const JsonValue& value) {
+    auto command = parse_command(value, folder_, beam_);
+    if (!command) return command.error();
+    if (const auto beam = beam_after(*command)) beam_ = beam;
+    journal_.commands.push_back(std::move(*command));
+    return Done{};
+  }
+
+  const std::filesystem::path& file_;
+  std::filesystem::path folder_;
+  std::string_view rest_;
+  size_t line_ = 0;
+  std::optional<BeamAt> beam_;  // of the stroke that came last
+  Journal journal_;
+};
+
+}  // namespace
+
+Result<Journal> read_journal(const std::filesystem::path& file) {
+  const auto text = read_text_file(file);
+  if (!text) return text.error();
+  return JournalReader(file, *text).read();
+}
+
+}  // namespace kerf

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <optional>
+
+#include "core/document/history/walk.h"
+#include "core/document/journal/journal.h"
+#include "core/document/journal/time_skips.h"
+
+namespace kerf {
+
+// Applies the commands of a journal to a document that holds the journal's scene, and compares the state of
+// the world with the marks of the journal on the way. The journal and the document must outlive the replay.
+class Replay {
+ public:
+  Replay(const Journal& journal, Document& document) : Replay(journal, document, {}) {}
+  // With `skips`: bodies are put where marks say that time brought them.
+  Replay(const Journal& journal, Document& document, std::vector<TimeSkip> skips)
+      : journal_(journal), document_(document), skips_(std::move(skips)) {
+    compare();
+  }
+
+  bool done() const { return next_ == journal_.commands.size() && document_.waiting() == 0; }
+  // The number of commands applied so far. What `told` hears of is what the last of these did.
+  size_t applied() const { return next_; }
+  // How much of the journal is applied, 0 to 1.
+  double fraction() const;
+
+  // Applies the next command, walks what it queued (see walk) and calls `told` after each step. A change that
+  // the command made at once is reported to `told` as a step, too. A command or step that fails does not end
+  // the replay if `told` returns success, because it failed when the journal was recorded as well.
+  // Precondition: !done().
+  Status next(const Walk& how);
+  // Replays the rest of the journal. Fails like walk(), or if `progress`, which receives fraction(), stops
+  // it.
+  Status run(const Walk& how);
+
+  // The first mark whose hash differs from that of the world, and the hash that the world had there.
+  struct Difference {
+    StateMark mark;
+    uint64_t hash = 0;
+  };
+  const std::optional<Difference>& difference() const { return difference_; }
+
+  // The kind of machine on which bodies came elsewhere than here, so that their states were taken from a mark
+  // of it; empty if there was none. This is no difference.
+  const std::string& other_machine() const { return other_machine_; }
+
+  // The ticks that were skipped.
+  Ticks skipped() const { return skipped_; }
+
+ private:
+  size_t end_of_stopped() const;
+  Status tell(const Walk& how, Outcome at_once) const;
+  Status skip(const Walk& how, const TimeSkip& skip);
+  void compare();
+  bool takes_bodies(const StateMark& mark);
+
+  const Journal& journal_;
+  Document& document_;
+  size_t next_ = 0, next_mark_ = 0;
+  std::optional<Difference> difference_;
+  std::string other_machine_;
+  std::vector<TimeSkip> skips_;  // ascending
+  size_t next_skip_ = 0;
+  Ticks skipped_ = 0;
+};
+
+}  // namespace kerf

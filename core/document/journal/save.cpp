@@ -1,0 +1,74 @@
+#include "core/document/journal/save.h"
+
+#include "core/base/atomic_file.h"
+#include "core/document/files/path_text.h"
+#include "core/document/files/scene_text.h"
+#include "core/document/text/json_text.h"
+
+namespace kerf {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// The folder to which paths in a file are relative.
+fs::path folder_of(const fs::path& file) {
+  std::error_code error;
+  const fs::path whole = fs::absolute(file, error);
+  return (error ? file : whole).parent_path();
+}
+
+// Atomically makes `previous` a hard link to the file, or a copy if the file system does not support links.
+Status keep(const fs::path& file, const fs::path& previous) {
+  fs::path fresh = previous;
+  fresh += ".new";
+  std::error_code error;
+  fs::remove(fresh, error);
+  fs::create_hard_link(file, fresh, error);
+  if (error) fs::copy_file(file, fresh, fs::copy_options::overwrite_existing, error);
+  if (!error) fs::rename(fresh, previous, error);
+  if (!error) return Done{};
+  return failed("cannot keep what was in " + file.string() + " as " + previous.string() + ": " +
+                error.message());
+}
+
+}  // namespace
+
+fs::path previous_version(const fs::path& file) {
+  fs::path previous = file;
+  previous += "~";
+  return previous;
+}
+
+Status save_file(const fs::path& file, std::string_view bytes) {
+  std::error_code error;
+  const fs::path target = fs::is_regular_file(file, error) ? fs::canonical(file, error) : file;
+  if (!error && fs::is_regular_file(target, error)) {
+    if (const auto kept = keep(target, previous_version(target)); !kept) return kept;
+  }
+  return write_file_atomically(file, bytes);
+}
+
+Status save_journal(const fs::path& file, const SceneDescription& scene, std::span<const Command> commands,
+                    std::span<const StateMark> marks) {
+  const fs::path folder = folder_of(file);
+  const auto head = journal_head(scene, {}, folder);
+  if (!head) return head.error();
+  const auto lines = journal_lines(commands, marks, folder);
+  if (!lines) return lines.error();
+  return save_file(file, *head + *lines);
+}
+
+Status save_scene(const fs::path& file, const SceneDescription& scene) {
+  SceneDescription without_hashes = scene;
+  for (SceneBody& body : without_hashes.bodies) body.hash.reset();
+  const auto text = dump_json(scene_json(without_hashes, folder_of(file)), 2);
+  if (!text) return text.error();
+  return save_file(file, *text + "\n");
+}
+
+Status save_path(const fs::path& file, std::span<const StrokePath> strokes) {
+  return save_file(file, path_file_text(strokes));
+}
+
+}  // namespace kerf

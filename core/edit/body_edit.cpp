@@ -1,0 +1,244 @@
+#include "core/edit/body_edit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/base/assert.h"
+#include "core/mesh/longest_edge.h"
+
+namespace kerf {
+
+namespace {
+
+// Sets how often a face's area was halved, after its area became another share of that of its base face.
+void follow_area(FaceData& data, double area_before, double area_now) {
+  if (!(area_before > 0 && area_now > 0)) return;
+  int halvings = 0;
+  const double share =
+      std::frexp(area_before / area_now, &halvings);  // in [1/2, 1): their ratio is share * 2^halvings
+  if (share < 0.7071067811865476) --halvings;
+  data.halvings = static_cast<uint8_t>(std::clamp(data.halvings + halvings, 0, 255));
+}
+
+Replacement in_two(const Mesh::FaceSplit& s) {
+  return {{s.kept, FaceId()}, {s.kept, s.added, FaceId(), FaceId()}, 1, 2};
+}
+
+void sort_each_once(std::vector<FaceId>& faces) {
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+}
+
+}  // namespace
+
+BodyEdit::~BodyEdit() {
+  update_tree();
+  refit_tree();
+}
+
+// Area that the faces lose, whether with a face or by a move of a vertex, counts as removed.
+void BodyEdit::count(FaceId f, int faces, double area) {
+  body_->count(f, faces, area);
+  removed_area_ -= area;
+}
+
+AreaMoments BodyEdit::moments_of(FaceId f) const {
+  const Triangle t = mesh().triangle(f);
+  return area_moments(t, triangle_area(t), body_->middle());
+}
+
+// Splitting -------------------------------------------------------------------------------------------------
+
+void BodyEdit::split_in_four(FaceId f) {
+  KERF_ASSERT(mesh().is_live(f));
+  if (!body_->refinement.can_split(mesh(), f)) return;
+  const size_t first = splits_.size();
+  body_->refinement.split(body_->mesh, f, splits_);
+  note_splits(first);
+}
+
+void BodyEdit::bisect_at_longest_edge(FaceId f) {
+  KERF_ASSERT(mesh().is_live(f));
+  const size_t first = splits_.size();
+  bisect_longest_edge(body_->mesh, body_->refinement, f, splits_);
+  note_splits(first);
+}
+
+void BodyEdit::split_edge_at(FaceId f, VertexId from, VertexId to, const Vec3& at,
+                             std::vector<Mesh::FaceSplit>& out) {
+  KERF_ASSERT(at != mesh().position(from) && at != mesh().position(to));
+  std::vector<Mesh::Side> sides;
+  mesh().append_edge_sides(f, from, to, sides);
+  forget_pair(f);
+  for (const Mesh::Side& side : sides) forget_pair(side.face);
+  const size_t first = out.size(), first_split = splits_.size();
+  body_->mesh.split_edge_at(f, from, to, at, out);
+  for (size_t i = first; i < out.size(); ++i) {
+    const Mesh::FaceSplit& s = out[i];
+    const double kept = triangle_area(mesh().triangle(s.kept)),
+                 added = triangle_area(mesh().triangle(s.added));
+    follow_area(body_->mesh.edit_data(s.kept), kept + added, kept);
+    follow_area(body_->mesh.edit_data(s.added), kept + added, added);
+    splits_.push_back(in_two(s));
+  }
+  note_splits(first_split);
+}
+
+// The counts and the graph follow at once: what is moved or turned next is told to them too.
+void BodyEdit::note_splits(size_t first) {
+  for (size_t i = first; i < splits_.size(); ++i) {
+    const Replacement& r = splits_[i];
+    edited_.insert(edited_.end(), r.born.begin(), r.born.begin() + r.born_count);
+    const int made = r.born_count - r.gone_count;
+    faces_made_ += static_cast<size_t>(made);
+    note_replaced(*body_, r);
+    count(r.born[0], made, 0);
+  }
+}
+
+// Removing --------------------------------------------------------------------------------------------------
+
+void BodyEdit::remove(std::span<const FaceId> faces) {
+  KERF_ASSERT(splits_.empty());
+  for (const FaceId f : faces) {
+    if (!mesh().is_live(f)) continue;
+    forget_pair(f);
+    remove_face(f);
+  }
+}
+
+void BodyEdit::remove_face(FaceId f) {
+  const Triangle t = mesh().triangle(f);
+  const double area = triangle_area(t);
+  const int64_t loops = body_->separation.loops;
+  note_removal(*body_, f);
+  record_removal(f, t, loops);
+  count(f, -1, -area);
+  body_->edit_piece_of(f).moments -= area_moments(t, area, body_->middle());
+  ++removed_faces_;
+  body_->ejected += body_->heat.energy_of(mesh(), f);
+  body_->mesh.remove_face(f);
+  removed_.push_back(f);
+  edited_.push_back(f);
+}
+
+// Precondition: the separation state of the body still holds the neighbours of f (see note_removal).
+void BodyEdit::record_removal(FaceId f, const Triangle& corners, int64_t loops_before) {
+  const FaceData& data = mesh().data(f);
+  CutFace cut;
+  cut.face = f;
+  cut.base = data.base;
+  cut.piece = data.piece;
+  cut.corners = corners;
+  cut.closed_loop = body_->separation.loops > loops_before;
+  const std::vector<FaceId>& neighbours = body_->separation.neighbours;
+  KERF_ASSERT(neighbours.size() <= cut.neighbours.size());
+  std::copy(neighbours.begin(), neighbours.end(), cut.neighbours.begin());
+  cut_faces_.push_back(cut);
+}
+
+void BodyEdit::take_out(std::span<const FaceId> faces) {
+  KERF_ASSERT(is_settled(*body_) && splits_.empty());
+  for (const FaceId f : faces) {
+    forget_pair(f);
+    body_->edit_piece_of(f) = Piece{};
+    body_->mesh.remove_face(f);
+    removed_.push_back(f);
+  }
+}
+
+// Turning and moving ----------------------------------------------------------------------------------------
+
+void BodyEdit::flip_edge(FaceId f, VertexId from, VertexId to) {
+  KERF_ASSERT(mesh().can_flip_edge(f, from, to));
+  std::vector<Mesh::Side> sides;
+  mesh().append_edge_sides(f, from, to, sides);
+  KERF_ASSERT(sides.size() == 1);
+  const std::array<FaceId, 2> faces{f, sides[0].face};
+  // While pieces get their labels, the two may belong to different ones.
+  const bool one_piece = mesh().data(faces[0]).piece == mesh().data(faces[1]).piece;
+  std::array<double, 2> before;
+  for (size_t i = 0; i < 2; ++i) {
+    forget_pair(faces[i]);
+    before[i] = triangle_area(mesh().triangle(faces[i]));
+    if (!one_piece) body_->edit_piece_of(faces[i]).moments -= moments_of(faces[i]);
+  }
+  body_->mesh.flip_edge(f, from, to);
+  for (size_t i = 0; i < 2; ++i) {
+    const double area = triangle_area(mesh().triangle(faces[i]));
+    follow_area(body_->mesh.edit_data(faces[i]), before[i], area);
+    moved_.push_back(faces[i]);
+    edited_.push_back(faces[i]);
+    note_turned(*body_, faces[i], area - before[i]);
+    if (!one_piece) body_->edit_piece_of(faces[i]).moments += moments_of(faces[i]);
+  }
+}
+
+void BodyEdit::move_vertex(VertexId v, const Vec3& to, const Mesh::Star& around) {
+  KERF_ASSERT(around.alone);
+  const Vec3 origin = body_->middle();
+  std::vector<Triangle> before;
+  for (const FaceId f : around.faces) {
+    forget_pair(f);
+    before.push_back(mesh().triangle(f));
+  }
+  body_->mesh.move_vertex(v, to);
+  for (size_t i = 0; i < around.faces.size(); ++i) {
+    const FaceId f = around.faces[i];
+    const Triangle now = mesh().triangle(f);
+    const double old_area = triangle_area(before[i]), area = triangle_area(now);
+    follow_area(body_->mesh.edit_data(f), old_area, area);
+    count(f, 0, area - old_area);
+    AreaMoments& moments = body_->edit_piece_of(f).moments;
+    moments -= area_moments(before[i], old_area, origin);
+    moments += area_moments(now, area, origin);
+    moved_.push_back(f);
+    edited_.push_back(f);
+  }
+}
+
+// What follows ----------------------------------------------------------------------------------------------
+
+void BodyEdit::update_tree() {
+  KERF_ASSERT(splits_.empty() || removed_.empty());
+  if (!splits_.empty()) body_->tree.replace(mesh(), splits_);
+  splits_.clear();
+  for (const FaceId f : removed_) body_->tree.remove(f);
+  removed_.clear();
+}
+
+void BodyEdit::refit_tree() {
+  KERF_ASSERT(splits_.empty() && removed_.empty());
+  std::erase_if(moved_, [&](FaceId f) { return !mesh().is_live(f); });
+  body_->tree.refit(mesh(), moved_);
+  moved_.clear();
+}
+
+QueryCounts BodyEdit::touched(const SweptCylinder& beam, std::vector<FaceId>& out) {
+  KERF_ASSERT(splits_.empty() && removed_.empty());
+  return body_->tree.touched(mesh(), beam, out);
+}
+
+size_t BodyEdit::separate(size_t most) {
+  const SettleResult result = settle(*body_, most);
+  new_pieces_.insert(new_pieces_.end(), result.new_pieces.begin(), result.new_pieces.end());
+  relabelled_.insert(relabelled_.end(), result.relabelled.begin(), result.relabelled.end());
+  return result.looked_at + result.relabelled.size();
+}
+
+BodyDelta BodyEdit::take_delta(BodyId id) {
+  BodyDelta delta;
+  delta.body = id;
+  sort_each_once(edited_);
+  for (const FaceId f : edited_) (mesh().is_live(f) ? delta.born : delta.gone).push_back(f);
+  sort_each_once(relabelled_);
+  std::erase_if(relabelled_, [&](FaceId f) { return !mesh().is_live(f); });
+  delta.relabelled = std::exchange(relabelled_, {});
+  delta.new_pieces = std::exchange(new_pieces_, {});
+  delta.removed = std::exchange(cut_faces_, {});
+  edited_.clear();
+  return delta;
+}
+
+}  // namespace kerf

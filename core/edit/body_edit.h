@@ -1,0 +1,104 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/edit/separation.h"
+#include "core/world/delta.h"
+#include "core/world/world.h"
+
+namespace kerf {
+
+// All edits of the faces of a body, i.e. splitting, removing, flipping and moving, go through this class. It
+// keeps everything that depends on faces consistent: the mesh with its columns, green pairs (OneToFour), the
+// tree, the counts, areas and moments of pieces, the state from which separated parts are found, and the
+// delta.
+//
+// The tree is updated late, because that is faster for many faces at once; the order of its updates
+// determines the order of query results. Call update_tree() after splits and after removals, and refit_tree()
+// after the last vertex was moved or edge flipped. Queries of the tree are allowed in between. The destructor
+// makes pending updates, so that the body is consistent whatever ended the edit.
+//
+// Precondition of every function that takes faces: they are live, and given vertices are corners of them.
+class BodyEdit {
+ public:
+  // Preconditions: `body` outlives the edit, and nothing else edits its faces meanwhile.
+  explicit BodyEdit(Body& body) : body_(&body) {}
+  ~BodyEdit();
+  BodyEdit(BodyEdit&&) noexcept = default;
+  BodyEdit& operator=(BodyEdit&&) = delete;
+
+  const Body& body() const { return *body_; }
+  const Mesh& mesh() const { return body_->mesh; }
+
+  // Splits the element of f into four (OneToFour::split), or bisects f at its longest edge
+  // (bisect_longest_edge), with all faces that have to follow. Does nothing if f is so small that midpoints
+  // round to corners.
+  void split_in_four(FaceId f);
+  void bisect_at_longest_edge(FaceId f);
+  // Splits the edge of f from corner `from` to its next corner `to`, with all faces on it. Appends one entry
+  // per face. Precondition: `at` is a point of the edge and neither of its ends.
+  void split_edge_at(FaceId f, VertexId from, VertexId to, const Vec3& at, std::vector<Mesh::FaceSplit>& out);
+  // The replacements of faces that were split since the last update_tree(), in their order.
+  std::span<const Replacement> splits() const { return splits_; }
+
+  // Removes those of the faces that are still live, updates the counts of their pieces and reports them to
+  // the graph. Precondition: update_tree() was called after the last split.
+  void remove(std::span<const FaceId> faces);
+
+  // Flips the edge between f and its neighbour. Preconditions: Mesh::can_flip_edge(), and both faces are
+  // coplanar.
+  void flip_edge(FaceId f, VertexId from, VertexId to);
+
+  // Moves a vertex. Precondition: `around` is its complete star (Mesh::Star::alone).
+  void move_vertex(VertexId v, const Vec3& to, const Mesh::Star& around);
+
+  // Extracts whole pieces from the body. Their faces do not count as removed by a beam: nothing is separated
+  // by it, and the delta does not include them. Preconditions: `faces` are all faces of these pieces,
+  // ascending, and the body is settled.
+  void take_out(std::span<const FaceId> faces);
+
+  // Updates the tree for the splits or the removals since the last call.
+  void update_tree();
+  // Fits the boxes of the tree to faces whose corners have changed.
+  void refit_tree();
+
+  // Calls AabbTree::touched, which marks boxes of the tree as hit.
+  QueryCounts touched(const SweptCylinder& beam, std::vector<FaceId>& out);
+
+  // Searches for separated parts (see settle), visiting about `most` faces. Returns the number of faces
+  // visited and relabelled.
+  size_t separate(size_t most);
+
+  // The number of faces that splits have created, minus those that were split.
+  size_t faces_made() const { return faces_made_; }
+  size_t removed_faces() const { return removed_faces_; }
+  // The area that the body has lost (m^2); see Delta::removed_area.
+  double removed_area() const { return removed_area_; }
+
+  // Whether the edit changed anything that a delta contains.
+  bool any() const { return !edited_.empty() || !relabelled_.empty() || !new_pieces_.empty(); }
+  // Returns the changes so far as the delta of the body with this id. Later changes belong to the next delta.
+  BodyDelta take_delta(BodyId id);
+
+ private:
+  void count(FaceId f, int faces, double area);
+  AreaMoments moments_of(FaceId f) const;
+  void remove_face(FaceId f);
+  void record_removal(FaceId f, const Triangle& corners, int64_t loops_before);
+  void forget_pair(FaceId f) { body_->refinement.forget(body_->mesh, f); }
+  void note_splits(size_t first);
+
+  Body* body_;
+  std::vector<Replacement> splits_;  // not applied to the tree yet
+  std::vector<FaceId> removed_;      // likewise
+  std::vector<FaceId> moved_;        // faces whose boxes have to be fitted, with repeats
+  std::vector<FaceId> edited_;       // slots that were created, reused or removed, with repeats
+  std::vector<FaceId> relabelled_;
+  std::vector<uint32_t> new_pieces_;
+  std::vector<CutFace> cut_faces_;
+  size_t faces_made_ = 0, removed_faces_ = 0;
+  double removed_area_ = 0;
+};
+
+}  // namespace kerf

@@ -1,0 +1,107 @@
+#include "core/edit/detach.h"
+
+#include <vector>
+
+#include "core/base/assert.h"
+#include "core/edit/body_edit.h"
+#include "core/mesh/extract_mesh.h"
+
+namespace kerf {
+
+namespace {
+
+// The faces of a piece, or all but those, ascending.
+std::vector<FaceId> faces_of(const Body& body, uint32_t label, bool of_piece) {
+  std::vector<FaceId> faces;
+  for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+    const FaceId face(f);
+    if (body.mesh.is_live(face) && (body.mesh.data(face).piece == label) == of_piece) faces.push_back(face);
+  }
+  return faces;
+}
+
+// What is left of the parts as loaded, for faces that were copied out.
+LoadedComponents components_of(const Mesh& copy, const Body& body, std::span<const FaceId> faces) {
+  LoadedComponents own;
+  if (body.components.left.empty()) return own;
+  own.left = body.components.left;
+  own.home = body.components.home;
+  own.of_base.resize(faces.size());
+  for (uint32_t f = 0; f < faces.size(); ++f) {
+    const FaceId base = body.mesh.data(faces[f]).base;
+    own.of_base[copy.data(FaceId(f)).base.index] = body.components.of_base[base.index];
+  }
+  return own;
+}
+
+// Where the base faces of faces that were copied out were loaded.
+std::vector<FaceId> loaded_faces_of(const Mesh& copy, const Body& body, std::span<const FaceId> faces) {
+  std::vector<FaceId> loaded(faces.size());
+  for (uint32_t f = 0; f < faces.size(); ++f)
+    loaded[copy.data(FaceId(f)).base.index] = body.loaded_face(body.mesh.data(faces[f]).base);
+  return loaded;
+}
+
+Body copy_out(const Body& body, std::span<const FaceId> faces, uint32_t label, bool of_piece) {
+  Body copy;
+  copy.name = body.name;
+  copy.named = body.named;
+  copy.placement = body.placement;
+  copy.hidden = body.hidden;
+  copy.motion = body.motion;
+  copy.sheet = body.sheet;
+  copy.pinned = body.pinned;
+  copy.mesh = extract_mesh(body.mesh, faces);
+  copy.heat = body.heat;
+  copy.tree = AabbTree(copy.mesh);
+  for (uint32_t p = 0; p < body.pieces.size(); ++p)
+    copy.pieces.push_back((p == label) == of_piece ? body.pieces[p] : Piece{});
+  copy.components = components_of(copy.mesh, body, faces);
+  copy.material_names = body.material_names;
+  copy.loaded = body.loaded;
+  copy.loaded_as = body.loaded_as;
+  copy.loaded_faces = loaded_faces_of(copy.mesh, body, faces);
+  return copy;
+}
+
+}  // namespace
+
+bool stands_alone(const World& world, const PieceId& piece) {
+  const Records<Piece>& pieces = world.body(piece.body).pieces;
+  for (uint32_t p = 0; p < pieces.size(); ++p) {
+    if (p != piece.label && pieces[p].faces > 0) return false;
+  }
+  return true;
+}
+
+BodyId detach(World& world, const PieceId& piece, uint32_t generation, Delta& delta) {
+  const Body& body = world.body(piece.body);
+  KERF_ASSERT(piece.label < body.pieces.size() && body.pieces[piece.label].faces > 0);
+  if (stands_alone(world, piece)) return piece.body;
+  const bool piece_goes = 2 * body.pieces[piece.label].faces <= body.mesh.live_faces();
+  const std::vector<FaceId> going = faces_of(body, piece.label, piece_goes);
+  const BodyId own = world.add(copy_out(body, going, piece.label, piece_goes), generation);
+  BodyEdit(world.body(piece.body)).take_out(going);
+  if (!piece_goes) world.exchange_bodies(piece.body, own);
+  Delta step;
+  step.came = {piece_goes ? own : piece.body};
+  step.detached = {{piece.body, piece.label, own, !piece_goes}};
+  step.bodies.push_back({piece_goes ? piece.body : own, {}, going, {}, {}, {}});
+  delta.append(std::move(step));
+  return own;
+}
+
+BodyId duplicate(World& world, const PieceId& piece, uint32_t generation, Delta& delta) {
+  const Body& body = world.body(piece.body);
+  KERF_ASSERT(piece.label < body.pieces.size() && body.pieces[piece.label].faces > 0);
+  const std::vector<FaceId> faces = faces_of(body, piece.label, true);
+  Body copy = copy_out(body, faces, piece.label, true);
+  copy.name = body.name_of(piece.label) + " copy";
+  copy.named = piece.label;
+  Delta step;
+  step.came = {world.add(std::move(copy), generation)};
+  delta.append(step);
+  return step.came.front();
+}
+
+}  // namespace kerf

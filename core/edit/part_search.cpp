@@ -1,0 +1,424 @@
+#include "core/edit/part_search.h"
+
+#include <algorithm>
+#include <cassert>
+#include <numeric>
+#include <utility>
+
+#include "core/base/assert.h"
+#include "core/base/tolerances.h"
+#include "core/edit/tie_clusters.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr size_t kLongestTurn = 128;  // faces visited in one turn at most
+constexpr size_t kLarge = 4096;       // number of faces visited from which on a front is large
+
+uint32_t root(std::vector<uint32_t>& parent, uint32_t x) {
+  while (parent[x] != x) x = parent[x] = parent[parent[x]];
+  return x;
+}
+
+void reset(OpenSearch& search) {
+  search.mark.clear();
+  search.fronts.clear();
+  search.new_label.clear();
+  search.next_slot = 0;
+}
+
+}  // namespace
+
+// Beginning -------------------------------------------------------------------------------------------------
+
+void PartSearch::start(Scope scope) {
+  KERF_ASSERT(search_.stage == OpenSearch::Stage::kNone && search_.fronts.empty());
+  search_.stage = OpenSearch::Stage::kGrow;
+  if (scope == Scope::kClusters) {
+    seed_clusters();
+  } else {
+    seed_components();
+  }
+  const size_t seeds = search_.seed.size();
+  search_.group_parent.resize(seeds);
+  std::iota(search_.group_parent.begin(), search_.group_parent.end(), 0u);
+  search_.front_parent = search_.group_parent;
+  search_.fronts.resize(seeds);
+  for (uint32_t i = 0; i < seeds; ++i) reach(i, {search_.seed[i]});  // no two fronts meet: the seeds differ
+}
+
+// Starts a front at each live face of a tie, in the order of their slots; the group of a cluster has the
+// number of its first front.
+void PartSearch::seed_clusters() {
+  TieClusters clusters(state_.ties, state_.tie_place);
+  const auto faces = clusters.faces();
+  std::vector<std::pair<FaceId, uint32_t>> seeds;  // with their clusters
+  for (uint32_t i = 0; i < faces.size(); ++i) {
+    if (body_.mesh.is_live(faces[i])) seeds.emplace_back(faces[i], clusters.cluster(i));
+  }
+  std::sort(seeds.begin(), seeds.end());
+  std::vector<uint32_t> group_of(faces.size(), kNoIndex);
+  search_.seed.clear();
+  search_.group.clear();
+  for (const auto& [face, cluster] : seeds) {
+    uint32_t& group = group_of[cluster];
+    if (group == kNoIndex) group = static_cast<uint32_t>(search_.seed.size());
+    search_.seed.push_back(face);
+    search_.group.push_back(group);
+  }
+}
+
+void PartSearch::seed_components() {
+  search_.seed.clear();
+  for (const auto& tie : state_.ties) {
+    if (body_.mesh.is_live(tie.second)) search_.seed.push_back(tie.second);
+  }
+  std::sort(search_.seed.begin(), search_.seed.end());
+  search_.seed.erase(std::unique(search_.seed.begin(), search_.seed.end()), search_.seed.end());
+  search_.group.resize(search_.seed.size());
+  std::vector<std::pair<const FaceCounts*, uint32_t>> known;
+  for (uint32_t i = 0; i < search_.seed.size(); ++i) {
+    const FaceCounts* whole = &body_.whole_of(search_.seed[i]);
+    const auto at = std::find_if(known.begin(), known.end(), [&](const auto& k) { return k.first == whole; });
+    search_.group[i] = at != known.end() ? at->second : known.emplace_back(whole, i).second;
+  }
+}
+
+bool PartSearch::go_on(size_t most, SettleResult& result) {
+  if (search_.stage == OpenSearch::Stage::kGrow && grow(most, result)) hand_out_labels(result);
+  if (search_.stage == OpenSearch::Stage::kRelabel) relabel(most, result);
+  return search_.stage == OpenSearch::Stage::kNone;
+}
+
+// Edits between steps ---------------------------------------------------------------------------------------
+
+void PartSearch::note_replaced(const Replacement& replaced) {
+  uint32_t mark = 0;  // the largest mark, i.e. that of a visited face if there is one
+  for (int i = 0; i < replaced.gone_count; ++i)
+    mark = std::max(mark, search_.mark.get(replaced.gone[i].index));
+  if (mark == 0) return;
+  for (int i = 0; i < replaced.gone_count; ++i) {
+    const FaceId f = replaced.gone[i];
+    const uint32_t own = search_.mark.get(f.index);
+    if (mark & ~own & OpenSearch::kLookedAt) note_looked_at(f, own != 0 ? own : mark, half_of(replaced));
+  }
+  for (int i = 0; i < replaced.born_count; ++i) {
+    uint32_t& own = search_.mark.at(replaced.born[i].index);
+    if (own == 0) own = mark;
+    look_again(replaced.born[i]);
+  }
+}
+
+// The area that each half of a green pair had before four faces of equal areas replaced the pair, of which
+// some may have been bisected already, but not all.
+double PartSearch::half_of(const Replacement& replaced) const {
+  KERF_ASSERT(replaced.gone_count == 2 && replaced.born_count == 4);
+  double quarter = 0;
+  for (const FaceId f : replaced.born) quarter = std::max(quarter, triangle_area(body_.mesh.triangle(f)));
+  return 2 * quarter;
+}
+
+// Marks a face as visited. One half of a green pair may not have been visited when the pair was split.
+void PartSearch::note_looked_at(FaceId f, uint32_t mark, double area) {
+  search_.mark.at(f.index) = mark | OpenSearch::kLookedAt;
+  SearchFront& front = *search_.front_of(f);
+  ++front.faces;
+  front.area += area;
+}
+
+// The neighbours of a removed face that no front has visited belong to the front that has reached the face,
+// or that has reached one of its neighbours without visiting it.
+void PartSearch::note_removal(FaceId f) {
+  if (search_.stage != OpenSearch::Stage::kGrow) return;
+  uint32_t mark = search_.mark.get(f.index);
+  if (mark & OpenSearch::kLookedAt) return;
+  for (size_t i = 0; i < state_.neighbours.size() && mark == 0; ++i) {
+    const uint32_t beside = search_.mark.get(state_.neighbours[i].index);
+    if (!(beside & OpenSearch::kLookedAt)) mark = beside;
+  }
+  if (mark == 0) return;
+  for (const FaceId n : state_.neighbours) reach(mark - 1, {n});
+}
+
+void PartSearch::note_turned(FaceId f, double area_gained) {
+  if (search_.stage == OpenSearch::Stage::kGrow && (search_.mark.get(f.index) & OpenSearch::kLookedAt) != 0)
+    search_.front_of(f)->area += area_gained;
+  look_again(f);
+}
+
+void PartSearch::look_again(FaceId f) {
+  if (search_.stage != OpenSearch::Stage::kGrow) return;
+  if (SearchFront* front = search_.front_of(f)) front->frontier.push_back({f});
+}
+
+// Growing ---------------------------------------------------------------------------------------------------
+
+void PartSearch::reach(uint32_t front, const ReachedFace& reached) {
+  const uint32_t mark = search_.mark.get(reached.face.index) & ~OpenSearch::kLookedAt;
+  if (mark == 0) return come_to(root(search_.front_parent, front), reached);
+  if (mark != front + 1) merge(mark - 1, front);
+}
+
+// Precondition: `front` was not merged into another one, and no front has reached the face.
+void PartSearch::come_to(uint32_t front, const ReachedFace& reached) {
+  assert(body_.mesh.is_live(reached.face));
+  search_.mark.at(reached.face.index) = front + 1;
+  SearchFront& own = search_.fronts[front];
+  own.frontier.push_back(reached);
+  own.lowest = std::min(own.lowest, reached.face.index);
+}
+
+// Merges two fronts that met, with their faces and groups. Linear in the smaller frontier.
+void PartSearch::merge(uint32_t a, uint32_t b) {
+  a = root(search_.front_parent, a);
+  b = root(search_.front_parent, b);
+  if (a == b) return;
+  const uint32_t into = std::min(a, b), from = std::max(a, b);
+  search_.front_parent[from] = into;
+  unite_groups(search_.group[into], search_.group[from]);
+  SearchFront &to = search_.fronts[into], &other = search_.fronts[from];
+  if (to.frontier.size() - to.next < other.frontier.size() - other.next) {
+    std::swap(to.frontier, other.frontier);
+    std::swap(to.next, other.next);
+  }
+  to.frontier.insert(to.frontier.end(), other.frontier.begin() + static_cast<std::ptrdiff_t>(other.next),
+                     other.frontier.end());
+  to.looked_at += other.looked_at;
+  to.faces += other.faces;
+  to.area += other.area;
+  to.lowest = std::min(to.lowest, other.lowest);
+  other = SearchFront{};
+  turns_.push({to.looked_at, into});
+}
+
+// Unites the groups of two fronts that met. Neither front was exhausted, else it would have reached the
+// other.
+void PartSearch::unite_groups(uint32_t a, uint32_t b) {
+  a = root(search_.group_parent, a);
+  b = root(search_.group_parent, b);
+  if (a != b) search_.group_parent[b] = a;
+  if (open_.empty()) return;  // between two calls of settle(); the next one counts open fronts anew
+  if (a != b) open_[a] += open_[b];
+  assert(open_[a] > 0);
+  --open_[a];
+}
+
+// Recomputes the totals of the fronts, which edits since the last call may have changed.
+void PartSearch::sum_up() {
+  found_.clear();
+  open_.assign(search_.group_parent.size(), 0);
+  for (uint32_t i = 0; i < search_.fronts.size(); ++i) {
+    if (search_.front_parent[i] != i) continue;
+    if (search_.fronts[i].exhausted()) {
+      note_exhausted(i);
+    } else {
+      ++open_[root(search_.group_parent, search_.group[i])];
+      turns_.push({search_.fronts[i].looked_at, i});
+    }
+  }
+}
+
+void PartSearch::note_exhausted(uint32_t front) {
+  const SearchFront& own = search_.fronts[front];
+  assert(own.exhausted());
+  Found& found = found_of(front);
+  found.faces += own.faces;
+  found.area += own.area;
+  found.largest = std::max(found.largest, own.area);
+}
+
+PartSearch::Found& PartSearch::found_of(uint32_t front) {
+  const FaceCounts* whole = &body_.whole_of(search_.seed[front]);
+  const auto known =
+      std::find_if(found_.begin(), found_.end(), [&](const Found& f) { return f.whole == whole; });
+  if (known != found_.end()) return *known;
+  return found_.emplace_back(Found{whole});
+}
+
+// The last front of a component advances only if it may not be the largest part.
+bool PartSearch::must_grow(uint32_t front) {
+  if (open_[root(search_.group_parent, search_.group[front])] > 1) return true;
+  const Found& found = found_of(front);
+  return found.faces > 0 && !found.rest_is_largest();
+}
+
+// Returns whether no front has to advance any more.
+bool PartSearch::grow(size_t most, SettleResult& result) {
+  sum_up();
+  while (!turns_.empty()) {
+    if (result.looked_at >= most) return false;
+    const Turn turn = turns_.top();
+    turns_.pop();
+    const uint32_t i = turn.front;
+    if (search_.front_parent[i] != i || search_.fronts[i].looked_at != turn.looked_at) continue;  // outdated
+    if (search_.fronts[i].exhausted() || !must_grow(i)) continue;
+    result.looked_at += take_turn(i, std::clamp<size_t>(turn.looked_at / 32, 1, kLongestTurn));
+  }
+  return true;
+}
+
+// Finds the neighbours of all faces of the turn before it reaches any of them, and prefetches what the next
+// turn needs, so that memory accesses overlap.
+size_t PartSearch::take_turn(uint32_t front, size_t faces) {
+  take_from(search_.fronts[front], faces);
+  walk_.visit(turn_);
+  const auto neighbours = walk_.neighbours();
+  for (const ReachedFace& n : neighbours) search_.mark.prefetch(n.face.index);
+  for (size_t at = 0; at < turn_.size(); ++at) {
+    if (!walk_.is_live(at)) continue;
+    const FaceId f = turn_[at].face;
+    const uint32_t mark = search_.mark.get(f.index);
+    if (!(mark & OpenSearch::kLookedAt)) note_looked_at(f, mark, walk_.area(at));
+  }
+  search_.fronts[front].looked_at += turn_.size();
+  for (const ReachedFace& n : neighbours) reach(front, n);
+  front = root(search_.front_parent, front);
+  const SearchFront& own = search_.fronts[front];
+  if (!own.exhausted()) {
+    const std::span<const ReachedFace> ahead(own.frontier);
+    walk_.prefetch(ahead.last(std::min(ahead.size() - own.next, kLongestTurn)));
+    turns_.push({own.looked_at, front});
+  } else {
+    --open_[root(search_.group_parent, search_.group[front])];
+    note_exhausted(front);
+  }
+  return turn_.size();
+}
+
+// Takes the oldest faces of the frontier, so that fronts near one another meet soon. A large front takes the
+// newest ones, which lie close together in memory.
+void PartSearch::take_from(SearchFront& front, size_t faces) {
+  faces = std::min(faces, front.frontier.size() - front.next);
+  const auto taken = static_cast<std::ptrdiff_t>(faces);
+  if (front.looked_at >= kLarge) {
+    turn_.assign(front.frontier.end() - taken, front.frontier.end());
+    front.frontier.resize(front.frontier.size() - faces);
+  } else {
+    const auto begin = front.frontier.begin() + static_cast<std::ptrdiff_t>(front.next);
+    turn_.assign(begin, begin + taken);
+    front.next += faces;
+  }
+}
+
+// Labels ----------------------------------------------------------------------------------------------------
+
+void PartSearch::hand_out_labels(SettleResult& result) {
+  std::vector<uint32_t> came_off;
+  for (const Found& found : found_) {
+    std::vector<uint32_t> parts;
+    for (uint32_t i = 0; i < search_.fronts.size(); ++i) {
+      const SearchFront& front = search_.fronts[i];
+      if (search_.front_parent[i] != i || !front.exhausted() || front.faces == 0) continue;
+      if (&body_.whole_of(search_.seed[i]) == found.whole) parts.push_back(i);
+    }
+    if (found.rest_faces() == 0) leave_out_largest(parts);
+    came_off.insert(came_off.end(), parts.begin(), parts.end());
+  }
+  std::sort(came_off.begin(), came_off.end(),
+            [&](uint32_t a, uint32_t b) { return search_.fronts[a].lowest < search_.fronts[b].lowest; });
+  search_.new_label.assign(search_.fronts.size(), 0);
+  for (const uint32_t part : came_off) give_label(part, result);
+  search_.stage = came_off.empty() ? OpenSearch::Stage::kNone : OpenSearch::Stage::kRelabel;
+  if (came_off.empty()) return reset(search_);
+  for (uint32_t i = 0; i < search_.fronts.size(); ++i)
+    search_.new_label[i] = search_.new_label[root(search_.front_parent, i)];
+}
+
+void PartSearch::leave_out_largest(std::vector<uint32_t>& parts) const {
+  double largest = 0, whole = 0;
+  for (const uint32_t part : parts) {
+    largest = std::max(largest, search_.fronts[part].area);
+    whole += search_.fronts[part].area;
+  }
+  const auto rank = [&](uint32_t part) {
+    const SearchFront& front = search_.fronts[part];
+    return std::pair(largest - front.area > kEqualArea * whole, front.lowest);
+  };
+  const auto stays =
+      std::min_element(parts.begin(), parts.end(), [&](uint32_t a, uint32_t b) { return rank(a) < rank(b); });
+  if (stays != parts.end()) parts.erase(stays);
+}
+
+// The counts are transferred at once; relabel() transfers the faces and their moments one by one.
+void PartSearch::give_label(uint32_t part, SettleResult& result) {
+  const SearchFront& front = search_.fronts[part];
+  const FaceId seed = search_.seed[part];
+  FaceCounts &old = body_.edit_piece_of(seed), &whole = body_.edit_whole_of(seed);
+  for (FaceCounts* counts : {&old, &whole}) {
+    KERF_ASSERT(counts->faces >= front.faces);
+    counts->faces -= front.faces;
+    counts->area -= front.area;
+    if (&old == &whole) break;
+  }
+  search_.new_label[part] = body_.pieces.size();
+  result.new_pieces.push_back(search_.new_label[part]);
+  body_.pieces.push_back({{front.faces, front.area}, {}, {front.faces, front.area}});
+}
+
+// Relabels faces in the order of their slots. Returns whether all have their labels.
+bool PartSearch::relabel(size_t most, SettleResult& result) {
+  const bool complete = find_unlabelled(most - std::min(most, result.relabelled.size()));
+  moved_from_.clear();
+  const size_t first = result.relabelled.size();
+  for (const FaceId f : unlabelled_) {
+    const uint32_t label = search_.label_to_be(f);
+    if (body_.mesh.data(f).piece == label) continue;  // labelled with the other half of its pair
+    if (body_.mesh.data(f).element == FaceData::kNoElement) {
+      take_label(f, label, result);
+      continue;
+    }
+    // Both halves of a green pair at once: the faces that replace the pair take area from both.
+    const OneToFour::Element pair = body_.refinement.element(body_.mesh, f);
+    for (int i = 0; i < pair.face_count; ++i) take_label(pair.faces[i], label, result);
+  }
+  move_moments(std::span(result.relabelled).subspan(first));
+  if (!complete) return false;
+  search_.stage = OpenSearch::Stage::kNone;
+  reset(search_);
+  return true;
+}
+
+void PartSearch::take_label(FaceId f, uint32_t label, SettleResult& result) {
+  moved_from_.push_back(std::exchange(body_.mesh.edit_data(f).piece, label));
+  result.relabelled.push_back(f);
+}
+
+// Moves the moments of faces that have their labels already from the pieces that they were moved from.
+void PartSearch::move_moments(std::span<const FaceId> faces) {
+  const std::span<const Triangle> triangles = walk_.triangles(faces);
+  const Vec3 origin = body_.middle();
+  AreaMoments *left = nullptr, *gained = nullptr;
+  uint32_t from = kNoIndex, to = kNoIndex;
+  for (size_t i = 0; i < faces.size(); ++i) {
+    const uint32_t label = body_.mesh.data(faces[i]).piece;
+    if (moved_from_[i] != from) left = &body_.pieces.edit(from = moved_from_[i]).moments;
+    if (label != to) gained = &body_.pieces.edit(to = label).moments;
+    const AreaMoments moments = area_moments(triangles[i], triangle_area(triangles[i]), origin);
+    *left -= moments;
+    *gained += moments;
+  }
+}
+
+// Makes `unlabelled_` the next faces that lack their label, `most` at most. Returns whether these are the
+// last.
+bool PartSearch::find_unlabelled(size_t most) {
+  constexpr uint32_t kPage = PagedArray<uint32_t>::kPage;
+  unlabelled_.clear();
+  for (uint32_t& next = search_.next_slot; next < search_.mark.end();) {
+    const uint32_t* marks = search_.mark.page(next);
+    const uint32_t page_end = next - next % kPage + kPage;
+    if (marks == nullptr) next = page_end;
+    for (; next < page_end; ++next) {
+      const uint32_t label = search_.label_of(marks[next % kPage]);
+      if (label == 0) continue;
+      const FaceId f(next);
+      if (!body_.mesh.is_live(f) || body_.mesh.data(f).piece == label) continue;
+      if (unlabelled_.size() >= most) return false;
+      unlabelled_.push_back(f);
+    }
+  }
+  return true;
+}
+
+}  // namespace kerf

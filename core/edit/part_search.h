@@ -1,0 +1,103 @@
+#pragma once
+
+#include <queue>
+#include <span>
+
+#include "core/base/tolerances.h"
+#include "core/edit/separation.h"
+#include "core/mesh/face_walk.h"
+
+namespace kerf {
+
+// Searches for the parts into which components were separated. A front of faces spreads breadth-first from
+// every former neighbour of a removed face, and fronts that meet are merged. The front that has visited the
+// fewest faces advances, so that the smaller of two parts is complete once as many faces of the larger one
+// were visited. An exhausted front is a part. The last front of a component need not be exhausted, because
+// its area is known: the area of the component minus that of the other parts.
+//
+// The state of the search is stored in the body, so that the search can stop at any face and continue in a
+// later step. Private to core/graph.
+class PartSearch {
+ public:
+  explicit PartSearch(Body& body)
+      : body_(body), state_(body.separation), search_(body.separation.search), walk_(body.mesh) {}
+
+  // Which fronts may belong to the same component. kClusters: those whose seeds were connected over removed
+  // faces, which suffices for the removals of one step. kComponents: all fronts whose faces have the same
+  // label and component, for removals that were made while a search was open.
+  enum class Scope { kClusters, kComponents };
+
+  // Starts a front at every live face of the recorded ties. Precondition: no search is open.
+  void start(Scope scope);
+  // Continues until `result` counts about `most` visited and as many relabelled faces. Returns whether the
+  // search is complete.
+  bool go_on(size_t most, SettleResult& result);
+
+  // Follows the removal of f. Preconditions: f is live and about to be removed, state.neighbours holds its
+  // neighbours.
+  void note_removal(FaceId f);
+
+  // Follows a split: the parts of a face that a front has reached belong to that front. They are visited
+  // again, because their neighbours differ.
+  void note_replaced(const Replacement& replaced);
+
+  // Follows a flip of an edge of f: f is visited again.
+  void note_turned(FaceId f, double area_gained);
+
+ private:
+  // The parts found of one component, and its remainder.
+  struct Found {
+    const FaceCounts* whole;
+    size_t faces = 0;
+    double area = 0, largest = 0;
+    size_t rest_faces() const { return whole->faces - faces; }
+    bool rest_is_largest() const { return whole->area - area - largest > kEqualArea * whole->area; }
+  };
+  struct Turn {
+    size_t looked_at;
+    uint32_t front;
+    bool operator<(const Turn& other) const {
+      return looked_at != other.looked_at ? looked_at > other.looked_at : front > other.front;
+    }
+  };
+
+  void seed_clusters();
+  void seed_components();
+  void note_looked_at(FaceId f, uint32_t mark, double area);
+  void look_again(FaceId f);
+  double half_of(const Replacement& replaced) const;
+  void reach(uint32_t front, const ReachedFace& reached);
+  void come_to(uint32_t front, const ReachedFace& reached);
+  void merge(uint32_t a, uint32_t b);
+  void unite_groups(uint32_t a, uint32_t b);
+
+  bool grow(size_t most, SettleResult& result);
+  size_t take_turn(uint32_t front, size_t faces);
+  void take_from(SearchFront& front, size_t faces);
+  bool must_grow(uint32_t front);
+  void sum_up();
+  void note_exhausted(uint32_t front);
+  Found& found_of(uint32_t front);
+
+  void hand_out_labels(SettleResult& result);
+  void leave_out_largest(std::vector<uint32_t>& parts) const;
+  void give_label(uint32_t part, SettleResult& result);
+  bool relabel(size_t most, SettleResult& result);
+  bool find_unlabelled(size_t most);
+  void take_label(FaceId f, uint32_t label, SettleResult& result);
+  void move_moments(std::span<const FaceId> faces);
+
+  Body& body_;
+  SeparationState& state_;
+  OpenSearch& search_;
+  std::vector<uint32_t> open_;  // by group: the number of its fronts that are not exhausted
+  std::vector<Found> found_;
+  std::priority_queue<Turn> turns_;
+  FaceWalk walk_;
+  // Scratch.
+  std::vector<ReachedFace> turn_;
+  std::vector<FaceId> unlabelled_;
+  std::vector<uint32_t> moved_from_;  // the former pieces of faces that were relabelled
+};
+
+}  // namespace kerf

@@ -1,0 +1,116 @@
+#include "core/edit/separation.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "core/base/assert.h"
+#include "core/edit/cut_loops.h"
+#include "core/edit/part_search.h"
+#include "core/edit/tie_clusters.h"
+
+namespace kerf {
+
+namespace {
+
+// The number of components that were removed entirely: clusters of removed faces without a live face.
+int64_t vanished_components(const Mesh& mesh, SeparationState& state) {
+  TieClusters clusters(std::span(state.ties).subspan(state.first_tie), state.tie_place);
+  const auto faces = clusters.faces();
+  std::vector<bool> lives(faces.size());
+  for (uint32_t i = 0; i < faces.size(); ++i) {
+    if (mesh.is_live(faces[i])) lives[clusters.cluster(i)] = true;
+  }
+  int64_t vanished = 0;
+  for (uint32_t i = 0; i < faces.size(); ++i) vanished += clusters.cluster(i) == i && !lives[i];
+  return vanished;
+}
+
+bool may_have_come_apart(const Mesh& mesh, SeparationState& state) {
+  if (state.cannot_know || (state.over_rings && state.any_closed)) return true;
+  // A face without neighbours was the last one of a component, or of a few faces that the removals had
+  // enclosed before; that loop is included in the sum.
+  if (state.loops + state.alone <= 0) return false;
+  return state.loops + vanished_components(mesh, state) > 0;
+}
+
+void start_step(SeparationState& state) {
+  state.first_tie = state.ties.size();
+  state.loops = state.alone = 0;
+  state.any_closed = state.over_rings = state.cannot_know = false;
+}
+
+}  // namespace
+
+void note_removal(Body& body, FaceId f) {
+  KERF_ASSERT(body.mesh.is_live(f));
+  SeparationState& state = body.separation;
+  state.neighbours.clear();
+  body.mesh.append_nearest_neighbours(f, state.neighbours);
+  for (const FaceId n : state.neighbours) state.ties.emplace_back(f, n);
+  if (state.neighbours.empty()) {
+    ++state.alone;
+    state.ties.emplace_back(f, f);
+  }
+  CutLoops(body.mesh, state).remove(f);
+  if (!is_settled(body)) PartSearch(body).note_removal(f);
+}
+
+void note_replaced(Body& body, const Replacement& replaced) {
+  if (!is_settled(body)) PartSearch(body).note_replaced(replaced);
+}
+
+void note_turned(Body& body, FaceId f, double area_gained) {
+  KERF_ASSERT(body.mesh.is_live(f));
+  if (!is_settled(body)) PartSearch(body).note_turned(f, area_gained);
+}
+
+SettleResult settle(Body& body, size_t most) {
+  SeparationState& state = body.separation;
+  SettleResult result;
+  PartSearch search(body);
+  bool& again = state.search.asked_again;
+  if (may_have_come_apart(body.mesh, state)) {
+    if (is_settled(body)) {
+      search.start(PartSearch::Scope::kClusters);
+    } else {
+      again = true;
+    }
+  }
+  while (!is_settled(body) && search.go_on(most, result)) {
+    if (std::exchange(again, false)) search.start(PartSearch::Scope::kComponents);
+  }
+  if (!std::is_sorted(result.relabelled.begin(), result.relabelled.end()))  // halves of pairs go together
+    std::sort(result.relabelled.begin(), result.relabelled.end());
+  if (is_settled(body)) state.ties.clear();
+  start_step(state);
+  return result;
+}
+
+bool is_settled(const Body& body) { return body.separation.search.stage == OpenSearch::Stage::kNone; }
+
+void forget_removals(Body& body) { body.separation = SeparationState{}; }
+
+uint32_t label_components(const Mesh& mesh, std::vector<uint32_t>& label) {
+  label.assign(mesh.face_slots(), kNoIndex);
+  uint32_t components = 0;
+  std::vector<FaceId> queue, neighbours;
+  for (uint32_t seed = 0; seed < mesh.face_slots(); ++seed) {
+    if (!mesh.is_live(FaceId(seed)) || label[seed] != kNoIndex) continue;
+    label[seed] = components;
+    queue.assign(1, FaceId(seed));
+    for (size_t i = 0; i < queue.size(); ++i) {
+      neighbours.clear();
+      mesh.append_nearest_neighbours(queue[i], neighbours);
+      for (const FaceId n : neighbours) {
+        if (label[n.index] != kNoIndex) continue;
+        label[n.index] = components;
+        queue.push_back(n);
+      }
+    }
+    ++components;
+  }
+  return components;
+}
+
+}  // namespace kerf

@@ -1,0 +1,195 @@
+#include "core/joints/hold_parts.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/base/assert.h"
+#include "core/base/union_find.h"
+#include "core/edit/separation.h"
+#include "core/joints/held_joints.h"
+
+namespace kerf {
+
+namespace {
+
+// The connected parts of all bodies with joints, and which of them belong together.
+class Groups {
+ public:
+  Groups(const World& world, Hold hold) : world_(world) {
+    for (const BodyId id : world.ids()) {
+      if (has_joints(world.body(id))) add_parts(id);
+    }
+    together_ = UnionFind(parts_.size());
+    unite_unnamed();
+    for (const HeldJoint& held : held_joints(world)) {
+      const bool turns = world.joints().all[held.joint].kind != Joint::Kind::kWeld;
+      const bool moves = hold == Hold::kMoving || held.parts[0].piece() != held.parts[1].piece();
+      if (turns && moves) continue;
+      together_.unite(index_of(held.parts[0]), index_of(held.parts[1]));
+    }
+  }
+
+  // The components that have to go to another piece of their body, by body and component. Labels from
+  // Body::pieces.size() on are new ones.
+  std::map<BodyId, std::map<uint32_t, uint32_t>> changes() {
+    std::map<BodyId, std::map<uint32_t, uint32_t>> changes;
+    std::map<std::pair<BodyId, uint32_t>, uint32_t> new_label;  // by body and group
+    std::map<BodyId, uint32_t> labels;
+    for (uint32_t i = 0; i < parts_.size(); ++i) {
+      const ConnectedPart& part = parts_[i].part;
+      const uint32_t group = together_.find(i);
+      if (together_.find(seat_.at(part.piece())) == group) continue;
+      const auto seat = largest_seat(part.body, group);
+      if (seat) {
+        changes[part.body][part.component] = *seat;
+        continue;
+      }
+      const uint32_t next = labels.try_emplace(part.body, world_.body(part.body).pieces.size()).first->second;
+      const auto [label, is_new] = new_label.try_emplace({part.body, group}, next);
+      if (is_new) ++labels[part.body];
+      changes[part.body][part.component] = label->second;
+    }
+    return changes;
+  }
+
+ private:
+  struct Part {
+    ConnectedPart part;
+    double area = 0;
+    bool named = false;  // by a joint
+  };
+
+  bool has_joints(const Body& body) const {
+    const auto& all = world_.joints().all;
+    return std::any_of(all.begin(), all.end(), [&](const Joint& j) { return j.body == body.loaded_as; });
+  }
+
+  bool is_named(const Body& body, uint32_t component) const {
+    const auto& all = world_.joints().all;
+    return std::any_of(all.begin(), all.end(), [&](const Joint& j) {
+      return j.body == body.loaded_as &&
+             (j.sides[0].component == component || j.sides[1].component == component);
+    });
+  }
+
+  // Ascending, and of each piece the part that the others belong to: what was cut off, or the largest one.
+  void add_parts(BodyId id) {
+    const Body& body = world_.body(id);
+    const auto add = [&](const ConnectedPart& part, const FaceCounts& counts, bool named) {
+      if (body.pieces[part.label].faces == 0 || counts.faces == 0) return;
+      const auto at = static_cast<uint32_t>(parts_.size());
+      parts_.push_back({part, counts.area, named});
+      const auto [seat, is_first] = seat_.try_emplace(part.piece(), at);
+      const Part& other = parts_[seat->second];
+      const bool cut_off = part.component == LoadedComponents::kNone;
+      const bool other_cut_off = other.part.component == LoadedComponents::kNone;
+      if (!is_first && (cut_off || (!other_cut_off && counts.area > other.area))) seat->second = at;
+    };
+    for (uint32_t c = 0; c < body.components.left.size(); ++c)
+      add({id, body.components.home[c], c}, body.components.left[c], is_named(body, c));
+    const bool connected = body.components.of_base.empty();
+    for (uint32_t label = 0; label < body.pieces.size(); ++label) {
+      const Piece& piece = body.pieces[label];
+      const FaceCounts& whole = label == 0 && connected ? piece : piece.cut_off;
+      add({id, label, LoadedComponents::kNone}, whole, true);
+    }
+  }
+
+  void unite_unnamed() {
+    for (uint32_t i = 0; i < parts_.size(); ++i) {
+      if (!parts_[i].named) together_.unite(i, seat_.at(parts_[i].part.piece()));
+    }
+  }
+
+  uint32_t index_of(const ConnectedPart& part) const {
+    const auto at = std::find_if(parts_.begin(), parts_.end(), [&](const Part& p) { return p.part == part; });
+    KERF_ASSERT(at != parts_.end());
+    return static_cast<uint32_t>(at - parts_.begin());
+  }
+
+  // The label of the piece of a body whose seat is in the group and the largest one.
+  std::optional<uint32_t> largest_seat(BodyId body, uint32_t group) {
+    std::optional<uint32_t> label;
+    double area = 0;
+    for (const auto& [piece, seat] : seat_) {
+      if (piece.body != body || together_.find(seat) != group) continue;
+      if (label && parts_[seat].area <= area) continue;
+      label = piece.label;
+      area = parts_[seat].area;
+    }
+    return label;
+  }
+
+  const World& world_;
+  std::vector<Part> parts_;
+  std::map<PieceId, uint32_t> seat_;
+  UnionFind together_{0};
+};
+
+// Moves the faces of components to other pieces.
+BodyDelta relabel(BodyId id, Body& body, const std::map<uint32_t, uint32_t>& label_of) {
+  BodyDelta delta;
+  delta.body = id;
+  for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+    if (!body.mesh.is_live(FaceId(f))) continue;
+    const FaceData& data = body.mesh.data(FaceId(f));
+    const auto label = label_of.find(body.components.at_home(data.base, data.piece));
+    if (label == label_of.end()) continue;
+    const Triangle t = body.mesh.triangle(FaceId(f));
+    const AreaMoments moments = area_moments(t, triangle_area(t), body.middle());
+    while (body.pieces.size() <= label->second) {
+      delta.new_pieces.push_back(body.pieces.size());
+      body.pieces.push_back({});
+    }
+    body.edit_piece_of(FaceId(f)).moments -= moments;
+    body.mesh.edit_data(FaceId(f)).piece = label->second;
+    body.edit_piece_of(FaceId(f)).moments += moments;
+    delta.relabelled.push_back(FaceId(f));
+  }
+  for (const auto& [component, label] : label_of) {
+    const FaceCounts counts = body.components.left[component];
+    Piece &from = body.pieces.edit(body.components.home[component]), &to = body.pieces.edit(label);
+    from.faces -= counts.faces;
+    from.area -= counts.area;
+    to.faces += counts.faces;
+    to.area += counts.area;
+    body.components.home.edit(component) = label;
+  }
+  return delta;
+}
+
+}  // namespace
+
+void hold_parts(World& world, Hold hold, Delta& delta) {
+  if (world.joints().all.empty()) return;
+  Delta step;
+  for (const auto& [id, label_of] : Groups(world, hold).changes())
+    step.bodies.push_back(relabel(id, world.body(id), label_of));
+  for (const BodyId id : world.ids()) {
+    KERF_ASSERT(is_settled(world.body(id)));
+    world.body(id).separation.joints_asked = false;
+  }
+  delta.append(std::move(step));
+}
+
+bool joints_asked(const World& world) {
+  if (world.joints().all.empty()) return false;
+  const auto ids = world.ids();
+  return std::any_of(ids.begin(), ids.end(),
+                     [&](BodyId id) { return world.body(id).separation.joints_asked; });
+}
+
+void ask_joints(const World& world, Body& body, std::span<const FaceId> removed, bool separated) {
+  const Joints& joints = world.joints();
+  if (joints.all.empty() || body.separation.joints_asked) return;
+  body.separation.joints_asked =
+      separated || std::any_of(removed.begin(), removed.end(), [&](FaceId f) {
+        return !body.mesh.is_live(f) &&
+               joints.carries(body.loaded_as, body.loaded_face(body.mesh.data(f).base));
+      });
+}
+
+}  // namespace kerf

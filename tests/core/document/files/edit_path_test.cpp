@@ -1,0 +1,59 @@
+#include "core/document/files/edit_path.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/tick.h"
+
+namespace kerf::test {
+namespace {
+
+constexpr Vec3 kDown(0, -1, 0);
+
+StrokePath bent() {
+  StrokePath stroke;
+  for (const Vec3& at : {Vec3(0, 1, 0), Vec3(3, 1, 0), Vec3(3, 1, 4)}) stroke.keys.push_back({at, kDown});
+  stroke.times = {0, 1, 7};
+  return stroke;
+}
+
+TEST(EditPath, a_speed_gives_each_part_of_the_way_its_time) {
+  StrokePath stroke = bent();
+  EXPECT_EQ(way_of(stroke), 7);
+  EXPECT_EQ(duration_of(stroke), 7);
+  retime(stroke, 2);
+  EXPECT_EQ(stroke.times, (std::vector<double>{0, 1.5, 3.5}));
+}
+
+TEST(EditPath, a_beam_that_turns_in_its_place_goes_on_by_a_tick) {
+  StrokePath stroke;
+  stroke.keys = {{Vec3(0), kDown}, {Vec3(0), {1, 0, 0}}};
+  retime(stroke, 2);
+  EXPECT_EQ(stroke.times, (std::vector<double>{0, seconds_of_ticks(1)}));
+}
+
+TEST(EditPath, keys_that_come_between_others_or_at_an_end_keep_the_times_ascending) {
+  StrokePath stroke = bent();
+  insert_key(stroke, 1, {{1, 1, 0}, kDown});
+  insert_key(stroke, 4, {{3, 1, 6}, kDown});
+  insert_key(stroke, 0, {{-1, 1, 0}, kDown});
+  EXPECT_EQ(stroke.times, (std::vector<double>{-1, 0, 0.5, 1, 7, 9}));
+  erase_key(stroke, 0);
+  EXPECT_EQ(stroke.times.front(), 0);
+  EXPECT_EQ(stroke.keys.size(), 5u);
+  stroke.times = {0, 1, std::nextafter(1.0, 2.0), 3, 4};
+  insert_key(stroke, 2, {{2, 1, 0}, kDown});
+  EXPECT_TRUE(std::is_sorted(stroke.times.begin(), stroke.times.end(), std::less_equal<>()));
+}
+
+TEST(EditPath, opposite_neighbours_are_named_and_all_else_can_be_cut) {
+  StrokePath stroke = bent();
+  EXPECT_TRUE(why_no_cut({}).has_value());
+  EXPECT_FALSE(why_no_cut(std::vector{stroke}).has_value());
+  stroke.keys.back().direction = -kDown;
+  const auto why = why_no_cut(std::vector{bent(), stroke});
+  ASSERT_TRUE(why.has_value());
+  EXPECT_NE(why->find("Points 2 and 3 of stroke 2"), std::string::npos) << *why;
+}
+
+}  // namespace
+}  // namespace kerf::test

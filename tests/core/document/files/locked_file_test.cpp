@@ -1,0 +1,57 @@
+#include "core/document/files/locked_file.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/temporary_folder.h"
+
+namespace kerf {
+namespace {
+
+class LockedFileTest : public testing::Test {
+ protected:
+  std::filesystem::path file() const { return folder_ / "work.kerf"; }
+
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(LockedFileTest, appears_with_its_bytes_and_takes_more) {
+  auto locked = LockedFile::create(file(), "head\n");
+  ASSERT_TRUE(locked) << locked.error().message;
+  EXPECT_EQ(test::read_text(file()), "head\n");
+  ASSERT_TRUE(locked->append("line\n"));
+  EXPECT_EQ(test::read_text(file()), "head\nline\n");
+  while (locked->flush()) {
+  }
+  EXPECT_EQ(locked->path(), file());
+}
+
+TEST_F(LockedFileTest, cannot_be_made_or_locked_twice) {
+  auto locked = LockedFile::create(file(), "head\n");
+  ASSERT_TRUE(locked);
+  EXPECT_FALSE(LockedFile::create(file(), "other\n"));
+  EXPECT_FALSE(LockedFile::open(file()));
+  EXPECT_EQ(test::read_text(file()), "head\n");
+}
+
+TEST_F(LockedFileTest, is_free_when_its_owner_is_gone) {
+  { ASSERT_TRUE(LockedFile::create(file(), "head\n")); }
+  auto again = LockedFile::open(file());
+  ASSERT_TRUE(again) << again.error().message;
+  ASSERT_TRUE(again->append("more\n"));
+  EXPECT_EQ(test::read_text(file()), "head\nmore\n");
+}
+
+TEST_F(LockedFileTest, stays_locked_when_it_is_handed_on) {
+  auto locked = LockedFile::create(file(), "head\n");
+  ASSERT_TRUE(locked);
+  LockedFile other = std::move(*locked);
+  EXPECT_FALSE(LockedFile::open(file()));
+  EXPECT_TRUE(other.append("line\n"));
+  other.remove();
+  EXPECT_FALSE(std::filesystem::exists(file()));
+}
+
+TEST_F(LockedFileTest, that_is_not_there_is_not_opened) { EXPECT_FALSE(LockedFile::open(file())); }
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,91 @@
+#include "core/document/files/path_file.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace kerf::test {
+namespace {
+
+class PathFile : public ::testing::Test {
+ protected:
+  Result<std::vector<StrokePath>> read(const std::string& text) {
+    const auto file = std::filesystem::path(::testing::TempDir()) /
+                      (std::string("path_file_") +
+                       ::testing::UnitTest::GetInstance()->current_test_info()->name() + ".json");
+    std::ofstream(file) << text;
+    return read_path_file(file);
+  }
+
+  // One stroke with these keys.
+  static std::string keys(const std::string& list) { return R"({"strokes": [{"keys": [)" + list + "]}]}"; }
+
+  void expect_refused(const std::string& text, const std::string& where, const std::string& what) {
+    const auto strokes = read(text);
+    ASSERT_FALSE(strokes.ok()) << text;
+    EXPECT_EQ(strokes.error().code, ErrorCode::kBadInput);
+    EXPECT_NE(strokes.error().message.find(where), std::string::npos) << strokes.error().message;
+    EXPECT_NE(strokes.error().message.find(what), std::string::npos) << strokes.error().message;
+    EXPECT_EQ(strokes.error().message.find('\n'), std::string::npos);
+  }
+};
+
+TEST_F(PathFile, reads_strokes_and_makes_directions_unit) {
+  const auto strokes = read(
+      R"({"strokes": [{"laser": {"radius": 0.004, "range": [0, 10], "power": 2000},
+          "keys": [{"t": 0, "origin": [0,1,0], "direction": [0,-5,0]},
+                   {"t": 1, "origin": [0.5,1,0], "direction": [0,-1e300,0]}]}]})");
+  ASSERT_TRUE(strokes.ok()) << strokes.error().message;
+  ASSERT_EQ(strokes->size(), 1u);
+  const StrokePath& stroke = strokes->front();
+  EXPECT_EQ(stroke.radius, 0.004);
+  EXPECT_EQ(stroke.range->high, 10);
+  ASSERT_EQ(stroke.keys.size(), 2u);
+  EXPECT_EQ(stroke.keys[0].direction, Vec3(0, -1, 0));
+  EXPECT_EQ(stroke.keys[1].direction, Vec3(0, -1, 0));
+}
+
+TEST_F(PathFile, takes_one_key_as_a_beam_that_stands_still) {
+  const auto strokes = read(keys(R"({"t": 0, "origin": [0,1,0], "direction": [1,0,0]})"));
+  ASSERT_TRUE(strokes.ok());
+  EXPECT_EQ(strokes->front().keys.size(), 1u);
+  EXPECT_FALSE(strokes->front().radius.has_value());
+}
+
+TEST_F(PathFile, refuses_what_makes_no_stroke_and_says_where) {
+  const std::string good = R"({"t": 0, "origin": [0,1,0], "direction": [0,-1,0]})";
+  expect_refused(keys(""), "/strokes/0/keys", "one key");
+  expect_refused(keys(R"({"t": 0, "origin": [0,1,0], "direction": [0,0,0]})"), "/strokes/0/keys/0/direction",
+                 "zero");
+  expect_refused(keys(R"({"t": 0, "origin": [0,1], "direction": [0,1,0]})"), "/strokes/0/keys/0/origin",
+                 "three");
+  expect_refused(keys(R"({"t": 0, "origin": [0,1,"x"], "direction": [0,1,0]})"), "/strokes/0/keys/0/origin/2",
+                 "number");
+  expect_refused(keys(R"({"t": 0, "origin": [0,1,0]})"), "/strokes/0/keys/0", "direction");
+  expect_refused(keys(good + "," + good), "/strokes/0/keys/1/t", "forward");
+  expect_refused(keys(good + R"(,{"t": 1, "origin": [0,1,0], "direction": [0,1,0]})"),
+                 "/strokes/0/keys/1/direction", "opposite");
+  expect_refused(R"({"strokes": [{"laser": {"radius": 0}, "keys": []}]})", "/strokes/0/laser/radius",
+                 "greater");
+  expect_refused(R"({"strokes": [{"laser": {"range": [2, 1]}, "keys": []}]})", "/strokes/0/laser/range",
+                 "range");
+  expect_refused(R"({"strokes": 7})", "/strokes", "list");
+  expect_refused("[]", "json", "object");
+  expect_refused("{\n \"strokes\": [\n", "line", "JSON");
+  expect_refused("", "line 1", "JSON");
+}
+
+TEST_F(PathFile, refuses_numbers_that_are_too_large_for_a_double) {
+  const auto strokes = read(keys(R"({"t": 0, "origin": [0,1e999,0], "direction": [0,-1,0]})"));
+  EXPECT_FALSE(strokes.ok());
+}
+
+TEST(ReadPathFile, names_a_file_that_is_not_there) {
+  const auto strokes = read_path_file("no-such-path.json");
+  ASSERT_FALSE(strokes.ok());
+  EXPECT_NE(strokes.error().message.find("no-such-path.json"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace kerf::test

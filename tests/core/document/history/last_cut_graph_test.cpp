@@ -1,0 +1,65 @@
+#include "core/document/history/last_cut_graph.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/made_meshes.h"
+#include "tests/support/strokes.h"
+
+namespace kerf::test {
+namespace {
+
+void stroke_across(Document& document, double x) {
+  CutSettings settings;
+  settings.laser.radius = settings.resolution.target_edge = 0.03;
+  const Vec3 down(0, -1, 0);
+  document.apply(BeginStroke{settings, {{x, 3, -1.3}, down}});
+  document.apply(MoveStroke{{{x, 3, 1.3}, down}});
+  document.apply(EndStroke{});
+  ASSERT_TRUE(walk_all(document).ok());
+}
+
+size_t removed_nodes(const Document& document) {
+  const auto drawn = graph_around_last_cut(document);
+  if (!drawn) return 0;
+  size_t removed = 0;
+  for (const DrawnGraph::Node& n : drawn->nodes) removed += n.removed ? n.faces : 0;
+  return removed;
+}
+
+TEST(LastCutGraph, is_of_the_last_stroke_that_was_not_undone) {
+  Document document(world_of(grid(8, 2)));
+  EXPECT_EQ(removed_nodes(document), 0u);
+  stroke_across(document, -0.4);
+  const size_t first = document.removed_faces();
+  EXPECT_EQ(removed_nodes(document), first);
+  stroke_across(document, 0.3);
+  const size_t second = document.removed_faces() - first;
+  EXPECT_EQ(removed_nodes(document), second);
+  document.apply(Undo{});
+  EXPECT_EQ(removed_nodes(document), first);
+  document.apply(Redo{});
+  EXPECT_EQ(removed_nodes(document), second);
+}
+
+TEST(LastCutGraph, keeps_the_removed_faces_when_undo_has_let_go_of_them) {
+  Document document(world_of(grid(8, 2)));
+  document.set_window(0);
+  stroke_across(document, -0.4);
+  EXPECT_EQ(document.history().last().images(), HistoryStep::Images::kLetGo);
+  EXPECT_EQ(removed_nodes(document), document.removed_faces());
+  EXPECT_GT(document.removed_faces(), 0u);
+}
+
+TEST(LastCutGraph, follows_a_body_that_another_step_moved_to_another_id) {
+  Document document(world_of(grid(8, 2)));
+  stroke_across(document, 0.3);
+  const BodyId body = document.world().ids()[0];
+  for (const uint32_t label : {1u, 0u}) {
+    const Outcome outcome = document.apply(HidePiece{{body, label}, true});
+    ASSERT_TRUE(outcome.ok());
+    EXPECT_EQ(removed_nodes(document), document.removed_faces());
+  }
+}
+
+}  // namespace
+}  // namespace kerf::test

@@ -1,0 +1,91 @@
+#include "core/document/journal/save.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/document/files/scene_text.h"
+#include "core/document/text/colour_text.h"
+#include "tests/support/temporary_folder.h"
+
+namespace kerf::test {
+namespace {
+
+TEST(SaveFile, keeps_one_previous_version) {
+  TemporaryFolder folder;
+  const auto file = folder / "work.kerf";
+  for (const char* text : {"first", "second", "third"}) ASSERT_TRUE(save_file(file, text).ok());
+  EXPECT_EQ(read_text(file), "third");
+  EXPECT_EQ(read_text(previous_version(file)), "second");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 2);
+}
+
+TEST(SaveFile, follows_a_link_and_says_what_cannot_be_written) {
+  TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "real");
+  write_text(folder.path() / "real" / "work.kerf", "old");
+  std::filesystem::create_symlink("real/work.kerf", folder / "link.kerf");
+  ASSERT_TRUE(save_file(folder / "link.kerf", "new").ok());
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.kerf"));
+  EXPECT_EQ(read_text(folder.path() / "real" / "work.kerf"), "new");
+  EXPECT_EQ(read_text(folder.path() / "real" / "work.kerf~"), "old");
+  const Status nowhere = save_file(folder.path() / "no" / "folder", "x");
+  ASSERT_FALSE(nowhere.ok());
+  EXPECT_EQ(nowhere.error().code, ErrorCode::kFailed);
+}
+
+class SceneFile : public testing::Test {
+ protected:
+  Result<SceneDescription> parse(const std::string& text) {
+    json_ = nlohmann::json::parse(text);
+    return parse_scene(JsonValue(json_, "scene.json"), folder_.path());
+  }
+  TemporaryFolder folder_;
+  nlohmann::json json_;
+};
+
+constexpr const char* kScene = R"({
+  "version": 1, "author": "someone",
+  "bodies": [{"mesh": "a.obj", "name": "one", "position": [1, 2, 3], "orientation": [0, 1, 0, 0], "mass": 7},
+             {"mesh": "/whole/b.ply", "name": "two"}],
+  "paints": {"tyre": {"colour": "#202224", "gloss": 0.1}},
+  "view": {"eye": [1, 2, 3], "target": [0, 0, 0]},
+  "lights": [{"position": [0, 5, 0], "colour": "#fff2d8", "intensity": 2.5}, {"direction": [0, 1, 0]}],
+  "show": ["wire", "aabb"],
+  "strokes": [{"laser": {"radius": 0.1}, "keys": [{"t": 0, "origin": [0, 1, 0], "direction": [0, -1, 0]}]}]
+})";
+
+TEST_F(SceneFile, that_is_saved_again_says_the_same_and_keeps_what_this_version_does_not_know) {
+  const auto scene = parse(kScene);
+  ASSERT_TRUE(scene.ok()) << scene.error().message;
+  ASSERT_TRUE(save_scene(folder_ / "saved.json", *scene).ok());
+  const auto saved = nlohmann::json::parse(read_text(folder_ / "saved.json"));
+  auto expected = nlohmann::json::parse(kScene);
+  expected["lights"][1]["colour"] = colour_text(Light().colour);
+  expected["lights"][1]["intensity"] = Light().intensity;
+  EXPECT_EQ(saved, expected);
+}
+
+TEST_F(SceneFile, refuses_values_that_make_no_sense_with_a_pointer) {
+  const auto refused = [&](const std::string& key, const std::string& value, const std::string& pointer) {
+    auto json = nlohmann::json::parse(kScene);
+    json[nlohmann::json::json_pointer(key)] = nlohmann::json::parse(value);
+    const auto scene = parse(json.dump());
+    ASSERT_FALSE(scene.ok()) << key;
+    EXPECT_EQ(scene.error().code, ErrorCode::kBadInput);
+    EXPECT_NE(scene.error().message.find("scene.json: " + pointer), std::string::npos)
+        << scene.error().message;
+  };
+  refused("/version", "2", "/version");
+  refused("/version", "\"1\"", "/version");
+  refused("/bodies", "[]", "/bodies");
+  refused("/bodies/0/orientation", "[1, 1, 0, 0]", "/bodies/0/orientation");
+  refused("/bodies/0/position", "[1, 2]", "/bodies/0/position");
+  refused("/bodies/1/hash", "\"xyz\"", "/bodies/1/hash");
+  refused("/paints/tyre/colour", "\"red\"", "/paints/tyre/colour");
+  refused("/lights/0/intensity", "-1", "/lights/0/intensity");
+  refused("/paints", R"({"a\u0000b": 7})", "/paints/a");
+}
+
+}  // namespace
+}  // namespace kerf::test

@@ -1,0 +1,280 @@
+#include "core/edit/detach.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <tuple>
+
+#include "core/document/history/document.h"
+#include "core/edit/separation.h"
+#include "tests/support/made_meshes.h"
+#include "tests/support/mesh_numbers.h"
+#include "tests/support/same_world.h"
+#include "tests/support/strokes.h"
+
+namespace kerf::test {
+namespace {
+
+// The corners of all faces of a world, each turned to begin at its least corner, and how often each is there.
+std::map<std::array<double, 9>, int> triangles_of(const World& world) {
+  const auto less = [](const Vec3& a, const Vec3& b) {
+    return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+  };
+  std::map<std::array<double, 9>, int> all;
+  for (const BodyId id : world.ids()) {
+    const Mesh& mesh = world.body(id).mesh;
+    for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
+      if (!mesh.is_live(FaceId(f))) continue;
+      Triangle t = mesh.triangle(FaceId(f));
+      std::rotate(t.begin(), std::min_element(t.begin(), t.end(), less), t.end());
+      ++all[{t[0].x, t[0].y, t[0].z, t[1].x, t[1].y, t[1].z, t[2].x, t[2].y, t[2].z}];
+    }
+  }
+  return all;
+}
+
+double area_of(const World& world) {
+  double area = 0;
+  for (const BodyId id : world.ids()) {
+    for (uint32_t p = 0; p < world.body(id).pieces.size(); ++p) area += world.body(id).pieces[p].area;
+  }
+  return area;
+}
+
+World cut_world(const Soup& soup, uint64_t seed) {
+  World world = world_of(soup);
+  Random random(seed);
+  for (int i = 0; i < 3; ++i) {
+    const RandomStroke stroke = random_stroke(world, random, 0.02, i == 1);
+    EXPECT_TRUE(cut_whole(world, stroke.settings, stroke.moves).ok());
+    go_on_separating(world, kNoLimit);
+  }
+  return world;
+}
+
+void expect_whole(const Body& body) {
+  EXPECT_EQ(find_fault(body.mesh, true), "");
+  EXPECT_EQ(body.tree.leaf_count(), body.mesh.live_faces());
+  size_t faces = 0;
+  for (uint32_t p = 0; p < body.pieces.size(); ++p) faces += body.pieces[p].faces;
+  EXPECT_EQ(faces, body.mesh.live_faces());
+}
+
+TEST(Detach, leaves_every_face_where_it_was_and_every_piece_by_its_own) {
+  for (const auto& [name, soup] : mesh_classes()) {
+    SCOPED_TRACE(name);
+    World world = cut_world(soup, 7);
+    const auto before = triangles_of(world);
+    const BodyId first = world.ids().front();
+    std::vector<uint32_t> labels;
+    for (uint32_t p = 0; p < world.body(first).pieces.size(); ++p) {
+      if (world.body(first).pieces[p].faces > 0) labels.push_back(p);
+    }
+    uint32_t generation = 0;
+    for (const uint32_t label : labels) {
+      ++generation;
+      const std::vector<BodyId> ids = world.ids();
+      const auto holder = std::find_if(ids.begin(), ids.end(), [&](BodyId id) {
+        const auto& pieces = world.body(id).pieces;
+        return label < pieces.size() && pieces[label].faces > 0;
+      });
+      ASSERT_NE(holder, ids.end());
+      const Piece piece = world.body(*holder).pieces[label];
+      Delta delta;
+      const bool alone = stands_alone(world, {*holder, label});
+      const BodyId own = detach(world, {*holder, label}, generation, delta);
+      EXPECT_EQ(own, alone ? *holder : BodyId(static_cast<uint32_t>(ids.size()), generation));
+      EXPECT_TRUE(stands_alone(world, {own, label}));
+      EXPECT_EQ(world.body(own).mesh.live_faces(), piece.faces);
+      EXPECT_EQ(world.body(own).pieces[label].area, piece.area);
+    }
+    EXPECT_EQ(world.ids().size(), std::max<size_t>(labels.size(), 1));
+    EXPECT_EQ(triangles_of(world), before);
+    for (const BodyId id : world.ids()) expect_whole(world.body(id));
+  }
+}
+
+TEST(Detach, a_piece_is_cut_on_as_it_was_in_the_body_that_it_came_from) {
+  for (uint64_t seed = 1; seed <= 4; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    World together = cut_world(torus(14, 10, 0.5, 0.2), seed), apart = together;
+    Delta delta;
+    const BodyId first = apart.ids().front();
+    for (uint32_t p = 1; p < together.body(first).pieces.size(); ++p) {
+      if (together.body(first).pieces[p].faces > 0) detach(apart, {first, p}, p, delta);
+    }
+    Random random(seed + 50);
+    RandomStroke stroke = random_stroke(together, random, 0.02, false);
+    stroke.settings.resolution.scheme = Scheme::kLongestEdge;  // green pairs were forgotten
+    for (World* world : {&together, &apart}) {
+      ASSERT_TRUE(cut_whole(*world, stroke.settings, stroke.moves).ok());
+      go_on_separating(*world, kNoLimit);
+    }
+    EXPECT_NEAR(area_of(together), area_of(apart), 1e-3 * area_of(together));
+    EXPECT_EQ(together.live_pieces(), apart.live_pieces());
+    for (const BodyId id : apart.ids()) expect_whole(apart.body(id));
+  }
+}
+
+bool contains(const Triangle& large, const Triangle& small) {
+  const Vec3 n = glm::cross(large[1] - large[0], large[2] - large[0]);
+  for (const Vec3& p : small) {
+    for (int i = 0; i < 3; ++i) {
+      if (glm::dot(glm::cross(large[(i + 1) % 3] - large[i], p - large[i]), n) < -1e-9 * glm::dot(n, n))
+        return false;
+    }
+  }
+  return true;
+}
+
+TEST(Detach, knows_of_every_face_where_it_was_loaded) {
+  const Soup soup = both(torus(14, 10, 0.5, 0.2), sphere(8, 10, 0.3));
+  const Mesh loaded = build(soup).mesh;
+  World world = cut_world(soup, 3);
+  const BodyId first = world.ids().front();
+  for (int round = 1; round <= 2; ++round) {
+    const Records<Piece> pieces = world.body(first).pieces;
+    Delta delta;
+    for (uint32_t p = 1; p < pieces.size(); ++p) {
+      const bool now = round == 2 || p % 2 == 1;
+      if (now && world.body(first).pieces[p].faces > 0)
+        detach(world, {first, p}, static_cast<uint32_t>(round) * 1000 + p, delta);
+    }
+    for (const BodyId id : world.ids()) {
+      const Body& body = world.body(id);
+      EXPECT_EQ(body.loaded_as, first);
+      for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+        if (!body.mesh.is_live(FaceId(f))) continue;
+        const FaceId from = body.loaded_face(body.mesh.data(FaceId(f)).base);
+        ASSERT_TRUE(from.valid());
+        EXPECT_TRUE(contains(loaded.triangle(from), body.mesh.triangle(FaceId(f))));
+      }
+    }
+  }
+}
+
+TEST(Detach, leaves_a_piece_its_name_and_names_after_it_what_comes_off_later) {
+  Document document(cut_world(torus(14, 10, 0.5, 0.2), 7));
+  const BodyId first = document.world().ids().front();
+  const std::string name = document.world().body(first).name;
+  ASSERT_GT(document.world().body(first).pieces[1].faces, 0u);
+  EXPECT_EQ(document.world().body(first).name_of(0), name);
+  EXPECT_EQ(document.world().body(first).name_of(1), name + " 1");
+  const World before = document.world();
+  ASSERT_TRUE(document.apply(HidePiece{{first, 1}, true}).ok());
+  const auto own = [&]() -> const Body& { return document.world().body(document.world().ids().back()); };
+  EXPECT_EQ(own().own_name(), name + " 1");
+  EXPECT_EQ(own().name_of(5), name + " 5");
+  EXPECT_EQ(document.world().body(first).name_of(0), name);
+  ASSERT_TRUE(document.apply(RenamePiece{{document.world().ids().back(), 1}, "door"}).ok());
+  EXPECT_EQ(own().own_name(), "door");
+  EXPECT_EQ(own().name_of(5), "door 5");
+  EXPECT_EQ(document.world().body(first).name_of(0), name);
+  ASSERT_TRUE(document.apply(Undo{}).ok());
+  EXPECT_EQ(own().own_name(), name + " 1");
+  ASSERT_TRUE(document.apply(Undo{}).ok());
+  expect_same_world(document.world(), before);
+}
+
+// A plate of which a strip came off, either side of which is the larger one.
+World plate_in_two(double x) {
+  World world = world_of(plate(1));
+  CutSettings settings;
+  settings.laser.radius = 0.02;
+  settings.resolution.target_edge = 0.05;
+  const BeamMove across{{{x, 1, -0.7}, {0, -1, 0}}, {{x, 1, 0.7}, {0, -1, 0}}};
+  EXPECT_TRUE(cut_whole(world, settings, {&across, 1}).ok());
+  go_on_separating(world, kNoLimit);
+  EXPECT_EQ(world.live_pieces(), 2u);
+  return world;
+}
+
+TEST(Detach, gives_the_piece_the_new_id_whichever_side_is_copied_and_is_taken_back_to_the_bit) {
+  for (const double x : {-0.3, 0.3}) {
+    for (const uint32_t label : {0u, 1u}) {
+      for (const bool removed : {false, true}) {
+        SCOPED_TRACE(std::to_string(x) + " label " + std::to_string(label) + (removed ? " removed" : ""));
+        World world = plate_in_two(x);
+        const World before = world;
+        const BodyId first = world.ids().front();
+        world.begin_change();
+        Delta delta;
+        const BodyId own = detach(world, {first, label}, 5, delta);
+        EXPECT_EQ(own, BodyId(1, 5));
+        EXPECT_TRUE(stands_alone(world, {own, label}));
+        EXPECT_TRUE(stands_alone(world, {first, 1 - label}));
+        world.body(own).placement.position = {1, 2, 3};
+        if (removed) world.remove(own);
+        World::Change change = world.end_change();
+        const World after = world;
+        for (int i = 0; i < 2; ++i) {
+          world.exchange(change);
+          expect_same_world(world, before);
+          world.exchange(change);
+          expect_same_world(world, after);
+        }
+      }
+    }
+  }
+}
+
+TEST(Duplicate, adds_the_same_faces_as_a_body_of_its_own_and_leaves_the_piece_as_it_is) {
+  for (uint64_t seed = 1; seed <= 6; ++seed) {
+    World world = cut_world(both(torus(14, 10, 0.5, 0.2), sphere(8, 10, 0.3)), seed);
+    const World before = world;
+    const BodyId first = world.ids().front();
+    for (uint32_t p = 0; p < before.body(first).pieces.size(); ++p) {
+      if (before.body(first).pieces[p].faces == 0) continue;
+      SCOPED_TRACE("seed " + std::to_string(seed) + ", piece " + std::to_string(p));
+      Delta delta;
+      const BodyId copy = duplicate(world, {first, p}, 100 + p, delta);
+      EXPECT_EQ(delta.came, std::vector{copy});
+      EXPECT_TRUE(delta.bodies.empty() && delta.detached.empty());
+      expect_whole(world.body(copy));
+      EXPECT_EQ(world.body(copy).own_name(), before.body(first).name_of(p) + " copy");
+      EXPECT_EQ(world.body(copy).pieces[p].area, before.body(first).pieces[p].area);
+
+      World alone, detached = before;
+      Delta ignored;
+      const BodyId own = detach(detached, {first, p}, 1, ignored);
+      alone.add(world.body(copy));
+      World expected;
+      expected.add(detached.body(own));
+      EXPECT_EQ(triangles_of(alone), triangles_of(expected));
+      world.remove(copy);
+    }
+    EXPECT_EQ(triangles_of(world), triangles_of(before));
+  }
+}
+
+TEST(Duplicate, is_a_command_that_is_undone_and_done_again_and_whose_copy_is_cut_like_any_body) {
+  Document document(cut_world(torus(14, 10, 0.5, 0.2), 7));
+  const BodyId first = document.world().ids().front();
+  const World before = document.world();
+  ASSERT_TRUE(document.apply(DuplicatePiece{{first, 1}, {{0, 1, 0}, {1, 0, 0, 0}}}).ok());
+  const World after = document.world();
+  ASSERT_EQ(after.ids().size(), 2u);
+  EXPECT_EQ(after.body(after.ids().back()).placement.position, Vec3(0, 1, 0));
+  ASSERT_TRUE(document.apply(Undo{}).ok());
+  expect_same_world(document.world(), before);
+  ASSERT_TRUE(document.apply(Redo{}).ok());
+  expect_same_world(document.world(), after);
+
+  World cut = after;
+  cut.remove(first);
+  const size_t faces = cut.live_faces();
+  Random random(3);
+  const RandomStroke stroke = random_stroke(cut, random, 0.05, true);
+  ASSERT_TRUE(cut_whole(cut, stroke.settings, stroke.moves).ok());
+  EXPECT_NE(cut.live_faces(), faces);
+  expect_whole(cut.body(cut.ids().front()));
+
+  const Outcome none = document.apply(DuplicatePiece{{first, 4000}, {}});
+  EXPECT_FALSE(none.ok());
+  expect_same_world(document.world(), after);
+}
+
+}  // namespace
+}  // namespace kerf::test

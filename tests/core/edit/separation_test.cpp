@@ -1,0 +1,256 @@
+#include "core/edit/separation.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "core/edit/body_edit.h"
+#include "tests/support/made_meshes.h"
+#include "tests/support/piece_sums.h"
+#include "tests/support/real_meshes.h"
+#include "tests/support/strokes.h"
+
+namespace kerf::test {
+namespace {
+
+void take_away(Body& body, FaceId f) { BodyEdit(body).remove({&f, 1}); }
+
+// Bisects the face over one of its edges, and all faces on that.
+void split(Body& body, FaceId f, size_t edge) {
+  const auto c = body.mesh.corners(f);
+  const VertexId from = c[edge], to = c[(edge + 1) % 3];
+  const Vec3 middle = 0.5 * body.mesh.position(from) + 0.5 * body.mesh.position(to);
+  if (middle == body.mesh.position(from) || middle == body.mesh.position(to)) return;
+  std::vector<Mesh::FaceSplit> splits;
+  BodyEdit(body).split_edge_at(f, from, to, middle, splits);
+}
+
+FaceId live_face(const Body& body, Random& random) {
+  for (;;) {
+    const FaceId f(static_cast<uint32_t>(random.below(body.mesh.face_slots())));
+    if (body.mesh.is_live(f)) return f;
+  }
+}
+
+// Each component that the full search finds has one label, and each label but that of the body is on one
+// component, that of the body on at most one of each component as loaded; all are counted right.
+void expect_labels_of_the_full_search(const Body& body, const std::vector<uint32_t>& loaded) {
+  std::vector<uint32_t> component;
+  label_components(body.mesh, component);
+  std::map<uint32_t, uint32_t> label_of;
+  std::set<std::pair<uint32_t, uint32_t>> in_use;
+  for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+    if (!body.mesh.is_live(FaceId(f))) continue;
+    const FaceData& data = body.mesh.data(FaceId(f));
+    const auto [known, fresh] = label_of.try_emplace(component[f], data.piece);
+    ASSERT_EQ(known->second, data.piece) << "two labels in one component";
+    const uint32_t from = data.piece == 0 ? loaded[data.base.index] : 0;
+    if (fresh)
+      ASSERT_TRUE(in_use.emplace(data.piece, from).second) << "label " << data.piece << " on two parts";
+  }
+  expect_piece_sums(body);
+}
+
+// Clumps of faces, grown over shared edges: holes, slots that close, islands.
+void take_clump_away(Body& body, Random& random, uint64_t faces) {
+  FaceId f = live_face(body, random);
+  std::vector<FaceId> neighbours;
+  for (uint64_t i = 0; i < faces && body.mesh.live_faces() > 0; ++i) {
+    neighbours.clear();
+    body.mesh.append_nearest_neighbours(f, neighbours);
+    take_away(body, f);
+    std::erase_if(neighbours, [&](FaceId n) { return !body.mesh.is_live(n); });
+    if (neighbours.empty()) return;
+    f = neighbours[random.below(neighbours.size())];
+  }
+}
+
+// Removals and splits in random order. With a limit the searches fall behind.
+void edit_at_random(const std::string& name, const Soup& soup, uint64_t seed, size_t most) {
+  SCOPED_TRACE(name + ", seed " + std::to_string(seed) + ", looking at " + std::to_string(most) + " a step");
+  Body body = make_body(name, build(soup));
+  std::vector<uint32_t> loaded;
+  label_components(body.mesh, loaded);
+  Random random(seed);
+  const size_t most_slots = 3 * soup.triangles.size() + 200;
+  while (body.mesh.live_faces() > 0) {
+    if (body.mesh.face_slots() < most_slots) {
+      for (uint64_t i = random.below(4); i > 0; --i) split(body, live_face(body, random), random.below(3));
+    }
+    for (uint64_t i = random.below(3); i > 0 && body.mesh.live_faces() > 0; --i)
+      take_clump_away(body, random, 1 + random.below(12));
+    settle(body, most);
+    if (is_settled(body)) expect_labels_of_the_full_search(body, loaded);
+    if (::testing::Test::HasFatalFailure()) return;
+  }
+}
+
+TEST(Separation, equals_the_full_search_after_every_step_of_random_edits) {
+  for (const auto& [name, soup] : mesh_classes()) {
+    for (uint64_t seed = 1; seed <= 6; ++seed) edit_at_random(name, soup, seed, kNoLimit);
+    if (HasFatalFailure()) return;
+  }
+}
+
+TEST(Separation, equals_the_full_search_when_searches_fall_behind) {
+  for (const auto& [name, soup] : mesh_classes()) {
+    for (uint64_t seed = 1; seed <= 6; ++seed) edit_at_random(name, soup, seed, 1 + seed * seed);
+    if (HasFatalFailure()) return;
+  }
+}
+
+TEST(Separation, equals_the_full_search_on_real_meshes) {
+  const auto files = real_meshes(1500);
+  if (files.empty()) GTEST_SKIP() << kNoRealMeshes;
+  for (const auto& file : files) {
+    SCOPED_TRACE(file.string());
+    World world = world_of_file(file);
+    Body& body = only_body(world);
+    std::vector<uint32_t> loaded;
+    label_components(body.mesh, loaded);
+    Random random(7);
+    for (int step = 0; step < 40 && body.mesh.live_faces() > 0; ++step) {
+      take_clump_away(body, random, 1 + body.mesh.live_faces() / 40);
+      settle(body);
+      expect_labels_of_the_full_search(body, loaded);
+      if (HasFatalFailure()) return;
+    }
+  }
+}
+
+// Removes every face of a band around a tube, in random order, one a step.
+struct BandCut {
+  size_t in_vain = 0, looked_at = 0, pieces = 0, smaller = 0;
+};
+BandCut cut_band(const Soup& soup, double low, double high, uint64_t seed) {
+  Body body = make_body("tube", build(soup));
+  std::vector<FaceId> band;
+  for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+    const Triangle t = body.mesh.triangle(FaceId(f));
+    const double y = (t[0].y + t[1].y + t[2].y) / 3;
+    if (y > low && y < high) band.emplace_back(f);
+  }
+  Random random(seed);
+  for (size_t i = band.size(); i > 1; --i) std::swap(band[i - 1], band[random.below(i)]);
+  BandCut cut;
+  for (const FaceId f : band) {
+    take_away(body, f);
+    const SettleResult result = settle(body);
+    cut.in_vain += result.looked_at > 0 && result.new_pieces.empty();
+    cut.looked_at = std::max(cut.looked_at, result.looked_at);
+    cut.pieces += result.new_pieces.size();
+    if (!result.relabelled.empty()) cut.smaller = std::max(cut.smaller, result.relabelled.size());
+  }
+  return cut;
+}
+
+TEST(Separation, searches_only_when_something_comes_off_a_closed_surface) {
+  for (uint64_t seed = 1; seed <= 5; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const BandCut cut = cut_band(sphere(40, 60, 1), 0.2, 0.4, seed);
+    EXPECT_GT(cut.pieces, 0u);
+    EXPECT_EQ(cut.in_vain, 0u);
+  }
+}
+
+TEST(Separation, looks_at_no_more_than_twice_the_smaller_side) {
+  for (uint64_t seed = 1; seed <= 5; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const BandCut cut = cut_band(sphere(80, 120, 1), 0.5, 0.6, seed);
+    EXPECT_GT(cut.smaller, 1000u);
+    constexpr size_t kOneTurn = 128;
+    EXPECT_LE(cut.looked_at, 2 * cut.smaller + kOneTurn);
+  }
+}
+
+TEST(Separation, counts_each_boundary_as_one_place) {
+  // A slot along a tube joins its two boundaries and separates nothing; a second one cuts it in two.
+  Body body = make_body("tube", build(tube(30, 24, 0.3, 2)));
+  size_t searches = 0, pieces = 0;
+  for (const int side : {1, -1}) {
+    for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+      if (!body.mesh.is_live(FaceId(f))) continue;
+      const Triangle t = body.mesh.triangle(FaceId(f));
+      const Vec3 middle = (t[0] + t[1] + t[2]) / 3.0;
+      if (std::abs(middle.z) < 0.06 && middle.x * side > 0) take_away(body, FaceId(f));
+    }
+    const SettleResult result = settle(body);
+    searches += result.looked_at > 0;
+    pieces += result.new_pieces.size();
+    if (side == 1) EXPECT_EQ(searches, 0u);
+  }
+  EXPECT_EQ(searches, 1u);
+  EXPECT_EQ(pieces, 1u);
+}
+
+TEST(Separation, leaves_the_label_with_the_part_of_the_largest_area_not_of_the_most_faces) {
+  // A strip: many small faces, one that is taken away, and one large one.
+  Soup soup = grid(6, 1);
+  const uint32_t n = static_cast<uint32_t>(soup.positions.size());
+  soup.positions.push_back({0.6, 0, -0.5});
+  soup.positions.push_back({50, 0, 50});
+  const uint32_t corner = 6, below = 13;  // the right border of the grid's first row
+  soup.triangles.push_back({corner, below, n});
+  soup.triangles.push_back({n, below, n + 1});
+  soup.faces_in_file = soup.triangles_in_file = soup.triangles.size();
+  Body body = make_body("strip", build(soup));
+  const FaceId bridge(static_cast<uint32_t>(soup.triangles.size() - 2)), large(bridge.index + 1);
+  take_away(body, bridge);
+  const auto result = settle(body);
+  ASSERT_EQ(result.new_pieces.size(), 1u);
+  EXPECT_EQ(body.mesh.data(large).piece, 0u);
+  EXPECT_EQ(body.mesh.data(FaceId(0)).piece, 1u);
+  EXPECT_EQ(result.relabelled.size(), 72u);
+}
+
+TEST(Separation, leaves_the_label_with_the_lowest_face_of_equal_parts) {
+  Body body = make_body("strip", build(tube(9, 12, 0.3, 0.9)));
+  for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+    const Triangle t = body.mesh.triangle(FaceId(f));
+    const double y = (t[0].y + t[1].y + t[2].y) / 3, middle = (body.loaded.min.y + body.loaded.max.y) / 2;
+    if (std::abs(y - middle) < 0.05) take_away(body, FaceId(f));
+  }
+  ASSERT_EQ(settle(body).new_pieces.size(), 1u);
+  uint32_t lowest = 0;
+  while (!body.mesh.is_live(FaceId(lowest))) ++lowest;
+  EXPECT_EQ(body.mesh.data(FaceId(lowest)).piece, 0u);
+  EXPECT_EQ(body.pieces[0].faces, body.pieces[1].faces);
+}
+
+TEST(Separation, does_not_cut_off_what_never_hung_together) {
+  Body body = make_body("two", build(both(sphere(5, 6, 0.3), moved(sphere(5, 6, 0.3), {1, 0, 0}, 1))));
+  for (const uint32_t f : {0u, 1u, 60u, 61u}) {
+    if (body.mesh.is_live(FaceId(f))) take_away(body, FaceId(f));
+  }
+  EXPECT_TRUE(settle(body).new_pieces.empty());
+}
+
+TEST(Separation, knows_as_much_after_it_has_forgotten) {
+  for (uint64_t seed = 1; seed <= 8; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Body body = make_body("torus", build(torus(14, 10, 0.5, 0.2)));
+    std::vector<uint32_t> loaded;
+    label_components(body.mesh, loaded);
+    Random random(seed);
+    while (body.mesh.live_faces() > 0) {
+      take_clump_away(body, random, 1 + random.below(12));
+      settle(body);
+      expect_labels_of_the_full_search(body, loaded);
+      if (HasFatalFailure()) return;
+      if (random.below(3) == 0) forget_removals(body);
+    }
+  }
+}
+
+TEST(Separation, does_not_join_over_a_corner) {
+  Soup soup;
+  soup.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
+  soup.triangles = {{0, 1, 2}, {0, 3, 4}};
+  std::vector<uint32_t> label;
+  EXPECT_EQ(label_components(build(soup).mesh, label), 2u);
+}
+
+}  // namespace
+}  // namespace kerf::test

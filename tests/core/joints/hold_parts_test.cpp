@@ -1,0 +1,173 @@
+#include "core/joints/hold_parts.h"
+
+#include <gtest/gtest.h>
+
+#include "core/edit/detach.h"
+#include "core/edit/separation.h"
+#include "core/joints/held_joints.h"
+#include "core/world/state_hash.h"
+#include "tests/support/jointed.h"
+#include "tests/support/piece_sums.h"
+#include "tests/support/same_world.h"
+#include "tests/support/sheets.h"
+#include "tests/support/strokes.h"
+
+namespace kerf {
+namespace {
+
+using test::NamedSheet;
+
+SceneJoint weld(std::string a, std::string b, const Vec3& anchor, std::optional<double> radius = {}) {
+  SceneJoint joint;
+  joint.parts = {std::move(a), std::move(b)};
+  joint.anchor = anchor;
+  joint.radius = radius;
+  return joint;
+}
+
+// A large sheet in y = 0 and above it a row of small ones, a mirror of two parts among them:
+//
+//   shell, glass    welded to each other, and the shell to the sheet at x = 0.3
+//   handle          welded to the sheet at x = -0.3
+//   badge           no joint names it
+World car_of_sheets() {
+  const Soup small = test::rectangle(0.06, 0.06, 2);
+  const std::vector<NamedSheet> sheets{{"sheet", test::rectangle(1, 0.4, 20)},
+                                       {"shell", small, {0.3, 0.02, 0}},
+                                       {"glass", test::rectangle(0.04, 0.04, 1), {0.3, 0.04, 0}},
+                                       {"handle", small, {-0.3, 0.02, 0}},
+                                       {"badge", small, {0, 0.02, 0.1}}};
+  const std::vector<SceneJoint> welds{weld("shell", "sheet", {0.3, 0.02, 0}, 0.05),
+                                      weld("glass", "shell", {0.3, 0.04, 0}),
+                                      weld("handle", "sheet", {-0.3, 0.02, 0}, 0.05)};
+  return test::jointed_world(sheets, welds);
+}
+
+// Cuts from one point of the sheet to another, downwards, and from above the sheet by `above`.
+StepResult cut(World& world, const Vec3& from, const Vec3& to, double radius, double above = 0.01) {
+  CutSettings settings;
+  settings.laser.radius = radius;
+  settings.laser.range = {0, 0.5};
+  settings.resolution.target_edge = 0.01;
+  const Vec3 up(0, above, 0), down(0, -1, 0);
+  std::vector<BeamMove> moves;
+  constexpr int kMoves = 20;
+  for (int i = 0; i < kMoves; ++i) {
+    const auto at = [&](int k) { return from + up + (to - from) * (static_cast<double>(k) / kMoves); };
+    moves.push_back({{at(i), down}, {at(i + 1), down}, 0.1});
+  }
+  return *test::cut_whole(world, settings, moves);
+}
+
+// The label of the part that has a base face near a point of the mesh as loaded.
+uint32_t label_of(const World& world, const std::string& part) {
+  const Body& body = world.body(world.ids()[0]);
+  for (const MeshPart& p : body.named_parts) {
+    if (p.name != part) continue;
+    for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+      const uint32_t base = body.mesh.data(FaceId(f)).base.index;
+      if (body.mesh.is_live(FaceId(f)) && p.first <= base && base < p.last) return body.label(FaceId(f));
+    }
+  }
+  ADD_FAILURE() << "nothing is left of " << part;
+  return 0;
+}
+
+TEST(HoldParts, everything_stays_in_its_piece_while_joints_hold) {
+  World world = car_of_sheets();
+  EXPECT_EQ(held_joints(world).size(), 3u);
+  for (const Hold hold : {Hold::kStill, Hold::kMoving}) {
+    Delta delta;
+    hold_parts(world, hold, delta);
+    EXPECT_TRUE(delta.empty());
+  }
+  EXPECT_EQ(world.live_pieces(), 1u);
+}
+
+TEST(HoldParts, a_part_goes_with_the_piece_that_it_is_welded_to) {
+  World world = car_of_sheets();
+  const uint64_t hash = state_hash(world);
+  const StepResult result = cut(world, {0.15, 0, -0.3}, {0.15, 0, 0.3}, 0.005);
+  EXPECT_EQ(held_joints(world).size(), 3u);
+  EXPECT_EQ(world.live_pieces(), 2u);
+  const uint32_t cut_off = label_of(world, "shell");
+  EXPECT_NE(cut_off, 0u);
+  EXPECT_EQ(label_of(world, "glass"), cut_off);
+  EXPECT_EQ(label_of(world, "handle"), 0u);
+  EXPECT_EQ(label_of(world, "badge"), 0u);
+  EXPECT_NE(state_hash(world), hash);
+  ASSERT_EQ(result.delta.bodies.size(), 1u);
+  EXPECT_EQ(result.delta.bodies[0].new_pieces, std::vector<uint32_t>{cut_off});
+}
+
+TEST(HoldParts, a_part_whose_weld_is_burnt_away_becomes_a_piece_with_what_is_welded_to_it) {
+  World world = car_of_sheets();
+  cut(world, {0.3, 0, -0.02}, {0.3, 0, 0.02}, 0.08);  // from between the sheet and the shell
+  EXPECT_EQ(held_joints(world).size(), 2u);
+  EXPECT_EQ(world.live_pieces(), 2u);
+  const uint32_t mirror = label_of(world, "shell");
+  EXPECT_NE(mirror, 0u);
+  EXPECT_EQ(label_of(world, "glass"), mirror);
+  const Body& body = world.body(world.ids()[0]);
+  EXPECT_EQ(body.pieces[mirror].faces, 8u + 2u);
+  EXPECT_EQ(body.pieces[mirror].cut_off.faces, 0u);
+}
+
+// The connected parts by the counts that the body keeps.
+size_t counted_parts(const Body& body) {
+  size_t parts = 0;
+  for (uint32_t c = 0; c < body.components.left.size(); ++c) parts += body.components.left[c].faces > 0;
+  for (uint32_t p = 0; p < body.pieces.size(); ++p) parts += body.pieces[p].cut_off.faces > 0;
+  return parts;
+}
+
+TEST(HoldParts, pieces_that_joints_hold_are_cut_apart_like_any_others) {
+  for (const uint64_t seed : {1, 2, 3}) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    World world = car_of_sheets();
+    const auto somewhere = [&] { return Vec3(random.uniform(-0.5, 0.5), 0, random.uniform(-0.2, 0.2)); };
+    for (int stroke = 0; stroke < 25; ++stroke) {
+      cut(world, somewhere(), somewhere(), 0.004, 0.05);
+      const Body& body = world.body(world.ids()[0]);
+      test::expect_piece_sums(body);
+      std::vector<uint32_t> component;
+      ASSERT_EQ(counted_parts(body), label_components(body.mesh, component)) << "stroke " << stroke;
+    }
+    EXPECT_GT(world.live_pieces(), 5u);
+  }
+}
+
+TEST(HoldParts, a_cut_through_the_faces_that_carry_a_weld_makes_it_let_go) {
+  World world = car_of_sheets();
+  cut(world, {-0.3, 0, -0.3}, {-0.3, 0, 0.3}, 0.003);  // divides the faces of the sheet below the handle
+  EXPECT_EQ(held_joints(world).size(), 2u);
+  const uint32_t handle = label_of(world, "handle");
+  EXPECT_NE(handle, 0u);
+  EXPECT_EQ(world.body(world.ids()[0]).pieces[handle].faces, 8u);
+}
+
+TEST(HoldParts, undo_and_redo_of_a_stroke_take_what_joints_did_with_them) {
+  Document document(car_of_sheets());
+  const World before = document.world();
+  const Vec3 down(0, -1, 0);
+  CutSettings settings;
+  settings.laser.radius = 0.08;
+  settings.laser.range = {0, 0.5};
+  settings.resolution.target_edge = 0.01;
+  document.apply(BeginStroke{settings, {{0.3, 0.01, -0.02}, down}});
+  document.apply(MoveStroke{{{0.3, 0.01, 0.02}, down}});
+  document.apply(EndStroke{});
+  ASSERT_TRUE(test::walk_all(document).ok());
+  const World after = document.world();
+  EXPECT_EQ(after.live_pieces(), 2u);
+  document.apply(Undo{});
+  test::expect_same_world(document.world(), before);
+  EXPECT_EQ(held_joints(document.world()).size(), 3u);
+  document.apply(Redo{});
+  test::expect_same_world(document.world(), after);
+  EXPECT_EQ(held_joints(document.world()).size(), 2u);
+}
+
+}  // namespace
+}  // namespace kerf

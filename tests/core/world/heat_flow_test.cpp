@@ -1,0 +1,62 @@
+#include "core/world/heat_flow.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/energy.h"
+#include "tests/support/made_meshes.h"
+#include "tests/support/same_world.h"
+#include "tests/support/strokes.h"
+
+namespace kerf::test {
+namespace {
+
+// A plate with one hot face.
+World hot_world() {
+  World world = world_of(grid(10, 0.1));
+  Body& body = only_body(world);
+  body.heat.set_energy(body.mesh, FaceId(90), 40);
+  return world;
+}
+
+double stored(World& world) { return only_body(world).heat.stored(only_body(world).mesh); }
+
+TEST(HeatFlow, spreads_and_is_lost_to_the_ledger) {
+  World world = hot_world();
+  EXPECT_TRUE(is_hot(world));
+  const double before = stored(world), peak = hottest(world);
+  let_heat_flow(world, 0.5);
+  EXPECT_LT(hottest(world), peak);
+  EXPECT_LT(stored(world), before);
+  EXPECT_NEAR(stored(world) + world.energy().lost, before, 1e-6 * before);
+}
+
+TEST(HeatFlow, ends_at_the_ambient) {
+  World world = hot_world();
+  for (int i = 0; i < 400; ++i) let_heat_flow(world, 10);
+  EXPECT_NEAR(hottest(world), kAmbient, 0.5);
+}
+
+TEST(HeatFlow, of_nothing_hot_is_none) {
+  World world = world_of(grid(4, 0.1));
+  EXPECT_FALSE(is_hot(world));
+  let_heat_flow(world, 10);
+  EXPECT_EQ(stored(world), 0);
+}
+
+TEST(HeatFlow, does_not_depend_on_how_ticks_are_divided) {
+  World at_once = hot_world(), one_by_one = hot_world();
+  const auto pass = [](World& world, Ticks ticks) {
+    world.pass(ticks);
+    cool_for_ticks(world, ticks);
+  };
+  pass(at_once, 60);
+  for (int i = 0; i < 60; ++i) pass(one_by_one, 1);
+  expect_same_world(at_once, one_by_one);
+  EXPECT_EQ(stored(at_once), stored(one_by_one));
+  World three = hot_world();
+  pass(three, 3);
+  EXPECT_EQ(stored(three), 40) << "it flows each fourth tick";
+}
+
+}  // namespace
+}  // namespace kerf::test

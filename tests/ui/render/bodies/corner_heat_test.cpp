@@ -1,0 +1,189 @@
+#include "ui/render/bodies/corner_heat.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/gtc/packing.hpp>
+#include <map>
+
+#include "core/base/random.h"
+#include "tests/support/made_meshes.h"
+
+namespace kerf {
+namespace {
+
+double kelvin(uint16_t mark) { return mark == 0 ? kAmbient : mark * kHeatUnit; }
+
+// Gives the face this temperature (K), below the transition.
+void heat_to(Body& body, FaceId f, double temperature) {
+  const Substance& s = body.sheet.substance;
+  const double mass = triangle_area(body.mesh.triangle(f)) * body.sheet.thickness * s.density;
+  body.heat.set_energy(body.mesh, f, mass * enthalpy_at(s, temperature));
+  body.heat.note_hottest(body.mesh, f, temperature);
+}
+
+TEST(CornerHeat, of_a_body_that_was_never_hot_is_none) {
+  const Body body = make_body("grid", test::build(test::grid(8, 1)));
+  CornerHeat heat;
+  std::vector<FaceId> affected;
+  heat.update(body, 1, {}, affected);
+  EXPECT_FALSE(heat.any());
+  EXPECT_TRUE(affected.empty());
+}
+
+Vec3 centroid(const Triangle& t) { return (t[0] + t[1] + t[2]) / 3.0; }
+
+// The highest temperature that is drawn at a point of a face, given by its barycentric coordinates.
+double drawn_hottest(const Mesh& mesh, const CornerHeat& heat, FaceId f, const Vec3& weights) {
+  const Triangle t = mesh.triangle(f);
+  const Vec3 p = weights[0] * t[0] + weights[1] * t[1] + weights[2] * t[2];
+  double sum = 0, straight = 0;
+  for (int i = 0; i < 3; ++i) {
+    const CornerTemperature corner = heat.of(mesh, f)[static_cast<size_t>(i)].hottest;
+    Vec3 gradient;
+    for (int k = 0; k < 3; ++k)
+      gradient[k] = kHeatGradientUnit * glm::unpackHalf1x16(corner.gradient[static_cast<size_t>(k)]);
+    straight += weights[i] * kelvin(corner.at);
+    sum += weights[i] * (kelvin(corner.at) + glm::dot(gradient, p - t[static_cast<size_t>(i)]));
+  }
+  return std::max(kAmbient, std::min(sum, straight));
+}
+
+TEST(CornerHeat, draws_what_is_linear_over_faces_of_different_sizes_as_it_is) {
+  Random random(6);
+  Body body = make_body("grid", test::build(test::grid(6, 1)));
+  std::vector<Mesh::FaceSplit> splits;
+  for (int i = 0; i < 60; ++i) {
+    const FaceId f(static_cast<uint32_t>(random.below(body.mesh.face_slots())));
+    body.mesh.split_edge(f, body.mesh.corners(f)[0], body.mesh.corners(f)[1], splits);
+  }
+  const auto linear = [](const Vec3& p) { return 900 + 500 * p.x - 300 * p.z; };
+  for (uint32_t f = 0; f < body.mesh.face_slots(); ++f)
+    heat_to(body, FaceId(f), linear(centroid(body.mesh.triangle(FaceId(f)))));
+  CornerHeat heat;
+  std::vector<FaceId> affected;
+  heat.update(body, 1, {}, affected);
+  for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+    const Vec3 middle = centroid(body.mesh.triangle(FaceId(f)));
+    if (std::max(std::abs(middle.x), std::abs(middle.z)) > 0.3) continue;  // corners have few faces there
+    EXPECT_NEAR(drawn_hottest(body.mesh, heat, FaceId(f), Vec3(1 / 3.0)), linear(middle), 8) << f;
+  }
+}
+
+// A strip along x whose edge z = 0 is a hot rim; beside it, faces reach far away from it.
+Body hot_strip_beside_long_faces(double width, double reach, int cells) {
+  Soup soup;
+  const std::array<double, 6> rows{0, 0.25 * width, 0.5 * width, 0.75 * width, width, reach};
+  for (const double z : rows) {
+    for (int i = 0; i <= cells; ++i) soup.positions.push_back({0.25 * width * i, 0, z});
+  }
+  const auto columns = static_cast<uint32_t>(cells + 1);
+  for (uint32_t row = 0; row + 1 < rows.size(); ++row) {
+    for (uint32_t i = 0; i + 1 < columns; ++i) {
+      const uint32_t a = row * columns + i, b = a + columns;
+      soup.triangles.push_back({a, a + 1, b});
+      soup.triangles.push_back({b, a + 1, b + 1});
+    }
+  }
+  soup.faces_in_file = soup.triangles_in_file = soup.triangles.size();
+  Body body = make_body("strip", test::build(soup));
+  for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+    const double z = centroid(body.mesh.triangle(FaceId(f))).z;
+    if (z < 1.2 * width) heat_to(body, FaceId(f), 293 + 1500 * (1 - z / (1.2 * width)));
+  }
+  return body;
+}
+
+TEST(CornerHeat, of_a_large_face_that_touches_what_is_hot_ends_where_the_small_ones_say) {
+  constexpr double kWidth = 1, kReach = 40;
+  const Body body = hot_strip_beside_long_faces(kWidth, kReach, 40);
+  CornerHeat heat;
+  std::vector<FaceId> affected;
+  heat.update(body, 1, {}, affected);
+  for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+    const Triangle t = body.mesh.triangle(FaceId(f));
+    for (int i = 0; i <= 60; ++i) {
+      for (int k = 0; i + k <= 60; ++k) {
+        const Vec3 weights(i / 60.0, k / 60.0, (60 - i - k) / 60.0);
+        const Vec3 p = weights[0] * t[0] + weights[1] * t[1] + weights[2] * t[2];
+        if (p.x < kWidth || p.x > 9 * kWidth) continue;
+        const double drawn = drawn_hottest(body.mesh, heat, FaceId(f), weights);
+        if (p.z > 2 * kWidth) {
+          ASSERT_LT(drawn, 440) << f << " at " << p.z;
+        }
+        if (p.z < 0.5 * kWidth) {
+          ASSERT_NEAR(drawn, 293 + 1500 * (1 - p.z / (1.2 * kWidth)), 60) << f;
+        }
+      }
+    }
+  }
+}
+
+TEST(CornerHeat, is_the_same_from_both_sides_of_an_edge) {
+  Random random(9);
+  Body body = make_body("grid", test::build(test::grid(8, 1)));
+  for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) heat_to(body, FaceId(f), random.uniform(293, 1700));
+  CornerHeat heat;
+  std::vector<FaceId> affected;
+  heat.update(body, 1, {}, affected);
+  std::map<uint32_t, HeatMark> marks;
+  for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+    for (size_t i = 0; i < 3; ++i) {
+      const auto [at, is_new] =
+          marks.try_emplace(body.mesh.corners(FaceId(f))[i].index, heat.of(body.mesh, FaceId(f))[i]);
+      EXPECT_EQ(at->second, heat.of(body.mesh, FaceId(f))[i]);
+    }
+  }
+}
+
+TEST(CornerHeat, of_faces_that_cooled_down_leaves_the_tint_until_that_is_undone) {
+  Body body = make_body("grid", test::build(test::grid(8, 1)));
+  const FaceId hot(40);
+  heat_to(body, hot, 1200);
+  CornerHeat heat;
+  std::vector<FaceId> affected;
+  heat.update(body, 1, {}, affected);
+  body.heat.set_energy(body.mesh, hot, 0);
+  heat.update(body, 1, {}, affected);
+  EXPECT_EQ(heat.of(body.mesh, hot)[0].now, CornerTemperature());
+  EXPECT_GT(heat.of(body.mesh, hot)[0].hottest.at, 0);
+  body.mesh.columns().set(body.heat.hottest, hot, 0.0f);
+  heat.update(body, 1, {}, affected);
+  EXPECT_EQ(heat.of(body.mesh, hot)[0], HeatMark());
+}
+
+// What follows from change to change must be what a look at the whole body finds.
+TEST(CornerHeat, follows_heat_and_removals_like_one_that_begins_anew) {
+  Random random(11);
+  Body body = make_body("grid", test::build(test::grid(12, 1)));
+  CornerHeat followed;
+  for (int round = 0; round < 60; ++round) {
+    SCOPED_TRACE(round);
+    std::vector<VertexId> changed;
+    for (int i = 0; i < 6; ++i) {
+      const FaceId f(static_cast<uint32_t>(random.below(body.mesh.face_slots())));
+      if (!body.mesh.is_live(f)) continue;
+      const size_t what = random.below(4);
+      if (what == 0) {
+        const auto corners = body.mesh.corners(f);
+        changed.insert(changed.end(), corners.begin(), corners.end());
+        body.mesh.remove_face(f);
+      } else if (what == 1) {
+        body.heat.set_energy(body.mesh, f, 0);
+      } else {
+        heat_to(body, f, random.uniform(300, 1700));
+      }
+    }
+    std::vector<FaceId> affected;
+    followed.update(body, 1, changed, affected);
+    CornerHeat anew;
+    anew.update(body, 1, {}, affected);
+    for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+      if (!body.mesh.is_live(FaceId(f))) continue;
+      ASSERT_EQ(followed.of(body.mesh, FaceId(f)), anew.of(body.mesh, FaceId(f))) << f;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace kerf

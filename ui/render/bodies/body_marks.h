@@ -1,0 +1,54 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/physics/physics.h"
+#include "ui/render/view/view_options.h"
+
+namespace kerf {
+
+// What the physics of a world works with, to be drawn over the picture.
+struct BodyMarks {
+  // Where two bodies, or a body and the ground, touch; in the world.
+  struct ContactMark {
+    Vec3 at{0};
+    Vec3 normal{0};       // unit, towards the first body
+    double distance = 0;  // m, less the skins
+    double share = 0;     // of the largest impulse, from 0 to 1
+  };
+  // The points and chords of a body, in the frame of the body.
+  struct ColliderMarks {
+    BodyId body;
+    std::vector<Vec3> points;
+    std::vector<std::pair<Vec3, Vec3>> chords;
+  };
+  struct CentreMark {
+    enum class State { kAwake, kAsleep, kPinned };
+    Vec3 centre{0};     // m, of mass, in the world
+    double radius = 0;  // m, of a sheet with the area of the body, laid out as a disc
+    State state = State::kAwake;
+  };
+
+  struct JointMark {
+    Joint::Kind kind = Joint::Kind::kWeld;
+    Vec3 anchor{0};  // m, in the world
+    Vec3 axis{0};    // unit, in the world; of a weld without meaning
+  };
+
+  std::vector<ContactMark> contacts;
+  std::vector<ColliderMarks> colliders;
+  std::vector<CentreMark> centres;
+  std::vector<JointMark> joints;
+};
+
+// Gathers what the switches ask for: contacts and colliders as of the last tick in which bodies moved. Null
+// if they ask for nothing. Linear in what is gathered.
+std::shared_ptr<const BodyMarks> gather_body_marks(const World& world, const Physics& physics,
+                                                   const ShowOptions& show);
+
+// The same of a world in which time did not pass yet: what the next tick would find, with all bodies awake.
+// Copies the world.
+std::shared_ptr<const BodyMarks> body_marks_ahead(const World& world, const ShowOptions& show);
+
+}  // namespace kerf

@@ -1,0 +1,51 @@
+#include "ui/render/bodies/body_picture.h"
+
+namespace kerf {
+
+namespace {
+constexpr size_t kPaints = 256;
+}
+
+bool is_frame_bound() {
+  GLint buffer = 0;
+  glGetIntegeri_v(GL_UNIFORM_BUFFER_BINDING, kFrameBlock, &buffer);
+  return buffer != 0;
+}
+
+std::vector<glm::vec4> paint_table(const std::vector<std::string>& materials,
+                                   const std::map<std::string, Paint>& paints) {
+  const Paint plain;
+  std::vector<glm::vec4> table(kPaints, glm::vec4(glm::vec3(plain.colour), plain.gloss));
+  for (size_t m = 0; m < std::min(kPaints, materials.size()); ++m) {
+    const auto found = paints.find(materials[m]);
+    if (found != paints.end()) table[m] = glm::vec4(glm::vec3(found->second.colour), found->second.gloss);
+  }
+  return table;
+}
+
+BodyPicture::BodyPicture(const Body& body, const std::map<std::string, Paint>& paints, PreparedBody prepared,
+                         double glow_width)
+    : faces_(body.mesh, prepared.frame, std::move(prepared.bases), glow_width) {
+  const std::vector<glm::vec4> table = paint_table(body.material_names, paints);
+  glBindBuffer(GL_UNIFORM_BUFFER, paints_.name());
+  glBufferData(GL_UNIFORM_BUFFER, static_cast<GLsizeiptr>(table.size() * sizeof(glm::vec4)), table.data(),
+               GL_STATIC_DRAW);
+}
+
+void BodyPicture::bind(const gl::Program& program, const FrameSpace& space,
+                       const Placement& placement) const {
+  program.set("frame_from_body", space.from_body(placement, faces_.frame()));
+  program.set("turn", glm::mat3(space.turn_from(placement.orientation)));
+  program.set("terminator", faces_.deviation());
+  program.set("heated", faces_.heat().any() ? 1 : 0);
+  glBindBufferBase(GL_UNIFORM_BUFFER, kPaintBlock, paints_.name());
+  looks_.bind(program);
+}
+
+void BodyPicture::draw(const gl::Program& program, const FrameSpace& space,
+                       const Placement& placement) const {
+  bind(program, space, placement);
+  faces_.draw();
+}
+
+}  // namespace kerf

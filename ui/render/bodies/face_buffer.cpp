@@ -1,0 +1,288 @@
+#include "ui/render/bodies/face_buffer.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/base/assert.h"
+
+namespace kerf {
+
+namespace {
+
+using Indices = std::array<uint32_t, 3>;
+
+template <typename T>
+void put(GLenum target, GLuint buffer, size_t first, const std::vector<T>& items) {
+  glBindBuffer(target, buffer);
+  glBufferSubData(target, static_cast<GLintptr>(first * sizeof(T)),
+                  static_cast<GLsizeiptr>(items.size() * sizeof(T)), items.data());
+}
+
+FaceCorners corners_of(const FaceVertices& face) {
+  const auto at = [&](size_t i) {
+    return glm::vec3(face[i].position[0], face[i].position[1], face[i].position[2]);
+  };
+  return {at(0), at(1), at(2)};
+}
+
+}  // namespace
+
+FaceBuffer::Chunk::Chunk() {
+  glBindVertexArray(layout.name());
+  glBindBuffer(GL_ARRAY_BUFFER, vertices.name());
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(kChunkFaces * sizeof(FaceVertices)), nullptr,
+               GL_DYNAMIC_DRAW);
+  const auto at = [](size_t offset) {
+    return reinterpret_cast<const void*>(offset);
+  };  // GL's way of an offset
+  glEnableVertexAttribArray(0);
+  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(FaceVertex), at(offsetof(FaceVertex, position)));
+  glEnableVertexAttribArray(1);
+  glVertexAttribPointer(1, 4, GL_INT_2_10_10_10_REV, GL_TRUE, sizeof(FaceVertex),
+                        at(offsetof(FaceVertex, normal)));
+  glEnableVertexAttribArray(3);
+  glVertexAttribPointer(3, 1, GL_HALF_FLOAT, GL_FALSE, sizeof(FaceVertex), at(offsetof(FaceVertex, rim)));
+  glEnableVertexAttribArray(4);
+  glVertexAttribIPointer(4, 2, GL_UNSIGNED_BYTE, sizeof(FaceVertex), at(offsetof(FaceVertex, halvings)));
+  glBindBuffer(GL_ARRAY_BUFFER, labels.name());
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(kChunkFaces * sizeof(Labels)), nullptr,
+               GL_DYNAMIC_DRAW);
+  glEnableVertexAttribArray(2);
+  glVertexAttribIPointer(2, 1, GL_UNSIGNED_SHORT, sizeof(uint16_t), nullptr);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.name());
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(kChunkFaces * sizeof(Indices)), nullptr,
+               GL_DYNAMIC_DRAW);
+  glBindVertexArray(0);
+}
+
+// Corners that were never sent are cold. Without the buffer all are.
+void FaceBuffer::Chunk::make_heat() {
+  if (heat) return;
+  heat.emplace();
+  const std::vector<Heat> cold(kChunkFaces);
+  glBindVertexArray(layout.name());
+  glBindBuffer(GL_ARRAY_BUFFER, heat->name());
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(cold.size() * sizeof(Heat)), cold.data(),
+               GL_DYNAMIC_DRAW);
+  for (const auto& [attribute, start] :
+       {std::pair(5u, offsetof(HeatMark, now)), std::pair(7u, offsetof(HeatMark, hottest))}) {
+    const auto at = [&](size_t member) { return reinterpret_cast<const void*>(start + member); };
+    glEnableVertexAttribArray(attribute);
+    glVertexAttribPointer(attribute, 1, GL_UNSIGNED_SHORT, GL_TRUE, sizeof(HeatMark),
+                          at(offsetof(CornerTemperature, at)));
+    glEnableVertexAttribArray(attribute + 1);
+    glVertexAttribPointer(attribute + 1, 3, GL_HALF_FLOAT, GL_FALSE, sizeof(HeatMark),
+                          at(offsetof(CornerTemperature, gradient)));
+  }
+  glBindVertexArray(0);
+}
+
+FaceBuffer::FaceBuffer(const Mesh& mesh, const FloatFrame& frame, std::shared_ptr<const BaseFaces> bases,
+                       double glow_width)
+    : frame_(frame), bases_(std::move(bases)), rims_(static_cast<float>(glow_width * frame.scale)) {
+  KERF_ASSERT(bases_ != nullptr);
+  dirty_.mark_all(mesh.face_slots());
+}
+
+void FaceBuffer::follow(const BodyDelta& delta) {
+  dirty_.mark(delta.born);
+  dirty_.mark(delta.gone);
+  relabelled_.mark(delta.relabelled);
+  removed_.forget();
+}
+
+void FaceBuffer::group(const Mesh& mesh, const std::shared_ptr<const PieceGroups>& groups) {
+  relabelled_.mark(regrouped(mesh, groups_.get(), groups.get()));
+  groups_ = groups;
+}
+
+PictureMemory FaceBuffer::memory() const {
+  PictureMemory memory;
+  memory.shading = bases_->bytes();
+  memory.graphics = chunks_.size() * kChunkFaces * (sizeof(FaceVertices) + sizeof(Labels) + sizeof(Indices)) +
+                    halvings_.capacity() + corners_.capacity() * sizeof(Corners) +
+                    staging_.capacity() * sizeof(FaceVertices) + staged_labels_.capacity() * sizeof(Labels);
+  for (const Chunk& chunk : chunks_)
+    memory.graphics += chunk.live.bytes() + (chunk.heat ? kChunkFaces * sizeof(Heat) : 0);
+  return memory;
+}
+
+size_t FaceBuffer::update(const Mesh& mesh, uint32_t most) {
+  if (dirty_.empty() && relabelled_.empty()) return 0;
+  DirtySlots born = take_born(mesh, most);
+  find_rims(mesh, born);
+  size_t bytes = 0;
+  for (const SlotRange range : born.take(kGap, kChunkFaces)) {
+    bytes += update_slots(mesh, range) + update_labels(mesh, range);
+  }
+  for (const SlotRange range : relabelled_.take(kGap, kChunkFaces)) bytes += update_labels(mesh, range);
+  for (Chunk& chunk : chunks_) bytes += update_list(chunk);
+  return bytes;
+}
+
+// Strikes slots that died off the list, since their corners need not be sent, and returns the others.
+DirtySlots FaceBuffer::take_born(const Mesh& mesh, uint32_t most) {
+  if (halvings_.size() < mesh.face_slots()) {
+    halvings_.resize(mesh.face_slots(), kDead);
+    corners_.resize(mesh.face_slots());
+  }
+  DirtySlots born;
+  for (const SlotRange range : dirty_.take(0, kChunkFaces, most)) {
+    // An undo may have taken slots away that were never sent.
+    if (halvings_.size() < range.end) {
+      halvings_.resize(range.end, kDead);
+      corners_.resize(range.end);
+    }
+    LiveList& live = chunk_of(range).live;
+    for (uint32_t f = range.begin; f < range.end; ++f) {
+      const bool lives = mesh.is_live(FaceId(f));
+      if (live.set(f % kChunkFaces, lives)) note_change(mesh, FaceId(f), lives);
+      count(mesh, f);
+      note_corners(mesh, f);
+      if (lives) born.mark(f);
+      if (lives && heat_.any()) reheated_.mark(f);
+    }
+  }
+  return born;
+}
+
+void FaceBuffer::note_corners(const Mesh& mesh, uint32_t slot) {
+  const Corners before = corners_[slot];
+  corners_[slot] = mesh.is_live(FaceId(slot)) ? mesh.corners(FaceId(slot)) : Corners{};
+  for (const Corners& corners : {before, corners_[slot]}) {
+    if (corners[0].valid()) moved_corners_.insert(moved_corners_.end(), corners.begin(), corners.end());
+  }
+}
+
+// Adds the faces that are drawn otherwise because a rim came or went near them. A mesh as loaded has no rim.
+void FaceBuffer::find_rims(const Mesh& mesh, DirtySlots& born) {
+  std::vector<VertexId> changed = std::exchange(moved_corners_, {});
+  if (heat_.any()) reheated_corners_.insert(reheated_corners_.end(), changed.begin(), changed.end());
+  if (bases_->are_whole(mesh) && !rims_.any()) return;
+  std::sort(changed.begin(), changed.end());
+  changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+  std::vector<VertexId> affected;
+  rims_.update(mesh, *bases_, frame_, changed, affected);
+  Mesh::Star star;
+  for (const VertexId v : affected) {
+    mesh.star(v, star);
+    for (const FaceId f : star.faces) {
+      if (halvings_[f.index] != kDead) born.mark(f.index);
+    }
+  }
+}
+
+std::array<float, 3> FaceBuffer::rim_of(const Mesh& mesh, FaceId f) const {
+  if (!rims_.any() || !mesh.is_live(f)) return {RimDistance::kFar, RimDistance::kFar, RimDistance::kFar};
+  const auto [a, b, c] = mesh.corners(f);
+  const auto widths = [&](VertexId v) { return std::min(rims_.of(v) / rims_.width(), RimDistance::kFar); };
+  return {widths(a), widths(b), widths(c)};
+}
+
+// A slot behind the last one was taken back with the command that made it: its face was never removed.
+void FaceBuffer::note_change(const Mesh& mesh, FaceId f, bool lives) {
+  if (lives) {
+    removed_.came_back(f);
+  } else if (f.index < mesh.face_slots()) {
+    removed_.died(f, mesh.data(f).base);
+  }
+}
+
+FaceBuffer::Chunk& FaceBuffer::chunk_of(const SlotRange& range) {
+  KERF_ASSERT(range.begin < range.end && (range.end - 1) / kChunkFaces == range.begin / kChunkFaces);
+  const size_t chunk = range.begin / kChunkFaces;
+  while (chunks_.size() <= chunk) chunks_.emplace_back();
+  return chunks_[chunk];
+}
+
+void FaceBuffer::count(const Mesh& mesh, uint32_t slot) {
+  uint8_t& known = halvings_[slot];
+  if (known != kDead) --faces_of_[known];
+  known = kDead;
+  if (!mesh.is_live(FaceId(slot))) return;
+  known = static_cast<uint8_t>(std::min<size_t>(mesh.data(FaceId(slot)).halvings, faces_of_.size() - 1));
+  ++faces_of_[known];
+}
+
+size_t FaceBuffer::update_slots(const Mesh& mesh, const SlotRange& range) {
+  staging_.clear();
+  for (uint32_t f = range.begin; f < range.end; ++f) {
+    staging_.push_back(face_vertices(mesh, *bases_, frame_, FaceId(f), rim_of(mesh, FaceId(f))));
+    if (halvings_[f] != kDead && halvings_[f] > 0) removed_.saw(FaceId(f), corners_of(staging_.back()));
+  }
+  put(GL_ARRAY_BUFFER, chunk_of(range).vertices.name(), range.begin % kChunkFaces, staging_);
+  return staging_.size() * sizeof(FaceVertices);
+}
+
+size_t FaceBuffer::update_labels(const Mesh& mesh, const SlotRange& range) {
+  staged_labels_.clear();
+  for (uint32_t f = range.begin; f < range.end; ++f) {
+    uint16_t label = 0;
+    if (mesh.is_live(FaceId(f)))
+      label = packed_piece(groups_ ? groups_->of(mesh, FaceId(f)) : mesh.data(FaceId(f)).piece);
+    staged_labels_.push_back({label, label, label});
+  }
+  put(GL_ARRAY_BUFFER, chunk_of(range).labels.name(), range.begin % kChunkFaces, staged_labels_);
+  return staged_labels_.size() * sizeof(Labels);
+}
+
+size_t FaceBuffer::update_heat(const Body& body, bool time_passed) {
+  if (body.mesh.columns().blank() && !heat_.any()) return 0;
+  KERF_ASSERT(halvings_.size() >= body.mesh.face_slots());
+  if (time_passed || !reheated_corners_.empty() || body.sheet != sheet_) {
+    sheet_ = body.sheet;
+    std::vector<FaceId> affected;
+    heat_.update(body, frame_.scale, std::exchange(reheated_corners_, {}), affected);
+    reheated_.mark(affected);
+  }
+  size_t bytes = 0;
+  if (!heat_.any() || reheated_.empty()) return bytes;
+  for (const SlotRange range : reheated_.take(kGap, kChunkFaces)) bytes += update_heat_of(body.mesh, range);
+  return bytes;
+}
+
+size_t FaceBuffer::update_heat_of(const Mesh& mesh, const SlotRange& range) {
+  std::vector<Heat> marks;
+  for (uint32_t f = range.begin; f < range.end; ++f)
+    marks.push_back(mesh.is_live(FaceId(f)) ? heat_.of(mesh, FaceId(f)) : Heat{});
+  Chunk& chunk = chunk_of(range);
+  chunk.make_heat();
+  put(GL_ARRAY_BUFFER, chunk.heat->name(), range.begin % kChunkFaces, marks);
+  return marks.size() * sizeof(Heat);
+}
+
+size_t FaceBuffer::update_list(Chunk& chunk) {
+  size_t bytes = 0;
+  std::vector<Indices> indices;
+  glBindVertexArray(chunk.layout.name());
+  for (const SlotRange range : chunk.live.take_changes(kGap)) {
+    indices.clear();
+    for (const uint32_t slot : chunk.live.slots().subspan(range.begin, range.end - range.begin)) {
+      indices.push_back({3 * slot, 3 * slot + 1, 3 * slot + 2});
+    }
+    put(GL_ELEMENT_ARRAY_BUFFER, chunk.indices.name(), range.begin, indices);
+    bytes += indices.size() * sizeof(Indices);
+  }
+  glBindVertexArray(0);
+  return bytes;
+}
+
+void FaceBuffer::draw() const {
+  for (const Chunk& chunk : chunks_) chunk.draw();
+}
+
+void FaceBuffer::draw_numbered(const gl::Program& program) const {
+  draw_chunks([&](size_t i) { program.set("first_slot", static_cast<int>(i * kChunkFaces)); });
+}
+
+void FaceBuffer::draw_removed(const Mesh& mesh) {
+  removed_.update(mesh, *bases_);
+  removed_.draw();
+}
+
+void FaceBuffer::Chunk::draw() const {
+  glBindVertexArray(layout.name());
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * live.slots().size()), GL_UNSIGNED_INT, nullptr);
+}
+
+}  // namespace kerf

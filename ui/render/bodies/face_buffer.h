@@ -1,0 +1,138 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/joints/piece_groups.h"
+#include "core/world/delta.h"
+#include "core/world/world.h"
+#include "ui/gl/objects.h"
+#include "ui/gl/program.h"
+#include "ui/render/bodies/corner_heat.h"
+#include "ui/render/bodies/face_slots.h"
+#include "ui/render/bodies/live_list.h"
+#include "ui/render/bodies/picture_memory.h"
+#include "ui/render/bodies/removed_faces.h"
+#include "ui/render/bodies/rim_distance.h"
+
+namespace kerf {
+
+// The faces of one body on the GPU. Every face slot of the mesh has a fixed slot of three corners, in chunks
+// of a fixed size, so that growing copies nothing. Each chunk has a list of its live slots, and only these
+// are drawn. The buffer follows Deltas, and the cost of an update is proportional to what changed. Labels of
+// pieces lie in a buffer of their own, so that a face with a new label sends its label alone.
+class FaceBuffer {
+ public:
+  // Uploads nothing yet. `glow_width` (m) is that of RimDistance. Precondition: `bases` is not null and
+  // belongs to the mesh, with the same frame.
+  FaceBuffer(const Mesh& mesh, const FloatFrame& frame, std::shared_ptr<const BaseFaces> bases,
+             double glow_width);
+
+  void follow(const BodyDelta& delta);
+  // Sends with the next update the groups of the faces instead of the labels of their pieces, or, if null,
+  // the labels again.
+  void group(const Mesh& mesh, const std::shared_ptr<const PieceGroups>& groups);
+  // Marks every slot as changed, for the case that Deltas were lost.
+  void forget_all(const Mesh& mesh) {
+    dirty_.mark_all(std::max(mesh.face_slots(), static_cast<uint32_t>(halvings_.size())));
+    removed_.forget();
+    if (heat_.any()) reheated_.mark_all(mesh.face_slots());
+  }
+
+  // Uploads what changed from the current mesh. If every slot changed, uploads at most `most` of them; later
+  // calls upload the others. Returns the number of bytes sent.
+  size_t update(const Mesh& mesh, uint32_t most = DirtySlots::kAll);
+  // Uploads what is new of the heat of the body. Precondition: its mesh is that of the last update.
+  // `time_passed`: whether heat may have flowed since the last call. Returns the number of bytes sent.
+  size_t update_heat(const Body& body, bool time_passed);
+  const CornerHeat& heat() const { return heat_; }
+  // Whether slots are left for later calls.
+  bool is_sending() const { return dirty_.has_all(); }
+  // The number of slots, and how many of them are left for later calls.
+  size_t slots() const { return corners_.size(); }
+  size_t unsent() const { return dirty_.left(); }
+  PictureMemory memory() const;
+
+  // The number of slots in a chunk.
+  static constexpr uint32_t kChunkFaces = 1u << 16;
+
+  // Draws three vertices per live face; gl_VertexID % 3 is the corner.
+  void draw() const;
+  // The same, with a call of before_chunk(i) before the faces of each chunk, whose slots start at i *
+  // kChunkFaces; gl_VertexID / 3 is the slot within the chunk.
+  template <typename Before>
+  void draw_chunks(const Before& before_chunk) const {
+    for (size_t i = 0; i < chunks_.size(); ++i) {
+      if (chunks_[i].live.slots().empty()) continue;
+      before_chunk(i);
+      chunks_[i].draw();
+    }
+  }
+  // The same for a program that needs face slots: its uniform first_slot is set to the slot of vertex 0.
+  void draw_numbered(const gl::Program& program) const;
+
+  // Draws the loaded surface where faces were removed; see RemovedFaces.
+  void draw_removed(const Mesh& mesh);
+  std::vector<RemovedFace> removed(const Mesh& mesh) const { return removed_.list(mesh, *bases_); }
+
+  const FloatFrame& frame() const { return frame_; }
+  // See BaseFaces.
+  float deviation() const { return bases_->deviation(); }
+  // Whether a cut has left a rim, which glows.
+  bool has_rim() const { return rims_.any(); }
+  // The number of live faces by their number of halvings; the last element includes all larger numbers.
+  using Halvings = std::array<uint32_t, 64>;
+  const Halvings& halvings_of_faces() const { return faces_of_; }
+
+ private:
+  static constexpr uint32_t kGap = 4;  // largest gap of unchanged slots between ranges that are sent together
+
+  static constexpr uint8_t kDead = 0xff;
+  using Corners = std::array<VertexId, 3>;
+  using Labels = std::array<uint16_t, 3>;  // of a face, once for each corner
+  using Heat = std::array<HeatMark, 3>;
+
+  struct Chunk {
+    gl::Buffer vertices, labels, indices;
+    gl::VertexArray layout;
+    LiveList live{kChunkFaces};
+    std::optional<gl::Buffer> heat;  // of chunks in which anything was ever hot
+    Chunk();
+    void make_heat();
+    void draw() const;
+  };
+  // The one that has the slots of a range, which lies in one chunk; creates it if necessary.
+  Chunk& chunk_of(const SlotRange& range);
+  void count(const Mesh& mesh, uint32_t slot);
+  void note_change(const Mesh& mesh, FaceId f, bool lives);
+  DirtySlots take_born(const Mesh& mesh, uint32_t most);
+  void note_corners(const Mesh& mesh, uint32_t slot);
+  void find_rims(const Mesh& mesh, DirtySlots& born);
+  std::array<float, 3> rim_of(const Mesh& mesh, FaceId f) const;
+  size_t update_slots(const Mesh& mesh, const SlotRange& range);
+  size_t update_labels(const Mesh& mesh, const SlotRange& range);
+  size_t update_heat_of(const Mesh& mesh, const SlotRange& range);
+  size_t update_list(Chunk& chunk);
+
+  FloatFrame frame_;
+  std::shared_ptr<const BaseFaces> bases_;
+  RemovedFaces removed_;
+  RimDistance rims_;
+  CornerHeat heat_;
+  Sheet sheet_;  // of the temperatures
+  std::shared_ptr<const PieceGroups> groups_;
+  DirtySlots dirty_, relabelled_, reheated_;
+  std::vector<Chunk> chunks_;
+  std::vector<FaceVertices> staging_;
+  std::vector<Labels> staged_labels_;
+  std::vector<VertexId> moved_corners_;     // of faces that changed since the rims were found
+  std::vector<VertexId> reheated_corners_;  // the same since the heat was followed
+  std::vector<Corners> corners_;            // by slot, as last drawn
+  std::vector<uint8_t> halvings_;           // by slot; kDead without a live face
+  Halvings faces_of_{};
+};
+
+}  // namespace kerf

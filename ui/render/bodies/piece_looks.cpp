@@ -1,0 +1,106 @@
+#include "ui/render/bodies/piece_looks.h"
+
+#include "core/joints/loaded_part.h"
+#include "ui/render/bodies/face_slots.h"
+
+namespace kerf {
+
+namespace {
+
+const glm::vec4 kNotTurned(0, 0, 0, 1);
+// Numbers beyond those of pieces, whose colours are those of the sets of a separation; body.vert knows them.
+constexpr float kStayed = 65536, kCameOff = 65537;
+constexpr int kTextureUnit = 3;  // of the textures; no program that draws bodies uses it for another
+
+// Where the look moves the origin of the frame, which is the eye.
+Vec3 moved_origin(const PieceLook& look, const FrameSpace& space) {
+  return look.is_turned() ? look.turn * space.eye - space.eye + look.offset : look.offset;
+}
+
+glm::vec4 packed_turn(const PieceLook& look, const FrameSpace& space) {
+  const Vec3 axis = space.turned({look.turn.x, look.turn.y, look.turn.z});
+  return {glm::vec3(axis), static_cast<float>(look.turn.w)};
+}
+
+// With a number, the colour follows from it and not from the group.
+glm::vec4 packed(const PieceLook& look, std::optional<uint32_t> number, const FrameSpace& space) {
+  const float shown_number = number ? static_cast<float>(packed_piece(*number)) + 1.0f : 0.0f;
+  const float shown = (look.selected ? 1.0f : 0.0f) + 2.0f * shown_number;
+  return {glm::vec3(space.turned(moved_origin(look, space)) / space.unit), look.hidden ? -1.0f : shown};
+}
+
+// The groups of parts that no cut separated, also where they are loose parts beside a piece.
+std::set<uint32_t> groups_of_parts(const Body& body, const BodyLooks& looks) {
+  std::set<uint32_t> parts;
+  for (uint32_t label = 1; label < body.pieces.size(); ++label) {
+    if (is_loaded_part(body, label)) parts.insert(label);
+  }
+  if (!looks.groups() || parts.empty()) return parts;
+  auto group = static_cast<uint32_t>(looks.groups()->middles.size());
+  for (const PieceGroups::Loose& loose : looks.groups()->loose) {
+    if (parts.contains(loose.piece)) parts.insert(group);
+    ++group;
+  }
+  return parts;
+}
+
+}  // namespace
+
+void PieceLooks::add_row(std::vector<glm::vec4>& table, size_t row) {
+  while (table.size() <= 2 * row) table.insert(table.end(), {glm::vec4(0), kNotTurned});
+}
+
+bool PieceLooks::update(const Body& body, const BodyLooks& looks, const FrameSpace& space) {
+  std::set<uint32_t> parts = groups_of_parts(body, looks);
+  const bool changed =
+      looks.by_group() != looks_ || looks.came_off() != came_off_ || parts != parts_ || up_ != space.up;
+  if (!changed && !any_turned_) return false;
+  up_ = space.up;
+  looks_ = looks.by_group();
+  came_off_ = looks.came_off();
+  parts_ = std::move(parts);
+  any_away_ = any_turned_ = any_selected_ = false;
+  std::vector<glm::vec4> table;
+  const size_t pieces = looks.groups() ? looks.groups()->middles.size() : SIZE_MAX;
+  for (const uint32_t part : parts_) {
+    const size_t row = packed_piece(part);
+    add_row(table, row);
+    table[2 * row] = packed(PieceLook(), 0, space);
+  }
+  for (const auto& [group, look] : looks_) {
+    const size_t row = packed_piece(group);
+    add_row(table, row);
+    std::optional<uint32_t> number;
+    if (look.number > 0 || group >= pieces) number = look.number;
+    if (parts_.contains(group)) number = 0;
+    table[2 * row] = packed(look, number, space);
+    table[2 * row + 1] = packed_turn(look, space);
+    any_away_ = any_away_ || look.hidden || look.is_away();
+    any_turned_ = any_turned_ || look.is_turned();
+    any_selected_ = any_selected_ || (look.selected && !look.hidden);
+  }
+  for (const auto& [group, came_off] : came_off_) {
+    const size_t row = packed_piece(group);
+    add_row(table, row);
+    float& shown = table[2 * row].w;
+    const bool selected = looks.of(group).selected;
+    if (shown >= 0) shown = (selected ? 1.0f : 0.0f) + 2.0f * (1.0f + (came_off ? kCameOff : kStayed));
+  }
+  count_ = static_cast<int>(table.size() / 2);
+  glBindBuffer(GL_TEXTURE_BUFFER, buffer_.name());
+  glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(table.size() * sizeof(glm::vec4)), table.data(),
+               GL_DYNAMIC_DRAW);
+  return changed;
+}
+
+void PieceLooks::bind(const gl::Program& program) const {
+  program.set("looks", count_);
+  program.set("piece_looks", kTextureUnit);
+  if (count_ == 0) return;
+  glActiveTexture(GL_TEXTURE0 + kTextureUnit);
+  glBindTexture(GL_TEXTURE_BUFFER, table_.name());
+  glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, buffer_.name());
+  glActiveTexture(GL_TEXTURE0);
+}
+
+}  // namespace kerf

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <map>
+#include <memory>
+
+#include "core/shadow/shadow_caster.h"
+#include "core/world/world.h"
+#include "ui/render/bodies/base_faces.h"
+
+namespace kerf {
+
+// How a body was shaded when it was loaded. It does not change, and is shared by all pieces that were copied
+// out of the body.
+struct LoadedShading {
+  FloatFrame frame;
+  std::shared_ptr<const BaseFaces> bases;
+};
+using LoadedShadings = std::map<BodyId, LoadedShading>;  // by Body::loaded_as
+
+// Data for drawing a body that take long to compute. They involve no OpenGL, so that they can be prepared on
+// another thread.
+struct PreparedBody {
+  FloatFrame frame;  // the frame in which its faces are drawn
+  std::shared_ptr<const BaseFaces> bases;
+  std::unique_ptr<ShadowCaster> caster;  // null if not prepared yet
+};
+using PreparedBodies = std::map<BodyId, PreparedBody>;
+
+// Prepares the frame and the bases of a body: those with which it was loaded if `loaded` has them, so that a
+// piece is shaded as the body was, and otherwise new ones from its faces, which should be as loaded. Expected
+// linear time.
+PreparedBody prepare_shading(const Body& body, const LoadedShadings& loaded = {});
+// The same for every body of a world as loaded, or fails with cancelled() when stopped. `progress` may be
+// null, here and below.
+Result<PreparedBodies> prepare_shading(const World& world, const Progress* progress);
+// Adds the shadow casters of prepared bodies, in their current state, or fails with cancelled() when stopped.
+// Expected linear time.
+Status prepare_shadows(const World& world, PreparedBodies& prepared, const Progress* progress);
+// Both at the same time, for a world as loaded in which nothing is cut.
+Result<PreparedBodies> prepare_drawing(const World& world, const Progress* progress);
+
+}  // namespace kerf

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "core/base/float_frame.h"
+#include "core/mesh/mesh.h"
+#include "ui/render/bodies/base_faces.h"
+
+namespace kerf {
+
+// How far the vertices of a mesh are from the nearest rim that a cut made.
+//
+// A side of a live face lies on such a rim if no other face shares it and it does not lie on the boundary of
+// the mesh as loaded. Near a rim every vertex knows the side that is nearest to it; a vertex learns it from
+// its neighbours in the order of distance (E. W. Dijkstra: A note on two problems in connexion with graphs,
+// 1959), and its distance is the one from that side in a straight line. On surfaces that are nearly flat
+// within the width this is the distance along the surface, and it hardly depends on how the surface is split.
+//
+// All lengths are in the float frame of the body.
+class RimDistance {
+ public:
+  static constexpr float kFar = 60000;  // of vertices that no rim is near; fits a half float
+
+  // Distances are known up to `width`, and to the next vertices beyond it.
+  explicit RimDistance(float width) : width_(width) {}
+
+  float width() const { return width_; }
+
+  // The distance of a vertex, counted from a little behind the rim where the rim has long sides: a coarse rim
+  // is a rough estimate of a smooth one. kFar if no rim is near.
+  float of(VertexId v) const {
+    const auto found = near_.find(v.index);
+    return found == near_.end() ? kFar : found->second.distance;
+  }
+  // Whether the mesh has a rim.
+  bool any() const { return !near_.empty(); }
+
+  // Follows a change of the mesh. `changed` are the vertices of all faces that came, went or have new
+  // corners; those that the mesh does not have are passed over. Appends the vertices whose distance may have
+  // changed to `affected`. The cost depends on the number of vertices within the width of the change.
+  void update(const Mesh& mesh, const BaseFaces& bases, const FloatFrame& frame,
+              std::span<const VertexId> changed, std::vector<VertexId>& affected);
+
+ private:
+  struct Near {
+    float distance = kFar;
+    glm::vec3 from{0}, to{0};  // the nearest side of a rim
+  };
+  struct Entry {
+    float distance;
+    VertexId vertex;
+    bool operator<(const Entry& other) const;
+  };
+  class Search;
+
+  float width_;
+  std::unordered_map<uint32_t, Near> near_;  // by vertex; looked up, never walked
+};
+
+}  // namespace kerf

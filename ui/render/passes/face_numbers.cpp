@@ -1,0 +1,183 @@
+#include "ui/render/passes/face_numbers.h"
+
+#include <algorithm>
+#include <string>
+
+#include "core/base/assert.h"
+#include "ui/render/bodies/body_looks.h"
+#include "ui/render/bodies/digits.h"
+#include "ui/render/passes/marked_faces.h"
+#include "ui/render/passes/veil_pass.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr int kCellWidth = kDigitWidth + 2, kCellHeight = kDigitHeight + 2;  // with a border
+constexpr int kAdvance = kDigitWidth + 1;
+constexpr int kHeightOfOneZoom = 1000;  // pixels of a picture whose numbers are drawn pixel by pixel
+
+struct Glyph {
+  glm::vec2 place, style;
+};
+
+// The faces of all bodies as they are seen, live ones and those that are gone.
+class Candidates {
+ public:
+  Candidates(const Subject& subject, const FrameUniforms& frame)
+      : subject_(subject),
+        clip_(frame.clip_from_frame),
+        half_(0.5f * glm::vec2(frame.viewport.x, frame.viewport.y)) {
+    int number = 0;
+    for_each_body(subject, [&](BodyId id, const Body& body, const BodyPicture& picture) {
+      body_ = (number++ % 127) + 1;
+      const glm::mat4 from_body = subject.space.from_body(body.placement, picture.faces().frame());
+      add_live(id, body, picture.faces().frame(), from_body);
+      for (const RemovedFace& f : picture.faces().removed(body.mesh)) {
+        add({f.face, f.base, body_, true, {}, 0}, f.corners, from_body, glm::vec3(0));
+      }
+    });
+  }
+  std::vector<LabelCandidate> take() { return std::move(all_); }
+
+ private:
+  void add_live(BodyId id, const Body& body, const FloatFrame& frame, const glm::mat4& from_body) {
+    const BodyLooks looks(id, subject_.options);
+    for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+      if (!body.mesh.is_live(FaceId(f))) continue;
+      const FaceData& data = body.mesh.data(FaceId(f));
+      const PieceLook& look = looks.of(body.mesh, FaceId(f));
+      if (look.hidden) continue;
+      const glm::vec3 offset(subject_.space.turned(look.offset) / subject_.space.unit);
+      const Triangle t = body.mesh.triangle(FaceId(f));
+      add({FaceId(f), data.base, body_, false, {}, 0},
+          {frame.to_float(t[0]), frame.to_float(t[1]), frame.to_float(t[2])}, from_body, offset);
+    }
+  }
+  void add(LabelCandidate c, const FaceCorners& corners, const glm::mat4& from_body,
+           const glm::vec3& offset) {
+    for (size_t i = 0; i < 3; ++i) {
+      const glm::vec3 at = glm::vec3(from_body * glm::vec4(corners[i], 1)) + offset;
+      const glm::vec4 p = clip_ * glm::vec4(at, 1);
+      if (!(p.w > 0)) return;
+      c.corners[i] = (glm::vec2(p) / p.w + 1.0f) * half_;
+      c.depth += p.z;
+    }
+    all_.push_back(c);
+  }
+
+  const Subject& subject_;
+  glm::mat4 clip_;
+  glm::vec2 half_;
+  int body_ = 0;
+  std::vector<LabelCandidate> all_;
+};
+
+// Whether the picture of marks shows this face at its middle, which lies in the picture.
+bool shows(const std::vector<uint8_t>& which, int width, const LabelCandidate& c) {
+  const glm::ivec2 p(c.middle());
+  const size_t at = 4 * (static_cast<size_t>(p.y) * static_cast<size_t>(width) + static_cast<size_t>(p.x));
+  KERF_ASSERT(p.x >= 0 && p.x < width && p.y >= 0 && at + 3 < which.size());
+  const uint8_t* mark = &which[at];
+  const uint32_t slot = mark[0] | static_cast<uint32_t>(mark[1]) << 8 | static_cast<uint32_t>(mark[2]) << 16;
+  return slot == ((c.removed ? c.base : c.face).index & 0xffffffu) &&
+         mark[3] == (c.body | (c.removed ? 128 : 0));
+}
+
+}  // namespace
+
+Result<FaceNumbers> FaceNumbers::create(const std::filesystem::path& shaders) {
+  auto faces = gl::Program::load(shaders, {{"frame.glsl", "placed.glsl", "faces.vert"}, {"mark.frag"}});
+  if (!faces) return faces.error();
+  auto removed = gl::Program::load(shaders, {{"frame.glsl", "veil.vert"}, {"mark.frag"}});
+  if (!removed) return removed.error();
+  auto numbers = gl::Program::load(shaders, {{"frame.glsl", "number.vert"}, {"number.frag"}});
+  if (!numbers) return numbers.error();
+  return FaceNumbers(std::move(*faces), std::move(*removed), std::move(*numbers));
+}
+
+FaceNumbers::FaceNumbers(gl::Program faces, gl::Program removed, gl::Program numbers)
+    : faces_(std::move(faces)), removed_(std::move(removed)), numbers_(std::move(numbers)) {
+  for (const gl::Program* p : {&faces_, &removed_, &numbers_}) p->bind_block("Frame", kFrameBlock);
+  make_bitmaps();
+}
+
+void FaceNumbers::make_bitmaps() {
+  constexpr size_t kRow = 10 * kCellWidth;
+  std::vector<uint8_t> pixels(kRow * kCellHeight);
+  for (size_t d = 0; d < kDigits.size(); ++d) {
+    for (size_t y = 0; y < kDigitHeight; ++y) {
+      for (size_t x = 0; x < kDigitWidth; ++x) {
+        const size_t row = kDigitHeight - y;  // from below, over the border
+        if (kDigits[d][y][x] == '#') pixels[row * kRow + d * kCellWidth + x + 1] = 255;
+      }
+    }
+  }
+  glBindTexture(GL_TEXTURE_2D, bitmaps_.name());
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_R8, kRow, kCellHeight, 0, GL_RED, GL_UNSIGNED_BYTE, pixels.data());
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+}
+
+std::vector<uint8_t> FaceNumbers::look_which(const Subject& subject, int width, int height) {
+  const gl::Framebuffer::Shape shape{width, height, 1, true};
+  if (!which_ || !(which_->shape() == shape)) which_.emplace(shape);
+  which_->bind();
+  draw_marked_faces(subject, faces_);
+  removed_.use();
+  draw_removed(subject, removed_);
+  std::vector<uint8_t> marks(4 * static_cast<size_t>(width) * static_cast<size_t>(height));
+  glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, marks.data());
+  return marks;
+}
+
+void FaceNumbers::draw(const Subject& subject, const FrameUniforms& frame, const gl::Framebuffer& picture) {
+  const int w = picture.shape().width, h = picture.shape().height;
+  const std::vector<uint8_t> which = look_which(subject, w, h);
+  const double of_screen = 1 + h / kHeightOfOneZoom;
+  const int zoom = static_cast<int>(std::lround(subject.options.mark_scale * of_screen));
+  const auto scaled = [&](int pixels) { return static_cast<float>(pixels * zoom); };
+  const std::vector<FaceLabel> labels =
+      place_labels(Candidates(subject, frame).take(), {w, h}, {scaled(kAdvance), scaled(kDigitHeight)},
+                   [&](const LabelCandidate& c) { return shows(which, w, c); });
+  picture.bind();
+  draw_labels(labels, zoom);
+}
+
+void FaceNumbers::draw_labels(const std::vector<FaceLabel>& labels, int zoom) const {
+  std::vector<Glyph> glyphs;
+  for (const FaceLabel& label : labels) {
+    glm::vec2 at = label.at - static_cast<float>(zoom);
+    for (const char digit : std::to_string(label.number)) {
+      glyphs.push_back({at, {static_cast<float>(digit - '0'), label.removed ? 1.0f : 0.0f}});
+      at.x += static_cast<float>(kAdvance * zoom);
+    }
+  }
+  if (glyphs.empty()) return;
+  glBindVertexArray(layout_.name());
+  glBindBuffer(GL_ARRAY_BUFFER, glyphs_.name());
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(glyphs.size() * sizeof(Glyph)), glyphs.data(),
+               GL_STREAM_DRAW);
+  for (const GLuint i : {0u, 1u}) {
+    glEnableVertexAttribArray(i);
+    glVertexAttribPointer(i, 2, GL_FLOAT, GL_FALSE, sizeof(Glyph),
+                          reinterpret_cast<const void*>(i * sizeof(glm::vec2)));
+    glVertexAttribDivisor(i, 1);
+  }
+  glDisable(GL_DEPTH_TEST);
+  glEnable(GL_BLEND);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
+  numbers_.use();
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, bitmaps_.name());
+  numbers_.set("digits", 0);
+  numbers_.set("zoom", static_cast<float>(zoom));
+  numbers_.set("cell", glm::vec4(kCellWidth, kCellHeight, 0, 0));
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(glyphs.size()));
+  glDisable(GL_BLEND);
+  glEnable(GL_DEPTH_TEST);
+}
+
+}  // namespace kerf

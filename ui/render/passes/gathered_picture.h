@@ -1,0 +1,47 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "core/base/result.h"
+#include "ui/gl/framebuffer.h"
+#include "ui/gl/program.h"
+#include "ui/render/passes/target.h"
+
+namespace kerf {
+
+// The mean of several pictures of the same scene, each shifted by a part of a pixel: edges are as smooth as
+// with as many samples per pixel, but the pictures can be drawn in different frames, so that the work can be
+// given up between any two of them. (P. Haeberli, K. Akeley: The accumulation buffer, 1990.)
+class GatheredPicture {
+ public:
+  static constexpr int kPictures = 4;
+
+  // Compiles its shader in assets/shaders. Fails if it is missing or does not compile.
+  static Result<GatheredPicture> create();
+
+  // Starts anew with pictures of this size in pixels. Precondition: width and height are positive.
+  void begin(int width, int height);
+  // Adds the next picture, which `draw` draws to the target that it gets. Precondition: begin() was called,
+  // and the pictures are not complete.
+  void add(const std::function<void(const Target&)>& draw);
+  bool complete() const { return count_ == kPictures; }
+
+  // Whether there are pictures of the size of the target.
+  bool can_show(const Target& target) const;
+  // Copies the mean of the pictures that are there to the target. Precondition: can_show(target).
+  void show(const Target& target) const;
+  // Forgets all pictures.
+  void forget();
+
+ private:
+  explicit GatheredPicture(gl::Program copy) : copy_(std::move(copy)) {}
+  void copy(const gl::Framebuffer& from, float share, const glm::ivec2& at) const;
+
+  gl::Program copy_;
+  gl::VertexArray no_vertices_;
+  std::optional<gl::Framebuffer> next_, sum_;
+  int count_ = 0;  // of pictures in the sum
+};
+
+}  // namespace kerf

@@ -1,0 +1,168 @@
+#include "ui/render/passes/ground_pass.h"
+
+#include <cmath>
+
+#include "ui/render/bodies/body_picture.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr int kContactPixels = 256;
+constexpr int kContactBlurs = 3;
+constexpr double kContactMargin = 1.5;  // of the larger side of the world seen from above
+constexpr double kRadius = 14;          // of the disc, in diagonals of the world
+
+}  // namespace
+
+Result<GroundPass> GroundPass::create(const std::filesystem::path& shaders) {
+  gl::ProgramFiles files{{"frame.glsl", "ground.vert"}, {"frame.glsl", "light.glsl", "ground.frag"}};
+  auto disc = gl::Program::load(shaders, files);
+  if (!disc) return disc.error();
+  files.defines = {"SPOT"};
+  auto spot_disc = gl::Program::load(shaders, files);
+  if (!spot_disc) return spot_disc.error();
+  auto direct = gl::Program::load(shaders, {{"frame.glsl", "ground.vert"},
+                                            {"frame.glsl", "light.glsl", "direct.glsl", "ground.frag"},
+                                            {"DIRECT"}});
+  if (!direct) return direct.error();
+  auto shadow =
+      gl::Program::load(shaders, {{"frame.glsl", "placed.glsl", "ground_shadow.vert"}, {"empty.frag"}});
+  if (!shadow) return shadow.error();
+  auto contact =
+      gl::Program::load(shaders, {{"frame.glsl", "placed.glsl", "contact.vert"}, {"contact.frag"}});
+  if (!contact) return contact.error();
+  auto blur = gl::Program::load(shaders, {{"screen.vert"}, {"blur.frag"}});
+  if (!blur) return blur.error();
+  auto contact_light = gl::Program::load(shaders, {{"screen.vert"}, {"contact_light.frag"}});
+  if (!contact_light) return contact_light.error();
+  return GroundPass({std::move(*disc), std::move(*spot_disc), std::move(*direct), std::move(*shadow),
+                     std::move(*contact), std::move(*blur), std::move(*contact_light)});
+}
+
+GroundPass::GroundPass(Programs programs)
+    : programs_(std::move(programs)),
+      picture_({kContactPixels, kContactPixels, 1, true}),
+      light_({kContactPixels, kContactPixels, 1, false}) {
+  const Programs& p = programs_;
+  for (const gl::Program* program : {&p.disc, &p.spot_disc, &p.direct, &p.shadow, &p.contact})
+    program->bind_block("Frame", kFrameBlock);
+  p.contact.bind_block("Paints", kPaintBlock);
+  glBindTexture(GL_TEXTURE_2D, picture_.colour_texture());
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
+  glGenerateMipmap(GL_TEXTURE_2D);
+}
+
+void GroundPass::place_under(const World::Bounds& world, UpAxis up, double height) {
+  const Vec3 a = to_y_up(world.min, up), b = to_y_up(world.max, up);
+  const World::Bounds bounds{glm::min(a, b), glm::max(a, b)};
+  const double diagonal = bounds.diagonal() > 0 ? bounds.diagonal() : 1;
+  const Vec3 size = bounds.max - bounds.min;
+  height_ = height;
+  tall_ = std::max(size.y, 0.05 * diagonal);
+  middle_ = bounds.min + size * 0.5;
+  radius_ = kRadius * diagonal;
+  spacing_ = std::pow(10.0, std::floor(std::log10(diagonal))) / 5;
+  contact_size_ = std::max({size.x, size.z, 0.05 * diagonal}) * kContactMargin;
+}
+
+void GroundPass::fill_in(FrameUniforms& frame, const FrameSpace& space) const {
+  const Vec3 eye = space.turned(space.eye);
+  const glm::vec3 middle((Vec3(middle_.x, height_, middle_.z) - eye) / space.unit);
+  frame.ground = {middle.y, middle.x, middle.z, space.length(radius_)};
+  const double five = 5 * spacing_;
+  frame.grid = {space.length(std::fmod(eye.x, five)), space.length(std::fmod(eye.z, five)),
+                space.length(spacing_), space.length(tall_)};
+}
+
+glm::vec4 GroundPass::contact_place(const FrameSpace& space) const {
+  const Vec3 eye = space.turned(space.eye);
+  const glm::vec3 corner(
+      (Vec3(middle_.x - 0.5 * contact_size_, height_, middle_.z - 0.5 * contact_size_) - eye) / space.unit);
+  return {corner.x, corner.z, 1 / space.length(contact_size_), 0};
+}
+
+void GroundPass::update_contact(const FrameSpace& space, const DrawBodies& bodies) {
+  picture_.bind();
+  glClearColor(0, 0, 0, 0);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  programs_.contact.use();
+  programs_.contact.set("contact_place", contact_place(space));
+  bodies(programs_.contact);
+  glDisable(GL_DEPTH_TEST);
+  blur_contact();
+  light_contact();
+}
+
+void GroundPass::blur_contact() {
+  programs_.blur.use();
+  programs_.blur.set("picture", 0);
+  glActiveTexture(GL_TEXTURE0);
+  glBindVertexArray(no_vertices_.name());
+  for (int i = 0; i < kContactBlurs; ++i) {
+    const float step = static_cast<float>(i + 1) / kContactPixels;
+    light_.bind();
+    glBindTexture(GL_TEXTURE_2D, picture_.colour_texture());
+    programs_.blur.set("stride", glm::vec4(step, 0, 0, 0));
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    picture_.bind();
+    glBindTexture(GL_TEXTURE_2D, light_.colour_texture());
+    programs_.blur.set("stride", glm::vec4(0, step, 0, 0));
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+  }
+  glBindTexture(GL_TEXTURE_2D, picture_.colour_texture());
+  glGenerateMipmap(GL_TEXTURE_2D);
+}
+
+void GroundPass::light_contact() {
+  light_.bind();
+  programs_.contact_light.use();
+  programs_.contact_light.set("picture", 0);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void GroundPass::draw(const FrameSpace& space, bool spot) const {
+  const gl::Program& disc = spot ? programs_.spot_disc : programs_.disc;
+  disc.use();
+  disc.set("contact", 0);
+  disc.set("contact_place", contact_place(space));
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, light_.colour_texture());
+  draw_disc(space);
+}
+
+void GroundPass::draw_disc(const FrameSpace& space) const {
+  if (height_of(space.seen_from, space.up) <= height_) return;
+  glBindVertexArray(no_vertices_.name());
+  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
+bool GroundPass::project_shadow(const FrameSpace& space, const glm::vec4& light,
+                                const DrawBodies& bodies) const {
+  if (height_of(space.seen_from, space.up) <= height_ || light.w > 0 || light.y <= 0) return false;
+  glClear(GL_STENCIL_BUFFER_BIT);
+  glEnable(GL_STENCIL_TEST);
+  glStencilFunc(GL_ALWAYS, 1, 0xff);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+  glDisable(GL_DEPTH_TEST);
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  programs_.shadow.use();
+  programs_.shadow.set("light", light);
+  bodies(programs_.shadow);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glEnable(GL_DEPTH_TEST);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+  glStencilFunc(GL_EQUAL, 0, 0xff);
+  return true;
+}
+
+void GroundPass::add_light(const FrameSpace& space, const glm::vec4& light, const glm::vec4& colour) const {
+  programs_.direct.use();
+  programs_.direct.set("light", light);
+  programs_.direct.set("light_colour", colour);
+  draw_disc(space);
+}
+
+}  // namespace kerf

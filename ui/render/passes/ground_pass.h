@@ -1,0 +1,59 @@
+#pragma once
+
+#include <functional>
+
+#include "ui/gl/framebuffer.h"
+#include "ui/gl/program.h"
+#include "ui/render/view/frame_space.h"
+
+namespace kerf {
+
+// The floor: a matt disc with a grid. Surfaces nearby darken it
+// softly under them, and colour the ground around.
+class GroundPass {
+ public:
+  static Result<GroundPass> create(const std::filesystem::path& shaders);
+
+  // Places the ground under these bounds, at this height (m) along the upward axis.
+  void place_under(const World::Bounds& world, UpAxis up, double height);
+  void fill_in(FrameUniforms& frame, const FrameSpace& space) const;
+
+  // Draws all bodies with the given program, for the shading of the ground only.
+  using DrawBodies = std::function<void(const gl::Program&)>;
+
+  // Recomputes the contact shading. Changes the bound framebuffer.
+  void update_contact(const FrameSpace& space, const DrawBodies& bodies);
+  // Draws the ground without lights, after the bodies and before the sky. `spot`: whether the spot of the
+  // beam lights it. Nothing is drawn if the eye is below the ground.
+  void draw(const FrameSpace& space, bool spot) const;
+  // Draws its shape with the program in use, which contains ground.vert.
+  void draw_disc(const FrameSpace& space) const;
+  // Adds a light, given as the uniforms of direct.glsl, with exactly the same depths as draw().
+  void add_light(const FrameSpace& space, const glm::vec4& light, const glm::vec4& colour) const;
+
+  // For pictures without shadow volumes: projects the bodies onto the ground along a directional light from
+  // above and enables the stencil test so that only pixels outside this shadow pass. Returns false, and does
+  // nothing, for any other light.
+  bool project_shadow(const FrameSpace& space, const glm::vec4& light, const DrawBodies& bodies) const;
+
+  double height() const { return height_; }
+
+ private:
+  struct Programs {
+    gl::Program disc, spot_disc, direct, shadow, contact, blur, contact_light;
+  };
+  explicit GroundPass(Programs programs);
+  glm::vec4 contact_place(const FrameSpace& space) const;
+  void blur_contact();
+  void light_contact();
+
+  Programs programs_;
+  gl::Framebuffer picture_;  // what lies over the ground
+  gl::Framebuffer light_;    // how that shades and lights the ground
+  gl::VertexArray no_vertices_;
+  double height_ = 0, tall_ = 1, radius_ = 1, spacing_ = 1;  // m
+  Vec3 middle_{0};                                           // of the world, +Y upwards
+  double contact_size_ = 1;  // m, side of the square that the contact picture covers
+};
+
+}  // namespace kerf

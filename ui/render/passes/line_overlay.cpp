@@ -1,0 +1,157 @@
+#include "ui/render/passes/line_overlay.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/gl/float_attribute.h"
+#include "ui/render/bodies/body_picture.h"
+#include "ui/render/view/box_palette.h"
+#include "ui/render/view/overlay_colour.h"
+#include "ui/render/view/section_clip.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr float kBoxFade = 0.80f;         // of the opacity, from one depth of the tree to the next
+constexpr float kHitFade = 0.87f;         // the same for boxes that the beam was in
+constexpr float kFaintest = 0.15f;        // what would be fainter is not drawn
+constexpr float kFaintestAsked = 0.10f;   // but boxes of a depth that was asked for are drawn at least so
+constexpr float kFaintestHit = 0.13f;     // but boxes that the beam was in are drawn at least so
+constexpr float kLeafFade = 0.97f;        // from one depth to the next where only leaves are drawn
+constexpr float kDarkHalfWidth = 1.3f;    // pixels
+constexpr float kColourHalfWidth = 0.6f;  // pixels
+constexpr size_t kMostBoxes = 3500;       // those that are seen largest are drawn
+constexpr GLsizei kMostDark = 200;        // lines beyond these are too many for a dark one under each
+constexpr int kVerticesOfBox = 12 * 6;
+
+struct Stick {
+  glm::vec3 from, to;
+};
+
+// Deep boxes fade, so that the tree is a structure and not a fog; what was asked for by its depth is drawn
+// faintly all the same.
+float opacity_of(const AabbTree::Box& box, const TreeOverlay& tree) {
+  const auto depth = static_cast<float>(box.depth);
+  if (tree.leaves_only) return (box.hit ? 0.9f : 0.5f) * std::max(0.4f, std::pow(kLeafFade, depth));
+  if (box.hit) return std::max(kFaintestHit, std::pow(kHitFade, depth));
+  float opacity = std::pow(kBoxFade, depth);
+  if (opacity < kFaintest) opacity = 0;
+  return tree.deepest < TreeOverlay().deepest ? std::max(kFaintestAsked, opacity) : opacity;
+}
+
+void upload(GLuint layout, GLuint buffer, const void* data, size_t bytes) {
+  glBindVertexArray(layout);
+  glBindBuffer(GL_ARRAY_BUFFER, buffer);
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), data, GL_DYNAMIC_DRAW);
+}
+
+// The same lines twice: wide and dark, then thin in their colours.
+void draw_twice(const gl::Program& program, const glm::mat4& from_body, int vertices, GLsizei instances,
+                GLsizei most_dark, const glm::vec4& first, const glm::vec4& second, double scale) {
+  if (instances == 0) return;
+  program.use();
+  program.set("frame_from_body", from_body);
+  for (const bool dark : {true, false}) {
+    program.set("half_width", static_cast<float>(scale) * (dark ? kDarkHalfWidth : kColourHalfWidth));
+    program.set("hit_colour", dark ? glm::vec4(0.02f, 0.025f, 0.03f, 0.55f) : first);
+    program.set("other_colour", dark ? glm::vec4(0.02f, 0.025f, 0.03f, 0.30f) : second);
+    glDrawArraysInstanced(GL_TRIANGLES, 0, vertices, dark ? std::min(instances, most_dark) : instances);
+  }
+}
+
+}  // namespace
+
+Result<LineOverlay> LineOverlay::create(const std::filesystem::path& shaders) {
+  auto box = gl::Program::load(shaders, {{"frame.glsl", "line.glsl", "box.vert"}, {"box.frag"}});
+  if (!box) return box.error();
+  auto stick = gl::Program::load(shaders, {{"frame.glsl", "line.glsl", "stick.vert"}, {"box.frag"}});
+  if (!stick) return stick.error();
+  return LineOverlay(std::move(*box), std::move(*stick));
+}
+
+LineOverlay::LineOverlay(gl::Program box, gl::Program stick)
+    : box_(std::move(box)), stick_(std::move(stick)) {
+  box_.bind_block("Frame", kFrameBlock);
+  stick_.bind_block("Frame", kFrameBlock);
+}
+
+void LineOverlay::gather(Gathered& lines, const Body& body, const FloatFrame& frame,
+                         const ViewOptions& options) const {
+  TreeOverlay tree = options.tree;
+  tree.hit_only = tree.hit_only || !options.show.aabb;
+  if (options.show.aabb || options.show.aabb_hit) lines.all_boxes = gather_boxes(body, frame, tree);
+  if (options.show.normals) gather_normals(lines.sticks, body, frame);
+  lines.shown = options.show;
+  lines.tree = options.tree;
+}
+
+std::vector<BoxLine> LineOverlay::gather_boxes(const Body& body, const FloatFrame& frame,
+                                               const TreeOverlay& tree) const {
+  std::vector<BoxLine> boxes;
+  body.tree.for_each_box([&](const AabbTree::Box& box) {
+    if ((tree.hit_only && !box.hit) || box.depth > tree.deepest || (tree.leaves_only && !box.leaf)) return;
+    const float opacity = opacity_of(box, tree);
+    if (opacity <= 0) return;
+    boxes.push_back({frame.to_float(box.min), frame.to_float(box.max), {box.hit ? 1.0f : 0.0f, opacity}});
+  });
+  return boxes;
+}
+
+void LineOverlay::send_boxes(Lines& lines, const std::vector<BoxLine>& boxes) const {
+  upload(lines.layout.name(), lines.buffer.name(), boxes.data(), boxes.size() * sizeof(BoxLine));
+  gl::set_float_attribute(0, 3, sizeof(BoxLine), offsetof(BoxLine, low), 1);
+  gl::set_float_attribute(1, 3, sizeof(BoxLine), offsetof(BoxLine, high), 1);
+  gl::set_float_attribute(2, 2, sizeof(BoxLine), offsetof(BoxLine, style), 1);
+  lines.count = static_cast<GLsizei>(boxes.size());
+}
+
+void LineOverlay::gather_normals(Lines& lines, const Body& body, const FloatFrame& frame) const {
+  std::vector<Stick> sticks;
+  for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+    if (!body.mesh.is_live(FaceId(f))) continue;
+    const Triangle t = body.mesh.triangle(FaceId(f));
+    const glm::dvec3 a = frame.scaled(t[0]), b = frame.scaled(t[1]), c = frame.scaled(t[2]);
+    const glm::dvec3 normal = glm::cross(b - a, c - a);
+    const double twice_area = glm::length(normal);
+    if (!(twice_area > 0)) continue;
+    const glm::dvec3 middle = (a + b + c) / 3.0;
+    const double length = std::min(0.6 * std::sqrt(twice_area), 0.03);
+    sticks.push_back({glm::vec3(middle), glm::vec3(middle + normal * (length / twice_area))});
+  }
+  upload(lines.layout.name(), lines.buffer.name(), sticks.data(), sticks.size() * sizeof(Stick));
+  gl::set_float_attribute(0, 3, sizeof(Stick), offsetof(Stick, from), 1);
+  gl::set_float_attribute(1, 3, sizeof(Stick), offsetof(Stick, to), 1);
+  lines.count = static_cast<GLsizei>(sticks.size());
+}
+
+void LineOverlay::draw(BodyId id, const Body& body, const FloatFrame& frame, const FrameSpace& space,
+                       const glm::mat4& clip_from_frame, const ViewOptions& options) {
+  const ShowOptions& show = options.show;
+  const bool boxes = (show.aabb || show.aabb_hit) && options.tree.body.value_or(id) == id;
+  if (!boxes && !show.normals) return;
+  const auto [found, fresh] = gathered_.try_emplace(id);
+  Gathered& lines = found->second;
+  if (fresh || !(lines.shown == show && lines.tree == options.tree)) gather(lines, body, frame, options);
+  const glm::mat4 from_body = space.from_body(body.placement, frame);
+  glEnable(GL_BLEND);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
+  glDepthMask(GL_FALSE);
+  if (boxes) {
+    send_boxes(lines.boxes, choose_boxes(lines.all_boxes, clip_from_frame * from_body, kMostBoxes));
+    glBindVertexArray(lines.boxes.layout.name());
+    const BoxColours colours = colours_of(options.tree.palette);
+    draw_twice(box_, from_body, kVerticesOfBox, lines.boxes.count, kMostDark, srgb(colours.hit, 1),
+               srgb(colours.untouched, 1), options.mark_scale);
+  }
+  if (show.normals) {
+    const SectionClip clip(options);
+    glBindVertexArray(lines.sticks.layout.name());
+    draw_twice(stick_, from_body, kVerticesOfLine, lines.sticks.count, lines.sticks.count,
+               srgb(0x4aa3ff, 0.9f), glm::vec4(0), options.mark_scale);
+  }
+  glDepthMask(GL_TRUE);
+  glDisable(GL_BLEND);
+}
+
+}  // namespace kerf

@@ -1,0 +1,80 @@
+#include "ui/render/passes/veil_pass.h"
+
+#include "ui/render/view/section_clip.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr float kBehindPerSlope = 1.5f, kBehindSurfaces = 24;  // as glPolygonOffset counts
+
+struct Look {
+  glm::vec4 fill, edge;
+};
+Look look_of(VeilPass::Style style) {
+  if (style == VeilPass::Style::kVeil) return {{0.34f, 0.44f, 0.56f, 0.15f}, {0.42f, 0.53f, 0.66f, 0.26f}};
+  return {{0.30f, 0.016f, 0.012f, 1}, {0.62f, 0.10f, 0.07f, 1}};
+}
+
+}  // namespace
+
+void draw_removed(const Subject& subject, const gl::Program& program) {
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  glPolygonOffset(kBehindPerSlope, kBehindSurfaces);
+  const SectionClip clip(subject.options);
+  int number = 0;
+  for_each_body(subject, [&](BodyId, const Body& body, BodyPicture& picture) {
+    program.set("body", (number++ % 127) + 1);
+    program.set("frame_from_body", subject.space.from_body(body.placement, picture.faces().frame()));
+    picture.faces().draw_removed(body.mesh);
+  });
+  glDisable(GL_POLYGON_OFFSET_FILL);
+}
+
+Result<VeilPass> VeilPass::create(const std::filesystem::path& shaders) {
+  auto veil =
+      gl::Program::load(shaders, {{"frame.glsl", "veil.vert"}, {"frame.glsl", "light.glsl", "veil.frag"}});
+  if (!veil) return veil.error();
+  auto faces = gl::Program::load(shaders, {{"frame.glsl", "placed.glsl", "faces.vert"}, {"mark.frag"}});
+  if (!faces) return faces.error();
+  return VeilPass(std::move(*veil), std::move(*faces));
+}
+
+VeilPass::VeilPass(gl::Program veil, gl::Program faces) : veil_(std::move(veil)), faces_(std::move(faces)) {
+  for (const gl::Program* p : {&veil_, &faces_}) p->bind_block("Frame", kFrameBlock);
+}
+
+// Into the depth alone: pieces that are hidden or moved away are not gone, so no veil takes their place.
+void VeilPass::draw_what_is_away(const Subject& subject) const {
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  faces_.use();
+  faces_.set("only", 2);
+  const SectionClip clip(subject.options);
+  for_each_body(subject, [&](BodyId, const Body& body, BodyPicture& picture) {
+    if (picture.looks().any_away()) picture.draw(faces_, subject.space, body.placement);
+  });
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+void VeilPass::draw(const Subject& subject, Style style) const {
+  glEnable(GL_DEPTH_TEST);
+  draw_what_is_away(subject);
+  const bool opaque = style == Style::kRed;
+  const Look look = look_of(style);
+  if (!opaque) {
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
+    glDepthMask(GL_FALSE);
+  } else {
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+  }
+  veil_.use();
+  veil_.set("fill", look.fill);
+  veil_.set("edge", look.edge);
+  draw_removed(subject, veil_);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glDepthMask(GL_TRUE);
+  glDisable(GL_BLEND);
+}
+
+}  // namespace kerf

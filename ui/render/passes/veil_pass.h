@@ -1,0 +1,29 @@
+#pragma once
+
+#include "ui/gl/program.h"
+#include "ui/render/bodies/subject.h"
+
+namespace kerf {
+
+// Draws the removed surface over the picture, as a faint veil or filled red.
+class VeilPass {
+ public:
+  static Result<VeilPass> create(const std::filesystem::path& shaders);
+
+  // Draws into the bound framebuffer, with depth test, after all opaque surfaces.
+  enum class Style { kVeil, kRed };
+  void draw(const Subject& subject, Style style) const;
+
+ private:
+  VeilPass(gl::Program veil, gl::Program faces);
+  void draw_what_is_away(const Subject& subject) const;
+
+  gl::Program veil_, faces_;
+};
+
+// Draws the removed surface slightly behind the remaining one, so that it is visible only where faces are
+// missing. Bodies are numbered from 1 to 127 cyclically. Precondition: `program`, which contains veil.vert,
+// is in use.
+void draw_removed(const Subject& subject, const gl::Program& program);
+
+}  // namespace kerf

@@ -1,0 +1,107 @@
+#include "ui/render/picture/film.h"
+
+#include <algorithm>
+
+#include "core/base/assert.h"
+#include "ui/render/picture/beam_strike.h"
+#include "ui/render/picture/frame_file.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr double kSecondsAcross = 4;
+constexpr double kRest = 0.5, kRestAtEnd = 1;  // s
+
+// Whether a body would stop in mid-air if no time passed.
+bool is_in_motion(const World& world) {
+  const std::vector<BodyId> ids = world.ids();
+  return std::any_of(ids.begin(), ids.end(), [&](BodyId id) {
+    const Motion& motion = world.body(id).motion;
+    return !motion.asleep && !motion.at_rest();
+  });
+}
+
+Vec3 at_distance(const Pose& pose, double distance) { return pose.origin + pose.direction * distance; }
+
+}  // namespace
+
+Film::Film(Studio studio, FilmOptions options, const World::Bounds& bounds)
+    : studio_(std::move(studio)),
+      options_(std::move(options)),
+      middle_(bounds.min + (bounds.max - bounds.min) * 0.5),
+      speed_(bounds.diagonal() / kSecondsAcross) {}
+
+Result<Film> Film::begin(const Scene& scene, FilmOptions options) {
+  KERF_ASSERT(options.frames_per_second > 0);
+  auto studio = Studio::open(scene, options.picture);
+  if (!studio) return studio.error();
+  Film film(std::move(*studio), std::move(options), scene.world.bounds());
+  if (const Status rested = film.pass(kRest, scene.world, std::nullopt); !rested) return rested.error();
+  return film;
+}
+
+Status Film::follow(const Document& document, const StepResult* step) {
+  const World& world = document.world();
+  studio_.follow(world, step);
+  studio_.show_graph(document);
+  studio_.show_bodies(document);
+  if (world.clock() > ticks_) return pass_ticks(document);
+  ticks_ = world.clock();  // an undo turns it back
+  if (step && step->last) {
+    const double seconds = seconds_of(*step->last), shown = std::min(seconds, ahead_);
+    ahead_ -= shown;
+    beam_ = step->last->to;
+    const auto beam = beam_picture(document, beam_);
+    if (const Status moved = pass(seconds - shown, world, beam); !moved) return moved;
+  }
+  const bool rests = document.waiting() == 0 && !document.in_stroke() && !is_in_motion(world);
+  if (!rests) return Done{};
+  ahead_ = 0;
+  return pass(kRest, world, std::nullopt);
+}
+
+void Film::leave_out(const Document& document, const StepResult* step) {
+  studio_.follow(document.world(), step);
+  studio_.show_graph(document);
+  studio_.show_bodies(document);
+  ticks_ = document.world().clock();
+  ahead_ = 0;
+}
+
+Status Film::pass_ticks(const Document& document) {
+  const double seconds = seconds_of_ticks(document.world().clock() - ticks_);
+  ticks_ = document.world().clock();
+  if (!document.in_stroke()) return pass(seconds, document.world(), std::nullopt);
+  ahead_ += seconds;
+  return pass(seconds, document.world(), beam_picture(document, beam_));
+}
+
+Status Film::end(const Document& document) { return pass(kRestAtEnd, document.world(), std::nullopt); }
+
+double Film::seconds_of(const BeamMove& move) const {
+  const double distance = glm::length(middle_ - move.from.origin);
+  const double way = std::max(glm::length(move.to.origin - move.from.origin),
+                              glm::length(at_distance(move.to, distance) - at_distance(move.from, distance)));
+  return speed_ > 0 ? way / speed_ : 0;
+}
+
+std::optional<BeamPicture> Film::beam_picture(const Document& document, const Pose& beam) const {
+  const double far = glm::length(middle_ - beam.origin) + kSecondsAcross * speed_;
+  return picture_of_beam(document.world(), document.stroke_settings(), beam, far);
+}
+
+// Lets time go by and takes the frames that are due in it.
+Status Film::pass(double seconds, const World& world, const std::optional<BeamPicture>& beam) {
+  KERF_ASSERT(seconds >= 0);
+  clock_ += seconds;
+  bool drawn = false;
+  for (; static_cast<double>(frames_) < clock_ * options_.frames_per_second; ++frames_) {
+    if (!drawn) studio_.draw(world, beam);
+    drawn = true;
+    if (const Status written = studio_.write(frame_file(options_.folder, frames_)); !written) return written;
+  }
+  return Done{};
+}
+
+}  // namespace kerf

@@ -1,0 +1,58 @@
+#include "ui/render/picture/picture.h"
+
+#include "core/document/journal/replay.h"
+#include "ui/render/picture/beam_strike.h"
+#include "ui/render/picture/scene_strokes.h"
+#include "ui/render/picture/studio.h"
+
+namespace kerf {
+
+namespace {
+
+// A step that fails here failed when the journal was made too.
+void replay_all(const Journal& journal, Document& document,
+                const std::function<void(const StepResult*)>& told) {
+  Replay replay(journal, document);
+  Walk how;
+  how.told = [&](const Result<StepResult>& step) -> Status {
+    told(step ? &*step : nullptr);
+    return Done{};
+  };
+  (void)replay.run(how);  // nobody stops it
+}
+
+}  // namespace
+
+Result<DrawnPicture> draw_picture(OpenedFile work, const PictureOptions& options) {
+  auto opened = Studio::open(work.scene, options);
+  if (!opened) return opened.error();
+  const auto studio = std::make_shared<Studio>(std::move(*opened));
+  const auto kept = std::make_shared<Document>(std::move(work.scene.world));
+  Document& document = *kept;
+  std::optional<Pose> beam;
+  const auto follow = [&](const StepResult* step) {
+    studio->follow(document.world(), step);
+    if (step && step->last) beam = step->last->to;
+  };
+  const Status cut =
+      cut_strokes(document, work.scene.strokes, [&](const StepResult& step) { follow(&step); });
+  if (!cut) return cut.error();
+  replay_all(work.journal, document, follow);
+  studio->show_graph(document);
+  studio->show_bodies_ahead(document.world());
+  studio->spread(document.world(), options.spread);
+  std::optional<BeamPicture> drawn;
+  if (options.beam && beam) {
+    const double far = glm::length(studio->view().eye - beam->origin) + document.world().bounds().diagonal();
+    drawn = picture_of_beam(document.world(), document.stroke_settings(), *beam, far);
+  }
+  studio->draw(document.world(), drawn);
+  return DrawnPicture{kept, studio};
+}
+
+Status render_picture(OpenedFile work, const PictureOptions& options, const std::filesystem::path& png) {
+  const auto picture = draw_picture(std::move(work), options);
+  return picture ? picture->studio->write(png) : Status(picture.error());
+}
+
+}  // namespace kerf

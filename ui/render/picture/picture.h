@@ -1,0 +1,44 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "core/base/result.h"
+#include "core/base/vec3.h"
+#include "core/document/journal/opened_file.h"
+#include "ui/render/view/section_plane.h"
+#include "ui/render/view/show_options.h"
+
+namespace kerf {
+
+// How a picture is rendered.
+struct PictureOptions {
+  int width = 1280, height = 720;   // pixels, 1 .. 16384
+  std::optional<Vec3> eye, target;  // m; if both are empty, the scene's view or one from the front
+  ShowOptions show;
+  std::optional<SectionPlane> section;  // where ShowOptions::section cuts; if empty, the middle
+  double spread = 0;                    // how far pieces are drawn apart; see spread_pieces()
+  bool antialias = true;
+  double mark_scale = 1;  // see ViewOptions
+  bool legends = true;    // likewise
+  bool beam = false;      // the beam of the last stroke is drawn where it ended
+};
+
+class Document;
+class Studio;
+
+// A picture that a studio has drawn, and what it shows; neither is null.
+struct DrawnPicture {
+  std::shared_ptr<const Document> document;
+  std::shared_ptr<Studio> studio;
+};
+
+// Renders the content of a file without a screen: the strokes of a scene are cut, or the commands of a
+// journal replayed, beforehand. Fails if OpenGL is not available or a stroke cannot be cut.
+Result<DrawnPicture> draw_picture(OpenedFile work, const PictureOptions& options);
+
+// The same, written as a PNG, whole or not at all. Fails if that is not possible, too.
+Status render_picture(OpenedFile work, const PictureOptions& options, const std::filesystem::path& png);
+
+}  // namespace kerf

@@ -1,0 +1,57 @@
+#include "ui/render/shadow/reference_pass.h"
+
+#include <array>
+
+#include "core/base/assert.h"
+#include "ui/render/view/overlay_colours.h"
+
+namespace kerf {
+
+namespace {
+
+using Pixel = std::array<uint8_t, 4>;
+constexpr Pixel pixel_of(uint32_t hex, uint8_t opacity) {
+  return {static_cast<uint8_t>(hex >> 16 & 0xffu), static_cast<uint8_t>(hex >> 8 & 0xffu),
+          static_cast<uint8_t>(hex & 0xffu), opacity};
+}
+constexpr Pixel kClear{0, 0, 0, 0}, kLitPixel = pixel_of(overlay_colours::kTracedLit, 80),
+                                    kShadow = pixel_of(overlay_colours::kTracedShadow, 190),
+                                    kWrong = pixel_of(overlay_colours::kWrong, 255);
+
+Pixel colour(const ShadowReference& traced, const ShadowCounts& drawn, size_t i) {
+  if (traced.faces()[i] == 0) return kClear;
+  const bool shadow = traced.occluders()[i] > 0;
+  const bool wrong = traced.faces()[i] == drawn.faces[i] && shadow != (drawn.stencil[i] != 0);
+  return wrong ? kWrong : shadow ? kShadow : kLitPixel;
+}
+
+}  // namespace
+
+Result<ReferencePass> ReferencePass::create(const std::filesystem::path& shaders) {
+  auto overlay = gl::Program::load(shaders, {{"screen.vert"}, {"overlay.frag"}});
+  if (!overlay) return overlay.error();
+  return ReferencePass(std::move(*overlay));
+}
+
+void ReferencePass::draw(const ShadowReference& traced, const ShadowCounts& drawn) const {
+  KERF_ASSERT(drawn.width == traced.width() && drawn.height == traced.height());
+  std::vector<Pixel> pixels(traced.faces().size());
+  for (size_t i = 0; i < pixels.size(); ++i) pixels[i] = colour(traced, drawn, i);
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, picture_.name());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, traced.width(), traced.height(), 0, GL_RGBA, GL_UNSIGNED_BYTE,
+               pixels.data());
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glDisable(GL_DEPTH_TEST);
+  glEnable(GL_BLEND);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
+  overlay_.use();
+  overlay_.set("picture", 0);
+  glBindVertexArray(no_vertices_.name());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glDisable(GL_BLEND);
+  glEnable(GL_DEPTH_TEST);
+}
+
+}  // namespace kerf

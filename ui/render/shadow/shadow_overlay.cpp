@@ -1,0 +1,208 @@
+#include "ui/render/shadow/shadow_overlay.h"
+
+#include <algorithm>
+
+#include "core/base/assert.h"
+#include "ui/render/shadow/seen_light.h"
+#include "ui/render/view/overlay_colour.h"
+#include "ui/render/view/overlay_colours.h"
+#include "ui/render/view/section_clip.h"
+
+namespace kerf {
+
+using namespace overlay_colours;
+
+namespace {
+
+constexpr float kSheetReach = 0.9f;  // diagonals of the world that sheets are drawn long
+
+// Of edges with one, two and more sides.
+std::array<glm::vec4, 3> silhouette_colours(float opacity) {
+  return {srgb(kOneSide, 0.75f * opacity), srgb(kTwoSides, opacity), srgb(kMoreSides, opacity)};
+}
+std::array<glm::vec4, 3> all_of(const glm::vec4& colour) { return {colour, colour, colour}; }
+
+constexpr float kCountOpacity = 0.78f;
+
+void blend() {
+  glEnable(GL_BLEND);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
+}
+
+void fill_rectangle(int x, int y, int width, int height, const glm::vec4& colour) {
+  glScissor(x, y, width, height);
+  glClearColor(colour.r, colour.g, colour.b, 0);
+  glClear(GL_COLOR_BUFFER_BIT);
+}
+
+// Fields of colour in a row, each with its number; `row` counts strips from below.
+void draw_legend(std::span<const glm::vec4> colours, uint32_t first, int row, const FaceNumbers& numbers,
+                 int height) {
+  const int zoom = 1 + height / 700, side = 22 * zoom, margin = 10 * zoom;
+  const int y = margin + row * (side + margin);
+  std::vector<FaceLabel> labels;
+  glEnable(GL_SCISSOR_TEST);
+  fill_rectangle(margin - zoom, y - zoom, static_cast<int>(colours.size()) * side + 2 * zoom, side + 2 * zoom,
+                 srgb(0x0b0d10));
+  for (size_t i = 0; i < colours.size(); ++i) {
+    const int x = margin + static_cast<int>(i) * side;
+    fill_rectangle(x, y, side - zoom, side, colours[i]);
+    const glm::vec2 middle(x + side / 2 - 3 * zoom, y + side / 2 - 4 * zoom);
+    labels.push_back({first + static_cast<uint32_t>(i), false, middle, {}});
+  }
+  glDisable(GL_SCISSOR_TEST);
+  numbers.draw_labels(labels, zoom);
+}
+
+}  // namespace
+
+// The light that is looked at and what is kept of it.
+struct ShadowOverlay::Inspected {
+  const Subject& subject;
+  ShadowPass& shadows;
+  size_t light;
+  ShadowMethod method;
+  glm::vec4 in_frame;
+  int height;  // of the picture, pixels
+
+  template <typename Visit>
+  void for_each_volume(const Visit& visit) const {
+    for_each_body(subject, [&](BodyId id, const Body& body, const BodyPicture& picture) {
+      const VolumeBuffer* volume = shadows.volume(subject, id, light, method);
+      KERF_ASSERT(volume != nullptr);
+      visit(*volume, body, picture);
+    });
+  }
+};
+
+Result<ShadowOverlay> ShadowOverlay::create(const std::filesystem::path& shaders) {
+  auto line = gl::Program::load(
+      shaders,
+      {{"frame.glsl", "placed.glsl", "line.glsl", "shadow_light.glsl", "shadow_line.vert"}, {"box.frag"}});
+  if (!line) return line.error();
+  auto sheet =
+      gl::Program::load(shaders, {{"frame.glsl", "placed.glsl", "shadow_light.glsl", "shadow_side.vert"},
+                                  {"shadow_sheet.frag"},
+                                  {"SHEET"}});
+  if (!sheet) return sheet.error();
+  auto facing = gl::Program::load(shaders, {{"frame.glsl", "placed.glsl", "facing.vert"}, {"facing.frag"}});
+  if (!facing) return facing.error();
+  auto solid = gl::Program::load(shaders, {{"screen.vert"}, {"solid.frag"}});
+  if (!solid) return solid.error();
+  return ShadowOverlay(std::move(*line), std::move(*sheet), std::move(*facing), std::move(*solid));
+}
+
+ShadowOverlay::ShadowOverlay(gl::Program line, gl::Program sheet, gl::Program facing, gl::Program solid)
+    : line_(std::move(line)), sheet_(std::move(sheet)), facing_(std::move(facing)), solid_(std::move(solid)) {
+  for (const gl::Program* p : {&line_, &sheet_, &facing_}) p->bind_block("Frame", kFrameBlock);
+}
+
+void ShadowOverlay::draw(const Subject& subject, ShadowPass& shadows, const FaceNumbers& numbers,
+                         const gl::Framebuffer& picture) const {
+  const ViewOptions& options = subject.options;
+  const ShowOptions& show = options.show;
+  if (options.lights.empty()) return;
+  const size_t light = std::min({options.shadow.inspected, options.lights.size() - 1, kMostLights - 1});
+  const glm::vec4 in_frame = light_in_frame(options.lights[light], subject.space);
+  const Inspected seen{subject, shadows, light, options.shadow.method, in_frame, picture.shape().height};
+  glEnable(GL_DEPTH_TEST);
+  if (show.shadow_facing) draw_facing(seen);
+  if (show.shadow_stencil) draw_counts(seen, numbers);
+  if (show.shadow_volumes) draw_volumes(seen);
+  if (show.silhouette) draw_silhouette(seen, numbers);
+  glDepthFunc(GL_LESS);
+  glDepthMask(GL_TRUE);
+  glDisable(GL_BLEND);
+}
+
+void ShadowOverlay::draw_facing(const Inspected& seen) const {
+  glDepthFunc(GL_EQUAL);
+  const SectionClip clip(seen.subject.options);
+  facing_.use();
+  facing_.set("facing_colour", srgb(kFacing));
+  facing_.set("averted_colour", srgb(kAverted));
+  facing_.set("neither_colour", srgb(kEdgeOn));
+  seen.for_each_volume([&](const VolumeBuffer& volume, const Body& body, const BodyPicture& picture) {
+    picture.bind(facing_, seen.subject.space, body.placement);
+    picture.faces().draw_chunks([&](size_t chunk) { volume.bind_signs(facing_, chunk); });
+  });
+  glDepthFunc(GL_LESS);
+}
+
+void ShadowOverlay::draw_counts(const Inspected& seen, const FaceNumbers& numbers) const {
+  seen.shadows.count(seen.subject, seen.light, seen.method);
+  // As far as the sky, which has no count.
+  glDepthFunc(GL_GREATER);
+  glDepthMask(GL_FALSE);
+  blend();
+  solid_.use();
+  glBindVertexArray(no_vertices_.name());
+  const auto fill = [&](GLenum test, size_t count, const glm::vec4& colour) {
+    glStencilFunc(test, static_cast<GLint>(count), 0xff);
+    solid_.set("colour", colour);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+  };
+  fill(GL_EQUAL, 0, srgb(kLit, 0.55f));
+  for (size_t n = 1; n < kCounts.size(); ++n) fill(GL_EQUAL, n, srgb(kCounts[n - 1], kCountOpacity));
+  fill(GL_LEQUAL, kCounts.size(), srgb(kCounts.back(), kCountOpacity));
+  glDisable(GL_STENCIL_TEST);
+  glDisable(GL_BLEND);
+  glDepthFunc(GL_LESS);
+  std::vector<glm::vec4> colours{srgb(kLit)};
+  for (const uint32_t c : kCounts) colours.push_back(srgb(c));
+  if (seen.subject.options.legends) draw_legend(colours, 0, 0, numbers, seen.height);
+}
+
+void ShadowOverlay::draw_lines(const Inspected& seen, float half_width, float reach,
+                               std::span<const glm::vec4> colours) const {
+  line_.use();
+  line_.set("light", seen.in_frame);
+  line_.set("half_width",
+            half_width * static_cast<float>(seen.subject.options.mark_scale * (1 + seen.height / 1400)));
+  line_.set("reach", reach);
+  line_.set("single_colour", colours[0]);
+  line_.set("double_colour", colours[1]);
+  line_.set("many_colour", colours[2]);
+  seen.for_each_volume([&](const VolumeBuffer& volume, const Body& body, const BodyPicture& picture) {
+    picture.bind(line_, seen.subject.space, body.placement);
+    volume.draw_edges(kVerticesOfLine);
+  });
+}
+
+void ShadowOverlay::draw_volumes(const Inspected& seen) const {
+  const double diagonal = seen.subject.world.bounds().diagonal();
+  const float reach = seen.subject.space.length(kSheetReach * diagonal);
+  glEnable(GL_DEPTH_CLAMP);
+  glDepthFunc(GL_LESS);
+  glDepthMask(GL_FALSE);
+  blend();
+  sheet_.use();
+  sheet_.set("light", seen.in_frame);
+  sheet_.set("reach", reach);
+  sheet_.set("front", srgb(kVolumeFront, 0.15f));
+  sheet_.set("back", srgb(kVolumeBack, 0.12f));
+  seen.for_each_volume([&](const VolumeBuffer& volume, const Body& body, const BodyPicture& picture) {
+    picture.bind(sheet_, seen.subject.space, body.placement);
+    volume.draw_sides(sheet_, 6);
+  });
+  draw_lines(seen, 0.45f, 0.6f * reach, all_of(srgb(0x8fc6ff, 0.22f)));
+  draw_lines(seen, 0.6f, 0, all_of(srgb(0xd6ebff, 0.75f)));
+  glDisable(GL_DEPTH_CLAMP);
+}
+
+// Faint where something stands before it, then over a dark line where it is seen.
+void ShadowOverlay::draw_silhouette(const Inspected& seen, const FaceNumbers& numbers) const {
+  glDepthMask(GL_FALSE);
+  blend();
+  glDisable(GL_DEPTH_TEST);
+  draw_lines(seen, 0.6f, 0, silhouette_colours(0.22f));
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  draw_lines(seen, 2.2f, 0, all_of(srgb(0x05070a, 0.6f)));
+  draw_lines(seen, 1.3f, 0, silhouette_colours(1));
+  if (!seen.subject.options.legends) return;
+  draw_legend(silhouette_colours(1), 1, seen.subject.options.show.shadow_stencil ? 1 : 0, numbers,
+              seen.height);
+}
+
+}  // namespace kerf

@@ -1,0 +1,248 @@
+#include "ui/render/shadow/shadow_pass.h"
+
+#include "core/base/assert.h"
+#include "ui/render/shadow/seen_light.h"
+#include "ui/render/view/section_clip.h"
+
+namespace kerf {
+
+namespace {
+
+// How the two sides of what is drawn count where they lie behind the surface that is seen. `outward`: front
+// faces look out of the volume.
+void count_behind(bool outward) {
+  glStencilOpSeparate(GL_FRONT, GL_KEEP, outward ? GL_DECR_WRAP : GL_INCR_WRAP, GL_KEEP);
+  glStencilOpSeparate(GL_BACK, GL_KEEP, outward ? GL_INCR_WRAP : GL_DECR_WRAP, GL_KEEP);
+}
+
+void write_stencil_alone(bool alone) {
+  const GLboolean others = alone ? GL_FALSE : GL_TRUE;
+  glColorMask(others, others, others, others);
+  glDepthMask(others);
+}
+
+int vertices_of_side(const glm::vec4& light) { return light.w > 0 ? 6 : 3; }
+
+std::vector<uint32_t> take_slots(DirtySlots& dirty) {
+  std::vector<uint32_t> slots;
+  for (const SlotRange range : dirty.take(0, FaceBuffer::kChunkFaces)) {
+    for (uint32_t f = range.begin; f < range.end; ++f) slots.push_back(f);
+  }
+  return slots;
+}
+
+}  // namespace
+
+Result<ShadowPass> ShadowPass::create(const std::filesystem::path& shaders) {
+  const auto load = [&](const char* vertex) {
+    return gl::Program::load(shaders,
+                             {{"frame.glsl", "placed.glsl", "shadow_light.glsl", vertex}, {"empty.frag"}});
+  };
+  auto cap = load("shadow_cap.vert");
+  if (!cap) return cap.error();
+  auto side = load("shadow_side.vert");
+  if (!side) return side.error();
+  return ShadowPass(std::move(*cap), std::move(*side));
+}
+
+ShadowPass::ShadowPass(gl::Program cap, gl::Program side) : cap_(std::move(cap)), side_(std::move(side)) {
+  for (const gl::Program* p : {&cap_, &side_}) p->bind_block("Frame", kFrameBlock);
+}
+
+void ShadowPass::carry_on(BodyId from, BodyId to) {
+  const auto found = bodies_.find(from);
+  if (found == bodies_.end()) return;
+  bodies_.insert_or_assign(to, std::move(found->second));
+  bodies_.erase(found);
+}
+
+void ShadowPass::follow(const Delta& delta) {
+  for (const BodyDelta& d : delta.bodies) {
+    const auto found = bodies_.find(d.body);
+    if (found == bodies_.end()) continue;
+    found->second.dirty.mark(d.born);
+    found->second.dirty.mark(d.gone);
+    found->second.relabelled.mark(d.relabelled);
+  }
+}
+
+void ShadowPass::note_effort(const ShadowVolume::Effort& before, const ShadowVolume::Effort& after) {
+  work_.faces += after.faces - before.faces;
+  work_.edges += after.edges - before.edges;
+}
+
+void ShadowPass::catch_up(BodyShadows& shadows, const Body& body, const FloatFrame& frame,
+                          const BodyLooks& looks) {
+  if (!shadows.caster) {
+    shadows.caster = std::make_unique<ShadowCaster>(body.mesh, frame);
+    shadows.dirty = {};
+    shadows.relabelled = {};
+    shadows.groups.reset();
+    ++work_.casters;
+  }
+  shadows.relabelled.mark(regrouped(body.mesh, shadows.groups.get(), looks.groups().get()));
+  shadows.groups = looks.groups();
+  if (shadows.dirty.empty() && shadows.relabelled.empty()) return;
+  const std::vector<uint32_t> slots = take_slots(shadows.dirty), labels = take_slots(shadows.relabelled);
+  const ShadowCaster::Change change =
+      shadows.caster->update(body.mesh, slots, labels, labels_of(shadows.groups));
+  for (auto& [key, kept] : shadows.volumes) {
+    const ShadowVolume::Effort before = kept.buffer.volume().effort();
+    kept.buffer.volume().follow(*shadows.caster, change);
+    note_effort(before, kept.buffer.volume().effort());
+  }
+}
+
+ShadowPass::Kept& ShadowPass::bring_up_to_date(const Subject& subject, BodyId id, const Body& body,
+                                               const BodyPicture& picture, VolumeKey key) {
+  BodyShadows& shadows = bodies_[id];
+  const FloatFrame& frame = picture.faces().frame();
+  const BodyLooks looks(id, subject.options);
+  catch_up(shadows, body, frame, looks);
+  const auto [found, fresh] = shadows.volumes.try_emplace(key, key.second);
+  Kept& kept = found->second;
+  kept.used = true;
+  LightOnBody light = light_on_body(subject.options.lights[key.first], body.placement, frame, looks);
+  ShadowVolume& volume = kept.buffer.volume();
+  if (fresh || !(volume.light() == light)) {
+    const ShadowVolume::Effort before = volume.effort();
+    volume.rebuild(*shadows.caster, std::move(light));
+    note_effort(before, volume.effort());
+    ++work_.rebuilt;
+  }
+  kept.buffer.update(*shadows.caster);
+  return kept;
+}
+
+const VolumeBuffer* ShadowPass::volume(const Subject& subject, BodyId id, size_t light, ShadowMethod method) {
+  const auto found = subject.bodies.find(id);
+  if (found == subject.bodies.end() || !subject.world.contains(id)) return nullptr;
+  return &bring_up_to_date(subject, id, subject.world.body(id), found->second, {light, method}).buffer;
+}
+
+const ShadowCaster* ShadowPass::caster(BodyId id) const {
+  const auto found = bodies_.find(id);
+  return found == bodies_.end() ? nullptr : found->second.caster.get();
+}
+
+void ShadowPass::drop_unused() {
+  for (auto& [id, shadows] : bodies_) {
+    std::erase_if(shadows.volumes, [](const auto& entry) { return !entry.second.used; });
+    for (auto& [key, kept] : shadows.volumes) kept.used = false;
+  }
+}
+
+void ShadowPass::draw_caps(const Subject& subject, VolumeKey key, int sign, bool at_infinity) {
+  cap_.set("wanted", sign);
+  cap_.set("at_infinity", at_infinity ? 1 : 0);
+  for_each_body(subject, [&](BodyId id, const Body& body, const BodyPicture& picture) {
+    const VolumeBuffer& volume = bodies_.at(id).volumes.at(key).buffer;
+    picture.bind(cap_, subject.space, body.placement);
+    picture.faces().draw_chunks([&](size_t chunk) { volume.bind_signs(cap_, chunk); });
+  });
+}
+
+void ShadowPass::draw_sides(const Subject& subject, VolumeKey key, int vertices) {
+  for_each_body(subject, [&](BodyId id, const Body& body, const BodyPicture& picture) {
+    picture.bind(side_, subject.space, body.placement);
+    bodies_.at(id).volumes.at(key).buffer.draw_sides(side_, vertices);
+  });
+}
+
+// A section plane takes nothing from the caps; but they are drawn in two parts, so that the part that is seen
+// has been clipped to the very triangles of the picture.
+void ShadowPass::count_near_caps(const Subject& subject, VolumeKey key) {
+  const NearCaps how = subject.options.shadow.near_caps;
+  if (how == NearCaps::kLessOrEqual) glDepthFunc(GL_LEQUAL);
+  if (how == NearCaps::kDisplaced) glEnable(GL_POLYGON_OFFSET_FILL);
+  glPolygonOffset(0, -1);
+  const SectionClip clip(subject.options);
+  for (const int under : {1, -1}) {
+    if (under < 0 && shown_section(subject.options) == nullptr) continue;
+    cap_.set("under", under);
+    for (const int sign : {1, -1}) {
+      count_behind(sign > 0);
+      draw_caps(subject, key, sign, false);
+    }
+  }
+  glDisable(GL_POLYGON_OFFSET_FILL);
+  glDepthFunc(GL_LESS);
+}
+
+// A triangle is drawn with its corners in the order that the picture has, so that its depths are the same to
+// the bit; whether its front looks out of the volume at its near cap depends on whether it faces the light,
+// and at its far cap it is the other way round. Near caps are clipped as the picture is; what lies at
+// infinity must not be clipped at all.
+void ShadowPass::count_robustly(const Subject& subject, VolumeKey key, const glm::vec4& light) {
+  cap_.use();
+  cap_.set("light", light);
+  count_near_caps(subject, key);
+  glEnable(GL_DEPTH_CLAMP);
+  if (light.w > 0) {
+    for (const int sign : {1, -1}) {
+      count_behind(sign < 0);
+      draw_caps(subject, key, sign, true);
+    }
+  }
+  side_.use();
+  side_.set("light", light);
+  side_.set("reach", 0.0f);
+  count_behind(true);
+  draw_sides(subject, key, vertices_of_side(light));
+  glDisable(GL_DEPTH_CLAMP);
+}
+
+void ShadowPass::count_as_the_paper(const Subject& subject, VolumeKey key, const glm::vec4& light) {
+  side_.use();
+  side_.set("light", light);
+  const double diagonal = subject.world.bounds().diagonal();
+  side_.set("reach", subject.space.length(subject.options.shadow.extrusion * diagonal));
+  glEnable(GL_CULL_FACE);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_INCR);
+  glCullFace(GL_BACK);
+  draw_sides(subject, key, 6);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_DECR);
+  glCullFace(GL_FRONT);
+  draw_sides(subject, key, 6);
+  glCullFace(GL_BACK);
+  glDisable(GL_CULL_FACE);
+}
+
+void ShadowPass::count(const Subject& subject, size_t light, ShadowMethod method) {
+  KERF_ASSERT(light < subject.options.lights.size());
+  const VolumeKey key{light, method};
+  for_each_body(subject, [&](BodyId id, const Body& body, const BodyPicture& picture) {
+    bring_up_to_date(subject, id, body, picture, key);
+  });
+  glStencilMask(0xff);
+  glClearStencil(0);
+  glClear(GL_STENCIL_BUFFER_BIT);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  glDisable(GL_CULL_FACE);
+  glEnable(GL_STENCIL_TEST);
+  glStencilFunc(GL_ALWAYS, 0, 0xff);
+  write_stencil_alone(true);
+  const glm::vec4 in_frame = light_in_frame(subject.options.lights[light], subject.space);
+  if (method == ShadowMethod::kRobust) {
+    count_robustly(subject, key, in_frame);
+  } else {
+    count_as_the_paper(subject, key, in_frame);
+  }
+  write_stencil_alone(false);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+}
+
+PictureMemory ShadowPass::memory() const {
+  PictureMemory memory;
+  for (const auto& [id, shadows] : bodies_) {
+    if (shadows.caster) memory.shadows += shadows.caster->bytes();
+    for (const auto& [key, kept] : shadows.volumes) {
+      memory.shadows += kept.buffer.volume().bytes();
+      memory.graphics += kept.buffer.bytes();
+    }
+  }
+  return memory;
+}
+
+}  // namespace kerf

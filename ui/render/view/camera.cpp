@@ -1,0 +1,198 @@
+#include "ui/render/view/camera.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/assert.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr double kPole = 1.5533;        // 89 degrees
+constexpr double kDefaultYaw = 0.66;    // 38 degrees to the right of the front
+constexpr double kDefaultPitch = 0.30;  // 17 degrees
+constexpr double kEaseSeconds = 0.043;  // to 1/e; nine tenths in 100 ms, 97 % in 150 ms
+constexpr double kNarrow = 1.25;        // a narrower picture shows as much sideways, and more above and below
+constexpr double kMostWidth = 0.82;     // of the picture that a framed box may take
+constexpr double kTurn = 6.283185307179586;
+const double kFullPull = std::log(CameraView::kFarAway);
+
+// x and y span of the box in the picture, and whether all of it lies before the eye.
+struct Extent {
+  Vec2 low{1e300}, high{-1e300};
+  bool in_front = true;
+};
+
+Extent extent_of(const CameraView& view, const World::Bounds& b) {
+  Extent extent;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 p = view.project(
+        {corner & 1 ? b.max.x : b.min.x, corner & 2 ? b.max.y : b.min.y, corner & 4 ? b.max.z : b.min.z});
+    extent.in_front = extent.in_front && p.z > 0;
+    extent.low = glm::min(extent.low, Vec2(p));
+    extent.high = glm::max(extent.high, Vec2(p));
+  }
+  return extent;
+}
+
+}  // namespace
+
+Pose CameraView::ray(double x, double y) const {
+  if (parallel) return {eye + (right * (x * aspect) + up * y) * half_height(), forward};
+  const Vec3 way = forward + right * (x * tan_half_fov * aspect) + up * (y * tan_half_fov);
+  return {eye, glm::normalize(way)};
+}
+
+Vec3 CameraView::project(const Vec3& p) const {
+  const Vec3 d = p - eye;
+  const double depth = glm::dot(d, forward);
+  const double scale = 1 / ((parallel ? focus : depth) * tan_half_fov);
+  return {glm::dot(d, right) * scale / aspect, glm::dot(d, up) * scale, depth};
+}
+
+CameraView CameraView::near() const { return pulled(1); }
+
+CameraView CameraView::pulled(double times) const {
+  KERF_ASSERT(times > 0 && pull > 0);
+  const double more = times / pull;
+  CameraView view = *this;
+  view.eye += forward * (focus - focus * more);
+  view.focus = focus * more;
+  view.tan_half_fov = tan_half_fov / more;
+  view.parallel = times >= kFarAway;
+  view.pull = times;
+  return view;
+}
+
+CameraView look_at(const Vec3& eye, const Vec3& target, double aspect) {
+  KERF_ASSERT(aspect > 0);
+  CameraView view;
+  view.eye = eye;
+  view.aspect = aspect;
+  view.tan_half_fov = Camera::kTanHalfFov;
+  view.focus = glm::length(target - eye);
+  if (!(view.focus > 0)) {
+    view.focus = 1;
+    return view;
+  }
+  view.forward = (target - eye) / view.focus;
+  const Vec3 level(-view.forward.z, 0, view.forward.x);  // forward x up
+  const double flat = glm::length(level);
+  view.right = flat > 1e-9 ? level / flat : Vec3(1, 0, 0);
+  view.up = glm::cross(view.right, view.forward);
+  return view;
+}
+
+Vec3 Camera::direction_of(double yaw, double pitch) {
+  return {std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch)};
+}
+
+CameraView Camera::view_of(const State& s, double aspect) {
+  const Vec3 outward = from_y_up(direction_of(s.yaw, s.pitch), s.up);
+  CameraView view;
+  view.eye = s.pivot + outward * s.distance;
+  view.forward = -outward;
+  view.right = from_y_up(Vec3(std::cos(s.yaw), 0, -std::sin(s.yaw)), s.up);
+  view.up_axis = s.up;
+  view.up = glm::cross(view.right, view.forward);
+  view.focus = s.distance;
+  view.tan_half_fov = kTanHalfFov * std::max(1.0, kNarrow / aspect);
+  view.aspect = aspect;
+  return s.pull == kFullPull ? view.pulled(CameraView::kFarAway) : view.pulled(std::exp(s.pull));
+}
+
+// The distance at which the larger of the two spans fits, found by halving; then the pivot is moved so that
+// the box stands in the middle.
+void Camera::fit(State& state, const World::Bounds& bounds, double aspect, double fill) {
+  KERF_ASSERT(aspect > 0 && fill > 0);
+  const double diagonal = bounds.diagonal();
+  state.pivot = bounds.min + (bounds.max - bounds.min) * 0.5;
+  if (!(diagonal > 0) || !std::isfinite(diagonal)) {
+    state.distance = 1;
+    return;
+  }
+  double near = 0.05 * diagonal, far = 50 * diagonal;
+  for (int i = 0; i < 48; ++i) {
+    state.distance = 0.5 * (near + far);
+    const Extent e = extent_of(view_of(state, aspect), bounds);
+    const bool fits = e.in_front && e.high.y - e.low.y <= 2 * fill && e.high.x - e.low.x <= 2 * kMostWidth;
+    (fits ? far : near) = state.distance;
+  }
+  state.distance = far;
+  const CameraView view = view_of(state, aspect);
+  const Extent e = extent_of(view, bounds);
+  const Vec2 off = (e.low + e.high) * 0.5;
+  state.pivot += (view.right * (off.x * aspect) + view.up * off.y) * view.half_height();
+}
+
+void Camera::frame_default(const World::Bounds& bounds, double aspect, double fill) {
+  goal_.yaw = kDefaultYaw;
+  goal_.pitch = kDefaultPitch;
+  fit(goal_, bounds, aspect, fill);
+}
+
+void Camera::frame(const World::Bounds& bounds, double aspect, double fill) {
+  fit(goal_, bounds, aspect, fill);
+}
+
+void Camera::look(const Vec3& eye, const Vec3& target) {
+  const Vec3 outward = to_y_up(eye - target, goal_.up);
+  const double distance = glm::length(outward);
+  if (!(distance > 0)) return;
+  goal_.pivot = target;
+  goal_.distance = distance;
+  goal_.yaw = std::atan2(outward.x, outward.z);
+  goal_.pitch = std::clamp(std::asin(std::clamp(outward.y / distance, -1.0, 1.0)), -kPole, kPole);
+}
+
+void Camera::turn_to(double yaw, double pitch) {
+  goal_.yaw += std::remainder(yaw - goal_.yaw, kTurn);
+  goal_.pitch = pitch;
+}
+
+bool Camera::is_turned_to(double yaw, double pitch) const {
+  constexpr double kSame = 1e-6;
+  return std::abs(std::remainder(yaw - goal_.yaw, kTurn)) < kSame && std::abs(pitch - goal_.pitch) < kSame;
+}
+
+void Camera::set_parallel(bool parallel) { goal_.pull = parallel ? kFullPull : 0; }
+
+void Camera::orbit(double right, double up) {
+  goal_.yaw += right;
+  goal_.pitch = std::clamp(goal_.pitch + up, -kPole, kPole);
+}
+
+void Camera::pan(double dx, double dy, double aspect) {
+  const CameraView view = view_of(goal_, aspect);
+  goal_.pivot -= (view.right * (dx * aspect) + view.up * dy) * view.half_height();
+}
+
+void Camera::zoom(double factor, double x, double y, double aspect) {
+  const CameraView view = view_of(goal_, aspect);
+  const Vec3 side = (view.right * (x * aspect) + view.up * y) * view.half_height();
+  goal_.pivot += side * (1 - factor);
+  goal_.distance *= factor;
+}
+
+bool Camera::advance(double seconds) {
+  const double way = 1 - std::exp(-std::max(seconds, 0.0) / kEaseSeconds);
+  const Vec3 shift = goal_.pivot - now_.pivot;
+  const double ratio = goal_.distance / now_.distance;
+  const double yaw = goal_.yaw - now_.yaw, pitch = goal_.pitch - now_.pitch, pull = goal_.pull - now_.pull;
+  const double left = glm::length(shift) / goal_.distance + std::abs(std::log(ratio)) + std::abs(yaw) +
+                      std::abs(pitch) + std::abs(pull);
+  if (!(left > 2e-4)) {
+    const bool moved = left > 0;
+    now_ = goal_;
+    return moved;
+  }
+  now_.pivot += shift * way;
+  now_.distance *= std::pow(ratio, way);
+  now_.yaw += yaw * way;
+  now_.pitch += pitch * way;
+  now_.pull += pull * way;
+  return true;
+}
+
+}  // namespace kerf

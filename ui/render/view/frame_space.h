@@ -1,0 +1,76 @@
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+#include "core/base/float_frame.h"
+#include "core/world/placement.h"
+#include "core/world/world.h"
+#include "ui/render/view/camera.h"
+#include "ui/render/view/stage_colours.h"
+
+namespace kerf {
+
+// The coordinates of the shaders: the axes of the world turned so that +Y points upwards (see to_y_up), with
+// the eye of the near view (see CameraView) at the origin and lengths divided by `unit`, a power of two near
+// the size of the world. Differences are computed in double, so that floats suffice at any place and size.
+struct FrameSpace {
+  Vec3 eye{0};        // of the near view
+  Vec3 seen_from{0};  // the eye itself, which is farther away in an orthographic view
+  double unit = 1;    // m
+  UpAxis up = UpAxis::kY;
+
+  glm::vec3 from_world(const Vec3& p) const { return glm::vec3(turned(p - eye) / unit); }
+  // A direction or displacement of the world with +Y upwards, not divided by the unit.
+  Vec3 turned(const Vec3& v) const { return to_y_up(v, up); }
+  // The rotation of vectors from a frame that has this orientation in the world.
+  glm::dmat3 turn_from(const glm::dquat& orientation) const {
+    const glm::dmat3 m = glm::mat3_cast(orientation);
+    return {turned(m[0]), turned(m[1]), turned(m[2])};
+  }
+  float length(double metres) const { return static_cast<float>(metres / unit); }
+
+  // The transformation from the float frame of a body with this placement.
+  glm::mat4 from_body(const Placement& placement, const FloatFrame& frame) const {
+    const glm::dmat3 turn = turn_from(placement.orientation) * (1 / (frame.scale * unit));
+    const Vec3 origin = turned(placement.to_world(frame.origin) - eye) / unit;
+    return glm::mat4(glm::dmat4(glm::dvec4(turn[0], 0), glm::dvec4(turn[1], 0), glm::dvec4(turn[2], 0),
+                                glm::dvec4(origin, 1)));
+  }
+};
+
+// The uniform block "Frame" of the shaders; frame.glsl documents its members.
+struct FrameUniforms {
+  glm::mat4 clip_from_frame{1};
+  glm::vec4 camera_right{0}, camera_up{0}, camera_forward{0};
+  glm::vec4 viewport{0};
+  glm::vec4 key_light{0};
+  glm::vec4 ground{0};
+  glm::vec4 grid{0};
+  glm::vec4 spot{0};
+  glm::vec4 spot_colour{0};
+  glm::vec4 beam{0};
+  StageColours stage;
+  glm::vec4 section{0, 0, 0, 1};
+  glm::vec4 body_look{0};
+};
+
+// The distance of the near plane along the forward axis of a view, in metres: as large as the visible box and
+// the ground (its height, m) allow, because the resolution of the depth buffer is proportional to it, and at
+// least a fraction of the focus. An orthographic view has as much depth before its focus as behind it: there
+// the plane lies so far before the focus that the box and the ground fit in, also where that is behind the
+// eye.
+double near_plane(const CameraView& view, const World::Bounds& drawn, double ground);
+
+// Where the depth buffer has a point at a depth along the forward axis (m), from 0 at the near plane to 1.
+// Precondition: in a perspective view the depth is positive.
+double window_depth(const CameraView& view, double near, double depth);
+
+// The members that depend on the view: the matrix (near plane at `near` metres; no far plane, but in an
+// orthographic view one as far behind the focus), the axes and the viewport.
+// Precondition: the near plane is that of near_plane.
+FrameUniforms uniforms_of(const CameraView& view, double near, const FrameSpace& space, int width,
+                          int height);
+
+}  // namespace kerf

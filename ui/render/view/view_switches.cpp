@@ -1,0 +1,286 @@
+#include "ui/render/view/view_switches.h"
+
+#include "core/base/assert.h"
+
+namespace kerf {
+
+namespace {
+
+// The member of a switch: a flag or an enumeration, of ShowOptions or of ViewOptions.
+template <auto member, typename Look>
+auto& member_of(Look& look) {
+  if constexpr (requires { look.show.*member; }) {
+    return look.show.*member;
+  } else {
+    return look.*member;
+  }
+}
+template <auto member>
+size_t get(const ViewOptions& look) {
+  return static_cast<size_t>(member_of<member>(look));
+}
+template <auto member>
+void set(ViewOptions& look, size_t state) {
+  auto& value = member_of<member>(look);
+  value = static_cast<std::remove_reference_t<decltype(value)>>(state);
+}
+
+size_t shows_boxes_hit(const ViewOptions& look) { return look.show.aabb_hit || look.tree.hit_only ? 1 : 0; }
+
+// In the order of Shadows.
+constexpr std::array kShadowStates{"none", "ground", "all"};
+
+constexpr std::array kSwitches{
+    ViewSwitch{.id = SwitchId::kShadows,
+               .show = "shadows",
+               .report = "shadows",
+               .label = "Shadows",
+               .key = 'D',
+               .tip =
+                   "None, only those that the sun casts on the ground, or those of everything on everything. "
+                   "The Light panel sets how they are cast.",
+               .states = kShadowStates,
+               .get = get<&ShowOptions::shadows>,
+               .set = set<&ShowOptions::shadows>},
+    ViewSwitch{.id = SwitchId::kSilhouette,
+               .show = "silhouette",
+               .report = "silhouette",
+               .label = "Silhouette",
+               .key = 'E',
+               .tip = "The edges that bound the shadow of a light (figure 11 of the paper): pale where one "
+                      "side lies on them, blue where two do, violet where more.",
+               .get = get<&ShowOptions::silhouette>,
+               .set = set<&ShowOptions::silhouette>},
+    ViewSwitch{.id = SwitchId::kShadowVolumes,
+               .show = "shadow-volumes",
+               .report = "shadow_volumes",
+               .label = "Shadow volumes",
+               .key = 'V',
+               .tip =
+                   "What the silhouette is extruded to (figure 12 of the paper): blue where it is seen from "
+                   "outside, orange from within.",
+               .get = get<&ShowOptions::shadow_volumes>,
+               .set = set<&ShowOptions::shadow_volumes>},
+    ViewSwitch{.id = SwitchId::kShadowCounts,
+               .show = "shadow-stencil",
+               .report = "shadow_counts",
+               .label = "Shadow counts",
+               .key = 'C',
+               .tip = "How many surfaces keep the light away, by the strip at the lower left; 9: or more.",
+               .get = get<&ShowOptions::shadow_stencil>,
+               .set = set<&ShowOptions::shadow_stencil>},
+    ViewSwitch{.id = SwitchId::kFacing,
+               .show = "shadow-facing",
+               .report = "shadow_facing",
+               .label = "Facing the light",
+               .key = 'T',
+               .tip = "Polygons that face the light are pale, averted ones blue.",
+               .get = get<&ShowOptions::shadow_facing>,
+               .set = set<&ShowOptions::shadow_facing>},
+    ViewSwitch{.id = SwitchId::kCompare,
+               .show = "shadow-compare",
+               .report = "shadow_compare",
+               .label = "Compare two shadow methods",
+               .key = 'X',
+               .tip =
+                   "The method of the Light panel left of a line, another right of it, and the pixels that "
+                   "differ.",
+               .in_view_panel = false,
+               .get = get<&ShowOptions::shadow_compare>,
+               .set = set<&ShowOptions::shadow_compare>},
+    ViewSwitch{.id = SwitchId::kTrace,
+               .show = "shadow-reference",
+               .report = "shadow_rays",
+               .label = "Trace shadow rays",
+               .key = 'Y',
+               .tip =
+                   "Traces the shadow of the chosen light pixel by pixel once the picture stands still, and "
+                   "marks in magenta where the picture has it otherwise.",
+               .in_view_panel = false,
+               .ends_group = true,
+               .get = get<&ShowOptions::shadow_reference>,
+               .set = set<&ShowOptions::shadow_reference>},
+    ViewSwitch{.id = SwitchId::kRimGlow,
+               .report = "rim_glow",
+               .label = "Glow of rims",
+               .tip =
+                   "What is hot glows as hot metal does, and what was hot stays tinted. Where a cut left no "
+                   "heat, its rims glow, the more the nearer to the cut.",
+               .get = get<&ViewOptions::rim_glow>,
+               .set = set<&ViewOptions::rim_glow>},
+    ViewSwitch{.id = SwitchId::kWire,
+               .show = "wire",
+               .report = "wire",
+               .label = "Wire",
+               .key = 'W',
+               .tip = "Edges of the faces.",
+               .get = get<&ShowOptions::wire>,
+               .set = set<&ShowOptions::wire>},
+    ViewSwitch{.id = SwitchId::kSection,
+               .show = "section",
+               .report = "section",
+               .label = "Section plane",
+               .key = 'Z',
+               .tip =
+                   "Opens the bodies at a plane to look inside; the pointer picks what is seen. What is not "
+                   "drawn is there still: it casts shadows, and the beam cuts it.",
+               .get = get<&ShowOptions::section>,
+               .set = set<&ShowOptions::section>},
+    ViewSwitch{.id = SwitchId::kBoxes,
+               .show = "aabb",
+               .report = "boxes",
+               .label = "Boxes of the tree",
+               .key = 'B',
+               .tip =
+                   "The bounding boxes that find the faces under the beam: solid where the beam is or was, "
+                   "dotted where it never came, as in the paper's figure 2.",
+               .in_view_panel = false,
+               .get = get<&ShowOptions::aabb>,
+               .set = set<&ShowOptions::aabb>},
+    ViewSwitch{.id = SwitchId::kBoxesHit,
+               .show = "aabb-hit",
+               .report = "boxes_hit",
+               .in_menu = false,
+               .in_view_panel = false,
+               .get = shows_boxes_hit,
+               .set = set<&ShowOptions::aabb_hit>},
+    ViewSwitch{.id = SwitchId::kPieces,
+               .show = "pieces",
+               .report = "pieces",
+               .label = "Piece colours",
+               .key = 'P',
+               .tip = "Every piece that came off in a strong colour of its own.",
+               .get = get<&ShowOptions::pieces>,
+               .set = set<&ShowOptions::pieces>},
+    ViewSwitch{
+        .id = SwitchId::kSizes,
+        .show = "sizes",
+        .report = "sizes",
+        .label = "Level colouring",
+        .tip = "The paper's colours: the smaller a face against the one it was split from, the hotter.",
+        .get = get<&ShowOptions::sizes>,
+        .set = set<&ShowOptions::sizes>},
+    ViewSwitch{
+        .id = SwitchId::kHeat,
+        .show = "heat",
+        .report = "heat",
+        .label = "Temperature",
+        .tip = "The temperature of every face by the scale in the corner, up to where the material melts. "
+               "Inspect shows it in numbers, and a click there keeps a curve of it.",
+        .get = get<&ShowOptions::heat>,
+        .set = set<&ShowOptions::heat>},
+    ViewSwitch{.id = SwitchId::kNormals,
+               .show = "normals",
+               .report = "normals",
+               .label = "Normals",
+               .key = 'N',
+               .tip = "A short line out of the front of every face.",
+               .get = get<&ShowOptions::normals>,
+               .set = set<&ShowOptions::normals>},
+    ViewSwitch{.id = SwitchId::kFaceNumbers,
+               .show = "face-numbers",
+               .report = "face_numbers",
+               .label = "Face numbers",
+               .key = 'I',
+               .tip = "The number of each face, and in red of those that are gone (figure 8 of the paper).",
+               .get = get<&ShowOptions::face_numbers>,
+               .set = set<&ShowOptions::face_numbers>},
+    ViewSwitch{.id = SwitchId::kGraph,
+               .show = "graph",
+               .report = "graph",
+               .label = "Component graph",
+               .key = 'J',
+               .tip =
+                   "A node on each face around the last cut and a link over each shared edge, in red where "
+                   "faces were removed (figures 8 and 9 of the paper). The Graph panel lays it out flat.",
+               .get = get<&ShowOptions::graph>,
+               .set = set<&ShowOptions::graph>},
+    ViewSwitch{.id = SwitchId::kContacts,
+               .show = "contacts",
+               .report = "contacts",
+               .label = "Contacts",
+               .tip = "Where bodies touch, as of the last tick: normals, the redder the larger the impulse.",
+               .get = get<&ShowOptions::contacts>,
+               .set = set<&ShowOptions::contacts>},
+    ViewSwitch{.id = SwitchId::kColliders,
+               .show = "colliders",
+               .report = "colliders",
+               .label = "Colliders",
+               .tip =
+                   "The points and chords by which bodies touch others. They are made when bodies begin to "
+                   "move.",
+               .get = get<&ShowOptions::colliders>,
+               .set = set<&ShowOptions::colliders>},
+    ViewSwitch{.id = SwitchId::kCentres,
+               .show = "centres",
+               .report = "centres",
+               .label = "Centres of mass",
+               .tip = "Of each body, coloured by whether it is awake, asleep or pinned.",
+               .get = get<&ShowOptions::centres>,
+               .set = set<&ShowOptions::centres>},
+    ViewSwitch{
+        .id = SwitchId::kJoints,
+        .show = "joints",
+        .report = "joints",
+        .label = "Joints",
+        .tip = "What holds parts together that do not hang together: axes of hinges and hubs, and crosses "
+               "where parts are welded. A joint is gone once the faces that carry it are.",
+        .ends_group = true,
+        .get = get<&ShowOptions::joints>,
+        .set = set<&ShowOptions::joints>},
+    ViewSwitch{.id = SwitchId::kGhost,
+               .report = "ghost",
+               .label = "Ghost of what is gone",
+               .key = 'G',
+               .tip = "Removed faces stay as a faint veil.",
+               .get = get<&ViewOptions::ghost>,
+               .set = set<&ViewOptions::ghost>},
+    ViewSwitch{.id = SwitchId::kTwoSided,
+               .report = "two_sided",
+               .label = "Two-sided lighting",
+               .tip = "Faces are lit from both sides; off, their backs are black.",
+               .in_menu = false,
+               .get = get<&ViewOptions::two_sided>,
+               .set = set<&ViewOptions::two_sided>},
+    ViewSwitch{.id = SwitchId::kCullBacks,
+               .report = "cull_backs",
+               .label = "Cull backs",
+               .tip = "Leaves out the faces that are seen from behind, as is usual for closed models and "
+                      "faster. The paper had to turn it off: once a hole is cut, one looks through it at the "
+                      "backs of the far side, and with culling there is nothing there.",
+               .in_menu = false,
+               .get = get<&ViewOptions::cull_backs>,
+               .set = set<&ViewOptions::cull_backs>},
+    ViewSwitch{.id = SwitchId::kSparks,
+               .report = "sparks",
+               .label = "Sparks and smoke",
+               .tip = "Sparks and smoke fly where the laser bites. They are only seen.",
+               .get = get<&ViewOptions::sparks>,
+               .set = set<&ViewOptions::sparks>},
+    ViewSwitch{.id = SwitchId::kAntialias,
+               .report = "antialias",
+               .label = "Anti-aliasing",
+               .tip = "Smooth edges; off is faster without a graphics card.",
+               .ends_group = true,
+               .get = get<&ViewOptions::antialias>,
+               .set = set<&ViewOptions::antialias>},
+};
+
+}  // namespace
+
+std::string action_name(const ViewSwitch& s) {
+  std::string name = s.label;
+  for (size_t i = 0; !s.is_two_state() && i < s.states.size(); ++i)
+    name += std::string(i == 0 ? ": " : ", ") + s.states[i];
+  return name;
+}
+
+std::span<const ViewSwitch> view_switches() { return kSwitches; }
+
+const ViewSwitch& view_switch(SwitchId id) {
+  const ViewSwitch& found = kSwitches.at(static_cast<size_t>(id));
+  KERF_ASSERT(found.id == id);
+  return found;
+}
+
+}  // namespace kerf

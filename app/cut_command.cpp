@@ -18,7 +18,7 @@
 #include "core/document/files/stroke_settings.h"
 #include "core/document/history/walk.h"
 #include "core/document/journal/journal.h"
-#include "ui/render/passes/assets.h"
+#include "ui/render/bodies/assets.h"
 
 namespace kerf {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/angle.h"
 #include "core/base/parallel.h"
 #include "core/cut/thermal_step.h"
 #include "core/document/text/hash_text.h"
@@ -45,7 +46,7 @@ Extremes extremes_of(const World& world) {
   return extremes;
 }
 
-double degrees(double cosine) { return std::acos(cosine) * 180 / 3.14159265358979323846; }
+double degrees(double cosine) { return std::acos(cosine) * 180 / kPi; }
 
 // The quantile of sorted values: the value that this fraction of them does not exceed.
 double percentile(const std::vector<double>& sorted, double share) {

@@ -4,7 +4,7 @@
 #include "app/exit_status.h"
 #include "app/parse_values.h"
 #include "ui/editor/editor.h"
-#include "ui/render/passes/assets.h"
+#include "ui/render/bodies/assets.h"
 
 namespace kerf {
 

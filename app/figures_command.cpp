@@ -9,7 +9,7 @@
 #include "app/progress_line.h"
 #include "ui/figures/draw_figure.h"
 #include "ui/figures/figure_films.h"
-#include "ui/render/passes/assets.h"
+#include "ui/render/bodies/assets.h"
 
 namespace kerf {
 

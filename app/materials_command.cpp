@@ -6,7 +6,7 @@
 #include "app/exit_status.h"
 #include "core/document/files/material_reader.h"
 #include "core/document/text/fields.h"
-#include "ui/render/passes/assets.h"
+#include "ui/render/bodies/assets.h"
 
 namespace kerf {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "core/base/angle.h"
 #include "core/base/assert.h"
 #include "core/cut/burn.h"
 #include "core/cut/cuttable.h"
@@ -75,8 +75,7 @@ class ThermalMoves {
     for (const BurnedBody& burned : burned_) {
       const Sheet& sheet = world_.body(burned.id).sheet;
       const Substance& s = sheet.substance;
-      const double spot =
-          0.5 * std::numbers::pi * w * w * sheet.thickness * s.density * enthalpy_of_removal(s);
+      const double spot = 0.5 * kPi * w * w * sheet.thickness * s.density * enthalpy_of_removal(s);
       const double diffusivity = s.conductivity / (s.density * s.heat_solid);
       most = std::max(most, absorptivity(s, settings_.laser.wavelength) * joules / spot);
       most = std::max(most, kPartsADiffusionTime * diffusivity * move.seconds / (w * w));

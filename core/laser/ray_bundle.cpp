@@ -1,7 +1,8 @@
 #include "core/laser/ray_bundle.h"
 
 #include <cmath>
-#include <numbers>
+
+#include "core/base/angle.h"
 
 namespace kerf {
 
@@ -80,7 +81,7 @@ Pose ray_at(const Laser& laser, const BundleRay& ray, const Pose& pose) {
   const Vec3 offset = laser.radius * (ray.offset.x * u + ray.offset.y * w);
   if (!laser.focus) return {pose.origin + offset, pose.direction};
   const double wavelength = laser.wavelength > 0 ? laser.wavelength : kFibreWavelength;
-  const double rayleigh = std::numbers::pi * laser.radius * laser.radius / wavelength;
+  const double rayleigh = kPi * laser.radius * laser.radius / wavelength;
   const Vec3 slope = glm::cross(pose.direction, offset) / rayleigh;
   const Vec3 waist = pose.origin + offset + *laser.focus * pose.direction;
   const Vec3 way = pose.direction + slope;

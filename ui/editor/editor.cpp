@@ -8,7 +8,7 @@
 #include "ui/editor/features.h"
 #include "ui/editor/shell/editor_screen.h"
 #include "ui/game/game.h"
-#include "ui/render/passes/assets.h"
+#include "ui/render/bodies/assets.h"
 #include "ui/screen/frame_loop.h"
 #include "ui/window/open_window.h"
 

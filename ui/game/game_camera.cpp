@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "core/base/angle.h"
 #include "core/base/assert.h"
 #include "core/base/unit_vector.h"
 
@@ -62,7 +62,7 @@ CameraView GameCamera::view(double aspect, double field_of_view) const {
   KERF_ASSERT(aspect > 0 && field_of_view > 0 && field_of_view < 180);
   const Vec3 jolt(0.6 * std::sin(1.7 * phase_), std::sin(phase_), 0);
   CameraView view = look_at(eye_ + jolt * (kShakeSize * shake_), target_, aspect);
-  view.tan_half_fov = std::tan(0.5 * field_of_view * std::numbers::pi / 180);
+  view.tan_half_fov = std::tan(0.5 * field_of_view * kPi / 180);
   return view;
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/base/angle.h"
 #include "core/base/assert.h"
@@ -98,7 +97,7 @@ void ReplayCamera::follow(const Match& match, double seconds) {
 CameraView ReplayCamera::view(double aspect, double field_of_view) const {
   const Vec3 right = look_at(eye_, middle_, aspect).right;
   CameraView view = look_at(eye_, middle_ - right * (aside_ * glm::length(middle_ - eye_)), aspect);
-  view.tan_half_fov = std::tan(0.5 * field_of_view * std::numbers::pi / 180);
+  view.tan_half_fov = std::tan(0.5 * field_of_view * kPi / 180);
   return view;
 }
 

@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
+#include "core/base/angle.h"
 #include "core/base/random.h"
 
 namespace kerf {
 
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kTurn = 2 * kPi;
 
 size_t samples_of(double seconds) { return static_cast<size_t>(seconds * kSampleRate); }
 double time_of(size_t sample) { return static_cast<double>(sample) / kSampleRate; }
@@ -26,7 +26,7 @@ Wave noise(size_t samples, uint64_t seed) {
 // A two-pole band-pass around a frequency (Hz) of a width (Hz). A loop is filtered twice in a row, so that
 // its end leads to its beginning.
 Wave band(const Wave& in, double frequency, double width, bool loop) {
-  const double r = std::exp(-std::numbers::pi * width / kSampleRate);
+  const double r = std::exp(-kPi * width / kSampleRate);
   const double a1 = 2 * r * std::cos(kTurn * frequency / kSampleRate), a2 = -r * r, gain = (1 - r * r) * 0.5;
   Wave out(in.size());
   double y1 = 0, y2 = 0, x2 = 0, x1 = 0;

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <iterator>
-#include <numbers>
 
+#include "core/base/angle.h"
 #include "core/mesh/point_to_triangle.h"
 
 namespace kerf {
@@ -80,7 +80,7 @@ Result<Joint> make_joint(const SceneJoint& joint, BodyId id, const Body& body) {
   made.axis = glm::normalize(joint.axis / std::max({size.x, size.y, size.z}));
   if (!search.is_near_mesh(joint.anchor)) return search.wrong("its anchor is far away from the mesh");
   if (joint.limits) {
-    const double radians = std::numbers::pi / 180;
+    const double radians = kPi / 180;
     made.limits = Interval{radians * joint.limits->low, radians * joint.limits->high};
   }
   for (size_t i = 0; i < 2; ++i) {

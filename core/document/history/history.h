@@ -38,6 +38,10 @@ class History {
   size_t base_of(size_t step) const;
   // The last step before the position that is a stroke or a recut.
   std::optional<size_t> last_cut() const;
+  // The settings of the last stroke before the position, with which it was cut last, and its commands so far.
+  // Precondition: last_cut().
+  const CutSettings& last_settings() const { return settings_of(*last_cut()); }
+  const std::vector<Command>& last_stroke() const { return step(base_of(*last_cut())).commands(); }
   // The settings with which a step cuts. Precondition: cuts(step).
   const CutSettings& settings_of(size_t step) const;
   // The commands that reproduce the effect of a step. For a recut these are the commands of the stroke with

@@ -12,22 +12,27 @@ namespace kerf {
 
 namespace {
 
-// The kind of the step that a command begins.
-struct KindOfStep {
+// See begun_by().
+struct BegunStep {
   using Kind = HistoryStep::Kind;
-  Kind operator()(const BeginStroke&) const { return Kind::kStroke; }
-  Kind operator()(const Recut&) const { return Kind::kRecut; }
-  Kind operator()(const HappensInTime auto&) const { return Kind::kTime; }
-  Kind operator()(const Play&) const { return Kind::kTime; }
-  Kind operator()(const HappensAtOnce auto&) const { return Kind::kEdit; }
-  Kind operator()(const MoveStroke&) const { return none(); }
-  Kind operator()(const EndStroke&) const { return none(); }
-  Kind operator()(const StopStroke&) const { return none(); }
-  Kind operator()(const Undo&) const { return none(); }
-  Kind operator()(const Redo&) const { return none(); }
-  static Kind none() {
-    KERF_ASSERT(!"a step begins with this command");
-    return Kind::kEdit;
+  std::optional<Kind> last;
+
+  std::optional<Kind> operator()(const BeginStroke&) const { return Kind::kStroke; }
+  std::optional<Kind> operator()(const Recut&) const { return Kind::kRecut; }
+  std::optional<Kind> operator()(const Play&) const { return Kind::kTime; }
+  std::optional<Kind> operator()(const HappensAtOnce auto&) const { return Kind::kEdit; }
+  // Bodies move in steps that are begun for it, or in those of strokes (see Document).
+  std::optional<Kind> operator()(const Advance& c) const { return time(c.joins && !c.bodies); }
+  std::optional<Kind> operator()(const HappensInTime auto&) const { return time(false); }
+  std::optional<Kind> operator()(const MoveStroke&) const { return std::nullopt; }
+  std::optional<Kind> operator()(const EndStroke&) const { return std::nullopt; }
+  std::optional<Kind> operator()(const StopStroke&) const { return std::nullopt; }
+  std::optional<Kind> operator()(const Undo&) const { return std::nullopt; }
+  std::optional<Kind> operator()(const Redo&) const { return std::nullopt; }
+
+  std::optional<Kind> time(bool joins_edit) const {
+    const bool goes_on = last && (*last != Kind::kEdit || joins_edit);
+    return goes_on ? std::nullopt : std::optional(Kind::kTime);
   }
 };
 
@@ -60,7 +65,12 @@ bool is_live(const Mesh& mesh, FaceId f) { return f.index < mesh.face_slots() &&
 
 }  // namespace
 
-HistoryStep::HistoryStep(const Command& first) : kind_(std::visit(KindOfStep{}, first)) { add(first); }
+HistoryStep::HistoryStep(const Command& first) {
+  const std::optional<Kind> kind = begun_by(first, std::nullopt);
+  KERF_ASSERT(kind);
+  kind_ = kind.value_or(Kind::kEdit);
+  add(first);
+}
 
 void HistoryStep::add(const Command& command) {
   if (const auto* advance = std::get_if<Advance>(&command)) {
@@ -273,11 +283,8 @@ Delta HistoryStep::delta(const World& world, bool back, const Mark* since) const
   return all;
 }
 
-// Bodies move in steps that are begun for it (see Document::begin), or in those of strokes.
-bool belongs_to(HistoryStep::Kind last, const Command& in_time) {
-  if (last != HistoryStep::Kind::kEdit) return true;
-  const auto* time = std::get_if<Advance>(&in_time);
-  return time != nullptr && time->joins && !time->bodies;
+std::optional<HistoryStep::Kind> begun_by(const Command& command, std::optional<HistoryStep::Kind> last) {
+  return std::visit(BegunStep{last}, command);
 }
 
 }  // namespace kerf

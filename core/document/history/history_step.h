@@ -131,7 +131,7 @@ class HistoryStep {
   void follow_bodies(const Delta& delta);
   void keep_cut_faces(const BodyDelta& delta);
 
-  Kind kind_;
+  Kind kind_ = Kind::kEdit;
   State state_ = State::kWaiting;
   Images images_ = Images::kNone;
   std::vector<Command> commands_;
@@ -147,8 +147,8 @@ class HistoryStep {
   std::map<PieceId, uint32_t> came_off_;
 };
 
-// Whether a command that happens in time belongs to a step of this kind that is the last one. Otherwise it
-// begins a step.
-bool belongs_to(HistoryStep::Kind last, const Command& in_time);
+// The kind of the step of the history that a command begins where the step before it is of the kind `last`,
+// or where there is none. Nothing for a command that goes on with that step, and for Undo and Redo.
+std::optional<HistoryStep::Kind> begun_by(const Command& command, std::optional<HistoryStep::Kind> last);
 
 }  // namespace kerf

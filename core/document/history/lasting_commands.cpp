@@ -9,20 +9,20 @@ namespace {
 // The steps of a history (see HistoryStep), each with the numbers of its commands.
 class Timeline {
  public:
-  void take(size_t command, const Command& c) {
-    std::visit(Overloaded{
-                   [&](const BeginStroke&) { begin(Kind::kStroke, command); },
-                   [&](const MoveStroke&) { append(command); },
-                   [&](const EndStroke&) { append(command); },
-                   [&](const StopStroke&) { append(command); },
-                   [&](const Recut&) { begin(Kind::kRecut, command); },
-                   [&](const HappensInTime auto&) { pass_time(command, c); },
-                   [&](const Play&) { begin(Kind::kTime, command); },
-                   [&](const HappensAtOnce auto&) { begin(Kind::kEdit, command); },
-                   [&](const Undo&) { position_ -= position_ > 0; },
-                   [&](const Redo&) { position_ += position_ < steps_.size(); },
-               },
-               c);
+  void take(size_t number, const Command& command) {
+    if (std::holds_alternative<Undo>(command)) {
+      position_ -= position_ > 0;
+    } else if (std::holds_alternative<Redo>(command)) {
+      position_ += position_ < steps_.size();
+    } else if (const auto kind = begun_by(command, last())) {
+      steps_.resize(position_, Step{});
+      steps_.push_back({*kind, {number}});
+      ++position_;
+    } else if (position_ > 0) {
+      const bool is_time = begun_by(command, std::nullopt).has_value();
+      if (is_time) steps_.resize(position_, Step{});
+      steps_[position_ - 1].commands.push_back(number);
+    }
   }
 
   void mark(std::vector<bool>& lasting) const {
@@ -39,18 +39,8 @@ class Timeline {
     std::vector<size_t> commands;
   };
 
-  void begin(Kind kind, size_t command) {
-    steps_.resize(position_, Step{});
-    steps_.push_back({kind, {command}});
-    ++position_;
-  }
-  void append(size_t command) {
-    if (position_ > 0) steps_[position_ - 1].commands.push_back(command);
-  }
-  void pass_time(size_t command, const Command& c) {
-    if (position_ == 0 || !belongs_to(steps_[position_ - 1].kind, c)) return begin(Kind::kTime, command);
-    steps_.resize(position_, Step{});
-    append(command);
+  std::optional<Kind> last() const {
+    return position_ > 0 ? std::optional(steps_[position_ - 1].kind) : std::nullopt;
   }
 
   std::vector<Step> steps_;

@@ -65,22 +65,22 @@ Delta joined(std::vector<Delta> changes) {
 // Of the stage that comes next, before it is executed.
 StageRecord SingleStep::describe() const {
   StageRecord record;
-  if (document_.next_searches()) {
+  if (document_.execution().next_searches()) {
     record.kind = StageKind::kSeparate;
     return record;
   }
-  record.move = document_.next_move();
+  record.move = document_.execution().next_move();
   if (!record.move) {
-    record.kind = document_.next_closes_rim() ? StageKind::kCloseRim : StageKind::kTime;
+    record.kind = document_.execution().next_closes_rim() ? StageKind::kCloseRim : StageKind::kTime;
     return record;
   }
-  const UnfinishedMove& unfinished = document_.unfinished_move();
+  const UnfinishedMove& unfinished = document_.execution().unfinished_move();
   record.kind = kind_of(unfinished.stage);
   const std::vector<BodyId> bodies = cuttable(document_.world());
   if (unfinished.bodies >= bodies.size()) return record;
   record.body = bodies[unfinished.bodies];
   const Placement& placement = document_.world().body(record.body).placement;
-  record.beam = sweep_beam(document_.next_settings().laser,
+  record.beam = sweep_beam(document_.execution().next_settings().laser,
                            {placement.to_body(record.move->from), placement.to_body(record.move->to)});
   return record;
 }
@@ -90,9 +90,9 @@ Result<StepResult> SingleStep::execute(StageKind kind, const Progress* progress)
   constexpr size_t kMostParts = 64;
   Result<StepResult> all = document_.step_stage(progress);
   const auto goes_on = [&] {
-    if (kind == StageKind::kCloseRim) return document_.rim_is_unfinished();
+    if (kind == StageKind::kCloseRim) return document_.execution().rim_is_unfinished();
     return (kind == StageKind::kRefine || kind == StageKind::kRemove) && all->moves == 0 &&
-           kind_of(document_.unfinished_move().stage) == kind;
+           kind_of(document_.execution().unfinished_move().stage) == kind;
   };
   for (size_t parts = 1; all && parts < kMostParts && goes_on(); ++parts) {
     Result<StepResult> part = document_.step_stage(progress);
@@ -119,7 +119,7 @@ Result<StageRecord> SingleStep::next(const Progress* progress) {
   }
   ++stages_;
   record.done = std::move(*done);
-  const UnfinishedMove& after = document_.unfinished_move();
+  const UnfinishedMove& after = document_.execution().unfinished_move();
   if (record.kind == StageKind::kHit || record.kind == StageKind::kHitAgain) record.hit = after.hit;
   if (record.kind == StageKind::kRefine) record.left = after.to_split.size();
   if (record.kind == StageKind::kRemove) record.left = after.hit.size() - after.removed;
@@ -132,7 +132,7 @@ void SingleStep::note_work(const StageRecord& record) {
   constexpr size_t kOfStage = 50;  // faces that cost as much as a stage alone
   const StepFigures& figures = record.done.figures;
   work_ += figures.faces_made + record.done.delta.removed_faces + kOfStage;
-  const bool after_rim = record.kind == StageKind::kCloseRim && !document_.rim_is_unfinished();
+  const bool after_rim = record.kind == StageKind::kCloseRim && !document_.execution().rim_is_unfinished();
   const bool between_moves = record.done.moves > 0 && !swept_;
   if (document_.waiting() == 0 || !(after_rim || (between_moves && work_ >= work_between_marks_))) return;
   std::optional<Document::Mark> mark = document_.mark();

@@ -42,7 +42,7 @@ bool mark_state(Document& document, std::vector<StateMark>& marks, bool always) 
   const size_t commands = document.journal().size();
   const size_t last = marks.empty() ? 0 : marks.back().commands;
   const bool marked = !marks.empty() && last == commands;
-  if (document.in_stroke() || document.waiting() > 0 || marked) return false;
+  if (document.execution().in_stroke() || document.waiting() > 0 || marked) return false;
   if (!always && commands < last + kCommandsBetweenMarks) return false;
   document.seal_journal();
   const World& world = document.world();

@@ -41,7 +41,7 @@ std::optional<size_t> last_mark(const Journal& journal, size_t first, size_t end
   std::optional<size_t> last;
   for (size_t i = 0; i < journal.marks.size() && journal.marks[i].commands <= end; ++i) {
     const StateMark& mark = journal.marks[i];
-    const bool whole_minute = mark.clock > 0 && mark.clock % Document::kTicksToForget == 0;
+    const bool whole_minute = mark.clock > 0 && mark.clock % Execution::kTicksToForget == 0;
     if (mark.commands > first && !mark.bodies.empty() && (mark.commands == end || whole_minute)) last = i;
   }
   return last;

@@ -16,7 +16,7 @@ struct TimeSkip {
 
 // The runs of at least `least` ticks that can be skipped, in their order. A run begins with Play, or where
 // the stroke before it ends, and ends at the last mark in it from which bodies go on to the bit: where the
-// step of the history is over, or at a full minute (see Document::kTicksToForget).
+// step of the history is over, or at a full minute (see Execution::kTicksToForget).
 std::vector<TimeSkip> time_skips(const Journal& journal, Ticks least);
 
 }  // namespace kerf

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
+#include "core/base/angle.h"
 #include "core/base/unit_vector.h"
 #include "core/document/text/json_text.h"
 #include "core/document/text/json_value.h"
@@ -16,7 +16,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double kFarthest = 1e5;  // m
-constexpr double kRadians = std::numbers::pi / 180, kDegrees = 180 / std::numbers::pi;
+constexpr double kRadians = kPi / 180, kDegrees = 180 / kPi;
 
 std::string number_text(double x) {
   char text[32];

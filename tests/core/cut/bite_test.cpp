@@ -69,7 +69,7 @@ Walked walk_with_bite(const std::vector<Drawn>& strokes, size_t bite, uint64_t s
     const auto result = document.step(1 + random.below(6));
     EXPECT_TRUE(result.ok());
     ++walked.steps;
-    walked.left_half_way += document.next_move().has_value() && result->moves == 0;
+    walked.left_half_way += document.execution().next_move().has_value() && result->moves == 0;
   };
   for (Drawn stroke : strokes) {
     stroke.settings.bite = bite;
@@ -215,11 +215,11 @@ TEST(Bite, a_move_that_is_left_half_way_waits) {
     ASSERT_TRUE(result.ok());
     EXPECT_EQ(result->moves, 0u);
     EXPECT_EQ(document.waiting(), 1u);
-    EXPECT_TRUE(document.next_move().has_value());
+    EXPECT_TRUE(document.execution().next_move().has_value());
   }
   ASSERT_TRUE(walk_all(document).ok());
   EXPECT_EQ(document.waiting(), 0u);
-  EXPECT_FALSE(document.next_move().has_value());
+  EXPECT_FALSE(document.execution().next_move().has_value());
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ double draw(Document& document, const RandomStroke& stroke, const CutSettings& s
 void expect_balanced(const Document& document, double loaded, const char* when) {
   SCOPED_TRACE(when);
   const double left = area_of_world(document.world());
-  EXPECT_NEAR(document.removed_area() + left, loaded, kShare * loaded);
+  EXPECT_NEAR(document.history().removed_area() + left, loaded, kShare * loaded);
   EXPECT_NEAR(counted_area(document.world()), left, kShare * loaded);
 }
 
@@ -64,10 +64,10 @@ void expect_area_balanced(const Soup& soup, Random& random, Rim rim, Scheme sche
     const double in_stroke = draw(document, stroke, settings_of(stroke, rim, scheme));
     EXPECT_NEAR(document.history().last().removed_area(), in_stroke, kShare * loaded);
     removed += in_stroke;
-    EXPECT_NEAR(document.removed_area(), removed, kShare * loaded);
+    EXPECT_NEAR(document.history().removed_area(), removed, kShare * loaded);
     expect_balanced(document, loaded, "after a stroke");
   }
-  Recut finer{document.stroke_settings()};
+  Recut finer{document.history().last_settings()};
   finer.settings.resolution.target_edge *= 0.6;
   ASSERT_TRUE(document.apply(finer).ok());
   ASSERT_TRUE(walk_all(document).ok());
@@ -76,7 +76,7 @@ void expect_area_balanced(const Soup& soup, Random& random, Rim rim, Scheme sche
     ASSERT_TRUE(document.apply(Undo{}).ok());
     expect_balanced(document, loaded, when);
   }
-  EXPECT_EQ(document.removed_area(), 0);
+  EXPECT_EQ(document.history().removed_area(), 0);
   for (int i = 0; i < 3; ++i) {
     ASSERT_TRUE(document.apply(Redo{}).ok());
     expect_balanced(document, loaded, "after a redo");

@@ -42,8 +42,8 @@ TEST(RunWhole, cuts_what_the_strokes_cut_one_after_the_other) {
     drawn.apply(command);
     ASSERT_TRUE(walk_all(drawn).ok());
   }
-  EXPECT_EQ(whole.strokes(), 3u);
-  EXPECT_GT(whole.removed_faces(), 100u);
+  EXPECT_EQ(whole.history().strokes(), 3u);
+  EXPECT_GT(whole.history().removed_faces(), 100u);
   expect_same_world(whole.world(), drawn.world());
   EXPECT_EQ(state_hash(whole.world()), state_hash(drawn.world()));
   EXPECT_EQ(lines_of(whole), lines_of(drawn));

@@ -106,7 +106,7 @@ TEST(Soak, random_strokes_on_the_car_while_it_falls_apart_leave_a_sound_world) {
     draw_at_random(document, random);
     ASSERT_TRUE(walk_all(document).ok());
     for (const BodyId id : document.world().ids()) expect_sound_body(document.world().body(id), ground);
-    EXPECT_NEAR(area_of(document.world()) + document.removed_area(), area, 1e-6 * area);
+    EXPECT_NEAR(area_of(document.world()) + document.history().removed_area(), area, 1e-6 * area);
     if (HasFailure()) return;
   }
   EXPECT_GT(document.world().ids().size(), 20u);

@@ -57,7 +57,8 @@ void GraphFeature::follow_queue(double seconds) {
   if (!panel && !view.look.show.graph) return graph_.play(false);
   graph_.follow(document, on_.holds_back());
   graph_.advance(std::min(seconds, Workspace::kLongestStep));
-  if (graph_.is_asked_for() && !on_.changes.is_pending() && !document.in_stroke() && document.waiting() == 0)
+  if (graph_.is_asked_for() && !on_.changes.is_pending() && !document.execution().in_stroke() &&
+      document.waiting() == 0)
     on_.changes.begin(graph_reading(graph_));
   if (view.look.graph == graph_.drawn()) return;
   view.look.graph = graph_.drawn();

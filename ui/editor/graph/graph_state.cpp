@@ -74,7 +74,8 @@ void GraphState::pass_over_time(const Document& document) {
 bool GraphState::follow(const Document& document, bool in_single_steps) {
   pass_over_time(document);
   if (!is_old(document)) return false;
-  const bool cuts = document.in_stroke() || document.beam_waits() || document.next_searches();
+  const bool cuts = document.execution().in_stroke() || document.execution().beam_waits() ||
+                    document.execution().next_searches();
   const bool cutting = key_.known && cuts;
   if (cutting && !in_single_steps) return false;
   if (cutting && document.world().live_faces() > kMostAtStages) return false;

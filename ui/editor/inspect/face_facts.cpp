@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/base/angle.h"
 #include "core/base/assert.h"
 #include "ui/editor/shared/file_frames.h"
 #include "ui/window/number_text.h"
@@ -12,7 +13,7 @@ namespace {
 
 double degrees_between(const Vec3& a, const Vec3& b) {
   const double sine = glm::length(glm::cross(a, b)), cosine = glm::dot(a, b);
-  return sine == 0 && cosine == 0 ? 0 : std::atan2(sine, cosine) * 180 / 3.14159265358979323846;
+  return sine == 0 && cosine == 0 ? 0 : std::atan2(sine, cosine) * 180 / kPi;
 }
 
 template <typename Text>

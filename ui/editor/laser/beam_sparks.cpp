@@ -15,7 +15,7 @@ constexpr double kBiteSeconds = 0.2;  // after faces were removed
 }  // namespace
 
 bool BeamSparks::bites(double seconds, const Document& document) {
-  const size_t before = std::exchange(removed_, document.removed_faces());
+  const size_t before = std::exchange(removed_, document.history().removed_faces());
   biting_ = removed_ > before ? kBiteSeconds : biting_ - seconds;
   return biting_ > 0;
 }

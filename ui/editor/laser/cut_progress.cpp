@@ -12,8 +12,8 @@ constexpr double kUnseen = 0.3;  // s, of work that is not told of
 
 CutProgress::Work CutProgress::work_of(const Document& document) {
   if (document.waiting() == 0) return Work::kNone;
-  if (document.beam_waits()) return document.moves_wait() ? Work::kCut : Work::kEnd;
-  return document.next_searches() ? Work::kSearch : Work::kNone;
+  if (document.execution().beam_waits()) return document.execution().moves_wait() ? Work::kCut : Work::kEnd;
+  return document.execution().next_searches() ? Work::kSearch : Work::kNone;
 }
 
 void CutProgress::follow(const Document& document, bool held_back, double seconds) {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/base/angle.h"
 #include "core/document/history/stop_strokes.h"
 #include "core/mesh/files/file_frame.h"
 #include "ui/editor/laser/beam_sparks.h"
@@ -104,14 +105,14 @@ class DrawnStroke : public Interaction {
 };
 
 const char* why_no_recut(const Document& document) {
-  if (!document.has_stroke()) return "Nothing is cut yet.";
-  if (document.in_stroke()) return "A stroke is being cut.";
+  if (!document.history().last_cut()) return "Nothing is cut yet.";
+  if (document.execution().in_stroke()) return "A stroke is being cut.";
   return document.can_recut() ? nullptr : "What was before the last stroke is no longer remembered.";
 }
 
 std::string smallest_angle_text(double largest_cosine) {
   if (largest_cosine < 0) return "no face is left of them";
-  return text_of("%.1f degrees", std::acos(largest_cosine) * 180 / 3.14159265358979);
+  return text_of("%.1f degrees", std::acos(largest_cosine) * 180 / kPi);
 }
 
 void stroke_rows(const std::optional<ShownFigures::Stroke>& stroke, FileUnit unit) {
@@ -341,7 +342,7 @@ void LaserFeature::ask_for_recut(bool radius) {
 void LaserFeature::recut(bool radius) {
   const Document& document = on_.work.document;
   if (why_no_recut(document) != nullptr) return;
-  CutSettings settings = document.stroke_settings();
+  CutSettings settings = document.history().last_settings();
   if (radius) settings.laser.radius = on_.laser.radius;
   settings.resolution = on_.laser.resolution.of(settings.laser.radius);
   std::vector<Command> commands;

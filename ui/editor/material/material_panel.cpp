@@ -7,7 +7,7 @@
 
 #include "core/document/text/sheet_fields.h"
 #include "ui/editor/shared/piece_set.h"
-#include "ui/render/passes/assets.h"
+#include "ui/render/bodies/assets.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/property.h"
 

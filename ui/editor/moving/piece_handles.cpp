@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/base/angle.h"
 #include "core/base/assert.h"
 #include "ui/editor/moving/moving.h"
 #include "ui/editor/shared/piece_set.h"
@@ -46,7 +47,7 @@ PieceHandle ring(const HandleStage& stage, PieceMove::Axis axis) {
   const double middle = std::atan2(glm::dot(v, towards), glm::dot(u, towards));
   PieceHandle handle{PieceMove::Kind::kTurn, axis, {}};
   for (size_t k = 0; k <= kRingPoints; ++k) {
-    const double angle = middle + 3.14159265358979 * (static_cast<double>(k) / kRingPoints - 0.5);
+    const double angle = middle + kPi * (static_cast<double>(k) / kRingPoints - 0.5);
     handle.line.push_back(stage.place_of(stage.pivot + u * std::cos(angle) + v * std::sin(angle)));
   }
   return handle;

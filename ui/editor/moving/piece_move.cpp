@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "core/base/angle.h"
 #include "core/base/assert.h"
 #include "ui/editor/shared/along_axis.h"
 
@@ -14,7 +15,7 @@ namespace kerf {
 
 namespace {
 
-constexpr double kTurn = 2 * 3.14159265358979323846, kDegree = kTurn / 360;
+constexpr double kTurn = 2 * kPi, kDegree = kTurn / 360;
 constexpr size_t kMostTyped = 18;
 
 // Where a ray meets the plane through `at` that is parallel to the picture.

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/base/angle.h"
 #include "ui/editor/moving/moving.h"
 #include "ui/editor/shared/piece_set.h"
 #include "ui/window/property.h"
@@ -10,7 +11,7 @@ namespace kerf {
 
 namespace {
 
-constexpr double kRadiansOfDegree = 3.14159265358979323846 / 180;
+constexpr double kRadiansOfDegree = kPi / 180;
 
 // Angles are shown without the rounding of sines and cosines, and without a sign at zero.
 double tidy(double degrees) { return std::round(degrees * 1e9) / 1e9 + 0.0; }

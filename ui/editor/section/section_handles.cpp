@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/angle.h"
 #include "core/base/assert.h"
 #include "ui/window/imgui_vector.h"
 #include "ui/window/theme.h"
@@ -17,7 +18,6 @@ constexpr double kNormalEms = 6.5, kTiltEms = 4.4;  // length and radius
 constexpr double kReachOfHandle = 7;                // screen coordinates around a handle that belong to it
 constexpr size_t kTiltPoints = 48;
 constexpr double kMargin = 1.06;  // of the frame around the world
-constexpr double kHalfTurn = 3.14159265358979323846;
 constexpr ImU32 kColour = IM_COL32(0xbc, 0xdd, 0xff, 255), kFaint = IM_COL32(0xbc, 0xdd, 0xff, 90);
 constexpr ImU32 kDark = IM_COL32(10, 12, 16, 150);
 
@@ -44,7 +44,7 @@ std::vector<Vec3> ring_of(const SectionPlane& plane, const Vec3& axis, const Vec
   const double middle = std::atan2(glm::dot(v, towards), glm::dot(u, towards));
   std::vector<Vec3> points;
   for (size_t k = 0; k <= kTiltPoints; ++k) {
-    const double angle = middle + kHalfTurn * (static_cast<double>(k) / kTiltPoints - 0.5);
+    const double angle = middle + kPi * (static_cast<double>(k) / kTiltPoints - 0.5);
     points.push_back(plane.point + u * std::cos(angle) + v * std::sin(angle));
   }
   return points;

@@ -71,7 +71,7 @@ void LaserTool::press(Document& document, const CameraView& view, Vec2 pointer, 
 void LaserTool::begin(const Document& document, const CutSettings& settings, double heard) {
   settings_ = settings;
   set_up(settings);
-  if (!document.beam_waits()) {
+  if (!document.execution().beam_waits()) {
     beam_ = pose_;
     strike_.reset();
   }
@@ -136,7 +136,7 @@ void LaserTool::find_strike(const Document& document) {
 }
 
 std::optional<BeamPicture> LaserTool::picture(const Document& document) const {
-  if (!cutting_ && !document.beam_waits()) return std::nullopt;
+  if (!cutting_ && !document.execution().beam_waits()) return std::nullopt;
   BeamPicture beam{beam_.origin, beam_.origin + beam_.direction * std::min(reach_, 20 * emitter_),
                    std::nullopt, radius_};
   if (strike_) beam.strike = beam_.origin + beam_.direction * *strike_;

@@ -19,7 +19,7 @@ bool is_quick(const Document& document, const Command& command) {
           [](const BeginStroke&) { return true; },
           [](const MoveStroke&) { return true; },
           [](const EndStroke&) { return true; },
-          [&](const StopStroke&) { return document.stop_here().has_value(); },
+          [&](const StopStroke&) { return document.execution().stop_here().has_value(); },
           [](const Recut&) { return true; },
           [](const HappensInTime auto&) { return true; },
           [](const Play&) { return true; },
@@ -32,7 +32,7 @@ bool is_quick(const Document& document, const Command& command) {
 }
 
 const char* why_beside(const Document& document) {
-  return document.next_makes_ready() > kManyFaces ? "Making bodies of the pieces" : nullptr;
+  return document.execution().next_makes_ready() > kManyFaces ? "Making bodies of the pieces" : nullptr;
 }
 
 }  // namespace kerf

@@ -84,7 +84,7 @@ struct Workspace {
   // The place of the pointer if it is over the picture, else one that no handle is near.
   Vec2 pointer_over_picture() const { return over_picture ? pointer : Vec2(-1); }
   // Whether a stroke is drawn by hand, or still being cut.
-  bool cutting() const { return (held && held->cuts()) || work.document.beam_waits(); }
+  bool cutting() const { return (held && held->cuts()) || work.document.execution().beam_waits(); }
   // The sentence why time cannot pass at the moment, or null.
   const char* why_time_stands_still() const;
 };

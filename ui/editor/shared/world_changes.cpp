@@ -197,7 +197,8 @@ void WorldChanges::cut() {
   const Document& document = on_.work.document;
   if (!can_cut() || pending_) return;
   const double began = on_.clock->seconds();
-  const bool cools = document.only_cools(), beam = on_.beam.cutting() || document.beam_waits();
+  const bool cools = document.execution().only_cools(),
+             beam = on_.beam.cutting() || document.execution().beam_waits();
   while (can_cut() && on_.clock->seconds() < on_.cut_until) {
     if (!step([](Document& d) { return d.step(kMovesOfStep); })) break;
   }
@@ -279,7 +280,7 @@ void WorldChanges::show_outcome(const Outcome& outcome, PreparedBodies prepared,
 }
 
 void WorldChanges::tell_done() {
-  if (said_later_.empty() || on_.work.document.beam_waits()) return;
+  if (said_later_.empty() || on_.work.document.execution().beam_waits()) return;
   on_.message.say(std::exchange(said_later_, ""));
 }
 

@@ -71,7 +71,7 @@ nlohmann::ordered_json last_stroke_of(const Document& document) {
   const auto last = document.history().last_cut();
   if (!last) return nullptr;
   const HistoryStep& step = document.history().step(*last);
-  return {{"radius", document.stroke_settings().laser.radius},
+  return {{"radius", document.history().last_settings().laser.radius},
           {"faces_made", step.figures().faces_made},
           {"faces_removed", step.removed_faces()},
           {"removed_area", step.removed_area()}};
@@ -89,12 +89,12 @@ nlohmann::ordered_json session_report(const Workspace& on) {
       {"while_cutting", times_of_cutting(figures)},
       {"process_bytes", process_bytes()},
       {"memory_bytes", memory_of(figures.shown.memory)},
-      {"strokes", document.strokes()},
+      {"strokes", document.history().strokes()},
       {"waiting", document.waiting()},
       {"state_hash", hash_text(state_hash(document.world()))},
       {"faces", document.world().live_faces()},
-      {"faces_removed", document.removed_faces()},
-      {"removed_area", document.removed_area()},
+      {"faces_removed", document.history().removed_faces()},
+      {"removed_area", document.history().removed_area()},
       {"last_stroke", last_stroke_of(document)},
       {"pieces", document.world().live_pieces()},
       {"recuts", figures.recuts},

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <set>
 
+#include "core/base/angle.h"
+
 namespace kerf {
 
 namespace {
@@ -12,7 +14,6 @@ using Kind = StageMarks::Kind;
 using OfBody = StageMarks::OfBody;
 
 constexpr int kCornersOfEnd = 12;  // of each half of the outline of the beam's end
-constexpr double kHalfTurn = 3.14159265358979323846;
 constexpr double kBeyond =
     0.12;  // of the size of the body, by which the drawn volume is longer than the body
 
@@ -45,7 +46,7 @@ std::vector<Vec3> section(const SweptCylinder::Slab& slab, double radius) {
   for (const bool back : {false, true}) {
     const double end = back ? slab.motion.low + radius : slab.motion.high - radius;
     for (int i = 0; i <= kCornersOfEnd; ++i) {
-      const double turn = kHalfTurn * (static_cast<double>(i) / kCornersOfEnd - 0.5) + (back ? kHalfTurn : 0);
+      const double turn = kPi * (static_cast<double>(i) / kCornersOfEnd - 0.5) + (back ? kPi : 0);
       corners.push_back(slab.origin + slab.along * (end + radius * std::cos(turn)) +
                         slab.across * (radius * std::sin(turn)));
     }

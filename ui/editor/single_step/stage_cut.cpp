@@ -17,7 +17,7 @@ StageCut::Key StageCut::key_now() const {
 
 bool StageCut::can_go_on() const {
   const Document& document = on_.work.document;
-  return document.waiting() > 0 && document.next_is_of_last_step();
+  return document.waiting() > 0 && document.execution().next_is_of_last_step();
 }
 
 bool StageCut::holds_back() const { return stages_.wishes.on && from_its_start_ && can_go_on(); }
@@ -107,7 +107,7 @@ void StageCut::go_on() {
 
 void StageCut::drop_fulfilled() {
   StageWishes& wishes = stages_.wishes;
-  const bool over = !can_go_on() && !on_.work.document.in_stroke();
+  const bool over = !can_go_on() && !on_.work.document.execution().in_stroke();
   if (over || (wishes.stage && *wishes.stage <= stages_.log.done())) {
     const bool playing = wishes.playing && !over;
     wishes.stop();
@@ -132,7 +132,7 @@ void StageCut::show() {
   if (last != nullptr && last->move) {
     const World::Bounds bounds = on_.work.document.world().bounds();
     const Pose& pose = last->move->to;
-    on_.beam.take_over(on_.work.document.stroke_settings(),
+    on_.beam.take_over(on_.work.document.history().last_settings(),
                        glm::length(0.5 * (bounds.min + bounds.max) - pose.origin));
     on_.beam.reach(pose);
   }

@@ -18,7 +18,7 @@ void play_or_pause(StageState& stages, const Document& document) {
 }
 
 const char* why_not_again(const Document& document) {
-  if (!document.has_stroke()) return "Nothing is cut yet.";
+  if (!document.history().last_cut()) return "Nothing is cut yet.";
   if (*document.history().last_cut() + 1 != document.history().position())
     return "Something was done after the last stroke: undo that first.";
   return document.can_start_again() ? nullptr : "What was before the last stroke is no longer remembered.";

@@ -142,12 +142,13 @@ void SplitFeature::draw_marks(ImDrawList& list) {
   const Layout& l = on_.view.layout;
   if (!l.split()) return;
   const Document& document = on_.work.document;
-  const bool cut = document.strokes() > 0;
+  const bool cut = document.history().strokes() > 0;
   const double radius = on_.laser.radius;
   const FileUnit unit = on_.view.frame.unit;
   draw_half_label(
       l.first,
-      resolution_text(cut ? document.stroke_settings().resolution : on_.laser.resolution.of(radius), unit),
+      resolution_text(cut ? document.history().last_settings().resolution : on_.laser.resolution.of(radius),
+                      unit),
       grouped(on_.figures.shown.faces) + " faces", list);
   draw_half_label(l.second, resolution_text(cut ? twin_.resolution() : resolution_.of(radius), unit),
                   twin_.there() ? grouped(on_.figures.shown.twin_faces) + " faces"

@@ -8,7 +8,7 @@ namespace {
 
 // The world that the first's last stroke began with, or as it is where nothing was cut; none: too large.
 std::optional<World> world_to_cut(Document& first) {
-  if (first.has_stroke()) return first.before_last_stroke();
+  if (first.history().last_cut()) return first.before_last_stroke();
   if (first.world().live_faces() > Document::kMostFacesToCopy) return std::nullopt;
   return first.world();
 }
@@ -27,20 +27,20 @@ void TwinCut::begin(Document& first, const Resolution& resolution) {
 }
 
 bool TwinCut::follow(Document& first, const ResolutionControls& controls) {
-  if (!first.has_stroke()) {
+  if (!first.history().last_cut()) {
     const bool anew = !begun_ || first.revision() != revision_;
     if (anew) begin(first, controls.of(1));
     return anew;
   }
-  const Resolution resolution = controls.of(first.stroke_settings().laser.radius);
+  const Resolution resolution = controls.of(first.history().last_settings().laser.radius);
   const bool anew = !begun_ || first.revision() != revision_ || resolution != resolution_;
   if (anew) begin(first, resolution);
   if (!there_) return anew;
-  const std::vector<Command>& stroke = first.last_stroke();
+  const std::vector<Command>& stroke = first.history().last_stroke();
   for (; commands_ < stroke.size(); ++commands_) {
     Command command = stroke[commands_];
     if (auto* start = std::get_if<BeginStroke>(&command)) {
-      start->settings = first.stroke_settings();
+      start->settings = first.history().last_settings();
       start->settings.resolution = resolution_;
     }
     // Time stands still in the twin.

@@ -99,7 +99,7 @@ void BodiesPanel::draw(Workspace& on, PlayState& play) {
   draw_pin(on);
   for (const SwitchId id : {SwitchId::kContacts, SwitchId::kColliders, SwitchId::kCentres, SwitchId::kJoints})
     draw_switch(on.view, id);
-  draw_figures(on.work.document.physics().figures());
+  draw_figures(on.work.document.execution().physics().figures());
 }
 
 }  // namespace kerf

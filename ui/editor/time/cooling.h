@@ -22,7 +22,7 @@ class Cooling {
   // Whether a frame is due although nothing else moves.
   bool moving() const;
   // Whether only ticks wait that change nothing in the picture.
-  bool passes_unseen() const { return unseen_ && !on_.work.document.beam_waits(); }
+  bool passes_unseen() const { return unseen_ && !on_.work.document.execution().beam_waits(); }
   // Whether something hot cools down as time passes. How long that is seen, the renderer tells.
   bool flows() const;
 

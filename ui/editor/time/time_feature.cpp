@@ -101,7 +101,8 @@ void TimeFeature::follow_queue(double seconds) {
   on_.figures.shown.time = play_.playing ? std::string("playing ") + play_.speed().name : "";
   // The picture is old wherever contacts may have changed.
   if (on_.changes.is_pending() || !on_.view.picture_old) return;
-  on_.view.look.bodies = gather_body_marks(on_.world(), on_.work.document.physics(), on_.view.look.show);
+  on_.view.look.bodies =
+      gather_body_marks(on_.world(), on_.work.document.execution().physics(), on_.view.look.show);
 }
 
 nlohmann::ordered_json heat_of(const World& world) {

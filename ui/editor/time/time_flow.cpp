@@ -57,12 +57,12 @@ bool TimeFlow::begin() {
   stand_together(on_);
   const Surroundings fitting = fitting_surroundings(document.world(), on_.view.frame);
   if (fitting != document.world().surroundings()) {
-    if (document.in_stroke()) return false;
+    if (document.execution().in_stroke()) return false;
     before_ground_ = document.history().position();
     on_.changes.apply(SetSurroundings{fitting});
     return false;
   }
-  if (!document.in_stroke()) document.apply(Play{});
+  if (!document.execution().in_stroke()) document.apply(Play{});
   position_ = document.history().position();
   // The user has done nothing in between: one undo takes the ground away, too.
   if (before_ground_ && position_ == *before_ground_ + 2)
@@ -82,9 +82,9 @@ void TimeFlow::queue_spring() {
 // Up to a full minute at most.
 void TimeFlow::queue_ticks(Ticks ticks) {
   OpenWork& work = on_.work;
-  const Ticks of_minute = work.document.world().clock() % Document::kTicksToForget;
+  const Ticks of_minute = work.document.world().clock() % Execution::kTicksToForget;
   if (of_minute == 0) mark_state(work.document, work.marks, true);
-  ticks = std::min(ticks, Document::kTicksToForget - of_minute);
+  ticks = std::min(ticks, Execution::kTicksToForget - of_minute);
   due_ -= std::min(due_, static_cast<double>(ticks));
   queue_spring();
   work.document.apply(Advance{ticks, true});

@@ -57,7 +57,7 @@ TEST(Document, recuts_the_last_stroke_as_if_it_had_been_drawn_so) {
   draw(drawn, 0.02, 0.1);
   draw(drawn, 0.015, -0.1);
   EXPECT_EQ(state_hash(recut.world()), state_hash(drawn.world()));
-  EXPECT_EQ(recut.strokes(), 2u);
+  EXPECT_EQ(recut.history().strokes(), 2u);
 }
 
 TEST(Document, the_same_pieces_come_off_however_moves_are_dealt_out_to_steps) {
@@ -207,7 +207,7 @@ TEST(Document, a_command_that_fails_tells_what_the_strokes_before_it_changed) {
     const size_t before = document.world().live_faces();
     const Outcome outcome = document.apply(MovePiece{{{7, 0}, 1}, {}});
     ASSERT_FALSE(outcome.ok());
-    EXPECT_FALSE(document.in_stroke());
+    EXPECT_FALSE(document.execution().in_stroke());
     EXPECT_GT(document.world().live_faces(), before + 50);
     EXPECT_FALSE(outcome.delta.empty());
     follow(known, document.world(), outcome.delta);

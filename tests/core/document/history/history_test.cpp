@@ -171,7 +171,7 @@ void act(Document& document, Model& model, Random& random) {
         ASSERT_TRUE(document.step(random.below(8)).ok());
       }
     }
-    const auto here = document.stop_here();
+    const auto here = document.execution().stop_here();
     if (here && random.below(3) == 0) {
       ASSERT_TRUE(document.apply(*here).ok());
       stroke.emplace_back(*here);
@@ -284,7 +284,7 @@ TEST(History, a_stroke_that_is_stopped_is_taken_back) {
     EXPECT_GE(asked, 20);
     expect_same_world(document.world(), before);
     EXPECT_EQ(document.history().position(), 1u);
-    EXPECT_EQ(document.strokes(), 1u);
+    EXPECT_EQ(document.history().strokes(), 1u);
     // Nothing of it is left half-way for the next one.
     Document fresh(made_world());
     for (const auto* stroke : {&first, &second}) {

@@ -77,7 +77,7 @@ class RandomWalk {
   void walk(size_t most) {
     hashes_.resize(1, state_hash(document_.world()));
     for (size_t turns = 4; single_.stages() < most && document_.waiting() > 0;) {
-      ASSERT_TRUE(document_.next_is_of_last_step());
+      ASSERT_TRUE(document_.execution().next_is_of_last_step());
       ASSERT_TRUE(single_.next().ok());
       expect_known_state();
       if (turns > 0 && random_.below(8) == 0) --turns, go_back();
@@ -135,7 +135,7 @@ void expect_same_after_going_back(const Soup& soup, Random& random) {
     RandomWalk(stepped, random).walk(std::numeric_limits<size_t>::max());
     expect_same_world(stepped.world(), walked.world());
     EXPECT_EQ(state_hash(stepped.world()), state_hash(walked.world()));
-    EXPECT_EQ(stepped.removed_faces(), walked.removed_faces());
+    EXPECT_EQ(stepped.history().removed_faces(), walked.history().removed_faces());
     EXPECT_EQ(stepped.journal().size(), journal);
     EXPECT_EQ(stepped.history().position(), walked.history().position());
   }

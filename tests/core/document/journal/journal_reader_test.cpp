@@ -260,7 +260,7 @@ TEST_F(JournalFile, holds_a_stroke_that_was_cut_again) {
   Document document(world_of(plate(1)));
   for (const Command& command : stroke(0.1)) EXPECT_TRUE(document.apply(command).ok());
   ASSERT_TRUE(walk_all(document).ok());
-  CutSettings finer = document.stroke_settings();
+  CutSettings finer = document.history().last_settings();
   finer.resolution.target_edge /= 3;
   ASSERT_TRUE(document.apply(Recut{finer}).ok());
   ASSERT_TRUE(walk_all(document).ok());

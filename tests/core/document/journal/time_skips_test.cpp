@@ -14,7 +14,7 @@
 namespace kerf::test {
 namespace {
 
-constexpr Ticks kMinute = Document::kTicksToForget;
+constexpr Ticks kMinute = Execution::kTicksToForget;
 
 // Three plates above each other and the ground.
 World falling_world() {

@@ -50,7 +50,7 @@ TEST_F(LaserToolTest, a_click_beside_everything_leaves_no_step_and_one_whose_edg
   while (first_hit(document.world(), view.ray(x, 0))) x += 0.001;
   click({x + 0.002, 0});
   EXPECT_EQ(document.history().size(), 1u);
-  EXPECT_GT(document.removed_faces(), 0u);
+  EXPECT_GT(document.history().removed_faces(), 0u);
 }
 
 TEST_F(LaserToolTest, a_drag_that_begins_beside_everything_keeps_its_first_pose) {
@@ -61,7 +61,7 @@ TEST_F(LaserToolTest, a_drag_that_begins_beside_everything_keeps_its_first_pose)
   step();
   ASSERT_EQ(document.journal().size(), 3u);
   EXPECT_LT(std::get<BeginStroke>(document.journal().front()).pose.direction.x, -0.1);
-  EXPECT_GT(document.removed_faces(), 0u);
+  EXPECT_GT(document.history().removed_faces(), 0u);
 }
 
 TEST_F(LaserToolTest, a_move_of_less_than_half_a_pixel_is_dropped) {

@@ -2,8 +2,7 @@
 #include <cassert>
 
 #include "core/document/commands/edit_piece.h"
-#include "core/document/history/document.h"
-#include "core/document/history/walk.h"
+#include "core/document/history/execution.h"
 #include "core/edit/separation.h"
 #include "core/joints/hold_parts.h"
 #include "core/physics/forget_contacts.h"
@@ -33,13 +32,13 @@ void hold_by_whole_id(World& world) {
 
 }  // namespace
 
-size_t Document::waiting() const { return queue_.empty() && must_separate() ? 1 : queue_.size(); }
+size_t Execution::waiting() const { return queue_.empty() && must_separate() ? 1 : queue_.size(); }
 
-bool Document::next_closes_rim() const {
+bool Execution::next_closes_rim() const {
   return !queue_.empty() && queue_.front_kind() == BeamQueue::Kind::kRim && !must_separate();
 }
 
-size_t Document::next_makes_ready() const {
+size_t Execution::next_makes_ready() const {
   const bool tick = !must_separate() && !queue_.empty() && queue_.front_kind() == BeamQueue::Kind::kTicks;
   if (!tick || !queue_.front_moves_bodies()) return 0;
   const bool beam = queue_.front_beam() != nullptr;
@@ -52,54 +51,49 @@ size_t Document::next_makes_ready() const {
   return faces;
 }
 
-bool Document::next_is_of_last_step() const {
+bool Execution::next_is_of_last_step() const {
   const std::optional<size_t> open = recorder_.step();
   if (must_separate()) return open && is_last(*open);
   return !queue_.empty() && is_last(queue_.front_step());
 }
 
-Result<StepResult> Document::step(size_t most, const Progress* progress) {
-  return step_front(most, false, progress);
-}
-
-Result<StepResult> Document::step_stage(const Progress* progress) { return step_front(1, true, progress); }
-
-Result<StepResult> Document::step_front(size_t most, bool one_stage, const Progress* progress) {
+Result<StepResult> Execution::front(size_t most, bool one_stage, const Progress& progress) {
   if (must_separate()) return separate_more();
   if (queue_.empty() || most == 0) return StepResult{};
-  if (queue_.front_kind() == BeamQueue::Kind::kSpring) return change_spring();
   const size_t step = queue_.front_step();
-  bool stopped = false;
-  const Progress watched{[&](double fraction) {
-    stopped = progress && !progress->report(fraction);
-    return !stopped;
-  }};
-  const BeamQueue::Kind kind = queue_.front_kind();
-  Result<StepResult> some = kind == BeamQueue::Kind::kTicks ? pass_ticks(most, watched)
-                            : kind == BeamQueue::Kind::kRim ? close_rim_of_stroke(watched)
-                            : one_stage                     ? walk_stage(watched)
-                                                            : walk_moves(most, watched);
-  if (some) return kind == BeamQueue::Kind::kTicks ? some : noted(step, std::move(*some));
-  give_up(step, stopped);
-  return some.error();
+  switch (queue_.front_kind()) {
+    case BeamQueue::Kind::kSpring:
+      return change_spring();
+    case BeamQueue::Kind::kTicks:
+      return pass_ticks(most, progress);
+    case BeamQueue::Kind::kRim:
+      return noted(step, close_rim_of_stroke(progress));
+    case BeamQueue::Kind::kMove:
+      break;
+  }
+  return noted(step, one_stage ? walk_stage(progress) : walk_moves(most, progress));
 }
 
 // What came apart in one stroke is known before the next one, or a tick, begins. While a stroke runs whose
 // moves so far are all executed, the search waits for what comes next: which part keeps its label depends on
 // when a search ends, and when the queue is empty depends on how fast it is executed.
-bool Document::must_separate() const {
+bool Execution::must_separate() const {
   if (is_settled(world_)) return false;
-  if (queue_.empty()) return !in_stroke_;
+  if (queue_.empty()) return !in_stroke();
   return queue_.front_kind() == BeamQueue::Kind::kTicks || recorder_.step() != queue_.front_step();
 }
 
-StepResult Document::separate_more() {
+StepResult Execution::separate_more() {
   const size_t most = walked_ ? walked_->settings.search_a_move : CutSettings{}.search_a_move;
   StepResult some = go_on_separating(world_, most);
-  return recorder_.step() ? noted(*recorder_.step(), std::move(some)) : some;
+  if (recorder_.step()) {
+    note_cut(*recorder_.step(), some);
+    finish(*recorder_.step());
+  }
+  return some;
 }
 
-Result<StepResult> Document::walk_moves(size_t most, const Progress& progress) {
+Result<StepResult> Execution::walk_moves(size_t most, const Progress& progress) {
   constexpr size_t kMostAtOnce = 64;  // of a queue that may be long: a bite holds a few of them
   begin(queue_.front_step());
   walked_ = queue_.front_stroke();
@@ -110,7 +104,7 @@ Result<StepResult> Document::walk_moves(size_t most, const Progress& progress) {
   return some;
 }
 
-Result<StepResult> Document::walk_stage(const Progress& progress) {
+Result<StepResult> Execution::walk_stage(const Progress& progress) {
   begin(queue_.front_step());
   walked_ = queue_.front_stroke();
   const BeamMove move = queue_.begin_moves(world_, 1).front();
@@ -120,7 +114,7 @@ Result<StepResult> Document::walk_stage(const Progress& progress) {
   return some;
 }
 
-Result<StepResult> Document::close_rim_of_stroke(const Progress& progress) {
+Result<StepResult> Execution::close_rim_of_stroke(const Progress& progress) {
   begin(queue_.front_step());
   walked_ = queue_.front_stroke();
   Result<StepResult> some =
@@ -129,7 +123,7 @@ Result<StepResult> Document::close_rim_of_stroke(const Progress& progress) {
   return some;
 }
 
-Result<StepResult> Document::pass_ticks(size_t most, const Progress& progress) {
+Result<StepResult> Execution::pass_ticks(size_t most, const Progress& progress) {
   const size_t step = queue_.front_step();
   begin(step);
   if (queue_.front_moves_bodies()) return move_bodies(step, progress);
@@ -142,7 +136,7 @@ Result<StepResult> Document::pass_ticks(size_t most, const Progress& progress) {
 }
 
 // One tick. What came off since the last one, and what turns on joints, becomes bodies first.
-Result<StepResult> Document::move_bodies(size_t step, const Progress& progress) {
+Result<StepResult> Execution::move_bodies(size_t step, const Progress& progress) {
   StepResult all;
   if (world_.clock() % kTicksToForget == 0) forget_details(world_);
   if (!physics_.knows_joints()) hold_parts(world_, Hold::kMoving, all.delta);
@@ -163,7 +157,7 @@ Result<StepResult> Document::move_bodies(size_t step, const Progress& progress) 
 
 // Bodies move on, and the beam, where it is on, cuts what moves through it. By the thermal model it only does
 // while its own moves are walked: the energy of a tick is theirs.
-Result<StepResult> Document::move_under_beam(size_t step, const Progress& progress) {
+Result<StepResult> Execution::move_under_beam(size_t step, const Progress& progress) {
   const std::shared_ptr<Stroke> stroke = queue_.front_beam();
   std::map<BodyId, Placement> before;
   if (stroke) {
@@ -187,7 +181,7 @@ Result<StepResult> Document::move_under_beam(size_t step, const Progress& progre
   return all;
 }
 
-StepResult Document::change_spring() {
+StepResult Execution::change_spring() {
   const size_t step = queue_.front_step();
   begin(step);
   world_.set_spring(queue_.front_spring());
@@ -198,12 +192,12 @@ StepResult Document::change_spring() {
 }
 
 // Where a step is over, its recording still stays open, for the ticks to come are its own.
-void Document::keep_open(size_t step) {
+void Execution::keep_open(size_t step) {
   if (is_over(step)) history_.step(step).finish();
 }
 
 // What changes from here on is changed by this step.
-void Document::begin(size_t step) {
+void Execution::begin(size_t step) {
   if (recorder_.step() == step) return;
   close_and_trim();
   history_.forget_behind(step);
@@ -219,40 +213,41 @@ void Document::begin(size_t step) {
   if (anew && !world_.contact_memory().empty()) forget_details(world_);
 }
 
-void Document::close() {
+void Execution::close() {
   const std::optional<size_t> step = recorder_.step();
   if (!step) return;
   if (std::optional<World::Change> change = recorder_.close(world_))
     history_.step(*step).add(std::move(*change));
 }
 
-void Document::close_and_trim() {
+void Execution::close_and_trim() {
   if (!recorder_.step()) return;
   close();
   history_.trim();
 }
 
-void Document::note(size_t step, const StepResult& some) {
+void Execution::note(size_t step, const StepResult& some) {
   history_.step(step).touch(some.delta);
   history_.step(step).note_new_pieces(world_, some.delta);
   history_.step(step).add(some.figures);
 }
 
 // What touched a body that was changed wakes.
-void Document::note_cut(size_t step, const StepResult& some) {
+void Execution::note_cut(size_t step, const StepResult& some) {
   forget_contacts(world_, some.delta);
   physics_.follow(some.delta);
   note(step, some);
 }
 
-StepResult Document::noted(size_t step, StepResult some) {
-  note_cut(step, some);
-  finish_step(step);
+Result<StepResult> Execution::noted(size_t step, Result<StepResult> some) {
+  if (!some) return some;
+  note_cut(step, *some);
+  finish(step);
   return some;
 }
 
 // Queues what a command does in time before everything else.
-void Document::queue_in_front(size_t step, const Command& command) {
+void Execution::enqueue_in_front(size_t step, const Command& command) {
   std::visit(Overloaded{
                  [&](const Advance& c) { queue_.push_ticks_in_front(step, c.ticks, c.bodies); },
                  [&](const Pull& c) {
@@ -265,55 +260,68 @@ void Document::queue_in_front(size_t step, const Command& command) {
 }
 
 // Whether nothing of a step of the history waits, nor can be added by a stroke that is running.
-bool Document::is_over(size_t step) const {
-  const bool running = in_stroke_ && is_last(step);
+bool Execution::is_over(size_t step) const {
+  const bool running = in_stroke() && is_last(step);
   return !running && !queue_.holds(step) && is_settled(world_);
 }
 
-void Document::finish_step(size_t step) {
+void Execution::finish(size_t step) {
   if (!is_over(step)) return;
   history_.step(step).finish();
   if (recorder_.step() == step) close_and_trim();
 }
 
-// A stroke that cannot be cut to its end has cut nothing; only its time passes. It stays in the history, for
-// whoever replays it comes to the same. One that was stopped is undone, with all that waits behind it.
-void Document::give_up(size_t step, bool stopped) {
-  if (in_stroke_ && (stopped || is_last(step))) end_stroke();
+// A stroke that cannot be cut to its end stays in the history, for whoever replays it comes to the same.
+bool Execution::give_up(size_t step, bool stopped) {
   queue_.drop_strokes(step);
   if (stopped) queue_.clear();
   if (recorder_.step() == step) close();
-  ++revision_;
-  HistoryStep& failed = history_.step(step);
-  if (failed.images() != HistoryStep::Images::kHeld) return finish_step(step);
-  queue_.drop(step);
-  failed.take_back(world_);
-  failed.forget();
-  physics_ = Physics();
-  if (stopped) {
-    for (; history_.position() > step; history_.back()) journal_.append(Undo{});
-    return;
+  if (history_.step(step).images() != HistoryStep::Images::kHeld) {
+    finish(step);
+    return false;
   }
+  take_back(step);
+  history_.step(step).forget();
+  if (stopped) return true;
   begin(step);
   const std::vector<Command> commands = history_.commands_of(step);
-  for (size_t i = commands.size(); i-- > 0;) queue_in_front(step, commands[i]);
-  finish_step(step);
+  for (size_t i = commands.size(); i-- > 0;) enqueue_in_front(step, commands[i]);
+  finish(step);
+  return true;
 }
 
-Outcome Document::finish(const Progress* progress) {
-  Outcome all;
-  Walk how;
-  how.progress = progress;
-  how.told = [&](const Result<StepResult>& some) -> Status {
-    if (!some) return some.error();
-    all.delta.append(some->delta);
-    return Done{};
-  };
-  if (const Status walked = walk(*this, how); !walked) {
-    all.delta.anew = true;
-    all.fail(walked.error());
+StepResult Execution::take_states(std::span<const BodyState> states, std::span<const NearPair> pairs) {
+  KERF_ASSERT(waiting() == 0 && history_.position() > 0);
+  const size_t step = history_.position() - 1;
+  begin(step);
+  StepResult taken;
+  for (const BodyState& state : states) {
+    if (!world_.contains(state.id)) continue;
+    Body& body = world_.body(state.id);
+    body.placement = state.placement;
+    body.motion = state.motion;
+    taken.delta.moved.push_back(state.id);
   }
-  return all;
+  set_known_pairs(world_, pairs);
+  note(step, taken);
+  keep_open(step);
+  return taken;
+}
+
+StepResult Execution::skip_to(std::span<const BodyState> states, std::span<const NearPair> pairs) {
+  while (!queue_.empty()) {
+    if (queue_.front_kind() == BeamQueue::Kind::kSpring) {
+      change_spring();
+      continue;
+    }
+    KERF_ASSERT(queue_.front_kind() == BeamQueue::Kind::kTicks && !queue_.front_beam());
+    begin(queue_.front_step());
+    const Ticks ticks = queue_.front_ticks();
+    world_.pass(ticks);
+    cool_for_ticks(world_, ticks);
+    queue_.pop_ticks(ticks);
+  }
+  return take_states(states, pairs);
 }
 
 }  // namespace kerf

@@ -10,19 +10,17 @@ namespace kerf {
 
 namespace {
 
-// The bodies whose contacts a change ends, ascending.
+// The bodies whose contacts a change ends.
 std::vector<BodyId> changed_bodies(const World& world, const Delta& delta) {
   if (delta.anew || delta.surroundings) return world.ids();
   std::vector<BodyId> ids;
   for (const BodyDelta& b : delta.bodies) {
     if (!b.born.empty() || !b.gone.empty()) ids.push_back(b.body);
   }
-  for (const auto* list : {&delta.came, &delta.went, &delta.moved, &delta.hid_or_showed, &delta.pinned})
+  for (const auto* list :
+       {&delta.came, &delta.went, &delta.moved, &delta.reweighed, &delta.hid_or_showed, &delta.pinned})
     ids.insert(ids.end(), list->begin(), list->end());
   for (const Detached& d : delta.detached) ids.insert(ids.end(), {d.from, d.to});
-  KERF_ASSERT(std::all_of(ids.begin(), ids.end(), [](BodyId id) { return id.valid(); }));
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   return ids;
 }
 
@@ -41,7 +39,12 @@ void forget_details(World& world) {
 }
 
 void forget_contacts(World& world, const Delta& delta) {
-  const std::vector<BodyId> changed = changed_bodies(world, delta);
+  forget_contacts(world, changed_bodies(world, delta));
+}
+
+void forget_contacts(World& world, std::vector<BodyId> changed) {
+  KERF_ASSERT(std::all_of(changed.begin(), changed.end(), [](BodyId id) { return id.valid(); }));
+  std::sort(changed.begin(), changed.end());
   const auto has_changed = [&](BodyId id) {
     return id.valid() && std::binary_search(changed.begin(), changed.end(), id);
   };

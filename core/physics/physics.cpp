@@ -132,14 +132,17 @@ ContactMemory memory_after(std::span<const MovingBody> bodies, const ContactMemo
   return memory;
 }
 
-bool is_shown(const Body& b) { return !b.hidden && b.mesh.live_faces() > 0; }
+bool takes_part(const World& world, BodyId id, std::span<const BodyId> carried) {
+  const Body& b = world.body(id);
+  return !b.hidden && b.mesh.live_faces() > 0 && !std::binary_search(carried.begin(), carried.end(), id);
+}
 
 // The bodies that can be touched, and those of them that could move, judged without their masses.
-TickFigures count_bodies(const World& world) {
+TickFigures count_bodies(const World& world, std::span<const BodyId> carried) {
   TickFigures count;
   for (const BodyId id : world.ids()) {
     const Body& b = world.body(id);
-    if (!is_shown(b)) continue;
+    if (!takes_part(world, id, carried)) continue;
     ++count.bodies;
     if (!b.pinned && !b.motion.asleep) ++count.awake;
   }
@@ -147,9 +150,10 @@ TickFigures count_bodies(const World& world) {
 }
 
 // Weighs the bodies that such a tick makes colliders of: both are functions of the faces.
-void weigh_changed(const Physics& physics, World& world, bool under_beam) {
+void weigh_changed(const Physics& physics, World& world, bool under_beam, std::span<const BodyId> carried) {
   for (const BodyId id : world.ids()) {
-    if (is_shown(world.body(id)) && physics.makes_collider(world, id, under_beam)) weigh(world.body(id));
+    if (takes_part(world, id, carried) && physics.makes_collider(world, id, under_beam))
+      weigh(world.body(id));
   }
 }
 
@@ -198,11 +202,12 @@ const Collider& Physics::collider_of(const World& world, BodyId id, bool under_b
   return colliders_.at(id);
 }
 
-std::vector<MovingBody> Physics::moving_bodies(World& world, bool under_beam) {
+std::vector<MovingBody> Physics::moving_bodies(World& world, bool under_beam,
+                                               std::span<const BodyId> carried) {
   std::vector<MovingBody> bodies;
   for (const BodyId id : world.ids()) {
+    if (!takes_part(world, id, carried)) continue;
     Body& body = world.body(id);
-    if (!is_shown(body)) continue;
     MovingBody& b = bodies.emplace_back();
     b.id = id;
     b.body = &body;
@@ -219,13 +224,15 @@ std::vector<MovingBody> Physics::moving_bodies(World& world, bool under_beam) {
   return bodies;
 }
 
-Delta Physics::tick(World& world, bool under_beam, std::span<const Guided> guided) {
-  if (world.spring() || count_bodies(world).awake > 0) weigh_changed(*this, world, under_beam);
+Delta Physics::tick(World& world, bool under_beam, std::span<const Guided> guided,
+                    std::span<const BodyId> carried) {
+  if (world.spring() || count_bodies(world, carried).awake > 0)
+    weigh_changed(*this, world, under_beam, carried);
   pull(world, kTick);
-  figures_ = count_bodies(world);
+  figures_ = count_bodies(world, carried);
   if (figures_.awake == 0) return {};
   figures_.awake = 0;
-  std::vector<MovingBody> bodies = moving_bodies(world, under_beam);
+  std::vector<MovingBody> bodies = moving_bodies(world, under_beam, carried);
   guide(bodies, guided);
   const bool all_rest =
       std::all_of(bodies.begin(), bodies.end(), [](const MovingBody& b) { return b.fixed || b.asleep; });

@@ -61,10 +61,17 @@ class Physics {
   // To be called where a step of the history begins.
   void begin_step();
 
+  // Has the next tick make the colliders of these bodies anew.
+  void renew(std::span<const BodyId> bodies) { changed_.insert(bodies.begin(), bodies.end()); }
+  // Has the next tick look anew which joints hold.
+  void forget_joints() { joints_.reset(); }
+
   // Advances all bodies by 1/120 s. Returns the bodies that moved. The clock of the world is left to the
   // caller. `under_beam`: a beam is on, and the next ticks will follow further cuts. `guided`: bodies that
-  // are treated in another way than all others, in any order, each once.
-  Delta tick(World& world, bool under_beam = false, std::span<const Guided> guided = {});
+  // are treated in another way than all others, in any order, each once. `carried`, ascending: bodies that
+  // are a part of others, and so neither touch anything nor have a mass of their own.
+  Delta tick(World& world, bool under_beam = false, std::span<const Guided> guided = {},
+             std::span<const BodyId> carried = {});
   // Whether such a tick makes a collider of this body, if any is awake, and weighs the body (see weigh).
   bool makes_collider(const World& world, BodyId id, bool under_beam) const;
   static constexpr size_t kMostUnderBeam = 20'000;
@@ -80,7 +87,7 @@ class Physics {
 
  private:
   const Collider& collider_of(const World& world, BodyId id, bool under_beam);
-  std::vector<MovingBody> moving_bodies(World& world, bool under_beam);
+  std::vector<MovingBody> moving_bodies(World& world, bool under_beam, std::span<const BodyId> carried);
   void forget_collider(BodyId id);
 
   std::map<BodyId, Collider> colliders_;

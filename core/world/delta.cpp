@@ -97,6 +97,7 @@ void Delta::append(Delta later) {
   append_ids(came, later.came, later);
   append_bodies(bodies, later);
   append_ids(moved, later.moved, later);
+  append_ids(reweighed, later.reweighed, later);
   append_ids(hid_or_showed, later.hid_or_showed, later);
   append_ids(renamed, later.renamed, later);
   append_ids(pinned, later.pinned, later);
@@ -112,7 +113,7 @@ void Delta::append(Delta later) {
   // Whoever looks at a body as a whole sees all of this.
   const auto is_new = [&](BodyId id) { return has(came, id); };
   std::erase_if(bodies, [&](const BodyDelta& b) { return is_new(b.body); });
-  for (auto* ids : {&moved, &hid_or_showed, &renamed, &pinned}) std::erase_if(*ids, is_new);
+  for (auto* ids : {&moved, &reweighed, &hid_or_showed, &renamed, &pinned}) std::erase_if(*ids, is_new);
 }
 
 Delta bodies_taken_back(const Delta& delta) {
@@ -127,6 +128,7 @@ Delta bodies_taken_back(const Delta& delta) {
     return all;
   };
   back.moved = before(delta.moved);
+  back.reweighed = before(delta.reweighed);
   back.hid_or_showed = before(delta.hid_or_showed);
   back.renamed = before(delta.renamed);
   back.pinned = before(delta.pinned);

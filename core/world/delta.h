@@ -41,6 +41,7 @@ struct Delta {
   std::vector<BodyId> came, went;     // an id in both lists names another body since the step
   std::vector<Detached> detached;     // one after the other
   std::vector<BodyId> moved;          // whose placement changed
+  std::vector<BodyId> reweighed;      // whose mass changed, though not their faces
   std::vector<BodyId> hid_or_showed;  // whose Body::hidden changed
   std::vector<BodyId> renamed;
   std::vector<BodyId> pinned;  // whose Body::pinned changed
@@ -56,7 +57,8 @@ struct Delta {
   // Whether anything but faces changed.
   bool changes_bodies() const {
     return anew || !came.empty() || !went.empty() || !detached.empty() || !moved.empty() ||
-           !hid_or_showed.empty() || !renamed.empty() || !pinned.empty() || surroundings;
+           !reweighed.empty() || !hid_or_showed.empty() || !renamed.empty() || !pinned.empty() ||
+           surroundings;
   }
 
   // Makes this the delta of this step and the next one together: what came and went in between is not listed.

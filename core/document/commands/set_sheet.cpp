@@ -20,7 +20,7 @@ Result<Delta> SetSheet::run(World& world, uint32_t generation, const Progress*) 
       [&](World& edited, BodyId own) {
         edited.body(own).sheet = sheet;
         Delta change;
-        change.moved = {own};  // its mass is another one
+        change.reweighed = {own};
         return change;
       });
 }

@@ -1,0 +1,164 @@
+#include "core/game/match/match_world.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/base/assert.h"
+#include "core/cut/cut_step.h"
+#include "core/game/vehicle/vehicle_bodies.h"
+#include "core/joints/hold_parts.h"
+#include "core/physics/forget_contacts.h"
+#include "core/physics/release_pieces.h"
+#include "core/world/heat_flow.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr Ticks kLookForJointsEvery = 10;  // where faces that carry some are gone
+constexpr size_t kSearch = 20'000;         // faces that the search for separated pieces visits in a tick
+constexpr size_t kMostLoose = 200;         // bodies, those of the arena among them
+constexpr Ticks kClearEvery = kTicksPerSecond / 10;
+
+}  // namespace
+
+MatchWorld::MatchWorld(const Arena& arena) {
+  Surroundings around;
+  around.ground = arena.description.ground;
+  world_.set_surroundings(around);
+  for (const ModelBody& body : arena.bodies) arena_.push_back(add_body(world_, body, kGeneration));
+  delta_.anew = true;
+}
+
+std::optional<size_t> MatchWorld::of_arena(BodyId body) const {
+  const auto at = std::find(arena_.begin(), arena_.end(), body);
+  if (at == arena_.end()) return std::nullopt;
+  return static_cast<size_t>(at - arena_.begin());
+}
+
+// Those that a tick of a copy makes.
+void MatchWorld::make_colliders(std::span<const Guided> guided, std::span<const BodyId> carried) {
+  joint_faces_ = JointFaces(world_.joints());
+  World copy = world_;
+  physics_.tick(copy, false, guided, carried);
+}
+
+void MatchWorld::begin_tick(Ticks now) {
+  now_ = now;
+  delta_ = Delta{};
+}
+
+// Contacts are known by the numbers of points and chords of a collider.
+void MatchWorld::renew_colliders() {
+  const std::vector<BodyId> due = stale_colliders_.take_due(world_, now_);
+  forget_contacts(world_, due);
+  physics_.renew(due);
+  if (now_ % kLookForJointsEvery == 0 && std::exchange(joints_are_asked_, false)) physics_.forget_joints();
+}
+
+void MatchWorld::move(std::span<const Guided> guided, std::span<const BodyId> carried) {
+  delta_.append(physics_.tick(world_, false, guided, carried));
+}
+
+void MatchWorld::keep_inside(const ArenaDescription& arena) {
+  const Vec2 half = 0.5 * arena.size;
+  for (const BodyId id : world_.ids()) {
+    Body& body = world_.body(id);
+    if (body.pinned || body.tree.leaf_count() == 0) continue;
+    const AabbTree::Box box = body.tree.bounds();
+    const Vec3 centre = body.placement.to_world(0.5 * (box.min + box.max));
+    const double size = 0.5 * glm::length(box.max - box.min);
+    for (const auto& [axis, limit] : {std::pair{0, half.x - size}, {2, half.y - size}}) {
+      const double over = std::abs(centre[axis]) - std::max(limit, 0.0);
+      const double sign = centre[axis] < 0 ? -1 : 1;
+      if (over <= 0) continue;
+      body.placement.position[axis] -= sign * over;
+      if (sign * body.motion.velocity[axis] > 0) body.motion.velocity[axis] *= -0.2;
+    }
+    const double under = arena.ground - size - centre.y;
+    if (under > 0) body.placement.position.y += under + 0.1;
+  }
+}
+
+void MatchWorld::note_placed(std::vector<BodyId> bodies) {
+  Delta placed;
+  placed.moved = std::move(bodies);
+  delta_.append(std::move(placed));
+}
+
+// Which bodies came and went. Of their faces the physics is told later, and of pieces without joints not at
+// all: it makes the colliders of bodies that it does not know, and need not look for the joints that hold.
+Delta MatchWorld::news_for_physics(const Delta& change) const {
+  Delta news = change;
+  news.bodies.clear();
+  std::erase_if(news.detached, [](const Detached& d) { return !d.carries_on; });
+  const auto is_unknown = [&](BodyId id) { return !physics_.colliders().contains(id); };
+  std::erase_if(news.went, is_unknown);
+  std::erase_if(news.came,
+                [&](BodyId id) { return is_unknown(id) && !joint_faces_.any_in(world_.body(id)); });
+  return news;
+}
+
+void MatchWorld::follow(Delta change) {
+  if (change.empty()) return;
+  KERF_ASSERT(!change.anew);
+  forget_contacts(world_, change);
+  stale_colliders_.note(change, now_);
+  for (const BodyDelta& b : change.bodies)
+    joints_are_asked_ = joints_are_asked_ || joint_faces_.any_of(world_.body(b.body), b.gone);
+  physics_.follow(news_for_physics(change));
+  delta_.append(std::move(change));
+}
+
+void MatchWorld::remove(const std::vector<BodyId>& bodies) {
+  if (bodies.empty()) return;
+  for (const BodyId id : bodies) world_.remove(id);
+  Delta change;
+  change.went = bodies;
+  follow(std::move(change));
+}
+
+std::vector<Detached> MatchWorld::separate() {
+  if (!is_settled(world_) || joints_asked(world_)) follow(go_on_separating(world_, kSearch).delta);
+  if (!is_settled(world_)) return {};
+  Delta released;
+  release_pieces(world_, kGeneration, released);
+  std::vector<Detached> detached = released.detached;
+  follow(std::move(released));
+  return detached;
+}
+
+void MatchWorld::clear_debris(const std::function<bool(BodyId)>& stays) {
+  if (now_ % kClearEvery != 0) return;
+  struct Resting {
+    double size;
+    BodyId id;
+  };
+  std::vector<Resting> resting;
+  size_t loose = 0;
+  for (const BodyId id : world_.ids()) {
+    const Body& body = world_.body(id);
+    if (body.pinned || stays(id)) continue;
+    ++loose;
+    if (of_arena(id)) continue;
+    const AabbTree::Box box = body.tree.bounds();
+    if (body.motion.asleep) resting.push_back({glm::length(box.max - box.min), id});
+  }
+  if (loose <= kMostLoose) return;
+  const size_t going = std::min(loose - kMostLoose, resting.size());
+  std::stable_sort(resting.begin(), resting.end(),
+                   [](const Resting& a, const Resting& b) { return a.size < b.size; });
+  std::vector<BodyId> ids;
+  for (size_t i = 0; i < going; ++i) ids.push_back(resting[i].id);
+  remove(ids);
+}
+
+void MatchWorld::cool() {
+  constexpr Ticks kEvery = 30;
+  for (const BodyId id : world_.ids()) {
+    if ((id.slot + world_.clock()) % kEvery == 0)
+      let_heat_flow(world_, id, static_cast<double>(kEvery) / kTicksPerSecond);
+  }
+}
+
+}  // namespace kerf

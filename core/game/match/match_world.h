@@ -1,0 +1,75 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/game/arena/arena.h"
+#include "core/game/match/joint_faces.h"
+#include "core/game/match/stale_colliders.h"
+#include "core/physics/physics.h"
+#include "core/world/delta.h"
+#include "core/world/world.h"
+
+namespace kerf {
+
+// The world of a wave of a match with its physics. Whoever changes the world tells follow(), which spreads
+// the work over ticks: making the collider of a vehicle takes as long as all else in a tick.
+class MatchWorld {
+ public:
+  // Of all bodies, for slots are never used again within a wave.
+  static constexpr uint32_t kGeneration = 0;
+
+  MatchWorld() = default;
+  // The bodies of an arena on its ground.
+  explicit MatchWorld(const Arena& arena);
+
+  World& world() { return world_; }
+  const World& world() const { return world_; }
+  const Physics& physics() const { return physics_; }
+  // What changed in the present tick.
+  const Delta& delta() const { return delta_; }
+  // The index of a body among those of the arena.
+  std::optional<size_t> of_arena(BodyId body) const;
+
+  // To be called once all vehicles are there: makes all colliders, which takes as long as twenty ticks.
+  // `guided`, `carried`: see Physics::tick.
+  void make_colliders(std::span<const Guided> guided, std::span<const BodyId> carried);
+
+  // Begins a tick of the time `now` of the match.
+  void begin_tick(Ticks now);
+  // Makes the colliders that are due, and looks for joints whose faces are gone.
+  void renew_colliders();
+  // Moves all bodies for a tick.
+  void move(std::span<const Guided> guided, std::span<const BodyId> carried);
+  // Nothing leaves the arena: its edge is a wall that takes away the motion against it.
+  void keep_inside(const ArenaDescription& arena);
+  // Notes bodies that were placed by something else than the physics in the course of move().
+  void note_placed(std::vector<BodyId> bodies);
+  // Follows any other change of the world.
+  void follow(Delta change);
+  void remove(const std::vector<BodyId>& bodies);
+  // What came apart becomes bodies, once the search for it is finished and it is known what joints still
+  // hold, which the cuts of beams leave to this function. Returns them.
+  std::vector<Detached> separate();
+  // Where too much lies about, the smallest pieces that lie still go, but nothing of the arena, nor what
+  // `stays`.
+  void clear_debris(const std::function<bool(BodyId)>& stays);
+  // Heat flows in each body for some ticks at once, and not in all bodies in the same tick.
+  void cool();
+
+ private:
+  Delta news_for_physics(const Delta& change) const;
+
+  World world_;
+  Physics physics_;
+  Ticks now_ = 0;
+  StaleColliders stale_colliders_;
+  JointFaces joint_faces_;
+  bool joints_are_asked_ = false;  // faces that carry some are gone, and the physics does not know it yet
+  std::vector<BodyId> arena_;      // by index of the bodies of the arena
+  Delta delta_;
+};
+
+}  // namespace kerf

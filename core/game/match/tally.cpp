@@ -1,0 +1,95 @@
+#include "core/game/match/tally.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr double kHalf = 0.25;     // of the area of a chassis
+constexpr Ticks kAssessEvery = 8;  // while nothing comes off
+
+}  // namespace
+
+double area_of(const Body& body) {
+  double area = 0;
+  for (uint32_t p = 0; p < body.pieces.size(); ++p) area += body.pieces[p].area;
+  return area;
+}
+
+Vec3 middle_of(const Body& body) {
+  const AabbTree::Box box = body.tree.bounds();
+  return body.placement.to_world(0.5 * (box.min + box.max));
+}
+
+void Tally::tell(Event event, double points) {
+  const bool to_enemy = event.vehicle != kPlayer && event.vehicle != Event::kNobody;
+  if (to_enemy && event.by == kPlayer) {
+    event.points = points;
+    standing_.score += points;
+  }
+  events_.push_back(event);
+}
+
+void Tally::note_cut(size_t shooter, size_t victim, BodyId id, const Body& body, const StepResult& cut) {
+  standing_.faces_removed += cut.delta.removed_faces;
+  Vec3 at = middle_of(body);
+  for (const BodyDelta& b : cut.delta.bodies) {
+    if (!b.removed.empty()) at = body.placement.to_world(b.removed.front().corners[0]);
+  }
+  tell({Event::Kind::kCut, victim, shooter, 0, id, at, static_cast<double>(cut.delta.removed_faces)});
+  if (victim == Event::kNobody) return;
+  Record& record = records_[victim];
+  record.last_cut_by = shooter;
+  record.changed = true;
+  if (shooter == kPlayer && record.first_stroke == 0) record.first_stroke = strokes_;
+}
+
+void Tally::note_piece(const Detached& piece, const Body& body, size_t victim, const Vehicle* vehicle) {
+  ++standing_.pieces;
+  const double area = area_of(body);
+  Event event{Event::Kind::kPieceOff, victim, Event::kNobody, 0, piece.to, middle_of(body), area};
+  if (!vehicle) return tell(event);
+  event.by = records_[victim].last_cut_by;
+  records_[victim].lost_piece = true;
+  tell(event, scores_->piece);
+  const bool half = piece.from == vehicle->chassis && area > kHalf * vehicle->model->chassis_area;
+  if (!half) return;
+  event.kind = Event::Kind::kInHalves;
+  tell(event, scores_->in_halves);
+}
+
+bool Tally::takes_assessment(size_t vehicle) {
+  Record& record = records_[vehicle];
+  const bool due = record.changed && (standing_.ticks + vehicle) % kAssessEvery == 0;
+  if (!record.lost_piece && !due) return false;
+  record.changed = record.lost_piece = false;
+  return true;
+}
+
+void Tally::note_damage(const World& world, size_t index, const Vehicle& vehicle, const Damage& damage) {
+  const Record& record = records_[index];
+  Event event{Event::Kind::kWheelLost, index, record.last_cut_by};
+  const auto lost = [&](Event::Kind kind, BodyId body, size_t part, double points) {
+    event.kind = kind;
+    event.body = body;
+    event.part = part;
+    event.at = middle_of(world.body(body));
+    tell(event, points);
+  };
+  for (const size_t w : damage.wheels) {
+    lost(Event::Kind::kWheelLost, vehicle.wheels[w].body, w, scores_->wheel);
+    standing_.wheels_lost += index == kPlayer;
+  }
+  if (damage.turret) lost(Event::Kind::kTurretLost, vehicle.gun.turret, 0, scores_->turret);
+  if (damage.barrel)
+    lost(Event::Kind::kBarrelLost, vehicle.gun.barrel, 0, damage.turret ? 0 : scores_->turret);
+  for (const size_t part : damage.vitals) {
+    const bool engine = vehicle.what().vitals[part].kind == VitalDescription::Kind::kEngine;
+    lost(Event::Kind::kVitalLost, vehicle.chassis, part, engine ? scores_->engine : scores_->driver);
+  }
+  if (!damage.died) return;
+  const bool at_a_stroke = record.first_stroke == strokes_ && record.last_cut_by == kPlayer;
+  lost(Event::Kind::kKilled, vehicle.chassis, 0, scores_->kill + (at_a_stroke ? scores_->at_a_stroke : 0));
+  standing_.enemies_destroyed += index != kPlayer;
+}
+
+}  // namespace kerf

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "core/base/tick.h"
+#include "core/cut/cut_step.h"
+#include "core/game/match/event.h"
+#include "core/game/match/rules.h"
+#include "core/game/vehicle/damage.h"
+#include "core/game/vehicle/vehicle.h"
+#include "core/world/world.h"
+
+namespace kerf {
+
+// How a match stands.
+struct Standing {
+  enum class Phase {
+    kFight,
+    kPause,  // a wave is cleared, the next one comes soon
+    kWon,
+    kLost,
+    kEnded,  // neither: the time of a sandbox is over
+  };
+  Phase phase = Phase::kFight;
+  size_t wave = 0;       // from 0
+  Ticks ticks = 0;       // since the beginning
+  Ticks pause_left = 0;  // of kPause
+  double score = 0;
+  size_t enemies_destroyed = 0;
+  size_t wheels_lost = 0;  // of the player's vehicles
+  size_t pieces = 0;       // that came off bodies
+  size_t faces_removed = 0;
+  bool over() const { return phase != Phase::kFight && phase != Phase::kPause; }
+};
+
+// Counts what happens in a match: who cut what off whom, the points for it, and how the match stands by it.
+// Vehicles are named by their index in the wave; the player has index 0.
+class Tally {
+ public:
+  static constexpr size_t kPlayer = 0;
+
+  Tally() = default;
+  // `scores`: the points of the rules, which must outlive it. `strokes`: see strokes().
+  Tally(const Scores& scores, const Standing& standing, size_t strokes)
+      : scores_(&scores), standing_(standing), strokes_(strokes) {}
+
+  Standing& standing() { return standing_; }
+  const Standing& standing() const { return standing_; }
+  // How often the player switched the beam on.
+  size_t strokes() const { return strokes_; }
+  void count_stroke() { ++strokes_; }
+  // What happened in this tick.
+  const std::vector<Event>& events() const { return events_; }
+
+  // Begins a wave of so many vehicles.
+  void begin_wave(size_t vehicles) { records_.assign(vehicles, Record{}); }
+  void begin_tick() { events_.clear(); }
+
+  // Tells of something that happened to a vehicle, with points if the player did it to an enemy.
+  void tell(Event event, double points = 0);
+  // The beam of a vehicle cut a body, which `victim` is or carries (Event::kNobody: no vehicle).
+  void note_cut(size_t shooter, size_t victim, BodyId id, const Body& body, const StepResult& cut);
+  // A piece came off a body that was, or was carried by, that vehicle (null: none).
+  void note_piece(const Detached& piece, const Body& body, size_t victim, const Vehicle* vehicle);
+  // Whether the damage of a vehicle is to be read from its meshes now: at once where a piece came off it, and
+  // every few ticks while it is cut. The next call says no.
+  bool takes_assessment(size_t vehicle);
+  void note_damage(const World& world, size_t index, const Vehicle& vehicle, const Damage& damage);
+
+ private:
+  // What is known of a vehicle besides its state.
+  struct Record {
+    size_t last_cut_by = Event::kNobody;
+    size_t first_stroke = 0;  // of the player that cut it, from 1; 0 if none did
+    bool changed = false;     // faces of it changed since it was last assessed
+    bool lost_piece = false;  // likewise, a piece came off
+  };
+  const Scores* scores_ = nullptr;
+  Standing standing_;
+  size_t strokes_ = 0;
+  std::vector<Record> records_;  // by vehicle
+  std::vector<Event> events_;
+};
+
+// The area of a body (m^2), and the middle of its bounding box in the world (m).
+double area_of(const Body& body);
+Vec3 middle_of(const Body& body);
+
+}  // namespace kerf

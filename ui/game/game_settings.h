@@ -35,7 +35,7 @@ struct GameSettings {
 
 const char* name_of(PicturePreset preset);
 
-// kerf/game.json beside the settings of the editor: under $XDG_CONFIG_HOME, or ~/.config.
+// The file of the settings, beside that of the editor.
 std::filesystem::path game_settings_file();
 
 // Reads the settings. A missing or damaged file and invalid values give defaults; a damaged file is renamed

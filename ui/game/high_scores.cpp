@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/atomic_file.h"
+#include "core/base/user_folders.h"
 #include "core/document/text/json_value.h"
 
 namespace kerf {
@@ -31,12 +32,7 @@ HighScore score_from(const nlohmann::json& json) {
 
 }  // namespace
 
-fs::path high_scores_file() {
-  const char* state = std::getenv("XDG_STATE_HOME");
-  if (state != nullptr && fs::path(state).is_absolute()) return fs::path(state) / "kerf" / "scores.json";
-  const char* home = std::getenv("HOME");
-  return fs::path(home != nullptr ? home : "/") / ".local" / "state" / "kerf" / "scores.json";
-}
+fs::path high_scores_file() { return state_folder() / "scores.json"; }
 
 std::vector<HighScore> read_high_scores(const fs::path& file) {
   std::error_code error;

@@ -20,7 +20,7 @@ struct HighScore {
 
 inline constexpr size_t kMostHighScores = 10;  // that are kept of each pair of rules and difficulty
 
-// kerf/scores.json under $XDG_STATE_HOME, or ~/.local/state.
+// The file of the scores, below state_folder().
 std::filesystem::path high_scores_file();
 
 // Reads the scores, best first. A missing file gives none; one that is damaged is renamed with ".bad"

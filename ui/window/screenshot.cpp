@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <ctime>
 
+#include "core/base/user_folders.h"
 #include "ui/render/picture/png.h"
 
 namespace kerf {
@@ -49,9 +50,8 @@ Result<fs::path> take_screenshot(Vec2 window, const Area& part) {
   const fs::path here = free_name(fs::current_path(error));
   const Status written = write_png(pixels, here);
   if (written) return here;
-  const char* home = std::getenv("HOME");
-  if (home == nullptr) return written.error();
-  const fs::path pictures = fs::path(home) / "Pictures";
+  if (home_folder().empty()) return written.error();
+  const fs::path pictures = home_folder() / "Pictures";
   fs::create_directories(pictures, error);
   const fs::path there = free_name(pictures);
   const Status second = write_png(pixels, there);

@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "core/base/assert.h"
 
@@ -22,13 +21,6 @@ size_t count_strokes(const Journal& journal) {
 }
 
 }  // namespace
-
-fs::path state_folder() {
-  const char* state = std::getenv("XDG_STATE_HOME");
-  if (state != nullptr && fs::path(state).is_absolute()) return fs::path(state) / "kerf";
-  const char* home = std::getenv("HOME");
-  return fs::path(home != nullptr ? home : "/") / ".local" / "state" / "kerf";
-}
 
 void Autosave::begin(SceneDescription scene, fs::path work_of) {
   if (file_) replaced_ = std::move(*file_);

@@ -9,10 +9,6 @@
 
 namespace kerf {
 
-// The folder in which editors keep journals of unsaved work: kerf under $XDG_STATE_HOME or, if that is not
-// set, under ~/.local/state.
-std::filesystem::path state_folder();
-
 // Keeps the unsaved work of one editor in a journal file that survives if the editor crashes. Each editor
 // holds a lock on its own file and does not touch those of others.
 class Autosave {

@@ -1,6 +1,6 @@
 #include "ui/editor/files/file_menus.h"
 
-#include "ui/render/passes/assets.h"
+#include "ui/render/bodies/assets.h"
 
 namespace kerf {
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/assert.h"
+#include "core/base/user_folders.h"
 #include "core/document/journal/autosave.h"
 #include "core/mesh/load_notes.h"
 #include "ui/editor/files/file_menus.h"

@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "core/base/user_folders.h"
 #include "core/document/journal/autosave.h"
 #include "ui/editor/shared/open_work.h"
 #include "ui/editor/shared/view_state.h"

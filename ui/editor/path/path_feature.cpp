@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/base/user_folders.h"
 #include "core/document/files/edit_path.h"
 #include "core/document/files/stroke_settings.h"
 #include "core/document/journal/autosave.h"

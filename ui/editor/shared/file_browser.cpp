@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/base/assert.h"
+#include "core/base/user_folders.h"
 #include "ui/editor/shared/mesh_formats.h"
 #include "ui/window/property.h"
 
@@ -60,8 +61,8 @@ std::optional<fs::path> typed_path(const FileBrowser& b) {
   const std::string text = b.name.data();
   if (text.empty()) return std::nullopt;
   if (text.front() == '/') return text;
-  const char* home = std::getenv("HOME");
-  if (text.front() == '~' && home != nullptr) return home + text.substr(1);
+  const fs::path home = home_folder();
+  if (text.front() == '~' && !home.empty()) return home.string() + text.substr(1);
   return std::nullopt;
 }
 

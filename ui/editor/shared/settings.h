@@ -63,7 +63,7 @@ std::optional<FileFrame> frame_from_json(const nlohmann::json& json);
 // Moves a file to the front of the recent files.
 void remember_recent(Settings& settings, const std::filesystem::path& file);
 
-// kerf/settings.json under $XDG_CONFIG_HOME or, if that is not set, under ~/.config.
+// The file of the settings, below settings_folder().
 std::filesystem::path settings_file();
 
 struct LoadedSettings {

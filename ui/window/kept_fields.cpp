@@ -1,0 +1,53 @@
+#include "ui/window/kept_fields.h"
+
+#include "core/base/atomic_file.h"
+#include "core/document/text/json_value.h"
+
+namespace kerf {
+
+using Json = nlohmann::json;
+namespace fs = std::filesystem;
+
+KeptFields& KeptFields::flag(const char* key, bool& x) {
+  return any(key, x, [&](const Json& value) {
+    if (value.is_boolean()) x = value.get<bool>();
+  });
+}
+
+KeptFields& KeptFields::any(const char* key, const Json& written,
+                            const std::function<void(const Json&)>& read) {
+  if (!reads_) {
+    json_[key] = written;
+  } else if (const auto found = json_.find(key); found != json_.end()) {
+    read(*found);
+    json_.erase(found);
+  }
+  return *this;
+}
+
+Json read_kept(const fs::path& file, std::string& fault) {
+  std::error_code error;
+  if (!fs::exists(file, error)) return Json::object();
+  const auto text = read_text_file(file);
+  if (!text) {
+    fault = text.error().message;
+    return Json::object();
+  }
+  const auto json = parse_json(*text, file.string());
+  if (json && json->is_object()) return *json;
+  fs::path bad = file;
+  bad += ".bad";
+  fs::rename(file, bad, error);
+  fault = error ? file.string() + ": cannot be read and cannot be set aside: the defaults are used"
+                : "The settings could not be read: they were set aside as " + bad.string();
+  return Json::object();
+}
+
+Status write_kept(const Json& settings, const fs::path& file) {
+  std::error_code error;
+  fs::create_directories(file.parent_path(), error);
+  if (error) return failed(file.parent_path().string() + ": the folder for the settings cannot be made");
+  return write_file_atomically(file, settings.dump(2) + "\n");
+}
+
+}  // namespace kerf

@@ -45,64 +45,35 @@ void end_adding() {
 
 }  // namespace
 
-Result<LitScene::BodyPrograms> LitScene::load_bodies(const std::filesystem::path& shaders) {
-  BodyPrograms programs;
-  const auto load = [&](gl::Program& program, std::vector<std::string> defines) -> Status {
-    auto loaded = gl::Program::load(shaders, {{"frame.glsl", "placed.glsl", "body.vert"},
-                                              {"frame.glsl", "light.glsl", "direct.glsl", "body.frag"},
-                                              std::move(defines)});
-    if (!loaded) return loaded.error();
-    loaded->bind_block("Frame", kFrameBlock);
-    loaded->bind_block("Paints", kPaintBlock);
-    program = std::move(*loaded);
-    return Done{};
+LitScene::BodyPrograms::BodyPrograms(Shaders& shaders) {
+  const auto load = [&](std::vector<std::string> defines) {
+    return shaders.load({{"frame.glsl", "placed.glsl", "body.vert"},
+                         {"frame.glsl", "light.glsl", "direct.glsl", "body.frag"},
+                         std::move(defines)});
   };
-  for (size_t i = 0; i < programs.ambient.size(); ++i) {
+  for (size_t i = 0; i < ambient.size(); ++i) {
     std::vector<std::string> defines;
     for (auto [bit, name] : {std::pair{kWire, "WIRE"}, std::pair{kRim, "RIM"}, std::pair{kSpot, "SPOT"}}) {
       if (i & bit) defines.emplace_back(name);
     }
-    if (Status s = load(programs.ambient[i], defines); !s) return s.error();
+    ambient[i] = load(defines);
     defines.emplace_back("DIRECT");
-    if (i < programs.direct.size()) {
-      if (Status s = load(programs.direct[i], defines); !s) return s.error();
-    }
+    if (i < direct.size()) direct[i] = load(defines);
   }
-  for (size_t i = 0; i < programs.glow.size(); ++i) {
+  for (size_t i = 0; i < glow.size(); ++i) {
     std::vector<std::string> defines{"RIM", "GLOW"};
     if (i & kWire) defines.emplace_back("WIRE");
-    if (Status s = load(programs.glow[i], std::move(defines)); !s) return s.error();
+    glow[i] = load(std::move(defines));
   }
-  return programs;
 }
 
-Result<LitScene> LitScene::create(const std::filesystem::path& shaders) {
-  auto bodies = load_bodies(shaders);
-  if (!bodies) return bodies.error();
-  auto sky = gl::Program::load(shaders, {{"screen.vert"}, {"frame.glsl", "light.glsl", "sky.frag"}});
-  if (!sky) return sky.error();
-  auto darken = gl::Program::load(shaders, {{"screen.vert"}, {"solid.frag"}});
-  if (!darken) return darken.error();
-  auto ground = GroundPass::create(shaders);
-  if (!ground) return ground.error();
-  auto shadows = ShadowPass::create(shaders);
-  if (!shadows) return shadows.error();
-  auto tone = TonePass::create(shaders);
-  if (!tone) return tone.error();
-  return LitScene(std::move(*bodies), std::move(*sky), std::move(*darken), std::move(*ground),
-                  std::move(*shadows), std::move(*tone));
-}
-
-LitScene::LitScene(BodyPrograms bodies, gl::Program sky, gl::Program darken, GroundPass ground,
-                   ShadowPass shadows, TonePass tone)
-    : body_(std::move(bodies)),
-      sky_(std::move(sky)),
-      darken_(std::move(darken)),
-      ground_(std::move(ground)),
-      shadows_(std::move(shadows)),
-      tone_(std::move(tone)) {
-  sky_.bind_block("Frame", kFrameBlock);
-}
+LitScene::LitScene(Shaders& shaders)
+    : body_(shaders),
+      sky_(shaders.load({{"screen.vert"}, {"frame.glsl", "light.glsl", "sky.frag"}})),
+      darken_(shaders.load({{"screen.vert"}, {"solid.frag"}})),
+      ground_(shaders),
+      shadows_(shaders),
+      tone_(shaders) {}
 
 void LitScene::draw_without_lights(const Subject& subject) const {
   glClear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);

@@ -15,7 +15,7 @@ namespace kerf {
 // contribution outside its shadow, all in linear light.
 class LitScene {
  public:
-  static Result<LitScene> create(const std::filesystem::path& shaders);
+  explicit LitScene(Shaders& shaders);
 
   GroundPass& ground() { return ground_; }
   ShadowPass& shadows() { return shadows_; }
@@ -35,13 +35,11 @@ class LitScene {
   // computed.
   static constexpr size_t kWire = 1, kRim = 2, kSpot = 4;
   struct BodyPrograms {
+    explicit BodyPrograms(Shaders& shaders);
     std::array<gl::Program, 8> ambient;
     std::array<gl::Program, 4> direct;  // without spot
     std::array<gl::Program, 2> glow;    // of rims, without spot
   };
-  static Result<BodyPrograms> load_bodies(const std::filesystem::path& shaders);
-  LitScene(BodyPrograms bodies, gl::Program sky, gl::Program darken, GroundPass ground, ShadowPass shadows,
-           TonePass tone);
 
   void draw_without_lights(const Subject& subject) const;
   void add_light(const Subject& subject, size_t light);

@@ -5,7 +5,7 @@
 #include "core/base/assert.h"
 #include "core/base/unit_vector.h"
 #include "core/heat/black_body.h"
-#include "ui/render/passes/assets.h"
+#include "ui/render/bodies/assets.h"
 #include "ui/render/passes/heat_bar.h"
 #include "ui/render/shadow/seen_light.h"
 
@@ -34,47 +34,28 @@ glm::mat4 shifted(const glm::mat4& clip_from_frame, const Target& target) {
 
 }  // namespace
 
-Result<Renderer::Passes> Renderer::load_passes(const std::filesystem::path& shaders) {
-  auto scene = LitScene::create(shaders);
-  if (!scene) return scene.error();
-  auto bloom = BloomPass::create(shaders);
-  if (!bloom) return bloom.error();
-  auto beam = BeamPass::create(shaders);
-  if (!beam) return beam.error();
-  auto effects = EffectsPass::create(shaders);
-  if (!effects) return effects.error();
-  auto lines = LineOverlay::create(shaders);
-  if (!lines) return lines.error();
-  auto veil = VeilPass::create(shaders);
-  if (!veil) return veil.error();
-  auto outline = OutlinePass::create(shaders);
-  if (!outline) return outline.error();
-  auto numbers = FaceNumbers::create(shaders);
-  if (!numbers) return numbers.error();
-  auto probe = ShadowProbe::create(shaders);
-  if (!probe) return probe.error();
-  auto shadow_overlay = ShadowOverlay::create(shaders);
-  if (!shadow_overlay) return shadow_overlay.error();
-  auto reference = ReferencePass::create(shaders);
-  if (!reference) return reference.error();
-  auto graph = GraphPass::create(shaders);
-  if (!graph) return graph.error();
-  auto stage = StagePass::create(shaders);
-  if (!stage) return stage.error();
-  auto section = SectionPass::create(shaders);
-  if (!section) return section.error();
-  auto bodies = BodyPass::create(shaders);
-  if (!bodies) return bodies.error();
-  return Passes{std::move(*scene), std::move(*bloom),          std::move(*beam),      std::move(*effects),
-                std::move(*lines), std::move(*veil),           std::move(*outline),   std::move(*numbers),
-                std::move(*probe), std::move(*shadow_overlay), std::move(*reference), std::move(*graph),
-                std::move(*stage), std::move(*section),        std::move(*bodies)};
-}
+Renderer::Passes::Passes(Shaders& shaders)
+    : scene(shaders),
+      bloom(shaders),
+      beam(shaders),
+      effects(shaders),
+      lines(shaders),
+      veil(shaders),
+      outline(shaders),
+      numbers(shaders),
+      probe(shaders),
+      shadow_overlay(shaders),
+      reference(shaders),
+      graph(shaders),
+      stage(shaders),
+      section(shaders),
+      bodies(shaders) {}
 
 Result<Renderer> Renderer::create() {
-  auto passes = load_passes(assets_folder() / "shaders");
-  if (!passes) return passes.error();
-  return Renderer(std::move(*passes));
+  Shaders shaders;
+  Renderer renderer(shaders);
+  if (!shaders.status()) return shaders.status().error();
+  return renderer;
 }
 
 void Renderer::catch_up(const World& world) {

@@ -115,6 +115,7 @@ class Renderer {
  private:
   // The passes, in the order in which they draw.
   struct Passes {
+    explicit Passes(Shaders& shaders);
     LitScene scene;
     BloomPass bloom;
     BeamPass beam;
@@ -131,8 +132,7 @@ class Renderer {
     SectionPass section;
     BodyPass bodies;
   };
-  static Result<Passes> load_passes(const std::filesystem::path& shaders);
-  explicit Renderer(Passes passes) : passes_(std::move(passes)) {}
+  explicit Renderer(Shaders& shaders) : passes_(shaders) {}
 
   void place_ground(const World& world);
   void add(BodyId id, const Body& body, PreparedBodies& prepared);

@@ -31,9 +31,10 @@ void clear(const Target& target) {
 Result<LivePicture::Drawn> LivePicture::make_drawn() {
   auto renderer = Renderer::create();
   if (!renderer) return renderer.error();
-  auto gathered = GatheredPicture::create();
-  if (!gathered) return gathered.error();
-  return Drawn{std::move(*renderer), std::move(*gathered)};
+  Shaders shaders;
+  GatheredPicture gathered(shaders);
+  if (!shaders.status()) return shaders.status().error();
+  return Drawn{std::move(*renderer), std::move(gathered)};
 }
 
 Result<LivePicture> LivePicture::create() {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "core/base/angle.h"
 #include "core/joints/held_joints.h"
 #include "core/physics/contact/rigid_frame.h"
 
@@ -42,8 +42,7 @@ void add_centres(const World& world, BodyMarks& marks) {
     if (body.hidden || !(frame.mass > 0)) continue;
     const State state = body.pinned ? State::kPinned : body.motion.asleep ? State::kAsleep : State::kAwake;
     const double area = frame.mass / (body.sheet.thickness * body.sheet.density);
-    marks.centres.push_back(
-        {body.placement.to_world(frame.centre), std::sqrt(area / std::numbers::pi), state});
+    marks.centres.push_back({body.placement.to_world(frame.centre), std::sqrt(area / kPi), state});
   }
 }
 

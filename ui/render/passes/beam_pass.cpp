@@ -40,19 +40,9 @@ BeamPicture ended_on_ground(BeamPicture beam, double ground, UpAxis up) {
   return beam;
 }
 
-Result<BeamPass> BeamPass::create(const std::filesystem::path& shaders) {
-  auto ribbon = gl::Program::load(shaders, {{"frame.glsl", "beam.vert"}, {"frame.glsl", "beam.frag"}});
-  if (!ribbon) return ribbon.error();
-  auto spot = gl::Program::load(shaders, {{"frame.glsl", "spot.vert"}, {"spot.frag"}});
-  if (!spot) return spot.error();
-  return BeamPass(std::move(*ribbon), std::move(*spot));
-}
-
-BeamPass::BeamPass(gl::Program ribbon, gl::Program spot)
-    : ribbon_(std::move(ribbon)), spot_(std::move(spot)) {
-  ribbon_.bind_block("Frame", kFrameBlock);
-  spot_.bind_block("Frame", kFrameBlock);
-}
+BeamPass::BeamPass(Shaders& shaders)
+    : ribbon_(shaders.load({{"frame.glsl", "beam.vert"}, {"frame.glsl", "beam.frag"}})),
+      spot_(shaders.load({{"frame.glsl", "spot.vert"}, {"spot.frag"}})) {}
 
 void BeamPass::fill_in(FrameUniforms& frame, const FrameSpace& space, const BeamPicture& beam) {
   if (!beam.strike && !beam.on_ground) return;

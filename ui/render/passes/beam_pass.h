@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "ui/gl/objects.h"
-#include "ui/gl/program.h"
+#include "ui/render/bodies/shaders.h"
 #include "ui/render/view/frame_space.h"
 
 namespace kerf {
@@ -30,7 +30,7 @@ double spot_half_width(double radius_pixels, int height);
 // not end on the ground fades out over its last metre.
 class BeamPass {
  public:
-  static Result<BeamPass> create(const std::filesystem::path& shaders);
+  explicit BeamPass(Shaders& shaders);
 
   // Sets the uniforms for the light that the spot casts on its surroundings.
   static void fill_in(FrameUniforms& frame, const FrameSpace& space, const BeamPicture& beam);
@@ -40,7 +40,6 @@ class BeamPass {
             int height) const;
 
  private:
-  BeamPass(gl::Program ribbon, gl::Program spot);
   void draw_ribbon(const CameraView& view, const BeamPicture& beam, double near, int width, int height) const;
   void draw_spot(const CameraView& view, const BeamPicture& beam, const FrameSpace& space, int height) const;
 

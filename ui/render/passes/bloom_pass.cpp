@@ -22,18 +22,10 @@ void draw_screen() { glDrawArrays(GL_TRIANGLES, 0, 3); }
 
 }  // namespace
 
-Result<BloomPass> BloomPass::create(const std::filesystem::path& shaders) {
-  auto bright = gl::Program::load(shaders, {{"screen.vert"}, {"bright.frag"}});
-  if (!bright) return bright.error();
-  auto blur = gl::Program::load(shaders, {{"screen.vert"}, {"blur.frag"}});
-  if (!blur) return blur.error();
-  auto lay_over = gl::Program::load(shaders, {{"glow.vert"}, {"bloom.frag"}});
-  if (!lay_over) return lay_over.error();
-  return BloomPass(std::move(*bright), std::move(*blur), std::move(*lay_over));
-}
-
-BloomPass::BloomPass(gl::Program bright, gl::Program blur, gl::Program lay_over)
-    : bright_(std::move(bright)), blur_(std::move(blur)), lay_over_(std::move(lay_over)) {}
+BloomPass::BloomPass(Shaders& shaders)
+    : bright_(shaders.load({{"screen.vert"}, {"bright.frag"}})),
+      blur_(shaders.load({{"screen.vert"}, {"blur.frag"}})),
+      lay_over_(shaders.load({{"glow.vert"}, {"bloom.frag"}})) {}
 
 BloomPass::Level::Level(int width, int height)
     : glow({std::max(1, width), std::max(1, height), 1, false}), half_way(glow.shape()) {}

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "ui/gl/framebuffer.h"
-#include "ui/gl/program.h"
+#include "ui/render/bodies/shaders.h"
 
 namespace kerf {
 
@@ -11,13 +11,12 @@ namespace kerf {
 // quarter and at a sixteenth of its resolution and added to it.
 class BloomPass {
  public:
-  static Result<BloomPass> create(const std::filesystem::path& shaders);
+  explicit BloomPass(Shaders& shaders);
 
   // Draws `picture`, which has one sample per pixel, with its glow into the framebuffer `target` at x, y.
   void draw(const gl::Framebuffer& picture, GLuint target, int x, int y);
 
  private:
-  BloomPass(gl::Program bright, gl::Program blur, gl::Program lay_over);
   struct Level {
     gl::Framebuffer glow, half_way;
     Level(int width, int height);

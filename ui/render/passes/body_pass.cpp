@@ -1,8 +1,8 @@
 #include "ui/render/passes/body_pass.h"
 
 #include <cmath>
-#include <numbers>
 
+#include "core/base/angle.h"
 #include "core/base/assert.h"
 #include "ui/render/view/overlay_colours.h"
 #include "ui/render/view/section_clip.h"
@@ -79,7 +79,7 @@ void add_circle(const Vec3& middle, const Vec3& axis, double radius, const glm::
   const Vec3 other = std::abs(axis.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
   const Vec3 u = glm::normalize(glm::cross(axis, other)), v = glm::cross(axis, u);
   const auto point = [&](int i) {
-    const double angle = 2 * std::numbers::pi * i / kCircleSides;
+    const double angle = 2 * kPi * i / kCircleSides;
     return middle + radius * (std::cos(angle) * u + std::sin(angle) * v);
   };
   for (int i = 0; i < kCircleSides; ++i) lines.add(point(i), point(i + 1), colour);
@@ -98,11 +98,7 @@ void add_joint(const BodyMarks::JointMark& joint, double diagonal, Lines& lines)
 
 }  // namespace
 
-Result<BodyPass> BodyPass::create(const std::filesystem::path& shaders) {
-  auto lines = ColouredLines::create(shaders);
-  if (!lines) return lines.error();
-  return BodyPass(std::move(*lines));
-}
+BodyPass::BodyPass(Shaders& shaders) : lines_(shaders) {}
 
 void BodyPass::draw(const Subject& subject, double diagonal) {
   const BodyMarks* marks = subject.options.bodies.get();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/render/bodies/body_marks.h"
+#include "ui/render/bodies/shaders.h"
 #include "ui/render/bodies/subject.h"
 #include "ui/render/passes/coloured_lines.h"
 
@@ -12,14 +13,12 @@ namespace kerf {
 // as crosses.
 class BodyPass {
  public:
-  static Result<BodyPass> create(const std::filesystem::path& shaders);
+  explicit BodyPass(Shaders& shaders);
 
   // Draws over the bound picture. Precondition: the uniform block of the frame is bound.
   void draw(const Subject& subject, double diagonal);
 
  private:
-  explicit BodyPass(ColouredLines lines) : lines_(std::move(lines)) {}
-
   ColouredLines lines_;
 };
 

@@ -1,7 +1,6 @@
 #include "ui/render/passes/coloured_lines.h"
 
 #include "core/base/assert.h"
-#include "ui/gl/float_attribute.h"
 #include "ui/render/bodies/body_picture.h"
 #include "ui/render/view/overlay_colour.h"
 
@@ -13,34 +12,25 @@ constexpr float kDarkAround = 0.8f;  // pixels
 
 }  // namespace
 
+ColouredLines::ColouredLines(Shaders& shaders)
+    : program_(shaders.load({{"frame.glsl", "line.glsl", "link.vert"}, {"box.frag"}})) {}
+
 glm::vec4 colour_from_hex(uint32_t hex, float opacity) {
   const auto part = [&](int shift) { return static_cast<float>(hex >> shift & 0xffu) / 255.0f; };
   return {part(16), part(8), part(0), opacity};
-}
-
-Result<ColouredLines> ColouredLines::create(const std::filesystem::path& shaders) {
-  auto program = gl::Program::load(shaders, {{"frame.glsl", "line.glsl", "link.vert"}, {"box.frag"}});
-  if (!program) return program.error();
-  program->bind_block("Frame", kFrameBlock);
-  return ColouredLines(std::move(*program));
 }
 
 // Dark ones first, a little wider.
 void ColouredLines::draw(std::span<const Line> lines, float half_width, AtSection section) {
   if (lines.empty()) return;
   KERF_ASSERT(glIsEnabled(GL_BLEND));
-  glBindVertexArray(layout_.name());
-  glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(lines.size_bytes()), lines.data(), GL_STREAM_DRAW);
-  gl::set_float_attribute(0, 3, sizeof(Line), offsetof(Line, from), 1);
-  gl::set_float_attribute(1, 3, sizeof(Line), offsetof(Line, to), 1);
-  gl::set_float_attribute(2, 4, sizeof(Line), offsetof(Line, colour), 1);
+  lines_.send(lines);
   program_.use();
   program_.set("in_part", section == AtSection::kPart ? 1 : 0);
   for (const bool dark : {true, false}) {
     program_.set("half_width", half_width + (dark ? kDarkAround : 0));
     program_.set("shade", dark ? glm::vec4(0.02f, 0.025f, 0.03f, 1) : glm::vec4(0));
-    glDrawArraysInstanced(GL_TRIANGLES, 0, kVerticesOfLine, static_cast<GLsizei>(lines.size()));
+    glDrawArraysInstanced(GL_TRIANGLES, 0, kVerticesOfLine, lines_.count());
   }
 }
 

@@ -1,10 +1,9 @@
 #pragma once
 
-#include <filesystem>
 #include <span>
 
-#include "ui/gl/objects.h"
-#include "ui/gl/program.h"
+#include "ui/gl/stream.h"
+#include "ui/render/bodies/shaders.h"
 
 namespace kerf {
 
@@ -14,7 +13,7 @@ glm::vec4 colour_from_hex(uint32_t hex, float opacity);
 // Draws lines of any colours, each with a dark one under it, so that they show on anything.
 class ColouredLines {
  public:
-  static Result<ColouredLines> create(const std::filesystem::path& shaders);
+  explicit ColouredLines(Shaders& shaders);
 
   struct Line {
     glm::vec3 from, to;  // in the coordinates of FrameSpace
@@ -27,11 +26,9 @@ class ColouredLines {
   void draw(std::span<const Line> lines, float half_width, AtSection section = AtSection::kWhole);
 
  private:
-  explicit ColouredLines(gl::Program program) : program_(std::move(program)) {}
-
   gl::Program program_;
-  gl::Buffer buffer_;
-  gl::VertexArray layout_;
+  gl::Stream<Line> lines_{gl::ItemsAre::kInstances,
+                          {{3, offsetof(Line, from)}, {3, offsetof(Line, to)}, {4, offsetof(Line, colour)}}};
 };
 
 }  // namespace kerf

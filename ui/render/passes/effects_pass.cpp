@@ -2,39 +2,19 @@
 
 #include <algorithm>
 
-#include "ui/gl/float_attribute.h"
 #include "ui/render/bodies/body_picture.h"
 
 namespace kerf {
 
-Result<EffectsPass> EffectsPass::create(const std::filesystem::path& shaders) {
-  auto sparks = gl::Program::load(shaders, {{"frame.glsl", "particle.vert"}, {"frame.glsl", "spark.frag"}});
-  if (!sparks) return sparks.error();
-  auto smoke = gl::Program::load(shaders, {{"frame.glsl", "particle.vert"}, {"frame.glsl", "smoke.frag"}});
-  if (!smoke) return smoke.error();
-  auto scorches = gl::Program::load(shaders, {{"frame.glsl", "scorch.vert"}, {"scorch.frag"}});
-  if (!scorches) return scorches.error();
-  return EffectsPass(std::move(*sparks), std::move(*smoke), std::move(*scorches));
-}
-
-EffectsPass::EffectsPass(gl::Program sparks, gl::Program smoke, gl::Program scorches)
-    : sparks_(std::move(sparks)), smoke_(std::move(smoke)), scorches_(std::move(scorches)) {
-  sparks_.bind_block("Frame", kFrameBlock);
-  smoke_.bind_block("Frame", kFrameBlock);
-  scorches_.bind_block("Frame", kFrameBlock);
-  glBindVertexArray(layout_.name());
-  glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
-  gl::set_float_attribute(0, 3, sizeof(Corner), offsetof(Corner, at));
-  gl::set_float_attribute(1, 3, sizeof(Corner), offsetof(Corner, towards));
-  gl::set_float_attribute(2, 2, sizeof(Corner), offsetof(Corner, across));
-  gl::set_float_attribute(3, 2, sizeof(Corner), offsetof(Corner, look));
-}
+EffectsPass::EffectsPass(Shaders& shaders)
+    : sparks_(shaders.load({{"frame.glsl", "particle.vert"}, {"frame.glsl", "spark.frag"}})),
+      smoke_(shaders.load({{"frame.glsl", "particle.vert"}, {"frame.glsl", "smoke.frag"}})),
+      scorches_(shaders.load({{"frame.glsl", "scorch.vert"}, {"scorch.frag"}})) {}
 
 void EffectsPass::draw(const Effects& effects, const FrameSpace& space) {
   if (effects.sparks.empty() && effects.puffs.empty() && effects.scorches.empty()) return;
   glEnable(GL_BLEND);
   glDepthMask(GL_FALSE);
-  glBindVertexArray(layout_.name());
   draw_scorches(effects.scorches, space);
   draw_smoke(effects.puffs, space);
   draw_sparks(effects.sparks, space);
@@ -109,10 +89,8 @@ void EffectsPass::add_quad(std::vector<Corner>& corners, Corner corner) {
 }
 
 void EffectsPass::send(const std::vector<Corner>& corners) {
-  glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners.size() * sizeof(Corner)), corners.data(),
-               GL_STREAM_DRAW);
-  glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners.size()));
+  corners_.send(corners);
+  glDrawArrays(GL_TRIANGLES, 0, corners_.count());
 }
 
 }  // namespace kerf

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <filesystem>
-
-#include "ui/gl/objects.h"
-#include "ui/gl/program.h"
+#include "ui/gl/stream.h"
+#include "ui/render/bodies/shaders.h"
 #include "ui/render/passes/effects.h"
 
 namespace kerf {
@@ -12,7 +10,7 @@ namespace kerf {
 // buffer hides what lies behind its surfaces.
 class EffectsPass {
  public:
-  static Result<EffectsPass> create(const std::filesystem::path& shaders);
+  explicit EffectsPass(Shaders& shaders);
 
   // Draws into the bound picture. O(particles * log(particles)).
   void draw(const Effects& effects, const FrameSpace& space);
@@ -25,7 +23,6 @@ class EffectsPass {
     glm::vec2 across;   // -1 .. 1 over the quad
     glm::vec2 look;     // half the width in the frame's unit, heat or opacity
   };
-  EffectsPass(gl::Program sparks, gl::Program smoke, gl::Program scorches);
   void draw_scorches(const std::vector<Scorch>& scorches, const FrameSpace& space);
   void draw_sparks(const std::vector<Spark>& sparks, const FrameSpace& space);
   void draw_smoke(const std::vector<Puff>& puffs, const FrameSpace& space);
@@ -33,8 +30,11 @@ class EffectsPass {
   static void add_quad(std::vector<Corner>& corners, Corner corner);
 
   gl::Program sparks_, smoke_, scorches_;
-  gl::Buffer buffer_;
-  gl::VertexArray layout_;
+  gl::Stream<Corner> corners_{gl::ItemsAre::kVertices,
+                              {{3, offsetof(Corner, at)},
+                               {3, offsetof(Corner, towards)},
+                               {2, offsetof(Corner, across)},
+                               {2, offsetof(Corner, look)}}};
 };
 
 }  // namespace kerf

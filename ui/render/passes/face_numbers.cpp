@@ -17,10 +17,6 @@ constexpr int kCellWidth = kDigitWidth + 2, kCellHeight = kDigitHeight + 2;  // 
 constexpr int kAdvance = kDigitWidth + 1;
 constexpr int kHeightOfOneZoom = 1000;  // pixels of a picture whose numbers are drawn pixel by pixel
 
-struct Glyph {
-  glm::vec2 place, style;
-};
-
 // The faces of all bodies as they are seen, live ones and those that are gone.
 class Candidates {
  public:
@@ -86,19 +82,10 @@ bool shows(const std::vector<uint8_t>& which, int width, const LabelCandidate& c
 
 }  // namespace
 
-Result<FaceNumbers> FaceNumbers::create(const std::filesystem::path& shaders) {
-  auto faces = gl::Program::load(shaders, {{"frame.glsl", "placed.glsl", "faces.vert"}, {"mark.frag"}});
-  if (!faces) return faces.error();
-  auto removed = gl::Program::load(shaders, {{"frame.glsl", "veil.vert"}, {"mark.frag"}});
-  if (!removed) return removed.error();
-  auto numbers = gl::Program::load(shaders, {{"frame.glsl", "number.vert"}, {"number.frag"}});
-  if (!numbers) return numbers.error();
-  return FaceNumbers(std::move(*faces), std::move(*removed), std::move(*numbers));
-}
-
-FaceNumbers::FaceNumbers(gl::Program faces, gl::Program removed, gl::Program numbers)
-    : faces_(std::move(faces)), removed_(std::move(removed)), numbers_(std::move(numbers)) {
-  for (const gl::Program* p : {&faces_, &removed_, &numbers_}) p->bind_block("Frame", kFrameBlock);
+FaceNumbers::FaceNumbers(Shaders& shaders)
+    : faces_(shaders.load({{"frame.glsl", "placed.glsl", "faces.vert"}, {"mark.frag"}})),
+      removed_(shaders.load({{"frame.glsl", "veil.vert"}, {"mark.frag"}})),
+      numbers_(shaders.load({{"frame.glsl", "number.vert"}, {"number.frag"}})) {
   make_bitmaps();
 }
 
@@ -146,7 +133,7 @@ void FaceNumbers::draw(const Subject& subject, const FrameUniforms& frame, const
   draw_labels(labels, zoom);
 }
 
-void FaceNumbers::draw_labels(const std::vector<FaceLabel>& labels, int zoom) const {
+void FaceNumbers::draw_labels(const std::vector<FaceLabel>& labels, int zoom) {
   std::vector<Glyph> glyphs;
   for (const FaceLabel& label : labels) {
     glm::vec2 at = label.at - static_cast<float>(zoom);
@@ -156,16 +143,7 @@ void FaceNumbers::draw_labels(const std::vector<FaceLabel>& labels, int zoom) co
     }
   }
   if (glyphs.empty()) return;
-  glBindVertexArray(layout_.name());
-  glBindBuffer(GL_ARRAY_BUFFER, glyphs_.name());
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(glyphs.size() * sizeof(Glyph)), glyphs.data(),
-               GL_STREAM_DRAW);
-  for (const GLuint i : {0u, 1u}) {
-    glEnableVertexAttribArray(i);
-    glVertexAttribPointer(i, 2, GL_FLOAT, GL_FALSE, sizeof(Glyph),
-                          reinterpret_cast<const void*>(i * sizeof(glm::vec2)));
-    glVertexAttribDivisor(i, 1);
-  }
+  glyphs_.send(glyphs);
   glDisable(GL_DEPTH_TEST);
   glEnable(GL_BLEND);
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
@@ -175,7 +153,7 @@ void FaceNumbers::draw_labels(const std::vector<FaceLabel>& labels, int zoom) co
   numbers_.set("digits", 0);
   numbers_.set("zoom", static_cast<float>(zoom));
   numbers_.set("cell", glm::vec4(kCellWidth, kCellHeight, 0, 0));
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(glyphs.size()));
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, glyphs_.count());
   glDisable(GL_BLEND);
   glEnable(GL_DEPTH_TEST);
 }

@@ -3,8 +3,9 @@
 #include <optional>
 
 #include "ui/gl/framebuffer.h"
-#include "ui/gl/program.h"
+#include "ui/gl/stream.h"
 #include "ui/render/bodies/face_labels.h"
+#include "ui/render/bodies/shaders.h"
 #include "ui/render/bodies/subject.h"
 
 namespace kerf {
@@ -13,16 +14,18 @@ namespace kerf {
 // off-screen picture of face numbers that is read back, so that each number lies on its face.
 class FaceNumbers {
  public:
-  static Result<FaceNumbers> create(const std::filesystem::path& shaders);
+  explicit FaceNumbers(Shaders& shaders);
 
   // Draws over `picture` and leaves it bound. O(faces).
   void draw(const Subject& subject, const FrameUniforms& frame, const gl::Framebuffer& picture);
 
   // Draws any numbers over the bound framebuffer, each with its lower left corner at a given pixel.
-  void draw_labels(const std::vector<FaceLabel>& labels, int zoom) const;
+  void draw_labels(const std::vector<FaceLabel>& labels, int zoom);
 
  private:
-  FaceNumbers(gl::Program faces, gl::Program removed, gl::Program numbers);
+  struct Glyph {
+    glm::vec2 place, style;
+  };
   void make_bitmaps();
   // The visible faces, four bytes per pixel as written by faces.vert.
   std::vector<uint8_t> look_which(const Subject& subject, int width, int height);
@@ -30,8 +33,7 @@ class FaceNumbers {
   gl::Program faces_, removed_, numbers_;
   std::optional<gl::Framebuffer> which_;
   gl::Texture bitmaps_;
-  gl::Buffer glyphs_;
-  gl::VertexArray layout_;
+  gl::Stream<Glyph> glyphs_{gl::ItemsAre::kInstances, {{2, 0}, {2, sizeof(glm::vec2)}}};
 };
 
 }  // namespace kerf

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "core/base/assert.h"
-#include "ui/render/passes/assets.h"
+#include "ui/render/bodies/assets.h"
 
 namespace kerf {
 
@@ -16,12 +16,7 @@ constexpr std::array<glm::vec2, GatheredPicture::kPictures> kShifts{
 
 }  // namespace
 
-Result<GatheredPicture> GatheredPicture::create() {
-  const std::filesystem::path shaders = assets_folder() / "shaders";
-  auto copy = gl::Program::load(shaders, {{"screen.vert"}, {"share.frag"}});
-  if (!copy) return copy.error();
-  return GatheredPicture(std::move(*copy));
-}
+GatheredPicture::GatheredPicture(Shaders& shaders) : copy_(shaders.load({{"screen.vert"}, {"share.frag"}})) {}
 
 void GatheredPicture::begin(int width, int height) {
   KERF_ASSERT(width > 0 && height > 0);

@@ -3,9 +3,8 @@
 #include <functional>
 #include <optional>
 
-#include "core/base/result.h"
 #include "ui/gl/framebuffer.h"
-#include "ui/gl/program.h"
+#include "ui/render/bodies/shaders.h"
 #include "ui/render/passes/target.h"
 
 namespace kerf {
@@ -17,8 +16,7 @@ class GatheredPicture {
  public:
   static constexpr int kPictures = 4;
 
-  // Compiles its shader in assets/shaders. Fails if it is missing or does not compile.
-  static Result<GatheredPicture> create();
+  explicit GatheredPicture(Shaders& shaders);
 
   // Starts anew with pictures of this size in pixels. Precondition: width and height are positive.
   void begin(int width, int height);
@@ -35,7 +33,6 @@ class GatheredPicture {
   void forget();
 
  private:
-  explicit GatheredPicture(gl::Program copy) : copy_(std::move(copy)) {}
   void copy(const gl::Framebuffer& from, float share, const glm::ivec2& at) const;
 
   gl::Program copy_;

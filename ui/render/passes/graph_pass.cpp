@@ -5,7 +5,6 @@
 #include <map>
 
 #include "core/base/assert.h"
-#include "ui/gl/float_attribute.h"
 #include "ui/render/bodies/body_looks.h"
 #include "ui/render/view/box_palette.h"
 #include "ui/render/view/overlay_colours.h"
@@ -79,18 +78,8 @@ uint32_t colour_of(DrawnGraph::State state) {
   return overlay_colours::kUnmarked;
 }
 
-Result<GraphPass> GraphPass::create(const std::filesystem::path& shaders) {
-  auto links = ColouredLines::create(shaders);
-  if (!links) return links.error();
-  auto nodes = gl::Program::load(shaders, {{"frame.glsl", "line.glsl", "node.vert"}, {"node.frag"}});
-  if (!nodes) return nodes.error();
-  return GraphPass(std::move(*links), std::move(*nodes));
-}
-
-GraphPass::GraphPass(ColouredLines links, gl::Program nodes)
-    : links_(std::move(links)), nodes_(std::move(nodes)) {
-  nodes_.bind_block("Frame", kFrameBlock);
-}
+GraphPass::GraphPass(Shaders& shaders)
+    : links_(shaders), nodes_(shaders.load({{"frame.glsl", "line.glsl", "node.vert"}, {"node.frag"}})) {}
 
 void GraphPass::draw(const Subject& subject, const FrameUniforms& frame) {
   const ViewOptions& options = subject.options;
@@ -179,15 +168,9 @@ void GraphPass::draw_lit_face(const Subject& subject) {
 
 void GraphPass::draw_discs(const std::vector<Disc>& discs) {
   if (discs.empty()) return;
-  glBindVertexArray(node_layout_.name());
-  glBindBuffer(GL_ARRAY_BUFFER, node_buffer_.name());
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(discs.size() * sizeof(Disc)), discs.data(),
-               GL_STREAM_DRAW);
-  gl::set_float_attribute(0, 3, sizeof(Disc), offsetof(Disc, middle), 1);
-  gl::set_float_attribute(1, 1, sizeof(Disc), offsetof(Disc, radius), 1);
-  gl::set_float_attribute(2, 4, sizeof(Disc), offsetof(Disc, colour), 1);
+  discs_.send(discs);
   nodes_.use();
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(discs.size()));
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, discs_.count());
 }
 
 }  // namespace kerf

@@ -1,11 +1,10 @@
 #pragma once
 
-#include <filesystem>
 #include <vector>
 
 #include "core/graph/drawn_graph.h"
-#include "ui/gl/objects.h"
-#include "ui/gl/program.h"
+#include "ui/gl/stream.h"
+#include "ui/render/bodies/shaders.h"
 #include "ui/render/bodies/subject.h"
 #include "ui/render/passes/coloured_lines.h"
 
@@ -19,14 +18,12 @@ uint32_t colour_of(DrawnGraph::State state);
 // outline of the face that is lit.
 class GraphPass {
  public:
-  static Result<GraphPass> create(const std::filesystem::path& shaders);
+  explicit GraphPass(Shaders& shaders);
 
   // Draws over the bound picture, whose depth buffer is used, what the subject's options say. O(nodes).
   void draw(const Subject& subject, const FrameUniforms& frame);
 
  private:
-  GraphPass(ColouredLines links, gl::Program nodes);
-
   struct Disc {
     glm::vec3 middle;
     float radius;
@@ -39,8 +36,9 @@ class GraphPass {
 
   ColouredLines links_;
   gl::Program nodes_;
-  gl::Buffer node_buffer_;
-  gl::VertexArray node_layout_;
+  gl::Stream<Disc> discs_{
+      gl::ItemsAre::kInstances,
+      {{3, offsetof(Disc, middle)}, {1, offsetof(Disc, radius)}, {4, offsetof(Disc, colour)}}};
 };
 
 }  // namespace kerf

@@ -15,39 +15,22 @@ constexpr double kRadius = 14;          // of the disc, in diagonals of the worl
 
 }  // namespace
 
-Result<GroundPass> GroundPass::create(const std::filesystem::path& shaders) {
-  gl::ProgramFiles files{{"frame.glsl", "ground.vert"}, {"frame.glsl", "light.glsl", "ground.frag"}};
-  auto disc = gl::Program::load(shaders, files);
-  if (!disc) return disc.error();
-  files.defines = {"SPOT"};
-  auto spot_disc = gl::Program::load(shaders, files);
-  if (!spot_disc) return spot_disc.error();
-  auto direct = gl::Program::load(shaders, {{"frame.glsl", "ground.vert"},
-                                            {"frame.glsl", "light.glsl", "direct.glsl", "ground.frag"},
-                                            {"DIRECT"}});
-  if (!direct) return direct.error();
-  auto shadow =
-      gl::Program::load(shaders, {{"frame.glsl", "placed.glsl", "ground_shadow.vert"}, {"empty.frag"}});
-  if (!shadow) return shadow.error();
-  auto contact =
-      gl::Program::load(shaders, {{"frame.glsl", "placed.glsl", "contact.vert"}, {"contact.frag"}});
-  if (!contact) return contact.error();
-  auto blur = gl::Program::load(shaders, {{"screen.vert"}, {"blur.frag"}});
-  if (!blur) return blur.error();
-  auto contact_light = gl::Program::load(shaders, {{"screen.vert"}, {"contact_light.frag"}});
-  if (!contact_light) return contact_light.error();
-  return GroundPass({std::move(*disc), std::move(*spot_disc), std::move(*direct), std::move(*shadow),
-                     std::move(*contact), std::move(*blur), std::move(*contact_light)});
-}
-
-GroundPass::GroundPass(Programs programs)
-    : programs_(std::move(programs)),
-      picture_({kContactPixels, kContactPixels, 1, true}),
+GroundPass::GroundPass(Shaders& shaders)
+    : picture_({kContactPixels, kContactPixels, 1, true}),
       light_({kContactPixels, kContactPixels, 1, false}) {
-  const Programs& p = programs_;
-  for (const gl::Program* program : {&p.disc, &p.spot_disc, &p.direct, &p.shadow, &p.contact})
-    program->bind_block("Frame", kFrameBlock);
-  p.contact.bind_block("Paints", kPaintBlock);
+  const auto disc = [&](std::vector<std::string> defines) {
+    return shaders.load(
+        {{"frame.glsl", "ground.vert"}, {"frame.glsl", "light.glsl", "ground.frag"}, defines});
+  };
+  programs_.disc = disc({});
+  programs_.spot_disc = disc({"SPOT"});
+  programs_.direct = shaders.load({{"frame.glsl", "ground.vert"},
+                                   {"frame.glsl", "light.glsl", "direct.glsl", "ground.frag"},
+                                   {"DIRECT"}});
+  programs_.shadow = shaders.load({{"frame.glsl", "placed.glsl", "ground_shadow.vert"}, {"empty.frag"}});
+  programs_.contact = shaders.load({{"frame.glsl", "placed.glsl", "contact.vert"}, {"contact.frag"}});
+  programs_.blur = shaders.load({{"screen.vert"}, {"blur.frag"}});
+  programs_.contact_light = shaders.load({{"screen.vert"}, {"contact_light.frag"}});
   glBindTexture(GL_TEXTURE_2D, picture_.colour_texture());
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
   glGenerateMipmap(GL_TEXTURE_2D);

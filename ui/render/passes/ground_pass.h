@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "ui/gl/framebuffer.h"
-#include "ui/gl/program.h"
+#include "ui/render/bodies/shaders.h"
 #include "ui/render/view/frame_space.h"
 
 namespace kerf {
@@ -12,7 +12,7 @@ namespace kerf {
 // softly under them, and colour the ground around.
 class GroundPass {
  public:
-  static Result<GroundPass> create(const std::filesystem::path& shaders);
+  explicit GroundPass(Shaders& shaders);
 
   // Places the ground under these bounds, at this height (m) along the upward axis.
   void place_under(const World::Bounds& world, UpAxis up, double height);
@@ -42,7 +42,6 @@ class GroundPass {
   struct Programs {
     gl::Program disc, spot_disc, direct, shadow, contact, blur, contact_light;
   };
-  explicit GroundPass(Programs programs);
   glm::vec4 contact_place(const FrameSpace& space) const;
   void blur_contact();
   void light_contact();

@@ -36,7 +36,7 @@ double end_of_heat_scale(const World& world) {
   return end > kAmbient ? end : Substance().transition;
 }
 
-void draw_heat_bar(double end, const FaceNumbers& numbers, int height) {
+void draw_heat_bar(double end, FaceNumbers& numbers, int height) {
   KERF_ASSERT(end > kAmbient);
   const int zoom = 1 + height / 700, wide = 14 * zoom, tall = std::min(200 * zoom, height / 2);
   const int x = 12 * zoom, y = 12 * zoom;

@@ -10,6 +10,6 @@ double end_of_heat_scale(const World& world);
 
 // Draws the scale from the ambient to `end` (K) over the bound picture, at its lower left, with numbers in
 // kelvin beside it. `height` is that of the picture in pixels. Precondition: `end` is above the ambient.
-void draw_heat_bar(double end, const FaceNumbers& numbers, int height);
+void draw_heat_bar(double end, FaceNumbers& numbers, int height);
 
 }  // namespace kerf

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <span>
 
+#include "core/base/angle.h"
 #include "core/heat/black_body.h"
 
 namespace kerf {
@@ -46,8 +46,8 @@ const std::array<Stop<glm::vec4>, 8> kTints{{{440, {0.50f, 0.36f, 0.13f, 0.0f}},
 // The path of the temperature view through OKLab: lightness rises while the hue turns.
 glm::dvec3 oklab_on_path(double s) {
   const double lightness = 0.20 + 0.75 * s;
-  const double hue = (285 + 185 * s) * std::numbers::pi / 180;
-  const double chroma = 0.05 + 0.15 * std::sin(std::numbers::pi * std::pow(s, 0.9));
+  const double hue = (285 + 185 * s) * kPi / 180;
+  const double chroma = 0.05 + 0.15 * std::sin(kPi * std::pow(s, 0.9));
   return {lightness, chroma * std::cos(hue), chroma * std::sin(hue)};
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/gl/float_attribute.h"
 #include "ui/render/bodies/body_picture.h"
 #include "ui/render/view/box_palette.h"
 #include "ui/render/view/overlay_colour.h"
@@ -25,10 +24,6 @@ constexpr size_t kMostBoxes = 3500;       // those that are seen largest are dra
 constexpr GLsizei kMostDark = 200;        // lines beyond these are too many for a dark one under each
 constexpr int kVerticesOfBox = 12 * 6;
 
-struct Stick {
-  glm::vec3 from, to;
-};
-
 // Deep boxes fade, so that the tree is a structure and not a fog; what was asked for by its depth is drawn
 // faintly all the same.
 float opacity_of(const AabbTree::Box& box, const TreeOverlay& tree) {
@@ -38,12 +33,6 @@ float opacity_of(const AabbTree::Box& box, const TreeOverlay& tree) {
   float opacity = std::pow(kBoxFade, depth);
   if (opacity < kFaintest) opacity = 0;
   return tree.deepest < TreeOverlay().deepest ? std::max(kFaintestAsked, opacity) : opacity;
-}
-
-void upload(GLuint layout, GLuint buffer, const void* data, size_t bytes) {
-  glBindVertexArray(layout);
-  glBindBuffer(GL_ARRAY_BUFFER, buffer);
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), data, GL_DYNAMIC_DRAW);
 }
 
 // The same lines twice: wide and dark, then thin in their colours.
@@ -62,26 +51,16 @@ void draw_twice(const gl::Program& program, const glm::mat4& from_body, int vert
 
 }  // namespace
 
-Result<LineOverlay> LineOverlay::create(const std::filesystem::path& shaders) {
-  auto box = gl::Program::load(shaders, {{"frame.glsl", "line.glsl", "box.vert"}, {"box.frag"}});
-  if (!box) return box.error();
-  auto stick = gl::Program::load(shaders, {{"frame.glsl", "line.glsl", "stick.vert"}, {"box.frag"}});
-  if (!stick) return stick.error();
-  return LineOverlay(std::move(*box), std::move(*stick));
-}
-
-LineOverlay::LineOverlay(gl::Program box, gl::Program stick)
-    : box_(std::move(box)), stick_(std::move(stick)) {
-  box_.bind_block("Frame", kFrameBlock);
-  stick_.bind_block("Frame", kFrameBlock);
-}
+LineOverlay::LineOverlay(Shaders& shaders)
+    : box_(shaders.load({{"frame.glsl", "line.glsl", "box.vert"}, {"box.frag"}})),
+      stick_(shaders.load({{"frame.glsl", "line.glsl", "stick.vert"}, {"box.frag"}})) {}
 
 void LineOverlay::gather(Gathered& lines, const Body& body, const FloatFrame& frame,
                          const ViewOptions& options) const {
   TreeOverlay tree = options.tree;
   tree.hit_only = tree.hit_only || !options.show.aabb;
   if (options.show.aabb || options.show.aabb_hit) lines.all_boxes = gather_boxes(body, frame, tree);
-  if (options.show.normals) gather_normals(lines.sticks, body, frame);
+  if (options.show.normals) lines.sticks.send(gather_normals(body, frame), GL_DYNAMIC_DRAW);
   lines.shown = options.show;
   lines.tree = options.tree;
 }
@@ -98,15 +77,7 @@ std::vector<BoxLine> LineOverlay::gather_boxes(const Body& body, const FloatFram
   return boxes;
 }
 
-void LineOverlay::send_boxes(Lines& lines, const std::vector<BoxLine>& boxes) const {
-  upload(lines.layout.name(), lines.buffer.name(), boxes.data(), boxes.size() * sizeof(BoxLine));
-  gl::set_float_attribute(0, 3, sizeof(BoxLine), offsetof(BoxLine, low), 1);
-  gl::set_float_attribute(1, 3, sizeof(BoxLine), offsetof(BoxLine, high), 1);
-  gl::set_float_attribute(2, 2, sizeof(BoxLine), offsetof(BoxLine, style), 1);
-  lines.count = static_cast<GLsizei>(boxes.size());
-}
-
-void LineOverlay::gather_normals(Lines& lines, const Body& body, const FloatFrame& frame) const {
+std::vector<LineOverlay::Stick> LineOverlay::gather_normals(const Body& body, const FloatFrame& frame) const {
   std::vector<Stick> sticks;
   for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
     if (!body.mesh.is_live(FaceId(f))) continue;
@@ -119,10 +90,7 @@ void LineOverlay::gather_normals(Lines& lines, const Body& body, const FloatFram
     const double length = std::min(0.6 * std::sqrt(twice_area), 0.03);
     sticks.push_back({glm::vec3(middle), glm::vec3(middle + normal * (length / twice_area))});
   }
-  upload(lines.layout.name(), lines.buffer.name(), sticks.data(), sticks.size() * sizeof(Stick));
-  gl::set_float_attribute(0, 3, sizeof(Stick), offsetof(Stick, from), 1);
-  gl::set_float_attribute(1, 3, sizeof(Stick), offsetof(Stick, to), 1);
-  lines.count = static_cast<GLsizei>(sticks.size());
+  return sticks;
 }
 
 void LineOverlay::draw(BodyId id, const Body& body, const FloatFrame& frame, const FrameSpace& space,
@@ -138,16 +106,15 @@ void LineOverlay::draw(BodyId id, const Body& body, const FloatFrame& frame, con
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
   glDepthMask(GL_FALSE);
   if (boxes) {
-    send_boxes(lines.boxes, choose_boxes(lines.all_boxes, clip_from_frame * from_body, kMostBoxes));
-    glBindVertexArray(lines.boxes.layout.name());
+    lines.boxes.send(choose_boxes(lines.all_boxes, clip_from_frame * from_body, kMostBoxes), GL_DYNAMIC_DRAW);
     const BoxColours colours = colours_of(options.tree.palette);
-    draw_twice(box_, from_body, kVerticesOfBox, lines.boxes.count, kMostDark, srgb(colours.hit, 1),
+    draw_twice(box_, from_body, kVerticesOfBox, lines.boxes.count(), kMostDark, srgb(colours.hit, 1),
                srgb(colours.untouched, 1), options.mark_scale);
   }
   if (show.normals) {
     const SectionClip clip(options);
-    glBindVertexArray(lines.sticks.layout.name());
-    draw_twice(stick_, from_body, kVerticesOfLine, lines.sticks.count, lines.sticks.count,
+    lines.sticks.bind();
+    draw_twice(stick_, from_body, kVerticesOfLine, lines.sticks.count(), lines.sticks.count(),
                srgb(0x4aa3ff, 0.9f), glm::vec4(0), options.mark_scale);
   }
   glDepthMask(GL_TRUE);

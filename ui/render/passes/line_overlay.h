@@ -3,8 +3,8 @@
 #include <map>
 
 #include "core/world/world.h"
-#include "ui/gl/objects.h"
-#include "ui/gl/program.h"
+#include "ui/gl/stream.h"
+#include "ui/render/bodies/shaders.h"
 #include "ui/render/view/box_choice.h"
 #include "ui/render/view/frame_space.h"
 #include "ui/render/view/view_options.h"
@@ -15,7 +15,7 @@ namespace kerf {
 // body are collected again when it has changed and is shown, in time linear in its size.
 class LineOverlay {
  public:
-  static Result<LineOverlay> create(const std::filesystem::path& shaders);
+  explicit LineOverlay(Shaders& shaders);
 
   // Discards all collected lines.
   void forget() { gathered_.clear(); }
@@ -25,24 +25,23 @@ class LineOverlay {
             const glm::mat4& clip_from_frame, const ViewOptions& options);
 
  private:
-  LineOverlay(gl::Program box, gl::Program stick);
-
-  // The lines of one body on the GPU, one instance per line.
-  struct Lines {
-    gl::Buffer buffer;
-    gl::VertexArray layout;
-    GLsizei count = 0;
+  struct Stick {
+    glm::vec3 from, to;
   };
+  // The lines of one body.
   struct Gathered {
     std::vector<BoxLine> all_boxes;
-    Lines boxes, sticks;
+    gl::Stream<BoxLine> boxes{
+        gl::ItemsAre::kInstances,
+        {{3, offsetof(BoxLine, low)}, {3, offsetof(BoxLine, high)}, {2, offsetof(BoxLine, style)}}};
+    gl::Stream<Stick> sticks{gl::ItemsAre::kInstances,
+                             {{3, offsetof(Stick, from)}, {3, offsetof(Stick, to)}}};
     ShowOptions shown;
     TreeOverlay tree;
   };
   void gather(Gathered& lines, const Body& body, const FloatFrame& frame, const ViewOptions& options) const;
   std::vector<BoxLine> gather_boxes(const Body& body, const FloatFrame& frame, const TreeOverlay& tree) const;
-  void send_boxes(Lines& lines, const std::vector<BoxLine>& boxes) const;
-  void gather_normals(Lines& lines, const Body& body, const FloatFrame& frame) const;
+  std::vector<Stick> gather_normals(const Body& body, const FloatFrame& frame) const;
 
   gl::Program box_, stick_;
   std::map<BodyId, Gathered> gathered_;

@@ -18,18 +18,9 @@ glm::vec4 screen_colour(uint32_t hex) {
 
 }  // namespace
 
-Result<OutlinePass> OutlinePass::create(const std::filesystem::path& shaders) {
-  auto faces = gl::Program::load(shaders, {{"frame.glsl", "placed.glsl", "faces.vert"}, {"mark.frag"}});
-  if (!faces) return faces.error();
-  auto outline = gl::Program::load(shaders, {{"screen.vert"}, {"frame.glsl", "outline.frag"}});
-  if (!outline) return outline.error();
-  return OutlinePass(std::move(*faces), std::move(*outline));
-}
-
-OutlinePass::OutlinePass(gl::Program faces, gl::Program outline)
-    : faces_(std::move(faces)), outline_(std::move(outline)) {
-  for (const gl::Program* p : {&faces_, &outline_}) p->bind_block("Frame", kFrameBlock);
-}
+OutlinePass::OutlinePass(Shaders& shaders)
+    : faces_(shaders.load({{"frame.glsl", "placed.glsl", "faces.vert"}, {"mark.frag"}})),
+      outline_(shaders.load({{"screen.vert"}, {"frame.glsl", "outline.frag"}})) {}
 
 void OutlinePass::draw_selected(const Subject& subject) const {
   const SectionClip clip(subject.options);

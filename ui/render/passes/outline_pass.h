@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "ui/gl/framebuffer.h"
-#include "ui/gl/program.h"
+#include "ui/render/bodies/shaders.h"
 #include "ui/render/bodies/subject.h"
 
 namespace kerf {
@@ -11,13 +11,12 @@ namespace kerf {
 // Draws a thin outline around selected pieces, also where other surfaces hide them.
 class OutlinePass {
  public:
-  static Result<OutlinePass> create(const std::filesystem::path& shaders);
+  explicit OutlinePass(Shaders& shaders);
 
   // Draws over `picture` and leaves it bound. Costs nothing if no piece is selected.
   void draw(const Subject& subject, const gl::Framebuffer& picture);
 
  private:
-  OutlinePass(gl::Program faces, gl::Program outline);
   void draw_selected(const Subject& subject) const;
 
   gl::Program faces_, outline_;

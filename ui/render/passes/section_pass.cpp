@@ -14,15 +14,8 @@ constexpr float kSectionWidth = 1.5f;  // see scaled_width
 
 }  // namespace
 
-Result<SectionPass> SectionPass::create(const std::filesystem::path& shaders) {
-  auto line = gl::Program::load(shaders, {{"frame.glsl", "placed.glsl", "section.vert"}, {"section.frag"}});
-  if (!line) return line.error();
-  return SectionPass(std::move(*line));
-}
-
-SectionPass::SectionPass(gl::Program line) : line_(std::move(line)) {
-  line_.bind_block("Frame", kFrameBlock);
-}
+SectionPass::SectionPass(Shaders& shaders)
+    : line_(shaders.load({{"frame.glsl", "placed.glsl", "section.vert"}, {"section.frag"}})) {}
 
 void SectionPass::draw(const Subject& subject, int height) const {
   if (shown_section(subject.options) == nullptr) return;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/gl/program.h"
+#include "ui/render/bodies/shaders.h"
 #include "ui/render/bodies/subject.h"
 
 namespace kerf {
@@ -8,15 +8,13 @@ namespace kerf {
 // Draws a line where the section plane cuts faces.
 class SectionPass {
  public:
-  static Result<SectionPass> create(const std::filesystem::path& shaders);
+  explicit SectionPass(Shaders& shaders);
 
   // Draws over the bound picture, whose depth is that of the bodies. Costs nothing without a section plane.
   // Precondition: the uniform block of the frame is bound.
   void draw(const Subject& subject, int height) const;
 
  private:
-  explicit SectionPass(gl::Program line);
-
   gl::Program line_;
 };
 

@@ -1,6 +1,5 @@
 #include "ui/render/passes/stage_pass.h"
 
-#include "ui/gl/float_attribute.h"
 #include "ui/render/bodies/body_looks.h"
 #include "ui/render/view/overlay_colours.h"
 
@@ -56,6 +55,9 @@ class DrawnAt {
 
 }  // namespace
 
+StagePass::StagePass(Shaders& shaders)
+    : fills_(shaders.load({{"frame.glsl", "line.glsl", "fill.vert"}, {"fill.frag"}})), lines_(shaders) {}
+
 uint32_t colour_of(StageMarks::Kind kind) {
   switch (kind) {
     case Kind::kSwept:
@@ -78,15 +80,6 @@ uint32_t colour_of(StageMarks::Kind kind) {
       break;
   }
   return overlay_colours::kLast;
-}
-
-Result<StagePass> StagePass::create(const std::filesystem::path& shaders) {
-  auto fills = gl::Program::load(shaders, {{"frame.glsl", "line.glsl", "fill.vert"}, {"fill.frag"}});
-  if (!fills) return fills.error();
-  fills->bind_block("Frame", kFrameBlock);
-  auto lines = ColouredLines::create(shaders);
-  if (!lines) return lines.error();
-  return StagePass(std::move(*fills), std::move(*lines));
 }
 
 void StagePass::draw(const Subject& subject) {
@@ -124,14 +117,9 @@ void StagePass::draw(const Subject& subject) {
 
 void StagePass::draw_fills(const std::vector<Corner>& corners) {
   if (corners.empty()) return;
-  glBindVertexArray(layout_.name());
-  glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners.size() * sizeof(Corner)), corners.data(),
-               GL_STREAM_DRAW);
-  gl::set_float_attribute(0, 3, sizeof(Corner), offsetof(Corner, at));
-  gl::set_float_attribute(1, 4, sizeof(Corner), offsetof(Corner, colour));
+  corners_.send(corners);
   fills_.use();
-  glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners.size()));
+  glDrawArrays(GL_TRIANGLES, 0, corners_.count());
 }
 
 }  // namespace kerf

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <filesystem>
 #include <vector>
 
-#include "ui/gl/program.h"
+#include "ui/gl/stream.h"
+#include "ui/render/bodies/shaders.h"
 #include "ui/render/bodies/stage_marks.h"
 #include "ui/render/bodies/subject.h"
 #include "ui/render/passes/coloured_lines.h"
@@ -17,14 +17,12 @@ uint32_t colour_of(StageMarks::Kind kind);
 // surface hides is not seen, except for the box that was visited last.
 class StagePass {
  public:
-  static Result<StagePass> create(const std::filesystem::path& shaders);
+  explicit StagePass(Shaders& shaders);
 
   // Draws ViewOptions::stage over the bound picture, whose depth buffer is used. O(marks).
   void draw(const Subject& subject);
 
  private:
-  StagePass(gl::Program fills, ColouredLines lines) : fills_(std::move(fills)), lines_(std::move(lines)) {}
-
   struct Corner {
     glm::vec3 at;
     glm::vec4 colour;
@@ -33,8 +31,8 @@ class StagePass {
 
   gl::Program fills_;
   ColouredLines lines_;
-  gl::Buffer buffer_;
-  gl::VertexArray layout_;
+  gl::Stream<Corner> corners_{gl::ItemsAre::kVertices,
+                              {{3, offsetof(Corner, at)}, {4, offsetof(Corner, colour)}}};
 };
 
 }  // namespace kerf

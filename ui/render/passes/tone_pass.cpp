@@ -5,20 +5,9 @@
 
 namespace kerf {
 
-Result<TonePass> TonePass::create(const std::filesystem::path& shaders) {
-  gl::ProgramFiles files{{"screen.vert"}, {"frame.glsl", "light.glsl", "tone.frag"}};
-  auto one_sample = gl::Program::load(shaders, files);
-  if (!one_sample) return one_sample.error();
-  files.defines = {"SAMPLES"};
-  auto samples = gl::Program::load(shaders, files);
-  if (!samples) return samples.error();
-  return TonePass(std::move(*one_sample), std::move(*samples));
-}
-
-TonePass::TonePass(gl::Program one_sample, gl::Program samples)
-    : one_sample_(std::move(one_sample)), samples_(std::move(samples)) {
-  for (const gl::Program* p : {&one_sample_, &samples_}) p->bind_block("Frame", kFrameBlock);
-}
+TonePass::TonePass(Shaders& shaders)
+    : one_sample_(shaders.load({{"screen.vert"}, {"frame.glsl", "light.glsl", "tone.frag"}})),
+      samples_(shaders.load({{"screen.vert"}, {"frame.glsl", "light.glsl", "tone.frag"}, {"SAMPLES"}})) {}
 
 void TonePass::draw(const gl::Framebuffer& scene, const gl::Framebuffer& to) const {
   KERF_ASSERT(scene.shape().width == to.shape().width && scene.shape().height == to.shape().height &&

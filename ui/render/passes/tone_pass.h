@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/gl/framebuffer.h"
-#include "ui/gl/program.h"
+#include "ui/render/bodies/shaders.h"
 
 namespace kerf {
 
@@ -9,14 +9,13 @@ namespace kerf {
 // edges against bright surfaces stay smooth.
 class TonePass {
  public:
-  static Result<TonePass> create(const std::filesystem::path& shaders);
+  explicit TonePass(Shaders& shaders);
 
   // Fills the colour of `to` and keeps its depth. Precondition: both have the same size and number of
   // samples.
   void draw(const gl::Framebuffer& scene, const gl::Framebuffer& to) const;
 
  private:
-  TonePass(gl::Program one_sample, gl::Program samples);
   gl::Program one_sample_, samples_;
   gl::VertexArray no_vertices_;
 };

@@ -31,18 +31,9 @@ void draw_removed(const Subject& subject, const gl::Program& program) {
   glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
-Result<VeilPass> VeilPass::create(const std::filesystem::path& shaders) {
-  auto veil =
-      gl::Program::load(shaders, {{"frame.glsl", "veil.vert"}, {"frame.glsl", "light.glsl", "veil.frag"}});
-  if (!veil) return veil.error();
-  auto faces = gl::Program::load(shaders, {{"frame.glsl", "placed.glsl", "faces.vert"}, {"mark.frag"}});
-  if (!faces) return faces.error();
-  return VeilPass(std::move(*veil), std::move(*faces));
-}
-
-VeilPass::VeilPass(gl::Program veil, gl::Program faces) : veil_(std::move(veil)), faces_(std::move(faces)) {
-  for (const gl::Program* p : {&veil_, &faces_}) p->bind_block("Frame", kFrameBlock);
-}
+VeilPass::VeilPass(Shaders& shaders)
+    : veil_(shaders.load({{"frame.glsl", "veil.vert"}, {"frame.glsl", "light.glsl", "veil.frag"}})),
+      faces_(shaders.load({{"frame.glsl", "placed.glsl", "faces.vert"}, {"mark.frag"}})) {}
 
 // Into the depth alone: pieces that are hidden or moved away are not gone, so no veil takes their place.
 void VeilPass::draw_what_is_away(const Subject& subject) const {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/gl/program.h"
+#include "ui/render/bodies/shaders.h"
 #include "ui/render/bodies/subject.h"
 
 namespace kerf {
@@ -8,14 +8,13 @@ namespace kerf {
 // Draws the removed surface over the picture, as a faint veil or filled red.
 class VeilPass {
  public:
-  static Result<VeilPass> create(const std::filesystem::path& shaders);
+  explicit VeilPass(Shaders& shaders);
 
   // Draws into the bound framebuffer, with depth test, after all opaque surfaces.
   enum class Style { kVeil, kRed };
   void draw(const Subject& subject, Style style) const;
 
  private:
-  VeilPass(gl::Program veil, gl::Program faces);
   void draw_what_is_away(const Subject& subject) const;
 
   gl::Program veil_, faces_;

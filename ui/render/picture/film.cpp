@@ -55,7 +55,7 @@ Status Film::follow(const Document& document, const StepResult* step) {
     const auto beam = beam_picture(document, beam_);
     if (const Status moved = pass(seconds - shown, world, beam); !moved) return moved;
   }
-  const bool rests = document.waiting() == 0 && !document.in_stroke() && !is_in_motion(world);
+  const bool rests = document.waiting() == 0 && !document.execution().in_stroke() && !is_in_motion(world);
   if (!rests) return Done{};
   ahead_ = 0;
   return pass(kRest, world, std::nullopt);
@@ -72,7 +72,7 @@ void Film::leave_out(const Document& document, const StepResult* step) {
 Status Film::pass_ticks(const Document& document) {
   const double seconds = seconds_of_ticks(document.world().clock() - ticks_);
   ticks_ = document.world().clock();
-  if (!document.in_stroke()) return pass(seconds, document.world(), std::nullopt);
+  if (!document.execution().in_stroke()) return pass(seconds, document.world(), std::nullopt);
   ahead_ += seconds;
   return pass(seconds, document.world(), beam_picture(document, beam_));
 }
@@ -88,7 +88,7 @@ double Film::seconds_of(const BeamMove& move) const {
 
 std::optional<BeamPicture> Film::beam_picture(const Document& document, const Pose& beam) const {
   const double far = glm::length(middle_ - beam.origin) + kSecondsAcross * speed_;
-  return picture_of_beam(document.world(), document.stroke_settings(), beam, far);
+  return picture_of_beam(document.world(), document.history().last_settings(), beam, far);
 }
 
 // Lets time go by and takes the frames that are due in it.

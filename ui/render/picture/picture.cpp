@@ -44,7 +44,7 @@ Result<DrawnPicture> draw_picture(OpenedFile work, const PictureOptions& options
   std::optional<BeamPicture> drawn;
   if (options.beam && beam) {
     const double far = glm::length(studio->view().eye - beam->origin) + document.world().bounds().diagonal();
-    drawn = picture_of_beam(document.world(), document.stroke_settings(), *beam, far);
+    drawn = picture_of_beam(document.world(), document.history().last_settings(), *beam, far);
   }
   studio->draw(document.world(), drawn);
   return DrawnPicture{kept, studio};

@@ -67,7 +67,7 @@ void Studio::show_graph(const Document& document) {
 }
 
 void Studio::show_bodies(const Document& document) {
-  look_.bodies = gather_body_marks(document.world(), document.physics(), look_.show);
+  look_.bodies = gather_body_marks(document.world(), document.execution().physics(), look_.show);
 }
 
 void Studio::show_bodies_ahead(const World& world) { look_.bodies = body_marks_ahead(world, look_.show); }

@@ -27,11 +27,8 @@ Pixel colour(const ShadowReference& traced, const ShadowCounts& drawn, size_t i)
 
 }  // namespace
 
-Result<ReferencePass> ReferencePass::create(const std::filesystem::path& shaders) {
-  auto overlay = gl::Program::load(shaders, {{"screen.vert"}, {"overlay.frag"}});
-  if (!overlay) return overlay.error();
-  return ReferencePass(std::move(*overlay));
-}
+ReferencePass::ReferencePass(Shaders& shaders)
+    : overlay_(shaders.load({{"screen.vert"}, {"overlay.frag"}})) {}
 
 void ReferencePass::draw(const ShadowReference& traced, const ShadowCounts& drawn) const {
   KERF_ASSERT(drawn.width == traced.width() && drawn.height == traced.height());

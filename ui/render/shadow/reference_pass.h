@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/gl/framebuffer.h"
-#include "ui/gl/program.h"
+#include "ui/render/bodies/shaders.h"
 #include "ui/render/shadow/shadow_reference.h"
 
 namespace kerf {
@@ -11,13 +11,12 @@ namespace kerf {
 // stay unchanged.
 class ReferencePass {
  public:
-  static Result<ReferencePass> create(const std::filesystem::path& shaders);
+  explicit ReferencePass(Shaders& shaders);
 
   // Draws over the whole bound framebuffer. Precondition: both are of pictures of the same size.
   void draw(const ShadowReference& traced, const ShadowCounts& drawn) const;
 
  private:
-  explicit ReferencePass(gl::Program overlay) : overlay_(std::move(overlay)) {}
   gl::Program overlay_;
   gl::Texture picture_;
   gl::VertexArray no_vertices_;

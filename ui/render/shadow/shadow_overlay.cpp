@@ -36,7 +36,7 @@ void fill_rectangle(int x, int y, int width, int height, const glm::vec4& colour
 }
 
 // Fields of colour in a row, each with its number; `row` counts strips from below.
-void draw_legend(std::span<const glm::vec4> colours, uint32_t first, int row, const FaceNumbers& numbers,
+void draw_legend(std::span<const glm::vec4> colours, uint32_t first, int row, FaceNumbers& numbers,
                  int height) {
   const int zoom = 1 + height / 700, side = 22 * zoom, margin = 10 * zoom;
   const int y = margin + row * (side + margin);
@@ -75,29 +75,16 @@ struct ShadowOverlay::Inspected {
   }
 };
 
-Result<ShadowOverlay> ShadowOverlay::create(const std::filesystem::path& shaders) {
-  auto line = gl::Program::load(
-      shaders,
-      {{"frame.glsl", "placed.glsl", "line.glsl", "shadow_light.glsl", "shadow_line.vert"}, {"box.frag"}});
-  if (!line) return line.error();
-  auto sheet =
-      gl::Program::load(shaders, {{"frame.glsl", "placed.glsl", "shadow_light.glsl", "shadow_side.vert"},
-                                  {"shadow_sheet.frag"},
-                                  {"SHEET"}});
-  if (!sheet) return sheet.error();
-  auto facing = gl::Program::load(shaders, {{"frame.glsl", "placed.glsl", "facing.vert"}, {"facing.frag"}});
-  if (!facing) return facing.error();
-  auto solid = gl::Program::load(shaders, {{"screen.vert"}, {"solid.frag"}});
-  if (!solid) return solid.error();
-  return ShadowOverlay(std::move(*line), std::move(*sheet), std::move(*facing), std::move(*solid));
-}
+ShadowOverlay::ShadowOverlay(Shaders& shaders)
+    : line_(shaders.load({{"frame.glsl", "placed.glsl", "line.glsl", "shadow_light.glsl", "shadow_line.vert"},
+                          {"box.frag"}})),
+      sheet_(shaders.load({{"frame.glsl", "placed.glsl", "shadow_light.glsl", "shadow_side.vert"},
+                           {"shadow_sheet.frag"},
+                           {"SHEET"}})),
+      facing_(shaders.load({{"frame.glsl", "placed.glsl", "facing.vert"}, {"facing.frag"}})),
+      solid_(shaders.load({{"screen.vert"}, {"solid.frag"}})) {}
 
-ShadowOverlay::ShadowOverlay(gl::Program line, gl::Program sheet, gl::Program facing, gl::Program solid)
-    : line_(std::move(line)), sheet_(std::move(sheet)), facing_(std::move(facing)), solid_(std::move(solid)) {
-  for (const gl::Program* p : {&line_, &sheet_, &facing_}) p->bind_block("Frame", kFrameBlock);
-}
-
-void ShadowOverlay::draw(const Subject& subject, ShadowPass& shadows, const FaceNumbers& numbers,
+void ShadowOverlay::draw(const Subject& subject, ShadowPass& shadows, FaceNumbers& numbers,
                          const gl::Framebuffer& picture) const {
   const ViewOptions& options = subject.options;
   const ShowOptions& show = options.show;
@@ -129,7 +116,7 @@ void ShadowOverlay::draw_facing(const Inspected& seen) const {
   glDepthFunc(GL_LESS);
 }
 
-void ShadowOverlay::draw_counts(const Inspected& seen, const FaceNumbers& numbers) const {
+void ShadowOverlay::draw_counts(const Inspected& seen, FaceNumbers& numbers) const {
   seen.shadows.count(seen.subject, seen.light, seen.method);
   // As far as the sky, which has no count.
   glDepthFunc(GL_GREATER);
@@ -191,7 +178,7 @@ void ShadowOverlay::draw_volumes(const Inspected& seen) const {
 }
 
 // Faint where something stands before it, then over a dark line where it is seen.
-void ShadowOverlay::draw_silhouette(const Inspected& seen, const FaceNumbers& numbers) const {
+void ShadowOverlay::draw_silhouette(const Inspected& seen, FaceNumbers& numbers) const {
   glDepthMask(GL_FALSE);
   blend();
   glDisable(GL_DEPTH_TEST);

@@ -3,6 +3,7 @@
 #include <span>
 
 #include "ui/gl/framebuffer.h"
+#include "ui/render/bodies/shaders.h"
 #include "ui/render/passes/face_numbers.h"
 #include "ui/render/shadow/shadow_pass.h"
 
@@ -14,21 +15,19 @@ namespace kerf {
 // that face away in dark blue. A legend at the lower left explains the colours.
 class ShadowOverlay {
  public:
-  static Result<ShadowOverlay> create(const std::filesystem::path& shaders);
+  explicit ShadowOverlay(Shaders& shaders);
 
   // Draws for the light that the options inspect, over a picture whose depth is kept; its stencil is
   // overwritten.
-  void draw(const Subject& subject, ShadowPass& shadows, const FaceNumbers& numbers,
+  void draw(const Subject& subject, ShadowPass& shadows, FaceNumbers& numbers,
             const gl::Framebuffer& picture) const;
 
  private:
-  ShadowOverlay(gl::Program line, gl::Program sheet, gl::Program facing, gl::Program solid);
-
   struct Inspected;
   void draw_facing(const Inspected& seen) const;
-  void draw_counts(const Inspected& seen, const FaceNumbers& numbers) const;
+  void draw_counts(const Inspected& seen, FaceNumbers& numbers) const;
   void draw_volumes(const Inspected& seen) const;
-  void draw_silhouette(const Inspected& seen, const FaceNumbers& numbers) const;
+  void draw_silhouette(const Inspected& seen, FaceNumbers& numbers) const;
   void draw_lines(const Inspected& seen, float half_width, float reach,
                   std::span<const glm::vec4> colours) const;
 

@@ -33,21 +33,11 @@ std::vector<uint32_t> take_slots(DirtySlots& dirty) {
 
 }  // namespace
 
-Result<ShadowPass> ShadowPass::create(const std::filesystem::path& shaders) {
-  const auto load = [&](const char* vertex) {
-    return gl::Program::load(shaders,
-                             {{"frame.glsl", "placed.glsl", "shadow_light.glsl", vertex}, {"empty.frag"}});
-  };
-  auto cap = load("shadow_cap.vert");
-  if (!cap) return cap.error();
-  auto side = load("shadow_side.vert");
-  if (!side) return side.error();
-  return ShadowPass(std::move(*cap), std::move(*side));
-}
-
-ShadowPass::ShadowPass(gl::Program cap, gl::Program side) : cap_(std::move(cap)), side_(std::move(side)) {
-  for (const gl::Program* p : {&cap_, &side_}) p->bind_block("Frame", kFrameBlock);
-}
+ShadowPass::ShadowPass(Shaders& shaders)
+    : cap_(shaders.load(
+          {{"frame.glsl", "placed.glsl", "shadow_light.glsl", "shadow_cap.vert"}, {"empty.frag"}})),
+      side_(shaders.load(
+          {{"frame.glsl", "placed.glsl", "shadow_light.glsl", "shadow_side.vert"}, {"empty.frag"}})) {}
 
 void ShadowPass::carry_on(BodyId from, BodyId to) {
   const auto found = bodies_.find(from);

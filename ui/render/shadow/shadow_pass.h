@@ -5,8 +5,8 @@
 
 #include "core/base/assert.h"
 #include "core/world/delta.h"
-#include "ui/gl/program.h"
 #include "ui/render/bodies/picture_memory.h"
+#include "ui/render/bodies/shaders.h"
 #include "ui/render/bodies/subject.h"
 #include "ui/render/shadow/volume_buffer.h"
 
@@ -29,7 +29,7 @@ struct ShadowWork {
 // Volumes are cached per body, light and method. They follow Deltas and do not depend on the viewpoint.
 class ShadowPass {
  public:
-  static Result<ShadowPass> create(const std::filesystem::path& shaders);
+  explicit ShadowPass(Shaders& shaders);
 
   // Everything that is kept is of another world, or a Delta was lost.
   void forget() { bodies_.clear(); }
@@ -66,8 +66,6 @@ class ShadowPass {
   PictureMemory memory() const;
 
  private:
-  ShadowPass(gl::Program cap, gl::Program side);
-
   using VolumeKey = std::pair<size_t, ShadowMethod>;
   struct Kept {
     VolumeBuffer buffer;

@@ -5,18 +5,9 @@
 
 namespace kerf {
 
-Result<ShadowProbe> ShadowProbe::create(const std::filesystem::path& shaders) {
-  auto faces = gl::Program::load(shaders, {{"frame.glsl", "placed.glsl", "faces.vert"}, {"mark.frag"}});
-  if (!faces) return faces.error();
-  auto ground = gl::Program::load(shaders, {{"frame.glsl", "ground.vert"}, {"solid.frag"}});
-  if (!ground) return ground.error();
-  return ShadowProbe(std::move(*faces), std::move(*ground));
-}
-
-ShadowProbe::ShadowProbe(gl::Program faces, gl::Program ground)
-    : faces_(std::move(faces)), ground_(std::move(ground)) {
-  for (const gl::Program* p : {&faces_, &ground_}) p->bind_block("Frame", kFrameBlock);
-}
+ShadowProbe::ShadowProbe(Shaders& shaders)
+    : faces_(shaders.load({{"frame.glsl", "placed.glsl", "faces.vert"}, {"mark.frag"}})),
+      ground_(shaders.load({{"frame.glsl", "ground.vert"}, {"solid.frag"}})) {}
 
 void ShadowProbe::draw_marks(const Subject& subject, const GroundPass* ground) const {
   glDisable(GL_BLEND);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ui/gl/framebuffer.h"
+#include "ui/render/bodies/shaders.h"
 #include "ui/render/passes/ground_pass.h"
 #include "ui/render/shadow/shadow_pass.h"
 
@@ -22,7 +23,7 @@ struct ShadowCounts {
 // Renders the visible faces and the stencil counts with one sample per pixel and reads both back.
 class ShadowProbe {
  public:
-  static Result<ShadowProbe> create(const std::filesystem::path& shaders);
+  explicit ShadowProbe(Shaders& shaders);
 
   // If `ground` is null, only bodies are visible. Changes the bound framebuffer. Precondition: the uniform
   // block of the frame is bound and matches the size, which is positive.
@@ -30,7 +31,6 @@ class ShadowProbe {
                     const GroundPass* ground, int width, int height);
 
  private:
-  ShadowProbe(gl::Program faces, gl::Program ground);
   void draw_marks(const Subject& subject, const GroundPass* ground) const;
 
   gl::Program faces_, ground_;

@@ -106,6 +106,8 @@ single_option() {
 # ccache takes paths below the checkout as relative ones, so a fresh clone finds what another has compiled, and learns
 # from the compiler which headers a source includes.
 compile() {
+  local all_groups
+  all_groups=$(ninja -C "$folder" -n "$target" 2>/dev/null | grep -c '/groups/') || true
   CCACHE_BASEDIR=$root CCACHE_DEPEND=1 CCACHE_SLOPPINESS=pch_defines,time_macros \
     NINJA_STATUS='[%f/%t %e] ' ninja -C "$folder" "$target" 2>&1 | show_progress ||
     fail "could not build $target in $folder"
@@ -116,12 +118,13 @@ compile() {
 # or ninja would die on the broken pipe before it ends its compilers.
 show_progress() {
   trap '' INT
-  local line next_line=0
+  local line next_line=0 groups=0
   while IFS= read -r line; do
     case $line in
       'ninja: Entering directory'* | 'ninja: no work to do'* | *'Re-checking globbed'*) continue ;;
     esac
     if [[ $line =~ ^\[([0-9]+)/([0-9]+)\ ([0-9]+) ]]; then
+      [[ $line != */groups/* ]] || groups=$((groups + 1))
       show_step "${BASH_REMATCH[@]:1}"
     else
       [[ ! -t 2 ]] || printf '\r\033[K' >&2
@@ -131,16 +134,17 @@ show_progress() {
   [[ ! -t 2 ]] || printf '\r\033[K' >&2
 }
 
-# show_step DONE ALL SECONDS: the time left is that of as many steps as were done so far. One step for each processor is
-# under way, and half done.
+# show_step DONE ALL SECONDS: the time left is that of as much work as was done so far, where a group of sources is as
+# much as ten other steps. One step for each processor is under way, and half done.
 show_step() {
-  local ended=$1 all=$2 seconds=$3 halves text bar left
+  local ended=$1 all=$2 seconds=$3 work done text bar left
   [[ -t 2 ]] || ((seconds >= next_line)) || return 0
   next_line=$((seconds + 15))
   text="building, $ended of $all steps"
   if ((ended > 0 && ended < all && seconds >= 5)); then
-    halves=$((2 * ended + $(nproc)))
-    left=$((halves < 2 * all ? seconds * (2 * all - halves) / halves : 0))
+    work=$((2 * all + 18 * all_groups))
+    done=$((2 * ended + 18 * groups + (groups < all_groups ? 10 : 1) * $(nproc)))
+    left=$((done < work ? seconds * (work - done) / done : 0))
     text+=$(printf ', about %d:%02d left' $((left / 60)) $((left % 60)))
   fi
   if [[ -t 2 ]]; then

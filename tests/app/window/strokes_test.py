@@ -111,7 +111,6 @@ class Strokes(WindowTest):
         self.assertEqual(report["last_stroke"]["faces_removed"], report["faces_removed"])
         self.assertGreater(report["last_stroke"]["faces_made"], 100)
 
-    @real_input
     def test_a_slider_is_held_while_the_stroke_among_many_faces_is_cut_again_in_the_background(self):
         editor = self.open()
         editor.drag([(0.27, 0.36), (0.8, 0.42)])

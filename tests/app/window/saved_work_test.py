@@ -10,9 +10,10 @@ import unittest
 from editor_window import ASSETS, KERF, SPHERE, WindowTest
 
 MESHES = os.environ.get("KERF_TEST_MESHES")
-LARGEST_FILE = 600e3  # bytes
+LONG = "KERF_LONG" in os.environ
+LARGEST_FILE = 600e3 if LONG else 100e3  # bytes
 SHORT = 2  # the seed of a history that takes less time than most
-FIRST, LAST = (1, 40) if "KERF_LONG" in os.environ else (SHORT, SHORT)
+FIRST, LAST = (1, 40) if LONG else (SHORT, SHORT)
 
 
 def files():

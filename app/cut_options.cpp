@@ -11,93 +11,145 @@ namespace kerf {
 
 namespace {
 
-constexpr double kLongestFall = 3600;  // s
+// The numbers that an option may have, and how an error says so.
+struct Allowed {
+  bool (*has)(double) = [](double x) { return x > 0 && std::isfinite(x); };
+  const char* words;
+};
+constexpr Allowed kLength{.words = "must be a length in metres greater than zero"};
+constexpr Allowed kWatts{.words = "must be a number of watts greater than zero"};
+constexpr Allowed kDensity{.words = "must be a number of kilograms per cubic metre greater than zero"};
+constexpr Allowed kFall{[](double x) { return x > 0 && x <= 3600; },
+                        "must be a number of seconds greater than zero, at most 3600"};
+constexpr Allowed kHeight{[](double x) { return std::isfinite(x); }, "must be a height in metres"};
 
-Status only(const std::optional<std::string>& value, const char* option,
-            const std::vector<std::string>& offered) {
-  if (!value || std::find(offered.begin(), offered.end(), *value) != offered.end()) return Done{};
-  std::string list;
-  for (const std::string& name : offered) list += (list.empty() ? "" : ", ") + name;
-  return bad_input(std::string(option) + ": \"" + *value +
-                   "\" is not offered by this version; there is: " + list);
+using Names = std::vector<std::string>;
+
+// The options that a settings file may hold, too, each once: its key, what is allowed, and its help.
+template <typename Visitor>
+void visit_options(CutOptions& o, Visitor& v) {
+  v.number("radius", o.radius, kLength,
+           "Radius of the beam in metres (diagonal/400, or what the path file says)");
+  v.range("range", o.range, "MIN,MAX: where along the beam it cuts, in metres (0 to 10 diagonals)");
+  v.choice("pattern", o.pattern, {"volume", "rays4"}, "volume or rays4 (volume)");
+  v.choice("scheme", o.scheme, {"one-to-four", "longest-edge"},
+           "How faces are split: one-to-four or longest-edge (longest-edge)");
+  v.choice("rim", o.rim, {"faces", "smooth"}, "How the rim is left: faces or smooth (faces)");
+  v.number("target-edge", o.target_edge, kLength,
+           "Longest edge under the beam in metres (radius/4; thermal: radius)");
+  v.number("tolerance", o.tolerance, kLength,
+           "Instead: how far what is removed may overshoot the beam, in metres");
+  v.whole("depth", o.depth, 0, Resolution::kLargestDepth, "Instead: levels under the base face");
+  v.whole("steps", o.steps, 1, 1'000'000,
+          "How many steps each stroke is walked in (as many as the sweep needs)");
+  v.choice("model", o.model, {"geometric", "thermal"},
+           "What the beam does to a face: geometric removes it at once, thermal heats it until it has "
+           "the energy that its material needs (geometric)");
+  v.text("material", o.material,
+         "What the sheets are made of (mild-steel); kerf materials lists what there is");
+  v.number("power", o.power, kWatts, "Of the beam in watts (2000, or what the path file says)");
+  v.choice("format", o.format, {"obj", "ply", "stl", "off"}, "Of the pieces: obj, ply, stl or off (obj)");
+  v.flag("split-all", o.split_all, "Every connected component is a piece");
+  v.number("settle", o.settle, kFall,
+           "For how many seconds the pieces fall after the last stroke; they are written where "
+           "they are then");
+  v.number("ground", o.ground, kHeight,
+           "With --settle: height of the ground in metres (the lowest point of all meshes)");
+  v.number("thickness", o.thickness, kLength,
+           "Thickness of the sheets that the faces stand for, in metres (0.001)");
+  v.number("density", o.density, kDensity, "Density of the sheets in kg/m3 (7850, that of mild steel)");
 }
 
-Status positive(const std::optional<double>& value, const char* option) {
-  if (!value || (*value > 0 && std::isfinite(*value))) return Done{};
-  return bad_input(std::string(option) + ": must be a length in metres greater than zero");
-}
+// Offers the options on the command line.
+struct Offer {
+  CLI::App& command;
 
-Status positive_number(const std::optional<double>& value, const char* option, const char* unit) {
-  if (!value || (*value > 0 && std::isfinite(*value))) return Done{};
-  return bad_input(std::string(option) + ": must be a number of " + unit + " greater than zero");
-}
-
-Status check_fall(const CutOptions& o) {
-  if (o.settle && !(*o.settle > 0 && *o.settle <= kLongestFall))
-    return bad_input("--settle: must be a number of seconds greater than zero, at most 3600");
-  if (o.ground && !o.settle) return bad_input("--ground: needs --settle, without which nothing falls");
-  if (o.ground && !std::isfinite(*o.ground)) return bad_input("--ground: must be a height in metres");
-  if (const auto s = positive(o.thickness, "--thickness"); !s) return s;
-  return positive_number(o.density, "--density", "kilograms per cubic metre");
-}
-
-Status within(const std::optional<int>& value, int least, int most, const char* option) {
-  if (!value || (*value >= least && *value <= most)) return Done{};
-  return bad_input(std::string(option) + ": must be a whole number from " + std::to_string(least) + " to " +
-                   std::to_string(most));
-}
-
-template <typename T>
-Status take(const JsonValue& value, std::optional<T>& option) {
-  if constexpr (std::is_same_v<T, double>) {
-    const auto number = value.number();
-    if (!number) return number.error();
-    if (!option) option = *number;
-  } else if constexpr (std::is_same_v<T, int>) {
-    if (!value.json().is_number_integer()) return value.wrong("must be a whole number");
-    const auto number = value.json().get<int64_t>();
-    if (number < -1'000'000'000 || number > 1'000'000'000) return value.wrong("is out of range");
-    if (!option) option = static_cast<int>(number);
-  } else {
-    const auto text = value.text();
-    if (!text) return text.error();
-    if (!option) option = *text;
+  template <typename T>
+  void add(const char* key, T& x, const char* help) {
+    command.add_option("--" + std::string(key), x, help);
   }
-  return Done{};
-}
-
-Status take_range(const JsonValue& value, std::optional<std::string>& option) {
-  const auto range = value.interval();
-  if (!range) return range.error();
-  if (!option) option = value.json()[0].dump() + "," + value.json()[1].dump();
-  return Done{};
-}
-
-Status take_key(const std::string& key, const JsonValue& value, CutOptions& o) {
-  if (key == "radius") return take(value, o.radius);
-  if (key == "range") return take_range(value, o.range);
-  if (key == "pattern") return take(value, o.pattern);
-  if (key == "scheme") return take(value, o.scheme);
-  if (key == "rim") return take(value, o.rim);
-  if (key == "target-edge") return take(value, o.target_edge);
-  if (key == "tolerance") return take(value, o.tolerance);
-  if (key == "depth") return take(value, o.depth);
-  if (key == "steps") return take(value, o.steps);
-  if (key == "settle") return take(value, o.settle);
-  if (key == "ground") return take(value, o.ground);
-  if (key == "thickness") return take(value, o.thickness);
-  if (key == "density") return take(value, o.density);
-  if (key == "model") return take(value, o.model);
-  if (key == "material") return take(value, o.material);
-  if (key == "power") return take(value, o.power);
-  if (key == "format") return take(value, o.format);
-  if (key == "split-all") {
-    if (!value.json().is_boolean()) return value.wrong("must be true or false");
-    o.split_all = o.split_all || value.json().get<bool>();
-    return Done{};
+  void number(const char* key, std::optional<double>& x, Allowed, const char* help) { add(key, x, help); }
+  void whole(const char* key, std::optional<int>& x, int, int, const char* help) { add(key, x, help); }
+  void choice(const char* key, std::optional<std::string>& x, const Names&, const char* help) {
+    add(key, x, help);
   }
-  return value.wrong("is not a setting that this version has");
-}
+  void text(const char* key, std::optional<std::string>& x, const char* help) { add(key, x, help); }
+  void range(const char* key, std::optional<std::string>& x, const char* help) { add(key, x, help); }
+  void flag(const char* key, bool& x, const char* help) {
+    command.add_flag("--" + std::string(key), x, help);
+  }
+};
+
+// Takes one entry of a settings file, unless the command line has the option.
+struct FileEntry {
+  const std::string& key;
+  const JsonValue& value;
+  Status status;
+
+  template <typename T, typename Read>
+  void take(const char* option, std::optional<T>& x, Read read) {
+    if (option != key) return;
+    const auto found = read();
+    status = found ? Status(Done{}) : Status(found.error());
+    if (found && !x) x = *found;
+  }
+  void number(const char* option, std::optional<double>& x, Allowed, const char*) {
+    take(option, x, [&] { return value.number(); });
+  }
+  void whole(const char* option, std::optional<int>& x, int, int, const char*) {
+    take(option, x, [&]() -> Result<int> {
+      if (!value.json().is_number_integer()) return value.wrong("must be a whole number");
+      const auto number = value.json().get<int64_t>();
+      if (std::abs(number) > 1'000'000'000) return value.wrong("is out of range");
+      return static_cast<int>(number);
+    });
+  }
+  void text(const char* option, std::optional<std::string>& x, const char*) {
+    take(option, x, [&] { return value.text(); });
+  }
+  void choice(const char* option, std::optional<std::string>& x, const Names&, const char* help) {
+    text(option, x, help);
+  }
+  void range(const char* option, std::optional<std::string>& x, const char*) {
+    take(option, x, [&]() -> Result<std::string> {
+      if (const auto range = value.interval(); !range) return range.error();
+      return value.json()[0].dump() + "," + value.json()[1].dump();
+    });
+  }
+  void flag(const char* option, bool& x, const char*) {
+    if (option != key) return;
+    status = value.json().is_boolean() ? Status(Done{}) : Status(value.wrong("must be true or false"));
+    if (status) x = x || value.json().get<bool>();
+  }
+};
+
+// Checks the values; the first that is wrong is told.
+struct Check {
+  Status status = Done{};
+
+  void expect(bool right, const char* key, const std::string& words) {
+    if (status && !right) status = bad_input("--" + std::string(key) + ": " + words);
+  }
+  void number(const char* key, const std::optional<double>& x, Allowed allowed, const char*) {
+    expect(!x || allowed.has(*x), key, allowed.words);
+  }
+  void whole(const char* key, const std::optional<int>& x, int least, int most, const char*) {
+    expect(!x || (*x >= least && *x <= most), key,
+           "must be a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+  }
+  void choice(const char* key, const std::optional<std::string>& x, const Names& names, const char*) {
+    if (!x || std::find(names.begin(), names.end(), *x) != names.end()) return;
+    std::string list;
+    for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+    expect(false, key, "\"" + *x + "\" is not offered by this version; there is: " + list);
+  }
+  void range(const char*, const std::optional<std::string>& x, const char*) {
+    if (!x || !status) return;
+    if (const auto range = parse_range(*x); !range) status = range.error();
+  }
+  void text(const char*, const std::optional<std::string>&, const char*) {}
+  void flag(const char*, bool, const char*) {}
+};
 
 constexpr const char* kPathFile =
     R"(The path file holds strokes. Between the keys of a stroke the origin of the beam
@@ -123,37 +175,8 @@ void add_cut_options(CLI::App& command, CutOptions& o) {
       ->required();
   command.add_option("--path", o.path, "The strokes of the laser (JSON); without it nothing is cut");
   command.add_option("--out", o.out, "The folder for the pieces and report.json")->required();
-  command.add_option("--radius", o.radius,
-                     "Radius of the beam in metres (diagonal/400, or what the path file says)");
-  command.add_option("--range", o.range,
-                     "MIN,MAX: where along the beam it cuts, in metres (0 to 10 diagonals)");
-  command.add_option("--pattern", o.pattern, "volume or rays4 (volume)");
-  command.add_option("--scheme", o.scheme, "How faces are split: one-to-four or longest-edge (longest-edge)");
-  command.add_option("--rim", o.rim, "How the rim is left: faces or smooth (faces)");
-  command.add_option("--target-edge", o.target_edge,
-                     "Longest edge under the beam in metres (radius/4; thermal: radius)");
-  command.add_option("--tolerance", o.tolerance,
-                     "Instead: how far what is removed may overshoot the beam, in metres");
-  command.add_option("--depth", o.depth, "Instead: levels under the base face");
-  command.add_option("--steps", o.steps,
-                     "How many steps each stroke is walked in (as many as the sweep needs)");
-  command.add_option(
-      "--model", o.model,
-      "What the beam does to a face: geometric removes it at once, thermal heats it until it has "
-      "the energy that its material needs (geometric)");
-  command.add_option("--material", o.material,
-                     "What the sheets are made of (mild-steel); kerf materials lists what there is");
-  command.add_option("--power", o.power, "Of the beam in watts (2000, or what the path file says)");
-  command.add_option("--format", o.format, "Of the pieces: obj, ply, stl or off (obj)");
-  command.add_flag("--split-all", o.split_all, "Every connected component is a piece");
-  command.add_option("--settle", o.settle,
-                     "For how many seconds the pieces fall after the last stroke; they are written where "
-                     "they are then");
-  command.add_option("--ground", o.ground,
-                     "With --settle: height of the ground in metres (the lowest point of all meshes)");
-  command.add_option("--thickness", o.thickness,
-                     "Thickness of the sheets that the faces stand for, in metres (0.001)");
-  command.add_option("--density", o.density, "Density of the sheets in kg/m3 (7850, that of mild steel)");
+  Offer offer{command};
+  visit_options(o, offer);
   command.add_option("--journal", o.journal,
                      "Where to write the journal (.kerf) of the cut, for kerf replay");
   command.add_option("--settings", o.settings, "A JSON file with the same keys; the command line wins");
@@ -171,7 +194,10 @@ Status merge_settings_file(CutOptions& o) {
   const bool has_resolution = o.target_edge || o.tolerance || o.depth;
   for (const auto& item : json->items()) {
     if (has_resolution && is_resolution(item.key())) continue;
-    if (const auto taken = take_key(item.key(), root[item.key()], o); !taken) return taken;
+    const JsonValue value = root[item.key()];
+    FileEntry entry{item.key(), value, value.wrong("is not a setting that this version has")};
+    visit_options(o, entry);
+    if (!entry.status) return entry.status;
   }
   return Done{};
 }
@@ -188,25 +214,15 @@ Result<Interval> parse_range(const std::string& text) {
   return range;
 }
 
-Status check_cut_options(const CutOptions& o) {
-  if (const auto s = positive(o.radius, "--radius"); !s) return s;
-  if (o.range) {
-    if (const auto range = parse_range(*o.range); !range) return range.error();
-  }
-  if (const auto s = only(o.pattern, "--pattern", {"volume", "rays4"}); !s) return s;
-  if (const auto s = only(o.scheme, "--scheme", {"one-to-four", "longest-edge"}); !s) return s;
-  if (const auto s = only(o.rim, "--rim", {"faces", "smooth"}); !s) return s;
-  if (const auto s = positive(o.target_edge, "--target-edge"); !s) return s;
-  if (const auto s = positive(o.tolerance, "--tolerance"); !s) return s;
-  if (const auto s = within(o.depth, 0, Resolution::kLargestDepth, "--depth"); !s) return s;
+Status check_cut_options(CutOptions o) {
+  Check check;
+  visit_options(o, check);
+  if (!check.status) return check.status;
   if (o.target_edge.has_value() + o.tolerance.has_value() + o.depth.has_value() > 1) {
     return bad_input("--target-edge, --tolerance and --depth: choose one of them");
   }
-  if (const auto s = within(o.steps, 1, 1'000'000, "--steps"); !s) return s;
-  if (const auto s = only(o.model, "--model", {"geometric", "thermal"}); !s) return s;
-  if (const auto s = positive_number(o.power, "--power", "watts"); !s) return s;
-  if (const auto s = check_fall(o); !s) return s;
-  return only(o.format, "--format", {"obj", "ply", "stl", "off"});
+  if (o.ground && !o.settle) return bad_input("--ground: needs --settle, without which nothing falls");
+  return Done{};
 }
 
 CutSettings stroke_settings(const CutOptions& o, const StrokePath& stroke, double diagonal) {

@@ -35,7 +35,7 @@ void add_cut_options(CLI::App& command, CutOptions& options);
 Status merge_settings_file(CutOptions& options);
 
 // Checks the values in the order of the options. The error names the first wrong option.
-Status check_cut_options(const CutOptions& options);
+Status check_cut_options(CutOptions options);
 
 // The settings of one stroke. Options take precedence over the laser of the path file, and that over the
 // defaults for a bounding box with this diagonal (m). Precondition: check_cut_options() succeeded.

@@ -18,7 +18,7 @@ Result<PixelSize> parse_size(const std::string& text);
 // Parses "x,y,z", three finite numbers. The error names `option`.
 Result<Vec3> parse_point(const std::string& option, const std::string& text);
 
-// Parses a text that consists of one finite number. Returns false for any other text. other text.
+// Parses a text that consists of one finite number. Returns false for any other text.
 bool parse_number(std::string_view text, double& value);
 
 }  // namespace kerf

@@ -77,8 +77,8 @@ struct StepFigures {
   QueryCounts tested;  // the sum over these queries
   size_t faces_made = 0;
   double largest_cosine = -1;  // of the smallest angle of the faces that were created and not removed
-  // Of the moves of the thermal model whose beam met a face: their duration (s), and the integral over it of
-  // the share of its energy of removal that the hottest face under the beam reached, 1 where one was removed.
+  // The duration (s) of the moves of the thermal model whose beam met a face, and the integral over it of the
+  // share of its energy of removal that the hottest face under the beam reached, 1 where one was removed.
   double met_s = 0, depth_s = 0;
   double query_s = 0, refine_s = 0, remove_s = 0, update_tree_s = 0, separate_s = 0;
 

@@ -22,8 +22,8 @@ bool fails(RimState& rim, FaceId f) {
 
 }  // namespace
 
-// Of a green pair the beam may be near either half alone, and no face that takes the place of the pair need
-// lie within one half.
+// The beam may be near either half of a green pair alone, and the faces that take the place of the pair need
+// not lie within one half.
 void split_near_rim(RimState& rim, FaceId f, std::vector<FaceId>& parts) {
   for (const Replacement& r : split_by_scheme(rim.step, rim.settings.resolution.scheme, f)) {
     const std::span<const FaceId> gone(r.gone.data(), r.gone_count), born(r.born.data(), r.born_count);

@@ -37,7 +37,7 @@ class Numbers {
   size_t body(BodyId id) const { return first_.at(id).body; }
   size_t face(const GraphNode& n) const { return first_.at(n.body).face + n.face.index; }
   size_t piece(const PieceId& p) const { return first_.at(p.body).piece + p.label; }
-  // Of what a piece came off, if its body is still there.
+  // The row of the piece that a piece came off, if the body of that one is still there.
   std::optional<size_t> came_off(const PieceNode& node) const {
     if (!node.came_off || !first_.contains(node.came_off->body)) return std::nullopt;
     return piece(*node.came_off);

@@ -27,7 +27,7 @@ std::array<VertexId, 3> corners_of(const HalfEdges& m, const Sides& sides) {
   return {m.to(sides[2]), m.to(sides[0]), m.to(sides[1])};
 }
 
-// Of a ring only what is next to the side.
+// Takes only the faces of a ring that are next to the side.
 void append_beyond(const Mesh::Kernel& k, HalfEdgeId side, std::vector<ReachedFace>& out) {
   const HalfEdges& m = k.half_edges;
   const auto append = [&](HalfEdgeId h) { out.push_back({m.face(h), h.index}); };

@@ -8,7 +8,7 @@ namespace kerf {
 
 namespace {
 
-// Of Kerf's own part in how bodies move. It increases when bodies begin to move to other bits.
+// The revision of how Kerf moves bodies. It increases when a change makes them move to other bits.
 constexpr int kRevision = 2;
 
 }  // namespace

@@ -146,7 +146,8 @@ class BulletGroup {
     return &m;
   }
 
-  // Of a contact, N s: what a light body was pressed with may not act on it alone when its contacts change.
+  // The largest impulse of the last tick that a contact starts with (N s): what pressed on a light body
+  // together with others must not act on it alone when its contacts change.
   double most_warm_impulse(const TouchingPair& pair) const {
     constexpr double kMostChange = 1;  // m/s
     double mass = std::numeric_limits<double>::infinity();

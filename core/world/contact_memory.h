@@ -31,7 +31,7 @@ struct PairMemory {
   bool touching = false;  // they did in the last tick
 };
 
-// Of all pairs, sorted by their bodies.
+// The memory of all pairs, sorted by their bodies.
 using ContactMemory = std::vector<PairMemory>;
 
 }  // namespace kerf

@@ -48,7 +48,7 @@ uint64_t sum_of_face_hashes(const Body& body, uint64_t seed) {
   return std::accumulate(sums.begin(), sums.end(), uint64_t{0});
 }
 
-// Of a body that moves or has moved.
+// The hash of the motion of a body that moves or has moved.
 uint64_t motion_hash(uint64_t seed, const Motion& motion) {
   const uint64_t h = hash_of(hash_of(hash_combine(seed, kMotionSeed), motion.velocity), motion.spin);
   return hash_combine(hash_combine(h, motion.quiet), motion.asleep ? 1 : 0);

@@ -22,7 +22,7 @@ class Sounds {
   // Whether there is a device.
   bool on() const { return device_ != nullptr; }
 
-  // Of all sounds, 0 .. 1.
+  // Sets the volume of all sounds, 0 .. 1.
   void set_volume(double volume);
   // Where the ears are (world, m), and which way they look (unit).
   void listen(const Vec3& at, const Vec3& forward);

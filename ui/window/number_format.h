@@ -37,12 +37,12 @@ class NumberFormat {
   const char* text_;
 };
 
-// Of a float or a double.
+// The format of a float or a double.
 struct RealFormat : NumberFormat {
   consteval RealFormat(const char* text) : NumberFormat(text, "aefgAEFG") {}
 };
 
-// Of an int.
+// The format of an int.
 struct WholeFormat : NumberFormat {
   consteval WholeFormat(const char* text) : NumberFormat(text, "d") {}
 };

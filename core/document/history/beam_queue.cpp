@@ -194,7 +194,7 @@ bool BeamQueue::holds_moves(size_t step) const {
                      [&](const Entry& e) { return e.step == step && e.kind == Kind::kMove; });
 }
 
-// Of the moves that were begun.
+// Drops the parts of begun moves that lie beyond the place, and shortens the one that reaches across it.
 void BeamQueue::stop_begun(const StopStroke& at, const World& world) {
   size_t kept = 0;
   while (kept < ready_.size() && ready_[kept].begin() < at.moves) ++kept;

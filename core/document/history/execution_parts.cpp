@@ -232,7 +232,7 @@ void Execution::note(size_t step, const StepResult& some) {
   history_.step(step).add(some.figures);
 }
 
-// What touched a body that was changed wakes.
+// Bodies that touched a changed body are woken.
 void Execution::note_cut(size_t step, const StepResult& some) {
   forget_contacts(world_, some.delta);
   physics_.follow(some.delta);

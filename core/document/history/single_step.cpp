@@ -62,7 +62,7 @@ Delta joined(std::vector<Delta> changes) {
 
 }  // namespace
 
-// Of the stage that comes next, before it is executed.
+// What is known of the next stage before it is executed.
 StageRecord SingleStep::describe() const {
   StageRecord record;
   if (document_.execution().next_searches()) {

@@ -23,7 +23,7 @@ struct StageRecord {
     kTime,      // a tick passes
   };
   Kind kind = Kind::kSweep;
-  // Of the stages of a move, otherwise empty: the move in world coordinates, the body, and the volumes that
+  // Set for the stages of a move: the move in world coordinates, the body, and the volumes that
   // the beam sweeps, in the frame of the body.
   std::optional<BeamMove> move;
   BodyId body;

@@ -18,7 +18,7 @@ namespace kerf {
 // the work over ticks: making the collider of a vehicle takes as long as all else in a tick.
 class MatchWorld {
  public:
-  // Of all bodies, for slots are never used again within a wave.
+  // The generation of all bodies: slots are never used again within a wave.
   static constexpr uint32_t kGeneration = 0;
 
   MatchWorld() = default;

@@ -16,10 +16,9 @@ struct Damage {
 // Reads from the meshes which parts of a vehicle still work, and brings the vehicle up to date. A part works
 // while at least half of its area as loaded hangs on its mount:
 //
-//   wheel, turret   half of the part is left in its body, half of it near its hub or pivot, and in the
-//   chassis
-//                   half of its mount near there; otherwise it comes off and is a free body. The barrel hangs
-//                   on the turret in the same way.
+//   wheel, turret   half of the part is left in its body, half of that near its hub or pivot, and half of its
+//                   mount is left in the chassis near there; otherwise it comes off and is a free body. The
+//                   barrel hangs on the turret in the same way.
 //   vital part      half of its area is left in the chassis; otherwise the vehicle is dead.
 //
 // A chassis of which less than kLeastChassis is left is dead, too. What was cut off the bodies must be bodies

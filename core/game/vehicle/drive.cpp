@@ -12,7 +12,7 @@ namespace kerf {
 
 namespace {
 
-// Of the suspension, for each kilogram of the vehicle and each wheel (see bodies.md of the Bullet vehicle).
+// The suspension, for each kilogram of the vehicle and each wheel, after the vehicle of Bullet.
 constexpr double kStiffness = 25;                      // 1/s^2
 constexpr double kCompression = 3, kRelaxation = 4.5;  // 1/s, of the damper
 constexpr double kBumpStop = 8;                        // times the stiffness, beyond the travel

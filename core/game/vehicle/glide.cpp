@@ -22,7 +22,7 @@ struct Extent {
   double left, right, low, back, front;  // m, in the frame of the vehicle
 };
 
-// Of what is left of the chassis, and of the wheels.
+// The extent of what is left of the chassis, and of the wheels.
 Extent extent_of(const Body& chassis, const Vehicle& vehicle) {
   const AabbTree::Box box = chassis.tree.bounds();
   Extent e{box.max.x, box.min.x, box.min.y, box.min.z, box.max.z};

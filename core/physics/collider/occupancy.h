@@ -29,7 +29,7 @@ class Occupancy {
   struct Range {
     std::array<int, 3> first, last;
   };
-  // Of the cells of a box; nothing if it does not meet the bounds.
+  // Finds the range of the cells of a box. Returns false if the box does not meet the bounds.
   bool cells_of(const Box& box, Range& range) const;
   uint64_t row_bits(const Range& range) const;
 

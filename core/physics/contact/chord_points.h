@@ -10,7 +10,7 @@ namespace kerf {
 // they are: kOnChord, the chord and the place along it in one number.
 inline constexpr uint32_t kOnChord = 1u << 30;
 inline bool is_on_chord(uint32_t point) { return point >= kOnChord; }
-// Of these, the points where the chord met the rim of a sheet, as where two sheets in one plane meet edge on.
+// Marks the points where a chord met the rim of a sheet, as where two sheets in one plane meet edge on.
 // Their remembered normal is opposite to the motion that made the sheets meet.
 inline constexpr uint32_t kAtRim = 1u << 29;
 inline bool is_at_rim(uint32_t point) { return is_on_chord(point) && (point & kAtRim) != 0; }

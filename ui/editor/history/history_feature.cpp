@@ -28,7 +28,7 @@ class HistoryPanel {
 
 constexpr size_t kMostRows = 10;
 
-// Of before-images: what a step takes to be undone at once.
+// The memory of the before-images, by which a step is undone at once.
 std::string weight_text(const HistoryStep& step) {
   if (step.images() == HistoryStep::Images::kNone) return "waits";
   if (step.images() == HistoryStep::Images::kLetGo) return "by replay";

@@ -37,7 +37,7 @@ class MaterialFeature : public Feature {
   LaserHeatRows heat_;
 };
 
-// Of the chosen pieces, or of all pieces if none is chosen.
+// Sets the sheet of the chosen pieces, or of all pieces if none is chosen.
 void MaterialFeature::set_sheet(const Sheet& sheet) {
   std::vector<PieceId> pieces;
   const PieceMap& looks = on_.view.look.pieces;

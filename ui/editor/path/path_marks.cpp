@@ -91,7 +91,7 @@ void draw_arrow(const PathWork& path, const PathMark& mark, const FirstPicture& 
   list.AddTriangleFilled(to_im(tip), to_im(base + across * 3.5), to_im(base - across * 3.5), colour);
 }
 
-// Of points close together whose beams are parallel one alone has an arrow.
+// Only one of several points that lie close together and have parallel beams gets an arrow.
 void draw_arrows(const PathWork& path, const std::vector<PathMark>& marks, const FirstPicture& picture,
                  ImDrawList& list) {
   const PathMark* before = nullptr;

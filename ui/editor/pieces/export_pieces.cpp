@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Of linear light, as files state colours, to four digits.
+// The sRGB value of linear light, as files state colours, to four digits.
 double to_srgb(double x) {
   x = std::clamp(x, 0.0, 1.0);
   const double shown = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr size_t kMostFaces = 16'000'000;  // that a subdivision may lead to
 
-// Of a number of faces for all.
+// The share of a piece in a number of faces for all pieces.
 size_t share_of_faces(const PieceRow& piece, const FaceForecast& all, size_t faces) {
   const double share = static_cast<double>(piece.faces) / static_cast<double>(all.before);
   return std::max<size_t>(1, static_cast<size_t>(std::floor(share * static_cast<double>(faces))));

@@ -24,7 +24,7 @@ struct ShownFigures {
   size_t tree_nodes = 0;
   std::optional<int> tree_depth;  // unknown until a panel shows it
   MemoryFigures memory;
-  // Of the last stroke that was not undone, however it came into the world; nothing where there is none.
+  // The figures of the last stroke that was not undone, however it came into the world; nothing without one.
   struct Stroke {
     StepFigures figures;
     double removed_area = 0;  // m^2

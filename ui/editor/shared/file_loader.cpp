@@ -11,11 +11,11 @@ namespace kerf {
 
 namespace {
 
-// Of the time: reading, hashes, smooth normals, shadows; of all of it, strokes and journal where there are
-// any.
+// The shares of the time that reading, hashes, smooth normals and shadows take, and the share of the whole
+// that strokes and a journal take where there are any.
 constexpr double kReading = 0.48, kHashing = 0.01, kShading = 0.25, kShadows = 0.26, kCutting = 0.3;
 
-// Of bodies that move without a beam: as long a time takes no longer than a few seconds.
+// The longest time without a beam that is passed by moving the bodies, which takes a few seconds.
 constexpr Ticks kTicksToSkip = 20 * kTicksPerSecond;
 
 bool is_over(const std::future<Result<LoadedFiles>>& result, double seconds) {

@@ -12,12 +12,13 @@ namespace kerf {
 
 namespace {
 
-// Of the focus, to the right and up: enough for the beam to be seen from the side, and so little that it cuts
-// under the pointer at all depths.
+// How far the emitter lies to the right and above the eye, as a share of the focus: enough for the beam to be
+// seen from the side, and so little that it cuts under the pointer at all depths.
 constexpr double kEmitterAside = 0.004;
 constexpr double kLeastMove = 0.5;  // pixels
 
-// Of the corner of the world's box that is nearest to the eye; not behind what is looked at.
+// The depth of the corner of the world's box that is nearest to the eye, or of what is looked at if that is
+// nearer.
 double least_depth(const World& world, const CameraView& view) {
   const World::Bounds b = world.bounds();
   double least = view.focus;

@@ -9,7 +9,7 @@ namespace kerf {
 
 namespace {
 
-// Of several actions with a key, those come first that have it at the moment alone.
+// Where several actions have a key, those that have it only at the moment come first.
 const UserAction* action_of(std::span<const UserAction> actions, int key, int mods) {
   const UserAction* found = nullptr;
   for (const UserAction& action : actions) {

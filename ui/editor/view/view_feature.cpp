@@ -103,7 +103,7 @@ void change_scale(Settings& settings, double by) {
   settings.ui_scale = std::clamp(settings.ui_scale + by, Settings::kLeastScale, Settings::kMostScale);
 }
 
-// Of a standard view. Each pair has a key, and the second of the pair needs Ctrl.
+// The action of a standard view. Each pair of views has a key; the second one needs Ctrl, too.
 UserAction look_action(ViewState& view, size_t which) {
   constexpr std::array kKeys{"1", "3", "7"};
   constexpr std::array kPadKeys{GLFW_KEY_KP_1, GLFW_KEY_KP_3, GLFW_KEY_KP_7};

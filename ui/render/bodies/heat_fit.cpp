@@ -9,7 +9,8 @@ namespace kerf {
 
 namespace {
 
-// Of the trace of the matrix, added to its diagonal, so that rounding decides nothing in open directions.
+// The share of the trace of the matrix that is added to its diagonal, so that rounding decides nothing in
+// open directions.
 constexpr double kOpenShare = 1e-4;
 // How far the temperature of the vertex may lie beyond those of the faces, in the range of these.
 constexpr double kMostBeyond = 0.5;

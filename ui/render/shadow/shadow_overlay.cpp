@@ -16,7 +16,7 @@ namespace {
 
 constexpr float kSheetReach = 0.9f;  // diagonals of the world that sheets are drawn long
 
-// Of edges with one, two and more sides.
+// The colours of edges with one, two and more sides.
 std::array<glm::vec4, 3> silhouette_colours(float opacity) {
   return {srgb(kOneSide, 0.75f * opacity), srgb(kTwoSides, opacity), srgb(kMoreSides, opacity)};
 }

@@ -22,7 +22,7 @@ ClipPoint clip_point(const CameraView& view, const Vec3& p) {
           glm::dot(d, view.up) / view.tan_half_fov, view.parallel ? view.focus : glm::dot(d, view.forward)};
 }
 
-// Of the segment, the shares between which a quantity that is linear along it is not negative.
+// Narrows the shares of a segment to those between which a quantity that is linear along it is not negative.
 void keep_positive(double at_from, double at_to, Vec2& share) {
   if (at_from < 0 && at_to < 0) share.y = -1;
   if (at_from < 0 && at_to >= 0) share.x = std::max(share.x, at_from / (at_from - at_to));

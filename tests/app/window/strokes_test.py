@@ -6,7 +6,6 @@ from editor_window import ACROSS, ACROSS_ABOVE, SPHERE, WindowTest, real_input
 
 
 class Strokes(WindowTest):
-    @real_input
     def test_a_drag_across_the_car_cuts_it_in_two(self):
         editor = self.open()
         editor.drag([(0.53, 0.14), (0.53, 0.93)])

@@ -31,7 +31,7 @@ size_t faces_of(const World& world, std::span<const BodyId> bodies) {
 
 // A hundred small rings over a large one of 1.1 million faces.
 TEST(FollowingBodies, that_move_sends_no_face_and_rebuilds_only_their_silhouettes) {
-  constexpr int kPieces = 100, kTicks = 100;
+  constexpr int kPieces = 100, kTicks = 40;
   std::vector<Soup> soups{test::torus(740, 743, 1.5, 0.3)};
   for (int i = 0; i < kPieces; ++i)
     soups.push_back(

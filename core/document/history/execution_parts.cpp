@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cassert>
 
 #include "core/document/commands/edit_piece.h"
 #include "core/document/history/execution.h"

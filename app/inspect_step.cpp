@@ -1,5 +1,7 @@
 #include "app/inspect_step.h"
 
+#include <array>
+
 #include "core/base/assert.h"
 #include "core/document/files/stroke_settings.h"
 #include "core/document/history/single_step.h"
@@ -16,53 +18,19 @@ using Json = nlohmann::ordered_json;
 using Kind = StageRecord::Kind;
 
 const char* name(Kind kind) {
-  switch (kind) {
-    case Kind::kSweep:
-      return "sweep";
-    case Kind::kHit:
-      return "hit";
-    case Kind::kRefine:
-      return "refine";
-    case Kind::kHitAgain:
-      return "hit-again";
-    case Kind::kRemove:
-      return "remove";
-    case Kind::kSeparate:
-      return "separate";
-    case Kind::kCloseRim:
-      return "close-rim";
-    case Kind::kTime:
-      return "time";
-  }
-  return "";
+  constexpr std::array kNames{"sweep",  "hit",      "refine",    "hit-again",
+                              "remove", "separate", "close-rim", "time"};
+  return kNames.at(static_cast<size_t>(kind));
 }
 
 const char* name(TouchedWalk::Outcome outcome) {
-  switch (outcome) {
-    case TouchedWalk::Outcome::kEntered:
-      return "entered";
-    case TouchedWalk::Outcome::kCulled:
-      return "culled";
-    case TouchedWalk::Outcome::kMissed:
-      return "missed";
-    case TouchedWalk::Outcome::kTouched:
-      return "touched";
-  }
-  return "";
+  constexpr std::array kNames{"entered", "culled", "missed", "touched"};
+  return kNames.at(static_cast<size_t>(outcome));
 }
 
 const char* name(TouchedWalk::Side side) {
-  switch (side) {
-    case TouchedWalk::Side::kNone:
-      return "";
-    case TouchedWalk::Side::kDepth:
-      return "depth";
-    case TouchedWalk::Side::kMotion:
-      return "motion";
-    case TouchedWalk::Side::kLateral:
-      return "lateral";
-  }
-  return "";
+  constexpr std::array kNames{"", "depth", "motion", "lateral"};
+  return kNames.at(static_cast<size_t>(side));
 }
 
 Json to_json(const std::vector<FaceId>& faces) {

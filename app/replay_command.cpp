@@ -1,6 +1,5 @@
 #include <chrono>
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <iostream>
 
 #include "app/commands.h"

@@ -15,4 +15,10 @@ using Vec3 = glm::dvec3;
 // The z component of the cross product of two vectors in the plane; cross2(a, b) == -cross2(b, a) to the bit.
 inline double cross2(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
 
+// The lexicographic order of positions.
+inline bool precedes(const Vec3& a, const Vec3& b) {
+  if (a.x != b.x) return a.x < b.x;
+  return a.y != b.y ? a.y < b.y : a.z < b.z;
+}
+
 }  // namespace kerf

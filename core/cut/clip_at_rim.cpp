@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <cmath>
 
 #include "core/cut/rim_state.h"
 

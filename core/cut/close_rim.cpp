@@ -31,13 +31,8 @@ Sweep sweep_of(BodyId id, std::span<const BeamMove> path, const SweptByBody& swe
 }
 
 void add_to_region(RimState& rim, const BeamMove& move, bool in_body_frame) {
-  BodyStep& step = rim.step;
-  if (in_body_frame) {
-    step.beam = sweep_beam(rim.settings.laser, move);
-  } else {
-    sweep(step, rim.settings.laser, move);
-  }
-  for (const SweptCylinder& part : step.beam) rim.region.add(part);
+  sweep(rim.step, rim.settings.laser, move, in_body_frame);
+  for (const SweptCylinder& part : rim.step.beam) rim.region.add(part);
 }
 
 // The faces that meet the boundary of part `i` of the region, or lie so near that a vertex could be on it.

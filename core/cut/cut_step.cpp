@@ -46,27 +46,15 @@ class Bite {
     bodies_.emplace_back(id, world.body(id));
   }
 
-  // Executes the next part of a move. Returns whether the move is finished.
-  Result<bool> take_part(const BeamMove& move) {
-    if (move_.bodies < bodies_.size()) {
-      BodyStep& step = bodies_[move_.bodies];
-      sweep_through(step, move);
-      if (const Status done = go_on(step); !done) return done.error();
-      if (move_.stage == Stage::kFind) ++move_.bodies;
-    }
-    if (move_.bodies < bodies_.size()) return false;
-    end_move();
-    return true;
-  }
-
-  // Executes a move as far as the bite goes. Returns whether the move is finished.
-  Result<bool> take(const BeamMove& move) {
+  // Executes a move as far as the bite goes, but no more than so many of its parts. Returns whether the move
+  // is finished.
+  Result<bool> take(const BeamMove& move, size_t most_parts = kNoLimit) {
     for (; move_.bodies < bodies_.size(); ++move_.bodies) {
       BodyStep& step = bodies_[move_.bodies];
-      sweep_through(step, move);
+      sweep(step, settings_.laser, move, in_body_frame_);
       do {
         const size_t faces = faces_ahead();
-        if (taken_ > 0 && taken_ + faces > settings_.bite) return false;
+        if (most_parts-- == 0 || (taken_ > 0 && taken_ + faces > settings_.bite)) return false;
         taken_ += faces;
         if (const Status done = go_on(step); !done) return done.error();
       } while (move_.stage != Stage::kFind);
@@ -84,14 +72,6 @@ class Bite {
 
  private:
   using Stage = UnfinishedMove::Stage;
-
-  void sweep_through(BodyStep& step, const BeamMove& move) const {
-    if (in_body_frame_) {
-      step.beam = sweep_beam(settings_.laser, move);
-    } else {
-      sweep(step, settings_.laser, move);
-    }
-  }
 
   // What the next part is about; what it finds or searches besides is known and counted when it is done.
   size_t faces_ahead() const {
@@ -170,16 +150,15 @@ class Bite {
   size_t taken_ = 0;  // faces
 };
 
-}  // namespace
-
-Result<StepResult> cut_step(World& world, const CutSettings& settings, std::span<const BeamMove> moves,
-                            UnfinishedMove& unfinished, const Progress* progress) {
+// Executes moves as cut_step does, but no more than so many parts of each.
+Result<StepResult> cut(World& world, const CutSettings& settings, std::span<const BeamMove> moves,
+                       size_t most_parts, UnfinishedMove& unfinished, const Progress* progress) {
   if (settings.model == Model::kThermal) return thermal_step(world, settings, moves, progress);
   StepResult result;
   const Progress asked = share_of(progress, 0, 1);
   Bite bite(world, settings, unfinished, asked);
   for (const BeamMove& move : moves) {
-    const Result<bool> through = bite.take(move);
+    const Result<bool> through = bite.take(move, most_parts);
     if (!through) {
       unfinished = UnfinishedMove{};
       return through.error();
@@ -191,27 +170,6 @@ Result<StepResult> cut_step(World& world, const CutSettings& settings, std::span
   bite.end(result);
   return result;
 }
-
-Result<StepResult> cut_stage(World& world, const CutSettings& settings, const BeamMove& move,
-                             UnfinishedMove& unfinished, const Progress* progress) {
-  if (settings.model == Model::kThermal) return thermal_step(world, settings, {&move, 1}, progress);
-  StepResult result;
-  const Progress asked = share_of(progress, 0, 1);
-  Bite bite(world, settings, unfinished, asked);
-  const Result<bool> through = bite.take_part(move);
-  if (!through) {
-    unfinished = UnfinishedMove{};
-    return through.error();
-  }
-  if (*through) {
-    result.moves = 1;
-    result.last = move;
-  }
-  bite.end(result);
-  return result;
-}
-
-namespace {
 
 Result<StepResult> cut_one(World& world, const CutSettings& settings, BodyId id,
                            std::span<const BeamMove> moves, bool holds_parts, const Progress* progress) {
@@ -231,6 +189,16 @@ Result<StepResult> cut_one(World& world, const CutSettings& settings, BodyId id,
 }
 
 }  // namespace
+
+Result<StepResult> cut_step(World& world, const CutSettings& settings, std::span<const BeamMove> moves,
+                            UnfinishedMove& unfinished, const Progress* progress) {
+  return cut(world, settings, moves, kNoLimit, unfinished, progress);
+}
+
+Result<StepResult> cut_stage(World& world, const CutSettings& settings, const BeamMove& move,
+                             UnfinishedMove& unfinished, const Progress* progress) {
+  return cut(world, settings, {&move, 1}, 1, unfinished, progress);
+}
 
 Result<StepResult> cut_body(World& world, const CutSettings& settings, BodyId id,
                             std::span<const BeamMove> moves, const Progress* progress) {

@@ -5,9 +5,10 @@
 
 namespace kerf {
 
-void sweep(BodyStep& step, const Laser& laser, const BeamMove& move) {
+void sweep(BodyStep& step, const Laser& laser, const BeamMove& move, bool in_body_frame) {
   const Placement& placement = step.body().placement;
-  step.beam = sweep_beam(laser, {placement.to_body(move.from), placement.to_body(move.to)});
+  const BeamMove seen{placement.to_body(move.from), placement.to_body(move.to)};
+  step.beam = sweep_beam(laser, in_body_frame ? move : seen);
 }
 
 void hit(BodyStep& step, std::vector<FaceId>& faces) {

@@ -5,6 +5,7 @@
 #include "core/base/tolerances.h"
 #include "core/cut/chord_test.h"
 #include "core/cut/rim_state.h"
+#include "core/mesh/point_to_triangle.h"
 
 namespace kerf {
 
@@ -80,13 +81,6 @@ void add_moves_along_edges(RimState& rim, FaceId f, std::vector<RimSnap>& snaps)
   }
 }
 
-double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const Vec3 ab = b - a;
-  const double length2 = glm::dot(ab, ab);
-  const double s = length2 > 0 ? std::clamp(glm::dot(p - a, ab) / length2, 0.0, 1.0) : 0.0;
-  return glm::length(p - (a + s * ab));
-}
-
 // A vertex of an edge of one face may only slide along that edge, and hardly change its line; but where the
 // stroke itself has taken what was on the other side, there is no line to keep.
 bool keeps_old_rim(RimState& rim, const Mesh& mesh, const Mesh::Star& star, const RimSnap& s) {
@@ -100,7 +94,8 @@ bool keeps_old_rim(RimState& rim, const Mesh& mesh, const Mesh::Star& star, cons
   if (star.rim.size() != 2) return false;
   const VertexId back = star.rim[0] == s.other ? star.rim[1] : star.rim[0];
   if (star.rim[0] != s.other && star.rim[1] != s.other) return false;
-  return distance_to_segment(mesh.position(s.vertex), mesh.position(back), s.to) <= kRimOn * rim.radius();
+  const Vec3 at = mesh.position(s.vertex);
+  return glm::length(at - nearest_on_segment(at, mesh.position(back), s.to)) <= kRimOn * rim.radius();
 }
 
 Triangle with_corner_moved(const Mesh& mesh, FaceId f, VertexId v, const Vec3& to) {

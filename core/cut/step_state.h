@@ -26,7 +26,8 @@ struct BodyStep {
 inline constexpr size_t kFacesTogether = 128;
 
 // The stages, which cut_step calls in order.
-void sweep(BodyStep& step, const Laser& laser, const BeamMove& move);
+// Sets the volumes that the beam sweeps in a move, which is in world coordinates or in the frame of the body.
+void sweep(BodyStep& step, const Laser& laser, const BeamMove& move, bool in_body_frame = false);
 // Finds the faces that the beam touches, each once.
 void hit(BodyStep& step, std::vector<FaceId>& faces);
 // Processes the next kFacesTogether faces of move.to_split. Fails if settings.most_faces is exceeded or

@@ -1,6 +1,5 @@
 #include "core/edit/cut_loops.h"
 
-#include <algorithm>
 #include <cassert>
 
 namespace kerf {

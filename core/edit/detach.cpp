@@ -10,16 +10,6 @@ namespace kerf {
 
 namespace {
 
-// The faces of a piece, or all but those, ascending.
-std::vector<FaceId> faces_of(const Body& body, uint32_t label, bool of_piece) {
-  std::vector<FaceId> faces;
-  for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
-    const FaceId face(f);
-    if (body.mesh.is_live(face) && (body.mesh.data(face).piece == label) == of_piece) faces.push_back(face);
-  }
-  return faces;
-}
-
 // What is left of the parts as loaded, for faces that were copied out.
 LoadedComponents components_of(const Mesh& copy, const Body& body, std::span<const FaceId> faces) {
   LoadedComponents own;
@@ -79,7 +69,7 @@ BodyId detach(World& world, const PieceId& piece, uint32_t generation, Delta& de
   KERF_ASSERT(piece.label < body.pieces.size() && body.pieces[piece.label].faces > 0);
   if (stands_alone(world, piece)) return piece.body;
   const bool piece_goes = 2 * body.pieces[piece.label].faces <= body.mesh.live_faces();
-  const std::vector<FaceId> going = faces_of(body, piece.label, piece_goes);
+  const std::vector<FaceId> going = body.faces_of(piece.label, piece_goes);
   const BodyId own = world.add(copy_out(body, going, piece.label, piece_goes), generation);
   BodyEdit(world.body(piece.body)).take_out(going);
   if (!piece_goes) world.exchange_bodies(piece.body, own);
@@ -94,7 +84,7 @@ BodyId detach(World& world, const PieceId& piece, uint32_t generation, Delta& de
 BodyId duplicate(World& world, const PieceId& piece, uint32_t generation, Delta& delta) {
   const Body& body = world.body(piece.body);
   KERF_ASSERT(piece.label < body.pieces.size() && body.pieces[piece.label].faces > 0);
-  const std::vector<FaceId> faces = faces_of(body, piece.label, true);
+  const std::vector<FaceId> faces = body.faces_of(piece.label);
   Body copy = copy_out(body, faces, piece.label, true);
   copy.name = body.name_of(piece.label) + " copy";
   copy.named = piece.label;

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/base/assert.h"
-#include "core/base/tolerances.h"
 #include "core/edit/tie_clusters.h"
 
 namespace kerf {

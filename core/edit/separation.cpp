@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <utility>
-#include <vector>
 
 #include "core/base/assert.h"
 #include "core/edit/cut_loops.h"

@@ -7,16 +7,12 @@ namespace kerf {
 
 namespace {
 
-bool less(const Vec3& a, const Vec3& b) {
-  return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
-}
-
 // The edges of the faces of one body that are removed so far. All borders of the mesh are one more vertex.
 class RemovedEdges {
  public:
   explicit RemovedEdges(const std::vector<CutFace>& faces) {
     for (const CutFace& f : faces) places_.insert(places_.end(), f.corners.begin(), f.corners.end());
-    std::sort(places_.begin(), places_.end(), less);
+    std::sort(places_.begin(), places_.end(), precedes);
     places_.erase(std::unique(places_.begin(), places_.end()), places_.end());
     linked_.resize(places_.size() + 1);
     reached_from_.resize(linked_.size());
@@ -27,7 +23,7 @@ class RemovedEdges {
   const Vec3& place(uint32_t vertex) const { return places_[vertex]; }
 
   uint32_t vertex_at(const Vec3& p) const {
-    const auto found = std::lower_bound(places_.begin(), places_.end(), p, less);
+    const auto found = std::lower_bound(places_.begin(), places_.end(), p, precedes);
     return found != places_.end() && *found == p ? static_cast<uint32_t>(found - places_.begin()) : kNoIndex;
   }
 

@@ -1,6 +1,5 @@
 #include "core/graph/piece_node.h"
 
-#include <algorithm>
 #include <array>
 
 namespace kerf {

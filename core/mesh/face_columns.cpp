@@ -1,7 +1,5 @@
 #include "core/mesh/face_columns.h"
 
-#include <algorithm>
-
 #include "core/base/assert.h"
 
 namespace kerf {

@@ -73,7 +73,7 @@ void FaceWalk::visit(std::span<const ReachedFace> faces) {
 std::span<const Triangle> FaceWalk::triangles(std::span<const FaceId> faces) {
   const HalfEdges& m = mesh_.kernel().half_edges;
   const Positions positions = mesh_.positions();
-  for (int turn = 0; turn < 3; ++turn) {
+  for (int turn = 0; turn < HalfEdges::kTurns; ++turn) {
     for (const FaceId f : faces) m.prefetch(f, turn);
   }
   corners_.resize(faces.size());

@@ -1,6 +1,5 @@
 #include "core/mesh/half_edges.h"
 
-#include <array>
 #include <cassert>
 
 namespace kerf {
@@ -115,15 +114,10 @@ void HalfEdges::prefetch(FaceId f, int turn) const {
   const HalfEdgeId a = first(f);
   if (!a.valid()) return;
   if (turn == 1) return links_.prefetch(a.index);
-  const HalfEdgeId b = next(a);
-  if (turn == 2) {
-    links_.prefetch(b.index);
-    links_.prefetch(previous(a).index);
-    positions_.prefetch(from(a).index);
-    positions_.prefetch(to(a).index);
-  } else {
-    positions_.prefetch(to(b).index);
-  }
+  links_.prefetch(next(a).index);
+  links_.prefetch(previous(a).index);
+  positions_.prefetch(from(a).index);
+  positions_.prefetch(to(a).index);
 }
 
 size_t HalfEdges::bytes() const { return ChangeOfParts<HalfEdges>::bytes_of(*this); }

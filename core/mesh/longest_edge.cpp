@@ -2,18 +2,12 @@
 
 #include <algorithm>
 #include <limits>
-#include <tuple>
 
 #include "core/base/assert.h"
 
 namespace kerf {
 
 namespace {
-
-bool less(const Vec3& a, const Vec3& b) {
-  if (a.x != b.x) return a.x < b.x;
-  return a.y != b.y ? a.y < b.y : a.z < b.z;
-}
 
 // The rank of an edge in the order by length; the same for an edge in all faces and sheets.
 struct EdgeRank {
@@ -22,12 +16,12 @@ struct EdgeRank {
 
   EdgeRank() = default;
   EdgeRank(const Vec3& a, const Vec3& b) : length2(glm::dot(b - a, b - a)), low(a), high(b) {
-    if (less(high, low)) std::swap(low, high);
+    if (precedes(high, low)) std::swap(low, high);
   }
   bool operator<(const EdgeRank& other) const {
     if (length2 != other.length2) return length2 < other.length2;
-    if (low != other.low) return less(low, other.low);
-    return less(high, other.high);
+    if (low != other.low) return precedes(low, other.low);
+    return precedes(high, other.high);
   }
 };
 

@@ -209,14 +209,6 @@ void Mesh::append_nearest_neighbours(FaceId f, std::vector<FaceId>& out) const {
   }
 }
 
-void Mesh::prefetch_neighbours(std::span<const FaceId> faces, size_t at) const {
-  constexpr size_t kTurnsApart = 4;
-  size_t ahead = at + HalfEdges::kTurns * kTurnsApart;
-  for (int turn = 0; turn < HalfEdges::kTurns; ++turn, ahead -= kTurnsApart) {
-    if (ahead < faces.size()) kernel_->half_edges.prefetch(faces[ahead], turn);
-  }
-}
-
 void Mesh::append_edge_sides(FaceId f, VertexId from, VertexId to, std::vector<Side>& out) const {
   const HalfEdges& m = kernel_->half_edges;
   const HalfEdgeId h = half_edge_from(m, f, from);

@@ -104,9 +104,6 @@ class Mesh {
     VertexId from;
     VertexId to;
   };
-  // Prefetches the data of neighbours and corners for callers that process many faces in order; faces[at] is
-  // processed next.
-  void prefetch_neighbours(std::span<const FaceId> faces, size_t at) const;
 
   // Appends the sides of all other live faces on the edge of f from corner `from` to its next corner `to`.
   void append_edge_sides(FaceId f, VertexId from, VertexId to, std::vector<Side>& out) const;

@@ -8,19 +8,19 @@ namespace kerf {
 
 namespace {
 
-Vec3 nearest_on_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const Vec3 along = b - a;
-  const double length2 = glm::dot(along, along);
-  const double t = length2 > 0 ? std::clamp(glm::dot(p - a, along) / length2, 0.0, 1.0) : 0;
-  return a + t * along;
-}
-
 double distance2_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 apart = p - nearest_on_segment(p, a, b);
   return glm::dot(apart, apart);
 }
 
 }  // namespace
+
+Vec3 nearest_on_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const Vec3 along = b - a;
+  const double length2 = glm::dot(along, along);
+  const double t = length2 > 0 ? std::clamp(glm::dot(p - a, along) / length2, 0.0, 1.0) : 0;
+  return a + t * along;
+}
 
 double squared_distance(const Vec3& p, const Triangle& t) {
   double nearest = std::numeric_limits<double>::infinity();

@@ -1,7 +1,6 @@
 #include "core/mesh/soup_edges.h"
 
 #include <algorithm>
-#include <cassert>
 
 #include "core/base/assert.h"
 #include "core/base/parallel.h"

@@ -25,10 +25,7 @@ std::vector<BodyId> changed_bodies(const World& world, const Delta& delta) {
 }
 
 void wake(World& world, BodyId id) {
-  if (!world.contains(id)) return;
-  Motion& motion = world.body(id).motion;
-  motion.asleep = false;
-  motion.quiet = 0;
+  if (world.contains(id)) world.body(id).motion.wake();
 }
 
 }  // namespace

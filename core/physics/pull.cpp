@@ -55,8 +55,7 @@ void pull(World& world, double seconds) {
   if (!spring || !world.contains(spring->piece.body)) return;
   Body& body = world.body(spring->piece.body);
   if (body.pinned || body.hidden) return;
-  body.motion.asleep = false;
-  body.motion.quiet = 0;
+  body.motion.wake();
   pull(body, *spring, world.surroundings().metre, seconds);
 }
 

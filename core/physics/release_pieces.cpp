@@ -1,7 +1,6 @@
 #include "core/physics/release_pieces.h"
 
 #include <algorithm>
-#include <optional>
 #include <vector>
 
 #include "core/base/assert.h"
@@ -43,11 +42,6 @@ void push_apart(Body& rest, Body& piece, double metre) {
   push(rest, -of_piece.mass / mass * apart);
 }
 
-void wake(Body& body) {
-  body.motion.asleep = false;
-  body.motion.quiet = 0;
-}
-
 }  // namespace
 
 bool has_pieces_off(const Body& body) { return !body.hidden && !pieces_off(body).empty(); }
@@ -60,8 +54,8 @@ void release_pieces(World& world, uint32_t generation, Delta& delta) {
       const BodyId own = detach(world, {id, label}, generation, delta);
       Body &rest = world.body(id), &piece = world.body(own);
       piece.pinned = false;
-      wake(rest);
-      wake(piece);
+      rest.motion.wake();
+      piece.motion.wake();
       // What turns on a joint was not cut off.
       if (piece.pieces[label].cut_off.faces > 0) push_apart(rest, piece, world.surroundings().metre);
     }

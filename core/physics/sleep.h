@@ -1,7 +1,6 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "core/physics/contact/touching_pair.h"
 #include "core/physics/joint_constraints.h"

@@ -10,7 +10,6 @@
 #include <cmath>
 #include <deque>
 #include <limits>
-#include <vector>
 
 #include "core/physics/contact/push_out.h"
 

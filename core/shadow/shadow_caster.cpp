@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cassert>
 
 #include "core/base/assert.h"
 #include "core/base/hash.h"

@@ -1,6 +1,5 @@
 #include "core/shadow/shadow_volume.h"
 
-#include <cassert>
 #include <cstdlib>
 #include <utility>
 

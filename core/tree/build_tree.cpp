@@ -1,6 +1,5 @@
 #include "core/tree/build_tree.h"
 
-#include <algorithm>
 #include <array>
 #include <vector>
 

@@ -1,8 +1,6 @@
 #include "core/tree/tree_store.h"
 
-#include <algorithm>
 #include <cassert>
-#include <cmath>
 
 #include "core/tree/node_boxes.h"
 

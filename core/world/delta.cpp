@@ -7,6 +7,10 @@ namespace kerf {
 
 namespace {
 
+// The lists of bodies that changed other than by faces, by coming or by going.
+constexpr std::array kChanged{&Delta::moved, &Delta::reweighed, &Delta::hid_or_showed, &Delta::renamed,
+                              &Delta::pinned};
+
 // The union of two ascending lists.
 void unite(std::vector<FaceId>& faces, const std::vector<FaceId>& more) {
   std::vector<FaceId> both;
@@ -96,11 +100,7 @@ void Delta::append(Delta later) {
   }
   append_ids(came, later.came, later);
   append_bodies(bodies, later);
-  append_ids(moved, later.moved, later);
-  append_ids(reweighed, later.reweighed, later);
-  append_ids(hid_or_showed, later.hid_or_showed, later);
-  append_ids(renamed, later.renamed, later);
-  append_ids(pinned, later.pinned, later);
+  for (const auto list : kChanged) append_ids(this->*list, later.*list, later);
   surroundings |= later.surroundings;
   for (const Detached& d : later.detached) {
     const bool back = !detached.empty() && detached.back() == Detached{d.to, d.label, d.from, d.carries_on};
@@ -113,7 +113,7 @@ void Delta::append(Delta later) {
   // Whoever looks at a body as a whole sees all of this.
   const auto is_new = [&](BodyId id) { return has(came, id); };
   std::erase_if(bodies, [&](const BodyDelta& b) { return is_new(b.body); });
-  for (auto* ids : {&moved, &reweighed, &hid_or_showed, &renamed, &pinned}) std::erase_if(*ids, is_new);
+  for (const auto list : kChanged) std::erase_if(this->*list, is_new);
 }
 
 Delta bodies_taken_back(const Delta& delta) {
@@ -122,16 +122,9 @@ Delta bodies_taken_back(const Delta& delta) {
   back.went = delta.came;
   for (auto d = delta.detached.rbegin(); d != delta.detached.rend(); ++d)
     back.detached.push_back({d->to, d->label, d->from, d->carries_on});
-  const auto before = [&](const std::vector<BodyId>& ids) {
-    std::vector<BodyId> all;
-    for (const BodyId id : ids) all.push_back(id_before(delta, id));
-    return all;
-  };
-  back.moved = before(delta.moved);
-  back.reweighed = before(delta.reweighed);
-  back.hid_or_showed = before(delta.hid_or_showed);
-  back.renamed = before(delta.renamed);
-  back.pinned = before(delta.pinned);
+  for (const auto list : kChanged) {
+    for (const BodyId id : delta.*list) (back.*list).push_back(id_before(delta, id));
+  }
   back.surroundings = delta.surroundings;
   back.anew = delta.anew;
   return back;

@@ -21,6 +21,10 @@ struct Motion {
   friend bool operator==(const Motion&, const Motion&) = default;
 
   bool at_rest() const { return velocity == Vec3(0) && spin == Vec3(0); }
+  void wake() {
+    quiet = 0;
+    asleep = false;
+  }
   // The velocity of the point of the body that is at p in the world, m/s.
   Vec3 velocity_at(const Vec3& p, const Placement& placement) const {
     return velocity + glm::cross(spin, p - placement.position);

@@ -137,10 +137,7 @@ void hand_down_heat(Body& made, const Body& body, const PieceCopy& copy, const R
 PieceCopy copy_piece(const Body& body, uint32_t label) {
   PieceCopy copy;
   copy.label = label;
-  for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
-    const FaceId face(f);
-    if (body.mesh.is_live(face) && body.mesh.data(face).piece == label) copy.faces.push_back(face);
-  }
+  copy.faces = body.faces_of(label);
   copy.mesh = extract_mesh(body.mesh, copy.faces);
   for (const FaceId f : copy.faces) {
     const FaceId base = body.mesh.data(f).base;

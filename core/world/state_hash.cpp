@@ -15,11 +15,6 @@ namespace {
 constexpr uint64_t kClockSeed = 0x9d5c'b07a'63e1'42f8u, kMotionSeed = 0x3c81'6f2e'b9d4'0a57u,
                    kHeatSeed = 0x51f3'8ad9'2e67'c40bu;
 
-bool less(const Vec3& a, const Vec3& b) {
-  if (a.x != b.x) return a.x < b.x;
-  return a.y != b.y ? a.y < b.y : a.z < b.z;
-}
-
 uint64_t hash_of(uint64_t seed, const Vec3& p) {
   for (int k = 0; k < 3; ++k) seed = hash_combine(seed, number_bits(p[k]));
   return seed;
@@ -28,7 +23,7 @@ uint64_t hash_of(uint64_t seed, const Vec3& p) {
 uint64_t face_hash(const Body& body, uint64_t seed, FaceId f, const Triangle& t) {
   int least = 0;
   for (int i = 1; i < 3; ++i) {
-    if (less(t[i], t[least])) least = i;
+    if (precedes(t[i], t[least])) least = i;
   }
   uint64_t h = hash_combine(seed, body.mesh.data(f).halvings);
   for (int i = 0; i < 3; ++i) h = hash_of(h, t[(least + i) % 3]);

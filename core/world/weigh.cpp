@@ -54,16 +54,11 @@ struct Unit {
   double scale = 1;
 };
 
-bool comes_before(const Vec3& a, const Vec3& b) {
-  if (a.x != b.x) return a.x < b.x;
-  return a.y != b.y ? a.y < b.y : a.z < b.z;
-}
-
 // The corners in an order that depends on their positions alone, and so the rounding of what follows.
 Triangle sorted(Triangle t) {
-  if (comes_before(t[1], t[0])) std::swap(t[0], t[1]);
-  if (comes_before(t[2], t[1])) std::swap(t[1], t[2]);
-  if (comes_before(t[1], t[0])) std::swap(t[0], t[1]);
+  if (precedes(t[1], t[0])) std::swap(t[0], t[1]);
+  if (precedes(t[2], t[1])) std::swap(t[1], t[2]);
+  if (precedes(t[1], t[0])) std::swap(t[0], t[1]);
   return t;
 }
 

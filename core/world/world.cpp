@@ -1,6 +1,5 @@
 #include "core/world/world.h"
 
-#include "core/base/assert.h"
 #include "core/base/parallel.h"
 #include "core/mesh/triangle_batch.h"
 
@@ -66,6 +65,15 @@ std::string Body::own_name() const {
     ++count;
   }
   return count == 1 ? name_of(only) : name;
+}
+
+std::vector<FaceId> Body::faces_of(uint32_t piece, bool of_piece) const {
+  std::vector<FaceId> faces;
+  for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
+    const FaceId face(f);
+    if (mesh.is_live(face) && (mesh.data(face).piece == piece) == of_piece) faces.push_back(face);
+  }
+  return faces;
 }
 
 const FaceCounts& Body::whole_of(FaceId f) const {

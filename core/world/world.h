@@ -16,7 +16,6 @@
 #include "core/mesh/one_to_four.h"
 #include "core/tree/aabb_tree.h"
 #include "core/world/contact_memory.h"
-#include "core/world/energy_ledger.h"
 #include "core/world/joint.h"
 #include "core/world/loaded_components.h"
 #include "core/world/motion.h"
@@ -73,6 +72,8 @@ struct Body {
   // The name of the body: the name of its piece if it has only one.
   std::string own_name() const;
 
+  // The live faces of a piece, or all but those, ascending. O(faces).
+  std::vector<FaceId> faces_of(uint32_t label, bool of_piece = true) const;
   // The loaded face of a base face of this body.
   FaceId loaded_face(FaceId base) const { return loaded_faces.empty() ? base : loaded_faces[base.index]; }
 
@@ -105,6 +106,23 @@ struct Body {
 Body make_body(std::string name, BuiltMesh built);
 // The same, or fails with cancelled() when stopped. `progress` may be null.
 Result<Body> make_body(std::string name, BuiltMesh built, const Progress* progress);
+
+// Where the energy that beams have emitted has gone (J): emitted = absorbed + escaped. What was absorbed is
+// stored in faces (FaceHeat::stored), went with faces that were removed (Body::ejected), or was lost to the
+// surroundings.
+struct EnergyLedger {
+  double emitted = 0;
+  double absorbed = 0;  // by faces
+  double escaped = 0;   // reflected, or gone past all faces
+  double lost = 0;      // by convection and radiation
+  // The seconds for which beams of the thermal model were on, which tell where pulses are.
+  double beam_on = 0;
+  uint64_t poses = 0;  // from which they sent rays; see turned_bundle
+  // The seconds for which heat has already flowed that the clock has not passed yet (see let_heat_flow).
+  double ahead = 0;
+
+  friend bool operator==(const EnergyLedger&, const EnergyLedger&) = default;
+};
 
 // All bodies. An id is valid as long as its body exists and never refers to another one, provided that all
 // bodies of one slot are added with different generations.
@@ -228,8 +246,6 @@ class World::Change {
  public:
   // Memory of the images, in bytes.
   size_t bytes() const;
-  // Whether bodies were added or removed.
-  bool bodies_differ() const { return !died_.empty() || slots_end_ != slots_; }
   // The slots of bodies, alive or not, that the world had before the change.
   size_t slots_before() const { return slots_; }
 

@@ -1,6 +1,7 @@
 #include "core/mesh/files/file_frame.h"
 
 #include <algorithm>
+#include <array>
 
 #include "core/base/assert.h"
 
@@ -42,31 +43,13 @@ FileFrame guess_frame(MeshFormat format, const Vec3& min, const Vec3& max) {
 }
 
 double metres_per_unit(FileUnit unit) {
-  switch (unit) {
-    case FileUnit::kMillimetre:
-      return 0.001;
-    case FileUnit::kCentimetre:
-      return 0.01;
-    case FileUnit::kInch:
-      return 0.0254;
-    case FileUnit::kMetre:
-      break;
-  }
-  return 1;
+  constexpr std::array kMetres{0.001, 0.01, 1.0, 0.0254};
+  return kMetres.at(static_cast<size_t>(unit));
 }
 
 std::string_view unit_symbol(FileUnit unit) {
-  switch (unit) {
-    case FileUnit::kMillimetre:
-      return "mm";
-    case FileUnit::kCentimetre:
-      return "cm";
-    case FileUnit::kInch:
-      return "in";
-    case FileUnit::kMetre:
-      break;
-  }
-  return "m";
+  constexpr std::array kSymbols{"mm", "cm", "m", "in"};
+  return kSymbols.at(static_cast<size_t>(unit));
 }
 
 Vec3 to_y_up(const Vec3& v, UpAxis up) { return up == UpAxis::kZ ? Vec3(v.x, v.z, -v.y) : v; }

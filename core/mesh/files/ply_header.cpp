@@ -212,20 +212,8 @@ Result<PlyHeader> HeaderReader::read() {
 }  // namespace
 
 size_t byte_size(PlyType type) {
-  switch (type) {
-    case PlyType::kInt8:
-    case PlyType::kUint8:
-      return 1;
-    case PlyType::kInt16:
-    case PlyType::kUint16:
-      return 2;
-    case PlyType::kInt32:
-    case PlyType::kUint32:
-    case PlyType::kFloat32:
-      return 4;
-    default:
-      return 8;
-  }
+  constexpr std::array<size_t, 10> kBytes{1, 1, 2, 2, 4, 4, 8, 8, 4, 8};  // in the order of PlyType
+  return kBytes.at(static_cast<size_t>(type));
 }
 
 bool is_integer(PlyType type) { return type != PlyType::kFloat32 && type != PlyType::kFloat64; }

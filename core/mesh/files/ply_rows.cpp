@@ -1,6 +1,5 @@
 #include "core/mesh/files/ply_rows.h"
 
-#include <algorithm>
 #include <array>
 #include <atomic>
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "core/mesh/openmesh/followed_faces.h"
 #include "core/mesh/openmesh/sheets.h"

@@ -21,6 +21,12 @@ struct Box {
     min = glm::min(min, other.min);
     max = glm::max(max, other.max);
   }
+  // The axis along which it is longest, of equal ones the first.
+  int widest_axis() const {
+    const Vec3 extent = max - min;
+    if (extent.x >= extent.y && extent.x >= extent.z) return 0;
+    return extent.y >= extent.z ? 1 : 2;
+  }
   Box wider(double margin) const { return {min - margin, max + margin}; }
   // Touching boxes overlap too.
   bool overlaps(const Box& other) const {

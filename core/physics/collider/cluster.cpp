@@ -36,9 +36,7 @@ class Divider {
   int widest_axis(uint32_t begin, uint32_t end) const {
     Box box;
     for (uint32_t i = begin; i < end; ++i) box.add(middle(out_.order[i]));
-    const Vec3 extent = box.max - box.min;
-    if (extent.x >= extent.y && extent.x >= extent.z) return 0;
-    return extent.y >= extent.z ? 1 : 2;
+    return box.widest_axis();
   }
 
   void finish(uint32_t begin, uint32_t end) {

@@ -1,7 +1,6 @@
 #include "core/physics/collider/collider.h"
 
 #include <algorithm>
-#include <tuple>
 
 #include "core/base/assert.h"
 #include "core/physics/collider/feature_edges.h"
@@ -181,13 +180,10 @@ std::vector<VertexId> ends_of(const std::vector<Collider::Chord>& chords, const 
                               const std::vector<VertexId>& on_lines) {
   std::vector<Vec3> ends;
   for (const Collider::Chord& c : chords) ends.insert(ends.end(), {c.from, c.to});
-  const auto less = [](const Vec3& a, const Vec3& b) {
-    return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
-  };
-  std::sort(ends.begin(), ends.end(), less);
+  std::sort(ends.begin(), ends.end(), precedes);
   std::vector<VertexId> vertices;
   for (VertexId v : on_lines) {
-    if (std::binary_search(ends.begin(), ends.end(), mesh.position(v), less)) vertices.push_back(v);
+    if (std::binary_search(ends.begin(), ends.end(), mesh.position(v), precedes)) vertices.push_back(v);
   }
   return vertices;
 }
@@ -216,24 +212,19 @@ Occupancy space_of(const Mesh& mesh, const Collider& collider) {
   return space;
 }
 
-void cluster_points(Collider& collider) {
-  std::vector<std::array<Vec3, 2>> places;
-  for (const Collider::Point& p : collider.points) places.push_back({p.at, p.at});
-  Clustering clustering = make_clusters(places);
-  std::vector<Collider::Point> points;
-  for (uint32_t i : clustering.order) points.push_back(collider.points[i]);
-  collider.points = std::move(points);
-  collider.point_clusters = std::move(clustering.clusters);
-}
+std::array<Vec3, 2> segment_of(const Collider::Point& p) { return {p.at, p.at}; }
+std::array<Vec3, 2> segment_of(const Collider::Chord& c) { return {c.from, c.to}; }
 
-void cluster_chords(Collider& collider) {
+// Sorts points or chords by clusters. Returns the clusters.
+template <typename Item>
+std::vector<Cluster> sort_by_clusters(std::vector<Item>& items) {
   std::vector<std::array<Vec3, 2>> segments;
-  for (const Collider::Chord& c : collider.chords) segments.push_back({c.from, c.to});
+  for (const Item& item : items) segments.push_back(segment_of(item));
   Clustering clustering = make_clusters(segments);
-  std::vector<Collider::Chord> chords;
-  for (uint32_t i : clustering.order) chords.push_back(collider.chords[i]);
-  collider.chords = std::move(chords);
-  collider.chord_clusters = std::move(clustering.clusters);
+  std::vector<Item> sorted;
+  for (uint32_t i : clustering.order) sorted.push_back(items[i]);
+  items = std::move(sorted);
+  return std::move(clustering.clusters);
 }
 
 }  // namespace
@@ -259,8 +250,8 @@ Collider make_collider(const Mesh& mesh, const ColliderSettings& settings) {
   for (VertexId v : normals.used) collider.bounds.add(mesh.position(v));
   if (!normals.used.empty()) collider.space = space_of(mesh, collider);
   collider.corners = corners_of(mesh, normals, rims);
-  cluster_points(collider);
-  cluster_chords(collider);
+  collider.point_clusters = sort_by_clusters(collider.points);
+  collider.chord_clusters = sort_by_clusters(collider.chords);
   return collider;
 }
 

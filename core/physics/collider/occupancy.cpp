@@ -1,9 +1,5 @@
 #include "core/physics/collider/occupancy.h"
 
-#include <algorithm>
-
-#include "core/base/assert.h"
-
 namespace kerf {
 
 Occupancy::Occupancy(const Box& bounds) : bounds_(bounds) {

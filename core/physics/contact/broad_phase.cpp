@@ -12,9 +12,7 @@ namespace {
 int widest_axis(std::span<const MovingBody> bodies) {
   Box corners;
   for (const MovingBody& b : bodies) corners.add(b.bounds.min);
-  const Vec3 extent = corners.max - corners.min;
-  if (extent.x >= extent.y && extent.x >= extent.z) return 0;
-  return extent.y >= extent.z ? 1 : 2;
+  return corners.widest_axis();
 }
 
 // Whether the bounds of one body on its way overlap those of another in the frame of the other: tilted sheets

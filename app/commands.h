@@ -1,16 +1,19 @@
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <functional>
 
-namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
-class App;
-}
+#include "core/base/result.h"
 
 namespace kerf {
 
-// What the command line asks for: set by the subcommand that was given and called after parsing. Returns the
-// exit status.
-using Invocation = std::function<int()>;
+// What the command line asks for: set by the subcommand that was given and called after parsing.
+using Invocation = std::function<Status()>;
+
+// Has a subcommand ask for `run`. `invocation` must outlive parsing.
+inline void on_call(CLI::App& command, Invocation& invocation, Invocation run) {
+  command.callback([&invocation, asked = std::move(run)] { invocation = asked; });
+}
 
 // Each function adds its subcommand to the command line. A subcommand consists of one source file, one line
 // here and one line in main.cpp. `app` and `invocation` must outlive parsing.
@@ -23,7 +26,6 @@ void add_figures_command(CLI::App& app, Invocation& invocation);
 void add_play_command(CLI::App& app, Invocation& invocation);
 void add_prepare_command(CLI::App& app, Invocation& invocation);
 void add_materials_command(CLI::App& app, Invocation& invocation);
-
 // Adds the editor, which runs when no subcommand is given.
 void add_editor(CLI::App& app, Invocation& invocation);
 

@@ -1,13 +1,10 @@
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
 
 #include "app/commands.h"
 #include "app/cut_options.h"
-#include "app/exit_status.h"
-#include "app/interrupt.h"
-#include "app/load_mesh.h"
+#include "app/load.h"
 #include "app/pieces_folder.h"
 #include "app/progress_line.h"
 #include "app/tell.h"
@@ -30,6 +27,7 @@ class CutRun {
   explicit CutRun(CutOptions options) : options_(std::move(options)) {}
 
   Status run() {
+    catch_interrupts();
     if (const auto s = merge_settings_file(options_); !s) return s;
     if (const auto s = check_cut_options(options_); !s) return s;
     if (const auto s = read_scene_description(); !s) return s;
@@ -219,13 +217,7 @@ void add_cut_command(CLI::App& app, Invocation& invocation) {
   CLI::App* command = app.add_subcommand("cut", "Cut meshes along a path and write the pieces and a report");
   auto options = std::make_shared<CutOptions>();
   add_cut_options(*command, *options);
-  command->callback([options, &invocation] {
-    invocation = [options] {
-      catch_interrupts();
-      const Status status = CutRun(*options).run();
-      return status ? 0 : report_error(status.error());
-    };
-  });
+  on_call(*command, invocation, [options] { return CutRun(*options).run(); });
 }
 
 }  // namespace kerf

@@ -1,7 +1,5 @@
-#include <CLI/CLI.hpp>
 
 #include "app/commands.h"
-#include "app/exit_status.h"
 #include "app/parse_values.h"
 #include "ui/editor/editor.h"
 #include "ui/render/bodies/assets.h"
@@ -52,10 +50,7 @@ void add_editor(CLI::App& app, Invocation& invocation) {
   app.add_option("--events", a->events, "A script of input that drives the editor without a screen")
       ->group(kHidden);
   app.add_flag("--own-font", a->own_font, "Draw the panels as where no font is installed")->group(kHidden);
-  invocation = [a] {
-    const Status status = edit(*a);
-    return status ? 0 : report_error(status.error());
-  };
+  invocation = [a] { return edit(*a); };
 }
 
 }  // namespace kerf

@@ -1,9 +1,6 @@
-#include <CLI/CLI.hpp>
 #include <cstdio>
 
 #include "app/commands.h"
-#include "app/exit_status.h"
-#include "app/interrupt.h"
 #include "app/parse_values.h"
 #include "app/pieces_folder.h"
 #include "app/progress_line.h"
@@ -85,12 +82,7 @@ void add_figures_command(CLI::App& app, Invocation& invocation) {
       "shadow volume, each as numbered pictures in a folder of its own");
   command->add_option("--size", a->size, "Size of each picture, of figures with the caption, WxH (1280x720)");
   command->add_option("--list", a->list, "A file (.json) that describes the figures (assets/figures.json)");
-  command->callback([a, &invocation] {
-    invocation = [a] {
-      const Status status = run(*a);
-      return status ? 0 : report_error(status.error());
-    };
-  });
+  on_call(*command, invocation, [a] { return run(*a); });
 }
 
 }  // namespace kerf

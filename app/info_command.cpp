@@ -1,11 +1,9 @@
-#include <CLI/CLI.hpp>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
-#include "app/exit_status.h"
-#include "app/interrupt.h"
-#include "app/load_mesh.h"
+#include "app/load.h"
+#include "app/tell.h"
 #include "core/document/text/json_value.h"
 #include "core/mesh/load_notes.h"
 
@@ -40,14 +38,14 @@ nlohmann::ordered_json to_json(const std::string& file, const MeshReport& m) {
           {"notes", load_notes(m)}};
 }
 
-int run_info(const std::string& file) {
+Status run_info(const std::string& file) {
   catch_interrupts();
   const auto built = load_mesh(file);
-  if (!built) return report_error(built.error());
-  for (const std::string& warning : built->report.warnings) std::cerr << "kerf: warning: " << warning << '\n';
+  if (!built) return built.error();
+  for (const std::string& warning : built->report.warnings) warn(warning);
   std::cout << to_json(file, built->report).dump(2, ' ', false, nlohmann::json::error_handler_t::replace)
             << '\n';
-  return std::cout.flush() ? 0 : report_error(failed("standard output cannot be written"));
+  return flush_output();
 }
 
 }  // namespace
@@ -56,7 +54,7 @@ void add_info_command(CLI::App& app, Invocation& invocation) {
   CLI::App* command = app.add_subcommand("info", "What is in a mesh file, as JSON on standard output");
   auto file = std::make_shared<std::string>();
   command->add_option("MESH", *file, "An OBJ, STL, PLY or OFF file")->required();
-  command->callback([file, &invocation] { invocation = [file] { return run_info(*file); }; });
+  on_call(*command, invocation, [file] { return run_info(*file); });
 }
 
 }  // namespace kerf

@@ -1,17 +1,16 @@
-#include <CLI/CLI.hpp>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
-#include "app/exit_status.h"
 #include "app/inspect_step.h"
-#include "app/inspect_tree.h"
-#include "app/interrupt.h"
-#include "app/load_document.h"
-#include "app/progress_line.h"
+#include "app/load.h"
+#include "app/tell.h"
 #include "core/document/history/piece_origins.h"
+#include "core/document/journal/replay.h"
 #include "core/document/text/json_text.h"
+#include "core/document/text/json_value.h"
 #include "core/graph/graph_text.h"
+#include "ui/render/picture/scene_strokes.h"
 
 namespace kerf {
 
@@ -22,6 +21,54 @@ struct InspectArguments {
   bool graph = false, dot = false, tree = false;
   std::optional<size_t> step;
 };
+
+// The trees of all bodies as the editor draws them: {"bodies": [{"body": "car", "faces": 5008, "boxes":
+// [{"min": [..], "max": [..], "depth": 0, "leaf": false, "hit": false}]}]}, parents before children, in the
+// frame of each body. O(boxes).
+nlohmann::ordered_json tree_json(const World& world) {
+  auto bodies = nlohmann::ordered_json::array();
+  for (const BodyId id : world.ids()) {
+    const Body& body = world.body(id);
+    auto boxes = nlohmann::ordered_json::array();
+    body.tree.for_each_box([&](const AabbTree::Box& box) {
+      boxes.push_back({{"min", vector_json(box.min)},
+                       {"max", vector_json(box.max)},
+                       {"depth", box.depth},
+                       {"leaf", box.leaf},
+                       {"hit", box.hit}});
+    });
+    bodies.push_back({{"body", body.name}, {"faces", body.tree.leaf_count()}, {"boxes", std::move(boxes)}});
+  }
+  return {{"bodies", std::move(bodies)}};
+}
+
+// A step that fails here failed when the journal was made, too.
+Status replay_all(const Journal& journal, Document& document) {
+  ProgressLine line("replaying");
+  const Progress progress = line.progress();
+  Walk how;
+  how.progress = &progress;
+  how.told = [](const Result<StepResult>&) -> Status { return interrupted() ? Status(stopped()) : Done{}; };
+  return Replay(journal, document).run(how);
+}
+
+Status cut_all(const std::vector<StrokePath>& strokes, Document& document) {
+  ProgressLine line("cutting");
+  const Progress progress = line.progress();
+  return cut_strokes(
+      document, strokes, [](const StepResult&) {}, &progress);
+}
+
+// The document of any file that Kerf opens, at its end: the strokes of a scene are cut, the commands of a
+// journal replayed. Fails with an error that names the file, or with stopped() after Ctrl-C.
+Result<Document> load_document(const std::filesystem::path& file) {
+  auto work = load_file(file);
+  if (!work) return work.error();
+  Document document(std::move(work->scene.world));
+  if (const Status cut = cut_all(work->scene.strokes, document); !cut) return error_or_stopped(cut.error());
+  if (const Status run = replay_all(work->journal, document); !run) return error_or_stopped(run.error());
+  return document;
+}
 
 void write_graph(const InspectArguments& a, const Document& document) {
   const ComponentGraph graph = component_graph(document.world());
@@ -55,11 +102,12 @@ Status write_what(const InspectArguments& a) {
 }
 
 Status inspect(const InspectArguments& a) {
+  catch_interrupts();
   if (a.graph + a.tree + a.step.has_value() != 1)
     return bad_input("inspect: say what to inspect: --graph, --tree or --step N");
   if (a.step && *a.step == 0) return bad_input("--step: moves are counted from 1");
   if (const Status written = write_what(a); !written) return written;
-  return std::cout.flush() ? Status(Done{}) : failed("standard output cannot be written");
+  return flush_output();
 }
 
 }  // namespace
@@ -78,13 +126,7 @@ void add_inspect_command(CLI::App& app, Invocation& invocation) {
   command->add_flag("--tree", a->tree, "The boxes of the tree after the last cut, and where the beam was");
   command->add_option("--step", a->step,
                       "The stages of this move of the beam, counted from 1, with the walk through the tree");
-  command->callback([a, &invocation] {
-    invocation = [a] {
-      catch_interrupts();
-      const Status status = inspect(*a);
-      return status ? 0 : report_error(status.error());
-    };
-  });
+  on_call(*command, invocation, [a] { return inspect(*a); });
 }
 
 }  // namespace kerf

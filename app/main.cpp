@@ -1,13 +1,35 @@
 #include <malloc.h>
-#include <CLI/CLI.hpp>
-
+#include <charconv>
 #include <csignal>
+#include <cstdlib>
+#include <iostream>
+#include <optional>
+#include <string_view>
 
 #include "app/commands.h"
-#include "app/exit_status.h"
-#include "app/threads.h"
+#include "core/base/parallel.h"
 
 namespace {
+
+// Prints the error on standard error and returns the exit status: 2 for bad input, 1 for any other failure.
+int report_error(const kerf::Error& error) {
+  std::cerr << "kerf: " << error.message << '\n';
+  return error.code == kerf::ErrorCode::kBadInput ? 2 : 1;
+}
+
+// The limit that the environment variable KERF_THREADS sets, or none. Fails if it is not a whole number from
+// 1 to 1024.
+kerf::Result<std::optional<kerf::ThreadLimit>> threads_of_environment() {
+  constexpr size_t kMost = 1024;
+  const char* value = std::getenv("KERF_THREADS");
+  if (value == nullptr) return std::optional<kerf::ThreadLimit>();
+  const std::string_view text = value;
+  size_t threads = 0;
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), threads);
+  if (fault != std::errc() || end != text.data() + text.size() || threads < 1 || threads > kMost)
+    return kerf::bad_input("the environment variable KERF_THREADS must be a whole number from 1 to 1024");
+  return std::optional(kerf::ThreadLimit(threads));
+}
 
 int parse_and_run(int argc, char** argv) {
   CLI::App app("Kerf: a laser drills through any triangle mesh, live.", "kerf");
@@ -29,11 +51,12 @@ int parse_and_run(int argc, char** argv) {
   } catch (const CLI::Success& asked) {  // --help, --version
     return app.exit(asked);
   } catch (const CLI::ParseError& wrong) {
-    return kerf::report_error(kerf::bad_input(std::string(wrong.what()) + " (see kerf --help)"));
+    return report_error(kerf::bad_input(std::string(wrong.what()) + " (see kerf --help)"));
   }
-  const auto threads = kerf::threads_of_environment();
-  if (!threads) return kerf::report_error(threads.error());
-  return invocation();
+  const auto threads = threads_of_environment();
+  if (!threads) return report_error(threads.error());
+  const kerf::Status done = invocation();
+  return done ? 0 : report_error(done.error());
 }
 
 }  // namespace
@@ -48,8 +71,8 @@ int main(int argc, char** argv) {
   try {
     return parse_and_run(argc, argv);
   } catch (const std::bad_alloc&) {
-    return kerf::report_error(kerf::failed("there is not enough memory for this"));
+    return report_error(kerf::failed("there is not enough memory for this"));
   } catch (const std::exception& fault) {
-    return kerf::report_error(kerf::failed(std::string("stopped by an unexpected fault: ") + fault.what()));
+    return report_error(kerf::failed(std::string("stopped by an unexpected fault: ") + fault.what()));
   }
 }

@@ -1,9 +1,8 @@
-#include <CLI/CLI.hpp>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
-#include "app/exit_status.h"
+#include "app/tell.h"
 #include "core/document/files/material_reader.h"
 #include "core/document/text/fields.h"
 #include "ui/render/bodies/assets.h"
@@ -12,9 +11,9 @@ namespace kerf {
 
 namespace {
 
-int run_materials() {
+Status run_materials() {
   const auto materials = load_materials(assets_folder() / "materials.json");
-  if (!materials) return report_error(materials.error());
+  if (!materials) return materials.error();
   nlohmann::ordered_json json{{"units", "SI: kg/m3, J/(kg K), W/(m K), K, J/kg, m"}};
   json["materials"] = nlohmann::ordered_json::array();
   for (const Material& material : *materials) {
@@ -22,7 +21,7 @@ int run_materials() {
     entry["enthalpy_of_removal"] = enthalpy_of_removal(material.substance);
   }
   std::cout << json.dump(2) << '\n';
-  return std::cout.flush() ? 0 : report_error(failed("standard output cannot be written"));
+  return flush_output();
 }
 
 }  // namespace
@@ -30,7 +29,7 @@ int run_materials() {
 void add_materials_command(CLI::App& app, Invocation& invocation) {
   CLI::App* command =
       app.add_subcommand("materials", "The table of materials with sources, as JSON on standard output");
-  command->callback([&invocation] { invocation = [] { return run_materials(); }; });
+  on_call(*command, invocation, run_materials);
 }
 
 }  // namespace kerf

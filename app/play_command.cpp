@@ -1,15 +1,14 @@
+#include <algorithm>
 #include <chrono>
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <iostream>
+#include <nlohmann/json.hpp>
 
 #include "app/commands.h"
-#include "app/exit_status.h"
-#include "app/interrupt.h"
-#include "app/match_report.h"
 #include "app/parse_values.h"
 #include "app/progress_line.h"
 #include "core/base/atomic_file.h"
+#include "core/document/text/hash_text.h"
 #include "core/game/match/bot_player.h"
 #include "core/game/match/recording.h"
 #include "core/physics/machine_kind.h"
@@ -31,12 +30,62 @@ struct PlayArguments {
   bool headless = false;
 };
 
+// Quantiles in ms of durations in s.
+nlohmann::ordered_json times_of(std::vector<double> seconds) {
+  std::sort(seconds.begin(), seconds.end());
+  const auto at = [&](double share) {
+    const auto i = static_cast<size_t>(share * static_cast<double>(seconds.size()));
+    return seconds.empty() ? 0.0 : 1000 * seconds[std::min(i, seconds.size() - 1)];
+  };
+  return {{"p50", at(0.5)}, {"p99", at(0.99)}, {"max", at(1)}};
+}
+
+// "won", "lost", or "quit" where a match is not over.
+const char* result_of(const Match& match) {
+  switch (match.standing().phase) {
+    case Standing::Phase::kWon:
+      return "won";
+    case Standing::Phase::kLost:
+      return "lost";
+    default:
+      return "quit";
+  }
+}
+
+// What came of a match, for --report: frames and frame_ms of the pictures (none without a window), and of the
+// core ticks and tick_ms (nothing in a window), then the match itself.
+nlohmann::ordered_json match_report(const Match& match, const std::vector<double>& frame_s,
+                                    const std::vector<double>& tick_s) {
+  const Standing& standing = match.standing();
+  return {{"frames", frame_s.size()},
+          {"frame_ms", times_of(frame_s)},
+          {"ticks", standing.ticks},
+          {"tick_ms", times_of(tick_s)},
+          {"strokes", match.strokes()},
+          {"faces", match.world().live_faces()},
+          {"faces_removed", standing.faces_removed},
+          {"pieces", standing.pieces},
+          {"bodies", match.world().ids().size()},
+          {"undo_depth", 0},
+          {"score", standing.score},
+          {"enemies_destroyed", standing.enemies_destroyed},
+          {"wheels_lost", standing.wheels_lost},
+          {"wave", standing.wave + 1},
+          {"waves", match.rules().waves.size()},
+          {"seconds", seconds_of_ticks(standing.ticks)},
+          {"seed", match.setup().seed},
+          {"difficulty", name_of(match.setup().difficulty)},
+          {"result", result_of(match)},
+          {"state_hash", hash_text(state_hash(match.world()))}};
+}
+
 // One run of `kerf play --headless`.
 class PlayRun {
  public:
   explicit PlayRun(PlayArguments arguments) : arguments_(std::move(arguments)) {}
 
   Status run() {
+    catch_interrupts();
     if (const Status s = check(); !s) return s;
     if (const Status s = load(); !s) return s;
     if (!arguments_.headless) return play_in_window();
@@ -177,13 +226,7 @@ void add_play_command(CLI::App& app, Invocation& invocation) {
       ->group("");
   command->add_option("--events", a->events, "A script of input that drives the game without a screen")
       ->group("");
-  command->callback([a, &invocation] {
-    invocation = [a] {
-      catch_interrupts();
-      const Status status = PlayRun(*a).run();
-      return status ? 0 : report_error(status.error());
-    };
-  });
+  on_call(*command, invocation, [a] { return PlayRun(*a).run(); });
 }
 
 }  // namespace kerf

@@ -1,13 +1,10 @@
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <optional>
 
 #include "app/commands.h"
-#include "app/exit_status.h"
-#include "app/interrupt.h"
-#include "app/load_mesh.h"
+#include "app/load.h"
 #include "app/progress_line.h"
 #include "app/tell.h"
 #include "core/mesh/openmesh/simplify.h"
@@ -58,6 +55,7 @@ class PrepareRun {
   explicit PrepareRun(PrepareOptions options) : options_(std::move(options)) {}
 
   Status run() {
+    catch_interrupts();
     if (const auto s = check(options_); !s) return s;
     auto built = load_mesh(options_.mesh);
     if (!built) return built.error();
@@ -155,13 +153,7 @@ void add_prepare_command(CLI::App& app, Invocation& invocation) {
       "loop and sqrt3 round the surface, midpoint keeps it; a face becomes four, three or four");
   command->add_option("--smooth", o->smooth,
                       "How often vertices move half the way to their neighbours' middle");
-  command->callback([o, &invocation] {
-    invocation = [o] {
-      catch_interrupts();
-      const Status status = PrepareRun(*o).run();
-      return status ? 0 : report_error(status.error());
-    };
-  });
+  on_call(*command, invocation, [o] { return PrepareRun(*o).run(); });
 }
 
 }  // namespace kerf

@@ -4,9 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <iostream>
-
-#include "app/interrupt.h"
 
 namespace kerf {
 
@@ -18,7 +17,22 @@ constexpr std::chrono::milliseconds kBeforeFirst{200};
 constexpr const char* kClearLine = "\r\x1b[K";
 constexpr size_t kLongestWork = 60;  // so that the line does not wrap: a wrapped one cannot be overwritten
 
+volatile std::sig_atomic_t interrupt_seen = 0;
+
 }  // namespace
+
+void catch_interrupts() {
+  const auto remember = [](int) { interrupt_seen = 1; };
+  std::signal(SIGINT, remember);
+  std::signal(SIGTERM, remember);
+}
+
+void let_interrupts_end() {
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
+}
+
+bool interrupted() { return interrupt_seen != 0; }
 
 ProgressLine::ProgressLine(std::string work)
     : work_(std::move(work)),

@@ -8,6 +8,14 @@
 
 namespace kerf {
 
+// From this call on Ctrl-C and SIGTERM set a flag instead of ending the program. Long computations check the
+// flag and stop.
+void catch_interrupts();
+// Whether the flag is set.
+bool interrupted();
+// Lets both signals end the program again, for work that does not check the flag.
+void let_interrupts_end();
+
 // Shows the progress of a long computation and lets Ctrl-C stop it (see catch_interrupts). It is one line on
 // standard error, "kerf: cutting 42 %", that is overwritten at most ten times a second and erased by the
 // destructor. Nothing is shown if standard error is not a terminal.
@@ -21,7 +29,7 @@ class ProgressLine {
 
   // Shows a fraction from 0 to 1. Returns whether to go on, i.e. false after Ctrl-C.
   bool update(double fraction);
-  // The same as a Progress, which must not outlive this object.
+  // Makes a Progress that calls update(). It must not outlive this object.
   Progress progress() {
     return {[this](double fraction) { return update(fraction); }};
   }

@@ -1,12 +1,8 @@
-#include <CLI/CLI.hpp>
 
 #include "app/commands.h"
-#include "app/exit_status.h"
-#include "app/interrupt.h"
+#include "app/load.h"
 #include "app/parse_values.h"
 #include "app/picture_arguments.h"
-#include "app/progress_line.h"
-#include "app/tell.h"
 
 namespace kerf {
 
@@ -17,12 +13,6 @@ struct RenderArguments {
   PictureArguments picture;
 };
 
-Result<OpenedFile> load_work(const std::filesystem::path& file) {
-  ProgressLine line("loading " + file.filename().string());
-  const Progress progress = line.progress();
-  return open_file(file, &progress);
-}
-
 Status render(const RenderArguments& a) {
   if (const auto s = check_picture_name("--out", a.out); !s) return s;
   auto options = a.picture.parse();
@@ -30,10 +20,9 @@ Status render(const RenderArguments& a) {
   if (!a.spread.empty() && !(parse_number(a.spread, options->spread) && options->spread >= 0))
     return bad_input("--spread: '" + a.spread + "' is not a number from 0 up");
   catch_interrupts();
-  Result<OpenedFile> work = load_work(a.file);
-  if (!work) return error_or_stopped(work.error());
+  Result<OpenedFile> work = load_file(a.file);
+  if (!work) return work.error();
   let_interrupts_end();
-  if (!work->journal.damage.empty()) warn(work->journal.damage);
   if (const auto s = show_as_asked(a.picture, work->scene, a.file, *options); !s) return s;
   return render_picture(std::move(*work), *options, a.out);
 }
@@ -49,12 +38,7 @@ void add_render_command(CLI::App& app, Invocation& invocation) {
   a->picture.add_to(*command);
   command->add_option("--spread", a->spread,
                       "How far the pieces are drawn apart, in distances from the middle (0)");
-  command->callback([a, &invocation] {
-    invocation = [a] {
-      const Status status = render(*a);
-      return status ? 0 : report_error(status.error());
-    };
-  });
+  on_call(*command, invocation, [a] { return render(*a); });
 }
 
 }  // namespace kerf

@@ -1,10 +1,8 @@
 #include <chrono>
-#include <CLI/CLI.hpp>
 #include <iostream>
 
 #include "app/commands.h"
-#include "app/exit_status.h"
-#include "app/interrupt.h"
+#include "app/load.h"
 #include "app/picture_arguments.h"
 #include "app/pieces_folder.h"
 #include "app/progress_line.h"
@@ -35,6 +33,7 @@ class ReplayRun {
   explicit ReplayRun(ReplayArguments arguments) : arguments_(std::move(arguments)) {}
 
   Status run() {
+    catch_interrupts();
     if (const auto s = check_arguments(); !s) return s;
     if (is_recording(arguments_.journal)) return run_match();
     if (const auto s = load(); !s) return s;
@@ -82,11 +81,9 @@ class ReplayRun {
   }
 
   Status load() {
-    ProgressLine line("loading " + std::filesystem::path(arguments_.journal).filename().string());
-    const Progress progress = line.progress();
     const Stopwatch watch(job_.load_s);
-    auto work = open_journal(arguments_.journal, &progress);
-    if (!work) return error_or_stopped(work.error());
+    auto work = load_showing_progress<OpenedFile>(arguments_.journal, open_journal);
+    if (!work) return work.error();
     work_ = std::move(*work);
     if (!work_.journal.damage.empty()) warn(work_.journal.damage);
     const World& world = work_.scene.world;
@@ -198,13 +195,7 @@ void add_replay_command(CLI::App& app, Invocation& invocation) {
                                      "left out");
   command->add_option("--fps", a->frames_per_second, "Frames a second of the film (30)")->needs(frames);
   a->picture.add_to(*command);
-  command->callback([a, &invocation] {
-    invocation = [a] {
-      catch_interrupts();
-      const Status status = ReplayRun(*a).run();
-      return status ? 0 : report_error(status.error());
-    };
-  });
+  on_call(*command, invocation, [a] { return ReplayRun(*a).run(); });
 }
 
 }  // namespace kerf

@@ -2,7 +2,6 @@
 
 #include <iostream>
 
-#include "app/interrupt.h"
 #include "app/progress_line.h"
 #include "app/tell.h"
 #include "core/document/text/hash_text.h"

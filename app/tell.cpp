@@ -6,6 +6,10 @@
 
 namespace kerf {
 
+Status flush_output() {
+  return std::cout.flush() ? Status(Done{}) : failed("standard output cannot be written");
+}
+
 void warn(const std::string& warning) { std::cerr << "kerf: warning: " << warning << '\n'; }
 
 void tell(const MeshReport& report) {

@@ -2,9 +2,13 @@
 
 #include <string>
 
+#include "core/base/result.h"
 #include "core/mesh/build_mesh.h"
 
 namespace kerf {
+
+// Flushes standard output. Fails if it cannot be written.
+Status flush_output();
 
 // Prints a warning as one line on standard error.
 void warn(const std::string& warning);

@@ -50,8 +50,7 @@ MassProperties mass_of(const Extract& extract, const Sheet& sheet) {
 }
 
 bool any_has_moved(const World& world) {
-  const std::vector<BodyId> ids = world.ids();
-  return std::any_of(ids.begin(), ids.end(), [&](BodyId id) { return world.body(id).motion != Motion{}; });
+  return std::ranges::any_of(world.ids(), [&](BodyId id) { return world.body(id).motion != Motion{}; });
 }
 
 // Whether nothing moves the body any more. What is pinned, or has no mass, never moves.

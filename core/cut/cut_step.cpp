@@ -224,8 +224,7 @@ StepResult go_on_separating(World& world, size_t most) {
 }
 
 bool is_settled(const World& world) {
-  const auto ids = world.ids();
-  return std::all_of(ids.begin(), ids.end(), [&](BodyId id) { return is_settled(world.body(id)); });
+  return std::ranges::all_of(world.ids(), [&](BodyId id) { return is_settled(world.body(id)); });
 }
 
 size_t separate(World& world, BodyStep& step, std::span<const FaceId> hit, size_t most) {

@@ -22,13 +22,11 @@ std::vector<BodyId> cuttable(const World& world) {
 }
 
 bool meets_anything(const World& world, const Laser& laser, const Pose& pose) {
-  const std::vector<BodyId> ids = cuttable(world);
-  return std::any_of(ids.begin(), ids.end(), [&](BodyId id) {
+  return std::ranges::any_of(cuttable(world), [&](BodyId id) {
     const Body& body = world.body(id);
     const Pose seen = body.placement.to_body(pose);
-    const std::vector<SweptCylinder> beam = sweep_beam(laser, {seen, seen});
-    return std::any_of(beam.begin(), beam.end(),
-                       [&](const SweptCylinder& part) { return meets(body, part); });
+    return std::ranges::any_of(sweep_beam(laser, {seen, seen}),
+                               [&](const SweptCylinder& part) { return meets(body, part); });
   });
 }
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/heat/heat_loss.h"
+#include "core/heat/conduct.h"
 #include "core/heat/heat_region.h"
 #include "core/heat/heat_solver.h"
 

@@ -177,9 +177,7 @@ void hold_parts(World& world, Hold hold, Delta& delta) {
 
 bool joints_asked(const World& world) {
   if (world.joints().all.empty()) return false;
-  const auto ids = world.ids();
-  return std::any_of(ids.begin(), ids.end(),
-                     [&](BodyId id) { return world.body(id).separation.joints_asked; });
+  return std::ranges::any_of(world.ids(), [&](BodyId id) { return world.body(id).separation.joints_asked; });
 }
 
 void ask_joints(const World& world, Body& body, std::span<const FaceId> removed, bool separated) {

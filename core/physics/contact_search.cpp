@@ -14,14 +14,9 @@ namespace {
 
 std::pair<uint32_t, uint32_t> key(const TouchingPair& p) { return {p.first, p.second}; }
 
-bool is_before(const TouchingPair& p, const std::pair<uint32_t, uint32_t>& wanted) { return key(p) < wanted; }
-
 const PairMemory* memory_of(const ContactMemory& memory, BodyId first, BodyId second) {
-  const auto before = [](const PairMemory& m, std::pair<BodyId, BodyId> wanted) {
-    return std::pair(m.first, m.second) < wanted;
-  };
-  const auto at = std::lower_bound(memory.begin(), memory.end(), std::pair(first, second), before);
-  return at != memory.end() && at->first == first && at->second == second ? &*at : nullptr;
+  const auto at = std::ranges::lower_bound(memory, std::pair(first, second), {}, &PairMemory::bodies);
+  return at != memory.end() && at->bodies() == std::pair(first, second) ? &*at : nullptr;
 }
 
 }  // namespace
@@ -38,13 +33,13 @@ TouchingPair ContactSearch::start(uint32_t first, uint32_t second) const {
 }
 
 const TouchingPair* ContactSearch::find(uint32_t first, uint32_t second) const {
-  const auto at = std::lower_bound(pairs_.begin(), pairs_.end(), std::pair(first, second), is_before);
+  const auto at = std::ranges::lower_bound(pairs_, std::pair(first, second), {}, key);
   return at != pairs_.end() && key(*at) == std::pair(first, second) ? &*at : nullptr;
 }
 
 TouchingPair& ContactSearch::pair_of(uint32_t first, uint32_t second) {
   KERF_ASSERT(first < second && second < bodies_.size());
-  const auto at = std::lower_bound(pairs_.begin(), pairs_.end(), std::pair(first, second), is_before);
+  const auto at = std::ranges::lower_bound(pairs_, std::pair(first, second), {}, key);
   if (at != pairs_.end() && key(*at) == std::pair(first, second)) return *at;
   return *pairs_.insert(at, start(first, second));
 }
@@ -62,8 +57,7 @@ void ContactSearch::find() {
   }
   const auto known = static_cast<ptrdiff_t>(pairs_.size());
   pairs_.insert(pairs_.end(), std::make_move_iterator(found.begin()), std::make_move_iterator(found.end()));
-  std::inplace_merge(pairs_.begin(), pairs_.begin() + known, pairs_.end(),
-                     [](const TouchingPair& a, const TouchingPair& b) { return key(a) < key(b); });
+  std::ranges::inplace_merge(pairs_, pairs_.begin() + known, {}, key);
 }
 
 void ContactSearch::find_between(uint32_t first, uint32_t second, std::vector<TouchingPair>& found) const {

@@ -3,10 +3,9 @@
 #include <span>
 #include <vector>
 
+#include "core/physics/contact/contact.h"
 #include "core/physics/contact/moving_body.h"
-#include "core/physics/contact/touching_pair.h"
 #include "core/physics/joint_constraints.h"
-#include "core/world/contact_memory.h"
 #include "core/world/surroundings.h"
 
 namespace kerf {

@@ -67,12 +67,9 @@ void remember_joints(std::span<const MovingBody> bodies, std::span<const BodyJoi
   for (const BodyJoint& j : joints) joined.push_back(std::minmax(bodies[j.first].id, bodies[j.second].id));
   std::sort(joined.begin(), joined.end());
   joined.erase(std::unique(joined.begin(), joined.end()), joined.end());
-  const auto key = [](const PairMemory& m) { return std::pair(m.first, m.second); };
-  std::erase_if(
-      memory, [&](const PairMemory& m) { return std::binary_search(joined.begin(), joined.end(), key(m)); });
+  std::erase_if(memory, [&](const PairMemory& m) { return std::ranges::binary_search(joined, m.bodies()); });
   for (const auto& [a, b] : joined) memory.push_back({a, b, {}, {}, {}, 0, true});
-  std::sort(memory.begin(), memory.end(),
-            [&](const PairMemory& a, const PairMemory& b) { return key(a) < key(b); });
+  std::ranges::sort(memory, {}, &PairMemory::bodies);
 }
 
 std::unique_ptr<btTypedConstraint> make_constraint(const Joint& joint, const RigidFrame& first,

@@ -107,28 +107,25 @@ void take_memory(std::vector<TouchingPair>& pairs, ContactMemory& memory) {
 // Precondition: both lists are sorted.
 ContactMemory memory_after(std::span<const MovingBody> bodies, const ContactMemory& before,
                            std::vector<TouchingPair>& pairs, std::vector<TouchingPair>& resting) {
-  const auto before_tick = [](const PairMemory& a, const PairMemory& b) {
-    return std::pair(a.first, a.second) < std::pair(b.first, b.second);
-  };
   ContactMemory memory;
   take_memory(pairs, memory);
   take_memory(resting, memory);
-  std::inplace_merge(memory.begin(), memory.begin() + static_cast<ptrdiff_t>(pairs.size()), memory.end(),
-                     before_tick);
-  KERF_ASSERT(std::is_sorted(memory.begin(), memory.end(), before_tick));
+  const auto end_of = [&](size_t pairs_before) {
+    return memory.begin() + static_cast<ptrdiff_t>(pairs_before);
+  };
+  std::ranges::inplace_merge(memory, end_of(pairs.size()), {}, &PairMemory::bodies);
+  KERF_ASSERT(std::ranges::is_sorted(memory, {}, &PairMemory::bodies));
   const size_t known = memory.size();
   const auto rests = [&](BodyId id) {
     const uint32_t index = index_of(bodies, id);
     return index < bodies.size() && !bodies[index].moves();
   };
   for (const PairMemory& m : before) {
-    const auto end = memory.begin() + static_cast<ptrdiff_t>(known);
     if (rests(m.first) && (!m.second.valid() || rests(m.second)) &&
-        !std::binary_search(memory.begin(), end, m, before_tick))
+        !std::ranges::binary_search(memory.begin(), end_of(known), m.bodies(), {}, &PairMemory::bodies))
       memory.push_back(m);
   }
-  std::inplace_merge(memory.begin(), memory.begin() + static_cast<ptrdiff_t>(known), memory.end(),
-                     before_tick);
+  std::ranges::inplace_merge(memory, end_of(known), {}, &PairMemory::bodies);
   return memory;
 }
 
@@ -219,8 +216,7 @@ std::vector<MovingBody> Physics::moving_bodies(World& world, bool under_beam,
     b.scale = std::min(b.metre, glm::length(body.loaded.max - body.loaded.min) / kFullLengths);
     set_way(b, world.surroundings().gravity);
   }
-  std::sort(bodies.begin(), bodies.end(),
-            [](const MovingBody& a, const MovingBody& b) { return a.id < b.id; });
+  std::ranges::sort(bodies, {}, &MovingBody::id);
   return bodies;
 }
 

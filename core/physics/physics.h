@@ -9,8 +9,8 @@
 
 #include "core/joints/held_joints.h"
 #include "core/physics/collider/collider.h"
+#include "core/physics/contact/contact.h"
 #include "core/physics/contact/moving_body.h"
-#include "core/physics/contact/touching_pair.h"
 #include "core/world/delta.h"
 #include "core/world/world.h"
 

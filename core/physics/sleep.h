@@ -2,9 +2,8 @@
 
 #include <span>
 
-#include "core/physics/contact/touching_pair.h"
+#include "core/physics/contact/contact.h"
 #include "core/physics/joint_constraints.h"
-#include "core/world/contact_memory.h"
 
 namespace kerf {
 

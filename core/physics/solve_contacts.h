@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "core/physics/contact/contact.h"
 #include "core/physics/contact/moving_body.h"
-#include "core/physics/contact/touching_pair.h"
 #include "core/physics/joint_constraints.h"
 
 namespace kerf {

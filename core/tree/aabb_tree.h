@@ -10,7 +10,6 @@
 #include "core/base/result.h"
 #include "core/mesh/mesh.h"
 #include "core/mesh/replacement.h"
-#include "core/tree/simd.h"
 #include "core/tree/swept_cylinder.h"
 #include "core/tree/tree_store.h"
 

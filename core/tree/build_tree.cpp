@@ -6,7 +6,6 @@
 #include "core/base/assert.h"
 #include "core/base/parallel.h"
 #include "core/tree/binned_split.h"
-#include "core/tree/node_boxes.h"
 #include "core/tree/sort_progress.h"
 
 namespace kerf {

@@ -35,6 +35,12 @@ struct TreeFace {
   FaceId face;
 };
 
+// Makes a node without parent and children.
+void make_empty(WideNode& node);
+
+// Sets the box of a slot. Precondition: slot < kNodeWidth.
+void set_slot_box(WideNode& node, uint32_t slot, const FloatBox& box);
+
 // The state of a tree beside its records.
 struct TreeCounts {
   uint32_t root = kNoIndex;

@@ -26,7 +26,14 @@ class WalkScratch : public WalkLists {
 
  private:
   using Words = std::vector<uintptr_t>;
-  static void lengthen(WalkLists& lists, WordList& list);
+  static void lengthen(WalkLists& lists, WordList& list) {
+    auto& self = static_cast<WalkScratch&>(lists);
+    if (!self.long_lists_) self.long_lists_ = std::make_unique<std::vector<Words>>();
+    Words& words = self.long_lists_->emplace_back(list.items, list.items + list.count);
+    list.capacity *= 2;
+    words.resize(list.capacity);
+    list.items = words.data();
+  }
 
   static constexpr uint32_t kShort = 96;
   std::unique_ptr<std::vector<Words>> long_lists_;

@@ -2,10 +2,15 @@
 
 #include <cstdint>
 
-#include "core/tree/simd.h"
 #include "core/tree/tree_nodes.h"
 
 namespace kerf {
+
+// The instruction set that traversals of a tree use. Results do not depend on it.
+enum class Simd : uint8_t { kSse4, kAvx2 };
+
+// The best one that the processor supports and that GLIBC_TUNABLES does not disable.
+Simd best_simd();
 
 // Tree traversals: they cull in single precision and list the faces that may be results. Each is written once
 // over vectors of floats and compiled for each instruction set. Sources compiled for a newer instruction set

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "core/base/ids.h"
@@ -29,6 +30,8 @@ struct PairMemory {
   // For how many ticks the sheets have intersected since they met; 0 while they are apart.
   uint32_t crossed = 0;
   bool touching = false;  // they did in the last tick
+
+  std::pair<BodyId, BodyId> bodies() const { return {first, second}; }
 };
 
 // The memory of all pairs, sorted by their bodies.

@@ -41,8 +41,7 @@ void cool_for_ticks(World& world, Ticks passed) {
 }
 
 bool is_hot(const World& world) {
-  const std::vector<BodyId> ids = world.ids();
-  return std::any_of(ids.begin(), ids.end(), [&](BodyId id) {
+  return std::ranges::any_of(world.ids(), [&](BodyId id) {
     const Body& body = world.body(id);
     return body.mesh.columns().any_set(body.heat.energy);
   });

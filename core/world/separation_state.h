@@ -40,7 +40,13 @@ struct OpenSearch {
   uint32_t next_slot = 0;  // the first face slot that is not relabelled yet
 
   // The front that has reached the face, or null.
-  SearchFront* front_of(FaceId f);
+  SearchFront* front_of(FaceId f) {
+    const uint32_t marked = mark.get(f.index) & ~kLookedAt;
+    if (marked == 0) return nullptr;
+    uint32_t front = marked - 1;
+    while (front_parent[front] != front) front = front_parent[front];
+    return &fronts[front];
+  }
   // The label that relabelling will give to the face; 0 if it keeps its own.
   uint32_t label_to_be(FaceId f) const { return stage == Stage::kRelabel ? label_of(mark.get(f.index)) : 0; }
   // The same by the face's mark. Precondition: faces are being relabelled.
@@ -50,7 +56,11 @@ struct OpenSearch {
   }
 
   // Memory of what grows with the mesh.
-  size_t bytes() const;
+  size_t bytes() const {
+    size_t bytes = mark.bytes();
+    for (const SearchFront& front : fronts) bytes += front.frontier.capacity() * sizeof(ReachedFace);
+    return bytes;
+  }
 };
 
 // What core/graph records about the faces that were removed from a body. It may be discarded at any time

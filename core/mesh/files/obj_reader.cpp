@@ -30,18 +30,110 @@ class ObjReader {
       : scanner_(bytes, file_name, {.comments = true, .continuations = true}, progress),
         file_name_(file_name) {}
 
-  Result<Soup> read();
+  Result<Soup> read() {
+    if (auto binary = scanner_.refuse_binary("OBJ")) return *binary;
+    while (!scanner_.at_end()) {
+      if (scanner_.cancelled()) return cancelled();
+      if (auto problem = read_statement(scanner_.word())) return *problem;
+      scanner_.skip_line();
+    }
+    Result<Soup> soup = polygons_.to_soup(std::move(positions_), file_name_);
+    if (!soup) return soup;
+    soup->format = "obj";
+    add_warnings(*soup);
+    soup->material_names = std::move(material_names_);
+    if (soup->material_names.size() == 1 && soup->material_names[0].empty()) soup->material_names.clear();
+    return soup;
+  }
 
  private:
   using Problem = std::optional<Error>;
 
-  Problem read_statement(std::string_view keyword);
-  Problem read_vertex();
-  Problem read_face();
-  void read_groups();
-  uint16_t material();
-  void count_skipped(std::string_view keyword);
-  void add_warnings(Soup& soup) const;
+  Problem read_statement(std::string_view keyword) {
+    if (keyword == "v") return read_vertex();
+    if (keyword == "f" || keyword == "fo") return read_face();
+    if (keyword == "usemtl") {
+      material_name_ = scanner_.rest_of_line();
+      material_.reset();
+    } else if (keyword == "o") {
+      polygons_.begin_parts(PolygonList::Level::kObject, {one_line(scanner_.rest_of_line())});
+    } else if (keyword == "g") {
+      read_groups();
+    } else {
+      count_skipped(keyword);
+    }
+    return std::nullopt;
+  }
+
+  Problem read_vertex() {
+    constexpr std::array<const char*, 3> kNames{"the x coordinate", "the y coordinate", "the z coordinate"};
+    Vec3 position;
+    for (int i = 0; i < 3; ++i) {
+      const std::optional<double> number = scanner_.number();
+      if (!number) return scanner_.expected(kNames[static_cast<size_t>(i)]);
+      position[i] = *number;
+    }
+    positions_.push_back(position);
+    // A weight or a colour may follow. Anything that is not a number indicates a lost line break.
+    while (!scanner_.at_line_end()) {
+      if (!parse_number(scanner_.word())) return scanner_.expected("a number");
+    }
+    return std::nullopt;
+  }
+
+  Problem read_face() {
+    const int64_t vertices = static_cast<int64_t>(positions_.size());
+    while (!scanner_.at_line_end()) {
+      const std::optional<int64_t> index = parse_corner(scanner_.word());
+      if (!index) return scanner_.expected("a corner of a face, like 7 or 7/7/7");
+      // Zero and indices that count back beyond the first vertex become -1, which marks a missing vertex.
+      polygons_.add_corner(*index < 0 && *index >= -vertices ? vertices + *index
+                                                             : std::max(*index, int64_t{0}) - 1);
+    }
+    polygons_.close(material());
+    return std::nullopt;
+  }
+
+  void read_groups() {
+    std::vector<std::string> names;
+    while (!scanner_.at_line_end()) names.push_back(one_line(scanner_.word()));
+    polygons_.begin_parts(PolygonList::Level::kGroup, names);
+  }
+
+  // The index of the current material. Faces before the first usemtl have an unnamed material.
+  uint16_t material() {
+    if (material_) return *material_;
+    constexpr size_t kMost = std::numeric_limits<uint16_t>::max();
+    const auto [known, added] = material_numbers_.try_emplace(
+        material_name_, static_cast<uint16_t>(std::min(material_names_.size(), kMost)));
+    if (added && material_names_.size() <= kMost) {
+      material_names_.push_back(one_line(material_name_));
+    } else if (added) {
+      too_many_materials_ = true;
+    }
+    material_ = known->second;
+    return *material_;
+  }
+
+  void count_skipped(std::string_view keyword) {
+    if (std::find(kPassedOver.begin(), kPassedOver.end(), keyword) != kPassedOver.end()) return;
+    if (skipped_++ == 0) first_skipped_ = quoted(keyword);
+  }
+
+  void add_warnings(Soup& soup) const {
+    if (skipped_ > 0) {
+      soup.warnings.push_back(skipped_ == 1
+                                  ? "1 statement that makes no face was passed over, " + first_skipped_ + "."
+                                  : std::to_string(skipped_) +
+                                        " statements that make no face were passed over, the first " +
+                                        first_skipped_ + ".");
+    }
+    if (too_many_materials_) {
+      soup.warnings.push_back(
+          "There are more than 65536 materials; faces of those beyond have the last one.");
+    }
+    if (scanner_.garbled_numbers() > 0) soup.warnings.push_back(scanner_.garbled_numbers_warning());
+  }
 
   Scanner scanner_;
   const std::string& file_name_;
@@ -57,107 +149,6 @@ class ObjReader {
   size_t skipped_ = 0;
   std::string first_skipped_;
 };
-
-// The index of the current material. Faces before the first usemtl have an unnamed material.
-uint16_t ObjReader::material() {
-  if (material_) return *material_;
-  constexpr size_t kMost = std::numeric_limits<uint16_t>::max();
-  const auto [known, added] = material_numbers_.try_emplace(
-      material_name_, static_cast<uint16_t>(std::min(material_names_.size(), kMost)));
-  if (added && material_names_.size() <= kMost) {
-    material_names_.push_back(one_line(material_name_));
-  } else if (added) {
-    too_many_materials_ = true;
-  }
-  material_ = known->second;
-  return *material_;
-}
-
-ObjReader::Problem ObjReader::read_vertex() {
-  constexpr std::array<const char*, 3> kNames{"the x coordinate", "the y coordinate", "the z coordinate"};
-  Vec3 position;
-  for (int i = 0; i < 3; ++i) {
-    const std::optional<double> number = scanner_.number();
-    if (!number) return scanner_.expected(kNames[static_cast<size_t>(i)]);
-    position[i] = *number;
-  }
-  positions_.push_back(position);
-  // A weight or a colour may follow. Anything that is not a number indicates a lost line break.
-  while (!scanner_.at_line_end()) {
-    if (!parse_number(scanner_.word())) return scanner_.expected("a number");
-  }
-  return std::nullopt;
-}
-
-ObjReader::Problem ObjReader::read_face() {
-  const int64_t vertices = static_cast<int64_t>(positions_.size());
-  while (!scanner_.at_line_end()) {
-    const std::optional<int64_t> index = parse_corner(scanner_.word());
-    if (!index) return scanner_.expected("a corner of a face, like 7 or 7/7/7");
-    // Zero and indices that count back beyond the first vertex become -1, which marks a missing vertex.
-    polygons_.add_corner(*index < 0 && *index >= -vertices ? vertices + *index
-                                                           : std::max(*index, int64_t{0}) - 1);
-  }
-  polygons_.close(material());
-  return std::nullopt;
-}
-
-void ObjReader::count_skipped(std::string_view keyword) {
-  if (std::find(kPassedOver.begin(), kPassedOver.end(), keyword) != kPassedOver.end()) return;
-  if (skipped_++ == 0) first_skipped_ = quoted(keyword);
-}
-
-ObjReader::Problem ObjReader::read_statement(std::string_view keyword) {
-  if (keyword == "v") return read_vertex();
-  if (keyword == "f" || keyword == "fo") return read_face();
-  if (keyword == "usemtl") {
-    material_name_ = scanner_.rest_of_line();
-    material_.reset();
-  } else if (keyword == "o") {
-    polygons_.begin_parts(PolygonList::Level::kObject, {one_line(scanner_.rest_of_line())});
-  } else if (keyword == "g") {
-    read_groups();
-  } else {
-    count_skipped(keyword);
-  }
-  return std::nullopt;
-}
-
-void ObjReader::read_groups() {
-  std::vector<std::string> names;
-  while (!scanner_.at_line_end()) names.push_back(one_line(scanner_.word()));
-  polygons_.begin_parts(PolygonList::Level::kGroup, names);
-}
-
-void ObjReader::add_warnings(Soup& soup) const {
-  if (skipped_ > 0) {
-    soup.warnings.push_back(skipped_ == 1
-                                ? "1 statement that makes no face was passed over, " + first_skipped_ + "."
-                                : std::to_string(skipped_) +
-                                      " statements that make no face were passed over, the first " +
-                                      first_skipped_ + ".");
-  }
-  if (too_many_materials_) {
-    soup.warnings.push_back("There are more than 65536 materials; faces of those beyond have the last one.");
-  }
-  if (scanner_.garbled_numbers() > 0) soup.warnings.push_back(scanner_.garbled_numbers_warning());
-}
-
-Result<Soup> ObjReader::read() {
-  if (auto binary = scanner_.refuse_binary("OBJ")) return *binary;
-  while (!scanner_.at_end()) {
-    if (scanner_.cancelled()) return cancelled();
-    if (auto problem = read_statement(scanner_.word())) return *problem;
-    scanner_.skip_line();
-  }
-  Result<Soup> soup = polygons_.to_soup(std::move(positions_), file_name_);
-  if (!soup) return soup;
-  soup->format = "obj";
-  add_warnings(*soup);
-  soup->material_names = std::move(material_names_);
-  if (soup->material_names.size() == 1 && soup->material_names[0].empty()) soup->material_names.clear();
-  return soup;
-}
 
 }  // namespace
 

@@ -35,16 +35,108 @@ class OffReader {
       : scanner_(bytes, file_name, {.comments = true, .continuations = false}, progress),
         file_name_(file_name) {}
 
-  Result<Soup> read();
+  Result<Soup> read() {
+    if (auto problem = read_keyword()) return *problem;
+    if (auto problem = read_counts()) return *problem;
+    positions_.reserve(vertices_);
+    polygons_.reserve(faces_);
+    while (positions_.size() < vertices_) {
+      if (scanner_.cancelled()) return cancelled();
+      if (auto problem = read_vertex()) return *problem;
+    }
+    while (polygons_.size() < faces_) {
+      if (scanner_.cancelled()) return cancelled();
+      if (auto problem = read_face()) return *problem;
+    }
+    Result<Soup> soup = polygons_.to_soup(std::move(positions_), file_name_);
+    if (!soup) return soup;
+    soup->format = "off";
+    if (!scanner_.at_end())
+      soup->warnings.push_back("What follows the last face that the file announces was passed over.");
+    if (scanner_.garbled_numbers() > 0) soup->warnings.push_back(scanner_.garbled_numbers_warning());
+    return soup;
+  }
 
  private:
   using Problem = std::optional<Error>;
 
-  Problem read_keyword();
-  Problem read_count(const char* of_what, size_t bytes_each, size_t& count);
-  Problem read_counts();
-  Problem read_vertex();
-  Problem read_face();
+  Problem read_keyword() {
+    scanner_.at_end();
+    const std::string_view word = scanner_.word();
+    const size_t begin = scanner_.position() - word.size();
+    const Keyword keyword = parse_keyword(word);
+    if (keyword.length == 0) return scanner_.expected("the keyword OFF");
+    if (!keyword.flat_space) return scanner_.line_error("OFF with other than three coordinates is not read");
+    scanner_.seek(begin + keyword.length);
+    const size_t after = scanner_.position();
+    if (scanner_.word() == "BINARY")
+      return scanner_.line_error("binary OFF is not read; save it as text, or as PLY");
+    scanner_.seek(after);
+    return scanner_.refuse_binary("OFF");
+  }
+
+  // Reads the number of items, each of which takes at least `bytes_each` bytes.
+  Problem read_count(const char* of_what, size_t bytes_each, size_t& count) {
+    scanner_.at_end();
+    const std::optional<int64_t> number = scanner_.integer();
+    if (!number) return scanner_.expected(std::string("the number of ") + of_what);
+    if (*number < 0 || static_cast<uint64_t>(*number) > scanner_.left() / bytes_each + 1) {
+      return scanner_.line_error("announces " + std::to_string(*number) + " " + of_what + ", but the " +
+                                 std::to_string(scanner_.left()) + " bytes that follow cannot hold them");
+    }
+    count = static_cast<size_t>(*number);
+    return std::nullopt;
+  }
+
+  // Reads the counts. The number of edges is not needed, and some programs do not write it.
+  Problem read_counts() {
+    constexpr size_t kVertexBytes = 6, kFaceBytes = 2;  // "0 0 0\n" and "0\n"
+    if (auto problem = read_count("vertices", kVertexBytes, vertices_)) return problem;
+    const bool same_line = !scanner_.at_line_end();
+    if (auto problem = read_count("faces", kFaceBytes, faces_)) return problem;
+    if (!same_line) scanner_.at_end();
+    if (!scanner_.at_line_end() && !scanner_.integer()) return scanner_.expected("the number of edges");
+    scanner_.skip_line();
+    return std::nullopt;
+  }
+
+  Problem read_vertex() {
+    Vec3 position;
+    for (int i = 0; i < 3; ++i) {
+      scanner_.at_end();
+      const std::optional<double> number = scanner_.number();
+      if (!number) {
+        return scanner_.expected("a coordinate of vertex " + std::to_string(positions_.size()) + " of " +
+                                 std::to_string(vertices_));
+      }
+      position[i] = *number;
+    }
+    positions_.push_back(position);
+    scanner_.skip_line();
+    return std::nullopt;
+  }
+
+  Problem read_face() {
+    const auto which = [&] {
+      return "face " + std::to_string(polygons_.size()) + " of " + std::to_string(faces_);
+    };
+    scanner_.at_end();
+    const std::optional<int64_t> corners = scanner_.integer();
+    if (!corners) return scanner_.expected("the number of corners of " + which());
+    if (*corners < 0 || static_cast<uint64_t>(*corners) > scanner_.left()) {
+      return scanner_.line_error(which() + " announces " + std::to_string(*corners) + " corners, but only " +
+                                 std::to_string(scanner_.left()) + " bytes follow");
+    }
+    for (int64_t i = 0; i < *corners; ++i) {
+      scanner_.at_end();
+      const std::optional<int64_t> vertex = scanner_.integer();
+      if (!vertex) return scanner_.expected("a corner of " + which());
+      polygons_.add_corner(*vertex);
+    }
+    polygons_.close();
+    scanner_.skip_line();
+    return std::nullopt;
+  }
 
   Scanner scanner_;
   const std::string& file_name_;
@@ -53,106 +145,6 @@ class OffReader {
   std::vector<Vec3> positions_;
   PolygonList polygons_;
 };
-
-OffReader::Problem OffReader::read_keyword() {
-  scanner_.at_end();
-  const std::string_view word = scanner_.word();
-  const size_t begin = scanner_.position() - word.size();
-  const Keyword keyword = parse_keyword(word);
-  if (keyword.length == 0) return scanner_.expected("the keyword OFF");
-  if (!keyword.flat_space) return scanner_.line_error("OFF with other than three coordinates is not read");
-  scanner_.seek(begin + keyword.length);
-  const size_t after = scanner_.position();
-  if (scanner_.word() == "BINARY")
-    return scanner_.line_error("binary OFF is not read; save it as text, or as PLY");
-  scanner_.seek(after);
-  return scanner_.refuse_binary("OFF");
-}
-
-// Reads the number of items, each of which takes at least `bytes_each` bytes.
-OffReader::Problem OffReader::read_count(const char* of_what, size_t bytes_each, size_t& count) {
-  scanner_.at_end();
-  const std::optional<int64_t> number = scanner_.integer();
-  if (!number) return scanner_.expected(std::string("the number of ") + of_what);
-  if (*number < 0 || static_cast<uint64_t>(*number) > scanner_.left() / bytes_each + 1) {
-    return scanner_.line_error("announces " + std::to_string(*number) + " " + of_what + ", but the " +
-                               std::to_string(scanner_.left()) + " bytes that follow cannot hold them");
-  }
-  count = static_cast<size_t>(*number);
-  return std::nullopt;
-}
-
-// Reads the counts. The number of edges is not needed, and some programs do not write it.
-OffReader::Problem OffReader::read_counts() {
-  constexpr size_t kVertexBytes = 6, kFaceBytes = 2;  // "0 0 0\n" and "0\n"
-  if (auto problem = read_count("vertices", kVertexBytes, vertices_)) return problem;
-  const bool same_line = !scanner_.at_line_end();
-  if (auto problem = read_count("faces", kFaceBytes, faces_)) return problem;
-  if (!same_line) scanner_.at_end();
-  if (!scanner_.at_line_end() && !scanner_.integer()) return scanner_.expected("the number of edges");
-  scanner_.skip_line();
-  return std::nullopt;
-}
-
-OffReader::Problem OffReader::read_vertex() {
-  Vec3 position;
-  for (int i = 0; i < 3; ++i) {
-    scanner_.at_end();
-    const std::optional<double> number = scanner_.number();
-    if (!number) {
-      return scanner_.expected("a coordinate of vertex " + std::to_string(positions_.size()) + " of " +
-                               std::to_string(vertices_));
-    }
-    position[i] = *number;
-  }
-  positions_.push_back(position);
-  scanner_.skip_line();
-  return std::nullopt;
-}
-
-OffReader::Problem OffReader::read_face() {
-  const auto which = [&] {
-    return "face " + std::to_string(polygons_.size()) + " of " + std::to_string(faces_);
-  };
-  scanner_.at_end();
-  const std::optional<int64_t> corners = scanner_.integer();
-  if (!corners) return scanner_.expected("the number of corners of " + which());
-  if (*corners < 0 || static_cast<uint64_t>(*corners) > scanner_.left()) {
-    return scanner_.line_error(which() + " announces " + std::to_string(*corners) + " corners, but only " +
-                               std::to_string(scanner_.left()) + " bytes follow");
-  }
-  for (int64_t i = 0; i < *corners; ++i) {
-    scanner_.at_end();
-    const std::optional<int64_t> vertex = scanner_.integer();
-    if (!vertex) return scanner_.expected("a corner of " + which());
-    polygons_.add_corner(*vertex);
-  }
-  polygons_.close();
-  scanner_.skip_line();
-  return std::nullopt;
-}
-
-Result<Soup> OffReader::read() {
-  if (auto problem = read_keyword()) return *problem;
-  if (auto problem = read_counts()) return *problem;
-  positions_.reserve(vertices_);
-  polygons_.reserve(faces_);
-  while (positions_.size() < vertices_) {
-    if (scanner_.cancelled()) return cancelled();
-    if (auto problem = read_vertex()) return *problem;
-  }
-  while (polygons_.size() < faces_) {
-    if (scanner_.cancelled()) return cancelled();
-    if (auto problem = read_face()) return *problem;
-  }
-  Result<Soup> soup = polygons_.to_soup(std::move(positions_), file_name_);
-  if (!soup) return soup;
-  soup->format = "off";
-  if (!scanner_.at_end())
-    soup->warnings.push_back("What follows the last face that the file announces was passed over.");
-  if (scanner_.garbled_numbers() > 0) soup->warnings.push_back(scanner_.garbled_numbers_warning());
-  return soup;
-}
 
 }  // namespace
 

@@ -45,20 +45,148 @@ class HeaderReader {
  public:
   explicit HeaderReader(Scanner& scanner) : scanner_(scanner) {}
 
-  Result<PlyHeader> read();
+  Result<PlyHeader> read() {
+    if (scanner_.word() != "ply") return scanner_.expected("'ply'");
+    scanner_.at_line_end();
+    scanner_.skip_line();
+    for (;;) {
+      if (scanner_.at_end()) {
+        if (header_.elements.empty() && stray_error_) return *stray_error_;
+        return scanner_.file_error("the header has no 'end_header'; the file is cut short");
+      }
+      line_begin_ = scanner_.position();
+      const std::string_view keyword = scanner_.word();
+      if (keyword == "end_header") break;
+      if (auto problem = read_line(keyword)) return *problem;
+      scanner_.skip_line();
+    }
+    if (header_.elements.empty() && stray_error_) return *stray_error_;
+    if (!has_format_) return scanner_.line_error("the header has no 'format'");
+    scanner_.at_line_end();
+    scanner_.skip_line();
+    if (auto problem = check_counts()) return *problem;
+    note_stray_lines();
+    return std::move(header_);
+  }
 
  private:
   using Problem = std::optional<Error>;
 
-  Problem read_line(std::string_view keyword);
-  Problem read_format();
-  Problem read_element();
-  Problem read_property();
-  Problem read_type(PlyType& type);
-  bool line_has_binary();
-  Problem pass_over_stray_line();
-  Problem check_counts() const;
-  void note_stray_lines();
+  Problem read_line(std::string_view keyword) {
+    if (keyword == "format") return read_format();
+    if (keyword == "element") return read_element();
+    if (keyword == "property") return read_property();
+    if (keyword == "comment" || keyword == "obj_info") return std::nullopt;
+    return pass_over_stray_line();
+  }
+
+  Problem read_format() {
+    const std::string_view name = scanner_.word();
+    if (name == "ascii") {
+      header_.encoding = PlyEncoding::kText;
+    } else if (name == "binary_little_endian") {
+      header_.encoding = PlyEncoding::kLittleEndian;
+    } else if (name == "binary_big_endian") {
+      header_.encoding = PlyEncoding::kBigEndian;
+    } else {
+      return scanner_.expected("'ascii', 'binary_little_endian' or 'binary_big_endian'");
+    }
+    if (scanner_.word() != "1.0") return scanner_.expected("version 1.0");
+    has_format_ = true;
+    return std::nullopt;
+  }
+
+  Problem read_element() {
+    const std::string_view name = scanner_.word();
+    if (name.empty()) return scanner_.expected("the name of an element");
+    const bool twice = std::any_of(header_.elements.begin(), header_.elements.end(),
+                                   [&](const PlyElement& element) { return element.name == name; });
+    if (twice) return scanner_.line_error("announces the element " + quoted(name) + " a second time");
+    const std::optional<int64_t> count = scanner_.integer();
+    if (!count) return scanner_.expected("the number of elements");
+    if (*count < 0) return scanner_.line_error("announces " + std::to_string(*count) + " elements");
+    header_.elements.push_back({std::string(name), static_cast<uint64_t>(*count), {}});
+    return std::nullopt;
+  }
+
+  Problem read_property() {
+    if (header_.elements.empty()) {
+      if (stray_error_) return stray_error_;
+      return scanner_.line_error("a property comes before the first element");
+    }
+    PlyProperty property;
+    const size_t before = scanner_.position();
+    if (scanner_.word() == "list") {
+      PlyType count_type{};
+      if (auto problem = read_type(count_type)) return problem;
+      if (!is_integer(count_type)) return scanner_.expected("an integer type");
+      property.count_type = count_type;
+    } else {
+      scanner_.seek(before);
+    }
+    if (auto problem = read_type(property.type)) return problem;
+    property.name = scanner_.word();
+    if (property.name.empty()) return scanner_.expected("the name of a property");
+    header_.elements.back().properties.push_back(std::move(property));
+    return std::nullopt;
+  }
+
+  Problem read_type(PlyType& type) {
+    const std::optional<PlyType> named = type_named(scanner_.word());
+    if (!named) return scanner_.expected("a type");
+    type = *named;
+    return std::nullopt;
+  }
+
+  // Whether a byte of the line in which the scanner is cannot be text. The scanner stays where it is.
+  bool line_has_binary() {
+    const size_t here = scanner_.position();
+    scanner_.skip_line();
+    const size_t end = scanner_.position();
+    const std::string_view line = scanner_.between(line_begin_, end);
+    scanner_.seek(here);
+    return std::any_of(line.begin(), line.end(), is_binary);
+  }
+
+  // Blender 2.4x wrote "Created by ..." without the keyword "comment". Such lines cannot be mistaken for data
+  // only before the first element, and bytes that are not text come from no writer of headers.
+  Problem pass_over_stray_line() {
+    const bool refused = !header_.elements.empty() || line_has_binary();
+    if (!refused && stray_lines_++ > 0) return std::nullopt;
+    Error error = scanner_.expected("'element', 'property' or 'end_header'");
+    if (refused) return error;
+    first_stray_line_ = scanner_.line();
+    stray_error_ = std::move(error);
+    return std::nullopt;
+  }
+
+  // Every element takes some bytes, so that no more than the rest of the file can hold are announced.
+  Problem check_counts() const {
+    for (const PlyElement& element : header_.elements) {
+      uint64_t least = 0;  // bytes of one element
+      for (const PlyProperty& property : element.properties) {
+        constexpr size_t kTextBytes = 2;  // a digit and a blank
+        const PlyType first = property.count_type.value_or(property.type);
+        least += header_.encoding == PlyEncoding::kText ? kTextBytes : byte_size(first);
+      }
+      const size_t left = scanner_.left() + (header_.encoding == PlyEncoding::kText);
+      if (least == 0 || element.count <= left / least) continue;
+      return scanner_.file_error("announces " + std::to_string(element.count) + " times " +
+                                 quoted(element.name) + ", but the " + std::to_string(scanner_.left()) +
+                                 " bytes after the header cannot hold them");
+    }
+    return std::nullopt;
+  }
+
+  void note_stray_lines() {
+    if (stray_lines_ == 0) return;
+    const std::string line = std::to_string(first_stray_line_);
+    header_.warnings.push_back(
+        stray_lines_ == 1
+            ? "1 stray line before the first element, line " + line + ", was passed over."
+            : std::to_string(stray_lines_) + " stray lines before the first element, the first in line " +
+                  line + ", were passed over.");
+  }
 
   Scanner& scanner_;
   PlyHeader header_;
@@ -68,146 +196,6 @@ class HeaderReader {
   size_t first_stray_line_ = 0;       // its number, from 1
   std::optional<Error> stray_error_;  // about the first one, where no element follows
 };
-
-HeaderReader::Problem HeaderReader::read_format() {
-  const std::string_view name = scanner_.word();
-  if (name == "ascii") {
-    header_.encoding = PlyEncoding::kText;
-  } else if (name == "binary_little_endian") {
-    header_.encoding = PlyEncoding::kLittleEndian;
-  } else if (name == "binary_big_endian") {
-    header_.encoding = PlyEncoding::kBigEndian;
-  } else {
-    return scanner_.expected("'ascii', 'binary_little_endian' or 'binary_big_endian'");
-  }
-  if (scanner_.word() != "1.0") return scanner_.expected("version 1.0");
-  has_format_ = true;
-  return std::nullopt;
-}
-
-HeaderReader::Problem HeaderReader::read_element() {
-  const std::string_view name = scanner_.word();
-  if (name.empty()) return scanner_.expected("the name of an element");
-  const bool twice = std::any_of(header_.elements.begin(), header_.elements.end(),
-                                 [&](const PlyElement& element) { return element.name == name; });
-  if (twice) return scanner_.line_error("announces the element " + quoted(name) + " a second time");
-  const std::optional<int64_t> count = scanner_.integer();
-  if (!count) return scanner_.expected("the number of elements");
-  if (*count < 0) return scanner_.line_error("announces " + std::to_string(*count) + " elements");
-  header_.elements.push_back({std::string(name), static_cast<uint64_t>(*count), {}});
-  return std::nullopt;
-}
-
-HeaderReader::Problem HeaderReader::read_type(PlyType& type) {
-  const std::optional<PlyType> named = type_named(scanner_.word());
-  if (!named) return scanner_.expected("a type");
-  type = *named;
-  return std::nullopt;
-}
-
-HeaderReader::Problem HeaderReader::read_property() {
-  if (header_.elements.empty()) {
-    if (stray_error_) return stray_error_;
-    return scanner_.line_error("a property comes before the first element");
-  }
-  PlyProperty property;
-  const size_t before = scanner_.position();
-  if (scanner_.word() == "list") {
-    PlyType count_type{};
-    if (auto problem = read_type(count_type)) return problem;
-    if (!is_integer(count_type)) return scanner_.expected("an integer type");
-    property.count_type = count_type;
-  } else {
-    scanner_.seek(before);
-  }
-  if (auto problem = read_type(property.type)) return problem;
-  property.name = scanner_.word();
-  if (property.name.empty()) return scanner_.expected("the name of a property");
-  header_.elements.back().properties.push_back(std::move(property));
-  return std::nullopt;
-}
-
-// Whether a byte of the line in which the scanner is cannot be text. The scanner stays where it is.
-bool HeaderReader::line_has_binary() {
-  const size_t here = scanner_.position();
-  scanner_.skip_line();
-  const size_t end = scanner_.position();
-  const std::string_view line = scanner_.between(line_begin_, end);
-  scanner_.seek(here);
-  return std::any_of(line.begin(), line.end(), is_binary);
-}
-
-// Blender 2.4x wrote "Created by ..." without the keyword "comment". Such lines cannot be mistaken for data
-// only before the first element, and bytes that are not text come from no writer of headers.
-HeaderReader::Problem HeaderReader::pass_over_stray_line() {
-  const bool refused = !header_.elements.empty() || line_has_binary();
-  if (!refused && stray_lines_++ > 0) return std::nullopt;
-  Error error = scanner_.expected("'element', 'property' or 'end_header'");
-  if (refused) return error;
-  first_stray_line_ = scanner_.line();
-  stray_error_ = std::move(error);
-  return std::nullopt;
-}
-
-HeaderReader::Problem HeaderReader::read_line(std::string_view keyword) {
-  if (keyword == "format") return read_format();
-  if (keyword == "element") return read_element();
-  if (keyword == "property") return read_property();
-  if (keyword == "comment" || keyword == "obj_info") return std::nullopt;
-  return pass_over_stray_line();
-}
-
-// Every element takes some bytes, so that no more than the rest of the file can hold are announced.
-HeaderReader::Problem HeaderReader::check_counts() const {
-  for (const PlyElement& element : header_.elements) {
-    uint64_t least = 0;  // bytes of one element
-    for (const PlyProperty& property : element.properties) {
-      constexpr size_t kTextBytes = 2;  // a digit and a blank
-      const PlyType first = property.count_type.value_or(property.type);
-      least += header_.encoding == PlyEncoding::kText ? kTextBytes : byte_size(first);
-    }
-    const size_t left = scanner_.left() + (header_.encoding == PlyEncoding::kText);
-    if (least == 0 || element.count <= left / least) continue;
-    return scanner_.file_error("announces " + std::to_string(element.count) + " times " +
-                               quoted(element.name) + ", but the " + std::to_string(scanner_.left()) +
-                               " bytes after the header cannot hold them");
-  }
-  return std::nullopt;
-}
-
-void HeaderReader::note_stray_lines() {
-  if (stray_lines_ == 0) return;
-  const std::string line = std::to_string(first_stray_line_);
-  header_.warnings.push_back(
-      stray_lines_ == 1
-          ? "1 stray line before the first element, line " + line + ", was passed over."
-          : std::to_string(stray_lines_) + " stray lines before the first element, the first in line " +
-                line + ", were passed over.");
-}
-
-Result<PlyHeader> HeaderReader::read() {
-  if (scanner_.word() != "ply") return scanner_.expected("'ply'");
-  scanner_.at_line_end();
-  scanner_.skip_line();
-  for (;;) {
-    if (scanner_.at_end()) {
-      if (header_.elements.empty() && stray_error_) return *stray_error_;
-      return scanner_.file_error("the header has no 'end_header'; the file is cut short");
-    }
-    line_begin_ = scanner_.position();
-    const std::string_view keyword = scanner_.word();
-    if (keyword == "end_header") break;
-    if (auto problem = read_line(keyword)) return *problem;
-    scanner_.skip_line();
-  }
-  if (header_.elements.empty() && stray_error_) return *stray_error_;
-  if (!has_format_) return scanner_.line_error("the header has no 'format'");
-  scanner_.at_line_end();
-  scanner_.skip_line();
-  if (auto problem = check_counts()) return *problem;
-  note_stray_lines();
-  return std::move(header_);
-}
 
 }  // namespace
 

@@ -64,19 +64,108 @@ class BodyReader {
  public:
   BodyReader(Scanner& scanner, Values values) : scanner_(scanner), values_(values) {}
 
-  Problem read(const PlyHeader& header);
+  Problem read(const PlyHeader& header) {
+    for (const PlyElement& element : header.elements) {
+      const ElementPlan plan = plan_for(element);
+      if (auto problem = check_plan(scanner_, element, plan)) return problem;
+      // Elements without properties leave no trace in the data, however many are announced.
+      if (element.properties.empty()) continue;
+      if (auto problem = read_elements(element, plan)) return problem;
+    }
+    return std::nullopt;
+  }
 
   std::vector<Vec3> positions;
   PolygonList polygons;
 
  private:
-  Problem read_elements(const PlyElement& element, const ElementPlan& plan);
-  bool read_rows(const PlyElement& element, const ElementPlan& plan);
-  Problem read_properties(const PlyElement& element, const ElementPlan& plan);
-  Problem read_list(const PlyProperty& property, Role role);
-  Error missing(const PlyProperty& property) const;
-  void add_face();
-  void add_strips();
+  Problem read_elements(const PlyElement& element, const ElementPlan& plan) {
+    element_ = &element;
+    if (read_rows(element, plan)) return std::nullopt;
+    if (plan.positions) positions.reserve(element.count);
+    if (plan.faces) polygons.reserve(element.count);
+    for (number_ = 0; number_ < element.count; ++number_) {
+      if (scanner_.cancelled()) return cancelled();
+      if (auto problem = read_properties(element, plan)) return problem;
+      if (plan.positions) positions.push_back(position_);
+      if (plan.faces) add_face();
+      if (plan.strips) add_strips();
+    }
+    return std::nullopt;
+  }
+
+  // Reads a whole element at once if its rows are of the usual kind. Returns whether it did.
+  bool read_rows(const PlyElement& element, const ElementPlan& plan) {
+    if (plan.positions) {
+      auto rows = values_.positions(element);
+      if (rows) positions = std::move(*rows);
+      return rows.has_value();
+    }
+    if (!plan.faces) return false;
+    auto rows = values_.triangles(element);
+    if (rows) polygons.add_triangles(std::move(*rows));
+    return rows.has_value();
+  }
+
+  Problem read_properties(const PlyElement& element, const ElementPlan& plan) {
+    for (size_t i = 0; i < element.properties.size(); ++i) {
+      const PlyProperty& property = element.properties[i];
+      if (property.count_type) {
+        if (auto problem = read_list(property, plan.roles[i])) return problem;
+      } else if (plan.roles[i] == Role::kNone) {
+        if (!values_.skip(property.type, 1)) return missing(property);
+      } else if (!values_.number(property.type, position_[static_cast<int>(plan.roles[i])])) {
+        return missing(property);
+      }
+    }
+    if (!values_.end_element()) {
+      return values_.error("the line goes on after the properties of " + quoted(element.name) + " " +
+                           std::to_string(number_) + "; one before it may be missing");
+    }
+    return std::nullopt;
+  }
+
+  Problem read_list(const PlyProperty& property, Role role) {
+    int64_t count = 0;
+    if (!values_.integer(*property.count_type, count)) return missing(property);
+    if (count < 0 || !values_.can_hold(property.type, static_cast<uint64_t>(count))) {
+      return values_.error("the list " + quoted(property.name) + " announces " + std::to_string(count) +
+                           " values, but only " + std::to_string(scanner_.left()) + " bytes follow");
+    }
+    if (role != Role::kCorners) {
+      if (!values_.skip(property.type, static_cast<uint64_t>(count))) return missing(property);
+      return std::nullopt;
+    }
+    corners_.resize(static_cast<size_t>(count));
+    for (int64_t& corner : corners_) {
+      if (!values_.integer(property.type, corner)) return missing(property);
+    }
+    return std::nullopt;
+  }
+
+  Error missing(const PlyProperty& property) const {
+    return values_.missing(quoted(property.name) + " of " + quoted(element_->name) + " " +
+                           std::to_string(number_) + " of " + std::to_string(element_->count));
+  }
+
+  void add_face() {
+    for (const int64_t corner : corners_) polygons.add_corner(corner);
+    polygons.close();
+  }
+
+  // Every second triangle of a strip is turned, so that all face the same way.
+  void add_strips() {
+    size_t begin = 0;
+    for (size_t i = 0; i < corners_.size(); ++i) {
+      if (corners_[i] == -1) begin = i + 1;
+      if (i < begin + 2) continue;
+      const bool turned = (i - begin) % 2 == 1;
+      polygons.add_corner(corners_[turned ? i - 1 : i - 2]);
+      polygons.add_corner(corners_[turned ? i - 2 : i - 1]);
+      polygons.add_corner(corners_[i]);
+      polygons.close();
+    }
+  }
 
   Scanner& scanner_;
   Values values_;
@@ -85,113 +174,6 @@ class BodyReader {
   Vec3 position_{0, 0, 0};
   std::vector<int64_t> corners_;
 };
-
-template <typename Values>
-Error BodyReader<Values>::missing(const PlyProperty& property) const {
-  return values_.missing(quoted(property.name) + " of " + quoted(element_->name) + " " +
-                         std::to_string(number_) + " of " + std::to_string(element_->count));
-}
-
-template <typename Values>
-void BodyReader<Values>::add_face() {
-  for (const int64_t corner : corners_) polygons.add_corner(corner);
-  polygons.close();
-}
-
-// Every second triangle of a strip is turned, so that all face the same way.
-template <typename Values>
-void BodyReader<Values>::add_strips() {
-  size_t begin = 0;
-  for (size_t i = 0; i < corners_.size(); ++i) {
-    if (corners_[i] == -1) begin = i + 1;
-    if (i < begin + 2) continue;
-    const bool turned = (i - begin) % 2 == 1;
-    polygons.add_corner(corners_[turned ? i - 1 : i - 2]);
-    polygons.add_corner(corners_[turned ? i - 2 : i - 1]);
-    polygons.add_corner(corners_[i]);
-    polygons.close();
-  }
-}
-
-template <typename Values>
-Problem BodyReader<Values>::read_list(const PlyProperty& property, Role role) {
-  int64_t count = 0;
-  if (!values_.integer(*property.count_type, count)) return missing(property);
-  if (count < 0 || !values_.can_hold(property.type, static_cast<uint64_t>(count))) {
-    return values_.error("the list " + quoted(property.name) + " announces " + std::to_string(count) +
-                         " values, but only " + std::to_string(scanner_.left()) + " bytes follow");
-  }
-  if (role != Role::kCorners) {
-    if (!values_.skip(property.type, static_cast<uint64_t>(count))) return missing(property);
-    return std::nullopt;
-  }
-  corners_.resize(static_cast<size_t>(count));
-  for (int64_t& corner : corners_) {
-    if (!values_.integer(property.type, corner)) return missing(property);
-  }
-  return std::nullopt;
-}
-
-template <typename Values>
-Problem BodyReader<Values>::read_properties(const PlyElement& element, const ElementPlan& plan) {
-  for (size_t i = 0; i < element.properties.size(); ++i) {
-    const PlyProperty& property = element.properties[i];
-    if (property.count_type) {
-      if (auto problem = read_list(property, plan.roles[i])) return problem;
-    } else if (plan.roles[i] == Role::kNone) {
-      if (!values_.skip(property.type, 1)) return missing(property);
-    } else if (!values_.number(property.type, position_[static_cast<int>(plan.roles[i])])) {
-      return missing(property);
-    }
-  }
-  if (!values_.end_element()) {
-    return values_.error("the line goes on after the properties of " + quoted(element.name) + " " +
-                         std::to_string(number_) + "; one before it may be missing");
-  }
-  return std::nullopt;
-}
-
-// Reads a whole element at once if its rows are of the usual kind. Returns whether it did.
-template <typename Values>
-bool BodyReader<Values>::read_rows(const PlyElement& element, const ElementPlan& plan) {
-  if (plan.positions) {
-    auto rows = values_.positions(element);
-    if (rows) positions = std::move(*rows);
-    return rows.has_value();
-  }
-  if (!plan.faces) return false;
-  auto rows = values_.triangles(element);
-  if (rows) polygons.add_triangles(std::move(*rows));
-  return rows.has_value();
-}
-
-template <typename Values>
-Problem BodyReader<Values>::read_elements(const PlyElement& element, const ElementPlan& plan) {
-  element_ = &element;
-  if (read_rows(element, plan)) return std::nullopt;
-  if (plan.positions) positions.reserve(element.count);
-  if (plan.faces) polygons.reserve(element.count);
-  for (number_ = 0; number_ < element.count; ++number_) {
-    if (scanner_.cancelled()) return cancelled();
-    if (auto problem = read_properties(element, plan)) return problem;
-    if (plan.positions) positions.push_back(position_);
-    if (plan.faces) add_face();
-    if (plan.strips) add_strips();
-  }
-  return std::nullopt;
-}
-
-template <typename Values>
-Problem BodyReader<Values>::read(const PlyHeader& header) {
-  for (const PlyElement& element : header.elements) {
-    const ElementPlan plan = plan_for(element);
-    if (auto problem = check_plan(scanner_, element, plan)) return problem;
-    // Elements without properties leave no trace in the data, however many are announced.
-    if (element.properties.empty()) continue;
-    if (auto problem = read_elements(element, plan)) return problem;
-  }
-  return std::nullopt;
-}
 
 template <typename Values>
 Result<Soup> read_body(Scanner& scanner, Values values, const PlyHeader& header,

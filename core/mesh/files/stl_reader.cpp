@@ -87,87 +87,79 @@ class TextReader {
   TextReader(std::string_view bytes, const std::string& file_name, const Progress* progress)
       : scanner_(bytes, file_name, {}, progress), file_name_(file_name) {}
 
-  Result<Soup> read();
+  Result<Soup> read() {
+    while (next_is("solid")) {
+      if (auto problem = read_solid()) return *problem;
+    }
+    if (!scanner_.at_end()) soup_.warnings.push_back("What follows the last 'endsolid' was passed over.");
+    if (scanner_.garbled_numbers() > 0) soup_.warnings.push_back(scanner_.garbled_numbers_warning());
+    return finished(std::move(soup_), file_name_);
+  }
 
  private:
   using Problem = std::optional<Error>;
 
-  bool next_is(std::string_view keyword);
-  Problem need(std::string_view keyword);
-  Problem read_vector(Vec3& vector);
-  Problem read_solid();
-  Problem read_facet();
+  // Consumes the next word if it is the keyword.
+  bool next_is(std::string_view keyword) {
+    scanner_.at_end();
+    const size_t before = scanner_.position();
+    if (equal_ignoring_case(scanner_.word(), keyword)) return true;
+    scanner_.seek(before);
+    return false;
+  }
+
+  Problem need(std::string_view keyword) {
+    scanner_.at_end();
+    if (equal_ignoring_case(scanner_.word(), keyword)) return std::nullopt;
+    return scanner_.expected(quoted(keyword));
+  }
+
+  Problem read_vector(Vec3& vector) {
+    for (int i = 0; i < 3; ++i) {
+      scanner_.at_end();
+      const std::optional<double> number = scanner_.number();
+      if (!number) return scanner_.expected("a number");
+      vector[i] = *number;
+    }
+    return std::nullopt;
+  }
+
+  // Reads a solid after the word "solid" up to the end of the line of "endsolid".
+  Problem read_solid() {
+    scanner_.skip_line();
+    while (next_is("facet")) {
+      if (scanner_.cancelled()) return cancelled();
+      if (auto problem = read_facet()) return problem;
+    }
+    if (!next_is("endsolid")) return scanner_.expected("'facet' or 'endsolid'");
+    scanner_.skip_line();
+    return std::nullopt;
+  }
+
+  // Reads a facet after the word "facet".
+  Problem read_facet() {
+    Vec3 normal;
+    std::array<Vec3, 3> corners;
+    if (auto problem = need("normal")) return problem;
+    if (auto problem = read_vector(normal)) return problem;
+    for (const std::string_view keyword : {"outer", "loop"}) {
+      if (auto problem = need(keyword)) return problem;
+    }
+    for (Vec3& corner : corners) {
+      if (auto problem = need("vertex")) return problem;
+      if (auto problem = read_vector(corner)) return problem;
+    }
+    for (const std::string_view keyword : {"endloop", "endfacet"}) {
+      if (auto problem = need(keyword)) return problem;
+    }
+    add_triangle(corners, soup_);
+    return std::nullopt;
+  }
 
   Scanner scanner_;
   const std::string& file_name_;
   Soup soup_;
 };
-
-// Consumes the next word if it is the keyword.
-bool TextReader::next_is(std::string_view keyword) {
-  scanner_.at_end();
-  const size_t before = scanner_.position();
-  if (equal_ignoring_case(scanner_.word(), keyword)) return true;
-  scanner_.seek(before);
-  return false;
-}
-
-TextReader::Problem TextReader::need(std::string_view keyword) {
-  scanner_.at_end();
-  if (equal_ignoring_case(scanner_.word(), keyword)) return std::nullopt;
-  return scanner_.expected(quoted(keyword));
-}
-
-TextReader::Problem TextReader::read_vector(Vec3& vector) {
-  for (int i = 0; i < 3; ++i) {
-    scanner_.at_end();
-    const std::optional<double> number = scanner_.number();
-    if (!number) return scanner_.expected("a number");
-    vector[i] = *number;
-  }
-  return std::nullopt;
-}
-
-// Reads a facet after the word "facet".
-TextReader::Problem TextReader::read_facet() {
-  Vec3 normal;
-  std::array<Vec3, 3> corners;
-  if (auto problem = need("normal")) return problem;
-  if (auto problem = read_vector(normal)) return problem;
-  for (const std::string_view keyword : {"outer", "loop"}) {
-    if (auto problem = need(keyword)) return problem;
-  }
-  for (Vec3& corner : corners) {
-    if (auto problem = need("vertex")) return problem;
-    if (auto problem = read_vector(corner)) return problem;
-  }
-  for (const std::string_view keyword : {"endloop", "endfacet"}) {
-    if (auto problem = need(keyword)) return problem;
-  }
-  add_triangle(corners, soup_);
-  return std::nullopt;
-}
-
-// Reads a solid after the word "solid" up to the end of the line of "endsolid".
-TextReader::Problem TextReader::read_solid() {
-  scanner_.skip_line();
-  while (next_is("facet")) {
-    if (scanner_.cancelled()) return cancelled();
-    if (auto problem = read_facet()) return problem;
-  }
-  if (!next_is("endsolid")) return scanner_.expected("'facet' or 'endsolid'");
-  scanner_.skip_line();
-  return std::nullopt;
-}
-
-Result<Soup> TextReader::read() {
-  while (next_is("solid")) {
-    if (auto problem = read_solid()) return *problem;
-  }
-  if (!scanner_.at_end()) soup_.warnings.push_back("What follows the last 'endsolid' was passed over.");
-  if (scanner_.garbled_numbers() > 0) soup_.warnings.push_back(scanner_.garbled_numbers_warning());
-  return finished(std::move(soup_), file_name_);
-}
 
 }  // namespace
 

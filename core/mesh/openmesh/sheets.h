@@ -8,10 +8,26 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/mesh/mesh.h"
-#include "core/mesh/openmesh/kernel_types.h"
 #include "core/mesh/openmesh/remeshed.h"
 
+// core/mesh/openmesh alone includes OpenMesh's headers. They are system headers, so that Kerf's warnings do
+// not apply to them.
+#ifndef _USE_MATH_DEFINES
+#define _USE_MATH_DEFINES  // OpenMesh uses M_PI
+#endif
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+
 namespace kerf {
+
+struct OpenMeshTraits : OpenMesh::DefaultTraits {
+  using Point = OpenMesh::Vec3d;
+  using Normal = OpenMesh::Vec3d;
+  VertexAttributes(OpenMesh::Attributes::Status);
+  EdgeAttributes(OpenMesh::Attributes::Status);
+  FaceAttributes(OpenMesh::Attributes::Status | OpenMesh::Attributes::Normal);
+};
+
+using OpenMeshKernel = OpenMesh::TriMesh_ArrayKernelT<OpenMeshTraits>;
 
 // The live faces of a mesh as a mesh of OpenMesh, with one vertex for each fan of faces on a sheet (see
 // Mesh), so that it is manifold. Positions are scaled to about [-1, 1] around the middle of the mesh, because

@@ -22,8 +22,7 @@ constexpr uint32_t kApart = kPlaces / 4;  // of two points of a chord
 
 // Unless there is one near it on the chord.
 void insert(const PointMemory& point, std::vector<PointMemory>& memory) {
-  const auto before = [](const PointMemory& m, uint32_t wanted) { return m.point < wanted; };
-  const auto at = std::lower_bound(memory.begin(), memory.end(), point.point, before);
+  const auto at = std::ranges::lower_bound(memory, point.point, {}, &PointMemory::point);
   const uint32_t chord = point.point >> kPlaceBits;
   const auto near = [&](const PointMemory& m) {
     const uint32_t between = std::max(m.point, point.point) - std::min(m.point, point.point);
@@ -43,8 +42,7 @@ bool insert_at_rim(const PointMemory& point, std::vector<PointMemory>& memory) {
     m.normal = glm::length(sum) > 0.1 ? glm::normalize(sum) : point.normal;
     return false;
   }
-  const auto before = [](const PointMemory& m, uint32_t wanted) { return m.point < wanted; };
-  memory.insert(std::lower_bound(memory.begin(), memory.end(), point.point, before), point);
+  memory.insert(std::ranges::lower_bound(memory, point.point, {}, &PointMemory::point), point);
   return true;
 }
 

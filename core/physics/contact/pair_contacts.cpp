@@ -54,8 +54,7 @@ class Height {
 
 void warm_up(std::vector<Contact>& contacts, const PairMemory& memory) {
   for (Contact& c : contacts) {
-    const auto at = std::lower_bound(memory.impulses.begin(), memory.impulses.end(), c.feature,
-                                     [](const ImpulseMemory& m, uint64_t f) { return m.feature < f; });
+    const auto at = std::ranges::lower_bound(memory.impulses, c.feature, {}, &ImpulseMemory::feature);
     if (at != memory.impulses.end() && at->feature == c.feature) c.impulse = at->impulse;
   }
 }
@@ -140,8 +139,7 @@ void remember_impulses(const std::vector<Contact>& contacts, PairMemory& memory)
     memory.impulses.push_back({c.feature, c.impulse});
     memory.touching = true;
   }
-  std::sort(memory.impulses.begin(), memory.impulses.end(),
-            [](const ImpulseMemory& a, const ImpulseMemory& b) { return a.feature < b.feature; });
+  std::ranges::sort(memory.impulses, {}, &ImpulseMemory::feature);
 }
 
 }  // namespace kerf

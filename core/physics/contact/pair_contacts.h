@@ -2,8 +2,6 @@
 
 #include "core/physics/contact/contact.h"
 #include "core/physics/contact/moving_body.h"
-#include "core/physics/contact/touching_pair.h"
-#include "core/world/contact_memory.h"
 #include "core/world/surroundings.h"
 
 namespace kerf {

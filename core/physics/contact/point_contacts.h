@@ -2,7 +2,6 @@
 
 #include "core/physics/contact/contact.h"
 #include "core/physics/contact/moving_body.h"
-#include "core/world/contact_memory.h"
 
 namespace kerf {
 

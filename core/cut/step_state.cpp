@@ -1,6 +1,7 @@
+#include "core/cut/step_state.h"
+
 #include <algorithm>
 
-#include "core/cut/step_state.h"
 #include "core/cut/stopwatch.h"
 
 namespace kerf {
@@ -14,6 +15,26 @@ bool within_beam(const BodyStep& step, FaceId f) {
 }
 
 }  // namespace
+
+void sweep(BodyStep& step, const Laser& laser, const BeamMove& move, bool in_body_frame) {
+  const Placement& placement = step.body().placement;
+  const BeamMove seen{placement.to_body(move.from), placement.to_body(move.to)};
+  step.beam = sweep_beam(laser, in_body_frame ? move : seen);
+}
+
+void hit(BodyStep& step, std::vector<FaceId>& faces) {
+  const Stopwatch watch(step.figures.query_s);
+  faces.clear();
+  for (const SweptCylinder& part : step.beam) {
+    const QueryCounts counts = step.edit.touched(part, faces);
+    ++step.figures.queries;
+    step.figures.tested.boxes += counts.boxes;
+    step.figures.tested.faces += counts.faces;
+  }
+  if (step.beam.size() == 1) return;
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+}
 
 // A green pair goes as a whole: when the beam touches either half, or holds both where the rim is to be
 // smooth.

@@ -1,4 +1,4 @@
-#include "core/tree/simd.h"
+#include "core/tree/walks.h"
 
 #if __has_include(<sys/platform/x86.h>)
 #include <sys/platform/x86.h>

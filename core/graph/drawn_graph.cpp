@@ -32,7 +32,7 @@ class Selection {
   std::vector<uint32_t> clusters(const std::vector<uint32_t>& kind_of, size_t most) const {
     std::vector<uint32_t> kind;
     for (const uint32_t node : nodes_) kind.push_back(kind_of[node]);
-    return cluster_nodes(links_, kind, most).of;
+    return cluster_nodes(links_, kind, most);
   }
 
  private:
@@ -174,10 +174,6 @@ void divide_by_zones(Clustering& clustering, const CutGraph& graph, const std::v
 }
 
 }  // namespace
-
-bool DrawnGraph::has_clusters() const {
-  return std::any_of(nodes.begin(), nodes.end(), [](const Node& n) { return n.faces > 1; });
-}
 
 Vec3 DrawnGraph::moved_with(BodyId body, const Vec3& point, const World& world) const {
   const auto found = placements.find(body);

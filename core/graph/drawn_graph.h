@@ -32,8 +32,6 @@ struct DrawnGraph {
   std::vector<LoopPath> loops;              // that the removals closed, in their order
   std::map<BodyId, Placement> placements;   // of the bodies, when the graph was made
 
-  bool has_clusters() const;
-
   // Where a point on a body is, in the world (m), that was at `point` when the graph was made: bodies move. A
   // point of a body that no longer exists stays.
   Vec3 moved_with(BodyId body, const Vec3& point, const World& world) const;

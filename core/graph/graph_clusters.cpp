@@ -82,7 +82,7 @@ Round next_round(const GraphLinks& links, const Round& round, UnionFind& joined)
 
 }  // namespace
 
-GraphClusters cluster_nodes(const GraphLinks& links, std::span<const uint32_t> kind, size_t most) {
+std::vector<uint32_t> cluster_nodes(const GraphLinks& links, std::span<const uint32_t> kind, size_t most) {
   KERF_ASSERT(kind.size() == links.nodes());
   Round round;
   round.of.resize(links.nodes());
@@ -95,8 +95,7 @@ GraphClusters cluster_nodes(const GraphLinks& links, std::span<const uint32_t> k
     if (join_pairs(round, joined, most) == round.size.size()) break;
     round = next_round(links, round, joined);
   }
-  std::vector<ComponentGraph::Edge> edges = edges_between(links, round.of);
-  return {std::move(round.of), std::move(round.size), std::move(edges)};
+  return std::move(round.of);
 }
 
 }  // namespace kerf

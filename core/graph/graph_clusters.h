@@ -8,13 +8,6 @@
 
 namespace kerf {
 
-// A coarser graph: each cluster is a connected set of nodes of one kind.
-struct GraphClusters {
-  std::vector<uint32_t> of;                 // by node: its cluster, in the order of their lowest nodes
-  std::vector<uint32_t> size;               // by cluster: its nodes
-  std::vector<ComponentGraph::Edge> edges;  // between clusters, ascending, each pair once
-};
-
 // Joins linked nodes of one kind until at most `most` clusters are left, the smallest clusters first, so that
 // their sizes stay alike; fewer than `most` nodes are left apart. Nodes that no link joins stay apart, too:
 // the result has at least one cluster for each connected set of nodes of one kind, even if these are more
@@ -22,8 +15,9 @@ struct GraphClusters {
 // scheme for partitioning irregular graphs (1998), with the sizes of clusters in place of the weights of
 // edges.
 //
-// `kind` has one value for each node. Precondition: kind.size() == links.nodes(). O(n log n) in nodes and
-// links.
-GraphClusters cluster_nodes(const GraphLinks& links, std::span<const uint32_t> kind, size_t most);
+// Returns by node the cluster that it belongs to; a cluster is a connected set of nodes of one kind, and they
+// are numbered in the order of their lowest nodes. `kind` has one value for each node. Precondition:
+// kind.size() == links.nodes(). O(n log n) in nodes and links.
+std::vector<uint32_t> cluster_nodes(const GraphLinks& links, std::span<const uint32_t> kind, size_t most);
 
 }  // namespace kerf

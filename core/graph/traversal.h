@@ -21,10 +21,6 @@ struct Traversal {
   std::vector<uint32_t> rank;   // by node: its index in `order`, or kNone if it was not reached
 
   size_t reached() const { return order.size(); }
-  size_t total() const { return rank.size(); }
-  bool separated() const { return reached() < total(); }
-  // Whether the first `marked` steps of the traversal mark the node.
-  bool is_marked(uint32_t node, size_t marked) const { return rank[node] < marked; }
 };
 
 // Traverses the graph from a node. The links of a node are followed in ascending order, so that the order is

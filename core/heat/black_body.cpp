@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "core/base/assert.h"
 #include "core/base/exponential.h"
 
 namespace kerf {
@@ -153,17 +152,6 @@ Glow glow_at(double temperature) {
   const double largest = std::max({rgb.x, rgb.y, rgb.z});
   return {{std::max(0.0, rgb.x / largest), std::max(0.0, rgb.y / largest), std::max(0.0, rgb.z / largest)},
           fitted_log_luminance(seen)};
-}
-
-std::vector<Glow> glow_table(size_t entries) {
-  KERF_ASSERT(entries > 1);
-  std::vector<Glow> table;
-  table.reserve(entries);
-  for (size_t i = 0; i < entries; ++i) {
-    const double share = static_cast<double>(i) / static_cast<double>(entries - 1);
-    table.push_back(glow_at(kGlowFrom + share * (kGlowTo - kGlowFrom)));
-  }
-  return table;
 }
 
 }  // namespace kerf

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "core/base/vec3.h"
 
 namespace kerf {
@@ -24,9 +22,5 @@ inline constexpr double kGlowTo = 4000;
 // integral, ln Y = a + b u + c u^2 + d u^3 with u = 1000 K / T, within 0.1 %. The same to the bit on every
 // machine. About 100 exponentials: make a table for many faces.
 Glow glow_at(double temperature);
-
-// The glow at `entries` temperatures that are evenly spaced from kGlowFrom to kGlowTo, for a texture.
-// Precondition: entries > 1.
-std::vector<Glow> glow_table(size_t entries);
 
 }  // namespace kerf

@@ -16,9 +16,6 @@ enum class Subdivision {
 
 // Their names for users and files, in the order of the enumerators.
 inline constexpr std::array kSubdivisionNames{"loop", "sqrt3", "midpoint"};
-inline const char* subdivision_name(Subdivision scheme) {
-  return kSubdivisionNames[static_cast<size_t>(scheme)];
-}
 
 // The number of parts of a face.
 constexpr size_t parts_of_face(Subdivision scheme) { return scheme == Subdivision::kSqrt3 ? 3 : 4; }

@@ -26,9 +26,9 @@ TEST(Traversal, reaches_what_the_full_search_labels_alike) {
       Random random(seed);
       const auto start = static_cast<uint32_t>(random.below(graph.nodes.size()));
       const Traversal t = traverse(links, start);
-      EXPECT_EQ(t.separated(), components > 1);
-      for (uint32_t node = 0; node < t.total(); ++node)
-        ASSERT_EQ(t.is_marked(node, t.reached()), label_of(node) == label_of(start)) << "node " << node;
+      EXPECT_EQ(t.reached() < t.rank.size(), components > 1);
+      for (uint32_t node = 0; node < t.rank.size(); ++node)
+        ASSERT_EQ(t.rank[node] != Traversal::kNone, label_of(node) == label_of(start)) << "node " << node;
       EXPECT_EQ(find_components(links).size.size(), components);
     }
   }
@@ -39,7 +39,7 @@ TEST(Traversal, reaches_each_node_over_a_link_and_nearer_nodes_first) {
   const ComponentGraph graph = component_graph(world);
   const GraphLinks links(graph.nodes.size(), graph.edges);
   const Traversal t = traverse(links, 0);
-  std::vector<uint32_t> distance(t.total(), 0);
+  std::vector<uint32_t> distance(t.rank.size(), 0);
   for (size_t i = 1; i < t.reached(); ++i) {
     const auto linked = links.of(t.order[i]);
     ASSERT_TRUE(std::find(linked.begin(), linked.end(), t.from[i]) != linked.end());

@@ -48,7 +48,7 @@ Soup octahedron() {
 TEST(Subdivide, makes_three_or_four_faces_of_one_and_leaves_the_topology) {
   for (const auto& [name, soup] : mesh_classes()) {
     for (const Subdivision scheme : kSchemes) {
-      SCOPED_TRACE(name + ", " + subdivision_name(scheme));
+      SCOPED_TRACE(name + ", " + kSubdivisionNames[static_cast<size_t>(scheme)]);
       const Mesh mesh = build(soup).mesh;
       const Mesh made = subdivided_mesh(subdivided(mesh, scheme), mesh);
       EXPECT_EQ(made.live_faces(), parts_of_face(scheme) * mesh.live_faces());
@@ -84,7 +84,7 @@ TEST(Subdivide, sheets_of_random_soups_stay_together) {
     Random random(seed);
     const Mesh mesh = build(random_soup(20 + static_cast<int>(random.below(100)), random)).mesh;
     for (const Subdivision scheme : kSchemes) {
-      SCOPED_TRACE("seed " + std::to_string(seed) + ", " + subdivision_name(scheme));
+      SCOPED_TRACE("seed " + std::to_string(seed) + ", " + kSubdivisionNames[static_cast<size_t>(scheme)]);
       const Mesh made = subdivided_mesh(subdivided(mesh, scheme), mesh);
       // By chance, edges to the middles of two faces may coincide.
       EXPECT_GE(count_connected_numbers(mesh).components, count_connected_numbers(made).components);
@@ -133,7 +133,7 @@ TEST(Subdivide, a_vertex_of_any_number_of_neighbours_stays_on_the_axis_of_its_fa
   for (const int sectors : {3, 7, 60, 500}) {
     const Mesh mesh = build(sphere(6, sectors, 1)).mesh;
     for (const Subdivision scheme : kSchemes) {
-      SCOPED_TRACE(std::to_string(sectors) + " sectors, " + subdivision_name(scheme));
+      SCOPED_TRACE(std::to_string(sectors) + " sectors, " + kSubdivisionNames[static_cast<size_t>(scheme)]);
       const Remeshed made = subdivided(mesh, scheme);
       double least = 1;  // the pole's distance from the axis
       for (const Vec3& p : made.positions)

@@ -16,7 +16,7 @@ namespace kerf {
 
 namespace {
 
-// What is looked up in all faces.
+// The extremes over all faces.
 struct Extremes {
   double largest_cosine = -1;  // of an angle
   int deepest_level = 0;

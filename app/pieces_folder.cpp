@@ -19,7 +19,7 @@ struct Part {
   const Body* body = nullptr;
 };
 
-// Largest area first. Pieces are copied on several threads.
+// The pieces of a world, largest area first. They are copied on several threads.
 std::vector<Part> parts_of(const World& world, bool split_all) {
   struct Group {
     const Body* body;
@@ -39,7 +39,7 @@ std::vector<Part> parts_of(const World& world, bool split_all) {
   return parts;
 }
 
-// As a sheet, about the centroid and along the axes of the world.
+// The mass of an extract as a sheet, about its centroid and along the axes of the world.
 MassProperties mass_of(const Extract& extract, const Sheet& sheet) {
   AreaMoments moments;
   for (const auto& t : extract.triangles) {
@@ -71,7 +71,7 @@ Result<WrittenPiece> write_piece(const Part& part, size_t number, const PiecesFo
   return piece;
 }
 
-// Several at a time.
+// Writes several pieces at a time.
 Result<std::vector<WrittenPiece>> write_pieces(const World& world, const PiecesFolder& folder) {
   const std::vector<Part> parts = parts_of(world, folder.split_all);
   const bool moved = any_has_moved(world);

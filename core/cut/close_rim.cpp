@@ -15,7 +15,7 @@ namespace {
 
 using Stage = UnfinishedRim::Stage;
 
-// What a part of a stage costs, in faces of a bite.
+// The cost of a part of a stage, in faces of a bite.
 constexpr size_t kLightPart = 200, kHeavyPart = 2000;
 
 // The moves that swept the body: those of the stroke, or where the body has moved those in its own frame.

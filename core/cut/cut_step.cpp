@@ -73,7 +73,8 @@ class Bite {
  private:
   using Stage = UnfinishedMove::Stage;
 
-  // What the next part is about; what it finds or searches besides is known and counted when it is done.
+  // The number of faces that the next part handles. The faces that it finds or searches are counted when it
+  // is done.
   size_t faces_ahead() const {
     const auto together = [](size_t faces) { return std::clamp<size_t>(faces, 1, kFacesTogether); };
     switch (move_.stage) {

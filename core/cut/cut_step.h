@@ -157,7 +157,7 @@ Result<StepResult> rim_step(World& world, const CutSettings& settings, std::span
                             const SweptByBody& swept, UnfinishedRim& unfinished,
                             const Progress* progress = nullptr);
 
-// The same in one step.
+// Closes the rim in one step.
 Result<StepResult> close_rim(World& world, const CutSettings& settings, std::span<const BeamMove> path,
                              const SweptByBody& swept = {}, const Progress* progress = nullptr);
 

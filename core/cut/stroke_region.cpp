@@ -71,8 +71,8 @@ double StrokeRegion::signed_distance(FaceId near, const Vec3& p) const {
 
 namespace {
 
-// Whether a point of a triangle that is no larger than the beam lies so deep in the volume, by a grid of
-// them.
+// Whether a point of a grid over a triangle lies this deep in the volume. The triangle is no larger than the
+// beam.
 bool has_point_within(const SweptCylinder& part, const Triangle& t, double depth) {
   constexpr int kParts = 8;
   for (int i = 0; i <= kParts; ++i) {

@@ -67,8 +67,8 @@ class ThermalMoves {
   }
 
  private:
-  // So many that in each the beam goes on by a fraction of its radius, heat spreads by no more than that, and
-  // what the beam covers does not take more than what removes it.
+  // The number of parts of a move: in each of them the beam goes on by a fraction of its radius, heat spreads
+  // by no more than that, and the faces that the beam covers take no more energy than their removal needs.
   double parts_of(const BeamMove& move) const {
     const double w = settings_.laser.radius, joules = emitted_energy(settings_.laser, 0, move.seconds);
     double most = moves(move) ? kPartsARadius : 1;

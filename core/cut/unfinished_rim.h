@@ -30,7 +30,7 @@ struct UnfinishedRim {
     kRefine,          // splits faces until each can be cut along one chord
     kListInPlane,     // lists vertices that may move onto the boundary in the plane of their faces
     kMoveInPlane,     // moves them, nearest first
-    kListAlongEdges,  // the same along edges
+    kListAlongEdges,  // lists vertices that may move onto the boundary along edges
     kMoveAlongEdges,
     kSplitInTheWay,    // splits the faces that kept a vertex from moving; then back to kRefine
     kListNear,         // lists vertices that cannot be moved but lie very near the boundary

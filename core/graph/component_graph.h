@@ -30,7 +30,7 @@ struct ComponentGraph {
 // with each other one. Linear in the number of faces, and quadratic in the number of faces on one edge.
 ComponentGraph component_graph(const World& world);
 
-// The same of some pieces only. Precondition: their bodies exist. Linear in the size of these bodies.
+// The graph of some pieces only. Precondition: their bodies exist. Linear in the size of these bodies.
 ComponentGraph component_graph(const World& world, std::span<const PieceId> pieces);
 
 // The links of a graph by node: those of node i are `linked` from index first[i] to first[i + 1], ascending.

@@ -41,7 +41,7 @@ class RemovedEdges {
     linked_[b].push_back(a);
   }
 
-  // An edge together with the halves that it was split into.
+  // Links the ends of an edge, and those of the halves that it was split into.
   void add(uint32_t a, uint32_t b) {
     link(a, b);
     const uint32_t middle = vertex_at(0.5 * places_[a] + 0.5 * places_[b]);
@@ -50,7 +50,8 @@ class RemovedEdges {
     add(middle, b);
   }
 
-  // The vertices of a shortest way, both ends included; empty if there is none or the visits are used up.
+  // The vertices of a shortest way between two vertices, which are included; empty if there is no way or the
+  // visits are used up.
   std::vector<uint32_t> way(uint32_t from, uint32_t to, size_t& visits) {
     ++search_;
     std::vector<uint32_t> queue{from};

@@ -31,7 +31,7 @@ struct HotBody {
   }
 };
 
-// What a face loses that rests for a time (J): all it has if it has no mass.
+// The energy that a resting face loses in a time (J): all that it has if it has no mass.
 double resting_loss(const Substance& substance, double joules, double mass, double seconds) {
   return mass > 0 ? std::min(joules, mass * substance.heat_solid * kRestRate * seconds) : joules;
 }

@@ -33,7 +33,7 @@ double peclet_per_speed(const LumpedCut& cut) {
   return cut.kerf * s.density * s.heat_solid / (4 * s.conductivity);
 }
 
-// What the cut takes per thickness (W/m).
+// The power that the cut takes per thickness (W/m).
 double power_per_thickness(const LumpedCut& cut, double speed) {
   const Substance& s = cut.substance;
   const double removal = cut.kerf * speed * s.density * enthalpy_of_removal(s) / cut.axis;

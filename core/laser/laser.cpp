@@ -38,7 +38,7 @@ double emitted_energy(const Laser& laser, double from, double to) {
   return laser.power * (seconds_on(laser, to) - seconds_on(laser, from));
 }
 
-// From the axis of the world that d leans on least.
+// Starts from the axis of the world that is least parallel to d.
 Vec3 across(const Vec3& d) {
   const Vec3 size = glm::abs(d);
   const Vec3 e = size.x <= size.y && size.x <= size.z ? Vec3(1, 0, 0)

@@ -25,7 +25,7 @@ std::vector<BundleRay> ray_bundle(Pattern pattern, double face);
 // The spacing of the lattice, in radii.
 double bundle_spacing(double face);
 
-// The bundle of the pose with this number: the same turned around the axis, for each number by an angle that
+// The bundle of the pose with this number: `rays` turned around the axis, for each number by an angle that
 // is no fraction of a full turn (atan 3/4), so that the rays of many poses in turn fill the profile evenly.
 // It comes around after 4096 poses.
 std::vector<BundleRay> turned_bundle(const std::vector<BundleRay>& rays, uint64_t number);

@@ -51,7 +51,8 @@ class FaceColumns {
   FaceColumn<T> attach_copied() {
     return FaceColumn<T>(attach(Rule::kCopy));
   }
-  // The same for a quantity that the parts of a face share by area, such as an energy in joules.
+  // Attaches a column for a quantity that the parts of a face share by area, such as an energy in joules.
+  // Same precondition.
   FaceColumn<double> attach_shared_by_area() { return FaceColumn<double>(attach(Rule::kShareByArea)); }
 
   // Whether no value of any column was ever set.

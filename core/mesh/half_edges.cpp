@@ -122,11 +122,4 @@ void HalfEdges::prefetch(FaceId f, int turn) const {
 
 size_t HalfEdges::bytes() const { return ChangeOfParts<HalfEdges>::bytes_of(*this); }
 
-void HalfEdges::reserve(uint32_t vertices, uint32_t edges, uint32_t faces) {
-  links_.reserve(2 * edges);
-  positions_.reserve(vertices);
-  outgoing_.reserve(vertices);
-  first_.reserve(faces);
-}
-
 }  // namespace kerf

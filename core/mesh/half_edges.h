@@ -108,7 +108,6 @@ class HalfEdges {
     } while (h != first);
   }
 
-  void reserve(uint32_t vertices, uint32_t edges, uint32_t faces);
   size_t bytes() const;
 
   // What the arrays were before a command (see ChangeOf).

@@ -93,9 +93,9 @@ class Mesh {
   // edges appears twice. Precondition: f is live. Linear in the degrees of the rings.
   void append_neighbours(FaceId f, std::vector<FaceId>& out) const;
 
-  // The same, but of each ring only the two faces next to f. They suffice for a traversal of connected faces
-  // and for finding what f connects, because the other faces of the ring are reached from them. Constant
-  // time.
+  // Appends those neighbours, but of each ring only the two faces next to f. They suffice for a traversal of
+  // connected faces and for finding what f connects, because the other faces of the ring are reached from
+  // them. Constant time.
   void append_nearest_neighbours(FaceId f, std::vector<FaceId>& out) const;
 
   // A face and one of its edges in the face's counter-clockwise direction, in the vertices of its own sheet.
@@ -138,7 +138,7 @@ class Mesh {
   // Precondition: f is live and has this edge. Linear in the degree of the ring.
   void split_edge(FaceId f, VertexId from, VertexId to, std::vector<FaceSplit>& out);
 
-  // The same at any point of the edge. Precondition: `at` is neither of its ends.
+  // Splits the edge like split_edge, but at any point of it. Precondition: `at` is neither of its ends.
   void split_edge_at(FaceId f, VertexId from, VertexId to, const Vec3& at, std::vector<FaceSplit>& out);
 
   // Flips the edge (from, to) between f and its neighbour, i.e. replaces it by the other diagonal of their

@@ -29,7 +29,7 @@ struct SoupEdges {
 // Groups the sides of triangles. Precondition: the corners are vertex numbers below `vertices`, and the three
 // corners of a triangle differ. O(n log d) for vertices with at most d edges, on several threads.
 SoupEdges group_sides(std::span<const std::array<uint32_t, 3>> triangles, size_t vertices);
-// The same, or fails with cancelled() when stopped. `progress` may be null.
+// Groups the sides, or fails with cancelled() when stopped. `progress` may be null.
 Result<SoupEdges> group_sides(std::span<const std::array<uint32_t, 3>> triangles, size_t vertices,
                               const Progress* progress);
 

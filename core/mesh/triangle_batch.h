@@ -54,7 +54,7 @@ void for_each_batch(const Mesh& mesh, size_t first, size_t end, Visit visit) {
   }
 }
 
-// The same face by face: visit(FaceId, const Triangle&).
+// Calls visit(FaceId, const Triangle&) for the live faces of these slots, in ascending order.
 template <typename Visit>
 void for_each_triangle(const Mesh& mesh, size_t first, size_t end, Visit visit) {
   for_each_batch(mesh, first, end, [&](const TriangleBatch& batch) {

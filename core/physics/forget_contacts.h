@@ -11,7 +11,7 @@ namespace kerf {
 // the bodies that touched them, from which the change may have taken the support; a change of gravity wakes
 // all. O(pairs that are near each other + bodies).
 void forget_contacts(World& world, const Delta& delta);
-// The same of these bodies, in any order.
+// Forgets the contacts of these bodies, which may be in any order.
 void forget_contacts(World& world, std::vector<BodyId> bodies);
 
 // Forgets of all pairs all but which bodies they are, and whether they touch or intersect: what a journal

@@ -30,7 +30,7 @@ btTransform joint_frame(const Joint& joint, const RigidFrame& frame) {
   return btTransform(btMatrix3x3(x.x, y.x, z.x, x.y, y.y, z.y, x.z, y.z, z.z), btVector3(at.x, at.y, at.z));
 }
 
-// Far more than a solver lets its sides part.
+// Whether the sides of a joint lie much farther apart than the solver lets them part.
 bool is_torn_apart(const Joint& joint, const MovingBody& a, const MovingBody& b) {
   constexpr double kTornApart = 0.25;  // m, less for small bodies
   const Vec3 apart = a.body->placement.to_world(joint.anchor) - b.body->placement.to_world(joint.anchor);

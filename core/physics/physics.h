@@ -63,7 +63,7 @@ class Physics {
 
   // Has the next tick make the colliders of these bodies anew.
   void renew(std::span<const BodyId> bodies) { changed_.insert(bodies.begin(), bodies.end()); }
-  // Has the next tick look anew which joints hold.
+  // Has the next tick find the joints that hold anew.
   void forget_joints() { joints_.reset(); }
 
   // Advances all bodies by 1/120 s. Returns the bodies that moved. The clock of the world is left to the

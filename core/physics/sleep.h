@@ -8,9 +8,9 @@
 namespace kerf {
 
 // Puts bodies to sleep and wakes them. A body is restless until it has been slower than the limits for half a
-// second. It keeps awake what it touches, and what touches that, together with what joints connect to these;
-// all others sleep, so that a piece which rattles does not keep a whole pile awake. `memory` tells of bodies
-// that touched before they fell asleep. Returns whether a body woke.
+// second. A restless body keeps awake the bodies that it touches, those that touch them, and all bodies that
+// joints connect to one of these; all others sleep, so that a piece which rattles does not keep a whole pile
+// awake. `memory` tells of bodies that touched before they fell asleep. Returns whether a body woke.
 bool update_sleep(std::span<MovingBody> bodies, std::span<const TouchingPair> pairs,
                   std::span<const BodyJoint> joints, const ContactMemory& memory, double seconds);
 

@@ -32,7 +32,7 @@ class ShadowCaster {
 
   // Adds all live faces of the mesh. Expected linear time.
   ShadowCaster(const Mesh& mesh, const FloatFrame& frame, Labels labels = {});
-  // The same, or fails with cancelled() when stopped. `progress` may be null.
+  // Makes a caster of all live faces, or fails with cancelled() when stopped. `progress` may be null.
   static Result<ShadowCaster> build(const Mesh& mesh, const FloatFrame& frame, const Progress* progress);
 
   // The slots of faces and edges that update() changed, ascending, each once.

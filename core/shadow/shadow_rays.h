@@ -39,7 +39,7 @@ class ShadowRays {
   // point and the light, and the face itself if the ray meets its unlit side. The face is excluded from the
   // former by its slot rather than by a distance. Precondition: look(ray, ...) returned `seen`.
   int occluders(const Pose& ray, const Seen& seen, const Light& light) const;
-  // The same for a point of the world (m) that lies on no face.
+  // The number of surfaces between the light and a point of the world (m) that lies on no face.
   int occluders(const Vec3& point, const Light& light) const;
 
  private:

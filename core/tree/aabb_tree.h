@@ -59,7 +59,7 @@ class AabbTree {
   // vector.
   void crossings(const Mesh& mesh, const Pose& ray, Interval range, std::vector<RayHit>& out) const;
 
-  // The same for several rays; out[i] receives the crossings of rays[i]. Up to four rays of equal direction
+  // Finds the crossings of several rays; out[i] receives those of rays[i]. Up to four rays of equal direction
   // cost about as much as one if the distance between them is smaller than a face. Precondition: `out` has as
   // many elements as `rays`.
   void crossings(const Mesh& mesh, std::span<const Pose> rays, Interval range,

@@ -16,7 +16,7 @@ class ShearedRay {
   ShearedRay() = default;
   // Precondition: the direction is a unit vector.
   explicit ShearedRay(const Pose& ray);
-  // The same for a parallel ray. Precondition: its direction equals that of this ray.
+  // Makes the sheared ray of a parallel ray. Precondition: its direction equals that of this ray.
   ShearedRay beside(const Pose& ray) const {
     ShearedRay other = *this;
     other.origin_ = ray.origin;

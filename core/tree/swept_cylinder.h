@@ -41,7 +41,7 @@ class SweptCylinder {
   // distances refer to.
   bool tilts() const { return tilts_; }
 
-  // The same sweep with another radius. Precondition: radius >= 0.
+  // This sweep with another radius. Precondition: radius >= 0.
   SweptCylinder with_radius(double radius) const {
     assert(radius >= 0);
     SweptCylinder other = *this;

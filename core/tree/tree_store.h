@@ -14,7 +14,7 @@ namespace kerf {
 // A face as the tree stores it: its vertices and their positions as floats in the frame of the tree.
 struct TreeFace {
   TreeFace(const TreeFrame& frame, const Mesh& mesh, FaceId f) : TreeFace(frame, mesh, mesh.positions(), f) {}
-  // The same with mesh.positions(), for callers that convert many faces.
+  // Takes mesh.positions() from the caller, who converts many faces.
   TreeFace(const TreeFrame& frame, const Mesh& mesh, Positions positions, FaceId f)
       : vertex(mesh.corners(f)), face(f) {
     for (int i = 0; i < 3; ++i) corner[i] = frame.to_floats(positions[vertex[i]]);

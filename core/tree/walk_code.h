@@ -214,7 +214,7 @@ class WalkCode {
     }
   }
 
-  // The same corners twice, to test two rays at a time.
+  // Holds the corners twice, to test two rays at a time.
   struct ShearedTwice {
     explicit ShearedTwice(const ShearedBlock& b) : error(Float8::twice(b.error)) {
       for (int i = 0; i < 3; ++i) {

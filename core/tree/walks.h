@@ -92,7 +92,7 @@ struct SlabQuery {
 struct Walks {
   // Lists the faces that a ray may cross, in an order that depends on the tree alone.
   void (*ray)(const TreeView&, const RayQuery&, WalkLists&);
-  // The same for up to four parallel rays.
+  // Lists the faces that any of up to four parallel rays may cross.
   void (*rays)(const TreeView&, const RayQuery&, WalkLists&);
   // Lists candidates that include the first face that the ray crosses; visits near boxes first.
   void (*nearest)(const TreeView&, const RayQuery&, WalkLists&);

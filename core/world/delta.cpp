@@ -110,7 +110,7 @@ void Delta::append(Delta later) {
       detached.push_back(d);
     }
   }
-  // Whoever looks at a body as a whole sees all of this.
+  // A body that came is read as a whole, so that its single changes need not be listed.
   const auto is_new = [&](BodyId id) { return has(came, id); };
   std::erase_if(bodies, [&](const BodyDelta& b) { return is_new(b.body); });
   for (const auto list : kChanged) std::erase_if(this->*list, is_new);

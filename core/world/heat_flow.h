@@ -12,8 +12,8 @@ void let_heat_flow(World& world, double seconds);
 // Lets heat flow while the clock passes by a time (s, >= 0), as far as strokes have not let it flow ahead.
 void cool(World& world, double seconds);
 
-// The same for ticks that have just passed by the clock of the world. Heat flows each kTicksOfFlow ticks of
-// the clock at once, so that the result does not depend on how the ticks are divided.
+// Cools bodies for ticks that have just passed by the clock of the world. Heat flows each kTicksOfFlow ticks
+// of the clock at once, so that the result does not depend on how the ticks are divided.
 inline constexpr Ticks kTicksOfFlow = 4;
 void cool_for_ticks(World& world, Ticks passed);
 

@@ -92,7 +92,7 @@ void share_heat(Body& made, const Body& body, const PieceCopy& copy, const Remes
   }
 }
 
-// What lies on a triangle of the heat of faces that were followed.
+// The heat of followed faces that lies on a triangle.
 struct Covered {
   double joules = 0;
   double area = 0;  // of the quarters that lie on it (m^2)

@@ -49,7 +49,7 @@ struct OpenSearch {
   }
   // The label that relabelling will give to the face; 0 if it keeps its own.
   uint32_t label_to_be(FaceId f) const { return stage == Stage::kRelabel ? label_of(mark.get(f.index)) : 0; }
-  // The same by the face's mark. Precondition: faces are being relabelled.
+  // The label that relabelling will give to faces with a mark. Precondition: faces are being relabelled.
   uint32_t label_of(uint32_t marked) const {
     const uint32_t front = marked & ~kLookedAt;
     return front == 0 ? 0 : new_label[front - 1];

@@ -6,7 +6,7 @@ namespace kerf {
 
 namespace {
 
-// The products of AreaMoments::second: the axes of each.
+// The two axes of each product in AreaMoments::second.
 constexpr std::array<std::array<int, 2>, 6> kAxes{{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
 
 }  // namespace

@@ -104,7 +104,7 @@ struct Body {
 
 // Creates a body from a loaded mesh: builds the tree and counts its piece and its components. O(n log n).
 Body make_body(std::string name, BuiltMesh built);
-// The same, or fails with cancelled() when stopped. `progress` may be null.
+// Creates a body, or fails with cancelled() when stopped. `progress` may be null.
 Result<Body> make_body(std::string name, BuiltMesh built, const Progress* progress);
 
 // Where the energy that beams have emitted has gone (J): emitted = absorbed + escaped. What was absorbed is
@@ -157,7 +157,7 @@ class World {
   };
   // The bounds of all bodies at their placements, rounded outward; zero for an empty world. O(bodies).
   Bounds bounds() const;
-  // The same for the bodies as they were loaded.
+  // The bounds of all bodies as they were loaded, at their placements.
   Bounds loaded_bounds() const;
 
   // The time that has passed since the world was created.

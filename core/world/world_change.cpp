@@ -98,7 +98,7 @@ void World::take_back(Change& change) {
   slots_.erase(first, slots_.end());
 }
 
-// The same steps in the opposite order.
+// Makes the steps of take_back() in the opposite order.
 void World::bring_again(Change& change) {
   KERF_ASSERT(slots_.size() == change.slots_);
   slots_.insert(slots_.end(), std::make_move_iterator(change.added_.begin()),

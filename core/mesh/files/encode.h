@@ -12,7 +12,7 @@ namespace kerf {
 // bit, except from STL, which stores three positions in single precision per triangle. Precondition: the mesh
 // satisfies the requirements stated at MeshView and at its format below. Linear time; holds a few megabytes.
 void encode(const MeshView& mesh, MeshFormat format, const ByteSink& sink);
-// The same as one string.
+// Encodes a mesh as one string, with the preconditions of encode().
 std::string encoded(const MeshView& mesh, MeshFormat format);
 
 // OBJ with the shortest decimal numbers that are read back exactly, a mtllib if the mesh has a library, and a

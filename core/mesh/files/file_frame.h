@@ -38,9 +38,9 @@ double metres_per_unit(FileUnit unit);
 // "mm", "cm", "m" or "in".
 std::string_view unit_symbol(FileUnit unit);
 
-// The same direction or point in a frame in which +Y points upwards: (x, z, -y) for kZ. Exact.
+// Converts a direction or point into a frame in which +Y points upwards: (x, z, -y) for kZ. Exact.
 Vec3 to_y_up(const Vec3& v, UpAxis up);
-// The inverse of that.
+// The inverse of to_y_up().
 Vec3 from_y_up(const Vec3& v, UpAxis up);
 // The coordinate of v along the upward axis.
 double height_of(const Vec3& v, UpAxis up);

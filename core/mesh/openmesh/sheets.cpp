@@ -80,7 +80,7 @@ class Copier {
     fans_.unite(3 * f + next(i), at(to));
   }
 
-  // One a fan, in the order of the slots of vertices and, at one of them, of the faces.
+  // Adds one vertex for each fan, in the order of the slots of vertices and, at one vertex, of the faces.
   void add_vertices() {
     std::vector<std::pair<VertexId, uint32_t>> fans;  // with the first corner
     for (uint32_t f = 0; f < out_.faces.size(); ++f) {

@@ -201,7 +201,7 @@ constexpr std::array kMostTurn = {15.0, 30.0, 60.0, 90.0};
 // away, measured both ways.
 constexpr double kShareForSamples = 0.6;
 
-// With the error, or without a bound where it is infinite.
+// Collapses edges until the work is done. The error is bounded unless it is infinite.
 void decimate(Work& work, double error) {
   Kernel& mesh = work.sheets.mesh;
   mesh.update_face_normals();  // otherwise the module for them would do so and say it on standard error

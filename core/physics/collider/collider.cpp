@@ -46,7 +46,7 @@ VertexNormals normals_of(const Mesh& mesh) {
   return n;
 }
 
-// At most so many of them, evenly over their order.
+// At most kMostCandidates of the vertices, evenly over their order.
 std::vector<VertexId> thinned(const std::vector<VertexId>& all) {
   if (all.size() <= kMostCandidates) return all;
   std::vector<VertexId> some(kMostCandidates);

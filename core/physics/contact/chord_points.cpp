@@ -20,7 +20,7 @@ uint32_t point_at(uint32_t chord, double share) {
 
 constexpr uint32_t kApart = kPlaces / 4;  // of two points of a chord
 
-// Unless there is one near it on the chord.
+// Adds a point in its order, unless there is one near it on the chord.
 void insert(const PointMemory& point, std::vector<PointMemory>& memory) {
   const auto at = std::ranges::lower_bound(memory, point.point, {}, &PointMemory::point);
   const uint32_t chord = point.point >> kPlaceBits;

@@ -17,7 +17,7 @@ struct FacePlane {
 // has no area. Precondition: the direction is a unit vector.
 std::optional<FacePlane> face_along(const MovingBody& faces, const Vec3& from, const Vec3& direction,
                                     double length);
-// The same between two points.
+// The plane of the first face between two points. Nothing where it has no area or the points are equal.
 std::optional<FacePlane> face_between(const MovingBody& faces, const Vec3& from, const Vec3& to);
 
 }  // namespace kerf

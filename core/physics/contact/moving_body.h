@@ -32,7 +32,7 @@ struct MovingBody {
   Body* body = nullptr;
   const Collider* collider = nullptr;
   RigidFrame frame;
-  bool fixed = false;  // it does not move
+  bool fixed = false;  // the body does not move
   bool asleep = false;
   Placement start;     // of the body at the beginning of the tick
   RigidMap now, next;  // body to world: at the beginning of the tick, and where it goes

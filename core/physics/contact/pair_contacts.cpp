@@ -18,7 +18,7 @@ constexpr size_t kMostContacts = 8;
 constexpr double kNearLowest = 0.3;  // of the reach, above the lowest point: where the ground is looked at
 constexpr uint64_t kPointsOfSecond = uint64_t{1} << 31;  // added to the features of contacts found by them
 
-// The deepest contact, and then those that lie farthest apart, in the order in which they were found.
+// Keeps the deepest contact and those that lie farthest apart, in the order in which they were found.
 void reduce(std::vector<Contact>& contacts) {
   if (contacts.size() <= kMostContacts) return;
   std::vector<Vec3> places;
@@ -42,7 +42,7 @@ class Height {
       : up_(glm::transpose(map.turn) * up), offset_(glm::dot(map.shift, up) - level) {}
 
   double operator()(const Vec3& p) const { return glm::dot(up_, p) + offset_; }
-  // That of the lowest corner of a box.
+  // The height of the lowest corner of a box.
   double least(const Box& box) const {
     return (*this)(0.5 * (box.min + box.max)) - glm::dot(glm::abs(up_), 0.5 * (box.max - box.min));
   }

@@ -3,6 +3,7 @@
 #include <functional>
 #include <limits>
 
+#include "core/base/assert.h"
 #include "core/base/tolerances.h"
 #include "core/cut/cuttable.h"
 #include "core/cut/rim_state.h"
@@ -124,6 +125,24 @@ class RimBite {
     rim.step.edit.refit_tree();
   }
 
+  // A stage that goes through a list: does its next part, which returns whether the list is through, and the
+  // stage that follows then.
+  struct ListStage {
+    Stage stage;
+    bool (*do_part)(RimState&);
+    Stage next;
+  };
+  static constexpr std::array kListStages{
+      ListStage{Stage::kListInPlane, list_moves_in_plane, Stage::kMoveInPlane},
+      ListStage{Stage::kMoveInPlane, move_onto_rim, Stage::kListAlongEdges},
+      ListStage{Stage::kListAlongEdges, list_moves_along_edges, Stage::kMoveAlongEdges},
+      ListStage{Stage::kMoveAlongEdges, move_onto_rim, Stage::kSplitInTheWay},
+      ListStage{Stage::kListNear, list_near_rim, Stage::kSettle},
+      ListStage{Stage::kSettle, settle_on_rim, Stage::kClip},
+      ListStage{Stage::kClip, clip_at_rim, Stage::kChoose},
+      ListStage{Stage::kChoose, choose_within_rim, Stage::kRemove},
+      ListStage{Stage::kChooseBesideRim, choose_beside_rim, Stage::kFlip}};
+
   // Does the next part of a stage. Returns whether the body is completed.
   Result<bool> go_on(RimState& rim, const Sweep& sweep) {
     switch (work_.stage) {
@@ -132,14 +151,9 @@ class RimBite {
       case Stage::kSort:
         find(rim, sweep);
         return false;
-      case Stage::kClip:
-      case Stage::kChoose:
       case Stage::kRemove:
-        cut(rim);
-        return false;
-      case Stage::kChooseBesideRim:
-      case Stage::kFlip:
-        flip(rim);
+        taken_ += kHeavyPart;
+        if (remove_within_rim(rim)) go_to(Stage::kChooseBesideRim);
         return false;
       case Stage::kSeparate:
         separate_pieces(rim.step);
@@ -150,7 +164,7 @@ class RimBite {
         taken_ += kLightPart;
         return measure(rim);
       default:
-        if (const Status fitted = fit(rim); !fitted) return fitted.error();
+        if (const Status reshaped = reshape(rim); !reshaped) return reshaped.error();
         return false;
     }
   }
@@ -174,39 +188,21 @@ class RimBite {
     }
   }
 
-  // Refines and moves vertices, in turn, for the one may ask for the other.
-  Status fit(RimState& rim) {
+  // Refines and moves vertices, in turn, because each may ask for the other, then cuts and flips edges.
+  Status reshape(RimState& rim) {
     const Stopwatch watch(rim.step.figures.refine_s);
-    const auto then = [&](bool over, Stage stage) {
-      if (over) go_to(stage);
-    };
     taken_ += kHeavyPart;
-    switch (work_.stage) {
-      case Stage::kRefine:
-        if (const Status refined = refine_rim(rim); !refined) return refined;
-        then(work_.waiting.empty(), Stage::kListInPlane);
-        break;
-      case Stage::kListInPlane:
-        then(list_moves_in_plane(rim), Stage::kMoveInPlane);
-        break;
-      case Stage::kMoveInPlane:
-        then(move_onto_rim(rim), Stage::kListAlongEdges);
-        break;
-      case Stage::kListAlongEdges:
-        then(list_moves_along_edges(rim), Stage::kMoveAlongEdges);
-        break;
-      case Stage::kMoveAlongEdges:
-        then(move_onto_rim(rim), Stage::kSplitInTheWay);
-        break;
-      case Stage::kSplitInTheWay:
-        if (split_in_the_way(rim)) fit_again_or_settle();
-        break;
-      case Stage::kListNear:
-        then(list_near_rim(rim), Stage::kSettle);
-        break;
-      default:
-        then(settle_on_rim(rim), Stage::kClip);
-        break;
+    if (work_.stage == Stage::kRefine) {
+      if (const Status refined = refine_rim(rim); !refined) return refined;
+      if (work_.waiting.empty()) go_to(Stage::kListInPlane);
+    } else if (work_.stage == Stage::kSplitInTheWay) {
+      if (split_in_the_way(rim)) fit_again_or_settle();
+    } else if (work_.stage == Stage::kFlip) {
+      if (flip_near_rim(rim)) flip_again_or_separate();
+    } else {
+      const auto list = std::ranges::find(kListStages, work_.stage, &ListStage::stage);
+      KERF_ASSERT(list != kListStages.end());
+      if (list->do_part(rim)) go_to(list->next);
     }
     return Done{};
   }
@@ -219,29 +215,8 @@ class RimBite {
     go_to(Stage::kListNear);
   }
 
-  void cut(RimState& rim) {
-    taken_ += kHeavyPart;
-    if (work_.stage == Stage::kRemove) {
-      if (remove_within_rim(rim)) go_to(Stage::kChooseBesideRim);
-      return;
-    }
-    const Stopwatch watch(rim.step.figures.refine_s);
-    if (work_.stage == Stage::kClip) {
-      if (clip_at_rim(rim)) go_to(Stage::kChoose);
-    } else if (choose_within_rim(rim)) {
-      go_to(Stage::kRemove);
-    }
-  }
-
-  void flip(RimState& rim) {
+  void flip_again_or_separate() {
     constexpr int kMostRounds = 4;
-    const Stopwatch watch(rim.step.figures.refine_s);
-    taken_ += kHeavyPart;
-    if (work_.stage == Stage::kChooseBesideRim) {
-      if (choose_beside_rim(rim)) go_to(Stage::kFlip);
-      return;
-    }
-    if (!flip_near_rim(rim)) return;
     const bool again = std::exchange(work_.flipped, false) && ++work_.rounds < kMostRounds;
     if (!again) go_to(Stage::kSeparate);
   }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/angle.h"
 #include "core/base/random.h"
 
 namespace kerf {
@@ -223,7 +224,7 @@ class Ring {
  private:
   static constexpr double kTurn = 4;      // of an angle as turn_of() measures it
   static constexpr double kInside = 0.3;  // of the mean radius
-  static constexpr double kCircle = 6.283185307179586;
+  static constexpr double kCircle = 2 * kPi;
 
   Vec2 flat(const Vec3& p) const {
     return {glm::dot(p - middle_, directions_[0]), glm::dot(p - middle_, directions_[1])};

@@ -22,10 +22,6 @@ struct HotBody {
   double thickness;
 
   double mass(FaceId f) const { return triangle_area(mesh.triangle(f)) * thickness * substance.density; }
-  // K, of a face with this energy.
-  double temperature(double joules, double mass) const {
-    return mass > 0 ? temperature_at(substance, joules / mass) : kAmbient;
-  }
   void note(FaceId f, double temperature) const {
     if (temperature > kTintedFrom) heat.note_hottest(mesh, f, temperature);
   }
@@ -49,7 +45,7 @@ double gather(const HotBody& body, const std::vector<FaceId>& warm, double secon
   };
   for (const FaceId f : warm) {
     const double mass = body.mass(f);
-    const double temperature = body.temperature(body.heat.energy_of(body.mesh, f), mass);
+    const double temperature = temperature_of(body.substance, body.heat.energy_of(body.mesh, f), mass);
     if (temperature > kAmbient + kColdRise) {
       body.note(f, temperature);
       region.add(f);
@@ -74,7 +70,7 @@ double store(const HotBody& body, const HeatRegion& region) {
     before += body.heat.energy_of(body.mesh, node.face);
     after += node.joules;
     body.heat.set_energy(body.mesh, node.face, node.joules);
-    body.note(node.face, body.temperature(node.joules, node.mass));
+    body.note(node.face, temperature_of(body.substance, node.joules, node.mass));
   }
   return before - after;
 }

@@ -15,7 +15,7 @@ double FaceHeat::temperature(const Mesh& mesh, FaceId f, const Substance& substa
   const double joules = energy_of(mesh, f);
   if (joules == 0) return kAmbient;
   const double mass = triangle_area(mesh.triangle(f)) * thickness * substance.density;
-  return mass > 0 ? temperature_at(substance, joules / mass) : kAmbient;
+  return temperature_of(substance, joules, mass);
 }
 
 double FaceHeat::hottest_of(const Mesh& mesh, FaceId f) const {

@@ -27,7 +27,7 @@ HeatStep::HeatStep(HeatRegion& region, const Substance& substance, const HeatLos
       heat_per_area_(thickness * substance.density * std::min(substance.heat_solid, substance.heat_liquid)) {}
 
 double HeatStep::rise_of(const HeatRegion::Node& node) const {
-  return node.mass > 0 ? temperature_at(substance_, node.joules / node.mass) - kAmbient : 0;
+  return temperature_of(substance_, node.joules, node.mass) - kAmbient;
 }
 
 HeatStep::Phase HeatStep::phase_of(const HeatRegion::Node& node, double joules) const {

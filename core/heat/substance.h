@@ -89,7 +89,12 @@ constexpr double temperature_at(const Substance& s, double enthalpy) {
   return enthalpy <= after ? s.transition : s.transition + (enthalpy - after) / s.heat_liquid;
 }
 
-// The reverse: the enthalpy at a temperature; of the transition its beginning.
+// The temperature (K) of a mass (kg) with an energy (J) relative to the ambient; the ambient without mass.
+constexpr double temperature_of(const Substance& s, double joules, double mass) {
+  return mass > 0 ? temperature_at(s, joules / mass) : kAmbient;
+}
+
+// The reverse of temperature_at: the enthalpy at a temperature; of the transition its beginning.
 constexpr double enthalpy_at(const Substance& s, double temperature) {
   if (temperature <= s.transition) return s.heat_solid * (temperature - kAmbient);
   return enthalpy_of_removal(s) + s.heat_liquid * (temperature - s.transition);

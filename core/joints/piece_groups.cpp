@@ -26,12 +26,7 @@ class LabelGrid {
   }
   double cell() const { return cell_; }
 
-  void add(const Vec3& point, uint32_t label) {
-    const uint32_t cell = cell_of(point);
-    if (label_[cell] != kNoIndex) return;
-    label_[cell] = label;
-    reached_.push_back(cell);
-  }
+  void add(const Vec3& point, uint32_t label) { reach(cell_of(point), label); }
 
   // Lets the labels spread into all other cells, breadth first.
   void flood() {

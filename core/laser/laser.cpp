@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/angle.h"
 #include "core/base/assert.h"
 
 namespace kerf {
@@ -63,8 +64,8 @@ std::vector<SweptCylinder> sweep_beam(const Laser& laser, const BeamMove& move) 
 }
 
 size_t subdivisions(const BeamMove& move, double radius, double reach) {
-  constexpr double kArcOverChord = 1.5707963267948966;  // at most, for arcs up to half a turn
-  constexpr double kLargestTurn = 0.05;                 // rad in one move
+  constexpr double kArcOverChord = kPi / 2;  // at most, for arcs up to half a turn
+  constexpr double kLargestTurn = 0.05;      // rad in one move
   constexpr size_t kMost = size_t{1} << 17;
   KERF_ASSERT(radius > 0 && reach >= 0);
   const Vec3 turn = move.to.direction - move.from.direction;

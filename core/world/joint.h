@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -44,7 +45,14 @@ struct Joints {
   std::vector<Joint> all;
 
   // Whether a loaded face of a body carries a joint. O(joints log faces).
-  bool carries(BodyId body, FaceId loaded) const;
+  bool carries(BodyId body, FaceId loaded) const {
+    return std::any_of(all.begin(), all.end(), [&](const Joint& joint) {
+      return joint.body == body &&
+             std::any_of(joint.sides.begin(), joint.sides.end(), [&](const JointSide& s) {
+               return std::binary_search(s.faces.begin(), s.faces.end(), loaded.index);
+             });
+    });
+  }
 };
 
 }  // namespace kerf

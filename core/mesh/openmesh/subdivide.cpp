@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/base/angle.h"
 #include "core/base/assert.h"
 #include "core/mesh/openmesh/sheets.h"
 
@@ -19,7 +20,7 @@ using Point = Kernel::Point;
 // cos(2 pi / n) by the power series, whose terms beyond the 30th are below the rounding. Precondition: n
 // >= 2.
 double cosine_of_nth_turn(size_t n) {
-  constexpr double kTurn = 6.283185307179586476925;
+  constexpr double kTurn = 2 * kPi;
   const double x2 = (kTurn / static_cast<double>(n)) * (kTurn / static_cast<double>(n));
   double term = 1, sum = 1;
   for (int k = 1; k <= 30; ++k) {

@@ -68,10 +68,7 @@ class CutRun {
 
   Status read_strokes() {
     if (options_.path.empty()) return Done{};
-    auto strokes = read_path_file(options_.path);
-    if (!strokes) return strokes.error();
-    strokes_ = std::move(*strokes);
-    return Done{};
+    return unpack(read_path_file(options_.path), strokes_);
   }
 
   Status read_material() {

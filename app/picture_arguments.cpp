@@ -27,18 +27,12 @@ Result<PictureOptions> PictureArguments::parse() const {
   options.width = pixels->width;
   options.height = pixels->height;
   if (!eye.empty()) {
-    const auto point = parse_point("--eye", eye);
-    if (!point) return point.error();
-    options.eye = *point;
+    if (const Status s = unpack(parse_point("--eye", eye), options.eye); !s) return s.error();
   }
   if (!target.empty()) {
-    const auto point = parse_point("--target", target);
-    if (!point) return point.error();
-    options.target = *point;
+    if (const Status s = unpack(parse_point("--target", target), options.target); !s) return s.error();
   }
-  const auto shown = parse_show_list(show);
-  if (!shown) return shown.error();
-  options.show = *shown;
+  if (const Status s = unpack(parse_show_list(show), options.show); !s) return s.error();
   if (!section.empty()) {
     const auto plane = parse_section(section);
     if (!plane) return bad_input("--section: " + plane.error().message);

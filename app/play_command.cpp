@@ -137,9 +137,7 @@ class PlayRun {
     if (!arguments_.landmarks.empty()) options.landmarks = arguments_.landmarks;
     PixelSize size{settings.width, settings.height};
     if (!arguments_.size.empty()) {
-      const auto asked = parse_size(arguments_.size);
-      if (!asked) return asked.error();
-      size = *asked;
+      if (const Status s = unpack(parse_size(arguments_.size), size); !s) return s;
     }
     let_interrupts_end();
     WindowOptions window{size.width, size.height, {}};

@@ -57,4 +57,12 @@ class [[nodiscard]] Result {
 struct Done {};
 using Status = Result<Done>;
 
+// Moves the value of a result into `to`, or returns its error and leaves `to` as it is.
+template <typename T, typename U>
+Status unpack(Result<T> result, U& to) {
+  if (!result) return result.error();
+  to = std::move(*result);
+  return Done{};
+}
+
 }  // namespace kerf

@@ -53,10 +53,7 @@ class Builder {
   };
 
   Status weld(const Progress& progress) {
-    auto welded = weld_positions(soup_.positions, &progress);
-    if (!welded) return welded.error();
-    welded_ = std::move(*welded);
-    return Done{};
+    return unpack(weld_positions(soup_.positions, &progress), welded_);
   }
 
   Status choose_triangles(const Progress& progress) {
@@ -72,10 +69,7 @@ class Builder {
   }
 
   Status group(const Progress& progress) {
-    auto edges = group_sides(triangles_, soup_.positions.size(), &progress);
-    if (!edges) return edges.error();
-    edges_ = std::move(*edges);
-    return Done{};
+    return unpack(group_sides(triangles_, soup_.positions.size(), &progress), edges_);
   }
 
   Status orient(const Progress& progress) {
@@ -158,8 +152,7 @@ class Builder {
 
   Status find_vertices(const Progress& progress) {
     auto fans = name_vertices(triangles_, soup_.positions.size(), partner_, &progress);
-    if (!fans) return fans.error();
-    fans_ = std::move(*fans);
+    if (const Status named = unpack(std::move(fans), fans_); !named) return named;
     count_vertices();
     return Done{};
   }

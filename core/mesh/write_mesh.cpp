@@ -7,7 +7,6 @@
 #include <string>
 
 #include "core/base/atomic_file.h"
-#include "core/mesh/files/encode.h"
 
 namespace kerf {
 namespace {

@@ -3,8 +3,7 @@
 #include <filesystem>
 
 #include "core/base/result.h"
-#include "core/mesh/files/mesh_format.h"
-#include "core/mesh/files/mesh_view.h"
+#include "core/mesh/files/encode.h"
 
 namespace kerf {
 

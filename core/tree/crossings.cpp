@@ -1,10 +1,13 @@
+#include <smmintrin.h>
+
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/assert.h"
+#include "core/base/tolerances.h"
 #include "core/base/unit_vector.h"
 #include "core/tree/aabb_tree.h"
 #include "core/tree/sheared_ray.h"
-#include "core/tree/tree_rays.h"
 #include "core/tree/walk_scratch.h"
 
 namespace kerf {
@@ -12,6 +15,98 @@ namespace kerf {
 namespace {
 
 static_assert(RayQuery::kPositionShift == Positions::kShift && sizeof(Vec3) == 24);
+
+void store(uint32_t (&out)[4], __m128 bits) {
+  _mm_store_si128(reinterpret_cast<__m128i*>(out), _mm_castps_si128(bits));
+}
+__m128 to_floats(const Vec3& v) {
+  return _mm_movelh_ps(_mm_cvtpd_ps(_mm_setr_pd(v.x, v.y)), _mm_cvtpd_ps(_mm_set_sd(v.z)));
+}
+__m128 size_of(__m128 v) { return _mm_andnot_ps(_mm_set1_ps(-0.0f), v); }
+
+// Prepares the slab test for rays of direction d that start between `low` and `high` at t = 0, for all axes
+// at once.
+void set_slabs(RayQuery& q, __m128 d, __m128 low, __m128 high) {
+  const __m128 sign = _mm_set1_ps(-0.0f), down = _mm_and_ps(d, sign);
+  const __m128 size = _mm_max_ps(size_of(d), _mm_set1_ps(kLeastComponent));
+  const __m128 slope = _mm_or_ps(_mm_div_ps(_mm_set1_ps(1), size), down);
+  _mm_store_ps(q.near_origin, _mm_blendv_ps(high, low, down));
+  _mm_store_ps(q.far_origin, _mm_blendv_ps(low, high, down));
+  _mm_store_ps(q.near_slope, _mm_mul_ps(slope, _mm_set1_ps(1 - kSlopeRoundings)));
+  _mm_store_ps(q.far_slope, _mm_mul_ps(slope, _mm_set1_ps(1 + kSlopeRoundings)));
+  const __m128 lows = _mm_castsi128_ps(_mm_setr_epi32(0, 1, 2, 3)),
+               highs = _mm_castsi128_ps(_mm_setr_epi32(3, 4, 5, 6));
+  store(q.near_plane, _mm_blendv_ps(lows, highs, down));
+  store(q.far_plane, _mm_blendv_ps(highs, lows, down));
+}
+
+// Whether the rays may meet the box.
+bool may_meet(const RayQuery& q, const FloatBox& box) {
+  const __m128 down = _mm_load_ps(q.direction);  // blends by sign
+  const __m128 near = _mm_blendv_ps(box.low, box.high, down), far = _mm_blendv_ps(box.high, box.low, down);
+  const __m128 entry = _mm_mul_ps(_mm_sub_ps(near, _mm_load_ps(q.near_origin)), _mm_load_ps(q.near_slope));
+  const __m128 exit = _mm_mul_ps(_mm_sub_ps(far, _mm_load_ps(q.far_origin)), _mm_load_ps(q.far_slope));
+  // Compares every entry with every exit, those of the axes and those of the range.
+  const __m128 from = _mm_insert_ps(entry, _mm_set_ss(q.t_low), 3 << 4),
+               to = _mm_insert_ps(exit, _mm_set_ss(q.t_high), 3 << 4);
+  const __m128 to2 = _mm_min_ps(to, _mm_shuffle_ps(to, to, _MM_SHUFFLE(2, 3, 0, 1)));
+  const __m128 to4 = _mm_min_ps(to2, _mm_shuffle_ps(to2, to2, _MM_SHUFFLE(1, 0, 3, 2)));
+  return _mm_movemask_ps(_mm_cmple_ps(from, to4)) == 15;
+}
+
+// The point of a ray nearest to the origin of the tree's frame.
+struct Passing {
+  Passing(const TreeFrame& frame, const Pose& ray) {
+    const Vec3 start = frame.to_tree(ray.origin);
+    at = -glm::dot(start, ray.direction);
+    point = to_floats(start + at * ray.direction);
+    far = std::abs(start.x) + std::abs(start.y) + std::abs(start.z);
+  }
+  double distance2() const { return _mm_cvtss_f32(_mm_dp_ps(point, point, 0x71)); }
+
+  __m128 point;
+  double at;   // parameter along the ray
+  double far;  // magnitude of the coordinates that it was computed from
+};
+
+// Prepares a traversal by one to four rays of equal direction; `range` is in metres along them. Returns false
+// if they miss the tree's bounds. Sets all of `q` but its positions.
+bool prepare_rays(const TreeStore& tree, std::span<const Pose> rays, Interval range, RayQuery& q) {
+  KERF_ASSERT(!rays.empty() && rays.size() <= kBlockWidth);
+  const __m128 direction = to_floats(rays[0].direction);
+  _mm_store_ps(q.direction, direction);
+  const Passing own(tree.frame, rays[0]);
+  _mm_store_ps(q.passing[0], own.point);
+  __m128 low = own.point, high = own.point;
+  double far = own.far, earliest = own.at, latest = own.at, nearest = own.distance2();
+  for (size_t i = 1; i < rays.size(); ++i) {
+    KERF_ASSERT(rays[i].direction == rays[0].direction);
+    const Passing other(tree.frame, rays[i]);
+    _mm_store_ps(q.passing[i], other.point);
+    low = _mm_min_ps(low, other.point);
+    high = _mm_max_ps(high, other.point);
+    far = std::max(far, other.far);
+    earliest = std::min(earliest, other.at);
+    latest = std::max(latest, other.at);
+    nearest = std::min(nearest, other.distance2());
+  }
+  const double reach = tree.reach(), scale = tree.frame.scale;
+  const double lost = kBoxSlack * (8 * reach + far), error = reach * kPlaneRoundings + lost;
+  if (nearest > (reach + error) * (reach + error)) return false;
+  // t = 0 is a plane across the rays in front of all boxes.
+  const auto back = static_cast<float>(2 * reach);
+  const __m128 ahead = _mm_mul_ps(_mm_set1_ps(back), direction);
+  const __m128 slack = _mm_set1_ps(static_cast<float>(error));
+  set_slabs(q, direction, _mm_sub_ps(_mm_sub_ps(low, ahead), slack),
+            _mm_add_ps(_mm_sub_ps(high, ahead), slack));
+  q.t_low =
+      static_cast<float>(std::max(back - latest + range.low * scale - 2 * error, kLeastRayParameter * reach));
+  q.t_high = static_cast<float>(std::min(back - earliest + range.high * scale + 2 * error, 4 * reach));
+  q.t_sure = static_cast<float>(back - own.at + range.low * scale + 4 * error);
+  q.error = static_cast<float>(reach * kShearedRoundings + 2 * lost);
+  q.rays = static_cast<uint32_t>(rays.size());
+  return may_meet(q, tree.root_box());
+}
 
 bool nearer(const RayHit& a, const RayHit& b) {
   return a.length != b.length ? a.length < b.length : a.face < b.face;

@@ -31,12 +31,9 @@ Result<Body> make_body(std::string name, BuiltMesh built, const Progress* progre
   body.name = std::move(name);
   body.mesh = std::move(built.mesh);
   body.heat = FaceHeat::attach(body.mesh);
-  Result<AabbTree> tree = AabbTree::build(body.mesh, &building);
-  if (!tree) return tree.error();
-  body.tree = std::move(*tree);
-  Result<LoadedComponents> components = count_components(body.mesh, built.report.components, &counting);
-  if (!components) return components.error();
-  body.components = std::move(*components);
+  if (const Status s = unpack(AabbTree::build(body.mesh, &building), body.tree); !s) return s.error();
+  auto components = count_components(body.mesh, built.report.components, &counting);
+  if (const Status s = unpack(std::move(components), body.components); !s) return s.error();
   body.material_names = std::move(built.material_names);
   body.named_parts = std::move(built.parts);
   body.loaded = std::move(built.report);

@@ -1,12 +1,25 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "core/base/byte_sink.h"
+#include "core/base/vec3.h"
 #include "core/mesh/files/mesh_format.h"
-#include "core/mesh/files/mesh_view.h"
 
 namespace kerf {
+
+// A view of a triangle mesh that is to be written. The viewed arrays must outlive it.
+struct MeshView {
+  std::span<const Vec3> positions;                     // finite, metres
+  std::span<const std::array<uint32_t, 3>> triangles;  // indices of positions, counter-clockwise
+  std::span<const uint16_t> materials;                 // one per triangle, or empty
+  std::span<const std::string> material_names;  // by material; covers every material that a triangle has
+  std::string_view library{};  // name of the MTL file beside it, on one line; empty: none. Only for OBJ
+};
 
 // Encodes a mesh as the bytes of a file. Positions and triangles keep their order and are read back to the
 // bit, except from STL, which stores three positions in single precision per triangle. Precondition: the mesh

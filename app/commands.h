@@ -7,7 +7,7 @@
 
 namespace kerf {
 
-// What the command line asks for: set by the subcommand that was given and called after parsing.
+// The work that the command line asks for: set by the subcommand that was given and called after parsing.
 using Invocation = std::function<Status()>;
 
 // Has a subcommand ask for `run`. `invocation` must outlive parsing.

@@ -46,8 +46,8 @@ nlohmann::ordered_json settings_json(const CutSettings& settings, const std::str
 // The smallest interior angle of all live faces in degrees; 0 if a face is degenerate. O(n).
 double smallest_angle(const World& world);
 
-// What came of a job, in one line: "1 stroke removed 5 210 faces (12.3 cm²); 3 pieces and report.json are in
-// out".
+// The outcome of a job, in one line: "1 stroke removed 5 210 faces (12.3 cm²); 3 pieces and report.json are
+// in out".
 std::string cut_summary(const CutJob& job, size_t strokes, size_t pieces, const std::string& folder);
 
 // The contents of report.json.

@@ -12,7 +12,7 @@ namespace kerf {
 struct BurnedBody {
   BodyId id;
   std::vector<FaceId> gone;                 // have their energy of removal
-  std::unordered_set<uint32_t> gone_slots;  // the same, to be asked; never iterated
+  std::unordered_set<uint32_t> gone_slots;  // the slots of `gone`, to be looked up; never iterated
   double deepest = 0;                       // of the other faces that were heated: share of that energy
 };
 

@@ -147,7 +147,7 @@ class Bite {
   std::vector<BodyStep> bodies_;
   bool in_body_frame_ = false;  // of the moves
   bool holds_parts_ = true;
-  Delta held_;        // what joints changed
+  Delta held_;        // the changes that joints made
   size_t taken_ = 0;  // faces
 };
 

@@ -26,7 +26,7 @@ enum class Rim {
   kSmooth,  // faces across the boundary of the beam are cut along it when the stroke ends (see close_rim)
 };
 
-// What the beam does to a face.
+// How the beam acts on a face.
 enum class Model {
   kGeometric,  // removes it at once where the beam touches it
   kThermal,    // heats it, and removes it when it has taken what its material needs (see thermal_step.h)

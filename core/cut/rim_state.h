@@ -41,7 +41,7 @@ struct RimState {
   void note_distance(VertexId v, double d);
 };
 
-// What the stages do with the next items, in their order. Each looks at no more than kFacesTogether of them,
+// The stages, in their order. Each call handles the next items, looks at no more than kFacesTogether of them,
 // and most return whether the stage is over: the boxes of the tree are brought up to date after each call and
 // therefore depend on this number, as in the steps of a stroke. The order of the stages is in close_rim.cpp.
 

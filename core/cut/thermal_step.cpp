@@ -167,7 +167,7 @@ class ThermalMoves {
   double face_;                  // the size of the faces under the beam, in radii
   Burn burn_;
   double reach_ = 0;  // m, along the beam
-  Delta held_;        // what joints changed
+  Delta held_;        // the changes that joints made
   size_t taken_ = 0;  // faces and parts of moves
   double met_s_ = 0, depth_s_ = 0;
 };

@@ -198,7 +198,7 @@ void BodyEdit::move_vertex(VertexId v, const Vec3& to, const Mesh::Star& around)
   }
 }
 
-// What follows ----------------------------------------------------------------------------------------------
+// Updating --------------------------------------------------------------------------------------------------
 
 void BodyEdit::update_tree() {
   KERF_ASSERT(splits_.empty() || removed_.empty());

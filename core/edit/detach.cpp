@@ -10,7 +10,7 @@ namespace kerf {
 
 namespace {
 
-// What is left of the parts as loaded, for faces that were copied out.
+// The remains of the loaded components, for faces that were copied out.
 LoadedComponents components_of(const Mesh& copy, const Body& body, std::span<const FaceId> faces) {
   LoadedComponents own;
   if (body.components.left.empty()) return own;

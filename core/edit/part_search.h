@@ -16,7 +16,7 @@ namespace kerf {
 // its area is known: the area of the component minus that of the other parts.
 //
 // The state of the search is stored in the body, so that the search can stop at any face and continue in a
-// later step. Private to core/graph.
+// later step. Private to core/edit.
 class PartSearch {
  public:
   explicit PartSearch(Body& body)

@@ -31,7 +31,7 @@ void note_replaced(Body& body, const Replacement& replaced);
 // its area (m^2) has grown thereby. Precondition: f is live.
 void note_turned(Body& body, FaceId f, double area_gained);
 
-// What one call of settle() did.
+// The result of one call of settle().
 struct SettleResult {
   std::vector<uint32_t> new_pieces;  // their labels, in the order of their lowest faces
   std::vector<FaceId> relabelled;    // faces that received the label of a new piece in this call, ascending

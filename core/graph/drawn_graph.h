@@ -7,8 +7,8 @@
 
 namespace kerf {
 
-// What is drawn of the graph of a cut: at most so many nodes, each of them a face or a cluster of linked
-// faces of one set.
+// The part of the graph of a cut that is drawn: at most kMost nodes, each of them a face or a cluster of
+// linked faces of one set.
 struct DrawnGraph {
   static constexpr uint32_t kNone = CutTraversal::kNone;
   static constexpr size_t kMost = 2000;
@@ -36,7 +36,7 @@ struct DrawnGraph {
   // point of a body that no longer exists stays.
   Vec3 moved_with(BodyId body, const Vec3& point, const World& world) const;
 
-  // What the traversal knows of a node after its first `marked` faces.
+  // The state of a node for the traversal after its first `marked` faces.
   enum class State {
     kRemoved,
     kMarked,    // it was reached

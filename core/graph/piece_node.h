@@ -7,7 +7,7 @@
 
 namespace kerf {
 
-// What keeps a piece where it is and together.
+// The reason why a piece stays where it is and in one.
 enum class Holder {
   kNothing,  // the piece came off: it only stays until it is moved or time passes
   kItself,   // a body in one part, on which nothing else acts

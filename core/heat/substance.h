@@ -34,8 +34,8 @@ inline constexpr double kAmbient = 293;
   ROW(wavelength, "wavelength", 1.07e-6, always_written(1.07e-6), 1e-9, 1, "m", nullptr, 1, "",              \
       "Of the beam with which the material is usually cut.")
 
-// What it takes to heat a material and to remove it, with constants that are means over the range of
-// temperatures. By default mild steel. Precondition of its use: density, heat_solid, heat_liquid are
+// The constants that tell how much heat a material takes until it is removed. They are means over the range
+// of temperatures. By default mild steel. Precondition of its use: density, heat_solid, heat_liquid are
 // positive, transition > kAmbient, and nothing is negative.
 //
 // A metal melts at `transition`, and what is molten is blown out: it is gone when it has taken the heat of

@@ -11,7 +11,7 @@ namespace kerf {
 
 namespace {
 
-// What is known of one side of a joint while faces are looked through.
+// The knowledge about one side of a joint while faces are looked through.
 struct SideSoFar {
   std::optional<ConnectedPart> part;
   bool apart = false;

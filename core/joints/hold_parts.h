@@ -7,7 +7,7 @@
 
 namespace kerf {
 
-// What joints hold, in a world of bodies that were loaded as several components.
+// How joints hold parts together, in a world of bodies that were loaded as several components.
 //
 // Components that were loaded together are pieces of one body although nothing connects them. Those that no
 // joint names stay so, with the largest component of their piece. Every other component belongs to the piece
@@ -16,7 +16,7 @@ namespace kerf {
 // become a piece of their own.
 enum class Hold {
   kStill,   // hinges and hubs hold like welds as long as both sides are of one piece
-  kMoving,  // what only hinges and hubs hold becomes a piece of its own, to turn on them
+  kMoving,  // a part that only hinges and hubs hold becomes a piece of its own, to turn on them
 };
 
 // Brings all components to the pieces that they belong to, and appends what changed to `delta`: new pieces

@@ -20,8 +20,8 @@ struct Laser {
   Interval range{0, 10};  // m along the beam from its origin
   Pattern pattern = Pattern::kVolume;
 
-  // What follows is for the thermal model (see Model); the geometric model ignores it. The intensity falls
-  // from the axis as exp(-2 r^2 / radius^2); kRays4 shares the power among its rays.
+  // The members below are for the thermal model (see Model); the geometric model ignores it. The intensity
+  // falls from the axis as exp(-2 r^2 / radius^2); kRays4 shares the power among its rays.
   double power = 2000;          // W, > 0, while the beam is on
   double wavelength = 0;        // m; 0 stands for that with which the material is usually cut
   std::optional<double> focus;  // m along the beam from its origin to its waist, where it has its radius;

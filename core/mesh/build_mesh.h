@@ -10,8 +10,8 @@
 
 namespace kerf {
 
-// What building the mesh changed. Every triangle of the file is accounted for: triangles_in_file = faces +
-// degenerate_faces_dropped + non_finite_faces_dropped + invalid_faces_dropped.
+// The changes that building the mesh made. Every triangle of the file is accounted for: triangles_in_file =
+// faces + degenerate_faces_dropped + non_finite_faces_dropped + invalid_faces_dropped.
 struct Repairs {
   size_t welded_vertices = 0;            // vertices in use whose position an earlier vertex of the file has
   size_t duplicated_vertices = 0;        // vertices added because each sheet has vertices of its own

@@ -160,9 +160,10 @@ class EnclosureTest {
   const std::vector<std::array<uint32_t, 3>>& triangles_;
   const Patches& patches_;
   std::span<const uint32_t> asked_;
-  std::vector<Box> boxes_;         // one per entry of asked_
-  std::vector<bool> odd_;          // the same: crossings of the patch being tested
-  std::vector<bool> enclosed_;     // the same
+  std::vector<Box> boxes_;  // one per entry of asked_
+  // By entry of asked_: whether its ray crosses the patch being tested an odd number of times.
+  std::vector<bool> odd_;
+  std::vector<bool> enclosed_;     // by entry of asked_
   std::vector<uint32_t> crossed_;  // entries whose ray crosses the patch being tested
   int u_ = 0, v_ = 1, w_ = 2;      // axes; the rays go along w
 };

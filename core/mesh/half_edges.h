@@ -110,7 +110,7 @@ class HalfEdges {
 
   size_t bytes() const;
 
-  // What the arrays were before a command (see ChangeOf).
+  // The arrays as they were before a command (see ChangeOf).
   class Change;
 
  private:

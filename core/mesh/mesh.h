@@ -155,8 +155,8 @@ class Mesh {
   // Memory allocated, in bytes.
   size_t bytes() const;
 
-  // What the mesh was before a command or, once exchanged, after it (see ChangeOf). Every function costs what
-  // was changed, not what is there.
+  // The mesh as it was before a command or, once exchanged, after it (see ChangeOf). Every function costs
+  // what was changed, not what is there.
   class Change {
    public:
     Change();

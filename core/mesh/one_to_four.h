@@ -43,7 +43,7 @@ class OneToFour {
   // or split by another scheme. Does nothing for a face in no pair.
   void forget(Mesh& mesh, FaceId f);
 
-  // What it was before a command (see ChangeOf).
+  // The elements as they were before a command (see ChangeOf).
   class Change;
   size_t bytes() const;
 

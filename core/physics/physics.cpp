@@ -103,7 +103,7 @@ void take_memory(std::vector<TouchingPair>& pairs, ContactMemory& memory) {
   }
 }
 
-// What is known after the tick. Pairs of sleeping bodies were not looked at; what is known of them stays.
+// The contact memory after the tick. Pairs of sleeping bodies were not looked at; their memory stays.
 // Precondition: both lists are sorted.
 ContactMemory memory_after(std::span<const MovingBody> bodies, const ContactMemory& before,
                            std::vector<TouchingPair>& pairs, std::vector<TouchingPair>& resting) {

@@ -18,7 +18,7 @@ namespace kerf {
 
 class SolverMemory;
 
-// What a tick did, for statistics and for the display.
+// The work of a tick, for statistics and for the display.
 struct TickFigures {
   size_t bodies = 0, awake = 0;
   size_t candidates = 0;  // pairs of bodies whose bounds overlap

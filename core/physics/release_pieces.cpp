@@ -56,7 +56,7 @@ void release_pieces(World& world, uint32_t generation, Delta& delta) {
       piece.pinned = false;
       rest.motion.wake();
       piece.motion.wake();
-      // What turns on a joint was not cut off.
+      // A piece that turns on a joint was not cut off.
       if (piece.pieces[label].cut_off.faces > 0) push_apart(rest, piece, world.surroundings().metre);
     }
   }

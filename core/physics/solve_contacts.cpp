@@ -162,7 +162,7 @@ class BulletGroup {
     const int at = m.getNumContacts();
     m.setNumContacts(at + 1);
     btManifoldPoint& p = m.getContactPoint(at);
-    p = btManifoldPoint();  // which leaves some members open
+    p = btManifoldPoint();  // the constructor leaves some members uninitialised
     p.m_combinedRollingFriction = p.m_combinedSpinningFriction = 0;
     p.m_positionWorldOnA = bullet(c.at);
     p.m_positionWorldOnB = bullet(c.at - c.distance * c.normal);

@@ -72,8 +72,9 @@ class ShadowVolume {
   // The edges of the silhouette in unspecified order.
   std::span<const SilhouetteEdge> silhouette() const { return silhouette_; }
 
-  // What was recomputed since the last call of take_touched(): the faces whose signs and the indices into
-  // silhouette() whose entries may have changed, perhaps repeated or beyond its end; or everything.
+  // The entries that were recomputed since the last call of take_touched(): the faces whose signs and the
+  // indices into silhouette() whose entries may have changed, perhaps repeated or beyond its end; or
+  // everything.
   struct Touched {
     bool all = true;
     std::vector<uint32_t> faces, places;

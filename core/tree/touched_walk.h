@@ -15,7 +15,7 @@ struct TouchedWalk {
     kMissed,   // of the box of one face: it may meet the beam, but the face does not touch it
     kTouched,  // of the box of one face: the beam touches the face
   };
-  // What a culled box lies outside of: an interval along one axis of the oriented box around the beam.
+  // The interval that a culled box misses: an interval along one axis of the oriented box around the beam.
   enum class Side { kNone, kDepth, kMotion, kLateral };
 
   static constexpr uint32_t kNoParent = 0xffffffffu;

@@ -30,8 +30,8 @@ struct NearPair {
 // The states of the bodies of a world that move or have moved. O(bodies).
 std::vector<BodyState> moved_bodies(const World& world);
 
-// What is known of pairs of bodies, without the details of their contacts (see World::contact_memory), and
-// the reverse: nothing else is known of them then. `pairs` are sorted by their bodies. O(pairs).
+// The contact memory of pairs of bodies, without the details of their contacts (see World::contact_memory),
+// and the reverse: nothing else is known of them then. `pairs` are sorted by their bodies. O(pairs).
 std::vector<NearPair> known_pairs(const World& world);
 void set_known_pairs(World& world, std::span<const NearPair> pairs);
 

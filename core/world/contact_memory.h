@@ -10,7 +10,7 @@
 
 namespace kerf {
 
-// What is known of a point of one body beside the faces of another.
+// The memory of a point of one body beside the faces of another.
 struct PointMemory {
   uint32_t point = 0;
   // Unit, in the frame of the other body: the normal of the face that it was last near, towards its side.
@@ -22,7 +22,7 @@ struct ImpulseMemory {
   std::array<double, 3> impulse{};
 };
 
-// What is known of two bodies that are near each other. Lists are sorted by their first members.
+// The memory of two bodies that are near each other. Lists are sorted by their first members.
 struct PairMemory {
   BodyId first, second;  // first < second; the second is not valid for the ground
   std::vector<PointMemory> points_of_first, points_of_second;

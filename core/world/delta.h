@@ -32,10 +32,10 @@ struct Detached {
   friend bool operator==(const Detached&, const Detached&) = default;
 };
 
-// What a step changed in the world. Whoever keeps something about the world follows it in this order: drop
-// the bodies that went, carry on what is kept about `from` as `to` where a piece was detached, look at the
-// bodies that came as a whole, and then at the changes of single bodies. All ids but those of `went` are
-// those after the step.
+// The changes that a step made in the world. Whoever keeps something about the world follows it in this
+// order: drop the bodies that went, carry on what is kept about `from` as `to` where a piece was detached,
+// look at the bodies that came as a whole, and then at the changes of single bodies. All ids but those of
+// `went` are those after the step.
 struct Delta {
   std::vector<BodyDelta> bodies;      // whose faces changed, other than by coming
   std::vector<BodyId> came, went;     // an id in both lists names another body since the step

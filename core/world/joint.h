@@ -22,10 +22,10 @@ struct JointSide {
   double radius = std::numeric_limits<double>::infinity();  // m
 };
 
-// What holds two parts of a mesh together that do not hang together, or no longer once they are cut apart.
+// A joint holds two parts of a mesh together that are not connected, or not any more once they are cut apart.
 //
 // A joint holds as long as, of each side, faces are left and all of these hang together. That follows from
-// the faces alone (see held_joints in core/graph), so that undo and replay need no state of joints.
+// the faces alone (see held_joints in core/joints), so that undo and replay need no state of joints.
 struct Joint {
   enum class Kind : uint8_t {
     kWeld,   // the parts are one

@@ -37,7 +37,7 @@ struct LoadedComponents {
 
   size_t bytes() const { return of_base.capacity() * sizeof(uint32_t) + left.bytes() + home.bytes(); }
 
-  // What a command changes (see ChangeOf).
+  // The changes of a command (see ChangeOf).
   class Change;
   template <typename Self>
   static auto parts(Self& self) {

@@ -36,7 +36,7 @@ struct Sheet {
   double thickness = 0.001;  // m
   double density =
       7850;             // kg/m^3, of mild steel; what the body weighs (vehicles are given their weight by it)
-  Substance substance;  // what it takes to heat and to cut it
+  Substance substance;  // the material, which tells how it is heated and cut
   friend bool operator==(const Sheet&, const Sheet&) = default;
 };
 

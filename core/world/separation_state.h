@@ -63,7 +63,7 @@ struct OpenSearch {
   }
 };
 
-// What core/graph records about the faces that were removed from a body. It may be discarded at any time
+// The records of core/edit about the faces that were removed from a body. It may be discarded at any time
 // between two strokes, because the mesh contains the same information.
 struct SeparationState {
   PagedArray<uint32_t>

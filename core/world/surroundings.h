@@ -7,7 +7,7 @@
 
 namespace kerf {
 
-// What acts on all bodies of a world.
+// The influences on all bodies of a world.
 struct Surroundings {
   Vec3 gravity{0, -9.81, 0};     // m/s^2
   std::optional<double> ground;  // m, the height of a plane on which bodies rest, against gravity

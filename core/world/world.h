@@ -176,8 +176,8 @@ class World {
   const std::optional<Spring>& spring() const { return situation_.spring; }
   void set_spring(const std::optional<Spring>& spring) { situation_.spring = spring; }
 
-  // What core/physics knows of bodies that are near each other. It is a part of the state: what happens next
-  // depends on it.
+  // The memory of core/physics about bodies that are near each other. It is a part of the state: what happens
+  // next depends on it.
   const ContactMemory& contact_memory() const { return *situation_.contacts; }
   void set_contact_memory(ContactMemory memory) {
     situation_.contacts = std::make_shared<const ContactMemory>(std::move(memory));

@@ -25,7 +25,7 @@ class EarClipper {
   void clip(std::span<const Vec2> points, std::vector<std::array<uint32_t, 3>>& ears);
 
  private:
-  // What is accepted as an ear, from strict to anything.
+  // The rule by which a corner is accepted as an ear, from strict to anything.
   enum class Rule {
     kStrict,    // positive area, no other corner inside it or on its boundary
     kFlat,      // zero area: a straight or repeated corner, or a spike

@@ -15,7 +15,7 @@ namespace {
 
 using Problem = std::optional<Error>;
 
-// What a property is read as.
+// The role of a property in the mesh.
 enum class Role { kX, kY, kZ, kCorners, kNone };
 
 struct ElementPlan {

@@ -13,7 +13,8 @@ namespace kerf {
 // points.
 class PointTree {
  public:
-  // What the visitor of a query decides about a point: go on, end the query, or remove the point and go on.
+  // The decision of the visitor of a query about a point: go on, end the query, or remove the point and go
+  // on.
   enum class Verdict { kPass, kStop, kForget };
 
   // Builds the tree over points[i] for each index i in `chosen`; the spans are not kept. Precondition: all

@@ -19,8 +19,8 @@ struct FollowedFace {
   std::array<FaceId, 4> quarters;
 };
 
-// What a tool made of a mesh: triangles over welded positions, none of which has two corners at the same
-// position.
+// The product of a tool, made of a mesh: triangles over welded positions, none of which has two corners at
+// the same position.
 struct Remeshed {
   std::vector<Vec3>
       positions;  // metres, in the frame of the mesh; those of vertices that stayed are bit-equal

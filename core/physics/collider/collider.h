@@ -9,8 +9,8 @@
 
 namespace kerf {
 
-// What a body touches others with, besides its faces: points and straight chords of its sheet, in the frame
-// of the body (m).
+// The features by which a body touches others, besides its faces: points and straight chords of its sheet, in
+// the frame of the body (m).
 struct Collider {
   struct Point {
     Vec3 at{0};
@@ -24,10 +24,10 @@ struct Collider {
 
   std::vector<Point> points;
   std::vector<Chord> chords;
-  std::vector<Cluster> point_clusters, chord_clusters;  // which hold all of them, each once
+  std::vector<Cluster> point_clusters, chord_clusters;  // of all points and chords, each once
   Box bounds;                                           // of all vertices
   Occupancy space;                                      // where faces and chords are
-  // What can touch a plane: all vertices except those amid flat faces.
+  // The points that can touch a plane: all vertices except those amid flat faces.
   std::vector<Vec3> corners;
 };
 

@@ -73,7 +73,7 @@ std::vector<Run> runs_of(std::span<const Segment> segments) {
   return runs;
 }
 
-// Where two lines come nearest.
+// The place where two lines come nearest.
 struct Crossing {
   Vec3 normal{0};       // unit, across both
   double distance = 0;  // along it from the second line to the first

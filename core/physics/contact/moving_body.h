@@ -46,7 +46,7 @@ struct MovingBody {
   bool glides = false;      // see Guided
   double sweeps_aside = 0;  // kg, likewise
 
-  // What its spin loses besides because it touches others: a share of it, 1/s, and a constant part, rad/s^2.
+  // The loss of spin because the body touches others: a share of the spin, 1/s, and a constant part, rad/s^2.
   double rolling_loss = 0, rolling_brake = 0;
 
   bool moves() const { return !fixed && !asleep; }

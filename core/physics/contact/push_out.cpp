@@ -14,7 +14,7 @@ namespace {
 
 constexpr size_t kMostPlaces = 16;  // that are looked at for each of the two bodies
 
-// Where chords of one body go through faces of another, in the frame of the faces.
+// The places where chords of one body go through faces of another, in the frame of the faces.
 std::vector<FacePlane> places(const MovingBody& chords, const MovingBody& faces) {
   const RigidMap map = into(faces.now, chords.now);
   std::vector<FacePlane> found;

@@ -1,4 +1,3 @@
-
 #include "app/commands.h"
 #include "app/parse_values.h"
 #include "ui/editor/editor.h"

@@ -1,4 +1,3 @@
-
 #include "app/commands.h"
 #include "app/load.h"
 #include "app/parse_values.h"

@@ -1,4 +1,3 @@
-
 #include "core/cut/rim_state.h"
 
 namespace kerf {

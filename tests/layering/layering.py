@@ -73,7 +73,7 @@ TARGET = re.compile(r'"([^"]+)"|<([^>]+)>')
 PRIVATE_TO_MESH = {'core/mesh/half_edges.h', 'core/mesh/kernel.h', 'core/mesh/rings.h'}
 # OpenMesh's headers are slow to compile and their types belong to one folder; the benchmark compares with its kernel.
 OPENMESH_USERS = ('core/mesh/openmesh/', 'tests/bench/')
-PRIVATE_TO_OPENMESH = {'core/mesh/openmesh/kernel_types.h', 'core/mesh/openmesh/sheets.h'}
+PRIVATE_TO_OPENMESH = {'core/mesh/openmesh/sheets.h'}
 GRAPHICS = re.compile(r'imgui|imconfig|imstb_|backends/imgui_|GLFW/|epoxy/|GL/|GLES\d*/|EGL/|KHR/|X11/|vulkan/')
 
 

@@ -11,6 +11,7 @@ namespace kerf {
 namespace {
 
 constexpr float kPaperDark = 0.5f;  // how black the paper's quad is
+constexpr gl::Stencil kLit{.test = GL_EQUAL};
 
 bool shows_edges(const ViewOptions& options) { return options.show.wire || options.show.face_numbers; }
 
@@ -28,19 +29,6 @@ void draw_bodies(const Subject& subject, const gl::Program& program) {
 void draw_section(const Subject& subject, const gl::Program& program) {
   const SectionClip clip(subject.options);
   draw_bodies(subject, program);
-}
-
-// Adds to what is there, on the surfaces that are seen.
-void begin_adding() {
-  glDepthFunc(GL_EQUAL);
-  glDepthMask(GL_FALSE);
-  glEnable(GL_BLEND);
-  glBlendFunc(GL_ONE, GL_ONE);
-}
-void end_adding() {
-  glDisable(GL_BLEND);
-  glDepthMask(GL_TRUE);
-  glDepthFunc(GL_LESS);
 }
 
 }  // namespace
@@ -77,70 +65,71 @@ LitScene::LitScene(Shaders& shaders)
 
 void LitScene::draw_without_lights(const Subject& subject) const {
   glClear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LESS);
-  if (subject.options.cull_backs) glEnable(GL_CULL_FACE);
+  gl::ScopedState state({.culled = subject.culled()});
   const gl::Program& body = body_.ambient[variant_ + (spot_ ? kSpot : 0)];
   body.use();
   ramps_.bind(body);
   draw_section(subject, body);
-  glDisable(GL_CULL_FACE);
+  state.set({});
   ground_.draw(subject.space, spot_);
-  glDepthFunc(GL_LEQUAL);
+  state.set({.depth = GL_LEQUAL});
   sky_.use();
   glBindVertexArray(no_vertices_.name());
   glDrawArrays(GL_TRIANGLES, 0, 3);
-  glDepthFunc(GL_LESS);
 }
 
-void LitScene::add_direct(const Subject& subject, size_t light) const {
+void LitScene::add_direct(const Subject& subject, size_t light, std::optional<gl::Stencil> where) const {
   const Light& l = subject.options.lights[light];
   const glm::vec4 place = light_in_frame(l, subject.space);
   const glm::vec4 colour = light_colour(l, subject.space, subject.world.bounds().diagonal());
-  begin_adding();
-  if (subject.options.cull_backs) glEnable(GL_CULL_FACE);
+  gl::State adding{.depth = GL_EQUAL,
+                   .writes_depth = false,
+                   .culled = subject.culled(),
+                   .blend = gl::kAdd,
+                   .stencil = where};
+  gl::ScopedState state(adding);
   const gl::Program& body = body_.direct[variant_];
   body.use();
   ramps_.bind(body);
   body.set("light", place);
   body.set("light_colour", colour);
   draw_section(subject, body);
-  glDisable(GL_CULL_FACE);
   const bool projected =
       subject.options.show.shadows == Shadows::kGround && !casts_shadows(subject.options) &&
       ground_.project_shadow(subject.space, place,
                              [&](const gl::Program& program) { draw_bodies(subject, program); });
+  adding.culled = GL_NONE;
+  if (projected) adding.stencil = kLit;
+  state.set(adding);
   ground_.add_light(subject.space, place, colour);
-  if (projected) glDisable(GL_STENCIL_TEST);
-  end_adding();
 }
 
 // Black over what is in shadow, and what glows again over that.
-void LitScene::darken_shadows(const Subject& subject) {
-  glStencilFunc(GL_NOTEQUAL, 0, 0xff);
+void LitScene::darken_shadows(const Subject& subject) const {
   // The quad lies as far as the sky, which stays as it is.
-  glDepthFunc(GL_GREATER);
-  glDepthMask(GL_FALSE);
-  glEnable(GL_BLEND);
-  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+  gl::State shadowed{.depth = GL_GREATER,
+                     .writes_depth = false,
+                     .blend = gl::Blend{GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE},
+                     .stencil = gl::Stencil{.test = GL_NOTEQUAL}};
+  gl::ScopedState state(shadowed);
   darken_.use();
   darken_.set("colour", glm::vec4(0, 0, 0, kPaperDark));
   glBindVertexArray(no_vertices_.name());
   glDrawArrays(GL_TRIANGLES, 0, 3);
-  if (variant_ & kRim) restore_glow(subject);
-  end_adding();
+  if (!(variant_ & kRim)) return;
+  shadowed.depth = GL_EQUAL;
+  shadowed.culled = subject.culled();
+  shadowed.blend = gl::Blend{GL_CONSTANT_COLOR, GL_ONE, GL_CONSTANT_COLOR, GL_ONE};
+  state.set(shadowed);
+  restore_glow(subject);
 }
 
 void LitScene::restore_glow(const Subject& subject) const {
-  begin_adding();
   glBlendColor(kPaperDark, kPaperDark, kPaperDark, 0);
-  glBlendFunc(GL_CONSTANT_COLOR, GL_ONE);
   const gl::Program& glow = body_.glow[variant_ & kWire];
   glow.use();
   ramps_.bind(glow);
-  if (subject.options.cull_backs) glEnable(GL_CULL_FACE);
   draw_section(subject, glow);
-  glDisable(GL_CULL_FACE);
 }
 
 void LitScene::add_shadowed(const Subject& subject, size_t light, ShadowMethod method) {
@@ -148,10 +137,8 @@ void LitScene::add_shadowed(const Subject& subject, size_t light, ShadowMethod m
   if (subject.options.shadow.paper_look) {
     darken_shadows(subject);
   } else {
-    glStencilFunc(GL_EQUAL, 0, 0xff);
-    add_direct(subject, light);
+    add_direct(subject, light, kLit);
   }
-  glDisable(GL_STENCIL_TEST);
 }
 
 void LitScene::add_light(const Subject& subject, size_t light) {
@@ -182,7 +169,7 @@ void LitScene::draw(const Subject& subject, const Shining& shining, const gl::Fr
   const size_t lights = std::min(subject.options.lights.size(), kMostLights);
   const bool shadowed = casts_shadows(subject.options);
   for (size_t i = 0; i < lights; ++i) {
-    if (!shadowed || subject.options.shadow.paper_look) add_direct(subject, i);
+    if (!shadowed || subject.options.shadow.paper_look) add_direct(subject, i, std::nullopt);
   }
   for (size_t i = 0; shadowed && i < lights; ++i) add_light(subject, i);
   shadows_.drop_unused();

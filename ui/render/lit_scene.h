@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "ui/gl/framebuffer.h"
+#include "ui/gl/state.h"
 #include "ui/render/passes/ground_pass.h"
 #include "ui/render/passes/heat_ramps.h"
 #include "ui/render/passes/tone_pass.h"
@@ -44,8 +45,8 @@ class LitScene {
   void draw_without_lights(const Subject& subject) const;
   void add_light(const Subject& subject, size_t light);
   void add_shadowed(const Subject& subject, size_t light, ShadowMethod method);
-  void add_direct(const Subject& subject, size_t light) const;
-  void darken_shadows(const Subject& subject);
+  void add_direct(const Subject& subject, size_t light, std::optional<gl::Stencil> where) const;
+  void darken_shadows(const Subject& subject) const;
   void restore_glow(const Subject& subject) const;
 
   BodyPrograms body_;

@@ -5,6 +5,7 @@
 #include "core/base/assert.h"
 #include "core/base/unit_vector.h"
 #include "core/heat/black_body.h"
+#include "ui/gl/state.h"
 #include "ui/render/bodies/assets.h"
 #include "ui/render/passes/heat_bar.h"
 #include "ui/render/shadow/seen_light.h"
@@ -14,15 +15,6 @@ namespace kerf {
 namespace {
 
 constexpr int kSamples = 4;
-
-void set_plain_state() {
-  glDisable(GL_BLEND);
-  glDisable(GL_CULL_FACE);
-  glDisable(GL_SCISSOR_TEST);
-  glDisable(GL_STENCIL_TEST);
-  glDepthMask(GL_TRUE);
-  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-}
 
 // Moves what a matrix projects by the shift of the target.
 glm::mat4 shifted(const glm::mat4& clip_from_frame, const Target& target) {
@@ -253,23 +245,14 @@ void Renderer::draw_comparison(const Subject& subject, const gl::Framebuffer& pi
   differing_ = kerf::differing_pixels(one, counted(shadow.beside));
   picture.bind();
   const int zoom = 1 + h / 1000, split = static_cast<int>(std::clamp(shadow.split, 0.0, 1.0) * w);
-  glEnable(GL_SCISSOR_TEST);
-  for (const bool dark : {true, false}) {
-    const int wide = (dark ? 4 : 2) * zoom;
-    glScissor(split - wide / 2, 0, wide, h);
-    if (dark) glClearColor(0.03f, 0.035f, 0.04f, 0);
-    if (!dark) glClearColor(0.90f, 0.92f, 0.94f, 0);
-    glClear(GL_COLOR_BUFFER_BIT);
-  }
-  glDisable(GL_SCISSOR_TEST);
+  gl::fill(split - 2 * zoom, 0, 4 * zoom, h, {0.03f, 0.035f, 0.04f, 0});
+  gl::fill(split - zoom, 0, 2 * zoom, h, {0.90f, 0.92f, 0.94f, 0});
   passes_.numbers.draw_labels(
       {{static_cast<uint32_t>(differing_), false, glm::vec2(split + 8 * zoom, h - 20 * zoom), {}}}, 2 * zoom);
 }
 
 void Renderer::hand_over(const Target& target) {
-  glDisable(GL_DEPTH_TEST);
-  glDisable(GL_BLEND);
-  glDisable(GL_SCISSOR_TEST);
+  gl::reset_state();
   const Canvas& canvas = canvases_[canvas_];
   if (!shining_) {
     gl::blit(*canvas.drawn, target.framebuffer, target.x, target.y);
@@ -283,7 +266,7 @@ void Renderer::hand_over(const Target& target) {
 
 ShadowCounts Renderer::shadow_counts(const World& world, const CameraView& view, const ViewOptions& options,
                                      size_t light, ShadowMethod method, bool ground, int width, int height) {
-  set_plain_state();
+  gl::reset_state();
   look_from(world, view);
   update_looks(world, options);
   catch_up(world);
@@ -330,7 +313,7 @@ void Renderer::draw_traced(const World& world, const CameraView& view, const Vie
 
 void Renderer::draw(const World& world, const CameraView& view, const ViewOptions& options,
                     std::optional<BeamPicture> beam, const Target& target) {
-  set_plain_state();
+  gl::reset_state();
   look_from(world, view);
   update_looks(world, options);
   catch_up(world);

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "ui/gl/state.h"
+
 namespace kerf {
 
 namespace {
@@ -19,11 +21,7 @@ Target target_of(const Area& area, const Window& window) {
 // Fills a part of the window with the colour behind the panels' edges.
 void clear(const Target& target) {
   glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
-  glEnable(GL_SCISSOR_TEST);
-  glScissor(target.x, target.y, target.width, target.height);
-  glClearColor(0.035f, 0.040f, 0.048f, 1);
-  glClear(GL_COLOR_BUFFER_BIT);
-  glDisable(GL_SCISSOR_TEST);
+  gl::fill(target.x, target.y, target.width, target.height, {0.035f, 0.040f, 0.048f, 1});
 }
 
 }  // namespace

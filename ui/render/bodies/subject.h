@@ -1,5 +1,7 @@
 #pragma once
 
+#include <epoxy/gl.h>
+
 #include "core/world/world.h"
 #include "ui/render/bodies/body_picture.h"
 #include "ui/render/view/frame_space.h"
@@ -13,6 +15,9 @@ struct Subject {
   std::map<BodyId, BodyPicture>& bodies;
   const FrameSpace& space;
   const ViewOptions& options;
+
+  // The sides of faces that are not drawn.
+  GLenum culled() const { return options.cull_backs ? GL_BACK : GL_NONE; }
 };
 
 // Calls visit(id, body, picture) for every body of the world that has a picture, in the order of ids.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ui/gl/state.h"
 #include "ui/render/bodies/body_picture.h"
 #include "ui/render/view/screen_segment.h"
 
@@ -54,14 +55,11 @@ void BeamPass::fill_in(FrameUniforms& frame, const FrameSpace& space, const Beam
 
 void BeamPass::draw(const CameraView& view, const BeamPicture& beam, const FrameSpace& space, double near,
                     int width, int height) const {
-  glEnable(GL_BLEND);
-  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_COLOR);
-  glDepthMask(GL_FALSE);
+  gl::ScopedState state({.writes_depth = false, .blend = gl::kScreen});
   glBindVertexArray(no_vertices_.name());
   draw_ribbon(view, beam, near, width, height);
+  state.set({.depth = GL_NONE, .blend = gl::kScreen});
   if (beam.strike) draw_spot(view, beam, space, height);
-  glDepthMask(GL_TRUE);
-  glDisable(GL_BLEND);
 }
 
 void BeamPass::draw_ribbon(const CameraView& view, const BeamPicture& beam, double near, int width,
@@ -93,12 +91,10 @@ void BeamPass::draw_spot(const CameraView& view, const BeamPicture& beam, const 
   const double depth = glm::dot(*beam.strike - view.eye, view.forward);
   if (!(depth > 0)) return;
   const double pixels = pixels_at_one_metre(view, beam.radius, height) / (view.parallel ? view.focus : depth);
-  glDisable(GL_DEPTH_TEST);
   spot_.use();
   spot_.set("centre", glm::vec4(space.from_world(*beam.strike), 1));
   spot_.set("half_width", static_cast<float>(spot_half_width(pixels, height)));
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-  glEnable(GL_DEPTH_TEST);
 }
 
 }  // namespace kerf

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/assert.h"
+#include "ui/gl/state.h"
 
 namespace kerf {
 
@@ -66,8 +67,7 @@ void BloomPass::draw(const gl::Framebuffer& picture, GLuint target, int x, int y
     near_.emplace(w / 4, h / 4);
     far_.emplace(w / 16, h / 16);
   }
-  glDisable(GL_DEPTH_TEST);
-  glDisable(GL_BLEND);
+  const gl::ScopedState state({.depth = GL_NONE});
   glBindVertexArray(no_vertices_.name());
   fill(*near_, picture.colour_texture(), w, h);
   fill(*far_, near_->glow.colour_texture(), 0, 0);

@@ -4,6 +4,7 @@
 
 #include "core/base/angle.h"
 #include "core/base/assert.h"
+#include "ui/gl/state.h"
 #include "ui/render/view/overlay_colours.h"
 #include "ui/render/view/section_clip.h"
 
@@ -48,7 +49,7 @@ class Lines {
 glm::vec4 colour_of_impulse(double share) {
   using namespace overlay_colours;
   const auto s = static_cast<float>(std::sqrt(share));
-  return glm::mix(colour_from_hex(kLightContact, 1), colour_from_hex(kHeavyContact, 1), s);
+  return glm::mix(srgb(kLightContact, 1), srgb(kHeavyContact, 1), s);
 }
 
 uint32_t colour_of(State state) {
@@ -64,8 +65,8 @@ uint32_t colour_of(State state) {
 }
 
 void add_colliders(const Subject& subject, const BodyMarks& marks, double diagonal, Lines& lines) {
-  const glm::vec4 point = colour_from_hex(overlay_colours::kColliderPoint, 1);
-  const glm::vec4 chord = colour_from_hex(overlay_colours::kColliderChord, 0.9f);
+  const glm::vec4 point = srgb(overlay_colours::kColliderPoint, 1);
+  const glm::vec4 chord = srgb(overlay_colours::kColliderChord, 0.9f);
   for (const BodyMarks::ColliderMarks& m : marks.colliders) {
     if (!subject.world.contains(m.body)) continue;
     const Placement& placement = subject.world.body(m.body).placement;
@@ -88,9 +89,9 @@ void add_circle(const Vec3& middle, const Vec3& axis, double radius, const glm::
 void add_joint(const BodyMarks::JointMark& joint, double diagonal, Lines& lines) {
   using namespace overlay_colours;
   if (joint.kind == Joint::Kind::kWeld)
-    return lines.add_cross(joint.anchor, kWeldArm * diagonal, colour_from_hex(kWeld, 1));
+    return lines.add_cross(joint.anchor, kWeldArm * diagonal, srgb(kWeld, 1));
   const bool hub = joint.kind == Joint::Kind::kHub;
-  const glm::vec4 colour = colour_from_hex(hub ? kHub : kHinge, 1);
+  const glm::vec4 colour = srgb(hub ? kHub : kHinge, 1);
   const Vec3 way = kHalfAxis * diagonal * joint.axis;
   lines.add(joint.anchor - way, joint.anchor + way, colour);
   if (hub) add_circle(joint.anchor, joint.axis, kHubCircle * diagonal, colour, lines);
@@ -115,20 +116,12 @@ void BodyPass::draw(const Subject& subject, double diagonal) {
   for (const BodyMarks::CentreMark& c : marks->centres) {
     const double arm =
         std::clamp(kCentreOfRadius * c.radius, kLeastCentre * diagonal, kMostCentre * diagonal);
-    lines.add_cross(c.centre, arm, colour_from_hex(colour_of(c.state), 1));
+    lines.add_cross(c.centre, arm, srgb(colour_of(c.state), 1));
   }
   for (const BodyMarks::JointMark& joint : marks->joints) add_joint(joint, diagonal, lines);
-  glDisable(GL_DEPTH_TEST);
-  glDepthMask(GL_FALSE);
-  glEnable(GL_BLEND);
-  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
-  {
-    const SectionClip clip(subject.options);
-    lines_.draw(gathered, kHalfWidth, ColouredLines::AtSection::kPart);
-  }
-  glDisable(GL_BLEND);
-  glDepthMask(GL_TRUE);
-  glEnable(GL_DEPTH_TEST);
+  const gl::ScopedState state({.depth = GL_NONE, .blend = gl::kOver});
+  const SectionClip clip(subject.options);
+  lines_.draw(gathered, kHalfWidth, ColouredLines::AtSection::kPart);
 }
 
 }  // namespace kerf

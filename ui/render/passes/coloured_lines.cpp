@@ -2,7 +2,6 @@
 
 #include "core/base/assert.h"
 #include "ui/render/bodies/body_picture.h"
-#include "ui/render/view/overlay_colour.h"
 
 namespace kerf {
 
@@ -14,11 +13,6 @@ constexpr float kDarkAround = 0.8f;  // pixels
 
 ColouredLines::ColouredLines(Shaders& shaders)
     : program_(shaders.load({{"frame.glsl", "line.glsl", "link.vert"}, {"box.frag"}})) {}
-
-glm::vec4 colour_from_hex(uint32_t hex, float opacity) {
-  const auto part = [&](int shift) { return static_cast<float>(hex >> shift & 0xffu) / 255.0f; };
-  return {part(16), part(8), part(0), opacity};
-}
 
 // Dark ones first, a little wider.
 void ColouredLines::draw(std::span<const Line> lines, float half_width, AtSection section) {

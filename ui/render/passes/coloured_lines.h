@@ -4,11 +4,9 @@
 
 #include "ui/gl/stream.h"
 #include "ui/render/bodies/shaders.h"
+#include "ui/render/view/overlay_colour.h"
 
 namespace kerf {
-
-// A colour 0xrrggbb (sRGB) as shaders take it.
-glm::vec4 colour_from_hex(uint32_t hex, float opacity);
 
 // Draws lines of any colours, each with a dark one under it, so that they show on anything.
 class ColouredLines {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ui/gl/state.h"
 #include "ui/render/bodies/body_picture.h"
 
 namespace kerf {
@@ -12,14 +13,9 @@ EffectsPass::EffectsPass(Shaders& shaders)
       scorches_(shaders.load({{"frame.glsl", "scorch.vert"}, {"scorch.frag"}})) {}
 
 void EffectsPass::draw(const Effects& effects, const FrameSpace& space) {
-  if (effects.sparks.empty() && effects.puffs.empty() && effects.scorches.empty()) return;
-  glEnable(GL_BLEND);
-  glDepthMask(GL_FALSE);
   draw_scorches(effects.scorches, space);
   draw_smoke(effects.puffs, space);
   draw_sparks(effects.sparks, space);
-  glDepthMask(GL_TRUE);
-  glDisable(GL_BLEND);
 }
 
 // Alpha is the share of light that blooms: smoke takes it away like the light itself.
@@ -36,7 +32,7 @@ void EffectsPass::draw_smoke(const std::vector<Puff>& puffs, const FrameSpace& s
         corners,
         {at, at, {}, {space.length(puff->radius), static_cast<float>(std::clamp(puff->opacity, 0.0, 1.0))}});
   }
-  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
+  const gl::ScopedState state({.writes_depth = false, .blend = gl::kOver});
   smoke_.use();
   send(corners);
 }
@@ -49,7 +45,7 @@ void EffectsPass::draw_sparks(const std::vector<Spark>& sparks, const FrameSpace
                        space.from_world(spark.tail),
                        {},
                        {space.length(spark.width), static_cast<float>(std::clamp(spark.heat, 0.0, 1.0))}});
-  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_COLOR);
+  const gl::ScopedState state({.writes_depth = false, .blend = gl::kScreen});
   sparks_.use();
   send(corners);
 }
@@ -69,16 +65,15 @@ void EffectsPass::draw_scorches(const std::vector<Scorch>& scorches, const Frame
       corners[i].at = corners[i].towards = space.from_world(corner);
     }
   }
-  glEnable(GL_POLYGON_OFFSET_FILL);
-  glPolygonOffset(-2, -8);
+  constexpr gl::Blend kDarken{GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE};
+  constexpr gl::DepthOffset kBefore{-2, -8};
   scorches_.use();
+  gl::ScopedState state({.writes_depth = false, .blend = kDarken, .offset = kBefore});
   scorches_.set("glow", 0);
-  glBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
   send(corners);
+  state.set({.writes_depth = false, .blend = gl::kScreen, .offset = kBefore});
   scorches_.set("glow", 1);
-  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_COLOR);
   send(corners);
-  glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
 void EffectsPass::add_quad(std::vector<Corner>& corners, Corner corner) {

@@ -114,7 +114,7 @@ std::vector<uint8_t> FaceNumbers::look_which(const Subject& subject, int width, 
   which_->bind();
   draw_marked_faces(subject, faces_);
   removed_.use();
-  draw_removed(subject, removed_);
+  draw_removed(subject, removed_, {});
   std::vector<uint8_t> marks(4 * static_cast<size_t>(width) * static_cast<size_t>(height));
   glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, marks.data());
   return marks;
@@ -144,9 +144,7 @@ void FaceNumbers::draw_labels(const std::vector<FaceLabel>& labels, int zoom) {
   }
   if (glyphs.empty()) return;
   glyphs_.send(glyphs);
-  glDisable(GL_DEPTH_TEST);
-  glEnable(GL_BLEND);
-  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
+  const gl::ScopedState state({.depth = GL_NONE, .blend = gl::kOver});
   numbers_.use();
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, bitmaps_.name());
@@ -154,8 +152,6 @@ void FaceNumbers::draw_labels(const std::vector<FaceLabel>& labels, int zoom) {
   numbers_.set("zoom", static_cast<float>(zoom));
   numbers_.set("cell", glm::vec4(kCellWidth, kCellHeight, 0, 0));
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, glyphs_.count());
-  glDisable(GL_BLEND);
-  glEnable(GL_DEPTH_TEST);
 }
 
 }  // namespace kerf

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "core/base/assert.h"
+#include "ui/gl/state.h"
 #include "ui/render/bodies/assets.h"
 
 namespace kerf {
@@ -38,10 +39,8 @@ void GatheredPicture::add(const std::function<void(const Target&)>& draw) {
   const auto [width, height] = std::pair(next_->shape().width, next_->shape().height);
   draw({next_->name(), 0, 0, width, height, kShifts[static_cast<size_t>(count_)]});
   sum_->bind();
-  glEnable(GL_BLEND);
-  glBlendFunc(GL_ONE, GL_ONE);
+  const gl::ScopedState state({.depth = GL_NONE, .blend = gl::kAdd});
   copy(*next_, 1.0f / kPictures, {0, 0});
-  glDisable(GL_BLEND);
   ++count_;
 }
 
@@ -49,7 +48,7 @@ void GatheredPicture::show(const Target& target) const {
   KERF_ASSERT(can_show(target));
   glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
   glViewport(target.x, target.y, target.width, target.height);
-  glDisable(GL_BLEND);
+  const gl::ScopedState state({.depth = GL_NONE});
   copy(*sum_, static_cast<float>(kPictures) / static_cast<float>(count_), {target.x, target.y});
 }
 
@@ -60,7 +59,6 @@ void GatheredPicture::forget() {
 }
 
 void GatheredPicture::copy(const gl::Framebuffer& from, float share, const glm::ivec2& at) const {
-  glDisable(GL_DEPTH_TEST);
   glDisable(GL_SCISSOR_TEST);
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, from.colour_texture());
@@ -69,7 +67,6 @@ void GatheredPicture::copy(const gl::Framebuffer& from, float share, const glm::
   copy_.set("place", glm::vec4(at, share, 0));
   glBindVertexArray(no_vertices_.name());
   glDrawArrays(GL_TRIANGLES, 0, 3);
-  glEnable(GL_DEPTH_TEST);
 }
 
 }  // namespace kerf

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/base/assert.h"
+#include "ui/gl/state.h"
 #include "ui/render/bodies/body_looks.h"
 #include "ui/render/view/box_palette.h"
 #include "ui/render/view/overlay_colours.h"
@@ -83,16 +84,10 @@ GraphPass::GraphPass(Shaders& shaders)
 
 void GraphPass::draw(const Subject& subject, const FrameUniforms& frame) {
   const ViewOptions& options = subject.options;
-  if (!options.lit_face && !(options.show.graph && options.graph)) return;
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LESS);
-  glDepthMask(GL_FALSE);
-  glEnable(GL_BLEND);
-  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
+  gl::ScopedState state({.writes_depth = false, .blend = gl::kOver});
   if (options.show.graph && options.graph) draw_graph(subject, *options.graph, frame);
+  state.set({.depth = GL_NONE, .blend = gl::kOver});
   if (options.lit_face) draw_lit_face(subject);
-  glDisable(GL_BLEND);
-  glDepthMask(GL_TRUE);
 }
 
 void GraphPass::draw_graph(const Subject& subject, const DrawnGraph& graph, const FrameUniforms& frame) {
@@ -105,7 +100,7 @@ void GraphPass::draw_graph(const Subject& subject, const DrawnGraph& graph, cons
     if (!at[a] || !at[b]) continue;
     const bool cut = graph.is_cut({a, b});
     const glm::vec4 colour =
-        colour_from_hex(cut ? overlay_colours::kRemoved : colour_of(graph.state(graph.nodes[a])), 0.8f);
+        srgb(cut ? overlay_colours::kRemoved : colour_of(graph.state(graph.nodes[a])), 0.8f);
     ends.emplace_back(*at[a], *at[b]);
     links.push_back({*at[a], *at[b], colour});
   }
@@ -114,7 +109,7 @@ void GraphPass::draw_graph(const Subject& subject, const DrawnGraph& graph, cons
   for (size_t i = 0; i < at.size(); ++i) {
     const DrawnGraph::Node& n = graph.nodes[i];
     const float larger = n.faces > 1 ? 1.25f : 1;
-    if (at[i]) discs.push_back({*at[i], radius * larger, colour_from_hex(colour_of(graph.state(n)), 1)});
+    if (at[i]) discs.push_back({*at[i], radius * larger, srgb(colour_of(graph.state(n)), 1)});
   }
   const SectionClip clip(subject.options);
   links_.draw(links, kLinkHalfWidth);
@@ -136,7 +131,7 @@ void GraphPass::draw_loops(const Subject& subject, const DrawnGraph& graph) {
       links_.draw(links, kLoopHalfWidth);
       links.clear();
     }
-    const glm::vec4 colour = colour_from_hex(overlay_colours::kLoop, i + 1 == closed ? 1 : kEarlierLoop);
+    const glm::vec4 colour = srgb(overlay_colours::kLoop, i + 1 == closed ? 1 : kEarlierLoop);
     const size_t sides = loop.points.size() - (loop.runs_around ? 0 : 1);
     const auto point = [&](size_t k) {
       const Vec3& read = loop.points[k % loop.points.size()];
@@ -154,16 +149,14 @@ void GraphPass::draw_lit_face(const Subject& subject) {
   const PieceLook look = BodyLooks(lit.body, subject.options).of(body.mesh, lit.face);
   if (look.hidden) return;
   const Triangle t = body.mesh.triangle(lit.face);
-  const glm::vec4 colour = colour_from_hex(selection_colour(subject.options.tree.palette), 1);
+  const glm::vec4 colour = srgb(selection_colour(subject.options.tree.palette), 1);
   const auto corner = [&](size_t i) {
     return subject.space.from_world(body.placement.to_world(t[i % 3]) + look.offset);
   };
   std::vector<ColouredLines::Line> sides;
   for (size_t i = 0; i < 3; ++i) sides.push_back({corner(i), corner(i + 1), colour});
-  glDisable(GL_DEPTH_TEST);
   links_.draw(sides, 1.4f);
   draw_discs({{(corner(0) + corner(1) + corner(2)) / 3.0f, 4, colour}});
-  glEnable(GL_DEPTH_TEST);
 }
 
 void GraphPass::draw_discs(const std::vector<Disc>& discs) {

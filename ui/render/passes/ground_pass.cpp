@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "ui/gl/state.h"
 #include "ui/render/bodies/body_picture.h"
 
 namespace kerf {
@@ -69,12 +70,10 @@ void GroundPass::update_contact(const FrameSpace& space, const DrawBodies& bodie
   picture_.bind();
   glClearColor(0, 0, 0, 0);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LESS);
   programs_.contact.use();
   programs_.contact.set("contact_place", contact_place(space));
   bodies(programs_.contact);
-  glDisable(GL_DEPTH_TEST);
+  const gl::ScopedState state({.depth = GL_NONE});
   blur_contact();
   light_contact();
 }
@@ -126,18 +125,13 @@ bool GroundPass::project_shadow(const FrameSpace& space, const glm::vec4& light,
                                 const DrawBodies& bodies) const {
   if (height_of(space.seen_from, space.up) <= height_ || light.w > 0 || light.y <= 0) return false;
   glClear(GL_STENCIL_BUFFER_BIT);
-  glEnable(GL_STENCIL_TEST);
-  glStencilFunc(GL_ALWAYS, 1, 0xff);
-  glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
-  glDisable(GL_DEPTH_TEST);
-  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  const gl::ScopedState state({.depth = GL_NONE,
+                               .writes_colour = false,
+                               .writes_alpha = false,
+                               .stencil = gl::Stencil{.reference = 1, .passed = GL_REPLACE}});
   programs_.shadow.use();
   programs_.shadow.set("light", light);
   bodies(programs_.shadow);
-  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  glEnable(GL_DEPTH_TEST);
-  glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
-  glStencilFunc(GL_EQUAL, 0, 0xff);
   return true;
 }
 

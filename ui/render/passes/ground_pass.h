@@ -21,7 +21,7 @@ class GroundPass {
   // Draws all bodies with the given program, for the shading of the ground only.
   using DrawBodies = std::function<void(const gl::Program&)>;
 
-  // Recomputes the contact shading. Changes the bound framebuffer.
+  // Recomputes the contact shading. Changes the bound framebuffer. Precondition: the state is gl::State().
   void update_contact(const FrameSpace& space, const DrawBodies& bodies);
   // Draws the ground without lights, after the bodies and before the sky. `spot`: whether the spot of the
   // beam lights it. Nothing is drawn if the eye is below the ground.
@@ -32,8 +32,8 @@ class GroundPass {
   void add_light(const FrameSpace& space, const glm::vec4& light, const glm::vec4& colour) const;
 
   // For pictures without shadow volumes: projects the bodies onto the ground along a directional light from
-  // above and enables the stencil test so that only pixels outside this shadow pass. Returns false, and does
-  // nothing, for any other light.
+  // above into the stencil, which is 0 outside this shadow. Returns false, and does nothing, for any other
+  // light.
   bool project_shadow(const FrameSpace& space, const glm::vec4& light, const DrawBodies& bodies) const;
 
   double height() const { return height_; }

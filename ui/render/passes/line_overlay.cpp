@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/gl/state.h"
 #include "ui/render/bodies/body_picture.h"
 #include "ui/render/view/box_palette.h"
 #include "ui/render/view/overlay_colour.h"
@@ -102,9 +103,7 @@ void LineOverlay::draw(BodyId id, const Body& body, const FloatFrame& frame, con
   Gathered& lines = found->second;
   if (fresh || !(lines.shown == show && lines.tree == options.tree)) gather(lines, body, frame, options);
   const glm::mat4 from_body = space.from_body(body.placement, frame);
-  glEnable(GL_BLEND);
-  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
-  glDepthMask(GL_FALSE);
+  const gl::ScopedState state({.writes_depth = false, .blend = gl::kOver});
   if (boxes) {
     lines.boxes.send(choose_boxes(lines.all_boxes, clip_from_frame * from_body, kMostBoxes), GL_DYNAMIC_DRAW);
     const BoxColours colours = colours_of(options.tree.palette);
@@ -117,8 +116,6 @@ void LineOverlay::draw(BodyId id, const Body& body, const FloatFrame& frame, con
     draw_twice(stick_, from_body, kVerticesOfLine, lines.sticks.count(), lines.sticks.count(),
                srgb(0x4aa3ff, 0.9f), glm::vec4(0), options.mark_scale);
   }
-  glDepthMask(GL_TRUE);
-  glDisable(GL_BLEND);
 }
 
 }  // namespace kerf

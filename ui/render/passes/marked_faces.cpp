@@ -1,5 +1,6 @@
 #include "ui/render/passes/marked_faces.h"
 
+#include "ui/gl/state.h"
 #include "ui/render/view/section_clip.h"
 
 namespace kerf {
@@ -7,9 +8,7 @@ namespace kerf {
 void draw_marked_faces(const Subject& subject, const gl::Program& faces) {
   glClearColor(0, 0, 0, 0);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LESS);
-  if (subject.options.cull_backs) glEnable(GL_CULL_FACE);
+  const gl::ScopedState state({.culled = subject.culled()});
   const SectionClip clip(subject.options);
   faces.use();
   faces.set("only", 0);
@@ -19,7 +18,6 @@ void draw_marked_faces(const Subject& subject, const gl::Program& faces) {
     picture.bind(faces, subject.space, body.placement);
     picture.faces().draw_numbered(faces);
   });
-  glDisable(GL_CULL_FACE);
 }
 
 }  // namespace kerf

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "ui/gl/state.h"
 #include "ui/render/view/box_palette.h"
+#include "ui/render/view/overlay_colour.h"
 #include "ui/render/view/scaled_width.h"
 #include "ui/render/view/section_clip.h"
 
@@ -11,10 +13,6 @@ namespace kerf {
 namespace {
 
 constexpr float kOutlineWidth = 1.6f;  // see scaled_width
-
-glm::vec4 screen_colour(uint32_t hex) {
-  return glm::vec4(hex >> 16 & 255u, hex >> 8 & 255u, hex & 255u, 255u) / 255.0f;
-}
 
 }  // namespace
 
@@ -39,25 +37,22 @@ void OutlinePass::draw(const Subject& subject, const gl::Framebuffer& picture) {
   mask_->bind();
   glClearColor(0, 0, 0, 0);
   glClear(GL_COLOR_BUFFER_BIT);
-  glDisable(GL_DEPTH_TEST);
+  gl::ScopedState state({.depth = GL_NONE});
   faces_.use();
   faces_.set("only", 1);
   faces_.set("body", 255);
   draw_selected(subject);
 
   picture.bind();
-  glEnable(GL_BLEND);
-  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
+  state.set({.depth = GL_NONE, .blend = gl::kOver});
   outline_.use();
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, mask_->colour_texture());
   outline_.set("mask", 0);
-  outline_.set("colour", screen_colour(selection_colour(subject.options.tree.palette)));
+  outline_.set("colour", srgb(selection_colour(subject.options.tree.palette)));
   outline_.set("wide", scaled_width(kOutlineWidth, shape.height));
   glBindVertexArray(no_vertices_.name());
   glDrawArrays(GL_TRIANGLES, 0, 3);
-  glDisable(GL_BLEND);
-  glEnable(GL_DEPTH_TEST);
 }
 
 }  // namespace kerf

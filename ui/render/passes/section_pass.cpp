@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/assert.h"
+#include "ui/gl/state.h"
 #include "ui/render/view/scaled_width.h"
 #include "ui/render/view/section_clip.h"
 
@@ -21,21 +22,13 @@ void SectionPass::draw(const Subject& subject, int height) const {
   if (shown_section(subject.options) == nullptr) return;
   KERF_ASSERT(is_frame_bound());
   const SectionClip clip(subject.options);
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_EQUAL);
-  glDepthMask(GL_FALSE);
-  glEnable(GL_BLEND);
-  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
-  if (subject.options.cull_backs) glEnable(GL_CULL_FACE);
+  const gl::ScopedState state(
+      {.depth = GL_EQUAL, .writes_depth = false, .culled = subject.culled(), .blend = gl::kOver});
   line_.use();
   line_.set("wide", scaled_width(kSectionWidth, height));
   for_each_body(subject, [&](BodyId, const Body& body, const BodyPicture& picture) {
     picture.draw(line_, subject.space, body.placement);
   });
-  glDisable(GL_CULL_FACE);
-  glDisable(GL_BLEND);
-  glDepthMask(GL_TRUE);
-  glDepthFunc(GL_LESS);
 }
 
 }  // namespace kerf

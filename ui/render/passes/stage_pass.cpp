@@ -1,5 +1,6 @@
 #include "ui/render/passes/stage_pass.h"
 
+#include "ui/gl/state.h"
 #include "ui/render/bodies/body_looks.h"
 #include "ui/render/view/overlay_colours.h"
 
@@ -91,28 +92,21 @@ void StagePass::draw(const Subject& subject) {
     const DrawnAt at(subject, marks.body);
     for (const StageMarks::Fill& f : marks.fills) {
       if (at.hidden(f.piece)) continue;
-      const glm::vec4 colour = colour_from_hex(colour_of(f.kind), opacity_of_fill(f.kind));
+      const glm::vec4 colour = srgb(colour_of(f.kind), opacity_of_fill(f.kind));
       for (const Vec3& corner : f.corners) corners.push_back({at(corner, f.piece), colour});
     }
     for (const StageMarks::Line& l : marks.lines) {
       if (at.hidden(l.piece)) continue;
       (l.kind == Kind::kLast ? last : lines)
-          .push_back({at(l.from, l.piece), at(l.to, l.piece),
-                      colour_from_hex(colour_of(l.kind), opacity_of_line(l.kind))});
+          .push_back(
+              {at(l.from, l.piece), at(l.to, l.piece), srgb(colour_of(l.kind), opacity_of_line(l.kind))});
     }
   }
-  glDepthMask(GL_FALSE);
-  glEnable(GL_BLEND);
-  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LESS);
+  gl::ScopedState state({.writes_depth = false, .blend = gl::kOver});
   draw_fills(corners);
   lines_.draw(lines, kEdgeHalfWidth);
-  glDisable(GL_DEPTH_TEST);
+  state.set({.depth = GL_NONE, .blend = gl::kOver});
   lines_.draw(last, kLastHalfWidth);
-  glEnable(GL_DEPTH_TEST);
-  glDisable(GL_BLEND);
-  glDepthMask(GL_TRUE);
 }
 
 void StagePass::draw_fills(const std::vector<Corner>& corners) {

@@ -1,6 +1,7 @@
 #include "ui/render/passes/tone_pass.h"
 
 #include "core/base/assert.h"
+#include "ui/gl/state.h"
 #include "ui/render/bodies/body_picture.h"
 
 namespace kerf {
@@ -15,7 +16,7 @@ void TonePass::draw(const gl::Framebuffer& scene, const gl::Framebuffer& to) con
   const int count = scene.shape().samples;
   const gl::Program& program = count > 1 ? samples_ : one_sample_;
   to.bind();
-  glDisable(GL_DEPTH_TEST);
+  const gl::ScopedState state({.depth = GL_NONE});
   program.use();
   program.set("scene", 0);
   glActiveTexture(GL_TEXTURE0);
@@ -31,7 +32,6 @@ void TonePass::draw(const gl::Framebuffer& scene, const gl::Framebuffer& to) con
     glSampleMaski(0, ~0u);
     glDisable(GL_SAMPLE_MASK);
   }
-  glEnable(GL_DEPTH_TEST);
 }
 
 }  // namespace kerf

@@ -6,7 +6,7 @@ namespace kerf {
 
 namespace {
 
-constexpr float kBehindPerSlope = 1.5f, kBehindSurfaces = 24;  // as glPolygonOffset counts
+constexpr gl::DepthOffset kBehindSurfaces{1.5f, 24};
 
 struct Look {
   glm::vec4 fill, edge;
@@ -18,9 +18,9 @@ Look look_of(VeilPass::Style style) {
 
 }  // namespace
 
-void draw_removed(const Subject& subject, const gl::Program& program) {
-  glEnable(GL_POLYGON_OFFSET_FILL);
-  glPolygonOffset(kBehindPerSlope, kBehindSurfaces);
+void draw_removed(const Subject& subject, const gl::Program& program, gl::State state) {
+  state.offset = kBehindSurfaces;
+  const gl::ScopedState scope(state);
   const SectionClip clip(subject.options);
   int number = 0;
   for_each_body(subject, [&](BodyId, const Body& body, BodyPicture& picture) {
@@ -28,7 +28,6 @@ void draw_removed(const Subject& subject, const gl::Program& program) {
     program.set("frame_from_body", subject.space.from_body(body.placement, picture.faces().frame()));
     picture.faces().draw_removed(body.mesh);
   });
-  glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
 VeilPass::VeilPass(Shaders& shaders)
@@ -37,35 +36,25 @@ VeilPass::VeilPass(Shaders& shaders)
 
 // Into the depth alone: pieces that are hidden or moved away are not gone, so no veil takes their place.
 void VeilPass::draw_what_is_away(const Subject& subject) const {
-  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  const gl::ScopedState state({.writes_colour = false, .writes_alpha = false});
   faces_.use();
   faces_.set("only", 2);
   const SectionClip clip(subject.options);
   for_each_body(subject, [&](BodyId, const Body& body, BodyPicture& picture) {
     if (picture.looks().any_away()) picture.draw(faces_, subject.space, body.placement);
   });
-  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 void VeilPass::draw(const Subject& subject, Style style) const {
-  glEnable(GL_DEPTH_TEST);
   draw_what_is_away(subject);
   const bool opaque = style == Style::kRed;
   const Look look = look_of(style);
-  if (!opaque) {
-    glEnable(GL_BLEND);
-    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
-    glDepthMask(GL_FALSE);
-  } else {
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
-  }
   veil_.use();
   veil_.set("fill", look.fill);
   veil_.set("edge", look.edge);
-  draw_removed(subject, veil_);
-  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  glDepthMask(GL_TRUE);
-  glDisable(GL_BLEND);
+  draw_removed(
+      subject, veil_,
+      opaque ? gl::State{.writes_alpha = false} : gl::State{.writes_depth = false, .blend = gl::kOver});
 }
 
 }  // namespace kerf

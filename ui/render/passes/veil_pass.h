@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/gl/state.h"
 #include "ui/render/bodies/shaders.h"
 #include "ui/render/bodies/subject.h"
 
@@ -20,9 +21,9 @@ class VeilPass {
   gl::Program veil_, faces_;
 };
 
-// Draws the removed surface slightly behind the remaining one, so that it is visible only where faces are
-// missing. Bodies are numbered from 1 to 127 cyclically. Precondition: `program`, which contains veil.vert,
-// is in use.
-void draw_removed(const Subject& subject, const gl::Program& program);
+// Draws the removed surface with a state, slightly behind the remaining one, so that it is visible only where
+// faces are missing. Bodies are numbered from 1 to 127 cyclically. Precondition: `program`, which contains
+// veil.vert, is in use.
+void draw_removed(const Subject& subject, const gl::Program& program, gl::State state);
 
 }  // namespace kerf

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "core/base/assert.h"
+#include "ui/gl/state.h"
 #include "ui/render/view/overlay_colours.h"
 
 namespace kerf {
@@ -40,15 +41,11 @@ void ReferencePass::draw(const ShadowReference& traced, const ShadowCounts& draw
                pixels.data());
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  glDisable(GL_DEPTH_TEST);
-  glEnable(GL_BLEND);
-  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
+  const gl::ScopedState state({.depth = GL_NONE, .blend = gl::kOver});
   overlay_.use();
   overlay_.set("picture", 0);
   glBindVertexArray(no_vertices_.name());
   glDrawArrays(GL_TRIANGLES, 0, 3);
-  glDisable(GL_BLEND);
-  glEnable(GL_DEPTH_TEST);
 }
 
 }  // namespace kerf

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/assert.h"
+#include "ui/gl/state.h"
 #include "ui/render/shadow/seen_light.h"
 #include "ui/render/view/overlay_colour.h"
 #include "ui/render/view/overlay_colours.h"
@@ -24,33 +25,20 @@ std::array<glm::vec4, 3> all_of(const glm::vec4& colour) { return {colour, colou
 
 constexpr float kCountOpacity = 0.78f;
 
-void blend() {
-  glEnable(GL_BLEND);
-  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
-}
-
-void fill_rectangle(int x, int y, int width, int height, const glm::vec4& colour) {
-  glScissor(x, y, width, height);
-  glClearColor(colour.r, colour.g, colour.b, 0);
-  glClear(GL_COLOR_BUFFER_BIT);
-}
-
 // Fields of colour in a row, each with its number; `row` counts strips from below.
 void draw_legend(std::span<const glm::vec4> colours, uint32_t first, int row, FaceNumbers& numbers,
                  int height) {
   const int zoom = 1 + height / 700, side = 22 * zoom, margin = 10 * zoom;
   const int y = margin + row * (side + margin);
   std::vector<FaceLabel> labels;
-  glEnable(GL_SCISSOR_TEST);
-  fill_rectangle(margin - zoom, y - zoom, static_cast<int>(colours.size()) * side + 2 * zoom, side + 2 * zoom,
-                 srgb(0x0b0d10));
+  gl::fill(margin - zoom, y - zoom, static_cast<int>(colours.size()) * side + 2 * zoom, side + 2 * zoom,
+           srgb(0x0b0d10, 0));
   for (size_t i = 0; i < colours.size(); ++i) {
     const int x = margin + static_cast<int>(i) * side;
-    fill_rectangle(x, y, side - zoom, side, colours[i]);
+    gl::fill(x, y, side - zoom, side, glm::vec4(glm::vec3(colours[i]), 0));
     const glm::vec2 middle(x + side / 2 - 3 * zoom, y + side / 2 - 4 * zoom);
     labels.push_back({first + static_cast<uint32_t>(i), false, middle, {}});
   }
-  glDisable(GL_SCISSOR_TEST);
   numbers.draw_labels(labels, zoom);
 }
 
@@ -92,18 +80,14 @@ void ShadowOverlay::draw(const Subject& subject, ShadowPass& shadows, FaceNumber
   const size_t light = std::min({options.shadow.inspected, options.lights.size() - 1, kMostLights - 1});
   const glm::vec4 in_frame = light_in_frame(options.lights[light], subject.space);
   const Inspected seen{subject, shadows, light, options.shadow.method, in_frame, picture.shape().height};
-  glEnable(GL_DEPTH_TEST);
   if (show.shadow_facing) draw_facing(seen);
   if (show.shadow_stencil) draw_counts(seen, numbers);
   if (show.shadow_volumes) draw_volumes(seen);
   if (show.silhouette) draw_silhouette(seen, numbers);
-  glDepthFunc(GL_LESS);
-  glDepthMask(GL_TRUE);
-  glDisable(GL_BLEND);
 }
 
 void ShadowOverlay::draw_facing(const Inspected& seen) const {
-  glDepthFunc(GL_EQUAL);
+  const gl::ScopedState state({.depth = GL_EQUAL});
   const SectionClip clip(seen.subject.options);
   facing_.use();
   facing_.set("facing_colour", srgb(kFacing));
@@ -113,28 +97,25 @@ void ShadowOverlay::draw_facing(const Inspected& seen) const {
     picture.bind(facing_, seen.subject.space, body.placement);
     picture.faces().draw_chunks([&](size_t chunk) { volume.bind_signs(facing_, chunk); });
   });
-  glDepthFunc(GL_LESS);
 }
 
 void ShadowOverlay::draw_counts(const Inspected& seen, FaceNumbers& numbers) const {
   seen.shadows.count(seen.subject, seen.light, seen.method);
-  // As far as the sky, which has no count.
-  glDepthFunc(GL_GREATER);
-  glDepthMask(GL_FALSE);
-  blend();
+  gl::ScopedState state({});
   solid_.use();
   glBindVertexArray(no_vertices_.name());
   const auto fill = [&](GLenum test, size_t count, const glm::vec4& colour) {
-    glStencilFunc(test, static_cast<GLint>(count), 0xff);
+    // The quad lies as far as the sky, which has no count.
+    state.set({.depth = GL_GREATER,
+               .writes_depth = false,
+               .blend = gl::kOver,
+               .stencil = gl::Stencil{.test = test, .reference = static_cast<GLint>(count)}});
     solid_.set("colour", colour);
     glDrawArrays(GL_TRIANGLES, 0, 3);
   };
   fill(GL_EQUAL, 0, srgb(kLit, 0.55f));
   for (size_t n = 1; n < kCounts.size(); ++n) fill(GL_EQUAL, n, srgb(kCounts[n - 1], kCountOpacity));
   fill(GL_LEQUAL, kCounts.size(), srgb(kCounts.back(), kCountOpacity));
-  glDisable(GL_STENCIL_TEST);
-  glDisable(GL_BLEND);
-  glDepthFunc(GL_LESS);
   std::vector<glm::vec4> colours{srgb(kLit)};
   for (const uint32_t c : kCounts) colours.push_back(srgb(c));
   if (seen.subject.options.legends) draw_legend(colours, 0, 0, numbers, seen.height);
@@ -159,10 +140,7 @@ void ShadowOverlay::draw_lines(const Inspected& seen, float half_width, float re
 void ShadowOverlay::draw_volumes(const Inspected& seen) const {
   const double diagonal = seen.subject.world.bounds().diagonal();
   const float reach = seen.subject.space.length(kSheetReach * diagonal);
-  glEnable(GL_DEPTH_CLAMP);
-  glDepthFunc(GL_LESS);
-  glDepthMask(GL_FALSE);
-  blend();
+  const gl::ScopedState state({.writes_depth = false, .clamps_depth = true, .blend = gl::kOver});
   sheet_.use();
   sheet_.set("light", seen.in_frame);
   sheet_.set("reach", reach);
@@ -174,17 +152,13 @@ void ShadowOverlay::draw_volumes(const Inspected& seen) const {
   });
   draw_lines(seen, 0.45f, 0.6f * reach, all_of(srgb(0x8fc6ff, 0.22f)));
   draw_lines(seen, 0.6f, 0, all_of(srgb(0xd6ebff, 0.75f)));
-  glDisable(GL_DEPTH_CLAMP);
 }
 
 // Faint where something stands before it, then over a dark line where it is seen.
 void ShadowOverlay::draw_silhouette(const Inspected& seen, FaceNumbers& numbers) const {
-  glDepthMask(GL_FALSE);
-  blend();
-  glDisable(GL_DEPTH_TEST);
+  gl::ScopedState state({.depth = GL_NONE, .blend = gl::kOver});
   draw_lines(seen, 0.6f, 0, silhouette_colours(0.22f));
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LESS);
+  state.set({.writes_depth = false, .blend = gl::kOver});
   draw_lines(seen, 2.2f, 0, all_of(srgb(0x05070a, 0.6f)));
   draw_lines(seen, 1.3f, 0, silhouette_colours(1));
   if (!seen.subject.options.legends) return;

@@ -1,6 +1,7 @@
 #include "ui/render/shadow/shadow_pass.h"
 
 #include "core/base/assert.h"
+#include "ui/gl/state.h"
 #include "ui/render/shadow/seen_light.h"
 #include "ui/render/view/section_clip.h"
 
@@ -8,17 +9,16 @@ namespace kerf {
 
 namespace {
 
-// How the two sides of what is drawn count where they lie behind the surface that is seen. `outward`: front
-// faces look out of the volume.
-void count_behind(bool outward) {
-  glStencilOpSeparate(GL_FRONT, GL_KEEP, outward ? GL_DECR_WRAP : GL_INCR_WRAP, GL_KEEP);
-  glStencilOpSeparate(GL_BACK, GL_KEEP, outward ? GL_INCR_WRAP : GL_DECR_WRAP, GL_KEEP);
+// Writes the stencil alone.
+gl::State counting(const gl::Stencil& stencil) {
+  return {.writes_depth = false, .writes_colour = false, .writes_alpha = false, .stencil = stencil};
 }
 
-void write_stencil_alone(bool alone) {
-  const GLboolean others = alone ? GL_FALSE : GL_TRUE;
-  glColorMask(others, others, others, others);
-  glDepthMask(others);
+// Counts the two sides of what is drawn where they lie behind the surface that is seen. `outward`: front
+// faces look out of the volume.
+gl::State counting_behind(bool outward) {
+  if (outward) return counting({.front_behind = GL_DECR_WRAP, .back_behind = GL_INCR_WRAP});
+  return counting({.front_behind = GL_INCR_WRAP, .back_behind = GL_DECR_WRAP});
 }
 
 int vertices_of_side(const glm::vec4& light) { return light.w > 0 ? 6 : 3; }
@@ -143,20 +143,18 @@ void ShadowPass::draw_sides(const Subject& subject, VolumeKey key, int vertices)
 // has been clipped to the very triangles of the picture.
 void ShadowPass::count_near_caps(const Subject& subject, VolumeKey key) {
   const NearCaps how = subject.options.shadow.near_caps;
-  if (how == NearCaps::kLessOrEqual) glDepthFunc(GL_LEQUAL);
-  if (how == NearCaps::kDisplaced) glEnable(GL_POLYGON_OFFSET_FILL);
-  glPolygonOffset(0, -1);
   const SectionClip clip(subject.options);
   for (const int under : {1, -1}) {
     if (under < 0 && shown_section(subject.options) == nullptr) continue;
     cap_.set("under", under);
     for (const int sign : {1, -1}) {
-      count_behind(sign > 0);
+      gl::State state = counting_behind(sign > 0);
+      if (how == NearCaps::kLessOrEqual) state.depth = GL_LEQUAL;
+      if (how == NearCaps::kDisplaced) state.offset = gl::DepthOffset{0, -1};
+      const gl::ScopedState scope(state);
       draw_caps(subject, key, sign, false);
     }
   }
-  glDisable(GL_POLYGON_OFFSET_FILL);
-  glDepthFunc(GL_LESS);
 }
 
 // A triangle is drawn with its corners in the order that the picture has, so that its depths are the same to
@@ -167,19 +165,21 @@ void ShadowPass::count_robustly(const Subject& subject, VolumeKey key, const glm
   cap_.use();
   cap_.set("light", light);
   count_near_caps(subject, key);
-  glEnable(GL_DEPTH_CLAMP);
+  const auto clamped = [](gl::State state) {
+    state.clamps_depth = true;
+    return state;
+  };
   if (light.w > 0) {
     for (const int sign : {1, -1}) {
-      count_behind(sign < 0);
+      const gl::ScopedState state(clamped(counting_behind(sign < 0)));
       draw_caps(subject, key, sign, true);
     }
   }
   side_.use();
   side_.set("light", light);
   side_.set("reach", 0.0f);
-  count_behind(true);
+  const gl::ScopedState state(clamped(counting_behind(true)));
   draw_sides(subject, key, vertices_of_side(light));
-  glDisable(GL_DEPTH_CLAMP);
 }
 
 void ShadowPass::count_as_the_paper(const Subject& subject, VolumeKey key, const glm::vec4& light) {
@@ -187,15 +187,14 @@ void ShadowPass::count_as_the_paper(const Subject& subject, VolumeKey key, const
   side_.set("light", light);
   const double diagonal = subject.world.bounds().diagonal();
   side_.set("reach", subject.space.length(subject.options.shadow.extrusion * diagonal));
-  glEnable(GL_CULL_FACE);
-  glStencilOp(GL_KEEP, GL_KEEP, GL_INCR);
-  glCullFace(GL_BACK);
-  draw_sides(subject, key, 6);
-  glStencilOp(GL_KEEP, GL_KEEP, GL_DECR);
-  glCullFace(GL_FRONT);
-  draw_sides(subject, key, 6);
-  glCullFace(GL_BACK);
-  glDisable(GL_CULL_FACE);
+  const auto count_sides = [&](GLenum culled, GLenum change) {
+    gl::State state = counting({.passed = change});
+    state.culled = culled;
+    const gl::ScopedState scope(state);
+    draw_sides(subject, key, 6);
+  };
+  count_sides(GL_BACK, GL_INCR);
+  count_sides(GL_FRONT, GL_DECR);
 }
 
 void ShadowPass::count(const Subject& subject, size_t light, ShadowMethod method) {
@@ -204,23 +203,13 @@ void ShadowPass::count(const Subject& subject, size_t light, ShadowMethod method
   for_each_body(subject, [&](BodyId id, const Body& body, const BodyPicture& picture) {
     bring_up_to_date(subject, id, body, picture, key);
   });
-  glStencilMask(0xff);
-  glClearStencil(0);
   glClear(GL_STENCIL_BUFFER_BIT);
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LESS);
-  glDisable(GL_CULL_FACE);
-  glEnable(GL_STENCIL_TEST);
-  glStencilFunc(GL_ALWAYS, 0, 0xff);
-  write_stencil_alone(true);
   const glm::vec4 in_frame = light_in_frame(subject.options.lights[light], subject.space);
   if (method == ShadowMethod::kRobust) {
     count_robustly(subject, key, in_frame);
   } else {
     count_as_the_paper(subject, key, in_frame);
   }
-  write_stencil_alone(false);
-  glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
 }
 
 PictureMemory ShadowPass::memory() const {

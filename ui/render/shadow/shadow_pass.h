@@ -49,8 +49,7 @@ class ShadowPass {
   // subject.options. What casts must be in the depth, drawn with `clip_from_frame * vec4(placed(...), 1.0)`
   // and an invariant position, with depth func GL_LESS. Afterwards a pixel is lit where the stencil is 0, and
   // with kRobust it holds the number of occluders modulo 256, so 256 surfaces over one another cast no
-  // shadow. Leaves the stencil test on, with GL_KEEP, the depth test at GL_LESS, and depth and colour
-  // writable.
+  // shadow.
   void count(const Subject& subject, size_t light, ShadowMethod method);
 
   // The current volume of a body, or null if the body is not drawn.

@@ -10,7 +10,6 @@ ShadowProbe::ShadowProbe(Shaders& shaders)
       ground_(shaders.load({{"frame.glsl", "ground.vert"}, {"solid.frag"}})) {}
 
 void ShadowProbe::draw_marks(const Subject& subject, const GroundPass* ground) const {
-  glDisable(GL_BLEND);
   draw_marked_faces(subject, faces_);
   if (ground == nullptr) return;
   ground_.use();
@@ -27,7 +26,6 @@ ShadowCounts ShadowProbe::look(const Subject& subject, ShadowPass& shadows, size
   picture_->bind();
   draw_marks(subject, ground);
   shadows.count(subject, light, method);
-  glDisable(GL_STENCIL_TEST);
   const size_t pixels = static_cast<size_t>(width) * static_cast<size_t>(height);
   ShadowCounts counts{width, height, std::vector<uint32_t>(pixels), std::vector<uint8_t>(pixels)};
   std::vector<uint8_t> marks(4 * pixels);

@@ -10,7 +10,7 @@ namespace kerf::gl {
 template <typename Kind>
 class Object {
  public:
-  Object() : name_(Kind::make()) {}
+  Object() { Kind::make(&name_); }
   ~Object() { release(); }
   Object(Object&& other) noexcept : name_(std::exchange(other.name_, 0)) {}
   Object& operator=(Object&& other) noexcept {
@@ -33,47 +33,27 @@ class Object {
 };
 
 struct BufferKind {
-  static GLuint make() {
-    GLuint name = 0;
-    glGenBuffers(1, &name);
-    return name;
-  }
+  static void make(GLuint* name) { glGenBuffers(1, name); }
   static void destroy(GLuint name) { glDeleteBuffers(1, &name); }
 };
 
 struct VertexArrayKind {
-  static GLuint make() {
-    GLuint name = 0;
-    glGenVertexArrays(1, &name);
-    return name;
-  }
+  static void make(GLuint* name) { glGenVertexArrays(1, name); }
   static void destroy(GLuint name) { glDeleteVertexArrays(1, &name); }
 };
 
 struct TextureKind {
-  static GLuint make() {
-    GLuint name = 0;
-    glGenTextures(1, &name);
-    return name;
-  }
+  static void make(GLuint* name) { glGenTextures(1, name); }
   static void destroy(GLuint name) { glDeleteTextures(1, &name); }
 };
 
 struct RenderbufferKind {
-  static GLuint make() {
-    GLuint name = 0;
-    glGenRenderbuffers(1, &name);
-    return name;
-  }
+  static void make(GLuint* name) { glGenRenderbuffers(1, name); }
   static void destroy(GLuint name) { glDeleteRenderbuffers(1, &name); }
 };
 
 struct FramebufferKind {
-  static GLuint make() {
-    GLuint name = 0;
-    glGenFramebuffers(1, &name);
-    return name;
-  }
+  static void make(GLuint* name) { glGenFramebuffers(1, name); }
   static void destroy(GLuint name) { glDeleteFramebuffers(1, &name); }
 };
 
@@ -82,5 +62,19 @@ using VertexArray = Object<VertexArrayKind>;
 using Texture = Object<TextureKind>;
 using Renderbuffer = Object<RenderbufferKind>;
 using FramebufferName = Object<FramebufferKind>;
+
+// Draws with programs that compute the corners from gl_VertexID alone.
+class NoVertices {
+ public:
+  void draw(GLenum mode, GLsizei count) const {
+    glBindVertexArray(layout_.name());
+    glDrawArrays(mode, 0, count);
+  }
+  // Draws the triangle of screen.vert, which covers the viewport.
+  void draw_screen() const { draw(GL_TRIANGLES, 3); }
+
+ private:
+  VertexArray layout_;
+};
 
 }  // namespace kerf::gl

@@ -121,6 +121,13 @@ void Program::set(const char* uniform, const glm::vec4& v) const {
 void Program::set(const char* uniform, float x) const { glUniform1f(place_of(uniform), x); }
 void Program::set(const char* uniform, int x) const { glUniform1i(place_of(uniform), x); }
 
+void Program::set_texture(const char* uniform, int unit, GLuint texture, GLenum kind) const {
+  set(uniform, unit);
+  glActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + unit));
+  glBindTexture(kind, texture);
+  glActiveTexture(GL_TEXTURE0);
+}
+
 void Program::bind_block(const char* block, GLuint binding) const {
   const GLuint index = glGetUniformBlockIndex(name_, block);
   if (index != GL_INVALID_INDEX) glUniformBlockBinding(name_, index, binding);

@@ -42,6 +42,8 @@ class Program {
   void set(const char* uniform, const glm::vec4& v) const;
   void set(const char* uniform, float x) const;
   void set(const char* uniform, int x) const;
+  // Binds a texture to a unit, and the sampler to that. Leaves unit 0 active. Precondition: as for set().
+  void set_texture(const char* uniform, int unit, GLuint texture, GLenum kind = GL_TEXTURE_2D) const;
   void bind_block(const char* block, GLuint binding) const;
 
  private:

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "ui/gl/buffers.h"
 #include "ui/gl/objects.h"
 
 namespace kerf::gl {
@@ -24,9 +25,7 @@ class Stream {
     glBindVertexArray(layout_.name());
     glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
     for (GLuint i = 0; i < attributes.size(); ++i) {
-      glEnableVertexAttribArray(i);
-      glVertexAttribPointer(i, attributes[i].count, GL_FLOAT, GL_FALSE, sizeof(Item),
-                            reinterpret_cast<const void*>(attributes[i].offset));
+      read_floats(i, {attributes[i].count, GL_FLOAT, attributes[i].offset}, sizeof(Item));
       glVertexAttribDivisor(i, items == ItemsAre::kInstances ? 1 : 0);
     }
   }
@@ -34,8 +33,7 @@ class Stream {
   // Replaces the items. `usage`: GL_STREAM_DRAW where they are drawn once.
   void send(std::span<const Item> items, GLenum usage = GL_STREAM_DRAW) {
     bind();
-    glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(items.size_bytes()), items.data(), usage);
+    fill_buffer(GL_ARRAY_BUFFER, buffer_, items.size_bytes(), items.data(), usage);
     count_ = static_cast<GLsizei>(items.size());
   }
   void bind() const { glBindVertexArray(layout_.name()); }

@@ -74,8 +74,7 @@ void LitScene::draw_without_lights(const Subject& subject) const {
   ground_.draw(subject.space, spot_);
   state.set({.depth = GL_LEQUAL});
   sky_.use();
-  glBindVertexArray(no_vertices_.name());
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  no_vertices_.draw_screen();
 }
 
 void LitScene::add_direct(const Subject& subject, size_t light, std::optional<gl::Stencil> where) const {
@@ -114,8 +113,7 @@ void LitScene::darken_shadows(const Subject& subject) const {
   gl::ScopedState state(shadowed);
   darken_.use();
   darken_.set("colour", glm::vec4(0, 0, 0, kPaperDark));
-  glBindVertexArray(no_vertices_.name());
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  no_vertices_.draw_screen();
   if (!(variant_ & kRim)) return;
   shadowed.depth = GL_EQUAL;
   shadowed.culled = subject.culled();

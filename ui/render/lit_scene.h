@@ -55,7 +55,7 @@ class LitScene {
   ShadowPass shadows_;
   TonePass tone_;
   HeatRamps ramps_;
-  gl::VertexArray no_vertices_;
+  gl::NoVertices no_vertices_;
   size_t variant_ = 0;  // that the picture needs, without the spot
   bool spot_ = false;
   std::optional<gl::Framebuffer> linear_;

@@ -5,6 +5,7 @@
 #include "core/base/assert.h"
 #include "core/base/unit_vector.h"
 #include "core/heat/black_body.h"
+#include "ui/gl/buffers.h"
 #include "ui/gl/state.h"
 #include "ui/render/bodies/assets.h"
 #include "ui/render/passes/heat_bar.h"
@@ -173,8 +174,7 @@ void Renderer::set_up(const World& world, const CameraView& view, const ViewOpti
   const int colours = options.show.sizes ? 2 : options.show.pieces ? 1 : 0;
   frame.body_look = {finest_, colours, options.two_sided ? 1 : 0,
                      options.show.heat ? end_of_heat_scale(world) : 0};
-  glBindBuffer(GL_UNIFORM_BUFFER, uniforms_.name());
-  glBufferData(GL_UNIFORM_BUFFER, sizeof(frame), &frame, GL_STREAM_DRAW);
+  gl::fill_buffer(GL_UNIFORM_BUFFER, uniforms_, sizeof(frame), &frame, GL_STREAM_DRAW);
   glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBlock, uniforms_.name());
 }
 

@@ -1,5 +1,7 @@
 #include "ui/render/bodies/body_picture.h"
 
+#include "ui/gl/buffers.h"
+
 namespace kerf {
 
 namespace {
@@ -27,9 +29,7 @@ BodyPicture::BodyPicture(const Body& body, const std::map<std::string, Paint>& p
                          double glow_width)
     : faces_(body.mesh, prepared.frame, std::move(prepared.bases), glow_width) {
   const std::vector<glm::vec4> table = paint_table(body.material_names, paints);
-  glBindBuffer(GL_UNIFORM_BUFFER, paints_.name());
-  glBufferData(GL_UNIFORM_BUFFER, static_cast<GLsizeiptr>(table.size() * sizeof(glm::vec4)), table.data(),
-               GL_STATIC_DRAW);
+  gl::fill_buffer(GL_UNIFORM_BUFFER, paints_, table.size() * sizeof(glm::vec4), table.data(), GL_STATIC_DRAW);
 }
 
 void BodyPicture::bind(const gl::Program& program, const FrameSpace& space,

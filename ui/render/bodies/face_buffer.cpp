@@ -4,19 +4,13 @@
 #include <utility>
 
 #include "core/base/assert.h"
+#include "ui/gl/buffers.h"
 
 namespace kerf {
 
 namespace {
 
 using Indices = std::array<uint32_t, 3>;
-
-template <typename T>
-void put(GLenum target, GLuint buffer, size_t first, const std::vector<T>& items) {
-  glBindBuffer(target, buffer);
-  glBufferSubData(target, static_cast<GLintptr>(first * sizeof(T)),
-                  static_cast<GLsizeiptr>(items.size() * sizeof(T)), items.data());
-}
 
 FaceCorners corners_of(const FaceVertices& face) {
   const auto at = [&](size_t i) {
@@ -29,29 +23,15 @@ FaceCorners corners_of(const FaceVertices& face) {
 
 FaceBuffer::Chunk::Chunk() {
   glBindVertexArray(layout.name());
-  glBindBuffer(GL_ARRAY_BUFFER, vertices.name());
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(kChunkFaces * sizeof(FaceVertices)), nullptr,
-               GL_DYNAMIC_DRAW);
-  const auto at = [](size_t offset) {
-    return reinterpret_cast<const void*>(offset);
-  };  // GL's way of an offset
-  glEnableVertexAttribArray(0);
-  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(FaceVertex), at(offsetof(FaceVertex, position)));
-  glEnableVertexAttribArray(1);
-  glVertexAttribPointer(1, 4, GL_INT_2_10_10_10_REV, GL_TRUE, sizeof(FaceVertex),
-                        at(offsetof(FaceVertex, normal)));
-  glEnableVertexAttribArray(3);
-  glVertexAttribPointer(3, 1, GL_HALF_FLOAT, GL_FALSE, sizeof(FaceVertex), at(offsetof(FaceVertex, rim)));
-  glEnableVertexAttribArray(4);
-  glVertexAttribIPointer(4, 2, GL_UNSIGNED_BYTE, sizeof(FaceVertex), at(offsetof(FaceVertex, halvings)));
-  glBindBuffer(GL_ARRAY_BUFFER, labels.name());
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(kChunkFaces * sizeof(Labels)), nullptr,
-               GL_DYNAMIC_DRAW);
-  glEnableVertexAttribArray(2);
-  glVertexAttribIPointer(2, 1, GL_UNSIGNED_SHORT, sizeof(uint16_t), nullptr);
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.name());
-  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(kChunkFaces * sizeof(Indices)), nullptr,
-               GL_DYNAMIC_DRAW);
+  gl::fill_buffer(GL_ARRAY_BUFFER, vertices, kChunkFaces * sizeof(FaceVertices));
+  constexpr size_t kSize = sizeof(FaceVertex);
+  gl::read_floats(0, {3, GL_FLOAT, offsetof(FaceVertex, position)}, kSize);
+  gl::read_floats(1, {4, GL_INT_2_10_10_10_REV, offsetof(FaceVertex, normal), true}, kSize);
+  gl::read_floats(3, {1, GL_HALF_FLOAT, offsetof(FaceVertex, rim)}, kSize);
+  gl::read_whole(4, {2, GL_UNSIGNED_BYTE, offsetof(FaceVertex, halvings)}, kSize);
+  gl::fill_buffer(GL_ARRAY_BUFFER, labels, kChunkFaces * sizeof(Labels));
+  gl::read_whole(2, {1, GL_UNSIGNED_SHORT}, sizeof(uint16_t));
+  gl::fill_buffer(GL_ELEMENT_ARRAY_BUFFER, indices, kChunkFaces * sizeof(Indices));
   glBindVertexArray(0);
 }
 
@@ -61,18 +41,13 @@ void FaceBuffer::Chunk::make_heat() {
   heat.emplace();
   const std::vector<Heat> cold(kChunkFaces);
   glBindVertexArray(layout.name());
-  glBindBuffer(GL_ARRAY_BUFFER, heat->name());
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(cold.size() * sizeof(Heat)), cold.data(),
-               GL_DYNAMIC_DRAW);
+  gl::fill_buffer(GL_ARRAY_BUFFER, *heat, cold.size() * sizeof(Heat), cold.data());
   for (const auto& [attribute, start] :
        {std::pair(5u, offsetof(HeatMark, now)), std::pair(7u, offsetof(HeatMark, hottest))}) {
-    const auto at = [&](size_t member) { return reinterpret_cast<const void*>(start + member); };
-    glEnableVertexAttribArray(attribute);
-    glVertexAttribPointer(attribute, 1, GL_UNSIGNED_SHORT, GL_TRUE, sizeof(HeatMark),
-                          at(offsetof(CornerTemperature, at)));
-    glEnableVertexAttribArray(attribute + 1);
-    glVertexAttribPointer(attribute + 1, 3, GL_HALF_FLOAT, GL_FALSE, sizeof(HeatMark),
-                          at(offsetof(CornerTemperature, gradient)));
+    const size_t at = start + offsetof(CornerTemperature, at),
+                 gradient = start + offsetof(CornerTemperature, gradient);
+    gl::read_floats(attribute, {1, GL_UNSIGNED_SHORT, at, true}, sizeof(HeatMark));
+    gl::read_floats(attribute + 1, {3, GL_HALF_FLOAT, gradient}, sizeof(HeatMark));
   }
   glBindVertexArray(0);
 }
@@ -210,7 +185,7 @@ size_t FaceBuffer::update_slots(const Mesh& mesh, const SlotRange& range) {
     staging_.push_back(face_vertices(mesh, *bases_, frame_, FaceId(f), rim_of(mesh, FaceId(f))));
     if (halvings_[f] != kDead && halvings_[f] > 0) removed_.saw(FaceId(f), corners_of(staging_.back()));
   }
-  put(GL_ARRAY_BUFFER, chunk_of(range).vertices.name(), range.begin % kChunkFaces, staging_);
+  gl::put_items<FaceVertices>(GL_ARRAY_BUFFER, chunk_of(range).vertices, range.begin % kChunkFaces, staging_);
   return staging_.size() * sizeof(FaceVertices);
 }
 
@@ -222,7 +197,7 @@ size_t FaceBuffer::update_labels(const Mesh& mesh, const SlotRange& range) {
       label = packed_piece(groups_ ? groups_->of(mesh, FaceId(f)) : mesh.data(FaceId(f)).piece);
     staged_labels_.push_back({label, label, label});
   }
-  put(GL_ARRAY_BUFFER, chunk_of(range).labels.name(), range.begin % kChunkFaces, staged_labels_);
+  gl::put_items<Labels>(GL_ARRAY_BUFFER, chunk_of(range).labels, range.begin % kChunkFaces, staged_labels_);
   return staged_labels_.size() * sizeof(Labels);
 }
 
@@ -247,7 +222,7 @@ size_t FaceBuffer::update_heat_of(const Mesh& mesh, const SlotRange& range) {
     marks.push_back(mesh.is_live(FaceId(f)) ? heat_.of(mesh, FaceId(f)) : Heat{});
   Chunk& chunk = chunk_of(range);
   chunk.make_heat();
-  put(GL_ARRAY_BUFFER, chunk.heat->name(), range.begin % kChunkFaces, marks);
+  gl::put_items<Heat>(GL_ARRAY_BUFFER, *chunk.heat, range.begin % kChunkFaces, marks);
   return marks.size() * sizeof(Heat);
 }
 
@@ -260,7 +235,7 @@ size_t FaceBuffer::update_list(Chunk& chunk) {
     for (const uint32_t slot : chunk.live.slots().subspan(range.begin, range.end - range.begin)) {
       indices.push_back({3 * slot, 3 * slot + 1, 3 * slot + 2});
     }
-    put(GL_ELEMENT_ARRAY_BUFFER, chunk.indices.name(), range.begin, indices);
+    gl::put_items<Indices>(GL_ELEMENT_ARRAY_BUFFER, chunk.indices, range.begin, indices);
     bytes += indices.size() * sizeof(Indices);
   }
   glBindVertexArray(0);

@@ -1,6 +1,7 @@
 #include "ui/render/bodies/piece_looks.h"
 
 #include "core/joints/loaded_part.h"
+#include "ui/gl/buffers.h"
 #include "ui/render/bodies/face_slots.h"
 
 namespace kerf {
@@ -87,9 +88,7 @@ bool PieceLooks::update(const Body& body, const BodyLooks& looks, const FrameSpa
     if (shown >= 0) shown = (selected ? 1.0f : 0.0f) + 2.0f * (1.0f + (came_off ? kCameOff : kStayed));
   }
   count_ = static_cast<int>(table.size() / 2);
-  glBindBuffer(GL_TEXTURE_BUFFER, buffer_.name());
-  glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(table.size() * sizeof(glm::vec4)), table.data(),
-               GL_DYNAMIC_DRAW);
+  gl::fill_buffer(GL_TEXTURE_BUFFER, buffer_, table.size() * sizeof(glm::vec4), table.data());
   return changed;
 }
 

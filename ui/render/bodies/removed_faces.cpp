@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ui/gl/buffers.h"
 #include "ui/render/bodies/face_slots.h"
 
 namespace kerf {
@@ -55,14 +56,9 @@ void RemovedFaces::update(const Mesh& mesh, const BaseFaces& bases) {
   }
   count_ = static_cast<GLsizei>(corners.size());
   glBindVertexArray(layout_.name());
-  glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners.size() * sizeof(Corner)), corners.data(),
-               GL_DYNAMIC_DRAW);
-  glEnableVertexAttribArray(0);
-  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Corner), nullptr);
-  glEnableVertexAttribArray(1);
-  glVertexAttribIPointer(1, 1, GL_UNSIGNED_INT, sizeof(Corner),
-                         reinterpret_cast<const void*>(offsetof(Corner, base)));
+  gl::fill_buffer(GL_ARRAY_BUFFER, buffer_, corners.size() * sizeof(Corner), corners.data());
+  gl::read_floats(0, {3, GL_FLOAT, offsetof(Corner, position)}, sizeof(Corner));
+  gl::read_whole(1, {1, GL_UNSIGNED_INT, offsetof(Corner, base)}, sizeof(Corner));
   glBindVertexArray(0);
 }
 

@@ -56,7 +56,6 @@ void BeamPass::fill_in(FrameUniforms& frame, const FrameSpace& space, const Beam
 void BeamPass::draw(const CameraView& view, const BeamPicture& beam, const FrameSpace& space, double near,
                     int width, int height) const {
   gl::ScopedState state({.writes_depth = false, .blend = gl::kScreen});
-  glBindVertexArray(no_vertices_.name());
   draw_ribbon(view, beam, near, width, height);
   state.set({.depth = GL_NONE, .blend = gl::kScreen});
   if (beam.strike) draw_spot(view, beam, space, height);
@@ -83,7 +82,7 @@ void BeamPass::draw_ribbon(const CameraView& view, const BeamPicture& beam, doub
                                  static_cast<float>(fade / std::max(strike, 1e-300))));
   ribbon_.set("core", glm::vec4(pixels_at_one_metre(view, kCoreOfBeam * beam.radius, height) / view.focus,
                                 kLeastCore * zoom, most, kHalo));
-  glDrawArrays(GL_TRIANGLE_STRIP, 0, 8);
+  no_vertices_.draw(GL_TRIANGLE_STRIP, 8);
 }
 
 void BeamPass::draw_spot(const CameraView& view, const BeamPicture& beam, const FrameSpace& space,
@@ -94,7 +93,7 @@ void BeamPass::draw_spot(const CameraView& view, const BeamPicture& beam, const 
   spot_.use();
   spot_.set("centre", glm::vec4(space.from_world(*beam.strike), 1));
   spot_.set("half_width", static_cast<float>(spot_half_width(pixels, height)));
-  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  no_vertices_.draw(GL_TRIANGLE_STRIP, 4);
 }
 
 }  // namespace kerf

@@ -44,7 +44,7 @@ class BeamPass {
   void draw_spot(const CameraView& view, const BeamPicture& beam, const FrameSpace& space, int height) const;
 
   gl::Program ribbon_, spot_;
-  gl::VertexArray no_vertices_;
+  gl::NoVertices no_vertices_;
 };
 
 }  // namespace kerf

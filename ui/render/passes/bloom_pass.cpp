@@ -14,13 +14,6 @@ glm::vec4 pixel_of(const gl::Framebuffer& picture) {
           0, 0};
 }
 
-void bind_texture(int unit, GLuint texture) {
-  glActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + unit));
-  glBindTexture(GL_TEXTURE_2D, texture);
-}
-
-void draw_screen() { glDrawArrays(GL_TRIANGLES, 0, 3); }
-
 }  // namespace
 
 BloomPass::BloomPass(Shaders& shaders)
@@ -33,30 +26,23 @@ BloomPass::Level::Level(int width, int height)
 
 // What is in level.glow is blurred; before, `from` is shrunk into it where it is another picture.
 void BloomPass::fill(Level& level, GLuint from, int width, int height) {
+  const auto draw = [&](const gl::Program& program, GLuint picture, const glm::vec4& stride,
+                        const gl::Framebuffer& to) {
+    to.bind();
+    program.use();
+    program.set_texture("picture", 0, picture);
+    program.set("stride", stride);
+    no_vertices_.draw_screen();
+  };
   const glm::vec4 pixel = pixel_of(level.glow);
-  bind_texture(0, from);
-  level.glow.bind();
   if (width > 0) {
-    bright_.use();
-    bright_.set("picture", 0);
-    bright_.set("stride",
-                glm::vec4(1.0f / static_cast<float>(width), 1.0f / static_cast<float>(height), 0, 0));
+    draw(bright_, from, {1.0f / static_cast<float>(width), 1.0f / static_cast<float>(height), 0, 0},
+         level.glow);
   } else {
-    blur_.use();
-    blur_.set("picture", 0);
-    blur_.set("stride", glm::vec4(0));
+    draw(blur_, from, glm::vec4(0), level.glow);
   }
-  draw_screen();
-  blur_.use();
-  blur_.set("picture", 0);
-  level.half_way.bind();
-  bind_texture(0, level.glow.colour_texture());
-  blur_.set("stride", glm::vec4(pixel.x, 0, 0, 0));
-  draw_screen();
-  level.glow.bind();
-  bind_texture(0, level.half_way.colour_texture());
-  blur_.set("stride", glm::vec4(0, pixel.y, 0, 0));
-  draw_screen();
+  draw(blur_, level.glow.colour_texture(), {pixel.x, 0, 0, 0}, level.half_way);
+  draw(blur_, level.half_way.colour_texture(), {0, pixel.y, 0, 0}, level.glow);
 }
 
 void BloomPass::draw(const gl::Framebuffer& picture, GLuint target, int x, int y) {
@@ -68,7 +54,6 @@ void BloomPass::draw(const gl::Framebuffer& picture, GLuint target, int x, int y
     far_.emplace(w / 16, h / 16);
   }
   const gl::ScopedState state({.depth = GL_NONE});
-  glBindVertexArray(no_vertices_.name());
   fill(*near_, picture.colour_texture(), w, h);
   fill(*far_, near_->glow.colour_texture(), 0, 0);
 
@@ -77,15 +62,11 @@ void BloomPass::draw(const gl::Framebuffer& picture, GLuint target, int x, int y
   glBindFramebuffer(GL_FRAMEBUFFER, target);
   glViewport(x, y, w, h);
   lay_over_.use();
-  bind_texture(0, picture.colour_texture());
-  bind_texture(1, near_->glow.colour_texture());
-  bind_texture(2, far_->glow.colour_texture());
-  lay_over_.set("picture", 0);
-  lay_over_.set("near_glow", 1);
-  lay_over_.set("far_glow", 2);
+  lay_over_.set_texture("picture", 0, picture.colour_texture());
+  lay_over_.set_texture("near_glow", 1, near_->glow.colour_texture());
+  lay_over_.set_texture("far_glow", 2, far_->glow.colour_texture());
   const gl::Framebuffer::Shape& tiles = far_->glow.shape();
-  glDrawArrays(GL_TRIANGLES, 0, 6 * tiles.width * tiles.height);
-  glActiveTexture(GL_TEXTURE0);
+  no_vertices_.draw(GL_TRIANGLES, 6 * tiles.width * tiles.height);
 }
 
 }  // namespace kerf

@@ -24,7 +24,7 @@ class BloomPass {
   void fill(Level& level, GLuint from, int width, int height);
 
   gl::Program bright_, blur_, lay_over_;
-  gl::VertexArray no_vertices_;
+  gl::NoVertices no_vertices_;
   std::optional<Level> near_, far_;
 };
 

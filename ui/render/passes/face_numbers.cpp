@@ -146,9 +146,7 @@ void FaceNumbers::draw_labels(const std::vector<FaceLabel>& labels, int zoom) {
   glyphs_.send(glyphs);
   const gl::ScopedState state({.depth = GL_NONE, .blend = gl::kOver});
   numbers_.use();
-  glActiveTexture(GL_TEXTURE0);
-  glBindTexture(GL_TEXTURE_2D, bitmaps_.name());
-  numbers_.set("digits", 0);
+  numbers_.set_texture("digits", 0, bitmaps_.name());
   numbers_.set("zoom", static_cast<float>(zoom));
   numbers_.set("cell", glm::vec4(kCellWidth, kCellHeight, 0, 0));
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, glyphs_.count());

@@ -60,13 +60,10 @@ void GatheredPicture::forget() {
 
 void GatheredPicture::copy(const gl::Framebuffer& from, float share, const glm::ivec2& at) const {
   glDisable(GL_SCISSOR_TEST);
-  glActiveTexture(GL_TEXTURE0);
-  glBindTexture(GL_TEXTURE_2D, from.colour_texture());
   copy_.use();
-  copy_.set("picture", 0);
+  copy_.set_texture("picture", 0, from.colour_texture());
   copy_.set("place", glm::vec4(at, share, 0));
-  glBindVertexArray(no_vertices_.name());
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  no_vertices_.draw_screen();
 }
 
 }  // namespace kerf

@@ -36,7 +36,7 @@ class GatheredPicture {
   void copy(const gl::Framebuffer& from, float share, const glm::ivec2& at) const;
 
   gl::Program copy_;
-  gl::VertexArray no_vertices_;
+  gl::NoVertices no_vertices_;
   std::optional<gl::Framebuffer> next_, sum_;
   int count_ = 0;  // of pictures in the sum
 };

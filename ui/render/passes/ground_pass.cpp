@@ -80,19 +80,16 @@ void GroundPass::update_contact(const FrameSpace& space, const DrawBodies& bodie
 
 void GroundPass::blur_contact() {
   programs_.blur.use();
-  programs_.blur.set("picture", 0);
-  glActiveTexture(GL_TEXTURE0);
-  glBindVertexArray(no_vertices_.name());
   for (int i = 0; i < kContactBlurs; ++i) {
     const float step = static_cast<float>(i + 1) / kContactPixels;
     light_.bind();
-    glBindTexture(GL_TEXTURE_2D, picture_.colour_texture());
+    programs_.blur.set_texture("picture", 0, picture_.colour_texture());
     programs_.blur.set("stride", glm::vec4(step, 0, 0, 0));
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    no_vertices_.draw_screen();
     picture_.bind();
-    glBindTexture(GL_TEXTURE_2D, light_.colour_texture());
+    programs_.blur.set_texture("picture", 0, light_.colour_texture());
     programs_.blur.set("stride", glm::vec4(0, step, 0, 0));
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    no_vertices_.draw_screen();
   }
   glBindTexture(GL_TEXTURE_2D, picture_.colour_texture());
   glGenerateMipmap(GL_TEXTURE_2D);
@@ -102,23 +99,20 @@ void GroundPass::light_contact() {
   light_.bind();
   programs_.contact_light.use();
   programs_.contact_light.set("picture", 0);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  no_vertices_.draw_screen();
 }
 
 void GroundPass::draw(const FrameSpace& space, bool spot) const {
   const gl::Program& disc = spot ? programs_.spot_disc : programs_.disc;
   disc.use();
-  disc.set("contact", 0);
+  disc.set_texture("contact", 0, light_.colour_texture());
   disc.set("contact_place", contact_place(space));
-  glActiveTexture(GL_TEXTURE0);
-  glBindTexture(GL_TEXTURE_2D, light_.colour_texture());
   draw_disc(space);
 }
 
 void GroundPass::draw_disc(const FrameSpace& space) const {
   if (height_of(space.seen_from, space.up) <= height_) return;
-  glBindVertexArray(no_vertices_.name());
-  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  no_vertices_.draw(GL_TRIANGLE_STRIP, 4);
 }
 
 bool GroundPass::project_shadow(const FrameSpace& space, const glm::vec4& light,

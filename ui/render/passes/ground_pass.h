@@ -49,7 +49,7 @@ class GroundPass {
   Programs programs_;
   gl::Framebuffer picture_;  // what lies over the ground
   gl::Framebuffer light_;    // how that shades and lights the ground
-  gl::VertexArray no_vertices_;
+  gl::NoVertices no_vertices_;
   double height_ = 0, tall_ = 1, radius_ = 1, spacing_ = 1;  // m
   Vec3 middle_{0};                                           // of the world, +Y upwards
   double contact_size_ = 1;  // m, side of the square that the contact picture covers

@@ -126,10 +126,7 @@ HeatRamps::HeatRamps() {
 }
 
 void HeatRamps::bind(const gl::Program& program) const {
-  program.set("heat_ramps", kRampsUnit);
-  glActiveTexture(GL_TEXTURE0 + kRampsUnit);
-  glBindTexture(GL_TEXTURE_2D, table_.name());
-  glActiveTexture(GL_TEXTURE0);
+  program.set_texture("heat_ramps", kRampsUnit, table_.name());
 }
 
 }  // namespace kerf

@@ -46,13 +46,10 @@ void OutlinePass::draw(const Subject& subject, const gl::Framebuffer& picture) {
   picture.bind();
   state.set({.depth = GL_NONE, .blend = gl::kOver});
   outline_.use();
-  glActiveTexture(GL_TEXTURE0);
-  glBindTexture(GL_TEXTURE_2D, mask_->colour_texture());
-  outline_.set("mask", 0);
+  outline_.set_texture("mask", 0, mask_->colour_texture());
   outline_.set("colour", srgb(selection_colour(subject.options.tree.palette)));
   outline_.set("wide", scaled_width(kOutlineWidth, shape.height));
-  glBindVertexArray(no_vertices_.name());
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  no_vertices_.draw_screen();
 }
 
 }  // namespace kerf

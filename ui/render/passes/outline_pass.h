@@ -20,7 +20,7 @@ class OutlinePass {
   void draw_selected(const Subject& subject) const;
 
   gl::Program faces_, outline_;
-  gl::VertexArray no_vertices_;
+  gl::NoVertices no_vertices_;
   std::optional<gl::Framebuffer> mask_;
 };
 

@@ -18,15 +18,13 @@ void TonePass::draw(const gl::Framebuffer& scene, const gl::Framebuffer& to) con
   to.bind();
   const gl::ScopedState state({.depth = GL_NONE});
   program.use();
-  program.set("scene", 0);
-  glActiveTexture(GL_TEXTURE0);
-  glBindTexture(count > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D, scene.colour_texture());
-  glBindVertexArray(no_vertices_.name());
+  const GLenum kind = count > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
+  program.set_texture("scene", 0, scene.colour_texture(), kind);
   if (count > 1) glEnable(GL_SAMPLE_MASK);
   for (int i = 0; i < count; ++i) {
     if (count > 1) glSampleMaski(0, 1u << i);
     program.set("which", i);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    no_vertices_.draw_screen();
   }
   if (count > 1) {
     glSampleMaski(0, ~0u);

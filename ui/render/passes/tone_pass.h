@@ -17,7 +17,7 @@ class TonePass {
 
  private:
   gl::Program one_sample_, samples_;
-  gl::VertexArray no_vertices_;
+  gl::NoVertices no_vertices_;
 };
 
 }  // namespace kerf

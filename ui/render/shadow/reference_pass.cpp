@@ -44,8 +44,7 @@ void ReferencePass::draw(const ShadowReference& traced, const ShadowCounts& draw
   const gl::ScopedState state({.depth = GL_NONE, .blend = gl::kOver});
   overlay_.use();
   overlay_.set("picture", 0);
-  glBindVertexArray(no_vertices_.name());
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  no_vertices_.draw_screen();
 }
 
 }  // namespace kerf

@@ -19,7 +19,7 @@ class ReferencePass {
  private:
   gl::Program overlay_;
   gl::Texture picture_;
-  gl::VertexArray no_vertices_;
+  gl::NoVertices no_vertices_;
 };
 
 }  // namespace kerf

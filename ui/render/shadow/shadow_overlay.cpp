@@ -103,7 +103,6 @@ void ShadowOverlay::draw_counts(const Inspected& seen, FaceNumbers& numbers) con
   seen.shadows.count(seen.subject, seen.light, seen.method);
   gl::ScopedState state({});
   solid_.use();
-  glBindVertexArray(no_vertices_.name());
   const auto fill = [&](GLenum test, size_t count, const glm::vec4& colour) {
     // The quad lies as far as the sky, which has no count.
     state.set({.depth = GL_GREATER,
@@ -111,7 +110,7 @@ void ShadowOverlay::draw_counts(const Inspected& seen, FaceNumbers& numbers) con
                .blend = gl::kOver,
                .stencil = gl::Stencil{.test = test, .reference = static_cast<GLint>(count)}});
     solid_.set("colour", colour);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    no_vertices_.draw_screen();
   };
   fill(GL_EQUAL, 0, srgb(kLit, 0.55f));
   for (size_t n = 1; n < kCounts.size(); ++n) fill(GL_EQUAL, n, srgb(kCounts[n - 1], kCountOpacity));

@@ -32,7 +32,7 @@ class ShadowOverlay {
                   std::span<const glm::vec4> colours) const;
 
   gl::Program line_, sheet_, facing_, solid_;
-  gl::VertexArray no_vertices_;
+  gl::NoVertices no_vertices_;
 };
 
 }  // namespace kerf

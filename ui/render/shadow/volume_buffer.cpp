@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "core/base/assert.h"
+#include "ui/gl/buffers.h"
 #include "ui/render/bodies/face_slots.h"
 
 namespace kerf {
@@ -18,26 +19,21 @@ constexpr uint32_t kNoChunks = 0x80000000u;
 }  // namespace
 
 VolumeBuffer::Sides::Sides() {
-  const auto at = [](size_t offset) { return reinterpret_cast<const void*>(offset); };
   glBindVertexArray(layout.name());
   glBindBuffer(GL_ARRAY_BUFFER, buffer.name());
-  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Side), at(offsetof(Side, low)));
-  glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(Side), at(offsetof(Side, high)));
-  glVertexAttribIPointer(2, 1, GL_UNSIGNED_INT, sizeof(Side), at(offsetof(Side, piece)));
-  glVertexAttribIPointer(3, 1, GL_INT, sizeof(Side), at(offsetof(Side, multiplicity)));
-  for (const GLuint i : {0u, 1u, 2u, 3u}) {
-    glEnableVertexAttribArray(i);
-    glVertexAttribDivisor(i, 1);
-  }
+  gl::read_floats(0, {3, GL_FLOAT, offsetof(Side, low)}, sizeof(Side));
+  gl::read_floats(1, {3, GL_FLOAT, offsetof(Side, high)}, sizeof(Side));
+  gl::read_whole(2, {1, GL_UNSIGNED_INT, offsetof(Side, piece)}, sizeof(Side));
+  gl::read_whole(3, {1, GL_INT, offsetof(Side, multiplicity)}, sizeof(Side));
+  for (const GLuint i : {0u, 1u, 2u, 3u}) glVertexAttribDivisor(i, 1);
   glBindVertexArray(0);
 }
 
 void VolumeBuffer::Sides::replace(const std::vector<Side>& all) {
   count = static_cast<GLsizei>(all.size());
   room = all.size() + all.size() / 2;
-  glBindBuffer(GL_ARRAY_BUFFER, buffer.name());
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(room * sizeof(Side)), nullptr, GL_DYNAMIC_DRAW);
-  glBufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(all.size() * sizeof(Side)), all.data());
+  gl::fill_buffer(GL_ARRAY_BUFFER, buffer, room * sizeof(Side));
+  gl::put_items<Side>(GL_ARRAY_BUFFER, buffer, 0, all);
 }
 
 VolumeBuffer::Side VolumeBuffer::side(const ShadowCaster& caster, const SilhouetteEdge& edge) const {
@@ -62,8 +58,7 @@ void VolumeBuffer::send_signs(const ShadowVolume::Touched& touched) {
   constexpr uint32_t kChunk = FaceBuffer::kChunkFaces;
   const auto faces = static_cast<uint32_t>(volume_.signs().size());
   while (signs_.size() * kChunk < faces) {
-    glBindBuffer(GL_TEXTURE_BUFFER, signs_.emplace_back().buffer.name());
-    glBufferData(GL_TEXTURE_BUFFER, kChunk, nullptr, GL_DYNAMIC_DRAW);
+    gl::fill_buffer(GL_TEXTURE_BUFFER, signs_.emplace_back().buffer, kChunk);
   }
   DirtySlots dirty;
   if (touched.all) dirty.mark_all(faces);
@@ -86,13 +81,11 @@ void VolumeBuffer::send_sides(const ShadowCaster& caster, const ShadowVolume::To
   for (const uint32_t place : touched.places) {
     if (place < edges.size()) dirty.mark(place);
   }
-  glBindBuffer(GL_ARRAY_BUFFER, sides_.buffer.name());
   for (const SlotRange range : dirty.take(kGapOfItems, kNoChunks)) {
     sides.clear();
     const uint32_t end = std::min<uint32_t>(range.end, static_cast<uint32_t>(edges.size()));
     for (uint32_t i = range.begin; i < end; ++i) sides.push_back(side(caster, edges[i]));
-    glBufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(range.begin * sizeof(Side)),
-                    static_cast<GLsizeiptr>(sides.size() * sizeof(Side)), sides.data());
+    gl::put_items<Side>(GL_ARRAY_BUFFER, sides_.buffer, range.begin, sides);
   }
   sides_.count = static_cast<GLsizei>(edges.size());
 }

@@ -1,7 +1,6 @@
 #include "core/document/journal/opened_file.h"
 #include "core/document/journal/replay.h"
 #include "ui/figures/figure_films.h"
-#include "ui/figures/scene_options.h"
 #include "ui/render/picture/film.h"
 
 namespace kerf {

@@ -4,11 +4,14 @@
 #include <cmath>
 
 #include "core/base/assert.h"
+#include "core/base/tick.h"
 #include "core/document/journal/opened_file.h"
+#include "core/game/match/recording.h"
 #include "ui/figures/marks.h"
-#include "ui/figures/match_figure.h"
-#include "ui/figures/scene_options.h"
 #include "ui/figures/split_diagram.h"
+#include "ui/game/game_camera.h"
+#include "ui/game/hud.h"
+#include "ui/game/match_picture.h"
 #include "ui/gl/offscreen_context.h"
 #include "ui/render/picture/picture.h"
 #include "ui/render/picture/png.h"
@@ -22,6 +25,9 @@ namespace {
 constexpr double kStrip = 0.075;  // of the height
 // Pixels, of a picture whose text and marks have their usual size: in print, and on a screen.
 constexpr double kPrintHeight = 400, kScreenHeight = 720;
+
+constexpr double kMatchFieldOfView = 62;            // degrees
+constexpr Ticks kRemembered = 4 * kTicksPerSecond;  // of sparks, scorches and lines of the display
 
 int strip_height(const FigureSize& size) { return static_cast<int>(std::lround(kStrip * size.height)); }
 
@@ -60,6 +66,59 @@ Status draw_scene(const Figure& figure, const FigureSize& size, const std::files
   if (!figure.rulers.empty())
     gui.draw(studio->framebuffer(), [&] { draw_rulers(figure.rulers, studio->view()); });
   return write_png(with_caption(studio->framebuffer(), figure.caption, strip_height(size), gui), png);
+}
+
+// What the screen of a match remembers of its last seconds.
+struct MatchScreen {
+  MatchPicture picture;
+  GameCamera camera;
+  HudState hud;
+
+  void follow(const Match& match, const Controls& controls, bool first) {
+    if (first) {
+      picture.show(match);
+    } else {
+      picture.follow(match);
+    }
+    hud.hear(match);
+    hud.advance(kTick);
+    picture.advance(match, kTick);
+    camera.follow(match, aim_of(controls), kTick);
+  }
+};
+
+// Draws the moment of a recorded match as its player saw it, with the head-up display. An OpenGL context must
+// be current.
+//
+// Plays the match up to the tick, by the rules as they are: if these changed since the match was recorded,
+// the figure shows another fight. Fails if the recording or its rules cannot be read, or if the recording is
+// shorter.
+Status draw_match_figure(const std::filesystem::path& file, Ticks tick, const gl::Framebuffer& picture,
+                         OffscreenGui& gui) {
+  const auto recording = read_recording(file);
+  if (!recording) return recording.error();
+  if (tick == 0 || recording->controls.size() < tick)
+    return bad_input(file.string() + ": the match has " + std::to_string(recording->controls.size()) +
+                     " ticks, and the figure wants the one after " + std::to_string(tick));
+  auto rules = load_rules(recording->rules);
+  if (!rules) return rules.error();
+  auto drawn = MatchPicture::create();
+  if (!drawn) return drawn.error();
+  MatchScreen screen{std::move(*drawn), {}, {}};
+  Match match({*rules, recording->seed, recording->difficulty});
+  const Ticks begins = tick - std::min(tick, kRemembered);
+  for (Ticks t = 0; t < tick; ++t) {
+    match.tick(recording->controls[t]);
+    if (t >= begins) screen.follow(match, recording->controls[t], t == begins);
+  }
+  const Controls& last = recording->controls[tick - 1];
+  const gl::Framebuffer::Shape& shape = picture.shape();
+  const CameraView view =
+      screen.camera.view(static_cast<double>(shape.width) / shape.height, kMatchFieldOfView);
+  screen.picture.draw(match, view, {picture.name(), 0, 0, shape.width, shape.height}, PicturePreset::kHigh);
+  const double width = static_cast<double>(last.width) / Controls::kFull;
+  gui.draw(picture, [&] { draw_hud({match, screen.hud, view, aim_of(last), width, false}); });
+  return Done{};
 }
 
 Status draw_without_scene(const Figure& figure, const FigureSize& size, const std::filesystem::path& png) {

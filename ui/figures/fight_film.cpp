@@ -3,11 +3,8 @@
 #include "core/game/match/recording.h"
 #include "core/game/match/score_log.h"
 #include "ui/figures/figure_films.h"
-#include "ui/game/match_picture.h"
+#include "ui/game/match_film.h"
 #include "ui/game/replay_camera.h"
-#include "ui/gl/offscreen_context.h"
-#include "ui/render/picture/frame_file.h"
-#include "ui/render/picture/png.h"
 
 namespace kerf {
 
@@ -28,28 +25,6 @@ std::optional<MatchMoment> best_moment(const MatchSetup& setup, const std::vecto
   return log.best();
 }
 
-// Draws frames of a match.
-struct FightStudio {
-  const FilmFormat& format;
-  MatchPicture picture;
-  ReplayCamera camera;
-  gl::Framebuffer frame;
-  size_t frames = 0;
-
-  void follow(const Match& match) {
-    picture.follow(match);
-    picture.advance(match, kTick);
-    camera.follow(match, kTick);
-  }
-  Status take(const Match& match) {
-    const double aspect = static_cast<double>(format.width) / format.height;
-    picture.draw(match, camera.view(aspect, kFilmFieldOfView),
-                 {frame.name(), 0, 0, format.width, format.height}, PicturePreset::kHigh);
-    return write_png(read_pixels(frame.name(), format.width, format.height),
-                     frame_file(format.folder, frames++));
-  }
-};
-
 }  // namespace
 
 Status film_fight(const std::filesystem::path& file, const FilmFormat& format, const Progress& progress) {
@@ -63,21 +38,21 @@ Status film_fight(const std::filesystem::path& file, const FilmFormat& format, c
   const auto moment = best_moment(setup, recording->controls, progress);
   if (!moment) return cancelled();
   KERF_ASSERT(moment->from <= moment->to && moment->to <= recording->controls.size());
-  const auto context = gl::OffscreenContext::create();
-  if (!context) return context.error();
-  auto picture = MatchPicture::create();
-  if (!picture) return picture.error();
+  auto frames = MatchFrames::open(format.folder, format.width, format.height);
+  if (!frames) return frames.error();
   const auto match = match_at(setup, moment->start, recording->controls, moment->from);
-  FightStudio studio{format, std::move(*picture), ReplayCamera(moment->vehicle, 0),
-                     gl::Framebuffer({format.width, format.height, 1, false})};
-  studio.picture.show(*match);
+  ReplayCamera camera(moment->vehicle, 0);
+  frames->picture.show(*match);
   const Ticks ticks = moment->to - moment->from;
   for (Ticks t = 0; t < ticks; ++t) {
     if (!progress.report(static_cast<double>(t) / static_cast<double>(ticks))) return cancelled();
     match->tick(recording->controls[moment->from + t]);
-    studio.follow(*match);
-    if (static_cast<double>(studio.frames) > seconds_of_ticks(t) * format.frames_per_second) continue;
-    if (const Status taken = studio.take(*match); !taken) return taken;
+    frames->picture.follow(*match);
+    frames->picture.advance(*match, kTick);
+    camera.follow(*match, kTick);
+    if (static_cast<double>(frames->taken) > seconds_of_ticks(t) * format.frames_per_second) continue;
+    const CameraView view = camera.view(frames->aspect(), kFilmFieldOfView);
+    if (const Status taken = frames->take(*match, view); !taken) return taken;
   }
   return Done{};
 }

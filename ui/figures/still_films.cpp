@@ -6,8 +6,7 @@
 #include "core/document/history/last_cut_graph.h"
 #include "core/document/journal/opened_file.h"
 #include "ui/figures/figure_films.h"
-#include "ui/figures/scene_options.h"
-#include "ui/render/picture/frame_file.h"
+#include "ui/render/picture/png.h"
 #include "ui/render/picture/studio.h"
 
 namespace kerf {

@@ -1,15 +1,29 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <vector>
 
-#include "ui/game/game_options.h"
+#include "core/game/match/match.h"
+#include "ui/window/gui_look.h"
 
 namespace kerf {
 
 class FrameLoop;
 class Window;
 struct WindowOptions;
+
+// How a game is played in a window.
+struct GameOptions {
+  MatchSetup setup;
+  bool chosen_difficulty = false;  // setup.difficulty was asked for; otherwise the settings say it
+  GuiLook look;
+  bool from_editor = false;
+  bool bot = false;                                // a bot plays; the player only watches
+  double seconds = 0;                              // after which the game ends by itself; 0: never
+  std::optional<std::filesystem::path> landmarks;  // see EditorOptions
+};
 
 // What is left of a game that was played in a window.
 struct GameOutcome {

@@ -28,6 +28,10 @@ Vec3 level(const Vec3& v) {
 
 }  // namespace
 
+Vec3 aim_of(const Controls& controls) {
+  return direction_of(controls.heading * Controls::kAimStep, controls.pitch * Controls::kAimStep);
+}
+
 Vec3 GameCamera::wanted_eye(const Match& match, const Vec3& aim) const {
   const Vehicle& own = match.vehicles()[Match::kPlayer];
   const Placement& chassis = match.world().body(own.chassis).placement;

@@ -5,6 +5,9 @@
 
 namespace kerf {
 
+// The direction in which controls aim in the world, a unit vector.
+Vec3 aim_of(const Controls& controls);
+
 // From where the player sees the match.
 enum class Viewpoint {
   kRoof,   // over the laser on the roof, along the aim

@@ -6,7 +6,6 @@
 #include <cstdio>
 
 #include "core/base/assert.h"
-#include "ui/game/clock_text.h"
 #include "ui/game/debug_keys.h"
 #include "ui/game/hud_paint.h"
 #include "ui/render/view/view_switches.h"

@@ -6,10 +6,8 @@
 
 #include <algorithm>
 
-#include "core/base/angle.h"
 #include "core/base/assert.h"
 #include "core/game/match/recording.h"
-#include "ui/game/aim_help.h"
 #include "ui/game/debug_keys.h"
 #include "ui/game/hud.h"
 
@@ -82,9 +80,7 @@ const Body& GameScreen::own_chassis() const {
 
 // The bot's is that of its last controls.
 Vec3 GameScreen::aim() const {
-  if (!bot_ || played_.empty()) return input_.direction(own_chassis().placement);
-  const Controls& c = played_.back();
-  return direction_of(c.heading * Controls::kAimStep, c.pitch * Controls::kAimStep);
+  return bot_ && !played_.empty() ? aim_of(played_.back()) : input_.direction(own_chassis().placement);
 }
 
 // Hearing
@@ -133,7 +129,7 @@ void GameScreen::hear_key(int key) {
 void GameScreen::advance() {
   const double seconds = std::min<double>(ImGui::GetIO().DeltaTime, kLongestFrame);
   if (state_ == State::kPlaying) {
-    if (settings_.aim_help && !bot_) help_aim(*match_, input_, seconds);
+    if (settings_.aim_help && !bot_) input_.help(*match_, seconds);
     run_ticks(seconds);
     hud_.advance(seconds);
     played_seconds_ += seconds;
@@ -169,9 +165,8 @@ void GameScreen::tick() {
   score_log_.hear(*match_);
   hud_.hear(*match_);
   sounds_.hear(*match_);
-  if (!anew) return picture_.follow(*match_);
-  picture_.show(*match_);
-  follow_player();
+  picture_.follow(*match_);
+  if (anew) follow_player();
 }
 
 // The vehicle is another one, or whole again.

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/game/match/bot_player.h"
+#include "ui/game/game.h"
 #include "ui/game/game_camera.h"
 #include "ui/game/game_menu.h"
-#include "ui/game/game_options.h"
 #include "ui/game/game_settings.h"
 #include "ui/game/hud_state.h"
 #include "ui/game/match_clock.h"

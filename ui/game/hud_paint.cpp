@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ui/window/number_text.h"
 #include "ui/window/theme.h"
 
 namespace kerf {
@@ -11,6 +12,11 @@ namespace {
 constexpr ImU32 kEdge = IM_COL32(8, 10, 13, 200);
 
 }  // namespace
+
+std::string clock_text(double seconds) {
+  const int whole = static_cast<int>(std::max(0.0, seconds));
+  return text_of("%d:%02d", whole / 60, whole % 60);
+}
 
 HudPaint::HudPaint()
     : list_(*ImGui::GetBackgroundDrawList()), em_(ImGui::GetFontSize()), size_(ImGui::GetIO().DisplaySize) {}

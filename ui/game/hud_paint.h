@@ -8,6 +8,9 @@
 
 namespace kerf {
 
+// Seconds as "2:05"; less than none are none.
+std::string clock_text(double seconds);
+
 // Draws parts of the head-up display, in screen coordinates. Text and lines have a dark edge, so that they
 // are legible on everything.
 class HudPaint {

@@ -1,7 +1,8 @@
 #include "ui/game/match_picture.h"
 
+#include <algorithm>
+
 #include "core/base/assert.h"
-#include "ui/game/match_beams.h"
 #include "ui/render/bodies/body_marks.h"
 
 namespace kerf {
@@ -20,6 +21,20 @@ Paint paint_of(const Match& match, const std::string& name) {
     if (found != v.what().paints.end()) return found->second;
   }
   return {};
+}
+
+// The beam of a vehicle as it is drawn, up to the wall or the ground where it ends; nothing if it is off.
+// `strike` is the first surface that it meets, be it cut or not. Precondition: the match has this vehicle.
+std::optional<BeamPicture> beam_of(const Match& match, size_t vehicle, const Sight& sight) {
+  KERF_ASSERT(vehicle < match.vehicles().size());
+  const Vehicle& v = match.vehicles()[vehicle];
+  if (!v.gun.firing || !v.gun.last) return std::nullopt;
+  const Pose& pose = *v.gun.last;
+  BeamPicture beam{pose.origin, pose.origin + pose.direction * v.gun.length, std::nullopt, v.gun.radius};
+  const auto hit = sight.nearest(pose, v.gun.length * (1 + 1e-6), [&](BodyId id) { return !v.has(id); });
+  if (hit) beam.strike = pose.origin + pose.direction * hit->length;
+  beam.on_ground = hit && !hit->body.valid();
+  return beam;
 }
 
 // Vehicles and arena name their materials in one list.
@@ -77,9 +92,13 @@ void MatchPicture::show(const Match& match) {
 }
 
 void MatchPicture::follow(const Match& match) {
+  const auto& events = match.events();
+  if (std::any_of(events.begin(), events.end(),
+                  [](const Event& e) { return e.kind == Event::Kind::kWaveBegins; }))
+    return show(match);
   renderer_.follow(match.world(), match.delta());
   graph_.follow(match);
-  for (const Event& event : match.events()) {
+  for (const Event& event : events) {
     if (event.kind != Event::Kind::kCut) continue;
     const size_t by = event.by < match.vehicles().size() ? event.by : Match::kPlayer;
     const auto& last = match.vehicles()[by].gun.last;

@@ -42,7 +42,8 @@ class MatchPicture {
 
   // Shows the world of a match from now on.
   void show(const Match& match);
-  // Follows what the last tick changed. To be called after every tick.
+  // Follows what the last tick changed; shows the match anew where a wave began, which brings other vehicles.
+  // To be called after every tick.
   void follow(const Match& match);
   // Lets time pass (s) for sparks and smoke.
   void advance(const Match& match, double seconds);

@@ -17,6 +17,9 @@ constexpr double kWidthPerNotch = 0.1;
 constexpr double kDeadZone = 0.16;    // of a stick
 constexpr double kStickSpeed = 1.8;   // rad/s, of a stick that is held to its end
 constexpr double kTriggerHeld = 0.3;  // of the way of a trigger
+constexpr double kHelpReach = 0.06;   // rad, from the aim
+constexpr double kHelpPull = 2.2;     // 1/s
+constexpr double kHelpFar = 45;       // m
 
 double without_dead_zone(double x) {
   const double over = std::abs(x) - kDeadZone;
@@ -80,6 +83,29 @@ void PlayerInput::turn(double left, double up) {
   const bool all_around = yaw_limits_.high - yaw_limits_.low >= 2 * kPi - 1e-3;
   yaw_ = all_around ? wrapped(yaw_) : std::clamp(yaw_, yaw_limits_.low, yaw_limits_.high);
   pitch_ = std::clamp(pitch_ + up, pitch_limits_.low, pitch_limits_.high);
+}
+
+void PlayerInput::help(const Match& match, double seconds) {
+  const Vehicle& own = match.vehicles()[Match::kPlayer];
+  const Placement& chassis = match.world().body(own.chassis).placement;
+  const Vec3 eye = chassis.to_world(own.what().turret.barrel.pivot), aim = direction(chassis);
+  double nearest = kHelpReach, left = 0, up = 0;
+  for (size_t i = 1; i < match.vehicles().size(); ++i) {
+    const Vehicle& enemy = match.vehicles()[i];
+    if (!enemy.alive) continue;
+    const Vec3 way = match.world().body(enemy.chassis).placement.to_world({0, 0.8, 0}) - eye;
+    const double distance = glm::length(way);
+    if (!(distance > 0) || distance > kHelpFar) continue;
+    const double aside = wrapped(heading_of(way) - heading_of(aim)),
+                 rise = pitch_of(way / distance) - pitch_of(aim);
+    const double off = glm::length(Vec2(aside, rise));
+    if (off >= nearest) continue;
+    nearest = off;
+    left = aside;
+    up = rise;
+  }
+  const double share = std::min(1.0, kHelpPull * seconds);
+  turn(left * share, up * share);
 }
 
 void PlayerInput::limit(const Interval& yaw, const Interval& pitch) {

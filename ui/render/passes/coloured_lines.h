@@ -4,7 +4,7 @@
 
 #include "ui/gl/stream.h"
 #include "ui/render/bodies/shaders.h"
-#include "ui/render/view/overlay_colour.h"
+#include "ui/render/view/overlay_colours.h"
 
 namespace kerf {
 

@@ -1,17 +1,33 @@
 #include "ui/render/passes/face_numbers.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
+#include <string_view>
 
 #include "core/base/assert.h"
 #include "ui/render/bodies/body_looks.h"
-#include "ui/render/bodies/digits.h"
 #include "ui/render/passes/marked_faces.h"
 #include "ui/render/passes/veil_pass.h"
 
 namespace kerf {
 
 namespace {
+
+// The ten digits as bitmaps made for this program, rows from the top.
+constexpr int kDigitWidth = 5, kDigitHeight = 8;
+constexpr std::array<std::array<std::string_view, kDigitHeight>, 10> kDigits{{
+    {" ### ", "#   #", "#   #", "#   #", "#   #", "#   #", "#   #", " ### "},
+    {"  #  ", " ##  ", "# #  ", "  #  ", "  #  ", "  #  ", "  #  ", "#####"},
+    {" ### ", "#   #", "    #", "    #", "  ## ", " #   ", "#    ", "#####"},
+    {" ### ", "#   #", "    #", "  ## ", "    #", "    #", "#   #", " ### "},
+    {"   # ", "  ## ", " # # ", "#  # ", "#  # ", "#####", "   # ", "   # "},
+    {"#####", "#    ", "#    ", "#### ", "    #", "    #", "#   #", " ### "},
+    {" ### ", "#   #", "#    ", "#### ", "#   #", "#   #", "#   #", " ### "},
+    {"#####", "    #", "    #", "   # ", "   # ", "  #  ", "  #  ", "  #  "},
+    {" ### ", "#   #", "#   #", " ### ", "#   #", "#   #", "#   #", " ### "},
+    {" ### ", "#   #", "#   #", "#   #", " ####", "    #", "#   #", " ### "},
+}};
 
 constexpr int kCellWidth = kDigitWidth + 2, kCellHeight = kDigitHeight + 2;  // with a border
 constexpr int kAdvance = kDigitWidth + 1;

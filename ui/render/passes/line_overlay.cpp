@@ -6,7 +6,7 @@
 #include "ui/gl/state.h"
 #include "ui/render/bodies/body_picture.h"
 #include "ui/render/view/box_palette.h"
-#include "ui/render/view/overlay_colour.h"
+#include "ui/render/view/overlay_colours.h"
 #include "ui/render/view/section_clip.h"
 
 namespace kerf {

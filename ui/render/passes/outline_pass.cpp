@@ -4,7 +4,7 @@
 
 #include "ui/gl/state.h"
 #include "ui/render/view/box_palette.h"
-#include "ui/render/view/overlay_colour.h"
+#include "ui/render/view/overlay_colours.h"
 #include "ui/render/view/scaled_width.h"
 #include "ui/render/view/section_clip.h"
 

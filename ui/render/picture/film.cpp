@@ -4,7 +4,7 @@
 
 #include "core/base/assert.h"
 #include "ui/render/picture/beam_strike.h"
-#include "ui/render/picture/frame_file.h"
+#include "ui/render/picture/png.h"
 
 namespace kerf {
 

@@ -23,6 +23,17 @@ void replay_all(const Journal& journal, Document& document,
 
 }  // namespace
 
+Result<PictureOptions> options_for(const std::filesystem::path& file, const Scene& scene, int width,
+                                   int height) {
+  const auto show = parse_show_list(scene.show);
+  if (!show) return bad_input(file.string() + ": /show: " + show.error().message);
+  PictureOptions options;
+  options.width = width;
+  options.height = height;
+  options.show = scene.show.empty() ? default_show() : *show;
+  return options;
+}
+
 Result<DrawnPicture> draw_picture(OpenedFile work, const PictureOptions& options) {
   auto opened = Studio::open(work.scene, options);
   if (!opened) return opened.error();

@@ -25,6 +25,11 @@ struct PictureOptions {
   bool beam = false;      // the beam of the last stroke is drawn where it ended
 };
 
+// The options of a picture of this size that shows what a scene asks for. The error names `file`, the
+// scene's.
+Result<PictureOptions> options_for(const std::filesystem::path& file, const Scene& scene, int width,
+                                   int height);
+
 class Document;
 class Studio;
 

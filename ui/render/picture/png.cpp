@@ -3,6 +3,7 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <string>
 
 #include "core/base/assert.h"
@@ -31,6 +32,12 @@ Pixels read_pixels(unsigned framebuffer, int width, int height) {
                      pixels.rgb.begin() + static_cast<std::ptrdiff_t>(high * row));
   }
   return pixels;
+}
+
+std::filesystem::path frame_file(const std::filesystem::path& folder, size_t frame) {
+  char name[40];
+  std::snprintf(name, sizeof name, "frame-%05zu.png", frame);
+  return folder / name;
 }
 
 Status write_png(const Pixels& pixels, const std::filesystem::path& file) {

@@ -5,7 +5,6 @@
 #include "core/base/assert.h"
 #include "ui/gl/state.h"
 #include "ui/render/shadow/seen_light.h"
-#include "ui/render/view/overlay_colour.h"
 #include "ui/render/view/overlay_colours.h"
 #include "ui/render/view/section_clip.h"
 

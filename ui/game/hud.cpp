@@ -44,8 +44,7 @@ void draw_reticle(const HudView& view, const HudPaint& paint) {
                        : view.state.biting() > 0                      ? colours::accent()
                                                                       : kText;
   paint.circle(at, r, colour, view.state.biting() > 0 ? 2.5f : 1.5f);
-  for (int i = 0; i < 4; ++i) {
-    const float x = i == 0 ? 1.0f : i == 1 ? -1.0f : 0.0f, y = i == 2 ? 1.0f : i == 3 ? -1.0f : 0.0f;
+  for (const auto& [x, y] : {ImVec2(1, 0), ImVec2(-1, 0), ImVec2(0, 1), ImVec2(0, -1)}) {
     paint.line({at.x + x * r, at.y + y * r},
                {at.x + x * (r + 0.4f * paint.em()), at.y + y * (r + 0.4f * paint.em())}, colour, 1.5f);
   }
@@ -155,20 +154,17 @@ void draw_score(const HudView& view, const HudPaint& paint) {
   const float em = paint.em();
   paint.text({1.2f * em, 0.9f * em}, number(standing.score), kText, 2);
   const size_t waves = view.match.rules().waves.size();
-  if (waves > 0)
-    paint.text({1.2f * em, 3.1f * em},
-               "wave " + std::to_string(standing.wave + 1) + " of " + std::to_string(waves), kSecondary,
-               0.95f);
+  if (waves == 0) return;
+  paint.text({1.2f * em, 3.1f * em},
+             "wave " + std::to_string(standing.wave + 1) + " of " + std::to_string(waves), kSecondary, 0.95f);
   const double left = view.match.seconds_left();
-  if (waves > 0)
-    paint.text({paint.size().x - 1.2f * em, 0.9f * em}, clock_text(left), left < 30 ? kBad : kText, 2,
-               Align::kRight);
+  paint.text({paint.size().x - 1.2f * em, 0.9f * em}, clock_text(left), left < 30 ? kBad : kText, 2,
+             Align::kRight);
   size_t enemies = 0;
   for (size_t i = 1; i < view.match.vehicles().size(); ++i) enemies += view.match.vehicles()[i].alive;
-  if (waves > 0)
-    paint.text({paint.size().x - 1.2f * em, 3.1f * em},
-               std::to_string(enemies) + (enemies == 1 ? " enemy" : " enemies"), kSecondary, 0.95f,
-               Align::kRight);
+  paint.text({paint.size().x - 1.2f * em, 3.1f * em},
+             std::to_string(enemies) + (enemies == 1 ? " enemy" : " enemies"), kSecondary, 0.95f,
+             Align::kRight);
 }
 
 // An arrow at the rim of a circle around the middle that points to a place that is not seen.

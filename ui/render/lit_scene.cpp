@@ -19,13 +19,7 @@ bool casts_shadows(const ViewOptions& options) {
   return options.show.shadows == Shadows::kAll || options.show.shadow_compare;
 }
 
-void draw_bodies(const Subject& subject, const gl::Program& program) {
-  for_each_body(subject, [&](BodyId, const Body& body, const BodyPicture& picture) {
-    picture.draw(program, subject.space, body.placement);
-  });
-}
-
-// What the section plane leaves of them.
+// Draws what the section plane leaves of the bodies.
 void draw_section(const Subject& subject, const gl::Program& program) {
   const SectionClip clip(subject.options);
   draw_bodies(subject, program);

@@ -1,6 +1,7 @@
 #include "ui/render/renderer.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/base/assert.h"
 #include "core/base/unit_vector.h"
@@ -27,22 +28,11 @@ glm::mat4 shifted(const glm::mat4& clip_from_frame, const Target& target) {
 
 }  // namespace
 
-Renderer::Passes::Passes(Shaders& shaders)
-    : scene(shaders),
-      bloom(shaders),
-      beam(shaders),
-      effects(shaders),
-      lines(shaders),
-      veil(shaders),
-      outline(shaders),
-      numbers(shaders),
-      probe(shaders),
-      shadow_overlay(shaders),
-      reference(shaders),
-      graph(shaders),
-      stage(shaders),
-      section(shaders),
-      bodies(shaders) {}
+Renderer::Renderer(Shaders& shaders)
+    : passes_{LitScene(shaders),    BloomPass(shaders),     BeamPass(shaders),      EffectsPass(shaders),
+              LineOverlay(shaders), VeilPass(shaders),      OutlinePass(shaders),   FaceNumbers(shaders),
+              ShadowProbe(shaders), ShadowOverlay(shaders), ReferencePass(shaders), GraphPass(shaders),
+              StagePass(shaders),   SectionPass(shaders),   BodyPass(shaders)} {}
 
 Result<Renderer> Renderer::create() {
   Shaders shaders;
@@ -188,12 +178,6 @@ void Renderer::choose_canvas(const Target& target, bool antialias) {
   if (canvas.drawn->shape().samples > 1) canvas.resolved.emplace(gl::Framebuffer::Shape{w, h, 1, false});
 }
 
-void Renderer::draw_bodies(const World& world, const gl::Program& program) const {
-  for (const auto& [id, picture] : bodies_) {
-    if (world.contains(id)) picture.draw(program, space_, world.body(id).placement);
-  }
-}
-
 void Renderer::draw_overlays(const Subject& subject, const CameraView& view,
                              const std::optional<BeamPicture>& beam) {
   const ViewOptions& options = subject.options;
@@ -320,12 +304,10 @@ void Renderer::draw(const World& world, const CameraView& view, const ViewOption
   choose_canvas(target, options.antialias);
   if (beam) beam = ended_on_ground(*beam, passes_.scene.ground().height(), view.up_axis);
   set_up(world, view, options, beam, target);
-  if (contact_old_) {
-    passes_.scene.ground().update_contact(space_,
-                                          [&](const gl::Program& program) { draw_bodies(world, program); });
-    contact_old_ = false;
-  }
   const Subject subject{world, bodies_, space_, options};
+  if (std::exchange(contact_old_, false))
+    passes_.scene.ground().update_contact(space_,
+                                          [&](const gl::Program& program) { draw_bodies(subject, program); });
   const bool spot = beam && (beam->strike || beam->on_ground);
   passes_.scene.draw(subject, {.spot = spot, .rims = has_rims(options)}, *canvases_[canvas_].drawn);
   draw_overlays(subject, view, beam);

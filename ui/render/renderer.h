@@ -115,7 +115,6 @@ class Renderer {
  private:
   // The passes, in the order in which they draw.
   struct Passes {
-    explicit Passes(Shaders& shaders);
     LitScene scene;
     BloomPass bloom;
     BeamPass beam;
@@ -132,7 +131,7 @@ class Renderer {
     SectionPass section;
     BodyPass bodies;
   };
-  explicit Renderer(Shaders& shaders) : passes_(shaders) {}
+  explicit Renderer(Shaders& shaders);
 
   void place_ground(const World& world);
   void add(BodyId id, const Body& body, PreparedBodies& prepared);
@@ -143,7 +142,6 @@ class Renderer {
   double near_of(const World& world, const CameraView& view, const ViewOptions& options);
   void set_up(const World& world, const CameraView& view, const ViewOptions& options,
               const std::optional<BeamPicture>& beam, const Target& target);
-  void draw_bodies(const World& world, const gl::Program& program) const;
   void choose_canvas(const Target& target, bool antialias);
   void draw_overlays(const Subject& subject, const CameraView& view, const std::optional<BeamPicture>& beam);
   void draw_comparison(const Subject& subject, const gl::Framebuffer& picture);

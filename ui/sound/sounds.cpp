@@ -27,14 +27,12 @@ void fill(ALuint buffer, const Wave& wave) {
                static_cast<ALsizei>(samples.size() * sizeof(int16_t)), kSampleRate);
 }
 
-void place(ALuint source, const Vec3& at) {
+void place(ALuint source, const Vec3& at, double gain, double pitch) {
   alSource3f(source, AL_POSITION, static_cast<float>(at.x), static_cast<float>(at.y),
              static_cast<float>(at.z));
+  alSourcef(source, AL_GAIN, static_cast<float>(std::min(gain, 1.0)));
+  alSourcef(source, AL_PITCH, static_cast<float>(std::clamp(pitch, 0.1, 4.0)));
 }
-
-}  // namespace
-
-namespace {
 
 // While it exists nothing is written to standard error: the drivers that are tried where there is no device
 // complain there.
@@ -95,8 +93,8 @@ struct Sounds::Device {
     for (size_t i = 0; i < loops.size(); ++i) {
       alSourcei(loops[i], AL_BUFFER, static_cast<ALint>(buffers[i / kVoices]));
       alSourcei(loops[i], AL_LOOPING, AL_TRUE);
+      alSourcef(loops[i], AL_REFERENCE_DISTANCE, kNear);
     }
-    for (const ALuint source : loops) alSourcef(source, AL_REFERENCE_DISTANCE, kNear);
     for (const ALuint source : shots) alSourcef(source, AL_REFERENCE_DISTANCE, kNear);
     return alGetError() == AL_NO_ERROR;
   }
@@ -131,9 +129,7 @@ void Sounds::set(Loop loop, size_t voice, const Vec3& at, double gain, double pi
     if (state == AL_PLAYING) alSourcePause(source);
     return;
   }
-  place(source, at);
-  alSourcef(source, AL_GAIN, static_cast<float>(std::min(gain, 1.0)));
-  alSourcef(source, AL_PITCH, static_cast<float>(std::clamp(pitch, 0.1, 4.0)));
+  place(source, at, gain, pitch);
   if (state != AL_PLAYING) alSourcePlay(source);
 }
 
@@ -143,9 +139,7 @@ void Sounds::play(Shot shot, const Vec3& at, double gain, double pitch) {
   const ALuint source = device_->shots[device_->next_shot++ % kShotSources];
   alSourceStop(source);
   alSourcei(source, AL_BUFFER, static_cast<ALint>(device_->buffers[kLoops + static_cast<size_t>(shot)]));
-  place(source, at);
-  alSourcef(source, AL_GAIN, static_cast<float>(std::min(gain, 1.0)));
-  alSourcef(source, AL_PITCH, static_cast<float>(std::clamp(pitch, 0.1, 4.0)));
+  place(source, at, gain, pitch);
   alSourcePlay(source);
 }
 

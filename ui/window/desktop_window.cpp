@@ -46,10 +46,10 @@ struct DesktopWindow::Callbacks {
     of(w).drops_.assign(files, files + count);
     of(w).activity_ = true;
   }
-  static void refresh(GLFWwindow* w) { of(w).activity_ = true; }
-  static void close(GLFWwindow* w) { of(w).activity_ = true; }
-  static void resize(GLFWwindow* w, int, int) { of(w).activity_ = true; }
-  static void focus(GLFWwindow* w, int) { of(w).activity_ = true; }
+  template <typename... Ignored>
+  static void wake(GLFWwindow* w, Ignored...) {
+    of(w).activity_ = true;
+  }
 };
 
 DesktopWindow::DesktopWindow(GLFWwindow* window) : window_(window) {
@@ -60,10 +60,10 @@ DesktopWindow::DesktopWindow(GLFWwindow* window) : window_(window) {
   glfwSetScrollCallback(window, Callbacks::scroll);
   glfwSetKeyCallback(window, Callbacks::key);
   glfwSetDropCallback(window, Callbacks::drop);
-  glfwSetWindowRefreshCallback(window, Callbacks::refresh);
-  glfwSetFramebufferSizeCallback(window, Callbacks::resize);
-  glfwSetWindowCloseCallback(window, Callbacks::close);
-  glfwSetWindowFocusCallback(window, Callbacks::focus);
+  glfwSetWindowRefreshCallback(window, Callbacks::wake<>);
+  glfwSetFramebufferSizeCallback(window, Callbacks::wake<int, int>);
+  glfwSetWindowCloseCallback(window, Callbacks::wake<>);
+  glfwSetWindowFocusCallback(window, Callbacks::wake<int>);
 }
 
 DesktopWindow::~DesktopWindow() {
@@ -71,7 +71,7 @@ DesktopWindow::~DesktopWindow() {
   glfwTerminate();
 }
 
-Result<std::unique_ptr<DesktopWindow>> DesktopWindow::open(int width, int height, const std::string& title) {
+Result<std::unique_ptr<Window>> DesktopWindow::open(int width, int height, const std::string& title) {
   glfwSetErrorCallback(nullptr);
   if (!glfwInit())
     return failed(
@@ -89,7 +89,7 @@ Result<std::unique_ptr<DesktopWindow>> DesktopWindow::open(int width, int height
   glfwMakeContextCurrent(window);
   glfwSwapInterval(1);
   gl::report_gl_errors();
-  return std::unique_ptr<DesktopWindow>(new DesktopWindow(window));
+  return std::unique_ptr<Window>(new DesktopWindow(window));
 }
 
 Vec2 DesktopWindow::size() const {

@@ -14,7 +14,7 @@ namespace kerf {
 class DesktopWindow final : public Window {
  public:
   // Opens a window of a size in screen coordinates. Fails if there is no display or no OpenGL 3.3.
-  static Result<std::unique_ptr<DesktopWindow>> open(int width, int height, const std::string& title);
+  static Result<std::unique_ptr<Window>> open(int width, int height, const std::string& title);
   ~DesktopWindow() override;
 
   Vec2 size() const override;

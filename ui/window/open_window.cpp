@@ -6,14 +6,8 @@
 namespace kerf {
 
 Result<std::unique_ptr<Window>> open_window(const WindowOptions& options) {
-  if (options.events) {
-    auto window = ScriptedWindow::open(*options.events, options.width, options.height);
-    if (!window) return window.error();
-    return std::unique_ptr<Window>(std::move(*window));
-  }
-  auto window = DesktopWindow::open(options.width, options.height, "Kerf");
-  if (!window) return window.error();
-  return std::unique_ptr<Window>(std::move(*window));
+  if (options.events) return ScriptedWindow::open(*options.events, options.width, options.height);
+  return DesktopWindow::open(options.width, options.height, "Kerf");
 }
 
 }  // namespace kerf

@@ -48,13 +48,13 @@ double ScriptedWindow::Clock::seconds() const {
   return latest_;
 }
 
-Result<std::unique_ptr<ScriptedWindow>> ScriptedWindow::open(const std::filesystem::path& events, int width,
-                                                             int height) {
+Result<std::unique_ptr<Window>> ScriptedWindow::open(const std::filesystem::path& events, int width,
+                                                     int height) {
   auto script = EventScript::open(events, {width, height});
   if (!script) return script.error();
   auto context = gl::OffscreenContext::create_with_surface(width, height);
   if (!context) return context.error();
-  return std::unique_ptr<ScriptedWindow>(new ScriptedWindow(std::move(*script), std::move(*context)));
+  return std::unique_ptr<Window>(new ScriptedWindow(std::move(*script), std::move(*context)));
 }
 
 ScriptedWindow::ScriptedWindow(EventScript script, gl::OffscreenContext context)

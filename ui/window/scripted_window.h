@@ -15,8 +15,7 @@ namespace kerf {
 class ScriptedWindow final : public Window {
  public:
   // Fails if the file cannot be read, or OpenGL 3.3 cannot be had without a screen.
-  static Result<std::unique_ptr<ScriptedWindow>> open(const std::filesystem::path& events, int width,
-                                                      int height);
+  static Result<std::unique_ptr<Window>> open(const std::filesystem::path& events, int width, int height);
 
   Vec2 size() const override { return script_.input().size(); }
   Vec2 pixel_size() const override { return size(); }

@@ -28,4 +28,11 @@ void for_each_body(const Subject& subject, const Visit& visit) {
   }
 }
 
+// Draws the bodies with a program that is in use.
+inline void draw_bodies(const Subject& subject, const gl::Program& program) {
+  for_each_body(subject, [&](BodyId, const Body& body, const BodyPicture& picture) {
+    picture.draw(program, subject.space, body.placement);
+  });
+}
+
 }  // namespace kerf

@@ -1,5 +1,6 @@
 #include "ui/render/passes/body_pass.h"
 
+#include <array>
 #include <cmath>
 
 #include "core/base/angle.h"
@@ -53,15 +54,10 @@ glm::vec4 colour_of_impulse(double share) {
 }
 
 uint32_t colour_of(State state) {
-  switch (state) {
-    case State::kAsleep:
-      return overlay_colours::kAsleep;
-    case State::kPinned:
-      return overlay_colours::kPinned;
-    case State::kAwake:
-      break;
-  }
-  return overlay_colours::kAwake;
+  using namespace overlay_colours;
+  // In the order of State.
+  constexpr std::array kColours{kAwake, kAsleep, kPinned};
+  return kColours[static_cast<size_t>(state)];
 }
 
 void add_colliders(const Subject& subject, const BodyMarks& marks, double diagonal, Lines& lines) {

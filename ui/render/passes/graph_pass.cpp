@@ -1,6 +1,7 @@
 #include "ui/render/passes/graph_pass.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -66,17 +67,10 @@ float usual_length(const std::vector<std::pair<glm::vec3, glm::vec3>>& links, co
 }  // namespace
 
 uint32_t colour_of(DrawnGraph::State state) {
-  switch (state) {
-    case DrawnGraph::State::kRemoved:
-      return overlay_colours::kRemoved;
-    case DrawnGraph::State::kMarked:
-      return overlay_colours::kReached;
-    case DrawnGraph::State::kApart:
-      return overlay_colours::kApart;
-    case DrawnGraph::State::kUnmarked:
-      break;
-  }
-  return overlay_colours::kUnmarked;
+  // In the order of DrawnGraph::State.
+  constexpr std::array kColours{overlay_colours::kRemoved, overlay_colours::kReached,
+                                overlay_colours::kUnmarked, overlay_colours::kApart};
+  return kColours[static_cast<size_t>(state)];
 }
 
 GraphPass::GraphPass(Shaders& shaders)

@@ -26,9 +26,7 @@ void SectionPass::draw(const Subject& subject, int height) const {
       {.depth = GL_EQUAL, .writes_depth = false, .culled = subject.culled(), .blend = gl::kOver});
   line_.use();
   line_.set("wide", scaled_width(kSectionWidth, height));
-  for_each_body(subject, [&](BodyId, const Body& body, const BodyPicture& picture) {
-    picture.draw(line_, subject.space, body.placement);
-  });
+  draw_bodies(subject, line_);
 }
 
 }  // namespace kerf

@@ -1,5 +1,7 @@
 #include "ui/render/passes/stage_pass.h"
 
+#include <array>
+
 #include "ui/gl/state.h"
 #include "ui/render/bodies/body_looks.h"
 #include "ui/render/view/overlay_colours.h"
@@ -12,29 +14,25 @@ using Kind = StageMarks::Kind;
 
 constexpr float kEdgeHalfWidth = 0.7f, kLastHalfWidth = 1.6f;  // pixels
 
-float opacity_of_fill(Kind kind) {
-  switch (kind) {
-    case Kind::kSwept:
-      return 0.07f;
-    case Kind::kRemoved:
-      return 0.34f;
-    default:
-      return 0.42f;
-  }
-}
+// The colour of a kind of marks, and the opacity of its fills and lines.
+struct StageLook {
+  uint32_t colour;
+  float fill = 0.42f, line = 0.9f;
+};
 
-float opacity_of_line(Kind kind) {
-  switch (kind) {
-    case Kind::kCulled:
-      return 0.45f;
-    case Kind::kEntered:
-      return 0.6f;
-    case Kind::kRemoved:
-      return 0.7f;
-    default:
-      return 0.9f;
-  }
-}
+// In the order of StageMarks::Kind.
+constexpr std::array kStageLooks{StageLook{overlay_colours::kSwept, 0.07f},
+                                 StageLook{overlay_colours::kHit},
+                                 StageLook{overlay_colours::kBorn},
+                                 StageLook{overlay_colours::kRemoved, 0.34f, 0.7f},
+                                 StageLook{.colour = overlay_colours::kEntered, .line = 0.6f},
+                                 StageLook{.colour = overlay_colours::kCulled, .line = 0.45f},
+                                 StageLook{overlay_colours::kMissed},
+                                 StageLook{overlay_colours::kTouched},
+                                 StageLook{overlay_colours::kLast}};
+static_assert(kStageLooks.size() == static_cast<size_t>(Kind::kLast) + 1);
+
+const StageLook& stage_look(Kind kind) { return kStageLooks[static_cast<size_t>(kind)]; }
 
 // Places in the frame of a body, as they are drawn.
 class DrawnAt {
@@ -59,29 +57,7 @@ class DrawnAt {
 StagePass::StagePass(Shaders& shaders)
     : fills_(shaders.load({{"frame.glsl", "line.glsl", "fill.vert"}, {"fill.frag"}})), lines_(shaders) {}
 
-uint32_t colour_of(StageMarks::Kind kind) {
-  switch (kind) {
-    case Kind::kSwept:
-      return overlay_colours::kSwept;
-    case Kind::kHit:
-      return overlay_colours::kHit;
-    case Kind::kBorn:
-      return overlay_colours::kBorn;
-    case Kind::kRemoved:
-      return overlay_colours::kRemoved;
-    case Kind::kEntered:
-      return overlay_colours::kEntered;
-    case Kind::kCulled:
-      return overlay_colours::kCulled;
-    case Kind::kMissed:
-      return overlay_colours::kMissed;
-    case Kind::kTouched:
-      return overlay_colours::kTouched;
-    case Kind::kLast:
-      break;
-  }
-  return overlay_colours::kLast;
-}
+uint32_t colour_of(StageMarks::Kind kind) { return stage_look(kind).colour; }
 
 void StagePass::draw(const Subject& subject) {
   if (!subject.options.stage) return;
@@ -92,14 +68,14 @@ void StagePass::draw(const Subject& subject) {
     const DrawnAt at(subject, marks.body);
     for (const StageMarks::Fill& f : marks.fills) {
       if (at.hidden(f.piece)) continue;
-      const glm::vec4 colour = srgb(colour_of(f.kind), opacity_of_fill(f.kind));
+      const glm::vec4 colour = srgb(colour_of(f.kind), stage_look(f.kind).fill);
       for (const Vec3& corner : f.corners) corners.push_back({at(corner, f.piece), colour});
     }
     for (const StageMarks::Line& l : marks.lines) {
       if (at.hidden(l.piece)) continue;
       (l.kind == Kind::kLast ? last : lines)
           .push_back(
-              {at(l.from, l.piece), at(l.to, l.piece), srgb(colour_of(l.kind), opacity_of_line(l.kind))});
+              {at(l.from, l.piece), at(l.to, l.piece), srgb(colour_of(l.kind), stage_look(l.kind).line)});
     }
   }
   gl::ScopedState state({.writes_depth = false, .blend = gl::kOver});

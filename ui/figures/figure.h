@@ -37,7 +37,7 @@ struct FigureFilms {
   std::filesystem::path shadow;  // a scene whose first light turns
 };
 
-// What a file says of figures.
+// The content of a file of figures.
 struct FigureList {
   std::vector<Figure> figures;
   FigureFilms films;

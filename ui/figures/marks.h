@@ -8,7 +8,7 @@
 
 namespace kerf {
 
-// Both draw with the current ImGui context into the background list, which covers the whole picture.
+// The functions below draw with the current ImGui context into the background list, which covers the picture.
 
 // Dimension lines with arrow heads at their ends and their texts beside them.
 void draw_rulers(const std::vector<Ruler>& rulers, const CameraView& view);

@@ -42,7 +42,8 @@ Result<std::filesystem::path> save_inspected(const Match& match);
 // compile.
 Result<GameOutcome> play_in(Window& window, FrameLoop& loop, const GameOptions& options);
 
-// The same in a window of its own. Fails like open_window(), too, and at a line of its script that is wrong.
+// Plays in a window of its own. Fails like play_in() and open_window(), and at a line of the script that is
+// wrong.
 Result<GameOutcome> play(const GameOptions& options, const WindowOptions& window);
 
 }  // namespace kerf

@@ -41,7 +41,7 @@ void heading(const char* text, float scale = 1.5f) {
   ImGui::Spacing();
 }
 
-// Its name among the landmarks is `landmark`.
+// Draws a button as wide as the menu, named `landmark` among the landmarks. Returns whether it was pressed.
 bool wide_button(const char* label, const char* landmark) {
   const bool pressed = ImGui::Button(label, {ImGui::GetContentRegionAvail().x, 1.9f * ImGui::GetFontSize()});
   mark_last_item(landmark);

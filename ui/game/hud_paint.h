@@ -32,7 +32,7 @@ class HudPaint {
   void circle(ImVec2 at, float radius, ImU32 colour, float width) const;
   void shade(ImVec2 from, ImVec2 to) const;
 
-  // The same colour with another opacity, 0 .. 1.
+  // A colour with its opacity multiplied by a factor from 0 to 1.
   static ImU32 faded(ImU32 colour, double opacity);
 
  private:

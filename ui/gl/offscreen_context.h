@@ -13,8 +13,8 @@ class OffscreenContext {
  public:
   // Tries EGL's surfaceless platform and then its first device. The error says why each of them failed.
   static Result<OffscreenContext> create();
-  // The same with a surface in memory of a size in pixels, which is the default framebuffer. Precondition:
-  // the size is positive.
+  // Creates a context whose default framebuffer is a surface in memory of a size in pixels. Precondition: the
+  // size is positive.
   static Result<OffscreenContext> create_with_surface(int width, int height);
   // Replaces the surface by one of another size, with undefined content. Precondition: there is a surface
   // and the size is positive.

@@ -28,7 +28,7 @@ struct Stencil {
   GLenum passed = GL_KEEP;
 };
 
-// As glPolygonOffset counts.
+// The factor and the units of glPolygonOffset.
 struct DepthOffset {
   float per_slope = 0, units = 0;
 };

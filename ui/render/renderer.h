@@ -73,7 +73,7 @@ class Renderer {
   ShadowCounts shadow_counts(const World& world, const CameraView& view, const ViewOptions& options,
                              size_t light, ShadowMethod method, bool ground, int width, int height);
 
-  // The same by ray tracing, with the same preconditions; no ray is traced yet.
+  // A tracer of this shadow, which has traced no ray yet. The preconditions are those of shadow_counts().
   ShadowReference shadow_reference(const World& world, const CameraView& view, const ViewOptions& options,
                                    size_t light, bool ground, int width, int height);
 

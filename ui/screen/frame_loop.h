@@ -13,7 +13,7 @@ namespace kerf {
 // at most sixty per second, or those that a script asks for.
 class FrameLoop {
  public:
-  // Both must outlive it.
+  // The window and the GUI must outlive the loop.
   FrameLoop(Window& window, Gui& gui) : window_(window), gui_(gui) {}
 
   // Runs until the screen is over, SIGINT or SIGTERM arrives, or the script that drives the window ends.

@@ -99,7 +99,7 @@ class LivePicture {
   Quality quality_ = Quality::kFinished;
   bool antialiased_ = false;              // the last picture has several samples per pixel
   std::optional<double> smooth_seconds_;  // what the last new picture with several samples took
-  // The same of the last two with one sample; a change may have made one of them slow by itself.
+  // The durations of the last two new pictures with one sample; a change may have made one of them slow.
   std::array<double, 2> rough_seconds_{kSlowFrame, kSlowFrame};
   double seconds_ = 0;
   bool figures_new_ = false;  // of the last picture, so that panels drawn before it do not show them

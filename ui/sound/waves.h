@@ -21,7 +21,7 @@ Wave sheet_sound();           // a piece of sheet metal that falls
 Wave explosion_sound();       // a vehicle that goes out of action
 Wave chime_sound(bool good);  // a wave that begins, or the end of a match
 
-// As whole numbers of 16 bits, limited to what these hold.
+// The samples of a wave as whole numbers of 16 bits, clamped to their range.
 std::vector<int16_t> to_16_bits(std::span<const float> wave);
 
 }  // namespace kerf

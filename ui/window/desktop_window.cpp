@@ -13,7 +13,7 @@
 
 namespace kerf {
 
-// What GLFW calls; set before ImGui's, which call on to these.
+// The callbacks of GLFW. They are set before those of ImGui, which call on to them.
 struct DesktopWindow::Callbacks {
   static DesktopWindow& of(GLFWwindow* w) {
     return *static_cast<DesktopWindow*>(glfwGetWindowUserPointer(w));

@@ -13,7 +13,7 @@ struct KeyChord {
   friend bool operator==(const KeyChord&, const KeyChord&) = default;
 };
 
-// As menus and settings write it: "Ctrl+Shift+Z", "Del", "F4"; empty for a key without a name.
+// The chord as menus and settings write it: "Ctrl+Shift+Z", "Del", "F4"; empty for a key without a name.
 std::string chord_text(const KeyChord& chord);
 
 // The chord of such a text; nothing where it names none. The inverse of chord_text().

@@ -11,7 +11,7 @@ class NumberFields {
   // A row of a panel (see property.h) with three fields, as landmarks "NAME 0" to "NAME 2". Returns whether a
   // finite number was entered, which `values` then holds.
   bool vector(const char* name, Vec3& values, const RealFormat& format, const char* meaning);
-  // The same with one field, as landmark "NAME"; `unit` follows the number.
+  // A row with one field, as landmark "NAME"; `unit` follows the number.
   bool number(const char* name, double& value, const RealFormat& format, const char* meaning,
               std::string_view unit = "");
 

@@ -159,7 +159,7 @@ class BaseFaces::Builder {
     return {fans_.get() + begin, fan_end_[v] - begin};
   }
 
-  // What comes of a range of positions: the corners have indices from `first` on.
+  // The smoothed corners of a range of positions: they have indices from `first` on.
   struct Smoothed {
     std::vector<Corner> corners;
     std::array<double, kDeviationSteps> curved_area{};  // by the sine of the deviation

@@ -25,7 +25,7 @@ class BaseFaces {
   BaseFaces() = default;
   // Precondition: the mesh is as loaded. Faces that were split or removed before are shaded flat.
   BaseFaces(const Mesh& mesh, const FloatFrame& frame);
-  // The same, or fails with cancelled() when stopped. `progress` may be null.
+  // Builds the base faces of such a mesh; fails with cancelled() when stopped. `progress` may be null.
   static Result<BaseFaces> build(const Mesh& mesh, const FloatFrame& frame, const Progress* progress);
 
   // The bases of a body that was copied out of this one: its face i is face `faces[i]` of this one, or

@@ -47,8 +47,8 @@ struct BodyMarks {
 std::shared_ptr<const BodyMarks> gather_body_marks(const World& world, const Physics& physics,
                                                    const ShowOptions& show);
 
-// The same of a world in which time did not pass yet: what the next tick would find, with all bodies awake.
-// Copies the world.
+// Gathers the marks of a world in which no time has passed: contacts are those that the next tick would find
+// with all bodies awake. Copies the world.
 std::shared_ptr<const BodyMarks> body_marks_ahead(const World& world, const ShowOptions& show);
 
 }  // namespace kerf

@@ -61,7 +61,7 @@ class FaceBuffer {
 
   // Draws three vertices per live face; gl_VertexID % 3 is the corner.
   void draw() const;
-  // The same, with a call of before_chunk(i) before the faces of each chunk, whose slots start at i *
+  // Draws like draw(), and calls before_chunk(i) before the faces of each chunk, whose slots start at i *
   // kChunkFaces; gl_VertexID / 3 is the slot within the chunk.
   template <typename Before>
   void draw_chunks(const Before& before_chunk) const {
@@ -71,7 +71,7 @@ class FaceBuffer {
       chunks_[i].draw();
     }
   }
-  // The same for a program that needs face slots: its uniform first_slot is set to the slot of vertex 0.
+  // Draws with a program that needs face slots: its uniform first_slot is set to the slot of vertex 0.
   void draw_numbered(const gl::Program& program) const;
 
   // Draws the loaded surface where faces were removed; see RemovedFaces.

@@ -30,13 +30,13 @@ using PreparedBodies = std::map<BodyId, PreparedBody>;
 // piece is shaded as the body was, and otherwise new ones from its faces, which should be as loaded. Expected
 // linear time.
 PreparedBody prepare_shading(const Body& body, const LoadedShadings& loaded = {});
-// The same for every body of a world as loaded, or fails with cancelled() when stopped. `progress` may be
-// null, here and below.
+// Prepares the shading of every body of a world as loaded, or fails with cancelled() when stopped. `progress`
+// may be null, here and below.
 Result<PreparedBodies> prepare_shading(const World& world, const Progress* progress);
 // Adds the shadow casters of prepared bodies, in their current state, or fails with cancelled() when stopped.
 // Expected linear time.
 Status prepare_shadows(const World& world, PreparedBodies& prepared, const Progress* progress);
-// Both at the same time, for a world as loaded in which nothing is cut.
+// Prepares shading and shadows at the same time, for a world as loaded in which nothing is cut.
 Result<PreparedBodies> prepare_drawing(const World& world, const Progress* progress);
 
 }  // namespace kerf

@@ -24,7 +24,8 @@ BloomPass::BloomPass(Shaders& shaders)
 BloomPass::Level::Level(int width, int height)
     : glow({std::max(1, width), std::max(1, height), 1, false}), half_way(glow.shape()) {}
 
-// What is in level.glow is blurred; before, `from` is shrunk into it where it is another picture.
+// Shrinks the picture `from` into level.glow and blurs the result. Only bright pixels of a picture with a
+// size are taken; without a size (0) `from` is the glow of a level.
 void BloomPass::fill(Level& level, GLuint from, int width, int height) {
   const auto draw = [&](const gl::Program& program, GLuint picture, const glm::vec4& stride,
                         const gl::Framebuffer& to) {

@@ -50,7 +50,7 @@ void EffectsPass::draw_sparks(const std::vector<Spark>& sparks, const FrameSpace
   send(corners);
 }
 
-// They darken what lies under them, and then glow.
+// Scorches darken the surface under them first; then their glow is added.
 void EffectsPass::draw_scorches(const std::vector<Scorch>& scorches, const FrameSpace& space) {
   if (scorches.empty()) return;
   std::vector<Corner> corners;

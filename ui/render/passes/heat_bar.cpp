@@ -14,7 +14,7 @@ namespace {
 constexpr double kLabelEvery = 250;  // K
 constexpr double kApart = 120;       // K, between a label and that of an end
 
-// Both ends, and round numbers between them.
+// The temperatures (K) with labels: both ends of the scale, and round numbers between them.
 std::vector<double> labelled(double end) {
   std::vector<double> at{kAmbient, end};
   for (double t = kLabelEvery; t < end - kApart; t += kLabelEvery) {

@@ -78,7 +78,7 @@ double along_path(double t) {
 
 glm::dvec3 linear_heat_colour(double t) { return linear_from_oklab(oklab_on_path(along_path(t))); }
 
-// What the tone mapping of light.glsl (`filmic`) makes this of.
+// The linear light that the tone mapping of light.glsl (`filmic`) maps to y.
 float before_filmic(double y) {
   const double a = 2.51 - 2.43 * y, b = 0.03 - 0.59 * y;
   return static_cast<float>((-b + std::sqrt(b * b + 4 * 0.14 * y * a)) / (2 * a));

@@ -23,11 +23,11 @@ glm::vec4 tint_of(double hottest);
 // color space for image processing, 2020).
 glm::vec3 heat_colour(double t);
 
-// The three of them as a texture for body.frag.
+// Glow, tint and colours of the temperature view as the rows of a texture for body.frag.
 class HeatRamps {
  public:
   HeatRamps();
-  // For a program that is in use.
+  // Binds the texture for a program that is in use.
   void bind(const gl::Program& program) const;
 
  private:

@@ -36,7 +36,7 @@ float opacity_of(const AabbTree::Box& box, const TreeOverlay& tree) {
   return tree.deepest < TreeOverlay().deepest ? std::max(kFaintestAsked, opacity) : opacity;
 }
 
-// The same lines twice: wide and dark, then thin in their colours.
+// Draws each line twice: wide and dark, then thin in its colour.
 void draw_twice(const gl::Program& program, const glm::mat4& from_body, int vertices, GLsizei instances,
                 GLsizei most_dark, const glm::vec4& first, const glm::vec4& second, double scale) {
   if (instances == 0) return;

@@ -19,7 +19,7 @@ class LineOverlay {
 
   // Discards all collected lines.
   void forget() { gathered_.clear(); }
-  // The same of one body.
+  // Discards the collected lines of one body.
   void forget(BodyId id) { gathered_.erase(id); }
   void draw(BodyId id, const Body& body, const FloatFrame& frame, const FrameSpace& space,
             const glm::mat4& clip_from_frame, const ViewOptions& options);

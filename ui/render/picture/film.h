@@ -24,7 +24,7 @@ class Film {
   // To be called after each step of the document, which made one move of the beam at most. `step` is what the
   // step changed, or null if that is unknown. Fails if a frame cannot be written.
   Status follow(const Document& document, const StepResult* step);
-  // The same for a step that the film leaves out: it takes no time and no frame shows it.
+  // Follows a step that the film leaves out: it takes no time and no frame shows it.
   void leave_out(const Document& document, const StepResult* step);
   // Writes the last frames.
   Status end(const Document& document);

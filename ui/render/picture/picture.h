@@ -43,7 +43,8 @@ struct DrawnPicture {
 // journal replayed, beforehand. Fails if OpenGL is not available or a stroke cannot be cut.
 Result<DrawnPicture> draw_picture(OpenedFile work, const PictureOptions& options);
 
-// The same, written as a PNG, whole or not at all. Fails if that is not possible, too.
+// Renders the content of a file as draw_picture() does and writes a PNG, whole or not at all. Also fails if
+// the PNG cannot be written.
 Status render_picture(OpenedFile work, const PictureOptions& options, const std::filesystem::path& png);
 
 }  // namespace kerf

@@ -31,15 +31,15 @@ class ShadowPass {
  public:
   explicit ShadowPass(Shaders& shaders);
 
-  // Everything that is kept is of another world, or a Delta was lost.
+  // Discards all shadows, for another world or a Delta that was lost.
   void forget() { bodies_.clear(); }
-  // The same of one body.
+  // Discards the shadows of one body.
   void forget(BodyId id) { bodies_.erase(id); }
-  // What is kept of the body `from` is of `to`.
+  // Renames the body `from` to `to`, with its shadows.
   void carry_on(BodyId from, BodyId to);
-  // Faces that changed; bodies that came or went are forgotten or adopted.
+  // Follows changes of faces. Bodies that came or went have to be adopted or forgotten.
   void follow(const Delta& delta);
-  // What casts the shadow of a body in its picture frame, made ahead. Precondition: it is not null.
+  // Takes over a shadow caster of a body, in its picture frame. Precondition: the caster is not null.
   void adopt(BodyId id, std::unique_ptr<ShadowCaster> caster) {
     KERF_ASSERT(caster != nullptr);
     bodies_[id].caster = std::move(caster);

@@ -54,7 +54,7 @@ class Camera {
   // Looks from the front (+Z), from one side and from above, so that the box fills the fraction `fill` of the
   // picture's height. Precondition: aspect and fill are positive.
   void frame_default(const World::Bounds& bounds, double aspect, double fill = 0.64);
-  // The same without a change of direction.
+  // Frames the box without a change of direction.
   void frame(const World::Bounds& bounds, double aspect, double fill = 0.72);
   void look(const Vec3& eye, const Vec3& target);
 

@@ -48,7 +48,7 @@ struct StageColours {
   glm::vec4 ground_matt{0}, ground_line{0};
 };
 
-// Those of a workshop at dusk, or by day.
+// The colours of a workshop at dusk, or by day.
 const StageColours& stage_colours(bool by_day);
 
 // The uniform block "Frame" of the shaders; frame.glsl documents its members.

@@ -10,7 +10,7 @@ namespace kerf {
 // PieceGroups). If the spread is not 0, it costs as much as group_pieces() for each body.
 void spread_pieces(const World& world, double spread, ViewOptions& look);
 
-// The same for a world that has not changed since the last call of either. O(pieces).
+// Does what spread_pieces() does, for a world that has not changed since the last call of either. O(pieces).
 void spread_further(const World& world, double spread, ViewOptions& look);
 
 }  // namespace kerf

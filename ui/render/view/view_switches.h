@@ -71,7 +71,7 @@ struct ViewSwitch {
 // and on.
 std::string action_name(const ViewSwitch& s);
 
-// All of them, indexed by their ids.
+// All switches, indexed by their ids.
 std::span<const ViewSwitch> view_switches();
 const ViewSwitch& view_switch(SwitchId id);
 

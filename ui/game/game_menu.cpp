@@ -3,7 +3,6 @@
 #include <imgui.h>
 
 #include <array>
-#include <cstdio>
 
 #include "core/base/assert.h"
 #include "ui/game/debug_keys.h"

@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <optional>
-#include <string>
 
 #include "core/base/result.h"
 #include "core/game/match/rules.h"

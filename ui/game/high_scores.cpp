@@ -1,7 +1,6 @@
 #include "ui/game/high_scores.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "core/base/atomic_file.h"

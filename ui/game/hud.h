@@ -2,7 +2,6 @@
 
 #include "ui/game/hud_state.h"
 #include "ui/render/view/camera.h"
-#include "ui/window/gui_look.h"
 
 namespace kerf {
 

@@ -4,8 +4,6 @@
 
 #include <string>
 
-#include "core/base/vec3.h"
-
 namespace kerf {
 
 // Seconds as "2:05"; less than none are none.

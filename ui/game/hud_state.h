@@ -2,7 +2,6 @@
 
 #include <deque>
 #include <string>
-#include <vector>
 
 #include "core/game/match/match.h"
 

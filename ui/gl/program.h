@@ -4,7 +4,6 @@
 
 #include <filesystem>
 #include <glm/glm.hpp>
-#include <initializer_list>
 #include <string>
 #include <vector>
 

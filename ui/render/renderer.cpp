@@ -8,7 +8,6 @@
 #include "core/heat/black_body.h"
 #include "ui/gl/buffers.h"
 #include "ui/gl/state.h"
-#include "ui/render/bodies/assets.h"
 #include "ui/render/passes/heat_bar.h"
 #include "ui/render/shadow/seen_light.h"
 

@@ -1,7 +1,6 @@
 #include "ui/window/screenshot.h"
 
 #include <chrono>
-#include <cstdlib>
 #include <ctime>
 
 #include "core/base/user_folders.h"

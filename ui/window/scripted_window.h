@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 
 #include "core/base/result.h"
 #include "ui/gl/offscreen_context.h"

@@ -1,7 +1,6 @@
 #include "ui/render/bodies/face_labels.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <tuple>
 

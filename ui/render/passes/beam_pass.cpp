@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "ui/gl/state.h"
-#include "ui/render/bodies/body_picture.h"
 #include "ui/render/view/screen_segment.h"
 
 namespace kerf {

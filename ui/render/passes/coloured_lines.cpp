@@ -1,7 +1,6 @@
 #include "ui/render/passes/coloured_lines.h"
 
 #include "core/base/assert.h"
-#include "ui/render/bodies/body_picture.h"
 
 namespace kerf {
 

@@ -1,6 +1,5 @@
 #include "ui/render/passes/face_numbers.h"
 
-#include <algorithm>
 #include <array>
 #include <string>
 #include <string_view>

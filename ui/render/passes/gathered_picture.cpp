@@ -4,7 +4,6 @@
 
 #include "core/base/assert.h"
 #include "ui/gl/state.h"
-#include "ui/render/bodies/assets.h"
 
 namespace kerf {
 

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "ui/gl/state.h"
-#include "ui/render/bodies/body_picture.h"
 
 namespace kerf {
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <glm/glm.hpp>
-#include <vector>
 
 #include "ui/gl/objects.h"
 #include "ui/gl/program.h"

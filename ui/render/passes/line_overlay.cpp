@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "ui/gl/state.h"
-#include "ui/render/bodies/body_picture.h"
 #include "ui/render/view/box_palette.h"
 #include "ui/render/view/overlay_colours.h"
 #include "ui/render/view/section_clip.h"

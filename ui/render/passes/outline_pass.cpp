@@ -1,7 +1,5 @@
 #include "ui/render/passes/outline_pass.h"
 
-#include <algorithm>
-
 #include "ui/gl/state.h"
 #include "ui/render/view/box_palette.h"
 #include "ui/render/view/overlay_colours.h"

@@ -1,7 +1,5 @@
 #include "ui/render/passes/section_pass.h"
 
-#include <algorithm>
-
 #include "core/base/assert.h"
 #include "ui/gl/state.h"
 #include "ui/render/view/scaled_width.h"

@@ -2,7 +2,6 @@
 
 #include "core/base/assert.h"
 #include "ui/gl/state.h"
-#include "ui/render/bodies/body_picture.h"
 
 namespace kerf {
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <glm/glm.hpp>
-#include <optional>
 
 #include "core/base/vec3.h"
 #include "core/mesh/files/file_frame.h"

@@ -17,7 +17,7 @@
 #include "ui/editor/shared/settings.h"
 #include "ui/game/game.h"
 #include "ui/render/bodies/assets.h"
-#include "ui/window/open_window.h"
+#include "ui/window/window.h"
 
 namespace kerf {
 

@@ -10,7 +10,7 @@
 #include "ui/game/game.h"
 #include "ui/render/bodies/assets.h"
 #include "ui/screen/frame_loop.h"
-#include "ui/window/open_window.h"
+#include "ui/window/window.h"
 
 namespace kerf {
 

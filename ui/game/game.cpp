@@ -5,7 +5,7 @@
 #include "ui/game/high_scores.h"
 #include "ui/screen/frame_loop.h"
 #include "ui/window/gui.h"
-#include "ui/window/open_window.h"
+#include "ui/window/window.h"
 
 namespace kerf {
 

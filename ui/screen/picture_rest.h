@@ -13,7 +13,11 @@ enum class PictureChange {
 class PictureRest {
  public:
   // To be called once a frame, at a time in seconds of a clock that never goes back.
-  void follow(PictureChange change, double now);
+  void follow(PictureChange change, double now) {
+    now_ = now;
+    if (change != PictureChange::kNothing) changed_ = now;
+    if (change == PictureChange::kAll) moved_ = now;
+  }
   // Whether nothing in it has changed for a moment.
   bool rests() const { return now_ - changed_ > kMoment; }
   // Whether nothing but heat has.

@@ -130,7 +130,8 @@ void GameScreen::advance() {
   const double seconds = std::min<double>(ImGui::GetIO().DeltaTime, kLongestFrame);
   if (state_ == State::kPlaying) {
     if (settings_.aim_help && !bot_) input_.help(*match_, seconds);
-    run_ticks(seconds);
+    const int ticks = clock_.advance(seconds);
+    for (int i = 0; i < ticks && !match_->standing().over(); ++i) tick();
     hud_.advance(seconds);
     played_seconds_ += seconds;
     if (played_seconds_ > kGuideSeconds) guide_ = false;
@@ -145,11 +146,6 @@ void GameScreen::advance() {
     if (state_ == State::kPlaying) sounds_.advance(*match_, camera_.eye(), aim, settings_.volume);
   }
   if (options_.seconds > 0 && played_seconds_ >= options_.seconds) leave_ = Leave::kAway;
-}
-
-void GameScreen::run_ticks(double seconds) {
-  const int ticks = clock_.advance(seconds);
-  for (int i = 0; i < ticks && !match_->standing().over(); ++i) tick();
 }
 
 void GameScreen::tick() {

@@ -57,7 +57,6 @@ class GameScreen : public Screen {
   void start();
   void enter(State state);
   void hear_key(int key);
-  void run_ticks(double seconds);
   void tick();
   void follow_player();
   void finish();

@@ -2,7 +2,6 @@
 
 #include <array>
 
-#include "core/base/assert.h"
 #include "core/base/user_folders.h"
 #include "ui/window/kept_fields.h"
 
@@ -16,11 +15,6 @@ constexpr std::array kDifficulties{"easy", "normal", "hard"};
 constexpr std::array kPresets{"automatic", "low", "medium", "high"};
 
 }  // namespace
-
-const char* name_of(PicturePreset preset) {
-  KERF_ASSERT(static_cast<size_t>(preset) < kPresets.size());
-  return kPresets[static_cast<size_t>(preset)];
-}
 
 static void describe(KeptFields& f, GameSettings& s) {
   f.any("version", 1, [](const nlohmann::json&) {});

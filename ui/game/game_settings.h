@@ -32,8 +32,6 @@ struct GameSettings {
   friend bool operator==(const GameSettings&, const GameSettings&) = default;
 };
 
-const char* name_of(PicturePreset preset);
-
 // The file of the settings, beside that of the editor.
 std::filesystem::path game_settings_file();
 

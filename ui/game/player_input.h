@@ -35,7 +35,6 @@ class PlayerInput {
   // Where the player aims in the world, a unit vector.
   Vec3 direction(const Placement& chassis) const;
   double width() const { return width_; }  // of the beam, 0 .. 1
-  bool fires() const { return fire_; }
 
  private:
   void take_gamepad(double seconds, const GameSettings& settings);

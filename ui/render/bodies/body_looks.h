@@ -18,11 +18,9 @@ class BodyLooks {
   // The groups that are not looked at plainly.
   const std::map<uint32_t, PieceLook>& by_group() const { return by_group_; }
   const PieceLook& of(uint32_t group) const;
-  const PieceLook& of(const Mesh& mesh, FaceId f) const { return of(group_of(mesh, f)); }
-
-  // The group of a face (see PieceGroups).
-  uint32_t group_of(const Mesh& mesh, FaceId f) const {
-    return groups_ ? groups_->of(mesh, f) : mesh.data(f).piece;
+  // The look of the group of a face (see PieceGroups).
+  const PieceLook& of(const Mesh& mesh, FaceId f) const {
+    return of(groups_ ? groups_->of(mesh, f) : mesh.data(f).piece);
   }
   // The groups that a stage of a cut separated (true) from others, and those others (false).
   const std::map<uint32_t, bool>& came_off() const { return came_off_; }

@@ -74,7 +74,10 @@ void GroundPass::update_contact(const FrameSpace& space, const DrawBodies& bodie
   bodies(programs_.contact);
   const gl::ScopedState state({.depth = GL_NONE});
   blur_contact();
-  light_contact();
+  light_.bind();
+  programs_.contact_light.use();
+  programs_.contact_light.set("picture", 0);
+  no_vertices_.draw_screen();
 }
 
 void GroundPass::blur_contact() {
@@ -92,13 +95,6 @@ void GroundPass::blur_contact() {
   }
   glBindTexture(GL_TEXTURE_2D, picture_.colour_texture());
   glGenerateMipmap(GL_TEXTURE_2D);
-}
-
-void GroundPass::light_contact() {
-  light_.bind();
-  programs_.contact_light.use();
-  programs_.contact_light.set("picture", 0);
-  no_vertices_.draw_screen();
 }
 
 void GroundPass::draw(const FrameSpace& space, bool spot) const {

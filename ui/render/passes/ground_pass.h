@@ -44,7 +44,6 @@ class GroundPass {
   };
   glm::vec4 contact_place(const FrameSpace& space) const;
   void blur_contact();
-  void light_contact();
 
   Programs programs_;
   gl::Framebuffer picture_;  // what lies over the ground

@@ -97,7 +97,7 @@ void LitScene::add_direct(const Subject& subject, size_t light, std::optional<gl
   ground_.add_light(subject.space, place, colour);
 }
 
-// Black over what is in shadow, and what glows again over that.
+// Lays black over what is in shadow, and then adds the glow of rims again.
 void LitScene::darken_shadows(const Subject& subject) const {
   // The quad lies as far as the sky, which stays as it is.
   gl::State shadowed{.depth = GL_GREATER,

@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "core/base/random.h"
-#include "core/document/commands/beam_at.h"
 #include "core/document/commands/command.h"
 
 namespace kerf::test {

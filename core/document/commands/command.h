@@ -1,43 +1,38 @@
 #pragma once
 
 #include <concepts>
+#include <string>
 #include <variant>
 
-#include "core/document/commands/add_mesh.h"
-#include "core/document/commands/advance.h"
-#include "core/document/commands/begin_stroke.h"
-#include "core/document/commands/delete_piece.h"
-#include "core/document/commands/duplicate_piece.h"
-#include "core/document/commands/end_stroke.h"
-#include "core/document/commands/hide_piece.h"
-#include "core/document/commands/move_piece.h"
-#include "core/document/commands/move_stroke.h"
-#include "core/document/commands/pin_piece.h"
-#include "core/document/commands/play.h"
-#include "core/document/commands/pull.h"
-#include "core/document/commands/recut.h"
-#include "core/document/commands/redo.h"
-#include "core/document/commands/rename_piece.h"
-#include "core/document/commands/set_sheet.h"
-#include "core/document/commands/set_surroundings.h"
-#include "core/document/commands/simplify_piece.h"
-#include "core/document/commands/smooth_piece.h"
-#include "core/document/commands/stop_stroke.h"
-#include "core/document/commands/subdivide_piece.h"
-#include "core/document/commands/undo.h"
+#include "core/document/commands/piece_commands.h"
+#include "core/document/commands/remesh_commands.h"
+#include "core/document/commands/stroke_commands.h"
+#include "core/document/commands/time_commands.h"
+#include "core/document/commands/world_commands.h"
 
 namespace kerf {
+
+// Takes the last step of the history back; a stroke with all its moves is one step.
+struct Undo {
+  static constexpr const char* kName = "undo";
+  std::string words() const { return "Undo"; }
+};
+
+// Does the step of the history again that was taken back last.
+struct Redo {
+  static constexpr const char* kName = "redo";
+  std::string words() const { return "Redo"; }
+};
 
 // All changes of the world are commands. A stroke consists of a beginning, poses in world coordinates and an
 // end; it contains no pixels, so that a journal of commands gives the same world wherever it is replayed.
 //
-// Each kind of command is one pair of files in core/document/commands. Its struct has, beside its data:
+// Each kind of command is a struct in core/document/commands. It has, beside its data:
 //   kName      its name in a journal
 //   words()    a description for the user: "Stroke, radius 4 mm"
-//   weight()   the memory that it owns besides its own size, in bytes
-// and describe() beside it, the table of its keys in a journal (see Fields). A kind without one of these does
-// not compile. Kinds are always distinguished by std::visit, so that
-// a case that is missing anywhere does not compile either.
+//   weight()   the memory that it owns besides its own size, in bytes; only where it owns some
+// and, where it has data, describe() beside it, the table of its keys in a journal (see Fields). Kinds are
+// always distinguished by std::visit, so that a case that is missing anywhere does not compile.
 using Command =
     std::variant<BeginStroke, MoveStroke, EndStroke, StopStroke, Recut, Advance, Pull, LetGo, Play, AddMesh,
                  MovePiece, DuplicatePiece, HidePiece, DeletePiece, RenamePiece, PinPiece, SetSheet,

@@ -21,7 +21,7 @@ template <typename C>
 void fields_of(Fields& f, C& command, const std::optional<BeamAt>& beam) {
   std::string name = C::kName;
   f.text("do", name);
-  describe(f, command);
+  if constexpr (!std::is_empty_v<C>) describe(f, command);
   if constexpr (std::is_same_v<C, MoveStroke>) check_follows(f, command, beam);
   f.no_others(std::string("\"") + C::kName + "\" has no such key in this version of Kerf");
 }

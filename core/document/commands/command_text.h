@@ -4,7 +4,6 @@
 #include <optional>
 #include <string>
 
-#include "core/document/commands/beam_at.h"
 #include "core/document/commands/command.h"
 #include "core/document/text/json_value.h"
 

@@ -29,13 +29,15 @@ PieceId whole_id(const World& world, const PieceId& piece) {
 }
 
 Result<Delta> edit_piece(World& world, const PieceId& piece, uint32_t generation,
-                         const std::function<bool(const Body&)>& differs,
-                         const std::function<Delta(World&, BodyId)>& edit) {
+                         std::vector<BodyId> Delta::*told, const std::function<bool(const Body&)>& differs,
+                         const std::function<void(Body&)>& edit) {
   if (!has_faces(world, piece)) return no_such_piece(piece);
-  Delta delta;
+  Delta delta, change;
   if (!differs(world.body(piece.body))) return delta;
   const BodyId own = detach(world, piece, generation, delta);
-  delta.append(edit(world, own));
+  edit(world.body(own));
+  change.*told = {own};
+  delta.append(std::move(change));
   return delta;
 }
 

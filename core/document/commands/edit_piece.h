@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "core/base/result.h"
 #include "core/world/delta.h"
@@ -23,11 +24,11 @@ Error no_such_piece(const PieceId& piece);
 PieceId whole_id(const World& world, const PieceId& piece);
 
 // Makes the piece a body of its own of this generation, where it is not one already (see detach), and lets
-// `edit` change it, which returns what it changed. The delta is empty where `differs`, asked about the body
-// that the piece is in, says that there is nothing to change. Bad input where there is no such piece; the
-// world is unchanged then.
+// `edit` change it, which the list `told` of the delta tells. The delta is empty where `differs`, asked about
+// the body that the piece is in, says that there is nothing to change. Bad input where there is no such
+// piece; the world is unchanged then.
 Result<Delta> edit_piece(World& world, const PieceId& piece, uint32_t generation,
-                         const std::function<bool(const Body&)>& differs,
-                         const std::function<Delta(World&, BodyId)>& edit);
+                         std::vector<BodyId> Delta::*told, const std::function<bool(const Body&)>& differs,
+                         const std::function<void(Body&)>& edit);
 
 }  // namespace kerf

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "core/base/tick.h"
-#include "core/document/commands/stop_stroke.h"
+#include "core/document/commands/stroke_commands.h"
 #include "core/document/history/stroke.h"
 #include "core/world/world.h"
 

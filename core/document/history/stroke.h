@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/cut/cut_step.h"
-#include "core/document/commands/beam_at.h"
+#include "core/document/commands/stroke_commands.h"
 #include "core/world/delta.h"
 #include "core/world/world.h"
 

@@ -1,10 +1,16 @@
-#include "core/document/commands/pull.h"
+#include "core/document/commands/time_commands.h"
 
 #include "core/document/commands/edit_piece.h"
 #include "core/document/text/fields.h"
 #include "core/document/text/pose_fields.h"
 
 namespace kerf {
+
+void describe(Fields& f, Advance& c) {
+  f.whole("ticks", c.ticks, 1, Advance::kMostInALine);
+  f.flag("bodies", c.bodies, false);
+  f.flag("joins", c.joins, false);
+}
 
 std::string Pull::words() const { return "Pull " + piece_words(piece); }
 

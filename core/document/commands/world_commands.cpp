@@ -1,10 +1,22 @@
-#include "core/document/commands/set_surroundings.h"
+#include "core/document/commands/world_commands.h"
 
 #include "core/document/text/fields.h"
+#include "core/world/load_body.h"
 
 namespace kerf {
 
-std::string SetSurroundings::words() const { return "Gravity and ground"; }
+void describe(Fields& f, AddMesh& c) {
+  f.path("mesh", c.file);
+  f.text("name", c.name);
+}
+
+Result<Delta> AddMesh::run(World& world, uint32_t generation, const Progress* progress) const {
+  Result<Body> body = load_body(name, file, progress);
+  if (!body) return body.error();
+  Delta delta;
+  delta.came = {world.add(std::move(*body), generation)};
+  return delta;
+}
 
 void describe(Fields& f, SetSurroundings& c) {
   f.vector("gravity", c.around.gravity);

@@ -17,11 +17,22 @@ struct AddMesh {
   std::string name;
 
   static constexpr const char* kName = "add-mesh";
-  std::string words() const;
+  std::string words() const { return "Add " + name; }
   size_t weight() const { return file.native().size() + name.size(); }
   // Does it (see HappensAtOnce).
   Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
 };
 void describe(Fields& f, AddMesh& c);
+
+// Sets gravity and the ground.
+struct SetSurroundings {
+  Surroundings around;
+
+  static constexpr const char* kName = "surroundings";
+  std::string words() const { return "Gravity and ground"; }
+  // Does it (see HappensAtOnce).
+  Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
+};
+void describe(Fields& f, SetSurroundings& c);
 
 }  // namespace kerf

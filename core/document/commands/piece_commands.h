@@ -1,0 +1,94 @@
+#pragma once
+
+#include <string>
+
+#include "core/base/progress.h"
+#include "core/world/delta.h"
+#include "core/world/world.h"
+
+namespace kerf {
+
+class Fields;
+
+// Commands that change a piece as a whole. But for DuplicatePiece, the piece becomes a body of its own first,
+// where it is not one already (see edit_piece). run() does the command (see HappensAtOnce).
+
+// Puts a piece at a placement.
+struct MovePiece {
+  PieceId piece;
+  Placement to;
+
+  static constexpr const char* kName = "move-piece";
+  std::string words() const;
+  Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
+};
+void describe(Fields& f, MovePiece& c);
+
+// Adds a copy of a piece as a body of its own, at a placement. The piece itself is not changed.
+struct DuplicatePiece {
+  PieceId piece;
+  Placement to;
+
+  static constexpr const char* kName = "duplicate-piece";
+  std::string words() const;
+  Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
+};
+void describe(Fields& f, DuplicatePiece& c);
+
+// Hides a piece, or shows it again.
+struct HidePiece {
+  PieceId piece;
+  bool hidden = true;
+
+  static constexpr const char* kName = "hide-piece";
+  std::string words() const;
+  Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
+};
+void describe(Fields& f, HidePiece& c);
+
+// Removes a piece from the world.
+struct DeletePiece {
+  PieceId piece;
+
+  static constexpr const char* kName = "delete-piece";
+  std::string words() const;
+  Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
+};
+void describe(Fields& f, DeletePiece& c);
+
+// Gives a piece a name, after which pieces that come off it later are named.
+struct RenamePiece {
+  PieceId piece;
+  std::string name;
+
+  static constexpr const char* kName = "rename-piece";
+  std::string words() const;
+  size_t weight() const { return name.size(); }
+  Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
+};
+void describe(Fields& f, RenamePiece& c);
+
+// Pins a piece where it is, so that nothing moves it while bodies move, or lets it move again.
+struct PinPiece {
+  PieceId piece;
+  bool pinned = true;
+
+  static constexpr const char* kName = "pin-piece";
+  std::string words() const;
+  Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
+};
+void describe(Fields& f, PinPiece& c);
+
+// Says what the sheet of a piece is: its thickness, its density and the constants of its material. Its faces
+// keep their energy.
+struct SetSheet {
+  PieceId piece;
+  Sheet sheet;
+
+  static constexpr const char* kName = "set-sheet";
+  std::string words() const;
+  Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
+};
+void describe(Fields& f, SetSheet& c);
+
+}  // namespace kerf

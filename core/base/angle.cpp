@@ -1,6 +1,5 @@
 #include "core/base/angle.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 

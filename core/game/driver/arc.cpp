@@ -1,7 +1,6 @@
 #include "core/game/driver/arc.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 

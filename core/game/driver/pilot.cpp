@@ -1,6 +1,5 @@
 #include "core/game/driver/pilot.h"
 
-#include <algorithm>
 #include <limits>
 
 #include "core/base/hash.h"

@@ -5,7 +5,6 @@
 
 #include "core/base/assert.h"
 #include "core/cut/cut_step.h"
-#include "core/game/vehicle/vehicle_bodies.h"
 #include "core/joints/hold_parts.h"
 #include "core/physics/forget_contacts.h"
 #include "core/physics/release_pieces.h"

@@ -117,29 +117,9 @@ const std::shared_ptr<Stroke>& BeamQueue::front_stroke() const {
   return ready_.empty() ? entries_.front().stroke : ready_stroke_;
 }
 
-Ticks BeamQueue::front_ticks() const {
-  KERF_ASSERT(!empty() && front_kind() == Kind::kTicks);
-  return entries_.front().count;
-}
-
-bool BeamQueue::front_moves_bodies() const {
-  KERF_ASSERT(!empty() && front_kind() == Kind::kTicks);
-  return entries_.front().bodies;
-}
-
-const std::shared_ptr<Stroke>& BeamQueue::front_beam() const {
-  KERF_ASSERT(!empty() && front_kind() == Kind::kTicks);
-  return entries_.front().stroke;
-}
-
-const Pose& BeamQueue::front_beam_pose() const {
-  KERF_ASSERT(front_beam());
-  return entries_.front().move.to;
-}
-
-const std::optional<Spring>& BeamQueue::front_spring() const {
-  KERF_ASSERT(!empty() && front_kind() == Kind::kSpring);
-  return entries_.front().spring;
+const BeamQueue::Entry& BeamQueue::front_in_time() const {
+  KERF_ASSERT(ready_.empty() && !entries_.empty() && entries_.front().in_time());
+  return entries_.front();
 }
 
 std::optional<BeamMove> BeamQueue::next_move(const World& world) const {
@@ -272,31 +252,19 @@ void BeamQueue::pop_moves(size_t count) {
   size_ -= count;
 }
 
-void BeamQueue::pop_rim() {
-  KERF_ASSERT(!empty() && front_kind() == Kind::kRim && !unfinished_rim_.begun());
-  entries_.pop_front();
-  --size_;
-  --rims_;
-}
-
-void BeamQueue::pop_ticks(Ticks count) {
-  KERF_ASSERT(!empty() && front_kind() == Kind::kTicks && count <= entries_.front().count);
-  if (entries_.front().stroke) {
-    if (reached_step_ != entries_.front().step) reached_ = {};
-    reached_step_ = entries_.front().step;
+void BeamQueue::pop(size_t count) {
+  KERF_ASSERT(!empty() && front_kind() != Kind::kMove);
+  Entry& front = entries_.front();
+  KERF_ASSERT(count <= front.count && (front.in_time() || !unfinished_rim_.begun()));
+  if (front.kind == Kind::kTicks && front.stroke) {
+    if (reached_step_ != front.step) reached_ = {};
+    reached_step_ = front.step;
     reached_.ticks += count;
   }
-  entries_.front().count -= count;
   size_ -= count;
-  in_time_ -= count;
-  if (entries_.front().count == 0) entries_.pop_front();
-}
-
-void BeamQueue::pop_spring() {
-  KERF_ASSERT(!empty() && front_kind() == Kind::kSpring);
-  entries_.pop_front();
-  --size_;
-  --in_time_;
+  (front.in_time() ? in_time_ : rims_) -= count;
+  front.count -= count;
+  if (front.count == 0) entries_.pop_front();
 }
 
 template <typename Drops>

@@ -19,6 +19,18 @@ namespace kerf {
 class BeamQueue {
  public:
   enum class Kind { kMove, kRim, kTicks, kSpring };
+  struct Entry {
+    size_t step = 0;
+    Kind kind = Kind::kMove;
+    std::shared_ptr<Stroke> stroke = {};  // of kMove and kRim; of kTicks under a beam
+    BeamMove move = {};                   // of a move, not subdivided; of ticks, where the beam is
+    size_t number = 0;                    // of a move: that of the moves of its stroke before it
+    size_t count = 1;                     // its share of size(); the number of ticks
+    bool bodies = false;                  // of ticks: bodies move
+    std::optional<Spring> spring = {};    // of kSpring
+    double share = 1;                     // of a move, > 0: the part of it that is executed
+    bool in_time() const { return kind == Kind::kTicks || kind == Kind::kSpring; }
+  };
 
   bool empty() const { return ready_.empty() && entries_.empty(); }
   // The number of moves, ends of strokes, ticks and changes of the spring. A move counts as the number of
@@ -39,7 +51,8 @@ class BeamQueue {
   // none if it is null.
   void push_ticks(size_t step, Ticks ticks, bool bodies, std::shared_ptr<Stroke> stroke);
   void push_spring(size_t step, const std::optional<Spring>& spring);
-  // The same, before everything else. Precondition: no move and no end of a stroke is unfinished.
+  // Appends ticks without a beam, or a change of the spring, before everything else. Precondition: no move
+  // and no end of a stroke is unfinished.
   void push_ticks_in_front(size_t step, Ticks ticks, bool bodies);
   void push_spring_in_front(size_t step, const std::optional<Spring>& spring);
 
@@ -47,12 +60,8 @@ class BeamQueue {
   size_t front_step() const;
   Kind front_kind() const { return ready_.empty() ? entries_.front().kind : Kind::kMove; }
   const std::shared_ptr<Stroke>& front_stroke() const;
-  Ticks front_ticks() const;        // precondition: front_kind() is kTicks
-  bool front_moves_bodies() const;  // the same
-  // The stroke whose beam is on in the ticks at the front, or null, and where the beam is.
-  const std::shared_ptr<Stroke>& front_beam() const;  // precondition: front_kind() is kTicks
-  const Pose& front_beam_pose() const;                // precondition: front_beam()
-  const std::optional<Spring>& front_spring() const;  // precondition: front_kind() is kSpring
+  // Precondition: front_kind() is kTicks or kSpring.
+  const Entry& front_in_time() const;
 
   // The move that the next step begins or continues, or nothing if the front is no move.
   std::optional<BeamMove> next_move(const World& world) const;
@@ -63,7 +72,7 @@ class BeamQueue {
   // How far the last step executed the first move.
   UnfinishedMove& unfinished() { return unfinished_; }
   const UnfinishedMove& unfinished() const { return unfinished_; }
-  // The same of the end of a stroke at the front.
+  // How far the last step executed the end of a stroke at the front.
   UnfinishedRim& unfinished_rim() { return unfinished_rim_; }
   const UnfinishedRim& unfinished_rim() const { return unfinished_rim_; }
 
@@ -78,9 +87,8 @@ class BeamQueue {
 
   // Remove what has been executed from the front.
   void pop_moves(size_t count);
-  void pop_rim();
-  void pop_ticks(Ticks count);
-  void pop_spring();
+  // The front is no move; of ticks, some may be left.
+  void pop(size_t count = 1);
 
   // Remove the entries of a step of the history: all of them, or all of its strokes, so that its ticks pass
   // without a beam.
@@ -89,18 +97,6 @@ class BeamQueue {
   void clear() { *this = BeamQueue(); }
 
  private:
-  struct Entry {
-    size_t step = 0;
-    Kind kind = Kind::kMove;
-    std::shared_ptr<Stroke> stroke = {};  // of kMove and kRim; of kTicks under a beam
-    BeamMove move = {};                   // of a move, not subdivided; of ticks, where the beam is
-    size_t number = 0;                    // of a move: that of the moves of its stroke before it
-    size_t count = 1;                     // its share of size(); the number of ticks
-    bool bodies = false;                  // of ticks: bodies move
-    std::optional<Spring> spring = {};    // of kSpring
-    double share = 1;                     // of a move, > 0: the part of it that is executed
-    bool in_time() const { return kind == Kind::kTicks || kind == Kind::kSpring; }
-  };
   // A move that was begun, and a part of it.
   struct Begun {
     BeamMove move;

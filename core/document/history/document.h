@@ -4,16 +4,46 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "core/base/assert.h"
 #include "core/base/result.h"
 #include "core/document/history/command_log.h"
 #include "core/document/history/execution.h"
-#include "core/document/history/outcome.h"
 #include "core/world/body_state.h"
 #include "core/world/world.h"
 
 namespace kerf {
+
+// The result of a command: what changed in the world, and the error if the command failed. The delta may be
+// non-empty also on failure, because the queue of the document is executed before the command.
+class Outcome {
+ public:
+  Outcome() = default;
+  explicit Outcome(Delta changed) : delta(std::move(changed)) {}
+
+  Delta delta;
+
+  bool ok() const { return !error_; }
+  explicit operator bool() const { return ok(); }
+  // Precondition: !ok().
+  const Error& error() const {
+    KERF_ASSERT(error_);
+    return *error_;
+  }
+  void fail(Error error) { error_ = std::move(error); }
+
+  // Makes this the outcome of this command and the next one together. Precondition: ok().
+  void append(Outcome later) {
+    KERF_ASSERT(ok());
+    delta.append(std::move(later.delta));
+    error_ = std::move(later.error_);
+  }
+
+ private:
+  std::optional<Error> error_;
+};
 
 // A world and the commands that led to it.
 //

@@ -4,15 +4,44 @@
 #include <optional>
 #include <span>
 
+#include "core/base/assert.h"
 #include "core/base/result.h"
 #include "core/document/history/beam_queue.h"
 #include "core/document/history/history.h"
-#include "core/document/history/recorder.h"
 #include "core/physics/physics.h"
 #include "core/world/body_state.h"
 #include "core/world/world.h"
 
 namespace kerf {
+
+// Records the before-images of the step of the history that is being executed, which is called open.
+class Recorder {
+ public:
+  // The open step, or nothing between close() and open().
+  std::optional<size_t> step() const { return step_; }
+
+  // Opens a step: changes from now on belong to it, and with `record` their before-images are recorded.
+  // Precondition: no step is open.
+  void open(World& world, size_t step, bool record) {
+    KERF_ASSERT(!step_);
+    step_ = step;
+    recording_ = record;
+    if (record) world.begin_change();
+  }
+  // Closes the open step and returns the changes since open() if they were recorded. Preconditions: a step is
+  // open, and `world` is the one for which it was opened.
+  std::optional<World::Change> close(World& world) {
+    KERF_ASSERT(step_);
+    step_.reset();
+    return recording_ ? std::optional(world.end_change()) : std::nullopt;
+  }
+  // Discards the recording, because the world was replaced by another one.
+  void abandon() { step_.reset(); }
+
+ private:
+  std::optional<size_t> step_;
+  bool recording_ = false;
+};
 
 // Executes the steps of a history on a world, and records before-images of what each changes. Commands in
 // time are queued and executed in bounded parts; the others are executed at once.
@@ -158,6 +187,7 @@ class Execution {
   Result<StepResult> move_bodies(size_t step, const Progress& progress);
   Result<StepResult> move_under_beam(size_t step, const Progress& progress);
   StepResult change_spring();
+  void pass(Ticks ticks);
   void enqueue_in_front(size_t step, const Command& command);
 
   void begin(size_t step);

@@ -39,8 +39,8 @@ bool Execution::next_closes_rim() const {
 
 size_t Execution::next_makes_ready() const {
   const bool tick = !must_separate() && !queue_.empty() && queue_.front_kind() == BeamQueue::Kind::kTicks;
-  if (!tick || !queue_.front_moves_bodies()) return 0;
-  const bool beam = queue_.front_beam() != nullptr;
+  if (!tick || !queue_.front_in_time().bodies) return 0;
+  const bool beam = queue_.front_in_time().stroke != nullptr;
   size_t faces = 0;
   for (const BodyId id : world_.ids()) {
     const Body& body = world_.body(id);
@@ -118,20 +118,24 @@ Result<StepResult> Execution::close_rim_of_stroke(const Progress& progress) {
   walked_ = queue_.front_stroke();
   Result<StepResult> some =
       rim_step(world_, walked_->settings, walked_->path, walked_->swept, queue_.unfinished_rim(), &progress);
-  if (some && !rim_is_unfinished()) queue_.pop_rim();
+  if (some && !rim_is_unfinished()) queue_.pop();
   return some;
 }
 
 Result<StepResult> Execution::pass_ticks(size_t most, const Progress& progress) {
   const size_t step = queue_.front_step();
   begin(step);
-  if (queue_.front_moves_bodies()) return move_bodies(step, progress);
-  const Ticks ticks = std::min<Ticks>(most, queue_.front_ticks());
-  world_.pass(ticks);
-  cool_for_ticks(world_, ticks);
-  queue_.pop_ticks(ticks);
+  if (queue_.front_in_time().bodies) return move_bodies(step, progress);
+  pass(std::min<Ticks>(most, queue_.front_in_time().count));
   keep_open(step);
   return StepResult{};
+}
+
+// The first ticks of the queue pass.
+void Execution::pass(Ticks ticks) {
+  world_.pass(ticks);
+  cool_for_ticks(world_, ticks);
+  queue_.pop(ticks);
 }
 
 // One tick. What came off since the last one, and what turns on joints, becomes bodies first.
@@ -142,14 +146,12 @@ Result<StepResult> Execution::move_bodies(size_t step, const Progress& progress)
   release_pieces(world_, history_.step(step).generation, all.delta);
   follow_with_spring(world_, all.delta);
   note_cut(step, all);
-  if (queue_.front_beam()) queue_.front_beam()->inherit(all.delta.detached);
+  if (const auto& stroke = queue_.front_in_time().stroke) stroke->inherit(all.delta.detached);
   Result<StepResult> moved = move_under_beam(step, progress);
   if (!moved) return moved;
   all.delta.append(std::move(moved->delta));
   all.figures.add(moved->figures);
-  world_.pass(1);
-  cool_for_ticks(world_, 1);
-  queue_.pop_ticks(1);
+  pass(1);
   keep_open(step);
   return all;
 }
@@ -157,7 +159,7 @@ Result<StepResult> Execution::move_bodies(size_t step, const Progress& progress)
 // Bodies move on, and the beam, where it is on, cuts what moves through it. By the thermal model it only does
 // while its own moves are walked: the energy of a tick is theirs.
 Result<StepResult> Execution::move_under_beam(size_t step, const Progress& progress) {
-  const std::shared_ptr<Stroke> stroke = queue_.front_beam();
+  const std::shared_ptr<Stroke> stroke = queue_.front_in_time().stroke;
   std::map<BodyId, Placement> before;
   if (stroke) {
     for (const BodyId id : world_.ids()) before[id] = world_.body(id).placement;
@@ -169,7 +171,8 @@ Result<StepResult> Execution::move_under_beam(size_t step, const Progress& progr
   walked_ = stroke;
   for (const BodyId id : std::vector<BodyId>(all.delta.moved)) {
     const Body& body = world_.body(id);
-    const std::vector<BeamMove> moves = stroke->move_body(id, body, before[id], queue_.front_beam_pose());
+    const std::vector<BeamMove> moves =
+        stroke->move_body(id, body, before[id], queue_.front_in_time().move.to);
     if (moves.empty() || stroke->settings.model == Model::kThermal) continue;
     Result<StepResult> cut = cut_body(world_, stroke->settings, id, moves, &progress);
     if (!cut) return cut;
@@ -183,9 +186,9 @@ Result<StepResult> Execution::move_under_beam(size_t step, const Progress& progr
 StepResult Execution::change_spring() {
   const size_t step = queue_.front_step();
   begin(step);
-  world_.set_spring(queue_.front_spring());
+  world_.set_spring(queue_.front_in_time().spring);
   if (world_.spring()) hold_by_whole_id(world_);
-  queue_.pop_spring();
+  queue_.pop();
   keep_open(step);
   return {};
 }
@@ -313,12 +316,9 @@ StepResult Execution::skip_to(std::span<const BodyState> states, std::span<const
       change_spring();
       continue;
     }
-    KERF_ASSERT(queue_.front_kind() == BeamQueue::Kind::kTicks && !queue_.front_beam());
+    KERF_ASSERT(queue_.front_kind() == BeamQueue::Kind::kTicks && !queue_.front_in_time().stroke);
     begin(queue_.front_step());
-    const Ticks ticks = queue_.front_ticks();
-    world_.pass(ticks);
-    cool_for_ticks(world_, ticks);
-    queue_.pop_ticks(ticks);
+    pass(queue_.front_in_time().count);
   }
   return take_states(states, pairs);
 }

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "core/document/history/document.h"
-#include "core/document/history/stop_strokes.h"
+#include "core/document/history/walk.h"
 #include "core/document/journal/journal.h"
 #include "core/document/journal/replay.h"
 #include "core/world/state_hash.h"

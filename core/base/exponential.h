@@ -25,4 +25,25 @@ constexpr double exponential(double x) {
   return sum * std::bit_cast<double>(static_cast<uint64_t>(1023 + n) << 52);
 }
 
+// The natural logarithm by sums, products and quotients alone, the same to the bit on every machine. The
+// error is below 1e-15 of the larger of 1 and the result. Precondition: x is a normal positive number.
+//
+// Method: x = 2^n m with m near 1, and ln m = 2 artanh((m - 1) / (m + 1)) by its series.
+constexpr double logarithm(double x) {
+  assert(x >= 0x1p-1022 && x <= 0x1.fffffffffffffp1023);
+  constexpr double kLn2 = 0.69314718055994531, kRoot2 = 1.4142135623730951;
+  constexpr int kTerms = 11;
+  const auto bits = std::bit_cast<uint64_t>(x);
+  auto n = static_cast<int64_t>(bits >> 52) - 1023;
+  double m = std::bit_cast<double>((bits & 0xfffffffffffffu) | (uint64_t{1023} << 52));
+  if (m > kRoot2) {
+    m *= 0.5;
+    ++n;
+  }
+  const double s = (m - 1) / (m + 1), squared = s * s;
+  double sum = 0;
+  for (int k = kTerms; k >= 0; --k) sum = sum * squared + 1.0 / (2 * k + 1);
+  return static_cast<double>(n) * kLn2 + 2 * s * sum;
+}
+
 }  // namespace kerf

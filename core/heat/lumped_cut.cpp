@@ -5,7 +5,6 @@
 
 #include "core/base/assert.h"
 #include "core/base/exponential.h"
-#include "core/base/logarithm.h"
 
 namespace kerf {
 namespace {

@@ -79,10 +79,7 @@ Result<Joint> make_joint(const SceneJoint& joint, BodyId id, const Body& body) {
   const Vec3 size = glm::abs(joint.axis);
   made.axis = glm::normalize(joint.axis / std::max({size.x, size.y, size.z}));
   if (!search.is_near_mesh(joint.anchor)) return search.wrong("its anchor is far away from the mesh");
-  if (joint.limits) {
-    const double radians = kPi / 180;
-    made.limits = Interval{radians * joint.limits->low, radians * joint.limits->high};
-  }
+  if (joint.limits) made.limits = Interval{radians_of(joint.limits->low), radians_of(joint.limits->high)};
   for (size_t i = 0; i < 2; ++i) {
     auto side = search.side(i);
     if (!side) return side.error();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "core/base/angle.h"
@@ -16,7 +17,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double kFarthest = 1e5;  // m
-constexpr double kRadians = kPi / 180, kDegrees = 180 / kPi;
 
 std::string number_text(double x) {
   char text[32];
@@ -64,7 +64,7 @@ Result<Interval> ascending_angles(const JsonValue& value, const NumberRange& deg
   if (!two) return two.error();
   if (two->low > two->high || !degrees.contains(two->low) || !degrees.contains(two->high))
     return value.wrong("must be two angles in degrees, ascending, " + span_text(degrees));
-  return Interval{two->low * kRadians, two->high * kRadians};
+  return Interval{radians_of(two->low), radians_of(two->high)};
 }
 
 // "a", "b" or "c"
@@ -107,7 +107,7 @@ Fields& Fields::field(const char* key, T& x, const Missing<T>& missing, Read rea
   if (!reading()) {
     if (missing.is_written(x)) (*out_)[key] = write(x);
   } else if (take(key, missing.needed())) {
-    note(assign(read((*in_)[key]), x));
+    note(assign(std::invoke(read, (*in_)[key]), x));
   } else if (missing.value()) {
     x = *missing.value();
   }
@@ -138,13 +138,11 @@ void Fields::one_of(const char* key, uint64_t& number, std::span<const char* con
 }
 
 Fields& Fields::flag(const char* key, bool& flag, const Missing<bool>& missing) {
-  return field(
-      key, flag, missing, [](const JsonValue& value) { return value.flag(); }, kAsItIs);
+  return field(key, flag, missing, &JsonValue::flag, kAsItIs);
 }
 
 Fields& Fields::text(const char* key, std::string& text, const Missing<std::string>& missing) {
-  return field(
-      key, text, missing, [](const JsonValue& value) { return value.text(); }, kAsItIs);
+  return field(key, text, missing, &JsonValue::text, kAsItIs);
 }
 
 Fields& Fields::filled_text(const char* key, std::string& text, const Missing<std::string>& missing) {
@@ -165,11 +163,9 @@ Fields& Fields::vector(const char* key, Vec3& v, VectorRule rule, const Missing<
 }
 
 Fields& Fields::orientation(const char* key, glm::dquat& turn, const Missing<glm::dquat>& missing) {
-  return field(
-      key, turn, missing, [](const JsonValue& value) { return value.orientation(); },
-      [](const glm::dquat& q) {
-        return Json{q.w, q.x, q.y, q.z};
-      });
+  return field(key, turn, missing, &JsonValue::orientation, [](const glm::dquat& q) {
+    return Json{q.w, q.x, q.y, q.z};
+  });
 }
 
 Fields& Fields::interval(const char* key, Interval& range, const NumberRange& within, Presence presence) {
@@ -192,9 +188,9 @@ Fields& Fields::interval(const char* key, std::optional<Interval>& range) {
 }
 
 Fields& Fields::angle(const char* key, double& radians, const NumberRange& degrees, Presence presence) {
-  double angle = radians * kDegrees;
+  double angle = degrees_of(radians);
   number(key, angle, degrees, presence);
-  if (reading()) radians = angle * kRadians;
+  if (reading()) radians = radians_of(angle);
   return *this;
 }
 
@@ -202,7 +198,7 @@ Fields& Fields::angles(const char* key, Interval& radians, const NumberRange& de
   return value(
       key, [&](const JsonValue& value) { return assign(ascending_angles(value, degrees), radians); },
       [&] {
-        return Json{radians.low * kDegrees, radians.high * kDegrees};
+        return Json{degrees_of(radians.low), degrees_of(radians.high)};
       },
       presence);
 }

@@ -1,9 +1,12 @@
 #include "core/document/text/json_text.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "core/document/text/exact_number.h"
+#include "core/base/assert.h"
 
 namespace kerf {
 
@@ -37,6 +40,15 @@ Result<std::string> utf8_text(ToText to_text) {
 }
 
 }  // namespace
+
+void append_number(std::string& text, double x) {
+  KERF_ASSERT(std::isfinite(x));
+  std::array<char, 32> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), x).ptr;
+  const std::string_view number(digits.data(), static_cast<size_t>(end - digits.data()));
+  text += number;
+  if (number.find_first_of(".e") == std::string_view::npos) text += ".0";
+}
 
 Result<std::string> dump_json(const Json& json, int indent) {
   return utf8_text([&] { return json.dump(indent); });

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "core/base/logarithm.h"
 #include "core/base/random.h"
 
 namespace kerf::test {

@@ -20,17 +20,6 @@ Error write_error(const std::filesystem::path& path, int code) {
   return failed("cannot write " + path.string() + ": " + reason + ".");
 }
 
-// The error number, or 0. One write takes 1 GiB at most, because the kernel takes no more than 2 GiB.
-int write_all(int file, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(file, bytes.data(), std::min(bytes.size(), size_t{1} << 30));
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return errno;
-    bytes.remove_prefix(static_cast<size_t>(written));
-  }
-  return 0;
-}
-
 // Not every file system can flush; one that says so has nothing to lose.
 int flush(int file) { return ::fsync(file) == 0 || errno == EINVAL || errno == ENOTSUP ? 0 : errno; }
 
@@ -117,6 +106,17 @@ Status replace(const std::filesystem::path& path, const Produce& produce, std::o
 }
 
 }  // namespace
+
+// One write takes 1 GiB at most, because the kernel takes no more than 2 GiB.
+int write_all(int file, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(file, bytes.data(), std::min(bytes.size(), size_t{1} << 30));
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return errno;
+    bytes.remove_prefix(static_cast<size_t>(written));
+  }
+  return 0;
+}
 
 Status write_file_atomically(const std::filesystem::path& path, std::string_view bytes) {
   return write_file_atomically(path, [&](const ByteSink& sink) { sink(bytes); });

@@ -20,4 +20,7 @@ Status write_file_atomically(const std::filesystem::path& path, std::string_view
 Status write_file_atomically(const std::filesystem::path& path,
                              const std::function<void(const ByteSink&)>& produce);
 
+// Writes all of the bytes to an open file. Returns the error number, or 0.
+int write_all(int file, std::string_view bytes);
+
 }  // namespace kerf

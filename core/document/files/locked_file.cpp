@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "core/base/assert.h"
+#include "core/base/atomic_file.h"
 
 namespace kerf {
 
@@ -37,17 +38,6 @@ namespace {
 
 Error file_error(const std::filesystem::path& path, const char* what, int code) {
   return failed(path.string() + ": " + what + ": " + std::generic_category().message(code));
-}
-
-// Returns the error number, or 0.
-int write_all(int file, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(file, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return errno;
-    bytes.remove_prefix(static_cast<size_t>(written));
-  }
-  return 0;
 }
 
 // Creates a file under a temporary name and locks it. Returns the error number, or 0. A temporary file that a

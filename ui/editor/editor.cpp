@@ -4,7 +4,7 @@
 #include <random>
 
 #include "core/base/atomic_file.h"
-#include "core/document/journal/world_scene.h"
+#include "core/document/journal/save.h"
 #include "ui/editor/features.h"
 #include "ui/editor/shell/editor_screen.h"
 #include "ui/game/game.h"

@@ -1,6 +1,6 @@
 #include "ui/game/game.h"
 
-#include "core/document/journal/world_scene.h"
+#include "core/document/journal/save.h"
 #include "ui/game/game_screen.h"
 #include "ui/game/high_scores.h"
 #include "ui/screen/frame_loop.h"

@@ -4,9 +4,78 @@
 #include <map>
 
 #include "core/base/angle.h"
+#include "core/document/files/scene_text.h"
+#include "core/document/text/fields.h"
+#include "core/document/text/json_value.h"
 #include "core/world/load_body.h"
 
 namespace kerf {
+
+namespace {
+
+constexpr NumberRange kHeadings{-360, 360, "degrees"};
+
+// A heading wins over an orientation.
+void pose_fields(Fields& f, Placement& placement) {
+  f.vector("position", placement.position, VectorRule::kNearby, kOptional);
+  f.orientation("orientation", placement.orientation, kOptional);
+  double heading = 0;
+  if (!f.present("heading", false)) return;
+  f.angle("heading", heading, kHeadings, kOptional);
+  placement.orientation = turn_about({0, 1, 0}, heading);
+}
+
+Status read_size(const JsonValue& value, Vec2& size) {
+  const auto two = value.pair();
+  if (!two) return two.error();
+  size = {two->low, two->high};
+  if (glm::min(size.x, size.y) < 10 || glm::max(size.x, size.y) > 10'000)
+    return value.wrong("must be from 10 to 10000 m");
+  return Done{};
+}
+
+bool is_inside(const Start& start, const Vec2& size) {
+  const Vec3 p = glm::abs(start.position);
+  return 2 * p.x <= size.x && 2 * p.z <= size.y;
+}
+
+}  // namespace
+
+static void describe(Fields& f, Start& start) {
+  f.vector("position", start.position, VectorRule::kNearby);
+  f.angle("heading", start.heading, kHeadings, kOptional);
+}
+
+static void describe(Fields& f, ArenaBody& body) {
+  describe(f, body.body);
+  f.flag("cuttable", body.cuttable, kOptional);
+  f.member("pose", kOptional, [&](Fields& pose) { pose_fields(pose, body.body.placement); });
+  if (f.present("heading", false)) pose_fields(f, body.body.placement);
+}
+
+static void describe(Fields& f, ArenaDescription& arena) {
+  f.filled_text("name", arena.name, kOptional);
+  f.number("ground", arena.ground, {-1000, 1000, "m"}, kOptional);
+  f.value(
+      "size", [&](const JsonValue& value) { return read_size(value, arena.size); }, nullptr, kOptional);
+  f.list("bodies", "bodies", arena.bodies, kOptional);
+  lights_field(f, "lamps", arena.lamps);
+  f.by_name("paints", arena.paints);
+  f.member("starts", kNeeded, [&](Fields& starts) {
+    starts.object("player", arena.player);
+    starts.list("enemies", "starts", arena.enemies);
+    starts.check(!arena.enemies.empty(), "enemies", "must hold one start or more");
+  });
+  const auto inside = [&](const Start& start) { return is_inside(start, arena.size); };
+  f.check(inside(arena.player) && std::all_of(arena.enemies.begin(), arena.enemies.end(), inside), "starts",
+          "a start is outside the \"size\" of the arena");
+}
+
+Result<ArenaDescription> read_arena(const std::filesystem::path& file) {
+  ArenaDescription arena;
+  arena.name = file.stem().string();
+  return read_described(file, std::move(arena));
+}
 
 Placement Start::placement() const { return {position, turn_about({0, 1, 0}, heading)}; }
 

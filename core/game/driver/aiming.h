@@ -1,6 +1,5 @@
 #pragma once
 
-
 #include "core/base/random.h"
 #include "core/game/driver/driver_view.h"
 

@@ -1,6 +1,7 @@
 #include "core/game/match/recording.h"
 
 #include <algorithm>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "core/base/hash.h"
@@ -8,6 +9,7 @@
 #include "core/document/text/fields.h"
 #include "core/document/text/hash_text.h"
 #include "core/document/text/json_text.h"
+#include "core/document/text/json_value.h"
 #include "core/game/vehicle/vehicle_file.h"
 
 namespace kerf {
@@ -16,6 +18,7 @@ namespace {
 
 constexpr const char* kNames[] = {"easy", "normal", "hard"};
 constexpr uint64_t kMostSeed = 1'000'000'000'000'000'000;
+constexpr size_t kMostTicks = 36'000 * kTicksPerSecond;
 
 // The controls of `ticks` equal ticks.
 nlohmann::ordered_json run_json(const Controls& c, size_t ticks) {
@@ -34,17 +37,40 @@ std::string inputs_line(std::span<const Controls> controls) {
   return nlohmann::ordered_json{{"inputs", runs}}.dump() + "\n";
 }
 
-}  // namespace
-
-const char* name_of(Difficulty difficulty) { return kNames[static_cast<size_t>(difficulty)]; }
-
-std::optional<Difficulty> parse_difficulty(std::string_view name) {
-  for (size_t i = 0; i < std::size(kNames); ++i) {
-    if (name == kNames[i]) return static_cast<Difficulty>(i);
-  }
-  return std::nullopt;
+// A whole number within limits, of an element of a run.
+template <typename T>
+bool take(const nlohmann::json& run, size_t i, int64_t least, int64_t most, T& out) {
+  if (!run[i].is_number_integer()) return false;
+  const auto n = run[i].get<int64_t>();
+  out = static_cast<T>(n);
+  return n >= least && n <= most;
 }
 
+Status parse_run(const JsonValue& value, std::vector<Controls>& controls) {
+  const nlohmann::json& run = value.json();
+  constexpr int64_t kFull = Controls::kFull, kAngle = 100'000;
+  size_t ticks = 0;
+  Controls c;
+  const bool good = run.is_array() && run.size() == 8 && take(run, 0, 1, kTicksPerSecond, ticks) &&
+                    take(run, 1, -kFull, kFull, c.throttle) && take(run, 2, -kFull, kFull, c.steer) &&
+                    take(run, 3, 0, 1, c.handbrake) && take(run, 4, 0, 1, c.fire) &&
+                    take(run, 5, 0, kFull, c.width) && take(run, 6, -kAngle, kAngle, c.heading) &&
+                    take(run, 7, -kAngle, kAngle, c.pitch);
+  if (!good) return value.wrong("must be eight whole numbers of the controls of a vehicle");
+  if (controls.size() + ticks > kMostTicks) return value.wrong("is beyond ten hours");
+  controls.insert(controls.end(), ticks, c);
+  return Done{};
+}
+
+Status parse_runs(const JsonValue& value, Recording& recording) {
+  if (const Status list = value.array("runs"); !list) return list;
+  for (size_t i = 0; i < value.json().size(); ++i) {
+    if (const Status run = parse_run(value[i], recording.controls); !run) return run;
+  }
+  return Done{};
+}
+
+// The fields of the first line, and of the last one.
 void describe_head(Fields& f, Recording& recording) {
   std::string kind = "match";
   f.text("kerf", kind);
@@ -61,6 +87,25 @@ void describe_end(Fields& f, Recording& recording) {
   f.coded("hash", hash, parse_hash, hash_text, kHashRule);
   f.text("machine", recording.machine, kOptional);
   if (f.good()) recording.hash = hash;
+}
+
+// Line `number`, from 1, which is the head.
+void describe_line(Fields& f, size_t number, Recording& recording) {
+  if (number == 1) return describe_head(f, recording);
+  if (f.present("hash", false)) return describe_end(f, recording);
+  f.value(
+      "inputs", [&](const JsonValue& runs) { return parse_runs(runs, recording); }, nullptr);
+}
+
+}  // namespace
+
+const char* name_of(Difficulty difficulty) { return kNames[static_cast<size_t>(difficulty)]; }
+
+std::optional<Difficulty> parse_difficulty(std::string_view name) {
+  for (size_t i = 0; i < std::size(kNames); ++i) {
+    if (name == kNames[i]) return static_cast<Difficulty>(i);
+  }
+  return std::nullopt;
 }
 
 Result<std::string> recording_text(const Recording& recording, const std::filesystem::path& folder) {
@@ -105,6 +150,35 @@ Result<uint64_t> hash_of_files(const std::filesystem::path& rules_file, const Ru
     all = hash_combine(all, *hash);
   }
   return all;
+}
+
+bool is_recording(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  const std::string expected = R"({"kerf":"match")";
+  std::string start(expected.size(), '\0');
+  return stream.read(start.data(), static_cast<std::streamsize>(start.size())) && start == expected;
+}
+
+Result<Recording> read_recording(const std::filesystem::path& file) {
+  const auto text = read_text_file(file);
+  if (!text) return text.error();
+  Recording recording;
+  size_t number = 0;
+  for (size_t at = 0; at < text->size();) {
+    const size_t end = text->find('\n', at);
+    const std::string where = file.string() + ": line " + std::to_string(++number);
+    const std::string_view line = std::string_view(*text).substr(at, end - at);
+    const Status parsed = read_text_fields(line, where, file.parent_path(),
+                                           [&](Fields& f) { describe_line(f, number, recording); });
+    if (!parsed && number == 1) return parsed.error();
+    if (!parsed || end == std::string::npos) {
+      recording.damage = where + " is damaged, and the match is read up to there";
+      return recording;
+    }
+    at = end + 1;
+  }
+  if (number == 0) return bad_input(file.string() + ": the file is empty");
+  return recording;
 }
 
 }  // namespace kerf

@@ -47,11 +47,6 @@ Result<std::string> recording_text(const Recording& recording, const std::filesy
 // The hash of the files that a match is made of. Fails if one cannot be read.
 Result<uint64_t> hash_of_files(const std::filesystem::path& rules_file, const RulesDescription& rules);
 
-class Fields;
-// The fields of the first line, and of the last one.
-void describe_head(Fields& f, Recording& recording);
-void describe_end(Fields& f, Recording& recording);
-
 const char* name_of(Difficulty difficulty);
 std::optional<Difficulty> parse_difficulty(std::string_view name);
 

@@ -2,11 +2,42 @@
 
 #include <map>
 
+#include "core/document/text/fields.h"
+#include "core/document/text/json_value.h"
 #include "core/game/vehicle/vehicle_file.h"
 
 namespace kerf {
 
 namespace {
+
+constexpr size_t kMostEnemies = 12, kMostWaves = 50;
+constexpr NumberRange kPoints{0, 1e6};
+
+std::array<EnemySkill, 3> default_skills() {
+  return {EnemySkill{0.9, 0.105, 0.7, 0.35}, EnemySkill{}, EnemySkill{0.3, 0.03, 1, 1}};
+}
+
+Status read_wave(const JsonValue& value, const std::filesystem::path& folder,
+                 std::vector<std::filesystem::path>& wave) {
+  if (const Status array = value.array("vehicle files"); !array) return array;
+  if (value.json().empty() || value.json().size() > kMostEnemies)
+    return value.wrong("must name 1 to " + std::to_string(kMostEnemies) + " vehicle files");
+  for (size_t i = 0; i < value.json().size(); ++i) {
+    const auto name = value[i].text();
+    if (!name) return name.error();
+    wave.push_back(folder / *name);
+  }
+  return Done{};
+}
+
+Status read_waves(const JsonValue& value, const std::filesystem::path& folder, RulesDescription& rules) {
+  if (const Status array = value.array("waves"); !array) return array;
+  for (size_t i = 0; i < value.json().size(); ++i) {
+    if (const Status wave = read_wave(value[i], folder, rules.waves.emplace_back()); !wave) return wave;
+  }
+  if (rules.waves.size() <= kMostWaves) return Done{};
+  return value.wrong("must hold no more than " + std::to_string(kMostWaves) + " waves");
+}
 
 // Loads vehicles, each file once.
 class Garage {
@@ -28,6 +59,69 @@ class Garage {
 };
 
 }  // namespace
+
+static void describe(Fields& f, LaserRules& laser) {
+  f.number("range", laser.range, {1, 1000, "m"}, kOptional);
+  f.interval("radius", laser.radius, {0.001, 0.5, "m"}, kOptional);
+  double energy = 100, drain = energy * laser.drain, charge = energy * laser.charge;
+  f.number("energy", energy, {0.001, 1e9}, kOptional);
+  f.number("energy_per_second", drain, {0, 1e9}, kOptional);
+  f.number("recharge_per_second", charge, {0, 1e9}, kOptional);
+  laser.drain = drain / energy;
+  laser.charge = charge / energy;
+  f.number("heat_per_second", laser.heating, {0, 100}, kOptional);
+  f.number("cooling_per_second", laser.cooling, {0.001, 100}, kOptional);
+}
+
+static void describe(Fields& f, MatchTimes& times) {
+  f.number("match", times.match, {1, 36'000, "s"}, kOptional);
+  f.number("between_waves", times.between_waves, {0.1, 60, "s"}, kOptional);
+  f.number("righting", times.righting, {0.1, 60, "s"}, kOptional);
+  f.number("stuck", times.stuck, {0.1, 60, "s"}, kOptional);
+}
+
+static void describe(Fields& f, EnemySkill& skill) {
+  f.number("reaction", skill.reaction, {0, 2, "s"}, kOptional);
+  f.angle("aim_error", skill.aim_error, {0, 45, "degrees"}, kOptional);
+  f.number("enemy_speed", skill.speed, kShare, kOptional);
+  f.number("enemy_fire", skill.fire, kShare, kOptional);
+  f.number("enemy_distance", skill.distance, {4, 60, "m"}, kOptional);
+  f.whole("enemies_at_once", skill.at_once, 1, kMostEnemies, kOptional);
+}
+
+static void describe(Fields& f, Scores& scores) {
+  f.number("piece", scores.piece, kPoints, kOptional);
+  f.number("wheel", scores.wheel, kPoints, kOptional);
+  f.number("turret", scores.turret, kPoints, kOptional);
+  f.number("engine", scores.engine, kPoints, kOptional);
+  f.number("driver", scores.driver, kPoints, kOptional);
+  f.number("kill", scores.kill, kPoints, kOptional);
+  f.number("in_halves", scores.in_halves, kPoints, kOptional);
+  f.number("at_a_stroke", scores.at_a_stroke, kPoints, kOptional);
+}
+
+static void describe(Fields& f, RulesDescription& rules) {
+  f.filled_text("name", rules.name, kOptional);
+  f.path("arena", rules.arena);
+  f.path("player", rules.player);
+  f.value(
+      "waves", [&](const JsonValue& value) { return read_waves(value, f.folder(), rules); }, nullptr);
+  f.object("times", rules.times, kOptional);
+  f.object("laser", rules.laser, kOptional);
+  f.member("difficulties", kOptional, [&](Fields& skills) {
+    skills.object("easy", rules.skills[0], kOptional);
+    skills.object("normal", rules.skills[1], kOptional);
+    skills.object("hard", rules.skills[2], kOptional);
+  });
+  f.object("score", rules.scores, kOptional);
+}
+
+Result<RulesDescription> read_rules(const std::filesystem::path& file) {
+  RulesDescription rules;
+  rules.name = file.stem().string();
+  rules.skills = default_skills();
+  return read_described(file, std::move(rules));
+}
 
 Result<std::shared_ptr<const Rules>> load_rules(const std::filesystem::path& file, const Progress* progress) {
   auto description = read_rules(file);

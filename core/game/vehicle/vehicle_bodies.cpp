@@ -1,6 +1,5 @@
 #include "core/game/vehicle/vehicle_bodies.h"
 
-
 #include "core/base/angle.h"
 #include "core/base/assert.h"
 

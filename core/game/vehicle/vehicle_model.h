@@ -7,7 +7,7 @@
 #include "core/base/result.h"
 #include "core/game/arena/model_body.h"
 #include "core/game/vehicle/face_watch.h"
-#include "core/game/vehicle/vehicle_description.h"
+#include "core/game/vehicle/vehicle_file.h"
 #include "core/world/world.h"
 
 namespace kerf {

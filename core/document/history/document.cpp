@@ -114,22 +114,13 @@ Outcome Document::redo_at_once(size_t at, const Progress* progress) {
 
 // Executing the queue ---------------------------------------------------------------------------------------
 
-Result<StepResult> Document::step(size_t most, const Progress* progress) {
-  return execute(progress, [&](const Progress& watched) { return execution_.step(most, watched); });
-}
-
-Result<StepResult> Document::step_stage(const Progress* progress) {
-  return execute(progress, [&](const Progress& watched) { return execution_.step_stage(watched); });
-}
-
-template <typename Part>
-Result<StepResult> Document::execute(const Progress* progress, Part part) {
+Result<StepResult> Document::execute(size_t most, bool one_stage, const Progress* progress) {
   bool stopped = false;
   const Progress watched{[&](double fraction) {
     stopped = progress && !progress->report(fraction);
     return !stopped;
   }};
-  Result<StepResult> some = part(watched);
+  Result<StepResult> some = execution_.step(most, one_stage, watched);
   if (!some) give_up(execution_.next_step(), stopped);
   return some;
 }

@@ -104,11 +104,13 @@ class Document {
   // On failure the stroke is taken back, and whatever follows the world must read all of it again. If
   // `progress` stopped the step, the stroke is also undone in the journal, together with the queue behind it.
   // If no before-images are recorded (see set_window), the stroke ends where it was stopped instead.
-  Result<StepResult> step(size_t most, const Progress* progress = nullptr);
+  Result<StepResult> step(size_t most, const Progress* progress = nullptr) {
+    return execute(most, false, progress);
+  }
 
-  // The same, but executes only the next stage of a move through one body (see cut_stage), a part of the end
-  // of a stroke or of the search, or one tick. The result of the stroke is the same.
-  Result<StepResult> step_stage(const Progress* progress = nullptr);
+  // Executes a part like step(), but only the next stage of a move through one body (see cut_stage), a part
+  // of the end of a stroke or of the search, or one tick. The result of the stroke is the same.
+  Result<StepResult> step_stage(const Progress* progress = nullptr) { return execute(1, true, progress); }
 
   // Takes the last step of the history, a stroke or a recut, back, and appends its work to the queue again,
   // as if it had just been applied; a stroke may still be running. The history and the journal stay as they
@@ -149,9 +151,9 @@ class Document {
   StepResult take_states(std::span<const BodyState> states, std::span<const NearPair> pairs) {
     return execution_.take_states(states, pairs);
   }
-  // The same where ticks and changes of the spring wait, which pass without bodies being moved.
-  // Preconditions: nothing else waits, no beam is on, and the last step executed was a tick of the same step
-  // of the history.
+  // Puts bodies like take_states() where ticks and changes of the spring wait, which pass without bodies
+  // being moved. Preconditions: nothing else waits, no beam is on, and the last step executed was a tick of
+  // the same step of the history.
   StepResult skip_to(std::span<const BodyState> states, std::span<const NearPair> pairs) {
     return execution_.skip_to(states, pairs);
   }
@@ -178,8 +180,7 @@ class Document {
 
   Outcome do_at_once(const Command& command, const Progress* progress);
   Outcome redo_at_once(size_t step, const Progress* progress);
-  template <typename Part>
-  Result<StepResult> execute(const Progress* progress, Part part);
+  Result<StepResult> execute(size_t most, bool one_stage, const Progress* progress);
   void give_up(size_t step, bool stopped);
   Outcome finish(const Progress* progress);
 

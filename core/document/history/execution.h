@@ -117,9 +117,9 @@ class Execution {
 
   // Executing ---------------------------------------------------------------------------------------------
 
-  // Executes a bounded part of the queue (see Document::step). After a failure, give_up() has to be called.
-  Result<StepResult> step(size_t most, const Progress& progress) { return front(most, false, progress); }
-  Result<StepResult> step_stage(const Progress& progress) { return front(1, true, progress); }
+  // Executes a bounded part of the queue (see Document::step and step_stage). After a failure, give_up() has
+  // to be called.
+  Result<StepResult> step(size_t most, bool one_stage, const Progress& progress);
   // Ends a step of which a part failed: its stroke has cut nothing, and only its time passes. With `stopped`
   // all of it is taken back, and the queue behind it is dropped. Returns false if no before-images of the
   // step are held, so that its stroke ends where it has come to. Precondition: no stroke is running that the
@@ -179,9 +179,7 @@ class Execution {
  private:
   bool must_separate() const;
   StepResult separate_more();
-  Result<StepResult> front(size_t most, bool one_stage, const Progress& progress);
-  Result<StepResult> walk_moves(size_t most, const Progress& progress);
-  Result<StepResult> walk_stage(const Progress& progress);
+  Result<StepResult> walk_moves(size_t most, bool one_stage, const Progress& progress);
   Result<StepResult> close_rim_of_stroke(const Progress& progress);
   Result<StepResult> pass_ticks(size_t most, const Progress& progress);
   Result<StepResult> move_bodies(size_t step, const Progress& progress);

@@ -56,7 +56,7 @@ bool Execution::next_is_of_last_step() const {
   return !queue_.empty() && is_last(queue_.front_step());
 }
 
-Result<StepResult> Execution::front(size_t most, bool one_stage, const Progress& progress) {
+Result<StepResult> Execution::step(size_t most, bool one_stage, const Progress& progress) {
   if (must_separate()) return separate_more();
   if (queue_.empty() || most == 0) return StepResult{};
   const size_t step = queue_.front_step();
@@ -70,7 +70,7 @@ Result<StepResult> Execution::front(size_t most, bool one_stage, const Progress&
     case BeamQueue::Kind::kMove:
       break;
   }
-  return noted(step, one_stage ? walk_stage(progress) : walk_moves(most, progress));
+  return noted(step, walk_moves(most, one_stage, progress));
 }
 
 // What came apart in one stroke is known before the next one, or a tick, begins. While a stroke runs whose
@@ -92,23 +92,16 @@ StepResult Execution::separate_more() {
   return some;
 }
 
-Result<StepResult> Execution::walk_moves(size_t most, const Progress& progress) {
+Result<StepResult> Execution::walk_moves(size_t most, bool one_stage, const Progress& progress) {
   constexpr size_t kMostAtOnce = 64;  // of a queue that may be long: a bite holds a few of them
   begin(queue_.front_step());
   walked_ = queue_.front_stroke();
-  const std::vector<BeamMove> moves = queue_.begin_moves(world_, std::min(most, kMostAtOnce));
+  const std::vector<BeamMove> moves = queue_.begin_moves(world_, one_stage ? 1 : std::min(most, kMostAtOnce));
   walked_->list_path(world_);
-  Result<StepResult> some = cut_step(world_, walked_->settings, moves, queue_.unfinished(), &progress);
-  if (some) queue_.pop_moves(some->moves);
-  return some;
-}
-
-Result<StepResult> Execution::walk_stage(const Progress& progress) {
-  begin(queue_.front_step());
-  walked_ = queue_.front_stroke();
-  const BeamMove move = queue_.begin_moves(world_, 1).front();
-  walked_->list_path(world_);
-  Result<StepResult> some = cut_stage(world_, walked_->settings, move, queue_.unfinished(), &progress);
+  const CutSettings& settings = walked_->settings;
+  UnfinishedMove& unfinished = queue_.unfinished();
+  Result<StepResult> some = one_stage ? cut_stage(world_, settings, moves.front(), unfinished, &progress)
+                                      : cut_step(world_, settings, moves, unfinished, &progress);
   if (some) queue_.pop_moves(some->moves);
   return some;
 }

@@ -97,13 +97,13 @@ void HistoryStep::reopen() {
 
 void HistoryStep::add(World::Change change) {
   if (images_ != Images::kHeld) return;
-  bytes_ += change.bytes();
+  sums_.bytes += change.bytes();
   changes_.push_back(std::move(change));
 }
 
 void HistoryStep::touch(const Delta& delta) {
-  removed_faces_ += delta.removed_faces;
-  removed_area_ += delta.removed_area;
+  sums_.removed_faces += delta.removed_faces;
+  sums_.removed_area += delta.removed_area;
   if (delta.changes_bodies()) follow_bodies(delta);
   for (const BodyDelta& b : delta.bodies) {
     Touched& touched = touched_[b.body];
@@ -126,24 +126,24 @@ void HistoryStep::follow_bodies(const Delta& delta) {
   follow(touched_);
   follow(cut_faces_);
   std::map<PieceId, uint32_t> came_off;
-  for (const auto& [piece, from] : came_off_) came_off[piece_after(delta, piece)] = from;
-  came_off_ = std::move(came_off);
+  for (const auto& [piece, from] : sums_.came_off) came_off[piece_after(delta, piece)] = from;
+  sums_.came_off = std::move(came_off);
   Delta bodies = delta;
   bodies.bodies.clear();
   bodies_.append(std::move(bodies));
 }
 
 void HistoryStep::keep_cut_faces(const BodyDelta& delta) {
-  const size_t count = std::min(delta.removed.size(), kMostCutFaces - cut_faces_kept_);
+  const size_t count = std::min(delta.removed.size(), kMostCutFaces - sums_.cut_faces_kept);
   if (count == 0) return;
   std::vector<CutFace>& kept = cut_faces_[delta.body];
   kept.insert(kept.end(), delta.removed.begin(), delta.removed.begin() + static_cast<std::ptrdiff_t>(count));
-  cut_faces_kept_ += count;
+  sums_.cut_faces_kept += count;
 }
 
 void HistoryStep::let_go_cut_faces() {
   cut_faces_.clear();
-  cut_faces_kept_ = 0;
+  sums_.cut_faces_kept = 0;
 }
 
 PieceId HistoryStep::piece_after_step(PieceId before) const { return piece_after(bodies_, before); }
@@ -166,22 +166,19 @@ void HistoryStep::note_new_pieces(const World& world, const Delta& delta) {
         const auto later = label_then.find(n.index);
         if (!body.mesh.is_live(n) && later == label_then.end()) continue;
         const uint32_t label = body.mesh.is_live(n) ? body.label(n) : later->second;
-        if (label != faces[i].piece && unknown.erase(label) > 0) came_off_[{b.body, label}] = faces[i].piece;
+        if (label != faces[i].piece && unknown.erase(label) > 0)
+          sums_.came_off[{b.body, label}] = faces[i].piece;
       }
     }
   }
 }
 
 void HistoryStep::forget() {
-  came_off_.clear();
-  let_go_cut_faces();
+  cut_faces_.clear();
   changes_.clear();
-  bytes_ = 0;
   touched_.clear();
   bodies_ = Delta{};
-  removed_faces_ = 0;
-  removed_area_ = 0;
-  figures_ = {};
+  sums_ = {};
   state_ = State::kWaiting;
   images_ = Images::kNone;
 }
@@ -189,7 +186,7 @@ void HistoryStep::forget() {
 void HistoryStep::let_go() {
   if (images_ == Images::kHeld) images_ = Images::kLetGo;
   changes_.clear();
-  bytes_ = 0;
+  sums_.bytes = 0;
 }
 
 Delta HistoryStep::take_back(World& world) {
@@ -203,34 +200,24 @@ HistoryStep::Mark HistoryStep::mark() const {
   mark.commands = commands_.size();
   mark.ticks = ticks_of_last(commands_);
   mark.changes = changes_.size();
-  mark.bytes = bytes_;
-  mark.removed_faces = removed_faces_;
-  mark.cut_faces_kept = cut_faces_kept_;
-  mark.removed_area = removed_area_;
-  mark.figures = figures_;
+  mark.sums = sums_;
   for (const auto& [id, touched] : touched_)
     mark.touched[id] = {touched.corners.size(), touched.labels.size()};
   for (const auto& [id, faces] : cut_faces_) mark.cut_faces[id] = faces.size();
-  mark.came_off = came_off_;
   return mark;
 }
 
 bool HistoryStep::can_go_back_to(const Mark& mark) const {
   return images_ == Images::kHeld && !waiting() && bodies_.empty() && mark.changes <= changes_.size() &&
          mark.commands == commands_.size() && mark.ticks == ticks_of_last(commands_) &&
-         mark.cut_faces_kept <= cut_faces_kept_;
+         mark.sums.cut_faces_kept <= sums_.cut_faces_kept;
 }
 
 Delta HistoryStep::go_back_to(const Mark& mark, World& world) {
   KERF_ASSERT(can_go_back_to(mark));
   for (; changes_.size() > mark.changes; changes_.pop_back()) world.exchange(changes_.back());
   Delta back = delta(world, true, &mark);
-  bytes_ = mark.bytes;
-  removed_faces_ = mark.removed_faces;
-  cut_faces_kept_ = mark.cut_faces_kept;
-  removed_area_ = mark.removed_area;
-  figures_ = mark.figures;
-  came_off_ = mark.came_off;
+  sums_ = mark.sums;
   std::erase_if(touched_, [&](const auto& touched) { return !mark.touched.contains(touched.first); });
   for (const auto& [id, sizes] : mark.touched) {
     touched_[id].corners.resize(sizes.first);

@@ -43,10 +43,10 @@ class HistoryStep {
   uint32_t generation = 0;
 
   // The number of live faces that the step removed, and their area (m^2).
-  size_t removed_faces() const { return removed_faces_; }
-  double removed_area() const { return removed_area_; }  // see Delta
+  size_t removed_faces() const { return sums_.removed_faces; }
+  double removed_area() const { return sums_.removed_area; }  // see Delta
   // The sum of the figures of all cut steps that executed it.
-  const StepFigures& figures() const { return figures_; }
+  const StepFigures& figures() const { return sums_.figures; }
 
   State state() const { return state_; }
   bool waiting() const { return state_ == State::kWaiting; }
@@ -59,11 +59,11 @@ class HistoryStep {
   void reopen();
 
   Images images() const { return images_; }
-  size_t bytes() const { return bytes_; }  // memory of its before-images
+  size_t bytes() const { return sums_.bytes; }  // memory of its before-images
   void add(World::Change change);
   // Notes what the step changed, from which the delta is made when the step is undone or redone.
   void touch(const Delta& delta);
-  void add(const StepFigures& figures) { figures_.add(figures); }
+  void add(const StepFigures& figures) { sums_.figures.add(figures); }
   // Makes the step waiting again, after its changes were taken out of the world. Drops all records of them.
   void forget();
   // Discards the before-images. The changes stay in the world.
@@ -72,13 +72,13 @@ class HistoryStep {
   // The id after the step of a body that has the id `before` ahead of it and was not removed by it.
   BodyId id_after_step(BodyId before) const { return id_after(bodies_, before); }
 
-  // The same of a piece, which another body has if the step detached it.
+  // The id after the step of a piece, which another body has if the step detached it.
   PieceId piece_after_step(PieceId before) const;
 
   // The pieces that came off in the step, by the ids of the bodies after the step, and the label of the piece
   // that each came off. note_new_pieces() is told of each part of the step right after it: what came off what
   // is found from the faces that were removed beside a new piece.
-  const std::map<PieceId, uint32_t>& came_off() const { return came_off_; }
+  const std::map<PieceId, uint32_t>& came_off() const { return sums_.came_off; }
   void note_new_pieces(const World& world, const Delta& delta);
 
   // The faces that the beam removed in the step, by the id of the body after the step, for views of the cut.
@@ -86,25 +86,30 @@ class HistoryStep {
   // kMostCutFaces, and after let_go_cut_faces(), some are missing.
   static constexpr size_t kMostCutFaces = 200'000;
   const CutFaces& cut_faces() const { return cut_faces_; }
-  size_t cut_faces_kept() const { return cut_faces_kept_; }
-  bool has_all_cut_faces() const { return cut_faces_kept_ == removed_faces_; }
+  size_t cut_faces_kept() const { return sums_.cut_faces_kept; }
+  bool has_all_cut_faces() const { return sums_.cut_faces_kept == sums_.removed_faces; }
   void let_go_cut_faces();
 
   // Undoes or redoes the step by exchanging what it changed with its before-images. Preconditions: the images
   // are held, and all later steps are undone.
   Delta take_back(World& world);
   Delta bring_again(World& world);
+  // What the parts of the step that have been executed sum up to.
+  struct Sums {
+    size_t bytes = 0;  // memory of the before-images
+    size_t removed_faces = 0, cut_faces_kept = 0;
+    double removed_area = 0;
+    StepFigures figures;
+    std::map<PieceId, uint32_t> came_off;
+  };
   // How far the execution of the step has come. All that the step notes is appended or summed up.
   struct Mark {
     size_t commands = 0;
     Ticks ticks = 0;  // of the last command, to which more may be added
-    size_t changes = 0, bytes = 0;
-    size_t removed_faces = 0, cut_faces_kept = 0;
-    double removed_area = 0;
-    StepFigures figures;
+    size_t changes = 0;
+    Sums sums;
     std::map<BodyId, std::pair<size_t, size_t>> touched;  // numbers of corners and labels
     std::map<BodyId, size_t> cut_faces;
-    std::map<PieceId, uint32_t> came_off;
   };
   // Precondition: the step was begun, and no recording is open.
   Mark mark() const;
@@ -135,16 +140,11 @@ class HistoryStep {
   State state_ = State::kWaiting;
   Images images_ = Images::kNone;
   std::vector<Command> commands_;
-  size_t removed_faces_ = 0;
-  double removed_area_ = 0;
-  StepFigures figures_;
   std::vector<World::Change> changes_;  // in the order in which they were made
   std::map<BodyId, Touched> touched_;   // by the id of the body after the step
   Delta bodies_;                        // all changes except those of faces
-  size_t bytes_ = 0;
   CutFaces cut_faces_;
-  size_t cut_faces_kept_ = 0;
-  std::map<PieceId, uint32_t> came_off_;
+  Sums sums_;
 };
 
 // The kind of the step of the history that a command begins where the step before it is of the kind `last`,

@@ -12,9 +12,8 @@ namespace kerf {
 // the world with the marks of the journal on the way. The journal and the document must outlive the replay.
 class Replay {
  public:
-  Replay(const Journal& journal, Document& document) : Replay(journal, document, {}) {}
   // With `skips`: bodies are put where marks say that time brought them.
-  Replay(const Journal& journal, Document& document, std::vector<TimeSkip> skips)
+  Replay(const Journal& journal, Document& document, std::vector<TimeSkip> skips = {})
       : journal_(journal), document_(document), skips_(std::move(skips)) {
     compare();
   }

@@ -9,12 +9,6 @@ constexpr Ticks kAssessEvery = 8;  // while nothing comes off
 
 }  // namespace
 
-double area_of(const Body& body) {
-  double area = 0;
-  for (uint32_t p = 0; p < body.pieces.size(); ++p) area += body.pieces[p].area;
-  return area;
-}
-
 Vec3 middle_of(const Body& body) {
   const AabbTree::Box box = body.tree.bounds();
   return body.placement.to_world(0.5 * (box.min + box.max));

@@ -115,8 +115,7 @@ class Tally {
   std::vector<Event> events_;
 };
 
-// The area of a body (m^2), and the middle of its bounding box in the world (m).
-double area_of(const Body& body);
+// The middle of the bounding box of a body in the world, m.
 Vec3 middle_of(const Body& body);
 
 }  // namespace kerf

@@ -55,13 +55,13 @@ void assess_vitals(Vehicle& vehicle, const Rest& chassis, Damage& damage) {
   }
 }
 
+}  // namespace
+
 double area_of(const Body& body) {
   double area = 0;
   for (uint32_t p = 0; p < body.pieces.size(); ++p) area += body.pieces[p].area;
   return area;
 }
-
-}  // namespace
 
 Damage assess_damage(const World& world, Vehicle& vehicle) {
   Damage damage;

@@ -25,6 +25,9 @@ struct Damage {
 // of their own already (see release_pieces). O(faces of the vehicle).
 Damage assess_damage(const World& world, Vehicle& vehicle);
 
+// The area of the faces of a body, m^2.
+double area_of(const Body& body);
+
 inline constexpr double kLeastPart = 0.5;      // of the area of a part
 inline constexpr double kLeastChassis = 0.25;  // of the area of the chassis
 

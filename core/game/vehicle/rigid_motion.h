@@ -25,7 +25,6 @@ class RigidMotion {
   void push(const Vec3& p, const Vec3& impulse);
   // Applies an impulse at the centre.
   void push(const Vec3& impulse) { velocity_ += impulse / mass_; }
-  void add_spin(const Vec3& spin) { spin_ += spin; }
 
   // Gives the motion to the body.
   void store(Body& body) const;

@@ -19,7 +19,7 @@ struct SinCos {
 SinCos sin_cos(double radians);
 // The angle of the vector (x, y) against the x axis, from -pi to pi; 0 for the zero vector.
 double arc_tangent(double y, double x);
-// The same angle between -pi and pi. Precondition: finite and below 1e9.
+// An angle, brought to between -pi and pi by full turns. Precondition: finite and below 1e9.
 double wrapped(double radians);
 
 // The rotation about a unit axis by the right-hand rule.

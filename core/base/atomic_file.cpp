@@ -95,8 +95,8 @@ Status replace(const std::filesystem::path& path, const Produce& produce, std::o
   if (descriptor < 0) return write_error(path, errno);
   OpenFile file(descriptor);
   Removal removal(beside);
-  // Who may write a file but does not own it cannot give its permissions to another; that is no reason to
-  // fail.
+  // A user who may write a file but does not own it cannot give its permissions to another file; writing goes
+  // on without them.
   if (mode) std::ignore = ::fchmod(descriptor, *mode);
   int code = write_and_close(file, produce);
   if (code == 0 && ::rename(beside.c_str(), path.c_str()) != 0) code = errno;

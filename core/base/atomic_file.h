@@ -15,8 +15,8 @@ namespace kerf {
 // failure the temporary file is removed, and the error is one sentence that names the target.
 Status write_file_atomically(const std::filesystem::path& path, std::string_view bytes);
 
-// The same with bytes that come in parts. `produce` hands them to the sink and returns early where that
-// returns false. What it throws is passed on, and leaves no temporary file.
+// Writes a file like that from bytes that come in parts. `produce` hands the parts to the sink and returns
+// early where the sink returns false. An exception of `produce` is passed on, and leaves no temporary file.
 Status write_file_atomically(const std::filesystem::path& path,
                              const std::function<void(const ByteSink&)>& produce);
 

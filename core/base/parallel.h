@@ -18,8 +18,8 @@ namespace kerf {
 using RangeWork = std::function<void(size_t begin, size_t end)>;
 void for_each_range(size_t items, size_t grain, const RangeWork& work);
 
-// The same; reports progress between groups of ranges. Returns false if it was stopped, with some ranges left
-// out. `progress` may be null.
+// Does the work of for_each_range() and reports progress between groups of ranges. Returns false if it was
+// stopped, with some ranges left out. `progress` may be null.
 bool for_each_range(size_t items, size_t grain, const Progress* progress, const RangeWork& work);
 
 // The number of ranges that for_each_range() makes. Precondition: grain > 0.

@@ -73,8 +73,9 @@ inline constexpr double kEqualArea = 1e-9;
 
 // Largest distance of a chord of the rim from the boundary: that of a regular polygon with 64 sides.
 inline constexpr double kRimChord = 0.0012;
-// The same after a vertex was moved onto the boundary. Moving is worth a longer chord, because a face that is
-// cut off close to a vertex would be a sliver; the value stays below the bound of 0.005.
+// Largest distance of a chord after a vertex was moved onto the boundary. Moving is worth a longer chord,
+// because a face that is cut off close to a vertex would be a sliver; the value stays below the bound of
+// 0.005.
 inline constexpr double kRimMovedChord = 0.0045;
 // A face that reaches across the boundary by less than this between its corners is not split for it. It is
 // slightly larger than kRimChord, so that the faces on the other side of a chord that was accepted are not

@@ -27,7 +27,7 @@ struct StrokePath {
 // The strokes of a path file: {"strokes": [{"laser": {...}, "keys": [{"t", "origin", "direction"}, ...]}]}.
 // The error names the first wrong value by its JSON pointer.
 Result<std::vector<StrokePath>> read_path_file(const std::filesystem::path& file);
-// The same of the text of such a file; `file` is its name in errors.
+// The strokes in the text of a path file; `file` is its name in errors.
 Result<std::vector<StrokePath>> parse_path(std::string_view text, const std::string& file);
 
 // Whether a file is JSON with strokes and without bodies, i.e. a path and not a scene.

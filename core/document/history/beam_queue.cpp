@@ -29,7 +29,7 @@ BeamMove first_parts(const BeamMove& move, const Pose& to, size_t parts, size_t 
 
 bool is_straight(const BeamMove& move) { return move.from.direction == move.to.direction; }
 
-// So many of the parts of a move are a share of it, rounded up.
+// The number of parts of a move that make up a share of it, rounded up.
 size_t parts_of(double share, size_t parts) {
   if (share >= 1) return parts;
   const auto rounded = static_cast<size_t>(std::ceil(share * static_cast<double>(parts)));

@@ -69,7 +69,7 @@ class Document {
       : execution_(std::move(world)), origin_(std::move(origin)) {}
 
   const World& world() const { return execution_.world(); }
-  // What waits, and how far it has been executed.
+  // The queue of commands that wait, and how far it has been executed.
   const Execution& execution() const { return execution_; }
   // The steps that can be undone and redone.
   const History& history() const { return execution_.history(); }

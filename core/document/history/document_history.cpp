@@ -100,7 +100,7 @@ Delta Document::go_back_to(const Mark& mark) {
   return execution_.go_back_to(mark.reached);
 }
 
-// What waits is executed first if that is only a little time: a step that is done when it is undone can be
+// The queue is executed first if it is only a little time: a step that is done when it is undone can be
 // done again by its images.
 Outcome Document::undo(const Progress* progress) {
   end_stroke();

@@ -144,7 +144,7 @@ Delta Execution::cut_again() {
     history_.last().touch(back);
     delta.append(back);
   }
-  // As where the stroke itself begins.
+  // Details of contacts are forgotten as they are where the stroke itself begins.
   if (recorder_.step() == step) forget_details(world_);
   enqueue_all(step);
   history_.trim();

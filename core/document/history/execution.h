@@ -136,8 +136,9 @@ class Execution {
   StepResult take_states(std::span<const BodyState> states, std::span<const NearPair> pairs);
   StepResult skip_to(std::span<const BodyState> states, std::span<const NearPair> pairs);
 
-  // So often details of contacts are forgotten (see forget_details), so that a state that a journal says of
-  // a full minute is all that decides how bodies move on; they are also forgotten where a step begins.
+  // The ticks after which details of contacts are forgotten (see forget_details), so that the state that a
+  // journal gives of a full minute decides alone how bodies move on. They are also forgotten where a step
+  // begins.
   static constexpr Ticks kTicksToForget = 60 * kTicksPerSecond;
 
   // Going back --------------------------------------------------------------------------------------------

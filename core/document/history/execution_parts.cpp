@@ -73,9 +73,9 @@ Result<StepResult> Execution::step(size_t most, bool one_stage, const Progress& 
   return noted(step, walk_moves(most, one_stage, progress));
 }
 
-// What came apart in one stroke is known before the next one, or a tick, begins. While a stroke runs whose
-// moves so far are all executed, the search waits for what comes next: which part keeps its label depends on
-// when a search ends, and when the queue is empty depends on how fast it is executed.
+// The pieces that one stroke has separated are known before the next stroke, or a tick, begins. While a
+// stroke runs whose moves so far are all executed, the search waits for what comes next: which part keeps its
+// label depends on when a search ends, and when the queue is empty depends on how fast it is executed.
 bool Execution::must_separate() const {
   if (is_settled(world_)) return false;
   if (queue_.empty()) return !in_stroke();
@@ -191,7 +191,7 @@ void Execution::keep_open(size_t step) {
   if (is_over(step)) history_.step(step).finish();
 }
 
-// What changes from here on is changed by this step.
+// Changes of the world from here on belong to this step.
 void Execution::begin(size_t step) {
   if (recorder_.step() == step) return;
   close_and_trim();

@@ -114,7 +114,8 @@ void HistoryStep::touch(const Delta& delta) {
   }
 }
 
-// What was noted by the ids of bodies goes on by those that they have after this part of the step.
+// Notes that are kept by the ids of bodies are carried over to the ids that the bodies have after this part
+// of the step.
 void HistoryStep::follow_bodies(const Delta& delta) {
   const auto follow = [&](auto& by_body) {
     std::remove_reference_t<decltype(by_body)> after;

@@ -29,9 +29,9 @@ enum class Presence {
 };
 inline constexpr Presence kNeeded = Presence::kNeeded, kOptional = Presence::kOptional;
 
-// The same of a field whose missing key may stand for a value: for what Kerf did before the key existed, for
-// ever, whatever the default of new work is. The key is written where the member has another value, or, of
-// keys that were always written, in any case.
+// What it means that a key is missing where this may stand for a value: for what Kerf did before the key
+// existed, for ever, whatever the default of new work is. The key is written where the member has another
+// value; a key that every version wrote is written in any case.
 template <typename T>
 class Missing {
  public:
@@ -156,7 +156,7 @@ class Fields {
   Fields& list(const char* key, const char* of_what, std::vector<T>& all, Presence presence = kNeeded) {
     return elements(key, of_what, presence, all, [&](size_t i, Fields& f) { describe(f, all[i]); });
   }
-  // The same with the visit of element i, which can look at the elements before.
+  // A list of objects; the visit of element i can look at the elements before it.
   template <typename T>
   Fields& elements(const char* key, const char* of_what, Presence presence, std::vector<T>& all,
                    const std::function<void(size_t, Fields&)>& visit) {

@@ -12,7 +12,7 @@ std::string hash_text(uint64_t hash);
 
 // Parses that text. Returns nothing for any other text.
 std::optional<uint64_t> parse_hash(std::string_view text);
-// What is said of another text.
+// The rule that an error states about a text that is no hash.
 inline constexpr const char* kHashRule = "must be sixteen hexadecimal digits";
 
 }  // namespace kerf

@@ -21,7 +21,7 @@ class FreeSpace {
   // O(area of the faces + spots).
   explicit FreeSpace(const Arena& arena);
 
-  // By floor and place in the grid; all are below spots().
+  // The number of a spot, by floor and place in the grid; all are below spots().
   using Spot = uint32_t;
   uint32_t spots() const { return 2 * cells(); }
   // The spot at a place, or the nearest one of the grid: on the upper floor, unless the place lies below it.

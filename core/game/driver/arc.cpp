@@ -30,7 +30,7 @@ class Surrounds {
     }
   }
 
-  // By disc of the vehicle, the clearance.
+  // The least clearance of the three discs that cover the vehicle, m.
   double room_at(const Vec3& at, const Vec3& ahead) const {
     if (space_.spots() == 0) return FreeSpace::kFar;
     double room = FreeSpace::kFar;

@@ -28,10 +28,10 @@ CutSettings cut_settings(double radius, double length) {
   return settings;
 }
 
-// The same beams, with the origin in front slid back along its beam until it lies beside the other one. The
-// ends of a beam that moves along itself and aside at once are wider for what it touches than for what it
-// removes (see SweptCylinder): faces there would be split without end. So the beam ends a little before a
-// wall.
+// A move with the same beams and with the origin in front slid back along its beam until it lies beside the
+// other one. The ends of a beam that moves along itself and aside at once are wider for what it touches than
+// for what it removes (see SweptCylinder): faces there would be split without end. So the beam ends a little
+// before a wall.
 BeamMove without_advance(BeamMove move) {
   const Vec3 axis = glm::normalize(move.from.direction + move.to.direction);
   const double advance = glm::dot(move.to.origin - move.from.origin, axis);
@@ -60,7 +60,7 @@ std::vector<BeamMove> moves_through(const Sight::Near& near, const Pose& from, c
   return moves;
 }
 
-// What a cut that failed leaves: its delta is lost, so that all must read the world again.
+// The change of a body by a cut that failed: its delta is lost, so that all must read the world again.
 StepResult unknown_change(BodyId id) {
   StepResult result;
   result.delta.anew = true;

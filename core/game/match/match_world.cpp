@@ -35,7 +35,7 @@ std::optional<size_t> MatchWorld::of_arena(BodyId body) const {
   return static_cast<size_t>(at - arena_.begin());
 }
 
-// Those that a tick of a copy makes.
+// A tick of a copy of the world makes the colliders of all of its bodies.
 void MatchWorld::make_colliders(std::span<const Guided> guided, std::span<const BodyId> carried) {
   joint_faces_ = JointFaces(world_.joints());
   World copy = world_;
@@ -85,8 +85,9 @@ void MatchWorld::note_placed(std::vector<BodyId> bodies) {
   delta_.append(std::move(placed));
 }
 
-// Which bodies came and went. Of their faces the physics is told later, and of pieces without joints not at
-// all: it makes the colliders of bodies that it does not know, and need not look for the joints that hold.
+// The part of a change that the physics is told at once: the bodies that came and went. It is told of their
+// faces later, and of pieces without joints not at all, because it makes the colliders of bodies that it does
+// not know, and need not look for the joints that hold.
 Delta MatchWorld::news_for_physics(const Delta& change) const {
   Delta news = change;
   news.bodies.clear();

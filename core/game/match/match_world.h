@@ -50,8 +50,8 @@ class MatchWorld {
   // Follows any other change of the world.
   void follow(Delta change);
   void remove(const std::vector<BodyId>& bodies);
-  // What came apart becomes bodies, once the search for it is finished and it is known what joints still
-  // hold, which the cuts of beams leave to this function. Returns them.
+  // Makes separated pieces bodies of their own, once the search for them is finished and it is known what
+  // joints still hold, which the cuts of beams leave to this function. Returns them.
   std::vector<Detached> separate();
   // Where too much lies about, the smallest pieces that lie still go, but nothing of the arena, nor what
   // `stays`.

@@ -21,15 +21,15 @@ class FaceWatch {
   // Adds the faces of a part (see is_of_part) as a group and returns its index. Groups may overlap.
   // Precondition: `loaded` is the body of the constructor, and there are fewer than kMostGroups.
   size_t add_part(const Body& loaded, const std::string& part);
-  // The same for what lies of them near a point: at most 0.1 m, or a quarter, farther away than the nearest
-  // face.
+  // Adds what lies of the faces of a part near a point as a group: at most 0.1 m, or a quarter, farther away
+  // than the nearest face.
   size_t add_part_near(const Body& loaded, const std::string& part, const Vec3& point);
 
   // The area of a group as loaded, m^2.
   double area(size_t group) const { return areas_[group]; }
   size_t size() const { return areas_.size(); }
 
-  // By group, the area of its live faces in a body that was loaded from the same mesh, m^2. O(faces).
+  // The area of the live faces of each group in a body that was loaded from the same mesh, m^2. O(faces).
   std::vector<double> areas_in(const Body& body) const;
 
  private:

@@ -103,7 +103,7 @@ bool Fields::take(const char* key, bool needed) {
 bool Fields::present(const char* key, bool written) { return reading() ? take(key, false) : written; }
 
 template <typename T, typename Read, typename Write>
-Fields& Fields::field(const char* key, T& x, const Missing<T>& missing, Read read, Write write) {
+void Fields::field(const char* key, T& x, const Missing<T>& missing, Read read, Write write) {
   if (!reading()) {
     if (missing.is_written(x)) (*out_)[key] = write(x);
   } else if (take(key, missing.needed())) {
@@ -111,17 +111,15 @@ Fields& Fields::field(const char* key, T& x, const Missing<T>& missing, Read rea
   } else if (missing.value()) {
     x = *missing.value();
   }
-  return *this;
 }
 
-Fields& Fields::number(const char* key, double& x, const NumberRange& range, const Missing<double>& missing) {
-  return field(
+void Fields::number(const char* key, double& x, const NumberRange& range, const Missing<double>& missing) {
+  field(
       key, x, missing, [&](const JsonValue& value) { return number_within(value, range); }, kAsItIs);
 }
 
-Fields& Fields::number(const char* key, std::optional<double>& x, const NumberRange& range) {
-  if (!present(key, x.has_value())) return *this;
-  return number(key, reading() ? x.emplace() : *x, range);
+void Fields::number(const char* key, std::optional<double>& x, const NumberRange& range) {
+  if (present(key, x.has_value())) number(key, reading() ? x.emplace() : *x, range);
 }
 
 void Fields::whole_number(const char* key, uint64_t& n, uint64_t least, uint64_t most,
@@ -137,39 +135,38 @@ void Fields::one_of(const char* key, uint64_t& number, std::span<const char* con
       [&](uint64_t i) { return names[i]; });
 }
 
-Fields& Fields::flag(const char* key, bool& flag, const Missing<bool>& missing) {
-  return field(key, flag, missing, &JsonValue::flag, kAsItIs);
+void Fields::flag(const char* key, bool& flag, const Missing<bool>& missing) {
+  field(key, flag, missing, &JsonValue::flag, kAsItIs);
 }
 
-Fields& Fields::text(const char* key, std::string& text, const Missing<std::string>& missing) {
-  return field(key, text, missing, &JsonValue::text, kAsItIs);
+void Fields::text(const char* key, std::string& text, const Missing<std::string>& missing) {
+  field(key, text, missing, &JsonValue::text, kAsItIs);
 }
 
-Fields& Fields::filled_text(const char* key, std::string& text, const Missing<std::string>& missing) {
+void Fields::filled_text(const char* key, std::string& text, const Missing<std::string>& missing) {
   this->text(key, text, missing);
-  return check(!text.empty() || !reading() || !has(key), key, "must not be empty");
+  check(!text.empty() || !reading() || !has(key), key, "must not be empty");
 }
 
-Fields& Fields::path(const char* key, std::filesystem::path& path, Presence presence) {
+void Fields::path(const char* key, std::filesystem::path& path, Presence presence) {
   std::string name = reading() ? "" : path_text(path, pass_.folder);
   filled_text(key, name, presence);
   if (reading() && !name.empty()) path = pass_.folder / name;
-  return *this;
 }
 
-Fields& Fields::vector(const char* key, Vec3& v, VectorRule rule, const Missing<Vec3>& missing) {
-  return field(
+void Fields::vector(const char* key, Vec3& v, VectorRule rule, const Missing<Vec3>& missing) {
+  field(
       key, v, missing, [&](const JsonValue& value) { return vector_by(value, rule); }, vector_json);
 }
 
-Fields& Fields::orientation(const char* key, glm::dquat& turn, const Missing<glm::dquat>& missing) {
-  return field(key, turn, missing, &JsonValue::orientation, [](const glm::dquat& q) {
+void Fields::orientation(const char* key, glm::dquat& turn, const Missing<glm::dquat>& missing) {
+  field(key, turn, missing, &JsonValue::orientation, [](const glm::dquat& q) {
     return Json{q.w, q.x, q.y, q.z};
   });
 }
 
-Fields& Fields::interval(const char* key, Interval& range, const NumberRange& within, Presence presence) {
-  return value(
+void Fields::interval(const char* key, Interval& range, const NumberRange& within, Presence presence) {
+  value(
       key,
       [&](const JsonValue& value) -> Status {
         if (const Status read = assign(value.interval(), range); !read) return read;
@@ -182,20 +179,18 @@ Fields& Fields::interval(const char* key, Interval& range, const NumberRange& wi
       presence);
 }
 
-Fields& Fields::interval(const char* key, std::optional<Interval>& range) {
-  if (!present(key, range.has_value())) return *this;
-  return interval(key, reading() ? range.emplace() : *range);
+void Fields::interval(const char* key, std::optional<Interval>& range) {
+  if (present(key, range.has_value())) interval(key, reading() ? range.emplace() : *range);
 }
 
-Fields& Fields::angle(const char* key, double& radians, const NumberRange& degrees, Presence presence) {
+void Fields::angle(const char* key, double& radians, const NumberRange& degrees, Presence presence) {
   double angle = degrees_of(radians);
   number(key, angle, degrees, presence);
   if (reading()) radians = radians_of(angle);
-  return *this;
 }
 
-Fields& Fields::angles(const char* key, Interval& radians, const NumberRange& degrees, Presence presence) {
-  return value(
+void Fields::angles(const char* key, Interval& radians, const NumberRange& degrees, Presence presence) {
+  value(
       key, [&](const JsonValue& value) { return assign(ascending_angles(value, degrees), radians); },
       [&] {
         return Json{degrees_of(radians.low), degrees_of(radians.high)};
@@ -203,17 +198,16 @@ Fields& Fields::angles(const char* key, Interval& radians, const NumberRange& de
       presence);
 }
 
-Fields& Fields::value(const char* key, const std::function<Status(const JsonValue&)>& read,
-                      const std::function<Json()>& write, Presence presence) {
+void Fields::value(const char* key, const std::function<Status(const JsonValue&)>& read,
+                   const std::function<Json()>& write, Presence presence) {
   if (!reading()) {
     (*out_)[key] = write();
   } else if (take(key, presence == kNeeded)) {
     note(read((*in_)[key]));
   }
-  return *this;
 }
 
-Fields& Fields::member(const char* key, Presence presence, const std::function<void(Fields&)>& visit) {
+void Fields::member(const char* key, Presence presence, const std::function<void(Fields&)>& visit) {
   if (!reading()) {
     Json& out = (*out_)[key] = Json::object();
     Fields fields(out, pass_);
@@ -223,14 +217,13 @@ Fields& Fields::member(const char* key, Presence presence, const std::function<v
     Fields fields(value, pass_);
     visit(fields);
   }
-  return *this;
 }
 
-Fields& Fields::each(const char* key, const char* of_what, Presence presence, size_t size,
-                     const std::function<void(size_t)>& resize,
-                     const std::function<void(size_t, Fields&)>& visit) {
+void Fields::each(const char* key, const char* of_what, Presence presence, size_t size,
+                  const std::function<void(size_t)>& resize,
+                  const std::function<void(size_t, Fields&)>& visit) {
   if (!reading()) {
-    if (size == 0 && presence == kOptional) return *this;
+    if (size == 0 && presence == kOptional) return;
     Json& list = (*out_)[key] = Json::array();
     for (size_t i = 0; i < size; ++i) {
       Fields fields(list.emplace_back(Json::object()), pass_);
@@ -246,11 +239,10 @@ Fields& Fields::each(const char* key, const char* of_what, Presence presence, si
       visit(i, fields);
     }
   }
-  return *this;
 }
 
-Fields& Fields::named(const char* key, const std::vector<std::string>& names,
-                      const std::function<void(const std::string&, Fields&)>& visit) {
+void Fields::named(const char* key, const std::vector<std::string>& names,
+                   const std::function<void(const std::string&, Fields&)>& visit) {
   if (!reading()) {
     for (const std::string& name : names) {
       Fields fields((*out_)[key][name] = Json::object(), pass_);
@@ -259,18 +251,17 @@ Fields& Fields::named(const char* key, const std::vector<std::string>& names,
   } else if (take(key, false)) {
     const JsonValue objects = (*in_)[key];
     note(objects.object());
-    if (!good()) return *this;
+    if (!good()) return;
     for (const auto& item : objects.json().items()) {
       const JsonValue object = objects[item.key()];
       Fields fields(object, pass_);
       if (good()) visit(item.key(), fields);
     }
   }
-  return *this;
 }
 
-Fields& Fields::version(const char* key, uint64_t& version, uint64_t newest, Presence presence) {
-  return value(
+void Fields::version(const char* key, uint64_t& version, uint64_t newest, Presence presence) {
+  value(
       key,
       [&](const JsonValue& value) -> Status {
         if (value.json().is_number_unsigned() && value.json() > newest)
@@ -281,10 +272,9 @@ Fields& Fields::version(const char* key, uint64_t& version, uint64_t newest, Pre
       [&] { return Json(version); }, presence);
 }
 
-Fields& Fields::check(bool holds, const char* key, const std::string& wrong) {
-  if (!reading() || !good() || holds) return *this;
+void Fields::check(bool holds, const char* key, const std::string& wrong) {
+  if (!reading() || !good() || holds) return;
   note((key != nullptr && has(key) ? (*in_)[key] : *in_).wrong(wrong));
-  return *this;
 }
 
 nlohmann::json Fields::unknown() const {
@@ -295,20 +285,19 @@ nlohmann::json Fields::unknown() const {
   return rest;
 }
 
-Fields& Fields::others(std::string& json) {
+void Fields::others(std::string& json) {
   if (!reading()) {
     const Json kept = Json::parse(json, nullptr, false);
     if (kept.is_object()) out_->update(kept);
   } else if (good()) {
     json = unknown().dump();
   }
-  return *this;
 }
 
-Fields& Fields::no_others(const std::string& wrong) {
-  if (!reading() || !good()) return *this;
+void Fields::no_others(const std::string& wrong) {
+  if (!reading() || !good()) return;
   const nlohmann::json rest = unknown();
-  return check(rest.empty(), rest.empty() ? nullptr : rest.begin().key().c_str(), wrong);
+  check(rest.empty(), rest.empty() ? nullptr : rest.begin().key().c_str(), wrong);
 }
 
 Status read_text_fields(std::string_view text, const std::string& where, const std::filesystem::path& folder,

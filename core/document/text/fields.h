@@ -82,103 +82,98 @@ class Fields {
   // Whether the key is in the file, or on writing, whether it is to be: for fields that depend on others.
   bool present(const char* key, bool written);
 
-  Fields& number(const char* key, double& x, const NumberRange& range,
-                 const Missing<double>& missing = kNeeded);
-  Fields& number(const char* key, std::optional<double>& x, const NumberRange& range);
+  void number(const char* key, double& x, const NumberRange& range, const Missing<double>& missing = kNeeded);
+  void number(const char* key, std::optional<double>& x, const NumberRange& range);
   template <typename Whole>
-  Fields& whole(const char* key, Whole& n, uint64_t least, uint64_t most,
-                const Missing<uint64_t>& missing = kNeeded) {
+  void whole(const char* key, Whole& n, uint64_t least, uint64_t most,
+             const Missing<uint64_t>& missing = kNeeded) {
     uint64_t number = static_cast<uint64_t>(n);
     whole_number(key, number, least, most, missing);
     n = static_cast<Whole>(number);
-    return *this;
   }
-  Fields& flag(const char* key, bool& flag, const Missing<bool>& missing = kNeeded);
+  void flag(const char* key, bool& flag, const Missing<bool>& missing = kNeeded);
   // The value whose number in `names` is that of the name in the file.
   template <typename Enum>
-  Fields& choice(const char* key, Enum& x, std::span<const char* const> names,
-                 const std::type_identity_t<std::optional<Enum>>& missing = std::nullopt) {
+  void choice(const char* key, Enum& x, std::span<const char* const> names,
+              const std::type_identity_t<std::optional<Enum>>& missing = std::nullopt) {
     uint64_t number = static_cast<uint64_t>(x);
     one_of(key, number, names, missing ? Missing(static_cast<uint64_t>(*missing)) : kNeeded);
     x = static_cast<Enum>(number);
-    return *this;
   }
-  Fields& text(const char* key, std::string& text, const Missing<std::string>& missing = kNeeded);
-  Fields& filled_text(const char* key, std::string& text, const Missing<std::string>& missing = kNeeded);
+  void text(const char* key, std::string& text, const Missing<std::string>& missing = kNeeded);
+  void filled_text(const char* key, std::string& text, const Missing<std::string>& missing = kNeeded);
   // A file, as path_text() names it; not empty.
-  Fields& path(const char* key, std::filesystem::path& path, Presence presence = kNeeded);
-  Fields& vector(const char* key, Vec3& v, VectorRule rule = VectorRule::kAny,
-                 const Missing<Vec3>& missing = kNeeded);
-  Fields& orientation(const char* key, glm::dquat& turn, const Missing<glm::dquat>& missing = kNeeded);
+  void path(const char* key, std::filesystem::path& path, Presence presence = kNeeded);
+  void vector(const char* key, Vec3& v, VectorRule rule = VectorRule::kAny,
+              const Missing<Vec3>& missing = kNeeded);
+  void orientation(const char* key, glm::dquat& turn, const Missing<glm::dquat>& missing = kNeeded);
   // Two numbers, 0 <= first <= second.
-  Fields& interval(const char* key, Interval& range, const NumberRange& within = kFinite,
-                   Presence presence = kNeeded);
-  Fields& interval(const char* key, std::optional<Interval>& range);
+  void interval(const char* key, Interval& range, const NumberRange& within = kFinite,
+                Presence presence = kNeeded);
+  void interval(const char* key, std::optional<Interval>& range);
   // An angle, or two ascending ones, that are degrees in the file and radians in memory.
-  Fields& angle(const char* key, double& radians, const NumberRange& degrees, Presence presence);
-  Fields& angles(const char* key, Interval& radians, const NumberRange& degrees, Presence presence);
+  void angle(const char* key, double& radians, const NumberRange& degrees, Presence presence);
+  void angles(const char* key, Interval& radians, const NumberRange& degrees, Presence presence);
 
   // A value that is a text in the file; `wrong` says what a text must be that is not parsed.
   template <typename T, typename Text>
-  Fields& coded(const char* key, T& x, std::optional<T> (*parse)(std::string_view), Text to_text,
-                const char* wrong, const Missing<T>& missing = kNeeded) {
-    if (!reading() && !missing.is_written(x)) return *this;
+  void coded(const char* key, T& x, std::optional<T> (*parse)(std::string_view), Text to_text,
+             const char* wrong, const Missing<T>& missing = kNeeded) {
+    if (!reading() && !missing.is_written(x)) return;
     std::string code = reading() ? "" : std::string(to_text(x));
     text(key, code, missing.needed() ? kNeeded : kOptional);
-    if (!reading() || !good()) return *this;
+    if (!reading() || !good()) return;
     const std::optional<T> parsed = has(key) ? parse(code) : missing.value();
     if (parsed) x = *parsed;
-    return check(parsed || !has(key), key, wrong);
+    check(parsed || !has(key), key, wrong);
   }
   template <typename T, typename Text>
-  Fields& coded(const char* key, std::optional<T>& x, std::optional<T> (*parse)(std::string_view),
-                Text to_text, const char* wrong) {
-    if (!present(key, x.has_value())) return *this;
-    return coded(key, reading() ? x.emplace() : *x, parse, to_text, wrong);
+  void coded(const char* key, std::optional<T>& x, std::optional<T> (*parse)(std::string_view), Text to_text,
+             const char* wrong) {
+    if (present(key, x.has_value())) coded(key, reading() ? x.emplace() : *x, parse, to_text, wrong);
   }
   // A value of any other form.
-  Fields& value(const char* key, const std::function<Status(const JsonValue&)>& read,
-                const std::function<nlohmann::ordered_json()>& write, Presence presence = kNeeded);
+  void value(const char* key, const std::function<Status(const JsonValue&)>& read,
+             const std::function<nlohmann::ordered_json()>& write, Presence presence = kNeeded);
 
   // An object whose fields `visit` visits, and one with a table of its own.
-  Fields& member(const char* key, Presence presence, const std::function<void(Fields&)>& visit);
+  void member(const char* key, Presence presence, const std::function<void(Fields&)>& visit);
   template <typename T>
-  Fields& object(const char* key, T& x, Presence presence = kNeeded) {
-    return member(key, presence, [&](Fields& f) { describe(f, x); });
+  void object(const char* key, T& x, Presence presence = kNeeded) {
+    member(key, presence, [&](Fields& f) { describe(f, x); });
   }
   template <typename T>
-  Fields& object(const char* key, std::optional<T>& x) {
-    if (!present(key, x.has_value())) return *this;
-    return object(key, reading() ? x.emplace() : *x);
+  void object(const char* key, std::optional<T>& x) {
+    if (present(key, x.has_value())) object(key, reading() ? x.emplace() : *x);
   }
   // A list of such objects, named `of_what` in errors.
   template <typename T>
-  Fields& list(const char* key, const char* of_what, std::vector<T>& all, Presence presence = kNeeded) {
-    return elements(key, of_what, presence, all, [&](size_t i, Fields& f) { describe(f, all[i]); });
+  void list(const char* key, const char* of_what, std::vector<T>& all, Presence presence = kNeeded) {
+    elements(key, of_what, presence, all, [&](size_t i, Fields& f) { describe(f, all[i]); });
   }
   // A list of objects; the visit of element i can look at the elements before it.
   template <typename T>
-  Fields& elements(const char* key, const char* of_what, Presence presence, std::vector<T>& all,
-                   const std::function<void(size_t, Fields&)>& visit) {
-    return each(
+  void elements(const char* key, const char* of_what, Presence presence, std::vector<T>& all,
+                const std::function<void(size_t, Fields&)>& visit) {
+    each(
         key, of_what, presence, all.size(), [&](size_t size) { all.resize(size); }, visit);
   }
   // Objects by name.
   template <typename T>
-  Fields& by_name(const char* key, std::map<std::string, T>& all) {
+  void by_name(const char* key, std::map<std::string, T>& all) {
     std::vector<std::string> names;
     for (const auto& entry : all) names.push_back(entry.first);
-    return named(key, names, [&](const std::string& name, Fields& f) { describe(f, all[name]); });
+    named(key, names, [&](const std::string& name, Fields& f) { describe(f, all[name]); });
   }
 
   // The version of the format of a file, from 1 to the newest one. A file of a newer version is refused as
   // such.
-  Fields& version(const char* key, uint64_t& version, uint64_t newest, Presence presence = kNeeded);
+  void version(const char* key, uint64_t& version, uint64_t newest, Presence presence = kNeeded);
   // Refuses the value of a key while reading, or the object where the key is null or missing.
-  Fields& check(bool holds, const char* key, const std::string& wrong);
+  void check(bool holds, const char* key, const std::string& wrong);
   // At the end of a table: keeps the keys that it does not have, as JSON; or refuses them.
-  Fields& others(std::string& json);
-  Fields& no_others(const std::string& wrong);
+  void others(std::string& json);
+  void no_others(const std::string& wrong);
 
   bool good() const { return pass_.status.ok(); }
 
@@ -190,15 +185,15 @@ class Fields {
     if (good() && !status) pass_.status = status;
   }
   template <typename T, typename Read, typename Write>
-  Fields& field(const char* key, T& x, const Missing<T>& missing, Read read, Write write);
+  void field(const char* key, T& x, const Missing<T>& missing, Read read, Write write);
   void whole_number(const char* key, uint64_t& n, uint64_t least, uint64_t most,
                     const Missing<uint64_t>& missing);
   void one_of(const char* key, uint64_t& number, std::span<const char* const> names,
               const Missing<uint64_t>& missing);
-  Fields& each(const char* key, const char* of_what, Presence presence, size_t size,
-               const std::function<void(size_t)>& resize, const std::function<void(size_t, Fields&)>& visit);
-  Fields& named(const char* key, const std::vector<std::string>& names,
-                const std::function<void(const std::string&, Fields&)>& visit);
+  void each(const char* key, const char* of_what, Presence presence, size_t size,
+            const std::function<void(size_t)>& resize, const std::function<void(size_t, Fields&)>& visit);
+  void named(const char* key, const std::vector<std::string>& names,
+             const std::function<void(const std::string&, Fields&)>& visit);
 
   const JsonValue* in_ = nullptr;
   nlohmann::ordered_json* out_ = nullptr;

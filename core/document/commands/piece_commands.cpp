@@ -2,8 +2,7 @@
 
 #include "core/document/commands/edit_piece.h"
 #include "core/document/text/fields.h"
-#include "core/document/text/pose_fields.h"
-#include "core/document/text/sheet_fields.h"
+#include "core/document/text/world_fields.h"
 #include "core/edit/detach.h"
 
 namespace kerf {

@@ -5,7 +5,7 @@
 #include "core/document/commands/edit_piece.h"
 #include "core/document/commands/remake_piece.h"
 #include "core/document/text/fields.h"
-#include "core/document/text/pose_fields.h"
+#include "core/document/text/world_fields.h"
 
 namespace kerf {
 

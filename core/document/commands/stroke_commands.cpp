@@ -4,7 +4,7 @@
 
 #include "core/base/length_text.h"
 #include "core/document/text/fields.h"
-#include "core/document/text/pose_fields.h"
+#include "core/document/text/world_fields.h"
 
 namespace kerf {
 

@@ -7,7 +7,7 @@
 #include "core/document/text/colour_text.h"
 #include "core/document/text/fields.h"
 #include "core/document/text/hash_text.h"
-#include "core/document/text/sheet_fields.h"
+#include "core/document/text/world_fields.h"
 
 namespace kerf {
 

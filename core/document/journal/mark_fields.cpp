@@ -5,7 +5,7 @@
 #include "core/document/text/fields.h"
 #include "core/document/text/hash_text.h"
 #include "core/document/text/json_value.h"
-#include "core/document/text/pose_fields.h"
+#include "core/document/text/world_fields.h"
 
 namespace kerf {
 

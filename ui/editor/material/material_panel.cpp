@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/document/text/sheet_fields.h"
+#include "core/document/text/world_fields.h"
 #include "ui/editor/shared/piece_set.h"
 #include "ui/render/bodies/assets.h"
 #include "ui/window/landmarks.h"

@@ -1,7 +1,6 @@
 #include "core/document/files/material_reader.h"
 
 #include "core/document/text/fields.h"
-#include "core/document/text/json_value.h"
 
 namespace kerf {
 
@@ -56,15 +55,6 @@ static void describe(Fields& f, std::vector<Material>& materials) {
                       "another material has the same name");
   });
   f.check(!materials.empty(), "materials", "must have at least one material");
-}
-
-Result<std::vector<Material>> parse_materials(std::string_view text, const std::string& file) {
-  const auto json = parse_json(text, file);
-  if (json && !json->contains("materials")) return bad_input(file + ": needs \"materials\"");
-  std::vector<Material> materials;
-  const Status read = read_text_fields(text, file, {}, [&](Fields& f) { describe(f, materials); });
-  if (!read) return read.error();
-  return materials;
 }
 
 Result<std::vector<Material>> load_materials(const std::filesystem::path& file) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <string_view>
 #include <vector>
 
 #include "core/base/result.h"
@@ -22,8 +21,6 @@ class Fields;
 // "latent": the whole of it from the ambient on. The error is one sentence that names the file and the place,
 // e.g. a value outside of its range or a second material of the same name.
 Result<std::vector<Material>> load_materials(const std::filesystem::path& file);
-// Reads such a table from a text; `file` is its name in errors.
-Result<std::vector<Material>> parse_materials(std::string_view text, const std::string& file);
 // The table of the fields of a material.
 void describe(Fields& f, Material& material);
 

@@ -21,13 +21,6 @@ Result<std::vector<StrokePath>> read_path_file(const std::filesystem::path& file
   return read_described<std::vector<StrokePath>>(file);
 }
 
-Result<std::vector<StrokePath>> parse_path(std::string_view text, const std::string& file) {
-  std::vector<StrokePath> strokes;
-  const Status read = read_text_fields(text, file, {}, [&](Fields& f) { describe(f, strokes); });
-  if (!read) return read.error();
-  return strokes;
-}
-
 bool is_path_file(const std::filesystem::path& file) {
   if (file.extension() != ".json") return false;
   const auto text = read_text_file(file);

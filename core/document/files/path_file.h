@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/base/result.h"
@@ -27,8 +26,6 @@ struct StrokePath {
 // The strokes of a path file: {"strokes": [{"laser": {...}, "keys": [{"t", "origin", "direction"}, ...]}]}.
 // The error names the first wrong value by its JSON pointer.
 Result<std::vector<StrokePath>> read_path_file(const std::filesystem::path& file);
-// The strokes in the text of a path file; `file` is its name in errors.
-Result<std::vector<StrokePath>> parse_path(std::string_view text, const std::string& file);
 
 // Whether a file is JSON with strokes and without bodies, i.e. a path and not a scene.
 bool is_path_file(const std::filesystem::path& file);

@@ -6,6 +6,7 @@
 
 #include "core/document/text/json_value.h"
 #include "tests/support/checkout.h"
+#include "tests/support/temporary_folder.h"
 
 namespace kerf::test {
 namespace {
@@ -15,8 +16,10 @@ std::filesystem::path table() { return checkout() / "assets" / "materials.json";
 nlohmann::json read_table() { return nlohmann::json::parse(*read_text_file(table())); }
 
 std::string error_of(const nlohmann::json& json) {
-  const auto materials = parse_materials(json.dump(), "table.json");
-  return materials.ok() ? "" : materials.error().message;
+  const TemporaryFolder folder;
+  write_text(folder / "table.json", json.dump());
+  const auto materials = load_materials(folder / "table.json");
+  return materials.ok() ? "" : materials.error().message.substr(folder.path().string().size() + 1);
 }
 
 TEST(MaterialReader, the_table_has_the_materials_of_the_command_line) {
@@ -65,7 +68,7 @@ TEST(MaterialReader, what_is_wrong_is_said_with_its_place) {
       "transition");
   EXPECT_EQ(error_of({{"materials", nlohmann::json::array()}}),
             "table.json: /materials: must have at least one material");
-  EXPECT_EQ(error_of(nlohmann::json::array({1, 2})), "table.json: needs \"materials\"");
+  EXPECT_EQ(error_of(nlohmann::json::array({1, 2})), "table.json: must be an object");
 }
 
 }  // namespace

@@ -38,11 +38,13 @@ void expect_same(const StrokePath& a, const StrokePath& b) {
 }
 
 TEST(PathText, is_read_back_to_the_bit) {
+  const TemporaryFolder folder;
   for (uint64_t seed = 1; seed <= 300; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const std::vector<StrokePath> strokes{random_path(random), random_path(random)};
-    const auto read = parse_path(path_file_text(strokes), "path.json");
+    write_text(folder / "path.json", path_file_text(strokes));
+    const auto read = read_path_file(folder / "path.json");
     ASSERT_TRUE(read.ok()) << read.error().message;
     ASSERT_EQ(read->size(), 2u);
     for (size_t i = 0; i < 2; ++i) expect_same((*read)[i], strokes[i]);

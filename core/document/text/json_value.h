@@ -25,7 +25,6 @@ class JsonValue {
       : value_(&value), file_(std::move(file)), pointer_(std::move(pointer)) {}
 
   const nlohmann::json& json() const { return *value_; }
-  const std::string& file() const { return file_; }
   bool has(const std::string& key) const { return value_->is_object() && value_->contains(key); }
   // The member or element. Precondition: it exists.
   JsonValue operator[](const std::string& key) const {

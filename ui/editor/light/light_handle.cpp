@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "ui/editor/shared/gizmo.h"
 #include "ui/window/imgui_vector.h"
 #include "ui/window/theme.h"
 
@@ -29,27 +30,13 @@ Vec3 place_of(const Light& light, const CameraView& view) {
   return sphere.middle + glm::normalize(light.at) * sphere.radius;
 }
 
-// Where a ray meets the sphere, on the side of it that was dragged until now, or its point nearest to the
-// ray.
-Vec3 on_sphere(const Sphere& sphere, const Pose& ray, bool far_side) {
-  const Vec3 from = ray.origin - sphere.middle;
-  const double along = -glm::dot(from, ray.direction);
-  const Vec3 nearest = from + ray.direction * along;
-  const double inside = sphere.radius * sphere.radius - glm::dot(nearest, nearest);
-  if (inside <= 0) return glm::normalize(nearest);
-  return glm::normalize(nearest + ray.direction * (far_side ? 1.0 : -1.0) * std::sqrt(inside));
-}
-
 }  // namespace
 
 std::optional<Vec2> light_handle(const ViewState& view, size_t light) {
   if (light >= view.look.lights.size()) return std::nullopt;
-  const CameraView camera = view.seen_first();
-  const Vec3 seen = camera.project(place_of(view.look.lights[light], camera));
-  if (seen.z <= 0) return std::nullopt;
-  const Area& area = view.layout.first;
-  const Vec2 at = area.at + Vec2(0.5 + 0.5 * seen.x, 0.5 - 0.5 * seen.y) * area.size;
-  return area.contains(at) ? std::optional(at) : std::nullopt;
+  const FirstPicture picture(view);
+  const auto at = picture.place_of(place_of(view.look.lights[light], picture.camera()));
+  return at && view.layout.first.contains(*at) ? at : std::nullopt;
 }
 
 std::optional<size_t> light_under(const ViewState& view, Vec2 at) {
@@ -63,14 +50,14 @@ std::optional<size_t> light_under(const ViewState& view, Vec2 at) {
 void drag_light(ViewState& view, size_t light, Vec2 to) {
   if (light >= view.look.lights.size()) return;
   Light& dragged = view.look.lights[light];
-  const CameraView camera = view.seen_first();
-  const Vec2 p = view.in_picture(to);
-  const Pose ray = camera.ray(p.x, p.y);
+  const FirstPicture picture(view);
   if (dragged.kind == Light::Kind::kPoint) {
-    const double depth = glm::dot(dragged.at - camera.eye, camera.forward);
-    dragged.at = ray.origin + ray.direction * (depth / glm::dot(ray.direction, camera.forward));
+    dragged.at = picture.at_depth_of(dragged.at, to);
   } else {
-    dragged.at = on_sphere(sphere_of(camera), ray, glm::dot(dragged.at, camera.forward) > 0);
+    const Sphere sphere = sphere_of(picture.camera());
+    const Vec3 now = place_of(dragged, picture.camera());
+    dragged.at =
+        glm::normalize(dragged_around(picture, sphere.middle, sphere.radius, now, to) - sphere.middle);
   }
   view.look.shadow.inspected = light;
   view.picture_old = true;

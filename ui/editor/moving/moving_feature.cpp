@@ -47,11 +47,10 @@ class MovingFeature : public Feature {
 
   void draw_marks(ImDrawList& list) override {
     if (on_.cutting()) return;
-    draw_piece_handles(on_.view, handles_stage(), moving_.now(), on_.pointer_over_picture(), list);
+    draw_piece_handles(on_.view, pivot(), moving_.now(), on_.pointer_over_picture(), list);
   }
   void mark(Landmarks& landmarks) const override {
-    for (const PieceHandle& handle : piece_handles(handles_stage()))
-      landmarks.mark(name_of(handle), {grip_of(handle), Vec2(0)});
+    mark_handles(piece_handles(on_.view, pivot()), landmarks);
   }
 
  private:
@@ -71,8 +70,8 @@ class MovingFeature : public Feature {
     MovingFeature& feature_;
   };
 
-  std::optional<HandleStage> handles_stage() const {
-    return handle_stage(on_.view, moving_.now(), on_.tool == kPickTool, on_.world());
+  std::optional<Vec3> pivot() const {
+    return pivot_shown(on_.view, moving_.now(), on_.tool == kPickTool, on_.world());
   }
   UserAction move_action(const char* name, const char* key, PieceMove::Kind kind);
   UserAction duplicate_action();
@@ -138,7 +137,7 @@ void MovingFeature::take_key(int key) {
 
 std::unique_ptr<Interaction> MovingFeature::claim(const Press& press) {
   if (!picks(on_, press)) return nullptr;
-  const auto handle = handle_under(piece_handles(handles_stage()), on_.pointer);
+  const auto handle = handle_under(piece_handles(on_.view, pivot()), on_.pointer);
   if (!handle) return nullptr;
   moving_.begin(on_.world(), handle->kind, on_.pointer);
   moving_.constrain(handle->axis);

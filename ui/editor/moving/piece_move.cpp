@@ -9,7 +9,7 @@
 
 #include "core/base/angle.h"
 #include "core/base/assert.h"
-#include "ui/editor/shared/along_axis.h"
+#include "ui/editor/shared/gizmo.h"
 
 namespace kerf {
 
@@ -118,8 +118,7 @@ Vec3 PieceMove::pointed_shift() const {
   const Vec3 at = pivot_ + carried_;
   if (!axis_) return carried_ + on_picture_plane(view_, to, at) - on_picture_plane(view_, from, at);
   const Vec3 axis = direction_of(*axis_);
-  const auto a = along_axis(from, at, axis), b = along_axis(to, at, axis);
-  return axis * (glm::dot(carried_, axis) + (a && b ? *b - *a : 0));
+  return axis * (glm::dot(carried_, axis) + dragged_along(from, to, at, axis));
 }
 
 Vec3 PieceMove::shift() const {

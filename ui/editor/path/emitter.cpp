@@ -13,35 +13,15 @@ namespace {
 
 using Part = EmitterHandle::Part;
 
-constexpr double kArrowEms = 4, kReach = 8;  // the reach in screen coordinates
-constexpr float kBody = 7, kTarget = 7;      // radii in screen coordinates
+constexpr double kArrowEms = 4;
+constexpr double kFreeShare = 0.22;      // of an arrow: its start belongs to the body
+constexpr float kBody = 7, kTarget = 7;  // radii in screen coordinates
 constexpr ImU32 kShade = IM_COL32(10, 12, 16, 150);
 
 Vec3 axis_of(Part part) {
   Vec3 axis(0);
   axis[static_cast<int>(part)] = 1;
   return axis;
-}
-
-bool is_arrow(Part part) { return part < Part::kBody; }
-
-double distance_to(const EmitterHandle& handle, Vec2 p) {
-  const Vec2 along = handle.to - handle.from;
-  const double length2 = glm::dot(along, along);
-  // The first third of an arrow belongs to the body, from which it starts.
-  if (length2 > 0) {
-    const double t = std::clamp(glm::dot(p - handle.from, along) / length2, 0.35, 1.0);
-    return glm::length(p - (handle.from + along * t));
-  }
-  return glm::length(p - handle.from);
-}
-
-void draw_arrow(const EmitterHandle& handle, bool pointed_at, ImDrawList& list) {
-  const ImU32 colour =
-      pointed_at ? colours::kPictureText : colours::kAxes.at(static_cast<size_t>(handle.part));
-  list.AddLine(to_im(handle.from), to_im(handle.to), kShade, 5);
-  list.AddLine(to_im(handle.from), to_im(handle.to), colour, 2.4f);
-  list.AddCircleFilled(to_im(handle.to), 4.5f, colour);
 }
 
 void draw_body(Vec2 at, bool pointed_at, bool firing, ImDrawList& list) {
@@ -78,8 +58,8 @@ void Emitter::aim_at(const Vec3& target) {
   if (target != at_) target_ = target;
 }
 
-void Emitter::take(const EmitterHandle& handle, Vec2 pointer) {
-  held_ = handle.part;
+void Emitter::take(Part part, Vec2 pointer) {
+  held_ = part;
   pressed_at_ = pointer;
   held_at_ = at_;
 }
@@ -92,7 +72,7 @@ void Emitter::drag(const FirstPicture& picture, Vec2 pointer, const std::optiona
     to += picture.at_depth_of(held_at_, pointer) - picture.at_depth_of(held_at_, pressed_at_);
   } else {
     const Vec3 axis = axis_of(held_);
-    to += axis * dragged_along(picture, held_at_, axis, pressed_at_, pointer);
+    to += axis * dragged_along(picture.ray(pressed_at_), picture.ray(pointer), held_at_, axis);
   }
   stand_at(to);
 }
@@ -106,39 +86,22 @@ void place_in_view(Emitter& emitter, const CameraView& view, const Vec3& target,
 std::vector<EmitterHandle> emitter_handles(const Emitter& emitter, const FirstPicture& picture) {
   std::vector<EmitterHandle> handles;
   if (!emitter.placed()) return handles;
-  if (const auto target = picture.place_of(emitter.target()))
-    handles.push_back({Part::kTarget, *target, *target});
-  const auto at = picture.place_of(emitter.at());
-  if (!at) return handles;
-  const double length = kArrowEms * picture.metres_of_em(emitter.at());
+  handles.push_back({{picture, "emitter target", {emitter.target()}}, Part::kTarget});
+  if (!picture.place_of(emitter.at())) return handles;
+  constexpr std::array kArrows{"emitter X", "emitter Y", "emitter Z"};
   for (const Part part : {Part::kX, Part::kY, Part::kZ}) {
-    if (const auto tip = picture.place_of(emitter.at() + axis_of(part) * length))
-      handles.push_back({part, *at, *tip});
+    handles.push_back({{picture, kArrows.at(static_cast<size_t>(part)),
+                        gizmo_arrow(picture, emitter.at(), axis_of(part), kArrowEms), 1},
+                       part});
+    handles.back().free_share = kFreeShare;
   }
-  handles.push_back({Part::kBody, *at, *at});
+  handles.push_back({{picture, "emitter body", {emitter.at()}}, Part::kBody});
   return handles;
-}
-
-std::optional<EmitterHandle> emitter_handle_under(const std::vector<EmitterHandle>& handles, Vec2 at) {
-  std::optional<EmitterHandle> found;
-  double least = kReach;
-  for (const EmitterHandle& handle : handles) {
-    const double distance = distance_to(handle, at);
-    if (distance > least) continue;
-    least = distance;
-    found = handle;
-  }
-  return found;
-}
-
-const char* name_of(const EmitterHandle& handle) {
-  constexpr std::array kNames{"emitter X", "emitter Y", "emitter Z", "emitter body", "emitter target"};
-  return kNames.at(static_cast<size_t>(handle.part));
 }
 
 void draw_emitter(const Emitter& emitter, const FirstPicture& picture, Vec2 pointer, ImDrawList& list) {
   const std::vector<EmitterHandle> handles = emitter_handles(emitter, picture);
-  const auto under = emitter_handle_under(handles, pointer);
+  const auto under = handle_under(handles, pointer);
   const auto at = picture.place_of(emitter.at()), target = picture.place_of(emitter.target());
   if (emitter.placed() && at && target && !emitter.drawing) {
     list.AddLine(to_im(*at), to_im(*target), kShade, 3.4f);
@@ -146,9 +109,15 @@ void draw_emitter(const Emitter& emitter, const FirstPicture& picture, Vec2 poin
   }
   for (const EmitterHandle& handle : handles) {
     const bool pointed_at = under && under->part == handle.part;
-    if (is_arrow(handle.part)) draw_arrow(handle, pointed_at, list);
-    if (handle.part == Part::kTarget) draw_target(handle.from, pointed_at, list);
-    if (handle.part == Part::kBody) draw_body(handle.from, pointed_at, emitter.firing, list);
+    if (handle.part == Part::kTarget) {
+      if (target) draw_target(*target, pointed_at, list);
+    } else if (handle.part == Part::kBody) {
+      draw_body(*at, pointed_at, emitter.firing, list);
+    } else {
+      draw_handle(handle, picture.em(),
+                  pointed_at ? colours::kPictureText : colours::kAxes.at(static_cast<size_t>(handle.part)),
+                  list);
+    }
   }
 }
 

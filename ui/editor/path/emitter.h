@@ -1,21 +1,18 @@
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "ui/editor/path/fire_pace.h"
-#include "ui/editor/shared/first_picture.h"
+#include "ui/editor/shared/gizmo.h"
 
 struct ImDrawList;
 
 namespace kerf {
 
 // A part of the emitter that is dragged: the arrows that move it along an axis of the world, the emitter
-// itself, which moves parallel to the picture, and the place that it aims at.
-struct EmitterHandle {
+// itself, which moves parallel to the picture, and the place that it aims at. Their names: "emitter X",
+// "emitter body", "emitter target".
+struct EmitterHandle : GizmoHandle {
   enum class Part { kX, kY, kZ, kBody, kTarget };
   Part part = Part::kBody;
-  Vec2 from{0}, to{0};  // of an arrow; both are the place of another part. Screen coordinates
 };
 
 // A laser that stands in the scene and fires while it is switched on, with the settings of the Laser panel.
@@ -45,8 +42,8 @@ class Emitter {
   bool in_shots = false;
   FirePace pace;
 
-  // Dragging a handle. Precondition of drag(): take() was called.
-  void take(const EmitterHandle& handle, Vec2 pointer);
+  // Dragging a part. Precondition of drag(): take() was called.
+  void take(EmitterHandle::Part part, Vec2 pointer);
   void drag(const FirstPicture& picture, Vec2 pointer, const std::optional<Vec3>& surface);
 
  private:
@@ -61,12 +58,8 @@ class Emitter {
 // from the point at which it aims.
 void place_in_view(Emitter& emitter, const CameraView& view, const Vec3& target, double distance);
 
-// The handles in the first half of the picture; none where it is not placed or behind the eye.
+// The handles; none where it is not placed or behind the eye.
 std::vector<EmitterHandle> emitter_handles(const Emitter& emitter, const FirstPicture& picture);
-// The handle at a place of the window, if any.
-std::optional<EmitterHandle> emitter_handle_under(const std::vector<EmitterHandle>& handles, Vec2 at);
-// The name of a handle, as tests know it: "emitter X", "emitter body", "emitter target".
-const char* name_of(const EmitterHandle& handle);
 
 // Draws the emitter, its line of aim and its handles; the one at `pointer` is highlighted.
 void draw_emitter(const Emitter& emitter, const FirstPicture& picture, Vec2 pointer, ImDrawList& list);

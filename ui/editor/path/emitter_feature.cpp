@@ -2,14 +2,19 @@
 
 #include <imgui.h>
 
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "core/base/assert.h"
 #include "core/cut/cuttable.h"
 #include "core/document/text/json_value.h"
-#include "ui/editor/path/emitter_rows.h"
+#include "ui/editor/path/emitter.h"
+#include "ui/editor/shared/shortcut_text.h"
 #include "ui/editor/shared/surface_point.h"
 #include "ui/window/imgui_vector.h"
+#include "ui/window/number_fields.h"
+#include "ui/window/property.h"
+#include "ui/window/row_button.h"
 
 namespace kerf {
 
@@ -41,7 +46,7 @@ class EmitterFeature : public Feature {
   explicit EmitterFeature(Workspace& on) : on_(on) {}
 
   std::vector<Panel> panels() override {
-    return {{"Laser", 120, true, [this] { rows_.draw(emitter_, on_.view, [this] { place(); }); }}};
+    return {{"Laser", 120, true, [this] { draw_rows(); }}};
   }
   std::vector<ActionGroup> actions() override { return {{410, "Path", emitter_actions()}}; }
   std::vector<Gesture> gestures() const override {
@@ -56,11 +61,15 @@ class EmitterFeature : public Feature {
   bool moving() const override { return emitter_.firing && emitter_.in_shots; }
 
   void draw_marks(ImDrawList& list) override;
-  void mark(Landmarks& landmarks) const override;
+  void mark(Landmarks& landmarks) const override {
+    mark_handles(emitter_handles(emitter_, FirstPicture(on_.view)), landmarks);
+  }
   void report(nlohmann::ordered_json& report) const override;
 
  private:
   std::vector<UserAction> emitter_actions();
+  void draw_rows();
+  void draw_pace();
   void place();
   void follow_switch(double now);
   void begin_fire(double now);
@@ -68,14 +77,13 @@ class EmitterFeature : public Feature {
 
   Workspace& on_;
   Emitter emitter_;
-  EmitterRows rows_;
+  NumberFields fields_;
 };
 
 std::unique_ptr<Interaction> EmitterFeature::claim(const Press&) {
-  const auto handles = emitter_handles(emitter_, FirstPicture(on_.view));
-  const auto handle = emitter_handle_under(handles, on_.pointer);
+  const auto handle = handle_under(emitter_handles(emitter_, FirstPicture(on_.view)), on_.pointer);
   if (!handle || on_.view.in_second) return nullptr;
-  emitter_.take(*handle, on_.pointer);
+  emitter_.take(handle->part, on_.pointer);
   return std::make_unique<DragOfEmitter>(on_, emitter_);
 }
 
@@ -100,6 +108,55 @@ std::vector<UserAction> EmitterFeature::emitter_actions() {
                  .run = [this] { emitter_.remove(); },
                  .why_not = why_none},
   };
+}
+
+// Buttons that place the emitter, switch it and take it away, its pace, and its place and aim as numbers.
+void EmitterFeature::draw_rows() {
+  if (!emitter_.placed()) {
+    const std::string meaning = with_shortcut(
+        on_.view, "A laser that stands in the scene. It is moved and aimed by handles.", "Place the emitter");
+    if (row_button("Place an emitter", 1, nullptr, meaning.c_str())) place();
+    return;
+  }
+  const std::string meaning = with_shortcut(on_.view, "Switches the emitter on or off.", "Fire the emitter");
+  if (row_button(emitter_.firing ? "Switch off###fire" : "Fire###fire", 2, nullptr, meaning.c_str()))
+    emitter_.firing = !emitter_.firing;
+  mark_last_item("fire");
+  ImGui::SameLine();
+  const bool removed = row_button("Take away", 2, nullptr, "Takes the emitter out of the scene.");
+  if (!begin_properties("emitter")) return;
+  draw_pace();
+  Vec3 at = emitter_.at(), target = emitter_.target();
+  if (fields_.vector("Stands at", at, "%.5g", "X, Y and Z of the emitter, in the unit of the file."))
+    emitter_.stand_at(at);
+  if (fields_.vector("Aims at", target, "%.5g", "X, Y and Z of what it aims at, in the unit of the file."))
+    emitter_.aim_at(target);
+  end_properties();
+  if (removed) emitter_.remove();
+}
+
+void EmitterFeature::draw_pace() {
+  constexpr std::array kKinds{"Without a break", "In shots"};
+  property("Fires");
+  if (ImGui::BeginCombo("##fires", kKinds.at(emitter_.in_shots ? 1 : 0))) {
+    for (int i = 0; i < 2; ++i) {
+      if (ImGui::Selectable(kKinds.at(static_cast<size_t>(i)), emitter_.in_shots == (i == 1)))
+        emitter_.in_shots = i == 1;
+      mark_last_item("emitter fires", i);
+    }
+    ImGui::EndCombo();
+  } else {
+    mark_last_item("emitter fires");
+    tooltip(
+        "Without a break: what the emitter is moved over is one stroke. In shots: at a steady pace, each "
+        "shot a stroke of its own that undo takes back. A shot that meets nothing is none.");
+  }
+  if (!emitter_.in_shots) return;
+  double pace = emitter_.pace.per_second();
+  if (fields_.number("Pace", pace, "%.3g shots/s",
+                     "How many shots are fired a second, from 0.1 to 60. A shot waits until the last one is "
+                     "cut."))
+    emitter_.pace.set(pace);
 }
 
 // Where the view looks.
@@ -155,11 +212,6 @@ void EmitterFeature::draw_marks(ImDrawList& list) {
   list.PushClipRect(to_im(first.at), to_im(first.at + first.size), true);
   draw_emitter(emitter_, FirstPicture(on_.view), on_.pointer_over_picture(), list);
   list.PopClipRect();
-}
-
-void EmitterFeature::mark(Landmarks& landmarks) const {
-  for (const EmitterHandle& handle : emitter_handles(emitter_, FirstPicture(on_.view)))
-    landmarks.mark(name_of(handle), {handle.to, Vec2(0)});
 }
 
 void EmitterFeature::report(nlohmann::ordered_json& report) const {

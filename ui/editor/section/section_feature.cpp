@@ -1,12 +1,96 @@
 #include "ui/editor/section/section_feature.h"
 
-#include "ui/editor/section/section_edits.h"
+#include <imgui.h>
+
+#include "core/base/assert.h"
 #include "ui/editor/section/section_handles.h"
-#include "ui/editor/section/section_rows.h"
+#include "ui/window/number_fields.h"
+#include "ui/window/property.h"
 
 namespace kerf {
 
 namespace {
+
+// Edits, by buttons and by name
+// --------------------------------------------------------------------------------------------------------
+
+// Each edit ends with the plane shown.
+void show(ViewState& view, const SectionPlane& plane) {
+  view.look.section = plane;
+  view.look.show.section = true;
+  view.picture_old = true;
+}
+
+// Sets the plane through the middle of the world if it is shown and stands nowhere yet.
+void place_section(ViewState& view, const World& world) {
+  if (!view.look.show.section || view.look.section || world.ids().empty()) return;
+  show(view, section_through(world.bounds(), -view.seen_first().forward));
+}
+
+// Shows what was taken away, and takes away what was shown.
+void flip_section(ViewState& view) {
+  KERF_ASSERT(view.look.section);
+  show(view, {view.look.section->point, -view.look.section->normal});
+}
+
+// Turns the plane about its point: across an axis of the world (0: X, 1: Y, 2: Z), with the eye on the side
+// that is taken away, or parallel to the picture. Precondition: the plane is placed.
+void turn_section_across(ViewState& view, int axis) {
+  KERF_ASSERT(view.look.section && axis >= 0 && axis < 3);
+  Vec3 normal(0);
+  normal[axis] = view.seen_first().forward[axis] > 0 ? -1 : 1;
+  show(view, {view.look.section->point, normal});
+}
+
+void turn_section_to_view(ViewState& view) {
+  KERF_ASSERT(view.look.section);
+  show(view, {view.look.section->point, -view.seen_first().forward});
+}
+
+// The plane as text in the clipboard, and back; see section_text().
+void copy_section(const ViewState& view, Message& message) {
+  KERF_ASSERT(view.look.section);
+  ImGui::SetClipboardText(section_text(*view.look.section).c_str());
+  message.say("The section plane is in the clipboard as text, as kerf render --section takes it");
+}
+
+void paste_section(ViewState& view, Message& message) {
+  const char* text = ImGui::GetClipboardText();
+  const Result<SectionPlane> plane = parse_section(text != nullptr ? text : "");
+  if (!plane) return message.say("The clipboard holds no section plane: " + plane.error().message, true);
+  show(view, *plane);
+  message.say("");
+}
+
+// The panel
+// --------------------------------------------------------------------------------------------------------
+
+bool button(const char* name, const char* landmark, const char* meaning, bool first = false) {
+  if (!first) ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+  const bool clicked = ImGui::Button(name);
+  mark_last_item(landmark);
+  tooltip(meaning);
+  return clicked;
+}
+
+void draw_turns(ViewState& view) {
+  property("Turn");
+  if (button("X", "section X", "Across the X axis.", true)) turn_section_across(view, 0);
+  if (button("Y", "section Y", "Across the Y axis.")) turn_section_across(view, 1);
+  if (button("Z", "section Z", "Across the Z axis.")) turn_section_across(view, 2);
+  if (button("View", "section view", "Parallel to the picture.")) turn_section_to_view(view);
+  if (button("Flip", "section flip", "Shows the other side.")) flip_section(view);
+}
+
+void draw_text(ViewState& view, Message& message) {
+  property("As text");
+  if (button("Copy", "section copy", "To the clipboard, as kerf render --section takes it.", true))
+    copy_section(view, message);
+  if (button("Paste", "section paste", "From the clipboard.")) paste_section(view, message);
+}
+
+// The feature
+// --------------------------------------------------------------------------------------------------------
 
 // Moves or turns the plane by one of its handles.
 class DragOfPlane : public Interaction {
@@ -14,9 +98,9 @@ class DragOfPlane : public Interaction {
   DragOfPlane(Workspace& on, SectionDrag drag) : on_(on), drag_(std::move(drag)) {}
 
   const SectionDrag& drag() const { return drag_; }
-  void move(const InputEvent&) override { show(drag_.to(on_.view.in_picture(on_.pointer))); }
+  void move(const InputEvent&) override { show(on_.view, drag_.to(on_.view.in_picture(on_.pointer))); }
   bool cancel() override {
-    show(drag_.from());
+    show(on_.view, drag_.from());
     return true;
   }
   const char* words() const override {
@@ -25,11 +109,6 @@ class DragOfPlane : public Interaction {
   }
 
  private:
-  void show(const SectionPlane& plane) {
-    on_.view.look.section = plane;
-    on_.view.picture_old = true;
-  }
-
   Workspace& on_;
   SectionDrag drag_;
 };
@@ -57,7 +136,7 @@ class SectionFeature : public Feature {
   explicit SectionFeature(Workspace& on) : on_(on) {}
 
   std::vector<Panel> panels() override {
-    return {{"View", 1300, false, [this] { rows_.draw(on_.view, on_.message); }}};
+    return {{"View", 1300, false, [this] { draw_rows(); }}};
   }
 
   std::vector<ActionGroup> actions() override {
@@ -99,15 +178,34 @@ class SectionFeature : public Feature {
                  held != nullptr ? std::optional(held->drag()) : std::nullopt, list);
   }
 
-  void mark(Landmarks& landmarks) const override {
-    for (const SectionHandle& handle : section_handles(on_.view))
-      landmarks.mark(name_of(handle), {grip_of(handle), Vec2(0)});
-  }
+  void mark(Landmarks& landmarks) const override { mark_handles(section_handles(on_.view), landmarks); }
 
  private:
+  void draw_rows();
+
   Workspace& on_;
-  SectionRows rows_;
+  NumberFields fields_;
 };
+
+// Rows of the panel while the plane is shown: its point and its normal as numbers that can be typed, in the
+// numbers of the file, and buttons that flip, turn, copy and paste it.
+void SectionFeature::draw_rows() {
+  ViewState& view = on_.view;
+  if (shown_section(view.look) == nullptr || !begin_properties("section plane")) return;
+  SectionPlane plane = *view.look.section;
+  bool typed = fields_.vector("Section", plane.point, "%.5g",
+                              "X, Y and Z of the point that the plane goes through and turns about.");
+  typed |= fields_.vector("Normal", plane.normal, "%.4g",
+                          "The direction that the plane faces, of any length. What lies on this side is not "
+                          "drawn.");
+  if (typed && plane.normal != Vec3(0)) {
+    view.look.section = SectionPlane::facing(plane.point, plane.normal);
+    view.picture_old = true;
+  }
+  draw_turns(view);
+  draw_text(view, on_.message);
+  end_properties();
+}
 
 }  // namespace
 

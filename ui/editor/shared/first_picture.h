@@ -31,14 +31,4 @@ class FirstPicture {
   double em_;
 };
 
-// A handle at the end of a line from `pivot` that is dragged around it: the point at this distance (m, > 0)
-// from the pivot that is seen at `place`, or nearest to it, on the side of the pivot, towards the eye or away
-// from it, on which `now` is.
-Vec3 dragged_around(const FirstPicture& picture, const Vec3& pivot, double distance, const Vec3& now,
-                    Vec2 place);
-
-// How far along a line through `pivot` (unit vector) the pointer is (m) that went from one place to another.
-double dragged_along(const FirstPicture& picture, const Vec3& pivot, const Vec3& direction, Vec2 from,
-                     Vec2 to);
-
 }  // namespace kerf

@@ -150,7 +150,7 @@ struct Bench {
   }
   const PieceLook& look() { return on.view.look.pieces[{id, 0}]; }
   std::vector<PieceHandle> handles() const {
-    return piece_handles(handle_stage(on.view, std::nullopt, on.tool == kPickTool, on.world()));
+    return piece_handles(on.view, pivot_shown(on.view, std::nullopt, on.tool == kPickTool, on.world()));
   }
 
   Workspace on;
@@ -207,11 +207,11 @@ TEST(PieceHandles, are_found_where_they_are_drawn_and_only_with_the_tool_that_pi
   const std::vector<PieceHandle> handles = b.handles();
   ASSERT_EQ(handles.size(), 6u);
   for (const PieceHandle& handle : handles) {
-    if (name_of(handle) == "move Z" || name_of(handle) == "turn Z") continue;  // seen from their ends
-    const auto found = handle_under(handles, grip_of(handle));
-    ASSERT_TRUE(found) << name_of(handle);
+    if (handle.name == "move Z" || handle.name == "turn Z") continue;  // seen from their ends
+    const auto found = handle_under(handles, handle.places[handle.grip]);
+    ASSERT_TRUE(found) << handle.name;
     if (handle.kind == Kind::kMove) {
-      EXPECT_EQ(name_of(*found), name_of(handle));
+      EXPECT_EQ(found->name, handle.name);
     }
   }
   const Area& area = b.on.view.layout.first;

@@ -95,19 +95,20 @@ TEST_F(PathToolTest, an_arrow_moves_the_emitter_along_its_axis_and_the_ring_aims
   const FirstPicture picture(view);
   for (const EmitterHandle& handle : emitter_handles(emitter, picture)) {
     if (handle.part == EmitterHandle::Part::kTarget || handle.part == EmitterHandle::Part::kBody) continue;
-    const auto under = emitter_handle_under(emitter_handles(emitter, picture), handle.to);
-    ASSERT_TRUE(under && under->part == handle.part) << name_of(handle);
+    const Vec2 from = handle.places[0], tip = handle.places[1];
+    const auto under = handle_under(emitter_handles(emitter, picture), tip);
+    ASSERT_TRUE(under && under->part == handle.part) << handle.name;
     const Vec3 before = emitter.at();
-    emitter.take(handle, handle.to);
-    emitter.drag(picture, handle.to + 0.5 * (handle.to - handle.from), std::nullopt);
+    emitter.take(handle.part, tip);
+    emitter.drag(picture, tip + 0.5 * (tip - from), std::nullopt);
     const Vec3 moved = emitter.at() - before;
-    EXPECT_GT(moved[static_cast<int>(handle.part)], 0) << name_of(handle);
-    EXPECT_NEAR(glm::length(moved), moved[static_cast<int>(handle.part)], 1e-12) << name_of(handle);
+    EXPECT_GT(moved[static_cast<int>(handle.part)], 0) << handle.name;
+    EXPECT_NEAR(glm::length(moved), moved[static_cast<int>(handle.part)], 1e-12) << handle.name;
     EXPECT_EQ(emitter.target(), Vec3(0, 0, 1));
     emitter.stand_at(before);
   }
   const Vec2 at = *picture.place_of(emitter.target());
-  emitter.take({EmitterHandle::Part::kTarget, at, at}, at);
+  emitter.take(EmitterHandle::Part::kTarget, at);
   emitter.drag(picture, at + Vec2(30, 0), Vec3(0.5, 0.5, 0.5));
   EXPECT_EQ(emitter.target(), Vec3(0.5, 0.5, 0.5));
   emitter.aim_at(emitter.at());

@@ -59,14 +59,14 @@ TEST(SectionHandles, a_drag_of_the_arrow_takes_its_tip_along_the_normal_to_the_p
       ViewState view = view_of(plane, parallel);
       const std::vector<SectionHandle> handles = section_handles(view);
       const SectionHandle& arrow = handle_of(handles, SectionDrag::Kind::kMove);
-      const auto drag = section_drag_at(view, grip_of(arrow));
+      const auto drag = section_drag_at(view, arrow.places[arrow.grip]);
       ASSERT_TRUE(drag && drag->kind() == SectionDrag::Kind::kMove) << section_text(plane);
       const Vec3 goal = arrow.points[1] + plane.normal * 0.37;
       const Vec3 seen = view.seen_first().project(goal);
       const SectionPlane moved = drag->to({seen.x, seen.y});
       EXPECT_EQ(moved.normal, plane.normal);
       EXPECT_LT(glm::length(moved.point - (plane.point + plane.normal * 0.37)), 1e-6) << section_text(plane);
-      EXPECT_EQ(drag->to(as_ray_takes_it(view, grip_of(arrow))).point, plane.point);
+      EXPECT_EQ(drag->to(as_ray_takes_it(view, arrow.places[arrow.grip])).point, plane.point);
     }
   }
 }
@@ -78,7 +78,7 @@ TEST(SectionHandles, a_drag_of_a_ring_turns_the_plane_as_the_pointer_goes) {
         ViewState view = view_of(plane, parallel);
         const std::vector<SectionHandle> handles = section_handles(view);
         const SectionHandle& ring = handle_of(handles, kind);
-        const auto drag = section_drag_at(view, grip_of(ring));
+        const auto drag = section_drag_at(view, ring.places[ring.grip]);
         ASSERT_TRUE(drag && drag->kind() == kind) << section_text(plane);
         const PlaneAxes axes = axes_of(plane, UpAxis::kY);
         const Vec3 axis = kind == SectionDrag::Kind::kTilt ? axes.level : axes.steep;

@@ -3,12 +3,34 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/base/assert.h"
 #include "ui/editor/graph/graph_panel.h"
-#include "ui/editor/graph/graph_reading.h"
+#include "ui/editor/graph/graph_state.h"
+#include "ui/window/number_text.h"
 
 namespace kerf {
 
 namespace {
+
+// Reads the graph that was asked for, beside the frames, and hands it to `graph`, which must outlive it; if
+// it is stopped, the graph stays left out. The document is not changed. Precondition: graph.is_asked_for().
+LongChange graph_reading(GraphState& graph) {
+  KERF_ASSERT(graph.is_asked_for());
+  graph.no_longer_ask();
+  struct Reading {
+    GraphState graph;
+    bool done = false;
+  };
+  const auto reading = std::make_shared<Reading>(Reading{graph});
+  return {"Reading the graph of " + grouped(graph.left_out()) + " faces",
+          [reading](Document& document, const Progress& progress) {
+            reading->done = reading->graph.read_left_out(document, progress);
+            return Outcome();
+          },
+          [reading, &graph](const Outcome&) {
+            if (reading->done) graph = std::move(reading->graph);
+          }};
+}
 
 constexpr const char* kGraphPanel = "Graph";
 

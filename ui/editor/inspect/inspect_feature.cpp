@@ -1,13 +1,99 @@
 #include "ui/editor/inspect/inspect_feature.h"
 
-#include "ui/editor/inspect/face_readout.h"
+#include <imgui.h>
+
+#include <optional>
+
+#include "ui/editor/inspect/face_facts.h"
 #include "ui/editor/inspect/heat_probe.h"
 #include "ui/editor/shared/file_frames.h"
 #include "ui/render/bodies/pick.h"
+#include "ui/window/imgui_vector.h"
+#include "ui/window/landmarks.h"
+#include "ui/window/theme.h"
 
 namespace kerf {
 
 namespace {
+
+// The place of a point of the world in the window; nothing behind the eye.
+std::optional<Vec2> place_of(const ViewState& view, const Vec3& p) {
+  const Vec3 seen = view.seen_first().project(p);
+  if (seen.z <= 0) return std::nullopt;
+  const Area& area = view.layout.first;
+  return area.at + Vec2(0.5 + 0.5 * seen.x, 0.5 - 0.5 * seen.y) * area.size;
+}
+
+void draw_edges(const ViewState& view, const Body& body, const Pick& pick, ImDrawList& list) {
+  const Triangle t = body.mesh.triangle(pick.face);
+  const auto look = view.look.pieces.find({pick.body, body.mesh.data(pick.face).piece});
+  const Vec3 offset = look != view.look.pieces.end() ? look->second.offset : Vec3(0);
+  std::array<ImVec2, 3> corners;
+  for (size_t i = 0; i < 3; ++i) {
+    const auto at = place_of(view, body.placement.to_world(t[i]) + offset);
+    if (!at) return;
+    corners[i] = to_im(*at);
+  }
+  list.AddPolyline(corners.data(), 3, IM_COL32(10, 12, 16, 190), ImDrawFlags_Closed, 4);
+  list.AddPolyline(corners.data(), 3, colours::kPictureText, ImDrawFlags_Closed, 1.5f);
+}
+
+// Beside the pointer, on the side where there is room.
+void draw_box(const ViewState& view, Vec2 pointer, const std::vector<std::string>& lines, ImDrawList& list) {
+  const float em = ImGui::GetFontSize(), line = 1.25f * ImGui::GetTextLineHeight();
+  Vec2 size(0, 1.2 * em + line * static_cast<float>(lines.size()));
+  for (const std::string& text : lines)
+    size.x = std::max<double>(size.x, ImGui::CalcTextSize(text.c_str()).x + 1.6 * em);
+  const Area& area = view.layout.first;
+  Vec2 at = pointer + Vec2(1.4 * em);
+  if (at.x + size.x > area.at.x + area.size.x) at.x = pointer.x - 1.4 * em - size.x;
+  if (at.y + size.y > area.at.y + area.size.y) at.y = pointer.y - 1.4 * em - size.y;
+  at = glm::max(at, area.at);
+  list.AddRectFilled(to_im(at), to_im(at + size), IM_COL32(0x1b, 0x1f, 0x26, 230), 3);
+  for (size_t i = 0; i < lines.size(); ++i) {
+    const ImVec2 text(static_cast<float>(at.x) + 0.8f * em,
+                      static_cast<float>(at.y) + 0.7f * em + line * static_cast<float>(i));
+    list.AddText(text, i == 0 ? colours::kPictureText : colours::kPictureSecondary, lines[i].c_str());
+  }
+  mark_area("face readout", {at, size});
+}
+
+// Draws points that were clicked to measure, and the distance of two.
+void draw_measure(const ViewState& view, const std::vector<Vec3>& points, ImDrawList& list) {
+  std::vector<Vec2> places;
+  for (const Vec3& p : points) {
+    if (const auto at = place_of(view, p)) places.push_back(*at);
+  }
+  if (places.size() == 2) list.AddLine(to_im(places[0]), to_im(places[1]), IM_COL32(10, 12, 16, 190), 4);
+  if (places.size() == 2) list.AddLine(to_im(places[0]), to_im(places[1]), colours::accent(), 1.6f);
+  for (const Vec2& at : places) {
+    list.AddCircleFilled(to_im(at), 5, IM_COL32(10, 12, 16, 190));
+    list.AddCircleFilled(to_im(at), 3.2f, colours::accent());
+  }
+  if (places.size() < 2) return;
+  const Vec3 way = points[1] - points[0];
+  const std::string text = length_label(glm::length(way), view.frame.unit);
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  const float em = ImGui::GetFontSize();
+  const Vec2 middle = 0.5 * (places[0] + places[1]);
+  const ImVec2 at(static_cast<float>(middle.x) - 0.5f * size.x, static_cast<float>(middle.y) - 1.8f * em);
+  list.AddRectFilled({at.x - 0.5f * em, at.y - 0.25f * em}, {at.x + size.x + 0.5f * em, at.y + 1.3f * em},
+                     IM_COL32(0x1b, 0x1f, 0x26, 230), 3);
+  list.AddText(at, colours::kPictureText, text.c_str());
+}
+
+// Draws over the picture what there is to know about the face under the pointer, in a box beside it, and the
+// face's edges.
+void draw_face_readout(const Workspace& on, ImDrawList& list) {
+  const ViewState& view = on.view;
+  if (!on.points() || view.in_second) return;
+  const Vec2 p = view.in_picture(on.pointer);
+  const auto seen = pick(on.world(), view.look, view.seen().ray(p.x, p.y));
+  if (!seen) return;
+  const Body& body = on.world().body(seen->body);
+  draw_edges(view, body, *seen, list);
+  draw_box(view, on.pointer, lines_of(face_facts(body, seen->face), body, view.frame.unit), list);
+}
 
 constexpr const char* kInspectTool = "Inspect and measure";
 

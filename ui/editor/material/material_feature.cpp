@@ -1,13 +1,139 @@
 #include "ui/editor/material/material_feature.h"
 
+#include <imgui.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "core/document/files/material_reader.h"
+#include "core/document/text/world_fields.h"
 #include "ui/editor/material/laser_heat_rows.h"
-#include "ui/editor/material/material_panel.h"
 #include "ui/editor/shared/long_step.h"
 #include "ui/editor/shared/piece_set.h"
+#include "ui/render/bodies/assets.h"
+#include "ui/window/landmarks.h"
+#include "ui/window/number_fields.h"
+#include "ui/window/property.h"
 
 namespace kerf {
 
 namespace {
+
+// The sheet of the chosen pieces, or of all pieces if none is chosen: its material, from
+// assets/materials.json, its thickness, and the constants of the material, each of which can be typed. Every
+// change is one step of the history.
+class MaterialPanel {
+ public:
+  // Returns the sheet that the user has chosen or typed, if any.
+  std::optional<Sheet> draw(const World& world, const ViewState& view);
+
+ private:
+  bool draw_presets(Sheet& sheet);
+  bool draw_numbers(Sheet& sheet);
+  bool draw_constants(Substance& substance);
+  template <typename Owner>
+  bool number(const NumberField<Owner>& field, const RealFormat& format, Owner& owner);
+
+  NumberFields fields_;
+  std::optional<Result<std::vector<Material>>> materials_;  // once the panel was drawn
+};
+
+// The piece whose sheet the panel shows: the first chosen one, else the first body. Nothing in an empty
+// world.
+std::optional<PieceId> piece_of_sheet(const World& world, const ViewState& view) {
+  const auto chosen = first_chosen(view.look.pieces);
+  if (chosen && world.contains(chosen->body)) return chosen;
+  const std::vector<BodyId> bodies = world.ids();
+  if (bodies.empty()) return std::nullopt;
+  return PieceId{bodies.front(), 0};
+}
+
+// What is typed is limited to what a journal can hold.
+template <typename Owner>
+bool MaterialPanel::number(const NumberField<Owner>& field, const RealFormat& format, Owner& owner) {
+  double shown = owner.*field.member / field.scale;
+  if (!fields_.number(field.label, shown, format, field.meaning)) return false;
+  owner.*field.member = std::clamp(shown * field.scale, field.range.least, field.range.most);
+  return true;
+}
+
+bool MaterialPanel::draw_presets(Sheet& sheet) {
+  if (!materials_) materials_ = load_materials(assets_folder() / "materials.json");
+  const Result<std::vector<Material>>& materials = *materials_;
+  property("Material");
+  if (!materials) {
+    ImGui::TextWrapped("%s", materials.error().message.c_str());
+    return false;
+  }
+  const auto own = std::find_if(materials->begin(), materials->end(),
+                                [&](const Material& m) { return m.substance == sheet.substance; });
+  bool changed = false;
+  if (ImGui::BeginCombo("##material", own != materials->end() ? own->title.c_str() : "Of its own")) {
+    for (const Material& material : *materials) {
+      if (!ImGui::Selectable(material.title.c_str(), material.substance == sheet.substance)) continue;
+      changed = material.substance != sheet.substance;
+      sheet.substance = material.substance;
+      sheet.density = material.substance.density;
+    }
+    ImGui::EndCombo();
+  } else {
+    mark_last_item("material");
+    tooltip("Sets all constants of the material; `kerf materials` lists them with their sources.");
+  }
+  return changed;
+}
+
+// The compiler checks the formats, so that the rows are unrolled.
+bool MaterialPanel::draw_constants(Substance& substance) {
+  bool changed = false;
+  const auto row = [&](const NumberField<Substance>& field, const RealFormat& format) {
+    if (field.label == nullptr || field.member == &Substance::density) return;
+    changed |= number(field, format, substance);
+  };
+  [&]<size_t... i>(std::index_sequence<i...>) { (row(kSubstanceFields[i], kSubstanceFields[i].format), ...); }
+  (std::make_index_sequence<std::size(kSubstanceFields)>());
+  return changed;
+}
+
+bool MaterialPanel::draw_numbers(Sheet& sheet) {
+  bool changed = number(kThickness, kThickness.format, sheet);
+  constexpr const NumberField<Substance>& kDensityOfMaterial = substance_field(&Substance::density);
+  if (number(kDensityOfMaterial, kDensityOfMaterial.format, sheet.substance)) {
+    sheet.density = sheet.substance.density;
+    changed = true;
+  }
+  if (ImGui::TreeNode("Constants of the material")) {
+    if (begin_properties("constants")) {
+      changed |= draw_constants(sheet.substance);
+      end_properties();
+    }
+    ImGui::TreePop();
+  }
+  return changed;
+}
+
+std::optional<Sheet> MaterialPanel::draw(const World& world, const ViewState& view) {
+  const auto piece = piece_of_sheet(world, view);
+  if (!piece) {
+    ImGui::TextDisabled("Nothing is open.");
+    return std::nullopt;
+  }
+  const Body& body = world.body(piece->body);
+  const size_t chosen = chosen_pieces(view.look.pieces);
+  const std::string of = chosen == 0   ? std::string("All pieces")
+                         : chosen == 1 ? body.name_of(piece->label)
+                                       : std::to_string(chosen) + " chosen pieces";
+  ImGui::TextDisabled("%s", of.c_str());
+  tooltip("Changes are for the chosen pieces, or for all of them if none is chosen.");
+  Sheet sheet = body.sheet;
+  bool changed = false;
+  if (begin_properties("sheet")) {
+    changed = draw_presets(sheet);
+    changed |= draw_numbers(sheet);
+    end_properties();
+  }
+  return changed ? std::optional(sheet) : std::nullopt;
+}
 
 class MaterialFeature : public Feature {
  public:

@@ -1,16 +1,110 @@
 #include "ui/editor/single_step/single_step_feature.h"
 
+#include <imgui.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "ui/editor/single_step/query_walk_rows.h"
+#include "core/base/assert.h"
 #include "ui/editor/single_step/single_step_panel.h"
-#include "ui/editor/single_step/stage_caption.h"
 #include "ui/editor/single_step/stage_cut.h"
+#include "ui/editor/single_step/stage_log.h"
+#include "ui/render/passes/stage_pass.h"
+#include "ui/window/landmarks.h"
+#include "ui/window/layout.h"
+#include "ui/window/number_format.h"
+#include "ui/window/number_text.h"
+#include "ui/window/property.h"
+#include "ui/window/theme.h"
 
 namespace kerf {
 
 namespace {
+
+constexpr float kMostEms = 44;
+
+// Draws what the last stage of single steps did, in words, at the lower edge of a picture. Draws nothing if
+// no stage was executed.
+void draw_stage_caption(const StageLog& stages, const Area& picture) {
+  if (stages.done() == 0) return;
+  KERF_ASSERT(stages.done() <= stages.told().size());
+  const std::string text = "Stage " + grouped(stages.done()) + ". " + stages.told()[stages.done() - 1];
+  const float em = ImGui::GetFontSize();
+  const float room = std::min(kMostEms * em, static_cast<float>(picture.size.x) - 4 * em);
+  if (room <= 0) return;
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, room);
+  const float left = static_cast<float>(picture.at.x + 0.5 * picture.size.x) - 0.5f * size.x;
+  const float top = static_cast<float>(picture.at.y + picture.size.y) - size.y - 1.8f * em;
+  const ImVec2 low{left - 0.8f * em, top - 0.5f * em},
+      high{left + size.x + 0.8f * em, top + size.y + 0.5f * em};
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  list.AddRectFilled(low, high, colours::kPictureShade, 3);
+  list.AddText(ImGui::GetFont(), em, {left, top}, colours::kPictureText, text.c_str(), nullptr, room);
+  mark_area("stage caption", {{low.x, low.y}, {high.x - low.x, high.y - low.y}});
+}
+
+using Found = TouchedWalk::Outcome;
+using Kind = StageMarks::Kind;
+
+void visited_row(StageLog& stages) {
+  const QueryWalk& query = stages.query();
+  property("Tested");
+  int visited = static_cast<int>(query.visited());
+  const std::string shown =
+      format_of_text(grouped(query.visited()) + " of " + grouped(query.size()) + " boxes");
+  if (ImGui::SliderInt("##visited", &visited, 1, static_cast<int>(query.size()), shown.c_str(),
+                       ImGuiSliderFlags_AlwaysClamp))
+    stages.visit(static_cast<size_t>(visited));
+  mark_last_item("query slider");
+  tooltip("The boxes in the order in which the query tested them; the keys [ and ] go box by box.");
+}
+
+void drawn_row(StageLog& stages) {
+  property("Last query");
+  bool drawn = stages.query().drawn;
+  if (ImGui::Checkbox("shown", &drawn)) stages.draw_query(drawn);
+  mark_last_item("query shown");
+  tooltip("Draws the boxes that the last query of the tree tested, coloured by what became of them.");
+}
+
+// A number beside the colour of its boxes.
+void count_row(const char* name, const QueryWalk& query, Found outcome, Kind kind, const char* meaning) {
+  property(name);
+  const uint32_t hex = colour_of(kind);
+  const float side = 0.7f * ImGui::GetFontSize();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float top = at.y + 0.5f * (ImGui::GetFrameHeight() - side);
+  ImGui::GetWindowDrawList()->AddRectFilled({at.x, top}, {at.x + side, top + side},
+                                            IM_COL32(hex >> 16 & 0xffu, hex >> 8 & 0xffu, hex & 0xffu, 255),
+                                            2);
+  ImGui::SetCursorScreenPos({at.x + 1.5f * side, at.y});
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(grouped(query.count(outcome)).c_str());
+  tooltip(meaning);
+}
+
+// Rows of the Tree panel: the last query of the tree in single steps, walked through box by box with a
+// slider.
+void draw_query_walk(StageLog& stages) {
+  const QueryWalk& query = stages.query();
+  ImGui::Separator();
+  if (!begin_properties("query")) return;
+  drawn_row(stages);
+  if (query.empty()) {
+    end_properties();
+    return;
+  }
+  visited_row(stages);
+  count_row("Entered", query, Found::kEntered, Kind::kEntered, "Boxes that may meet the beam.");
+  count_row("Culled", query, Found::kCulled, Kind::kCulled,
+            "Boxes outside the beam, with all that is in them.");
+  count_row("Missed", query, Found::kMissed, Kind::kMissed,
+            "Faces that were tested and that the beam misses.");
+  count_row("Hit", query, Found::kTouched, Kind::kTouched, "Faces that were tested and that the beam hits.");
+  end_properties();
+  ImGui::TextWrapped("%s", query.words().c_str());
+  mark_last_item("query words");
+}
 
 constexpr double kSpeedStep = 2;
 

@@ -1,24 +1,150 @@
 #include "ui/editor/time/time_feature.h"
 
+#include <imgui.h>
+
 #include <GLFW/glfw3.h>
 
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "core/document/text/json_value.h"
+#include "core/world/spring.h"
 #include "ui/editor/shared/click.h"
+#include "ui/editor/shared/first_picture.h"
+#include "ui/editor/shared/length_field.h"
 #include "ui/editor/shared/piece_set.h"
 #include "ui/editor/shared/selection.h"
-#include "ui/editor/time/bodies_panel.h"
+#include "ui/editor/shared/shortcut_text.h"
+#include "ui/editor/shared/switch_row.h"
 #include "ui/editor/time/body_actions.h"
 #include "ui/editor/time/cooling.h"
 #include "ui/editor/time/play_marks.h"
-#include "ui/editor/time/pulling.h"
 #include "ui/editor/time/time_flow.h"
 #include "ui/render/bodies/body_marks.h"
+#include "ui/render/bodies/pick.h"
+#include "ui/render/view/drawn_ground.h"
+#include "ui/window/landmarks.h"
+#include "ui/window/number_fields.h"
+#include "ui/window/number_text.h"
+#include "ui/window/property.h"
+#include "ui/window/row_button.h"
 
 namespace kerf {
 
 namespace {
+
+// A spring, without tension, on the point of a visible piece that is seen at a place of the first half of the
+// picture (screen coordinates). Nothing where nothing is seen, or where the body is pinned.
+std::optional<Spring> spring_at(const World& world, const ViewState& view, Vec2 place) {
+  const Pose ray = FirstPicture(view).ray(place);
+  const std::optional<Pick> seen = pick(world, view.look, ray);
+  if (!seen || world.body(seen->body).pinned) return std::nullopt;
+  const Body& body = world.body(seen->body);
+  const Vec3 held = ray.origin + ray.direction * seen->length;
+  return Spring{{seen->body, body.mesh.data(seen->face).piece}, body.placement.to_body(held), held};
+}
+
+// Moves the far end of the spring under a place of the first half, in the plane through where it is that
+// faces the camera.
+void stretch(Spring& spring, const ViewState& view, Vec2 place) {
+  spring.to = FirstPicture(view).at_depth_of(spring.to, place);
+}
+
+// Play, pause and speed, gravity and ground, pins, the views of contacts, and what the last tick did.
+class BodiesPanel {
+ public:
+  void draw(Workspace& on, PlayState& play);
+
+ private:
+  void draw_surroundings(Workspace& on);
+
+  NumberFields fields_;
+};
+
+void draw_time(Workspace& on, PlayState& play) {
+  const char* why_not = on.why_time_stands_still();
+  const auto told = [&](const char* meaning, const char* action) {
+    return with_shortcut(on.view, meaning, action);
+  };
+  if (row_button(play.playing ? "Pause###play" : "Play###play", 2, play.playing ? nullptr : why_not,
+                 told("Pieces that came off fall, or everything stands still again.", "Play").c_str()))
+    play.play_or_pause();
+  mark_last_item("bodies play");
+  ImGui::SameLine();
+  if (row_button("One tick", 2, why_not, told("Lets 1/120 s pass.", "One tick").c_str())) play.ask_for_tick();
+  mark_last_item("bodies tick");
+}
+
+void draw_speed(PlayState& play) {
+  property("Speed");
+  if (ImGui::BeginCombo("##speed", play.speed().name)) {
+    for (size_t i = PlayState::kSpeeds.size(); i-- > 0;) {
+      if (ImGui::Selectable(PlayState::kSpeeds.at(i).name, i == play.speed_index)) play.speed_index = i;
+    }
+    ImGui::EndCombo();
+  } else {
+    tooltip("How fast time passes, against real time. It passes more slowly where a tick takes longer.");
+  }
+}
+
+void draw_pin(Workspace& on) {
+  const bool pinned = chosen_are_pinned(on.world(), on.view);
+  if (row_button(pinned ? "Unpin the chosen###pin" : "Pin the chosen###pin", 1, why_no_pin(on.view),
+                 with_shortcut(on.view, "What is pinned stays where it is while other pieces move.",
+                               "Pin the chosen")
+                     .c_str()))
+    ask_to_pin(on, !pinned);
+  mark_last_item("bodies pin");
+}
+
+void draw_figures(const TickFigures& figures) {
+  if (figures.bodies == 0) return;
+  ImGui::TextDisabled("%s bodies, %s awake, %s contacts", grouped(figures.bodies).c_str(),
+                      grouped(figures.awake).c_str(), grouped(figures.contacts).c_str());
+  tooltip("What the last tick in which bodies moved found.");
+}
+
+void BodiesPanel::draw_surroundings(Workspace& on) {
+  const World& world = on.work.document.world();
+  const FileFrame& frame = on.view.frame;
+  Surroundings around = world.surroundings();
+  const double metres = metres_per_unit(frame.unit);
+  bool gravity = around.gravity != Vec3(0);
+  property("Gravity");
+  if (ImGui::Checkbox("##gravity", &gravity)) on.changes.ask(with_gravity(world, frame, gravity));
+  mark_last_item("gravity on");
+  tooltip("Without gravity pieces float apart.");
+  if (!around.ground) around = usual_surroundings(world, frame);
+  around.metre = 1 / metres;
+  double value = metres * glm::length(around.gravity);
+  const Vec3 down = from_y_up({0, -1, 0}, frame.up);
+  if (gravity &&
+      fields_.number("Its value", value, "%.3g m/s\xc2\xb2", "9.81 on the earth, 1.62 on the moon.") &&
+      value > 0) {
+    around.gravity = value / metres * down;
+    on.changes.ask(SetSurroundings{around});
+  }
+  double height = around.ground.value_or(0);
+  const LengthUnit unit = label_unit(0.1 * world.loaded_bounds().diagonal(), frame.unit);
+  if (gravity &&
+      length_field(fields_, "Ground", height, unit, "The height of the ground on which pieces rest.")) {
+    around.ground = height;
+    on.changes.ask(SetSurroundings{around});
+  }
+}
+
+void BodiesPanel::draw(Workspace& on, PlayState& play) {
+  draw_time(on, play);
+  if (begin_properties("bodies")) {
+    draw_speed(play);
+    draw_surroundings(on);
+    end_properties();
+  }
+  draw_pin(on);
+  for (const SwitchId id : {SwitchId::kContacts, SwitchId::kColliders, SwitchId::kCentres, SwitchId::kJoints})
+    draw_switch(on.view, id);
+  draw_figures(on.work.document.execution().physics().figures());
+}
 
 class TimeFeature : public Feature {
  public:

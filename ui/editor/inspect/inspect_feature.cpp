@@ -6,7 +6,10 @@
 
 #include "ui/editor/inspect/face_facts.h"
 #include "ui/editor/inspect/heat_probe.h"
+#include "ui/editor/shared/distance_mark.h"
 #include "ui/editor/shared/file_frames.h"
+#include "ui/editor/shared/first_picture.h"
+#include "ui/editor/shared/surface_point.h"
 #include "ui/render/bodies/pick.h"
 #include "ui/window/imgui_vector.h"
 #include "ui/window/landmarks.h"
@@ -16,21 +19,14 @@ namespace kerf {
 
 namespace {
 
-// The place of a point of the world in the window; nothing behind the eye.
-std::optional<Vec2> place_of(const ViewState& view, const Vec3& p) {
-  const Vec3 seen = view.seen_first().project(p);
-  if (seen.z <= 0) return std::nullopt;
-  const Area& area = view.layout.first;
-  return area.at + Vec2(0.5 + 0.5 * seen.x, 0.5 - 0.5 * seen.y) * area.size;
-}
-
 void draw_edges(const ViewState& view, const Body& body, const Pick& pick, ImDrawList& list) {
   const Triangle t = body.mesh.triangle(pick.face);
   const auto look = view.look.pieces.find({pick.body, body.mesh.data(pick.face).piece});
   const Vec3 offset = look != view.look.pieces.end() ? look->second.offset : Vec3(0);
+  const FirstPicture picture(view);
   std::array<ImVec2, 3> corners;
   for (size_t i = 0; i < 3; ++i) {
-    const auto at = place_of(view, body.placement.to_world(t[i]) + offset);
+    const auto at = picture.place_of(body.placement.to_world(t[i]) + offset);
     if (!at) return;
     corners[i] = to_im(*at);
   }
@@ -56,30 +52,6 @@ void draw_box(const ViewState& view, Vec2 pointer, const std::vector<std::string
     list.AddText(text, i == 0 ? colours::kPictureText : colours::kPictureSecondary, lines[i].c_str());
   }
   mark_area("face readout", {at, size});
-}
-
-// Draws points that were clicked to measure, and the distance of two.
-void draw_measure(const ViewState& view, const std::vector<Vec3>& points, ImDrawList& list) {
-  std::vector<Vec2> places;
-  for (const Vec3& p : points) {
-    if (const auto at = place_of(view, p)) places.push_back(*at);
-  }
-  if (places.size() == 2) list.AddLine(to_im(places[0]), to_im(places[1]), IM_COL32(10, 12, 16, 190), 4);
-  if (places.size() == 2) list.AddLine(to_im(places[0]), to_im(places[1]), colours::accent(), 1.6f);
-  for (const Vec2& at : places) {
-    list.AddCircleFilled(to_im(at), 5, IM_COL32(10, 12, 16, 190));
-    list.AddCircleFilled(to_im(at), 3.2f, colours::accent());
-  }
-  if (places.size() < 2) return;
-  const Vec3 way = points[1] - points[0];
-  const std::string text = length_label(glm::length(way), view.frame.unit);
-  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-  const float em = ImGui::GetFontSize();
-  const Vec2 middle = 0.5 * (places[0] + places[1]);
-  const ImVec2 at(static_cast<float>(middle.x) - 0.5f * size.x, static_cast<float>(middle.y) - 1.8f * em);
-  list.AddRectFilled({at.x - 0.5f * em, at.y - 0.25f * em}, {at.x + size.x + 0.5f * em, at.y + 1.3f * em},
-                     IM_COL32(0x1b, 0x1f, 0x26, 230), 3);
-  list.AddText(at, colours::kPictureText, text.c_str());
 }
 
 // Draws over the picture what there is to know about the face under the pointer, in a box beside it, and the
@@ -114,7 +86,8 @@ class InspectFeature : public Feature {
   }
 
   std::unique_ptr<Interaction> claim(const Press& press) override {
-    return inspects() && !press.control ? std::make_unique<Click>(*this) : nullptr;
+    if (!inspects() || press.control) return nullptr;
+    return std::make_unique<ClickOnce>([this] { measure(); });
   }
   bool let_go() override {
     if (measured_.empty()) return false;
@@ -136,21 +109,16 @@ class InspectFeature : public Feature {
   void forget() override { measured_.clear(); }
 
   void draw_marks(ImDrawList& list) override {
-    if (inspects()) draw_measure(on_.view, measured_, list);
+    if (inspects() && measured_.size() == 1) draw_measured_point(on_.view, measured_.front(), list);
+    if (inspects() && measured_.size() == 2) {
+      const double length = glm::length(measured_[1] - measured_[0]);
+      draw_distance(on_.view, measured_[0], measured_[1], length_label(length, on_.view.frame.unit), list);
+    }
     if (inspects()) draw_face_readout(on_, list);
     draw_heat_probe(probe_, on_.view.layout.first);
   }
 
  private:
-  class Click : public Interaction {
-   public:
-    explicit Click(InspectFeature& feature) : feature_(feature) {}
-    void release(const InputEvent&) override { feature_.measure(); }
-
-   private:
-    InspectFeature& feature_;
-  };
-
   bool inspects() const { return on_.tool == kInspectTool; }
   void measure();
 
@@ -162,12 +130,10 @@ class InspectFeature : public Feature {
 // The third click begins another distance.
 void InspectFeature::measure() {
   if (on_.view.in_second) return on_.message.say("Distances are measured in the left half.", true);
-  const Vec2 p = on_.view.in_picture(on_.pointer);
-  const Pose ray = on_.view.seen().ray(p.x, p.y);
-  const std::optional<Pick> seen = pick(on_.world(), on_.view.look, ray);
-  if (!seen) return on_.message.say("There is no surface under the pointer.", true);
+  const auto point = point_under_pointer(on_);
+  if (!point) return on_.message.say("There is no surface under the pointer.", true);
   if (measured_.size() == 2) measured_.clear();
-  measured_.push_back(ray.origin + ray.direction * seen->length);
+  measured_.push_back(*point);
   if (measured_.size() < 2)
     return on_.message.say("Click a second point to measure its distance from this one.");
   const Vec3 way = measured_[1] - measured_[0];

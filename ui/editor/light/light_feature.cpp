@@ -200,17 +200,6 @@ void draw_light_panel(ViewState& view, const World::Bounds& bounds, const Shadow
 
 constexpr const char* kLightPanel = "Light";
 
-class DragOfLight : public Interaction {
- public:
-  DragOfLight(Workspace& on, size_t light) : on_(on), light_(light) {}
-  void move(const InputEvent&) override { drag_light(on_.view, light_, on_.pointer); }
-  const char* words() const override { return "Moving a light"; }
-
- private:
-  Workspace& on_;
-  size_t light_;
-};
-
 class LightFeature : public Feature {
  public:
   explicit LightFeature(Workspace& on) : on_(on) {}
@@ -226,7 +215,10 @@ class LightFeature : public Feature {
 
   std::unique_ptr<Interaction> claim(const Press&) override {
     const auto light = light_under(on_.view, on_.pointer);
-    return light && shows_handles() ? std::make_unique<DragOfLight>(on_, *light) : nullptr;
+    if (!light || !shows_handles()) return nullptr;
+    return std::make_unique<PlainDrag>("Moving a light", [this, light = *light](const InputEvent&) {
+      drag_light(on_.view, light, on_.pointer);
+    });
   }
 
   void forget() override { on_.view.look.shadow.inspected = 0; }

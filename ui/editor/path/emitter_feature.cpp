@@ -22,25 +22,6 @@ namespace {
 
 constexpr double kEmitterAway = 0.35;  // diagonals of the world
 
-// Moves or aims the emitter. The beam of one that fires follows each move of the pointer, as that of the
-// pointer itself does.
-class DragOfEmitter : public Interaction {
- public:
-  DragOfEmitter(Workspace& on, Emitter& emitter) : on_(on), emitter_(emitter) {}
-
-  void move(const InputEvent& event) override {
-    const FirstPicture picture(on_.view);
-    const auto surface = surface_point(on_.world(), on_.view.look, picture.ray(on_.pointer));
-    emitter_.drag(picture, on_.pointer, surface ? std::optional(surface->at) : std::nullopt);
-    if (emitter_.drawing) on_.beam.carry_to(on_.work.document, emitter_.pose(), event.seconds);
-  }
-  const char* words() const override { return "Moving the emitter"; }
-
- private:
-  Workspace& on_;
-  Emitter& emitter_;
-};
-
 class EmitterFeature : public Feature {
  public:
   explicit EmitterFeature(Workspace& on) : on_(on) {}
@@ -68,6 +49,7 @@ class EmitterFeature : public Feature {
 
  private:
   std::vector<UserAction> emitter_actions();
+  void drag(double now);
   void draw_rows();
   void draw_pace();
   void place();
@@ -84,7 +66,15 @@ std::unique_ptr<Interaction> EmitterFeature::claim(const Press&) {
   const auto handle = handle_under(emitter_handles(emitter_, FirstPicture(on_.view)), on_.pointer);
   if (!handle || on_.view.in_second) return nullptr;
   emitter_.take(handle->part, on_.pointer);
-  return std::make_unique<DragOfEmitter>(on_, emitter_);
+  return std::make_unique<PlainDrag>("Moving the emitter",
+                                     [this](const InputEvent& event) { drag(event.seconds); });
+}
+
+// Moves or aims the emitter. The beam of one that fires follows each move of the pointer, as that of the
+// pointer itself does.
+void EmitterFeature::drag(double now) {
+  emitter_.drag(FirstPicture(on_.view), on_.pointer, point_under_pointer(on_));
+  if (emitter_.drawing) on_.beam.carry_to(on_.work.document, emitter_.pose(), now);
 }
 
 std::vector<UserAction> EmitterFeature::emitter_actions() {

@@ -8,13 +8,12 @@
 #include "core/base/assert.h"
 #include "core/base/atomic_file.h"
 #include "ui/editor/ruler/ruler_list.h"
+#include "ui/editor/shared/distance_mark.h"
 #include "ui/editor/shared/document_head.h"
 #include "ui/editor/shared/file_frames.h"
 #include "ui/editor/shared/first_picture.h"
 #include "ui/editor/shared/surface_point.h"
-#include "ui/window/imgui_vector.h"
 #include "ui/window/row_button.h"
-#include "ui/window/theme.h"
 
 namespace kerf {
 
@@ -54,22 +53,12 @@ class RulerFeature : public Feature {
   void report(nlohmann::ordered_json& report) const override { report[kRulerKey] = list_.to_json(); }
 
  private:
-  // A click measures, from the last click or to the next one.
-  class Click : public Interaction {
-   public:
-    explicit Click(RulerFeature& feature) : feature_(feature) {}
-    void release(const InputEvent&) override { feature_.measure(); }
-
-   private:
-    RulerFeature& feature_;
-  };
-
   // Moves an end over the surfaces.
   class DragOfEnd : public Interaction {
    public:
     DragOfEnd(RulerFeature& feature, EndOfMark end) : feature_(feature), end_(end) {}
     void move(const InputEvent&) override {
-      const auto surface = feature_.under_pointer();
+      const auto surface = point_under_pointer(feature_.on_);
       if (!surface || end_.mark >= feature_.list_.marks().size()) return;
       if (!std::exchange(edits_, true)) feature_.list_.begin_edit();
       feature_.list_.move(end_.mark, end_.to, *surface);
@@ -86,7 +75,6 @@ class RulerFeature : public Feature {
   bool in_hand() const { return on_.tool == kRuler; }
   bool shown() const { return in_hand() || on_.settings.shows(kRuler); }
   void keep() { set_head_entry(on_.work.scene, kRulerKey, list_.to_json()); }
-  std::optional<Vec3> under_pointer() const;
   std::optional<EndOfMark> end_under_pointer() const;
   void measure();
   void step(bool back);
@@ -137,11 +125,6 @@ std::vector<ActionGroup> RulerFeature::actions() {
             [this] { return list_.marks().empty() ? "No distance is kept." : nullptr; })}}};
 }
 
-std::optional<Vec3> RulerFeature::under_pointer() const {
-  const auto surface = surface_point(on_.world(), on_.view.look, FirstPicture(on_.view).ray(on_.pointer));
-  return surface ? std::optional(surface->at) : std::nullopt;
-}
-
 std::optional<EndOfMark> RulerFeature::end_under_pointer() const {
   const FirstPicture picture(on_.view);
   for (size_t i = 0; i < list_.marks().size(); ++i) {
@@ -156,11 +139,12 @@ std::optional<EndOfMark> RulerFeature::end_under_pointer() const {
 std::unique_ptr<Interaction> RulerFeature::claim(const Press& press) {
   if (!in_hand() || press.control || on_.view.in_second) return nullptr;
   if (const auto end = end_under_pointer(); end && !first_) return std::make_unique<DragOfEnd>(*this, *end);
-  return std::make_unique<Click>(*this);
+  return std::make_unique<ClickOnce>([this] { measure(); });
 }
 
+// Measures from the last click or to the next one.
 void RulerFeature::measure() {
-  const auto surface = under_pointer();
+  const auto surface = point_under_pointer(on_);
   if (!surface) return on_.message.say("There is no surface under the pointer.", true);
   if (!first_) {
     first_ = *surface;
@@ -270,32 +254,13 @@ std::string RulerFeature::export_to(const std::filesystem::path& file) {
 // The picture
 // --------------------------------------------------------------------------------------------------------
 
-void draw_distance(Vec2 from, Vec2 to, const std::string& text, ImDrawList& list) {
-  list.AddLine(to_im(from), to_im(to), IM_COL32(10, 12, 16, 190), 4);
-  list.AddLine(to_im(from), to_im(to), colours::accent(), 1.6f);
-  for (const Vec2& end : {from, to}) {
-    list.AddCircleFilled(to_im(end), 5, IM_COL32(10, 12, 16, 190));
-    list.AddCircleFilled(to_im(end), 3.2f, colours::accent());
-  }
-  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-  const float em = ImGui::GetFontSize();
-  const Vec2 middle = 0.5 * (from + to);
-  const ImVec2 at(static_cast<float>(middle.x) - 0.5f * size.x, static_cast<float>(middle.y) - 1.8f * em);
-  list.AddRectFilled({at.x - 0.5f * em, at.y - 0.25f * em}, {at.x + size.x + 0.5f * em, at.y + 1.3f * em},
-                     IM_COL32(0x1b, 0x1f, 0x26, 230), 3);
-  list.AddText(at, colours::kPictureText, text.c_str());
-}
-
 void RulerFeature::draw_marks(ImDrawList& list) {
   if (!shown()) return;
-  const FirstPicture picture(on_.view);
   for (const RulerMark& m : list_.marks()) {
-    const auto from = picture.place_of(m.from), to = picture.place_of(m.to);
-    if (from && to)
-      draw_distance(*from, *to, m.name + ": " + length_label(m.length(), on_.view.frame.unit), list);
+    draw_distance(on_.view, m.from, m.to, m.name + ": " + length_label(m.length(), on_.view.frame.unit),
+                  list);
   }
-  const auto first = first_ ? picture.place_of(*first_) : std::nullopt;
-  if (first && in_hand()) list.AddCircleFilled(to_im(*first), 3.2f, colours::accent());
+  if (first_ && in_hand()) draw_measured_point(on_.view, *first_, list);
 }
 
 void RulerFeature::mark(Landmarks& landmarks) const {

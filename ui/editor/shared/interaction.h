@@ -1,5 +1,8 @@
 #pragma once
 
+#include <functional>
+#include <utility>
+
 #include "ui/window/input_event.h"
 
 struct ImDrawList;
@@ -31,6 +34,30 @@ class Interaction {
   virtual const char* words() const { return nullptr; }
   // Draws over the picture.
   virtual void draw(ImDrawList&) const {}
+};
+
+// Does something at the release of the button, wherever the pointer went since the press.
+class ClickOnce : public Interaction {
+ public:
+  explicit ClickOnce(std::function<void()> click) : click_(std::move(click)) {}
+  void release(const InputEvent&) override { click_(); }
+
+ private:
+  std::function<void()> click_;
+};
+
+// Does something at each move of the pointer.
+class PlainDrag : public Interaction {
+ public:
+  // `words` as Interaction::words() returns them.
+  PlainDrag(const char* words, std::function<void(const InputEvent&)> follow)
+      : words_(words), follow_(std::move(follow)) {}
+  void move(const InputEvent& event) override { follow_(event); }
+  const char* words() const override { return words_; }
+
+ private:
+  const char* words_;
+  std::function<void(const InputEvent&)> follow_;
 };
 
 }  // namespace kerf

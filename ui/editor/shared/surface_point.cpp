@@ -2,6 +2,7 @@
 
 #include "core/base/assert.h"
 #include "core/base/unit_vector.h"
+#include "ui/editor/shared/first_picture.h"
 #include "ui/render/bodies/pick.h"
 
 namespace kerf {
@@ -16,6 +17,11 @@ std::optional<SurfacePoint> surface_point(const World& world, const ViewOptions&
   Vec3 normal = length > 0 ? across / length : -ray.direction;
   if (glm::dot(normal, ray.direction) > 0) normal = -normal;
   return SurfacePoint{ray.origin + ray.direction * seen->length, normal};
+}
+
+std::optional<Vec3> point_under_pointer(const Workspace& on) {
+  const auto surface = surface_point(on.world(), on.view.look, FirstPicture(on.view).ray(on.pointer));
+  return surface ? std::optional(surface->at) : std::nullopt;
 }
 
 Vec3 turned_with(const Vec3& direction, const Vec3& from, const Vec3& to) {

@@ -2,8 +2,7 @@
 
 #include <optional>
 
-#include "core/world/world.h"
-#include "ui/render/view/view_options.h"
+#include "ui/editor/shared/workspace.h"
 
 namespace kerf {
 
@@ -15,6 +14,9 @@ struct SurfacePoint {
 // The first point of a visible surface (see pick) on a ray of the world. Precondition: the direction is a
 // unit vector.
 std::optional<SurfacePoint> surface_point(const World& world, const ViewOptions& look, const Pose& ray);
+
+// The point of a visible surface under the pointer, in the first half of the picture.
+std::optional<Vec3> point_under_pointer(const Workspace& on);
 
 // The direction after the shortest rotation that turns the unit vector `from` into `to`, another one.
 Vec3 turned_with(const Vec3& direction, const Vec3& from, const Vec3& to);

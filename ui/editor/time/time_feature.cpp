@@ -17,7 +17,6 @@
 #include "ui/editor/shared/shortcut_text.h"
 #include "ui/editor/shared/switch_row.h"
 #include "ui/editor/time/body_actions.h"
-#include "ui/editor/time/cooling.h"
 #include "ui/editor/time/play_marks.h"
 #include "ui/editor/time/time_flow.h"
 #include "ui/render/bodies/body_marks.h"

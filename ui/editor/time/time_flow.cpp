@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/world/heat_flow.h"
 #include "ui/render/view/drawn_ground.h"
 
 namespace kerf {
@@ -10,28 +11,29 @@ namespace kerf {
 namespace {
 constexpr double kLongestLag = 0.1;  // s, that are made up for
 constexpr double kMostTicks = kLongestLag * kTicksPerSecond;
+constexpr double kLongestFrame = 0.1, kRest = 1;  // s, that are made up for in a frame and between rests
+constexpr double kTintedFrom = 500;               // K; below, no tint spreads and nothing glows
+constexpr double kSeenOnScale = 8;                // K over the ambient, a step of the temperature view
 }  // namespace
 
 void TimeFlow::advance(double seconds) {
   if (!may_go_on()) return end();
   const Document& document = on_.work.document;
-  due_ += std::min(seconds, kLongestLag) * play_.speed().of_real_time * kTicksPerSecond;
+  pace_.due += std::min(seconds, kLongestLag) * play_.speed().of_real_time * kTicksPerSecond;
   if (on_.changes.is_pending() || document.waiting() > 0) {
-    most_ = std::max(1.0, 0.5 * most_);
-    due_ = std::min(due_, most_);
-    return;
+    pace_.slow_down();
+    return pace_.limit_to(pace_.most);
   }
-  most_ = std::min(most_ + 1, kMostTicks);
-  due_ = std::min(due_, most_);
+  pace_.speed_up(kMostTicks);
   if (!begin()) return;
   const bool single = std::exchange(play_.one_tick, false);
-  const auto ticks = single ? Ticks{1} : static_cast<Ticks>(due_);
+  const auto ticks = single ? Ticks{1} : static_cast<Ticks>(pace_.due);
   if (ticks > 0) queue_ticks(ticks);
   if (single) begun_ = false;  // each single tick is a step of the history
 }
 
 void TimeFlow::end() {
-  due_ = 0;
+  pace_.due = 0;
   before_ground_.reset();
   if (!begun_ || on_.changes.is_pending() || on_.work.document.waiting() > 0) return;
   mark_state(on_.work.document, on_.work.marks, true);
@@ -85,9 +87,49 @@ void TimeFlow::queue_ticks(Ticks ticks) {
   const Ticks of_minute = work.document.world().clock() % Execution::kTicksToForget;
   if (of_minute == 0) mark_state(work.document, work.marks, true);
   ticks = std::min(ticks, Execution::kTicksToForget - of_minute);
-  due_ -= std::min(due_, static_cast<double>(ticks));
+  pace_.take(ticks);
   queue_spring();
   work.document.apply(Advance{ticks, true});
+}
+
+// Cooling
+// --------------------------------------------------------------------------------------------------------
+
+bool Cooling::flows() const {
+  const History& history = on_.work.document.history();
+  const bool stands = play_.playing || play_.one_tick || on_.settings.heat_held || on_.changes.is_pending() ||
+                      on_.why_time_stands_still() != nullptr;
+  return !stands && history.position() == history.size() && is_hot(on_.work.document.world());
+}
+
+bool Cooling::is_seen() const {
+  const double least = on_.view.look.show.heat ? kAmbient + kSeenOnScale : kTintedFrom;
+  return on_.picture->first().warmest() > least;
+}
+
+bool Cooling::moving() const { return flows() && (is_seen() || on_.clock->seconds() - passed_at_ >= kRest); }
+
+void Cooling::advance(double seconds) {
+  Document& document = on_.work.document;
+  if (!flows()) {
+    pace_.due = 0;
+    unseen_ = false;
+    return;
+  }
+  if (document.waiting() > 0) return pace_.slow_down();
+  const bool seen = is_seen();
+  const double longest = (seen ? kLongestFrame : kRest) * kTicksPerSecond;
+  pace_.due = std::min(longest, pace_.due + seconds * kTicksPerSecond);
+  unseen_ = false;
+  if (!seen && pace_.due < longest) return;
+  if (seen) pace_.speed_up(longest);
+  if (!seen) pace_.limit_to(longest);
+  const auto ticks = static_cast<Ticks>(pace_.due);
+  if (ticks == 0) return;
+  pace_.take(ticks);
+  document.apply(Advance{ticks, false, true});
+  unseen_ = !seen;
+  passed_at_ = on_.clock->seconds();
 }
 
 }  // namespace kerf

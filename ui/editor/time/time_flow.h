@@ -1,17 +1,34 @@
 #pragma once
 
+#include <algorithm>
+
 #include "core/world/spring.h"
 #include "ui/editor/shared/workspace.h"
 #include "ui/editor/time/play_state.h"
 
 namespace kerf {
 
+// How many ticks are due, and how many of them are queued at once: that follows from how many the frames
+// before could do.
+struct TickPace {
+  double due = 0;   // ticks
+  double most = 1;  // ticks that are queued at once
+
+  void slow_down() { most = std::max(1.0, 0.5 * most); }
+  void speed_up(double limit) { limit_to(std::min(most + 1, limit)); }
+  void limit_to(double ticks) {
+    most = ticks;
+    due = std::min(due, most);
+  }
+  void take(Ticks ticks) { due -= std::min(due, static_cast<double>(ticks)); }
+};
+
 // Lets time pass in the open document while the user plays: queues ticks in which bodies move.
 //
 // Ticks are queued when all before them are done, so that the world goes on in slow motion where ticks or
-// cuts take longer than real time; how many are queued at once follows from how many the frames before could
-// do. Playing ends when a step of the history is undone. Where it ends, and at each full minute, the
-// journal gets a mark of where the bodies are, so that who opens it need not move them again.
+// cuts take longer than real time. Playing ends when a step of the history is undone. Where it ends, and at
+// each full minute, the journal gets a mark of where the bodies are, so that who opens it need not move them
+// again.
 class TimeFlow {
  public:
   // All must outlive it. `spring` is the one that the user pulls a piece by.
@@ -34,8 +51,38 @@ class TimeFlow {
   bool begun_ = false;                   // Play is in the document
   size_t position_ = 0;                  // of the history, in the last frame
   std::optional<size_t> before_ground_;  // the position before the world got its ground, until Play follows
-  double due_ = 0;                       // ticks
-  double most_ = 1;                      // ticks that are queued at once
+  TickPace pace_;
+};
+
+// Lets what is hot in the open document cool down in real time while the user does not play: queues ticks in
+// which bodies stand still. They belong to the step of the history before them, so that one undo takes both.
+//
+// Like the ticks of TimeFlow they are queued when all before them are done. While anything in the picture
+// changes by them, they are queued in every frame; after that time passes once a second, and the picture is
+// not drawn again. Time waits while heat is held, and while steps of the history are undone: a tick would
+// make it impossible to redo them.
+class Cooling {
+ public:
+  // Both must outlive it.
+  Cooling(Workspace& on, const PlayState& play) : on_(on), play_(play) {}
+
+  // To be called once a frame after the queue was worked on; `seconds` have passed since the last frame.
+  void advance(double seconds);
+  // Whether a frame is due although nothing else moves.
+  bool moving() const;
+  // Whether only ticks wait that change nothing in the picture.
+  bool passes_unseen() const { return unseen_ && !on_.work.document.execution().beam_waits(); }
+  // Whether something hot cools down as time passes. How long that is seen, the renderer tells.
+  bool flows() const;
+
+ private:
+  bool is_seen() const;
+
+  Workspace& on_;
+  const PlayState& play_;
+  TickPace pace_;
+  bool unseen_ = false;
+  double passed_at_ = 0;  // s, when ticks were queued last
 };
 
 }  // namespace kerf

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/base/assert.h"
+#include "ui/editor/shared/panel_rows.h"
 #include "ui/editor/shared/piece_set.h"
 #include "ui/editor/shared/shortcut_text.h"
 #include "ui/render/bodies/pick.h"
@@ -24,16 +25,14 @@ constexpr std::array kNodes{"Faces around the cut", "Faces of whole bodies", "Fa
 constexpr float kHeightOfWidth = 0.8f;  // of the canvas
 
 void placing_row(GraphState& graph) {
-  property("Laid out");
-  int placing = static_cast<int>(graph.placing());
-  if (ImGui::Combo("##placing", &placing, "Unrolled along the cut\0By position\0By force\0"))
-    graph.place(static_cast<GraphState::Placing>(placing));
-  mark_last_item("graph placing");
-  tooltip(
+  GraphState::Placing placing = graph.placing();
+  const bool chosen = choice_row(
+      "Laid out", "##placing", placing, "Unrolled along the cut\0By position\0By force\0", "graph placing",
       "Unrolled: the way around the cut from left to right, and its two sides above and below; by position "
       "where "
       "the cut does not run around. By position: where the faces are, seen along the direction in which they "
       "extend least. By force: linked nodes pull each other, near ones push each other away.");
+  if (chosen) graph.place(placing);
 }
 
 // Played by the button or drawn by hand.
@@ -105,7 +104,6 @@ std::string verdict(const GraphState& graph) {
 
 // What Kerf does in place of the search.
 std::string loops_text(const GraphState& graph) {
-  if (graph.removed() == 0) return "";
   const std::vector<size_t>& closings = graph.closings();
   const std::string of = " of " + grouped(graph.removed()) + " removals";
   if (closings.empty()) return "Kerf itself did not search: none" + of + " closed a loop.";
@@ -113,18 +111,11 @@ std::string loops_text(const GraphState& graph) {
          " closed one, the first with removal " + grouped(closings.front()) + ".";
 }
 
-void secondary_text(const std::string& text) {
-  if (text.empty()) return;
-  ImGui::PushStyleColor(ImGuiCol_Text, colours::secondary());
-  ImGui::TextWrapped("%s", text.c_str());
-  ImGui::PopStyleColor();
-}
-
 void draw_verdict(const GraphState& graph) {
   ImGui::TextWrapped("Reached %s of %s", grouped(graph.marked()).c_str(), grouped(graph.total()).c_str());
   ImGui::TextWrapped("%s", verdict(graph).c_str());
   mark_last_item("graph verdict");
-  secondary_text(loops_text(graph));
+  if (graph.removed() > 0) secondary_text(loops_text(graph));
   if (!graph.complete()) secondary_text("Some faces that the stroke removed are not kept any more.");
 }
 
@@ -150,20 +141,12 @@ std::optional<FaceOfBody> face_under(const Document& document, const ViewState& 
 }  // namespace
 
 void GraphPanel::draw_view_row(GraphState& graph, std::optional<PieceId> chosen) {
-  property("Nodes");
-  const int view = pieces_shown_ ? 3 : graph.shows_piece() ? 2 : graph.scope() == GraphScope::kWhole ? 1 : 0;
-  if (ImGui::BeginCombo("##nodes", kNodes.at(static_cast<size_t>(view)))) {
-    for (int i = 0; i < static_cast<int>(kNodes.size()); ++i) {
-      if (ImGui::Selectable(kNodes.at(static_cast<size_t>(i)), i == view)) show_nodes(graph, i, chosen);
-      mark_last_item("graph nodes", i);
-    }
-    ImGui::EndCombo();
-  } else {
-    mark_last_item("graph nodes");
-    tooltip(
-        "The faces around the last stroke, all faces of the bodies that it cut, those of one piece, or the "
-        "pieces and what they came off. More than 2,000 faces are drawn as clusters.");
-  }
+  int view = pieces_shown_ ? 3 : graph.shows_piece() ? 2 : graph.scope() == GraphScope::kWhole ? 1 : 0;
+  if (marked_choice_row(
+          "Nodes", "##nodes", view, kNodes, "graph nodes",
+          "The faces around the last stroke, all faces of the bodies that it cut, those of one piece, or the "
+          "pieces and what they came off. More than 2,000 faces are drawn as clusters."))
+    show_nodes(graph, view, chosen);
   if (graph.shows_piece()) graph.show_piece(chosen);
 }
 

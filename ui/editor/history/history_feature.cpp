@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/document/commands/command_words.h"
+#include "ui/editor/shared/panel_rows.h"
 #include "ui/window/number_format.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
@@ -116,26 +117,18 @@ void HistoryPanel::draw_list(WorldChanges& changes, const Document& document) {
   constexpr ImGuiTableFlags kList =
       ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersOuter;
   const History& history = document.history();
-  const float em = ImGui::GetFontSize();
-  const auto lines = static_cast<float>(std::min(history.size() + 1, kMostRows));
-  const float height = lines * (ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y) + 0.2f * em;
+  const float height = height_of_rows(std::min(history.size() + 1, kMostRows));
   if (!ImGui::BeginTable("steps", 3, kList, {0, height})) return;
   ImGui::TableSetupColumn("Step", ImGuiTableColumnFlags_WidthStretch);
   ImGui::TableSetupColumn("Removed", ImGuiTableColumnFlags_WidthFixed, widest(history, removed_text));
   ImGui::TableSetupColumn("Weight", ImGuiTableColumnFlags_WidthFixed, widest(history, weight_text));
-  ImGuiListClipper clipper;
-  clipper.Begin(static_cast<int>(history.size() + 1));
-  while (clipper.Step()) {
-    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-      const auto position = static_cast<size_t>(i);
-      if (draw_step(history, position))
-        changes.ask("Travel", [&changes, position] { changes.travel_to(position); });
-    }
-  }
+  draw_rows_in_sight(history.size() + 1, [&](size_t position) {
+    if (draw_step(history, position))
+      changes.ask("Travel", [&changes, position] { changes.travel_to(position); });
+  });
   if (shown_ != history.position()) {
     shown_ = history.position();
-    const float line = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
-    ImGui::SetScrollY(line * static_cast<float>(history.position()) - 0.5f * height);
+    scroll_to_row(history.position(), height);
   }
   ImGui::EndTable();
 }

@@ -17,6 +17,7 @@
 #include "ui/editor/shared/axes_gizmo.h"
 #include "ui/editor/shared/file_frames.h"
 #include "ui/editor/shared/laser_controls.h"
+#include "ui/editor/shared/panel_rows.h"
 #include "ui/editor/shared/resolution_rows.h"
 #include "ui/editor/shared/shortcut_text.h"
 #include "ui/render/bodies/pick.h"
@@ -32,12 +33,6 @@ namespace {
 
 constexpr ImGuiSliderFlags kLogarithmic = ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp;
 
-void reset_on_right_click(double& value, double reset) {
-  if (!ImGui::BeginPopupContextItem()) return;
-  if (ImGui::MenuItem("Reset to default")) value = reset;
-  ImGui::EndPopup();
-}
-
 bool radius_row(LaserControls& laser, FileUnit file_unit) {
   property("Radius");
   const double before = laser.radius;
@@ -51,7 +46,7 @@ bool radius_row(LaserControls& laser, FileUnit file_unit) {
     laser.radius = shown * unit.metres;
   }
   mark_last_item("radius");
-  reset_on_right_click(laser.radius, laser.default_radius);
+  reset_item(laser.radius, laser.default_radius);
   tooltip(
       "Half the width of the cut. Ctrl+click to type a number, right click for the default. The last stroke "
       "follows while \"as the slider moves\" is on in the Resolution panel.");
@@ -59,13 +54,8 @@ bool radius_row(LaserControls& laser, FileUnit file_unit) {
 }
 
 void pattern_row(LaserControls& laser) {
-  property("Pattern");
-  int pattern = laser.pattern == Pattern::kRays4 ? 1 : 0;
-  if (ImGui::Combo("##pattern", &pattern, "Volume\0Four rays\0")) {
-    laser.pattern = pattern == 1 ? Pattern::kRays4 : Pattern::kVolume;
-  }
-  mark_last_item("pattern");
-  tooltip(
+  choice_row(
+      "Pattern", "##pattern", laser.pattern, "Volume\0Four rays\0", "pattern",
       "Volume burns everything in the beam. Four rays burns only what four parallel rays on its rim meet.");
 }
 

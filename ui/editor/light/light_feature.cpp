@@ -9,8 +9,8 @@
 #include "core/base/assert.h"
 #include "ui/editor/light/light_handle.h"
 #include "ui/editor/light/light_presets.h"
+#include "ui/editor/shared/panel_rows.h"
 #include "ui/editor/shared/shadow_methods.h"
-#include "ui/editor/shared/switch_row.h"
 #include "ui/screen/shadow_figures.h"
 #include "ui/window/number_format.h"
 #include "ui/window/number_text.h"
@@ -111,13 +111,12 @@ void choose_kind(Light& light, Light::Kind kind, const World::Bounds& bounds) {
 
 bool light_rows(Light& light, const World::Bounds& bounds) {
   bool changed = false;
-  property("Kind");
-  int kind = light.kind == Light::Kind::kPoint ? 1 : 0;
-  if (ImGui::Combo("##kind", &kind, "Directional\0Point\0")) {
-    choose_kind(light, kind == 1 ? Light::Kind::kPoint : Light::Kind::kDirectional, bounds);
+  Light::Kind kind = light.kind;
+  if (choice_row("Kind", "##kind", kind, "Directional\0Point\0", nullptr,
+                 "Drag its handle in the picture to move it.")) {
+    choose_kind(light, kind, bounds);
     changed = true;
   }
-  tooltip("Drag its handle in the picture to move it.");
   property("Colour");
   glm::vec3 shown = glm::sqrt(glm::clamp(glm::vec3(light.colour), 0.0f, 1.0f));
   if (ImGui::ColorEdit3("##colour", &shown.x, ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoInputs)) {

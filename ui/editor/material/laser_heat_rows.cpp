@@ -8,7 +8,7 @@
 #include "core/heat/lumped_cut.h"
 
 #include "ui/editor/shared/file_frames.h"
-#include "ui/editor/shared/length_field.h"
+#include "ui/editor/shared/panel_rows.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_format.h"
 #include "ui/window/number_text.h"
@@ -27,21 +27,13 @@ std::string energy_label(double joules) {
 
 void model_row(LaserControls& laser) {
   constexpr std::array kNames{"Geometric", "Thermal"};  // in the order of Model
-  property("Model");
-  if (ImGui::BeginCombo("##model", kNames.at(static_cast<size_t>(laser.model)))) {
-    for (int i = 0; i < 2; ++i) {
-      const auto model = static_cast<Model>(i);
-      if (ImGui::Selectable(kNames.at(static_cast<size_t>(i)), laser.model == model)) laser.model = model;
-      mark_last_item("laser model", i);
-    }
-    ImGui::EndCombo();
-  } else {
-    mark_last_item("laser model");
-    tooltip(
-        "Geometric removes at once what the beam touches, and leaves heat beside it. Thermal heats it: a "
-        "face "
-        "goes when it has taken the energy that its material needs.");
-  }
+  int model = static_cast<int>(laser.model);
+  marked_choice_row(
+      "Model", "##model", model, kNames, "laser model",
+      "Geometric removes at once what the beam touches, and leaves heat beside it. Thermal heats it: a "
+      "face "
+      "goes when it has taken the energy that its material needs.");
+  laser.model = static_cast<Model>(model);
 }
 
 void hold_row(bool& held) {

@@ -8,7 +8,7 @@
 #include "core/document/files/material_reader.h"
 #include "core/document/text/world_fields.h"
 #include "ui/editor/material/laser_heat_rows.h"
-#include "ui/editor/shared/long_step.h"
+#include "ui/editor/shared/long_change.h"
 #include "ui/editor/shared/piece_set.h"
 #include "ui/render/bodies/assets.h"
 #include "ui/window/landmarks.h"

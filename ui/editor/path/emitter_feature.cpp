@@ -9,6 +9,7 @@
 #include "core/cut/cuttable.h"
 #include "core/document/text/json_value.h"
 #include "ui/editor/path/emitter.h"
+#include "ui/editor/shared/panel_rows.h"
 #include "ui/editor/shared/shortcut_text.h"
 #include "ui/editor/shared/surface_point.h"
 #include "ui/window/imgui_vector.h"
@@ -127,20 +128,12 @@ void EmitterFeature::draw_rows() {
 
 void EmitterFeature::draw_pace() {
   constexpr std::array kKinds{"Without a break", "In shots"};
-  property("Fires");
-  if (ImGui::BeginCombo("##fires", kKinds.at(emitter_.in_shots ? 1 : 0))) {
-    for (int i = 0; i < 2; ++i) {
-      if (ImGui::Selectable(kKinds.at(static_cast<size_t>(i)), emitter_.in_shots == (i == 1)))
-        emitter_.in_shots = i == 1;
-      mark_last_item("emitter fires", i);
-    }
-    ImGui::EndCombo();
-  } else {
-    mark_last_item("emitter fires");
-    tooltip(
-        "Without a break: what the emitter is moved over is one stroke. In shots: at a steady pace, each "
-        "shot a stroke of its own that undo takes back. A shot that meets nothing is none.");
-  }
+  int kind = emitter_.in_shots ? 1 : 0;
+  marked_choice_row(
+      "Fires", "##fires", kind, kKinds, "emitter fires",
+      "Without a break: what the emitter is moved over is one stroke. In shots: at a steady pace, each "
+      "shot a stroke of its own that undo takes back. A shot that meets nothing is none.");
+  emitter_.in_shots = kind == 1;
   if (!emitter_.in_shots) return;
   double pace = emitter_.pace.per_second();
   if (fields_.number("Pace", pace, "%.3g shots/s",

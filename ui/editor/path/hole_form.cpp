@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/base/assert.h"
-#include "ui/editor/shared/length_field.h"
+#include "ui/editor/shared/panel_rows.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/property.h"
 #include "ui/window/row_button.h"
@@ -64,10 +64,7 @@ void HoleForm::add_holes(PathWork& path, const World& world, double radius, doub
 void HoleForm::draw(PathWork& path, const World& world, double radius, double speed, FileUnit unit) {
   fit_to(world.bounds().diagonal());
   if (!begin_properties("holes")) return;
-  property("Pattern");
-  int kind = static_cast<int>(pattern_.kind);
-  if (ImGui::Combo("##kind", &kind, "Grid\0Circle\0")) pattern_.kind = static_cast<HolePattern::Kind>(kind);
-  mark_last_item("hole pattern");
+  choice_row("Pattern", "##kind", pattern_.kind, "Grid\0Circle\0", "hole pattern", nullptr);
   const bool grid = pattern_.kind == HolePattern::Kind::kGrid;
   if (grid) draw_grid(unit);
   if (!grid) draw_circle(unit);

@@ -5,7 +5,7 @@
 #include "core/base/assert.h"
 #include "core/document/files/edit_path.h"
 #include "core/document/files/stroke_settings.h"
-#include "ui/editor/shared/length_field.h"
+#include "ui/editor/shared/panel_rows.h"
 #include "ui/editor/shared/shortcut_text.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_text.h"
@@ -101,12 +101,9 @@ void PathPanel::draw_radius(PathWork& path, const World& world, FileUnit unit) {
 void PathPanel::draw_beam(PathWork& path, bool& at_panel_resolution, const World& world, FileUnit unit) {
   if (path.empty() || !begin_properties("beam")) return;
   draw_speed(path, unit);
-  property("Cut");
-  int cut = at_panel_resolution ? 1 : 0;
-  if (ImGui::Combo("##cut", &cut, "As kerf cut does\0As in the Resolution panel\0"))
-    at_panel_resolution = cut == 1;
-  mark_last_item("path resolution");
-  tooltip(
+  choice_row(
+      "Cut", "##cut", at_panel_resolution, "As kerf cut does\0As in the Resolution panel\0",
+      "path resolution",
       "How fine the faces along the cut are, and which rim is left: as kerf cut --path does with the same "
       "file, or as strokes of the pointer are cut.");
   if (path.chosen()) draw_radius(path, world, unit);
@@ -136,18 +133,12 @@ void PathPanel::draw_list(PathWork& path) {
       ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersOuter;
   const size_t points = path.points();
   if (points == 0) return;
-  const float line = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
-  const float height = static_cast<float>(std::min(points, kMostRows)) * line + 0.2f * ImGui::GetFontSize();
+  const float height = height_of_rows(std::min(points, kMostRows));
   if (!ImGui::BeginTable("points", 4, kList, {0, height})) return;
-  ImGuiListClipper clipper;
-  clipper.Begin(static_cast<int>(points));
-  while (clipper.Step()) {
-    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
-      draw_row(path, numbered(path, static_cast<size_t>(i)), i);
-  }
+  draw_rows_in_sight(points, [&](size_t i) { draw_row(path, numbered(path, i), static_cast<int>(i)); });
   if (path.chosen() && path.chosen() != shown_) {
     shown_ = path.chosen();
-    ImGui::SetScrollY(line * static_cast<float>(number_of(path, *shown_)) - 0.5f * height);
+    scroll_to_row(number_of(path, *shown_), height);
   }
   ImGui::EndTable();
 }
@@ -179,9 +170,7 @@ void PathPanel::draw(PathWork& path, bool& at_panel_resolution, const ViewState&
                      const PathTool::Beam& beam, const char* why_no_run, const PathWishes& wishes) {
   const FileUnit unit = view.frame.unit;
   draw_buttons(path, view, why_no_run, wishes);
-  ImGui::PushStyleColor(ImGuiCol_Text, colours::secondary());
-  ImGui::TextWrapped("%s", summary(path, view).c_str());
-  ImGui::PopStyleColor();
+  secondary_text(summary(path, view));
   draw_beam(path, at_panel_resolution, world, unit);
   draw_list(path);
   draw_chosen(path, unit);

@@ -12,7 +12,7 @@
 #include "ui/editor/pieces/pieces_list.h"
 #include "ui/editor/pieces/rubber_band.h"
 #include "ui/editor/shared/click.h"
-#include "ui/editor/shared/long_step.h"
+#include "ui/editor/shared/long_change.h"
 #include "ui/editor/shared/piece_set.h"
 #include "ui/editor/shared/selection.h"
 #include "ui/editor/shared/shortcut_text.h"

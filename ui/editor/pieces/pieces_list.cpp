@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ui/editor/shared/file_frames.h"
+#include "ui/editor/shared/panel_rows.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
@@ -233,11 +234,7 @@ void PiecesList::draw_rows(Workspace& on, const SortedPieces& sorted, const Hide
     std::for_each(listed.begin(), listed.end(), draw_one);
     return;
   }
-  ImGuiListClipper clipper;
-  clipper.Begin(static_cast<int>(listed.size()));
-  while (clipper.Step()) {
-    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) draw_one(listed[static_cast<size_t>(i)]);
-  }
+  draw_rows_in_sight(listed.size(), [&](size_t i) { draw_one(listed[i]); });
 }
 
 void PiecesList::draw(Workspace& on, const std::vector<PieceRow>& rows, const HideChosen& hide_chosen) {
@@ -246,9 +243,8 @@ void PiecesList::draw(Workspace& on, const std::vector<PieceRow>& rows, const Hi
   const SortedPieces sorted = set_crumbs_apart(rows);
   begin_asked_rename(sorted);
   const size_t count = rows_to_list(sorted, crumbs_unfolded_).size();
-  const auto lines = static_cast<float>(std::min(count, kRowsInSight) + 1);
-  const float line = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
-  if (!ImGui::BeginTable("pieces", 4, kList, {0, lines * line + 0.2f * ImGui::GetFontSize()})) return;
+  const float height = height_of_rows(std::min(count, kRowsInSight) + 1);
+  if (!ImGui::BeginTable("pieces", 4, kList, {0, height})) return;
   set_up_columns(rows, on.view.frame.unit);
   draw_rows(on, sorted, hide_chosen);
   ImGui::EndTable();

@@ -1,14 +1,25 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "core/document/history/document.h"
-#include "ui/editor/prepare/preparation.h"
+#include "core/mesh/openmesh/subdivide.h"
 #include "ui/editor/shared/piece_set.h"
 
 namespace kerf {
+
+// What the Prepare panel does to the chosen pieces, or to all if none is chosen.
+struct Preparation {
+  enum class Tool { kSimplifyToFaces, kSimplifyToError, kSubdivide, kSmooth };
+  Tool tool = Tool::kSimplifyToFaces;
+  size_t faces = 0;  // that are left of all of them; 0: half of what there is
+  double error = 0;  // m; 0: a thousandth of the size of the world
+  Subdivision scheme = Subdivision::kLoop;
+  size_t times = 1;  // that faces are subdivided, or vertices move
+};
 
 // The chosen pieces, or all pieces if none is chosen.
 std::vector<PieceRow> pieces_to_prepare(const World& world, const PieceMap& looks);

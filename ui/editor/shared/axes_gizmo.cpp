@@ -129,4 +129,11 @@ void draw_axes_gizmo(const ViewState& view, Vec2 pointer, ImDrawList& list) {
   list.AddText({x, y}, colours::kPictureSecondary, kind.c_str());
 }
 
+std::optional<StandardView> standard_view_of(const Camera& camera) {
+  const auto* found =
+      std::find_if(kStandardViews.begin(), kStandardViews.end(),
+                   [&](const StandardView& view) { return camera.is_turned_to(view.yaw, view.pitch); });
+  return found == kStandardViews.end() ? std::nullopt : std::optional(*found);
+}
+
 }  // namespace kerf

@@ -1,14 +1,35 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
-#include "ui/editor/shared/standard_view.h"
 #include "ui/editor/shared/view_state.h"
+#include "ui/render/view/camera.h"
 
 struct ImDrawList;
 
 namespace kerf {
+
+// A view along an axis of the world, as on a technical drawing.
+struct StandardView {
+  const char* name;
+  double yaw, pitch;  // of the eye, see Camera::turn_to
+};
+
+// In pairs that look at each other.
+inline constexpr double kQuarterTurn = 1.5707963267948966;
+inline constexpr std::array kStandardViews{
+    StandardView{"Front", 0, 0},
+    StandardView{"Back", 2 * kQuarterTurn, 0},
+    StandardView{"Right", kQuarterTurn, 0},
+    StandardView{"Left", -kQuarterTurn, 0},
+    StandardView{"Top", 0, kQuarterTurn},
+    StandardView{"Bottom", 0, -kQuarterTurn},
+};
+
+// The standard view that the camera shows or moves to, if it is one.
+std::optional<StandardView> standard_view_of(const Camera& camera);
 
 // The axes of the world in the upper right corner of the first half of the picture. A click on the end of an
 // axis looks from there; a drag turns the view. Places are of the window, screen coordinates.

@@ -1,5 +1,7 @@
 #include "ui/editor/shared/figures.h"
 
+#include <algorithm>
+
 #include "core/joints/loaded_part.h"
 
 namespace kerf {
@@ -15,6 +17,14 @@ size_t count_pieces(const World& world) {
       pieces += body.pieces[label].faces > 0 && !is_loaded_part(body, label);
   }
   return pieces;
+}
+
+void add(const World& world, MemoryFigures& figures) {
+  for (const BodyId id : world.ids()) {
+    const Body& body = world.body(id);
+    figures.trees += body.tree.bytes();
+    figures.meshes += body.bytes() - body.tree.bytes();
+  }
 }
 
 }  // namespace
@@ -41,6 +51,23 @@ void note_stroke(ShownFigures& shown, const Document& document) {
     const HistoryStep& step = history.step(*last);
     shown.stroke = ShownFigures::Stroke{step.figures(), step.removed_area()};
   }
+}
+
+size_t MemoryFigures::other() const {
+  const size_t parts = meshes + trees + pictures.shading + pictures.shadows + pictures.graphics + history;
+  return process - std::min(process, parts);
+}
+
+MemoryFigures memory_figures(std::span<const World* const> worlds, size_t history,
+                             const PictureMemory& pictures) {
+  MemoryFigures figures;
+  figures.process = process_bytes();
+  figures.pictures = pictures;
+  figures.history = history;
+  for (const World* world : worlds) {
+    if (world != nullptr) add(*world, figures);
+  }
+  return figures;
 }
 
 }  // namespace kerf

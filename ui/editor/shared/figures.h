@@ -1,16 +1,36 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "core/document/history/document.h"
 #include "core/mesh/files/file_frame.h"
+#include "core/world/world.h"
 #include "ui/editor/shared/frame_statistics.h"
-#include "ui/editor/shared/memory_figures.h"
 #include "ui/editor/shared/step_chart.h"
+#include "ui/render/bodies/picture_memory.h"
 #include "ui/screen/shadow_figures.h"
 
 namespace kerf {
+
+// The memory usage of the process, in bytes.
+struct MemoryFigures {
+  size_t process = 0;
+  size_t meshes = 0, trees = 0;  // of all worlds that are held
+  PictureMemory pictures;
+  size_t history = 0;  // before-images
+
+  // The memory of the process minus all of these parts: the program itself, drivers and their buffers. It is
+  // too small by `graphics` if the graphics card has its own memory.
+  size_t other() const;
+};
+
+// The current figures, for these worlds (entries may be null) and a history of the given size in bytes.
+// O(bodies).
+MemoryFigures memory_figures(std::span<const World* const> worlds, size_t history,
+                             const PictureMemory& pictures);
 
 // The figures in the panels and the status bar. They are updated four times per second, so that they are
 // legible.

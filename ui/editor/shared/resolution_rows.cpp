@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "ui/editor/shared/file_frames.h"
+#include "ui/editor/shared/panel_rows.h"
 #include "ui/window/number_format.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
@@ -14,45 +14,24 @@ namespace kerf {
 namespace {
 
 bool rule_row(ResolutionControls& to) {
-  property("Split to");
-  int rule = static_cast<int>(to.rule);
-  const bool changed = ImGui::Combo("##rule", &rule, "Edge length\0Tolerance\0Depth\0");
-  if (changed) to.rule = static_cast<Resolution::Rule>(rule);
-  tooltip(
+  return choice_row(
+      "Split to", "##rule", to.rule, "Edge length\0Tolerance\0Depth\0", nullptr,
       "What says when faces under the beam are small enough: the length of their edges, how far what is "
       "removed may overshoot the beam, or how often they were split.");
-  return changed;
 }
 
 bool scheme_row(ResolutionControls& to) {
-  property("Scheme");
-  int scheme = static_cast<int>(to.scheme);
-  const bool changed = ImGui::Combo("##scheme", &scheme, "One to four\0Longest edge\0");
-  if (changed) to.scheme = static_cast<Scheme>(scheme);
-  tooltip(
+  return choice_row(
+      "Scheme", "##scheme", to.scheme, "One to four\0Longest edge\0", nullptr,
       "How a face is split: in four, as in the paper, or in two at its longest edge, which makes far fewer "
       "faces of thin ones.");
-  return changed;
 }
 
 bool rim_row(ResolutionControls& to) {
-  property("Rim");
-  int rim = static_cast<int>(to.rim);
-  const bool changed = ImGui::Combo("##rim", &rim, "Faces\0Smooth\0");
-  if (changed) to.rim = static_cast<Rim>(rim);
-  tooltip(
+  return choice_row(
+      "Rim", "##rim", to.rim, "Faces\0Smooth\0", nullptr,
       "Faces: all that the beam touches goes, so the rim is a saw. Smooth: when the stroke ends, faces "
-      "across "
-      "the boundary of the beam are cut along it.");
-  return changed;
-}
-
-bool reset_item(double& value, double standard) {
-  if (!ImGui::BeginPopupContextItem()) return false;
-  const bool reset = ImGui::MenuItem("Reset to default");
-  if (reset) value = standard;
-  ImGui::EndPopup();
-  return reset;
+      "across the boundary of the beam are cut along it.");
 }
 
 // A share of the radius, from twice the radius to a 32nd of it; finer to the right, as with depth.

@@ -4,7 +4,7 @@
 
 #include "core/base/assert.h"
 #include "core/document/commands/command_words.h"
-#include "ui/editor/shared/long_step.h"
+#include "ui/editor/shared/long_change.h"
 #include "ui/editor/shared/piece_set.h"
 #include "ui/editor/shared/workspace.h"
 #include "ui/render/view/spread.h"

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "ui/editor/shared/panel_rows.h"
 #include "ui/editor/shared/shortcut_text.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_format.h"
@@ -151,10 +152,7 @@ void SingleStepPanel::draw(StageState& stages, const Document& document, const V
   draw_speed(stages.wishes);
   const std::string place = place_text(stages, document);
   if (place.empty()) {
-    ImGui::PushStyleColor(ImGuiCol_Text, colours::secondary());
-    ImGui::TextWrapped("Draw a stroke, or start the last one again.");
-    ImGui::PopStyleColor();
-    return;
+    return secondary_text("Draw a stroke, or start the last one again.");
   }
   ImGui::TextUnformatted(place.c_str());
   if (!stages.log.told().empty()) draw_list(stages, document);

@@ -3,8 +3,10 @@
 namespace kerf {
 
 namespace {
+
 constexpr const char* kOff = "Single steps are off.";
-}
+
+}  // namespace
 
 void play_or_pause(StageState& stages, const Document& document) {
   StageWishes& wishes = stages.wishes;

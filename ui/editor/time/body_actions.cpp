@@ -3,7 +3,7 @@
 #include <GLFW/glfw3.h>
 
 #include "core/base/assert.h"
-#include "ui/editor/shared/long_step.h"
+#include "ui/editor/shared/long_change.h"
 #include "ui/editor/shared/piece_set.h"
 #include "ui/editor/shared/selection.h"
 #include "ui/render/view/drawn_ground.h"

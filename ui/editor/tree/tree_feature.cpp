@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "ui/editor/shared/panel_rows.h"
 #include "ui/editor/shared/shortcut_text.h"
-#include "ui/editor/shared/switch_row.h"
 #include "ui/window/number_format.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
@@ -64,14 +64,10 @@ void body_row(ViewState& view, const World& world) {
 }
 
 void palette_row(ViewState& view, Settings& settings) {
-  property("Colours");
-  int palette = settings.palette == BoxPalette::kOrangeAndBlue ? 1 : 0;
-  if (ImGui::Combo("##palette", &palette, "Red and green\0Orange and blue\0")) {
-    settings.palette = palette == 1 ? BoxPalette::kOrangeAndBlue : BoxPalette::kRedAndGreen;
+  if (choice_row("Colours", "##palette", settings.palette, "Red and green\0Orange and blue\0", nullptr,
+                 "Orange and blue can be told apart by the colour-blind; the accent of the panels turns blue "
+                 "with it."))
     view.picture_old = true;
-  }
-  tooltip(
-      "Orange and blue can be told apart by the colour-blind; the accent of the panels turns blue with it.");
 }
 
 // A stroke asks the tree once or a few times for each move of the beam.

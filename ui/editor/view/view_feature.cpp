@@ -11,9 +11,8 @@
 #include "ui/editor/shared/axes_gizmo.h"
 #include "ui/editor/shared/click.h"
 #include "ui/editor/shared/look_round.h"
+#include "ui/editor/shared/panel_rows.h"
 #include "ui/editor/shared/shortcut_text.h"
-#include "ui/editor/shared/standard_view.h"
-#include "ui/editor/shared/switch_row.h"
 #include "ui/editor/view/camera_text.h"
 #include "ui/editor/view/legends.h"
 #include "ui/render/view/view_switches.h"
@@ -51,11 +50,9 @@ void scale_row(Settings& settings, double& wanted) {
 
 void DisplayPanel::draw(Settings& settings, const ViewState& view) {
   if (!begin_properties("display")) return;
-  property("Theme");
-  int theme = settings.theme == Theme::kLight ? 1 : 0;
-  if (ImGui::Combo("##theme", &theme, "Dark\0Light\0"))
-    settings.theme = theme == 1 ? Theme::kLight : Theme::kDark;
-  tooltip(with_shortcut(view, "Colours of the panels; the picture stays as it is.", "Light theme").c_str());
+  choice_row(
+      "Theme", "##theme", settings.theme, "Dark\0Light\0", nullptr,
+      with_shortcut(view, "Colours of the panels; the picture stays as it is.", "Light theme").c_str());
   scale_row(settings, wanted_scale_);
   end_properties();
 }

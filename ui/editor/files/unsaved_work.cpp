@@ -5,14 +5,11 @@
 
 #include "core/base/assert.h"
 #include "ui/editor/files/save_work.h"
+#include "ui/editor/shared/file_frames.h"
 
 namespace kerf {
 
 namespace {
-
-std::string count_text(size_t count, const char* what) {
-  return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
-}
 
 std::string time_text(std::filesystem::file_time_type time) {
   const auto system = std::chrono::file_clock::to_sys(time);

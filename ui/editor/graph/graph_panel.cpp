@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/base/assert.h"
+#include "ui/editor/shared/file_frames.h"
 #include "ui/editor/shared/panel_rows.h"
 #include "ui/editor/shared/piece_set.h"
 #include "ui/editor/shared/shortcut_text.h"
@@ -44,8 +45,7 @@ void traversal_row(GraphState& graph) {
   ImGui::SameLine();
   int marked = static_cast<int>(graph.marked());
   ImGui::SetNextItemWidth(-1);
-  const std::string shown =
-      format_of_text(grouped(graph.marked()) + (graph.marked() == 1 ? " face" : " faces"));
+  const std::string shown = format_of_text(count_text(graph.marked(), "face"));
   if (ImGui::SliderInt("##marked", &marked, 0, static_cast<int>(graph.reached()), shown.c_str(),
                        ImGuiSliderFlags_AlwaysClamp)) {
     graph.play(false);
@@ -98,8 +98,8 @@ std::string verdict(const GraphState& graph) {
   const size_t rest = graph.total() - graph.reached();
   if (!graph.separated()) return "Not separated: the search reached every face that hung together before.";
   const size_t others = graph.sets() - 1;
-  return "Separated: the search did not reach " + grouped(rest) + (rest == 1 ? " face in " : " faces in ") +
-         grouped(others) + (others == 1 ? " other part." : " other parts.");
+  return "Separated: the search did not reach " + count_text(rest, "face") + " in " +
+         count_text(others, "other part") + ".";
 }
 
 // What Kerf does in place of the search.

@@ -169,10 +169,6 @@ class LaserFeature : public Feature {
   std::vector<UserAction> laser_actions();
   UserAction radius_action(const char* name, double factor);
   UserAction finer_action(const char* name, int steps);
-  template <typename Choice>
-  UserAction choice_action(const char* name, Choice ResolutionControls::*member, Choice value,
-                           const char* tip);
-  UserAction pattern_action(const char* name, Pattern value, const char* tip);
 
   void cut_again_live(bool radius) {
     if (on_.settings.live_recut && why_no_recut(on_.work.document) == nullptr) ask_for_recut(radius);
@@ -239,55 +235,36 @@ UserAction LaserFeature::finer_action(const char* name, int steps) {
           .in_menu = false};
 }
 
-// Sets one of the choices of the resolution.
-template <typename Choice>
-UserAction LaserFeature::choice_action(const char* name, Choice ResolutionControls::*member, Choice value,
-                                       const char* tip) {
-  return {.menu = "Resolution",
-          .name = name,
-          .tip = tip,
-          .run =
-              [this, member, value] {
-                on_.laser.resolution.*member = value;
-                cut_again_live(false);
-              },
-          .checked = [this, member, value] { return on_.laser.resolution.*member == value; },
-          .in_menu = false};
-}
-
-UserAction LaserFeature::pattern_action(const char* name, Pattern value, const char* tip) {
-  return {.name = name,
-          .tip = tip,
-          .run = [this, value] { on_.laser.pattern = value; },
-          .checked = [this, value] { return on_.laser.pattern == value; },
-          .in_menu = false};
-}
-
 std::vector<UserAction> LaserFeature::laser_actions() {
-  using Controls = ResolutionControls;
   using Rule = Resolution::Rule;
+  Pattern& pattern = on_.laser.pattern;
+  ResolutionControls& resolution = on_.laser.resolution;
   bool& live = on_.settings.live_recut;
+  const auto choice = [this](const char* name, auto& value, auto set, const char* tip) {
+    return setting_action("Resolution", name, tip, value, set, [this] { cut_again_live(false); });
+  };
   return {
       radius_action("Wider beam", kRadiusStep),
       radius_action("Narrower beam", 1 / kRadiusStep),
-      pattern_action("Pattern: volume", Pattern::kVolume, "Burns everything in the beam."),
-      pattern_action("Pattern: four rays", Pattern::kRays4,
-                     "Burns only what four parallel rays on the rim of the beam meet."),
+      setting_action(nullptr, "Pattern: volume", "Burns everything in the beam.", pattern, Pattern::kVolume),
+      setting_action(nullptr, "Pattern: four rays",
+                     "Burns only what four parallel rays on the rim of the beam meet.", pattern,
+                     Pattern::kRays4),
       finer_action("Finer cut", 1),
       finer_action("Coarser cut", -1),
-      choice_action("Split to edge length", &Controls::rule, Rule::kTargetEdge,
-                    "Faces are small enough when their edges are."),
-      choice_action("Split to tolerance", &Controls::rule, Rule::kTolerance,
-                    "Faces are small enough when what is removed overshoots the beam by no more than that."),
-      choice_action("Split to depth", &Controls::rule, Rule::kDepth, "Faces are split so many times."),
-      choice_action("Scheme: one to four", &Controls::scheme, Scheme::kOneToFour,
-                    "A face is split in four, as in the paper."),
-      choice_action("Scheme: longest edge", &Controls::scheme, Scheme::kLongestEdge,
-                    "A face is split in two at its longest edge."),
-      choice_action("Rim: faces", &Controls::rim, Rim::kFaces,
-                    "All that the beam touches goes, so the rim is a saw."),
-      choice_action("Rim: smooth", &Controls::rim, Rim::kSmooth,
-                    "When the stroke ends, faces across the boundary of the beam are cut along it."),
+      choice("Split to edge length", resolution.rule, Rule::kTargetEdge,
+             "Faces are small enough when their edges are."),
+      choice("Split to tolerance", resolution.rule, Rule::kTolerance,
+             "Faces are small enough when what is removed overshoots the beam by no more than that."),
+      choice("Split to depth", resolution.rule, Rule::kDepth, "Faces are split so many times."),
+      choice("Scheme: one to four", resolution.scheme, Scheme::kOneToFour,
+             "A face is split in four, as in the paper."),
+      choice("Scheme: longest edge", resolution.scheme, Scheme::kLongestEdge,
+             "A face is split in two at its longest edge."),
+      choice("Rim: faces", resolution.rim, Rim::kFaces,
+             "All that the beam touches goes, so the rim is a saw."),
+      choice("Rim: smooth", resolution.rim, Rim::kSmooth,
+             "When the stroke ends, faces across the boundary of the beam are cut along it."),
       UserAction{.menu = "Resolution",
                  .name = "Cut again as the slider moves",
                  .tip = "A change of the resolution or the radius cuts the last stroke again.",

@@ -270,36 +270,26 @@ std::vector<UserAction> LightFeature::presets() {
 
 std::vector<UserAction> LightFeature::light_actions() {
   ViewState& view = on_.view;
-  return {
-      UserAction{.name = "Light preset", .items = [this] { return presets(); }, .in_menu = false},
-      UserAction{.name = "Add a light",
-                 .tip = "A directional light; its handle is dragged while the Light panel is open.",
-                 .run = [&view] { add_light(view.look, view.camera.up_axis()), view.picture_old = true; },
-                 .why_not =
-                     [&view] {
-                       return view.look.lights.size() < kMostLights ? nullptr
-                                                                    : "There are four lights already.";
-                     },
-                 .in_menu = false},
-      UserAction{.name = "Remove the chosen light",
-                 .tip = "The one that the Light panel shows.",
-                 .run = [&view] { remove_light(view.look), view.picture_old = true; },
-                 .why_not = [&view] { return view.look.lights.empty() ? "There is no light." : nullptr; },
-                 .in_menu = false},
-      UserAction{
-          .name = "Next light",
-          .tip = "Chooses the light whose values the Light panel shows.",
-          .run =
-              [&view] {
-                KERF_ASSERT(!view.look.lights.empty());
-                view.look.shadow.inspected = (view.look.shadow.inspected + 1) % view.look.lights.size();
-                view.picture_old = true;
-              },
-          .why_not = [&view] { return view.look.lights.size() < 2 ? "There is no other light." : nullptr; },
-          .in_menu = false},
-      flag_action(view, "Shadows: paper look", view.look.shadow.paper_look,
-                  "Transparent black over what is in shadow, in place of leaving the light out."),
+  ViewOptions& look = view.look;
+  UserAction add = picture_action(view, "Add a light",
+                                  "A directional light; its handle is dragged while the Light panel is open.",
+                                  [&view] { add_light(view.look, view.camera.up_axis()); });
+  add.why_not = [&look] {
+    return look.lights.size() < kMostLights ? nullptr : "There are four lights already.";
   };
+  UserAction remove = picture_action(view, "Remove the chosen light", "The one that the Light panel shows.",
+                                     [&look] { remove_light(look); });
+  remove.why_not = [&look] { return look.lights.empty() ? "There is no light." : nullptr; };
+  UserAction next =
+      picture_action(view, "Next light", "Chooses the light whose values the Light panel shows.", [&look] {
+        KERF_ASSERT(!look.lights.empty());
+        look.shadow.inspected = (look.shadow.inspected + 1) % look.lights.size();
+      });
+  next.why_not = [&look] { return look.lights.size() < 2 ? "There is no other light." : nullptr; };
+  return {UserAction{.name = "Light preset", .items = [this] { return presets(); }, .in_menu = false}, add,
+          remove, next,
+          flag_action(view, "Shadows: paper look", look.shadow.paper_look,
+                      "Transparent black over what is in shadow, in place of leaving the light out.")};
 }
 
 }  // namespace

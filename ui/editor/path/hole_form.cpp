@@ -72,7 +72,7 @@ void HoleForm::draw(PathWork& path, const World& world, double radius, double sp
              "A hole that is no wider than the beam is a single burst.");
   end_properties();
   const int count = grid ? pattern_.rows * pattern_.columns : pattern_.count;
-  const std::string label = "Add " + std::to_string(count) + (count == 1 ? " hole" : " holes");
+  const std::string label = "Add " + count_text(static_cast<size_t>(count), "hole");
   if (row_button((label + "###add holes").c_str(), 1,
                  path.chosen() ? nullptr : "Click a point on a surface first: it is the middle of the holes.",
                  "Adds a stroke for each hole around the chosen point, along its beam."))

@@ -16,6 +16,7 @@
 #include "ui/editor/path/path_marks.h"
 #include "ui/editor/path/path_panel.h"
 #include "ui/editor/path/path_tool.h"
+#include "ui/editor/shared/file_frames.h"
 #include "ui/window/imgui_vector.h"
 
 namespace kerf {
@@ -24,10 +25,6 @@ namespace {
 
 constexpr const char* kPath = "Path";  // the tool and the panel
 constexpr const char* kNoPoints = "The path has no points.";
-
-std::string counted(size_t count, const char* what) {
-  return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
-}
 
 // Adds a point or takes one, and moves it.
 class DragOfPoint : public Interaction {
@@ -140,11 +137,8 @@ UserAction PathFeature::take_tool_action() {
   UserAction action = tool_action(on_, kPath, "O",
                                   "A click on a surface adds a point to the path of the laser, with Shift "
                                   "the first of another stroke; points "
-                                  "and their beams are dragged.");
-  action.run = [this, take = action.run] {
-    take();
-    on_.settings.unfold(kPath);
-  };
+                                  "and their beams are dragged.",
+                                  true);
   action.ends_group = true;
   return action;
 }
@@ -231,8 +225,8 @@ std::string PathFeature::load(const std::filesystem::path& file) {
   path_.note_saved(file);
   on_.tool = kPath;
   on_.settings.unfold(kPath);
-  on_.message.say("Loaded: " + file.string() + ", " + counted(path_.strokes().size(), "stroke") + ", " +
-                  counted(path_.points(), "point"));
+  on_.message.say("Loaded: " + file.string() + ", " + count_text(path_.strokes().size(), "stroke") + ", " +
+                  count_text(path_.points(), "point"));
   return "";
 }
 

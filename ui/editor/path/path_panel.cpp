@@ -20,10 +20,6 @@ namespace {
 constexpr size_t kMostRows = 7;
 constexpr const char* kEmpty = "The path has no points.";
 
-std::string count_text(size_t count, const char* what) {
-  return grouped(count) + ' ' + what + (count == 1 ? "" : "s");
-}
-
 std::string summary(const PathWork& path, const ViewState& view) {
   if (path.empty())
     return with_shortcut(view, "Click points on a surface with the tool Path,", "Path") +

@@ -250,15 +250,12 @@ std::vector<UserAction> PiecesFeature::pieces_to_choose() {
 }
 
 UserAction PiecesFeature::spread_action(const char* name, double by) {
-  return {.name = name,
-          .tip = "Draws the pieces away from the middle, or back. They stay where they are.",
-          .run =
-              [this, by] {
-                on_.view.spread = std::clamp(on_.view.spread + by, 0.0, kMostSpread);
-                spread_pieces(on_.world(), on_.view.spread, on_.view.look);
-                on_.view.picture_old = true;
-              },
-          .in_menu = false};
+  return picture_action(on_.view, name,
+                        "Draws the pieces away from the middle, or back. They stay where they are.",
+                        [this, by] {
+                          on_.view.spread = std::clamp(on_.view.spread + by, 0.0, kMostSpread);
+                          spread_pieces(on_.world(), on_.view.spread, on_.view.look);
+                        });
 }
 
 std::vector<UserAction> PiecesFeature::shown_actions() {

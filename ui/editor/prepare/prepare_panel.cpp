@@ -65,7 +65,7 @@ std::string prepared_text(std::span<const PieceRow> pieces, const PieceMap& look
 
 std::string forecast_text(std::span<const PieceRow> pieces, const Preparation& preparation, FileUnit unit) {
   const FaceForecast faces = forecast(pieces, preparation);
-  const std::string now = grouped(faces.before) + (faces.before == 1 ? " face" : " faces");
+  const std::string now = count_text(faces.before, "face");
   if (!faces.after) return now + " -> as few as stay within " + length_label(preparation.error, unit);
   if (*faces.after == faces.before) return now + ", as many as before";
   return now + " -> about " + grouped(*faces.after);

@@ -96,14 +96,11 @@ class RulerFeature : public Feature {
 // --------------------------------------------------------------------------------------------------------
 
 std::vector<ActionGroup> RulerFeature::actions() {
-  UserAction take =
+  const UserAction take =
       tool_action(on_, kRuler, "",
                   "Two clicks on surfaces keep the distance between them, which is named, moved, "
-                  "saved and exported.");
-  take.run = [this, run = take.run] {
-    run();
-    on_.settings.unfold(kRuler);
-  };
+                  "saved and exported.",
+                  true);
   const auto action = [](const char* name, const char* tip, std::function<void()> run,
                          std::function<const char*()> why_not) {
     return UserAction{

@@ -63,6 +63,10 @@ void set_frame(const FileFrame& frame, const SceneDescription& scene, ViewState&
   if (const std::string kind = mesh_kind(scene); !kind.empty()) settings.frames[kind] = frame;
 }
 
+std::string count_text(size_t count, const std::string& word) {
+  return grouped(count) + ' ' + word + (count == 1 ? "" : "s");
+}
+
 std::string length_label(double length, FileUnit unit) {
   const LengthUnit shown = label_unit(length, unit);
   std::array<char, 48> text{};

@@ -36,6 +36,8 @@ void show_in_frame(ViewState& view, const FileFrame& frame);
 // The same as the choice of the user: it is remembered for files of this kind, and no question is left.
 void set_frame(const FileFrame& frame, const SceneDescription& scene, ViewState& view, Settings& settings);
 
+// "1 stroke", "3 strokes", "1 234 faces", for a word of which the plural ends in "s".
+std::string count_text(size_t count, const std::string& word);
 // A length or an area in the numbers of the file as a label: "2.75 mm", "0.3 in".
 std::string length_label(double length, FileUnit unit);
 std::string area_label(double area, FileUnit unit);

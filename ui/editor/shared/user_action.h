@@ -3,6 +3,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ui/window/message.h"
@@ -34,6 +35,20 @@ struct UserAction {
   // Gives it the key that a text names; a text that names none takes its key.
   void set_shortcut(const std::string& text);
 };
+
+// An action that sets a value, which must outlive it, and then calls `then`. It is checked while the value is
+// set, and is not in a menu. `menu` may be null.
+template <typename Value>
+UserAction setting_action(
+    const char* menu, const char* name, const char* tip, Value& value, Value set,
+    std::function<void()> then = [] {}) {
+  return {.menu = menu,
+          .name = name,
+          .tip = tip,
+          .run = [&value, set, then = std::move(then)] { value = set, then(); },
+          .checked = [&value, set] { return value == set; },
+          .in_menu = false};
+}
 
 // What the mouse does in the picture, for the sheet of shortcuts.
 struct Gesture {

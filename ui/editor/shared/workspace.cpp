@@ -36,24 +36,31 @@ void stand_together(Workspace& on) {
   spread_pieces(on.world(), 0, on.view.look);
 }
 
-UserAction tool_action(Workspace& on, const char* name, const char* shortcut, const char* tip) {
+UserAction tool_action(Workspace& on, const char* name, const char* shortcut, const char* tip,
+                       bool has_panel) {
   return {.name = name,
           .shortcut = shortcut,
           .tip = tip,
           .run =
-              [&on, name] {
+              [&on, name, has_panel] {
                 if (on.held && on.held->cuts()) cancel_stroke(on);
                 on.tool = name;
+                if (has_panel) on.settings.unfold(name);
               },
           .checked = [&on, name] { return on.tool == name; }};
 }
 
-UserAction flag_action(ViewState& view, const char* name, bool& flag, const char* tip) {
+UserAction picture_action(ViewState& view, const char* name, const char* tip, std::function<void()> change) {
   return {.name = name,
           .tip = tip,
-          .run = [&view, &flag] { flag = !flag, view.picture_old = true; },
-          .checked = [&flag] { return flag; },
+          .run = [&view, change = std::move(change)] { change(), view.picture_old = true; },
           .in_menu = false};
+}
+
+UserAction flag_action(ViewState& view, const char* name, bool& flag, const char* tip) {
+  UserAction action = picture_action(view, name, tip, [&flag] { flag = !flag; });
+  action.checked = [&flag] { return flag; };
+  return action;
 }
 
 }  // namespace kerf

@@ -95,9 +95,14 @@ bool cancel_stroke(Workspace& on);
 // Draws pieces that are drawn apart where they stand, as they are cut and moved there.
 void stand_together(Workspace& on);
 
-// The action that takes a tool. A stroke by hand ends.
-UserAction tool_action(Workspace& on, const char* name, const char* shortcut, const char* tip);
+// The action that takes a tool, and unfolds its panel where it has one of the same name. A stroke by hand
+// ends.
+UserAction tool_action(Workspace& on, const char* name, const char* shortcut, const char* tip,
+                       bool has_panel = false);
 
+// An action that changes what the picture shows, and is not in a menu. Whether it is a switch, and why it is
+// impossible at the moment, can be added.
+UserAction picture_action(ViewState& view, const char* name, const char* tip, std::function<void()> change);
 // The action that flips a flag of the picture.
 UserAction flag_action(ViewState& view, const char* name, bool& flag, const char* tip);
 

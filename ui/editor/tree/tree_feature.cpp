@@ -112,31 +112,25 @@ void draw_tree_panel(ViewState& view, const World& world, Settings& settings, co
 }
 
 UserAction level_action(Workspace& on, const char* name, int by) {
-  return {.name = name,
-          .tip = "Levels of the tree under its root that are drawn.",
-          .run =
-              [&on, by] {
-                const int all = std::max(1, on.figures.shown.tree_depth.value_or(1));
-                int& deepest = on.view.look.tree.deepest;
-                deepest = std::max(0, std::min(deepest, all) + by);
-                on.view.picture_old = true;
-              },
-          .why_not = [&on] { return on.view.look.show.aabb ? nullptr : "The boxes are not shown."; },
-          .in_menu = false};
+  UserAction action =
+      picture_action(on.view, name, "Levels of the tree under its root that are drawn.", [&on, by] {
+        const int all = std::max(1, on.figures.shown.tree_depth.value_or(1));
+        int& deepest = on.view.look.tree.deepest;
+        deepest = std::max(0, std::min(deepest, all) + by);
+      });
+  action.why_not = [&on] { return on.view.look.show.aabb ? nullptr : "The boxes are not shown."; };
+  return action;
 }
 
 UserAction palette_action(Workspace& on) {
-  return {.name = "Boxes: orange and blue",
-          .tip = "Colours that can be told apart by the colour-blind, in place of red and green.",
-          .run =
-              [&on] {
-                BoxPalette& palette = on.settings.palette;
-                palette = palette == BoxPalette::kRedAndGreen ? BoxPalette::kOrangeAndBlue
-                                                              : BoxPalette::kRedAndGreen;
-                on.view.picture_old = true;
-              },
-          .checked = [&on] { return on.settings.palette == BoxPalette::kOrangeAndBlue; },
-          .in_menu = false};
+  BoxPalette& palette = on.settings.palette;
+  UserAction action = picture_action(
+      on.view, "Boxes: orange and blue",
+      "Colours that can be told apart by the colour-blind, in place of red and green.", [&palette] {
+        palette = palette == BoxPalette::kRedAndGreen ? BoxPalette::kOrangeAndBlue : BoxPalette::kRedAndGreen;
+      });
+  action.checked = [&palette] { return palette == BoxPalette::kOrangeAndBlue; };
+  return action;
 }
 
 class TreeFeature : public Feature {

@@ -106,8 +106,9 @@ single_option() {
 # ccache takes paths below the checkout as relative ones, so a fresh clone finds what another has compiled, and learns
 # from the compiler which headers a source includes.
 compile() {
-  local all_groups
-  all_groups=$(ninja -C "$folder" -n "$target" 2>/dev/null | grep -c '/groups/') || true
+  local all_steps all_groups
+  all_steps=$(ninja -C "$folder" -t commands "$target" | wc -l)
+  all_groups=$(ninja -C "$folder" -t commands "$target" | grep -c '/groups/.* -c ') || true
   CCACHE_BASEDIR=$root CCACHE_DEPEND=1 CCACHE_SLOPPINESS=pch_defines,time_macros \
     NINJA_STATUS='[%f/%t %e] ' ninja -C "$folder" "$target" 2>&1 | show_progress ||
     fail "could not build $target in $folder"
@@ -135,16 +136,20 @@ show_progress() {
 }
 
 # show_step DONE ALL SECONDS: the time left is that of as much work as was done so far, where a group of sources is as
-# much as ten other steps. One step for each processor is under way, and half done.
+# much as ten other steps. Among the steps of this build there are as many groups, in proportion, as in a build from
+# scratch. One step for each processor is under way, and half done.
 show_step() {
-  local ended=$1 all=$2 seconds=$3 work done text bar left
+  local ended=$1 all=$2 seconds=$3 groups_of_all work done text bar left
   [[ -t 2 ]] || ((seconds >= next_line)) || return 0
   next_line=$((seconds + 15))
   text="building, $ended of $all steps"
   if ((ended > 0 && ended < all && seconds >= 5)); then
-    work=$((2 * all + 18 * all_groups))
-    done=$((2 * ended + 18 * groups + (groups < all_groups ? 10 : 1) * $(nproc)))
-    left=$((done < work ? seconds * (work - done) / done : 0))
+    groups_of_all=$((all_groups * all / all_steps))
+    ((groups_of_all >= groups)) || groups_of_all=$groups
+    work=$((2 * all + 18 * groups_of_all))
+    done=$((2 * ended + 18 * groups + (groups < groups_of_all ? 10 : 1) * $(nproc)))
+    ((done < work)) || done=$((work - 1))
+    left=$((seconds * (work - done) / done))
     text+=$(printf ', about %d:%02d left' $((left / 60)) $((left % 60)))
   fi
   if [[ -t 2 ]]; then

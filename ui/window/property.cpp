@@ -3,13 +3,36 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include <algorithm>
+
 #include "core/base/assert.h"
 
 namespace kerf {
 
 namespace {
+
 constexpr float kTooltipSeconds = 0.5f;
+constexpr float kTooltipEms = 22;  // at which its lines are wrapped
+
+// Places the next tooltip beside the window of the last item, at the height of the item, so that it covers
+// neither what the user reads there nor the widget; a window that leaves no room beside it gets the tooltip
+// at the pointer.
+void place_tooltip(const char* text) {
+  const ImGuiWindow& window = *ImGui::GetCurrentWindow()->RootWindow;
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const ImVec2 lines = ImGui::CalcTextSize(text, nullptr, false, kTooltipEms * ImGui::GetFontSize());
+  const ImVec2 size(lines.x + 2 * style.WindowPadding.x, lines.y + 2 * style.WindowPadding.y);
+  const float gap = style.ItemSpacing.x;
+  const float left = window.Pos.x, right = left + window.Size.x;
+  const bool fits_left = left >= size.x + gap, fits_right = right + gap + size.x <= display.x;
+  if (!fits_left && !fits_right) return;
+  const float x = fits_left ? left - gap - size.x : right + gap;
+  const float y = std::min(ImGui::GetItemRectMin().y, display.y - size.y);
+  ImGui::SetNextWindowPos({x, std::max(y, 0.0f)});
 }
+
+}  // namespace
 
 bool begin_properties(const char* id) {
   if (!ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingStretchProp)) return false;
@@ -38,10 +61,11 @@ void tooltip(const char* text) {
   const ImGuiContext& context = *ImGui::GetCurrentContext();
   // Mere text has no id, by which the time over it could be counted.
   if (context.LastItemData.ID == 0) ImGui::ItemHoverable(context.LastItemData.Rect, ImGui::GetID(text));
-  if (context.HoveredIdTimer < kTooltipSeconds) return;
+  if (context.HoveredIdTimer < kTooltipSeconds || ImGui::IsAnyMouseDown()) return;
   ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1);  // also over what is disabled
+  place_tooltip(text);
   ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(22 * ImGui::GetFontSize());
+  ImGui::PushTextWrapPos(kTooltipEms * ImGui::GetFontSize());
   ImGui::TextUnformatted(text);
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();

@@ -11,7 +11,9 @@ bool begin_properties(const char* id);
 void property(const char* label);
 void end_properties();
 
-// Shows a text when the pointer rests on the last item, even a disabled one, for half a second.
+// Shows a text when the pointer rests on the last item, even a disabled one, for half a second while no
+// button is held. It is shown beside the window of the item where there is room, so that it covers no other
+// widget.
 void tooltip(const char* text);
 
 // A row that shows a text, explained by a tooltip.

@@ -2,12 +2,12 @@
 
 #include <imgui.h>
 
-#include <cstdio>
 #include <string>
 
 #include "ui/editor/shared/first_picture.h"
 #include "ui/window/imgui_vector.h"
 #include "ui/window/landmarks.h"
+#include "ui/window/number_text.h"
 #include "ui/window/theme.h"
 
 namespace kerf {
@@ -17,17 +17,12 @@ namespace {
 constexpr int kCoils = 9;
 constexpr float kLeastCoiled = 2;  // sizes of the text; a shorter spring is a line
 
-// The words of the badge; empty: no badge.
-std::string words_of(const PlayState& play, const World& world) {
-  if (!play.playing && world.clock() == 0) return "";
-  std::array<char, 64> text{};
+constexpr double kAsFast = 0.9;  // of the chosen speed; a smaller one that is reached is told
+
+std::string words_of(const PlayState& play, const ReachedSpeed& reached, const World& world) {
   const double seconds = seconds_of_ticks(world.clock());
-  if (play.playing) {
-    std::snprintf(text.data(), text.size(), "Playing %s  %.1f s", play.speed().name, seconds);
-  } else {
-    std::snprintf(text.data(), text.size(), "Paused  %.2f s", seconds);
-  }
-  return text.data();
+  if (!play.playing) return text_of("Paused  %.2f s", seconds);
+  return "Playing " + speed_text(play, reached) + text_of("  %.1f s", seconds);
 }
 
 // A triangle while time passes, else two bars, in a square of this side.
@@ -59,9 +54,15 @@ void draw_coil(Vec2 from, Vec2 to, float em, ImDrawList& list) {
 
 }  // namespace
 
-void draw_play_badge(const PlayState& play, const World& world, const ViewState& view) {
-  const std::string text = words_of(play, world);
-  if (text.empty()) return;
+std::string speed_text(const PlayState& play, const ReachedSpeed& reached) {
+  const double least = kAsFast * play.speed().of_real_time;
+  if (!reached.of_real_time() || *reached.of_real_time() >= least) return play.speed().name;
+  return text_of("%.2gx of %s", *reached.of_real_time(), play.speed().name);
+}
+
+void draw_play_badge(const PlayState& play, const ReachedSpeed& reached, const World& world,
+                     const ViewState& view) {
+  const std::string text = words_of(play, reached, world);
   const Area& picture = view.layout.first;
   const float em = ImGui::GetFontSize(), side = 0.62f * em, gap = 0.5f * em;
   // As wide as the longest time to come, so that it stands still.

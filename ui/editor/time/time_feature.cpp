@@ -144,12 +144,21 @@ void BodiesPanel::draw(Workspace& on, PlayState& play) {
   draw_figures(on.work.document.execution().physics().figures());
 }
 
+// Whether the user has let time pass for the bodies, and that is not undone.
+bool has_played(const History& history) {
+  for (size_t i = 0; i < history.position(); ++i) {
+    const std::vector<Command>& commands = history.step(i).commands();
+    if (!commands.empty() && std::holds_alternative<Play>(commands.front())) return true;
+  }
+  return false;
+}
+
 class TimeFeature : public Feature {
  public:
   explicit TimeFeature(Workspace& on) : on_(on) {}
 
   std::vector<Panel> panels() override {
-    return {{"Bodies", 700, false, [this] { panel_.draw(on_, play_); }}};
+    return {{"Bodies", Tab::kMove, 700, true, [this] { panel_.draw(on_, play_); }}};
   }
   std::vector<ActionGroup> actions() override { return {{520, "Bodies", body_actions(on_, play_)}}; }
   std::vector<Gesture> gestures() const override {
@@ -177,7 +186,8 @@ class TimeFeature : public Feature {
 
   void draw_marks(ImDrawList&) override {
     if (spring_) draw_spring(*spring_, on_.world(), on_.view);
-    draw_play_badge(play_, on_.world(), on_.view);
+    const bool stands = !play_.playing && !on_.cools && has_played(on_.work.document.history());
+    if (play_.playing || stands) draw_play_badge(play_, reached_, on_.world(), on_.view);
   }
   void report(nlohmann::ordered_json& report) const override;
 
@@ -207,6 +217,7 @@ class TimeFeature : public Feature {
   std::optional<Spring> spring_;  // that a piece is pulled by
   TimeFlow flow_{on_, play_, spring_};
   Cooling cooling_{on_, play_};
+  ReachedSpeed reached_;
   BodiesPanel panel_;
 };
 
@@ -222,7 +233,9 @@ void TimeFeature::follow_queue(double seconds) {
   flow_.advance(seconds);
   cooling_.advance(seconds);
   on_.cools = cooling_.flows();
-  on_.figures.shown.time = play_.playing ? std::string("playing ") + play_.speed().name : "";
+  on_.plays = play_.playing;
+  reached_.follow(play_.playing, on_.world().clock(), seconds);
+  on_.figures.shown.time = play_.playing ? "playing " + speed_text(play_, reached_) : "";
   // The picture is old wherever contacts may have changed.
   if (on_.changes.is_pending() || !on_.view.picture_old) return;
   on_.view.look.bodies =

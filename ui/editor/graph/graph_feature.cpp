@@ -1,5 +1,7 @@
 #include "ui/editor/graph/graph_feature.h"
 
+#include <GLFW/glfw3.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -39,11 +41,20 @@ class GraphFeature : public Feature {
   explicit GraphFeature(Workspace& on) : on_(on) {}
 
   std::vector<Panel> panels() override {
-    return {{kGraphPanel, 1100, false, [this] {
+    return {{kGraphPanel, Tab::kLook, 1100, false,
+             [this] {
                const bool seen = on_.points() && !on_.view.in_second;
                panel_.draw(graph_, on_.work.document, on_.view,
                            seen ? std::optional(on_.pointer) : std::nullopt);
-             }}};
+             },
+             Dock::kStrip}};
+  }
+  std::vector<Gesture> gestures() const override {
+    return {{140, "F over the graph", "Show all of it, while the pointer is over it"}};
+  }
+  bool takes(const InputEvent& event, bool) override {
+    const bool fits = event.kind == InputEvent::Kind::kKey && event.button == GLFW_KEY_F && event.mods == 0;
+    return fits && panel_.fit_under_pointer();
   }
 
   void follow_queue(double seconds) override;
@@ -71,7 +82,7 @@ class GraphFeature : public Feature {
 void GraphFeature::follow_queue(double seconds) {
   ViewState& view = on_.view;
   const Document& document = on_.work.document;
-  const bool panel = on_.settings.shows(kGraphPanel);
+  const bool panel = on_.panels.shows(kGraphPanel);
   if (!panel && view.look.lit_face) {
     view.look.lit_face.reset();
     view.picture_old = true;

@@ -3,6 +3,8 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "core/base/assert.h"
 #include "ui/editor/shared/file_frames.h"
@@ -23,17 +25,31 @@ namespace {
 
 constexpr std::array kNodes{"Faces around the cut", "Faces of whole bodies", "Faces of the chosen piece",
                             "Pieces"};
-constexpr float kHeightOfWidth = 0.8f;  // of the canvas
+constexpr std::array kPlacings{"Unrolled along the cut", "By position", "By force"};
+constexpr float kLeastGap = 3;          // pixels, between two marks of loops
+constexpr float kHeightOfWidth = 0.8f;  // of the canvas below the rows
+// Sizes of the text: the width of a panel from which on its rows are beside the canvas, and their width.
+constexpr float kWide = 44, kRows = 24;
 
 void placing_row(GraphState& graph) {
-  GraphState::Placing placing = graph.placing();
-  const bool chosen = choice_row(
-      "Laid out", "##placing", placing, "Unrolled along the cut\0By position\0By force\0", "graph placing",
+  property("Laid out");
+  const bool positioned = graph.cannot_unroll() && graph.removed() > 0;
+  const char* shown =
+      positioned ? "By position: it does not run around" : kPlacings.at(static_cast<size_t>(graph.placing()));
+  if (ImGui::BeginCombo("##placing", shown)) {
+    for (size_t i = 0; i < kPlacings.size(); ++i) {
+      const auto placing = static_cast<GraphState::Placing>(i);
+      if (ImGui::Selectable(kPlacings.at(i), placing == graph.placing())) graph.place(placing);
+    }
+    ImGui::EndCombo();
+    return;
+  }
+  mark_last_item("graph placing");
+  tooltip(
       "Unrolled: the way around the cut from left to right, and its two sides above and below; by position "
-      "where "
-      "the cut does not run around. By position: where the faces are, seen along the direction in which they "
+      "where the cut does not run around. By position: where the faces are, seen along the direction in "
+      "which they "
       "extend least. By force: linked nodes pull each other, near ones push each other away.");
-  if (chosen) graph.place(placing);
 }
 
 // Played by the button or drawn by hand.
@@ -55,16 +71,20 @@ void traversal_row(GraphState& graph) {
   tooltip("How many faces the search has marked. A click on a single face starts it from there.");
 }
 
-// A line on the last slider for each removal that closed a loop.
+// A line below the last slider for each removal that closed a loop.
 void mark_closings(const GraphState& graph) {
   const ImVec2 least = ImGui::GetItemRectMin(), most = ImGui::GetItemRectMax();
-  const float grab = ImGui::GetStyle().GrabMinSize, height = most.y - least.y;
+  const float em = ImGui::GetFontSize(), grab = ImGui::GetStyle().GrabMinSize;
   const float width = most.x - least.x - grab - 4;
+  float last = -kLeastGap;
   for (const size_t closing : graph.closings()) {
     const float share = static_cast<float>(closing) / static_cast<float>(graph.removed());
-    const float x = least.x + 2 + 0.5f * grab + share * width;
-    ImGui::GetWindowDrawList()->AddLine({x, least.y + 0.68f * height}, {x, most.y}, colours::text(), 1.5f);
+    const float x = std::round(least.x + 2 + 0.5f * grab + share * width);
+    if (x < last + kLeastGap) continue;
+    last = x;
+    ImGui::GetWindowDrawList()->AddLine({x, most.y + 1}, {x, most.y + 0.4f * em}, colours::secondary(), 1);
   }
+  ImGui::Dummy({0, 0.1f * em});
 }
 
 // The removals in their order, with the moments at which one closed a loop.
@@ -172,15 +192,19 @@ void GraphPanel::light(const GraphState& graph, const Document& document, ViewSt
 }
 
 void GraphPanel::draw_canvas(GraphState& graph, const Document& document, ViewState& view,
-                             std::optional<Vec2> pointer) {
+                             std::optional<Vec2> pointer, float height) {
   const DrawnGraph& drawn = *graph.drawn();
   const std::optional<FaceOfBody> face = face_under(document, view, pointer);
   const std::optional<uint32_t> lit = face ? graph.node_of(*face) : std::nullopt;
   KERF_ASSERT(graph.start() < drawn.of.size());
   const uint32_t start = drawn.of[graph.start()];
-  const GraphCanvas::Pointer on_canvas =
-      canvas_.draw(drawn, graph.layout(), kHeightOfWidth * ImGui::GetContentRegionAvail().x, lit,
-                   start == DrawnGraph::kNone ? std::nullopt : std::optional(start));
+  if (framed_ != graph.number()) canvas_.come_near();
+  framed_ = graph.number();
+  const bool to_scale = graph.placing() != GraphState::Placing::kForce;
+  const GraphCanvas::Pointer on_canvas = canvas_.draw(
+      {drawn, graph.layout(), lit, start == DrawnGraph::kNone ? std::nullopt : std::optional(start),
+       to_scale ? std::optional(view.frame.unit) : std::nullopt},
+      height);
   light(graph, document, view, on_canvas, lit ? face : std::nullopt);
   if (!on_canvas.clicked) return;
   const DrawnGraph::Node& n = drawn.nodes[*on_canvas.clicked];
@@ -192,22 +216,31 @@ void GraphPanel::draw_canvas(GraphState& graph, const Document& document, ViewSt
   view.picture_old = true;
 }
 
-void GraphPanel::draw_faces(GraphState& graph, const Document& document, ViewState& view,
-                            std::optional<Vec2> pointer) {
-  if (graph.is_left_out()) {
-    secondary_text("The graph of " + grouped(graph.left_out()) + " faces takes a moment after each stroke.");
-    if (ImGui::Button("Draw it")) graph.ask_for_it();
-    mark_last_item("graph ask");
-    return;
-  }
-  if (!graph.drawn())
+bool GraphPanel::fit_under_pointer() {
+  if (!canvas_.hovered()) return false;
+  canvas_.fit();
+  return true;
+}
+
+// What stands where the graph would.
+static void draw_absence(GraphState& graph) {
+  if (!graph.is_left_out())
     return secondary_text(graph.shows_piece() ? "Choose a piece: its graph is drawn here."
                                               : "There are no faces.");
-  draw_canvas(graph, document, view, pointer);
-  if (graph.cannot_unroll() && graph.removed() > 0)
-    secondary_text("Laid out by position: the cut does not run around.");
+  secondary_text("The graph of " + grouped(graph.left_out()) + " faces takes a moment after each stroke.");
+  if (ImGui::Button("Draw it")) graph.ask_for_it();
+  mark_last_item("graph ask");
+}
+
+void GraphPanel::draw_rows_of_faces(GraphState& graph, const ViewState& view) {
   if (ImGui::Button("Fit")) canvas_.fit();
-  tooltip("The wheel zooms, a drag moves the graph; this shows all of it again.");
+  mark_last_item("graph fit");
+  tooltip(
+      "Shows all of the graph (F while the pointer is over it). The wheel zooms, a drag moves the graph.");
+  ImGui::SameLine();
+  if (ImGui::Button("Near the cut")) canvas_.come_near();
+  mark_last_item("graph near");
+  tooltip("Shows the faces around the ringed one, beside the cut, so large that they can be told apart.");
   if (graph.any_open()) {
     ImGui::SameLine();
     if (ImGui::Button("Close clusters")) graph.close_all();
@@ -229,18 +262,30 @@ void GraphPanel::draw_pieces(const Document& document, ViewState& view) {
   draw_piece_tree(rows_, document, view);
 }
 
-void GraphPanel::draw(GraphState& graph, const Document& document, ViewState& view,
-                      std::optional<Vec2> pointer) {
+void GraphPanel::draw_rows(GraphState& graph, const Document& document, ViewState& view) {
   if (begin_properties("graph")) {
     draw_view_row(graph, first_chosen(view.look.pieces));
     if (!pieces_shown_) placing_row(graph);
     end_properties();
   }
-  if (pieces_shown_) {
-    draw_pieces(document, view);
-  } else {
-    draw_faces(graph, document, view, pointer);
-  }
+  if (pieces_shown_) draw_pieces(document, view);
+}
+
+void GraphPanel::draw(GraphState& graph, const Document& document, ViewState& view,
+                      std::optional<Vec2> pointer) {
+  const float em = ImGui::GetFontSize();
+  const bool wide = ImGui::GetContentRegionAvail().x > kWide * em;
+  if (wide) ImGui::BeginChild("##rows", {kRows * em, 0});
+  draw_rows(graph, document, view);
+  const bool drawn = !pieces_shown_ && !graph.is_left_out() && graph.drawn();
+  if (drawn && !wide)
+    draw_canvas(graph, document, view, pointer, kHeightOfWidth * ImGui::GetContentRegionAvail().x);
+  if (!pieces_shown_ && !drawn) draw_absence(graph);
+  if (drawn) draw_rows_of_faces(graph, view);
+  if (!wide) return;
+  ImGui::EndChild();
+  ImGui::SameLine();
+  if (drawn) draw_canvas(graph, document, view, pointer, ImGui::GetContentRegionAvail().y);
 }
 
 }  // namespace kerf

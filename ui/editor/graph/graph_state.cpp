@@ -103,6 +103,7 @@ bool GraphState::read_left_out(const Document& document, const Progress& progres
 }
 
 void GraphState::clear() {
+  ++number_;
   graph_ = CutGraph();
   traversal_ = CutTraversal();
   drawn_.reset();
@@ -168,12 +169,14 @@ void GraphState::draw_again() {
 
 void GraphState::show(GraphScope scope) {
   scope_ = scope;
+  ++number_;
   opened_.clear();
   if (drawn_) draw_again();
 }
 
 void GraphState::place(Placing placing) {
   placing_ = placing;
+  ++number_;
   if (drawn_) draw_again();
 }
 

@@ -48,6 +48,9 @@ class GraphState {
   const std::shared_ptr<const DrawnGraph>& drawn() const { return drawn_; }
   const GraphLayout& layout() const { return layout_; }
 
+  // Another number for each graph and each way to lay it out: who frames it has to frame it anew.
+  size_t number() const { return number_; }
+
   GraphScope scope() const { return scope_; }
   Placing placing() const { return placing_; }
   // Whether the layout is by position because the cut does not run around (see lay_out_unrolled).
@@ -124,6 +127,7 @@ class GraphState {
   bool asked_ = false;
   double played_ = 0;  // faces, with a fraction
   bool playing_ = false, complete_ = true, unrolled_ = false;
+  size_t number_ = 0;
   std::vector<size_t> closings_;
   std::vector<LoopPath> loops_;
 };

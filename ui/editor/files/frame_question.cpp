@@ -17,7 +17,42 @@ constexpr ImGuiWindowFlags kBar = ImGuiWindowFlags_NoDecoration | ImGuiWindowFla
                                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
                                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
 
-void draw_rows(ViewState& view, Settings& settings) {
+// The unit for which a unit is mistaken most often.
+FileUnit other_unit(FileUnit unit) {
+  switch (unit) {
+    case FileUnit::kMillimetre:
+      return FileUnit::kInch;
+    case FileUnit::kCentimetre:
+      return FileUnit::kMetre;
+    case FileUnit::kMetre:
+    case FileUnit::kInch:
+      break;
+  }
+  return FileUnit::kMillimetre;
+}
+
+const char* plural(FileUnit unit) {
+  switch (unit) {
+    case FileUnit::kMillimetre:
+      return "millimetres";
+    case FileUnit::kCentimetre:
+      return "centimetres";
+    case FileUnit::kMetre:
+      return "metres";
+    case FileUnit::kInch:
+      break;
+  }
+  return "inches";
+}
+
+void draw_sizes(const Vec3& size, FileUnit unit) {
+  ImGui::TextUnformatted(extents_label(size, unit).c_str());
+  mark_last_item("frame size");
+  const FileUnit other = other_unit(unit);
+  ImGui::TextDisabled("or, in %s, %s", plural(other), extents_label(size, other).c_str());
+}
+
+void draw_rows(const Vec3& size, ViewState& view, Settings& settings) {
   const std::string kind = view.frame_asked_for;
   const float em = ImGui::GetFontSize();
   FileFrame frame = view.frame;
@@ -35,6 +70,7 @@ void draw_rows(ViewState& view, Settings& settings) {
   ImGui::SetNextItemWidth(4.5f * em);
   changed = unit_combo(frame.unit) || changed;
   if (changed) show_in_frame(view, frame);
+  draw_sizes(size, view.frame.unit);
   if (ImGui::Button(("For all ." + kind + " files").c_str())) {
     settings.frames[kind] = view.frame;
     view.frame_asked_for.clear();
@@ -52,7 +88,7 @@ void draw_rows(ViewState& view, Settings& settings) {
 
 }  // namespace
 
-void draw_frame_question(ViewState& view, Settings& settings, bool cut_once) {
+void draw_frame_question(const Vec3& size, ViewState& view, Settings& settings, bool cut_once) {
   if (cut_once) view.frame_asked_for.clear();
   if (view.frame_asked_for.empty() || view.layout.split()) return;
   const float em = ImGui::GetFontSize();
@@ -60,7 +96,7 @@ void draw_frame_question(ViewState& view, Settings& settings, bool cut_once) {
   const auto right = static_cast<float>(area.at.x + area.size.x), top = static_cast<float>(area.at.y);
   ImGui::SetNextWindowPos({right - 0.8f * em, top + kUnderAxes * em}, ImGuiCond_Always, {1, 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 3);
-  if (ImGui::Begin("##frame", nullptr, kBar)) draw_rows(view, settings);
+  if (ImGui::Begin("##frame", nullptr, kBar)) draw_rows(size, view, settings);
   ImGui::End();
   ImGui::PopStyleVar();
 }

@@ -1,5 +1,6 @@
 #include "ui/editor/shared/file_frames.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -72,6 +73,14 @@ std::string length_label(double length, FileUnit unit) {
   std::array<char, 48> text{};
   std::snprintf(text.data(), text.size(), "%.3g %s", length / shown.metres, shown.name);
   return text.data();
+}
+
+std::string extents_label(const Vec3& size, FileUnit unit) {
+  const Vec3 metres = metres_per_unit(unit) * size;
+  const LengthUnit shown = unit_for(std::max({metres.x, metres.y, metres.z}));
+  return text_of("%.3g x %.3g x %.3g ", metres.x / shown.metres, metres.y / shown.metres,
+                 metres.z / shown.metres) +
+         shown.name;
 }
 
 std::string area_label(double area, FileUnit unit) {

@@ -41,7 +41,9 @@ std::string count_text(size_t count, const std::string& word);
 // A length or an area in the numbers of the file as a label: "2.75 mm", "0.3 in".
 std::string length_label(double length, FileUnit unit);
 std::string area_label(double area, FileUnit unit);
-// The unit of such a label, with its size in the numbers of the file.
+// The extents of a box in the numbers of the file, each in the same metric unit: "68 x 75 x 16 mm".
+std::string extents_label(const Vec3& size, FileUnit unit);
+// The unit of the label of a length, with its size in the numbers of the file.
 LengthUnit label_unit(double length, FileUnit unit);
 
 }  // namespace kerf

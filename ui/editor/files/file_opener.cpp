@@ -8,19 +8,24 @@ namespace {
 constexpr double kPatience = 0.4;  // s, at the start, until the window shows something
 }  // namespace
 
-// What is read in a moment is there at once; what takes longer finds the default scene in its place.
+// What is read in a moment is there at once.
 Status FileOpener::open_first(std::filesystem::path default_scene,
                               const std::vector<std::filesystem::path>& files) {
   default_scene_ = std::move(default_scene);
   if (files.empty()) return open_default_scene();
+  show_empty_stage();
   on_.opening.loader.start(order_of(files));
-  const bool soon = on_.opening.loader.is_over(kPatience);
-  if (soon) take_loaded();
-  if (soon && !on_.work.files.empty()) return Done{};
-  const std::string fault = std::exchange(on_.message.text, {});
-  const Status opened = open_default_scene();
-  if (opened && !fault.empty()) on_.message.say(fault, true);
-  return opened;
+  if (on_.opening.loader.is_over(kPatience)) take_loaded();
+  return Done{};
+}
+
+// Nothing but the ground, seen from three-quarter in front.
+void FileOpener::show_empty_stage() {
+  stage_is_empty_ = true;
+  on_.picture->first().show(on_.work.document.world(), {}, {});
+  on_.work.saved_lights = on_.view.look.lights;
+  go_home(on_.view, {Vec3(-1), Vec3(1)});
+  on_.view.camera.finish();
 }
 
 LoadOrder FileOpener::order_of(std::vector<std::filesystem::path> files) const {
@@ -36,6 +41,7 @@ Status FileOpener::open_default_scene() {
 
 // What was open until then is kept no longer.
 void FileOpener::show(LoadedFiles loaded) {
+  stage_is_empty_ = false;
   show_loaded(on_, std::move(loaded));
   recovery_.drop();
   recovery_.begin(on_.work, on_.view);
@@ -58,17 +64,26 @@ void FileOpener::open_left_work() {
 }
 
 void FileOpener::take_loaded() {
-  if (!on_.opening.loader.busy()) return;
-  const bool left = on_.opening.loader.order().left.has_value();
-  KERF_ASSERT(!left || !on_.opening.left_work.empty());
-  std::optional<Result<LoadedFiles>> loaded = on_.opening.loader.take();
-  if (!loaded) return;
-  const bool opened = loaded->ok();
+  FileLoader& loader = on_.opening.loader;
+  if (loader.busy()) {
+    const bool left = loader.order().left.has_value();
+    KERF_ASSERT(!left || !on_.opening.left_work.empty());
+    if (auto loaded = loader.take()) take(std::move(*loaded), left);
+  }
+  if (!stage_is_empty_ || loader.busy()) return;
+  stage_is_empty_ = false;
+  const std::string fault = on_.message.text;  // why there is nothing else
+  open_fresh();
+  if (!fault.empty()) on_.message.say(fault, true);
+}
+
+void FileOpener::take(Result<LoadedFiles> loaded, bool left) {
+  const bool opened = loaded.ok();
   if (opened) {
     cancel_stroke(on_);
-    show(std::move(**loaded));
+    show(std::move(*loaded));
   } else {
-    on_.message.say((left ? "It stays where it is: " : "") + loaded->error().message, true);
+    on_.message.say((left ? "It stays where it is: " : "") + loaded.error().message, true);
   }
   if (left) {
     if (opened && recovery_.follow(on_.work, on_.view, false, on_.message))

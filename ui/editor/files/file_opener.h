@@ -15,8 +15,8 @@ class FileOpener {
   // Both must outlive it.
   FileOpener(Workspace& on, Recovery& recovery) : on_(on), recovery_(recovery) {}
 
-  // Opens scenes and meshes, or none, at startup. The default scene is shown while they are read and if they
-  // cannot be read; fails if the default scene cannot be read.
+  // Opens scenes and meshes, or none, at startup. An empty stage is shown while they are read, and the
+  // default scene if they cannot be read; fails if there are none and the default scene cannot be read.
   Status open_first(std::filesystem::path default_scene, const std::vector<std::filesystem::path>& files);
   // Opens files, or the default scene. Precondition: the open work is saved or may be discarded.
   void open(std::vector<std::filesystem::path> files);
@@ -24,17 +24,21 @@ class FileOpener {
   // Opens the first recovered work. Precondition: there is one.
   void open_left_work();
 
-  // To be called between two frames: shows files that have been read.
+  // To be called between two frames: shows files that have been read. The default scene takes the place of an
+  // empty stage that nothing is read for any more.
   void take_loaded();
 
  private:
   LoadOrder order_of(std::vector<std::filesystem::path> files) const;
   Status open_default_scene();
+  void show_empty_stage();
+  void take(Result<LoadedFiles> loaded, bool left);
   void show(LoadedFiles loaded);
 
   Workspace& on_;
   Recovery& recovery_;
   std::filesystem::path default_scene_;
+  bool stage_is_empty_ = false;
 };
 
 }  // namespace kerf

@@ -90,7 +90,7 @@ class FilesFeature : public Feature {
   }
 
   std::vector<Panel> panels() override {
-    return {{"File", 1500, false,
+    return {{"File", Tab::kPrepare, 1500, true,
              [this] { draw_file_panel(on_.world(), on_.work.scene, on_.view, on_.settings); }}};
   }
   std::vector<ActionGroup> actions() override {
@@ -381,10 +381,13 @@ void FilesFeature::save_to(const fs::path& file) {
 // --------------------------------------------------------------------------------------------------------
 
 void FilesFeature::draw_windows() {
-  draw_frame_question(on_.view, on_.settings, on_.cut_once);
+  const World::Bounds bounds = on_.world().loaded_bounds();
+  draw_frame_question(bounds.max - bounds.min, on_.view, on_.settings, on_.cut_once);
   const FileLoader& loader = on_.opening.loader;
-  const Area& picture = on_.view.layout.viewport;
-  if (loader.busy() && draw_progress(picture, "Opening " + loader.order().name(), loader.fraction(), true))
+  Area picture = on_.view.layout.viewport;
+  if (on_.world().live_faces() == 0) picture.size.y *= 0.5;  // in the middle of an empty stage
+  if (loader.busy() && draw_progress(picture, "Opening " + loader.order().name() + ": " + loader.doing(),
+                                     loader.fraction(), true))
     cancel_opening(on_.opening, on_.message);
   draw_question(decisions_.question);
 }

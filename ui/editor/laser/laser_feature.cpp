@@ -120,11 +120,11 @@ class LaserFeature : public Feature {
   explicit LaserFeature(Workspace& on) : on_(on) {}
 
   std::vector<Panel> panels() override {
-    return {{"Laser", 100, true,
+    return {{"Laser", Tab::kCut, 100, true,
              [this] {
                if (draw_laser_panel(on_.laser, on_.view.frame.unit)) cut_again_live(true);
              }},
-            {"Resolution", 400, true, [this] { draw_resolution(); }}};
+            {"Resolution", Tab::kCut, 400, true, [this] { draw_resolution(); }}};
   }
   std::vector<ActionGroup> actions() override {
     return {{300, "Tool", {tool_action(on_, kLaserTool, "L", "Left drag cuts.")}},
@@ -158,7 +158,7 @@ class LaserFeature : public Feature {
 
   void draw_marks(ImDrawList& list) override {
     draw_ring(list);
-    if (!on_.view.look.stage && !on_.cut_once && on_.tool == kLaserTool)
+    if (!on_.view.look.stage && !on_.cut_once && on_.tool == kLaserTool && !on_.opening.loader.busy())
       draw_hint_box(on_.world(), on_.view, on_.view.legends);
   }
 

@@ -145,8 +145,12 @@ std::string LoadOrder::name() const {
   return name;
 }
 
-Result<LoadedFiles> load_files(LoadOrder order, const Progress* progress) {
+Result<LoadedFiles> load_files(LoadOrder order, const Progress* progress, std::atomic<const char*>* doing) {
   KERF_ASSERT(order.left || !order.files.empty());
+  const auto say = [doing](const char* what) {
+    if (doing != nullptr) *doing = what;
+  };
+  say("reading");
   const bool journal = order.left || (order.files.size() == 1 && is_journal(order.files.front()));
   Stages stages(progress);
   const double cutting = journal ? kCutting : 0, rest = 1 - cutting;
@@ -163,6 +167,7 @@ Result<LoadedFiles> load_files(LoadOrder order, const Progress* progress) {
   loaded.notes = notes_of(scene.world);
   loaded.scene = scene;
   if (const Status hashed = hash_all(loaded, hashing); !hashed) return hashed.error();
+  say("shading");
   const bool uncut = loaded.scene.strokes.empty() && work->journal.commands.empty();
   Result<PreparedBodies> prepared =
       uncut ? prepare_drawing(scene.world, &drawing) : prepare_shading(scene.world, &shading);
@@ -170,8 +175,10 @@ Result<LoadedFiles> load_files(LoadOrder order, const Progress* progress) {
   loaded.prepared = std::move(*prepared);
   if (scene.world.live_faces() <= Document::kMostFacesToCopy) loaded.as_loaded = scene.world;
   loaded.document = document_of(std::move(scene.world), loaded.scene, loaded.order.history_bytes);
+  if (!uncut) say("cutting again");
   if (const Status cut = cut_all(work->journal, loaded, uncut ? afterwards : deeds); !cut) return cut.error();
   if (uncut) return loaded;
+  say("shadows");
   const Status cast = prepare_shadows(loaded.document.world(), loaded.prepared, &shadows);
   if (!cast) return cast.error();
   return loaded;
@@ -186,7 +193,7 @@ void FileLoader::start(LoadOrder order) {
       job->fraction = fraction;
       return !job->given_up;
     }};
-    return load_files(job->order, &progress);
+    return load_files(job->order, &progress, &job->doing);
   });
 }
 

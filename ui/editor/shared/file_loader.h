@@ -48,8 +48,10 @@ struct LoadedFiles {
 };
 
 // Reads the files and applies their strokes or commands. The view of a single file is kept. Fails if none of
-// the files can be read. `progress` may be null. Precondition: there are files or left work.
-Result<LoadedFiles> load_files(LoadOrder order, const Progress* progress);
+// the files can be read. `progress` may be null. `doing`, unless null, says what is being done, in a word or
+// two. Precondition: there are files or left work.
+Result<LoadedFiles> load_files(LoadOrder order, const Progress* progress,
+                               std::atomic<const char*>* doing = nullptr);
 
 // Reads files on a background thread into a separate world while the editor goes on.
 class FileLoader {
@@ -69,6 +71,8 @@ class FileLoader {
   }
   // The progress from 0 to 1. Precondition: busy().
   double fraction() const { return job_->fraction; }
+  // What is being done: "reading". Precondition: busy().
+  const char* doing() const { return job_->doing; }
 
   // The result of a finished job, once; nothing otherwise.
   std::optional<Result<LoadedFiles>> take();
@@ -77,6 +81,7 @@ class FileLoader {
   struct Job {
     LoadOrder order;
     std::atomic<double> fraction = 0;
+    std::atomic<const char*> doing = "reading";
     std::atomic<bool> given_up = false;
     std::future<Result<LoadedFiles>> result;
   };

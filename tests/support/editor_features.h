@@ -7,7 +7,7 @@ namespace kerf::test {
 
 // All features of the editor without a window.
 struct EditorFeatures {
-  EditorFeatures() { catalogue.gather(features, on.settings); }
+  EditorFeatures() { catalogue.gather(features, on.panels); }
 
   Workspace on;
   Catalogue catalogue;

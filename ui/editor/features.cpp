@@ -21,6 +21,7 @@
 #include "ui/editor/time/time_feature.h"
 #include "ui/editor/tree/tree_feature.h"
 #include "ui/editor/view/view_feature.h"
+#include "ui/editor/welcome/welcome_feature.h"
 
 namespace kerf {
 
@@ -28,6 +29,7 @@ Features make_features(Workspace& on, const Catalogue& catalogue) {
   Features features;
   features.push_back(files_feature(on));
   features.push_back(dialogs(on, catalogue));
+  features.push_back(welcome_feature(on));
   features.push_back(view_feature(on));
   features.push_back(light_feature(on));
   features.push_back(section_feature(on));

@@ -22,6 +22,8 @@ Area last_item() {
 void Landmarks::mark(const Layout& layout) {
   mark("viewport", layout.viewport);
   mark("side", layout.side);
+  mark("second_side", layout.second_side);
+  mark("strip", layout.strip);
   mark("status", layout.status);
   mark("first", layout.first);
   mark("second", layout.second);
@@ -32,6 +34,11 @@ std::string Landmarks::text() const {
   for (const auto& [name, area] : areas_) parts[name] = {area.at.x, area.at.y, area.size.x, area.size.y};
   const nlohmann::ordered_json all{{"busy", busy_}, {"pointer", {pointer_.x, pointer_.y}}, {"parts", parts}};
   return all.dump();
+}
+
+std::optional<Area> Landmarks::find(const std::string& name) const {
+  const auto found = areas_.find(name);
+  return found != areas_.end() ? std::optional(found->second) : std::nullopt;
 }
 
 Status Landmarks::finish(bool busy, Vec2 pointer) {

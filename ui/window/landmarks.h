@@ -24,8 +24,10 @@ class Landmarks {
   void begin_frame() { areas_.clear(); }
   // The last mark of a name in a frame counts.
   void mark(std::string name, const Area& area) { areas_.insert_or_assign(std::move(name), area); }
-  // The five areas of the layout, under the names of the members of Layout.
+  // The areas of the layout, under the names of the members of Layout.
   void mark(const Layout& layout);
+  // Where a part is in this frame; nothing where it was not drawn.
+  std::optional<Area> find(const std::string& name) const;
   // Ends the frame and writes its landmarks where they differ from those in the file. `busy`: more frames
   // follow without further input. `pointer`: where this frame saw the pointer; a test that finds it where it
   // last moved it knows that all input up to then was heard. On failure the file is as it was.

@@ -29,7 +29,7 @@ class Pieces(WindowTest):
         self.assertTrue(all(view[name] for name in names))
 
         settings = self.settings()
-        settings["panels"]["Light"] = True
+        settings["panels"]["Light"], settings["tab"] = True, "look"
         with open(self.settings_file(), "w") as file:
             json.dump(settings, file)
         editor = self.open_again(SPHERE)

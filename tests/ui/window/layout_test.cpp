@@ -18,6 +18,19 @@ TEST(Layout, a_narrow_window_gives_up_its_panels) {
   EXPECT_EQ(lay_out({500, 400}, 16, 26, 26).side.size.x, 0);
 }
 
+TEST(Layout, all_areas_of_panels_leave_the_picture_what_it_needs) {
+  for (const Vec2 window : {Vec2(640, 400), Vec2(1280, 720), Vec2(1920, 1080)}) {
+    const Layout l = lay_out(window, 16, 26, 26, {.side = 21, .second_side = 21, .strip = 19});
+    EXPECT_EQ(l.second_side.size.x + l.viewport.size.x + l.side.size.x, window.x);
+    EXPECT_EQ(26 + l.viewport.size.y + l.strip.size.y + l.status.size.y, window.y);
+    EXPECT_EQ(l.viewport.at.x, l.second_side.size.x);
+    EXPECT_EQ(l.strip.at, l.viewport.at + Vec2(0, l.viewport.size.y));
+    EXPECT_EQ(l.strip.size.x, l.viewport.size.x);
+    EXPECT_GE(l.viewport.size.x, 320);
+    EXPECT_GE(l.viewport.size.y, 160);
+  }
+}
+
 TEST(Layout, halves_tile_the_picture_and_stay_wide_enough_to_be_looked_at) {
   const Layout whole = lay_out({1280, 800}, 16, 26, 26);
   EXPECT_FALSE(whole.split());

@@ -143,7 +143,7 @@ class HistoryFeature : public Feature {
   explicit HistoryFeature(Workspace& on) : on_(on) {}
 
   std::vector<Panel> panels() override {
-    return {{"History", 800, true, [this] { panel_.draw(on_); }}};
+    return {{"History", Tab::kCut, 800, true, [this] { panel_.draw(on_); }}};
   }
   std::vector<ActionGroup> actions() override {
     return {{200,

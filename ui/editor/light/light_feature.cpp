@@ -204,7 +204,7 @@ class LightFeature : public Feature {
   explicit LightFeature(Workspace& on) : on_(on) {}
 
   std::vector<Panel> panels() override {
-    return {{kLightPanel, 900, false,
+    return {{kLightPanel, Tab::kLook, 1310, false,
              [this] { draw_light_panel(on_.view, on_.world().bounds(), on_.figures.shadows); }}};
   }
   std::vector<ActionGroup> actions() override { return {{1300, "Light", light_actions()}}; }
@@ -247,7 +247,7 @@ class LightFeature : public Feature {
   }
 
  private:
-  bool shows_handles() const { return on_.settings.shows(kLightPanel); }
+  bool shows_handles() const { return on_.panels.shows(kLightPanel); }
   std::vector<UserAction> light_actions();
   std::vector<UserAction> presets();
 

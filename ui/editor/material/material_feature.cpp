@@ -140,8 +140,8 @@ class MaterialFeature : public Feature {
   explicit MaterialFeature(Workspace& on) : on_(on) {}
 
   std::vector<Panel> panels() override {
-    return {{"Laser", 110, true, [this] { draw_heat(); }},
-            {"Material", 200, false, [this] { draw_material(); }}};
+    return {{"Laser", Tab::kCut, 110, true, [this] { draw_heat(); }},
+            {"Material", Tab::kHeat, 200, true, [this] { draw_material(); }}};
   }
 
  private:

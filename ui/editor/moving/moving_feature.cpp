@@ -19,7 +19,7 @@ class MovingFeature : public Feature {
   explicit MovingFeature(Workspace& on) : on_(on) {}
 
   std::vector<Panel> panels() override {
-    return {{"Pieces", 601, true, [this] { draw_placement(); }}};
+    return {{"Pieces", Tab::kCut, 601, true, [this] { draw_placement(); }}};
   }
   std::vector<ActionGroup> actions() override {
     return {{240,

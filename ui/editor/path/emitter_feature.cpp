@@ -28,7 +28,7 @@ class EmitterFeature : public Feature {
   explicit EmitterFeature(Workspace& on) : on_(on) {}
 
   std::vector<Panel> panels() override {
-    return {{"Laser", 120, true, [this] { draw_rows(); }}};
+    return {{"Laser", Tab::kCut, 120, true, [this] { draw_rows(); }}};
   }
   std::vector<ActionGroup> actions() override { return {{410, "Path", emitter_actions()}}; }
   std::vector<Gesture> gestures() const override {

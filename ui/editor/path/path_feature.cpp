@@ -52,7 +52,7 @@ class PathFeature : public Feature {
   }
 
   std::vector<Panel> panels() override {
-    return {{kPath, 500, false, [this] { draw_panel(); }}};
+    return {{kPath, Tab::kCut, 500, false, [this] { draw_panel(); }}};
   }
   std::vector<ActionGroup> actions() override {
     return {{303, "Tool", {take_tool_action()}}, {400, "Path", path_actions()}};
@@ -87,7 +87,7 @@ class PathFeature : public Feature {
 
  private:
   bool in_hand() const { return on_.tool == kPath; }
-  bool shows_path() const { return in_hand() || on_.settings.shows(kPath); }
+  bool shows_path() const { return in_hand() || on_.panels.shows(kPath); }
   const char* why_no_run() const;
   UserAction take_tool_action();
   std::vector<UserAction> path_actions();
@@ -224,7 +224,7 @@ std::string PathFeature::load(const std::filesystem::path& file) {
   path_.load(std::move(*strokes), on_.world());
   path_.note_saved(file);
   on_.tool = kPath;
-  on_.settings.unfold(kPath);
+  on_.panels.show(kPath);
   on_.message.say("Loaded: " + file.string() + ", " + count_text(path_.strokes().size(), "stroke") + ", " +
                   count_text(path_.points(), "point"));
   return "";

@@ -82,8 +82,9 @@ class PiecesFeature : public Feature {
   explicit PiecesFeature(Workspace& on) : on_(on) {}
 
   std::vector<Panel> panels() override {
-    return {{kPiecesPanel, 600, true, [this] { draw_list(); }},
-            {kPiecesPanel, 602, true, [this] { draw_spread(list_pieces(on_.world()).size() < 2); }}};
+    return {
+        {kPiecesPanel, Tab::kCut, 600, true, [this] { draw_list(); }},
+        {kPiecesPanel, Tab::kCut, 602, true, [this] { draw_spread(list_pieces(on_.world()).size() < 2); }}};
   }
   std::vector<ActionGroup> actions() override {
     return {
@@ -339,7 +340,7 @@ void PiecesFeature::ask_to_show() {
 
 void PiecesFeature::rename_chosen() {
   KERF_ASSERT(chosen_pieces(on_.view.look.pieces) == 1);
-  on_.settings.unfold(kPiecesPanel);
+  on_.panels.show(kPiecesPanel);
   list_.rename(*first_chosen(on_.view.look.pieces));
 }
 

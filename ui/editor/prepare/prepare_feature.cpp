@@ -16,7 +16,7 @@ class PrepareFeature : public Feature {
   explicit PrepareFeature(Workspace& on) : on_(on) {}
 
   std::vector<Panel> panels() override {
-    return {{kPreparePanel, 300, false, [this] {
+    return {{kPreparePanel, Tab::kPrepare, 300, true, [this] {
                if (panel_.draw(on_.world(), on_.view, preparation_)) ask();
              }}};
   }
@@ -40,17 +40,16 @@ class PrepareFeature : public Feature {
  private:
   // Unfolds the panel with this tool.
   UserAction tool_action(const char* name, const char* tip, Preparation::Tool tool) {
-    return {
-        .name = name,
-        .tip = tip,
-        .run =
-            [this, tool] {
-              on_.settings.unfold(kPreparePanel);
-              preparation_.tool = tool;
-              preparation_.times = 1;
-            },
-        .checked = [this, tool] { return on_.settings.shows(kPreparePanel) && preparation_.tool == tool; },
-        .ends_group = tool == Preparation::Tool::kSmooth};
+    return {.name = name,
+            .tip = tip,
+            .run =
+                [this, tool] {
+                  on_.panels.show(kPreparePanel);
+                  preparation_.tool = tool;
+                  preparation_.times = 1;
+                },
+            .checked = [this, tool] { return on_.panels.shows(kPreparePanel) && preparation_.tool == tool; },
+            .ends_group = tool == Preparation::Tool::kSmooth};
   }
 
   std::vector<PieceRow> pieces() const { return pieces_to_prepare(on_.world(), on_.view.look.pieces); }

@@ -33,7 +33,7 @@ class RulerFeature : public Feature {
   explicit RulerFeature(Workspace& on) : on_(on) {}
 
   std::vector<Panel> panels() override {
-    return {{kRuler, 1250, false, [this] { draw_panel(); }}};
+    return {{kRuler, Tab::kLook, 1350, false, [this] { draw_panel(); }}};
   }
   std::vector<ActionGroup> actions() override;
 
@@ -73,7 +73,7 @@ class RulerFeature : public Feature {
   };
 
   bool in_hand() const { return on_.tool == kRuler; }
-  bool shown() const { return in_hand() || on_.settings.shows(kRuler); }
+  bool shown() const { return in_hand() || on_.panels.shows(kRuler); }
   void keep() { set_head_entry(on_.work.scene, kRulerKey, list_.to_json()); }
   std::optional<EndOfMark> end_under_pointer() const;
   void measure();

@@ -136,7 +136,7 @@ class SectionFeature : public Feature {
   explicit SectionFeature(Workspace& on) : on_(on) {}
 
   std::vector<Panel> panels() override {
-    return {{"View", 1300, false, [this] { draw_rows(); }}};
+    return {{"View", Tab::kLook, 1000, true, [this] { draw_rows(); }}};
   }
 
   std::vector<ActionGroup> actions() override {

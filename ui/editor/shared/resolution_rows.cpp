@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ui/editor/shared/panel_rows.h"
+#include "ui/window/landmarks.h"
 #include "ui/window/number_format.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
@@ -47,6 +48,7 @@ bool fraction_row(const char* name, double& fraction, double standard, const Sho
                           ImGuiSliderFlags_NoInput)) {
     fraction = std::exp2(-std::round(4 * halvings) / 4);
   }
+  mark_last_item("resolution size");
   tooltip(meaning);
   const bool reset = reset_item(fraction, standard);
   return reset || fraction != before;

@@ -1,6 +1,8 @@
 #include "ui/editor/shared/settings.h"
 
+#include <algorithm>
 #include <array>
+#include <span>
 
 #include "core/base/user_folders.h"
 #include "ui/window/kept_fields.h"
@@ -16,6 +18,8 @@ constexpr int kVersion = 1;
 constexpr int kLeastWindow = 480, kMostWindow = 16384;
 constexpr std::array kThemes{"dark", "light"};
 constexpr std::array kPalettes{"red-green", "orange-blue"};
+constexpr std::array kTabs{"cut", "look", "move", "heat", "prepare"};
+constexpr std::array kDocks{"column", "second column", "strip", "window"};
 
 // Paths may hold any bytes; JSON holds UTF-8 only. One that is not is left out.
 bool is_utf8(const std::string& text) {
@@ -35,6 +39,34 @@ KeptFields& entries(KeptFields& f, const char* key, std::map<std::string, T>& of
       if (entry.type() == Json(T()).type()) of[name] = entry.template get<T>();
     }
   });
+}
+
+// The value whose number in `names` is that of its name in the file.
+template <typename Enum>
+std::optional<Enum> named(std::span<const char* const> names, const Json& value) {
+  const auto at = std::find(names.begin(), names.end(), value);
+  return at != names.end() ? std::optional(static_cast<Enum>(at - names.begin())) : std::nullopt;
+}
+
+Json docks_json(const Settings& s) {
+  Json all = Json::object();
+  for (const auto& [title, dock] : s.docks) all[title] = kDocks.at(static_cast<size_t>(dock));
+  return all;
+}
+
+Json windows_json(const Settings& s) {
+  Json all = Json::object();
+  for (const auto& [title, area] : s.windows) all[title] = {area.at.x, area.at.y, area.size.x, area.size.y};
+  return all;
+}
+
+void read_windows(const Json& windows, Settings& s) {
+  if (!windows.is_object()) return;
+  for (const auto& [title, area] : windows.items()) {
+    const bool is_area = area.is_array() && area.size() == 4 &&
+                         std::all_of(area.begin(), area.end(), [](const Json& x) { return x.is_number(); });
+    if (is_area) s.windows[title] = {{area[0], area[1]}, {area[2], area[3]}};
+  }
 }
 
 Json recent_json(const std::vector<fs::path>& recent) {
@@ -59,6 +91,8 @@ static void describe(KeptFields& f, Settings& s) {
   f.choice("palette", s.palette, kPalettes);
   f.number("ui_scale", s.ui_scale, Settings::kLeastScale, Settings::kMostScale);
   f.number("side_width", s.side_ems, Settings::kLeastSide, Settings::kMostSide);
+  f.number("second_width", s.second_ems, Settings::kLeastSide, Settings::kMostSide);
+  f.number("strip_height", s.strip_ems, Settings::kLeastStrip, Settings::kMostStrip);
   f.number("width", s.width, kLeastWindow, kMostWindow);
   f.number("height", s.height, kLeastWindow, kMostWindow);
   f.number("split_share", s.split_share, 0, 1);
@@ -66,12 +100,22 @@ static void describe(KeptFields& f, Settings& s) {
   f.flag("antialias", s.antialias);
   f.flag("live_recut", s.live_recut);
   f.flag("heat_held", s.heat_held);
+  f.flag("welcomed", s.welcomed);
   f.number("history_mb", s.history_megabytes, Settings::kLeastHistory, Settings::kMostHistory);
   f.number("threads", s.threads, 0, Settings::kMostThreads);
   f.number("drag_speed", s.drag_speed, Settings::kLeastSpeed, Settings::kMostSpeed);
   f.number("wheel_speed", s.wheel_speed, Settings::kLeastSpeed, Settings::kMostSpeed);
   entries(f, "bindings", s.bindings);
   entries(f, "panels", s.panels);
+  f.any("tab", s.tab ? Json(kTabs.at(static_cast<size_t>(*s.tab))) : Json(),
+        [&](const Json& tab) { s.tab = named<Tab>(kTabs, tab); });
+  f.any("docks", docks_json(s), [&](const Json& docks) {
+    if (!docks.is_object()) return;
+    for (const auto& [title, place] : docks.items()) {
+      if (const auto dock = named<Dock>(kDocks, place)) s.docks[title] = *dock;
+    }
+  });
+  f.any("windows", windows_json(s), [&](const Json& windows) { read_windows(windows, s); });
   f.any("recent", recent_json(s.recent), [&](const Json& list) {
     if (!list.is_array()) return;
     for (const Json& file : list) {

@@ -11,8 +11,15 @@
 #include "core/mesh/files/file_frame.h"
 #include "ui/render/view/view_options.h"
 #include "ui/window/gui_look.h"
+#include "ui/window/layout.h"
 
 namespace kerf {
+
+// What one does while one looks at a panel; each is a tab of the column of panels.
+enum class Tab { kCut, kLook, kMove, kHeat, kPrepare };
+// Where a panel is drawn: behind its tab in the column at the right, in a second column at the left, in a
+// strip below the picture, or in a window of its own over it.
+enum class Dock { kColumn, kSecondColumn, kStrip, kWindow };
 
 // Settings that the editor keeps between sessions.
 struct Settings {
@@ -20,6 +27,8 @@ struct Settings {
   double ui_scale = 1;  // relative to the scale of the display
   bool side_shown = true;
   double side_ems = 21;            // width of the column of panels, in sizes of the text
+  double second_ems = 21;          // width of the second column
+  double strip_ems = 22;           // height of the strip
   int width = 1280, height = 800;  // of the window, screen coordinates
   BoxPalette palette = BoxPalette::kRedAndGreen;
   bool antialias = true;
@@ -30,16 +39,21 @@ struct Settings {
   bool heat_held = false;                  // what is hot stays as it is while the user does not play
   double drag_speed = 1, wheel_speed = 1;  // of orbits and zooms by the mouse, relative to the usual speed
   std::map<std::string, std::string> bindings;  // keys by the names of actions, where they are not the usual
+  std::optional<Tab> tab;                       // none: that of the first panel that is unfolded
   std::map<std::string, bool> panels;           // whether they are unfolded, by their titles
+  std::map<std::string, Dock> docks;            // where they are, by their titles; not here: in the column
+  std::map<std::string, Area> windows;          // where windows of panels were last, by their titles
   std::vector<std::filesystem::path> recent;    // latest first, absolute
   // How mesh files of a kind ("stl") are shown; none where the user wants a guess for each file. Kinds that
   // are not here were not asked about yet.
   std::map<std::string, std::optional<FileFrame>> frames;
   std::filesystem::path folder;  // the folder that the file browser showed last
+  bool welcomed = false;         // the welcome was shown
   std::string others = "{}";     // JSON: keys of the file that this version does not know
 
   static constexpr double kLeastScale = 0.75, kMostScale = 2;
   static constexpr double kLeastSide = 13, kMostSide = 42;
+  static constexpr double kLeastStrip = 8, kMostStrip = 60;
   static constexpr double kLeastSpeed = 0.25, kMostSpeed = 4;
   static constexpr size_t kMostRecent = 10;
   static constexpr int kMostThreads = 64;
@@ -47,12 +61,6 @@ struct Settings {
 
   size_t history_bytes() const { return static_cast<size_t>(history_megabytes) << 20; }
 
-  // Whether a panel is visible and unfolded.
-  bool shows(const std::string& panel) const {
-    const auto found = panels.find(panel);
-    return side_shown && found != panels.end() && found->second;
-  }
-  void unfold(const std::string& panel) { side_shown = panels[panel] = true; }
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 

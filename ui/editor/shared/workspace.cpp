@@ -45,7 +45,7 @@ UserAction tool_action(Workspace& on, const char* name, const char* shortcut, co
               [&on, name, has_panel] {
                 if (on.held && on.held->cuts()) cancel_stroke(on);
                 on.tool = name;
-                if (has_panel) on.settings.unfold(name);
+                if (has_panel) on.panels.show(name);
               },
           .checked = [&on, name] { return on.tool == name; }};
 }

@@ -11,11 +11,12 @@
 #include "ui/editor/shared/laser_tool.h"
 #include "ui/editor/shared/open_work.h"
 #include "ui/editor/shared/opening.h"
-#include "ui/editor/shared/settings.h"
+#include "ui/editor/shared/panel_places.h"
 #include "ui/editor/shared/user_action.h"
 #include "ui/editor/shared/view_state.h"
 #include "ui/editor/shared/world_changes.h"
 #include "ui/screen/live_picture.h"
+#include "ui/window/landmarks.h"
 #include "ui/window/message.h"
 #include "ui/window/window.h"
 #include "ui/window/window_clock.h"
@@ -33,6 +34,7 @@ struct Workspace {
   Opening opening;
   ViewState view;
   Settings settings;
+  PanelPlaces panels{settings};
   Message message;
   Figures figures;
   FileBrowser browser;
@@ -50,11 +52,13 @@ struct Workspace {
   LivePicture* picture = nullptr;  // null in tests without a window, as are the next two
   const Window* window = nullptr;
   const WindowClock* clock = nullptr;
-  const World* second = nullptr;  // in the right half of a split picture; null: it is not split
-  double cut_until = 0;           // s of the clock, until when a frame may cut
-  double cut_seconds = 0;         // that this frame has cut for
-  bool cools = false;             // something hot cools down as time passes
-  bool cools_unseen = false;      // and what waits in the queue of that changes nothing in the picture
+  const World* second = nullptr;         // in the right half of a split picture; null: it is not split
+  double cut_until = 0;                  // s of the clock, until when a frame may cut
+  double cut_seconds = 0;                // that this frame has cut for
+  const Landmarks* landmarks = nullptr;  // the parts of the window that this frame has drawn
+  bool plays = false;                    // time passes for the bodies
+  bool cools = false;                    // something hot cools down as time passes
+  bool cools_unseen = false;             // and what waits in the queue of that changes nothing in the picture
 
   // What features say about each other's work without knowing each other: why time cannot pass, a sentence
   // each or null, and whether the next step of the document waits for the user.

@@ -16,14 +16,15 @@ void append_in_order(std::vector<T>& all, std::vector<T> some) {
 
 }  // namespace
 
-void Catalogue::gather(const Features& features, Settings& settings) {
+void Catalogue::gather(const Features& features, PanelPlaces& places) {
   std::vector<ActionGroup> groups;
   for (const auto& feature : features) {
     append_in_order(panels, feature->panels());
     append_in_order(groups, feature->actions());
     append_in_order(gestures, feature->gestures());
   }
-  for (const Panel& panel : panels) settings.panels.try_emplace(panel.title, panel.unfolded);
+  for (const Panel& panel : panels) places.add(panel.title, panel.tab, panel.dock, panel.unfolded);
+  places.choose_tab();
   for (ActionGroup& group : groups) {
     for (UserAction& action : group.actions) {
       if (action.menu == nullptr) action.menu = group.menu;

@@ -3,7 +3,7 @@
 #include <map>
 #include <span>
 
-#include "ui/editor/shared/settings.h"
+#include "ui/editor/shared/panel_places.h"
 #include "ui/editor/shell/feature.h"
 
 namespace kerf {
@@ -17,8 +17,8 @@ struct Catalogue {
   std::vector<UserAction> actions;  // with those of the settings
   std::vector<Gesture> gestures;
 
-  // Asks the features, which must outlive it. Panels that the settings do not know get their first state.
-  void gather(const Features& features, Settings& settings);
+  // Asks the features, which must outlive it, and tells the places of all panels.
+  void gather(const Features& features, PanelPlaces& places);
   // Gives the actions the keys of the settings. `shortcuts` gets the keys by the names of actions.
   void bind(const Settings& settings, std::map<std::string, std::string>& shortcuts);
 

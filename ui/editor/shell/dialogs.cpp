@@ -7,6 +7,7 @@
 #include "ui/editor/shell/panel_column.h"
 #include "ui/editor/shell/settings_page.h"
 #include "ui/editor/shell/shortcut_sheet.h"
+#include "ui/editor/shell/tab_bar.h"
 
 namespace kerf {
 
@@ -52,13 +53,15 @@ class Dialogs : public Feature {
 
 std::vector<UserAction> Dialogs::column_actions() {
   bool& shown = on_.settings.side_shown;
-  return {UserAction{.name = "Panels",
-                     .items = [this] { return panel_actions(catalogue_.panels, on_.settings); }},
-          UserAction{.name = "Column of panels",
+  std::vector<UserAction> actions = tab_actions(on_.panels);
+  actions.push_back(
+      {.name = "Panels", .items = [this] { return panel_actions(catalogue_.panels, on_.panels); }});
+  actions.push_back({.name = "Column of panels",
                      .shortcut = "F4",
                      .tip = "Hides the column, so that the picture fills the window.",
                      .run = [&shown] { shown = !shown; },
-                     .checked = [&shown] { return shown; }}};
+                     .checked = [&shown] { return shown; }});
+  return actions;
 }
 
 std::vector<UserAction> Dialogs::help_actions() {

@@ -53,7 +53,7 @@ void send(Workspace& on) {
 
 EditorScreen::EditorScreen(Window& window, LivePicture picture, LoadedSettings loaded,
                            const EditorOptions& options, MakeFeatures make_features)
-    : window_(window), options_(options), picture_(std::move(picture)) {
+    : window_(window), options_(options), landmarks_(options.landmarks), picture_(std::move(picture)) {
   on_.picture = &picture_;
   on_.window = &window;
   on_.clock = &window.clock();
@@ -63,7 +63,7 @@ EditorScreen::EditorScreen(Window& window, LivePicture picture, LoadedSettings l
   threads_.follow(on_.settings.threads);
   features_ = make_features(on_, catalogue_);
   saved_ = on_.settings;
-  catalogue_.gather(features_, on_.settings);
+  catalogue_.gather(features_, on_.panels);
   on_.changes.followed = [this](const Delta& delta) {
     for (const auto& feature : features_) feature->follow(delta);
   };
@@ -71,7 +71,8 @@ EditorScreen::EditorScreen(Window& window, LivePicture picture, LoadedSettings l
     on_.held.reset();
     for (const auto& feature : features_) feature->forget();
   };
-  if (options.landmarks || window.script() != nullptr) keep_landmarks(&landmarks_.emplace(options.landmarks));
+  on_.landmarks = &landmarks_;
+  keep_landmarks(&landmarks_);
 }
 
 Status EditorScreen::open() {
@@ -97,7 +98,7 @@ void EditorScreen::come_back(const GuiLook& look, const std::filesystem::path& s
   on_.settings.palette = look.palette;
   on_.view.picture_old = true;
   title_.clear();
-  if (landmarks_) keep_landmarks(&*landmarks_);
+  keep_landmarks(&landmarks_);
   if (!scene.empty()) on_.open({scene});
 }
 
@@ -208,7 +209,7 @@ void EditorScreen::finish_change() {
 void EditorScreen::lay_out_window() {
   const double em = ImGui::GetFontSize(), bar = ImGui::GetFrameHeight();
   const Settings& settings = on_.settings;
-  Layout layout = lay_out(window_.size(), em, bar, bar, settings.side_shown ? settings.side_ems : 0);
+  Layout layout = lay_out(window_.size(), em, bar, bar, panel_sizes(on_.panels, settings));
   if (on_.second != nullptr) layout = split_in_two(layout, settings.split_share);
   ViewState& view = on_.view;
   if (layout.first.size != view.layout.first.size || layout.second.size != view.layout.second.size)
@@ -241,7 +242,7 @@ void EditorScreen::draw() {
     save_settings();
     bring_up_to_date(on_);
   }
-  if (landmarks_) landmarks_->begin_frame();
+  landmarks_.begin_frame();
   draw_panels();
   const double picture_began = window_.clock().seconds();
   draw_picture();
@@ -257,7 +258,7 @@ void EditorScreen::draw_panels() {
   for (const auto& feature : features_) feature->draw_marks(list);
   if (on_.held) on_.held->draw(list);
   list.PopClipRect();
-  draw_panel_column(layout.side, catalogue_.panels, on_.settings);
+  draw_panel_areas(layout, catalogue_.panels, on_.panels, on_.settings);
   draw_splitters(layout, on_.settings);
   const char* hint = on_.held ? on_.held->words() : nullptr;
   for (size_t i = 0; hint == nullptr && i < features_.size(); ++i) hint = features_[i]->hint();
@@ -317,12 +318,11 @@ void EditorScreen::took(const FrameTime& time) {
     figures.between_cutting_pictures.add(1000 * beside);
   }
   if (new_picture_) picture_.took(time.whole - on_.cut_seconds);
-  if (!landmarks_) return;
   const ImVec2 at = ImGui::GetIO().MousePos;
-  landmarks_->mark(on_.view.layout);
-  if (is_popup_open()) landmarks_->mark("popup", {{at.x, at.y}, Vec2(1)});
-  for (const auto& feature : features_) feature->mark(*landmarks_);
-  if (const Status written = landmarks_->finish(moving(), {at.x, at.y}); !written)
+  landmarks_.mark(on_.view.layout);
+  if (is_popup_open()) landmarks_.mark("popup", {{at.x, at.y}, Vec2(1)});
+  for (const auto& feature : features_) feature->mark(landmarks_);
+  if (const Status written = landmarks_.finish(moving(), {at.x, at.y}); !written)
     on_.message.say(written.error().message, true);
 }
 
@@ -330,7 +330,7 @@ void EditorScreen::took(const FrameTime& time) {
 // --------------------------------------------------------------------------------------------------------
 
 std::optional<std::string> EditorScreen::answer(const std::string& what) const {
-  if (what == "landmarks" && landmarks_) return landmarks_->text();
+  if (what == "landmarks") return landmarks_.text();
   if (what == "report")
     return report().dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
   return std::nullopt;

@@ -64,7 +64,7 @@ class EditorScreen : public Screen {
 
   Window& window_;
   const EditorOptions& options_;
-  std::optional<Landmarks> landmarks_;
+  Landmarks landmarks_;
   LivePicture picture_;
   Workspace on_;
   Catalogue catalogue_;

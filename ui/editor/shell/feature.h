@@ -8,6 +8,7 @@
 #include "core/base/result.h"
 #include "core/world/delta.h"
 #include "ui/editor/shared/interaction.h"
+#include "ui/editor/shared/settings.h"
 #include "ui/editor/shared/user_action.h"
 #include "ui/window/landmarks.h"
 
@@ -17,13 +18,16 @@ namespace kerf {
 
 struct EditorOptions;
 
-// A group of the column at the right. Its name is also the key under which the settings keep whether it is
-// unfolded. Panels of the same name are drawn under one header.
+// A panel below the header that bears its title. The title is also the key under which the settings keep
+// whether it is unfolded, and where it is. Panels of the same title are drawn under one header, and the first
+// of them says where.
 struct Panel {
   const char* title;
+  Tab tab;        // of the column at the right
   int place;      // among the panels, from top to bottom
   bool unfolded;  // at first
   std::function<void()> draw;
+  Dock dock = Dock::kColumn;  // at first
 };
 
 // Actions that follow each other in a menu, and the place of the group among all of them.

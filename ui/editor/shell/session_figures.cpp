@@ -26,6 +26,8 @@ nlohmann::ordered_json layout_of(const Layout& l) {
           {"first", area(l.first)},
           {"second", area(l.second)},
           {"side", area(l.side)},
+          {"second_side", area(l.second_side)},
+          {"strip", area(l.strip)},
           {"status", area(l.status)}};
 }
 

@@ -117,11 +117,12 @@ class SingleStepFeature : public Feature {
   }
 
   std::vector<Panel> panels() override {
-    return {{"Tree", 1001, false,
+    return {{"Tree", Tab::kLook, 1051, false,
              [this] {
                if (stages_.wishes.on) draw_query_walk(stages_.log);
              }},
-            {"Single step", 1200, false, [this] { panel_.draw(stages_, on_.work.document, on_.view); }}};
+            {"Single step", Tab::kLook, 1200, false,
+             [this] { panel_.draw(stages_, on_.work.document, on_.view); }}};
   }
   std::vector<ActionGroup> actions() override {
     return {{500, "Tool", beginnings()}, {501, "Tool", steps()}, {1100, "Tree", view_actions()}};

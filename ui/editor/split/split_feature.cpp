@@ -45,7 +45,7 @@ class SplitFeature : public Feature {
   }
 
   std::vector<Panel> panels() override {
-    return {{"Resolution", 401, true, [this] { draw_rows(); }}};
+    return {{"Resolution", Tab::kCut, 401, true, [this] { draw_rows(); }}};
   }
   std::vector<ActionGroup> actions() override {
     return {{720,

@@ -109,8 +109,8 @@ class StatisticsFeature : public Feature {
  public:
   explicit StatisticsFeature(Workspace& on) : on_(on) {}
   std::vector<Panel> panels() override {
-    return {
-        {"Statistics", 1400, false, [this] { draw_statistics_panel(on_.figures.chart, on_.figures.shown); }}};
+    return {{"Statistics", Tab::kLook, 1400, false,
+             [this] { draw_statistics_panel(on_.figures.chart, on_.figures.shown); }}};
   }
 
  private:

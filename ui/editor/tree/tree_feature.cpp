@@ -138,7 +138,7 @@ class TreeFeature : public Feature {
   explicit TreeFeature(Workspace& on) : on_(on) {}
 
   std::vector<Panel> panels() override {
-    return {{"Tree", 1000, false,
+    return {{"Tree", Tab::kLook, 1050, false,
              [this] { draw_tree_panel(on_.view, on_.world(), on_.settings, on_.figures.shown); }}};
   }
   std::vector<ActionGroup> actions() override {
@@ -152,7 +152,7 @@ class TreeFeature : public Feature {
           level_action(on_, "Boxes: one level more", 1), level_action(on_, "Boxes: one level less", -1),
           palette_action(on_)}}};
   }
-  void advance(double) override { on_.figures.depth_wanted = on_.settings.shows("Tree"); }
+  void advance(double) override { on_.figures.depth_wanted = on_.panels.shows("Tree"); }
   void follow(const Delta&) override {
     std::optional<BodyId>& body = on_.view.look.tree.body;
     if (body && !on_.world().contains(*body)) body.reset();

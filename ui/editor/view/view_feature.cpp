@@ -138,8 +138,8 @@ class ViewFeature : public Feature {
   explicit ViewFeature(Workspace& on) : on_(on) {}
 
   std::vector<Panel> panels() override {
-    return {{"View", 1301, false, [this] { draw_switches(); }},
-            {"Display", 1600, false, [this] { display_.draw(on_.settings, on_.view); }}};
+    return {{"View", Tab::kLook, 1001, true, [this] { draw_switches(); }},
+            {"Display", Tab::kLook, 1600, false, [this] { display_.draw(on_.settings, on_.view); }}};
   }
   std::vector<ActionGroup> actions() override {
     return {{220, "Edit", text_of_view_actions()},

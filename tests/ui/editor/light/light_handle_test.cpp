@@ -27,7 +27,8 @@ TEST(LightFeature, a_press_on_a_handle_moves_the_light_while_the_panel_is_unfold
   on.pointer = light_handle(on.view, 0).value();
   const InputEvent event{InputEvent::Kind::kPress, on.pointer};
   EXPECT_EQ(feature->claim({event}), nullptr);
-  on.settings.unfold("Light");
+  on.panels.add("Light", Tab::kLook, Dock::kColumn, false);
+  on.panels.show("Light");
   EXPECT_NE(feature->claim({event}), nullptr);
   on.settings.side_shown = false;
   EXPECT_EQ(feature->claim({event}), nullptr);

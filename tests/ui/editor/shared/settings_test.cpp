@@ -35,6 +35,12 @@ TEST_F(SettingsTest, come_back_as_they_were_written) {
   settings.palette = BoxPalette::kOrangeAndBlue;
   settings.panels["Tree"] = true;
   settings.panels["Laser"] = false;
+  settings.tab = Tab::kHeat;
+  settings.docks = {{"Graph", Dock::kWindow}, {"Tree", Dock::kColumn}};
+  settings.windows["Graph"] = {{20, 30}, {400, 300}};
+  settings.second_ems = 15;
+  settings.strip_ems = 12;
+  settings.welcomed = true;
   settings.recent = {"/a/car.obj"};
   settings.folder = "/a";
   settings.drag_speed = 2;

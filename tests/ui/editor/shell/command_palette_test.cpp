@@ -72,9 +72,9 @@ TEST_F(Palette, the_actions_of_panels_change_what_the_panels_show) {
   EXPECT_EQ(on.view.look.lights.size(), 2u);
   run("remove light");
   EXPECT_EQ(on.view.look.lights.size(), 1u);
-  const bool shown = on.settings.shows("Tree");
+  const bool shown = on.panels.shows("Tree");
   run("panels tree");
-  EXPECT_NE(on.settings.shows("Tree"), shown);
+  EXPECT_NE(on.panels.shows("Tree"), shown);
 }
 
 }  // namespace

@@ -1,0 +1,72 @@
+"""The tabs of panels, the places where a panel is shown, the welcome and the tour."""
+import unittest
+
+from editor_window import SPHERE, WindowTest
+
+
+class Panels(WindowTest):
+    def parts(self, editor):
+        return editor.landmarks()["parts"]
+
+    def test_a_tab_is_brought_to_the_front_by_its_key_and_by_a_click_and_kept(self):
+        editor = self.open(SPHERE)
+        self.assertIn("Laser", self.parts(editor))
+        editor.do("alt", "2")
+        self.assertIn("View", self.parts(editor))
+        self.assertNotIn("Laser", self.parts(editor))
+        editor.click("tab Prepare", 0.5, 0.5)
+        self.assertIn("Prepare", self.parts(editor))
+        editor.quit()
+        editor = self.open_again(SPHERE)
+        self.assertIn("Prepare", self.parts(editor))
+        self.assertNotIn("Laser", self.parts(editor))
+        editor.quit()
+
+    def test_a_panel_goes_to_each_place_and_back_to_its_tab(self):
+        editor = self.open(SPHERE)
+        whole = editor.part("viewport")
+        for place, area in (("Below the picture", "strip"), ("In a second column", "second_side")):
+            editor.click("dock Laser", 0.5, 0.5)
+            editor.click(place, 0.3, 0.5)
+            x, y, width, height = editor.part(area)
+            self.assertGreater(width * height, 0)
+            left, top = editor.part("Laser")[:2]  # the header in the column is drawn first
+            self.assertTrue(x <= left < x + width and y <= top < y + height, (place, left, top))
+        editor.click("dock Laser", 0.5, 0.5)
+        editor.click("In its tab", 0.3, 0.5)
+        self.assertEqual(editor.part("viewport"), whole)
+        editor.quit()
+        self.assertEqual(self.settings()["docks"]["Laser"], "column")
+
+    def test_the_tour_goes_on_when_a_step_is_done_and_ends_by_esc(self):
+        editor = self.open(SPHERE)
+        editor.press("ctrl", "p")
+        editor.type("first five")
+        editor.press("Return")
+        editor.part("tour")
+        editor.drag([(0.3, 0.5), (0.7, 0.5)])
+        editor.do("ctrl", "z")
+        editor.do("ctrl", "shift", "z")
+        editor.click("tour next", 0.5, 0.5)
+        self.assertEqual(editor.ask("report")["tour"], 4)
+        editor.do("Escape")
+        self.assertIsNone(editor.quit()["tour"])
+
+    def test_the_welcome_opens_a_scene_and_goes_with_any_key(self):
+        editor = self.open(SPHERE)
+        editor.press("ctrl", "p")
+        editor.type("welcome")
+        editor.press("Return")
+        editor.part("welcome")
+        editor.do("w")
+        self.assertNotIn("welcome", self.parts(editor))
+        editor.press("ctrl", "p")
+        editor.type("welcome")
+        editor.press("Return")
+        editor.click("welcome Bracket", 0.3, 0.5)
+        editor.wait_for_title("bracket.json - Kerf")
+        editor.quit()
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,150 @@
+#include "ui/editor/welcome/welcome_feature.h"
+
+#include <imgui.h>
+
+#include <nlohmann/json.hpp>
+
+#include "ui/editor/shared/editor_options.h"
+#include "ui/editor/shared/example_scenes.h"
+#include "ui/editor/welcome/tour.h"
+#include "ui/editor/welcome/tour_card.h"
+#include "ui/window/imgui_vector.h"
+#include "ui/window/theme.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr size_t kMostRecent = 5;
+
+class WelcomeFeature : public Feature {
+ public:
+  explicit WelcomeFeature(Workspace& on) : on_(on) {}
+
+  std::vector<ActionGroup> actions() override {
+    return {{1900,
+             "Help",
+             {UserAction{.name = "Welcome",
+                         .tip = "Recent files, scenes, and the tour.",
+                         .run = [this] { shown_ = true; }},
+              UserAction{.name = "The first five minutes",
+                         .tip = "A tour of the car that goes on when a step is done.",
+                         .run = [this] { begin_tour(); },
+                         .checked = [this] { return tour_.is_on(); }}}}};
+  }
+
+  Status start(const EditorOptions& options) override {
+    shown_ = options.files.empty() && !options.events && !on_.settings.welcomed;
+    on_.settings.welcomed = on_.settings.welcomed || shown_;
+    return Done{};
+  }
+
+  // What closes the welcome is heard by the rest of the editor as well.
+  bool takes(const InputEvent& event, bool in_picture) override {
+    const bool pressed = event.kind == InputEvent::Kind::kPress && in_picture;
+    if (pressed || event.kind == InputEvent::Kind::kKey) shown_ = false;
+    return false;
+  }
+  bool let_go() override {
+    const bool was_on = tour_.is_on();
+    tour_.end();
+    return was_on;
+  }
+
+  void advance(double) override { tour_.follow(tour_moment(on_)); }
+  void forget() override { shown_ = false; }
+  void draw_windows() override;
+  void report(nlohmann::ordered_json& report) const override {
+    report["welcome"] = shown_;
+    report["tour"] = tour_.is_on() ? nlohmann::ordered_json(tour_.at()) : nlohmann::ordered_json(nullptr);
+  }
+
+ private:
+  void begin_tour() {
+    shown_ = false;
+    tour_.begin(first_five_minutes(on_.view), tour_moment(on_));
+  }
+  void draw_welcome();
+  void draw_files(const char* heading, const std::vector<std::filesystem::path>& files, bool by_title);
+  void draw_tour();
+
+  Workspace& on_;
+  bool shown_ = false;
+  Tour tour_;
+};
+
+void WelcomeFeature::draw_windows() {
+  if (shown_) draw_welcome();
+  if (tour_.is_on()) draw_tour();
+}
+
+void WelcomeFeature::draw_files(const char* heading, const std::vector<std::filesystem::path>& files,
+                                bool by_title) {
+  if (files.empty()) return;
+  ImGui::Spacing();
+  ImGui::TextDisabled("%s", heading);
+  for (const std::filesystem::path& file : files) {
+    const std::string name = by_title ? title_of_scene(file) : file.filename().string();
+    ImGui::PushID(file.c_str());
+    if (ImGui::Selectable(name.c_str())) {
+      shown_ = false;
+      on_.open({file});
+    }
+    mark_last_item(("welcome " + name).c_str());
+    ImGui::PopID();
+  }
+}
+
+// At the left, where it hides least of what stands in the middle.
+void WelcomeFeature::draw_welcome() {
+  const float em = ImGui::GetFontSize();
+  const Area& picture = on_.view.layout.viewport;
+  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
+                                      ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
+  ImGui::SetNextWindowPos(to_im(picture.at + Vec2(1.2 * em)));
+  ImGui::SetNextWindowSize({15 * em, 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 3);
+  if (ImGui::Begin("##welcome", nullptr, kFlags)) {
+    mark_window("welcome");
+    ImGui::TextUnformatted("Kerf");
+    ImGui::TextDisabled("A laser for any triangle mesh");
+    ImGui::Spacing();
+    if (ImGui::Button("The first five minutes", {-1, 0})) begin_tour();
+    mark_last_item("welcome tour");
+    if (ImGui::Button("Cut the car", {-1, 0})) shown_ = false;
+    mark_last_item("welcome car");
+    std::vector<std::filesystem::path> recent = on_.settings.recent;
+    if (recent.size() > kMostRecent) recent.resize(kMostRecent);
+    draw_files("Recent", recent, false);
+    draw_files("Scenes", example_scenes(), true);
+    ImGui::Spacing();
+    ImGui::TextDisabled("Any key closes this; Help has it.");
+  }
+  ImGui::End();
+  ImGui::PopStyleVar();
+}
+
+void WelcomeFeature::draw_tour() {
+  const char* name = tour_.step().part;
+  std::optional<Area> part = *name != '\0' ? on_.landmarks->find(name) : std::nullopt;
+  const Area& status = on_.view.layout.status;
+  if (part && part->at.y + part->size.y > status.at.y) part.reset();  // scrolled out of the column
+  const TourMoment now = tour_moment(on_);
+  switch (draw_tour_card(tour_, on_.view.layout.viewport, part)) {
+    case TourMove::kNone:
+      return;
+    case TourMove::kBack:
+      return tour_.go_back(now);
+    case TourMove::kOn:
+      return tour_.skip(now);
+    case TourMove::kEnd:
+      return tour_.end();
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> welcome_feature(Workspace& on) { return std::make_unique<WelcomeFeature>(on); }
+
+}  // namespace kerf

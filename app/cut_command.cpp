@@ -13,7 +13,7 @@
 #include "core/cut/thermal_step.h"
 #include "core/document/files/material_reader.h"
 #include "core/document/files/stroke_settings.h"
-#include "core/document/history/walk.h"
+#include "core/document/history/run_queue.h"
 #include "core/document/journal/journal.h"
 #include "ui/render/bodies/assets.h"
 
@@ -153,7 +153,7 @@ class CutRun {
   // search for parts that came apart.
   Status step(size_t moves, const Progress& progress) {
     auto began = Clock::now();
-    Walk how;
+    QueueRun how;
     how.moves_a_step = moves;
     how.leave = document_.waiting() - moves;
     how.progress = &progress;
@@ -163,9 +163,9 @@ class CutRun {
       began = Clock::now();
       return Done{};
     };
-    const Status walked = walk(document_, how);
-    if (walked) ++job_.steps;
-    return walked;
+    const Status ran = run_queue(document_, how);
+    if (ran) ++job_.steps;
+    return ran;
   }
 
   // Lets the pieces fall.
@@ -178,9 +178,9 @@ class CutRun {
     document_.apply(Command(SetSurroundings{around}));
     document_.apply(Play{});
     document_.apply(Advance{static_cast<Ticks>(std::ceil(*options_.settle * kTicksPerSecond)), true});
-    Walk how;
+    QueueRun how;
     how.progress = &falling;
-    if (const Status walked = walk(document_, how); !walked) return error_or_stopped(walked.error());
+    if (const Status ran = run_queue(document_, how); !ran) return error_or_stopped(ran.error());
     return Done{};
   }
 

@@ -41,7 +41,7 @@ void visit_options(CutOptions& o, Visitor& v) {
            "Instead: how far what is removed may overshoot the beam, in metres");
   v.whole("depth", o.depth, 0, Resolution::kLargestDepth, "Instead: levels under the base face");
   v.whole("steps", o.steps, 1, 1'000'000,
-          "How many steps each stroke is walked in (as many as the sweep needs)");
+          "How many steps each stroke is cut in (as many as the sweep needs)");
   v.choice("model", o.model, {"geometric", "thermal"},
            "What the beam does to a face: geometric removes it at once, thermal heats it until it has "
            "the energy that its material needs (geometric)");

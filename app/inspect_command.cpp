@@ -46,7 +46,7 @@ nlohmann::ordered_json tree_json(const World& world) {
 Status replay_all(const Journal& journal, Document& document) {
   ProgressLine line("replaying");
   const Progress progress = line.progress();
-  Walk how;
+  QueueRun how;
   how.progress = &progress;
   how.told = [](const Result<StepResult>&) -> Status { return interrupted() ? Status(stopped()) : Done{}; };
   return Replay(journal, document).run(how);

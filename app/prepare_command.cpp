@@ -96,8 +96,8 @@ class PrepareRun {
   Status step(const char* work, Tool tool) {
     ProgressLine line(work);
     const Progress all = line.progress();
-    Stages stages(&all);
-    const Progress working = stages.next(0.7), building = stages.next(0.3);
+    ProgressShares shares(&all);
+    const Progress working = shares.next(0.7), building = shares.next(0.3);
     Result<Remeshed> made = tool(&working);
     if (!made) return made.error();
     if (made->triangles.empty()) return failed(options_.mesh + ": no face is left");

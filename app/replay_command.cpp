@@ -105,7 +105,7 @@ class ReplayRun {
     if (const auto s = begin_film(); !s) return s;
     Document document(std::move(work_.scene.world));
     Replay replay(work_.journal, document);
-    if (const auto s = walk(replay, document); !s) return s;
+    if (const auto s = run_queue(replay, document); !s) return s;
     const uint64_t hash = state_hash(document.world());
     std::cout << hash_text(hash) << '\n';
     if (!folder.path.empty()) {
@@ -166,11 +166,11 @@ class ReplayRun {
     return Done{};
   }
 
-  Status walk(Replay& replay, const Document& document) {
+  Status run_queue(Replay& replay, const Document& document) {
     const Stopwatch watch(job_.cut_s);
     ProgressLine line(film_ ? "filming" : "replaying");
     const Progress progress{[&](double) { return line.update(replay.fraction()); }};
-    Walk how;
+    QueueRun how;
     if (film_) how.moves_a_step = 1;
     how.progress = &progress;
     how.told = [&](const Result<StepResult>& step) { return note(replay, document, step); };

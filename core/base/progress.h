@@ -55,10 +55,10 @@ class Pace {
 };
 
 // Divides a progress among consecutive stages of a computation in proportion to the time that they take.
-class Stages {
+class ProgressShares {
  public:
   // `progress` may be null. It must outlive what next() returns.
-  explicit Stages(const Progress* progress) : progress_(progress) {}
+  explicit ProgressShares(const Progress* progress) : progress_(progress) {}
 
   // The progress of the next stage. `share` is its fraction of the whole; all shares add up to 1.
   Progress next(double share) {

@@ -37,9 +37,9 @@ class Builder {
         Stage{&Builder::group, 0.17},         Stage{&Builder::orient, 0.23},
         Stage{&Builder::find_partners, 0.08}, Stage{&Builder::find_vertices, 0.13},
         Stage{&Builder::fill_mesh, 0.13},     Stage{&Builder::measure, 0.05}};
-    Stages stages(progress_);
+    ProgressShares shares(progress_);
     for (const Stage& stage : kStages) {
-      const Progress part = stages.next(stage.share);
+      const Progress part = shares.next(stage.share);
       if (!part.report(0)) return cancelled();
       if (const Status done = (this->*stage.run)(part); !done) return done.error();
     }
@@ -73,8 +73,8 @@ class Builder {
   }
 
   Status orient(const Progress& progress) {
-    Stages stages(&progress);
-    const Progress agreeing = stages.next(0.2), finding = stages.next(0.8);
+    ProgressShares shares(&progress);
+    const Progress agreeing = shares.next(0.2), finding = shares.next(0.8);
     const auto disagreeing = triangles_to_turn(triangles_, edges_, &agreeing);
     if (!disagreeing) return disagreeing.error();
     turn(*disagreeing);

@@ -18,8 +18,8 @@ class HalfEdgeFilling {
       : m_(half_edges), triangles_(triangles), partner_(partner), last_side_(last_side) {}
 
   Result<std::vector<HalfEdgeId>> run(const Progress* progress) {
-    Stages stages(progress);
-    const Progress naming = stages.next(0.3), linking = stages.next(0.7);
+    ProgressShares shares(progress);
+    const Progress naming = shares.next(0.3), linking = shares.next(0.7);
     const uint32_t edges = count_edges();
     m_.grow_to(static_cast<uint32_t>(last_side_.size()), edges, static_cast<uint32_t>(triangles_.size()));
     half_edge_.resize(partner_.size());

@@ -19,8 +19,8 @@ class PatchFinder {
   }
 
   Result<Patches> run() {
-    Stages stages(progress_);
-    const Progress numbering = stages.next(0.7), closing = stages.next(0.3);
+    ProgressShares shares(progress_);
+    const Progress numbering = shares.next(0.7), closing = shares.next(0.3);
     if (!number_patches(numbering)) return cancelled();
     group_triangles();
     if (!find_closed(closing)) return cancelled();

@@ -18,8 +18,8 @@ class SideGrouping {
       : triangles_(triangles), begin_(vertices + 1, 0) {}
 
   Result<SoupEdges> run(const Progress* progress) {
-    Stages stages(progress);
-    const Progress placing = stages.next(0.4), sorting = stages.next(0.4), naming = stages.next(0.2);
+    ProgressShares shares(progress);
+    const Progress placing = shares.next(0.4), sorting = shares.next(0.4), naming = shares.next(0.2);
     for_each_part([&](uint32_t low) { count(low); });
     if (!placing.report(0.4)) return cancelled();
     for (size_t v = 0; v < vertices(); ++v) begin_[v + 1] += begin_[v];

@@ -22,8 +22,8 @@ class Choice {
         all_finite_(std::all_of(soup.positions.begin(), soup.positions.end(), is_finite)) {}
 
   Result<UsableTriangles> run(const Progress* progress) {
-    Stages stages(progress);
-    const Progress counting = stages.next(0.5), copying = stages.next(0.5);
+    ProgressShares shares(progress);
+    const Progress counting = shares.next(0.5), copying = shares.next(0.5);
     counts_.resize(range_count(soup_.triangles.size(), kTrianglesOfRange) + 1);
     const auto count = [&](size_t t, size_t end) {
       count_usable(t, end, counts_[t / kTrianglesOfRange + 1]);

@@ -21,8 +21,8 @@ class FanFinder {
       : triangles_(triangles), partner_(partner), at_(positions) {}
 
   Result<VertexFans> run(const Progress* progress) {
-    Stages stages(progress);
-    const Progress counting = stages.next(0.2), walking = stages.next(0.5), naming = stages.next(0.3);
+    ProgressShares shares(progress);
+    const Progress counting = shares.next(0.2), walking = shares.next(0.5), naming = shares.next(0.3);
     count_sides();
     if (!counting.report(1)) return cancelled();
     const auto walk = [&](size_t p, size_t end) {

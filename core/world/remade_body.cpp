@@ -150,8 +150,8 @@ PieceCopy copy_piece(const Body& body, uint32_t label) {
 Result<Body> remade_body(const Body& body, const PieceCopy& copy, Remeshed& remeshed,
                          std::span<const MeshPart> parts, const Progress* progress) {
   KERF_ASSERT(!remeshed.triangles.empty());
-  Stages stages(progress);
-  const Progress building = stages.next(0.5), making = stages.next(0.5);
+  ProgressShares shares(progress);
+  const Progress building = shares.next(0.5), making = shares.next(0.5);
   sort_by_loaded_face(remeshed, copy);
   auto built = build_remeshed(remeshed, copy.mesh, &building);
   if (!built) return built.error();

@@ -25,8 +25,8 @@ AreaMoments moments_of(const Mesh& mesh, const Vec3& origin) {
 
 Result<Body> make_body(std::string name, BuiltMesh built, const Progress* progress) {
   const bool one = built.report.components <= 1;
-  Stages stages(progress);
-  const Progress building = stages.next(one ? 1 : 0.83), counting = stages.next(one ? 0 : 0.17);
+  ProgressShares shares(progress);
+  const Progress building = shares.next(one ? 1 : 0.83), counting = shares.next(one ? 0 : 0.17);
   Body body;
   body.name = std::move(name);
   body.mesh = std::move(built.mesh);

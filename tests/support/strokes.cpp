@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/document/history/walk.h"
+#include "core/document/history/run_queue.h"
 #include "core/edit/separation.h"
 #include "tests/support/made_meshes.h"
 
@@ -56,9 +56,9 @@ Result<StepResult> cut_whole(World& world, const CutSettings& settings, std::spa
   return all;
 }
 
-Result<StepResult> walk_moves(Document& document, size_t moves) {
+Result<StepResult> run_moves(Document& document, size_t moves) {
   StepResult all;
-  Walk how;
+  QueueRun how;
   how.moves_a_step = moves;
   how.leave = document.waiting() - moves;
   how.told = [&](const Result<StepResult>& some) -> Status {
@@ -66,11 +66,11 @@ Result<StepResult> walk_moves(Document& document, size_t moves) {
     add(all, *some);
     return Done{};
   };
-  if (const Status walked = walk(document, how); !walked) return walked.error();
+  if (const Status ran = run_queue(document, how); !ran) return ran.error();
   return all;
 }
 
-Result<StepResult> walk_all(Document& document) { return walk_moves(document, document.waiting()); }
+Result<StepResult> run_all(Document& document) { return run_moves(document, document.waiting()); }
 
 World world_of(const Soup& soup) {
   World world;

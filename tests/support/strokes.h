@@ -22,8 +22,8 @@ Vec3 random_direction(Random& random);
 // Whole moves, in as many steps as they take: what those did together, or the first error.
 Result<StepResult> cut_whole(World& world, const CutSettings& settings, std::span<const BeamMove> moves);
 // The same of so many moves that wait in a document, and of all.
-Result<StepResult> walk_moves(Document& document, size_t moves);
-Result<StepResult> walk_all(Document& document);
+Result<StepResult> run_moves(Document& document, size_t moves);
+Result<StepResult> run_all(Document& document);
 
 // A world of one body.
 World world_of(const Soup& soup);

@@ -14,7 +14,7 @@ Status film_cut(const std::filesystem::path& journal, const FilmFormat& format, 
   if (!film) return film.error();
   Document document(std::move(work->scene.world));
   Replay replay(work->journal, document);
-  Walk how;
+  QueueRun how;
   how.moves_a_step = 1;
   how.progress = &progress;
   how.told = [&](const Result<StepResult>& step) { return film->follow(document, step ? &*step : nullptr); };

@@ -99,8 +99,8 @@ Result<Delta> remake_piece(World& world, const PieceId& piece, uint32_t generati
   const auto within = joints_within(world, piece);
   if (!within) return within.error();
   const Body& body = world.body(piece.body);
-  Stages stages(progress);
-  const Progress working = stages.next(0.6), making = stages.next(0.4);
+  ProgressShares shares(progress);
+  const Progress working = shares.next(0.6), making = shares.next(0.4);
   const PieceCopy copy = copy_piece(body, piece.label);
   const HeededFaces heeded{carrying_faces(world.joints(), *within, copy), warm_faces(body.heat, copy.mesh)};
   auto remeshed = remake(copy.mesh, heeded, &working);

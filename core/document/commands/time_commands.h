@@ -11,7 +11,7 @@ namespace kerf {
 class Fields;
 
 // Lets time pass: so many ticks (see core/base/tick.h). It does not end a running stroke; it takes effect
-// when the moves before it are walked. All that changes in a world by itself changes here.
+// when the moves before it are executed. All that changes in a world by itself changes here.
 struct Advance {
   Ticks ticks = 0;
   bool bodies = false;  // bodies move (see core/physics), which Play begins

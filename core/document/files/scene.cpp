@@ -54,10 +54,10 @@ SceneBody body_of_file(const std::filesystem::path& mesh) {
 Result<Scene> load_scene(SceneDescription description, const Progress* progress) {
   Scene scene{std::move(description), {}};
   const double share = 1 / static_cast<double>(scene.bodies.size());
-  Stages stages(progress);
+  ProgressShares shares(progress);
   for (const SceneBody& body : scene.bodies) {
     const double hashed = body.hash ? kHashing : 0;
-    const Progress hashing = stages.next(hashed * share), loading = stages.next((1 - hashed) * share);
+    const Progress hashing = shares.next(hashed * share), loading = shares.next((1 - hashed) * share);
     if (body.hash) {
       if (const auto same = check_hash(body, hashing); !same) return same.error();
     }
@@ -76,9 +76,9 @@ Result<Scene> read_scene(const std::filesystem::path& file, const Progress* prog
 }
 
 Status note_hashes(SceneDescription& description, const Progress* progress) {
-  Stages stages(progress);
+  ProgressShares shares(progress);
   for (SceneBody& body : description.bodies) {
-    const Progress hashing = stages.next(1 / static_cast<double>(description.bodies.size()));
+    const Progress hashing = shares.next(1 / static_cast<double>(description.bodies.size()));
     if (body.hash) continue;
     const auto hash = file_hash(body.mesh, &hashing);
     if (!hash) return hash.error();

@@ -11,7 +11,7 @@ namespace kerf {
 namespace {
 
 // How far along the beam there is anything to cut (m): to the farthest corner of what was loaded, where it
-// stands now. What is left of it depends on how far the moves before were walked.
+// stands now. What is left of it depends on how far the moves before were executed.
 double reach(const World& world, const Stroke& stroke, const Pose& pose) {
   const World::Bounds bounds = world.loaded_bounds();
   const Vec3 far = glm::max(glm::abs(bounds.min - pose.origin), glm::abs(bounds.max - pose.origin));

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/document/history/walk.h"
+#include "core/document/history/run_queue.h"
 
 namespace kerf {
 
@@ -135,16 +135,16 @@ void Document::give_up(size_t step, bool stopped) {
 
 Outcome Document::finish(const Progress* progress) {
   Outcome all;
-  Walk how;
+  QueueRun how;
   how.progress = progress;
   how.told = [&](const Result<StepResult>& some) -> Status {
     if (!some) return some.error();
     all.delta.append(some->delta);
     return Done{};
   };
-  if (const Status walked = walk(*this, how); !walked) {
+  if (const Status ran = run_queue(*this, how); !ran) {
     all.delta.anew = true;
-    all.fail(walked.error());
+    all.fail(ran.error());
   }
   return all;
 }

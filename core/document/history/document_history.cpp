@@ -77,7 +77,7 @@ Delta Document::start_again() {
   KERF_ASSERT(can_start_again());
   Delta delta = execution_.take_back(history().position() - 1);
   last().forget();
-  delta.append(execution_.walk_again());
+  delta.append(execution_.run_again());
   ++revision_;
   return delta;
 }
@@ -111,13 +111,13 @@ Outcome Document::undo(const Progress* progress) {
   HistoryStep& step = steps.step(at);
   // The step before was taken back for good where it was cut again.
   const bool again = at > 0 && steps.step(at - 1).waiting() && !execution_.waits_for(at - 1);
-  if (step.images() == Images::kLetGo || (again && !execution_.can_walk_again(at - 1)))
+  if (step.images() == Images::kLetGo || (again && !execution_.can_run_again(at - 1)))
     return replay(at, progress);
   Delta delta = std::move(passed.delta);
   delta.append(execution_.take_back(at));
   if (!step.done()) step.forget();
   steps.back();
-  if (again) delta.append(execution_.walk_again());
+  if (again) delta.append(execution_.run_again());
   steps.trim();
   journal_.append(Undo{});
   ++revision_;
@@ -138,10 +138,10 @@ Outcome Document::redo(const Progress* progress) {
     outcome = redo_at_once(at, progress);
     if (!outcome.ok()) return outcome;
   } else {
-    if (!execution_.can_walk_again(at)) return replay(at + 1, progress);
+    if (!execution_.can_run_again(at)) return replay(at + 1, progress);
     step.forget();
     steps.forth();
-    outcome.delta = execution_.walk_again();
+    outcome.delta = execution_.run_again();
   }
   journal_.append(Redo{});
   ++revision_;
@@ -169,7 +169,7 @@ Outcome Document::replay(size_t position, const Progress* progress) {
     outcome.fail(failed("what the world was then is no longer remembered"));
     return outcome;
   }
-  const Progress loading = share_of(progress, 0, 0.3), walking = share_of(progress, 0.3, 1);
+  const Progress loading = share_of(progress, 0, 0.3), running = share_of(progress, 0.3, 1);
   Result<World> origin = origin_(&loading);
   if (!origin) {
     outcome.fail(origin.error());
@@ -179,7 +179,7 @@ Outcome Document::replay(size_t position, const Progress* progress) {
   const size_t before = history().position(), written = journal_.size();
   execution_.start_with(std::move(*origin));
   outcome.delta.anew = true;
-  if (const Status done = replay_steps(position, &walking); !done) outcome.fail(done.error());
+  if (const Status done = replay_steps(position, &running); !done) outcome.fail(done.error());
   journal_.shrink(written);
   for (size_t i = history().position(); i < before; ++i) journal_.append(Undo{});
   for (size_t i = before; i < history().position(); ++i) journal_.append(Redo{});
@@ -194,18 +194,18 @@ Status Document::replay_steps(size_t position, const Progress* progress) {
   while (steps.position() < position) {
     const size_t step = steps.position();
     const double share = 1 / static_cast<double>(position), from = share * static_cast<double>(step);
-    const Progress walking = share_of(progress, from, from + share);
+    const Progress running = share_of(progress, from, from + share);
     Outcome done;
     if (steps.step(step).kind() == Kind::kEdit) {
-      done = redo_at_once(step, &walking);
-      if (done.ok()) done = finish(&walking);
+      done = redo_at_once(step, &running);
+      if (done.ok()) done = finish(&running);
     } else {
       steps.forth();
       const bool again = step + 1 < position && steps.step(step + 1).kind() == Kind::kRecut;
       if (again && !bodies_move_in(steps.commands_of(step))) continue;
       if (again) steps.set_window(std::numeric_limits<size_t>::max());
-      execution_.walk_again();
-      done = finish(&walking);
+      execution_.run_again();
+      done = finish(&running);
       if (!again || !done.ok()) steps.set_window(window);
     }
     if (!done.ok()) return done.error();

@@ -151,13 +151,13 @@ Delta Execution::cut_again() {
   return delta;
 }
 
-Delta Execution::walk_again() {
+Delta Execution::run_again() {
   if (history_.last().kind() == Kind::kRecut) return cut_again();
   enqueue_all(history_.position() - 1);
   return Delta{};
 }
 
-bool Execution::can_walk_again(size_t step) const {
+bool Execution::can_run_again(size_t step) const {
   return history_.holds_images(history_.base_of(step), step);
 }
 

@@ -154,9 +154,9 @@ class Execution {
   // good: whoever undoes the recut has it executed again.
   Delta cut_again();
   // Queues the work of the last step of the history as if it had just been drawn.
-  Delta walk_again();
+  Delta run_again();
   // Whether the world can be brought to where a step begins by before-images.
-  bool can_walk_again(size_t step) const;
+  bool can_run_again(size_t step) const;
   // A copy of the world as it was before the steps base .. end - 1, the last of the history. Nothing if their
   // images are not held.
   std::optional<World> copy_before(size_t base);
@@ -180,7 +180,7 @@ class Execution {
  private:
   bool must_separate() const;
   StepResult separate_more();
-  Result<StepResult> walk_moves(size_t most, bool one_stage, const Progress& progress);
+  Result<StepResult> run_moves(size_t most, bool one_stage, const Progress& progress);
   Result<StepResult> close_rim_of_stroke(const Progress& progress);
   Result<StepResult> pass_ticks(size_t most, const Progress& progress);
   Result<StepResult> move_bodies(size_t step, const Progress& progress);

@@ -70,7 +70,7 @@ Result<StepResult> Execution::step(size_t most, bool one_stage, const Progress& 
     case BeamQueue::Kind::kMove:
       break;
   }
-  return noted(step, walk_moves(most, one_stage, progress));
+  return noted(step, run_moves(most, one_stage, progress));
 }
 
 // The pieces that one stroke has separated are known before the next stroke, or a tick, begins. While a
@@ -92,7 +92,7 @@ StepResult Execution::separate_more() {
   return some;
 }
 
-Result<StepResult> Execution::walk_moves(size_t most, bool one_stage, const Progress& progress) {
+Result<StepResult> Execution::run_moves(size_t most, bool one_stage, const Progress& progress) {
   constexpr size_t kMostAtOnce = 64;  // of a queue that may be long: a bite holds a few of them
   begin(queue_.front_step());
   walked_ = queue_.front_stroke();
@@ -150,7 +150,7 @@ Result<StepResult> Execution::move_bodies(size_t step, const Progress& progress)
 }
 
 // Bodies move on, and the beam, where it is on, cuts what moves through it. By the thermal model it only does
-// while its own moves are walked: the energy of a tick is theirs.
+// while its own moves are executed: the energy of a tick is theirs.
 Result<StepResult> Execution::move_under_beam(size_t step, const Progress& progress) {
   const std::shared_ptr<Stroke> stroke = queue_.front_in_time().stroke;
   std::map<BodyId, Placement> before;

@@ -11,7 +11,7 @@ double Replay::fraction() const {
   return all > 0 ? static_cast<double>(next_) / static_cast<double>(all) : 1;
 }
 
-// A stroke that was stopped is not walked until it is known where: behind its StopStroke, where one follows
+// A stroke that was stopped is not executed until it is known where: behind its StopStroke, where one follows
 // with nothing but its moves, its end and time before it.
 size_t Replay::end_of_stopped() const {
   const auto goes_on = [](const Command& command) {
@@ -31,7 +31,7 @@ size_t Replay::end_of_stopped() const {
 }
 
 // Tells of what a command did at once; of one that only queued, its steps tell.
-Status Replay::tell(const Walk& how, Outcome at_once) const {
+Status Replay::tell(const QueueRun& how, Outcome at_once) const {
   if (!how.told) return at_once.ok() ? Status(Done{}) : Status(at_once.error());
   if (!at_once.ok()) return how.told(at_once.error());
   if (at_once.delta.empty() && document_.waiting() > 0) return Done{};
@@ -40,7 +40,7 @@ Status Replay::tell(const Walk& how, Outcome at_once) const {
   return how.told(std::move(result));
 }
 
-Status Replay::next(const Walk& how) {
+Status Replay::next(const QueueRun& how) {
   KERF_ASSERT(!done());
   compare();
   while (next_skip_ < skips_.size() && skips_[next_skip_].first < next_) ++next_skip_;
@@ -51,13 +51,13 @@ Status Replay::next(const Walk& how) {
     document_.seal_journal();  // so that it has the same commands, by number too
     if (const Status heard = tell(how, std::move(at_once)); !heard) return heard;
   }
-  const Status walked = walk(document_, how);
+  const Status ran = run_queue(document_, how);
   compare();
-  return walked;
+  return ran;
 }
 
 // In the first tick what came off becomes bodies; it is not skipped.
-Status Replay::skip(const Walk& how, const TimeSkip& skip) {
+Status Replay::skip(const QueueRun& how, const TimeSkip& skip) {
   const StateMark& mark = journal_.marks[skip.mark];
   while (next_ < mark.commands) {
     (void)document_.apply(journal_.commands[next_++]);  // which only queues it
@@ -77,9 +77,9 @@ Status Replay::skip(const Walk& how, const TimeSkip& skip) {
   return told;
 }
 
-Status Replay::run(const Walk& how) {
+Status Replay::run(const QueueRun& how) {
   const Progress watched{[&](double) { return !how.progress || how.progress->report(fraction()); }};
-  Walk each = how;
+  QueueRun each = how;
   each.progress = &watched;
   while (!done()) {
     if (!watched.report(0)) return cancelled();

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "core/document/history/walk.h"
+#include "core/document/history/run_queue.h"
 #include "core/document/journal/journal.h"
 #include "core/document/journal/time_skips.h"
 
@@ -24,14 +24,14 @@ class Replay {
   // How much of the journal is applied, 0 to 1.
   double fraction() const;
 
-  // Applies the next command, walks what it queued (see walk) and calls `told` after each step. A change that
-  // the command made at once is reported to `told` as a step, too. A command or step that fails does not end
-  // the replay if `told` returns success, because it failed when the journal was recorded as well.
-  // Precondition: !done().
-  Status next(const Walk& how);
-  // Replays the rest of the journal. Fails like walk(), or if `progress`, which receives fraction(), stops
-  // it.
-  Status run(const Walk& how);
+  // Applies the next command, executes what it queued (see run_queue) and calls `told` after each step. A
+  // change that the command made at once is reported to `told` as a step, too. A command or step that fails
+  // does not end the replay if `told` returns success, because it failed when the journal was recorded as
+  // well. Precondition: !done().
+  Status next(const QueueRun& how);
+  // Replays the rest of the journal. Fails like run_queue(), or if `progress`, which receives fraction(),
+  // stops it.
+  Status run(const QueueRun& how);
 
   // The first mark whose hash differs from that of the world, and the hash that the world had there.
   struct Difference {
@@ -49,8 +49,8 @@ class Replay {
 
  private:
   size_t end_of_stopped() const;
-  Status tell(const Walk& how, Outcome at_once) const;
-  Status skip(const Walk& how, const TimeSkip& skip);
+  Status tell(const QueueRun& how, Outcome at_once) const;
+  Status skip(const QueueRun& how, const TimeSkip& skip);
   void compare();
   bool takes_bodies(const StateMark& mark);
 

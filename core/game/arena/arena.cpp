@@ -82,10 +82,10 @@ Placement Start::placement() const { return {position, turn_about({0, 1, 0}, hea
 Result<Arena> load_arena(ArenaDescription description, const Progress* progress) {
   Arena arena{std::move(description), {}};
   std::map<std::filesystem::path, Body> loaded;
-  Stages stages(progress);
+  ProgressShares shares(progress);
   const double share = 1 / static_cast<double>(std::max<size_t>(arena.description.bodies.size(), 1));
   for (const ArenaBody& described : arena.description.bodies) {
-    const Progress loading = stages.next(share);
+    const Progress loading = shares.next(share);
     const std::filesystem::path mesh = described.body.mesh.lexically_normal();
     if (!loaded.contains(mesh)) {
       auto body = load_body(described.body.name, mesh, &loading);

@@ -131,8 +131,8 @@ Result<std::shared_ptr<const Rules>> load_rules(const std::filesystem::path& fil
   const RulesDescription& what = rules->description;
   size_t vehicles = 1;
   for (const auto& wave : what.waves) vehicles += wave.size();
-  Stages stages(progress);
-  const Progress of_arena = stages.next(0.2);
+  ProgressShares shares(progress);
+  const Progress of_arena = shares.next(0.2);
   auto arena_description = read_arena(what.arena);
   if (!arena_description) return arena_description.error();
   auto arena = load_arena(std::move(*arena_description), &of_arena);
@@ -140,7 +140,7 @@ Result<std::shared_ptr<const Rules>> load_rules(const std::filesystem::path& fil
   rules->arena = std::move(*arena);
   Garage garage;
   const auto next = [&](const std::filesystem::path& name) {
-    const Progress loading = stages.next(0.8 / static_cast<double>(vehicles));
+    const Progress loading = shares.next(0.8 / static_cast<double>(vehicles));
     return garage.vehicle(name, &loading);
   };
   auto player = next(what.player);

@@ -233,8 +233,8 @@ void decimate(Work& work, double error) {
 
 Result<Remeshed> simplify(const Mesh& mesh, const SimplifyTarget& target, std::span<const FaceId> kept,
                           const Progress* progress, std::span<const FaceId> followed) {
-  Stages stages(progress);
-  const Progress copying = stages.next(0.15), decimating = stages.next(0.8), back = stages.next(0.05);
+  ProgressShares shares(progress);
+  const Progress copying = shares.next(0.15), decimating = shares.next(0.8), back = shares.next(0.05);
   auto sheets = to_sheets(mesh, kept, &copying);
   if (!sheets) return sheets.error();
   FollowedFaces places(mesh, *sheets, followed);

@@ -8,8 +8,8 @@ namespace kerf {
 
 Result<Remeshed> smooth(const Mesh& mesh, size_t times, std::span<const FaceId> kept,
                         const Progress* progress) {
-  Stages stages(progress);
-  const Progress copying = stages.next(0.5), moving = stages.next(0.4), back = stages.next(0.1);
+  ProgressShares shares(progress);
+  const Progress copying = shares.next(0.5), moving = shares.next(0.4), back = shares.next(0.1);
   auto sheets = to_sheets(mesh, kept, &copying);
   if (!sheets) return sheets.error();
   {

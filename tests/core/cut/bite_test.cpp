@@ -82,7 +82,7 @@ Walked walk_with_bite(const std::vector<Drawn>& strokes, size_t bite, uint64_t s
   }
   while (document.waiting() > 0) step();
   walked.world = document.world();
-  return walked;
+  return ran;
 }
 
 TEST(Bite, leaves_the_same_world_to_the_bit_however_large_it_is) {
@@ -217,7 +217,7 @@ TEST(Bite, a_move_that_is_left_half_way_waits) {
     EXPECT_EQ(document.waiting(), 1u);
     EXPECT_TRUE(document.execution().next_move().has_value());
   }
-  ASSERT_TRUE(walk_all(document).ok());
+  ASSERT_TRUE(run_all(document).ok());
   EXPECT_EQ(document.waiting(), 0u);
   EXPECT_FALSE(document.execution().next_move().has_value());
 }

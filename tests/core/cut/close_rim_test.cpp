@@ -32,7 +32,7 @@ void draw(Document& document, const CutSettings& settings, const std::vector<Pos
   document.apply(EndStroke{});
   const size_t moves = document.waiting();
   for (size_t i = 0; i < steps; ++i) {
-    ASSERT_TRUE(walk_moves(document, moves * (i + 1) / steps - moves * i / steps).ok());
+    ASSERT_TRUE(run_moves(document, moves * (i + 1) / steps - moves * i / steps).ok());
   }
   ASSERT_FALSE(document.execution().next_move().has_value());
   while (document.waiting() > 0) ASSERT_TRUE(document.step(1).ok());
@@ -317,7 +317,7 @@ TEST(SmoothRim, stopped_half_way_leaves_a_sound_mesh_in_a_tree_that_finds_every_
       document.apply(BeginStroke{settings, poses[0]});
       document.apply(MoveStroke{poses[1]});
       document.apply(EndStroke{});
-      ASSERT_TRUE(walk_moves(document, document.waiting() - 1).ok());
+      ASSERT_TRUE(run_moves(document, document.waiting() - 1).ok());
       int left = answers;
       const Progress stop{[&](double) { return left-- > 0; }};
       if (document.step(1, &stop).ok()) break;
@@ -401,7 +401,7 @@ TEST(SmoothRim, of_real_meshes_is_conforming_and_true) {
     document.apply(BeginStroke{stroke.settings, stroke.moves.front().from});
     document.apply(MoveStroke{stroke.moves[stroke.moves.size() / 4].to});
     document.apply(EndStroke{});
-    if (!walk_all(document).ok()) continue;  // as many faces as that would take long to look at
+    if (!run_all(document).ok()) continue;  // as many faces as that would take long to look at
     const Mesh& mesh = document.world().body(document.world().ids()[0]).mesh;
     ASSERT_EQ(find_fault(mesh, true), "");
     for (uint32_t i = 0; i < mesh.face_slots(); ++i) {

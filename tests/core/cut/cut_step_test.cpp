@@ -198,7 +198,7 @@ StraightCut cut_straight(const Soup& soup, const Vec3& a, const Vec3& b, const C
   StraightCut cut;
   const size_t moves = document.waiting();
   for (size_t i = 0; i < steps; ++i) {
-    const auto result = walk_moves(document, moves * (i + 1) / steps - moves * i / steps);
+    const auto result = run_moves(document, moves * (i + 1) / steps - moves * i / steps);
     EXPECT_TRUE(result.ok());
     cut.removed_area += result->delta.removed_area;
     cut.removed_faces += result->delta.removed_faces;

@@ -44,7 +44,7 @@ void expect_hidden_body_untouched(uint64_t seed, Rim rim, Scheme scheme) {
   ASSERT_TRUE(document.apply(HidePiece{{hidden, 0}, true}).ok());
   const World before = document.world();
   for (const Command& c : stroke_through_the_middle(random, rim, scheme)) ASSERT_TRUE(document.apply(c).ok());
-  ASSERT_TRUE(walk_all(document).ok());
+  ASSERT_TRUE(run_all(document).ok());
   for (const BodyId id : ids) {
     SCOPED_TRACE(before.body(id).name);
     const Body& body = document.world().body(id);

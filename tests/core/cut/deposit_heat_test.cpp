@@ -140,10 +140,10 @@ TEST(DepositHeat, cools_with_the_clock_and_is_undone_with_its_stroke) {
   document.apply(BeginStroke{slot.settings, slot.moves.front().from});
   document.apply(MoveStroke{slot.moves.back().to, 1});
   document.apply(EndStroke{});
-  ASSERT_TRUE(walk_all(document).ok());
+  ASSERT_TRUE(run_all(document).ok());
   const double hot = hottest(document.world());
   document.apply(Advance{240, false});
-  ASSERT_TRUE(walk_all(document).ok());
+  ASSERT_TRUE(run_all(document).ok());
   EXPECT_LT(hottest(document.world()), hot - 50);
   const uint64_t after = state_hash(document.world());
   ASSERT_TRUE(document.apply(Command(Undo{})).ok());
@@ -159,7 +159,7 @@ TEST(DepositHeat, cools_alike_however_the_ticks_are_divided_into_steps) {
     document.apply(BeginStroke{slot.settings, slot.moves.front().from});
     document.apply(MoveStroke{slot.moves.back().to, 1});
     document.apply(EndStroke{});
-    EXPECT_TRUE(walk_all(document).ok());
+    EXPECT_TRUE(run_all(document).ok());
     document.apply(Advance{61, false});
     while (document.waiting() > 0) EXPECT_TRUE(document.step(most_at_once).ok());
     return state_hash(document.world());

@@ -46,7 +46,7 @@ Cut cut(const Soup& soup, const Resolution& resolution, uint64_t seed, bool tilt
   document.apply(MoveStroke{to});
   document.apply(EndStroke{});
   Cut result;
-  const auto stepped = walk_all(document);
+  const auto stepped = run_all(document);
   EXPECT_TRUE(stepped.ok());
   result.faces_made = stepped->figures.faces_made;
   result.world = document.world();

@@ -42,7 +42,7 @@ double draw(Document& document, const RandomStroke& stroke, const CutSettings& s
   document.apply(BeginStroke{settings, stroke.moves.front().from});
   document.apply(MoveStroke{stroke.moves.back().to});
   document.apply(EndStroke{});
-  const auto walked = walk_all(document);
+  const auto walked = run_all(document);
   EXPECT_TRUE(walked.ok());
   return walked ? walked->delta.removed_area : 0;
 }
@@ -70,7 +70,7 @@ void expect_area_balanced(const Soup& soup, Random& random, Rim rim, Scheme sche
   Recut finer{document.history().last_settings()};
   finer.settings.resolution.target_edge *= 0.6;
   ASSERT_TRUE(document.apply(finer).ok());
-  ASSERT_TRUE(walk_all(document).ok());
+  ASSERT_TRUE(run_all(document).ok());
   expect_balanced(document, loaded, "after the recut of a stroke");
   for (const char* when : {"after the undo of a recut", "after the undo of a stroke", "after all undos"}) {
     ASSERT_TRUE(document.apply(Undo{}).ok());

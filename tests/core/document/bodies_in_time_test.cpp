@@ -42,7 +42,7 @@ class BodiesInTime : public testing::Test {
     for (const Command& c : stroke_at(z)) apply(c);
   }
   void fall(Ticks ticks) { document_.apply(Advance{ticks, true}); }
-  void walk() { ASSERT_TRUE(walk_all(document_).ok()); }
+  void run() { ASSERT_TRUE(run_all(document_).ok()); }
   const World& world() const { return document_.world(); }
   Vec3 centre(BodyId id) const {
     const Body& body = world().body(id);
@@ -55,18 +55,18 @@ class BodiesInTime : public testing::Test {
 TEST_F(BodiesInTime, without_moving_bodies_nothing_is_detached) {
   cut(0.1);
   document_.apply(Advance{30});
-  walk();
+  run();
   EXPECT_EQ(world().ids().size(), 1u);
   EXPECT_EQ(world().live_pieces(), 2u);
 }
 
 TEST_F(BodiesInTime, pieces_fall_as_far_as_free_bodies_do) {
   cut(0.1);
-  walk();
+  run();
   apply(Play{});
   constexpr Ticks kTicks = 24;
   fall(kTicks);
-  walk();
+  run();
   ASSERT_EQ(world().ids().size(), 2u);
   EXPECT_EQ(world().clock(), kTicks);
   // Each tick adds to the velocity before it moves the body.
@@ -77,10 +77,10 @@ TEST_F(BodiesInTime, pieces_fall_as_far_as_free_bodies_do) {
 TEST_F(BodiesInTime, pieces_are_pushed_apart_slowly_and_keep_their_common_centre) {
   apply(SetSurroundings{{.gravity = Vec3(0), .ground = std::nullopt}});
   cut(0.1);
-  walk();
+  run();
   apply(Play{});
   fall(1);
-  walk();
+  run();
   Vec3 momentum(0);
   std::vector<Vec3> velocities;
   for (const BodyId id : world().ids()) {
@@ -98,12 +98,12 @@ TEST_F(BodiesInTime, a_pinned_plate_stays_and_what_is_cut_off_it_falls) {
   apply(PinPiece{{world().ids().front(), 0}, true});
   apply(Play{});
   fall(10);
-  walk();
+  run();
   const BodyId plate = world().ids().front();
   EXPECT_EQ(world().body(plate).placement.position.y, 0.5);
   cut(0.3);
   fall(60);
-  walk();
+  run();
   ASSERT_EQ(world().ids().size(), 2u);
   EXPECT_EQ(world().body(plate).placement.position.y, 0.5);
   EXPECT_FALSE(world().body(world().ids().back()).pinned);
@@ -119,12 +119,12 @@ TEST_F(BodiesInTime, what_a_cut_takes_the_support_from_wakes_and_falls) {
   document_ = Document(std::move(table));
   apply(Play{});
   fall(240);
-  walk();
+  run();
   ASSERT_TRUE(world().body(box).motion.asleep);
   ASSERT_GT(centre(box).y, 0.5);
   cut(0.1);  // the smaller part, under the box, comes off
   fall(240);
-  walk();
+  run();
   EXPECT_LT(centre(box).y, 0.3);
 }
 
@@ -136,11 +136,11 @@ TEST_F(BodiesInTime, moving_a_body_by_hand_stops_it_and_wakes_what_lay_on_it) {
   document_ = Document(std::move(pile));
   apply(Play{});
   fall(240);
-  walk();
+  run();
   ASSERT_TRUE(world().body(high).motion.asleep);
   apply(MovePiece{{low, 0}, {{3, 0.1, 0}, {1, 0, 0, 0}}});
   fall(120);
-  walk();
+  run();
   EXPECT_LT(centre(high).y, 0.12);
   EXPECT_NEAR(centre(low).x, 3, 0.01);
 }
@@ -151,7 +151,7 @@ TEST_F(BodiesInTime, one_step_of_the_history_goes_from_play_to_pause_and_each_st
   fall(10);
   cut(0.1);
   fall(10);
-  walk();
+  run();
   EXPECT_EQ(document_.history().position(), 2u);
   const uint64_t end = state_hash(world());
   apply(Undo{});
@@ -175,12 +175,12 @@ TEST_F(BodiesInTime, replay_of_the_journal_goes_on_to_the_same_bits) {
   apply(Undo{});
   cut(0.3);
   fall(200);
-  walk();
+  run();
   Document again(made_world());
   for (const Command& c : document_.journal()) {
     ASSERT_TRUE(again.apply(c).ok());
     again.seal_journal();
-    ASSERT_TRUE(walk_all(again).ok());
+    ASSERT_TRUE(run_all(again).ok());
   }
   expect_same_world(again.world(), world());
 }
@@ -190,7 +190,7 @@ TEST_F(BodiesInTime, a_journal_of_another_kind_of_machine_says_where_the_bodies_
   cut(0.1);
   apply(Play{});
   fall(50);
-  walk();
+  run();
   Journal journal;
   journal.commands = document_.journal();
   mark_state(document_, journal.marks, true);
@@ -222,7 +222,7 @@ TEST_F(BodiesInTime, a_journal_gives_marks_with_bodies_back_to_the_bit) {
   cut(0.1);
   apply(Play{});
   fall(50);
-  walk();
+  run();
   std::vector<StateMark> marks;
   mark_state(document_, marks, true);
   const TemporaryFolder folder;
@@ -248,11 +248,11 @@ TEST_F(BodiesInTime, a_spring_lifts_a_plate_and_lets_it_go) {
   fall(120);
   document_.apply(Pull{{plate, 0}, {0, 0, 0}, {0.2, 1, 0}});
   fall(240);
-  walk();
+  run();
   EXPECT_LT(glm::distance(world().body(plate).placement.position, Vec3(0.2, 1, 0)), 0.05);
   document_.apply(LetGo{});
   fall(240);
-  walk();
+  run();
   EXPECT_LT(world().body(plate).placement.position.y, 0.05);
 }
 
@@ -283,11 +283,11 @@ class MovingPlate : public testing::TestWithParam<Rim> {
     document.apply(BeginStroke{settings_of(GetParam()), beam});
     for (Ticks i = 0; i < ticks; ++i) {
       document.apply(Advance{1, true});
-      EXPECT_TRUE(walk_all(document).ok());
+      EXPECT_TRUE(run_all(document).ok());
       seen.push_back(document.world().body(plate).placement.to_body(beam));
     }
     document.apply(EndStroke{});
-    EXPECT_TRUE(walk_all(document).ok());
+    EXPECT_TRUE(run_all(document).ok());
     return seen;
   }
 
@@ -295,7 +295,7 @@ class MovingPlate : public testing::TestWithParam<Rim> {
     document.apply(BeginStroke{settings_of(GetParam()), beam});
     for (const Pose& pose : seen) document.apply(MoveStroke{pose});
     document.apply(EndStroke{});
-    EXPECT_TRUE(walk_all(document).ok());
+    EXPECT_TRUE(run_all(document).ok());
   }
 
   static void expect_equal_cuts(const Motion& motion) {
@@ -332,7 +332,7 @@ TEST_F(BodiesInTime, a_still_beam_slits_a_falling_plate_and_both_halves_fall_on)
   fall(60);
   apply(EndStroke{});
   fall(60);
-  walk();
+  run();
   EXPECT_EQ(world().ids().size(), 2u);
   for (const BodyId id : world().ids()) EXPECT_LT(centre(id).y, 0.1);
   const uint64_t end = state_hash(world());
@@ -354,7 +354,7 @@ TEST_F(BodiesInTime, a_smooth_rim_is_closed_in_pieces_that_came_off_and_fell_dur
   fall(20);
   apply(EndStroke{});
   fall(1);
-  walk();
+  run();
   ASSERT_EQ(world().ids().size(), 2u);
   // The slit is as wide as the beam in both: what is left is the plate without it.
   double area = 0;

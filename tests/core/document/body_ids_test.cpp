@@ -37,7 +37,7 @@ class BodyIds : public testing::Test {
     const size_t position = document_.history().position();
     const size_t written = document_.journal().size();
     ASSERT_TRUE(document_.apply(command).ok());
-    ASSERT_TRUE(walk_all(document_).ok());
+    ASSERT_TRUE(run_all(document_).ok());
     const bool travelled = std::holds_alternative<Undo>(command) || std::holds_alternative<Redo>(command);
     if (!travelled && document_.journal().size() > written) at_position_.resize(position + 1);
     expect_known_or_new();
@@ -66,7 +66,7 @@ class BodyIds : public testing::Test {
     EXPECT_TRUE(journal.ok());
     Document again(scene_world());
     for (const Command& c : journal->commands) EXPECT_TRUE(again.apply(c).ok());
-    EXPECT_TRUE(walk_all(again).ok());
+    EXPECT_TRUE(run_all(again).ok());
     return again.world();
   }
 
@@ -101,7 +101,7 @@ TEST_F(BodyIds, are_equal_after_undo_redo_replay_and_recovery_and_are_never_give
       }
       if (random.below(8) == 0) {
         ASSERT_TRUE(document_.travel(random.below(document_.history().size() + 1)).ok());
-        ASSERT_TRUE(walk_all(document_).ok());
+        ASSERT_TRUE(run_all(document_).ok());
         expect_known_or_new();
       }
       if (HasFailure()) return;

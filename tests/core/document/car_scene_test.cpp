@@ -31,13 +31,13 @@ void stroke(Document& document, const Vec3& from, const Vec3& to, const Vec3& di
   document.apply(BeginStroke{settings, {from, direction}});
   document.apply(MoveStroke{{to, direction}});
   document.apply(EndStroke{});
-  ASSERT_TRUE(test::walk_all(document).ok());
+  ASSERT_TRUE(test::run_all(document).ok());
 }
 
 void play(Document& document, Ticks ticks) {
   document.apply(Play{});
   document.apply(Advance{ticks, true});
-  ASSERT_TRUE(test::walk_all(document).ok());
+  ASSERT_TRUE(test::run_all(document).ok());
 }
 
 TEST(CarScene, all_parts_are_held_and_the_car_weighs_what_its_sheets_do) {

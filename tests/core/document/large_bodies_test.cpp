@@ -58,12 +58,12 @@ TEST(LargeBodies, under_a_beam_keep_their_colliders_until_it_is_off_and_come_to_
     ASSERT_TRUE(again.apply(c).ok());
     again.seal_journal();
   }
-  ASSERT_TRUE(walk_all(again).ok());
+  ASSERT_TRUE(run_all(again).ok());
   EXPECT_EQ(state_hash(again.world()), hash);
   ASSERT_TRUE(document.apply(Undo{}).ok());
   document.set_window(0);
   ASSERT_TRUE(document.apply(Redo{}).ok());
-  ASSERT_TRUE(walk_all(document).ok());
+  ASSERT_TRUE(run_all(document).ok());
   EXPECT_EQ(state_hash(document.world()), hash);
 }
 

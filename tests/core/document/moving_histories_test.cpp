@@ -109,13 +109,13 @@ class User {
         ASSERT_TRUE(document_.step(1 + random_.below(16)).ok());
         return;
       default:
-        ASSERT_TRUE(walk_all(document_).ok());
+        ASSERT_TRUE(run_all(document_).ok());
         if (random_.below(4) == 0) mark_state(document_, marks_);
     }
   }
 
   void rest() {
-    ASSERT_TRUE(walk_all(document_).ok());
+    ASSERT_TRUE(run_all(document_).ok());
     mark_state(document_, marks_, true);
   }
 
@@ -224,7 +224,7 @@ void expect_goes_back_and_forth(Document& document) {
   const size_t position = document.history().position();
   ASSERT_TRUE(document.travel(0).ok());
   ASSERT_TRUE(document.travel(position).ok());
-  ASSERT_TRUE(walk_all(document).ok());
+  ASSERT_TRUE(run_all(document).ok());
   EXPECT_EQ(state_hash(document.world()), end);
 }
 

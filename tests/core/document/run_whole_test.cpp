@@ -40,7 +40,7 @@ TEST(RunWhole, cuts_what_the_strokes_cut_one_after_the_other) {
   ASSERT_TRUE(whole.run_whole(path_of(whole)).ok());
   for (const Command& command : path_of(drawn)) {
     drawn.apply(command);
-    ASSERT_TRUE(walk_all(drawn).ok());
+    ASSERT_TRUE(run_all(drawn).ok());
   }
   EXPECT_EQ(whole.history().strokes(), 3u);
   EXPECT_GT(whole.history().removed_faces(), 100u);
@@ -56,7 +56,7 @@ void expect_no_trace(size_t window, int reports) {
   for (const double z : {0.05, -0.05}) {
     for (const Command& c : path_commands(std::vector{across(z)}, document.world().bounds().diagonal()))
       document.apply(c);
-    ASSERT_TRUE(walk_all(document).ok());
+    ASSERT_TRUE(run_all(document).ok());
   }
   const uint64_t both = state_hash(document.world());
   ASSERT_TRUE(document.apply(Undo{}).ok());
@@ -74,7 +74,7 @@ void expect_no_trace(size_t window, int reports) {
   EXPECT_EQ(document.history().position(), 1u);
   EXPECT_EQ(document.history().size(), 2u);
   ASSERT_TRUE(document.apply(Redo{}).ok());
-  ASSERT_TRUE(walk_all(document).ok());
+  ASSERT_TRUE(run_all(document).ok());
   EXPECT_EQ(state_hash(document.world()), both);
 }
 

@@ -104,7 +104,7 @@ TEST(Soak, random_strokes_on_the_car_while_it_falls_apart_leave_a_sound_world) {
   for (size_t i = 0; i < strokes_of_the_soak(); ++i) {
     SCOPED_TRACE("stroke " + std::to_string(i));
     draw_at_random(document, random);
-    ASSERT_TRUE(walk_all(document).ok());
+    ASSERT_TRUE(run_all(document).ok());
     for (const BodyId id : document.world().ids()) expect_sound_body(document.world().body(id), ground);
     EXPECT_NEAR(area_of(document.world()) + document.history().removed_area(), area, 1e-6 * area);
     if (HasFailure()) return;

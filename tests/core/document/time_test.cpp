@@ -40,7 +40,7 @@ class Time : public testing::Test {
     end();
   }
   void pass(Ticks ticks) { document_.apply(Advance{ticks}); }
-  void walk() { ASSERT_TRUE(walk_all(document_).ok()); }
+  void walk() { ASSERT_TRUE(run_all(document_).ok()); }
   void apply(const Command& command) { ASSERT_TRUE(document_.apply(command).ok()); }
   Ticks clock() const { return document_.world().clock(); }
   Ticks ticks_of_step(size_t i) const {
@@ -59,7 +59,7 @@ TEST_F(Time, changes_nothing_but_the_clock) {
   without.apply(BeginStroke{settings_with_radius(0.05), kFrom});
   without.apply(MoveStroke{kTo});
   without.apply(EndStroke{});
-  ASSERT_TRUE(walk_all(without).ok());
+  ASSERT_TRUE(run_all(without).ok());
   begin();
   pass(3);
   move();
@@ -82,7 +82,7 @@ TEST_F(Time, waits_behind_the_moves_of_a_stroke_that_runs_and_does_not_end_it) {
   const size_t moves = document_.waiting() - 5;
   for (size_t i = 0; i < moves; ++i) {
     EXPECT_EQ(clock(), 0u);
-    ASSERT_TRUE(walk_moves(document_, 1).ok());
+    ASSERT_TRUE(run_moves(document_, 1).ok());
   }
   EXPECT_FALSE(document_.execution().next_move().has_value());
   walk();
@@ -207,7 +207,7 @@ TEST_F(Time, that_waits_when_its_step_is_undone_does_not_make_the_step_be_execut
   pass(3);
   Document walked(world_of(plate(1)));
   for (const Command& c : document_.journal()) ASSERT_TRUE(walked.apply(c).ok());
-  ASSERT_TRUE(walk_all(walked).ok());
+  ASSERT_TRUE(run_all(walked).ok());
   apply(Undo{});
   EXPECT_EQ(clock(), 0u);
   apply(Redo{});
@@ -224,7 +224,7 @@ TEST_F(Time, in_which_bodies_move_and_that_waits_when_its_step_is_undone_does_no
   document_.apply(Advance{12, true});
   Document walked(world_of(plate(1)));
   for (const Command& c : document_.journal()) ASSERT_TRUE(walked.apply(c).ok());
-  ASSERT_TRUE(walk_all(walked).ok());
+  ASSERT_TRUE(run_all(walked).ok());
   apply(Undo{});
   EXPECT_EQ(clock(), 0u);
   apply(Redo{});
@@ -382,7 +382,7 @@ TEST(JournalTime, after_an_edit_that_does_not_say_that_it_joins_it_is_a_step_of_
     for (const Command& c :
          std::vector<Command>{RenamePiece{{id, 0}, "plate"}, joined ? joins : own, Undo{}}) {
       ASSERT_TRUE(document.apply(c).ok());
-      ASSERT_TRUE(walk_all(document).ok());
+      ASSERT_TRUE(run_all(document).ok());
     }
     EXPECT_EQ(document.history().position(), joined ? 0u : 1u);
     EXPECT_EQ(document.world().clock(), 0u);
@@ -438,7 +438,7 @@ TEST(JournalTime, a_journal_with_time_replays_to_the_same_world_command_by_comma
       }
       if (random.below(2) == 0) ASSERT_TRUE(document.step(random.below(50)).ok());
     }
-    ASSERT_TRUE(walk_all(document).ok());
+    ASSERT_TRUE(run_all(document).ok());
     mark_state(document, journal.marks, true);
     journal.commands = document.journal();
     Document again(world_of(torus(16, 10, 0.5, 0.2)));

@@ -63,7 +63,7 @@ TEST(PieceNode, does_not_count_a_part_that_was_burnt_away) {
   settings.laser.radius = 0.5;
   document.apply(BeginStroke{settings, {{3, 1, 0}, {0, -1, 0}}});
   document.apply(EndStroke{});
-  ASSERT_TRUE(walk_all(document).ok());
+  ASSERT_TRUE(run_all(document).ok());
   const std::vector<PieceNode> nodes = piece_nodes(document.world());
   ASSERT_EQ(nodes.size(), 1u);
   EXPECT_EQ(nodes[0].parts, 1u);

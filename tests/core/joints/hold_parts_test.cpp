@@ -158,7 +158,7 @@ TEST(HoldParts, undo_and_redo_of_a_stroke_take_what_joints_did_with_them) {
   document.apply(BeginStroke{settings, {{0.3, 0.01, -0.02}, down}});
   document.apply(MoveStroke{{{0.3, 0.01, 0.02}, down}});
   document.apply(EndStroke{});
-  ASSERT_TRUE(test::walk_all(document).ok());
+  ASSERT_TRUE(test::run_all(document).ok());
   const World after = document.world();
   EXPECT_EQ(after.live_pieces(), 2u);
   document.apply(Undo{});

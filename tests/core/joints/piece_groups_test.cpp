@@ -20,7 +20,7 @@ Body cut_sheet(const std::vector<Vec3>& balls) {
   document.apply(BeginStroke{settings, {{0, 3, -1.3}, down}});
   document.apply(MoveStroke{{{0, 3, 1.3}, down}});
   document.apply(EndStroke{});
-  EXPECT_TRUE(walk_all(document).ok());
+  EXPECT_TRUE(run_all(document).ok());
   return document.world().body(document.world().ids().front());
 }
 

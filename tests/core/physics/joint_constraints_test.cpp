@@ -183,7 +183,7 @@ TEST(Joints, a_part_that_was_moved_away_by_hand_is_let_go) {
 // Walks time in which bodies move.
 void play(Document& document, double seconds) {
   document.apply(Advance{static_cast<Ticks>(seconds * static_cast<double>(kTicksPerSecond)), true});
-  ASSERT_TRUE(test::walk_all(document).ok());
+  ASSERT_TRUE(test::run_all(document).ok());
 }
 
 // A pinned frame with a door on two hinges at its lower edge; each is carried by the faces around it.
@@ -216,7 +216,7 @@ void burn_hinge(Document& document, double x) {
   document.apply(BeginStroke{settings, {{x, -0.05, 1}, {0, 0, -1}}});
   document.apply(MoveStroke{{{x, -0.06, 1}, {0, 0, -1}}});
   document.apply(EndStroke{});
-  ASSERT_TRUE(test::walk_all(document).ok());
+  ASSERT_TRUE(test::run_all(document).ok());
 }
 
 TEST(Joints, a_door_swings_about_its_last_hinge_and_drops_without_it) {
@@ -256,7 +256,7 @@ TEST(Joints, a_sleeping_door_wakes_when_the_faces_of_the_frame_that_held_it_are_
     document.apply(BeginStroke{settings, {{x, 0.12, 1}, {0, 0, -1}}});
     document.apply(MoveStroke{{{x, 0.121, 1}, {0, 0, -1}}});
     document.apply(EndStroke{});
-    ASSERT_TRUE(test::walk_all(document).ok());
+    ASSERT_TRUE(test::run_all(document).ok());
   }
   EXPECT_TRUE(held_joints(document.world()).empty());
   EXPECT_EQ(door().mesh.live_faces(), faces);

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "core/base/angle.h"
-#include "core/document/history/walk.h"
+#include "core/document/history/run_queue.h"
 #include "core/mesh/files/file_frame.h"
 #include "ui/editor/laser/beam_sparks.h"
 #include "ui/editor/laser/cut_progress.h"

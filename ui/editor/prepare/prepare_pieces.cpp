@@ -103,9 +103,9 @@ Outcome prepare_pieces(Document& document, std::span<const PieceRow> pieces, con
   }
   const size_t from = document.history().position();
   Outcome all;
-  Stages stages(progress);
+  ProgressShares progress_shares(progress);
   for (size_t i = 0; i < commands.size() && all.ok(); ++i) {
-    const Progress own = stages.next(shares[i]);
+    const Progress own = progress_shares.next(shares[i]);
     Outcome one = document.apply(commands[i], progress ? &own : nullptr);
     for (Command& command : commands) rename(command, one.delta);
     all.append(std::move(one));

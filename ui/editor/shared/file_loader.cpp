@@ -94,7 +94,7 @@ Document document_of(World world, const SceneDescription& scene, size_t history_
 // A step that fails here failed when the journal was made too. Whether it came to its end.
 bool replay_all(const Journal& journal, LoadedFiles& loaded, const Progress& progress) {
   Replay replay(journal, loaded.document, time_skips(journal, kTicksToSkip));
-  Walk how;
+  QueueRun how;
   how.told = [](const Result<StepResult>&) -> Status { return Done{}; };
   how.progress = &progress;
   if (!replay.run(how)) return false;
@@ -152,11 +152,11 @@ Result<LoadedFiles> load_files(LoadOrder order, const Progress* progress, std::a
   };
   say("reading");
   const bool journal = order.left || (order.files.size() == 1 && is_journal(order.files.front()));
-  Stages stages(progress);
+  ProgressShares shares(progress);
   const double cutting = journal ? kCutting : 0, rest = 1 - cutting;
-  const Progress reading = stages.next(rest * kReading), hashing = stages.next(rest * kHashing),
-                 shading = stages.next(rest * kShading), deeds = stages.next(cutting),
-                 shadows = stages.next(rest * kShadows),
+  const Progress reading = shares.next(rest * kReading), hashing = shares.next(rest * kHashing),
+                 shading = shares.next(rest * kShading), deeds = shares.next(cutting),
+                 shadows = shares.next(rest * kShadows),
                  drawing = share_of(progress, rest * (kReading + kHashing), rest),
                  afterwards = share_of(progress, rest, 1);
   LoadedFiles loaded;

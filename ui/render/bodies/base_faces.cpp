@@ -83,9 +83,9 @@ class BaseFaces::Builder {
 
   // Whether it was not stopped.
   bool run(const Progress* progress) {
-    Stages stages(progress);
-    const Progress grouping = stages.next(0.3), measuring = stages.next(0.3), gathering = stages.next(0.1),
-                   smoothing = stages.next(0.3);
+    ProgressShares shares(progress);
+    const Progress grouping = shares.next(0.3), measuring = shares.next(0.3), gathering = shares.next(0.1),
+                   smoothing = shares.next(0.3);
     return group_vertices(&grouping) && measure(&measuring) && gather(&gathering) && smooth(&smoothing);
   }
 

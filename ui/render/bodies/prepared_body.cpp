@@ -16,11 +16,11 @@ FloatFrame picture_frame(const Body& body) {
 // Calls what(id, body, progress) for each body, in shares by their faces, until one fails.
 template <typename What>
 Status for_each_body(const World& world, const Progress* progress, What what) {
-  Stages stages(progress);
+  ProgressShares shares(progress);
   const auto all = static_cast<double>(world.live_faces());
   for (const BodyId id : world.ids()) {
     const Body& body = world.body(id);
-    const Progress own = stages.next(static_cast<double>(body.mesh.live_faces()) / all);
+    const Progress own = shares.next(static_cast<double>(body.mesh.live_faces()) / all);
     if (const Status done = what(id, body, &own); !done) return done;
   }
   return Done{};

@@ -13,7 +13,7 @@ namespace {
 void replay_all(const Journal& journal, Document& document,
                 const std::function<void(const StepResult*)>& told) {
   Replay replay(journal, document);
-  Walk how;
+  QueueRun how;
   how.told = [&](const Result<StepResult>& step) -> Status {
     told(step ? &*step : nullptr);
     return Done{};

@@ -1,7 +1,7 @@
 #include "ui/render/picture/scene_strokes.h"
 
 #include "core/document/files/stroke_settings.h"
-#include "core/document/history/walk.h"
+#include "core/document/history/run_queue.h"
 
 namespace kerf {
 
@@ -12,14 +12,14 @@ Status cut_strokes(Document& document, const std::vector<StrokePath>& strokes,
     for (const Command& command : scene_stroke_commands(strokes[i], diagonal)) document.apply(command);
     const double share = 1 / static_cast<double>(strokes.size()), before = share * static_cast<double>(i);
     const Progress cutting = share_of(progress, before, before + share);
-    Walk how;
+    QueueRun how;
     how.progress = &cutting;
     how.told = [&](const Result<StepResult>& step) -> Status {
       if (!step) return step.error();
       told(*step);
       return Done{};
     };
-    if (const Status walked = walk(document, how); !walked) return walked;
+    if (const Status ran = run_queue(document, how); !ran) return ran;
   }
   return Done{};
 }

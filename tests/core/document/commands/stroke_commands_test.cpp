@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "core/document/history/document.h"
-#include "core/document/history/walk.h"
+#include "core/document/history/run_queue.h"
 #include "core/document/journal/journal.h"
 #include "core/document/journal/replay.h"
 #include "core/world/state_hash.h"
@@ -50,7 +50,7 @@ void draw_stroke(Document& document, const std::vector<Command>& stroke) {
   for (const Command& c : stroke) ASSERT_TRUE(document.apply(c).ok());
 }
 
-void finish_all(Document& document) { ASSERT_TRUE(walk_all(document).ok()); }
+void finish_all(Document& document) { ASSERT_TRUE(run_all(document).ok()); }
 
 // Executes so many steps of the queue, or all.
 void step(Document& document, size_t steps) {
@@ -199,7 +199,7 @@ TEST(StopStroke, is_executed_once_by_a_replay_of_its_journal) {
   Document again = stopped_document();
   Replay replay(journal, again);
   size_t moves = 0, whole = 0;
-  Walk how;
+  QueueRun how;
   how.told = [&](const Result<StepResult>& some) -> Status {
     if (some) moves += some->moves;
     return Done{};

@@ -32,7 +32,7 @@ TEST(Document, replays_its_journal_to_the_same_world) {
 
   Document second(world_of(torus(16, 10, 0.5, 0.2)));
   for (const Command& command : first.journal()) ASSERT_TRUE(second.apply(command).ok());
-  ASSERT_TRUE(walk_all(second).ok());
+  ASSERT_TRUE(run_all(second).ok());
   EXPECT_EQ(state_hash(first.world()), state_hash(second.world()));
   EXPECT_LT(first.world().live_faces(), 1u << 20);
   EXPECT_GT(first.world().live_pieces(), 0u);
@@ -43,7 +43,7 @@ TEST(Document, recuts_the_last_stroke_as_if_it_had_been_drawn_so) {
     document.apply(BeginStroke{settings_of(radius), {{-0.8, 1, z}, {0, -1, 0}}});
     document.apply(MoveStroke{{{0.8, 1, z + 0.03}, {0, -1, 0}}});
     document.apply(EndStroke{});
-    ASSERT_TRUE(walk_all(document).ok());
+    ASSERT_TRUE(run_all(document).ok());
   };
   Document recut(world_of(sphere(12, 16, 0.5))), drawn(world_of(sphere(12, 16, 0.5)));
   EXPECT_FALSE(recut.can_recut());
@@ -52,7 +52,7 @@ TEST(Document, recuts_the_last_stroke_as_if_it_had_been_drawn_so) {
   for (const double radius : {0.03, 0.015}) {
     ASSERT_TRUE(recut.can_recut());
     ASSERT_TRUE(recut.apply(Recut{settings_of(radius)}).ok());
-    ASSERT_TRUE(walk_all(recut).ok());
+    ASSERT_TRUE(run_all(recut).ok());
   }
   draw(drawn, 0.02, 0.1);
   draw(drawn, 0.015, -0.1);
@@ -95,7 +95,7 @@ uint64_t hash_of_wide_strokes(uint64_t seed, bool walk_between) {
     const double u = random.uniform(-0.6, 0.6), v = random.uniform(-0.6, 0.6);
     return Pose{{x, 0.26, z}, glm::normalize(Vec3(u, -1, v))};
   };
-  const auto walk_all = [&] {
+  const auto run_all = [&] {
     while (document.waiting() > 0) EXPECT_TRUE(document.step(64).ok());
   };
   for (const double radius : {0.17, 0.015}) {
@@ -104,13 +104,13 @@ uint64_t hash_of_wide_strokes(uint64_t seed, bool walk_between) {
     settings.resolution.depth = radius < 0.1 ? 2 : 0;
     document.apply(BeginStroke{settings, pose()});
     for (int i = 0; i < (radius < 0.1 ? 6 : 3); ++i) {
-      if (walk_between) walk_all();
+      if (walk_between) run_all();
       document.apply(MoveStroke{pose()});
     }
-    if (walk_between) walk_all();
+    if (walk_between) run_all();
   }
   document.apply(EndStroke{});
-  walk_all();
+  run_all();
   return state_hash(document.world());
 }
 
@@ -134,7 +134,7 @@ TEST(Document, labels_do_not_depend_on_when_the_queue_is_executed) {
     for (int i = 0; i < 3; ++i) documents.emplace_back(world_of(torus(32, 20, 0.5, 0.2)));
     const auto apply = [&](const Command& command) {
       for (Document& document : documents) ASSERT_TRUE(document.apply(command).ok());
-      ASSERT_TRUE(walk_all(documents[1]).ok());
+      ASSERT_TRUE(run_all(documents[1]).ok());
       ASSERT_TRUE(documents[2].step(random.below(4)).ok());
     };
     // To and fro, so that what came off is cut again while the search for it goes on.
@@ -145,7 +145,7 @@ TEST(Document, labels_do_not_depend_on_when_the_queue_is_executed) {
     apply(BeginStroke{settings, pose(0)});
     for (int i = 1; i < 16; ++i) apply(MoveStroke{pose(i)});
     apply(EndStroke{});
-    for (Document& document : documents) ASSERT_TRUE(walk_all(document).ok());
+    for (Document& document : documents) ASSERT_TRUE(run_all(document).ok());
     EXPECT_GT(documents[0].world().live_pieces(), 3u);
     expect_same_world(documents[0].world(), documents[1].world());
     expect_same_world(documents[0].world(), documents[2].world());
@@ -252,7 +252,7 @@ TEST(Document, cuts_through_all_bodies) {
   Document document(std::move(world));
   document.apply(BeginStroke{settings_of(0.02), {{-0.7, 1, 0.1}, {0, -1, 0}}});
   document.apply(MoveStroke{{{0.7, 1, 0.12}, {0, -1, 0}}});
-  ASSERT_TRUE(walk_all(document).ok());
+  ASSERT_TRUE(run_all(document).ok());
   EXPECT_EQ(document.world().live_pieces(), 4u);
 }
 

@@ -60,7 +60,7 @@ void expect_whole(const World& world) {
   }
 }
 
-void finish(Document& document) { ASSERT_TRUE(walk_all(document).ok()); }
+void finish(Document& document) { ASSERT_TRUE(run_all(document).ok()); }
 
 // The command with steps of whole moves.
 Command with_one_bite(Command command) {

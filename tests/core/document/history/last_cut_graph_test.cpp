@@ -15,7 +15,7 @@ void stroke_across(Document& document, double x) {
   document.apply(BeginStroke{settings, {{x, 3, -1.3}, down}});
   document.apply(MoveStroke{{{x, 3, 1.3}, down}});
   document.apply(EndStroke{});
-  ASSERT_TRUE(walk_all(document).ok());
+  ASSERT_TRUE(run_all(document).ok());
 }
 
 size_t removed_nodes(const Document& document) {

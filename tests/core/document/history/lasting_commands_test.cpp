@@ -57,7 +57,7 @@ void act(Document& document, Random& random) {
       document.apply(MoveStroke{random_pose(random)});
       document.apply(EndStroke{});
   }
-  ASSERT_TRUE(walk_all(document).ok());
+  ASSERT_TRUE(run_all(document).ok());
 }
 
 // The commands with time merged as in a step of the history: undo and redo keep it apart in a journal.

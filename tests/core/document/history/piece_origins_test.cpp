@@ -25,7 +25,7 @@ void draw_one_stroke(Document& document, Random& random) {
   document.apply(BeginStroke{stroke.settings, stroke.moves.front().from});
   document.apply(MoveStroke{stroke.moves.back().to});
   document.apply(EndStroke{});
-  ASSERT_TRUE(walk_all(document).ok());
+  ASSERT_TRUE(run_all(document).ok());
 }
 
 // The piece that a piece was part of before the stroke in which it came off, perhaps in several parts one

@@ -45,7 +45,7 @@ void expect_same_as_steps(const Soup& soup, Random& random) {
   if (random.below(2) == 0) stroke.settings.resolution.rim = Rim::kSmooth;
   draw(stepped, stroke);
   draw(walked, stroke);
-  const Result<StepResult> all = walk_all(walked);
+  const Result<StepResult> all = run_all(walked);
   ASSERT_TRUE(all.ok());
   SingleStep single(stepped);
   StepResult sum;
@@ -126,10 +126,10 @@ void expect_same_after_going_back(const Soup& soup, Random& random) {
       stepped.apply(command);
       walked.apply(command);
       if (random.below(3) == 0) continue;  // a recut finds the stroke uncut or cut
-      ASSERT_TRUE(walk_all(stepped).ok());
-      ASSERT_TRUE(walk_all(walked).ok());
+      ASSERT_TRUE(run_all(stepped).ok());
+      ASSERT_TRUE(run_all(walked).ok());
     }
-    ASSERT_TRUE(walk_all(walked).ok());
+    ASSERT_TRUE(run_all(walked).ok());
     const size_t journal = stepped.journal().size();
     stepped.start_again();
     RandomWalk(stepped, random).walk(std::numeric_limits<size_t>::max());
@@ -160,7 +160,7 @@ TEST(SingleStep, leaves_a_stroke_that_can_be_undone_and_done_again_at_any_stage)
     const RandomStroke stroke = random_stroke(stepped.world(), random, 0.03, false);
     draw(stepped, stroke);
     draw(walked, stroke);
-    ASSERT_TRUE(walk_all(walked).ok());
+    ASSERT_TRUE(run_all(walked).ok());
     RandomWalk(stepped, random).walk(5 + random.below(30));
     stepped.apply(Undo{});
     EXPECT_EQ(state_hash(stepped.world()), before);
@@ -183,10 +183,10 @@ TEST(SingleStep, goes_back_while_a_stroke_is_being_drawn) {
   ASSERT_TRUE(single.go_back_to(7).ok());
   stepped.apply(rest);
   stepped.apply(EndStroke{});
-  ASSERT_TRUE(walk_all(stepped).ok());
+  ASSERT_TRUE(run_all(stepped).ok());
   for (const Command& command : {Command(begin), Command(half), Command(rest), Command(EndStroke{})})
     walked.apply(command);
-  ASSERT_TRUE(walk_all(walked).ok());
+  ASSERT_TRUE(run_all(walked).ok());
   expect_same_world(stepped.world(), walked.world());
 }
 

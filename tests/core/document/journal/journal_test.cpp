@@ -259,16 +259,16 @@ TEST_F(JournalFile, replays_to_the_hashes_that_were_recorded_and_finds_the_first
 TEST_F(JournalFile, holds_a_stroke_that_was_cut_again) {
   Document document(world_of(plate(1)));
   for (const Command& command : stroke(0.1)) EXPECT_TRUE(document.apply(command).ok());
-  ASSERT_TRUE(walk_all(document).ok());
+  ASSERT_TRUE(run_all(document).ok());
   CutSettings finer = document.history().last_settings();
   finer.resolution.target_edge /= 3;
   ASSERT_TRUE(document.apply(Recut{finer}).ok());
-  ASSERT_TRUE(walk_all(document).ok());
+  ASSERT_TRUE(run_all(document).ok());
   save(document.journal());
   const Journal journal = read();
   Document again(world_of(plate(1)));
   Replay replay(journal, again);
-  Walk how;
+  QueueRun how;
   how.moves_a_step = 5;
   ASSERT_TRUE(replay.run(how).ok());
   EXPECT_EQ(state_hash(again.world()), state_hash(document.world()));

@@ -46,7 +46,7 @@ class Recorded {
     document.apply(Advance{ticks, true});
     walk();
   }
-  void walk() { ASSERT_TRUE(walk_all(document).ok()); }
+  void walk() { ASSERT_TRUE(run_all(document).ok()); }
   void mark() { mark_state(document, marks, true); }
   Journal journal() {
     mark();
@@ -73,7 +73,7 @@ void expect_same_way_back(Document& a, Document& b) {
   while (a.history().position() < a.history().size()) {
     ASSERT_TRUE(a.apply(Redo{}).ok());
     ASSERT_TRUE(b.apply(Redo{}).ok());
-    ASSERT_TRUE(walk_all(a).ok() && walk_all(b).ok());
+    ASSERT_TRUE(run_all(a).ok() && run_all(b).ok());
     ASSERT_EQ(state_hash(a.world()), state_hash(b.world())) << "at step " << a.history().position();
   }
 }

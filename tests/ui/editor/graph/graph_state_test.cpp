@@ -25,7 +25,7 @@ void cut_at(Document& document, double x) {
   document.apply(EndStroke{});
 }
 
-void walk(Document& document) {
+void run_queue(Document& document) {
   while (document.waiting() > 0) ASSERT_TRUE(document.step(64).ok());
 }
 
@@ -37,7 +37,7 @@ TEST(GraphState, follows_the_document_when_no_stroke_is_being_cut) {
   EXPECT_EQ(graph.reached(), graph.total());
   cut_at(document, 0.1);
   EXPECT_FALSE(graph.follow(document)) << "the stroke waits";
-  walk(document);
+  run_queue(document);
   EXPECT_TRUE(graph.follow(document));
   EXPECT_TRUE(graph.separated());
   EXPECT_EQ(graph.total(), document.world().live_faces());
@@ -63,24 +63,24 @@ TEST(GraphState, follows_the_document_between_single_steps) {
 TEST(GraphState, is_read_again_while_time_passes_only_when_pieces_become_bodies) {
   Document document = sheet_to_cut();
   cut_at(document, 0.1);
-  walk(document);
+  run_queue(document);
   GraphState graph;
   ASSERT_TRUE(graph.follow(document));
   ASSERT_FALSE(graph.drawn()->loops.empty());
   document.apply(Play{});
   document.apply(Advance{1, true});
-  walk(document);
+  run_queue(document);
   EXPECT_TRUE(graph.follow(document));
   const auto drawn = graph.drawn();
   for (int second = 0; second < 3; ++second) {
     document.apply(Advance{kTicksPerSecond, true});
     EXPECT_FALSE(graph.follow(document));
-    walk(document);
+    run_queue(document);
     EXPECT_FALSE(graph.follow(document));
   }
   EXPECT_EQ(graph.drawn(), drawn);
   cut_at(document, -0.4);
-  walk(document);
+  run_queue(document);
   EXPECT_TRUE(graph.follow(document));
 }
 
@@ -90,7 +90,7 @@ TEST(GraphState, loops_and_nodes_move_with_the_bodies_whose_faces_they_lie_on) {
   cut_at(document, 0.1);
   document.apply(Play{});
   document.apply(Advance{1, true});
-  walk(document);
+  run_queue(document);
   GraphState graph;
   graph.follow(document);
   const DrawnGraph& drawn = *graph.drawn();
@@ -98,7 +98,7 @@ TEST(GraphState, loops_and_nodes_move_with_the_bodies_whose_faces_they_lie_on) {
   const Body& body = document.world().body(loop.body);
   const Vec3 read = loop.points.front(), in_body = body.placement.to_body(read);
   document.apply(Advance{60, true});
-  walk(document);
+  run_queue(document);
   ASSERT_GT(glm::length(body.placement.to_world(in_body) - read), 0.5);
   const Vec3 now = drawn.moved_with(loop.body, read, document.world());
   EXPECT_NEAR(glm::length(now - body.placement.to_world(in_body)), 0, 1e-12);
@@ -108,7 +108,7 @@ TEST(GraphState, loops_and_nodes_move_with_the_bodies_whose_faces_they_lie_on) {
 TEST(GraphState, plays_the_traversal_to_its_end) {
   Document document = sheet_to_cut();
   cut_at(document, 0.1);
-  walk(document);
+  run_queue(document);
   GraphState graph;
   graph.follow(document);
   EXPECT_EQ(graph.marked(), graph.reached());
@@ -127,7 +127,7 @@ TEST(GraphState, plays_the_traversal_to_its_end) {
 TEST(GraphState, starts_from_the_other_side_at_a_node_there) {
   Document document = sheet_to_cut();
   cut_at(document, 0.1);
-  walk(document);
+  run_queue(document);
   GraphState graph;
   graph.follow(document);
   const size_t one = graph.reached(), both = graph.total();
@@ -142,7 +142,7 @@ TEST(GraphState, starts_from_the_other_side_at_a_node_there) {
 TEST(GraphState, finds_the_node_of_a_face_and_the_face_of_a_node) {
   Document document = sheet_to_cut();
   cut_at(document, 0.1);
-  walk(document);
+  run_queue(document);
   GraphState graph;
   graph.follow(document);
   size_t faces = 0;
@@ -159,7 +159,7 @@ TEST(GraphState, finds_the_node_of_a_face_and_the_face_of_a_node) {
 TEST(GraphState, shows_a_piece_alone_and_the_cut_again) {
   Document document = sheet_to_cut();
   cut_at(document, 0.1);
-  walk(document);
+  run_queue(document);
   GraphState graph;
   graph.follow(document);
   const BodyId body = document.world().ids()[0];
@@ -182,7 +182,7 @@ TEST(GraphState, shows_a_piece_alone_and_the_cut_again) {
 TEST(GraphState, hands_on_the_removals_and_the_loops_that_they_closed) {
   Document document = sheet_to_cut();
   cut_at(document, 0.1);
-  walk(document);
+  run_queue(document);
   GraphState graph;
   graph.follow(document);
   EXPECT_EQ(graph.removals(), graph.removed());
@@ -212,7 +212,7 @@ TEST(PieceTree, lists_under_each_piece_what_came_off_it_by_step) {
 TEST(PieceTree, says_what_each_piece_came_off_and_what_holds_it) {
   Document document = sheet_to_cut();
   cut_at(document, 0.1);
-  walk(document);
+  run_queue(document);
   const std::vector<PieceNode> nodes = piece_origins(document);
   ASSERT_EQ(nodes.size(), 2u);
   EXPECT_EQ(words_on(nodes[0], document),

@@ -4,7 +4,7 @@
 
 #include <cstdio>
 
-#include "core/document/history/walk.h"
+#include "core/document/history/run_queue.h"
 #include "tests/support/made_meshes.h"
 
 namespace kerf {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "core/document/history/walk.h"
+#include "core/document/history/run_queue.h"
 #include "core/world/state_hash.h"
 #include "tests/support/editor_features.h"
 #include "tests/support/made_meshes.h"

@@ -1,10 +1,10 @@
-#include "core/document/history/walk.h"
+#include "core/document/history/run_queue.h"
 
 #include <algorithm>
 
 namespace kerf {
 
-Status walk(Document& document, const Walk& how) {
+Status run_queue(Document& document, const QueueRun& how) {
   const auto all = static_cast<double>(document.waiting() - std::min(document.waiting(), how.leave));
   while (document.waiting() > how.leave) {
     const size_t left = document.waiting() - how.leave;

@@ -26,9 +26,18 @@ struct DesktopWindow::Callbacks {
     of(w).events_.push_back(event);
     of(w).activity_ = true;
   }
+  // GLFW tells them with keys and buttons, but not with moves of the pointer.
+  static int modifiers(GLFWwindow* w) {
+    const auto held = [w](int left, int right, int mod) {
+      return glfwGetKey(w, left) == GLFW_PRESS || glfwGetKey(w, right) == GLFW_PRESS ? mod : 0;
+    };
+    return held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL, GLFW_MOD_CONTROL) |
+           held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT, GLFW_MOD_SHIFT) |
+           held(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT, GLFW_MOD_ALT);
+  }
   static void cursor(GLFWwindow* w, double x, double y) {
     of(w).pointer_ = {x, y};
-    put(w, {InputEvent::Kind::kMove, {x, y}});
+    put(w, {InputEvent::Kind::kMove, {x, y}, 0, modifiers(w)});
   }
   static void button(GLFWwindow* w, int button, int action, int mods) {
     const auto kind = action == GLFW_PRESS ? InputEvent::Kind::kPress : InputEvent::Kind::kRelease;

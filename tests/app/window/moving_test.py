@@ -70,6 +70,18 @@ class Moving(WindowTest):
         self.assertGreater(position[1], 0.05)
         self.assertNotEqual(position[0], 0)
 
+    def test_ctrl_snaps_the_drag_of_an_arrow_to_whole_centimetres(self):
+        editor = self.pick_the_sphere()
+        x, y = editor.place(("move Y", 0.5, 0.5))
+        editor.key_down("ctrl")
+        editor.drag_pixels([(x, y), (x, y - 37)])
+        editor.key_up("ctrl")
+        report = editor.quit()
+        self.assertEqual((report["strokes"], report["undo_depth"]), (0, 1))
+        centimetres = 100 * report["placements"][0]["position"][1]
+        self.assertGreater(centimetres, 1)
+        self.assertAlmostEqual(centimetres, round(centimetres), places=6)
+
     def test_half_a_sphere_that_was_cut_off_is_moved_and_undone(self):
         editor = self.open(SPHERE)
         editor.drag([(0.2, 0.5), (0.8, 0.5)])

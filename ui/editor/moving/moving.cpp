@@ -50,8 +50,13 @@ void Moving::constrain(PieceMove::Axis axis) {
   move_->constrain(axis);
 }
 
-void Moving::follow(Vec2 pointer) {
+void Moving::follow(const World& world, Vec2 pointer, bool snaps) {
   KERF_ASSERT(move_);
+  std::optional<MoveSnap> snap;
+  if (snaps) snap = MoveSnap{snap_step(view_.frame.unit), std::nullopt};
+  if (snaps && move_->kind() == PieceMove::Kind::kMove)
+    snap->vertex = vertex_near(world, view_, pointer, move_->piece());
+  move_->snap(snap);
   move_->point(view_.seen_first(), view_.in_first(pointer));
   show_at(view_, move_->piece(), move_->look());
 }

@@ -29,8 +29,9 @@ class Moving {
   // Takes a key (see PieceMove::key).
   bool key(int key);
   void constrain(PieceMove::Axis axis);
-  // Shows the piece where the pointer and the keys have it so far.
-  void follow(Vec2 pointer);
+  // Shows the piece where the pointer and the keys have it so far. With `snaps`, what follows the pointer
+  // goes to a vertex near it or by whole steps (see MoveSnap).
+  void follow(const World& world, Vec2 pointer, bool snaps);
   // Ends it, and shows the piece where it stands in the world.
   void end();
   // The same, and returns the command that moves the piece; nothing where it goes nowhere.

@@ -7,6 +7,7 @@
 #include "ui/editor/moving/moving.h"
 #include "ui/editor/moving/piece_handles.h"
 #include "ui/editor/moving/placement_rows.h"
+#include "ui/editor/shared/distance_mark.h"
 #include "ui/editor/shared/piece_set.h"
 #include "ui/editor/shared/selection.h"
 
@@ -28,8 +29,8 @@ class MovingFeature : public Feature {
               move_action("Rotate the chosen", "R", PieceMove::Kind::kTurn), duplicate_action()}}};
   }
   std::vector<Gesture> gestures() const override {
-    return {
-        {40, "Left drag on an arrow or a ring", "Move or turn the chosen piece, with the tool that picks"}};
+    return {{40, "Left drag on an arrow or a ring",
+             "Move or turn the chosen piece, with the tool that picks; Ctrl snaps to steps and vertices"}};
   }
 
   bool takes(const InputEvent& event, bool in_picture) override;
@@ -48,6 +49,8 @@ class MovingFeature : public Feature {
   void draw_marks(ImDrawList& list) override {
     if (on_.cutting()) return;
     draw_piece_handles(on_.view, pivot(), moving_.now(), on_.pointer_over_picture(), list);
+    const std::optional<MoveSnap> snap = moving_.moves() ? moving_.move().snap() : std::nullopt;
+    if (snap && snap->vertex) draw_measured_point(on_.view, *snap->vertex, list);
   }
   void mark(Landmarks& landmarks) const override {
     mark_handles(piece_handles(on_.view, pivot()), landmarks);
@@ -58,8 +61,8 @@ class MovingFeature : public Feature {
   class DragOfPiece : public Interaction {
    public:
     explicit DragOfPiece(MovingFeature& feature) : feature_(feature) {}
-    void move(const InputEvent&) override {
-      if (!over()) feature_.moving_.follow(feature_.on_.pointer);
+    void move(const InputEvent& event) override {
+      if (!over()) feature_.follow(event);
     }
     void release(const InputEvent&) override {
       if (!over()) feature_.confirm();
@@ -77,6 +80,9 @@ class MovingFeature : public Feature {
   UserAction duplicate_action();
   void draw_placement();
 
+  void follow(const InputEvent& event) {
+    moving_.follow(on_.world(), event.at, (event.mods & GLFW_MOD_CONTROL) != 0);
+  }
   void take_key(int key);
   void confirm() {
     if (const auto command = moving_.confirm()) on_.changes.ask(*command);
@@ -104,7 +110,7 @@ bool MovingFeature::takes(const InputEvent& event, bool in_picture) {
     return true;
   }
   if (on_.held) return false;
-  if (event.kind == InputEvent::Kind::kMove) moving_.follow(event.at);
+  if (event.kind == InputEvent::Kind::kMove) follow(event);
   const bool left = event.button == GLFW_MOUSE_BUTTON_LEFT, right = event.button == GLFW_MOUSE_BUTTON_RIGHT;
   if (event.kind != InputEvent::Kind::kPress || (!left && !right)) return false;
   if (left && in_picture) {
@@ -132,7 +138,7 @@ void MovingFeature::take_key(int key) {
       if (!moving_.key(key)) return;
       break;
   }
-  moving_.follow(on_.pointer);
+  moving_.follow(on_.world(), on_.pointer, false);
 }
 
 std::unique_ptr<Interaction> MovingFeature::claim(const Press& press) {

@@ -123,7 +123,18 @@ Vec3 PieceMove::pointed_shift() const {
 
 Vec3 PieceMove::shift() const {
   if (const auto amount = typed_amount()) return direction_of(axis_.value_or(Axis::kX)) * *amount;
-  return pointed_shift();
+  return snap_ ? snapped_shift() : pointed_shift();
+}
+
+// To where the pivot is at the vertex, or by whole steps along each axis that is free.
+Vec3 PieceMove::snapped_shift() const {
+  const auto along = [&](const Vec3& way) {
+    if (!axis_) return way;
+    const Vec3 axis = direction_of(*axis_);
+    return axis * glm::dot(way, axis);
+  };
+  if (snap_->vertex) return along(*snap_->vertex - pivot_);
+  return along(glm::round(pointed_shift() / snap_->step) * snap_->step);
 }
 
 // Towards the eye, so that what follows the pointer turns as it does in the picture.
@@ -131,7 +142,9 @@ Vec3 PieceMove::turning_axis() const { return axis_ ? direction_of(*axis_) : -vi
 
 double PieceMove::angle() const {
   if (const auto amount = typed_amount()) return *amount * kDegree;
-  return glm::dot(turning_axis(), view_.forward) > 0 ? -turned_ : turned_;
+  const double turned = glm::dot(turning_axis(), view_.forward) > 0 ? -turned_ : turned_;
+  constexpr double kStep = MoveSnap::kDegrees * kDegree;
+  return snap_ ? std::round(turned / kStep) * kStep : turned;
 }
 
 PieceMove::Look PieceMove::look() const {
@@ -159,8 +172,9 @@ std::string PieceMove::words(const char* unit) const {
   if (!typed_.empty()) return text + typed_ + (moves ? std::string(" ") + unit : " degrees");
   if (!moves) return text + number_text(angle() / kDegree) + " degrees";
   const Vec3 by = shift();
-  if (axis_) return text + number_text(by[static_cast<int>(*axis_)]) + " " + unit;
-  return text + number_text(by.x) + ", " + number_text(by.y) + ", " + number_text(by.z) + " " + unit;
+  const std::string end = std::string(" ") + unit + (snap_ && snap_->vertex ? ", to a vertex" : "");
+  if (axis_) return text + number_text(by[static_cast<int>(*axis_)]) + end;
+  return text + number_text(by.x) + ", " + number_text(by.y) + ", " + number_text(by.z) + end;
 }
 
 }  // namespace kerf

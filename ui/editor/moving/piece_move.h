@@ -5,6 +5,7 @@
 
 #include "core/world/placement.h"
 #include "core/world/world.h"
+#include "ui/editor/moving/move_snap.h"
 #include "ui/render/view/camera.h"
 
 namespace kerf {
@@ -27,6 +28,9 @@ class PieceMove {
   // Takes a key (GLFW_KEY_*): X, Y and Z constrain it to an axis of the world or set it free again; digits,
   // point, minus and Backspace edit the amount. Returns whether it was one of these.
   bool key(int key);
+  // Snaps what follows the pointer from now on, or lets it go freely. Amounts that are typed are exact.
+  void snap(const std::optional<MoveSnap>& to) { snap_ = to; }
+  const std::optional<MoveSnap>& snap() const { return snap_; }
   // Constrains it to an axis.
   void constrain(Axis axis) { axis_ = axis; }
 
@@ -51,6 +55,7 @@ class PieceMove {
  private:
   void go_on_from(const CameraView& view, Vec2 pointer);
   Vec3 pointed_shift() const;
+  Vec3 snapped_shift() const;
   Vec3 shift() const;
   double angle() const;  // radians
   Vec3 turning_axis() const;
@@ -66,6 +71,7 @@ class PieceMove {
   Vec3 carried_{0};    // m, by the pointer before the view changed
   double turned_ = 0;  // by the pointer, radians, over full turns
   std::string typed_;
+  std::optional<MoveSnap> snap_;
 };
 
 // The unit vector of an axis.

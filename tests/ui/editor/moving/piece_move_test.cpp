@@ -47,6 +47,33 @@ TEST(PieceMove, typed_metres_go_along_the_axis_that_was_chosen) {
   EXPECT_FALSE(move.key(GLFW_KEY_Q));
 }
 
+TEST(PieceMove, snaps_to_whole_steps_or_takes_the_pivot_to_a_vertex_and_leaves_typed_amounts_exact) {
+  PieceMove move = begin(Kind::kMove, {0.3, 0, 0});
+  move.point(from_the_front(), {0.31, 0.13});
+  const Vec3 free = move.look().offset;
+  move.snap(MoveSnap{0.25, std::nullopt});
+  const Vec3 snapped = move.look().offset;
+  EXPECT_EQ(snapped, glm::round(free / 0.25) * 0.25);
+  EXPECT_NE(snapped, free);
+  move.snap(MoveSnap{0.25, Vec3(1, 2, 3)});
+  EXPECT_EQ(move.look().offset, Vec3(0.7, 2, 3));
+  EXPECT_TRUE(move.words("mm").ends_with(" mm, to a vertex")) << move.words("mm");
+  move.constrain(Axis::kY);
+  EXPECT_EQ(move.look().offset, Vec3(0, 2, 0));
+  type(move, "0.1");
+  EXPECT_EQ(move.look().offset, Vec3(0, 0.1, 0));
+}
+
+TEST(PieceMove, snaps_a_turn_to_five_degrees) {
+  PieceMove turn(Kind::kTurn, {}, {}, Vec3(0), from_the_front(), {0.5, 0});
+  turn.constrain(Axis::kZ);
+  turn.point(from_the_front(), {0.5, 0.1});
+  turn.snap(MoveSnap{});
+  const double degrees = glm::degrees(glm::angle(turn.look().turn));
+  EXPECT_GT(degrees, 4);
+  EXPECT_NEAR(degrees, 5 * std::round(degrees / 5), 1e-9);
+}
+
 TEST(PieceMove, typed_degrees_turn_about_the_axis_and_leave_the_pivot_where_it_is) {
   const Vec3 pivot(1, 2, 3);
   PieceMove move = begin(Kind::kTurn, pivot, {{5, 0, 0}, {1, 0, 0, 0}});

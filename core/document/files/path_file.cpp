@@ -21,6 +21,13 @@ Result<std::vector<StrokePath>> read_path_file(const std::filesystem::path& file
   return read_described<std::vector<StrokePath>>(file);
 }
 
+Result<std::vector<StrokePath>> read_path_text(std::string_view text, const std::string& where) {
+  std::vector<StrokePath> strokes;
+  const Status read = read_text_fields(text, where, {}, [&](Fields& f) { describe(f, strokes); });
+  if (!read) return read.error();
+  return strokes;
+}
+
 bool is_path_file(const std::filesystem::path& file) {
   if (file.extension() != ".json") return false;
   const auto text = read_text_file(file);

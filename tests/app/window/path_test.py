@@ -87,7 +87,7 @@ class Path(WindowTest):
         self.save_as(editor, "run")
         editor.wait_for_title("run.kerf - Kerf")
         report = editor.quit()
-        self.assertEqual((report["strokes"], report["path"]["unsaved"]), (1, False))
+        self.assertEqual(report["strokes"], 1)
         self.assertGreater(report["faces_removed"], 0)
         self.expect_same_cut(path, journal, mesh("sphere.obj"))
 
@@ -140,17 +140,40 @@ class Path(WindowTest):
         self.assertEqual((report["path"]["strokes"], report["strokes"]), (12, 12))
         self.assertEqual(report["pieces"], 1 + 2 * 12)  # of each hole a disc of the front and one of the back
 
-    def test_a_path_that_was_not_saved_is_there_again_after_a_crash(self):
+    def test_a_path_is_recovered_with_its_document_after_a_crash_and_shows_in_no_other(self):
         editor = self.open_path(SPHERE)
         editor.press("o")
         editor.click(0.45, 0.5)
         editor.click(0.55, 0.5)
         editor.pause(1.5)
+        targets = [editor.landmarks()["parts"][f"path point {i}"] for i in range(2)]
         editor.die()
-        editor = self.open_again(SPHERE)
+        other = self.open_again(PLATE)
+        other.press("Escape")  # the lost work waits
+        self.assertEqual(other.quit()["path"]["targets"], [])
+        editor = self.open_again()
+        editor.press("Return")
         editor.part("path point 1")
-        path = editor.quit()["path"]
-        self.assertEqual((len(path["targets"]), path["unsaved"]), (2, True))
+        parts = editor.landmarks()["parts"]
+        self.assertEqual([parts[f"path point {i}"] for i in range(2)], targets)
+
+    def test_path_and_emitter_are_saved_with_their_document_and_gone_from_a_new_one(self):
+        editor = self.open_path(SPHERE)
+        editor.press("o")
+        editor.click(0.45, 0.5)
+        editor.do("shift", "u")
+        self.save_as(editor, "planned")
+        editor.wait_for_title("planned.kerf - Kerf")
+        editor.do("ctrl", "n")
+        editor.wait_for(lambda: "path point 0" not in editor.landmarks()["parts"], 60, "the path is still there")
+        editor.quit()
+        journal = os.path.join(self.folder, "planned.kerf")
+        editor = self.open_again(journal)
+        editor.part("path point 0")
+        editor.part("emitter target")
+        self.assertEqual(editor.title(), "planned.kerf - Kerf")
+        report = editor.quit()
+        self.assertEqual((len(report["path"]["targets"]), report["emitter"]["placed"]), (1, True))
 
     def test_the_emitter_cuts_while_it_is_moved_and_one_undo_takes_the_stroke_back(self):
         editor = self.open(SPHERE)

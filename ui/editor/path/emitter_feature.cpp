@@ -9,6 +9,8 @@
 #include "core/cut/cuttable.h"
 #include "core/document/text/json_value.h"
 #include "ui/editor/path/emitter.h"
+#include "ui/editor/path/emitter_entry.h"
+#include "ui/editor/shared/document_head.h"
 #include "ui/editor/shared/panel_rows.h"
 #include "ui/editor/shared/shortcut_text.h"
 #include "ui/editor/shared/surface_point.h"
@@ -21,7 +23,8 @@ namespace kerf {
 
 namespace {
 
-constexpr double kEmitterAway = 0.35;  // diagonals of the world
+constexpr const char* kEmitterKey = "emitter";  // in the head of a document
+constexpr double kEmitterAway = 0.35;           // diagonals of the world
 
 class EmitterFeature : public Feature {
  public:
@@ -38,7 +41,12 @@ class EmitterFeature : public Feature {
   std::unique_ptr<Interaction> claim(const Press& press) override;
   bool stop() override { return std::exchange(emitter_.firing, false); }
   void advance(double) override {
+    if (on_.held == nullptr) keep();
     if (!on_.changes.is_pending()) follow_switch(on_.clock->seconds());
+  }
+  void forget() override {
+    emitter_ = emitter_of_entry(head_entry(on_.work.scene, kEmitterKey));
+    kept_ = emitter_entry(emitter_);
   }
   bool moving() const override { return emitter_.firing && emitter_.in_shots; }
 
@@ -50,6 +58,7 @@ class EmitterFeature : public Feature {
 
  private:
   std::vector<UserAction> emitter_actions();
+  void keep();
   void drag(double now);
   void draw_rows();
   void draw_pace();
@@ -60,6 +69,7 @@ class EmitterFeature : public Feature {
 
   Workspace& on_;
   Emitter emitter_;
+  nlohmann::json kept_;  // its entry in the head of the document
   NumberFields fields_;
 };
 
@@ -69,6 +79,13 @@ std::unique_ptr<Interaction> EmitterFeature::claim(const Press&) {
   emitter_.take(handle->part, on_.pointer);
   return std::make_unique<PlainDrag>("Moving the emitter",
                                      [this](const InputEvent& event) { drag(event.seconds); });
+}
+
+void EmitterFeature::keep() {
+  nlohmann::json entry = emitter_entry(emitter_);
+  if (entry == kept_) return;
+  set_head_entry(on_.work.scene, kEmitterKey, entry);
+  kept_ = std::move(entry);
 }
 
 // Moves or aims the emitter. The beam of one that fires follows each move of the pointer, as that of the

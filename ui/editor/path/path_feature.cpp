@@ -6,16 +6,15 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/base/user_folders.h"
 #include "core/document/files/edit_path.h"
 #include "core/document/files/stroke_settings.h"
-#include "core/document/journal/autosave.h"
 #include "core/document/journal/save.h"
 #include "core/document/text/json_value.h"
-#include "ui/editor/path/kept_path.h"
+#include "ui/editor/path/path_entry.h"
 #include "ui/editor/path/path_marks.h"
 #include "ui/editor/path/path_panel.h"
 #include "ui/editor/path/path_tool.h"
+#include "ui/editor/shared/document_head.h"
 #include "ui/editor/shared/file_frames.h"
 #include "ui/window/imgui_vector.h"
 
@@ -23,7 +22,8 @@ namespace kerf {
 
 namespace {
 
-constexpr const char* kPath = "Path";  // the tool and the panel
+constexpr const char* kPath = "Path";     // the tool and the panel
+constexpr const char* kPathKey = "path";  // in the head of a document
 constexpr const char* kNoPoints = "The path has no points.";
 
 // Adds a point or takes one, and moves it.
@@ -47,7 +47,7 @@ class DragOfPoint : public Interaction {
 
 class PathFeature : public Feature {
  public:
-  explicit PathFeature(Workspace& on) : on_(on), kept_(state_folder()) {
+  explicit PathFeature(Workspace& on) : on_(on) {
     on.file_takers.push_back([this](const std::filesystem::path& file) { return take_file(file); });
   }
 
@@ -64,22 +64,18 @@ class PathFeature : public Feature {
         {70, "Left drag on a point or its knob", "Move a point of the path over the surface, turn its beam"}};
   }
 
-  Status start(const EditorOptions&) override {
-    on_.changes.ask({.name = "kept path", .run = [this] { return open_kept_path(), true; }, .always = true});
-    return Done{};
-  }
-  void rest() override { keep(on_.clock->seconds()); }
-  void close(bool) override { keep(std::nullopt); }
-
   std::unique_ptr<Interaction> claim(const Press& press) override;
   const char* hint() const override {
     return in_hand() ? "Path: click adds a point, Shift begins another stroke, Ctrl+Enter runs it" : nullptr;
   }
 
   void advance(double) override {
-    keep(on_.clock->seconds());
+    load_waiting();
+    if (on_.held == nullptr) keep();
     on_.laser.planned_speed = path_.speed();
   }
+
+  void forget() override;
 
   void draw_marks(ImDrawList& list) override;
   void mark(Landmarks& landmarks) const override;
@@ -98,8 +94,8 @@ class PathFeature : public Feature {
   void choose_file_to_load();
   void choose_file_to_save();
   void save(const std::filesystem::path& file);
-  void open_kept_path();
-  void keep(std::optional<double> now);
+  void load_waiting();
+  void keep();
 
   void ask_for_run();
   void run();
@@ -108,7 +104,8 @@ class PathFeature : public Feature {
   PathWork path_;
   bool at_panel_resolution_ = false;  // the path is run so, and not as kerf cut --path does
   PathPanel panel_;
-  KeptPath kept_;
+  size_t kept_ = 0;                             // PathWork::changes() of the path in the head of the document
+  std::vector<std::filesystem::path> waiting_;  // path files, until a document is open
 };
 
 // Input
@@ -197,6 +194,7 @@ void PathFeature::draw_panel() {
       path_, at_panel_resolution_, on_.view, on_.world(), PathTool::beam_for(on_.world(), on_.laser.radius),
       why_no_run(),
       {[this] { ask_for_run(); }, [this] { choose_file_to_load(); }, [this] { choose_file_to_save(); }});
+  keep();
 }
 
 // Files
@@ -205,14 +203,16 @@ void PathFeature::draw_panel() {
 // Path files that are dropped on the window, opened by the menu or named on the command line.
 bool PathFeature::take_file(const std::filesystem::path& file) {
   if (!is_path_file(file)) return false;
-  on_.changes.ask({.name = file.string(),
-                   .run =
-                       [this, file] {
-                         if (const std::string why = load(file); !why.empty()) on_.message.say(why, true);
-                         return true;
-                       },
-                   .always = true});
+  waiting_.push_back(file);
   return true;
+}
+
+// The path of a file belongs to the document that is opened with it.
+void PathFeature::load_waiting() {
+  if (on_.opening.loader.busy()) return;
+  for (const std::filesystem::path& file : std::exchange(waiting_, {})) {
+    if (const std::string why = load(file); !why.empty()) on_.message.say(why, true);
+  }
 }
 
 // Loads a file in place of the path, which comes back by undo, and takes the path in hand. Returns the reason
@@ -222,7 +222,7 @@ std::string PathFeature::load(const std::filesystem::path& file) {
   if (!strokes) return strokes.error().message;
   path_.begin_edit();
   path_.load(std::move(*strokes), on_.world());
-  path_.note_saved(file);
+  path_.note_file(file);
   on_.tool = kPath;
   on_.panels.show(kPath);
   on_.message.say("Loaded: " + file.string() + ", " + count_text(path_.strokes().size(), "stroke") + ", " +
@@ -258,24 +258,22 @@ void PathFeature::choose_file_to_save() {
 
 void PathFeature::save(const std::filesystem::path& file) {
   const Status saved = save_path(file, path_.strokes());
-  if (saved) path_.note_saved(file);
+  if (saved) path_.note_file(file);
   on_.message.say(saved ? "Saved: " + file.string() : saved.error().message, !saved.ok());
 }
 
-// A path that was not saved is there again, unless another one was asked for.
-void PathFeature::open_kept_path() {
-  if (!path_.empty()) return;
-  auto left = kept_.adopt();
-  if (!left) return;
-  path_.begin_edit();
-  path_.load(std::move(*left), on_.world());
-  on_.message.say("The path that was not saved is in the Path panel again.");
+// The document
+// --------------------------------------------------------------------------------------------------------
+
+void PathFeature::keep() {
+  if (kept_ == path_.changes()) return;
+  kept_ = path_.changes();
+  set_head_entry(on_.work.scene, kPathKey, path_entry(path_));
 }
 
-// Without a time at once.
-void PathFeature::keep(std::optional<double> now) {
-  const Status kept = now ? kept_.follow(path_, *now) : kept_.follow(path_);
-  if (!kept) on_.message.say("The path cannot be kept: " + kept.error().message, true);
+void PathFeature::forget() {
+  path_ = path_of_entry(head_entry(on_.work.scene, kPathKey), on_.world());
+  kept_ = path_.changes();
 }
 
 // Cutting
@@ -331,10 +329,7 @@ void PathFeature::report(nlohmann::ordered_json& report) const {
     for (size_t k = 0; k < path_.strokes()[i].keys.size(); ++k)
       targets.push_back(vector_json(path_.target({i, k})));
   }
-  report["path"] = {{"strokes", path_.strokes().size()},
-                    {"targets", targets},
-                    {"speed", path_.speed()},
-                    {"unsaved", path_.is_unsaved()}};
+  report["path"] = {{"strokes", path_.strokes().size()}, {"targets", targets}, {"speed", path_.speed()}};
 }
 
 }  // namespace

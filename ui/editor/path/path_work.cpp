@@ -41,7 +41,6 @@ void PathWork::begin_edit() {
   undone_to_.push_back(now_);
   if (undone_to_.size() > kMostSteps) undone_to_.erase(undone_to_.begin());
   redone_to_.clear();
-  now_.number = ++last_number_;
   ++changes_;
   run_at_.reset();
 }
@@ -128,7 +127,6 @@ void PathWork::load(std::vector<StrokePath> strokes, const World& world) {
 }
 
 void PathWork::replace(Version version) {
-  version.number = now_.number;
   now_ = std::move(version);
   chosen_.reset();
 }
@@ -147,12 +145,6 @@ void PathWork::redo() {
   undone_to_.push_back(std::exchange(now_, std::move(redone_to_.back())));
   redone_to_.pop_back();
   chosen_.reset();
-}
-
-void PathWork::note_saved(std::filesystem::path file) {
-  file_ = std::move(file);
-  saved_ = now_.number;
-  ++changes_;
 }
 
 }  // namespace kerf

@@ -32,6 +32,8 @@ class PathWork {
     KERF_ASSERT(p.stroke < now_.distances.size() && p.key < now_.distances[p.stroke].size());
     return now_.distances[p.stroke][p.key];
   }
+  // One a key of each stroke (m).
+  const std::vector<std::vector<double>>& distances() const { return now_.distances; }
   Vec3 target(PathPoint p) const { return pose(p).origin + pose(p).direction * distance(p); }
 
   // The speed of the beam's origin (m/s): the one that was set, else the mean speed of the path, or 0 if it
@@ -48,8 +50,8 @@ class PathWork {
 
   // Begins a step of the undo: the edits until the next call belong to it.
   void begin_edit();
-  // Edits. Precondition of all: begin_edit() was called. Directions are unit vectors as beam_direction()
-  // gives them.
+  // Edits. Precondition of all: begin_edit() was called, or the path is new. Directions are unit vectors as
+  // beam_direction() gives them.
   //
   // Adds a point after the chosen one, or at the end, and chooses it. A first point, and any with
   // `new_stroke`, begins a stroke with a beam of this radius (m). A path that was empty gets this speed.
@@ -66,6 +68,12 @@ class PathWork {
   // world.
   void load(std::vector<StrokePath> strokes, const World& world);
   void clear() { replace({}); }
+  // Replaces the path by one that was kept: with a distance for each key, and the speed that was set, if any.
+  // Precondition: there are as many distances as keys of each stroke.
+  void restore(std::vector<StrokePath> strokes, std::vector<std::vector<double>> distances,
+               std::optional<double> speed) {
+    replace({std::move(strokes), std::move(distances), speed});
+  }
 
   bool can_undo() const { return !undone_to_.empty(); }
   bool can_redo() const { return !redone_to_.empty(); }
@@ -74,10 +82,8 @@ class PathWork {
 
   // The file that the path was loaded from or saved to; empty: none.
   const std::filesystem::path& file() const { return file_; }
-  void note_saved(std::filesystem::path file);
-  // Whether the file holds something else than the path.
-  bool is_unsaved() const { return !empty() && now_.number != saved_; }
-  // A number that grows with everything that changes the path or whether it is saved.
+  void note_file(std::filesystem::path file) { file_ = std::move(file); }
+  // A number that grows with everything that changes the path.
   size_t changes() const { return changes_; }
 
   // Notes that the path is run at this position of the history of the document. Until the path is edited
@@ -90,7 +96,6 @@ class PathWork {
     std::vector<StrokePath> strokes;
     std::vector<std::vector<double>> distances;  // m, one for each key
     std::optional<double> speed;                 // m/s, that was set
-    size_t number = 0;
   };
   bool has(PathPoint p) const {
     return p.stroke < now_.strokes.size() && p.key < now_.strokes[p.stroke].keys.size();
@@ -102,8 +107,6 @@ class PathWork {
   std::vector<Version> undone_to_, redone_to_;
   std::optional<PathPoint> chosen_;
   std::filesystem::path file_;
-  size_t saved_ = 0;        // the number of the version in the file
-  size_t last_number_ = 0;  // that was given
   size_t changes_ = 0;
   std::optional<size_t> run_at_;
 };

@@ -74,18 +74,6 @@ TEST(PathWork, undo_and_redo_go_through_all_edits) {
   EXPECT_TRUE(path.empty());
 }
 
-TEST(PathWork, is_unsaved_until_the_file_holds_what_is_there) {
-  PathWork path = two_strokes();
-  EXPECT_TRUE(path.is_unsaved());
-  path.note_saved("path.json");
-  EXPECT_FALSE(path.is_unsaved());
-  path.begin_edit();
-  path.set_speed(5);
-  EXPECT_TRUE(path.is_unsaved());
-  path.undo();
-  EXPECT_FALSE(path.is_unsaved());
-}
-
 TEST(PathWork, a_run_comes_before_the_edits_in_the_order_of_undo_until_it_is_undone_or_the_path_edited) {
   PathWork path = two_strokes();
   EXPECT_TRUE(path.is_newer_than(7));

@@ -1,0 +1,57 @@
+#include "ui/editor/path/path_entry.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+namespace kerf {
+namespace {
+
+PathWork drawn_path() {
+  PathWork path;
+  path.begin_edit();
+  path.add({{0, 1, 0}, {0, -1, 0}}, 0.75, false, 0.01, 2);
+  path.begin_edit();
+  path.add({{0.5, 1, 0}, {0, -1, 0}}, 0.5, false, 0.01, 2);
+  path.begin_edit();
+  path.add({{0, 1, 1}, glm::normalize(Vec3(0.3, -0.7, 0.2))}, 1.25, true, 0.02, 2);
+  return path;
+}
+
+TEST(PathEntry, brings_the_path_back_to_the_bit_with_what_its_points_aim_at_and_without_an_undo) {
+  const PathWork path = drawn_path();
+  const nlohmann::json entry = nlohmann::json::parse(path_entry(path).dump());
+  const PathWork read = path_of_entry(entry, World());
+  ASSERT_EQ(read.strokes().size(), 2u);
+  for (size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(read.strokes()[i].times, path.strokes()[i].times);
+    EXPECT_EQ(read.strokes()[i].radius, path.strokes()[i].radius);
+    for (size_t k = 0; k < path.strokes()[i].keys.size(); ++k) {
+      EXPECT_EQ(read.pose({i, k}).direction, path.pose({i, k}).direction);
+      EXPECT_EQ(read.target({i, k}), path.target({i, k}));
+    }
+  }
+  EXPECT_EQ(read.speed(), 2);
+  EXPECT_FALSE(read.has_times_of_file());
+  EXPECT_FALSE(read.can_undo());
+}
+
+TEST(PathEntry, is_none_for_an_empty_path_and_an_empty_path_where_it_cannot_be_read) {
+  EXPECT_TRUE(path_entry(PathWork()).is_null());
+  EXPECT_TRUE(path_of_entry(nullptr, World()).empty());
+  EXPECT_TRUE(path_of_entry({{"strokes", "none"}}, World()).empty());
+  nlohmann::json damaged = path_entry(drawn_path());
+  damaged["strokes"][0]["keys"][0]["direction"] = {0, 0, 0};
+  EXPECT_TRUE(path_of_entry(damaged, World()).empty());
+}
+
+TEST(PathEntry, without_sound_distances_has_points_that_aim_at_the_world) {
+  nlohmann::json damaged = path_entry(drawn_path());
+  damaged["distances"][1] = {-1};
+  const PathWork read = path_of_entry(damaged, World());
+  EXPECT_EQ(read.points(), 3u);
+  EXPECT_GT(read.distance({1, 0}), 0);
+}
+
+}  // namespace
+}  // namespace kerf

@@ -73,7 +73,7 @@ Json queries_json(const World& world, const StageRecord& sweep) {
 Json to_json(const World& world, const StageRecord& record) {
   Json stage = {{"stage", name(record.kind)}};
   if (world.contains(record.body)) stage["body"] = world.body(record.body).name;
-  stage["words"] = words(record);
+  stage["words"] = words(record, FileUnit::kMetre);
   if (record.kind == Kind::kHit || record.kind == Kind::kHitAgain) stage["hit"] = to_json(record.hit);
   for (const BodyDelta& d : record.done.delta.bodies) {
     stage["born"] = to_json(d.born);

@@ -228,7 +228,7 @@ class ReplayRun {
   std::string place_of(const StateMark& mark) const {
     if (mark.commands == 0) return "before the first command";
     return "after command " + std::to_string(mark.commands) + " (" +
-           words(work_.journal.commands[mark.commands - 1]) + ")";
+           words(work_.journal.commands[mark.commands - 1], FileUnit::kMetre) + ")";
   }
 
   ReplayArguments arguments_;

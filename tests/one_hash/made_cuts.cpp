@@ -101,7 +101,7 @@ Status print_preparation(const char* mesh) {
       const Outcome outcome = document.apply(own);
       if (!outcome.ok()) return outcome.error();
       if (!outcome.delta.came.empty()) piece.body = outcome.delta.came.front();
-      print(mesh, words(own).c_str(), document.world());
+      print(mesh, words(own, FileUnit::kMetre).c_str(), document.world());
     }
   }
   return Done{};

@@ -6,9 +6,17 @@
 
 namespace kerf {
 
-// A description of the command for the user, for example "Stroke, radius 4 mm".
-inline std::string words(const Command& command) {
-  return std::visit([](const auto& c) { return c.words(); }, command);
+// A description of the command for the user, for example "Stroke, radius 4 mm". `unit` is the one in which
+// the work is shown.
+inline std::string words(const Command& command, FileUnit unit) {
+  const auto told = [unit](const auto& c) {
+    if constexpr (requires { c.words(unit); }) {
+      return c.words(unit);
+    } else {
+      return c.words();
+    }
+  };
+  return std::visit(told, command);
 }
 
 // The memory that a command occupies, in bytes.

@@ -2,9 +2,9 @@
 
 #include <array>
 
-#include "core/base/length_text.h"
 #include "core/document/text/fields.h"
 #include "core/document/text/world_fields.h"
+#include "core/mesh/files/length_label.h"
 
 namespace kerf {
 
@@ -19,12 +19,12 @@ constexpr std::array kModels{"geometric", "thermal"};
 constexpr double kMostMoves = 1e9;
 constexpr Ticks kMostTicks = Ticks{1} << 40;
 
-std::string fineness(const Resolution& r) {
+std::string fineness(const Resolution& r, FileUnit unit) {
   switch (r.rule) {
     case Resolution::Rule::kTargetEdge:
-      return "edges of " + length_text(r.target_edge);
+      return "edges of " + length_label(r.target_edge, unit);
     case Resolution::Rule::kTolerance:
-      return "within " + length_text(r.tolerance);
+      return "within " + length_label(r.tolerance, unit);
     case Resolution::Rule::kDepth:
       return std::to_string(r.depth) + (r.depth == 1 ? " level" : " levels");
   }
@@ -56,8 +56,8 @@ static void describe(Fields& f, CutSettings& s) {
   f.no_others("is not a setting that this version has");
 }
 
-std::string BeginStroke::words() const {
-  return "Stroke, radius " + length_text(settings.laser.radius) +
+std::string BeginStroke::words(FileUnit unit) const {
+  return "Stroke, radius " + length_label(settings.laser.radius, unit) +
          (settings.laser.pattern == Pattern::kRays4 ? ", four rays" : "");
 }
 
@@ -76,7 +76,9 @@ void describe(Fields& f, StopStroke& c) {
   f.whole("ticks", c.ticks, 0, kMostTicks, 0);
 }
 
-std::string Recut::words() const { return "Cut the stroke again, " + fineness(settings.resolution); }
+std::string Recut::words(FileUnit unit) const {
+  return "Cut the stroke again, " + fineness(settings.resolution, unit);
+}
 
 void describe(Fields& f, Recut& c) { f.object("settings", c.settings); }
 

@@ -4,6 +4,7 @@
 
 #include "core/base/tick.h"
 #include "core/cut/cut_step.h"
+#include "core/mesh/files/file_frame.h"
 
 namespace kerf {
 
@@ -21,7 +22,7 @@ struct BeginStroke {
   Pose pose;
 
   static constexpr const char* kName = "begin";
-  std::string words() const;
+  std::string words(FileUnit unit) const;
 };
 void describe(Fields& f, BeginStroke& c);
 
@@ -59,7 +60,7 @@ struct Recut {
   CutSettings settings;
 
   static constexpr const char* kName = "recut";
-  std::string words() const;
+  std::string words(FileUnit unit) const;
 };
 void describe(Fields& f, Recut& c);
 

@@ -36,6 +36,8 @@ class History {
   bool cuts(size_t step) const;
   // The stroke itself, or for a recut the stroke that it cuts again.
   size_t base_of(size_t step) const;
+  // Whether a step is a stroke or a recut whose effect a later recut took back.
+  bool is_cut_again(size_t step) const;
   // The last step before the position that is a stroke or a recut.
   std::optional<size_t> last_cut() const;
   // The settings of the last stroke before the position, with which it was cut last, and its commands so far.
@@ -75,7 +77,6 @@ class History {
   void trim();
 
  private:
-  bool is_cut_again(size_t step) const;
   void trim_cut_faces();
 
   std::vector<std::unique_ptr<HistoryStep>> steps_;

@@ -7,6 +7,8 @@
 
 #include "core/base/assert.h"
 #include "core/document/history/command_log.h"
+#include "core/document/history/cut_names.h"
+#include "core/document/history/specks.h"
 
 namespace kerf {
 
@@ -59,6 +61,13 @@ Ticks ticks_of_last(const std::vector<Command>& commands) {
 
 std::vector<FaceId>::const_iterator at(const std::vector<FaceId>& faces, size_t i) {
   return faces.begin() + static_cast<std::ptrdiff_t>(i);
+}
+
+// Of the stroke or recut that begins with this command.
+std::optional<double> beam_radius(const Command& first) {
+  if (const auto* stroke = std::get_if<BeginStroke>(&first)) return stroke->settings.laser.radius;
+  if (const auto* recut = std::get_if<Recut>(&first)) return recut->settings.laser.radius;
+  return std::nullopt;
 }
 
 bool is_live(const Mesh& mesh, FaceId f) { return f.index < mesh.face_slots() && mesh.is_live(f); }
@@ -129,6 +138,9 @@ void HistoryStep::follow_bodies(const Delta& delta) {
   std::map<PieceId, uint32_t> came_off;
   for (const auto& [piece, from] : sums_.came_off) came_off[piece_after(delta, piece)] = from;
   sums_.came_off = std::move(came_off);
+  std::set<PieceId> specks;
+  for (const PieceId& piece : sums_.specks) specks.insert(piece_after(delta, piece));
+  sums_.specks = std::move(specks);
   Delta bodies = delta;
   bodies.bodies.clear();
   bodies_.append(std::move(bodies));
@@ -153,7 +165,10 @@ PieceId HistoryStep::piece_after_step(PieceId before) const { return piece_after
 // was beside it then may have been removed later, with the label of the new piece.
 void HistoryStep::note_new_pieces(const World& world, const Delta& delta) {
   constexpr size_t kMostLookedAt = 20'000;
+  if (const std::optional<double> radius = beam_radius(commands_.front()))
+    sums_.specks.merge(new_specks(world, delta, *radius));
   for (const BodyDelta& b : delta.bodies) {
+    count_cut_names(world, b, sums_.cut_names);
     const auto cut = cut_faces_.find(b.body);
     if (b.new_pieces.empty() || cut == cut_faces_.end()) continue;
     const Body& body = world.body(b.body);

@@ -2,6 +2,8 @@
 
 #include <map>
 #include <optional>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "core/document/commands/command.h"
@@ -80,6 +82,12 @@ class HistoryStep {
   // is found from the faces that were removed beside a new piece.
   const std::map<PieceId, uint32_t>& came_off() const { return sums_.came_off; }
   void note_new_pieces(const World& world, const Delta& delta);
+  // Of these, those that were specks when they came off (see is_speck), found or not what they came off.
+  const std::set<PieceId>& specks() const { return sums_.specks; }
+  // The pieces that the step detached, one after the other.
+  const std::vector<Detached>& detached() const { return bodies_.detached; }
+  // How many faces the beam removed in the step from what (see count_cut_names).
+  const std::map<std::string, size_t>& cut_names() const { return sums_.cut_names; }
 
   // The faces that the beam removed in the step, by the id of the body after the step, for views of the cut.
   // They are kept while the step is undone, and when its before-images are discarded. Beyond
@@ -101,6 +109,8 @@ class HistoryStep {
     double removed_area = 0;
     StepFigures figures;
     std::map<PieceId, uint32_t> came_off;
+    std::set<PieceId> specks;
+    std::map<std::string, size_t> cut_names;
   };
   // How far the execution of the step has come. All that the step notes is appended or summed up.
   struct Mark {

@@ -1,8 +1,9 @@
 #include "core/document/history/single_step.h"
 
 #include "core/base/assert.h"
-#include "core/base/length_text.h"
 #include "core/cut/cuttable.h"
+#include "core/document/history/specks.h"
+#include "core/mesh/files/length_label.h"
 
 namespace kerf {
 
@@ -36,15 +37,22 @@ size_t new_pieces(const Delta& delta) {
   return all;
 }
 
-std::string sweep_words(const StageRecord& record) {
-  const double way = glm::length(record.move->to.origin - record.move->from.origin);
-  const std::string moves = way > 0 ? "moves by " + length_text(way) : "stays";
-  return "Sweep: the origin of the beam " + moves + ", which sweeps " + number(record.beam.size(), "volume") +
-         " of radius " + length_text(record.beam.front().radius()) + ".";
+size_t count_specks(const Delta& delta, const Document& document) {
+  if (!document.history().last_cut()) return 0;
+  return new_specks(document.world(), delta, document.history().last_settings().laser.radius).size();
 }
 
-std::string separate_words(size_t pieces) {
-  return "Separate: " + (pieces == 0 ? "no piece" : number(pieces, "piece")) + " came off.";
+std::string sweep_words(const StageRecord& record, FileUnit unit) {
+  const double way = glm::length(record.move->to.origin - record.move->from.origin);
+  const std::string moves = way > 0 ? "moves by " + length_label(way, unit) : "stays";
+  return "Sweep: the origin of the beam " + moves + ", which sweeps " + number(record.beam.size(), "volume") +
+         " of radius " + length_label(record.beam.front().radius(), unit) + ".";
+}
+
+std::string separate_words(size_t pieces, size_t specks) {
+  std::string all = pieces > 0 ? number(pieces, "piece") : "";
+  if (specks > 0) all += (all.empty() ? "" : ", ") + number(specks, "speck");
+  return "Separate: " + (all.empty() ? "no piece" : all) + " came off.";
 }
 
 std::string left_words(const StageRecord& record) {
@@ -123,6 +131,7 @@ Result<StageRecord> SingleStep::next(const Progress* progress) {
   if (record.kind == StageKind::kHit || record.kind == StageKind::kHitAgain) record.hit = after.hit;
   if (record.kind == StageKind::kRefine) record.left = after.to_split.size();
   if (record.kind == StageKind::kRemove) record.left = after.hit.size() - after.removed;
+  if (record.kind == StageKind::kSeparate) record.specks = count_specks(record.done.delta, document_);
   if (record.move && after.stage == UnfinishedMove::Stage::kFind) swept_ = false;
   note_work(record);
   return record;
@@ -189,11 +198,11 @@ Outcome SingleStep::go_back_to(size_t stages, const Told& told, const Progress* 
   return outcome;
 }
 
-std::string words(const StageRecord& record) {
+std::string words(const StageRecord& record, FileUnit unit) {
   const StepFigures& figures = record.done.figures;
   switch (record.kind) {
     case StageKind::kSweep:
-      return sweep_words(record);
+      return sweep_words(record, unit);
     case StageKind::kHit:
     case StageKind::kHitAgain:
       return std::string(record.kind == StageKind::kHit ? "Hit" : "Hit again, after the splits") +
@@ -205,7 +214,7 @@ std::string words(const StageRecord& record) {
       return "Remove: " + number(record.done.delta.removed_faces, "face") + " were removed." +
              left_words(record);
     case StageKind::kSeparate:
-      return separate_words(new_pieces(record.done.delta));
+      return separate_words(new_pieces(record.done.delta) - record.specks, record.specks);
     case StageKind::kCloseRim:
       return "Close the rim: " + number(record.done.delta.removed_faces, "face") +
              " inside the boundary of the stroke were removed.";

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/document/history/document.h"
+#include "core/mesh/files/file_frame.h"
 #include "core/tree/swept_cylinder.h"
 
 namespace kerf {
@@ -30,11 +31,12 @@ struct StageRecord {
   std::vector<SweptCylinder> beam;
   std::vector<FaceId> hit;  // of kHit and kHitAgain: the faces that the beam touches, each once
   size_t left = 0;          // faces that are left for further stages of the same kind, if there are thousands
+  size_t specks = 0;        // of the pieces that came off, those that are specks
   StepResult done;          // what the stage changed, and its figures
 };
 
-// A description of the stage for the user: one sentence.
-std::string words(const StageRecord& record);
+// A description of the stage for the user: one sentence. `unit` is the one in which the work is shown.
+std::string words(const StageRecord& record, FileUnit unit);
 
 // Executes the queue of a document stage by stage, and goes back in the last stroke. The result is the same
 // as that of Document::step, to the bit. The document must outlive it, and nobody else may execute its queue

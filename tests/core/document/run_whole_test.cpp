@@ -31,7 +31,7 @@ std::vector<Command> path_of(const Document& document) {
 
 std::vector<std::string> lines_of(const Document& document) {
   std::vector<std::string> lines;
-  for (const Command& command : document.journal()) lines.push_back(words(command));
+  for (const Command& command : document.journal()) lines.push_back(words(command, FileUnit::kMetre));
   return lines;
 }
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <map>
 
-#include "core/document/commands/command_words.h"
 #include "core/joints/loaded_part.h"
 #include "ui/editor/shared/piece_set.h"
+#include "ui/editor/shared/step_words.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
@@ -61,7 +61,7 @@ ImU32 colour_of_piece(const World& world, const ViewState& view, const PieceId& 
       {static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z), 1});
 }
 
-std::string origin_words(const PieceNode& node, const Document& document) {
+std::string origin_words(const PieceNode& node, const Document& document, FileUnit unit) {
   const Body& body = document.world().body(node.piece.body);
   if (is_loaded_part(body, node.piece.label)) return "is a part that no cut separated";
   if (!node.came_off)
@@ -70,7 +70,7 @@ std::string origin_words(const PieceNode& node, const Document& document) {
   const std::string name = document.world().contains(from.body)
                                ? document.world().body(from.body).name_of(from.label)
                                : "a piece that is deleted";
-  const std::string did = words(document.history().step(node.step).commands().front());
+  const std::string did = step_words(document.history(), node.step, unit);
   return "came off " + name + " in step " + std::to_string(node.step + 1) + " (" + did + ")";
 }
 
@@ -113,7 +113,7 @@ void draw_row(const PieceTreeRow& row, const Document& document, ViewState& view
     view.picture_old = true;
   }
   mark_last_item("piece node", static_cast<int>(id.label));
-  if (!chosen) tooltip(words_on(row.origin, document).c_str());
+  if (!chosen) tooltip(words_on(row.origin, document, view.frame.unit).c_str());
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(row.origin.came_off ? ("step " + std::to_string(row.origin.step + 1)).c_str() : "");
   ImGui::TableNextColumn();
@@ -128,19 +128,19 @@ void draw_words(const std::vector<PieceTreeRow>& rows, const Document& document,
   const auto row =
       std::find_if(rows.begin(), rows.end(), [&](const PieceTreeRow& r) { return r.origin.piece == chosen; });
   if (row == rows.end()) return;
-  ImGui::TextWrapped("%s", words_on(row->origin, document).c_str());
+  ImGui::TextWrapped("%s", words_on(row->origin, document, view.frame.unit).c_str());
   mark_last_item("piece words");
 }
 
 }  // namespace
 
-std::string words_on(const PieceNode& node, const Document& document) {
+std::string words_on(const PieceNode& node, const Document& document, FileUnit unit) {
   const std::string name = document.world().body(node.piece.body).name_of(node.piece.label);
   const std::string others = node.piece.label != 0 || node.beside == 0 ? ""
                              : node.beside == 1
                                  ? " One piece that came off still stands with it."
                                  : " " + grouped(node.beside) + " pieces that came off still stand with it.";
-  return name + " " + origin_words(node, document) + ". " + holder_words(node) + others;
+  return name + " " + origin_words(node, document, unit) + ". " + holder_words(node) + others;
 }
 
 std::vector<PieceTreeRow> piece_tree(const std::vector<PieceNode>& origins) {

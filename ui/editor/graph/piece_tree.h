@@ -18,7 +18,7 @@ struct PieceTreeRow {
 std::vector<PieceTreeRow> piece_tree(const std::vector<PieceNode>& origins);
 
 // What a piece came off, what holds it, and what stands with it, in sentences. Precondition: its body exists.
-std::string words_on(const PieceNode& node, const Document& document);
+std::string words_on(const PieceNode& node, const Document& document, FileUnit unit);
 
 // Draws them: what came off what, in which step of the history, what holds it, and how many faces are left of
 // it. A click chooses a piece, on which there are a few words then.

@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "core/document/commands/command_words.h"
+#include "ui/editor/shared/file_frames.h"
 #include "ui/editor/shared/panel_rows.h"
+#include "ui/editor/shared/step_words.h"
 #include "ui/window/number_format.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
@@ -22,7 +23,7 @@ class HistoryPanel {
   void draw(Workspace& on);
 
  private:
-  void draw_list(WorldChanges& changes, const Document& document);
+  void draw_list(WorldChanges& changes, const Document& document, FileUnit unit);
 
   size_t shown_ = 0;  // the position that the list was scrolled to
 };
@@ -37,12 +38,13 @@ std::string weight_text(const HistoryStep& step) {
   return kilobytes < 1000 ? text_of("%.0f kB", kilobytes) : text_of("%.1f MB", kilobytes / 1024);
 }
 
-std::string removed_text(const HistoryStep& step) {
-  return step.removed_area() > 0 ? area_text(step.removed_area()) : "";
+std::string removed_text(const HistoryStep& step, FileUnit unit) {
+  return step.removed_area() > 0 ? area_label(step.removed_area(), unit) : "";
 }
 
 // The width that a column of such texts needs.
-float widest(const History& history, std::string (*text)(const HistoryStep&)) {
+template <typename Text>
+float widest(const History& history, const Text& text) {
   float width = 1;
   for (size_t i = 0; i < history.size(); ++i)
     width = std::max(width, ImGui::CalcTextSize(text(history.step(i)).c_str()).x);
@@ -87,11 +89,11 @@ bool draw_row(size_t now, size_t position, const Row& row) {
 }
 
 // The row of a position of the history; returns whether it was clicked.
-bool draw_step(const History& history, size_t position) {
+bool draw_step(const History& history, size_t position, FileUnit unit) {
   if (position == 0) return draw_row(history.position(), 0, {"As it was opened"});
   const HistoryStep& step = history.step(position - 1);
   return draw_row(history.position(), position,
-                  {words(step.commands().front()), removed_text(step), weight_text(step)});
+                  {step_words(history, position - 1, unit), removed_text(step, unit), weight_text(step)});
 }
 
 void draw_window(Document& document, Settings& settings) {
@@ -113,17 +115,18 @@ void draw_window(Document& document, Settings& settings) {
   end_properties();
 }
 
-void HistoryPanel::draw_list(WorldChanges& changes, const Document& document) {
+void HistoryPanel::draw_list(WorldChanges& changes, const Document& document, FileUnit unit) {
   constexpr ImGuiTableFlags kList =
       ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersOuter;
   const History& history = document.history();
   const float height = height_of_rows(std::min(history.size() + 1, kMostRows));
   if (!ImGui::BeginTable("steps", 3, kList, {0, height})) return;
   ImGui::TableSetupColumn("Step", ImGuiTableColumnFlags_WidthStretch);
-  ImGui::TableSetupColumn("Removed", ImGuiTableColumnFlags_WidthFixed, widest(history, removed_text));
+  const auto removed = [unit](const HistoryStep& step) { return removed_text(step, unit); };
+  ImGui::TableSetupColumn("Removed", ImGuiTableColumnFlags_WidthFixed, widest(history, removed));
   ImGui::TableSetupColumn("Weight", ImGuiTableColumnFlags_WidthFixed, widest(history, weight_text));
   draw_rows_in_sight(history.size() + 1, [&](size_t position) {
-    if (draw_step(history, position))
+    if (draw_step(history, position, unit))
       changes.ask("Travel", [&changes, position] { changes.travel_to(position); });
   });
   if (shown_ != history.position()) {
@@ -134,7 +137,7 @@ void HistoryPanel::draw_list(WorldChanges& changes, const Document& document) {
 }
 
 void HistoryPanel::draw(Workspace& on) {
-  draw_list(on.changes, on.work.document);
+  draw_list(on.changes, on.work.document, on.view.frame.unit);
   draw_window(on.work.document, on.settings);
 }
 

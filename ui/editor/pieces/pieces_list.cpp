@@ -6,6 +6,8 @@
 #include <cstring>
 #include <utility>
 
+#include "core/document/history/specks.h"
+#include "ui/editor/pieces/piece_switches.h"
 #include "ui/editor/shared/file_frames.h"
 #include "ui/editor/shared/panel_rows.h"
 #include "ui/window/landmarks.h"
@@ -17,7 +19,6 @@ namespace kerf {
 
 namespace {
 
-constexpr const char* kPinnedWord = "pinned";
 constexpr size_t kRowsInSight = 8;  // that are seen at once
 
 void draw_swatch(const Vec3& c) {
@@ -29,19 +30,6 @@ void draw_swatch(const Vec3& c) {
   ImGui::GetWindowDrawList()->AddRectFilled({at.x, y}, {at.x + side, y + side}, colour, 2);
   ImGui::Dummy({side, ImGui::GetTextLineHeight()});
   ImGui::SameLine();
-}
-
-// A button without a frame, as wide as its column.
-bool plain_button(const char* label, bool faint, const char* meaning) {
-  ImGui::PushStyleColor(ImGuiCol_Text, faint ? colours::secondary() : colours::text());
-  ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(0, 0, 0, 0));
-  ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 0);
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, 0));
-  const bool pressed = ImGui::SmallButton(label);
-  ImGui::PopStyleVar(2);
-  ImGui::PopStyleColor(2);
-  tooltip(meaning);
-  return pressed;
 }
 
 float width_of(const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; }
@@ -69,7 +57,7 @@ void set_up_columns(const std::vector<PieceRow>& rows, FileUnit unit) {
   ImGui::TableSetupColumn("Piece", ImGuiTableColumnFlags_WidthStretch);
   ImGui::TableSetupColumn("Faces", ImGuiTableColumnFlags_WidthFixed, faces);
   ImGui::TableSetupColumn("Area", ImGuiTableColumnFlags_WidthFixed, area);
-  ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, std::max(width_of("show"), width_of("hide")));
+  ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, width_of_switches());
   ImGui::TableHeadersRow();
 }
 
@@ -87,16 +75,16 @@ PieceLook look_of(const ViewState& view, const PieceId& id) {
 }
 
 struct Listed {
-  const PieceRow* row = nullptr;  // null: the row that stands for all crumbs
-  bool is_crumb = false;
+  const PieceRow* row = nullptr;  // null: the row that stands for all specks
+  bool is_folded = false;
 };
 
-std::vector<Listed> rows_to_list(const SortedPieces& sorted, bool crumbs_unfolded) {
+std::vector<Listed> rows_to_list(const SortedPieces& sorted, bool specks_unfolded) {
   std::vector<Listed> listed;
   for (const PieceRow& row : sorted.rest) listed.push_back({&row, false});
-  if (!sorted.crumbs.empty()) listed.push_back({});
-  for (size_t i = 0; crumbs_unfolded && i < sorted.crumbs.size(); ++i)
-    listed.push_back({&sorted.crumbs[i], true});
+  if (!sorted.specks.empty()) listed.push_back({});
+  for (size_t i = 0; specks_unfolded && i < sorted.specks.size(); ++i)
+    listed.push_back({&sorted.specks[i], true});
   return listed;
 }
 
@@ -118,10 +106,10 @@ void PiecesList::begin_rename(const PieceRow& row) {
 void PiecesList::begin_asked_rename(const SortedPieces& sorted) {
   const std::optional<PieceId> asked = std::exchange(asked_, {});
   if (!asked) return;
-  for (const std::vector<PieceRow>* rows : {&sorted.rest, &sorted.crumbs}) {
+  for (const std::vector<PieceRow>* rows : {&sorted.rest, &sorted.specks}) {
     for (const PieceRow& row : *rows) {
       if (row.id != *asked) continue;
-      crumbs_unfolded_ = crumbs_unfolded_ || rows == &sorted.crumbs;
+      specks_unfolded_ = specks_unfolded_ || rows == &sorted.specks;
       begin_rename(row);
     }
   }
@@ -149,16 +137,11 @@ void PiecesList::draw_name(ViewState& view, const PieceRow& row, const PieceLook
   if (look.selected) ImGui::PushStyleColor(ImGuiCol_Text, colours::accent());
   if (look.hidden) ImGui::PushStyleColor(ImGuiCol_Text, colours::secondary());
   const float room = ImGui::GetContentRegionAvail().x;
-  const float mark = row.pinned ? width_of(kPinnedWord) + 0.4f * ImGui::GetFontSize() : 0;
-  const std::string label = shortened(row.name, room - mark) + "###name";
+  const std::string label = shortened(row.name, room) + "###name";
   const bool clicked =
       ImGui::Selectable(label.c_str(), look.selected, ImGuiSelectableFlags_AllowDoubleClick, {room, 0});
   if (look.hidden) ImGui::PopStyleColor();
   if (look.selected) ImGui::PopStyleColor();
-  if (row.pinned) {
-    const ImVec2 end{ImGui::GetItemRectMax().x - width_of(kPinnedWord), ImGui::GetItemRectMin().y};
-    ImGui::GetWindowDrawList()->AddText(end, colours::secondary(), kPinnedWord);
-  }
   tooltip(
       (row.name + ". Click chooses it, Ctrl+click or Shift+click adds it, double click renames it.").c_str());
   if (!clicked) return;
@@ -171,14 +154,25 @@ void PiecesList::draw_name(ViewState& view, const PieceRow& row, const PieceLook
   view.picture_old = true;
 }
 
-void PiecesList::draw_row(Workspace& on, const PieceRow& row, bool is_crumb) {
+void PiecesList::draw_switches(WorldChanges& changes, const PieceRow& row, bool hidden) {
+  if (eye_switch(!hidden, hidden ? "Draws this piece again."
+                                 : "Leaves this piece out of the picture; the beam passes it by."))
+    changes.ask(HidePiece{row.id, !hidden});
+  mark_last_item(("eye " + row.name).c_str());
+  if (pin_switch(row.pinned, row.pinned ? "Lets this piece move again."
+                                        : "Pins this piece where it is while others move."))
+    changes.ask(PinPiece{row.id, !row.pinned});
+  mark_last_item(("pin " + row.name).c_str());
+}
+
+void PiecesList::draw_row(Workspace& on, const PieceRow& row, bool is_folded) {
   ViewState& view = on.view;
   const PieceLook look = look_of(view, row.id);
   ImGui::PushID(static_cast<int>(row.id.body.slot));
   ImGui::PushID(static_cast<int>(row.id.label));
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  if (is_crumb) ImGui::Indent();
+  if (is_folded) ImGui::Indent();
   draw_swatch(piece_colour(row.number, view.look.show.pieces));
   if (renamed_ == row.id) {
     edit_name(on.changes, row);
@@ -186,48 +180,47 @@ void PiecesList::draw_row(Workspace& on, const PieceRow& row, bool is_crumb) {
     draw_name(view, row, look);
   }
   mark_last_item(("piece " + row.name).c_str());
-  if (is_crumb) ImGui::Unindent();
+  if (is_folded) ImGui::Unindent();
   draw_figures(row.faces, row.area, view.frame.unit);
-  if (plain_button(look.hidden ? "show" : "hide", look.hidden,
-                   look.hidden ? "Draws this piece again."
-                               : "Leaves this piece out of the picture; the beam passes it by."))
-    on.changes.ask(HidePiece{row.id, !look.hidden});
+  draw_switches(on.changes, row, look.hidden);
   ImGui::PopID();
   ImGui::PopID();
 }
 
-void PiecesList::draw_crumbs(ViewState& view, const std::vector<PieceRow>& crumbs,
+void PiecesList::draw_specks(ViewState& view, const std::vector<PieceRow>& specks,
                              const HideChosen& hide_chosen) {
   size_t faces = 0;
   double area = 0;
   bool chosen = false;
-  for (const PieceRow& row : crumbs) {
+  for (const PieceRow& row : specks) {
     faces += row.faces;
     area += row.area;
     chosen = chosen || look_of(view, row.id).selected;
   }
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  ImGui::SetNextItemOpen(crumbs_unfolded_, ImGuiCond_Always);
+  ImGui::SetNextItemOpen(specks_unfolded_, ImGuiCond_Always);
   if (chosen) ImGui::PushStyleColor(ImGuiCol_Text, colours::accent());
-  const std::string label = grouped(crumbs.size()) + " crumbs###crumbs";
-  crumbs_unfolded_ = ImGui::TreeNodeEx(
+  const std::string label = grouped(specks.size()) + " specks###specks";
+  specks_unfolded_ = ImGui::TreeNodeEx(
       label.c_str(), ImGuiTreeNodeFlags_NoTreePushOnOpen | ImGuiTreeNodeFlags_SpanAvailWidth);
   if (chosen) ImGui::PopStyleColor();
-  mark_last_item("crumbs");
-  tooltip(("Pieces of at most " + std::to_string(kFacesOfCrumb) + " faces. A click lists them.").c_str());
+  mark_last_item("specks");
+  tooltip(
+      "Pieces that were smaller than an eighth of the beam's cross-section when they came off. A click lists "
+      "them.");
   draw_figures(faces, area, view.frame.unit);
-  if (plain_button("hide##crumbs", false, "Leaves all crumbs out of the picture; the beam passes them by.")) {
-    choose_only(view, crumbs);
+  if (eye_switch(true, "Leaves all specks out of the picture; the beam passes them by.")) {
+    choose_only(view, specks);
     hide_chosen();
   }
 }
 
 void PiecesList::draw_rows(Workspace& on, const SortedPieces& sorted, const HideChosen& hide_chosen) {
-  const std::vector<Listed> listed = rows_to_list(sorted, crumbs_unfolded_);
+  const std::vector<Listed> listed = rows_to_list(sorted, specks_unfolded_);
   const auto draw_one = [&](const Listed& each) {
-    if (each.row == nullptr) return draw_crumbs(on.view, sorted.crumbs, hide_chosen);
-    draw_row(on, *each.row, each.is_crumb);
+    if (each.row == nullptr) return draw_specks(on.view, sorted.specks, hide_chosen);
+    draw_row(on, *each.row, each.is_folded);
   };
   // A field that is to take the focus has to be drawn, also where it is scrolled away.
   if (take_focus_) {
@@ -240,9 +233,9 @@ void PiecesList::draw_rows(Workspace& on, const SortedPieces& sorted, const Hide
 void PiecesList::draw(Workspace& on, const std::vector<PieceRow>& rows, const HideChosen& hide_chosen) {
   constexpr ImGuiTableFlags kList =
       ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_NoPadOuterX;
-  const SortedPieces sorted = set_crumbs_apart(rows);
+  const SortedPieces sorted = set_specks_apart(rows, specks(on.work.document));
   begin_asked_rename(sorted);
-  const size_t count = rows_to_list(sorted, crumbs_unfolded_).size();
+  const size_t count = rows_to_list(sorted, specks_unfolded_).size();
   const float height = height_of_rows(std::min(count, kRowsInSight) + 1);
   if (!ImGui::BeginTable("pieces", 4, kList, {0, height})) return;
   set_up_columns(rows, on.view.frame.unit);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/document/history/specks.h"
 #include "core/joints/loaded_part.h"
 
 namespace kerf {
@@ -9,14 +10,15 @@ namespace kerf {
 namespace {
 
 // Without parts that no cut separated, which joints hold or held.
-size_t count_pieces(const World& world) {
-  size_t pieces = 0;
+void count_pieces(ShownFigures& shown, const World& world, const std::set<PieceId>& specks) {
+  shown.pieces = shown.specks = 0;
   for (const BodyId id : world.ids()) {
     const Body& body = world.body(id);
-    for (uint32_t label = 0; label < body.pieces.size(); ++label)
-      pieces += body.pieces[label].faces > 0 && !is_loaded_part(body, label);
+    for (uint32_t label = 0; label < body.pieces.size(); ++label) {
+      if (body.pieces[label].faces == 0 || is_loaded_part(body, label)) continue;
+      ++(specks.contains({id, label}) ? shown.specks : shown.pieces);
+    }
   }
-  return pieces;
 }
 
 void add(const World& world, MemoryFigures& figures) {
@@ -29,9 +31,10 @@ void add(const World& world, MemoryFigures& figures) {
 
 }  // namespace
 
-void count_world(ShownFigures& shown, const World& world, bool depth_shown) {
+void count_world(ShownFigures& shown, const Document& document, bool depth_shown) {
+  const World& world = document.world();
   shown.faces = world.live_faces();
-  shown.pieces = count_pieces(world);
+  count_pieces(shown, world, specks(document));
   shown.tree_nodes = 0;
   shown.tree_depth.reset();
   if (depth_shown) shown.tree_depth = 0;

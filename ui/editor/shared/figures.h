@@ -36,8 +36,9 @@ MemoryFigures memory_figures(std::span<const World* const> worlds, size_t histor
 // legible.
 struct ShownFigures {
   FileUnit unit = FileUnit::kMetre;  // that areas are shown in
-  size_t faces = 0, pieces = 0;
-  size_t twin_faces = 0;  // in the right half
+  size_t faces = 0;
+  size_t pieces = 0, specks = 0;  // specks are counted apart
+  size_t twin_faces = 0;          // in the right half
   double frame_ms = 0;
   std::string time;  // how fast it passes; empty: it stands still
   std::string work;  // what the beam still does after the user has let go; may be empty
@@ -66,9 +67,9 @@ struct Figures {
   size_t recuts = 0;
 };
 
-// Updates the counts of a world for the panels. Depths of trees are computed only if they are shown, because
-// that takes O(n).
-void count_world(ShownFigures& shown, const World& world, bool depth_shown);
+// Updates the counts of the world of a document for the panels. Depths of trees are computed only if they are
+// shown, because that takes O(n).
+void count_world(ShownFigures& shown, const Document& document, bool depth_shown);
 
 // Updates the figures of the last stroke.
 void note_stroke(ShownFigures& shown, const Document& document);

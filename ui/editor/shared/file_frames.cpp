@@ -51,13 +51,6 @@ void show_in_frame(ViewState& view, const FileFrame& frame) {
   view.picture_old = true;
 }
 
-LengthUnit label_unit(double length, FileUnit unit) {
-  if (unit == FileUnit::kInch) return {"in", 1};
-  const double metres = metres_per_unit(unit);
-  const LengthUnit shown = unit_for(length * metres);
-  return {shown.name, shown.metres / metres};
-}
-
 void set_frame(const FileFrame& frame, const SceneDescription& scene, ViewState& view, Settings& settings) {
   show_in_frame(view, frame);
   view.frame_asked_for.clear();
@@ -66,13 +59,6 @@ void set_frame(const FileFrame& frame, const SceneDescription& scene, ViewState&
 
 std::string count_text(size_t count, const std::string& word) {
   return grouped(count) + ' ' + word + (count == 1 ? "" : "s");
-}
-
-std::string length_label(double length, FileUnit unit) {
-  const LengthUnit shown = label_unit(length, unit);
-  std::array<char, 48> text{};
-  std::snprintf(text.data(), text.size(), "%.3g %s", length / shown.metres, shown.name);
-  return text.data();
 }
 
 std::string extents_label(const Vec3& size, FileUnit unit) {

@@ -3,9 +3,9 @@
 #include <filesystem>
 #include <string>
 
-#include "core/base/length_text.h"
 #include "core/document/files/scene.h"
 #include "core/mesh/files/file_frame.h"
+#include "core/mesh/files/length_label.h"
 #include "ui/editor/shared/settings.h"
 #include "ui/editor/shared/view_state.h"
 
@@ -38,12 +38,9 @@ void set_frame(const FileFrame& frame, const SceneDescription& scene, ViewState&
 
 // "1 stroke", "3 strokes", "1 234 faces", for a word of which the plural ends in "s".
 std::string count_text(size_t count, const std::string& word);
-// A length or an area in the numbers of the file as a label: "2.75 mm", "0.3 in".
-std::string length_label(double length, FileUnit unit);
+// An area in the numbers of the file as a label, as length_label does it with a length: "2.75 cm^2".
 std::string area_label(double area, FileUnit unit);
 // The extents of a box in the numbers of the file, each in the same metric unit: "68 x 75 x 16 mm".
 std::string extents_label(const Vec3& size, FileUnit unit);
-// The unit of the label of a length, with its size in the numbers of the file.
-LengthUnit label_unit(double length, FileUnit unit);
 
 }  // namespace kerf

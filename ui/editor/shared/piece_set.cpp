@@ -53,14 +53,14 @@ std::vector<PieceRow> list_pieces(const World& world, const PieceMap& looks) {
   return rows;
 }
 
-SortedPieces set_crumbs_apart(std::vector<PieceRow> rows) {
-  const auto is_crumb = [](const PieceRow& row) { return row.number != 0 && row.faces <= kFacesOfCrumb; };
+SortedPieces set_specks_apart(std::vector<PieceRow> rows, const std::set<PieceId>& specks) {
+  const auto is_one = [&](const PieceRow& row) { return specks.contains(row.id); };
   SortedPieces sorted;
-  if (std::count_if(rows.begin(), rows.end(), is_crumb) < 2) {
+  if (std::count_if(rows.begin(), rows.end(), is_one) < 2) {
     sorted.rest = std::move(rows);
     return sorted;
   }
-  for (PieceRow& row : rows) (is_crumb(row) ? sorted.crumbs : sorted.rest).push_back(std::move(row));
+  for (PieceRow& row : rows) (is_one(row) ? sorted.specks : sorted.rest).push_back(std::move(row));
   return sorted;
 }
 

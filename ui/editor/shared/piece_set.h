@@ -2,6 +2,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -28,15 +29,12 @@ struct PieceRow {
 // no cut separated, each in descending order of area. Parts have the names that the mesh file gives them.
 std::vector<PieceRow> list_pieces(const World& world, const PieceMap& looks = {});
 
-// The largest number of faces of a crumb.
-inline constexpr size_t kFacesOfCrumb = 8;
-
-// Splits a list of pieces: crumbs are separated pieces of at most kFacesOfCrumb faces, and `rest` is all
-// else, in the same order. One crumb alone is left in the rest.
+// Splits a list of pieces into specks (see core/document/history/specks.h) and all else, in the same order.
+// One speck alone is left in the rest.
 struct SortedPieces {
-  std::vector<PieceRow> rest, crumbs;
+  std::vector<PieceRow> rest, specks;
 };
-SortedPieces set_crumbs_apart(std::vector<PieceRow> rows);
+SortedPieces set_specks_apart(std::vector<PieceRow> rows, const std::set<PieceId>& specks);
 
 // The colour in which the renderer draws a separated piece of this number (sRGB, 0 .. 1); grey for a body
 // itself (0). `strong`: with ShowOptions::pieces.

@@ -6,6 +6,7 @@
 #include "core/document/commands/command_words.h"
 #include "ui/editor/shared/long_change.h"
 #include "ui/editor/shared/piece_set.h"
+#include "ui/editor/shared/step_words.h"
 #include "ui/editor/shared/workspace.h"
 #include "ui/render/view/spread.h"
 
@@ -124,7 +125,7 @@ void WorldChanges::forget() {
 // --------------------------------------------------------------------------------------------------------
 
 void WorldChanges::apply(const Command& command) {
-  change(words(command), is_quick(on_.work.document, command),
+  change(words(command, on_.view.frame.unit), is_quick(on_.work.document, command),
          [command](Document& d, const Progress* progress) { return d.apply(command, progress); });
 }
 
@@ -146,12 +147,12 @@ void WorldChanges::step_through_history(bool back) {
   const bool there_is_one = back ? history.position() > 0 : history.position() < history.size();
   std::string said;
   if (there_is_one) {
-    const HistoryStep& step = back ? history.last() : history.step(history.position());
-    said = did + words(step.commands().front());
+    const size_t step = back ? history.position() - 1 : history.position();
+    said = did + step_words(history, step, on_.view.frame.unit);
   }
   const Command command = back ? Command(Undo{}) : Command(Redo{});
   change(
-      words(command), is_quick(document, command),
+      words(command, on_.view.frame.unit), is_quick(document, command),
       [command](Document& d, const Progress* progress) { return d.apply(command, progress); }, said);
 }
 

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/assert.h"
+#include "core/document/history/specks.h"
 #include "core/document/text/hash_text.h"
 #include "core/world/state_hash.h"
 
@@ -99,6 +100,7 @@ nlohmann::ordered_json session_report(const Workspace& on) {
       {"removed_area", document.history().removed_area()},
       {"last_stroke", last_stroke_of(document)},
       {"pieces", document.world().live_pieces()},
+      {"specks", specks(document).size()},
       {"recuts", figures.recuts},
       {"bodies", bodies_with_faces(document.world()).size()},
       {"placements", placements_of(document.world())},
@@ -118,7 +120,7 @@ void bring_up_to_date(Workspace& on) {
                                 on.work.document.history().bytes(), on.picture->memory());
   const bool depth_missing = figures.depth_wanted && !shown.tree_depth;
   if (!std::exchange(figures.world_changed, false) && !depth_missing) return;
-  count_world(shown, on.world(), figures.depth_wanted);
+  count_world(shown, on.work.document, figures.depth_wanted);
   note_stroke(shown, on.work.document);
 }
 

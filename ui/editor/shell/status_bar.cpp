@@ -26,18 +26,27 @@ struct Figure {
   }
 };
 
+// "3 pieces, 84 specks".
+std::string pieces_text(const ShownFigures& shown) {
+  const std::string pieces = count_text(shown.pieces, "piece");
+  return shown.specks == 0 ? pieces : pieces + ", " + count_text(shown.specks, "speck");
+}
+
+std::string removed_text(const ShownFigures& shown) {
+  const double area = shown.stroke->removed_area;
+  return area > 0 ? area_label(area, shown.unit) : "nothing";
+}
+
 // From the right; what comes first stays longest where there is no room for all.
 std::vector<Figure> figures_of(const ShownFigures& shown) {
   std::array<char, 32> frame{};
   if (shown.frame_ms > 0) std::snprintf(frame.data(), frame.size(), "%.1f ms", shown.frame_ms);
-  std::vector<Figure> figures{
-      {grouped(shown.faces) + " faces", 6.0f, colours::text()},
-      {grouped(shown.pieces) + (shown.pieces == 1 ? " piece" : " pieces"), 4.4f, colours::text()},
-      {frame.data(), 3.6f, colours::secondary()}};
+  std::vector<Figure> figures{{grouped(shown.faces) + " faces", 6.0f, colours::text()},
+                              {pieces_text(shown), 4.4f, colours::text()},
+                              {frame.data(), 3.6f, colours::secondary()}};
   if (!shown.time.empty()) figures.push_back({shown.time, 6.0f, colours::text()});
   if (shown.stroke)
-    figures.push_back({"last stroke removed " + area_label(shown.stroke->removed_area, shown.unit), 12.4f,
-                       colours::secondary()});
+    figures.push_back({"last stroke removed " + removed_text(shown), 12.4f, colours::secondary()});
   return figures;
 }
 

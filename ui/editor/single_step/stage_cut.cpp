@@ -125,7 +125,9 @@ bool StageCut::next() {
   });
 }
 
-void StageCut::note(const StageRecord& stage) { stages_.log.note(on_.work.document.world(), stage); }
+void StageCut::note(const StageRecord& stage) {
+  stages_.log.note(on_.work.document.world(), stage, on_.view.frame.unit);
+}
 
 void StageCut::show() {
   const StageRecord* last = stages_.log.last();

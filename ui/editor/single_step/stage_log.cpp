@@ -8,8 +8,8 @@
 namespace kerf {
 
 // A stage that is executed again says the same; one of another queue does not.
-void StageLog::note(const World& world, const StageRecord& stage) {
-  std::string sentence = words(stage);
+void StageLog::note(const World& world, const StageRecord& stage, FileUnit unit) {
+  std::string sentence = words(stage, unit);
   if (done_ < told_.size() && told_[done_] != sentence) told_.resize(done_);
   if (done_ == told_.size()) told_.push_back(std::move(sentence));
   ++done_;

@@ -21,8 +21,8 @@ class StageLog {
   // The stage that was executed last; null if none was.
   const StageRecord* last() const { return last_ ? &*last_ : nullptr; }
 
-  // Notes a stage right after it was executed.
-  void note(const World& world, const StageRecord& stage);
+  // Notes a stage right after it was executed. Lengths are told in the unit in which the work is shown.
+  void note(const World& world, const StageRecord& stage, FileUnit unit);
   // The stroke was taken back to where so many stages were executed, to be executed again from there.
   // Precondition: no more than done().
   void restart(size_t stages = 0);

@@ -53,8 +53,8 @@ void expect_same_as_steps(const Soup& soup, Random& random) {
   while (stepped.waiting() > 0) {
     const auto stage = single.next();
     ASSERT_TRUE(stage.ok());
-    ASSERT_TRUE(may_follow(last, stage->kind)) << words(*stage);
-    ASSERT_FALSE(words(*stage).empty());
+    ASSERT_TRUE(may_follow(last, stage->kind)) << words(*stage, FileUnit::kMetre);
+    ASSERT_FALSE(words(*stage, FileUnit::kMetre).empty());
     last = stage->kind;
     sum.moves += stage->done.moves;
     sum.delta.removed_faces += stage->done.delta.removed_faces;

@@ -119,17 +119,17 @@ TEST(PieceSet, parts_that_turn_on_joints_are_listed_behind_pieces_by_their_names
                                           "wheel_rear_right", "steering_wheel"}));
 }
 
-TEST(PieceSet, crumbs_are_separated_pieces_of_few_faces_and_one_alone_is_none) {
+TEST(PieceSet, specks_are_set_apart_and_one_alone_stays_in_the_list) {
   const auto row = [](uint32_t label, size_t faces) {
     return PieceRow{{{0, 0}, label}, label, "piece " + std::to_string(label), faces, 1};
   };
   const SortedPieces sorted =
-      set_crumbs_apart({row(0, 4), row(1, kFacesOfCrumb + 1), row(2, kFacesOfCrumb), row(3, 1)});
+      set_specks_apart({row(0, 4), row(1, 9), row(2, 8), row(3, 1)}, {{{0, 0}, 2}, {{0, 0}, 3}, {{1, 0}, 1}});
   ASSERT_EQ(sorted.rest.size(), 2u);
   EXPECT_EQ(sorted.rest[1].id.label, 1u);
-  ASSERT_EQ(sorted.crumbs.size(), 2u);
-  EXPECT_EQ(sorted.crumbs[1].id.label, 3u);
-  EXPECT_TRUE(set_crumbs_apart({row(0, 90), row(1, 1)}).crumbs.empty());
+  ASSERT_EQ(sorted.specks.size(), 2u);
+  EXPECT_EQ(sorted.specks[1].id.label, 3u);
+  EXPECT_TRUE(set_specks_apart({row(0, 90), row(1, 1)}, {{{0, 0}, 1}}).specks.empty());
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ TEST(StageLog, marks_the_faces_that_each_stage_hit_made_and_removed) {
   while (document.waiting() > 0) {
     const Result<StageRecord> stage = single.next();
     ASSERT_TRUE(stage.ok());
-    log.note(document.world(), *stage);
+    log.note(document.world(), *stage, FileUnit::kMetre);
     const auto marks = log.marks(document.world());
     ASSERT_NE(marks, nullptr);
     EXPECT_EQ(marks, log.marks(document.world())) << "made once";
@@ -90,7 +90,7 @@ TEST(StageLog, walks_through_the_last_query_of_the_tree) {
     while (document.waiting() > 0) {
       const Result<StageRecord> stage = single.next();
       ASSERT_TRUE(stage.ok());
-      log.note(document.world(), *stage);
+      log.note(document.world(), *stage, FileUnit::kMetre);
       if (stage->kind != StageKind::kHit && stage->kind != StageKind::kHitAgain) continue;
       const QueryWalk& query = log.query();
       ASSERT_EQ(query.visited(), query.size());
@@ -116,7 +116,7 @@ TEST(StageLog, draws_the_boxes_of_the_query_that_were_visited) {
   while (log.query().count(TouchedWalk::Outcome::kTouched) == 0) {
     const Result<StageRecord> stage = single.next();
     ASSERT_TRUE(stage.ok());
-    log.note(document.world(), *stage);
+    log.note(document.world(), *stage, FileUnit::kMetre);
   }
   EXPECT_EQ(lines(*log.marks(document.world()), StageMarks::Kind::kEntered), 0u);
   log.visit(1);
@@ -133,7 +133,7 @@ TEST(StageLog, keeps_the_sentences_of_the_stages_ahead_after_going_back) {
   Document document = sheet();
   SingleStep single(document);
   StageLog log;
-  const auto note = [&](const StageRecord& stage) { log.note(document.world(), stage); };
+  const auto note = [&](const StageRecord& stage) { log.note(document.world(), stage, FileUnit::kMetre); };
   while (single.stages() < 30) {
     const Result<StageRecord> stage = single.next();
     ASSERT_TRUE(stage.ok());
@@ -144,12 +144,13 @@ TEST(StageLog, keeps_the_sentences_of_the_stages_ahead_after_going_back) {
   ASSERT_TRUE(single.go_back_to(11, note).ok());
   EXPECT_EQ(log.done(), 11u);
   EXPECT_EQ(log.told(), told);
-  EXPECT_EQ(words(*log.last()), told[10]);
+  EXPECT_EQ(words(*log.last(), FileUnit::kMetre), told[10]);
   log.restart();
   StageRecord other;
   other.kind = StageKind::kTime;
-  log.note(document.world(), other);
-  EXPECT_EQ(log.told(), (std::vector<std::string>{words(other)})) << "the queue is another one";
+  log.note(document.world(), other, FileUnit::kMetre);
+  EXPECT_EQ(log.told(), (std::vector<std::string>{words(other, FileUnit::kMetre)}))
+      << "the queue is another one";
   log.forget();
   EXPECT_EQ(log.told().size(), 0u);
 }

@@ -48,7 +48,7 @@ TEST(StepWords, count_strokes_and_say_what_they_cut_in_the_unit_of_the_document)
   ASSERT_TRUE(test::walk_all(document).ok());
   const size_t last = document.history().position() - 1;
   EXPECT_TRUE(step_words(document.history(), last, FileUnit::kInch).starts_with("Cut 2: "));
-  EXPECT_TRUE(step_words(document.history(), last - 1, FileUnit::kInch).starts_with("Rename"));
+  EXPECT_TRUE(step_words(document.history(), last - 1, FileUnit::kInch).starts_with("Name "));
 }
 
 TEST(StepWords, of_a_recut_tell_of_the_stroke_that_is_cut_again) {

@@ -53,7 +53,7 @@ TEST(Specks, are_found_among_the_pieces_that_came_off_and_go_with_an_undo) {
   Document document = cut_strips();
   const Body& body = document.world().body(document.world().ids()[0]);
   size_t pieces = 0;
-  for (size_t i = 0; i < body.pieces.size(); ++i) pieces += body.pieces[i].faces > 0;
+  for (uint32_t i = 0; i < body.pieces.size(); ++i) pieces += body.pieces[i].faces > 0;
   ASSERT_GE(pieces, 3u);
   const std::set<PieceId> found = specks(document);
   ASSERT_EQ(found.size(), 1u);

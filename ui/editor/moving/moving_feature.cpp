@@ -62,7 +62,7 @@ class MovingFeature : public Feature {
    public:
     explicit DragOfPiece(MovingFeature& feature) : feature_(feature) {}
     void move(const InputEvent& event) override {
-      if (!over()) feature_.follow(event);
+      if (!over()) feature_.follow_pointer(event);
     }
     void release(const InputEvent&) override {
       if (!over()) feature_.confirm();
@@ -80,7 +80,7 @@ class MovingFeature : public Feature {
   UserAction duplicate_action();
   void draw_placement();
 
-  void follow(const InputEvent& event) {
+  void follow_pointer(const InputEvent& event) {
     moving_.follow(on_.world(), event.at, (event.mods & GLFW_MOD_CONTROL) != 0);
   }
   void take_key(int key);
@@ -110,7 +110,7 @@ bool MovingFeature::takes(const InputEvent& event, bool in_picture) {
     return true;
   }
   if (on_.held) return false;
-  if (event.kind == InputEvent::Kind::kMove) follow(event);
+  if (event.kind == InputEvent::Kind::kMove) follow_pointer(event);
   const bool left = event.button == GLFW_MOUSE_BUTTON_LEFT, right = event.button == GLFW_MOUSE_BUTTON_RIGHT;
   if (event.kind != InputEvent::Kind::kPress || (!left && !right)) return false;
   if (left && in_picture) {

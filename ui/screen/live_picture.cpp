@@ -74,9 +74,13 @@ bool LivePicture::draw_shots(const Shot& first, const Shot* second, PictureChang
   }
   rest_.follow(change, window.clock().seconds());
   if (!window.draws() && !first.look.show.shadow_compare) return pass_over(first, change);
-  const bool old = change != PictureChange::kNothing || std::exchange(passed_over_, false);
+  const bool heat = follows_heat(change);
+  if (heat) heat_pictures_ = kHeatPictures;
+  const bool old = (change != PictureChange::kNothing && !heat) || std::exchange(passed_over_, false);
+  if (old) heat_pictures_ = 0;
   const bool more =
-      !old && rest_.rests() && (is_gathering() || (quality_ == Quality::kRough && may_gather()));
+      !old && ((rest_.rests() && (is_gathering() || (quality_ == Quality::kRough && may_gather()))) ||
+               heat_pictures_ > 0);
   const bool anew =
       old || (!more && (!show_again(first_, target) ||
                         (second != nullptr && !show_again(*second_, target_of(second->area, window)))));
@@ -87,6 +91,12 @@ bool LivePicture::draw_shots(const Shot& first, const Shot* second, PictureChang
                anew && change != PictureChange::kHeat, rest_.shapes_rest() && !is_gathering(), figures);
   dead_beam_ = beam_shown_ && !first.beam;
   return anew || more;
+}
+
+// Whether the change is gathered into a picture that stands still.
+bool LivePicture::follows_heat(PictureChange change) const {
+  return change == PictureChange::kHeat && rest_.shapes_rest() && !passed_over_ &&
+         quality_ != Quality::kFinished && may_gather();
 }
 
 bool LivePicture::pass_over(const Shot& first, PictureChange change) {
@@ -127,6 +137,7 @@ void LivePicture::draw_anew(const Shot& first, const Shot* second, const Window&
 
 void LivePicture::gather(const Shot& first, const Shot* second, const Window& window) {
   const bool begins = quality_ != Quality::kGathered;
+  if (heat_pictures_ > 0) --heat_pictures_;
   quality_ = Quality::kGathered;
   const auto add = [&](Drawn& drawn, const Shot& shot) {
     const Target target = target_of(shot.area, window);

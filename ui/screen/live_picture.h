@@ -28,8 +28,9 @@ struct Shot {
 //
 // Antialiasing is switched off while the picture moves if it would take too long. Once the picture stands
 // still it is gathered from several pictures, one a frame (see GatheredPicture), so that the next change is
-// never waited for; where that would take seconds it is left out. While the faces of a scene that was just
-// opened are sent, nothing of it is drawn.
+// never waited for; where that would take seconds it is left out. While nothing but heat changes, the
+// gathered picture follows it. While the faces of a scene that was just opened are sent, nothing of it is
+// drawn.
 class LivePicture {
  public:
   // Fails if a shader is missing or does not compile.
@@ -48,7 +49,7 @@ class LivePicture {
             ShadowFigures& figures);
   void took(double seconds);
   // Whether another frame is needed although nothing moves.
-  bool busy() const { return traced_.busy() || is_gathering() || figures_new_; }
+  bool busy() const { return traced_.busy() || is_gathering() || heat_pictures_ > 0 || figures_new_; }
   // The duration of the last frame with a new picture; 0 before the second one, because the first one
   // includes warming up.
   double seconds() const { return seconds_; }
@@ -58,6 +59,8 @@ class LivePicture {
  private:
   // s; pictures with several samples that take longer are gathered.
   static constexpr double kSlowFrame = 0.030;
+  // So many pictures after heat has changed, what is gathered shows no more of how it was.
+  static constexpr int kHeatPictures = 4 * GatheredPicture::kPictures;
 
   // A renderer, and what is gathered of its pictures.
   struct Drawn {
@@ -77,6 +80,7 @@ class LivePicture {
 
   double rough_seconds() const { return std::min(rough_seconds_[0], rough_seconds_[1]); }
   bool may_gather() const;
+  bool follows_heat(PictureChange change) const;
   // Whether more pictures are to be gathered; it ends early where one of them takes too long.
   bool is_gathering() const {
     return quality_ == Quality::kGathered && !first_.gathered.complete() && may_gather();
@@ -97,6 +101,7 @@ class LivePicture {
   bool dead_beam_ = false;
   bool warm_ = false;
   Quality quality_ = Quality::kFinished;
+  int heat_pictures_ = 0;                 // left to gather since heat changed
   bool antialiased_ = false;              // the last picture has several samples per pixel
   std::optional<double> smooth_seconds_;  // what the last new picture with several samples took
   // The durations of the last two new pictures with one sample; a change may have made one of them slow.

@@ -1,5 +1,6 @@
 #include "ui/render/passes/gathered_picture.h"
 
+#include <algorithm>
 #include <array>
 
 #include "core/base/assert.h"
@@ -34,11 +35,14 @@ bool GatheredPicture::can_show(const Target& target) const {
 }
 
 void GatheredPicture::add(const std::function<void(const Target&)>& draw) {
-  KERF_ASSERT(sum_ && !complete());
+  KERF_ASSERT(sum_.has_value());
   const auto [width, height] = std::pair(next_->shape().width, next_->shape().height);
-  draw({next_->name(), 0, 0, width, height, kShifts[static_cast<size_t>(count_)]});
+  draw({next_->name(), 0, 0, width, height, kShifts[static_cast<size_t>(count_ % kPictures)]});
   sum_->bind();
-  const gl::ScopedState state({.depth = GL_NONE, .blend = gl::kAdd});
+  const float kept = complete() ? 1 - 1.0f / kPictures : 1;
+  glBlendColor(kept, kept, kept, kept);
+  const gl::ScopedState state(
+      {.depth = GL_NONE, .blend = gl::Blend{GL_ONE, GL_CONSTANT_COLOR, GL_ONE, GL_CONSTANT_COLOR}});
   copy(*next_, 1.0f / kPictures, {0, 0});
   ++count_;
 }
@@ -48,7 +52,8 @@ void GatheredPicture::show(const Target& target) const {
   glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
   glViewport(target.x, target.y, target.width, target.height);
   const gl::ScopedState state({.depth = GL_NONE});
-  copy(*sum_, static_cast<float>(kPictures) / static_cast<float>(count_), {target.x, target.y});
+  copy(*sum_, static_cast<float>(kPictures) / static_cast<float>(std::min(count_, kPictures)),
+       {target.x, target.y});
 }
 
 void GatheredPicture::forget() {

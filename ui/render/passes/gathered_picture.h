@@ -20,10 +20,11 @@ class GatheredPicture {
 
   // Starts anew with pictures of this size in pixels. Precondition: width and height are positive.
   void begin(int width, int height);
-  // Adds the next picture, which `draw` draws to the target that it gets. Precondition: begin() was called,
-  // and the pictures are not complete.
+  // Adds the next picture, which `draw` draws to the target that it gets. Once the pictures are complete it
+  // takes the place of their share of the mean, so that a scene that changes slowly is followed.
+  // Precondition: begin() was called.
   void add(const std::function<void(const Target&)>& draw);
-  bool complete() const { return count_ == kPictures; }
+  bool complete() const { return count_ >= kPictures; }
 
   // Whether there are pictures of the size of the target.
   bool can_show(const Target& target) const;
@@ -38,7 +39,7 @@ class GatheredPicture {
   gl::Program copy_;
   gl::NoVertices no_vertices_;
   std::optional<gl::Framebuffer> next_, sum_;
-  int count_ = 0;  // of pictures in the sum
+  int count_ = 0;  // of pictures that were added
 };
 
 }  // namespace kerf

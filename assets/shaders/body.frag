@@ -11,6 +11,7 @@ centroid in float rim;  // samples outside a face must not extrapolate it
 centroid in vec4 now, once;  // see body.vert
 centroid in vec2 at_corner;
 centroid in vec3 place;
+flat in float number_of_face;
 
 uniform int heated;  // 1 where the body has temperatures
 uniform sampler2D heat_ramps;  // see heat_ramps.h
@@ -36,7 +37,7 @@ vec3 ember(float t) {
 }
 
 // A row of the table at a fraction of its width.
-vec4 ramp(int row, float at) { return texture(heat_ramps, vec2(at, (float(row) + 0.5) / 3.0)); }
+vec4 ramp(int row, float at) { return texture(heat_ramps, vec2(at, (float(row) + 0.5) / 4.0)); }
 const float kHottestOfRows = 4096.0;  // K
 const float kAmbient = 293.0;
 
@@ -57,10 +58,23 @@ Hot heat_of_surface() {
   return Hot(ember(hot) * smoothstep(0.0, 0.5, hot), vec3(0.0), 0.75 * smoothstep(0.0, 0.6, hot));
 }
 
-// The temperature view: the colour of the scale up to body_look.w, a little darker where a face is averted.
-vec3 scale_colour(vec3 n, vec3 v) {
-  float t = clamp((temperature_of(now, at_corner.x) - kAmbient) / (body_look.w - kAmbient), 0.0, 1.0);
-  return ramp(2, (t * 511.0 + 0.5) / 512.0).rgb * (0.75 + 0.25 * abs(dot(n, v)));
+// A row of the table from its first to its last colour.
+vec3 scale_colour(int row, float t) { return ramp(row, (clamp(t, 0.0, 1.0) * 511.0 + 0.5) / 512.0).rgb; }
+
+// Whether temperatures or numbers colour the faces.
+bool is_mapped() { return body_look.w > 0.0 || face_view.z > 0.0; }
+
+const float kNoNumber = 1e38;  // and above
+
+// The colour of the temperature up to body_look.w, or that of the number of the face; a little darker where a face is
+// averted.
+vec3 mapped_colour(vec3 n, vec3 v) {
+  float shade = 0.75 + 0.25 * abs(dot(n, v));
+  if (face_view.z > 0.0) {
+    if (number_of_face > kNoNumber) return vec3(0.055, 0.060, 0.068) * shade;
+    return scale_colour(3, (number_of_face - face_view.x) / (face_view.y - face_view.x)) * shade;
+  }
+  return scale_colour(2, (temperature_of(now, at_corner.x) - kAmbient) / (body_look.w - kAmbient)) * shade;
 }
 #else
 Hot heat_of_surface() { return Hot(vec3(0.0), vec3(0.0), 0.0); }
@@ -72,7 +86,10 @@ vec3 skin_left(Hot hot) { return mix(paint.rgb, hot.tint, hot.burnt); }
 vec3 primer(Hot hot) { return mix(mix(vec3(0.15), paint.rgb, 0.25), hot.tint, hot.burnt); }
 
 // How light that falls on a surface fades out where the smooth normal turns away from it, before the facets do.
-float lit(float facing) { return max(facing, 0.0) * smoothstep(terminator, 2.5 * terminator + 1e-4, facing); }
+float lit(float facing) {
+  float from = face_view.w > 0.0 ? 0.0 : terminator;
+  return max(facing, 0.0) * smoothstep(from, 2.5 * from + 1e-4, facing);
+}
 
 #ifdef DIRECT
 
@@ -89,7 +106,7 @@ vec3 inside(vec3 n, Hot hot) { return primer(hot) * lit(dot(n, to_light(at))) * 
 
 vec3 outside(vec3 n, vec3 v, Hot hot) {
   float height = clamp((at.y - ground.x) / max(grid.w, 1e-6), 0.0, 1.0);
-  float open = 0.42 + 0.58 * smoothstep(0.0, 0.55, height + 0.5 * max(n.y, 0.0));
+  float open = mix(0.42 + 0.58 * smoothstep(0.0, 0.55, height + 0.5 * max(n.y, 0.0)), 1.0, ground_light.w);
   vec3 sky = mix(ground_light.rgb * open, sky_light.rgb, 0.5 + 0.5 * n.y) * mix(open, 1.0, 0.5);
   float gloss = gloss_left(hot);
   float edge = 1.0 - clamp(dot(n, v), 0.0, 1.0);
@@ -108,15 +125,38 @@ vec3 own_light(vec3 n, Hot hot) {
 
 #endif
 
+// A colour with the edges of its face over it.
+vec3 with_wire(vec3 colour) {
+#ifdef WIRE
+  vec3 wide = fwidth(corner);
+  vec3 inner = smoothstep(vec3(0.0), wide * 1.15, corner);
+  float line = 1.0 - min(inner.x, min(inner.y, inner.z));
+  colour *= 1.0 - 0.65 * line;
+#if !defined(DIRECT) && !defined(GLOW)
+  colour += vec3(0.20, 0.25, 0.31) * 0.55 * line;
+#endif
+#endif
+  return colour;
+}
+
+// Towards the eye.
+vec3 shading_normal() {
+  vec3 smooth_one = normalize(gl_FrontFacing ? normal : -normal);
+  if (face_view.w == 0.0) return smooth_one;
+  vec3 across = cross(dFdx(at), dFdy(at));
+  float size = length(across);
+  return size > 0.0 ? across / size : smooth_one;
+}
+
 void main() {
   vec3 v = -normalize(at);
-  vec3 n = normalize(gl_FrontFacing ? normal : -normal);
+  vec3 n = shading_normal();
 #ifdef RIM
-  if (body_look.w > 0.0) {
+  if (is_mapped()) {
 #if defined(DIRECT) || defined(GLOW)
     pixel = vec4(0.0);
 #else
-    pixel = vec4(scale_colour(n, v), 0.0);
+    pixel = vec4(with_wire(mapped_colour(n, v)), 0.0);
 #endif
     return;
   }
@@ -131,15 +171,7 @@ void main() {
 #endif
 #endif
   if (!gl_FrontFacing) colour *= body_look.z;
-#ifdef WIRE
-  vec3 wide = fwidth(corner);
-  vec3 inner = smoothstep(vec3(0.0), wide * 1.15, corner);
-  float line = 1.0 - min(inner.x, min(inner.y, inner.z));
-  colour *= 1.0 - 0.65 * line;
-#if !defined(DIRECT) && !defined(GLOW)
-  colour += vec3(0.20, 0.25, 0.31) * 0.55 * line;
-#endif
-#endif
+  colour = with_wire(colour);
 #if defined(DIRECT) || defined(GLOW)
   pixel = vec4(colour * clear_air(at), 0.0);
 #else

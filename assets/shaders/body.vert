@@ -7,8 +7,13 @@ layout(location = 5) in float warmth;    // the temperature at the corner, in un
 layout(location = 6) in vec3 warming;    // its gradient, in units of kGradientUnit
 layout(location = 7) in float hottest;   // the same of the highest temperature that was
 layout(location = 8) in vec3 heating;
+layout(location = 9) in float scalar;    // the number of the face (see scalar_field.h)
 
-layout(std140) uniform Paints { vec4 paints[256]; };  // linear rgb, gloss
+const uint kPieceColours = 32u;
+layout(std140) uniform Paints {
+  vec4 paints[256];            // linear rgb, gloss
+  vec4 pieces[kPieceColours];  // linear rgb; see piece_palette.h
+};
 
 uniform mat3 turn;
 
@@ -27,6 +32,7 @@ centroid out float rim;  // 0 at a rim that glows, 1 and more where nothing does
 centroid out vec4 now, once;
 centroid out vec2 at_corner;
 centroid out vec3 place;
+flat out float number_of_face;
 const float kWarmest = 65535.0 / 16.0, kGradientUnit = 256.0, kAmbient = 293.0;
 #endif
 
@@ -42,13 +48,11 @@ vec3 hue_colour(float hue, float saturation, float value) {
   return value * mix(vec3(1.0), wheel, saturation);
 }
 
-// Neighbouring labels get hues far apart: teal to violet in the picture, all round the wheel where pieces are
-// the subject.
-vec3 piece_colour(uint piece, bool strong) {
+// Neighbouring numbers get hues far apart, for the view that has pieces for its subject.
+vec3 strong_colour(uint piece) {
   float turn_of = fract(float(piece) * 0.61803399);
   float shade = fract(float(piece) * 0.7548777);
-  if (strong) return hue_colour(turn_of, 0.80, 0.40 + 0.25 * shade);
-  return hue_colour(0.40 + 0.40 * turn_of, 0.72, 0.10 + 0.14 * shade);
+  return hue_colour(turn_of, 0.80, 0.40 + 0.25 * shade);
 }
 
 // The sets of a separation (see piece_looks.cpp), in the colours of the component graph.
@@ -80,13 +84,14 @@ void main() {
   } else if (body_look.y > 1.5) {
     paint = vec4(level_colour(float(traits.x) / max(body_look.x, 1.0)), 0.25);
   } else if (body_look.y > 0.5) {
-    paint = number == 0u ? vec4(0.16, 0.17, 0.18, 0.25) : vec4(piece_colour(number, true), 0.25);
+    paint = number == 0u ? vec4(0.16, 0.17, 0.18, 0.25) : vec4(strong_colour(number), 0.25);
   } else if (number != 0u) {
-    paint.rgb = mix(paint.rgb, piece_colour(number, false), 0.85);
+    paint.rgb = pieces[(number - 1u) % kPieceColours].rgb;
   }
 #ifdef RIM
   rim = from_rim;
   place = position;
+  number_of_face = scalar;
   at_corner = max(vec2(warmth, hottest) * kWarmest, kAmbient);
   now = extrapolated(at_corner.x, warming);
   once = extrapolated(at_corner.y, heating);

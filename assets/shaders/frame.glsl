@@ -18,10 +18,12 @@ layout(std140) uniform Frame {
   vec4 sky_low;         // rgb of the sky near the horizon
   vec4 sky_band;        // rgb, what a band of light along the horizon adds to it
   vec4 sky_light;       // rgb of the light that falls on surfaces from above
-  vec4 ground_light;    // rgb of the light that falls on surfaces from below
+  vec4 ground_light;    // rgb of the light that falls on surfaces from below; w: 1 where no ground keeps light away
   vec4 ground_matt;     // rgb, the share of light that the ground reflects
   vec4 ground_line;     // rgb, what the lines of its grid add; less than 0 by day
   vec4 section;         // a place p is drawn where dot(section, vec4(p, 1)) >= 0: everywhere without a section plane
   vec4 body_look;       // x: most halvings of a face, y: 1 strong piece colours, 2 levels, z: backs are lit, w: K that the temperature
                         // view ends at, 0 without it
+  vec4 face_view;       // x, y: the numbers of faces with the first and the last colour; z: 1 where they are shown, w: 1 where
+                        // faces are shaded by their planes
 };

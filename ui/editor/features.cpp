@@ -13,6 +13,7 @@
 #include "ui/editor/pieces/pieces_feature.h"
 #include "ui/editor/prepare/prepare_feature.h"
 #include "ui/editor/ruler/ruler_feature.h"
+#include "ui/editor/scalar_map/scalar_map_feature.h"
 #include "ui/editor/section/section_feature.h"
 #include "ui/editor/shell/dialogs.h"
 #include "ui/editor/single_step/single_step_feature.h"
@@ -44,6 +45,7 @@ Features make_features(Workspace& on, const Catalogue& catalogue) {
   features.push_back(material_feature(on));
   features.push_back(prepare_feature(on));
   features.push_back(tree_feature(on));
+  features.push_back(scalar_map_feature(on));
   features.push_back(graph_feature(on));
   features.push_back(single_step_feature(on));
   features.push_back(statistics_feature(on));

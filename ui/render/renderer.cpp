@@ -95,9 +95,9 @@ void Renderer::find_finest() {
   }
 }
 
-// Whether any surface is drawn otherwise because it is at a rim, or is or was hot.
+// Whether any surface is drawn otherwise because it is at a rim, is or was hot, or has a number.
 bool Renderer::has_rims(const ViewOptions& options) const {
-  if (options.show.heat) return true;
+  if (options.show.heat || options.scalar) return true;
   return options.rim_glow && !options.show.sizes &&
          std::any_of(bodies_.begin(), bodies_.end(), [](const auto& body) {
            return body.second.faces().has_rim() || body.second.faces().heat().any();
@@ -106,7 +106,7 @@ bool Renderer::has_rims(const ViewOptions& options) const {
 
 // Whether anything on a body shines, so that the picture needs bloom.
 bool Renderer::glows(const ViewOptions& options) const {
-  return !options.show.heat && has_rims(options) &&
+  return !options.show.heat && !options.scalar && has_rims(options) &&
          std::any_of(bodies_.begin(), bodies_.end(), [](const auto& body) {
            const FaceBuffer& faces = body.second.faces();
            return faces.heat().any() ? faces.heat().warmest() > kGlowFrom : faces.has_rim();
@@ -119,6 +119,40 @@ void Renderer::update_looks(const World& world, const ViewOptions& options) {
     const BodyLooks looks(id, options);
     if (picture.looks().update(world.body(id), looks, space_)) contact_old_ = true;
     picture.faces().group(world.body(id).mesh, looks.groups());
+  }
+}
+
+// The bases of a body that are smooth everywhere; the same as by angle where it is not known how it was
+// loaded.
+std::shared_ptr<const BaseFaces> Renderer::smooth_bases(const Body& body) {
+  const auto loaded = loaded_.find(body.loaded_as);
+  if (loaded == loaded_.end()) return nullptr;
+  std::shared_ptr<const BaseFaces>& smooth = smooth_[body.loaded_as];
+  if (!smooth) smooth = std::make_shared<const BaseFaces>(loaded->second.bases->smoothed());
+  if (body.loaded_faces.empty()) return smooth;
+  return std::make_shared<const BaseFaces>(smooth->pick(body.loaded_faces));
+}
+
+void Renderer::update_shading(const World& world, const ViewOptions& options) {
+  const bool smooth = options.shading == Shading::kSmooth;
+  if (!smooth) smooth_.clear();
+  for (auto& [id, picture] : bodies_) {
+    if (!world.contains(id) || picture.faces().is_smooth() == smooth) continue;
+    const Body& body = world.body(id);
+    picture.faces().shade(body.mesh, smooth ? smooth_bases(body) : nullptr);
+  }
+}
+
+// Bodies that the field leaves out have no numbers.
+void Renderer::update_scalars(const ViewOptions& options) {
+  static const auto kNone = std::make_shared<const FaceScalars>();
+  for (auto& [id, picture] : bodies_) {
+    std::shared_ptr<const FaceScalars> scalars;
+    if (options.scalar) {
+      const auto found = options.scalar->of_bodies.find(id);
+      scalars = found != options.scalar->of_bodies.end() ? found->second : kNone;
+    }
+    uploaded_ += picture.faces().update_scalars(scalars);
   }
 }
 
@@ -154,7 +188,8 @@ void Renderer::set_up(const World& world, const CameraView& view, const ViewOpti
   const Light key = options.lights.empty() ? Light{} : options.lights.front();
   frame.key_light = glm::vec4(glm::vec3(space_.turned(direction_to(key, middle_))), 0);
   if (beam) BeamPass::fill_in(frame, space_, *beam);
-  frame.stage = stage_colours(options.by_day);
+  const bool below = height_of(space_.seen_from, space_.up) <= passes_.scene.ground().height();
+  frame.stage = below ? stage_colours_from_below(options.by_day) : stage_colours(options.by_day);
   if (const SectionPlane* section = shown_section(options)) {
     const Vec3 normal = space_.turned(section->normal);
     KERF_ASSERT(is_unit(normal));
@@ -163,6 +198,11 @@ void Renderer::set_up(const World& world, const CameraView& view, const ViewOpti
   const int colours = options.show.sizes ? 2 : options.show.pieces ? 1 : 0;
   frame.body_look = {finest_, colours, options.two_sided ? 1 : 0,
                      options.show.heat ? end_of_heat_scale(world) : 0};
+  if (options.scalar) {
+    KERF_ASSERT(options.scalar->low < options.scalar->high);
+    frame.face_view = {options.scalar->low, options.scalar->high, 1, 0};
+  }
+  frame.face_view.w = options.shading == Shading::kFlat ? 1 : 0;
   gl::fill_buffer(GL_UNIFORM_BUFFER, uniforms_, sizeof(frame), &frame, GL_STREAM_DRAW);
   glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBlock, uniforms_.name());
 }
@@ -214,7 +254,7 @@ void Renderer::draw_beams(const CameraView& view, const ViewOptions& options,
   if (beam) draw(*beam);
 }
 
-// A line where the two methods meet, and beside it the number of pixels on which they differ.
+// A line where the two methods meet, and beside it, as a legend, the number of pixels on which they differ.
 void Renderer::draw_comparison(const Subject& subject, const gl::Framebuffer& picture) {
   const ShadowOptions& shadow = subject.options.shadow;
   const size_t lights = std::min(subject.options.lights.size(), kMostLights);
@@ -230,6 +270,7 @@ void Renderer::draw_comparison(const Subject& subject, const gl::Framebuffer& pi
   const int zoom = 1 + h / 1000, split = static_cast<int>(std::clamp(shadow.split, 0.0, 1.0) * w);
   gl::fill(split - 2 * zoom, 0, 4 * zoom, h, {0.03f, 0.035f, 0.04f, 0});
   gl::fill(split - zoom, 0, 2 * zoom, h, {0.90f, 0.92f, 0.94f, 0});
+  if (!subject.options.legends) return;
   passes_.numbers.draw_labels(
       {{static_cast<uint32_t>(differing_), false, glm::vec2(split + 8 * zoom, h - 20 * zoom), {}}}, 2 * zoom);
 }
@@ -299,7 +340,9 @@ void Renderer::draw(const World& world, const CameraView& view, const ViewOption
   gl::reset_state();
   look_from(world, view);
   update_looks(world, options);
+  update_shading(world, options);
   catch_up(world);
+  update_scalars(options);
   choose_canvas(target, options.antialias);
   if (beam) beam = ended_on_ground(*beam, passes_.scene.ground().height(), view.up_axis);
   set_up(world, view, options, beam, target);

@@ -138,6 +138,9 @@ class Renderer {
   void carry_on(BodyId from, BodyId to);
   void look_from(const World& world, const CameraView& view);
   void update_looks(const World& world, const ViewOptions& options);
+  void update_scalars(const ViewOptions& options);
+  void update_shading(const World& world, const ViewOptions& options);
+  std::shared_ptr<const BaseFaces> smooth_bases(const Body& body);
   double near_of(const World& world, const CameraView& view, const ViewOptions& options);
   void set_up(const World& world, const CameraView& view, const ViewOptions& options,
               const std::optional<BeamPicture>& beam, const Target& target);
@@ -162,6 +165,7 @@ class Renderer {
 
   std::map<BodyId, BodyPicture> bodies_;
   LoadedShadings loaded_;
+  std::map<BodyId, std::shared_ptr<const BaseFaces>> smooth_;  // by Body::loaded_as, while they are shown
   std::map<std::string, Paint> paints_;
   Vec3 middle_{0};  // of the world as it was shown
   FrameSpace space_;

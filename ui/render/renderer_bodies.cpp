@@ -21,6 +21,7 @@ void Renderer::show(const World& world, const std::map<std::string, Paint>& pain
   const double diagonal = bounds.diagonal();
   glow_width_ = kGlowWidth * diagonal;
   loaded_.clear();
+  smooth_.clear();
   for (const auto& [id, body] : prepared) loaded_.emplace(id, LoadedShading{body.frame, body.bases});
   for (const BodyId id : world.ids()) {
     PreparedBody ahead = prepare_shading(world.body(id), loaded_);

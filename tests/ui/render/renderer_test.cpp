@@ -109,5 +109,58 @@ TEST(Renderer, the_ghost_shows_only_where_something_is_gone) {
   EXPECT_LT(off, static_cast<size_t>(kRenderWidth * kRenderHeight) / 20);
 }
 
+size_t count_greenish(const Pixels& pixels) {
+  size_t count = 0;
+  for (size_t i = 0; i < pixels.rgb.size(); i += 3)
+    count += pixels.rgb[i + 1] > pixels.rgb[i + 2] + 25 && pixels.rgb[i + 1] > 150 ? 1 : 0;
+  return count;
+}
+
+// The last colour of the scale is a pale yellow.
+TEST(Renderer, a_scalar_field_colours_the_faces_and_leaves_nothing_behind) {
+  test::Stage stage = test::ball_and_ring();
+  const CameraView view = test::view_of_ball_and_ring(static_cast<double>(kRenderWidth) / kRenderHeight);
+  ViewOptions options;
+  options.antialias = false;
+  const auto draw = [&] { return stage.draw(view, options, kRenderWidth, kRenderHeight); };
+  const Pixels before = draw();
+  const size_t memory = stage.renderer().memory().graphics;
+  ScalarField field;
+  for (const BodyId id : stage.world().ids()) {
+    field.of_bodies[id] = std::make_shared<const FaceScalars>(stage.world().body(id).mesh.face_slots(), 5.0f);
+  }
+  field.low = 1;
+  field.high = 2;
+  options.scalar = std::make_shared<const ScalarField>(field);
+  const size_t pale = count_greenish(draw());
+  EXPECT_GT(pale, count_greenish(before) + 2000);
+  EXPECT_GT(stage.renderer().memory().graphics, memory);
+  const size_t sent = stage.renderer().uploaded_bytes();
+  field.high = 9;  // in the middle of the colours, without sending anything
+  options.scalar = std::make_shared<const ScalarField>(field);
+  EXPECT_LT(count_greenish(draw()), pale / 4);
+  EXPECT_EQ(stage.renderer().uploaded_bytes(), sent);
+  options.scalar.reset();
+  EXPECT_EQ(draw().rgb, before.rgb);
+  EXPECT_EQ(stage.renderer().memory().graphics, memory);
+}
+
+// A ball of so few faces that all its edges are sharp.
+TEST(Renderer, each_shading_is_another_and_by_angle_comes_back) {
+  World world;
+  world.add(make_body("ball", test::build(test::sphere(4, 6, 1))));
+  test::Stage stage(std::move(world));
+  const CameraView view = test::view_of_ball_and_ring(static_cast<double>(kRenderWidth) / kRenderHeight);
+  ViewOptions options;
+  const auto draw = [&](Shading shading) {
+    options.shading = shading;
+    return stage.draw(view, options, kRenderWidth, kRenderHeight);
+  };
+  const Pixels before = draw(Shading::kByAngle);
+  EXPECT_GT(test::difference(before, draw(Shading::kFlat)).mean, 0.2);
+  EXPECT_GT(test::difference(before, draw(Shading::kSmooth)).mean, 0.2);
+  EXPECT_EQ(draw(Shading::kByAngle).rgb, before.rgb);
+}
+
 }  // namespace
 }  // namespace kerf

@@ -56,7 +56,7 @@ ImU32 colour_of_piece(const World& world, const ViewState& view, const PieceId& 
   const bool numbered = look != view.look.pieces.end() && look->second.number != 0;
   const bool part = is_loaded_part(world.body(id.body), id.label);
   const uint32_t number = part ? 0 : numbered ? look->second.number : id.label;
-  const Vec3 c = piece_colour(number, true);
+  const Vec3 c = strong_piece_colour(number);
   return ImGui::ColorConvertFloat4ToU32(
       {static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z), 1});
 }

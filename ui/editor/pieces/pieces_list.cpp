@@ -10,6 +10,8 @@
 #include "ui/editor/pieces/piece_switches.h"
 #include "ui/editor/shared/file_frames.h"
 #include "ui/editor/shared/panel_rows.h"
+#include "ui/render/bodies/body_picture.h"
+#include "ui/render/view/oklab.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
@@ -30,6 +32,15 @@ void draw_swatch(const Vec3& c) {
   ImGui::GetWindowDrawList()->AddRectFilled({at.x, y}, {at.x + side, y + side}, colour, 2);
   ImGui::Dummy({side, ImGui::GetTextLineHeight()});
   ImGui::SameLine();
+}
+
+// The colour in which the picture shows the piece (sRGB, 0 .. 1), somewhat brighter; grey for what keeps its
+// paint.
+Vec3 swatch_colour(const Workspace& on, const PieceRow& row) {
+  if (row.number == 0 || on.view.look.show.pieces) return strong_piece_colour(row.number);
+  const Body& body = on.world().body(row.id.body);
+  const std::vector<glm::dvec3> colours = piece_colours(body.material_names, on.work.paints);
+  return screen_from_linear(glm::min(1.6 * colours[(row.number - 1) % colours.size()], 1.0));
 }
 
 float width_of(const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; }
@@ -173,7 +184,7 @@ void PiecesList::draw_row(Workspace& on, const PieceRow& row, bool is_folded) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   if (is_folded) ImGui::Indent();
-  draw_swatch(piece_colour(row.number, view.look.show.pieces));
+  draw_swatch(swatch_colour(on, row));
   if (renamed_ == row.id) {
     edit_name(on.changes, row);
   } else {

@@ -64,12 +64,10 @@ SortedPieces set_specks_apart(std::vector<PieceRow> rows, const std::set<PieceId
   return sorted;
 }
 
-Vec3 piece_colour(uint32_t number, bool strong) {
+Vec3 strong_piece_colour(uint32_t number) {
   if (number == 0) return Vec3(0.45);
   const double turn = fraction(number * 0.61803399), shade = fraction(number * 0.7548777);
-  const Vec3 linear = strong ? hue_colour(turn, 0.80, 0.40 + 0.25 * shade)
-                             : hue_colour(0.40 + 0.40 * turn, 0.72, 2 * (0.10 + 0.14 * shade));
-  return glm::pow(linear, Vec3(1 / 2.2));
+  return glm::pow(hue_colour(turn, 0.80, 0.40 + 0.25 * shade), Vec3(1 / 2.2));
 }
 
 void choose_piece(PieceMap& looks, const PieceId& id, bool add) {

@@ -36,9 +36,9 @@ struct SortedPieces {
 };
 SortedPieces set_specks_apart(std::vector<PieceRow> rows, const std::set<PieceId>& specks);
 
-// The colour in which the renderer draws a separated piece of this number (sRGB, 0 .. 1); grey for a body
-// itself (0). `strong`: with ShowOptions::pieces.
-Vec3 piece_colour(uint32_t number, bool strong);
+// The colour in which ShowOptions::pieces shows a separated piece of this number (sRGB, 0 .. 1); grey for a
+// body itself (0).
+Vec3 strong_piece_colour(uint32_t number);
 
 // Removes looks in which nothing is set.
 void drop_plain(PieceMap& looks);

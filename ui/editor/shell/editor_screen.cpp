@@ -34,6 +34,7 @@ ViewOptions look_of_second(const ViewOptions& first, double spread, const World&
   look.pieces.clear();
   look.stage.reset();
   look.bodies.reset();
+  look.scalar.reset();
   spread_pieces(second, spread, look);
   return look;
 }

@@ -34,9 +34,11 @@ Legend legend_of_boxes(const ViewOptions& look) {
   return legend;
 }
 
-// The strip itself is part of the picture.
-Legend legend_by_strip(const char* title, const char* last) {
-  return {title, {sentence("by the strip at the lower left"), sentence(last)}};
+Legend legend_of_counts() {
+  Legend legend{"Surfaces that keep the light away", {{kLit, "none"}}};
+  for (size_t i = 0; i < kCounts.size(); ++i)
+    legend.rows.push_back({kCounts[i], std::to_string(i + 1) + (i + 1 == kCounts.size() ? " or more" : "")});
+  return legend;
 }
 
 Legend legend_of_comparison(const ViewOptions& look, const ShadowFigures& shadows) {
@@ -60,11 +62,12 @@ Legend legend_of_rays(const ShadowFigures& shadows) {
 Legend legend_of(SwitchId view, const ViewOptions& look, const ShadowFigures& shadows) {
   switch (view) {
     case SwitchId::kSilhouette:
-      return legend_by_strip("Silhouette: sides of the volume on an edge", "3: three or more");
+      return {"Silhouette: sides of the volume on an edge",
+              {{kOneSide, "one"}, {kTwoSides, "two"}, {kMoreSides, "three or more"}}};
     case SwitchId::kShadowVolumes:
       return {"Shadow volumes", {{kVolumeFront, "seen from outside"}, {kVolumeBack, "seen from within"}}};
     case SwitchId::kShadowCounts:
-      return legend_by_strip("Surfaces that keep the light away", "9: nine or more");
+      return legend_of_counts();
     case SwitchId::kFacing:
       return {"Facing the light", {{kFacing, "facing it"}, {kAverted, "averted"}, {kEdgeOn, "edge-on"}}};
     case SwitchId::kCompare:
@@ -106,6 +109,7 @@ Legend legend_of(SwitchId view, const ViewOptions& look, const ShadowFigures& sh
     case SwitchId::kShadows:
     case SwitchId::kRimGlow:
     case SwitchId::kWire:
+    case SwitchId::kShading:
     case SwitchId::kSection:
     case SwitchId::kNormals:
     case SwitchId::kGhost:
@@ -155,6 +159,21 @@ Legend legend_of_stage(const StageMarks& marks) {
   return legend;
 }
 
+uint32_t hex_of(const glm::vec3& screen) {
+  const glm::uvec3 c(glm::round(255.0f * screen));
+  return c.r << 16 | c.g << 8 | c.b;
+}
+
+// The largest value is at the top.
+Legend legend_of_scalars(const ScalarField& field) {
+  Legend legend{field.name, {}};
+  for (size_t i = field.labels.size(); i-- > 0;) {
+    const double t = static_cast<double>(i) / static_cast<double>(field.labels.size() - 1);
+    legend.rows.push_back({hex_of(scalar_colour(t)), field.labels[i]});
+  }
+  return legend;
+}
+
 ImU32 opaque(uint32_t hex) { return IM_COL32(hex >> 16 & 0xffu, hex >> 8 & 0xffu, hex & 0xffu, 255); }
 
 void draw_swatch(const Legend::Row& row, ImVec2 at, float side, ImDrawList& list) {
@@ -198,6 +217,7 @@ std::vector<Legend> legends_of(const ViewOptions& look, const ShadowFigures& sha
     if (Legend legend = legend_of(s.id, look, shadows); !legend.title.empty())
       legends.push_back(std::move(legend));
   }
+  if (look.scalar) legends.push_back(legend_of_scalars(*look.scalar));
   if (look.stage) {
     if (Legend legend = legend_of_stage(*look.stage); !legend.rows.empty())
       legends.push_back(std::move(legend));

@@ -135,7 +135,8 @@ Area under_label(const Layout& l) {
 
 class ViewFeature : public Feature {
  public:
-  explicit ViewFeature(Workspace& on) : on_(on) {}
+  // The legends beside the picture take the place of those in it.
+  explicit ViewFeature(Workspace& on) : on_(on) { on_.view.look.legends = false; }
 
   std::vector<Panel> panels() override {
     return {{"View", Tab::kLook, 1001, true, [this] { draw_switches(); }},

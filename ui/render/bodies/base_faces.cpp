@@ -9,6 +9,7 @@
 #include "core/base/key_table.h"
 #include "core/base/parallel.h"
 #include "core/mesh/triangle_batch.h"
+#include "ui/render/bodies/curved_area.h"
 
 namespace kerf {
 
@@ -16,11 +17,8 @@ namespace {
 
 constexpr double kCreaseCosine = 0.8191520442889918;  // 35 degrees
 constexpr size_t kLargestFan = 512;  // corners around a position; above it faces are shaded flat
-constexpr double kFlat = 0.01;       // deviations below it are none
-constexpr double kCurvedShare = 0.9;
-constexpr size_t kDeviationSteps = 100;
-constexpr double kOnSide = 1e-4;  // barycentric; positions are floats
-constexpr size_t kAlike = 8;      // so many normals at a position are looked through for one again
+constexpr double kOnSide = 1e-4;     // barycentric; positions are floats
+constexpr size_t kAlike = 8;         // so many normals at a position are looked through for one again
 
 uint64_t position_hash(const Vec3& p) {
   return hash_combine(hash_combine(mix64(number_bits(p.x)), number_bits(p.y)), number_bits(p.z));
@@ -162,7 +160,7 @@ class BaseFaces::Builder {
   // The smoothed corners of a range of positions: they have indices from `first` on.
   struct Smoothed {
     std::vector<Corner> corners;
-    std::array<double, kDeviationSteps> curved_area{};  // by the sine of the deviation
+    CurvedArea curved_area;
     uint32_t first = 0;
   };
 
@@ -187,7 +185,7 @@ class BaseFaces::Builder {
       if (data.halvings != 0 || data.base != face) continue;
       const glm::dvec3 smooth = normal(side, fan);
       out_.faces_[face.index][side % 3] = corner(part.corners, first, {at, pack_normal(glm::vec3(smooth))});
-      note_deviation(face, glm::length(glm::cross(smooth, planes_[face.index])), part);
+      part.curved_area.note(glm::length(glm::cross(smooth, planes_[face.index])), areas_[face.index]);
     }
   }
 
@@ -202,12 +200,6 @@ class BaseFaces::Builder {
       }
     }
     return sum == glm::dvec3(0) ? own : unit_or_zero(sum);
-  }
-
-  void note_deviation(FaceId face, double sine, Smoothed& part) const {
-    if (sine < kFlat) return;
-    const auto step = static_cast<size_t>(sine * kDeviationSteps);
-    part.curved_area[std::min(step, kDeviationSteps - 1)] += areas_[face.index];
   }
 
   // The index among `all`; one of the last few from `first` on, where that is the same.
@@ -240,16 +232,9 @@ class BaseFaces::Builder {
   }
 
   void find_deviation(const std::vector<Smoothed>& parts) {
-    std::array<double, kDeviationSteps> curved_area{};
-    for (const Smoothed& part : parts) {
-      for (size_t i = 0; i < kDeviationSteps; ++i) curved_area[i] += part.curved_area[i];
-    }
-    double all = 0, below = 0;
-    for (const double area : curved_area) all += area;
-    for (size_t i = 0; i < kDeviationSteps && below < kCurvedShare * all; ++i) {
-      below += curved_area[i];
-      out_.deviation_ = static_cast<float>(i + 1) / kDeviationSteps;
-    }
+    CurvedArea curved_area;
+    for (const Smoothed& part : parts) curved_area.add(part.curved_area);
+    out_.deviation_ = curved_area.deviation();
   }
 
   const Mesh& mesh_;

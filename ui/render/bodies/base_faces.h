@@ -32,6 +32,10 @@ class BaseFaces {
   // unknown if that is not valid. O(k log k) for k faces.
   BaseFaces pick(std::span<const FaceId> faces) const;
 
+  // The same faces with one normal at each position, the angle-weighted mean of those of all faces there,
+  // whatever edge they meet at. O(n log n).
+  BaseFaces smoothed() const;
+
   // The unit normals at three points in the plane of `base`, which are given in the body's float frame. A
   // face that is unknown gives the flat normal of the points.
   std::array<glm::vec3, 3> normals_at(FaceId base, const std::array<glm::vec3, 3>& points) const;
@@ -65,6 +69,7 @@ class BaseFaces {
     uint32_t normal;  // packed
   };
   class Builder;
+  class Smoother;
 
   bool knows(FaceId base) const { return base.index < faces_.size() && faces_[base.index][0] != kNone; }
 

@@ -1,12 +1,14 @@
 #include "ui/render/bodies/body_picture.h"
 
 #include "ui/gl/buffers.h"
+#include "ui/render/view/piece_palette.h"
 
 namespace kerf {
 
 namespace {
 constexpr size_t kPaints = 256;
-}
+constexpr size_t kPieceColours = 32;  // as in body.vert
+}  // namespace
 
 bool is_frame_bound() {
   GLint buffer = 0;
@@ -25,10 +27,20 @@ std::vector<glm::vec4> paint_table(const std::vector<std::string>& materials,
   return table;
 }
 
+std::vector<glm::dvec3> piece_colours(const std::vector<std::string>& materials,
+                                      const std::map<std::string, Paint>& paints) {
+  std::vector<glm::dvec3> there;
+  for (const glm::vec4& paint : paint_table(materials, paints)) there.emplace_back(glm::vec3(paint));
+  there.resize(std::clamp<size_t>(materials.size(), 1, there.size()));
+  return piece_palette(there, kPieceColours);
+}
+
 BodyPicture::BodyPicture(const Body& body, const std::map<std::string, Paint>& paints, PreparedBody prepared,
                          double glow_width)
     : faces_(body.mesh, prepared.frame, std::move(prepared.bases), glow_width) {
-  const std::vector<glm::vec4> table = paint_table(body.material_names, paints);
+  std::vector<glm::vec4> table = paint_table(body.material_names, paints);
+  for (const glm::dvec3& colour : piece_colours(body.material_names, paints))
+    table.emplace_back(glm::vec3(colour), 0);
   gl::fill_buffer(GL_UNIFORM_BUFFER, paints_, table.size() * sizeof(glm::vec4), table.data(), GL_STATIC_DRAW);
 }
 

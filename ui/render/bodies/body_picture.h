@@ -45,6 +45,11 @@ class BodyPicture {
   gl::Buffer paints_;
 };
 
+// The colours (linear light) of the pieces of a body, by their numbers from 1 on, over and over: each as far
+// as possible from the paints of the body and from the colours before it.
+std::vector<glm::dvec3> piece_colours(const std::vector<std::string>& materials,
+                                      const std::map<std::string, Paint>& paints);
+
 // Colour and gloss of up to 256 materials by index. A material without a paint looks like blue-grey painted
 // metal.
 std::vector<glm::vec4> paint_table(const std::vector<std::string>& materials,

@@ -12,6 +12,8 @@ namespace {
 
 using Indices = std::array<uint32_t, 3>;
 
+constexpr GLuint kScalarAttribute = 9;
+
 FaceCorners corners_of(const FaceVertices& face) {
   const auto at = [&](size_t i) {
     return glm::vec3(face[i].position[0], face[i].position[1], face[i].position[2]);
@@ -52,9 +54,29 @@ void FaceBuffer::Chunk::make_heat() {
   glBindVertexArray(0);
 }
 
+void FaceBuffer::Chunk::make_scalars() {
+  if (scalars) return;
+  scalars.emplace();
+  glBindVertexArray(layout.name());
+  gl::fill_buffer(GL_ARRAY_BUFFER, *scalars, kChunkFaces * sizeof(Scalars));
+  gl::read_floats(kScalarAttribute, {1}, sizeof(float));
+  glBindVertexArray(0);
+}
+
+void FaceBuffer::Chunk::free_scalars() {
+  if (!scalars) return;
+  glBindVertexArray(layout.name());
+  glDisableVertexAttribArray(kScalarAttribute);
+  glBindVertexArray(0);
+  scalars.reset();
+}
+
 FaceBuffer::FaceBuffer(const Mesh& mesh, const FloatFrame& frame, std::shared_ptr<const BaseFaces> bases,
                        double glow_width)
-    : frame_(frame), bases_(std::move(bases)), rims_(static_cast<float>(glow_width * frame.scale)) {
+    : frame_(frame),
+      first_bases_(std::move(bases)),
+      bases_(first_bases_),
+      rims_(static_cast<float>(glow_width * frame.scale)) {
   KERF_ASSERT(bases_ != nullptr);
   dirty_.mark_all(mesh.face_slots());
 }
@@ -66,6 +88,12 @@ void FaceBuffer::follow(const BodyDelta& delta) {
   removed_.forget();
 }
 
+void FaceBuffer::shade(const Mesh& mesh, std::shared_ptr<const BaseFaces> bases) {
+  smooth_ = bases != nullptr;
+  bases_ = bases ? std::move(bases) : first_bases_;
+  dirty_.mark_all(mesh.face_slots());
+}
+
 void FaceBuffer::group(const Mesh& mesh, const std::shared_ptr<const PieceGroups>& groups) {
   relabelled_.mark(regrouped(mesh, groups_.get(), groups.get()));
   groups_ = groups;
@@ -73,12 +101,13 @@ void FaceBuffer::group(const Mesh& mesh, const std::shared_ptr<const PieceGroups
 
 PictureMemory FaceBuffer::memory() const {
   PictureMemory memory;
-  memory.shading = bases_->bytes();
+  memory.shading = first_bases_->bytes() + (smooth_ ? bases_->bytes() : 0);
   memory.graphics = chunks_.size() * kChunkFaces * (sizeof(FaceVertices) + sizeof(Labels) + sizeof(Indices)) +
                     halvings_.capacity() + corners_.capacity() * sizeof(Corners) +
                     staging_.capacity() * sizeof(FaceVertices) + staged_labels_.capacity() * sizeof(Labels);
   for (const Chunk& chunk : chunks_)
-    memory.graphics += chunk.live.bytes() + (chunk.heat ? kChunkFaces * sizeof(Heat) : 0);
+    memory.graphics += chunk.live.bytes() + (chunk.heat ? kChunkFaces * sizeof(Heat) : 0) +
+                       (chunk.scalars ? kChunkFaces * sizeof(Scalars) : 0);
   return memory;
 }
 
@@ -224,6 +253,30 @@ size_t FaceBuffer::update_heat_of(const Mesh& mesh, const SlotRange& range) {
   chunk.make_heat();
   gl::put_items<Heat>(GL_ARRAY_BUFFER, *chunk.heat, range.begin % kChunkFaces, marks);
   return marks.size() * sizeof(Heat);
+}
+
+size_t FaceBuffer::update_scalars(const std::shared_ptr<const FaceScalars>& scalars) {
+  if (scalars != scalars_) chunks_with_scalars_ = 0;
+  scalars_ = scalars;
+  if (!scalars_) {
+    for (Chunk& chunk : chunks_) chunk.free_scalars();
+    return 0;
+  }
+  if (chunks_with_scalars_ == chunks_.size()) return 0;
+  size_t bytes = 0;
+  std::vector<Scalars> staged(kChunkFaces);
+  for (; chunks_with_scalars_ < chunks_.size(); ++chunks_with_scalars_) {
+    const size_t first = chunks_with_scalars_ * kChunkFaces;
+    for (size_t i = 0; i < kChunkFaces; ++i) {
+      const float number = first + i < scalars_->size() ? (*scalars_)[first + i] : kNoScalar;
+      staged[i] = {number, number, number};
+    }
+    Chunk& chunk = chunks_[chunks_with_scalars_];
+    chunk.make_scalars();
+    gl::put_items<Scalars>(GL_ARRAY_BUFFER, *chunk.scalars, 0, staged);
+    bytes += staged.size() * sizeof(Scalars);
+  }
+  return bytes;
 }
 
 size_t FaceBuffer::update_list(Chunk& chunk) {

@@ -17,6 +17,7 @@
 #include "ui/render/bodies/picture_memory.h"
 #include "ui/render/bodies/removed_faces.h"
 #include "ui/render/bodies/rim_distance.h"
+#include "ui/render/view/scalar_field.h"
 
 namespace kerf {
 
@@ -35,6 +36,10 @@ class FaceBuffer {
   // Sends with the next update the groups of the faces instead of the labels of their pieces, or, if null,
   // the labels again.
   void group(const Mesh& mesh, const std::shared_ptr<const PieceGroups>& groups);
+  // Shades by other bases of the same faces, which the next update sends; null: by those of the beginning.
+  void shade(const Mesh& mesh, std::shared_ptr<const BaseFaces> bases);
+  // Whether shade() has set others.
+  bool is_smooth() const { return smooth_; }
   // Marks every slot as changed, for the case that Deltas were lost.
   void forget_all(const Mesh& mesh) {
     dirty_.mark_all(std::max(mesh.face_slots(), static_cast<uint32_t>(halvings_.size())));
@@ -48,6 +53,9 @@ class FaceBuffer {
   // Uploads what is new of the heat of the body. Precondition: its mesh is that of the last update.
   // `time_passed`: whether heat may have flowed since the last call. Returns the number of bytes sent.
   size_t update_heat(const Body& body, bool time_passed);
+  // Uploads the numbers by which scalar fields colour the faces, as far as they are others than those sent
+  // last; null frees them. Returns the number of bytes sent.
+  size_t update_scalars(const std::shared_ptr<const FaceScalars>& scalars);
   const CornerHeat& heat() const { return heat_; }
   // Whether slots are left for later calls.
   bool is_sending() const { return dirty_.has_all(); }
@@ -94,14 +102,18 @@ class FaceBuffer {
   using Corners = std::array<VertexId, 3>;
   using Labels = std::array<uint16_t, 3>;  // of a face, once for each corner
   using Heat = std::array<HeatMark, 3>;
+  using Scalars = std::array<float, 3>;  // of a face, once for each corner
 
   struct Chunk {
     gl::Buffer vertices, labels, indices;
     gl::VertexArray layout;
     LiveList live{kChunkFaces};
-    std::optional<gl::Buffer> heat;  // of chunks in which anything was ever hot
+    std::optional<gl::Buffer> heat;     // of chunks in which anything was ever hot
+    std::optional<gl::Buffer> scalars;  // while a scalar field is shown
     Chunk();
     void make_heat();
+    void make_scalars();
+    void free_scalars();
     void draw() const;
   };
   // The one that has the slots of a range, which lies in one chunk; creates it if necessary.
@@ -118,12 +130,15 @@ class FaceBuffer {
   size_t update_list(Chunk& chunk);
 
   FloatFrame frame_;
-  std::shared_ptr<const BaseFaces> bases_;
+  std::shared_ptr<const BaseFaces> first_bases_, bases_;
+  bool smooth_ = false;
   RemovedFaces removed_;
   RimDistance rims_;
   CornerHeat heat_;
   Sheet sheet_;  // of the temperatures
   std::shared_ptr<const PieceGroups> groups_;
+  std::shared_ptr<const FaceScalars> scalars_;
+  size_t chunks_with_scalars_ = 0;
   DirtySlots dirty_, relabelled_, reheated_;
   std::vector<Chunk> chunks_;
   std::vector<FaceVertices> staging_;

@@ -8,8 +8,7 @@ namespace kerf {
 
 namespace {
 
-constexpr float kReach = 1.5f;    // widths; paths along edges are longer than straight lines
-constexpr float kBehind = 0.15f;  // of the length of a rim's side
+constexpr float kReach = 1.5f;  // widths; paths along edges are longer than straight lines
 
 float distance_from_segment(const glm::vec3& p, const glm::vec3& a, const glm::vec3& b) {
   const glm::vec3 along = b - a;
@@ -30,8 +29,8 @@ class RimDistance::Search {
   Search(RimDistance& out, const Mesh& mesh, const BaseFaces& bases, const FloatFrame& frame)
       : out_(out), mesh_(mesh), bases_(bases), frame_(frame) {}
 
-  // Whether a change at the vertex can affect distances: it or a neighbour knows a rim, or it lies on one. Most
-  // vertices of a mesh that is shown for the first time are far from all rims.
+  // Whether a change at the vertex can affect distances: it or a neighbour knows a rim, or it lies on one.
+  // Most vertices of a mesh that is shown for the first time are far from all rims.
   bool matters(VertexId v) {
     if (v.index >= mesh_.vertex_slots()) return false;
     if (out_.near_.contains(v.index)) return true;
@@ -130,7 +129,7 @@ class RimDistance::Search {
   // Whether the side is the nearest that the vertex knows.
   bool offer(VertexId v, const Near& side) {
     const float distance =
-        distance_from_segment(at(v), side.from, side.to) + kBehind * glm::distance(side.from, side.to);
+        distance_from_segment(at(v), side.from, side.to) + out_.behind_ * glm::distance(side.from, side.to);
     Near& known = out_.near_[v.index];
     if (!(distance < known.distance)) return false;
     known = {distance, side.from, side.to};

@@ -23,13 +23,15 @@ class RimDistance {
  public:
   static constexpr float kFar = 60000;  // of vertices that no rim is near; fits a half float
 
-  // Distances are known up to `width`, and to the next vertices beyond it.
-  explicit RimDistance(float width) : width_(width) {}
+  static constexpr float kBehind = 0.15f;
+
+  // Distances are known up to `width`, and to the next vertices beyond it. They are counted from behind the
+  // rim, by this share of the length of its side: a coarse rim is a rough estimate of a smooth one.
+  explicit RimDistance(float width, float behind = kBehind) : width_(width), behind_(behind) {}
 
   float width() const { return width_; }
 
-  // The distance of a vertex, counted from a little behind the rim where the rim has long sides: a coarse rim
-  // is a rough estimate of a smooth one. kFar if no rim is near.
+  // The distance of a vertex; kFar if no rim is near.
   float of(VertexId v) const {
     const auto found = near_.find(v.index);
     return found == near_.end() ? kFar : found->second.distance;
@@ -55,7 +57,7 @@ class RimDistance {
   };
   class Search;
 
-  float width_;
+  float width_, behind_;
   std::unordered_map<uint32_t, Near> near_;  // by vertex; looked up, never walked
 };
 

@@ -7,6 +7,8 @@
 
 #include "core/base/angle.h"
 #include "core/heat/black_body.h"
+#include "ui/render/view/oklab.h"
+#include "ui/render/view/scalar_field.h"
 
 namespace kerf {
 
@@ -45,38 +47,10 @@ const std::array<Stop<glm::vec4>, 8> kTints{{{440, {0.50f, 0.36f, 0.13f, 0.0f}},
 
 // The path of the temperature view through OKLab: lightness rises while the hue turns.
 glm::dvec3 oklab_on_path(double s) {
-  const double lightness = 0.20 + 0.75 * s;
-  const double hue = (285 + 185 * s) * kPi / 180;
-  const double chroma = 0.05 + 0.15 * std::sin(kPi * std::pow(s, 0.9));
-  return {lightness, chroma * std::cos(hue), chroma * std::sin(hue)};
+  return oklab_of(0.20 + 0.75 * s, 0.05 + 0.15 * std::sin(kPi * std::pow(s, 0.9)), 285 + 185 * s);
 }
 
-glm::dvec3 linear_from_oklab(const glm::dvec3& lab) {
-  const double l = lab.x + 0.3963377774 * lab.y + 0.2158037573 * lab.z;
-  const double m = lab.x - 0.1055613458 * lab.y - 0.0638541728 * lab.z;
-  const double s = lab.x - 0.0894841775 * lab.y - 1.2914855480 * lab.z;
-  const double l3 = l * l * l, m3 = m * m * m, s3 = s * s * s;
-  const glm::dvec3 rgb(4.0767416621 * l3 - 3.3077115913 * m3 + 0.2309699292 * s3,
-                       -1.2684380046 * l3 + 2.6097574011 * m3 - 0.3413193965 * s3,
-                       -0.0041960863 * l3 - 0.7034186147 * m3 + 1.7076147010 * s3);
-  return glm::clamp(rgb, 0.0, 1.0);
-}
-
-// Where on the path the fraction t of its length is.
-double along_path(double t) {
-  constexpr int kParts = 256;
-  std::array<double, kParts + 1> length{};
-  for (size_t i = 1; i <= kParts; ++i) {
-    const double s = static_cast<double>(i) / kParts;
-    length[i] = length[i - 1] + glm::distance(oklab_on_path(s), oklab_on_path(s - 1.0 / kParts));
-  }
-  const double wanted = std::clamp(t, 0.0, 1.0) * length.back();
-  const auto above = std::max(std::lower_bound(length.begin(), length.end(), wanted), length.begin() + 1);
-  const auto below = above - 1;
-  return (static_cast<double>(below - length.begin()) + (wanted - *below) / (*above - *below)) / kParts;
-}
-
-glm::dvec3 linear_heat_colour(double t) { return linear_from_oklab(oklab_on_path(along_path(t))); }
+glm::dvec3 linear_heat_colour(double t) { return linear_along(oklab_on_path, t); }
 
 // The linear light that the tone mapping of light.glsl (`filmic`) maps to y.
 float before_filmic(double y) {
@@ -99,26 +73,20 @@ glm::vec3 shown_glow(double temperature) {
 
 glm::vec4 tint_of(double hottest) { return between<glm::vec4>(kTints, hottest); }
 
-glm::vec3 heat_colour(double t) {
-  glm::vec3 screen;
-  const glm::dvec3 linear = linear_heat_colour(t);
-  for (int i = 0; i < 3; ++i) {
-    const double x = linear[i];
-    screen[i] = static_cast<float>(x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055);
-  }
-  return screen;
-}
+glm::vec3 heat_colour(double t) { return glm::vec3(screen_from_linear(linear_heat_colour(t))); }
 
 HeatRamps::HeatRamps() {
   std::vector<glm::vec4> rows;
   for (int i = 0; i < kSteps; ++i) rows.emplace_back(shown_glow((i + 0.5) * kHottest / kSteps), 0);
   for (int i = 0; i < kSteps; ++i) rows.push_back(tint_of((i + 0.5) * kHottest / kSteps));
-  for (int i = 0; i < kSteps; ++i) {
-    const glm::dvec3 c = linear_heat_colour(static_cast<double>(i) / (kSteps - 1));
-    rows.emplace_back(before_filmic(c.r), before_filmic(c.g), before_filmic(c.b), 0);
+  for (const auto colour : {linear_heat_colour, linear_scalar_colour}) {
+    for (int i = 0; i < kSteps; ++i) {
+      const glm::dvec3 c = colour(static_cast<double>(i) / (kSteps - 1));
+      rows.emplace_back(before_filmic(c.r), before_filmic(c.g), before_filmic(c.b), 0);
+    }
   }
   glBindTexture(GL_TEXTURE_2D, table_.name());
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, kSteps, 3, 0, GL_RGBA, GL_FLOAT, rows.data());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, kSteps, 4, 0, GL_RGBA, GL_FLOAT, rows.data());
   for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
     glTexParameteri(GL_TEXTURE_2D, axis, GL_CLAMP_TO_EDGE);
   for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})

@@ -18,11 +18,10 @@ glm::vec3 shown_glow(double temperature);
 glm::vec4 tint_of(double hottest);
 
 // A colour of the temperature view in sRGB, t = 0 .. 1 from the coldest to the hottest: from dark blue-violet
-// over red and orange to pale yellow. Equal steps of t are equal steps in OKLab (B. Ottosson: A perceptual
-// color space for image processing, 2020).
+// over red and orange to pale yellow. Equal steps of t are equal steps in OKLab.
 glm::vec3 heat_colour(double t);
 
-// Glow, tint and colours of the temperature view as the rows of a texture for body.frag.
+// Glow, tint, colours of the temperature view and of scalar fields as the rows of a texture for body.frag.
 class HeatRamps {
  public:
   HeatRamps();

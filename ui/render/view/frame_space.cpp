@@ -59,6 +59,16 @@ glm::mat4 rotation(const CameraView& view, const FrameSpace& space) {
 
 const StageColours& stage_colours(bool by_day) { return by_day ? kDay : kDusk; }
 
+StageColours stage_colours_from_below(bool by_day) {
+  constexpr float kBrighter = 3;
+  StageColours stage = stage_colours(by_day);
+  stage.ground_light = {1.6f, 1.55f, 1.5f, 1};
+  if (by_day) return stage;
+  stage.sky_high *= kBrighter;
+  stage.sky_low *= kBrighter;
+  return stage;
+}
+
 double near_plane(const CameraView& view, const World::Bounds& drawn, double ground) {
   double least = std::numeric_limits<double>::infinity(), most = 0;
   for (int i = 0; i < 8; ++i) {

@@ -49,6 +49,9 @@ struct StageColours {
 
 // The colours of a workshop at dusk, or by day.
 const StageColours& stage_colours(bool by_day);
+// The same for an eye under the ground, which is not drawn then: a lamp lights what it looks at from below,
+// and the surroundings are brighter than what is dark there.
+StageColours stage_colours_from_below(bool by_day);
 
 // The uniform block "Frame" of the shaders; frame.glsl documents its members.
 struct FrameUniforms {
@@ -64,6 +67,7 @@ struct FrameUniforms {
   StageColours stage;
   glm::vec4 section{0, 0, 0, 1};
   glm::vec4 body_look{0};
+  glm::vec4 face_view{0};
 };
 
 // The distance of the near plane along the forward axis of a view, in metres: as large as the visible box and

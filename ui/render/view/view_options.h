@@ -12,6 +12,7 @@
 #include "core/document/files/scene.h"
 #include "core/joints/piece_groups.h"
 #include "core/shadow/shadow_volume.h"
+#include "ui/render/view/scalar_field.h"
 #include "ui/render/view/section_plane.h"
 #include "ui/render/view/show_options.h"
 
@@ -84,28 +85,37 @@ struct FaceOfBody {
   friend bool operator==(const FaceOfBody&, const FaceOfBody&) = default;
 };
 
+// Which normals surfaces are shaded by.
+enum class Shading {
+  kByAngle,  // smooth where faces meet at less than 35 degrees (see BaseFaces)
+  kSmooth,   // smooth everywhere
+  kFlat,     // each face by its plane
+};
+
 // How the world is drawn.
 struct ViewOptions {
   ShowOptions show;
-  bool rim_glow = true;                 // the rims of cuts glow
-  bool sparks = true;                   // sparks and smoke fly where the laser of the editor bites
-  bool antialias = true;                // four samples per pixel
-  bool two_sided = true;                // faces are lit on both sides; otherwise the back is black
-  bool cull_backs = false;              // backs are not drawn, as the paper first had it
-  bool ghost = false;                   // removed faces are drawn as a faint veil
-  bool legends = true;                  // colours of overlays are explained in the picture
+  bool rim_glow = true;     // the rims of cuts glow
+  bool sparks = true;       // sparks and smoke fly where the laser of the editor bites
+  bool antialias = true;    // four samples per pixel
+  bool two_sided = true;    // faces are lit on both sides; otherwise the back is black
+  bool cull_backs = false;  // backs are not drawn, as the paper first had it
+  bool ghost = false;       // removed faces are drawn as a faint veil
+  bool legends = true;      // colours of overlays are explained in the picture, by strips
+  Shading shading = Shading::kByAngle;
   double mark_scale = 1;                // of numbers and lines over the picture; 1 is for a screen
   bool by_day = false;                  // the surroundings are bright, otherwise dark
   std::optional<SectionPlane> section;  // where ShowOptions::section cuts; see shown_section()
   TreeOverlay tree;
   std::vector<Light> lights = std::vector<Light>(1);  // only the first kMostLights are used
   ShadowOptions shadow;
-  std::shared_ptr<const DrawnGraph> graph;  // what ShowOptions::graph draws; null: nothing
-  std::optional<FaceOfBody> lit_face;       // outlined, if it is live
-  std::shared_ptr<const StageMarks> stage;  // what a stage of a cut did; null: nothing
-  std::shared_ptr<const BodyMarks> bodies;  // of the physics; null: nothing
-  std::shared_ptr<const Effects> effects;   // of lasers; null: nothing
-  std::map<PieceId, PieceLook> pieces;      // pieces that are not drawn with the default look
+  std::shared_ptr<const DrawnGraph> graph;    // what ShowOptions::graph draws; null: nothing
+  std::shared_ptr<const ScalarField> scalar;  // colours the faces; null: their paints do
+  std::optional<FaceOfBody> lit_face;         // outlined, if it is live
+  std::shared_ptr<const StageMarks> stage;    // what a stage of a cut did; null: nothing
+  std::shared_ptr<const BodyMarks> bodies;    // of the physics; null: nothing
+  std::shared_ptr<const Effects> effects;     // of lasers; null: nothing
+  std::map<PieceId, PieceLook> pieces;        // pieces that are not drawn with the default look
   // The groups of faces of bodies whose pieces are drawn apart, for the present world; see spread_pieces().
   // Values are not null.
   std::map<BodyId, std::shared_ptr<const PieceGroups>> groups;

@@ -37,6 +37,9 @@ size_t shows_boxes_hit(const ViewOptions& look) { return look.show.aabb_hit || l
 // In the order of Shadows.
 constexpr std::array kShadowStates{"none", "ground", "all"};
 
+// In the order of Shading.
+constexpr std::array kShadingStates{"by angle", "smooth", "flat"};
+
 constexpr std::array kSwitches{
     of<&ShowOptions::shadows>(
         {.id = SwitchId::kShadows,
@@ -69,7 +72,7 @@ constexpr std::array kSwitches{
          .report = "shadow_counts",
          .label = "Shadow counts",
          .key = 'C',
-         .tip = "How many surfaces keep the light away, by the strip at the lower left; 9: or more."}),
+         .tip = "How many surfaces keep the light away, in the colours of the legend."}),
     of<&ShowOptions::shadow_facing>({.id = SwitchId::kFacing,
                                      .show = "shadow-facing",
                                      .report = "shadow_facing",
@@ -101,6 +104,13 @@ constexpr std::array kSwitches{
          .label = "Glow of rims",
          .tip = "What is hot glows as hot metal does, and what was hot stays tinted. Where a cut left no "
                 "heat, its rims glow, the more the nearer to the cut."}),
+    of<&ViewOptions::shading>(
+        {.id = SwitchId::kShading,
+         .report = "shading",
+         .label = "Shading",
+         .tip = "By angle: smooth but for edges at which faces meet at 35 degrees and more. Smooth: "
+                "everywhere, which calms scans with noise. Flat: every face as the plane that it is.",
+         .states = kShadingStates}),
     of<&ShowOptions::wire>({.id = SwitchId::kWire,
                             .show = "wire",
                             .report = "wire",

@@ -19,6 +19,7 @@ enum class SwitchId {
   kCompare,
   kTrace,
   kRimGlow,
+  kShading,
   kWire,
   kSection,
   kBoxes,

@@ -23,6 +23,27 @@ TEST(Legends, every_view_with_colours_of_its_own_has_a_title_and_says_what_they_
   }
 }
 
+TEST(Legends, colours_of_shadows_stand_beside_their_meanings) {
+  ViewOptions look;
+  look.show.shadow_stencil = look.show.silhouette = true;
+  for (const Legend& legend : legends_of(look, {})) {
+    for (const Legend::Row& row : legend.rows) EXPECT_TRUE(row.swatch) << row.meaning;
+  }
+  EXPECT_EQ(legends_of(look, {}).back().rows.back().meaning, "9 or more");
+}
+
+TEST(Legends, a_scalar_field_has_its_largest_value_at_the_top) {
+  ViewOptions look;
+  ScalarField field;
+  field.name = "Level";
+  field.labels = {"0", "1", "2", "3", "4"};
+  look.scalar = std::make_shared<const ScalarField>(field);
+  const Legend legend = legends_of(look, {}).at(0);
+  EXPECT_EQ(legend.title, "Level");
+  EXPECT_EQ(legend.rows.front().meaning, "4");
+  EXPECT_GT(legend.rows.front().colour & 0xff00u, legend.rows.back().colour & 0xff00u);
+}
+
 TEST(Legends, the_boxes_say_which_of_them_are_drawn) {
   ViewOptions look;
   look.show.aabb = true;

@@ -1,0 +1,71 @@
+"""The Scalar map panel: faces coloured by a quantity, its range, and that it follows cuts."""
+import tempfile
+import unittest
+
+from editor_window import SPHERE, WindowTest
+
+
+class ScalarMap(WindowTest):
+    def open_map(self, quantity):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        self.only_panel("Scalar map")
+        editor = self.open_again(SPHERE)
+        self.ask_palette(editor, f"Colour faces by: {quantity}")
+        return editor
+
+    def ask_palette(self, editor, name):
+        editor.press("ctrl", "p")
+        editor.type(name)
+        editor.press("Return")
+        editor.settle()
+
+    def map_of(self, editor):
+        return editor.ask("report")["scalar_map"]
+
+    def test_a_quantity_colours_the_faces_and_paint_takes_the_colours_back(self):
+        editor = self.open_map("least angle")
+        place = editor.place((0.5, 0.5))
+        mapped = editor.pixels()(*place)
+        self.assertGreater(self.map_of(editor)["faces"], 0)
+        self.ask_palette(editor, "Colour faces by: paint")
+        painted = editor.pixels()(*place)
+        self.assertGreater(sum(abs(a - b) for a, b in zip(mapped, painted)), 40)
+        self.assertIsNone(editor.quit()["scalar_map"]["quantity"])
+
+    def test_a_handle_that_is_dragged_sets_an_end_until_the_range_fits_again(self):
+        editor = self.open_map("longest edge")
+        before = self.map_of(editor)
+        self.assertTrue(before["fits"])
+        x, y, width, height = editor.part("scalar low")
+        middle = x + width // 2, y + height // 2
+        editor.drag_pixels([middle, (middle[0] + 40, middle[1])])
+        dragged = self.map_of(editor)
+        self.assertFalse(dragged["fits"])
+        self.assertGreater(dragged["low"], before["low"])
+        self.assertEqual(dragged["high"], before["high"])
+        editor.click("scalar Fit", 0.5, 0.5)
+        self.assertEqual(self.map_of(editor), before)
+        editor.quit()
+
+    def test_it_follows_a_cut_and_its_undo(self):
+        editor = self.open_map("level")
+        before = self.map_of(editor)
+        self.assertEqual(before["low"], 0)
+        editor.drag([(0.2, 0.5), (0.8, 0.5)])
+        cut = self.map_of(editor)
+        self.assertNotEqual(cut["faces"], before["faces"])
+        editor.do("ctrl", "z")
+        self.assertEqual(self.map_of(editor), before)
+        editor.quit()
+
+    def test_another_way_to_colour_faces_ends_it(self):
+        editor = self.open_map("level")
+        editor.point_at(0.5, 0.5)
+        editor.do("p")
+        self.assertIsNone(editor.quit()["scalar_map"]["quantity"])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,35 @@
+#include "ui/render/view/scalar_field.h"
+
+#include <gtest/gtest.h>
+
+#include "ui/render/view/oklab.h"
+
+namespace kerf {
+namespace {
+
+constexpr int kSteps = 64;
+
+glm::dvec3 lab_at(int step) {
+  return oklab_from_linear(linear_scalar_colour(static_cast<double>(step) / kSteps));
+}
+
+TEST(ScalarColour, gets_lighter_in_steps_that_look_equally_large) {
+  const double whole = glm::distance(lab_at(0), lab_at(1));
+  for (int i = 1; i <= kSteps; ++i) {
+    EXPECT_GT(lab_at(i).x, lab_at(i - 1).x) << i;
+    EXPECT_NEAR(glm::distance(lab_at(i), lab_at(i - 1)), whole, 0.12 * whole) << i;
+  }
+}
+
+TEST(ScalarColour, stays_within_what_a_screen_has) {
+  for (int i = 0; i <= kSteps; ++i) {
+    const glm::vec3 c = scalar_colour(static_cast<double>(i) / kSteps);
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_GT(c[k], 0) << i;
+      EXPECT_LT(c[k], 1) << i;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace kerf

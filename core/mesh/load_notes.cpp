@@ -1,5 +1,7 @@
 #include "core/mesh/load_notes.h"
 
+#include "core/base/count_text.h"
+
 namespace kerf {
 
 namespace {
@@ -12,7 +14,7 @@ struct Wording {
 
 void add(size_t count, const Wording& wording, std::vector<std::string>& notes) {
   if (count == 0) return;
-  notes.push_back(std::to_string(count) + (count == 1 ? wording.one : wording.many));
+  notes.push_back(grouped(count) + (count == 1 ? wording.one : wording.many));
 }
 
 }  // namespace

@@ -6,15 +6,8 @@
 
 namespace kerf {
 
-std::string grouped(size_t number) {
-  std::string digits = std::to_string(number);
-  for (auto at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > 0; at -= 3) {
-    digits.insert(static_cast<size_t>(at), " ");
-  }
-  return digits;
-}
-
 std::string area_text(double square_metres) {
+  if (square_metres == 0) return "none";
   struct Unit {
     const char* name;
     double size;

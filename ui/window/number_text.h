@@ -1,17 +1,15 @@
 #pragma once
 
-#include <cstddef>
 #include <string>
 
-namespace kerf {
+#include "core/base/count_text.h"
 
-// A number with grouped digits: "12 345 678".
-std::string grouped(size_t number);
+namespace kerf {
 
 // A text in a printf format, which the compiler checks. Of more than 255 bytes the rest is left out.
 [[gnu::format(printf, 1, 2)]] std::string text_of(const char* format, ...);
 
-// An area in a unit that suits its size: "2.75 cm²".
+// An area in a unit that suits its size: "2.75 cm²"; "none" for 0.
 std::string area_text(double square_metres);
 
 }  // namespace kerf

@@ -57,10 +57,6 @@ void set_frame(const FileFrame& frame, const SceneDescription& scene, ViewState&
   if (const std::string kind = mesh_kind(scene); !kind.empty()) settings.frames[kind] = frame;
 }
 
-std::string count_text(size_t count, const std::string& word) {
-  return grouped(count) + ' ' + word + (count == 1 ? "" : "s");
-}
-
 std::string extents_label(const Vec3& size, FileUnit unit) {
   const Vec3 metres = metres_per_unit(unit) * size;
   const LengthUnit shown = unit_for(std::max({metres.x, metres.y, metres.z}));
@@ -71,7 +67,7 @@ std::string extents_label(const Vec3& size, FileUnit unit) {
 
 std::string area_label(double area, FileUnit unit) {
   const double metres = metres_per_unit(unit);
-  if (unit != FileUnit::kInch) return area_text(area * metres * metres);
+  if (unit != FileUnit::kInch || area == 0) return area_text(area * metres * metres);
   std::array<char, 48> text{};
   std::snprintf(text.data(), text.size(), "%.3g in\xc2\xb2", area);
   return text.data();

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "core/base/count_text.h"
 #include "core/document/files/scene.h"
 #include "core/mesh/files/file_frame.h"
 #include "core/mesh/files/length_label.h"
@@ -36,8 +37,6 @@ void show_in_frame(ViewState& view, const FileFrame& frame);
 // The same as the choice of the user: it is remembered for files of this kind, and no question is left.
 void set_frame(const FileFrame& frame, const SceneDescription& scene, ViewState& view, Settings& settings);
 
-// "1 stroke", "3 strokes", "1 234 faces", for a word of which the plural ends in "s".
-std::string count_text(size_t count, const std::string& word);
 // An area in the numbers of the file as a label, as length_label does it with a length: "2.75 cm^2".
 std::string area_label(double area, FileUnit unit);
 // The extents of a box in the numbers of the file, each in the same metric unit: "68 x 75 x 16 mm".

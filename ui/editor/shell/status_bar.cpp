@@ -41,7 +41,7 @@ std::string removed_text(const ShownFigures& shown) {
 std::vector<Figure> figures_of(const ShownFigures& shown) {
   std::array<char, 32> frame{};
   if (shown.frame_ms > 0) std::snprintf(frame.data(), frame.size(), "%.1f ms", shown.frame_ms);
-  std::vector<Figure> figures{{grouped(shown.faces) + " faces", 6.0f, colours::text()},
+  std::vector<Figure> figures{{count_text(shown.faces, "face"), 6.0f, colours::text()},
                               {pieces_text(shown), 4.4f, colours::text()},
                               {frame.data(), 3.6f, colours::secondary()}};
   if (!shown.time.empty()) figures.push_back({shown.time, 6.0f, colours::text()});

@@ -149,9 +149,9 @@ void SplitFeature::draw_marks(ImDrawList& list) {
       l.first,
       resolution_text(cut ? document.history().last_settings().resolution : on_.laser.resolution.of(radius),
                       unit),
-      grouped(on_.figures.shown.faces) + " faces", list);
+      count_text(on_.figures.shown.faces, "face"), list);
   draw_half_label(l.second, resolution_text(cut ? twin_.resolution() : resolution_.of(radius), unit),
-                  twin_.there() ? grouped(on_.figures.shown.twin_faces) + " faces"
+                  twin_.there() ? count_text(on_.figures.shown.twin_faces, "face")
                                 : "Too large to be cut twice (more than 400 000 faces)",
                   list);
   const auto x = static_cast<float>(l.second.at.x), y = static_cast<float>(l.second.at.y);

@@ -75,7 +75,7 @@ void query_rows(const ShownFigures& shown) {
   std::string per_query = "nothing is cut", per_stroke = per_query;
   if (shown.stroke) {
     const size_t queries = shown.stroke->figures.queries, tested = shown.stroke->figures.tested.faces;
-    per_query = grouped(tested / std::max<size_t>(1, queries)) + " of " + grouped(shown.faces) + " faces";
+    per_query = grouped(tested / std::max<size_t>(1, queries)) + " of " + count_text(shown.faces, "face");
     per_stroke = grouped(tested) + " in " + grouped(queries) + (queries == 1 ? " query" : " queries");
   }
   figure_row(

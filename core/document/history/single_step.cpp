@@ -1,6 +1,7 @@
 #include "core/document/history/single_step.h"
 
 #include "core/base/assert.h"
+#include "core/base/count_text.h"
 #include "core/cut/cuttable.h"
 #include "core/document/history/specks.h"
 #include "core/mesh/files/length_label.h"
@@ -27,8 +28,10 @@ StageKind kind_of(UnfinishedMove::Stage stage) {
   return StageKind::kHit;
 }
 
-std::string number(size_t count, const char* noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+// "1 face was", "3 faces were", "no face was".
+std::string faces_were(size_t count) {
+  if (count == 0) return "no face was";
+  return count_text(count, "face") + (count == 1 ? " was" : " were");
 }
 
 size_t new_pieces(const Delta& delta) {
@@ -45,18 +48,20 @@ size_t count_specks(const Delta& delta, const Document& document) {
 std::string sweep_words(const StageRecord& record, FileUnit unit) {
   const double way = glm::length(record.move->to.origin - record.move->from.origin);
   const std::string moves = way > 0 ? "moves by " + length_label(way, unit) : "stays";
-  return "Sweep: the origin of the beam " + moves + ", which sweeps " + number(record.beam.size(), "volume") +
+  return "Sweep: the origin of the beam " + moves + ", which sweeps " + count_text(record.beam.size(), "volume") +
          " of radius " + length_label(record.beam.front().radius(), unit) + ".";
 }
 
 std::string separate_words(size_t pieces, size_t specks) {
-  std::string all = pieces > 0 ? number(pieces, "piece") : "";
-  if (specks > 0) all += (all.empty() ? "" : ", ") + number(specks, "speck");
+  std::string all = pieces > 0 ? count_text(pieces, "piece") : "";
+  if (specks > 0) all += (all.empty() ? "" : ", ") + count_text(specks, "speck");
   return "Separate: " + (all.empty() ? "no piece" : all) + " came off.";
 }
 
 std::string left_words(const StageRecord& record) {
-  return record.left > 0 ? " " + number(record.left, "face") + " are left for this stage." : "";
+  if (record.left == 0) return "";
+  return " " + count_text(record.left, "face") + (record.left == 1 ? " is" : " are") +
+         " left for this stage.";
 }
 
 // In pairs, because the time to append one after the other would be quadratic.
@@ -206,18 +211,18 @@ std::string words(const StageRecord& record, FileUnit unit) {
     case StageKind::kHit:
     case StageKind::kHitAgain:
       return std::string(record.kind == StageKind::kHit ? "Hit" : "Hit again, after the splits") +
-             ": the beam touches " + number(record.hit.size(), "face") + "; the tree tested " +
-             number(figures.tested.boxes, "box slot") + " and " + number(figures.tested.faces, "face") + ".";
+             ": the beam touches " + count_text(record.hit.size(), "face") + "; the tree tested " +
+             count_text(figures.tested.boxes, "box slot") + " and " +
+             count_text(figures.tested.faces, "face") + ".";
     case StageKind::kRefine:
-      return "Refine: " + number(figures.faces_made, "face") + " were made by splits." + left_words(record);
+      return "Refine: " + faces_were(figures.faces_made) + " made by splits." + left_words(record);
     case StageKind::kRemove:
-      return "Remove: " + number(record.done.delta.removed_faces, "face") + " were removed." +
-             left_words(record);
+      return "Remove: " + faces_were(record.done.delta.removed_faces) + " removed." + left_words(record);
     case StageKind::kSeparate:
       return separate_words(new_pieces(record.done.delta) - record.specks, record.specks);
     case StageKind::kCloseRim:
-      return "Close the rim: " + number(record.done.delta.removed_faces, "face") +
-             " inside the boundary of the stroke were removed.";
+      return "Close the rim: " + faces_were(record.done.delta.removed_faces) +
+             " removed that lay inside the boundary of the stroke.";
     case StageKind::kTime:
       return "Time: a tick passed.";
   }

@@ -28,7 +28,8 @@ constexpr float kMostEms = 44;
 void draw_stage_caption(const StageLog& stages, const Area& picture) {
   if (stages.done() == 0) return;
   KERF_ASSERT(stages.done() <= stages.told().size());
-  const std::string text = "Stage " + grouped(stages.done()) + ". " + stages.told()[stages.done() - 1];
+  const std::string text = "Move " + grouped(stages.moves()) + ", stage " + grouped(stages.stage_of_move()) +
+                           ". " + stages.told()[stages.done() - 1];
   const float em = ImGui::GetFontSize();
   const float room = std::min(kMostEms * em, static_cast<float>(picture.size.x) - 4 * em);
   if (room <= 0) return;

@@ -117,7 +117,9 @@ std::string place_text(const StageState& stages, const Document& document) {
                          : known > done          ? "at least " + grouped(known)
                                                  : "";
   if (done == 0) return document.waiting() > 0 ? "Before the first stage of the stroke" : "";
-  return "Stage " + grouped(done) + (of.empty() ? "" : " of " + of);
+  return "Move " + grouped(stages.log.moves()) + " of the beam, stage " +
+         grouped(stages.log.stage_of_move()) + " of it; " + grouped(done) + (of.empty() ? "" : " of " + of) +
+         " in all";
 }
 
 }  // namespace

@@ -11,12 +11,14 @@ namespace kerf {
 void StageLog::note(const World& world, const StageRecord& stage, FileUnit unit) {
   std::string sentence = words(stage, unit);
   if (done_ < told_.size() && told_[done_] != sentence) told_.resize(done_);
+  while (!sweeps_.empty() && sweeps_.back() > told_.size()) sweeps_.pop_back();
   if (done_ == told_.size()) told_.push_back(std::move(sentence));
   ++done_;
   const bool found = stage.kind == StageRecord::Kind::kHit || stage.kind == StageRecord::Kind::kHitAgain;
   if (found && world.contains(stage.body)) query_.trace(world, stage);
   if (stage.kind == StageRecord::Kind::kSweep) {
     swept_ = done_;
+    if (sweeps_.empty() || sweeps_.back() < done_) sweeps_.push_back(done_);
     cut_.clear();
   }
   for (const BodyDelta& delta : stage.done.delta.bodies) {
@@ -25,6 +27,12 @@ void StageLog::note(const World& world, const StageRecord& stage, FileUnit unit)
   last_ = stage;
   marks_.reset();
 }
+
+size_t StageLog::moves() const {
+  return static_cast<size_t>(std::upper_bound(sweeps_.begin(), sweeps_.end(), done_) - sweeps_.begin());
+}
+
+size_t StageLog::stage_of_move() const { return moves() == 0 ? done_ : done_ - sweeps_[moves() - 1] + 1; }
 
 // The last query is that of the last sweep, or comes again with the stages that follow.
 void StageLog::restart(size_t stages) {
@@ -38,6 +46,7 @@ void StageLog::restart(size_t stages) {
 void StageLog::forget() {
   restart();
   told_.clear();
+  sweeps_.clear();
   ++forgotten_;
 }
 

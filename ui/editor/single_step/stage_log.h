@@ -15,6 +15,10 @@ class StageLog {
  public:
   // The number of stages that were executed.
   size_t done() const { return done_; }
+  // The moves of the stroke that they belong to, and which stage of the last of them it was; 0 before the
+  // first.
+  size_t moves() const;
+  size_t stage_of_move() const;
   // What the stages did, one sentence each: first those that were executed, then those that were executed
   // before the user went back.
   const std::vector<std::string>& told() const { return told_; }
@@ -43,6 +47,7 @@ class StageLog {
  private:
   size_t done_ = 0, forgotten_ = 0;
   std::vector<std::string> told_;
+  std::vector<size_t> sweeps_;  // the numbers of the stages among them that begin a move, from 1 on
   std::optional<StageRecord> last_;
   size_t swept_ = 0;       // stages up to the last sweep
   std::set<PieceId> cut_;  // pieces that lost faces since then

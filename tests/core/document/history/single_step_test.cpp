@@ -274,5 +274,19 @@ TEST(SingleStep, tells_of_every_face_that_a_move_hits_and_removes) {
   EXPECT_EQ(gone, hit);
 }
 
+TEST(SingleStep, says_one_face_several_and_none_in_sentences) {
+  StageRecord record;
+  record.kind = StageKind::kRemove;
+  EXPECT_EQ(words(record), "Remove: no face was removed.");
+  record.done.delta.removed_faces = 1;
+  record.left = 1;
+  EXPECT_EQ(words(record), "Remove: 1 face was removed. 1 face is left for this stage.");
+  record.kind = StageKind::kCloseRim;
+  EXPECT_EQ(words(record), "Close the rim: 1 face was removed that lay inside the boundary of the stroke.");
+  record.done.delta.removed_faces = 31'841;
+  EXPECT_EQ(words(record),
+            "Close the rim: 31 841 faces were removed that lay inside the boundary of the stroke.");
+}
+
 }  // namespace
 }  // namespace kerf::test

@@ -47,6 +47,31 @@ size_t lines(const StageMarks& marks, StageMarks::Kind kind) {
   return lines;
 }
 
+TEST(StageLog, counts_the_moves_of_the_stroke_and_their_stages) {
+  Document document = sheet();
+  SingleStep single(document);
+  StageLog log;
+  EXPECT_EQ(log.moves(), 0u);
+  size_t moves = 0, stage = 0;
+  std::vector<std::pair<size_t, size_t>> places{{0, 0}};
+  while (document.waiting() > 0) {
+    const Result<StageRecord> record = single.next();
+    ASSERT_TRUE(record.ok());
+    log.note(document.world(), *record);
+    const bool begins = record->kind == StageKind::kSweep;
+    moves += begins;
+    stage = begins ? 1 : stage + 1;
+    EXPECT_EQ(log.moves(), moves);
+    EXPECT_EQ(log.stage_of_move(), stage);
+    places.emplace_back(moves, stage);
+  }
+  EXPECT_GT(moves, 1u);
+  for (const size_t back : {places.size() / 2, size_t{1}, size_t{0}}) {
+    log.restart(back);
+    EXPECT_EQ(std::pair(log.moves(), log.stage_of_move()), places[back]);
+  }
+}
+
 TEST(StageLog, marks_the_faces_that_each_stage_hit_made_and_removed) {
   Document document = sheet();
   SingleStep single(document);

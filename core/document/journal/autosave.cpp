@@ -22,12 +22,13 @@ size_t count_strokes(const Journal& journal) {
 
 }  // namespace
 
-void Autosave::begin(SceneDescription scene, fs::path work_of) {
+void Autosave::begin(SceneDescription scene, fs::path work_of, std::vector<fs::path> opened) {
   if (file_) replaced_ = std::move(*file_);
   file_.reset();
   commands_ = marks_ = 0;
   scene_ = std::move(scene);
   work_of_ = std::move(work_of);
+  opened_ = std::move(opened);
 }
 
 void Autosave::drop() {
@@ -53,7 +54,7 @@ Status Autosave::follow(const Document& document, std::span<const StateMark> mar
   if (file_) {
     if (const auto appended = file_->append(*lines); !appended) return appended;
   } else {
-    const auto head = journal_head(scene_, work_of_, {});
+    const auto head = journal_head(scene_, work_of_, {}, opened_);
     if (!head) return head.error();
     auto file = create(*head + *lines);
     if (!file) return file.error();

@@ -15,10 +15,11 @@ class Autosave {
  public:
   explicit Autosave(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  // Starts to keep a document with this scene, which was last saved to `work_of` (may be empty). The file of
-  // the previous document is removed once the new one is written. Precondition: the meshes have hashes (see
-  // note_hashes).
-  void begin(SceneDescription scene, std::filesystem::path work_of);
+  // Starts to keep a document with this scene, which was last saved to `work_of` (may be empty) and opened
+  // from the files `opened`. The file of the previous document is removed once the new one is written.
+  // Precondition: the meshes have hashes (see note_hashes).
+  void begin(SceneDescription scene, std::filesystem::path work_of,
+             std::vector<std::filesystem::path> opened = {});
 
   // Appends the final commands (see Document::final_commands) and marks since the last call; the first call
   // writes all of them to a new file. So time that passes is less than a second behind. On failure everything
@@ -41,6 +42,7 @@ class Autosave {
   std::filesystem::path folder_;
   SceneDescription scene_;
   std::filesystem::path work_of_;
+  std::vector<std::filesystem::path> opened_;
   std::optional<LockedFile> file_, replaced_;
   size_t commands_ = 0, marks_ = 0;  // numbers written to the file
 };

@@ -69,6 +69,12 @@ class JournalReader {
       journal_.work_of = json["work_of"].get<std::string>();
       json.erase("work_of");
     }
+    if (json.contains("opened") && json["opened"].is_array()) {
+      for (const nlohmann::json& file : json["opened"]) {
+        if (file.is_string()) journal_.opened.emplace_back(file.get<std::string>());
+      }
+      json.erase("opened");
+    }
     if (!json.contains("version")) return bad_input(where() + ": needs \"version\"");
     auto scene = parse_scene(JsonValue(json, where()), folder_);
     if (!scene) return scene.error();
@@ -116,12 +122,14 @@ Result<Journal> read_journal(const std::filesystem::path& file) {
 }
 
 Result<std::string> journal_head(const SceneDescription& scene, const std::filesystem::path& work_of,
-                                 const std::filesystem::path& folder) {
+                                 const std::filesystem::path& folder,
+                                 std::span<const std::filesystem::path> opened) {
   nlohmann::ordered_json json{{"kerf", "journal"}};
   SceneDescription without_strokes = scene;
   without_strokes.strokes.clear();
   json.update(scene_json(without_strokes, folder));
   if (!work_of.empty()) json["work_of"] = path_text(work_of, {});
+  for (const std::filesystem::path& file : opened) json["opened"].push_back(path_text(file, {}));
   for (const SceneBody& body : scene.bodies) {
     if (!body.hash)
       return bad_input(body.mesh.string() + ": a journal needs a mesh file that can be read again");

@@ -34,6 +34,7 @@ struct Journal {
   SceneDescription scene;  // without strokes; the strokes of a scene are commands of the journal
   std::filesystem::path
       work_of;  // of an autosaved journal: the file that the document was saved to; or empty
+  std::vector<std::filesystem::path> opened;  // of one: the files that the document was opened from
   std::vector<Command> commands;
   std::vector<StateMark> marks;  // ascending
   std::string damage;            // one sentence on what could not be read, or empty
@@ -45,9 +46,11 @@ struct Journal {
 Result<Journal> read_journal(const std::filesystem::path& file);
 
 // The text of a journal. `folder` is the folder of the journal file; if it is empty, meshes are named by
-// their absolute paths. Bad input if a mesh has no hash (see note_hashes) or a name is not UTF-8.
+// their absolute paths. `work_of` and `opened` are those of Journal. Bad input if a mesh has no hash (see
+// note_hashes) or a name is not UTF-8.
 Result<std::string> journal_head(const SceneDescription& scene, const std::filesystem::path& work_of,
-                                 const std::filesystem::path& folder);
+                                 const std::filesystem::path& folder,
+                                 std::span<const std::filesystem::path> opened = {});
 Result<std::string> journal_lines(std::span<const Command> commands, std::span<const StateMark> marks,
                                   const std::filesystem::path& folder);
 

@@ -11,7 +11,7 @@ constexpr std::chrono::seconds kBetweenTries{1};
 void Recovery::begin(const OpenWork& work, const ViewState& view) {
   lights_ = view.look.lights;
   head_ = work.scene.others;
-  autosave_.begin(scene_now(work, view), work.file);
+  autosave_.begin(scene_now(work, view), work.file, work.files);
 }
 
 bool Recovery::follow(OpenWork& work, const ViewState& view, bool mouse_moves, Message& message) {

@@ -25,6 +25,7 @@ std::string time_text(std::filesystem::file_time_type time) {
 std::string name_of(const LeftWork& left) {
   const Journal& journal = left.journal;
   if (!journal.work_of.empty()) return journal.work_of.filename().string();
+  if (!journal.opened.empty()) return journal.opened.front().filename().string();
   return journal.scene.bodies.front().mesh.filename().string();
 }
 
@@ -79,7 +80,7 @@ void ask_about_left_work(Decisions& decisions, const std::vector<LeftWork>& left
            count_text(left.strokes, "stroke") + ", last changed on " + time_text(left.last_change) + ".";
   if (left_work.size() > 1)
     q.text += " " + count_text(left_work.size() - 1, "more piece") + " of work was left besides.";
-  q.choices = {{"Go on", "Opens it as it was left (Enter, G).", 'G'},
+  q.choices = {{"Recover", "Opens it as it was left (Enter, R).", 'R'},
                {"Discard", "It is gone then."},
                {"Later", "Asks again at the next start (Esc, L).", 'L'}};
 }

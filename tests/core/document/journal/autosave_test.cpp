@@ -43,7 +43,7 @@ TEST_F(AutosaveFolder, follows_a_document_and_is_offered_only_when_its_editor_is
   std::vector<StateMark> marks;
   {
     Autosave autosave(state());
-    autosave.begin(scene_, folder_ / "mine.kerf");
+    autosave.begin(scene_, folder_ / "mine.kerf", {folder_ / "scene.json"});
     for (const Command& command : commands) {
       if (!document.apply(command)) continue;  // of a piece that is not there
       if (document.journal().size() == 20) marks.push_back({20, 5, 0});
@@ -58,6 +58,7 @@ TEST_F(AutosaveFolder, follows_a_document_and_is_offered_only_when_its_editor_is
   for (size_t i = 0; i < journal.commands.size(); ++i)
     EXPECT_TRUE(same_bits(journal.commands[i], document.journal()[i])) << i;
   EXPECT_EQ(journal.work_of, std::filesystem::weakly_canonical(folder_ / "mine.kerf"));
+  EXPECT_EQ(journal.opened, std::vector{std::filesystem::weakly_canonical(folder_ / "scene.json")});
   ASSERT_EQ(journal.marks.size(), marks.size());
   EXPECT_TRUE(left().empty()) << "nobody else is offered what one looks at";
 }

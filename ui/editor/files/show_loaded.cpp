@@ -53,7 +53,10 @@ void note_what_is_saved(OpenWork& work, const LoadedFiles& loaded, const std::ve
   work.files = order.files;
   work.file.clear();
   if (order.left) {
-    for (const SceneBody& body : loaded.scene.bodies) work.files.push_back(body.mesh);
+    work.files = order.left->opened;
+    for (const SceneBody& body : loaded.scene.bodies) {
+      if (order.left->opened.empty()) work.files.push_back(body.mesh);
+    }
     work.file = order.left->work_of;
   } else if (is_journal(order.files.front())) {
     work.file = order.files.front();
@@ -74,6 +77,7 @@ void show_loaded(Workspace& on, LoadedFiles loaded) {
   work.scene = loaded.scene;
   on.changes.forget();
   on.replaced();
+  if (work.document.history().last_cut()) on.laser.show(work.document.history().last_settings());
   on.picture->first().show(work.document.world(), work.paints, std::move(loaded.prepared));
   on.view.numbers.follow(work.document.world(), true, false, on.view.look.pieces);
   const World::Bounds bounds = work.document.world().loaded_bounds();

@@ -19,6 +19,25 @@ Resolution ResolutionControls::of(double radius) const {
   return resolution;
 }
 
+void ResolutionControls::show(const Resolution& resolution, double radius) {
+  KERF_ASSERT(radius > 0);
+  const auto fraction = [&](double length) {
+    return std::clamp(length / radius, kLeastFraction, kMostFraction);
+  };
+  scheme = resolution.scheme;
+  rule = resolution.rule;
+  rim = resolution.rim;
+  if (rule == Resolution::Rule::kTargetEdge) edge_fraction = fraction(resolution.target_edge);
+  if (rule == Resolution::Rule::kTolerance) tolerance_fraction = fraction(resolution.tolerance);
+  if (rule == Resolution::Rule::kDepth) depth = std::clamp(resolution.depth, 0, kLargestDepth);
+}
+
+void LaserControls::show(const CutSettings& settings) {
+  const double cut = settings.laser.radius;
+  radius = std::clamp(cut, default_radius / kRadiusSpan, default_radius * kRadiusSpan);
+  resolution.show(settings.resolution, cut);
+}
+
 void make_finer(ResolutionControls& controls, int steps) {
   using Controls = ResolutionControls;
   const auto divide = [&](double& fraction) {

@@ -21,6 +21,8 @@ struct ResolutionControls {
 
   // The resolution for a beam of this radius (m, > 0).
   Resolution of(double radius) const;
+  // Shows the resolution of a beam of this radius, as far as the sliders reach.
+  void show(const Resolution& resolution, double radius);
 };
 
 // So many steps finer: a step halves the fraction of the rule that is chosen, or splits once more.
@@ -45,6 +47,8 @@ struct LaserControls {
 
   // The settings of a cut in a world with this diagonal (m); the range of the beam is ten diagonals.
   CutSettings settings(double diagonal) const;
+  // Shows the radius and the resolution of a stroke, as far as the sliders reach.
+  void show(const CutSettings& settings);
   void fit(double diagonal) { radius = default_radius = diagonal > 0 ? diagonal / 400 : 0.01; }
 };
 

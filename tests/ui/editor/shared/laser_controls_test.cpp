@@ -29,5 +29,25 @@ TEST(LaserControls, of_the_thermal_model_have_a_power_and_leave_heat_by_it_alone
   EXPECT_EQ(settings.heat_width, 0);
 }
 
+TEST(LaserControls, show_the_radius_and_the_resolution_of_a_stroke) {
+  LaserControls drawn, shown;
+  drawn.fit(4);
+  shown.fit(4);
+  drawn.radius *= 2;
+  for (const auto rule :
+       {Resolution::Rule::kTargetEdge, Resolution::Rule::kTolerance, Resolution::Rule::kDepth}) {
+    drawn.resolution = {.scheme = Scheme::kOneToFour,
+                        .rule = rule,
+                        .edge_fraction = 0.5,
+                        .tolerance_fraction = 1,
+                        .depth = 7,
+                        .rim = Rim::kFaces};
+    shown.show(drawn.settings(4));
+    EXPECT_EQ(shown.radius, drawn.radius);
+    EXPECT_EQ(shown.resolution.rule, rule);
+  }
+  EXPECT_EQ(shown.settings(4).resolution, drawn.settings(4).resolution);
+}
+
 }  // namespace
 }  // namespace kerf

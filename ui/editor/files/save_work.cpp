@@ -1,5 +1,6 @@
 #include "ui/editor/files/save_work.h"
 
+#include "core/document/history/lasting_commands.h"
 #include "core/document/journal/save.h"
 #include "ui/editor/shared/file_frames.h"
 
@@ -19,18 +20,37 @@ Status write_all(OpenWork& work, const ViewState& view, const fs::path& file) {
   return save_journal(file, scene_now(work, view), work.document.journal(), work.marks);
 }
 
+// Whether nobody misses it: what is hot has cooled down.
+bool only_cools(const Command& command) {
+  const Advance* time = std::get_if<Advance>(&command);
+  return time != nullptr && !time->bodies;
+}
+
+// Whether the commands that last are those that were saved, besides what only cools: nothing came since, or
+// all of it was taken back. What came last was not taken back unless it is undo or redo, which alone makes
+// the time linear in the journal.
+bool lasts_as_saved(const std::vector<Command>& journal, size_t saved) {
+  size_t end = journal.size();
+  while (end > saved && only_cools(journal[end - 1])) --end;
+  if (end == saved) return true;
+  if (!std::holds_alternative<Undo>(journal[end - 1]) && !std::holds_alternative<Redo>(journal[end - 1]))
+    return false;
+  const std::vector<bool> now = lasting_commands(journal),
+                          then = lasting_commands(std::span(journal).first(saved));
+  for (size_t i = 0; i < journal.size(); ++i) {
+    const bool lasted = i < saved && then[i];
+    if (now[i] != lasted && !only_cools(journal[i])) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
-// Since it was saved, nothing but what is hot may have cooled down, which nobody misses.
 bool is_unsaved(const OpenWork& work, const std::vector<Light>& lights) {
   const std::vector<Command>& journal = work.document.journal();
   if (work.saved_commands > journal.size() || lights != work.saved_lights) return true;
   if (work.scene.others != work.saved_head) return true;
-  return !std::all_of(journal.begin() + static_cast<std::ptrdiff_t>(work.saved_commands), journal.end(),
-                      [](const Command& command) {
-                        const Advance* time = std::get_if<Advance>(&command);
-                        return time != nullptr && !time->bodies;
-                      });
+  return !lasts_as_saved(journal, work.saved_commands);
 }
 
 std::string name_of_work(const OpenWork& work) {

@@ -63,6 +63,24 @@ TEST_F(SaveWork, a_star_in_the_title_says_that_something_is_not_saved) {
   EXPECT_EQ(title(), "mine.kerf* - Kerf");
 }
 
+TEST_F(SaveWork, nothing_is_unsaved_once_all_that_came_since_is_undone) {
+  cut();
+  work_.document.apply(Undo{});
+  EXPECT_FALSE(unsaved());
+  work_.document.apply(Redo{});
+  EXPECT_TRUE(unsaved());
+  ASSERT_TRUE(save(folder_ / "mine.kerf"));
+  work_.document.apply(Undo{});
+  EXPECT_TRUE(unsaved());
+  work_.document.apply(Redo{});
+  EXPECT_FALSE(unsaved());
+  work_.document.apply(Undo{});
+  cut();
+  EXPECT_TRUE(unsaved());  // as many strokes as were saved, but another one
+  work_.document.apply(Undo{});
+  EXPECT_TRUE(unsaved());
+}
+
 TEST_F(SaveWork, what_was_saved_opens_with_its_lights_and_its_view) {
   cut();
   view_.look.lights.front().at = {0, 7, 0};

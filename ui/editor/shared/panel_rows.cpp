@@ -2,6 +2,11 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+#include <cstring>
+#include <vector>
+
+#include "core/base/assert.h"
 #include "ui/editor/shared/shortcut_text.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/property.h"
@@ -20,6 +25,29 @@ size_t choose_state(const ViewSwitch& s, size_t state) {
     tooltip(s.tip);
   }
   return state;
+}
+
+bool is_pressed(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); }
+
+// The open list of a row: a click chooses, or Enter what Up and Down have gone to. Returns whether one was
+// chosen.
+bool choose_in_list(std::span<const char* const> names, int& choice, const char* landmark) {
+  int& cursor = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("cursor"), choice);
+  if (ImGui::IsWindowAppearing()) cursor = choice;
+  const int step = (is_pressed(ImGuiKey_DownArrow) ? 1 : 0) - (is_pressed(ImGuiKey_UpArrow) ? 1 : 0);
+  cursor = std::clamp(cursor + step, 0, static_cast<int>(names.size()) - 1);
+  int chosen = -1;
+  for (int i = 0; i < static_cast<int>(names.size()); ++i) {
+    if (ImGui::Selectable(names[static_cast<size_t>(i)], i == cursor)) chosen = i;
+    if (landmark != nullptr) mark_last_item(landmark, i);
+  }
+  if (is_pressed(ImGuiKey_Enter) || is_pressed(ImGuiKey_KeyPadEnter)) {
+    chosen = cursor;
+    ImGui::CloseCurrentPopup();
+  }
+  if (chosen < 0) return false;
+  choice = chosen;
+  return true;
 }
 
 float height_of_row() { return ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y; }
@@ -60,32 +88,23 @@ bool length_field(NumberFields& fields, const char* name, double& length, const 
 
 bool choice_row(const char* label, const char* id, int& choice, const char* names, const char* landmark,
                 const char* meaning) {
-  property(label);
-  const bool chosen = ImGui::Combo(id, &choice, names);
-  if (landmark != nullptr) mark_last_item(landmark);
-  if (meaning != nullptr) tooltip(meaning);
-  return chosen;
+  std::vector<const char*> all;
+  for (const char* name = names; *name != '\0'; name += std::strlen(name) + 1) all.push_back(name);
+  return marked_choice_row(label, id, choice, all, landmark, meaning);
 }
 
 bool marked_choice_row(const char* label, const char* id, int& choice, std::span<const char* const> names,
                        const char* landmark, const char* meaning) {
+  KERF_ASSERT(static_cast<size_t>(choice) < names.size());
   property(label);
-  const auto now = static_cast<size_t>(choice);
-  bool chosen = false;
-  if (ImGui::BeginCombo(id, names[now])) {
-    for (size_t i = 0; i < names.size(); ++i) {
-      if (ImGui::Selectable(names[i], i == now)) {
-        choice = static_cast<int>(i);
-        chosen = true;
-      }
-      mark_last_item(landmark, static_cast<int>(i));
-    }
+  if (ImGui::BeginCombo(id, names[static_cast<size_t>(choice)])) {
+    const bool chosen = choose_in_list(names, choice, landmark);
     ImGui::EndCombo();
-  } else {
-    mark_last_item(landmark);
-    tooltip(meaning);
+    return chosen;
   }
-  return chosen;
+  if (landmark != nullptr) mark_last_item(landmark);
+  if (meaning != nullptr) tooltip(meaning);
+  return false;
 }
 
 bool reset_item(double& value, double standard) {

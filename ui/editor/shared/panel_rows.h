@@ -22,9 +22,9 @@ bool draw_switch(ViewState& view, SwitchId id, const char* label = nullptr);
 bool length_field(NumberFields& fields, const char* name, double& length, const LengthUnit& unit,
                   const char* meaning, const std::string& per = "");
 
-// A row in which one of several values is chosen. `names` are those of the values 0, 1, ..., each ended by a
-// zero. `landmark` is its name in tests and `meaning` its tooltip; either may be null. Returns whether a
-// value was chosen.
+// A row in which one of several values is chosen, in its open list by a click or by Up, Down and Enter.
+// `names` are those of the values 0, 1, ..., each ended by a zero. `landmark` is its name in tests and
+// `meaning` its tooltip; either may be null. Returns whether a value was chosen.
 bool choice_row(const char* label, const char* id, int& choice, const char* names, const char* landmark,
                 const char* meaning);
 template <typename Choice>
@@ -36,10 +36,18 @@ bool choice_row(const char* label, const char* id, Choice& choice, const char* n
   return chosen;
 }
 
-// A row like choice_row() in which each name of the open list has a landmark, too: that of the row, with its
-// number.
+// A row like choice_row() of names in a list. Each name of the open list has a landmark, too: that of the
+// row, with its number.
 bool marked_choice_row(const char* label, const char* id, int& choice, std::span<const char* const> names,
                        const char* landmark, const char* meaning);
+template <typename Choice>
+bool marked_choice_row(const char* label, const char* id, Choice& choice, std::span<const char* const> names,
+                       const char* landmark, const char* meaning) {
+  int number = static_cast<int>(choice);
+  const bool chosen = marked_choice_row(label, id, number, names, landmark, meaning);
+  choice = static_cast<Choice>(number);
+  return chosen;
+}
 
 // The menu of the last item at a right click, which sets the value to the standard one. Returns whether it
 // did.

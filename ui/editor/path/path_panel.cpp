@@ -47,6 +47,14 @@ size_t number_of(const PathWork& path, PathPoint point) {
   return number;
 }
 
+// The headings, which stay while the list scrolls; lengths are in the unit.
+void set_up_columns(const std::string& unit) {
+  ImGui::TableSetupScrollFreeze(0, 1);
+  ImGui::TableSetupColumn("Point");
+  for (const char* axis : {"X", "Y", "Z"}) ImGui::TableSetupColumn((axis + (" (" + unit + ")")).c_str());
+  ImGui::TableHeadersRow();
+}
+
 }  // namespace
 
 void PathPanel::draw_buttons(PathWork& path, const ViewState& view, const char* why_no_run,
@@ -106,7 +114,7 @@ void PathPanel::draw_beam(PathWork& path, bool& at_panel_resolution, const World
   end_properties();
 }
 
-void PathPanel::draw_row(PathWork& path, PathPoint point, int number) {
+void PathPanel::draw_row(PathWork& path, PathPoint point, int number, double unit) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   const bool chosen = path.chosen() == point;
@@ -118,20 +126,23 @@ void PathPanel::draw_row(PathWork& path, PathPoint point, int number) {
   mark_last_item("path row", number);
   for (int i = 0; i < 3; ++i) {
     ImGui::TableNextColumn();
-    ImGui::TextUnformatted(text_of("%.4g", path.target(point)[i]).c_str());
+    ImGui::TextUnformatted(text_of("%.4g", path.target(point)[i] / unit).c_str());
   }
   if (chosen) ImGui::PopStyleColor();
   ImGui::PopID();
 }
 
-void PathPanel::draw_list(PathWork& path) {
+void PathPanel::draw_list(PathWork& path, const World& world, FileUnit unit) {
   constexpr ImGuiTableFlags kList =
       ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersOuter;
   const size_t points = path.points();
   if (points == 0) return;
-  const float height = height_of_rows(std::min(points, kMostRows));
+  const float height = height_of_rows(std::min(points, kMostRows) + 1);
   if (!ImGui::BeginTable("points", 4, kList, {0, height})) return;
-  draw_rows_in_sight(points, [&](size_t i) { draw_row(path, numbered(path, i), static_cast<int>(i)); });
+  const LengthUnit shown = label_unit(world.loaded_bounds().diagonal(), unit);
+  set_up_columns(shown.name);
+  draw_rows_in_sight(points,
+                     [&](size_t i) { draw_row(path, numbered(path, i), static_cast<int>(i), shown.metres); });
   if (path.chosen() && path.chosen() != shown_) {
     shown_ = path.chosen();
     scroll_to_row(number_of(path, *shown_), height);
@@ -168,7 +179,7 @@ void PathPanel::draw(PathWork& path, bool& at_panel_resolution, const ViewState&
   draw_buttons(path, view, why_no_run, wishes);
   secondary_text(summary(path, view));
   draw_beam(path, at_panel_resolution, world, unit);
-  draw_list(path);
+  draw_list(path, world, unit);
   draw_chosen(path, unit);
   const bool unfolded = ImGui::TreeNodeEx("Holes", ImGuiTreeNodeFlags_NoTreePushOnOpen);
   mark_last_item("Holes header");

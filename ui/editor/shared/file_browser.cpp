@@ -27,7 +27,9 @@ bool exports(const FileBrowser& b) { return b.wish.writes != nullptr; }
 bool opens(const FileBrowser& b) { return b.wish.endings.empty() && !exports(b); }
 
 bool is_listed(const FileBrowser& b, const FileBrowser::Entry& entry) {
-  return entry.folder || entry.name.ends_with(b.wish.listed);
+  if (entry.folder) return true;
+  if (exports(b)) return mesh_format(fs::path(entry.name).extension().string()).has_value();
+  return entry.name.ends_with(b.wish.listed);
 }
 
 void set_name(FileBrowser& b, const std::string& text) {
@@ -147,6 +149,14 @@ std::string size_text(uintmax_t bytes) {
   return text.data();
 }
 
+// At the right of its column, so that sizes can be compared.
+void draw_size(uintmax_t bytes) {
+  const std::string text = size_text(bytes);
+  const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, room));
+  ImGui::TextDisabled("%s", text.c_str());
+}
+
 void draw_entry(FileBrowser& b, size_t place, const FileBrowser::Entry& entry, bool& gone) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
@@ -160,7 +170,7 @@ void draw_entry(FileBrowser& b, size_t place, const FileBrowser::Entry& entry, b
   if (b.cursor == place && b.show_cursor) ImGui::SetScrollHereY();
   ImGui::PopID();
   ImGui::TableNextColumn();
-  if (!entry.folder) ImGui::TextDisabled("%s", size_text(entry.bytes).c_str());
+  if (!entry.folder) draw_size(entry.bytes);
   if (!clicked) return;
   b.cursor = place;
   if (!opens(b) && !entry.folder) set_name(b, entry.name);

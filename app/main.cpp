@@ -31,6 +31,13 @@ kerf::Result<std::optional<kerf::ThreadLimit>> threads_of_environment() {
   return std::optional(kerf::ThreadLimit(threads));
 }
 
+// The command that was given, as its help is asked for: "kerf cut", or "kerf" without one.
+std::string asked_of(const CLI::App& app) {
+  std::string name = app.get_name();
+  for (const CLI::App* command : app.get_subcommands()) name += " " + command->get_name();
+  return name;
+}
+
 int parse_and_run(int argc, char** argv) {
   CLI::App app("Kerf: a laser drills through any triangle mesh, live.", "kerf");
   app.set_version_flag("--version", "kerf " KERF_VERSION);
@@ -51,7 +58,7 @@ int parse_and_run(int argc, char** argv) {
   } catch (const CLI::Success& asked) {  // --help, --version
     return app.exit(asked);
   } catch (const CLI::ParseError& wrong) {
-    return report_error(kerf::bad_input(std::string(wrong.what()) + " (see kerf --help)"));
+    return report_error(kerf::bad_input(std::string(wrong.what()) + " (see " + asked_of(app) + " --help)"));
   }
   const auto threads = threads_of_environment();
   if (!threads) return report_error(threads.error());

@@ -57,6 +57,11 @@ class CommandLine(unittest.TestCase):
         for word in words:
             self.assertIn(word, done.stderr)
 
+    def test_a_wrong_command_line_points_to_the_help_of_its_command(self):
+        self.assert_refused(kerf("cut"), 2, "(see kerf cut --help)")
+        self.assert_refused(kerf("prepare", "--smooth", "x"), 2, "(see kerf prepare --help)")
+        self.assert_refused(kerf("--no-such-option"), 2, "(see kerf --help)")
+
     def test_help_and_version_go_to_standard_output(self):
         for args in (["--help"], ["--version"], ["cut", "--help"], ["info", "--help"], ["inspect", "--help"], ["render", "--help"]):
             done = kerf(*args)

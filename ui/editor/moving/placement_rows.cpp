@@ -1,5 +1,8 @@
 #include "ui/editor/moving/placement_rows.h"
 
+#include <imgui.h>
+
+#include <array>
 #include <cmath>
 
 #include "core/base/angle.h"
@@ -29,13 +32,23 @@ glm::dquat orientation_of(const Vec3& angles) {
 }
 
 std::optional<Command> PlacementRows::draw(const World& world, const ViewState& view) {
-  if (why_no_move(view.look.pieces) != nullptr) return std::nullopt;
-  const PieceId piece = *first_chosen(view.look.pieces);
+  if (!begin_properties("placement")) return std::nullopt;
+  const char* why_not = why_no_move(view.look.pieces);
+  std::optional<Command> command;
+  if (why_not == nullptr) {
+    command = draw_fields(world, *first_chosen(view.look.pieces));
+  } else {
+    draw_empty(why_not);
+  }
+  end_properties();
+  return command;
+}
+
+std::optional<Command> PlacementRows::draw_fields(const World& world, const PieceId& piece) {
   const Body& body = world.body(piece.body);
   Placement to = body.placement;
   const Vec3 before = pivot_of(body, piece.label), centre_in_body = to.to_body(before);
   Vec3 centre = before, angles = angles_of(to.orientation);
-  if (!begin_properties("placement")) return std::nullopt;
   if (fields_.vector("Centre", centre, "%.5g",
                      "X, Y and Z of the chosen piece's centre of area, in the unit of the file."))
     to.position += centre - before;
@@ -44,8 +57,19 @@ std::optional<Command> PlacementRows::draw(const World& world, const ViewState& 
     to.orientation = orientation_of(angles);
     to.position = before - to.orientation * centre_in_body;
   }
-  end_properties();
   return to != body.placement ? std::optional<Command>(MovePiece{piece, to}) : std::nullopt;
+}
+
+void PlacementRows::draw_empty(const char* why) {
+  ImGui::BeginDisabled();
+  for (const char* name : {"Centre", "Rotation"}) {
+    property(name);
+    std::array<char, 2> text{"-"};
+    ImGui::InputText((std::string("##") + name).c_str(), text.data(), text.size(),
+                     ImGuiInputTextFlags_ReadOnly);
+    tooltip(why);
+  }
+  ImGui::EndDisabled();
 }
 
 }  // namespace kerf

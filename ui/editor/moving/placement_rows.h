@@ -15,10 +15,14 @@ glm::dquat orientation_of(const Vec3& angles);
 // its angles, which turn it about this centre.
 class PlacementRows {
  public:
-  // Draws nothing where not exactly one piece is chosen. Enter or leaving a field returns the command.
+  // Where not exactly one piece is chosen the fields are empty, so that what is below stays in its place when
+  // one is. Enter or leaving a field returns the command.
   std::optional<Command> draw(const World& world, const ViewState& view);
 
  private:
+  std::optional<Command> draw_fields(const World& world, const PieceId& piece);
+  void draw_empty(const char* why);
+
   NumberFields fields_;
 };
 

@@ -37,7 +37,8 @@ void place_tooltip(const char* text) {
 bool begin_properties(const char* id) {
   if (!ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingStretchProp)) return false;
   ImGui::TableSetupColumn("label", ImGuiTableColumnFlags_WidthFixed, 5.6f * ImGui::GetFontSize());
-  ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
+  // Without a weight the column would be as wide as nothing in its first frame.
+  ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 1);
   return true;
 }
 

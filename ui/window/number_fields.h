@@ -1,9 +1,17 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+
 #include "core/base/vec3.h"
 #include "ui/window/number_format.h"
 
 namespace kerf {
+
+// The whole number from 1 on that a text gives, with or without grouped digits, or nothing.
+std::optional<size_t> count_in(std::string text);
 
 // Fields for numbers that are typed: a value counts once its field is left or Enter is pressed.
 class NumberFields {
@@ -15,10 +23,15 @@ class NumberFields {
   bool number(const char* name, double& value, const RealFormat& format, const char* meaning,
               std::string_view unit = "");
 
+  // A row with one field for a whole number from 1 on, which is shown with grouped digits and may be typed
+  // with or without them.
+  bool count(const char* name, size_t& value, const char* meaning);
+
  private:
   bool field(double& value, const std::string& format, const char* meaning);
 
-  double typed_ = 0;  // in the field that is being edited
+  double typed_ = 0;                   // in the field that is being edited
+  std::array<char, 32> typed_text_{};  // in one for a count
 };
 
 }  // namespace kerf

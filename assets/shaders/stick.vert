@@ -4,16 +4,23 @@ layout(location = 1) in vec3 to;
 uniform mat4 frame_from_body;
 uniform float half_width;
 uniform vec4 hit_colour;
+uniform float pulled;  // towards the eye, in frame units, so that lines below a surface show
 
 flat out vec4 colour;
 flat out float dotted;
 noperspective out float along;
 
+vec3 pull(vec3 at) {
+  vec3 way = at + camera_forward.xyz * camera_forward.w;
+  float far = max(length(way), 1e-6);
+  return at - way * (min(pulled, 0.5 * far) / far);
+}
+
 void main() {
   vec3 a = (frame_from_body * vec4(from, 1.0)).xyz;
   vec3 b = (frame_from_body * vec4(to, 1.0)).xyz;
   gl_ClipDistance[0] = dot(section, vec4(a, 1.0));
-  gl_Position = line_vertex(a, b, gl_VertexID, half_width, along);
+  gl_Position = line_vertex(pull(a), pull(b), gl_VertexID, half_width, along);
   colour = hit_colour;
   dotted = 0.0;
 }

@@ -31,7 +31,7 @@ Renderer::Renderer(Shaders& shaders)
     : passes_{LitScene(shaders),    BloomPass(shaders),     BeamPass(shaders),      EffectsPass(shaders),
               LineOverlay(shaders), VeilPass(shaders),      OutlinePass(shaders),   FaceNumbers(shaders),
               ShadowProbe(shaders), ShadowOverlay(shaders), ReferencePass(shaders), GraphPass(shaders),
-              StagePass(shaders),   SectionPass(shaders),   BodyPass(shaders)} {}
+              StagePass(shaders),   SectionPass(shaders),   BodyPass(shaders),      WirePass(shaders)} {}
 
 Result<Renderer> Renderer::create() {
   Shaders shaders;
@@ -232,6 +232,7 @@ void Renderer::draw_overlays(const Subject& subject, const CameraView& view,
   if (options.ghost && !options.show.face_numbers) passes_.veil.draw(subject, VeilPass::Style::kVeil);
   passes_.outline.draw(subject, picture);
   passes_.graph.draw(subject, frame_);
+  passes_.wire.draw(subject, frame_);
   passes_.stage.draw(subject);
   passes_.bodies.draw(subject, subject.world.loaded_bounds().diagonal());
   if (options.show.face_numbers) passes_.numbers.draw(subject, frame_, picture);

@@ -26,6 +26,7 @@
 #include "ui/render/passes/stage_pass.h"
 #include "ui/render/passes/target.h"
 #include "ui/render/passes/veil_pass.h"
+#include "ui/render/passes/wire_pass.h"
 #include "ui/render/shadow/reference_pass.h"
 #include "ui/render/shadow/shadow_overlay.h"
 #include "ui/render/shadow/shadow_probe.h"
@@ -129,6 +130,7 @@ class Renderer {
     StagePass stage;
     SectionPass section;
     BodyPass bodies;
+    WirePass wire;
   };
   explicit Renderer(Shaders& shaders);
 

@@ -40,6 +40,46 @@ class Prepare(WindowTest):
         report = editor.quit()
         self.assertEqual((report["faces"], report["undo_depth"]), (faces, 0))
 
+    def test_the_preview_tells_what_the_button_then_makes_and_changes_nothing(self):
+        editor, faces = self.open_panel()
+        self.type_number(editor, "Faces", str(faces // 4))
+        report = editor.quit()
+        preview = report["preview"]
+        self.assertEqual((report["faces"], report["undo_depth"]), (faces, 0))
+        self.assertIn(preview["faces"], range(faces // 4 - 2, faces // 4 + 1))
+        self.assertEqual(preview["edges"], preview["faces"] * 3 // 2)
+        self.assertGreater(preview["distance"], 0)
+
+    def test_the_preview_is_drawn_over_the_surface_until_it_is_switched_off(self):
+        editor, _ = self.open_panel()
+        editor.point_at(0.9, 0.9)
+        places = [(x, y) for x in range(200, 400, 2) for y in range(200, 360, 2)]
+        with_wire = self.picture(editor, places)
+        editor.click("preview", 0.1, 0.5)
+        editor.point_at(0.9, 0.9)
+        without = self.picture(editor, places)
+        self.assertGreater(sum(a != b for a, b in zip(with_wire, without)), 100)
+        self.assertNotIn("preview", editor.quit())
+        self.assertFalse(self.settings()["prepare_preview"])
+
+    def picture(self, editor, places):
+        pixel = editor.pixels()
+        return [pixel(x, y) for x, y in places]
+
+    def test_the_preview_follows_the_piece_that_is_chosen(self):
+        editor, faces = self.open_panel()
+        self.choose(editor, "preparation", 2)
+        editor.press("ctrl", "a")
+        self.assertEqual(editor.quit()["preview"]["faces"], 4 * faces)
+
+    def test_down_and_enter_choose_in_a_list(self):
+        editor, faces = self.open_panel()
+        editor.click("preparation", 0.5, 0.5)
+        for key in ("Down", "Down", "Return"):
+            editor.press(key)
+        editor.click("prepare", 0.5, 0.5)
+        self.assertEqual(editor.quit()["faces"], 4 * faces)
+
     def test_smoothing_leaves_the_number_of_faces(self):
         editor, faces = self.open_panel()
         self.choose(editor, "preparation", 3)

@@ -1,7 +1,9 @@
 #include "ui/editor/prepare/prepare_feature.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
+#include "ui/editor/prepare/live_preview.h"
 #include "ui/editor/prepare/prepare_panel.h"
 #include "ui/editor/prepare/prepare_pieces.h"
 
@@ -17,7 +19,8 @@ class PrepareFeature : public Feature {
 
   std::vector<Panel> panels() override {
     return {{kPreparePanel, Tab::kPrepare, 300, true, [this] {
-               if (panel_.draw(on_.world(), on_.view, preparation_)) ask();
+               if (panel_.draw(on_.world(), on_.view, preparation_, preview_, on_.settings.prepare_preview))
+                 ask();
              }}};
   }
   std::vector<ActionGroup> actions() override {
@@ -34,8 +37,20 @@ class PrepareFeature : public Feature {
               UserAction{.name = "Prepare the mesh",
                          .tip = "Does what the panel Prepare says, to the chosen pieces, or to all.",
                          .run = [this] { ask(); },
-                         .why_not = [this] { return why_no_preparation(pieces(), wanted()); }}}}};
+                         .why_not = [this] { return why_no_preparation(pieces(), wanted()); }},
+              UserAction{.name = "Preview of the preparation",
+                         .tip = "The edges that the new mesh would have, over the surface as it is.",
+                         .run = [this] { on_.settings.prepare_preview = !on_.settings.prepare_preview; },
+                         .checked = [this] { return on_.settings.prepare_preview; }}}}};
   }
+
+  void follow_queue(double) override;
+  bool moving() const override { return preview_.busy(); }
+  void follow(const Delta& delta) override {
+    if (!delta.empty()) preview_.drop();
+  }
+  void forget() override { preview_.drop(); }
+  void report(nlohmann::ordered_json& report) const override;
 
  private:
   // Unfolds the panel with this tool.
@@ -73,10 +88,47 @@ class PrepareFeature : public Feature {
                        });
   }
 
+  // Whether the world stays as it is, so that a copy of it is worth its time.
+  bool world_rests() const {
+    const Document& document = on_.work.document;
+    const bool queued = document.waiting() > 0 && !document.execution().only_cools();
+    return !on_.plays && !on_.cutting() && !queued && !on_.changes.is_pending() && !on_.changes.is_asked() &&
+           !on_.opening.loader.busy();
+  }
+
   Workspace& on_;
   Preparation preparation_;
   PreparePanel panel_;
+  LivePreview preview_;
 };
+
+void PrepareFeature::follow_queue(double) {
+  const bool seen = on_.settings.prepare_preview && on_.panels.shows(kPreparePanel) && world_rests();
+  const std::vector<PieceRow> pieces = seen ? this->pieces() : std::vector<PieceRow>();
+  const Preparation preparation = with_numbers(preparation_, pieces, on_.world());
+  if (!seen || why_no_preview(on_.world(), pieces, preparation) != nullptr) {
+    preview_.drop();
+  } else {
+    preview_.follow(on_.world(), pieces, preparation);
+    preview_.wait(on_.background_wait);
+  }
+  const auto wire = preview_.shown() != nullptr ? preview_.shown()->wire : nullptr;
+  if (on_.view.look.wire == wire) return;
+  on_.view.look.wire = wire;
+  on_.view.picture_old = true;
+}
+
+void PrepareFeature::report(nlohmann::ordered_json& report) const {
+  const Preview* shown = preview_.shown();
+  if (shown == nullptr) return;
+  report["preview"] = {{"faces", shown->after.faces},
+                       {"least_angle", shown->after.least_angle},
+                       {"distance", shown->distance},
+                       {"edges", 0}};
+  size_t edges = 0;
+  for (const DrawnWire::Part& part : shown->wire->parts) edges += part.edges.size();
+  report["preview"]["edges"] = edges;
+}
 
 }  // namespace
 

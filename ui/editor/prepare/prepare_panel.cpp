@@ -8,6 +8,7 @@
 
 #include "core/base/assert.h"
 #include "core/mesh/openmesh/smooth.h"
+#include "ui/editor/prepare/preview_rows.h"
 #include "ui/editor/shared/panel_rows.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_text.h"
@@ -22,34 +23,10 @@ using PrepareTool = Preparation::Tool;
 
 constexpr size_t kMostSubdivisions = 4;
 constexpr double kUsualError = 0.001;  // of the size of the world
-constexpr double kMostFacesTyped = 1e9;
 
 // In the order of the tools and of the schemes.
 constexpr std::array kTools{"Simplify to faces", "Simplify to an error", "Subdivide", "Smooth"};
 constexpr std::array kSchemes{"Loop", "Square root of 3", "Midpoints"};
-
-// A row with a choice among names. Returns whether it changed.
-template <typename Choice>
-bool choose(const char* label, const char* landmark, std::span<const char* const> names, const char* meaning,
-            Choice& chosen) {
-  KERF_ASSERT(static_cast<size_t>(chosen) < names.size());
-  property(label);
-  bool changed = false;
-  if (ImGui::BeginCombo((std::string("##") + landmark).c_str(), names[static_cast<size_t>(chosen)])) {
-    for (size_t i = 0; i < names.size(); ++i) {
-      const bool taken = ImGui::Selectable(names[i], i == static_cast<size_t>(chosen));
-      mark_last_item(landmark, static_cast<int>(i));
-      if (!taken) continue;
-      chosen = static_cast<Choice>(i);
-      changed = true;
-    }
-    ImGui::EndCombo();
-  } else {
-    mark_last_item(landmark);
-    tooltip(meaning);
-  }
-  return changed;
-}
 
 const char* button_name(PrepareTool tool) {
   if (tool == PrepareTool::kSubdivide) return "Subdivide###prepare";
@@ -66,9 +43,10 @@ std::string prepared_text(std::span<const PieceRow> pieces, const PieceMap& look
 std::string forecast_text(std::span<const PieceRow> pieces, const Preparation& preparation, FileUnit unit) {
   const FaceForecast faces = forecast(pieces, preparation);
   const std::string now = count_text(faces.before, "face");
-  if (!faces.after) return now + " -> as few as stay within " + length_label(preparation.error, unit);
-  if (*faces.after == faces.before) return now + ", as many as before";
-  return now + " -> about " + grouped(*faces.after);
+  const std::string become = now + (faces.before == 1 ? " becomes " : " become ");
+  if (!faces.after) return become + "as few as stay within " + length_label(preparation.error, unit) + ".";
+  if (*faces.after == faces.before) return now + (faces.before == 1 ? " moves." : " move.");
+  return become + "about " + grouped(*faces.after) + ".";
 }
 
 Preparation with_numbers(const Preparation& preparation, std::span<const PieceRow> pieces,
@@ -91,9 +69,9 @@ void PreparePanel::draw_numbers(Preparation& preparation, const Preparation& sho
                                 FileUnit unit) {
   switch (shown.tool) {
     case PrepareTool::kSimplifyToFaces: {
-      auto faces = static_cast<double>(shown.faces);
-      if (fields_.number("Faces", faces, "%.0f", "How many faces are left, of all these pieces together."))
-        preparation.faces = static_cast<size_t>(std::clamp(std::round(faces), 1.0, kMostFacesTyped));
+      size_t faces = shown.faces;
+      if (fields_.count("Faces", faces, "How many faces are left, of all these pieces together."))
+        preparation.faces = faces;
       break;
     }
     case PrepareTool::kSimplifyToError: {
@@ -104,11 +82,10 @@ void PreparePanel::draw_numbers(Preparation& preparation, const Preparation& sho
       break;
     }
     case PrepareTool::kSubdivide:
-      choose(
-          "Scheme", "scheme", kSchemes,
+      marked_choice_row(
+          "Scheme", "##scheme", preparation.scheme, kSchemes, "scheme",
           "Loop and the square root of 3 round the surface; midpoints leave it as it is. A face becomes four "
-          "or three.",
-          preparation.scheme);
+          "or three.");
       draw_times(preparation, "How often every face is divided.", kMostSubdivisions);
       break;
     case PrepareTool::kSmooth:
@@ -118,7 +95,8 @@ void PreparePanel::draw_numbers(Preparation& preparation, const Preparation& sho
   }
 }
 
-bool PreparePanel::draw(const World& world, const ViewState& view, Preparation& preparation) {
+bool PreparePanel::draw(const World& world, const ViewState& view, Preparation& preparation,
+                        const LivePreview& preview, bool& previewed) {
   const std::vector<PieceRow> pieces = pieces_to_prepare(world, view.look.pieces);
   if (pieces.empty()) {
     ImGui::TextDisabled("Nothing is open.");
@@ -130,11 +108,13 @@ bool PreparePanel::draw(const World& world, const ViewState& view, Preparation& 
     const char* meaning =
         "What is done to the mesh. Boundaries, edges of three faces or more and edges between materials "
         "stay.";
-    if (choose("Tool", "preparation", kTools, meaning, preparation.tool)) preparation.times = 1;
+    if (marked_choice_row("Tool", "##preparation", preparation.tool, kTools, "preparation", meaning))
+      preparation.times = 1;
     draw_numbers(preparation, with_numbers(preparation, pieces, world), world, view.frame.unit);
     end_properties();
   }
   const Preparation wanted = with_numbers(preparation, pieces, world);
+  draw_preview(preview, why_no_preview(world, pieces, wanted), view.frame.unit, previewed);
   ImGui::TextWrapped("%s", forecast_text(pieces, wanted, view.frame.unit).c_str());
   const bool pressed = row_button(button_name(wanted.tool), 1, why_no_preparation(pieces, wanted),
                                   "Makes a new mesh of each piece. One undo takes it back.");

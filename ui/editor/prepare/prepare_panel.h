@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/mesh/files/file_frame.h"
+#include "ui/editor/prepare/live_preview.h"
 #include "ui/editor/prepare/prepare_pieces.h"
 #include "ui/editor/shared/view_state.h"
 #include "ui/window/number_fields.h"
@@ -10,8 +11,8 @@ namespace kerf {
 // What the preparation is of: "All pieces", "3 chosen pieces", or the name of one.
 std::string prepared_text(std::span<const PieceRow> pieces, const PieceMap& looks);
 
-// What it leads to: "69 666 faces -> 7 000", or where only the error is given, "... -> as few as stay within
-// 0.2 mm of the surface".
+// What it leads to: "69 666 faces become about 7 000.", or where only the error is given, "... become as few
+// as stay within 0.2 mm."
 std::string forecast_text(std::span<const PieceRow> pieces, const Preparation& preparation, FileUnit unit);
 
 // The preparation with the numbers that were not chosen yet: half of the faces, a thousandth of the size of
@@ -23,8 +24,9 @@ Preparation with_numbers(const Preparation& preparation, std::span<const PieceRo
 // what the numbers will be.
 class PreparePanel {
  public:
-  // Returns whether it is to be done now.
-  bool draw(const World& world, const ViewState& view, Preparation& preparation);
+  // Returns whether it is to be done now. `previewed` is the switch of the preview.
+  bool draw(const World& world, const ViewState& view, Preparation& preparation, const LivePreview& preview,
+            bool& previewed);
 
  private:
   void draw_numbers(Preparation& preparation, const Preparation& shown, const World& world, FileUnit unit);

@@ -19,6 +19,7 @@ struct Preparation {
   double error = 0;  // m; 0: a thousandth of the size of the world
   Subdivision scheme = Subdivision::kLoop;
   size_t times = 1;  // that faces are subdivided, or vertices move
+  friend bool operator==(const Preparation&, const Preparation&) = default;
 };
 
 // The chosen pieces, or all pieces if none is chosen.

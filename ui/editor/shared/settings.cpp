@@ -99,6 +99,7 @@ static void describe(KeptFields& f, Settings& s) {
   f.flag("side_shown", s.side_shown);
   f.flag("antialias", s.antialias);
   f.flag("live_recut", s.live_recut);
+  f.flag("prepare_preview", s.prepare_preview);
   f.flag("heat_held", s.heat_held);
   f.flag("welcomed", s.welcomed);
   f.number("history_mb", s.history_megabytes, Settings::kLeastHistory, Settings::kMostHistory);

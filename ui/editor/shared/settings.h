@@ -36,6 +36,7 @@ struct Settings {
   int history_megabytes = 1024;            // of undo data
   int threads = 0;                         // that load, measure and save at most; 0: as many as there are
   bool live_recut = true;                  // sliders of the resolution cut the last stroke again
+  bool prepare_preview = true;             // the Prepare panel shows what its tool would make
   bool heat_held = false;                  // what is hot stays as it is while the user does not play
   double drag_speed = 1, wheel_speed = 1;  // of orbits and zooms by the mouse, relative to the usual speed
   std::map<std::string, std::string> bindings;  // keys by the names of actions, where they are not the usual

@@ -52,6 +52,7 @@ struct Workspace {
   LivePicture* picture = nullptr;  // null in tests without a window, as are the next two
   const Window* window = nullptr;
   const WindowClock* clock = nullptr;
+  double background_wait = 0;            // s, that a frame waits for work in the background
   const World* second = nullptr;         // in the right half of a split picture; null: it is not split
   double cut_until = 0;                  // s of the clock, until when a frame may cut
   double cut_seconds = 0;                // that this frame has cut for

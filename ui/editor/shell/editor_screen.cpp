@@ -33,6 +33,7 @@ ViewOptions look_of_second(const ViewOptions& first, double spread, const World&
   ViewOptions look = first;
   look.pieces.clear();
   look.stage.reset();
+  look.wire.reset();
   look.bodies.reset();
   look.scalar.reset();
   spread_pieces(second, spread, look);
@@ -58,6 +59,7 @@ EditorScreen::EditorScreen(Window& window, LivePicture picture, LoadedSettings l
   on_.picture = &picture_;
   on_.window = &window;
   on_.clock = &window.clock();
+  if (window.script() != nullptr) on_.background_wait = kLongest;
   on_.settings = std::move(loaded.settings);
   on_.view.look.antialias = on_.settings.antialias;
   on_.view.look.show = default_show();

@@ -58,6 +58,9 @@ inline constexpr uint32_t kLightContact = 0xf2dc9a, kHeavyContact = 0xff4a38, kC
 // Joints that hold.
 inline constexpr uint32_t kHinge = 0xffd27a, kHub = 0x56d0c8, kWeld = 0xd27aff;
 
+// The wire that the tools of the Prepare panel would make.
+inline constexpr uint32_t kPreview = 0x8fe3cf;
+
 // Loops that removed faces closed.
 inline constexpr uint32_t kLoop = 0xf4f7fb;
 

@@ -77,6 +77,7 @@ struct DrawnGraph;
 struct StageMarks;
 struct BodyMarks;
 struct Effects;
+struct DrawnWire;
 
 // A face of a body.
 struct FaceOfBody {
@@ -115,6 +116,7 @@ struct ViewOptions {
   std::shared_ptr<const StageMarks> stage;    // what a stage of a cut did; null: nothing
   std::shared_ptr<const BodyMarks> bodies;    // of the physics; null: nothing
   std::shared_ptr<const Effects> effects;     // of lasers; null: nothing
+  std::shared_ptr<const DrawnWire> wire;      // of what pieces may become; null: nothing
   std::map<PieceId, PieceLook> pieces;        // pieces that are not drawn with the default look
   // The groups of faces of bodies whose pieces are drawn apart, for the present world; see spread_pieces().
   // Values are not null.

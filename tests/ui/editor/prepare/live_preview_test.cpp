@@ -1,0 +1,81 @@
+#include "ui/editor/prepare/live_preview.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/made_meshes.h"
+
+namespace kerf::test {
+namespace {
+
+using Tool = Preparation::Tool;
+constexpr double kLong = 1000;  // s
+
+class LivePreviewTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    world_.add(make_body("large", build(sphere(20, 30, 1))));
+    world_.add(make_body("small", build(moved(sphere(12, 12, 1), {3, 0, 0}, 1))));
+    pieces_ = pieces_to_prepare(world_, {});
+  }
+  void follow(const Preparation& wanted) { preview_.follow(world_, pieces_, wanted); }
+  // Frames until nothing is under way.
+  void settle(const Preparation& wanted) {
+    do {
+      follow(wanted);
+      preview_.wait(kLong);
+    } while (preview_.busy());
+  }
+
+  World world_;
+  std::vector<PieceRow> pieces_;
+  LivePreview preview_;
+};
+
+TEST_F(LivePreviewTest, shows_what_was_wanted_last) {
+  follow({.faces = 500});
+  EXPECT_TRUE(preview_.busy());
+  EXPECT_EQ(preview_.shown(), nullptr);
+  follow({.faces = 400});
+  follow({.faces = 300});
+  settle({.faces = 300});
+  ASSERT_NE(preview_.shown(), nullptr);
+  EXPECT_EQ(preview_.shown()->after.faces, 300u);
+  // The number that was stopped in between is previewed, too, if it is wanted again.
+  follow({.faces = 500});
+  follow({.faces = 300});
+  settle({.faces = 500});
+  EXPECT_EQ(preview_.shown()->after.faces, 500u);
+}
+
+TEST_F(LivePreviewTest, stays_until_another_number_is_ready_but_not_for_another_piece) {
+  settle({.faces = 500});
+  const auto wire = preview_.shown()->wire;
+  follow({.faces = 500});
+  EXPECT_FALSE(preview_.busy());
+  follow({.faces = 400});
+  ASSERT_NE(preview_.shown(), nullptr);
+  EXPECT_EQ(preview_.shown()->wire, wire);
+  settle({.faces = 400});
+  pieces_.erase(pieces_.begin());
+  follow({.faces = 100});
+  EXPECT_EQ(preview_.shown(), nullptr);
+  settle({.faces = 100});
+  EXPECT_EQ(preview_.shown()->wire->parts.size(), 1u);
+}
+
+TEST_F(LivePreviewTest, is_made_anew_of_another_world_after_it_was_dropped) {
+  settle({.tool = Tool::kSubdivide});
+  follow({.tool = Tool::kSubdivide, .times = 2});
+  preview_.drop();
+  EXPECT_EQ(preview_.shown(), nullptr);
+  preview_.wait(kLong);
+  EXPECT_FALSE(preview_.busy());
+  EXPECT_EQ(preview_.shown(), nullptr);
+  world_.remove(world_.ids()[0]);
+  pieces_ = pieces_to_prepare(world_, {});
+  settle({.tool = Tool::kSubdivide});
+  EXPECT_EQ(preview_.shown()->after.faces, 4 * world_.live_faces());
+}
+
+}  // namespace
+}  // namespace kerf::test

@@ -28,6 +28,12 @@ StageKind kind_of(UnfinishedMove::Stage stage) {
   return StageKind::kHit;
 }
 
+std::string close_words(size_t removed) {
+  if (removed == 0) return "Close the rim: no face lay inside the boundary of the stroke any more.";
+  return "Close the rim: " + count_text(removed, "face") + " inside the boundary of the stroke " +
+         (removed == 1 ? "was" : "were") + " removed.";
+}
+
 // "1 face was", "3 faces were", "no face was".
 std::string faces_were(size_t count) {
   if (count == 0) return "no face was";
@@ -221,8 +227,7 @@ std::string words(const StageRecord& record, FileUnit unit) {
     case StageKind::kSeparate:
       return separate_words(new_pieces(record.done.delta) - record.specks, record.specks);
     case StageKind::kCloseRim:
-      return "Close the rim: " + faces_were(record.done.delta.removed_faces) +
-             " removed that lay inside the boundary of the stroke.";
+      return close_words(record.done.delta.removed_faces);
     case StageKind::kTime:
       return "Time: a tick passed.";
   }

@@ -282,10 +282,12 @@ TEST(SingleStep, says_one_face_several_and_none_in_sentences) {
   record.left = 1;
   EXPECT_EQ(words(record), "Remove: 1 face was removed. 1 face is left for this stage.");
   record.kind = StageKind::kCloseRim;
-  EXPECT_EQ(words(record), "Close the rim: 1 face was removed that lay inside the boundary of the stroke.");
+  record.done.delta.removed_faces = 0;
+  EXPECT_EQ(words(record), "Close the rim: no face lay inside the boundary of the stroke any more.");
+  record.done.delta.removed_faces = 1;
+  EXPECT_EQ(words(record), "Close the rim: 1 face inside the boundary of the stroke was removed.");
   record.done.delta.removed_faces = 31'841;
-  EXPECT_EQ(words(record),
-            "Close the rim: 31 841 faces were removed that lay inside the boundary of the stroke.");
+  EXPECT_EQ(words(record), "Close the rim: 31 841 faces inside the boundary of the stroke were removed.");
 }
 
 }  // namespace

@@ -135,6 +135,20 @@ TEST_F(SaveWork, unsaved_work_is_asked_about_before_it_goes) {
   }
 }
 
+TEST_F(SaveWork, what_was_left_is_called_after_the_file_that_was_opened) {
+  cut();
+  ASSERT_TRUE(note_hashes(work_.scene).ok());
+  {
+    Autosave dead(folder_ / "state");
+    dead.begin(work_.scene, {}, {folder_ / "workshop.json"});
+    ASSERT_TRUE(dead.follow(work_.document, {}).ok());
+  }
+  std::vector<std::string> faults;
+  ask_about_left_work(decisions_, find_left_work(folder_ / "state", faults));
+  EXPECT_NE(decisions_.question.text.find("saving workshop.json,"), std::string::npos)
+      << decisions_.question.text;
+}
+
 TEST_F(SaveWork, no_letter_that_is_pressed_by_chance_discards_what_a_dead_editor_left) {
   cut();
   ASSERT_TRUE(note_hashes(work_.scene).ok());
@@ -151,7 +165,7 @@ TEST_F(SaveWork, no_letter_that_is_pressed_by_chance_discards_what_a_dead_editor
       << decisions_.question.text;
   question_key(decisions_.question, GLFW_KEY_D);
   EXPECT_FALSE(decisions_.question.answer.has_value());
-  question_key(decisions_.question, GLFW_KEY_G);
+  question_key(decisions_.question, GLFW_KEY_R);
   EXPECT_EQ(take_decision(decisions_, left_work_), Decision::kGoOn);
   ask_about_left_work(decisions_, left_work_);
   decisions_.question.answer = 1;

@@ -65,7 +65,7 @@ class PrepareRun {
     const size_t before = mesh_.live_faces();
     if (const auto s = prepare(); !s) return error_or_stopped(s.error());
     if (const auto s = write(); !s) return s;
-    std::cerr << "kerf: " << before << " faces -> " << made_.triangles.size() << " in " << options_.out
+    std::cerr << "kerf: " << before << " faces became " << made_.triangles.size() << " in " << options_.out
               << '\n';
     return Done{};
   }

@@ -186,7 +186,7 @@ class CommandLine(unittest.TestCase):
     def test_prepare_subdivides_smooths_and_simplifies_and_keeps_materials(self):
         self.write("two.obj", PLATE.replace("f 1 4 3", "usemtl red\nf 1 4 3").replace("f 1 3 2", "usemtl blue\nf 1 3 2"))
         done = self.run_here("prepare", "two.obj", "--subdivide", "midpoint", "--smooth", "2", "--out", "eight.obj")
-        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", "kerf: 2 faces -> 8 in eight.obj\n"))
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", "kerf: 2 faces became 8 in eight.obj\n"))
         text = self.read("eight.obj").decode()
         self.assertEqual((text.count("\nf "), text.count("red"), text.count("blue")), (8, 1, 1))
         for ending in ("obj", "ply", "stl", "off"):
@@ -194,7 +194,7 @@ class CommandLine(unittest.TestCase):
             self.assertEqual(json.loads(self.run_here("info", f"a.{ending}").stdout)["faces"], 24)
         self.run_here("prepare", "a.ply", "--subdivide", "midpoint", "--out", "b.ply")
         done = self.run_here("prepare", "b.ply", "--simplify-error", "0.001", "--out", "c.ply")
-        self.assertRegex(done.stderr, "^kerf: 96 faces -> [0-9]+ in c.ply\n$")
+        self.assertRegex(done.stderr, "^kerf: 96 faces became [0-9]+ in c.ply\n$")
 
     def test_prepare_says_when_boundaries_keep_more_faces_than_asked_for(self):
         done = self.run_here("prepare", "plate.obj", "--subdivide", "midpoint", "--simplify", "1", "--out", "a.obj")

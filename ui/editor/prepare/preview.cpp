@@ -82,8 +82,9 @@ DrawnWire::Part wire_of(const World& world, const PieceId& made, const PieceId& 
 
 const char* why_no_preview(const World& world, std::span<const PieceRow> pieces, const Preparation& p) {
   if (const char* why = why_no_preparation(pieces, p)) return why;
-  if (world.live_faces() > kMostFacesToPreview || forecast(pieces, p).after.value_or(0) > kMostFacesPreviewed)
-    return "These are too many faces for a preview.";
+  if (world.live_faces() > kMostFacesToPreview) return "More than 400 000 faces are too many for a preview.";
+  if (forecast(pieces, p).after.value_or(0) > kMostFacesPreviewed)
+    return "More than 1 600 000 faces afterwards are too many for a preview.";
   return nullptr;
 }
 

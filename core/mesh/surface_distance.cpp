@@ -121,10 +121,10 @@ bool raise(std::span<const Triangle> from, TriangleBoxes& to, const Progress& pr
 Result<double> surface_distance(std::span<const Triangle> one, std::span<const Triangle> other,
                                 const Progress* progress) {
   KERF_ASSERT(!one.empty() && !other.empty());
-  Stages stages(progress);
+  ProgressShares shares(progress);
   double most = 0;
   for (const bool back : {false, true}) {
-    const Progress half = stages.next(0.5);
+    const Progress half = shares.next(0.5);
     TriangleBoxes boxes(back ? one : other);
     if (!raise(back ? other : one, boxes, half, most)) return cancelled();
   }

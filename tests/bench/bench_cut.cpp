@@ -123,7 +123,7 @@ Walked walk_slot(World& world, const Slot& slot, const CutSettings& settings, in
     const double seconds = seconds_of([&] { result = go_on_separating(world, settings.search_a_move); });
     note(result, seconds);
   }
-  return ran;
+  return walked;
 }
 
 // Faces around the first, nearest first.

@@ -82,7 +82,7 @@ Walked walk_with_bite(const std::vector<Drawn>& strokes, size_t bite, uint64_t s
   }
   while (document.waiting() > 0) step();
   walked.world = document.world();
-  return ran;
+  return walked;
 }
 
 TEST(Bite, leaves_the_same_world_to_the_bit_however_large_it_is) {

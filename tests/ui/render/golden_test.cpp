@@ -108,7 +108,7 @@ TEST(Golden, a_hot_rim_glows_and_the_scale_of_temperatures_shows_it) {
 Pixels draw_stage(test::Stage& stage, StageLog& log, StageRecord::Kind kind) {
   for (bool found = false; !found;) {
     const StageRecord record = stage.next_stage();
-    log.note(stage.world(), record);
+    log.note(stage.world(), record, FileUnit::kMetre);
     found = record.kind == kind && (!record.hit.empty() || !record.done.delta.bodies.empty());
   }
   ViewOptions options = showing("shadows");

@@ -91,17 +91,17 @@ const char* why_no_preview(const World& world, std::span<const PieceRow> pieces,
 Result<Preview> make_preview(const World& world, std::span<const PieceRow> pieces, const Preparation& p,
                              const Progress& progress) {
   KERF_ASSERT(why_no_preview(world, pieces, p) == nullptr);
-  Stages stages(&progress);
-  const Progress preparing = stages.next(0.6), measuring = stages.next(0.4);
+  ProgressShares shares(&progress);
+  const Progress preparing = shares.next(0.6), measuring = shares.next(0.4);
   Document document(world);
   document.set_window(0);
   const Outcome outcome = prepare_pieces(document, pieces, p, &preparing);
   if (!outcome) return outcome.error();
   Preview preview;
   auto wire = std::make_shared<DrawnWire>();
-  Stages shares(&measuring);
+  ProgressShares of_pieces(&measuring);
   for (const PieceRow& row : pieces) {
-    const Progress own = shares.next(1 / static_cast<double>(pieces.size()));
+    const Progress own = of_pieces.next(1 / static_cast<double>(pieces.size()));
     const PieceId made = named_after(outcome.delta, row.id);
     const std::vector<Triangle> old = surface_of(world, row.id), now = surface_of(document.world(), made);
     add_figures(old, preview.before);

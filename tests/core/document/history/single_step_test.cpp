@@ -277,17 +277,20 @@ TEST(SingleStep, tells_of_every_face_that_a_move_hits_and_removes) {
 TEST(SingleStep, says_one_face_several_and_none_in_sentences) {
   StageRecord record;
   record.kind = StageKind::kRemove;
-  EXPECT_EQ(words(record), "Remove: no face was removed.");
+  EXPECT_EQ(words(record, FileUnit::kMetre), "Remove: no face was removed.");
   record.done.delta.removed_faces = 1;
   record.left = 1;
-  EXPECT_EQ(words(record), "Remove: 1 face was removed. 1 face is left for this stage.");
+  EXPECT_EQ(words(record, FileUnit::kMetre), "Remove: 1 face was removed. 1 face is left for this stage.");
   record.kind = StageKind::kCloseRim;
   record.done.delta.removed_faces = 0;
-  EXPECT_EQ(words(record), "Close the rim: no face lay inside the boundary of the stroke any more.");
+  EXPECT_EQ(words(record, FileUnit::kMetre),
+            "Close the rim: no face lay inside the boundary of the stroke any more.");
   record.done.delta.removed_faces = 1;
-  EXPECT_EQ(words(record), "Close the rim: 1 face inside the boundary of the stroke was removed.");
+  EXPECT_EQ(words(record, FileUnit::kMetre),
+            "Close the rim: 1 face inside the boundary of the stroke was removed.");
   record.done.delta.removed_faces = 31'841;
-  EXPECT_EQ(words(record), "Close the rim: 31 841 faces inside the boundary of the stroke were removed.");
+  EXPECT_EQ(words(record, FileUnit::kMetre),
+            "Close the rim: 31 841 faces inside the boundary of the stroke were removed.");
 }
 
 }  // namespace

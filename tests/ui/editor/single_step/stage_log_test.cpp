@@ -57,7 +57,7 @@ TEST(StageLog, counts_the_moves_of_the_stroke_and_their_stages) {
   while (document.waiting() > 0) {
     const Result<StageRecord> record = single.next();
     ASSERT_TRUE(record.ok());
-    log.note(document.world(), *record);
+    log.note(document.world(), *record, FileUnit::kMetre);
     const bool begins = record->kind == StageKind::kSweep;
     moves += begins;
     stage = begins ? 1 : stage + 1;

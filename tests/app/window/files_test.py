@@ -182,7 +182,7 @@ class Files(WindowTest):
         other = self.open_again(SPHERE)  # is not offered what another looks at
         self.assertEqual(other.quit()["strokes"], 0)
         editor.press("Return")
-        editor.wait_for_title("sphere.obj* - Kerf")
+        editor.wait_for_title("sphere.json* - Kerf")
         self.assertNotIn(left, self.unsaved())
         self.assertEqual(len(self.unsaved()), 1)
         self.save_as(editor, "saved")

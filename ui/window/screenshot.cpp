@@ -1,5 +1,6 @@
 #include "ui/window/screenshot.h"
 
+#include <array>
 #include <chrono>
 #include <ctime>
 

@@ -15,7 +15,7 @@ void Recovery::begin(const OpenWork& work, const ViewState& view) {
 }
 
 bool Recovery::follow(OpenWork& work, const ViewState& view, bool mouse_moves, Message& message) {
-  if (!is_unsaved(work, view.look.lights)) {
+  if (!is_to_be_kept(work, view.look.lights)) {
     if (autosave_.keeps()) autosave_.drop();
     return true;
   }

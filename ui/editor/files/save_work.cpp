@@ -46,11 +46,20 @@ bool lasts_as_saved(const std::vector<Command>& journal, size_t saved) {
 
 }  // namespace
 
-bool is_unsaved(const OpenWork& work, const std::vector<Light>& lights) {
+bool is_to_be_kept(const OpenWork& work, const std::vector<Light>& lights) {
   const std::vector<Command>& journal = work.document.journal();
   if (work.saved_commands > journal.size() || lights != work.saved_lights) return true;
   if (work.scene.others != work.saved_head) return true;
-  return !lasts_as_saved(journal, work.saved_commands);
+  return !std::all_of(journal.begin() + static_cast<std::ptrdiff_t>(work.saved_commands), journal.end(),
+                      only_cools);
+}
+
+bool is_unsaved(const OpenWork& work, const std::vector<Light>& lights) {
+  if (!is_to_be_kept(work, lights)) return false;
+  const bool dressed_as_saved = lights == work.saved_lights && work.scene.others == work.saved_head;
+  const std::vector<Command>& journal = work.document.journal();
+  return !dressed_as_saved || work.saved_commands > journal.size() ||
+         !lasts_as_saved(journal, work.saved_commands);
 }
 
 std::string name_of_work(const OpenWork& work) {

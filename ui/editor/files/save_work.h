@@ -13,6 +13,9 @@ namespace kerf {
 // Whether there is anything that the file of the open work does not hold: commands, lights other than these,
 // or what features keep in its head.
 bool is_unsaved(const OpenWork& work, const std::vector<Light>& lights);
+// Whether anything but cooling happened since: what was undone is not unsaved, but can be redone after a
+// crash.
+bool is_to_be_kept(const OpenWork& work, const std::vector<Light>& lights);
 
 // The name of the open work for the user: that of its file, or of the file that it was opened from.
 std::string name_of_work(const OpenWork& work);

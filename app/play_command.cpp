@@ -14,7 +14,7 @@
 #include "core/physics/machine_kind.h"
 #include "core/world/state_hash.h"
 #include "ui/editor/editor.h"
-#include "ui/editor/shared/settings.h"
+#include "ui/editor/shared/settings/settings.h"
 #include "ui/game/game.h"
 #include "ui/render/bodies/assets.h"
 #include "ui/window/window.h"

@@ -6,9 +6,6 @@
 
 namespace kerf::test {
 
-// An empty picture if the file cannot be read.
-Pixels read_png(const std::filesystem::path& png);
-
 // Compares a picture with a golden one, with a tolerance: versions of the software renderer round
 // differently. With KERF_MAKE_GOLDEN=1 the golden one is made anew; look at it then.
 void expect_golden(const std::filesystem::path& golden, const Pixels& drawn);

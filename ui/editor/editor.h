@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "ui/editor/shared/editor_options.h"
+#include "ui/editor/shared/settings/editor_options.h"
 
 namespace kerf {
 

@@ -12,6 +12,7 @@
 #include "ui/editor/path/path_feature.h"
 #include "ui/editor/pieces/pieces_feature.h"
 #include "ui/editor/prepare/prepare_feature.h"
+#include "ui/editor/recent/recent_feature.h"
 #include "ui/editor/ruler/ruler_feature.h"
 #include "ui/editor/scalar_map/scalar_map_feature.h"
 #include "ui/editor/section/section_feature.h"
@@ -29,6 +30,7 @@ namespace kerf {
 Features make_features(Workspace& on, const Catalogue& catalogue) {
   Features features;
   features.push_back(files_feature(on));
+  features.push_back(recent_feature(on));
   features.push_back(dialogs(on, catalogue));
   features.push_back(welcome_feature(on));
   features.push_back(view_feature(on));

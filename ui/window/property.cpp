@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/base/assert.h"
+#include "ui/window/imgui_vector.h"
 
 namespace kerf {
 
@@ -17,12 +18,18 @@ constexpr float kTooltipEms = 22;  // at which its lines are wrapped
 // Places the next tooltip beside the window of the last item, at the height of the item, so that it covers
 // neither what the user reads there nor the widget; a window that leaves no room beside it gets the tooltip
 // at the pointer.
-void place_tooltip(const char* text) {
-  const ImGuiWindow& window = *ImGui::GetCurrentWindow()->RootWindow;
+void place_tooltip(const char* text, const std::optional<TipPicture>& picture) {
+  const ImGuiWindow& innermost = *ImGui::GetCurrentWindow();
+  const bool in_submenu = (innermost.Flags & ImGuiWindowFlags_ChildMenu) != 0;
+  const ImGuiWindow& window = in_submenu ? innermost : *innermost.RootWindow;
   const ImGuiStyle& style = ImGui::GetStyle();
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   const ImVec2 lines = ImGui::CalcTextSize(text, nullptr, false, kTooltipEms * ImGui::GetFontSize());
-  const ImVec2 size(lines.x + 2 * style.WindowPadding.x, lines.y + 2 * style.WindowPadding.y);
+  ImVec2 size(lines.x + 2 * style.WindowPadding.x, lines.y + 2 * style.WindowPadding.y);
+  if (picture) {
+    size.x = std::max(size.x, static_cast<float>(picture->size.x) + 2 * style.WindowPadding.x);
+    size.y += static_cast<float>(picture->size.y) + style.ItemSpacing.y;
+  }
   const float gap = style.ItemSpacing.x;
   const float left = window.Pos.x, right = left + window.Size.x;
   const bool fits_left = left >= size.x + gap, fits_right = right + gap + size.x <= display.x;
@@ -57,18 +64,19 @@ void end_properties() {
   ImGui::EndTable();
 }
 
-void tooltip(const char* text) {
+void tooltip(const char* text, const std::optional<TipPicture>& picture) {
   if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
   const ImGuiContext& context = *ImGui::GetCurrentContext();
   // Mere text has no id, by which the time over it could be counted.
   if (context.LastItemData.ID == 0) ImGui::ItemHoverable(context.LastItemData.Rect, ImGui::GetID(text));
   if (context.HoveredIdTimer < kTooltipSeconds || ImGui::IsAnyMouseDown()) return;
   ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1);  // also over what is disabled
-  place_tooltip(text);
+  place_tooltip(text, picture);
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(kTooltipEms * ImGui::GetFontSize());
   ImGui::TextUnformatted(text);
   ImGui::PopTextWrapPos();
+  if (picture) ImGui::Image(to_im_texture(picture->texture), to_im(picture->size));
   ImGui::EndTooltip();
   ImGui::PopStyleVar();
 }

@@ -5,7 +5,6 @@
 #include <ctime>
 
 #include "core/base/user_folders.h"
-#include "ui/render/picture/png.h"
 
 namespace kerf {
 
@@ -30,22 +29,16 @@ fs::path free_name(const fs::path& folder) {
   return file;
 }
 
-Pixels cut_out(const Pixels& all, const Area& part) {
-  const auto x = static_cast<int>(part.at.x), y = static_cast<int>(part.at.y);
-  const int width = std::min(static_cast<int>(part.size.x), all.width - x);
-  const int height = std::min(static_cast<int>(part.size.y), all.height - y);
-  Pixels pixels{width, height, {}};
-  for (int row = y; row < y + height; ++row) {
-    const auto from = all.rgb.begin() + std::ptrdiff_t{3} * (std::ptrdiff_t{row} * all.width + x);
-    pixels.rgb.insert(pixels.rgb.end(), from, from + std::ptrdiff_t{3} * width);
-  }
-  return pixels;
-}
-
 }  // namespace
 
+Pixels window_pixels(Vec2 window, const Area& part) {
+  const Pixels all = read_pixels(0, static_cast<int>(window.x), static_cast<int>(window.y));
+  return cut_out(all, static_cast<int>(part.at.x), static_cast<int>(part.at.y), static_cast<int>(part.size.x),
+                 static_cast<int>(part.size.y));
+}
+
 Result<fs::path> take_screenshot(Vec2 window, const Area& part) {
-  const Pixels pixels = cut_out(read_pixels(0, static_cast<int>(window.x), static_cast<int>(window.y)), part);
+  const Pixels pixels = window_pixels(window, part);
   std::error_code error;
   const fs::path here = free_name(fs::current_path(error));
   const Status written = write_png(pixels, here);

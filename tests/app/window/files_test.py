@@ -2,11 +2,18 @@
 import json
 import os
 import signal
+import struct
 import subprocess
 import tempfile
 import unittest
 
 from editor_window import ACROSS, ACROSS_ABOVE, ASSETS, KERF, SPHERE, WindowTest, real_input
+
+
+def png_size_and_bytes(file):
+    with open(file, "rb") as png:
+        content = png.read()
+    return struct.unpack(">II", content[16:24]), content
 
 
 class Files(WindowTest):
@@ -46,6 +53,28 @@ class Files(WindowTest):
         self.assertEqual(report["files"], [os.path.basename(SPHERE)])
         self.assertIn("broken.obj", report["message"])
         self.assertEqual(self.settings()["recent"], [os.path.realpath(SPHERE)])
+
+    def test_recent_files_have_pictures_until_they_are_forgotten(self):
+        editor = self.open(SPHERE)
+        pictures = os.path.join(self.folder, "kerf", "thumbnails")
+        editor.pixels()  # frames are drawn
+        thumbnail, = os.listdir(pictures)
+        uncut = png_size_and_bytes(os.path.join(pictures, thumbnail))
+        self.assertEqual(uncut[0], (240, 150))
+        editor.drag(ACROSS)
+        self.save_as(editor, "ball")
+        editor.pixels()
+        self.assertEqual(len(os.listdir(pictures)), 2)
+        saved, = set(os.listdir(pictures)) - {thumbnail}
+        self.assertNotEqual(png_size_and_bytes(os.path.join(pictures, saved)), uncut)
+        self.assertEqual(png_size_and_bytes(os.path.join(pictures, thumbnail)), uncut)
+        editor.press("ctrl", "p")
+        editor.part("palette")
+        editor.type("Forget them")
+        editor.press("Return")
+        editor.settle()
+        editor.quit()
+        self.assertEqual(os.listdir(pictures), [])
 
     @real_input
     def test_dropped_files_open_together_and_a_broken_one_neither_changes_anything_nor_keeps_others_out(self):

@@ -49,6 +49,10 @@ void FileOpener::show(LoadedFiles loaded) {
 
 void FileOpener::open(std::vector<std::filesystem::path> files) {
   KERF_ASSERT(!files.empty());
+  if (on_.so_far) {
+    on_.so_far.reset();
+    show_empty_stage();
+  }
   on_.opening.loader.start(order_of(std::move(files)));
 }
 
@@ -66,12 +70,16 @@ void FileOpener::open_left_work() {
 void FileOpener::take_loaded() {
   FileLoader& loader = on_.opening.loader;
   if (loader.busy()) {
+    if (stage_is_empty_) {
+      if (auto so_far = loader.take_so_far()) show_so_far(on_, std::move(*so_far));
+    }
     const bool left = loader.order().left.has_value();
     KERF_ASSERT(!left || !on_.opening.left_work.empty());
     if (auto loaded = loader.take()) take(std::move(*loaded), left);
   }
   if (!stage_is_empty_ || loader.busy()) return;
   stage_is_empty_ = false;
+  on_.so_far.reset();
   const std::string fault = on_.message.text;  // why there is nothing else
   open_fresh();
   if (!fault.empty()) on_.message.say(fault, true);

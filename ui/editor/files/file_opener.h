@@ -5,7 +5,9 @@
 
 namespace kerf {
 
-// Replaces the open work by files that were read, and frames it with the camera.
+// Shows on the empty stage how far a file is cut again. The first time the camera frames it.
+void show_so_far(Workspace& on, CutSoFar so_far);
+// Replaces the open work by files that were read, and frames it with the camera, unless it was shown before.
 void show_loaded(Workspace& on, LoadedFiles loaded);
 
 // Opens files in place of the open work. All files but the default scene, which is small, are read in the
@@ -15,8 +17,9 @@ class FileOpener {
   // Both must outlive it.
   FileOpener(Workspace& on, Recovery& recovery) : on_(on), recovery_(recovery) {}
 
-  // Opens scenes and meshes, or none, at startup. An empty stage is shown while they are read, and the
-  // default scene if they cannot be read; fails if there are none and the default scene cannot be read.
+  // Opens scenes and meshes, or none, at startup. While they are read, an empty stage is shown, and on it
+  // what is cut again; the default scene if they cannot be read. Fails if there are none and the default
+  // scene cannot be read.
   Status open_first(std::filesystem::path default_scene, const std::vector<std::filesystem::path>& files);
   // Opens files, or the default scene. Precondition: the open work is saved or may be discarded.
   void open(std::vector<std::filesystem::path> files);

@@ -8,14 +8,14 @@
 #include "core/base/user_folders.h"
 #include "core/document/journal/autosave.h"
 #include "core/mesh/load_notes.h"
-#include "ui/editor/files/file_menus.h"
 #include "ui/editor/files/file_opener.h"
 #include "ui/editor/files/frame_question.h"
 #include "ui/editor/files/recovery.h"
 #include "ui/editor/files/save_work.h"
 #include "ui/editor/files/unsaved_work.h"
-#include "ui/editor/shared/editor_options.h"
-#include "ui/editor/shared/file_frames.h"
+#include "ui/editor/shared/files/example_scenes.h"
+#include "ui/editor/shared/files/file_frames.h"
+#include "ui/editor/shared/settings/editor_options.h"
 #include "ui/window/frame_combos.h"
 #include "ui/window/number_text.h"
 #include "ui/window/progress_bar.h"
@@ -96,6 +96,7 @@ class FilesFeature : public Feature {
   std::vector<ActionGroup> actions() override {
     return {
         {100, "File", open_actions()},
+        {102, "File", example_actions()},
         {110, "File", save_actions()},
         {121, "File", picture_actions()},
         {122, "File", leave_actions()},
@@ -141,6 +142,7 @@ class FilesFeature : public Feature {
 
  private:
   std::vector<UserAction> open_actions();
+  std::vector<UserAction> example_actions();
   std::vector<UserAction> save_actions();
   std::vector<UserAction> picture_actions();
   std::vector<UserAction> leave_actions();
@@ -169,7 +171,6 @@ class FilesFeature : public Feature {
 // --------------------------------------------------------------------------------------------------------
 
 std::vector<UserAction> FilesFeature::open_actions() {
-  const auto open_one = [this](const fs::path& file) { on_.open({file}); };
   return {
       UserAction{.name = "New",
                  .shortcut = "Ctrl+N",
@@ -182,11 +183,19 @@ std::vector<UserAction> FilesFeature::open_actions() {
                      "dropped on "
                      "the window.",
                  .run = [this] { choose_file_to_open(); }},
-      UserAction{.name = "Open recent",
-                 .items = [this, open_one] { return recent_actions(on_.settings, open_one); }},
-      UserAction{
-          .name = "Examples", .items = [open_one] { return example_actions(open_one); }, .ends_group = true},
   };
+}
+
+std::vector<UserAction> FilesFeature::example_actions() {
+  const auto examples = [this] {
+    std::vector<UserAction> actions;
+    for (const fs::path& scene : example_scenes()) {
+      actions.push_back({.name = title_of_scene(scene), .tip = scene.string()});
+      actions.back().run = [this, scene] { on_.open({scene}); };
+    }
+    return actions;
+  };
+  return {UserAction{.name = "Examples", .items = examples, .ends_group = true}};
 }
 
 std::vector<UserAction> FilesFeature::save_actions() {

@@ -2,7 +2,7 @@
 
 #include <imgui.h>
 
-#include "ui/editor/shared/file_frames.h"
+#include "ui/editor/shared/files/file_frames.h"
 #include "ui/window/frame_combos.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/property.h"

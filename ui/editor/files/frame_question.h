@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ui/editor/shared/settings.h"
-#include "ui/editor/shared/view_state.h"
+#include "ui/editor/shared/picture/view_state.h"
+#include "ui/editor/shared/settings/settings.h"
 
 namespace kerf {
 

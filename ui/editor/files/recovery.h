@@ -4,8 +4,8 @@
 
 #include "core/base/user_folders.h"
 #include "core/document/journal/autosave.h"
-#include "ui/editor/shared/open_work.h"
-#include "ui/editor/shared/view_state.h"
+#include "ui/editor/shared/files/open_work.h"
+#include "ui/editor/shared/picture/view_state.h"
 #include "ui/window/message.h"
 
 namespace kerf {

@@ -2,7 +2,7 @@
 
 #include "core/document/history/lasting_commands.h"
 #include "core/document/journal/save.h"
-#include "ui/editor/shared/file_frames.h"
+#include "ui/editor/shared/files/file_frames.h"
 
 namespace kerf {
 

@@ -3,9 +3,9 @@
 #include <filesystem>
 #include <string>
 
-#include "ui/editor/shared/open_work.h"
-#include "ui/editor/shared/settings.h"
-#include "ui/editor/shared/view_state.h"
+#include "ui/editor/shared/files/open_work.h"
+#include "ui/editor/shared/picture/view_state.h"
+#include "ui/editor/shared/settings/settings.h"
 #include "ui/window/message.h"
 
 namespace kerf {

@@ -1,7 +1,7 @@
 #include "core/base/assert.h"
 #include "core/mesh/files/mesh_format.h"
 #include "ui/editor/files/file_opener.h"
-#include "ui/editor/shared/file_frames.h"
+#include "ui/editor/shared/files/file_frames.h"
 #include "ui/window/number_text.h"
 
 namespace kerf {
@@ -69,8 +69,26 @@ void note_what_is_saved(OpenWork& work, const LoadedFiles& loaded, const std::ve
 
 }  // namespace
 
+void show_so_far(Workspace& on, CutSoFar so_far) {
+  Renderer& renderer = on.picture->first();
+  const bool is_new = !on.so_far;
+  on.so_far = std::move(so_far.world);
+  if (is_new) {
+    const World::Bounds bounds = on.so_far->loaded_bounds();
+    renderer.show(*on.so_far, so_far.scene.paints, std::move(so_far.prepared));
+    dress_as(on.view, so_far.scene, choose_frame(so_far.scene, false, bounds, on.settings).frame);
+    go_home(on.view, bounds);
+    on.view.camera.finish();
+  } else {
+    renderer.resend(*on.so_far, std::move(so_far.prepared));
+  }
+  on.view.picture_old = true;
+}
+
 void show_loaded(Workspace& on, LoadedFiles loaded) {
   OpenWork& work = on.work;
+  const bool was_shown = on.so_far.has_value();
+  on.so_far.reset();
   work.document = std::move(loaded.document);
   work.as_loaded = std::move(loaded.as_loaded);
   work.paints = loaded.scene.paints;
@@ -86,8 +104,10 @@ void show_loaded(Workspace& on, LoadedFiles loaded) {
   const FrameChoice choice = choose_frame(loaded.scene, is_mesh_file, bounds, on.settings);
   on.view.frame_asked_for = choice.ask ? mesh_kind(loaded.scene) : "";
   dress_as(on.view, loaded.scene, choice.frame);
-  go_home(on.view, bounds);
-  on.view.camera.finish();
+  if (!was_shown) {  // otherwise the user may have looked round
+    go_home(on.view, bounds);
+    on.view.camera.finish();
+  }
   say_what_was_opened(on.message, loaded);
   note_what_is_saved(work, loaded, on.view.look.lights);
   work.marks = std::move(loaded.marks);

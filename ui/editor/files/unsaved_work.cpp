@@ -5,7 +5,7 @@
 
 #include "core/base/assert.h"
 #include "ui/editor/files/save_work.h"
-#include "ui/editor/shared/file_frames.h"
+#include "ui/editor/shared/files/file_frames.h"
 
 namespace kerf {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/document/journal/autosave.h"
-#include "ui/editor/shared/open_work.h"
+#include "ui/editor/shared/files/open_work.h"
 #include "ui/window/question.h"
 
 namespace kerf {

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "core/base/assert.h"
-#include "ui/editor/shared/file_frames.h"
+#include "ui/editor/shared/files/file_frames.h"
 #include "ui/render/passes/graph_pass.h"
 #include "ui/render/view/overlay_colours.h"
 #include "ui/window/landmarks.h"

@@ -7,10 +7,10 @@
 #include <cmath>
 
 #include "core/base/assert.h"
-#include "ui/editor/shared/file_frames.h"
-#include "ui/editor/shared/panel_rows.h"
-#include "ui/editor/shared/piece_set.h"
-#include "ui/editor/shared/shortcut_text.h"
+#include "ui/editor/shared/files/file_frames.h"
+#include "ui/editor/shared/panels/panel_rows.h"
+#include "ui/editor/shared/panels/shortcut_text.h"
+#include "ui/editor/shared/pieces/piece_set.h"
 #include "ui/render/bodies/pick.h"
 #include "ui/render/view/view_switches.h"
 #include "ui/window/landmarks.h"

@@ -5,7 +5,7 @@
 #include "ui/editor/graph/graph_canvas.h"
 #include "ui/editor/graph/graph_state.h"
 #include "ui/editor/graph/piece_tree.h"
-#include "ui/editor/shared/view_state.h"
+#include "ui/editor/shared/picture/view_state.h"
 
 namespace kerf {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/document/history/piece_origins.h"
-#include "ui/editor/shared/view_state.h"
+#include "ui/editor/shared/picture/view_state.h"
 
 namespace kerf {
 

@@ -4,7 +4,7 @@
 
 #include "core/base/angle.h"
 #include "core/base/assert.h"
-#include "ui/editor/shared/file_frames.h"
+#include "ui/editor/shared/files/file_frames.h"
 #include "ui/window/number_text.h"
 
 namespace kerf {

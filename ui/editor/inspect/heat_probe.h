@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "ui/editor/shared/view_state.h"
+#include "ui/editor/shared/picture/view_state.h"
 
 namespace kerf {
 

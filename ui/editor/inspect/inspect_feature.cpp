@@ -6,9 +6,9 @@
 
 #include "ui/editor/inspect/face_facts.h"
 #include "ui/editor/inspect/heat_probe.h"
-#include "ui/editor/shared/distance_mark.h"
-#include "ui/editor/shared/file_frames.h"
-#include "ui/editor/shared/first_picture.h"
+#include "ui/editor/shared/files/file_frames.h"
+#include "ui/editor/shared/picture/distance_mark.h"
+#include "ui/editor/shared/picture/first_picture.h"
 #include "ui/editor/shared/surface_point.h"
 #include "ui/render/bodies/pick.h"
 #include "ui/window/imgui_vector.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ui/editor/shared/laser_tool.h"
-#include "ui/editor/shared/view_state.h"
+#include "ui/editor/shared/laser/laser_tool.h"
+#include "ui/editor/shared/picture/view_state.h"
 #include "ui/screen/particles.h"
 
 namespace kerf {

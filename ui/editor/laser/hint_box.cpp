@@ -3,7 +3,7 @@
 #include <imgui.h>
 
 #include "core/base/assert.h"
-#include "ui/editor/shared/axes_gizmo.h"
+#include "ui/editor/shared/picture/axes_gizmo.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/theme.h"
 

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "core/world/world.h"
-#include "ui/editor/shared/view_state.h"
+#include "ui/editor/shared/picture/view_state.h"
 #include "ui/window/layout.h"
 
 namespace kerf {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "ui/editor/shared/gizmo.h"
+#include "ui/editor/shared/picture/gizmo.h"
 #include "ui/window/imgui_vector.h"
 #include "ui/window/theme.h"
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "ui/editor/shared/view_state.h"
+#include "ui/editor/shared/picture/view_state.h"
 
 struct ImDrawList;
 

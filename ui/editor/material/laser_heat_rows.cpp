@@ -7,8 +7,8 @@
 
 #include "core/heat/lumped_cut.h"
 
-#include "ui/editor/shared/file_frames.h"
-#include "ui/editor/shared/panel_rows.h"
+#include "ui/editor/shared/files/file_frames.h"
+#include "ui/editor/shared/panels/panel_rows.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_format.h"
 #include "ui/window/number_text.h"

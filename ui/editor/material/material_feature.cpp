@@ -9,7 +9,7 @@
 #include "core/document/text/world_fields.h"
 #include "ui/editor/material/laser_heat_rows.h"
 #include "ui/editor/shared/long_change.h"
-#include "ui/editor/shared/piece_set.h"
+#include "ui/editor/shared/pieces/piece_set.h"
 #include "ui/render/bodies/assets.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_fields.h"

@@ -1,6 +1,6 @@
 #include "ui/editor/moving/move_snap.h"
 
-#include "ui/editor/shared/first_picture.h"
+#include "ui/editor/shared/picture/first_picture.h"
 #include "ui/render/bodies/pick.h"
 
 namespace kerf {

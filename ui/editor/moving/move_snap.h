@@ -4,7 +4,7 @@
 
 #include "core/mesh/files/file_frame.h"
 #include "core/world/world.h"
-#include "ui/editor/shared/view_state.h"
+#include "ui/editor/shared/picture/view_state.h"
 
 namespace kerf {
 

@@ -2,7 +2,7 @@
 
 #include "core/base/assert.h"
 #include "core/document/commands/edit_piece.h"
-#include "ui/editor/shared/piece_set.h"
+#include "ui/editor/shared/pieces/piece_set.h"
 #include "ui/render/view/spread.h"
 
 namespace kerf {

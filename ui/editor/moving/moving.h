@@ -4,7 +4,7 @@
 
 #include "core/document/commands/command.h"
 #include "ui/editor/moving/piece_move.h"
-#include "ui/editor/shared/view_state.h"
+#include "ui/editor/shared/picture/view_state.h"
 
 namespace kerf {
 

@@ -7,8 +7,8 @@
 #include "ui/editor/moving/moving.h"
 #include "ui/editor/moving/piece_handles.h"
 #include "ui/editor/moving/placement_rows.h"
-#include "ui/editor/shared/distance_mark.h"
-#include "ui/editor/shared/piece_set.h"
+#include "ui/editor/shared/picture/distance_mark.h"
+#include "ui/editor/shared/pieces/piece_set.h"
 #include "ui/editor/shared/selection.h"
 
 namespace kerf {

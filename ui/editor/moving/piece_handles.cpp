@@ -3,7 +3,7 @@
 #include <imgui.h>
 
 #include "ui/editor/moving/moving.h"
-#include "ui/editor/shared/piece_set.h"
+#include "ui/editor/shared/pieces/piece_set.h"
 #include "ui/window/imgui_vector.h"
 #include "ui/window/theme.h"
 

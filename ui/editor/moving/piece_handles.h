@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/editor/moving/piece_move.h"
-#include "ui/editor/shared/gizmo.h"
+#include "ui/editor/shared/picture/gizmo.h"
 
 namespace kerf {
 

@@ -9,7 +9,7 @@
 
 #include "core/base/angle.h"
 #include "core/base/assert.h"
-#include "ui/editor/shared/gizmo.h"
+#include "ui/editor/shared/picture/gizmo.h"
 
 namespace kerf {
 

@@ -43,7 +43,7 @@ class PieceMove {
   bool moves() const { return placement() != from_; }
   // Where the piece would stand.
   Placement placement() const;
-  // The same as a rotation of the world and a displacement after it: p goes to turn * p + offset.
+  // That placement relative to the one at the beginning: a point p of the world goes to turn * p + offset.
   struct Look {
     glm::dquat turn;
     Vec3 offset;
@@ -69,7 +69,7 @@ class PieceMove {
   Vec2 began_, now_;  // of the pointer
   std::optional<Axis> axis_;
   Vec3 carried_{0};    // m, by the pointer before the view changed
-  double turned_ = 0;  // by the pointer, radians, over full turns
+  double turned_ = 0;  // radians, by the pointer; the angle grows beyond full turns
   std::string typed_;
   std::optional<MoveSnap> snap_;
 };

@@ -7,7 +7,7 @@
 
 #include "core/base/angle.h"
 #include "ui/editor/moving/moving.h"
-#include "ui/editor/shared/piece_set.h"
+#include "ui/editor/shared/pieces/piece_set.h"
 #include "ui/window/property.h"
 
 namespace kerf {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/document/commands/command.h"
-#include "ui/editor/shared/view_state.h"
+#include "ui/editor/shared/picture/view_state.h"
 #include "ui/window/number_fields.h"
 
 namespace kerf {

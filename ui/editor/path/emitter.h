@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/editor/path/fire_pace.h"
-#include "ui/editor/shared/gizmo.h"
+#include "ui/editor/shared/picture/gizmo.h"
 
 struct ImDrawList;
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/base/assert.h"
-#include "ui/editor/shared/panel_rows.h"
+#include "ui/editor/shared/panels/panel_rows.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/property.h"
 #include "ui/window/row_button.h"

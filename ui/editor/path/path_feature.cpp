@@ -14,8 +14,8 @@
 #include "ui/editor/path/path_marks.h"
 #include "ui/editor/path/path_panel.h"
 #include "ui/editor/path/path_tool.h"
-#include "ui/editor/shared/document_head.h"
-#include "ui/editor/shared/file_frames.h"
+#include "ui/editor/shared/files/document_head.h"
+#include "ui/editor/shared/files/file_frames.h"
 #include "ui/window/imgui_vector.h"
 
 namespace kerf {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ui/editor/path/path_work.h"
-#include "ui/editor/shared/first_picture.h"
+#include "ui/editor/shared/picture/first_picture.h"
 
 struct ImDrawList;
 

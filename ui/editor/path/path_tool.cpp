@@ -1,7 +1,7 @@
 #include "ui/editor/path/path_tool.h"
 
 #include "ui/editor/path/path_marks.h"
-#include "ui/editor/shared/gizmo.h"
+#include "ui/editor/shared/picture/gizmo.h"
 #include "ui/editor/shared/surface_point.h"
 
 namespace kerf {

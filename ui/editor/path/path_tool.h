@@ -4,7 +4,7 @@
 #include <string>
 
 #include "ui/editor/path/path_work.h"
-#include "ui/editor/shared/view_state.h"
+#include "ui/editor/shared/picture/view_state.h"
 
 namespace kerf {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/document/files/scene.h"
-#include "ui/editor/shared/piece_set.h"
+#include "ui/editor/shared/pieces/piece_set.h"
 
 namespace kerf {
 

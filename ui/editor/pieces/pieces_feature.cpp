@@ -8,14 +8,14 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/assert.h"
-#include "ui/editor/pieces/export_pieces.h"
+#include "ui/editor/pieces/isolation.h"
+#include "ui/editor/pieces/piece_export.h"
 #include "ui/editor/pieces/pieces_list.h"
-#include "ui/editor/pieces/rubber_band.h"
-#include "ui/editor/shared/click.h"
+#include "ui/editor/pieces/press_on_pieces.h"
 #include "ui/editor/shared/long_change.h"
-#include "ui/editor/shared/piece_set.h"
+#include "ui/editor/shared/panels/shortcut_text.h"
+#include "ui/editor/shared/pieces/piece_set.h"
 #include "ui/editor/shared/selection.h"
-#include "ui/editor/shared/shortcut_text.h"
 #include "ui/render/view/spread.h"
 #include "ui/window/number_format.h"
 #include "ui/window/property.h"
@@ -28,54 +28,6 @@ namespace {
 constexpr double kSpreadStep = 0.25, kMostSpread = 1.5;
 constexpr size_t kMostNamed = 100;  // pieces
 constexpr const char* kPiecesPanel = "Pieces";
-
-// A click chooses the piece under the pointer, a drag those in a box.
-class PressOnPieces : public Interaction {
- public:
-  explicit PressOnPieces(Workspace& on) : on_(on), pressed_at_(on.pointer) {}
-
-  void move(const InputEvent&) override {
-    boxes_ = boxes_ || glm::length(on_.pointer - pressed_at_) > kClickReach;
-  }
-  void release(const InputEvent& event) override {
-    const bool add = (event.mods & GLFW_MOD_SHIFT) != 0;
-    if (boxes_) {
-      choose_in_box(add);
-    } else {
-      choose_under_pointer(on_, add);
-    }
-  }
-  bool cancel() override { return boxes_; }
-  const char* words() const override {
-    return boxes_ ? "Choosing what lies wholly in the box; from right to left: what it touches" : nullptr;
-  }
-  void draw(ImDrawList& list) const override {
-    if (boxes_) draw_rubber_band({pressed_at_, on_.pointer}, list);
-  }
-
- private:
-  void choose_in_box(bool add) {
-    if (on_.view.in_second) return on_.message.say("Pieces are chosen in the left half.", true);
-    PieceMap& looks = on_.view.look.pieces;
-    if (!add) choose_none(looks);
-    const RubberBand band{on_.view.in_picture(pressed_at_), on_.view.in_picture(on_.pointer)};
-    for (const PieceId& id : pieces_in(band, on_.world(), on_.view.look, on_.view.seen()))
-      looks[id].selected = true;
-    on_.view.picture_old = true;
-  }
-
-  Workspace& on_;
-  Vec2 pressed_at_;
-  bool boxes_ = false;
-};
-
-std::vector<BodyId> hidden_bodies(const World& world) {
-  std::vector<BodyId> hidden;
-  for (const BodyId id : world.ids()) {
-    if (world.body(id).hidden) hidden.push_back(id);
-  }
-  return hidden;
-}
 
 class PiecesFeature : public Feature {
  public:
@@ -104,12 +56,13 @@ class PiecesFeature : public Feature {
   }
 
   std::unique_ptr<Interaction> claim(const Press& press) override {
-    return picks(on_, press) ? std::make_unique<PressOnPieces>(on_) : nullptr;
+    return picks(on_, press) ? press_on_pieces(on_) : nullptr;
   }
   bool let_go() override {
+    const bool any = chosen_pieces(on_.view.look.pieces) > 0;
     choose_none(on_.view.look.pieces);
-    on_.view.picture_old = true;
-    return true;
+    on_.view.picture_old = on_.view.picture_old || any;
+    return any;
   }
   const char* hint() const override {
     return on_.tool == kPickTool
@@ -117,12 +70,12 @@ class PiecesFeature : public Feature {
                : nullptr;
   }
 
-  void follow(const Delta&) override;
+  void follow(const Delta&) override { isolation_.follow(); }
   void forget() override {
     on_.view.look.pieces.clear();
     on_.view.numbers = PieceNumbers();
     on_.view.spread = 0;
-    isolated_from_.clear();
+    isolation_.forget();
   }
   void report(nlohmann::ordered_json& report) const override {
     report["pieces_chosen"] = chosen_pieces(on_.view.look.pieces);
@@ -147,21 +100,14 @@ class PiecesFeature : public Feature {
   void rename_chosen();
   bool change_chosen(const std::function<Command(const PieceId&)>& command_for);
   void show_hidden();
-  void isolate_chosen();
-  std::vector<PieceId> to_show_again() const;
-  const char* why_no_isolation() const;
   const char* why_none_hidden() const {
     return hidden_pieces(on_.view.look.pieces).empty() ? "No piece is hidden." : nullptr;
   }
 
-  void choose_file_to_export();
-  std::string name_to_export() const;
-  std::string export_to(const std::filesystem::path& file);
-
   Workspace& on_;
   PiecesList list_;
-  std::vector<BodyId> isolated_from_;                 // bodies that are hidden because others were isolated
-  std::optional<std::vector<BodyId>> hidden_before_;  // an isolation that is going on
+  Isolation isolation_{on_};
+  PieceExport export_{on_};
 };
 
 // Actions
@@ -197,10 +143,10 @@ std::vector<UserAction> PiecesFeature::piece_actions() {
                  .run =
                      [this] {
                        on_.changes.ask({.name = "Isolate pieces",
-                                        .run = [this] { return isolate_chosen(), true; },
+                                        .run = [this] { return isolation_.change(), true; },
                                         .is_one = true});
                      },
-                 .why_not = [this] { return why_no_isolation(); }},
+                 .why_not = [this] { return isolation_.why_not(); }},
       UserAction{
           .name = "Rename the chosen",
           .shortcut = "F2",
@@ -227,7 +173,7 @@ UserAction PiecesFeature::export_action() {
   return {.name = "Export chosen pieces...",
           .shortcut = "Ctrl+E",
           .tip = "As meshes, where they stand; several go to numbered files.",
-          .run = [this] { choose_file_to_export(); },
+          .run = [this] { export_.choose_file(); },
           .why_not = [this] { return why_none_chosen(on_.view.look.pieces); }};
 }
 
@@ -292,7 +238,7 @@ void PiecesFeature::draw_buttons() {
   ImGui::SameLine();
   if (row_button("Export", 3, why_none,
                  told("Writes the chosen pieces to mesh files.", "Export chosen pieces...").c_str()))
-    choose_file_to_export();
+    export_.choose_file();
 }
 
 void PiecesFeature::draw_spread(bool one_piece) {
@@ -361,89 +307,6 @@ void PiecesFeature::show_hidden() {
   for (const PieceId& piece : hidden_pieces(on_.view.look.pieces))
     commands.emplace_back(HidePiece{piece, false});
   on_.changes.change("Show all pieces", is_small(on_.work.document), apply_all(std::move(commands)));
-}
-
-// The pieces that were hidden because others were isolated, and still are.
-std::vector<PieceId> PiecesFeature::to_show_again() const {
-  std::vector<PieceId> pieces;
-  for (const PieceId& piece : hidden_pieces(on_.view.look.pieces)) {
-    const auto found = std::find(isolated_from_.begin(), isolated_from_.end(), piece.body);
-    if (on_.world().contains(piece.body) && found != isolated_from_.end()) pieces.push_back(piece);
-  }
-  return pieces;
-}
-
-const char* PiecesFeature::why_no_isolation() const {
-  if (!to_show_again().empty()) return nullptr;
-  if (const char* why = why_none_chosen(on_.view.look.pieces)) return why;
-  return other_pieces(on_.world(), on_.view.look.pieces).empty() ? "All pieces are chosen." : nullptr;
-}
-
-// Hides all pieces but the chosen ones; the next call shows again those that were hidden by it, and no
-// others.
-void PiecesFeature::isolate_chosen() {
-  std::vector<PieceId> pieces = to_show_again();
-  const bool hide = pieces.empty();
-  if (hide) {
-    pieces = other_pieces(on_.world(), on_.view.look.pieces);
-    hidden_before_ = hidden_bodies(on_.world());
-  }
-  cancel_stroke(on_);
-  on_.changes.change(hide ? "Isolate pieces" : "Show the other pieces", is_small(on_.work.document),
-                     edit_all(std::move(pieces), [hide](const PieceId& piece) {
-                       return HidePiece{piece, hide};
-                     }));
-}
-
-void PiecesFeature::follow(const Delta&) {
-  if (!hidden_before_) return;
-  isolated_from_ = hidden_bodies(on_.world());
-  std::erase_if(isolated_from_, [&](const BodyId& id) {
-    return std::find(hidden_before_->begin(), hidden_before_->end(), id) != hidden_before_->end();
-  });
-  hidden_before_.reset();
-}
-
-// Exporting
-// --------------------------------------------------------------------------------------------------------
-
-// The chosen piece, or a "*" for the names of several.
-std::string PiecesFeature::name_to_export() const {
-  const PieceMap& looks = on_.view.look.pieces;
-  const std::string ending = "." + std::string(format_name(on_.browser.format));
-  if (chosen_pieces(looks) != 1) return "*" + ending;
-  for (const PieceRow& row : list_pieces(on_.world(), looks)) {
-    if (row.id == first_chosen(looks)) return file_name_of(row.name) + ending;
-  }
-  return "piece" + ending;
-}
-
-void PiecesFeature::choose_file_to_export() {
-  browse(on_.browser,
-         {.title = "Export the chosen pieces",
-          .verb = "Export",
-          .hint = "Name; a * stands for the name of each piece",
-          .take = [this](const std::filesystem::path& file) { return export_to(file); },
-          .writes =
-              [this](const std::filesystem::path& file) {
-                std::vector<std::filesystem::path> files;
-                for (const PieceFile& f : files_to_export(on_.world(), on_.view.look.pieces, file)) {
-                  files.push_back(f.mesh);
-                  if (!f.library.empty()) files.push_back(f.library);
-                }
-                return files;
-              }},
-         on_.settings.folder, name_to_export());
-}
-
-std::string PiecesFeature::export_to(const std::filesystem::path& file) {
-  const auto written = export_chosen(on_.world(), on_.view.look.pieces, on_.work.paints, file);
-  if (!written) return written.error().message;
-  const std::string first = written->front().mesh.string();
-  on_.message.say(written->size() == 1
-                      ? "Written: " + first
-                      : std::to_string(written->size()) + " pieces written, the first: " + first);
-  return "";
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 
 #include "core/document/history/specks.h"
 #include "ui/editor/pieces/piece_switches.h"
-#include "ui/editor/shared/file_frames.h"
-#include "ui/editor/shared/panel_rows.h"
+#include "ui/editor/shared/files/file_frames.h"
+#include "ui/editor/shared/panels/panel_rows.h"
 #include "ui/render/bodies/body_picture.h"
 #include "ui/render/view/oklab.h"
 #include "ui/window/landmarks.h"

@@ -3,7 +3,7 @@
 #include <array>
 #include <optional>
 
-#include "ui/editor/shared/piece_set.h"
+#include "ui/editor/shared/pieces/piece_set.h"
 #include "ui/editor/shared/workspace.h"
 
 namespace kerf {

@@ -9,7 +9,7 @@
 #include "core/base/assert.h"
 #include "core/mesh/openmesh/smooth.h"
 #include "ui/editor/prepare/preview_rows.h"
-#include "ui/editor/shared/panel_rows.h"
+#include "ui/editor/shared/panels/panel_rows.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"

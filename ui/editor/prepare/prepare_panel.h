@@ -3,7 +3,7 @@
 #include "core/mesh/files/file_frame.h"
 #include "ui/editor/prepare/live_preview.h"
 #include "ui/editor/prepare/prepare_pieces.h"
-#include "ui/editor/shared/view_state.h"
+#include "ui/editor/shared/picture/view_state.h"
 #include "ui/window/number_fields.h"
 
 namespace kerf {

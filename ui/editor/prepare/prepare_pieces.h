@@ -7,7 +7,7 @@
 
 #include "core/document/history/document.h"
 #include "core/mesh/openmesh/subdivide.h"
-#include "ui/editor/shared/piece_set.h"
+#include "ui/editor/shared/pieces/piece_set.h"
 
 namespace kerf {
 

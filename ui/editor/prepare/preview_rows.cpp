@@ -2,8 +2,8 @@
 
 #include <imgui.h>
 
-#include "ui/editor/shared/file_frames.h"
-#include "ui/editor/shared/panel_rows.h"
+#include "ui/editor/shared/files/file_frames.h"
+#include "ui/editor/shared/panels/panel_rows.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"

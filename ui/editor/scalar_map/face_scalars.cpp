@@ -7,7 +7,7 @@
 #include "core/base/angle.h"
 #include "core/base/parallel.h"
 #include "core/mesh/triangle_batch.h"
-#include "ui/editor/shared/file_frames.h"
+#include "ui/editor/shared/files/file_frames.h"
 #include "ui/render/bodies/rim_distance.h"
 #include "ui/window/number_text.h"
 

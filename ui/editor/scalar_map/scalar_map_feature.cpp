@@ -6,8 +6,8 @@
 
 #include "ui/editor/scalar_map/histogram_plot.h"
 #include "ui/editor/scalar_map/scalar_map.h"
-#include "ui/editor/shared/file_frames.h"
-#include "ui/editor/shared/panel_rows.h"
+#include "ui/editor/shared/files/file_frames.h"
+#include "ui/editor/shared/panels/panel_rows.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_fields.h"
 #include "ui/window/number_text.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/editor/shared/gizmo.h"
+#include "ui/editor/shared/picture/gizmo.h"
 #include "ui/render/view/section_plane.h"
 
 namespace kerf {

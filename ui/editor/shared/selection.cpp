@@ -1,6 +1,6 @@
 #include "ui/editor/shared/selection.h"
 
-#include "ui/editor/shared/piece_set.h"
+#include "ui/editor/shared/pieces/piece_set.h"
 #include "ui/render/bodies/pick.h"
 
 namespace kerf {

@@ -2,7 +2,7 @@
 
 #include "core/base/assert.h"
 #include "core/base/unit_vector.h"
-#include "ui/editor/shared/first_picture.h"
+#include "ui/editor/shared/picture/first_picture.h"
 #include "ui/render/bodies/pick.h"
 
 namespace kerf {

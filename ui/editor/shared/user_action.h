@@ -1,12 +1,14 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "ui/window/message.h"
+#include "ui/window/property.h"
 
 namespace kerf {
 
@@ -18,6 +20,7 @@ struct UserAction {
   std::string shortcut = {};  // as parse_chord() reads it; empty: none
   int pad_key = 0;            // GLFW_KEY_KP_* that does the same; 0: none
   std::string tip = {};
+  std::function<std::optional<TipPicture>()> tip_picture = {};  // under the tip; empty: none
   std::function<void()> run = {};
   std::function<bool()> checked = {};         // empty: not a switch
   std::function<const char*()> why_not = {};  // a sentence where it cannot be done at the moment, or null

@@ -4,16 +4,18 @@
 #include <memory>
 #include <vector>
 
-#include "ui/editor/shared/figures.h"
-#include "ui/editor/shared/file_browser.h"
+#include "core/base/user_folders.h"
+#include "ui/editor/shared/figures/figures.h"
+#include "ui/editor/shared/files/file_browser.h"
+#include "ui/editor/shared/files/open_work.h"
+#include "ui/editor/shared/files/opening.h"
+#include "ui/editor/shared/files/thumbnails.h"
 #include "ui/editor/shared/interaction.h"
-#include "ui/editor/shared/laser_controls.h"
-#include "ui/editor/shared/laser_tool.h"
-#include "ui/editor/shared/open_work.h"
-#include "ui/editor/shared/opening.h"
-#include "ui/editor/shared/panel_places.h"
+#include "ui/editor/shared/laser/laser_controls.h"
+#include "ui/editor/shared/laser/laser_tool.h"
+#include "ui/editor/shared/picture/view_state.h"
+#include "ui/editor/shared/settings/panel_places.h"
 #include "ui/editor/shared/user_action.h"
-#include "ui/editor/shared/view_state.h"
 #include "ui/editor/shared/world_changes.h"
 #include "ui/screen/live_picture.h"
 #include "ui/window/landmarks.h"
@@ -35,6 +37,7 @@ struct Workspace {
   ViewState view;
   Settings settings;
   PanelPlaces panels{settings};
+  Thumbnails thumbnails{state_folder() / "thumbnails"};
   Message message;
   Figures figures;
   FileBrowser browser;
@@ -53,6 +56,7 @@ struct Workspace {
   const Window* window = nullptr;
   const WindowClock* clock = nullptr;
   double background_wait = 0;            // s, that a frame waits for work in the background
+  std::optional<World> so_far;           // shown on the empty stage while its file is cut again
   const World* second = nullptr;         // in the right half of a split picture; null: it is not split
   double cut_until = 0;                  // s of the clock, until when a frame may cut
   double cut_seconds = 0;                // that this frame has cut for
@@ -84,6 +88,8 @@ struct Workspace {
   static constexpr double kLongestStep = 0.05;  // s, of what moves on the screen, in a frame
 
   const World& world() const { return work.document.world(); }
+  // What the picture shows: the open document, or what is cut again while none is open.
+  const World& shown_world() const { return so_far ? *so_far : world(); }
   // Whether no button is held and the pointer is over the picture.
   bool points() const { return over_picture && !held; }
   // The place of the pointer if it is over the picture, else one that no handle is near.

@@ -4,9 +4,9 @@
 
 #include "core/base/assert.h"
 #include "core/document/commands/command_words.h"
+#include "ui/editor/shared/figures/step_words.h"
 #include "ui/editor/shared/long_change.h"
-#include "ui/editor/shared/piece_set.h"
-#include "ui/editor/shared/step_words.h"
+#include "ui/editor/shared/pieces/piece_set.h"
 #include "ui/editor/shared/workspace.h"
 #include "ui/render/view/spread.h"
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "ui/editor/shared/figures/step_groups.h"
 #include "ui/editor/shared/long_change.h"
-#include "ui/editor/shared/step_groups.h"
 #include "ui/render/bodies/prepared_body.h"
 
 namespace kerf {

@@ -8,6 +8,7 @@
 
 #include "core/base/assert.h"
 #include "ui/window/gui.h"
+#include "ui/window/imgui_vector.h"
 #include "ui/window/progress_bar.h"
 
 namespace kerf {
@@ -43,7 +44,7 @@ bool BusyWindow::hear(const Input& input, ChangeThread& change) {
 
 void BusyWindow::draw(const Vec2& window, const Area& picture, ChangeThread& change) const {
   keep_active_item();
-  const auto texture = reinterpret_cast<ImTextureID>(static_cast<uintptr_t>(kept_.name()));
+  const auto texture = to_im_texture(kept_.name());
   ImGui::GetBackgroundDrawList()->AddImage(
       texture, {0, 0}, {static_cast<float>(window.x), static_cast<float>(window.y)}, {0, 1}, {1, 0});
   const bool lasts = Clock::now() - began_ > kUnseen;

@@ -3,7 +3,7 @@
 #include <map>
 #include <span>
 
-#include "ui/editor/shared/panel_places.h"
+#include "ui/editor/shared/settings/panel_places.h"
 #include "ui/editor/shell/feature.h"
 
 namespace kerf {

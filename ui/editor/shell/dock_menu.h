@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/editor/shared/panel_places.h"
+#include "ui/editor/shared/settings/panel_places.h"
 
 namespace kerf {
 

@@ -47,7 +47,7 @@ void send(Workspace& on) {
   Renderer& renderer = on.picture->first();
   if (!on.window->draws() && !renderer.is_sending() && !on.cools) return;
   const size_t before = renderer.uploaded_bytes();
-  renderer.catch_up(on.world());
+  renderer.catch_up(on.shown_world());
   if (renderer.uploaded_bytes() > before) on.figures.chart.note_sent(renderer.uploaded_bytes() - before);
 }
 
@@ -280,7 +280,7 @@ void EditorScreen::draw_picture() {
   view.look.by_day = on_.settings.theme == Theme::kLight;
   std::optional<BeamPicture> beam;  // its glare would hide what a stage did
   if (!view.look.stage) beam = on_.beam.picture(on_.work.document);
-  const Shot first{on_.world(), view.seen_first(), view.look, beam, layout.first};
+  const Shot first{on_.shown_world(), view.seen_first(), view.look, beam, layout.first};
   const PictureChange change = view.picture_old ? PictureChange::kAll
                                : view.heat_old  ? PictureChange::kHeat
                                                 : PictureChange::kNothing;

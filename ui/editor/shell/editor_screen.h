@@ -2,7 +2,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "ui/editor/shared/editor_options.h"
+#include "ui/editor/shared/settings/editor_options.h"
 #include "ui/editor/shared/workspace.h"
 #include "ui/editor/shell/busy_window.h"
 #include "ui/editor/shell/catalogue.h"

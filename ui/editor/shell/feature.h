@@ -8,7 +8,7 @@
 #include "core/base/result.h"
 #include "core/world/delta.h"
 #include "ui/editor/shared/interaction.h"
-#include "ui/editor/shared/settings.h"
+#include "ui/editor/shared/settings/settings.h"
 #include "ui/editor/shared/user_action.h"
 #include "ui/window/landmarks.h"
 

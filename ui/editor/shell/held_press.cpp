@@ -3,7 +3,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "ui/editor/shared/click.h"
+#include "ui/editor/shared/picture/click.h"
 
 namespace kerf {
 

@@ -25,7 +25,10 @@ void draw_action(const UserAction& action) {
   const char* why_not = action.objection();
   if (ImGui::MenuItem(action.name.c_str(), action.shortcut.c_str(), checked, why_not == nullptr))
     action.run();
-  if (why_not != nullptr || !action.tip.empty()) tooltip(why_not != nullptr ? why_not : action.tip.c_str());
+  if (why_not != nullptr) return tooltip(why_not);
+  if (action.tip.empty()) return;
+  const bool has_picture = action.tip_picture && ImGui::IsItemHovered();
+  tooltip(action.tip.c_str(), has_picture ? action.tip_picture() : std::nullopt);
 }
 
 void draw_actions(std::span<const UserAction> actions) {

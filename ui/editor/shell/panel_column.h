@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "ui/editor/shared/panel_places.h"
+#include "ui/editor/shared/settings/panel_places.h"
 #include "ui/editor/shell/feature.h"
 #include "ui/window/layout.h"
 

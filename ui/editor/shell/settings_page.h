@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "ui/editor/shared/settings.h"
+#include "ui/editor/shared/settings/settings.h"
 #include "ui/editor/shared/user_action.h"
 #include "ui/window/key_chord.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/assert.h"
-#include "ui/editor/shared/file_frames.h"
+#include "ui/editor/shared/files/file_frames.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_text.h"
 #include "ui/window/theme.h"

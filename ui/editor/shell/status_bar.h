@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/editor/shared/figures.h"
+#include "ui/editor/shared/figures/figures.h"
 #include "ui/window/layout.h"
 #include "ui/window/message.h"
 

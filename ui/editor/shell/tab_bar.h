@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "ui/editor/shared/panel_places.h"
+#include "ui/editor/shared/settings/panel_places.h"
 #include "ui/editor/shared/user_action.h"
 
 namespace kerf {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/document/history/document.h"
-#include "ui/editor/shared/view_state.h"
+#include "ui/editor/shared/picture/view_state.h"
 #include "ui/editor/single_step/stage_state.h"
 
 namespace kerf {

@@ -4,9 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "ui/editor/shared/file_frames.h"
-#include "ui/editor/shared/resolution_rows.h"
-#include "ui/editor/shared/shortcut_text.h"
+#include "ui/editor/shared/files/file_frames.h"
+#include "ui/editor/shared/panels/resolution_rows.h"
+#include "ui/editor/shared/panels/shortcut_text.h"
 #include "ui/editor/split/twin_cut.h"
 #include "ui/window/imgui_vector.h"
 #include "ui/window/number_text.h"

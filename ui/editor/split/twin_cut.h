@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "core/document/history/document.h"
-#include "ui/editor/shared/laser_controls.h"
+#include "ui/editor/shared/laser/laser_controls.h"
 
 namespace kerf {
 

@@ -4,7 +4,7 @@
 
 #include "core/base/assert.h"
 #include "ui/editor/shared/long_change.h"
-#include "ui/editor/shared/piece_set.h"
+#include "ui/editor/shared/pieces/piece_set.h"
 #include "ui/editor/shared/selection.h"
 #include "ui/render/view/drawn_ground.h"
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "ui/editor/shared/first_picture.h"
+#include "ui/editor/shared/picture/first_picture.h"
 #include "ui/window/imgui_vector.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_text.h"

@@ -4,7 +4,7 @@
 
 #include "core/world/spring.h"
 #include "core/world/world.h"
-#include "ui/editor/shared/view_state.h"
+#include "ui/editor/shared/picture/view_state.h"
 #include "ui/editor/time/play_state.h"
 #include "ui/editor/time/reached_speed.h"
 

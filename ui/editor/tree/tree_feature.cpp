@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "ui/editor/shared/panel_rows.h"
-#include "ui/editor/shared/shortcut_text.h"
+#include "ui/editor/shared/panels/panel_rows.h"
+#include "ui/editor/shared/panels/shortcut_text.h"
 #include "ui/window/number_format.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"

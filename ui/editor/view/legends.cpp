@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "ui/editor/shared/shadow_methods.h"
+#include "ui/editor/shared/picture/shadow_methods.h"
 #include "ui/render/passes/stage_pass.h"
 #include "ui/render/view/box_palette.h"
 #include "ui/render/view/overlay_colours.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/editor/shared/view_state.h"
+#include "ui/editor/shared/picture/view_state.h"
 #include "ui/screen/shadow_figures.h"
 #include "ui/window/layout.h"
 

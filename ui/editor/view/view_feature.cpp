@@ -8,11 +8,11 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/assert.h"
-#include "ui/editor/shared/axes_gizmo.h"
-#include "ui/editor/shared/click.h"
 #include "ui/editor/shared/look_round.h"
-#include "ui/editor/shared/panel_rows.h"
-#include "ui/editor/shared/shortcut_text.h"
+#include "ui/editor/shared/panels/panel_rows.h"
+#include "ui/editor/shared/panels/shortcut_text.h"
+#include "ui/editor/shared/picture/axes_gizmo.h"
+#include "ui/editor/shared/picture/click.h"
 #include "ui/editor/view/camera_text.h"
 #include "ui/editor/view/legends.h"
 #include "ui/render/view/view_switches.h"

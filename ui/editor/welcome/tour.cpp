@@ -1,7 +1,7 @@
 #include "ui/editor/welcome/tour.h"
 
 #include "core/base/assert.h"
-#include "ui/editor/shared/shortcut_text.h"
+#include "ui/editor/shared/panels/shortcut_text.h"
 
 namespace kerf {
 

@@ -2,20 +2,41 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <span>
 
-#include "ui/editor/shared/editor_options.h"
-#include "ui/editor/shared/example_scenes.h"
+#include "ui/editor/shared/files/example_scenes.h"
+#include "ui/editor/shared/settings/editor_options.h"
 #include "ui/editor/welcome/tour.h"
 #include "ui/editor/welcome/tour_card.h"
 #include "ui/window/imgui_vector.h"
+#include "ui/window/property.h"
 #include "ui/window/theme.h"
 
 namespace kerf {
 
 namespace {
 
-constexpr size_t kMostRecent = 5;
+constexpr size_t kMostRecent = 4;
+
+// Draws over the last item, the row of a file in a list: its thumbnail, or an empty frame of that size, its
+// name and its folder.
+void draw_file_row(const std::filesystem::path& file, const std::optional<TipPicture>& thumbnail, Vec2 size) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float em = ImGui::GetFontSize();
+  const ImVec2 row = ImGui::GetItemRectMin(), row_end = ImGui::GetItemRectMax();
+  const ImVec2 at(row.x + 0.25f * em, row.y + 0.25f * em);
+  const ImVec2 end(at.x + static_cast<float>(size.x), at.y + static_cast<float>(size.y));
+  if (thumbnail)
+    list.AddImageRounded(to_im_texture(thumbnail->texture), at, end, {0, 0}, {1, 1}, IM_COL32_WHITE, 3);
+  list.AddRect(at, end, ImGui::GetColorU32(ImGuiCol_Border), 3);
+  const float text = end.x + 0.6f * em, middle = (at.y + end.y) / 2;
+  list.PushClipRect(row, row_end, true);
+  list.AddText({text, middle - 1.1f * em}, colours::text(), file.filename().c_str());
+  list.AddText({text, middle + 0.1f * em}, colours::secondary(), file.parent_path().filename().c_str());
+  list.PopClipRect();
+}
 
 class WelcomeFeature : public Feature {
  public:
@@ -65,7 +86,9 @@ class WelcomeFeature : public Feature {
     tour_.begin(first_five_minutes(on_.view), tour_moment(on_));
   }
   void draw_welcome();
-  void draw_files(const char* heading, const std::vector<std::filesystem::path>& files, bool by_title);
+  void draw_recent();
+  void draw_scenes();
+  void open_by(const std::filesystem::path& file, const char* label, ImVec2 size);
   void draw_tour();
 
   Workspace& on_;
@@ -78,20 +101,38 @@ void WelcomeFeature::draw_windows() {
   if (tour_.is_on()) draw_tour();
 }
 
-void WelcomeFeature::draw_files(const char* heading, const std::vector<std::filesystem::path>& files,
-                                bool by_title) {
-  if (files.empty()) return;
+// A row that opens a file.
+void WelcomeFeature::open_by(const std::filesystem::path& file, const char* label, ImVec2 size) {
+  if (ImGui::Selectable(label, false, ImGuiSelectableFlags_None, size)) {
+    shown_ = false;
+    on_.open({file});
+  }
+}
+
+void WelcomeFeature::draw_recent() {
+  if (on_.settings.recent.empty()) return;
   ImGui::Spacing();
-  ImGui::TextDisabled("%s", heading);
-  for (const std::filesystem::path& file : files) {
-    const std::string name = by_title ? title_of_scene(file) : file.filename().string();
+  ImGui::TextDisabled("Recent");
+  const float em = ImGui::GetFontSize();
+  const Vec2 picture(4.8 * em, 3 * em);
+  for (const std::filesystem::path& file :
+       std::span(on_.settings.recent).first(std::min(kMostRecent, on_.settings.recent.size()))) {
     ImGui::PushID(file.c_str());
-    if (ImGui::Selectable(name.c_str())) {
-      shown_ = false;
-      on_.open({file});
-    }
-    mark_last_item(("welcome " + name).c_str());
+    open_by(file, "##recent", {0, 3.5f * em});
+    mark_last_item(("welcome " + file.filename().string()).c_str());
+    draw_file_row(file, on_.thumbnails.find(file), picture);
+    tooltip(file.c_str());
     ImGui::PopID();
+  }
+}
+
+void WelcomeFeature::draw_scenes() {
+  ImGui::Spacing();
+  ImGui::TextDisabled("Scenes");
+  for (const std::filesystem::path& scene : example_scenes()) {
+    const std::string title = title_of_scene(scene);
+    open_by(scene, title.c_str(), {0, 0});
+    mark_last_item(("welcome " + title).c_str());
   }
 }
 
@@ -114,10 +155,8 @@ void WelcomeFeature::draw_welcome() {
     mark_last_item("welcome tour");
     if (ImGui::Button("Cut the car", {-1, 0})) shown_ = false;
     mark_last_item("welcome car");
-    std::vector<std::filesystem::path> recent = on_.settings.recent;
-    if (recent.size() > kMostRecent) recent.resize(kMostRecent);
-    draw_files("Recent", recent, false);
-    draw_files("Scenes", example_scenes(), true);
+    draw_recent();
+    draw_scenes();
     ImGui::Spacing();
     ImGui::TextDisabled("Any key closes this; Help has it.");
   }

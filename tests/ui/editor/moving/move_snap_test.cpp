@@ -4,7 +4,7 @@
 
 #include "tests/support/made_meshes.h"
 #include "tests/support/strokes.h"
-#include "ui/editor/shared/first_picture.h"
+#include "ui/editor/shared/picture/first_picture.h"
 
 namespace kerf {
 namespace {

@@ -10,7 +10,7 @@
 #include "ui/editor/moving/moving.h"
 #include "ui/editor/moving/moving_feature.h"
 #include "ui/editor/moving/piece_handles.h"
-#include "ui/editor/shared/piece_set.h"
+#include "ui/editor/shared/pieces/piece_set.h"
 #include "ui/editor/shared/selection.h"
 
 namespace kerf {

@@ -7,7 +7,7 @@
 
 #include "tests/support/editor_features.h"
 #include "tests/support/made_meshes.h"
-#include "ui/editor/shared/first_picture.h"
+#include "ui/editor/shared/picture/first_picture.h"
 #include "ui/editor/shell/mouse.h"
 
 namespace kerf {

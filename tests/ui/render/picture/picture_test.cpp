@@ -2,17 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#define STB_IMAGE_IMPLEMENTATION
-#define STBI_ONLY_PNG
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wconversion"
-#pragma GCC diagnostic ignored "-Wunused-function"
-#include <stb_image.h>
-#pragma GCC diagnostic pop
-
 #include <unistd.h>
 
 #include "tests/support/made_meshes.h"
+#include "ui/render/picture/png.h"
 
 namespace kerf {
 namespace {
@@ -22,9 +15,7 @@ struct Pixel {
 };
 int difference(Pixel a, Pixel b) { return std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b); }
 
-struct Image {
-  int width = 0, height = 0;
-  std::vector<uint8_t> rgb;
+struct Image : Pixels {
   Pixel at(int x, int y) const {
     const auto i = static_cast<size_t>(3 * (y * width + x));
     return {rgb[i], rgb[i + 1], rgb[i + 2]};
@@ -50,12 +41,7 @@ Image render(Scene scene, PictureOptions options = {}) {
       std::filesystem::temp_directory_path() / ("kerf_picture_" + std::to_string(getpid()) + ".png");
   const Status drawn = render_picture({std::move(scene), {}}, options, file);
   EXPECT_TRUE(drawn.ok()) << (drawn.ok() ? "" : drawn.error().message);
-  Image image;
-  int channels = 0;
-  if (uint8_t* data = stbi_load(file.c_str(), &image.width, &image.height, &channels, 3)) {
-    image.rgb.assign(data, data + 3 * image.width * image.height);
-    stbi_image_free(data);
-  }
+  const Image image{read_png(file).value_or(Pixels{})};
   std::filesystem::remove(file);
   EXPECT_EQ(image.width, kPictureWidth);
   EXPECT_EQ(image.height, kPictureHeight);

@@ -1,0 +1,89 @@
+#include "ui/editor/shared/figures/step_groups.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/made_meshes.h"
+
+namespace kerf {
+namespace {
+
+class StepGroupsTest : public testing::Test {
+ protected:
+  StepGroupsTest() {
+    World world;
+    for (int i = 0; i < 3; ++i)
+      pieces.push_back({world.add(make_body("sphere", test::build(test::sphere(6, 8, 1)))), {}});
+    document = Document(std::move(world));
+  }
+  // Hides or shows some of the spheres, with one step each.
+  void hide(bool hidden, size_t first, size_t end) {
+    for (size_t i = first; i < end; ++i) ASSERT_TRUE(document.apply(HidePiece{pieces[i], hidden}).ok());
+  }
+  void hide_all_at_once(bool hidden) {
+    const size_t from = document.history().position();
+    hide(hidden, 0, 3);
+    groups.add(from, document, hidden ? "Hide" : "Show");
+  }
+  const StepGroups::Group* at(bool back) {
+    groups.follow(document);
+    return groups.at(document, back);
+  }
+  Document document;
+  std::vector<PieceId> pieces;
+  StepGroups groups;
+};
+
+TEST_F(StepGroupsTest, groups_are_undone_and_redone_one_after_the_other) {
+  hide_all_at_once(true);
+  hide_all_at_once(false);
+  for (const size_t from : {3u, 0u}) {
+    const StepGroups::Group* group = at(true);
+    ASSERT_NE(group, nullptr);
+    EXPECT_EQ(group->from, from);
+    EXPECT_EQ(group->name, from == 3 ? "Show" : "Hide");
+    ASSERT_TRUE(document.travel(from).ok());
+  }
+  EXPECT_EQ(at(true), nullptr);
+  ASSERT_NE(at(false), nullptr);
+  EXPECT_EQ(at(false)->to, 3u);
+}
+
+TEST_F(StepGroupsTest, a_single_step_is_no_group_and_a_step_after_a_group_is_undone_alone) {
+  hide(true, 0, 1);
+  groups.add(0, document, "Hide");
+  EXPECT_EQ(at(true), nullptr);
+  hide(false, 0, 1);
+  hide_all_at_once(true);
+  hide(false, 0, 1);
+  EXPECT_EQ(at(true), nullptr);
+  ASSERT_TRUE(document.apply(Undo{}).ok());
+  EXPECT_NE(at(true), nullptr);
+}
+
+TEST_F(StepGroupsTest, a_group_ends_when_another_step_takes_the_place_of_one_that_was_undone) {
+  hide_all_at_once(true);
+  for (const bool seen_between : {true, false}) {
+    ASSERT_TRUE(document.apply(Undo{}).ok());
+    if (seen_between) groups.follow(document);
+    ASSERT_TRUE(document.apply(Redo{}).ok());
+    EXPECT_NE(at(true), nullptr);
+  }
+  ASSERT_TRUE(document.apply(Undo{}).ok());
+  hide(true, 2, 3);
+  EXPECT_EQ(document.history().position(), 3u);
+  EXPECT_EQ(at(true), nullptr);
+}
+
+TEST_F(StepGroupsTest, a_group_stays_when_its_last_step_is_undone_and_redone_and_another_follows) {
+  hide_all_at_once(true);
+  ASSERT_TRUE(document.apply(Undo{}).ok());
+  groups.follow(document);
+  ASSERT_TRUE(document.apply(Redo{}).ok());
+  hide(false, 0, 1);
+  groups.follow(document);
+  ASSERT_TRUE(document.apply(Undo{}).ok());
+  EXPECT_NE(at(true), nullptr);
+}
+
+}  // namespace
+}  // namespace kerf

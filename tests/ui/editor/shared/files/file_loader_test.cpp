@@ -1,0 +1,154 @@
+#include "ui/editor/shared/files/file_loader.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "core/mesh/write_mesh.h"
+#include "core/world/state_hash.h"
+#include "tests/support/checkout.h"
+#include "tests/support/made_meshes.h"
+#include "tests/support/temporary_folder.h"
+
+namespace kerf::test {
+namespace {
+
+const std::filesystem::path kMeshes = checkout() / "assets/meshes";
+
+LoadOrder files(const std::vector<std::string>& names) {
+  LoadOrder order;
+  for (const std::string& name : names) order.files.push_back(kMeshes / name);
+  return order;
+}
+
+Result<LoadedFiles> wait_for(FileLoader& loader) {
+  for (;;) {
+    if (auto loaded = loader.take()) return std::move(*loaded);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
+TEST(FileLoader, hands_over_what_it_read_once) {
+  FileLoader loader;
+  EXPECT_FALSE(loader.take());
+  loader.start(files({"knot.obj", "bracket.obj"}));
+  EXPECT_TRUE(loader.busy());
+  EXPECT_EQ(loader.order().name(), "knot.obj and 1 more");
+  const Result<LoadedFiles> loaded = wait_for(loader);
+  ASSERT_TRUE(loaded.ok());
+  EXPECT_EQ(loaded->document.world().ids().size(), 2u);
+  EXPECT_EQ(loaded->prepared.size(), 2u);
+  EXPECT_FALSE(loader.busy());
+  EXPECT_FALSE(loader.take());
+}
+
+TEST(FileLoader, says_why_a_file_cannot_be_read) {
+  FileLoader loader;
+  loader.start(files({"no_such_file.obj"}));
+  const Result<LoadedFiles> loaded = wait_for(loader);
+  ASSERT_FALSE(loaded.ok());
+  EXPECT_NE(loaded.error().message.find("no_such_file.obj"), std::string::npos);
+}
+
+TEST(FileLoader, a_file_that_cannot_be_read_keeps_no_other_out) {
+  LoadOrder order = files({"no_such_file.obj", "knot.obj", "none.kerf", "bracket.obj"});
+  const Result<LoadedFiles> loaded = load_files(order, nullptr);
+  ASSERT_TRUE(loaded.ok());
+  EXPECT_EQ(loaded->document.world().ids().size(), 2u);
+  EXPECT_EQ(loaded->order.files, files({"knot.obj", "bracket.obj"}).files);
+  ASSERT_EQ(loaded->refused.size(), 2u);
+  EXPECT_NE(loaded->refused[0].find("no_such_file.obj"), std::string::npos);
+  EXPECT_NE(loaded->refused[1].find("none.kerf"), std::string::npos);
+  EXPECT_FALSE(load_files(files({"no_such_file.obj", "none.obj"}), nullptr).ok());
+}
+
+TEST(FileLoader, what_was_given_up_never_comes) {
+  FileLoader loader;
+  loader.start(files({"knot.obj"}));
+  loader.start(files({"bracket.obj"}));
+  const Result<LoadedFiles> loaded = wait_for(loader);
+  ASSERT_TRUE(loaded.ok());
+  EXPECT_EQ(loaded->order.files.front().filename(), "bracket.obj");
+  loader.start(files({"knot.obj"}));
+  loader.cancel();
+  EXPECT_FALSE(loader.busy());
+  for (int i = 0; i < 100; ++i) {
+    EXPECT_FALSE(loader.take());
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
+TEST(LoadNews, shows_what_is_cut_again_from_the_uncut_world_on) {
+  const std::filesystem::path scene = checkout() / "assets/scenes/car-cut.json";
+  const Result<Scene> uncut = read_scene(scene, nullptr);
+  ASSERT_TRUE(uncut.ok());
+  LoadNews news;
+  const Result<LoadedFiles> loaded = load_files({{scene}, {}, 0}, nullptr, &news);
+  ASSERT_TRUE(loaded.ok());
+  ASSERT_NE(state_hash(loaded->document.world()), state_hash(uncut->world));
+  const std::optional<CutSoFar> so_far = news.take();  // the first, since nobody took it until now
+  ASSERT_TRUE(so_far);
+  EXPECT_EQ(state_hash(so_far->world), state_hash(uncut->world));
+  EXPECT_EQ(so_far->scene.paints.size(), uncut->paints.size());
+  for (const BodyId id : so_far->world.ids()) {
+    ASSERT_TRUE(so_far->prepared.contains(id));
+    EXPECT_NE(so_far->prepared.at(id).caster, nullptr);
+  }
+  EXPECT_FALSE(news.take());
+}
+
+TEST(LoadNews, shows_no_world_in_which_nothing_is_cut_again) {
+  LoadNews news;
+  ASSERT_TRUE(load_files(files({"knot.obj"}), nullptr, &news).ok());
+  EXPECT_FALSE(news.take());
+}
+
+// A ragged mesh of several components.
+class LoadingARaggedMesh : public testing::Test {
+ protected:
+  void SetUp() override {
+    Random random(1);
+    Soup soup = both(both(sphere(48, 50, 1), moved(random_soup(300, random), {3, 0, 0}, 1)), book(5));
+    for (Vec3& p : soup.positions) p.y += random.uniform(-1e-3, 1e-3);
+    ASSERT_TRUE(write_mesh({soup.positions, soup.triangles, {}, {}}, file_, MeshFormat::kPly).ok());
+  }
+  // Until it was told so many times how far it is.
+  Result<LoadedFiles> load_until(size_t stop) {
+    told_.clear();
+    const Progress progress{[&](double fraction) {
+      told_.push_back(fraction);
+      return told_.size() != stop;
+    }};
+    return load_files({{file_}, {}, 0}, &progress);
+  }
+
+  TemporaryFolder folder_;
+  const std::filesystem::path file_ = folder_ / "ragged.ply";
+  std::vector<double> told_;
+};
+
+TEST_F(LoadingARaggedMesh, tells_how_far_it_is_in_small_steps) {
+  ASSERT_TRUE(load_until(0).ok());
+  EXPECT_LT(told_.size(), 1000u);
+  EXPECT_GE(told_.front(), 0);
+  EXPECT_TRUE(std::is_sorted(told_.begin(), told_.end()));
+  EXPECT_LE(told_.back(), 1);
+  told_.insert(told_.begin(), 0);
+  told_.push_back(1);
+  for (size_t i = 1; i < told_.size(); ++i) EXPECT_LT(told_[i] - told_[i - 1], 0.15) << told_[i];
+}
+
+TEST_F(LoadingARaggedMesh, stops_wherever_it_is_told_to) {
+  ASSERT_TRUE(load_until(0).ok());
+  const size_t reports = told_.size();
+  for (size_t stop = 1; stop <= reports; ++stop) {
+    const Result<LoadedFiles> loaded = load_until(stop);
+    ASSERT_FALSE(loaded.ok()) << stop;
+    EXPECT_EQ(loaded.error().message, "cancelled");
+    EXPECT_EQ(told_.size(), stop);
+  }
+}
+
+}  // namespace
+}  // namespace kerf::test

@@ -1,0 +1,53 @@
+#include "ui/editor/shared/laser/laser_controls.h"
+
+#include <gtest/gtest.h>
+
+namespace kerf {
+namespace {
+
+TEST(LaserControls, leave_heat_beside_a_geometric_cut_unless_it_is_turned_off) {
+  LaserControls laser;
+  laser.radius = 0.006;
+  EXPECT_DOUBLE_EQ(laser.settings(5).heat_width, 0.012);
+  laser.radius = 0.024;
+  EXPECT_DOUBLE_EQ(laser.settings(5).heat_width, 0.024);
+  laser.radius = 0.0002;
+  EXPECT_DOUBLE_EQ(laser.settings(5).heat_width, 0.0016);
+  laser.heat_width = 0.001;
+  EXPECT_EQ(laser.settings(5).heat_width, 0.001);
+  laser.heat_width = 0;
+  EXPECT_EQ(laser.settings(5).heat_width, 0);
+}
+
+TEST(LaserControls, of_the_thermal_model_have_a_power_and_leave_heat_by_it_alone) {
+  LaserControls laser;
+  laser.model = Model::kThermal;
+  laser.power = 350;
+  const CutSettings settings = laser.settings(5);
+  EXPECT_EQ(settings.model, Model::kThermal);
+  EXPECT_EQ(settings.laser.power, 350);
+  EXPECT_EQ(settings.heat_width, 0);
+}
+
+TEST(LaserControls, show_the_radius_and_the_resolution_of_a_stroke) {
+  LaserControls drawn, shown;
+  drawn.fit(4);
+  shown.fit(4);
+  drawn.radius *= 2;
+  for (const auto rule :
+       {Resolution::Rule::kTargetEdge, Resolution::Rule::kTolerance, Resolution::Rule::kDepth}) {
+    drawn.resolution = {.scheme = Scheme::kOneToFour,
+                        .rule = rule,
+                        .edge_fraction = 0.5,
+                        .tolerance_fraction = 1,
+                        .depth = 7,
+                        .rim = Rim::kFaces};
+    shown.show(drawn.settings(4));
+    EXPECT_EQ(shown.radius, drawn.radius);
+    EXPECT_EQ(shown.resolution.rule, rule);
+  }
+  EXPECT_EQ(shown.settings(4).resolution, drawn.settings(4).resolution);
+}
+
+}  // namespace
+}  // namespace kerf

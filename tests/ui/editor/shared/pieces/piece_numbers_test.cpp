@@ -1,0 +1,153 @@
+#include "ui/editor/shared/pieces/piece_numbers.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "core/document/history/document.h"
+#include "tests/support/made_meshes.h"
+
+namespace kerf {
+namespace {
+
+// A row of strips, beside a larger one that stays: cut off one by one, from the left or from the right.
+class CutStrips : public testing::Test {
+ protected:
+  CutStrips() {
+    World world;
+    world.add(make_body("plate", test::build(test::grid(16, 1))));
+    document = Document(std::move(world));
+  }
+
+  static CutSettings settings(double edge) {
+    CutSettings s;
+    s.laser.radius = 0.01;
+    s.laser.range = {0, 5};
+    s.resolution.target_edge = edge;
+    return s;
+  }
+
+  void cut(const std::vector<double>& at) {
+    document.apply(BeginStroke{settings(0.005), {{at.front(), 1, -0.7}, {0, -1, 0}}});
+    double z = 0.7;
+    for (const double x : at) {
+      document.apply(MoveStroke{{{x, 1, -z}, {0, -1, 0}}});
+      document.apply(MoveStroke{{{x, 1, z}, {0, -1, 0}}});
+      z = -z;
+    }
+    document.apply(EndStroke{});
+    walk(false);
+  }
+
+  void walk(bool anew) {
+    follow(anew);
+    while (document.waiting() > 0) ASSERT_TRUE(document.step(64).ok());
+    follow(false);
+  }
+
+  void follow(bool anew) {
+    const bool recut =
+        document.history().position() > 0 && document.history().last().kind() == HistoryStep::Kind::kRecut;
+    numbers.follow(document.world(), anew, recut || document.history().size() > document.history().position(),
+                   looks);
+  }
+
+  void apply(const Command& command) {
+    const Outcome outcome = document.apply(command);
+    ASSERT_TRUE(outcome.ok());
+    follow_world(document.world(), outcome.delta, looks);
+    walk(true);
+  }
+
+  // By number: the middle of each piece along x, in hundredths.
+  std::map<uint32_t, long> places() const {
+    std::map<uint32_t, long> places;
+    for (const PieceRow& row : list_pieces(document.world(), looks)) {
+      if (row.id.label == 0) continue;
+      const Body& body = document.world().body(row.id.body);
+      const Piece& piece = body.pieces[row.id.label];
+      const double x = (body.middle() + piece.moments.first / piece.area).x;
+      EXPECT_TRUE(places.emplace(row.number, std::lround(100 * x)).second) << "two pieces of one number";
+    }
+    return places;
+  }
+
+  Document document;
+  PieceNumbers numbers;
+  PieceMap looks;
+};
+
+TEST_F(CutStrips, a_new_piece_has_the_number_of_its_label) {
+  cut({-0.4, -0.2});
+  const auto rows = list_pieces(document.world(), looks);
+  ASSERT_EQ(rows.size(), 3u);
+  for (const PieceRow& row : rows) EXPECT_EQ(row.number, row.id.label);
+  EXPECT_TRUE(looks.empty());
+}
+
+TEST_F(CutStrips, numbers_stay_with_their_places_through_recuts_undo_and_redo) {
+  cut({-0.4, -0.2, 0.4});
+  const auto before = places();
+  ASSERT_EQ(before.size(), 3u);
+  for (const double edge : {0.02, 0.003, 0.01}) {
+    apply(Recut{settings(edge)});
+    EXPECT_EQ(places(), before) << edge;
+  }
+  for (int i = 0; i < 4; ++i) {
+    apply(Undo{});
+    if (i < 3) {
+      EXPECT_EQ(places(), before) << "undone " << i + 1;
+    }
+  }
+  EXPECT_TRUE(places().empty());
+  for (int i = 0; i < 4; ++i) {
+    apply(Redo{});
+    EXPECT_EQ(places(), before) << "redone " << i + 1;
+  }
+}
+
+// Parts that come off in another order have other labels, as after a recut.
+TEST_F(CutStrips, numbers_stay_with_their_places_where_labels_are_exchanged) {
+  cut({-0.4, -0.2, 0.4});
+  const auto before = places();
+  World world;
+  world.add(make_body("plate", test::build(test::grid(16, 1))));
+  document = Document(std::move(world));
+  numbers.follow(document.world(), true, true, looks);
+  document.apply(BeginStroke{settings(0.005), {{0.4, 1, -0.7}, {0, -1, 0}}});
+  document.apply(MoveStroke{{{0.4, 1, 0.7}, {0, -1, 0}}});
+  document.apply(MoveStroke{{{-0.2, 1, 0.7}, {0, -1, 0}}});
+  document.apply(MoveStroke{{{-0.2, 1, -0.7}, {0, -1, 0}}});
+  document.apply(MoveStroke{{{-0.4, 1, -0.7}, {0, -1, 0}}});
+  document.apply(MoveStroke{{{-0.4, 1, 0.7}, {0, -1, 0}}});
+  document.apply(EndStroke{});
+  while (document.waiting() > 0) {
+    ASSERT_TRUE(document.step(1).ok());
+    numbers.follow(document.world(), false, true, looks);
+  }
+  EXPECT_EQ(places(), before);
+  EXPECT_FALSE(looks.empty()) << "the labels are the same: nothing was shown";
+}
+
+TEST_F(CutStrips, a_piece_keeps_its_number_and_name_when_it_is_hidden_and_shown) {
+  cut({-0.4, -0.2, 0.4});
+  const auto before = places();
+  const auto rows = list_pieces(document.world(), looks);
+  const PieceId some = rows[2].id;
+  apply(HidePiece{some, true});
+  EXPECT_EQ(places(), before);
+  const BodyId own = document.world().ids().back();
+  apply(HidePiece{{own, some.label}, false});
+  EXPECT_EQ(places(), before);
+  for (const PieceRow& row : list_pieces(document.world(), looks)) {
+    const auto old =
+        std::find_if(rows.begin(), rows.end(), [&](const PieceRow& r) { return r.name == row.name; });
+    ASSERT_NE(old, rows.end()) << row.name;
+    EXPECT_EQ(old->number, row.number);
+    EXPECT_EQ(old->area, row.area);
+  }
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,136 @@
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "core/document/files/scene.h"
+#include "core/document/history/document.h"
+#include "tests/support/checkout.h"
+#include "tests/support/made_meshes.h"
+#include "ui/editor/shared/pieces/piece_set.h"
+#include "ui/render/view/spread.h"
+
+namespace kerf {
+namespace {
+
+PieceId key(uint32_t label) { return {BodyId{0, 0}, label}; }
+
+TEST(PieceSet, a_click_chooses_one_and_shift_adds) {
+  PieceMap looks;
+  choose_piece(looks, key(1), false);
+  choose_piece(looks, key(2), false);
+  EXPECT_EQ(chosen_pieces(looks), 1u);
+  choose_piece(looks, key(3), true);
+  EXPECT_EQ(chosen_pieces(looks), 2u);
+  choose_piece(looks, key(3), true);
+  EXPECT_EQ(chosen_pieces(looks), 1u);
+  choose_piece(looks, key(2), false);
+  EXPECT_TRUE(looks.empty());
+}
+
+// A sphere whose last stroke went through its middle.
+class CutSphere : public testing::Test {
+ protected:
+  CutSphere() {
+    World world;
+    world.add(make_body("sphere", test::build(test::sphere(24, 32, 1))));
+    document = Document(std::move(world));
+    CutSettings settings;
+    settings.laser.radius = 0.1;
+    settings.laser.range = {0, 10};
+    settings.resolution = {.rule = Resolution::Rule::kDepth, .depth = 1};
+    document.apply(BeginStroke{settings, {{-1.5, 0, 5}, {0, 0, -1}}});
+    document.apply(MoveStroke{{{1.5, 0, 5}, {0, 0, -1}}});
+    document.apply(EndStroke{});
+    while (document.waiting() > 0) EXPECT_TRUE(document.step(64).ok());
+  }
+  Document document;
+  PieceMap looks;
+};
+
+TEST_F(CutSphere, looks_follow_a_piece_that_is_hidden_and_shown_again) {
+  const PieceId half = list_pieces(document.world())[1].id;
+  choose_piece(looks, half, false);
+  const Outcome hid = document.apply(HidePiece{half, true});
+  ASSERT_TRUE(hid.ok());
+  follow_world(document.world(), hid.delta, looks);
+  EXPECT_EQ(chosen_pieces(looks), 0u);
+  ASSERT_EQ(hidden_pieces(looks).size(), 1u);
+  EXPECT_EQ(document.world().body(hidden_pieces(looks).front().body).own_name(), "sphere 1");
+  EXPECT_EQ(list_pieces(document.world()).size(), 2u);
+  const Outcome shown = document.apply(Undo{});
+  ASSERT_TRUE(shown.ok());
+  follow_world(document.world(), shown.delta, looks);
+  EXPECT_TRUE(looks.empty());
+}
+
+TEST_F(CutSphere, a_piece_stays_chosen_when_it_is_detached_and_put_back) {
+  for (const PieceRow& row : list_pieces(document.world())) {
+    choose_piece(looks, row.id, false);
+    const Outcome moved = document.apply(MovePiece{row.id, {{1, 2, 3}, {1, 0, 0, 0}}});
+    ASSERT_TRUE(moved.ok());
+    follow_world(document.world(), moved.delta, looks);
+    const BodyId own = document.world().ids().back();
+    EXPECT_EQ(first_chosen(looks), (PieceId{own, row.id.label}));
+    const Outcome back = document.apply(Undo{});
+    ASSERT_TRUE(back.ok());
+    follow_world(document.world(), back.delta, looks);
+    EXPECT_EQ(first_chosen(looks), row.id);
+  }
+}
+
+TEST_F(CutSphere, spreads_its_halves_apart) {
+  const World& world = document.world();
+  const std::vector<PieceRow> rows = list_pieces(world);
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0].name, "sphere");
+  ViewOptions look;
+  spread_pieces(world, 0.5, look);
+  const Vec3 a = look.pieces[rows[0].id].offset, b = look.pieces[rows[1].id].offset;
+  EXPECT_GT(std::abs(a.y - b.y), 0.3);
+  EXPECT_LT(a.y * b.y, 0);
+  EXPECT_NEAR(a.x, 0, 0.05);
+  spread_pieces(world, 0, look);
+  EXPECT_TRUE(look.pieces.empty() && look.groups.empty());
+}
+
+TEST(PieceSet, parts_that_turn_on_joints_are_listed_behind_pieces_by_their_names_in_the_mesh_file) {
+  auto scene = read_scene(test::checkout() / "assets/scenes/car.json");
+  ASSERT_TRUE(scene.ok()) << scene.error().message;
+  Document document(std::move(scene->world));
+  CutSettings settings;
+  settings.laser.radius = 0.01;
+  settings.laser.range = {0, 10};
+  document.apply(BeginStroke{settings, {{-2, 1.25, 5}, {0, 0, -1}}});
+  document.apply(MoveStroke{{{2, 1.25, 5}, {0, 0, -1}}});
+  document.apply(Play{});
+  document.apply(Advance{1, true});
+  while (document.waiting() > 0) ASSERT_TRUE(document.step(64).ok());
+  const std::vector<PieceRow> rows = list_pieces(document.world());
+  ASSERT_EQ(rows.size(), 7u);
+  EXPECT_EQ(rows[0].name, "car");
+  EXPECT_FALSE(rows[1].part) << "the roof";
+  std::set<std::string> parts;
+  for (size_t i = 2; i < rows.size(); ++i) {
+    EXPECT_TRUE(rows[i].part);
+    EXPECT_EQ(rows[i].number, 0u);
+    parts.insert(rows[i].name);
+  }
+  EXPECT_EQ(parts, std::set<std::string>({"wheel_front_left", "wheel_front_right", "wheel_rear_left",
+                                          "wheel_rear_right", "steering_wheel"}));
+}
+
+TEST(PieceSet, specks_are_set_apart_and_one_alone_stays_in_the_list) {
+  const auto row = [](uint32_t label, size_t faces) {
+    return PieceRow{{{0, 0}, label}, label, "piece " + std::to_string(label), faces, 1};
+  };
+  const SortedPieces sorted =
+      set_specks_apart({row(0, 4), row(1, 9), row(2, 8), row(3, 1)}, {{{0, 0}, 2}, {{0, 0}, 3}, {{1, 0}, 1}});
+  ASSERT_EQ(sorted.rest.size(), 2u);
+  EXPECT_EQ(sorted.rest[1].id.label, 1u);
+  ASSERT_EQ(sorted.specks.size(), 2u);
+  EXPECT_EQ(sorted.specks[1].id.label, 3u);
+  EXPECT_TRUE(set_specks_apart({row(0, 90), row(1, 1)}, {{{0, 0}, 1}}).specks.empty());
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,102 @@
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "ui/editor/shared/settings/settings.h"
+
+namespace kerf {
+namespace {
+
+namespace fs = std::filesystem;
+
+class SettingsTest : public testing::Test {
+ protected:
+  SettingsTest() { fs::create_directories(folder); }
+  ~SettingsTest() override { fs::remove_all(folder); }
+  void put(const std::string& text) const { std::ofstream(file) << text; }
+  std::string text() const {
+    std::ostringstream all;
+    all << std::ifstream(file).rdbuf();
+    return all.str();
+  }
+  const fs::path folder =
+      fs::path(testing::TempDir()) /
+      (std::string("kerf-settings-") + testing::UnitTest::GetInstance()->current_test_info()->name());
+  const fs::path file = folder / "settings.json";
+};
+
+TEST_F(SettingsTest, come_back_as_they_were_written) {
+  Settings settings;
+  settings.theme = Theme::kLight;
+  settings.ui_scale = 1.5;
+  settings.palette = BoxPalette::kOrangeAndBlue;
+  settings.panels["Tree"] = true;
+  settings.panels["Laser"] = false;
+  settings.tab = Tab::kHeat;
+  settings.docks = {{"Graph", Dock::kWindow}, {"Tree", Dock::kColumn}};
+  settings.windows["Graph"] = {{20, 30}, {400, 300}};
+  settings.second_ems = 15;
+  settings.strip_ems = 12;
+  settings.welcomed = true;
+  settings.recent = {"/a/car.obj"};
+  settings.folder = "/a";
+  settings.drag_speed = 2;
+  settings.wheel_speed = 0.5;
+  settings.threads = 3;
+  settings.bindings = {{"Undo", "Ctrl+U"}, {"Wire", ""}};
+  settings.frames["stl"] = FileFrame{FileUnit::kInch, UpAxis::kZ};
+  settings.frames["obj"] = std::nullopt;
+  ASSERT_TRUE(write_settings(settings, file).ok());
+  const LoadedSettings loaded = read_settings(file);
+  EXPECT_EQ(loaded.fault, "");
+  EXPECT_EQ(loaded.settings, settings);
+}
+
+TEST_F(SettingsTest, none_are_the_defaults) {
+  const LoadedSettings loaded = read_settings(folder / "none.json");
+  EXPECT_EQ(loaded.fault, "");
+  EXPECT_EQ(loaded.settings, Settings());
+}
+
+TEST_F(SettingsTest, keys_of_a_later_version_are_kept) {
+  put(R"({"version": 1, "theme": "light", "night_mode": {"deep": [1, 2]}})");
+  LoadedSettings loaded = read_settings(file);
+  EXPECT_EQ(loaded.settings.theme, Theme::kLight);
+  loaded.settings.ui_scale = 2;
+  ASSERT_TRUE(write_settings(loaded.settings, file).ok());
+  EXPECT_EQ(nlohmann::json::parse(text())["night_mode"], nlohmann::json::parse(R"({"deep": [1, 2]})"));
+}
+
+TEST_F(SettingsTest, a_broken_file_is_set_aside_and_said) {
+  put("{\"theme\": ");
+  const LoadedSettings loaded = read_settings(file);
+  EXPECT_EQ(loaded.settings, Settings());
+  EXPECT_NE(loaded.fault.find("settings.json.bad"), std::string::npos);
+  EXPECT_TRUE(fs::exists(folder / "settings.json.bad"));
+  EXPECT_FALSE(fs::exists(file));
+}
+
+TEST_F(SettingsTest, values_without_sense_are_the_defaults) {
+  put(R"({"ui_scale": 900, "side_width": "wide", "recent": [7, "/b.obj"], "panels": [], "width": -4})");
+  const Settings settings = read_settings(file).settings;
+  EXPECT_EQ(settings.ui_scale, Settings::kMostScale);
+  EXPECT_EQ(settings.side_ems, Settings().side_ems);
+  EXPECT_EQ(settings.recent, std::vector<fs::path>{"/b.obj"});
+  EXPECT_GE(settings.width, 480);
+}
+
+TEST(RecentFiles, are_ten_without_doubles_the_latest_first) {
+  Settings settings;
+  for (int i = 0; i < 14; ++i) remember_recent(settings, "/none/" + std::to_string(i));
+  remember_recent(settings, "/none/9");
+  ASSERT_EQ(settings.recent.size(), Settings::kMostRecent);
+  EXPECT_EQ(settings.recent[0], "/none/9");
+  EXPECT_EQ(settings.recent[1], "/none/13");
+  EXPECT_EQ(std::count(settings.recent.begin(), settings.recent.end(), fs::path("/none/9")), 1);
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,89 @@
+#include "ui/render/picture/png.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "core/base/random.h"
+#include "tests/support/temporary_folder.h"
+
+namespace kerf::test {
+namespace {
+
+Pixels random_pixels(int width, int height, Random& random) {
+  Pixels pixels{width, height, {}};
+  for (int i = 0; i < 3 * width * height; ++i) pixels.rgb.push_back(static_cast<uint8_t>(random.below(256)));
+  return pixels;
+}
+
+const uint8_t* pixel(const Pixels& all, int x, int y) {
+  return &all.rgb[3 * static_cast<size_t>(y * all.width + x)];
+}
+
+TEST(Png, is_read_as_it_was_written) {
+  const TemporaryFolder folder;
+  Random random(1);
+  for (int i = 0; i < 20; ++i) {
+    const Pixels written = random_pixels(1 + int(random.below(40)), 1 + int(random.below(40)), random);
+    ASSERT_TRUE(write_png(written, folder / "some.png").ok());
+    const std::optional<Pixels> read = read_png(folder / "some.png");
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->width, written.width);
+    EXPECT_EQ(read->height, written.height);
+    EXPECT_EQ(read->rgb, written.rgb);
+  }
+}
+
+TEST(Png, that_is_damaged_or_missing_is_none) {
+  const TemporaryFolder folder;
+  EXPECT_FALSE(read_png(folder / "none.png"));
+  Random random(2);
+  ASSERT_TRUE(write_png(random_pixels(30, 30, random), folder / "some.png").ok());
+  const std::string bytes = read_text(folder / "some.png");
+  write_text(folder / "half.png", bytes.substr(0, bytes.size() / 2));
+  EXPECT_FALSE(read_png(folder / "half.png"));
+  write_text(folder / "text.png", "no picture");
+  EXPECT_FALSE(read_png(folder / "text.png"));
+}
+
+TEST(CutOut, is_the_part_pixel_for_pixel_and_ends_where_the_picture_does) {
+  Random random(3);
+  const Pixels all = random_pixels(17, 11, random);
+  const Pixels part = cut_out(all, 5, 3, 7, 100);
+  ASSERT_EQ(part.width, 7);
+  ASSERT_EQ(part.height, 8);
+  for (int y = 0; y < part.height; ++y) {
+    for (int x = 0; x < part.width; ++x) {
+      EXPECT_TRUE(std::equal(pixel(part, x, y), pixel(part, x, y) + 3, pixel(all, x + 5, y + 3)));
+    }
+  }
+}
+
+TEST(Shrunk, averages_the_pixels_of_each_and_is_cut_to_the_proportions) {
+  Random random(4);
+  const Pixels all = random_pixels(32, 10, random);  // of which the middle 16 x 10 are taken
+  const Pixels small = shrunk(all, 8, 5);
+  ASSERT_EQ(small.width, 8);
+  ASSERT_EQ(small.height, 5);
+  for (int y = 0; y < 5; ++y) {
+    for (int x = 0; x < 8; ++x) {
+      for (int c = 0; c < 3; ++c) {
+        int sum = 0;
+        for (int i = 0; i < 4; ++i) sum += pixel(all, 8 + 2 * x + i % 2, 2 * y + i / 2)[c];
+        EXPECT_EQ(pixel(small, x, y)[c], (sum + 2) / 4);
+      }
+    }
+  }
+}
+
+TEST(Shrunk, never_enlarges) {
+  Random random(5);
+  const Pixels all = random_pixels(20, 9, random);
+  const Pixels same = shrunk(all, 200, 90);
+  EXPECT_EQ(same.width, 20);
+  EXPECT_EQ(same.height, 9);
+  EXPECT_EQ(same.rgb, all.rgb);
+}
+
+}  // namespace
+}  // namespace kerf::test

@@ -1,0 +1,76 @@
+#include "ui/editor/shared/figures/figures.h"
+
+#include <algorithm>
+
+#include "core/document/history/specks.h"
+#include "core/joints/loaded_part.h"
+
+namespace kerf {
+
+namespace {
+
+// Without parts that no cut separated, which joints hold or held.
+void count_pieces(ShownFigures& shown, const World& world, const std::set<PieceId>& specks) {
+  shown.pieces = shown.specks = 0;
+  for (const BodyId id : world.ids()) {
+    const Body& body = world.body(id);
+    for (uint32_t label = 0; label < body.pieces.size(); ++label) {
+      if (body.pieces[label].faces == 0 || is_loaded_part(body, label)) continue;
+      ++(specks.contains({id, label}) ? shown.specks : shown.pieces);
+    }
+  }
+}
+
+void add(const World& world, MemoryFigures& figures) {
+  for (const BodyId id : world.ids()) {
+    const Body& body = world.body(id);
+    figures.trees += body.tree.bytes();
+    figures.meshes += body.bytes() - body.tree.bytes();
+  }
+}
+
+}  // namespace
+
+void count_world(ShownFigures& shown, const Document& document, bool depth_shown) {
+  const World& world = document.world();
+  shown.faces = world.live_faces();
+  count_pieces(shown, world, specks(document));
+  shown.tree_nodes = 0;
+  shown.tree_depth.reset();
+  if (depth_shown) shown.tree_depth = 0;
+  for (const BodyId id : world.ids()) {
+    const AabbTree& tree = world.body(id).tree;
+    shown.tree_nodes += tree.box_count();
+    if (!depth_shown) continue;
+    tree.for_each_box(
+        [&](const AabbTree::Box& box) { shown.tree_depth = std::max(*shown.tree_depth, box.depth); });
+  }
+}
+
+void note_stroke(ShownFigures& shown, const Document& document) {
+  shown.stroke.reset();
+  const History& history = document.history();
+  if (const auto last = history.last_cut()) {
+    const HistoryStep& step = history.step(*last);
+    shown.stroke = ShownFigures::Stroke{step.figures(), step.removed_area()};
+  }
+}
+
+size_t MemoryFigures::other() const {
+  const size_t parts = meshes + trees + pictures.shading + pictures.shadows + pictures.graphics + history;
+  return process - std::min(process, parts);
+}
+
+MemoryFigures memory_figures(std::span<const World* const> worlds, size_t history,
+                             const PictureMemory& pictures) {
+  MemoryFigures figures;
+  figures.process = process_bytes();
+  figures.pictures = pictures;
+  figures.history = history;
+  for (const World* world : worlds) {
+    if (world != nullptr) add(*world, figures);
+  }
+  return figures;
+}
+
+}  // namespace kerf

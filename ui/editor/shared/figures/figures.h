@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "core/document/history/document.h"
+#include "core/mesh/files/file_frame.h"
+#include "core/world/world.h"
+#include "ui/editor/shared/figures/frame_statistics.h"
+#include "ui/editor/shared/figures/step_chart.h"
+#include "ui/render/bodies/picture_memory.h"
+#include "ui/screen/shadow_figures.h"
+
+namespace kerf {
+
+// The memory usage of the process, in bytes.
+struct MemoryFigures {
+  size_t process = 0;
+  size_t meshes = 0, trees = 0;  // of all worlds that are held
+  PictureMemory pictures;
+  size_t history = 0;  // before-images
+
+  // The memory of the process minus all of these parts: the program itself, drivers and their buffers. It is
+  // too small by `graphics` if the graphics card has its own memory.
+  size_t other() const;
+};
+
+// The current figures, for these worlds (entries may be null) and a history of the given size in bytes.
+// O(bodies).
+MemoryFigures memory_figures(std::span<const World* const> worlds, size_t history,
+                             const PictureMemory& pictures);
+
+// The figures in the panels and the status bar. They are updated four times per second, so that they are
+// legible.
+struct ShownFigures {
+  FileUnit unit = FileUnit::kMetre;  // that areas are shown in
+  size_t faces = 0;
+  size_t pieces = 0, specks = 0;  // specks are counted apart
+  size_t twin_faces = 0;          // in the right half
+  double frame_ms = 0;
+  std::string time;  // how fast it passes; empty: it stands still
+  std::string work;  // what the beam still does after the user has let go; may be empty
+  size_t tree_nodes = 0;
+  std::optional<int> tree_depth;  // unknown until a panel shows it
+  MemoryFigures memory;
+  // The figures of the last stroke that was not undone, however it came into the world; nothing without one.
+  struct Stroke {
+    StepFigures figures;
+    double removed_area = 0;  // m^2
+  };
+  std::optional<Stroke> stroke;
+};
+
+// Everything that the editor counts and measures.
+struct Figures {
+  ShownFigures shown;
+  bool world_changed = true;  // since `shown` was taken
+  bool depth_wanted = false;  // of the trees
+  ShadowFigures shadows;
+  FrameStatistics frames;
+  FrameStatistics between_pictures;  // durations of frames without drawing
+  // Durations, whole and without drawing, of frames in which something was cut.
+  FrameStatistics cutting_frames, between_cutting_pictures;
+  StepChart chart;
+  size_t recuts = 0;
+};
+
+// Updates the counts of the world of a document for the panels. Depths of trees are computed only if they are
+// shown, because that takes O(n).
+void count_world(ShownFigures& shown, const Document& document, bool depth_shown);
+
+// Updates the figures of the last stroke.
+void note_stroke(ShownFigures& shown, const Document& document);
+
+}  // namespace kerf

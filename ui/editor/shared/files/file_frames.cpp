@@ -1,0 +1,76 @@
+#include "ui/editor/shared/files/file_frames.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "core/mesh/files/mesh_format.h"
+#include "ui/editor/shared/files/document_head.h"
+#include "ui/window/number_text.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr const char* kKey = "shown";  // in a scene: {"unit": "mm", "up": "z"}
+
+bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+}  // namespace
+
+std::string mesh_kind(const SceneDescription& scene) {
+  if (scene.bodies.size() != 1) return "";
+  const auto format = mesh_format(scene.bodies.front().mesh.extension().string());
+  return format ? std::string(format_name(*format)) : "";
+}
+
+FrameChoice choose_frame(const SceneDescription& scene, bool is_mesh_file, const World::Bounds& bounds,
+                         const Settings& settings) {
+  if (const auto noted = frame_from_json(head_entry(scene, kKey))) return {*noted};
+  const std::string kind = mesh_kind(scene);
+  if (!is_mesh_file || kind.empty()) return {};
+  const auto known = settings.frames.find(kind);
+  if (known != settings.frames.end() && known->second) return {*known->second};
+  const bool sound = is_finite(bounds.min) && is_finite(bounds.max) && bounds.diagonal() > 0;
+  const FileFrame guess = sound ? guess_frame(*mesh_format(kind), bounds.min, bounds.max) : FileFrame();
+  return {guess, known == settings.frames.end()};
+}
+
+void note_frame(SceneDescription& scene, const FileFrame& frame) {
+  if (frame.is_default() && head_entry(scene, kKey).is_null()) return;
+  set_head_entry(scene, kKey, frame_to_json(frame));
+}
+
+void show_in_frame(ViewState& view, const FileFrame& frame) {
+  for (Light& light : view.look.lights)
+    light.at = from_y_up(to_y_up(light.at, view.camera.up_axis()), frame.up);
+  view.camera.set_up_axis(frame.up);
+  view.frame = frame;
+  view.picture_old = true;
+}
+
+void set_frame(const FileFrame& frame, const SceneDescription& scene, ViewState& view, Settings& settings) {
+  show_in_frame(view, frame);
+  view.frame_asked_for.clear();
+  if (const std::string kind = mesh_kind(scene); !kind.empty()) settings.frames[kind] = frame;
+}
+
+std::string extents_label(const Vec3& size, FileUnit unit) {
+  const Vec3 metres = metres_per_unit(unit) * size;
+  const LengthUnit shown = unit_for(std::max({metres.x, metres.y, metres.z}));
+  return text_of("%.3g x %.3g x %.3g ", metres.x / shown.metres, metres.y / shown.metres,
+                 metres.z / shown.metres) +
+         shown.name;
+}
+
+std::string area_label(double area, FileUnit unit) {
+  const double metres = metres_per_unit(unit);
+  if (unit != FileUnit::kInch || area == 0) return area_text(area * metres * metres);
+  std::array<char, 48> text{};
+  std::snprintf(text.data(), text.size(), "%.3g in\xc2\xb2", area);
+  return text.data();
+}
+
+}  // namespace kerf

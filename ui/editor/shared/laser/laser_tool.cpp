@@ -1,0 +1,147 @@
+#include "ui/editor/shared/laser/laser_tool.h"
+
+#include <utility>
+
+#include "core/base/assert.h"
+#include "core/base/unit_vector.h"
+#include "core/cut/cuttable.h"
+#include "ui/editor/shared/picture/click.h"
+#include "ui/render/picture/beam_strike.h"
+
+namespace kerf {
+
+namespace {
+
+// How far the emitter lies to the right and above the eye, as a share of the focus: enough for the beam to be
+// seen from the side, and so little that it cuts under the pointer at all depths.
+constexpr double kEmitterAside = 0.004;
+constexpr double kLeastMove = 0.5;  // pixels
+
+// The depth of the corner of the world's box that is nearest to the eye, or of what is looked at if that is
+// nearer.
+double least_depth(const World& world, const CameraView& view) {
+  const World::Bounds b = world.bounds();
+  double least = view.focus;
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 corner(i & 1 ? b.max.x : b.min.x, i & 2 ? b.max.y : b.min.y, i & 4 ? b.max.z : b.min.z);
+    least = std::min(least, glm::dot(corner - view.eye, view.forward));
+  }
+  return least;
+}
+
+}  // namespace
+
+// In an orthographic view the emitter moves with the pointer, so that all poses are parallel.
+Pose LaserTool::aim(const CameraView& view, Vec2 pointer) const {
+  const Pose ray = view.ray(pointer.x, pointer.y);
+  const Vec3 target = ray.origin + ray.direction * focus_;
+  const Vec3 before = view.parallel ? target - view.forward * emitter_ : view.eye;
+  const Vec3 emitter = before + (view.right + view.up) * (kEmitterAside * emitter_);
+  return {emitter, glm::normalize(target - emitter)};
+}
+
+// How the beam is drawn.
+void LaserTool::set_up(const CutSettings& settings) {
+  radius_ = settings.laser.radius;
+  const bool by_edge = settings.resolution.rule == Resolution::Rule::kTargetEdge;
+  overshoot_ = by_edge ? settings.resolution.target_edge : 0.5 * radius_;
+  reach_ = settings.laser.range.high;
+}
+
+void LaserTool::take_over(const CutSettings& settings, double emitter) {
+  if (cutting_) return;
+  set_up(settings);
+  emitter_ = emitter;
+}
+
+void LaserTool::press(Document& document, const CameraView& view, Vec2 pointer, const LaserControls& controls,
+                      double heard) {
+  const Pose ray = view.ray(pointer.x, pointer.y);
+  const double diagonal = document.world().bounds().diagonal();
+  const std::optional<double> hit = first_hit(document.world(), ray);
+  focus_ = hit.value_or(view.focus);
+  emitter_ = view.parallel ? focus_ - least_depth(document.world(), view) + 0.1 * diagonal : focus_;
+  pointer_ = pointer;
+  pose_ = aim(view, pointer);
+  begin(document, controls.settings(diagonal), heard);
+  held_ = BeginStroke{settings_, pose_};
+  if (hit) begin_held(document);
+}
+
+// A stroke with the settings at pose_.
+void LaserTool::begin(const Document& document, const CutSettings& settings, double heard) {
+  settings_ = settings;
+  set_up(settings);
+  if (!document.execution().beam_waits()) {
+    beam_ = pose_;
+    strike_.reset();
+  }
+  cutting_ = true;
+  began_ = heard;
+  told_ = 0;
+}
+
+void LaserTool::fire(Document& document, const Pose& pose, double distance, const CutSettings& settings,
+                     double heard) {
+  KERF_ASSERT(!cutting_ && distance > 0 && is_unit(pose.direction));
+  emitter_ = distance;
+  pose_ = pose;
+  begin(document, settings, heard);
+  held_.reset();
+  document.apply(BeginStroke{settings_, pose_});
+}
+
+void LaserTool::carry_to(Document& document, const Pose& pose, double heard) {
+  if (!cutting_ || (pose.origin == pose_.origin && pose.direction == pose_.direction)) return;
+  if (are_opposite(pose_.direction, pose.direction)) {
+    release(document);
+    return fire(document, pose, emitter_, settings_, heard);
+  }
+  pose_ = pose;
+  told_ = std::max(told_, heard - began_);
+  document.apply(MoveStroke{pose_, told_});
+}
+
+void LaserTool::begin_held(Document& document) {
+  if (held_) document.apply(*std::exchange(held_, std::nullopt));
+}
+
+void LaserTool::move(Document& document, const CameraView& view, Vec2 pointer, double pixel, double heard) {
+  if (!cutting_) return;
+  const Vec2 moved = (pointer - pointer_) * Vec2(view.aspect, 1) / pixel;
+  if (glm::length(moved) < (held_ ? kClickReach : kLeastMove)) return;
+  pointer_ = pointer;
+  pose_ = aim(view, pointer);
+  KERF_ASSERT(heard >= began_);
+  begin_held(document);
+  told_ = std::max(told_, heard - began_);
+  document.apply(MoveStroke{pose_, told_});
+}
+
+void LaserTool::go_on(Document& document, double heard) {
+  if (!emits() || document.waiting() > 0 || heard - began_ <= told_) return;
+  told_ = heard - began_;
+  document.apply(MoveStroke{pose_, told_});
+}
+
+void LaserTool::release(Document& document) {
+  if (!cutting_) return;
+  cutting_ = false;
+  if (held_ && meets_anything(document.world(), held_->settings.laser, held_->pose)) begin_held(document);
+  if (!held_) document.apply(EndStroke{});
+  held_.reset();
+}
+
+void LaserTool::find_strike(const Document& document) {
+  strike_ = kerf::find_strike(document.world(), beam_, radius_, overshoot_, reach_);
+}
+
+std::optional<BeamPicture> LaserTool::picture(const Document& document) const {
+  if (!cutting_ && !document.execution().beam_waits()) return std::nullopt;
+  BeamPicture beam{beam_.origin, beam_.origin + beam_.direction * std::min(reach_, 20 * emitter_),
+                   std::nullopt, radius_};
+  if (strike_) beam.strike = beam_.origin + beam_.direction * *strike_;
+  return beam;
+}
+
+}  // namespace kerf

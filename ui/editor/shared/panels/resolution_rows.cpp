@@ -1,0 +1,104 @@
+#include "ui/editor/shared/panels/resolution_rows.h"
+
+#include <imgui.h>
+
+#include <cmath>
+
+#include "ui/editor/shared/panels/panel_rows.h"
+#include "ui/window/landmarks.h"
+#include "ui/window/number_format.h"
+#include "ui/window/number_text.h"
+#include "ui/window/property.h"
+
+namespace kerf {
+
+namespace {
+
+bool rule_row(ResolutionControls& to) {
+  return choice_row(
+      "Split to", "##rule", to.rule, "Edge length\0Tolerance\0Depth\0", nullptr,
+      "What says when faces under the beam are small enough: the length of their edges, how far what is "
+      "removed may overshoot the beam, or how often they were split.");
+}
+
+bool scheme_row(ResolutionControls& to) {
+  return choice_row(
+      "Scheme", "##scheme", to.scheme, "One to four\0Longest edge\0", nullptr,
+      "How a face is split: in four, as in the paper, or in two at its longest edge, which makes far fewer "
+      "faces of thin ones.");
+}
+
+bool rim_row(ResolutionControls& to) {
+  return choice_row(
+      "Rim", "##rim", to.rim, "Faces\0Smooth\0", nullptr,
+      "Faces: all that the beam touches goes, so the rim is a saw. Smooth: when the stroke ends, faces "
+      "across the boundary of the beam are cut along it.");
+}
+
+// A share of the radius, from twice the radius to a 32nd of it; finer to the right, as with depth.
+bool fraction_row(const char* name, double& fraction, double standard, const ShownRadius& radius,
+                  const char* meaning) {
+  property(name);
+  double halvings = -std::log2(fraction);
+  const double low = -std::log2(ResolutionControls::kMostFraction),
+               high = -std::log2(ResolutionControls::kLeastFraction);
+  const std::string text = format_of_text(length_label(radius.length * fraction, radius.unit));
+  const double before = fraction;
+  if (ImGui::SliderScalar("##fraction", ImGuiDataType_Double, &halvings, &low, &high, text.c_str(),
+                          ImGuiSliderFlags_NoInput)) {
+    fraction = std::exp2(-std::round(4 * halvings) / 4);
+  }
+  mark_last_item("resolution size");
+  tooltip(meaning);
+  const bool reset = reset_item(fraction, standard);
+  return reset || fraction != before;
+}
+
+bool edge_row(ResolutionControls& to, const ShownRadius& radius) {
+  return fraction_row(
+      "Edge", to.edge_fraction, ResolutionControls().edge_fraction, radius,
+      "Longest edge under the beam, from twice the radius to a 32nd of it. Finer to the right. "
+      "Right click for the default.");
+}
+
+bool tolerance_row(ResolutionControls& to, const ShownRadius& radius) {
+  return fraction_row(
+      "Tolerance", to.tolerance_fraction, ResolutionControls().tolerance_fraction, radius,
+      "How far what is removed may overshoot the beam, from twice the radius to a 32nd of it. "
+      "Finer to the right. Right click for the default.");
+}
+
+bool depth_row(ResolutionControls& to) {
+  property("Depth");
+  const int before = to.depth;
+  const WholeFormat format = to.depth == 0   ? WholeFormat("0: faces go whole")
+                             : to.depth == 1 ? WholeFormat("%d split")
+                                             : WholeFormat("%d splits");
+  ImGui::SliderInt("##depth", &to.depth, 0, ResolutionControls::kLargestDepth, format.c_str(),
+                   ImGuiSliderFlags_AlwaysClamp);
+  tooltip(
+      "How often a face under the beam is split in four. 0 turns refinement off: faces are removed whole, "
+      "as in the paper's figure 3.");
+  return to.depth != before;
+}
+
+}  // namespace
+
+bool resolution_rows(ResolutionControls& to, const ShownRadius& radius) {
+  bool changed = rule_row(to);
+  switch (to.rule) {
+    case Resolution::Rule::kTargetEdge:
+      changed = edge_row(to, radius) || changed;
+      break;
+    case Resolution::Rule::kTolerance:
+      changed = tolerance_row(to, radius) || changed;
+      break;
+    case Resolution::Rule::kDepth:
+      changed = depth_row(to) || changed;
+      break;
+  }
+  changed = scheme_row(to) || changed;
+  return rim_row(to) || changed;
+}
+
+}  // namespace kerf

@@ -62,11 +62,11 @@ nlohmann::ordered_json timing(const CutJob& job) {
   return {{"load", ms(job.load_s)},
           {"build_tree", ms(job.build_tree_s)},
           {"cut", ms(job.cut_s)},
-          {"query", ms(job.figures.query_s)},
-          {"refine", ms(job.figures.refine_s)},
-          {"remove", ms(job.figures.remove_s)},
-          {"update_tree", ms(job.figures.update_tree_s)},
-          {"separate", ms(job.figures.separate_s)},
+          {"query", ms(job.statistics.query_s)},
+          {"refine", ms(job.statistics.refine_s)},
+          {"remove", ms(job.statistics.remove_s)},
+          {"update_tree", ms(job.statistics.update_tree_s)},
+          {"separate", ms(job.statistics.separate_s)},
           {"step_p50", ms(percentile(sorted, 0.50))},
           {"step_p99", ms(percentile(sorted, 0.99))},
           {"step_max", sorted.empty() ? 0.0 : ms(sorted.back())},
@@ -99,7 +99,7 @@ void CutJob::note_loaded(const MeshReport& mesh) {
 }
 
 void CutJob::note_bite(const StepResult& bite, double seconds) {
-  figures.add(bite.figures);
+  statistics.add(bite.statistics);
   removed_faces += bite.delta.removed_faces;
   removed_area += bite.delta.removed_area;
   if (bite.delta.removed_faces > 0) step_s.push_back(seconds);
@@ -150,7 +150,7 @@ nlohmann::ordered_json energy_json(const World& world) {
 
 // How much of the thickness the beam got through where it did not cut, from 0 to 1.
 double depth_fraction(const CutJob& job) {
-  return job.figures.met_s > 0 ? job.figures.depth_s / job.figures.met_s : 0.0;
+  return job.statistics.met_s > 0 ? job.statistics.depth_s / job.statistics.met_s : 0.0;
 }
 
 void add_energy(nlohmann::ordered_json& report, const CutJob& job, const World& world) {
@@ -170,7 +170,7 @@ std::string cut_summary(const CutJob& job, size_t strokes, size_t pieces, const 
   std::string text;
   if (strokes == 0) {
     text = "nothing was cut, because there is no stroke";
-  } else if (job.removed_faces == 0 && job.thermal && job.figures.met_s > 0) {
+  } else if (job.removed_faces == 0 && job.thermal && job.statistics.met_s > 0) {
     text = count(strokes, "stroke") + " removed nothing, because the beam got through " +
            std::to_string(std::lround(100 * depth_fraction(job))) + " % of the thickness";
   } else if (job.removed_faces == 0) {

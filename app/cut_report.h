@@ -23,7 +23,7 @@ struct CutJob {
   size_t removed_faces = 0;
   double removed_area = 0;  // m^2
   size_t steps = 0;         // number of moves of the beam, as requested
-  StepFigures figures;
+  StepStatistics statistics;
   std::vector<double> step_s;  // durations of the calls that removed something
   bool thermal = false;        // the strokes are cut by the thermal model
   double load_s = 0, build_tree_s = 0, cut_s = 0, save_s = 0;

@@ -14,9 +14,9 @@ struct PiecesFolder {
 
   // Creates the folder. Fails if it cannot be created or used.
   Status make() const;
-  // Writes the pieces as piece-0000 and so on, largest area first, then report.json with the figures of the
-  // job. Returns the pieces. Shows a ProgressLine. Every file is written whole or not at all; after a failure
-  // or Ctrl-C there is no report.
+  // Writes the pieces as piece-0000 and so on, largest area first, then report.json with the statistics of
+  // the job. Returns the pieces. Shows a ProgressLine. Every file is written whole or not at all; after a
+  // failure or Ctrl-C there is no report.
   Result<std::vector<WrittenPiece>> write(CutJob& job, const World& world, const CutSettings& settings) const;
 };
 

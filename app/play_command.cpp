@@ -7,6 +7,7 @@
 #include "app/commands.h"
 #include "app/parse_values.h"
 #include "app/progress_line.h"
+#include "app/tell.h"
 #include "core/base/atomic_file.h"
 #include "core/document/text/hash_text.h"
 #include "core/game/match/bot_player.h"
@@ -113,6 +114,13 @@ class PlayRun {
     setup_.seed = arguments_.seed;
     if (!std::isfinite(arguments_.seconds) || arguments_.seconds < 0 || arguments_.seconds > 36'000)
       return bad_input("--seconds: must be from 0 to 36000");
+    for (const auto& [option, file] :
+         {std::pair{"--record", arguments_.record}, {"--report", arguments_.report}}) {
+      if (file.empty()) continue;
+      const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
+      if (!std::filesystem::is_directory(folder))
+        return bad_input(std::string(option) + ": there is no folder " + folder.string());
+    }
     if (arguments_.rules.empty()) arguments_.rules = (assets_folder() / "games" / "standard.json").string();
     return Done{};
   }
@@ -120,8 +128,10 @@ class PlayRun {
   Status load() {
     ProgressLine line("loading the match");
     const Progress progress = line.progress();
-    auto rules = load_rules(arguments_.rules, &progress);
+    std::vector<std::string> unknown_keys;
+    auto rules = load_rules(arguments_.rules, &progress, &unknown_keys);
     if (!rules) return error_or_stopped(rules.error());
+    for (const std::string& key : unknown_keys) warn(key);
     setup_.rules = std::move(*rules);
     return Done{};
   }
@@ -149,11 +159,11 @@ class PlayRun {
     frame_s_ = outcome->frame_seconds;
     if (const Status s = write_report(*outcome->match); !s) return s;
     if (const Status s = write_record(*outcome->match); !s) return s;
-    return outcome->inspect ? inspect(*outcome->match) : Status(Done{});
+    return outcome->inspect ? inspect(*outcome->match, outcome->view) : Status(Done{});
   }
 
-  static Status inspect(const Match& match) {
-    const auto scene = save_inspected(match);
+  static Status inspect(const Match& match, const View& view) {
+    const auto scene = save_match_as_scene(match, view);
     if (!scene) return scene.error();
     EditorOptions options;
     options.default_scene = assets_folder() / "scenes" / "car.json";
@@ -214,7 +224,10 @@ void add_play_command(CLI::App& app, Invocation& invocation) {
       "Who drives: bot, or still for a car that does nothing; you in a window, if it is not given");
   command->add_option("--difficulty", a->difficulty,
                       "easy, normal or hard (in a window as it was last set there, otherwise normal)");
-  command->add_option("--seed", a->seed, "The seed of everything that is random (1)");
+  command->add_option("--seed", a->seed, "The seed of everything that is random (1)")
+      ->check([](const std::string& text) {
+        return std::string(text.starts_with('-') ? "must be a whole number that is not negative" : "");
+      });
   command->add_option("--seconds", a->seconds, "Ends the match after so many seconds of its own time");
   command->add_flag("--headless", a->headless, "Without a window, as fast as it goes");
   command->add_option("--report", a->report, "A JSON file for what came of the match");

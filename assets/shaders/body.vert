@@ -85,7 +85,7 @@ void main() {
     paint = vec4(level_colour(float(traits.x) / max(body_look.x, 1.0)), 0.25);
   } else if (body_look.y > 0.5) {
     paint = number == 0u ? vec4(0.16, 0.17, 0.18, 0.25) : vec4(strong_colour(number), 0.25);
-  } else if (number != 0u) {
+  } else if (number != 0u && body_look.y > -0.5) {
     paint.rgb = pieces[(number - 1u) % kPieceColours].rgb;
   }
 #ifdef RIM

@@ -42,8 +42,8 @@ size_t find_near(RimState& rim, uint32_t i) {
   std::vector<FaceId> found;
   const SweptCylinder& part = rim.region.part(i);
   const QueryCounts counts = rim.step.edit.touched(part.with_radius(part.radius() * (1 + 2 * kRimOn)), found);
-  rim.step.figures.tested.boxes += counts.boxes;
-  rim.step.figures.tested.faces += counts.faces;
+  rim.step.statistics.tested.boxes += counts.boxes;
+  rim.step.statistics.tested.faces += counts.faces;
   std::vector<FaceId>& heap = rim.work.waiting;
   for (const FaceId f : found) {
     if (!rim.region.is_near(f)) {
@@ -68,7 +68,7 @@ bool sort_near(RimState& rim) {
 }
 
 bool measure(RimState& rim) {
-  double& largest = rim.step.figures.largest_cosine;
+  double& largest = rim.step.statistics.largest_cosine;
   return visit_next(rim, rim.work.changed, [&](FaceId f) {
     if (rim.mesh().is_live(f)) largest = std::max(largest, largest_cosine(rim.mesh().triangle(f)));
   });
@@ -91,7 +91,7 @@ class RimBite {
       if (!reached) return reached.error();
       if (const BodyDelta* changes = take_changes(step, result))
         work_.changed.insert(work_.changed.end(), changes->born.begin(), changes->born.end());
-      result.figures.add(step.figures);
+      result.statistics.add(step.statistics);
       if (*reached == Reached::kEndOfBody) {
         const size_t bodies = work_.bodies + 1;
         work_ = UnfinishedRim{};
@@ -121,7 +121,7 @@ class RimBite {
 
   void follow_with_tree(RimState& rim) const {
     update_tree(rim.step);
-    const Stopwatch watch(rim.step.figures.update_tree_s);
+    const Stopwatch watch(rim.step.statistics.update_tree_s);
     rim.step.edit.refit_tree();
   }
 
@@ -170,7 +170,7 @@ class RimBite {
   }
 
   void find(RimState& rim, const Sweep& sweep) {
-    const Stopwatch watch(rim.step.figures.query_s);
+    const Stopwatch watch(rim.step.statistics.query_s);
     size_t& next = work_.next;
     if (work_.stage == Stage::kSweep) {
       const size_t end = std::min(sweep.moves.size(), next + kFacesTogether);
@@ -190,7 +190,7 @@ class RimBite {
 
   // Refines and moves vertices, in turn, because each may ask for the other, then cuts and flips edges.
   Status reshape(RimState& rim) {
-    const Stopwatch watch(rim.step.figures.refine_s);
+    const Stopwatch watch(rim.step.statistics.refine_s);
     taken_ += kHeavyPart;
     if (work_.stage == Stage::kRefine) {
       if (const Status refined = refine_rim(rim); !refined) return refined;

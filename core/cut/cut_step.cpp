@@ -14,7 +14,7 @@
 
 namespace kerf {
 
-void StepFigures::add(const StepFigures& other) {
+void StepStatistics::add(const StepStatistics& other) {
   queries += other.queries;
   tested.boxes += other.tested.boxes;
   tested.faces += other.tested.faces;
@@ -229,7 +229,7 @@ bool is_settled(const World& world) {
 }
 
 size_t separate(World& world, BodyStep& step, std::span<const FaceId> hit, size_t most) {
-  const Stopwatch watch(step.figures.separate_s);
+  const Stopwatch watch(step.statistics.separate_s);
   const size_t visited = step.edit.separate(most);
   ask_joints(world, world.body(step.id), hit, visited > 0);
   return visited;
@@ -240,7 +240,7 @@ void hold_what_joints_hold(World& world, Delta& delta) {
 }
 
 const BodyDelta* take_changes(BodyStep& step, StepResult& result) {
-  step.figures.faces_made = step.edit.faces_made();
+  step.statistics.faces_made = step.edit.faces_made();
   if (!step.edit.any()) return nullptr;
   result.delta.removed_faces += step.edit.removed_faces();
   result.delta.removed_area += step.edit.removed_area();
@@ -251,11 +251,11 @@ const BodyDelta* take_changes(BodyStep& step, StepResult& result) {
 void end_step(BodyStep& step, StepResult& result) {
   if (const BodyDelta* changes = take_changes(step, result)) {
     for (const FaceId f : changes->born) {
-      step.figures.largest_cosine =
-          std::max(step.figures.largest_cosine, largest_cosine(step.mesh().triangle(f)));
+      step.statistics.largest_cosine =
+          std::max(step.statistics.largest_cosine, largest_cosine(step.mesh().triangle(f)));
     }
   }
-  result.figures.add(step.figures);
+  result.statistics.add(step.statistics);
 }
 
 }  // namespace kerf

@@ -71,7 +71,7 @@ struct CutSettings {
 };
 
 // Counts of the work of a step, and the duration of its stages (s).
-struct StepFigures {
+struct StepStatistics {
   size_t queries = 0;  // queries of trees
   QueryCounts tested;  // the sum over these queries
   size_t faces_made = 0;
@@ -81,7 +81,7 @@ struct StepFigures {
   double met_s = 0, depth_s = 0;
   double query_s = 0, refine_s = 0, remove_s = 0, update_tree_s = 0, separate_s = 0;
 
-  void add(const StepFigures& other);
+  void add(const StepStatistics& other);
 };
 
 // The state of a move of the beam that a step left unfinished, so that a later step can continue it: the
@@ -104,7 +104,7 @@ struct StepResult {
   size_t moves = 0;              // number of moves of the beam that were finished
   std::optional<BeamMove> last;  // the last of these
   Delta delta;
-  StepFigures figures;
+  StepStatistics statistics;
 };
 
 // Executes one step of a cut through all bodies that the beam may cut (see cuttable). For each move of the

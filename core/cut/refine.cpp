@@ -76,7 +76,7 @@ Status refine(BodyStep& step, UnfinishedMove& move, const CutSettings& settings,
   if (!progress.report(0)) return cancelled();
   Refinement refinement(step, settings, move.to_split);
   const Status done = [&] {
-    const Stopwatch watch(step.figures.refine_s);
+    const Stopwatch watch(step.statistics.refine_s);
     return refinement.run();
   }();
   if (step.edit.splits().empty()) return done;
@@ -91,7 +91,7 @@ Error too_many_faces(const CutSettings& settings) {
 }
 
 void update_tree(BodyStep& step) {
-  const Stopwatch watch(step.figures.update_tree_s);
+  const Stopwatch watch(step.statistics.update_tree_s);
   step.edit.update_tree();
 }
 

@@ -23,13 +23,13 @@ void sweep(BodyStep& step, const Laser& laser, const BeamMove& move, bool in_bod
 }
 
 void hit(BodyStep& step, std::vector<FaceId>& faces) {
-  const Stopwatch watch(step.figures.query_s);
+  const Stopwatch watch(step.statistics.query_s);
   faces.clear();
   for (const SweptCylinder& part : step.beam) {
     const QueryCounts counts = step.edit.touched(part, faces);
-    ++step.figures.queries;
-    step.figures.tested.boxes += counts.boxes;
-    step.figures.tested.faces += counts.faces;
+    ++step.statistics.queries;
+    step.statistics.tested.boxes += counts.boxes;
+    step.statistics.tested.faces += counts.faces;
   }
   if (step.beam.size() == 1) return;
   std::sort(faces.begin(), faces.end());
@@ -56,7 +56,7 @@ void remove(BodyStep& step, UnfinishedMove& move, bool only_within, bool keeps_b
 
 void remove_faces(BodyStep& step, std::span<const FaceId> faces) {
   {
-    const Stopwatch watch(step.figures.remove_s);
+    const Stopwatch watch(step.statistics.remove_s);
     step.edit.remove(faces);
   }
   update_tree(step);

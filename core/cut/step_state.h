@@ -18,7 +18,7 @@ struct BodyStep {
   BodyId id;
   BodyEdit edit;
   std::vector<SweptCylinder> beam;  // volumes of the current move, in the body's frame
-  StepFigures figures;
+  StepStatistics statistics;
 };
 
 // The number of faces that are processed before the tree is updated, and the smallest amount of work of a
@@ -48,7 +48,7 @@ void update_tree(BodyStep& step);
 size_t separate(World& world, BodyStep& step, std::span<const FaceId> hit, size_t most);
 // Separates what joints do not hold any more (see hold_parts), once nothing is left to be searched.
 void hold_what_joints_hold(World& world, Delta& delta);
-// Ends the step of a body and adds its changes and figures to the result.
+// Ends the step of a body and adds its changes and statistics to the result.
 void end_step(BodyStep& step, StepResult& result);
 // Adds the changes alone. Returns them, valid until the result changes, or null if there are none.
 const BodyDelta* take_changes(BodyStep& step, StepResult& result);

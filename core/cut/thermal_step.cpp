@@ -62,8 +62,8 @@ class ThermalMoves {
   void end(StepResult& result) {
     for (BodyStep& step : steps_) end_step(step, result);
     result.delta.append(std::move(held_));
-    result.figures.met_s += met_s_;
-    result.figures.depth_s += depth_s_;
+    result.statistics.met_s += met_s_;
+    result.statistics.depth_s += depth_s_;
   }
 
  private:

@@ -135,8 +135,8 @@ bool takes_part(const World& world, BodyId id, std::span<const BodyId> carried) 
 }
 
 // The bodies that can be touched, and those of them that could move, judged without their masses.
-TickFigures count_bodies(const World& world, std::span<const BodyId> carried) {
-  TickFigures count;
+TickStatistics count_bodies(const World& world, std::span<const BodyId> carried) {
+  TickStatistics count;
   for (const BodyId id : world.ids()) {
     const Body& b = world.body(id);
     if (!takes_part(world, id, carried)) continue;
@@ -225,9 +225,9 @@ Delta Physics::tick(World& world, bool under_beam, std::span<const Guided> guide
   if (world.spring() || count_bodies(world, carried).awake > 0)
     weigh_changed(*this, world, under_beam, carried);
   pull(world, kTick);
-  figures_ = count_bodies(world, carried);
-  if (figures_.awake == 0) return {};
-  figures_.awake = 0;
+  statistics_ = count_bodies(world, carried);
+  if (statistics_.awake == 0) return {};
+  statistics_.awake = 0;
   std::vector<MovingBody> bodies = moving_bodies(world, under_beam, carried);
   guide(bodies, guided);
   const bool all_rest =
@@ -252,15 +252,15 @@ Delta Physics::tick(World& world, bool under_beam, std::span<const Guided> guide
                  {.seconds = kTick, .gravity = gravity, .metre = world.surroundings().metre}, *solver_);
   limit.apply(bodies);
   set_solved_way(bodies);
-  figures_.held = hold_back(bodies, search);
+  statistics_.held = hold_back(bodies, search);
   count_quiet(bodies, search.pairs(), joints);
   for (const TouchingPair& p : search.pairs()) {
-    if (p.second != TouchingPair::kGround) ++figures_.pairs;
-    figures_.contacts += p.contacts.size();
-    figures_.crossed += p.memory.crossed > 0;
+    if (p.second != TouchingPair::kGround) ++statistics_.pairs;
+    statistics_.contacts += p.contacts.size();
+    statistics_.crossed += p.memory.crossed > 0;
   }
-  figures_.candidates = search.candidates();
-  for (const MovingBody& b : bodies) figures_.rays += b.rays;
+  statistics_.candidates = search.candidates();
+  for (const MovingBody& b : bodies) statistics_.rays += b.rays;
   ContactMemory memory = memory_after(bodies, before, search.pairs(), resting);
   pairs_ = std::move(search.pairs());
   remember_joints(bodies, joints, memory);
@@ -270,7 +270,7 @@ Delta Physics::tick(World& world, bool under_beam, std::span<const Guided> guide
   for (const MovingBody& b : bodies) {
     if (b.fixed || b.asleep) continue;
     delta.moved.push_back(b.id);
-    ++figures_.awake;
+    ++statistics_.awake;
   }
   return delta;
 }

@@ -19,7 +19,7 @@ namespace kerf {
 class SolverMemory;
 
 // The work of a tick, for statistics and for the display.
-struct TickFigures {
+struct TickStatistics {
   size_t bodies = 0, awake = 0;
   size_t candidates = 0;  // pairs of bodies whose bounds overlap
   size_t pairs = 0;       // of these, those whose faces were looked at
@@ -79,7 +79,7 @@ class Physics {
   // Whether the joints are known that hold, i.e. whether no change was followed since the last tick.
   bool knows_joints() const { return joints_.has_value(); }
 
-  const TickFigures& figures() const { return figures_; }
+  const TickStatistics& statistics() const { return statistics_; }
   // The colliders of the bodies, as far as ticks have needed them.
   const std::map<BodyId, Collider>& colliders() const { return colliders_; }
   // The contacts of the last tick.
@@ -96,7 +96,7 @@ class Physics {
   std::optional<std::vector<HeldJoint>> joints_;  // nothing: not known
   std::unique_ptr<SolverMemory> solver_;
   std::vector<TouchingPair> pairs_;
-  TickFigures figures_;
+  TickStatistics statistics_;
 };
 
 }  // namespace kerf

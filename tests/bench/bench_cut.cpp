@@ -97,7 +97,7 @@ Walked walk_slot(World& world, const Slot& slot, const CutSettings& settings, in
   const auto note = [&](const StepResult& result, double seconds) {
     walked.seconds += seconds;
     walked.longest = std::max(walked.longest, seconds);
-    walked.turned += 2 * result.delta.removed_faces + result.figures.faces_made;
+    walked.turned += 2 * result.delta.removed_faces + result.statistics.faces_made;
     if (result.delta.removed_faces > 0) walked.steps.push_back(seconds);
   };
   const auto move_at = [&](int i) {

@@ -41,7 +41,7 @@ size_t intersecting_pairs(const World& world) {
 // Each of the ticks until all sleep, at most kLongest.
 struct Ticked {
   std::vector<double> seconds;
-  TickFigures most;  // of any tick
+  TickStatistics most;  // of any tick
   bool asleep = false;
 };
 
@@ -49,11 +49,11 @@ Ticked tick_until_rest(World& world, Physics& physics) {
   Ticked ticked;
   while (!ticked.asleep && ticked.seconds.size() < kLongest) {
     ticked.seconds.push_back(seconds_of([&] { physics.tick(world); }));
-    const TickFigures& figures = physics.figures();
-    ticked.most.candidates = std::max(ticked.most.candidates, figures.candidates);
-    ticked.most.contacts = std::max(ticked.most.contacts, figures.contacts);
-    ticked.most.rays = std::max(ticked.most.rays, figures.rays);
-    ticked.asleep = figures.awake == 0;
+    const TickStatistics& statistics = physics.statistics();
+    ticked.most.candidates = std::max(ticked.most.candidates, statistics.candidates);
+    ticked.most.contacts = std::max(ticked.most.contacts, statistics.contacts);
+    ticked.most.rays = std::max(ticked.most.rays, statistics.rays);
+    ticked.asleep = statistics.awake == 0;
   }
   return ticked;
 }

@@ -45,7 +45,7 @@ std::shared_ptr<const Rules> strewn(const Rules& rules, uint64_t sheets) {
   constexpr double kHalfWidth = 30, kLongestFlight = 8;  // m, s
   World lying = test::rain(2 * sheets / 3, 1, kHalfWidth);
   Physics physics;
-  for (Ticks t = 0; t == 0 || (physics.figures().awake > 0 && t < 10 * kTicksPerSecond); ++t)
+  for (Ticks t = 0; t == 0 || (physics.statistics().awake > 0 && t < 10 * kTicksPerSecond); ++t)
     physics.tick(lying);
   for (const BodyId id : lying.ids()) add_sheet(more->arena, lying.body(id));
   World flying = test::rain(sheets / 6, 2, kHalfWidth);

@@ -35,26 +35,26 @@ KernelEdits random_edits(const Mesh& mesh, size_t count) {
   return edits;
 }
 
-KernelFigures time_kerf(const Mesh& whole, const KernelEdits& edits) {
-  KernelFigures figures;
+KernelStatistics time_kerf(const Mesh& whole, const KernelEdits& edits) {
+  KernelStatistics statistics;
   std::vector<Mesh::FaceSplit> made;
   const auto split = [&](Mesh& mesh, const KernelEdits::Edge& edge) {
     made.clear();
     mesh.split_edge(edge.face, edge.from, edge.to, made);
   };
   Mesh mesh = whole;
-  figures.bytes = static_cast<double>(mesh.bytes());
-  figures.split_seconds = seconds_of([&] {
+  statistics.bytes = static_cast<double>(mesh.bytes());
+  statistics.split_seconds = seconds_of([&] {
     for (const auto& edge : edits.splits) split(mesh, edge);
   });
   mesh = whole;
   for (const auto& edge : edits.splits)
-    figures.longest_seconds = std::max(figures.longest_seconds, seconds_of([&] { split(mesh, edge); }));
+    statistics.longest_seconds = std::max(statistics.longest_seconds, seconds_of([&] { split(mesh, edge); }));
   mesh = whole;
-  figures.remove_seconds = seconds_of([&] {
+  statistics.remove_seconds = seconds_of([&] {
     for (const FaceId f : edits.removals) mesh.remove_face(f);
   });
-  return figures;
+  return statistics;
 }
 
 bool has_rings(const Mesh& mesh) {
@@ -75,26 +75,26 @@ bool has_rings(const Mesh& mesh) {
 void bench_kernel(const Subject& s, const Effort& effort, const Report& report) {
   if (has_rings(s.mesh)) return;
   const KernelEdits edits = random_edits(s.mesh, 10 * static_cast<size_t>(effort.edit_steps));
-  std::vector<KernelFigures> ours, peers;
+  std::vector<KernelStatistics> ours, peers;
   for (int i = 0; i < effort.build_times; ++i) {
     ours.push_back(time_kerf(s.mesh, edits));
     peers.push_back(time_openmesh(s.mesh, edits));
   }
-  const auto row = [&](const char* name, const char* unit, double KernelFigures::*figure, double factor) {
-    const auto middle = [&](const std::vector<KernelFigures>& all) {
+  const auto row = [&](const char* name, const char* unit, double KernelStatistics::*figure, double factor) {
+    const auto middle = [&](const std::vector<KernelStatistics>& all) {
       std::vector<double> values;
-      for (const KernelFigures& one : all) values.push_back(factor * one.*figure);
+      for (const KernelStatistics& one : all) values.push_back(factor * one.*figure);
       return median(values);
     };
     report({name, s.name, unit, middle(ours), middle(peers), std::nullopt});
   };
   const auto faces = static_cast<double>(s.mesh.live_faces());
-  row("split an edge / OpenMesh", "ns", &KernelFigures::split_seconds,
+  row("split an edge / OpenMesh", "ns", &KernelStatistics::split_seconds,
       kNano / static_cast<double>(edits.splits.size()));
-  row("longest split of an edge / OpenMesh", "us", &KernelFigures::longest_seconds, kMicro);
-  row("remove a face / OpenMesh", "ns", &KernelFigures::remove_seconds,
+  row("longest split of an edge / OpenMesh", "us", &KernelStatistics::longest_seconds, kMicro);
+  row("remove a face / OpenMesh", "ns", &KernelStatistics::remove_seconds,
       kNano / static_cast<double>(edits.removals.size()));
-  row("half-edges, memory / OpenMesh", "B/face", &KernelFigures::bytes, 1 / faces);
+  row("half-edges, memory / OpenMesh", "B/face", &KernelStatistics::bytes, 1 / faces);
 }
 
 }  // namespace kerf::bench

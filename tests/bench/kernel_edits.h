@@ -18,7 +18,7 @@ struct KernelEdits {
 
 // What a kernel took for them, each kind on the mesh as it was, and the memory that it has allocated for
 // that.
-struct KernelFigures {
+struct KernelStatistics {
   double split_seconds = 0, remove_seconds = 0;  // of processor time, for all
   double longest_seconds = 0;                    // of one split
   double bytes = 0;
@@ -26,6 +26,6 @@ struct KernelFigures {
 
 // OpenMesh's half-edge kernel with doubles and the status bits that removing needs. Precondition: the mesh
 // has no ring.
-KernelFigures time_openmesh(const Mesh& mesh, const KernelEdits& edits);
+KernelStatistics time_openmesh(const Mesh& mesh, const KernelEdits& edits);
 
 }  // namespace kerf::bench

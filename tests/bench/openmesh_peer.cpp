@@ -53,25 +53,25 @@ void split(Kernel& kernel, Kernel::EdgeHandle e) { kernel.split(e, kernel.calc_e
 
 }  // namespace
 
-KernelFigures time_openmesh(const Mesh& mesh, const KernelEdits& edits) {
-  KernelFigures figures;
+KernelStatistics time_openmesh(const Mesh& mesh, const KernelEdits& edits) {
+  KernelStatistics statistics;
   const Kernel whole = copy_of(mesh);
   const std::vector<Kernel::EdgeHandle> edges = edges_of(whole, edits);
   const double before = allocated();
   std::optional<Kernel> kernel(whole);
-  figures.bytes = allocated() - before;
-  figures.split_seconds = seconds_of([&] {
+  statistics.bytes = allocated() - before;
+  statistics.split_seconds = seconds_of([&] {
     for (const auto e : edges) split(*kernel, e);
   });
   kernel.emplace(whole);
   for (const auto e : edges)
-    figures.longest_seconds = std::max(figures.longest_seconds, seconds_of([&] { split(*kernel, e); }));
+    statistics.longest_seconds = std::max(statistics.longest_seconds, seconds_of([&] { split(*kernel, e); }));
   kernel.emplace(whole);
-  figures.remove_seconds = seconds_of([&] {
+  statistics.remove_seconds = seconds_of([&] {
     for (const FaceId f : edits.removals)
       kernel->delete_face(Kernel::FaceHandle(static_cast<int>(f.index)), false);
   });
-  return figures;
+  return statistics;
 }
 
 }  // namespace kerf::bench

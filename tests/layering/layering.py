@@ -51,7 +51,7 @@ UI = [
     'editor/shared/laser',
     'editor/shared/files',
     'editor/shared/picture',
-    'editor/shared/figures',
+    'editor/shared/statistics',
     'editor/shared/pieces',
     'editor/shared/settings',
     'figures',

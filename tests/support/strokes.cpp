@@ -40,7 +40,7 @@ namespace {
 void add(StepResult& all, StepResult some) {
   all.moves += some.moves;
   all.delta.append(std::move(some.delta));
-  all.figures.add(some.figures);
+  all.statistics.add(some.statistics);
 }
 
 }  // namespace

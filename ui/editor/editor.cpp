@@ -5,9 +5,13 @@
 
 #include "core/base/atomic_file.h"
 #include "core/document/journal/save.h"
+#include "core/game/vehicle/vehicle_bodies.h"
 #include "ui/editor/features.h"
+#include "ui/editor/path/emitter_entry.h"
+#include "ui/editor/shared/files/document_head.h"
 #include "ui/editor/shell/editor_screen.h"
 #include "ui/game/game.h"
+#include "ui/game/high_scores.h"
 #include "ui/render/bodies/assets.h"
 #include "ui/screen/frame_loop.h"
 #include "ui/window/window.h"
@@ -16,36 +20,68 @@ namespace kerf {
 
 namespace {
 
-// Lets the player play, and tells the editor what came of it.
-void play_game(Window& window, FrameLoop& loop, EditorScreen& screen, const EditorOptions& options) {
-  auto rules = load_rules(assets_folder() / "games" / "standard.json");
-  if (!rules) {
-    screen.come_back(screen.look(), {});
-    return screen.tell(rules.error().message);
+// The games of an editor: a match that was left for a look at its world is gone on with.
+class Games {
+ public:
+  Games(Window& window, FrameLoop& loop, EditorScreen& screen, const EditorOptions& options)
+      : window_(window), loop_(loop), screen_(screen), options_(options) {}
+
+  // Lets the player play, and tells the editor what came of it.
+  void play() {
+    if (const Status begun = game_ ? Status(Done{}) : begin(); !begun) {
+      screen_.come_back(screen_.look(), {});
+      return screen_.tell(begun.error().message);
+    }
+    game_->play(loop_);
+    const GuiLook look = game_->look();
+    if (!game_->wants_inspection()) {
+      game_.reset();
+      return screen_.come_back(look, {});
+    }
+    const auto scene = save_match_as_scene(game_->match(), game_->view());
+    screen_.come_back(look, scene ? *scene : std::filesystem::path());
+    screen_.tell(scene ? "" : scene.error().message);
   }
-  GameOptions game;
-  game.setup.rules = std::move(*rules);
-  game.setup.seed = std::random_device()();
-  game.look = screen.look();
-  game.from_editor = true;
-  game.landmarks = options.landmarks;
-  auto played = play_in(window, loop, game);
-  if (!played) {
-    screen.come_back(screen.look(), {});
-    return screen.tell(played.error().message);
+
+ private:
+  Status begin() {
+    auto rules = load_rules(assets_folder() / "games" / "standard.json");
+    if (!rules) return rules.error();
+    GameOptions options;
+    options.setup.rules = std::move(*rules);
+    options.setup.seed = std::random_device()();
+    options.look = screen_.look();
+    options.from_editor = true;
+    options.landmarks = options_.landmarks;
+    auto game = WindowedGame::begin(window_, options);
+    if (!game) return game.error();
+    game_.emplace(std::move(*game));
+    return Done{};
   }
-  std::filesystem::path scene;
-  std::string fault;
-  if (played->inspect) {
-    auto saved = save_inspected(*played->match);
-    if (saved) scene = *saved;
-    if (!saved) fault = saved.error().message;
-  }
-  screen.come_back(played->look, scene);
-  screen.tell(fault);
-}
+
+  Window& window_;
+  FrameLoop& loop_;
+  EditorScreen& screen_;
+  const EditorOptions& options_;
+  std::optional<WindowedGame> game_;
+};
 
 }  // namespace
+
+Result<std::filesystem::path> save_match_as_scene(const Match& match, const View& view) {
+  const ArenaDescription& arena = match.rules().arena.description;
+  SceneDescription scene;
+  scene.lights = arena.lamps;
+  scene.paints = arena.paints;
+  for (const Vehicle& v : match.vehicles())
+    scene.paints.insert(v.what().paints.begin(), v.what().paints.end());
+  scene.view = view;
+  const Pose laser = muzzle_pose(match.world(), match.vehicles()[Match::kPlayer]);
+  Emitter emitter;
+  emitter.place(laser.origin, laser.origin + match.rules().description.laser.range / 4 * laser.direction);
+  set_head_entry(scene, kEmitterKey, emitter_entry(emitter));
+  return save_world_as_scene(match.world(), std::move(scene), high_scores_file().parent_path() / "inspected");
+}
 
 Status run_editor(const EditorOptions& options) {
   LoadedSettings loaded = read_settings(settings_file());
@@ -64,8 +100,9 @@ Status run_editor(const EditorOptions& options) {
   if (const Status shown = screen.open(); !shown) return shown;
   screen.tell(fault);
   bool left_by_user = loop.run(screen);
+  Games games(window, loop, screen, options);
   while (left_by_user && screen.wants_game()) {
-    play_game(window, loop, screen, options);
+    games.play();
     left_by_user = loop.run(screen);
   }
   screen.close(left_by_user);

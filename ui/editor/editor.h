@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/game/match/match.h"
 #include "ui/editor/shared/settings/editor_options.h"
 
 namespace kerf {
@@ -9,5 +10,9 @@ namespace kerf {
 // OpenGL 3.3, if not even the default scene can be read, at a line of the script that is wrong, or if the
 // report cannot be written.
 Status run_editor(const EditorOptions& options);
+
+// Writes the world of a match as a scene in a folder beside the high scores: seen from where the player saw
+// it, with an emitter where his laser is. Returns its file. Fails like save_world_as_scene.
+Result<std::filesystem::path> save_match_as_scene(const Match& match, const View& view);
 
 }  // namespace kerf

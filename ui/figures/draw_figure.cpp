@@ -186,7 +186,11 @@ Status draw_match_figure(const std::filesystem::path& file, Ticks tick, const gl
       screen.camera.view(static_cast<double>(shape.width) / shape.height, kMatchFieldOfView);
   screen.picture.draw(match, view, {picture.name(), 0, 0, shape.width, shape.height}, PicturePreset::kHigh);
   const double width = static_cast<double>(last.width) / Controls::kFull;
-  gui.draw(picture, [&] { draw_hud({match, screen.hud, view, aim_of(last), width, false}); });
+  const Sight sight(match.world());
+  const auto sighted = sighted_part(match, sight, aim_of(last));
+  gui.draw(picture, [&] {
+    draw_hud({match, screen.hud, view, sight, aim_of(last), width, false, "", sighted});
+  });
   return Done{};
 }
 

@@ -1,35 +1,40 @@
 #include "ui/game/game.h"
 
-#include "core/document/journal/save.h"
 #include "ui/game/game_screen.h"
-#include "ui/game/high_scores.h"
 #include "ui/screen/frame_loop.h"
 #include "ui/window/gui.h"
 #include "ui/window/window.h"
 
 namespace kerf {
 
-Result<std::filesystem::path> save_inspected(const Match& match) {
-  const ArenaDescription& arena = match.rules().arena.description;
-  SceneDescription scene;
-  scene.lights = arena.lamps;
-  scene.paints = arena.paints;
-  for (const Vehicle& v : match.vehicles())
-    scene.paints.insert(v.what().paints.begin(), v.what().paints.end());
-  return save_world_as_scene(match.world(), std::move(scene), high_scores_file().parent_path() / "inspected");
-}
+WindowedGame::WindowedGame(std::unique_ptr<GameScreen> screen) : screen_(std::move(screen)) {}
+WindowedGame::~WindowedGame() = default;
+WindowedGame::WindowedGame(WindowedGame&&) noexcept = default;
+WindowedGame& WindowedGame::operator=(WindowedGame&&) noexcept = default;
 
-Result<GameOutcome> play_in(Window& window, FrameLoop& loop, const GameOptions& options) {
+Result<WindowedGame> WindowedGame::begin(Window& window, const GameOptions& options) {
   auto picture = MatchPicture::create();
   if (!picture) return picture.error();
-  GameScreen screen(window, std::move(*picture), options);
-  loop.run(screen);
+  return WindowedGame(std::make_unique<GameScreen>(window, std::move(*picture), options));
+}
+
+void WindowedGame::play(FrameLoop& loop) {
+  screen_->go_on();
+  loop.run(*screen_);
+}
+
+bool WindowedGame::wants_inspection() const { return screen_->leave() == GameScreen::Leave::kInspect; }
+GuiLook WindowedGame::look() const { return screen_->look(); }
+const Match& WindowedGame::match() const { return screen_->match(); }
+View WindowedGame::view() const { return screen_->view(); }
+
+GameOutcome WindowedGame::outcome() {
   GameOutcome outcome;
-  outcome.inspect = screen.leave() == GameScreen::Leave::kInspect;
-  outcome.look = screen.look();
-  outcome.played = screen.played();
-  outcome.frame_seconds = screen.frame_seconds();
-  outcome.match = screen.take_match();
+  outcome.inspect = wants_inspection();
+  outcome.view = view();
+  outcome.played = screen_->played();
+  outcome.frame_seconds = screen_->frame_seconds();
+  outcome.match = screen_->take_match();
   return outcome;
 }
 
@@ -39,9 +44,11 @@ Result<GameOutcome> play(const GameOptions& options, const WindowOptions& wanted
   Window& window = **opened;
   Gui gui(window);
   FrameLoop loop(window, gui);
-  auto played = play_in(window, loop, options);
+  auto game = WindowedGame::begin(window, options);
+  if (!game) return game.error();
+  game->play(loop);
   if (!loop.fault().empty()) return bad_input(loop.fault());
-  return played;
+  return game->outcome();
 }
 
 }  // namespace kerf

@@ -5,12 +5,14 @@
 #include <optional>
 #include <vector>
 
+#include "core/document/files/scene.h"
 #include "core/game/match/match.h"
 #include "ui/window/gui_look.h"
 
 namespace kerf {
 
 class FrameLoop;
+class GameScreen;
 class Window;
 struct WindowOptions;
 
@@ -31,16 +33,33 @@ struct GameOutcome {
   std::vector<Controls> played;        // in its ticks
   std::vector<double> frame_seconds;
   bool inspect = false;  // the player wants to look at the world
-  GuiLook look;          // as the player left it
+  View view;             // of the player
 };
 
-// Writes the world of a game as a scene in a folder beside the high scores, and returns its file. Fails like
-// save_world_as_scene.
-Result<std::filesystem::path> save_inspected(const Match& match);
+// A game in a window that is open already. It may be left for a look at its world and gone on with.
+class WindowedGame {
+ public:
+  // The window must outlive it. Fails if a shader is missing or does not compile.
+  static Result<WindowedGame> begin(Window& window, const GameOptions& options);
+  ~WindowedGame();
+  WindowedGame(WindowedGame&&) noexcept;
+  WindowedGame& operator=(WindowedGame&&) noexcept;
 
-// Plays in a window that is open already, until the player leaves. Fails if a shader is missing or does not
-// compile.
-Result<GameOutcome> play_in(Window& window, FrameLoop& loop, const GameOptions& options);
+  // Plays until the player leaves; once more from there, with the menu in which he left.
+  void play(FrameLoop& loop);
+
+  // How it was left.
+  bool wants_inspection() const;
+  GuiLook look() const;
+  const Match& match() const;
+  View view() const;
+  // Precondition: it is not played any more.
+  GameOutcome outcome();
+
+ private:
+  explicit WindowedGame(std::unique_ptr<GameScreen> screen);
+  std::unique_ptr<GameScreen> screen_;
+};
 
 // Plays in a window of its own. Fails like play_in() and open_window(), and at a line of the script that is
 // wrong.

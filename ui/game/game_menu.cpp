@@ -77,6 +77,7 @@ void draw_settings(const MenuView& view) {
   ImGui::Checkbox("Aim help", &s.aim_help);
   ImGui::Checkbox("Guide at the beginning", &s.guide);
   mark_last_item("guide");
+  ImGui::Checkbox("Frames a second", &s.show_speed);
 }
 
 void draw_views(ViewOptions& look) {
@@ -133,6 +134,7 @@ MenuChoice draw_result(const MatchResult& result, MatchReplay::State replay, boo
   if (replay == Replay::kPlaying) draw_caption("The best ten seconds");
   begin_menu("Result", 0.04f);
   heading(result.won ? "Won" : result.ended ? "Time is over" : "Lost", 2.2f);
+  if (!result.ended) ImGui::Text("%s", result.why.c_str());
   ImGui::Text("Score %.0f", result.score.score);
   ImGui::Text("%zu enemies destroyed, %zu pieces cut off, %zu wheels lost, %s",
               result.score.enemies_destroyed, result.pieces, result.wheels_lost,

@@ -5,11 +5,14 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/assert.h"
 #include "core/game/match/recording.h"
 #include "ui/game/debug_keys.h"
 #include "ui/game/hud.h"
+#include "ui/game/match_words.h"
+#include "ui/window/number_text.h"
 
 namespace kerf {
 
@@ -17,9 +20,13 @@ namespace {
 
 constexpr double kLongestFrame = 0.25;  // s
 constexpr double kSlowMotion = 0.5;     // s, when an enemy falls in two
+constexpr double kAfterEnd = 3;         // s, in slow motion, until the result
 constexpr double kHardImpact = 9;       // m/s, that shakes the camera fully
 constexpr double kGuideSeconds = 14;
-constexpr double kReplayView = 50;  // degrees
+constexpr double kNoticedSpeed = 0.9;  // of real time, below which it is told
+constexpr double kFrameShare = 0.1;    // of the last frame in the average of the shown rate
+constexpr double kReplayView = 50;     // degrees
+constexpr double kSeenAhead = 8;       // m, about which the editor turns its view of the match
 
 }  // namespace
 
@@ -34,6 +41,16 @@ GameScreen::GameScreen(Window& window, MatchPicture picture, GameOptions options
   if (options_.landmarks || window.script() != nullptr)
     keep_landmarks(&landmarks_.emplace(options_.landmarks));
   start();
+}
+
+void GameScreen::go_on() {
+  leave_ = Leave::kStay;
+  if (landmarks_) keep_landmarks(&*landmarks_);
+}
+
+View GameScreen::view() const {
+  const CameraView view = camera_view();
+  return {view.eye, view.eye + kSeenAhead * view.forward};
 }
 
 GameScreen::~GameScreen() {
@@ -55,7 +72,7 @@ void GameScreen::start() {
   replay_shown_ = false;
   score_log_ = ScoreLog();
   played_.clear();
-  played_seconds_ = 0;
+  played_seconds_ = after_end_ = 0;
   guide_ = settings_.guide;
   follow_player();
   enter(State::kPlaying);
@@ -74,9 +91,9 @@ void GameScreen::enter(State state) {
   (void)write_game_settings(saved_, game_settings_file());
 }
 
-const Body& GameScreen::own_chassis() const {
-  return match_->world().body(match_->vehicles()[Match::kPlayer].chassis);
-}
+const Vehicle& GameScreen::own_vehicle() const { return match_->vehicles()[Match::kPlayer]; }
+
+const Body& GameScreen::own_chassis() const { return match_->world().body(own_vehicle().chassis); }
 
 // The bot's is that of its last controls.
 Vec3 GameScreen::aim() const {
@@ -101,15 +118,17 @@ void GameScreen::hear_key(int key) {
   switch (key) {
     case GLFW_KEY_ESCAPE:
     case GLFW_KEY_P:
-      if (state_ == State::kPlaying) return enter(State::kPaused);
-      if (state_ == State::kPaused) return enter(State::kPlaying);
-      return;
+      return escape();
     case GLFW_KEY_R:
       if (state_ != State::kPlaying) start();
       return;
     case GLFW_KEY_B:
       if (state_ == State::kOver) begin_replay();
       return;
+    case GLFW_KEY_G:
+      if (state_ != State::kPlaying || match_->standing().over() || !match_->is_disabled()) return;
+      match_->give_up();
+      return finish();
     case GLFW_KEY_C:
       camera_.viewpoint = camera_.viewpoint == Viewpoint::kRoof ? Viewpoint::kChase : Viewpoint::kRoof;
       return camera_.cut();
@@ -123,19 +142,26 @@ void GameScreen::hear_key(int key) {
   }
 }
 
+// The slow motion at the end and the replay are skipped.
+void GameScreen::escape() {
+  if (state_ == State::kPaused) return enter(State::kPlaying);
+  if (state_ == State::kPlaying) return match_->standing().over() ? finish() : enter(State::kPaused);
+  if (replay_) replay_->skip();
+}
+
 // Going on
 // --------------------------------------------------------------------------------------------------------
 
 void GameScreen::advance() {
   const double seconds = std::min<double>(ImGui::GetIO().DeltaTime, kLongestFrame);
   if (state_ == State::kPlaying) {
-    if (settings_.aim_help && !bot_) input_.help(*match_, seconds);
+    if (settings_.aim_help && !bot_) input_.help(*match_, Sight(match_->world()), seconds);
     const int ticks = clock_.advance(seconds);
-    for (int i = 0; i < ticks && !match_->standing().over(); ++i) tick();
+    for (int i = 0; i < ticks && !match_->settled(); ++i) tick();
     hud_.advance(seconds);
     played_seconds_ += seconds;
     if (played_seconds_ > kGuideSeconds) guide_ = false;
-    if (match_->standing().over() && state_ == State::kPlaying) finish();
+    if (match_->standing().over()) go_on_after_the_end(seconds);
   }
   if (state_ == State::kOver && replay_) {
     advance_replay(seconds);
@@ -146,6 +172,12 @@ void GameScreen::advance() {
     if (state_ == State::kPlaying) sounds_.advance(*match_, camera_.eye(), aim, settings_.volume);
   }
   if (options_.seconds > 0 && played_seconds_ >= options_.seconds) leave_ = Leave::kAway;
+}
+
+void GameScreen::go_on_after_the_end(double seconds) {
+  if (after_end_ == 0) clock_.slow_down(kAfterEnd);
+  after_end_ += seconds;
+  if (after_end_ > kAfterEnd || match_->settled()) finish();
 }
 
 void GameScreen::tick() {
@@ -175,6 +207,7 @@ void GameScreen::finish() {
   const Standing& standing = match_->standing();
   MatchResult result;
   result.won = standing.phase == Standing::Phase::kWon;
+  result.why = why_it_ended(*match_);
   result.wheels_lost = standing.wheels_lost;
   result.pieces = standing.pieces;
   result.score = {standing.score, match_->rules().description.name, name_of(match_->setup().difficulty),
@@ -252,15 +285,38 @@ CameraView GameScreen::camera_view() const {
   return camera_.view(aspect, settings_.field_of_view);
 }
 
+void GameScreen::outline_sighted(const std::optional<SightedPart>& part) {
+  auto& pieces = picture_.look().pieces;
+  pieces.clear();
+  if (!part) return;
+  const Body& body = match_->world().body(part->body);
+  for (uint32_t label = 0; label < body.pieces.size(); ++label) {
+    if (body.pieces[label].faces > 0) pieces[{part->body, label}].selected = true;
+  }
+}
+
+// How many pictures a second there are, where this is wanted, and always where time is slower than real.
+std::string GameScreen::words_on_speed() const {
+  std::string words;
+  if (settings_.show_speed && frame_s_ > 0) words = std::to_string(std::lround(1 / frame_s_)) + " frames/s";
+  if (clock_.speed() > kNoticedSpeed) return words;
+  return words + (words.empty() ? "" : ", ") + text_of("%.1f of real time", clock_.speed());
+}
+
 void GameScreen::draw() {
   const CameraView view = camera_view();
   if (landmarks_) landmarks_->begin_frame();
   picture_.look().tree.palette = options_.look.palette;
   const Vec2 pixels = window_.pixel_size();
   const Target whole{0, 0, 0, static_cast<int>(pixels.x), static_cast<int>(pixels.y)};
-  picture_.draw(shown(), view, whole, presets_.choose(settings_.preset));
+  const Sight sight(shown().world());
+  std::optional<SightedPart> part;
+  if (state_ != State::kOver && own_vehicle().alive) part = sighted_part(*match_, sight, aim());
+  outline_sighted(part);
+  picture_.draw(shown(), view, whole, presets_.choose(settings_.preset), resolution_.share());
   if (state_ != State::kOver)
-    draw_hud({*match_, hud_, view, aim(), input_.width(), guide_ && state_ == State::kPlaying});
+    draw_hud({*match_, hud_, view, sight, aim(), input_.width(), guide_ && state_ == State::kPlaying,
+              words_on_speed(), part});
   if (state_ == State::kPaused)
     take(draw_pause_menu({settings_, options_.look, picture_.look(), options_.from_editor}));
   if (state_ == State::kOver && result_)
@@ -280,6 +336,8 @@ std::optional<std::string> GameScreen::answer(const std::string& what) const {
 
 void GameScreen::took(const FrameTime& time) {
   presets_.took(time.whole);
+  if (presets_.choose(settings_.preset) == PicturePreset::kLow) resolution_.took(time.whole);
+  frame_s_ += kFrameShare * (time.whole - frame_s_);
   frame_seconds_.push_back(time.whole);
 }
 

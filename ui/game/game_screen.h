@@ -16,6 +16,7 @@
 #include "ui/game/match_replay.h"
 #include "ui/game/match_sounds.h"
 #include "ui/game/player_input.h"
+#include "ui/game/sighted_part.h"
 #include "ui/screen/screen.h"
 #include "ui/window/landmarks.h"
 
@@ -35,6 +36,11 @@ class GameScreen : public Screen {
   GameScreen& operator=(const GameScreen&) = delete;
 
   Leave leave() const { return leave_; }
+  // To be called before it is shown, again after it was left.
+  void go_on();
+  // Where the player sees the match from.
+  View view() const;
+  const Match& match() const { return *match_; }
   // Precondition: the screen is over; it is not to be used any more.
   std::unique_ptr<Match> take_match() { return std::move(match_); }
   // The controls of every tick since the match began.
@@ -59,13 +65,18 @@ class GameScreen : public Screen {
   void hear_key(int key);
   void tick();
   void follow_player();
+  void go_on_after_the_end(double seconds);
   void finish();
+  void escape();
   void begin_replay();
   void advance_replay(double seconds);
   // The match that is on the screen: it, or the replay of its best moment.
   const Match& shown() const;
   void take(MenuChoice choice);
   CameraView camera_view() const;
+  void outline_sighted(const std::optional<SightedPart>& part);
+  std::string words_on_speed() const;
+  const Vehicle& own_vehicle() const;
   const Body& own_chassis() const;
   Vec3 aim() const;
 
@@ -75,6 +86,7 @@ class GameScreen : public Screen {
   GameSettings settings_, saved_;
   std::optional<Difficulty> asked_difficulty_;  // see settings_to_keep
   PresetChoice presets_;
+  ResolutionChoice resolution_;
   std::unique_ptr<Match> match_;
   ScoreLog score_log_;
   std::unique_ptr<MatchReplay> replay_;  // null: there is none
@@ -91,8 +103,10 @@ class GameScreen : public Screen {
   std::vector<double> frame_seconds_;
   State state_ = State::kPlaying;
   Leave leave_ = Leave::kStay;
+  double after_end_ = 0;  // s of the player since the match was over
   bool guide_ = true;
   double played_seconds_ = 0;
+  double frame_s_ = 0;  // on average
 };
 
 }  // namespace kerf

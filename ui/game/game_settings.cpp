@@ -24,6 +24,7 @@ static void describe(KeptFields& f, GameSettings& s) {
   f.number("volume", s.volume, 0, 1);
   f.flag("aim_help", s.aim_help);
   f.flag("guide", s.guide);
+  f.flag("show_speed", s.show_speed);
   f.choice("difficulty", s.difficulty, kDifficulties);
   f.choice("preset", s.preset, kPresets);
 }

@@ -11,7 +11,7 @@ namespace kerf {
 // How much the pictures of the game cost.
 enum class PicturePreset {
   kAutomatic,  // the best one that is fast enough here
-  kLow,        // half the resolution, no shadows, no anti-aliasing
+  kLow,        // half the resolution or more (see ResolutionChoice), no shadows, no anti-aliasing
   kMedium,     // shadows, no anti-aliasing
   kHigh,       // shadows and anti-aliasing
 };
@@ -23,7 +23,8 @@ struct GameSettings {
   double field_of_view = 62;  // degrees, vertical
   double volume = 0.7;        // 0 .. 1
   bool aim_help = true;
-  bool guide = true;  // the guide is shown at the beginning of a match
+  bool guide = true;        // the guide is shown at the beginning of a match
+  bool show_speed = false;  // frames a second are shown
   Difficulty difficulty = Difficulty::kNormal;
   PicturePreset preset = PicturePreset::kAutomatic;
 

@@ -165,6 +165,10 @@ void draw_score(const HudView& view, const HudPaint& paint) {
   paint.text({paint.size().x - 1.2f * em, 3.1f * em},
              std::to_string(enemies) + (enemies == 1 ? " enemy" : " enemies"), kSecondary, 0.95f,
              Align::kRight);
+  if (!view.machine.empty()) paint.text({1.2f * em, 4.4f * em}, view.machine, kSecondary, 0.8f);
+  if (view.match.is_disabled())
+    paint.text({0.5f * paint.size().x, 0.42f * paint.size().y}, "disabled: G gives up", kBad, 1.4f,
+               Align::kMiddle);
 }
 
 // An arrow at the rim of a circle around the middle that points to a place that is not seen.
@@ -197,6 +201,8 @@ void draw_enemies(const HudView& view, const HudPaint& paint) {
       draw_arrow(view, paint, at, kBad, text);
       continue;
     }
+    const bool in_sight = view.sighted && view.sighted->vehicle == i;
+    if (in_sight || !sees_vehicle(view.match, view.sight, view.camera.eye, i)) continue;
     const auto above = on_screen(view, paint, at + Vec3(0, 1.4, 0));
     if (!above) continue;
     const float em = paint.em();
@@ -206,13 +212,43 @@ void draw_enemies(const HudView& view, const HudPaint& paint) {
   }
 }
 
+// What a beam would meet is named beside the sight, and the enemy that it belongs to is drawn at the right
+// with what it has lost.
+void draw_sighted(const HudView& view, const HudPaint& paint) {
+  if (!view.sighted) return;
+  const float em = paint.em(), height = 6 * em;
+  const Vehicle& enemy = view.match.vehicles()[view.sighted->vehicle];
+  if (const auto at = on_screen(view, paint, view.sighted->at)) {
+    const std::string distance = number(glm::distance(view.sighted->at, view.camera.eye)) + " m";
+    paint.text({at->x + 1.6f * em, at->y - 0.5f * em}, view.sighted->name, kText, 1);
+    paint.text({at->x + 1.6f * em, at->y + 0.6f * em}, distance, kSecondary, 0.8f);
+  }
+  const ImVec2 middle(paint.size().x - 4.2f * em, 5.6f * em + 0.5f * height);
+  paint.shade({middle.x - 3.2f * em, middle.y - 0.5f * height - 0.6f * em},
+              {middle.x + 3.2f * em, middle.y + 0.5f * height + 1.8f * em});
+  draw_vehicle_sketch(enemy, paint, middle, height);
+  paint.text({middle.x, middle.y + 0.5f * height + 0.4f * em}, enemy.what().name, kSecondary, 0.9f,
+             Align::kMiddle);
+}
+
+// The border of the picture on the side from where the player was hit.
 void draw_hurt(const HudView& view, const HudPaint& paint) {
   if (!(view.state.hurt() > 0)) return;
-  const ImU32 colour = HudPaint::faded(kBad, 0.28 * view.state.hurt()), none = HudPaint::faded(kBad, 0);
+  const ImU32 colour = HudPaint::faded(kBad, 0.5 * view.state.hurt()), none = HudPaint::faded(kBad, 0);
   const ImVec2 size = paint.size();
   const float wide = 4 * paint.em();
-  paint.list().AddRectFilledMultiColor({0, 0}, {wide, size.y}, colour, none, none, colour);
-  paint.list().AddRectFilledMultiColor({size.x - wide, 0}, size, none, colour, colour, none);
+  const Vec3 way = view.state.hurt_from() - view.camera.eye;
+  const double right = glm::dot(way, view.camera.right), ahead = glm::dot(way, view.camera.forward);
+  ImDrawList& list = paint.list();
+  if (std::abs(right) < std::abs(ahead)) {
+    const float y = ahead > 0 ? 0 : size.y - wide;
+    const ImU32 top = ahead > 0 ? colour : none, bottom = ahead > 0 ? none : colour;
+    list.AddRectFilledMultiColor({0, y}, {size.x, y + wide}, top, top, bottom, bottom);
+  } else {
+    const float x = right > 0 ? size.x - wide : 0;
+    const ImU32 at_left = right > 0 ? none : colour, at_right = right > 0 ? colour : none;
+    list.AddRectFilledMultiColor({x, 0}, {x + wide, size.y}, at_left, at_right, at_right, at_left);
+  }
   draw_arrow(view, paint, view.state.hurt_from(), HudPaint::faded(kBad, view.state.hurt()), "hit");
 }
 
@@ -256,6 +292,7 @@ void draw_hud(const HudView& view) {
   const HudPaint paint;
   draw_hurt(view, paint);
   draw_enemies(view, paint);
+  draw_sighted(view, paint);
   if (own(view).alive) draw_reticle(view, paint);
   draw_bars(view, paint);
   draw_own_vehicle(view, paint);

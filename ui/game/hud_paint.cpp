@@ -9,6 +9,9 @@ namespace kerf {
 
 namespace {
 
+// What a window has to hold, in the size of the text; in a smaller one the text is smaller.
+constexpr float kLeastWide = 50, kLeastHigh = 32;
+
 constexpr ImU32 kEdge = IM_COL32(8, 10, 13, 200);
 
 }  // namespace
@@ -18,8 +21,9 @@ std::string clock_text(double seconds) {
   return text_of("%d:%02d", whole / 60, whole % 60);
 }
 
-HudPaint::HudPaint()
-    : list_(*ImGui::GetBackgroundDrawList()), em_(ImGui::GetFontSize()), size_(ImGui::GetIO().DisplaySize) {}
+HudPaint::HudPaint() : list_(*ImGui::GetBackgroundDrawList()), size_(ImGui::GetIO().DisplaySize) {
+  em_ = std::min({ImGui::GetFontSize(), size_.x / kLeastWide, size_.y / kLeastHigh});
+}
 
 ImU32 HudPaint::faded(ImU32 colour, double opacity) {
   const auto alpha =

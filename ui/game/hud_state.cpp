@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ui/game/match_words.h"
+
 namespace kerf {
 
 namespace {
@@ -15,17 +17,6 @@ using Kind = Event::Kind;
 
 void begin_with_capital(std::string& text) {
   if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-}
-
-// "wheel_front_left" as "front left wheel".
-std::string wheel_name(const std::string& part) {
-  std::string name = part;
-  std::replace(name.begin(), name.end(), '_', ' ');
-  return name.starts_with("wheel ") ? name.substr(6) + " wheel" : name;
-}
-
-std::string vital_name(const VehicleDescription& what, size_t vital) {
-  return what.vitals[vital].kind == VitalDescription::Kind::kEngine ? "engine" : "driver's seat";
 }
 
 }  // namespace
@@ -79,13 +70,13 @@ void HudState::tell(const Match& match, const Event& event) {
       return;
     case Kind::kWheelLost:
       if (!what || event.part >= what->wheels.size()) return say("a wheel is off", event.points, !own);
-      return say(whose + wheel_name(what->wheels[event.part].part) + " is off", event.points, !own);
+      return say(whose + name_of_wheel(*what, event.part) + " is off", event.points, !own);
     case Kind::kTurretLost:
     case Kind::kBarrelLost:
       return say(whose + "laser is off", event.points, !own);
     case Kind::kVitalLost:
       if (!what || event.part >= what->vitals.size()) return say("a part is gone", event.points, !own);
-      return say(whose + vital_name(*what, event.part) + " is gone", event.points, !own);
+      return say(whose + name_of_vital(*what, event.part) + " is gone", event.points, !own);
     case Kind::kInHalves:
       return say(own ? "you are cut in two" : "cut in two", event.points, !own, true);
     case Kind::kKilled:
@@ -101,9 +92,10 @@ void HudState::tell(const Match& match, const Event& event) {
       return say("wave " + std::to_string(event.part + 1), 0, true, true);
     case Kind::kWaveCleared:
       return say("wave cleared", event.points, true, true);
-    case Kind::kImpact:
     case Kind::kWon:
     case Kind::kLost:
+      return say(why_it_ended(match), 0, event.kind == Kind::kWon, true);
+    case Kind::kImpact:
       return;
   }
 }

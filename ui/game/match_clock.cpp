@@ -10,6 +10,7 @@ namespace kerf {
 namespace {
 
 constexpr double kSlow = 0.25;
+constexpr double kSpeedSeconds = 0.7;  // over which the speed is averaged
 
 }  // namespace
 
@@ -22,6 +23,10 @@ int MatchClock::advance(double seconds) {
   owed_ -= due;
   const int ticks = std::min(due, kMostTicks);
   dropped_ = due - ticks;
+  if (due > 0) {
+    const double share = 1 - std::exp(-seconds / kSpeedSeconds);
+    speed_ += share * (static_cast<double>(ticks) / due - speed_);
+  }
   return ticks;
 }
 

@@ -18,11 +18,15 @@ class MatchClock {
   double slow_left() const { return slow_s_; }  // s
   // How many of the ticks that were due were dropped by the last advance().
   int dropped() const { return dropped_; }
+  // The share of the ticks that were due in the last second or so and were not dropped: below 1 the machine
+  // is too slow.
+  double speed() const { return speed_; }
 
  private:
   double owed_ = 0;    // ticks, below 1
   double slow_s_ = 0;  // left of the slow motion
   int dropped_ = 0;
+  double speed_ = 1;
 };
 
 }  // namespace kerf

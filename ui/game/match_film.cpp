@@ -47,7 +47,7 @@ Status MatchFilm::follow(const Match& match, const Controls& controls) {
   frames_.picture.follow(match);
   camera_.follow(match, aim_of(controls), kTick);
   frames_.picture.advance(match, kTick);
-  const double due = seconds_of_ticks(match.standing().ticks) * options_.frames_per_second;
+  const double due = seconds_of_ticks(match.standing().elapsed()) * options_.frames_per_second;
   while (static_cast<double>(frames_.taken) < due) {
     CameraView view = camera_.view(frames_.aspect(), kFilmedView);
     if (options_.eye && options_.target) view = look_at(*options_.eye, *options_.target, frames_.aspect());

@@ -1,6 +1,7 @@
 #include "ui/game/match_picture.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/assert.h"
 #include "ui/render/bodies/body_marks.h"
@@ -12,6 +13,9 @@ namespace {
 constexpr double kSlowPicture = 1.0 / 24;  // s
 constexpr double kFarTooSlow = 0.15;       // s
 constexpr int kWarmUp = 3, kSlowPictures = 3;
+constexpr double kFastPicture = 1.0 / 40;  // s
+constexpr int kFastPictures = 60;
+constexpr double kResolutionStep = 0.1;
 constexpr double kBiteSize = 1.4;  // of sparks, compared with those of a car in the editor
 constexpr double kBiteSeconds = 1.0 / 120;
 
@@ -64,6 +68,18 @@ void PresetChoice::took(double seconds) {
   slow_ = seen_ = 0;
 }
 
+void ResolutionChoice::took(double seconds) {
+  slow_ = seconds > kSlowPicture ? slow_ + 1 : 0;
+  fast_ = seconds < kFastPicture ? fast_ + 1 : 0;
+  if (slow_ >= kSlowPictures) {
+    share_ = std::max(kLeast, share_ - kResolutionStep);
+    slow_ = 0;
+  } else if (fast_ >= kFastPictures) {
+    share_ = std::min(1.0, share_ + kResolutionStep);
+    fast_ = 0;
+  }
+}
+
 bool draws_in_software() {
   const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
   const std::string_view renderer = name != nullptr ? name : "";
@@ -79,7 +95,9 @@ bool draws_in_software() {
 Result<MatchPicture> MatchPicture::create() {
   auto renderer = Renderer::create();
   if (!renderer) return renderer.error();
-  return MatchPicture(std::move(*renderer));
+  MatchPicture picture(std::move(*renderer));
+  picture.look_.tint_pieces = false;
+  return picture;
 }
 
 void MatchPicture::show(const Match& match) {
@@ -134,16 +152,18 @@ void MatchPicture::dress(const Match& match, PicturePreset preset) {
 }
 
 void MatchPicture::draw(const Match& match, const CameraView& view, const Target& target,
-                        PicturePreset preset) {
-  KERF_ASSERT(preset != PicturePreset::kAutomatic);
+                        PicturePreset preset, double share) {
+  KERF_ASSERT(preset != PicturePreset::kAutomatic && share > 0 && share <= 1);
   dress(match, preset);
-  if (preset != PicturePreset::kLow) return renderer_.draw(match.world(), view, look_, std::nullopt, target);
-  const gl::Framebuffer::Shape half{std::max(1, target.width / 2), std::max(1, target.height / 2), 1, false};
-  if (!small_ || !(small_->shape() == half)) small_.emplace(half);
-  renderer_.draw(match.world(), view, look_, std::nullopt, {small_->name(), 0, 0, half.width, half.height});
+  if (preset != PicturePreset::kLow || share == 1)
+    return renderer_.draw(match.world(), view, look_, std::nullopt, target);
+  const auto scaled = [&](int pixels) { return std::max(1, static_cast<int>(std::lround(share * pixels))); };
+  const gl::Framebuffer::Shape small{scaled(target.width), scaled(target.height), 1, false};
+  if (!small_ || !(small_->shape() == small)) small_.emplace(small);
+  renderer_.draw(match.world(), view, look_, std::nullopt, {small_->name(), 0, 0, small.width, small.height});
   glBindFramebuffer(GL_READ_FRAMEBUFFER, small_->name());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.framebuffer);
-  glBlitFramebuffer(0, 0, half.width, half.height, target.x, target.y, target.x + target.width,
+  glBlitFramebuffer(0, 0, small.width, small.height, target.x, target.y, target.x + target.width,
                     target.y + target.height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
   glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
 }

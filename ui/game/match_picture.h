@@ -29,6 +29,20 @@ class PresetChoice {
   int slow_ = 0, seen_ = 0;  // pictures with this preset
 };
 
+// Chooses the resolution of pictures with the lowest preset, as a share of that of the window in each
+// direction: lower where they take too long, higher where there is time left.
+class ResolutionChoice {
+ public:
+  static constexpr double kLeast = 0.5, kFirst = 0.7;
+  double share() const { return share_; }
+  // The last picture took a time (s).
+  void took(double seconds);
+
+ private:
+  double share_ = kFirst;
+  int slow_ = 0, fast_ = 0;  // pictures, one after the other
+};
+
 // Whether the current OpenGL context draws without a graphics card.
 bool draws_in_software();
 
@@ -47,8 +61,9 @@ class MatchPicture {
   // Lets time pass (s) for sparks and smoke.
   void advance(const Match& match, double seconds);
 
-  // Draws a picture. `preset` is not kAutomatic.
-  void draw(const Match& match, const CameraView& view, const Target& target, PicturePreset preset);
+  // Draws a picture. `preset` is not kAutomatic; with kLow `share` is that of a ResolutionChoice.
+  void draw(const Match& match, const CameraView& view, const Target& target, PicturePreset preset,
+            double share = 1);
 
   // The switches of the debug views.
   ViewOptions& look() { return look_; }

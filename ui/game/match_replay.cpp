@@ -7,6 +7,7 @@ namespace kerf {
 namespace {
 
 constexpr double kSlowMotionInReplay = 1.2;  // s
+constexpr double kSlowEnd = 3;               // s, of what comes after the match
 
 }  // namespace
 
@@ -25,7 +26,7 @@ MatchReplay::State MatchReplay::state() {
     if (prepared_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return State::kPreparing;
     match_ = prepared_.get();
   }
-  const bool over = match_->standing().ticks >= to_ || match_->standing().over();
+  const bool over = skipped_ || match_->standing().elapsed() >= to_ || match_->settled();
   return over ? State::kOver : State::kPlaying;
 }
 
@@ -34,7 +35,9 @@ int MatchReplay::due(double seconds) { return clock_.advance(seconds); }
 void MatchReplay::tick() {
   KERF_ASSERT(match_);
   if (state() == State::kOver) return;
-  match_->tick(controls_[static_cast<size_t>(match_->standing().ticks)]);
+  const bool was_over = match_->standing().over();
+  match_->tick(controls_[static_cast<size_t>(match_->standing().elapsed())]);
+  if (!was_over && match_->standing().over()) clock_.slow_down(kSlowEnd);
   for (const Event& event : match_->events()) {
     const bool enemy = event.vehicle != Match::kPlayer;
     if (event.kind == Event::Kind::kInHalves && enemy) clock_.slow_down(kSlowMotionInReplay);

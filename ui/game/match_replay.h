@@ -38,11 +38,14 @@ class MatchReplay {
   bool is_slow() const { return clock_.is_slow(); }
   // Advances by a tick. Does nothing once it is over.
   void tick();
+  // It is over.
+  void skip() { skipped_ = true; }
   void move_camera(double seconds) { camera_.follow(*match_, seconds); }
 
  private:
   std::vector<Controls> controls_;
   Ticks to_;
+  bool skipped_ = false;
   std::atomic<bool> stopped_ = false;
   std::future<std::unique_ptr<Match>> prepared_;
   std::unique_ptr<Match> match_;  // null while it is prepared

@@ -7,6 +7,7 @@
 
 #include "core/base/angle.h"
 #include "core/base/assert.h"
+#include "ui/game/sighted_part.h"
 
 namespace kerf {
 
@@ -85,7 +86,7 @@ void PlayerInput::turn(double left, double up) {
   pitch_ = std::clamp(pitch_ + up, pitch_limits_.low, pitch_limits_.high);
 }
 
-void PlayerInput::help(const Match& match, double seconds) {
+void PlayerInput::help(const Match& match, const Sight& sight, double seconds) {
   const Vehicle& own = match.vehicles()[Match::kPlayer];
   const Placement& chassis = match.world().body(own.chassis).placement;
   const Vec3 eye = chassis.to_world(own.what().turret.barrel.pivot), aim = direction(chassis);
@@ -99,7 +100,7 @@ void PlayerInput::help(const Match& match, double seconds) {
     const double aside = wrapped(heading_of(way) - heading_of(aim)),
                  rise = pitch_of(way / distance) - pitch_of(aim);
     const double off = glm::length(Vec2(aside, rise));
-    if (off >= nearest) continue;
+    if (off >= nearest || !sees_vehicle(match, sight, eye, i)) continue;
     nearest = off;
     left = aside;
     up = rise;

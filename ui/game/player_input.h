@@ -24,8 +24,9 @@ class PlayerInput {
   // Turns the aim by these angles (rad), within the limits of the vehicle.
   void turn(double left, double up);
 
-  // Turns the aim slowly towards an enemy that is nearly aimed at, for a time (s).
-  void help(const Match& match, double seconds);
+  // Turns the aim slowly towards an enemy that is nearly aimed at and behind no wall, for a time (s). `sight`
+  // is of the world of the match.
+  void help(const Match& match, const Sight& sight, double seconds);
 
   // The limits of the turret and the barrel of the vehicle that is aimed with (rad), each the lower one
   // first.

@@ -17,6 +17,8 @@ constexpr double kTurn = 0.16;                  // rad/s
 constexpr double kMiddleRate = 3;               // 1/s, at which the middle is followed
 constexpr double kPatience = 0.5;               // s that a vehicle may be hidden
 constexpr int kAngles = 24;
+constexpr double kEyeClearance = 0.4;   // m, of the eye from what is behind it
+constexpr double kLeastDistance = 1.5;  // m, of the eye from what it watches
 
 Vec3 middle_of(const Match& match, size_t vehicle) {
   return match.world().body(match.vehicles()[vehicle].chassis).placement.to_world({0, kChassisMiddle, 0});
@@ -70,6 +72,21 @@ ReplayCamera::Stand ReplayCamera::best_stand(const Match& match, const Sight& si
   return best;
 }
 
+// What is watched does not stand in the way of being watched.
+Vec3 ReplayCamera::free_eye(const Match& match, const Sight& sight) const {
+  const Vec3 way = eye_ - middle_;
+  const double length = glm::length(way);
+  if (!(length > kLeastDistance)) return eye_;
+  const auto stops = [&](BodyId id) {
+    const size_t vehicle = match.vehicle_of(id);
+    const bool watched = vehicle == other_ || vehicle == Match::kPlayer;
+    return match.is_wall(id) || (vehicle != Event::kNobody && !watched);
+  };
+  const auto hit = sight.nearest({middle_, way / length}, length + kEyeClearance, stops);
+  if (!hit) return eye_;
+  return middle_ + way / length * std::max(kLeastDistance, hit->length - kEyeClearance);
+}
+
 void ReplayCamera::stand_at_best(const Match& match, const Sight& sight, const Aim& aim) {
   stand_ = best_stand(match, sight, aim);
   middle_ = aim.middle;
@@ -86,17 +103,20 @@ void ReplayCamera::follow(const Match& match, double seconds) {
   stand_.angle += kTurn * seconds;
   middle_ += (aim.middle - middle_) * share;
   eye_ = glm::mix(eye_, eye_at({middle_, aim.distance}, stand_), share);
+  free_eye_ = free_eye(match, sight);
   const int hidden = hidden_from(match, sight, eye_);
   hidden_s_ = hidden > 0 ? hidden_s_ + seconds : 0;
   if (hidden_s_ < kPatience) return;
   hidden_s_ = 0;
   const Stand better = best_stand(match, sight, aim);
-  if (hidden_from(match, sight, eye_at(aim, better)) < hidden) stand_at_best(match, sight, aim);
+  if (hidden_from(match, sight, eye_at(aim, better)) >= hidden) return;
+  stand_at_best(match, sight, aim);
+  free_eye_ = free_eye(match, sight);
 }
 
 CameraView ReplayCamera::view(double aspect, double field_of_view) const {
-  const Vec3 right = look_at(eye_, middle_, aspect).right;
-  CameraView view = look_at(eye_, middle_ - right * (aside_ * glm::length(middle_ - eye_)), aspect);
+  const Vec3 right = look_at(free_eye_, middle_, aspect).right;
+  CameraView view = look_at(free_eye_, middle_ - right * (aside_ * glm::length(middle_ - free_eye_)), aspect);
   view.tan_half_fov = std::tan(0.5 * field_of_view * kPi / 180);
   return view;
 }

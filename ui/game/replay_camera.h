@@ -6,7 +6,7 @@
 namespace kerf {
 
 // The camera of a replay: it stands outside, keeps the player's vehicle and another one in the picture, and
-// circles slowly around them.
+// circles slowly around them. It stays on this side of walls and of other vehicles.
 class ReplayCamera {
  public:
   // Watches the player's vehicle and `other`, an index of Match::vehicles(). What it looks at is right of the
@@ -17,7 +17,7 @@ class ReplayCamera {
   void follow(const Match& match, double seconds);
   // `field_of_view` is vertical, in degrees.
   CameraView view(double aspect, double field_of_view) const;
-  const Vec3& eye() const { return eye_; }
+  const Vec3& eye() const { return free_eye_; }
 
  private:
   struct Aim {
@@ -34,6 +34,7 @@ class ReplayCamera {
   static Vec3 eye_at(const Aim& aim, const Stand& stand);
   // How badly a place sees the vehicles: 0 if it sees both.
   int hidden_from(const Match& match, const Sight& sight, const Vec3& eye) const;
+  Vec3 free_eye(const Match& match, const Sight& sight) const;
   void stand_at_best(const Match& match, const Sight& sight, const Aim& aim);
   Stand best_stand(const Match& match, const Sight& sight, const Aim& aim) const;
 
@@ -43,6 +44,7 @@ class ReplayCamera {
   Stand stand_;
   double hidden_s_ = 0;  // for how long a vehicle has been hidden
   Vec3 middle_{0}, eye_{0};
+  Vec3 free_eye_{0};  // m, the eye, or nearer to the middle where something is in between
 };
 
 }  // namespace kerf

@@ -195,7 +195,7 @@ void Renderer::set_up(const World& world, const CameraView& view, const ViewOpti
     KERF_ASSERT(is_unit(normal));
     frame.section = -glm::vec4(glm::vec3(normal), space_.length(section->height_of(space_.eye)));
   }
-  const int colours = options.show.sizes ? 2 : options.show.pieces ? 1 : 0;
+  const int colours = options.show.sizes ? 2 : options.show.pieces ? 1 : options.tint_pieces ? 0 : -1;
   frame.body_look = {finest_, colours, options.two_sided ? 1 : 0,
                      options.show.heat ? end_of_heat_scale(world) : 0};
   if (options.scalar) {

@@ -57,15 +57,15 @@ PictureMemory LivePicture::memory() const {
 }
 
 bool LivePicture::draw(const Shot& first, const Shot* second, PictureChange change, const Window& window,
-                       ShadowFigures& figures) {
-  const ShadowFigures before = figures;
-  const bool drawn = draw_shots(first, second, change, window, figures);
-  figures_new_ = figures != before;
+                       ShadowStatistics& statistics) {
+  const ShadowStatistics before = statistics;
+  const bool drawn = draw_shots(first, second, change, window, statistics);
+  statistics_new_ = statistics != before;
   return drawn;
 }
 
 bool LivePicture::draw_shots(const Shot& first, const Shot* second, PictureChange change,
-                             const Window& window, ShadowFigures& figures) {
+                             const Window& window, ShadowStatistics& statistics) {
   if (!second_) second = nullptr;
   const Target target = target_of(first.area, window);
   if (first_.renderer.is_sending()) {
@@ -86,9 +86,9 @@ bool LivePicture::draw_shots(const Shot& first, const Shot* second, PictureChang
                         (second != nullptr && !show_again(*second_, target_of(second->area, window)))));
   if (anew) draw_anew(first, second, window);
   if (more) gather(first, second, window);
-  if (anew) figures.differing = differing_pixels(first);
+  if (anew) statistics.differing = differing_pixels(first);
   traced_.work(first.world, first.look, first_.renderer, first.view, target,
-               anew && change != PictureChange::kHeat, rest_.shapes_rest() && !is_gathering(), figures);
+               anew && change != PictureChange::kHeat, rest_.shapes_rest() && !is_gathering(), statistics);
   dead_beam_ = beam_shown_ && !first.beam;
   return anew || more;
 }

@@ -7,7 +7,7 @@
 #include "ui/render/passes/gathered_picture.h"
 #include "ui/render/renderer.h"
 #include "ui/screen/picture_rest.h"
-#include "ui/screen/shadow_figures.h"
+#include "ui/screen/shadow_statistics.h"
 #include "ui/screen/traced_shadows.h"
 #include "ui/window/layout.h"
 #include "ui/window/window.h"
@@ -46,10 +46,10 @@ class LivePicture {
   // Draws one picture, or two if `second` is not null and second() was called before. Returns whether
   // anything was redrawn; then took() has to be called with the duration of the frame (s).
   bool draw(const Shot& first, const Shot* second, PictureChange change, const Window& window,
-            ShadowFigures& figures);
+            ShadowStatistics& statistics);
   void took(double seconds);
   // Whether another frame is needed although nothing moves.
-  bool busy() const { return traced_.busy() || is_gathering() || heat_pictures_ > 0 || figures_new_; }
+  bool busy() const { return traced_.busy() || is_gathering() || heat_pictures_ > 0 || statistics_new_; }
   // The duration of the last frame with a new picture; 0 before the second one, because the first one
   // includes warming up.
   double seconds() const { return seconds_; }
@@ -86,7 +86,7 @@ class LivePicture {
     return quality_ == Quality::kGathered && !first_.gathered.complete() && may_gather();
   }
   bool draw_shots(const Shot& first, const Shot* second, PictureChange change, const Window& window,
-                  ShadowFigures& figures);
+                  ShadowStatistics& statistics);
   bool pass_over(const Shot& first, PictureChange change);
   std::optional<size_t> differing_pixels(const Shot& shot) const;
   void draw_anew(const Shot& first, const Shot* second, const Window& window);
@@ -107,7 +107,7 @@ class LivePicture {
   // The durations of the last two new pictures with one sample; a change may have made one of them slow.
   std::array<double, 2> rough_seconds_{kSlowFrame, kSlowFrame};
   double seconds_ = 0;
-  bool figures_new_ = false;  // of the last picture, so that panels drawn before it do not show them
+  bool statistics_new_ = false;  // of the last picture, so that panels drawn before it do not show them
   PictureRest rest_;
 };
 

@@ -8,7 +8,7 @@ constexpr size_t kPixelsOfFrame = 6000;
 
 void TracedShadows::work(const World& world, const ViewOptions& look, Renderer& renderer,
                          const CameraView& view, const Target& target, bool fresh, bool still,
-                         ShadowFigures& figures) {
+                         ShadowStatistics& statistics) {
   const bool wanted = look.show.shadow_reference && look.shadow.inspected < look.lights.size();
   if (!wanted || fresh) traced_.reset();
   if (wanted && still && !traced_) {
@@ -18,13 +18,13 @@ void TracedShadows::work(const World& world, const ViewOptions& look, Renderer& 
                                     target.width, target.height);
   }
   waits_ = wanted && !traced_;
-  figures.traced = 0;
-  figures.wrong.reset();
+  statistics.traced = 0;
+  statistics.wrong.reset();
   if (!traced_) return;
   if (still) traced_->trace(kPixelsOfFrame);
   renderer.draw_reference(*traced_, drawn_, target);
-  figures.traced = traced_->share_done();
-  if (traced_->done()) figures.wrong = differing_pixels(drawn_, *traced_);
+  statistics.traced = traced_->share_done();
+  if (traced_->done()) statistics.wrong = differing_pixels(drawn_, *traced_);
 }
 
 }  // namespace kerf

@@ -80,6 +80,16 @@ DesktopWindow::~DesktopWindow() {
   glfwTerminate();
 }
 
+// Makes a size no larger than what the screen has for windows.
+static void fit_into_screen(int& width, int& height) {
+  GLFWmonitor* screen = glfwGetPrimaryMonitor();
+  if (screen == nullptr) return;
+  int x = 0, y = 0, wide = 0, high = 0;
+  glfwGetMonitorWorkarea(screen, &x, &y, &wide, &high);
+  if (wide > 0) width = std::min(width, wide);
+  if (high > 0) height = std::min(height, high);
+}
+
 Result<std::unique_ptr<Window>> DesktopWindow::open(int width, int height, const std::string& title) {
   glfwSetErrorCallback(nullptr);
   if (!glfwInit())
@@ -89,6 +99,7 @@ Result<std::unique_ptr<Window>> DesktopWindow::open(int width, int height, const
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+  fit_into_screen(width, height);
   GLFWwindow* window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
   if (window == nullptr) {
     glfwTerminate();

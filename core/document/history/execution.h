@@ -57,7 +57,7 @@ class Execution {
   explicit Execution(World world) : world_(std::move(world)) {}
 
   const World& world() const { return world_; }
-  // The physics of the bodies, with the contacts and figures of the last tick in which they moved.
+  // The physics of the bodies, with the contacts and statistics of the last tick in which they moved.
   const Physics& physics() const { return physics_; }
   const History& history() const { return history_; }
   History& history() { return history_; }

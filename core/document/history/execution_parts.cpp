@@ -143,7 +143,7 @@ Result<StepResult> Execution::move_bodies(size_t step, const Progress& progress)
   Result<StepResult> moved = move_under_beam(step, progress);
   if (!moved) return moved;
   all.delta.append(std::move(moved->delta));
-  all.figures.add(moved->figures);
+  all.statistics.add(moved->statistics);
   pass(1);
   keep_open(step);
   return all;
@@ -171,7 +171,7 @@ Result<StepResult> Execution::move_under_beam(size_t step, const Progress& progr
     if (!cut) return cut;
     note_cut(step, *cut);
     all.delta.append(std::move(cut->delta));
-    all.figures.add(cut->figures);
+    all.statistics.add(cut->statistics);
   }
   return all;
 }
@@ -224,7 +224,7 @@ void Execution::close_and_trim() {
 void Execution::note(size_t step, const StepResult& some) {
   history_.step(step).touch(some.delta);
   history_.step(step).note_new_pieces(world_, some.delta);
-  history_.step(step).add(some.figures);
+  history_.step(step).add(some.statistics);
 }
 
 // Bodies that touched a changed body are woken.

@@ -47,8 +47,8 @@ class HistoryStep {
   // The number of live faces that the step removed, and their area (m^2).
   size_t removed_faces() const { return sums_.removed_faces; }
   double removed_area() const { return sums_.removed_area; }  // see Delta
-  // The sum of the figures of all cut steps that executed it.
-  const StepFigures& figures() const { return sums_.figures; }
+  // The sum of the statistics of all cut steps that executed it.
+  const StepStatistics& statistics() const { return sums_.statistics; }
 
   State state() const { return state_; }
   bool waiting() const { return state_ == State::kWaiting; }
@@ -65,7 +65,7 @@ class HistoryStep {
   void add(World::Change change);
   // Notes what the step changed, from which the delta is made when the step is undone or redone.
   void touch(const Delta& delta);
-  void add(const StepFigures& figures) { sums_.figures.add(figures); }
+  void add(const StepStatistics& statistics) { sums_.statistics.add(statistics); }
   // Makes the step waiting again, after its changes were taken out of the world. Drops all records of them.
   void forget();
   // Discards the before-images. The changes stay in the world.
@@ -107,7 +107,7 @@ class HistoryStep {
     size_t bytes = 0;  // memory of the before-images
     size_t removed_faces = 0, cut_faces_kept = 0;
     double removed_area = 0;
-    StepFigures figures;
+    StepStatistics statistics;
     std::map<PieceId, uint32_t> came_off;
     std::set<PieceId> specks;
     std::map<std::string, size_t> cut_names;

@@ -54,8 +54,9 @@ size_t count_specks(const Delta& delta, const Document& document) {
 std::string sweep_words(const StageRecord& record, FileUnit unit) {
   const double way = glm::length(record.move->to.origin - record.move->from.origin);
   const std::string moves = way > 0 ? "moves by " + length_label(way, unit) : "stays";
-  return "Sweep: the origin of the beam " + moves + ", which sweeps " + count_text(record.beam.size(), "volume") +
-         " of radius " + length_label(record.beam.front().radius(), unit) + ".";
+  return "Sweep: the origin of the beam " + moves + ", which sweeps " +
+         count_text(record.beam.size(), "volume") + " of radius " +
+         length_label(record.beam.front().radius(), unit) + ".";
 }
 
 std::string separate_words(size_t pieces, size_t specks) {
@@ -117,7 +118,7 @@ Result<StepResult> SingleStep::execute(StageKind kind, const Progress* progress)
     Result<StepResult> part = document_.step_stage(progress);
     if (!part) return part;
     all->delta.append(std::move(part->delta));
-    all->figures.add(part->figures);
+    all->statistics.add(part->statistics);
   }
   return all;
 }
@@ -150,8 +151,8 @@ Result<StageRecord> SingleStep::next(const Progress* progress) {
 
 void SingleStep::note_work(const StageRecord& record) {
   constexpr size_t kOfStage = 50;  // faces that cost as much as a stage alone
-  const StepFigures& figures = record.done.figures;
-  work_ += figures.faces_made + record.done.delta.removed_faces + kOfStage;
+  const StepStatistics& statistics = record.done.statistics;
+  work_ += statistics.faces_made + record.done.delta.removed_faces + kOfStage;
   const bool after_rim = record.kind == StageKind::kCloseRim && !document_.execution().rim_is_unfinished();
   const bool between_moves = record.done.moves > 0 && !swept_;
   if (document_.waiting() == 0 || !(after_rim || (between_moves && work_ >= work_between_marks_))) return;
@@ -210,7 +211,7 @@ Outcome SingleStep::go_back_to(size_t stages, const Told& told, const Progress* 
 }
 
 std::string words(const StageRecord& record, FileUnit unit) {
-  const StepFigures& figures = record.done.figures;
+  const StepStatistics& statistics = record.done.statistics;
   switch (record.kind) {
     case StageKind::kSweep:
       return sweep_words(record, unit);
@@ -218,10 +219,10 @@ std::string words(const StageRecord& record, FileUnit unit) {
     case StageKind::kHitAgain:
       return std::string(record.kind == StageKind::kHit ? "Hit" : "Hit again, after the splits") +
              ": the beam touches " + count_text(record.hit.size(), "face") + "; the tree tested " +
-             count_text(figures.tested.boxes, "box slot") + " and " +
-             count_text(figures.tested.faces, "face") + ".";
+             count_text(statistics.tested.boxes, "box slot") + " and " +
+             count_text(statistics.tested.faces, "face") + ".";
     case StageKind::kRefine:
-      return "Refine: " + faces_were(figures.faces_made) + " made by splits." + left_words(record);
+      return "Refine: " + faces_were(statistics.faces_made) + " made by splits." + left_words(record);
     case StageKind::kRemove:
       return "Remove: " + faces_were(record.done.delta.removed_faces) + " removed." + left_words(record);
     case StageKind::kSeparate:

@@ -32,7 +32,7 @@ struct StageRecord {
   std::vector<FaceId> hit;  // of kHit and kHitAgain: the faces that the beam touches, each once
   size_t left = 0;          // faces that are left for further stages of the same kind, if there are thousands
   size_t specks = 0;        // of the pieces that came off, those that are specks
-  StepResult done;          // what the stage changed, and its figures
+  StepResult done;          // what the stage changed, and its statistics
 };
 
 // A description of the stage for the user: one sentence. `unit` is the one in which the work is shown.

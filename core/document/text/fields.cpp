@@ -216,6 +216,7 @@ void Fields::member(const char* key, Presence presence, const std::function<void
     const JsonValue value = (*in_)[key];
     Fields fields(value, pass_);
     visit(fields);
+    fields.tell_of_unknown();
   }
 }
 
@@ -237,6 +238,7 @@ void Fields::each(const char* key, const char* of_what, Presence presence, size_
       const JsonValue element = list[i];
       Fields fields(element, pass_);
       visit(i, fields);
+      fields.tell_of_unknown();
     }
   }
 }
@@ -256,6 +258,7 @@ void Fields::named(const char* key, const std::vector<std::string>& names,
       const JsonValue object = objects[item.key()];
       Fields fields(object, pass_);
       if (good()) visit(item.key(), fields);
+      fields.tell_of_unknown();
     }
   }
 }
@@ -285,6 +288,13 @@ nlohmann::json Fields::unknown() const {
   return rest;
 }
 
+void Fields::tell_of_unknown() const {
+  if (!good() || pass_.unknown_keys == nullptr) return;
+  const nlohmann::json rest = unknown();
+  for (const auto& item : rest.items())
+    pass_.unknown_keys->push_back((*in_)[item.key()].wrong("is no key that Kerf knows here").message);
+}
+
 void Fields::others(std::string& json) {
   if (!reading()) {
     const Json kept = Json::parse(json, nullptr, false);
@@ -301,19 +311,23 @@ void Fields::no_others(const std::string& wrong) {
 }
 
 Status read_text_fields(std::string_view text, const std::string& where, const std::filesystem::path& folder,
-                        const std::function<void(Fields&)>& visit) {
+                        const std::function<void(Fields&)>& visit, std::vector<std::string>* unknown_keys) {
   const auto json = parse_json(text, where);
   if (!json) return json.error();
   const JsonValue root(*json, where);
   Fields::Pass pass{folder};
+  pass.unknown_keys = unknown_keys;
   Fields fields(root, pass);
   visit(fields);
+  fields.tell_of_unknown();
   return pass.status;
 }
 
-Status read_file_fields(const std::filesystem::path& file, const std::function<void(Fields&)>& visit) {
+Status read_file_fields(const std::filesystem::path& file, const std::function<void(Fields&)>& visit,
+                        std::vector<std::string>* unknown_keys) {
   const auto text = read_text_file(file);
-  return text ? read_text_fields(*text, file.string(), file.parent_path(), visit) : Status(text.error());
+  if (!text) return text.error();
+  return read_text_fields(*text, file.string(), file.parent_path(), visit, unknown_keys);
 }
 
 Json visited_json(const std::filesystem::path& folder, const std::function<void(Fields&)>& visit) {

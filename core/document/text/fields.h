@@ -71,6 +71,8 @@ class Fields {
   struct Pass {
     const std::filesystem::path& folder;  // of the file, to which its paths are relative
     Status status = Done{};
+    // What gets a sentence for each key that no table has, such as a misspelt one; null: nothing.
+    std::vector<std::string>* unknown_keys = nullptr;
   };
   // To read from `in`, which must outlive the fields; fails where it is no object.
   Fields(const JsonValue& in, Pass& pass);
@@ -175,6 +177,9 @@ class Fields {
   void others(std::string& json);
   void no_others(const std::string& wrong);
 
+  // At the end of an object: tells of its unknown keys, where that is wanted.
+  void tell_of_unknown() const;
+
   bool good() const { return pass_.status.ok(); }
 
  private:
@@ -210,13 +215,18 @@ Status read_fields(const JsonValue& value, const std::filesystem::path& folder, 
   return pass.status;
 }
 
-// Reads a text of JSON, or a file. `where` is the name of the text in errors.
+// Reads a text of JSON, or a file. `where` is the name of the text in errors. `unknown_keys`: see
+// Fields::Pass.
 Status read_text_fields(std::string_view text, const std::string& where, const std::filesystem::path& folder,
-                        const std::function<void(Fields&)>& visit);
-Status read_file_fields(const std::filesystem::path& file, const std::function<void(Fields&)>& visit);
+                        const std::function<void(Fields&)>& visit,
+                        std::vector<std::string>* unknown_keys = nullptr);
+Status read_file_fields(const std::filesystem::path& file, const std::function<void(Fields&)>& visit,
+                        std::vector<std::string>* unknown_keys = nullptr);
 template <typename T>
-Result<T> read_described(const std::filesystem::path& file, T x = {}) {
-  const Status status = read_file_fields(file, [&](Fields& f) { describe(f, x); });
+Result<T> read_described(const std::filesystem::path& file, T x = {},
+                         std::vector<std::string>* unknown_keys = nullptr) {
+  const Status status = read_file_fields(
+      file, [&](Fields& f) { describe(f, x); }, unknown_keys);
   if (!status) return status.error();
   return x;
 }

@@ -113,17 +113,14 @@ DriverView Match::view(size_t vehicle, const Sight& sight) const {
 }
 
 void Match::tick(const Controls& player) {
-  world_.begin_tick(standing().ticks);
+  world_.begin_tick(standing().elapsed());
   tally_.begin_tick();
-  if (standing().over()) return;
+  if (standing().over()) return go_on_afterwards();
   {
     const Sight sight(world());
     if (standing().ticks % kLookAround == 0) traffic_ = find_traffic(world(), vehicles_);
     take_controls(player, sight);
-    for (Vehicle& vehicle : vehicles_) {
-      aim(world_.world(), vehicle);
-      drive(world_.world(), vehicle, sight);
-    }
+    steer_vehicles(sight);
   }
   world_.renew_colliders();
   PlacementsBefore before;
@@ -137,6 +134,42 @@ void Match::tick(const Controls& player) {
   world_.world().pass(1);
   ++tally_.standing().ticks;
   judge();
+}
+
+void Match::steer_vehicles(const Sight& sight) {
+  for (Vehicle& vehicle : vehicles_) {
+    aim(world_.world(), vehicle);
+    drive(world_.world(), vehicle, sight);
+  }
+}
+
+void Match::go_on_afterwards() {
+  if (settled()) return;
+  ++tally_.standing().aftermath;
+  for (Vehicle& vehicle : vehicles_) {
+    vehicle.gun.firing = false;
+    vehicle.controls.throttle = vehicle.controls.steer = 0;
+  }
+  steer_vehicles(Sight(world()));
+  world_.renew_colliders();
+  PlacementsBefore before;
+  move_bodies(before);
+  separate();
+  world_.cool();
+  world_.world().pass(1);
+}
+
+// With one wheel on the ground a vehicle gets nowhere.
+bool Match::is_disabled() const {
+  const Vehicle& own = vehicles_[kPlayer];
+  const auto wheels =
+      std::count_if(own.wheels.begin(), own.wheels.end(), [](const Wheel& w) { return w.attached; });
+  return own.alive && !own.gun.works() && wheels < 2;
+}
+
+void Match::give_up() {
+  KERF_ASSERT(!standing().over() && is_disabled());
+  tally_.standing().phase = Standing::Phase::kLost;
 }
 
 void Match::take_controls(const Controls& player, const Sight& sight) {
@@ -243,7 +276,7 @@ void Match::separate() {
     const size_t victim = vehicle_of(piece.from);
     const Vehicle* vehicle = victim != Event::kNobody ? &vehicles_[victim] : nullptr;
     if (vehicle) body.sheet = vehicle->what().body.sheet;
-    tally_.note_piece(piece, body, victim, vehicle);
+    if (!standing().over()) tally_.note_piece(piece, body, victim, vehicle);
   }
   world_.remove(crumbs);
 }

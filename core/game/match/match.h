@@ -40,8 +40,17 @@ class Match {
   // Goes on where a wave of a match with the same setup began. Precondition: the wave exists.
   Match(MatchSetup setup, const WaveStart& start);
 
-  // Advances by 1/120 s. Does nothing once it is over.
+  // Advances by 1/120 s. Once it is over, the world goes on for kAftermath ticks, in which nobody drives,
+  // fires or scores, so that what is in the air comes down; after that nothing happens any more.
   void tick(const Controls& player);
+  static constexpr Ticks kAftermath = 3 * kTicksPerSecond;
+  // Whether the match is over, and its world has come to its end.
+  bool settled() const { return standing().over() && standing().aftermath == kAftermath; }
+
+  // Whether the player can neither fire nor drive. Who gives up then has lost at once.
+  bool is_disabled() const;
+  // Precondition: the match is not over, and the player is disabled. A recording ends here.
+  void give_up();
 
   const Rules& rules() const { return *setup_.rules; }
   const MatchSetup& setup() const { return setup_; }
@@ -72,6 +81,8 @@ class Match {
 
  private:
   void begin_wave(size_t wave, const Placement& player);
+  void steer_vehicles(const Sight& sight);
+  void go_on_afterwards();
   void take_controls(const Controls& player, const Sight& sight);
   void take_turns();
   std::vector<Guided> guided() const;

@@ -39,14 +39,27 @@ Status read_waves(const JsonValue& value, const std::filesystem::path& folder, R
   return value.wrong("must hold no more than " + std::to_string(kMostWaves) + " waves");
 }
 
+Status check_starts(const std::filesystem::path& file, const RulesDescription& rules,
+                    const ArenaDescription& arena) {
+  for (size_t i = 0; i < rules.waves.size(); ++i) {
+    if (rules.waves[i].size() <= arena.enemies.size()) continue;
+    return bad_input(file.string() + ": /waves/" + std::to_string(i) + ": has " +
+                     std::to_string(rules.waves[i].size()) + " enemies, but " + rules.arena.string() +
+                     " has only " + std::to_string(arena.enemies.size()) + " starts for them");
+  }
+  return Done{};
+}
+
 // Loads vehicles, each file once.
 class Garage {
  public:
+  explicit Garage(std::vector<std::string>* unknown_keys) : unknown_keys_(unknown_keys) {}
+
   Result<std::shared_ptr<const VehicleModel>> vehicle(const std::filesystem::path& file,
                                                       const Progress* progress) {
     const auto known = models_.find(file.lexically_normal());
     if (known != models_.end()) return known->second;
-    auto description = read_vehicle(file);
+    auto description = read_vehicle(file, unknown_keys_);
     if (!description) return description.error();
     auto model = load_vehicle(std::move(*description), progress);
     if (!model) return model.error();
@@ -55,6 +68,7 @@ class Garage {
   }
 
  private:
+  std::vector<std::string>* unknown_keys_;
   std::map<std::filesystem::path, std::shared_ptr<const VehicleModel>> models_;
 };
 
@@ -116,15 +130,17 @@ static void describe(Fields& f, RulesDescription& rules) {
   f.object("score", rules.scores, kOptional);
 }
 
-Result<RulesDescription> read_rules(const std::filesystem::path& file) {
+Result<RulesDescription> read_rules(const std::filesystem::path& file,
+                                    std::vector<std::string>* unknown_keys) {
   RulesDescription rules;
   rules.name = file.stem().string();
   rules.skills = default_skills();
-  return read_described(file, std::move(rules));
+  return read_described(file, std::move(rules), unknown_keys);
 }
 
-Result<std::shared_ptr<const Rules>> load_rules(const std::filesystem::path& file, const Progress* progress) {
-  auto description = read_rules(file);
+Result<std::shared_ptr<const Rules>> load_rules(const std::filesystem::path& file, const Progress* progress,
+                                                std::vector<std::string>* unknown_keys) {
+  auto description = read_rules(file, unknown_keys);
   if (!description) return description.error();
   auto rules = std::make_shared<Rules>();
   rules->description = std::move(*description);
@@ -133,12 +149,13 @@ Result<std::shared_ptr<const Rules>> load_rules(const std::filesystem::path& fil
   for (const auto& wave : what.waves) vehicles += wave.size();
   ProgressShares shares(progress);
   const Progress of_arena = shares.next(0.2);
-  auto arena_description = read_arena(what.arena);
+  auto arena_description = read_arena(what.arena, unknown_keys);
   if (!arena_description) return arena_description.error();
+  if (const Status placed = check_starts(file, what, *arena_description); !placed) return placed.error();
   auto arena = load_arena(std::move(*arena_description), &of_arena);
   if (!arena) return arena.error();
   rules->arena = std::move(*arena);
-  Garage garage;
+  Garage garage(unknown_keys);
   const auto next = [&](const std::filesystem::path& name) {
     const Progress loading = shares.next(0.8 / static_cast<double>(vehicles));
     return garage.vehicle(name, &loading);

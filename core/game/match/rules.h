@@ -65,8 +65,9 @@ struct RulesDescription {
 //              "in_halves": 400, "at_a_stroke": 600}}
 //
 // Errors of aim are in degrees. Required are "arena", "player" and "waves". Bad input otherwise, with the
-// file and the JSON pointer. The other files are not read.
-Result<RulesDescription> read_rules(const std::filesystem::path& file);
+// file and the JSON pointer. The other files are not read. `unknown_keys`: see Fields::Pass.
+Result<RulesDescription> read_rules(const std::filesystem::path& file,
+                                    std::vector<std::string>* unknown_keys = nullptr);
 
 // Rules with all that they name loaded. It does not change during a match and may be used for many.
 struct Rules {
@@ -78,8 +79,10 @@ struct Rules {
 };
 
 // Reads and loads the arena and the vehicles, each file once. Fails like read_arena, load_arena, read_vehicle
-// and load_vehicle. `progress` may be null.
+// and load_vehicle, and if the arena has too few starts for a wave. `progress` may be null. `unknown_keys` of
+// all these files: see Fields::Pass.
 Result<std::shared_ptr<const Rules>> load_rules(const std::filesystem::path& file,
-                                                const Progress* progress = nullptr);
+                                                const Progress* progress = nullptr,
+                                                std::vector<std::string>* unknown_keys = nullptr);
 
 }  // namespace kerf

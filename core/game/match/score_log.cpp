@@ -10,7 +10,7 @@ namespace kerf {
 void ScoreLog::hear(const Match& match) {
   const Standing& standing = match.standing();
   if (waves_.empty() || waves_.back().standing.wave != standing.wave) waves_.push_back(match.wave_start());
-  ticks_ = standing.ticks;
+  ticks_ = standing.elapsed();
   for (const Event& event : match.events()) {
     if (event.points > 0) scored_.push_back({standing.ticks, waves_.size() - 1, event.vehicle, event.points});
   }
@@ -53,9 +53,9 @@ std::unique_ptr<Match> match_at(const MatchSetup& setup, const WaveStart& start,
                                 const std::function<bool()>& stop) {
   KERF_ASSERT(start.standing.ticks <= ticks && static_cast<size_t>(ticks) <= controls.size());
   auto match = std::make_unique<Match>(setup, start);
-  while (match->standing().ticks < ticks && !match->standing().over()) {
+  while (match->standing().elapsed() < ticks && !match->settled()) {
     if (stop()) return nullptr;
-    match->tick(controls[static_cast<size_t>(match->standing().ticks)]);
+    match->tick(controls[static_cast<size_t>(match->standing().elapsed())]);
   }
   return match;
 }

@@ -47,7 +47,8 @@ class ScoreLog {
 };
 
 // The match with this setup and these controls of its player, as it stands after `ticks` ticks, which are
-// those since the beginning of the match, or when it is over. Begins at `start`. Nothing if `stop` tells so.
+// those since the beginning of the match with those after its end, or when it is settled. Begins at `start`.
+// Nothing if `stop` tells so.
 // Precondition: start.standing.ticks <= ticks <= controls.size().
 std::unique_ptr<Match> match_at(
     const MatchSetup& setup, const WaveStart& start, std::span<const Controls> controls, Ticks ticks,

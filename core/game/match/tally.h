@@ -57,6 +57,7 @@ struct Standing {
   Phase phase = Phase::kFight;
   size_t wave = 0;       // from 0
   Ticks ticks = 0;       // since the beginning
+  Ticks aftermath = 0;   // for which the world went on after the match was over
   Ticks pause_left = 0;  // of kPause
   double score = 0;
   size_t enemies_destroyed = 0;
@@ -64,6 +65,8 @@ struct Standing {
   size_t pieces = 0;       // that came off bodies
   size_t faces_removed = 0;
   bool over() const { return phase != Phase::kFight && phase != Phase::kPause; }
+  // The age of the world of the match.
+  Ticks elapsed() const { return ticks + aftermath; }
 };
 
 // Counts what happens in a match: who cut what off whom, the points for it, and how the match stands by it.

@@ -57,15 +57,19 @@ static void describe(Fields& f, VehicleDescription& vehicle) {
   f.check(!vehicle.wheels.empty() && vehicle.wheels.size() <= 12, "wheels", "must hold 1 to 12 wheels");
   f.object("turret", vehicle.turret);
   f.list("vital", "parts", vehicle.vitals, kOptional);
+  const bool may_lack_vitals = !f.present("vital", false);
   f.check(vehicle.vitals.size() <= 8, "vital", "must hold no more than 8 parts");
+  f.check(may_lack_vitals || !vehicle.vitals.empty(), "vital",
+          "must hold one part or more; without the key a vehicle is out when little of it is left");
   f.vector("driver_eye", vehicle.driver_eye, VectorRule::kNearby, kOptional);
   f.object("engine", vehicle.engine, kOptional);
 }
 
-Result<VehicleDescription> read_vehicle(const std::filesystem::path& file) {
+Result<VehicleDescription> read_vehicle(const std::filesystem::path& file,
+                                        std::vector<std::string>* unknown_keys) {
   VehicleDescription vehicle;
   vehicle.name = file.stem().string();
-  return read_described(file, std::move(vehicle));
+  return read_described(file, std::move(vehicle), unknown_keys);
 }
 
 }  // namespace kerf

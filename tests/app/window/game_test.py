@@ -115,6 +115,11 @@ class Game(WindowTest):
         self.open_menu(editor)
         editor.click("inspect", 0.5, 0.5)
         editor.wait_for_title("scene.json - Kerf")
+        editor.press("F5")
+        editor.wait_for(lambda: "resume" in editor.landmarks()["parts"], 60, "the match is not gone on with")
+        editor.pause(1.5)
+        editor.click("leave", 0.5, 0.5)
+        editor.wait_for_title("scene.json - Kerf")
         self.assertGreater(editor.quit()["bodies"], 5)
 
 

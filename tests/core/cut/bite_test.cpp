@@ -191,10 +191,10 @@ TEST(Bite, a_step_does_no_more_than_its_bite_however_large_the_move_is) {
   for (size_t moves = 0; moves == 0; ++steps) {
     const auto result = cut_step(world, settings, {&still, 1}, unfinished);
     ASSERT_TRUE(result.ok());
-    EXPECT_LE(result->figures.faces_made, 3 * settings.bite);  // each looked at is split in four at most
+    EXPECT_LE(result->statistics.faces_made, 3 * settings.bite);  // each looked at is split in four at most
     EXPECT_LE(result->delta.removed_faces, settings.bite);
     moves = result->moves;
-    made += result->figures.faces_made;
+    made += result->statistics.faces_made;
     removed += result->delta.removed_faces;
   }
   EXPECT_GT(made, 20 * settings.bite);

@@ -252,7 +252,7 @@ TEST(CutStep, at_depth_0_takes_whole_base_faces) {
   const BeamMove still{{{0.1, 1, 0.05}, {0, -1, 0}}, {{0.1, 1, 0.05}, {0, -1, 0}}};
   const auto result = cut_whole(world, settings, {&still, 1});
   ASSERT_TRUE(result.ok());
-  EXPECT_EQ(result->figures.faces_made, 0u);
+  EXPECT_EQ(result->statistics.faces_made, 0u);
   EXPECT_EQ(result->delta.removed_faces, 1u);
 }
 
@@ -264,7 +264,7 @@ TEST(CutStep, leaves_faces_wholly_inside_the_beam_whole) {
   const BeamMove still{{{0, 1, 0}, {0, -1, 0}}, {{0, 1, 0}, {0, -1, 0}}};
   const auto result = cut_whole(world, settings, {&still, 1});
   ASSERT_TRUE(result.ok());
-  EXPECT_EQ(result->figures.faces_made, 0u);
+  EXPECT_EQ(result->statistics.faces_made, 0u);
   EXPECT_EQ(world.live_faces(), 0u);
 }
 

@@ -48,7 +48,7 @@ Cut cut(const Soup& soup, const Resolution& resolution, uint64_t seed, bool tilt
   Cut result;
   const auto stepped = run_all(document);
   EXPECT_TRUE(stepped.ok());
-  result.faces_made = stepped->figures.faces_made;
+  result.faces_made = stepped->statistics.faces_made;
   result.world = document.world();
   for (const BeamMove& m : subdivide({from, to}, kBeamRadius / 8, 2))
     result.swept.emplace_back(m.from, m.to, kBeamRadius, settings.laser.range);

@@ -28,6 +28,16 @@ TEST(MatchClock, drops_ticks_where_frames_are_too_long_and_does_not_make_up_for_
   EXPECT_LE(clock.advance(1.0 / 60), 2);
 }
 
+TEST(MatchClock, tells_which_share_of_real_time_the_machine_manages) {
+  MatchClock clock;
+  for (int i = 0; i < 200; ++i) clock.advance(1.0 / 60);
+  EXPECT_NEAR(clock.speed(), 1, 1e-9);
+  for (int i = 0; i < 50; ++i) clock.advance(0.2);  // 24 ticks are due, 8 are played
+  EXPECT_NEAR(clock.speed(), MatchClock::kMostTicks / 24.0, 0.02);
+  for (int i = 0; i < 500; ++i) clock.advance(1.0 / 60);
+  EXPECT_NEAR(clock.speed(), 1, 0.01);
+}
+
 TEST(MatchClock, runs_at_a_quarter_of_its_speed_while_it_is_slow) {
   MatchClock clock;
   clock.slow_down(0.5);

@@ -33,5 +33,20 @@ TEST(PresetChoice, obeys_a_setting) {
   EXPECT_EQ(choice.choose(PicturePreset::kHigh), PicturePreset::kHigh);
 }
 
+TEST(ResolutionChoice, goes_down_to_half_where_pictures_are_slow_and_up_to_all_where_they_are_fast) {
+  ResolutionChoice choice;
+  EXPECT_EQ(choice.share(), ResolutionChoice::kFirst);
+  for (int i = 0; i < 100; ++i) choice.took(0.1);
+  EXPECT_EQ(choice.share(), ResolutionChoice::kLeast);
+  for (int i = 0; i < 1000; ++i) choice.took(0.01);
+  EXPECT_EQ(choice.share(), 1);
+}
+
+TEST(ResolutionChoice, stays_while_single_pictures_are_slow) {
+  ResolutionChoice choice;
+  for (int i = 0; i < 200; ++i) choice.took(i % 5 == 0 ? 0.1 : 0.033);
+  EXPECT_EQ(choice.share(), ResolutionChoice::kFirst);
+}
+
 }  // namespace
 }  // namespace kerf

@@ -76,7 +76,7 @@ TEST(FollowingBodies, that_fall_sends_no_face_and_edits_neither_mesh_nor_tree) {
     EXPECT_LT(stage.document().history().last().bytes(), 100'000u);
   }
   EXPECT_EQ(stage.renderer().uploaded_bytes(), sent);
-  EXPECT_GT(stage.document().execution().physics().figures().contacts, 0u);
+  EXPECT_GT(stage.document().execution().physics().statistics().contacts, 0u);
 }
 
 // A sheet that is cut in two beside its edge, and a ball that stands by.

@@ -17,43 +17,43 @@ class TracedShadowsTest : public testing::Test {
   void frame(bool fresh, bool still) {
     const Target target{picture_.name(), 0, 0, kWidth, kHeight};
     stage_.renderer().draw(stage_.world(), view_, options_, std::nullopt, target);
-    traced_.work(stage_.world(), options_, stage_.renderer(), view_, target, fresh, still, figures_);
+    traced_.work(stage_.world(), options_, stage_.renderer(), view_, target, fresh, still, statistics_);
   }
   test::Stage stage_ = test::ball_and_ring();
   gl::Framebuffer picture_{{kWidth, kHeight, 1, false}};
   CameraView view_ = test::view_of_ball_and_ring(static_cast<double>(kWidth) / kHeight);
   ViewOptions options_;
   TracedShadows traced_;
-  ShadowFigures figures_;
+  ShadowStatistics statistics_;
 };
 
 TEST_F(TracedShadowsTest, come_in_several_frames_and_say_nothing_of_the_result_before_all_are_there) {
   frame(true, false);
-  EXPECT_EQ(figures_.traced, 0);
-  for (double before = 0; figures_.traced < 1; before = figures_.traced) {
+  EXPECT_EQ(statistics_.traced, 0);
+  for (double before = 0; statistics_.traced < 1; before = statistics_.traced) {
     EXPECT_TRUE(traced_.busy());
-    EXPECT_FALSE(figures_.wrong.has_value());
+    EXPECT_FALSE(statistics_.wrong.has_value());
     frame(false, true);
-    ASSERT_GT(figures_.traced, before);
+    ASSERT_GT(statistics_.traced, before);
   }
-  ASSERT_TRUE(figures_.wrong.has_value());
-  EXPECT_LT(*figures_.wrong, static_cast<size_t>(kWidth * kHeight / 100));
+  ASSERT_TRUE(statistics_.wrong.has_value());
+  EXPECT_LT(*statistics_.wrong, static_cast<size_t>(kWidth * kHeight / 100));
   EXPECT_FALSE(traced_.busy());
 }
 
 TEST_F(TracedShadowsTest, wait_while_the_picture_is_not_still_and_start_over_for_a_fresh_one) {
   frame(true, false);
   frame(false, true);
-  const double before = figures_.traced;
+  const double before = statistics_.traced;
   ASSERT_GT(before, 0);
   frame(false, false);
-  EXPECT_EQ(figures_.traced, before);
+  EXPECT_EQ(statistics_.traced, before);
   frame(true, false);
-  EXPECT_EQ(figures_.traced, 0);
+  EXPECT_EQ(statistics_.traced, 0);
   options_.show.shadow_reference = false;
   frame(false, true);
-  EXPECT_EQ(figures_.traced, 0);
-  EXPECT_FALSE(figures_.wrong.has_value());
+  EXPECT_EQ(statistics_.traced, 0);
+  EXPECT_FALSE(statistics_.wrong.has_value());
 }
 
 }  // namespace

@@ -111,7 +111,7 @@ void show_loaded(Workspace& on, LoadedFiles loaded) {
   say_what_was_opened(on.message, loaded);
   note_what_is_saved(work, loaded, on.view.look.lights);
   work.marks = std::move(loaded.marks);
-  on.view.picture_old = on.figures.world_changed = true;
+  on.view.picture_old = on.statistics.world_changed = true;
 }
 
 }  // namespace kerf

@@ -79,7 +79,7 @@ class GraphState {
   size_t removals() const { return removals_; }
   void set_removals(size_t faces);
 
-  // Figures of the traversal, which is over when marked() == reached().
+  // Statistics of the traversal, which is over when marked() == reached().
   size_t reached() const { return traversal_.reached(); }
   size_t total() const { return traversal_.total; }
   bool separated() const { return traversal_.separated(); }

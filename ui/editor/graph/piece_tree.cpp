@@ -6,8 +6,8 @@
 #include <map>
 
 #include "core/joints/loaded_part.h"
-#include "ui/editor/shared/figures/step_words.h"
 #include "ui/editor/shared/pieces/piece_set.h"
+#include "ui/editor/shared/statistics/step_words.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"

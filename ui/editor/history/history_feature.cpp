@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "ui/editor/shared/figures/step_words.h"
 #include "ui/editor/shared/files/file_frames.h"
 #include "ui/editor/shared/panels/panel_rows.h"
+#include "ui/editor/shared/statistics/step_words.h"
 #include "ui/window/number_format.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"

@@ -105,11 +105,11 @@ std::string smallest_angle_text(double largest_cosine) {
   return text_of("%.1f degrees", std::acos(largest_cosine) * 180 / kPi);
 }
 
-void stroke_rows(const std::optional<ShownFigures::Stroke>& stroke, FileUnit unit) {
+void stroke_rows(const std::optional<ShownStatistics::Stroke>& stroke, FileUnit unit) {
   const std::string none = "nothing is cut";
-  figure_row("Made", stroke ? grouped(stroke->figures.faces_made) : none,
+  figure_row("Made", stroke ? grouped(stroke->statistics.faces_made) : none,
              "Faces that splitting made in the last stroke.");
-  figure_row("Least angle", stroke ? smallest_angle_text(stroke->figures.largest_cosine) : none,
+  figure_row("Least angle", stroke ? smallest_angle_text(stroke->statistics.largest_cosine) : none,
              "Smallest angle of all faces that the last stroke made and left.");
   figure_row("Removed", stroke ? area_label(stroke->removed_area, unit) : none,
              "Area that the last stroke has taken away.");
@@ -291,8 +291,8 @@ void LaserFeature::draw_resolution() {
       "Moving a slider above, or that of the radius, cuts the last stroke again: the same cut, just with "
       "different parameters.");
   if (changed) cut_again_live(false);
-  figure_row("Faces", grouped(on_.figures.shown.faces), "Faces of all bodies as they stand.");
-  stroke_rows(on_.figures.shown.stroke, on_.view.frame.unit);
+  figure_row("Faces", grouped(on_.statistics.shown.faces), "Faces of all bodies as they stand.");
+  stroke_rows(on_.statistics.shown.stroke, on_.view.frame.unit);
   end_properties();
 }
 
@@ -320,7 +320,7 @@ void LaserFeature::recut(bool radius) {
   // The time that passed after the recut that is undone passes again.
   if (again) commands.insert(commands.end(), last.commands().begin() + 1, last.commands().end());
   on_.changes.change("Cut again", true, apply_all(std::move(commands)));
-  ++on_.figures.recuts;
+  ++on_.statistics.recuts;
 }
 
 // Ends the stroke that is being cut where it is, and takes back those that wait behind it.
@@ -334,7 +334,7 @@ void LaserFeature::stop_cutting() {
 void LaserFeature::follow_queue(double seconds) {
   if (!on_.changes.is_pending()) {
     progress_.follow(on_.work.document, on_.holds_back(), seconds);
-    on_.figures.shown.work = progress_.text();
+    on_.statistics.shown.work = progress_.text();
   }
   sparks_.advance(std::min(seconds, Workspace::kLongestStep), on_.beam, on_.work.document, on_.view);
 }

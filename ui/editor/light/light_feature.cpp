@@ -11,7 +11,7 @@
 #include "ui/editor/light/light_presets.h"
 #include "ui/editor/shared/panels/panel_rows.h"
 #include "ui/editor/shared/picture/shadow_methods.h"
-#include "ui/screen/shadow_figures.h"
+#include "ui/screen/shadow_statistics.h"
 #include "ui/window/number_format.h"
 #include "ui/window/number_text.h"
 #include "ui/window/property.h"
@@ -76,7 +76,7 @@ bool shadow_rows(ViewState& view) {
   return changed;
 }
 
-bool compare_rows(ViewState& view, const ShadowFigures& figures) {
+bool compare_rows(ViewState& view, const ShadowStatistics& statistics) {
   ShadowOptions& shadow = view.look.shadow;
   property("Compare");
   draw_switch(view, SwitchId::kCompare, "two methods");
@@ -84,19 +84,19 @@ bool compare_rows(ViewState& view, const ShadowFigures& figures) {
   bool changed = method_row("with", "##beside", shadow.beside);
   changed |= slider("Split", "##split", shadow.split, 0, 1, "%.2f", "Where the two meet.", 0);
   property("");
-  ImGui::TextUnformatted(figures.differing ? text_of("%zu pixels differ", *figures.differing).c_str()
-                                           : "counting the pixels that differ");
+  ImGui::TextUnformatted(statistics.differing ? text_of("%zu pixels differ", *statistics.differing).c_str()
+                                              : "counting the pixels that differ");
   tooltip("Pixels of the whole picture that are in shadow with one method and lit with the other.");
   return changed;
 }
 
-void trace_rows(ViewState& view, const ShadowFigures& figures) {
+void trace_rows(ViewState& view, const ShadowStatistics& statistics) {
   property("Rays");
   draw_switch(view, SwitchId::kTrace, "trace");
   if (!view.look.show.shadow_reference) return;
   property("");
   ImGui::TextUnformatted(
-      (figures.wrong ? text_of("%zu wrong", *figures.wrong) : tracing_text(figures)).c_str());
+      (statistics.wrong ? text_of("%zu wrong", *statistics.wrong) : tracing_text(statistics)).c_str());
 }
 
 void choose_kind(Light& light, Light::Kind kind, const World::Bounds& bounds) {
@@ -182,7 +182,7 @@ bool choose_light(ViewOptions& look, UpAxis up) {
 }
 
 // The lights and how their shadows are cast. `bounds` are those of the world.
-void draw_light_panel(ViewState& view, const World::Bounds& bounds, const ShadowFigures& figures) {
+void draw_light_panel(ViewState& view, const World::Bounds& bounds, const ShadowStatistics& statistics) {
   ViewOptions& look = view.look;
   bool changed = choose_light(look, view.camera.up_axis());
   if (begin_properties("light")) {
@@ -190,8 +190,8 @@ void draw_light_panel(ViewState& view, const World::Bounds& bounds, const Shadow
     if (look.shadow.inspected < look.lights.size())
       changed |= light_rows(look.lights[look.shadow.inspected], bounds);
     changed |= shadow_rows(view);
-    changed |= compare_rows(view, figures);
-    trace_rows(view, figures);
+    changed |= compare_rows(view, statistics);
+    trace_rows(view, statistics);
     end_properties();
   }
   if (changed) view.picture_old = true;
@@ -205,7 +205,7 @@ class LightFeature : public Feature {
 
   std::vector<Panel> panels() override {
     return {{kLightPanel, Tab::kLook, 1310, false,
-             [this] { draw_light_panel(on_.view, on_.world().bounds(), on_.figures.shadows); }}};
+             [this] { draw_light_panel(on_.view, on_.world().bounds(), on_.statistics.shadows); }}};
   }
   std::vector<ActionGroup> actions() override { return {{1300, "Light", light_actions()}}; }
   std::vector<Gesture> gestures() const override {
@@ -241,7 +241,7 @@ class LightFeature : public Feature {
       if (handle && shows_handles()) light["handle"] = {handle->x, handle->y};
       all.push_back(light);
     }
-    const auto& wrong = on_.figures.shadows.wrong;
+    const auto& wrong = on_.statistics.shadows.wrong;
     report["pixels_that_rays_have_otherwise"] =
         wrong ? nlohmann::ordered_json(*wrong) : nlohmann::ordered_json();
   }

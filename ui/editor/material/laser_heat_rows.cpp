@@ -45,9 +45,10 @@ void hold_row(bool& held) {
 
 }  // namespace
 
-std::string depth_text(const StepFigures& figures) {
-  if (figures.met_s <= 0) return "";
-  return text_of("The last stroke got %.0f %% of the way through", 100 * figures.depth_s / figures.met_s);
+std::string depth_text(const StepStatistics& statistics) {
+  if (statistics.met_s <= 0) return "";
+  return text_of("The last stroke got %.0f %% of the way through",
+                 100 * statistics.depth_s / statistics.met_s);
 }
 
 std::string forecast_text(const LaserControls& laser, const Sheet& sheet, double speed, FileUnit unit) {
@@ -102,8 +103,8 @@ void LaserHeatRows::draw(Workspace& on, const Sheet& sheet) {
   ImGui::TextWrapped("%s", forecast_text(on.laser, sheet, on.laser.planned_speed, unit).c_str());
   mark_last_item("laser forecast");
   tooltip("From the heat balance of the cut, with what is conducted into the sheet beside it.");
-  const auto& stroke = on.figures.shown.stroke;
-  const std::string depth = stroke ? depth_text(stroke->figures) : "";
+  const auto& stroke = on.statistics.shown.stroke;
+  const std::string depth = stroke ? depth_text(stroke->statistics) : "";
   if (!depth.empty()) ImGui::TextWrapped("%s", depth.c_str());
   if (on.world().energy().emitted > 0) ImGui::TextWrapped("%s", energy_text(on.world()).c_str());
   ImGui::PopStyleColor();

@@ -28,6 +28,6 @@ std::string energy_text(const World& world);
 
 // How deep the last stroke got where it was on a surface, or empty where it met none: "The last stroke got 40
 // % of the way through".
-std::string depth_text(const StepFigures& figures);
+std::string depth_text(const StepStatistics& statistics);
 
 }  // namespace kerf

@@ -6,6 +6,9 @@
 
 namespace kerf {
 
+// The key of the emitter in the head of a document.
+inline constexpr const char* kEmitterKey = "emitter";
+
 // The entry of the emitter in the head of a document: {"at": [x, y, z], "target": [x, y, z] (m), "in_shots",
 // "pace": shots/s}; null where none stands in the scene.
 nlohmann::json emitter_entry(const Emitter& emitter);

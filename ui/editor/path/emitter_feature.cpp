@@ -23,8 +23,7 @@ namespace kerf {
 
 namespace {
 
-constexpr const char* kEmitterKey = "emitter";  // in the head of a document
-constexpr double kEmitterAway = 0.35;           // diagonals of the world
+constexpr double kEmitterAway = 0.35;  // diagonals of the world
 
 class EmitterFeature : public Feature {
  public:

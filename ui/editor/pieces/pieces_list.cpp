@@ -55,7 +55,7 @@ std::string shortened(std::string text, float room) {
   return text + "...";
 }
 
-// The columns of figures are as wide as the widest figure, and the names get what is left.
+// The columns of statistics are as wide as the widest figure, and the names get what is left.
 void set_up_columns(const std::vector<PieceRow>& rows, FileUnit unit) {
   float faces = width_of("Faces"), area = width_of("Area");
   size_t all_faces = 0;
@@ -72,7 +72,7 @@ void set_up_columns(const std::vector<PieceRow>& rows, FileUnit unit) {
   ImGui::TableHeadersRow();
 }
 
-void draw_figures(size_t faces, double area, FileUnit unit) {
+void draw_statistics(size_t faces, double area, FileUnit unit) {
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(grouped(faces).c_str());
   ImGui::TableNextColumn();
@@ -192,7 +192,7 @@ void PiecesList::draw_row(Workspace& on, const PieceRow& row, bool is_folded) {
   }
   mark_last_item(("piece " + row.name).c_str());
   if (is_folded) ImGui::Unindent();
-  draw_figures(row.faces, row.area, view.frame.unit);
+  draw_statistics(row.faces, row.area, view.frame.unit);
   draw_switches(on.changes, row, look.hidden);
   ImGui::PopID();
   ImGui::PopID();
@@ -220,7 +220,7 @@ void PiecesList::draw_specks(ViewState& view, const std::vector<PieceRow>& speck
   tooltip(
       "Pieces that were smaller than an eighth of the beam's cross-section when they came off. A click lists "
       "them.");
-  draw_figures(faces, area, view.frame.unit);
+  draw_statistics(faces, area, view.frame.unit);
   if (eye_switch(true, "Leaves all specks out of the picture; the beam passes them by.")) {
     choose_only(view, specks);
     hide_chosen();

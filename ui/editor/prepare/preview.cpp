@@ -33,12 +33,12 @@ std::vector<Triangle> surface_of(const World& world, const PieceId& piece) {
   return surface;
 }
 
-void add_figures(std::span<const Triangle> surface, Preview::Figures& figures) {
-  double largest = std::cos(radians_of(figures.least_angle));
-  if (figures.faces == 0) largest = -1;
+void add_statistics(std::span<const Triangle> surface, Preview::Statistics& statistics) {
+  double largest = std::cos(radians_of(statistics.least_angle));
+  if (statistics.faces == 0) largest = -1;
   for (const Triangle& t : surface) largest = std::max(largest, largest_cosine(t));
-  figures.faces += surface.size();
-  figures.least_angle = degrees_of(std::acos(std::clamp(largest, -1.0, 1.0)));
+  statistics.faces += surface.size();
+  statistics.least_angle = degrees_of(std::acos(std::clamp(largest, -1.0, 1.0)));
 }
 
 // The sides of the faces of a piece as pairs of vertices, each once.
@@ -104,8 +104,8 @@ Result<Preview> make_preview(const World& world, std::span<const PieceRow> piece
     const Progress own = of_pieces.next(1 / static_cast<double>(pieces.size()));
     const PieceId made = named_after(outcome.delta, row.id);
     const std::vector<Triangle> old = surface_of(world, row.id), now = surface_of(document.world(), made);
-    add_figures(old, preview.before);
-    add_figures(now, preview.after);
+    add_statistics(old, preview.before);
+    add_statistics(now, preview.after);
     const auto distance = surface_distance(old, now, &own);
     if (!distance) return distance.error();
     preview.distance = std::max(preview.distance, *distance);

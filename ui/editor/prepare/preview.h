@@ -11,11 +11,11 @@ namespace kerf {
 
 // What a preparation would make of pieces, beside what they are.
 struct Preview {
-  struct Figures {
+  struct Statistics {
     size_t faces = 0;
     double least_angle = 0;  // of a face, degrees
   };
-  Figures before, after;
+  Statistics before, after;
   double distance = 0;  // m, of the two surfaces at most, both ways (see surface_distance())
   std::shared_ptr<const DrawnWire> wire;  // of what they would be; not null
 };

@@ -31,7 +31,7 @@ void draw_row(const PreviewRow& row) {
 
 std::string angle_text(double degrees) { return text_of("%.3g degrees", degrees); }
 
-void draw_figures(const Preview& preview, FileUnit unit) {
+void draw_statistics(const Preview& preview, FileUnit unit) {
   if (!ImGui::BeginTable("preview", 3, ImGuiTableFlags_SizingStretchProp)) return;
   for (const char* heading : {"", "Before", "After"}) ImGui::TableSetupColumn(heading);
   ImGui::TableNextRow();
@@ -39,7 +39,7 @@ void draw_figures(const Preview& preview, FileUnit unit) {
     ImGui::TableNextColumn();
     ImGui::TextDisabled("%s", heading);
   }
-  const Preview::Figures &before = preview.before, &after = preview.after;
+  const Preview::Statistics &before = preview.before, &after = preview.after;
   draw_row({"Faces", grouped(before.faces), grouped(after.faces), "How many faces the pieces have."});
   draw_row({"Least angle", angle_text(before.least_angle), angle_text(after.least_angle),
             "The smallest angle of all these faces."});
@@ -63,7 +63,7 @@ void draw_preview(const LivePreview& preview, const char* why_not, FileUnit unit
     ImGui::SameLine();
     ImGui::TextDisabled("%.0f %%", 100 * preview.fraction());
   }
-  if (const Preview* shown = preview.shown()) draw_figures(*shown, unit);
+  if (const Preview* shown = preview.shown()) draw_statistics(*shown, unit);
   if (!preview.fault().empty()) secondary_text(preview.fault());
 }
 

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "core/base/user_folders.h"
-#include "ui/editor/shared/figures/figures.h"
 #include "ui/editor/shared/files/file_browser.h"
 #include "ui/editor/shared/files/open_work.h"
 #include "ui/editor/shared/files/opening.h"
@@ -15,6 +14,7 @@
 #include "ui/editor/shared/laser/laser_tool.h"
 #include "ui/editor/shared/picture/view_state.h"
 #include "ui/editor/shared/settings/panel_places.h"
+#include "ui/editor/shared/statistics/statistics.h"
 #include "ui/editor/shared/user_action.h"
 #include "ui/editor/shared/world_changes.h"
 #include "ui/screen/live_picture.h"
@@ -39,7 +39,7 @@ struct Workspace {
   PanelPlaces panels{settings};
   Thumbnails thumbnails{state_folder() / "thumbnails"};
   Message message;
-  Figures figures;
+  Statistics statistics;
   FileBrowser browser;
 
   LaserControls laser;    // with which the next stroke begins

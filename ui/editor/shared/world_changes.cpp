@@ -4,9 +4,9 @@
 
 #include "core/base/assert.h"
 #include "core/document/commands/command_words.h"
-#include "ui/editor/shared/figures/step_words.h"
 #include "ui/editor/shared/long_change.h"
 #include "ui/editor/shared/pieces/piece_set.h"
+#include "ui/editor/shared/statistics/step_words.h"
 #include "ui/editor/shared/workspace.h"
 #include "ui/render/view/spread.h"
 
@@ -208,7 +208,7 @@ void WorldChanges::cut() {
   on_.cut_seconds += on_.clock->seconds() - began;
   if (!cools) on_.view.picture_old = true;
   if (cools && !on_.cools_unseen) on_.view.heat_old = true;
-  on_.figures.world_changed = true;
+  on_.statistics.world_changed = true;
 }
 
 bool WorldChanges::do_beside(const Part& part) {
@@ -231,7 +231,7 @@ bool WorldChanges::do_beside(const Part& part) {
   change.then = [this, step, prepared](const Outcome& done) {
     if (!done.ok()) return show_failed_step(done.error());
     follow_step(*step, std::move(*prepared));
-    on_.figures.world_changed = true;
+    on_.statistics.world_changed = true;
   };
   pending_ = std::move(change);
   return true;
@@ -248,7 +248,7 @@ void WorldChanges::follow_step(const StepResult& step, PreparedBodies prepared) 
     on_.view.numbers.follow(on_.work.document.world(), false, pieces_may_return(on_.work.document.history()),
                             on_.view.look.pieces);
   }
-  on_.figures.chart.note_step(step);
+  on_.statistics.chart.note_step(step);
 }
 
 // Pieces that came off become bodies when time passes.
@@ -293,7 +293,7 @@ void WorldChanges::show_change(const Delta& delta, PreparedBodies prepared) {
   on_.view.numbers.follow(world, true, pieces_may_return(on_.work.document.history()), look.pieces);
   if (on_.view.spread > 0) spread_pieces(world, on_.view.spread, look);
   followed(delta);
-  on_.view.picture_old = on_.figures.world_changed = true;
+  on_.view.picture_old = on_.statistics.world_changed = true;
 }
 
 void WorldChanges::show_world(const World& world, Renderer& renderer) const {

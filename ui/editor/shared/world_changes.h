@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "ui/editor/shared/figures/step_groups.h"
 #include "ui/editor/shared/long_change.h"
+#include "ui/editor/shared/statistics/step_groups.h"
 #include "ui/render/bodies/prepared_body.h"
 
 namespace kerf {
@@ -15,7 +15,7 @@ namespace kerf {
 class Renderer;
 struct Workspace;
 
-// Changes the open document and updates the picture, the pieces and the figures. Errors are shown in the
+// Changes the open document and updates the picture, the pieces and the statistics. Errors are shown in the
 // status bar. A change that takes too long for a frame becomes pending; no function that changes the world
 // may be called until the pending change was taken and completed.
 class WorldChanges {

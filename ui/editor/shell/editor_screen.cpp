@@ -11,7 +11,7 @@
 #include "ui/editor/shell/mouse.h"
 #include "ui/editor/shell/panel_column.h"
 #include "ui/editor/shell/popups.h"
-#include "ui/editor/shell/session_figures.h"
+#include "ui/editor/shell/session_statistics.h"
 #include "ui/editor/shell/status_bar.h"
 #include "ui/render/view/spread.h"
 #include "ui/window/imgui_vector.h"
@@ -48,7 +48,7 @@ void send(Workspace& on) {
   if (!on.window->draws() && !renderer.is_sending() && !on.cools) return;
   const size_t before = renderer.uploaded_bytes();
   renderer.catch_up(on.shown_world());
-  if (renderer.uploaded_bytes() > before) on.figures.chart.note_sent(renderer.uploaded_bytes() - before);
+  if (renderer.uploaded_bytes() > before) on.statistics.chart.note_sent(renderer.uploaded_bytes() - before);
 }
 
 }  // namespace
@@ -240,8 +240,8 @@ void EditorScreen::draw() {
   busy_frame_ = thread_.busy();
   if (busy_frame_) return busy_.draw(window_.size(), on_.view.layout.viewport, thread_);
   const double began = window_.clock().seconds();
-  if (began - figures_at_ >= kFigureSeconds) {
-    figures_at_ = began;
+  if (began - statistics_at_ >= kFigureSeconds) {
+    statistics_at_ = began;
     save_settings();
     bring_up_to_date(on_);
   }
@@ -265,8 +265,8 @@ void EditorScreen::draw_panels() {
   draw_splitters(layout, on_.settings);
   const char* hint = on_.held ? on_.held->words() : nullptr;
   for (size_t i = 0; hint == nullptr && i < features_.size(); ++i) hint = features_[i]->hint();
-  if (!on_.held && !on_.figures.shown.work.empty()) hint = on_.figures.shown.work.c_str();
-  if (draw_status_bar(layout.status, hint, on_.message, on_.figures.shown)) on_.messages_shown = true;
+  if (!on_.held && !on_.statistics.shown.work.empty()) hint = on_.statistics.shown.work.c_str();
+  if (draw_status_bar(layout.status, hint, on_.message, on_.statistics.shown)) on_.messages_shown = true;
   if (picture_.first().is_sending() && !on_.opening.loader.busy())
     draw_progress(layout.viewport, "Sending faces to the graphics card", picture_.first().sent_share(),
                   false);
@@ -284,7 +284,7 @@ void EditorScreen::draw_picture() {
   const PictureChange change = view.picture_old ? PictureChange::kAll
                                : view.heat_old  ? PictureChange::kHeat
                                                 : PictureChange::kNothing;
-  ShadowFigures& shadows = on_.figures.shadows;
+  ShadowStatistics& shadows = on_.statistics.shadows;
   if (layout.split() && on_.second != nullptr) {
     const ViewOptions look = look_of_second(view.look, view.spread, *on_.second);
     const double aspect = layout.second.size.x / layout.second.size.y;
@@ -310,15 +310,15 @@ void EditorScreen::drawn() {
 
 // Landmarks are told of after the frame, when it is known whether another one follows without input.
 void EditorScreen::took(const FrameTime& time) {
-  Figures& figures = on_.figures;
+  Statistics& statistics = on_.statistics;
   const double beside = busy_frame_ ? time.whole : time.before - picture_seconds_;
-  figures.frames.add(1000 * time.whole);
-  figures.between_pictures.add(1000 * beside);
+  statistics.frames.add(1000 * time.whole);
+  statistics.between_pictures.add(1000 * beside);
   if (busy_frame_) return;
   if (picture_.first().is_sending()) on_.view.picture_old = true;
   if (on_.cut_seconds > 0) {
-    figures.cutting_frames.add(1000 * time.whole);
-    figures.between_cutting_pictures.add(1000 * beside);
+    statistics.cutting_frames.add(1000 * time.whole);
+    statistics.between_cutting_pictures.add(1000 * beside);
   }
   if (new_picture_) picture_.took(time.whole - on_.cut_seconds);
   const ImVec2 at = ImGui::GetIO().MousePos;

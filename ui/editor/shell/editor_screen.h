@@ -75,7 +75,7 @@ class EditorScreen : public Screen {
   ChangeThread thread_;  // while it is busy the document is not touched
   BusyWindow busy_;
   std::string title_;           // of the window
-  double figures_at_ = -1;      // s, when the figures were brought up to date
+  double statistics_at_ = -1;   // s, when the statistics were brought up to date
   bool easing_ = false;         // the camera
   bool busy_frame_ = false;     // the last frame showed the busy window
   bool new_picture_ = false;    // the last frame

@@ -16,7 +16,7 @@ namespace kerf {
 
 namespace {
 
-struct Figure {
+struct Count {
   std::string text;
   float least_width;  // in sizes of the text, so that what is beside it stays where it is
   ImU32 colour;
@@ -27,47 +27,47 @@ struct Figure {
 };
 
 // "3 pieces, 84 specks".
-std::string pieces_text(const ShownFigures& shown) {
+std::string pieces_text(const ShownStatistics& shown) {
   const std::string pieces = count_text(shown.pieces, "piece");
   return shown.specks == 0 ? pieces : pieces + ", " + count_text(shown.specks, "speck");
 }
 
-std::string removed_text(const ShownFigures& shown) {
+std::string removed_text(const ShownStatistics& shown) {
   const double area = shown.stroke->removed_area;
   return area > 0 ? area_label(area, shown.unit) : "nothing";
 }
 
 // From the right; what comes first stays longest where there is no room for all.
-std::vector<Figure> figures_of(const ShownFigures& shown) {
+std::vector<Count> statistics_of(const ShownStatistics& shown) {
   std::array<char, 32> frame{};
   if (shown.frame_ms > 0) std::snprintf(frame.data(), frame.size(), "%.1f ms", shown.frame_ms);
-  std::vector<Figure> figures{{count_text(shown.faces, "face"), 6.0f, colours::text()},
-                              {pieces_text(shown), 4.4f, colours::text()},
-                              {frame.data(), 3.6f, colours::secondary()}};
-  if (!shown.time.empty()) figures.push_back({shown.time, 6.0f, colours::text()});
+  std::vector<Count> statistics{{count_text(shown.faces, "face"), 6.0f, colours::text()},
+                                {pieces_text(shown), 4.4f, colours::text()},
+                                {frame.data(), 3.6f, colours::secondary()}};
+  if (!shown.time.empty()) statistics.push_back({shown.time, 6.0f, colours::text()});
   if (shown.stroke)
-    figures.push_back({"last stroke removed " + removed_text(shown), 12.4f, colours::secondary()});
-  return figures;
+    statistics.push_back({"last stroke removed " + removed_text(shown), 12.4f, colours::secondary()});
+  return statistics;
 }
 
-// Where the figures begin.
-float draw_figures(const ShownFigures& shown, float from, float to) {
-  std::vector<Figure> figures = figures_of(shown);
+// Where the statistics begin.
+float draw_statistics(const ShownStatistics& shown, float from, float to) {
+  std::vector<Count> statistics = statistics_of(shown);
   float width = 0;
-  for (size_t i = 0; i < figures.size(); ++i) {
-    width += figures[i].width();
+  for (size_t i = 0; i < statistics.size(); ++i) {
+    width += statistics[i].width();
     if (from + width <= to) continue;
-    width -= figures[i].width();
-    figures.resize(i);
+    width -= statistics[i].width();
+    statistics.resize(i);
   }
   const float begin = to - width;
   float x = begin;
-  for (const Figure& figure : figures) {
+  for (const Count& count : statistics) {
     ImGui::SameLine(x + 1.2f * ImGui::GetFontSize());
-    ImGui::PushStyleColor(ImGuiCol_Text, figure.colour);
-    ImGui::TextUnformatted(figure.text.c_str());
+    ImGui::PushStyleColor(ImGuiCol_Text, count.colour);
+    ImGui::TextUnformatted(count.text.c_str());
     ImGui::PopStyleColor();
-    x += figure.width();
+    x += count.width();
   }
   return begin;
 }
@@ -97,12 +97,12 @@ bool draw_message(const Message& message, float from, float to) {
   return hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
 }
 
-bool draw_contents(const char* button, const Message& message, const ShownFigures& shown) {
+bool draw_contents(const char* button, const Message& message, const ShownStatistics& shown) {
   // What went wrong comes before what the button does, where there is no room for both.
   const float em = ImGui::GetFontSize(), left = ImGui::GetStyle().WindowPadding.x;
   const float end = ImGui::GetWindowWidth() - left;
   const float hint = ImGui::CalcTextSize(button).x + 1.6f * em;
-  const float right = draw_figures(shown, left + hint, end);
+  const float right = draw_statistics(shown, left + hint, end);
   const float wanted = ImGui::CalcTextSize(message.text.c_str()).x + em;
   const bool crowded = message.is_error && left + hint + wanted > right;
   if (!crowded) {
@@ -116,7 +116,7 @@ bool draw_contents(const char* button, const Message& message, const ShownFigure
 }  // namespace
 
 bool draw_status_bar(const Area& area, const char* button, const Message& message,
-                     const ShownFigures& shown) {
+                     const ShownStatistics& shown) {
   KERF_ASSERT(button != nullptr);
   ImGui::SetNextWindowPos({static_cast<float>(area.at.x), static_cast<float>(area.at.y)});
   ImGui::SetNextWindowSize({static_cast<float>(area.size.x), static_cast<float>(area.size.y)});

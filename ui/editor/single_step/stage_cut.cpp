@@ -94,7 +94,7 @@ void StageCut::go_back(size_t stages) {
 void StageCut::go_on() {
   const double began = on_.clock->seconds();
   const auto spent = [&] { return on_.clock->seconds() - began; };
-  const double budget = std::max(kStageSeconds, on_.figures.shown.frame_ms / 1000);
+  const double budget = std::max(kStageSeconds, on_.statistics.shown.frame_ms / 1000);
   const size_t before = stages_.log.done();
   while (holds_back() && wants_more() && due_ >= 1 && spent() < budget) {
     if (!next()) break;
@@ -139,7 +139,7 @@ void StageCut::show() {
     on_.beam.reach(pose);
   }
   on_.beam.find_strike(on_.work.document);
-  on_.view.picture_old = on_.figures.world_changed = true;
+  on_.view.picture_old = on_.statistics.world_changed = true;
 }
 
 }  // namespace kerf

@@ -88,7 +88,7 @@ class SplitFeature : public Feature {
 };
 
 void SplitFeature::follow_queue(double) {
-  on_.figures.shown.twin_faces = twin_.world().live_faces();
+  on_.statistics.shown.twin_faces = twin_.world().live_faces();
   if (!shown_) return;
   const Result<Renderer*> half = on_.picture->second();
   if (!half) {
@@ -100,7 +100,7 @@ void SplitFeature::follow_queue(double) {
   on_.second = &twin_.world();
   if (!anything) return;
   on_.cut_seconds += on_.clock->seconds() - began;
-  on_.view.picture_old = on_.figures.world_changed = true;
+  on_.view.picture_old = on_.statistics.world_changed = true;
 }
 
 // Returns whether anything was queued, or the world is another one.
@@ -133,7 +133,7 @@ void SplitFeature::draw_rows() {
     property("Right half");
     ImGui::Dummy({1, ImGui::GetFrameHeight()});
     if (resolution_rows(resolution_, {on_.laser.radius, on_.view.frame.unit})) on_.view.picture_old = true;
-    figure_row("Faces", grouped(on_.figures.shown.twin_faces), "Faces of all bodies in the right half.");
+    figure_row("Faces", grouped(on_.statistics.shown.twin_faces), "Faces of all bodies in the right half.");
   }
   end_properties();
 }
@@ -149,9 +149,9 @@ void SplitFeature::draw_marks(ImDrawList& list) {
       l.first,
       resolution_text(cut ? document.history().last_settings().resolution : on_.laser.resolution.of(radius),
                       unit),
-      count_text(on_.figures.shown.faces, "face"), list);
+      count_text(on_.statistics.shown.faces, "face"), list);
   draw_half_label(l.second, resolution_text(cut ? twin_.resolution() : resolution_.of(radius), unit),
-                  twin_.there() ? count_text(on_.figures.shown.twin_faces, "face")
+                  twin_.there() ? count_text(on_.statistics.shown.twin_faces, "face")
                                 : "Too large to be cut twice (more than 400 000 faces)",
                   list);
   const auto x = static_cast<float>(l.second.at.x), y = static_cast<float>(l.second.at.y);

@@ -74,7 +74,7 @@ void memory_row(const char* name, size_t bytes, size_t faces, const char* meanin
   tooltip(meaning);
 }
 
-void memory_rows(const MemoryFigures& memory, size_t faces) {
+void memory_rows(const MemoryStatistics& memory, size_t faces) {
   memory_row("Process", memory.process, faces, "All that the program holds, drivers included.");
   memory_row(
       "Meshes", memory.meshes, faces,
@@ -97,7 +97,7 @@ void memory_rows(const MemoryFigures& memory, size_t faces) {
 }
 
 // What the last steps took and changed, and where memory goes.
-void draw_statistics_panel(const StepChart& chart, const ShownFigures& shown) {
+void draw_statistics_panel(const StepChart& chart, const ShownStatistics& shown) {
   if (!begin_properties("##statistics")) return;
   stage_rows(chart);
   change_rows(chart);
@@ -110,7 +110,7 @@ class StatisticsFeature : public Feature {
   explicit StatisticsFeature(Workspace& on) : on_(on) {}
   std::vector<Panel> panels() override {
     return {{"Statistics", Tab::kLook, 1400, false,
-             [this] { draw_statistics_panel(on_.figures.chart, on_.figures.shown); }}};
+             [this] { draw_statistics_panel(on_.statistics.chart, on_.statistics.shown); }}};
   }
 
  private:

@@ -95,10 +95,10 @@ void draw_pin(Workspace& on) {
   mark_last_item("bodies pin");
 }
 
-void draw_figures(const TickFigures& figures) {
-  if (figures.bodies == 0) return;
-  ImGui::TextDisabled("%s bodies, %s awake, %s contacts", grouped(figures.bodies).c_str(),
-                      grouped(figures.awake).c_str(), grouped(figures.contacts).c_str());
+void draw_statistics(const TickStatistics& statistics) {
+  if (statistics.bodies == 0) return;
+  ImGui::TextDisabled("%s bodies, %s awake, %s contacts", grouped(statistics.bodies).c_str(),
+                      grouped(statistics.awake).c_str(), grouped(statistics.contacts).c_str());
   tooltip("What the last tick in which bodies moved found.");
 }
 
@@ -141,7 +141,7 @@ void BodiesPanel::draw(Workspace& on, PlayState& play) {
   draw_pin(on);
   for (const SwitchId id : {SwitchId::kContacts, SwitchId::kColliders, SwitchId::kCentres, SwitchId::kJoints})
     draw_switch(on.view, id);
-  draw_figures(on.work.document.execution().physics().figures());
+  draw_statistics(on.work.document.execution().physics().statistics());
 }
 
 // Whether the user has let time pass for the bodies, and that is not undone.
@@ -235,7 +235,7 @@ void TimeFeature::follow_queue(double seconds) {
   on_.cools = cooling_.flows();
   on_.plays = play_.playing;
   reached_.follow(play_.playing, on_.world().clock(), seconds);
-  on_.figures.shown.time = play_.playing ? "playing " + speed_text(play_, reached_) : "";
+  on_.statistics.shown.time = play_.playing ? "playing " + speed_text(play_, reached_) : "";
   // The picture is old wherever contacts may have changed.
   if (on_.changes.is_pending() || !on_.view.picture_old) return;
   on_.view.look.bodies =

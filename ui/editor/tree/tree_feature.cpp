@@ -71,10 +71,10 @@ void palette_row(ViewState& view, Settings& settings) {
 }
 
 // A stroke asks the tree once or a few times for each move of the beam.
-void query_rows(const ShownFigures& shown) {
+void query_rows(const ShownStatistics& shown) {
   std::string per_query = "nothing is cut", per_stroke = per_query;
   if (shown.stroke) {
-    const size_t queries = shown.stroke->figures.queries, tested = shown.stroke->figures.tested.faces;
+    const size_t queries = shown.stroke->statistics.queries, tested = shown.stroke->statistics.tested.faces;
     per_query = grouped(tested / std::max<size_t>(1, queries)) + " of " + count_text(shown.faces, "face");
     per_stroke = grouped(tested) + " in " + grouped(queries) + (queries == 1 ? " query" : " queries");
   }
@@ -87,7 +87,7 @@ void query_rows(const ShownFigures& shown) {
       "Faces that all queries of the last stroke tested. A face near the beam is tested by many of them.");
 }
 
-void figure_rows(const ShownFigures& shown) {
+void figure_rows(const ShownStatistics& shown) {
   const std::string depth = shown.tree_depth ? ", depth " + std::to_string(*shown.tree_depth) : "";
   figure_row("Nodes", grouped(shown.tree_nodes) + depth,
              "Boxes of all trees, and levels under the root of the deepest.");
@@ -95,7 +95,7 @@ void figure_rows(const ShownFigures& shown) {
 }
 
 // Which boxes of the trees are drawn, and how large the trees are.
-void draw_tree_panel(ViewState& view, const World& world, Settings& settings, const ShownFigures& shown) {
+void draw_tree_panel(ViewState& view, const World& world, Settings& settings, const ShownStatistics& shown) {
   if (!begin_properties("tree")) return;
   property("Boxes");
   draw_switch(view, SwitchId::kBoxes, "shown");
@@ -114,7 +114,7 @@ void draw_tree_panel(ViewState& view, const World& world, Settings& settings, co
 UserAction level_action(Workspace& on, const char* name, int by) {
   UserAction action =
       picture_action(on.view, name, "Levels of the tree under its root that are drawn.", [&on, by] {
-        const int all = std::max(1, on.figures.shown.tree_depth.value_or(1));
+        const int all = std::max(1, on.statistics.shown.tree_depth.value_or(1));
         int& deepest = on.view.look.tree.deepest;
         deepest = std::max(0, std::min(deepest, all) + by);
       });
@@ -139,7 +139,7 @@ class TreeFeature : public Feature {
 
   std::vector<Panel> panels() override {
     return {{"Tree", Tab::kLook, 1050, false,
-             [this] { draw_tree_panel(on_.view, on_.world(), on_.settings, on_.figures.shown); }}};
+             [this] { draw_tree_panel(on_.view, on_.world(), on_.settings, on_.statistics.shown); }}};
   }
   std::vector<ActionGroup> actions() override {
     TreeOverlay& tree = on_.view.look.tree;
@@ -152,7 +152,7 @@ class TreeFeature : public Feature {
           level_action(on_, "Boxes: one level more", 1), level_action(on_, "Boxes: one level less", -1),
           palette_action(on_)}}};
   }
-  void advance(double) override { on_.figures.depth_wanted = on_.panels.shows("Tree"); }
+  void advance(double) override { on_.statistics.depth_wanted = on_.panels.shows("Tree"); }
   void follow(const Delta&) override {
     std::optional<BodyId>& body = on_.view.look.tree.body;
     if (body && !on_.world().contains(*body)) body.reset();

@@ -41,7 +41,7 @@ Legend legend_of_counts() {
   return legend;
 }
 
-Legend legend_of_comparison(const ViewOptions& look, const ShadowFigures& shadows) {
+Legend legend_of_comparison(const ViewOptions& look, const ShadowStatistics& shadows) {
   return {"Two shadow methods",
           {sentence("left: " + std::string(method_name(look.shadow.method))),
            sentence("right: " + std::string(method_name(look.shadow.beside))),
@@ -50,7 +50,7 @@ Legend legend_of_comparison(const ViewOptions& look, const ShadowFigures& shadow
            sentence("one of them and lit with the other")}};
 }
 
-Legend legend_of_rays(const ShadowFigures& shadows) {
+Legend legend_of_rays(const ShadowStatistics& shadows) {
   return {"Shadow rays",
           {{kTracedLit, "lit"},
            {kTracedShadow, "in shadow"},
@@ -59,7 +59,7 @@ Legend legend_of_rays(const ShadowFigures& shadows) {
 }
 
 // Empty for a view without colours of its own.
-Legend legend_of(SwitchId view, const ViewOptions& look, const ShadowFigures& shadows) {
+Legend legend_of(SwitchId view, const ViewOptions& look, const ShadowStatistics& shadows) {
   switch (view) {
     case SwitchId::kSilhouette:
       return {"Silhouette: sides of the volume on an edge",
@@ -210,7 +210,7 @@ void draw_legend(const Legend& legend, ImVec2 at, ImVec2 size, ImDrawList& list)
 
 }  // namespace
 
-std::vector<Legend> legends_of(const ViewOptions& look, const ShadowFigures& shadows) {
+std::vector<Legend> legends_of(const ViewOptions& look, const ShadowStatistics& shadows) {
   std::vector<Legend> legends;
   for (const ViewSwitch& s : view_switches()) {
     if (s.get(look) == 0) continue;

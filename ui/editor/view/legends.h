@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ui/editor/shared/picture/view_state.h"
-#include "ui/screen/shadow_figures.h"
+#include "ui/screen/shadow_statistics.h"
 #include "ui/window/layout.h"
 
 namespace kerf {
@@ -23,7 +23,7 @@ struct Legend {
 };
 
 // The legends of all views with colours that are switched on, in the order of view_switches().
-std::vector<Legend> legends_of(const ViewOptions& look, const ShadowFigures& shadows);
+std::vector<Legend> legends_of(const ViewOptions& look, const ShadowStatistics& shadows);
 
 // Draws the legends one below the other, from the upper left corner of a picture downward, each as long as
 // there is room. Returns the area that they take.

@@ -160,7 +160,7 @@ class ViewFeature : public Feature {
   void draw_marks(ImDrawList& list) override {
     draw_axes_gizmo(on_.view, on_.pointer_over_picture(), list);
     on_.view.legends =
-        draw_legends(legends_of(on_.view.look, on_.figures.shadows), under_label(on_.view.layout));
+        draw_legends(legends_of(on_.view.look, on_.statistics.shadows), under_label(on_.view.layout));
   }
   void mark(Landmarks& landmarks) const override {
     for (const AxisEnd& end : axis_ends(on_.view)) landmarks.mark(name_of(end), {end.at, Vec2(0)});

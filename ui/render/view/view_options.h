@@ -102,6 +102,7 @@ struct ViewOptions {
   bool two_sided = true;    // faces are lit on both sides; otherwise the back is black
   bool cull_backs = false;  // backs are not drawn, as the paper first had it
   bool ghost = false;       // removed faces are drawn as a faint veil
+  bool tint_pieces = true;  // what was cut off has a colour of its own; otherwise it keeps its paint
   bool legends = true;      // colours of overlays are explained in the picture, by strips
   Shading shading = Shading::kByAngle;
   double mark_scale = 1;                // of numbers and lines over the picture; 1 is for a screen

@@ -58,13 +58,13 @@ void expect_same_as_steps(const Soup& soup, Random& random) {
     last = stage->kind;
     sum.moves += stage->done.moves;
     sum.delta.removed_faces += stage->done.delta.removed_faces;
-    sum.figures.add(stage->done.figures);
+    sum.statistics.add(stage->done.statistics);
   }
   expect_same_world(stepped.world(), walked.world());
   EXPECT_EQ(state_hash(stepped.world()), state_hash(walked.world()));
   EXPECT_EQ(sum.moves, all->moves);
   EXPECT_EQ(sum.delta.removed_faces, all->delta.removed_faces);
-  EXPECT_EQ(sum.figures.tested.boxes, all->figures.tested.boxes);
+  EXPECT_EQ(sum.statistics.tested.boxes, all->statistics.tested.boxes);
 }
 
 // Goes forth and back at random, and expects the same state whenever it comes to the same stage.

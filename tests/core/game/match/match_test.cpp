@@ -10,6 +10,7 @@
 #include "core/base/random.h"
 #include "core/game/match/bot_player.h"
 #include "core/game/match/recording.h"
+#include "core/game/match/score_log.h"
 #include "core/game/vehicle/vehicle_bodies.h"
 #include "core/physics/contact/rigid_frame.h"
 #include "core/world/state_hash.h"
@@ -275,6 +276,48 @@ TEST(Match, is_lost_when_the_player_has_no_time_left_and_not_before) {
   const Ticks ticks = match.standing().ticks;
   match.tick({});
   EXPECT_EQ(match.standing().ticks, ticks) << "nothing happens any more";
+}
+
+// A match in which the player's vehicle falls when it is over.
+TEST(Match, goes_on_after_its_end_until_what_is_in_the_air_has_come_down_and_then_stands_still) {
+  auto rules = waves_of_one(1, 1);
+  rules->description.times.match = 0.1;
+  WaveStart start;
+  start.player.position = {0, 2, 0};
+  Match match({rules, 1, Difficulty::kNormal}, start);
+  Controls full;
+  full.throttle = Controls::kFull;
+  full.fire = true;
+  while (!match.standing().over()) match.tick(full);
+  const Standing end = match.standing();
+  const double height = match.world().body(match.vehicles()[Match::kPlayer].chassis).placement.position.y;
+  EXPECT_GT(height, 1);
+  for (Ticks t = 0; t < Match::kAftermath; ++t) {
+    EXPECT_FALSE(match.settled());
+    match.tick(full);
+    EXPECT_FALSE(match.vehicles()[Match::kPlayer].gun.firing);
+  }
+  EXPECT_TRUE(match.settled());
+  EXPECT_LT(match.world().body(match.vehicles()[Match::kPlayer].chassis).placement.position.y, height - 1);
+  EXPECT_EQ(match.standing().ticks, end.ticks);
+  EXPECT_EQ(match.standing().score, end.score);
+  EXPECT_EQ(match.standing().pieces, end.pieces);
+  EXPECT_EQ(match.standing().phase, end.phase);
+  const uint64_t hash = state_hash(match.world());
+  match.tick(full);
+  EXPECT_EQ(state_hash(match.world()), hash);
+}
+
+TEST(Match, what_came_after_its_end_is_played_again_by_its_controls_to_the_bit) {
+  auto rules = waves_of_one(1, 1);
+  rules->description.times.match = 1.5;
+  const MatchSetup setup{rules, 5, Difficulty::kHard};
+  Match match(setup);
+  const std::vector<Controls> controls = play(match, 3);
+  ASSERT_TRUE(match.standing().over());
+  const auto again = match_at(setup, Match(setup).wave_start(), controls, controls.size());
+  EXPECT_EQ(again->standing().elapsed(), controls.size());
+  EXPECT_EQ(state_hash(again->world()), state_hash(match.world()));
 }
 
 TEST(Match, tells_when_a_wave_begins) {

@@ -13,7 +13,7 @@ class RulesOfAssets : public testing::Test {
  protected:
   RulesOfAssets() {
     test::write_text(folder_ / "arena.json", R"({"starts": {"player": {"position": [0, 0, 0]},
-      "enemies": [{"position": [0, 0, 20]}]}})");
+      "enemies": [{"position": [0, 0, 20]}, {"position": [5, 0, 20]}]}})");
   }
   static std::string vehicle(const std::string& name) {
     return "\"" + (test::checkout() / "assets/vehicles" / (name + ".json")).string() + "\"";
@@ -50,6 +50,33 @@ TEST_F(RulesOfAssets, name_a_vehicle_or_an_arena_that_is_missing) {
   const auto without_arena = load(vehicle("buggy"), "[]");
   ASSERT_FALSE(without_arena);
   EXPECT_NE(without_arena.error().message.find("arena.json"), std::string::npos);
+}
+
+TEST_F(RulesOfAssets, have_no_more_enemies_in_a_wave_than_the_arena_has_starts) {
+  const std::string buggy = vehicle("buggy");
+  const auto rules = load(buggy, "[[" + buggy + "], [" + buggy + ", " + buggy + ", " + buggy + "]]");
+  ASSERT_FALSE(rules);
+  EXPECT_NE(rules.error().message.find("/waves/1: has 3 enemies"), std::string::npos)
+      << rules.error().message;
+}
+
+TEST_F(RulesOfAssets, tell_of_keys_that_nobody_knows_wherever_they_are) {
+  test::write_text(folder_ / "arena.json", R"({"starts": {"player": {"position": [0, 0, 0], "haeding": 3},
+    "enemies": [{"position": [0, 0, 20]}]}})");
+  test::write_text(folder_ / "rules.json", R"({"arena": "arena.json", "player": )" + vehicle("buggy") +
+                                               R"(, "waves": [], "times": {"macth": 3}, "naem": "x"})");
+  std::vector<std::string> unknown;
+  ASSERT_TRUE(load_rules(folder_ / "rules.json", nullptr, &unknown));
+  ASSERT_EQ(unknown.size(), 3u);
+  EXPECT_NE(unknown[0].find("/times/macth"), std::string::npos);
+  EXPECT_NE(unknown[1].find("/naem"), std::string::npos);
+  EXPECT_NE(unknown[2].find("/starts/player/haeding"), std::string::npos);
+}
+
+TEST_F(RulesOfAssets, of_the_game_have_no_unknown_key) {
+  std::vector<std::string> unknown;
+  ASSERT_TRUE(load_rules(test::checkout() / "assets/games/standard.json", nullptr, &unknown));
+  EXPECT_TRUE(unknown.empty()) << unknown.front();
 }
 
 TEST_F(RulesOfAssets, are_not_loaded_to_the_end_where_that_is_stopped) {

@@ -28,6 +28,8 @@ TEST(VehicleFile, names_the_first_thing_that_is_wrong) {
         test::Wrong{"[-90, 90]", "[90, -90]", "/turret/yaw: must be two angles"},
         test::Wrong{"\"muzzle\": [0, 1, 1]", "\"muzzle\": [0, 1, 0]", "/turret/barrel/muzzle: must be"},
         test::Wrong{"\"kind\": \"engine\"", "\"kind\": \"radio\"", "/vital/0/kind: must be \"engine\""},
+        test::Wrong{"[{\"kind\": \"engine\", \"part\": \"engine\"}]", "[]",
+                    "/vital: must hold one part or more"},
         test::Wrong{"}]})", "}]", "this is not JSON"}}) {
     test::write_text(file, std::string(w.part) == "}]})" ? good.substr(0, good.size() - 1)
                                                          : test::with(good, w.part, w.other));

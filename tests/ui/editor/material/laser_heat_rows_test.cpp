@@ -24,13 +24,13 @@ TEST(Forecast, says_where_the_power_does_not_do_at_any_speed) {
 }
 
 TEST(DepthOfTheStroke, is_told_in_per_cent_where_the_beam_met_something) {
-  StepFigures figures;
-  EXPECT_EQ(depth_text(figures), "");
-  figures.met_s = 2;
-  figures.depth_s = 2;
-  EXPECT_EQ(depth_text(figures), "The last stroke got 100 % of the way through");
-  figures.depth_s = 0.75;
-  EXPECT_EQ(depth_text(figures), "The last stroke got 38 % of the way through");
+  StepStatistics statistics;
+  EXPECT_EQ(depth_text(statistics), "");
+  statistics.met_s = 2;
+  statistics.depth_s = 2;
+  EXPECT_EQ(depth_text(statistics), "The last stroke got 100 % of the way through");
+  statistics.depth_s = 0.75;
+  EXPECT_EQ(depth_text(statistics), "The last stroke got 38 % of the way through");
 }
 
 }  // namespace

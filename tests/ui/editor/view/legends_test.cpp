@@ -56,21 +56,21 @@ TEST(Legends, the_boxes_say_which_of_them_are_drawn) {
 TEST(Legends, the_comparison_says_what_it_counts) {
   ViewOptions look;
   look.show.shadow_compare = true;
-  ShadowFigures figures;
-  EXPECT_EQ(legends_of(look, figures).at(0).rows[2].meaning, "counting pixels that are in shadow with");
-  figures.differing = 1234;
-  EXPECT_EQ(legends_of(look, figures).at(0).rows[2].meaning, "1 234 pixels are in shadow with");
+  ShadowStatistics statistics;
+  EXPECT_EQ(legends_of(look, statistics).at(0).rows[2].meaning, "counting pixels that are in shadow with");
+  statistics.differing = 1234;
+  EXPECT_EQ(legends_of(look, statistics).at(0).rows[2].meaning, "1 234 pixels are in shadow with");
 }
 
 TEST(Legends, the_shadow_rays_say_how_far_they_are_until_their_result_is_there) {
   ViewOptions look;
   look.show.shadow_reference = true;
-  ShadowFigures figures;
-  figures.traced = 0.4;
-  EXPECT_EQ(legends_of(look, figures).at(0).rows[2].meaning, "the picture has it otherwise: tracing 40 %");
-  figures.traced = 1;
-  figures.wrong = 0;
-  EXPECT_EQ(legends_of(look, figures).at(0).rows[2].meaning, "the picture has it otherwise: 0 pixels");
+  ShadowStatistics statistics;
+  statistics.traced = 0.4;
+  EXPECT_EQ(legends_of(look, statistics).at(0).rows[2].meaning, "the picture has it otherwise: tracing 40 %");
+  statistics.traced = 1;
+  statistics.wrong = 0;
+  EXPECT_EQ(legends_of(look, statistics).at(0).rows[2].meaning, "the picture has it otherwise: 0 pixels");
 }
 
 TEST(Legends, a_stage_of_single_steps_names_the_marks_that_are_drawn) {

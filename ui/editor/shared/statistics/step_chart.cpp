@@ -1,4 +1,4 @@
-#include "ui/editor/shared/figures/step_chart.h"
+#include "ui/editor/shared/statistics/step_chart.h"
 
 #include <unistd.h>
 
@@ -8,7 +8,7 @@
 namespace kerf {
 
 void StepChart::note_step(const StepResult& step) {
-  const StepFigures& f = step.figures;
+  const StepStatistics& f = step.statistics;
   const bool cuts = step.moves > 0 || !step.delta.bodies.empty() || f.separate_s > 0;
   if (!cuts) return;  // only time passed
   size_t born = 0, gone = 0;

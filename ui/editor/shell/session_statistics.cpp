@@ -1,4 +1,4 @@
-#include "ui/editor/shell/session_figures.h"
+#include "ui/editor/shell/session_statistics.h"
 
 #include <nlohmann/json.hpp>
 
@@ -11,7 +11,7 @@ namespace kerf {
 
 namespace {
 
-nlohmann::ordered_json memory_of(const MemoryFigures& memory) {
+nlohmann::ordered_json memory_of(const MemoryStatistics& memory) {
   return {{"meshes", memory.meshes},
           {"trees", memory.trees},
           {"shading", memory.pictures.shading},
@@ -55,12 +55,12 @@ nlohmann::ordered_json times_of(const FrameStatistics& frames) {
   return {{"p50", frames.percentile(0.5)}, {"p99", frames.percentile(0.99)}, {"max", frames.longest()}};
 }
 
-nlohmann::ordered_json times_of_cutting(const Figures& figures) {
-  return {{"frames", figures.cutting_frames.frames()},
-          {"frame_ms", times_of(figures.cutting_frames)},
-          {"between_pictures_ms", times_of(figures.between_cutting_pictures)},
-          {"each_frame_ms", figures.cutting_frames.each()},
-          {"each_between_pictures_ms", figures.between_cutting_pictures.each()}};
+nlohmann::ordered_json times_of_cutting(const Statistics& statistics) {
+  return {{"frames", statistics.cutting_frames.frames()},
+          {"frame_ms", times_of(statistics.cutting_frames)},
+          {"between_pictures_ms", times_of(statistics.between_cutting_pictures)},
+          {"each_frame_ms", statistics.cutting_frames.each()},
+          {"each_between_pictures_ms", statistics.between_cutting_pictures.each()}};
 }
 
 nlohmann::ordered_json texts_of(const std::deque<Message::Said>& log) {
@@ -75,7 +75,7 @@ nlohmann::ordered_json last_stroke_of(const Document& document) {
   if (!last) return nullptr;
   const HistoryStep& step = document.history().step(*last);
   return {{"radius", document.history().last_settings().laser.radius},
-          {"faces_made", step.figures().faces_made},
+          {"faces_made", step.statistics().faces_made},
           {"faces_removed", step.removed_faces()},
           {"removed_area", step.removed_area()}};
 }
@@ -84,14 +84,14 @@ nlohmann::ordered_json last_stroke_of(const Document& document) {
 
 nlohmann::ordered_json session_report(const Workspace& on) {
   const Document& document = on.work.document;
-  const Figures& figures = on.figures;
+  const Statistics& statistics = on.statistics;
   return {
-      {"frames", figures.frames.frames()},
-      {"frame_ms", times_of(figures.frames)},
-      {"between_pictures_ms", times_of(figures.between_pictures)},
-      {"while_cutting", times_of_cutting(figures)},
+      {"frames", statistics.frames.frames()},
+      {"frame_ms", times_of(statistics.frames)},
+      {"between_pictures_ms", times_of(statistics.between_pictures)},
+      {"while_cutting", times_of_cutting(statistics)},
       {"process_bytes", process_bytes()},
-      {"memory_bytes", memory_of(figures.shown.memory)},
+      {"memory_bytes", memory_of(statistics.shown.memory)},
       {"strokes", document.history().strokes()},
       {"waiting", document.waiting()},
       {"state_hash", hash_text(state_hash(document.world()))},
@@ -101,7 +101,7 @@ nlohmann::ordered_json session_report(const Workspace& on) {
       {"last_stroke", last_stroke_of(document)},
       {"pieces", document.world().live_pieces()},
       {"specks", specks(document).size()},
-      {"recuts", figures.recuts},
+      {"recuts", statistics.recuts},
       {"bodies", bodies_with_faces(document.world()).size()},
       {"placements", placements_of(document.world())},
       {"message", on.message.text},
@@ -111,16 +111,16 @@ nlohmann::ordered_json session_report(const Workspace& on) {
 }
 
 void bring_up_to_date(Workspace& on) {
-  Figures& figures = on.figures;
-  ShownFigures& shown = figures.shown;
+  Statistics& statistics = on.statistics;
+  ShownStatistics& shown = statistics.shown;
   shown.unit = on.view.frame.unit;
   const World* as_loaded = on.work.as_loaded ? &*on.work.as_loaded : nullptr;
   shown.frame_ms = 1000 * on.picture->seconds();
-  shown.memory = memory_figures(std::array{&on.world(), on.second, as_loaded},
-                                on.work.document.history().bytes(), on.picture->memory());
-  const bool depth_missing = figures.depth_wanted && !shown.tree_depth;
-  if (!std::exchange(figures.world_changed, false) && !depth_missing) return;
-  count_world(shown, on.work.document, figures.depth_wanted);
+  shown.memory = memory_statistics(std::array{&on.world(), on.second, as_loaded},
+                                   on.work.document.history().bytes(), on.picture->memory());
+  const bool depth_missing = statistics.depth_wanted && !shown.tree_depth;
+  if (!std::exchange(statistics.world_changed, false) && !depth_missing) return;
+  count_world(shown, on.work.document, statistics.depth_wanted);
   note_stroke(shown, on.work.document);
 }
 

@@ -1,4 +1,4 @@
-#include "ui/editor/shared/figures/step_groups.h"
+#include "ui/editor/shared/statistics/step_groups.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 
 namespace kerf {
 
-// Updates the figures of the panels and the status bar.
+// Updates the statistics of the panels and the status bar.
 void bring_up_to_date(Workspace& on);
 
 // A report of the session: frame times (frames, frame_ms, between_pictures_ms, while_cutting), memory

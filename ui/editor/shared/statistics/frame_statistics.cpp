@@ -1,4 +1,4 @@
-#include "ui/editor/shared/figures/frame_statistics.h"
+#include "ui/editor/shared/statistics/frame_statistics.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ui/editor/shared/figures/figures.h"
+#include "ui/editor/shared/statistics/statistics.h"
 
 #include <algorithm>
 
@@ -10,7 +10,7 @@ namespace kerf {
 namespace {
 
 // Without parts that no cut separated, which joints hold or held.
-void count_pieces(ShownFigures& shown, const World& world, const std::set<PieceId>& specks) {
+void count_pieces(ShownStatistics& shown, const World& world, const std::set<PieceId>& specks) {
   shown.pieces = shown.specks = 0;
   for (const BodyId id : world.ids()) {
     const Body& body = world.body(id);
@@ -21,17 +21,17 @@ void count_pieces(ShownFigures& shown, const World& world, const std::set<PieceI
   }
 }
 
-void add(const World& world, MemoryFigures& figures) {
+void add(const World& world, MemoryStatistics& statistics) {
   for (const BodyId id : world.ids()) {
     const Body& body = world.body(id);
-    figures.trees += body.tree.bytes();
-    figures.meshes += body.bytes() - body.tree.bytes();
+    statistics.trees += body.tree.bytes();
+    statistics.meshes += body.bytes() - body.tree.bytes();
   }
 }
 
 }  // namespace
 
-void count_world(ShownFigures& shown, const Document& document, bool depth_shown) {
+void count_world(ShownStatistics& shown, const Document& document, bool depth_shown) {
   const World& world = document.world();
   shown.faces = world.live_faces();
   count_pieces(shown, world, specks(document));
@@ -47,30 +47,30 @@ void count_world(ShownFigures& shown, const Document& document, bool depth_shown
   }
 }
 
-void note_stroke(ShownFigures& shown, const Document& document) {
+void note_stroke(ShownStatistics& shown, const Document& document) {
   shown.stroke.reset();
   const History& history = document.history();
   if (const auto last = history.last_cut()) {
     const HistoryStep& step = history.step(*last);
-    shown.stroke = ShownFigures::Stroke{step.figures(), step.removed_area()};
+    shown.stroke = ShownStatistics::Stroke{step.statistics(), step.removed_area()};
   }
 }
 
-size_t MemoryFigures::other() const {
+size_t MemoryStatistics::other() const {
   const size_t parts = meshes + trees + pictures.shading + pictures.shadows + pictures.graphics + history;
   return process - std::min(process, parts);
 }
 
-MemoryFigures memory_figures(std::span<const World* const> worlds, size_t history,
-                             const PictureMemory& pictures) {
-  MemoryFigures figures;
-  figures.process = process_bytes();
-  figures.pictures = pictures;
-  figures.history = history;
+MemoryStatistics memory_statistics(std::span<const World* const> worlds, size_t history,
+                                   const PictureMemory& pictures) {
+  MemoryStatistics statistics;
+  statistics.process = process_bytes();
+  statistics.pictures = pictures;
+  statistics.history = history;
   for (const World* world : worlds) {
-    if (world != nullptr) add(*world, figures);
+    if (world != nullptr) add(*world, statistics);
   }
-  return figures;
+  return statistics;
 }
 
 }  // namespace kerf

@@ -1,4 +1,4 @@
-#include "ui/editor/shared/figures/step_words.h"
+#include "ui/editor/shared/statistics/step_words.h"
 
 #include <gtest/gtest.h>
 

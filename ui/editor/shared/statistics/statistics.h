@@ -8,15 +8,15 @@
 #include "core/document/history/document.h"
 #include "core/mesh/files/file_frame.h"
 #include "core/world/world.h"
-#include "ui/editor/shared/figures/frame_statistics.h"
-#include "ui/editor/shared/figures/step_chart.h"
+#include "ui/editor/shared/statistics/frame_statistics.h"
+#include "ui/editor/shared/statistics/step_chart.h"
 #include "ui/render/bodies/picture_memory.h"
-#include "ui/screen/shadow_figures.h"
+#include "ui/screen/shadow_statistics.h"
 
 namespace kerf {
 
 // The memory usage of the process, in bytes.
-struct MemoryFigures {
+struct MemoryStatistics {
   size_t process = 0;
   size_t meshes = 0, trees = 0;  // of all worlds that are held
   PictureMemory pictures;
@@ -27,14 +27,14 @@ struct MemoryFigures {
   size_t other() const;
 };
 
-// The current figures, for these worlds (entries may be null) and a history of the given size in bytes.
+// The current statistics, for these worlds (entries may be null) and a history of the given size in bytes.
 // O(bodies).
-MemoryFigures memory_figures(std::span<const World* const> worlds, size_t history,
-                             const PictureMemory& pictures);
+MemoryStatistics memory_statistics(std::span<const World* const> worlds, size_t history,
+                                   const PictureMemory& pictures);
 
-// The figures in the panels and the status bar. They are updated four times per second, so that they are
+// The statistics in the panels and the status bar. They are updated four times per second, so that they are
 // legible.
-struct ShownFigures {
+struct ShownStatistics {
   FileUnit unit = FileUnit::kMetre;  // that areas are shown in
   size_t faces = 0;
   size_t pieces = 0, specks = 0;  // specks are counted apart
@@ -44,21 +44,22 @@ struct ShownFigures {
   std::string work;  // what the beam still does after the user has let go; may be empty
   size_t tree_nodes = 0;
   std::optional<int> tree_depth;  // unknown until a panel shows it
-  MemoryFigures memory;
-  // The figures of the last stroke that was not undone, however it came into the world; nothing without one.
+  MemoryStatistics memory;
+  // The statistics of the last stroke that was not undone, however it came into the world; nothing without
+  // one.
   struct Stroke {
-    StepFigures figures;
+    StepStatistics statistics;
     double removed_area = 0;  // m^2
   };
   std::optional<Stroke> stroke;
 };
 
 // Everything that the editor counts and measures.
-struct Figures {
-  ShownFigures shown;
+struct Statistics {
+  ShownStatistics shown;
   bool world_changed = true;  // since `shown` was taken
   bool depth_wanted = false;  // of the trees
-  ShadowFigures shadows;
+  ShadowStatistics shadows;
   FrameStatistics frames;
   FrameStatistics between_pictures;  // durations of frames without drawing
   // Durations, whole and without drawing, of frames in which something was cut.
@@ -69,9 +70,9 @@ struct Figures {
 
 // Updates the counts of the world of a document for the panels. Depths of trees are computed only if they are
 // shown, because that takes O(n).
-void count_world(ShownFigures& shown, const Document& document, bool depth_shown);
+void count_world(ShownStatistics& shown, const Document& document, bool depth_shown);
 
-// Updates the figures of the last stroke.
-void note_stroke(ShownFigures& shown, const Document& document);
+// Updates the statistics of the last stroke.
+void note_stroke(ShownStatistics& shown, const Document& document);
 
 }  // namespace kerf

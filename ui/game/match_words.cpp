@@ -1,0 +1,30 @@
+#include "ui/game/match_words.h"
+
+#include <algorithm>
+
+#include "core/base/assert.h"
+
+namespace kerf {
+
+const char* name_of_vital(const VehicleDescription& vehicle, size_t vital) {
+  return vehicle.vitals[vital].kind == VitalDescription::Kind::kEngine ? "engine" : "driver's seat";
+}
+
+std::string name_of_wheel(const VehicleDescription& vehicle, size_t wheel) {
+  std::string name = vehicle.wheels[wheel].part;  // "wheel_front_left"
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name.starts_with("wheel ") ? name.substr(6) + " wheel" : name;
+}
+
+std::string why_it_ended(const Match& match) {
+  KERF_ASSERT(match.standing().over());
+  if (match.standing().phase == Standing::Phase::kWon) return "all enemies are out";
+  const Vehicle& own = match.vehicles()[Match::kPlayer];
+  if (own.alive) return match.seconds_left() > 0 ? "you gave up" : "time is up";
+  for (size_t i = 0; i < own.vital_works.size(); ++i) {
+    if (!own.vital_works[i]) return "your " + std::string(name_of_vital(own.what(), i)) + " was cut off";
+  }
+  return "your car was cut to pieces";
+}
+
+}  // namespace kerf

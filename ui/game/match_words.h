@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "core/game/match/match.h"
+
+namespace kerf {
+
+// Why a match ended, for the player: "your engine was cut off". Precondition: it is over.
+std::string why_it_ended(const Match& match);
+
+// What parts of a vehicle are called: "engine", "front left wheel".
+const char* name_of_vital(const VehicleDescription& vehicle, size_t vital);
+std::string name_of_wheel(const VehicleDescription& vehicle, size_t wheel);
+
+}  // namespace kerf

@@ -394,7 +394,7 @@ void FilesFeature::draw_windows() {
   draw_frame_question(bounds.max - bounds.min, on_.view, on_.settings, on_.cut_once);
   const FileLoader& loader = on_.opening.loader;
   Area picture = on_.view.layout.viewport;
-  if (on_.world().live_faces() == 0) picture.size.y *= 0.5;  // in the middle of an empty stage
+  if (on_.shown_world().live_faces() == 0) picture.size.y *= 0.5;  // in the middle of an empty stage
   if (loader.busy() && draw_progress(picture, "Opening " + loader.order().name() + ": " + loader.doing(),
                                      loader.fraction(), true))
     cancel_opening(on_.opening, on_.message);

@@ -158,7 +158,8 @@ class LaserFeature : public Feature {
 
   void draw_marks(ImDrawList& list) override {
     draw_ring(list);
-    if (!on_.view.look.stage && !on_.cut_once && on_.tool == kLaserTool && !on_.opening.loader.busy())
+    const bool knows_how = on_.cut_once || on_.work.document.history().last_cut();
+    if (!on_.view.look.stage && !knows_how && on_.tool == kLaserTool && !on_.opening.loader.busy())
       draw_hint_box(on_.world(), on_.view, on_.view.legends);
   }
 

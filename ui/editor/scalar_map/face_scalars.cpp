@@ -79,7 +79,7 @@ const char* name_of(FaceQuantity quantity) {
 std::string quantity_text(FaceQuantity quantity, double value, FileUnit unit) {
   switch (quantity) {
     case FaceQuantity::kLevel:
-      return text_of("%.3g", value);
+      return text_of("%.0f", value);
     case FaceQuantity::kLongestEdge:
     case FaceQuantity::kRimDistance:
       return value == 0 ? "0" : length_label(value, unit);

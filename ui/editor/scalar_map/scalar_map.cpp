@@ -9,12 +9,14 @@ namespace kerf {
 
 namespace {
 constexpr size_t kBins = 64;
-}
+constexpr double kSplitOftenest =
+    0.01;  // of the faces; a few at the rim are split many times more than all others
+}  // namespace
 
 void ScalarMap::show(std::optional<FaceQuantity> quantity) {
   if (shown_ == quantity) return;
   shown_ = quantity;
-  fit_ = 0.0;
+  fit_ = quantity == FaceQuantity::kLevel ? kSplitOftenest : 0.0;
   histogram_ = {.bins = {0}};
   forget();
 }
@@ -93,8 +95,10 @@ void ScalarMap::set_range(const ScalarRange& range) {
 void ScalarMap::fit(double share) {
   KERF_ASSERT(share >= 0 && share < 0.5);
   fit_ = share;
-  range_ = share > 0 ? range_between(histogram_.quantile(share), histogram_.quantile(1 - share))
-                     : range_between(histogram_.least, histogram_.most);
+  const Histogram& h = histogram_;
+  range_ = share > 0
+               ? range_between(std::max(h.least, h.quantile(share)), std::min(h.most, h.quantile(1 - share)))
+               : range_between(h.least, h.most);
 }
 
 std::shared_ptr<const ScalarField> ScalarMap::field(FileUnit unit) const {

@@ -25,6 +25,7 @@ constexpr double kRadiusOfLink = 0.38;                 // of a node, relative to
 constexpr double kTellApart = 16;                      // pixels from node to node
 constexpr double kOutlined = 3;                        // pixels; smaller nodes have no outline
 constexpr double kFilled = 0.46;                       // of the field, by half of the graph
+constexpr double kOffMiddle = 0.35;                    // of half of the field
 constexpr double kScaleBar = 110;                      // pixels, at most
 constexpr double kLongLink =
     1;  // of a layout; longer ones, as over the seam of an unrolled cut, are drawn faintly
@@ -93,8 +94,8 @@ void GraphCanvas::fulfil(const Drawn& drawn, double link) {
   zoom_ = all;
   if (wish_ == Wish::kStart && drawn.start && link > 0) {
     zoom_ = std::clamp(kTellApart / (link * half_), all, kMostZoom);
-    // As near to the start as the borders of the graph allow.
-    const Vec2 reach = glm::min(0.5 * size_ / (half_ * zoom_), 0.5 * extent);
+    // A start at the border of the graph is a little off the middle, so that less of the field is empty.
+    const Vec2 reach = kOffMiddle * glm::min(0.5 * size_ / (half_ * zoom_), 0.5 * extent);
     middle_ = glm::clamp(drawn.places[*drawn.start], low + reach, high - reach);
   }
   wish_ = Wish::kNone;

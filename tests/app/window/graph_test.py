@@ -27,7 +27,7 @@ class Graph(WindowTest):
 
     def test_the_face_under_the_pointer_is_lit_and_a_click_divides_a_cluster(self):
         editor = self.open_graph()
-        editor.click("graph canvas", 0.5, 0.5)
+        editor.click("graph start", 0.5, 0.5)
         editor.point_at(0.5, 0.4)
         graph = editor.quit()["graph"]
         self.assertTrue(graph["any_open"])

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core/document/commands/command.h"
@@ -17,6 +18,15 @@ inline std::string words(const Command& command, FileUnit unit) {
     }
   };
   return std::visit(told, command);
+}
+
+// The piece that a command names; nothing where it names none.
+inline std::optional<PieceId> piece_of(const Command& command) {
+  const auto named = [](const auto& c) -> std::optional<PieceId> {
+    if constexpr (requires { c.piece; }) return c.piece;
+    return std::nullopt;
+  };
+  return std::visit(named, command);
 }
 
 // The memory that a command occupies, in bytes.

@@ -2,9 +2,25 @@
 
 #include <algorithm>
 
+#include "core/document/commands/command_words.h"
+#include "core/document/commands/edit_piece.h"
 #include "core/document/history/run_queue.h"
 
 namespace kerf {
+
+namespace {
+
+// A step of which this is the first command. The bodies that it creates get the number of the command in the
+// journal as their generation, which is the same when the journal is replayed.
+HistoryStep step_begun_by(const Command& first, const World& world, size_t number) {
+  HistoryStep step(first);
+  step.generation = static_cast<uint32_t>(number);
+  const std::optional<PieceId> piece = piece_of(first);
+  if (piece && has_faces(world, *piece)) step.piece_name = world.body(piece->body).name_of(piece->label);
+  return step;
+}
+
+}  // namespace
 
 Outcome Document::apply(const Command& command, const Progress* progress) {
   Outcome outcome;
@@ -52,12 +68,8 @@ void Document::end_stroke() {
   execution_.finish(step);
 }
 
-// Appends a step of which this is the first command. The bodies that it creates get the number of the command
-// in the journal as their generation, which is the same when the journal is replayed.
 void Document::begin_step(const Command& first) {
-  HistoryStep step(first);
-  step.generation = static_cast<uint32_t>(journal_.size() + 1);
-  execution_.history().append(std::move(step));
+  execution_.history().append(step_begun_by(first, world(), journal_.size() + 1));
 }
 
 void Document::add_in_time(const Command& command) {
@@ -79,8 +91,7 @@ Outcome Document::do_at_once(const Command& command, const Progress* progress) {
   end_stroke();
   Outcome all = finish(progress);
   if (!all.ok()) return all;
-  HistoryStep step(command);
-  step.generation = static_cast<uint32_t>(journal_.size() + 1);
+  HistoryStep step = step_begun_by(command, world(), journal_.size() + 1);
   Result<Delta> own = execution_.run(step, history().position(), progress);
   if (!own) {
     all.fail(own.error());

@@ -43,6 +43,9 @@ class HistoryStep {
   void take_out_last() { commands_.pop_back(); }
   // The generation of bodies that the step creates (see BodyId).
   uint32_t generation = 0;
+  // The name of the piece that the first command names, as it was when the step was begun; empty where there
+  // is none.
+  std::string piece_name;
 
   // The number of live faces that the step removed, and their area (m^2).
   size_t removed_faces() const { return sums_.removed_faces; }

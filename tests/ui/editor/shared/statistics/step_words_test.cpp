@@ -51,6 +51,18 @@ TEST(StepWords, count_strokes_and_say_what_they_cut_in_the_unit_of_the_document)
   EXPECT_TRUE(step_words(document.history(), last - 1, FileUnit::kInch).starts_with("Name "));
 }
 
+TEST(StepWords, of_an_edit_have_the_name_that_its_piece_had) {
+  Document document = named_grid();
+  const BodyId body = document.world().ids()[0];
+  const std::string name = document.world().body(body).name_of(0);
+  ASSERT_TRUE(document.apply(PinPiece{{body, 0}, true}).ok());
+  ASSERT_TRUE(document.apply(RenamePiece{{body, 0}, "sheet"}).ok());
+  ASSERT_TRUE(document.apply(PinPiece{{body, 0}, false}).ok());
+  EXPECT_EQ(step_words(document.history(), 0, FileUnit::kMetre), "Pin " + name);
+  EXPECT_EQ(step_words(document.history(), 1, FileUnit::kMetre), "Name " + name + " sheet");
+  EXPECT_EQ(step_words(document.history(), 2, FileUnit::kMetre), "Unpin sheet");
+}
+
 TEST(StepWords, of_a_recut_tell_of_the_stroke_that_is_cut_again) {
   Document document = named_grid();
   stroke_across(document, 0.03);

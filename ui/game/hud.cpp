@@ -165,6 +165,10 @@ void draw_score(const HudView& view, const HudPaint& paint) {
   paint.text({paint.size().x - 1.2f * em, 3.1f * em},
              std::to_string(enemies) + (enemies == 1 ? " enemy" : " enemies"), kSecondary, 0.95f,
              Align::kRight);
+}
+
+void draw_state(const HudView& view, const HudPaint& paint) {
+  const float em = paint.em();
   if (!view.machine.empty()) paint.text({1.2f * em, 4.4f * em}, view.machine, kSecondary, 0.8f);
   if (view.match.is_disabled())
     paint.text({0.5f * paint.size().x, 0.42f * paint.size().y}, "disabled: G gives up", kBad, 1.4f,
@@ -297,6 +301,7 @@ void draw_hud(const HudView& view) {
   draw_bars(view, paint);
   draw_own_vehicle(view, paint);
   draw_score(view, paint);
+  draw_state(view, paint);
   draw_notices(view, paint);
   if (view.guide) draw_guide(paint);
 }

@@ -29,7 +29,8 @@ struct Redo {
 //
 // Each kind of command is a struct in core/document/commands. It has, beside its data:
 //   kName      its name in a journal
-//   words()    a description for the user, or words(unit) where it names lengths: "Stroke, radius 4 mm"
+//   words()    a description for the user, or words(unit) where it names lengths: "Stroke, radius 4 mm",
+//              or words(piece_name) where it names a piece
 //   weight()   the memory that it owns besides its own size, in bytes; only where it owns some
 // and, where it has data, describe() beside it, the table of its keys in a journal (see Fields). Kinds are
 // always distinguished by std::visit, so that a case that is missing anywhere does not compile.

@@ -7,7 +7,7 @@
 
 namespace kerf {
 
-std::string MovePiece::words() const { return "Move " + piece_words(piece); }
+std::string MovePiece::words(const std::string& piece_name) const { return "Move " + piece_name; }
 
 void describe(Fields& f, MovePiece& c) {
   piece_field(f, c.piece);
@@ -23,7 +23,7 @@ Result<Delta> MovePiece::run(World& world, uint32_t generation, const Progress*)
       });
 }
 
-std::string DuplicatePiece::words() const { return "Duplicate " + piece_words(piece); }
+std::string DuplicatePiece::words(const std::string& piece_name) const { return "Duplicate " + piece_name; }
 
 void describe(Fields& f, DuplicatePiece& c) {
   piece_field(f, c.piece);
@@ -38,7 +38,9 @@ Result<Delta> DuplicatePiece::run(World& world, uint32_t generation, const Progr
   return delta;
 }
 
-std::string HidePiece::words() const { return (hidden ? "Hide " : "Show ") + piece_words(piece); }
+std::string HidePiece::words(const std::string& piece_name) const {
+  return (hidden ? "Hide " : "Show ") + piece_name;
+}
 
 void describe(Fields& f, HidePiece& c) {
   piece_field(f, c.piece);
@@ -51,7 +53,7 @@ Result<Delta> HidePiece::run(World& world, uint32_t generation, const Progress*)
       [&](const Body& body) { return body.hidden != hidden; }, [&](Body& own) { own.hidden = hidden; });
 }
 
-std::string DeletePiece::words() const { return "Delete " + piece_words(piece); }
+std::string DeletePiece::words(const std::string& piece_name) const { return "Delete " + piece_name; }
 
 void describe(Fields& f, DeletePiece& c) { piece_field(f, c.piece); }
 
@@ -64,7 +66,9 @@ Result<Delta> DeletePiece::run(World& world, uint32_t generation, const Progress
   return delta;
 }
 
-std::string RenamePiece::words() const { return "Name " + piece_words(piece) + " " + name; }
+std::string RenamePiece::words(const std::string& piece_name) const {
+  return "Name " + piece_name + " " + name;
+}
 
 void describe(Fields& f, RenamePiece& c) {
   piece_field(f, c.piece);
@@ -81,7 +85,9 @@ Result<Delta> RenamePiece::run(World& world, uint32_t generation, const Progress
       });
 }
 
-std::string PinPiece::words() const { return (pinned ? "Pin " : "Unpin ") + piece_words(piece); }
+std::string PinPiece::words(const std::string& piece_name) const {
+  return (pinned ? "Pin " : "Unpin ") + piece_name;
+}
 
 void describe(Fields& f, PinPiece& c) {
   piece_field(f, c.piece);
@@ -97,7 +103,7 @@ Result<Delta> PinPiece::run(World& world, uint32_t generation, const Progress*) 
       });
 }
 
-std::string SetSheet::words() const { return "Material of " + piece_words(piece); }
+std::string SetSheet::words(const std::string& piece_name) const { return "Material of " + piece_name; }
 
 void describe(Fields& f, SetSheet& c) {
   piece_field(f, c.piece);

@@ -19,7 +19,7 @@ struct MovePiece {
   Placement to;
 
   static constexpr const char* kName = "move-piece";
-  std::string words() const;
+  std::string words(const std::string& piece_name) const;
   Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
 };
 void describe(Fields& f, MovePiece& c);
@@ -30,7 +30,7 @@ struct DuplicatePiece {
   Placement to;
 
   static constexpr const char* kName = "duplicate-piece";
-  std::string words() const;
+  std::string words(const std::string& piece_name) const;
   Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
 };
 void describe(Fields& f, DuplicatePiece& c);
@@ -41,7 +41,7 @@ struct HidePiece {
   bool hidden = true;
 
   static constexpr const char* kName = "hide-piece";
-  std::string words() const;
+  std::string words(const std::string& piece_name) const;
   Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
 };
 void describe(Fields& f, HidePiece& c);
@@ -51,7 +51,7 @@ struct DeletePiece {
   PieceId piece;
 
   static constexpr const char* kName = "delete-piece";
-  std::string words() const;
+  std::string words(const std::string& piece_name) const;
   Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
 };
 void describe(Fields& f, DeletePiece& c);
@@ -62,7 +62,7 @@ struct RenamePiece {
   std::string name;
 
   static constexpr const char* kName = "rename-piece";
-  std::string words() const;
+  std::string words(const std::string& piece_name) const;
   size_t weight() const { return name.size(); }
   Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
 };
@@ -74,7 +74,7 @@ struct PinPiece {
   bool pinned = true;
 
   static constexpr const char* kName = "pin-piece";
-  std::string words() const;
+  std::string words(const std::string& piece_name) const;
   Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
 };
 void describe(Fields& f, PinPiece& c);
@@ -86,7 +86,7 @@ struct SetSheet {
   Sheet sheet;
 
   static constexpr const char* kName = "set-sheet";
-  std::string words() const;
+  std::string words(const std::string& piece_name) const;
   Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
 };
 void describe(Fields& f, SetSheet& c);

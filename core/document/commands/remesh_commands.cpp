@@ -9,7 +9,7 @@
 
 namespace kerf {
 
-std::string SimplifyPiece::words() const { return "Simplify " + piece_words(piece); }
+std::string SimplifyPiece::words(const std::string& piece_name) const { return "Simplify " + piece_name; }
 
 void describe(Fields& f, SimplifyPiece& c) {
   piece_field(f, c.piece);
@@ -30,7 +30,7 @@ Result<Delta> SimplifyPiece::run(World& world, uint32_t generation, const Progre
       progress);
 }
 
-std::string SubdividePiece::words() const { return "Subdivide " + piece_words(piece); }
+std::string SubdividePiece::words(const std::string& piece_name) const { return "Subdivide " + piece_name; }
 
 void describe(Fields& f, SubdividePiece& c) {
   piece_field(f, c.piece);
@@ -48,8 +48,8 @@ Result<Delta> SubdividePiece::run(World& world, uint32_t generation, const Progr
       progress);
 }
 
-std::string SmoothPiece::words() const {
-  return "Smooth " + piece_words(piece) + (times == 1 ? "" : ", " + std::to_string(times) + " times");
+std::string SmoothPiece::words(const std::string& piece_name) const {
+  return "Smooth " + piece_name + (times == 1 ? "" : ", " + std::to_string(times) + " times");
 }
 
 void describe(Fields& f, SmoothPiece& c) {

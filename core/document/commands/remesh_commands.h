@@ -22,7 +22,7 @@ struct SimplifyPiece {
   SimplifyTarget target;
 
   static constexpr const char* kName = "simplify";
-  std::string words() const;
+  std::string words(const std::string& piece_name) const;
   Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
 };
 void describe(Fields& f, SimplifyPiece& c);
@@ -33,7 +33,7 @@ struct SubdividePiece {
   Subdivision scheme = Subdivision::kLoop;
 
   static constexpr const char* kName = "subdivide";
-  std::string words() const;
+  std::string words(const std::string& piece_name) const;
   Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
 };
 void describe(Fields& f, SubdividePiece& c);
@@ -44,7 +44,7 @@ struct SmoothPiece {
   size_t times = 1;
 
   static constexpr const char* kName = "smooth";
-  std::string words() const;
+  std::string words(const std::string& piece_name) const;
   Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
 };
 void describe(Fields& f, SmoothPiece& c);

@@ -12,7 +12,7 @@ void describe(Fields& f, Advance& c) {
   f.flag("joins", c.joins, false);
 }
 
-std::string Pull::words() const { return "Pull " + piece_words(piece); }
+std::string Pull::words(const std::string& piece_name) const { return "Pull " + piece_name; }
 
 void describe(Fields& f, Pull& c) {
   piece_field(f, c.piece);

@@ -35,7 +35,7 @@ struct Pull {
   Vec3 to{0};  // m, in the world, where the spring pulls it
 
   static constexpr const char* kName = "pull";
-  std::string words() const;
+  std::string words(const std::string& piece_name) const;
 };
 void describe(Fields& f, Pull& c);
 

@@ -18,7 +18,7 @@ struct MeshView {
   std::span<const std::array<uint32_t, 3>> triangles;  // indices of positions, counter-clockwise
   std::span<const uint16_t> materials;                 // one per triangle, or empty
   std::span<const std::string> material_names;  // by material; covers every material that a triangle has
-  std::string_view library{};  // name of the MTL file beside it, on one line; empty: none. Only for OBJ
+  std::string_view mtl{};  // name of the MTL file beside it, on one line; empty: none. Only for OBJ
 };
 
 // Encodes a mesh as the bytes of a file. Positions and triangles keep their order and are read back to the
@@ -28,8 +28,8 @@ void encode(const MeshView& mesh, MeshFormat format, const ByteSink& sink);
 // Encodes a mesh as one string, with the preconditions of encode().
 std::string encoded(const MeshView& mesh, MeshFormat format);
 
-// OBJ with the shortest decimal numbers that are read back exactly, a mtllib if the mesh has a library, and a
-// usemtl wherever the material changes.
+// OBJ with the shortest decimal numbers that are read back exactly, a mtllib if the mesh has an MTL file, and
+// a usemtl wherever the material changes.
 void encode_obj(const MeshView& mesh, const ByteSink& sink);
 // OFF with numbers of the same kind; without materials.
 void encode_off(const MeshView& mesh, const ByteSink& sink);

@@ -63,7 +63,7 @@ void encode_obj(const MeshView& mesh, const ByteSink& sink) {
     text += "f ";
     append_three(std::array<uint64_t, 3>{uint64_t{a} + 1, uint64_t{b} + 1, uint64_t{c} + 1}, text);
   };
-  if (!mesh.library.empty() && !sink("mtllib " + std::string(mesh.library) + '\n')) return;
+  if (!mesh.mtl.empty() && !sink("mtllib " + std::string(mesh.mtl) + '\n')) return;
   if (emit_lines(mesh.positions.size(), kPositionLine, sink, append_position))
     emit_lines(mesh.triangles.size(), kTriangleLine, sink, append_triangle);
 }

@@ -79,11 +79,11 @@ TEST(WriteMesh, reads_back_bit_equal) {
   }
 }
 
-TEST(WriteMesh, names_the_library_of_an_obj_file_and_describes_every_material_in_it) {
+TEST(WriteMesh, names_the_mtl_file_of_an_obj_file_and_describes_every_material_in_it) {
   Random random(16);
   const RandomMesh mesh = random_mesh(random);
   MeshView view = mesh.view();
-  view.library = "part one.mtl";
+  view.mtl = "part one.mtl";
   const std::string obj = encoded(view, MeshFormat::kObj);
   EXPECT_TRUE(obj.starts_with("mtllib part one.mtl\nv "));
   const Result<Soup> soup = read_obj(obj, "part.obj", nullptr);

@@ -4,7 +4,9 @@
 
 #include <set>
 
+#include "core/base/random.h"
 #include "core/game/vehicle/vehicle_bodies.h"
+#include "tests/support/checkout.h"
 #include "tests/support/game_files.h"
 
 namespace kerf {
@@ -59,6 +61,49 @@ TEST_F(TwoVehicles, nothing_is_in_sight_beyond_the_range_of_the_laser) {
 TEST_F(TwoVehicles, an_enemy_in_the_open_is_seen) {
   const Sight sight(match_.world());
   EXPECT_TRUE(sees_vehicle(match_, sight, {0, 2, 0}, 1));
+}
+
+// Whether a face of a wall crosses the way between two points (m): a search of all faces.
+bool is_walled(const Match& match, const Vec3& from, const Vec3& to) {
+  for (const BodyId id : match.world().ids()) {
+    if (!match.is_wall(id)) continue;
+    const Body& body = match.world().body(id);
+    for (const FaceId f : body.faces_of(0)) {
+      Triangle t = body.mesh.triangle(f);
+      for (Vec3& p : t) p = body.placement.to_world(p);
+      const Vec3 way = to - from, normal = glm::cross(t[1] - t[0], t[2] - t[0]);
+      const double across = glm::dot(normal, way);
+      if (across == 0) continue;
+      const double share = glm::dot(normal, t[0] - from) / across;
+      if (share < 0 || share > 1) continue;
+      const Vec3 p = from + share * way;
+      bool inside = true;
+      for (int i = 0; i < 3; ++i)
+        inside = inside && glm::dot(normal, glm::cross(t[(i + 1) % 3] - t[i], p - t[i])) >= 0;
+      if (inside) return true;
+    }
+  }
+  return false;
+}
+
+TEST(SeesVehicle, where_no_wall_of_the_yard_is_between_as_a_search_of_all_faces_says) {
+  const auto rules = load_rules(test::checkout() / "assets/games/standard.json");
+  ASSERT_TRUE(rules) << rules.error().message;
+  const Match match({*rules, 1, Difficulty::kNormal});
+  const Sight sight(match.world());
+  const Vec3 middle = match.world().body(match.vehicles()[1].chassis).placement.to_world({0, 0.8, 0});
+  const Vec2 size = (*rules)->arena.description.size;
+  Random random(7);
+  int seen = 0, hidden = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 from(random.uniform(-0.4, 0.4) * size.x, random.uniform(0.5, 4),
+                    random.uniform(-0.4, 0.4) * size.y);
+    const bool sees = sees_vehicle(match, sight, from, 1);
+    EXPECT_NE(sees, is_walled(match, from, middle)) << "from " << from.x << " " << from.y << " " << from.z;
+    ++(sees ? seen : hidden);
+  }
+  EXPECT_GT(seen, 10);
+  EXPECT_GT(hidden, 10);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ Status FileOpener::open_first(std::filesystem::path default_scene,
   default_scene_ = std::move(default_scene);
   if (files.empty()) return open_default_scene();
   show_empty_stage();
-  on_.opening.loader.start(order_of(files));
+  on_.opening.loader.start(order_of(files), stage_is_empty_);
   if (on_.opening.loader.is_over(kPatience)) take_loaded();
   return Done{};
 }
@@ -53,7 +53,7 @@ void FileOpener::open(std::vector<std::filesystem::path> files) {
     on_.so_far.reset();
     show_empty_stage();
   }
-  on_.opening.loader.start(order_of(std::move(files)));
+  on_.opening.loader.start(order_of(std::move(files)), stage_is_empty_);
 }
 
 void FileOpener::open_fresh() {

@@ -39,9 +39,9 @@ fs::path with_suffix(const fs::path& file, const std::string& suffix) {
   return file.parent_path() / (file.stem().string() + suffix + file.extension().string());
 }
 
-// The library of the materials that the faces have.
-std::string library_of(const Extract& extract, const std::vector<std::string>& names,
-                       const std::map<std::string, Paint>& paints) {
+// The MTL file of the materials that the faces have.
+std::string materials_text(const Extract& extract, const std::vector<std::string>& names,
+                           const std::map<std::string, Paint>& paints) {
   std::set<uint16_t> used(extract.materials.begin(), extract.materials.end());
   std::vector<MaterialLook> looks;
   for (const uint16_t material : used) {
@@ -66,13 +66,13 @@ Status write_piece(const World& world, const PieceFile& to, const std::map<std::
                    MeshFormat format) {
   const Body& body = world.body(to.piece.body);
   const Extract extract = extract_faces(body, faces_of(body, to.piece.label));
-  const std::string library = to.library.filename().string();
-  if (!library.empty()) {
+  const std::string mtl = to.mtl.filename().string();
+  if (!mtl.empty()) {
     const Status written =
-        write_file_atomically(to.library, library_of(extract, body.material_names, paints));
+        write_file_atomically(to.mtl, materials_text(extract, body.material_names, paints));
     if (!written) return written;
   }
-  return write_mesh({extract.positions, extract.triangles, extract.materials, body.material_names, library},
+  return write_mesh({extract.positions, extract.triangles, extract.materials, body.material_names, mtl},
                     to.mesh, format);
 }
 
@@ -103,8 +103,8 @@ std::vector<PieceFile> files_to_export(const World& world, const PieceMap& looks
     if (!by_name && chosen > 1) mesh = with_suffix(file, "-" + std::to_string(files.size() + 1));
     const fs::path wanted = mesh;
     for (int i = 2; !taken.insert(mesh).second; ++i) mesh = with_suffix(wanted, "-" + std::to_string(i));
-    const bool library = is_obj && has_materials(world.body(row.id.body));
-    files.push_back({row.id, mesh, library ? fs::path(mesh).replace_extension(".mtl") : fs::path()});
+    const bool has_mtl = is_obj && has_materials(world.body(row.id.body));
+    files.push_back({row.id, mesh, has_mtl ? fs::path(mesh).replace_extension(".mtl") : fs::path()});
   }
   return files;
 }

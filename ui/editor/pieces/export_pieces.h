@@ -14,7 +14,7 @@ namespace kerf {
 struct PieceFile {
   PieceId piece;
   std::filesystem::path mesh;
-  std::filesystem::path library;  // the MTL file beside an OBJ file whose faces have materials; else empty
+  std::filesystem::path mtl;  // the MTL file beside an OBJ file whose faces have materials; else empty
 };
 
 // The name of a piece as the name of a file without its ending: characters that file systems do not take, and
@@ -27,7 +27,7 @@ std::string file_name_of(const std::string& piece);
 std::vector<PieceFile> files_to_export(const World& world, const PieceMap& looks,
                                        const std::filesystem::path& file);
 
-// Writes the chosen pieces where they stand to the files of files_to_export; the libraries hold the paints.
+// Writes the chosen pieces where they stand to the files of files_to_export; MTL files hold the paints.
 // Returns these files. Bad input if no piece is chosen or the ending is not that of a mesh; what was written
 // before a failure stays.
 Result<std::vector<PieceFile>> export_chosen(const World& world, const PieceMap& looks,

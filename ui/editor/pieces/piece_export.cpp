@@ -27,7 +27,7 @@ void PieceExport::choose_file() {
                 std::vector<std::filesystem::path> files;
                 for (const PieceFile& f : files_to_export(on_.world(), on_.view.look.pieces, file)) {
                   files.push_back(f.mesh);
-                  if (!f.library.empty()) files.push_back(f.library);
+                  if (!f.mtl.empty()) files.push_back(f.mtl);
                 }
                 return files;
               }},

@@ -10,10 +10,10 @@ namespace fs = std::filesystem;
 
 constexpr double kPatience = 2;  // s, that a thumbnail waits for a picture that goes on changing
 
-// The file that the picture shows; empty where it shows none, or several.
+// The file that the picture shows, as it was opened; empty where it shows none, or several.
 fs::path file_shown(const OpenWork& work) {
-  if (!work.file.empty()) return whole_path(work.file);
-  return work.files.size() == 1 ? whole_path(work.files.front()) : fs::path();
+  if (!work.file.empty()) return work.file;
+  return work.files.size() == 1 ? work.files.front() : fs::path();
 }
 
 // What a thumbnail is taken of: a file as it was opened or saved.
@@ -72,10 +72,10 @@ std::vector<UserAction> RecentFeature::files() {
   return actions;
 }
 
-// Whether the picture shows a recent file, as it was opened or saved, and is complete.
+// Whether the picture shows a file as it was opened or saved, and is complete.
 bool RecentFeature::is_due() {
   const KeptState now{file_shown(on_.work), on_.work.saved_commands};
-  if (now == taken_ || std::ranges::find(recent_, now.file) == recent_.end()) return false;
+  if (now == taken_ || now.file.empty()) return false;
   if (now != wanted_) {
     wanted_ = now;
     wanted_at_ = on_.clock->seconds();
@@ -84,11 +84,14 @@ bool RecentFeature::is_due() {
   return !on_.picture->busy() || on_.clock->seconds() - wanted_at_ > kPatience;
 }
 
-// A thumbnail that cannot be written is not missed enough to be told of.
+// A file that is not among the recent ones, as the default scene, has none. One that cannot be written is not
+// missed enough to be told of.
 void RecentFeature::take() {
   taken_ = wanted_;
+  const fs::path file = whole_path(taken_.file);
+  if (std::ranges::find(recent_, file) == recent_.end()) return;
   const Area part = pixels_of(on_.view.layout.first, *on_.window);
-  (void)on_.thumbnails.keep(taken_.file, window_pixels(on_.window->pixel_size(), part));
+  (void)on_.thumbnails.keep(file, window_pixels(on_.window->pixel_size(), part));
 }
 
 }  // namespace

@@ -64,12 +64,12 @@ TEST(ExportPieces, writes_the_paints_of_the_materials_that_a_piece_has_beside_an
   const auto written = export_chosen(world, all_chosen(world), paints, folder / "*.obj");
   ASSERT_TRUE(written.ok()) << written.error().message;
   ASSERT_EQ(written->size(), 1u);
-  EXPECT_EQ(written->front().library, folder / "car.mtl");
+  EXPECT_EQ(written->front().mtl, folder / "car.mtl");
   EXPECT_TRUE(test::read_text(folder / "car.obj").starts_with("mtllib car.mtl\n"));
-  const std::string library = test::read_text(folder / "car.mtl");
-  EXPECT_TRUE(library.starts_with("newmtl paint\nKd 1 0 0.7")) << library;
-  EXPECT_NE(library.find("newmtl chrome\n"), std::string::npos);
-  EXPECT_EQ(library.find("tyre"), std::string::npos) << "no face has it";
+  const std::string materials = test::read_text(folder / "car.mtl");
+  EXPECT_TRUE(materials.starts_with("newmtl paint\nKd 1 0 0.7")) << materials;
+  EXPECT_NE(materials.find("newmtl chrome\n"), std::string::npos);
+  EXPECT_EQ(materials.find("tyre"), std::string::npos) << "no face has it";
   const auto soup = read_mesh(folder / "car.obj");
   ASSERT_TRUE(soup.ok());
   EXPECT_EQ(soup->material_names, (Names{"paint", "chrome"}));

@@ -201,10 +201,11 @@ Result<LoadedFiles> load_files(LoadOrder order, const Progress* progress, LoadNe
   return loaded;
 }
 
-void FileLoader::start(LoadOrder order) {
+void FileLoader::start(LoadOrder order, bool watched) {
   cancel();
   job_ = std::make_unique<Job>();
   job_->order = std::move(order);
+  if (watched) job_->news.watch();
   job_->result = std::async(std::launch::async, [job = job_.get()] {
     const Progress progress{[job](double fraction) {
       job->fraction = fraction;

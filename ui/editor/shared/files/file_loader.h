@@ -56,8 +56,8 @@ Result<LoadedFiles> load_files(LoadOrder order, const Progress* progress, LoadNe
 // Reads files on a background thread into a separate world while the editor goes on.
 class FileLoader {
  public:
-  // Cancels the current job and starts reading these files.
-  void start(LoadOrder order);
+  // Cancels the current job and starts reading these files. `watched`: take_so_far() will be called.
+  void start(LoadOrder order, bool watched = false);
   // Cancels the current job; its thread ends at its next report of progress.
   void cancel();
   bool busy() const { return job_ != nullptr; }

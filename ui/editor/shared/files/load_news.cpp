@@ -23,7 +23,7 @@ CutSoFar copy_of(const SceneDescription& scene, const World& world, const Loaded
 
 void LoadNews::show(const SceneDescription& scene, const World& world, const LoadedShadings& shadings) {
   const Clock::time_point began = Clock::now();
-  if (began < next_ || world.live_faces() > Document::kMostFacesToCopy) return;
+  if (!watched_ || began < next_ || world.live_faces() > Document::kMostFacesToCopy) return;
   {
     const std::lock_guard lock(mutex_);
     if (so_far_) return;

@@ -23,12 +23,13 @@ class LoadNews {
  public:
   // By the reader: what is being done, in a word or two.
   void say(const char* what) { doing_ = what; }
-  // By the reader, after every step that cuts: shows a copy of the world, unless it is too large for one (see
-  // Document::kMostFacesToCopy), the last copy was not taken yet, or copying would take more than a small
-  // part of the time. `shadings` has the bodies as loaded. O(faces) for a copy.
+  // By the reader, after every step that cuts: shows a copy of the world, unless nobody watches, it is too
+  // large for one (see Document::kMostFacesToCopy), the last copy was not taken yet, or copying would take
+  // more than a small part of the time. `shadings` has the bodies as loaded. O(faces) for a copy.
   void show(const SceneDescription& scene, const World& world, const LoadedShadings& shadings);
 
-  // By whoever waits.
+  // By whoever waits: he wants to be shown copies. Before the reader begins.
+  void watch() { watched_ = true; }
   const char* doing() const { return doing_; }
   // The last copy that was shown, once.
   std::optional<CutSoFar> take();
@@ -37,6 +38,7 @@ class LoadNews {
   using Clock = std::chrono::steady_clock;
 
   std::atomic<const char*> doing_ = "reading";
+  bool watched_ = false;
   Clock::time_point next_ = Clock::now();  // the reader copies no earlier; known to it alone
   std::mutex mutex_;
   std::optional<CutSoFar> so_far_;  // guarded by the mutex

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/document/commands/edit_piece.h"
 #include "core/joints/loaded_part.h"
 
 namespace kerf {
@@ -116,16 +117,6 @@ std::vector<PieceId> other_pieces(const World& world, const PieceMap& looks) {
   }
   return others;
 }
-
-namespace {
-
-bool has_faces(const World& world, const PieceId& id) {
-  if (!world.contains(id.body)) return false;
-  const auto& pieces = world.body(id.body).pieces;
-  return id.label < pieces.size() && pieces[id.label].faces > 0;
-}
-
-}  // namespace
 
 PieceId named_after(const Delta& delta, PieceId id) {
   // One after the other: what was detached may be detached from again.

@@ -5,7 +5,6 @@
 
 #include "core/base/assert.h"
 #include "core/document/commands/command_words.h"
-#include "core/document/commands/edit_piece.h"
 #include "core/mesh/files/length_label.h"
 
 namespace kerf {
@@ -50,22 +49,12 @@ size_t number_of(const History& history, size_t stroke) {
   return number;
 }
 
-// With the name of the piece in place of its number.
-std::string words_with_name(const HistoryStep& step, FileUnit unit) {
-  std::string text = words(step.commands().front(), unit);
-  const std::optional<PieceId> piece = piece_of(step.commands().front());
-  if (!piece || step.piece_name.empty()) return text;
-  const std::string number = piece_words(*piece);
-  const size_t at = text.find(number);
-  return at == std::string::npos ? text : text.replace(at, number.size(), step.piece_name);
-}
-
 }  // namespace
 
 std::string step_words(const History& history, size_t step, FileUnit unit) {
   KERF_ASSERT(step < history.size());
   const HistoryStep& of = history.step(step);
-  if (!history.cuts(step)) return words_with_name(of, unit);
+  if (!history.cuts(step)) return words(of.commands().front(), unit, of.piece_name);
   const std::string cut = "Cut " + std::to_string(number_of(history, history.base_of(step)));
   const CutSettings& settings = history.settings_of(step);
   if (of.kind() == HistoryStep::Kind::kStroke) return cut + ": " + names_of(of) + how(settings, unit);

@@ -84,6 +84,7 @@ TEST(LoadNews, shows_what_is_cut_again_from_the_uncut_world_on) {
   const Result<Scene> uncut = read_scene(scene, nullptr);
   ASSERT_TRUE(uncut.ok());
   LoadNews news;
+  news.watch();
   const Result<LoadedFiles> loaded = load_files({{scene}, {}, 0}, nullptr, &news);
   ASSERT_TRUE(loaded.ok());
   ASSERT_NE(state_hash(loaded->document.world()), state_hash(uncut->world));
@@ -98,10 +99,13 @@ TEST(LoadNews, shows_what_is_cut_again_from_the_uncut_world_on) {
   EXPECT_FALSE(news.take());
 }
 
-TEST(LoadNews, shows_no_world_in_which_nothing_is_cut_again) {
-  LoadNews news;
-  ASSERT_TRUE(load_files(files({"knot.obj"}), nullptr, &news).ok());
-  EXPECT_FALSE(news.take());
+TEST(LoadNews, shows_no_world_in_which_nothing_is_cut_again_and_none_to_nobody) {
+  LoadNews watched, alone;
+  watched.watch();
+  ASSERT_TRUE(load_files(files({"knot.obj"}), nullptr, &watched).ok());
+  EXPECT_FALSE(watched.take());
+  ASSERT_TRUE(load_files({{checkout() / "assets/scenes/car-cut.json"}, {}, 0}, nullptr, &alone).ok());
+  EXPECT_FALSE(alone.take());
 }
 
 // A ragged mesh of several components.

@@ -45,7 +45,7 @@ class WindowedGame {
   WindowedGame(WindowedGame&&) noexcept;
   WindowedGame& operator=(WindowedGame&&) noexcept;
 
-  // Plays until the player leaves; once more from there, with the menu in which he left.
+  // Plays until the player leaves. Another call goes on from there, with the menu that was open.
   void play(FrameLoop& loop);
 
   // How it was left.

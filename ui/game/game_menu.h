@@ -29,7 +29,7 @@ MenuChoice draw_pause_menu(const MenuView& view);
 struct MatchResult {
   bool won = false;
   bool ended = false;  // neither won nor lost: nobody was there to fight
-  std::string why;     // it ended, in words
+  std::string why;     // why it ended, in words
   HighScore score;
   size_t rank = 0;                // see add_high_score
   std::vector<HighScore> scores;  // of the same rules and difficulty, best first

@@ -38,7 +38,7 @@ class MatchReplay {
   bool is_slow() const { return clock_.is_slow(); }
   // Advances by a tick. Does nothing once it is over.
   void tick();
-  // It is over.
+  // Ends it: state() is kOver from now on.
   void skip() { skipped_ = true; }
   void move_camera(double seconds) { camera_.follow(*match_, seconds); }
 

@@ -72,7 +72,7 @@ ReplayCamera::Stand ReplayCamera::best_stand(const Match& match, const Sight& si
   return best;
 }
 
-// What is watched does not stand in the way of being watched.
+// The two vehicles that are watched do not count as obstacles.
 Vec3 ReplayCamera::free_eye(const Match& match, const Sight& sight) const {
   const Vec3 way = eye_ - middle_;
   const double length = glm::length(way);

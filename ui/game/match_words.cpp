@@ -18,13 +18,13 @@ std::string name_of_wheel(const VehicleDescription& vehicle, size_t wheel) {
 
 std::string why_it_ended(const Match& match) {
   KERF_ASSERT(match.standing().over());
-  if (match.standing().phase == Standing::Phase::kWon) return "all enemies are out";
+  if (match.standing().phase == Standing::Phase::kWon) return "All enemies are out";
   const Vehicle& own = match.vehicles()[Match::kPlayer];
-  if (own.alive) return match.seconds_left() > 0 ? "you gave up" : "time is up";
+  if (own.alive) return match.seconds_left() > 0 ? "You gave up" : "Time is up";
   for (size_t i = 0; i < own.vital_works.size(); ++i) {
-    if (!own.vital_works[i]) return "your " + std::string(name_of_vital(own.what(), i)) + " was cut off";
+    if (!own.vital_works[i]) return "Your " + std::string(name_of_vital(own.what(), i)) + " was cut off";
   }
-  return "your car was cut to pieces";
+  return "Your car was cut to pieces";
 }
 
 }  // namespace kerf

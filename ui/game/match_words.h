@@ -6,7 +6,7 @@
 
 namespace kerf {
 
-// Why a match ended, for the player: "your engine was cut off". Precondition: it is over.
+// Why a match ended, for the player: "Your engine was cut off". Precondition: it is over.
 std::string why_it_ended(const Match& match);
 
 // What parts of a vehicle are called: "engine", "front left wheel".

@@ -15,7 +15,7 @@ TEST(WhyItEnded, is_the_time_where_nobody_was_hit) {
   for (EnemySkill& skill : rules->description.skills) skill.speed = skill.fire = 0;
   Match match({rules, 1, Difficulty::kNormal});
   while (!match.standing().over()) match.tick({});
-  EXPECT_EQ(why_it_ended(match), "time is up");
+  EXPECT_EQ(why_it_ended(match), "Time is up");
 }
 
 TEST(NameOfWheel, is_that_of_its_part_in_words) {

@@ -121,6 +121,7 @@ class PlayRun {
       if (!std::filesystem::is_directory(folder))
         return bad_input(std::string(option) + ": there is no folder " + folder.string());
     }
+    starts_ = arguments_.rules.empty() && arguments_.driver.empty() && arguments_.seconds == 0;
     if (arguments_.rules.empty()) arguments_.rules = (assets_folder() / "games" / "standard.json").string();
     return Done{};
   }
@@ -143,6 +144,7 @@ class PlayRun {
     const Settings settings = read_settings(settings_file()).settings;
     options.look = {settings.theme, settings.palette, static_cast<float>(settings.ui_scale), false};
     options.bot = arguments_.driver == "bot";
+    options.starts = starts_;
     options.seconds = arguments_.seconds;
     if (!arguments_.landmarks.empty()) options.landmarks = arguments_.landmarks;
     PixelSize size{settings.width, settings.height};
@@ -152,23 +154,24 @@ class PlayRun {
     let_interrupts_end();
     WindowOptions window{size.width, size.height, {}};
     if (!arguments_.events.empty()) window.events = arguments_.events;
-    const auto outcome = kerf::play(options, window);
+    auto outcome = kerf::play(options, window);
     if (!outcome) return outcome.error();
-    setup_ = outcome->match->setup();
-    controls_ = outcome->played;
+    setup_ = outcome->last.match->setup();
+    controls_ = outcome->last.played;
     frame_s_ = outcome->frame_seconds;
-    if (const Status s = write_report(*outcome->match); !s) return s;
-    if (const Status s = write_record(*outcome->match); !s) return s;
-    return outcome->inspect ? inspect(*outcome->match, outcome->view) : Status(Done{});
+    if (const Status s = write_report(*outcome->last.match); !s) return s;
+    if (const Status s = write_record(*outcome->last.match); !s) return s;
+    return outcome->inspect ? inspect(std::move(outcome->last), outcome->view) : Status(Done{});
   }
 
-  static Status inspect(const Match& match, const View& view) {
-    const auto scene = save_match_as_scene(match, view);
+  // F5 in the editor leads back to the match.
+  static Status inspect(LeftMatch left, const View& view) {
+    const auto scene = save_match_as_scene(*left.match, view);
     if (!scene) return scene.error();
     EditorOptions options;
     options.default_scene = assets_folder() / "scenes" / "car.json";
     options.files = {*scene};
-    return run_editor(options);
+    return run_editor(options, std::move(left));
   }
 
   Status play(Match& match) {
@@ -196,11 +199,18 @@ class PlayRun {
 
   Status write_record(const Match& match) const {
     if (arguments_.record.empty()) return Done{};
-    const auto files = hash_of_files(arguments_.rules, match.rules().description);
+    const Rules& rules = match.rules();
+    const auto files = hash_of_files(rules.file, rules.description);
     if (!files) return files.error();
-    const Recording recording{arguments_.rules,  *files,    setup_.seed,
-                              setup_.difficulty, controls_, state_hash(match.world()),
-                              machine_kind(),    {}};
+    Recording recording;
+    recording.rules = rules.file;
+    recording.player = rules.player_file;
+    recording.files = *files;
+    recording.seed = setup_.seed;
+    recording.difficulty = setup_.difficulty;
+    recording.controls = controls_;
+    recording.hash = state_hash(match.world());
+    recording.machine = machine_kind();
     const std::filesystem::path file = arguments_.record;
     const auto text = recording_text(recording, std::filesystem::absolute(file).parent_path());
     if (!text) return text.error();
@@ -208,6 +218,7 @@ class PlayRun {
   }
 
   PlayArguments arguments_;
+  bool starts_ = false;  // with the menu before a match
   MatchSetup setup_;
   std::vector<Controls> controls_;
   std::vector<double> tick_s_, frame_s_;

@@ -3,7 +3,7 @@
     python3 assets/arenas/make_yard.py
 
 An industrial yard of 80 by 80 metres at night: a bridge to drive over and under, ramps, two rows
-of columns, containers, and a circuit around them. What is concrete, grey and matt stands fast;
+of columns, containers, pylons with boards, and a circuit around them. What is concrete, grey and matt stands fast;
 what is painted sheet can be cut. The output is the same, byte for byte, on each run. Needs nothing
 but Python's standard library.
 """
@@ -18,22 +18,23 @@ sys.path += [str(HERE.parent / "meshes"), str(HERE.parent / "vehicles")]
 
 from car_sheet import ObjFile  # noqa: E402
 from joints import Joints  # noqa: E402
-from yard_props import barrier, container, drum, sign  # noqa: E402
+from yard_props import barrier, container, drum, pylon, sign  # noqa: E402
 from yard_structures import lamps, structures  # noqa: E402
 
-THICKNESS = {"drum": 0.001, "barrier": 0.001, "sign": 0.0015, "container": 0.0016}
-PROPS = {"drum": drum, "barrier": barrier, "sign": sign, "container": container}
+THICKNESS = {"drum": 0.001, "barrier": 0.001, "sign": 0.0015, "pylon": 0.002, "container": 0.0016}
+PROPS = {"drum": drum, "barrier": barrier, "sign": sign, "pylon": pylon, "container": container}
 # (x, y, z, degrees from +z towards +x)
 PLACES = {
     "container": [(-21, 0, 24, 25), (-14.5, 0, 27.5, -60), (20, 0, 26, 85), (23, 0, -24, -20),
                   (-24, 0, -22, 50), (-20.4, 2.59, 24.4, 32)],
-    "drum": [(-17.5, 0, 22, 0), (-16.7, 0, 21.8, 40), (18, 0, 22.5, 0),
+    "drum": [(-30.4, 0, 2, 15), (-17.5, 0, 22, 0), (-16.7, 0, 21.8, 40), (18, 0, 22.5, 0),
              (18.8, 0, 22.2, 30), (24, 0, -18.5, 0), (24.8, 0, -18.9, 60), (23.5, 0, -19.3, 20),
              (-21, 0, -17.8, 0), (-20.2, 0, -18.3, 50), (0.4, 0, 12, 0), (-0.4, 0, 11.6, 25),
              (0.3, 0, -12, 0), (-0.5, 0, -11.7, 70)],
     "barrier": [(-6, 0, 26, 90), (-6, 0, 28.3, 90), (6, 0, 31, 80), (6.2, 0, 33.3, 95),
                 (12, 0, -26, 90), (12, 0, -31, 90), (-12, 0, -25, 100), (-12, 0, -30, 85),
                 (33, 0, 14, 0), (30.6, 0, 14.4, 10), (-30, 0, -14, 0), (-32.4, 0, -14.3, -8)],
+    "pylon": [(-35.6, 0, -8, 0), (35.6, 0, 8, 180)],
     "sign": [(36.8, 0, 36.8, 225), (-36.8, 0, 36.8, 135), (36.8, 0, -36.8, 315),
              (-36.8, 0, -36.8, 45), (28.2, 0, 0, 270), (-28.2, 0, 0, 90)],
 }
@@ -62,12 +63,11 @@ PAINTS = {
     "container": {"colour": "#b4552a", "gloss": 0.6},
     "container_frame": {"colour": "#8e401f", "gloss": 0.6},
 }
+ENEMIES = [(33, 22, 180), (22, 34, 270), (34, -24, 0), (-20, 34, 90), (18, -35, 270), (-33, 25, 180),
+           (-18, 6, 180), (-10.5, -19.5, 270), (10, 22, 180), (22, -8, 270), (0.5, 35.5, 270), (34, 0, 180),
+           (-5, -8.5, 270), (6, -8.5, 90)]
 STARTS = {"player": {"position": [-33.0, 0.0, -22.0], "heading": 0},
-          "enemies": [{"position": [33.0, 0.0, 22.0], "heading": 180},
-                      {"position": [22.0, 0.0, 34.0], "heading": 270},
-                      {"position": [34.0, 0.0, -24.0], "heading": 0},
-                      {"position": [-20.0, 0.0, 34.0], "heading": 90},
-                      {"position": [18.0, 0.0, -35.0], "heading": 270}]}
+          "enemies": [{"position": [float(x), 0.0, float(z)], "heading": h} for x, z, h in ENEMIES]}
 
 
 def write_mesh(name, parts):

@@ -11,7 +11,7 @@ def drum():
     profile = ((0.0, 0.02), (r - 0.02, 0.02), (r, 0.0), (r, 0.27), (r + 0.02, 0.295), (r, 0.32),
                (r, 0.56), (r + 0.02, 0.585), (r, 0.61), (r, 0.88), (r - 0.025, 0.86), (0.0, 0.865))
     white = (5,)
-    yield "drum", turned(profile, 16, lambda i, c: "drum_stripe" if i in white else "drum")
+    yield "drum", turned(profile, 14, lambda i, c: "drum_stripe" if i in white else "drum")
 
 
 def barrier():
@@ -43,12 +43,29 @@ def sign():
     for x in (-0.85, -0.2, 0.45):
         board.append(("sign_dark", [(x, low), (x + 0.25, low), (x + 0.6, middle), (x + 0.25, high),
                                     (x, high), (x + 0.35, middle)]))
-    yield "board", facing(panel(board, 0.2, lambda x, y: (x, y, 0.0)), (0, 1, 9))
+    yield "board", facing(panel(board, 0.3, lambda x, y: (x, y, 0.0)), (0, 1, 9))
     for name, x in (("post_left", 0.8), ("post_right", -0.8)):
         yield name, tube([(x, 0.02, -0.045), (x, 1.5, -0.045)], 0.035, "sheet_steel", 5, pieces=4)
     for name, x in (("plate_left", 0.8), ("plate_right", -0.8)):
         yield name, moved(turned(((0.30, 0.0), (0.28, 0.02), (0.05, 0.035), (0.0, 0.035)), 9,
                                  lambda r, c: "sheet_steel"), (x, 0, -0.045))
+
+
+def pylon():
+    """A board with the arrows of the circuit, high on one side of a column: it falls as soon as the
+    column is cut, and stands before, on a heavy foot."""
+    yield "foot", box((0, 0.2, 0), (1.3, 0.4, 1.3), "sheet_steel", (3, 1, 3))
+    yield "column", tube([(0, 0.38, 0), (0, 5.3, 0)], 0.14, "sheet_steel", 6, pieces=6)
+    for name, y in (("arm_low", 4.05), ("arm_high", 5.0)):
+        yield name, box((1.2, y, 0), (2.3, 0.08, 0.08), "sheet_steel", (3, 1, 1))
+    low, high = 3.85, 5.2
+    middle = (low + high) / 2
+    for name, z in (("board_front", 0.06), ("board_rear", -0.06)):
+        board = [("sheet_yellow", rectangle(0.25, low, 2.45, high))]
+        for x in (0.4, 1.05, 1.7):
+            board.append(("sign_dark", [(x, low), (x + 0.25, low), (x + 0.6, middle),
+                                        (x + 0.25, high), (x, high), (x + 0.35, middle)]))
+        yield name, facing(panel(board, 0.5, lambda x, y, z=z: (x, y, z)), (1, 4.5, 99 * z))
 
 
 def corrugated(length, low, high, waves, rows, depth):

@@ -140,7 +140,7 @@ class Arena(unittest.TestCase):
 
     def test_all_start_on_free_ground_within_the_walls(self):
         starts = [self.file["starts"]["player"], *self.file["starts"]["enemies"]]
-        self.assertEqual(len(starts), 6)
+        self.assertGreaterEqual(len(starts), 12)
         places = [start["position"] for start in starts]
         for i, (x, y, z) in enumerate(places):
             self.assertEqual(y, self.file["ground"])
@@ -161,10 +161,11 @@ class Arena(unittest.TestCase):
 
     def test_the_rules_name_files_that_are_there_and_no_more_enemies_than_have_starts(self):
         games = sorted(os.listdir(os.path.join(ASSETS, "games")))
-        self.assertEqual(games, ["sandbox.json", "standard.json"])
+        self.assertEqual(games, ["lesson.json", "sandbox.json", "standard.json", "trial.json"])
         for game in games:
             rules = read_json("games", game)
-            named = [rules["arena"], rules["player"], *(vehicle for wave in rules["waves"] for vehicle in wave)]
+            named = [rules["arena"], rules["player"], *rules.get("spawns", []),
+                     *(vehicle for wave in rules["waves"] for vehicle in wave)]
             for path in named:
                 self.assertTrue(os.path.isfile(os.path.join(ASSETS, "games", path)), path)
             self.assertTrue(all(1 <= len(wave) <= len(self.file["starts"]["enemies"]) for wave in rules["waves"]))

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 #include <random>
+#include <utility>
 
 #include "core/base/atomic_file.h"
 #include "core/document/journal/save.h"
@@ -23,8 +24,8 @@ namespace {
 // The games of an editor: a match that was left for a look at its world is gone on with.
 class Games {
  public:
-  Games(Window& window, FrameLoop& loop, EditorScreen& screen, const EditorOptions& options)
-      : window_(window), loop_(loop), screen_(screen), options_(options) {}
+  Games(Window& window, FrameLoop& loop, EditorScreen& screen, const EditorOptions& options, LeftMatch left)
+      : window_(window), loop_(loop), screen_(screen), options_(options), left_(std::move(left)) {}
 
   // Lets the player play, and tells the editor what came of it.
   void play() {
@@ -45,15 +46,18 @@ class Games {
 
  private:
   Status begin() {
-    auto rules = load_rules(assets_folder() / "games" / "standard.json");
-    if (!rules) return rules.error();
     GameOptions options;
-    options.setup.rules = std::move(*rules);
-    options.setup.seed = std::random_device()();
+    if (!left_.match) {
+      auto rules = load_rules(assets_folder() / "games" / "standard.json");
+      if (!rules) return rules.error();
+      options.setup.rules = std::move(*rules);
+      options.setup.seed = std::random_device()();
+    }
     options.look = screen_.look();
     options.from_editor = true;
+    options.starts = true;
     options.landmarks = options_.landmarks;
-    auto game = WindowedGame::begin(window_, options);
+    auto game = WindowedGame::begin(window_, options, std::exchange(left_, {}));
     if (!game) return game.error();
     game_.emplace(std::move(*game));
     return Done{};
@@ -63,8 +67,17 @@ class Games {
   FrameLoop& loop_;
   EditorScreen& screen_;
   const EditorOptions& options_;
+  LeftMatch left_;
   std::optional<WindowedGame> game_;
 };
+
+// Where the player's laser is, or was before it came off.
+Pose laser_pose(const Match& match) {
+  const Vehicle& own = match.vehicles()[Match::kPlayer];
+  if (own.gun.works()) return muzzle_pose(match.world(), own);
+  const Placement& chassis = match.world().body(own.chassis).placement;
+  return {chassis.to_world(own.what().turret.barrel.pivot), chassis.orientation * Vec3(0, 0, 1)};
+}
 
 }  // namespace
 
@@ -76,14 +89,14 @@ Result<std::filesystem::path> save_match_as_scene(const Match& match, const View
   for (const Vehicle& v : match.vehicles())
     scene.paints.insert(v.what().paints.begin(), v.what().paints.end());
   scene.view = view;
-  const Pose laser = muzzle_pose(match.world(), match.vehicles()[Match::kPlayer]);
+  const Pose laser = laser_pose(match);
   Emitter emitter;
   emitter.place(laser.origin, laser.origin + match.rules().description.laser.range / 4 * laser.direction);
   set_head_entry(scene, kEmitterKey, emitter_entry(emitter));
   return save_world_as_scene(match.world(), std::move(scene), high_scores_file().parent_path() / "inspected");
 }
 
-Status run_editor(const EditorOptions& options) {
+Status run_editor(const EditorOptions& options, LeftMatch left) {
   LoadedSettings loaded = read_settings(settings_file());
   const std::string fault = loaded.fault;
   WindowOptions wanted{options.width, options.height, options.events};
@@ -100,7 +113,7 @@ Status run_editor(const EditorOptions& options) {
   if (const Status shown = screen.open(); !shown) return shown;
   screen.tell(fault);
   bool left_by_user = loop.run(screen);
-  Games games(window, loop, screen, options);
+  Games games(window, loop, screen, options, std::move(left));
   while (left_by_user && screen.wants_game()) {
     games.play();
     left_by_user = loop.run(screen);

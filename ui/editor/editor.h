@@ -1,15 +1,15 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/game/match/match.h"
 #include "ui/editor/shared/settings/editor_options.h"
+#include "ui/game/game.h"
 
 namespace kerf {
 
 // Runs the editor until its window is closed or its script ends. Fails if there is no display or no
 // OpenGL 3.3, if not even the default scene can be read, at a line of the script that is wrong, or if the
-// report cannot be written.
-Status run_editor(const EditorOptions& options);
+// report cannot be written. With a match that was left for a look at its world, F5 goes back to it.
+Status run_editor(const EditorOptions& options, LeftMatch left = {});
 
 // Writes the world of a match as a scene in a folder beside the high scores: seen from where the player saw
 // it, with an emitter where his laser is. Returns its file. Fails like save_world_as_scene.

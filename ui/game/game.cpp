@@ -12,10 +12,10 @@ WindowedGame::~WindowedGame() = default;
 WindowedGame::WindowedGame(WindowedGame&&) noexcept = default;
 WindowedGame& WindowedGame::operator=(WindowedGame&&) noexcept = default;
 
-Result<WindowedGame> WindowedGame::begin(Window& window, const GameOptions& options) {
+Result<WindowedGame> WindowedGame::begin(Window& window, const GameOptions& options, LeftMatch left) {
   auto picture = MatchPicture::create();
   if (!picture) return picture.error();
-  return WindowedGame(std::make_unique<GameScreen>(window, std::move(*picture), options));
+  return WindowedGame(std::make_unique<GameScreen>(window, std::move(*picture), options, std::move(left)));
 }
 
 void WindowedGame::play(FrameLoop& loop) {
@@ -32,9 +32,9 @@ GameOutcome WindowedGame::outcome() {
   GameOutcome outcome;
   outcome.inspect = wants_inspection();
   outcome.view = view();
-  outcome.played = screen_->played();
   outcome.frame_seconds = screen_->frame_seconds();
-  outcome.match = screen_->take_match();
+  outcome.last.played = screen_->played();
+  outcome.last.match = screen_->take_match();
   return outcome;
 }
 

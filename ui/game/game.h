@@ -22,15 +22,21 @@ struct GameOptions {
   bool chosen_difficulty = false;  // setup.difficulty was asked for; otherwise the settings say it
   GuiLook look;
   bool from_editor = false;
+  bool starts = false;                             // with the menu in which mode, level and car are chosen
   bool bot = false;                                // a bot plays; the player only watches
   double seconds = 0;                              // after which the game ends by itself; 0: never
   std::optional<std::filesystem::path> landmarks;  // see EditorOptions
 };
 
+// A match that was left and can be gone on with.
+struct LeftMatch {
+  std::unique_ptr<Match> match;
+  std::vector<Controls> played;  // in its ticks
+};
+
 // What is left of a game that was played in a window.
 struct GameOutcome {
-  std::unique_ptr<const Match> match;  // the last one, not null
-  std::vector<Controls> played;        // in its ticks
+  LeftMatch last;  // its match is not null
   std::vector<double> frame_seconds;
   bool inspect = false;  // the player wants to look at the world
   View view;             // of the player
@@ -39,8 +45,9 @@ struct GameOutcome {
 // A game in a window that is open already. It may be left for a look at its world and gone on with.
 class WindowedGame {
  public:
-  // The window must outlive it. Fails if a shader is missing or does not compile.
-  static Result<WindowedGame> begin(Window& window, const GameOptions& options);
+  // The window must outlive it. Fails if a shader is missing or does not compile. Begins with the menu of a
+  // match that was left, if there is one.
+  static Result<WindowedGame> begin(Window& window, const GameOptions& options, LeftMatch left = {});
   ~WindowedGame();
   WindowedGame(WindowedGame&&) noexcept;
   WindowedGame& operator=(WindowedGame&&) noexcept;

@@ -11,8 +11,8 @@ namespace kerf {
 
 namespace {
 
-constexpr double kOverPivot = 0.34, kBehindPivot = 0.62;              // m, the eye on the roof
-constexpr double kChaseBack = 6.8, kChaseUp = 2.5, kChaseLook = 1.1;  // m
+constexpr double kOverPivot = 0.42, kBehindPivot = 0.75, kBeside = 0.5;  // m, the eye on the roof
+constexpr double kChaseBack = 6.8, kChaseUp = 2.5, kChaseLook = 1.1;     // m
 constexpr double kHeightRate = 14;   // 1/s, at which the eye follows the vehicle upwards
 constexpr double kClearance = 0.35;  // m, of the camera before walls
 constexpr double kShakeFade = 5;     // 1/s
@@ -36,7 +36,10 @@ Vec3 GameCamera::wanted_eye(const Match& match, const Vec3& aim) const {
   const Vehicle& own = match.vehicles()[Match::kPlayer];
   const Placement& chassis = match.world().body(own.chassis).placement;
   const Vec3 pivot = chassis.to_world(own.what().turret.barrel.pivot);
-  if (viewpoint == Viewpoint::kRoof) return pivot + Vec3(0, kOverPivot, 0) - level(aim) * kBehindPivot;
+  if (viewpoint == Viewpoint::kRoof) {
+    const Vec3 ahead = level(aim), left = glm::cross(Vec3(0, 1, 0), ahead);
+    return pivot + Vec3(0, kOverPivot, 0) - kBehindPivot * ahead + kBeside * left;
+  }
   const Vec3 middle = chassis.to_world({0, kChaseLook, 0});
   const Vec3 wanted = middle - level(aim) * kChaseBack + Vec3(0, kChaseUp - kChaseLook, 0);
   const Vec3 way = wanted - middle;

@@ -7,6 +7,7 @@
 #include "core/base/assert.h"
 #include "ui/game/debug_keys.h"
 #include "ui/game/hud_paint.h"
+#include "ui/game/menu_items.h"
 #include "ui/render/view/view_switches.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_format.h"
@@ -16,35 +17,9 @@ namespace kerf {
 
 namespace {
 
-constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
-                                    ImGuiWindowFlags_NoResize | ImGuiWindowFlags_AlwaysAutoResize |
-                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoTitleBar;
-
 void dim_match() {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::GetBackgroundDrawList()->AddRectFilled({0, 0}, size, IM_COL32(10, 12, 15, 140));
-}
-
-// Begins a window at a share of the width, in the middle of the height.
-void begin_menu(const char* name, float across) {
-  const ImVec2 size = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({across * size.x, 0.5f * size.y}, ImGuiCond_Always, {across, 0.5f});
-  ImGui::SetNextWindowSizeConstraints({22 * ImGui::GetFontSize(), 0}, {size.x, 0.94f * size.y});
-  ImGui::Begin(name, nullptr, kFixed);
-}
-
-void heading(const char* text, float scale = 1.5f) {
-  ImGui::SetWindowFontScale(scale);
-  ImGui::TextUnformatted(text);
-  ImGui::SetWindowFontScale(1);
-  ImGui::Spacing();
-}
-
-// Draws a button as wide as the menu, named `landmark` among the landmarks. Returns whether it was pressed.
-bool wide_button(const char* label, const char* landmark) {
-  const bool pressed = ImGui::Button(label, {ImGui::GetContentRegionAvail().x, 1.9f * ImGui::GetFontSize()});
-  mark_last_item(landmark);
-  return pressed;
 }
 
 void slider(const char* label, double& value, double low, double high, const RealFormat& format) {
@@ -77,6 +52,7 @@ void draw_settings(const MenuView& view) {
   ImGui::Checkbox("Aim help", &s.aim_help);
   ImGui::Checkbox("Guide at the beginning", &s.guide);
   mark_last_item("guide");
+  ImGui::Checkbox("Shake in crashes", &s.shake);
   ImGui::Checkbox("Frames a second", &s.show_speed);
 }
 
@@ -88,19 +64,6 @@ void draw_views(ViewOptions& look) {
     const std::string label = digit ? std::string(s.label) + " (" + *digit + ")" : s.label;
     if (ImGui::Checkbox(label.c_str(), &on)) s.set(look, on ? 1 : 0);
     if (ImGui::IsItemHovered() && s.tip[0] != '\0') ImGui::SetTooltip("%s", s.tip);
-  }
-}
-
-void draw_scores(const MatchResult& result) {
-  if (result.scores.empty()) return;
-  ImGui::TextDisabled("Best scores (%s, %s)", result.score.rules.c_str(), result.score.difficulty.c_str());
-  for (size_t i = 0; i < result.scores.size(); ++i) {
-    const HighScore& s = result.scores[i];
-    const bool now = i + 1 == result.rank;
-    ImGui::PushStyleColor(ImGuiCol_Text, now ? colours::accent() : colours::text());
-    ImGui::Text("%2zu  %6.0f  %s  %zu destroyed  %s%s", i + 1, s.score, s.won ? "won " : "lost",
-                s.enemies_destroyed, clock_text(s.seconds).c_str(), now ? "  this match" : "");
-    ImGui::PopStyleColor();
   }
 }
 
@@ -116,11 +79,14 @@ MenuChoice draw_pause_menu(const MenuView& view) {
   MenuChoice choice = MenuChoice::kNone;
   dim_match();
   begin_menu("Pause", 0.5f);
-  heading("Pause");
-  if (wide_button("Resume (Esc)", "resume")) choice = MenuChoice::kResume;
-  if (wide_button("Restart (R)", "restart")) choice = MenuChoice::kRestart;
-  if (wide_button("Inspect this world in the editor", "inspect")) choice = MenuChoice::kInspect;
-  if (wide_button(view.from_editor ? "Back to the editor" : "Quit", "leave")) choice = MenuChoice::kLeave;
+  menu_heading("Pause");
+  if (menu_button("Resume (Esc)", "resume")) choice = MenuChoice::kResume;
+  if (menu_button("Restart (R)", "restart")) choice = MenuChoice::kRestart;
+  if (menu_button("Inspect this world in the editor", "inspect")) choice = MenuChoice::kInspect;
+  if (view.ways.starts && menu_button("Another match: mode, level, car", "title"))
+    choice = MenuChoice::kTitle;
+  if (menu_button(view.ways.from_editor ? "Back to the editor" : "Quit", "leave"))
+    choice = MenuChoice::kLeave;
   ImGui::Spacing();
   if (ImGui::CollapsingHeader("Settings", ImGuiTreeNodeFlags_DefaultOpen)) draw_settings(view);
   if (ImGui::CollapsingHeader("Debug views")) draw_views(view.view);
@@ -128,29 +94,30 @@ MenuChoice draw_pause_menu(const MenuView& view) {
   return choice;
 }
 
-MenuChoice draw_result(const MatchResult& result, MatchReplay::State replay, bool from_editor) {
+MenuChoice draw_result(const MatchResult& result, MatchReplay::State replay, const LeavingWays& ways) {
   using Replay = MatchReplay::State;
   MenuChoice choice = MenuChoice::kNone;
   if (replay == Replay::kPlaying) draw_caption("The best ten seconds");
   begin_menu("Result", 0.04f);
-  heading(result.won ? "Won" : result.ended ? "Time is over" : "Lost", 2.2f);
+  menu_heading(result.won ? "Won" : result.ended ? "Time is over" : "Lost", 2.2f);
   if (!result.ended) ImGui::Text("%s", result.why.c_str());
   ImGui::Text("Score %.0f", result.score.score);
   ImGui::Text("%zu enemies destroyed, %zu pieces cut off, %zu wheels lost, %s",
               result.score.enemies_destroyed, result.pieces, result.wheels_lost,
               clock_text(result.score.seconds).c_str());
   ImGui::Spacing();
-  draw_scores(result);
-  ImGui::Spacing();
-  if (wide_button("Play again (R)", "restart")) choice = MenuChoice::kRestart;
+  draw_scores(result.scores, "Best scores (" + result.score.rules + ", " + result.score.difficulty + ")",
+              result.rank);
+  if (menu_button("Play again (R)", "restart")) choice = MenuChoice::kRestart;
   ImGui::BeginDisabled(replay != Replay::kOver);
   const char* label = replay == Replay::kPreparing ? "The best ten seconds are prepared ..."
                       : replay == Replay::kPlaying ? "The best ten seconds"
                                                    : "The best ten seconds again (B)";
-  if (wide_button(label, "replay")) choice = MenuChoice::kReplay;
+  if (menu_button(label, "replay")) choice = MenuChoice::kReplay;
   ImGui::EndDisabled();
-  if (wide_button("Inspect this world in the editor", "inspect")) choice = MenuChoice::kInspect;
-  if (wide_button(from_editor ? "Back to the editor" : "Quit", "leave")) choice = MenuChoice::kLeave;
+  if (menu_button("Inspect this world in the editor", "inspect")) choice = MenuChoice::kInspect;
+  if (ways.starts && menu_button("Another match: mode, level, car", "title")) choice = MenuChoice::kTitle;
+  if (menu_button(ways.from_editor ? "Back to the editor" : "Quit", "leave")) choice = MenuChoice::kLeave;
   ImGui::End();
   return choice;
 }

@@ -12,14 +12,31 @@
 namespace kerf {
 
 // What the player chose in a menu.
-enum class MenuChoice { kNone, kResume, kRestart, kReplay, kInspect, kLeave };
+enum class MenuChoice {
+  kNone,
+  kResume,
+  kRestart,
+  kReplay,
+  kInspect,
+  kTitle,  // to the menu before a match
+  kStart,
+  kLesson,
+  kOther,  // the menu before a match shows another mode or car
+  kLeave
+};
+
+// Where the menus of a match lead.
+struct LeavingWays {
+  bool from_editor = false;  // leaving goes back there
+  bool starts = false;       // there is a menu before the match
+};
 
 // What the pause menu shows and changes.
 struct MenuView {
   GameSettings& settings;
   GuiLook& look;
-  ViewOptions& view;         // its switches are the debug views
-  bool from_editor = false;  // leaving goes back there
+  ViewOptions& view;  // its switches are the debug views
+  LeavingWays ways;
 };
 
 // Draws the menu of a match that is paused over the window.
@@ -37,6 +54,6 @@ struct MatchResult {
 };
 
 // Draws the result of a match at the left of the window, beside the replay of its best moment.
-MenuChoice draw_result(const MatchResult& result, MatchReplay::State replay, bool from_editor);
+MenuChoice draw_result(const MatchResult& result, MatchReplay::State replay, const LeavingWays& ways);
 
 }  // namespace kerf

@@ -12,6 +12,8 @@
 #include "ui/game/debug_keys.h"
 #include "ui/game/hud.h"
 #include "ui/game/match_words.h"
+#include "ui/game/start_menu.h"
+#include "ui/game/start_view.h"
 #include "ui/window/number_text.h"
 
 namespace kerf {
@@ -28,9 +30,16 @@ constexpr double kFrameShare = 0.1;    // of the last frame in the average of th
 constexpr double kReplayView = 50;     // degrees
 constexpr double kSeenAhead = 8;       // m, about which the editor turns its view of the match
 
+// The best scores with these rules and this difficulty.
+std::vector<HighScore> scores_of(const std::string& rules, const std::string& difficulty) {
+  std::vector<HighScore> scores = read_high_scores(high_scores_file());
+  std::erase_if(scores, [&](const HighScore& s) { return s.rules != rules || s.difficulty != difficulty; });
+  return scores;
+}
+
 }  // namespace
 
-GameScreen::GameScreen(Window& window, MatchPicture picture, GameOptions options)
+GameScreen::GameScreen(Window& window, MatchPicture picture, GameOptions options, LeftMatch left)
     : window_(window),
       picture_(std::move(picture)),
       options_(std::move(options)),
@@ -40,7 +49,13 @@ GameScreen::GameScreen(Window& window, MatchPicture picture, GameOptions options
   if (options_.chosen_difficulty) asked_difficulty_ = settings_.difficulty = options_.setup.difficulty;
   if (options_.landmarks || window.script() != nullptr)
     keep_landmarks(&landmarks_.emplace(options_.landmarks));
-  start();
+  if (left.match) {
+    go_on_with(std::move(left));
+  } else if (options_.starts) {
+    go_to_start();
+  } else {
+    start();
+  }
 }
 
 void GameScreen::go_on() {
@@ -59,6 +74,23 @@ GameScreen::~GameScreen() {
 }
 
 void GameScreen::start() {
+  begin_match();
+  enter(State::kPlaying);
+}
+
+// Its menu is open.
+void GameScreen::go_on_with(LeftMatch left) {
+  options_.setup = left.match->setup();
+  match_ = std::move(left.match);
+  played_ = std::move(left.played);
+  picture_.show(*match_);
+  guide_ = false;
+  follow_player();
+  camera_.follow(*match_, aim(), 0);
+  enter(State::kPaused);
+}
+
+void GameScreen::begin_match() {
   options_.setup.difficulty = settings_.difficulty;
   match_ = std::make_unique<Match>(options_.setup);
   bot_.reset();
@@ -75,7 +107,6 @@ void GameScreen::start() {
   played_seconds_ = after_end_ = 0;
   guide_ = settings_.guide;
   follow_player();
-  enter(State::kPlaying);
 }
 
 void GameScreen::enter(State state) {
@@ -119,16 +150,20 @@ void GameScreen::hear_key(int key) {
     case GLFW_KEY_ESCAPE:
     case GLFW_KEY_P:
       return escape();
+    case GLFW_KEY_ENTER:
+    case GLFW_KEY_KP_ENTER:
+      if (state_ == State::kStart) return begin_chosen();
+      if (lesson_ && state_ == State::kPlaying) end_lesson();
+      return;
     case GLFW_KEY_R:
-      if (state_ != State::kPlaying) start();
+      if (state_ != State::kPlaying && state_ != State::kStart) start();
       return;
     case GLFW_KEY_B:
       if (state_ == State::kOver) begin_replay();
       return;
     case GLFW_KEY_G:
       if (state_ != State::kPlaying || match_->standing().over() || !match_->is_disabled()) return;
-      match_->give_up();
-      return finish();
+      return input_.give_up();
     case GLFW_KEY_C:
       camera_.viewpoint = camera_.viewpoint == Viewpoint::kRoof ? Viewpoint::kChase : Viewpoint::kRoof;
       return camera_.cut();
@@ -136,7 +171,7 @@ void GameScreen::hear_key(int key) {
       guide_ = !guide_;
       return;
     default:
-      if (key < GLFW_KEY_0 || key > GLFW_KEY_9 || state_ == State::kOver) return;
+      if (key < GLFW_KEY_0 || key > GLFW_KEY_9 || state_ == State::kOver || state_ == State::kStart) return;
       const std::string done = press_digit(static_cast<char>('0' + (key - GLFW_KEY_0)), picture_.look());
       if (!done.empty()) hud_.note(done);
   }
@@ -144,6 +179,10 @@ void GameScreen::hear_key(int key) {
 
 // The slow motion at the end and the replay are skipped.
 void GameScreen::escape() {
+  if (state_ == State::kStart) {
+    leave_ = Leave::kAway;
+    return enter(state_);
+  }
   if (state_ == State::kPaused) return enter(State::kPlaying);
   if (state_ == State::kPlaying) return match_->standing().over() ? finish() : enter(State::kPaused);
   if (replay_) replay_->skip();
@@ -162,8 +201,12 @@ void GameScreen::advance() {
     played_seconds_ += seconds;
     if (played_seconds_ > kGuideSeconds) guide_ = false;
     if (match_->standing().over()) go_on_after_the_end(seconds);
+    if (lesson_ && lesson_->done()) end_lesson();
   }
-  if (state_ == State::kOver && replay_) {
+  if (state_ == State::kStart) {
+    picture_.advance(*match_, seconds);
+    start_shown_ += seconds;
+  } else if (state_ == State::kOver && replay_) {
     advance_replay(seconds);
   } else if (state_ != State::kPaused) {
     picture_.advance(*match_, clock_.is_slow() ? 0.25 * seconds : seconds);
@@ -187,7 +230,7 @@ void GameScreen::tick() {
   for (const Event& event : match_->events()) {
     const bool own = event.vehicle == Match::kPlayer;
     if (event.kind == Event::Kind::kInHalves && !own) clock_.slow_down(kSlowMotion);
-    if (event.kind == Event::Kind::kImpact && own) camera_.shake(event.size / kHardImpact);
+    if (event.kind == Event::Kind::kImpact && own && settings_.shake) camera_.shake(event.size / kHardImpact);
     anew = anew || event.kind == Event::Kind::kWaveBegins;
   }
   score_log_.hear(*match_);
@@ -195,6 +238,7 @@ void GameScreen::tick() {
   sounds_.hear(*match_);
   picture_.follow(*match_);
   if (anew) follow_player();
+  if (lesson_ && lesson_->hear(*match_)) hud_.note("well done");
 }
 
 // The vehicle is another one, or whole again.
@@ -213,16 +257,55 @@ void GameScreen::finish() {
   result.score = {standing.score, match_->rules().description.name, name_of(match_->setup().difficulty),
                   result.won,     standing.enemies_destroyed,       seconds_of_ticks(standing.ticks)};
   result.ended = standing.phase == Standing::Phase::kEnded;
-  if (!result.ended) {
+  if (!result.ended || match_->rules().description.targets) {
     if (const auto rank = add_high_score(result.score, high_scores_file())) result.rank = *rank;
   }
-  for (HighScore& s : read_high_scores(high_scores_file())) {
-    if (s.rules == result.score.rules && s.difficulty == result.score.difficulty)
-      result.scores.push_back(std::move(s));
-  }
+  result.scores = scores_of(result.score.rules, result.score.difficulty);
   result_ = std::move(result);
   enter(State::kOver);
   begin_replay();
+}
+
+// Before a match
+// --------------------------------------------------------------------------------------------------------
+
+void GameScreen::go_to_start() {
+  show_choice();
+  enter(State::kStart);
+}
+
+// The yard with the chosen car is behind the menu.
+void GameScreen::show_choice() {
+  load(load_mode(settings_.mode, settings_.vehicle));
+  begin_match();
+  scores_ = scores_of(match_->rules().description.name, name_of(settings_.difficulty));
+}
+
+// Where a file of the game is missing or wrong, the player stays with what there was.
+void GameScreen::load(Result<std::shared_ptr<const Rules>> rules) {
+  if (rules) options_.setup.rules = std::move(*rules);
+}
+
+void GameScreen::begin_chosen() {
+  if (!settings_.taught) return begin_lesson();
+  lesson_.reset();
+  ++options_.setup.seed;
+  start();
+}
+
+void GameScreen::begin_lesson() {
+  load(load_lesson(settings_.vehicle));
+  begin_match();
+  lesson_.emplace(*match_);
+  enter(State::kPlaying);
+}
+
+// The first match comes after it.
+void GameScreen::end_lesson() {
+  lesson_.reset();
+  settings_.taught = true;
+  load(load_mode(settings_.mode, settings_.vehicle));
+  start();
 }
 
 // The best ten seconds once more
@@ -264,6 +347,15 @@ void GameScreen::take(MenuChoice choice) {
     case MenuChoice::kRestart:
       ++options_.setup.seed;
       return start();
+    case MenuChoice::kTitle:
+      lesson_.reset();
+      return go_to_start();
+    case MenuChoice::kStart:
+      return begin_chosen();
+    case MenuChoice::kLesson:
+      return begin_lesson();
+    case MenuChoice::kOther:
+      return show_choice();
     case MenuChoice::kReplay:
       return begin_replay();
     case MenuChoice::kInspect:
@@ -281,6 +373,7 @@ void GameScreen::take(MenuChoice choice) {
 CameraView GameScreen::camera_view() const {
   const Vec2 size = window_.size();
   const double aspect = size.y > 0 ? size.x / size.y : 1;
+  if (state_ == State::kStart) return start_view(*match_, start_shown_, aspect, kReplayView);
   if (replay_shown_) return replay_->camera().view(aspect, kReplayView);
   return camera_.view(aspect, settings_.field_of_view);
 }
@@ -310,17 +403,35 @@ void GameScreen::draw() {
   const Vec2 pixels = window_.pixel_size();
   const Target whole{0, 0, 0, static_cast<int>(pixels.x), static_cast<int>(pixels.y)};
   const Sight sight(shown().world());
+  const bool plays = state_ == State::kPlaying || state_ == State::kPaused;
   std::optional<SightedPart> part;
-  if (state_ != State::kOver && own_vehicle().alive) part = sighted_part(*match_, sight, aim());
+  if (plays && own_vehicle().alive) part = sighted_part(*match_, sight, aim());
   outline_sighted(part);
   picture_.draw(shown(), view, whole, presets_.choose(settings_.preset), resolution_.share());
-  if (state_ != State::kOver)
-    draw_hud({*match_, hud_, view, sight, aim(), input_.width(), guide_ && state_ == State::kPlaying,
-              words_on_speed(), part});
-  if (state_ == State::kPaused)
-    take(draw_pause_menu({settings_, options_.look, picture_.look(), options_.from_editor}));
-  if (state_ == State::kOver && result_)
-    take(draw_result(*result_, replay_ ? replay_->state() : MatchReplay::State::kOver, options_.from_editor));
+  if (plays) {
+    HudView hud{*match_, hud_, view, sight, aim()};
+    hud.width = input_.width();
+    hud.guide = guide_ && state_ == State::kPlaying;
+    hud.machine = words_on_speed();
+    hud.sighted = part;
+    if (lesson_) hud.task = lesson_->task(*match_);
+    draw_hud(hud);
+  }
+  draw_menu();
+}
+
+void GameScreen::draw_menu() {
+  switch (state_) {
+    case State::kPlaying:
+      return;
+    case State::kStart:
+      return take(draw_start_menu({settings_, scores_, options_.from_editor}));
+    case State::kPaused:
+      return take(draw_pause_menu({settings_, options_.look, picture_.look(), ways()}));
+    case State::kOver:
+      if (!result_) return;
+      return take(draw_result(*result_, replay_ ? replay_->state() : MatchReplay::State::kOver, ways()));
+  }
 }
 
 void GameScreen::drawn() {

@@ -11,6 +11,7 @@
 #include "ui/game/game_menu.h"
 #include "ui/game/game_settings.h"
 #include "ui/game/hud_state.h"
+#include "ui/game/lesson.h"
 #include "ui/game/match_clock.h"
 #include "ui/game/match_picture.h"
 #include "ui/game/match_replay.h"
@@ -30,7 +31,7 @@ class GameScreen : public Screen {
   enum class Leave { kStay, kAway, kInspect };
 
   // The window must outlive it. Precondition: an ImGui context is current.
-  GameScreen(Window& window, MatchPicture picture, GameOptions options);
+  GameScreen(Window& window, MatchPicture picture, GameOptions options, LeftMatch left);
   ~GameScreen() override;
   GameScreen(const GameScreen&) = delete;
   GameScreen& operator=(const GameScreen&) = delete;
@@ -58,9 +59,18 @@ class GameScreen : public Screen {
   std::optional<std::string> answer(const std::string& what) const override;
 
  private:
-  enum class State { kPlaying, kPaused, kOver };
+  enum class State { kStart, kPlaying, kPaused, kOver };
 
   void start();
+  void begin_match();
+  void go_on_with(LeftMatch left);
+  void go_to_start();
+  void show_choice();
+  void begin_chosen();
+  void begin_lesson();
+  void end_lesson();
+  void load(Result<std::shared_ptr<const Rules>> rules);
+  LeavingWays ways() const { return {options_.from_editor, options_.starts}; }
   void enter(State state);
   void hear_key(int key);
   void tick();
@@ -73,6 +83,7 @@ class GameScreen : public Screen {
   // The match that is on the screen: it, or the replay of its best moment.
   const Match& shown() const;
   void take(MenuChoice choice);
+  void draw_menu();
   CameraView camera_view() const;
   void outline_sighted(const std::optional<SightedPart>& part);
   std::string words_on_speed() const;
@@ -92,6 +103,9 @@ class GameScreen : public Screen {
   std::unique_ptr<MatchReplay> replay_;  // null: there is none
   bool replay_shown_ = false;
   std::optional<BotPlayer> bot_;
+  std::optional<Lesson> lesson_;
+  double start_shown_ = 0;         // s
+  std::vector<HighScore> scores_;  // of the mode and the level that are chosen
   MatchClock clock_;
   PlayerInput input_;
   GameCamera camera_;

@@ -25,6 +25,10 @@ static void describe(KeptFields& f, GameSettings& s) {
   f.flag("aim_help", s.aim_help);
   f.flag("guide", s.guide);
   f.flag("show_speed", s.show_speed);
+  f.flag("shake", s.shake);
+  f.flag("taught", s.taught);
+  f.choice("mode", s.mode, kModeNames);
+  f.choice("vehicle", s.vehicle, kVehicleNames);
   f.choice("difficulty", s.difficulty, kDifficulties);
   f.choice("preset", s.preset, kPresets);
 }

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "core/base/result.h"
-#include "core/game/match/rules.h"
+#include "ui/game/game_modes.h"
 
 namespace kerf {
 
@@ -25,7 +25,11 @@ struct GameSettings {
   bool aim_help = true;
   bool guide = true;        // the guide is shown at the beginning of a match
   bool show_speed = false;  // frames a second are shown
+  bool shake = true;        // the camera shakes in crashes
+  bool taught = false;      // the lesson was done or skipped
   Difficulty difficulty = Difficulty::kNormal;
+  GameMode mode = GameMode::kWaves;
+  OwnVehicle vehicle = OwnVehicle::kHatchback;
   PicturePreset preset = PicturePreset::kAutomatic;
 
   static constexpr double kLeastSensitivity = 0.2, kMostSensitivity = 4;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "core/base/angle.h"
 #include "core/base/assert.h"
@@ -15,6 +16,7 @@ namespace {
 using Align = HudPaint::Align;
 
 constexpr ImU32 kBad = IM_COL32(0xff, 0x6a, 0x4d, 255);
+constexpr const char* kSkip = "Enter  skips the lesson";
 constexpr ImU32 kText = colours::kPictureText, kSecondary = colours::kPictureSecondary;
 
 std::string number(double x) { return std::to_string(static_cast<long>(std::lround(x))); }
@@ -37,7 +39,8 @@ const Vehicle& own(const HudView& view) { return view.match.vehicles()[Match::kP
 void draw_reticle(const HudView& view, const HudPaint& paint) {
   const ImVec2 middle(0.5f * paint.size().x, 0.5f * paint.size().y);
   const Vehicle& vehicle = own(view);
-  const auto aimed = on_screen(view, paint, view.camera.eye + view.aim * 30.0);
+  const Vec3 aimed_at = place_aimed_at(view.match, view.sight, view.aim);
+  const auto aimed = on_screen(view, paint, aimed_at);
   const ImVec2 at = aimed.value_or(middle);
   const float r = paint.em() * static_cast<float>(0.55 + 0.5 * view.width);
   const ImU32 colour = !vehicle.gun.works() || vehicle.gun.overheated ? kBad
@@ -55,7 +58,8 @@ void draw_reticle(const HudView& view, const HudPaint& paint) {
   const Placement& chassis = view.match.world().body(vehicle.chassis).placement;
   const Vec3 forward = direction_of(vehicle.gun.yaw, vehicle.gun.pitch);
   const Vec3 muzzle = chassis.to_world(vehicle.what().turret.barrel.pivot);
-  const auto points = on_screen(view, paint, muzzle + chassis.orientation * forward * 30.0);
+  const double length = glm::distance(muzzle, aimed_at);
+  const auto points = on_screen(view, paint, muzzle + chassis.orientation * forward * length);
   if (points) paint.list().AddCircleFilled(*points, 0.16f * paint.em(), colour);
 }
 
@@ -149,14 +153,23 @@ void draw_own_vehicle(const HudView& view, const HudPaint& paint) {
              0.9f);
 }
 
+std::string words_on_wave(const Match& match) {
+  const Standing& standing = match.standing();
+  if (match.rules().description.targets) return "take it apart";
+  std::string words =
+      "wave " + std::to_string(standing.wave + 1) + " of " + std::to_string(match.rules().waves.size());
+  if (standing.cars_left == 0) return words + ", last car";
+  return words + ", " + std::to_string(standing.cars_left) +
+         (standing.cars_left == 1 ? " car left" : " cars left");
+}
+
 void draw_score(const HudView& view, const HudPaint& paint) {
   const Standing& standing = view.match.standing();
   const float em = paint.em();
   paint.text({1.2f * em, 0.9f * em}, number(standing.score), kText, 2);
   const size_t waves = view.match.rules().waves.size();
-  if (waves == 0) return;
-  paint.text({1.2f * em, 3.1f * em},
-             "wave " + std::to_string(standing.wave + 1) + " of " + std::to_string(waves), kSecondary, 0.95f);
+  if (waves == 0 || view.task) return;
+  paint.text({1.2f * em, 3.1f * em}, words_on_wave(view.match), kSecondary, 0.95f);
   const double left = view.match.seconds_left();
   paint.text({paint.size().x - 1.2f * em, 0.9f * em}, clock_text(left), left < 30 ? kBad : kText, 2,
              Align::kRight);
@@ -171,7 +184,7 @@ void draw_state(const HudView& view, const HudPaint& paint) {
   const float em = paint.em();
   if (!view.machine.empty()) paint.text({1.2f * em, 4.4f * em}, view.machine, kSecondary, 0.8f);
   if (view.match.is_disabled())
-    paint.text({0.5f * paint.size().x, 0.42f * paint.size().y}, "disabled: G gives up", kBad, 1.4f,
+    paint.text({0.5f * paint.size().x, 0.42f * paint.size().y}, "disabled: G gives this car up", kBad, 1.4f,
                Align::kMiddle);
 }
 
@@ -258,7 +271,7 @@ void draw_hurt(const HudView& view, const HudPaint& paint) {
 
 void draw_notices(const HudView& view, const HudPaint& paint) {
   const float em = paint.em();
-  float y = 0.62f * paint.size().y, y_large = 0.3f * paint.size().y;
+  float y = 0.62f * paint.size().y, y_large = 0.2f * paint.size().y;
   for (const Notice& n : view.state.notices()) {
     const double opacity = std::min(1.0, 3 * (n.large ? 2.2 - n.age : 3.2 - n.age));
     const ImU32 colour = HudPaint::faded(n.good ? kText : kBad, opacity);
@@ -274,20 +287,40 @@ void draw_notices(const HudView& view, const HudPaint& paint) {
   }
 }
 
-void draw_guide(const HudPaint& paint) {
+// Where the player has to do something, with words, and a line on how to leave the lesson.
+void draw_task(const HudView& view, const HudPaint& paint) {
+  if (!view.task) return;
+  const float em = paint.em();
+  const ImU32 colour = colours::accent();
+  const float width = std::max(paint.width_of(view.task->text, 1.3f), paint.width_of(kSkip, 0.9f));
+  const ImVec2 top(0.5f * paint.size().x, 5 * em);
+  paint.shade({top.x - 0.5f * width - em, top.y - 0.6f * em}, {top.x + 0.5f * width + em, top.y + 3.6f * em});
+  paint.text(top, view.task->text, kText, 1.3f, Align::kMiddle);
+  paint.text({top.x, top.y + 2.1f * em}, kSkip, kSecondary, 0.9f, Align::kMiddle);
+  const std::string distance = number(glm::distance(view.task->at, view.camera.eye)) + " m";
+  const auto at = on_screen(view, paint, view.task->at);
+  if (!at || !is_inside(paint, *at, 2 * em)) return draw_arrow(view, paint, view.task->at, colour, distance);
+  paint.circle(*at, 1.6f * em, colour, 2.5f);
+  paint.list().AddTriangleFilled({at->x, at->y - 2 * em}, {at->x - 0.5f * em, at->y - 2.8f * em},
+                                 {at->x + 0.5f * em, at->y - 2.8f * em}, colour);
+  paint.text({at->x, at->y - 4.2f * em}, distance, kText, 0.9f, Align::kMiddle);
+}
+
+void draw_guide(const HudPaint& paint, bool spawns) {
   static constexpr float kLine = 1.45f;  // em
-  static constexpr std::array kLines{"W A S D  drive, Space  handbrake",
-                                     "Mouse  aim, left button  laser, wheel  width of the beam",
-                                     "Cut wheels, lasers, engines and driver's seats off the others",
-                                     "C  view from behind, 1-9  debug views", "Esc  pause, H  hides this"};
+  std::vector<const char*> lines{"W A S D  drive, Space  handbrake",
+                                 "Mouse  aim, left button  laser, wheel  width of the beam",
+                                 "Cut wheels, lasers, engines and driver's seats off the others",
+                                 "C  view from behind, 1-9  debug views", "Esc  pause, H  hides this"};
+  if (spawns) lines.insert(lines.end() - 1, "V  another car to cut");
   const float em = paint.em();
   float width = 0;
-  for (const char* line : kLines) width = std::max(width, paint.width_of(line, 1));
+  for (const char* line : lines) width = std::max(width, paint.width_of(line, 1));
   const float x = 0.5f * paint.size().x, y = 1.5f * em;
   paint.shade({x - 0.5f * width - em, y - 0.6f * em},
-              {x + 0.5f * width + em, y + (kLine * static_cast<float>(kLines.size()) + 0.2f) * em});
-  for (size_t i = 0; i < kLines.size(); ++i)
-    paint.text({x, y + kLine * em * static_cast<float>(i)}, kLines[i], kText, 1, Align::kMiddle);
+              {x + 0.5f * width + em, y + (kLine * static_cast<float>(lines.size()) + 0.2f) * em});
+  for (size_t i = 0; i < lines.size(); ++i)
+    paint.text({x, y + kLine * em * static_cast<float>(i)}, lines[i], kText, 1, Align::kMiddle);
 }
 
 }  // namespace
@@ -295,7 +328,7 @@ void draw_guide(const HudPaint& paint) {
 void draw_hud(const HudView& view) {
   const HudPaint paint;
   draw_hurt(view, paint);
-  draw_enemies(view, paint);
+  if (!view.task) draw_enemies(view, paint);
   draw_sighted(view, paint);
   if (own(view).alive) draw_reticle(view, paint);
   draw_bars(view, paint);
@@ -303,7 +336,8 @@ void draw_hud(const HudView& view) {
   draw_score(view, paint);
   draw_state(view, paint);
   draw_notices(view, paint);
-  if (view.guide) draw_guide(paint);
+  draw_task(view, paint);
+  if (view.guide && !view.task) draw_guide(paint, !view.match.rules().spawns.empty());
 }
 
 }  // namespace kerf

@@ -88,7 +88,12 @@ void HudState::tell(const Match& match, const Event& event) {
     case Kind::kRighted:
       if (own) say("back on your wheels", 0, true);
       return;
+    case Kind::kCleanPart:
+      return say("a clean part", event.points, true);
+    case Kind::kCarLost:
+      return say(event.part == 0 ? "your last car comes" : "another car comes", 0, false, true);
     case Kind::kWaveBegins:
+      if (match.rules().description.targets) return;
       return say("wave " + std::to_string(event.part + 1), 0, true, true);
     case Kind::kWaveCleared:
       return say("wave cleared", event.points, true, true);

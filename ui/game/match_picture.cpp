@@ -18,6 +18,8 @@ constexpr int kFastPictures = 60;
 constexpr double kResolutionStep = 0.1;
 constexpr double kBiteSize = 1.4;  // of sparks, compared with those of a car in the editor
 constexpr double kBiteSeconds = 1.0 / 120;
+constexpr double kSparks = 5;                               // m/s, from which on a crash throws sparks
+constexpr double kCrashSize = 2, kCrashSeconds = 1.0 / 60;  // for each m/s
 
 Paint paint_of(const Match& match, const std::string& name) {
   for (const Vehicle& v : match.vehicles()) {
@@ -117,6 +119,8 @@ void MatchPicture::follow(const Match& match) {
   renderer_.follow(match.world(), match.delta());
   graph_.follow(match);
   for (const Event& event : events) {
+    if (event.kind == Event::Kind::kImpact && event.size >= kSparks)
+      particles_.add({event.at, {0, -1, 0}, kCrashSize, kCrashSeconds * event.size}, {0, 1, 0});
     if (event.kind != Event::Kind::kCut) continue;
     const size_t by = event.by < match.vehicles().size() ? event.by : Match::kPlayer;
     const auto& last = match.vehicles()[by].gun.last;

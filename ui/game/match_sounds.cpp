@@ -41,6 +41,7 @@ void MatchSounds::hear(const Match& match) {
         sounds_.play(Shot::kGoodChime, e.at, 0.7);
         break;
       case Kind::kLost:
+      case Kind::kCarLost:
         sounds_.play(Shot::kBadChime, e.at, 0.7);
         break;
       default:

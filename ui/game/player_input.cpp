@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/angle.h"
 #include "core/base/assert.h"
@@ -48,6 +49,7 @@ void PlayerInput::poll(const Window& window, double seconds, const GameSettings&
   throttle_ = held(GLFW_KEY_W, GLFW_KEY_UP) - held(GLFW_KEY_S, GLFW_KEY_DOWN);
   steer_ = held(GLFW_KEY_A, GLFW_KEY_LEFT) - held(GLFW_KEY_D, GLFW_KEY_RIGHT);
   handbrake_ = window.is_key_held(GLFW_KEY_SPACE);
+  spawn_ = window.is_key_held(GLFW_KEY_V);
   fire_ = window.is_button_held(GLFW_MOUSE_BUTTON_LEFT) || held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_F);
   take_gamepad(seconds, settings);
 }
@@ -71,7 +73,7 @@ void PlayerInput::take_gamepad(double seconds, const GameSettings& settings) {
 
 void PlayerInput::let_go() {
   throttle_ = steer_ = 0;
-  handbrake_ = fire_ = has_pointer_ = false;
+  handbrake_ = fire_ = spawn_ = gives_up_ = has_pointer_ = false;
 }
 
 void PlayerInput::reset() {
@@ -122,7 +124,7 @@ double PlayerInput::heading(const Placement& chassis) const {
 
 Vec3 PlayerInput::direction(const Placement& chassis) const { return direction_of(heading(chassis), pitch_); }
 
-Controls PlayerInput::controls(const Placement& chassis) const {
+Controls PlayerInput::controls(const Placement& chassis) {
   const auto share = [](double x) { return static_cast<int8_t>(std::lround(x * Controls::kFull)); };
   const auto steps = [](double angle) {
     return static_cast<int32_t>(std::lround(angle / Controls::kAimStep));
@@ -132,6 +134,8 @@ Controls PlayerInput::controls(const Placement& chassis) const {
   c.steer = share(steer_);
   c.handbrake = handbrake_;
   c.fire = fire_;
+  c.spawn = spawn_;
+  c.give_up = std::exchange(gives_up_, false);
   c.width = static_cast<uint8_t>(std::lround(width_ * Controls::kFull));
   c.heading = steps(heading(chassis));
   c.pitch = steps(pitch_);

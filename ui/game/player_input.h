@@ -32,10 +32,12 @@ class PlayerInput {
   // first.
   void limit(const Interval& yaw, const Interval& pitch);
 
-  Controls controls(const Placement& chassis) const;
+  Controls controls(const Placement& chassis);
   // Where the player aims in the world, a unit vector.
   Vec3 direction(const Placement& chassis) const;
   double width() const { return width_; }  // of the beam, 0 .. 1
+  // Gives up in the next controls.
+  void give_up() { gives_up_ = true; }
 
  private:
   void take_gamepad(double seconds, const GameSettings& settings);
@@ -45,7 +47,7 @@ class PlayerInput {
   double yaw_ = 0, pitch_ = 0;  // rad, against the heading of the chassis and the horizontal plane
   double width_ = 0.35;
   double throttle_ = 0, steer_ = 0;
-  bool handbrake_ = false, fire_ = false;
+  bool handbrake_ = false, fire_ = false, spawn_ = false, gives_up_ = false;
   bool has_pointer_ = false;
   Vec2 pointer_{0};
 };

@@ -17,6 +17,7 @@ constexpr double kTurn = 0.16;                  // rad/s
 constexpr double kMiddleRate = 3;               // 1/s, at which the middle is followed
 constexpr double kPatience = 0.5;               // s that a vehicle may be hidden
 constexpr int kAngles = 24;
+constexpr double kLarge = 1.6;          // m, the diagonal of what hides something
 constexpr double kEyeClearance = 0.4;   // m, of the eye from what is behind it
 constexpr double kLeastDistance = 1.5;  // m, of the eye from what it watches
 
@@ -46,8 +47,8 @@ int ReplayCamera::hidden_from(const Match& match, const Sight& sight, const Vec3
     const Vec3 way = middle_of(match, vehicle) - eye;
     const double length = glm::length(way);
     if (!(length > 0)) return false;
-    const auto wall = [&](BodyId id) { return match.is_wall(id); };
-    return sight.nearest({eye, way / length}, length, wall).has_value();
+    const auto hit = sight.nearest({eye, way / length}, length, [&](BodyId id) { return stops(match, id); });
+    return hit.has_value();
   };
   return (hides(other_) ? 2 : 0) + (hides(Match::kPlayer) ? 1 : 0);
 }
@@ -72,19 +73,25 @@ ReplayCamera::Stand ReplayCamera::best_stand(const Match& match, const Sight& si
   return best;
 }
 
-// The two vehicles that are watched do not count as obstacles.
+// Walls, other vehicles, containers and the like: whatever is large, but for the two vehicles that are
+// watched.
+bool ReplayCamera::stops(const Match& match, BodyId id) const {
+  if (match.is_wall(id)) return true;
+  const size_t vehicle = match.vehicle_of(id);
+  if (vehicle == other_ || vehicle == Match::kPlayer) return false;
+  const AabbTree::Box box = match.world().body(id).tree.bounds();
+  return glm::length(box.max - box.min) > kLarge;
+}
+
+// On the way from the vehicle to which it happens, which stands in the open; the middle may lie in a wall.
 Vec3 ReplayCamera::free_eye(const Match& match, const Sight& sight) const {
-  const Vec3 way = eye_ - middle_;
+  const Vec3 from = middle_of(match, other_), way = eye_ - from;
   const double length = glm::length(way);
   if (!(length > kLeastDistance)) return eye_;
-  const auto stops = [&](BodyId id) {
-    const size_t vehicle = match.vehicle_of(id);
-    const bool watched = vehicle == other_ || vehicle == Match::kPlayer;
-    return match.is_wall(id) || (vehicle != Event::kNobody && !watched);
-  };
-  const auto hit = sight.nearest({middle_, way / length}, length + kEyeClearance, stops);
+  const auto hit = sight.nearest({from, way / length}, length + kEyeClearance,
+                                 [&](BodyId id) { return stops(match, id); });
   if (!hit) return eye_;
-  return middle_ + way / length * std::max(kLeastDistance, hit->length - kEyeClearance);
+  return from + way / length * std::max(0.5 * hit->length, hit->length - kEyeClearance);
 }
 
 void ReplayCamera::stand_at_best(const Match& match, const Sight& sight, const Aim& aim) {

@@ -6,7 +6,7 @@
 namespace kerf {
 
 // The camera of a replay: it stands outside, keeps the player's vehicle and another one in the picture, and
-// circles slowly around them. It stays on this side of walls and of other vehicles.
+// circles slowly around them. It stays on this side of walls, of other vehicles, and of what is as large.
 class ReplayCamera {
  public:
   // Watches the player's vehicle and `other`, an index of Match::vehicles(). What it looks at is right of the
@@ -32,6 +32,8 @@ class ReplayCamera {
   };
   Aim aim(const Match& match) const;
   static Vec3 eye_at(const Aim& aim, const Stand& stand);
+  // Whether a body hides what is behind it, and the eye stays before it.
+  bool stops(const Match& match, BodyId id) const;
   // How badly a place sees the vehicles: 0 if it sees both.
   int hidden_from(const Match& match, const Sight& sight, const Vec3& eye) const;
   Vec3 free_eye(const Match& match, const Sight& sight) const;
@@ -44,7 +46,7 @@ class ReplayCamera {
   Stand stand_;
   double hidden_s_ = 0;  // for how long a vehicle has been hidden
   Vec3 middle_{0}, eye_{0};
-  Vec3 free_eye_{0};  // m, the eye, or nearer to the middle where something is in between
+  Vec3 free_eye_{0};  // m, the eye, or nearer to the vehicle to which it happens where something is between
 };
 
 }  // namespace kerf

@@ -53,6 +53,14 @@ std::optional<SightedPart> sighted_part(const Match& match, const Sight& sight, 
                      name_of_part(match.world(), match.vehicles()[vehicle], hit->body, at)};
 }
 
+Vec3 place_aimed_at(const Match& match, const Sight& sight, const Vec3& aim) {
+  const Vehicle& own = match.vehicles()[Match::kPlayer];
+  const Vec3 from = in_world(match.world(), own, own.what().turret.barrel.pivot);
+  const double range = match.rules().description.laser.range;
+  const auto hit = sight.nearest({from, aim}, range, [&](BodyId id) { return !own.has(id); });
+  return from + (hit ? hit->length : range) * aim;
+}
+
 bool sees_vehicle(const Match& match, const Sight& sight, const Vec3& from, size_t vehicle) {
   KERF_ASSERT(vehicle < match.vehicles().size());
   const Vec3 middle =

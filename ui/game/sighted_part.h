@@ -19,6 +19,9 @@ struct SightedPart {
 // world of the match, as it is. Nothing where the beam would meet no enemy first.
 std::optional<SightedPart> sighted_part(const Match& match, const Sight& sight, const Vec3& aim);
 
+// Where a beam of the player along `aim` (unit) would end, or meet something first; m, in the world.
+Vec3 place_aimed_at(const Match& match, const Sight& sight, const Vec3& aim);
+
 // Whether no wall stands between a point and a vehicle.
 bool sees_vehicle(const Match& match, const Sight& sight, const Vec3& from, size_t vehicle);
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <span>
+#include <utility>
 
 #include "ui/gl/objects.h"
 
@@ -14,6 +15,16 @@ inline void fill_buffer(GLenum target, const Buffer& buffer, size_t bytes, const
                         GLenum usage = GL_DYNAMIC_DRAW) {
   glBindBuffer(target, buffer.name());
   glBufferData(target, static_cast<GLsizeiptr>(bytes), content, usage);
+}
+
+// Gives a buffer so many bytes: the first `kept` ones stay what they were, the others are those at `content`
+// there, or undefined ones if that is null. The buffer has another name then.
+inline void enlarge_buffer(Buffer& buffer, size_t kept, size_t bytes, const void* content = nullptr) {
+  Buffer larger;
+  fill_buffer(GL_COPY_WRITE_BUFFER, larger, bytes, content);
+  glBindBuffer(GL_COPY_READ_BUFFER, buffer.name());
+  glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, static_cast<GLsizeiptr>(kept));
+  buffer = std::move(larger);
 }
 
 // Binds a buffer and replaces its items from the index `first` on. Precondition: it has room for them.

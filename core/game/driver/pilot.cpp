@@ -1,5 +1,6 @@
 #include "core/game/driver/pilot.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "core/base/hash.h"
@@ -14,7 +15,8 @@ Pilot::Pilot(uint64_t seed, const PilotSkill& skill)
 
 // The nearest opponent that is alive, with a preference for the one that it fights already.
 void Pilot::choose_opponent(const DriverView& view) {
-  const bool lives = has_opponent_ && view.vehicles[opponent_].alive;
+  const bool lives = has_opponent_ && std::ranges::find(view.opponents, opponent_) != view.opponents.end() &&
+                     view.vehicles[opponent_].alive;
   if (lives && --choose_in_ > 0) return;
   choose_in_ = kTicksPerSecond;
   const size_t before = opponent_;

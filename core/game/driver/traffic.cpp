@@ -9,10 +9,40 @@ namespace {
 
 constexpr double kSmall = 0.8;  // m, the diagonal of what vehicles drive over
 constexpr double kFlat = 0.25;  // m, likewise the height
+constexpr double kTall = 4.5;   // m, the diagonal from which on what is above a vehicle does not count
+constexpr double kRoof = 2.2;   // m
 
 bool is_carried(std::span<const Vehicle> vehicles, BodyId id) {
   return std::any_of(vehicles.begin(), vehicles.end(),
                      [&](const Vehicle& v) { return v.chassis != id && v.has(id); });
+}
+
+// The height of a point of a body over the origin of the world, m.
+double height_of(const Body& body, const Vec3& p) { return body.placement.to_world(p).y; }
+
+double lowest_of(const Body& body, const AabbTree::Box& box) {
+  double lowest = height_of(body, box.min);
+  for (int corner = 1; corner < 8; ++corner) {
+    const Vec3 p((corner & 1 ? box.max : box.min).x, (corner & 2 ? box.max : box.min).y,
+                 (corner & 4 ? box.max : box.min).z);
+    lowest = std::min(lowest, height_of(body, p));
+  }
+  return lowest;
+}
+
+// The box of the faces of a tall body that begin below the roof of a vehicle that stands beside it.
+AabbTree::Box low_box(const Body& body, double below) {
+  AabbTree::Box low{Vec3(1e300), Vec3(-1e300)};
+  for (uint32_t slot = 0; slot < body.mesh.face_slots(); ++slot) {
+    if (!body.mesh.is_live(FaceId(slot))) continue;
+    const Triangle t = body.mesh.triangle(FaceId(slot));
+    if (std::ranges::none_of(t, [&](const Vec3& p) { return height_of(body, p) < below; })) continue;
+    for (const Vec3& p : t) {
+      low.min = glm::min(low.min, p);
+      low.max = glm::max(low.max, p);
+    }
+  }
+  return low;
 }
 
 // Covers a box of a body by discs along its longest side.
@@ -47,9 +77,11 @@ std::vector<Disc> find_traffic(const World& world, std::span<const Vehicle> vehi
   for (const BodyId id : world.ids()) {
     const Body& body = world.body(id);
     if (body.pinned || body.hidden || body.tree.leaf_count() == 0) continue;
-    const AabbTree::Box box = body.tree.bounds();
-    if (glm::length(box.max - box.min) < kSmall || is_carried(vehicles, id)) continue;
-    cover(body, id, box, discs);
+    AabbTree::Box box = body.tree.bounds();
+    const double size = glm::length(box.max - box.min);
+    if (size < kSmall || is_carried(vehicles, id)) continue;
+    if (size > kTall) box = low_box(body, lowest_of(body, box) + kRoof);
+    if (box.min.x <= box.max.x) cover(body, id, box, discs);
   }
   return discs;
 }

@@ -17,7 +17,8 @@ struct Disc {
 };
 
 // The discs of all bodies that a vehicle had better not drive over: chassis, wrecks, props, and large pieces.
-// Long bodies are covered by several. O(bodies).
+// Long bodies are covered by several, tall ones only as far as vehicles reach. O(bodies + faces of tall
+// ones).
 std::vector<Disc> find_traffic(const World& world, std::span<const Vehicle> vehicles);
 
 }  // namespace kerf

@@ -30,7 +30,7 @@ void aim(const World& world, Vehicle& vehicle) {
   gun.pitch += std::clamp(pitch - gun.pitch, -kPitchSpeed * kTick, kPitchSpeed * kTick);
 }
 
-bool trigger(Vehicle& vehicle, const LaserRules& rules) {
+bool trigger(Vehicle& vehicle, double speed, const LaserRules& rules) {
   Gun& gun = vehicle.gun;
   const double width = static_cast<double>(vehicle.controls.width) / Controls::kFull;
   const double least = gun.firing ? 0 : kLeastEnergy;
@@ -38,7 +38,9 @@ bool trigger(Vehicle& vehicle, const LaserRules& rules) {
   if (!gun.firing) gun.last.reset();
   gun.radius = rules.radius.low + width * (rules.radius.high - rules.radius.low);
   const double effort = gun.firing ? 0.6 + 0.8 * width : 0;
-  gun.energy += kTick * (gun.firing ? -rules.drain * effort : rules.charge);
+  const double driving = std::min(speed / LaserRules::kDriving, 1.0);
+  const double charge = rules.charge + driving * (rules.charge_driving - rules.charge);
+  gun.energy += kTick * (gun.firing ? -rules.drain * effort : charge);
   gun.heat += kTick * (gun.firing ? rules.heating * effort : -rules.cooling);
   gun.energy = std::clamp(gun.energy, 0.0, 1.0);
   gun.heat = std::clamp(gun.heat, 0.0, 1.0);

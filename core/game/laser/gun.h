@@ -11,7 +11,7 @@ namespace kerf {
 void aim(const World& world, Vehicle& vehicle);
 
 // Switches the beam of a vehicle on or off for a tick as its controls, energy and heat say, and lets energy
-// and heat change. Returns whether it overheated in this tick.
-bool trigger(Vehicle& vehicle, const LaserRules& rules);
+// and heat change; `speed` of the vehicle is in m/s. Returns whether it overheated in this tick.
+bool trigger(Vehicle& vehicle, double speed, const LaserRules& rules);
 
 }  // namespace kerf

@@ -6,7 +6,8 @@ namespace kerf {
 
 namespace {
 
-PilotSkill skill() { return {{0.005, 4, 0.4, 0.9, 60, 55}, 0.05, 22, 0.9}; }
+// About as well as somebody who plays for the second time.
+PilotSkill skill() { return {{0.035, 1, 1, 0.45, 50, 60}, 0.2, 8, 0.85}; }
 
 }  // namespace
 

@@ -6,7 +6,11 @@
 #include "core/base/assert.h"
 #include "core/base/hash.h"
 #include "core/game/laser/gun.h"
+#include "core/game/match/places.h"
 #include "core/game/match/recover.h"
+#include "core/game/vehicle/back_off.h"
+#include "core/game/vehicle/clean_part.h"
+#include "core/game/vehicle/crash.h"
 #include "core/game/vehicle/drive.h"
 #include "core/game/vehicle/glide.h"
 #include "core/game/vehicle/vehicle_bodies.h"
@@ -15,9 +19,11 @@ namespace kerf {
 
 namespace {
 
-constexpr Ticks kLookAround = 6;   // after which drivers look where others are
-constexpr double kImpact = 1.5;    // m/s, from which on a change of velocity is told
-constexpr double kCrumb = 0.0015;  // m^2; smaller pieces burn up
+constexpr Ticks kLookAround = 6;                   // after which drivers look where others are
+constexpr size_t kMostSpawned = 8;                 // vehicles in a sandbox
+constexpr double kImpact = 1.5;                    // m/s, from which on a change of velocity is told
+constexpr double kThrown = 0.2, kThrownUp = 0.12;  // of the change of velocity in a crash
+constexpr double kCrumb = 0.0015;                  // m^2; smaller pieces burn up
 
 PilotSkill pilot_skill(const EnemySkill& skill) {
   const double burst = 0.25 + 1.25 * skill.fire * skill.fire, pause = 0.5 + 3 * (1 - skill.fire);
@@ -25,18 +31,11 @@ PilotSkill pilot_skill(const EnemySkill& skill) {
   return {{skill.aim_error, burst, pause, vital, 0, range}, skill.reaction, skill.distance, skill.speed};
 }
 
-// The starts of the enemies, those farthest from a place first.
-std::vector<Start> starts_by_distance(const ArenaDescription& arena, const Vec3& from) {
-  std::vector<Start> starts = arena.enemies;
-  std::stable_sort(starts.begin(), starts.end(), [&](const Start& a, const Start& b) {
-    return glm::distance(a.position, from) > glm::distance(b.position, from);
-  });
-  return starts;
-}
-
 WaveStart first_wave(const MatchSetup& setup) {
   KERF_ASSERT(setup.rules);
-  return {{}, setup.rules->arena.description.player.placement(), 0};
+  WaveStart start{{}, setup.rules->arena.description.player.placement(), 0, {}};
+  start.standing.cars_left = setup.rules->description.cars - 1;
+  return start;
 }
 
 }  // namespace
@@ -49,39 +48,67 @@ Match::Match(MatchSetup setup, const WaveStart& start) : setup_(std::move(setup)
   obstacles_ = Obstacles(rules().arena);
   space_ = FreeSpace(rules().arena);
   tally_ = Tally(rules().description.scores, start.standing, start.strokes);
-  begin_wave(start.standing.wave, start.player);
+  begin_wave(start);
 }
 
 double Match::seconds_left() const {
   return std::max(0.0, rules().description.times.match - seconds_of_ticks(standing().ticks));
 }
 
-void Match::begin_wave(size_t wave, const Placement& player) {
+void Match::begin_wave(const WaveStart& start) {
   world_ = MatchWorld(rules().arena);
   vehicles_.clear();
   pilots_.clear();
   enemies_.clear();
+  numbers_.clear();
+  asked_ = false;
   Delta came;
-  vehicles_.push_back(add_vehicle(world_.world(), rules().player, player, MatchWorld::kGeneration, came));
-  if (wave < rules().waves.size()) {
-    const std::vector<Start> starts = starts_by_distance(rules().arena.description, player.position);
-    for (size_t i = 0; i < rules().waves[wave].size(); ++i) {
-      Start start = starts[i % starts.size()];
-      start.position += (5.0 * static_cast<double>(i / starts.size())) * direction_of(start.heading, 0);
-      enemies_.push_back(vehicles_.size());
-      vehicles_.push_back(add_vehicle(world_.world(), rules().waves[wave][i], start.placement(),
-                                      MatchWorld::kGeneration, came));
-      pilots_.emplace_back(hash_combine(hash_combine(setup_.seed, wave), i),
-                           pilot_skill(rules().skill(setup_.difficulty)));
-    }
-  }
+  vehicles_.push_back(
+      add_vehicle(world_.world(), rules().player, start.player, MatchWorld::kGeneration, came));
+  add_enemies(start, came);
   traffic_ = find_traffic(world(), vehicles_);
   tally_.begin_wave(vehicles_.size());
-  tally_.standing().wave = wave;
+  tally_.standing().wave = start.standing.wave;
   tally_.standing().phase = Standing::Phase::kFight;
-  wave_start_ = {standing(), player, strokes()};
-  tally_.tell({Event::Kind::kWaveBegins, Event::kNobody, Event::kNobody, wave});
+  wave_start_ = {standing(), start.player, strokes(), start.out};
+  tally_.tell({Event::Kind::kWaveBegins, Event::kNobody, Event::kNobody, start.standing.wave});
   world_.make_colliders(guided(), carried());
+}
+
+void Match::add_enemies(const WaveStart& start, Delta& came) {
+  const size_t wave = start.standing.wave;
+  if (wave >= rules().waves.size()) return;
+  const std::vector<Start> starts = starts_by_way(rules().arena.description, space_, start.player.position);
+  const uint64_t seed = hash_combine(hash_combine(setup_.seed, wave), standing().cars_left);
+  for (size_t i = 0; i < rules().waves[wave].size(); ++i) {
+    if (std::ranges::find(start.out, i) != start.out.end()) continue;
+    Start start_of_this = starts[i % starts.size()];
+    start_of_this.position +=
+        (5.0 * static_cast<double>(i / starts.size())) * direction_of(start_of_this.heading, 0);
+    const Placement at = start_of_this.placement();
+    enemies_.push_back(vehicles_.size());
+    numbers_.push_back(i);
+    vehicles_.push_back(
+        add_vehicle(world_.world(), rules().waves[wave][i], at, MatchWorld::kGeneration, came));
+    pilots_.emplace_back(hash_combine(seed, i), pilot_skill(rules().skill(setup_.difficulty)));
+  }
+}
+
+// A vehicle comes where the player asks for one, as long as there are not too many.
+void Match::spawn() {
+  const bool asks = vehicles_[kPlayer].controls.spawn, asked = std::exchange(asked_, asks);
+  if (!asks || asked || rules().spawns.empty() || vehicles_.size() > kMostSpawned) return;
+  traffic_ = find_traffic(world(), vehicles_);
+  const std::optional<Placement> place =
+      place_before(world().body(vehicles_[kPlayer].chassis).placement, space_, traffic_);
+  if (!place) return;
+  const auto& model = rules().spawns[(vehicles_.size() - 1) % rules().spawns.size()];
+  Delta came;
+  vehicles_.push_back(add_vehicle(world_.world(), model, upright(*place, rules().arena.description.ground),
+                                  MatchWorld::kGeneration, came));
+  tally_.add_vehicle();
+  thrown_.emplace_back(0);
+  world_.follow(std::move(came));
 }
 
 size_t Match::vehicle_of(BodyId body) const {
@@ -115,6 +142,7 @@ DriverView Match::view(size_t vehicle, const Sight& sight) const {
 void Match::tick(const Controls& player) {
   world_.begin_tick(standing().elapsed());
   tally_.begin_tick();
+  thrown_.assign(vehicles_.size(), Vec3(0));
   if (standing().over()) return go_on_afterwards();
   {
     const Sight sight(world());
@@ -122,6 +150,7 @@ void Match::tick(const Controls& player) {
     take_controls(player, sight);
     steer_vehicles(sight);
   }
+  spawn();
   world_.renew_colliders();
   PlacementsBefore before;
   move_bodies(before);
@@ -167,16 +196,12 @@ bool Match::is_disabled() const {
   return own.alive && !own.gun.works() && wheels < 2;
 }
 
-void Match::give_up() {
-  KERF_ASSERT(!standing().over() && is_disabled());
-  tally_.standing().phase = Standing::Phase::kLost;
-}
-
 void Match::take_controls(const Controls& player, const Sight& sight) {
-  vehicles_[kPlayer].controls = player;
+  vehicles_[kPlayer].controls = backed_off(world(), vehicles_[kPlayer], player);
   for (size_t i = 0; i < enemies_.size(); ++i) {
     Vehicle& enemy = vehicles_[enemies_[i]];
-    if (enemy.alive) enemy.controls = pilots_[i].drive(view(enemies_[i], sight));
+    if (enemy.alive && !rules().description.targets)
+      enemy.controls = pilots_[i].drive(view(enemies_[i], sight));
   }
   take_turns();
 }
@@ -240,11 +265,20 @@ void Match::note_impacts(const std::vector<Vec3>& velocities_before) {
   const Vec3 falling = world().surroundings().gravity / static_cast<double>(kTicksPerSecond);
   for (size_t v = 0; v < vehicles_.size(); ++v) {
     const Body& chassis = world().body(vehicles_[v].chassis);
-    const double change = glm::length(chassis.motion.velocity - velocities_before[v] - falling);
-    if (change < kImpact) continue;
-    tally_.tell({Event::Kind::kImpact, v, Event::kNobody, 0, vehicles_[v].chassis, chassis.placement.position,
-                 change});
+    const Vec3 change = chassis.motion.velocity - velocities_before[v] - falling;
+    const double size = glm::length(change);
+    if (size < kImpact || chassis.tree.leaf_count() == 0) continue;
+    const Vec3 at = pushed_at(chassis, change);
+    tally_.tell({Event::Kind::kImpact, v, Event::kNobody, 0, vehicles_[v].chassis, at, size});
+    if (size >= kCrash) crash(v, at, change);
   }
+}
+
+// What a crash lets go is thrown away from what was run into.
+void Match::crash(size_t vehicle, const Vec3& at, const Vec3& change) {
+  if (!let_go_near(world_.world(), vehicles_[vehicle], at, glm::length(change))) return;
+  world_.note_let_go();
+  thrown_[vehicle] = kThrown * change + Vec3(0, kThrownUp * glm::length(change), 0);
 }
 
 void Match::fire_beams(const PlacementsBefore& before) {
@@ -254,7 +288,7 @@ void Match::fire_beams(const PlacementsBefore& before) {
   for (size_t v = 0; v < vehicles_.size(); ++v) {
     Vehicle& vehicle = vehicles_[v];
     const bool was_on = vehicle.gun.firing;
-    if (trigger(vehicle, laser))
+    if (trigger(vehicle, glm::length(world().body(vehicle.chassis).motion.velocity), laser))
       tally_.tell({Event::Kind::kOverheated, v, v, 0, {}, world().body(vehicle.chassis).placement.position});
     if (!vehicle.gun.firing) continue;
     if (!was_on && v == kPlayer) tally_.count_stroke();
@@ -276,7 +310,11 @@ void Match::separate() {
     const size_t victim = vehicle_of(piece.from);
     const Vehicle* vehicle = victim != Event::kNobody ? &vehicles_[victim] : nullptr;
     if (vehicle) body.sheet = vehicle->what().body.sheet;
-    if (!standing().over()) tally_.note_piece(piece, body, victim, vehicle);
+    if (vehicle) body.motion.velocity += thrown_[victim];
+    if (!standing().over())
+      tally_.note_piece(
+          piece, body, victim, vehicle,
+          vehicle && piece.from == vehicle->chassis && is_clean(body, vehicle->model->chassis.body));
   }
   world_.remove(crumbs);
 }
@@ -303,26 +341,59 @@ void Match::recover() {
 void Match::judge() {
   using Phase = Standing::Phase;
   Standing& standing = tally_.standing();
-  if (standing.phase == Phase::kPause) {
-    if (--standing.pause_left > 0) return;
-    const Body& chassis = world().body(vehicles_[kPlayer].chassis);
-    return begin_wave(standing.wave + 1, upright(chassis.placement, rules().arena.description.ground));
-  }
-  if (!vehicles_[kPlayer].alive || seconds_left() <= 0) {
-    const bool sandbox = rules().waves.empty() && vehicles_[kPlayer].alive;
-    standing.phase = sandbox ? Phase::kEnded : Phase::kLost;
-    if (!sandbox) tally_.tell({Event::Kind::kLost});
+  if (standing.phase == Phase::kPause || standing.phase == Phase::kDown) return end_pause();
+  const bool gave_up = vehicles_[kPlayer].controls.give_up && is_disabled();
+  const bool alive = vehicles_[kPlayer].alive && !gave_up, no_time = seconds_left() <= 0;
+  if (no_time && alive && (rules().waves.empty() || rules().description.targets)) {
+    standing.phase = Phase::kEnded;
     return;
   }
+  if (!alive && !no_time && standing.cars_left > 0) return lose_car();
+  if (!alive || no_time) {
+    standing.phase = Phase::kLost;
+    return tally_.tell({Event::Kind::kLost});
+  }
   const auto lives = [&](size_t v) { return vehicles_[v].alive; };
-  if (enemies_.empty() || std::any_of(enemies_.begin(), enemies_.end(), lives)) return;
+  if (rules().description.targets || enemies_.empty() || std::ranges::any_of(enemies_, lives)) return;
   tally_.tell({Event::Kind::kWaveCleared, Event::kNobody, Event::kNobody, standing.wave});
   if (standing.wave + 1 == rules().waves.size()) {
     standing.phase = Phase::kWon;
     return tally_.tell({Event::Kind::kWon});
   }
   standing.phase = Phase::kPause;
-  standing.pause_left = static_cast<Ticks>(rules().description.times.between_waves * kTicksPerSecond) + 1;
+  standing.pause_left = pause();
+}
+
+Ticks Match::pause() const {
+  return static_cast<Ticks>(rules().description.times.between_waves * kTicksPerSecond) + 1;
+}
+
+void Match::lose_car() {
+  Standing& standing = tally_.standing();
+  --standing.cars_left;
+  standing.phase = Standing::Phase::kDown;
+  standing.pause_left = pause();
+  tally_.tell({Event::Kind::kCarLost, kPlayer, Event::kNobody, standing.cars_left});
+}
+
+// The next wave begins where the player is; with another car the same one begins again, without the enemies
+// that are out of action.
+void Match::end_pause() {
+  Standing& standing = tally_.standing();
+  if (--standing.pause_left > 0) return;
+  WaveStart next = wave_start_;
+  if (standing.phase == Standing::Phase::kDown) {
+    for (size_t i = 0; i < enemies_.size(); ++i) {
+      if (!vehicles_[enemies_[i]].alive) next.out.push_back(numbers_[i]);
+    }
+    next.player = rules().arena.description.player.placement();
+  } else {
+    ++next.standing.wave;
+    next.out.clear();
+    const Body& chassis = world().body(vehicles_[kPlayer].chassis);
+    next.player = upright(chassis.placement, rules().arena.description.ground);
+  }
+  begin_wave(next);
 }
 
 }  // namespace kerf

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/game/arena/free_space.h"
@@ -23,8 +24,9 @@ struct MatchSetup {
 // How a match stands where a wave begins: all that a wave depends on besides the setup of the match.
 struct WaveStart {
   Standing standing;
-  Placement player;    // of the player's vehicle
-  size_t strokes = 0;  // of the player before
+  Placement player;         // of the player's vehicle
+  size_t strokes = 0;       // of the player before
+  std::vector<size_t> out;  // enemies of the wave that an earlier car of the player put out of action
 };
 
 // A match: the player's vehicle against waves of enemies in an arena.
@@ -47,10 +49,8 @@ class Match {
   // Whether the match is over, and its world has come to its end.
   bool settled() const { return standing().over() && standing().aftermath == kAftermath; }
 
-  // Whether the player can neither fire nor drive. Who gives up then has lost at once.
+  // Whether the player can neither fire nor drive. Who gives up then has lost his car.
   bool is_disabled() const;
-  // Precondition: the match is not over, and the player is disabled. A recording ends here.
-  void give_up();
 
   const Rules& rules() const { return *setup_.rules; }
   const MatchSetup& setup() const { return setup_; }
@@ -64,7 +64,7 @@ class Match {
 
   const World& world() const { return world_.world(); }
   const Physics& physics() const { return world_.physics(); }
-  // The vehicles of the wave, the player's first, then its enemies.
+  // The vehicles of the wave, the player's first, then its enemies, then those that were asked for.
   static constexpr size_t kPlayer = Tally::kPlayer;
   const std::vector<Vehicle>& vehicles() const { return vehicles_; }
   // The index of the vehicle that a body is or is carried by, or Event::kNobody.
@@ -80,7 +80,9 @@ class Match {
   DriverView view(size_t vehicle, const Sight& sight) const;
 
  private:
-  void begin_wave(size_t wave, const Placement& player);
+  void begin_wave(const WaveStart& start);
+  void add_enemies(const WaveStart& start, Delta& came);
+  void spawn();
   void steer_vehicles(const Sight& sight);
   void go_on_afterwards();
   void take_controls(const Controls& player, const Sight& sight);
@@ -90,11 +92,15 @@ class Match {
   std::vector<Vec3> velocities() const;
   void move_bodies(PlacementsBefore& before);
   void note_impacts(const std::vector<Vec3>& velocities);
+  void crash(size_t vehicle, const Vec3& at, const Vec3& change);
   void fire_beams(const PlacementsBefore& before);
   void separate();
   void assess();
   void recover();
   void judge();
+  Ticks pause() const;
+  void lose_car();
+  void end_pause();
 
   MatchSetup setup_;
   Obstacles obstacles_;
@@ -105,7 +111,10 @@ class Match {
   std::vector<Vehicle> vehicles_;
   std::vector<Disc> traffic_;    // as it was when drivers last looked around
   std::vector<Pilot> pilots_;    // of the enemies
-  std::vector<size_t> enemies_;  // indices of vehicles
+  std::vector<size_t> enemies_;  // indices of vehicles that fight
+  std::vector<size_t> numbers_;  // of these in the wave of the rules
+  bool asked_ = false;           // for a vehicle, in the last tick
+  std::vector<Vec3> thrown_;     // by vehicle, m/s, what comes off it in this tick by a crash
 };
 
 }  // namespace kerf

@@ -47,6 +47,8 @@ class MatchWorld {
   void keep_inside(const ArenaDescription& arena);
   // Notes bodies that were placed by something else than the physics in the course of move().
   void note_placed(std::vector<BodyId> bodies);
+  // Notes that joints were let go by something else than beams.
+  void note_let_go() { joints_are_asked_ = true; }
   // Follows any other change of the world.
   void follow(Delta change);
   void remove(const std::vector<BodyId>& bodies);

@@ -22,7 +22,9 @@ constexpr size_t kMostTicks = 36'000 * kTicksPerSecond;
 
 // The controls of `ticks` equal ticks.
 nlohmann::ordered_json run_json(const Controls& c, size_t ticks) {
-  return {ticks, c.throttle, c.steer, c.handbrake ? 1 : 0, c.fire ? 1 : 0, c.width, c.heading, c.pitch};
+  return {
+      ticks,          c.throttle, c.steer,   (c.handbrake ? 1 : 0) + (c.spawn ? 2 : 0) + (c.give_up ? 4 : 0),
+      c.fire ? 1 : 0, c.width,    c.heading, c.pitch};
 }
 
 // The controls of one second.
@@ -50,13 +52,17 @@ Status parse_run(const JsonValue& value, std::vector<Controls>& controls) {
   const nlohmann::json& run = value.json();
   constexpr int64_t kFull = Controls::kFull, kAngle = 100'000;
   size_t ticks = 0;
+  uint8_t buttons = 0;
   Controls c;
   const bool good = run.is_array() && run.size() == 8 && take(run, 0, 1, kTicksPerSecond, ticks) &&
                     take(run, 1, -kFull, kFull, c.throttle) && take(run, 2, -kFull, kFull, c.steer) &&
-                    take(run, 3, 0, 1, c.handbrake) && take(run, 4, 0, 1, c.fire) &&
+                    take(run, 3, 0, 7, buttons) && take(run, 4, 0, 1, c.fire) &&
                     take(run, 5, 0, kFull, c.width) && take(run, 6, -kAngle, kAngle, c.heading) &&
                     take(run, 7, -kAngle, kAngle, c.pitch);
   if (!good) return value.wrong("must be eight whole numbers of the controls of a vehicle");
+  c.handbrake = buttons % 2 == 1;
+  c.spawn = buttons / 2 % 2 == 1;
+  c.give_up = buttons >= 4;
   if (controls.size() + ticks > kMostTicks) return value.wrong("is beyond ten hours");
   controls.insert(controls.end(), ticks, c);
   return Done{};
@@ -77,6 +83,7 @@ void describe_head(Fields& f, Recording& recording) {
   f.check(kind == "match", "kerf", "this is no recording of a match");
   f.version("version", recording.version, kMatchVersion);
   f.path("rules", recording.rules);
+  if (f.present("player", !recording.player.empty())) f.path("player", recording.player);
   f.coded("files", recording.files, parse_hash, hash_text, kHashRule);
   f.whole("seed", recording.seed, 0, kMostSeed);
   f.choice("difficulty", recording.difficulty, kNames);
@@ -124,6 +131,7 @@ Result<std::string> recording_text(const Recording& recording, const std::filesy
 Result<uint64_t> hash_of_files(const std::filesystem::path& rules_file, const RulesDescription& rules) {
   std::vector<std::filesystem::path> vehicles{rules.player};
   for (const auto& wave : rules.waves) vehicles.insert(vehicles.end(), wave.begin(), wave.end());
+  vehicles.insert(vehicles.end(), rules.spawns.begin(), rules.spawns.end());
   const auto once = [](std::vector<std::filesystem::path>& files) {
     for (std::filesystem::path& file : files) file = file.lexically_normal();
     std::sort(files.begin(), files.end());

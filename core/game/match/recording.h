@@ -11,20 +11,22 @@ namespace kerf {
 
 // The version of the matches: raised whenever the same inputs lead to another world than before. Recordings
 // of earlier versions are read, and end otherwise than they say.
-inline constexpr size_t kMatchVersion = 2;
+inline constexpr size_t kMatchVersion = 3;
 
 // A match as its file holds it, one JSON object a line:
 //
-//   {"kerf": "match", "version": 2, "rules": "games/standard.json", "files": "0123456789abcdef", "seed": 1,
+//   {"kerf": "match", "version": 3, "rules": "games/standard.json", "files": "0123456789abcdef", "seed": 1,
 //    "difficulty": "normal"}
-//   {"inputs": [[ticks, throttle, steer, handbrake, fire, width, heading, pitch], ...]}
+//   {"inputs": [[ticks, throttle, steer, buttons, fire, width, heading, pitch], ...]}
 //   {"hash": "0123456789abcdef", "machine": "..."}
 //
 // "version" is kMatchVersion as it was when the match was played. "files" is a hash of the rules and of all
-// files that they name. Inputs are the player's controls, each for so many ticks; each line holds a second.
-// The hash is that of the world at the end.
+// files that they name. A vehicle file "player" is in the head where the player drove another vehicle than
+// that of the rules. Inputs are the player's controls, each for so many ticks; each line holds a second. Of
+// the buttons the handbrake counts 1, asking for a vehicle 2, and giving up 4. The hash is that of the world
+// at the end.
 struct Recording {
-  std::filesystem::path rules;
+  std::filesystem::path rules, player;  // player: empty where it is that of the rules
   uint64_t files = 0, seed = 1;
   Difficulty difficulty = Difficulty::kNormal;
   std::vector<Controls> controls;  // by tick

@@ -14,7 +14,7 @@ namespace {
 constexpr double kLeaning = 0.35;  // the cosine of the lean from which on a vehicle is overturned
 constexpr double kRoom = 2.5;      // m, around a vehicle
 constexpr double kFreeSpeed = 3;   // m/s
-constexpr double kAway = 0.5;      // m
+constexpr double kAway = 0.9;      // m
 constexpr double kGetAway = 1.2;   // s, that a vehicle which was put upright has to get away
 constexpr double kLift = 0.35;     // m
 
@@ -59,17 +59,19 @@ bool is_free(const World& world, const Vehicle& vehicle, const Vec3& place) {
   return true;
 }
 
-// Where a vehicle can drive on: where it last did, or the nearest place with room.
+// Where a vehicle can drive on: where it last did, or the nearest place with room. One that is wedged has
+// tried the places beside it.
 std::optional<Placement> way_out(const World& world, const Vehicle& vehicle, const FreeSpace& space,
                                  const Placement& from) {
+  const bool wedged = vehicle.back_off.wedged;
   const auto serves = [&](const Vec3& place) {
     return glm::distance(place, from.position) > kAway && is_free(world, vehicle, place);
   };
-  if (vehicle.free_place && serves(vehicle.free_place->position)) return vehicle.free_place;
+  if (!wedged && vehicle.free_place && serves(vehicle.free_place->position)) return vehicle.free_place;
   if (space.spots() == 0) return std::nullopt;
-  constexpr double kFarthest = 20, kApart = 2;  // m
+  constexpr double kFarthest = 20, kApart = 2, kWellAway = 6;  // m
   constexpr int kDirections = 12;
-  for (double reach = kApart; reach <= kFarthest; reach += kApart) {
+  for (double reach = wedged ? kWellAway : kApart; reach <= kFarthest; reach += kApart) {
     for (int i = 0; i < kDirections; ++i) {
       const Vec3 there = from.position + reach * direction_of(2 * kPi * i / kDirections, 0);
       const FreeSpace::Spot spot = space.spot_at(there);
@@ -94,7 +96,8 @@ bool recover_vehicle(World& world, Vehicle& vehicle, const FreeSpace& space, con
   Body& chassis = world.body(vehicle.chassis);
   count(chassis, vehicle);
   const bool overturned = vehicle.overturned_s >= times.righting;
-  const bool stuck = vehicle.stuck_s >= times.stuck && vehicle.can_drive() && is_caught(vehicle);
+  const bool caught = vehicle.stuck_s >= times.stuck && is_caught(vehicle);
+  const bool stuck = (caught || vehicle.back_off.wedged) && vehicle.can_drive();
   if (!overturned && !stuck) return false;
   const double ground = world.surroundings().ground.value_or(chassis.placement.position.y);
   // The middle of a vehicle on its roof is not where its origin is.
@@ -106,6 +109,7 @@ bool recover_vehicle(World& world, Vehicle& vehicle, const FreeSpace& space, con
   chassis.placement = out ? upright(*out, ground) : here;
   chassis.motion = Motion{};
   vehicle.overturned_s = 0;
+  vehicle.back_off = {};
   begin_to_count(chassis, vehicle);
   if (!out) vehicle.stuck_s = std::max(0.0, times.stuck - kGetAway);
   vehicle.gun.last.reset();  // lest the beam sweeps through all that lies between

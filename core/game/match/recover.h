@@ -10,8 +10,8 @@ namespace kerf {
 // Counts for how long a vehicle lies on its side or roof, and for how long it has not got away from a place
 // although it wants to or lies there, and helps it after a while if it is alive and has a wheel. One that
 // lies is put upright where it is, a little higher; one that is stuck, or does not get away after that, goes
-// to where it last drove freely, or else to the nearest place in `space` with room. Returns whether it did.
-// To be called once a tick.
+// to where it last drove freely, or else to the nearest place in `space` with room, and one that is wedged
+// (see backed_off) at once to such a place. Returns whether it did. To be called once a tick.
 bool recover_vehicle(World& world, Vehicle& vehicle, const FreeSpace& space, const MatchTimes& times);
 
 // A placement with the heading of another one, upright and a little above it, not below the ground (m).

@@ -10,22 +10,23 @@ namespace kerf {
 
 namespace {
 
-constexpr size_t kMostEnemies = 12, kMostWaves = 50;
+constexpr size_t kMostEnemies = 12, kMostWaves = 50, kMostCars = 9;
 constexpr NumberRange kPoints{0, 1e6};
 
 std::array<EnemySkill, 3> default_skills() {
   return {EnemySkill{0.9, 0.105, 0.7, 0.35}, EnemySkill{}, EnemySkill{0.3, 0.03, 1, 1}};
 }
 
-Status read_wave(const JsonValue& value, const std::filesystem::path& folder,
-                 std::vector<std::filesystem::path>& wave) {
+// Reads 1 to kMostEnemies names.
+Status read_vehicles(const JsonValue& value, const std::filesystem::path& folder,
+                     std::vector<std::filesystem::path>& vehicles) {
   if (const Status array = value.array("vehicle files"); !array) return array;
   if (value.json().empty() || value.json().size() > kMostEnemies)
     return value.wrong("must name 1 to " + std::to_string(kMostEnemies) + " vehicle files");
   for (size_t i = 0; i < value.json().size(); ++i) {
     const auto name = value[i].text();
     if (!name) return name.error();
-    wave.push_back(folder / *name);
+    vehicles.push_back(folder / *name);
   }
   return Done{};
 }
@@ -33,7 +34,7 @@ Status read_wave(const JsonValue& value, const std::filesystem::path& folder,
 Status read_waves(const JsonValue& value, const std::filesystem::path& folder, RulesDescription& rules) {
   if (const Status array = value.array("waves"); !array) return array;
   for (size_t i = 0; i < value.json().size(); ++i) {
-    if (const Status wave = read_wave(value[i], folder, rules.waves.emplace_back()); !wave) return wave;
+    if (const Status wave = read_vehicles(value[i], folder, rules.waves.emplace_back()); !wave) return wave;
   }
   if (rules.waves.size() <= kMostWaves) return Done{};
   return value.wrong("must hold no more than " + std::to_string(kMostWaves) + " waves");
@@ -77,12 +78,16 @@ class Garage {
 static void describe(Fields& f, LaserRules& laser) {
   f.number("range", laser.range, {1, 1000, "m"}, kOptional);
   f.interval("radius", laser.radius, {0.001, 0.5, "m"}, kOptional);
-  double energy = 100, drain = energy * laser.drain, charge = energy * laser.charge;
+  double energy = 100, drain = energy * laser.drain, charge = energy * laser.charge,
+         driving = energy * laser.charge_driving;
   f.number("energy", energy, {0.001, 1e9}, kOptional);
   f.number("energy_per_second", drain, {0, 1e9}, kOptional);
   f.number("recharge_per_second", charge, {0, 1e9}, kOptional);
+  if (f.present("recharge_per_second", false)) driving = charge;
+  f.number("recharge_per_second_driving", driving, {0, 1e9}, kOptional);
   laser.drain = drain / energy;
   laser.charge = charge / energy;
+  laser.charge_driving = driving / energy;
   f.number("heat_per_second", laser.heating, {0, 100}, kOptional);
   f.number("cooling_per_second", laser.cooling, {0.001, 100}, kOptional);
 }
@@ -112,6 +117,7 @@ static void describe(Fields& f, Scores& scores) {
   f.number("kill", scores.kill, kPoints, kOptional);
   f.number("in_halves", scores.in_halves, kPoints, kOptional);
   f.number("at_a_stroke", scores.at_a_stroke, kPoints, kOptional);
+  f.number("clean", scores.clean, kPoints, kOptional);
 }
 
 static void describe(Fields& f, RulesDescription& rules) {
@@ -128,6 +134,11 @@ static void describe(Fields& f, RulesDescription& rules) {
     skills.object("hard", rules.skills[2], kOptional);
   });
   f.object("score", rules.scores, kOptional);
+  f.whole("cars", rules.cars, 1, kMostCars, kOptional);
+  f.flag("targets", rules.targets, kOptional);
+  f.value(
+      "spawns", [&](const JsonValue& value) { return read_vehicles(value, f.folder(), rules.spawns); },
+      nullptr, kOptional);
 }
 
 Result<RulesDescription> read_rules(const std::filesystem::path& file,
@@ -139,13 +150,17 @@ Result<RulesDescription> read_rules(const std::filesystem::path& file,
 }
 
 Result<std::shared_ptr<const Rules>> load_rules(const std::filesystem::path& file, const Progress* progress,
-                                                std::vector<std::string>* unknown_keys) {
+                                                std::vector<std::string>* unknown_keys,
+                                                const std::filesystem::path& player_file) {
   auto description = read_rules(file, unknown_keys);
   if (!description) return description.error();
+  if (!player_file.empty()) description->player = player_file;
   auto rules = std::make_shared<Rules>();
   rules->description = std::move(*description);
+  rules->file = file;
+  rules->player_file = player_file;
   const RulesDescription& what = rules->description;
-  size_t vehicles = 1;
+  size_t vehicles = 1 + what.spawns.size();
   for (const auto& wave : what.waves) vehicles += wave.size();
   ProgressShares shares(progress);
   const Progress of_arena = shares.next(0.2);
@@ -170,6 +185,11 @@ Result<std::shared_ptr<const Rules>> load_rules(const std::filesystem::path& fil
       if (!model) return model.error();
       models.push_back(*model);
     }
+  }
+  for (const auto& name : what.spawns) {
+    auto model = next(name);
+    if (!model) return model.error();
+    rules->spawns.push_back(*model);
   }
   return std::shared_ptr<const Rules>(std::move(rules));
 }

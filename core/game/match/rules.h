@@ -31,6 +31,7 @@ struct Scores {
   double piece = 10, wheel = 100, turret = 250, engine = 300, driver = 300, kill = 500;
   double in_halves = 400;    // an enemy falls in two parts of a quarter of it at least
   double at_a_stroke = 600;  // it dies while the beam that first cut it has not been switched off
+  double clean = 0;          // a part comes off whole (see is_clean)
 };
 
 struct MatchTimes {
@@ -45,6 +46,9 @@ struct RulesDescription {
   std::string name;
   std::filesystem::path arena, player;
   std::vector<std::vector<std::filesystem::path>> waves;  // the vehicles of each; none for a sandbox
+  std::vector<std::filesystem::path> spawns;              // vehicles to cut that come when they are asked for
+  size_t cars = 1;                                        // that the player has, one after the other
+  bool targets = false;  // enemies stand still, and the match ends with its time, neither won nor lost
   LaserRules laser;
   MatchTimes times;
   std::array<EnemySkill, 3> skills;  // by Difficulty
@@ -55,34 +59,41 @@ struct RulesDescription {
 //
 //   {"name": "standard", "arena": "../arenas/yard.json", "player": "../vehicles/hatchback.json",
 //    "waves": [["../vehicles/buggy.json"], ["../vehicles/van.json", "../vehicles/buggy.json"]],
-//    "laser": {"range": 60, "radius": [0.008, 0.03], "energy": 100, "energy_per_second": 18,
-//              "recharge_per_second": 12, "heat_per_second": 0.25, "cooling_per_second": 0.2},
+//    "laser": {"range": 18, "radius": [0.008, 0.03], "energy": 100, "energy_per_second": 18,
+//              "recharge_per_second": 10, "recharge_per_second_driving": 30, "heat_per_second": 0.2,
+//              "cooling_per_second": 0.4},
 //    "times": {"match": 600, "between_waves": 6, "righting": 3, "stuck": 3},
 //    "difficulties": {"easy": {"reaction": 0.9, "aim_error": 6, "enemy_speed": 0.7, "enemy_fire": 0.35,
 //                              "enemy_distance": 16, "enemies_at_once": 1},
 //                     "normal": {..}, "hard": {..}},
 //    "score": {"piece": 10, "wheel": 100, "turret": 250, "engine": 300, "driver": 300, "kill": 500,
-//              "in_halves": 400, "at_a_stroke": 600}}
+//              "in_halves": 400, "at_a_stroke": 600, "clean": 50},
+//    "cars": 3, "targets": false, "spawns": ["../vehicles/van.json"]}
 //
-// Errors of aim are in degrees. Required are "arena", "player" and "waves". Bad input otherwise, with the
-// file and the JSON pointer. The other files are not read. `unknown_keys`: see Fields::Pass.
+// Errors of aim are in degrees. "recharge_per_second_driving", at 8 m/s or more, is "recharge_per_second"
+// where it is not given. Required are "arena", "player" and "waves". Bad input otherwise, with the file and
+// the JSON pointer. The other files are not read. `unknown_keys`: see Fields::Pass.
 Result<RulesDescription> read_rules(const std::filesystem::path& file,
                                     std::vector<std::string>* unknown_keys = nullptr);
 
 // Rules with all that they name loaded. It does not change during a match and may be used for many.
 struct Rules {
   RulesDescription description;
+  std::filesystem::path file, player_file;  // from which they were loaded (see load_rules)
   Arena arena;
   std::shared_ptr<const VehicleModel> player;
   std::vector<std::vector<std::shared_ptr<const VehicleModel>>> waves;
+  std::vector<std::shared_ptr<const VehicleModel>> spawns;
   const EnemySkill& skill(Difficulty d) const { return description.skills[static_cast<size_t>(d)]; }
 };
 
-// Reads and loads the arena and the vehicles, each file once. Fails like read_arena, load_arena, read_vehicle
-// and load_vehicle, and if the arena has too few starts for a wave. `progress` may be null. `unknown_keys` of
-// all these files: see Fields::Pass.
+// Reads and loads the arena and the vehicles, each file once. The player drives the vehicle of the file
+// `player` where that is not empty, and that of the rules otherwise. Fails like read_arena, load_arena,
+// read_vehicle and load_vehicle, and if the arena has too few starts for a wave. `progress` may be null.
+// `unknown_keys` of all these files: see Fields::Pass.
 Result<std::shared_ptr<const Rules>> load_rules(const std::filesystem::path& file,
                                                 const Progress* progress = nullptr,
-                                                std::vector<std::string>* unknown_keys = nullptr);
+                                                std::vector<std::string>* unknown_keys = nullptr,
+                                                const std::filesystem::path& player = {});
 
 }  // namespace kerf

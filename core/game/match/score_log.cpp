@@ -9,7 +9,8 @@ namespace kerf {
 
 void ScoreLog::hear(const Match& match) {
   const Standing& standing = match.standing();
-  if (waves_.empty() || waves_.back().standing.wave != standing.wave) waves_.push_back(match.wave_start());
+  const WaveStart& start = match.wave_start();
+  if (waves_.empty() || waves_.back().standing.ticks != start.standing.ticks) waves_.push_back(start);
   ticks_ = standing.elapsed();
   for (const Event& event : match.events()) {
     if (event.points > 0) scored_.push_back({standing.ticks, waves_.size() - 1, event.vehicle, event.points});

@@ -1,11 +1,14 @@
 #include "core/game/match/tally.h"
 
+#include <utility>
+
+#include "core/game/vehicle/clean_part.h"
+
 namespace kerf {
 
 namespace {
 
-constexpr double kHalf = 0.25;     // of the area of a chassis
-constexpr Ticks kAssessEvery = 8;  // while nothing comes off
+constexpr double kHalf = 0.25;  // of the area of a chassis
 
 }  // namespace
 
@@ -37,27 +40,24 @@ void Tally::note_cut(size_t shooter, size_t victim, BodyId id, const Body& body,
   if (shooter == kPlayer && record.first_stroke == 0) record.first_stroke = strokes_;
 }
 
-void Tally::note_piece(const Detached& piece, const Body& body, size_t victim, const Vehicle* vehicle) {
+void Tally::note_piece(const Detached& piece, const Body& body, size_t victim, const Vehicle* vehicle,
+                       bool clean) {
   ++standing_.pieces;
   const double area = area_of(body);
   Event event{Event::Kind::kPieceOff, victim, Event::kNobody, 0, piece.to, middle_of(body), area};
   if (!vehicle) return tell(event);
   event.by = records_[victim].last_cut_by;
-  records_[victim].lost_piece = true;
+  records_[victim].changed = true;
   tell(event, scores_->piece);
+  event.kind = Event::Kind::kCleanPart;
+  if (clean && scores_->clean > 0) tell(event, scores_->clean);
   const bool half = piece.from == vehicle->chassis && area > kHalf * vehicle->model->chassis_area;
   if (!half) return;
   event.kind = Event::Kind::kInHalves;
   tell(event, scores_->in_halves);
 }
 
-bool Tally::takes_assessment(size_t vehicle) {
-  Record& record = records_[vehicle];
-  const bool due = record.changed && (standing_.ticks + vehicle) % kAssessEvery == 0;
-  if (!record.lost_piece && !due) return false;
-  record.changed = record.lost_piece = false;
-  return true;
-}
+bool Tally::takes_assessment(size_t vehicle) { return std::exchange(records_[vehicle].changed, false); }
 
 void Tally::note_damage(const World& world, size_t index, const Vehicle& vehicle, const Damage& damage) {
   const Record& record = records_[index];
@@ -71,6 +71,8 @@ void Tally::note_damage(const World& world, size_t index, const Vehicle& vehicle
   };
   for (const size_t w : damage.wheels) {
     lost(Event::Kind::kWheelLost, vehicle.wheels[w].body, w, scores_->wheel);
+    if (scores_->clean > 0 && is_clean(world.body(vehicle.wheels[w].body), vehicle.model->wheels[w].body))
+      lost(Event::Kind::kCleanPart, vehicle.wheels[w].body, w, scores_->clean);
     standing_.wheels_lost += index == kPlayer;
   }
   if (damage.turret) lost(Event::Kind::kTurretLost, vehicle.gun.turret, 0, scores_->turret);

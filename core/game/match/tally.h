@@ -19,6 +19,7 @@ struct Event {
   enum class Kind {
     kCut,         // a beam removed `size` faces of `body`
     kPieceOff,    // `body` came off, with an area of `size` m^2
+    kCleanPart,   // that piece is a part that came off whole
     kWheelLost,   // `part` is the index of the wheel, `body` the wheel
     kTurretLost,  // `body` is the turret
     kBarrelLost,  // `body` is the barrel
@@ -30,6 +31,7 @@ struct Event {
     kRighted,      // `vehicle` was put on its wheels, or out of where it was stuck
     kWaveBegins,   // `part` is the number of the wave, from 0
     kWaveCleared,  // likewise
+    kCarLost,      // the player's; `part` are left
     kWon,
     kLost,
   };
@@ -50,6 +52,7 @@ struct Standing {
   enum class Phase {
     kFight,
     kPause,  // a wave is cleared, the next one comes soon
+    kDown,   // the player's car is out, and the next one comes soon
     kWon,
     kLost,
     kEnded,  // neither: the time of a sandbox is over
@@ -58,13 +61,14 @@ struct Standing {
   size_t wave = 0;       // from 0
   Ticks ticks = 0;       // since the beginning
   Ticks aftermath = 0;   // for which the world went on after the match was over
-  Ticks pause_left = 0;  // of kPause
+  Ticks pause_left = 0;  // of kPause and kDown
+  size_t cars_left = 0;  // of the player, besides the one that is driven
   double score = 0;
   size_t enemies_destroyed = 0;
   size_t wheels_lost = 0;  // of the player's vehicles
   size_t pieces = 0;       // that came off bodies
   size_t faces_removed = 0;
-  bool over() const { return phase != Phase::kFight && phase != Phase::kPause; }
+  bool over() const { return phase >= Phase::kWon; }
   // The age of the world of the match.
   Ticks elapsed() const { return ticks + aftermath; }
 };
@@ -90,16 +94,17 @@ class Tally {
 
   // Begins a wave of so many vehicles.
   void begin_wave(size_t vehicles) { records_.assign(vehicles, Record{}); }
+  void add_vehicle() { records_.emplace_back(); }
   void begin_tick() { events_.clear(); }
 
   // Tells of something that happened to a vehicle, with points if the player did it to an enemy.
   void tell(Event event, double points = 0);
   // The beam of a vehicle cut a body, which `victim` is or carries (Event::kNobody: no vehicle).
   void note_cut(size_t shooter, size_t victim, BodyId id, const Body& body, const StepResult& cut);
-  // A piece came off a body that was, or was carried by, that vehicle (null: none).
-  void note_piece(const Detached& piece, const Body& body, size_t victim, const Vehicle* vehicle);
-  // Whether the damage of a vehicle is to be read from its meshes now: at once where a piece came off it, and
-  // every few ticks while it is cut. The next call says no.
+  // A piece came off a body that was, or was carried by, that vehicle (null: none). `clean`: see is_clean.
+  void note_piece(const Detached& piece, const Body& body, size_t victim, const Vehicle* vehicle, bool clean);
+  // Whether the damage of a vehicle is to be read from its meshes, because it was cut or a piece came off it.
+  // The next call says no.
   bool takes_assessment(size_t vehicle);
   void note_damage(const World& world, size_t index, const Vehicle& vehicle, const Damage& damage);
 
@@ -108,8 +113,7 @@ class Tally {
   struct Record {
     size_t last_cut_by = Event::kNobody;
     size_t first_stroke = 0;  // of the player that cut it, from 1; 0 if none did
-    bool changed = false;     // faces of it changed since it was last assessed
-    bool lost_piece = false;  // likewise, a piece came off
+    bool changed = false;     // faces of it changed since it was last assessed, or a piece came off
   };
   const Scores* scores_ = nullptr;
   Standing standing_;

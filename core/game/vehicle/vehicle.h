@@ -19,6 +19,8 @@ struct Controls {
   int8_t steer = 0;     // -kFull .. kFull, positive to the left
   bool handbrake = false;
   bool fire = false;
+  bool spawn = false;              // asks for a vehicle to cut, where the rules have some
+  bool give_up = false;            // gives the car up, where it can neither fire nor drive
   uint8_t width = 0;               // 0 .. kFull, from the narrowest beam to the widest
   int32_t heading = 0, pitch = 0;  // kAimStep, where in the world the barrel shall point (see direction_of)
 
@@ -51,6 +53,18 @@ struct Gun {
   bool works() const { return turret_attached && barrel_attached; }
 };
 
+// How a vehicle that does not get on drives out the other way (see backed_off).
+struct BackOff {
+  int direction = 0;    // +1 or -1 where its driver holds the throttle, 0 where he does not
+  Vec3 anchor{0};       // m, where it was when this began
+  double held_s = 0;    // for which it has not got away from there
+  double left_s = 0;    // for which it still drives out
+  int side = 1;         // +1 or -1, to which the wheels are turned meanwhile
+  Vec3 place{0};        // m, where it did so first
+  bool wedged = false;  // it did so several times and is still there
+  int times = 0;        // that it did so near there
+};
+
 // A vehicle in a world.
 struct Vehicle {
   std::shared_ptr<const VehicleModel> model;
@@ -65,7 +79,8 @@ struct Vehicle {
   std::optional<Vec3> stuck_at;                  // m, its position
   bool tried_ahead = false, tried_back = false;  // meanwhile
   std::optional<Placement> free_place;           // where it last drove freely
-  double whole = 1;                              // the fraction of the area of the chassis that is left
+  BackOff back_off;
+  double whole = 1;  // the fraction of the area of the chassis that is left
 
   const VehicleDescription& what() const { return model->description; }
   size_t wheels_attached() const;

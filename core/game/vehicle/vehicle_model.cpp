@@ -1,5 +1,7 @@
 #include "core/game/vehicle/vehicle_model.h"
 
+#include <algorithm>
+
 #include <limits>
 #include <utility>
 
@@ -76,9 +78,26 @@ class ModelLoader {
       for (VehicleBody* body : bodies_) {
         if (!has_group(body->body, joint.parts[0]) || !has_group(body->body, joint.parts[1])) continue;
         if (const Status added = add_joints({&joint, 1}, *body); !added) return wrong(added.error().message);
+        if (body == &model_->chassis) model_->breaks.push_back(may_break(joint));
       }
     }
     return Done{};
+  }
+
+  bool may_break(const SceneJoint& joint) const {
+    const auto is_kept = [&](const std::string& group) {
+      const auto is_vital = [&](const VitalDescription& v) { return is_of_part(group, v.part); };
+      const auto is_mount = [&](const WheelDescription& w) { return is_of_part(group, w.mount); };
+      return is_of_part(group, what().turret.mount) || std::ranges::any_of(what().vitals, is_vital) ||
+             std::ranges::any_of(what().wheels, is_mount);
+    };
+    const auto carries_vitals = [&](const std::string& group) {
+      return std::ranges::any_of(what().vitals,
+                                 [&](const VitalDescription& v) { return is_of_part(group, v.mount); });
+    };
+    const bool frame =
+        joint.kind == Joint::Kind::kWeld && carries_vitals(joint.parts[0]) && carries_vitals(joint.parts[1]);
+    return !frame && !is_kept(joint.parts[0]) && !is_kept(joint.parts[1]);
   }
 
   static bool has_group(const Body& body, const std::string& name) {

@@ -28,6 +28,9 @@ struct VehicleModel {
   std::vector<VehicleBody> wheels;
   double chassis_area = 0;          // m^2
   std::vector<Vec3> vital_centres;  // m, of the bounds of the vital parts
+  // By joint of the chassis, whether a crash may break it: not what holds vital parts, the laser, the axles,
+  // or a frame together.
+  std::vector<bool> breaks;
 
   static constexpr size_t kAll = 0, kSeat = 1, kBarrelSeat = 2;  // the last one in the turret
   size_t wheel_mount(size_t wheel) const { return wheel; }

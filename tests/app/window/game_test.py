@@ -36,6 +36,13 @@ class Game(WindowTest):
                         "Esc never paused the match")
         editor.pause(1.5)
 
+    def begin_from_editor(self, editor):
+        editor.press("F5")
+        editor.wait_for(lambda: "start" in editor.landmarks()["parts"], 60, "the menu before the match never came")
+        editor.press("Enter")
+        editor.wait_for(lambda: self.playing(editor) and "viewport" not in editor.landmarks()["parts"], 60,
+                        "the game never began")
+
     @real_input
     def test_keys_and_mouse_drive_and_cut_and_the_match_can_be_replayed(self):
         rules = self.write_rules()
@@ -83,6 +90,21 @@ class Game(WindowTest):
         self.open_again(SPHERE).quit()
         self.assertEqual([self.settings()[key] for key in ("width", "height")], [900, 700])
 
+    def test_the_lesson_comes_once_and_can_be_skipped(self):
+        game = self.open("play")
+        game.wait_for(lambda: "start" in game.landmarks()["parts"], 60, "the menu before the match never came")
+        game.press("Enter")
+        game.wait_for(lambda: self.playing(game), 60, "the lesson never began")
+        game.press("Enter")
+        game.pause(1)
+        game.wait_for(lambda: self.playing(game), 60, "the match never began")
+        self.open_menu(game)
+        game.click("title", 0.5, 0.5)
+        game.wait_for(lambda: "start" in game.landmarks()["parts"], 60, "the menu before the match never came back")
+        game.die()
+        self.assertTrue(self.kept("game.json")["taught"])
+        self.assertEqual(self.kept("game.json")["vehicle"], "hatchback")
+
     def test_a_match_that_is_over_is_kept_and_one_that_is_killed_leaves_settings_and_scores_whole(self):
         game = self.open("play", self.write_rules(times={"match": 2}), "--difficulty", "hard")
         game.wait_for(lambda: "replay" in game.landmarks()["parts"], 60, "the match was never over")
@@ -102,16 +124,12 @@ class Game(WindowTest):
 
     def test_the_editor_is_as_it_was_after_the_game_and_opens_its_world(self):
         editor = self.open(SPHERE)
-        editor.press("F5")
-        editor.wait_for(lambda: self.playing(editor) and "viewport" not in editor.landmarks()["parts"], 60,
-                        "the game never began")
+        self.begin_from_editor(editor)
         self.open_menu(editor)
         editor.click("leave", 0.5, 0.5)
         editor.wait_for(lambda: "viewport" in editor.landmarks()["parts"], 60, "the editor never came back")
         editor.wait_for_title("sphere.json - Kerf")
-        editor.press("F5")
-        editor.wait_for(lambda: self.playing(editor) and "viewport" not in editor.landmarks()["parts"], 60,
-                        "the game never began")
+        self.begin_from_editor(editor)
         self.open_menu(editor)
         editor.click("inspect", 0.5, 0.5)
         editor.wait_for_title("scene.json - Kerf")

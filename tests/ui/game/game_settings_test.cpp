@@ -17,7 +17,10 @@ TEST(GameSettings, come_back_as_they_were_written) {
   s.invert = true;
   s.field_of_view = 71;
   s.volume = 0.25;
-  s.aim_help = s.guide = false;
+  s.aim_help = s.guide = s.shake = false;
+  s.taught = true;
+  s.mode = GameMode::kTrial;
+  s.vehicle = OwnVehicle::kVan;
   s.difficulty = Difficulty::kHard;
   s.preset = PicturePreset::kMedium;
   ASSERT_TRUE(write_game_settings(s, file).ok());

@@ -63,6 +63,20 @@ TEST_F(TwoVehicles, an_enemy_in_the_open_is_seen) {
   EXPECT_TRUE(sees_vehicle(match_, sight, {0, 2, 0}, 1));
 }
 
+TEST_F(TwoVehicles, a_beam_ends_at_what_it_meets_or_with_its_range) {
+  const Sight sight(match_.world());
+  const Vehicle& own = match_.vehicles()[Match::kPlayer];
+  const Vec3 from = in_world(match_.world(), own, own.what().turret.barrel.pivot);
+  const double range = match_.rules().description.laser.range;
+  EXPECT_NEAR(glm::distance(place_aimed_at(match_, sight, {0, 1, 0}), from), range, 1e-9) << "the sky";
+  const Vec3 down = place_aimed_at(match_, sight, glm::normalize(Vec3(1, -1, 0)));
+  EXPECT_NEAR(down.y, 0, 1e-9) << "the ground";
+  const Vec3 enemy = match_.world().body(match_.vehicles()[1].chassis).placement.to_world({0, 0.8, 0});
+  const Vec3 at = place_aimed_at(match_, sight, glm::normalize(enemy - from));
+  EXPECT_LT(glm::distance(at, enemy), 3);
+  EXPECT_LT(glm::distance(at, from), glm::distance(enemy, from));
+}
+
 // Whether a face of a wall crosses the way between two points (m): a search of all faces.
 bool is_walled(const Match& match, const Vec3& from, const Vec3& to) {
   for (const BodyId id : match.world().ids()) {

@@ -1,6 +1,7 @@
 #include "ui/render/bodies/face_buffer.h"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 #include "core/base/assert.h"
@@ -13,6 +14,7 @@ namespace {
 using Indices = std::array<uint32_t, 3>;
 
 constexpr GLuint kScalarAttribute = 9;
+constexpr size_t kLeastRoom = 64;  // slots
 
 FaceCorners corners_of(const FaceVertices& face) {
   const auto at = [&](size_t i) {
@@ -23,27 +25,45 @@ FaceCorners corners_of(const FaceVertices& face) {
 
 }  // namespace
 
-FaceBuffer::Chunk::Chunk() {
+void FaceBuffer::Chunk::make_room(uint32_t slots) {
+  KERF_ASSERT(slots > room && slots <= kChunkFaces);
+  free_scalars();
+  gl::enlarge_buffer(vertices, room * sizeof(FaceVertices), slots * sizeof(FaceVertices));
+  gl::enlarge_buffer(labels, room * sizeof(Labels), slots * sizeof(Labels));
+  gl::enlarge_buffer(indices, room * sizeof(Indices), slots * sizeof(Indices));
+  if (heat) {
+    const std::vector<Heat> cold(slots);
+    gl::enlarge_buffer(*heat, room * sizeof(Heat), slots * sizeof(Heat), cold.data());
+  }
+  room = slots;
+  live.make_room(slots);
   glBindVertexArray(layout.name());
-  gl::fill_buffer(GL_ARRAY_BUFFER, vertices, kChunkFaces * sizeof(FaceVertices));
+  glBindBuffer(GL_ARRAY_BUFFER, vertices.name());
   constexpr size_t kSize = sizeof(FaceVertex);
   gl::read_floats(0, {3, GL_FLOAT, offsetof(FaceVertex, position)}, kSize);
   gl::read_floats(1, {4, GL_INT_2_10_10_10_REV, offsetof(FaceVertex, normal), true}, kSize);
   gl::read_floats(3, {1, GL_HALF_FLOAT, offsetof(FaceVertex, rim)}, kSize);
   gl::read_whole(4, {2, GL_UNSIGNED_BYTE, offsetof(FaceVertex, halvings)}, kSize);
-  gl::fill_buffer(GL_ARRAY_BUFFER, labels, kChunkFaces * sizeof(Labels));
+  glBindBuffer(GL_ARRAY_BUFFER, labels.name());
   gl::read_whole(2, {1, GL_UNSIGNED_SHORT}, sizeof(uint16_t));
-  gl::fill_buffer(GL_ELEMENT_ARRAY_BUFFER, indices, kChunkFaces * sizeof(Indices));
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.name());
+  if (heat) read_heat();
   glBindVertexArray(0);
 }
 
 // Corners that were never sent are cold. Without the buffer all are.
 void FaceBuffer::Chunk::make_heat() {
   if (heat) return;
-  heat.emplace();
-  const std::vector<Heat> cold(kChunkFaces);
+  const std::vector<Heat> cold(room);
   glBindVertexArray(layout.name());
-  gl::fill_buffer(GL_ARRAY_BUFFER, *heat, cold.size() * sizeof(Heat), cold.data());
+  gl::fill_buffer(GL_ARRAY_BUFFER, heat.emplace(), cold.size() * sizeof(Heat), cold.data());
+  read_heat();
+  glBindVertexArray(0);
+}
+
+// Precondition: the layout is bound.
+void FaceBuffer::Chunk::read_heat() const {
+  glBindBuffer(GL_ARRAY_BUFFER, heat->name());
   for (const auto& [attribute, start] :
        {std::pair(5u, offsetof(HeatMark, now)), std::pair(7u, offsetof(HeatMark, hottest))}) {
     const size_t at = start + offsetof(CornerTemperature, at),
@@ -51,14 +71,13 @@ void FaceBuffer::Chunk::make_heat() {
     gl::read_floats(attribute, {1, GL_UNSIGNED_SHORT, at, true}, sizeof(HeatMark));
     gl::read_floats(attribute + 1, {3, GL_HALF_FLOAT, gradient}, sizeof(HeatMark));
   }
-  glBindVertexArray(0);
 }
 
 void FaceBuffer::Chunk::make_scalars() {
   if (scalars) return;
   scalars.emplace();
   glBindVertexArray(layout.name());
-  gl::fill_buffer(GL_ARRAY_BUFFER, *scalars, kChunkFaces * sizeof(Scalars));
+  gl::fill_buffer(GL_ARRAY_BUFFER, *scalars, room * sizeof(Scalars));
   gl::read_floats(kScalarAttribute, {1}, sizeof(float));
   glBindVertexArray(0);
 }
@@ -102,12 +121,12 @@ void FaceBuffer::group(const Mesh& mesh, const std::shared_ptr<const PieceGroups
 PictureMemory FaceBuffer::memory() const {
   PictureMemory memory;
   memory.shading = first_bases_->bytes() + (smooth_ ? bases_->bytes() : 0);
-  memory.graphics = chunks_.size() * kChunkFaces * (sizeof(FaceVertices) + sizeof(Labels) + sizeof(Indices)) +
-                    halvings_.capacity() + corners_.capacity() * sizeof(Corners) +
+  memory.graphics = halvings_.capacity() + corners_.capacity() * sizeof(Corners) +
                     staging_.capacity() * sizeof(FaceVertices) + staged_labels_.capacity() * sizeof(Labels);
   for (const Chunk& chunk : chunks_)
-    memory.graphics += chunk.live.bytes() + (chunk.heat ? kChunkFaces * sizeof(Heat) : 0) +
-                       (chunk.scalars ? kChunkFaces * sizeof(Scalars) : 0);
+    memory.graphics += chunk.live.bytes() +
+                       chunk.room * (sizeof(FaceVertices) + sizeof(Labels) + sizeof(Indices) +
+                                     (chunk.heat ? sizeof(Heat) : 0) + (chunk.scalars ? sizeof(Scalars) : 0));
   return memory;
 }
 
@@ -196,7 +215,13 @@ FaceBuffer::Chunk& FaceBuffer::chunk_of(const SlotRange& range) {
   KERF_ASSERT(range.begin < range.end && (range.end - 1) / kChunkFaces == range.begin / kChunkFaces);
   const size_t chunk = range.begin / kChunkFaces;
   while (chunks_.size() <= chunk) chunks_.emplace_back();
-  return chunks_[chunk];
+  Chunk& found = chunks_[chunk];
+  const uint32_t needed = (range.end - 1) % kChunkFaces + 1;
+  if (needed <= found.room) return found;
+  const size_t known = std::max<size_t>(halvings_.size() - chunk * kChunkFaces, needed);
+  found.make_room(static_cast<uint32_t>(std::clamp<size_t>(std::bit_ceil(known), kLeastRoom, kChunkFaces)));
+  chunks_with_scalars_ = std::min(chunks_with_scalars_, chunk);
+  return found;
 }
 
 void FaceBuffer::count(const Mesh& mesh, uint32_t slot) {
@@ -264,14 +289,16 @@ size_t FaceBuffer::update_scalars(const std::shared_ptr<const FaceScalars>& scal
   }
   if (chunks_with_scalars_ == chunks_.size()) return 0;
   size_t bytes = 0;
-  std::vector<Scalars> staged(kChunkFaces);
+  std::vector<Scalars> staged;
   for (; chunks_with_scalars_ < chunks_.size(); ++chunks_with_scalars_) {
     const size_t first = chunks_with_scalars_ * kChunkFaces;
-    for (size_t i = 0; i < kChunkFaces; ++i) {
+    Chunk& chunk = chunks_[chunks_with_scalars_];
+    if (chunk.room == 0) continue;
+    staged.assign(chunk.room, {});
+    for (size_t i = 0; i < chunk.room; ++i) {
       const float number = first + i < scalars_->size() ? (*scalars_)[first + i] : kNoScalar;
       staged[i] = {number, number, number};
     }
-    Chunk& chunk = chunks_[chunks_with_scalars_];
     chunk.make_scalars();
     gl::put_items<Scalars>(GL_ARRAY_BUFFER, *chunk.scalars, 0, staged);
     bytes += staged.size() * sizeof(Scalars);

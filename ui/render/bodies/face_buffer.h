@@ -22,9 +22,10 @@
 namespace kerf {
 
 // The faces of one body on the GPU. Every face slot of the mesh has a fixed slot of three corners, in chunks
-// of a fixed size, so that growing copies nothing. Each chunk has a list of its live slots, and only these
-// are drawn. The buffer follows Deltas, and the cost of an update is proportional to what changed. Labels of
-// pieces lie in a buffer of their own, so that a face with a new label sends its label alone.
+// of a fixed size, so that growing copies little: a chunk begins small and doubles up to that size, because
+// worlds have many small bodies. Each chunk has a list of its live slots, and only these are drawn. The
+// buffer follows Deltas, and the cost of an update is proportional to what changed. Labels of pieces lie in a
+// buffer of their own, so that a face with a new label sends its label alone.
 class FaceBuffer {
  public:
   // Uploads nothing yet. `glow_width` (m) is that of RimDistance. Precondition: `bases` is not null and
@@ -64,7 +65,7 @@ class FaceBuffer {
   size_t unsent() const { return dirty_.left(); }
   PictureMemory memory() const;
 
-  // The number of slots in a chunk.
+  // The largest number of slots in a chunk.
   static constexpr uint32_t kChunkFaces = 1u << 16;
 
   // Draws three vertices per live face; gl_VertexID % 3 is the corner.
@@ -107,16 +108,19 @@ class FaceBuffer {
   struct Chunk {
     gl::Buffer vertices, labels, indices;
     gl::VertexArray layout;
-    LiveList live{kChunkFaces};
+    LiveList live;
     std::optional<gl::Buffer> heat;     // of chunks in which anything was ever hot
     std::optional<gl::Buffer> scalars;  // while a scalar field is shown
-    Chunk();
+    uint32_t room = 0;                  // slots
+    // Makes room for so many slots, more than before. Frees the scalars.
+    void make_room(uint32_t slots);
     void make_heat();
+    void read_heat() const;
     void make_scalars();
     void free_scalars();
     void draw() const;
   };
-  // The one that has the slots of a range, which lies in one chunk; creates it if necessary.
+  // The one that has the slots of a range, which lies in one chunk; creates or enlarges it if necessary.
   Chunk& chunk_of(const SlotRange& range);
   void count(const Mesh& mesh, uint32_t slot);
   void note_change(const Mesh& mesh, FaceId f, bool lives);

@@ -12,8 +12,10 @@ namespace kerf {
 // place of a removed one. Removed faces therefore cost nothing to draw.
 class LiveList {
  public:
-  explicit LiveList(uint32_t slots) : place_(slots, kNone) {}
+  // Makes room for so many slots, at least as many as before.
+  void make_room(uint32_t slots) { place_.resize(slots, kNone); }
 
+  // Precondition of this and the next one: there is room for the slot.
   bool contains(uint32_t slot) const { return place_[slot] != kNone; }
   // Adds or removes a slot. Returns whether that changed anything. Constant time.
   bool set(uint32_t slot, bool live);

@@ -1,6 +1,7 @@
 #include "ui/render/shadow/volume_buffer.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstdlib>
 
 #include "core/base/assert.h"
@@ -41,9 +42,7 @@ VolumeBuffer::Side VolumeBuffer::side(const ShadowCaster& caster, const Silhouet
   return {ends.low, ends.high, packed_piece(ends.piece), edge.multiplicity};
 }
 
-size_t VolumeBuffer::bytes() const {
-  return signs_.size() * FaceBuffer::kChunkFaces + (sides_.room + many_.room) * sizeof(Side);
-}
+size_t VolumeBuffer::bytes() const { return signs_room_ + (sides_.room + many_.room) * sizeof(Side); }
 
 void VolumeBuffer::update(const ShadowCaster& caster) {
   KERF_ASSERT(volume_.signs().size() == caster.face_slots());
@@ -57,17 +56,25 @@ void VolumeBuffer::update(const ShadowCaster& caster) {
 void VolumeBuffer::send_signs(const ShadowVolume::Touched& touched) {
   constexpr uint32_t kChunk = FaceBuffer::kChunkFaces;
   const auto faces = static_cast<uint32_t>(volume_.signs().size());
-  while (signs_.size() * kChunk < faces) {
-    gl::fill_buffer(GL_TEXTURE_BUFFER, signs_.emplace_back().buffer, kChunk);
-  }
+  const bool anew = faces > signs_room_;
+  if (anew) make_room(faces);
   DirtySlots dirty;
-  if (touched.all) dirty.mark_all(faces);
+  if (touched.all || anew) dirty.mark_all(faces);
   for (const uint32_t f : touched.faces) dirty.mark(f);
   for (const SlotRange range : dirty.take(kGapOfItems, kChunk)) {
     glBindBuffer(GL_TEXTURE_BUFFER, signs_[range.begin / kChunk].buffer.name());
     glBufferSubData(GL_TEXTURE_BUFFER, range.begin % kChunk, range.end - range.begin,
                     &volume_.signs()[range.begin]);
   }
+}
+
+// All signs are sent anew then.
+void VolumeBuffer::make_room(uint32_t faces) {
+  constexpr uint32_t kChunk = FaceBuffer::kChunkFaces;
+  signs_room_ = faces <= kChunk ? std::bit_ceil(faces) : (faces + kChunk - 1) / kChunk * kChunk;
+  signs_.resize((signs_room_ + kChunk - 1) / kChunk);
+  for (const Signs& signs : signs_)
+    gl::fill_buffer(GL_TEXTURE_BUFFER, signs.buffer, std::min(signs_room_, kChunk));
 }
 
 void VolumeBuffer::send_sides(const ShadowCaster& caster, const ShadowVolume::Touched& touched) {

@@ -54,11 +54,13 @@ class VolumeBuffer {
 
   Side side(const ShadowCaster& caster, const SilhouetteEdge& edge) const;
   void send_signs(const ShadowVolume::Touched& touched);
+  void make_room(uint32_t faces);
   void send_sides(const ShadowCaster& caster, const ShadowVolume::Touched& touched);
   void send_many(const ShadowCaster& caster);
 
   ShadowVolume volume_;
   std::vector<Signs> signs_;  // by chunk
+  uint32_t signs_room_ = 0;   // of them all together
   Sides sides_;               // the silhouette; the shader draws at most two copies
   Sides many_;                // the remaining copies of edges with higher multiplicity
 };

@@ -60,9 +60,8 @@ TEST(Traffic, of_a_vehicle_is_its_chassis_alone) {
   lone.vehicle.wheels[0].attached = false;
   const std::vector<Disc> with_wheel = find_traffic(lone.world, {&lone.vehicle, 1});
   ASSERT_GT(with_wheel.size(), discs.size()) << "a wheel that came off lies on the way";
-  EXPECT_TRUE(std::any_of(with_wheel.begin(), with_wheel.end(), [&](const Disc& disc) {
-    return disc.body == lone.vehicle.wheels[0].body;
-  }));
+  EXPECT_TRUE(std::any_of(with_wheel.begin(), with_wheel.end(),
+                          [&](const Disc& disc) { return disc.body == lone.vehicle.wheels[0].body; }));
 }
 
 }  // namespace

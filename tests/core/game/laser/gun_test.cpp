@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/base/angle.h"
 #include "core/base/tick.h"
 #include "tests/support/game_files.h"
@@ -23,13 +25,14 @@ class GunOfOne : public testing::Test {
     bool overheated = false;
     lone_.vehicle.controls.fire = fire;
     for (int t = 0; t < seconds * static_cast<double>(kTicksPerSecond); ++t)
-      overheated |= trigger(lone_.vehicle, rules_);
+      overheated |= trigger(lone_.vehicle, speed_, rules_);
     return overheated;
   }
   Gun& gun() { return lone_.vehicle.gun; }
 
   test::LoneVehicle lone_;
   LaserRules rules_;
+  double speed_ = 0;  // m/s
 };
 
 TEST_F(GunOfOne, turns_no_faster_than_it_can_and_ends_where_it_is_pointed) {
@@ -85,6 +88,16 @@ TEST_F(GunOfOne, drains_its_energy_by_the_rules_and_charges_while_it_is_off) {
   EXPECT_NEAR(gun().energy, 1 - 2 * rules_.drain + rules_.charge, 1e-9);
 }
 
+TEST_F(GunOfOne, charges_more_the_faster_its_vehicle_drives_up_to_a_speed) {
+  rules_.charge_driving = 3 * rules_.charge;
+  for (const double share : {0.0, 0.25, 1.0, 4.0}) {
+    gun().energy = 0;
+    speed_ = share * LaserRules::kDriving;
+    trigger_for(1, false);
+    EXPECT_NEAR(gun().energy, rules_.charge * (1 + 2 * std::min(share, 1.0)), 1e-9) << share;
+  }
+}
+
 TEST_F(GunOfOne, takes_more_energy_for_a_wider_beam) {
   double before = 2;
   for (const uint8_t width : {uint8_t{0}, uint8_t{50}, uint8_t{100}}) {
@@ -106,10 +119,10 @@ TEST_F(GunOfOne, fires_until_it_is_empty_and_starts_again_with_a_twentieth) {
   gun().firing = false;
   gun().energy = 0.04;
   lone_.vehicle.controls.fire = true;
-  trigger(lone_.vehicle, rules_);
+  trigger(lone_.vehicle, speed_, rules_);
   EXPECT_FALSE(gun().firing);
   gun().energy = 0.06;
-  trigger(lone_.vehicle, rules_);
+  trigger(lone_.vehicle, speed_, rules_);
   EXPECT_TRUE(gun().firing);
 }
 

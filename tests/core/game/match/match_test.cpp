@@ -52,8 +52,14 @@ TEST(Match, its_recording_leads_to_the_same_world) {
   Match match({*rules, 3, Difficulty::kHard});
   const auto files = hash_of_files(standard(), (*rules)->description);
   ASSERT_TRUE(files);
-  Recording recording{standard(), *files, 3, Difficulty::kHard, play(match, 2.5), state_hash(match.world()),
-                      "here",     {}};
+  Recording recording;
+  recording.rules = standard();
+  recording.files = *files;
+  recording.seed = 3;
+  recording.difficulty = Difficulty::kHard;
+  recording.controls = play(match, 2.5);
+  recording.hash = state_hash(match.world());
+  recording.machine = "here";
   test::TemporaryFolder folder;
   const auto text = recording_text(recording, folder.path());
   ASSERT_TRUE(text);
@@ -332,7 +338,9 @@ TEST(Match, is_lost_at_once_by_who_gives_up_because_he_can_neither_fire_nor_driv
   own.gun.turret_attached = true;
   EXPECT_FALSE(match.is_disabled()) << "it still fires";
   own.gun.turret_attached = false;
-  match.give_up();
+  Controls controls;
+  controls.give_up = true;
+  match.tick(controls);
   EXPECT_EQ(match.standing().phase, Standing::Phase::kLost);
 }
 

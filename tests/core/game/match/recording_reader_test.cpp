@@ -67,7 +67,7 @@ TEST_F(RecordingFile, gives_random_controls_back) {
 
 TEST_F(RecordingFile, is_read_up_to_a_line_that_makes_no_sense) {
   for (const char* damaged : {R"({"inputs":[[0,0,0,0,0,0,0,0]]})", R"({"inputs":[[121,0,0,0,0,0,0,0]]})",
-                              R"({"inputs":[[1,101,0,0,0,0,0,0]]})", R"({"inputs":[[1,0,0,2,0,0,0,0]]})",
+                              R"({"inputs":[[1,101,0,0,0,0,0,0]]})", R"({"inputs":[[1,0,0,8,0,0,0,0]]})",
                               R"({"inputs":[[1,0,0,0,0,0,0]]})", R"({"inputs":[[1,0,0,0,0,0,0.5,0]]})",
                               R"({"hash":"12"})", "[]", "{}", "{\"inputs\":"}) {
     const auto read_back = read(kHead + "\n" + kInputs + "\n" + damaged + "\n" + kInputs + "\n");
@@ -95,7 +95,7 @@ TEST_F(RecordingFile, is_refused_where_its_head_is_wrong) {
   EXPECT_TRUE(refused("abcdef", "abcdxf"));
   EXPECT_TRUE(refused("\"hard\"", "\"lethal\""));
   EXPECT_TRUE(refused(",\"seed\":7", ""));
-  EXPECT_TRUE(refused("\"version\":2", "\"version\":3"));
+  EXPECT_TRUE(refused("\"version\":2", "\"version\":4"));
   EXPECT_FALSE(read(""));
 }
 

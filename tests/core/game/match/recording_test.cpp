@@ -36,6 +36,27 @@ TEST(Recording, holds_a_second_a_line_and_equal_ticks_once) {
   EXPECT_EQ(lines_of(*recording_text(recording, "")), 5u);
 }
 
+TEST(Recording, holds_all_controls_and_the_car_that_the_player_chose) {
+  test::TemporaryFolder folder;
+  Recording recording;
+  recording.rules = folder / "rules.json";
+  recording.player = folder / "van.json";
+  for (int buttons = 0; buttons < 8; ++buttons) {
+    Controls& c = recording.controls.emplace_back();
+    c.handbrake = buttons % 2 == 1;
+    c.spawn = buttons / 2 % 2 == 1;
+    c.give_up = buttons / 4 == 1;
+    c.heading = -31'000 + buttons;
+  }
+  const auto text = recording_text(recording, folder.path());
+  ASSERT_TRUE(text);
+  test::write_text(folder / "match.kerf", *text);
+  const auto read = read_recording(folder / "match.kerf");
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->controls, recording.controls);
+  EXPECT_EQ(read->player.lexically_normal(), recording.player);
+}
+
 TEST(Recording, names_its_rules_beside_it) {
   test::TemporaryFolder folder;
   Recording recording;

@@ -64,7 +64,8 @@ TEST_F(Counted, wheels_of_the_player_are_counted_and_give_no_points) {
 
 TEST_F(Counted, a_vehicle_is_assessed_at_once_where_a_piece_came_off_and_soon_where_it_was_cut) {
   EXPECT_FALSE(tally.takes_assessment(1));
-  tally.note_piece({stage.vehicle.chassis, 1, stage.vehicle.chassis, false}, chassis(), 1, &stage.vehicle);
+  tally.note_piece({stage.vehicle.chassis, 1, stage.vehicle.chassis, false}, chassis(), 1, &stage.vehicle,
+                   false);
   EXPECT_TRUE(tally.takes_assessment(1));
   EXPECT_FALSE(tally.takes_assessment(1));
 
@@ -77,7 +78,8 @@ TEST_F(Counted, a_vehicle_is_assessed_at_once_where_a_piece_came_off_and_soon_wh
 TEST_F(Counted, a_quarter_of_a_chassis_that_came_off_is_told_as_halves) {
   cut(Tally::kPlayer, 1);
   tally.begin_tick();
-  tally.note_piece({stage.vehicle.chassis, 1, stage.vehicle.chassis, false}, chassis(), 1, &stage.vehicle);
+  tally.note_piece({stage.vehicle.chassis, 1, stage.vehicle.chassis, false}, chassis(), 1, &stage.vehicle,
+                   false);
   ASSERT_EQ(tally.events().size(), 2u);
   EXPECT_EQ(tally.events()[0].kind, Event::Kind::kPieceOff);
   EXPECT_EQ(tally.events()[1].kind, Event::Kind::kInHalves);

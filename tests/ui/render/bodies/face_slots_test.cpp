@@ -46,7 +46,8 @@ TEST(DirtySlots, all_are_handed_out_a_part_at_a_time_and_each_once) {
 }
 
 TEST(LiveList, the_last_takes_the_place_of_what_goes) {
-  LiveList live(10);
+  LiveList live;
+  live.make_room(10);
   for (const uint32_t slot : {2u, 5u, 7u}) EXPECT_TRUE(live.set(slot, true));
   EXPECT_EQ(live.take_changes(0), (Ranges{{0, 3}}));
   EXPECT_TRUE(live.set(2, false));
@@ -56,7 +57,8 @@ TEST(LiveList, the_last_takes_the_place_of_what_goes) {
 }
 
 TEST(LiveList, what_comes_and_goes_leaves_nothing_to_send) {
-  LiveList live(10);
+  LiveList live;
+  live.make_room(10);
   live.set(1, true);
   live.take_changes(0);
   live.set(4, true);

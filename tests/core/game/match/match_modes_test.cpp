@@ -1,0 +1,180 @@
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "core/game/match/match.h"
+#include "core/game/match/score_log.h"
+#include "core/world/state_hash.h"
+#include "tests/support/game_files.h"
+
+namespace kerf {
+namespace {
+
+using Phase = Standing::Phase;
+
+// Waves of two enemies that neither drive nor fire, for a player with so many cars.
+std::shared_ptr<Rules> quiet_waves(size_t waves, size_t cars) {
+  auto rules = std::make_shared<Rules>(*test::flat_rules(waves, 2));
+  rules->description.cars = cars;
+  rules->description.times.between_waves = 0.1;
+  for (EnemySkill& skill : rules->description.skills) skill.speed = skill.fire = 0;
+  return rules;
+}
+
+// Puts a vehicle out of action behind the back of the match, as no beam does it so quickly.
+void put_out(const Match& match, size_t vehicle) {
+  const_cast<Vehicle&>(match.vehicles()[vehicle]).alive = false;
+}
+
+void tick_until_fight(Match& match) {
+  for (int t = 0; t < 60 && match.standing().phase != Phase::kFight; ++t) match.tick({});
+}
+
+TEST(Cars, a_wave_begins_again_with_the_next_car_without_the_enemies_that_are_out) {
+  Match match({quiet_waves(2, 3), 1, Difficulty::kNormal});
+  EXPECT_EQ(match.standing().cars_left, 2u);
+  put_out(match, 1);
+  put_out(match, Match::kPlayer);
+  match.tick({});
+  EXPECT_EQ(match.standing().phase, Phase::kDown);
+  EXPECT_EQ(match.standing().cars_left, 1u);
+  EXPECT_FALSE(match.standing().over());
+  tick_until_fight(match);
+  ASSERT_EQ(match.vehicles().size(), 2u) << "the enemy that was out does not come back";
+  EXPECT_TRUE(match.vehicles()[0].alive && match.vehicles()[1].alive);
+  EXPECT_EQ(match.standing().wave, 0u);
+  EXPECT_EQ(match.wave_start().out, std::vector<size_t>{0});
+  put_out(match, 1);
+  match.tick({});
+  EXPECT_EQ(match.standing().phase, Phase::kPause) << "the wave is cleared";
+  tick_until_fight(match);
+  EXPECT_EQ(match.standing().wave, 1u);
+  EXPECT_EQ(match.vehicles().size(), 3u) << "the next wave is whole";
+}
+
+TEST(Cars, the_match_is_lost_with_the_last_one) {
+  Match match({quiet_waves(1, 2), 1, Difficulty::kNormal});
+  put_out(match, Match::kPlayer);
+  match.tick({});
+  tick_until_fight(match);
+  EXPECT_EQ(match.standing().cars_left, 0u);
+  put_out(match, Match::kPlayer);
+  match.tick({});
+  EXPECT_EQ(match.standing().phase, Phase::kLost);
+}
+
+TEST(Cars, are_given_up_one_after_the_other) {
+  Match match({quiet_waves(1, 2), 1, Difficulty::kNormal});
+  auto& own = const_cast<Vehicle&>(match.vehicles()[Match::kPlayer]);
+  own.gun.turret_attached = false;
+  for (Wheel& wheel : own.wheels) wheel.attached = false;
+  Controls controls;
+  controls.give_up = true;
+  match.tick(controls);
+  EXPECT_EQ(match.standing().phase, Phase::kDown);
+}
+
+// A player who stands before two enemies on hard loses his car soon.
+TEST(Cars, where_the_next_one_begins_the_match_goes_on_to_the_bit) {
+  auto rules = std::make_shared<Rules>(*test::flat_rules(1, 2));
+  rules->description.cars = 9;
+  rules->description.times.between_waves = 0.1;
+  rules->description.skills[2] = {0.1, 0.01, 0.8, 1, 8, 12};
+  const MatchSetup setup{rules, 4, Difficulty::kHard};
+  Match match(setup);
+  const std::vector<Controls> controls(90 * kTicksPerSecond);
+  size_t t = 0;
+  while (t + 120 < controls.size() &&
+         (match.standing().cars_left == 8 || match.standing().phase != Phase::kFight))
+    match.tick(controls[t++]);
+  ASSERT_EQ(match.standing().cars_left, 7u);
+  const WaveStart start = match.wave_start();
+  EXPECT_EQ(start.standing.ticks, t);
+  for (int more = 0; more < 120; ++more) match.tick(controls[t++]);
+  const auto again = match_at(setup, start, controls, t);
+  EXPECT_EQ(state_hash(again->world()), state_hash(match.world()));
+}
+
+TEST(Targets, stand_still_and_the_match_ends_with_its_time_even_when_all_are_out) {
+  auto rules = std::make_shared<Rules>(*test::flat_rules(1, 1));
+  rules->description.targets = true;
+  rules->description.times.match = 2;
+  Match match({rules, 1, Difficulty::kHard});
+  const Vec3 place = match.world().body(match.vehicles()[1].chassis).placement.position;
+  for (Ticks t = 0; t < kTicksPerSecond; ++t) {
+    match.tick({});
+    EXPECT_FALSE(match.vehicles()[1].gun.firing);
+  }
+  const Vec3 later = match.world().body(match.vehicles()[1].chassis).placement.position;
+  EXPECT_LT(glm::length(Vec3(later.x - place.x, 0, later.z - place.z)), 0.05);
+  put_out(match, 1);
+  match.tick({});
+  EXPECT_EQ(match.standing().phase, Phase::kFight);
+  while (!match.standing().over()) match.tick({});
+  EXPECT_EQ(match.standing().phase, Phase::kEnded);
+  EXPECT_EQ(match.standing().ticks, 2 * kTicksPerSecond);
+}
+
+std::shared_ptr<const Rules> sandbox() {
+  auto rules = std::make_shared<Rules>(*test::flat_rules(0, 0));
+  rules->spawns = {test::hatchback()};
+  return rules;
+}
+
+Controls asking(bool asks) {
+  Controls controls;
+  controls.spawn = asks;
+  return controls;
+}
+
+TEST(Sandbox, a_vehicle_comes_each_time_one_is_asked_for_and_none_while_the_key_is_held) {
+  Match match({sandbox(), 1, Difficulty::kNormal});
+  for (int t = 0; t < 30; ++t) match.tick(asking(true));
+  EXPECT_EQ(match.vehicles().size(), 2u);
+  for (int i = 0; i < 20; ++i) {
+    match.tick(asking(false));
+    match.tick(asking(true));
+  }
+  EXPECT_GT(match.vehicles().size(), 4u);
+  EXPECT_LE(match.vehicles().size(), 9u);
+  for (size_t i = 0; i < match.vehicles().size(); ++i) {
+    for (size_t j = 0; j < i; ++j) {
+      const auto at = [&](size_t v) {
+        return match.world().body(match.vehicles()[v].chassis).placement.position;
+      };
+      EXPECT_GT(glm::distance(at(i), at(j)), 2) << i << " and " << j;
+    }
+  }
+  const uint64_t hash = state_hash(match.world());
+  Match again({sandbox(), 1, Difficulty::kNormal});
+  for (int t = 0; t < 30; ++t) again.tick(asking(true));
+  for (int i = 0; i < 20; ++i) {
+    again.tick(asking(false));
+    again.tick(asking(true));
+  }
+  EXPECT_EQ(state_hash(again.world()), hash);
+}
+
+TEST(Sandbox, what_came_is_cut_like_any_other_vehicle) {
+  Match match({sandbox(), 1, Difficulty::kNormal});
+  match.tick(asking(true));
+  ASSERT_EQ(match.vehicles().size(), 2u);
+  const std::vector<BodyId> before = match.world().ids();
+  Controls controls;
+  controls.fire = true;
+  controls.width = 60;
+  std::set<Event::Kind> kinds;
+  for (int t = 0; t < 360; ++t) {
+    controls.pitch = -1'500 - 4 * (t % 120);
+    controls.heading = 3'000 - 50 * (t % 120);
+    match.tick(controls);
+    for (const Event& e : match.events()) {
+      if (e.vehicle == 1) kinds.insert(e.kind);
+    }
+  }
+  EXPECT_TRUE(kinds.contains(Event::Kind::kCut));
+  EXPECT_TRUE(kinds.contains(Event::Kind::kPieceOff));
+}
+
+}  // namespace
+}  // namespace kerf

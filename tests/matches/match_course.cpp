@@ -1,0 +1,75 @@
+#include "tests/matches/match_course.h"
+
+#include <algorithm>
+#include <set>
+
+#include "core/base/tick.h"
+#include "core/game/match/bot_player.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr double kAway = 1;  // m
+
+// How long a vehicle has wanted to drive and stayed where it was.
+class Standstill {
+ public:
+  void follow(const Match& match) {
+    const Vehicle& own = match.vehicles()[Match::kPlayer];
+    const Vec3 at = match.world().body(own.chassis).placement.position;
+    const bool wants = std::abs(own.controls.throttle) > Controls::kFull / 5 && own.can_drive() && own.alive;
+    if (!anchor_ || !wants || glm::distance(*anchor_, at) > kAway) {
+      anchor_ = at;
+      since_ = 0;
+    }
+    since_ += kTick;
+    longest_ = std::max(longest_, since_);
+  }
+  double longest() const { return longest_; }
+
+ private:
+  std::optional<Vec3> anchor_;
+  double since_ = 0, longest_ = 0;
+};
+
+void note_events(const Match& match, double now, MatchCourse& course) {
+  std::set<size_t> dying, beams;
+  for (const Event& event : match.events()) {
+    if (event.kind == Event::Kind::kVitalLost) {
+      dying.insert(event.vehicle);
+      beams.insert(event.by);
+    }
+    const bool part = event.kind == Event::Kind::kPieceOff || event.kind == Event::Kind::kWheelLost;
+    if (part && event.by == Match::kPlayer && !course.first_part) course.first_part = now;
+  }
+  if (beams.size() > 1) course.kills_at_once = std::max(course.kills_at_once, dying.size());
+}
+
+}  // namespace
+
+MatchCourse play_course(const MatchSetup& setup, MatchDriver driver, double seconds) {
+  Match match(setup);
+  BotPlayer bot(match);
+  MatchCourse course;
+  Standstill standstill;
+  const auto ticks = static_cast<Ticks>(seconds * kTicksPerSecond);
+  while (match.standing().ticks < ticks && !match.standing().over()) {
+    match.tick(driver == MatchDriver::kBot ? bot.next(match) : Controls{});
+    const double now = seconds_of_ticks(match.standing().ticks);
+    if (match.strokes() > 0 && !course.first_beam) course.first_beam = now;
+    note_events(match, now, course);
+    standstill.follow(match);
+  }
+  const Standing& standing = match.standing();
+  course.won = standing.phase == Standing::Phase::kWon;
+  course.lost = standing.phase == Standing::Phase::kLost;
+  course.seconds = seconds_of_ticks(standing.ticks);
+  course.score = standing.score;
+  course.enemies_destroyed = standing.enemies_destroyed;
+  course.wave = standing.wave + 1;
+  course.longest_without_way = standstill.longest();
+  return course;
+}
+
+}  // namespace kerf

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+
+#include "core/game/match/match.h"
+
+namespace kerf {
+
+// How a match without a window went.
+struct MatchCourse {
+  bool won = false, lost = false;  // neither: it was ended before
+  double seconds = 0;
+  double score = 0;
+  size_t enemies_destroyed = 0, wave = 0;
+  std::optional<double> first_beam, first_part;  // s: of the player, and that came off an enemy
+  size_t kills_at_once = 0;        // the most vehicles that lost a vital part in a tick by different beams
+  double longest_without_way = 0;  // s, for which the player wanted to drive and got nowhere
+};
+
+// Who holds the controls of the player.
+enum class MatchDriver { kBot, kStill };
+
+// Plays a match to its end, or for so many seconds of its time.
+MatchCourse play_course(const MatchSetup& setup, MatchDriver driver, double seconds);
+
+}  // namespace kerf

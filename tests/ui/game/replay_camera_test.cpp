@@ -1,0 +1,68 @@
+#include "ui/game/replay_camera.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/angle.h"
+#include "core/base/random.h"
+#include "tests/support/checkout.h"
+#include "tests/support/runs.h"
+
+namespace kerf {
+namespace {
+
+// Whether a body of the arena crosses the way between two points (m): a search of all faces.
+bool is_crossed(const Match& match, const Vec3& from, const Vec3& to) {
+  for (const BodyId id : match.world().ids()) {
+    const Body& body = match.world().body(id);
+    const AabbTree::Box box = body.tree.bounds();
+    const bool large = match.is_wall(id) || glm::length(box.max - box.min) > 2;
+    if (!large || match.vehicle_of(id) != Event::kNobody) continue;
+    for (const FaceId f : body.faces_of(0)) {
+      Triangle t = body.mesh.triangle(f);
+      for (Vec3& p : t) p = body.placement.to_world(p);
+      const Vec3 way = to - from, normal = glm::cross(t[1] - t[0], t[2] - t[0]);
+      const double across = glm::dot(normal, way);
+      if (across == 0) continue;
+      const double share = glm::dot(normal, t[0] - from) / across;
+      if (share < 0 || share > 1) continue;
+      const Vec3 p = from + share * way;
+      bool inside = true;
+      for (int i = 0; i < 3; ++i)
+        inside = inside && glm::dot(normal, glm::cross(t[(i + 1) % 3] - t[i], p - t[i])) >= 0;
+      if (inside) return true;
+    }
+  }
+  return false;
+}
+
+// Two vehicles at random free places of the yard, near walls, containers and columns.
+TEST(ReplayCamera, stays_before_walls_and_containers_wherever_the_vehicles_are) {
+  const auto rules = load_rules(test::checkout() / "assets/games/standard.json");
+  ASSERT_TRUE(rules) << rules.error().message;
+  Match match({*rules, 1, Difficulty::kNormal});
+  auto& world = const_cast<World&>(match.world());
+  const FreeSpace space((*rules)->arena);
+  Random random(11);
+  for (uint64_t place = 0; place < runs(80); ++place) {
+    const Vec3 about(random.uniform(-36, 36), 0, random.uniform(-36, 36));
+    const FreeSpace::Spot spot = space.with_room_near(about, 10);
+    if (spot == space.spots()) continue;
+    const Vec3 first = space.place_of(spot);
+    const FreeSpace::Spot beside =
+        space.with_room_near(first + 6.0 * direction_of(random.uniform(-3, 3), 0), 4);
+    if (beside == space.spots()) continue;
+    const Vec3 second = space.place_of(beside);
+    world.body(match.vehicles()[0].chassis).placement.position = first;
+    world.body(match.vehicles()[1].chassis).placement.position = second;
+    ReplayCamera camera(1);
+    for (int frame = 0; frame < 20; ++frame) camera.follow(match, 0.1);
+    const CameraView view = camera.view(1.6, 50);
+    const Vec3 watched = match.world().body(match.vehicles()[1].chassis).placement.to_world({0, 0.8, 0});
+    EXPECT_FALSE(is_crossed(match, watched, camera.eye()))
+        << "place " << place << ": " << first.x << ", " << first.z << " and " << second.x << ", " << second.z;
+    EXPECT_EQ(view.eye, camera.eye());
+  }
+}
+
+}  // namespace
+}  // namespace kerf

@@ -75,6 +75,8 @@ int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
   // A fixed threshold returns large arrays to the system when they are freed; glibc would raise it otherwise.
   mallopt(M_MMAP_THRESHOLD, 1 << 20);
+  // A software renderer frees with each picture what it needs for the next one: that much is kept.
+  mallopt(M_TRIM_THRESHOLD, 64 << 20);
   try {
     return parse_and_run(argc, argv);
   } catch (const std::bad_alloc&) {

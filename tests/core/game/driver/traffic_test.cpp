@@ -52,6 +52,24 @@ TEST(Traffic, covers_a_long_body_by_several_discs_and_not_much_more) {
   EXPECT_GT(outside(discs, world.body(beam).placement.to_world({0, 0, 2.5})), 0.3);
 }
 
+// A sign on a column, four metres above the ground: a vehicle drives through below it.
+TEST(Traffic, of_a_tall_body_is_what_a_vehicle_can_run_into) {
+  Soup sign = test::closed_box({0.3, 5, 0.3});
+  const Soup board = test::closed_box({4, 1, 0.1});
+  const auto first = static_cast<uint32_t>(sign.positions.size());
+  for (const Vec3& p : board.positions) sign.positions.push_back(p + Vec3(2, 2, 0));
+  for (Soup::Triangle t : board.triangles) {
+    for (uint32_t& corner : t) corner += first;
+    sign.triangles.push_back(t);
+  }
+  World world;
+  test::add(world, sign, {0, 2.5, 0});
+  const std::vector<Disc> discs = find_traffic(world, {});
+  ASSERT_FALSE(discs.empty());
+  EXPECT_LT(outside(discs, {0, 0, 0}), 0);
+  EXPECT_GT(outside(discs, {2, 0, 0}), 1.5);
+}
+
 TEST(Traffic, of_a_vehicle_is_its_chassis_alone) {
   test::LoneVehicle lone;
   const std::vector<Disc> discs = find_traffic(lone.world, {&lone.vehicle, 1});

@@ -184,7 +184,7 @@ void draw_state(const HudView& view, const HudPaint& paint) {
   const float em = paint.em();
   if (!view.machine.empty()) paint.text({1.2f * em, 4.4f * em}, view.machine, kSecondary, 0.8f);
   if (view.match.is_disabled())
-    paint.text({0.5f * paint.size().x, 0.42f * paint.size().y}, "disabled: G gives this car up", kBad, 1.4f,
+    paint.text({0.5f * paint.size().x, 0.42f * paint.size().y}, "no laser: G gives this car up", kBad, 1.4f,
                Align::kMiddle);
 }
 

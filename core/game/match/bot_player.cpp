@@ -15,7 +15,9 @@ BotPlayer::BotPlayer(const Match& match) : pilot_(mix64(match.setup().seed ^ 0x6
 
 Controls BotPlayer::next(const Match& match) {
   const Sight sight(match.world());
-  return pilot_.drive(match.view(Match::kPlayer, sight));
+  Controls controls = pilot_.drive(match.view(Match::kPlayer, sight));
+  controls.give_up = match.is_disabled();
+  return controls;
 }
 
 }  // namespace kerf

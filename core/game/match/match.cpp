@@ -188,12 +188,9 @@ void Match::go_on_afterwards() {
   world_.world().pass(1);
 }
 
-// With one wheel on the ground a vehicle gets nowhere.
 bool Match::is_disabled() const {
   const Vehicle& own = vehicles_[kPlayer];
-  const auto wheels =
-      std::count_if(own.wheels.begin(), own.wheels.end(), [](const Wheel& w) { return w.attached; });
-  return own.alive && !own.gun.works() && wheels < 2;
+  return own.alive && !own.gun.works();
 }
 
 void Match::take_controls(const Controls& player, const Sight& sight) {

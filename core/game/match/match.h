@@ -49,7 +49,7 @@ class Match {
   // Whether the match is over, and its world has come to its end.
   bool settled() const { return standing().over() && standing().aftermath == kAftermath; }
 
-  // Whether the player can neither fire nor drive. Who gives up then has lost his car.
+  // Whether the player drives a car without a laser. Who gives up then has lost that car.
   bool is_disabled() const;
 
   const Rules& rules() const { return *setup_.rules; }

@@ -12,7 +12,7 @@ namespace kerf {
 namespace {
 
 constexpr double kStartsAway = 30;  // m, of the way of enemies to the player
-constexpr double kGap = 2.5;       // m, between a vehicle that comes and other things
+constexpr double kGap = 2.5;        // m, between a vehicle that comes and other things
 
 double length_of(const std::vector<Vec3>& way) {
   double length = 0;

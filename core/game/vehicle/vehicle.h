@@ -20,7 +20,7 @@ struct Controls {
   bool handbrake = false;
   bool fire = false;
   bool spawn = false;              // asks for a vehicle to cut, where the rules have some
-  bool give_up = false;            // gives the car up, where it can neither fire nor drive
+  bool give_up = false;            // gives the car up, where its laser is gone
   uint8_t width = 0;               // 0 .. kFull, from the narrowest beam to the widest
   int32_t heading = 0, pitch = 0;  // kAimStep, where in the world the barrel shall point (see direction_of)
 

@@ -327,19 +327,17 @@ TEST(Match, what_came_after_its_end_is_played_again_by_its_controls_to_the_bit) 
 }
 
 // The vehicle is changed behind the back of the match, as no beam does it so quickly.
-TEST(Match, is_lost_at_once_by_who_gives_up_because_he_can_neither_fire_nor_drive) {
+TEST(Match, is_lost_at_once_by_who_gives_up_because_his_laser_is_gone) {
   Match match({waves_of_one(1, 1), 1, Difficulty::kNormal});
   auto& own = const_cast<Vehicle&>(match.vehicles()[Match::kPlayer]);
-  EXPECT_FALSE(match.is_disabled());
-  own.gun.turret_attached = false;
-  EXPECT_FALSE(match.is_disabled()) << "it still drives";
-  for (size_t i = 1; i < own.wheels.size(); ++i) own.wheels[i].attached = false;
-  EXPECT_TRUE(match.is_disabled());
-  own.gun.turret_attached = true;
-  EXPECT_FALSE(match.is_disabled()) << "it still fires";
-  own.gun.turret_attached = false;
   Controls controls;
   controls.give_up = true;
+  for (Wheel& wheel : own.wheels) wheel.attached = false;
+  EXPECT_FALSE(match.is_disabled()) << "it still fires";
+  match.tick(controls);
+  EXPECT_FALSE(match.standing().over());
+  own.gun.turret_attached = false;
+  EXPECT_TRUE(match.is_disabled());
   match.tick(controls);
   EXPECT_EQ(match.standing().phase, Standing::Phase::kLost);
 }

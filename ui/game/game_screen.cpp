@@ -30,13 +30,6 @@ constexpr double kFrameShare = 0.1;    // of the last frame in the average of th
 constexpr double kReplayView = 50;     // degrees
 constexpr double kSeenAhead = 8;       // m, about which the editor turns its view of the match
 
-// The best scores with these rules and this difficulty.
-std::vector<HighScore> scores_of(const std::string& rules, const std::string& difficulty) {
-  std::vector<HighScore> scores = read_high_scores(high_scores_file());
-  std::erase_if(scores, [&](const HighScore& s) { return s.rules != rules || s.difficulty != difficulty; });
-  return scores;
-}
-
 }  // namespace
 
 GameScreen::GameScreen(Window& window, MatchPicture picture, GameOptions options, LeftMatch left)
@@ -260,52 +253,10 @@ void GameScreen::finish() {
   if (!result.ended || match_->rules().description.targets) {
     if (const auto rank = add_high_score(result.score, high_scores_file())) result.rank = *rank;
   }
-  result.scores = scores_of(result.score.rules, result.score.difficulty);
+  result.scores = high_scores_of(result.score.rules, result.score.difficulty, high_scores_file());
   result_ = std::move(result);
   enter(State::kOver);
   begin_replay();
-}
-
-// Before a match
-// --------------------------------------------------------------------------------------------------------
-
-void GameScreen::go_to_start() {
-  show_choice();
-  enter(State::kStart);
-}
-
-// The yard with the chosen car is behind the menu.
-void GameScreen::show_choice() {
-  load(load_mode(settings_.mode, settings_.vehicle));
-  begin_match();
-  scores_ = scores_of(match_->rules().description.name, name_of(settings_.difficulty));
-}
-
-// Where a file of the game is missing or wrong, the player stays with what there was.
-void GameScreen::load(Result<std::shared_ptr<const Rules>> rules) {
-  if (rules) options_.setup.rules = std::move(*rules);
-}
-
-void GameScreen::begin_chosen() {
-  if (!settings_.taught) return begin_lesson();
-  lesson_.reset();
-  ++options_.setup.seed;
-  start();
-}
-
-void GameScreen::begin_lesson() {
-  load(load_lesson(settings_.vehicle));
-  begin_match();
-  lesson_.emplace(*match_);
-  enter(State::kPlaying);
-}
-
-// The first match comes after it.
-void GameScreen::end_lesson() {
-  lesson_.reset();
-  settings_.taught = true;
-  load(load_mode(settings_.mode, settings_.vehicle));
-  start();
 }
 
 // The best ten seconds once more

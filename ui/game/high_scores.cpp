@@ -78,4 +78,11 @@ Result<size_t> add_high_score(const HighScore& score, const fs::path& file) {
   return rank;
 }
 
+std::vector<HighScore> high_scores_of(const std::string& rules, const std::string& difficulty,
+                                      const std::filesystem::path& file) {
+  std::vector<HighScore> scores = read_high_scores(file);
+  std::erase_if(scores, [&](const HighScore& s) { return s.rules != rules || s.difficulty != difficulty; });
+  return scores;
+}
+
 }  // namespace kerf

@@ -27,6 +27,10 @@ std::filesystem::path high_scores_file();
 // appended.
 std::vector<HighScore> read_high_scores(const std::filesystem::path& file);
 
+// Those of them with these rules and this difficulty.
+std::vector<HighScore> high_scores_of(const std::string& rules, const std::string& difficulty,
+                                      const std::filesystem::path& file);
+
 // Adds a score to the file, which is replaced whole or not at all. Returns its rank among those of its rules
 // and difficulty, from 1; 0 if it is not among the best.
 Result<size_t> add_high_score(const HighScore& score, const std::filesystem::path& file);

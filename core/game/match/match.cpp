@@ -374,22 +374,27 @@ void Match::lose_car() {
 }
 
 // The next wave begins where the player is; with another car the same one begins again, without the enemies
-// that are out of action.
+// that are out of action, if there are others.
 void Match::end_pause() {
   Standing& standing = tally_.standing();
   if (--standing.pause_left > 0) return;
   WaveStart next = wave_start_;
-  if (standing.phase == Standing::Phase::kDown) {
-    for (size_t i = 0; i < enemies_.size(); ++i) {
-      if (!vehicles_[enemies_[i]].alive) next.out.push_back(numbers_[i]);
-    }
-    next.player = rules().arena.description.player.placement();
-  } else {
+  const bool other_car = standing.phase == Standing::Phase::kDown;
+  for (size_t i = 0; i < enemies_.size(); ++i) {
+    if (!vehicles_[enemies_[i]].alive) next.out.push_back(numbers_[i]);
+  }
+  const bool cleared = !enemies_.empty() && next.out.size() == rules().waves[next.standing.wave].size();
+  if (cleared && next.standing.wave + 1 == rules().waves.size()) {
+    standing.phase = Standing::Phase::kWon;
+    return tally_.tell({Event::Kind::kWon});
+  }
+  if (cleared) {
     ++next.standing.wave;
     next.out.clear();
-    const Body& chassis = world().body(vehicles_[kPlayer].chassis);
-    next.player = upright(chassis.placement, rules().arena.description.ground);
   }
+  const Body& chassis = world().body(vehicles_[kPlayer].chassis);
+  next.player = other_car ? rules().arena.description.player.placement()
+                          : upright(chassis.placement, rules().arena.description.ground);
   begin_wave(next);
 }
 

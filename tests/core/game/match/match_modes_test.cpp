@@ -52,6 +52,22 @@ TEST(Cars, a_wave_begins_again_with_the_next_car_without_the_enemies_that_are_ou
   EXPECT_EQ(match.vehicles().size(), 3u) << "the next wave is whole";
 }
 
+TEST(Cars, who_is_out_together_with_the_last_enemy_goes_on_with_the_next_wave_and_wins_after_the_last_one) {
+  Match match({quiet_waves(2, 3), 1, Difficulty::kNormal});
+  const auto all_out = [&] {
+    for (size_t v = 0; v < match.vehicles().size(); ++v) put_out(match, v);
+    match.tick({});
+  };
+  all_out();
+  EXPECT_EQ(match.standing().phase, Phase::kDown);
+  tick_until_fight(match);
+  EXPECT_EQ(match.standing().wave, 1u);
+  EXPECT_EQ(match.vehicles().size(), 3u);
+  all_out();
+  for (int t = 0; t < 60 && !match.standing().over(); ++t) match.tick({});
+  EXPECT_EQ(match.standing().phase, Phase::kWon);
+}
+
 TEST(Cars, the_match_is_lost_with_the_last_one) {
   Match match({quiet_waves(1, 2), 1, Difficulty::kNormal});
   put_out(match, Match::kPlayer);

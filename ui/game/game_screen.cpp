@@ -93,6 +93,7 @@ void GameScreen::begin_match() {
   camera_.cut();
   hud_.clear();
   result_.reset();
+  killer_ = Event::kNobody;
   replay_.reset();
   replay_shown_ = false;
   score_log_ = ScoreLog();
@@ -224,6 +225,7 @@ void GameScreen::tick() {
     const bool own = event.vehicle == Match::kPlayer;
     if (event.kind == Event::Kind::kInHalves && !own) clock_.slow_down(kSlowMotion);
     if (event.kind == Event::Kind::kImpact && own && settings_.shake) camera_.shake(event.size / kHardImpact);
+    if (event.kind == Event::Kind::kKilled && own) killer_ = event.by;
     anew = anew || event.kind == Event::Kind::kWaveBegins;
   }
   score_log_.hear(*match_);
@@ -244,7 +246,7 @@ void GameScreen::finish() {
   const Standing& standing = match_->standing();
   MatchResult result;
   result.won = standing.phase == Standing::Phase::kWon;
-  result.why = why_it_ended(*match_);
+  result.why = why_it_ended(*match_, killer_);
   result.wheels_lost = standing.wheels_lost;
   result.pieces = standing.pieces;
   result.score = {standing.score, match_->rules().description.name, name_of(match_->setup().difficulty),

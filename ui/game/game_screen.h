@@ -117,7 +117,8 @@ class GameScreen : public Screen {
   std::vector<double> frame_seconds_;
   State state_ = State::kPlaying;
   Leave leave_ = Leave::kStay;
-  double after_end_ = 0;  // s of the player since the match was over
+  size_t killer_ = Event::kNobody;  // whose beam put the player's car out
+  double after_end_ = 0;            // s of the player since the match was over
   bool guide_ = true;
   double played_seconds_ = 0;
   double frame_s_ = 0;  // on average

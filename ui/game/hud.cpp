@@ -46,7 +46,7 @@ void draw_reticle(const HudView& view, const HudPaint& paint) {
   const ImU32 colour = !vehicle.gun.works() || vehicle.gun.overheated ? kBad
                        : view.state.biting() > 0                      ? colours::accent()
                                                                       : kText;
-  paint.circle(at, r, colour, view.state.biting() > 0 ? 2.5f : 1.5f);
+  paint.circle(at, r, colour, view.state.biting() > 0 ? 1.0f : 1.5f);
   for (const auto& [x, y] : {ImVec2(1, 0), ImVec2(-1, 0), ImVec2(0, 1), ImVec2(0, -1)}) {
     paint.line({at.x + x * r, at.y + y * r},
                {at.x + x * (r + 0.4f * paint.em()), at.y + y * (r + 0.4f * paint.em())}, colour, 1.5f);
@@ -271,7 +271,7 @@ void draw_hurt(const HudView& view, const HudPaint& paint) {
 
 void draw_notices(const HudView& view, const HudPaint& paint) {
   const float em = paint.em();
-  float y = 0.62f * paint.size().y, y_large = 0.2f * paint.size().y;
+  float y = 0.36f * paint.size().y, y_large = 0.2f * paint.size().y;
   for (const Notice& n : view.state.notices()) {
     const double opacity = std::min(1.0, 3 * (n.large ? 2.2 - n.age : 3.2 - n.age));
     const ImU32 colour = HudPaint::faded(n.good ? kText : kBad, opacity);
@@ -311,7 +311,7 @@ void draw_guide(const HudPaint& paint, bool spawns) {
   std::vector<const char*> lines{"W A S D  drive, Space  handbrake",
                                  "Mouse  aim, left button  laser, wheel  width of the beam",
                                  "Cut wheels, lasers, engines and driver's seats off the others",
-                                 "C  view from behind, 1-9  debug views", "Esc  pause, H  hides this"};
+                                 "C  view from behind", "Esc  pause, H  hides this"};
   if (spawns) lines.insert(lines.end() - 1, "V  another car to cut");
   const float em = paint.em();
   float width = 0;

@@ -16,15 +16,17 @@ std::string name_of_wheel(const VehicleDescription& vehicle, size_t wheel) {
   return name.starts_with("wheel ") ? name.substr(6) + " wheel" : name;
 }
 
-std::string why_it_ended(const Match& match) {
+std::string why_it_ended(const Match& match, size_t killer) {
   KERF_ASSERT(match.standing().over());
   if (match.standing().phase == Standing::Phase::kWon) return "All enemies are out";
   const Vehicle& own = match.vehicles()[Match::kPlayer];
   if (own.alive) return match.seconds_left() > 0 ? "You gave up" : "Time is up";
+  const bool known = killer != Match::kPlayer && killer < match.vehicles().size();
+  const std::string by = known ? " by the " + match.vehicles()[killer].what().name : "";
   for (size_t i = 0; i < own.vital_works.size(); ++i) {
-    if (!own.vital_works[i]) return "Your " + std::string(name_of_vital(own.what(), i)) + " was cut off";
+    if (!own.vital_works[i]) return "Your " + std::string(name_of_vital(own.what(), i)) + " was cut off" + by;
   }
-  return "Your car was cut to pieces";
+  return "Your car was cut to pieces" + by;
 }
 
 }  // namespace kerf

@@ -56,10 +56,12 @@ MenuChoice draw_start_menu(const StartView& view) {
   other = draw_choice("Your car", s.vehicle, kVehicleTitles) || other;
   ImGui::TextDisabled("What puts a car out");
   ImGui::TextWrapped(
-      "Its engine or its driver's seat is cut off. A wheel is lost with its hub, a laser with its mount.");
+      "%s", "Its engine or its driver's seat is cut off. Cut through a hub, and the wheel comes off.");
   ImGui::Spacing();
   draw_scores(view.scores, "Best scores", 0);
+  ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_ButtonActive));
   if (menu_button("Start (Enter)", "start")) choice = MenuChoice::kStart;
+  ImGui::PopStyleColor();
   if (menu_button("The first lesson", "lesson")) choice = MenuChoice::kLesson;
   if (menu_button(view.from_editor ? "Back to the editor (Esc)" : "Quit (Esc)", "leave"))
     choice = MenuChoice::kLeave;

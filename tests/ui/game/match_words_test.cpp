@@ -18,6 +18,18 @@ TEST(WhyItEnded, is_the_time_where_nobody_was_hit) {
   EXPECT_EQ(why_it_ended(match), "Time is up");
 }
 
+// The vehicle is changed behind the back of the match, as no beam does it so quickly.
+TEST(WhyItEnded, is_what_was_cut_off_and_by_whom) {
+  Match match({test::flat_rules(1, 1), 1, Difficulty::kNormal});
+  auto& own = const_cast<Vehicle&>(match.vehicles()[Match::kPlayer]);
+  own.alive = false;
+  match.tick({});
+  EXPECT_EQ(why_it_ended(match, 1), "Your car was cut to pieces by the hatchback");
+  own.vital_works[0] = false;
+  EXPECT_EQ(why_it_ended(match, 1), "Your engine was cut off by the hatchback");
+  EXPECT_EQ(why_it_ended(match), "Your engine was cut off");
+}
+
 TEST(NameOfWheel, is_that_of_its_part_in_words) {
   const VehicleDescription& what = test::hatchback()->description;
   std::set<std::string> names;

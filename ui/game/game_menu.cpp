@@ -73,6 +73,18 @@ void draw_caption(const char* text) {
              HudPaint::Align::kMiddle);
 }
 
+// What came of a match besides its score.
+std::string words_on_course(const MatchResult& result) {
+  const auto count = [](size_t n, const char* one, const char* more) {
+    return std::to_string(n) + " " + (n == 1 ? one : more) + ", ";
+  };
+  std::string words;
+  if (!result.ended) words += count(result.score.enemies_destroyed, "enemy destroyed", "enemies destroyed");
+  words += count(result.pieces, "piece cut off", "pieces cut off");
+  if (!result.ended) words += count(result.wheels_lost, "wheel lost", "wheels lost");
+  return words + clock_text(result.score.seconds);
+}
+
 }  // namespace
 
 MenuChoice draw_pause_menu(const MenuView& view) {
@@ -102,12 +114,10 @@ MenuChoice draw_result(const MatchResult& result, MatchReplay::State replay, con
   menu_heading(result.won ? "Won" : result.ended ? "Time is over" : "Lost", 2.2f);
   if (!result.ended) ImGui::Text("%s", result.why.c_str());
   ImGui::Text("Score %.0f", result.score.score);
-  ImGui::Text("%zu enemies destroyed, %zu pieces cut off, %zu wheels lost, %s",
-              result.score.enemies_destroyed, result.pieces, result.wheels_lost,
-              clock_text(result.score.seconds).c_str());
+  ImGui::TextUnformatted(words_on_course(result).c_str());
   ImGui::Spacing();
   draw_scores(result.scores, "Best scores (" + result.score.rules + ", " + result.score.difficulty + ")",
-              result.rank);
+              result.rank, !result.ended);
   if (menu_button("Play again (R)", "restart")) choice = MenuChoice::kRestart;
   ImGui::BeginDisabled(replay != Replay::kOver);
   const char* label = replay == Replay::kPreparing ? "The best ten seconds are prepared ..."

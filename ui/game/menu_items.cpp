@@ -36,15 +36,17 @@ bool menu_button(const char* label, const char* landmark) {
   return pressed;
 }
 
-void draw_scores(const std::vector<HighScore>& scores, const std::string& title, size_t now) {
+void draw_scores(const std::vector<HighScore>& scores, const std::string& title, size_t now, bool fights) {
   if (scores.empty()) return;
   ImGui::TextDisabled("%s", title.c_str());
   for (size_t i = 0; i < scores.size(); ++i) {
     const HighScore& s = scores[i];
     const bool is_now = i + 1 == now;
     ImGui::PushStyleColor(ImGuiCol_Text, is_now ? colours::accent() : colours::text());
-    ImGui::Text("%2zu  %6.0f  %s  %zu destroyed  %s%s", i + 1, s.score, s.won ? "won " : "lost",
-                s.enemies_destroyed, clock_text(s.seconds).c_str(), is_now ? "  this match" : "");
+    const std::string outcome =
+        std::string(s.won ? "won   " : "lost  ") + std::to_string(s.enemies_destroyed) + " destroyed  ";
+    ImGui::Text("%2zu  %6.0f  %s%s%s", i + 1, s.score, fights ? outcome.c_str() : "",
+                clock_text(s.seconds).c_str(), is_now ? "  this match" : "");
     ImGui::PopStyleColor();
   }
   ImGui::Spacing();

@@ -19,7 +19,7 @@ void menu_heading(const char* text, float scale = 1.5f);
 bool menu_button(const char* label, const char* landmark);
 
 // Draws a list of scores, best first, of which the one with the rank `now`, from 1, is of the match that is
-// over (0: none is). Nothing where there are none.
-void draw_scores(const std::vector<HighScore>& scores, const std::string& title, size_t now);
+// over (0: none is). Nothing where there are none. `fights`: whether such matches are won or lost.
+void draw_scores(const std::vector<HighScore>& scores, const std::string& title, size_t now, bool fights);
 
 }  // namespace kerf

@@ -58,7 +58,7 @@ MenuChoice draw_start_menu(const StartView& view) {
   ImGui::TextWrapped(
       "%s", "Its engine or its driver's seat is cut off. Cut through a hub, and the wheel comes off.");
   ImGui::Spacing();
-  draw_scores(view.scores, "Best scores", 0);
+  draw_scores(view.scores, "Best scores", 0, s.mode == GameMode::kWaves);
   ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_ButtonActive));
   if (menu_button("Start (Enter)", "start")) choice = MenuChoice::kStart;
   ImGui::PopStyleColor();

@@ -218,8 +218,10 @@ FaceBuffer::Chunk& FaceBuffer::chunk_of(const SlotRange& range) {
   Chunk& found = chunks_[chunk];
   const uint32_t needed = (range.end - 1) % kChunkFaces + 1;
   if (needed <= found.room) return found;
-  const size_t known = std::max<size_t>(halvings_.size() - chunk * kChunkFaces, needed);
-  found.make_room(static_cast<uint32_t>(std::clamp<size_t>(std::bit_ceil(known), kLeastRoom, kChunkFaces)));
+  const size_t begin = chunk * kChunkFaces;
+  const size_t known = halvings_.size() > begin ? halvings_.size() - begin : 0;
+  const size_t wanted = std::clamp<size_t>(std::max<size_t>(known, needed), kLeastRoom, kChunkFaces);
+  found.make_room(static_cast<uint32_t>(std::bit_ceil(wanted)));
   chunks_with_scalars_ = std::min(chunks_with_scalars_, chunk);
   return found;
 }

@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/interval.h"
+
 namespace kerf {
 
 namespace {
 
 constexpr double kSmall = 0.8;  // m, the diagonal of what vehicles drive over
 constexpr double kFlat = 0.25;  // m, likewise the height
-constexpr double kTall = 4.5;   // m, the diagonal from which on what is above a vehicle does not count
+constexpr double kTall = 3.5;   // m, the height from which on what is above a vehicle does not count
 constexpr double kRoof = 2.2;   // m
 
 bool is_carried(std::span<const Vehicle> vehicles, BodyId id) {
@@ -20,14 +22,16 @@ bool is_carried(std::span<const Vehicle> vehicles, BodyId id) {
 // The height of a point of a body over the origin of the world, m.
 double height_of(const Body& body, const Vec3& p) { return body.placement.to_world(p).y; }
 
-double lowest_of(const Body& body, const AabbTree::Box& box) {
-  double lowest = height_of(body, box.min);
+// The heights between which the box of a body lies, m.
+Interval heights_of(const Body& body, const AabbTree::Box& box) {
+  Interval heights{height_of(body, box.min), height_of(body, box.min)};
   for (int corner = 1; corner < 8; ++corner) {
     const Vec3 p((corner & 1 ? box.max : box.min).x, (corner & 2 ? box.max : box.min).y,
                  (corner & 4 ? box.max : box.min).z);
-    lowest = std::min(lowest, height_of(body, p));
+    heights.low = std::min(heights.low, height_of(body, p));
+    heights.high = std::max(heights.high, height_of(body, p));
   }
-  return lowest;
+  return heights;
 }
 
 // The box of the faces of a tall body that begin below the roof of a vehicle that stands beside it.
@@ -78,9 +82,9 @@ std::vector<Disc> find_traffic(const World& world, std::span<const Vehicle> vehi
     const Body& body = world.body(id);
     if (body.pinned || body.hidden || body.tree.leaf_count() == 0) continue;
     AabbTree::Box box = body.tree.bounds();
-    const double size = glm::length(box.max - box.min);
-    if (size < kSmall || is_carried(vehicles, id)) continue;
-    if (size > kTall) box = low_box(body, lowest_of(body, box) + kRoof);
+    if (glm::length(box.max - box.min) < kSmall || is_carried(vehicles, id)) continue;
+    const Interval heights = heights_of(body, box);
+    if (heights.high - heights.low > kTall) box = low_box(body, heights.low + kRoof);
     if (box.min.x <= box.max.x) cover(body, id, box, discs);
   }
   return discs;

@@ -6,31 +6,19 @@
 #include "core/base/random.h"
 #include "tests/support/checkout.h"
 #include "tests/support/runs.h"
+#include "tests/support/segment_faces.h"
 
 namespace kerf {
 namespace {
 
-// Whether a body of the arena crosses the way between two points (m): a search of all faces.
+// Whether a large body of the arena crosses the way between two points (m).
 bool is_crossed(const Match& match, const Vec3& from, const Vec3& to) {
   for (const BodyId id : match.world().ids()) {
     const Body& body = match.world().body(id);
     const AabbTree::Box box = body.tree.bounds();
     const bool large = match.is_wall(id) || glm::length(box.max - box.min) > 2;
     if (!large || match.vehicle_of(id) != Event::kNobody) continue;
-    for (const FaceId f : body.faces_of(0)) {
-      Triangle t = body.mesh.triangle(f);
-      for (Vec3& p : t) p = body.placement.to_world(p);
-      const Vec3 way = to - from, normal = glm::cross(t[1] - t[0], t[2] - t[0]);
-      const double across = glm::dot(normal, way);
-      if (across == 0) continue;
-      const double share = glm::dot(normal, t[0] - from) / across;
-      if (share < 0 || share > 1) continue;
-      const Vec3 p = from + share * way;
-      bool inside = true;
-      for (int i = 0; i < 3; ++i)
-        inside = inside && glm::dot(normal, glm::cross(t[(i + 1) % 3] - t[i], p - t[i])) >= 0;
-      if (inside) return true;
-    }
+    if (test::crosses(body, from, to)) return true;
   }
   return false;
 }

@@ -2,12 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include <set>
 
 #include "core/base/random.h"
 #include "core/game/vehicle/vehicle_bodies.h"
 #include "tests/support/checkout.h"
 #include "tests/support/game_files.h"
+#include "tests/support/segment_faces.h"
 
 namespace kerf {
 namespace {
@@ -77,27 +80,11 @@ TEST_F(TwoVehicles, a_beam_ends_at_what_it_meets_or_with_its_range) {
   EXPECT_LT(glm::distance(at, from), glm::distance(enemy, from));
 }
 
-// Whether a face of a wall crosses the way between two points (m): a search of all faces.
+// Whether a wall crosses the way between two points (m).
 bool is_walled(const Match& match, const Vec3& from, const Vec3& to) {
-  for (const BodyId id : match.world().ids()) {
-    if (!match.is_wall(id)) continue;
-    const Body& body = match.world().body(id);
-    for (const FaceId f : body.faces_of(0)) {
-      Triangle t = body.mesh.triangle(f);
-      for (Vec3& p : t) p = body.placement.to_world(p);
-      const Vec3 way = to - from, normal = glm::cross(t[1] - t[0], t[2] - t[0]);
-      const double across = glm::dot(normal, way);
-      if (across == 0) continue;
-      const double share = glm::dot(normal, t[0] - from) / across;
-      if (share < 0 || share > 1) continue;
-      const Vec3 p = from + share * way;
-      bool inside = true;
-      for (int i = 0; i < 3; ++i)
-        inside = inside && glm::dot(normal, glm::cross(t[(i + 1) % 3] - t[i], p - t[i])) >= 0;
-      if (inside) return true;
-    }
-  }
-  return false;
+  return std::ranges::any_of(match.world().ids(), [&](BodyId id) {
+    return match.is_wall(id) && test::crosses(match.world().body(id), from, to);
+  });
 }
 
 TEST(SeesVehicle, where_no_wall_of_the_yard_is_between_as_a_search_of_all_faces_says) {

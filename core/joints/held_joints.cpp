@@ -15,9 +15,12 @@ namespace {
 struct SideSoFar {
   std::optional<ConnectedPart> part;
   bool apart = false;
-  bool holds() const { return part && !apart; }
+  bool reaches_pin = false;
+  bool holds() const { return part && !apart && reaches_pin; }
   // Whether a face of this part may change what is known.
-  bool is_open(const ConnectedPart& other) const { return !part || (!apart && *part != other); }
+  bool is_open(const ConnectedPart& other) const {
+    return !part || (!apart && (*part != other || !reaches_pin));
+  }
   void add(const ConnectedPart& other) {
     apart = part && *part != other;
     if (!part) part = other;
@@ -61,12 +64,12 @@ class Carriers {
   std::vector<uint32_t> first_;  // by loaded face, of sides_
 };
 
-bool is_near(const JointSide& side, const Triangle& t) {
+bool is_near(const Vec3& point, double radius, const Triangle& t) {
   const Vec3 low = glm::min(glm::min(t[0], t[1]), t[2]), high = glm::max(glm::max(t[0], t[1]), t[2]);
   for (int k = 0; k < 3; ++k) {
-    if (low[k] - side.point[k] > side.radius || side.point[k] - high[k] > side.radius) return false;
+    if (low[k] - point[k] > radius || point[k] - high[k] > radius) return false;
   }
-  return squared_distance(side.point, t) <= side.radius * side.radius;
+  return squared_distance(point, t) <= radius * radius;
 }
 
 void look_through(BodyId id, const Body& body, const Joints& joints, const Carriers& carriers,
@@ -78,8 +81,14 @@ void look_through(BodyId id, const Body& body, const Joints& joints, const Carri
     if (carried.empty()) continue;
     const ConnectedPart part = part_of(id, body, f);
     for (const uint32_t side : carried) {
-      if (!sides[side].is_open(part)) continue;
-      if (is_near(joints.all[side / 2].sides[side % 2], body.mesh.triangle(f))) sides[side].add(part);
+      SideSoFar& known = sides[side];
+      if (!known.is_open(part)) continue;
+      const Joint& joint = joints.all[side / 2];
+      const JointSide& own = joint.sides[side % 2];
+      const Triangle t = body.mesh.triangle(f);
+      if (!is_near(own.point, own.radius, t)) continue;
+      known.add(part);
+      known.reaches_pin = known.reaches_pin || is_near(joint.anchor, own.reaches_pin, t);
     }
   }
 }

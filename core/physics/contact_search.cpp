@@ -3,14 +3,18 @@
 #include <algorithm>
 
 #include "core/base/assert.h"
+#include "core/base/parallel.h"
 #include "core/physics/contact/broad_phase.h"
 #include "core/physics/contact/chord_points.h"
 #include "core/physics/contact/crossing_sheets.h"
+#include "core/physics/contact/ground_contacts.h"
 #include "core/physics/contact/pair_contacts.h"
 
 namespace kerf {
 
 namespace {
+
+constexpr size_t kPairsAtATime = 4;  // by one thread
 
 std::pair<uint32_t, uint32_t> key(const TouchingPair& p) { return {p.first, p.second}; }
 
@@ -27,6 +31,7 @@ TouchingPair ContactSearch::start(uint32_t first, uint32_t second) const {
   const BodyId a = bodies_[first].id, b = second == TouchingPair::kGround ? BodyId{} : bodies_[second].id;
   const PairMemory* old = memory_of(before_, a, b);
   TouchingPair pair{first, second, {}, old ? *old : PairMemory{a, b, {}, {}, {}}};
+  if (pair.memory.held > 0) --pair.memory.held;
   if (second != TouchingPair::kGround && (!old || old->crossed))
     pair.memory.crossed = sheets_cross(bodies_[first], bodies_[second]) ? pair.memory.crossed + 1 : 0;
   return pair;
@@ -47,30 +52,39 @@ TouchingPair& ContactSearch::pair_of(uint32_t first, uint32_t second) {
 void ContactSearch::find() {
   KERF_ASSERT(std::is_sorted(bodies_.begin(), bodies_.end(),
                              [](const MovingBody& a, const MovingBody& b) { return a.id < b.id; }));
-  const std::vector<std::pair<uint32_t, uint32_t>> near = near_pairs(bodies_);
-  candidates_ += near.size();
-  std::vector<TouchingPair> found;  // sorted like `pairs_`: the ground comes after all bodies
-  auto next = near.begin();
-  for (uint32_t i = 0; i < bodies_.size(); ++i) {
-    for (; next != near.end() && next->first == i; ++next) find_between(i, next->second, found);
-    find_on_ground(i, found);
-  }
+  std::vector<TouchingPair> found = pairs_to_look_at();
+  for_each_range(found.size(), kPairsAtATime, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) look_at(found[i]);
+  });
+  std::erase_if(
+      found, [](const TouchingPair& p) { return p.second == TouchingPair::kGround && p.contacts.empty(); });
   const auto known = static_cast<ptrdiff_t>(pairs_.size());
   pairs_.insert(pairs_.end(), std::make_move_iterator(found.begin()), std::make_move_iterator(found.end()));
   std::ranges::inplace_merge(pairs_, pairs_.begin() + known, {}, key);
 }
 
-void ContactSearch::find_between(uint32_t first, uint32_t second, std::vector<TouchingPair>& found) const {
-  if (find(first, second) || are_joined(joints_, first, second)) return;
-  TouchingPair& pair = found.emplace_back(start(first, second));
-  pair.contacts = find_contacts(bodies_[first], bodies_[second], kContactLengths, pair.memory);
+std::vector<TouchingPair> ContactSearch::pairs_to_look_at() {
+  const std::vector<std::pair<uint32_t, uint32_t>> near = near_pairs(bodies_);
+  candidates_ += near.size();
+  std::vector<TouchingPair> pairs;
+  auto next = near.begin();
+  for (uint32_t i = 0; i < bodies_.size(); ++i) {
+    for (; next != near.end() && next->first == i; ++next) {
+      if (!find(i, next->second) && !are_joined(joints_, i, next->second))
+        pairs.push_back({i, next->second, {}, {}});
+    }
+    if (bodies_[i].moves() && !find(i, TouchingPair::kGround))
+      pairs.push_back({i, TouchingPair::kGround, {}, {}});
+  }
+  return pairs;
 }
 
-void ContactSearch::find_on_ground(uint32_t i, std::vector<TouchingPair>& found) const {
-  if (!bodies_[i].moves() || find(i, TouchingPair::kGround)) return;
-  TouchingPair pair = start(i, TouchingPair::kGround);
-  pair.contacts = find_ground_contacts(bodies_[i], around_, kContactLengths, pair.memory);
-  if (!pair.contacts.empty()) found.push_back(std::move(pair));
+void ContactSearch::look_at(TouchingPair& pair) const {
+  pair = start(pair.first, pair.second);
+  const MovingBody& first = bodies_[pair.first];
+  pair.contacts = pair.second == TouchingPair::kGround
+                      ? find_ground_contacts(first, around_, kContactLengths, pair.memory)
+                      : find_contacts(first, bodies_[pair.second], kContactLengths, pair.memory);
 }
 
 std::vector<std::pair<uint32_t, uint32_t>> ContactSearch::pairs_apart() const {
@@ -82,17 +96,25 @@ std::vector<std::pair<uint32_t, uint32_t>> ContactSearch::pairs_apart() const {
   return pairs;
 }
 
-bool ContactSearch::were_apart(uint32_t first, uint32_t second) {
-  PairMemory& memory = pair_of(first, second).memory;
-  memory.crossed = sheets_cross(bodies_[first], bodies_[second]) ? 1 : 0;
-  return memory.crossed == 0;
+std::vector<uint8_t> ContactSearch::remember_piercing(std::span<const std::pair<uint32_t, uint32_t>> pairs) {
+  for (const auto& [first, second] : pairs) pair_of(first, second);
+  std::vector<uint8_t> any_new(pairs.size());
+  for_each_range(pairs.size(), kPairsAtATime, [&](size_t begin, size_t end) {
+    for (size_t p = begin; p < end; ++p) any_new[p] = remember_piercing(pairs[p].first, pairs[p].second);
+  });
+  return any_new;
 }
 
 bool ContactSearch::remember_piercing(uint32_t first, uint32_t second) {
   PairMemory& memory = pair_of(first, second).memory;
-  const bool of_first = remember_piercing_points(bodies_[first], bodies_[second], memory.points_of_first);
-  const bool of_second = remember_piercing_points(bodies_[second], bodies_[first], memory.points_of_second);
-  return of_first || of_second;
+  const MovingBody &a = bodies_[first], &b = bodies_[second];
+  const bool of_first = remember_piercing_points(a, b, memory.points_of_first);
+  const bool of_second = remember_piercing_points(b, a, memory.points_of_second);
+  remember_passing_guards(a, b, memory.points_of_first);
+  remember_passing_guards(b, a, memory.points_of_second);
+  const bool held_before = memory.held > 0;
+  memory.held = 2;
+  return (of_first || of_second) && !held_before;
 }
 
 }  // namespace kerf

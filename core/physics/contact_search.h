@@ -19,19 +19,19 @@ class ContactSearch {
       : bodies_(bodies), joints_(joints), around_(around), before_(before) {}
 
   // The contacts of all pairs of which a body moves, and with the ground, sorted by their bodies. Can be
-  // called again when more bodies move: looks at the pairs that are new.
+  // called again when more bodies move: looks at the pairs that are new. On several threads; the result does
+  // not depend on how many there are.
   void find();
 
   // The pairs that come near each other on their ways, except those that are known to have intersected at the
   // beginning, sorted.
   std::vector<std::pair<uint32_t, uint32_t>> pairs_apart() const;
-  // Whether two bodies were apart at the beginning; if not, this is known from now on.
-  bool were_apart(uint32_t first, uint32_t second);
   // Lets two bodies intersect: they do not touch until they are apart.
   void let_cross(uint32_t first, uint32_t second) { pair_of(first, second).memory.crossed = 1; }
-  // Remembers the points within chords at which two bodies got through each other, for the next tick. Returns
-  // whether points at rims are among those that are new.
-  bool remember_piercing(uint32_t first, uint32_t second);
+  // Remembers the points at which the bodies of some pairs got through each other, for the next tick. Tells of
+  // each pair whether points at rims are among those that are new and the bodies were not held in the last
+  // tick, too. On several threads.
+  std::vector<uint8_t> remember_piercing(std::span<const std::pair<uint32_t, uint32_t>> pairs);
 
   // How many pairs of bodies the broad phase has found near each other.
   size_t candidates() const { return candidates_; }
@@ -42,9 +42,10 @@ class ContactSearch {
   TouchingPair start(uint32_t first, uint32_t second) const;
   TouchingPair& pair_of(uint32_t first, uint32_t second);
   const TouchingPair* find(uint32_t first, uint32_t second) const;
-  // Look at a pair, unless it is known already.
-  void find_between(uint32_t first, uint32_t second, std::vector<TouchingPair>& found) const;
-  void find_on_ground(uint32_t i, std::vector<TouchingPair>& found) const;
+  // The pairs that find() is to look at and that are not known yet, with their bodies alone, in order.
+  std::vector<TouchingPair> pairs_to_look_at();
+  void look_at(TouchingPair& pair) const;
+  bool remember_piercing(uint32_t first, uint32_t second);
 
   std::span<const MovingBody> bodies_;
   std::span<const BodyJoint> joints_;

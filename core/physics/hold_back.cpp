@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/assert.h"
+#include "core/base/parallel.h"
 #include "core/physics/contact/crossing_sheets.h"
 
 namespace kerf {
@@ -13,6 +14,8 @@ namespace {
 
 constexpr std::array kShares{1.0, 0.5, 0.25, 0.0};
 constexpr double kMuchHeavier = 4;  // times as heavy
+constexpr uint32_t kLongestBlock =
+    kTicksPerSecond / 4;  // after which the lighter one may intersect the other
 
 Placement between(const MovingBody& b, double share) {
   KERF_ASSERT(share > 0 && share < 1);
@@ -38,8 +41,6 @@ class Ways {
   explicit Ways(std::span<MovingBody> bodies)
       : bodies_(bodies), share_(bodies.size(), 0), keeps_speed_(bodies.size(), false) {}
 
-  bool cross(uint32_t i, uint32_t j) const { return get_through(bodies_[i], bodies_[j]); }
-  bool is_short(uint32_t i) const { return share_[i] > 0; }
   bool shorten(uint32_t i) {
     MovingBody& b = bodies_[i];
     if (!b.moves() || share_[i] + 1 == kShares.size()) return false;
@@ -52,19 +53,27 @@ class Ways {
   // all, so that a seat does not hold a car.
   std::vector<uint32_t> to_shorten(uint32_t i, uint32_t j) const {
     KERF_ASSERT(bodies_[i].moves() || bodies_[j].moves());
-    for (const auto& [light, heavy] : {std::pair(i, j), std::pair(j, i)}) {
-      const MovingBody &a = bodies_[light], &b = bodies_[heavy];
-      if (a.moves() && b.moves() && kMuchHeavier * a.frame.mass < b.frame.mass && kShares[share_[light]] > 0)
-        return {light};
-    }
+    const uint32_t light = bodies_[i].frame.mass < bodies_[j].frame.mass ? i : j;
+    if (is_uneven(i, j) && kShares[share_[light]] > 0) return {light};
     return {i, j};
   }
-  // Whether one of two bodies is too light to stop the other one.
-  bool sweeps_aside(uint32_t i, uint32_t j) const {
+  // Whether one of two bodies is much lighter than the other, and both can move.
+  bool is_uneven(uint32_t i, uint32_t j) const {
+    const MovingBody &a = bodies_[i], &b = bodies_[j];
+    const auto [light, heavy] = std::minmax(a.frame.mass, b.frame.mass);
+    return a.moves() && b.moves() && kMuchHeavier * light < heavy;
+  }
+  // Whether two bodies may rather intersect than stop each other: one is too light to stop the other one, or
+  // must come out of the ground.
+  bool may_cross(uint32_t i, uint32_t j) const {
     const auto yields = [](const MovingBody& light, const MovingBody& heavy) {
       return !light.fixed && light.frame.mass < heavy.sweeps_aside;
     };
-    return yields(bodies_[i], bodies_[j]) || yields(bodies_[j], bodies_[i]);
+    const auto is_sunk = [](const MovingBody& b) {
+      return b.moves() && b.sunk > kContactLengths.ground_skin * b.scale;
+    };
+    const MovingBody &a = bodies_[i], &b = bodies_[j];
+    return yields(a, b) || yields(b, a) || is_sunk(a) || is_sunk(b);
   }
   // Leaves the velocity of a body to the next tick, which knows what stops it.
   void keep_speed(uint32_t i) { keeps_speed_[i] = true; }
@@ -87,38 +96,106 @@ class Ways {
   std::vector<bool> keeps_speed_;
 };
 
+using Pair = std::pair<uint32_t, uint32_t>;
+
+// Whether `test` holds for each of some pairs. On several threads.
+template <typename Test>
+std::vector<uint8_t> test_each(std::span<const Pair> pairs, const Test& test) {
+  constexpr size_t kAtATime = 2;
+  std::vector<uint8_t> holds(pairs.size());
+  for_each_range(pairs.size(), kAtATime, [&](size_t begin, size_t end) {
+    for (size_t p = begin; p < end; ++p) holds[p] = test(pairs[p]) ? 1 : 0;
+  });
+  return holds;
+}
+
+template <typename Test>
+void keep_only(std::vector<Pair>& pairs, const Test& test) {
+  const std::vector<uint8_t> holds = test_each(pairs, test);
+  std::erase_if(pairs, [&](const Pair& p) { return holds[static_cast<size_t>(&p - pairs.data())] == 0; });
+}
+
+// Holds back the bodies of a tick. When the pairs that cross have been parted, all pairs of the bodies whose
+// ways were shortened are looked at again.
+class Holding {
+ public:
+  Holding(std::span<MovingBody> bodies, ContactSearch& search)
+      : bodies_(bodies), search_(search), ways_(bodies), pairs_(search.pairs_apart()) {}
+
+  size_t hold() {
+    std::vector<Pair> crossing = pairs_;
+    find_crossing(crossing);
+    remember(crossing);
+    while (!crossing.empty()) {
+      const std::vector<bool> shortened = part(crossing);
+      std::erase_if(crossing = pairs_,
+                    [&](const Pair& p) { return !shortened[p.first] && !shortened[p.second]; });
+      find_crossing(crossing);
+    }
+    return ways_.finish();
+  }
+
+ private:
+  // Leaves those pairs that cross on their ways and must not. What may cross is no longer looked at.
+  void find_crossing(std::vector<Pair>& pairs) {
+    keep_only(pairs, [&](const Pair& p) { return get_through(bodies_[p.first], bodies_[p.second]); });
+    const std::vector<uint8_t> must_not = test_each(pairs, [&](const Pair& p) {
+      return !ways_.may_cross(p.first, p.second) && !sheets_cross(bodies_[p.first], bodies_[p.second]);
+    });
+    std::vector<Pair> let;
+    for (size_t p = 0; p < pairs.size(); ++p) {
+      if (must_not[p] == 0) let.push_back(pairs[p]);
+    }
+    for (const Pair& p : let) search_.let_cross(p.first, p.second);
+    const auto is_let = [&](const Pair& p) { return std::ranges::binary_search(let, p); };
+    std::erase_if(pairs, is_let);
+    if (!let.empty()) std::erase_if(pairs_, is_let);
+  }
+
+  void remember(const std::vector<Pair>& crossing) {
+    const std::vector<uint8_t> keeps_speed = search_.remember_piercing(crossing);
+    for (size_t p = 0; p < crossing.size(); ++p) {
+      if (keeps_speed[p] == 0) continue;
+      ways_.keep_speed(crossing[p].first);
+      ways_.keep_speed(crossing[p].second);
+    }
+  }
+
+  // Shortens the ways of bodies until none of the pairs crosses. Returns the bodies whose ways were
+  // shortened.
+  std::vector<bool> part(std::vector<Pair> crossing) {
+    std::vector<bool> shortened(bodies_.size(), false);
+    while (!crossing.empty()) {
+      shorten_once(crossing, shortened);
+      keep_only(crossing, [&](const Pair& p) { return get_through(bodies_[p.first], bodies_[p.second]); });
+    }
+    return shortened;
+  }
+
+  // Shortens the ways of each pair, unless one of the two was shortened for another pair just now. Leaves out
+  // pairs that go nowhere.
+  void shorten_once(std::vector<Pair>& crossing, std::vector<bool>& shortened) {
+    std::vector<bool> just_now(bodies_.size(), false);
+    std::erase_if(crossing, [&](const Pair& p) {
+      const auto [i, j] = p;
+      if (just_now[i] || just_now[j]) return false;
+      for (const uint32_t body : ways_.to_shorten(i, j)) {
+        if (ways_.shorten(body)) shortened[body] = just_now[body] = true;
+      }
+      return !just_now[i] && !just_now[j];
+    });
+  }
+
+  std::span<MovingBody> bodies_;
+  ContactSearch& search_;
+  Ways ways_;
+  std::vector<Pair> pairs_;  // sorted
+};
+
 }  // namespace
 
 size_t hold_back(std::span<MovingBody> bodies, ContactSearch& search) {
-  Ways ways(bodies);
-  const std::vector<std::pair<uint32_t, uint32_t>> pairs = search.pairs_apart();
-  std::vector<bool> changed(bodies.size(), true);
-  while (std::find(changed.begin(), changed.end(), true) != changed.end()) {
-    std::vector<bool> shortened(bodies.size(), false);
-    for (const auto& [i, j] : pairs) {
-      if (!changed[i] && !changed[j] && !shortened[i] && !shortened[j]) continue;
-      if (!ways.cross(i, j) || !search.were_apart(i, j)) continue;
-      if (ways.sweeps_aside(i, j)) {
-        search.let_cross(i, j);
-        continue;
-      }
-      if (!ways.is_short(i) && !ways.is_short(j) && search.remember_piercing(i, j)) {
-        ways.keep_speed(i);
-        ways.keep_speed(j);
-      }
-      bool goes_on = true;
-      while (goes_on && ways.cross(i, j)) {
-        goes_on = false;
-        for (const uint32_t body : ways.to_shorten(i, j)) {
-          if (!ways.shorten(body)) continue;
-          shortened[body] = true;
-          goes_on = true;
-        }
-      }
-    }
-    changed = std::move(shortened);
-  }
-  return ways.finish();
+  return Holding(bodies, search).hold();
 }
 
 }  // namespace kerf

@@ -9,7 +9,7 @@ namespace kerf {
 namespace {
 
 // The revision of how Kerf moves bodies. It increases when a change makes them move to other bits.
-constexpr int kRevision = 2;
+constexpr int kRevision = 3;
 
 }  // namespace
 

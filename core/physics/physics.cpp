@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include "core/base/assert.h"
+#include "core/base/parallel.h"
 #include "core/base/tick.h"
-#include "core/physics/contact/pair_contacts.h"
+#include "core/physics/contact/ground_contacts.h"
+#include "core/physics/contact/impulse_memory.h"
 #include "core/physics/contact_search.h"
 #include "core/physics/hold_back.h"
 #include "core/physics/pull.h"
@@ -44,6 +46,18 @@ void set_way(MovingBody& b, const Vec3& gravity) {
   b.bounds = b.bounds.wider(b.margin);
 }
 
+// What a body is at the beginning of a tick. Precondition: `b` knows its body and its collider.
+void begin_tick(MovingBody& b, const Surroundings& around) {
+  const Body& body = *b.body;
+  b.frame = rigid_frame(body);
+  b.fixed = body.pinned || !(b.frame.mass > 0);
+  b.asleep = body.motion.asleep;
+  b.metre = around.metre;
+  b.scale = std::min(b.metre, glm::length(body.loaded.max - body.loaded.min) / kFullLengths);
+  set_way(b, around.gravity);
+  b.sunk = depth_below_ground(b, b.now, around);
+}
+
 // Sheet metal rolls badly: what touched in the last tick loses spin, faster the smaller it is, and comes to a
 // stop unless it turns on a joint.
 void set_rolling_loss(std::span<MovingBody> bodies, std::span<const BodyJoint> joints,
@@ -63,6 +77,16 @@ void set_rolling_loss(std::span<MovingBody> bodies, std::span<const BodyJoint> j
     if (m.second.valid()) lose(m.second);
   }
   for (const BodyJoint& j : joints) bodies[j.first].rolling_brake = bodies[j.second].rolling_brake = 0;
+}
+
+// Lifts bodies that the solver moved below the ground, where those that push them are heavier or faster than
+// its contacts can stop in a tick, back to it, or to where they were if that was deeper.
+void stay_above_ground(std::span<MovingBody> bodies, const Surroundings& around) {
+  for (MovingBody& b : bodies) {
+    if (!b.moves()) continue;
+    const double sunk = depth_below_ground(b, map_of(b.body->placement), around);
+    if (sunk > b.sunk) b.body->placement.position += (sunk - b.sunk) * around.up();
+  }
 }
 
 // Where the solver has moved the bodies is where they go.
@@ -190,33 +214,35 @@ bool Physics::makes_collider(const World& world, BodyId id, bool under_beam) con
   return !under_beam || !of_step_.contains(id) || world.body(id).mesh.live_faces() <= kMostUnderBeam;
 }
 
-const Collider& Physics::collider_of(const World& world, BodyId id, bool under_beam) {
-  if (makes_collider(world, id, under_beam)) {
-    colliders_[id] = make_collider(world.body(id).mesh);
+void Physics::make_colliders(const World& world, std::span<const BodyId> ids, bool under_beam) {
+  std::vector<std::pair<const Mesh*, Collider*>> to_make;
+  for (const BodyId id : ids) {
+    if (!makes_collider(world, id, under_beam)) continue;
+    to_make.emplace_back(&world.body(id).mesh, &colliders_[id]);
     changed_.erase(id);
   }
-  of_step_.insert(id);
-  return colliders_.at(id);
+  for_each_range(to_make.size(), 1, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) *to_make[i].second = make_collider(*to_make[i].first);
+  });
+  of_step_.insert(ids.begin(), ids.end());
 }
 
 std::vector<MovingBody> Physics::moving_bodies(World& world, bool under_beam,
                                                std::span<const BodyId> carried) {
-  std::vector<MovingBody> bodies;
-  for (const BodyId id : world.ids()) {
-    if (!takes_part(world, id, carried)) continue;
-    Body& body = world.body(id);
-    MovingBody& b = bodies.emplace_back();
-    b.id = id;
-    b.body = &body;
-    b.collider = &collider_of(world, id, under_beam);
-    b.frame = rigid_frame(body);
-    b.fixed = body.pinned || !(b.frame.mass > 0);
-    b.asleep = body.motion.asleep;
-    b.metre = world.surroundings().metre;
-    b.scale = std::min(b.metre, glm::length(body.loaded.max - body.loaded.min) / kFullLengths);
-    set_way(b, world.surroundings().gravity);
-  }
-  std::ranges::sort(bodies, {}, &MovingBody::id);
+  constexpr size_t kAtATime = 8;  // by one thread
+  std::vector<BodyId> ids = world.ids();
+  std::erase_if(ids, [&](BodyId id) { return !takes_part(world, id, carried); });
+  std::ranges::sort(ids);
+  make_colliders(world, ids, under_beam);
+  std::vector<MovingBody> bodies(ids.size());
+  for (size_t i = 0; i < ids.size(); ++i) bodies[i].body = &world.body(ids[i]);
+  for_each_range(ids.size(), kAtATime, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      bodies[i].id = ids[i];
+      bodies[i].collider = &colliders_.at(ids[i]);
+      begin_tick(bodies[i], world.surroundings());
+    }
+  });
   return bodies;
 }
 
@@ -251,6 +277,7 @@ Delta Physics::tick(World& world, bool under_beam, std::span<const Guided> guide
   solve_contacts(bodies, search.pairs(), joints,
                  {.seconds = kTick, .gravity = gravity, .metre = world.surroundings().metre}, *solver_);
   limit.apply(bodies);
+  stay_above_ground(bodies, world.surroundings());
   set_solved_way(bodies);
   statistics_.held = hold_back(bodies, search);
   count_quiet(bodies, search.pairs(), joints);
@@ -260,7 +287,6 @@ Delta Physics::tick(World& world, bool under_beam, std::span<const Guided> guide
     statistics_.crossed += p.memory.crossed > 0;
   }
   statistics_.candidates = search.candidates();
-  for (const MovingBody& b : bodies) statistics_.rays += b.rays;
   ContactMemory memory = memory_after(bodies, before, search.pairs(), resting);
   pairs_ = std::move(search.pairs());
   remember_joints(bodies, joints, memory);

@@ -23,7 +23,6 @@ struct TickStatistics {
   size_t bodies = 0, awake = 0;
   size_t candidates = 0;  // pairs of bodies whose bounds overlap
   size_t pairs = 0;       // of these, those whose faces were looked at
-  size_t rays = 0;        // cast at faces
   size_t contacts = 0;
   size_t held = 0;     // bodies that did not go all of their way, lest they intersect
   size_t crossed = 0;  // pairs of sheets that intersect and do not touch
@@ -86,7 +85,8 @@ class Physics {
   const std::vector<TouchingPair>& pairs() const { return pairs_; }
 
  private:
-  const Collider& collider_of(const World& world, BodyId id, bool under_beam);
+  // Makes those colliders of bodies that the tick makes anew.
+  void make_colliders(const World& world, std::span<const BodyId> ids, bool under_beam);
   std::vector<MovingBody> moving_bodies(World& world, bool under_beam, std::span<const BodyId> carried);
   void forget_collider(BodyId id);
 

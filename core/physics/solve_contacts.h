@@ -15,8 +15,8 @@ struct SolverSettings {
   Vec3 gravity{0};     // m/s^2
   double metre = 1;    // in units of length, see Surroundings
   int iterations = 30;
-  double friction = 0.6;       // coefficient
-  double edge_friction = 0.2;  // of Contact::on_edge
+  double friction = 0.6;        // coefficient
+  double edge_friction = 0.05;  // of Contact::on_edge
   double restitution = 0.1;
 };
 

@@ -30,6 +30,8 @@ struct PairMemory {
   // For how many ticks the sheets have intersected since they met; 0 while they are apart.
   uint32_t crossed = 0;
   bool touching = false;  // they did in the last tick
+  // 2 if a body was held in this tick so as not to get through the other, 1 if that was so in the last one.
+  uint8_t held = 0;
 
   std::pair<BodyId, BodyId> bodies() const { return {first, second}; }
 };

@@ -20,12 +20,16 @@ struct JointSide {
   uint32_t component = 0;       // of LoadedComponents
   Vec3 point{0};                // m, in the frame of the body
   double radius = std::numeric_limits<double>::infinity();  // m
+  // Of a hinge: how near to its anchor the faces are that hold the pin, m. A beam that burns away what is
+  // within this distance has cut the hinge, although it has passed between the faces of both sides.
+  double reaches_pin = std::numeric_limits<double>::infinity();
 };
 
 // A joint holds two parts of a mesh together that are not connected, or not any more once they are cut apart.
 //
-// A joint holds as long as, of each side, faces are left and all of these hang together. That follows from
-// the faces alone (see held_joints in core/joints), so that undo and replay need no state of joints.
+// A joint holds as long as, of each side, faces are left, all of these hang together, and those of a hinge
+// reach its pin. That follows from the faces alone (see held_joints in core/joints), so that undo and replay
+// need no state of joints.
 struct Joint {
   enum class Kind : uint8_t {
     kWeld,   // the parts are one

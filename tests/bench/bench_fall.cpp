@@ -52,7 +52,6 @@ Ticked tick_until_rest(World& world, Physics& physics) {
     const TickStatistics& statistics = physics.statistics();
     ticked.most.candidates = std::max(ticked.most.candidates, statistics.candidates);
     ticked.most.contacts = std::max(ticked.most.contacts, statistics.contacts);
-    ticked.most.rays = std::max(ticked.most.rays, statistics.rays);
     ticked.asleep = statistics.awake == 0;
   }
   return ticked;
@@ -79,7 +78,6 @@ void bench_pile(const std::string& name, double tick_bar, World world, const Rep
           std::nullopt});
   report({"pairs near each other, most a tick", name, "", static_cast<double>(ticked.most.candidates), 1,
           std::nullopt});
-  report({"rays, most a tick", name, "", static_cast<double>(ticked.most.rays), 1, std::nullopt});
   report({"contacts, most a tick", name, "", static_cast<double>(ticked.most.contacts), 1, std::nullopt});
   report({"interlocked of touching pairs / limit", name, "%", share_interlocked(world, at_first),
           kInterlockedBar, 1.0});

@@ -1,8 +1,10 @@
 #include "core/document/files/scene_joint.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <iterator>
+#include <limits>
 
 #include "core/base/angle.h"
 #include "core/mesh/point_to_triangle.h"
@@ -10,6 +12,9 @@
 namespace kerf {
 
 namespace {
+
+// The faces of a side of a hinge may end that much farther from its pin than as loaded, in its radius.
+constexpr double kPinPlay = 0.1;
 
 // Finds the faces that carry the sides of a joint.
 class CarrierSearch {
@@ -39,6 +44,13 @@ class CarrierSearch {
     std::sort(side.faces.begin(), side.faces.end());
     side.faces.erase(std::unique(side.faces.begin(), side.faces.end()), side.faces.end());
     return side;
+  }
+
+  double distance_to(const JointSide& side, const Vec3& point) const {
+    double least2 = std::numeric_limits<double>::infinity();
+    for (const uint32_t f : side.faces)
+      least2 = std::min(least2, squared_distance(point, body_.mesh.triangle(FaceId(f))));
+    return std::sqrt(least2);
   }
 
   // Whether a point is within a hundred times the size of the mesh.
@@ -84,6 +96,8 @@ Result<Joint> make_joint(const SceneJoint& joint, BodyId id, const Body& body) {
     auto side = search.side(i);
     if (!side) return side.error();
     made.sides[i] = std::move(*side);
+    if (made.kind == Joint::Kind::kHinge && joint.radius)
+      made.sides[i].reaches_pin = search.distance_to(made.sides[i], made.anchor) + kPinPlay * *joint.radius;
   }
   std::vector<uint32_t> both;
   std::set_intersection(made.sides[0].faces.begin(), made.sides[0].faces.end(), made.sides[1].faces.begin(),

@@ -46,10 +46,10 @@ VertexNormals normals_of(const Mesh& mesh) {
   return n;
 }
 
-// At most kMostCandidates of the vertices, evenly over their order.
-std::vector<VertexId> thinned(const std::vector<VertexId>& all) {
-  if (all.size() <= kMostCandidates) return all;
-  std::vector<VertexId> some(kMostCandidates);
+// At most so many of the vertices, evenly over their order.
+std::vector<VertexId> thinned(const std::vector<VertexId>& all, size_t most) {
+  if (all.size() <= most) return all;
+  std::vector<VertexId> some(most);
   for (size_t i = 0; i < some.size(); ++i) some[i] = all[i * all.size() / some.size()];
   return some;
 }
@@ -92,9 +92,9 @@ Vertices on_lines(const Mesh& mesh, const std::vector<FeatureEdge>& edges, bool 
 
 std::vector<VertexId> chosen_vertices(const Mesh& mesh, const Vertices& rims,
                                       const std::vector<VertexId>& all, size_t most) {
-  std::vector<VertexId> candidates = thinned(rims.list);
+  std::vector<VertexId> candidates = thinned(rims.list, kMostCandidates);
   const size_t on_rim = candidates.size();
-  for (VertexId v : thinned(all)) {
+  for (VertexId v : thinned(all, kMostCandidates)) {
     if (!rims.has[v.index]) candidates.push_back(v);
   }
   std::vector<Vec3> places;
@@ -158,19 +158,17 @@ class Lines {
   std::vector<Line> lines_;
 };
 
-std::vector<Collider::Chord> chords_of(const Mesh& mesh, const std::vector<FeatureEdge>& edges,
-                                       const ColliderSettings& settings) {
-  double error = settings.chord_error;
-  const Lines lines(mesh, edges, error);
+// At most so many chords, with the least error, from `error` on, at which they are no more.
+std::vector<Collider::Chord> chords_of(const Lines& lines, double error, size_t most) {
   // One chord remains of an open line, two of a closed one, so that lines alone may be too many.
-  for (int i = 0; i < 16 && lines.count_chords(error) > settings.most_chords; ++i) error *= 2;
+  for (int i = 0; i < 16 && lines.count_chords(error) > most; ++i) error *= 2;
   std::vector<Collider::Chord> chords = lines.chords(error);
-  if (chords.size() > settings.most_chords) {
+  if (chords.size() > most) {
     const auto longer = [](const Collider::Chord& a, const Collider::Chord& b) {
       return glm::length(a.to - a.from) > glm::length(b.to - b.from);
     };
     std::stable_sort(chords.begin(), chords.end(), longer);
-    chords.resize(settings.most_chords);
+    chords.resize(most);
   }
   return chords;
 }
@@ -188,13 +186,21 @@ std::vector<VertexId> ends_of(const std::vector<Collider::Chord>& chords, const 
   return vertices;
 }
 
-// A vertex amid flat faces lies between others.
-std::vector<Vec3> corners_of(const Mesh& mesh, const VertexNormals& normals, const Vertices& rims) {
+// A vertex amid flat faces lies between others, unless they end at lines or seams.
+std::vector<Vec3> corners_of(const Mesh& mesh, const VertexNormals& normals, const FeatureEdges& edges) {
   constexpr double kFlat = 1 - 1e-9;  // the cosine of the mean angle to the mean normal
+  std::vector<bool> ends(mesh.vertex_slots(), false);
+  for (const std::vector<FeatureEdge>* list : {&edges.lines, &edges.seams}) {
+    for (const FeatureEdge& e : *list) {
+      std::vector<Mesh::Side> sides{{e.face, e.from, e.to}};
+      mesh.append_edge_sides(e.face, e.from, e.to, sides);
+      for (const Mesh::Side& side : sides) ends[side.from.index] = ends[side.to.index] = true;
+    }
+  }
   std::vector<Vec3> corners;
   for (const VertexId v : normals.used) {
     const bool flat = glm::length(normals.of_vertex[v.index]) > kFlat * normals.areas_at[v.index];
-    if (!flat || rims.has[v.index]) corners.push_back(mesh.position(v));
+    if (!flat || ends[v.index]) corners.push_back(mesh.position(v));
   }
   return corners;
 }
@@ -217,7 +223,7 @@ std::array<Vec3, 2> segment_of(const Collider::Chord& c) { return {c.from, c.to}
 
 // Sorts points or chords by clusters. Returns the clusters.
 template <typename Item>
-std::vector<Cluster> sort_by_clusters(std::vector<Item>& items) {
+Clusters sort_by_clusters(std::vector<Item>& items) {
   std::vector<std::array<Vec3, 2>> segments;
   for (const Item& item : items) segments.push_back(segment_of(item));
   Clustering clustering = make_clusters(segments);
@@ -232,26 +238,42 @@ std::vector<Cluster> sort_by_clusters(std::vector<Item>& items) {
 Collider make_collider(const Mesh& mesh, const ColliderSettings& settings) {
   KERF_ASSERT(settings.most_points > 0 && settings.chord_error > 0);
   const VertexNormals normals = normals_of(mesh);
-  const std::vector<FeatureEdge> edges = feature_edges(mesh, normals.of_face);
-  const std::vector<Vec3> outward = outward_at_rims(mesh, edges, normals);
-  const Vertices rims = on_lines(mesh, edges, true);
+  const FeatureEdges edges = feature_edges(mesh, normals.of_face);
+  const std::vector<Vec3> outward = outward_at_rims(mesh, edges.lines, normals);
+  const Vertices rims = on_lines(mesh, edges.lines, true);
   Collider collider;
-  collider.chords = chords_of(mesh, edges, settings);
-  std::vector<VertexId> vertices = ends_of(collider.chords, mesh, on_lines(mesh, edges, false).list);
+  const Lines lines(mesh, edges.lines, settings.chord_error);
+  collider.chords = chords_of(lines, settings.chord_error, settings.most_chords);
+  std::vector<VertexId> vertices = ends_of(collider.chords, mesh, on_lines(mesh, edges.lines, false).list);
   if (vertices.size() > settings.most_points) vertices.resize(settings.most_points);
   const size_t more = settings.most_points - vertices.size();
   for (VertexId v : chosen_vertices(mesh, rims, normals.used, more)) {
     if (std::find(vertices.begin(), vertices.end(), v) == vertices.end()) vertices.push_back(v);
   }
+  const auto point_at = [&](VertexId v) -> Collider::Point {
+    return {mesh.position(v), unit_or_zero(normals.of_vertex[v.index]), unit_or_zero(outward[v.index])};
+  };
+  std::vector<bool> is_point(mesh.vertex_slots(), false);
   for (VertexId v : vertices) {
-    collider.points.push_back(
-        {mesh.position(v), unit_or_zero(normals.of_vertex[v.index]), unit_or_zero(outward[v.index])});
+    collider.points.push_back(point_at(v));
+    is_point[v.index] = true;
+  }
+  for (VertexId v : thinned(normals.used, settings.most_guards)) {
+    if (!is_point[v.index]) collider.guards.push_back(point_at(v));
   }
   for (VertexId v : normals.used) collider.bounds.add(mesh.position(v));
   if (!normals.used.empty()) collider.space = space_of(mesh, collider);
-  collider.corners = corners_of(mesh, normals, rims);
+  collider.corners = corners_of(mesh, normals, edges);
   collider.point_clusters = sort_by_clusters(collider.points);
   collider.chord_clusters = sort_by_clusters(collider.chords);
+  collider.guard_clusters = sort_by_clusters(collider.guards);
+  if (lines.count_chords(settings.chord_error) > settings.most_chords) {
+    collider.fine_chords = chords_of(lines, settings.chord_error, settings.most_fine_chords);
+    collider.fine_chord_clusters = sort_by_clusters(collider.fine_chords);
+  } else {
+    collider.fine_chords = collider.chords;
+    collider.fine_chord_clusters = collider.chord_clusters;
+  }
   return collider;
 }
 

@@ -24,9 +24,14 @@ struct Collider {
 
   std::vector<Point> points;
   std::vector<Chord> chords;
-  std::vector<Cluster> point_clusters, chord_clusters;  // of all points and chords, each once
-  Box bounds;                                           // of all vertices
-  Occupancy space;                                      // where faces and chords are
+  // What is looked at only to find out whether the body gets through another one: further points, which are
+  // numbered after `points`, and all chords. Equal to `chords` where these are all.
+  std::vector<Point> guards;
+  std::vector<Chord> fine_chords;
+  // Of the items of each list.
+  Clusters point_clusters, chord_clusters, guard_clusters, fine_chord_clusters;
+  Box bounds;       // of all vertices
+  Occupancy space;  // where faces and chords are
   // The points that can touch a plane: all vertices except those amid flat faces.
   std::vector<Vec3> corners;
 };
@@ -35,13 +40,15 @@ struct Collider {
 struct ColliderSettings {
   size_t most_points = 96;
   size_t most_chords = 192;
+  size_t most_guards = 512, most_fine_chords = 2048;
   // m, how far a chord may lie from its rim; larger where there would be too many chords.
   double chord_error = 0.001;
 };
 
 // The collider of all live faces of a mesh: the ends of chords, extreme vertices, and then those of rims and
 // all others as far apart as possible (T. Gonzalez: Clustering to minimize the maximum intercluster distance,
-// 1985); rims and creases of more than 40 degrees as polygons (D. Douglas, T. Peucker, 1973). Deterministic.
+// 1985); rims and creases of more than 40 degrees as polygons (D. Douglas, T. Peucker, 1973). Guards are the
+// other vertices, or some of them, evenly over their order. Deterministic.
 // About O(faces log faces).
 Collider make_collider(const Mesh& mesh, const ColliderSettings& settings = {});
 

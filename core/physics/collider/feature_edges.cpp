@@ -58,9 +58,9 @@ FeatureLine follow(const std::vector<FeatureEdge>& edges, const Ends& ends, uint
 
 }  // namespace
 
-std::vector<FeatureEdge> feature_edges(const Mesh& mesh, const std::vector<Vec3>& normals) {
+FeatureEdges feature_edges(const Mesh& mesh, const std::vector<Vec3>& normals) {
   KERF_ASSERT(normals.size() == mesh.face_slots());
-  std::vector<FeatureEdge> edges;
+  FeatureEdges edges;
   std::vector<Mesh::Side> sides;
   for (uint32_t slot = 0; slot < mesh.face_slots(); ++slot) {
     const FaceId f(slot);
@@ -71,7 +71,7 @@ std::vector<FeatureEdge> feature_edges(const Mesh& mesh, const std::vector<Vec3>
       sides.clear();
       mesh.append_edge_sides(f, from, to, sides);
       if (sides.empty()) {
-        edges.push_back({from, to, f, true});
+        edges.lines.push_back({from, to, f, true});
         continue;
       }
       const bool first =
@@ -80,7 +80,7 @@ std::vector<FeatureEdge> feature_edges(const Mesh& mesh, const std::vector<Vec3>
       const bool bends = std::any_of(sides.begin(), sides.end(), [&](const Mesh::Side& s) {
         return glm::dot(normals[slot], normals[s.face.index]) < kCreaseCosine;
       });
-      if (bends) edges.push_back({from, to, f, false});
+      if (bends || sides.size() > 1) (bends ? edges.lines : edges.seams).push_back({from, to, f, false});
     }
   }
   return edges;

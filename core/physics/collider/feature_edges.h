@@ -13,9 +13,16 @@ struct FeatureEdge {
   bool rim = false;  // the sheet ends there; otherwise it is a crease
 };
 
-// All edges with one face and all at which faces meet at more than 40 degrees, each once, in the order of the
-// slots of their faces. `normals` are the unit normals of the live faces by slot. O(faces).
-std::vector<FeatureEdge> feature_edges(const Mesh& mesh, const std::vector<Vec3>& normals);
+struct FeatureEdges {
+  // All edges with one face and all at which faces meet at more than 40 degrees.
+  std::vector<FeatureEdge> lines;
+  // All other edges with three faces or more, which may all lie on one side: `rim` is false.
+  std::vector<FeatureEdge> seams;
+};
+
+// The feature edges of a mesh, each once, in the order of the slots of their faces. `normals` are the unit
+// normals of the live faces by slot. O(faces).
+FeatureEdges feature_edges(const Mesh& mesh, const std::vector<Vec3>& normals);
 
 // A sequence of vertices along feature edges; closed if the first and the last are the same.
 using FeatureLine = std::vector<VertexId>;

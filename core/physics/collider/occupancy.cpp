@@ -7,7 +7,10 @@ Occupancy::Occupancy(const Box& bounds) : bounds_(bounds) {
   const Vec3 extent = bounds.max - bounds.min;
   const double longest = std::max({extent.x, extent.y, extent.z});
   per_metre_ = longest > 0 ? kMostCells / longest : 0;
-  for (int k = 0; k < 3; ++k) count_[k] = std::min(static_cast<int>(extent[k] * per_metre_) + 1, kMostCells);
+  for (int k = 0; k < 3; ++k) {
+    count_[k] = std::min(static_cast<int>(extent[k] * per_metre_) + 1, kMostCells);
+    last_[k] = count_[k] - 1;
+  }
   rows_.resize(static_cast<size_t>(count_[1]) * static_cast<size_t>(count_[2]), 0);
 }
 

@@ -35,13 +35,14 @@ class Occupancy {
 
   int cell_of(double place, int axis) const {
     const double cell = (place - bounds_.min[axis]) * per_metre_;
-    return cell > 0 ? std::min(static_cast<int>(cell), count_[axis] - 1) : 0;
+    return static_cast<int>(std::min(std::max(cell, 0.0), last_[axis]));
   }
 
   Box bounds_;
   double per_metre_ = 0;
   std::array<int, 3> count_{};
-  std::vector<uint64_t> rows_;  // along the first axis, by y + z * count_[1]
+  std::array<double, 3> last_{};  // the number of the last cell
+  std::vector<uint64_t> rows_;    // along the first axis, by y + z * count_[1]
 };
 
 // Both ends are computed alike for what is added and what is asked for, so that rounding loses nothing.
@@ -49,7 +50,7 @@ inline bool Occupancy::cells_of(const Box& box, Range& range) const {
   if (rows_.empty() || !box.overlaps(bounds_)) return false;
   for (int k = 0; k < 3; ++k) {
     range.first[k] = cell_of(box.min[k], k);
-    range.last[k] = cell_of(std::min(box.max[k], bounds_.max[k]), k);
+    range.last[k] = cell_of(box.max[k], k);
   }
   return true;
 }

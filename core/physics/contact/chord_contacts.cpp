@@ -28,15 +28,15 @@ Segment segment(uint32_t index, const Vec3& from, const Vec3& to, const Vec3& wa
 std::vector<Segment> near_chords(const MovingBody& first, const MovingBody& second, double margin) {
   const RigidMap now = into(second.now, first.now), next = into(second.next, first.next);
   std::vector<Segment> near;
-  for (const Cluster& cluster : first.collider->chord_clusters) {
-    if (!second.collider->space.meets(way_of(cluster, now, next).wider(margin))) continue;
-    for (uint32_t i = cluster.begin; i < cluster.end; ++i) {
-      const Collider::Chord& c = first.collider->chords[i];
-      const Vec3 middle = 0.5 * (c.from + c.to);
-      const Segment s = segment(i, now(c.from), now(c.to), next(middle) - now(middle), margin);
-      if (second.collider->space.meets(s.bounds)) near.push_back(s);
-    }
-  }
+  const auto comes_near = [&](const Cluster& cluster) {
+    return second.collider->space.meets(way_of(cluster, now, next).wider(margin));
+  };
+  first.collider->chord_clusters.for_each(comes_near, [&](uint32_t i) {
+    const Collider::Chord& c = first.collider->chords[i];
+    const Vec3 middle = 0.5 * (c.from + c.to);
+    const Segment s = segment(i, now(c.from), now(c.to), next(middle) - now(middle), margin);
+    if (second.collider->space.meets(s.bounds)) near.push_back(s);
+  });
   return near;
 }
 
@@ -45,14 +45,14 @@ std::vector<Segment> chords_within(const MovingBody& body, const std::vector<Seg
   if (others.empty()) return near;
   Box around;
   for (const Segment& s : others) around.add(s.bounds);
-  for (const Cluster& cluster : body.collider->chord_clusters) {
-    if (!Box{cluster.centre, cluster.centre}.wider(cluster.radius).overlaps(around)) continue;
-    for (uint32_t i = cluster.begin; i < cluster.end; ++i) {
-      const Collider::Chord& c = body.collider->chords[i];
-      const Segment s = segment(i, c.from, c.to, Vec3(0), 0);
-      if (s.bounds.overlaps(around)) near.push_back(s);
-    }
-  }
+  const auto is_around = [&](const Cluster& cluster) {
+    return Box{cluster.centre, cluster.centre}.wider(cluster.radius).overlaps(around);
+  };
+  body.collider->chord_clusters.for_each(is_around, [&](uint32_t i) {
+    const Collider::Chord& c = body.collider->chords[i];
+    const Segment s = segment(i, c.from, c.to, Vec3(0), 0);
+    if (s.bounds.overlaps(around)) near.push_back(s);
+  });
   return near;
 }
 

@@ -47,15 +47,30 @@ bool insert_at_rim(const PointMemory& point, std::vector<PointMemory>& memory) {
 }
 
 // The places where a chord goes through faces at the end of its way, as shares of it.
-std::vector<double> places(const Vec3& from, const Vec3& to, const MovingBody& faces) {
+struct Piercing {
+  std::vector<double> shares;
+  FaceId first;  // the face at the first of them
+};
+
+Piercing places(const Vec3& from, const Vec3& to, const MovingBody& faces) {
   const double length = glm::length(to - from);
   if (!(length > 0)) return {};
   std::vector<RayHit> hits;
-  ++faces.rays;
   faces.body->tree.crossings(faces.body->mesh, Pose{from, (to - from) / length}, {0, length}, hits);
-  std::vector<double> shares;
-  for (const RayHit& hit : hits) shares.push_back(hit.length / length);
-  return shares;
+  Piercing piercing;
+  if (!hits.empty()) piercing.first = hits[0].face;
+  for (const RayHit& hit : hits) piercing.shares.push_back(hit.length / length);
+  return piercing;
+}
+
+// How a chord that met the rim of a sheet is to leave it, where it came from the direction `back` (not 0): in
+// the plane of the face at the rim, or across it where it came rather from there. A unit vector.
+Vec3 rim_normal(const Triangle& face, const Vec3& back) {
+  constexpr double kRather = 0.7;  // cosine
+  const Vec3 came_from = glm::normalize(back), area = glm::cross(face[1] - face[0], face[2] - face[0]);
+  if (!(glm::length(area) > 0)) return came_from;
+  const Vec3 across = glm::dot(area, came_from) / glm::dot(area, area) * area;
+  return glm::normalize(glm::length(across) > kRather ? across : came_from - across);
 }
 
 // The middles between these places and the ends of the chord.
@@ -74,44 +89,62 @@ std::vector<double> middles(const std::vector<double>& places) {
 
 const Collider::Chord& chord_of(const Collider& collider, uint32_t point) {
   const uint32_t chord = (point & ~(kOnChord | kAtRim)) >> kPlaceBits;
-  assert(is_on_chord(point) && chord < collider.chords.size());
-  return collider.chords[chord];
+  assert(is_on_chord(point) && chord < collider.fine_chords.size());
+  return collider.fine_chords[chord];
 }
 
 Collider::Point point_of(const Collider& collider, uint32_t point) {
-  assert(is_on_chord(point) || point < collider.points.size());
-  if (!is_on_chord(point)) return collider.points[point];
+  const size_t points = collider.points.size();
+  assert(is_on_chord(point) || point < points + collider.guards.size());
+  if (!is_on_chord(point)) return point < points ? collider.points[point] : collider.guards[point - points];
   const Collider::Chord& chord = chord_of(collider, point);
   const double share = (point & (kPlaces - 1)) / static_cast<double>(kPlaces);
   return {glm::mix(chord.from, chord.to, share), Vec3(0), Vec3(0)};
+}
+
+void remember_passing_guards(const MovingBody& points, const MovingBody& faces,
+                             std::vector<PointMemory>& memory) {
+  const Collider& c = *points.collider;
+  const RigidMap now = into(faces.now, points.now), next = into(faces.next, points.next);
+  const auto near = [&](const Cluster& cluster) {
+    return faces.collider->space.meets(way_of(cluster, now, next));
+  };
+  c.guard_clusters.for_each(near, [&](uint32_t i) {
+    const std::optional<FacePlane> plane = face_between(faces, now(c.guards[i].at), next(c.guards[i].at));
+    if (!plane) return;
+    const PointMemory met{static_cast<uint32_t>(c.points.size()) + i, plane->normal};
+    const auto at = std::ranges::lower_bound(memory, met.point, {}, &PointMemory::point);
+    if (at == memory.end() || at->point != met.point) memory.insert(at, met);
+  });
 }
 
 bool remember_piercing_points(const MovingBody& chords, const MovingBody& faces,
                               std::vector<PointMemory>& memory) {
   const RigidMap now = into(faces.now, chords.now), next = into(faces.next, chords.next);
   bool any_new = false;
-  for (const Cluster& cluster : chords.collider->chord_clusters) {
-    if (!way_of(cluster, next, next).overlaps(faces.collider->bounds)) continue;
-    for (uint32_t i = cluster.begin; i < cluster.end; ++i) {
-      const Collider::Chord& c = chords.collider->chords[i];
-      const std::vector<double> through = places(next(c.from), next(c.to), faces);
-      if (through.empty()) continue;
-      bool met_face = false;
-      for (const double share : middles(through)) {
-        const uint32_t point = point_at(i, share);
-        const Vec3 at = point_of(*chords.collider, point).at, free = now(at);
-        if (const auto plane = face_between(faces, free, next(at))) {
-          insert({point, plane->normal}, memory);
-          met_face = true;
-        }
+  const auto near = [&](const Cluster& cluster) {
+    return box_of(cluster, next).overlaps(faces.collider->bounds);
+  };
+  chords.collider->fine_chord_clusters.for_each(near, [&](uint32_t i) {
+    const Collider::Chord& c = chords.collider->fine_chords[i];
+    const Piercing through = places(next(c.from), next(c.to), faces);
+    if (through.shares.empty()) return;
+    bool met_face = false;
+    for (const double share : middles(through.shares)) {
+      const uint32_t point = point_at(i, share);
+      const Vec3 at = point_of(*chords.collider, point).at, free = now(at);
+      if (const auto plane = face_between(faces, free, next(at))) {
+        insert({point, plane->normal}, memory);
+        met_face = true;
       }
-      if (met_face) continue;
-      const uint32_t point = point_at(i, through[0]) | kAtRim;
-      const Vec3 at = point_of(*chords.collider, point).at, back = now(at) - next(at);
-      if (const double way = glm::length(back); way > 0)
-        any_new |= insert_at_rim({point, back / way}, memory);
     }
-  }
+    if (met_face) return;
+    const uint32_t point = point_at(i, through.shares[0]) | kAtRim;
+    const Vec3 at = point_of(*chords.collider, point).at, back = now(at) - next(at);
+    if (!(glm::length(back) > 0)) return;
+    const Triangle face = faces.body->mesh.triangle(through.first);
+    any_new |= insert_at_rim({point, rim_normal(face, back)}, memory);
+  });
   assert(std::is_sorted(memory.begin(), memory.end(),
                         [](const PointMemory& a, const PointMemory& b) { return a.point < b.point; }));
   return any_new;

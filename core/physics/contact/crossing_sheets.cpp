@@ -7,34 +7,31 @@ namespace {
 bool pierces(const Vec3& from, const Vec3& to, const MovingBody& faces) {
   if (!faces.collider->space.meets({glm::min(from, to), glm::max(from, to)})) return false;
   const double length = glm::length(to - from);
-  ++faces.rays;
   return length > 0 &&
          faces.body->tree.nearest(faces.body->mesh, Pose{from, (to - from) / length}, {0, length});
 }
 
 // Whether a chord goes through a face; `map` is from the frame of the chords to that of the faces.
 bool chords_pierce(const MovingBody& chords, const MovingBody& faces, const RigidMap& map) {
-  for (const Cluster& cluster : chords.collider->chord_clusters) {
-    if (!faces.collider->space.meets(way_of(cluster, map, map))) continue;
-    for (uint32_t i = cluster.begin; i < cluster.end; ++i) {
-      const Collider::Chord& c = chords.collider->chords[i];
-      if (pierces(map(c.from), map(c.to), faces)) return true;
-    }
-  }
-  return false;
+  const auto near = [&](const Cluster& cluster) { return faces.collider->space.meets(box_of(cluster, map)); };
+  return chords.collider->fine_chord_clusters.any_of(near, [&](uint32_t i) {
+    const Collider::Chord& c = chords.collider->fine_chords[i];
+    return pierces(map(c.from), map(c.to), faces);
+  });
 }
 
 // Whether a point meets a face on its way.
 bool points_pass(const MovingBody& points, const MovingBody& faces, const RigidMap& now,
                  const RigidMap& next) {
-  for (const Cluster& cluster : points.collider->point_clusters) {
-    if (!faces.collider->space.meets(way_of(cluster, now, next))) continue;
-    for (uint32_t i = cluster.begin; i < cluster.end; ++i) {
-      const Vec3& p = points.collider->points[i].at;
-      if (pierces(now(p), next(p), faces)) return true;
-    }
-  }
-  return false;
+  const auto near = [&](const Cluster& cluster) {
+    return faces.collider->space.meets(way_of(cluster, now, next));
+  };
+  const auto pass = [&](const Clusters& clusters, const std::vector<Collider::Point>& list) {
+    return clusters.any_of(near,
+                           [&](uint32_t i) { return pierces(now(list[i].at), next(list[i].at), faces); });
+  };
+  const Collider& c = *points.collider;
+  return pass(c.point_clusters, c.points) || pass(c.guard_clusters, c.guards);
 }
 
 }  // namespace

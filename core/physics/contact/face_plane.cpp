@@ -9,7 +9,6 @@ namespace kerf {
 std::optional<FacePlane> face_along(const MovingBody& faces, const Vec3& from, const Vec3& direction,
                                     double length) {
   KERF_ASSERT(std::abs(glm::dot(direction, direction) - 1) < 1e-9 && length >= 0);
-  ++faces.rays;
   const Body& body = *faces.body;
   const auto hit = body.tree.nearest(body.mesh, Pose{from, direction}, {0, length});
   if (!hit) return std::nullopt;

@@ -40,8 +40,7 @@ struct MovingBody {
   Box bounds;          // in the world, of its way within the tick and the margin
   double metre = 1;    // in units of length, see Surroundings
   double scale = 1;    // of all lengths of contact, see ContactLengths; in units of length
-
-  mutable size_t rays = 0;  // cast at its faces in this tick, for statistics
+  double sunk = 0;     // how far it is below the ground at the beginning of the tick, in units of length
 
   bool glides = false;      // see Guided
   double sweeps_aside = 0;  // kg, likewise
@@ -73,6 +72,13 @@ inline Box way_of(const Cluster& cluster, const RigidMap& now, const RigidMap& n
   KERF_ASSERT(cluster.begin < cluster.end && cluster.radius >= 0);
   const Vec3 from = now(cluster.centre), to = next(cluster.centre);
   return Box{glm::min(from, to), glm::max(from, to)}.wider(cluster.radius);
+}
+
+// A box around all items of a cluster where a rigid map brings them.
+inline Box box_of(const Cluster& cluster, const RigidMap& map) {
+  KERF_ASSERT(cluster.begin < cluster.end && cluster.radius >= 0);
+  const Vec3 at = map(cluster.centre);
+  return Box{at, at}.wider(cluster.radius);
 }
 
 // Lengths of contact, for bodies of about a metre and more. Smaller bodies use smaller ones, in proportion.

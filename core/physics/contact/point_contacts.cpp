@@ -29,12 +29,12 @@ class PointTracker {
 
   // Returns what is to be remembered.
   std::vector<PointMemory> track() {
-    for (const Cluster& cluster : points_.point_clusters) {
+    const auto near = [&](const Cluster& cluster) {
       const Box way = way_of(cluster, now_, next_);
-      if (!way.overlaps(around_) || !faces_.collider->space.meets(way.wider(reach_))) continue;
-      for (uint32_t i = cluster.begin; i < cluster.end; ++i) follow(i, remembered_normal(i));
-    }
-    while (old_ < memory_.size() && !is_on_chord(memory_[old_].point)) ++old_;
+      return way.overlaps(around_) && faces_.collider->space.meets(way.wider(reach_));
+    };
+    points_.point_clusters.for_each(near, [&](uint32_t i) { follow(i, remembered_normal(i)); });
+    while (old_ < memory_.size() && memory_[old_].point < points_.points.size()) ++old_;
     for (; old_ < memory_.size(); ++old_) follow(memory_[old_].point, &memory_[old_].normal);
     return std::move(known_);
   }
@@ -56,10 +56,11 @@ class PointTracker {
     const std::optional<FacePlane> plane = nearest_plane(own, is_at, will_be, normal);
     if (!plane) return;
     const double distance = plane->distance_to(is_at);
-    if (is_on_chord(i) && distance > 2 * skin_) return;
+    const bool is_guard = i >= points_.points.size();
+    if (is_guard && distance > 2 * skin_) return;
     known_.push_back({i, plane->normal});
-    out_.push_back(
-        {faces_.now(is_at), faces_.now.turn * plane->normal, distance - skin_, i, {}, is_on_chord(i)});
+    const bool on_edge = is_on_chord(i) || (is_guard && own.outward != Vec3(0));
+    out_.push_back({faces_.now(is_at), faces_.now.turn * plane->normal, distance - skin_, i, {}, on_edge});
   }
 
   // Such a contact lasts while the chord would go through a face if it went on against the normal.

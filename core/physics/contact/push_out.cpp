@@ -18,13 +18,12 @@ constexpr size_t kMostPlaces = 16;  // that are looked at for each of the two bo
 std::vector<FacePlane> places(const MovingBody& chords, const MovingBody& faces) {
   const RigidMap map = into(faces.now, chords.now);
   std::vector<FacePlane> found;
-  for (const Cluster& cluster : chords.collider->chord_clusters) {
-    if (!faces.collider->space.meets(way_of(cluster, map, map))) continue;
-    for (uint32_t i = cluster.begin; i < cluster.end && found.size() < kMostPlaces; ++i) {
-      const Collider::Chord& c = chords.collider->chords[i];
-      if (const auto plane = face_between(faces, map(c.from), map(c.to))) found.push_back(*plane);
-    }
-  }
+  const auto near = [&](const Cluster& cluster) { return faces.collider->space.meets(box_of(cluster, map)); };
+  chords.collider->fine_chord_clusters.any_of(near, [&](uint32_t i) {
+    const Collider::Chord& c = chords.collider->fine_chords[i];
+    if (const auto plane = face_between(faces, map(c.from), map(c.to))) found.push_back(*plane);
+    return found.size() == kMostPlaces;
+  });
   return found;
 }
 

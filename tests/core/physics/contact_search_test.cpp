@@ -56,11 +56,36 @@ TEST_F(SearchOfPlates, counts_for_how_long_a_pair_has_intersected_since_it_met) 
   sheets_.body(1).placement.orientation = glm::angleAxis(1.57, Vec3(1, 0, 0));
   ContactSearch first = found();
   EXPECT_EQ(first.pairs()[0].memory.crossed, 1u);
-  EXPECT_FALSE(first.were_apart(0, 1));
   before_ = {first.pairs()[0].memory};
   EXPECT_EQ(found().pairs()[0].memory.crossed, 2u);
   before_[0].crossed = 0;
   EXPECT_EQ(found().pairs()[0].memory.crossed, 0u) << "a pair that was apart is not judged anew";
+}
+
+TEST_F(SearchOfPlates, has_bodies_keep_their_speed_only_in_the_first_of_the_ticks_in_which_they_are_held) {
+  // The edges of two plates in one plane, which meet within the tick.
+  test::MovingSheets sheets;
+  sheets.add(test::rectangle(1, 1, 1), Vec3(0));
+  sheets.add(test::rectangle(1, 0.6, 1), {1.0005, 0, 0}, glm::angleAxis(0.02, Vec3(1, 0, 0)));
+  sheets.body(0).motion.velocity = {0.002 / kTick, 0, 0};
+  std::vector<MovingBody>& bodies = sheets.bodies();
+  const std::vector<std::pair<uint32_t, uint32_t>> pair{{0, 1}};
+  ContactMemory before;
+  const auto remember = [&] {
+    ContactSearch search(bodies, {}, around_, before);
+    search.find();
+    const bool keeps_speed = search.remember_piercing(pair)[0] != 0;
+    before = {search.pairs()[0].memory};
+    before[0].points_of_first.clear();  // as contacts that were not pressed are forgotten
+    before[0].points_of_second.clear();
+    return keeps_speed;
+  };
+  EXPECT_TRUE(remember());
+  EXPECT_FALSE(remember());
+  ContactSearch one_tick_later(bodies, {}, around_, before);
+  one_tick_later.find();
+  before = {one_tick_later.pairs()[0].memory};
+  EXPECT_TRUE(remember()) << "after a tick in which they were not held";
 }
 
 TEST_F(SearchOfPlates, lets_a_pair_cross_that_is_told_so) {

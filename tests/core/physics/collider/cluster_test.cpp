@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/base/random.h"
+#include "core/physics/collider/box.h"
 
 namespace kerf {
 namespace {
@@ -21,35 +22,84 @@ Segments random_segments(size_t count, Random& random) {
   return segments;
 }
 
-TEST(Clusters, hold_each_item_once_and_at_most_eight_within_their_balls) {
+bool overlap(const Cluster& cluster, const Box& box) {
+  return Box{cluster.centre, cluster.centre}.wider(cluster.radius).overlaps(box);
+}
+
+// The items that are visited near a box, and how many clusters were tested.
+struct Visit {
+  std::vector<uint32_t> items;
+  size_t tested = 0;
+};
+
+Visit visit(const Clusters& clusters, const Box& box) {
+  Visit visit;
+  const auto near = [&](const Cluster& cluster) {
+    ++visit.tested;
+    return overlap(cluster, box);
+  };
+  clusters.for_each(near, [&](uint32_t i) { visit.items.push_back(i); });
+  return visit;
+}
+
+const Box kEverywhere{Vec3(-1e9), Vec3(1e9)};
+
+TEST(Clusters, hold_each_item_once_in_the_order_of_the_list) {
   Random random(1);
   for (const size_t count : {1u, 8u, 9u, 100u, 777u}) {
-    const Segments segments = random_segments(count, random);
-    const Clustering clustering = make_clusters(segments);
-    std::vector<uint32_t> order = clustering.order;
-    std::sort(order.begin(), order.end());
-    for (uint32_t i = 0; i < count; ++i) ASSERT_EQ(order[i], i);
-    uint32_t end = 0;
-    for (const Cluster& cluster : clustering.clusters) {
-      ASSERT_EQ(cluster.begin, end);
-      end = cluster.end;
-      ASSERT_TRUE(cluster.begin < cluster.end && cluster.end - cluster.begin <= 8);
-      for (uint32_t i = cluster.begin; i < cluster.end; ++i) {
-        for (const Vec3& p : segments[clustering.order[i]])
-          ASSERT_LE(glm::distance(p, cluster.centre), cluster.radius + 1e-12);
-      }
+    Clustering clustering = make_clusters(random_segments(count, random));
+    const Visit all = visit(clustering.clusters, kEverywhere);
+    ASSERT_EQ(all.items.size(), count);
+    std::ranges::sort(clustering.order);
+    for (uint32_t i = 0; i < count; ++i) {
+      ASSERT_EQ(all.items[i], i);
+      ASSERT_EQ(clustering.order[i], i);
     }
-    ASSERT_EQ(end, count);
   }
 }
 
-TEST(Clusters, of_a_long_row_lie_beside_each_other) {
-  Segments segments;
-  for (int i = 0; i < 64; ++i) segments.push_back({Vec3(37 * i % 64, 0, 0), Vec3(37 * i % 64, 0, 0)});
-  for (const Cluster& cluster : make_clusters(segments).clusters) EXPECT_LE(cluster.radius, 3.5 + 1e-12);
+TEST(Clusters, find_every_item_near_a_box) {
+  Random random(2);
+  const Segments segments = random_segments(500, random);
+  const Clustering clustering = make_clusters(segments);
+  for (int turn = 0; turn < 100; ++turn) {
+    const Vec3 corner(random.uniform(0, 10), random.unit(), random.unit());
+    const Box box{corner, corner + random.uniform(0, 1)};
+    const Visit near = visit(clustering.clusters, box);
+    for (uint32_t i = 0; i < segments.size(); ++i) {
+      const auto& [from, to] = segments[clustering.order[i]];
+      if (Box{glm::min(from, to), glm::max(from, to)}.overlaps(box))
+        ASSERT_TRUE(std::ranges::binary_search(near.items, i)) << "item " << i << " in turn " << turn;
+    }
+  }
 }
 
-TEST(Clusters, of_nothing_are_none) { EXPECT_TRUE(make_clusters({}).clusters.empty()); }
+TEST(Clusters, of_a_long_row_are_left_out_with_few_tests) {
+  Segments segments;
+  for (int i = 0; i < 4096; ++i) segments.push_back({Vec3(37 * i % 4096, 0, 0), Vec3(37 * i % 4096, 0, 0)});
+  const Visit at_the_end = visit(make_clusters(segments).clusters, {Vec3(4095), Vec3(4096)});
+  EXPECT_TRUE(at_the_end.items.empty());
+  const Visit near = visit(make_clusters(segments).clusters, {Vec3(0, -1, -1), Vec3(3, 1, 1)});
+  EXPECT_EQ(near.items.size(), 8u);
+  EXPECT_LT(near.tested, 40u) << "of 512 clusters of items";
+}
+
+TEST(Clusters, end_a_search_with_the_first_item_that_is_wanted) {
+  Random random(3);
+  const Clustering clustering = make_clusters(random_segments(100, random));
+  const auto near = [](const Cluster&) { return true; };
+  uint32_t asked = 0;
+  EXPECT_TRUE(clustering.clusters.any_of(near, [&](uint32_t i) {
+    ++asked;
+    return i == 20;
+  }));
+  EXPECT_EQ(asked, 21u);
+  EXPECT_FALSE(clustering.clusters.any_of(near, [](uint32_t) { return false; }));
+}
+
+TEST(Clusters, of_nothing_are_none) {
+  EXPECT_TRUE(visit(make_clusters({}).clusters, kEverywhere).items.empty());
+}
 
 }  // namespace
 }  // namespace kerf

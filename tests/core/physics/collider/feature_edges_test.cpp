@@ -17,7 +17,7 @@ std::vector<FeatureEdge> features_of(const Mesh& mesh) {
     const Triangle t = mesh.triangle(FaceId(f));
     normals[f] = glm::normalize(glm::cross(t[1] - t[0], t[2] - t[0]));
   }
-  return feature_edges(mesh, normals);
+  return feature_edges(mesh, normals).lines;
 }
 
 // A sheet of two squares that meet at a fold of so many degrees, of four triangles.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/physics/contact/impulse_memory.h"
 #include "tests/core/physics/moving_sheets.h"
 #include "tests/support/sheets.h"
 
@@ -56,27 +57,6 @@ TEST(PairContacts, take_up_the_impulses_of_the_last_tick_by_their_features) {
   for (Contact& c : found) c.impulse = {};
   remember_impulses(found, memory);
   EXPECT_FALSE(memory.touching);
-}
-
-TEST(GroundContacts, are_where_the_lowest_corners_are) {
-  test::MovingSheets sheets;
-  sheets.add(test::closed_box({0.4, 0.4, 0.4}), {0, 0.205, 0});
-  Surroundings around;
-  const PairMemory memory{};
-  EXPECT_TRUE(find_ground_contacts(sheets.bodies()[0], around, kContactLengths, memory).empty())
-      << "no ground";
-  around.ground = 0;
-  const auto found = find_ground_contacts(sheets.bodies()[0], around, kContactLengths, memory);
-  ASSERT_EQ(found.size(), 4u);
-  for (const Contact& c : found) {
-    EXPECT_EQ(c.normal, Vec3(0, 1, 0));
-    EXPECT_NEAR(c.distance, 0.005 - kContactLengths.ground_skin, 1e-9);
-  }
-  around.ground = -0.02;
-  EXPECT_TRUE(find_ground_contacts(sheets.bodies()[0], around, kContactLengths, memory).empty());
-  sheets.body(0).motion.velocity = {0, -0.03 * 120, 0};
-  EXPECT_EQ(find_ground_contacts(sheets.bodies()[0], around, kContactLengths, memory).size(), 4u)
-      << "on its way";
 }
 
 }  // namespace

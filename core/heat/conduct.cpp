@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/base/assert.h"
-#include "core/heat/heat_step.h"
+#include "core/heat/heat_memory.h"
 
 namespace kerf {
 namespace {
@@ -78,16 +78,16 @@ double store(const HotBody& body, const HeatRegion& region) {
 }  // namespace
 
 double conduct(Mesh& mesh, const FaceHeat& heat, const Substance& substance, double thickness,
-               const HeatLoss& loss, double seconds) {
+               const HeatLoss& loss, double seconds, HeatMemory& memory) {
   KERF_ASSERT(thickness > 0 && seconds >= 0);
   std::vector<FaceId> warm;
   mesh.columns().for_each_set(heat.energy, [&](FaceId f) { warm.push_back(f); });
   if (warm.empty() || seconds == 0) return 0;
 
   const HotBody body{mesh, heat, substance, thickness};
-  HeatRegion region(mesh, heat, substance, thickness, warm.size() + warm.size() / 2);
+  HeatRegion region(mesh, heat, substance, thickness, memory.region);
   const double rested = gather(body, warm, seconds, region);
-  HeatStep step(region, substance, loss, thickness);
+  HeatStep step(region, substance, loss, thickness, memory.step);
   double remaining = seconds;
   while (remaining > 0 && step.any_hot()) remaining -= step.advance(remaining, seconds / kMostSteps);
   if (remaining > 0) {

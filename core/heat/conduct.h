@@ -24,6 +24,8 @@ constexpr double heat_lost_slope(const Substance& s, const HeatLoss& loss, doubl
          (loss.convection + 4 * s.emissivity * kStefanBoltzmann * temperature * temperature * temperature);
 }
 
+struct HeatMemory;
+
 // Lets heat flow between the faces of a mesh, and from them to the surroundings, for a time (s, >= 0).
 // Changes the energies of `heat`, and records the hottest temperatures where they are above 500 K. Returns
 // the energy that was lost (J): what the faces had before less what they have after.
@@ -39,8 +41,9 @@ constexpr double heat_lost_slope(const Substance& s, const HeatLoss& loss, doubl
 // is more takes no part and goes to the ambient at 0.5 K/s, so that a plate ends cold and its column blank.
 //
 // Preconditions: thickness (m) > 0, the substance as it demands, no loss is negative. The result is the same
-// to the bit on every machine. O(hot faces), whatever the size of the mesh.
+// to the bit on every machine, whatever `memory` was used for before. O(hot faces), whatever the size of the
+// mesh.
 double conduct(Mesh& mesh, const FaceHeat& heat, const Substance& substance, double thickness,
-               const HeatLoss& loss, double seconds);
+               const HeatLoss& loss, double seconds, HeatMemory& memory);
 
 }  // namespace kerf

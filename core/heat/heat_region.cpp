@@ -14,34 +14,42 @@ namespace {
 constexpr double kNearestByArea = 0.1;
 constexpr double kNearestByEdge = 1e-3;
 
-uint64_t hash_of(FaceId f) { return f.index * 0x9e3779b97f4a7c15ull; }
+constexpr uint32_t kNone = 0xffffffffu;  // no node
 
 }  // namespace
 
 HeatRegion::HeatRegion(const Mesh& mesh, const FaceHeat& heat, const Substance& substance, double thickness,
-                       size_t faces)
+                       Memory& memory)
     : mesh_(mesh),
       heat_(heat),
       mass_per_area_(thickness * substance.density),
-      sheet_conductivity_(thickness * substance.conductivity) {
-  index_.reserve(faces);
-  nodes_.reserve(faces);
-  links_.reserve(2 * faces);
-  neighbours_.reserve(3 * faces);
+      sheet_conductivity_(thickness * substance.conductivity),
+      nodes_(memory.nodes),
+      links_(memory.links),
+      neighbours_(memory.neighbours),
+      neighbour_end_(memory.neighbour_end),
+      surrounded_(memory.surrounded),
+      node_of_(memory.node_of) {
+  KERF_ASSERT(nodes_.empty());
+  if (node_of_.size() < mesh.face_slots()) node_of_.resize(mesh.face_slots(), kNone);
 }
 
-uint32_t HeatRegion::find(FaceId f) const {
-  return index_.find(hash_of(f), [&](uint32_t node) { return nodes_[node].face == f; });
+HeatRegion::~HeatRegion() {
+  for (const Node& node : nodes_) node_of_[node.face.index] = kNone;
+  nodes_.clear();
+  links_.clear();
+  neighbours_.clear();
+  neighbour_end_.clear();
+  surrounded_.clear();
 }
 
-bool HeatRegion::contains(FaceId f) const { return find(f) != KeyTable::kNone; }
+bool HeatRegion::contains(FaceId f) const { return node_of_[f.index] != kNone; }
 
 void HeatRegion::add(FaceId f) {
   assert(mesh_.is_live(f));
+  if (contains(f)) return;
   const uint32_t node = size();
-  const auto same = [&](uint32_t i) { return nodes_[i].face == f; };
-  if (index_.find_or_add(hash_of(f), node, same, [&](uint32_t i) { return hash_of(nodes_[i].face); }) != node)
-    return;
+  node_of_[f.index] = node;
   const auto corners = mesh_.corners(f);
   const Triangle t = {mesh_.position(corners[0]), mesh_.position(corners[1]), mesh_.position(corners[2])};
   const double area = triangle_area(t);
@@ -76,8 +84,8 @@ void HeatRegion::add_edge(uint32_t node, const Edge& edge) {
 void HeatRegion::join(uint32_t node, FaceId neighbour, const Edge& edge, double share) {
   if (neighbour == nodes_[node].face) return;
   neighbours_.push_back(neighbour);
-  const uint32_t other = find(neighbour);
-  if (other == KeyTable::kNone) return;
+  const uint32_t other = node_of_[neighbour.index];
+  if (other == kNone) return;
   const double conductance = share * this->conductance(nodes_[node], nodes_[other], edge);
   if (conductance > 0) links_.push_back({other, node, conductance});
 }

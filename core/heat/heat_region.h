@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "core/base/key_table.h"
 #include "core/heat/face_heat.h"
 
 namespace kerf {
@@ -27,12 +26,34 @@ class HeatRegion {
     double conductance;  // W/K
   };
 
-  // The region is empty at first. The thickness is in m, and `faces` how many it will about have.
+  // The arrays of a region, which the next one may use again so that no memory is allocated for it: 4 bytes a
+  // slot of the largest mesh, and what the largest region took. A copy is empty.
+  class Memory {
+   public:
+    Memory() = default;
+    Memory(const Memory&) {}
+    Memory& operator=(const Memory&) { return *this; }
+
+   private:
+    friend class HeatRegion;
+    std::vector<Node> nodes;
+    std::vector<Link> links;
+    std::vector<FaceId> neighbours;       // of all nodes, one after the other
+    std::vector<uint32_t> neighbour_end;  // by node: where its neighbours end
+    std::vector<uint8_t> surrounded;      // by node
+    std::vector<uint32_t> node_of;        // by slot of a face
+  };
+
+  // The region is empty at first. The thickness is in m. Precondition: no other region uses the memory at the
+  // same time.
   HeatRegion(const Mesh& mesh, const FaceHeat& heat, const Substance& substance, double thickness,
-             size_t faces);
+             Memory& memory);
+  ~HeatRegion();
+  HeatRegion(const HeatRegion&) = delete;
+  HeatRegion& operator=(const HeatRegion&) = delete;
 
   // Adds a face with the energy that it has in the mesh, and its links to the faces that are there; nothing
-  // happens if it is there. Precondition: it is live. Expected constant time, linear in the degrees of rings.
+  // happens if it is there. Precondition: it is live. Constant time, linear in the degrees of rings.
   void add(FaceId f);
   // Adds all neighbours of a node; nothing happens if that was done before.
   void surround(uint32_t node);
@@ -50,19 +71,18 @@ class HeatRegion {
   void add_edge(uint32_t node, const Edge& edge);
   void join(uint32_t node, FaceId neighbour, const Edge& edge, double share);
   double conductance(const Node& a, const Node& b, const Edge& edge) const;
-  uint32_t find(FaceId f) const;
 
   const Mesh& mesh_;
   FaceHeat heat_;
   double mass_per_area_;
   double sheet_conductivity_;  // k h, W/K
 
-  std::vector<Node> nodes_;
-  std::vector<Link> links_;
-  std::vector<FaceId> neighbours_;       // of all nodes, one after the other
-  std::vector<uint32_t> neighbour_end_;  // by node: where its neighbours end
-  std::vector<uint8_t> surrounded_;      // by node
-  KeyTable index_;
+  std::vector<Node>& nodes_;
+  std::vector<Link>& links_;
+  std::vector<FaceId>& neighbours_;
+  std::vector<uint32_t>& neighbour_end_;
+  std::vector<uint8_t>& surrounded_;
+  std::vector<uint32_t>& node_of_;
   std::vector<Mesh::Side> sides_;  // working memory
   std::vector<FaceId> around_;     // working memory
 };

@@ -29,11 +29,18 @@ class HeatSolver {
     double largest = 0;  // |x|
     void add(double scaled, double residual, double x);
   };
+  // Rows have the entries in the order of the links, and so sums have the bits of a walk over these.
+  void sort_by_rows(const std::vector<HeatRegion::Link>& links, double seconds, size_t rows);
+  // A row of the matrix times x.
+  double row_times(size_t row, double diagonal, const std::vector<double>& x) const;
   void begin(const std::vector<HeatRegion::Link>& links, const HeatEquations& equations,
              const std::vector<double>& x);
 
   Norms norms_;
   std::vector<double> residual_, inverse_, direction_, product_;
+  // The entries of the matrix beside the diagonal, negated (J/K), row after row, and where each row ends.
+  std::vector<uint32_t> columns_, row_end_;
+  std::vector<double> weights_;
 };
 
 }  // namespace kerf

@@ -19,12 +19,20 @@ constexpr int kPhasePasses = 12;
 
 }  // namespace
 
-HeatStep::HeatStep(HeatRegion& region, const Substance& substance, const HeatLoss& loss, double thickness)
+HeatStep::HeatStep(HeatRegion& region, const Substance& substance, const HeatLoss& loss, double thickness,
+                   Memory& memory)
     : region_(region),
       substance_(substance),
       loss_(loss),
       changing_rise_(substance.transition - kAmbient),
-      heat_per_area_(thickness * substance.density * std::min(substance.heat_solid, substance.heat_liquid)) {}
+      heat_per_area_(thickness * substance.density * std::min(substance.heat_solid, substance.heat_liquid)),
+      equations_(memory.equations),
+      solver_(memory.solver),
+      rises_(memory.rises),
+      inflow_(memory.inflow),
+      after_(memory.after),
+      phases_(memory.phases),
+      loss_lines_(memory.loss_lines) {}
 
 double HeatStep::rise_of(const HeatRegion::Node& node) const {
   return temperature_of(substance_, node.joules, node.mass) - kAmbient;

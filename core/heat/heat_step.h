@@ -14,7 +14,11 @@ inline constexpr double kColdRise = 0.5;
 // One implicit step of conduction and losses over the nodes of a region; see conduct().
 class HeatStep {
  public:
-  HeatStep(HeatRegion& region, const Substance& substance, const HeatLoss& loss, double thickness);
+  class Memory;
+
+  // Precondition: no other step uses the memory at the same time.
+  HeatStep(HeatRegion& region, const Substance& substance, const HeatLoss& loss, double thickness,
+           Memory& memory);
 
   // Advances the energies by `seconds` (> 0) or, where losses would not be accurate, by less, but at least by
   // `least`. Returns the time by which they were advanced.
@@ -51,13 +55,31 @@ class HeatStep {
   const double changing_rise_;  // K above the ambient, in the transition
   const double heat_per_area_;  // J/(m^2 K) of the sheet, the lesser of its phases
 
-  HeatEquations equations_;
-  HeatSolver solver_;
-  std::vector<double> rises_;   // K above the ambient, by node
-  std::vector<double> inflow_;  // J, through the links of each node
-  std::vector<double> after_;   // J, by node
-  std::vector<Phase> phases_;
-  std::vector<LossLine> loss_lines_;
+  HeatEquations& equations_;
+  HeatSolver& solver_;
+  std::vector<double>& rises_;
+  std::vector<double>& inflow_;
+  std::vector<double>& after_;
+  std::vector<Phase>& phases_;
+  std::vector<LossLine>& loss_lines_;
+};
+
+// The arrays of a step, which the next one may use again. A copy is empty.
+class HeatStep::Memory {
+ public:
+  Memory() = default;
+  Memory(const Memory&) {}
+  Memory& operator=(const Memory&) { return *this; }
+
+ private:
+  friend class HeatStep;
+  HeatEquations equations;
+  HeatSolver solver;
+  std::vector<double> rises;   // K above the ambient, by node
+  std::vector<double> inflow;  // J, through the links of each node
+  std::vector<double> after;   // J, by node
+  std::vector<Phase> phases;
+  std::vector<LossLine> loss_lines;
 };
 
 }  // namespace kerf

@@ -11,8 +11,8 @@ void let_heat_flow(World& world, BodyId id, double seconds) {
   KERF_ASSERT(seconds >= 0);
   Body& body = world.body(id);
   if (seconds <= 0 || body.mesh.columns().blank()) return;
-  world.edit_energy().lost +=
-      conduct(body.mesh, body.heat, body.sheet.substance, body.sheet.thickness, HeatLoss{}, seconds);
+  world.edit_energy().lost += conduct(body.mesh, body.heat, body.sheet.substance, body.sheet.thickness,
+                                      HeatLoss{}, seconds, world.heat_memory());
 }
 
 namespace {

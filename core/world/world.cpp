@@ -1,6 +1,7 @@
 #include "core/world/world.h"
 
 #include "core/base/parallel.h"
+#include "core/heat/heat_memory.h"
 #include "core/mesh/triangle_batch.h"
 
 namespace kerf {
@@ -168,6 +169,11 @@ size_t World::live_pieces() const {
     for (uint32_t p = 0; slot.alive && p < own.size(); ++p) pieces += own[p].faces > 0;
   }
   return pieces;
+}
+
+HeatMemory& World::heat_memory() {
+  if (!heat_memory_) heat_memory_ = std::make_unique<HeatMemory>();
+  return *heat_memory_;
 }
 
 }  // namespace kerf

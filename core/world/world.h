@@ -124,6 +124,8 @@ struct EnergyLedger {
   friend bool operator==(const EnergyLedger&, const EnergyLedger&) = default;
 };
 
+struct HeatMemory;
+
 // All bodies. An id is valid as long as its body exists and never refers to another one, provided that all
 // bodies of one slot are added with different generations.
 class World {
@@ -175,6 +177,9 @@ class World {
   // The spring by which somebody drags a piece. The piece need not exist any more.
   const std::optional<Spring>& spring() const { return situation_.spring; }
   void set_spring(const std::optional<Spring>& spring) { situation_.spring = spring; }
+
+  // Working memory for let_heat_flow(), which is no part of the state.
+  HeatMemory& heat_memory();
 
   // The memory of core/physics about bodies that are near each other. It is a part of the state: what happens
   // next depends on it.
@@ -239,6 +244,7 @@ class World {
 
   std::vector<Slot> slots_;
   Situation situation_;
+  std::unique_ptr<HeatMemory> heat_memory_;  // null until it is needed
   std::unique_ptr<Change> remembered_;  // not null between begin_change and end_change
 };
 

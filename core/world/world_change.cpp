@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/base/assert.h"
+#include "core/heat/heat_memory.h"
 #include "core/world/world.h"
 
 namespace kerf {

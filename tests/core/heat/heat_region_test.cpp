@@ -15,11 +15,12 @@ namespace {
 // Heat in a mesh of steel sheet.
 struct Sheeting {
   explicit Sheeting(const Soup& soup) : mesh(std::move(build(soup).mesh)), heat(FaceHeat::attach(mesh)) {}
-  HeatRegion region(double thickness = 0.002) const { return {mesh, heat, steel, thickness, 16}; }
+  HeatRegion region(double thickness = 0.002) { return {mesh, heat, steel, thickness, memory}; }
 
   Mesh mesh;
   FaceHeat heat;
   Substance steel;
+  HeatRegion::Memory memory;
 };
 
 TEST(HeatRegion, has_a_node_a_face_with_its_mass_and_energy) {

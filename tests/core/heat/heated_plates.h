@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/heat/conduct.h"
+#include "core/heat/heat_memory.h"
 #include "core/mesh/build_mesh.h"
 
 namespace kerf::test {
@@ -28,6 +29,7 @@ struct HeatedMesh {
   Mesh mesh;
   FaceHeat heat;
   Substance substance = reference_steel();
+  HeatMemory memory;
 
   explicit HeatedMesh(Mesh of) : mesh(std::move(of)), heat(FaceHeat::attach(mesh)) {}
   // Adds to each face what the density (J/m^2, of the position) has there: the integral over the face.
@@ -36,7 +38,7 @@ struct HeatedMesh {
   // The mean over the faces around a point of their rise over the expected one at their centroids.
   double rise_over(const std::function<double(const Vec3&)>& expected, const Vec3& at, double within) const;
   double conduct(double seconds, const HeatLoss& loss = kNoLoss) {
-    return kerf::conduct(mesh, heat, substance, kSheet, loss, seconds);
+    return kerf::conduct(mesh, heat, substance, kSheet, loss, seconds, memory);
   }
   void conduct_in_steps(double seconds, double step, const HeatLoss& loss = kNoLoss);
 };

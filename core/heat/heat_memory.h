@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/heat/heat_step.h"
+
+namespace kerf {
+
+// Working memory of conduct(), so that a tick of heat allocates nothing once it has grown. A copy is empty.
+struct HeatMemory {
+  HeatRegion::Memory region;
+  HeatStep::Memory step;
+};
+
+}  // namespace kerf

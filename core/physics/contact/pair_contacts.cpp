@@ -33,7 +33,7 @@ std::vector<Contact> find_contacts(const MovingBody& first, const MovingBody& se
   if (memory.crossed > 0) {
     memory.points_of_first.clear();
     memory.points_of_second.clear();
-    const std::optional<Contact> push = push_out(first, second, memory.crossed);
+    const std::optional<Contact> push = push_out(first, second, memory);
     return push ? std::vector{*push} : std::vector<Contact>{};
   }
   std::vector<Contact> contacts;

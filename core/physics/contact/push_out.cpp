@@ -1,10 +1,12 @@
 #include "core/physics/contact/push_out.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
 #include "core/base/assert.h"
+#include "core/base/interval.h"
 #include "core/base/tick.h"
 #include "core/physics/contact/face_plane.h"
 
@@ -12,6 +14,7 @@ namespace kerf {
 
 namespace {
 
+constexpr double kLongerWay = 2;    // times, than the shortest one, that is kept from the last tick
 constexpr size_t kMostPlaces = 16;  // that are looked at for each of the two bodies
 
 // The places where chords of one body go through faces of another, in the frame of the faces.
@@ -27,26 +30,127 @@ std::vector<FacePlane> places(const MovingBody& chords, const MovingBody& faces)
   return found;
 }
 
-// The direction, in the world, in which the body of the chords leaves the faces behind.
+// A direction, in the world, in which the first of two bodies leaves the second behind.
 struct Exit {
   Vec3 way{0};  // unit
   double depth = std::numeric_limits<double>::infinity();
 };
 
-Exit shortest_exit(const MovingBody& chords, const MovingBody& faces, const std::vector<FacePlane>& places) {
-  const RigidMap map = into(faces.now, chords.now);
-  Exit best;
-  for (const FacePlane& plane : places) {
-    double above = 0, below = 0;
-    for (const Collider::Point& p : chords.collider->points) {
-      const double height = plane.distance_to(map(p.at));
-      above = std::max(above, height);
-      below = std::max(below, -height);
-    }
-    if (below < best.depth) best = {faces.now.turn * plane.normal, below};
-    if (above < best.depth) best = {-(faces.now.turn * plane.normal), above};
+void take_shorter(Exit& best, const Vec3& way, double depth) {
+  if (depth < best.depth) best = {way, depth};
+}
+
+// The points of a body, in the world.
+std::vector<Vec3> points_of(const MovingBody& body) {
+  std::vector<Vec3> points;
+  for (const std::vector<Collider::Point>* list : {&body.collider->points, &body.collider->guards}) {
+    for (const Collider::Point& p : *list) points.push_back(body.now(p.at));
   }
-  return best;
+  return points;
+}
+
+Interval extent(const std::vector<Vec3>& points, const Vec3& along) {
+  Interval extent{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (const Vec3& p : points) {
+    const double at = glm::dot(p, along);
+    extent = {std::min(extent.low, at), std::max(extent.high, at)};
+  }
+  return extent;
+}
+
+// The shortest exits of points through the plane of a face that they are on both sides of.
+void try_plane(const Vec3& at, const Vec3& normal, const std::vector<Vec3>& points, double sign, Exit& best) {
+  const Interval heights = extent(points, normal);
+  const double level = glm::dot(at, normal);
+  take_shorter(best, sign * normal, level - heights.low);
+  take_shorter(best, -sign * normal, heights.high - level);
+}
+
+// The point that lies farthest in a direction.
+const Vec3& farthest(const std::vector<Vec3>& points, const Vec3& way) {
+  return *std::ranges::max_element(points, {}, [&](const Vec3& p) { return glm::dot(p, way); });
+}
+
+// How the first of two lists of points leaves the second behind: until a plane across the way is between
+// them. `apart` is the vector between the points that get past each other last.
+struct Passing {
+  double depth = 0;
+  Vec3 apart{0};
+};
+
+Passing passing(const std::vector<Vec3>& first, const std::vector<Vec3>& second, const Vec3& way) {
+  const Vec3 apart = farthest(second, way) - farthest(first, -way);
+  return {glm::dot(apart, way), apart};
+}
+
+// Improves an exit by turning its way against what makes it long, by less and less.
+void refine(const std::vector<Vec3>& first, const std::vector<Vec3>& second, Exit& exit) {
+  constexpr int kTries = 16;
+  double turn = 0.3;  // rad
+  Passing now = passing(first, second, exit.way);
+  for (int i = 0; i < kTries; ++i) {
+    const Vec3 aside = now.apart - glm::dot(now.apart, exit.way) * exit.way;
+    if (!(glm::length(aside) > 0)) return;
+    const Vec3 way = glm::normalize(exit.way - turn * glm::normalize(aside));
+    const Passing next = passing(first, second, way);
+    if (next.depth < now.depth) {
+      exit = {way, next.depth};
+      now = next;
+    } else {
+      turn *= 0.5;
+    }
+  }
+}
+
+// The shortest exits across planes between all points of the two bodies.
+void try_between(const std::vector<Vec3>& ways, const std::vector<Vec3>& first,
+                 const std::vector<Vec3>& second, Exit& best) {
+  Exit exit;
+  for (const Vec3& way : ways) {
+    take_shorter(exit, way, passing(first, second, way).depth);
+    take_shorter(exit, -way, passing(first, second, -way).depth);
+  }
+  refine(first, second, exit);
+  take_shorter(best, exit.way, exit.depth);
+}
+
+// Directions all over a half of the sphere, on a spiral (E. Saff, A. Kuijlaars: Distributing many points on a
+// sphere, 1997).
+std::vector<Vec3> spread_ways() {
+  constexpr int kWays = 48;
+  constexpr double kTurnCosine = -0.7373688780783197, kTurnSine = 0.6754902942615238;  // of the golden angle
+  std::vector<Vec3> ways;
+  double x = 1, z = 0;
+  for (int i = 0; i < kWays; ++i) {
+    const double y = (i + 0.5) / kWays, radius = std::sqrt(1 - y * y);
+    ways.push_back(glm::normalize(Vec3(radius * x, y, radius * z)));
+    const double turned = kTurnCosine * x - kTurnSine * z;
+    z = kTurnSine * x + kTurnCosine * z;
+    x = turned;
+  }
+  return ways;
+}
+
+// Of the normals of the faces at the places and of directions all around, the one with the shortest exit.
+// That of the last tick, if there was one, counts as shorter than it is.
+Exit shortest_exit(const MovingBody& first, const MovingBody& second, const std::vector<FacePlane>& on_first,
+                   const std::vector<FacePlane>& on_second, const Vec3& before) {
+  const std::vector<Vec3> of_first = points_of(first), of_second = points_of(second);
+  Exit best;
+  std::vector<Vec3> ways = spread_ways();
+  for (const FacePlane& plane : on_second) {
+    ways.push_back(second.now.turn * plane.normal);
+    try_plane(second.now(plane.at), ways.back(), of_first, 1, best);
+  }
+  for (const FacePlane& plane : on_first) {
+    ways.push_back(first.now.turn * plane.normal);
+    try_plane(first.now(plane.at), ways.back(), of_second, -1, best);
+  }
+  try_between(ways, of_first, of_second, best);
+  if (before == Vec3(0)) return best;
+  Exit same{before, passing(of_first, of_second, before).depth};
+  refine(of_first, of_second, same);
+  return same.depth < kLongerWay * best.depth ? same : best;
 }
 
 Vec3 middle_of(const MovingBody& first, const MovingBody& second, const std::vector<FacePlane>& on_first,
@@ -60,17 +164,15 @@ Vec3 middle_of(const MovingBody& first, const MovingBody& second, const std::vec
 
 }  // namespace
 
-std::optional<Contact> push_out(const MovingBody& first, const MovingBody& second, uint32_t ticks) {
-  KERF_ASSERT(first.id < second.id && ticks > 0);
-  const double left = kLongestPush - seconds_of_ticks(ticks), speed = kPushOut * first.metre;
-  if (left <= 0) return std::nullopt;
+std::optional<Contact> push_out(const MovingBody& first, const MovingBody& second, PairMemory& memory) {
+  KERF_ASSERT(first.id < second.id && memory.crossed > 0);
+  if (seconds_of_ticks(memory.crossed) >= kLongestPush) return std::nullopt;
   const std::vector<FacePlane> on_second = places(first, second), on_first = places(second, first);
   if (on_first.empty() && on_second.empty()) return std::nullopt;
-  Exit exit = shortest_exit(first, second, on_second);
-  const Exit other = shortest_exit(second, first, on_first);
-  if (other.depth < exit.depth) exit = {-other.way, other.depth};
-  if (exit.depth > speed * left) return std::nullopt;
-  const double overlap = speed * seconds_of_ticks(1) / kSolvedShare;
+  const Exit exit = shortest_exit(first, second, on_first, on_second, memory.way_out);
+  memory.way_out = exit.way;
+  if (exit.depth > kDeepestPush * first.metre) return std::nullopt;
+  const double overlap = kPushOut * first.metre * seconds_of_ticks(1) / kSolvedShare;
   return Contact{middle_of(first, second, on_first, on_second), exit.way, -overlap, 0, {}};
 }
 

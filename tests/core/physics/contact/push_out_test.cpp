@@ -21,7 +21,9 @@ class PlateThroughPlate : public testing::Test {
     sheets.add(test::rectangle(0.5, 0.5, 4), {0.05, 0.25 - depth, 0}, kStanding);
     sheets.add(test::rectangle(4, 4, 2), {0, 0, 0.01});
     const std::vector<MovingBody>& bodies = sheets.bodies();
-    return push_out(bodies[0], bodies[1], ticks);
+    PairMemory memory{bodies[0].id, bodies[1].id, {}, {}, {}};
+    memory.crossed = ticks;
+    return push_out(bodies[0], bodies[1], memory);
   }
 };
 
@@ -35,11 +37,9 @@ TEST_F(PlateThroughPlate, is_pushed_out_on_the_shortest_way) {
 }
 
 TEST_F(PlateThroughPlate, is_not_pushed_where_that_would_take_too_long) {
-  EXPECT_TRUE(push(0.1, 1));
-  EXPECT_FALSE(push(0.13, 1)) << "deeper than four seconds of the push";
-  const auto late = static_cast<uint32_t>(2 * kTicksPerSecond);
-  EXPECT_TRUE(push(0.05, late));
-  EXPECT_FALSE(push(0.07, late));
+  EXPECT_TRUE(push(0.119, 1));
+  EXPECT_FALSE(push(0.121, 1));
+  EXPECT_TRUE(push(0.119, static_cast<uint32_t>(kLongestPush * kTicksPerSecond) - 1));
   EXPECT_FALSE(push(0.001, static_cast<uint32_t>(kLongestPush * kTicksPerSecond)));
 }
 
@@ -48,7 +48,9 @@ TEST(PushOut, of_sheets_that_do_not_intersect_is_none) {
   sheets.add(test::rectangle(0.5, 0.5, 4), {0, 0.3, 0}, kStanding);
   sheets.add(test::rectangle(4, 4, 2), Vec3(0));
   const std::vector<MovingBody>& bodies = sheets.bodies();
-  EXPECT_FALSE(push_out(bodies[0], bodies[1], 1));
+  PairMemory memory{bodies[0].id, bodies[1].id, {}, {}, {}};
+  memory.crossed = 1;
+  EXPECT_FALSE(push_out(bodies[0], bodies[1], memory));
 }
 
 }  // namespace

@@ -211,7 +211,9 @@ class ReplayRun {
   Status judge(const Replay& replay, uint64_t hash) const {
     if (!replay.other_machine().empty()) {
       warn(arguments_.journal + ": bodies moved on another kind of machine (" + replay.other_machine() +
-           "), so they were put where they were there");
+           "), so they were put where they were there" +
+           (replay.cut_otherwise() ? "; a stroke that was drawn while they moved has cut otherwise here"
+                                   : ""));
     }
     if (const auto& d = replay.difference()) {
       return failed(arguments_.journal + ": line " + std::to_string(d->mark.line) + ": " + place_of(d->mark) +

@@ -97,7 +97,12 @@ void Replay::compare() {
     if (difference_ || mark.commands < next_) continue;
     uint64_t hash = state_hash(document_.world());
     if (hash != mark.hash && takes_bodies(mark)) hash = state_hash(document_.world());
-    if (hash != mark.hash) difference_ = Difference{mark, hash};
+    if (hash == mark.hash) continue;
+    if (other_machine_.empty()) {
+      difference_ = Difference{mark, hash};
+    } else {
+      cut_otherwise_ = true;
+    }
   }
 }
 

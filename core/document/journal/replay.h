@@ -33,7 +33,8 @@ class Replay {
   // stops it.
   Status run(const QueueRun& how);
 
-  // The first mark whose hash differs from that of the world, and the hash that the world had there.
+  // The first mark whose hash differs from that of the world, unless bodies moved on another kind of machine
+  // before, and the hash that the world had there.
   struct Difference {
     StateMark mark;
     uint64_t hash = 0;
@@ -43,6 +44,8 @@ class Replay {
   // The kind of machine on which bodies came elsewhere than here, so that their states were taken from a mark
   // of it; empty if there was none. This is no difference.
   const std::string& other_machine() const { return other_machine_; }
+  // Whether, because of that, a stroke that was drawn while bodies moved has cut otherwise here.
+  bool cut_otherwise() const { return cut_otherwise_; }
 
   // The ticks that were skipped.
   Ticks skipped() const { return skipped_; }
@@ -59,6 +62,7 @@ class Replay {
   size_t next_ = 0, next_mark_ = 0;
   std::optional<Difference> difference_;
   std::string other_machine_;
+  bool cut_otherwise_ = false;
   std::vector<TimeSkip> skips_;  // ascending
   size_t next_skip_ = 0;
   Ticks skipped_ = 0;

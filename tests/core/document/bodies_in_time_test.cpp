@@ -185,6 +185,26 @@ TEST_F(BodiesInTime, replay_of_the_journal_goes_on_to_the_same_bits) {
   expect_same_world(again.world(), world());
 }
 
+// A stroke that was drawn while they moved cuts other faces there.
+TEST_F(BodiesInTime, a_journal_of_another_kind_of_machine_does_not_differ_where_strokes_cut_otherwise) {
+  cut(0.1);
+  apply(Play{});
+  fall(50);
+  run();
+  Journal journal;
+  journal.commands = document_.journal();
+  mark_state(document_, journal.marks, true);
+  journal.marks[0].hash += 1;
+  for (const bool other : {false, true}) {
+    if (other) journal.marks[0].machine = "another one";
+    Document again(made_world());
+    Replay replay(journal, again);
+    ASSERT_TRUE(replay.run({}));
+    EXPECT_EQ(replay.difference().has_value(), !other);
+    EXPECT_EQ(replay.cut_otherwise(), other);
+  }
+}
+
 // The same commands, but a mark of a machine on which the bodies came elsewhere.
 TEST_F(BodiesInTime, a_journal_of_another_kind_of_machine_says_where_the_bodies_came) {
   cut(0.1);
@@ -211,6 +231,7 @@ TEST_F(BodiesInTime, a_journal_of_another_kind_of_machine_says_where_the_bodies_
     ASSERT_TRUE(replay.run({}));
     EXPECT_EQ(replay.difference().has_value(), !other);
     EXPECT_EQ(replay.other_machine(), other ? "another one" : "");
+    EXPECT_FALSE(replay.cut_otherwise());
     EXPECT_EQ(state_hash(again.world()), state_hash(other ? there : world()));
     ASSERT_TRUE(again.apply(Undo{}).ok());
     ASSERT_TRUE(again.apply(Undo{}).ok());

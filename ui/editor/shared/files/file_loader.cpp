@@ -118,7 +118,11 @@ bool replay_all(const Journal& journal, LoadedFiles& loaded, const Progress& pro
   } else if (replay.difference()) {
     loaded.fault = "The state differs from the one that the journal recorded";
   } else if (!replay.other_machine().empty()) {
-    loaded.fault = "Bodies moved on another kind of machine: they were put where they were there";
+    loaded.fault = replay.cut_otherwise()
+                       ? "Bodies moved on another kind of machine: they were put where they were there, and "
+                         "a stroke that "
+                         "was drawn while they moved has cut otherwise here"
+                       : "Bodies moved on another kind of machine: they were put where they were there";
   } else if (replay.skipped() > 0) {
     loaded.skipped = replay.skipped();
   }

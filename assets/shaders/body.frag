@@ -10,6 +10,7 @@ flat in vec4 paint;
 centroid in float rim;  // samples outside a face must not extrapolate it
 centroid in vec4 now, once;  // see body.vert
 centroid in vec2 at_corner;
+centroid in float noted;
 centroid in vec3 place;
 flat in float number_of_face;
 
@@ -50,7 +51,7 @@ float temperature_of(vec4 extrapolated, float straight) {
 // Where a body has no temperatures, its rims glow by the distance from them.
 Hot heat_of_surface() {
   if (heated != 0) {
-    vec4 tint = ramp(1, temperature_of(once, at_corner.y) / kHottestOfRows);
+    vec4 tint = ramp(1, temperature_of(once / max(noted, 1e-3), at_corner.y) / kHottestOfRows);
     return Hot(ramp(0, temperature_of(now, at_corner.x) / kHottestOfRows).rgb, tint.rgb, tint.a);
   }
   if (rim >= 1.0) return Hot(vec3(0.0), vec3(0.0), 0.0);

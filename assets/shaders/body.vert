@@ -31,6 +31,7 @@ centroid out float rim;  // 0 at a rim that glows, 1 and more where nothing does
 // and the value where the position is 0, and its own.
 centroid out vec4 now, once;
 centroid out vec2 at_corner;
+centroid out float noted;  // 1 at corners that know their highest temperature
 centroid out vec3 place;
 flat out float number_of_face;
 const float kWarmest = 65535.0 / 16.0, kGradientUnit = 256.0, kAmbient = 293.0;
@@ -94,6 +95,7 @@ void main() {
   number_of_face = scalar;
   at_corner = max(vec2(warmth, hottest) * kWarmest, kAmbient);
   now = extrapolated(at_corner.x, warming);
-  once = extrapolated(at_corner.y, heating);
+  noted = hottest > 0.0 ? 1.0 : 0.0;
+  once = noted * extrapolated(at_corner.y, heating);
 #endif
 }

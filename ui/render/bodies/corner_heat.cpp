@@ -14,6 +14,8 @@ namespace kerf {
 namespace {
 
 constexpr double kColdWithin = 0.5;  // K, which nobody sees
+// How hot a corner may have been at the outline of what was hot, between the temperatures of the faces there.
+constexpr double kAtOutline = 0.25;
 
 // A half float; none is infinite.
 uint16_t packed_half(double x) {
@@ -30,6 +32,21 @@ CornerTemperature packed(const LocalHeat& heat, double scale) {
   return corner;
 }
 
+// Faces that were never hot enough to keep their highest temperature tell nothing of it but that: it ends
+// between their centroids and those of the others, where it falls to, not where a face begins.
+CornerTemperature hottest_at(const Vec3& vertex, std::vector<FaceSample> samples, double scale) {
+  const size_t all = samples.size();
+  std::erase_if(samples, [](const FaceSample& s) { return s.temperatures[1] <= kAmbient; });
+  if (samples.empty()) return {};
+  LocalHeat heat = fit_heat(vertex, samples)[1];
+  if (samples.size() < all) {
+    const auto [least, most] =
+        std::ranges::minmax(samples, {}, [](const FaceSample& s) { return s.temperatures[1]; });
+    heat.at = std::min(heat.at, glm::mix(least.temperatures[1], most.temperatures[1], kAtOutline));
+  }
+  return packed(heat, scale);
+}
+
 HeatMark mark_at(const Body& body, VertexId v, const std::vector<FaceId>& faces, double scale) {
   std::vector<FaceSample> samples;
   samples.reserve(faces.size());
@@ -44,8 +61,8 @@ HeatMark mark_at(const Body& body, VertexId v, const std::vector<FaceId>& faces,
     most = std::max({most, now, hottest});
   }
   if (most < kAmbient + kColdWithin) return {};
-  const auto [now, hottest] = fit_heat(body.mesh.position(v), samples);
-  return {packed(now, scale), packed(hottest, scale)};
+  const Vec3& at = body.mesh.position(v);
+  return {packed(fit_heat(at, samples)[0], scale), hottest_at(at, std::move(samples), scale)};
 }
 
 void make_unique(std::vector<VertexId>& corners) {

@@ -37,16 +37,18 @@ Vec3 centroid(const Triangle& t) { return (t[0] + t[1] + t[2]) / 3.0; }
 double drawn_hottest(const Mesh& mesh, const CornerHeat& heat, FaceId f, const Vec3& weights) {
   const Triangle t = mesh.triangle(f);
   const Vec3 p = weights[0] * t[0] + weights[1] * t[1] + weights[2] * t[2];
-  double sum = 0, straight = 0;
+  double sum = 0, straight = 0, noted = 0;
   for (int i = 0; i < 3; ++i) {
     const CornerTemperature corner = heat.of(mesh, f)[static_cast<size_t>(i)].hottest;
     Vec3 gradient;
     for (int k = 0; k < 3; ++k)
       gradient[k] = kHeatGradientUnit * glm::unpackHalf1x16(corner.gradient[static_cast<size_t>(k)]);
     straight += weights[i] * kelvin(corner.at);
+    if (corner.at == 0) continue;
+    noted += weights[i];
     sum += weights[i] * (kelvin(corner.at) + glm::dot(gradient, p - t[static_cast<size_t>(i)]));
   }
-  return std::max(kAmbient, std::min(sum, straight));
+  return noted > 0 ? std::max(kAmbient, std::min(sum / noted, straight)) : kAmbient;
 }
 
 TEST(CornerHeat, draws_what_is_linear_over_faces_of_different_sizes_as_it_is) {
@@ -68,6 +70,41 @@ TEST(CornerHeat, draws_what_is_linear_over_faces_of_different_sizes_as_it_is) {
     if (std::max(std::abs(middle.x), std::abs(middle.z)) > 0.3) continue;  // corners have few faces there
     EXPECT_NEAR(drawn_hottest(body.mesh, heat, FaceId(f), Vec3(1 / 3.0)), linear(middle), 8) << f;
   }
+}
+
+// Faces keep their highest temperatures from 500 K on; the line at which they end is drawn where the
+// temperature falls to that, and not where the faces begin that kept none.
+TEST(CornerHeat, ends_along_a_straight_line_whatever_the_faces) {
+  constexpr int kCells = 12, kSamples = 40;
+  constexpr double kCell = 1.0 / kCells, kTintedFrom = 500;
+  Random random(8);
+  Body body = make_body("grid", test::build(test::grid(kCells, 1)));
+  for (uint32_t v = 0; v < body.mesh.vertex_slots(); ++v) {
+    const Vec3 p = body.mesh.position(VertexId(v));
+    body.mesh.move_vertex(VertexId(v),
+                          p + 0.25 * kCell * Vec3(random.uniform(-1, 1), 0, random.uniform(-1, 1)));
+  }
+  const auto falling = [](const Vec3& p) { return kTintedFrom - 800 * (p.x + 0.3 * p.z); };
+  for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+    const double there = falling(centroid(body.mesh.triangle(FaceId(f))));
+    if (there > kTintedFrom) body.heat.note_hottest(body.mesh, FaceId(f), there);
+  }
+  CornerHeat heat;
+  std::vector<FaceId> affected;
+  heat.update(body, 1, {}, affected);
+  double wrong = 0;  // m^2, on the wrong side of the line
+  for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+    const Triangle t = body.mesh.triangle(FaceId(f));
+    for (int i = 0; i < kSamples; ++i) {
+      Vec3 weights(random.unit(), random.unit(), random.unit());
+      weights /= weights.x + weights.y + weights.z;
+      const Vec3 p = weights.x * t[0] + weights.y * t[1] + weights.z * t[2];
+      if (std::abs(p.z) > 0.35) continue;  // corners have few faces at the border
+      const bool drawn = drawn_hottest(body.mesh, heat, FaceId(f), weights) > kTintedFrom;
+      if (drawn != (falling(p) > kTintedFrom)) wrong += triangle_area(t) / kSamples;
+    }
+  }
+  EXPECT_LT(wrong / 0.7, 0.2 * kCell) << "beside 0.7 m of the line, in the mean";
 }
 
 // A strip along x whose edge z = 0 is a hot rim; beside it, faces reach far away from it.

@@ -112,7 +112,11 @@ std::vector<uint8_t> test_each(std::span<const Pair> pairs, const Test& test) {
 template <typename Test>
 void keep_only(std::vector<Pair>& pairs, const Test& test) {
   const std::vector<uint8_t> holds = test_each(pairs, test);
-  std::erase_if(pairs, [&](const Pair& p) { return holds[static_cast<size_t>(&p - pairs.data())] == 0; });
+  std::vector<Pair> kept;
+  for (size_t p = 0; p < pairs.size(); ++p) {
+    if (holds[p] != 0) kept.push_back(pairs[p]);
+  }
+  pairs = std::move(kept);
 }
 
 // Holds back the bodies of a tick. When the pairs that cross have been parted, all pairs of the bodies whose

@@ -41,6 +41,10 @@ class Ways {
   explicit Ways(std::span<MovingBody> bodies)
       : bodies_(bodies), share_(bodies.size(), 0), keeps_speed_(bodies.size(), false) {}
 
+  // Whether two bodies intersect or get through each other on the shares of their ways that they go.
+  bool cross(uint32_t i, uint32_t j) const {
+    return (goes(i) || goes(j)) && get_through(bodies_[i], bodies_[j]);
+  }
   bool shorten(uint32_t i) {
     MovingBody& b = bodies_[i];
     if (!b.moves() || share_[i] + 1 == kShares.size()) return false;
@@ -91,6 +95,8 @@ class Ways {
   }
 
  private:
+  bool goes(uint32_t i) const { return bodies_[i].moves() && kShares[share_[i]] > 0; }
+
   std::span<MovingBody> bodies_;
   std::vector<size_t> share_;
   std::vector<bool> keeps_speed_;
@@ -142,7 +148,7 @@ class Holding {
  private:
   // Leaves those pairs that cross on their ways and must not. What may cross is no longer looked at.
   void find_crossing(std::vector<Pair>& pairs) {
-    keep_only(pairs, [&](const Pair& p) { return get_through(bodies_[p.first], bodies_[p.second]); });
+    keep_only(pairs, [&](const Pair& p) { return ways_.cross(p.first, p.second); });
     const std::vector<uint8_t> must_not = test_each(pairs, [&](const Pair& p) {
       return !ways_.may_cross(p.first, p.second) && !sheets_cross(bodies_[p.first], bodies_[p.second]);
     });
@@ -171,7 +177,7 @@ class Holding {
     std::vector<bool> shortened(bodies_.size(), false);
     while (!crossing.empty()) {
       shorten_once(crossing, shortened);
-      keep_only(crossing, [&](const Pair& p) { return get_through(bodies_[p.first], bodies_[p.second]); });
+      keep_only(crossing, [&](const Pair& p) { return ways_.cross(p.first, p.second); });
     }
     return shortened;
   }

@@ -4,7 +4,7 @@
 
 namespace kerf {
 
-// Working memory of conduct(), so that a tick of heat allocates nothing once it has grown. A copy is empty.
+// Working memory of conduct(), so that a tick of heat allocates nothing once it has grown.
 struct HeatMemory {
   HeatRegion::Memory region;
   HeatStep::Memory step;

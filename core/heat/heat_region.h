@@ -27,14 +27,8 @@ class HeatRegion {
   };
 
   // The arrays of a region, which the next one may use again so that no memory is allocated for it: 4 bytes a
-  // slot of the largest mesh, and what the largest region took. A copy is empty.
+  // slot of the largest mesh, and what the largest region took.
   class Memory {
-   public:
-    Memory() = default;
-    Memory(const Memory&) {}
-    Memory& operator=(const Memory&) { return *this; }
-
-   private:
     friend class HeatRegion;
     std::vector<Node> nodes;
     std::vector<Link> links;

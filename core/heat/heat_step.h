@@ -64,14 +64,8 @@ class HeatStep {
   std::vector<LossLine>& loss_lines_;
 };
 
-// The arrays of a step, which the next one may use again. A copy is empty.
+// The arrays of a step, which the next one may use again.
 class HeatStep::Memory {
- public:
-  Memory() = default;
-  Memory(const Memory&) {}
-  Memory& operator=(const Memory&) { return *this; }
-
- private:
   friend class HeatStep;
   HeatEquations equations;
   HeatSolver solver;

@@ -190,9 +190,10 @@ std::vector<VertexId> ends_of(const std::vector<Collider::Chord>& chords, const 
 std::vector<Vec3> corners_of(const Mesh& mesh, const VertexNormals& normals, const FeatureEdges& edges) {
   constexpr double kFlat = 1 - 1e-9;  // the cosine of the mean angle to the mean normal
   std::vector<bool> ends(mesh.vertex_slots(), false);
+  std::vector<Mesh::Side> sides;
   for (const std::vector<FeatureEdge>* list : {&edges.lines, &edges.seams}) {
     for (const FeatureEdge& e : *list) {
-      std::vector<Mesh::Side> sides{{e.face, e.from, e.to}};
+      sides.assign({{e.face, e.from, e.to}});
       mesh.append_edge_sides(e.face, e.from, e.to, sides);
       for (const Mesh::Side& side : sides) ends[side.from.index] = ends[side.to.index] = true;
     }

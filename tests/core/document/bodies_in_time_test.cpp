@@ -43,6 +43,17 @@ class BodiesInTime : public testing::Test {
   }
   void fall(Ticks ticks) { document_.apply(Advance{ticks, true}); }
   void run() { ASSERT_TRUE(run_all(document_).ok()); }
+  // A stroke and 50 ticks, with a mark at their end.
+  Journal cut_and_fallen() {
+    cut(0.1);
+    apply(Play{});
+    fall(50);
+    run();
+    Journal journal;
+    journal.commands = document_.journal();
+    mark_state(document_, journal.marks, true);
+    return journal;
+  }
   const World& world() const { return document_.world(); }
   Vec3 centre(BodyId id) const {
     const Body& body = world().body(id);
@@ -187,13 +198,7 @@ TEST_F(BodiesInTime, replay_of_the_journal_goes_on_to_the_same_bits) {
 
 // A stroke that was drawn while they moved cuts other faces there.
 TEST_F(BodiesInTime, a_journal_of_another_kind_of_machine_does_not_differ_where_strokes_cut_otherwise) {
-  cut(0.1);
-  apply(Play{});
-  fall(50);
-  run();
-  Journal journal;
-  journal.commands = document_.journal();
-  mark_state(document_, journal.marks, true);
+  Journal journal = cut_and_fallen();
   journal.marks[0].hash += 1;
   for (const bool other : {false, true}) {
     if (other) journal.marks[0].machine = "another one";
@@ -207,13 +212,7 @@ TEST_F(BodiesInTime, a_journal_of_another_kind_of_machine_does_not_differ_where_
 
 // The same commands, but a mark of a machine on which the bodies came elsewhere.
 TEST_F(BodiesInTime, a_journal_of_another_kind_of_machine_says_where_the_bodies_came) {
-  cut(0.1);
-  apply(Play{});
-  fall(50);
-  run();
-  Journal journal;
-  journal.commands = document_.journal();
-  mark_state(document_, journal.marks, true);
+  Journal journal = cut_and_fallen();
   ASSERT_EQ(journal.marks.size(), 1u);
   ASSERT_EQ(journal.marks[0].bodies.size(), 2u);
   World there = world();

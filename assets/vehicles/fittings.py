@@ -165,7 +165,11 @@ def hang_wheels(car, track, radius, axles, inner, driven, travel=0.22):
 
 
 def hang_leaf(car, part, hinges, latch, axis, limits, radius=0.07):
-    """A door or a lid on the body: two hinges and a weld as its latch."""
+    """A door or a lid on the body: two hinges on one line near an axis, and a weld as its latch."""
+    first, second = hinges
+    line = [b - a for a, b in zip(first, second)]
+    along = sum(l * a for l, a in zip(line, axis))
+    axis = tuple(round(l * math.copysign(1, along) / math.hypot(*line), 6) + 0.0 for l in line)
     for place in hinges:
         car.joints.turn("hinge", part, "body", place, axis, limits=limits, radius=radius)
     car.joints.hold(part, "body", [latch], radius)

@@ -10,7 +10,6 @@
 #include "core/cut/step_state.h"
 #include "core/cut/stopwatch.h"
 #include "core/cut/thermal_step.h"
-#include "core/joints/hold_parts.h"
 
 namespace kerf {
 
@@ -213,14 +212,14 @@ Result<StepResult> cut_apart(World& world, const CutSettings& settings, BodyId i
 
 // A hidden body is asked too: it may have been hidden while a search was open in it, and is_settled waits for
 // the end of that search.
-StepResult go_on_separating(World& world, size_t most) {
+StepResult go_on_separating(World& world, size_t most, Hold hold) {
   StepResult result;
   for (const BodyId id : world.ids()) {
     BodyStep step(id, world.body(id));
     separate(world, step, {}, most);
     end_step(step, result);
   }
-  hold_what_joints_hold(world, result.delta);
+  hold_what_joints_hold(world, result.delta, hold);
   return result;
 }
 
@@ -235,15 +234,17 @@ size_t separate(World& world, BodyStep& step, std::span<const FaceId> hit, size_
   return visited;
 }
 
-void hold_what_joints_hold(World& world, Delta& delta) {
-  if (joints_asked(world) && is_settled(world)) hold_parts(world, Hold::kStill, delta);
+void hold_what_joints_hold(World& world, Delta& delta, Hold hold) {
+  if (joints_asked(world) && is_settled(world)) hold_parts(world, hold, delta);
 }
 
 const BodyDelta* take_changes(BodyStep& step, StepResult& result) {
   step.statistics.faces_made = step.edit.faces_made();
   if (!step.edit.any()) return nullptr;
   result.delta.removed_faces += step.edit.removed_faces();
-  result.delta.removed_area += step.edit.removed_area();
+  const double area = step.edit.removed_area();
+  result.delta.removed_area += area;
+  result.delta.removed_mass += area * step.body().sheet.thickness * step.body().sheet.substance.density;
   result.delta.bodies.push_back(step.edit.take_delta(step.id));
   return &result.delta.bodies.back();
 }

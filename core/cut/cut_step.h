@@ -8,6 +8,7 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/cut/unfinished_rim.h"
+#include "core/joints/hold_parts.h"
 #include "core/laser/laser.h"
 #include "core/world/delta.h"
 #include "core/world/world.h"
@@ -165,6 +166,7 @@ Result<StepResult> close_rim(World& world, const CutSettings& settings, std::spa
 bool is_settled(const World& world);
 
 // Continues these searches in all bodies, including hidden ones, and visits `most` faces in each of them.
-StepResult go_on_separating(World& world, size_t most);
+// Once all are finished, joints hold what they can as `hold` says.
+StepResult go_on_separating(World& world, size_t most, Hold hold = Hold::kStill);
 
 }  // namespace kerf

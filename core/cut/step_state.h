@@ -47,7 +47,7 @@ void update_tree(BodyStep& step);
 // visited and relabelled. `hit` are the faces of which some were removed since the last search.
 size_t separate(World& world, BodyStep& step, std::span<const FaceId> hit, size_t most);
 // Separates what joints do not hold any more (see hold_parts), once nothing is left to be searched.
-void hold_what_joints_hold(World& world, Delta& delta);
+void hold_what_joints_hold(World& world, Delta& delta, Hold hold = Hold::kStill);
 // Ends the step of a body and adds its changes and statistics to the result.
 void end_step(BodyStep& step, StepResult& result);
 // Adds the changes alone. Returns them, valid until the result changes, or null if there are none.

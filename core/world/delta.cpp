@@ -87,11 +87,13 @@ BodyId id_before(const Delta& delta, BodyId after) {
 void Delta::append(Delta later) {
   removed_faces += later.removed_faces;
   removed_area += later.removed_area;
+  removed_mass += later.removed_mass;
   if (anew || later.anew) {
     Delta replaced;
     replaced.anew = true;
     replaced.removed_faces = removed_faces;
     replaced.removed_area = removed_area;
+    replaced.removed_mass = removed_mass;
     *this = std::move(replaced);
     return;
   }

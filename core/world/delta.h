@@ -51,6 +51,7 @@ struct Delta {
   // lost (or, negative, gained) by the moves. The removed area and the area that is left sum up to the area
   // before the step.
   double removed_area = 0;
+  double removed_mass = 0;  // kg of the material of that area (see Substance), which are burnt
   bool anew = false;  // the world was replaced by another one: nothing that was known of it holds
 
   bool empty() const { return bodies.empty() && !changes_bodies(); }

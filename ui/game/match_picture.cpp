@@ -17,10 +17,11 @@ constexpr double kFastPicture = 1.0 / 40;  // s
 constexpr int kFastPictures = 60;
 constexpr double kResolutionStep = 0.1;
 constexpr double kBrighter = 1.4;
-constexpr double kBiteSize = 1.4;  // of sparks, compared with those of a car in the editor
-constexpr double kBiteSeconds = 1.0 / 120;
-constexpr double kSparks = 5;                               // m/s, from which on a crash throws sparks
-constexpr double kCrashSize = 2, kCrashSeconds = 1.0 / 60;  // for each m/s
+constexpr double kBiteSize = 1.4;     // of sparks, compared with those of a car in the editor
+constexpr double kScorched = 0.4;     // kg/s, of the surface that stops a beam
+constexpr double kSparks = 5;         // m/s, from which on a crash throws sparks
+constexpr double kCrashSize = 2;      // of these
+constexpr double kRubbedOff = 0.035;  // kg, for each m/s of a crash
 
 Paint paint_of(const Match& match, const std::string& name) {
   for (const Vehicle& v : match.vehicles()) {
@@ -129,11 +130,11 @@ void MatchPicture::follow(const Match& match) {
   graph_.follow(match);
   for (const Event& event : events) {
     if (event.kind == Event::Kind::kImpact && event.size >= kSparks)
-      particles_.add({event.at, {0, -1, 0}, kCrashSize, kCrashSeconds * event.size}, {0, 1, 0});
+      particles_.add({event.at, {0, -1, 0}, kCrashSize, kRubbedOff * event.size}, {0, 1, 0});
     if (event.kind != Event::Kind::kCut) continue;
     const size_t by = event.by < match.vehicles().size() ? event.by : Match::kPlayer;
     const auto& last = match.vehicles()[by].gun.last;
-    particles_.add({event.at, last ? last->direction : Vec3(0, -1, 0), kBiteSize, kBiteSeconds}, {0, 1, 0});
+    particles_.add({event.at, last ? last->direction : Vec3(0, -1, 0), kBiteSize, event.size}, {0, 1, 0});
   }
 }
 
@@ -147,7 +148,7 @@ void MatchPicture::advance(const Match& match, double seconds) {
     const Vec3 along = glm::normalize(beam->to - beam->from);
     const bool ends_on_something = match.vehicles()[i].gun.length < match.rules().description.laser.range;
     if (!ends_on_something) continue;
-    particles_.add({beam->to, along, kBiteSize, 0.4 * seconds}, {0, 1, 0});
+    particles_.add({beam->to, along, kBiteSize, kScorched * seconds}, {0, 1, 0});
     scorches_.burn(match, *beam, sight);
   }
   particles_.advance(seconds, {0, 1, 0}, match.rules().arena.description.ground);

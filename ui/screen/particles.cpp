@@ -9,7 +9,7 @@ namespace kerf {
 
 namespace {
 
-constexpr double kSparksPerSecond = 260, kPuffsPerSecond = 14;
+constexpr double kSparksPerKilogram = 500, kPuffsPerKilogram = 27;
 constexpr size_t kMostSparks = 1200, kMostPuffs = 160;
 constexpr double kGravity = 9.81;       // m/s^2
 constexpr double kStreak = 0.028;       // s of flight that a streak shows
@@ -18,6 +18,10 @@ constexpr double kBounce = 0.35;        // of the speed that a bounce leaves
 constexpr double kDrag = 1.1;           // of smoke, 1/s
 
 double mixed(double a, double b, double share) { return a + (b - a) * share; }
+
+void add_owed(double& owed, double more, size_t most) {
+  owed = std::min(owed + more, static_cast<double>(most));
+}
 
 template <typename Particle>
 void drop_old(std::vector<Particle>& particles) {
@@ -39,10 +43,12 @@ Vec3 Particles::direction_in_ball() {
 }
 
 void Particles::add(const Bite& bite, const Vec3& up) {
-  KERF_ASSERT(bite.seconds >= 0 && bite.size > 0 && is_unit(up));
-  for (owed_sparks_ += kSparksPerSecond * bite.seconds; owed_sparks_ >= 1; --owed_sparks_)
+  KERF_ASSERT(bite.mass >= 0 && bite.size > 0 && is_unit(up));
+  const double mass = bite.mass / (bite.size * bite.size);
+  for (add_owed(owed_sparks_, kSparksPerKilogram * mass, kMostSparks); owed_sparks_ >= 1; --owed_sparks_)
     throw_spark(bite, up);
-  for (owed_puffs_ += kPuffsPerSecond * bite.seconds; owed_puffs_ >= 1; --owed_puffs_) raise_puff(bite, up);
+  for (add_owed(owed_puffs_, kPuffsPerKilogram * mass, kMostPuffs); owed_puffs_ >= 1; --owed_puffs_)
+    raise_puff(bite, up);
 }
 
 void Particles::throw_spark(const Bite& bite, const Vec3& up) {

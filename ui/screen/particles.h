@@ -7,18 +7,20 @@
 
 namespace kerf {
 
-// The sparks and the smoke where lasers bite. They are only seen: nothing in a world depends on them.
+// The sparks and the smoke of what lasers burn away and crashes rub off: as many as its mass says. They are
+// only seen: nothing in a world depends on them.
 class Particles {
  public:
-  // Where a beam bites for some time.
   struct Bite {
-    Vec3 at;             // m, world
-    Vec3 direction;      // of the beam, unit
-    double size = 1;     // of what is cut, compared with a car (> 0); lengths and speeds are multiplied by it
-    double seconds = 0;  // for how long it bites since the last call (>= 0)
+    Vec3 at;          // m, world
+    Vec3 direction;   // of the beam, unit
+    double size = 1;  // of what is cut, compared with a car (> 0); lengths and speeds are multiplied by it
+    double mass = 0;  // kg that was removed since the last call (>= 0)
   };
 
-  // Sparks fly off, most of them back along the beam, and smoke rises along `up`, a unit vector.
+  // Sparks fly off, most of them back along the beam, and smoke rises along `up`, a unit vector. Sheets of
+  // things of all sizes have about the same thickness, so that the same number stands for a mass that is
+  // smaller by the square of the size.
   void add(const Bite& bite, const Vec3& up);
   // Lets time pass (s, >= 0). Sparks bounce off the ground, a plane at a height (m) along `up`, a unit
   // vector.

@@ -85,6 +85,12 @@ double History::removed_area() const {
   return area;
 }
 
+double History::removed_mass() const {
+  double mass = 0;
+  for (size_t i = 0; i < position_; ++i) mass += is_cut_again(i) ? 0 : step(i).removed_mass();
+  return mass;
+}
+
 bool History::holds_images(size_t first, size_t end) const {
   for (size_t i = first; i < end; ++i) {
     if (step(i).images() == HistoryStep::Images::kLetGo) return false;

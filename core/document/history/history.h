@@ -49,10 +49,12 @@ class History {
   // The commands that reproduce the effect of a step. For a recut these are the commands of the stroke with
   // the settings of the recut, followed by the time that passed after the stroke and after each recut.
   std::vector<Command> commands_of(size_t step) const;
-  // Sums over the strokes before the position: their number, the faces they removed, and the area (m^2).
+  // Sums over the strokes before the position: their number, the faces they removed, and the area (m^2) and
+  // the mass (kg) of these.
   size_t strokes() const;
   size_t removed_faces() const;
   double removed_area() const;
+  double removed_mass() const;
 
   // The faces that the last stroke before the position removed (see HistoryStep::cut_faces), by the ids that
   // the bodies have at the position; a body that a later step removed is listed, too. Empty without a stroke.

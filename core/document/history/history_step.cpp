@@ -113,6 +113,7 @@ void HistoryStep::add(World::Change change) {
 void HistoryStep::touch(const Delta& delta) {
   sums_.removed_faces += delta.removed_faces;
   sums_.removed_area += delta.removed_area;
+  sums_.removed_mass += delta.removed_mass;
   if (delta.changes_bodies()) follow_bodies(delta);
   for (const BodyDelta& b : delta.bodies) {
     Touched& touched = touched_[b.body];
@@ -265,6 +266,7 @@ Delta HistoryStep::delta(const World& world, bool back, const Mark* since) const
   Delta all = back ? bodies_taken_back(bodies_) : bodies_;
   all.removed_faces = 0;
   all.removed_area = 0;
+  all.removed_mass = 0;
   for (const auto& [after, touched] : touched_) {
     const BodyId id = back ? id_before(bodies_, after) : after;
     // A body that came in the step is looked at as a whole, or has gone.

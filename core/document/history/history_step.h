@@ -50,6 +50,7 @@ class HistoryStep {
   // The number of live faces that the step removed, and their area (m^2).
   size_t removed_faces() const { return sums_.removed_faces; }
   double removed_area() const { return sums_.removed_area; }  // see Delta
+  double removed_mass() const { return sums_.removed_mass; }
   // The sum of the statistics of all cut steps that executed it.
   const StepStatistics& statistics() const { return sums_.statistics; }
 
@@ -109,7 +110,7 @@ class HistoryStep {
   struct Sums {
     size_t bytes = 0;  // memory of the before-images
     size_t removed_faces = 0, cut_faces_kept = 0;
-    double removed_area = 0;
+    double removed_area = 0, removed_mass = 0;
     StepStatistics statistics;
     std::map<PieceId, uint32_t> came_off;
     std::set<PieceId> specks;

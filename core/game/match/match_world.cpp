@@ -52,7 +52,9 @@ void MatchWorld::renew_colliders() {
   const std::vector<BodyId> due = stale_colliders_.take_due(world_, now_);
   forget_contacts(world_, due);
   physics_.renew(due);
-  if (now_ % kLookForJointsEvery == 0 && std::exchange(joints_are_asked_, false)) physics_.forget_joints();
+  if (now_ % kLookForJointsEvery != 0 || !std::exchange(joints_are_asked_, false)) return;
+  physics_.forget_joints();
+  hinges_are_asked_ = true;
 }
 
 void MatchWorld::move(std::span<const Guided> guided, std::span<const BodyId> carried) {
@@ -119,13 +121,34 @@ void MatchWorld::remove(const std::vector<BodyId>& bodies) {
 }
 
 std::vector<Detached> MatchWorld::separate() {
-  if (!is_settled(world_) || joints_asked(world_)) follow(go_on_separating(world_, kSearch).delta);
+  if (!is_settled(world_) || joints_asked(world_))
+    follow(go_on_separating(world_, kSearch, Hold::kMoving).delta);
   if (!is_settled(world_)) return {};
   Delta released;
   release_pieces(world_, kGeneration, released);
   std::vector<Detached> detached = released.detached;
   follow(std::move(released));
-  return detached;
+  return take_off(std::move(detached));
+}
+
+bool MatchWorld::hangs(BodyId body, std::span<const HeldJoint> held) const {
+  return std::ranges::any_of(held, [&](const HeldJoint& joint) {
+    const BodyId first = joint.parts[0].body, second = joint.parts[1].body;
+    return first != second && (first == body || second == body);
+  });
+}
+
+// Of the pieces that hung and of new ones those that no joint holds; the others hang from now on.
+std::vector<Detached> MatchWorld::take_off(std::vector<Detached> detached) {
+  const bool asks = std::exchange(hinges_are_asked_, false) && !hanging_.empty();
+  const auto may_hang = [&](const Detached& d) { return joint_faces_.any_in(world_.body(d.to)); };
+  if (!asks && std::ranges::none_of(detached, may_hang)) return detached;
+  const std::vector<HeldJoint> held = held_joints(world_);
+  std::vector<Detached> all = std::exchange(hanging_, {}), off;
+  std::erase_if(all, [&](const Detached& d) { return !world_.contains(d.to); });
+  all.insert(all.end(), detached.begin(), detached.end());
+  for (const Detached& d : all) (hangs(d.to, held) ? hanging_ : off).push_back(d);
+  return off;
 }
 
 void MatchWorld::clear_debris(const std::function<bool(BodyId)>& stays) {

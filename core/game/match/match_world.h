@@ -8,6 +8,7 @@
 #include "core/game/arena/arena.h"
 #include "core/game/match/joint_faces.h"
 #include "core/game/match/stale_colliders.h"
+#include "core/joints/held_joints.h"
 #include "core/physics/physics.h"
 #include "core/world/delta.h"
 #include "core/world/world.h"
@@ -53,7 +54,9 @@ class MatchWorld {
   void follow(Delta change);
   void remove(const std::vector<BodyId>& bodies);
   // Makes separated pieces bodies of their own, once the search for them is finished and it is known what
-  // joints still hold, which the cuts of beams leave to this function. Returns them.
+  // joints still hold, which the cuts of beams leave to this function. Parts that only hinges hold become
+  // bodies that turn on them. Returns the pieces that came off, in the order in which they did: those that
+  // are new and those that hung on hinges before.
   std::vector<Detached> separate();
   // Where too much lies about, the smallest pieces that lie still go, but nothing of the arena, nor what
   // `stays`.
@@ -63,6 +66,8 @@ class MatchWorld {
 
  private:
   Delta news_for_physics(const Delta& change) const;
+  bool hangs(BodyId body, std::span<const HeldJoint> held) const;
+  std::vector<Detached> take_off(std::vector<Detached> detached);
 
   World world_;
   Physics physics_;
@@ -70,6 +75,8 @@ class MatchWorld {
   StaleColliders stale_colliders_;
   JointFaces joint_faces_;
   bool joints_are_asked_ = false;  // faces that carry some are gone, and the physics does not know it yet
+  bool hinges_are_asked_ = false;  // it knows it now, and `hanging_` does not
+  std::vector<Detached> hanging_;  // pieces that turn on hinges of the bodies from which they were detached
   std::vector<BodyId> arena_;      // by index of the bodies of the arena
   Delta delta_;
 };

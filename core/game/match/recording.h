@@ -11,7 +11,7 @@ namespace kerf {
 
 // The version of the matches: raised whenever the same inputs lead to another world than before. Recordings
 // of earlier versions are read, and end otherwise than they say.
-inline constexpr size_t kMatchVersion = 3;
+inline constexpr size_t kMatchVersion = 4;
 
 // A match as its file holds it, one JSON object a line:
 //

@@ -32,7 +32,7 @@ void Tally::note_cut(size_t shooter, size_t victim, BodyId id, const Body& body,
   for (const BodyDelta& b : cut.delta.bodies) {
     if (!b.removed.empty()) at = body.placement.to_world(b.removed.front().corners[0]);
   }
-  tell({Event::Kind::kCut, victim, shooter, 0, id, at, static_cast<double>(cut.delta.removed_faces)});
+  tell({Event::Kind::kCut, victim, shooter, 0, id, at, cut.delta.removed_mass});
   if (victim == Event::kNobody) return;
   Record& record = records_[victim];
   record.last_cut_by = shooter;

@@ -17,7 +17,7 @@ namespace kerf {
 // Something that happened in a tick of a match, for the screen and for statistics.
 struct Event {
   enum class Kind {
-    kCut,         // a beam removed `size` faces of `body`
+    kCut,         // a beam removed `size` kg of `body`
     kPieceOff,    // `body` came off, with an area of `size` m^2
     kCleanPart,   // that piece is a part that came off whole
     kWheelLost,   // `part` is the index of the wheel, `body` the wheel

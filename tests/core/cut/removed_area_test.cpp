@@ -53,6 +53,10 @@ void expect_balanced(const Document& document, double loaded, const char* when) 
   const double left = area_of_world(document.world());
   EXPECT_NEAR(document.history().removed_area() + left, loaded, kShare * loaded);
   EXPECT_NEAR(counted_area(document.world()), left, kShare * loaded);
+  const Sheet sheet;  // of all bodies
+  const double weight = sheet.thickness * sheet.substance.density;
+  EXPECT_NEAR(document.history().removed_mass(), weight * document.history().removed_area(),
+              kShare * weight * loaded);
 }
 
 void expect_area_balanced(const Soup& soup, Random& random, Rim rim, Scheme scheme) {

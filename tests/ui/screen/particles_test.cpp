@@ -15,14 +15,14 @@ Effects effects_of(const Particles& particles) {
   return effects;
 }
 
-// A beam that points at the ground, 1 m above it, and bites for some time.
-Particles bitten(double seconds, double size = 1) {
+// A beam that points at the ground, 1 m above it, and has removed some mass (kg).
+Particles bitten(double mass, double size = 1) {
   Particles particles;
-  particles.add({{0, 1, 0}, {0, -1, 0}, size, seconds}, kUp);
+  particles.add({{0, 1, 0}, {0, -1, 0}, size, mass}, kUp);
   return particles;
 }
 
-TEST(Particles, are_as_many_for_one_long_bite_as_for_many_short_ones) {
+TEST(Particles, are_as_many_for_one_large_bite_as_for_many_small_ones) {
   Particles short_ones;
   for (int i = 0; i < 1000; ++i) short_ones.add({{0, 1, 0}, {0, -1, 0}, 1, 0.001}, kUp);
   const Effects once = effects_of(bitten(1)), often = effects_of(short_ones);
@@ -31,7 +31,16 @@ TEST(Particles, are_as_many_for_one_long_bite_as_for_many_short_ones) {
   EXPECT_GT(once.sparks.size(), once.puffs.size());
 }
 
-TEST(Particles, are_bounded_in_number_however_long_a_beam_bites) {
+TEST(Particles, are_twice_as_many_of_twice_the_mass_and_as_many_of_a_sheet_of_half_the_size) {
+  const auto sparks = [](double mass, double size) {
+    return static_cast<double>(effects_of(bitten(mass, size)).sparks.size());
+  };
+  EXPECT_NEAR(sparks(1, 1), 2 * sparks(0.5, 1), 2);
+  EXPECT_NEAR(sparks(1, 1), sparks(0.25, 0.5), 1);
+  EXPECT_EQ(sparks(0, 1), 0);
+}
+
+TEST(Particles, are_bounded_in_number_however_much_a_beam_removes) {
   const Effects effects = effects_of(bitten(1000));
   EXPECT_LE(effects.sparks.size(), 1200u);
   EXPECT_LE(effects.puffs.size(), 160u);
@@ -58,7 +67,7 @@ TEST(Particles, are_gone_two_seconds_after_the_last_bite) {
 
 TEST(Particles, of_a_small_thing_stay_near_it) {
   const auto farthest = [](double size) {
-    Particles particles = bitten(0.5, size);
+    Particles particles = bitten(0.5 * size * size, size);
     for (int frame = 0; frame < 12; ++frame) particles.advance(1 / 60.0, kUp, -10);
     double most = 0;
     for (const Spark& s : effects_of(particles).sparks)

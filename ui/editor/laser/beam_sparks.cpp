@@ -10,26 +10,20 @@ namespace {
 
 constexpr double kCar = 4.5;  // m, the diagonal of what particles have their usual size for
 
-constexpr double kBiteSeconds = 0.2;  // after faces were removed
-
 }  // namespace
-
-bool BeamSparks::bites(double seconds, const Document& document) {
-  const size_t before = std::exchange(removed_, document.history().removed_faces());
-  biting_ = removed_ > before ? kBiteSeconds : biting_ - seconds;
-  return biting_ > 0;
-}
 
 void BeamSparks::advance(double seconds, const LaserTool& beam, const Document& document, ViewState& view) {
   if (!view.look.sparks) particles_.clear();
   const UpAxis axis = view.camera.up_axis();
   const Vec3 up = axis == UpAxis::kZ ? Vec3(0, 0, 1) : Vec3(0, 1, 0);
   const World& world = document.world();
-  const bool wanted = bites(seconds, document) && view.look.sparks && !view.look.stage;
+  const double before = std::exchange(removed_, document.history().removed_mass());
+  const double mass = removed_ - before;
+  const bool wanted = mass > 0 && view.look.sparks && !view.look.stage;
   const auto shown = wanted ? beam.picture(document) : std::nullopt;
   if (shown && shown->strike) {
     const Vec3 along = glm::normalize(shown->to - shown->from);
-    particles_.add({*shown->strike, along, world.loaded_bounds().diagonal() / kCar, seconds}, up);
+    particles_.add({*shown->strike, along, world.loaded_bounds().diagonal() / kCar, mass}, up);
   }
   if (particles_.empty() && !view.look.effects) return;
   particles_.advance(seconds, up, height_of_drawn_ground(world, axis));

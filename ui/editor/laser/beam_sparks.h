@@ -15,11 +15,8 @@ class BeamSparks {
   bool moving() const { return !particles_.empty(); }
 
  private:
-  bool bites(double seconds, const Document& document);
-
   Particles particles_;
-  size_t removed_ = 0;  // faces, when it was last looked
-  double biting_ = 0;   // s, for which it counts as biting still
+  double removed_ = 0;  // kg, when it was last looked
 };
 
 }  // namespace kerf

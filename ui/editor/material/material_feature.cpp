@@ -8,12 +8,16 @@
 #include "core/document/files/material_reader.h"
 #include "core/document/text/world_fields.h"
 #include "ui/editor/material/laser_heat_rows.h"
+#include "ui/editor/material/pointer_aim.h"
+#include "ui/editor/material/stroke_watch.h"
 #include "ui/editor/shared/long_change.h"
 #include "ui/editor/shared/pieces/piece_set.h"
 #include "ui/render/bodies/assets.h"
+#include "ui/window/imgui_vector.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_fields.h"
 #include "ui/window/property.h"
+#include "ui/window/theme.h"
 
 namespace kerf {
 
@@ -143,12 +147,23 @@ class MaterialFeature : public Feature {
     return {{"Laser", Tab::kCut, 110, true, [this] { draw_heat(); }},
             {"Material", Tab::kHeat, 200, true, [this] { draw_material(); }}};
   }
+  void advance(double seconds) override {
+    pointer_.follow(on_.pointer, seconds);
+    aim_ = thermal() && on_.points() ? aim_of(on_, pointer_) : std::nullopt;
+  }
+  void follow_queue(double) override {
+    if (!on_.changes.is_pending()) watch_.follow(on_.work.document, on_.beam.picture(on_.work.document));
+  }
+  bool moving() const override { return aim_ && aim_->speed > 0; }
+  void forget() override { watch_ = StrokeWatch(); }
+  void draw_marks(ImDrawList& list) override;
 
  private:
   void draw_heat() {
     const auto piece = piece_of_sheet(on_.world(), on_.view);
-    heat_.draw(on_, piece ? on_.world().body(piece->body).sheet : Sheet());
+    heat_.draw(on_, piece ? on_.world().body(piece->body).sheet : Sheet(), aim_, watch_);
   }
+  bool thermal() const { return on_.laser.model == Model::kThermal; }
   void draw_material() {
     const auto sheet = panel_.draw(on_.world(), on_.view);
     if (!sheet) return;
@@ -161,7 +176,24 @@ class MaterialFeature : public Feature {
   Workspace& on_;
   MaterialPanel panel_;
   LaserHeatRows heat_;
+  PointerSpeed pointer_;
+  std::optional<PointerAim> aim_;
+  StrokeWatch watch_;
 };
+
+// Beside the pointer, because that is where one looks while a stroke is drawn.
+void MaterialFeature::draw_marks(ImDrawList& list) {
+  if (!watch_.now() || !on_.beam.cutting()) return;
+  const bool through = watch_.now()->through;
+  const float size = ImGui::GetFontSize();
+  const ImVec2 at = to_im(on_.pointer + Vec2(1.2 * size, 0.8 * size));
+  const char* text = through ? "through" : "not through";
+  const ImVec2 extent = ImGui::CalcTextSize(text);
+  const float margin = 0.25f * size;
+  list.AddRectFilled({at.x - margin, at.y - margin}, {at.x + extent.x + margin, at.y + extent.y + margin},
+                     colours::kPictureShade, margin);
+  list.AddText(at, through ? colours::kPictureText : colours::accent(), text);
+}
 
 // Sets the sheet of the chosen pieces, or of all pieces if none is chosen.
 void MaterialFeature::set_sheet(const Sheet& sheet) {

@@ -8,7 +8,7 @@ namespace {
 TEST(Forecast, is_told_with_the_speed_of_the_path_and_without_one) {
   LaserControls laser;
   laser.radius = 0.0001;
-  const Sheet sheet;
+  const MetSheet sheet;
   EXPECT_NE(forecast_text(laser, sheet, 0, FileUnit::kMetre).find("2000 W cuts this sheet of 1 mm at up to"),
             std::string::npos);
   const std::string with_speed = forecast_text(laser, sheet, 0.02, FileUnit::kMetre);
@@ -20,7 +20,48 @@ TEST(Forecast, says_where_the_power_does_not_do_at_any_speed) {
   LaserControls laser;
   laser.radius = 0.01;
   laser.power = 1;
-  EXPECT_NE(forecast_text(laser, Sheet(), 0, FileUnit::kMetre).find("does not cut"), std::string::npos);
+  EXPECT_NE(forecast_text(laser, MetSheet(), 0, FileUnit::kMetre).find("does not cut"), std::string::npos);
+}
+
+TEST(Forecast, of_a_sheet_that_is_met_at_a_slant_is_slower) {
+  LaserControls laser;
+  laser.radius = 0.0001;
+  MetSheet met;
+  const double upright = cutting_speed(met.balance(2000, laser.radius), met.sheet.thickness);
+  met.slant = 3;
+  const std::string slanted = forecast_text(laser, met, 0, FileUnit::kMetre);
+  EXPECT_NE(slanted.find("this sheet of 1 mm, 3 mm along the beam, at up to"), std::string::npos) << slanted;
+  EXPECT_NEAR(cutting_speed(met.balance(2000, laser.radius), met.sheet.thickness), upright / 3, 1e-9);
+}
+
+TEST(PointersSpeed, is_told_with_whether_it_is_slow_enough) {
+  LaserControls laser;
+  laser.radius = 0.0001;
+  PointerAim aim;
+  EXPECT_EQ(pointer_text(laser, aim, FileUnit::kMetre), "");
+  aim.speed = 0.02;
+  EXPECT_EQ(pointer_text(laser, aim, FileUnit::kMetre),
+            "The pointer goes at 20 mm/s, slowly enough to get through");
+  aim.speed = 2;
+  EXPECT_EQ(pointer_text(laser, aim, FileUnit::kMetre), "The pointer goes at 2 m/s, too fast to get through");
+}
+
+TEST(RemediesOfAStroke, name_the_speed_the_power_and_the_radius_that_would_have_done) {
+  StrokeWatch::Crossing crossing;
+  crossing.settings.laser.radius = 1e-4;
+  crossing.settings.laser.power = 2000;
+  crossing.met.sheet.thickness = 0.002;
+  crossing.share = 0;
+  crossing.speed = 0.135;
+  EXPECT_EQ(remedy_text(crossing, FileUnit::kMetre),
+            "It would have got through at 89.8 mm/s instead of 135 mm/s, with 2.5 kW instead of 2 kW, or "
+            "with a radius "
+            "of 66.5 \xC2\xB5m instead of 100 \xC2\xB5m");
+  crossing.speed = 0.05;
+  EXPECT_EQ(remedy_text(crossing, FileUnit::kMetre), "");
+  crossing.speed = 0.135;
+  crossing.share = 1;
+  EXPECT_EQ(remedy_text(crossing, FileUnit::kMetre), "");
 }
 
 TEST(DepthOfTheStroke, is_told_in_per_cent_where_the_beam_met_something) {

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <deque>
+#include <optional>
+
+#include "core/document/history/document.h"
+#include "ui/editor/material/met_sheet.h"
+#include "ui/render/passes/beam_pass.h"
+
+namespace kerf {
+
+// Watches the beam of a stroke of the thermal model: how fast it goes over what it meets, and whether it has
+// got through, which shows behind it.
+class StrokeWatch {
+ public:
+  // To be called once a frame, after the queue of the document was worked on, with the beam as it is drawn
+  // (see LaserTool::picture): nothing if none is on.
+  void follow(const Document& document, const std::optional<BeamPicture>& beam);
+
+  // Of the stroke that is cut: whether the beam has got through what it met lately, and how fast it went
+  // there (m/s, 0 as long as that is not known). Nothing while there is none or it meets nothing.
+  struct Now {
+    bool through = false;
+    double speed = 0;
+  };
+  const std::optional<Now>& now() const { return now_; }
+
+  // The last stroke that met something, and what it was at where it did not get through.
+  struct Crossing {
+    size_t step = 0;           // of the history
+    size_t removed_faces = 0;  // by that step
+    double share = 1;          // of the places on its way at which it got through
+    double speed = 0;          // m/s, the mean where it did not
+    MetSheet met;
+    CutSettings settings;
+  };
+  // Nothing once that stroke is undone or cut otherwise.
+  const Crossing* last(const Document& document) const;
+
+ private:
+  // A place on the way.
+  struct Place {
+    Pose axis;
+    Vec3 strike;           // m, where the beam met something first
+    double clock = 0;      // s, of the beam
+    double speed = 0;      // m/s, since the place before
+    double thickness = 0;  // m along the beam, in which what was met there lies
+  };
+  void begin(const Document& document);
+  void pass(const Document& document, const BeamPicture& beam);
+  double note_sheet(const World& world, const Pose& axis);
+  static bool is_open(const World& world, const Place& place);
+  void judge(const World& world, const Place& place);
+  void rest(const World& world, const Place& place);
+  void end(const Document& document);
+
+  bool runs_ = false;
+  std::deque<Place> way_;  // that is not judged yet, but for the place before
+  size_t through_ = 0, not_through_ = 0;
+  double too_fast_ = 0;  // m/s, summed up over `not_through_`
+  Crossing crossing_;
+  std::optional<Now> now_;
+  std::optional<Crossing> last_;
+};
+
+}  // namespace kerf

@@ -48,6 +48,8 @@ void visit_options(CutOptions& o, Visitor& v) {
   v.text("material", o.material,
          "What the sheets are made of (mild-steel); kerf materials lists what there is");
   v.number("power", o.power, kWatts, "Of the beam in watts (2000, or what the path file says)");
+  v.choice("assist", o.assist, {"none", "oxygen"},
+           "The gas that is blown into the cut, for the thermal model: in oxygen mild steel burns (none)");
   v.choice("format", o.format, {"obj", "ply", "stl", "off"}, "Of the pieces: obj, ply, stl or off (obj)");
   v.flag("split-all", o.split_all, "Every connected component is a piece");
   v.number("settle", o.settle, kFall,
@@ -231,6 +233,7 @@ CutSettings stroke_settings(const CutOptions& o, const StrokePath& stroke, doubl
   if (o.range) settings.laser.range = *parse_range(*o.range);
   if (o.power) settings.laser.power = *o.power;
   if (o.model == "thermal") settings.model = Model::kThermal;
+  if (o.assist == "oxygen") settings.laser.assist = Assist::kOxygen;
   if (o.pattern == "rays4") settings.laser.pattern = Pattern::kRays4;
   Resolution& resolution = settings.resolution;
   if (o.rim == "smooth") resolution.rim = Rim::kSmooth;

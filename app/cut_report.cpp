@@ -127,6 +127,7 @@ nlohmann::ordered_json settings_json(const CutSettings& s, const std::string& fo
   json["model"] = s.model == Model::kThermal ? "thermal" : "geometric";
   if (s.model == Model::kThermal) {
     json["power"] = s.laser.power;
+    if (s.laser.assist == Assist::kOxygen) json["assist"] = "oxygen";
     if (scales_removal(s)) json["energy_of_removal_scaled"] = true;
   }
   json["format"] = format;
@@ -144,8 +145,11 @@ nlohmann::ordered_json energy_json(const World& world) {
     stored += body.heat.stored(body.mesh);
     ejected += body.ejected;
   }
-  return {{"emitted", ledger.emitted}, {"absorbed", ledger.absorbed}, {"ejected", ejected},
-          {"stored", stored},          {"lost", ledger.lost},         {"escaped", ledger.escaped}};
+  nlohmann::ordered_json json = {{"emitted", ledger.emitted}, {"absorbed", ledger.absorbed},
+                                 {"ejected", ejected},        {"stored", stored},
+                                 {"lost", ledger.lost},       {"escaped", ledger.escaped}};
+  if (ledger.burnt > 0) json["burnt"] = ledger.burnt;
+  return json;
 }
 
 // How much of the thickness the beam got through where it did not cut, from 0 to 1.

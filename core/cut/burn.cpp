@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "core/base/assert.h"
+#include "core/heat/oxygen.h"
 
 namespace kerf {
 
@@ -19,6 +20,7 @@ void Burn::emit(const Pose& pose, double joules) {
   EnergyLedger& ledger = world_.edit_energy();
   ledger.emitted += joules;
   double absorbed = 0;
+  met_.clear();
   for (const BundleRay& ray : turned_bundle(bundle_, ledger.poses++)) {
     double left = joules * ray.share;
     find_meetings(ray_at(settings_.laser, ray, pose));
@@ -29,12 +31,52 @@ void Burn::emit(const Pose& pose, double joules) {
       const double share = absorptivity(body.sheet.substance, settings_.laser.wavelength);
       if (share <= 0) break;
       const double taken = spend(at, left * share);
+      met_.push_back(at);
       absorbed += taken;
       left = bodies_[at.body].gone_slots.contains(at.face.index) ? std::max(0.0, left - taken / share) : 0;
     }
   }
   ledger.absorbed += absorbed;
   ledger.escaped += joules - absorbed;
+}
+
+// The faces of a body that were met and are not gone, each once.
+std::vector<FaceId> Burn::faces_met(size_t b) const {
+  std::vector<FaceId> met;
+  for (const Meeting& at : met_) {
+    if (at.body == b && !bodies_[b].gone_slots.contains(at.face.index)) met.push_back(at.face);
+  }
+  std::sort(met.begin(), met.end());
+  met.erase(std::unique(met.begin(), met.end()), met.end());
+  return met;
+}
+
+// Heats faces of a body by shares of an energy (J) that are as large as their areas; returns what they took.
+double Burn::spread(size_t b, std::span<const FaceId> faces, double joules) {
+  const Body& body = world_.body(bodies_[b].id);
+  double all = 0, taken = 0;
+  for (const FaceId f : faces) all += triangle_area(body.mesh.triangle(f));
+  for (const FaceId f : faces) taken += spend({0, b, f}, joules * triangle_area(body.mesh.triangle(f)) / all);
+  return taken;
+}
+
+void Burn::burn(double area, double speed) {
+  KERF_ASSERT(area >= 0 && speed >= 0);
+  for (size_t b = 0; b < bodies_.size(); ++b) {
+    const Body& body = world_.body(bodies_[b].id);
+    const Sheet& sheet = body.sheet;
+    if (sheet.substance.burnt_share == 0) continue;
+    std::vector<FaceId> faces = faces_met(b);
+    const auto on_fire = [&](FaceId f) {
+      return body.heat.temperature(body.mesh, f, sheet.substance, sheet.thickness) >= kKindling;
+    };
+    const auto cold = std::stable_partition(faces.begin(), faces.end(), on_fire);
+    if (cold == faces.begin()) continue;
+    const double joules =
+        burning_heat(sheet.substance, speed) * area * sheet.thickness * sheet.substance.density;
+    const double taken = spread(b, {faces.begin(), cold}, joules);
+    world_.edit_energy().burnt += taken + spread(b, {cold, faces.end()}, joules - taken);
+  }
 }
 
 std::optional<double> Burn::reach(const Pose& pose) {

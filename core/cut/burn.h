@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <unordered_set>
 #include <vector>
 
@@ -24,9 +25,13 @@ class Burn {
   // may cut, in the order of their slots.
   Burn(World& world, const CutSettings& settings, std::vector<BurnedBody>& bodies, double face);
 
-  // Precondition: pose in world coordinates; the trees
-  // of the bodies are up to date but for `gone`.
+  // Precondition: pose in world coordinates; the trees of the bodies are up to date but for `gone`.
   void emit(const Pose& pose, double joules);
+
+  // Where a face that was met at the last pose is hot enough, what the kerf gives by burning in oxygen is
+  // shared by mass among all faces that were met, as far as they take it, because what burns flows over them
+  // (see core/heat/oxygen.h). The beam cuts a kerf of some area (m^2) at a speed (m/s).
+  void burn(double area, double speed);
 
   // The largest distance along the rays of a beam at this pose to the first face that they meet (m), or
   // nothing if they meet none.
@@ -40,6 +45,8 @@ class Burn {
   };
   void find_meetings(const Pose& ray);
   double spend(const Meeting& at, double joules);
+  std::vector<FaceId> faces_met(size_t body) const;
+  double spread(size_t body, std::span<const FaceId> faces, double joules);
   double removal_energy(const Body& body, FaceId f) const;
 
   World& world_;
@@ -47,6 +54,7 @@ class Burn {
   std::vector<BurnedBody>& bodies_;
   std::vector<BundleRay> bundle_;
   std::vector<Meeting> meetings_;  // of one ray, nearest first
+  std::vector<Meeting> met_;       // by all rays at the last pose, that are not gone
   std::vector<RayHit> hits_;
 };
 

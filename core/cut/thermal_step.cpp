@@ -77,10 +77,18 @@ class ThermalMoves {
       const Substance& s = sheet.substance;
       const double spot = 0.5 * kPi * w * w * sheet.thickness * s.density * enthalpy_of_removal(s);
       const double diffusivity = s.conductivity / (s.density * s.heat_solid);
-      most = std::max(most, absorptivity(s, settings_.laser.wavelength) * joules / spot);
+      most =
+          std::max(most, (absorptivity(s, settings_.laser.wavelength) * joules + burnt(sheet, move)) / spot);
       most = std::max(most, kPartsADiffusionTime * diffusivity * move.seconds / (w * w));
     }
     return std::min(std::ceil(most), kMostParts);
+  }
+
+  // The most that burning gives during a move (J).
+  double burnt(const Sheet& sheet, const BeamMove& move) const {
+    if (settings_.laser.assist != Assist::kOxygen) return 0;
+    const double kerf = 2 * settings_.laser.radius * sheet.thickness * kBurningFront * move.seconds;
+    return kerf * sheet.substance.density * burning_heat(sheet.substance, kBurningFront);
   }
 
   static bool moves(const BeamMove& move) {
@@ -140,7 +148,19 @@ class ThermalMoves {
     const double joules = emitted_energy(settings_.laser, ledger.beam_on, ledger.beam_on + part.seconds);
     world_.edit_energy().beam_on += part.seconds;
     const double samples = moves(part) ? std::max(1.0, std::ceil(most_samples)) : 1;
-    for (double i = 0; i < samples; ++i) burn_.emit(between(part, (i + 0.5) / samples), joules / samples);
+    const double way = settings_.laser.assist == Assist::kOxygen ? way_on_surface(part) : 0;
+    for (double i = 0; i < samples; ++i) {
+      burn_.emit(between(part, (i + 0.5) / samples), joules / samples);
+      if (way > 0 && part.seconds > 0)
+        burn_.burn(2 * settings_.laser.radius * way / samples, way / part.seconds);
+    }
+  }
+
+  // How far the beam goes across what it meets (m).
+  double way_on_surface(const BeamMove& part) const {
+    const auto at = [&](const Pose& pose) { return pose.origin + reach_ * pose.direction; };
+    const Vec3 way = at(part.to) - at(part.from);
+    return glm::length(way - glm::dot(way, part.from.direction) * part.from.direction);
   }
 
   // Returns how deep the beam got: 1 if a face went.

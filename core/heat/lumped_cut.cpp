@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
+#include <optional>
 
 #include "core/base/assert.h"
 #include "core/base/exponential.h"
+#include "core/heat/oxygen.h"
 
 namespace kerf {
 namespace {
@@ -35,7 +38,8 @@ double peclet_per_speed(const LumpedCut& cut) {
 // The power that the cut takes per thickness (W/m).
 double power_per_thickness(const LumpedCut& cut, double speed) {
   const Substance& s = cut.substance;
-  const double removal = cut.kerf * speed * s.density * enthalpy_of_removal(s) / cut.axis;
+  const double burning = cut.oxygen ? burning_heat(s, speed) : 0;
+  const double removal = cut.kerf * speed * s.density * (enthalpy_of_removal(s) / cut.axis - burning);
   if (s.conductivity == 0) return removal;
   return removal +
          s.conductivity * (s.transition - kAmbient) * conduction_loss(speed * peclet_per_speed(cut));
@@ -55,13 +59,32 @@ double conduction_loss(double peclet) {
   return low.loss * exponential(share * logarithm(high.loss / low.loss));
 }
 
+namespace {
+
+// A speed (m/s) at which the power is enough: with oxygen the highest of many that the burning front keeps up
+// with, because a cut that needs what burns may need a speed; else the least. Nothing if there is none.
+std::optional<double> possible_speed(const LumpedCut& cut, double available) {
+  const double least = cut.substance.conductivity == 0 ? 0 : kLosses.front().peclet / peclet_per_speed(cut);
+  constexpr int kTried = 400;
+  for (int i = cut.oxygen ? kTried : 0; i > 0; --i) {
+    const double speed = kBurningFront * i / kTried;
+    if (speed >= least && power_per_thickness(cut, speed) <= available) return speed;
+  }
+  return power_per_thickness(cut, least) <= available ? std::optional(least) : std::nullopt;
+}
+
+}  // namespace
+
 double cutting_speed(const LumpedCut& cut, double thickness) {
   KERF_ASSERT(thickness > 0 && cut.kerf > 0);
   const double available = absorbed(cut) / thickness;
   const Substance& s = cut.substance;
-  double low = s.conductivity == 0 ? 0 : kLosses.front().peclet / peclet_per_speed(cut);
+  const std::optional<double> possible = possible_speed(cut, available);
+  if (!possible) return 0;
+  double low = *possible;
   double high = cut.axis * available / (cut.kerf * s.density * enthalpy_of_removal(s));  // without conduction
-  if (high <= low || power_per_thickness(cut, low) > available) return 0;
+  if (cut.oxygen) high += cut.axis * kBurningFront * burning_heat(s, 0) / enthalpy_of_removal(s);
+  if (high <= low) return 0;
   constexpr int kHalvings = 100;
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = 0.5 * (low + high);
@@ -72,7 +95,8 @@ double cutting_speed(const LumpedCut& cut, double thickness) {
 
 double cut_thickness(const LumpedCut& cut, double speed) {
   KERF_ASSERT(speed > 0 && cut.kerf > 0);
-  return absorbed(cut) / power_per_thickness(cut, speed);
+  const double power = power_per_thickness(cut, speed);
+  return power > 0 ? absorbed(cut) / power : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace kerf

@@ -31,6 +31,8 @@ inline constexpr double kAmbient = 293;
       "%.3g", "0 to 1: the share of a beam of 1.07 \xc2\xb5m that stays in it.")                             \
   ROW(absorptivity_co2, "absorptivity-co2", 0.1, always_written(0.1), 0, 1, "", "Absorbs, CO2", 1, "%.3g",   \
       "0 to 1: the share of a beam of 10.6 \xc2\xb5m that stays in it.")                                     \
+  ROW(burnt_share, "burnt-share", 0.4, added_later(0), 0, 1, "", "Burns", 1, "%.3g",                         \
+      "0 to 1: the share of the kerf that burns where the laser blows oxygen.")                              \
   ROW(wavelength, "wavelength", 1.07e-6, always_written(1.07e-6), 1e-9, 1, "m", nullptr, 1, "",              \
       "Of the beam with which the material is usually cut.")
 
@@ -41,8 +43,9 @@ inline constexpr double kAmbient = 293;
 // A metal melts at `transition`, and what is molten is blown out: it is gone when it has taken the heat of
 // fusion. What decomposes instead of melting (plastics, wood) does so at `transition`, where it takes the
 // rest of its heat of ablation (`latent`), which is measured as a whole from the ambient on. The specific
-// heats are those below and above the transition. `wavelength` is the one of the two of the absorptivities
-// with which the material is usually cut.
+// heats are those below and above the transition. `burnt_share` says how much of the kerf burns where the laser
+// blows oxygen (see core/heat/oxygen.h). `wavelength` is the one of the two of the absorptivities with which
+// the material is usually cut.
 struct Substance {
 #define KERF_MEMBER(member, key, initial, ...) double member = initial;
   KERF_SUBSTANCE(KERF_MEMBER)
@@ -61,11 +64,20 @@ constexpr const NumberField<Substance>& substance_field(double Substance::*membe
   return *field;
 }
 
-// The substance that a scene stands for that gives no constant.
+// The substance that an object of constants stands for that has none of its keys.
 constexpr Substance substance_without_keys() {
   Substance s;
   for (const NumberField<Substance>& field : kSubstanceFields) s.*field.member = field.missing.value;
   return s;
+}
+
+// Whether this is a material: the same in all constants, but for those that a file of before did not have.
+constexpr bool is_of(const Substance& s, const Substance& material) {
+  for (const NumberField<Substance>& field : kSubstanceFields) {
+    const bool older = !field.missing.always_written && s.*field.member == field.missing.value;
+    if (!older && s.*field.member != material.*field.member) return false;
+  }
+  return true;
 }
 
 // The absorptivity at a wavelength (m), that of the nearer of the two; 0 stands for the usual wavelength.

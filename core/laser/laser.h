@@ -15,6 +15,12 @@ enum class Pattern {
   kRays4,   // four parallel rays on a circle of the radius, as in the paper
 };
 
+// The gas that is blown into the cut.
+enum class Assist {
+  kNone,    // one that blows the melt out and does nothing else, as nitrogen
+  kOxygen,  // one in which materials burn that can (see Substance::burnt_share)
+};
+
 struct Laser {
   double radius = 0.01;   // m, > 0
   Interval range{0, 10};  // m along the beam from its origin
@@ -28,6 +34,7 @@ struct Laser {
                                 // without it the radius is the same everywhere
   double pulse_rate = 0;        // Hz; 0 is a continuous beam
   double duty = 1;              // 0 < duty <= 1, the part of each pulse period in which the beam is on
+  Assist assist = Assist::kNone;
 };
 
 // The energy (J) that the beam emits from `from` to `to` seconds after it was switched on, 0 <= from <= to. A

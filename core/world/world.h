@@ -107,13 +107,14 @@ Body make_body(std::string name, BuiltMesh built);
 // Creates a body, or fails with cancelled() when stopped. `progress` may be null.
 Result<Body> make_body(std::string name, BuiltMesh built, const Progress* progress);
 
-// Where the energy that beams have emitted has gone (J): emitted = absorbed + escaped. What was absorbed is
-// stored in faces (FaceHeat::stored), went with faces that were removed (Body::ejected), or was lost to the
+// Where the energy that beams have emitted has gone (J): emitted = absorbed + escaped. What was absorbed or
+// came from burning is stored in faces (FaceHeat::stored), went with faces that were removed (Body::ejected), or was lost to the
 // surroundings.
 struct EnergyLedger {
   double emitted = 0;
   double absorbed = 0;  // by faces
   double escaped = 0;   // reflected, or gone past all faces
+  double burnt = 0;     // what burning in oxygen gave faces besides
   double lost = 0;      // by convection and radiation
   // The seconds for which beams of the thermal model were on, which tell where pulses are.
   double beam_on = 0;

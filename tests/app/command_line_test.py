@@ -235,7 +235,7 @@ class CommandLine(unittest.TestCase):
         self.write("beam.json", '{"strokes": [{"laser": {"radius": 0.0001, "power": 2000}, "keys": [%s, %s]}]}' % (
             key % (0, -.012), key % (.024 / speed, .012)))
         done = self.run_here("cut", "sheet.obj", "--path", "beam.json", "--out", "out", "--model", "thermal",
-                             "--material", "stainless-304", "--thickness", "0.002", *options)
+                             "--thickness", "0.002", *(options if "--material" in options else ("--material", "stainless-304", *options)))
         self.assertEqual(done.returncode, 0, done.stderr)
         self.said = done.stderr
         return json.loads(self.read("out/report.json"))
@@ -262,6 +262,19 @@ class CommandLine(unittest.TestCase):
         done = self.run_here("replay", "cut.kerf")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn(report["state_hash"], done.stdout)
+
+    def test_oxygen_helps_to_cut_mild_steel_and_a_journal_knows_of_it(self):
+        options = ("--material", "mild-steel", "--journal", "cut.kerf")
+        without, oxygen = self.thermal(.12, *options), self.thermal(.12, *options, "--assist", "oxygen")
+        self.assertEqual([len([p for p in r["pieces"] if p["area"] > 4e-4]) for r in (without, oxygen)], [1, 2])
+        self.assertNotIn("burnt", without["energy_j"])
+        self.assertEqual((without["settings"].get("assist"), oxygen["settings"]["assist"]), (None, "oxygen"))
+        e = oxygen["energy_j"]
+        self.assertAlmostEqual(e["absorbed"] + e["burnt"], e["ejected"] + e["stored"] + e["lost"],
+                               delta=1e-6 * e["emitted"])
+        done = self.run_here("replay", "cut.kerf")
+        self.assertIn(oxygen["state_hash"], done.stdout)
+        self.assert_refused(self.run_here("cut", "plate.obj", "--out", "o", "--assist", "air"), 2, "--assist", "oxygen")
 
     def test_an_unknown_material_is_refused_with_those_that_there_are(self):
         self.assert_refused(self.run_here("cut", "plate.obj", "--out", "o", "--material", "butter"), 2, "butter",

@@ -30,9 +30,13 @@ void bench_laser(const Subject&, const Effort& effort, const Report& report) {
   if (!materials) return (void)std::printf("%s\n", materials.error().message.c_str());
   for (const PublishedCut& cut : published_cuts().first(effort.published_cuts)) {
     const Substance substance = find_material(*materials, cut.material)->substance;
-    const test::LaserStrip strip{substance, 1e-3 * cut.millimetres, cut.watts, 1e-3 * cut.kerf, 1};
+    const test::LaserStrip strip{substance, 1e-3 * cut.millimetres, cut.watts, 1e-3 * cut.kerf, 1,
+                                 cut.assist};
     const double published = 0.5 * (cut.slowest + cut.fastest) / 60;
-    const LumpedCut lumped{substance, cut.watts, 0, strip.kerf};
+    const LumpedCut lumped{.substance = substance,
+                           .power = cut.watts,
+                           .kerf = strip.kerf,
+                           .oxygen = cut.assist == Assist::kOxygen};
     report(row_of(cut, "lumped", cutting_speed(lumped, strip.thickness), published));
     const double simulated = test::fastest_cut(strip, kSlowest * published, published);
     report(row_of(cut, "simulated", simulated, published));

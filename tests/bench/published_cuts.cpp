@@ -4,7 +4,7 @@ namespace kerf::bench {
 
 namespace {
 
-constexpr const char* kOxygen = "oxygen burns the iron, and no heat of reaction is modelled";
+constexpr const char* kOxygen = "empirical: one share that burns and one fastest front for all rows";
 constexpr const char* kMachine = "the machine's acceleration and the flow of gas limit it, not energy";
 constexpr const char* kFitted = "the absorptivity of the class was fitted to these two rows";
 
@@ -26,14 +26,14 @@ constexpr PublishedCut kCuts[] = {
     {30, "plywood", 7.7, 42, .36, .36, .35, "plywood", ""},
     {32, "plywood", 19, 45, .12, .12, .45, "pine", ""},
     {33, "pmma", 8, 80, .3, .3, .35, "acrylic", ""},
-    {1, "mild-steel", 1, 500, 7, 9, .15, "mild steel, oxygen", kOxygen},
-    {2, "mild-steel", 1, 1000, 8, 10, .15, "mild steel, oxygen", kOxygen},
-    {3, "mild-steel", 3, 1000, 2.4, 3, .20, "mild steel, oxygen", kOxygen},
-    {4, "mild-steel", 3, 2000, 3, 4.8, .25, "mild steel, oxygen", kOxygen},
-    {5, "mild-steel", 6, 1000, 1.4, 1.6, .25, "mild steel, oxygen", kOxygen},
-    {6, "mild-steel", 6, 2000, 1.8, 2.6, .30, "mild steel, oxygen", kOxygen},
-    {7, "mild-steel", 10, 1000, .6, 1, .35, "mild steel, oxygen", kOxygen},
-    {8, "mild-steel", 10, 3000, 1.2, 2, .40, "mild steel, oxygen", kOxygen},
+    {1, "mild-steel", 1, 500, 7, 9, .15, "mild steel, oxygen", kOxygen, Assist::kOxygen},
+    {2, "mild-steel", 1, 1000, 8, 10, .15, "mild steel, oxygen", kOxygen, Assist::kOxygen},
+    {3, "mild-steel", 3, 1000, 2.4, 3, .20, "mild steel, oxygen", kOxygen, Assist::kOxygen},
+    {4, "mild-steel", 3, 2000, 3, 4.8, .25, "mild steel, oxygen", kOxygen, Assist::kOxygen},
+    {5, "mild-steel", 6, 1000, 1.4, 1.6, .25, "mild steel, oxygen", kOxygen, Assist::kOxygen},
+    {6, "mild-steel", 6, 2000, 1.8, 2.6, .30, "mild steel, oxygen", kOxygen, Assist::kOxygen},
+    {7, "mild-steel", 10, 1000, .6, 1, .35, "mild steel, oxygen", kOxygen, Assist::kOxygen},
+    {8, "mild-steel", 10, 3000, 1.2, 2, .40, "mild steel, oxygen", kOxygen, Assist::kOxygen},
     {11, "mild-steel", 1, 12000, 30, 50, .20, "mild steel", kMachine},
     {12, "mild-steel", 3, 12000, 10, 20, .25, "mild steel", kMachine},
     {13, "stainless-304", 1, 500, 8, 13, .15, "stainless 201", "more than the balance of energies allows"},

@@ -2,6 +2,8 @@
 
 #include <span>
 
+#include "core/laser/laser.h"
+
 namespace kerf::bench {
 
 // A published speed of a laser cut.
@@ -13,6 +15,7 @@ struct PublishedCut {
   double kerf;                // mm, typical for the machine; hardly ever measured with the speed
   const char* what;           // material and gas as published
   const char* why;            // why no agreement within 30 % can be expected; empty where it can
+  Assist assist = Assist::kNone;
 };
 
 // 34 rows of vendors' charts, teaching tables and measurements by hobbyists: machinemfg.com (1 to 10, 13),

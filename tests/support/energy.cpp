@@ -19,7 +19,7 @@ void expect_closed_ledger(const World& world, double tolerance) {
     });
   }
   EXPECT_NEAR(ledger.absorbed + ledger.escaped, ledger.emitted, tolerance * ledger.emitted);
-  EXPECT_NEAR(stored + ejected + ledger.lost, ledger.absorbed, tolerance * ledger.emitted);
+  EXPECT_NEAR(stored + ejected + ledger.lost, ledger.absorbed + ledger.burnt, tolerance * ledger.emitted);
 }
 
 double hottest(const World& world) {

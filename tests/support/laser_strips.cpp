@@ -34,6 +34,7 @@ World cross(const LaserStrip& strip, double speed) {
   settings.laser.radius = 0.5 * strip.kerf;
   settings.laser.range = {0, 1};
   settings.laser.power = strip.power;
+  settings.laser.assist = strip.assist;
   settings.resolution.target_edge = strip.target_edge * settings.laser.radius;
   const double end = 0.5 * length + run_up;
   const BeamMove way{{{0, height, -end}, {0, -1, 0}}, {{0, height, end}, {0, -1, 0}}, 2 * end / speed};

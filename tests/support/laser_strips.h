@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/laser/laser.h"
 #include "core/world/world.h"
 
 namespace kerf::test {
@@ -11,6 +12,7 @@ struct LaserStrip {
   double power = 1000;       // W
   double kerf = 2e-4;        // m; the radius of the beam is half of it
   double target_edge = 1;    // of the faces under the beam, in radii of the beam
+  Assist assist = Assist::kNone;
 };
 
 // The world after the beam has crossed the strip at a speed (m/s). The strip is wide and long enough for a

@@ -43,6 +43,7 @@ Sheet random_sheet(Random& random) {
   for (double* x : {&s.emissivity, &s.absorptivity_fibre, &s.absorptivity_co2, &s.wavelength})
     *x = random.unit() + 1e-9;
   for (double* x : {&s.emissivity, &s.absorptivity_fibre, &s.absorptivity_co2}) *x = std::min(1.0, *x);
+  s.burnt_share = random.below(2) == 0 ? random.unit() : 0;
   return sheet;
 }
 
@@ -81,8 +82,9 @@ void put(std::vector<uint64_t>& bits, const CutSettings& s) {
                          s.laser.pulse_rate, s.laser.duty, s.model == Model::kThermal ? 1.0 : 0.0}) {
     put(bits, x);
   }
-  for (const auto n : {static_cast<int>(s.laser.pattern), static_cast<int>(r.scheme),
-                       static_cast<int>(r.rule), static_cast<int>(r.rim), r.depth}) {
+  for (const auto n :
+       {static_cast<int>(s.laser.assist), static_cast<int>(s.laser.pattern), static_cast<int>(r.scheme),
+        static_cast<int>(r.rule), static_cast<int>(r.rim), r.depth}) {
     bits.push_back(static_cast<uint64_t>(n));
   }
   bits.push_back(s.most_faces);
@@ -115,9 +117,9 @@ struct Bits {
   void operator()(const SetSheet& c) {
     put(bits, c.piece);
     const Substance& s = c.sheet.substance;
-    for (const double x :
-         {c.sheet.thickness, c.sheet.density, s.density, s.heat_solid, s.heat_liquid, s.conductivity,
-          s.transition, s.latent, s.emissivity, s.absorptivity_fibre, s.absorptivity_co2, s.wavelength})
+    for (const double x : {c.sheet.thickness, c.sheet.density, s.density, s.heat_solid, s.heat_liquid,
+                           s.conductivity, s.transition, s.latent, s.emissivity, s.absorptivity_fibre,
+                           s.absorptivity_co2, s.burnt_share, s.wavelength})
       put(bits, x);
   }
   void operator()(const SimplifyPiece& c) {
@@ -195,6 +197,7 @@ CutSettings random_settings(Random& random) {
     s.laser.focus = random_positive(random);
     s.laser.pulse_rate = random_positive(random);
     s.laser.duty = random.uniform(0.01, 1);
+    s.laser.assist = random.below(2) == 0 ? Assist::kOxygen : Assist::kNone;
   }
   if (random.below(3) == 0) s.most_faces = 1 + random.below(1u << 30);
   return s;

@@ -14,6 +14,7 @@ constexpr std::array kPatterns{"volume", "rays4"};
 constexpr std::array kSchemes{"one-to-four", "longest-edge"};
 constexpr std::array kRules{"target-edge", "tolerance", "depth"};
 constexpr std::array kRims{"faces", "smooth"};
+constexpr std::array kAssists{"none", "oxygen"};
 constexpr std::array kModels{"geometric", "thermal"};
 
 constexpr double kMostMoves = 1e9;
@@ -52,6 +53,7 @@ static void describe(Fields& f, CutSettings& s) {
   f.number("focus", s.laser.focus, kPositive);
   f.number("pulse-rate", s.laser.pulse_rate, kPositive, 0);
   f.number("duty", s.laser.duty, kPositiveShare, 1);
+  f.choice("assist", s.laser.assist, kAssists, Assist::kNone);
   f.whole("most-faces", s.most_faces, 1, uint64_t{1} << 32, 20'000'000);
   f.no_others("is not a setting that this version has");
 }

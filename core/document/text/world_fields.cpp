@@ -58,8 +58,8 @@ void describe(Fields& f, Sheet& sheet) {
 void scene_sheet_fields(Fields& f, Sheet& sheet) {
   number_field(f, kThickness, sheet, kThickness.missing.value);
   number_field(f, kDensity, sheet, kDensity.missing.value);
-  if (f.reading()) sheet.substance = substance_without_keys();
-  if (f.present("substance", sheet.substance != substance_without_keys()))
+  if (f.reading()) sheet.substance = Substance();
+  if (f.present("substance", sheet.substance != Substance()))
     f.object("substance", sheet.substance);
 }
 

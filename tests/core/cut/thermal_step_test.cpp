@@ -7,6 +7,7 @@
 #include "core/base/random.h"
 #include "core/document/files/material_reader.h"
 #include "core/heat/lumped_cut.h"
+#include "core/heat/oxygen.h"
 #include "core/world/state_hash.h"
 #include "tests/support/checkout.h"
 #include "tests/support/energy.h"
@@ -99,6 +100,23 @@ TEST(ThermalStep, leaves_the_absorbed_share_of_the_power_in_a_sheet) {
   World other = plates({0});
   ASSERT_TRUE(cut_whole(other, settings, {&move, 1}).ok());
   EXPECT_NEAR(other.energy().absorbed, 0.5 * Substance{}.absorptivity_co2, 1e-12);
+}
+
+// A strip of steel that a beam crosses at a speed between those at which it parts without and with oxygen.
+TEST(ThermalStep, in_oxygen_burns_through_mild_steel_and_books_the_heat) {
+  LaserStrip strip{Substance(), 1e-3, 1000, 0.15e-3, 1};
+  const LumpedCut balance{strip.substance, strip.power, 0, strip.kerf};
+  const double speed = 1.25 * cutting_speed(balance, strip.thickness);
+  EXPECT_FALSE(is_in_two(cross(strip, speed)));
+  strip.assist = Assist::kOxygen;
+  const World world = cross(strip, speed);
+  EXPECT_TRUE(is_in_two(world));
+  expect_closed_ledger(world, 1e-6);
+  const double kerf = 30 * strip.kerf * strip.kerf * strip.thickness * strip.substance.density;
+  EXPECT_GT(world.energy().burnt, 0.3 * kerf * burning_heat(strip.substance, speed));
+  EXPECT_LT(world.energy().burnt, 1.1 * kerf * burning_heat(strip.substance, speed));
+  strip.substance.burnt_share = 0;
+  EXPECT_EQ(cross(strip, speed).energy().burnt, 0);
 }
 
 TEST(ThermalStep, lets_all_energy_escape_where_the_beam_meets_nothing) {

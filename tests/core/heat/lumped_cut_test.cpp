@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/document/files/material_reader.h"
+#include "core/heat/oxygen.h"
 #include "tests/support/checkout.h"
 
 namespace kerf::test {
@@ -46,6 +47,32 @@ TEST(LumpedCut, speeds_with_conduction_are_those_of_the_table) {
     const LumpedCut cut = cut_with(preset("pmma"), 0.95, row.power, 1e-3 * row.kerf);
     EXPECT_NEAR(60 * cutting_speed(cut, 1e-3 * row.thickness), row.speed, 0.015 * row.speed) << row.thickness;
   }
+}
+
+// Without conduction the balance is linear in the speed above that of the burning front.
+TEST(LumpedCut, with_oxygen_adds_what_the_kerf_gives_by_burning_up_to_the_speed_of_its_front) {
+  LumpedCut cut{preset("mild-steel"), 2000, 0, 0.2e-3};
+  cut.substance.conductivity = 0;
+  const double without = cutting_speed(cut, 1e-3);
+  ASSERT_GT(without, 2 * kBurningFront);
+  cut.oxygen = true;
+  const double heat = cut.substance.burnt_share * kHeatOfBurning;
+  const double more = cut.axis * kBurningFront * heat / enthalpy_of_removal(cut.substance);
+  EXPECT_NEAR(cutting_speed(cut, 1e-3), without + more, 1e-9 * without);
+  cut.substance.burnt_share = 0;
+  EXPECT_NEAR(cutting_speed(cut, 1e-3), without, 1e-9 * without);
+}
+
+TEST(LumpedCut, with_oxygen_gets_through_steel_that_the_beam_alone_does_not_and_stays_bounded) {
+  LumpedCut cut{preset("mild-steel"), 1000, 0, 0.2e-3};
+  const double alone = cutting_speed(cut, 3e-3);
+  cut.oxygen = true;
+  const double together = cutting_speed(cut, 3e-3);
+  EXPECT_GT(together, 3 * alone);
+  EXPECT_NEAR(cut_thickness(cut, together), 3e-3, 1e-9);
+  EXPECT_LT(cut_thickness(cut, 1.01 * together), 3e-3);
+  for (double speed = 2 * kBurningFront; speed < 2; speed *= 1.1)
+    EXPECT_GT(cut_thickness(cut, speed), cut_thickness(cut, 1.1 * speed));
 }
 
 TEST(LumpedCut, thickness_and_speed_are_inverse_and_too_little_power_does_not_cut) {

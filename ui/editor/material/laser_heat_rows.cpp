@@ -61,7 +61,7 @@ std::string forecast_text(const LaserControls& laser, const MetSheet& met, doubl
   std::string thickness = text_of("%.3g mm", 1000 * met.sheet.thickness);
   if (met.slant > kSlanted)
     thickness += text_of(", %.3g mm along the beam,", 1000 * met.slant * met.sheet.thickness);
-  const LumpedCut cut = met.balance(laser.power, laser.radius);
+  const LumpedCut cut = met.balance(laser.beam());
   if (speed > 0)
     return watts + " at " + length_label(speed, unit) + "/s cuts " +
            text_of("%.2g mm", 1000 * cut_thickness(cut, speed)) + "; this sheet has " + thickness;
@@ -72,7 +72,7 @@ std::string forecast_text(const LaserControls& laser, const MetSheet& met, doubl
 
 std::string pointer_text(const LaserControls& laser, const PointerAim& aim, FileUnit unit) {
   if (aim.speed <= 0) return "";
-  const LumpedCut cut = aim.met.balance(laser.power, laser.radius);
+  const LumpedCut cut = aim.met.balance(laser.beam());
   const bool through = cut_thickness(cut, aim.speed) >= aim.met.sheet.thickness;
   return "The pointer goes at " + length_label(aim.speed, unit) + "/s, " +
          (through ? "slowly enough to get through" : "too fast to get through");
@@ -86,7 +86,7 @@ std::string beam_text(const StrokeWatch::Now& now, FileUnit unit) {
 std::string remedy_text(const StrokeWatch::Crossing& crossing, FileUnit unit) {
   if (crossing.share >= 1 || crossing.speed <= 0) return "";
   const Laser& laser = crossing.settings.laser;
-  const LumpedCut cut = crossing.met.balance(laser.power, laser.radius, laser.wavelength);
+  const LumpedCut cut = crossing.met.balance(laser);
   const double thickness = crossing.met.sheet.thickness;
   if (cut_thickness(cut, crossing.speed) >= thickness) return "";
   const CutRemedies would = remedies(cut, thickness, crossing.speed);
@@ -124,6 +124,10 @@ void LaserHeatRows::draw_thermal(LaserControls& laser) {
                       &LaserControls::kMostPower, RealFormat("%.4g W").c_str(), kPowerSlider);
   mark_last_item("laser power");
   tooltip("Of the beam while it is on. Ctrl+click to type a number.");
+  property("Oxygen");
+  ImGui::Checkbox("##oxygen", &laser.oxygen);
+  mark_last_item("oxygen");
+  tooltip("Is blown into the cut: part of mild steel burns in it, and its heat helps to cut. Empirical.");
 }
 
 void LaserHeatRows::draw_forecast(const Workspace& on, const Sheet& sheet,

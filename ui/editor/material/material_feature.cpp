@@ -70,7 +70,7 @@ bool MaterialPanel::draw_presets(Sheet& sheet) {
     return false;
   }
   const auto own = std::find_if(materials->begin(), materials->end(),
-                                [&](const Material& m) { return m.substance == sheet.substance; });
+                                [&](const Material& m) { return is_of(sheet.substance, m.substance); });
   bool changed = false;
   if (ImGui::BeginCombo("##material", own != materials->end() ? own->title.c_str() : "Of its own")) {
     for (const Material& material : *materials) {

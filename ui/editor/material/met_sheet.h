@@ -17,8 +17,12 @@ struct MetSheet {
 
   // The heat balance of a cut through it by a beam along the ray: at a slant the beam is spread over an
   // ellipse, which takes more metal with it. Heat is still conducted into a sheet of its own thickness.
-  LumpedCut balance(double power, double radius, double wavelength = 0) const {
-    return {sheet.substance, power, wavelength, 2 * radius * slant};
+  LumpedCut balance(const Laser& laser) const {
+    return {.substance = sheet.substance,
+            .power = laser.power,
+            .wavelength = laser.wavelength,
+            .kerf = 2 * laser.radius * slant,
+            .oxygen = laser.assist == Assist::kOxygen};
   }
 };
 

@@ -27,11 +27,11 @@ TEST(Forecast, of_a_sheet_that_is_met_at_a_slant_is_slower) {
   LaserControls laser;
   laser.radius = 0.0001;
   MetSheet met;
-  const double upright = cutting_speed(met.balance(2000, laser.radius), met.sheet.thickness);
+  const double upright = cutting_speed(met.balance(laser.beam()), met.sheet.thickness);
   met.slant = 3;
   const std::string slanted = forecast_text(laser, met, 0, FileUnit::kMetre);
   EXPECT_NE(slanted.find("this sheet of 1 mm, 3 mm along the beam, at up to"), std::string::npos) << slanted;
-  EXPECT_NEAR(cutting_speed(met.balance(2000, laser.radius), met.sheet.thickness), upright / 3, 1e-9);
+  EXPECT_NEAR(cutting_speed(met.balance(laser.beam()), met.sheet.thickness), upright / 3, 1e-9);
 }
 
 TEST(PointersSpeed, is_told_with_whether_it_is_slow_enough) {

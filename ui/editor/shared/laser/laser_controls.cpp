@@ -59,6 +59,7 @@ CutSettings LaserControls::settings(double diagonal) const {
   settings.laser.range = {0, 10 * diagonal};
   settings.laser.pattern = pattern;
   settings.laser.power = power;
+  settings.laser.assist = oxygen ? Assist::kOxygen : Assist::kNone;
   settings.model = model;
   if (model == Model::kGeometric) settings.heat_width = width_of_heat();
   settings.resolution = resolution.of(radius);

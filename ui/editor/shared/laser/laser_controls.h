@@ -36,6 +36,7 @@ struct LaserControls {
   Pattern pattern = Pattern::kVolume;
   Model model = Model::kGeometric;
   double power = 2000;               // W, of the thermal model
+  bool oxygen = false;               // likewise, see Assist
   std::optional<double> heat_width;  // m, that was chosen (see CutSettings); none: default_heat_width
   double planned_speed = 0;  // m/s, of the next strokes as far as they are planned; 0: it is not known
 
@@ -45,6 +46,14 @@ struct LaserControls {
 
   double width_of_heat() const { return heat_width.value_or(default_heat_width(radius)); }
 
+  // The beam as the thermal model takes it.
+  Laser beam() const {
+    Laser laser;
+    laser.radius = radius;
+    laser.power = power;
+    laser.assist = oxygen ? Assist::kOxygen : Assist::kNone;
+    return laser;
+  }
   // The settings of a cut in a world with this diagonal (m); the range of the beam is ten diagonals.
   CutSettings settings(double diagonal) const;
   // Shows the radius and the resolution of a stroke, as far as the sliders reach.

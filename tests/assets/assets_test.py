@@ -94,6 +94,18 @@ class Vehicle(unittest.TestCase):
                 self.assertLess(distance, 2e-5, joint)
                 self.assertLess(math.dist(near, joint["anchor"]), 0.13, joint)
 
+    def test_the_hinges_of_a_part_lie_on_one_line_along_their_axis(self):
+        hinges = {}
+        for joint in self.file["joints"]:
+            if joint["kind"] == "hinge" and joint["parts"][0] != joint["parts"][1]:
+                hinges.setdefault(tuple(joint["parts"]), []).append(joint)
+        for (first, *others) in hinges.values():
+            for other in others:
+                way = [b - a for a, b in zip(first["anchor"], other["anchor"])]
+                along = sum(w * a for w, a in zip(way, first["axis"])) / math.hypot(*first["axis"])
+                self.assertAlmostEqual(abs(along), math.hypot(*way), delta=1e-4, msg=first)
+                self.assertEqual(first["axis"], other["axis"])
+
     def test_all_of_it_hangs_on_the_body_by_the_mesh_or_by_joints(self):
         links = [{component for _, component in sides} for sides in self.sides]
         for joint, link in zip(self.file["joints"], links):

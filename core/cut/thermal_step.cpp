@@ -7,6 +7,7 @@
 #include "core/base/assert.h"
 #include "core/cut/burn.h"
 #include "core/cut/cuttable.h"
+#include "core/heat/oxygen.h"
 
 namespace kerf {
 

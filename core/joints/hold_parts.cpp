@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -15,12 +16,31 @@ namespace kerf {
 
 namespace {
 
+// The loaded components that joints name, of the bodies as they were loaded.
+class NamedComponents {
+ public:
+  explicit NamedComponents(const Joints& joints) {
+    for (const Joint& joint : joints.all) {
+      for (const JointSide& side : joint.sides) of_[joint.body].insert(side.component);
+    }
+  }
+  // Null if the body has no joints.
+  const std::set<uint32_t>* of(const Body& body) const {
+    const auto at = of_.find(body.loaded_as);
+    return at != of_.end() ? &at->second : nullptr;
+  }
+
+ private:
+  std::map<BodyId, std::set<uint32_t>> of_;
+};
+
 // The connected parts of all bodies with joints, and which of them belong together.
 class Groups {
  public:
   Groups(const World& world, Hold hold) : world_(world) {
+    const NamedComponents named(world.joints());
     for (const BodyId id : world.ids()) {
-      if (has_joints(world.body(id))) add_parts(id);
+      if (const auto* own = named.of(world.body(id))) add_parts(id, *own);
     }
     together_ = UnionFind(parts_.size());
     unite_unnamed();
@@ -62,26 +82,14 @@ class Groups {
     bool named = false;  // by a joint
   };
 
-  bool has_joints(const Body& body) const {
-    const auto& all = world_.joints().all;
-    return std::any_of(all.begin(), all.end(), [&](const Joint& j) { return j.body == body.loaded_as; });
-  }
-
-  bool is_named(const Body& body, uint32_t component) const {
-    const auto& all = world_.joints().all;
-    return std::any_of(all.begin(), all.end(), [&](const Joint& j) {
-      return j.body == body.loaded_as &&
-             (j.sides[0].component == component || j.sides[1].component == component);
-    });
-  }
-
   // Ascending, and of each piece the part that the others belong to: what was cut off, or the largest one.
-  void add_parts(BodyId id) {
+  void add_parts(BodyId id, const std::set<uint32_t>& named) {
     const Body& body = world_.body(id);
-    const auto add = [&](const ConnectedPart& part, const FaceCounts& counts, bool named) {
+    const auto add = [&](const ConnectedPart& part, const FaceCounts& counts, bool is_named) {
       if (body.pieces[part.label].faces == 0 || counts.faces == 0) return;
       const auto at = static_cast<uint32_t>(parts_.size());
-      parts_.push_back({part, counts.area, named});
+      parts_.push_back({part, counts.area, is_named});
+      index_.emplace(part, at);
       const auto [seat, is_first] = seat_.try_emplace(part.piece(), at);
       const Part& other = parts_[seat->second];
       const bool cut_off = part.component == LoadedComponents::kNone;
@@ -89,7 +97,7 @@ class Groups {
       if (!is_first && (cut_off || (!other_cut_off && counts.area > other.area))) seat->second = at;
     };
     for (uint32_t c = 0; c < body.components.left.size(); ++c)
-      add({id, body.components.home[c], c}, body.components.left[c], is_named(body, c));
+      add({id, body.components.home[c], c}, body.components.left[c], named.contains(c));
     const bool connected = body.components.of_base.empty();
     for (uint32_t label = 0; label < body.pieces.size(); ++label) {
       const Piece& piece = body.pieces[label];
@@ -105,9 +113,9 @@ class Groups {
   }
 
   uint32_t index_of(const ConnectedPart& part) const {
-    const auto at = std::find_if(parts_.begin(), parts_.end(), [&](const Part& p) { return p.part == part; });
-    KERF_ASSERT(at != parts_.end());
-    return static_cast<uint32_t>(at - parts_.begin());
+    const auto at = index_.find(part);
+    KERF_ASSERT(at != index_.end());
+    return at->second;
   }
 
   // The label of the piece of a body whose seat is in the group and the largest one.
@@ -125,6 +133,7 @@ class Groups {
 
   const World& world_;
   std::vector<Part> parts_;
+  std::map<ConnectedPart, uint32_t> index_;  // of parts_
   std::map<PieceId, uint32_t> seat_;
   UnionFind together_{0};
 };

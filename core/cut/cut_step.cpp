@@ -235,7 +235,7 @@ size_t separate(World& world, BodyStep& step, std::span<const FaceId> hit, size_
 }
 
 void hold_what_joints_hold(World& world, Delta& delta, Hold hold) {
-  if (joints_asked(world) && is_settled(world)) hold_parts(world, hold, delta);
+  if (joints_asked(world) && is_settled(world)) hold_asked_parts(world, hold, delta);
 }
 
 const BodyDelta* take_changes(BodyStep& step, StepResult& result) {

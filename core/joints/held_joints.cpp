@@ -1,10 +1,12 @@
 #include "core/joints/held_joints.h"
 
+#include <algorithm>
 #include <map>
 #include <numeric>
 #include <optional>
 #include <span>
 
+#include "core/base/assert.h"
 #include "core/mesh/point_to_triangle.h"
 
 namespace kerf {
@@ -100,14 +102,28 @@ ConnectedPart part_of(BodyId id, const Body& body, FaceId f) {
   return {id, label, body.components.at_home(body.mesh.data(f).base, label)};
 }
 
+LoadedBodies bodies_with_joints(const Joints& joints) {
+  LoadedBodies bodies;
+  for (const Joint& joint : joints.all) bodies.push_back(joint.body);
+  std::ranges::sort(bodies);
+  bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+  return bodies;
+}
+
 std::vector<HeldJoint> held_joints(const World& world) {
+  return held_joints(world, bodies_with_joints(world.joints()));
+}
+
+std::vector<HeldJoint> held_joints(const World& world, const LoadedBodies& of) {
+  KERF_ASSERT(std::ranges::is_sorted(of));
   const std::vector<Joint>& all = world.joints().all;
   std::vector<HeldJoint> held;
-  if (all.empty()) return held;
+  if (all.empty() || of.empty()) return held;
   std::vector<SideSoFar> sides(2 * all.size());
   std::map<BodyId, Carriers> carriers;  // by the body as which faces were loaded
   for (const BodyId id : world.ids()) {
     const BodyId loaded_as = world.body(id).loaded_as;
+    if (!std::ranges::binary_search(of, loaded_as)) continue;
     auto at = carriers.find(loaded_as);
     if (at == carriers.end()) at = carriers.emplace(loaded_as, Carriers(world.joints(), loaded_as)).first;
     if (!at->second.empty()) look_through(id, world.body(id), world.joints(), at->second, sides);

@@ -28,8 +28,15 @@ struct HeldJoint {
   std::array<ConnectedPart, 2> parts;
 };
 
+// Bodies as they were loaded (see Body::loaded_as), ascending; the same one may be there several times.
+using LoadedBodies = std::vector<BodyId>;
+// Those that joints belong to.
+LoadedBodies bodies_with_joints(const Joints& joints);
+
 // The joints that hold, in their order: those of which, on either side, carrying faces are left and all of
 // these belong to one part. O(faces of the bodies with joints), or constant time in a world without joints.
 std::vector<HeldJoint> held_joints(const World& world);
+// Those of some loaded bodies. O(bodies + faces of what was loaded as these).
+std::vector<HeldJoint> held_joints(const World& world, const LoadedBodies& of);
 
 }  // namespace kerf

@@ -37,14 +37,15 @@ class NamedComponents {
 // The connected parts of all bodies with joints, and which of them belong together.
 class Groups {
  public:
-  Groups(const World& world, Hold hold) : world_(world) {
+  Groups(const World& world, Hold hold, const LoadedBodies& of) : world_(world) {
     const NamedComponents named(world.joints());
     for (const BodyId id : world.ids()) {
+      if (!std::ranges::binary_search(of, world.body(id).loaded_as)) continue;
       if (const auto* own = named.of(world.body(id))) add_parts(id, *own);
     }
     together_ = UnionFind(parts_.size());
     unite_unnamed();
-    for (const HeldJoint& held : held_joints(world)) {
+    for (const HeldJoint& held : held_joints(world, of)) {
       const bool turns = world.joints().all[held.joint].kind != Joint::Kind::kWeld;
       const bool moves = hold == Hold::kMoving || held.parts[0].piece() != held.parts[1].piece();
       if (turns && moves) continue;
@@ -172,16 +173,34 @@ BodyDelta relabel(BodyId id, Body& body, const std::map<uint32_t, uint32_t>& lab
 
 }  // namespace
 
-void hold_parts(World& world, Hold hold, Delta& delta) {
-  if (world.joints().all.empty()) return;
+namespace {
+
+void hold_parts_of(World& world, const LoadedBodies& of, Hold hold, Delta& delta) {
   Delta step;
-  for (const auto& [id, label_of] : Groups(world, hold).changes())
+  for (const auto& [id, label_of] : Groups(world, hold, of).changes())
     step.bodies.push_back(relabel(id, world.body(id), label_of));
   for (const BodyId id : world.ids()) {
     KERF_ASSERT(is_settled(world.body(id)));
     world.body(id).separation.joints_asked = false;
   }
   delta.append(std::move(step));
+}
+
+}  // namespace
+
+void hold_parts(World& world, Hold hold, Delta& delta) {
+  const LoadedBodies all = bodies_with_joints(world.joints());
+  if (!all.empty()) hold_parts_of(world, all, hold, delta);
+}
+
+void hold_asked_parts(World& world, Hold hold, Delta& delta) {
+  LoadedBodies asked;
+  for (const BodyId id : world.ids()) {
+    const Body& body = world.body(id);
+    if (body.separation.joints_asked) asked.push_back(body.loaded_as);
+  }
+  std::ranges::sort(asked);
+  if (!asked.empty()) hold_parts_of(world, asked, hold, delta);
 }
 
 bool joints_asked(const World& world) {

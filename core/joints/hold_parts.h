@@ -22,6 +22,9 @@ enum class Hold {
 // Brings all components to the pieces that they belong to, and appends what changed to `delta`: new pieces
 // and relabelled faces. Precondition: all bodies are settled. O(faces) of the bodies with joints.
 void hold_parts(World& world, Hold hold, Delta& delta);
+// The same for those bodies alone of which joints_asked() says so, with all that was loaded as these: what
+// joints hold of the others is as it was. O(faces) of these.
+void hold_asked_parts(World& world, Hold hold, Delta& delta);
 
 // Whether joints may hold other parts than when hold_parts() was called last, because faces that carry them
 // were removed or parts were separated.

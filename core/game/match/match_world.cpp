@@ -143,10 +143,13 @@ std::vector<Detached> MatchWorld::take_off(std::vector<Detached> detached) {
   const bool asks = std::exchange(hinges_are_asked_, false) && !hanging_.empty();
   const auto may_hang = [&](const Detached& d) { return joint_faces_.any_in(world_.body(d.to)); };
   if (!asks && std::ranges::none_of(detached, may_hang)) return detached;
-  const std::vector<HeldJoint> held = held_joints(world_);
   std::vector<Detached> all = std::exchange(hanging_, {}), off;
   std::erase_if(all, [&](const Detached& d) { return !world_.contains(d.to); });
   all.insert(all.end(), detached.begin(), detached.end());
+  LoadedBodies loaded;
+  for (const Detached& d : all) loaded.push_back(world_.body(d.to).loaded_as);
+  std::ranges::sort(loaded);
+  const std::vector<HeldJoint> held = held_joints(world_, loaded);
   for (const Detached& d : all) (hangs(d.to, held) ? hanging_ : off).push_back(d);
   return off;
 }

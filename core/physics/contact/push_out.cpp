@@ -66,9 +66,21 @@ void try_plane(const Vec3& at, const Vec3& normal, const std::vector<Vec3>& poin
   take_shorter(best, -sign * normal, heights.high - level);
 }
 
-// The point that lies farthest in a direction.
-const Vec3& farthest(const std::vector<Vec3>& points, const Vec3& way) {
-  return *std::ranges::max_element(points, {}, [&](const Vec3& p) { return glm::dot(p, way); });
+// The points that lie farthest in a direction and against it, of equal ones the first.
+struct Extremes {
+  Vec3 lowest, highest;
+};
+
+Extremes extremes(const std::vector<Vec3>& points, const Vec3& way) {
+  KERF_ASSERT(!points.empty());
+  size_t lowest = 0, highest = 0;
+  double low = glm::dot(points[0], way), high = low;
+  for (size_t i = 1; i < points.size(); ++i) {
+    const double at = glm::dot(points[i], way);
+    if (at < low) low = at, lowest = i;
+    if (at > high) high = at, highest = i;
+  }
+  return {points[lowest], points[highest]};
 }
 
 // How the first of two lists of points leaves the second behind: until a plane across the way is between
@@ -78,10 +90,16 @@ struct Passing {
   Vec3 apart{0};
 };
 
-Passing passing(const std::vector<Vec3>& first, const std::vector<Vec3>& second, const Vec3& way) {
-  const Vec3 apart = farthest(second, way) - farthest(first, -way);
+Passing passing(const Extremes& first, const Extremes& second, const Vec3& way) {
+  const Vec3 apart = second.highest - first.lowest;
   return {glm::dot(apart, way), apart};
 }
+
+Passing passing(const std::vector<Vec3>& first, const std::vector<Vec3>& second, const Vec3& way) {
+  return passing(extremes(first, way), extremes(second, way), way);
+}
+
+Extremes turned_round(const Extremes& e) { return {e.highest, e.lowest}; }
 
 // Improves an exit by turning its way against what makes it long, by less and less.
 void refine(const std::vector<Vec3>& first, const std::vector<Vec3>& second, Exit& exit) {
@@ -107,8 +125,9 @@ void try_between(const std::vector<Vec3>& ways, const std::vector<Vec3>& first,
                  const std::vector<Vec3>& second, Exit& best) {
   Exit exit;
   for (const Vec3& way : ways) {
-    take_shorter(exit, way, passing(first, second, way).depth);
-    take_shorter(exit, -way, passing(first, second, -way).depth);
+    const Extremes of_first = extremes(first, way), of_second = extremes(second, way);
+    take_shorter(exit, way, passing(of_first, of_second, way).depth);
+    take_shorter(exit, -way, passing(turned_round(of_first), turned_round(of_second), -way).depth);
   }
   refine(first, second, exit);
   take_shorter(best, exit.way, exit.depth);

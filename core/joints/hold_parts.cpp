@@ -208,14 +208,25 @@ bool joints_asked(const World& world) {
   return std::ranges::any_of(world.ids(), [&](BodyId id) { return world.body(id).separation.joints_asked; });
 }
 
+namespace {
+
+// Whether one of some faces that were removed carried a joint.
+bool any_carries(const Joints& joints, const Body& body, std::span<const FaceId> removed) {
+  const std::vector<const JointSide*> sides = joints.sides_of(body.loaded_as);
+  if (sides.empty()) return false;
+  return std::ranges::any_of(removed, [&](FaceId f) {
+    if (body.mesh.is_live(f)) return false;
+    const FaceId loaded = body.loaded_face(body.mesh.data(f).base);
+    return std::ranges::any_of(sides, [&](const JointSide* side) { return side->carries(loaded); });
+  });
+}
+
+}  // namespace
+
 void ask_joints(const World& world, Body& body, std::span<const FaceId> removed, bool separated) {
   const Joints& joints = world.joints();
   if (joints.all.empty() || body.separation.joints_asked) return;
-  body.separation.joints_asked =
-      separated || std::any_of(removed.begin(), removed.end(), [&](FaceId f) {
-        return !body.mesh.is_live(f) &&
-               joints.carries(body.loaded_as, body.loaded_face(body.mesh.data(f).base));
-      });
+  body.separation.joints_asked = separated || any_carries(joints, body, removed);
 }
 
 }  // namespace kerf

@@ -17,8 +17,9 @@ namespace kerf {
 // within a distance of a point. All are of one connected component.
 struct JointSide {
   std::vector<uint32_t> faces;  // base faces of the body as loaded, ascending and not empty
-  uint32_t component = 0;       // of LoadedComponents
-  Vec3 point{0};                // m, in the frame of the body
+  bool carries(FaceId loaded) const { return std::ranges::binary_search(faces, loaded.index); }
+  uint32_t component = 0;                                   // of LoadedComponents
+  Vec3 point{0};                                            // m, in the frame of the body
   double radius = std::numeric_limits<double>::infinity();  // m
   // Of a hinge: how near to its anchor the faces are that hold the pin, m. A beam that burns away what is
   // within this distance has cut the hinge, although it has passed between the faces of both sides.
@@ -48,14 +49,13 @@ struct Joint {
 struct Joints {
   std::vector<Joint> all;
 
-  // Whether a loaded face of a body carries a joint. O(joints log faces).
-  bool carries(BodyId body, FaceId loaded) const {
-    return std::any_of(all.begin(), all.end(), [&](const Joint& joint) {
-      return joint.body == body &&
-             std::any_of(joint.sides.begin(), joint.sides.end(), [&](const JointSide& s) {
-               return std::binary_search(s.faces.begin(), s.faces.end(), loaded.index);
-             });
-    });
+  // Both sides of each joint of a body.
+  std::vector<const JointSide*> sides_of(BodyId body) const {
+    std::vector<const JointSide*> sides;
+    for (const Joint& joint : all) {
+      if (joint.body == body) sides.insert(sides.end(), {&joint.sides[0], &joint.sides[1]});
+    }
+    return sides;
   }
 };
 

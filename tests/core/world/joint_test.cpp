@@ -11,11 +11,15 @@ TEST(Joint, is_carried_by_the_faces_of_either_side_of_its_body) {
   joint.body = BodyId{3, 1};
   joint.sides[0].faces = {2, 5, 9};
   joint.sides[1].faces = {7};
-  for (uint32_t f = 0; f < 12; ++f)
-    EXPECT_EQ(joints.carries({3, 1}, FaceId(f)), f == 2 || f == 5 || f == 9 || f == 7) << f;
-  EXPECT_FALSE(joints.carries({3, 2}, FaceId(5)));
-  EXPECT_FALSE(joints.carries({4, 1}, FaceId(5)));
-  EXPECT_FALSE(Joints().carries({3, 1}, FaceId(5)));
+  joints.all.emplace_back().body = BodyId{4, 1};
+  const std::vector<const JointSide*> sides = joints.sides_of({3, 1});
+  for (uint32_t f = 0; f < 12; ++f) {
+    const auto carries = [&](const JointSide* side) { return side->carries(FaceId(f)); };
+    EXPECT_EQ(std::ranges::any_of(sides, carries), f == 2 || f == 5 || f == 9 || f == 7) << f;
+  }
+  EXPECT_EQ(sides.size(), 2u);
+  EXPECT_TRUE(joints.sides_of({3, 2}).empty());
+  EXPECT_TRUE(Joints().sides_of({3, 1}).empty());
 }
 
 }  // namespace

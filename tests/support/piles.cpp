@@ -68,12 +68,10 @@ void detach_pieces(World& world, size_t least_faces) {
   for (uint32_t label = 0; label < world.body(whole).pieces.size(); ++label) {
     if (world.body(whole).pieces[label].faces > 0) labels.push_back(label);
   }
-  BodyId rest = whole;
   for (uint32_t label : labels) {
-    if (stands_alone(world, {rest, label})) break;
+    if (stands_alone(world, {whole, label})) break;
     Delta delta;
-    detach(world, {rest, label}, 1, delta);
-    rest = id_after(delta, rest);
+    detach(world, {whole, label}, 1, delta);
   }
   for (BodyId id : world.ids()) {
     if (world.body(id).mesh.live_faces() < least_faces) world.remove(id);

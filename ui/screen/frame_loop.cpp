@@ -1,5 +1,6 @@
 #include "ui/screen/frame_loop.h"
 
+#include <algorithm>
 #include <csignal>
 #include <thread>
 
@@ -46,7 +47,7 @@ bool FrameLoop::wait(Screen& screen) {
   if (EventScript* script = window_.script()) return follow(*script, screen);
   const double left = kFrameSeconds - seconds_since(frame_began_);
   if (left > 0) std::this_thread::sleep_for(std::chrono::duration<double>(left));
-  window_.wait(0);
+  window_.wait(std::max(0.0, screen.least_frame() - seconds_since(frame_began_)));
   while (!screen.moving() && !window_.take_activity() && !stop_.came()) {
     screen.rest();
     const bool settling = seconds_since(last_event_) < kSettleSeconds;

@@ -43,6 +43,9 @@ class Screen {
 
   // Whether the next frame starts at once rather than at the next event.
   virtual bool moving() const = 0;
+  // How long a frame stays at least (s) where no input comes: where nothing moves but the progress of work in
+  // the background, which needs the processors more than pictures of it do.
+  virtual double least_frame() const { return 0; }
   // Called before waiting for an event while nothing moves.
   virtual void rest() {}
   // Whether the screen is to be left.

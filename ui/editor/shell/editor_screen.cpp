@@ -128,6 +128,12 @@ bool EditorScreen::moving() const {
                      [](const auto& feature) { return feature->moving(); });
 }
 
+double EditorScreen::least_frame() const {
+  constexpr double kProgress = 0.1;
+  const bool still = !easing_ && !on_.view.picture_old && !picture_.busy() && !on_.changes.is_asked();
+  return still && on_.opening.loader.busy() ? kProgress : 0;
+}
+
 // Hearing
 // --------------------------------------------------------------------------------------------------------
 

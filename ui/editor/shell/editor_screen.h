@@ -43,6 +43,7 @@ class EditorScreen : public Screen {
   void drawn() override;
   void took(const FrameTime& time) override;
   bool moving() const override;
+  double least_frame() const override;
   void rest() override;
   bool over() const override { return on_.leaves == Workspace::Leaves::kForGood || wants_game(); }
   std::optional<std::string> answer(const std::string& what) const override;

@@ -70,13 +70,16 @@ bool LivePicture::draw_shots(const Shot& first, const Shot* second, PictureChang
   const Target target = target_of(first.area, window);
   if (first_.renderer.is_sending()) {
     if (!show_again(first_, target)) clear(target);
+    draft_ = first.world.live_faces() > kDrafted;
     return false;
   }
   rest_.follow(change, window.clock().seconds());
   if (!window.draws() && !first.look.show.shadow_compare) return pass_over(first, change);
   const bool heat = follows_heat(change);
   if (heat) heat_pictures_ = kHeatPictures;
-  const bool old = (change != PictureChange::kNothing && !heat) || std::exchange(passed_over_, false);
+  const bool was_passed_over = std::exchange(passed_over_, false),
+             was_draft = std::exchange(shows_draft_, false);
+  const bool old = (change != PictureChange::kNothing && !heat) || was_passed_over || was_draft;
   if (old) heat_pictures_ = 0;
   const bool more =
       !old && ((rest_.rests() && (is_gathering() || (quality_ == Quality::kRough && may_gather()))) ||
@@ -122,6 +125,12 @@ bool LivePicture::show_again(Drawn& drawn, const Target& target) const {
 }
 
 void LivePicture::draw_anew(const Shot& first, const Shot* second, const Window& window) {
+  const bool draft = std::exchange(draft_, false);
+  if (draft) {  // how long pictures took before tells nothing of this one, and the next one follows
+    smooth_seconds_.reset();
+    rough_seconds_ = {kSlowFrame, kSlowFrame};
+  }
+  shows_draft_ = draft;
   const double expected = smooth_seconds_ ? *smooth_seconds_ : kSamplesCost * rough_seconds();
   antialiased_ = first.look.antialias && expected <= kSlowFrame;
   quality_ = first.look.antialias && !antialiased_ ? Quality::kRough : Quality::kFinished;
@@ -129,6 +138,7 @@ void LivePicture::draw_anew(const Shot& first, const Shot* second, const Window&
   const auto draw = [&](Drawn& drawn, const Shot& shot) {
     ViewOptions look = shot.look;
     look.antialias = antialiased_;
+    if (draft) look.show.shadows = Shadows::kNone;
     drawn.renderer.draw(shot.world, shot.view, look, shot.beam, target_of(shot.area, window));
   };
   draw(first_, first);

@@ -49,7 +49,9 @@ class LivePicture {
             ShadowStatistics& statistics);
   void took(double seconds);
   // Whether another frame is needed although nothing moves.
-  bool busy() const { return traced_.busy() || is_gathering() || heat_pictures_ > 0 || statistics_new_; }
+  bool busy() const {
+    return traced_.busy() || is_gathering() || heat_pictures_ > 0 || statistics_new_ || shows_draft_;
+  }
   // The duration of the last frame with a new picture; 0 before the second one, because the first one
   // includes warming up.
   double seconds() const { return seconds_; }
@@ -59,6 +61,9 @@ class LivePicture {
  private:
   // s; pictures with several samples that take longer are gathered.
   static constexpr double kSlowFrame = 0.030;
+  // Faces of a scene that was just opened, above which its first picture is a draft, without shadows and with
+  // one sample a pixel, so that it is seen soon.
+  static constexpr size_t kDrafted = 200'000;
   // So many pictures after heat has changed, what is gathered shows no more of how it was.
   static constexpr int kHeatPictures = 4 * GatheredPicture::kPictures;
 
@@ -98,6 +103,8 @@ class LivePicture {
   TracedShadows traced_;
   bool beam_shown_ = false;   // in the last picture
   bool passed_over_ = false;  // changes of frames that nobody saw are missing in it
+  bool draft_ = false;        // the next picture is a draft of a scene that was just opened
+  bool shows_draft_ = false;  // the last one was, so that another one follows
   bool dead_beam_ = false;
   bool warm_ = false;
   Quality quality_ = Quality::kFinished;

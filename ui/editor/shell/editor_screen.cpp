@@ -21,9 +21,10 @@ namespace kerf {
 
 namespace {
 
-constexpr uint32_t kFacesSent = 50'000;  // of a scene that is shown anew, in one frame
-constexpr double kMissable = 0.05;       // s; for so long nobody misses a frame
-constexpr double kLongest = 1e6;         // s; a script waits for what works in the background
+constexpr uint32_t kFacesSent = 50'000;   // of a scene that is shown anew, at a time
+constexpr double kSendingSeconds = 0.06;  // of a frame, in which such faces are sent
+constexpr double kMissable = 0.05;        // s; for so long nobody misses a frame
+constexpr double kLongest = 1e6;          // s; a script waits for what works in the background
 constexpr double kCutSeconds = 0.020;  // of cutting in one frame, or as long as drawing takes if that is more
 constexpr double kFigureSeconds = 0.25;
 
@@ -40,14 +41,16 @@ ViewOptions look_of_second(const ViewOptions& first, double spread, const World&
   return look;
 }
 
-// To the graphics card. Where a script leaves frames undrawn, changes are sent with the next one that is
-// drawn.
+// To the graphics card: what changed, or as much of a scene that is shown anew as there is time for. Where a
+// script leaves frames undrawn, changes are sent with the next one that is drawn.
 void send(Workspace& on) {
   if (!on.view.picture_old && !on.view.heat_old) return;
   Renderer& renderer = on.picture->first();
   if (!on.window->draws() && !renderer.is_sending() && !on.cools) return;
   const size_t before = renderer.uploaded_bytes();
+  const double until = on.clock->seconds() + kSendingSeconds;
   renderer.catch_up(on.shown_world());
+  while (renderer.is_sending() && on.clock->seconds() < until) renderer.catch_up(on.shown_world());
   if (renderer.uploaded_bytes() > before) on.statistics.chart.note_sent(renderer.uploaded_bytes() - before);
 }
 

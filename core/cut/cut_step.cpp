@@ -48,6 +48,7 @@ class Bite {
   // Executes a move as far as the bite goes, but no more than so many of its parts. Returns whether the move
   // is finished.
   Result<bool> take(const BeamMove& move, size_t most_parts = kNoLimit) {
+    const bool stage_by_stage = most_parts != kNoLimit;
     for (; move_.bodies < bodies_.size(); ++move_.bodies) {
       BodyStep& step = bodies_[move_.bodies];
       sweep(step, settings_.laser, move, in_body_frame_);
@@ -56,6 +57,7 @@ class Bite {
         if (most_parts-- == 0 || (taken_ > 0 && taken_ + faces > settings_.bite)) return false;
         taken_ += faces;
         if (const Status done = go_on(step); !done) return done.error();
+        if (!stage_by_stage && is_missed(step)) move_.stage = Stage::kFind;
       } while (move_.stage != Stage::kFind);
     }
     end_move();
@@ -88,6 +90,12 @@ class Bite {
         return move_.hit.size();
     }
     return 1;
+  }
+
+  // Whether nothing is left to be done in a body: the beam has met no face of it, and no search for parts is
+  // open.
+  bool is_missed(const BodyStep& step) const {
+    return move_.stage == Stage::kRefine && move_.hit.empty() && is_settled(step.body());
   }
 
   // Does the next part of a move through a body.

@@ -31,7 +31,7 @@ void Burn::emit(const Pose& pose, double joules) {
       const double share = absorptivity(body.sheet.substance, settings_.laser.wavelength);
       if (share <= 0) break;
       const double taken = spend(at, left * share);
-      met_.push_back(at);
+      if (settings_.laser.assist == Assist::kOxygen) met_.push_back(at);
       absorbed += taken;
       left = bodies_[at.body].gone_slots.contains(at.face.index) ? std::max(0.0, left - taken / share) : 0;
     }
@@ -56,6 +56,7 @@ double Burn::spread(size_t b, std::span<const FaceId> faces, double joules) {
   const Body& body = world_.body(bodies_[b].id);
   double all = 0, taken = 0;
   for (const FaceId f : faces) all += triangle_area(body.mesh.triangle(f));
+  if (all <= 0) return 0;
   for (const FaceId f : faces) taken += spend({0, b, f}, joules * triangle_area(body.mesh.triangle(f)) / all);
   return taken;
 }

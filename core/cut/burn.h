@@ -54,7 +54,7 @@ class Burn {
   std::vector<BurnedBody>& bodies_;
   std::vector<BundleRay> bundle_;
   std::vector<Meeting> meetings_;  // of one ray, nearest first
-  std::vector<Meeting> met_;       // by all rays at the last pose, that are not gone
+  std::vector<Meeting> met_;       // by all rays at the last pose, where there is oxygen
   std::vector<RayHit> hits_;
 };
 

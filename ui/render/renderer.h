@@ -89,6 +89,9 @@ class Renderer {
   // The number of pixels that are lit by only one of two methods in the last picture that compared them.
   size_t differing_pixels() const { return differing_; }
 
+  // Takes the shadow casters of its bodies, as far as these have some; they are of the world as it is.
+  void take_casters(PreparedBodies prepared);
+
   // The work for shadows since the renderer was created.
   ShadowWork shadow_work() const { return passes_.scene.shadows().work(); }
 

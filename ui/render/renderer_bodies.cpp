@@ -48,6 +48,13 @@ void Renderer::add(BodyId id, const Body& body, PreparedBodies& prepared) {
   bodies_.emplace(id, BodyPicture(body, paints_, std::move(ahead), glow_width_));
 }
 
+void Renderer::take_casters(PreparedBodies prepared) {
+  for (auto& [id, body] : prepared) {
+    KERF_ASSERT(bodies_.contains(id));
+    if (body.caster) passes_.scene.shadows().adopt(id, std::move(body.caster));
+  }
+}
+
 void Renderer::drop(BodyId id) {
   bodies_.erase(id);
   passes_.lines.forget(id);

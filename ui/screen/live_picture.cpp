@@ -70,15 +70,13 @@ bool LivePicture::draw_shots(const Shot& first, const Shot* second, PictureChang
   const Target target = target_of(first.area, window);
   if (first_.renderer.is_sending()) {
     if (!show_again(first_, target)) clear(target);
-    draft_ = first.world.live_faces() > kDrafted;
     return false;
   }
   rest_.follow(change, window.clock().seconds());
   if (!window.draws() && !first.look.show.shadow_compare) return pass_over(first, change);
   const bool heat = follows_heat(change);
   if (heat) heat_pictures_ = kHeatPictures;
-  const bool was_passed_over = std::exchange(passed_over_, false),
-             was_draft = std::exchange(shows_draft_, false);
+  const bool was_passed_over = std::exchange(passed_over_, false), was_draft = shows_draft_ && !draft_;
   const bool old = (change != PictureChange::kNothing && !heat) || was_passed_over || was_draft;
   if (old) heat_pictures_ = 0;
   const bool more =
@@ -115,7 +113,7 @@ std::optional<size_t> LivePicture::differing_pixels(const Shot& shot) const {
   return first_.renderer.differing_pixels();
 }
 
-bool LivePicture::may_gather() const { return rough_seconds() <= kLongestGathered; }
+bool LivePicture::may_gather() const { return !draft_ && rough_seconds() <= kLongestGathered; }
 
 bool LivePicture::show_again(Drawn& drawn, const Target& target) const {
   if (quality_ != Quality::kGathered) return drawn.renderer.draw_again(target);
@@ -125,8 +123,8 @@ bool LivePicture::show_again(Drawn& drawn, const Target& target) const {
 }
 
 void LivePicture::draw_anew(const Shot& first, const Shot* second, const Window& window) {
-  const bool draft = std::exchange(draft_, false);
-  if (draft) {  // how long pictures took before tells nothing of this one, and the next one follows
+  const bool draft = draft_;
+  if (draft) {  // how long pictures took before tells nothing of this one
     smooth_seconds_.reset();
     rough_seconds_ = {kSlowFrame, kSlowFrame};
   }

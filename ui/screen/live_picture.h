@@ -48,9 +48,15 @@ class LivePicture {
   bool draw(const Shot& first, const Shot* second, PictureChange change, const Window& window,
             ShadowStatistics& statistics);
   void took(double seconds);
+  // Pictures are drafts, without shadows and with one sample a pixel, until the shadow casters of a large
+  // scene that was just opened are there.
+  void draft(bool wanted) { draft_ = wanted; }
+  // Whether the last picture was a draft.
+  bool shows_draft() const { return shows_draft_; }
   // Whether another frame is needed although nothing moves.
   bool busy() const {
-    return traced_.busy() || is_gathering() || heat_pictures_ > 0 || statistics_new_ || shows_draft_;
+    return traced_.busy() || is_gathering() || heat_pictures_ > 0 || statistics_new_ ||
+           (shows_draft_ && !draft_);
   }
   // The duration of the last frame with a new picture; 0 before the second one, because the first one
   // includes warming up.
@@ -61,9 +67,6 @@ class LivePicture {
  private:
   // s; pictures with several samples that take longer are gathered.
   static constexpr double kSlowFrame = 0.030;
-  // Faces of a scene that was just opened, above which its first picture is a draft, without shadows and with
-  // one sample a pixel, so that it is seen soon.
-  static constexpr size_t kDrafted = 200'000;
   // So many pictures after heat has changed, what is gathered shows no more of how it was.
   static constexpr int kHeatPictures = 4 * GatheredPicture::kPictures;
 
@@ -103,8 +106,7 @@ class LivePicture {
   TracedShadows traced_;
   bool beam_shown_ = false;   // in the last picture
   bool passed_over_ = false;  // changes of frames that nobody saw are missing in it
-  bool draft_ = false;        // the next picture is a draft of a scene that was just opened
-  bool shows_draft_ = false;  // the last one was, so that another one follows
+  bool draft_ = false, shows_draft_ = false;
   bool dead_beam_ = false;
   bool warm_ = false;
   Quality quality_ = Quality::kFinished;

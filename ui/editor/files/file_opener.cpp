@@ -5,7 +5,7 @@
 namespace kerf {
 
 namespace {
-constexpr double kPatience = 0.4;  // s, at the start, until the window shows something
+constexpr double kPatience = 0.2;  // s, at the start, until the window shows something
 }  // namespace
 
 // What is read in a moment is there at once.
@@ -42,9 +42,35 @@ Status FileOpener::open_default_scene() {
 // What was open until then is kept no longer.
 void FileOpener::show(LoadedFiles loaded) {
   stage_is_empty_ = false;
+  shadows_due_ = loaded.shadows_later;
+  on_.picture->draft(shadows_due_);
   show_loaded(on_, std::move(loaded));
   recovery_.drop();
   recovery_.begin(on_.work, on_.view);
+}
+
+void FileOpener::make_shadows() {
+  Renderer& renderer = on_.picture->first();
+  if (!shadows_due_ || renderer.is_sending() || !on_.picture->shows_draft()) return;
+  if (on_.changes.is_pending() || on_.cutting()) return;
+  shadows_due_ = false;
+  const auto casters = std::make_shared<PreparedBodies>();
+  LongChange change;
+  change.title = "Shadows";
+  change.run = [casters, loaded = renderer.loaded_shadings()](Document& document, const Progress& progress) {
+    for (const BodyId id : document.world().ids())
+      (*casters)[id].frame = loaded.at(document.world().body(id).loaded_as).frame;
+    Outcome outcome;
+    if (const Status made = prepare_shadows(document.world(), *casters, &progress); !made)
+      outcome.fail(made.error());
+    return outcome;
+  };
+  change.then = [this, casters](const Outcome&) {
+    on_.picture->first().take_casters(std::move(*casters));
+    on_.picture->draft(false);
+    on_.view.picture_old = true;
+  };
+  on_.changes.begin(std::move(change));
 }
 
 void FileOpener::open(std::vector<std::filesystem::path> files) {

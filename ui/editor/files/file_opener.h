@@ -30,6 +30,11 @@ class FileOpener {
   // To be called between two frames: shows files that have been read. The default scene takes the place of an
   // empty stage that nothing is read for any more.
   void take_loaded();
+  // To be called after that: makes the shadow casters of a large scene beside the frames, once its first
+  // picture is seen.
+  void make_shadows();
+  // Whether the next frame has to come without input, because the picture still lacks its shadows.
+  bool moving() const { return shadows_due_ && on_.window->draws(); }
 
  private:
   LoadOrder order_of(std::vector<std::filesystem::path> files) const;
@@ -42,6 +47,7 @@ class FileOpener {
   Recovery& recovery_;
   std::filesystem::path default_scene_;
   bool stage_is_empty_ = false;
+  bool shadows_due_ = false;  // the shadow casters of what was opened are to be made
 };
 
 }  // namespace kerf

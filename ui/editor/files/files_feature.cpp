@@ -124,7 +124,7 @@ class FilesFeature : public Feature {
   }
 
   void advance(double) override;
-  bool moving() const override { return on_.opening.loader.busy(); }
+  bool moving() const override { return on_.opening.loader.busy() || opener_.moving(); }
 
   void draw_windows() override;
   void drawn(Drawn what) override {
@@ -352,6 +352,7 @@ void FilesFeature::advance(double) {
   const bool asks = decisions_.question.open() || on_.browser.open || on_.changes.is_asked();
   if (!asks) decisions_.leaving = nullptr;  // the user did not choose where to save
   opener_.take_loaded();
+  opener_.make_shadows();
   recovery_.follow(on_.work, on_.view, on_.held != nullptr, on_.message);
   on_.title = window_title(on_.work, on_.view.look.lights);
 }

@@ -11,6 +11,8 @@ namespace kerf {
 
 namespace {
 
+constexpr size_t kShadowsLater = 200'000;  // faces, above which the first picture has no shadows
+
 // The shares of the time that reading, hashes, smooth normals and shadows take, and the share of the whole
 // that strokes and a journal take where there are any.
 constexpr double kReading = 0.48, kHashing = 0.01, kShading = 0.25, kShadows = 0.26, kCutting = 0.3;
@@ -187,8 +189,11 @@ Result<LoadedFiles> load_files(LoadOrder order, const Progress* progress, LoadNe
   if (const Status hashed = hash_all(loaded, hashing); !hashed) return hashed.error();
   say("shading");
   const bool uncut = loaded.scene.strokes.empty() && work->journal.commands.empty();
-  Result<PreparedBodies> prepared =
-      uncut ? prepare_drawing(scene.world, &drawing) : prepare_shading(scene.world, &shading);
+  loaded.shadows_later = uncut && scene.world.live_faces() > kShadowsLater;
+  const Progress& shading_alone = uncut ? drawing : shading;
+  Result<PreparedBodies> prepared = uncut && !loaded.shadows_later
+                                        ? prepare_drawing(scene.world, &drawing)
+                                        : prepare_shading(scene.world, &shading_alone);
   if (!prepared) return prepared.error();
   loaded.prepared = std::move(*prepared);
   if (scene.world.live_faces() <= Document::kMostFacesToCopy) loaded.as_loaded = scene.world;

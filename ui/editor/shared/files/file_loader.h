@@ -40,6 +40,7 @@ struct LoadedFiles {
   Document document;               // the strokes of the scene are cut, the journal is replayed
   std::optional<World> as_loaded;  // a copy, where the world is not too large for one
   PreparedBodies prepared;
+  bool shadows_later = false;  // the shadow casters of a large world are not prepared
   std::vector<StateMark> marks;
   bool damaged = false;                 // not all of the journal could be read
   Ticks skipped = 0;                    // for which bodies were not moved, but put where they came to be

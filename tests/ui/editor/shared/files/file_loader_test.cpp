@@ -43,6 +43,24 @@ TEST(FileLoader, hands_over_what_it_read_once) {
   EXPECT_FALSE(loader.take());
 }
 
+// So that they are seen soon: their shadows follow.
+TEST(FileLoader, leaves_the_shadows_of_large_meshes_for_later) {
+  const TemporaryFolder folder;
+  for (const auto& [rings, later] : {std::pair{20, false}, {330, true}}) {
+    const Soup soup = sphere(rings, rings, 1);
+    const std::filesystem::path file = folder / "sphere.ply";
+    ASSERT_TRUE(write_mesh({soup.positions, soup.triangles, {}, {}}, file, MeshFormat::kPly).ok());
+    LoadOrder order;
+    order.files = {file};
+    const Result<LoadedFiles> loaded = load_files(order, nullptr);
+    ASSERT_TRUE(loaded.ok());
+    EXPECT_EQ(loaded->shadows_later, later) << loaded->document.world().live_faces();
+    ASSERT_EQ(loaded->prepared.size(), 1u);
+    EXPECT_EQ(loaded->prepared.begin()->second.caster == nullptr, later);
+    EXPECT_NE(loaded->prepared.begin()->second.bases, nullptr);
+  }
+}
+
 TEST(FileLoader, says_why_a_file_cannot_be_read) {
   FileLoader loader;
   loader.start(files({"no_such_file.obj"}));

@@ -58,8 +58,9 @@ Status judge(const std::string& file, uint64_t hash, const Recording& recording,
   if (expected && *expected != hash) return differs(*expected, ", as --expect says");
   if (!recording.hash || *recording.hash == hash) return Done{};
   if (is_of_earlier_version(recording)) {
-    warn(file + ": an earlier version of Kerf made this recording. Matches go otherwise since, and this one "
-                "ended otherwise here");
+    warn(file +
+         ": an earlier version of Kerf made this recording. Matches go otherwise since, and this one "
+         "ended otherwise here");
     return Done{};
   }
   if (recording.machine == machine_kind())

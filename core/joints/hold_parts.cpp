@@ -171,10 +171,6 @@ BodyDelta relabel(BodyId id, Body& body, const std::map<uint32_t, uint32_t>& lab
   return delta;
 }
 
-}  // namespace
-
-namespace {
-
 void hold_parts_of(World& world, const LoadedBodies& of, Hold hold, Delta& delta) {
   Delta step;
   for (const auto& [id, label_of] : Groups(world, hold, of).changes())

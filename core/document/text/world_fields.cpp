@@ -59,8 +59,7 @@ void scene_sheet_fields(Fields& f, Sheet& sheet) {
   number_field(f, kThickness, sheet, kThickness.missing.value);
   number_field(f, kDensity, sheet, kDensity.missing.value);
   if (f.reading()) sheet.substance = Substance();
-  if (f.present("substance", sheet.substance != Substance()))
-    f.object("substance", sheet.substance);
+  if (f.present("substance", sheet.substance != Substance())) f.object("substance", sheet.substance);
 }
 
 }  // namespace kerf

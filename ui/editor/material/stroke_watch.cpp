@@ -1,7 +1,6 @@
 #include "ui/editor/material/stroke_watch.h"
 
-#include <algorithm>
-#include <cmath>
+#include <utility>
 
 #include "ui/render/picture/beam_strike.h"
 

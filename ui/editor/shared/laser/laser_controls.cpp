@@ -55,11 +55,8 @@ void make_finer(ResolutionControls& controls, int steps) {
 
 CutSettings LaserControls::settings(double diagonal) const {
   CutSettings settings;
-  settings.laser.radius = radius;
+  settings.laser = beam();
   settings.laser.range = {0, 10 * diagonal};
-  settings.laser.pattern = pattern;
-  settings.laser.power = power;
-  settings.laser.assist = oxygen ? Assist::kOxygen : Assist::kNone;
   settings.model = model;
   if (model == Model::kGeometric) settings.heat_width = width_of_heat();
   settings.resolution = resolution.of(radius);

@@ -46,10 +46,11 @@ struct LaserControls {
 
   double width_of_heat() const { return heat_width.value_or(default_heat_width(radius)); }
 
-  // The beam as the thermal model takes it.
+  // The beam, with the usual range.
   Laser beam() const {
     Laser laser;
     laser.radius = radius;
+    laser.pattern = pattern;
     laser.power = power;
     laser.assist = oxygen ? Assist::kOxygen : Assist::kNone;
     return laser;

@@ -23,13 +23,14 @@ struct LumpedCut {
   double wavelength = 0;      // m; 0 stands for that with which the material is usually cut
   double kerf = 0.2e-3;       // m, > 0
   double axis = kAxisFactor;  // >= 1; 1 for an even beam
-  bool oxygen = false;        // what can burn does (see burning_heat), which takes from the enthalpy of removal
+  bool oxygen = false;  // what can burn does (see burning_heat), which takes from the enthalpy of removal
 };
 
 // The speed (m/s) that just cuts a sheet of this thickness (m, > 0); 0 if no speed at which the balance holds
 // does (Pe < 0.01: there the losses of the surface and the border of the sheet matter).
 double cutting_speed(const LumpedCut& cut, double thickness);
-// The thickness (m) that is just cut at this speed (m/s, > 0); infinite where what burns does without the beam.
+// The thickness (m) that is just cut at this speed (m/s, > 0); infinite where what burns does without the
+// beam.
 double cut_thickness(const LumpedCut& cut, double speed);
 
 // The heat that a cylinder at constant temperature loses while it moves through a plate, less what the kerf

@@ -43,9 +43,9 @@ inline constexpr double kAmbient = 293;
 // A metal melts at `transition`, and what is molten is blown out: it is gone when it has taken the heat of
 // fusion. What decomposes instead of melting (plastics, wood) does so at `transition`, where it takes the
 // rest of its heat of ablation (`latent`), which is measured as a whole from the ambient on. The specific
-// heats are those below and above the transition. `burnt_share` says how much of the kerf burns where the laser
-// blows oxygen (see core/heat/oxygen.h). `wavelength` is the one of the two of the absorptivities with which
-// the material is usually cut.
+// heats are those below and above the transition. `burnt_share` says how much of the kerf burns where the
+// laser blows oxygen (see core/heat/oxygen.h). `wavelength` is the one of the two of the absorptivities with
+// which the material is usually cut.
 struct Substance {
 #define KERF_MEMBER(member, key, initial, ...) double member = initial;
   KERF_SUBSTANCE(KERF_MEMBER)

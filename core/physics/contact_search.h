@@ -28,8 +28,8 @@ class ContactSearch {
   std::vector<std::pair<uint32_t, uint32_t>> pairs_apart() const;
   // Lets two bodies intersect: they do not touch until they are apart.
   void let_cross(uint32_t first, uint32_t second) { pair_of(first, second).memory.crossed = 1; }
-  // Remembers the points at which the bodies of some pairs got through each other, for the next tick. Tells of
-  // each pair whether points at rims are among those that are new and the bodies were not held in the last
+  // Remembers the points at which the bodies of some pairs got through each other, for the next tick. Tells
+  // of each pair whether points at rims are among those that are new and the bodies were not held in the last
   // tick, too. On several threads.
   std::vector<uint8_t> remember_piercing(std::span<const std::pair<uint32_t, uint32_t>> pairs);
 

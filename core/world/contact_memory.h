@@ -32,7 +32,8 @@ struct PairMemory {
   bool touching = false;  // they did in the last tick
   // 2 if a body was held in this tick so as not to get through the other, 1 if that was so in the last one.
   uint8_t held = 0;
-  // Unit, in the world, where they intersect: the way on which the first body was pushed out in the last tick.
+  // Unit, in the world, where they intersect: the way on which the first body was pushed out in the last
+  // tick.
   Vec3 way_out{0};
 
   std::pair<BodyId, BodyId> bodies() const { return {first, second}; }

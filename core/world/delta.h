@@ -52,7 +52,7 @@ struct Delta {
   // before the step.
   double removed_area = 0;
   double removed_mass = 0;  // kg of the material of that area (see Substance), which are burnt
-  bool anew = false;  // the world was replaced by another one: nothing that was known of it holds
+  bool anew = false;        // the world was replaced by another one: nothing that was known of it holds
 
   bool empty() const { return bodies.empty() && !changes_bodies(); }
   // Whether anything but faces changed.

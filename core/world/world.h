@@ -108,8 +108,8 @@ Body make_body(std::string name, BuiltMesh built);
 Result<Body> make_body(std::string name, BuiltMesh built, const Progress* progress);
 
 // Where the energy that beams have emitted has gone (J): emitted = absorbed + escaped. What was absorbed or
-// came from burning is stored in faces (FaceHeat::stored), went with faces that were removed (Body::ejected), or was lost to the
-// surroundings.
+// came from burning is stored in faces (FaceHeat::stored), went with faces that were removed (Body::ejected),
+// or was lost to the surroundings.
 struct EnergyLedger {
   double emitted = 0;
   double absorbed = 0;  // by faces
@@ -246,7 +246,7 @@ class World {
   std::vector<Slot> slots_;
   Situation situation_;
   std::unique_ptr<HeatMemory> heat_memory_;  // null until it is needed
-  std::unique_ptr<Change> remembered_;  // not null between begin_change and end_change
+  std::unique_ptr<Change> remembered_;       // not null between begin_change and end_change
 };
 
 class World::Change {

@@ -7,7 +7,7 @@
 #include "app/load.h"
 #include "app/progress_line.h"
 #include "app/tell.h"
-#include "core/mesh/openmesh/simplify.h"
+#include "core/mesh/remesh/simplify.h"
 #include "core/mesh/openmesh/smooth.h"
 #include "core/mesh/openmesh/subdivide.h"
 #include "core/mesh/write_mesh.h"
@@ -135,7 +135,7 @@ class PrepareRun {
 
 void add_prepare_command(CLI::App& app, Invocation& invocation) {
   CLI::App* command =
-      app.add_subcommand("prepare", "Simplify, subdivide or smooth a mesh, in this order, with OpenMesh");
+      app.add_subcommand("prepare", "Simplify, subdivide or smooth a mesh, in this order");
   auto o = std::make_shared<PrepareOptions>();
   command->footer(
       "Boundaries, edges of three faces or more and edges between materials are features: they stay where "

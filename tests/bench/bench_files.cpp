@@ -13,6 +13,8 @@
 #include "core/base/random.h"
 #include "core/document/files/extract.h"
 #include "core/mesh/load_mesh.h"
+#include "core/mesh/openmesh/decimate.h"
+#include "core/mesh/remesh/simplify.h"
 #include "core/mesh/write_mesh.h"
 #include "core/world/world.h"
 #include "tests/bench/sections.h"
@@ -24,7 +26,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kFlatBar = 1.5;  // time per face, relative to the smallest mesh
+constexpr double kFlatBar = 1.5;          // time per face, relative to the smallest mesh
+constexpr double kMostToSimplify = 10;    // seconds, for 1.1 million faces
+constexpr size_t kMostForPeer = 300'000;  // faces of meshes that OpenMesh simplifies, too
 
 class TemporaryFile {
  public:
@@ -161,6 +165,16 @@ void flat_rows(const Subject& s, int times, const Report& report) {
   }
 }
 
+// Processor time of one thread, to 7,000 faces; on the largest mesh OpenMesh takes half a minute or more.
+void simplify_row(const Subject& s, const Report& report) {
+  const SimplifyTarget target{.faces = std::min<size_t>(7000, s.mesh.live_faces() / 4)};
+  const double ours = seconds_of([&] { std::ignore = simplify(s.mesh, target, {}, nullptr); });
+  if (s.mesh.live_faces() > kMostForPeer)
+    return report({"simplify to 7,000 faces / limit", s.name, "s", ours, kMostToSimplify, 1});
+  const double theirs = seconds_of([&] { std::ignore = decimate(s.mesh, target, {}, nullptr); });
+  report({"simplify to 7,000 faces / OpenMesh", s.name, "s", ours, theirs, std::nullopt});
+}
+
 }  // namespace
 
 void bench_files(const Subject& s, const Effort& effort, const Report& report) {
@@ -172,6 +186,7 @@ void bench_files(const Subject& s, const Effort& effort, const Report& report) {
   const Body body = loaded_body(file.path);
   save_row(s, body, MeshFormat::kObj, "obj", times, report);
   save_row(s, body, MeshFormat::kPly, "ply", times, report);
+  simplify_row(s, report);
   if (s.name == "bunny" || s.name == "tiny") flat_rows(s, times, report);
 }
 

@@ -34,6 +34,7 @@ CORE = [
     'laser',
     'tree',
     'mesh/openmesh',
+    'mesh/remesh',
     'mesh',
     'mesh/files',
     'base',

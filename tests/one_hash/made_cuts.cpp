@@ -89,9 +89,11 @@ Status print_preparation(const char* mesh) {
     const size_t faces = document.world().body(first).mesh.live_faces();
     for (const Command& command :
          {Command(SubdividePiece{piece, Subdivision::kLoop}), Command(SmoothPiece{piece, 2}),
-          Command(SimplifyPiece{piece, {.faces = faces}}),
+          Command(SimplifyPiece{piece, {.faces = 2 * faces}, SimplifyBy::kKerf}),
+          Command(SimplifyPiece{piece, {.faces = faces}, SimplifyBy::kOpenMesh}),
           Command(SubdividePiece{piece, Subdivision::kSqrt3}),
-          Command(SimplifyPiece{piece, {.error = bounds.diagonal() / 500}})}) {
+          Command(SimplifyPiece{piece, {.error = bounds.diagonal() / 1000}, SimplifyBy::kKerf}),
+          Command(SimplifyPiece{piece, {.error = bounds.diagonal() / 500}, SimplifyBy::kOpenMesh})}) {
       Command own = command;
       std::visit(
           [&](auto& c) {

@@ -126,6 +126,7 @@ struct Bits {
     put(bits, c.piece);
     bits.push_back(c.target.faces);
     put(bits, c.target.error);
+    bits.push_back(static_cast<uint64_t>(c.by));
   }
   void operator()(const SubdividePiece& c) {
     put(bits, c.piece);
@@ -248,8 +249,10 @@ Command random_command(Random& random, const BeamAt& beam) {
     case 17:
       return SetSheet{random_piece(random), random_sheet(random)};
     case 18:
-      return random.below(2) > 0 ? SimplifyPiece{random_piece(random), {1 + random.below(1u << 30)}}
-                                 : SimplifyPiece{random_piece(random), {.error = random_positive(random)}};
+      return SimplifyPiece{random_piece(random),
+                           random.below(2) > 0 ? SimplifyTarget{.faces = 1 + random.below(1u << 30)}
+                                               : SimplifyTarget{.error = random_positive(random)},
+                           static_cast<SimplifyBy>(random.below(2))};
     case 19:
       return SubdividePiece{random_piece(random), static_cast<Subdivision>(random.below(3))};
     case 20:

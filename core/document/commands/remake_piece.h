@@ -5,7 +5,7 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
-#include "core/mesh/openmesh/remeshed.h"
+#include "core/mesh/remesh/remeshed.h"
 #include "core/world/delta.h"
 #include "core/world/world.h"
 

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <string>
 
 #include "core/base/progress.h"
-#include "core/mesh/openmesh/simplify.h"
 #include "core/mesh/openmesh/smooth.h"
 #include "core/mesh/openmesh/subdivide.h"
+#include "core/mesh/remesh/simplify_target.h"
 #include "core/world/delta.h"
 #include "core/world/world.h"
 
@@ -16,10 +18,15 @@ class Fields;
 // Commands that give a piece another mesh. It becomes a body of its own (see remake_piece). run() does the
 // command (see HappensAtOnce).
 
+// The method of simplify() or that of decimate(). Journals that name none mean the latter.
+enum class SimplifyBy : uint8_t { kOpenMesh, kKerf };
+inline constexpr std::array<const char*, 2> kSimplifyByNames = {"openmesh", "kerf"};
+
 // Simplifies a piece to a number of faces or to an error in metres (see simplify).
 struct SimplifyPiece {
   PieceId piece;
   SimplifyTarget target;
+  SimplifyBy by = SimplifyBy::kKerf;
 
   static constexpr const char* kName = "simplify";
   std::string words(const std::string& piece_name) const;

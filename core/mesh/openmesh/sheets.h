@@ -8,7 +8,8 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/mesh/mesh.h"
-#include "core/mesh/openmesh/remeshed.h"
+#include "core/mesh/remesh/flat_sheets.h"
+#include "core/mesh/remesh/remeshed.h"
 
 // core/mesh/openmesh alone includes OpenMesh's headers. They are system headers, so that Kerf's warnings do
 // not apply to them.
@@ -29,12 +30,9 @@ struct OpenMeshTraits : OpenMesh::DefaultTraits {
 
 using OpenMeshKernel = OpenMesh::TriMesh_ArrayKernelT<OpenMeshTraits>;
 
-// The live faces of a mesh as a mesh of OpenMesh, with one vertex for each fan of faces on a sheet (see
-// Mesh), so that it is manifold. Positions are scaled to about [-1, 1] around the middle of the mesh, because
-// OpenMesh compares with absolute bounds.
-//
-// An edge is a feature if it is on a boundary or in a ring, or if the materials of its faces differ.
-// Features, the ends of features, and vertices at whose position there is another vertex are locked.
+// The flat sheets of a mesh as a mesh of OpenMesh, which is manifold, with their features, locked and shared
+// vertices. Positions are scaled to about [-1, 1] around the middle of the mesh, because OpenMesh compares
+// with absolute bounds.
 struct Sheets {
   using Kernel = OpenMeshKernel;
 
@@ -49,10 +47,10 @@ struct Sheets {
   Kernel::FaceHandle face(size_t i) const { return Kernel::FaceHandle(static_cast<int>(i)); }
 };
 
-// Copies the live faces of a mesh. The vertices of the faces in `kept` are locked too. OpenMesh has at most
-// one edge between two vertices, and two faces on it; a sheet that touches itself along a ring may need more,
-// and a face for which there is none left gets vertices of its own, which are locked. Fails with cancelled()
-// when stopped; `progress` may be null. Precondition: `kept` are live. O(n).
+// Copies the live faces of a mesh by way of to_flat_sheets. OpenMesh has at most one edge between two
+// vertices, and two faces on it; a sheet that touches itself along a ring may need more, and a face for which
+// there is none left gets vertices of its own, which are locked. Fails with cancelled() when stopped;
+// `progress` may be null. Precondition: the faces in `kept` are live. O(n log n).
 Result<Sheets> to_sheets(const Mesh& mesh, std::span<const FaceId> kept, const Progress* progress);
 
 // Copies a mesh of OpenMesh back: the faces that are not deleted, in the order of `origin`, which has the

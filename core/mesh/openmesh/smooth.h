@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <span>
 
-#include "core/mesh/openmesh/remeshed.h"
+#include "core/mesh/remesh/remeshed.h"
 
 namespace kerf {
 

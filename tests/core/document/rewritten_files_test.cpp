@@ -44,6 +44,8 @@ constexpr const char* kCommands[] = {
     R"({"do":"set-sheet","piece":[4057680667,4],"thickness":0.039986902370558686,"density":5047.469406010302,"material-density":4765.107259176824,"heat-solid":8595.39582747604,"heat-liquid":5082.96669150497,"conductivity":3804.311622943342,"transition":9335.717000364459,"latent":5800.093087279847,"emissivity":0.5126051592265156,"absorptivity-fibre":0.268010161884443,"absorptivity-co2":0.3632782991116747,"wavelength":0.3068923524420671})",
     R"({"do":"simplify","piece":[644670122,6],"error":1e-300})",
     R"({"do":"simplify","piece":[2304889889,4],"faces":71033493})",
+    R"({"do":"simplify","piece":[2304889889,4],"by":"kerf","faces":71033493})",
+    R"({"do":"simplify","piece":[644670122,6],"by":"kerf","error":1e-300})",
     R"({"do":"subdivide","piece":[403170315,7],"scheme":"loop"})",
     R"({"do":"smooth","piece":[532165134,4],"times":4})",
     R"({"do":"surroundings","gravity":[0.0,-9.81,0.0]})",
@@ -65,7 +67,7 @@ TEST(RewrittenFiles, a_command_of_every_kind_is_written_as_it_was_read) {
 
 TEST(RewrittenFiles, a_command_without_a_key_that_every_version_wrote_is_damaged) {
   const std::set<std::pair<std::string, std::string>> later{
-      {"move", "t"},        {"stop", "ticks"},         {"advance", "bodies"},
+      {"move", "t"},        {"stop", "ticks"},         {"advance", "bodies"},     {"simplify", "by"},
       {"advance", "joins"}, {"surroundings", "metre"}, {"surroundings", "ground"}};
   for (const char* line : kCommands) {
     const auto json = nlohmann::json::parse(line);

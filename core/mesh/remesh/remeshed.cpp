@@ -1,4 +1,4 @@
-#include "core/mesh/openmesh/remeshed.h"
+#include "core/mesh/remesh/remeshed.h"
 
 namespace kerf {
 

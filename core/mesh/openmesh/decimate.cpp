@@ -1,12 +1,12 @@
-#include "core/mesh/openmesh/simplify.h"
+#include "core/mesh/openmesh/decimate.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "core/mesh/openmesh/followed_faces.h"
 #include "core/mesh/openmesh/sheets.h"
 #include "core/mesh/point_to_triangle.h"
+#include "core/mesh/remesh/followed_faces.h"
 
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
 #include <OpenMesh/Tools/Decimater/ModNormalFlippingT.hh>
@@ -21,6 +21,7 @@ using Kernel = OpenMeshKernel;
 using Collapse = decimater::CollapseInfoT<Kernel>;
 using ChangedFace = FollowedFaces::Changed;
 
+uint32_t number(Kernel::FaceHandle f) { return static_cast<uint32_t>(f.idx()); }
 Vec3 to_vec3(const Kernel::Point& p) { return {p[0], p[1], p[2]}; }
 
 // The faces that the collapse changes, as they will be, in the order around the vertex that goes.
@@ -28,7 +29,7 @@ void find_changed(const Kernel& mesh, const Collapse& collapse, std::vector<Chan
   changed.clear();
   for (const auto f : mesh.vf_range(collapse.v0)) {
     if (f == collapse.fl || f == collapse.fr) continue;
-    ChangedFace& face = changed.emplace_back(ChangedFace{f, {}});
+    ChangedFace& face = changed.emplace_back(ChangedFace{number(f), {}});
     size_t i = 0;
     for (const auto v : mesh.fv_range(f))
       face.corners[i++] = to_vec3(v == collapse.v0 ? collapse.p1 : mesh.point(v));
@@ -76,7 +77,7 @@ class SurfaceDistance : public decimater::ModBaseT<Kernel> {
       if (!near) break;
       const std::vector<Vec3>& samples = samples_of(f);
       near = std::all_of(samples.begin(), samples.end(), [&](const Vec3& p) { return is_near(p, own); });
-      own += changed_[own].face == f && own + 1 < changed_.size();
+      own += changed_[own].face == number(f) && own + 1 < changed_.size();
     }
     return static_cast<float>(near ? LEGAL_COLLAPSE : ILLEGAL_COLLAPSE);
   }
@@ -89,11 +90,11 @@ class SurfaceDistance : public decimater::ModBaseT<Kernel> {
       moved_.insert(moved_.end(), samples_of(f).begin(), samples_of(f).end());
       samples_of(f).clear();
     }
-    for (const Vec3& p : moved_) samples_of(nearest_changed(p)).push_back(p);
+    for (const Vec3& p : moved_) samples_[nearest_changed(p)].push_back(p);
   }
 
  private:
-  std::vector<Vec3>& samples_of(Kernel::FaceHandle f) { return samples_[static_cast<size_t>(f.idx())]; }
+  std::vector<Vec3>& samples_of(Kernel::FaceHandle f) { return samples_[number(f)]; }
 
   // Tries the face first to which the sample belongs, or one beside it.
   bool is_near(const Vec3& p, size_t first) const {
@@ -101,12 +102,12 @@ class SurfaceDistance : public decimater::ModBaseT<Kernel> {
     return near(changed_[first]) || std::any_of(changed_.begin(), changed_.end(), near);
   }
 
-  Kernel::FaceHandle nearest_changed(const Vec3& p) const {
-    Kernel::FaceHandle nearest;
+  uint32_t nearest_changed(const Vec3& p) const {
+    uint32_t nearest = kNoIndex;
     double least = std::numeric_limits<double>::infinity();
     for (const ChangedFace& f : changed_) {
       const double distance2 = squared_distance(p, f.corners);
-      if (distance2 >= least && nearest.is_valid()) continue;
+      if (distance2 >= least && nearest != kNoIndex) continue;
       least = distance2;
       nearest = f.face;
     }
@@ -152,8 +153,8 @@ class Bookkeeping : public decimater::ModBaseT<Kernel> {
     around_.clear();
     bool any = false;
     for (const auto f : mesh().vf_range(collapse.v0)) {
-      around_.push_back(f);
-      any |= work->followed.lie_on(f);
+      around_.push_back(number(f));
+      any |= work->followed.lie_on(number(f));
     }
     if (!any) return;
     find_changed(mesh(), collapse, changed_);
@@ -173,7 +174,7 @@ class Bookkeeping : public decimater::ModBaseT<Kernel> {
     return false;
   }
 
-  std::vector<Kernel::FaceHandle> around_;
+  std::vector<uint32_t> around_;
   std::vector<ChangedFace> changed_;
 };
 
@@ -197,12 +198,8 @@ class Watch : public decimater::Observer {
 // whenever that is not enough. Small turns keep the surface from folding and halve the largest error.
 constexpr std::array kMostTurn = {15.0, 30.0, 60.0, 90.0};
 
-// The part of the error that samples may take, because between them the surface was up to 1.6 times as far
-// away, measured both ways.
-constexpr double kShareForSamples = 0.6;
-
 // Collapses edges until the work is done. The error is bounded unless it is infinite.
-void decimate(Work& work, double error) {
+void collapse_edges(Work& work, double error) {
   Kernel& mesh = work.sheets.mesh;
   mesh.update_face_normals();  // otherwise the module for them would do so and say it on standard error
   decimater::DecimaterT<Kernel> decimater(mesh);
@@ -231,20 +228,20 @@ void decimate(Work& work, double error) {
 
 }  // namespace
 
-Result<Remeshed> simplify(const Mesh& mesh, const SimplifyTarget& target, std::span<const FaceId> kept,
+Result<Remeshed> decimate(const Mesh& mesh, const SimplifyTarget& target, std::span<const FaceId> kept,
                           const Progress* progress, std::span<const FaceId> followed) {
   ProgressShares shares(progress);
   const Progress copying = shares.next(0.15), decimating = shares.next(0.8), back = shares.next(0.05);
   auto sheets = to_sheets(mesh, kept, &copying);
   if (!sheets) return sheets.error();
-  FollowedFaces places(mesh, *sheets, followed);
+  FollowedFaces places(mesh, sheets->frame, sheets->faces, followed);
   Work work{.sheets = std::move(*sheets), .followed = std::move(places), .progress = &decimating};
   work.begin = work.left = work.sheets.faces.size();
   work.target = std::min(target.faces, work.begin);
-  if (!work.done()) decimate(work, target.error);
+  if (!work.done()) collapse_edges(work, target.error);
   if (work.stopped || !back.report(0)) return cancelled();
   Remeshed out = from_sheets(work.sheets, work.sheets.faces, mesh);
-  out.followed = work.followed.places(work.sheets);
+  out.followed = work.followed.places(work.sheets.faces);
   return out;
 }
 

@@ -1,0 +1,126 @@
+#include "core/mesh/remesh/flat_sheets.h"
+
+#include <algorithm>
+
+#include "core/base/union_find.h"
+#include "core/mesh/weld.h"
+
+namespace kerf {
+
+namespace {
+
+uint32_t next(uint32_t i) { return i == 2 ? 0 : i + 1; }
+
+class FlatCopier {
+ public:
+  FlatCopier(const Mesh& mesh, const Progress* progress)
+      : mesh_(mesh), pace_(progress, mesh.live_faces()), fans_(3 * size_t{mesh.live_faces()}) {}
+
+  Result<FlatSheets> copy(std::span<const FaceId> kept) {
+    number_faces();
+    for (uint32_t f = 0; f < out_.faces.size(); ++f) {
+      if (!pace_.step()) return cancelled();
+      for (uint32_t i = 0; i < 3; ++i) look_at_side(f, i);
+    }
+    add_vertices();
+    lock_features();
+    for (const FaceId f : kept) {
+      for (const uint32_t v : out_.corners[number_[f.index]]) out_.locked[v] = true;
+    }
+    lock_shared_positions();
+    return std::move(out_);
+  }
+
+ private:
+  void number_faces() {
+    number_.assign(mesh_.face_slots(), kNoIndex);
+    for (uint32_t f = 0; f < mesh_.face_slots(); ++f) {
+      if (!mesh_.is_live(FaceId(f))) continue;
+      number_[f] = static_cast<uint32_t>(out_.faces.size());
+      out_.faces.emplace_back(f);
+      corners_.push_back(mesh_.corners(FaceId(f)));
+    }
+    out_.feature.assign(3 * out_.faces.size(), false);
+  }
+
+  // Joins the fans at both ends with those of the face on the other side, if there is one on the same sheet.
+  void look_at_side(uint32_t f, uint32_t i) {
+    const VertexId from = corners_[f][i], to = corners_[f][next(i)];
+    sides_.clear();
+    mesh_.append_edge_sides(out_.faces[f], from, to, sides_);
+    const auto beside = std::find_if(sides_.begin(), sides_.end(),
+                                     [&](const Mesh::Side& s) { return s.from == to && s.to == from; });
+    out_.feature[3 * size_t{f} + i] = sides_.size() != 1 || beside == sides_.end() ||
+                                      mesh_.data(beside->face).material != mesh_.data(out_.faces[f]).material;
+    if (beside == sides_.end()) return;
+    const uint32_t other = number_[beside->face.index];
+    const auto& c = corners_[other];
+    const auto at = [&](VertexId v) {
+      return 3 * other + static_cast<uint32_t>(std::find(c.begin(), c.end(), v) - c.begin());
+    };
+    fans_.unite(3 * f + i, at(from));
+    fans_.unite(3 * f + next(i), at(to));
+  }
+
+  // Adds one vertex for each fan, in the order of the slots of vertices and, at one vertex, of the faces.
+  void add_vertices() {
+    std::vector<std::pair<VertexId, uint32_t>> fans;  // with the first corner
+    for (uint32_t f = 0; f < out_.faces.size(); ++f) {
+      for (uint32_t i = 0; i < 3; ++i) {
+        if (fans_.find(3 * f + i) == 3 * f + i) fans.emplace_back(corners_[f][i], 3 * f + i);
+      }
+    }
+    std::sort(fans.begin(), fans.end());
+    Vec3 min = fans.empty() ? Vec3(0) : mesh_.position(fans[0].first), max = min;
+    std::vector<uint32_t> vertex_of(3 * out_.faces.size());  // by the first corner of a fan
+    for (const auto& [v, corner] : fans) {
+      vertex_of[corner] = static_cast<uint32_t>(out_.vertices.size());
+      out_.vertices.push_back(v);
+      min = glm::min(min, mesh_.position(v));
+      max = glm::max(max, mesh_.position(v));
+    }
+    out_.frame = FloatFrame::around(min, max);
+    out_.corners.resize(out_.faces.size());
+    for (uint32_t f = 0; f < out_.faces.size(); ++f) {
+      for (uint32_t i = 0; i < 3; ++i) out_.corners[f][i] = vertex_of[fans_.find(3 * f + i)];
+    }
+  }
+
+  void lock_features() {
+    out_.locked.assign(out_.vertices.size(), false);
+    for (uint32_t f = 0; f < out_.faces.size(); ++f) {
+      for (uint32_t i = 0; i < 3; ++i) {
+        if (!out_.feature[3 * size_t{f} + i]) continue;
+        out_.locked[out_.corners[f][i]] = out_.locked[out_.corners[f][next(i)]] = true;
+      }
+    }
+  }
+
+  void lock_shared_positions() {
+    std::vector<Vec3> positions;
+    positions.reserve(out_.vertices.size());
+    for (const VertexId v : out_.vertices) positions.push_back(mesh_.position(v));
+    const std::vector<uint32_t> first = weld_positions(positions);
+    out_.shared.assign(positions.size(), false);
+    for (uint32_t i = 0; i < first.size(); ++i) {
+      if (first[i] == i) continue;
+      for (const uint32_t v : {i, first[i]}) out_.shared[v] = out_.locked[v] = true;
+    }
+  }
+
+  const Mesh& mesh_;
+  Pace pace_;
+  UnionFind fans_;                                // of corners
+  std::vector<uint32_t> number_;                  // by face slot
+  std::vector<std::array<VertexId, 3>> corners_;  // by face number
+  std::vector<Mesh::Side> sides_;
+  FlatSheets out_;
+};
+
+}  // namespace
+
+Result<FlatSheets> to_flat_sheets(const Mesh& mesh, std::span<const FaceId> kept, const Progress* progress) {
+  return FlatCopier(mesh, progress).copy(kept);
+}
+
+}  // namespace kerf

@@ -1,0 +1,59 @@
+#pragma once
+
+// Private to what simplifies meshes.
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/base/ids.h"
+#include "core/base/vec3.h"
+
+namespace kerf {
+
+// Triangles over vertices in flat arrays, from which half-edge collapses take vertices. Corner 3 f + i is
+// corner i of face f; the corners at one vertex are a ring of links in no particular order, so that two rings
+// are joined in constant time.
+class FlatSurface {
+ public:
+  // A side of a face that lies opposite to a vertex; from, to and the vertex are counter-clockwise.
+  struct Opposite {
+    uint32_t face, from, to;
+  };
+
+  FlatSurface(std::vector<Vec3> points, std::vector<std::array<uint32_t, 3>> corners);
+
+  const Vec3& point(uint32_t v) const { return points_[v]; }
+  uint32_t vertices() const { return static_cast<uint32_t>(points_.size()); }
+  uint32_t faces() const { return static_cast<uint32_t>(corners_.size()); }
+  // Precondition: the face is there.
+  const std::array<uint32_t, 3>& corners(uint32_t f) const { return corners_[f]; }
+  bool has(uint32_t f) const { return corners_[f][0] != kNoIndex; }
+  bool in_use(uint32_t v) const { return first_[v] != kNoIndex; }
+
+  // Calls see(Opposite) for each face at a vertex.
+  template <typename F>
+  void for_each_face(uint32_t v, F see) const {
+    const uint32_t first = first_[v];
+    if (first == kNoIndex) return;
+    uint32_t c = first;
+    do {
+      const uint32_t f = c / 3, i = c - 3 * f;
+      see(Opposite{f, corners_[f][i == 2 ? 0 : i + 1], corners_[f][i == 0 ? 2 : i - 1]});
+      c = next_[c];
+    } while (c != first);
+  }
+
+  // Moves all faces at `from` to `to`, but for the two that have both as corners, which go. Precondition:
+  // there are two such faces and more at `from`.
+  void collapse(uint32_t from, uint32_t to);
+
+ private:
+  void unlink(uint32_t corner);
+
+  std::vector<Vec3> points_;
+  std::vector<std::array<uint32_t, 3>> corners_;  // by face; kNoIndex where it is gone
+  std::vector<uint32_t> next_;                    // by corner: the next one at the same vertex
+  std::vector<uint32_t> first_;                   // by vertex: any corner; kNoIndex where there is none
+};
+
+}  // namespace kerf

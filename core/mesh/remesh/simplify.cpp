@@ -1,0 +1,105 @@
+#include "core/mesh/remesh/simplify.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/mesh/remesh/collapser.h"
+#include "core/mesh/weld.h"
+
+namespace kerf {
+
+namespace {
+
+// The squared cosines of 15, 30, 60 and 90 degrees, by which one collapse may turn a face.
+constexpr std::array kLeastCosine2 = {0.93301270189221932, 0.75, 0.25, 0.0};
+// Down to so many times the wanted faces the quadrics alone decide.
+constexpr size_t kFacesForSamples = 5;
+// The bounds of the distance of samples, over the edge of an equilateral face of those that are wanted, begin
+// with this one and double.
+constexpr double kFirstBound = 1 / 2048.0;
+constexpr double kLastBound = 1;
+constexpr size_t kFirstTurns = 2;  // the turns that the first bounded rounds allow
+
+// The edge of an equilateral triangle of the area.
+double edge_of(double area) { return std::sqrt(4 / std::sqrt(3.0) * area); }
+
+// Returns false if it was stopped.
+bool collapse_to_error(Collapser& collapser, double error) {
+  collapser.bound_distance(kShareForSamples * error);
+  return collapser.run_round({.faces = 0, .least_cosine2 = kLeastCosine2.front()});
+}
+
+// Returns false if it was stopped.
+bool collapse_to_faces(Collapser& collapser, size_t faces) {
+  const auto round = [&](size_t until, double cosine2) {
+    return collapser.left() <= until || collapser.run_round({.faces = until, .least_cosine2 = cosine2});
+  };
+  if (!round(kFacesForSamples * faces, kLeastCosine2.front())) return false;
+  const double edge = edge_of(collapser.area() / static_cast<double>(faces));
+  for (const auto turns :
+       {std::span(kLeastCosine2).first(kFirstTurns), std::span(kLeastCosine2).subspan(kFirstTurns)}) {
+    for (double bound = kFirstBound; bound <= kLastBound && collapser.left() > faces; bound *= 2) {
+      collapser.bound_distance(bound * edge);
+      for (const double cosine2 : turns) {
+        if (!round(faces, cosine2)) return false;
+      }
+    }
+  }
+  collapser.bound_distance(std::nullopt);
+  return std::all_of(kLeastCosine2.begin(), kLeastCosine2.end(),
+                     [&](double cosine2) { return round(faces, cosine2); });
+}
+
+// The faces that are left, with welded positions in the order in which they come.
+Remeshed to_remeshed(const Mesh& mesh, const FlatSheets& sheets, const FlatSurface& surface) {
+  std::vector<uint32_t> number(surface.vertices(), kNoIndex), used;
+  std::vector<Vec3> positions;
+  for (uint32_t f = 0; f < surface.faces(); ++f) {
+    if (!surface.has(f)) continue;
+    for (const uint32_t v : surface.corners(f)) {
+      if (number[v] != kNoIndex) continue;
+      number[v] = static_cast<uint32_t>(positions.size());
+      positions.push_back(mesh.position(sheets.vertices[v]));
+    }
+  }
+  const std::vector<uint32_t> first = weld_positions(positions);
+  std::vector<uint32_t> place(positions.size(), kNoIndex);
+  Remeshed out;
+  for (uint32_t f = 0; f < surface.faces(); ++f) {
+    if (!surface.has(f)) continue;
+    std::array<uint32_t, 3> corners = surface.corners(f);
+    for (uint32_t& v : corners) v = first[number[v]];
+    if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) continue;
+    for (uint32_t& v : corners) {
+      if (place[v] == kNoIndex) {
+        place[v] = static_cast<uint32_t>(out.positions.size());
+        out.positions.push_back(positions[v]);
+      }
+      v = place[v];
+    }
+    out.triangles.push_back(corners);
+    out.origins.push_back(sheets.faces[f]);
+  }
+  return out;
+}
+
+}  // namespace
+
+Result<Remeshed> simplify(const Mesh& mesh, const SimplifyTarget& target, std::span<const FaceId> kept,
+                          const Progress* progress, std::span<const FaceId> followed) {
+  ProgressShares shares(progress);
+  const Progress copying = shares.next(0.3), collapsing = shares.next(0.6), back = shares.next(0.1);
+  const auto sheets = to_flat_sheets(mesh, kept, &copying);
+  if (!sheets) return sheets.error();
+  Collapser collapser(mesh, *sheets, target.faces, followed, &collapsing);
+  const bool done = std::isfinite(target.error)
+                        ? collapse_to_error(collapser, target.error * sheets->frame.scale)
+                        : collapse_to_faces(collapser, target.faces);
+  if (!done || !back.report(0)) return cancelled();
+  Remeshed out = to_remeshed(mesh, *sheets, collapser.surface());
+  out.followed = collapser.followed();
+  return out;
+}
+
+}  // namespace kerf

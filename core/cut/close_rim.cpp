@@ -16,8 +16,8 @@ namespace {
 
 using Stage = UnfinishedRim::Stage;
 
-// The cost of a part of a stage, in faces of a bite.
-constexpr size_t kLightPart = 200, kHeavyPart = 2000;
+// The cost of a part of a stage, in faces of a bite; that of a face found near the boundary.
+constexpr size_t kLightPart = 200, kHeavyPart = 2000, kHeaviestPart = 3000, kNearFace = 2;
 
 // The moves that swept the body: those of the stroke, or where the body has moved those in its own frame.
 struct Sweep {
@@ -178,7 +178,7 @@ class RimBite {
       taken_ += kLightPart;
       if (next == sweep.moves.size()) go_to(Stage::kFindNear);
     } else if (work_.stage == Stage::kFindNear) {
-      if (next < rim.region.parts()) taken_ += 1 + find_near(rim, static_cast<uint32_t>(next++));
+      if (next < rim.region.parts()) taken_ += 1 + kNearFace * find_near(rim, static_cast<uint32_t>(next++));
       if (next == rim.region.parts()) go_to(work_.waiting.empty() ? Stage::kSeparate : Stage::kSort);
     } else {
       taken_ += kLightPart;
@@ -191,7 +191,9 @@ class RimBite {
   // Refines and moves vertices, in turn, because each may ask for the other, then cuts and flips edges.
   Status reshape(RimState& rim) {
     const Stopwatch watch(rim.step.statistics.refine_s);
-    taken_ += kHeavyPart;
+    const bool asks_for_distances = work_.stage == Stage::kRefine || work_.stage == Stage::kMoveInPlane ||
+                                    work_.stage == Stage::kMoveAlongEdges;
+    taken_ += asks_for_distances ? kHeaviestPart : kHeavyPart;
     if (work_.stage == Stage::kRefine) {
       if (const Status refined = refine_rim(rim); !refined) return refined;
       if (work_.waiting.empty()) go_to(Stage::kListInPlane);

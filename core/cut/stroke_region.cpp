@@ -1,6 +1,7 @@
 #include "core/cut/stroke_region.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <limits>
 
@@ -90,21 +91,62 @@ bool StrokeRegion::reaches_into(FaceId near, const Triangle& t, double graze) co
   bool any = false;
   for_each_part_near(near, [&](uint32_t i) {
     const SweptCylinder& part = parts_[i];
-    if (any || !part.with_radius(part.radius() - graze).touches(t)) return;
+    if (any || !part.touches(t, part.radius() - graze)) return;
     any =
         !part.tilts() || longest_edge2(t) > part.radius() * part.radius() || has_point_within(part, t, graze);
   });
   return any;
 }
 
+class StrokeRegion::PartsOnSegment {
+ public:
+  PartsOnSegment(const StrokeRegion& region, FaceId near) : region_(region) {
+    region.for_each_part_near(near, [&](uint32_t i) {
+      if (count_ < kMost) parts_[count_] = i;
+      ++count_;
+    });
+  }
+  // Whether there are few enough of them.
+  bool fit() const { return count_ <= kMost; }
+
+  // Whether any part holds the point, the middle of a segment of which one half is to be looked at next.
+  // Leaves out the parts whose boundary is too far from `p` to reach that half of `length` metres; the
+  // rounding of the distances is far below the margin.
+  bool hold(const Vec3& p, double length) {
+    size_t kept = 0;
+    bool held = false;
+    for (size_t i = 0; i < count_; ++i) {
+      const SweptCylinder& part = region_.parts_[parts_[i]];
+      const double distance = part.signed_distance(p);
+      held |= distance <= 0;
+      if (distance <= part.steepest() * length + kMargin * part.radius()) parts_[kept++] = parts_[i];
+    }
+    count_ = kept;
+    return held;
+  }
+
+ private:
+  static constexpr size_t kMost = 64;
+  static constexpr double kMargin = 1e-3;  // of the radius
+
+  const StrokeRegion& region_;
+  std::array<uint32_t, kMost> parts_;
+  size_t count_ = 0;
+};
+
 Vec3 StrokeRegion::crossing(FaceId near, const Vec3& inside, const Vec3& outside) const {
   constexpr int kHalvings = 52;  // the precision of the share of the segment
-  double low = 0, high = 1;
+  const Vec3 way = outside - inside;
+  PartsOnSegment parts(*this, near);
+  double low = 0, high = 1, length = glm::length(way);
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = 0.5 * (low + high);
-    (signed_distance(near, inside + middle * (outside - inside)) <= 0 ? low : high) = middle;
+    const Vec3 p = inside + middle * way;
+    length *= 0.5;
+    const bool held = parts.fit() ? parts.hold(p, length) : signed_distance(near, p) <= 0;
+    (held ? low : high) = middle;
   }
-  return inside + high * (outside - inside);
+  return inside + high * way;
 }
 
 }  // namespace kerf

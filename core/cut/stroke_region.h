@@ -39,6 +39,9 @@ class StrokeRegion {
   Vec3 crossing(FaceId near, const Vec3& inside, const Vec3& outside) const;
 
  private:
+  // Parts that may hold a point of a segment which is halved again and again.
+  class PartsOnSegment;
+
   static constexpr uint32_t kNone = 0xffffffffu;
 
   // A list is a chain of entries in one array, so that thousands of lists grow and go without a pause.

@@ -71,10 +71,11 @@ void PartSearch::seed_clusters() {
 void PartSearch::seed_components() {
   search_.seed.clear();
   for (const auto& tie : state_.ties) {
-    if (body_.mesh.is_live(tie.second)) search_.seed.push_back(tie.second);
+    if (body_.mesh.is_live(tie.second) && std::exchange(state_.tie_place.at(tie.second.index), 1) == 0)
+      search_.seed.push_back(tie.second);
   }
+  for (const FaceId f : search_.seed) state_.tie_place.at(f.index) = 0;
   std::sort(search_.seed.begin(), search_.seed.end());
-  search_.seed.erase(std::unique(search_.seed.begin(), search_.seed.end()), search_.seed.end());
   search_.group.resize(search_.seed.size());
   std::vector<std::pair<const FaceCounts*, uint32_t>> known;
   for (uint32_t i = 0; i < search_.seed.size(); ++i) {

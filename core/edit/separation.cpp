@@ -76,8 +76,14 @@ SettleResult settle(Body& body, size_t most) {
       again = true;
     }
   }
-  while (!is_settled(body) && search.go_on(most, result)) {
-    if (std::exchange(again, false)) search.start(PartSearch::Scope::kComponents);
+  while (!is_settled(body)) {
+    if (state.search.stage == OpenSearch::Stage::kNone) {
+      again = false;
+      search.start(PartSearch::Scope::kComponents);
+    } else {
+      search.go_on(most, result);
+    }
+    if (most != kNoLimit) break;  // the end of a search and the start of the next one are a call each
   }
   if (!std::is_sorted(result.relabelled.begin(), result.relabelled.end()))  // halves of pairs go together
     std::sort(result.relabelled.begin(), result.relabelled.end());
@@ -86,7 +92,10 @@ SettleResult settle(Body& body, size_t most) {
   return result;
 }
 
-bool is_settled(const Body& body) { return body.separation.search.stage == OpenSearch::Stage::kNone; }
+bool is_settled(const Body& body) {
+  const OpenSearch& search = body.separation.search;
+  return search.stage == OpenSearch::Stage::kNone && !search.asked_again;
+}
 
 void forget_removals(Body& body) { body.separation = SeparationState{}; }
 

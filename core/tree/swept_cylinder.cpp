@@ -133,7 +133,7 @@ Interval SweptCylinder::depth_contained() const {
   return {range_.low + std::max(0.0, shift_), range_.high + std::min(0.0, shift_)};
 }
 
-bool SweptCylinder::touches(const Triangle& t) const {
+bool SweptCylinder::touches(const Triangle& t, double radius) const {
   Polygon<Seen> polygon;
   for (const Vec3& p : t) polygon.add(see(p));
   const Interval depth = depth_touched();
@@ -142,7 +142,7 @@ bool SweptCylinder::touches(const Triangle& t) const {
   if (low > depth.high || high < depth.low) return false;
   if (low < depth.low) polygon = clip(polygon, depth.low, 1.0);
   if (high > depth.high) polygon = clip(polygon, depth.high, -1.0);
-  return polygon.count > 0 && disc_meets_sweep(polygon, radius_ * radius_, tilts_);
+  return polygon.count > 0 && disc_meets_sweep(polygon, radius * radius, tilts_);
 }
 
 bool SweptCylinder::contains(const Triangle& t) const {

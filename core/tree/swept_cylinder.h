@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cassert>
 
 #include "core/base/interval.h"
@@ -23,7 +24,9 @@ class SweptCylinder {
   SweptCylinder(const Pose& from, const Pose& to, double radius, Interval range);
 
   // Whether the closed triangle meets the closed volume.
-  bool touches(const Triangle& t) const;
+  bool touches(const Triangle& t) const { return touches(t, radius_); }
+  // The same of this sweep with another radius.
+  bool touches(const Triangle& t, double radius) const;
 
   // Whether the triangle lies entirely within the volume; always false for a radius of zero.
   bool contains(const Triangle& t) const;
@@ -35,6 +38,9 @@ class SweptCylinder {
   // Signed distance from the boundary in metres: negative inside, positive outside. Outside it is exact
   // beside the volume and beyond its ends, and a lower bound near the edges of the ends.
   double signed_distance(const Vec3& p) const;
+
+  // By how many metres the signed distance changes at most over a metre.
+  double steepest() const { return 1 + std::max(glm::length(from_tilt_), glm::length(to_tilt_)); }
 
   double radius() const { return radius_; }
   // Whether the beam tilts. touches() may then hold for a triangle slightly outside the volume that the

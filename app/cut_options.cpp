@@ -50,7 +50,8 @@ void visit_options(CutOptions& o, Visitor& v) {
   v.number("power", o.power, kWatts, "Of the beam in watts (2000, or what the path file says)");
   v.choice("assist", o.assist, {"none", "oxygen"},
            "The gas that is blown into the cut, for the thermal model: in oxygen mild steel burns (none)");
-  v.choice("format", o.format, {"obj", "ply", "stl", "off"}, "Of the pieces: obj, ply, stl or off (obj)");
+  v.choice("format", o.format, {"obj", "ply", "stl", "off", "glb", "gltf"},
+           "Of the pieces: obj, ply, stl, off, glb or gltf (obj)");
   v.flag("split-all", o.split_all, "Every connected component is a piece");
   v.number("settle", o.settle, kFall,
            "For how many seconds the pieces fall after the last stroke; they are written where "
@@ -173,7 +174,8 @@ bool is_resolution(const std::string& key) {
 
 void add_cut_options(CLI::App& command, CutOptions& o) {
   command.footer(kPathFile);
-  command.add_option("MESH", o.meshes, "Mesh files (OBJ, STL, PLY, OFF), cut together, or a scene (.json)")
+  command
+      .add_option("MESH", o.meshes, "Mesh files (OBJ, STL, PLY, OFF, glTF), cut together, or a scene (.json)")
       ->required();
   command.add_option("--path", o.path, "The strokes of the laser (JSON); without it nothing is cut");
   command.add_option("--out", o.out, "The folder for the pieces and report.json")->required();

@@ -62,8 +62,9 @@ Result<WrittenPiece> write_piece(const Part& part, size_t number, const PiecesFo
   char name[40];
   std::snprintf(name, sizeof name, "piece-%04zu.%s", number, folder.format.c_str());
   const Extract& e = part.extract;
-  const MeshView view{e.positions, e.triangles, e.materials, part.body->material_names};
   const auto file = std::filesystem::path(folder.path) / name;
+  const std::string stem = file.stem().string();
+  const MeshView view{e.positions, e.triangles, e.materials, part.body->material_names, {}, stem};
   if (const auto s = write_mesh(view, file, *mesh_format(folder.format)); !s) return s.error();
   WrittenPiece piece{name,       e.triangles.size(),           e.positions.size(),   e.boundary_edges, e.area,
                      e.centroid, mass_of(e, part.body->sheet), part.body->placement, std::nullopt};

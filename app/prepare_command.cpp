@@ -7,9 +7,9 @@
 #include "app/load.h"
 #include "app/progress_line.h"
 #include "app/tell.h"
-#include "core/mesh/remesh/simplify.h"
 #include "core/mesh/openmesh/smooth.h"
 #include "core/mesh/openmesh/subdivide.h"
+#include "core/mesh/remesh/simplify.h"
 #include "core/mesh/write_mesh.h"
 
 namespace kerf {
@@ -45,7 +45,7 @@ Status check(const PrepareOptions& o) {
   if (o.smooth && !(*o.smooth >= 1 && *o.smooth <= int{kMostSmoothing}))
     return bad_input("--smooth: must be a whole number from 1 to " + std::to_string(kMostSmoothing));
   if (!mesh_format(std::filesystem::path(o.out).extension().string()))
-    return bad_input("--out: " + o.out + " must end in .obj, .ply, .stl or .off");
+    return bad_input("--out: " + o.out + " must end in .obj, .ply, .stl, .off, .glb or .gltf");
   return Done{};
 }
 
@@ -134,15 +134,17 @@ class PrepareRun {
 }  // namespace
 
 void add_prepare_command(CLI::App& app, Invocation& invocation) {
-  CLI::App* command =
-      app.add_subcommand("prepare", "Simplify, subdivide or smooth a mesh, in this order");
+  CLI::App* command = app.add_subcommand("prepare", "Simplify, subdivide or smooth a mesh, in this order");
   auto o = std::make_shared<PrepareOptions>();
   command->footer(
       "Boundaries, edges of three faces or more and edges between materials are features: they stay where "
       "they "
       "are.");
-  command->add_option("MESH", o->mesh, "An OBJ, STL, PLY or OFF file")->required();
-  command->add_option("--out", o->out, "The file to write; its ending says the format: obj, ply, stl or off")
+  command->add_option("MESH", o->mesh, "An OBJ, STL, PLY, OFF or glTF file")->required();
+  command
+      ->add_option("--out", o->out,
+                   "The file to write; its ending says the format: obj, ply, stl, off, glb or "
+                   "gltf")
       ->required();
   command->add_option("--simplify", o->faces, "To at most so many faces");
   command->add_option("--simplify-error", o->error,

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "core/mesh/files/gltf_reader.h"
 #include "core/mesh/files/mesh_format.h"
 #include "core/mesh/files/obj_reader.h"
 #include "core/mesh/files/off_reader.h"
@@ -87,10 +88,11 @@ Result<FileBytes> read_bytes(const std::filesystem::path& path, const std::strin
   return bytes;
 }
 
-Result<Soup> parse(std::string_view bytes, const std::string& name, const std::string& ending,
+Result<Soup> parse(std::string_view bytes, const std::string& name, const std::filesystem::path& path,
                    const Progress* progress) {
-  const std::optional<MeshFormat> format = recognise_format(bytes, ending);
-  if (!format) return bad_input(name + ": this is no mesh that Kerf reads; it reads OBJ, PLY, STL and OFF.");
+  const std::optional<MeshFormat> format = recognise_format(bytes, path.extension().string());
+  if (!format)
+    return bad_input(name + ": this is no mesh that Kerf reads; it reads OBJ, PLY, STL, OFF and glTF.");
   switch (*format) {
     case MeshFormat::kObj:
       return read_obj(bytes, name, progress);
@@ -98,6 +100,9 @@ Result<Soup> parse(std::string_view bytes, const std::string& name, const std::s
       return read_ply(bytes, name, progress);
     case MeshFormat::kStl:
       return read_stl(bytes, name, progress);
+    case MeshFormat::kGlb:
+    case MeshFormat::kGltf:
+      return read_gltf(bytes, name, progress, path.has_parent_path() ? path.parent_path() : ".");
     case MeshFormat::kOff:
       break;
   }
@@ -109,7 +114,7 @@ Result<Soup> load_and_parse(const std::filesystem::path& path, const std::string
   const Result<FileBytes> bytes = read_bytes(path, name, progress);
   if (!bytes) return bytes.error();
   const Progress parsing = share_of(progress, kLoadingShare, 1);
-  return parse(bytes->view(), name, path.extension().string(), &parsing);
+  return parse(bytes->view(), name, path, &parsing);
 }
 
 }  // namespace

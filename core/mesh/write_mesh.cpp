@@ -16,6 +16,16 @@ bool fits_float(const Vec3& p) {
   return std::abs(p.x) <= kLargest && std::abs(p.y) <= kLargest && std::abs(p.z) <= kLargest;
 }
 
+std::string obstacle_to_gltf(const MeshView& mesh) {
+  // Half of the range, because positions are told from the middle.
+  const auto fits = [](const Vec3& p) { return fits_float(2.0 * p); };
+  if (!std::all_of(mesh.positions.begin(), mesh.positions.end(), fits))
+    return "glTF cannot hold coordinates beyond 1.7e38";
+  if (mesh.positions.size() + mesh.triangles.size() > (size_t{1} << 28))
+    return "glTF cannot hold more than 268435456 vertices and triangles";
+  return {};
+}
+
 // Why the format cannot hold the mesh; empty when it can.
 std::string obstacle(const MeshView& mesh, MeshFormat format) {
   if (format == MeshFormat::kStl && !std::all_of(mesh.positions.begin(), mesh.positions.end(), fits_float)) {
@@ -27,6 +37,7 @@ std::string obstacle(const MeshView& mesh, MeshFormat format) {
   if (format == MeshFormat::kPly && mesh.positions.size() > size_t{std::numeric_limits<int32_t>::max()} + 1) {
     return "PLY cannot hold more than 2147483648 vertices";
   }
+  if (format == MeshFormat::kGlb || format == MeshFormat::kGltf) return obstacle_to_gltf(mesh);
   return {};
 }
 

@@ -149,18 +149,33 @@ void check_stl_read_back(const Soup& back, const Written& w) {
   }
 }
 
+// Triangles come by material, and positions are floats relative to the middle.
+void check_gltf_read_back(const Soup& back, const Written& w) {
+  require(back.triangles.size() == w.triangles.size(), "other faces when read back");
+  require(back.positions.size() == w.positions.size(), "other vertices when read back");
+  Vec3 low = w.positions[0], high = low;
+  for (const Vec3& p : w.positions) low = glm::min(low, p), high = glm::max(high, p);
+  const Vec3 slack = 1e-6 * (high - low) + 1e-15 * glm::max(glm::abs(low), glm::abs(high)) + Vec3(1e-44);
+  for (size_t i = 0; i < w.positions.size(); ++i) {
+    const Vec3 off = glm::abs(back.positions[i] - w.positions[i]);
+    require(off.x <= slack.x && off.y <= slack.y && off.z <= slack.z, "a position that does not read back");
+  }
+}
+
 void check_round_trip(Reader read, MeshFormat format, const BuiltMesh& built) {
   const Written w = written_form(built);
   const bool stl = format == MeshFormat::kStl;
-  if (stl && !std::all_of(w.positions.begin(), w.positions.end(), fits_float)) return;
+  const bool gltf = format == MeshFormat::kGlb;
+  const double range = gltf ? 2 : 1;  // positions are told from the middle
+  const auto fits = [&](const Vec3& p) { return fits_float(range * p); };
+  if ((stl || gltf) && !std::all_of(w.positions.begin(), w.positions.end(), fits)) return;
   const std::string bytes = encoded({w.positions, w.triangles, w.materials, built.material_names}, format);
   const Result<Soup> back = read(bytes, kName, nullptr);
   require(back.ok(), "what was written is refused: " + (back ? "" : back.error().message));
   check_soup(*back);
-  if (stl)
-    check_stl_read_back(*back, w);
-  else
-    check_read_back(*back, w, built);
+  if (stl) return check_stl_read_back(*back, w);
+  if (gltf) return check_gltf_read_back(*back, w);
+  check_read_back(*back, w, built);
 }
 
 }  // namespace

@@ -20,8 +20,7 @@ using Reader = Result<Soup> (*)(std::string_view, const std::string&, const Prog
 // more
 //   than it counts, keeps the faces in their order and turns none but those it counts;
 // - the mesh, written in the same format and read again, has the same faces at bit-equal positions (STL:
-// rounded
-//   to float).
+//   rounded to float; glTF: to float relative to the middle, the faces by material).
 void check_reader(Reader read, MeshFormat format, const uint8_t* data, size_t size);
 
 }  // namespace kerf::fuzz

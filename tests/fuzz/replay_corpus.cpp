@@ -19,8 +19,8 @@ void replay(const std::filesystem::path& file) {
 
 }  // namespace
 
-// replay_TARGET FOLDER...: hands each file of the folders to the fuzz target, which ends the program where what it
-// checks does not hold. Fails if there is no file.
+// replay_TARGET FOLDER...: hands each file of the folders to the fuzz target, which ends the program where
+// what it checks does not hold. Fails if there is no file.
 int main(int count, char** arguments) {
   size_t files = 0;
   for (int i = 1; i < count; ++i) {

@@ -12,6 +12,10 @@ void encode(const MeshView& mesh, MeshFormat format, const ByteSink& sink) {
       return encode_stl(mesh, sink);
     case MeshFormat::kOff:
       return encode_off(mesh, sink);
+    case MeshFormat::kGlb:
+      return encode_glb(mesh, sink);
+    case MeshFormat::kGltf:
+      return encode_gltf(mesh, sink);
   }
 }
 

@@ -18,12 +18,14 @@ struct MeshView {
   std::span<const std::array<uint32_t, 3>> triangles;  // indices of positions, counter-clockwise
   std::span<const uint16_t> materials;                 // one per triangle, or empty
   std::span<const std::string> material_names;  // by material; covers every material that a triangle has
-  std::string_view mtl{};  // name of the MTL file beside it, on one line; empty: none. Only for OBJ
+  std::string_view mtl{};   // name of the MTL file beside it, on one line; empty: none. Only for OBJ
+  std::string_view name{};  // of the node in glTF; empty: none
 };
 
 // Encodes a mesh as the bytes of a file. Positions and triangles keep their order and are read back to the
-// bit, except from STL, which stores three positions in single precision per triangle. Precondition: the mesh
-// satisfies the requirements stated at MeshView and at its format below. Linear time; holds a few megabytes.
+// bit, except from STL, which stores three positions in single precision per triangle, and from glTF.
+// Precondition: the mesh satisfies the requirements stated at MeshView and at its format below. Linear time;
+// holds a few megabytes.
 void encode(const MeshView& mesh, MeshFormat format, const ByteSink& sink);
 // Encodes a mesh as one string, with the preconditions of encode().
 std::string encoded(const MeshView& mesh, MeshFormat format);
@@ -39,5 +41,13 @@ void encode_ply(const MeshView& mesh, const ByteSink& sink);
 // Binary STL with positions rounded to single precision and unit normals computed from the corners; without
 // materials. Preconditions: positions are within the range of float, and there are fewer than 2^32 triangles.
 void encode_stl(const MeshView& mesh, const ByteSink& sink);
+
+// Binary glTF 2.0: one node with the name, with a primitive for each material that triangles have, and the
+// triangles of the primitives one after the other. Positions are rounded to single precision relative to the
+// middle of the mesh. Preconditions: the extent is within the range of float, and the bytes are fewer than
+// 2^32.
+void encode_glb(const MeshView& mesh, const ByteSink& sink);
+// The same as text, with the numbers in base 64. Same preconditions.
+void encode_gltf(const MeshView& mesh, const ByteSink& sink);
 
 }  // namespace kerf

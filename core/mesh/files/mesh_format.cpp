@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/base/assert.h"
+#include "core/mesh/files/gltf_file.h"
 #include "core/mesh/files/off_reader.h"
 #include "core/mesh/files/scanner.h"
 #include "core/mesh/files/stl_reader.h"
@@ -12,7 +13,8 @@
 namespace kerf {
 namespace {
 
-constexpr std::array<std::string_view, 4> kNames{"obj", "ply", "stl", "off"};  // in the order of MeshFormat
+// In the order of MeshFormat.
+constexpr std::array<std::string_view, 6> kNames{"obj", "ply", "stl", "off", "glb", "gltf"};
 
 constexpr std::array<std::string_view, 13> kObjKeywords{"v", "vt",     "vn",     "vp", "f", "g", "o",
                                                         "s", "usemtl", "mtllib", "l",  "p", "mg"};
@@ -39,6 +41,13 @@ std::optional<MeshFormat> format_of_first_word(std::string_view bytes) {
   return std::nullopt;
 }
 
+// An object of JSON with the member that every glTF file has.
+bool is_gltf_text(std::string_view bytes) {
+  const size_t first = bytes.find_first_not_of(" \t\r\n");
+  return first != std::string_view::npos && bytes[first] == '{' &&
+         bytes.find("\"asset\"") != std::string_view::npos;
+}
+
 }  // namespace
 
 std::optional<MeshFormat> mesh_format(std::string_view name) {
@@ -54,7 +63,9 @@ std::string_view format_name(MeshFormat format) {
 }
 
 std::optional<MeshFormat> recognise_format(std::string_view bytes, std::string_view ending) {
+  if (GltfFile::is_binary(bytes)) return MeshFormat::kGlb;
   if (is_exact_binary_stl(bytes)) return MeshFormat::kStl;
+  if (is_gltf_text(bytes)) return MeshFormat::kGltf;
   const std::optional<MeshFormat> by_content = format_of_first_word(bytes);
   return by_content ? by_content : mesh_format(ending);
 }

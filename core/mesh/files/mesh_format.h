@@ -5,10 +5,10 @@
 
 namespace kerf {
 
-enum class MeshFormat { kObj, kPly, kStl, kOff };
+enum class MeshFormat { kObj, kPly, kStl, kOff, kGlb, kGltf };
 
-// The format of a file name's extension: "obj", "ply", "stl" or "off" in upper or lower case, with or without
-// a leading dot; nothing for any other name.
+// The format of a file name's extension: "obj", "ply", "stl", "off", "glb" or "gltf" in upper or lower case,
+// with or without a leading dot; nothing for any other name.
 std::optional<MeshFormat> mesh_format(std::string_view name);
 
 // The lower-case name of a format, without a dot.

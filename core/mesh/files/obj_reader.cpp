@@ -117,7 +117,7 @@ class ObjReader {
 
   void count_skipped(std::string_view keyword) {
     if (std::find(kPassedOver.begin(), kPassedOver.end(), keyword) != kPassedOver.end()) return;
-    if (skipped_++ == 0) first_skipped_ = quoted(keyword);
+    if (skipped_++ == 0) first_skipped_ = in_quotes(keyword);
   }
 
   void add_warnings(Soup& soup) const {

@@ -101,7 +101,7 @@ class HeaderReader {
     if (name.empty()) return scanner_.expected("the name of an element");
     const bool twice = std::any_of(header_.elements.begin(), header_.elements.end(),
                                    [&](const PlyElement& element) { return element.name == name; });
-    if (twice) return scanner_.line_error("announces the element " + quoted(name) + " a second time");
+    if (twice) return scanner_.line_error("announces the element " + in_quotes(name) + " a second time");
     const std::optional<int64_t> count = scanner_.integer();
     if (!count) return scanner_.expected("the number of elements");
     if (*count < 0) return scanner_.line_error("announces " + std::to_string(*count) + " elements");
@@ -172,7 +172,7 @@ class HeaderReader {
       const size_t left = scanner_.left() + (header_.encoding == PlyEncoding::kText);
       if (least == 0 || element.count <= left / least) continue;
       return scanner_.file_error("announces " + std::to_string(element.count) + " times " +
-                                 quoted(element.name) + ", but the " + std::to_string(scanner_.left()) +
+                                 in_quotes(element.name) + ", but the " + std::to_string(scanner_.left()) +
                                  " bytes after the header cannot hold them");
     }
     return std::nullopt;

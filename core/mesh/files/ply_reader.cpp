@@ -48,7 +48,7 @@ ElementPlan plan_for(const PlyElement& element) {
 Problem check_plan(const Scanner& scanner, const PlyElement& element, const ElementPlan& plan) {
   const auto need_one = [&](Role role, const std::string& what) -> Problem {
     if (std::count(plan.roles.begin(), plan.roles.end(), role) == 1) return std::nullopt;
-    return scanner.file_error("the element " + quoted(element.name) + " must have one property " + what);
+    return scanner.file_error("the element " + in_quotes(element.name) + " must have one property " + what);
   };
   if (plan.faces || plan.strips) return need_one(Role::kCorners, "'vertex_indices', a list of integers");
   if (!plan.positions) return std::nullopt;
@@ -119,7 +119,7 @@ class BodyReader {
       }
     }
     if (!values_.end_element()) {
-      return values_.error("the line goes on after the properties of " + quoted(element.name) + " " +
+      return values_.error("the line goes on after the properties of " + in_quotes(element.name) + " " +
                            std::to_string(number_) + "; one before it may be missing");
     }
     return std::nullopt;
@@ -129,7 +129,7 @@ class BodyReader {
     int64_t count = 0;
     if (!values_.integer(*property.count_type, count)) return missing(property);
     if (count < 0 || !values_.can_hold(property.type, static_cast<uint64_t>(count))) {
-      return values_.error("the list " + quoted(property.name) + " announces " + std::to_string(count) +
+      return values_.error("the list " + in_quotes(property.name) + " announces " + std::to_string(count) +
                            " values, but only " + std::to_string(scanner_.left()) + " bytes follow");
     }
     if (role != Role::kCorners) {
@@ -144,7 +144,7 @@ class BodyReader {
   }
 
   Error missing(const PlyProperty& property) const {
-    return values_.missing(quoted(property.name) + " of " + quoted(element_->name) + " " +
+    return values_.missing(in_quotes(property.name) + " of " + in_quotes(element_->name) + " " +
                            std::to_string(number_) + " of " + std::to_string(element_->count));
   }
 

@@ -26,7 +26,7 @@ std::string one_line(std::string_view name) {
   return line;
 }
 
-std::string quoted(std::string_view word) {
+std::string in_quotes(std::string_view word) {
   std::string line = one_line(word.substr(0, kLongestQuote));
   std::replace_if(
       line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) > 0x7e; }, '?');
@@ -177,7 +177,7 @@ Error Scanner::expected(const std::string& what) const {
   }
   if (text.empty()) return line_error("the line ends where " + what + " must be");
   const bool comma = text.find(',') != std::string_view::npos && text.find_first_of("0123456789") == 0;
-  return line_error("expected " + what + ", found " + quoted(text) +
+  return line_error("expected " + what + ", found " + in_quotes(text) +
                     (comma ? "; write decimal points, not commas" : ""));
 }
 

@@ -99,7 +99,7 @@ class Scanner {
 };
 
 // A word of a file for an error message: quoted, shortened, on one line.
-std::string quoted(std::string_view word);
+std::string in_quotes(std::string_view word);
 
 // A name for an error message: on one line, at full length and without quotes.
 std::string one_line(std::string_view name);

@@ -27,7 +27,7 @@ struct Soup {
   std::vector<std::string> material_names;  // as in the file ("usemtl")
   std::vector<MeshPart> parts;  // of triangles, none empty; ranges may overlap and names may repeat
 
-  std::string format;                 // "obj", "off", "stl", "ply"
+  std::string format;                 // "obj", "off", "stl", "ply", "glb", "gltf"
   size_t faces_in_file = 0;           // polygons
   size_t triangles_in_file = 0;       // n - 2 for a polygon of n corners, including invalid ones
   size_t invalid_faces_dropped = 0;   // triangles of polygons that refer to a missing vertex

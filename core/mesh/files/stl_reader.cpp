@@ -111,7 +111,7 @@ class TextReader {
   Problem need(std::string_view keyword) {
     scanner_.at_end();
     if (equal_ignoring_case(scanner_.word(), keyword)) return std::nullopt;
-    return scanner_.expected(quoted(keyword));
+    return scanner_.expected(in_quotes(keyword));
   }
 
   Problem read_vector(Vec3& vector) {

@@ -72,7 +72,8 @@ Status write_piece(const World& world, const PieceFile& to, const std::map<std::
         write_file_atomically(to.mtl, materials_text(extract, body.material_names, paints));
     if (!written) return written;
   }
-  return write_mesh({extract.positions, extract.triangles, extract.materials, body.material_names, mtl},
+  const std::string name = to.mesh.stem().string();
+  return write_mesh({extract.positions, extract.triangles, extract.materials, body.material_names, mtl, name},
                     to.mesh, format);
 }
 
@@ -113,7 +114,7 @@ Result<std::vector<PieceFile>> export_chosen(const World& world, const PieceMap&
                                              const std::map<std::string, Paint>& paints,
                                              const fs::path& file) {
   const auto format = mesh_format(file.extension().string());
-  if (!format) return bad_input("The name must end in .obj, .ply, .stl or .off");
+  if (!format) return bad_input("The name must end in .obj, .ply, .stl, .off or .glb");
   std::vector<PieceFile> files = files_to_export(world, looks, file);
   if (files.empty()) return bad_input("No piece is chosen");
   for (const PieceFile& to : files) {

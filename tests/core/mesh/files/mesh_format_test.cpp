@@ -14,7 +14,8 @@ TEST(MeshFormat, is_named_by_the_extension_in_upper_and_lower_case) {
   EXPECT_FALSE(mesh_format("objx"));
   EXPECT_FALSE(mesh_format(""));
   EXPECT_FALSE(mesh_format("..obj"));
-  for (const MeshFormat format : {MeshFormat::kObj, MeshFormat::kPly, MeshFormat::kStl, MeshFormat::kOff})
+  for (const MeshFormat format : {MeshFormat::kObj, MeshFormat::kPly, MeshFormat::kStl, MeshFormat::kOff,
+                                  MeshFormat::kGlb, MeshFormat::kGltf})
     EXPECT_EQ(mesh_format(format_name(format)), format);
 }
 

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "core/mesh/files/encode.h"
+#include "core/mesh/files/gltf_reader.h"
 #include "core/mesh/files/obj_reader.h"
 #include "core/mesh/files/off_reader.h"
 #include "core/mesh/files/ply_reader.h"
@@ -43,7 +44,10 @@ std::string big_endian_ply() {
 }  // namespace
 
 Reader reader_of(MeshFormat format) {
-  constexpr std::array<Reader, 4> kReaders{read_obj, read_ply, read_stl, read_off};
+  constexpr Reader kGltf = [](std::string_view bytes, const std::string& name, const Progress* progress) {
+    return read_gltf(bytes, name, progress);
+  };
+  constexpr std::array<Reader, 6> kReaders{read_obj, read_ply, read_stl, read_off, kGltf, kGltf};
   return kReaders[static_cast<size_t>(format)];
 }
 
@@ -57,7 +61,9 @@ std::vector<Sample> sample_files() {
           {"square_little.ply", MeshFormat::kPly, encoded(square, MeshFormat::kPly)},
           {"square_big.ply", MeshFormat::kPly, big_endian_ply()},
           {"square_text.stl", MeshFormat::kStl, kStl},
-          {"square_binary.stl", MeshFormat::kStl, encoded(square, MeshFormat::kStl)}};
+          {"square_binary.stl", MeshFormat::kStl, encoded(square, MeshFormat::kStl)},
+          {"square.glb", MeshFormat::kGlb, encoded(square, MeshFormat::kGlb)},
+          {"square.gltf", MeshFormat::kGltf, encoded(square, MeshFormat::kGltf)}};
 }
 
 double area(const Soup& soup) {

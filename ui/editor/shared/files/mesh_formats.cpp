@@ -20,7 +20,8 @@ constexpr std::array kChoices{
     Choice{MeshFormat::kObj, "OBJ", "Text, exact to the bit, with the names and colours of materials (MTL)."},
     Choice{MeshFormat::kPly, "PLY", "Binary, exact to the bit, without materials."},
     Choice{MeshFormat::kStl, "STL", "Binary in single precision, without materials; for printers."},
-    Choice{MeshFormat::kOff, "OFF", "Text, exact to the bit, without materials."}};
+    Choice{MeshFormat::kOff, "OFF", "Text, exact to the bit, without materials."},
+    Choice{MeshFormat::kGlb, "GLB", "Binary glTF 2.0 in single precision, with the names of materials."}};
 
 }  // namespace
 

@@ -1,0 +1,164 @@
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "core/mesh/files/base64.h"
+#include "core/mesh/files/bytes.h"
+#include "core/mesh/files/emit_ranges.h"
+#include "core/mesh/files/encode.h"
+#include "core/mesh/files/gltf_numbers.h"
+
+namespace kerf {
+
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;
+
+constexpr int kVertexTarget = 34962, kIndexTarget = 34963;  // of buffer views
+
+// Positions are floats relative to the middle of the mesh, which is the translation of the node: so their
+// rounding is relative to the size of the mesh, wherever it lies.
+struct Floats {
+  Vec3 middle{0};
+  glm::vec3 low{0}, high{0};
+
+  explicit Floats(std::span<const Vec3> positions) {
+    if (positions.empty()) return;
+    Vec3 min = positions[0], max = min;
+    for (const Vec3& p : positions) min = glm::min(min, p), max = glm::max(max, p);
+    middle = 0.5 * min + 0.5 * max;
+    low = of(min);
+    high = of(max);
+  }
+  glm::vec3 of(const Vec3& p) const { return glm::vec3(p - middle); }
+};
+
+// The numbers of the triangles of each material that has some, in their order.
+struct Group {
+  uint16_t material;
+  std::vector<uint32_t> triangles;
+};
+
+std::vector<Group> by_material(const MeshView& mesh) {
+  std::vector<Group> groups;
+  std::vector<uint32_t> group_of(mesh.material_names.size() + 1, 0);  // plus one
+  for (uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const uint16_t material = mesh.materials.empty() ? uint16_t{0} : mesh.materials[t];
+    if (material >= group_of.size()) group_of.resize(material + size_t{1}, 0);
+    uint32_t& group = group_of[material];
+    if (group == 0) {
+      groups.push_back({material, {}});
+      group = static_cast<uint32_t>(groups.size());
+    }
+    groups[group - 1].triangles.push_back(t);
+  }
+  return groups;
+}
+
+OrderedJson list_of(const glm::vec3& v) { return {v.x, v.y, v.z}; }
+
+OrderedJson describe(const MeshView& mesh, const Floats& floats, const std::vector<Group>& groups,
+                     size_t bytes) {
+  const size_t vertex_bytes = mesh.positions.size() * 3 * sizeof(float);
+  OrderedJson primitives = OrderedJson::array(), materials = OrderedJson::array(),
+              accessors = OrderedJson::array();
+  accessors.push_back({{"bufferView", 0},
+                       {"componentType", kGltfFloat},
+                       {"count", mesh.positions.size()},
+                       {"type", "VEC3"},
+                       {"min", list_of(floats.low)},
+                       {"max", list_of(floats.high)}});
+  size_t offset = 0;
+  for (const Group& group : groups) {
+    OrderedJson primitive{{"attributes", {{"POSITION", 0}}}, {"indices", accessors.size()}};
+    accessors.push_back({{"bufferView", 1},
+                         {"byteOffset", offset},
+                         {"componentType", kGltfInt},
+                         {"count", 3 * group.triangles.size()},
+                         {"type", "SCALAR"}});
+    offset += 3 * sizeof(uint32_t) * group.triangles.size();
+    if (group.material < mesh.material_names.size() && !mesh.material_names[group.material].empty()) {
+      primitive["material"] = materials.size();
+      materials.push_back({{"name", mesh.material_names[group.material]}});
+    }
+    primitives.push_back(std::move(primitive));
+  }
+  OrderedJson node{{"mesh", 0}, {"translation", {floats.middle.x, floats.middle.y, floats.middle.z}}};
+  if (!mesh.name.empty()) node["name"] = std::string(mesh.name);
+  OrderedJson json{{"asset", {{"version", "2.0"}, {"generator", "Kerf"}}}, {"scene", 0}};
+  json["scenes"] = OrderedJson::array({OrderedJson{{"nodes", OrderedJson::array({0})}}});
+  json["nodes"] = OrderedJson::array({std::move(node)});
+  json["meshes"] = OrderedJson::array({OrderedJson{{"primitives", std::move(primitives)}}});
+  if (!materials.empty()) json["materials"] = std::move(materials);
+  json["accessors"] = std::move(accessors);
+  json["bufferViews"] =
+      OrderedJson::array({OrderedJson{{"buffer", 0}, {"byteLength", vertex_bytes}, {"target", kVertexTarget}},
+                          OrderedJson{{"buffer", 0},
+                                      {"byteOffset", vertex_bytes},
+                                      {"byteLength", bytes - vertex_bytes},
+                                      {"target", kIndexTarget}}});
+  json["buffers"] = OrderedJson::array({OrderedJson{{"byteLength", bytes}}});
+  return json;
+}
+
+// The bytes of the buffer: positions, then the indices of each group.
+bool emit_buffer(const MeshView& mesh, const Floats& floats, const std::vector<Group>& groups,
+                 const ByteSink& sink) {
+  const auto append_positions = [&](size_t i, size_t end, std::string& part) {
+    for (; i < end; ++i) {
+      const glm::vec3 p = floats.of(mesh.positions[i]);
+      for (int k = 0; k < 3; ++k) append_little(p[k], part);
+    }
+  };
+  if (!emit_ranges(mesh.positions.size(), sink, append_positions)) return false;
+  return std::all_of(groups.begin(), groups.end(), [&](const Group& group) {
+    return emit_ranges(group.triangles.size(), sink, [&](size_t i, size_t end, std::string& part) {
+      for (; i < end; ++i) {
+        for (const uint32_t v : mesh.triangles[group.triangles[i]]) append_little(v, part);
+      }
+    });
+  });
+}
+
+size_t buffer_size(const MeshView& mesh) {
+  return 3 * (sizeof(float) * mesh.positions.size() + sizeof(uint32_t) * mesh.triangles.size());
+}
+
+std::string gltf_text(const OrderedJson& json) {
+  return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
+}
+
+}  // namespace
+
+void encode_glb(const MeshView& mesh, const ByteSink& sink) {
+  const Floats floats(mesh.positions);
+  const std::vector<Group> groups = by_material(mesh);
+  const size_t bytes = buffer_size(mesh);
+  std::string text = gltf_text(describe(mesh, floats, groups, bytes));
+  text.append((4 - text.size() % 4) % 4, ' ');
+  std::string head;
+  for (const uint32_t word : {kGlbMagic, kGlbVersion, static_cast<uint32_t>(28 + text.size() + bytes),
+                              static_cast<uint32_t>(text.size()), kGlbJson}) {
+    append_little(word, head);
+  }
+  head += text;
+  append_little(static_cast<uint32_t>(bytes), head);
+  append_little(kGlbBinary, head);
+  if (sink(head)) emit_buffer(mesh, floats, groups, sink);
+}
+
+void encode_gltf(const MeshView& mesh, const ByteSink& sink) {
+  const Floats floats(mesh.positions);
+  const std::vector<Group> groups = by_material(mesh);
+  std::string buffer;
+  emit_buffer(mesh, floats, groups, [&](std::string_view part) {
+    buffer += part;
+    return true;
+  });
+  OrderedJson json = describe(mesh, floats, groups, buffer.size());
+  json["buffers"][0]["uri"] = "data:application/octet-stream;base64," + to_base64(buffer);
+  sink(gltf_text(json) + "\n");
+}
+
+}  // namespace kerf

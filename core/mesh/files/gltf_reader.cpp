@@ -1,0 +1,305 @@
+#include "core/mesh/files/gltf_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/gtc/quaternion.hpp>
+#include <limits>
+#include <map>
+
+#include "core/mesh/files/gltf_accessor.h"
+#include "core/mesh/files/polygon_list.h"
+#include "core/mesh/files/scanner.h"
+
+namespace kerf {
+
+namespace {
+
+using Matrix = glm::dmat4;
+
+constexpr size_t kMostTriangles = 100'000'000, kMostPositions = 3 * kMostTriangles;
+constexpr uint64_t kTriangles = 4, kStrip = 5, kFan = 6, kModes = 7;
+
+std::string node_place(uint32_t node) { return "/nodes/" + std::to_string(node); }
+
+class GltfReader {
+ public:
+  GltfReader(const GltfFile& file, const std::string& name, const Progress* progress)
+      : file_(file), name_(name), progress_(progress), seen_(file.count("nodes"), false) {}
+
+  Result<Soup> read() {
+    if (auto problem = push_roots()) return *problem;
+    while (!open_.empty()) {
+      const Open next = open_.back();
+      open_.pop_back();
+      if (auto problem = read_node(next)) return *problem;
+    }
+    Result<Soup> soup = polygons_.to_soup(std::move(positions_), name_);
+    if (!soup) return soup;
+    soup->material_names = std::move(material_names_);
+    if (soup->material_names.size() == 1 && soup->material_names[0].empty()) soup->material_names.clear();
+    soup->warnings = std::move(warnings_);
+    return soup;
+  }
+
+ private:
+  using Problem = std::optional<Error>;
+  struct Open {
+    uint32_t node;
+    Matrix to_scene;  // of its parent
+  };
+
+  // A list of indices of nodes. The first comes to lie on top of those that are open.
+  Problem push_nodes(const nlohmann::json& of, const char* key, const std::string& where,
+                     const Matrix& to_scene) {
+    const auto list = of.find(key);
+    if (list == of.end()) return std::nullopt;
+    if (!list->is_array()) return file_.wrong(where + "/" + key, "must be a list of nodes");
+    const size_t first = open_.size();
+    for (const nlohmann::json& item : *list) {
+      if (!item.is_number_unsigned() || item.get<uint64_t>() >= seen_.size())
+        return file_.wrong(where + "/" + key, "names a node that is not there");
+      const auto node = item.get<uint32_t>();
+      if (seen_[node]) return file_.wrong(node_place(node), "has two parents, or is its own ancestor");
+      seen_[node] = true;
+      open_.push_back({node, to_scene});
+    }
+    std::reverse(open_.begin() + static_cast<std::ptrdiff_t>(first), open_.end());
+    return std::nullopt;
+  }
+
+  // The nodes of the default scene; without scenes, those that are no other's children.
+  Problem push_roots() {
+    if (file_.count("scenes") > 0) {
+      const auto scene = file_.index(file_.root(), "scene", "scenes", "");
+      if (!scene) return scene.error();
+      const uint32_t shown = scene->value_or(0);
+      return push_nodes(file_.element("scenes", shown), "nodes", "/scenes/" + std::to_string(shown),
+                        Matrix(1));
+    }
+    std::vector<bool> is_child(seen_.size(), false);
+    for (size_t i = 0; i < seen_.size(); ++i) {
+      const nlohmann::json& node = file_.element("nodes", i);
+      const auto children = node.find("children");
+      if (children == node.end() || !children->is_array()) continue;
+      for (const nlohmann::json& child : *children) {
+        if (child.is_number_unsigned() && child.get<uint64_t>() < seen_.size())
+          is_child[child.get<size_t>()] = true;
+      }
+    }
+    for (size_t i = seen_.size(); i-- > 0;) {
+      if (is_child[i]) continue;
+      seen_[i] = true;
+      open_.push_back({static_cast<uint32_t>(i), Matrix(1)});
+    }
+    return std::nullopt;
+  }
+
+  // So many finite numbers; `missing` if there is no such member.
+  template <size_t kCount>
+  Result<std::array<double, kCount>> numbers(const nlohmann::json& of, const char* key,
+                                             const std::string& where,
+                                             const std::array<double, kCount>& missing) const {
+    const auto at = of.find(key);
+    if (at == of.end()) return missing;
+    std::array<double, kCount> found{};
+    const auto is_finite = [](const nlohmann::json& n) {
+      return n.is_number() && std::isfinite(n.get<double>());
+    };
+    if (!at->is_array() || at->size() != kCount || !std::all_of(at->begin(), at->end(), is_finite))
+      return file_.wrong(where + "/" + key, "must be " + std::to_string(kCount) + " finite numbers");
+    for (size_t i = 0; i < kCount; ++i) found[i] = (*at)[i].template get<double>();
+    return found;
+  }
+
+  Result<Matrix> transform_of(const nlohmann::json& node, const std::string& where) const {
+    Matrix matrix(1);
+    const auto whole = numbers<16>(node, "matrix", where, {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1});
+    const auto moved = numbers<3>(node, "translation", where, {0, 0, 0});
+    const auto turned = numbers<4>(node, "rotation", where, {0, 0, 0, 1});
+    const auto scaled = numbers<3>(node, "scale", where, {1, 1, 1});
+    if (!whole) return whole.error();
+    if (!moved) return moved.error();
+    if (!turned) return turned.error();
+    if (!scaled) return scaled.error();
+    if (node.contains("matrix")) {
+      for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = (*whole)[static_cast<size_t>(i)];
+      return matrix;
+    }
+    const glm::dquat q((*turned)[3], (*turned)[0], (*turned)[1], (*turned)[2]);
+    if (!(glm::dot(q, q) > 0)) return file_.wrong(where + "/rotation", "must not be zero");
+    const glm::dmat3 turn = glm::mat3_cast(glm::normalize(q));
+    for (int k = 0; k < 3; ++k) matrix[k] = glm::dvec4(turn[k] * (*scaled)[static_cast<size_t>(k)], 0);
+    matrix[3] = glm::dvec4((*moved)[0], (*moved)[1], (*moved)[2], 1);
+    return matrix;
+  }
+
+  Problem read_node(const Open& open) {
+    const nlohmann::json& node = file_.element("nodes", open.node);
+    const std::string where = node_place(open.node);
+    const auto own = transform_of(node, where);
+    if (!own) return own.error();
+    const Matrix to_scene = open.to_scene * *own;
+    if (auto problem = push_nodes(node, "children", where, to_scene)) return problem;
+    const auto mesh = file_.index(node, "mesh", "meshes", where);
+    if (!mesh) return mesh.error();
+    if (!*mesh) return std::nullopt;
+    if (node.contains("skin"))
+      note_once(skinned_, "Meshes with a skin are read in the pose in which they were modelled.");
+    polygons_.begin_parts(PolygonList::Level::kObject, {name_of(node, file_.element("meshes", **mesh))});
+    return read_mesh(**mesh, to_scene);
+  }
+
+  static std::string text_of(const nlohmann::json& of, const char* key) {
+    const auto at = of.find(key);
+    return at != of.end() && at->is_string() ? one_line(at->get<std::string>()) : "";
+  }
+  static std::string name_of(const nlohmann::json& node, const nlohmann::json& mesh) {
+    const std::string own = text_of(node, "name");
+    return own.empty() ? text_of(mesh, "name") : own;
+  }
+
+  void note_once(bool& noted, const char* warning) {
+    if (!noted) warnings_.emplace_back(warning);
+    noted = true;
+  }
+
+  Problem read_mesh(uint32_t mesh, const Matrix& to_scene) {
+    const nlohmann::json& json = file_.element("meshes", mesh);
+    const std::string where = "/meshes/" + std::to_string(mesh) + "/primitives";
+    const auto primitives = json.find("primitives");
+    if (primitives == json.end() || !primitives->is_array()) return file_.wrong(where, "must be a list");
+    placed_.clear();
+    for (size_t i = 0; i < primitives->size(); ++i) {
+      if (auto problem = read_primitive((*primitives)[i], where + "/" + std::to_string(i), to_scene))
+        return problem;
+    }
+    return std::nullopt;
+  }
+
+  Problem read_primitive(const nlohmann::json& primitive, const std::string& where, const Matrix& to_scene) {
+    if (!primitive.is_object()) return file_.wrong(where, "must be an object");
+    const auto mode = file_.whole(primitive, "mode", kTriangles, where);
+    if (!mode) return mode.error();
+    if (*mode >= kModes) return file_.wrong(where + "/mode", "must be from 0 to 6");
+    if (*mode < kTriangles) {
+      note_once(lines_, "Points and lines were passed over.");
+      return std::nullopt;
+    }
+    if (primitive.contains("targets"))
+      note_once(morphed_, "Meshes with morph targets are read without them.");
+    const auto attributes = primitive.find("attributes");
+    if (attributes == primitive.end() || !attributes->is_object())
+      return file_.wrong(where + "/attributes", "is missing");
+    const auto accessor = file_.index(*attributes, "POSITION", "accessors", where + "/attributes");
+    if (!accessor) return accessor.error();
+    if (!*accessor) return std::nullopt;  // a mesh without positions is not drawn
+    const auto first = place_positions(**accessor, to_scene);
+    if (!first) return first.error();
+    const auto material = material_of(primitive, where);
+    if (!material) return material.error();
+    const bool mirrors = glm::determinant(glm::dmat3(to_scene)) < 0;
+    return read_triangles(primitive, where, *mode, {*first, *material, mirrors});
+  }
+
+  // Where the positions of an accessor begin, which the primitives of a mesh may share.
+  struct Placed {
+    size_t first, count;
+  };
+  Result<Placed> place_positions(uint32_t accessor, const Matrix& to_scene) {
+    if (const auto known = placed_.find(accessor); known != placed_.end()) return known->second;
+    const auto rows = GltfAccessor::positions(file_, accessor);
+    if (!rows) return rows.error();
+    if (rows->size() > kMostPositions - positions_.size())
+      return file_.wrong("/accessors/" + std::to_string(accessor),
+                         "brings more positions than Kerf reads from a glTF file");
+    const Placed placed{positions_.size(), rows->size()};
+    for (size_t i = 0; i < rows->size(); ++i) {
+      if (i % kBetweenReports == 0 && progress_ && !progress_->report(0)) return cancelled();
+      positions_.push_back(Vec3(to_scene * glm::dvec4(rows->position(i), 1)));
+    }
+    placed_.emplace(accessor, placed);
+    return placed;
+  }
+
+  // The number of the primitive's material among those that faces have; what has none is unnamed.
+  Result<uint16_t> material_of(const nlohmann::json& primitive, const std::string& where) {
+    const auto index = file_.index(primitive, "material", "materials", where);
+    if (!index) return index.error();
+    std::string name;
+    if (*index) {
+      name = text_of(file_.element("materials", **index), "name");
+      if (name.empty()) name = "material " + std::to_string(**index);
+    }
+    const auto [known, added] =
+        material_numbers_.try_emplace(*index ? int64_t{**index} : -1, static_cast<uint16_t>(0));
+    if (added) {
+      constexpr size_t kMost = std::numeric_limits<uint16_t>::max();
+      known->second = static_cast<uint16_t>(std::min(material_names_.size(), kMost));
+      if (material_names_.size() <= kMost) material_names_.push_back(name);
+    }
+    return known->second;
+  }
+
+  struct Target {
+    Placed positions;
+    uint16_t material;
+    bool mirrors;
+  };
+  Problem read_triangles(const nlohmann::json& primitive, const std::string& where, uint64_t mode,
+                         const Target& target) {
+    const auto accessor = file_.index(primitive, "indices", "accessors", where);
+    if (!accessor) return accessor.error();
+    std::optional<GltfAccessor> indices;
+    if (*accessor) {
+      auto rows = GltfAccessor::indices(file_, **accessor);
+      if (!rows) return rows.error();
+      indices = *rows;
+    }
+    const size_t corners = indices ? indices->size() : target.positions.count;
+    const size_t triangles = mode == kTriangles ? corners / 3 : corners < 3 ? 0 : corners - 2;
+    if (triangles > kMostTriangles - polygons_.size())
+      return file_.wrong(where, "brings more faces than Kerf reads from a glTF file");
+    const auto corner = [&](size_t i) -> int64_t {
+      const size_t v = indices ? indices->index(i) : i;
+      return v < target.positions.count ? static_cast<int64_t>(target.positions.first + v) : -1;
+    };
+    for (size_t t = 0; t < triangles; ++t) {
+      if (t % kBetweenReports == 0 && progress_ && !progress_->report(0)) return cancelled();
+      std::array<size_t, 3> at{3 * t, 3 * t + 1, 3 * t + 2};
+      if (mode == kStrip) at = {t, t + 1 + t % 2, t + 2 - t % 2};
+      if (mode == kFan) at = {t + 1, t + 2, 0};
+      if (target.mirrors) std::swap(at[1], at[2]);
+      for (const size_t i : at) polygons_.add_corner(corner(i));
+      polygons_.close(target.material);
+    }
+    return std::nullopt;
+  }
+
+  static constexpr size_t kBetweenReports = size_t{1} << 20;
+
+  const GltfFile& file_;
+  const std::string& name_;
+  const Progress* progress_;
+  std::vector<bool> seen_;  // by node
+  std::vector<Open> open_;
+  std::vector<Vec3> positions_;
+  PolygonList polygons_;
+  std::map<uint32_t, Placed> placed_;             // by accessor, of the mesh that is being read
+  std::map<int64_t, uint16_t> material_numbers_;  // by material of the file, or -1
+  std::vector<std::string> material_names_, warnings_;
+  bool skinned_ = false, morphed_ = false, lines_ = false;
+};
+
+}  // namespace
+
+Result<Soup> read_gltf(std::string_view bytes, const std::string& file_name, const Progress* progress,
+                       const std::filesystem::path& folder) {
+  const auto file = GltfFile::open(bytes, file_name, folder);
+  if (!file) return file.error();
+  auto soup = GltfReader(*file, file_name, progress).read();
+  if (soup) soup->format = GltfFile::is_binary(bytes) ? "glb" : "gltf";
+  return soup;
+}
+
+}  // namespace kerf

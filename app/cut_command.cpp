@@ -15,7 +15,7 @@
 #include "core/document/files/stroke_settings.h"
 #include "core/document/history/run_queue.h"
 #include "core/document/journal/journal.h"
-#include "ui/render/bodies/assets.h"
+#include "core/base/assets.h"
 
 namespace kerf {
 

@@ -1,7 +1,7 @@
 #include "app/commands.h"
 #include "app/parse_values.h"
 #include "ui/editor/editor.h"
-#include "ui/render/bodies/assets.h"
+#include "core/base/assets.h"
 
 namespace kerf {
 

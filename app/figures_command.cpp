@@ -6,7 +6,7 @@
 #include "app/progress_line.h"
 #include "ui/figures/draw_figure.h"
 #include "ui/figures/figure_films.h"
-#include "ui/render/bodies/assets.h"
+#include "core/base/assets.h"
 
 namespace kerf {
 

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "app/commands.h"
+#include "app/version.h"
 #include "core/base/parallel.h"
 
 namespace {
@@ -40,7 +41,7 @@ std::string asked_of(const CLI::App& app) {
 
 int parse_and_run(int argc, char** argv) {
   CLI::App app("Kerf: a laser drills through any triangle mesh, live.", "kerf");
-  app.set_version_flag("--version", "kerf " KERF_VERSION);
+  app.set_version_flag("--version", kerf::version_text());
   app.set_help_flag("--help", "Show this help");
   kerf::Invocation invocation;
   kerf::add_editor(app, invocation);

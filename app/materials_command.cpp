@@ -5,7 +5,7 @@
 #include "app/tell.h"
 #include "core/document/files/material_reader.h"
 #include "core/document/text/fields.h"
-#include "ui/render/bodies/assets.h"
+#include "core/base/assets.h"
 
 namespace kerf {
 

@@ -17,7 +17,7 @@
 #include "ui/editor/editor.h"
 #include "ui/editor/shared/settings/settings.h"
 #include "ui/game/game.h"
-#include "ui/render/bodies/assets.h"
+#include "core/base/assets.h"
 #include "ui/window/window.h"
 
 namespace kerf {

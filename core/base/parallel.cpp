@@ -4,6 +4,7 @@
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 
@@ -47,6 +48,12 @@ bool for_each_range(size_t items, size_t grain, const Progress* progress, const 
 
 void do_both(const std::function<void()>& first, const std::function<void()>& second) {
   tbb::parallel_invoke(first, second);
+}
+
+void with_threads(size_t threads, const std::function<void()>& work) {
+  const size_t most = std::min(threads, thread_count());  // more would make TBB warn
+  tbb::task_arena arena(most == 0 ? tbb::task_arena::automatic : static_cast<int>(most));
+  arena.execute(work);
 }
 
 size_t thread_count() {

@@ -28,6 +28,10 @@ inline size_t range_count(size_t items, size_t grain) { return (items + grain - 
 // Calls both, at the same time where there are two threads, and returns when both are done.
 void do_both(const std::function<void()>& first, const std::function<void()>& second);
 
+// Does the work with at most so many threads, 0 for as many as there are processors, whatever other calls use
+// at the same time; their floating-point modes are those of the caller. Throws what the work throws.
+void with_threads(size_t threads, const std::function<void()>& work);
+
 // The number of threads that work at the same time at most.
 size_t thread_count();
 

@@ -11,6 +11,7 @@ import sys
 LAYERS = ['app', 'ui', 'core']
 # All folders of core that hold sources.
 CORE = [
+    'face',
     'game/match',
     'game/driver',
     'game/laser',
@@ -78,6 +79,9 @@ BUILD_FOLDER = re.compile(r'build(-.*)?$')
 SOURCE = re.compile(r'\.(h|hh|hpp|hxx|inl|ipp|c|cc|cpp|cxx)$')
 INCLUDE = re.compile(r'\s*#\s*include(?:_next)?\b\s*(.*)')
 TARGET = re.compile(r'"([^"]+)"|<([^>]+)>')
+# What outsiders include is installed as it lies: the standard library and each other alone.
+FACE = {'core/kerf.h', 'core/kerf_c.h'}
+FACE_USERS = ('core/face/', 'app/python/', 'app/examples/', 'tests/face/')
 PRIVATE_TO_MESH = {'core/mesh/half_edges.h', 'core/mesh/kernel.h', 'core/mesh/rings.h'}
 # OpenMesh's headers are slow to compile and their types belong to one folder; the benchmark compares with its kernel.
 OPENMESH_USERS = ('core/mesh/openmesh/', 'tests/bench/')
@@ -106,7 +110,7 @@ def stray_entries(root):
 
 
 def unnamed_folders(root):
-    folders = {os.path.dirname(path) for path in sources(root)}
+    folders = {os.path.dirname(path) for path in sources(root) if path not in FACE}
     return sorted(folder for folder in folders if folder.split('/')[0] in ORDERS and not has_place(folder))
 
 
@@ -140,6 +144,11 @@ def objection(path, operand):
     if not target:
         return 'an include through a macro hides its arrow'
     quoted, name = target[1], target[1] or target[2]
+    if path in FACE:
+        own = quoted and f'core/{name}' in FACE
+        return None if own or (not quoted and '/' not in name) else f'{name}: outsiders have the standard library alone'
+    if name in FACE and not path.startswith(FACE_USERS):
+        return f'{name}: it is for outsiders, and core/face makes it'
     if name.split('/')[0] in SOURCE_FOLDERS:
         if not quoted or os.path.normpath(name) != name:
             return f'{name} is a file of the project: write its plain path from the root, in quotes'

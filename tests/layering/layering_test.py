@@ -12,6 +12,8 @@ GOOD = {
     'app/main.cpp': '#include <imgui.h>\n#include "app/command.h"\n#include "ui/window/window.h"\n#include "core/cut/step.h"\n',
     'ui/window/window.cpp': '#include <GLFW/glfw3.h>\n#include "ui/window/window.h"\n#include "core/base/result.h"\n',
     'core/cut/step.cpp': '#include <glm/vec3.hpp>\n#include "core/cut/step.h"\n#include "core/graph/pieces.h"\n',
+    'core/kerf.h': '#include <vector>\n#include "kerf_c.h"\n',
+    'core/face/face_cut.cpp': '#include "core/kerf_c.h"\n#include "core/cut/step.h"\n',
     'core/mesh/kernel.h': '#include "core/mesh/half_edges.h"\n#include "core/base/result.h"\n',
     'core/mesh/openmesh/sheets.h': '#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>\n',
     'tests/bench/openmesh_peer.cpp': '#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>\n',
@@ -90,6 +92,12 @@ class Layering(unittest.TestCase):
         self.refuses('ui/editor/shell/bad.h', '#include "ui/editor/path/x.h"\n', 1, 'comes after')
         self.assertEqual([], breaches_of({**GOOD, 'ui/editor/light/good.h': '#include "ui/editor/light/x.h"\n',
                                           'ui/editor/features.cpp': '#include "ui/editor/light/x.h"\n'}))
+
+    def test_refuses_what_outsiders_do_not_have_in_the_face(self):
+        for text in ('<glm/vec3.hpp>', '"core/base/result.h"'):
+            self.refuses('core/kerf.h', f'#include {text}\n', 1, 'outsiders have the standard library alone')
+        for path in ('core/cut/bad.cpp', 'ui/gl/bad.cpp', 'app/bad.cpp'):
+            self.refuses(path, '#include "core/kerf.h"\n', 1, 'it is for outsiders')
 
     def test_refuses_half_edges_outside_core_mesh(self):
         for path in ('core/cut/bad.cpp', 'ui/gl/bad.cpp', 'tests/core/mesh/bad.cpp'):

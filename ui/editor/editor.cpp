@@ -13,7 +13,7 @@
 #include "ui/editor/shell/editor_screen.h"
 #include "ui/game/game.h"
 #include "ui/game/high_scores.h"
-#include "ui/render/bodies/assets.h"
+#include "core/base/assets.h"
 #include "ui/screen/frame_loop.h"
 #include "ui/window/window.h"
 

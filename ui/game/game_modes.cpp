@@ -1,6 +1,6 @@
 #include "ui/game/game_modes.h"
 
-#include "ui/render/bodies/assets.h"
+#include "core/base/assets.h"
 
 namespace kerf {
 

@@ -12,7 +12,7 @@
 #include "ui/editor/material/stroke_watch.h"
 #include "ui/editor/shared/long_change.h"
 #include "ui/editor/shared/pieces/piece_set.h"
-#include "ui/render/bodies/assets.h"
+#include "core/base/assets.h"
 #include "ui/window/imgui_vector.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_fields.h"

@@ -1,6 +1,6 @@
 #include "ui/render/bodies/shaders.h"
 
-#include "ui/render/bodies/assets.h"
+#include "core/base/assets.h"
 #include "ui/render/bodies/body_picture.h"
 
 namespace kerf {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ui/render/bodies/assets.h"
+#include "core/base/assets.h"
 
 namespace kerf {
 

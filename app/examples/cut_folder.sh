@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# Cuts every mesh of a folder in two with a slot through its middle, on all cores, and gathers the reports:
+#   cut_folder.sh KERF MESHES OUT
+# A mesh whose report is there is left out, so that a run that was stopped goes on where it was. What fails is told in
+# OUT/jobs.log and tried again by the next run. Needs GNU parallel and python3.
+set -uo pipefail
+(($# == 3)) || { echo "usage: cut_folder.sh KERF MESHES OUT" >&2; exit 2; }
+kerf=$(realpath "$1") meshes=$(realpath "$2") out=$3
+mkdir -p "$out"
+
+# The path of a mesh: along its first axis, from above, from the bounds that `kerf info` tells.
+cut_one() {
+  local mesh=$1 folder=$2/$(basename "$1") info
+  [[ ! -e $folder/report.json ]] || return 0
+  info=$("$kerf" info "$mesh") || return
+  mkdir -p "$folder"
+  python3 -c '
+import json, sys
+bounds = json.load(sys.stdin)["bounds"]
+low, high = bounds["min"], bounds["max"]
+size = [h - l for l, h in zip(low, high)]
+reach, middle = max(size), [(l + h) / 2 for l, h in zip(low, high)]
+keys = [{"t": t, "origin": [middle[0] + s * reach, high[1] + reach, middle[2]], "direction": [0, -1, 0]} for t, s in ((0, -1), (1, 1))]
+print(json.dumps({"strokes": [{"laser": {"radius": reach / 200, "range": [0, 4 * reach]}, "keys": keys}]}))
+' <<<"$info" >"$folder/path.json" && KERF_THREADS=1 "$kerf" cut "$mesh" --path "$folder/path.json" --out "$folder"
+}
+export -f cut_one
+export kerf
+
+find "$meshes" -maxdepth 1 -type f | sort | parallel --no-notice --joblog "$out/jobs.log" cut_one {} "$out"
+failed=$?
+
+python3 - "$out" <<'END'
+import csv, glob, json, os, sys
+with open(os.path.join(sys.argv[1], 'table.csv'), 'w', newline='') as table:
+    rows = csv.writer(table)
+    rows.writerow(['mesh', 'faces', 'removed_area', 'pieces', 'cut_ms', 'state_hash'])
+    for file in sorted(glob.glob(os.path.join(glob.escape(sys.argv[1]), '*', 'report.json'))):
+        with open(file) as text:
+            report = json.load(text)
+        rows.writerow([os.path.basename(os.path.dirname(file)), report['input']['faces'], report['removed']['area'],
+                       len(report['pieces']), report['timing_ms']['cut'], report['state_hash']])
+END
+exit "$failed"

@@ -1,0 +1,51 @@
+# cmake --install: the program with all that it opens, and the library with its face.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+install(TARGETS kerf RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+# Pictures are for the pages, and generators for whoever works on the project.
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/assets/ DESTINATION ${CMAKE_INSTALL_DATADIR}/kerf
+  PATTERN "pictures" EXCLUDE PATTERN "install" EXCLUDE PATTERN "*.py" EXCLUDE PATTERN "*.md" EXCLUDE
+  PATTERN "__pycache__" EXCLUDE)
+set(extras ${CMAKE_SOURCE_DIR}/assets/install)
+install(FILES ${extras}/kerf.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
+install(FILES ${extras}/kerf.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
+install(FILES ${extras}/kerf.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages)
+install(FILES ${extras}/kerf.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME kerf)
+install(FILES ${CMAKE_BINARY_DIR}/kerf.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+
+# find_package(kerf) gives kerf::core and kerf::c, which are the same library with and without C++20.
+add_library(kerf_face_cpp INTERFACE)
+target_link_libraries(kerf_face_cpp INTERFACE kerf_shared)
+target_compile_features(kerf_face_cpp INTERFACE cxx_std_20)
+add_library(kerf_face_c INTERFACE)
+target_link_libraries(kerf_face_c INTERFACE kerf_shared)
+set_target_properties(kerf_face_cpp PROPERTIES EXPORT_NAME core)
+set_target_properties(kerf_face_c PROPERTIES EXPORT_NAME c)
+set_target_properties(kerf_shared PROPERTIES EXPORT_NAME shared)
+target_include_directories(kerf_shared INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+install(TARGETS kerf_shared kerf_face_cpp kerf_face_c EXPORT kerf_targets
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(FILES ${CMAKE_SOURCE_DIR}/core/kerf.h ${CMAKE_SOURCE_DIR}/core/kerf_c.h
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/kerf)
+set(package ${CMAKE_INSTALL_LIBDIR}/cmake/kerf)
+install(EXPORT kerf_targets NAMESPACE kerf:: DESTINATION ${package} FILE kerfConfig.cmake)
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/kerfConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_BINARY_DIR}/kerfConfigVersion.cmake DESTINATION ${package})
+
+# cpack -G DEB. shlibdeps finds what is linked; the rest is opened at run time: OpenGL with its drivers, what GLFW loads,
+# and the font of the panels.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME kerf)
+set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
+set(CPACK_PACKAGE_CONTACT "The Kerf project <kerf@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Editor and library in which a laser drills through triangle meshes")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_DEPENDS
+  "libgl1, libegl1, libgl1-mesa-dri, libegl-mesa0, libxrandr2, libxcursor1, libxi6, libxinerama1, fonts-roboto-unhinted")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "python3-numpy")
+set(CPACK_STRIP_FILES ON)
+include(CPack)

@@ -1,0 +1,86 @@
+from collections.abc import Callable, Sequence
+from typing import Any, Literal
+
+import numpy as np
+import numpy.typing as npt
+
+__version__: str
+
+def read(path: str) -> Mesh:
+    """Reads an OBJ, PLY, STL, OFF or glTF file."""
+
+class Mesh:
+    """A triangle mesh, or a piece of one, which never changes."""
+
+    def __init__(self, vertices: npt.ArrayLike, faces: npt.ArrayLike) -> None: ...
+    @property
+    def vertices(self) -> npt.NDArray[np.float64]:
+        """Positions of shape (n, 3), metres."""
+    @property
+    def faces(self) -> npt.NDArray[np.uint32]:
+        """Indices of vertices, shape (m, 3)."""
+    @property
+    def area(self) -> float: ...
+    @property
+    def name(self) -> str: ...
+    @property
+    def mass(self) -> float: ...
+    @property
+    def centroid(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def inertia(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def boundary_edges(self) -> int: ...
+    @property
+    def placement(self) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]: ...
+    def write(self, path: str) -> None: ...
+
+class Stroke:
+    """A stroke of the laser: keys are (time in s, origin in m, direction)."""
+
+    def __init__(
+        self,
+        keys: Sequence[tuple[float, npt.ArrayLike, npt.ArrayLike]],
+        radius: float | None = ...,
+        range: tuple[float, float] | None = ...,
+        power: float | None = ...,
+    ) -> None: ...
+
+class Hits:
+    first: npt.NDArray[np.uint64]
+    distance: npt.NDArray[np.float64]
+    body: npt.NDArray[np.uint32]
+    face: npt.NDArray[np.uint32]
+
+class World:
+    """Meshes that a laser cuts."""
+
+    def __init__(self) -> None: ...
+    @staticmethod
+    def open(path: str) -> World: ...
+    def add(self, mesh: Mesh, name: str = ...) -> None: ...
+    def cut(
+        self,
+        strokes: Stroke | Sequence[Stroke],
+        *,
+        target_edge: float | None = ...,
+        tolerance: float | None = ...,
+        levels: int | None = ...,
+        rim: Literal["faces", "smooth"] = ...,
+        scheme: Literal["longest-edge", "one-to-four"] = ...,
+        model: Literal["geometric", "thermal"] = ...,
+        material: str | None = ...,
+        progress: Callable[[float], bool | None] | None = ...,
+        threads: int = ...,
+    ) -> dict[str, Any]: ...
+    @property
+    def pieces(self) -> list[Mesh]: ...
+    def nearest_hits(
+        self, origins: npt.ArrayLike, directions: npt.ArrayLike, *, range: tuple[float, float] | None = ...
+    ) -> Hits: ...
+    def all_hits(
+        self, origins: npt.ArrayLike, directions: npt.ArrayLike, *, range: tuple[float, float] | None = ...
+    ) -> Hits: ...
+    def graph(self) -> dict[str, Any]: ...
+    @property
+    def hash(self) -> str: ...

@@ -1,0 +1,154 @@
+#include <chrono>
+#include <cmath>
+
+#include "core/base/assets.h"
+#include "core/base/unit_vector.h"
+#include "core/document/files/material_reader.h"
+#include "core/document/files/stroke_settings.h"
+#include "core/face/face_world.h"
+
+namespace kerf {
+
+namespace {
+
+bool are_finite(const double* numbers, size_t count) {
+  for (size_t i = 0; i < count; ++i) {
+    if (!std::isfinite(numbers[i])) return false;
+  }
+  return true;
+}
+
+Status add_key(const kerf_key& key, const std::string& where, StrokePath& path) {
+  if (!are_finite(&key.time, 1) || !are_finite(key.origin, 3) || !are_finite(key.direction, 3))
+    return bad_input(where + ": its numbers must be finite");
+  const Vec3 direction(key.direction[0], key.direction[1], key.direction[2]);
+  if (direction == Vec3(0)) return bad_input(where + ": the direction must not be zero");
+  const Pose pose{{key.origin[0], key.origin[1], key.origin[2]}, beam_direction(direction)};
+  if (!path.keys.empty() && key.time < path.times.back())
+    return bad_input(where + ": the time must not be less than that of the key before");
+  if (!path.keys.empty() && are_opposite(pose.direction, path.keys.back().direction))
+    return bad_input(where + ": the direction is opposite to that of the key before; set a key between them");
+  path.keys.push_back(pose);
+  path.times.push_back(key.time);
+  return Done{};
+}
+
+Result<StrokePath> path_of(const kerf_stroke& stroke, size_t number) {
+  const std::string where = "strokes: number " + std::to_string(number);
+  if (stroke.keys == nullptr || stroke.key_count == 0) return bad_input(where + " has no key");
+  StrokePath path;
+  for (size_t i = 0; i < stroke.key_count; ++i) {
+    const Status added = add_key(stroke.keys[i], where + ", key " + std::to_string(i), path);
+    if (!added) return added.error();
+  }
+  if (!are_finite(&stroke.radius, 1) || stroke.radius < 0)
+    return bad_input(where + ": the radius must be a length in metres, or 0");
+  if (!are_finite(stroke.range, 2) || stroke.range[0] < 0 || stroke.range[1] < stroke.range[0])
+    return bad_input(where + ": the range must be two lengths in metres, 0 <= first <= second");
+  if (!are_finite(&stroke.power, 1) || stroke.power < 0)
+    return bad_input(where + ": the power must be a number of watts, or 0");
+  if (stroke.radius > 0) path.radius = stroke.radius;
+  if (stroke.range[1] > 0) path.range = Interval{stroke.range[0], stroke.range[1]};
+  if (stroke.power > 0) path.power = stroke.power;
+  return path;
+}
+
+Status check(const kerf_cut_settings& s) {
+  const auto is_length = [](double x) { return std::isfinite(x) && x >= 0; };
+  if (!is_length(s.target_edge))
+    return bad_input("target_edge: must be a length in metres greater than zero");
+  if (!is_length(s.tolerance)) return bad_input("tolerance: must be a length in metres greater than zero");
+  if (s.levels_plus_one < 0 || s.levels_plus_one > Resolution::kLargestDepth + 1)
+    return bad_input("levels_plus_one: must be from 0 to " + std::to_string(Resolution::kLargestDepth + 1));
+  if ((s.target_edge > 0) + (s.tolerance > 0) + (s.levels_plus_one > 0) > 1)
+    return bad_input("target_edge, tolerance and levels_plus_one: choose one of them");
+  if (s.rim != KERF_RIM_FACES && s.rim != KERF_RIM_SMOOTH) return bad_input("rim: there is faces and smooth");
+  if (s.scheme != KERF_SCHEME_LONGEST_EDGE && s.scheme != KERF_SCHEME_ONE_TO_FOUR)
+    return bad_input("scheme: there is longest-edge and one-to-four");
+  if (s.model != KERF_MODEL_GEOMETRIC && s.model != KERF_MODEL_THERMAL)
+    return bad_input("model: there is geometric and thermal");
+  return Done{};
+}
+
+CutSettings settings_of(const kerf_cut_settings& s, const StrokePath& stroke, double diagonal) {
+  CutSettings settings = default_settings(stroke, diagonal);
+  if (s.model == KERF_MODEL_THERMAL) settings.model = Model::kThermal;
+  Resolution& resolution = settings.resolution;
+  resolution.rim = s.rim == KERF_RIM_SMOOTH ? Rim::kSmooth : Rim::kFaces;
+  resolution.scheme = s.scheme == KERF_SCHEME_ONE_TO_FOUR ? Scheme::kOneToFour : Scheme::kLongestEdge;
+  const double radius = settings.laser.radius;
+  resolution.target_edge = settings.model == Model::kThermal ? radius : radius / 4;
+  resolution.tolerance = radius / 8;
+  if (s.target_edge > 0) resolution.target_edge = s.target_edge;
+  if (s.tolerance > 0) resolution.tolerance = s.tolerance;
+  if (s.tolerance > 0) resolution.rule = Resolution::Rule::kTolerance;
+  if (s.levels_plus_one > 0) resolution.depth = s.levels_plus_one - 1;
+  if (s.levels_plus_one > 0) resolution.rule = Resolution::Rule::kDepth;
+  return settings;
+}
+
+Result<Substance> substance_named(const std::string& name) {
+  const auto materials = load_materials(assets_folder() / "materials.json");
+  if (!materials) return materials.error();
+  if (const Material* material = find_material(*materials, name)) return material->substance;
+  std::string names;
+  for (const Material& material : *materials) names += (names.empty() ? "" : ", ") + material.name;
+  return bad_input("material: \"" + name + "\" is unknown; there is: " + names);
+}
+
+// The same world with another material of all bodies.
+Document of_material(const Document& document, const Substance& substance) {
+  World world = document.world();
+  for (const BodyId id : world.ids()) {
+    world.body(id).sheet.substance = substance;
+    world.body(id).sheet.density = substance.density;
+  }
+  return Document(std::move(world));
+}
+
+Status cut(Document& document, std::span<const kerf_stroke> strokes, const kerf_cut_settings& settings,
+           const Progress& progress, kerf_cut_result& result) {
+  if (const Status right = check(settings); !right) return right;
+  const double diagonal = document.world().bounds().diagonal();
+  std::vector<Command> commands;
+  for (size_t i = 0; i < strokes.size(); ++i) {
+    const auto path = path_of(strokes[i], i);
+    if (!path) return path.error();
+    for (const Command& command : stroke_commands(*path, settings_of(settings, *path, diagonal)))
+      commands.push_back(command);
+  }
+  if (settings.material != nullptr) {
+    const auto substance = substance_named(settings.material);
+    if (!substance) return substance.error();
+    Document other = of_material(document, *substance);
+    const Outcome done = other.run_whole(commands, &progress);
+    if (!done) return done.error();
+    document = std::move(other);
+    result = {done.delta.removed_faces, done.delta.removed_area, 0};
+  } else {
+    const Outcome done = document.run_whole(commands, &progress);
+    if (!done) return done.error();
+    result = {done.delta.removed_faces, done.delta.removed_area, 0};
+  }
+  return Done{};
+}
+
+}  // namespace
+}  // namespace kerf
+
+kerf_result kerf_world_cut(kerf_world* world, const kerf_stroke* strokes, size_t stroke_count,
+                           const kerf_cut_settings* settings, const kerf_control* control,
+                           kerf_cut_result* result) {
+  if (strokes == nullptr && stroke_count > 0) return kerf::told(KERF_BAD_INPUT, "strokes: must not be null");
+  const auto begin = std::chrono::steady_clock::now();
+  kerf_cut_result done{};
+  const kerf_result how =
+      kerf::run_on(world, control, [&](kerf::Document& document, const kerf::Progress& progress) {
+        return kerf::cut(document, {strokes, stroke_count},
+                         settings == nullptr ? kerf_cut_settings{} : *settings, progress, done);
+      });
+  if (how != KERF_OK || result == nullptr) return how;
+  *result = done;
+  result->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return how;
+}

@@ -1,0 +1,152 @@
+#include "core/face/face_mesh.h"
+
+#include <cmath>
+#include <filesystem>
+#include <memory>
+
+#include "core/face/call.h"
+#include "core/mesh/load_mesh.h"
+#include "core/mesh/write_mesh.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr size_t kMostElements = size_t{1} << 31;
+
+// The faces of a mesh that was built, over its positions each once.
+void take_arrays(const BuiltMesh& built, kerf_mesh& mesh) {
+  std::vector<uint32_t> number(built.mesh.vertex_slots(), kNoIndex);
+  for (uint32_t f = 0; f < built.mesh.face_slots(); ++f) {
+    std::array<uint32_t, 3> corners{};
+    for (size_t i = 0; i < 3; ++i) {
+      const VertexId v = built.mesh.corners(FaceId(f))[i];
+      if (number[v.index] == kNoIndex) {
+        number[v.index] = static_cast<uint32_t>(mesh.positions.size());
+        mesh.positions.push_back(built.mesh.position(v));
+      }
+      corners[i] = number[v.index];
+    }
+    mesh.triangles.push_back(corners);
+    if (!built.material_names.empty()) mesh.materials.push_back(built.mesh.data(FaceId(f)).material);
+  }
+  mesh.material_names = built.material_names;
+  mesh.info.boundary_edges = built.report.boundary_edges;
+}
+
+Status make_mesh(const double* vertices, size_t vertex_count, const uint32_t* faces, size_t face_count,
+                 kerf_mesh& mesh) {
+  if (vertices == nullptr || vertex_count == 0) return bad_input("vertices: there is none");
+  if (faces == nullptr || face_count == 0) return bad_input("faces: there is none");
+  if (vertex_count > kMostElements || face_count > kMostElements)
+    return bad_input("vertices and faces: there are more than 2147483648 of one of them");
+  mesh.positions.resize(vertex_count);
+  for (size_t v = 0; v < vertex_count; ++v) {
+    for (int k = 0; k < 3; ++k) {
+      const double x = vertices[3 * v + static_cast<size_t>(k)];
+      if (!std::isfinite(x)) return bad_input("vertices: number " + std::to_string(v) + " is not finite");
+      mesh.positions[v][k] = x;
+    }
+  }
+  mesh.triangles.resize(face_count);
+  for (size_t f = 0; f < face_count; ++f) {
+    for (size_t i = 0; i < 3; ++i) {
+      const uint32_t v = faces[3 * f + i];
+      if (v >= vertex_count) {
+        return bad_input("faces: number " + std::to_string(f) + " names vertex " + std::to_string(v) +
+                         ", but there are " + std::to_string(vertex_count));
+      }
+      mesh.triangles[f][i] = v;
+    }
+  }
+  return Done{};
+}
+
+}  // namespace
+
+void measure(kerf_mesh& mesh) {
+  Vec3 sum(0);
+  double area = 0;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Triangle t = {mesh.positions[a], mesh.positions[b], mesh.positions[c]};
+    const double own = triangle_area(t);
+    area += own;
+    sum += own / 3 * (t[0] + t[1] + t[2]);
+  }
+  mesh.info.area = area;
+  for (int k = 0; k < 3; ++k) mesh.info.centroid[k] = area > 0 ? sum[k] / area : mesh.positions.front()[k];
+  mesh.info.orientation[0] = 1;
+}
+
+Soup soup_of(const kerf_mesh& mesh) {
+  Soup soup;
+  soup.positions = mesh.positions;
+  soup.triangles.assign(mesh.triangles.begin(), mesh.triangles.end());
+  soup.materials = mesh.materials;
+  soup.material_names = mesh.material_names;
+  soup.faces_in_file = soup.triangles_in_file = mesh.triangles.size();
+  return soup;
+}
+
+}  // namespace kerf
+
+const char* kerf_version(void) { return KERF_VERSION; }
+
+const char* kerf_message(void) { return kerf::last_message(); }
+
+kerf_result kerf_mesh_read(const char* path, const kerf_control* control, kerf_mesh** out) {
+  if (path == nullptr || out == nullptr) return kerf::told(KERF_BAD_INPUT, "path and out: must not be null");
+  return kerf::Call(control).run([&](const kerf::Progress& progress) -> kerf::Status {
+    const auto built = kerf::load_mesh(path, &progress);
+    if (!built) return built.error();
+    auto mesh = std::make_unique<kerf_mesh>();
+    kerf::take_arrays(*built, *mesh);
+    kerf::measure(*mesh);
+    *out = mesh.release();
+    return kerf::Done{};
+  });
+}
+
+kerf_result kerf_mesh_make(const double* vertices, size_t vertex_count, const uint32_t* faces,
+                           size_t face_count, kerf_mesh** out) {
+  if (out == nullptr) return kerf::told(KERF_BAD_INPUT, "out: must not be null");
+  return kerf::Call(nullptr).run([&](const kerf::Progress&) -> kerf::Status {
+    auto mesh = std::make_unique<kerf_mesh>();
+    const kerf::Status made = kerf::make_mesh(vertices, vertex_count, faces, face_count, *mesh);
+    if (!made) return made;
+    kerf::measure(*mesh);
+    *out = mesh.release();
+    return kerf::Done{};
+  });
+}
+
+void kerf_mesh_free(kerf_mesh* mesh) { delete mesh; }
+
+kerf_result kerf_mesh_write(const kerf_mesh* mesh, const char* path) {
+  if (mesh == nullptr || path == nullptr)
+    return kerf::told(KERF_BAD_INPUT, "mesh and path: must not be null");
+  return kerf::Call(nullptr).run([&](const kerf::Progress&) -> kerf::Status {
+    const std::filesystem::path file = path;
+    const auto format = kerf::mesh_format(file.extension().string());
+    if (!format)
+      return kerf::bad_input(std::string(path) + ": must end in .obj, .ply, .stl, .off, .glb or .gltf");
+    return kerf::write_mesh(
+        {mesh->positions, mesh->triangles, mesh->materials, mesh->material_names, {}, mesh->name}, file,
+        *format);
+  });
+}
+
+size_t kerf_mesh_vertex_count(const kerf_mesh* mesh) { return mesh == nullptr ? 0 : mesh->positions.size(); }
+size_t kerf_mesh_face_count(const kerf_mesh* mesh) { return mesh == nullptr ? 0 : mesh->triangles.size(); }
+const double* kerf_mesh_vertices(const kerf_mesh* mesh) {
+  return mesh == nullptr ? nullptr : &mesh->positions.data()->x;
+}
+const uint32_t* kerf_mesh_faces(const kerf_mesh* mesh) {
+  return mesh == nullptr ? nullptr : mesh->triangles.data()->data();
+}
+
+void kerf_mesh_describe(const kerf_mesh* mesh, kerf_mesh_info* info) {
+  if (info == nullptr) return;
+  *info = mesh == nullptr ? kerf_mesh_info{} : mesh->info;
+  info->name = mesh == nullptr ? "" : mesh->name.c_str();
+}

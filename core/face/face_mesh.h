@@ -1,0 +1,31 @@
+#pragma once
+
+// Private to core/face.
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/base/vec3.h"
+#include "core/kerf_c.h"
+#include "core/mesh/files/soup.h"
+
+// A mesh as outsiders see it: flat arrays.
+struct kerf_mesh {
+  std::vector<kerf::Vec3> positions;
+  std::vector<std::array<uint32_t, 3>> triangles;
+  std::vector<uint16_t> materials;  // one per triangle, or empty
+  std::vector<std::string> material_names;
+  std::string name;
+  kerf_mesh_info info{};  // but for its name
+};
+
+namespace kerf {
+
+// Fills what follows from the arrays: area, centroid, and the identity as the placement.
+void measure(kerf_mesh& mesh);
+
+// The mesh as the content of a file.
+Soup soup_of(const kerf_mesh& mesh);
+
+}  // namespace kerf

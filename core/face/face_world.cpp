@@ -1,0 +1,201 @@
+#include "core/face/face_world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <locale>
+#include <memory>
+#include <sstream>
+
+#include "core/base/parallel.h"
+#include "core/document/files/extract.h"
+#include "core/document/files/stroke_settings.h"
+#include "core/document/history/piece_origins.h"
+#include "core/document/journal/opened_file.h"
+#include "core/document/journal/replay.h"
+#include "core/document/text/hash_text.h"
+#include "core/face/face_mesh.h"
+#include "core/graph/graph_text.h"
+#include "core/world/shell_mass.h"
+#include "core/world/state_hash.h"
+
+namespace kerf {
+
+kerf_result run_on(kerf_world* world, const kerf_control* control,
+                   const std::function<Status(Document&, const Progress&)>& work) {
+  if (world == nullptr) return told(KERF_BAD_INPUT, "world: must not be null");
+  if (world->busy.test_and_set())
+    return told(KERF_BUSY, "the world is in use by another thread; use one world a thread");
+  const kerf_result result =
+      Call(control).run([&](const Progress& progress) { return work(world->document, progress); });
+  world->busy.clear();
+  return result;
+}
+
+namespace {
+
+// A document with another body. Its history ends: nothing is taken back through the library.
+Status add_body(Document& document, const kerf_mesh& mesh, const char* name, const Progress& progress) {
+  ProgressShares shares(&progress);
+  const Progress building = shares.next(0.5), growing = shares.next(0.5);
+  auto built = build_mesh(soup_of(mesh), &building);
+  if (!built) return built.error();
+  auto body = make_body(name == nullptr ? "mesh" : name, std::move(*built), &growing);
+  if (!body) return body.error();
+  World world = document.world();
+  world.add(std::move(*body));
+  document = Document(std::move(world));
+  return Done{};
+}
+
+Status open_world(const char* path, Document& document, const Progress& progress) {
+  ProgressShares shares(&progress);
+  const Progress opening = shares.next(0.5), replaying = shares.next(0.5);
+  auto file = open_file(path, &opening);
+  if (!file) return file.error();
+  document = Document(std::move(file->scene.world));
+  const double diagonal = document.world().bounds().diagonal();
+  for (const StrokePath& stroke : file->scene.strokes) {
+    const Outcome cut = document.run_whole(scene_stroke_commands(stroke, diagonal), &replaying);
+    if (!cut) return cut.error();
+  }
+  QueueRun how;
+  how.progress = &replaying;
+  how.told = [](const Result<StepResult>&) -> Status { return Done{}; };
+  return Replay(file->journal, document).run(how);
+}
+
+// A piece of a body, and its faces.
+struct Part {
+  const Body* body;
+  std::vector<FaceId> faces;
+};
+
+void weigh_piece(const Extract& e, const Body& body, kerf_mesh_info& info) {
+  AreaMoments moments;
+  for (const auto& t : e.triangles) {
+    const Triangle corners = {e.positions[t[0]], e.positions[t[1]], e.positions[t[2]]};
+    moments += area_moments(corners, triangle_area(corners), e.centroid);
+  }
+  const MassProperties mass =
+      shell_mass(e.area, moments, e.centroid, body.sheet.thickness, body.sheet.density);
+  info.mass = mass.mass;
+  const glm::dmat3& m = mass.inertia;
+  const std::array<double, 6> inertia{m[0][0], m[1][1], m[2][2], m[0][1], m[0][2], m[1][2]};
+  std::copy(inertia.begin(), inertia.end(), info.inertia);
+}
+
+std::unique_ptr<kerf_mesh> mesh_of(const Part& part) {
+  Extract e = extract_faces(*part.body, part.faces);
+  auto mesh = std::make_unique<kerf_mesh>();
+  mesh->name = part.body->name_of(part.body->label(part.faces.front()));
+  weigh_piece(e, *part.body, mesh->info);
+  mesh->info.area = e.area;
+  mesh->info.boundary_edges = e.boundary_edges;
+  const Placement& placement = part.body->placement;
+  for (int k = 0; k < 3; ++k) {
+    mesh->info.centroid[k] = e.centroid[k];
+    mesh->info.position[k] = placement.position[k];
+  }
+  const glm::dquat& q = placement.orientation;
+  const std::array<double, 4> orientation{q.w, q.x, q.y, q.z};
+  std::copy(orientation.begin(), orientation.end(), mesh->info.orientation);
+  mesh->positions = std::move(e.positions);
+  mesh->triangles = std::move(e.triangles);
+  mesh->materials = std::move(e.materials);
+  mesh->material_names = part.body->material_names;
+  return mesh;
+}
+
+// The pieces, largest area first.
+Result<std::vector<std::unique_ptr<kerf_mesh>>> pieces_of(const World& world, const Progress& progress) {
+  std::vector<Part> parts;
+  for (const BodyId id : world.ids()) {
+    const Body& body = world.body(id);
+    for (auto& faces : faces_by_piece(body, false)) parts.push_back({&body, std::move(faces)});
+  }
+  std::vector<std::unique_ptr<kerf_mesh>> pieces(parts.size());
+  if (!for_each_range(parts.size(), 1, &progress, [&](size_t i, size_t) { pieces[i] = mesh_of(parts[i]); }))
+    return cancelled();
+  std::stable_sort(pieces.begin(), pieces.end(),
+                   [](const auto& a, const auto& b) { return a->info.area > b->info.area; });
+  return pieces;
+}
+
+}  // namespace
+}  // namespace kerf
+
+kerf_result kerf_world_make(kerf_world** out) {
+  if (out == nullptr) return kerf::told(KERF_BAD_INPUT, "out: must not be null");
+  return kerf::Call(nullptr).run([&](const kerf::Progress&) -> kerf::Status {
+    *out = new kerf_world;
+    return kerf::Done{};
+  });
+}
+
+kerf_result kerf_world_open(const char* path, const kerf_control* control, kerf_world** out) {
+  if (path == nullptr || out == nullptr) return kerf::told(KERF_BAD_INPUT, "path and out: must not be null");
+  return kerf::Call(control).run([&](const kerf::Progress& progress) -> kerf::Status {
+    auto world = std::make_unique<kerf_world>();
+    const kerf::Status opened = kerf::open_world(path, world->document, progress);
+    if (opened) *out = world.release();
+    return opened;
+  });
+}
+
+void kerf_world_free(kerf_world* world) { delete world; }
+
+kerf_result kerf_world_add(kerf_world* world, const kerf_mesh* mesh, const char* name,
+                           const kerf_control* control) {
+  if (mesh == nullptr) return kerf::told(KERF_BAD_INPUT, "mesh: must not be null");
+  return kerf::run_on(world, control, [&](kerf::Document& document, const kerf::Progress& progress) {
+    return kerf::add_body(document, *mesh, name, progress);
+  });
+}
+
+kerf_result kerf_world_pieces(kerf_world* world, const kerf_control* control, kerf_mesh*** out,
+                              size_t* count) {
+  if (out == nullptr || count == nullptr)
+    return kerf::told(KERF_BAD_INPUT, "out and count: must not be null");
+  return kerf::run_on(world, control,
+                      [&](kerf::Document& document, const kerf::Progress& progress) -> kerf::Status {
+                        auto pieces = kerf::pieces_of(document.world(), progress);
+                        if (!pieces) return pieces.error();
+                        auto list = std::make_unique<kerf_mesh*[]>(pieces->size());
+                        for (size_t i = 0; i < pieces->size(); ++i) list[i] = (*pieces)[i].release();
+                        *count = pieces->size();
+                        *out = list.release();
+                        return kerf::Done{};
+                      });
+}
+
+void kerf_pieces_free(kerf_mesh** pieces, size_t count) {
+  for (size_t i = 0; pieces != nullptr && i < count; ++i) delete pieces[i];
+  delete[] pieces;
+}
+
+kerf_result kerf_world_hash(kerf_world* world, char out[17]) {
+  if (out == nullptr) return kerf::told(KERF_BAD_INPUT, "out: must not be null");
+  return kerf::run_on(world, nullptr, [&](kerf::Document& document, const kerf::Progress&) -> kerf::Status {
+    const std::string text = kerf::hash_text(kerf::state_hash(document.world()));
+    std::memcpy(out, text.c_str(), text.size() + 1);
+    return kerf::Done{};
+  });
+}
+
+kerf_result kerf_world_graph(kerf_world* world, char** out) {
+  if (out == nullptr) return kerf::told(KERF_BAD_INPUT, "out: must not be null");
+  return kerf::run_on(world, nullptr, [&](kerf::Document& document, const kerf::Progress&) -> kerf::Status {
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    kerf::write_graph_json(kerf::component_graph(document.world()), kerf::piece_origins(document),
+                           document.world(), text);
+    const std::string whole = text.str();
+    auto copy = std::make_unique<char[]>(whole.size() + 1);
+    std::memcpy(copy.get(), whole.c_str(), whole.size() + 1);
+    *out = copy.release();
+    return kerf::Done{};
+  });
+}
+
+void kerf_text_free(char* text) { delete[] text; }

@@ -1,0 +1,282 @@
+#ifndef KERF_KERF_H
+#define KERF_KERF_H
+
+// Kerf as a C++ library: kerf_c.h with values that free themselves and exceptions. See there for units,
+// frames, costs and threads. It is compiled by whoever includes it, so that no compiler option of Kerf's
+// matters.
+
+#include <array>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "kerf_c.h"
+
+namespace kerf {
+inline namespace face {
+
+// What could not be done, in one sentence. What failed has changed nothing.
+class Failure : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+// An argument or a file that is wrong.
+class BadInput : public Failure {
+ public:
+  using Failure::Failure;
+};
+// A call that the progress function of the caller stopped.
+class Cancelled : public Failure {
+ public:
+  using Failure::Failure;
+};
+
+inline void throw_unless_ok(kerf_result result) {
+  if (result == KERF_OK) return;
+  if (result == KERF_BAD_INPUT) throw BadInput(kerf_message());
+  if (result == KERF_CANCELLED) throw Cancelled(kerf_message());
+  throw Failure(kerf_message());
+}
+
+// How a call runs: what is told the share of the work that is done, 0 to 1, and says whether to go on; and
+// the number of threads at most, 0 for as many as there are processors. What `progress` throws, the call
+// throws.
+struct Control {
+  std::function<bool(double share)> progress;
+  unsigned threads = 0;
+};
+
+// Runs a function of kerf_c.h with a Control.
+class Run {
+ public:
+  explicit Run(const Control& control) : control_(control) {}
+
+  template <typename F>
+  void call(F function) {
+    kerf_control c{nullptr, this, control_.threads};
+    if (control_.progress) c.progress = &Run::ask;
+    const kerf_result result = function(&c);
+    if (thrown_) std::rethrow_exception(thrown_);
+    throw_unless_ok(result);
+  }
+
+ private:
+  static int ask(double share, void* user) {
+    Run& run = *static_cast<Run*>(user);
+    try {
+      return run.control_.progress(share) ? 0 : 1;
+    } catch (...) {
+      run.thrown_ = std::current_exception();
+      return 1;
+    }
+  }
+
+  const Control& control_;
+  std::exception_ptr thrown_;
+};
+
+// A triangle mesh, or a piece of one, which never changes; copies share it.
+class Mesh {
+ public:
+  // Reads an OBJ, PLY, STL, OFF or glTF file.
+  static Mesh read(const std::string& path, const Control& control = {}) {
+    kerf_mesh* mesh = nullptr;
+    Run(control).call([&](const kerf_control* c) { return kerf_mesh_read(path.c_str(), c, &mesh); });
+    return Mesh(mesh);
+  }
+  // Makes a mesh of positions, three numbers each (m), and faces, three indices each.
+  Mesh(std::span<const double> vertices, std::span<const uint32_t> faces) {
+    if (vertices.size() % 3 != 0) throw BadInput("vertices: must be three numbers each");
+    if (faces.size() % 3 != 0) throw BadInput("faces: must be three indices each");
+    kerf_mesh* mesh = nullptr;
+    throw_unless_ok(
+        kerf_mesh_make(vertices.data(), vertices.size() / 3, faces.data(), faces.size() / 3, &mesh));
+    mesh_.reset(mesh, kerf_mesh_free);
+  }
+  // Takes a mesh of kerf_c.h over.
+  explicit Mesh(kerf_mesh* mesh) : mesh_(mesh, kerf_mesh_free) {}
+
+  // Writes it; the ending of the path says the format.
+  void write(const std::string& path) const { throw_unless_ok(kerf_mesh_write(get(), path.c_str())); }
+
+  // Three numbers a vertex (m), three indices a face; they live as long as any copy of the mesh.
+  std::span<const double> vertices() const {
+    return {kerf_mesh_vertices(get()), 3 * kerf_mesh_vertex_count(get())};
+  }
+  std::span<const uint32_t> faces() const {
+    return {kerf_mesh_faces(get()), 3 * kerf_mesh_face_count(get())};
+  }
+
+  // Name, area, mass and the like; see kerf_mesh_info.
+  kerf_mesh_info info() const {
+    kerf_mesh_info info;
+    kerf_mesh_describe(get(), &info);
+    return info;
+  }
+  std::string name() const { return info().name; }
+  double area() const { return info().area; }
+
+  const kerf_mesh* get() const { return mesh_.get(); }
+
+ private:
+  std::shared_ptr<kerf_mesh> mesh_;
+};
+
+using Key = kerf_key;
+
+// A stroke of the laser; see kerf_stroke for what 0 stands for.
+struct Stroke {
+  std::vector<Key> keys;
+  double radius = 0;
+  std::array<double, 2> range{0, 0};
+  double power = 0;
+};
+
+// How strokes cut; see kerf_cut_settings.
+struct CutSettings {
+  kerf_rim rim = KERF_RIM_FACES;
+  kerf_scheme scheme = KERF_SCHEME_LONGEST_EDGE;
+  kerf_model model = KERF_MODEL_GEOMETRIC;
+  std::optional<double> target_edge{}, tolerance{};  // m
+  std::optional<int> levels{};
+  std::string material{};  // empty: as it is
+};
+
+using CutResult = kerf_cut_result;
+
+// The surfaces that rays cross: those of ray i are numbers first[i] to first[i + 1] - 1 of the other arrays.
+struct Hits {
+  std::vector<size_t> first;
+  std::vector<double> distances;
+  std::vector<uint32_t> bodies, faces;
+};
+
+// Meshes that a laser cuts.
+class World {
+ public:
+  World() {
+    kerf_world* world = nullptr;
+    throw_unless_ok(kerf_world_make(&world));
+    world_.reset(world);
+  }
+  // Opens a scene, a journal, whose commands are replayed, or a mesh.
+  explicit World(const std::string& path, const Control& control = {}) {
+    kerf_world* world = nullptr;
+    Run(control).call([&](const kerf_control* c) { return kerf_world_open(path.c_str(), c, &world); });
+    world_.reset(world);
+  }
+
+  void add(const Mesh& mesh, const std::string& name = "mesh", const Control& control = {}) {
+    Run(control).call(
+        [&](const kerf_control* c) { return kerf_world_add(get(), mesh.get(), name.c_str(), c); });
+  }
+
+  // Cuts all bodies with the strokes, one after the other; all or nothing.
+  CutResult cut(std::span<const Stroke> strokes, const CutSettings& settings = {},
+                const Control& control = {}) {
+    std::vector<kerf_stroke> plain;
+    for (const Stroke& s : strokes)
+      plain.push_back({s.keys.data(), s.keys.size(), s.radius, {s.range[0], s.range[1]}, s.power});
+    kerf_cut_settings how{};
+    how.rim = settings.rim;
+    how.scheme = settings.scheme;
+    how.model = settings.model;
+    // A value that was given as 0 must not count as none.
+    if (settings.target_edge) how.target_edge = *settings.target_edge == 0 ? -1 : *settings.target_edge;
+    if (settings.tolerance) how.tolerance = *settings.tolerance == 0 ? -1 : *settings.tolerance;
+    if (settings.levels) how.levels_plus_one = *settings.levels < 0 ? -1 : *settings.levels + 1;
+    if (!settings.material.empty()) how.material = settings.material.c_str();
+    CutResult result{};
+    Run(control).call([&](const kerf_control* c) {
+      return kerf_world_cut(get(), plain.data(), plain.size(), &how, c, &result);
+    });
+    return result;
+  }
+  CutResult cut(const Stroke& stroke, const CutSettings& settings = {}, const Control& control = {}) {
+    return cut(std::span(&stroke, 1), settings, control);
+  }
+
+  // The pieces of all bodies, largest area first.
+  std::vector<Mesh> pieces(const Control& control = {}) const {
+    kerf_mesh** list = nullptr;
+    size_t count = 0;
+    Run(control).call([&](const kerf_control* c) { return kerf_world_pieces(get(), c, &list, &count); });
+    const auto free_list = [count](kerf_mesh** l) { kerf_pieces_free(l, count); };
+    const std::unique_ptr<kerf_mesh*, decltype(free_list)> owner(list, free_list);
+    std::vector<Mesh> pieces;
+    pieces.reserve(count);
+    for (size_t i = 0; i < count; ++i) pieces.emplace_back(std::exchange(list[i], nullptr));
+    return pieces;
+  }
+
+  // The first surface that each ray crosses within the range (m), one entry a ray, with a distance of
+  // infinity where there is none; three numbers an origin and a direction.
+  Hits nearest_hits(std::span<const double> origins, std::span<const double> directions,
+                    std::array<double, 2> range = {0, std::numeric_limits<double>::max()},
+                    const Control& control = {}) const {
+    const size_t n = rays(origins, directions);
+    Hits hits{{}, std::vector<double>(n), std::vector<uint32_t>(n), std::vector<uint32_t>(n)};
+    Run(control).call([&](const kerf_control* c) {
+      return kerf_world_nearest_hits(get(), origins.data(), directions.data(), n, range.data(), c,
+                                     hits.distances.data(), hits.bodies.data(), hits.faces.data());
+    });
+    return hits;
+  }
+  // All surfaces that each ray crosses, nearest first.
+  Hits all_hits(std::span<const double> origins, std::span<const double> directions,
+                std::array<double, 2> range = {0, std::numeric_limits<double>::max()},
+                const Control& control = {}) const {
+    const size_t n = rays(origins, directions);
+    kerf_hits found{};
+    Run(control).call([&](const kerf_control* c) {
+      return kerf_world_all_hits(get(), origins.data(), directions.data(), n, range.data(), c, &found);
+    });
+    const std::unique_ptr<kerf_hits, void (*)(kerf_hits*)> owner(&found, kerf_hits_free);
+    return {{found.first, found.first + n + 1},
+            {found.distances, found.distances + found.count},
+            {found.bodies, found.bodies + found.count},
+            {found.faces, found.faces + found.count}};
+  }
+
+  // Sixteen hexadecimal digits; the same as of `kerf cut` for the same meshes and strokes.
+  std::string hash() const {
+    char text[17];
+    throw_unless_ok(kerf_world_hash(get(), text));
+    return text;
+  }
+  // The component graph of the faces as JSON.
+  std::string graph() const {
+    char* text = nullptr;
+    throw_unless_ok(kerf_world_graph(get(), &text));
+    const std::unique_ptr<char, void (*)(char*)> owner(text, kerf_text_free);
+    return text;
+  }
+
+  kerf_world* get() const { return world_.get(); }
+
+ private:
+  struct Free {
+    void operator()(kerf_world* world) const { kerf_world_free(world); }
+  };
+
+  static size_t rays(std::span<const double> origins, std::span<const double> directions) {
+    if (origins.size() % 3 != 0 || origins.size() != directions.size())
+      throw BadInput("origins and directions: must be as many, three numbers each");
+    return origins.size() / 3;
+  }
+
+  std::unique_ptr<kerf_world, Free> world_;
+};
+
+}  // namespace face
+}  // namespace kerf
+
+#endif

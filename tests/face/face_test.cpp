@@ -1,0 +1,205 @@
+#include <gtest/gtest.h>
+#include <xmmintrin.h>
+
+#include <atomic>
+#include <cfenv>
+#include <clocale>
+#include <cmath>
+#include <limits>
+#include <thread>
+
+#include "core/kerf.h"
+
+namespace {
+
+// A sheet of n by n squares in the plane y = 0, one metre wide.
+kerf::Mesh sheet(int n) {
+  std::vector<double> vertices;
+  std::vector<uint32_t> faces;
+  for (int i = 0; i <= n; ++i) {
+    for (int k = 0; k <= n; ++k) vertices.insert(vertices.end(), {double(i) / n, 0, double(k) / n});
+  }
+  for (int i = 0; i < n; ++i) {
+    for (int k = 0; k < n; ++k) {
+      const auto a = static_cast<uint32_t>(i * (n + 1) + k), b = a + static_cast<uint32_t>(n) + 1;
+      faces.insert(faces.end(), {a, a + 1, b, b, a + 1, b + 1});
+    }
+  }
+  return {vertices, faces};
+}
+
+kerf::Stroke through_the_middle() {
+  kerf::Stroke stroke;
+  stroke.keys = {{0, {0.5, 1, -1}, {0, -3, 0}}, {1, {0.5, 1, 2}, {0, -3, 0}}};
+  stroke.radius = 0.01;
+  stroke.range = {0, 2};
+  return stroke;
+}
+
+std::string hash_of_cut(const kerf::Mesh& mesh, unsigned threads = 0) {
+  kerf::World world;
+  world.add(mesh, "sheet", {{}, threads});
+  world.cut(through_the_middle(), {}, {{}, threads});
+  return world.hash();
+}
+
+TEST(Face, a_sheet_is_cut_in_two_that_weigh_what_they_should) {
+  kerf::World world;
+  world.add(sheet(20), "sheet");
+  const kerf::CutResult cut = world.cut(through_the_middle(), {.rim = KERF_RIM_SMOOTH});
+  EXPECT_NEAR(cut.removed_area, 0.02, 1e-9);
+  const std::vector<kerf::Mesh> pieces = world.pieces();
+  ASSERT_EQ(pieces.size(), 2u);
+  for (const kerf::Mesh& piece : pieces) {
+    EXPECT_NEAR(piece.area(), 0.49, 1e-9);
+    EXPECT_NEAR(piece.info().mass, 0.49 * 0.001 * 7850, 1e-6);
+    EXPECT_NEAR(piece.info().centroid[2], 0.5, 1e-9);
+  }
+  EXPECT_EQ(pieces[0].name(), "sheet");
+  EXPECT_NE(pieces[1].name(), "sheet");
+}
+
+TEST(Face, rays_find_the_sheet_and_the_slot) {
+  kerf::World world;
+  world.add(sheet(20));
+  world.cut(through_the_middle());
+  const std::vector<double> from{0.25, 1, 0.3, 0.5, 1, 0.3, 0.75, -2, 0.3},
+      along{0, -2, 0, 0, -1, 0, 0, 1, 0};
+  const kerf::Hits first = world.nearest_hits(from, along);
+  EXPECT_EQ(first.distances[0], 1);
+  EXPECT_EQ(first.distances[1], std::numeric_limits<double>::infinity());
+  EXPECT_EQ(first.faces[1], 0xffffffffu);
+  EXPECT_EQ(first.distances[2], 2);
+  EXPECT_EQ(world.nearest_hits(from, along, {0, 1.5}).bodies,
+            (std::vector<uint32_t>{0, 0xffffffffu, 0xffffffffu}));
+  const kerf::Hits all = world.all_hits(from, along);
+  EXPECT_EQ(all.first, (std::vector<size_t>{0, 1, 1, 2}));
+  EXPECT_EQ(all.distances, (std::vector<double>{1, 2}));
+}
+
+TEST(Face, results_do_not_depend_on_threads_locale_or_arithmetic_of_the_caller) {
+  const kerf::Mesh mesh = sheet(20);
+  const std::string wanted = hash_of_cut(mesh);
+  for (const unsigned threads : {1u, 2u, 5u}) EXPECT_EQ(hash_of_cut(mesh, threads), wanted);
+  const unsigned before = _mm_getcsr();
+  std::fesetround(FE_UPWARD);
+  _mm_setcsr(_mm_getcsr() | 0x8040);  // flush to zero, take denormals for zero, as -ffast-math has it
+  const unsigned set = _mm_getcsr();
+  EXPECT_EQ(hash_of_cut(mesh), wanted);
+  EXPECT_EQ(std::fegetround(), FE_UPWARD);
+  EXPECT_EQ(_mm_getcsr() & 0xe040u, set & 0xe040u);
+  std::fesetround(FE_TONEAREST);
+  _mm_setcsr(before);
+  const std::string locale = std::setlocale(LC_ALL, nullptr);
+  if (std::setlocale(LC_ALL, "de_DE.UTF-8") != nullptr) {
+    EXPECT_EQ(hash_of_cut(mesh), wanted);
+  }
+  std::setlocale(LC_ALL, locale.c_str());
+}
+
+TEST(Face, a_cut_that_is_stopped_or_fails_changes_nothing) {
+  kerf::World world;
+  world.add(sheet(20));
+  const std::string before = world.hash();
+  int asked = 0;
+  EXPECT_THROW(world.cut(through_the_middle(), {}, {[&](double) { return ++asked < 3; }, 0}),
+               kerf::Cancelled);
+  EXPECT_EQ(world.hash(), before);
+  kerf::Stroke bad = through_the_middle();
+  bad.keys.back().direction[1] = 0;
+  const std::vector<kerf::Stroke> strokes{through_the_middle(), bad};
+  EXPECT_THROW(world.cut(strokes), kerf::BadInput);
+  EXPECT_EQ(world.hash(), before);
+  world.cut(through_the_middle());
+  EXPECT_EQ(world.hash(), hash_of_cut(sheet(20)));
+}
+
+TEST(Face, what_progress_throws_the_call_throws) {
+  kerf::World world;
+  world.add(sheet(20));
+  const auto progress = [](double) -> bool { throw std::runtime_error("enough"); };
+  try {
+    world.cut(through_the_middle(), {}, {progress, 0});
+    FAIL();
+  } catch (const std::runtime_error& fault) {
+    EXPECT_STREQ(fault.what(), "enough");
+  }
+}
+
+TEST(Face, a_world_in_use_says_so) {
+  kerf::World world;
+  world.add(sheet(20));
+  std::string said;
+  world.cut(through_the_middle(), {},
+            {[&](double) {
+               if (said.empty()) {
+                 std::thread([&] {
+                   try {
+                     world.hash();
+                   } catch (const kerf::Failure& fault) {
+                     said = fault.what();
+                   }
+                 }).join();
+               }
+               return true;
+             },
+             0});
+  EXPECT_NE(said.find("in use"), std::string::npos) << said;
+}
+
+TEST(Face, bad_input_gets_a_sentence) {
+  const auto says = [](auto call, const char* word) {
+    try {
+      call();
+      ADD_FAILURE() << "taken: " << word;
+    } catch (const kerf::BadInput& fault) {
+      EXPECT_NE(std::string(fault.what()).find(word), std::string::npos) << fault.what();
+    }
+  };
+  const std::vector<double> square{0, 0, 0, 1, 0, 0, 1, 1, 0};
+  const std::vector<uint32_t> face{0, 1, 2};
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  says([&] { kerf::Mesh({}, face); }, "vertices");
+  says([&] { kerf::Mesh(square, {}); }, "faces");
+  says([&] { kerf::Mesh(square, std::vector<uint32_t>{0, 1, 3}); }, "names vertex 3");
+  says([&] { kerf::Mesh(std::vector<double>{0, nan, 0}, face); }, "not finite");
+  says([&] { kerf::Mesh::read("no-such.obj"); }, "no-such.obj");
+  says([&] { kerf::Mesh(square, face).write("a.xyz"); }, ".obj");
+  says([&] { kerf::World("no-such.kerf"); }, "no-such.kerf");
+  kerf::World world;
+  world.add(kerf::Mesh(square, face));
+  const auto cut = [&](auto change) {
+    return [&world, change] {
+      kerf::Stroke stroke = through_the_middle();
+      kerf::CutSettings settings;
+      change(stroke, settings);
+      world.cut(stroke, settings);
+    };
+  };
+  says(cut([](auto& s, auto&) { s.keys.clear(); }), "no key");
+  says(cut([](auto& s, auto&) { s.keys[1].time = -1; }), "time");
+  says(cut([](auto& s, auto&) { s.keys[1].direction[1] = 3; }), "opposite");
+  says(cut([&](auto& s, auto&) { s.keys[0].origin[0] = nan; }), "finite");
+  says(cut([](auto& s, auto&) { s.radius = -1; }), "radius");
+  says(cut([](auto& s, auto&) { s.range = {2, 1}; }), "range");
+  says(cut([](auto&, auto& c) { c.target_edge = 0; }), "target_edge");
+  says(cut([](auto&, auto& c) { c.target_edge = 1, c.levels = 1; }), "choose one");
+  says(cut([](auto&, auto& c) { c.levels = 99; }), "levels");
+  says(cut([](auto&, auto& c) { c.material = "cheese"; }), "mild-steel");
+  says([&] { (void)world.nearest_hits(square, std::vector<double>(9, 0)); }, "directions");
+  says([&] { world.cut(through_the_middle(), {}, {{}, 5000}); }, "1024");
+  EXPECT_EQ(kerf_world_hash(nullptr, nullptr), KERF_BAD_INPUT);
+  EXPECT_EQ(kerf_mesh_vertex_count(nullptr), 0u);
+}
+
+TEST(Face, thermal_cuts_take_a_material) {
+  kerf::World world;
+  world.add(sheet(10));
+  kerf::Stroke stroke = through_the_middle();
+  stroke.power = 4000;
+  stroke.keys[1].time = 300;
+  world.cut(stroke, {.model = KERF_MODEL_THERMAL, .material = "pmma"});
+  EXPECT_GT(world.pieces().size(), 1u);
+}
+
+}  // namespace

@@ -10,8 +10,11 @@ namespace kerf {
 // The work that the command line asks for: set by the subcommand that was given and called after parsing.
 using Invocation = std::function<Status()>;
 
-// Has a subcommand ask for `run`. `invocation` must outlive parsing.
-inline void on_call(CLI::App& command, Invocation& invocation, Invocation run) {
+// Has a subcommand ask for `run`, and ends its help with an example, a command line that works from the root
+// of the checkout. `invocation` must outlive parsing.
+inline void on_call(CLI::App& command, Invocation& invocation, Invocation run, const std::string& example) {
+  const std::string footer = command.get_footer();
+  command.footer(footer + (footer.empty() ? "" : "\n\n") + "Example:\n  " + example);
   command.callback([&invocation, asked = std::move(run)] { invocation = asked; });
 }
 

@@ -8,6 +8,7 @@
 #include "app/pieces_folder.h"
 #include "app/progress_line.h"
 #include "app/tell.h"
+#include "core/base/assets.h"
 #include "core/base/atomic_file.h"
 #include "core/cut/stopwatch.h"
 #include "core/cut/thermal_step.h"
@@ -15,7 +16,6 @@
 #include "core/document/files/stroke_settings.h"
 #include "core/document/history/run_queue.h"
 #include "core/document/journal/journal.h"
-#include "core/base/assets.h"
 
 namespace kerf {
 
@@ -214,7 +214,9 @@ void add_cut_command(CLI::App& app, Invocation& invocation) {
   CLI::App* command = app.add_subcommand("cut", "Cut meshes along a path and write the pieces and a report");
   auto options = std::make_shared<CutOptions>();
   add_cut_options(*command, *options);
-  on_call(*command, invocation, [options] { return CutRun(*options).run(); });
+  on_call(
+      *command, invocation, [options] { return CutRun(*options).run(); },
+      "kerf cut assets/scenes/car-cut.json --out pieces --target-edge 0.01");
 }
 
 }  // namespace kerf

@@ -1,7 +1,7 @@
 #include "app/commands.h"
 #include "app/parse_values.h"
-#include "ui/editor/editor.h"
 #include "core/base/assets.h"
+#include "ui/editor/editor.h"
 
 namespace kerf {
 

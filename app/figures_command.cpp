@@ -4,9 +4,9 @@
 #include "app/parse_values.h"
 #include "app/pieces_folder.h"
 #include "app/progress_line.h"
+#include "core/base/assets.h"
 #include "ui/figures/draw_figure.h"
 #include "ui/figures/figure_films.h"
-#include "core/base/assets.h"
 
 namespace kerf {
 
@@ -82,7 +82,8 @@ void add_figures_command(CLI::App& app, Invocation& invocation) {
       "shadow volume, each as numbered pictures in a folder of its own");
   command->add_option("--size", a->size, "Size of each picture, of figures with the caption, WxH (1280x720)");
   command->add_option("--list", a->list, "A file (.json) that describes the figures (assets/figures.json)");
-  on_call(*command, invocation, [a] { return run(*a); });
+  on_call(
+      *command, invocation, [a] { return run(*a); }, "kerf figures --out figures --size 160x95");
 }
 
 }  // namespace kerf

@@ -54,7 +54,8 @@ void add_info_command(CLI::App& app, Invocation& invocation) {
   CLI::App* command = app.add_subcommand("info", "What is in a mesh file, as JSON on standard output");
   auto file = std::make_shared<std::string>();
   command->add_option("MESH", *file, "An OBJ, STL, PLY, OFF or glTF file")->required();
-  on_call(*command, invocation, [file] { return run_info(*file); });
+  on_call(
+      *command, invocation, [file] { return run_info(*file); }, "kerf info assets/meshes/car.obj");
 }
 
 }  // namespace kerf

@@ -126,7 +126,8 @@ void add_inspect_command(CLI::App& app, Invocation& invocation) {
   command->add_flag("--tree", a->tree, "The boxes of the tree after the last cut, and where the beam was");
   command->add_option("--step", a->step,
                       "The stages of this move of the beam, counted from 1, with the walk through the tree");
-  on_call(*command, invocation, [a] { return inspect(*a); });
+  on_call(
+      *command, invocation, [a] { return inspect(*a); }, "kerf inspect assets/scenes/figure-09.kerf --graph");
 }
 
 }  // namespace kerf

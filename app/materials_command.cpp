@@ -3,9 +3,9 @@
 
 #include "app/commands.h"
 #include "app/tell.h"
+#include "core/base/assets.h"
 #include "core/document/files/material_reader.h"
 #include "core/document/text/fields.h"
-#include "core/base/assets.h"
 
 namespace kerf {
 
@@ -29,7 +29,7 @@ Status run_materials() {
 void add_materials_command(CLI::App& app, Invocation& invocation) {
   CLI::App* command =
       app.add_subcommand("materials", "The table of materials with sources, as JSON on standard output");
-  on_call(*command, invocation, run_materials);
+  on_call(*command, invocation, run_materials, "kerf materials");
 }
 
 }  // namespace kerf

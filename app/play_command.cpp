@@ -8,6 +8,7 @@
 #include "app/parse_values.h"
 #include "app/progress_line.h"
 #include "app/tell.h"
+#include "core/base/assets.h"
 #include "core/base/atomic_file.h"
 #include "core/document/text/hash_text.h"
 #include "core/game/match/bot_player.h"
@@ -17,7 +18,6 @@
 #include "ui/editor/editor.h"
 #include "ui/editor/shared/settings/settings.h"
 #include "ui/game/game.h"
-#include "core/base/assets.h"
 #include "ui/window/window.h"
 
 namespace kerf {
@@ -248,7 +248,9 @@ void add_play_command(CLI::App& app, Invocation& invocation) {
       ->group("");
   command->add_option("--events", a->events, "A script of input that drives the game without a screen")
       ->group("");
-  on_call(*command, invocation, [a] { return PlayRun(*a).run(); });
+  on_call(
+      *command, invocation, [a] { return PlayRun(*a).run(); },
+      "kerf play --driver bot --headless --seed 1 --seconds 5 --report match.json");
 }
 
 }  // namespace kerf

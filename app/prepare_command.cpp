@@ -155,7 +155,9 @@ void add_prepare_command(CLI::App& app, Invocation& invocation) {
       "loop and sqrt3 round the surface, midpoint keeps it; a face becomes four, three or four");
   command->add_option("--smooth", o->smooth,
                       "How often vertices move half the way to their neighbours' middle");
-  on_call(*command, invocation, [o] { return PrepareRun(*o).run(); });
+  on_call(
+      *command, invocation, [o] { return PrepareRun(*o).run(); },
+      "kerf prepare assets/meshes/knot.obj --simplify 2000 --out light.obj");
 }
 
 }  // namespace kerf

@@ -37,7 +37,9 @@ void add_render_command(CLI::App& app, Invocation& invocation) {
   a->picture.add_to(*command);
   command->add_option("--spread", a->spread,
                       "How far the pieces are drawn apart, in distances from the middle (0)");
-  on_call(*command, invocation, [a] { return render(*a); });
+  on_call(
+      *command, invocation, [a] { return render(*a); },
+      "kerf render assets/scenes/sphere.json --out ball.png --size 640x360");
 }
 
 }  // namespace kerf

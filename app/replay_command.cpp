@@ -263,7 +263,8 @@ void add_replay_command(CLI::App& app, Invocation& invocation) {
                                      "left out");
   command->add_option("--fps", a->frames_per_second, "Frames a second of the film (30)")->needs(frames);
   a->picture.add_to(*command);
-  on_call(*command, invocation, [a] { return ReplayRun(*a).run(); });
+  on_call(
+      *command, invocation, [a] { return ReplayRun(*a).run(); }, "kerf replay assets/scenes/figure-08.kerf");
 }
 
 }  // namespace kerf

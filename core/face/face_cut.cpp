@@ -1,10 +1,13 @@
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "core/base/assets.h"
 #include "core/base/unit_vector.h"
 #include "core/document/files/material_reader.h"
 #include "core/document/files/stroke_settings.h"
+#include "core/document/history/run_queue.h"
 #include "core/face/face_world.h"
 
 namespace kerf {
@@ -106,31 +109,68 @@ Document of_material(const Document& document, const Substance& substance) {
   return Document(std::move(world));
 }
 
-Status cut(Document& document, std::span<const kerf_stroke> strokes, const kerf_cut_settings& settings,
-           const Progress& progress, kerf_cut_result& result) {
-  if (const Status right = check(settings); !right) return right;
-  const double diagonal = document.world().bounds().diagonal();
-  std::vector<Command> commands;
+// The commands of each stroke.
+Result<std::vector<std::vector<Command>>> commands_of(std::span<const kerf_stroke> strokes,
+                                                      const kerf_cut_settings& settings, double diagonal) {
+  std::vector<std::vector<Command>> commands;
   for (size_t i = 0; i < strokes.size(); ++i) {
     const auto path = path_of(strokes[i], i);
     if (!path) return path.error();
-    for (const Command& command : stroke_commands(*path, settings_of(settings, *path, diagonal)))
-      commands.push_back(command);
+    commands.push_back(stroke_commands(*path, settings_of(settings, *path, diagonal)));
   }
-  if (settings.material != nullptr) {
-    const auto substance = substance_named(settings.material);
-    if (!substance) return substance.error();
-    Document other = of_material(document, *substance);
-    const Outcome done = other.run_whole(commands, &progress);
-    if (!done) return done.error();
-    document = std::move(other);
-    result = {done.delta.removed_faces, done.delta.removed_area, 0};
-  } else {
-    const Outcome done = document.run_whole(commands, &progress);
-    if (!done) return done.error();
-    result = {done.delta.removed_faces, done.delta.removed_area, 0};
+  return commands;
+}
+
+Status cut_one(Document& document, std::span<const Command> stroke, const Progress& progress,
+               kerf_cut_result& result) {
+  for (const Command& command : stroke) document.apply(command);
+  QueueRun how;
+  how.progress = &progress;
+  how.told = [&](const Result<StepResult>& step) -> Status {
+    if (!step) return step.error();
+    result.removed_faces += step->delta.removed_faces;
+    result.removed_area += step->delta.removed_area;
+    return Done{};
+  };
+  return run_queue(document, how);
+}
+
+// All strokes or none: those before one that fails are undone, as the document undoes that one itself.
+Status cut_each(Document& document, std::span<const std::vector<Command>> strokes, const Progress& progress,
+                kerf_cut_result& result) {
+  const double share = 1 / static_cast<double>(std::max<size_t>(strokes.size(), 1));
+  for (size_t i = 0; i < strokes.size(); ++i) {
+    const double done = share * static_cast<double>(i);
+    const Progress own = share_of(&progress, done, std::min(1.0, done + share));
+    const Status cut = cut_one(document, strokes[i], own, result);
+    if (cut) continue;
+    for (size_t k = 0; k < i; ++k) document.apply(Undo{});
+    return cut;
   }
   return Done{};
+}
+
+// Keeps before-images so long as they may be needed.
+Status cut_all(Document& document, std::span<const std::vector<Command>> strokes, const Progress& progress,
+               kerf_cut_result& result) {
+  document.set_window(std::numeric_limits<size_t>::max());
+  const Status done = cut_each(document, strokes, progress, result);
+  document.set_window(0);
+  return done;
+}
+
+Status cut(Document& document, std::span<const kerf_stroke> strokes, const kerf_cut_settings& settings,
+           const Progress& progress, kerf_cut_result& result) {
+  if (const Status right = check(settings); !right) return right;
+  const auto commands = commands_of(strokes, settings, document.world().bounds().diagonal());
+  if (!commands) return commands.error();
+  if (settings.material == nullptr) return cut_all(document, *commands, progress, result);
+  const auto substance = substance_named(settings.material);
+  if (!substance) return substance.error();
+  Document other = of_material(document, *substance);
+  const Status done = cut_all(other, *commands, progress, result);
+  if (done) document = std::move(other);
+  return done;
 }
 
 }  // namespace

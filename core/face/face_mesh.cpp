@@ -1,11 +1,14 @@
 #include "core/face/face_mesh.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <memory>
 
 #include "core/face/call.h"
-#include "core/mesh/load_mesh.h"
+#include "core/mesh/mesh.h"
+#include "core/mesh/read_mesh.h"
+#include "core/mesh/weld.h"
 #include "core/mesh/write_mesh.h"
 
 namespace kerf {
@@ -14,24 +17,32 @@ namespace {
 
 constexpr size_t kMostElements = size_t{1} << 31;
 
-// The faces of a mesh that was built, over its positions each once.
-void take_arrays(const BuiltMesh& built, kerf_mesh& mesh) {
-  std::vector<uint32_t> number(built.mesh.vertex_slots(), kNoIndex);
-  for (uint32_t f = 0; f < built.mesh.face_slots(); ++f) {
-    std::array<uint32_t, 3> corners{};
-    for (size_t i = 0; i < 3; ++i) {
-      const VertexId v = built.mesh.corners(FaceId(f))[i];
-      if (number[v.index] == kNoIndex) {
-        number[v.index] = static_cast<uint32_t>(mesh.positions.size());
-        mesh.positions.push_back(built.mesh.position(v));
+bool is_finite(const Vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+
+// The usable triangles of a file over its welded positions.
+Status take_soup(Soup soup, const std::string& name, kerf_mesh& mesh) {
+  const std::vector<uint32_t> first = weld_positions(soup.positions);
+  std::vector<uint32_t> number(soup.positions.size(), kNoIndex);
+  for (size_t t = 0; t < soup.triangles.size(); ++t) {
+    std::array<uint32_t, 3> corners = soup.triangles[t];
+    for (uint32_t& v : corners) v = first[v];
+    const bool usable =
+        corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0] &&
+        std::all_of(corners.begin(), corners.end(), [&](uint32_t v) { return is_finite(soup.positions[v]); });
+    if (!usable) continue;
+    for (uint32_t& v : corners) {
+      if (number[v] == kNoIndex) {
+        number[v] = static_cast<uint32_t>(mesh.positions.size());
+        mesh.positions.push_back(soup.positions[v]);
       }
-      corners[i] = number[v.index];
+      v = number[v];
     }
     mesh.triangles.push_back(corners);
-    if (!built.material_names.empty()) mesh.materials.push_back(built.mesh.data(FaceId(f)).material);
+    if (!soup.materials.empty()) mesh.materials.push_back(soup.materials[t]);
   }
-  mesh.material_names = built.material_names;
-  mesh.info.boundary_edges = built.report.boundary_edges;
+  mesh.material_names = std::move(soup.material_names);
+  if (mesh.triangles.empty()) return bad_input(name + ": no usable face is in it.");
+  return Done{};
 }
 
 Status make_mesh(const double* vertices, size_t vertex_count, const uint32_t* faces, size_t face_count,
@@ -97,10 +108,10 @@ const char* kerf_message(void) { return kerf::last_message(); }
 kerf_result kerf_mesh_read(const char* path, const kerf_control* control, kerf_mesh** out) {
   if (path == nullptr || out == nullptr) return kerf::told(KERF_BAD_INPUT, "path and out: must not be null");
   return kerf::Call(control).run([&](const kerf::Progress& progress) -> kerf::Status {
-    const auto built = kerf::load_mesh(path, &progress);
-    if (!built) return built.error();
+    auto soup = kerf::read_mesh(path, &progress);
+    if (!soup) return soup.error();
     auto mesh = std::make_unique<kerf_mesh>();
-    kerf::take_arrays(*built, *mesh);
+    if (const auto taken = kerf::take_soup(std::move(*soup), path, *mesh); !taken) return taken;
     kerf::measure(*mesh);
     *out = mesh.release();
     return kerf::Done{};

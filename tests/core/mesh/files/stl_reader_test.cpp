@@ -7,7 +7,7 @@
 namespace kerf {
 namespace {
 
-std::string binary_sample() { return test::sample_files().back().bytes; }
+std::string binary_sample() { return test::sample_files()[6].bytes; }
 
 std::string stl_refusal(const std::string& bytes) {
   const Result<Soup> soup = read_stl(bytes, "t.stl");

@@ -1,4 +1,4 @@
-// Replaces the global operator new: large arrays are aligned to huge pages and backed by them, where the
+// Replaces operator new, in the program and within the library: large arrays are aligned to huge pages and backed by them, where the
 // system has any. Loading a million faces fills some hundred megabytes, and the faults of small pages take a
 // fifth of that time.
 #include <cstdlib>

@@ -115,6 +115,12 @@ class Mesh {
     return {kerf_mesh_faces(get()), 3 * kerf_mesh_face_count(get())};
   }
 
+  // The temperature of each face (K) of a piece; empty for any other mesh.
+  std::span<const double> temperatures() const {
+    const double* first = kerf_mesh_temperatures(get());
+    return {first, first == nullptr ? 0 : kerf_mesh_face_count(get())};
+  }
+
   // Name, area, mass and the like; see kerf_mesh_info.
   kerf_mesh_info info() const {
     kerf_mesh_info info;
@@ -244,6 +250,11 @@ class World {
             {found.distances, found.distances + found.count},
             {found.bodies, found.bodies + found.count},
             {found.faces, found.faces + found.count}};
+  }
+
+  // Writes the bodies as they are, as OBJ files and a scene.json that the editor opens.
+  void save_scene(const std::string& folder) const {
+    throw_unless_ok(kerf_world_save_scene(get(), folder.c_str()));
   }
 
   // Sixteen hexadecimal digits; the same as of `kerf cut` for the same meshes and strokes.

@@ -88,6 +88,10 @@ KERF_API size_t kerf_mesh_face_count(const kerf_mesh* mesh);
 KERF_API const double* kerf_mesh_vertices(const kerf_mesh* mesh);
 KERF_API const uint32_t* kerf_mesh_faces(const kerf_mesh* mesh);
 
+/* The temperatures of the faces (K) of a piece of a world, one a face; null for any other mesh. They live as
+ * long as the mesh. */
+KERF_API const double* kerf_mesh_temperatures(const kerf_mesh* mesh);
+
 /* What is known of a mesh. Mass and what follows it are 0 for one that is no piece of a world. */
 typedef struct kerf_mesh_info {
   const char* name;      /* of the piece; empty for a mesh that was read or made. Lives as long as the mesh */
@@ -193,6 +197,11 @@ KERF_API kerf_result kerf_world_all_hits(kerf_world* world, const double* origin
                                          size_t n, const double range[2], const kerf_control* control,
                                          kerf_hits* out);
 KERF_API void kerf_hits_free(kerf_hits* hits);
+
+/* Writes the bodies as they are and where they are: an OBJ file for each and scene.json, which the editor
+ * opens, in a folder, which is made if it is missing; files there of these names are replaced. Heat is not
+ * written. O(n log n). */
+KERF_API kerf_result kerf_world_save_scene(kerf_world* world, const char* folder);
 
 /* The hash of the state, sixteen hexadecimal digits and a zero; that of `kerf cut` for the same meshes and
  * strokes. O(n). */

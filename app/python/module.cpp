@@ -56,6 +56,16 @@ py::array_t<T> look_at(std::span<const T> numbers, const kerf::Mesh& mesh) {
   return array;
 }
 
+// The same of shape (n,).
+py::array_t<double> look_along(std::span<const double> numbers, const kerf::Mesh& mesh) {
+  auto keeper = std::make_unique<kerf::Mesh>(mesh);
+  const py::capsule owner(keeper.get(), [](void* m) { delete static_cast<kerf::Mesh*>(m); });
+  (void)keeper.release();
+  py::array_t<double> array({static_cast<py::ssize_t>(numbers.size())}, numbers.data(), owner);
+  array.attr("flags").attr("writeable") = false;
+  return array;
+}
+
 template <typename T>
 py::array_t<T> copied(const std::vector<T>& numbers) {
   return py::array_t<T>(static_cast<py::ssize_t>(numbers.size()), numbers.data());
@@ -213,6 +223,9 @@ void add_mesh(py::module_& m) {
       .def_property_readonly(
           "faces", [](const kerf::Mesh& mesh) { return look_at(mesh.faces(), mesh); },
           "Indices of vertices, uint32 of shape (m, 3). Read-only.")
+      .def_property_readonly(
+          "temperatures", [](const kerf::Mesh& mesh) { return look_along(mesh.temperatures(), mesh); },
+          "Of the faces of a piece, float64 of shape (m,), kelvin; empty for any other mesh. Read-only.")
       .def_property_readonly("area", &kerf::Mesh::area, "m^2.")
       .def_property_readonly("name", &kerf::Mesh::name,
                              "Of the piece; empty for a mesh that was read or made.")
@@ -329,6 +342,9 @@ void add_world(py::module_& m) {
           },
           py::arg("origins"), py::arg("directions"), py::kw_only(), py::arg("range") = py::none(),
           "All surfaces that each ray crosses, nearest first.")
+      .def("save_scene", &kerf::World::save_scene, py::arg("folder"),
+           py::call_guard<py::gil_scoped_release>(),
+           "Writes the bodies as they are, as OBJ files and a scene.json that the editor opens.")
       .def(
           "graph",
           [](const kerf::World& world) {

@@ -1,6 +1,6 @@
-// Replaces operator new, in the program and within the library: large arrays are aligned to huge pages and backed by them, where the
-// system has any. Loading a million faces fills some hundred megabytes, and the faults of small pages take a
-// fifth of that time.
+// Replaces operator new, in the program and within the library: large arrays are aligned to huge pages and
+// backed by them, where the system has any. Loading a million faces fills some hundred megabytes, and the
+// faults of small pages take a fifth of that time.
 #include <cstdlib>
 #include <new>
 

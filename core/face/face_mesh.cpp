@@ -156,6 +156,10 @@ const uint32_t* kerf_mesh_faces(const kerf_mesh* mesh) {
   return mesh == nullptr ? nullptr : mesh->triangles.data()->data();
 }
 
+const double* kerf_mesh_temperatures(const kerf_mesh* mesh) {
+  return mesh == nullptr || mesh->temperatures.empty() ? nullptr : mesh->temperatures.data();
+}
+
 void kerf_mesh_describe(const kerf_mesh* mesh, kerf_mesh_info* info) {
   if (info == nullptr) return;
   *info = mesh == nullptr ? kerf_mesh_info{} : mesh->info;

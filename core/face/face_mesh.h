@@ -16,6 +16,7 @@ struct kerf_mesh {
   std::vector<std::array<uint32_t, 3>> triangles;
   std::vector<uint16_t> materials;  // one per triangle, or empty
   std::vector<std::string> material_names;
+  std::vector<double> temperatures;  // K, one per triangle of a piece; empty for any other mesh
   std::string name;
   kerf_mesh_info info{};  // but for its name
 };

@@ -13,6 +13,7 @@
 #include "core/document/history/piece_origins.h"
 #include "core/document/journal/opened_file.h"
 #include "core/document/journal/replay.h"
+#include "core/document/journal/save.h"
 #include "core/document/text/hash_text.h"
 #include "core/face/face_mesh.h"
 #include "core/graph/graph_text.h"
@@ -100,6 +101,10 @@ std::unique_ptr<kerf_mesh> mesh_of(const Part& part) {
   const glm::dquat& q = placement.orientation;
   const std::array<double, 4> orientation{q.w, q.x, q.y, q.z};
   std::copy(orientation.begin(), orientation.end(), mesh->info.orientation);
+  const Body& body = *part.body;
+  for (const FaceId f : part.faces)
+    mesh->temperatures.push_back(
+        body.heat.temperature(body.mesh, f, body.sheet.substance, body.sheet.thickness));
   mesh->positions = std::move(e.positions);
   mesh->triangles = std::move(e.triangles);
   mesh->materials = std::move(e.materials);
@@ -172,6 +177,14 @@ kerf_result kerf_world_pieces(kerf_world* world, const kerf_control* control, ke
 void kerf_pieces_free(kerf_mesh** pieces, size_t count) {
   for (size_t i = 0; pieces != nullptr && i < count; ++i) delete pieces[i];
   delete[] pieces;
+}
+
+kerf_result kerf_world_save_scene(kerf_world* world, const char* folder) {
+  if (folder == nullptr) return kerf::told(KERF_BAD_INPUT, "folder: must not be null");
+  return kerf::run_on(world, nullptr, [&](kerf::Document& document, const kerf::Progress&) -> kerf::Status {
+    const auto saved = kerf::save_world_as_scene(document.world(), {}, folder);
+    return saved ? kerf::Status(kerf::Done{}) : saved.error();
+  });
 }
 
 kerf_result kerf_world_hash(kerf_world* world, char out[17]) {

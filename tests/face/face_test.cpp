@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 #include <xmmintrin.h>
 
-#include <atomic>
+#include <algorithm>
 #include <cfenv>
 #include <clocale>
 #include <cmath>
@@ -57,6 +57,19 @@ TEST(Face, a_sheet_is_cut_in_two_that_weigh_what_they_should) {
   }
   EXPECT_EQ(pieces[0].name(), "sheet");
   EXPECT_NE(pieces[1].name(), "sheet");
+}
+
+TEST(Face, a_world_is_saved_as_a_scene_that_is_opened_again) {
+  kerf::World world;
+  world.add(sheet(20), "sheet");
+  world.cut(through_the_middle());
+  const std::string folder = testing::TempDir() + "kerf-face-scene";
+  world.save_scene(folder);
+  const kerf::World again(folder + "/scene.json");
+  double area = 0;
+  for (const kerf::Mesh& piece : again.pieces()) area += piece.area();
+  EXPECT_NEAR(area, world.pieces()[0].area() + world.pieces()[1].area(), 1e-12);
+  EXPECT_THROW(world.save_scene("/proc/no-such/folder"), kerf::Failure);
 }
 
 TEST(Face, rays_find_the_sheet_and_the_slot) {
@@ -199,7 +212,14 @@ TEST(Face, thermal_cuts_take_a_material) {
   stroke.power = 4000;
   stroke.keys[1].time = 300;
   world.cut(stroke, {.model = KERF_MODEL_THERMAL, .material = "pmma"});
-  EXPECT_GT(world.pieces().size(), 1u);
+  const std::vector<kerf::Mesh> pieces = world.pieces();
+  EXPECT_GT(pieces.size(), 1u);
+  const std::span<const double> warm = pieces[0].temperatures();
+  ASSERT_EQ(warm.size(), pieces[0].faces().size() / 3);
+  EXPECT_GE(*std::min_element(warm.begin(), warm.end()), 293);
+  EXPECT_GT(*std::max_element(warm.begin(), warm.end()), 300);
+  EXPECT_LT(*std::max_element(warm.begin(), warm.end()), 2000);
+  EXPECT_TRUE(sheet(2).temperatures().empty());
 }
 
 }  // namespace

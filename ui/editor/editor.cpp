@@ -4,6 +4,7 @@
 #include <random>
 #include <utility>
 
+#include "core/base/assets.h"
 #include "core/base/atomic_file.h"
 #include "core/document/journal/save.h"
 #include "core/game/vehicle/vehicle_bodies.h"
@@ -13,7 +14,6 @@
 #include "ui/editor/shell/editor_screen.h"
 #include "ui/game/game.h"
 #include "ui/game/high_scores.h"
-#include "core/base/assets.h"
 #include "ui/screen/frame_loop.h"
 #include "ui/window/window.h"
 

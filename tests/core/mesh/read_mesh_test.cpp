@@ -42,7 +42,8 @@ TEST(ReadMesh, refuses_what_is_no_regular_file) {
   EXPECT_EQ(refusal("/dev/zero"), ": this is a device or a pipe, not a mesh file.");
   EXPECT_EQ(refusal(folder / "e.ply"), ": the file is empty.");
   EXPECT_EQ(refusal(folder / "none.off"), ": cannot be opened: No such file or directory.");
-  EXPECT_EQ(refusal(folder / "g.txt"), ": this is no mesh that Kerf reads; it reads OBJ, PLY, STL, OFF and glTF.");
+  EXPECT_EQ(refusal(folder / "g.txt"),
+            ": this is no mesh that Kerf reads; it reads OBJ, PLY, STL, OFF and glTF.");
 }
 
 TEST(ReadMesh, refuses_more_than_four_gibibytes) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/assets.h"
 #include "core/document/files/material_reader.h"
 #include "core/document/text/world_fields.h"
 #include "ui/editor/material/laser_heat_rows.h"
@@ -12,7 +13,6 @@
 #include "ui/editor/material/stroke_watch.h"
 #include "ui/editor/shared/long_change.h"
 #include "ui/editor/shared/pieces/piece_set.h"
-#include "core/base/assets.h"
 #include "ui/window/imgui_vector.h"
 #include "ui/window/landmarks.h"
 #include "ui/window/number_fields.h"

@@ -47,6 +47,8 @@ def check_outside_programs(prefix, folder):
         text.write('cmake_minimum_required(VERSION 3.25)\nproject(outside LANGUAGES C CXX)\nfind_package(kerf 0.1 REQUIRED)\n'
                    f'add_executable(outside {EXAMPLES}/outside.cpp)\ntarget_link_libraries(outside PRIVATE kerf::core)\n'
                    f'add_executable(outside_c {EXAMPLES}/outside.c)\ntarget_link_libraries(outside_c PRIVATE kerf::c)\n'
+                   f'add_executable(engine {EXAMPLES}/engine_extension.c)\ntarget_link_libraries(engine PRIVATE kerf::c m)\n'
+                   'target_compile_options(engine PRIVATE -Wall -Wextra -Werror)\n'
                    'target_compile_options(outside PRIVATE -Wall -Wextra -Werror -ffast-math)\n'
                    'target_compile_options(outside_c PRIVATE -Wall -Wextra -Werror)\n')
     build = os.path.join(folder, 'build')
@@ -55,6 +57,9 @@ def check_outside_programs(prefix, folder):
     said = run(os.path.join(build, 'outside'), SPHERE)
     assert said.count(' kg') == 2, said
     assert run(os.path.join(build, 'outside_c')) == '2 pieces\n'
+    masses = [float(line.split(', ')[1].split()[0]) for line in run(os.path.join(build, 'engine')).splitlines()]
+    # The box has 10 m2 of sheet at 7.85 kg; the slot takes four strips of 2 cm by one metre from it.
+    assert len(masses) == 2 and abs(sum(masses) - 7.85 * (10 - 4 * 0.02)) < 0.01, masses
 
 
 def check_python(prefix, folder):

@@ -39,16 +39,6 @@ std::vector<Part> parts_of(const World& world, bool split_all) {
   return parts;
 }
 
-// The mass of an extract as a sheet, about its centroid and along the axes of the world.
-MassProperties mass_of(const Extract& extract, const Sheet& sheet) {
-  AreaMoments moments;
-  for (const auto& t : extract.triangles) {
-    const Triangle corners = {extract.positions[t[0]], extract.positions[t[1]], extract.positions[t[2]]};
-    moments += area_moments(corners, triangle_area(corners), extract.centroid);
-  }
-  return shell_mass(extract.area, moments, extract.centroid, sheet.thickness, sheet.density);
-}
-
 bool any_has_moved(const World& world) {
   return std::ranges::any_of(world.ids(), [&](BodyId id) { return world.body(id).motion != Motion{}; });
 }

@@ -14,8 +14,15 @@ namespace {
 
 constexpr unsigned kMostThreads = 1024;
 
-std::string& kept_message() {
-  static thread_local std::string message;
+constexpr const char* kNoMemory = "there is not enough memory";
+
+// The message of this thread; where memory was lacking to keep one, kNoMemory takes its place.
+struct Kept {
+  std::string text;
+  bool lacks_memory = false;
+};
+Kept& kept() {
+  static thread_local Kept message;
   return message;
 }
 
@@ -44,12 +51,16 @@ class DefaultArithmetic {
 
 }  // namespace
 
-kerf_result told(kerf_result result, std::string message) {
-  kept_message() = std::move(message);
+kerf_result told(kerf_result result, const char* message) noexcept {
+  try {
+    kept() = {message, false};
+  } catch (const std::bad_alloc&) {
+    kept().lacks_memory = true;
+  }
   return result;
 }
 
-const char* last_message() { return kept_message().c_str(); }
+const char* last_message() { return kept().lacks_memory ? kNoMemory : kept().text.c_str(); }
 
 Call::Call(const kerf_control* control) {
   if (control != nullptr) control_ = *control;
@@ -68,11 +79,13 @@ kerf_result Call::run(const std::function<Status(const Progress&)>& work) {
     if (status) return KERF_OK;
     if (stopped_) return told(KERF_CANCELLED, "cancelled");
     const bool bad = status.error().code == ErrorCode::kBadInput;
-    return told(bad ? KERF_BAD_INPUT : KERF_FAILED, status.error().message);
+    return told(bad ? KERF_BAD_INPUT : KERF_FAILED, status.error().message.c_str());
   } catch (const std::bad_alloc&) {
-    return told(KERF_FAILED, "there is not enough memory");
+    return told(KERF_FAILED, kNoMemory);
   } catch (const std::exception& fault) {
     return told(KERF_FAILED, fault.what());
+  } catch (...) {
+    return told(KERF_FAILED, "stopped by an unknown fault");
   }
 }
 

@@ -27,7 +27,7 @@ class Call {
 };
 
 // Keeps the message of an error for this thread, and returns its code.
-kerf_result told(kerf_result result, std::string message);
+kerf_result told(kerf_result result, const char* message) noexcept;
 
 // The message that was kept last in this thread.
 const char* last_message();

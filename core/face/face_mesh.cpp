@@ -8,7 +8,7 @@
 #include "core/face/call.h"
 #include "core/mesh/mesh.h"
 #include "core/mesh/read_mesh.h"
-#include "core/mesh/weld.h"
+#include "core/mesh/remesh/welded_triangles.h"
 #include "core/mesh/write_mesh.h"
 
 namespace kerf {
@@ -21,27 +21,17 @@ bool is_finite(const Vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) 
 
 // The usable triangles of a file over its welded positions.
 Status take_soup(Soup soup, const std::string& name, kerf_mesh& mesh) {
-  const std::vector<uint32_t> first = weld_positions(soup.positions);
-  std::vector<uint32_t> number(soup.positions.size(), kNoIndex);
+  WeldedTriangles welded(soup.positions);
   for (size_t t = 0; t < soup.triangles.size(); ++t) {
-    std::array<uint32_t, 3> corners = soup.triangles[t];
-    for (uint32_t& v : corners) v = first[v];
+    const std::array<uint32_t, 3>& corners = soup.triangles[t];
     const bool usable =
-        corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0] &&
         std::all_of(corners.begin(), corners.end(), [&](uint32_t v) { return is_finite(soup.positions[v]); });
-    if (!usable) continue;
-    for (uint32_t& v : corners) {
-      if (number[v] == kNoIndex) {
-        number[v] = static_cast<uint32_t>(mesh.positions.size());
-        mesh.positions.push_back(soup.positions[v]);
-      }
-      v = number[v];
-    }
-    mesh.triangles.push_back(corners);
-    if (!soup.materials.empty()) mesh.materials.push_back(soup.materials[t]);
+    if (usable && welded.add(corners) && !soup.materials.empty()) mesh.materials.push_back(soup.materials[t]);
   }
+  if (welded.triangles.empty()) return bad_input(name + ": no usable face is in it.");
+  mesh.positions = std::move(welded.positions);
+  mesh.triangles = std::move(welded.triangles);
   mesh.material_names = std::move(soup.material_names);
-  if (mesh.triangles.empty()) return bad_input(name + ": no usable face is in it.");
   return Done{};
 }
 

@@ -17,7 +17,6 @@
 #include "core/document/text/hash_text.h"
 #include "core/face/face_mesh.h"
 #include "core/graph/graph_text.h"
-#include "core/world/shell_mass.h"
 #include "core/world/state_hash.h"
 
 namespace kerf {
@@ -73,13 +72,7 @@ struct Part {
 };
 
 void weigh_piece(const Extract& e, const Body& body, kerf_mesh_info& info) {
-  AreaMoments moments;
-  for (const auto& t : e.triangles) {
-    const Triangle corners = {e.positions[t[0]], e.positions[t[1]], e.positions[t[2]]};
-    moments += area_moments(corners, triangle_area(corners), e.centroid);
-  }
-  const MassProperties mass =
-      shell_mass(e.area, moments, e.centroid, body.sheet.thickness, body.sheet.density);
+  const MassProperties mass = mass_of(e, body.sheet);
   info.mass = mass.mass;
   const glm::dmat3& m = mass.inertia;
   const std::array<double, 6> inertia{m[0][0], m[1][1], m[2][2], m[0][1], m[0][2], m[1][2]};

@@ -96,6 +96,15 @@ Extract extract_faces(const Body& body, std::span<const FaceId> faces) {
   return out;
 }
 
+MassProperties mass_of(const Extract& extract, const Sheet& sheet) {
+  AreaMoments moments;
+  for (const auto& t : extract.triangles) {
+    const Triangle corners = {extract.positions[t[0]], extract.positions[t[1]], extract.positions[t[2]]};
+    moments += area_moments(corners, triangle_area(corners), extract.centroid);
+  }
+  return shell_mass(extract.area, moments, extract.centroid, sheet.thickness, sheet.density);
+}
+
 std::vector<std::vector<FaceId>> faces_by_piece(const Body& body, bool every_component) {
   std::vector<std::vector<FaceId>> groups;
   std::vector<uint32_t> component;

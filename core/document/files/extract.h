@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/world/shell_mass.h"
 #include "core/world/world.h"
 
 namespace kerf {
@@ -22,6 +23,9 @@ struct Extract {
 
 // Copies faces. Precondition: they are live and ascending. O(n log n).
 Extract extract_faces(const Body& body, std::span<const FaceId> faces);
+
+// The mass properties of an extract as a sheet, about its centroid and along the axes of the world. O(n).
+MassProperties mass_of(const Extract& extract, const Sheet& sheet);
 
 // The live faces of each piece of a body that has any, in the order of labels; with `every_component` those
 // of each connected component, in the order of their lowest faces. O(n).

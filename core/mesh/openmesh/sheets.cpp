@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "core/base/assert.h"
-#include "core/mesh/weld.h"
+#include "core/mesh/remesh/welded_triangles.h"
 
 namespace kerf {
 
@@ -131,30 +131,21 @@ Remeshed from_sheets(const Sheets& sheets, std::span<const FaceId> origin, const
   positions.reserve(sheets.mesh.n_vertices());
   for (size_t v = 0; v < sheets.mesh.n_vertices(); ++v)
     positions.push_back(position_of(sheets, sheets.vertex(v), mesh));
-  const std::vector<uint32_t> first = weld_positions(positions);
+  WeldedTriangles welded(positions);
   std::vector<uint32_t> order(origin.size());
   std::iota(order.begin(), order.end(), uint32_t{0});
   std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return origin[a] < origin[b]; });
 
   Remeshed out;
-  std::vector<uint32_t> number(positions.size(), kNoIndex);
   for (const uint32_t f : order) {
     if (sheets.mesh.status(sheets.face(f)).deleted()) continue;
     std::array<uint32_t, 3> corners;
     size_t i = 0;
-    for (const auto v : sheets.mesh.fv_range(sheets.face(f)))
-      corners[i++] = first[static_cast<size_t>(v.idx())];
-    if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) continue;
-    for (uint32_t& v : corners) {
-      if (number[v] == kNoIndex) {
-        number[v] = static_cast<uint32_t>(out.positions.size());
-        out.positions.push_back(positions[v]);
-      }
-      v = number[v];
-    }
-    out.triangles.push_back(corners);
-    out.origins.push_back(origin[f]);
+    for (const auto v : sheets.mesh.fv_range(sheets.face(f))) corners[i++] = static_cast<uint32_t>(v.idx());
+    if (welded.add(corners)) out.origins.push_back(origin[f]);
   }
+  out.positions = std::move(welded.positions);
+  out.triangles = std::move(welded.triangles);
   return out;
 }
 

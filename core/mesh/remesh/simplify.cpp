@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/mesh/remesh/collapser.h"
-#include "core/mesh/weld.h"
+#include "core/mesh/remesh/welded_triangles.h"
 
 namespace kerf {
 
@@ -53,7 +53,7 @@ bool collapse_to_faces(Collapser& collapser, size_t faces) {
 
 // The faces that are left, with welded positions in the order in which they come.
 Remeshed to_remeshed(const Mesh& mesh, const FlatSheets& sheets, const FlatSurface& surface) {
-  std::vector<uint32_t> number(surface.vertices(), kNoIndex), used;
+  std::vector<uint32_t> number(surface.vertices(), kNoIndex);
   std::vector<Vec3> positions;
   for (uint32_t f = 0; f < surface.faces(); ++f) {
     if (!surface.has(f)) continue;
@@ -63,24 +63,15 @@ Remeshed to_remeshed(const Mesh& mesh, const FlatSheets& sheets, const FlatSurfa
       positions.push_back(mesh.position(sheets.vertices[v]));
     }
   }
-  const std::vector<uint32_t> first = weld_positions(positions);
-  std::vector<uint32_t> place(positions.size(), kNoIndex);
+  WeldedTriangles welded(positions);
   Remeshed out;
   for (uint32_t f = 0; f < surface.faces(); ++f) {
     if (!surface.has(f)) continue;
-    std::array<uint32_t, 3> corners = surface.corners(f);
-    for (uint32_t& v : corners) v = first[number[v]];
-    if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) continue;
-    for (uint32_t& v : corners) {
-      if (place[v] == kNoIndex) {
-        place[v] = static_cast<uint32_t>(out.positions.size());
-        out.positions.push_back(positions[v]);
-      }
-      v = place[v];
-    }
-    out.triangles.push_back(corners);
-    out.origins.push_back(sheets.faces[f]);
+    const auto& [a, b, c] = surface.corners(f);
+    if (welded.add({number[a], number[b], number[c]})) out.origins.push_back(sheets.faces[f]);
   }
+  out.positions = std::move(welded.positions);
+  out.triangles = std::move(welded.triangles);
   return out;
 }
 

@@ -54,7 +54,7 @@ Result<WrittenPiece> write_piece(const Part& part, size_t number, const PiecesFo
   const Extract& e = part.extract;
   const auto file = std::filesystem::path(folder.path) / name;
   const std::string stem = file.stem().string();
-  const MeshView view{e.positions, e.triangles, e.materials, part.body->material_names, {}, stem};
+  const MeshView view{e.positions, e.triangles, e.materials, part.body->material_names, {}, stem, e.colours};
   if (const auto s = write_mesh(view, file, *mesh_format(folder.format)); !s) return s.error();
   WrittenPiece piece{name,       e.triangles.size(),           e.positions.size(),   e.boundary_edges, e.area,
                      e.centroid, mass_of(e, part.body->sheet), part.body->placement, std::nullopt};

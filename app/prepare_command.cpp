@@ -103,6 +103,7 @@ class PrepareRun {
     if (made->triangles.empty()) return failed(options_.mesh + ": no face is left");
     made_ = std::move(*made);
     materials_ = materials_of(made_, mesh_);
+    colours_ = colours_of(made_, mesh_);
     auto built = build_remeshed(made_, mesh_, &building);
     if (!built) return built.error();
     mesh_ = std::move(built->mesh);
@@ -118,8 +119,13 @@ class PrepareRun {
 
   Status write() const {
     if (interrupted()) return stopped();
-    const MeshView view{made_.positions, made_.triangles,
-                        names_.empty() ? std::span<const uint16_t>() : std::span(materials_), names_};
+    const MeshView view{made_.positions,
+                        made_.triangles,
+                        names_.empty() ? std::span<const uint16_t>() : std::span(materials_),
+                        names_,
+                        {},
+                        {},
+                        colours_};
     return write_mesh(view, options_.out,
                       *mesh_format(std::filesystem::path(options_.out).extension().string()));
   }
@@ -128,7 +134,8 @@ class PrepareRun {
   std::vector<std::string> names_;
   Mesh mesh_;
   Remeshed made_;
-  std::vector<uint16_t> materials_;  // of made_
+  std::vector<uint16_t> materials_;    // of made_
+  std::vector<VertexColour> colours_;  // of made_
 };
 
 }  // namespace

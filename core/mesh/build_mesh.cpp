@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/base/assert.h"
+#include "core/base/count_text.h"
 #include "core/base/parallel.h"
 #include "core/mesh/fill_half_edges.h"
 #include "core/mesh/kernel.h"
@@ -27,6 +28,7 @@ class Builder {
 
   Result<BuiltMesh> build() {
     KERF_ASSERT(soup_.materials.empty() || soup_.materials.size() == soup_.triangles.size());
+    KERF_ASSERT(soup_.colours.empty() || soup_.colours.size() == soup_.positions.size());
     report_.format = soup_.format;
     report_.faces_in_file = soup_.faces_in_file;
     report_.triangles_in_file = soup_.triangles_in_file;
@@ -154,6 +156,7 @@ class Builder {
     auto fans = name_vertices(triangles_, soup_.positions.size(), partner_, &progress);
     if (const Status named = unpack(std::move(fans), fans_); !named) return named;
     count_vertices();
+    note_other_colours();
     return Done{};
   }
 
@@ -171,6 +174,22 @@ class Builder {
     report_.repairs.duplicated_vertices = fans_.count() - report_.vertices;
   }
 
+  void note_other_colours() {
+    size_t others = 0;
+    for (size_t p = 0; p < soup_.colours.size(); ++p) others += soup_.colours[p] != soup_.colours[welded_[p]];
+    if (others == 0) return;
+    report_.warnings.push_back(grouped(others) +
+                               (others == 1
+                                    ? " vertex has another colour than an earlier one at its place, "
+                                    : " vertices have other colours than earlier ones at their places, ") +
+                               "whose colour was kept.");
+  }
+
+  void colour_vertices() {
+    for (uint32_t v = 0; v < fans_.count() && !soup_.colours.empty(); ++v)
+      mesh_.colours().set(VertexId(v), soup_.colours[fans_.position[v]]);
+  }
+
   Status fill_mesh(const Progress& progress) {
     HalfEdges& m = mesh_.kernel().half_edges;
     auto half_edges = fill_half_edges(m, triangles_, partner_, fans_.last_side, &progress);
@@ -179,6 +198,7 @@ class Builder {
       for (auto v = static_cast<uint32_t>(first); v < end; ++v)
         m.set_position(VertexId(v), soup_.positions[fans_.position[v]]);
     });
+    colour_vertices();
     auto& data = mesh_.kernel().faces;
     data.grow_to(static_cast<uint32_t>(triangles_.size()));
     for_each_range(triangles_.size(), kItems, [&](size_t first, size_t end) {

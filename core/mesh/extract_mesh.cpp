@@ -61,7 +61,8 @@ class Extraction {
     }
   }
   void name_fan(HalfEdgeId start) {
-    const VertexId v = to_.half_edges.add_vertex(from_.position(from_.from(start)));
+    const VertexId old = from_.from(start), v = to_.half_edges.add_vertex(from_.position(old));
+    if (!old_.colours.blank()) to_.colours.set(v, old_.colours.get(old));
     const auto name = [&](HalfEdgeId h) { starts_[named(h).index] = v; };
     HalfEdgeId h = start;
     do {

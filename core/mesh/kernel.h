@@ -18,11 +18,12 @@ struct Mesh::Kernel {
   Records<RingLink> rings;  // one per edge, or empty if the mesh has no ring
   Records<FaceData> faces;  // one per face slot
   FaceColumns columns;
+  VertexColours colours;
   uint32_t live_faces = 0;
 
   template <typename Self>
   static auto parts(Self& self) {
-    return std::tie(self.half_edges, self.rings, self.faces, self.columns, self.live_faces);
+    return std::tie(self.half_edges, self.rings, self.faces, self.columns, self.colours, self.live_faces);
   }
 };
 

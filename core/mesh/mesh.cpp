@@ -1,5 +1,6 @@
 #include "core/mesh/mesh.h"
 
+#include <algorithm>
 #include <cassert>
 
 #include "core/base/assert.h"
@@ -51,6 +52,9 @@ FaceData& Mesh::edit_data(FaceId f) { return kernel_->faces.edit(f.index); }
 
 const FaceColumns& Mesh::columns() const { return kernel_->columns; }
 FaceColumns& Mesh::columns() { return kernel_->columns; }
+
+const VertexColours& Mesh::colours() const { return kernel_->colours; }
+VertexColours& Mesh::colours() { return kernel_->colours; }
 
 namespace {
 
@@ -136,6 +140,14 @@ FaceId hand_down(Mesh::Kernel& k, FaceId parent) {
   return FaceId(k.faces.size() - 1);
 }
 
+// The new vertex on an edge gets the colour between those of its ends.
+void colour_middle(Mesh::Kernel& k, VertexId middle, VertexId tail, VertexId head) {
+  const HalfEdges& m = k.half_edges;
+  const double whole = glm::distance(m.position(tail), m.position(head));
+  const double share = whole > 0 ? glm::distance(m.position(tail), m.position(middle)) / whole : 0.5;
+  k.colours.set(middle, mix(k.colours.get(tail), k.colours.get(head), std::min(share, 1.0)));
+}
+
 // Bisects the edge of h and its one or two faces, and appends what became of them: first the face of h.
 Halves bisect(Mesh::Kernel& k, HalfEdgeId h, const Vec3& at, std::vector<Mesh::FaceSplit>& out) {
   HalfEdges& m = k.half_edges;
@@ -144,6 +156,7 @@ Halves bisect(Mesh::Kernel& k, HalfEdgeId h, const Vec3& at, std::vector<Mesh::F
   const VertexId tail = m.from(h0), head = m.to(h0);
   const FaceId left = m.face(h0), right = m.face(o0);
   const VertexId middle = m.split(edge, at);  // h0 now runs middle -> head, o0 head -> middle
+  if (!k.colours.blank()) colour_middle(k, middle, tail, head);
 
   const size_t first = out.size();
   if (left.valid()) out.push_back({left, hand_down(k, left), middle, tail, head, head});

@@ -9,6 +9,7 @@
 #include "core/base/records.h"
 #include "core/base/vec3.h"
 #include "core/mesh/face_columns.h"
+#include "core/mesh/vertex_colours.h"
 
 namespace kerf {
 
@@ -88,6 +89,10 @@ class Mesh {
   // Further values of the faces, which follow all that is done to faces (see FaceColumns).
   const FaceColumns& columns() const;
   FaceColumns& columns();
+
+  // The colours of the vertices, which follow all that is done to vertices.
+  const VertexColours& colours() const;
+  VertexColours& colours();
 
   // Appends every other live face that shares an edge with f, including over rings; a face that shares two
   // edges appears twice. Precondition: f is live. Linear in the degrees of the rings.

@@ -40,6 +40,8 @@ void check_soup(const Soup& soup) {
   }
   require(soup.materials.empty() || soup.materials.size() == soup.triangles.size(),
           "materials that are not one a face");
+  require(soup.colours.empty() || soup.colours.size() == soup.positions.size(),
+          "colours that are not one a position");
   for (const uint16_t m : soup.materials)
     require(m < soup.material_names.size(), "a material that is not there");
 }

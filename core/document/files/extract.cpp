@@ -87,6 +87,12 @@ Extract extract_faces(const Body& body, std::span<const FaceId> faces) {
     number[i] = first[i] == i ? static_cast<uint32_t>(out.positions.size() - 1) : number[first[i]];
   }
   const auto number_of = [&](VertexId v) { return number[vertices.rank(v)]; };
+  if (!body.mesh.colours().blank()) {
+    out.colours.reserve(out.positions.size());
+    vertices.for_each([&](VertexId v) {
+      if (number_of(v) == out.colours.size()) out.colours.push_back(body.mesh.colours().get(v));
+    });
+  }
   out.triangles.reserve(faces.size());
   for_each_corners(body.mesh, faces, [&](FaceId f, const std::array<VertexId, 3>& c) {
     out.triangles.push_back({number_of(c[0]), number_of(c[1]), number_of(c[2])});

@@ -15,10 +15,11 @@ namespace kerf {
 struct Extract {
   std::vector<Vec3> positions;
   std::vector<std::array<uint32_t, 3>> triangles;
-  std::vector<uint16_t> materials;  // one per triangle, or empty if the body names none
-  double area = 0;                  // m^2
-  Vec3 centroid{0};                 // centre of area, m
-  size_t boundary_edges = 0;        // edges with one face
+  std::vector<uint16_t> materials;    // one per triangle, or empty if the body names none
+  std::vector<VertexColour> colours;  // one per position, or empty if the body has none
+  double area = 0;                    // m^2
+  Vec3 centroid{0};                   // centre of area, m
+  size_t boundary_edges = 0;          // edges with one face
 };
 
 // Copies faces. Precondition: they are live and ascending. O(n log n).

@@ -91,7 +91,7 @@ Result<std::filesystem::path> save_world_as_scene(const World& world, SceneDescr
     const Extract e = extract_faces(body, faces);
     char name[40];
     std::snprintf(name, sizeof name, "body-%04zu.obj", description.bodies.size() + 1);
-    const MeshView view{e.positions, e.triangles, e.materials, body.material_names};
+    const MeshView view{e.positions, e.triangles, e.materials, body.material_names, {}, {}, e.colours};
     if (const Status written = write_mesh(view, folder / name, MeshFormat::kObj); !written)
       return written.error();
     SceneBody entry;

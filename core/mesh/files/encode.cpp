@@ -1,6 +1,14 @@
 #include "core/mesh/files/encode.h"
 
+#include <algorithm>
+
 namespace kerf {
+
+bool MeshView::any_translucent() const {
+  return std::any_of(colours.begin(), colours.end(), [](const VertexColour& c) {
+    return c.part[VertexColour::kOpacity] != VertexColour::kFull;
+  });
+}
 
 void encode(const MeshView& mesh, MeshFormat format, const ByteSink& sink) {
   switch (format) {

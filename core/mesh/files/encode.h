@@ -9,6 +9,7 @@
 #include "core/base/byte_sink.h"
 #include "core/base/vec3.h"
 #include "core/mesh/files/mesh_format.h"
+#include "core/mesh/files/vertex_colour.h"
 
 namespace kerf {
 
@@ -20,6 +21,10 @@ struct MeshView {
   std::span<const std::string> material_names;  // by material; covers every material that a triangle has
   std::string_view mtl{};   // name of the MTL file beside it, on one line; empty: none. Only for OBJ
   std::string_view name{};  // of the node in glTF; empty: none
+  std::span<const VertexColour> colours{};  // one per position, or empty. For OBJ, PLY and glTF
+
+  // Whether the opacities of the colours have to be written.
+  bool any_translucent() const;
 };
 
 // Encodes a mesh as the bytes of a file. Positions and triangles keep their order and are read back to the
@@ -31,11 +36,13 @@ void encode(const MeshView& mesh, MeshFormat format, const ByteSink& sink);
 std::string encoded(const MeshView& mesh, MeshFormat format);
 
 // OBJ with the shortest decimal numbers that are read back exactly, a mtllib if the mesh has an MTL file, and
-// a usemtl wherever the material changes.
+// a usemtl wherever the material changes. Colours follow the coordinates as three fractions, and a fourth if
+// any is not opaque.
 void encode_obj(const MeshView& mesh, const ByteSink& sink);
 // OFF with numbers of the same kind; without materials.
 void encode_off(const MeshView& mesh, const ByteSink& sink);
-// Little-endian binary PLY with positions in double precision; without materials. Precondition: there are at
+// Little-endian binary PLY with positions in double precision and colours of eight bits, with opacity if any
+// is not opaque; without materials. Precondition: there are at
 // most 2^31 positions.
 void encode_ply(const MeshView& mesh, const ByteSink& sink);
 // Binary STL with positions rounded to single precision and unit normals computed from the corners; without
@@ -44,8 +51,8 @@ void encode_stl(const MeshView& mesh, const ByteSink& sink);
 
 // Binary glTF 2.0: one node with the name, with a primitive for each material that triangles have, and the
 // triangles of the primitives one after the other. Positions are rounded to single precision relative to the
-// middle of the mesh. Preconditions: the extent is within the range of float, and the bytes are fewer than
-// 2^32.
+// middle of the mesh, and colours to 16 bits of linear light. Preconditions: the extent is within the range
+// of float, and the bytes are fewer than 2^32.
 void encode_glb(const MeshView& mesh, const ByteSink& sink);
 // The same as text, with the numbers in base 64. Same preconditions.
 void encode_gltf(const MeshView& mesh, const ByteSink& sink);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 
@@ -25,18 +26,30 @@ Vec3 unit_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
   return length > 0 ? normal / length : Vec3(0);
 }
 
+std::string colour_properties(size_t count) {
+  std::string lines;
+  for (size_t k = 0; k < count; ++k)
+    lines += "property uchar " + std::string(std::array{"red", "green", "blue", "alpha"}[k]) + "\n";
+  return lines;
+}
+
+uint8_t eight_bits(uint16_t part) { return static_cast<uint8_t>((part + 128u) / 257u); }
+
 }  // namespace
 
 void encode_ply(const MeshView& mesh, const ByteSink& sink) {
   assert(mesh.positions.size() <= size_t{1} << 31);
+  const size_t colour_bytes = mesh.colours.empty() ? 0 : mesh.any_translucent() ? 4 : 3;
   const std::string head =
       "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(mesh.positions.size()) +
-      "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
-      std::to_string(mesh.triangles.size()) + "\nproperty list uchar int vertex_indices\nend_header\n";
+      "\nproperty double x\nproperty double y\nproperty double z\n" + colour_properties(colour_bytes) +
+      "element face " + std::to_string(mesh.triangles.size()) +
+      "\nproperty list uchar int vertex_indices\nend_header\n";
   const auto append_vertices = [&](size_t i, size_t end, std::string& part) {
-    part.resize((end - i) * 3 * sizeof(double));
+    part.resize((end - i) * (3 * sizeof(double) + colour_bytes));
     for (char* to = part.data(); i < end; ++i) {
       for (int k = 0; k < 3; ++k) to = store_little(mesh.positions[i][k], to);
+      for (size_t k = 0; k < colour_bytes; ++k) to = store_little(eight_bits(mesh.colours[i].part[k]), to);
     }
   };
   const auto append_faces = [&](size_t i, size_t end, std::string& part) {

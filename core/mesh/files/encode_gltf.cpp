@@ -15,6 +15,7 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
+constexpr size_t kColourBytes = 4 * sizeof(uint16_t);
 constexpr int kVertexTarget = 34962, kIndexTarget = 34963;  // of buffer views
 
 // Positions are floats relative to the middle of the mesh, which is the translation of the node: so their
@@ -60,7 +61,8 @@ OrderedJson list_of(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 
 OrderedJson describe(const MeshView& mesh, const Floats& floats, const std::vector<Group>& groups,
                      size_t bytes) {
-  const size_t vertex_bytes = mesh.positions.size() * 3 * sizeof(float);
+  const size_t position_bytes = mesh.positions.size() * 3 * sizeof(float),
+               vertex_bytes = position_bytes + mesh.colours.size() * kColourBytes;
   OrderedJson primitives = OrderedJson::array(), materials = OrderedJson::array(),
               accessors = OrderedJson::array();
   accessors.push_back({{"bufferView", 0},
@@ -69,9 +71,18 @@ OrderedJson describe(const MeshView& mesh, const Floats& floats, const std::vect
                        {"type", "VEC3"},
                        {"min", list_of(floats.low)},
                        {"max", list_of(floats.high)}});
+  OrderedJson attributes{{"POSITION", 0}};
+  if (!mesh.colours.empty()) {
+    attributes["COLOR_0"] = accessors.size();
+    accessors.push_back({{"bufferView", 2},
+                         {"componentType", kGltfShort},
+                         {"normalized", true},
+                         {"count", mesh.colours.size()},
+                         {"type", "VEC4"}});
+  }
   size_t offset = 0;
   for (const Group& group : groups) {
-    OrderedJson primitive{{"attributes", {{"POSITION", 0}}}, {"indices", accessors.size()}};
+    OrderedJson primitive{{"attributes", attributes}, {"indices", accessors.size()}};
     accessors.push_back({{"bufferView", 1},
                          {"byteOffset", offset},
                          {"componentType", kGltfInt},
@@ -92,17 +103,23 @@ OrderedJson describe(const MeshView& mesh, const Floats& floats, const std::vect
   json["meshes"] = OrderedJson::array({OrderedJson{{"primitives", std::move(primitives)}}});
   if (!materials.empty()) json["materials"] = std::move(materials);
   json["accessors"] = std::move(accessors);
-  json["bufferViews"] =
-      OrderedJson::array({OrderedJson{{"buffer", 0}, {"byteLength", vertex_bytes}, {"target", kVertexTarget}},
-                          OrderedJson{{"buffer", 0},
-                                      {"byteOffset", vertex_bytes},
-                                      {"byteLength", bytes - vertex_bytes},
-                                      {"target", kIndexTarget}}});
+  json["bufferViews"] = OrderedJson::array(
+      {OrderedJson{{"buffer", 0}, {"byteLength", position_bytes}, {"target", kVertexTarget}},
+       OrderedJson{{"buffer", 0},
+                   {"byteOffset", vertex_bytes},
+                   {"byteLength", bytes - vertex_bytes},
+                   {"target", kIndexTarget}}});
+  if (!mesh.colours.empty()) {
+    json["bufferViews"].push_back({{"buffer", 0},
+                                   {"byteOffset", position_bytes},
+                                   {"byteLength", vertex_bytes - position_bytes},
+                                   {"target", kVertexTarget}});
+  }
   json["buffers"] = OrderedJson::array({OrderedJson{{"byteLength", bytes}}});
   return json;
 }
 
-// The bytes of the buffer: positions, then the indices of each group.
+// The bytes of the buffer: positions, colours, then the indices of each group.
 bool emit_buffer(const MeshView& mesh, const Floats& floats, const std::vector<Group>& groups,
                  const ByteSink& sink) {
   const auto append_positions = [&](size_t i, size_t end, std::string& part) {
@@ -111,7 +128,17 @@ bool emit_buffer(const MeshView& mesh, const Floats& floats, const std::vector<G
       for (int k = 0; k < 3; ++k) append_little(p[k], part);
     }
   };
-  if (!emit_ranges(mesh.positions.size(), sink, append_positions)) return false;
+  const auto append_colours = [&](size_t i, size_t end, std::string& part) {
+    for (; i < end; ++i) {
+      const VertexColour& c = mesh.colours[i];
+      for (size_t k = 0; k < VertexColour::kOpacity; ++k)
+        append_little(colour_part(linear_light(c.part[k])), part);
+      append_little(c.part[VertexColour::kOpacity], part);
+    }
+  };
+  if (!emit_ranges(mesh.positions.size(), sink, append_positions) ||
+      !emit_ranges(mesh.colours.size(), sink, append_colours))
+    return false;
   return std::all_of(groups.begin(), groups.end(), [&](const Group& group) {
     return emit_ranges(group.triangles.size(), sink, [&](size_t i, size_t end, std::string& part) {
       for (; i < end; ++i) {
@@ -122,7 +149,8 @@ bool emit_buffer(const MeshView& mesh, const Floats& floats, const std::vector<G
 }
 
 size_t buffer_size(const MeshView& mesh) {
-  return 3 * (sizeof(float) * mesh.positions.size() + sizeof(uint32_t) * mesh.triangles.size());
+  return 3 * (sizeof(float) * mesh.positions.size() + sizeof(uint32_t) * mesh.triangles.size()) +
+         kColourBytes * mesh.colours.size();
 }
 
 std::string gltf_text(const OrderedJson& json) {

@@ -28,6 +28,16 @@ void append_three(const Three& numbers, std::string& text) {
   text += '\n';
 }
 
+// Appends parts of a colour to the line that has just ended.
+void append_colour(const VertexColour& colour, size_t parts, std::string& text) {
+  text.pop_back();
+  for (size_t k = 0; k < parts; ++k) {
+    text += ' ';
+    append_number(static_cast<float>(fraction_of(colour.part[k])), text);
+  }
+  text += '\n';
+}
+
 // Hands the lines of items to the sink; line(i, text) appends that of item i, about `likely` bytes long.
 template <typename Line>
 bool emit_lines(size_t items, size_t likely, const ByteSink& sink, Line line) {
@@ -49,9 +59,11 @@ void append_material(const char* keyword, const std::string& name, std::string& 
 
 void encode_obj(const MeshView& mesh, const ByteSink& sink) {
   assert(mesh.materials.empty() || mesh.materials.size() == mesh.triangles.size());
+  const size_t colour_numbers = mesh.colours.empty() ? 0 : mesh.any_translucent() ? 4 : 3;
   const auto append_position = [&](size_t i, std::string& text) {
     text += "v ";
     append_three(mesh.positions[i], text);
+    if (colour_numbers > 0) append_colour(mesh.colours[i], colour_numbers, text);
   };
   const auto append_triangle = [&](size_t i, std::string& text) {
     if (!mesh.materials.empty() && (i == 0 || mesh.materials[i] != mesh.materials[i - 1])) {

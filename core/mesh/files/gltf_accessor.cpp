@@ -67,6 +67,35 @@ Result<GltfAccessor> GltfAccessor::indices(const GltfFile& file, uint32_t access
   return rows(file, accessor, "SCALAR", *kind == kGltfByte ? 1 : *kind == kGltfShort ? 2 : 4);
 }
 
+Result<GltfAccessor> GltfAccessor::colours(const GltfFile& file, uint32_t accessor) {
+  const nlohmann::json& json = file.element("accessors", accessor);
+  const auto kind = file.whole(json, "componentType", 0, accessor_place(accessor));
+  if (!kind) return kind.error();
+  if (*kind != kGltfFloat && *kind != kGltfByte && *kind != kGltfShort)
+    return file.wrong(accessor_place(accessor) + "/componentType", "must be 5121, 5123 or 5126 for colours");
+  const size_t parts = json.contains("type") && json["type"] == "VEC4" ? 4 : 3;
+  auto colours = rows(file, accessor, parts == 4 ? "VEC4" : "VEC3",
+                      parts * (*kind == kGltfByte    ? 1
+                               : *kind == kGltfShort ? 2
+                                                     : sizeof(float)));
+  if (colours) colours->parts_ = parts;
+  return colours;
+}
+
+VertexColour GltfAccessor::colour(size_t i) const {
+  assert(i < size_ && parts_ > 0);
+  const char* at = bytes_.data() + i * stride_;
+  const size_t bytes = width_ / parts_;
+  VertexColour colour;
+  for (size_t k = 0; k < parts_; ++k, at += bytes) {
+    const double fraction = bytes == 1   ? static_cast<uint8_t>(*at) / 255.0
+                            : bytes == 2 ? fraction_of(load<uint16_t>(at, std::endian::little))
+                                         : load<float>(at, std::endian::little);
+    colour.part[k] = k == VertexColour::kOpacity ? colour_part(fraction) : part_of_linear(fraction);
+  }
+  return colour;
+}
+
 Vec3 GltfAccessor::position(size_t i) const {
   assert(i < size_ && width_ == 3 * sizeof(float));
   const char* at = bytes_.data() + i * stride_;

@@ -6,6 +6,8 @@
 #include <glm/gtc/quaternion.hpp>
 #include <limits>
 #include <map>
+#include <optional>
+#include <utility>
 
 #include "core/mesh/files/gltf_accessor.h"
 #include "core/mesh/files/polygon_list.h"
@@ -36,6 +38,8 @@ class GltfReader {
     }
     Result<Soup> soup = polygons_.to_soup(std::move(positions_), name_);
     if (!soup) return soup;
+    if (!colours_.empty()) colours_.resize(soup->positions.size());
+    soup->colours = std::move(colours_);
     soup->material_names = std::move(material_names_);
     if (soup->material_names.size() == 1 && soup->material_names[0].empty()) soup->material_names.clear();
     soup->warnings = std::move(warnings_);
@@ -194,7 +198,9 @@ class GltfReader {
     const auto accessor = file_.index(*attributes, "POSITION", "accessors", where + "/attributes");
     if (!accessor) return accessor.error();
     if (!*accessor) return std::nullopt;  // a mesh without positions is not drawn
-    const auto first = place_positions(**accessor, to_scene);
+    const auto colours = file_.index(*attributes, "COLOR_0", "accessors", where + "/attributes");
+    if (!colours) return colours.error();
+    const auto first = place_vertices({**accessor, *colours}, to_scene);
     if (!first) return first.error();
     const auto material = material_of(primitive, where);
     if (!material) return material.error();
@@ -202,24 +208,42 @@ class GltfReader {
     return read_triangles(primitive, where, *mode, {*first, *material, mirrors});
   }
 
-  // Where the positions of an accessor begin, which the primitives of a mesh may share.
+  // Where the positions of an accessor begin, which primitives of a mesh with the same colours may share.
   struct Placed {
     size_t first, count;
   };
-  Result<Placed> place_positions(uint32_t accessor, const Matrix& to_scene) {
-    if (const auto known = placed_.find(accessor); known != placed_.end()) return known->second;
-    const auto rows = GltfAccessor::positions(file_, accessor);
+  using VertexAccessors = std::pair<uint32_t, std::optional<uint32_t>>;  // of positions and of colours
+  Result<Placed> place_vertices(const VertexAccessors& accessors, const Matrix& to_scene) {
+    if (const auto known = placed_.find(accessors); known != placed_.end()) return known->second;
+    const auto rows = GltfAccessor::positions(file_, accessors.first);
     if (!rows) return rows.error();
     if (rows->size() > kMostPositions - positions_.size())
-      return file_.wrong("/accessors/" + std::to_string(accessor),
+      return file_.wrong("/accessors/" + std::to_string(accessors.first),
                          "brings more positions than Kerf reads from a glTF file");
     const Placed placed{positions_.size(), rows->size()};
     for (size_t i = 0; i < rows->size(); ++i) {
       if (i % kBetweenReports == 0 && progress_ && !progress_->report(0)) return cancelled();
       positions_.push_back(Vec3(to_scene * glm::dvec4(rows->position(i), 1)));
     }
-    placed_.emplace(accessor, placed);
+    if (accessors.second) {
+      if (auto problem = place_colours(*accessors.second, placed)) return *problem;
+    }
+    placed_.emplace(accessors, placed);
     return placed;
+  }
+
+  Problem place_colours(uint32_t accessor, const Placed& positions) {
+    const auto rows = GltfAccessor::colours(file_, accessor);
+    if (!rows || rows->size() != positions.count) {
+      note_once(uncoloured_, "Vertex colours that could not be read were passed over.");
+      return std::nullopt;
+    }
+    colours_.resize(positions.first);
+    for (size_t i = 0; i < rows->size(); ++i) {
+      if (i % kBetweenReports == 0 && progress_ && !progress_->report(0)) return cancelled();
+      colours_.push_back(rows->colour(i));
+    }
+    return std::nullopt;
   }
 
   // The number of the primitive's material among those that faces have; what has none is unnamed.
@@ -284,11 +308,12 @@ class GltfReader {
   std::vector<bool> seen_;  // by node
   std::vector<Open> open_;
   std::vector<Vec3> positions_;
+  std::vector<VertexColour> colours_;  // by position, up to the last one that has a colour
   PolygonList polygons_;
-  std::map<uint32_t, Placed> placed_;             // by accessor, of the mesh that is being read
+  std::map<VertexAccessors, Placed> placed_;      // of the mesh that is being read
   std::map<int64_t, uint16_t> material_numbers_;  // by material of the file, or -1
   std::vector<std::string> material_names_, warnings_;
-  bool skinned_ = false, morphed_ = false, lines_ = false;
+  bool skinned_ = false, morphed_ = false, lines_ = false, uncoloured_ = false;
 };
 
 }  // namespace

@@ -40,6 +40,8 @@ class ObjReader {
     Result<Soup> soup = polygons_.to_soup(std::move(positions_), file_name_);
     if (!soup) return soup;
     soup->format = "obj";
+    if (!colours_.empty()) colours_.resize(soup->positions.size());
+    soup->colours = std::move(colours_);
     add_warnings(*soup);
     soup->material_names = std::move(material_names_);
     if (soup->material_names.size() == 1 && soup->material_names[0].empty()) soup->material_names.clear();
@@ -75,10 +77,21 @@ class ObjReader {
     }
     positions_.push_back(position);
     // A weight or a colour may follow. Anything that is not a number indicates a lost line break.
-    while (!scanner_.at_line_end()) {
-      if (!parse_number(scanner_.word())) return scanner_.expected("a number");
+    std::array<double, 4> further{1, 1, 1, 1};
+    size_t count = 0;
+    for (; !scanner_.at_line_end(); ++count) {
+      const std::optional<double> number = parse_number(scanner_.word());
+      if (!number) return scanner_.expected("a number");
+      if (count < further.size()) further[count] = *number;
     }
+    if (count >= VertexColour::kOpacity) add_colour(further);
     return std::nullopt;
+  }
+
+  // Of the vertex that was read last: red, green, blue and perhaps opacity.
+  void add_colour(const std::array<double, 4>& fractions) {
+    colours_.resize(positions_.size());
+    for (size_t k = 0; k < fractions.size(); ++k) colours_.back().part[k] = colour_part(fractions[k]);
   }
 
   Problem read_face() {
@@ -138,6 +151,7 @@ class ObjReader {
   Scanner scanner_;
   const std::string& file_name_;
   std::vector<Vec3> positions_;
+  std::vector<VertexColour> colours_;  // by position, up to the last one that has a colour
   PolygonList polygons_;
 
   std::string_view material_name_;           // the argument of the last usemtl

@@ -1,6 +1,7 @@
 #include "core/mesh/files/ply_reader.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -16,13 +17,14 @@ namespace {
 using Problem = std::optional<Error>;
 
 // The role of a property in the mesh.
-enum class Role { kX, kY, kZ, kCorners, kNone };
+enum class Role { kX, kY, kZ, kRed, kGreen, kBlue, kOpacity, kCorners, kNone };
 
 struct ElementPlan {
   std::vector<Role> roles;  // one a property
   bool positions = false;   // an element gives a position
   bool faces = false;       // an element gives a polygon
   bool strips = false;      // an element gives triangle strips
+  bool colours = false;     // an element gives a colour with its position
 };
 
 bool is_corner_list(const PlyProperty& property) {
@@ -38,9 +40,23 @@ Role role_of(const PlyElement& element, const PlyProperty& property) {
   return property.name == "z" ? Role::kZ : Role::kNone;
 }
 
+// The number that stands for a full part of a colour: the largest of a whole number, else one.
+double largest_of(PlyType type) {
+  if (!is_integer(type)) return 1;
+  const bool has_sign =
+      type == PlyType::kInt8 || type == PlyType::kInt16 || type == PlyType::kInt32 || type == PlyType::kInt64;
+  return std::exp2(static_cast<int>(8 * byte_size(type)) - has_sign) - 1;
+}
+
 ElementPlan plan_for(const PlyElement& element) {
   ElementPlan plan{{}, element.name == "vertex", element.name == "face", element.name == "tristrips"};
   for (const PlyProperty& property : element.properties) plan.roles.push_back(role_of(element, property));
+  const auto colours = plan.positions ? colour_properties_of(element) : std::nullopt;
+  plan.colours = colours.has_value();
+  for (size_t k = 0; colours && k < colours->size(); ++k) {
+    if ((*colours)[k] != kNoProperty)
+      plan.roles[(*colours)[k]] = static_cast<Role>(static_cast<size_t>(Role::kRed) + k);
+  }
   return plan;
 }
 
@@ -75,19 +91,20 @@ class BodyReader {
     return std::nullopt;
   }
 
-  std::vector<Vec3> positions;
+  PlyVertices vertices;
   PolygonList polygons;
 
  private:
   Problem read_elements(const PlyElement& element, const ElementPlan& plan) {
     element_ = &element;
     if (read_rows(element, plan)) return std::nullopt;
-    if (plan.positions) positions.reserve(element.count);
+    if (plan.positions) vertices.positions.reserve(element.count);
     if (plan.faces) polygons.reserve(element.count);
     for (number_ = 0; number_ < element.count; ++number_) {
       if (scanner_.cancelled()) return cancelled();
       if (auto problem = read_properties(element, plan)) return problem;
-      if (plan.positions) positions.push_back(position_);
+      if (plan.positions) vertices.positions.push_back(position_);
+      if (plan.colours) vertices.colours.push_back(colour_);
       if (plan.faces) add_face();
       if (plan.strips) add_strips();
     }
@@ -97,8 +114,8 @@ class BodyReader {
   // Reads a whole element at once if its rows are of the usual kind. Returns whether it did.
   bool read_rows(const PlyElement& element, const ElementPlan& plan) {
     if (plan.positions) {
-      auto rows = values_.positions(element);
-      if (rows) positions = std::move(*rows);
+      auto rows = values_.vertices(element);
+      if (rows) vertices = std::move(*rows);
       return rows.has_value();
     }
     if (!plan.faces) return false;
@@ -114,8 +131,10 @@ class BodyReader {
         if (auto problem = read_list(property, plan.roles[i])) return problem;
       } else if (plan.roles[i] == Role::kNone) {
         if (!values_.skip(property.type, 1)) return missing(property);
-      } else if (!values_.number(property.type, position_[static_cast<int>(plan.roles[i])])) {
-        return missing(property);
+      } else {
+        double number = 0;
+        if (!values_.number(property.type, number)) return missing(property);
+        take_number(property, plan.roles[i], number);
       }
     }
     if (!values_.end_element()) {
@@ -123,6 +142,15 @@ class BodyReader {
                            std::to_string(number_) + "; one before it may be missing");
     }
     return std::nullopt;
+  }
+
+  void take_number(const PlyProperty& property, Role role, double number) {
+    if (role <= Role::kZ) {
+      position_[static_cast<int>(role)] = number;
+    } else {
+      const size_t part = static_cast<size_t>(role) - static_cast<size_t>(Role::kRed);
+      colour_.part[part] = colour_part(number / largest_of(property.type));
+    }
   }
 
   Problem read_list(const PlyProperty& property, Role role) {
@@ -172,6 +200,7 @@ class BodyReader {
   const PlyElement* element_ = nullptr;  // that is being read
   uint64_t number_ = 0;                  // of them read before
   Vec3 position_{0, 0, 0};
+  VertexColour colour_;
   std::vector<int64_t> corners_;
 };
 
@@ -180,8 +209,9 @@ Result<Soup> read_body(Scanner& scanner, Values values, const PlyHeader& header,
                        const std::string& file_name) {
   BodyReader<Values> body(scanner, values);
   if (auto problem = body.read(header)) return *problem;
-  Result<Soup> soup = body.polygons.to_soup(std::move(body.positions), file_name);
+  Result<Soup> soup = body.polygons.to_soup(std::move(body.vertices.positions), file_name);
   if (!soup) return soup;
+  soup->colours = std::move(body.vertices.colours);
   soup->format = "ply";
   soup->warnings.insert(soup->warnings.end(), header.warnings.begin(), header.warnings.end());
   const bool rest = header.encoding == PlyEncoding::kText ? !scanner.at_end() : scanner.left() > 0;

@@ -1,5 +1,6 @@
 #include "core/mesh/files/ply_rows.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 
@@ -49,6 +50,27 @@ void load_positions(const PositionRow& row, std::string_view bytes, std::vector<
   });
 }
 
+bool has_eight_bits(const PlyElement& element, const std::array<size_t, 4>& colours) {
+  return std::all_of(colours.begin(), colours.end(), [&](size_t i) {
+    return i == kNoProperty || element.properties[i].type == PlyType::kUint8;
+  });
+}
+
+void load_colours(const PlyElement& element, const std::array<size_t, 4>& properties, size_t row_bytes,
+                  std::string_view bytes, std::vector<VertexColour>& colours) {
+  std::vector<size_t> starts{0};  // of the properties in a row
+  for (const PlyProperty& p : element.properties) starts.push_back(starts.back() + byte_size(p.type));
+  for_each_range(colours.size(), kRows, [&](size_t i, size_t end) {
+    for (const char* at = bytes.data() + i * row_bytes; i < end; ++i, at += row_bytes) {
+      for (size_t k = 0; k < properties.size(); ++k) {
+        if (properties[k] == kNoProperty) continue;
+        const auto byte = static_cast<uint8_t>(at[starts[properties[k]]]);
+        colours[i].part[k] = static_cast<uint16_t>(257u * byte);
+      }
+    }
+  });
+}
+
 // Where the list of corners lies in a row in which it has three entries.
 struct TriangleRow {
   size_t list_at = 0, bytes = 0;
@@ -78,14 +100,36 @@ bool fits(const PlyElement& element, size_t row_bytes, std::string_view bytes) {
 
 }  // namespace
 
-std::optional<PlyRows<Vec3>> read_position_rows(const PlyElement& element, std::string_view bytes) {
+std::optional<std::array<size_t, 4>> colour_properties_of(const PlyElement& element) {
+  constexpr std::array<std::string_view, 4> kNames{"red", "green", "blue", "alpha"};
+  constexpr std::string_view kPrefix = "diffuse_";
+  std::array<size_t, 4> found;
+  found.fill(kNoProperty);
+  for (size_t i = 0; i < element.properties.size(); ++i) {
+    std::string_view name = element.properties[i].name;
+    if (name.starts_with(kPrefix)) name.remove_prefix(kPrefix.size());
+    const auto at = std::find(kNames.begin(), kNames.end(), name);
+    if (at != kNames.end() && is_scalar(element.properties[i]))
+      found[static_cast<size_t>(at - kNames.begin())] = i;
+  }
+  const bool whole = std::count(found.begin(), found.begin() + VertexColour::kOpacity, kNoProperty) == 0;
+  return whole ? std::optional(found) : std::nullopt;
+}
+
+std::optional<PlyVertexRows> read_vertex_rows(const PlyElement& element, std::string_view bytes) {
   const auto row = position_row(element);
   if (!row || !fits(element, row->bytes, bytes)) return std::nullopt;
-  PlyRows<Vec3> rows{std::vector<Vec3>(element.count), element.count * row->bytes};
+  const auto colours = colour_properties_of(element);
+  if (colours && !has_eight_bits(element, *colours)) return std::nullopt;
+  PlyVertexRows rows{{std::vector<Vec3>(element.count), {}}, element.count * row->bytes};
   if (row->type == PlyType::kFloat32)
-    load_positions<float>(*row, bytes, rows.values);
+    load_positions<float>(*row, bytes, rows.values.positions);
   else
-    load_positions<double>(*row, bytes, rows.values);
+    load_positions<double>(*row, bytes, rows.values.positions);
+  if (colours) {
+    rows.values.colours.resize(element.count);
+    load_colours(element, *colours, row->bytes, bytes, rows.values.colours);
+  }
   return rows;
 }
 

@@ -83,10 +83,10 @@ bool PlyBinaryValues::skip(PlyType type, uint64_t count) {
   return true;
 }
 
-std::optional<std::vector<Vec3>> PlyBinaryValues::positions(const PlyElement& element) {
+std::optional<PlyVertices> PlyBinaryValues::vertices(const PlyElement& element) {
   if (order_ != std::endian::little) return std::nullopt;
-  auto rows = read_position_rows(
-      element, scanner_.between(scanner_.position(), scanner_.position() + scanner_.left()));
+  auto rows =
+      read_vertex_rows(element, scanner_.between(scanner_.position(), scanner_.position() + scanner_.left()));
   if (!rows) return std::nullopt;
   scanner_.take(rows->bytes);
   return std::move(rows->values);

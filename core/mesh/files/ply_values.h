@@ -26,8 +26,8 @@ class PlyTextValues {
   bool skip(PlyType type, uint64_t count);
   // Whether the rest of the file is long enough for `count` values.
   bool can_hold(PlyType, uint64_t count) const { return count <= scanner_.left(); }
-  // All positions or triangles of an element whose rows are of the usual binary kind; see ply_rows.h.
-  std::optional<std::vector<Vec3>> positions(const PlyElement&) { return std::nullopt; }
+  // All vertices or triangles of an element whose rows are of the usual binary kind; see ply_rows.h.
+  std::optional<PlyVertices> vertices(const PlyElement&) { return std::nullopt; }
   std::optional<std::vector<Soup::Triangle>> triangles(const PlyElement&) { return std::nullopt; }
   // Ends an element. Returns false if its line holds further values.
   bool end_element();
@@ -47,7 +47,7 @@ class PlyBinaryValues {
   bool integer(PlyType type, int64_t& value);
   bool skip(PlyType type, uint64_t count);
   bool can_hold(PlyType type, uint64_t count) const { return count <= scanner_.left() / byte_size(type); }
-  std::optional<std::vector<Vec3>> positions(const PlyElement& element);
+  std::optional<PlyVertices> vertices(const PlyElement& element);
   std::optional<std::vector<Soup::Triangle>> triangles(const PlyElement& element);
   bool end_element() { return true; }
   Error error(const std::string& what) const { return scanner_.byte_error(what); }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/vec3.h"
+#include "core/mesh/files/vertex_colour.h"
 
 namespace kerf {
 
@@ -21,7 +22,8 @@ struct MeshPart {
 struct Soup {
   using Triangle = std::array<uint32_t, 3>;  // indices into positions, counter-clockwise seen from outside
 
-  std::vector<Vec3> positions;  // metres, in the frame of the file
+  std::vector<Vec3> positions;        // metres, in the frame of the file
+  std::vector<VertexColour> colours;  // one per position, or empty if the file has none
   std::vector<Triangle> triangles;
   std::vector<uint16_t> materials;          // one per triangle: index into material_names; empty if all are 0
   std::vector<std::string> material_names;  // as in the file ("usemtl")

@@ -1,5 +1,9 @@
 #include "core/mesh/remesh/remeshed.h"
 
+#include <array>
+
+#include "core/mesh/point_to_triangle.h"
+
 namespace kerf {
 
 std::vector<uint16_t> materials_of(const Remeshed& remeshed, const Mesh& mesh) {
@@ -9,9 +13,45 @@ std::vector<uint16_t> materials_of(const Remeshed& remeshed, const Mesh& mesh) {
   return materials;
 }
 
+namespace {
+
+// The weights of the corners of a triangle at a point of it; the first corner's where it has no area.
+std::array<double, 3> corner_weights(const Vec3& p, const Triangle& t) {
+  const double a = triangle_area({p, t[1], t[2]}), b = triangle_area({p, t[2], t[0]}),
+               c = triangle_area({p, t[0], t[1]});
+  const double sum = a + b + c;
+  if (!(sum > 0)) return {1, 0, 0};
+  return {a / sum, b / sum, c / sum};
+}
+
+VertexColour colour_at(const Vec3& p, const Mesh& mesh, FaceId f) {
+  const Triangle t = mesh.triangle(f);
+  const std::array<VertexId, 3> v = mesh.corners(f);
+  const VertexColours& of = mesh.colours();
+  return mix({of.get(v[0]), of.get(v[1]), of.get(v[2])}, corner_weights(nearest_point(p, t), t));
+}
+
+}  // namespace
+
+std::vector<VertexColour> colours_of(const Remeshed& remeshed, const Mesh& mesh) {
+  std::vector<VertexColour> colours;
+  if (mesh.colours().blank()) return colours;
+  colours.resize(remeshed.positions.size());
+  std::vector<bool> known(colours.size(), false);
+  for (size_t t = 0; t < remeshed.triangles.size(); ++t) {
+    for (const uint32_t p : remeshed.triangles[t]) {
+      if (known[p]) continue;
+      known[p] = true;
+      colours[p] = colour_at(remeshed.positions[p], mesh, remeshed.origins[t]);
+    }
+  }
+  return colours;
+}
+
 Result<BuiltMesh> build_remeshed(const Remeshed& remeshed, const Mesh& mesh, const Progress* progress) {
   Soup soup;
   soup.positions = remeshed.positions;
+  soup.colours = colours_of(remeshed, mesh);
   soup.triangles = remeshed.triangles;
   soup.materials = materials_of(remeshed, mesh);
   soup.faces_in_file = soup.triangles_in_file = soup.triangles.size();

@@ -36,6 +36,10 @@ struct Remeshed {
 // of `mesh`.
 std::vector<uint16_t> materials_of(const Remeshed& remeshed, const Mesh& mesh);
 
+// The colours of the positions: that of the point of the surface which is nearest on the face from which a
+// triangle at the position stems. Empty if the mesh has none. Same precondition.
+std::vector<VertexColour> colours_of(const Remeshed& remeshed, const Mesh& mesh);
+
 // Builds the mesh of the triangles with build_mesh; its face slots have their order. Names and parts are left
 // empty. Same precondition. Fails with cancelled() when stopped; `progress` may be null. O(n log n).
 Result<BuiltMesh> build_remeshed(const Remeshed& remeshed, const Mesh& mesh, const Progress* progress);

@@ -26,6 +26,7 @@ class WeldedTriangles {
       if (number_[v] == kNoIndex) {
         number_[v] = static_cast<uint32_t>(positions.size());
         positions.push_back(from_[v]);
+        sources.push_back(v);
       }
       v = number_[v];
     }
@@ -34,6 +35,7 @@ class WeldedTriangles {
   }
 
   std::vector<Vec3> positions;
+  std::vector<uint32_t> sources;                   // by position: the lowest index of an equal one in `from`
   std::vector<std::array<uint32_t, 3>> triangles;  // indices of positions
 
  private:

@@ -73,7 +73,8 @@ Status write_piece(const World& world, const PieceFile& to, const std::map<std::
     if (!written) return written;
   }
   const std::string name = to.mesh.stem().string();
-  return write_mesh({extract.positions, extract.triangles, extract.materials, body.material_names, mtl, name},
+  return write_mesh({extract.positions, extract.triangles, extract.materials, body.material_names, mtl, name,
+                     extract.colours},
                     to.mesh, format);
 }
 

@@ -4,16 +4,19 @@
 
 #include "app/commands.h"
 #include "app/cut_options.h"
+#include "app/cut_summary.h"
 #include "app/load.h"
 #include "app/pieces_folder.h"
 #include "app/progress_line.h"
 #include "app/tell.h"
 #include "core/base/assets.h"
 #include "core/base/atomic_file.h"
+#include "core/base/machine_memory.h"
 #include "core/cut/stopwatch.h"
 #include "core/cut/thermal_step.h"
 #include "core/document/files/material_reader.h"
 #include "core/document/files/stroke_settings.h"
+#include "core/document/history/face_budget.h"
 #include "core/document/history/run_queue.h"
 #include "core/document/journal/journal.h"
 
@@ -111,6 +114,7 @@ class CutRun {
     diagonal_ = bounds_.diagonal();
     document_ = Document(std::move(world));
     document_.set_window(0);  // nothing is taken back here
+    document_.set_face_budget(usual_face_budget(machine_memory()));
     return Done{};
   }
 

@@ -62,7 +62,10 @@ struct CutSettings {
   bool smooth() const {
     return resolution.rim == Rim::kSmooth && laser.pattern == Pattern::kVolume && model == Model::kGeometric;
   }
-  size_t most_faces = 20'000'000;  // a cut fails before there are more live faces than this
+  // A cut fails before a body has more live faces than this. By itself it is what 32-bit numbers of
+  // half-edges leave room for; memory ends before (see Document::set_face_budget).
+  static constexpr size_t kMostFaces = size_t{1} << 28;
+  size_t most_faces = kMostFaces;
   // The number of faces that a move visits in a search for separated pieces; the following moves continue the
   // search. The limit is per move and not per step, so that labels do not depend on the division into steps.
   size_t search_a_move = 1'000;

@@ -162,6 +162,12 @@ size_t World::live_faces() const {
   return faces;
 }
 
+size_t World::face_slots() const {
+  size_t slots = 0;
+  for (const Slot& slot : slots_) slots += slot.alive ? slot.body.mesh.face_slots() : 0;
+  return slots;
+}
+
 size_t World::live_pieces() const {
   size_t pieces = 0;
   for (const Slot& slot : slots_) {

@@ -194,6 +194,7 @@ class World {
   void set_joints(Joints joints) { situation_.joints = std::make_shared<const Joints>(std::move(joints)); }
 
   size_t live_faces() const;
+  size_t face_slots() const;  // of all bodies: faces that live or were removed
   // The number of pieces that have faces, including those with label 0.
   size_t live_pieces() const;
 

@@ -54,7 +54,7 @@ static void describe(Fields& f, CutSettings& s) {
   f.number("pulse-rate", s.laser.pulse_rate, kPositive, 0);
   f.number("duty", s.laser.duty, kPositiveShare, 1);
   f.choice("assist", s.laser.assist, kAssists, Assist::kNone);
-  f.whole("most-faces", s.most_faces, 1, uint64_t{1} << 32, 20'000'000);
+  f.whole("most-faces", s.most_faces, 1, uint64_t{1} << 32, CutSettings::kMostFaces);
   f.no_others("is not a setting that this version has");
 }
 

@@ -132,7 +132,7 @@ Result<StepResult> Document::execute(size_t most, bool one_stage, const Progress
     return !stopped;
   }};
   Result<StepResult> some = execution_.step(most, one_stage, watched);
-  if (!some) give_up(execution_.next_step(), stopped);
+  if (!some) give_up(execution_.next_step(), stopped || execution_.is_over_budget());
   return some;
 }
 

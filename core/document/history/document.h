@@ -76,6 +76,12 @@ class Document {
   // The limit for their before-images (see History::set_window).
   void set_window(size_t bytes) { execution_.history().set_window(bytes); }
 
+  // The number of face slots, i.e. of faces that live or were removed, that the memory of this machine is
+  // enough for (see usual_face_budget); by itself there is no limit. A stroke that makes more fails like one
+  // that `progress` stopped: it is undone, in the journal too, so that the limit does not decide what a
+  // replay leads to.
+  void set_face_budget(size_t slots) { execution_.set_face_budget(slots); }
+
   // Applies the command and appends it to the journal. Every command except those of a stroke, Advance,
   // Pull and LetGo ends a running stroke. A move without a running stroke, and a command that has no effect,
   // are ignored and not written to the journal.
@@ -101,9 +107,10 @@ class Document {
   // - a change of the spring.
   // Calling it while waiting() > 0 executes the whole queue.
   //
-  // On failure the stroke is taken back, and whatever follows the world must read all of it again. If
-  // `progress` stopped the step, the stroke is also undone in the journal, together with the queue behind it.
-  // If no before-images are recorded (see set_window), the stroke ends where it was stopped instead.
+  // On failure the stroke is taken back, and so is the one that it cuts again; whatever follows the world must
+  // read all of it again. If `progress` stopped the step, the stroke is also undone in the journal, together
+  // with the queue behind it. If no before-images are recorded (see set_window), the stroke ends where it was
+  // stopped instead.
   Result<StepResult> step(size_t most, const Progress* progress = nullptr) {
     return execute(most, false, progress);
   }

@@ -135,19 +135,26 @@ Delta Execution::cut_again() {
     delta = history_.step(before).take_back(world_);
     history_.step(before).forget();
   }
+  delta.append(restore_what_is_cut_again(step));
+  enqueue_all(step);
+  history_.trim();
+  return delta;
+}
+
+// As a part of a recut, the world becomes that before the stroke that it cuts again.
+Delta Execution::restore_what_is_cut_again(size_t recut) {
   // Where the world shows nothing of the stroke, an earlier one may wait, half-way through a move.
-  const size_t base = history_.base_of(step);
-  if (history_.any_begun(base, step)) begin(step);
-  const size_t slots = history_.slots_before(base, step);
-  for (size_t i = step; i-- > base;) {
+  const size_t base = history_.base_of(recut);
+  if (history_.any_begun(base, recut)) begin(recut);
+  const size_t slots = history_.slots_before(base, recut);
+  Delta delta;
+  for (size_t i = recut; i-- > base;) {
     const Delta back = history_.step(i).restore(world_, slots);
-    history_.last().touch(back);
+    history_.step(recut).touch(back);
     delta.append(back);
   }
   // Details of contacts are forgotten as they are where the stroke itself begins.
-  if (recorder_.step() == step) forget_details(world_);
-  enqueue_all(step);
-  history_.trim();
+  if (recorder_.step() == recut) forget_details(world_);
   return delta;
 }
 

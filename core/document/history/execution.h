@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -120,6 +121,10 @@ class Execution {
   // Executes a bounded part of the queue (see Document::step and step_stage). After a failure, give_up() has
   // to be called.
   Result<StepResult> step(size_t most, bool one_stage, const Progress& progress);
+  // No part of a stroke is executed while the bodies have more face slots than this.
+  void set_face_budget(size_t slots) { face_budget_ = slots; }
+  bool is_over_budget() const { return world_.face_slots() > face_budget_; }
+
   // Ends a step of which a part failed: its stroke has cut nothing, and only its time passes. With `stopped`
   // all of it is taken back, and the queue behind it is dropped. Returns false if no before-images of the
   // step are held, so that its stroke ends where it has come to. Precondition: no stroke is running that the
@@ -189,6 +194,8 @@ class Execution {
   void pass(Ticks ticks);
   void enqueue_in_front(size_t step, const Command& command);
 
+  Delta restore_what_is_cut_again(size_t recut);
+
   void begin(size_t step);
   // Ends the recording of the open step without trimming the history, because the images of a step that is
   // about to be taken back must be kept.
@@ -201,6 +208,7 @@ class Execution {
   bool is_last(size_t step) const { return step + 1 == history_.position(); }
 
   World world_;
+  size_t face_budget_ = std::numeric_limits<size_t>::max();
   History history_;
   BeamQueue queue_;
   Recorder recorder_;

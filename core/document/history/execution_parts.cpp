@@ -2,6 +2,7 @@
 
 #include "core/document/commands/edit_piece.h"
 #include "core/document/history/execution.h"
+#include "core/document/history/face_budget.h"
 #include "core/edit/separation.h"
 #include "core/joints/hold_parts.h"
 #include "core/physics/forget_contacts.h"
@@ -94,6 +95,7 @@ StepResult Execution::separate_more() {
 
 Result<StepResult> Execution::run_moves(size_t most, bool one_stage, const Progress& progress) {
   constexpr size_t kMostAtOnce = 64;  // of a queue that may be long: a bite holds a few of them
+  if (is_over_budget()) return over_face_budget(face_budget_);
   begin(queue_.front_step());
   walked_ = queue_.front_stroke();
   const std::vector<BeamMove> moves = queue_.begin_moves(world_, one_stage ? 1 : std::min(most, kMostAtOnce));
@@ -107,6 +109,7 @@ Result<StepResult> Execution::run_moves(size_t most, bool one_stage, const Progr
 }
 
 Result<StepResult> Execution::close_rim_of_stroke(const Progress& progress) {
+  if (is_over_budget()) return over_face_budget(face_budget_);
   begin(queue_.front_step());
   walked_ = queue_.front_stroke();
   Result<StepResult> some =
@@ -266,7 +269,8 @@ void Execution::finish(size_t step) {
   if (recorder_.step() == step) close_and_trim();
 }
 
-// A stroke that cannot be cut to its end stays in the history, for whoever replays it comes to the same.
+// A stroke that cannot be cut to its end stays in the history, for whoever replays it comes to the same. If
+// it is one that is cut again, nothing is cut, as the earlier settings do not count any more.
 bool Execution::give_up(size_t step, bool stopped) {
   queue_.drop_strokes(step);
   if (stopped) queue_.clear();
@@ -279,6 +283,8 @@ bool Execution::give_up(size_t step, bool stopped) {
   history_.step(step).forget();
   if (stopped) return true;
   begin(step);
+  const bool recut = history_.step(step).kind() == HistoryStep::Kind::kRecut;
+  if (recut && can_run_again(step)) restore_what_is_cut_again(step);
   const std::vector<Command> commands = history_.commands_of(step);
   for (size_t i = commands.size(); i-- > 0;) enqueue_in_front(step, commands[i]);
   finish(step);

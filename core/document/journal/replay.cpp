@@ -1,5 +1,7 @@
 #include "core/document/journal/replay.h"
 
+#include <algorithm>
+
 #include "core/base/assert.h"
 #include "core/physics/machine_kind.h"
 #include "core/world/state_hash.h"
@@ -25,9 +27,18 @@ size_t Replay::end_of_stopped() const {
   };
   size_t end = next_ + 1;
   while (end < journal_.commands.size() && goes_on(journal_.commands[end])) ++end;
-  const bool stopped =
-      end < journal_.commands.size() && std::holds_alternative<StopStroke>(journal_.commands[end]);
-  return stopped ? end + 1 : next_ + 1;
+  return is_a<StopStroke>(end) ? end + 1 : next_ + 1;
+}
+
+// A stroke that is undone next is not executed either, unless a mark says what it led to: it may have been
+// given up because it made more faces than there is memory for.
+size_t Replay::end_of_undone() const {
+  if (!is_a<BeginStroke>(next_)) return next_ + 1;
+  size_t end = next_ + 1;
+  while (is_a<MoveStroke>(end)) ++end;
+  if (is_a<EndStroke>(end)) ++end;
+  const bool marked = next_mark_ < journal_.marks.size() && journal_.marks[next_mark_].commands <= end;
+  return is_a<Undo>(end) && !marked ? end + 1 : next_ + 1;
 }
 
 // Tells of what a command did at once; of one that only queued, its steps tell.
@@ -45,7 +56,7 @@ Status Replay::next(const QueueRun& how) {
   compare();
   while (next_skip_ < skips_.size() && skips_[next_skip_].first < next_) ++next_skip_;
   if (next_skip_ < skips_.size() && skips_[next_skip_].first == next_) return skip(how, skips_[next_skip_]);
-  const size_t end = next_ < journal_.commands.size() ? end_of_stopped() : next_;
+  const size_t end = next_ < journal_.commands.size() ? std::max(end_of_stopped(), end_of_undone()) : next_;
   while (next_ < end) {
     Outcome at_once = document_.apply(journal_.commands[next_++], how.progress);
     document_.seal_journal();  // so that it has the same commands, by number too

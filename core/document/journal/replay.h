@@ -51,7 +51,13 @@ class Replay {
   Ticks skipped() const { return skipped_; }
 
  private:
+  // Whether the command with this number is of this kind; false if there is none.
+  template <typename Kind>
+  bool is_a(size_t command) const {
+    return command < journal_.commands.size() && std::holds_alternative<Kind>(journal_.commands[command]);
+  }
   size_t end_of_stopped() const;
+  size_t end_of_undone() const;
   Status tell(const QueueRun& how, Outcome at_once) const;
   Status skip(const QueueRun& how, const TimeSkip& skip);
   void compare();

@@ -3,6 +3,8 @@
 #include <chrono>
 
 #include "core/base/assert.h"
+#include "core/base/machine_memory.h"
+#include "core/document/history/face_budget.h"
 #include "core/document/journal/replay.h"
 #include "core/mesh/load_notes.h"
 #include "ui/render/picture/scene_strokes.h"
@@ -203,6 +205,7 @@ Result<LoadedFiles> load_files(LoadOrder order, const Progress* progress, LoadNe
   after_step();
   const Status cut = cut_all(work->journal, loaded, uncut ? afterwards : deeds, after_step);
   if (!cut) return cut.error();
+  loaded.document.set_face_budget(usual_face_budget(machine_memory()));
   if (uncut) return loaded;
   say("shadows");
   const Status cast = prepare_shadows(loaded.document.world(), loaded.prepared, &shadows);

@@ -1,0 +1,92 @@
+"""What Kerf does where the machine has less than it wants: `limits_test.py KERF`. Each shortage ends with one sentence,
+and nothing is lost."""
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+KERF = os.path.abspath(sys.argv.pop(1))
+ASSETS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "assets")
+SPHERE = os.path.join(ASSETS, "meshes", "sphere.obj")
+ACROSS = {"strokes": [{"laser": {"radius": 0.02, "range": [0, 5]},
+                       "keys": [{"t": 0, "origin": [-1.2, 0.01, 3], "direction": [0, 0, -1]},
+                                {"t": 1, "origin": [1.2, 0.02, 3], "direction": [0, 0, -1]}]}]}
+SANITIZED = "KERF_TEST_PATIENCE" in os.environ  # whose shadow memory no limit leaves room for
+
+
+class Limits(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        with open(os.path.join(self.folder, "across.json"), "w") as file:
+            json.dump(ACROSS, file)
+
+    def run_kerf(self, *arguments, without=(), limit="true", **more):
+        environment = {name: value for name, value in os.environ.items()
+                       if name not in ("DISPLAY", "WAYLAND_DISPLAY", *without)}
+        environment.update(more)
+        return subprocess.run(["bash", "-c", limit + '; exec "$@"', "kerf", KERF, *map(str, arguments)], cwd=self.folder,
+                              env=environment, capture_output=True, text=True, timeout=300)
+
+    def assert_one_sentence(self, done, *words):
+        self.assertEqual(done.returncode, 1, done.stderr)
+        said = [line for line in done.stderr.splitlines() if line and not line.startswith("libEGL warning")]
+        self.assertEqual(len(said), 1, done.stderr)
+        self.assertTrue(said[0].startswith("kerf: "), done.stderr)
+        for word in words:
+            self.assertIn(word, said[0])
+
+    @unittest.skipIf(SANITIZED, "the sanitizers want more address space")
+    def test_a_stroke_that_memory_is_not_enough_for_is_refused_and_leaves_what_was_there(self):
+        os.mkdir(os.path.join(self.folder, "out"))
+        kept = os.path.join(self.folder, "out", "piece-0000.obj")
+        with open(kept, "w") as file:
+            file.write("old\n")
+        fine = ("cut", SPHERE, "--path", "across.json", "--out", "out", "--target-edge", "0.00005")
+        self.assert_one_sentence(self.run_kerf(*fine, limit="ulimit -v 300000"), "memory", "coarser resolution")
+        with open(kept) as file:
+            self.assertEqual(file.read(), "old\n")
+        self.assertEqual(os.listdir(os.path.join(self.folder, "out")), ["piece-0000.obj"])
+
+    @unittest.skipIf(SANITIZED, "the sanitizers want more address space")
+    def test_a_mesh_that_memory_is_not_enough_for_is_refused(self):
+        large = os.path.join(self.folder, "large.obj")
+        made = self.run_kerf("prepare", SPHERE, "--subdivide", "midpoint", "--out", "large.obj")
+        for _ in range(3):
+            self.assertEqual(made.returncode, 0, made.stderr)
+            made = self.run_kerf("prepare", large, "--subdivide", "midpoint", "--out", "large.obj")
+        self.assert_one_sentence(self.run_kerf("cut", large, "--out", "out", limit="ulimit -v 160000"), "large.obj",
+                                 "memory")
+
+    def test_the_limit_of_memory_is_not_written_down(self):
+        done = self.run_kerf("cut", SPHERE, "--path", "across.json", "--out", "out", "--journal", "out.kerf")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(os.path.join(self.folder, "out.kerf")) as file:
+            self.assertNotIn("most-faces", file.read())
+
+    def test_without_a_home_it_cuts_and_draws(self):
+        bare = ("HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME", "XDG_CACHE_HOME")
+        for arguments in (("cut", SPHERE, "--path", "across.json", "--out", "out"),
+                          ("render", SPHERE, "--out", "a.png", "--size", "160x100")):
+            done = self.run_kerf(*arguments, without=bare)
+            self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_without_opengl_it_says_what_to_install(self):
+        draw = ("render", SPHERE, "--out", "a.png")
+        missing = {"no driver": {"LIBGL_DRIVERS_PATH": "/nonexistent"},
+                   "no vendor": {"__EGL_VENDOR_LIBRARY_FILENAMES": "/dev/null"},
+                   "an old version": {"MESA_GL_VERSION_OVERRIDE": "2.1"}}
+        for what, settings in missing.items():
+            with self.subTest(what):
+                words = ["install libegl1 and libgl1-mesa-dri"] + (["3.3"] if what == "an old version" else [])
+                self.assert_one_sentence(self.run_kerf(*draw, **settings), *words)
+                self.assertFalse(os.path.exists(os.path.join(self.folder, "a.png")))
+
+    def test_without_a_display_it_says_so(self):
+        self.assert_one_sentence(self.run_kerf(SPHERE), "display", "kerf render")
+
+
+unittest.main()

@@ -1,0 +1,83 @@
+#include "core/document/history/face_budget.h"
+
+#include <gtest/gtest.h>
+
+#include "core/document/history/document.h"
+#include "core/document/journal/replay.h"
+#include "core/world/state_hash.h"
+#include "tests/support/made_meshes.h"
+#include "tests/support/strokes.h"
+
+namespace kerf::test {
+namespace {
+
+void draw(Document& document, double z, double target_edge) {
+  CutSettings settings;
+  settings.laser.radius = 0.02;
+  settings.resolution.target_edge = target_edge;
+  document.apply(BeginStroke{settings, {{-0.7, 1, z}, {0, -1, 0}}});
+  for (double x = -0.6; x < 0.65; x += 0.1) document.apply(MoveStroke{{{x, 1, z}, {0, -1, 0}}});
+  document.apply(EndStroke{});
+}
+
+// Draws a stroke, one for which a budget is not enough, and another one without it.
+Document with_a_stroke_over_budget(bool executed_before_it_ends) {
+  Document document(world_of(plate(1)));
+  draw(document, 0.2, 0.01);
+  EXPECT_TRUE(run_all(document).ok());
+  const uint64_t before = state_hash(document.world());
+  document.set_face_budget(document.world().face_slots() + 500);
+  draw(document, 0, 0.001);
+  if (executed_before_it_ends) (void)document.step(1).ok();
+  const auto over = run_all(document);
+  EXPECT_FALSE(over.ok());
+  if (!over) EXPECT_NE(over.error().message.find("memory"), std::string::npos) << over.error().message;
+  EXPECT_EQ(state_hash(document.world()), before) << "nothing of the stroke is left";
+  EXPECT_EQ(document.history().position(), 1u);
+  EXPECT_EQ(document.waiting(), 0u);
+  document.set_face_budget(CutSettings::kMostFaces);
+  draw(document, -0.2, 0.01);
+  EXPECT_TRUE(run_all(document).ok());
+  return document;
+}
+
+TEST(FaceBudget, a_stroke_over_it_is_undone_and_does_not_decide_a_replay) {
+  for (const bool executed : {false, true}) {
+    const Document document = with_a_stroke_over_budget(executed);
+    Document again(world_of(plate(1)));
+    for (const Command& command : document.journal()) {
+      again.apply(command);
+      ASSERT_TRUE(run_all(again).ok());
+    }
+    EXPECT_EQ(state_hash(again.world()), state_hash(document.world()));
+  }
+}
+
+TEST(FaceBudget, a_replay_does_not_execute_what_was_given_up) {
+  const Document document = with_a_stroke_over_budget(false);
+  Journal journal;
+  journal.commands.assign(document.journal().begin(), document.journal().end());
+  Document again(world_of(plate(1)));
+  Replay replay(journal, again);
+  size_t removed = 0, most = 0;
+  QueueRun how;
+  how.told = [&](const Result<StepResult>& step) -> Status {
+    if (step) removed += step->delta.removed_faces;
+    most = std::max(most, again.world().face_slots());
+    return Done{};
+  };
+  ASSERT_TRUE(replay.run(how));
+  EXPECT_EQ(state_hash(again.world()), state_hash(document.world()));
+  EXPECT_GT(removed, 0u);
+  EXPECT_EQ(most, document.world().face_slots()) << "the fine stroke was never there";
+}
+
+TEST(FaceBudget, grows_with_the_memory_between_its_ends) {
+  EXPECT_EQ(usual_face_budget(0), 100'000u);
+  EXPECT_EQ(usual_face_budget(uint64_t{2} << 30), (uint64_t{2} << 30) / 400);
+  EXPECT_GT(usual_face_budget(uint64_t{32} << 30), 50'000'000u);
+  EXPECT_EQ(usual_face_budget(~uint64_t{0}), CutSettings::kMostFaces);
+}
+
+}  // namespace
+}  // namespace kerf::test

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "app/cut_report.h"
+#include "core/document/files/cut_report.h"
 
 namespace kerf {
 

@@ -257,6 +257,18 @@ class World {
     throw_unless_ok(kerf_world_save_scene(get(), folder.c_str()));
   }
 
+  // Writes the journal of the cuts, which `kerf replay` checks, with the meshes that were added beside it.
+  void save_journal(const std::string& path) const {
+    throw_unless_ok(kerf_world_save_journal(get(), path.c_str()));
+  }
+  // The report of all cuts so far as JSON, like the report.json of `kerf cut`.
+  std::string report(const Control& control = {}) const {
+    char* text = nullptr;
+    Run(control).call([&](const kerf_control* c) { return kerf_world_report(get(), c, &text); });
+    const std::unique_ptr<char, void (*)(char*)> owner(text, kerf_text_free);
+    return text;
+  }
+
   // Sixteen hexadecimal digits; the same as of `kerf cut` for the same meshes and strokes.
   std::string hash() const {
     char text[17];

@@ -345,6 +345,24 @@ void add_world(py::module_& m) {
       .def("save_scene", &kerf::World::save_scene, py::arg("folder"),
            py::call_guard<py::gil_scoped_release>(),
            "Writes the bodies as they are, as OBJ files and a scene.json that the editor opens.")
+      .def("save_journal", &kerf::World::save_journal, py::arg("path"),
+           py::call_guard<py::gil_scoped_release>(),
+           "Writes the journal (.kerf) of the cuts, which `kerf replay` checks and the editor opens, and "
+           "beside it "
+           "the meshes that were added.")
+      .def(
+          "report",
+          [](const kerf::World& world) {
+            std::string text;
+            {
+              const py::gil_scoped_release unlocked;
+              text = world.report();
+            }
+            return py::module_::import("json").attr("loads")(text);
+          },
+          "The report of all cuts so far as a dictionary with the keys of the report.json of `kerf cut`; "
+          "lengths "
+          "in m, areas in m^2, times in ms.")
       .def(
           "graph",
           [](const kerf::World& world) {

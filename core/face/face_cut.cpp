@@ -4,9 +4,11 @@
 #include <limits>
 
 #include "core/base/assets.h"
+#include "core/base/machine_memory.h"
 #include "core/base/unit_vector.h"
 #include "core/document/files/material_reader.h"
 #include "core/document/files/stroke_settings.h"
+#include "core/document/history/face_budget.h"
 #include "core/document/history/run_queue.h"
 #include "core/face/face_world.h"
 
@@ -99,6 +101,11 @@ Result<Substance> substance_named(const std::string& name) {
   return bad_input("material: \"" + name + "\" is unknown; there is: " + names);
 }
 
+bool has_substance(const World& world, const Substance& substance) {
+  return std::ranges::all_of(world.ids(),
+                             [&](BodyId id) { return world.body(id).sheet.substance == substance; });
+}
+
 // The same world with another material of all bodies.
 Document of_material(const Document& document, const Substance& substance) {
   World world = document.world();
@@ -121,15 +128,19 @@ Result<std::vector<std::vector<Command>>> commands_of(std::span<const kerf_strok
   return commands;
 }
 
-Status cut_one(Document& document, std::span<const Command> stroke, const Progress& progress,
-               kerf_cut_result& result) {
-  for (const Command& command : stroke) document.apply(command);
+Status cut_one(Document& document, std::span<const Command> stroke, const Progress& progress, CutJob& job) {
+  using Clock = std::chrono::steady_clock;
+  for (const Command& command : stroke) {
+    document.apply(command);
+    job.steps += std::holds_alternative<MoveStroke>(command);
+  }
+  auto began = Clock::now();
   QueueRun how;
   how.progress = &progress;
   how.told = [&](const Result<StepResult>& step) -> Status {
     if (!step) return step.error();
-    result.removed_faces += step->delta.removed_faces;
-    result.removed_area += step->delta.removed_area;
+    job.note_bite(*step, std::chrono::duration<double>(Clock::now() - began).count());
+    began = Clock::now();
     return Done{};
   };
   return run_queue(document, how);
@@ -137,12 +148,12 @@ Status cut_one(Document& document, std::span<const Command> stroke, const Progre
 
 // All strokes or none: those before one that fails are undone, as the document undoes that one itself.
 Status cut_each(Document& document, std::span<const std::vector<Command>> strokes, const Progress& progress,
-                kerf_cut_result& result) {
+                CutJob& job) {
   const double share = 1 / static_cast<double>(std::max<size_t>(strokes.size(), 1));
   for (size_t i = 0; i < strokes.size(); ++i) {
     const double done = share * static_cast<double>(i);
     const Progress own = share_of(&progress, done, std::min(1.0, done + share));
-    const Status cut = cut_one(document, strokes[i], own, result);
+    const Status cut = cut_one(document, strokes[i], own, job);
     if (cut) continue;
     for (size_t k = 0; k < i; ++k) document.apply(Undo{});
     return cut;
@@ -152,25 +163,52 @@ Status cut_each(Document& document, std::span<const std::vector<Command>> stroke
 
 // Keeps before-images so long as they may be needed.
 Status cut_all(Document& document, std::span<const std::vector<Command>> strokes, const Progress& progress,
-               kerf_cut_result& result) {
+               CutJob& job) {
   document.set_window(std::numeric_limits<size_t>::max());
-  const Status done = cut_each(document, strokes, progress, result);
+  document.set_face_budget(usual_face_budget(machine_memory()));
+  const Status done = cut_each(document, strokes, progress, job);
   document.set_window(0);
   return done;
 }
 
-Status cut(Document& document, std::span<const kerf_stroke> strokes, const kerf_cut_settings& settings,
-           const Progress& progress, kerf_cut_result& result) {
+// The job with what is known before its first cut.
+CutJob begun(const kerf_world& world, const kerf_cut_settings& settings) {
+  CutJob job = world.job;
+  if (world.settings.is_null()) job.input_min_angle = smallest_angle(world.document.world());
+  job.thermal = job.thermal || settings.model == KERF_MODEL_THERMAL;
+  return job;
+}
+
+nlohmann::ordered_json settings_of_first(const std::vector<std::vector<Command>>& commands) {
+  for (const std::vector<Command>& stroke : commands) {
+    if (const auto* begin = std::get_if<BeginStroke>(&stroke.front()))
+      return settings_json(begin->settings, "", false);
+  }
+  return nullptr;
+}
+
+Status cut(kerf_world& world, std::span<const kerf_stroke> strokes, const kerf_cut_settings& settings,
+           const Progress& progress, CutJob& job) {
   if (const Status right = check(settings); !right) return right;
+  Document& document = world.document;
   const auto commands = commands_of(strokes, settings, document.world().bounds().diagonal());
   if (!commands) return commands.error();
-  if (settings.material == nullptr) return cut_all(document, *commands, progress, result);
-  const auto substance = substance_named(settings.material);
-  if (!substance) return substance.error();
-  Document other = of_material(document, *substance);
-  const Status done = cut_all(other, *commands, progress, result);
-  if (done) document = std::move(other);
-  return done;
+  job = begun(world, settings);
+  std::optional<Document> other;
+  std::optional<Substance> substance;
+  if (settings.material != nullptr) {
+    const auto named = substance_named(settings.material);
+    if (!named) return named.error();
+    if (!has_substance(document.world(), *named)) substance = *named;
+    if (substance) other = of_material(document, *substance);
+  }
+  if (const Status done = cut_all(other ? *other : document, *commands, progress, job); !done) return done;
+  if (world.settings.is_null()) world.settings = settings_of_first(*commands);
+  if (!other) return Done{};
+  if (!document.journal().empty()) world.beginning.lose();
+  world.beginning.set_substance(*substance);
+  document = std::move(*other);
+  return Done{};
 }
 
 }  // namespace
@@ -183,9 +221,15 @@ kerf_result kerf_world_cut(kerf_world* world, const kerf_stroke* strokes, size_t
   const auto begin = std::chrono::steady_clock::now();
   kerf_cut_result done{};
   const kerf_result how =
-      kerf::run_on(world, control, [&](kerf::Document& document, const kerf::Progress& progress) {
-        return kerf::cut(document, {strokes, stroke_count},
-                         settings == nullptr ? kerf_cut_settings{} : *settings, progress, done);
+      kerf::run_on(world, control, [&](kerf::Document&, const kerf::Progress& progress) -> kerf::Status {
+        kerf::CutJob job;
+        const kerf::Status cut =
+            kerf::cut(*world, {strokes, stroke_count}, settings == nullptr ? kerf_cut_settings{} : *settings,
+                      progress, job);
+        if (!cut) return cut;
+        done = {job.removed_faces - world->job.removed_faces, job.removed_area - world->job.removed_area, 0};
+        world->job = std::move(job);
+        return cut;
       });
   if (how != KERF_OK || result == nullptr) return how;
   *result = done;

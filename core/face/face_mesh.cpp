@@ -29,6 +29,8 @@ Status take_soup(Soup soup, const std::string& name, kerf_mesh& mesh) {
     if (usable && welded.add(corners) && !soup.materials.empty()) mesh.materials.push_back(soup.materials[t]);
   }
   if (welded.triangles.empty()) return bad_input(name + ": no usable face is in it.");
+  for (size_t p = 0; p < welded.sources.size() && !soup.colours.empty(); ++p)
+    mesh.colours.push_back(soup.colours[welded.sources[p]]);
   mesh.positions = std::move(welded.positions);
   mesh.triangles = std::move(welded.triangles);
   mesh.material_names = std::move(soup.material_names);
@@ -83,6 +85,7 @@ Soup soup_of(const kerf_mesh& mesh) {
   Soup soup;
   soup.positions = mesh.positions;
   soup.triangles.assign(mesh.triangles.begin(), mesh.triangles.end());
+  soup.colours = mesh.colours;
   soup.materials = mesh.materials;
   soup.material_names = mesh.material_names;
   soup.faces_in_file = soup.triangles_in_file = mesh.triangles.size();
@@ -131,9 +134,14 @@ kerf_result kerf_mesh_write(const kerf_mesh* mesh, const char* path) {
     const auto format = kerf::mesh_format(file.extension().string());
     if (!format)
       return kerf::bad_input(std::string(path) + ": must end in .obj, .ply, .stl, .off, .glb or .gltf");
-    return kerf::write_mesh(
-        {mesh->positions, mesh->triangles, mesh->materials, mesh->material_names, {}, mesh->name}, file,
-        *format);
+    return kerf::write_mesh({mesh->positions,
+                             mesh->triangles,
+                             mesh->materials,
+                             mesh->material_names,
+                             {},
+                             mesh->name,
+                             mesh->colours},
+                            file, *format);
   });
 }
 

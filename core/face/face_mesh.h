@@ -14,7 +14,8 @@
 struct kerf_mesh {
   std::vector<kerf::Vec3> positions;
   std::vector<std::array<uint32_t, 3>> triangles;
-  std::vector<uint16_t> materials;  // one per triangle, or empty
+  std::vector<kerf::VertexColour> colours;  // one per position, or empty
+  std::vector<uint16_t> materials;          // one per triangle, or empty
   std::vector<std::string> material_names;
   std::vector<double> temperatures;  // K, one per triangle of a piece; empty for any other mesh
   std::string name;

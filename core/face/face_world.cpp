@@ -35,25 +35,33 @@ kerf_result run_on(kerf_world* world, const kerf_control* control,
 namespace {
 
 // A document with another body. Its history ends: nothing is taken back through the library.
-Status add_body(Document& document, const kerf_mesh& mesh, const char* name, const Progress& progress) {
+Status add_body(kerf_world& to, const kerf_mesh& mesh, const char* given_name, const Progress& progress) {
+  const std::string name = given_name == nullptr ? "mesh" : given_name;
   ProgressShares shares(&progress);
   const Progress building = shares.next(0.5), growing = shares.next(0.5);
   auto built = build_mesh(soup_of(mesh), &building);
   if (!built) return built.error();
-  auto body = make_body(name == nullptr ? "mesh" : name, std::move(*built), &growing);
+  const MeshReport loaded = built->report;
+  auto body = make_body(name, std::move(*built), &growing);
   if (!body) return body.error();
-  World world = document.world();
+  World world = to.document.world();
   world.add(std::move(*body));
-  document = Document(std::move(world));
+  to.beginning.add(mesh, name);
+  if (!to.document.journal().empty()) to.beginning.lose();
+  to.job.note_loaded(loaded);
+  to.document = Document(std::move(world));
   return Done{};
 }
 
-Status open_world(const char* path, Document& document, const Progress& progress) {
+Status open_world(const char* path, kerf_world& to, const Progress& progress) {
   ProgressShares shares(&progress);
   const Progress opening = shares.next(0.5), replaying = shares.next(0.5);
   auto file = open_file(path, &opening);
   if (!file) return file.error();
+  to.beginning.open(file->scene);
+  Document& document = to.document;
   document = Document(std::move(file->scene.world));
+  for (const BodyId id : document.world().ids()) to.job.note_loaded(document.world().body(id).loaded);
   const double diagonal = document.world().bounds().diagonal();
   for (const StrokePath& stroke : file->scene.strokes) {
     const Outcome cut = document.run_whole(scene_stroke_commands(stroke, diagonal), &replaying);
@@ -100,9 +108,37 @@ std::unique_ptr<kerf_mesh> mesh_of(const Part& part) {
         body.heat.temperature(body.mesh, f, body.sheet.substance, body.sheet.thickness));
   mesh->positions = std::move(e.positions);
   mesh->triangles = std::move(e.triangles);
+  mesh->colours = std::move(e.colours);
   mesh->materials = std::move(e.materials);
   mesh->material_names = part.body->material_names;
   return mesh;
+}
+
+// A text that kerf_text_free frees.
+char* copy_of(const std::string& text) {
+  auto copy = std::make_unique<char[]>(text.size() + 1);
+  std::memcpy(copy.get(), text.c_str(), text.size() + 1);
+  return copy.release();
+}
+
+// A piece as the report has it.
+WrittenPiece as_written(const kerf_mesh& mesh) {
+  const kerf_mesh_info& info = mesh.info;
+  WrittenPiece piece;
+  piece.file = mesh.name;
+  piece.faces = mesh.triangles.size();
+  piece.vertices = mesh.positions.size();
+  piece.boundary_edges = info.boundary_edges;
+  piece.area = info.area;
+  const auto vector = [](const double(&v)[3]) { return Vec3(v[0], v[1], v[2]); };
+  piece.centroid = vector(info.centroid);
+  piece.mass.mass = info.mass;
+  const double(&i)[6] = info.inertia;
+  piece.mass.inertia = glm::dmat3(i[0], i[3], i[4], i[3], i[1], i[5], i[4], i[5], i[2]);
+  piece.placement.position = vector(info.position);
+  const double(&q)[4] = info.orientation;
+  piece.placement.orientation = glm::dquat(q[0], q[1], q[2], q[3]);
+  return piece;
 }
 
 // The pieces, largest area first.
@@ -135,7 +171,7 @@ kerf_result kerf_world_open(const char* path, const kerf_control* control, kerf_
   if (path == nullptr || out == nullptr) return kerf::told(KERF_BAD_INPUT, "path and out: must not be null");
   return kerf::Call(control).run([&](const kerf::Progress& progress) -> kerf::Status {
     auto world = std::make_unique<kerf_world>();
-    const kerf::Status opened = kerf::open_world(path, world->document, progress);
+    const kerf::Status opened = kerf::open_world(path, *world, progress);
     if (opened) *out = world.release();
     return opened;
   });
@@ -146,8 +182,8 @@ void kerf_world_free(kerf_world* world) { delete world; }
 kerf_result kerf_world_add(kerf_world* world, const kerf_mesh* mesh, const char* name,
                            const kerf_control* control) {
   if (mesh == nullptr) return kerf::told(KERF_BAD_INPUT, "mesh: must not be null");
-  return kerf::run_on(world, control, [&](kerf::Document& document, const kerf::Progress& progress) {
-    return kerf::add_body(document, *mesh, name, progress);
+  return kerf::run_on(world, control, [&](kerf::Document&, const kerf::Progress& progress) {
+    return kerf::add_body(*world, *mesh, name, progress);
   });
 }
 
@@ -180,6 +216,27 @@ kerf_result kerf_world_save_scene(kerf_world* world, const char* folder) {
   });
 }
 
+kerf_result kerf_world_save_journal(kerf_world* world, const char* path) {
+  if (path == nullptr) return kerf::told(KERF_BAD_INPUT, "path: must not be null");
+  return kerf::run_on(world, nullptr, [&](kerf::Document& document, const kerf::Progress&) {
+    return world->beginning.save(document, path);
+  });
+}
+
+kerf_result kerf_world_report(kerf_world* world, const kerf_control* control, char** out) {
+  if (out == nullptr) return kerf::told(KERF_BAD_INPUT, "out: must not be null");
+  return kerf::run_on(
+      world, control, [&](kerf::Document& document, const kerf::Progress& progress) -> kerf::Status {
+        auto pieces = kerf::pieces_of(document.world(), progress);
+        if (!pieces) return pieces.error();
+        std::vector<kerf::WrittenPiece> written;
+        for (const auto& piece : *pieces) written.push_back(kerf::as_written(*piece));
+        *out =
+            kerf::copy_of(kerf::cut_report(world->job, document.world(), world->settings, written).dump(2));
+        return kerf::Done{};
+      });
+}
+
 kerf_result kerf_world_hash(kerf_world* world, char out[17]) {
   if (out == nullptr) return kerf::told(KERF_BAD_INPUT, "out: must not be null");
   return kerf::run_on(world, nullptr, [&](kerf::Document& document, const kerf::Progress&) -> kerf::Status {
@@ -196,10 +253,7 @@ kerf_result kerf_world_graph(kerf_world* world, char** out) {
     text.imbue(std::locale::classic());
     kerf::write_graph_json(kerf::component_graph(document.world()), kerf::piece_origins(document),
                            document.world(), text);
-    const std::string whole = text.str();
-    auto copy = std::make_unique<char[]>(whole.size() + 1);
-    std::memcpy(copy.get(), whole.c_str(), whole.size() + 1);
-    *out = copy.release();
+    *out = kerf::copy_of(text.str());
     return kerf::Done{};
   });
 }

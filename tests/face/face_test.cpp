@@ -72,6 +72,44 @@ TEST(Face, a_world_is_saved_as_a_scene_that_is_opened_again) {
   EXPECT_THROW(world.save_scene("/proc/no-such/folder"), kerf::Failure);
 }
 
+TEST(Face, a_journal_that_is_saved_leads_to_the_same_state_and_a_report_balances) {
+  kerf::World world;
+  world.add(sheet(20), "sheet");
+  world.add(kerf::Mesh(std::vector<double>{0, 0.5, 0, 1, 0.5, 0, 1, 0.5, 1}, std::vector<uint32_t>{0, 1, 2}),
+            "above");
+  world.cut(through_the_middle());
+  kerf::CutSettings copper;
+  copper.material = "copper";
+  const std::string file = testing::TempDir() + "kerf-face-journal.kerf";
+  world.save_journal(file);
+  EXPECT_EQ(kerf::World(file).hash(), world.hash());
+  kerf::World opened(file);
+  opened.cut(through_the_middle());
+  opened.save_journal(file);
+  EXPECT_EQ(kerf::World(file).hash(), opened.hash());
+  const std::string report = world.report();
+  for (const char* key : {"\"input\"", "\"removed\"", "\"pieces\"", "\"state_hash\"", "\"timing_ms\""})
+    EXPECT_NE(report.find(key), std::string::npos) << key;
+  EXPECT_NE(report.find(world.hash()), std::string::npos);
+  world.cut(through_the_middle(), copper);
+  EXPECT_THROW(world.save_journal(file), kerf::BadInput);
+  EXPECT_THROW(opened.save_journal("/proc/no-such/journal.kerf"), kerf::Failure);
+}
+
+TEST(Face, a_material_of_the_first_cut_is_a_part_of_the_journal) {
+  kerf::World world;
+  world.add(sheet(20), "sheet");
+  kerf::CutSettings copper;
+  copper.material = "copper";
+  world.cut(through_the_middle(), copper);
+  world.cut(through_the_middle(), copper);
+  const std::string file = testing::TempDir() + "kerf-face-copper.kerf";
+  world.save_journal(file);
+  kerf::World again(file);
+  EXPECT_EQ(again.hash(), world.hash());
+  EXPECT_EQ(again.pieces()[0].info().mass, world.pieces()[0].info().mass);
+}
+
 TEST(Face, rays_find_the_sheet_and_the_slot) {
   kerf::World world;
   world.add(sheet(20));

@@ -1,6 +1,8 @@
 """The Python module: arrays, exceptions, the lock of the interpreter and Ctrl-C: python_test.py MESH"""
 import _thread
+import os
 import sys
+import tempfile
 import threading
 import unittest
 
@@ -48,6 +50,18 @@ class Module(unittest.TestCase):
             with self.assertRaises(ValueError) as raised:
                 bad()
             self.assertGreater(len(str(raised.exception)), 10)
+
+    def test_a_report_balances_and_a_journal_leads_to_the_same_state(self):
+        result = self.world.cut(slot(self.mesh))
+        report = self.world.report()
+        self.assertEqual(report['removed']['faces'], result['removed_faces'])
+        self.assertAlmostEqual(report['input']['area'], report['removed']['area'] + report['output']['area'])
+        self.assertEqual(report['state_hash'], self.world.hash)
+        self.assertEqual(len(report['pieces']), len(self.world.pieces))
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, 'cut.kerf')
+            self.world.save_journal(file)
+            self.assertEqual(kerf.World.open(file).hash, self.world.hash)
 
     def test_a_second_thread_gets_a_sentence_and_the_lock_is_released(self):
         said = []

@@ -1,4 +1,4 @@
-#include "app/cut_report.h"
+#include "core/document/files/cut_report.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,6 @@
 #include "core/document/text/json_value.h"
 #include "core/mesh/triangle_batch.h"
 #include "core/world/state_hash.h"
-#include "ui/window/number_text.h"
 
 namespace kerf {
 
@@ -152,39 +151,15 @@ nlohmann::ordered_json energy_json(const World& world) {
   return json;
 }
 
-// How much of the thickness the beam got through where it did not cut, from 0 to 1.
-double depth_fraction(const CutJob& job) {
-  return job.statistics.met_s > 0 ? job.statistics.depth_s / job.statistics.met_s : 0.0;
-}
-
 void add_energy(nlohmann::ordered_json& report, const CutJob& job, const World& world) {
   if (!job.thermal) return;
   report["energy_j"] = energy_json(world);
-  report["depth_fraction"] = depth_fraction(job);
+  report["depth_fraction"] = job.depth_fraction();
 }
 
 }  // namespace
 
 double smallest_angle(const World& world) { return degrees(extremes_of(world).largest_cosine); }
-
-std::string cut_summary(const CutJob& job, size_t strokes, size_t pieces, const std::string& folder) {
-  const auto count = [](size_t number, const char* noun) {
-    return grouped(number) + " " + noun + (number == 1 ? "" : "s");
-  };
-  std::string text;
-  if (strokes == 0) {
-    text = "nothing was cut, because there is no stroke";
-  } else if (job.removed_faces == 0 && job.thermal && job.statistics.met_s > 0) {
-    text = count(strokes, "stroke") + " removed nothing, because the beam got through " +
-           std::to_string(std::lround(100 * depth_fraction(job))) + " % of the thickness";
-  } else if (job.removed_faces == 0) {
-    text = count(strokes, "stroke") + " met nothing";
-  } else {
-    text = count(strokes, "stroke") + " removed " + count(job.removed_faces, "face") + " (" +
-           area_text(job.removed_area) + ")";
-  }
-  return text + "; " + count(pieces, "piece") + " and report.json are in " + folder;
-}
 
 nlohmann::ordered_json cut_report(const CutJob& job, const World& world,
                                   const nlohmann::ordered_json& settings,

@@ -17,6 +17,8 @@ struct CutJob {
   void note_loaded(const MeshReport& mesh);
   // Adds the result of one call of Document::step, which took `seconds`.
   void note_bite(const StepResult& bite, double seconds);
+  // How much of the thickness the beam got through where it did not cut, from 0 to 1.
+  double depth_fraction() const { return statistics.met_s > 0 ? statistics.depth_s / statistics.met_s : 0.0; }
 
   size_t input_faces = 0, input_vertices = 0, input_components = 0;
   double input_area = 0, input_min_angle = 0;  // m^2, degrees
@@ -29,9 +31,9 @@ struct CutJob {
   double load_s = 0, build_tree_s = 0, cut_s = 0, save_s = 0;
 };
 
-// A piece that was written to a file.
+// A piece as the report has it.
 struct WrittenPiece {
-  std::string file;
+  std::string file;  // that it was written to; in the report of the library the name of the piece
   size_t faces = 0, vertices = 0, boundary_edges = 0;
   double area = 0;             // m^2
   Vec3 centroid{0};            // m
@@ -45,10 +47,6 @@ nlohmann::ordered_json settings_json(const CutSettings& settings, const std::str
 
 // The smallest interior angle of all live faces in degrees; 0 if a face is degenerate. O(n).
 double smallest_angle(const World& world);
-
-// The outcome of a job, in one line: "1 stroke removed 5 210 faces (12.3 cm²); 3 pieces and report.json are
-// in out".
-std::string cut_summary(const CutJob& job, size_t strokes, size_t pieces, const std::string& folder);
 
 // The contents of report.json.
 nlohmann::ordered_json cut_report(const CutJob& job, const World& world,

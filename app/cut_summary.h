@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "core/document/files/cut_report.h"
+
+namespace kerf {
+
+// The outcome of a job, in one line: "1 stroke removed 5 210 faces (12.3 cm²); 3 pieces and report.json are
+// in out".
+std::string cut_summary(const CutJob& job, size_t strokes, size_t pieces, const std::string& folder);
+
+}  // namespace kerf

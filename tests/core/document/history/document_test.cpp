@@ -7,6 +7,7 @@
 #include "core/world/state_hash.h"
 #include "tests/support/checkout.h"
 #include "tests/support/made_meshes.h"
+#include "tests/support/mesh_numbers.h"
 #include "tests/support/same_world.h"
 #include "tests/support/strokes.h"
 
@@ -171,6 +172,25 @@ TEST(Document, a_stroke_that_fails_leaves_the_next_one_alone) {
   strokes(other, false);
   EXPECT_EQ(state_hash(one.world()), state_hash(other.world()));
   EXPECT_GT(one.world().live_faces(), 200u);
+}
+
+TEST(Document, a_stroke_that_fails_when_it_is_cut_again_has_cut_nothing) {
+  Document document(world_of(plate(1)));
+  document.apply(BeginStroke{settings_of(0.02), {{-0.7, 1, 0.2}, {0, -1, 0}}});
+  document.apply(MoveStroke{{{0.7, 1, 0.2}, {0, -1, 0}}});
+  document.apply(EndStroke{});
+  ASSERT_TRUE(run_all(document).ok());
+  const uint64_t cut = state_hash(document.world());
+  const double removed = document.history().removed_area();
+  CutSettings too_fine = settings_of(0.02);
+  too_fine.most_faces = 40;
+  document.apply(Recut{too_fine});
+  while (document.waiting() > 0) (void)document.step(4).ok();
+  EXPECT_EQ(document.history().removed_area(), 0);
+  EXPECT_NEAR(live_area(document.world().body(document.world().ids()[0]).mesh), 1, 1e-12);
+  document.apply(Undo{});
+  EXPECT_EQ(state_hash(document.world()), cut);
+  EXPECT_EQ(document.history().removed_area(), removed);
 }
 
 // The live faces of the only body.

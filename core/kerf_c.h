@@ -203,13 +203,13 @@ KERF_API void kerf_hits_free(kerf_hits* hits);
  * written. O(n log n). */
 KERF_API kerf_result kerf_world_save_scene(kerf_world* world, const char* folder);
 
-/* Writes the journal (.kerf) of the world, which the editor opens and `kerf replay` checks: the cuts since the
- * bodies were added, and a mesh file beside it, NAME-mesh-0001.obj and so on, for each body that was added. Bad
- * input where a body was added or the material was changed after a cut. O(n log n). */
+/* Writes the journal (.kerf) of the world, which the editor opens and `kerf replay` checks: the cuts since
+ * the bodies were added, and a mesh file beside it, NAME-mesh-0001.obj and so on, for each body that was
+ * added. Bad input where a body was added or the material was changed after a cut. O(n log n). */
 KERF_API kerf_result kerf_world_save_journal(kerf_world* world, const char* path);
 
-/* The report of all cuts so far as JSON, with the keys of the report.json of `kerf cut`; "file" is the name of
- * the piece. Free it with kerf_text_free. O(n log n). */
+/* The report of all cuts so far as JSON, with the keys of the report.json of `kerf cut`; "file" is the name
+ * of the piece. Free it with kerf_text_free. O(n log n). */
 KERF_API kerf_result kerf_world_report(kerf_world* world, const kerf_control* control, char** out);
 
 /* The hash of the state, sixteen hexadecimal digits and a zero; that of `kerf cut` for the same meshes and

@@ -107,10 +107,10 @@ class Document {
   // - a change of the spring.
   // Calling it while waiting() > 0 executes the whole queue.
   //
-  // On failure the stroke is taken back, and so is the one that it cuts again; whatever follows the world must
-  // read all of it again. If `progress` stopped the step, the stroke is also undone in the journal, together
-  // with the queue behind it. If no before-images are recorded (see set_window), the stroke ends where it was
-  // stopped instead.
+  // On failure the stroke is taken back, and so is the one that it cuts again; whatever follows the world
+  // must read all of it again. If `progress` stopped the step, the stroke is also undone in the journal,
+  // together with the queue behind it. If no before-images are recorded (see set_window), the stroke ends
+  // where it was stopped instead.
   Result<StepResult> step(size_t most, const Progress* progress = nullptr) {
     return execute(most, false, progress);
   }

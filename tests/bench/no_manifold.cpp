@@ -3,6 +3,6 @@
 namespace kerf::bench {
 
 bool has_manifold() { return false; }
-std::optional<double> manifold_slot_seconds(const TriangleArrays&, const SlotBox&) { return std::nullopt; }
+std::optional<ManifoldSlot> manifold_slot(const TriangleArrays&, const SlotBox&) { return std::nullopt; }
 
 }  // namespace kerf::bench

@@ -43,8 +43,12 @@ struct SlotBox {
 // Nothing without the library, and where the mesh bounds no volume.
 std::optional<double> cgal_slot_seconds(const TriangleArrays& arrays, const SlotBox& slot);
 
-// How long Manifold takes, on all threads, from the arrays to the components of the difference with that box.
-std::optional<double> manifold_slot_seconds(const TriangleArrays& arrays, const SlotBox& slot);
+// How long Manifold takes, on all threads, to import the arrays, and to find the components of the difference
+// with that box.
+struct ManifoldSlot {
+  double import_s, cut_s;
+};
+std::optional<ManifoldSlot> manifold_slot(const TriangleArrays& arrays, const SlotBox& slot);
 
 bool has_embree();
 bool has_cgal();

@@ -28,5 +28,5 @@ for i, (o, d) in enumerate(zip(origins, directions)):  # Moeller and Trumbore, 1
     nearest[i] = t[hit].min(initial=np.inf)
 found = world.nearest_hits(origins, directions).distance
 both = np.isfinite(found) & np.isfinite(nearest)
-print(f'{both.sum()} of {len(found)} rays hit, {np.abs(found - nearest)[both].max():.3g} m apart at most')
-assert (np.isfinite(found) == np.isfinite(nearest)).all() and np.abs(found - nearest)[both].max() < 1e-9 * size
+print(f'{both.sum()} of {len(found)} rays hit, {np.abs(found[both] - nearest[both]).max():.3g} m apart at most')
+assert (np.isfinite(found) == np.isfinite(nearest)).all() and np.abs(found[both] - nearest[both]).max() < 1e-9 * size

@@ -138,7 +138,7 @@ Result<StepResult> Document::execute(size_t most, bool one_stage, const Progress
 
 // A stroke that was stopped is undone, with all that waits behind it.
 void Document::give_up(size_t step, bool stopped) {
-  if (execution_.in_stroke() && (stopped || is_last(step))) end_stroke();
+  if (execution_.in_stroke() && stopped) end_stroke();
   ++revision_;
   if (!execution_.give_up(step, stopped) || !stopped) return;
   for (; history().position() > step; execution_.history().back()) journal_.append(Undo{});

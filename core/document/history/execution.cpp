@@ -16,7 +16,7 @@ using Kind = HistoryStep::Kind;
 void Execution::enqueue(size_t step, const Command& command) {
   const auto move_to = [&](const BeamAt& next) {
     const BeamMove move{drawn_->beam.pose, next.pose, next.time - drawn_->beam.time};
-    queue_.push_move(step, drawn_, move, world_);
+    if (!drawn_->given_up) queue_.push_move(step, drawn_, move, world_);
     drawn_->beam = next;
   };
   std::visit(Overloaded{
@@ -31,11 +31,11 @@ void Execution::enqueue(size_t step, const Command& command) {
                  },
                  [&](const EndStroke&) {
                    drawn_->ended = true;
-                   if (drawn_->settings.smooth()) queue_.push_rim(step, drawn_);
+                   if (drawn_->settings.smooth() && !drawn_->given_up) queue_.push_rim(step, drawn_);
                  },
                  [&](const StopStroke& c) { queue_.stop(step, c, world_); },
                  [&](const Advance& c) {
-                   const bool beam = c.bodies && drawn_ && !drawn_->ended;
+                   const bool beam = c.bodies && drawn_ && !drawn_->ended && !drawn_->given_up;
                    queue_.push_ticks(step, c.ticks, c.bodies, beam ? drawn_ : nullptr);
                  },
                  [&](const Pull& c) {

@@ -127,8 +127,8 @@ class Execution {
 
   // Ends a step of which a part failed: its stroke has cut nothing, and only its time passes. With `stopped`
   // all of it is taken back, and the queue behind it is dropped. Returns false if no before-images of the
-  // step are held, so that its stroke ends where it has come to. Precondition: no stroke is running that the
-  // step, or with `stopped` the queue, is part of.
+  // step are held, so that its stroke ends where it has come to. A stroke that is still running goes on
+  // without effect. Precondition: with `stopped` no stroke is running.
   bool give_up(size_t step, bool stopped);
   // Ends a step, and its recording, if nothing of it waits and nothing can be added to it.
   void finish(size_t step);

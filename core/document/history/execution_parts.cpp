@@ -269,9 +269,11 @@ void Execution::finish(size_t step) {
   if (recorder_.step() == step) close_and_trim();
 }
 
-// A stroke that cannot be cut to its end stays in the history, for whoever replays it comes to the same. If
-// it is one that is cut again, nothing is cut, as the earlier settings do not count any more.
+// A stroke that cannot be cut to its end stays in the history, for whoever replays it comes to the same, and
+// so does what is drawn of it afterwards: it may be cut again. If it is one that is cut again itself, nothing
+// is cut, as the earlier settings do not count any more.
 bool Execution::give_up(size_t step, bool stopped) {
+  if (in_stroke() && is_last(step)) drawn_->given_up = true;
   queue_.drop_strokes(step);
   if (stopped) queue_.clear();
   if (recorder_.step() == step) close();

@@ -16,6 +16,7 @@ struct Stroke {
   CutSettings settings;
   BeamAt beam;                 // the pose and time at the end of the last queued move
   bool ended = false;          // its end is queued
+  bool given_up = false;       // a part of it failed: what is still drawn of it is not executed
   size_t queued = 0;           // moves that were queued
   std::vector<BeamMove> path;  // the moves that were begun; moves that rotate the beam are subdivided
   // For each body that has moved since the stroke began, all that the beam has swept, in the frame of the

@@ -10,8 +10,8 @@ namespace kerf::fuzz {
 void require(bool holds, const std::string& what);
 
 // What must hold of a world in which nothing waits: every mesh is conforming, its positions are finite and no
-// face has two corners at one place, the tree finds what a search of all faces does, labels and counts of
-// pieces are those of a complete search, and the ledger of energy is closed.
+// face has its three corners at one place, the tree finds what a search of all faces does, labels and counts
+// of pieces are those of a complete search, and the ledger of energy is closed.
 void check_world(const World& world);
 
 }  // namespace kerf::fuzz

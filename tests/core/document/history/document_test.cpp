@@ -193,6 +193,29 @@ TEST(Document, a_stroke_that_fails_when_it_is_cut_again_has_cut_nothing) {
   EXPECT_EQ(document.history().removed_area(), removed);
 }
 
+TEST(Document, what_is_drawn_of_a_stroke_after_it_failed_is_cut_with_other_settings_whenever_it_failed) {
+  std::array<Document, 2> documents{Document(world_of(plate(1))), Document(world_of(plate(1)))};
+  CutSettings too_fine = settings_of(0.02);
+  too_fine.most_faces = 40;
+  const auto drain = [](Document& document) {
+    while (document.waiting() > 0) (void)document.step(4).ok();
+  };
+  for (Document& document : documents) {
+    const bool at_once = &document == &documents[0];
+    document.apply(BeginStroke{too_fine, {{-0.3, 1, 0.2}, {0, -1, 0}}});
+    if (at_once) drain(document);
+    for (const double x : {0.0, 0.3}) document.apply(MoveStroke{{{x, 1, 0.2}, {0, -1, 0}}});
+    document.apply(EndStroke{});
+    drain(document);
+    EXPECT_EQ(document.history().removed_area(), 0);
+    document.apply(Recut{settings_of(0.02)});
+    EXPECT_TRUE(run_all(document).ok());
+    EXPECT_GT(document.history().removed_area(), 0.6 * 0.04);
+  }
+  EXPECT_EQ(documents[0].journal().size(), documents[1].journal().size());
+  EXPECT_EQ(state_hash(documents[0].world()), state_hash(documents[1].world()));
+}
+
 // The live faces of the only body.
 std::set<FaceId> live_faces(const World& world) {
   const Mesh& mesh = world.body(world.ids()[0]).mesh;

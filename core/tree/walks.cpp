@@ -1,6 +1,7 @@
 #include "core/tree/walks.h"
 
-#if __has_include(<sys/platform/x86.h>)
+// Clang does not compile the header as C++.
+#if __has_include(<sys/platform/x86.h>) && !defined(__clang__)
 #include <sys/platform/x86.h>
 #endif
 

@@ -94,9 +94,12 @@ CutSettings Scenario::settings() {
   s.resolution.rule = kRules[bytes_.below(3)];
   s.resolution.scheme = bytes_.below(2) == 0 ? Scheme::kOneToFour : Scheme::kLongestEdge;
   s.resolution.rim = bytes_.below(2) == 0 ? Rim::kSmooth : Rim::kFaces;
-  // Four rays, power and heat are rarer: they take long.
+  // Heat and rays are rarer: they take long.
   const size_t kind = bytes_.below(32);
-  if (kind == 0) s.model = Model::kThermal;
+  if (kind == 0) {
+    s.model = Model::kThermal;
+    s.laser.radius = std::max(s.laser.radius, 0.1 * size_);  // or its steps are too many
+  }
   if (kind < 4) s.laser.pattern = Pattern::kRays4;
   if (kind == 4 || kind == 5) s.heat_width = default_heat_width(s.laser.radius);
   s.bite = 1 + bytes_.below(50);

@@ -1,0 +1,141 @@
+"""An editor under random input: `monkey_test.py KERF`. Keys, clicks, drags, wheels, sizes and dropped files come from a
+seed that is printed. After each round the input pauses, and the work that the editor keeps, and `kerf replay` of it,
+have to be what it shows; in the last round it is killed.
+
+KERF_MONKEY="FIRST LAST ROUNDS" asks for other seeds and lengths. What fails is run again with ever fewer actions, as
+long as it fails, and what is left of them is printed."""
+import json
+import os
+import random
+import subprocess
+import sys
+import unittest
+
+from editor_window import ASSETS, KERF, SPHERE, WindowTest
+from scripted_editor import HEIGHT, WIDTH
+
+FIRST, LAST, ROUNDS = map(int, os.environ.get("KERF_MONKEY", "1 3 1").split())
+ACTIONS = 100  # a round
+MOST_ATTEMPTS = 40  # to make a failure smaller
+MESHES = [SPHERE] + [os.path.join(ASSETS, "meshes", name) for name in ("bracket.obj", "plate.obj", "knot.obj", "car.obj")]
+LETTERS = list("abcdefghijklmnoprstuvwxyz0123456789") + [",", ".", "-", "/", "[", "]"]
+NAMED = ["Space", "Esc", "Enter", "Del", "Tab", "Backspace", "Home", "Left", "Right", "Up", "Down", "F1", "Num 5"]
+WITH_CTRL = list("zyadcevklpfo")  # not q and s, which ask for names and for leave
+
+
+def place(chance):
+    """In the picture more often than on panels and menus."""
+    if chance.random() < 0.7:
+        return [chance.randint(int(0.3 * WIDTH), int(0.7 * WIDTH)), chance.randint(int(0.15 * HEIGHT), int(0.8 * HEIGHT))]
+    return [chance.randint(0, WIDTH - 1), chance.randint(0, HEIGHT - 1)]
+
+
+def press(key, *held):
+    return [{"key_down": k} for k in (*held, key)] + [{"key_up": k} for k in (key, *held)]
+
+
+def drag(chance, button):
+    begin, end, moves = place(chance), place(chance), chance.randint(1, 12)
+    path = [[round(a + (b - a) * i / moves) for a, b in zip(begin, end)] for i in range(moves + 1)]
+    return [{"move": path[0]}, {"press": button}, *({"move": p} for p in path[1:]), {"release": button}]
+
+
+def action(chance, folder):
+    """The steps of one action, as the editor reads them."""
+    kind = chance.random()
+    if kind < 0.25:
+        key = chance.choice(LETTERS)
+        return press(key.upper(), *(["Shift"] if chance.random() < 0.1 else []))
+    if kind < 0.4:
+        return press(chance.choice(NAMED))
+    if kind < 0.5:
+        return press(chance.choice(WITH_CTRL).upper(), "Ctrl", *(["Shift"] if chance.random() < 0.3 else []))
+    if kind < 0.62:
+        button = chance.choice(["left", "left", "right", "middle"])
+        return [{"move": place(chance)}, {"press": button}, {"release": button}]
+    if kind < 0.87:
+        return drag(chance, chance.choice(["left", "left", "left", "right", "middle"]))
+    if kind < 0.93:
+        return [{"move": place(chance)}, {"wheel": chance.choice([-3, -1, 1, 3])}]
+    if kind < 0.96:
+        return [{"wait": chance.choice([0.1, 0.5, 1])}]
+    if kind < 0.98:
+        return [{"size": [chance.randint(300, 1100), chance.randint(200, 700)]}]
+    return [{"drop": [chance.choice([*MESHES, os.path.join(folder, "rubbish.obj"), os.path.join(folder, "missing.ply")])]}]
+
+
+class Monkey(WindowTest):
+    def pause_input(self, editor):
+        """Leaves dialogs, strokes and time."""
+        for button in ("left", "right", "middle"):
+            editor.send({"release": button})
+        for key in ("Ctrl", "Shift", "Alt"):
+            editor.send({"key_up": key})
+        for _ in range(4):
+            editor.press("Escape")
+        if editor.shows("play badge"):
+            editor.press("space")
+        editor.settle()
+
+    def check_kept_work(self, editor):
+        """The journal of the work that is not saved leads to what the editor shows."""
+        self.pause_input(editor)
+        state = editor.ask("report")["state_hash"]
+        for left in self.unsaved():
+            replayed = subprocess.run([KERF, "replay", left, "--expect", state], capture_output=True, text=True)
+            if replayed.returncode != 0:
+                raise AssertionError(f"replay of the kept work: {replayed.stderr}")
+
+    def run_actions(self, mesh, rounds):
+        """Why it failed, or nothing."""
+        editor = self.open(mesh)
+        os.chdir(self.folder)  # where files that are written by chance do no harm
+        with open("rubbish.obj", "w") as file:
+            file.write("f one two\n")
+        try:
+            for actions in rounds:
+                for steps in actions:
+                    for step in steps:
+                        editor.send(step)
+                if editor.kerf.poll() is not None:
+                    break
+                self.check_kept_work(editor)
+            editor.expect_running()
+            editor.die()
+        except (AssertionError, json.JSONDecodeError) as fault:
+            return str(fault) + (editor.kerf.stderr.read() if editor.kerf.poll() is not None else "")
+        finally:
+            editor.close()
+        return ""
+
+    def made_smaller(self, mesh, rounds):
+        """Fewer actions in one round that fail, too."""
+        actions, share = [steps for actions in rounds for steps in actions], 2
+        for _ in range(MOST_ATTEMPTS):
+            size = max(1, len(actions) // share)
+            for begin in range(0, len(actions), size):
+                fewer = actions[:begin] + actions[begin + size:]
+                if fewer and self.run_actions(mesh, [fewer]):
+                    actions, share = fewer, max(2, share - 1)
+                    break
+            else:
+                if size == 1:
+                    break
+                share *= 2
+        return actions
+
+    def test_nothing_breaks_and_what_is_kept_is_what_is_shown(self):
+        for seed in range(FIRST, LAST + 1):
+            chance = random.Random(seed)
+            mesh = chance.choice(MESHES)
+            print(f"seed {seed}, {os.path.basename(mesh)}", file=sys.stderr)
+            rounds = [[action(chance, "") for _ in range(ACTIONS)] for _ in range(ROUNDS)]
+            fault = self.run_actions(mesh, rounds)
+            if fault and ROUNDS > 1:
+                left = self.made_smaller(mesh, rounds)
+                fault += "\nwith these actions: " + json.dumps(left)
+            self.assertEqual(fault, "", f"seed {seed}")
+
+
+if __name__ == "__main__":
+    unittest.main()

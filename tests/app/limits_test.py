@@ -28,8 +28,8 @@ class Limits(unittest.TestCase):
         environment = {name: value for name, value in os.environ.items()
                        if name not in ("DISPLAY", "WAYLAND_DISPLAY", *without)}
         environment.update(more)
-        return subprocess.run(["bash", "-c", limit + '; exec "$@"', "kerf", KERF, *map(str, arguments)], cwd=self.folder,
-                              env=environment, capture_output=True, text=True, timeout=300)
+        command = ["bash", "-c", limit + '; exec "$@"', "kerf", KERF, *map(str, arguments)]
+        return subprocess.run(command, cwd=self.folder, env=environment, capture_output=True, text=True, timeout=300)
 
     def assert_one_sentence(self, done, *words):
         self.assertEqual(done.returncode, 1, done.stderr)

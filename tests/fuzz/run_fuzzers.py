@@ -17,7 +17,7 @@ AT_A_TIME = 2
 # A reader that allocates this for an input of some kilobytes trusted a count that the file cannot hold.
 LIMITS = ['-max_len=8192', '-timeout=10', '-rss_limit_mb=1024', '-malloc_limit_mb=64']
 # Each byte of a history is worked on longer.
-LIMITS_OF_STROKES = ['-max_len=400', '-timeout=60', '-rss_limit_mb=2048']
+LIMITS_OF_STROKES = ['-max_len=300', '-timeout=180', '-report_slow_units=60', '-rss_limit_mb=2048']
 
 
 def fuzz(folder, target, seconds):

@@ -17,7 +17,8 @@ from scripted_editor import HEIGHT, WIDTH
 FIRST, LAST, ROUNDS = map(int, os.environ.get("KERF_MONKEY", "1 3 1").split())
 ACTIONS = 100  # a round
 MOST_ATTEMPTS = 40  # to make a failure smaller
-MESHES = [SPHERE] + [os.path.join(ASSETS, "meshes", name) for name in ("bracket.obj", "plate.obj", "knot.obj", "car.obj")]
+NAMES = ("bracket.obj", "plate.obj", "knot.obj", "car.obj")
+MESHES = [SPHERE, *(os.path.join(ASSETS, "meshes", name) for name in NAMES)]
 LETTERS = list("abcdefghijklmnoprstuvwxyz0123456789") + [",", ".", "-", "/", "[", "]"]
 NAMED = ["Space", "Esc", "Enter", "Del", "Tab", "Backspace", "Home", "Left", "Right", "Up", "Down", "F1", "Num 5"]
 WITH_CTRL = list("zyadcevklpfo")  # not q and s, which ask for names and for leave
@@ -26,7 +27,7 @@ WITH_CTRL = list("zyadcevklpfo")  # not q and s, which ask for names and for lea
 def place(chance):
     """In the picture more often than on panels and menus."""
     if chance.random() < 0.7:
-        return [chance.randint(int(0.3 * WIDTH), int(0.7 * WIDTH)), chance.randint(int(0.15 * HEIGHT), int(0.8 * HEIGHT))]
+        return [round(chance.uniform(0.3, 0.7) * WIDTH), round(chance.uniform(0.15, 0.8) * HEIGHT)]
     return [chance.randint(0, WIDTH - 1), chance.randint(0, HEIGHT - 1)]
 
 
@@ -40,7 +41,7 @@ def drag(chance, button):
     return [{"move": path[0]}, {"press": button}, *({"move": p} for p in path[1:]), {"release": button}]
 
 
-def action(chance, folder):
+def action(chance):
     """The steps of one action, as the editor reads them."""
     kind = chance.random()
     if kind < 0.25:
@@ -61,7 +62,7 @@ def action(chance, folder):
         return [{"wait": chance.choice([0.1, 0.5, 1])}]
     if kind < 0.98:
         return [{"size": [chance.randint(300, 1100), chance.randint(200, 700)]}]
-    return [{"drop": [chance.choice([*MESHES, os.path.join(folder, "rubbish.obj"), os.path.join(folder, "missing.ply")])]}]
+    return [{"drop": [chance.choice([*MESHES, "rubbish.obj", "missing.ply"])]}]
 
 
 class Monkey(WindowTest):
@@ -129,7 +130,7 @@ class Monkey(WindowTest):
             chance = random.Random(seed)
             mesh = chance.choice(MESHES)
             print(f"seed {seed}, {os.path.basename(mesh)}", file=sys.stderr)
-            rounds = [[action(chance, "") for _ in range(ACTIONS)] for _ in range(ROUNDS)]
+            rounds = [[action(chance) for _ in range(ACTIONS)] for _ in range(ROUNDS)]
             fault = self.run_actions(mesh, rounds)
             if fault and ROUNDS > 1:
                 left = self.made_smaller(mesh, rounds)

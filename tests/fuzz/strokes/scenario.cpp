@@ -96,9 +96,13 @@ CutSettings Scenario::settings() {
   s.resolution.rim = bytes_.below(2) == 0 ? Rim::kSmooth : Rim::kFaces;
   // Heat and rays are rarer: they take long.
   const size_t kind = bytes_.below(32);
-  if (kind == 0) {
+  if (kind == 0 && !heated_) {
+    heated_ = true;
     s.model = Model::kThermal;
-    s.laser.radius = std::max(s.laser.radius, 0.1 * size_);  // or its steps are too many
+    // Or its steps and faces are too many.
+    s.laser.radius = std::max(s.laser.radius, 0.1 * size_);
+    s.resolution.rule = Resolution::Rule::kTargetEdge;
+    s.resolution.target_edge = s.laser.radius;
   }
   if (kind < 4) s.laser.pattern = Pattern::kRays4;
   if (kind == 4 || kind == 5) s.heat_width = default_heat_width(s.laser.radius);

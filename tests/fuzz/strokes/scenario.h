@@ -36,6 +36,7 @@ class Scenario {
   Vec3 middle_{0};
   double size_ = 1;  // half the diagonal of the world as loaded (m)
   bool remade_ = false;
+  bool heated_ = false;  // one stroke has been thermal; further ones would take too long
 };
 
 }  // namespace kerf::fuzz

@@ -9,6 +9,7 @@ import os
 import random
 import subprocess
 import sys
+import tempfile
 import unittest
 
 from editor_window import ASSETS, KERF, SPHERE, WindowTest
@@ -89,10 +90,12 @@ class Monkey(WindowTest):
 
     def run_actions(self, mesh, rounds):
         """Why it failed, or nothing."""
-        editor = self.open(mesh)
-        os.chdir(self.folder)  # where files that are written by chance do no harm
+        here = tempfile.TemporaryDirectory()  # where files that are written by chance do no harm
+        self.addCleanup(here.cleanup)
+        os.chdir(here.name)
         with open("rubbish.obj", "w") as file:
             file.write("f one two\n")
+        editor = self.open(mesh)
         try:
             for actions in rounds:
                 for steps in actions:

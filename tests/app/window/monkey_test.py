@@ -1,6 +1,6 @@
 """An editor under random input: `monkey_test.py KERF`. Keys, clicks, drags, wheels, sizes and dropped files come from a
-seed that is printed. After each round the input pauses, and the work that the editor keeps, and `kerf replay` of it,
-have to be what it shows; in the last round it is killed.
+seed that is printed. After each round the input pauses, the work is saved, and `kerf replay` of it has to lead to what
+the editor shows; in the end the editor is killed, and the work that it kept is replayed.
 
 KERF_MONKEY="FIRST LAST ROUNDS" asks for other seeds and lengths. What fails is run again with ever fewer actions, as
 long as it fails, and what is left of them is printed."""
@@ -12,10 +12,10 @@ import sys
 import tempfile
 import unittest
 
-from editor_window import ASSETS, KERF, SPHERE, WindowTest
+from editor_window import ACROSS, ASSETS, KERF, SPHERE, WindowTest
 from scripted_editor import HEIGHT, WIDTH
 
-FIRST, LAST, ROUNDS = map(int, os.environ.get("KERF_MONKEY", "1 3 1").split())
+FIRST, LAST, ROUNDS = map(int, os.environ.get("KERF_MONKEY", "1 2 1").split())
 ACTIONS = 100  # a round
 MOST_ATTEMPTS = 40  # to make a failure smaller
 NAMES = ("bracket.obj", "plate.obj", "knot.obj", "car.obj")
@@ -79,14 +79,16 @@ class Monkey(WindowTest):
             editor.press("space")
         editor.settle()
 
-    def check_kept_work(self, editor):
-        """The journal of the work that is not saved leads to what the editor shows."""
+    def replay(self, journal, *expected):
+        replayed = subprocess.run([KERF, "replay", journal, *expected], capture_output=True, text=True)
+        if replayed.returncode != 0:
+            raise AssertionError(f"replay of {os.path.basename(journal)}: {replayed.stderr}")
+
+    def check_saved_work(self, editor, name):
+        """What is saved leads to what the editor shows."""
         self.pause_input(editor)
-        state = editor.ask("report")["state_hash"]
-        for left in self.unsaved():
-            replayed = subprocess.run([KERF, "replay", left, "--expect", state], capture_output=True, text=True)
-            if replayed.returncode != 0:
-                raise AssertionError(f"replay of the kept work: {replayed.stderr}")
+        self.save_as(editor, name)
+        self.replay(os.path.join(self.folder, name + ".kerf"), "--expect", editor.ask("report")["state_hash"])
 
     def run_actions(self, mesh, rounds):
         """Why it failed, or nothing."""
@@ -97,15 +99,17 @@ class Monkey(WindowTest):
             file.write("f one two\n")
         editor = self.open(mesh)
         try:
-            for actions in rounds:
+            for number, actions in enumerate(rounds):
                 for steps in actions:
                     for step in steps:
                         editor.send(step)
-                if editor.kerf.poll() is not None:
-                    break
-                self.check_kept_work(editor)
-            editor.expect_running()
+                editor.expect_running()
+                if number + 1 < len(rounds) or len(rounds) == 1:
+                    self.check_saved_work(editor, f"round-{number}")
+            editor.drag(ACROSS)
             editor.die()
+            for left in self.unsaved():
+                self.replay(left)
         except (AssertionError, json.JSONDecodeError) as fault:
             return str(fault) + (editor.kerf.stderr.read() if editor.kerf.poll() is not None else "")
         finally:

@@ -2,8 +2,8 @@
 seed that is printed. After each round the input pauses, the work is saved, and `kerf replay` of it has to lead to what
 the editor shows; in the end the editor is killed, and the work that it kept is replayed.
 
-KERF_MONKEY="FIRST LAST ROUNDS" asks for other seeds and lengths. What fails is run again with ever fewer actions, as
-long as it fails, and what is left of them is printed."""
+KERF_MONKEY="FIRST LAST ROUNDS ACTIONS" asks for other seeds and lengths. What fails is run again with ever fewer
+actions, as long as it fails, and what is left of them is printed."""
 import json
 import os
 import random
@@ -15,8 +15,7 @@ import unittest
 from editor_window import ACROSS, ASSETS, KERF, SPHERE, WindowTest
 from scripted_editor import HEIGHT, WIDTH
 
-FIRST, LAST, ROUNDS = map(int, os.environ.get("KERF_MONKEY", "1 2 1").split())
-ACTIONS = 100  # a round
+FIRST, LAST, ROUNDS, ACTIONS = map(int, os.environ.get("KERF_MONKEY", "1 3 1 40").split())  # actions a round
 MOST_ATTEMPTS = 40  # to make a failure smaller
 NAMES = ("bracket.obj", "plate.obj", "knot.obj", "car.obj")
 MESHES = [SPHERE, *(os.path.join(ASSETS, "meshes", name) for name in NAMES)]

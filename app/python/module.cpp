@@ -16,6 +16,17 @@ namespace {
 using kerf::BadInput;
 using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
+// The object that a JSON text describes; the text is made with the lock of the interpreter released.
+template <typename Make>
+py::object object_of(Make make) {
+  std::string text;
+  {
+    const py::gil_scoped_release unlocked;
+    text = make();
+  }
+  return py::module_::import("json").attr("loads")(text);
+}
+
 // A copy of an array of shape (n, 3), so that the caller may change it while Kerf works.
 std::vector<double> triples(const py::object& from, const char* name) {
   const auto array = Doubles::ensure(from);
@@ -347,32 +358,12 @@ void add_world(py::module_& m) {
            "Writes the bodies as they are, as OBJ files and a scene.json that the editor opens.")
       .def("save_journal", &kerf::World::save_journal, py::arg("path"),
            py::call_guard<py::gil_scoped_release>(),
-           "Writes the journal (.kerf) of the cuts, which `kerf replay` checks and the editor opens, and "
-           "beside it "
-           "the meshes that were added.")
+           "Writes the journal (.kerf) of the cuts, and beside it the meshes that were added.")
       .def(
-          "report",
-          [](const kerf::World& world) {
-            std::string text;
-            {
-              const py::gil_scoped_release unlocked;
-              text = world.report();
-            }
-            return py::module_::import("json").attr("loads")(text);
-          },
-          "The report of all cuts so far as a dictionary with the keys of the report.json of `kerf cut`; "
-          "lengths "
-          "in m, areas in m^2, times in ms.")
+          "report", [](const kerf::World& world) { return object_of([&] { return world.report(); }); },
+          "The report of all cuts so far, with the keys of the report.json of `kerf cut`.")
       .def(
-          "graph",
-          [](const kerf::World& world) {
-            std::string text;
-            {
-              const py::gil_scoped_release unlocked;
-              text = world.graph();
-            }
-            return py::module_::import("json").attr("loads")(text);
-          },
+          "graph", [](const kerf::World& world) { return object_of([&] { return world.graph(); }); },
           "The component graph of the faces, as `kerf inspect --graph` writes it.")
       .def_property_readonly(
           "hash", [](const kerf::World& world) { return world.hash(); },

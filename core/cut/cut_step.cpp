@@ -224,7 +224,7 @@ StepResult go_on_separating(World& world, size_t most, Hold hold) {
   StepResult result;
   for (const BodyId id : world.ids()) {
     BodyStep step(id, world.body(id));
-    separate(world, step, {}, most);
+    separate(world, step, {}, most, hold == Hold::kStill ? Meanwhile::kNoEdits : Meanwhile::kEdits);
     end_step(step, result);
   }
   hold_what_joints_hold(world, result.delta, hold);
@@ -235,9 +235,9 @@ bool is_settled(const World& world) {
   return std::ranges::all_of(world.ids(), [&](BodyId id) { return is_settled(world.body(id)); });
 }
 
-size_t separate(World& world, BodyStep& step, std::span<const FaceId> hit, size_t most) {
+size_t separate(World& world, BodyStep& step, std::span<const FaceId> hit, size_t most, Meanwhile meanwhile) {
   const Stopwatch watch(step.statistics.separate_s);
-  const size_t visited = step.edit.separate(most);
+  const size_t visited = step.edit.separate(most, meanwhile);
   ask_joints(world, world.body(step.id), hit, visited > 0);
   return visited;
 }

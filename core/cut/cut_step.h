@@ -169,7 +169,8 @@ Result<StepResult> close_rim(World& world, const CutSettings& settings, std::spa
 bool is_settled(const World& world);
 
 // Continues these searches in all bodies, including hidden ones, and visits `most` faces in each of them.
-// Once all are finished, joints hold what they can as `hold` says.
+// Once all are finished, joints hold what they can as `hold` says. Precondition with Hold::kStill: nothing
+// edits the bodies until is_settled().
 StepResult go_on_separating(World& world, size_t most, Hold hold = Hold::kStill);
 
 }  // namespace kerf

@@ -45,7 +45,8 @@ std::span<const Replacement> split_by_scheme(BodyStep& step, Scheme scheme, Face
 void update_tree(BodyStep& step);
 // Searches for separated parts, visiting about `most` faces; see kerf::settle. Returns the number of faces
 // visited and relabelled. `hit` are the faces of which some were removed since the last search.
-size_t separate(World& world, BodyStep& step, std::span<const FaceId> hit, size_t most);
+size_t separate(World& world, BodyStep& step, std::span<const FaceId> hit, size_t most,
+                Meanwhile meanwhile = Meanwhile::kEdits);
 // Separates what joints do not hold any more (see hold_parts), once nothing is left to be searched.
 void hold_what_joints_hold(World& world, Delta& delta, Hold hold = Hold::kStill);
 // Ends the step of a body and adds its changes and statistics to the result.

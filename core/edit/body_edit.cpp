@@ -220,8 +220,8 @@ QueryCounts BodyEdit::touched(const SweptCylinder& beam, std::vector<FaceId>& ou
   return body_->tree.touched(mesh(), beam, out);
 }
 
-size_t BodyEdit::separate(size_t most) {
-  const SettleResult result = settle(*body_, most);
+size_t BodyEdit::separate(size_t most, Meanwhile meanwhile) {
+  const SettleResult result = settle(*body_, most, meanwhile);
   new_pieces_.insert(new_pieces_.end(), result.new_pieces.begin(), result.new_pieces.end());
   relabelled_.insert(relabelled_.end(), result.relabelled.begin(), result.relabelled.end());
   return result.looked_at + result.relabelled.size();

@@ -68,7 +68,7 @@ class BodyEdit {
 
   // Searches for separated parts (see settle), visiting about `most` faces. Returns the number of faces
   // visited and relabelled.
-  size_t separate(size_t most);
+  size_t separate(size_t most, Meanwhile meanwhile = Meanwhile::kEdits);
 
   // The number of faces that splits have created, minus those that were split.
   size_t faces_made() const { return faces_made_; }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/assert.h"
+#include "core/edit/likely_larger.h"
 #include "core/edit/tie_clusters.h"
 
 namespace kerf {
@@ -14,6 +15,7 @@ namespace {
 
 constexpr size_t kLongestTurn = 128;  // faces visited in one turn at most
 constexpr size_t kLarge = 4096;       // number of faces visited from which on a front is large
+constexpr size_t kHandicap = 4;       // of the number of faces visited, for a front that is likely larger
 
 uint32_t root(std::vector<uint32_t>& parent, uint32_t x) {
   while (parent[x] != x) x = parent[x] = parent[parent[x]];
@@ -188,8 +190,9 @@ void PartSearch::merge(uint32_t a, uint32_t b) {
   to.faces += other.faces;
   to.area += other.area;
   to.lowest = std::min(to.lowest, other.lowest);
+  to.compared = to.likely_larger = false;
   other = SearchFront{};
-  turns_.push({to.looked_at, into});
+  queue(into);
 }
 
 // Unites the groups of two fronts that met. Neither front was exhausted, else it would have reached the
@@ -214,7 +217,7 @@ void PartSearch::sum_up() {
       note_exhausted(i);
     } else {
       ++open_[root(search_.group_parent, search_.group[i])];
-      turns_.push({search_.fronts[i].looked_at, i});
+      queue(i);
     }
   }
 }
@@ -243,6 +246,40 @@ bool PartSearch::must_grow(uint32_t front) {
   return found.faces > 0 && !found.rest_is_largest();
 }
 
+size_t PartSearch::rank_of(uint32_t front) const {
+  const SearchFront& own = search_.fronts[front];
+  return own.looked_at * (compares_ && own.likely_larger ? kHandicap : 1);
+}
+
+// Estimates which of the last two fronts of a component is the larger part, if `front` is one of them and
+// both are large. Returns whether `front` has to wait. Only a component of which no part was found yet is
+// considered: the order in which its last two fronts grow then decides nothing, even where they meet.
+bool PartSearch::compare(uint32_t front) {
+  SearchFront& own = search_.fronts[front];
+  if (!compares_ || own.compared || own.looked_at < kLarge) return false;
+  if (found_of(front).faces > 0) return false;
+  const uint32_t i = only_other(front);
+  if (i == kNoIndex || search_.fronts[i].looked_at < kLarge) return false;
+  own.compared = search_.fronts[i].compared = true;
+  const uint32_t larger = likely_larger(body_, front, i);
+  search_.fronts[larger].likely_larger = true;
+  queue(larger);
+  return larger == front;
+}
+
+// The only other front of the same component that grows; kNoIndex if there is none or more than one.
+uint32_t PartSearch::only_other(uint32_t front) const {
+  const FaceCounts* whole = &body_.whole_of(search_.seed[front]);
+  uint32_t other = kNoIndex;
+  for (uint32_t i = 0; i < search_.fronts.size(); ++i) {
+    if (i == front || search_.front_parent[i] != i || search_.fronts[i].exhausted()) continue;
+    if (&body_.whole_of(search_.seed[i]) != whole) continue;
+    if (other != kNoIndex) return kNoIndex;
+    other = i;
+  }
+  return other;
+}
+
 // Returns whether no front has to advance any more.
 bool PartSearch::grow(size_t most, SettleResult& result) {
   sum_up();
@@ -251,9 +288,9 @@ bool PartSearch::grow(size_t most, SettleResult& result) {
     const Turn turn = turns_.top();
     turns_.pop();
     const uint32_t i = turn.front;
-    if (search_.front_parent[i] != i || search_.fronts[i].looked_at != turn.looked_at) continue;  // outdated
-    if (search_.fronts[i].exhausted() || !must_grow(i)) continue;
-    result.looked_at += take_turn(i, std::clamp<size_t>(turn.looked_at / 32, 1, kLongestTurn));
+    if (search_.front_parent[i] != i || rank_of(i) != turn.rank) continue;  // outdated
+    if (search_.fronts[i].exhausted() || !must_grow(i) || compare(i)) continue;
+    result.looked_at += take_turn(i, std::clamp<size_t>(search_.fronts[i].looked_at / 32, 1, kLongestTurn));
   }
   return true;
 }
@@ -278,7 +315,7 @@ size_t PartSearch::take_turn(uint32_t front, size_t faces) {
   if (!own.exhausted()) {
     const std::span<const ReachedFace> ahead(own.frontier);
     walk_.prefetch(ahead.last(std::min(ahead.size() - own.next, kLongestTurn)));
-    turns_.push({own.looked_at, front});
+    queue(front);
   } else {
     --open_[root(search_.group_parent, search_.group[front])];
     note_exhausted(front);

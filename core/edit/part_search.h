@@ -13,14 +13,20 @@ namespace kerf {
 // every former neighbour of a removed face, and fronts that meet are merged. The front that has visited the
 // fewest faces advances, so that the smaller of two parts is complete once as many faces of the larger one
 // were visited. An exhausted front is a part. The last front of a component need not be exhausted, because
-// its area is known: the area of the component minus that of the other parts.
+// its area is known: the area of the component minus that of the other parts. What a front visits does not
+// depend on the others unless it meets them; so where no edits come between, and two large fronts are left,
+// the one that is likely the larger part lags behind, and the parts that are found are the same.
 //
 // The state of the search is stored in the body, so that the search can stop at any face and continue in a
 // later step. Private to core/edit.
 class PartSearch {
  public:
-  explicit PartSearch(Body& body)
-      : body_(body), state_(body.separation), search_(body.separation.search), walk_(body.mesh) {}
+  explicit PartSearch(Body& body, Meanwhile meanwhile = Meanwhile::kEdits)
+      : body_(body),
+        state_(body.separation),
+        search_(body.separation.search),
+        compares_(meanwhile == Meanwhile::kNoEdits),
+        walk_(body.mesh) {}
 
   // Which fronts may belong to the same component. kClusters: those whose seeds were connected over removed
   // faces, which suffices for the removals of one step. kComponents: all fronts whose faces have the same
@@ -53,11 +59,13 @@ class PartSearch {
     size_t rest_faces() const { return whole->faces - faces; }
     bool rest_is_largest() const { return whole->area - area - largest > kEqualArea * whole->area; }
   };
+  // The turns of the fronts, the lowest rank first: the number of faces visited, times a handicap for a front
+  // that is likely to be the larger part.
   struct Turn {
-    size_t looked_at;
+    size_t rank;
     uint32_t front;
     bool operator<(const Turn& other) const {
-      return looked_at != other.looked_at ? looked_at > other.looked_at : front > other.front;
+      return rank != other.rank ? rank > other.rank : front > other.front;
     }
   };
 
@@ -72,6 +80,10 @@ class PartSearch {
   void unite_groups(uint32_t a, uint32_t b);
 
   bool grow(size_t most, SettleResult& result);
+  size_t rank_of(uint32_t front) const;
+  void queue(uint32_t front) { turns_.push({rank_of(front), front}); }
+  bool compare(uint32_t front);
+  uint32_t only_other(uint32_t front) const;
   size_t take_turn(uint32_t front, size_t faces);
   void take_from(SearchFront& front, size_t faces);
   bool must_grow(uint32_t front);
@@ -90,6 +102,7 @@ class PartSearch {
   Body& body_;
   SeparationState& state_;
   OpenSearch& search_;
+  bool compares_;               // which of two fronts is likely the larger part
   std::vector<uint32_t> open_;  // by group: the number of its fronts that are not exhausted
   std::vector<Found> found_;
   std::priority_queue<Turn> turns_;

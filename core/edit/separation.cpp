@@ -64,10 +64,10 @@ void note_turned(Body& body, FaceId f, double area_gained) {
   if (!is_settled(body)) PartSearch(body).note_turned(f, area_gained);
 }
 
-SettleResult settle(Body& body, size_t most) {
+SettleResult settle(Body& body, size_t most, Meanwhile meanwhile) {
   SeparationState& state = body.separation;
   SettleResult result;
-  PartSearch search(body);
+  PartSearch search(body, meanwhile);
   bool& again = state.search.asked_again;
   if (may_have_come_apart(body.mesh, state)) {
     if (is_settled(body)) {

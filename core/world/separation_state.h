@@ -17,6 +17,8 @@ struct SearchFront {
   size_t faces = 0;               // live faces among them
   double area = 0;                // of these, m^2
   uint32_t lowest = 0xffffffffu;  // the lowest slot reached
+  bool compared = false;          // with the only other one that grows in its component
+  bool likely_larger = false;     // than that one
   bool exhausted() const { return next == frontier.size(); }
 };
 
@@ -40,7 +42,8 @@ struct OpenSearch {
   uint32_t next_slot = 0;  // the first face slot that is not relabelled yet
 
   // The front that has reached the face, or null.
-  SearchFront* front_of(FaceId f) {
+  SearchFront* front_of(FaceId f) { return const_cast<SearchFront*>(std::as_const(*this).front_of(f)); }
+  const SearchFront* front_of(FaceId f) const {
     const uint32_t marked = mark.get(f.index) & ~kLookedAt;
     if (marked == 0) return nullptr;
     uint32_t front = marked - 1;

@@ -165,6 +165,59 @@ TEST(Separation, looks_at_no_more_than_twice_the_smaller_side) {
   }
 }
 
+// Removes every face in a band of y, and settles in calls that visit about `most` faces each.
+struct Settled {
+  Body body;
+  size_t looked_at = 0;
+  std::vector<FaceId> relabelled;
+};
+Settled settle_band(const Body& whole, double low, double high, size_t most, Meanwhile meanwhile) {
+  Settled settled{.body = whole, .looked_at = 0, .relabelled = {}};
+  for (uint32_t f = 0; f < whole.mesh.face_slots(); ++f) {
+    const Triangle t = whole.mesh.triangle(FaceId(f));
+    const double y = (t[0].y + t[1].y + t[2].y) / 3;
+    if (y > low && y < high) take_away(settled.body, FaceId(f));
+  }
+  do {
+    const SettleResult result = settle(settled.body, most, meanwhile);
+    settled.looked_at += result.looked_at;
+    settled.relabelled.insert(settled.relabelled.end(), result.relabelled.begin(), result.relabelled.end());
+  } while (!is_settled(settled.body));
+  return settled;
+}
+
+void expect_same_pieces(const Body& a, const Body& b) {
+  ASSERT_EQ(a.pieces.size(), b.pieces.size());
+  for (uint32_t label = 0; label < a.pieces.size(); ++label) {
+    EXPECT_EQ(a.pieces[label].faces, b.pieces[label].faces);
+    EXPECT_EQ(a.pieces[label].area, b.pieces[label].area);  // to the bit
+  }
+  for (uint32_t f = 0; f < a.mesh.face_slots(); ++f) {
+    if (a.mesh.is_live(FaceId(f))) ASSERT_EQ(a.mesh.data(FaceId(f)).piece, b.mesh.data(FaceId(f)).piece);
+  }
+}
+
+// A ring cut along its whole length has four fronts, two of which belong to the same part until they meet.
+TEST(Separation, without_edits_meanwhile_finds_the_same_parts_from_fewer_faces) {
+  const Body shapes[] = {make_body("ball", build(sphere(200, 240, 1))),
+                         make_body("ring", build(torus(300, 160, 1, 0.4)))};
+  for (uint64_t seed = 1; seed <= 6; ++seed) {
+    Random random(seed);
+    const double low = random.uniform(-0.3, 0.25), high = low + 0.03;
+    const size_t most = random.below(2) == 0 ? 1'000 : kNoLimit;
+    for (const Body& shape : shapes) {
+      SCOPED_TRACE(shape.name + ", seed " + std::to_string(seed));
+      const Settled edits = settle_band(shape, low, high, most, Meanwhile::kEdits);
+      const Settled calm = settle_band(shape, low, high, most, Meanwhile::kNoEdits);
+      ASSERT_GE(calm.body.pieces.size(), 2u);
+      expect_same_pieces(edits.body, calm.body);
+      EXPECT_EQ(edits.relabelled, calm.relabelled);
+      EXPECT_LE(calm.looked_at, edits.looked_at);
+      if (shape.name == "ball") EXPECT_LE(calm.looked_at, calm.relabelled.size() * 5 / 4 + 4 * 4096);
+    }
+  }
+}
+
 TEST(Separation, counts_each_boundary_as_one_place) {
   // A slot along a tube joins its two boundaries and separates nothing; a second one cuts it in two.
   Body body = make_body("tube", build(tube(30, 24, 0.3, 2)));

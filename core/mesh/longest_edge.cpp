@@ -51,42 +51,44 @@ class Propagation {
   bool bisect(FaceId f) {
     KERF_ASSERT(mesh_.is_live(f));
     path_.clear();
+    sides_.clear();
     step_onto(f);
     while (!path_.empty()) {
       Step& step = path_.back();
-      while (step.looked_at < step.sides.size() && !(step.edge.rank < rank_at(step))) ++step.looked_at;
-      if (step.looked_at < step.sides.size()) {
-        step_onto(step.sides[step.looked_at].face);
+      while (step.looked_at < sides_.size() && !(step.edge.rank < rank_at(sides_[step.looked_at])))
+        ++step.looked_at;
+      if (step.looked_at < sides_.size()) {
+        step_onto(sides_[step.looked_at].face);
         continue;
       }
       const Vec3 &a = step.edge.rank.low, &b = step.edge.rank.high, middle = 0.5 * a + 0.5 * b;
       if (middle == a || middle == b) return false;
       split(step);
+      sides_.resize(step.first_side);
       path_.pop_back();
     }
     return true;
   }
 
  private:
-  // A face of the path, its longest edge, and the other faces on that edge. Those before index `looked_at`
-  // have no longer edge, so that each face of a ring is examined once.
+  // A face of the path, its longest edge, and where the other faces on that edge begin in `sides_`; those of
+  // the last step reach to its end. Those before index `looked_at` have no longer edge, so that each face of
+  // a ring is examined once.
   struct Step {
     FaceId face;
     LongestEdge edge;
-    std::vector<Mesh::Side> sides;
-    size_t looked_at = 0;
+    size_t first_side, looked_at;
   };
 
   void step_onto(FaceId f) {
-    Step step{f, longest_edge(mesh_, f), {}, 0};
-    mesh_.append_edge_sides(f, step.edge.from, step.edge.to, step.sides);
-    path_.push_back(std::move(step));
+    const Step step{f, longest_edge(mesh_, f), sides_.size(), sides_.size()};
+    mesh_.append_edge_sides(f, step.edge.from, step.edge.to, sides_);
+    path_.push_back(step);
   }
 
   // The rank of the longest edge of the face examined next. If that face was bisected further along the path
   // in the meantime, one of the latest replacements contains the part that has the edge.
-  EdgeRank rank_at(Step& step) {
-    Mesh::Side& side = step.sides[step.looked_at];
+  EdgeRank rank_at(Mesh::Side& side) {
     const auto has_edge = [&](FaceId f) { return f.valid() && mesh_.has_side(f, side.from, side.to); };
     for (size_t i = out_.size(); !has_edge(side.face); --i) {
       KERF_ASSERT(i > 0);
@@ -99,7 +101,7 @@ class Propagation {
 
   void split(const Step& step) {
     greens_.forget(mesh_, step.face);
-    for (const Mesh::Side& side : step.sides) greens_.forget(mesh_, side.face);
+    for (size_t i = step.first_side; i < sides_.size(); ++i) greens_.forget(mesh_, sides_[i].face);
     splits_.clear();
     mesh_.split_edge(step.face, step.edge.from, step.edge.to, splits_);
     for (const Mesh::FaceSplit& s : splits_) {
@@ -114,6 +116,7 @@ class Propagation {
   OneToFour& greens_;
   std::vector<Replacement>& out_;
   std::vector<Step> path_;
+  std::vector<Mesh::Side> sides_;
   std::vector<Mesh::FaceSplit> splits_;
 };
 

@@ -193,6 +193,21 @@ void link_bisectors(Mesh::Kernel& k, std::span<const Mesh::FaceSplit> splits) {
   }
 }
 
+// Bisects all edges of a ring and links their halves and the bisectors.
+void bisect_ring(Mesh::Kernel& k, HalfEdgeId start, const Vec3& at, std::vector<Mesh::FaceSplit>& out) {
+  const size_t first = out.size();
+  std::vector<HalfEdgeId> members{start}, near_from, near_to;
+  for (HalfEdgeId h = next_in_ring(k, start); h != start; h = next_in_ring(k, h)) members.push_back(h);
+  for (const HalfEdgeId h : members) {
+    const Halves halves = bisect(k, h, at, out);
+    near_from.push_back(halves.near_from);
+    near_to.push_back(halves.near_to);
+  }
+  link_ring(k, near_from);
+  link_ring(k, near_to);
+  link_bisectors(k, {out.data() + first, out.size() - first});
+}
+
 }  // namespace
 
 void Mesh::append_neighbours(FaceId f, std::vector<FaceId>& out) const {
@@ -260,18 +275,10 @@ void Mesh::split_edge_at(FaceId f, VertexId from, VertexId to, const Vec3& at, s
   (void)to;
 
   const size_t first = out.size();
-  std::vector<HalfEdgeId> members{start};
-  for (HalfEdgeId h = next_in_ring(k, start); h != start; h = next_in_ring(k, h)) members.push_back(h);
-  std::vector<HalfEdgeId> near_from, near_to;
-  for (const HalfEdgeId h : members) {
-    const Halves halves = bisect(k, h, at, out);
-    near_from.push_back(halves.near_from);
-    near_to.push_back(halves.near_to);
-  }
-  if (members.size() > 1) {
-    link_ring(k, near_from);
-    link_ring(k, near_to);
-    link_bisectors(k, {out.data() + first, out.size() - first});
+  if (next_in_ring(k, start) == start) {
+    bisect(k, start, at, out);
+  } else {
+    bisect_ring(k, start, at, out);
   }
   if (k.columns.blank()) return;
   for (size_t i = first; i < out.size(); ++i)

@@ -4,7 +4,7 @@ layout(location = 2) in uint piece;
 uniform isamplerBuffer signs;  // of the faces of this chunk: 1 faces the light, -1 averted, 0 casts nothing
 uniform int wanted;            // faces of this sign are drawn
 uniform int under;             // 1: what the section plane leaves is drawn, -1: the rest
-uniform int at_infinity;       // 0: where they are, 1: pushed away from the light without end
+uniform int pushed;            // 0: where they are, 1: where the light pushes them in the end
 
 invariant gl_Position;
 
@@ -13,12 +13,12 @@ invariant gl_Position;
 void main() {
   vec4 look = look_of(piece);
   vec3 at = placed(position, look, turn_of(piece));
-  gl_ClipDistance[0] = at_infinity == 0 ? under_section(at) * float(under) : 1.0;
+  gl_ClipDistance[0] = pushed == 0 ? under_section(at) * float(under) : 1.0;
   if (look.w < 0.0 || texelFetch(signs, gl_VertexID / 3).r != wanted) {
     gl_Position = kNowhere;
-  } else if (at_infinity == 0) {
+  } else if (pushed == 0) {
     gl_Position = clip_from_frame * vec4(at, 1.0);
   } else {
-    gl_Position = clip_from_frame * vec4(away_from_light(at), 0.0);
+    gl_Position = end_of_push(at);
   }
 }

@@ -12,8 +12,8 @@ out float far;
 #endif
 
 vec4 pushed(vec3 at) {
-  vec3 away = away_from_light(at);
-  return reach > 0.0 ? clip_from_frame * vec4(at + reach * normalize(away), 1.0) : clip_from_frame * vec4(away, 0.0);
+  if (reach == 0.0) return end_of_push(at);
+  return clip_from_frame * vec4(at + reach * normalize(away_from_light(at)), 1.0);
 }
 
 // From the edge u -> v, which has the volume on its left seen from the light, the outward triangles (v, u, u')

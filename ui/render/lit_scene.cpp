@@ -125,7 +125,7 @@ void LitScene::restore_glow(const Subject& subject) const {
 }
 
 void LitScene::add_shadowed(const Subject& subject, size_t light, ShadowMethod method) {
-  shadows_.count(subject, light, method);
+  shadows_.count(subject, light, method, ground_.hidden_below(subject.space));
   if (subject.options.shadow.paper_look) {
     darken_shadows(subject);
   } else {

@@ -66,10 +66,10 @@ ShadowVerdict ShadowTrial::verdict(ShadowMethod method) {
   Renderer& renderer = stage_.renderer();
   const World& world = stage_.world();
   if (!traced_) {
-    traced_ = renderer.shadow_reference(world, view_, options_, 0, false, width_, height_);
+    traced_ = renderer.shadow_reference(world, view_, options_, 0, ground_, width_, height_);
     traced_->trace(static_cast<size_t>(width_) * static_cast<size_t>(height_));
   }
-  return judge(renderer.shadow_counts(world, view_, options_, 0, method, false, width_, height_), *traced_);
+  return judge(renderer.shadow_counts(world, view_, options_, 0, method, ground_, width_, height_), *traced_);
 }
 
 }  // namespace kerf::test

@@ -32,6 +32,8 @@ class ShadowTrial {
   ShadowVerdict verdict(ShadowMethod method);
   // Draws the near caps of the robust method so from now on.
   void draw_near_caps(NearCaps how) { options_.shadow.near_caps = how; }
+  // The ground is a part of the picture from now on. Precondition: no verdict was asked for.
+  void stand_on_ground() { ground_ = true; }
   // Cuts the picture with a section plane. Precondition: no verdict was asked for.
   void cut_with(const SectionPlane& plane);
   ShadowVerdict robust() { return verdict(ShadowMethod::kRobust); }
@@ -41,6 +43,7 @@ class ShadowTrial {
   CameraView view_;
   ViewOptions options_;
   int width_, height_;
+  bool ground_ = false;
   std::optional<ShadowReference> traced_;
 };
 

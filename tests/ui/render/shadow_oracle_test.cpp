@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/random.h"
 #include "tests/ui/render/shadow_scenes.h"
 
 namespace kerf {
@@ -15,7 +16,7 @@ test::ShadowTrial trial_of(test::Stage& stage, const Light& light, const CameraV
 }
 
 // So much of a picture may lie at boundaries, or the rule that leaves them out could hide a failure.
-constexpr double kSolid = 0.05, kThin = 0.08, kSoup = 0.22;
+constexpr double kSolid = 0.05, kThin = 0.08, kSoup = 0.22, kManyEdges = 0.45;
 
 void expect_seen(const ShadowVerdict& v, double most_left_out) {
   EXPECT_GT(v.hit, 2000u);
@@ -147,6 +148,37 @@ TEST(ShadowOracle, robust_shadows_are_those_that_rays_find) {
     const ShadowVerdict v = trial_of(stage, c.light, c.view).robust();
     SCOPED_TRACE(v.summary());
     expect_right(v, c.most_left_out);
+  }
+}
+
+// Volumes end under the ground where it hides what lies there, and extend to infinity where the sun is low or
+// the eye under the ground.
+TEST(ShadowOracle, shadows_over_the_ground_are_those_that_rays_find) {
+  const std::pair<const char*, World> worlds[] = {
+      {"box", world_of({test::box({0, 1, 0}, {1, 1, 1}), test::box({1.4, 0.2, 0.3}, {0.4, 0.4, 0.4})})},
+      {"opened ball", world_of({test::opened_ball({0.3, 0.4, 1}, 0.6)})},
+      {"windowed box", world_of({test::windowed_box()})},
+      {"five sheets", world_of({test::moved(test::book(5), {0, 0.3, 0}, 1.5)})},
+      {"loose triangles", world_of({test::triangles(60, 5)})},
+  };
+  for (const auto& [name, world] : worlds) {
+    test::Stage stage((World(world)));
+    for (uint64_t seed = 1; seed <= 8; ++seed) {
+      SCOPED_TRACE(name + (", seed " + std::to_string(seed)));
+      Random random(seed);
+      const auto any = [&](double low, double high) { return random.uniform(low, high); };
+      const double rise = seed % 4 == 0 ? 0.07 : any(0.12, 2);
+      const Light sun = sun_from(Vec3(any(-1, 1), rise, 1));
+      const Vec3 eye(any(-3, 3), seed % 4 == 1 ? -3.5 : any(0.4, 3), any(3, 5));
+      test::ShadowTrial trial = trial_of(stage, sun, shadow_view(eye, {any(-0.5, 0.5), any(-0.5, 0.5), 0}));
+      trial.stand_on_ground();
+      const ShadowVerdict v = trial.robust();
+      SCOPED_TRACE(v.summary());
+      EXPECT_GT(v.hit, 2000u);
+      EXPECT_LE(static_cast<double>(v.left_out), kManyEdges * static_cast<double>(v.hit));
+      EXPECT_EQ(v.wrong, 0u);
+      EXPECT_EQ(v.miscounted, 0u);
+    }
   }
 }
 

@@ -11,7 +11,8 @@ namespace {
 constexpr int kContactPixels = 256;
 constexpr int kContactBlurs = 3;
 constexpr double kContactMargin = 1.5;  // of the larger side of the world seen from above
-constexpr double kRadius = 14;          // of the disc, in diagonals of the world
+constexpr double kHidden = 0.1;  // of the height of the world: how far below the ground nothing is seen
+constexpr double kRadius = 14;   // of the disc, in diagonals of the world
 
 }  // namespace
 
@@ -105,14 +106,23 @@ void GroundPass::draw(const FrameSpace& space, bool spot) const {
   draw_disc(space);
 }
 
+bool GroundPass::is_seen(const FrameSpace& space) const {
+  return height_of(space.seen_from, space.up) > height_;
+}
+
+std::optional<float> GroundPass::hidden_below(const FrameSpace& space) const {
+  if (!is_seen(space)) return std::nullopt;
+  return space.length(height_ - kHidden * tall_ - height_of(space.eye, space.up));
+}
+
 void GroundPass::draw_disc(const FrameSpace& space) const {
-  if (height_of(space.seen_from, space.up) <= height_) return;
+  if (!is_seen(space)) return;
   no_vertices_.draw(GL_TRIANGLE_STRIP, 4);
 }
 
 bool GroundPass::project_shadow(const FrameSpace& space, const glm::vec4& light,
                                 const DrawBodies& bodies) const {
-  if (height_of(space.seen_from, space.up) <= height_ || light.w > 0 || light.y <= 0) return false;
+  if (!is_seen(space) || light.w > 0 || light.y <= 0) return false;
   glClear(GL_STENCIL_BUFFER_BIT);
   const gl::ScopedState state({.depth = GL_NONE,
                                .writes_colour = false,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "ui/gl/framebuffer.h"
 #include "ui/render/bodies/shaders.h"
@@ -28,6 +29,8 @@ class GroundPass {
   void draw(const FrameSpace& space, bool spot) const;
   // Draws its shape with the program in use, which contains ground.vert.
   void draw_disc(const FrameSpace& space) const;
+  // The height in frame coordinates below which the ground hides everything; nothing if the eye is below it.
+  std::optional<float> hidden_below(const FrameSpace& space) const;
   // Adds a light, given as the uniforms of direct.glsl, with exactly the same depths as draw().
   void add_light(const FrameSpace& space, const glm::vec4& light, const glm::vec4& colour) const;
 
@@ -42,6 +45,7 @@ class GroundPass {
   struct Programs {
     gl::Program disc, spot_disc, direct, shadow, contact, blur, contact_light;
   };
+  bool is_seen(const FrameSpace& space) const;
   glm::vec4 contact_place(const FrameSpace& space) const;
   void blur_contact();
 

@@ -21,7 +21,18 @@ gl::State counting_behind(bool outward) {
   return counting({.front_behind = GL_INCR_WRAP, .back_behind = GL_DECR_WRAP});
 }
 
-int vertices_of_side(const glm::vec4& light) { return light.w > 0 ? 6 : 3; }
+// The least height of the unit vector towards a light for which volumes end at a floor: they get long below
+// it.
+constexpr float kLeastRise = 0.1f;
+
+std::optional<float> floor_for(const glm::vec4& light, std::optional<float> floor) {
+  return light.w == 0 && light.y >= kLeastRise ? floor : std::nullopt;
+}
+
+void set_floor(const gl::Program& program, std::optional<float> floor) {
+  program.set("has_floor", floor ? 1 : 0);
+  program.set("floor_height", floor.value_or(0));
+}
 
 std::vector<uint32_t> take_slots(DirtySlots& dirty) {
   std::vector<uint32_t> slots;
@@ -122,9 +133,9 @@ void ShadowPass::drop_unused() {
   }
 }
 
-void ShadowPass::draw_caps(const Subject& subject, VolumeKey key, int sign, bool at_infinity) {
+void ShadowPass::draw_caps(const Subject& subject, VolumeKey key, int sign, bool pushed) {
   cap_.set("wanted", sign);
-  cap_.set("at_infinity", at_infinity ? 1 : 0);
+  cap_.set("pushed", pushed ? 1 : 0);
   for_each_body(subject, [&](BodyId id, const Body& body, const BodyPicture& picture) {
     const VolumeBuffer& volume = bodies_.at(id).volumes.at(key).buffer;
     picture.bind(cap_, subject.space, body.placement);
@@ -160,16 +171,20 @@ void ShadowPass::count_near_caps(const Subject& subject, VolumeKey key) {
 // A triangle is drawn with its corners in the order that the picture has, so that its depths are the same to
 // the bit; whether its front looks out of the volume at its near cap depends on whether it faces the light,
 // and at its far cap it is the other way round. Near caps are clipped as the picture is; what lies at
-// infinity must not be clipped at all.
-void ShadowPass::count_robustly(const Subject& subject, VolumeKey key, const glm::vec4& light) {
+// infinity must not be clipped at all. Without a floor, all points at infinity of a light from one direction
+// are one, and there are no far caps.
+void ShadowPass::count_robustly(const Subject& subject, VolumeKey key, const glm::vec4& light,
+                                std::optional<float> floor) {
   cap_.use();
   cap_.set("light", light);
+  set_floor(cap_, floor);
   count_near_caps(subject, key);
   const auto clamped = [](gl::State state) {
     state.clamps_depth = true;
     return state;
   };
-  if (light.w > 0) {
+  const bool ends_in_a_point = light.w == 0 && !floor;
+  if (!ends_in_a_point) {
     for (const int sign : {1, -1}) {
       const gl::ScopedState state(clamped(counting_behind(sign < 0)));
       draw_caps(subject, key, sign, true);
@@ -177,9 +192,10 @@ void ShadowPass::count_robustly(const Subject& subject, VolumeKey key, const glm
   }
   side_.use();
   side_.set("light", light);
+  set_floor(side_, floor);
   side_.set("reach", 0.0f);
   const gl::ScopedState state(clamped(counting_behind(true)));
-  draw_sides(subject, key, vertices_of_side(light));
+  draw_sides(subject, key, ends_in_a_point ? 3 : 6);
 }
 
 void ShadowPass::count_as_the_paper(const Subject& subject, VolumeKey key, const glm::vec4& light) {
@@ -197,7 +213,8 @@ void ShadowPass::count_as_the_paper(const Subject& subject, VolumeKey key, const
   count_sides(GL_FRONT, GL_DECR);
 }
 
-void ShadowPass::count(const Subject& subject, size_t light, ShadowMethod method) {
+void ShadowPass::count(const Subject& subject, size_t light, ShadowMethod method,
+                       std::optional<float> hidden_below) {
   KERF_ASSERT(light < subject.options.lights.size());
   const VolumeKey key{light, method};
   for_each_body(subject, [&](BodyId id, const Body& body, const BodyPicture& picture) {
@@ -206,7 +223,7 @@ void ShadowPass::count(const Subject& subject, size_t light, ShadowMethod method
   glClear(GL_STENCIL_BUFFER_BIT);
   const glm::vec4 in_frame = light_in_frame(subject.options.lights[light], subject.space);
   if (method == ShadowMethod::kRobust) {
-    count_robustly(subject, key, in_frame);
+    count_robustly(subject, key, in_frame, floor_for(in_frame, hidden_below));
   } else {
     count_as_the_paper(subject, key, in_frame);
   }

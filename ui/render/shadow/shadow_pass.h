@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "core/base/assert.h"
 #include "core/world/delta.h"
@@ -49,8 +50,10 @@ class ShadowPass {
   // subject.options. What casts must be in the depth, drawn with `clip_from_frame * vec4(placed(...), 1.0)`
   // and an invariant position, with depth func GL_LESS. Afterwards a pixel is lit where the stencil is 0, and
   // with kRobust it holds the number of occluders modulo 256, so 256 surfaces over one another cast no
-  // shadow.
-  void count(const Subject& subject, size_t light, ShadowMethod method);
+  // shadow. Where something hides all that lies below a height (frame coordinates), volumes that light from
+  // above casts end there: what they cover beyond costs a software renderer most of their time.
+  void count(const Subject& subject, size_t light, ShadowMethod method,
+             std::optional<float> hidden_below = std::nullopt);
 
   // The current volume of a body, or null if the body is not drawn.
   const VolumeBuffer* volume(const Subject& subject, BodyId id, size_t light, ShadowMethod method);
@@ -84,9 +87,10 @@ class ShadowPass {
                          VolumeKey key);
   void note_effort(const ShadowVolume::Effort& before, const ShadowVolume::Effort& after);
   void count_near_caps(const Subject& subject, VolumeKey key);
-  void count_robustly(const Subject& subject, VolumeKey key, const glm::vec4& light);
+  void count_robustly(const Subject& subject, VolumeKey key, const glm::vec4& light,
+                      std::optional<float> floor);
   void count_as_the_paper(const Subject& subject, VolumeKey key, const glm::vec4& light);
-  void draw_caps(const Subject& subject, VolumeKey key, int sign, bool at_infinity);
+  void draw_caps(const Subject& subject, VolumeKey key, int sign, bool pushed);
   void draw_sides(const Subject& subject, VolumeKey key, int vertices_of_side);
 
   gl::Program cap_, side_;

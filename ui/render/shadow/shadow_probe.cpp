@@ -25,7 +25,7 @@ ShadowCounts ShadowProbe::look(const Subject& subject, ShadowPass& shadows, size
   if (!picture_ || !(picture_->shape() == shape)) picture_.emplace(shape);
   picture_->bind();
   draw_marks(subject, ground);
-  shadows.count(subject, light, method);
+  shadows.count(subject, light, method, ground ? ground->hidden_below(subject.space) : std::nullopt);
   const size_t pixels = static_cast<size_t>(width) * static_cast<size_t>(height);
   ShadowCounts counts{width, height, std::vector<uint32_t>(pixels), std::vector<uint8_t>(pixels)};
   std::vector<uint8_t> marks(4 * pixels);

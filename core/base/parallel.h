@@ -8,9 +8,10 @@
 
 namespace kerf {
 
-// Work on several threads, by oneTBB. Loading, building, measuring, hashing and saving use it; the step of a
-// cut does not. How the work is divided never depends on the number of threads, so that results which are put
-// together range by range have the same bits with any number.
+// Work on several threads, by oneTBB. Loading, building, measuring, hashing and saving use it, and ticks and
+// heat beside a cut; finding, splitting, removing and separating do not. How the work is divided never
+// depends on the number of threads, so that results which are put together range by range have the same bits
+// with any number.
 
 // Calls work(begin, end) for the ranges [0, grain), [grain, 2 grain), ... of `items` items, several at a
 // time, and returns when all are done. The first exception that `work` throws is thrown here. Preconditions:

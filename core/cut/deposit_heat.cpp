@@ -6,12 +6,14 @@
 #include <unordered_set>
 
 #include "core/base/assert.h"
+#include "core/base/parallel.h"
 
 namespace kerf {
 
 namespace {
 
 constexpr int kFinestSample = 5;  // halvings of a face in samples
+constexpr size_t kAtATime = 16;   // faces, by one thread
 
 class Deposit {
  public:
@@ -85,8 +87,14 @@ void deposit_heat(World& world, BodyStep& step, const CutSettings& settings, std
   Body& body = world.body(step.id);
   const Deposit deposit(step, settings);
   double added = 0;
-  for (const FaceId f : faces_within(step, deposit, beside)) {
-    const double before = body.heat.energy_of(body.mesh, f), now = deposit.energy(body.mesh.triangle(f));
+  const std::vector<FaceId> faces = faces_within(step, deposit, beside);
+  std::vector<double> energies(faces.size());
+  for_each_range(faces.size(), kAtATime, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) energies[i] = deposit.energy(body.mesh.triangle(faces[i]));
+  });
+  for (size_t i = 0; i < faces.size(); ++i) {
+    const FaceId f = faces[i];
+    const double before = body.heat.energy_of(body.mesh, f), now = energies[i];
     if (now <= before) continue;
     body.heat.set_energy(body.mesh, f, now);
     body.heat.note_hottest(body.mesh, f,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "core/base/assert.h"
 #include "core/base/parallel.h"
@@ -170,12 +171,17 @@ TickStatistics count_bodies(const World& world, std::span<const BodyId> carried)
   return count;
 }
 
-// Weighs the bodies that such a tick makes colliders of: both are functions of the faces.
-void weigh_changed(const Physics& physics, World& world, bool under_beam, std::span<const BodyId> carried) {
-  for (const BodyId id : world.ids()) {
-    if (takes_part(world, id, carried) && physics.makes_collider(world, id, under_beam))
-      weigh(world.body(id));
-  }
+std::vector<BodyId> taking_part(const World& world, std::span<const BodyId> carried) {
+  std::vector<BodyId> ids = world.ids();
+  std::erase_if(ids, [&](BodyId id) { return !takes_part(world, id, carried); });
+  std::ranges::sort(ids);
+  return ids;
+}
+
+void do_all(std::span<const std::function<void()>> work) {
+  for_each_range(work.size(), 1, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) work[i]();
+  });
 }
 
 }  // namespace
@@ -214,26 +220,32 @@ bool Physics::makes_collider(const World& world, BodyId id, bool under_beam) con
   return !under_beam || !of_step_.contains(id) || world.body(id).mesh.live_faces() <= kMostUnderBeam;
 }
 
-void Physics::make_colliders(const World& world, std::span<const BodyId> ids, bool under_beam) {
-  std::vector<std::pair<const Mesh*, Collider*>> to_make;
+void Physics::weigh_changed(World& world, std::span<const BodyId> ids, bool under_beam) const {
+  for (const BodyId id : ids) {
+    if (makes_collider(world, id, under_beam)) weigh(world.body(id));
+  }
+}
+
+void Physics::learn_faces(World& world, std::span<const BodyId> ids, bool under_beam) {
+  std::vector<std::function<void()>> work;
   for (const BodyId id : ids) {
     if (!makes_collider(world, id, under_beam)) continue;
-    to_make.emplace_back(&world.body(id).mesh, &colliders_[id]);
+    Body& body = world.body(id);
+    Collider& collider = colliders_[id];
+    work.emplace_back([&collider, &body] { collider = make_collider(body.mesh); });
+    work.emplace_back([&body] { weigh(body); });
     changed_.erase(id);
   }
-  for_each_range(to_make.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) *to_make[i].second = make_collider(*to_make[i].first);
-  });
-  of_step_.insert(ids.begin(), ids.end());
+  if (!joints_) work.emplace_back([&] { joints_ = held_joints(world); });
+  do_all(work);
 }
 
 std::vector<MovingBody> Physics::moving_bodies(World& world, bool under_beam,
                                                std::span<const BodyId> carried) {
   constexpr size_t kAtATime = 8;  // by one thread
-  std::vector<BodyId> ids = world.ids();
-  std::erase_if(ids, [&](BodyId id) { return !takes_part(world, id, carried); });
-  std::ranges::sort(ids);
-  make_colliders(world, ids, under_beam);
+  const std::vector<BodyId> ids = taking_part(world, carried);
+  learn_faces(world, ids, under_beam);
+  of_step_.insert(ids.begin(), ids.end());
   std::vector<MovingBody> bodies(ids.size());
   for (size_t i = 0; i < ids.size(); ++i) bodies[i].body = &world.body(ids[i]);
   for_each_range(ids.size(), kAtATime, [&](size_t begin, size_t end) {
@@ -248,8 +260,11 @@ std::vector<MovingBody> Physics::moving_bodies(World& world, bool under_beam,
 
 Delta Physics::tick(World& world, bool under_beam, std::span<const Guided> guided,
                     std::span<const BodyId> carried) {
-  if (world.spring() || count_bodies(world, carried).awake > 0)
-    weigh_changed(*this, world, under_beam, carried);
+  if (count_bodies(world, carried).awake > 0) {
+    learn_faces(world, taking_part(world, carried), under_beam);
+  } else if (world.spring()) {
+    weigh_changed(world, taking_part(world, carried), under_beam);
+  }
   pull(world, kTick);
   statistics_ = count_bodies(world, carried);
   if (statistics_.awake == 0) return {};
@@ -260,7 +275,6 @@ Delta Physics::tick(World& world, bool under_beam, std::span<const Guided> guide
       std::all_of(bodies.begin(), bodies.end(), [](const MovingBody& b) { return b.fixed || b.asleep; });
   if (all_rest) return {};
 
-  if (!joints_) joints_ = held_joints(world);
   const std::vector<BodyJoint> joints = joints_between(bodies, *joints_, world.joints());
   const ContactMemory& before = world.contact_memory();
   set_rolling_loss(bodies, joints, before, world.surroundings().gravity);

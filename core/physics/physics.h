@@ -85,8 +85,11 @@ class Physics {
   const std::vector<TouchingPair>& pairs() const { return pairs_; }
 
  private:
-  // Makes those colliders of bodies that the tick makes anew.
-  void make_colliders(const World& world, std::span<const BodyId> ids, bool under_beam);
+  // Weighs the bodies of which the tick makes colliders: both are functions of the faces.
+  void weigh_changed(World& world, std::span<const BodyId> ids, bool under_beam) const;
+  // Weighs them, makes their colliders, and finds the joints that hold if they are not known, all at the same
+  // time.
+  void learn_faces(World& world, std::span<const BodyId> ids, bool under_beam);
   std::vector<MovingBody> moving_bodies(World& world, bool under_beam, std::span<const BodyId> carried);
   void forget_collider(BodyId id);
 

@@ -2,10 +2,13 @@
 #include <atomic>
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <fstream>
 #include <thread>
 #include <vector>
 
+#include "core/base/tick.h"
 #include "core/game/match/recording.h"
+#include "tests/matches/endurance.h"
 #include "tests/matches/match_course.h"
 
 namespace kerf {
@@ -15,20 +18,50 @@ constexpr Difficulty kLevels[] = {Difficulty::kEasy, Difficulty::kNormal, Diffic
 constexpr double kStill = 60;                      // s, that a player who does nothing shall live
 constexpr double kFirstBeam = 6, kFirstPart = 20;  // s
 
-// Matches of the seeds 1 .. count, on all cores.
-std::vector<MatchCourse> play_all(const std::shared_ptr<const Rules>& rules, Difficulty level,
-                                  MatchDriver driver, size_t count, double seconds) {
-  std::vector<MatchCourse> courses(count);
+// Calls play(i) for 0 .. count - 1, on all cores.
+template <typename Play>
+void play_all(size_t count, Play play) {
   std::atomic<size_t> next = 0;
   std::vector<std::thread> threads;
   for (unsigned t = 0; t < std::max(1u, std::thread::hardware_concurrency()); ++t) {
     threads.emplace_back([&] {
-      for (size_t i = next++; i < count; i = next++)
-        courses[i] = play_course({rules, i + 1, level}, driver, seconds);
+      for (size_t i = next++; i < count; i = next++) play(i);
     });
   }
   for (std::thread& thread : threads) thread.join();
+}
+
+// Matches of the seeds 1 .. count.
+std::vector<MatchCourse> courses_of(const std::shared_ptr<const Rules>& rules, Difficulty level,
+                                    MatchDriver driver, size_t count, double seconds) {
+  std::vector<MatchCourse> courses(count);
+  play_all(count, [&](size_t i) { courses[i] = play_course({rules, i + 1, level}, driver, seconds); });
   return courses;
+}
+
+// MiB of memory that the program has now; 0 where the system does not say.
+size_t memory_now() {
+  std::ifstream file("/proc/self/statm");
+  size_t all = 0, resident = 0;
+  file >> all >> resident;
+  return resident * 4096 >> 20;
+}
+
+// Returns whether no match had a fault. Prints a line each as it ends.
+bool endure_level(const std::shared_ptr<const Rules>& rules, Difficulty level, size_t first, size_t count,
+                  double seconds) {
+  std::atomic<size_t> faults = 0;
+  play_all(count, [&](size_t i) {
+    const Endurance e = endure({rules, first + i, level}, seconds);
+    faults += e.fault.empty() ? 0 : 1;
+    std::printf(
+        "%-6s seed %3zu: %6.1f s, %3zu bodies, tick %.2f ms, p99 %.2f, longest %.1f, %4zu MiB, %016llx %s\n",
+        name_of(level), first + i, static_cast<double>(e.ticks) / kTicksPerSecond, e.most_bodies,
+        1e3 * e.median_s, 1e3 * e.slow_s, 1e3 * e.longest_s, memory_now(),
+        static_cast<unsigned long long>(e.hash), e.fault.c_str());
+    std::fflush(stdout);
+  });
+  return faults == 0;
 }
 
 double median(std::vector<double> values) {
@@ -75,21 +108,33 @@ void print_level(Difficulty level, const std::vector<MatchCourse>& bots,
       still.size(), held);
 }
 
-int run(const std::string& file, const std::string& only, size_t count, double seconds, bool each) {
-  const auto rules = load_rules(file);
+struct Wanted {
+  std::string rules, level;
+  size_t count = 20, first = 1;
+  double seconds = 600;
+  bool each = false, endure = false;
+};
+
+int run(const Wanted& wanted) {
+  const auto rules = load_rules(wanted.rules);
   if (!rules) {
     std::fprintf(stderr, "%s\n", rules.error().message.c_str());
     return 2;
   }
+  bool sound = true;
   for (const Difficulty level : kLevels) {
-    if (!only.empty() && only != name_of(level)) continue;
-    const auto bots = play_all(*rules, level, MatchDriver::kBot, count, seconds);
-    const auto still = play_all(*rules, level, MatchDriver::kStill, count, kStill);
-    if (each) print_matches(bots);
+    if (!wanted.level.empty() && wanted.level != name_of(level)) continue;
+    if (wanted.endure) {
+      sound = endure_level(*rules, level, wanted.first, wanted.count, wanted.seconds) && sound;
+      continue;
+    }
+    const auto bots = courses_of(*rules, level, MatchDriver::kBot, wanted.count, wanted.seconds);
+    const auto still = courses_of(*rules, level, MatchDriver::kStill, wanted.count, kStill);
+    if (wanted.each) print_matches(bots);
     print_level(level, bots, still);
     std::fflush(stdout);
   }
-  return 0;
+  return sound ? 0 : 1;
 }
 
 }  // namespace
@@ -97,15 +142,15 @@ int run(const std::string& file, const std::string& only, size_t count, double s
 
 int main(int argc, char** argv) {
   CLI::App app{"Bot matches of each level without a window, in a table"};
-  std::string rules, level;
-  size_t count = 20;
-  double seconds = 600;
-  bool each = false;
-  app.add_option("RULES", rules, "The rules of the matches (.json)")->required();
-  app.add_option("--level", level, "Only this level: easy, normal or hard");
-  app.add_option("--matches", count, "How many of each level")->check(CLI::Range(1, 1000));
-  app.add_option("--seconds", seconds, "The longest match")->check(CLI::Range(1, 3600));
-  app.add_flag("--each", each, "A line for each match, too");
+  kerf::Wanted wanted;
+  app.add_option("RULES", wanted.rules, "The rules of the matches (.json)")->required();
+  app.add_option("--level", wanted.level, "Only this level: easy, normal or hard");
+  app.add_option("--matches", wanted.count, "How many of each level")->check(CLI::Range(1, 1000));
+  app.add_option("--seconds", wanted.seconds, "The longest match")->check(CLI::Range(1, 3600));
+  app.add_flag("--each", wanted.each, "A line for each match, too");
+  app.add_flag("--endure", wanted.endure,
+               "A line for each match with its ticks, memory, hash and faults instead");
+  app.add_option("--first", wanted.first, "The seed of the first match that endures");
   CLI11_PARSE(app, argc, argv);
-  return kerf::run(rules, level, count, seconds, each);
+  return kerf::run(wanted);
 }

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Breaks one line at a time of the sources of rooms of core, in a copy of the tree, and says whether the tests of the
-room notice: mutants.py --folder FOLDER [--seed N] [--count N] [--first K] [ROOM...]
+room notice: mutants.py --folder FOLDER [--seed N] [--count N] [--first K] [--only N,N...] [ROOM...]
 
 FOLDER holds the copy of the last commit and its build; both are made where they are missing and brought up to date where
 they are not. What is broken follows from the seed: mutants K to K + count - 1 of an endless list. A mutant that compiles
@@ -29,10 +29,15 @@ NUMBER = re.compile(r'(?<![\w.])(\d+(?:\.\d+)?(?:e-?\d+)?)(?![\w.]*[\w])')
 CALL = re.compile(r'^\s+[a-z_][\w.>:\[\]-]*\([^;]*\);$')
 
 
-def is_code(line):
-    text = line.strip()
-    return bool(text) and not text.startswith(('//', '#', 'KERF_ASSERT', 'static_assert', 'assert(', 'namespace', 'using',
-                                               'template'))
+def code_lines(lines):
+    """The indices of lines that are code and no assertion."""
+    asserts = False
+    for i, line in enumerate(lines):
+        text = line.strip()
+        asserts = asserts or text.startswith(('KERF_ASSERT', 'static_assert', 'assert('))
+        if text and not asserts and not text.startswith(('//', '#', 'namespace', 'using', 'template')):
+            yield i
+        asserts = asserts and not text.endswith(';')
 
 
 def variants(line):
@@ -58,8 +63,7 @@ def mutants(folder, rooms, seed):
     files = [(room, path) for room in rooms
              for path in sorted(glob.glob(f'{folder}/core/{room}/**/*.cpp', recursive=True))]
     lines = {path: open(path).read().split('\n') for _, path in files}
-    all_lines = [(room, path, i) for room, path in files for i, line in enumerate(lines[path])
-                 if is_code(line) and variants(line)]
+    all_lines = [(room, path, i) for room, path in files for i in code_lines(lines[path]) if variants(lines[path][i])]
     seen = set()
     while True:
         room, path, i = choice.choice(all_lines)
@@ -144,6 +148,7 @@ def main():
     parser.add_argument('--seed', type=int, default=1)
     parser.add_argument('--count', type=int, default=100)
     parser.add_argument('--first', type=int, default=0)
+    parser.add_argument('--only', type=lambda text: {int(n) for n in text.split(',')}, help='numbers, as in 1,2,7')
     parser.add_argument('rooms', nargs='*', default=ROOMS)
     arguments = parser.parse_args()
     folder = os.path.realpath(arguments.folder)
@@ -151,9 +156,9 @@ def main():
     whole = objects(folder)
     counts, survivors, tried = {'failed': 0, 'time': 0, 'passed': 0}, [], 0
     for number, (room, path, i, new) in enumerate(mutants(folder, arguments.rooms, arguments.seed)):
-        if number < arguments.first:
+        if number < arguments.first or (arguments.only and number not in arguments.only):
             continue
-        if tried == arguments.count:
+        if tried == (len(arguments.only) if arguments.only else arguments.count):
             break
         old = open(path).read().split('\n')[i]
         result = try_one(folder, whole, room, path, i, new)

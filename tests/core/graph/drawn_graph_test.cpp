@@ -35,6 +35,14 @@ Shown cut_across(const Soup& soup, uint64_t seed, double radius_share) {
   return shown;
 }
 
+// Longer in one direction, flatter in another, and turned anyhow.
+Soup stretched_and_turned(Soup soup, Random& random) {
+  const auto any = [&] { return random.uniform(-1, 1); };
+  const glm::dquat turn = glm::normalize(glm::dquat(any(), any(), any(), any()));
+  for (Vec3& p : soup.positions) p = turn * (p * Vec3(2, 1, 0.5));
+  return soup;
+}
+
 bool has_clusters(const DrawnGraph& drawn) {
   return std::ranges::any_of(drawn.nodes, [](const DrawnGraph::Node& n) { return n.faces > 1; });
 }
@@ -197,6 +205,29 @@ TEST(GraphLayout, by_position_is_a_flat_sheet_to_scale) {
   const double scale = glm::length(places[1] - places[0]) / apart(1, 0);
   for (size_t i = 2; i < places.size(); ++i)
     ASSERT_NEAR(glm::length(places[i] - places[0]), scale * apart(i, 0), 1e-9) << "node " << i;
+}
+
+TEST(GraphLayout, by_position_extends_most_from_left_to_right_and_not_askew) {
+  for (uint64_t seed = 1; seed <= 5; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    Shown whole{world_of(stretched_and_turned(torus(14, 10, 1, 0.3), random)), {}, {}};
+    whole.graph = cut_graph(whole.world, {});
+    whole.traversal = traverse_cut(whole.graph, 0);
+    const GraphLayout places =
+        lay_out_by_position(draw_graph(whole.graph, whole.traversal, GraphScope::kWhole));
+    Vec2 mean(0);
+    for (const Vec2& p : places) mean += p / static_cast<double>(places.size());
+    double xx = 0, xy = 0, yy = 0;
+    for (const Vec2& p : places) {
+      const Vec2 d = p - mean;
+      xx += d.x * d.x;
+      xy += d.x * d.y;
+      yy += d.y * d.y;
+    }
+    EXPECT_GE(xx, yy);
+    EXPECT_NEAR(xy, 0, 1e-9 * xx);
+  }
 }
 
 TEST(GraphLayout, unrolls_a_cut_around_a_ball_with_its_sides_above_and_below) {

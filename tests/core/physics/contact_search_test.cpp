@@ -40,6 +40,15 @@ TEST_F(SearchOfPlates, finds_the_contacts_of_pairs_and_with_the_ground_in_order)
   EXPECT_EQ(search.candidates(), 1u);
 }
 
+TEST_F(SearchOfPlates, has_each_pair_once_whoever_asks_for_it) {
+  ContactSearch search = found();
+  search.let_cross(0, 1);
+  ASSERT_EQ(search.pairs().size(), 3u);
+  EXPECT_EQ(search.pairs()[0].memory.crossed, 1u);
+  search.let_cross(0, 2);
+  EXPECT_EQ(search.pairs().size(), 4u);
+}
+
 TEST_F(SearchOfPlates, looks_at_no_pair_that_a_joint_connects) {
   const Joint joint{};
   joints_ = {{0, 1, &joint}};

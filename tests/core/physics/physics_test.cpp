@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/base/random.h"
 #include "core/base/tick.h"
 #include "core/physics/physics.h"
@@ -30,6 +32,24 @@ TEST(Fall, a_plate_falls_to_the_ground_and_sleeps_there) {
   let_move(world, 3);
   EXPECT_TRUE(all_sleep(world));
   EXPECT_NEAR(height(world, plate), 0.001, 0.0005);
+}
+
+TEST(Contacts, of_a_body_that_left_are_forgotten) {
+  World world = world_with_ground();
+  const BodyId table = test::add(world, test::rectangle(1, 1, 1), {0, 1, 0});
+  world.body(table).pinned = true;
+  const BodyId plate = test::add(world, test::rectangle(0.5, 0.3, 4), {0, 1.003, 0});
+  const auto known = [&] {
+    return std::ranges::count_if(world.contact_memory(),
+                                 [&](const PairMemory& m) { return m.first == table && m.second == plate; });
+  };
+  Physics physics;
+  for (int i = 0; i < 10; ++i) physics.tick(world);
+  EXPECT_EQ(known(), 1);
+  world.body(plate).placement.position.y = 9;
+  world.body(plate).motion.wake();
+  physics.tick(world);
+  EXPECT_EQ(known(), 0);
 }
 
 // Many more vertices than the points by which bodies touch each other.

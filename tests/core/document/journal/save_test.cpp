@@ -3,9 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "core/document/files/scene.h"
 #include "core/document/files/scene_text.h"
 #include "core/document/text/colour_text.h"
+#include "core/edit/body_edit.h"
+#include "core/edit/separation.h"
+#include "tests/support/made_meshes.h"
+#include "tests/support/strokes.h"
 #include "tests/support/temporary_folder.h"
 
 namespace kerf::test {
@@ -32,6 +38,31 @@ TEST(SaveFile, follows_a_link_and_says_what_cannot_be_written) {
   const Status nowhere = save_file(folder.path() / "no" / "folder", "x");
   ASSERT_FALSE(nowhere.ok());
   EXPECT_EQ(nowhere.error().code, ErrorCode::kFailed);
+}
+
+// The faces stand in the files in their order, whatever pieces they belong to.
+TEST(SaveWorldAsScene, keeps_the_order_of_faces_of_several_pieces) {
+  World world = world_of(sphere(14, 20, 1));
+  Body& body = only_body(world);
+  for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+    const Triangle t = body.mesh.triangle(FaceId(f));
+    if (std::abs(t[0].x + t[1].x + t[2].x) < 0.4) BodyEdit(body).remove(std::vector{FaceId(f)});
+  }
+  settle(body);
+  ASSERT_EQ(world.live_pieces(), 2u);
+  TemporaryFolder folder;
+  const auto saved = save_world_as_scene(world, {}, folder.path());
+  ASSERT_TRUE(saved.ok());
+  const auto scene = read_scene(*saved);
+  ASSERT_TRUE(scene.ok());
+  const Mesh& back = scene->world.body(scene->world.ids().front()).mesh;
+  uint32_t next = 0;
+  for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+    if (!body.mesh.is_live(FaceId(f))) continue;
+    const Triangle a = body.mesh.triangle(FaceId(f)), b = back.triangle(FaceId(next++));
+    EXPECT_NEAR(glm::distance((a[0] + a[1] + a[2]) / 3.0, (b[0] + b[1] + b[2]) / 3.0), 0, 1e-9) << f;
+  }
+  EXPECT_EQ(next, back.live_faces());
 }
 
 class SceneFile : public testing::Test {

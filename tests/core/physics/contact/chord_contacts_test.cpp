@@ -15,9 +15,11 @@ const glm::dquat kUpright(std::sqrt(0.5), std::sqrt(0.5), 0, 0);  // about x: a 
 // A sheet stands on its edge above the edge of another one that is turned by a right angle.
 class CrossedEdges : public testing::Test {
  protected:
-  std::vector<Contact> find(double gap, double sinking = 0) {
+  // `upside_down`: the lower sheet is turned by half a turn in its plane.
+  std::vector<Contact> find(double gap, double sinking = 0, bool upside_down = false) {
     sheets_ = test::MovingSheets();
-    const glm::dquat across = glm::dquat(std::sqrt(0.5), 0, std::sqrt(0.5), 0) * kUpright;
+    glm::dquat across = glm::dquat(std::sqrt(0.5), 0, std::sqrt(0.5), 0) * kUpright;
+    if (upside_down) across = across * glm::dquat(0, 0, 1, 0);
     sheets_.add(test::rectangle(1, 1, 1), {0.1, 0.5 + gap, 0.2}, kUpright);
     sheets_.add(test::rectangle(1, 1, 1), {0, -0.5, 0}, across);
     sheets_.body(0).motion.velocity = {0, -sinking, 0};
@@ -41,8 +43,10 @@ TEST_F(CrossedEdges, touch_where_they_cross) {
 
 TEST_F(CrossedEdges, are_found_within_their_reach_and_farther_where_they_come_near) {
   EXPECT_TRUE(find(kContactLengths.reach * 1.1).empty());
-  EXPECT_EQ(find(0.05, 0.06 * 120).size(), 1u);
-  EXPECT_TRUE(find(0.05, 0.03 * 120).empty());
+  for (const bool upside_down : {false, true}) {
+    EXPECT_EQ(find(0.05, 0.06 * 120, upside_down).size(), 1u);
+    EXPECT_TRUE(find(0.05, 0.03 * 120, upside_down).empty());
+  }
 }
 
 TEST(ChordContacts, of_parallel_edges_are_left_to_points_and_faces) {

@@ -16,6 +16,8 @@
 #include "core/game/match/recording.h"
 #include "core/game/match/rules.h"
 #include "core/game/vehicle/vehicle_file.h"
+#include "ui/editor/shared/settings/settings.h"
+#include "ui/figures/figure.h"
 
 namespace kerf::fuzz {
 namespace {
@@ -94,26 +96,41 @@ void check_recording(const fs::path& file) {
   if (recording) require(recording_text(*recording, folder()).ok(), "a recording that cannot be written");
 }
 
+void check_figures(const fs::path& file) { check_outcome(read_figures(file)); }
+
+// Settings are never a reason not to start; what was read is written, and read again the same.
+void check_settings(const fs::path& file) {
+  const LoadedSettings loaded = read_settings(file);
+  require(loaded.fault.find_first_of("\r\n") == std::string::npos, "a fault told in several lines");
+  const fs::path again = folder() / "again.json";
+  require(write_settings(loaded.settings, again).ok(), "settings that cannot be written");
+  const LoadedSettings back = read_settings(again);
+  require(back.fault.empty(), "settings that are not read back: " + back.fault);
+  require(back.settings == loaded.settings, "other settings when read back");
+}
+
 struct Kind {
   const char* name;
   void (*check)(const fs::path&);
 };
-// By the first byte of an input, the remainder of which is the file.
-constexpr std::array<Kind, 8> kKinds{{{"scene.json", check_scene},
+// By the first byte of an input, a digit, the remainder of which is the file.
+constexpr std::array<Kind, 10> kKinds{{{"scene.json", check_scene},
                                       {"path.json", check_path},
                                       {"journal.kerf", check_journal},
                                       {"materials.json", check_materials},
                                       {"arena.json", check_arena},
                                       {"rules.json", check_rules},
                                       {"vehicle.json", check_vehicle},
-                                      {"match.kerf", check_recording}}};
+                                      {"match.kerf", check_recording},
+                                      {"settings.json", check_settings},
+                                      {"figures.json", check_figures}}};
 
 }  // namespace
 }  // namespace kerf::fuzz
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {  // NOLINT: libFuzzer's name
   if (size == 0) return 0;
-  const auto& kind = kerf::fuzz::kKinds[data[0] % kerf::fuzz::kKinds.size()];
+  const auto& kind = kerf::fuzz::kKinds[static_cast<uint8_t>(data[0] - '0') % kerf::fuzz::kKinds.size()];
   const auto file = kerf::fuzz::folder() / kind.name;
   std::ofstream(file, std::ios::binary)
       .write(reinterpret_cast<const char*>(data + 1), static_cast<std::streamsize>(size - 1));

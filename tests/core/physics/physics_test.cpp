@@ -52,6 +52,23 @@ TEST(Contacts, of_a_body_that_left_are_forgotten) {
   EXPECT_EQ(known(), 0);
 }
 
+TEST(Tick, reports_as_moved_and_awake_what_neither_sleeps_nor_is_pinned) {
+  World world = world_with_ground();
+  const BodyId table = test::add(world, test::rectangle(1, 1, 1), {0, 1, 0});
+  world.body(table).pinned = true;
+  const BodyId asleep = test::add(world, test::rectangle(0.5, 0.3, 4), {6, 0.1, 0});
+  let_move(world, 3);
+  ASSERT_TRUE(all_sleep(world));
+  const Vec3 resting = world.body(asleep).placement.position;
+  const BodyId falling = test::add(world, test::rectangle(0.5, 0.3, 4), {3, 1, 0});
+  Physics physics;
+  const Delta delta = physics.tick(world);
+  EXPECT_EQ(delta.moved, std::vector{falling});
+  EXPECT_EQ(physics.statistics().awake, 1u);
+  EXPECT_EQ(world.body(table).placement.position, Vec3(0, 1, 0));
+  EXPECT_EQ(world.body(asleep).placement.position, resting);
+}
+
 // Many more vertices than the points by which bodies touch each other.
 TEST(Fall, a_curved_body_rests_on_its_lowest_vertices_whichever_they_are) {
   for (uint64_t seed = 1; seed <= 4; ++seed) {

@@ -21,6 +21,22 @@ TEST(Scene, reads_the_default_scene) {
   EXPECT_EQ(car.loaded.repairs.degenerate_faces_dropped, 0u);
 }
 
+TEST(Scene, the_hashes_of_its_files_are_noted_with_a_progress_that_ends_at_one) {
+  SceneDescription description;
+  for (int i = 0; i < 5; ++i)
+    description.bodies.emplace_back().mesh = checkout() / "assets/meshes/sphere.obj";
+  double last = 0;
+  const Progress progress{[&](double share) {
+    EXPECT_GE(share, last);
+    EXPECT_LE(share, 1 + 1e-9);
+    last = share;
+    return true;
+  }};
+  ASSERT_TRUE(note_hashes(description, &progress).ok());
+  EXPECT_NEAR(last, 1, 1e-9);
+  for (const SceneBody& body : description.bodies) EXPECT_EQ(body.hash, description.bodies[0].hash);
+}
+
 // A scene of the sphere and this member beside it.
 Result<Scene> scene_with(const std::string& name, const std::string& member) {
   const auto file = std::filesystem::temp_directory_path() / ("kerf-scene-" + name + ".json");

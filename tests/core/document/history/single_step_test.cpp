@@ -253,6 +253,17 @@ TEST(SingleStep, cuts_what_steps_cut_to_the_bit) {
   }
 }
 
+TEST(SingleStep, tells_time_from_the_closing_of_a_rim) {
+  Document document(world_of(sphere(12, 16, 1)));
+  SingleStep single(document);
+  document.apply(Advance{3, true});
+  while (document.waiting() > 0) {
+    const auto stage = single.next();
+    ASSERT_TRUE(stage.ok());
+    EXPECT_EQ(stage->kind, StageKind::kTime);
+  }
+}
+
 TEST(SingleStep, tells_of_every_face_that_a_move_hits_and_removes) {
   Document document(world_of(grid(20, 2)));
   CutSettings settings;

@@ -238,6 +238,31 @@ TEST(Separation, counts_each_boundary_as_one_place) {
   EXPECT_EQ(pieces, 1u);
 }
 
+// Two rings are taken out of a tube at once: the fronts of the middle part meet, and the search has to go on
+// with those beyond either ring, however often it pauses.
+TEST(Separation, finds_all_parts_between_several_cuts_when_it_pauses) {
+  for (const double middle : {0.2, 0.5, 0.8}) {
+    for (const size_t most : {1u, 40u, 400u, 4000u}) {
+      SCOPED_TRACE("middle " + std::to_string(middle) + ", looking at " + std::to_string(most));
+      Body body = make_body("tube", build(tube(60, 24, 0.3, 2)));
+      std::vector<uint32_t> loaded;
+      label_components(body.mesh, loaded);
+      const double low = body.loaded.min.y, length = body.loaded.max.y - low;
+      for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+        const Triangle t = body.mesh.triangle(FaceId(f));
+        const double share = ((t[0].y + t[1].y + t[2].y) / 3 - low) / length;
+        if (std::abs(share - 0.5 + middle / 2) < 0.03 || std::abs(share - 0.5 - middle / 2) < 0.03)
+          take_away(body, FaceId(f));
+      }
+      do {
+        settle(body, most);
+      } while (!is_settled(body));
+      expect_labels_of_the_full_search(body, loaded);
+      EXPECT_EQ(body.pieces.size(), 3u);
+    }
+  }
+}
+
 TEST(Separation, leaves_the_label_with_the_part_of_the_largest_area_not_of_the_most_faces) {
   // A strip: many small faces, one that is taken away, and one large one.
   Soup soup = grid(6, 1);

@@ -227,9 +227,12 @@ EndState run(std::span<const Command> commands, size_t moves_a_step) {
   for (const Command& command : commands) {
     EXPECT_TRUE(document.apply(command).ok());
     while (document.waiting() > 0) EXPECT_TRUE(document.step(moves_a_step).ok());
-    mark_state(document, outcome.marks);
+    const size_t marks = outcome.marks.size();
+    EXPECT_EQ(mark_state(document, outcome.marks), outcome.marks.size() > marks);
   }
-  mark_state(document, outcome.marks, true);
+  const size_t marks = outcome.marks.size();
+  EXPECT_EQ(mark_state(document, outcome.marks, true), outcome.marks.size() > marks);
+  EXPECT_FALSE(mark_state(document, outcome.marks, true)) << "twice at one place";
   outcome.hash = state_hash(document.world());
   return outcome;
 }

@@ -50,6 +50,32 @@ TEST_F(RegionAlongX, reaches_into_a_triangle_by_more_than_the_graze) {
   EXPECT_FALSE(region_.reaches_into(FaceId(0), beside, 0.1));
 }
 
+// A part whose beam turns is asked at points of a small triangle.
+TEST(StrokeRegion, of_a_beam_that_turns_reaches_into_small_triangles_where_their_points_lie_in_it) {
+  Random random(9);
+  const auto any = [&](double most) { return random.uniform(-most, most); };
+  size_t within = 0, beyond = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Vec3 from = glm::normalize(Vec3(any(0.3), -1, any(0.3))),
+               to = glm::normalize(Vec3(any(0.3), -1, any(0.3)));
+    StrokeRegion region;
+    region.add(SweptCylinder({Vec3(0, 5, 0), from}, {Vec3(0.5, 5, 0), to}, 0.5, {0, 10}));
+    region.note_near(FaceId(0), 0);
+    const Vec3 at(any(2), any(1), any(2));
+    const Triangle t{at, at + Vec3(any(0.1), any(0.1), any(0.1)), at + Vec3(any(0.1), any(0.1), any(0.1))};
+    const double distance = region.part(0).signed_distance((t[0] + t[1] + t[2]) / 3.0);
+    if (distance < -0.25) {
+      EXPECT_TRUE(region.reaches_into(FaceId(0), t, 0.05)) << i;
+      ++within;
+    } else if (distance > 0.25) {
+      EXPECT_FALSE(region.reaches_into(FaceId(0), t, 0.05)) << i;
+      ++beyond;
+    }
+  }
+  EXPECT_GT(within, 10u);
+  EXPECT_GT(beyond, 50u);
+}
+
 TEST_F(RegionAlongX, is_crossed_where_the_distance_is_zero) {
   note(FaceId(0), {0, 1, 2, 3});
   Random random(4);

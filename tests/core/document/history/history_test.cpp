@@ -241,6 +241,27 @@ TEST(History, random_commands_undos_and_redos_end_where_a_fresh_replay_ends) {
   }
 }
 
+TEST(History, a_smaller_window_discards_the_oldest_images_and_no_more_than_it_must) {
+  Document document(made_world());
+  Random random(3);
+  for (int i = 0; i < 6; ++i) {
+    for (const Command& command : random_stroke_commands(random)) document.apply(command);
+    finish(document);
+  }
+  const History& history = document.history();
+  const size_t steps = history.position();
+  ASSERT_TRUE(history.holds_images(0, steps));
+  const size_t all = history.bytes(), window = all * 6 / 10;
+  document.set_window(window);
+  EXPECT_LE(history.bytes(), window);
+  EXPECT_FALSE(history.holds_images(0, 1));
+  size_t oldest = 0;
+  while (oldest < steps && !history.holds_images(oldest, steps)) ++oldest;
+  EXPECT_LT(oldest, steps) << "none is left";
+  document.set_window(history.bytes());
+  EXPECT_TRUE(history.holds_images(oldest, steps)) << "what is held fits";
+}
+
 TEST(History, states_beyond_the_window_come_back_by_replay) {
   for (uint64_t seed = 101; seed <= 100 + runs(6); ++seed) {
     run_at_random(seed, 200'000);

@@ -1,0 +1,53 @@
+#include "core/cut/burn.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/made_meshes.h"
+#include "tests/support/strokes.h"
+
+namespace kerf::test {
+namespace {
+
+// Two sheets under a beam of one ray.
+class BurnOfTwoSheets : public testing::Test {
+ protected:
+  BurnOfTwoSheets() {
+    for (const double height : {0.1, 0.0})
+      world_.add(make_body("sheet", build(moved(grid(8, 0.02), {0, height, 0}, 1))));
+    settings_.laser.radius = 0.001;
+    settings_.laser.range = {0, 10};
+    settings_.laser.pattern = Pattern::kVolume;
+    for (const BodyId id : world_.ids()) bodies_.push_back({id, {}, {}, 0});
+  }
+  double heat_in(size_t b) {
+    const Body& body = world_.body(bodies_[b].id);
+    double sum = 0;
+    for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) sum += body.heat.energy_of(body.mesh, FaceId(f));
+    return sum;
+  }
+
+  World world_;
+  CutSettings settings_;
+  std::vector<BurnedBody> bodies_;
+};
+
+TEST_F(BurnOfTwoSheets, goes_on_behind_faces_that_are_gone) {
+  Burn burn(world_, settings_, bodies_, 1);
+  const Pose pose{Vec3(0.0011, 1, 0.0007), Vec3(0, -1, 0)};
+  burn.emit(pose, 1e-3);
+  EXPECT_GT(heat_in(0), 0);
+  EXPECT_EQ(heat_in(1), 0) << "the upper sheet is in the way";
+  for (int i = 0; i < 10'000 && bodies_[0].gone.empty(); ++i) burn.emit(pose, 1);
+  ASSERT_FALSE(bodies_[0].gone.empty());
+  // All faces that the rays meet are gone in the end.
+  for (int i = 0; i < 100'000 && heat_in(1) == 0; ++i) burn.emit(pose, 1);
+  const double before = heat_in(1), upper = heat_in(0);
+  ASSERT_GT(before, 0);
+  const double absorbed = world_.energy().absorbed;
+  burn.emit(pose, 1e-3);
+  EXPECT_GT(heat_in(1), before);
+  EXPECT_NEAR(heat_in(0) + heat_in(1) - upper - before, world_.energy().absorbed - absorbed, 1e-12);
+}
+
+}  // namespace
+}  // namespace kerf::test

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/document/history/document.h"
+#include "tests/support/features.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/strokes.h"
 
@@ -30,6 +31,19 @@ TEST(Extract, gives_each_piece_its_faces_area_and_rim) {
   }
   EXPECT_NEAR(area, 1 - 0.04, 0.005);
   EXPECT_EQ(faces_by_piece(body, true).size(), 2u);
+}
+
+TEST(Extract, gives_its_faces_the_materials_that_they_have_in_the_body) {
+  const World named = world_of(in_two_materials(sphere(8, 12, 1)));
+  const Body& body = named.body(named.ids().front());
+  ASSERT_FALSE(body.material_names.empty());
+  std::vector<FaceId> faces;
+  for (uint32_t f = 1; f < body.mesh.face_slots(); f += 2) faces.emplace_back(f);
+  const Extract e = extract_faces(body, faces);
+  ASSERT_EQ(e.materials.size(), faces.size());
+  for (size_t i = 0; i < faces.size(); ++i) EXPECT_EQ(e.materials[i], body.mesh.data(faces[i]).material);
+  const World plain = world_of(sphere(8, 12, 1));
+  EXPECT_TRUE(extract_faces(plain.body(plain.ids().front()), faces).materials.empty());
 }
 
 }  // namespace

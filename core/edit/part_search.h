@@ -91,6 +91,7 @@ class PartSearch {
   void note_exhausted(uint32_t front);
   Found& found_of(uint32_t front);
 
+  // In label_parts.cpp.
   void hand_out_labels(SettleResult& result);
   void leave_out_largest(std::vector<uint32_t>& parts) const;
   void give_label(uint32_t part, SettleResult& result);
@@ -98,6 +99,9 @@ class PartSearch {
   bool find_unlabelled(size_t most);
   void take_label(FaceId f, uint32_t label, SettleResult& result);
   void move_moments(std::span<const FaceId> faces);
+  void reset();
+
+  static uint32_t root(std::vector<uint32_t>& parent, uint32_t x);
 
   Body& body_;
   SeparationState& state_;

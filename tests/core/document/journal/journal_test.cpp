@@ -228,10 +228,12 @@ EndState run(std::span<const Command> commands, size_t moves_a_step) {
     EXPECT_TRUE(document.apply(command).ok());
     while (document.waiting() > 0) EXPECT_TRUE(document.step(moves_a_step).ok());
     const size_t marks = outcome.marks.size();
-    EXPECT_EQ(mark_state(document, outcome.marks), outcome.marks.size() > marks);
+    const bool marked = mark_state(document, outcome.marks);
+    EXPECT_EQ(marked, outcome.marks.size() > marks);
   }
   const size_t marks = outcome.marks.size();
-  EXPECT_EQ(mark_state(document, outcome.marks, true), outcome.marks.size() > marks);
+  const bool marked = mark_state(document, outcome.marks, true);
+  EXPECT_EQ(marked, outcome.marks.size() > marks);
   EXPECT_FALSE(mark_state(document, outcome.marks, true)) << "twice at one place";
   outcome.hash = state_hash(document.world());
   return outcome;

@@ -226,18 +226,34 @@ void Physics::weigh_changed(World& world, std::span<const BodyId> ids, bool unde
   }
 }
 
-void Physics::learn_faces(World& world, std::span<const BodyId> ids, bool under_beam) {
+std::vector<std::function<void()>> Physics::preparations(const World& world, std::span<const BodyId> ids,
+                                                         bool under_beam) {
   std::vector<std::function<void()>> work;
   for (const BodyId id : ids) {
     if (!makes_collider(world, id, under_beam)) continue;
-    Body& body = world.body(id);
+    const Mesh& mesh = world.body(id).mesh;
     Collider& collider = colliders_[id];
-    work.emplace_back([&collider, &body] { collider = make_collider(body.mesh); });
-    work.emplace_back([&body] { weigh(body); });
+    work.emplace_back([&collider, &mesh] { collider = make_collider(mesh); });
     changed_.erase(id);
   }
   if (!joints_) work.emplace_back([&] { joints_ = held_joints(world); });
+  return work;
+}
+
+void Physics::learn_faces(World& world, std::span<const BodyId> ids, bool under_beam) {
+  std::vector<std::function<void()>> weighing;
+  for (const BodyId id : ids) {
+    if (!makes_collider(world, id, under_beam)) continue;
+    Body& body = world.body(id);
+    weighing.emplace_back([&body] { weigh(body); });
+  }
+  std::vector<std::function<void()>> work = preparations(world, ids, under_beam);
+  work.insert(work.end(), weighing.begin(), weighing.end());
   do_all(work);
+}
+
+void Physics::prepare(const World& world, std::span<const BodyId> carried) {
+  do_all(preparations(world, taking_part(world, carried), false));
 }
 
 std::vector<MovingBody> Physics::moving_bodies(World& world, bool under_beam,

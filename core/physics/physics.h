@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -71,6 +72,9 @@ class Physics {
   // are a part of others, and so neither touch anything nor have a mass of their own.
   Delta tick(World& world, bool under_beam = false, std::span<const Guided> guided = {},
              std::span<const BodyId> carried = {});
+  // Makes the colliders that the next tick would make, and finds the joints that hold. The tick then weighs
+  // none of these bodies.
+  void prepare(const World& world, std::span<const BodyId> carried = {});
   // Whether such a tick makes a collider of this body, if any is awake, and weighs the body (see weigh).
   bool makes_collider(const World& world, BodyId id, bool under_beam) const;
   static constexpr size_t kMostUnderBeam = 20'000;
@@ -87,6 +91,9 @@ class Physics {
  private:
   // Weighs the bodies of which the tick makes colliders: both are functions of the faces.
   void weigh_changed(World& world, std::span<const BodyId> ids, bool under_beam) const;
+  // What makes their colliders and finds the joints that hold if they are not known; to be done in any order.
+  std::vector<std::function<void()>> preparations(const World& world, std::span<const BodyId> ids,
+                                                  bool under_beam);
   // Weighs them, makes their colliders, and finds the joints that hold if they are not known, all at the same
   // time.
   void learn_faces(World& world, std::span<const BodyId> ids, bool under_beam);

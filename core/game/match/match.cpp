@@ -72,7 +72,7 @@ void Match::begin_wave(const WaveStart& start) {
   tally_.standing().phase = Standing::Phase::kFight;
   wave_start_ = {standing(), start.player, strokes(), start.out};
   tally_.tell({Event::Kind::kWaveBegins, Event::kNobody, Event::kNobody, start.standing.wave});
-  world_.make_colliders(guided(), carried());
+  world_.make_colliders(carried());
 }
 
 void Match::add_enemies(const WaveStart& start, Delta& came) {

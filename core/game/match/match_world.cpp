@@ -35,11 +35,9 @@ std::optional<size_t> MatchWorld::of_arena(BodyId body) const {
   return static_cast<size_t>(at - arena_.begin());
 }
 
-// A tick of a copy of the world makes the colliders of all of its bodies.
-void MatchWorld::make_colliders(std::span<const Guided> guided, std::span<const BodyId> carried) {
+void MatchWorld::make_colliders(std::span<const BodyId> carried) {
   joint_faces_ = JointFaces(world_.joints());
-  World copy = world_;
-  physics_.tick(copy, false, guided, carried);
+  physics_.prepare(world_, carried);
 }
 
 void MatchWorld::begin_tick(Ticks now) {

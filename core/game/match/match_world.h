@@ -34,9 +34,9 @@ class MatchWorld {
   // The index of a body among those of the arena.
   std::optional<size_t> of_arena(BodyId body) const;
 
-  // To be called once all vehicles are there: makes all colliders, which takes as long as twenty ticks.
-  // `guided`, `carried`: see Physics::tick.
-  void make_colliders(std::span<const Guided> guided, std::span<const BodyId> carried);
+  // To be called once all vehicles are there: makes all colliders, which takes as long as ten ticks.
+  // `carried`: see Physics::tick.
+  void make_colliders(std::span<const BodyId> carried);
 
   // Begins a tick of the time `now` of the match.
   void begin_tick(Ticks now);

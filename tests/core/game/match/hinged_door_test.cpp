@@ -25,7 +25,7 @@ class Van : public testing::Test {
     auto model = load_vehicle(std::move(*file));
     Delta came;
     van_ = add_vehicle(world_.world(), *model, Placement{}, MatchWorld::kGeneration, came);
-    world_.make_colliders(guided(), carried_bodies(van_));
+    world_.make_colliders(carried_bodies(van_));
   }
 
   std::vector<Guided> guided() const { return {{van_.chassis, true, 0}}; }

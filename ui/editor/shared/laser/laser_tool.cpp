@@ -31,6 +31,14 @@ double least_depth(const World& world, const CameraView& view) {
 
 }  // namespace
 
+// How far before what is aimed at the beam is emitted: in an orthographic view from before everything that
+// there is; from the eye otherwise, and where there is nothing.
+double LaserTool::distance_of_emitter(const World& world, const CameraView& view) const {
+  const double diagonal = world.bounds().diagonal();
+  if (!view.parallel || !(diagonal > 0)) return focus_;
+  return focus_ - least_depth(world, view) + 0.1 * diagonal;
+}
+
 // In an orthographic view the emitter moves with the pointer, so that all poses are parallel.
 Pose LaserTool::aim(const CameraView& view, Vec2 pointer) const {
   const Pose ray = view.ray(pointer.x, pointer.y);
@@ -60,7 +68,7 @@ void LaserTool::press(Document& document, const CameraView& view, Vec2 pointer, 
   const double diagonal = document.world().bounds().diagonal();
   const std::optional<double> hit = first_hit(document.world(), ray);
   focus_ = hit.value_or(view.focus);
-  emitter_ = view.parallel ? focus_ - least_depth(document.world(), view) + 0.1 * diagonal : focus_;
+  emitter_ = distance_of_emitter(document.world(), view);
   pointer_ = pointer;
   pose_ = aim(view, pointer);
   begin(document, controls.settings(diagonal), heard);

@@ -51,6 +51,7 @@ class LaserTool {
 
  private:
   void set_up(const CutSettings& settings);
+  double distance_of_emitter(const World& world, const CameraView& view) const;
   Pose aim(const CameraView& view, Vec2 pointer) const;
   void begin(const Document& document, const CutSettings& settings, double heard);
   void begin_held(Document& document);

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/document/history/document.h"
 #include "tests/support/made_meshes.h"
 #include "ui/editor/shared/laser/laser_tool.h"
@@ -62,6 +64,23 @@ TEST_F(LaserToolTest, a_drag_that_begins_beside_everything_keeps_its_first_pose)
   ASSERT_EQ(document.journal().size(), 3u);
   EXPECT_LT(std::get<BeginStroke>(document.journal().front()).pose.direction.x, -0.1);
   EXPECT_GT(document.history().removed_faces(), 0u);
+}
+
+TEST_F(LaserToolTest, a_drag_over_an_empty_world_has_a_beam_in_any_view) {
+  document = Document(World());
+  for (const CameraView& from : {view, view.pulled(CameraView::kFarAway)}) {
+    tool.press(document, from, {-0.2, 0}, controls, 7);
+    tool.move(document, from, {0.2, 0}, 2.0 / 700, 7.5);
+    tool.release(document);
+    step();
+    for (const Command& command : document.journal()) {
+      const auto* begin = std::get_if<BeginStroke>(&command);
+      if (begin == nullptr) continue;
+      EXPECT_NEAR(glm::length(begin->pose.direction), 1, 1e-12);
+      EXPECT_TRUE(std::isfinite(glm::length(begin->pose.origin)));
+    }
+    EXPECT_FALSE(document.journal().empty());
+  }
 }
 
 TEST_F(LaserToolTest, a_move_of_less_than_half_a_pixel_is_dropped) {

@@ -115,15 +115,15 @@ struct Kind {
 };
 // By the first byte of an input, a digit, the remainder of which is the file.
 constexpr std::array<Kind, 10> kKinds{{{"scene.json", check_scene},
-                                      {"path.json", check_path},
-                                      {"journal.kerf", check_journal},
-                                      {"materials.json", check_materials},
-                                      {"arena.json", check_arena},
-                                      {"rules.json", check_rules},
-                                      {"vehicle.json", check_vehicle},
-                                      {"match.kerf", check_recording},
-                                      {"settings.json", check_settings},
-                                      {"figures.json", check_figures}}};
+                                       {"path.json", check_path},
+                                       {"journal.kerf", check_journal},
+                                       {"materials.json", check_materials},
+                                       {"arena.json", check_arena},
+                                       {"rules.json", check_rules},
+                                       {"vehicle.json", check_vehicle},
+                                       {"match.kerf", check_recording},
+                                       {"settings.json", check_settings},
+                                       {"figures.json", check_figures}}};
 
 }  // namespace
 }  // namespace kerf::fuzz

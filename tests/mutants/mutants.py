@@ -2,9 +2,10 @@
 """Breaks one line at a time of the sources of rooms of core, in a copy of the tree, and says whether the tests of the
 room notice: mutants.py --folder FOLDER [--seed N] [--count N] [--first K] [--only N,N...] [ROOM...]
 
-FOLDER holds the copy of the last commit and its build; both are made where they are missing and brought up to date where
-they are not. What is broken follows from the seed: mutants K to K + count - 1 of an endless list. A mutant that compiles
-to the same objects is passed over. Prints one line each, and the survivors again in the end. Exits 1 where one survived.
+FOLDER holds the copy of the last commit and its build; both are made where they are missing and brought up to date
+where they are not. What is broken follows from the seed: mutants K to K + count - 1 of an endless list. A mutant that
+compiles to the same objects is passed over. Prints one line each, and the survivors again in the end. Exits 1 where
+one survived.
 """
 import argparse
 import glob

@@ -54,6 +54,17 @@ class Files(WindowTest):
         self.assertIn("broken.obj", report["message"])
         self.assertEqual(self.settings()["recent"], [os.path.realpath(SPHERE)])
 
+    def test_a_name_that_is_offered_once_more_is_replaced_by_typing(self):
+        editor = self.open(SPHERE)
+        editor.press("ctrl", "shift", "s")
+        editor.part("browser")
+        editor.pause(1)
+        editor.press("BackSpace")
+        editor.press("Escape")
+        self.save_as(editor, "kept.kerf")
+        editor.wait_for_title("kept.kerf - Kerf")
+        editor.quit()
+
     def test_recent_files_have_pictures_until_they_are_forgotten(self):
         editor = self.open(SPHERE)
         pictures = os.path.join(self.folder, "kerf", "thumbnails")
@@ -184,6 +195,7 @@ class Files(WindowTest):
         editor.wait_for_title("car.json* - Kerf")
         editor.press("ctrl", "q")
         editor.part("question")
+        editor.press("5")
         editor.press("s")
         self.type_name(editor, "car")
         self.assertEqual(editor.report()["strokes"], 1)

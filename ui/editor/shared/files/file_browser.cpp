@@ -209,7 +209,8 @@ void draw_name(FileBrowser& b) {
   if (b.take_focus || !ImGui::IsAnyItemActive()) ImGui::SetKeyboardFocusHere();
   b.take_focus = false;
   ImGui::SetNextItemWidth(-1);
-  if (ImGui::InputTextWithHint("##name", b.wish.hint, b.name.data(), b.name.size())) {
+  if (ImGui::InputTextWithHint("##name", b.wish.hint, b.name.data(), b.name.size(),
+                               ImGuiInputTextFlags_AutoSelectAll)) {
     b.cursor = 0;
     b.replace.clear();
     b.fault.clear();

@@ -88,12 +88,16 @@ void Delta::append(Delta later) {
   removed_faces += later.removed_faces;
   removed_area += later.removed_area;
   removed_mass += later.removed_mass;
+  solid += later.solid;
+  left_open.insert(left_open.end(), later.left_open.begin(), later.left_open.end());
   if (anew || later.anew) {
     Delta replaced;
     replaced.anew = true;
     replaced.removed_faces = removed_faces;
     replaced.removed_area = removed_area;
     replaced.removed_mass = removed_mass;
+    replaced.solid = solid;
+    replaced.left_open = std::move(left_open);
     *this = std::move(replaced);
     return;
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "core/base/ids.h"
@@ -32,6 +33,28 @@ struct Detached {
   friend bool operator==(const Detached&, const Detached&) = default;
 };
 
+// What a step made of solid bodies.
+struct SolidChange {
+  size_t wall_faces = 0;
+  double wall_area = 0;  // m^2, of the walls as they were made; Delta::removed_area does not count it
+  // The volume (m^3) that the bodies have lost: the sum over the removed faces and the walls turned round,
+  // each with the body's middle.
+  double removed_volume = 0;
+
+  SolidChange& operator+=(const SolidChange& other) {
+    wall_faces += other.wall_faces;
+    wall_area += other.wall_area;
+    removed_volume += other.removed_volume;
+    return *this;
+  }
+};
+
+// A solid body that a stroke left open, and why.
+struct LeftOpen {
+  BodyId body;
+  std::string why;  // and where: a sentence for the user
+};
+
 // The changes that a step made in the world. Whoever keeps something about the world follows it in this
 // order: drop the bodies that went, carry on what is kept about `from` as `to` where a piece was detached,
 // look at the bodies that came as a whole, and then at the changes of single bodies. All ids but those of
@@ -52,7 +75,9 @@ struct Delta {
   // before the step.
   double removed_area = 0;
   double removed_mass = 0;  // kg of the material of that area (see Substance), which are burnt
-  bool anew = false;        // the world was replaced by another one: nothing that was known of it holds
+  SolidChange solid;
+  std::vector<LeftOpen> left_open;
+  bool anew = false;  // the world was replaced by another one: nothing that was known of it holds
 
   bool empty() const { return bodies.empty() && !changes_bodies(); }
   // Whether anything but faces changed.

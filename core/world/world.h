@@ -45,6 +45,7 @@ struct Body {
   Motion motion;
   Sheet sheet;
   bool pinned = false;  // stays where it is whatever acts on it
+  bool solid = false;   // its faces enclose a volume, which strokes with a smooth rim close again by walls
   // The position of the body in state_hash, and its name in journals that predate generations: the slot to
   // which it was added. When a piece is detached from a body, the larger of the two sides keeps the number.
   uint32_t number = 0;
@@ -94,8 +95,8 @@ struct Body {
   template <typename Self>
   static auto parts(Self& self) {
     return std::tie(self.name, self.named, self.placement, self.hidden, self.motion, self.sheet, self.pinned,
-                    self.mesh, self.tree, self.refinement, self.ejected, self.pieces, self.components,
-                    self.separation);
+                    self.solid, self.mesh, self.tree, self.refinement, self.ejected, self.pieces,
+                    self.components, self.separation);
   }
 
   // Memory of its arrays, in bytes.

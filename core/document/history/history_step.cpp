@@ -267,6 +267,8 @@ Delta HistoryStep::delta(const World& world, bool back, const Mark* since) const
   all.removed_faces = 0;
   all.removed_area = 0;
   all.removed_mass = 0;
+  all.solid = {};
+  all.left_open.clear();
   for (const auto& [after, touched] : touched_) {
     const BodyId id = back ? id_before(bodies_, after) : after;
     // A body that came in the step is looked at as a whole, or has gone.

@@ -93,6 +93,29 @@ Soup tube(int rings, int sectors, double radius, double length) {
   return finish(std::move(soup));
 }
 
+Soup brick(const Vec3& size) {
+  Soup soup;
+  for (int i = 0; i < 8; ++i) add(soup, {i & 1 ? size.x : 0, i & 2 ? size.y : 0, i & 4 ? size.z : 0});
+  soup.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  return finish(std::move(soup));
+}
+
+Soup pipe(int sectors, double inner, double outer, double length) {
+  Soup soup;
+  const auto add_ring = [&](double radius, double y) {
+    for (int s = 0; s < sectors; ++s) {
+      const double a = kTurn * s / sectors;
+      add(soup, {radius * std::cos(a), y, radius * std::sin(a)});
+    }
+  };
+  for (const double radius : {outer, inner, inner, outer, outer})
+    add_ring(radius,
+             (soup.positions.size() / static_cast<size_t>(sectors)) % 4 < 2 ? length / 2 : -length / 2);
+  add_cells(soup, 0, 5, sectors, true);
+  return finish(std::move(soup));
+}
+
 Soup moebius(int cells) {
   Soup soup;
   for (int c = 0; c < cells; ++c) {
@@ -164,6 +187,11 @@ Soup both(const Soup& a, const Soup& b) {
 
 Soup moved(Soup soup, const Vec3& by, double scale) {
   for (Vec3& p : soup.positions) p = p * scale + by;
+  return soup;
+}
+
+Soup inside_out(Soup soup) {
+  for (auto& t : soup.triangles) std::swap(t[1], t[2]);
   return soup;
 }
 

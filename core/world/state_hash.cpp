@@ -13,7 +13,7 @@ namespace kerf {
 namespace {
 
 constexpr uint64_t kClockSeed = 0x9d5c'b07a'63e1'42f8u, kMotionSeed = 0x3c81'6f2e'b9d4'0a57u,
-                   kHeatSeed = 0x51f3'8ad9'2e67'c40bu;
+                   kHeatSeed = 0x51f3'8ad9'2e67'c40bu, kSolidSeed = 0xb27d'40c9'581e'f36au;
 
 uint64_t hash_of(uint64_t seed, const Vec3& p) {
   for (int k = 0; k < 3; ++k) seed = hash_combine(seed, number_bits(p[k]));
@@ -65,6 +65,7 @@ uint64_t state_hash(const World& world) {
     for (const double x : {q.w, q.x, q.y, q.z}) place = hash_combine(place, number_bits(x));
     sum += place;
     if (body.motion != Motion{}) sum += motion_hash(seed, body.motion);
+    if (body.solid) sum += hash_combine(seed, kSolidSeed);
   }
   if (world.clock() != 0) sum += hash_combine(kClockSeed, world.clock());
   return sum;

@@ -122,6 +122,10 @@ struct Bits {
                            s.absorptivity_co2, s.burnt_share, s.wavelength})
       put(bits, x);
   }
+  void operator()(const SetSolid& c) {
+    put(bits, c.piece);
+    bits.push_back(c.solid);
+  }
   void operator()(const SimplifyPiece& c) {
     put(bits, c.piece);
     bits.push_back(c.target.faces);
@@ -208,7 +212,7 @@ Command random_command(Random& random, const BeamAt& beam) {
   Vec3 direction = random_direction(random);
   if (glm::length(direction + beam.pose.direction) < 1e-3) direction = beam.pose.direction;
   const Pose pose{random_point(random), direction};
-  switch (random.below(23)) {
+  switch (random.below(24)) {
     case 0:
       return BeginStroke{random_settings(random), pose};
     case 1:
@@ -258,6 +262,8 @@ Command random_command(Random& random, const BeamAt& beam) {
     case 20:
       return SmoothPiece{random_piece(random), 1 + random.below(kMostSmoothing)};
     case 21:
+      return SetSolid{random_piece(random), random.below(2) > 0};
+    case 22:
       return StopStroke{random.uniform(0, 1000), random.below(100)};
     default:
       return MoveStroke{pose, random.below(3) == 0 ? beam.time : beam.time + random.unit()};

@@ -25,6 +25,7 @@ void expect_same_body(const Body& a, const Body& b) {
   EXPECT_EQ(a.name, b.name);
   EXPECT_EQ(a.named, b.named);
   EXPECT_EQ(a.hidden, b.hidden);
+  EXPECT_EQ(a.solid, b.solid);
   EXPECT_EQ(a.placement.position, b.placement.position);
   ASSERT_EQ(a.mesh.face_slots(), b.mesh.face_slots());
   ASSERT_EQ(a.mesh.vertex_slots(), b.mesh.vertex_slots());

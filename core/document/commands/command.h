@@ -36,7 +36,7 @@ struct Redo {
 // always distinguished by std::visit, so that a case that is missing anywhere does not compile.
 using Command =
     std::variant<BeginStroke, MoveStroke, EndStroke, StopStroke, Recut, Advance, Pull, LetGo, Play, AddMesh,
-                 MovePiece, DuplicatePiece, HidePiece, DeletePiece, RenamePiece, PinPiece, SetSheet,
+                 MovePiece, DuplicatePiece, HidePiece, DeletePiece, RenamePiece, PinPiece, SetSheet, SetSolid,
                  SimplifyPiece, SubdividePiece, SmoothPiece, SetSurroundings, Undo, Redo>;
 
 // A command that is executed at once, after the queue: run(world, generation, progress). It returns what

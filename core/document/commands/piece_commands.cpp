@@ -4,6 +4,7 @@
 #include "core/document/text/fields.h"
 #include "core/document/text/world_fields.h"
 #include "core/edit/detach.h"
+#include "core/world/weigh.h"
 
 namespace kerf {
 
@@ -114,6 +115,24 @@ Result<Delta> SetSheet::run(World& world, uint32_t generation, const Progress*) 
   return edit_piece(
       world, piece, generation, &Delta::reweighed, [&](const Body& body) { return body.sheet != sheet; },
       [&](Body& own) { own.sheet = sheet; });
+}
+
+std::string SetSolid::words(const std::string& piece_name) const {
+  return piece_name + (solid ? " as a solid" : " as a sheet");
+}
+
+void describe(Fields& f, SetSolid& c) {
+  piece_field(f, c.piece);
+  f.flag("solid", c.solid);
+}
+
+Result<Delta> SetSolid::run(World& world, uint32_t generation, const Progress*) const {
+  return edit_piece(
+      world, piece, generation, &Delta::reweighed, [&](const Body& body) { return body.solid != solid; },
+      [&](Body& own) {
+        own.solid = solid;
+        weigh(own);
+      });
 }
 
 }  // namespace kerf

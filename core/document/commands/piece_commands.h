@@ -91,4 +91,16 @@ struct SetSheet {
 };
 void describe(Fields& f, SetSheet& c);
 
+// Says whether the faces of a piece enclose a volume, which strokes with a smooth rim close again by walls
+// and which then has the mass of a solid, or are a sheet.
+struct SetSolid {
+  PieceId piece;
+  bool solid = true;
+
+  static constexpr const char* kName = "set-solid";
+  std::string words(const std::string& piece_name) const;
+  Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
+};
+void describe(Fields& f, SetSolid& c);
+
 }  // namespace kerf

@@ -42,6 +42,7 @@ constexpr const char* kCommands[] = {
     R"({"do":"rename-piece","piece":[75483283,8],"name":""})",
     R"({"do":"pin-piece","piece":[282488087,4],"pinned":false})",
     R"({"do":"set-sheet","piece":[4057680667,4],"thickness":0.039986902370558686,"density":5047.469406010302,"material-density":4765.107259176824,"heat-solid":8595.39582747604,"heat-liquid":5082.96669150497,"conductivity":3804.311622943342,"transition":9335.717000364459,"latent":5800.093087279847,"emissivity":0.5126051592265156,"absorptivity-fibre":0.268010161884443,"absorptivity-co2":0.3632782991116747,"wavelength":0.3068923524420671})",
+    R"({"do":"set-solid","piece":[282488087,3,4],"solid":true})",
     R"({"do":"simplify","piece":[644670122,6],"error":1e-300})",
     R"({"do":"simplify","piece":[2304889889,4],"faces":71033493})",
     R"({"do":"simplify","piece":[2304889889,4],"by":"kerf","faces":71033493})",

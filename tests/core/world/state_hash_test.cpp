@@ -35,6 +35,7 @@ TEST(StateHash, is_of_all_that_a_command_can_change_and_of_nothing_else) {
   EXPECT_NE(after([](World&, Body& b) { b.motion.velocity.y = 1e-9; }), hash);
   EXPECT_NE(after([](World&, Body& b) { b.heat.set_energy(b.mesh, FaceId(5), 1e-9); }), hash);
   EXPECT_NE(after([](World& w, Body&) { w.pass(1); }), hash);
+  EXPECT_NE(after([](World&, Body& b) { b.solid = true; }), hash);
 }
 
 }  // namespace

@@ -1,0 +1,92 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "core/document/commands/command_text.h"
+#include "core/document/commands/command_words.h"
+#include "core/document/history/document.h"
+#include "core/document/journal/opened_file.h"
+#include "core/document/journal/replay.h"
+#include "core/document/journal/save.h"
+#include "core/mesh/write_mesh.h"
+#include "core/world/state_hash.h"
+#include "tests/support/made_meshes.h"
+#include "tests/support/same_world.h"
+#include "tests/support/strokes.h"
+#include "tests/support/temporary_folder.h"
+
+namespace kerf::test {
+namespace {
+
+class SolidBox : public testing::Test {
+ protected:
+  const Body& body() const { return document_.world().body(document_.world().ids().front()); }
+  PieceId piece() const { return {document_.world().ids().front(), 0}; }
+  uint64_t hash() const { return state_hash(document_.world()); }
+
+  Document document_{world_of(brick({1, 2, 3}))};
+};
+
+TEST_F(SolidBox, is_one_until_it_is_undone_and_again_when_that_is_redone) {
+  const World before = document_.world();
+  const uint64_t as_sheet = hash();
+  const auto done = document_.apply(SetSolid{piece(), true});
+  ASSERT_TRUE(done.ok());
+  EXPECT_EQ(done.delta.reweighed, document_.world().ids());
+  EXPECT_TRUE(body().solid);
+  const uint64_t as_solid = hash();
+  EXPECT_NE(as_solid, as_sheet);
+  ASSERT_TRUE(document_.apply(Undo{}).ok());
+  EXPECT_FALSE(body().solid);
+  EXPECT_EQ(hash(), as_sheet);
+  expect_same_world(document_.world(), before);
+  ASSERT_TRUE(document_.apply(Redo{}).ok());
+  EXPECT_TRUE(body().solid);
+  EXPECT_EQ(hash(), as_solid);
+}
+
+TEST_F(SolidBox, changes_nothing_where_it_is_as_asked_and_fails_where_there_is_no_piece) {
+  EXPECT_TRUE(document_.apply(SetSolid{piece(), false}).delta.empty());
+  EXPECT_FALSE(document_.apply(SetSolid{{piece().body, 7}, true}).ok());
+  EXPECT_FALSE(body().solid);
+}
+
+TEST_F(SolidBox, is_described_in_the_history) {
+  EXPECT_EQ(words(SetSolid{piece(), true}, FileUnit::kMetre, "box"), "box as a solid");
+  EXPECT_EQ(words(SetSolid{piece(), false}, FileUnit::kMetre, "box"), "box as a sheet");
+}
+
+TEST_F(SolidBox, copies_of_it_are_solid) {
+  ASSERT_TRUE(document_.apply(SetSolid{piece(), true}).ok());
+  ASSERT_TRUE(document_.apply(DuplicatePiece{piece(), {}}).ok());
+  ASSERT_TRUE(document_.apply(SubdividePiece{piece(), Subdivision::kMidpoint}).ok());
+  for (const BodyId id : document_.world().ids()) EXPECT_TRUE(document_.world().body(id).solid);
+}
+
+TEST_F(SolidBox, comes_back_from_a_journal) {
+  const TemporaryFolder folder;
+  const Soup soup = brick({1, 2, 3});
+  const MeshView view{soup.positions, soup.triangles, {}, {}, {}, {}, {}};
+  ASSERT_TRUE(write_mesh(view, folder / "box.obj", MeshFormat::kObj).ok());
+  SceneDescription scene;
+  scene.bodies.push_back(body_of_file(folder / "box.obj"));
+  ASSERT_TRUE(note_hashes(scene).ok());
+  ASSERT_TRUE(document_.apply(SetSolid{piece(), true}).ok());
+  std::vector<StateMark> marks;
+  mark_state(document_, marks, true);
+  ASSERT_TRUE(save_journal(folder / "box.kerf", scene, document_.journal(), marks).ok());
+
+  auto opened = open_journal(folder / "box.kerf", nullptr);
+  ASSERT_TRUE(opened.ok()) << opened.error().message;
+  Document again(std::move(opened->scene.world));
+  Replay replay(opened->journal, again);
+  QueueRun how;
+  how.told = [](const Result<StepResult>&) -> Status { return Done{}; };
+  ASSERT_TRUE(replay.run(how).ok());
+  EXPECT_FALSE(replay.difference());
+  EXPECT_EQ(state_hash(again.world()), hash());
+  EXPECT_TRUE(again.world().body(again.world().ids().front()).solid);
+}
+
+}  // namespace
+}  // namespace kerf::test

@@ -37,7 +37,8 @@ class CutRun {
     if (const auto s = read_strokes(); !s) return s;
     if (const auto s = read_material(); !s) return s;
     if (const auto s = load(); !s) return s;
-    const PiecesFolder folder{options_.out, options_.format.value_or("obj"), options_.split_all};
+    const PiecesFolder folder{options_.out, options_.format.value_or("obj"), options_.split_all,
+                              options_.solid};
     if (const auto s = folder.make(); !s) return s;
     if (const auto s = cut_strokes(); !s) return s;
     if (const auto s = settle(); !s) return s;
@@ -103,12 +104,14 @@ class CutRun {
       if (substance_) body.sheet.density = substance_->density;
       if (options_.thickness) body.sheet.thickness = *options_.thickness;
       if (options_.density) body.sheet.density = *options_.density;
+      if (options_.solid) body.solid = Solidity::kSolid;
       const auto added = add_scene_body(body, make_body(body.name, std::move(*built)), world);
       if (!added) return added.error();
     }
     if (!options_.journal.empty()) {
       if (const auto noted = note_hashes(scene_); !noted) return noted;
     }
+    if (any_is_solid(world)) prefer_smooth_rim(options_);
     job_.input_min_angle = smallest_angle(world);
     bounds_ = world.bounds();
     diagonal_ = bounds_.diagonal();
@@ -163,7 +166,7 @@ class CutRun {
     how.progress = &progress;
     how.told = [&](const Result<StepResult>& bite) -> Status {
       if (!bite) return bite.error();
-      job_.note_bite(*bite, std::chrono::duration<double>(Clock::now() - began).count());
+      job_.note_bite(*bite, document_.world(), std::chrono::duration<double>(Clock::now() - began).count());
       began = Clock::now();
       return Done{};
     };

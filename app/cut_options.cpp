@@ -35,6 +35,8 @@ void visit_options(CutOptions& o, Visitor& v) {
   v.choice("scheme", o.scheme, {"one-to-four", "longest-edge"},
            "How faces are split: one-to-four or longest-edge (longest-edge)");
   v.choice("rim", o.rim, {"faces", "smooth"}, "How the rim is left: faces or smooth (faces)");
+  v.flag("solid", o.solid,
+         "The meshes are solids: walls along the kerf close the pieces (implies --rim smooth)");
   v.number("target-edge", o.target_edge, kLength,
            "Longest edge under the beam in metres (radius/4; thermal: radius)");
   v.number("tolerance", o.tolerance, kLength,
@@ -218,6 +220,20 @@ Result<Interval> parse_range(const std::string& text) {
   return range;
 }
 
+namespace {
+
+Status check_solid(const CutOptions& o) {
+  if (!o.solid) return Done{};
+  if (o.pattern == "rays4")
+    return bad_input("--solid: walls need the whole volume of the beam: leave --pattern rays4 out");
+  if (o.model == "thermal")
+    return bad_input("--solid: walls need the geometric model: leave --model thermal out");
+  if (o.rim == "faces") return bad_input("--solid: walls need a smooth rim: leave --rim faces out");
+  return Done{};
+}
+
+}  // namespace
+
 Status check_cut_options(CutOptions o) {
   Check check;
   visit_options(o, check);
@@ -226,7 +242,11 @@ Status check_cut_options(CutOptions o) {
     return bad_input("--target-edge, --tolerance and --depth: choose one of them");
   }
   if (o.ground && !o.settle) return bad_input("--ground: needs --settle, without which nothing falls");
-  return Done{};
+  return check_solid(o);
+}
+
+void prefer_smooth_rim(CutOptions& o) {
+  if (!o.rim && o.pattern != "rays4" && o.model != "thermal") o.rim = "smooth";
 }
 
 CutSettings stroke_settings(const CutOptions& o, const StrokePath& stroke, double diagonal) {

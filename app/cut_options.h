@@ -25,6 +25,7 @@ struct CutOptions {
   std::optional<int> depth;
   std::optional<int> steps;
   bool split_all = false;
+  bool solid = false;
 };
 
 // Adds the options to the subcommand; parsing fills `options`, which must outlive it.
@@ -36,6 +37,10 @@ Status merge_settings_file(CutOptions& options);
 
 // Checks the values in the order of the options. The error names the first wrong option.
 Status check_cut_options(CutOptions options);
+
+// Makes the rim smooth, which alone can be closed by walls, where the options neither name one nor ask for a
+// beam that leaves none.
+void prefer_smooth_rim(CutOptions& options);
 
 // The settings of one stroke. Options take precedence over the laser of the path file, and that over the
 // defaults for a bounding box with this diagonal (m). Precondition: check_cut_options() succeeded.

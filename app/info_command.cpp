@@ -5,6 +5,7 @@
 #include "app/load.h"
 #include "app/tell.h"
 #include "core/document/text/json_value.h"
+#include "core/mesh/enclosed_volume.h"
 #include "core/mesh/load_notes.h"
 
 namespace kerf {
@@ -22,7 +23,7 @@ nlohmann::ordered_json to_json(const Repairs& r) {
           {"isolated_vertices_dropped", r.isolated_vertices_dropped}};
 }
 
-nlohmann::ordered_json to_json(const std::string& file, const MeshReport& m) {
+nlohmann::ordered_json to_json(const std::string& file, const MeshReport& m, bool closed) {
   return {{"file", file},
           {"format", m.format},
           {"faces_in_file", m.faces_in_file},
@@ -32,6 +33,7 @@ nlohmann::ordered_json to_json(const std::string& file, const MeshReport& m) {
           {"boundary_edges", m.boundary_edges},
           {"non_manifold_edges", m.non_manifold_edges},
           {"components", m.components},
+          {"closed", closed},
           {"area", m.area},
           {"bounds", {{"min", vector_json(m.min)}, {"max", vector_json(m.max)}}},
           {"repairs", to_json(m.repairs)},
@@ -43,8 +45,10 @@ Status run_info(const std::string& file) {
   const auto built = load_mesh(file);
   if (!built) return built.error();
   for (const std::string& warning : built->report.warnings) warn(warning);
-  std::cout << to_json(file, built->report).dump(2, ' ', false, nlohmann::json::error_handler_t::replace)
-            << '\n';
+  const bool closed = enclosed_volume(built->mesh, 0.5 * (built->report.min + built->report.max)).closed;
+  std::cout
+      << to_json(file, built->report, closed).dump(2, ' ', false, nlohmann::json::error_handler_t::replace)
+      << '\n';
   return flush_output();
 }
 

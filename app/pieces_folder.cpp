@@ -56,8 +56,16 @@ Result<WrittenPiece> write_piece(const Part& part, size_t number, const PiecesFo
   const std::string stem = file.stem().string();
   const MeshView view{e.positions, e.triangles, e.materials, part.body->material_names, {}, stem, e.colours};
   if (const auto s = write_mesh(view, file, *mesh_format(folder.format)); !s) return s.error();
-  WrittenPiece piece{name,       e.triangles.size(),           e.positions.size(),   e.boundary_edges, e.area,
-                     e.centroid, mass_of(e, part.body->sheet), part.body->placement, std::nullopt};
+  WrittenPiece piece;
+  piece.file = name;
+  piece.faces = e.triangles.size();
+  piece.vertices = e.positions.size();
+  piece.boundary_edges = e.boundary_edges;
+  piece.area = e.area;
+  piece.centroid = e.centroid;
+  piece.volume = e.volume;
+  piece.mass = mass_of(e, part.body->sheet);
+  piece.placement = part.body->placement;
   if (moved) piece.asleep = rests(*part.body, piece.mass);
   return piece;
 }
@@ -97,7 +105,9 @@ Result<std::vector<WrittenPiece>> PiecesFolder::write(CutJob& job, const World& 
     return write_pieces(world, *this);
   }();
   if (!written) return written.error();
-  const auto report = cut_report(job, world, settings_json(settings, format, split_all), *written);
+  nlohmann::ordered_json how = settings_json(settings, format, split_all);
+  if (solid) how["solid"] = true;
+  const auto report = cut_report(job, world, how, *written);
   const auto file = std::filesystem::path(path) / "report.json";
   if (const auto s = write_file_atomically(file, report.dump(2) + "\n"); !s) return s.error();
   return written;

@@ -11,6 +11,7 @@ struct PiecesFolder {
   std::string path;
   std::string format = "obj";
   bool split_all = false;  // every connected component is a piece
+  bool solid = false;      // all bodies were made solid, which the report's settings say
 
   // Creates the folder. Fails if it cannot be created or used.
   Status make() const;

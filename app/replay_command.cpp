@@ -190,7 +190,8 @@ class ReplayRun {
     if (interrupted()) return stopped();
     if (step) {
       ++job_.steps;
-      job_.note_bite(*step, std::chrono::duration<double>(Clock::now() - step_began_).count());
+      job_.note_bite(*step, document.world(),
+                     std::chrono::duration<double>(Clock::now() - step_began_).count());
     } else {
       warn(step.error().message);
     }

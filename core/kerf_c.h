@@ -96,9 +96,9 @@ KERF_API const double* kerf_mesh_temperatures(const kerf_mesh* mesh);
 typedef struct kerf_mesh_info {
   const char* name;      /* of the piece; empty for a mesh that was read or made. Lives as long as the mesh */
   double area;           /* m^2 */
-  double centroid[3];    /* of the area, m */
+  double centroid[3];    /* of the area, or of the volume of a solid, m */
   size_t boundary_edges; /* edges with one face; 0 for a mesh that is no piece */
-  double mass;           /* kg, as a sheet */
+  double mass;           /* kg, as a sheet, or as a solid where its body is one and it is closed */
   double inertia[6];     /* kg m^2 about the centroid along the axes of the world: xx yy zz xy xz yz */
   double position[3];    /* of the body of the piece: x_world = orientation * x_body + position, m */
   double orientation[4]; /* w x y z; the vertices are in the world already */

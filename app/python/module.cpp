@@ -242,10 +242,11 @@ void add_mesh(py::module_& m) {
                              "Of the piece; empty for a mesh that was read or made.")
       .def_property_readonly(
           "mass", [](const kerf::Mesh& mesh) { return mesh.info().mass; },
-          "kg, as a sheet; 0 for a mesh that is no piece of a world.")
+          "kg, as a sheet, or as a solid where its body is one and it is closed; 0 for a mesh that is no "
+          "piece of a world.")
       .def_property_readonly(
           "centroid", [](const kerf::Mesh& mesh) { return numbers(mesh.info().centroid); },
-          "Of the area, shape (3,), metres.")
+          "Of the area, or of the volume of a solid, shape (3,), metres.")
       .def_property_readonly(
           "inertia", [](const kerf::Mesh& mesh) { return numbers(mesh.info().inertia); },
           "kg m^2 about the centroid in the axes of the world: xx, yy, zz, xy, xz, yz.")

@@ -3,6 +3,7 @@
 // Private to core/face.
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,8 @@ struct kerf_mesh {
   std::vector<std::string> material_names;
   std::vector<double> temperatures;  // K, one per triangle of a piece; empty for any other mesh
   std::string name;
-  kerf_mesh_info info{};  // but for its name
+  kerf_mesh_info info{};         // but for its name
+  std::optional<double> volume;  // of a piece that is closed, m^3
 };
 
 namespace kerf {

@@ -94,6 +94,7 @@ std::unique_ptr<kerf_mesh> mesh_of(const Part& part) {
   weigh_piece(e, *part.body, mesh->info);
   mesh->info.area = e.area;
   mesh->info.boundary_edges = e.boundary_edges;
+  mesh->volume = e.volume;
   const Placement& placement = part.body->placement;
   for (int k = 0; k < 3; ++k) {
     mesh->info.centroid[k] = e.centroid[k];
@@ -132,6 +133,7 @@ WrittenPiece as_written(const kerf_mesh& mesh) {
   piece.area = info.area;
   const auto vector = [](const double(&v)[3]) { return Vec3(v[0], v[1], v[2]); };
   piece.centroid = vector(info.centroid);
+  piece.volume = mesh.volume;
   piece.mass.mass = info.mass;
   const double(&i)[6] = info.inertia;
   piece.mass.inertia = glm::dmat3(i[0], i[3], i[4], i[3], i[1], i[5], i[4], i[5], i[2]);

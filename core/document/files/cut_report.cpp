@@ -80,8 +80,10 @@ nlohmann::ordered_json to_json(const WrittenPiece& p) {
                                   {"area", p.area},
                                   {"centroid", vector_json(p.centroid)},
                                   {"boundary_edges", p.boundary_edges},
-                                  {"mass", p.mass.mass},
-                                  {"inertia", {i[0][0], i[1][1], i[2][2], i[0][1], i[0][2], i[1][2]}}};
+                                  {"closed", p.volume.has_value()}};
+  if (p.volume) piece["volume"] = *p.volume;
+  piece["mass"] = p.mass.mass;
+  piece["inertia"] = {i[0][0], i[1][1], i[2][2], i[0][1], i[0][2], i[1][2]};
   if (p.asleep) piece["asleep"] = *p.asleep;
   const glm::dquat& q = p.placement.orientation;
   piece["pose"] = {{"position", vector_json(p.placement.position)}, {"orientation", {q.w, q.x, q.y, q.z}}};
@@ -97,10 +99,15 @@ void CutJob::note_loaded(const MeshReport& mesh) {
   input_components += mesh.components;
 }
 
-void CutJob::note_bite(const StepResult& bite, double seconds) {
+void CutJob::note_bite(const StepResult& bite, const World& world, double seconds) {
   statistics.add(bite.statistics);
   removed_faces += bite.delta.removed_faces;
   removed_area += bite.delta.removed_area;
+  solid += bite.delta.solid;
+  for (const LeftOpen& open : bite.delta.left_open) {
+    const std::string note = left_open_text(open, world);
+    if (std::ranges::find(notes, note) == notes.end()) notes.push_back(note);
+  }
   if (bite.delta.removed_faces > 0) step_s.push_back(seconds);
 }
 
@@ -151,6 +158,17 @@ nlohmann::ordered_json energy_json(const World& world) {
   return json;
 }
 
+nlohmann::ordered_json removed_json(const CutJob& job, bool any_solid) {
+  nlohmann::ordered_json json = {{"faces", job.removed_faces}, {"area", job.removed_area}};
+  if (any_solid) json["volume"] = job.solid.removed_volume;
+  return json;
+}
+
+void add_solid(nlohmann::ordered_json& report, const CutJob& job, bool any_solid) {
+  if (any_solid) report["walls"] = {{"faces", job.solid.wall_faces}, {"area", job.solid.wall_area}};
+  if (!job.notes.empty()) report["notes"] = job.notes;
+}
+
 void add_energy(nlohmann::ordered_json& report, const CutJob& job, const World& world) {
   if (!job.thermal) return;
   report["energy_j"] = energy_json(world);
@@ -159,12 +177,21 @@ void add_energy(nlohmann::ordered_json& report, const CutJob& job, const World& 
 
 }  // namespace
 
+bool any_is_solid(const World& world) {
+  return std::ranges::any_of(world.ids(), [&](BodyId id) { return world.body(id).solid; });
+}
+
+std::string left_open_text(const LeftOpen& open, const World& world) {
+  return world.contains(open.body) ? world.body(open.body).own_name() + ": " + open.why : open.why;
+}
+
 double smallest_angle(const World& world) { return degrees(extremes_of(world).largest_cosine); }
 
 nlohmann::ordered_json cut_report(const CutJob& job, const World& world,
                                   const nlohmann::ordered_json& settings,
                                   const std::vector<WrittenPiece>& pieces) {
   const Extremes extremes = extremes_of(world);
+  const bool any_solid = any_is_solid(world);
   size_t faces = 0, vertices = 0;
   double area = 0;
   auto list = nlohmann::ordered_json::array();
@@ -181,13 +208,14 @@ nlohmann::ordered_json cut_report(const CutJob& job, const World& world,
         {"area", job.input_area},
         {"components", job.input_components}}},
       {"settings", settings},
-      {"removed", {{"faces", job.removed_faces}, {"area", job.removed_area}}},
+      {"removed", removed_json(job, any_solid)},
       {"output", {{"faces", faces}, {"vertices", vertices}, {"area", area}}},
       {"pieces", list},
       {"min_angle_deg",
        {{"input", job.input_min_angle}, {"output", faces > 0 ? degrees(extremes.largest_cosine) : 0.0}}},
       {"max_level", extremes.deepest_level},
       {"steps", job.steps}};
+  add_solid(report, job, any_solid);
   add_energy(report, job, world);
   report["timing_ms"] = timing(job);
   report["state_hash"] = hash_text(state_hash(world));

@@ -15,8 +15,8 @@ namespace kerf {
 struct CutJob {
   // Adds a loaded mesh to the totals of the input.
   void note_loaded(const MeshReport& mesh);
-  // Adds the result of one call of Document::step, which took `seconds`.
-  void note_bite(const StepResult& bite, double seconds);
+  // Adds the result of one call of Document::step, which took `seconds` and left this world.
+  void note_bite(const StepResult& bite, const World& world, double seconds);
   // How much of the thickness the beam got through where it did not cut, from 0 to 1.
   double depth_fraction() const { return statistics.met_s > 0 ? statistics.depth_s / statistics.met_s : 0.0; }
 
@@ -24,7 +24,9 @@ struct CutJob {
   double input_area = 0, input_min_angle = 0;  // m^2, degrees
   size_t removed_faces = 0;
   double removed_area = 0;  // m^2
-  size_t steps = 0;         // number of moves of the beam, as requested
+  SolidChange solid;
+  std::vector<std::string> notes;  // on bodies that were left open, each once
+  size_t steps = 0;                // number of moves of the beam, as requested
   StepStatistics statistics;
   std::vector<double> step_s;  // durations of the calls that removed something
   bool thermal = false;        // the strokes are cut by the thermal model
@@ -35,11 +37,12 @@ struct CutJob {
 struct WrittenPiece {
   std::string file;  // that it was written to; in the report of the library the name of the piece
   size_t faces = 0, vertices = 0, boundary_edges = 0;
-  double area = 0;             // m^2
-  Vec3 centroid{0};            // m
-  MassProperties mass;         // in world axes
-  Placement placement;         // of the body that it belongs to
-  std::optional<bool> asleep;  // nothing where no body has moved
+  double area = 0;               // m^2
+  Vec3 centroid{0};              // m
+  std::optional<double> volume;  // m^3; nothing where the piece is not closed
+  MassProperties mass;           // in world axes
+  Placement placement;           // of the body that it belongs to
+  std::optional<bool> asleep;    // nothing where no body has moved
 };
 
 // The settings of a job, i.e. of its first stroke, for the report.
@@ -47,6 +50,12 @@ nlohmann::ordered_json settings_json(const CutSettings& settings, const std::str
 
 // The smallest interior angle of all live faces in degrees; 0 if a face is degenerate. O(n).
 double smallest_angle(const World& world);
+
+// Whether a body of the world is solid.
+bool any_is_solid(const World& world);
+
+// "car: ..." - why a stroke left a body open, for the user. The world is the one after that step.
+std::string left_open_text(const LeftOpen& open, const World& world);
 
 // The contents of report.json.
 nlohmann::ordered_json cut_report(const CutJob& job, const World& world,

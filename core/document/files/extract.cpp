@@ -5,9 +5,11 @@
 
 #include "core/base/assert.h"
 #include "core/edit/separation.h"
+#include "core/mesh/enclosed_volume.h"
 #include "core/mesh/soup_edges.h"
 #include "core/mesh/triangle_batch.h"
 #include "core/mesh/weld.h"
+#include "core/world/solid_mass.h"
 
 namespace kerf {
 
@@ -52,11 +54,15 @@ class VertexSet {
   uint32_t count_ = 0;
 };
 
+Triangle triangle_of(const Extract& e, const std::array<uint32_t, 3>& t) {
+  return {e.positions[t[0]], e.positions[t[1]], e.positions[t[2]]};
+}
+
 void measure(Extract& out) {
   double weight = 0;
   Vec3 sum{0};
   for (const auto& t : out.triangles) {
-    const Triangle corners = {out.positions[t[0]], out.positions[t[1]], out.positions[t[2]]};
+    const Triangle corners = triangle_of(out, t);
     const double area = triangle_area(corners);
     out.area += area;
     // Relative to the first vertex, so that a mesh far from the origin loses no precision.
@@ -68,6 +74,31 @@ void measure(Extract& out) {
   out.centroid = out.positions[0] + (weight > 0 ? sum / weight : Vec3(0));
   const SoupEdges edges = group_sides(out.triangles, out.positions.size());
   for (uint32_t e = 0; e < edges.count(); ++e) out.boundary_edges += edges.sides_of(e).size() == 1;
+  if (out.boundary_edges > 0) return;
+  const EnclosedVolume enclosed = enclosed_volume(out.positions, out.triangles, edges, out.centroid);
+  if (enclosed.closed) out.volume = enclosed.volume;
+}
+
+MassProperties solid_of(const Extract& e, double density) {
+  VolumeMoments moments;
+  for (const auto& t : e.triangles) moments += volume_moments(triangle_of(e, t), e.centroid);
+  return solid_mass(moments, e.centroid, density);
+}
+
+MassProperties shell_of(const Extract& e, const Sheet& sheet) {
+  AreaMoments moments;
+  for (const auto& t : e.triangles) {
+    const Triangle corners = triangle_of(e, t);
+    moments += area_moments(corners, triangle_area(corners), e.centroid);
+  }
+  return shell_mass(e.area, moments, e.centroid, sheet.thickness, sheet.density);
+}
+
+// Makes an extract of a solid body a solid, where it encloses a volume.
+void fill(Extract& out) {
+  if (!out.volume || !(*out.volume > 0)) return;
+  out.solid = true;
+  out.centroid = solid_of(out, 1).centre;
 }
 
 }  // namespace
@@ -99,16 +130,12 @@ Extract extract_faces(const Body& body, std::span<const FaceId> faces) {
     if (!body.material_names.empty()) out.materials.push_back(body.mesh.data(f).material);
   });
   measure(out);
+  if (body.solid) fill(out);
   return out;
 }
 
 MassProperties mass_of(const Extract& extract, const Sheet& sheet) {
-  AreaMoments moments;
-  for (const auto& t : extract.triangles) {
-    const Triangle corners = {extract.positions[t[0]], extract.positions[t[1]], extract.positions[t[2]]};
-    moments += area_moments(corners, triangle_area(corners), extract.centroid);
-  }
-  return shell_mass(extract.area, moments, extract.centroid, sheet.thickness, sheet.density);
+  return extract.solid ? solid_of(extract, sheet.density) : shell_of(extract, sheet);
 }
 
 std::vector<std::vector<FaceId>> faces_by_piece(const Body& body, bool every_component) {

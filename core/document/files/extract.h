@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,14 +19,17 @@ struct Extract {
   std::vector<uint16_t> materials;    // one per triangle, or empty if the body names none
   std::vector<VertexColour> colours;  // one per position, or empty if the body has none
   double area = 0;                    // m^2
-  Vec3 centroid{0};                   // centre of area, m
+  Vec3 centroid{0};                   // centre of area, or of volume where it is solid, m
   size_t boundary_edges = 0;          // edges with one face
+  std::optional<double> volume;       // that the faces enclose, m^3; nothing where they are not closed
+  bool solid = false;                 // faces of a solid body that enclose a volume
 };
 
 // Copies faces. Precondition: they are live and ascending. O(n log n).
 Extract extract_faces(const Body& body, std::span<const FaceId> faces);
 
-// The mass properties of an extract as a sheet, about its centroid and along the axes of the world. O(n).
+// The mass properties of an extract as a solid, where it is one, and otherwise as a sheet; about its centroid
+// and along the axes of the world. O(n).
 MassProperties mass_of(const Extract& extract, const Sheet& sheet);
 
 // The live faces of each piece of a body that has any, in the order of labels; with `every_component` those

@@ -3,7 +3,9 @@
 #include "core/document/files/file_hash.h"
 #include "core/document/files/scene_text.h"
 #include "core/document/text/fields.h"
+#include "core/mesh/enclosed_volume.h"
 #include "core/world/load_body.h"
+#include "core/world/weigh.h"
 
 namespace kerf {
 
@@ -17,6 +19,12 @@ Status check_hash(const SceneBody& body, const Progress& progress) {
   if (*hash == *body.hash) return Done{};
   return bad_input(body.mesh.string() +
                    ": this mesh is another one than the journal was made with: put the old file back");
+}
+
+bool is_solid(Solidity solid, const Body& loaded) {
+  if (solid != Solidity::kAuto) return solid == Solidity::kSolid;
+  const EnclosedVolume enclosed = enclosed_volume(loaded.mesh, loaded.middle());
+  return enclosed.closed && enclosed.volume > 0;
 }
 
 }  // namespace
@@ -33,6 +41,8 @@ Result<SceneDescription> read_description(const std::filesystem::path& file) {
 Result<BodyId> add_scene_body(const SceneBody& description, Body body, World& world) {
   body.placement = description.placement;
   body.sheet = description.sheet;
+  body.solid = is_solid(description.solid, body);
+  if (body.solid) weigh(body);
   const BodyId id = world.add(std::move(body));
   Joints joints = world.joints();
   for (const SceneJoint& joint : description.joints) {

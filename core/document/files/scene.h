@@ -31,6 +31,10 @@ struct View {
   Vec3 eye{0}, target{0};  // m
 };
 
+// Whether a body is solid: its faces are a sheet, they enclose a volume, or they do where every connected
+// part of the loaded mesh is closed.
+enum class Solidity { kSheet, kSolid, kAuto };
+
 // A body in a scene file.
 struct SceneBody {
   std::filesystem::path mesh;  // as it can be opened from the current folder
@@ -38,6 +42,7 @@ struct SceneBody {
   Placement placement;
   std::optional<uint64_t> hash;  // of the mesh file's bytes, see file_hash
   Sheet sheet;
+  Solidity solid = Solidity::kSheet;
   std::vector<SceneJoint> joints;
   std::string others = "{}";  // JSON: keys that this version does not know
 };
@@ -47,8 +52,8 @@ SceneBody body_of_file(const std::filesystem::path& mesh);
 
 // The content of a scene file or of the head of a journal, without the meshes: {"version": 1, "bodies":
 // [{"mesh": "../meshes/car.obj", "name": "car", "position": [..], "orientation": [w,x,y,z],
-// "thickness": 0.0008, "density": 7850, "joints": [..]}], "paints": {"tyre": {"colour": "#202224", "gloss":
-// 0.1}}, "view": {"eye": [..], "target": [..]}, "lights":
+// "thickness": 0.0008, "density": 7850, "solid": true, false or "auto", "joints": [..]}], "paints": {"tyre":
+// {"colour": "#202224", "gloss": 0.1}}, "view": {"eye": [..], "target": [..]}, "lights":
 // [{"direction": [..] or "position": [..], "colour": "#fff2d8", "intensity": 2}], "show": ["silhouette"],
 // "strokes": [...]}. Only "bodies" and "mesh" are required.
 struct SceneDescription {
@@ -70,8 +75,8 @@ struct Scene : SceneDescription {
 // scene file are relative to the file. Fails if the file is not a valid scene; a mesh file is not read.
 Result<SceneDescription> read_description(const std::filesystem::path& file);
 
-// Adds the loaded mesh of a description to a world, with its placement, its sheet and its joints. Fails if a
-// joint cannot be made (see make_joint); then the world is not to be used. O(joints * faces).
+// Adds the loaded mesh of a description to a world, with its placement, its sheet and its joints, solid or
+// not. Fails if a joint cannot be made (see make_joint); then the world is not to be used. O(joints * faces).
 Result<BodyId> add_scene_body(const SceneBody& description, Body body, World& world);
 
 // Loads the meshes of a description. Fails if a mesh is missing, cannot be read, or does not match its hash;

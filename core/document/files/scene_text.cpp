@@ -78,6 +78,28 @@ nlohmann::ordered_json names_json(const std::string& joined) {
   return names;
 }
 
+Status read_solidity(const JsonValue& value, Solidity& solid) {
+  const nlohmann::json& json = value.json();
+  if (json.is_boolean()) {
+    solid = json.get<bool>() ? Solidity::kSolid : Solidity::kSheet;
+  } else if (json == "auto") {
+    solid = Solidity::kAuto;
+  } else {
+    return value.wrong("must be true, false or \"auto\"");
+  }
+  return Done{};
+}
+
+void solid_field(Fields& f, Solidity& solid) {
+  if (!f.present("solid", solid != Solidity::kSheet)) return;
+  f.value(
+      "solid", [&](const JsonValue& value) { return read_solidity(value, solid); },
+      [&]() -> nlohmann::ordered_json {
+        if (solid == Solidity::kAuto) return "auto";
+        return solid == Solidity::kSolid;
+      });
+}
+
 }  // namespace
 
 void describe(Fields& f, SceneJoint& joint) {
@@ -132,6 +154,7 @@ void describe(Fields& f, SceneBody& body) {
   f.orientation("orientation", body.placement.orientation, glm::dquat(1, 0, 0, 0));
   f.coded("hash", body.hash, parse_hash, hash_text, kHashRule);
   scene_sheet_fields(f, body.sheet);
+  solid_field(f, body.solid);
   f.list("joints", "joints", body.joints, kOptional);
   f.others(body.others);
 }

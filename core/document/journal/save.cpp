@@ -98,6 +98,7 @@ Result<std::filesystem::path> save_world_as_scene(const World& world, SceneDescr
     entry.mesh = folder / name;
     entry.name = body.name;
     entry.sheet = body.sheet;
+    entry.solid = body.solid ? Solidity::kSolid : Solidity::kSheet;
     description.bodies.push_back(std::move(entry));
   }
   const std::filesystem::path file = folder / "scene.json";

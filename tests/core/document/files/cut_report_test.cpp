@@ -39,5 +39,43 @@ TEST(SmallestAngle, is_that_of_the_sharpest_face_wherever_it_is) {
   }
 }
 
+StepResult bite_of_solid(double volume, BodyId left_open) {
+  StepResult bite;
+  bite.delta.solid = {10, 0.5, volume};
+  bite.delta.left_open = {{left_open, "the walls meet nowhere."}};
+  return bite;
+}
+
+TEST(CutReport, sums_up_walls_and_volume_and_says_each_reason_once) {
+  World world = world_of(brick({1, 1, 1}));
+  Body& body = only_body(world);
+  body.name = "box";
+  body.solid = true;
+  CutJob job;
+  for (const double volume : {0.125, 0.25})
+    job.note_bite(bite_of_solid(volume, world.ids().front()), world, 0);
+  const auto report = cut_report(job, world, {}, {});
+  EXPECT_EQ(report["removed"]["volume"], 0.375);
+  EXPECT_EQ(report["walls"]["faces"], 20);
+  EXPECT_EQ(report["walls"]["area"], 1.0);
+  EXPECT_EQ(report["notes"].dump(), R"(["box: the walls meet nowhere."])");
+}
+
+TEST(CutReport, has_no_word_of_solids_where_there_is_none) {
+  const World world = world_of(brick({1, 1, 1}));
+  const auto report = cut_report({}, world, {}, {});
+  EXPECT_FALSE(report.contains("walls") || report.contains("notes") || report["removed"].contains("volume"));
+}
+
+TEST(CutReport, says_of_each_piece_whether_it_is_closed_and_then_its_volume) {
+  WrittenPiece closed, open;
+  closed.volume = 0.5;
+  const auto report = cut_report({}, world_of(brick({1, 1, 1})), {}, {closed, open});
+  EXPECT_EQ(report["pieces"][0]["closed"], true);
+  EXPECT_EQ(report["pieces"][0]["volume"], 0.5);
+  EXPECT_EQ(report["pieces"][1]["closed"], false);
+  EXPECT_FALSE(report["pieces"][1].contains("volume"));
+}
+
 }  // namespace
 }  // namespace kerf::test

@@ -46,5 +46,47 @@ TEST(Extract, gives_its_faces_the_materials_that_they_have_in_the_body) {
   EXPECT_TRUE(extract_faces(plain.body(plain.ids().front()), faces).materials.empty());
 }
 
+Extract whole_extract(const World& world) {
+  const Body& body = world.body(world.ids().front());
+  return extract_faces(body, faces_by_piece(body, false).front());
+}
+
+TEST(Extract, has_a_volume_where_its_faces_are_closed) {
+  World world = world_of(brick({1, 2, 3}));
+  ASSERT_TRUE(whole_extract(world).volume.has_value());
+  EXPECT_NEAR(*whole_extract(world).volume, 6, 1e-14);
+  only_body(world).mesh.remove_face(FaceId(7));
+  EXPECT_FALSE(whole_extract(world).volume.has_value());
+}
+
+TEST(Extract, of_a_solid_body_has_the_mass_of_a_solid_only_where_it_is_closed) {
+  const Vec3 s(1, 2, 3), at(5, 0, 0);
+  const Sheet sheet{.thickness = 0.001, .density = 1000};
+  World world = world_of(brick(s));
+  only_body(world).placement.position = at;
+  const double area = 2 * (s.x * s.y + s.y * s.z + s.z * s.x), of_shell = area * 0.001 * 1000;
+  EXPECT_NEAR(mass_of(whole_extract(world), sheet).mass, of_shell, 1e-9);
+  only_body(world).solid = true;
+  const MassProperties solid = mass_of(whole_extract(world), sheet);
+  EXPECT_NEAR(solid.mass, 6000, 1e-9);
+  EXPECT_NEAR(glm::distance(solid.centre, at + 0.5 * s), 0, 1e-14);
+  EXPECT_NEAR(solid.inertia[0][0], 6000.0 / 12 * (s.y * s.y + s.z * s.z), 1e-9);
+  only_body(world).mesh.remove_face(FaceId(7));
+  EXPECT_LT(mass_of(whole_extract(world), sheet).mass, of_shell);
+}
+
+// The centre of area of a cone is not that of its volume.
+TEST(Extract, of_a_solid_body_has_the_centre_of_its_volume) {
+  Soup tetrahedron;
+  tetrahedron.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 4}};
+  tetrahedron.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+  World world = world_of(tetrahedron);
+  EXPECT_GT(glm::distance(whole_extract(world).centroid, Vec3(0.25, 0.25, 1)), 0.01);
+  only_body(world).solid = true;
+  const Extract e = whole_extract(world);
+  EXPECT_NEAR(glm::distance(e.centroid, Vec3(0.25, 0.25, 1)), 0, 1e-14);
+  EXPECT_NEAR(glm::distance(mass_of(e, {}).centre, e.centroid), 0, 1e-14);
+}
+
 }  // namespace
 }  // namespace kerf::test

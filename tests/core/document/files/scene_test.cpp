@@ -3,8 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <nlohmann/json.hpp>
 
+#include "core/document/journal/save.h"
+#include "core/mesh/write_mesh.h"
 #include "tests/support/checkout.h"
+#include "tests/support/made_meshes.h"
+#include "tests/support/temporary_folder.h"
 
 namespace kerf::test {
 namespace {
@@ -79,6 +84,81 @@ TEST(Scene, says_what_is_wrong_with_a_light) {
     EXPECT_NE(scene.error().message.find(std::string(where) + ": "), std::string::npos)
         << scene.error().message;
   }
+}
+
+// A scene of a box, closed or without a face, whose body has this member as well.
+class SolidScene : public testing::Test {
+ protected:
+  void write_box(bool closed) {
+    Soup box = brick({1, 1, 1});
+    if (!closed) box.triangles.pop_back();
+    const MeshView view{box.positions, box.triangles, {}, {}, {}, {}, {}};
+    ASSERT_TRUE(write_mesh(view, folder_ / "box.obj", MeshFormat::kObj).ok());
+  }
+  Result<Scene> read_with(const std::string& member) {
+    write_text(folder_ / "scene.json", R"({"bodies": [{"mesh": "box.obj")" + member + "}]}");
+    return read_scene(folder_ / "scene.json");
+  }
+  bool is_solid(const std::string& member) {
+    const auto scene = read_with(member);
+    return scene.ok() && scene->world.body(scene->world.ids().front()).solid;
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(SolidScene, says_whether_a_body_is_solid_or_leaves_it_to_the_mesh) {
+  for (const bool closed : {true, false}) {
+    write_box(closed);
+    EXPECT_FALSE(is_solid(""));
+    EXPECT_FALSE(is_solid(R"(, "solid": false)"));
+    EXPECT_TRUE(is_solid(R"(, "solid": true)"));
+    EXPECT_EQ(is_solid(R"(, "solid": "auto")"), closed);
+  }
+}
+
+TEST_F(SolidScene, is_auto_only_where_every_part_of_the_mesh_is_closed) {
+  for (const Soup& beside : {sphere(6, 8, 0.2), plate(1)}) {
+    const Soup parts = test::both(brick({1, 1, 1}), moved(beside, {3, 0, 0}, 1));
+    const MeshView view{parts.positions, parts.triangles, {}, {}, {}, {}, {}};
+    ASSERT_TRUE(write_mesh(view, folder_ / "box.obj", MeshFormat::kObj).ok());
+    EXPECT_EQ(is_solid(R"(, "solid": "auto")"), beside.triangles.size() > 2);
+  }
+}
+
+TEST_F(SolidScene, refuses_any_other_word) {
+  write_box(true);
+  for (const char* wrong : {"1", "\"yes\"", "null", "[true]"}) {
+    const auto scene = read_with(std::string(R"(, "solid": )") + wrong);
+    ASSERT_FALSE(scene.ok()) << wrong;
+    EXPECT_NE(scene.error().message.find("/bodies/0/solid: must be true, false or \"auto\""),
+              std::string::npos)
+        << scene.error().message;
+  }
+}
+
+TEST_F(SolidScene, is_saved_as_it_was_read_and_without_the_key_where_nothing_is_solid) {
+  write_box(true);
+  for (const char* said : {"", "true", "\"auto\""}) {
+    const auto scene = read_with(*said == 0 ? "" : std::string(R"(, "solid": )") + said);
+    ASSERT_TRUE(scene.ok());
+    ASSERT_TRUE(save_scene(folder_ / "again.json", *scene).ok());
+    const auto json = nlohmann::json::parse(read_text(folder_ / "again.json"));
+    const nlohmann::json& body = json["bodies"][0];
+    EXPECT_EQ(body.contains("solid") ? body["solid"].dump() : "", said);
+  }
+}
+
+TEST_F(SolidScene, a_world_that_is_saved_as_a_scene_keeps_its_solid_bodies) {
+  write_box(true);
+  const auto scene = read_with(R"(, "solid": "auto")");
+  ASSERT_TRUE(scene.ok());
+  const auto saved = save_world_as_scene(scene->world, {}, folder_ / "saved");
+  ASSERT_TRUE(saved.ok());
+  const auto again = read_scene(*saved);
+  ASSERT_TRUE(again.ok());
+  EXPECT_TRUE(again->world.body(again->world.ids().front()).solid);
+  EXPECT_EQ(again->bodies[0].solid, Solidity::kSolid);
 }
 
 }  // namespace

@@ -41,11 +41,13 @@ Body copy_out(const Body& body, std::span<const FaceId> faces, uint32_t label, b
   copy.motion = body.motion;
   copy.sheet = body.sheet;
   copy.pinned = body.pinned;
+  copy.solid = body.solid;
   copy.mesh = extract_mesh(body.mesh, faces);
   copy.heat = body.heat;
   copy.tree = AabbTree(copy.mesh);
   for (uint32_t p = 0; p < body.pieces.size(); ++p)
     copy.pieces.push_back((p == label) == of_piece ? body.pieces[p] : Piece{});
+  copy.enclosed = body.enclosed;
   copy.components = components_of(copy.mesh, body, faces);
   copy.material_names = body.material_names;
   copy.loaded = body.loaded;

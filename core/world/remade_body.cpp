@@ -5,6 +5,7 @@
 
 #include "core/base/assert.h"
 #include "core/mesh/extract_mesh.h"
+#include "core/world/weigh.h"
 
 namespace kerf {
 
@@ -166,8 +167,10 @@ Result<Body> remade_body(const Body& body, const PieceCopy& copy, Remeshed& reme
   made->motion = body.motion;
   made->sheet = body.sheet;
   made->pinned = body.pinned;
+  made->solid = body.solid;
   label_faces(*made, body, copy, remeshed);
   hand_down_heat(*made, body, copy, remeshed);
+  if (made->solid) weigh(*made);
   return made;
 }
 

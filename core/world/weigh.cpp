@@ -4,34 +4,13 @@
 #include <cmath>
 #include <utility>
 
-#include "core/base/assert.h"
+#include "core/base/fixed_sum.h"
 #include "core/mesh/triangle_batch.h"
+#include "core/world/weigh_solid.h"
 
 namespace kerf {
 
 namespace {
-
-__extension__ using Wide = __int128;
-
-// A sum of up to 2^32 numbers below 16 in absolute value. Each is cut off kBits bits after the point; the sum
-// is exact, so that it does not depend on their order.
-class FixedSum {
- public:
-  void add(double x) {
-    KERF_ASSERT(-16 < x && x < 16);
-    const double high = x * 0x1p58;  // below 2^62
-    const auto whole = static_cast<int64_t>(high);
-    const auto rest = static_cast<int64_t>((high - static_cast<double>(whole)) * 0x1p32);
-    sum_ += static_cast<Wide>(whole) * (int64_t{1} << 32) + rest;
-  }
-  // The sum times 2^exponent.
-  double value(int exponent) const { return std::ldexp(static_cast<double>(sum_), exponent - kBits); }
-
- private:
-  static constexpr int kBits = 58 + 32;
-
-  Wide sum_ = 0;
-};
 
 // Lengths in units of 2^exponent m, in which a body as loaded reaches from -1 to 1 around its middle: then
 // all its areas and moments are in the range of FixedSum.
@@ -99,6 +78,7 @@ void weigh(Body& body) {
     piece.area = area;
     piece.moments = moments;
   }
+  if (body.solid) weigh_solid(body);
 }
 
 }  // namespace kerf

@@ -22,6 +22,7 @@
 #include "core/world/placement.h"
 #include "core/world/separation_state.h"
 #include "core/world/shell_mass.h"
+#include "core/world/solid_mass.h"
 #include "core/world/spring.h"
 #include "core/world/surroundings.h"
 
@@ -55,6 +56,8 @@ struct Body {
   FaceHeat heat;
   double ejected = 0;     // J that faces had when they were removed
   Records<Piece> pieces;  // by label; 0 is the body itself, the others were separated from it
+  // By label, of pieces that were closed when the solid body was weighed (see weigh); empty where it is none.
+  Records<EnclosedPiece> enclosed;
   LoadedComponents components;
   SeparationState separation;
   std::vector<std::string> material_names;
@@ -96,7 +99,7 @@ struct Body {
   static auto parts(Self& self) {
     return std::tie(self.name, self.named, self.placement, self.hidden, self.motion, self.sheet, self.pinned,
                     self.solid, self.mesh, self.tree, self.refinement, self.ejected, self.pieces,
-                    self.components, self.separation);
+                    self.enclosed, self.components, self.separation);
   }
 
   // Memory of its arrays, in bytes.

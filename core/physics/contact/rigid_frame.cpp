@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/base/assert.h"
+#include "core/world/weigh_solid.h"
 
 namespace kerf {
 
@@ -12,18 +13,34 @@ namespace {
 
 constexpr double kLeastInertia = 1e-4;  // of the largest one
 
+// The sums over the pieces that weigh as sheets, and what the others weigh.
 struct Sums {
   double area = 0;
   AreaMoments moments;
+  MassProperties solids;
 };
 
 Sums sums_of(const Body& body) {
   Sums sums;
   for (uint32_t p = 0; p < body.pieces.size(); ++p) {
-    sums.area += body.pieces[p].area;
-    sums.moments += body.pieces[p].moments;
+    if (const EnclosedPiece* enclosed = enclosed_piece(body, p)) {
+      MassProperties solid = enclosed->solid;
+      solid.mass *= body.sheet.density;
+      solid.inertia *= body.sheet.density;
+      sums.solids = together(sums.solids, solid);
+    } else {
+      sums.area += body.pieces[p].area;
+      sums.moments += body.pieces[p].moments;
+    }
   }
   return sums;
+}
+
+MassProperties mass_of(const Body& body) {
+  const Sums sums = sums_of(body);
+  const MassProperties shell =
+      shell_mass(sums.area, sums.moments, body.middle(), body.sheet.thickness, body.sheet.density);
+  return together(shell, sums.solids);
 }
 
 // The principal axes by Jacobi rotations.
@@ -42,14 +59,12 @@ void diagonalise(const glm::dmat3& inertia, RigidFrame& frame) {
 }  // namespace
 
 RigidFrame rigid_frame(const Body& body) {
-  const Sums sums = sums_of(body);
-  const MassProperties shell =
-      shell_mass(sums.area, sums.moments, body.middle(), body.sheet.thickness, body.sheet.density);
+  const MassProperties whole = mass_of(body);
   RigidFrame frame;
-  frame.mass = shell.mass;
-  frame.centre = shell.centre;
-  if (shell.mass > 0) diagonalise(shell.inertia, frame);
-  KERF_ASSERT(!(shell.mass > 0) || (frame.inertia.x > 0 && frame.inertia.y > 0 && frame.inertia.z > 0));
+  frame.mass = whole.mass;
+  frame.centre = whole.centre;
+  if (whole.mass > 0) diagonalise(whole.inertia, frame);
+  KERF_ASSERT(!(whole.mass > 0) || (frame.inertia.x > 0 && frame.inertia.y > 0 && frame.inertia.z > 0));
   return frame;
 }
 

@@ -21,9 +21,10 @@ struct RigidFrame {
   }
 };
 
-// The rigid frame of all pieces of a body together, as a sheet. Constant time in faces, linear in pieces. The
-// inertia about an axis along which the sheet has no extent is raised to a small share of the largest one, so
-// that a needle cannot spin up without bound.
+// The rigid frame of all pieces of a body together: closed pieces of a solid body, as it was weighed last,
+// are solids, and everything else is a sheet. Constant time in faces, linear in pieces. The inertia about an
+// axis along which a sheet has no extent is raised to a small share of the largest one, so that a needle
+// cannot spin up without bound.
 RigidFrame rigid_frame(const Body& body);
 
 }  // namespace kerf

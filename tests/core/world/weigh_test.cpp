@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/edit/body_edit.h"
 #include "core/edit/detach.h"
 #include "core/edit/separation.h"
+#include "core/world/weigh_solid.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/piece_sums.h"
 #include "tests/support/strokes.h"
@@ -129,6 +131,91 @@ TEST(Weigh, of_any_size_and_place_is_as_exact) {
   const Piece far = weighed(moved(soup, {1e6, 0, -1e6}, 1));
   EXPECT_NEAR(far.area, one.area, 1e-8);
   for (size_t i = 0; i < 3; ++i) EXPECT_NEAR(far.moments.second[i], one.moments.second[i], 1e-8);
+}
+
+// What is known of the only piece of a solid body.
+const EnclosedPiece* enclosed_of(const Body& body) { return enclosed_piece(body, 0); }
+
+Body solid_body(const Soup& soup) {
+  Body body = make_body("solid", build(soup));
+  body.solid = true;
+  weigh(body);
+  return body;
+}
+
+TEST(WeighSolid, finds_volume_centre_and_inertia_of_what_is_closed) {
+  const Vec3 s(1, 2, 3), at(20, 0, -7);
+  const Body box = solid_body(moved(brick(s), at, 1));
+  ASSERT_NE(enclosed_of(box), nullptr);
+  const MassProperties& solid = enclosed_of(box)->solid;
+  EXPECT_NEAR(solid.mass, 6, 1e-13);
+  EXPECT_NEAR(glm::distance(solid.centre, at + 0.5 * s), 0, 1e-13);
+  EXPECT_NEAR(solid.inertia[2][2], 6.0 / 12 * (s.x * s.x + s.y * s.y), 1e-12);
+  EXPECT_NEAR(solid.inertia[0][1], 0, 1e-12);
+}
+
+TEST(WeighSolid, knows_nothing_of_what_is_open_or_flat_or_no_solid) {
+  EXPECT_EQ(enclosed_of(solid_body(tube(3, 12, 1, 1))), nullptr);
+  EXPECT_EQ(enclosed_of(solid_body(pillow())), nullptr);
+  Body box = solid_body(brick({1, 1, 1}));
+  ASSERT_NE(enclosed_of(box), nullptr);
+  box.solid = false;
+  EXPECT_EQ(enclosed_of(box), nullptr);
+}
+
+TEST(WeighSolid, knows_nothing_of_faces_that_have_changed_since) {
+  World world = world_of(sphere(12, 16, 0.5));
+  Body& body = only_body(world);
+  body.solid = true;
+  weigh(body);
+  ASSERT_NE(enclosed_of(body), nullptr);
+  { BodyEdit(body).remove(std::vector{FaceId(3)}); }
+  EXPECT_EQ(enclosed_of(body), nullptr);
+  weigh(body);
+  EXPECT_EQ(enclosed_of(body), nullptr);
+}
+
+TEST(WeighSolid, depends_on_the_faces_alone_to_the_bit) {
+  const Soup soup = moved(torus(24, 16, 0.5, 0.2), {3, 1, -2}, 1);
+  const Body one = solid_body(soup);
+  for (uint64_t seed = 1; seed <= 4; ++seed) {
+    Random random(seed);
+    const Body other = solid_body(shuffled(soup, random));
+    EXPECT_EQ(enclosed_of(other)->solid.mass, enclosed_of(one)->solid.mass);
+    EXPECT_EQ(enclosed_of(other)->solid.centre, enclosed_of(one)->solid.centre);
+    EXPECT_EQ(enclosed_of(other)->solid.inertia, enclosed_of(one)->solid.inertia);
+  }
+}
+
+// A grain that is left of a large part is weighed from its own middle.
+TEST(WeighSolid, of_what_is_left_of_a_large_part_is_as_exact) {
+  World world = world_of(both(brick(Vec3(1000)), moved(brick(Vec3(1)), {400, 700, 1200}, 1e-3)));
+  Body& body = only_body(world);
+  body.solid = true;
+  std::vector<FaceId> large;
+  for (uint32_t f = 0; f < 12; ++f) large.emplace_back(f);
+  { BodyEdit(body).remove(large); }
+  weigh(body);
+  ASSERT_NE(enclosed_of(body), nullptr);
+  EXPECT_NEAR(enclosed_of(body)->solid.mass / 1e-9, 1, 1e-8);
+  EXPECT_NEAR(enclosed_of(body)->solid.inertia[0][0] / (1e-15 / 6), 1, 1e-8);
+}
+
+TEST(WeighSolid, is_carried_along_by_what_is_detached) {
+  World world = world_of(both(brick({1, 2, 3}), moved(brick({1, 1, 1}), {5, 0, 0}, 1)));
+  Body& body = only_body(world);
+  body.solid = true;
+  body.pieces.push_back({});
+  for (uint32_t f = 12; f < 24; ++f) body.mesh.edit_data(FaceId(f)).piece = 1;
+  body.pieces.edit(0).faces = body.pieces.edit(1).faces = 12;
+  weigh(body);
+  Delta delta;
+  const BodyId whole = world.ids().front(), own = detach(world, {whole, 1}, 1, delta);
+  ASSERT_NE(whole, own);
+  ASSERT_NE(enclosed_piece(world.body(whole), 0), nullptr);
+  ASSERT_NE(enclosed_piece(world.body(own), 1), nullptr);
+  EXPECT_NEAR(enclosed_piece(world.body(whole), 0)->solid.mass, 6, 1e-12);
+  EXPECT_NEAR(enclosed_piece(world.body(own), 1)->solid.mass, 1, 1e-12);
 }
 
 }  // namespace

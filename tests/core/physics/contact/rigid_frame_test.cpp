@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 
+#include "core/world/weigh.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/sheets.h"
+#include "tests/support/strokes.h"
 
 namespace kerf {
 namespace {
@@ -35,6 +37,40 @@ TEST(RigidFrame, gives_back_the_placement_it_was_put_in) {
   EXPECT_LT(glm::length(back.position - body.placement.position), 1e-13);
   EXPECT_LT(glm::length(frame.in_world(body.placement).position - body.placement.to_world({3, -2, 8})),
             1e-12);
+}
+
+TEST(RigidFrame, of_a_solid_body_is_that_of_the_solid) {
+  World world = test::world_of(test::brick({1, 2, 3}));
+  Body& body = test::only_body(world);
+  const double as_sheet = rigid_frame(body).mass;
+  body.solid = true;
+  EXPECT_EQ(rigid_frame(body).mass, as_sheet) << "before it is weighed";
+  weigh(body);
+  const RigidFrame frame = rigid_frame(body);
+  const double mass = 6 * body.sheet.density;
+  EXPECT_NEAR(frame.mass, mass, 1e-9);
+  EXPECT_NEAR(glm::distance(frame.centre, Vec3(0.5, 1, 1.5)), 0, 1e-14);
+  std::array<double, 3> inertia{frame.inertia.x, frame.inertia.y, frame.inertia.z};
+  std::sort(inertia.begin(), inertia.end());
+  EXPECT_NEAR(inertia[0], mass / 12 * 5, 1e-9);
+  EXPECT_NEAR(inertia[1], mass / 12 * 10, 1e-9);
+  EXPECT_NEAR(inertia[2], mass / 12 * 13, 1e-9);
+}
+
+// A solid box of which a sheet, with a label of its own, is a part.
+TEST(RigidFrame, of_a_closed_and_an_open_piece_is_that_of_a_solid_and_a_sheet) {
+  World world = test::world_of(test::both(test::brick({1, 1, 1}), test::moved(test::plate(2), {5, 0, 0}, 1)));
+  Body& body = test::only_body(world);
+  body.solid = true;
+  body.pieces.push_back({});
+  for (uint32_t f = 12; f < 14; ++f) body.mesh.edit_data(FaceId(f)).piece = 1;
+  body.pieces.edit(0).faces = 12;
+  body.pieces.edit(1).faces = 2;
+  weigh(body);
+  const double box = body.sheet.density, sheet = 4 * body.sheet.density * body.sheet.thickness;
+  const RigidFrame frame = rigid_frame(body);
+  EXPECT_NEAR(frame.mass, box + sheet, 1e-9);
+  EXPECT_NEAR(frame.centre.x, (0.5 * box + 5 * sheet) / (box + sheet), 1e-12);
 }
 
 }  // namespace

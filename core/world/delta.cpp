@@ -89,6 +89,7 @@ void Delta::append(Delta later) {
   removed_area += later.removed_area;
   removed_mass += later.removed_mass;
   solid += later.solid;
+  for (LeftOpen& open : left_open) open.body = id_after(later, open.body);
   left_open.insert(left_open.end(), later.left_open.begin(), later.left_open.end());
   if (anew || later.anew) {
     Delta replaced;

@@ -13,6 +13,8 @@ import unittest
 KERF = os.path.abspath(sys.argv.pop(1))
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 PLATE = "v -0.5 0 -0.5\nv 0.5 0 -0.5\nv 0.5 0 0.5\nv -0.5 0 0.5\nf 1 4 3\nf 1 3 2\n"
+CUBE = ("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nv 1 1 1\n"
+        "f 1 3 4\nf 1 4 2\nf 5 6 8\nf 5 8 7\nf 1 2 6\nf 1 6 5\nf 3 7 8\nf 3 8 4\nf 1 5 7\nf 1 7 3\nf 2 4 8\nf 2 8 6\n")
 ACROSS = {"strokes": [{"laser": {"radius": 0.02, "range": [0, 5]},
                        "keys": [{"t": 0, "origin": [-0.7, 1, 0.1], "direction": [0, -1, 0]},
                                 {"t": 1, "origin": [0.7, 1, 0.12], "direction": [0, -1, 0]}]}]}
@@ -74,6 +76,76 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(report["vertices"], 4)
         self.assertEqual(report["boundary_edges"], 4)
         self.assertAlmostEqual(report["area"], 1)
+
+    def test_info_says_whether_a_mesh_is_closed(self):
+        self.write("cube.obj", CUBE)
+        for mesh, closed in (("cube.obj", True), ("plate.obj", False)):
+            self.assertIs(json.loads(self.run_here("info", mesh).stdout)["closed"], closed)
+
+    def report_of(self, *args):
+        done = self.run_here("cut", *args, "--out", "out")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads(self.read("out/report.json"))
+
+    def test_a_solid_weighs_what_it_holds_and_has_a_smooth_rim(self):
+        self.write("cube.obj", CUBE)
+        report = self.report_of("cube.obj", "--solid", "--density", "1000")
+        piece, = report["pieces"]
+        self.assertIs(piece["closed"], True)
+        self.assertEqual((report["settings"]["rim"], report["settings"]["solid"]), ("smooth", True))
+        self.assertAlmostEqual(piece["volume"], 1)
+        self.assertAlmostEqual(piece["mass"], 1000)
+        for found, expected in zip(piece["inertia"], [1000 / 6] * 3 + [0] * 3):
+            self.assertAlmostEqual(found, expected)
+        self.assertEqual(report["removed"]["volume"], 0)
+        self.assertEqual(report["walls"], {"faces": 0, "area": 0})
+        self.assertEqual(self.report_of("cube.obj", "--solid", "--rim", "smooth")["pieces"][0]["closed"], True)
+
+    def test_without_a_solid_the_report_says_only_whether_pieces_are_closed(self):
+        self.write("cube.obj", CUBE)
+        report = self.report_of("cube.obj", "--density", "1000")
+        piece, = report["pieces"]
+        self.assertEqual((piece["closed"], report["settings"]["rim"]), (True, "faces"))
+        self.assertAlmostEqual(piece["mass"], 6)
+        self.assertEqual(list(report["removed"]), ["faces", "area"])
+        for key in ("walls", "notes"):
+            self.assertNotIn(key, report)
+        self.assertNotIn("solid", report["settings"])
+
+    def test_an_open_mesh_that_is_said_to_be_solid_is_cut_as_a_sheet(self):
+        sheet = self.cut()
+        report = self.cut("--solid")
+        self.assertEqual([piece["closed"] for piece in report["pieces"]], [False, False])
+        self.assertNotIn("volume", report["pieces"][0])
+        self.assertAlmostEqual(report["pieces"][0]["mass"], 7.85 * report["pieces"][0]["area"])
+        self.assertNotEqual(report["state_hash"], sheet["state_hash"])
+
+    def test_what_leaves_no_walls_is_refused_with_solid(self):
+        for options in (["--rim", "faces"], ["--pattern", "rays4"], ["--model", "thermal"]):
+            refused = self.run_here("cut", "plate.obj", "--out", "o", "--solid", *options)
+            self.assert_refused(refused, 2, "--solid", options[1])
+        for settings, word in (({"solid": True, "rim": "faces"}, "--solid"), ({"solid": "auto"}, "/solid")):
+            self.write("settings.json", json.dumps(settings))
+            refused = self.run_here("cut", "plate.obj", "--out", "o", "--settings", "settings.json")
+            self.assert_refused(refused, 2, word)
+
+    def test_a_settings_file_makes_bodies_solid(self):
+        self.write("settings.json", json.dumps({"solid": True}))
+        self.assertEqual(self.cut("--settings", "settings.json")["settings"]["solid"], True)
+
+    def test_a_solid_body_of_a_scene_is_cut_with_a_smooth_rim_unless_another_is_asked_for(self):
+        self.write("cube.obj", CUBE)
+        for solid, options, rim in (("auto", [], "smooth"), (True, [], "smooth"), (False, [], "faces"),
+                                    (True, ["--rim", "faces"], "faces"), (True, ["--pattern", "rays4"], "faces")):
+            self.write("scene.json", json.dumps({"bodies": [{"mesh": "cube.obj", "solid": solid}]}))
+            report = self.report_of("scene.json", *options)
+            self.assertEqual(report["settings"]["rim"], rim)
+            self.assertEqual("walls" in report, bool(solid))
+
+    def test_a_journal_of_solid_bodies_is_replayed_to_its_hash(self):
+        report = self.cut("--solid", "--journal", "cut.kerf")
+        self.assertIs(json.loads(self.read("cut.kerf").splitlines()[0])["bodies"][0]["solid"], True)
+        self.assertEqual(self.run_here("replay", "cut.kerf").stdout.strip(), report["state_hash"])
 
     def test_inspect_writes_the_component_graph_of_a_mesh_and_of_a_cut(self):
         graph = json.loads(self.run_here("inspect", "plate.obj", "--graph").stdout)

@@ -8,6 +8,7 @@
 #include "core/cut/thermal_step.h"
 #include "core/document/text/hash_text.h"
 #include "core/document/text/json_value.h"
+#include "core/document/text/left_open_text.h"
 #include "core/mesh/triangle_batch.h"
 #include "core/world/state_hash.h"
 
@@ -179,10 +180,6 @@ void add_energy(nlohmann::ordered_json& report, const CutJob& job, const World& 
 
 bool any_is_solid(const World& world) {
   return std::ranges::any_of(world.ids(), [&](BodyId id) { return world.body(id).solid; });
-}
-
-std::string left_open_text(const LeftOpen& open, const World& world) {
-  return world.contains(open.body) ? world.body(open.body).own_name() + ": " + open.why : open.why;
 }
 
 double smallest_angle(const World& world) { return degrees(extremes_of(world).largest_cosine); }

@@ -54,9 +54,6 @@ double smallest_angle(const World& world);
 // Whether a body of the world is solid.
 bool any_is_solid(const World& world);
 
-// "car: ..." - why a stroke left a body open, for the user. The world is the one after that step.
-std::string left_open_text(const LeftOpen& open, const World& world);
-
 // The contents of report.json.
 nlohmann::ordered_json cut_report(const CutJob& job, const World& world,
                                   const nlohmann::ordered_json& settings,

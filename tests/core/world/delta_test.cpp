@@ -50,6 +50,22 @@ TEST(Delta, lists_what_moved_once_and_not_where_it_came_or_went) {
   EXPECT_TRUE(chained(with(&Delta::moved, kA), with(&Delta::went, kA)).moved.empty());
 }
 
+TEST(Delta, what_was_left_open_goes_by_its_last_id_and_volumes_add_up) {
+  Delta open, detached;
+  open.left_open = {{kA, "first"}};
+  open.solid = {3, 0.5, 0.25};
+  detached.detached = {{kA, 2, kB, true}};
+  detached.left_open = {{kA, "second"}};
+  detached.solid = {1, 0.25, 0.5};
+  const Delta delta = chained(open, detached);
+  ASSERT_EQ(delta.left_open.size(), 2u);
+  EXPECT_EQ(delta.left_open[0].body, kB);
+  EXPECT_EQ(delta.left_open[1].body, kA);
+  EXPECT_EQ(delta.solid.wall_faces, 4u);
+  EXPECT_EQ(delta.solid.wall_area, 0.75);
+  EXPECT_EQ(delta.solid.removed_volume, 0.75);
+}
+
 TEST(Delta, edits_of_a_body_that_carries_on_go_by_its_last_id) {
   Delta edited, detached;
   edited.bodies.push_back({kA, {FaceId(3)}, {}, {}, {}, {}});

@@ -61,7 +61,9 @@ TEST(Extract, has_a_volume_where_its_faces_are_closed) {
 
 TEST(Extract, of_a_solid_body_has_the_mass_of_a_solid_only_where_it_is_closed) {
   const Vec3 s(1, 2, 3), at(5, 0, 0);
-  const Sheet sheet{.thickness = 0.001, .density = 1000};
+  Sheet sheet;
+  sheet.thickness = 0.001;
+  sheet.density = 1000;
   World world = world_of(brick(s));
   only_body(world).placement.position = at;
   const double area = 2 * (s.x * s.y + s.y * s.z + s.z * s.x), of_shell = area * 0.001 * 1000;

@@ -149,6 +149,21 @@ class Pieces(WindowTest):
         self.assertTrue(report["placements"][0]["pinned"])
         self.assertEqual(report["pieces_chosen"], 0)
 
+    def test_the_box_solid_makes_a_closed_piece_solid_and_back_and_one_undo_takes_each_back(self):
+        self.open(SPHERE).quit()
+        self.only_panel("Material")
+        editor = self.open_again(SPHERE)
+        editor.click("solid", 0.5, 0.5)
+        report = editor.quit()
+        self.assertEqual((report["undo_depth"], report["placements"][0]["solid"]), (1, True))
+        editor = self.open_again(SPHERE)
+        editor.click("solid", 0.5, 0.5)
+        editor.click("solid", 0.5, 0.5)
+        editor.press("ctrl", "z")
+        report = editor.quit()
+        self.assertEqual((report["undo_depth"], report["placements"][0]["solid"]), (1, True))
+        self.assertEqual(report["messages"][-1], "Undone: sphere as a sheet")
+
     def test_specks_are_counted_apart_and_share_a_row_that_a_click_unfolds(self):
         self.open(SPHERE).quit()
         self.only_panel("Pieces")

@@ -10,6 +10,7 @@
 #include "core/document/text/world_fields.h"
 #include "ui/editor/material/laser_heat_rows.h"
 #include "ui/editor/material/pointer_aim.h"
+#include "ui/editor/material/solid_row.h"
 #include "ui/editor/material/stroke_watch.h"
 #include "ui/editor/shared/long_change.h"
 #include "ui/editor/shared/pieces/piece_set.h"
@@ -23,13 +24,18 @@ namespace kerf {
 
 namespace {
 
+// What the user has chosen or typed.
+struct MaterialChange {
+  std::optional<Sheet> sheet;
+  std::optional<bool> solid;
+};
+
 // The sheet of the chosen pieces, or of all pieces if none is chosen: its material, from
-// assets/materials.json, its thickness, and the constants of the material, each of which can be typed. Every
-// change is one step of the history.
+// assets/materials.json, its thickness, the constants of the material, each of which can be typed, and
+// whether they are solid. Every change is one step of the history.
 class MaterialPanel {
  public:
-  // Returns the sheet that the user has chosen or typed, if any.
-  std::optional<Sheet> draw(const World& world, const ViewState& view);
+  MaterialChange draw(const Workspace& on);
 
  private:
   bool draw_presets(Sheet& sheet);
@@ -39,6 +45,7 @@ class MaterialPanel {
   bool number(const NumberField<Owner>& field, const RealFormat& format, Owner& owner);
 
   NumberFields fields_;
+  SolidRow solid_;
   std::optional<Result<std::vector<Material>>> materials_;  // once the panel was drawn
 };
 
@@ -116,14 +123,15 @@ bool MaterialPanel::draw_numbers(Sheet& sheet) {
   return changed;
 }
 
-std::optional<Sheet> MaterialPanel::draw(const World& world, const ViewState& view) {
-  const auto piece = piece_of_sheet(world, view);
+MaterialChange MaterialPanel::draw(const Workspace& on) {
+  MaterialChange change;
+  const auto piece = piece_of_sheet(on.world(), on.view);
   if (!piece) {
     ImGui::TextDisabled("Nothing is open.");
-    return std::nullopt;
+    return change;
   }
-  const Body& body = world.body(piece->body);
-  const size_t chosen = chosen_pieces(view.look.pieces);
+  const Body& body = on.world().body(piece->body);
+  const size_t chosen = chosen_pieces(on.view.look.pieces);
   const std::string of = chosen == 0   ? std::string("All pieces")
                          : chosen == 1 ? body.name_of(piece->label)
                                        : std::to_string(chosen) + " chosen pieces";
@@ -134,9 +142,11 @@ std::optional<Sheet> MaterialPanel::draw(const World& world, const ViewState& vi
   if (begin_properties("sheet")) {
     changed = draw_presets(sheet);
     changed |= draw_numbers(sheet);
+    change.solid = solid_.draw(on, *piece);
     end_properties();
   }
-  return changed ? std::optional(sheet) : std::nullopt;
+  if (changed) change.sheet = sheet;
+  return change;
 }
 
 class MaterialFeature : public Feature {
@@ -165,13 +175,26 @@ class MaterialFeature : public Feature {
   }
   bool thermal() const { return on_.laser.model == Model::kThermal; }
   void draw_material() {
-    const auto sheet = panel_.draw(on_.world(), on_.view);
-    if (!sheet) return;
-    on_.changes.ask({.name = "Set the material",
-                     .run = [this, sheet = *sheet] { return set_sheet(sheet), true; },
+    const MaterialChange change = panel_.draw(on_);
+    if (change.sheet) {
+      ask_for_all("Set the material", [sheet = *change.sheet](const PieceId& p) {
+        return SetSheet{p, sheet};
+      });
+    }
+    if (change.solid) {
+      ask_for_all(*change.solid ? "Make solid" : "Make a sheet", [solid = *change.solid](const PieceId& p) {
+        return SetSolid{p, solid};
+      });
+    }
+  }
+  using CommandFor = std::function<Command(const PieceId&)>;
+  // One change of all pieces in question.
+  void ask_for_all(const char* name, const CommandFor& command) {
+    on_.changes.ask({.name = name,
+                     .run = [this, name, command] { return change_all(name, command), true; },
                      .is_one = true});
   }
-  void set_sheet(const Sheet& sheet);
+  void change_all(const char* name, const CommandFor& command);
 
   Workspace& on_;
   MaterialPanel panel_;
@@ -195,8 +218,8 @@ void MaterialFeature::draw_marks(ImDrawList& list) {
   list.AddText(at, through ? colours::kPictureText : colours::accent(), text);
 }
 
-// Sets the sheet of the chosen pieces, or of all pieces if none is chosen.
-void MaterialFeature::set_sheet(const Sheet& sheet) {
+// Changes the chosen pieces, or all pieces if none is chosen.
+void MaterialFeature::change_all(const char* name, const CommandFor& command) {
   std::vector<PieceId> pieces;
   const PieceMap& looks = on_.view.look.pieces;
   const bool all = chosen_pieces(looks) == 0;
@@ -206,10 +229,7 @@ void MaterialFeature::set_sheet(const Sheet& sheet) {
     if (!row.part && (all || chosen)) pieces.push_back(row.id);
   }
   cancel_stroke(on_);
-  on_.changes.change("Set the material", is_small(on_.work.document),
-                     edit_all(std::move(pieces), [sheet](const PieceId& p) {
-                       return SetSheet{p, sheet};
-                     }));
+  on_.changes.change(name, is_small(on_.work.document), edit_all(std::move(pieces), command));
 }
 
 }  // namespace

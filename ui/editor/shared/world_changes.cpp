@@ -4,6 +4,7 @@
 
 #include "core/base/assert.h"
 #include "core/document/commands/command_words.h"
+#include "core/document/text/left_open_text.h"
 #include "ui/editor/shared/long_change.h"
 #include "ui/editor/shared/pieces/piece_set.h"
 #include "ui/editor/shared/statistics/step_words.h"
@@ -249,6 +250,15 @@ void WorldChanges::follow_step(const StepResult& step, PreparedBodies prepared) 
                             on_.view.look.pieces);
   }
   on_.statistics.chart.note_step(step);
+  tell_left_open(step.delta);
+}
+
+// Solid bodies that a stroke left open: the first is shown, and all are in the log.
+void WorldChanges::tell_left_open(const Delta& delta) {
+  for (size_t i = delta.left_open.size(); i-- > 1;)
+    on_.message.note(left_open_text(delta.left_open[i], on_.work.document.world()), true);
+  if (!delta.left_open.empty())
+    on_.message.say(left_open_text(delta.left_open.front(), on_.work.document.world()), true);
 }
 
 // Pieces that came off become bodies when time passes.
@@ -277,6 +287,7 @@ void WorldChanges::show_outcome(const Outcome& outcome, PreparedBodies prepared,
   } else {
     said_later_ = said;
     tell_done();
+    tell_left_open(outcome.delta);
   }
 }
 

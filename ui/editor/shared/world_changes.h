@@ -106,6 +106,7 @@ class WorldChanges {
   void follow_step(const StepResult& step, PreparedBodies prepared = {});
   void follow_released(const Delta& delta);
   void show_failed_step(const Error& error);
+  void tell_left_open(const Delta& delta);
   void show_outcome(const Outcome& outcome, PreparedBodies prepared = {}, const std::string& said = "");
   void show_change(const Delta& delta, PreparedBodies prepared);
 

@@ -45,6 +45,7 @@ nlohmann::ordered_json placements_of(const World& world) {
     const auto& [at, turned] = world.body(id).placement;
     all.push_back({{"name", world.body(id).own_name()},
                    {"pinned", world.body(id).pinned},
+                   {"solid", world.body(id).solid},
                    {"position", {at.x, at.y, at.z}},
                    {"orientation", {turned.w, turned.x, turned.y, turned.z}}});
   }

@@ -1,0 +1,38 @@
+#include "ui/editor/material/solid_row.h"
+
+#include <gtest/gtest.h>
+
+#include "core/edit/body_edit.h"
+#include "tests/support/made_meshes.h"
+#include "tests/support/strokes.h"
+
+namespace kerf::test {
+namespace {
+
+TEST(SolidRow, says_what_a_solid_lacks) {
+  LaserControls laser;
+  EXPECT_EQ(why_not_solid(true, laser), nullptr);
+  EXPECT_NE(std::string(why_not_solid(false, laser)).find("open edges"), std::string::npos);
+  LaserControls thermal = laser, rays = laser, faces = laser;
+  thermal.model = Model::kThermal;
+  rays.pattern = Pattern::kRays4;
+  faces.resolution.rim = Rim::kFaces;
+  EXPECT_NE(std::string(why_not_solid(true, thermal)).find("Geometric"), std::string::npos);
+  EXPECT_NE(std::string(why_not_solid(true, rays)).find("Volume"), std::string::npos);
+  EXPECT_NE(std::string(why_not_solid(true, faces)).find("smooth rim"), std::string::npos);
+}
+
+TEST(KnownClosed, follows_the_faces_of_the_piece_that_is_asked_about) {
+  World world = world_of(brick({1, 2, 3}));
+  const BodyId open = world.add(make_body("plate", build(plate(1))));
+  const BodyId box = world.ids().front();
+  KnownClosed known;
+  EXPECT_TRUE(known.of(world, {box, 0}));
+  EXPECT_FALSE(known.of(world, {open, 0}));
+  EXPECT_TRUE(known.of(world, {box, 0}));
+  { BodyEdit(world.body(box)).remove(std::vector{FaceId(4)}); }
+  EXPECT_FALSE(known.of(world, {box, 0}));
+}
+
+}  // namespace
+}  // namespace kerf::test

@@ -46,6 +46,7 @@ class CutRun {
     const StrokePath first = strokes_.empty() ? StrokePath{} : strokes_.front();
     const auto written = folder.write(job_, document_.world(), stroke_settings(options_, first, diagonal_));
     if (!written) return written.error();
+    for (const std::string& note : job_.notes) warn(note);
     std::cerr << "kerf: " << cut_summary(job_, strokes_.size(), written->size(), options_.out) << '\n';
     return Done{};
   }

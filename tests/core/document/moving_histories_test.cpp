@@ -167,13 +167,15 @@ class User {
     const auto piece = random_piece(document_.world(), random_);
     if (!piece) return;
     const Placement& at = document_.world().body(piece->body).placement;
-    switch (random_.below(4)) {
+    switch (random_.below(5)) {
       case 0:
         return apply(DeletePiece{*piece});
       case 1:
         return apply(HidePiece{*piece, random_.below(2) == 0});
       case 2:
         return apply(PinPiece{*piece, random_.below(2) == 0});
+      case 3:
+        return apply(SetSolid{*piece, random_.below(3) > 0});
       default:
         return apply(MovePiece{
             *piece, {at.position + 0.1 * bounds_.diagonal() * random_direction(random_), at.orientation}});

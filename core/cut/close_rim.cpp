@@ -97,8 +97,12 @@ class RimBite {
         work_ = UnfinishedRim{};
         work_.bodies = bodies;
       }
-      if (taken_ >= settings_.bite && work_.bodies < ids.size()) return false;
+      if (taken_ >= settings_.bite && work_.bodies < ids.size()) {
+        result.delta.left_open = std::move(left_open_);
+        return false;
+      }
     }
+    result.delta.left_open = std::move(left_open_);
     hold_what_joints_hold(world_, result.delta);
     return true;
   }
@@ -154,6 +158,10 @@ class RimBite {
       case Stage::kRemove:
         taken_ += kHeavyPart;
         if (remove_within_rim(rim)) go_to(Stage::kChooseBesideRim);
+        return false;
+      case Stage::kCloseByWalls:
+        close(rim, sweep);
+        go_to(Stage::kSeparate);
         return false;
       case Stage::kSeparate:
         separate_pieces(rim.step);
@@ -220,7 +228,19 @@ class RimBite {
   void flip_again_or_separate() {
     constexpr int kMostRounds = 4;
     const bool again = std::exchange(work_.flipped, false) && ++work_.rounds < kMostRounds;
-    if (!again) go_to(Stage::kSeparate);
+    if (!again) go_to(Stage::kCloseByWalls);
+  }
+
+  void close(RimState& rim, const Sweep& sweep) {
+    if (!rim.step.body().solid) return;
+    taken_ += kHeaviestPart;
+    std::vector<BeamMove> moves(sweep.moves.begin(), sweep.moves.end());
+    const Placement& placement = rim.step.body().placement;
+    for (BeamMove& m : moves) {
+      if (!sweep.in_body_frame) m = {placement.to_body(m.from), placement.to_body(m.to), m.seconds};
+    }
+    if (const Status closed = close_by_walls(rim, moves); !closed)
+      left_open_.push_back({rim.step.id, closed.error().message});
   }
 
   void separate_pieces(BodyStep& step) {
@@ -238,6 +258,7 @@ class RimBite {
   UnfinishedRim& work_;
   const Progress& progress_;
   size_t taken_ = 0;  // faces
+  std::vector<LeftOpen> left_open_;
 };
 
 }  // namespace

@@ -118,7 +118,7 @@ class Bite {
         break;
       case Stage::kSeparate:
         leave_heat(step);
-        taken_ += separate(world_, step, move_.hit, settings_.search_a_move);
+        taken_ += separate_parts(step);
         move_.stage = Stage::kFind;
         break;
     }
@@ -132,6 +132,14 @@ class Bite {
     move_.has_split = false;
     move_.removed = 0;
     move_.stage = Stage::kRefine;
+  }
+
+  // What comes off a solid body is known once walls have closed it, when the stroke ends.
+  size_t separate_parts(BodyStep& step) {
+    if (!step.body().solid || !settings_.smooth())
+      return separate(world_, step, move_.hit, settings_.search_a_move);
+    ask_joints(world_, world_.body(step.id), move_.hit, false);
+    return 0;
   }
 
   void leave_heat(BodyStep& step) {
@@ -253,6 +261,7 @@ const BodyDelta* take_changes(BodyStep& step, StepResult& result) {
   const double area = step.edit.removed_area();
   result.delta.removed_area += area;
   result.delta.removed_mass += area * step.body().sheet.thickness * step.body().sheet.substance.density;
+  result.delta.solid += step.edit.solid();
   result.delta.bodies.push_back(step.edit.take_delta(step.id));
   return &result.delta.bodies.back();
 }

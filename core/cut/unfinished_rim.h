@@ -40,6 +40,7 @@ struct UnfinishedRim {
     kRemove,           // removes them
     kChooseBesideRim,  // lists the faces at the rim
     kFlip,             // flips edges of theirs that make small angles
+    kCloseByWalls,     // closes a solid body
     kSeparate,         // searches for separated pieces
     kMeasure,          // measures the angles of all faces that are new
   };

@@ -48,6 +48,12 @@ AreaMoments BodyEdit::moments_of(FaceId f) const {
   return area_moments(t, triangle_area(t), body_->middle());
 }
 
+// The signed volume between a face and the middle of the body.
+double BodyEdit::volume_under(const Triangle& t) const {
+  const Vec3 o = body_->middle();
+  return glm::dot(t[0] - o, glm::cross(t[1] - o, t[2] - o)) / 6;
+}
+
 // Splitting -------------------------------------------------------------------------------------------------
 
 void BodyEdit::split_in_four(FaceId f) {
@@ -117,6 +123,7 @@ void BodyEdit::remove_face(FaceId f) {
   count(f, -1, -area);
   body_->edit_piece_of(f).moments -= area_moments(t, area, body_->middle());
   ++removed_faces_;
+  if (body_->solid) solid_.removed_volume += volume_under(t);
   body_->ejected += body_->heat.energy_of(mesh(), f);
   body_->mesh.remove_face(f);
   removed_.push_back(f);
@@ -128,7 +135,7 @@ void BodyEdit::record_removal(FaceId f, const Triangle& corners, int64_t loops_b
   const FaceData& data = mesh().data(f);
   CutFace cut;
   cut.face = f;
-  cut.base = data.base;
+  cut.base = body_->loaded_base(f);
   cut.piece = data.piece;
   cut.corners = corners;
   cut.closed_loop = body_->separation.loops > loops_before;
@@ -146,6 +153,40 @@ void BodyEdit::take_out(std::span<const FaceId> faces) {
     body_->mesh.remove_face(f);
     removed_.push_back(f);
   }
+}
+
+// Adding ----------------------------------------------------------------------------------------------------
+
+void BodyEdit::add_walls(std::span<const std::array<VertexId, 3>> corners, std::span<const FaceId> beside) {
+  KERF_ASSERT(is_settled(*body_) && splits_.empty() && removed_.empty() && corners.size() == beside.size());
+  std::vector<FaceData> data;
+  for (const FaceId f : beside) {
+    FaceData own;
+    own.piece = mesh().data(f).piece;
+    own.material = mesh().data(f).material;
+    data.push_back(own);
+  }
+  const std::vector<FaceId> added = body_->mesh.add_faces(corners, data);
+  body_->tree.add(mesh(), added);
+  Mesh::Star star;
+  for (size_t i = 0; i < added.size(); ++i) {
+    const FaceId f = added[i];
+    body_->walls.set(body_->mesh, f, body_->loaded_base(beside[i]));
+    const Triangle t = mesh().triangle(f);
+    const double area = triangle_area(t);
+    body_->count(f, 1, area);
+    body_->edit_piece_of(f).moments += area_moments(t, area, body_->middle());
+    ++solid_.wall_faces;
+    solid_.wall_area += area;
+    solid_.removed_volume -= volume_under(t);
+    edited_.push_back(f);
+    for (const VertexId v : mesh().corners(f)) {  // the tree knows the vertices of the faces around
+      mesh().star(v, star);
+      moved_.insert(moved_.end(), star.faces.begin(), star.faces.end());
+    }
+  }
+  sort_each_once(moved_);
+  faces_made_ += added.size();
 }
 
 // Turning and moving ----------------------------------------------------------------------------------------
@@ -190,6 +231,7 @@ void BodyEdit::move_vertex(VertexId v, const Vec3& to, const Mesh::Star& around)
     const double old_area = triangle_area(before[i]), area = triangle_area(now);
     follow_area(body_->mesh.edit_data(f), old_area, area);
     count(f, 0, area - old_area);
+    if (body_->solid) solid_.removed_volume += volume_under(before[i]) - volume_under(now);
     AreaMoments& moments = body_->edit_piece_of(f).moments;
     moments -= area_moments(before[i], old_area, origin);
     moments += area_moments(now, area, origin);

@@ -46,6 +46,17 @@ class BodyEdit {
   // the graph. Precondition: update_tree() was called after the last split.
   void remove(std::span<const FaceId> faces);
 
+  // Adds walls (see WallFaces) with these corners (see Mesh::add_faces), each with the label, the material
+  // and the loaded part of the face `beside` it. Precondition: the body is settled.
+  void add_walls(std::span<const std::array<VertexId, 3>> corners, std::span<const FaceId> beside);
+  // Adds a vertex for them.
+  VertexId add_vertex(const Vec3& position) { return body_->mesh.add_vertex(position); }
+  // Makes the connected parts of two faces that a wall has joined one part. Precondition: their labels are
+  // equal.
+  void join_parts(FaceId a, FaceId b) { kerf::join_parts(*body_, a, b); }
+  // Makes the next calls of separate() search for parts from these faces, whatever was removed.
+  void search_from(std::span<const FaceId> faces) { kerf::search_from(*body_, faces); }
+
   // Flips the edge between f and its neighbour. Preconditions: Mesh::can_flip_edge(), and both faces are
   // coplanar.
   void flip_edge(FaceId f, VertexId from, VertexId to);
@@ -75,6 +86,8 @@ class BodyEdit {
   size_t removed_faces() const { return removed_faces_; }
   // The area that the body has lost (m^2); see Delta::removed_area.
   double removed_area() const { return removed_area_; }
+  // The walls that were added, and the volume that a solid body has lost.
+  const SolidChange& solid() const { return solid_; }
 
   // Whether the edit changed anything that a delta contains.
   bool any() const { return !edited_.empty() || !relabelled_.empty() || !new_pieces_.empty(); }
@@ -84,6 +97,7 @@ class BodyEdit {
  private:
   void count(FaceId f, int faces, double area);
   AreaMoments moments_of(FaceId f) const;
+  double volume_under(const Triangle& t) const;
   void remove_face(FaceId f);
   void record_removal(FaceId f, const Triangle& corners, int64_t loops_before);
   void forget_pair(FaceId f) { body_->refinement.forget(body_->mesh, f); }
@@ -99,6 +113,7 @@ class BodyEdit {
   std::vector<CutFace> cut_faces_;
   size_t faces_made_ = 0, removed_faces_ = 0;
   double removed_area_ = 0;
+  SolidChange solid_;
 };
 
 }  // namespace kerf

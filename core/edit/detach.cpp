@@ -16,9 +16,10 @@ LoadedComponents components_of(const Mesh& copy, const Body& body, std::span<con
   if (body.components.left.empty()) return own;
   own.left = body.components.left;
   own.home = body.components.home;
+  own.joined = body.components.joined;
   own.of_base.resize(faces.size());
   for (uint32_t f = 0; f < faces.size(); ++f) {
-    const FaceId base = body.mesh.data(faces[f]).base;
+    const FaceId base = body.loaded_base(faces[f]);
     own.of_base[copy.data(FaceId(f)).base.index] = body.components.of_base[base.index];
   }
   return own;
@@ -28,8 +29,14 @@ LoadedComponents components_of(const Mesh& copy, const Body& body, std::span<con
 std::vector<FaceId> loaded_faces_of(const Mesh& copy, const Body& body, std::span<const FaceId> faces) {
   std::vector<FaceId> loaded(faces.size());
   for (uint32_t f = 0; f < faces.size(); ++f)
-    loaded[copy.data(FaceId(f)).base.index] = body.loaded_face(body.mesh.data(faces[f]).base);
+    loaded[copy.data(FaceId(f)).base.index] = body.loaded_face(body.loaded_base(faces[f]));
   return loaded;
+}
+
+// The base faces of the copy stand for those beside its walls.
+void keep_walls(Body& copy) {
+  copy.mesh.columns().for_each_set(copy.walls.beside_of,
+                                   [&](FaceId f) { copy.walls.set(copy.mesh, f, copy.mesh.data(f).base); });
 }
 
 Body copy_out(const Body& body, std::span<const FaceId> faces, uint32_t label, bool of_piece) {
@@ -44,11 +51,13 @@ Body copy_out(const Body& body, std::span<const FaceId> faces, uint32_t label, b
   copy.solid = body.solid;
   copy.mesh = extract_mesh(body.mesh, faces);
   copy.heat = body.heat;
+  copy.walls = body.walls;
   copy.tree = AabbTree(copy.mesh);
   for (uint32_t p = 0; p < body.pieces.size(); ++p)
     copy.pieces.push_back((p == label) == of_piece ? body.pieces[p] : Piece{});
   copy.enclosed = body.enclosed;
   copy.components = components_of(copy.mesh, body, faces);
+  keep_walls(copy);
   copy.material_names = body.material_names;
   copy.loaded = body.loaded;
   copy.loaded_as = body.loaded_as;

@@ -92,6 +92,32 @@ SettleResult settle(Body& body, size_t most, Meanwhile meanwhile) {
   return result;
 }
 
+void join_parts(Body& body, FaceId a, FaceId b) {
+  KERF_ASSERT(is_settled(body) && body.label(a) == body.label(b));
+  LoadedComponents& components = body.components;
+  constexpr uint32_t kCutOff = LoadedComponents::kNone;
+  const uint32_t label = body.label(a);
+  const uint32_t of_a = components.at_home(body.loaded_base(a), label);
+  const uint32_t of_b = components.at_home(body.loaded_base(b), label);
+  if (of_a == of_b) return;
+  if (of_a != kCutOff && of_b != kCutOff) return components.join(of_a, of_b);
+  const uint32_t component = of_a != kCutOff ? of_a : of_b;
+  FaceCounts& cut_off = body.pieces.edit(label).cut_off;
+  const FaceCounts counts = std::exchange(components.left.edit(component), {});
+  cut_off.faces += counts.faces;
+  cut_off.area += counts.area;
+  components.home.edit(component) = kCutOff;
+}
+
+void search_from(Body& body, std::span<const FaceId> faces) {
+  KERF_ASSERT(is_settled(body));
+  SeparationState fresh;
+  fresh.joints_asked = body.separation.joints_asked;
+  for (const FaceId f : faces) fresh.ties.emplace_back(f, f);
+  fresh.search.asked_again = true;
+  body.separation = std::move(fresh);
+}
+
 bool is_settled(const Body& body) {
   const OpenSearch& search = body.separation.search;
   return search.stage == OpenSearch::Stage::kNone && !search.asked_again;

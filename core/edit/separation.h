@@ -55,6 +55,15 @@ enum class Meanwhile { kEdits, kNoEdits };
 // The result is the same.
 SettleResult settle(Body& body, size_t most = kNoLimit, Meanwhile meanwhile = Meanwhile::kEdits);
 
+// Makes the connected parts of two faces one part, because faces were added that join them: loaded components
+// that were apart, or such a component and what was cut off another one. Precondition: both faces have the
+// same label, and no search is open. O(1).
+void join_parts(Body& body, FaceId a, FaceId b);
+
+// Discards what was reported, and makes settle() search for the parts that faces belong to, starting from
+// `faces`: every part that was separated holds one of them. Precondition: no search is open.
+void search_from(Body& body, std::span<const FaceId> faces);
+
 // Whether no search is open.
 bool is_settled(const Body& body);
 

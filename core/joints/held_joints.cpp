@@ -79,7 +79,7 @@ void look_through(BodyId id, const Body& body, const Joints& joints, const Carri
   for (uint32_t slot = 0; slot < body.mesh.face_slots(); ++slot) {
     const FaceId f(slot);
     if (!body.mesh.is_live(f)) continue;
-    const std::span<const uint32_t> carried = carriers.sides_of(body.loaded_face(body.mesh.data(f).base));
+    const std::span<const uint32_t> carried = carriers.sides_of(body.loaded_face(body.loaded_base(f)));
     if (carried.empty()) continue;
     const ConnectedPart part = part_of(id, body, f);
     for (const uint32_t side : carried) {
@@ -99,7 +99,7 @@ void look_through(BodyId id, const Body& body, const Joints& joints, const Carri
 
 ConnectedPart part_of(BodyId id, const Body& body, FaceId f) {
   const uint32_t label = body.mesh.data(f).piece;
-  return {id, label, body.components.at_home(body.mesh.data(f).base, label)};
+  return {id, label, body.components.at_home(body.loaded_base(f), label)};
 }
 
 LoadedBodies bodies_with_joints(const Joints& joints) {

@@ -146,7 +146,7 @@ BodyDelta relabel(BodyId id, Body& body, const std::map<uint32_t, uint32_t>& lab
   for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
     if (!body.mesh.is_live(FaceId(f))) continue;
     const FaceData& data = body.mesh.data(FaceId(f));
-    const auto label = label_of.find(body.components.at_home(data.base, data.piece));
+    const auto label = label_of.find(body.components.at_home(body.loaded_base(FaceId(f)), data.piece));
     if (label == label_of.end()) continue;
     const Triangle t = body.mesh.triangle(FaceId(f));
     const AreaMoments moments = area_moments(t, triangle_area(t), body.middle());
@@ -212,7 +212,7 @@ bool any_carries(const Joints& joints, const Body& body, std::span<const FaceId>
   if (sides.empty()) return false;
   return std::ranges::any_of(removed, [&](FaceId f) {
     if (body.mesh.is_live(f)) return false;
-    const FaceId loaded = body.loaded_face(body.mesh.data(f).base);
+    const FaceId loaded = body.loaded_face(body.loaded_base(f));
     return std::ranges::any_of(sides, [&](const JointSide* side) { return side->carries(loaded); });
   });
 }

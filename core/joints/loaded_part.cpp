@@ -10,7 +10,7 @@ namespace {
 // The loaded faces from which those of a piece were made, ascending, each as often as it has faces.
 std::vector<uint32_t> loaded_faces_of(const Body& body, uint32_t label) {
   std::vector<uint32_t> faces;
-  for (const FaceId f : body.faces_of(label)) faces.push_back(body.loaded_face(body.mesh.data(f).base).index);
+  for (const FaceId f : body.faces_of(label)) faces.push_back(body.loaded_face(body.loaded_base(f)).index);
   std::sort(faces.begin(), faces.end());
   return faces;
 }

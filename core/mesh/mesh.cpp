@@ -248,6 +248,17 @@ void Mesh::append_edge_sides(FaceId f, VertexId from, VertexId to, std::vector<S
   });
 }
 
+void Mesh::append_open_sides(std::vector<Side>& out) const {
+  const HalfEdges& m = kernel_->half_edges;
+  for (uint32_t e = 0; e < m.edges(); ++e) {
+    for (uint32_t side = 0; side < 2; ++side) {
+      const HalfEdgeId h = half_edge(EdgeId(e), side);
+      if (!m.face(h).valid() || m.face(opposite(h)).valid()) continue;
+      if (next_in_ring(*kernel_, h) == h) out.push_back({m.face(h), m.from(h), m.to(h)});
+    }
+  }
+}
+
 void Mesh::star(VertexId v, Star& out) const {
   const HalfEdges& m = kernel_->half_edges;
   out.faces.clear();

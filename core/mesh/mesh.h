@@ -113,6 +113,9 @@ class Mesh {
   // Appends the sides of all other live faces on the edge of f from corner `from` to its next corner `to`.
   void append_edge_sides(FaceId f, VertexId from, VertexId to, std::vector<Side>& out) const;
 
+  // Appends the sides of live faces that no other face shares. O(edges).
+  void append_open_sides(std::vector<Side>& out) const;
+
   // The faces around a vertex on its sheet, and the other ends of its boundary edges. `alone` is false if an
   // edge at the vertex is in a ring, so that other sheets have a vertex at the same position.
   struct Star {
@@ -153,6 +156,17 @@ class Mesh {
 
   // Whether the edge has two faces and is in no ring, and its opposite corners are not connected by an edge.
   bool can_flip_edge(FaceId f, VertexId from, VertexId to) const;
+
+  // Adds a vertex without faces.
+  VertexId add_vertex(const Vec3& position);
+  // Adds faces with these corners, counter-clockwise, and returns their slots. Each is its own base face; its
+  // other data are those given. The sides that two of them have in common are one edge, and a side along a
+  // boundary closes it; columns and colours of what is new are zero. A vertex at which the faces no longer
+  // hang together over edges gives way to several at its position. Preconditions: the mesh stays orientable:
+  // no side occurs twice in one direction, or along a live face that has it already; no corner is the end of
+  // an edge in a ring. O(n log n) in the new faces and those around their corners.
+  std::vector<FaceId> add_faces(std::span<const std::array<VertexId, 3>> corners,
+                                std::span<const FaceData> data);
 
   // Removes a face; its slot stays and is marked dead. Precondition: f is live.
   void remove_face(FaceId f);

@@ -34,6 +34,11 @@ void AabbTree::remove(FaceId f) {
   --leaf_count_;
 }
 
+void AabbTree::add(const Mesh& mesh, std::span<const FaceId> faces) {
+  for (const FaceId f : faces) add_face(store_, mesh, f);
+  leaf_count_ += faces.size();
+}
+
 void AabbTree::refit(const Mesh& mesh, std::span<const FaceId> faces) {
   for (const FaceId f : faces) refit_face(store_, mesh, f);
 }

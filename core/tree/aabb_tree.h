@@ -76,6 +76,10 @@ class AabbTree {
   // Makes all replacements in their order; faster than one call for each.
   void replace(const Mesh& mesh, std::span<const Replacement> all);
 
+  // Adds leaves for faces wherever they lie, each where the boxes above grow least, and enlarges these boxes.
+  // Precondition: the faces are not in the tree, and it is not empty. O(depth) for each.
+  void add(const Mesh& mesh, std::span<const FaceId> faces);
+
   // Removes the leaf of a face. Precondition: the face is in the tree.
   void remove(FaceId f);
 

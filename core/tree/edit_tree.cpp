@@ -326,6 +326,39 @@ void replace_faces(TreeStore& tree, const Mesh& mesh, std::span<const Replacemen
   }
 }
 
+namespace {
+
+float area_of(const FloatBox& box) { return 0.5f * area_of_both(box, box); }
+
+// The block below the slot of a node that grows least when a box is added on the way to it.
+uint32_t block_that_grows_least(const TreeStore& tree, const FloatBox& added) {
+  for (uint32_t n = tree.root;;) {
+    const WideNode& node = tree.nodes[n];
+    Child best;
+    std::pair<float, float> least;  // how much the box grows, and how large it is then
+    for (uint32_t s = 0; s < kNodeWidth; ++s) {
+      if (node.child[s].none()) continue;
+      const FloatBox own = tree.slot_box(n, s);
+      const float grown = area_of(around(own, added));
+      const std::pair cost(grown - area_of(own), grown);
+      if (best.none() || cost < least) {
+        best = node.child[s];
+        least = cost;
+      }
+    }
+    if (best.is_block()) return best.index();
+    n = best.index();
+  }
+}
+
+}  // namespace
+
+void add_face(TreeStore& tree, const Mesh& mesh, FaceId f) {
+  assert(tree.place(f) == kNoIndex && tree.root != kNoIndex);
+  const TreeFace face(tree.frame, mesh, f);
+  insert_face(tree, face, block_that_grows_least(tree, face.box()));
+}
+
 void remove_face(TreeStore& tree, FaceId f) {
   const uint32_t place = tree.place(f);
   assert(place != kNoIndex);

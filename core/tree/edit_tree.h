@@ -18,6 +18,10 @@ void replace_faces(TreeStore& tree, const Mesh& mesh, std::span<const FaceId> go
 // Makes all replacements in their order and prefetches the records of the following ones.
 void replace_faces(TreeStore& tree, const Mesh& mesh, std::span<const Replacement> all);
 
+// Adds a leaf to the block that is found by following, from the root, the box that grows least in area.
+// Preconditions: the face is not in the tree, and the tree is not empty.
+void add_face(TreeStore& tree, const Mesh& mesh, FaceId f);
+
 // Removes a leaf. A block or a node that becomes empty is removed as well, a node with a single child is
 // replaced by that child, and the boxes above shrink up to the first that does not change.
 void remove_face(TreeStore& tree, FaceId f);

@@ -1,8 +1,23 @@
 #include "core/world/loaded_components.h"
 
+#include <algorithm>
+
+#include "core/base/assert.h"
 #include "core/base/union_find.h"
 
 namespace kerf {
+
+void LoadedComponents::join(uint32_t a, uint32_t b) {
+  KERF_ASSERT(a != b && home[a] == home[b]);
+  const auto [kept, gone] = std::minmax(a, b);
+  joined.grow_to(gone + 1);
+  joined.edit(gone) = kept + 1;
+  FaceCounts& all = left.edit(kept);
+  const FaceCounts& more = left[gone];
+  all.faces += more.faces;
+  all.area += more.area;
+  left.edit(gone) = {};
+}
 
 Result<LoadedComponents> count_components(const Mesh& mesh, size_t components, const Progress* progress) {
   LoadedComponents table;

@@ -26,22 +26,38 @@ struct LoadedComponents {
   std::vector<uint32_t> of_base;  // by base face; all lists are empty if the mesh is connected
   Records<FaceCounts> left;       // by component: its faces that have the label of its home
   Records<uint32_t> home;         // by component: a label
+  // By component: the one that a wall joined it to, plus one, or 0; up to the last that was joined.
+  Records<uint32_t> joined;
+
+  // The component of a base face, together with those that walls have joined to it. Precondition: the mesh
+  // was not connected.
+  uint32_t of(FaceId base) const {
+    uint32_t component = of_base[base.index];
+    while (component < joined.size() && joined[component] != 0) component = joined[component] - 1;
+    return component;
+  }
 
   // The component of faces with this base face and this label, or kNone if they were cut off it. A connected
   // mesh has none.
   uint32_t at_home(FaceId base, uint32_t label) const {
     if (of_base.empty()) return kNone;
-    const uint32_t component = of_base[base.index];
+    const uint32_t component = of(base);
     return home[component] == label ? component : kNone;
   }
 
-  size_t bytes() const { return of_base.capacity() * sizeof(uint32_t) + left.bytes() + home.bytes(); }
+  size_t bytes() const {
+    return of_base.capacity() * sizeof(uint32_t) + left.bytes() + home.bytes() + joined.bytes();
+  }
+
+  // Makes two components one, that with the lower number. Precondition: both are roots, i.e. values of of(),
+  // differ, and have the same home.
+  void join(uint32_t a, uint32_t b);
 
   // The changes of a command (see ChangeOf).
   class Change;
   template <typename Self>
   static auto parts(Self& self) {
-    return std::tie(self.left, self.home);
+    return std::tie(self.left, self.home, self.joined);
   }
 };
 

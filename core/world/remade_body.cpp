@@ -141,9 +141,9 @@ PieceCopy copy_piece(const Body& body, uint32_t label) {
   copy.faces = body.faces_of(label);
   copy.mesh = extract_mesh(body.mesh, copy.faces);
   for (const FaceId f : copy.faces) {
-    const FaceId base = body.mesh.data(f).base;
+    const FaceId base = body.loaded_base(f);
     copy.loaded.push_back(body.loaded_face(base).index);
-    if (!body.components.left.empty()) copy.components.push_back(body.components.of_base[base.index]);
+    if (!body.components.left.empty()) copy.components.push_back(body.components.of(base));
   }
   return copy;
 }

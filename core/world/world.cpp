@@ -32,6 +32,7 @@ Result<Body> make_body(std::string name, BuiltMesh built, const Progress* progre
   body.name = std::move(name);
   body.mesh = std::move(built.mesh);
   body.heat = FaceHeat::attach(body.mesh);
+  body.walls = WallFaces::attach(body.mesh);
   if (const Status s = unpack(AabbTree::build(body.mesh, &building), body.tree); !s) return s.error();
   auto components = count_components(body.mesh, built.report.components, &counting);
   if (const Status s = unpack(std::move(components), body.components); !s) return s.error();
@@ -75,13 +76,13 @@ std::vector<FaceId> Body::faces_of(uint32_t piece, bool of_piece) const {
 }
 
 const FaceCounts& Body::whole_of(FaceId f) const {
-  const uint32_t own = label(f), component = components.at_home(mesh.data(f).base, own);
+  const uint32_t own = label(f), component = components.at_home(loaded_base(f), own);
   if (component != LoadedComponents::kNone) return components.left[component];
   return own == 0 ? pieces[own] : pieces[own].cut_off;
 }
 
 FaceCounts& Body::edit_whole_of(FaceId f) {
-  const uint32_t own = label(f), component = components.at_home(mesh.data(f).base, own);
+  const uint32_t own = label(f), component = components.at_home(loaded_base(f), own);
   if (component != LoadedComponents::kNone) return components.left.edit(component);
   return own == 0 ? pieces.edit(own) : pieces.edit(own).cut_off;
 }

@@ -25,6 +25,7 @@
 #include "core/world/solid_mass.h"
 #include "core/world/spring.h"
 #include "core/world/surroundings.h"
+#include "core/world/wall_faces.h"
 
 namespace kerf {
 
@@ -54,6 +55,7 @@ struct Body {
   AabbTree tree;
   OneToFour refinement;
   FaceHeat heat;
+  WallFaces walls;
   double ejected = 0;     // J that faces had when they were removed
   Records<Piece> pieces;  // by label; 0 is the body itself, the others were separated from it
   // By label, of pieces that were closed when the solid body was weighed (see weigh); empty where it is none.
@@ -80,6 +82,12 @@ struct Body {
   std::vector<FaceId> faces_of(uint32_t label, bool of_piece = true) const;
   // The loaded face of a base face of this body.
   FaceId loaded_face(FaceId base) const { return loaded_faces.empty() ? base : loaded_faces[base.index]; }
+
+  // The base face by which f belongs to what was loaded; of a wall that of a face beside it when it was made.
+  FaceId loaded_base(FaceId f) const {
+    const FaceId beside = walls.beside(mesh, f);
+    return beside.valid() ? beside : mesh.data(f).base;
+  }
 
   // The counts of the component of f, as known from the last call of settle().
   const FaceCounts& whole_of(FaceId f) const;

@@ -27,6 +27,7 @@ CORE = [
     'physics/collider',
     'cut',
     'joints',
+    'walls',
     'edit',
     'graph',
     'shadow',

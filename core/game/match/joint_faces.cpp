@@ -21,7 +21,7 @@ const std::vector<bool>* JointFaces::of(const Body& body) const {
 }
 
 bool JointFaces::carries(const std::vector<bool>& carriers, const Body& body, FaceId f) {
-  const FaceId loaded = body.loaded_face(body.mesh.data(f).base);
+  const FaceId loaded = body.loaded_face(body.loaded_base(f));
   return loaded.index < carriers.size() && carriers[loaded.index];
 }
 

@@ -13,7 +13,7 @@ bool is_clean(const Body& piece, const Body& loaded) {
     const FaceId f(slot);
     if (!piece.mesh.is_live(f)) continue;
     const double area = triangle_area(piece.mesh.triangle(f));
-    areas[components.of_base[piece.loaded_face(piece.mesh.data(f).base).index]] += area;
+    areas[components.of_base[piece.loaded_face(piece.loaded_base(f)).index]] += area;
     all += area;
   }
   if (all < kLeastCleanArea) return false;

@@ -61,7 +61,7 @@ std::vector<double> FaceWatch::areas_in(const Body& body) const {
   std::vector<double> areas(areas_.size(), 0);
   for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
     if (!body.mesh.is_live(FaceId(f))) continue;
-    uint32_t groups = groups_of_[body.loaded_face(body.mesh.data(FaceId(f)).base).index];
+    uint32_t groups = groups_of_[body.loaded_face(body.loaded_base(FaceId(f))).index];
     if (groups == 0) continue;
     const Triangle t = body.mesh.triangle(FaceId(f));
     for (; groups != 0; groups &= groups - 1) {

@@ -1,0 +1,120 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/tolerances.h"
+#include "core/cut/rim_state.h"
+#include "core/walls/make_walls.h"
+
+namespace kerf {
+
+namespace {
+
+bool is_at_rim(RimState& rim, const Mesh::Side& side) {
+  if (!rim.region.is_near(side.face)) return false;
+  const double most = kRimNear * rim.radius();
+  return std::abs(rim.distance(side.from, side.face)) <= most &&
+         std::abs(rim.distance(side.to, side.face)) <= most;
+}
+
+// The faces of the connected parts that hold some faces.
+std::vector<bool> parts_around(const Mesh& mesh, const std::vector<FaceId>& faces) {
+  std::vector<bool> reached(mesh.face_slots());
+  std::vector<FaceId> waiting, neighbours;
+  const auto reach = [&](FaceId f) {
+    if (reached[f.index]) return;
+    reached[f.index] = true;
+    waiting.push_back(f);
+  };
+  for (const FaceId f : faces) reach(f);
+  while (!waiting.empty()) {
+    const FaceId f = waiting.back();
+    waiting.pop_back();
+    neighbours.clear();
+    mesh.append_nearest_neighbours(f, neighbours);
+    for (const FaceId n : neighbours) reach(n);
+  }
+  return reached;
+}
+
+// The sides along the rim of parts that were closed before the stroke.
+Result<std::vector<RimSide>> sides_at_rim(RimState& rim) {
+  std::vector<Mesh::Side> open;
+  rim.mesh().append_open_sides(open);
+  std::vector<RimSide> sides;
+  std::vector<FaceId> elsewhere;
+  for (const Mesh::Side& s : open) {
+    if (is_at_rim(rim, s)) {
+      sides.push_back({s.face, s.from, s.to});
+    } else {
+      elsewhere.push_back(s.face);
+    }
+  }
+  if (elsewhere.empty() || sides.empty()) return sides;
+  const std::vector<bool> was_open = parts_around(rim.mesh(), elsewhere);
+  std::erase_if(sides, [&](const RimSide& s) { return was_open[s.face.index]; });
+  if (sides.empty()) return failed("it was open before the stroke");
+  return sides;
+}
+
+// Whether a wall would touch an edge that three or more faces share.
+bool touches_ring(const Mesh& mesh, const WallPatch& patch) {
+  Mesh::Star star;
+  return std::any_of(patch.rim.begin(), patch.rim.end(), [&](VertexId v) {
+    mesh.star(v, star);
+    return !star.alone;
+  });
+}
+
+// Whether faces of two pieces are beside one wall.
+bool joins_pieces(const Mesh& mesh, const std::vector<RimSide>& sides, const WallPatch& patch) {
+  for (size_t i = 0; i < sides.size(); ++i) {
+    if (mesh.data(sides[i].face).piece != mesh.data(patch.beside_wall[patch.wall_of_side[i]]).piece)
+      return true;
+  }
+  return false;
+}
+
+void add(RimState& rim, const std::vector<RimSide>& sides, const WallPatch& patch) {
+  std::vector<VertexId> vertices = patch.rim;
+  for (const Vec3& p : patch.added) vertices.push_back(rim.step.edit.add_vertex(p));
+  std::vector<std::array<VertexId, 3>> corners;
+  std::vector<FaceId> beside;
+  for (size_t i = 0; i < patch.faces.size(); ++i) {
+    const auto& f = patch.faces[i];
+    corners.push_back({vertices[f[0]], vertices[f[1]], vertices[f[2]]});
+    beside.push_back(patch.beside_wall[patch.wall_of_face[i]]);
+  }
+  std::vector<FaceId> seeds;
+  for (size_t i = 0; i < sides.size(); ++i) {
+    seeds.push_back(sides[i].face);
+    rim.step.edit.join_parts(sides[i].face, patch.beside_wall[patch.wall_of_side[i]]);
+  }
+  rim.step.edit.add_walls(corners, beside);
+  std::sort(seeds.begin(), seeds.end());
+  seeds.erase(std::unique(seeds.begin(), seeds.end()), seeds.end());
+  rim.step.edit.search_from(seeds);
+}
+
+}  // namespace
+
+Status close_by_walls(RimState& rim, std::span<const BeamMove> moves) {
+  const Result<std::vector<RimSide>> sides = sides_at_rim(rim);
+  if (!sides) return sides.error();
+  if (sides->empty()) return Done{};
+  const auto distance = [&](const Vec3& p) {
+    double least = std::numeric_limits<double>::infinity();
+    for (size_t i = 0; i < rim.region.parts(); ++i)
+      least = std::min(least, rim.region.part(i).signed_distance(p));
+    return least;
+  };
+  const Result<WallPatch> patch =
+      make_walls(rim.mesh(), *sides, {moves, rim.radius(), rim.settings.laser.range, distance});
+  if (!patch) return patch.error();
+  if (touches_ring(rim.mesh(), *patch)) return failed("more than two faces share an edge at the rim");
+  if (joins_pieces(rim.mesh(), *sides, *patch)) return failed("a wall would join two pieces");
+  add(rim, *sides, *patch);
+  return Done{};
+}
+
+}  // namespace kerf

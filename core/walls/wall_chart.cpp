@@ -1,0 +1,210 @@
+#include "core/walls/wall_chart.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "core/base/angle.h"
+#include "core/base/assert.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr size_t kSlices = 9;  // for beams through an apex
+
+// The nearest point of a piece, as a share of its length.
+double nearest_share(const OutlinePiece& piece, Vec2 p) {
+  if (piece.radius > 0) {
+    const Vec2 from = p - piece.centre;
+    double turned = wrapped(arc_tangent(from.y, from.x) - piece.angle);
+    if (turned < 0) turned += 2 * kPi;
+    if (turned <= piece.turn) return turned / piece.turn;
+    return turned - piece.turn < 2 * kPi - turned ? 1 : 0;
+  }
+  const Vec2 way = piece.to - piece.from;
+  const double length2 = glm::dot(way, way);
+  return length2 > 0 ? std::clamp(glm::dot(p - piece.from, way) / length2, 0.0, 1.0) : 0;
+}
+
+double modulo(double x, double period) {
+  const double rest = x - std::floor(x / period) * period;
+  return rest < period ? rest : 0;
+}
+
+}  // namespace
+
+double WallChart::Curve::place(double length) const {
+  if (marks.empty()) return length;
+  const double whole = starts.back();
+  size_t i = 0;  // the last landmark before it, going round
+  double beyond = modulo(length - marks[0], whole);
+  while (i + 1 < marks.size() && modulo(marks[i + 1] - marks[0], whole) <= beyond) ++i;
+  const double start = modulo(marks[i] - marks[0], whole);
+  const double end = i + 1 < marks.size() ? modulo(marks[i + 1] - marks[0], whole) : whole;
+  return static_cast<double>(i) + (beyond - start) / (end - start);
+}
+
+double WallChart::Curve::length(double place) const {
+  place = modulo(place, period);
+  if (marks.empty()) return place;
+  const double whole = starts.back();
+  const size_t i = std::min(static_cast<size_t>(place), marks.size() - 1);
+  const double start = modulo(marks[i] - marks[0], whole);
+  const double end = i + 1 < marks.size() ? modulo(marks[i + 1] - marks[0], whole) : whole;
+  return modulo(marks[0] + start + (place - static_cast<double>(i)) * (end - start), whole);
+}
+
+Vec2 WallChart::Curve::at(double place) const {
+  const double l = length(place);
+  const auto after = std::upper_bound(starts.begin(), starts.end() - 1, l);
+  const size_t i = static_cast<size_t>(after - starts.begin()) - 1;
+  const OutlinePiece& piece = outline.pieces[i];
+  return piece.at(piece.length > 0 ? std::min((l - starts[i]) / piece.length, 1.0) : 0);
+}
+
+WallChart::Near WallChart::nearest(const Slice& slice, Vec2 p) {
+  Near best{0, 0, std::numeric_limits<double>::infinity()};
+  for (uint32_t c = 0; c < slice.curves.size(); ++c) {
+    const Curve& curve = slice.curves[c];
+    for (size_t i = 0; i < curve.outline.pieces.size(); ++i) {
+      const OutlinePiece& piece = curve.outline.pieces[i];
+      const double share = nearest_share(piece, p), distance = glm::length(piece.at(share) - p);
+      if (!(distance < best.distance)) continue;
+      best = {c, modulo(curve.place(curve.starts[i] + share * piece.length), curve.period), distance};
+    }
+  }
+  return best;
+}
+
+// Makes sides that are one piece of every slice landmarks. Returns whether the curves correspond.
+bool WallChart::set_landmarks(std::vector<Slice>& slices) {
+  std::vector<std::map<uint32_t, std::pair<uint32_t, double>>> of_side(
+      slices.size());  // curve, length of middle
+  for (size_t s = 0; s < slices.size(); ++s) {
+    std::map<uint32_t, int> count;
+    for (uint32_t c = 0; c < slices[s].curves.size(); ++c) {
+      const Curve& curve = slices[s].curves[c];
+      for (size_t i = 0; i < curve.outline.pieces.size(); ++i) {
+        const OutlinePiece& piece = curve.outline.pieces[i];
+        ++count[piece.side];
+        of_side[s][piece.side] = {c, curve.starts[i] + 0.5 * piece.length};
+      }
+    }
+    for (const auto& [side, times] : count) {
+      if (times > 1) of_side[s].erase(side);
+    }
+  }
+  const size_t curves = slices[0].curves.size();
+  std::vector<std::vector<uint32_t>> shared(curves);  // sides, in the order of the first slice
+  for (uint32_t c = 0; c < curves; ++c) {
+    for (const OutlinePiece& piece : slices[0].curves[c].outline.pieces) {
+      const bool everywhere = std::all_of(of_side.begin(), of_side.end(),
+                                          [&](const auto& sides) { return sides.contains(piece.side); });
+      if (everywhere) shared[c].push_back(piece.side);
+    }
+    if (shared[c].empty()) return false;
+  }
+  for (size_t s = 0; s < slices.size(); ++s) {
+    std::vector<Curve> ordered;
+    for (uint32_t c = 0; c < curves; ++c) {
+      const uint32_t own = of_side[s].at(shared[c][0]).first;
+      Curve curve = slices[s].curves[own];
+      double before = -1;
+      for (const uint32_t side : shared[c]) {
+        const auto& [of, length] = of_side[s].at(side);
+        const double from_first = modulo(length - of_side[s].at(shared[c][0]).second, curve.starts.back());
+        if (of != own || from_first <= before) return false;
+        before = from_first;
+        curve.marks.push_back(length);
+      }
+      curve.period = static_cast<double>(curve.marks.size());
+      ordered.push_back(std::move(curve));
+    }
+    slices[s].curves = std::move(ordered);
+  }
+  return true;
+}
+
+std::optional<WallChart> WallChart::make(const BeamPencil& pencil, std::span<const BeamMove> moves,
+                                         double radius, Interval depths) {
+  KERF_ASSERT(radius > 0);
+  WallChart chart(pencil);
+  const size_t slices = pencil.parallel() ? 1 : kSlices;
+  std::vector<DiscMove> discs(moves.size());
+  for (size_t s = 0; s < slices; ++s) {
+    Slice slice;
+    slice.depth = depths.low;
+    if (slices > 1)
+      slice.depth += (depths.high - depths.low) * static_cast<double>(s) / static_cast<double>(slices - 1);
+    if (!pencil.parallel() && !(slice.depth > radius)) return std::nullopt;
+    for (size_t i = 0; i < moves.size(); ++i) discs[i] = pencil.at_depth(moves[i], slice.depth);
+    for (OutlineCurve& outline : outline_of(discs, radius)) {
+      Curve curve;
+      curve.starts.push_back(0);
+      for (const OutlinePiece& p : outline.pieces) curve.starts.push_back(curve.starts.back() + p.length);
+      curve.period = curve.starts.back();
+      curve.outline = std::move(outline);
+      slice.curves.push_back(std::move(curve));
+    }
+    if (slice.curves.empty() ||
+        slice.curves.size() != (s > 0 ? chart.slices_[0].curves.size() : slice.curves.size()))
+      return std::nullopt;
+    chart.slices_.push_back(std::move(slice));
+  }
+  if (slices > 1 && !set_landmarks(chart.slices_)) return std::nullopt;
+  return chart;
+}
+
+std::pair<size_t, double> WallChart::slice_below(double depth) const {
+  if (slices_.size() == 1) return {0, 0};
+  const double first = slices_.front().depth, last = slices_.back().depth;
+  const auto parts = static_cast<double>(slices_.size() - 1);
+  const double at = last > first ? std::clamp((depth - first) / (last - first) * parts, 0.0, parts) : 0;
+  const size_t below = std::min(static_cast<size_t>(at), slices_.size() - 2);
+  return {below, at - static_cast<double>(below)};
+}
+
+std::optional<WallChart::Place> WallChart::place_of(const Vec3& p, double reach) const {
+  const BeamPencil::Seen seen = pencil_.see(p);
+  const auto [below, share] = slice_below(seen.depth);
+  const auto near = [&](size_t s) {
+    // Towards an apex everything but the radius shrinks.
+    const double scale = pencil_.parallel() ? 1 : slices_[s].depth / seen.depth;
+    return nearest(slices_[s], seen.place * scale);
+  };
+  const Near a = near(below);
+  if (!(a.distance <= reach)) return std::nullopt;
+  if (slices_.size() == 1) return Place{a.curve, a.place, seen.depth};
+  const Near b = near(below + 1);
+  if (!(b.distance <= reach) || a.curve != b.curve) return std::nullopt;
+  const double whole = period(a.curve);
+  double way = b.place - a.place;
+  way -= std::round(way / whole) * whole;
+  return Place{a.curve, modulo(a.place + share * way, whole), seen.depth};
+}
+
+Vec3 WallChart::point_at(const Place& place) const {
+  const auto [below, share] = slice_below(place.depth);
+  const Vec2 a = slices_[below].curves[place.curve].at(place.around);
+  if (slices_.size() == 1) return pencil_.point(a, place.depth);
+  const Vec2 b = slices_[below + 1].curves[place.curve].at(place.around);
+  return pencil_.point(a + share * (b - a), place.depth);
+}
+
+std::vector<double> WallChart::corners(uint32_t curve, double turn) const {
+  const Curve& own = slices_.front().curves[curve];
+  std::vector<double> places;
+  for (size_t i = 0; i < own.outline.pieces.size(); ++i) {
+    const OutlinePiece& piece = own.outline.pieces[i];
+    const int parts = piece.radius > 0 ? static_cast<int>(std::ceil(piece.turn / turn)) : 1;
+    for (int k = 0; k < parts; ++k)
+      places.push_back(modulo(own.place(own.starts[i] + piece.length * k / parts), own.period));
+  }
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  return places;
+}
+
+}  // namespace kerf

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/base/interval.h"
+#include "core/walls/beam_pencil.h"
+#include "core/walls/outline.h"
+
+namespace kerf {
+
+// Coordinates on the side of the volume that a beam has swept: which closed curve of its outline, the place
+// around that curve, and the depth.
+//
+// For parallel beams the outline is the same at all depths, and the place is the length along it. For beams
+// through an apex the outline is computed at several depths; sides that are a part of all of these outlines
+// are landmarks, at which the place is a whole number, and between two of them it is the share of the length.
+// The map is then exact only at these depths and serves to tell where things lie relative to each other.
+class WallChart {
+ public:
+  // The chart for depths within `depths` (m, of the pencil). Nothing where the outlines at different depths
+  // do not correspond: curves come, go or exchange sides. Precondition: radius > 0.
+  static std::optional<WallChart> make(const BeamPencil& pencil, std::span<const BeamMove> moves,
+                                       double radius, Interval depths);
+
+  struct Place {
+    uint32_t curve = 0;
+    double around = 0;  // 0 .. period(curve)
+    double depth = 0;   // m
+  };
+  size_t curves() const { return slices_.front().curves.size(); }
+  double period(uint32_t curve) const { return slices_.front().curves[curve].period; }
+
+  // The place nearest to a point; nothing if it is farther than `reach` metres from the side. O(pieces).
+  std::optional<Place> place_of(const Vec3& p, double reach) const;
+  // The point at a place; `around` may lie outside of the period.
+  Vec3 point_at(const Place& place) const;
+
+  // The places around a curve where one piece of the outline ends and the next one begins, and further ones
+  // on arcs, at most `turn` radians apart; ascending. They are those at the first depth.
+  std::vector<double> corners(uint32_t curve, double turn) const;
+
+ private:
+  struct Curve {
+    OutlineCurve outline;
+    std::vector<double> starts;  // by piece: length along the curve, and that of the whole at the end
+    std::vector<double> marks;   // of landmarks; empty where places are lengths
+    double period = 0;
+
+    double place(double length) const;
+    double length(double place) const;
+    Vec2 at(double place) const;
+  };
+  struct Slice {
+    double depth = 0;
+    std::vector<Curve> curves;
+  };
+  struct Near {
+    uint32_t curve = 0;
+    double place = 0, distance = 0;
+  };
+
+  explicit WallChart(const BeamPencil& pencil) : pencil_(pencil) {}
+  static Near nearest(const Slice& slice, Vec2 p);
+  static bool set_landmarks(std::vector<Slice>& slices);
+  // The slice below a depth, and the share of the way to the next one.
+  std::pair<size_t, double> slice_below(double depth) const;
+
+  BeamPencil pencil_;
+  std::vector<Slice> slices_;  // by depth
+};
+
+}  // namespace kerf

@@ -10,11 +10,21 @@ namespace kerf {
 
 namespace {
 
+// The signed distance from the boundary of what the stroke has swept.
+double distance(const StrokeRegion& region, const Vec3& p) {
+  double least = std::numeric_limits<double>::infinity();
+  for (size_t i = 0; i < region.parts(); ++i) least = std::min(least, region.part(i).signed_distance(p));
+  return least;
+}
+
+// What is near a face that was flipped may be more than is known of it.
 bool is_at_rim(RimState& rim, const Mesh::Side& side) {
-  if (!rim.region.is_near(side.face)) return false;
   const double most = kRimNear * rim.radius();
-  return std::abs(rim.distance(side.from, side.face)) <= most &&
-         std::abs(rim.distance(side.to, side.face)) <= most;
+  const auto lies_there = [&](VertexId v) {
+    if (rim.region.is_near(side.face) && std::abs(rim.distance(v, side.face)) <= most) return true;
+    return std::abs(distance(rim.region, rim.mesh().position(v))) <= most;
+  };
+  return lies_there(side.from) && lies_there(side.to);
 }
 
 // The faces of the connected parts that hold some faces.
@@ -102,14 +112,9 @@ Status close_by_walls(RimState& rim, std::span<const BeamMove> moves) {
   const Result<std::vector<RimSide>> sides = sides_at_rim(rim);
   if (!sides) return sides.error();
   if (sides->empty()) return Done{};
-  const auto distance = [&](const Vec3& p) {
-    double least = std::numeric_limits<double>::infinity();
-    for (size_t i = 0; i < rim.region.parts(); ++i)
-      least = std::min(least, rim.region.part(i).signed_distance(p));
-    return least;
-  };
+  const auto swept = [&](const Vec3& p) { return distance(rim.region, p); };
   const Result<WallPatch> patch =
-      make_walls(rim.mesh(), *sides, {moves, rim.radius(), rim.settings.laser.range, distance});
+      make_walls(rim.mesh(), *sides, {moves, rim.radius(), rim.settings.laser.range, swept});
   if (!patch) return patch.error();
   if (touches_ring(rim.mesh(), *patch)) return failed("more than two faces share an edge at the rim");
   if (joins_pieces(rim.mesh(), *sides, *patch)) return failed("a wall would join two pieces");

@@ -10,7 +10,7 @@ namespace kerf {
 
 namespace {
 
-using Corners = std::array<VertexId, 3>;
+using FaceCorners = std::array<VertexId, 3>;
 
 HalfEdgeId open_half_edge(const HalfEdges& m, VertexId from, VertexId to) {
   HalfEdgeId found;
@@ -115,13 +115,13 @@ class SidesOfNewFaces {
 
 VertexId Mesh::add_vertex(const Vec3& position) { return kernel_->half_edges.add_vertex(position); }
 
-std::vector<FaceId> Mesh::add_faces(std::span<const Corners> corners, std::span<const FaceData> data) {
+std::vector<FaceId> Mesh::add_faces(std::span<const FaceCorners> corners, std::span<const FaceData> data) {
   KERF_ASSERT(corners.size() == data.size());
   Kernel& k = *kernel_;
   HalfEdges& m = k.half_edges;
   FansAtVertices fans(k);
   SidesOfNewFaces sides(m, fans);
-  for (const Corners& c : corners) {
+  for (const FaceCorners& c : corners) {
     for (size_t i = 0; i < 3; ++i) sides.find(c[i], c[(i + 1) % 3]);
   }
   std::vector<FaceId> added;

@@ -169,6 +169,11 @@ TEST(WeighSolid, knows_nothing_of_faces_that_have_changed_since) {
   body.solid = true;
   weigh(body);
   ASSERT_NE(enclosed_of(body), nullptr);
+  const double area = body.pieces[0].area;
+  body.pieces.edit(0).area = 0.999 * area;
+  EXPECT_EQ(enclosed_of(body), nullptr);
+  body.pieces.edit(0).area = area;
+  ASSERT_NE(enclosed_of(body), nullptr);
   { BodyEdit(body).remove(std::vector{FaceId(3)}); }
   EXPECT_EQ(enclosed_of(body), nullptr);
   weigh(body);

@@ -186,6 +186,7 @@ TEST(WeighSolid, depends_on_the_faces_alone_to_the_bit) {
   for (uint64_t seed = 1; seed <= 4; ++seed) {
     Random random(seed);
     const Body other = solid_body(shuffled(soup, random));
+    ASSERT_TRUE(enclosed_of(one) && enclosed_of(other));
     EXPECT_EQ(enclosed_of(other)->solid.mass, enclosed_of(one)->solid.mass);
     EXPECT_EQ(enclosed_of(other)->solid.centre, enclosed_of(one)->solid.centre);
     EXPECT_EQ(enclosed_of(other)->solid.inertia, enclosed_of(one)->solid.inertia);

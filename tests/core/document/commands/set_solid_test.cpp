@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <fstream>
-
 #include "core/document/commands/command_text.h"
 #include "core/document/commands/command_words.h"
 #include "core/document/history/document.h"
@@ -10,6 +8,7 @@
 #include "core/document/journal/save.h"
 #include "core/mesh/write_mesh.h"
 #include "core/world/state_hash.h"
+#include "core/world/weigh_solid.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/same_world.h"
 #include "tests/support/strokes.h"
@@ -34,6 +33,8 @@ TEST_F(SolidBox, is_one_until_it_is_undone_and_again_when_that_is_redone) {
   ASSERT_TRUE(done.ok());
   EXPECT_EQ(done.delta.reweighed, document_.world().ids());
   EXPECT_TRUE(body().solid);
+  ASSERT_NE(enclosed_piece(body(), 0), nullptr) << "it is weighed at once";
+  EXPECT_NEAR(enclosed_piece(body(), 0)->solid.mass, 6, 1e-12);
   const uint64_t as_solid = hash();
   EXPECT_NE(as_solid, as_sheet);
   ASSERT_TRUE(document_.apply(Undo{}).ok());

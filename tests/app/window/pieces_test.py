@@ -4,7 +4,7 @@ import os
 import subprocess
 import unittest
 
-from editor_window import KERF, SPHERE, WindowTest, real_input
+from editor_window import ACROSS, ASSETS, KERF, SPHERE, WindowTest, real_input
 
 
 class Pieces(WindowTest):
@@ -163,6 +163,26 @@ class Pieces(WindowTest):
         report = editor.quit()
         self.assertEqual((report["undo_depth"], report["placements"][0]["solid"]), (1, True))
         self.assertEqual(report["messages"][-1], "Undone: sphere as a sheet")
+
+    def test_a_stroke_through_a_solid_with_a_hole_says_why_it_stays_a_sheet(self):
+        with open(os.path.join(ASSETS, "meshes", "sphere.obj")) as file:
+            lines = file.readlines()
+        lines.remove(next(line for line in lines if line.startswith("f ")))
+        self.open(SPHERE).quit()
+        scene = os.path.join(self.folder, "open.json")
+        with open(os.path.join(self.folder, "open.obj"), "w") as file:
+            file.writelines(lines)
+        with open(SPHERE) as file:
+            described = json.load(file)
+        described["bodies"] = [{"mesh": "open.obj", "name": "eggshell", "solid": True}]
+        with open(scene, "w") as file:
+            json.dump(described, file)
+        editor = self.open_again(scene)
+        editor.drag(ACROSS)
+        report = editor.quit()
+        self.assertEqual(report["undo_depth"], 1)
+        self.assertGreater(report["faces_removed"], 0)
+        self.assertTrue(report["message"].startswith("eggshell: "), report["message"])
 
     def test_specks_are_counted_apart_and_share_a_row_that_a_click_unfolds(self):
         self.open(SPHERE).quit()

@@ -276,7 +276,7 @@ class WallMaker {
   // Whether the chord with this middle lies near the boundary, of which `on_it` is a point that belongs to
   // it.
   bool is_near(const Vec3& middle, const Vec3& way, const Vec3& on_it) const {
-    const double most = kRimChord * stroke_.radius;
+    const double most = kRimNear * stroke_.radius;
     return glm::length(on_it - middle) <= most || glm::length(way) <= kRimLeastEdge * stroke_.radius ||
            std::abs(stroke_.distance(middle)) <= most;
   }

@@ -41,7 +41,7 @@ struct WallStroke {
 // sides bound. In the chart of that boundary (see WallChart) the sides are directed edges, and the walls are
 // where they wind around once; where the range of the beam ends in the solid, a flat cap closes the wall. The
 // vertices of the rim stay; further ones lie on the boundary, so that edges deviate from it by no more than
-// kRimChord radii. The faces are counter-clockwise seen from outside of the solid, i.e. from the beam, and
+// kRimNear radii. The faces are counter-clockwise seen from outside of the solid, i.e. from the beam, and
 // every edge has two faces with those at the rim.
 //
 // Fails, with a sentence that says why and where, if there is no such part or it cannot be told.

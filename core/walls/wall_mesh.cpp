@@ -97,17 +97,19 @@ void WallMesh::flip(uint32_t a, uint32_t b) {
   set(right, {d, b, c});
 }
 
-void WallMesh::flip_from(std::vector<Side> waiting) {
-  size_t left = kMostFlips * triangles_.size();
-  while (!waiting.empty() && left > 0) {
+std::vector<WallMesh::Side> WallMesh::flip_from(std::vector<Side> waiting) {
+  std::vector<Side> made;
+  const size_t most = kMostFlips * triangles_.size();
+  while (!waiting.empty() && made.size() < most) {
     const auto [a, b] = waiting.back();
     waiting.pop_back();
     if (!should_flip(a, b)) continue;
     const uint32_t c = opposite(triangle_on(a, b), a, b), d = opposite(triangle_on(b, a), a, b);
     flip(a, b);
-    --left;
+    made.push_back({std::min(c, d), std::max(c, d)});
     for (const Side& side : {Side{a, d}, Side{d, b}, Side{b, c}, Side{c, a}}) waiting.push_back(side);
   }
+  return made;
 }
 
 void WallMesh::flip_to_delaunay() { flip_from(inner_edges()); }
@@ -138,11 +140,13 @@ void WallMesh::refine(const Middle& middle) {
       const uint32_t c = opposite(triangle_on(a, b), a, b), d = opposite(triangle_on(b, a), a, b);
       const auto m = static_cast<uint32_t>(vertices_.size());
       split(a, b, *at);
-      for (const uint32_t v : {a, b, c, d}) next.push_back({std::min(m, v), std::max(m, v)});
+      for (const uint32_t v : {a, b, c, d}) next.push_back({v, m});
       for (const Side& side : {Side{a, d}, Side{d, b}, Side{b, c}, Side{c, a}}) around.push_back(side);
     }
-    flip_from(around);
-    if (!next.empty()) next = inner_edges();
+    const std::vector<Side> turned = flip_from(std::move(around));
+    next.insert(next.end(), turned.begin(), turned.end());
+    std::sort(next.begin(), next.end());
+    next.erase(std::unique(next.begin(), next.end()), next.end());
     waiting = std::move(next);
   }
 }

@@ -49,7 +49,8 @@ class WallMesh {
   bool is_inner(uint32_t from, uint32_t to) const;
   bool should_flip(uint32_t a, uint32_t b) const;
   void flip(uint32_t a, uint32_t b);
-  void flip_from(std::vector<Side> waiting);
+  // Returns the edges that flips have made.
+  std::vector<Side> flip_from(std::vector<Side> waiting);
   void split(uint32_t a, uint32_t b, const Vertex& at);
   std::vector<Side> inner_edges() const;
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "core/base/tolerances.h"
 #include "core/cut/rim_state.h"
@@ -60,11 +61,52 @@ Result<std::vector<RimSide>> sides_at_rim(RimState& rim) {
       elsewhere.push_back(s.face);
     }
   }
+  std::sort(sides.begin(), sides.end(), [](const RimSide& a, const RimSide& b) {
+    return std::tie(a.face, a.from) < std::tie(b.face, b.from);
+  });
   if (elsewhere.empty() || sides.empty()) return sides;
   const std::vector<bool> was_open = parts_around(rim.mesh(), elsewhere);
   std::erase_if(sides, [&](const RimSide& s) { return was_open[s.face.index]; });
   if (sides.empty()) return failed("it was open before the stroke");
   return sides;
+}
+
+// Removes faces that lie along the rim, beyond which the rim is as near to the boundary as it was: those of
+// which all corners are on the rim, and all sides but one are open, if that one lies on the boundary too.
+// Left in place, they make the rim turn back on itself. Returns whether there were any.
+bool remove_ears(RimState& rim, const std::vector<RimSide>& sides) {
+  std::vector<FaceId> ears;
+  for (size_t i = 0; i < sides.size();) {
+    size_t end = i + 1;
+    while (end < sides.size() && sides[end].face == sides[i].face) ++end;
+    const FaceId f = sides[i].face;
+    const auto is_open = [&](VertexId from) {
+      return std::any_of(sides.begin() + i, sides.begin() + end,
+                         [&](const RimSide& s) { return s.from == from; });
+    };
+    if (end - i == 3) ears.push_back(f);
+    if (end - i == 2) {
+      const auto c = rim.mesh().corners(f);
+      const size_t k = is_open(c[0]) ? is_open(c[1]) ? 2 : 1 : 0;
+      const Vec3 middle = 0.5 * rim.mesh().position(c[k]) + 0.5 * rim.mesh().position(c[(k + 1) % 3]);
+      if (std::abs(distance(rim.region, middle)) <= kRimNear * rim.radius()) ears.push_back(f);
+    }
+    i = end;
+  }
+  remove_faces(rim.step, ears);
+  rim.work.removed = rim.work.removed || !ears.empty();
+  return !ears.empty();
+}
+
+int winding_of(const Body& body, const Vec3& p, const Vec3& direction) {
+  std::vector<RayHit> hits;
+  body.tree.crossings(body.mesh, {p, direction}, {0, std::numeric_limits<double>::max()}, hits);
+  int winding = 0;
+  for (const RayHit& hit : hits) {
+    const Triangle t = body.mesh.triangle(hit.face);
+    winding += glm::dot(glm::cross(t[1] - t[0], t[2] - t[0]), direction) > 0 ? 1 : -1;
+  }
+  return winding;
 }
 
 // Whether a wall would touch an edge that three or more faces share.
@@ -109,12 +151,17 @@ void add(RimState& rim, const std::vector<RimSide>& sides, const WallPatch& patc
 }  // namespace
 
 Status close_by_walls(RimState& rim, std::span<const BeamMove> moves) {
-  const Result<std::vector<RimSide>> sides = sides_at_rim(rim);
+  constexpr int kMostRounds = 8;
+  Result<std::vector<RimSide>> sides = sides_at_rim(rim);
+  for (int i = 0; i < kMostRounds && sides && remove_ears(rim, *sides); ++i) sides = sides_at_rim(rim);
   if (!sides) return sides.error();
   if (sides->empty()) return Done{};
   const auto swept = [&](const Vec3& p) { return distance(rim.region, p); };
+  const auto winding = [&](const Vec3& p, const Vec3& direction) {
+    return winding_of(rim.step.body(), p, direction);
+  };
   const Result<WallPatch> patch =
-      make_walls(rim.mesh(), *sides, {moves, rim.radius(), rim.settings.laser.range, swept});
+      make_walls(rim.mesh(), *sides, {moves, rim.radius(), rim.settings.laser.range, swept, winding});
   if (!patch) return patch.error();
   if (touches_ring(rim.mesh(), *patch)) return failed("more than two faces share an edge at the rim");
   if (joins_pieces(rim.mesh(), *sides, *patch)) return failed("a wall would join two pieces");

@@ -65,7 +65,7 @@ bool remove_within_rim(RimState& rim);
 bool choose_beside_rim(RimState& rim);
 bool flip_near_rim(RimState& rim);
 // Closes a solid body along the rim by walls, and makes the search for parts cross them. The moves are those of
-// the stroke in the frame of the body. Fails, without a change, with a sentence that says why the body stays
+// the stroke in the frame of the body. Fails, with the rim still open, with a sentence that says why the body stays
 // open.
 Status close_by_walls(RimState& rim, std::span<const BeamMove> moves);
 

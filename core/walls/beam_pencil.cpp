@@ -43,16 +43,17 @@ std::optional<BeamPencil> BeamPencil::of(std::span<const BeamMove> moves, double
   BeamPencil pencil;
   const Vec3 first = moves.front().from.direction;
   Vec3 sum(0);
-  bool parallel = true;
+  pencil.parallel_ = true;
+  pencil.origin_ = moves.front().from.origin;
   for_each_pose(moves, [&](const Pose& pose) {
     sum += pose.direction;
-    parallel = parallel && glm::length(pose.direction - first) <= kParallel;
+    pencil.parallel_ = pencil.parallel_ && glm::length(pose.direction - first) <= kParallel;
   });
   if (!(glm::length(sum) > 0)) return std::nullopt;
-  pencil.axis_ = parallel ? first : glm::normalize(sum);
+  pencil.axis_ = pencil.parallel_ ? first : glm::normalize(sum);
   pencil.right_ = across(pencil.axis_);
   pencil.up_ = glm::cross(pencil.axis_, pencil.right_);
-  if (parallel) return pencil;
+  if (pencil.parallel_) return pencil;
   const Vec3 apex = nearest_to_lines(moves);
   bool meet = true;
   for_each_pose(moves, [&](const Pose& pose) {
@@ -61,22 +62,22 @@ std::optional<BeamPencil> BeamPencil::of(std::span<const BeamMove> moves, double
     meet = meet && distance <= kAtApex * radius && glm::dot(pose.direction, pencil.axis_) > 0.5;
   });
   if (!meet) return std::nullopt;
-  pencil.apex_ = apex;
+  pencil.origin_ = apex;
   return pencil;
 }
 
 BeamPencil::Seen BeamPencil::see(const Vec3& p) const {
-  const Vec3 a = apex_ ? p - *apex_ : p;
+  const Vec3 a = p - origin_;
   return {{glm::dot(a, right_), glm::dot(a, up_)}, glm::dot(a, axis_)};
 }
 
 Vec3 BeamPencil::point(Vec2 place, double depth) const {
-  return (apex_ ? *apex_ : Vec3(0)) + depth * axis_ + place.x * right_ + place.y * up_;
+  return origin_ + depth * axis_ + place.x * right_ + place.y * up_;
 }
 
 DiscMove BeamPencil::at_depth(const BeamMove& move, double depth) const {
   const auto centre = [&](const Pose& pose) {
-    if (!apex_) return see(pose.origin).place;
+    if (parallel_) return see(pose.origin).place;
     const Vec3 d = pose.direction * (depth / glm::dot(pose.direction, axis_));
     return Vec2(glm::dot(d, right_), glm::dot(d, up_));
   };

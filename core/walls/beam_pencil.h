@@ -18,10 +18,10 @@ class BeamPencil {
   // meet within 1e-3 radii. The moves and everything below are in one frame. Precondition: there is a move.
   static std::optional<BeamPencil> of(std::span<const BeamMove> moves, double radius);
 
-  bool parallel() const { return !apex_; }
+  bool parallel() const { return parallel_; }
 
-  // A point, as its depth along the middle direction (m, from the apex, or from the plane through the origin
-  // of the frame) and its place in the plane across that direction at this depth (m).
+  // A point, as its depth along the middle direction (m, from the apex, or from the origin of the first
+  // beam) and its place in the plane across that direction at this depth (m).
   struct Seen {
     Vec2 place;
     double depth;
@@ -35,7 +35,8 @@ class BeamPencil {
   const Vec3& axis() const { return axis_; }
 
  private:
-  std::optional<Vec3> apex_;
+  bool parallel_ = false;
+  Vec3 origin_{0};  // the apex, or the origin of the first beam
   Vec3 axis_{0}, right_{0}, up_{0};
 };
 

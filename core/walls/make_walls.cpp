@@ -174,10 +174,8 @@ class WallMaker {
       if (places_[from].curve != places_[to].curve)
         return left_open("the rim crosses from one side of the beam to another", rim_at(from));
       if (places_[from].curve != side.curve) continue;
-      int64_t dx = side.placed[local[to]].x - side.placed[local[from]].x;
-      if (dx > kChartSize / 2) dx -= kChartSize;
-      if (dx < -kChartSize / 2) dx += kChartSize;
-      side.edges.push_back({local[from], local[to], dx});
+      side.edges.push_back(
+          {local[from], local[to], x_between(side.placed[local[from]], side.placed[local[to]], kChartSize)});
     }
     return Done{};
   }
@@ -205,6 +203,12 @@ class WallMaker {
     }
   }
 
+  // How often the part winds around the end of a side, as seen away from the beam.
+  int winds_at(const Side& side, double depth, double sign) const {
+    const WallChart::Place& place = places_[side.of_patch.front()];
+    return stroke_.winding(chart_->point_at({side.curve, place.around, depth}), sign * pencil_->axis());
+  }
+
   Status make_side(uint32_t curve) {
     Side side;
     side.curve = curve;
@@ -220,6 +224,8 @@ class WallMaker {
     const auto low = end_of_range(stroke_.range.low), high = end_of_range(stroke_.range.high);
     if ((below > 0 && (!high || *high < depths.high)) || (above > 0 && (!low || *low > depths.low)))
       return left_open("the range of the beam ends in the part at no single depth", here);
+    if ((below > 0 && winds_at(side, *high, 1) != 1) || (above > 0 && winds_at(side, *low, -1) != 1))
+      return left_open("the part is turned inside out, or not closed", here);
     if (below > 0) depths.high = *high;
     if (above > 0) depths.low = *low;
     if (below + above > 0) {
@@ -236,15 +242,15 @@ class WallMaker {
     std::vector<WallMesh::Vertex> vertices;
     for (size_t i = 0; i < side.placed.size(); ++i)
       vertices.push_back({at(side.of_patch[i]), side.placed[i]});
-    WallMesh wall(std::move(vertices), *triangles, kChartSize);
-    wall.flip_to_delaunay();
+    WallMesh wall(
+        std::move(vertices), *triangles, kChartSize,
+        [&](const WallMesh::Vertex& a, const WallMesh::Vertex& b) { return deviation(side, a, b); });
+    wall.improve();
     const size_t most = kMostAdded * (side.placed.size() + 64);
     size_t added = 0;
     wall.refine([&](const WallMesh::Vertex& a, const WallMesh::Vertex& b) -> std::optional<WallMesh::Vertex> {
-      if (added >= most || is_near(0.5 * (a.at + b.at), b.at - a.at, middle(side, wall, a, b).at))
-        return std::nullopt;
-      ++added;
-      WallMesh::Vertex m = middle(side, wall, a, b);
+      if (added++ >= most) return std::nullopt;
+      WallMesh::Vertex m = middle(side, a, b);
       m.at = on_boundary(m.at);
       return m;
     });
@@ -256,7 +262,7 @@ class WallMaker {
           return i < rim && k < rim && are_joined(patch_.rim[i], patch_.rim[k]);
         },
         [&](const WallMesh::Vertex& a, const WallMesh::Vertex& b) {
-          WallMesh::Vertex m = middle(side, wall, a, b);
+          WallMesh::Vertex m = middle(side, a, b);
           m.at = on_boundary(m.at);
           return std::optional(m);
         });
@@ -264,21 +270,22 @@ class WallMaker {
     return Done{};
   }
 
-  WallMesh::Vertex middle(const Side& side, const WallMesh& wall, const WallMesh::Vertex& a,
-                          const WallMesh::Vertex& b) const {
+  WallMesh::Vertex middle(const Side& side, const WallMesh::Vertex& a, const WallMesh::Vertex& b) const {
     WallMesh::Vertex m;
-    m.chart = {a.chart.x + wall.x_between(a.chart, b.chart) / 2, (a.chart.y + b.chart.y) / 2};
+    m.chart = {a.chart.x + x_between(a.chart, b.chart, kChartSize) / 2, (a.chart.y + b.chart.y) / 2};
     m.chart.x = (m.chart.x + kChartSize) % kChartSize;
     m.at = chart_->point_at(place_of(side, m.chart));
     return m;
   }
 
-  // Whether the chord with this middle lies near the boundary, of which `on_it` is a point that belongs to
-  // it.
-  bool is_near(const Vec3& middle, const Vec3& way, const Vec3& on_it) const {
+  // By how much the chord of an edge deviates from the boundary beyond what it may.
+  double deviation(const Side& side, const WallMesh::Vertex& a, const WallMesh::Vertex& b) const {
     const double most = kRimNear * stroke_.radius;
-    return glm::length(on_it - middle) <= most || glm::length(way) <= kRimLeastEdge * stroke_.radius ||
-           std::abs(stroke_.distance(middle)) <= most;
+    if (glm::length(b.at - a.at) <= kRimLeastEdge * stroke_.radius) return 0;
+    const Vec3 chord = 0.5 * (a.at + b.at);
+    // The point of the chart between the ends is not the nearest one, nor exact for beams through an apex.
+    if (pencil_->parallel() && glm::length(middle(side, a, b).at - chord) <= most) return 0;
+    return std::max(std::abs(stroke_.distance(chord)) - most, 0.0);
   }
 
   // Moves a point of the chart, which is exact for parallel beams alone, to the boundary.
@@ -351,8 +358,9 @@ class WallMaker {
       return left_open("the range of the beam ends in a part of the kerf only", at(of_patch[0]));
     std::vector<WallMesh::Vertex> vertices;
     for (size_t i = 0; i < placed.size(); ++i) vertices.push_back({at(of_patch[i]), placed[i]});
-    WallMesh cap(std::move(vertices), *triangles, kWidth);
-    cap.flip_to_delaunay();
+    WallMesh cap(std::move(vertices), *triangles, kWidth,
+                 [](const WallMesh::Vertex&, const WallMesh::Vertex&) { return 0.0; });
+    cap.improve();
     for (const ChartTriangle& t : cap.triangles())
       patch_.faces.push_back({of_patch[t[0]], of_patch[t[1]], of_patch[t[2]]});
     return Done{};

@@ -35,6 +35,9 @@ struct WallStroke {
   Interval range;     // m along the beam
   // The signed distance from the boundary of what the stroke has swept, in metres.
   std::function<double(const Vec3&)> distance;
+  // How often the faces that are left wind around a point, as seen along a unit vector that leads away from
+  // what was swept.
+  std::function<int(const Vec3&, const Vec3&)> winding;
 };
 
 // Makes the walls: of the boundary of what a stroke has swept, the part that lies within the solid that the

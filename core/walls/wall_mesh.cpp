@@ -12,24 +12,20 @@ namespace {
 constexpr uint32_t kNone = 0xffffffffu;
 // Flips end by themselves in a plane; on a wall that is bent they are limited to so many for each edge.
 constexpr size_t kMostFlips = 16;
+// // A flip must reduce the deviation to less than this share.
+constexpr double kLeastGain = 0.99;
 // The angles must exceed pi by more than what rounding does.
 constexpr double kFlipSlack = 1e-9;
 
 }  // namespace
 
-WallMesh::WallMesh(std::vector<Vertex> vertices, std::span<const ChartTriangle> triangles, int64_t width)
-    : vertices_(std::move(vertices)), width_(width) {
+WallMesh::WallMesh(std::vector<Vertex> vertices, std::span<const ChartTriangle> triangles, int64_t width,
+                   Deviation deviation)
+    : vertices_(std::move(vertices)), width_(width), deviation_(std::move(deviation)) {
   for (const ChartTriangle& t : triangles) {
     triangles_.emplace_back();
     set(static_cast<uint32_t>(triangles_.size() - 1), t);
   }
-}
-
-int64_t WallMesh::x_between(const ChartVertex& from, const ChartVertex& to) const {
-  const int64_t way = to.x - from.x;
-  if (way > width_ / 2) return way - width_;
-  if (way < -width_ / 2) return way + width_;
-  return way;
 }
 
 uint32_t WallMesh::triangle_on(uint32_t from, uint32_t to) const {
@@ -72,13 +68,15 @@ bool WallMesh::should_flip(uint32_t a, uint32_t b) const {
   const uint32_t c = opposite(triangle_on(a, b), a, b), d = opposite(triangle_on(b, a), a, b);
   if (c == d || triangle_on(c, d) != kNone || triangle_on(d, c) != kNone) return false;
   const auto from_a = [&](uint32_t v) {
-    return ChartVertex{x_between(vertices_[a].chart, vertices_[v].chart),
+    return ChartVertex{x_between(vertices_[a].chart, vertices_[v].chart, width_),
                        vertices_[v].chart.y - vertices_[a].chart.y};
   };
   const ChartVertex to_b = from_a(b), to_c = from_a(c), to_d = from_a(d);
   const Wide at_a = turn_of(to_d.x, to_d.y, to_c.x, to_c.y);
   const Wide at_b = turn_of(to_c.x - to_b.x, to_c.y - to_b.y, to_d.x - to_b.x, to_d.y - to_b.y);
   if (at_a <= 0 || at_b <= 0) return false;
+  const double now = deviation_(vertices_[a], vertices_[b]), then = deviation_(vertices_[c], vertices_[d]);
+  if (now > 0 || then > 0) return then < kLeastGain * now;
   const auto corner = [&](uint32_t v) {
     const Vec3 p = vertices_[a].at - vertices_[v].at, q = vertices_[b].at - vertices_[v].at;
     return Vec2(glm::dot(p, q), glm::length(glm::cross(p, q)));  // cosine and sine, times the lengths
@@ -112,7 +110,7 @@ std::vector<WallMesh::Side> WallMesh::flip_from(std::vector<Side> waiting) {
   return made;
 }
 
-void WallMesh::flip_to_delaunay() { flip_from(inner_edges()); }
+void WallMesh::improve() { flip_from(inner_edges()); }
 
 void WallMesh::split(uint32_t a, uint32_t b, const Vertex& at) {
   const uint32_t left = triangle_on(a, b), right = triangle_on(b, a);
@@ -135,6 +133,7 @@ void WallMesh::refine(const Middle& middle) {
     std::vector<Side> next, around;
     for (const auto& [a, b] : waiting) {
       if (!is_inner(a, b)) continue;
+      if (!(deviation_(vertices_[a], vertices_[b]) > 0)) continue;
       const std::optional<Vertex> at = middle(vertices_[a], vertices_[b]);
       if (!at) continue;
       const uint32_t c = opposite(triangle_on(a, b), a, b), d = opposite(triangle_on(b, a), a, b);

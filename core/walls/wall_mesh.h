@@ -18,16 +18,21 @@ class WallMesh {
     Vec3 at{0};  // m
     ChartVertex chart;
   };
+  // How far an edge deviates from the surface beyond what it may, in metres; 0 where it may stay.
+  using Deviation = std::function<double(const Vertex& from, const Vertex& to)>;
   // Precondition: the triangles are those of a ChartRegion of this width.
-  WallMesh(std::vector<Vertex> vertices, std::span<const ChartTriangle> triangles, int64_t width);
+  WallMesh(std::vector<Vertex> vertices, std::span<const ChartTriangle> triangles, int64_t width,
+           Deviation deviation);
 
-  // Flips edges that are inside of convex quadrilaterals and whose opposite angles sum up to more than pi,
-  // until there is none (C. L. Lawson: Software for C1 surface interpolation, 1977).
-  void flip_to_delaunay();
+  // Flips edges inside of convex quadrilaterals until there is none whose other diagonal deviates less, or
+  // deviates as little and has opposite angles that sum up to less (C. L. Lawson: Software for C1 surface
+  // interpolation, 1977). Where a wall is bent, long triangles along the beam thus need no further vertices.
+  void improve();
 
   // The vertex in the middle of an edge in the chart; nothing if the edge stays.
   using Middle = std::function<std::optional<Vertex>(const Vertex& from, const Vertex& to)>;
-  // Splits every inner edge for which `middle` gives a vertex, and those that arise, and flips to Delaunay.
+  // Splits every inner edge that deviates and for which `middle` gives a vertex, and those that arise, and
+  // improves what is around them.
   void refine(const Middle& middle);
 
   // Splits the inner edges between two of the first `fixed` vertices for which `splits` holds, wherever
@@ -37,8 +42,6 @@ class WallMesh {
 
   const std::vector<Vertex>& vertices() const { return vertices_; }
   const std::vector<ChartTriangle>& triangles() const { return triangles_; }
-  // By how much x grows from one vertex to another that is near it.
-  int64_t x_between(const ChartVertex& from, const ChartVertex& to) const;
 
  private:
   using Side = std::pair<uint32_t, uint32_t>;
@@ -57,6 +60,7 @@ class WallMesh {
   std::vector<Vertex> vertices_;
   std::vector<ChartTriangle> triangles_;
   int64_t width_;
+  Deviation deviation_;
   std::map<Side, uint32_t> sides_;  // the triangle on the left of each directed edge
 };
 

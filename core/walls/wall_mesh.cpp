@@ -1,7 +1,7 @@
 #include "core/walls/wall_mesh.h"
 
 #include <algorithm>
-#include <optional>
+#include <map>
 
 #include "core/base/assert.h"
 
@@ -9,10 +9,9 @@ namespace kerf {
 
 namespace {
 
-constexpr uint32_t kNone = 0xffffffffu;
-// Flips end by themselves in a plane; on a wall that is bent they are limited to so many for each edge.
+// Flips end by themselves in a plane; on a wall that is bent they are limited to so many for each triangle.
 constexpr size_t kMostFlips = 16;
-// // A flip must reduce the deviation to less than this share.
+// A flip must reduce the deviation to less than this share.
 constexpr double kLeastGain = 0.99;
 // The angles must exceed pi by more than what rounding does.
 constexpr double kFlipSlack = 1e-9;
@@ -21,140 +20,163 @@ constexpr double kFlipSlack = 1e-9;
 
 WallMesh::WallMesh(std::vector<Vertex> vertices, std::span<const ChartTriangle> triangles, int64_t width,
                    Deviation deviation)
-    : vertices_(std::move(vertices)), width_(width), deviation_(std::move(deviation)) {
-  for (const ChartTriangle& t : triangles) {
-    triangles_.emplace_back();
-    set(static_cast<uint32_t>(triangles_.size() - 1), t);
+    : vertices_(std::move(vertices)),
+      triangles_(triangles.begin(), triangles.end()),
+      across_(triangles.size(), {kNone, kNone, kNone}),
+      width_(width),
+      deviation_(std::move(deviation)) {
+  std::map<std::pair<uint32_t, uint32_t>, std::pair<uint32_t, uint32_t>> sides;
+  for (uint32_t t = 0; t < triangles_.size(); ++t) {
+    for (uint32_t i = 0; i < 3; ++i) sides[{triangles_[t][i], triangles_[t][(i + 1) % 3]}] = {t, i};
+  }
+  for (const auto& [side, place] : sides) {
+    const auto other = sides.find({side.second, side.first});
+    if (other != sides.end()) across_[place.first][place.second] = other->second.first;
   }
 }
 
-uint32_t WallMesh::triangle_on(uint32_t from, uint32_t to) const {
-  const auto at = sides_.find({from, to});
-  return at != sides_.end() ? at->second : kNone;
-}
-
-uint32_t WallMesh::opposite(uint32_t triangle, uint32_t from, uint32_t to) const {
-  for (const uint32_t v : triangles_[triangle]) {
-    if (v != from && v != to) return v;
-  }
-  KERF_ASSERT(false);
-  return kNone;
-}
-
-void WallMesh::set(uint32_t triangle, const ChartTriangle& corners) {
-  triangles_[triangle] = corners;
-  for (size_t i = 0; i < 3; ++i) sides_[{corners[i], corners[(i + 1) % 3]}] = triangle;
-}
-
-void WallMesh::forget(uint32_t triangle) {
+WallMesh::Edge WallMesh::edge(uint32_t triangle, uint32_t side) const {
   const ChartTriangle& t = triangles_[triangle];
-  for (size_t i = 0; i < 3; ++i) sides_.erase({t[i], t[(i + 1) % 3]});
+  return {triangle, side, t[side], t[(side + 1) % 3]};
 }
 
-bool WallMesh::is_inner(uint32_t from, uint32_t to) const {
-  return triangle_on(from, to) != kNone && triangle_on(to, from) != kNone;
+bool WallMesh::is_current(const Edge& e) const {
+  const ChartTriangle& t = triangles_[e.triangle];
+  return t[e.side] == e.from && t[(e.side + 1) % 3] == e.to;
 }
 
-std::vector<WallMesh::Side> WallMesh::inner_edges() const {
-  std::vector<Side> edges;
-  for (const auto& [side, triangle] : sides_) {
-    if (side.first < side.second && sides_.contains({side.second, side.first})) edges.push_back(side);
+uint32_t WallMesh::side_from(uint32_t triangle, uint32_t from) const {
+  const ChartTriangle& t = triangles_[triangle];
+  const auto at = static_cast<uint32_t>(std::find(t.begin(), t.end(), from) - t.begin());
+  KERF_ASSERT(at < 3);
+  return at;
+}
+
+WallMesh::Quad WallMesh::quad_of(const Edge& e) const {
+  const uint32_t right = across_[e.triangle][e.side], back = side_from(right, e.to);
+  const auto next = [](uint32_t side) { return (side + 1) % 3; };
+  const auto &l = triangles_[e.triangle], &r = triangles_[right];
+  const auto &beyond_l = across_[e.triangle], &beyond_r = across_[right];
+  return {e.triangle,
+          right,
+          e.from,
+          e.to,
+          l[next(next(e.side))],
+          r[next(next(back))],
+          {beyond_l[next(e.side)], beyond_l[next(next(e.side))], beyond_r[next(back)],
+           beyond_r[next(next(back))]}};
+}
+
+// Sets a triangle and makes those beyond its sides know it.
+void WallMesh::set(uint32_t triangle, const ChartTriangle& corners, const std::array<uint32_t, 3>& across) {
+  triangles_[triangle] = corners;
+  across_[triangle] = across;
+  for (uint32_t i = 0; i < 3; ++i) {
+    if (across[i] == kNone) continue;
+    const ChartTriangle& other = triangles_[across[i]];
+    for (uint32_t k = 0; k < 3; ++k) {
+      if (other[k] == corners[(i + 1) % 3] && other[(k + 1) % 3] == corners[i])
+        across_[across[i]][k] = triangle;
+    }
+  }
+}
+
+std::vector<WallMesh::Edge> WallMesh::inner_edges() const {
+  std::vector<Edge> edges;
+  for (uint32_t t = 0; t < triangles_.size(); ++t) {
+    for (uint32_t i = 0; i < 3; ++i) {
+      if (across_[t][i] != kNone && t < across_[t][i]) edges.push_back(edge(t, i));
+    }
   }
   return edges;
 }
 
-bool WallMesh::should_flip(uint32_t a, uint32_t b) const {
-  if (!is_inner(a, b)) return false;
-  const uint32_t c = opposite(triangle_on(a, b), a, b), d = opposite(triangle_on(b, a), a, b);
-  if (c == d || triangle_on(c, d) != kNone || triangle_on(d, c) != kNone) return false;
+bool WallMesh::should_flip(const Quad& q) const {
+  if (q.c == q.d) return false;
   const auto from_a = [&](uint32_t v) {
-    return ChartVertex{x_between(vertices_[a].chart, vertices_[v].chart, width_),
-                       vertices_[v].chart.y - vertices_[a].chart.y};
+    return ChartVertex{x_between(vertices_[q.a].chart, vertices_[v].chart, width_),
+                       vertices_[v].chart.y - vertices_[q.a].chart.y};
   };
-  const ChartVertex to_b = from_a(b), to_c = from_a(c), to_d = from_a(d);
-  const Wide at_a = turn_of(to_d.x, to_d.y, to_c.x, to_c.y);
-  const Wide at_b = turn_of(to_c.x - to_b.x, to_c.y - to_b.y, to_d.x - to_b.x, to_d.y - to_b.y);
+  const ChartVertex b = from_a(q.b), c = from_a(q.c), d = from_a(q.d);
+  const Wide at_a = turn_of(d.x, d.y, c.x, c.y);
+  const Wide at_b = turn_of(c.x - b.x, c.y - b.y, d.x - b.x, d.y - b.y);
   if (at_a <= 0 || at_b <= 0) return false;
-  const double now = deviation_(vertices_[a], vertices_[b]), then = deviation_(vertices_[c], vertices_[d]);
+  const double now = deviation(q.a, q.b), then = deviation(q.c, q.d);
   if (now > 0 || then > 0) return then < kLeastGain * now;
   const auto corner = [&](uint32_t v) {
-    const Vec3 p = vertices_[a].at - vertices_[v].at, q = vertices_[b].at - vertices_[v].at;
-    return Vec2(glm::dot(p, q), glm::length(glm::cross(p, q)));  // cosine and sine, times the lengths
+    const Vec3 to_a = vertices_[q.a].at - vertices_[v].at, to_b = vertices_[q.b].at - vertices_[v].at;
+    return Vec2(glm::dot(to_a, to_b), glm::length(glm::cross(to_a, to_b)));  // cosine and sine, times lengths
   };
-  const Vec2 at_c = corner(c), at_d = corner(d);
+  const Vec2 at_c = corner(q.c), at_d = corner(q.d);
   const double sine_of_sum = at_c.x * at_d.y + at_c.y * at_d.x;
   return sine_of_sum < -kFlipSlack * glm::length(at_c) * glm::length(at_d);
 }
 
-void WallMesh::flip(uint32_t a, uint32_t b) {
-  const uint32_t left = triangle_on(a, b), right = triangle_on(b, a);
-  const uint32_t c = opposite(left, a, b), d = opposite(right, a, b);
-  forget(left);
-  forget(right);
-  set(left, {a, d, c});
-  set(right, {d, b, c});
+void WallMesh::flip(const Quad& q) {
+  set(q.left, {q.a, q.d, q.c}, {q.beyond[2], q.right, q.beyond[1]});
+  set(q.right, {q.d, q.b, q.c}, {q.beyond[3], q.beyond[0], q.left});
 }
 
-std::vector<WallMesh::Side> WallMesh::flip_from(std::vector<Side> waiting) {
-  std::vector<Side> made;
+// Returns the edges that flips have made.
+std::vector<WallMesh::Edge> WallMesh::flip_from(std::vector<Edge> waiting) {
+  std::vector<Edge> made;
   const size_t most = kMostFlips * triangles_.size();
   while (!waiting.empty() && made.size() < most) {
-    const auto [a, b] = waiting.back();
+    const Edge e = waiting.back();
     waiting.pop_back();
-    if (!should_flip(a, b)) continue;
-    const uint32_t c = opposite(triangle_on(a, b), a, b), d = opposite(triangle_on(b, a), a, b);
-    flip(a, b);
-    made.push_back({std::min(c, d), std::max(c, d)});
-    for (const Side& side : {Side{a, d}, Side{d, b}, Side{b, c}, Side{c, a}}) waiting.push_back(side);
+    if (!is_current(e) || !is_inner(e)) continue;
+    const Quad q = quad_of(e);
+    if (!should_flip(q)) continue;
+    flip(q);
+    made.push_back(edge(q.left, 1));
+    for (const Edge& side : {edge(q.left, 0), edge(q.left, 2), edge(q.right, 0), edge(q.right, 1)})
+      waiting.push_back(side);
   }
   return made;
 }
 
 void WallMesh::improve() { flip_from(inner_edges()); }
 
-void WallMesh::split(uint32_t a, uint32_t b, const Vertex& at) {
-  const uint32_t left = triangle_on(a, b), right = triangle_on(b, a);
-  const uint32_t c = opposite(left, a, b), d = opposite(right, a, b);
+void WallMesh::split(const Quad& q, const Vertex& at) {
   const auto m = static_cast<uint32_t>(vertices_.size());
+  const auto third = static_cast<uint32_t>(triangles_.size()), fourth = third + 1;
   vertices_.push_back(at);
-  forget(left);
-  forget(right);
-  set(left, {a, m, c});
-  set(right, {b, m, d});
-  triangles_.resize(triangles_.size() + 2);
-  const auto next = static_cast<uint32_t>(triangles_.size());
-  set(next - 2, {m, b, c});
-  set(next - 1, {m, a, d});
+  triangles_.resize(fourth + 1);
+  across_.resize(fourth + 1);
+  set(q.left, {q.a, m, q.c}, {fourth, third, q.beyond[1]});
+  set(third, {m, q.b, q.c}, {q.right, q.beyond[0], q.left});
+  set(q.right, {q.b, m, q.d}, {third, fourth, q.beyond[3]});
+  set(fourth, {m, q.a, q.d}, {q.left, q.beyond[2], q.right});
 }
 
 void WallMesh::refine(const Middle& middle) {
-  std::vector<Side> waiting = inner_edges();
+  std::vector<Edge> waiting = inner_edges();
   while (!waiting.empty()) {
-    std::vector<Side> next, around;
-    for (const auto& [a, b] : waiting) {
-      if (!is_inner(a, b)) continue;
-      if (!(deviation_(vertices_[a], vertices_[b]) > 0)) continue;
-      const std::optional<Vertex> at = middle(vertices_[a], vertices_[b]);
+    std::vector<Edge> next, around;
+    for (const Edge& e : waiting) {
+      if (!is_current(e) || !is_inner(e) || !(deviation(e.from, e.to) > 0)) continue;
+      const std::optional<Vertex> at = middle(vertices_[e.from], vertices_[e.to]);
       if (!at) continue;
-      const uint32_t c = opposite(triangle_on(a, b), a, b), d = opposite(triangle_on(b, a), a, b);
-      const auto m = static_cast<uint32_t>(vertices_.size());
-      split(a, b, *at);
-      for (const uint32_t v : {a, b, c, d}) next.push_back({v, m});
-      for (const Side& side : {Side{a, d}, Side{d, b}, Side{b, c}, Side{c, a}}) around.push_back(side);
+      const Quad q = quad_of(e);
+      split(q, *at);
+      const auto first = static_cast<uint32_t>(triangles_.size()) - 2;
+      for (const uint32_t t : {q.left, q.right, first, first + 1}) {
+        for (uint32_t i = 0; i < 3; ++i) next.push_back(edge(t, i));
+      }
+      for (const Edge& side : {edge(q.left, 2), edge(q.right, 2), edge(first, 1), edge(first + 1, 1)})
+        around.push_back(side);
     }
-    const std::vector<Side> turned = flip_from(std::move(around));
+    const std::vector<Edge> turned = flip_from(std::move(around));
     next.insert(next.end(), turned.begin(), turned.end());
-    std::sort(next.begin(), next.end());
-    next.erase(std::unique(next.begin(), next.end()), next.end());
     waiting = std::move(next);
   }
 }
 
 void WallMesh::split_between(uint32_t fixed, const std::function<bool(uint32_t, uint32_t)>& splits,
                              const Middle& middle) {
-  for (const auto& [a, b] : inner_edges()) {
-    if (a >= fixed || b >= fixed || !is_inner(a, b) || !splits(a, b)) continue;
-    if (const std::optional<Vertex> at = middle(vertices_[a], vertices_[b])) split(a, b, *at);
+  for (const Edge& e : inner_edges()) {
+    if (e.from >= fixed || e.to >= fixed || !is_current(e) || !splits(e.from, e.to)) continue;
+    if (const std::optional<Vertex> at = middle(vertices_[e.from], vertices_[e.to])) split(quad_of(e), *at);
   }
 }
 

@@ -1,7 +1,8 @@
 #pragma once
 
+#include <array>
 #include <functional>
-#include <map>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -10,8 +11,7 @@
 
 namespace kerf {
 
-// A triangulated wall with its chart. Vertices that were there at the start are `fixed`: they and the edges
-// of the boundary stay.
+// A triangulated wall with its chart. The edges of its boundary stay as they are.
 class WallMesh {
  public:
   struct Vertex {
@@ -20,6 +20,9 @@ class WallMesh {
   };
   // How far an edge deviates from the surface beyond what it may, in metres; 0 where it may stay.
   using Deviation = std::function<double(const Vertex& from, const Vertex& to)>;
+  // The vertex in the middle of an edge in the chart; nothing if the edge stays.
+  using Middle = std::function<std::optional<Vertex>(const Vertex& from, const Vertex& to)>;
+
   // Precondition: the triangles are those of a ChartRegion of this width.
   WallMesh(std::vector<Vertex> vertices, std::span<const ChartTriangle> triangles, int64_t width,
            Deviation deviation);
@@ -29,8 +32,6 @@ class WallMesh {
   // interpolation, 1977). Where a wall is bent, long triangles along the beam thus need no further vertices.
   void improve();
 
-  // The vertex in the middle of an edge in the chart; nothing if the edge stays.
-  using Middle = std::function<std::optional<Vertex>(const Vertex& from, const Vertex& to)>;
   // Splits every inner edge that deviates and for which `middle` gives a vertex, and those that arise, and
   // improves what is around them.
   void refine(const Middle& middle);
@@ -44,24 +45,35 @@ class WallMesh {
   const std::vector<ChartTriangle>& triangles() const { return triangles_; }
 
  private:
-  using Side = std::pair<uint32_t, uint32_t>;
-  uint32_t triangle_on(uint32_t from, uint32_t to) const;
-  uint32_t opposite(uint32_t triangle, uint32_t from, uint32_t to) const;
-  void set(uint32_t triangle, const ChartTriangle& corners);
-  void forget(uint32_t triangle);
-  bool is_inner(uint32_t from, uint32_t to) const;
-  bool should_flip(uint32_t a, uint32_t b) const;
-  void flip(uint32_t a, uint32_t b);
-  // Returns the edges that flips have made.
-  std::vector<Side> flip_from(std::vector<Side> waiting);
-  void split(uint32_t a, uint32_t b, const Vertex& at);
-  std::vector<Side> inner_edges() const;
+  static constexpr uint32_t kNone = 0xffffffffu;
+  // A side of a triangle, from its corner `side` to the next one. `from` tells whether it is still the same.
+  struct Edge {
+    uint32_t triangle = 0, side = 0, from = 0, to = 0;
+  };
+  // The two triangles of an inner edge: a b c and b a d.
+  struct Quad {
+    uint32_t left, right, a, b, c, d;
+    std::array<uint32_t, 4> beyond;  // the triangles beyond b c, c a, a d and d b
+  };
+
+  Edge edge(uint32_t triangle, uint32_t side) const;
+  bool is_current(const Edge& e) const;
+  bool is_inner(const Edge& e) const { return across_[e.triangle][e.side] != kNone; }
+  uint32_t side_from(uint32_t triangle, uint32_t from) const;
+  Quad quad_of(const Edge& e) const;
+  void set(uint32_t triangle, const ChartTriangle& corners, const std::array<uint32_t, 3>& across);
+  bool should_flip(const Quad& q) const;
+  void flip(const Quad& q);
+  std::vector<Edge> flip_from(std::vector<Edge> waiting);
+  void split(const Quad& q, const Vertex& at);
+  std::vector<Edge> inner_edges() const;
+  double deviation(uint32_t a, uint32_t b) const { return deviation_(vertices_[a], vertices_[b]); }
 
   std::vector<Vertex> vertices_;
   std::vector<ChartTriangle> triangles_;
+  std::vector<std::array<uint32_t, 3>> across_;  // by triangle and side: the triangle beyond
   int64_t width_;
   Deviation deviation_;
-  std::map<Side, uint32_t> sides_;  // the triangle on the left of each directed edge
 };
 
 }  // namespace kerf

@@ -236,9 +236,20 @@ class WallMaker {
     return triangulate(side, here);
   }
 
+  // Whether two triangles have the same side, as around a ring with few corners.
+  static bool meet_twice(std::span<const ChartTriangle> triangles) {
+    std::vector<PatchSide> sides;
+    for (const ChartTriangle& t : triangles) {
+      for (size_t i = 0; i < 3; ++i) sides.emplace_back(t[i], t[(i + 1) % 3]);
+    }
+    std::sort(sides.begin(), sides.end());
+    return std::adjacent_find(sides.begin(), sides.end()) != sides.end();
+  }
+
   Status triangulate(const Side& side, const Vec3& here) {
     const auto triangles = ChartRegion(side.placed, side.edges, kChartSize).triangles();
     if (!triangles) return left_open("the rim crosses itself", here);
+    if (meet_twice(*triangles)) return left_open("the wall is so narrow that its edges meet", here);
     std::vector<WallMesh::Vertex> vertices;
     for (size_t i = 0; i < side.placed.size(); ++i)
       vertices.push_back({at(side.of_patch[i]), side.placed[i]});

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "core/mesh/longest_edge.h"
 #include "core/mesh/one_to_four.h"
@@ -66,6 +67,23 @@ struct Edited {
       for (AabbTree* tree : {&sse4, &best}) tree->remove(element.faces[k]);
       mesh.remove_face(element.faces[k]);
     }
+  }
+  // Adds triangles or tetrahedra that hang together with nothing.
+  void add(int count, Random& random) {
+    std::vector<std::array<VertexId, 3>> corners;
+    for (int i = 0; i < count; ++i) {
+      const Vec3 at = centre + random.uniform(0, 1.5) * size * random_direction(random);
+      std::array<VertexId, 4> v;
+      for (VertexId& corner : v)
+        corner = mesh.add_vertex(at + random.uniform(1e-4, 0.3) * size * random_direction(random));
+      corners.push_back({v[0], v[1], v[2]});
+      if (random.below(2) == 0) continue;
+      for (const std::array<VertexId, 3>& c :
+           {std::array{v[1], v[0], v[3]}, {v[2], v[1], v[3]}, {v[0], v[2], v[3]}})
+        corners.push_back(c);
+    }
+    const std::vector<FaceId> added = mesh.add_faces(corners, std::vector<FaceData>(corners.size()));
+    for (AabbTree* tree : {&sse4, &best}) tree->add(mesh, added);
   }
 
   Mesh mesh;
@@ -134,6 +152,85 @@ TEST(TreeEdits, all_queries_equal_brute_force_and_each_other_after_random_edits)
         expect_boxes_nest(e.best);
         ASSERT_NO_FATAL_FAILURE(expect_answers_as_brute_force(e, random));
       }
+    }
+  }
+}
+
+// Splits, removals and additions, some of them far from what was there.
+void edit_at_random(Edited& e, Random& random) {
+  for (int i = 0; i < 12; ++i) {
+    const FaceId f(static_cast<uint32_t>(random.below(e.mesh.face_slots())));
+    const uint64_t what = random.below(6);
+    if (what == 0) {
+      e.tell();
+      if (e.mesh.live_faces() > 0) e.add(1 + static_cast<int>(random.below(12)), random);
+    } else if (e.mesh.is_live(f) && what == 1) {
+      e.tell();
+      e.remove(f);
+    } else if (e.mesh.is_live(f) && e.mesh.data(f).halvings < 18 && e.refinement.can_split(e.mesh, f)) {
+      random.below(2) > 0 ? e.split(f) : e.bisect(f);
+    }
+  }
+  e.tell();
+}
+
+TEST(TreeEdits, all_queries_equal_brute_force_among_faces_that_are_added) {
+  for (const uint64_t seed : {64u, 65u, 66u}) {
+    for (const auto& [name, soup] : mesh_classes()) {
+      SCOPED_TRACE(name + ", seed " + std::to_string(seed));
+      Edited e(soup);
+      Random random(seed);
+      for (int round = 0; round < 8 && e.mesh.live_faces() > 0; ++round) {
+        edit_at_random(e, random);
+        ASSERT_EQ(e.best.leaf_count(), e.mesh.live_faces());
+        expect_boxes_nest(e.best);
+        ASSERT_NO_FATAL_FAILURE(expect_answers_as_brute_force(e, random));
+      }
+    }
+  }
+}
+
+std::vector<std::tuple<Vec3, Vec3, int, bool>> boxes_of(const AabbTree& tree) {
+  std::vector<std::tuple<Vec3, Vec3, int, bool>> boxes;
+  tree.for_each_box([&](const AabbTree::Box& b) { boxes.emplace_back(b.min, b.max, b.depth, b.leaf); });
+  return boxes;
+}
+
+TEST(TreeEdits, of_faces_that_are_added_are_undone_and_redone_to_the_bit) {
+  for (uint64_t seed = 1; seed <= 40; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    Edited e(seed % 2 == 0 ? sphere(9, 14, 0.5) : grid(6, 1));
+    for (int round = 0; round < 3; ++round) {
+      const auto before = boxes_of(e.best);
+      Mesh::Change mesh_change;
+      AabbTree::Change best_change, sse4_change;
+      mesh_change.begin(e.mesh);
+      best_change.begin(e.best);
+      sse4_change.begin(e.sse4);
+      const OneToFour refinement = e.refinement;
+      edit_at_random(e, random);
+      e.add(3, random);
+      mesh_change.end(e.mesh);
+      best_change.end(e.best);
+      sse4_change.end(e.sse4);
+      const auto after = boxes_of(e.best);
+      const auto exchange = [&] {
+        mesh_change.exchange(e.mesh);
+        best_change.exchange(e.best);
+        sse4_change.exchange(e.sse4);
+      };
+      exchange();
+      ASSERT_EQ(boxes_of(e.best), before);
+      ASSERT_EQ(e.best.leaf_count(), e.mesh.live_faces());
+      ASSERT_NO_FATAL_FAILURE(expect_answers_as_brute_force(e, random));
+      if (random.below(2) == 0) {
+        e.refinement = refinement;  // the next edits go on from here
+        continue;
+      }
+      exchange();
+      ASSERT_EQ(boxes_of(e.best), after);
+      ASSERT_NO_FATAL_FAILURE(expect_answers_as_brute_force(e, random));
     }
   }
 }

@@ -1,0 +1,49 @@
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <map>
+
+#include "tests/support/runs.h"
+#include "tests/support/solids.h"
+#include "tests/support/strokes.h"
+
+namespace kerf::test {
+namespace {
+
+struct Tally {
+  size_t closed = 0, open = 0;
+};
+
+// One to three strokes through each solid, as long as it stays closed.
+TEST(SolidStrokes, leave_solids_closed_or_say_that_they_do_not) {
+  const std::vector<NamedSoup> solids = generated_solids();
+  const size_t most = runs(500);
+  std::map<std::string, Tally> kinds;
+  Tally all;
+  for (uint64_t seed = 1; all.closed + all.open < most; ++seed) {
+    Random random(seed);
+    const auto& [name, soup] = solids[seed % solids.size()];
+    SCOPED_TRACE(name + ", seed " + std::to_string(seed));
+    SolidCut cut(world_of(soup));
+    bool closed = true;
+    for (uint64_t left = 1 + random.below(3); left > 0 && closed; --left) {
+      const SolidStroke stroke = random_solid_stroke(cut.document().world(), random);
+      SCOPED_TRACE(stroke.name);
+      closed = cut.draw(stroke, random);
+      for (Tally* tally : {&all, &kinds[stroke.name]}) ++(closed ? tally->closed : tally->open);
+      if (closed) continue;
+      ASSERT_FALSE(cut.reasons().empty());
+      std::printf("left open: %s, seed %zu, %s: %s\n", name.c_str(), static_cast<size_t>(seed),
+                  stroke.name.c_str(), cut.reasons().back().c_str());
+    }
+  }
+  std::printf("%zu strokes, of which %zu left a solid open\n", all.closed + all.open, all.open);
+  for (const auto& [name, tally] : kinds)
+    std::printf("  %-12s %4zu closed %4zu open\n", name.c_str(), tally.closed, tally.open);
+  // Where the beam ends inside, the rim may leave its sides along the end.
+  EXPECT_LE(all.open, most / 12);
+  EXPECT_LE(all.open - kinds["blind"].open, most / 50);
+}
+
+}  // namespace
+}  // namespace kerf::test

@@ -10,6 +10,7 @@
 #include "core/cut/step_state.h"
 #include "core/cut/stopwatch.h"
 #include "core/cut/thermal_step.h"
+#include "core/edit/hold_cavities.h"
 
 namespace kerf {
 
@@ -251,6 +252,10 @@ size_t separate(World& world, BodyStep& step, std::span<const FaceId> hit, size_
 }
 
 void hold_what_joints_hold(World& world, Delta& delta, Hold hold) {
+  for (const BodyId id : world.ids()) {
+    if (cavities_asked(world.body(id)) && is_settled(world.body(id)))
+      hold_cavities(id, world.body(id), delta);
+  }
   if (joints_asked(world) && is_settled(world)) hold_asked_parts(world, hold, delta);
 }
 

@@ -47,7 +47,8 @@ void update_tree(BodyStep& step);
 // visited and relabelled. `hit` are the faces of which some were removed since the last search.
 size_t separate(World& world, BodyStep& step, std::span<const FaceId> hit, size_t most,
                 Meanwhile meanwhile = Meanwhile::kEdits);
-// Separates what joints do not hold any more (see hold_parts), once nothing is left to be searched.
+// Separates what joints do not hold any more (see hold_parts), and gives cavities to the pieces around them
+// (see hold_cavities), once nothing is left to be searched.
 void hold_what_joints_hold(World& world, Delta& delta, Hold hold = Hold::kStill);
 // Ends the step of a body and adds its changes and statistics to the result.
 void end_step(BodyStep& step, StepResult& result);

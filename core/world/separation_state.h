@@ -88,6 +88,8 @@ struct SeparationState {
   // Whether faces that carry joints were removed, or parts separated, since joints were last looked at (see
   // hold_parts).
   bool joints_asked = false;
+  // Whether walls were made since cavities were last looked at (see hold_cavities).
+  bool cavities_asked = false;
 
   OpenSearch search;
 

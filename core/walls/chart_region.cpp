@@ -123,10 +123,11 @@ class Polygons {
 
 }  // namespace
 
-std::optional<ChartRegion::Winding> ChartRegion::winding() const {
+std::optional<ChartRegion::Winding> ChartRegion::winding(std::vector<uint32_t>& conflict) const {
   ChartSweep sweep(vertices_, edges_, width_);
-  if (!sweep.run()) return std::nullopt;
-  return sweep.winding();
+  if (sweep.run()) return sweep.winding();
+  conflict = sweep.conflict();
+  return std::nullopt;
 }
 
 std::optional<std::vector<ChartTriangle>> ChartRegion::triangles() const {

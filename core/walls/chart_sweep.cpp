@@ -43,10 +43,21 @@ int ChartSweep::side_of(const Span& s, int64_t x, int64_t y) const {
   return turn > 0 ? 1 : turn < 0 ? -1 : 0;
 }
 
+// Notes a vertex and the ends of active edges, and those of the edge before and after them, as a conflict.
+bool ChartSweep::fail_at(uint32_t v, size_t first, size_t end) {
+  conflict_ = {v};
+  for (size_t i = first > 0 ? first - 1 : 0; i < std::min(end + 1, active_.size()); ++i)
+    conflict_.insert(conflict_.end(), {active_[i].span.left, active_[i].span.right});
+  return false;
+}
+
 bool ChartSweep::run() {
   for (size_t i = 0; i + 1 < order_.size(); ++i) {
     const ChartVertex &a = vertices_[order_[i]], &b = vertices_[order_[i + 1]];
-    if (a.x == b.x && a.y == b.y) return false;
+    if (a.x == b.x && a.y == b.y) {
+      conflict_ = {order_[i], order_[i + 1]};
+      return false;
+    }
   }
   if (!start_at_seam()) return false;
   for (const uint32_t v : order_) {
@@ -74,7 +85,9 @@ bool ChartSweep::start_at_seam() {
   };
   std::sort(at_seam_.begin(), at_seam_.end(), is_below);
   for (size_t i = 0; i + 1 < at_seam_.size(); ++i) {
-    if (!is_below(at_seam_[i], at_seam_[i + 1])) return false;
+    if (is_below(at_seam_[i], at_seam_[i + 1])) continue;
+    for (const Span& s : {at_seam_[i], at_seam_[i + 1]}) conflict_.insert(conflict_.end(), {s.left, s.right});
+    return false;
   }
   int winding = 0;
   for (size_t i = 0; i < at_seam_.size(); ++i) {
@@ -90,12 +103,13 @@ bool ChartSweep::pass(uint32_t v) {
   const auto first = std::partition_point(active_.begin(), active_.end(),
                                           [&](const Active& a) { return side_of(a.span, x, y) > 0; });
   const size_t at = static_cast<size_t>(first - active_.begin()), ending = ending_[v];
-  if (at + ending > active_.size()) return false;
+  if (at + ending > active_.size()) return fail_at(v, at, active_.size());
   for (size_t i = at; i < at + ending; ++i) {
-    if (active_[i].span.right != v || active_[i].span.right_x != x) return false;
+    if (active_[i].span.right != v || active_[i].span.right_x != x) return fail_at(v, at, at + ending + 1);
   }
-  if (at > 0 && side_of(active_[at - 1].span, x, y) <= 0) return false;
-  if (at + ending < active_.size() && side_of(active_[at + ending].span, x, y) >= 0) return false;
+  if (at > 0 && side_of(active_[at - 1].span, x, y) <= 0) return fail_at(v, at - 1, at);
+  if (at + ending < active_.size() && side_of(active_[at + ending].span, x, y) >= 0)
+    return fail_at(v, at + ending, at + ending + 1);
   for (size_t i = at; i <= at + ending; ++i) {
     if (i > 0) close(i - 1, v);
   }
@@ -113,7 +127,10 @@ bool ChartSweep::insert_starting(uint32_t v, size_t at, int winding) {
             [&](const Span& a, const Span& b) { return side_of(a, b.right_x, vertices_[b.right].y) > 0; });
   std::vector<Active> inserted;
   for (size_t i = 0; i < fresh.size(); ++i) {
-    if (i > 0 && side_of(fresh[i - 1], fresh[i].right_x, vertices_[fresh[i].right].y) <= 0) return false;
+    if (i > 0 && side_of(fresh[i - 1], fresh[i].right_x, vertices_[fresh[i].right].y) <= 0) {
+      conflict_ = {v, fresh[i - 1].right, fresh[i].right};
+      return false;
+    }
     note(winding += fresh[i].sign);
     inserted.push_back({fresh[i], winding, {v, x, -1}});
   }

@@ -15,6 +15,9 @@ class ChartSweep {
   // Returns whether no edges cross or touch.
   bool run();
 
+  // Otherwise vertices of edges that do.
+  const std::vector<uint32_t>& conflict() const { return conflict_; }
+
   const ChartRegion::Winding& winding() const { return winding_; }
   // Between two vertices that lie on the left and the right end of a trapezoid of winding number 1 and are
   // not joined by a side of it.
@@ -54,6 +57,7 @@ class ChartSweep {
   void join(const Start& start, uint32_t v, int64_t x, const Span& below, const Span& above);
   bool end_at_seam();
   void note(int winding);
+  bool fail_at(uint32_t v, size_t first, size_t end);
 
   std::span<const ChartVertex> vertices_;
   int64_t width_;
@@ -66,6 +70,7 @@ class ChartSweep {
   std::vector<Closed> closed_;  // trapezoids that began before the sweep did
   ChartRegion::Winding winding_;
   std::vector<ChartEdge> diagonals_;
+  std::vector<uint32_t> conflict_;
 };
 
 }  // namespace kerf

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -26,6 +27,8 @@ constexpr int64_t kChartSize = int64_t{1} << 30;
 constexpr double kReachParallel = 0.03, kReachFan = 0.3;
 // Two corners of the end of a wall, as seen from the middle of an arc: their chord lies kRimChord from it.
 constexpr double kTurnOfEnd = 0.0979;
+// // A triangle that is cut off the rim is no higher, relative to the radius.
+constexpr double kHighestCut = 0.03;
 // How often a wall may have more vertices than its rim.
 constexpr size_t kMostAdded = 64;
 
@@ -209,14 +212,97 @@ class WallMaker {
     return stroke_.winding(chart_->point_at({side.curve, place.around, depth}), sign * pencil_->axis());
   }
 
+  // The windings of the edges around the points of the chart. The rim may be off the boundary by a little,
+  // and
+  // its edges are chords: where some cross or touch, small triangles are cut off at vertices there, which
+  // become faces of the wall. Nothing where that does not help.
+  std::optional<ChartRegion::Winding> untangle(Side& side) {
+    constexpr int kMostCuts = 256;
+    std::vector<uint32_t> conflict;
+    for (int i = 0; i < kMostCuts; ++i) {
+      const auto winding = ChartRegion(side.placed, side.edges, kChartSize).winding(conflict);
+      if (winding || !cut_off_smallest(side, conflict)) return winding;
+    }
+    return std::nullopt;
+  }
+
+  // The edges before and after a vertex through which the rim goes once.
+  struct Passage {
+    size_t in, out;
+  };
+  static std::optional<Passage> passage(const Side& side, uint32_t v) {
+    std::optional<size_t> in, out;
+    for (size_t i = 0; i < side.edges.size(); ++i) {
+      for (const auto& [end, edge] :
+           {std::pair(side.edges[i].to, &in), std::pair(side.edges[i].from, &out)}) {
+        if (end != v) continue;
+        if (*edge) return std::nullopt;
+        *edge = i;
+      }
+    }
+    if (!in || !out) return std::nullopt;
+    return Passage{*in, *out};
+  }
+
+  bool cut_off_smallest(Side& side, const std::vector<uint32_t>& vertices) {
+    const double most = kHighestCut * stroke_.radius;
+    std::optional<Passage> best;
+    double least = std::numeric_limits<double>::infinity();
+    for (const uint32_t v : vertices) {
+      const auto p = passage(side, v);
+      if (!p) continue;
+      const uint32_t a = side.of_patch[side.edges[p->in].from], c = side.of_patch[side.edges[p->out].to];
+      if (a == c) continue;
+      const Triangle t{rim_at(a), rim_at(side.of_patch[v]), rim_at(c)};
+      const double area = triangle_area(t), height = 2 * area / std::sqrt(longest_edge2(t));
+      if (!(height <= most) || !(area < least)) continue;
+      if (are_joined(patch_.rim[a], patch_.rim[c]) && !closes(side, *p)) continue;
+      best = p;
+      least = area;
+    }
+    if (best) cut_off(side, *best);
+    return best.has_value();
+  }
+
+  // The edge from the end of a passage to its start, which makes a triangle of the three.
+  static std::optional<size_t> closes(const Side& side, const Passage& p) {
+    for (size_t i = 0; i < side.edges.size(); ++i) {
+      if (side.edges[i].from == side.edges[p.out].to && side.edges[i].to == side.edges[p.in].from) return i;
+    }
+    return std::nullopt;
+  }
+
+  void cut_off(Side& side, const Passage& p) {
+    ChartEdge &in = side.edges[p.in], &out = side.edges[p.out];
+    patch_.faces.push_back({side.of_patch[in.from], side.of_patch[in.to], side.of_patch[out.to]});
+    std::vector<size_t> gone{p.out};
+    if (const auto third = closes(side, p)) {
+      gone.insert(gone.end(), {p.in, *third});
+    } else {
+      in.dx += out.dx;
+      in.to = out.to;
+    }
+    std::sort(gone.begin(), gone.end());
+    for (size_t i = gone.size(); i-- > 0;)
+      side.edges.erase(side.edges.begin() + static_cast<std::ptrdiff_t>(gone[i]));
+  }
+
+  // Places the vertices in a chart of other depths.
+  void place_again(Side& side, Interval depths) const {
+    scale(side, depths);
+    for (size_t i = 0; i < side.placed.size(); ++i)
+      side.placed[i].y = y_of(side, places_[side.of_patch[i]].depth);
+  }
+
   Status make_side(uint32_t curve) {
     Side side;
     side.curve = curve;
     if (const Status placed = place_edges(side, depths_); !placed) return placed.error();
     if (side.edges.empty()) return Done{};
     const Vec3 here = rim_at(side.of_patch.front());
-    const auto winding = ChartRegion(side.placed, side.edges, kChartSize).winding();
+    const auto winding = untangle(side);
     if (!winding) return left_open("the rim crosses itself", here);
+    if (side.edges.empty()) return Done{};
     const int below = -winding->least, above = winding->above + below;
     if (below > 1 || above < 0 || above > 1 || winding->largest + below > 1)
       return left_open("the part passes through itself", here);
@@ -229,7 +315,7 @@ class WallMaker {
     if (below > 0) depths.high = *high;
     if (above > 0) depths.low = *low;
     if (below + above > 0) {
-      if (const Status placed = place_edges(side, depths); !placed) return placed.error();
+      place_again(side, depths);
       if (below > 0) add_end(side, *high, true);
       if (above > 0) add_end(side, *low, false);
     }

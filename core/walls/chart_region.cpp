@@ -36,9 +36,9 @@ bool append_triangles(std::vector<PolygonCorner>& polygon, std::vector<ChartTria
       const Wide turn = turn_of(b.x - a.x, b.y - a.y, c.x - a.x, c.y - a.y);
       if (base_below ? turn >= 0 : turn <= 0) break;
       if (base_below) {
-        out.push_back({a.vertex, c.vertex, b.vertex});
+        out.push_back({{a.vertex, c.vertex, b.vertex}, {a.x, c.x, b.x}});
       } else {
-        out.push_back({a.vertex, b.vertex, c.vertex});
+        out.push_back({{a.vertex, b.vertex, c.vertex}, {a.x, b.x, c.x}});
       }
       left.pop_back();
     }

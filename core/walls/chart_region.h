@@ -22,14 +22,11 @@ struct ChartEdge {
   int64_t dx = 0;
 };
 
-// By how much x grows from one vertex to another by the shorter way around a strip of this width.
-inline int64_t x_between(const ChartVertex& from, const ChartVertex& to, int64_t width) {
-  const int64_t way = to.x - from.x;
-  if (way > width / 2) return way - width;
-  return way < -width / 2 ? way + width : way;
-}
-
-using ChartTriangle = std::array<uint32_t, 3>;
+// A triangle, counter-clockwise, with the x of its corners, which may lie beyond the width of the strip.
+struct ChartTriangle {
+  std::array<uint32_t, 3> corners;
+  std::array<int64_t, 3> x;
+};
 
 // Twice the signed area of the triangle between two vectors.
 inline Wide turn_of(int64_t ax, int64_t ay, int64_t bx, int64_t by) {

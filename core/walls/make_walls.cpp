@@ -30,7 +30,7 @@ constexpr double kTurnOfEnd = 0.0979;
 // // A triangle that is cut off the rim is no higher, relative to the radius.
 constexpr double kHighestCut = 0.03;
 // How often a wall may have more vertices than its rim.
-constexpr size_t kMostAdded = 64;
+constexpr size_t kMostAdded = 2;
 
 std::string at_place(const Vec3& p) {
   std::ostringstream text;
@@ -160,6 +160,13 @@ class WallMaker {
     side.scale = high > low ? static_cast<double>(kChartSize - 2) / (high - low) : 1;
   }
 
+  // By how much x grows along an edge of the rim, which goes the shorter way around the beam.
+  static int64_t x_between(const ChartVertex& from, const ChartVertex& to) {
+    const int64_t way = to.x - from.x;
+    if (way > kChartSize / 2) return way - kChartSize;
+    return way < -kChartSize / 2 ? way + kChartSize : way;
+  }
+
   // The edges of a curve along the rim.
   Status place_edges(Side& side, Interval depths) const {
     scale(side, depths);
@@ -178,7 +185,7 @@ class WallMaker {
         return left_open("the rim crosses from one side of the beam to another", rim_at(from));
       if (places_[from].curve != side.curve) continue;
       side.edges.push_back(
-          {local[from], local[to], x_between(side.placed[local[from]], side.placed[local[to]], kChartSize)});
+          {local[from], local[to], x_between(side.placed[local[from]], side.placed[local[to]])});
     }
     return Done{};
   }
@@ -322,11 +329,14 @@ class WallMaker {
     return triangulate(side, here);
   }
 
-  // Whether two triangles have the same side, as around a ring with few corners.
+  // Whether two triangles have the same side, or one has a corner twice, as around a ring with few corners.
   static bool meet_twice(std::span<const ChartTriangle> triangles) {
     std::vector<PatchSide> sides;
     for (const ChartTriangle& t : triangles) {
-      for (size_t i = 0; i < 3; ++i) sides.emplace_back(t[i], t[(i + 1) % 3]);
+      for (size_t i = 0; i < 3; ++i) {
+        if (t.corners[i] == t.corners[(i + 1) % 3]) return true;
+        sides.emplace_back(t.corners[i], t.corners[(i + 1) % 3]);
+      }
     }
     std::sort(sides.begin(), sides.end());
     return std::adjacent_find(sides.begin(), sides.end()) != sides.end();
@@ -343,36 +353,25 @@ class WallMaker {
         std::move(vertices), *triangles, kChartSize,
         [&](const WallMesh::Vertex& a, const WallMesh::Vertex& b) { return deviation(side, a, b); });
     wall.improve();
-    const size_t most = kMostAdded * (side.placed.size() + 64);
+    const size_t most = kMostAdded * (side.placed.size() + 1024);
     size_t added = 0;
-    wall.refine([&](const WallMesh::Vertex& a, const WallMesh::Vertex& b) -> std::optional<WallMesh::Vertex> {
+    const auto at_middle = [&](const ChartVertex& v) {
+      return on_boundary(chart_->point_at(place_of(side, v)));
+    };
+    wall.refine([&](const ChartVertex& v) -> std::optional<Vec3> {
       if (added++ >= most) return std::nullopt;
-      WallMesh::Vertex m = middle(side, a, b);
-      m.at = on_boundary(m.at);
-      return m;
+      return at_middle(v);
     });
+    if (added > most) return left_open("the sides of the beam at different depths do not correspond", here);
     const auto rim = static_cast<uint32_t>(patch_.rim.size());
-    wall.split_between(
-        static_cast<uint32_t>(side.of_patch.size()),
-        [&](uint32_t a, uint32_t b) {
-          const uint32_t i = side.of_patch[a], k = side.of_patch[b];
-          return i < rim && k < rim && are_joined(patch_.rim[i], patch_.rim[k]);
-        },
-        [&](const WallMesh::Vertex& a, const WallMesh::Vertex& b) {
-          WallMesh::Vertex m = middle(side, a, b);
-          m.at = on_boundary(m.at);
-          return std::optional(m);
-        });
+    const auto are_joined_already = [&](uint32_t a, uint32_t b) {
+      const uint32_t i = side.of_patch[a], k = side.of_patch[b];
+      return i < rim && k < rim && are_joined(patch_.rim[i], patch_.rim[k]);
+    };
+    wall.split_between(static_cast<uint32_t>(side.of_patch.size()), are_joined_already,
+                       [&](const ChartVertex& v) { return std::optional(at_middle(v)); });
     append(side, wall);
     return Done{};
-  }
-
-  WallMesh::Vertex middle(const Side& side, const WallMesh::Vertex& a, const WallMesh::Vertex& b) const {
-    WallMesh::Vertex m;
-    m.chart = {a.chart.x + x_between(a.chart, b.chart, kChartSize) / 2, (a.chart.y + b.chart.y) / 2};
-    m.chart.x = (m.chart.x + kChartSize) % kChartSize;
-    m.at = chart_->point_at(place_of(side, m.chart));
-    return m;
   }
 
   // By how much the chord of an edge deviates from the boundary beyond what it may.
@@ -381,7 +380,11 @@ class WallMaker {
     if (glm::length(b.at - a.at) <= kRimLeastEdge * stroke_.radius) return 0;
     const Vec3 chord = 0.5 * (a.at + b.at);
     // The point of the chart between the ends is not the nearest one, nor exact for beams through an apex.
-    if (pencil_->parallel() && glm::length(middle(side, a, b).at - chord) <= most) return 0;
+    if (pencil_->parallel()) {
+      const int64_t x = (a.chart.x + b.chart.x) / 2, y = (a.chart.y + b.chart.y) / 2;
+      const ChartVertex middle{(x % kChartSize + kChartSize) % kChartSize, y};
+      if (glm::length(chart_->point_at(place_of(side, middle)) - chord) <= most) return 0;
+    }
     return std::max(std::abs(stroke_.distance(chord)) - most, 0.0);
   }
 
@@ -417,7 +420,7 @@ class WallMaker {
     std::vector<uint32_t> of_patch = side.of_patch;
     for (size_t i = of_patch.size(); i < wall.vertices().size(); ++i)
       of_patch.push_back(add(wall.vertices()[i].at));
-    for (const ChartTriangle& t : wall.triangles())
+    for (const WallMesh::Corners& t : wall.triangles())
       patch_.faces.push_back({of_patch[t[0]], of_patch[t[1]], of_patch[t[2]]});
   }
 
@@ -458,7 +461,7 @@ class WallMaker {
     WallMesh cap(std::move(vertices), *triangles, kWidth,
                  [](const WallMesh::Vertex&, const WallMesh::Vertex&) { return 0.0; });
     cap.improve();
-    for (const ChartTriangle& t : cap.triangles())
+    for (const WallMesh::Corners& t : cap.triangles())
       patch_.faces.push_back({of_patch[t[0]], of_patch[t[1]], of_patch[t[2]]});
     return Done{};
   }

@@ -12,7 +12,7 @@ namespace kerf {
 
 namespace {
 
-constexpr size_t kSlices = 9;  // for beams through an apex
+constexpr size_t kSlices = 17;  // for beams through an apex
 
 // The nearest point of a piece, as a share of its length.
 double nearest_share(const OutlinePiece& piece, Vec2 p) {

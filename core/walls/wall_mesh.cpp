@@ -21,64 +21,79 @@ constexpr double kFlipSlack = 1e-9;
 WallMesh::WallMesh(std::vector<Vertex> vertices, std::span<const ChartTriangle> triangles, int64_t width,
                    Deviation deviation)
     : vertices_(std::move(vertices)),
-      triangles_(triangles.begin(), triangles.end()),
       across_(triangles.size(), {kNone, kNone, kNone}),
       width_(width),
       deviation_(std::move(deviation)) {
+  for (const ChartTriangle& t : triangles) {
+    triangles_.push_back(t.corners);
+    x_.push_back(t.x);
+  }
   std::map<std::pair<uint32_t, uint32_t>, std::pair<uint32_t, uint32_t>> sides;
   for (uint32_t t = 0; t < triangles_.size(); ++t) {
     for (uint32_t i = 0; i < 3; ++i) sides[{triangles_[t][i], triangles_[t][(i + 1) % 3]}] = {t, i};
   }
   for (const auto& [side, place] : sides) {
+    edges_.insert(key(side.first, side.second));
     const auto other = sides.find({side.second, side.first});
     if (other != sides.end()) across_[place.first][place.second] = other->second.first;
   }
 }
 
 WallMesh::Edge WallMesh::edge(uint32_t triangle, uint32_t side) const {
-  const ChartTriangle& t = triangles_[triangle];
+  const Corners& t = triangles_[triangle];
   return {triangle, side, t[side], t[(side + 1) % 3]};
 }
 
 bool WallMesh::is_current(const Edge& e) const {
-  const ChartTriangle& t = triangles_[e.triangle];
+  const Corners& t = triangles_[e.triangle];
   return t[e.side] == e.from && t[(e.side + 1) % 3] == e.to;
 }
 
 uint32_t WallMesh::side_from(uint32_t triangle, uint32_t from) const {
-  const ChartTriangle& t = triangles_[triangle];
+  const Corners& t = triangles_[triangle];
   const auto at = static_cast<uint32_t>(std::find(t.begin(), t.end(), from) - t.begin());
   KERF_ASSERT(at < 3);
   return at;
 }
 
 WallMesh::Quad WallMesh::quad_of(const Edge& e) const {
-  const uint32_t right = across_[e.triangle][e.side], back = side_from(right, e.to);
-  const auto next = [](uint32_t side) { return (side + 1) % 3; };
-  const auto &l = triangles_[e.triangle], &r = triangles_[right];
-  const auto &beyond_l = across_[e.triangle], &beyond_r = across_[right];
-  return {e.triangle,
-          right,
-          e.from,
-          e.to,
-          l[next(next(e.side))],
-          r[next(next(back))],
-          {beyond_l[next(e.side)], beyond_l[next(next(e.side))], beyond_r[next(back)],
-           beyond_r[next(next(back))]}};
+  const uint32_t left = e.triangle, right = across_[left][e.side];
+  const uint32_t a = e.side, b = (a + 1) % 3, c = (a + 2) % 3;  // corners of the left triangle
+  const uint32_t back = side_from(right, e.to), to_a = (back + 1) % 3, d = (back + 2) % 3;
+  Quad q{};
+  q.left = left;
+  q.right = right;
+  q.a = e.from;
+  q.b = e.to;
+  q.c = triangles_[left][c];
+  q.d = triangles_[right][d];
+  q.xa = x_[left][a];
+  q.xb = x_[left][b];
+  q.xc = x_[left][c];
+  q.xd = x_[right][d] + q.xa - x_[right][to_a];
+  q.beyond = {across_[left][b], across_[left][c], across_[right][to_a], across_[right][d]};
+  return q;
 }
 
 // Sets a triangle and makes those beyond its sides know it.
-void WallMesh::set(uint32_t triangle, const ChartTriangle& corners, const std::array<uint32_t, 3>& across) {
+void WallMesh::set(uint32_t triangle, const ChartTriangle& to, const std::array<uint32_t, 3>& across) {
+  const Corners& corners = to.corners;
   triangles_[triangle] = corners;
+  x_[triangle] = to.x;
   across_[triangle] = across;
   for (uint32_t i = 0; i < 3; ++i) {
     if (across[i] == kNone) continue;
-    const ChartTriangle& other = triangles_[across[i]];
+    const Corners& other = triangles_[across[i]];
     for (uint32_t k = 0; k < 3; ++k) {
       if (other[k] == corners[(i + 1) % 3] && other[(k + 1) % 3] == corners[i])
         across_[across[i]][k] = triangle;
     }
   }
+}
+
+double WallMesh::deviation(uint32_t a, int64_t xa, uint32_t b, int64_t xb) const {
+  const Vertex &from = vertices_[a], &to = vertices_[b];
+  return deviation_({from.at, {xa, from.chart.y}}, {to.at, {xb, to.chart.y}});
 }
 
 std::vector<WallMesh::Edge> WallMesh::inner_edges() const {
@@ -91,17 +106,17 @@ std::vector<WallMesh::Edge> WallMesh::inner_edges() const {
   return edges;
 }
 
+uint64_t WallMesh::key(uint32_t a, uint32_t b) { return uint64_t{std::min(a, b)} << 32 | std::max(a, b); }
+
 bool WallMesh::should_flip(const Quad& q) const {
-  if (q.c == q.d) return false;
-  const auto from_a = [&](uint32_t v) {
-    return ChartVertex{x_between(vertices_[q.a].chart, vertices_[v].chart, width_),
-                       vertices_[v].chart.y - vertices_[q.a].chart.y};
-  };
-  const ChartVertex b = from_a(q.b), c = from_a(q.c), d = from_a(q.d);
+  if (q.c == q.d || edges_.contains(key(q.c, q.d))) return false;
+  const auto y_from_a = [&](uint32_t v) { return vertices_[v].chart.y - vertices_[q.a].chart.y; };
+  const ChartVertex b{q.xb - q.xa, y_from_a(q.b)}, c{q.xc - q.xa, y_from_a(q.c)},
+      d{q.xd - q.xa, y_from_a(q.d)};
   const Wide at_a = turn_of(d.x, d.y, c.x, c.y);
   const Wide at_b = turn_of(c.x - b.x, c.y - b.y, d.x - b.x, d.y - b.y);
   if (at_a <= 0 || at_b <= 0) return false;
-  const double now = deviation(q.a, q.b), then = deviation(q.c, q.d);
+  const double now = deviation(q.a, q.xa, q.b, q.xb), then = deviation(q.c, q.xc, q.d, q.xd);
   if (now > 0 || then > 0) return then < kLeastGain * now;
   const auto corner = [&](uint32_t v) {
     const Vec3 to_a = vertices_[q.a].at - vertices_[v].at, to_b = vertices_[q.b].at - vertices_[v].at;
@@ -113,8 +128,10 @@ bool WallMesh::should_flip(const Quad& q) const {
 }
 
 void WallMesh::flip(const Quad& q) {
-  set(q.left, {q.a, q.d, q.c}, {q.beyond[2], q.right, q.beyond[1]});
-  set(q.right, {q.d, q.b, q.c}, {q.beyond[3], q.beyond[0], q.left});
+  edges_.erase(key(q.a, q.b));
+  edges_.insert(key(q.c, q.d));
+  set(q.left, {{q.a, q.d, q.c}, {q.xa, q.xd, q.xc}}, {q.beyond[2], q.right, q.beyond[1]});
+  set(q.right, {{q.d, q.b, q.c}, {q.xd, q.xb, q.xc}}, {q.beyond[3], q.beyond[0], q.left});
 }
 
 // Returns the edges that flips have made.
@@ -137,16 +154,26 @@ std::vector<WallMesh::Edge> WallMesh::flip_from(std::vector<Edge> waiting) {
 
 void WallMesh::improve() { flip_from(inner_edges()); }
 
-void WallMesh::split(const Quad& q, const Vertex& at) {
+// Splits an edge where `middle` says. Returns whether it does.
+bool WallMesh::split(const Quad& q, const Middle& middle) {
+  const int64_t xm = q.xa + (q.xb - q.xa) / 2;
+  const int64_t ya = vertices_[q.a].chart.y, yb = vertices_[q.b].chart.y;
+  const ChartVertex place{(xm % width_ + width_) % width_, ya + (yb - ya) / 2};
+  const std::optional<Vec3> at = middle(place);
+  if (!at) return false;
   const auto m = static_cast<uint32_t>(vertices_.size());
   const auto third = static_cast<uint32_t>(triangles_.size()), fourth = third + 1;
-  vertices_.push_back(at);
+  vertices_.push_back({*at, place});
+  edges_.erase(key(q.a, q.b));
+  for (const uint32_t v : {q.a, q.b, q.c, q.d}) edges_.insert(key(v, m));
   triangles_.resize(fourth + 1);
+  x_.resize(fourth + 1);
   across_.resize(fourth + 1);
-  set(q.left, {q.a, m, q.c}, {fourth, third, q.beyond[1]});
-  set(third, {m, q.b, q.c}, {q.right, q.beyond[0], q.left});
-  set(q.right, {q.b, m, q.d}, {third, fourth, q.beyond[3]});
-  set(fourth, {m, q.a, q.d}, {q.left, q.beyond[2], q.right});
+  set(q.left, {{q.a, m, q.c}, {q.xa, xm, q.xc}}, {fourth, third, q.beyond[1]});
+  set(third, {{m, q.b, q.c}, {xm, q.xb, q.xc}}, {q.right, q.beyond[0], q.left});
+  set(q.right, {{q.b, m, q.d}, {q.xb, xm, q.xd}}, {third, fourth, q.beyond[3]});
+  set(fourth, {{m, q.a, q.d}, {xm, q.xa, q.xd}}, {q.left, q.beyond[2], q.right});
+  return true;
 }
 
 void WallMesh::refine(const Middle& middle) {
@@ -154,11 +181,9 @@ void WallMesh::refine(const Middle& middle) {
   while (!waiting.empty()) {
     std::vector<Edge> next, around;
     for (const Edge& e : waiting) {
-      if (!is_current(e) || !is_inner(e) || !(deviation(e.from, e.to) > 0)) continue;
-      const std::optional<Vertex> at = middle(vertices_[e.from], vertices_[e.to]);
-      if (!at) continue;
+      if (!is_current(e) || !is_inner(e)) continue;
       const Quad q = quad_of(e);
-      split(q, *at);
+      if (!(deviation(q.a, q.xa, q.b, q.xb) > 0) || !split(q, middle)) continue;
       const auto first = static_cast<uint32_t>(triangles_.size()) - 2;
       for (const uint32_t t : {q.left, q.right, first, first + 1}) {
         for (uint32_t i = 0; i < 3; ++i) next.push_back(edge(t, i));
@@ -175,8 +200,7 @@ void WallMesh::refine(const Middle& middle) {
 void WallMesh::split_between(uint32_t fixed, const std::function<bool(uint32_t, uint32_t)>& splits,
                              const Middle& middle) {
   for (const Edge& e : inner_edges()) {
-    if (e.from >= fixed || e.to >= fixed || !is_current(e) || !splits(e.from, e.to)) continue;
-    if (const std::optional<Vertex> at = middle(vertices_[e.from], vertices_[e.to])) split(quad_of(e), *at);
+    if (e.from < fixed && e.to < fixed && is_current(e) && splits(e.from, e.to)) split(quad_of(e), middle);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <unordered_set>
 #include <vector>
 
 #include "core/base/vec3.h"
@@ -14,16 +15,19 @@ namespace kerf {
 // A triangulated wall with its chart. The edges of its boundary stay as they are.
 class WallMesh {
  public:
+  using Corners = std::array<uint32_t, 3>;
   struct Vertex {
     Vec3 at{0};  // m
     ChartVertex chart;
   };
-  // How far an edge deviates from the surface beyond what it may, in metres; 0 where it may stay.
+  // How far an edge deviates from the surface beyond what it may, in metres; 0 where it may stay. The x of
+  // the ends may lie beyond the width of the strip.
   using Deviation = std::function<double(const Vertex& from, const Vertex& to)>;
-  // The vertex in the middle of an edge in the chart; nothing if the edge stays.
-  using Middle = std::function<std::optional<Vertex>(const Vertex& from, const Vertex& to)>;
+  // Where a vertex in the middle of an edge lies, from its place in the chart; nothing if the edge stays.
+  using Middle = std::function<std::optional<Vec3>(const ChartVertex& middle)>;
 
-  // Precondition: the triangles are those of a ChartRegion of this width.
+  // Precondition: the triangles are those of a ChartRegion of this width, and no two of them have the same
+  // side.
   WallMesh(std::vector<Vertex> vertices, std::span<const ChartTriangle> triangles, int64_t width,
            Deviation deviation);
 
@@ -42,7 +46,7 @@ class WallMesh {
                      const Middle& middle);
 
   const std::vector<Vertex>& vertices() const { return vertices_; }
-  const std::vector<ChartTriangle>& triangles() const { return triangles_; }
+  const std::vector<Corners>& triangles() const { return triangles_; }
 
  private:
   static constexpr uint32_t kNone = 0xffffffffu;
@@ -53,6 +57,7 @@ class WallMesh {
   // The two triangles of an inner edge: a b c and b a d.
   struct Quad {
     uint32_t left, right, a, b, c, d;
+    int64_t xa, xb, xc, xd;
     std::array<uint32_t, 4> beyond;  // the triangles beyond b c, c a, a d and d b
   };
 
@@ -61,17 +66,20 @@ class WallMesh {
   bool is_inner(const Edge& e) const { return across_[e.triangle][e.side] != kNone; }
   uint32_t side_from(uint32_t triangle, uint32_t from) const;
   Quad quad_of(const Edge& e) const;
-  void set(uint32_t triangle, const ChartTriangle& corners, const std::array<uint32_t, 3>& across);
+  void set(uint32_t triangle, const ChartTriangle& to, const std::array<uint32_t, 3>& across);
+  static uint64_t key(uint32_t a, uint32_t b);
   bool should_flip(const Quad& q) const;
   void flip(const Quad& q);
   std::vector<Edge> flip_from(std::vector<Edge> waiting);
-  void split(const Quad& q, const Vertex& at);
+  bool split(const Quad& q, const Middle& middle);
   std::vector<Edge> inner_edges() const;
-  double deviation(uint32_t a, uint32_t b) const { return deviation_(vertices_[a], vertices_[b]); }
+  double deviation(uint32_t a, int64_t xa, uint32_t b, int64_t xb) const;
 
   std::vector<Vertex> vertices_;
-  std::vector<ChartTriangle> triangles_;
+  std::vector<Corners> triangles_;
+  std::vector<std::array<int64_t, 3>> x_;        // by triangle: of its corners
   std::vector<std::array<uint32_t, 3>> across_;  // by triangle and side: the triangle beyond
+  std::unordered_set<uint64_t> edges_;           // never iterated
   int64_t width_;
   Deviation deviation_;
 };

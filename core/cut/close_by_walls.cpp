@@ -127,7 +127,7 @@ bool joins_pieces(const Mesh& mesh, const std::vector<RimSide>& sides, const Wal
   return false;
 }
 
-void add(RimState& rim, const std::vector<RimSide>& sides, const WallPatch& patch) {
+std::vector<FaceId> add(RimState& rim, const std::vector<RimSide>& sides, const WallPatch& patch) {
   std::vector<VertexId> vertices = patch.rim;
   for (const Vec3& p : patch.added) vertices.push_back(rim.step.edit.add_vertex(p));
   std::vector<std::array<VertexId, 3>> corners;
@@ -142,20 +142,21 @@ void add(RimState& rim, const std::vector<RimSide>& sides, const WallPatch& patc
     seeds.push_back(sides[i].face);
     rim.step.edit.join_parts(sides[i].face, patch.beside_wall[patch.wall_of_side[i]]);
   }
-  rim.step.edit.add_walls(corners, beside);
+  const std::vector<FaceId> walls = rim.step.edit.add_walls(corners, beside);
   std::sort(seeds.begin(), seeds.end());
   seeds.erase(std::unique(seeds.begin(), seeds.end()), seeds.end());
   rim.step.edit.search_from(seeds);
+  return walls;
 }
 
 }  // namespace
 
-Status close_by_walls(RimState& rim, std::span<const BeamMove> moves) {
+Result<std::vector<FaceId>> close_by_walls(RimState& rim, std::span<const BeamMove> moves) {
   constexpr int kMostRounds = 8;
   Result<std::vector<RimSide>> sides = sides_at_rim(rim);
   for (int i = 0; i < kMostRounds && sides && remove_ears(rim, *sides); ++i) sides = sides_at_rim(rim);
   if (!sides) return sides.error();
-  if (sides->empty()) return Done{};
+  if (sides->empty()) return std::vector<FaceId>();
   const auto swept = [&](const Vec3& p) { return distance(rim.region, p); };
   const auto winding = [&](const Vec3& p, const Vec3& direction) {
     return winding_of(rim.step.body(), p, direction);
@@ -165,8 +166,7 @@ Status close_by_walls(RimState& rim, std::span<const BeamMove> moves) {
   if (!patch) return patch.error();
   if (touches_ring(rim.mesh(), *patch)) return failed("more than two faces share an edge at the rim");
   if (joins_pieces(rim.mesh(), *sides, *patch)) return failed("a wall would join two pieces");
-  add(rim, *sides, *patch);
-  return Done{};
+  return add(rim, *sides, *patch);
 }
 
 }  // namespace kerf

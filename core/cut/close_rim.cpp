@@ -6,6 +6,7 @@
 #include "core/base/assert.h"
 #include "core/base/tolerances.h"
 #include "core/cut/cuttable.h"
+#include "core/cut/deposit_heat.h"
 #include "core/cut/rim_state.h"
 #include "core/cut/stopwatch.h"
 #include "core/joints/hold_parts.h"
@@ -239,8 +240,12 @@ class RimBite {
     for (BeamMove& m : moves) {
       if (!sweep.in_body_frame) m = {placement.to_body(m.from), placement.to_body(m.to), m.seconds};
     }
-    if (const Status closed = close_by_walls(rim, moves); !closed)
-      left_open_.push_back({rim.step.id, closed.error().message});
+    const Result<std::vector<FaceId>> walls = close_by_walls(rim, moves);
+    if (!walls) {
+      left_open_.push_back({rim.step.id, walls.error().message});
+    } else if (settings_.heat_width > 0) {
+      heat_walls(world_, rim.step, *walls);
+    }
   }
 
   void separate_pieces(BodyStep& step) {

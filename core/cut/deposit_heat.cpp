@@ -82,16 +82,12 @@ std::vector<FaceId> faces_within(const BodyStep& step, const Deposit& deposit,
 
 }  // namespace
 
-void deposit_heat(World& world, BodyStep& step, const CutSettings& settings, std::span<const FaceId> beside) {
-  KERF_ASSERT(settings.heat_width > 0);
-  Body& body = world.body(step.id);
-  const Deposit deposit(step, settings);
+namespace {
+
+// Gives faces energies (J) where they have less, and books it.
+void raise(World& world, BodyId id, std::span<const FaceId> faces, std::span<const double> energies) {
+  Body& body = world.body(id);
   double added = 0;
-  const std::vector<FaceId> faces = faces_within(step, deposit, beside);
-  std::vector<double> energies(faces.size());
-  for_each_range(faces.size(), kAtATime, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) energies[i] = deposit.energy(body.mesh.triangle(faces[i]));
-  });
   for (size_t i = 0; i < faces.size(); ++i) {
     const FaceId f = faces[i];
     const double before = body.heat.energy_of(body.mesh, f), now = energies[i];
@@ -104,6 +100,28 @@ void deposit_heat(World& world, BodyStep& step, const CutSettings& settings, std
   EnergyLedger& ledger = world.edit_energy();
   ledger.emitted += added;
   ledger.absorbed += added;
+}
+
+}  // namespace
+
+void deposit_heat(World& world, BodyStep& step, const CutSettings& settings, std::span<const FaceId> beside) {
+  KERF_ASSERT(settings.heat_width > 0);
+  const Deposit deposit(step, settings);
+  const std::vector<FaceId> faces = faces_within(step, deposit, beside);
+  std::vector<double> energies(faces.size());
+  for_each_range(faces.size(), kAtATime, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) energies[i] = deposit.energy(step.mesh().triangle(faces[i]));
+  });
+  raise(world, step.id, faces, energies);
+}
+
+void heat_walls(World& world, const BodyStep& step, std::span<const FaceId> walls) {
+  const Sheet& sheet = step.body().sheet;
+  const double of_area =
+      enthalpy_before_transition(sheet.substance) * sheet.thickness * sheet.substance.density;
+  std::vector<double> energies;
+  for (const FaceId f : walls) energies.push_back(of_area * triangle_area(step.mesh().triangle(f)));
+  raise(world, step.id, walls, energies);
 }
 
 }  // namespace kerf

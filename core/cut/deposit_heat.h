@@ -18,4 +18,7 @@ namespace kerf {
 // O(faces within the width).
 void deposit_heat(World& world, BodyStep& step, const CutSettings& settings, std::span<const FaceId> beside);
 
+// Makes walls as hot as the transition of their material, since they lie where the beam was. Booked likewise.
+void heat_walls(World& world, const BodyStep& step, std::span<const FaceId> walls);
+
 }  // namespace kerf

@@ -157,7 +157,8 @@ void BodyEdit::take_out(std::span<const FaceId> faces) {
 
 // Adding ----------------------------------------------------------------------------------------------------
 
-void BodyEdit::add_walls(std::span<const std::array<VertexId, 3>> corners, std::span<const FaceId> beside) {
+std::vector<FaceId> BodyEdit::add_walls(std::span<const std::array<VertexId, 3>> corners,
+                                        std::span<const FaceId> beside) {
   KERF_ASSERT(is_settled(*body_) && splits_.empty() && removed_.empty() && corners.size() == beside.size());
   std::vector<FaceData> data;
   for (const FaceId f : beside) {
@@ -187,6 +188,7 @@ void BodyEdit::add_walls(std::span<const std::array<VertexId, 3>> corners, std::
   }
   sort_each_once(moved_);
   faces_made_ += added.size();
+  return added;
 }
 
 // Turning and moving ----------------------------------------------------------------------------------------

@@ -47,8 +47,9 @@ class BodyEdit {
   void remove(std::span<const FaceId> faces);
 
   // Adds walls (see WallFaces) with these corners (see Mesh::add_faces), each with the label, the material
-  // and the loaded part of the face `beside` it. Precondition: the body is settled.
-  void add_walls(std::span<const std::array<VertexId, 3>> corners, std::span<const FaceId> beside);
+  // and the loaded part of the face `beside` it. Returns them. Precondition: the body is settled.
+  std::vector<FaceId> add_walls(std::span<const std::array<VertexId, 3>> corners,
+                                std::span<const FaceId> beside);
   // Adds a vertex for them.
   VertexId add_vertex(const Vec3& position) { return body_->mesh.add_vertex(position); }
   // Makes the connected parts of two faces that a wall has joined one part. Precondition: their labels are

@@ -27,8 +27,9 @@ class FansAtVertices {
 
   // Notes the half-edges that start at a vertex. To be called before any face is added.
   void note(VertexId v) {
-    const auto [at, is_new] = outgoing_.try_emplace(v);
-    if (is_new) m_.for_each_outgoing(v, [&](HalfEdgeId h) { at->second.push_back(h); });
+    if (outgoing_.contains(v)) return;
+    std::vector<HalfEdgeId>& own = outgoing_[v];
+    m_.for_each_outgoing(v, [&](HalfEdgeId h) { own.push_back(h); });
   }
   void add(VertexId v, HalfEdgeId h) { outgoing_.at(v).push_back(h); }
 

@@ -123,10 +123,10 @@ class Polygons {
 
 }  // namespace
 
-std::optional<ChartRegion::Winding> ChartRegion::winding(std::vector<uint32_t>& conflict) const {
+std::optional<ChartRegion::Winding> ChartRegion::winding(std::vector<uint32_t>* conflict) const {
   ChartSweep sweep(vertices_, edges_, width_);
   if (sweep.run()) return sweep.winding();
-  conflict = sweep.conflict();
+  if (conflict != nullptr) *conflict = sweep.conflict();
   return std::nullopt;
 }
 

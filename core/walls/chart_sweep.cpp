@@ -99,7 +99,7 @@ bool ChartSweep::start_at_seam() {
 }
 
 bool ChartSweep::pass(uint32_t v) {
-  const auto [x, y] = vertices_[v];
+  const int64_t x = vertices_[v].x, y = vertices_[v].y;
   const auto first = std::partition_point(active_.begin(), active_.end(),
                                           [&](const Active& a) { return side_of(a.span, x, y) > 0; });
   const size_t at = static_cast<size_t>(first - active_.begin()), ending = ending_[v];

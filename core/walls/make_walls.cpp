@@ -227,7 +227,7 @@ class WallMaker {
     constexpr int kMostCuts = 256;
     std::vector<uint32_t> conflict;
     for (int i = 0; i < kMostCuts; ++i) {
-      const auto winding = ChartRegion(side.placed, side.edges, kChartSize).winding(conflict);
+      const auto winding = ChartRegion(side.placed, side.edges, kChartSize).winding(&conflict);
       if (winding || !cut_off_smallest(side, conflict)) return winding;
     }
     return std::nullopt;

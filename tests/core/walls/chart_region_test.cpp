@@ -50,13 +50,14 @@ void expect_covers(const std::vector<ChartTriangle>& triangles, std::span<const 
   std::map<std::pair<uint32_t, uint32_t>, int> sides, boundary;
   for (const ChartEdge& e : edges) ++boundary[{e.from, e.to}];
   for (const ChartTriangle& t : triangles) {
-    const ChartVertex &a = vertices[t[0]], &b = vertices[t[1]], &c = vertices[t[2]];
-    const int64_t ab = x_between(a, b, width), bc = x_between(b, c, width), ca = x_between(c, a, width);
+    const ChartVertex &a = vertices[t.corners[0]], &b = vertices[t.corners[1]], &c = vertices[t.corners[2]];
+    const int64_t ab = t.x[1] - t.x[0], bc = t.x[2] - t.x[1], ca = t.x[0] - t.x[2];
+    for (size_t k = 0; k < 3; ++k) ASSERT_EQ((t.x[k] - vertices[t.corners[k]].x) % width, 0);
     ASSERT_EQ(ab + bc + ca, 0);
     const Wide own = turn_of(ab, b.y - a.y, -ca, c.y - a.y);
     ASSERT_TRUE(own > 0) << "a triangle without area, or turned over";
     area += own;
-    for (size_t k = 0; k < 3; ++k) ++sides[{t[k], t[(k + 1) % 3]}];
+    for (size_t k = 0; k < 3; ++k) ++sides[{t.corners[k], t.corners[(k + 1) % 3]}];
   }
   EXPECT_TRUE(area == enclosed_area(vertices, edges));
   for (const auto& [side, times] : boundary) {
